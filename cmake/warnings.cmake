@@ -1,0 +1,10 @@
+# Warnings are errors, for our targets only.
+add_library(tumble_warnings INTERFACE)
+target_compile_options(tumble_warnings INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion
+                                                 -Wold-style-cast -Wnon-virtual-dtor -Woverloaded-virtual -Werror)
+
+set(TUMBLE_SANITIZE "" CACHE STRING "Sanitizers for the whole build, as -fsanitize= takes them")
+if(TUMBLE_SANITIZE)
+  add_compile_options(-fsanitize=${TUMBLE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${TUMBLE_SANITIZE})
+endif()

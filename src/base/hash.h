@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tumble {
+
+/// 128 bits of XXH3, compared as a value.
+struct Hash128 {
+  std::uint64_t high = 0;
+  std::uint64_t low = 0;
+  friend bool operator==(const Hash128&, const Hash128&) = default;
+};
+
+/// 32 lower-case hexadecimal digits, most significant first.
+std::string to_string(const Hash128& hash);
+
+/// XXH3-128 over a sequence of typed fields. Each field is hashed as its little-endian bytes, so a digest is the same
+/// on every machine; raw structs are never hashed, for padding would be. Doubles must be free of −0.0 (the stepper
+/// normalises it away), or mirrored states would compare equal and hash different.
+class Hasher {
+ public:
+  Hasher();
+  ~Hasher();
+  Hasher(const Hasher&) = delete;
+  Hasher& operator=(const Hasher&) = delete;
+
+  /// Forgets everything added so far.
+  void reset();
+
+  void add(std::uint64_t value);
+  void add(double value);
+  void add(std::span<const double> column);
+  void add(std::span<const std::uint64_t> column);
+  void add(std::span<const std::uint32_t> column);
+  void add(std::span<const std::uint16_t> column);
+  void add(std::span<const std::uint8_t> column);
+
+  [[nodiscard]] Hash128 digest() const;
+
+ private:
+  template <class T>
+  void add_column(std::span<const T> column);
+
+  void* state_;  // XXH3_state_t, kept out of this header
+};
+
+/// XXH3-128 of plain bytes: what a file stores, never what a struct holds.
+Hash128 hash_bytes(std::span<const std::byte> bytes);
+
+}  // namespace tumble

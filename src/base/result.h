@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace tumble {
+
+/// What went wrong, in the classes that the command line's exit status tells apart.
+enum class ErrorKind {
+  kBadInput,      ///< exit 2: the user's file or arguments are wrong
+  kDamaged,       ///< exit 3: a file that was once right is not any more
+  kCannotFinish,  ///< exit 4: disk, memory, a non-finite state, an internal check
+};
+
+/// A message a person can act on: the file, the place, what was found, what was wanted, what to do.
+struct Error {
+  ErrorKind kind = ErrorKind::kBadInput;
+  std::string message;
+};
+
+/// A value or an Error. No exception crosses the interfaces of this project.
+template <class T>
+class [[nodiscard]] Result {
+ public:
+  Result(T value) : content_(std::move(value)) {}
+  Result(Error error) : content_(std::move(error)) {}
+
+  [[nodiscard]] bool ok() const { return std::holds_alternative<T>(content_); }
+  explicit operator bool() const { return ok(); }
+
+  T& operator*() & { return std::get<T>(content_); }
+  const T& operator*() const& { return std::get<T>(content_); }
+  T&& operator*() && { return std::get<T>(std::move(content_)); }
+  T* operator->() { return &std::get<T>(content_); }
+  const T* operator->() const { return &std::get<T>(content_); }
+
+  [[nodiscard]] const Error& error() const { return std::get<Error>(content_); }
+
+ private:
+  std::variant<T, Error> content_;
+};
+
+/// Success, or an Error.
+class [[nodiscard]] Status {
+ public:
+  Status() = default;
+  Status(Error error) : error_(std::move(error)) {}
+
+  [[nodiscard]] bool ok() const { return !error_; }
+  explicit operator bool() const { return ok(); }
+  [[nodiscard]] const Error& error() const { return *error_; }
+
+ private:
+  std::optional<Error> error_;
+};
+
+inline Error bad_input(std::string message) { return {ErrorKind::kBadInput, std::move(message)}; }
+inline Error damaged(std::string message) { return {ErrorKind::kDamaged, std::move(message)}; }
+inline Error cannot_finish(std::string message) { return {ErrorKind::kCannotFinish, std::move(message)}; }
+
+}  // namespace tumble

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cmath>
+
+#include "src/math/vec.h"
+
+namespace tumble::sim {
+
+/// Grid doubles: values that are whole multiples of a power of two, small enough that sums of them are exact. Exact
+/// sums are associative and commutative, so no order of bodies, pairs or threads can show in a result.
+///
+/// Adding and subtracting 1.5·2⁵²·grid rounds to the grid, to nearest even, and is odd-symmetric: −x gives the
+/// negated result, which mirror symmetry needs. Valid for |x| < 2⁵¹·grid.
+template <int kExponent>
+struct Grid {
+  static constexpr double kStep = 1.0 / static_cast<double>(1ULL << kExponent);
+  static constexpr double kMagic = 6755399441055744.0 * kStep;  // 1.5·2⁵² grid steps
+  static constexpr double kLimit = 2251799813685248.0 * kStep;  // 2⁵¹ grid steps
+
+  static double round(double x) { return plus_zero((x + kMagic) - kMagic); }
+  static Vec3 round(const Vec3& v) { return {round(v.x()), round(v.y()), round(v.z())}; }
+};
+
+using PositionGrid = Grid<36>;  ///< 1.5e-11 m, within ±32,768 m
+using VelocityGrid = Grid<38>;  ///< 3.6e-12 m/s or rad/s, within ±8,192
+using UnitGrid = Grid<48>;      ///< parts of unit vectors and weights, within ±8
+
+}  // namespace tumble::sim

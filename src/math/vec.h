@@ -1,0 +1,65 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <vector>
+
+namespace tumble::sim {
+
+/// Eigen stores vectors and adds them coefficient by coefficient. Products that sum are written out below, in one
+/// fixed, parenthesised order: Eigen's own reductions change with the vector width. (x + y) + z also keeps its bits
+/// when x and y are swapped or any component is negated, which mirror and swap symmetry rest on.
+using Vec3 = Eigen::Vector3d;
+
+inline double dot(const Vec3& a, const Vec3& b) { return (a.x() * b.x() + a.y() * b.y()) + a.z() * b.z(); }
+
+inline Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {a.y() * b.z() - a.z() * b.y(), a.z() * b.x() - a.x() * b.z(), a.x() * b.y() - a.y() * b.x()};
+}
+
+inline double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
+
+/// −0.0 becomes +0.0; every other value stays. Mirrored motion produces −0.0, which would hash differently.
+inline double plus_zero(double a) { return a + 0.0; }
+inline Vec3 plus_zero(const Vec3& a) { return {a.x() + 0.0, a.y() + 0.0, a.z() + 0.0}; }
+
+/// A column of vectors as three columns of doubles, so that hashing, logging and lanes see contiguous memory.
+struct Vec3Column {
+  std::vector<double> x, y, z;
+
+  [[nodiscard]] std::size_t size() const { return x.size(); }
+  Vec3 operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
+  void set(std::size_t i, const Vec3& v) {
+    x[i] = v.x();
+    y[i] = v.y();
+    z[i] = v.z();
+  }
+  void push_back(const Vec3& v) {
+    x.push_back(v.x());
+    y.push_back(v.y());
+    z.push_back(v.z());
+  }
+  void insert(std::size_t i, const Vec3& v) {
+    x.insert(x.begin() + static_cast<std::ptrdiff_t>(i), v.x());
+    y.insert(y.begin() + static_cast<std::ptrdiff_t>(i), v.y());
+    z.insert(z.begin() + static_cast<std::ptrdiff_t>(i), v.z());
+  }
+  void erase(std::size_t i) {
+    x.erase(x.begin() + static_cast<std::ptrdiff_t>(i));
+    y.erase(y.begin() + static_cast<std::ptrdiff_t>(i));
+    z.erase(z.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  void assign(std::size_t n, const Vec3& v) {
+    x.assign(n, v.x());
+    y.assign(n, v.y());
+    z.assign(n, v.z());
+  }
+  void clear() {
+    x.clear();
+    y.clear();
+    z.clear();
+  }
+  friend bool operator==(const Vec3Column&, const Vec3Column&) = default;
+};
+
+}  // namespace tumble::sim

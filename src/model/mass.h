@@ -1,0 +1,15 @@
+#pragma once
+
+#include "src/math/vec.h"
+
+namespace tumble::sim {
+
+/// Principal moments of a solid box, kg·m², about its own axes. size: edge lengths, m.
+inline Vec3 box_inertia(double mass_kg, const Vec3& size) {
+  const double xx = size.x() * size.x();
+  const double yy = size.y() * size.y();
+  const double zz = size.z() * size.z();
+  return {mass_kg * (yy + zz) / 12, mass_kg * (xx + zz) / 12, mass_kg * (xx + yy) / 12};
+}
+
+}  // namespace tumble::sim

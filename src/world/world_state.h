@@ -1,0 +1,127 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "src/base/hash.h"
+#include "src/base/ids.h"
+#include "src/math/rotation.h"
+#include "src/math/vec.h"
+#include "src/model/scene.h"
+
+namespace tumble::sim {
+
+/// All bodies, structure of arrays, one row a body in ascending id.
+///
+/// | column              | shape  | unit      | written by                          | state hash | continuation hash |
+/// |---------------------|--------|-----------|-------------------------------------|------------|-------------------|
+/// | id                  | n      |           | throw, remove                       | yes        | yes               |
+/// | position            | n × 3  | m         | integrate, apply_outcomes           | yes        | yes               |
+/// | orientation         | n × 4  | w x y z   | integrate                           | yes        | yes               |
+/// | velocity            | n × 3  | m/s       | integrate, apply_outcomes, freezing | yes        | yes               |
+/// | spin                | n × 3  | rad/s     | integrate, apply_outcomes, freezing | yes        | yes               |
+/// | frozen              | n      | 0 or 1    | update_freezing, inputs             | yes        | yes               |
+/// | low_energy_time     | n      | s         | update_freezing                     |            | yes               |
+/// | half_extent         | n × 3  | m         | throw                               |            | yes               |
+/// | mass, inverse_mass  | n      | kg, 1/kg  | throw; inverse 0 for statics        |            | yes               |
+/// | inertia, its inverse| n × 3  | kg·m², 1/ | throw; about own axes; 0 for statics|            | yes               |
+/// | friction (2), restitution | n |          | throw                               |            | yes               |
+/// | is_static           | n      | 0 or 1    | throw                               |            | yes               |
+///
+/// Positions lie on PositionGrid, velocities and spins on VelocityGrid; no column ever holds −0.0.
+struct Bodies {
+  std::vector<BodyId> id;
+  Vec3Column position;
+  QuatColumn orientation;
+  Vec3Column velocity;
+  Vec3Column spin;
+  std::vector<std::uint8_t> frozen;
+
+  std::vector<double> low_energy_time;
+
+  Vec3Column half_extent;
+  std::vector<double> mass;
+  std::vector<double> inverse_mass;
+  Vec3Column inertia;
+  Vec3Column inverse_inertia;
+  std::vector<double> friction;
+  std::vector<double> friction_dynamic;
+  std::vector<double> restitution;
+  std::vector<std::uint8_t> is_static;
+
+  [[nodiscard]] std::size_t size() const { return id.size(); }
+  /// The row of a body, if it exists.
+  [[nodiscard]] std::optional<BodyIndex> find(BodyId wanted) const;
+  /// A body that the step moves: neither static nor frozen.
+  [[nodiscard]] bool moves(BodyIndex i) const { return frozen[i] == 0 && is_static[i] == 0; }
+  friend bool operator==(const Bodies&, const Bodies&) = default;
+};
+
+/// The Active Collision List: pairs whose AABBs overlap, ascending by (a, b), a < b, with the planes found to
+/// separate them last (thesis III.A). `planes` is a set of axes: bits 0–2 faces of a, 3–5 faces of b, 6 + 3i + j the
+/// edges i of a and j of b; more than one bit means an exact tie; 0 means that no plane is known.
+struct PairTable {
+  std::vector<BodyIndex> a;
+  std::vector<BodyIndex> b;
+  std::vector<std::uint16_t> planes;
+
+  [[nodiscard]] std::size_t size() const { return a.size(); }
+  void clear() {
+    a.clear();
+    b.clear();
+    planes.clear();
+  }
+  friend bool operator==(const PairTable&, const PairTable&) = default;
+};
+
+/// The contact objects of frozen bodies (thesis III.D): for each, the set of lowest things it touched when it froze.
+/// Ascending by (body, object); an object may be kGround.
+struct ContactObjects {
+  std::vector<BodyIndex> body;
+  std::vector<BodyIndex> object;
+
+  [[nodiscard]] std::size_t size() const { return body.size(); }
+  void clear() {
+    body.clear();
+    object.clear();
+  }
+  void push_back(BodyIndex of, BodyIndex on) {
+    body.push_back(of);
+    object.push_back(on);
+  }
+  friend bool operator==(const ContactObjects&, const ContactObjects&) = default;
+};
+
+/// Everything the future of a session depends on, and nothing else. A copy is a snapshot: a world made of it goes on
+/// to the bit as if it had never stopped.
+struct WorldState {
+  std::uint64_t step = 0;  ///< steps taken
+  WorldDef def;            ///< with the current dt and gravity
+  Bodies bodies;
+  PairTable pairs;
+  ContactObjects contact_objects;
+  friend bool operator==(const WorldState&, const WorldState&) = default;
+};
+
+/// The hash of what a body visibly is: id, position, orientation, velocity, spin, frozen, of all bodies. These fields
+/// and their order stay as they are for ever.
+Hash128 state_hash(const Bodies& bodies);
+
+/// The hash of everything in a WorldState, with the version of the method that gives it meaning.
+Hash128 continuation_hash(const WorldState& state);
+
+/// The version of a method's arithmetic: raised by every change that moves a bit.
+std::uint32_t method_version(Method method);
+
+/// Kinetic energy in J of body i, linear and rotational.
+double kinetic_energy(const Bodies& bodies, BodyIndex i);
+
+/// Energies of all bodies, J; potential is −m g·x, statics count nothing. Summed in row order.
+struct Energy {
+  double kinetic = 0;
+  double potential = 0;
+};
+Energy total_energy(const WorldState& state);
+
+}  // namespace tumble::sim
