@@ -1,12 +1,21 @@
 # Everything comes from Debian packages; tools/setup.sh installs them.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+# CapnProtoConfig.cmake looks for libatomic with a program that only a C compiler takes; libcapnp links it by itself.
+set(FOUND_LIBATOMIC TRUE)
 find_package(CapnProto REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
-find_package(tomlplusplus REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(GTest REQUIRED)
 find_package(benchmark REQUIRED)
 find_package(Threads REQUIRED)
+
+# toml++ from its headers: the package's own target would link the shared library, and the bits of a scene would then
+# depend on how somebody else compiled its number parser.
+find_path(TUMBLE_TOML_INCLUDE toml++/toml.h REQUIRED)
+add_library(tumble_toml INTERFACE)
+add_library(tumble::toml ALIAS tumble_toml)
+target_compile_definitions(tumble_toml INTERFACE TOML_HEADER_ONLY=1)
+target_include_directories(tumble_toml SYSTEM INTERFACE ${TUMBLE_TOML_INCLUDE})

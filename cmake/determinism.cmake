@@ -1,12 +1,20 @@
-# What keeps every bit of a step the same on every compiler, flag and machine (docs/determinism.md). For the whole
-# build: one file without them would be enough to break the promise through an inline function.
-add_compile_options(-ffp-contract=off)
-add_compile_definitions(EIGEN_DONT_VECTORIZE EIGEN_FAST_MATH=0)
+# The flags of determinism.flags, for the whole build: one file without them would be enough to break the promise
+# through an inline function.
+set(determinism_kinds all)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  # GCC's vectorisers fuse multiplications and additions in spite of -ffp-contract=off.
-  add_compile_options(-fno-tree-vectorize)
+  list(APPEND determinism_kinds gcc)
 endif()
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^i[3-6]86$")
-  # x87 registers keep 80 bits.
-  add_compile_options(-msse2 -mfpmath=sse)
+  list(APPEND determinism_kinds i386)
 endif()
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_CURRENT_LIST_DIR}/determinism.flags)
+file(STRINGS ${CMAKE_CURRENT_LIST_DIR}/determinism.flags determinism_lines REGEX "^[^#]")
+foreach(line IN LISTS determinism_lines)
+  string(REGEX MATCH "^([a-z0-9]+) +(-.+)$" matched "${line}")
+  if(NOT matched)
+    message(FATAL_ERROR "cmake/determinism.flags: not \"<kind> <flag>\": ${line}")
+  endif()
+  if(CMAKE_MATCH_1 IN_LIST determinism_kinds)
+    add_compile_options(${CMAKE_MATCH_2})
+  endif()
+endforeach()
