@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# Installs the Debian packages that the build, the tests and the checks need, and only those that are missing.
+# Usage: tools/setup.sh [--with determinism]
+#   --with determinism   also the compilers and emulators that tools/determinism.sh uses
+set -euo pipefail
+export LC_ALL=C # comm and sort must agree on the order
+
+packages=(
+  g++ binutils cmake ninja-build ccache pkg-config
+  libeigen3-dev capnproto libcapnp-dev libzstd-dev libxxhash-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev
+  libgtest-dev libbenchmark-dev
+  clang-format clang-tidy
+  clang-16 # one of the compilers that must agree to the bit, also in the short form that is part of the tests
+)
+determinism_packages=(
+  clang-19
+  g++-aarch64-linux-gnu g++-riscv64-linux-gnu g++-s390x-linux-gnu g++-arm-linux-gnueabihf g++-i686-linux-gnu
+  qemu-user
+)
+
+fail() {
+  printf 'setup: %s\n' "$*" >&2
+  exit 4
+}
+
+while (($#)); do
+  case "$1 ${2-}" in
+    "--with determinism") packages+=("${determinism_packages[@]}"); shift 2 ;;
+    "-h "* | "--help "*) sed -n '2,4s/^# //p' "${BASH_SOURCE[0]}"; exit 0 ;;
+    *) printf 'setup: unknown argument "%s"; usage: tools/setup.sh [--with determinism]\n' "$*" >&2; exit 2 ;;
+  esac
+done
+
+command -v dpkg-query >/dev/null ||
+  fail "this machine has no dpkg. On a system other than Debian install what corresponds to: ${packages[*]}"
+
+installed=$(dpkg-query -W -f '${db:Status-Abbrev} ${Package}\n' | sed -n 's/^.i. //p' | sort -u)
+mapfile -t missing < <(comm -13 <(printf '%s\n' "$installed") <(printf '%s\n' "${packages[@]}" | sort -u))
+if ((${#missing[@]} == 0)); then
+  exit 0
+fi
+
+as_root=()
+if ((EUID != 0)); then
+  command -v sudo >/dev/null ||
+    fail "packages are missing, and installing them takes root or sudo. Run as root: apt-get install ${missing[*]}"
+  as_root=(sudo)
+fi
+printf 'setup: installing %s\n' "${missing[*]}"
+apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q)
+"${apt[@]}" update >/dev/null ||
+  printf 'setup: apt-get update reported errors; trying with the package lists as they are\n' >&2
+"${apt[@]}" install -y --no-install-recommends "${missing[@]}" ||
+  fail "apt-get could not install: ${missing[*]} (they are in Debian 12, component main)"
