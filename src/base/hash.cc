@@ -20,7 +20,7 @@ Hash128 from_xxh(XXH128_hash_t hash) { return {hash.high64, hash.low64}; }
 std::string to_string(const Hash128& hash) {
   static constexpr char kDigits[] = "0123456789abcdef";
   std::string text(32, '0');
-  for (int i = 0; i < 16; ++i) {
+  for (unsigned i = 0; i < 16; ++i) {
     text[15 - i] = kDigits[(hash.high >> (4 * i)) & 15];
     text[31 - i] = kDigits[(hash.low >> (4 * i)) & 15];
   }

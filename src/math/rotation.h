@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <vector>
 
@@ -50,19 +49,20 @@ struct QuatColumn {
 };
 
 /// A rotation as the world directions of a body's own axes: R_WB's columns.
-using Axes = std::array<Vec3, 3>;
+struct Axes {
+  Vec3 axis[3];
+  const Vec3& operator[](int k) const { return axis[k]; }
+};
 
 inline Axes axes_of(const Quat& q) {
-  return {Vec3(1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y + q.w * q.z), 2 * (q.x * q.z - q.w * q.y)),
-          Vec3(2 * (q.x * q.y - q.w * q.z), 1 - 2 * (q.x * q.x + q.z * q.z), 2 * (q.y * q.z + q.w * q.x)),
-          Vec3(2 * (q.x * q.z + q.w * q.y), 2 * (q.y * q.z - q.w * q.x), 1 - 2 * (q.x * q.x + q.y * q.y))};
+  return {{Vec3(1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y + q.w * q.z), 2 * (q.x * q.z - q.w * q.y)),
+           Vec3(2 * (q.x * q.y - q.w * q.z), 1 - 2 * (q.x * q.x + q.z * q.z), 2 * (q.y * q.z + q.w * q.x)),
+           Vec3(2 * (q.x * q.z + q.w * q.y), 2 * (q.y * q.z - q.w * q.x), 1 - 2 * (q.x * q.x + q.y * q.y))}};
 }
 
 /// A world vector in the body's axes, and back.
 inline Vec3 to_body(const Axes& axes, const Vec3& v) { return {dot(axes[0], v), dot(axes[1], v), dot(axes[2], v)}; }
-inline Vec3 to_world(const Axes& axes, const Vec3& v) {
-  return (axes[0] * v.x() + axes[1] * v.y()) + axes[2] * v.z();
-}
+inline Vec3 to_world(const Axes& axes, const Vec3& v) { return (axes[0] * v.x() + axes[1] * v.y()) + axes[2] * v.z(); }
 
 /// q scaled to length 1. Precondition: q is finite and not zero.
 inline Quat normalised(const Quat& q) {

@@ -34,6 +34,11 @@ struct Vec3Column {
     y[i] = v.y();
     z[i] = v.z();
   }
+  void add(std::size_t i, const Vec3& v) {
+    x[i] += v.x();
+    y[i] += v.y();
+    z[i] += v.z();
+  }
   void push_back(const Vec3& v) {
     x.push_back(v.x());
     y.push_back(v.y());
@@ -48,6 +53,11 @@ struct Vec3Column {
     x.erase(x.begin() + static_cast<std::ptrdiff_t>(i));
     y.erase(y.begin() + static_cast<std::ptrdiff_t>(i));
     z.erase(z.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  void resize(std::size_t n) {
+    x.resize(n);
+    y.resize(n);
+    z.resize(n);
   }
   void assign(std::size_t n, const Vec3& v) {
     x.assign(n, v.x());

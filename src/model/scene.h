@@ -112,7 +112,7 @@ struct WorldDef {
   Method method = Method::kThesis;
   double dt = 1.0 / 60;                 ///< s
   std::uint32_t substeps = 8;           ///< thesis: a step may be halved to depth floor(log2(substeps))
-  std::uint32_t split_collisions = 64;  ///< thesis: a sub-step that meets more collisions is halved
+  std::uint32_t split_collisions = 1;   ///< thesis: a sub-step that meets more collisions is halved
   Vec3 gravity = {0, 0, -9.81};         ///< m/s²
   bool ground = true;                   ///< the half-space z <= 0
   bool freezing = true;

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "src/base/ids.h"
 #include "src/math/rotation.h"
 #include "src/math/vec.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
@@ -15,6 +18,18 @@ struct BoxFrame {
   Axes axes;         ///< world directions of the box's own axes
   Vec3 half_extent;  ///< m, along them
 };
+
+/// How far a box reaches from its centre along a world axis (0, 1, 2), m.
+inline double reach_along(const BoxFrame& frame, int axis) {
+  const Vec3& h = frame.half_extent;
+  return (h.x() * std::fabs(frame.axes[0][axis]) + h.y() * std::fabs(frame.axes[1][axis])) +
+         h.z() * std::fabs(frame.axes[2][axis]);
+}
+
+/// An eighth of the volume, m³: enough to tell which box is larger.
+inline double volume_measure(const BoxFrame& frame) {
+  return (frame.half_extent.x() * frame.half_extent.y()) * frame.half_extent.z();
+}
 
 /// Collisions found and what follows from each: the Real Collision List (thesis III.A.2), structure of arrays. Pairs
 /// come first, ascending by (a, b), then bodies in the ground, ascending, with b = kGround. Points are offsets from
@@ -32,18 +47,51 @@ struct Contacts {
   [[nodiscard]] std::size_t size() const { return a.size(); }
 };
 
+/// What the broad phase keeps between sub-steps to be quick: the last sorted order and buffers.
+struct SweepScratch {
+  struct Box {
+    double low1, high1, low2, high2, low3, high3;
+  };
+  int axis = -1;                 ///< swept last
+  std::vector<BodyIndex> order;  ///< bodies by the low end of their AABB along it
+  std::vector<Box> boxes;        ///< extents in that order
+  std::vector<std::pair<BodyIndex, BodyIndex>> found;
+  std::vector<std::uint32_t> start, next;  ///< of each a in `partner`
+  std::vector<BodyIndex> partner;
+  PairTable merged;
+};
+
+/// A body that may freeze in this sub-step, and how low the lowest thing it touches lies.
+struct FreezeCandidate {
+  bool ready = false;
+  double lowest = 0;  ///< m, height of the contact object's centre over the body's; −infinity for the ground
+};
+
+/// What a rejected sub-step has to put back: all that its trial phases write.
+struct SavedMotion {
+  Vec3Column position, velocity, spin;
+  QuatColumn orientation;
+  PairTable pairs;
+};
+
 /// Memory that the phases of one sub-step pass on; nothing in it outlives the step, and the future does not depend on
 /// it. Kept between steps only so that a warm step does not allocate.
 struct Scratch {
   std::vector<BoxFrame> frames;  ///< written by find_pairs
   Vec3Column aabb_low;           ///< written by find_pairs; on PositionGrid
   Vec3Column aabb_high;
-  Contacts contacts;         ///< written by find_planes (a, b, planes), find_contacts, compute_impulses
-  Vec3Column velocity_gain;  ///< sum of impulse outcomes of each body, m/s; written by compute_impulses
-  Vec3Column spin_gain;      ///< likewise, rad/s
-  Vec3Column displacement;   ///< merged separation of each body, m; written by compute_separation
+  SweepScratch sweep;
+  Contacts contacts;                  ///< written by find_planes (a, b, planes), find_contacts, compute_impulses
+  Vec3Column velocity_gain;           ///< sum of impulse outcomes of each body, m/s; written by compute_impulses
+  Vec3Column spin_gain;               ///< likewise, rad/s
+  Vec3Column displacement;            ///< merged separation of each body, m; written by compute_separation
+  Vec3Column displacement_low;        ///< its negative parts while it is being merged
   std::vector<std::uint8_t> touched;  ///< in a real collision in this sub-step; written by compute_impulses
   double removed_energy = 0;          ///< J in this step; written by apply_outcomes
+  std::vector<FreezeCandidate> freeze_candidates;  ///< written by update_freezing
+  std::vector<std::uint8_t> frozen_before;
+  ContactObjects new_contact_objects;
+  std::vector<SavedMotion> saved;  ///< one for each depth of sub-step recursion; written by step
 };
 
 }  // namespace tumble::sim

@@ -16,6 +16,7 @@ class World {
   /// The resolved start, state 0: positions and velocities rounded to their grids, frozen bodies given the bodies they
   /// touch as contact objects. Errors: limits.h exceeded, ids not ascending, a floating-point environment that does
   /// not round to nearest or flushes subnormals.
+  /// Defined in src/step/create_world.cc.
   static Result<World> create(const SceneDef& scene);
 
   /// A world that continues from a snapshot. Errors: inconsistent columns, the floating-point environment.

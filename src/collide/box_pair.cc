@@ -1,0 +1,90 @@
+#include "src/collide/box_pair.h"
+
+#include <cmath>
+
+namespace tumble::sim {
+namespace {
+
+constexpr double kParallelSquared = 1e-6;  // |edge × edge|² below this: the edges are parallel
+constexpr double kFaceLike = 0.999;        // |axis · face normal| above this: the axis repeats a face
+constexpr int kNext[3] = {1, 2, 0};
+constexpr int kAfterNext[3] = {2, 0, 1};
+
+}  // namespace
+
+BoxPair::BoxPair(const BoxFrame& a, const BoxFrame& b) : a_(&a), b_(&b), offset_(b.position - a.position) {
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) product_[i][j] = std::fabs(dot(a.axes[i], b.axes[j]));
+    offset_a_[i] = dot(offset_, a.axes[i]);
+    offset_b_[i] = dot(offset_, b.axes[i]);
+  }
+}
+
+BoxPair::Separation BoxPair::along(int axis) const {
+  const Vec3& ha = a_->half_extent;
+  const Vec3& hb = b_->half_extent;
+  if (axis < 3) {
+    const double* p = product_[axis];
+    const double reach = ha[axis] + ((hb.x() * p[0] + hb.y() * p[1]) + hb.z() * p[2]);
+    return {offset_a_[axis] != 0, std::fabs(offset_a_[axis]) - reach};
+  }
+  if (axis < 6) {
+    const int j = axis - 3;
+    const double reach = hb[j] + ((ha.x() * product_[0][j] + ha.y() * product_[1][j]) + ha.z() * product_[2][j]);
+    return {offset_b_[j] != 0, std::fabs(offset_b_[j]) - reach};
+  }
+  return along_edge((axis - 6) / 3, (axis - 6) % 3);
+}
+
+BoxPair::Separation BoxPair::along_edge(int i, int j) const {
+  const Vec3 axis = cross(a_->axes[i], b_->axes[j]);
+  const double squared = dot(axis, axis);
+  if (squared < kParallelSquared) return {};
+  const double scale = 1 / std::sqrt(squared);
+  // The edge's own axes span the plane of the other two: a's axis m along the cross product is b's edge along the
+  // remaining axis of a.
+  const int ia = kNext[i], ib = kAfterNext[i], ja = kNext[j], jb = kAfterNext[j];
+  const double along_ia = product_[ib][j] * scale, along_ib = product_[ia][j] * scale;
+  const double along_ja = product_[i][jb] * scale, along_jb = product_[i][ja] * scale;
+  if (along_ia > kFaceLike || along_ib > kFaceLike || along_ja > kFaceLike || along_jb > kFaceLike) return {};
+  const double offset = dot(offset_, axis);
+  const Vec3& ha = a_->half_extent;
+  const Vec3& hb = b_->half_extent;
+  const double reach = (ha[ia] * along_ia + ha[ib] * along_ib) + (hb[ja] * along_ja + hb[jb] * along_jb);
+  return {offset != 0, std::fabs(offset) * scale - reach};
+}
+
+AxisSet BoxPair::separating(AxisSet candidates) const {
+  AxisSet apart = 0;
+  for (int axis = 0; axis < kAxisCount; ++axis) {
+    if ((candidates & only(axis)) == 0) continue;
+    const Separation s = along(axis);
+    if (s.has_direction && s.value >= 0) apart |= only(axis);
+  }
+  return apart;
+}
+
+BestAxes BoxPair::best(AxisSet candidates) const {
+  BestAxes best;
+  for (int axis = 0; axis < kAxisCount; ++axis) {
+    if ((candidates & only(axis)) == 0) continue;
+    const Separation s = along(axis);
+    if (!s.has_direction) continue;
+    if (best.axes == 0 || s.value > best.separation) {
+      best = {only(axis), s.value};
+    } else if (s.value == best.separation) {
+      best.axes |= only(axis);
+    }
+  }
+  return best;
+}
+
+Vec3 BoxPair::normal(int axis) const {
+  if (axis < 3) return offset_a_[axis] < 0 ? Vec3(-a_->axes[axis]) : a_->axes[axis];
+  if (axis < 6) return offset_b_[axis - 3] < 0 ? Vec3(-b_->axes[axis - 3]) : b_->axes[axis - 3];
+  const Vec3 edge = cross(a_->axes[(axis - 6) / 3], b_->axes[(axis - 6) % 3]);
+  const double scale = 1 / std::sqrt(dot(edge, edge));
+  return edge * (dot(offset_, edge) < 0 ? -scale : scale);
+}
+
+}  // namespace tumble::sim

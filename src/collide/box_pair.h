@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+
+#include "src/world/scratch.h"
+
+namespace tumble::sim {
+
+/// The axes along which two boxes can be separated (Gottschalk 1996): 0–2 the faces of a, 3–5 the faces of b, and
+/// 6 + 3i + j the edge i of a crossed with the edge j of b. A set of them is a bit mask, as in PairTable::planes.
+inline constexpr int kAxisCount = 15;
+using AxisSet = std::uint16_t;
+inline constexpr AxisSet kFacesOfA = 0b111;
+inline constexpr AxisSet kFacesOfB = 0b111000;
+inline constexpr AxisSet kFaces = kFacesOfA | kFacesOfB;
+inline constexpr AxisSet kEdges = 0b111111111000000;
+constexpr AxisSet only(int axis) { return static_cast<AxisSet>(1U << static_cast<unsigned>(axis)); }
+
+/// The best of a set of axes: those with the largest separation, all of them when several tie exactly. `axes` is 0
+/// when no axis of the set has a direction.
+struct BestAxes {
+  AxisSet axes = 0;
+  double separation = 0;  ///< m, negative when the boxes overlap along the axis
+};
+
+/// Two boxes and the products of their axes that every separation needs. All of it follows from d = x_b − x_a, which is
+/// exact on the position grid, so it does not change when the pair is shifted; and every sum is arranged so that
+/// exchanging a and b, mirroring, or swapping x and y gives the same bits.
+///
+/// An axis has no direction, and is skipped, when d has no part along it (zero offset: either sign would be a choice),
+/// or when it is the cross product of edges that are nearly parallel to each other or to a face normal: such an axis
+/// repeats a face, and taking it for an edge contact puts the collision on one arbitrary edge (the lateral error of
+/// the thesis's Fig. 22).
+class BoxPair {
+ public:
+  BoxPair(const BoxFrame& a, const BoxFrame& b);
+
+  /// The axes of `candidates` along which the boxes are apart or just touch.
+  [[nodiscard]] AxisSet separating(AxisSet candidates) const;
+
+  /// The largest separation among `candidates`.
+  [[nodiscard]] BestAxes best(AxisSet candidates) const;
+
+  /// The direction of an axis, unit length, from a to b. Precondition: the axis has a direction.
+  [[nodiscard]] Vec3 normal(int axis) const;
+
+  [[nodiscard]] const BoxFrame& a() const { return *a_; }
+  [[nodiscard]] const BoxFrame& b() const { return *b_; }
+  /// x_b − x_a, m, world axes.
+  [[nodiscard]] const Vec3& offset() const { return offset_; }
+
+ private:
+  struct Separation {
+    bool has_direction = false;
+    double value = 0;
+  };
+  [[nodiscard]] Separation along(int axis) const;
+  [[nodiscard]] Separation along_edge(int i, int j) const;
+
+  const BoxFrame* a_;
+  const BoxFrame* b_;
+  Vec3 offset_;
+  double product_[3][3];  // |a's axis i · b's axis j|
+  double offset_a_[3];    // offset · a's axis i
+  double offset_b_[3];
+};
+
+}  // namespace tumble::sim

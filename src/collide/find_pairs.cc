@@ -1,0 +1,160 @@
+#include "src/collide/find_pairs.h"
+
+#include <algorithm>
+
+#include "src/math/grid.h"
+
+namespace tumble::sim {
+namespace {
+
+// The reach of the box along each world axis, rounded up to the grid: position ± reach is then exact.
+Vec3 grid_reach(const BoxFrame& frame) {
+  const auto along = [&](int axis) { return PositionGrid::round(reach_along(frame, axis)) + PositionGrid::kStep; };
+  return {along(0), along(1), along(2)};
+}
+
+const std::vector<double>& axis_of(const Vec3Column& column, int axis) {
+  return axis == 0 ? column.x : axis == 1 ? column.y : column.z;
+}
+
+// The axis along which the bodies spread the most meets the fewest false overlaps. The choice shows in nothing but
+// time, so plain sums will do.
+int sweep_axis(const Bodies& bodies) {
+  int widest = 0;
+  double most = -1;
+  for (int axis = 0; axis < 3; ++axis) {
+    double sum = 0, squares = 0;
+    for (const double x : axis_of(bodies.position, axis)) {
+      sum += x;
+      squares += x * x;
+    }
+    const double spread = squares - sum * sum / static_cast<double>(bodies.size());
+    if (spread > most) {
+      most = spread;
+      widest = axis;
+    }
+  }
+  return widest;
+}
+
+// Keeps the order of the last step where it still holds: bodies move little, so insertion sort is nearly linear.
+void sort_by_low(SweepScratch& sweep, const std::vector<double>& low, int axis) {
+  const auto n = static_cast<BodyIndex>(low.size());
+  if (sweep.order.size() != n || sweep.axis != axis) {
+    sweep.axis = axis;
+    sweep.order.resize(n);
+    for (BodyIndex i = 0; i < n; ++i) sweep.order[i] = i;
+    std::sort(sweep.order.begin(), sweep.order.end(), [&](BodyIndex i, BodyIndex j) { return low[i] < low[j]; });
+    return;
+  }
+  for (std::size_t i = 1; i < n; ++i) {
+    const BodyIndex body = sweep.order[i];
+    std::size_t j = i;
+    for (; j > 0 && low[sweep.order[j - 1]] > low[body]; --j) sweep.order[j] = sweep.order[j - 1];
+    sweep.order[j] = body;
+  }
+}
+
+// Copies the extents in swept order, so that the sweep reads memory forwards.
+void gather(SweepScratch& sweep, const Scratch& scratch) {
+  const std::size_t n = sweep.order.size();
+  sweep.boxes.resize(n);
+  const int first = sweep.axis, second = (first + 1) % 3, third = (first + 2) % 3;
+  const auto& low1 = axis_of(scratch.aabb_low, first);
+  const auto& low2 = axis_of(scratch.aabb_low, second);
+  const auto& low3 = axis_of(scratch.aabb_low, third);
+  const auto& high1 = axis_of(scratch.aabb_high, first);
+  const auto& high2 = axis_of(scratch.aabb_high, second);
+  const auto& high3 = axis_of(scratch.aabb_high, third);
+  for (std::size_t k = 0; k < n; ++k) {
+    const BodyIndex i = sweep.order[k];
+    sweep.boxes[k] = {low1[i], high1[i], low2[i], high2[i], low3[i], high3[i]};
+  }
+}
+
+// Every overlapping pair once, smaller index first, in swept order.
+void sweep_pairs(SweepScratch& sweep) {
+  sweep.found.clear();
+  const std::size_t n = sweep.order.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const SweepScratch::Box& p = sweep.boxes[i];
+    for (std::size_t j = i + 1; j < n && sweep.boxes[j].low1 <= p.high1; ++j) {
+      const SweepScratch::Box& q = sweep.boxes[j];
+      if (q.low2 <= p.high2 && p.low2 <= q.high2 && q.low3 <= p.high3 && p.low3 <= q.high3) {
+        sweep.found.push_back(std::minmax(sweep.order[i], sweep.order[j]));
+      }
+    }
+  }
+}
+
+// Sorts the pairs by (a, b): by counting for a, directly for the few b of one a.
+void sort_pairs(SweepScratch& sweep) {
+  const std::size_t n = sweep.order.size();
+  sweep.start.assign(n + 1, 0);
+  for (const auto& pair : sweep.found) ++sweep.start[pair.first + 1];
+  for (std::size_t a = 0; a < n; ++a) sweep.start[a + 1] += sweep.start[a];
+  sweep.partner.resize(sweep.found.size());
+  sweep.next.assign(sweep.start.begin(), sweep.start.end() - 1);
+  for (const auto& pair : sweep.found) sweep.partner[sweep.next[pair.first]++] = pair.second;
+  for (std::size_t a = 0; a < n; ++a) {
+    std::sort(sweep.partner.begin() + sweep.start[a], sweep.partner.begin() + sweep.start[a + 1]);
+  }
+}
+
+// Makes the new list out of the sorted pairs; one that was in the old list, sorted alike, brings its planes along.
+void merge_pairs(SweepScratch& sweep, PairTable& pairs) {
+  PairTable& merged = sweep.merged;
+  merged.clear();
+  std::size_t old = 0;
+  const auto n = static_cast<BodyIndex>(sweep.start.size() - 1);
+  for (BodyIndex a = 0; a < n; ++a) {
+    for (std::uint32_t k = sweep.start[a]; k < sweep.start[a + 1]; ++k) {
+      const BodyIndex b = sweep.partner[k];
+      while (old < pairs.size() && (pairs.a[old] < a || (pairs.a[old] == a && pairs.b[old] < b))) ++old;
+      const bool known = old < pairs.size() && pairs.a[old] == a && pairs.b[old] == b;
+      merged.a.push_back(a);
+      merged.b.push_back(b);
+      merged.planes.push_back(known ? pairs.planes[old] : std::uint16_t{0});
+    }
+  }
+  std::swap(pairs, merged);
+}
+
+}  // namespace
+
+void update_frames(World& world) {
+  const Bodies& bodies = world.bodies();
+  Scratch& scratch = world.mutable_scratch();
+  const std::size_t n = bodies.size();
+  scratch.frames.resize(n);
+  scratch.aabb_low.resize(n);
+  scratch.aabb_high.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    BoxFrame& frame = scratch.frames[i];
+    frame = {bodies.position[i], axes_of(bodies.orientation[i]), bodies.half_extent[i]};
+    const Vec3 reach = grid_reach(frame);
+    scratch.aabb_low.set(i, frame.position - reach);
+    scratch.aabb_high.set(i, frame.position + reach);
+  }
+}
+
+Status find_pairs(World& world, double /*dt_s*/) {
+  update_frames(world);
+  Scratch& scratch = world.mutable_scratch();
+  SweepScratch& sweep = scratch.sweep;
+  const int axis = sweep_axis(world.bodies());
+  sort_by_low(sweep, axis_of(scratch.aabb_low, axis), axis);
+  gather(sweep, scratch);
+  sweep_pairs(sweep);
+  sort_pairs(sweep);
+  merge_pairs(sweep, world.mutable_state().pairs);
+  return {};
+}
+
+void hash_find_pairs(const World& world, Hasher& hasher) {
+  const PairTable& pairs = world.state().pairs;
+  hasher.add(std::span<const BodyIndex>(pairs.a));
+  hasher.add(std::span<const BodyIndex>(pairs.b));
+}
+
+}  // namespace tumble::sim

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "src/base/hash.h"
+#include "src/base/result.h"
+#include "src/world/world.h"
+
+namespace tumble::sim {
+
+/// Broad phase: fills the Active Collision List with the pairs whose AABBs overlap on all three axes (touching counts).
+/// Reads:  position, orientation, half_extent
+/// Writes: frames, aabb_low, aabb_high; pairs, ascending by (a, b); a pair that was in the list keeps its planes, one
+///         that left it has lost them
+/// Order:  the list is a set, whatever axis is swept
+/// Source: thesis III.A.1, dynamically sized AABBs, sorted. Differs: boxes are sorted along the axis on which they
+///         spread the most and the other two are compared directly, which gives the same set; the extents are rounded
+///         outwards to the position grid, so that a shifted scene finds the same pairs.
+Status find_pairs(World& world, double dt_s);
+void hash_find_pairs(const World& world, Hasher& hasher);
+
+/// Writes frames and AABBs only; find_pairs begins with it.
+void update_frames(World& world);
+
+}  // namespace tumble::sim

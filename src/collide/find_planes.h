@@ -1,0 +1,20 @@
+#pragma once
+
+#include "src/base/hash.h"
+#include "src/base/result.h"
+#include "src/world/world.h"
+
+namespace tumble::sim {
+
+/// Narrow phase, first goal: for every pair of the Active Collision List a plane that separates it, or a place in the
+/// Real Collision List with the planes that the collision happens on.
+/// Reads:  frames, pairs
+/// Writes: pairs.planes (0 for a pair in collision); contacts.a, b, planes
+/// Source: thesis III.A.2. The plane of the last step is tried first, then the other kind (after a face the edges,
+///         after an edge or nothing the faces, those of the larger box first). A pair in collision collides on its old
+///         plane, and without one on the plane of least overlap. Differs: among planes of a kind the best one is taken
+///         and exact ties are kept together, for "the first found" depends on order; see docs/thesis.md.
+Status find_planes(World& world, double dt_s);
+void hash_find_planes(const World& world, Hasher& hasher);
+
+}  // namespace tumble::sim

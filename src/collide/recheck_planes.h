@@ -1,0 +1,17 @@
+#pragma once
+
+#include "src/base/hash.h"
+#include "src/base/result.h"
+#include "src/world/world.h"
+
+namespace tumble::sim {
+
+/// Forgets the planes that displacement has made false, so that the next step does not take one for the plane of a
+/// collision.
+/// Reads:  position, touched; pairs
+/// Writes: frames' positions; pairs.planes
+/// Source: thesis III.A.2 and III.C.1: "the existing SP is re-checked to be sure that it is still separating"
+Status recheck_planes(World& world, double dt_s);
+void hash_recheck_planes(const World& world, Hasher& hasher);
+
+}  // namespace tumble::sim

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "src/base/result.h"
+#include "src/world/world.h"
+
+namespace tumble::sim {
+
+/// Errors when the position, velocity or spin of body i is not finite or beyond limits.h: grid sums are exact only
+/// within them. The message names the body, what was found and the limit.
+Status check_body(const Bodies& bodies, BodyIndex i);
+
+/// The same for the outcome of one contact, before it enters a sum.
+Status check_gain(const Bodies& bodies, BodyIndex i, const Vec3& velocity, const Vec3& spin);
+
+/// Adds position, orientation, velocity and spin of all bodies: what the phases that move bodies have written.
+void hash_motion(const World& world, Hasher& hasher);
+
+}  // namespace tumble::sim

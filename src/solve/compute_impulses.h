@@ -1,0 +1,40 @@
+#pragma once
+
+#include "src/base/hash.h"
+#include "src/base/result.h"
+#include "src/world/world.h"
+
+namespace tumble::sim {
+
+/// The outcome of every collision, from the velocities before any of them: nothing is applied yet (thesis III.C).
+/// Reads:  contacts; velocity, spin, orientation (through frames), masses, material
+/// Writes: contacts.impulse; velocity_gain, spin_gain, touched
+/// Errors: a gain that is not finite or beyond limits.h
+/// Order:  each gain is rounded to the velocity grid, so their sums are exact in any order
+/// Source: thesis III.B, eq. 3.1 and Coulomb friction. Differs: 3.1 as printed has the sign of B's rotation and of both
+///         inertia terms turned round; ours are Baraff and Witkin's (docs/thesis.md). No impulse when parting.
+Status compute_impulses(World& world, double dt_s);
+void hash_compute_impulses(const World& world, Hasher& hasher);
+
+/// One side of a contact: an immovable body has zeroes.
+struct ContactBody {
+  Vec3 velocity = Vec3::Zero();  ///< m/s
+  Vec3 spin = Vec3::Zero();      ///< rad/s
+  double inverse_mass = 0;       ///< 1/kg
+  Vec3 inverse_inertia = Vec3::Zero();
+  Axes axes = axes_of(Quat{});
+  Vec3 r = Vec3::Zero();  ///< collision point from the centre of mass, m
+};
+
+struct PairMaterial {
+  double friction = 0, friction_dynamic = 0, restitution = 0;
+  double slip_speed = 0;  ///< m/s
+};
+
+/// Equation 3.1 with friction: the impulse (N·s) on b; a receives the opposite. normal: unit, from a to b.
+Vec3 collision_impulse(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material);
+
+/// The change of spin that an impulse at r makes.
+Vec3 spin_gain_of(const ContactBody& body, const Vec3& impulse);
+
+}  // namespace tumble::sim

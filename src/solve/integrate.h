@@ -1,0 +1,28 @@
+#pragma once
+
+#include "src/base/hash.h"
+#include "src/base/result.h"
+#include "src/world/world.h"
+
+namespace tumble::sim {
+
+/// Free flight for dt_s of every body that moves.
+/// Reads:  position, orientation, velocity, spin, inertia; gravity, air_drag
+/// Writes: position, orientation, velocity, spin
+/// Errors: a body that is not finite or beyond limits.h
+/// Source: ballistic rule x += ½ (v₀ + v₁) dt, exact under gravity. Rotation: implicit midpoint in the body's frame
+/// with
+///         a Cayley map (Austin, Krishnaprasad and Wang 1993): it keeps angular momentum and kinetic energy, and needs
+///         no trigonometry. The thesis says only "basic integration" by Baraff and Witkin.
+Status integrate(World& world, double dt_s);
+void hash_integrate(const World& world, Hasher& hasher);
+
+/// The part of integrate that turns one body: new orientation, and the spin that keeps R I Rᵀ w. Exposed for tests.
+struct Rotation {
+  Quat orientation;
+  Vec3 spin;
+};
+Rotation rotate_freely(const Quat& orientation, const Vec3& spin, const Vec3& inertia, const Vec3& inverse_inertia,
+                       double dt_s);
+
+}  // namespace tumble::sim

@@ -1,0 +1,163 @@
+#include "src/world/edit_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "src/math/grid.h"
+#include "src/model/limits.h"
+#include "src/model/mass.h"
+
+namespace tumble::sim {
+namespace {
+
+bool within(const Vec3& v, double limit) {
+  return std::fabs(v.x()) <= limit && std::fabs(v.y()) <= limit && std::fabs(v.z()) <= limit;
+}
+
+Error bad_box(const BoxDef& box, const std::string& what) {
+  return bad_input("body " + std::to_string(box.id) + ": " + what);
+}
+
+std::string range(double low, double high, const char* unit) {
+  return std::to_string(low) + " … " + std::to_string(high) + " " + unit;
+}
+
+template <class T>
+void insert_at(std::vector<T>& column, BodyIndex i, T value) {
+  column.insert(column.begin() + static_cast<std::ptrdiff_t>(i), value);
+}
+
+template <class T>
+void erase_at(std::vector<T>& column, BodyIndex i) {
+  column.erase(column.begin() + static_cast<std::ptrdiff_t>(i));
+}
+
+// Indexes at or behind `first` move by `by`; the ground stays the ground.
+void shift_indices(std::vector<BodyIndex>& indices, BodyIndex first, int by) {
+  for (BodyIndex& index : indices) {
+    if (index != kGround && index >= first) index = static_cast<BodyIndex>(static_cast<std::int64_t>(index) + by);
+  }
+}
+
+void shift_all(WorldState& state, BodyIndex first, int by) {
+  shift_indices(state.pairs.a, first, by);
+  shift_indices(state.pairs.b, first, by);
+  shift_indices(state.contact_objects.body, first, by);
+  shift_indices(state.contact_objects.object, first, by);
+}
+
+template <class Keep>
+void filter_pairs(PairTable& pairs, Keep keep) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (!keep(pairs.a[k], pairs.b[k])) continue;
+    pairs.a[kept] = pairs.a[k];
+    pairs.b[kept] = pairs.b[k];
+    pairs.planes[kept] = pairs.planes[k];
+    ++kept;
+  }
+  pairs.a.resize(kept);
+  pairs.b.resize(kept);
+  pairs.planes.resize(kept);
+}
+
+template <class Keep>
+void filter_objects(ContactObjects& objects, Keep keep) {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < objects.size(); ++k) {
+    if (!keep(objects.body[k], objects.object[k])) continue;
+    objects.body[kept] = objects.body[k];
+    objects.object[kept] = objects.object[k];
+    ++kept;
+  }
+  objects.body.resize(kept);
+  objects.object.resize(kept);
+}
+
+Vec3 inverse(const Vec3& v) { return {1 / v.x(), 1 / v.y(), 1 / v.z()}; }
+
+}  // namespace
+
+Status check_box(const BoxDef& box) {
+  if (box.id == 0 || box.id > kBodyIdMax) return bad_box(box, "found this id, wanted 1 … 2^53 − 1");
+  for (const double edge : {box.size.x(), box.size.y(), box.size.z()}) {
+    if (!(edge >= kSizeMin && edge <= kSizeMax)) {
+      return bad_box(box, "found an edge of " + std::to_string(edge) + " m, wanted " + range(kSizeMin, kSizeMax, "m"));
+    }
+  }
+  if (!(box.mass >= kMassMin && box.mass <= kMassMax)) {
+    return bad_box(box,
+                   "found a mass of " + std::to_string(box.mass) + " kg, wanted " + range(kMassMin, kMassMax, "kg"));
+  }
+  if (!within(box.position, kPositionMax)) return bad_box(box, "its position is not finite or beyond ±32768 m");
+  if (!within(box.velocity, kSpeedMax)) return bad_box(box, "its velocity is not finite or beyond ±8192 m/s");
+  if (!within(box.spin, kSpeedMax)) return bad_box(box, "its spin is not finite or beyond ±8192 rad/s");
+  const Quat& q = box.orientation;
+  const double norm = q.w * q.w + ((q.x * q.x + q.y * q.y) + q.z * q.z);
+  if (!(norm > 1e-12 && norm < 1e12)) return bad_box(box, "its orientation has no direction; use [1, 0, 0, 0]");
+  const Material& m = box.material;
+  for (const double value : {m.friction, m.friction_dynamic, m.restitution}) {
+    if (!(value >= 0 && value <= 1e3)) return bad_box(box, "found a material value out of range, wanted 0 … 1000");
+  }
+  return {};
+}
+
+void insert_body(WorldState& state, const BoxDef& box) {
+  Bodies& b = state.bodies;
+  const auto i = static_cast<BodyIndex>(std::lower_bound(b.id.begin(), b.id.end(), box.id) - b.id.begin());
+  const bool rests = box.is_static || box.frozen;
+  const Vec3 inertia = box_inertia(box.mass, box.size);
+  shift_all(state, i, 1);
+  insert_at(b.id, i, box.id);
+  b.position.insert(i, PositionGrid::round(box.position));
+  b.orientation.insert(i, normalised(box.orientation));
+  b.velocity.insert(i, rests ? Vec3(Vec3::Zero()) : VelocityGrid::round(box.velocity));
+  b.spin.insert(i, rests ? Vec3(Vec3::Zero()) : VelocityGrid::round(box.spin));
+  insert_at(b.frozen, i, static_cast<std::uint8_t>(box.frozen && !box.is_static));
+  insert_at(b.low_energy_time, i, 0.0);
+  b.half_extent.insert(i, box.size * 0.5);
+  insert_at(b.mass, i, box.mass);
+  insert_at(b.inverse_mass, i, box.is_static ? 0.0 : 1 / box.mass);
+  b.inertia.insert(i, box.is_static ? Vec3(Vec3::Zero()) : inertia);
+  b.inverse_inertia.insert(i, box.is_static ? Vec3(Vec3::Zero()) : inverse(inertia));
+  insert_at(b.friction, i, box.material.friction);
+  insert_at(b.friction_dynamic, i, box.material.friction_dynamic);
+  insert_at(b.restitution, i, box.material.restitution);
+  insert_at(b.is_static, i, static_cast<std::uint8_t>(box.is_static));
+}
+
+void erase_body(WorldState& state, BodyIndex i) {
+  std::vector<BodyIndex> resting;
+  for (std::size_t k = 0; k < state.contact_objects.size(); ++k) {
+    if (state.contact_objects.object[k] == i) resting.push_back(state.contact_objects.body[k]);
+  }
+  for (const BodyIndex body : resting) wake_body(state, body);
+  filter_pairs(state.pairs, [&](BodyIndex a, BodyIndex b) { return a != i && b != i; });
+  filter_objects(state.contact_objects, [&](BodyIndex body, BodyIndex) { return body != i; });
+
+  Bodies& b = state.bodies;
+  erase_at(b.id, i);
+  b.position.erase(i);
+  b.orientation.erase(i);
+  b.velocity.erase(i);
+  b.spin.erase(i);
+  b.half_extent.erase(i);
+  b.inertia.erase(i);
+  b.inverse_inertia.erase(i);
+  for (auto* column : {&b.frozen, &b.is_static}) erase_at(*column, i);
+  for (auto* column :
+       {&b.low_energy_time, &b.mass, &b.inverse_mass, &b.friction, &b.friction_dynamic, &b.restitution}) {
+    erase_at(*column, i);
+  }
+  shift_all(state, i, -1);
+}
+
+void wake_body(WorldState& state, BodyIndex i) {
+  if (state.bodies.frozen[i] == 0) return;
+  state.bodies.frozen[i] = 0;
+  state.bodies.low_energy_time[i] = 0;
+  filter_objects(state.contact_objects, [&](BodyIndex body, BodyIndex) { return body != i; });
+}
+
+}  // namespace tumble::sim

@@ -1,0 +1,119 @@
+#include "src/world/world_state.h"
+
+#include <algorithm>
+
+namespace tumble::sim {
+namespace {
+
+void add(Hasher& hasher, const std::vector<double>& column) { hasher.add(std::span<const double>(column)); }
+void add(Hasher& hasher, const std::vector<std::uint8_t>& column) { hasher.add(std::span<const std::uint8_t>(column)); }
+void add(Hasher& hasher, const std::vector<std::uint16_t>& column) {
+  hasher.add(std::span<const std::uint16_t>(column));
+}
+void add(Hasher& hasher, const std::vector<BodyIndex>& column) { hasher.add(std::span<const BodyIndex>(column)); }
+void add(Hasher& hasher, const Vec3Column& column) {
+  add(hasher, column.x);
+  add(hasher, column.y);
+  add(hasher, column.z);
+}
+void add(Hasher& hasher, const Vec3& v) {
+  hasher.add(v.x());
+  hasher.add(v.y());
+  hasher.add(v.z());
+}
+
+void add_visible(Hasher& hasher, const Bodies& bodies) {
+  hasher.add(std::span<const BodyId>(bodies.id));
+  add(hasher, bodies.position);
+  add(hasher, bodies.orientation.w);
+  add(hasher, bodies.orientation.x);
+  add(hasher, bodies.orientation.y);
+  add(hasher, bodies.orientation.z);
+  add(hasher, bodies.velocity);
+  add(hasher, bodies.spin);
+  add(hasher, bodies.frozen);
+}
+
+void add_def(Hasher& hasher, const WorldDef& def) {
+  hasher.add(static_cast<std::uint64_t>(def.method));
+  hasher.add(static_cast<std::uint64_t>(method_version(def.method)));
+  hasher.add(def.dt);
+  hasher.add(static_cast<std::uint64_t>(def.substeps));
+  hasher.add(static_cast<std::uint64_t>(def.split_collisions));
+  add(hasher, plus_zero(def.gravity));
+  hasher.add(static_cast<std::uint64_t>(def.ground));
+  hasher.add(static_cast<std::uint64_t>(def.freezing));
+  for (const double value :
+       {def.freeze_energy, def.freeze_time, def.slip_speed, def.air_drag, def.ground_material.friction,
+        def.ground_material.friction_dynamic, def.ground_material.restitution}) {
+    hasher.add(value);
+  }
+}
+
+}  // namespace
+
+std::optional<BodyIndex> Bodies::find(BodyId wanted) const {
+  const auto at = std::lower_bound(id.begin(), id.end(), wanted);
+  if (at == id.end() || *at != wanted) return std::nullopt;
+  return static_cast<BodyIndex>(at - id.begin());
+}
+
+std::uint32_t method_version(Method method) {
+  switch (method) {
+    case Method::kThesis:
+      return 1;
+    case Method::kLayered:
+      return 0;  // not built yet
+  }
+  return 0;
+}
+
+Hash128 state_hash(const Bodies& bodies) {
+  Hasher hasher;
+  add_visible(hasher, bodies);
+  return hasher.digest();
+}
+
+Hash128 continuation_hash(const WorldState& state) {
+  Hasher hasher;
+  hasher.add(state.step);
+  add_def(hasher, state.def);
+  const Bodies& bodies = state.bodies;
+  hasher.add(static_cast<std::uint64_t>(bodies.size()));
+  add_visible(hasher, bodies);
+  for (const auto* column : {&bodies.low_energy_time, &bodies.mass, &bodies.inverse_mass, &bodies.friction,
+                             &bodies.friction_dynamic, &bodies.restitution}) {
+    add(hasher, *column);
+  }
+  add(hasher, bodies.half_extent);
+  add(hasher, bodies.inertia);
+  add(hasher, bodies.inverse_inertia);
+  add(hasher, bodies.is_static);
+  hasher.add(static_cast<std::uint64_t>(state.pairs.size()));
+  add(hasher, state.pairs.a);
+  add(hasher, state.pairs.b);
+  add(hasher, state.pairs.planes);
+  add(hasher, state.contact_objects.body);
+  add(hasher, state.contact_objects.object);
+  return hasher.digest();
+}
+
+double kinetic_energy(const Bodies& bodies, BodyIndex i) {
+  const Vec3 v = bodies.velocity[i], w = bodies.spin[i], inertia = bodies.inertia[i];
+  const bool round = inertia.x() == inertia.y() && inertia.y() == inertia.z();
+  const Vec3 w_B = round ? w : to_body(axes_of(bodies.orientation[i]), w);
+  return 0.5 * (bodies.mass[i] * dot(v, v) + dot(w_B, w_B.cwiseProduct(inertia)));
+}
+
+Energy total_energy(const WorldState& state) {
+  const Bodies& bodies = state.bodies;
+  Energy energy;
+  for (BodyIndex i = 0; i < bodies.size(); ++i) {
+    if (bodies.is_static[i] != 0) continue;
+    if (bodies.frozen[i] == 0) energy.kinetic += kinetic_energy(bodies, i);
+    energy.potential -= bodies.mass[i] * dot(state.def.gravity, bodies.position[i]);
+  }
+  return energy;
+}
+
+}  // namespace tumble::sim
