@@ -7,6 +7,9 @@
 namespace tumble::sim {
 namespace {
 
+constexpr std::size_t kSamples = 64;  // bodies that judge an axis
+constexpr int kAxisLifetime = 64;     // sub-steps until the axes are judged again
+
 // The reach of the box along each world axis, rounded up to the grid: position ± reach is then exact.
 Vec3 grid_reach(const BoxFrame& frame) {
   const auto along = [&](int axis) { return PositionGrid::round(reach_along(frame, axis)) + PositionGrid::kStep; };
@@ -17,47 +20,62 @@ const std::vector<double>& axis_of(const Vec3Column& column, int axis) {
   return axis == 0 ? column.x : axis == 1 ? column.y : column.z;
 }
 
-// The axis along which the bodies spread the most meets the fewest false overlaps. The choice shows in nothing but
-// time, so plain sums will do.
-int sweep_axis(const Bodies& bodies) {
-  int widest = 0;
-  double most = -1;
-  for (int axis = 0; axis < 3; ++axis) {
-    double sum = 0, squares = 0;
-    for (const double x : axis_of(bodies.position, axis)) {
-      sum += x;
-      squares += x * x;
-    }
-    const double spread = squares - sum * sum / static_cast<double>(bodies.size());
-    if (spread > most) {
-      most = spread;
-      widest = axis;
-    }
-  }
-  return widest;
+void sort_by_low(std::vector<BodyIndex>& order, const std::vector<double>& low) {
+  const std::size_t n = low.size();
+  order.resize(n);
+  for (std::size_t i = 0; i < n; ++i) order[i] = static_cast<BodyIndex>(i);
+  std::sort(order.begin(), order.end(), [&](BodyIndex i, BodyIndex j) { return low[i] < low[j]; });
 }
 
-// Keeps the order of the last step where it still holds: bodies move little, so insertion sort is nearly linear.
-void sort_by_low(SweepScratch& sweep, const std::vector<double>& low, int axis) {
-  const auto n = static_cast<BodyIndex>(low.size());
-  if (sweep.order.size() != n || sweep.axis != axis) {
-    sweep.axis = axis;
-    sweep.order.resize(n);
-    for (BodyIndex i = 0; i < n; ++i) sweep.order[i] = i;
-    std::sort(sweep.order.begin(), sweep.order.end(), [&](BodyIndex i, BodyIndex j) { return low[i] < low[j]; });
-    return;
-  }
-  for (std::size_t i = 1; i < n; ++i) {
-    const BodyIndex body = sweep.order[i];
+// Starts from the order of the last sub-step: bodies move little, so insertion sort is nearly linear.
+void sort_again(std::vector<BodyIndex>& order, const std::vector<double>& low) {
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    const BodyIndex body = order[i];
     std::size_t j = i;
-    for (; j > 0 && low[sweep.order[j - 1]] > low[body]; --j) sweep.order[j] = sweep.order[j - 1];
-    sweep.order[j] = body;
+    for (; j > 0 && low[order[j - 1]] > low[body]; --j) order[j] = order[j - 1];
+    order[j] = body;
   }
+}
+
+// How many bodies a sweep along this axis would meet, judged from a few of them.
+std::size_t overlaps_met(const std::vector<BodyIndex>& order, const std::vector<double>& low,
+                         const std::vector<double>& high) {
+  const std::size_t n = order.size(), stride = std::max<std::size_t>(1, n / kSamples);
+  std::size_t met = 0;
+  for (std::size_t i = 0; i < n; i += stride) {
+    const double end = high[order[i]];
+    const auto first = order.begin() + static_cast<std::ptrdiff_t>(i);
+    met += static_cast<std::size_t>(
+        std::upper_bound(first, order.end(), end, [&](double x, BodyIndex body) { return x < low[body]; }) - first);
+  }
+  return met;
+}
+
+// Sorts the boxes along the axis whose sweep meets the fewest. Which one that is changes slowly and shows in nothing
+// but time, so it is asked now and then.
+void sort_boxes(SweepScratch& sweep, const Scratch& scratch) {
+  const std::size_t n = scratch.frames.size();
+  if (sweep.order.size() == n && ++sweep.age < kAxisLifetime) {
+    return sort_again(sweep.order, axis_of(scratch.aabb_low, sweep.axis));
+  }
+  std::vector<BodyIndex> order;
+  std::size_t fewest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<double>& low = axis_of(scratch.aabb_low, axis);
+    sort_by_low(order, low);
+    const std::size_t met = overlaps_met(order, low, axis_of(scratch.aabb_high, axis));
+    if (axis > 0 && met >= fewest) continue;
+    fewest = met;
+    sweep.axis = axis;
+    sweep.order = order;
+  }
+  sweep.age = 0;
 }
 
 // Copies the extents in swept order, so that the sweep reads memory forwards.
 void gather(SweepScratch& sweep, const Scratch& scratch) {
-  const std::size_t n = sweep.order.size();
+  const std::vector<BodyIndex>& order = sweep.order;
+  const std::size_t n = order.size();
   sweep.boxes.resize(n);
   const int first = sweep.axis, second = (first + 1) % 3, third = (first + 2) % 3;
   const auto& low1 = axis_of(scratch.aabb_low, first);
@@ -67,7 +85,7 @@ void gather(SweepScratch& sweep, const Scratch& scratch) {
   const auto& high2 = axis_of(scratch.aabb_high, second);
   const auto& high3 = axis_of(scratch.aabb_high, third);
   for (std::size_t k = 0; k < n; ++k) {
-    const BodyIndex i = sweep.order[k];
+    const BodyIndex i = order[k];
     sweep.boxes[k] = {low1[i], high1[i], low2[i], high2[i], low3[i], high3[i]};
   }
 }
@@ -75,21 +93,24 @@ void gather(SweepScratch& sweep, const Scratch& scratch) {
 // Every overlapping pair once, smaller index first, in swept order.
 void sweep_pairs(SweepScratch& sweep) {
   sweep.found.clear();
-  const std::size_t n = sweep.order.size();
+  const std::vector<BodyIndex>& order = sweep.order;
+  const std::size_t n = order.size();
   for (std::size_t i = 0; i < n; ++i) {
     const SweepScratch::Box& p = sweep.boxes[i];
     for (std::size_t j = i + 1; j < n && sweep.boxes[j].low1 <= p.high1; ++j) {
       const SweepScratch::Box& q = sweep.boxes[j];
-      if (q.low2 <= p.high2 && p.low2 <= q.high2 && q.low3 <= p.high3 && p.low3 <= q.high3) {
-        sweep.found.push_back(std::minmax(sweep.order[i], sweep.order[j]));
+      // One branch that is nearly always false, rather than four that nobody can guess.
+      const bool apart = static_cast<unsigned>(q.low2 > p.high2) | static_cast<unsigned>(p.low2 > q.high2) |
+                         static_cast<unsigned>(q.low3 > p.high3) | static_cast<unsigned>(p.low3 > q.high3);
+      if (!apart) {
+        sweep.found.push_back(std::minmax(order[i], order[j]));
       }
     }
   }
 }
 
 // Sorts the pairs by (a, b): by counting for a, directly for the few b of one a.
-void sort_pairs(SweepScratch& sweep) {
-  const std::size_t n = sweep.order.size();
+void sort_pairs(SweepScratch& sweep, std::size_t n) {
   sweep.start.assign(n + 1, 0);
   for (const auto& pair : sweep.found) ++sweep.start[pair.first + 1];
   for (std::size_t a = 0; a < n; ++a) sweep.start[a + 1] += sweep.start[a];
@@ -142,11 +163,10 @@ Status find_pairs(World& world, double /*dt_s*/) {
   update_frames(world);
   Scratch& scratch = world.mutable_scratch();
   SweepScratch& sweep = scratch.sweep;
-  const int axis = sweep_axis(world.bodies());
-  sort_by_low(sweep, axis_of(scratch.aabb_low, axis), axis);
+  sort_boxes(sweep, scratch);
   gather(sweep, scratch);
   sweep_pairs(sweep);
-  sort_pairs(sweep);
+  sort_pairs(sweep, world.bodies().size());
   merge_pairs(sweep, world.mutable_state().pairs);
   return {};
 }

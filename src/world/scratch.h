@@ -52,7 +52,8 @@ struct SweepScratch {
   struct Box {
     double low1, high1, low2, high2, low3, high3;
   };
-  int axis = -1;                 ///< swept last
+  int axis = 0;                  ///< to sweep along
+  int age = 0;                   ///< sub-steps since it was chosen
   std::vector<BodyIndex> order;  ///< bodies by the low end of their AABB along it
   std::vector<Box> boxes;        ///< extents in that order
   std::vector<std::pair<BodyIndex, BodyIndex>> found;
