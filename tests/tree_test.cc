@@ -103,7 +103,8 @@ TEST(Tree, SimulationTouchesNoFileClockThreadOrEnvironment) {
   expect_none(
       {{"#include <(chrono|ctime|time\\.h|sys/time\\.h)>", "the simulation knows no clock"},
        {"#include <(thread|mutex|future|atomic|condition_variable|pthread\\.h|omp\\.h)>", "nor threads"},
-       {"#include <(fstream|iostream|filesystem|cstdio|stdio\\.h|fcntl\\.h|unistd\\.h)>", "nor files"},
+       {"#include <(fstream|iostream|filesystem|fcntl\\.h|unistd\\.h)>|\\b(fopen|f?printf|fputs|puts|fwrite)\\s*\\(",
+        "nor files"},
        {"#include <(locale|clocale|locale\\.h)>|\\b(getenv|setlocale)\\b", "nor the environment"},
        {"#include <random>|\\b(rand|srand|random_device)\\s*\\(", "random numbers come from the project's generator"},
        {"\\bthread_local\\b|^\\s*#\\s*pragma omp", "nor threads"}},

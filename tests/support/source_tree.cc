@@ -88,6 +88,7 @@ const std::vector<SourceFile>& source_tree() {
 
 std::vector<std::string> without_comments_and_strings(const std::vector<std::string>& lines) {
   std::vector<std::string> code;
+  code.reserve(lines.size());
   bool in_comment = false;
   for (const std::string& line : lines) {
     code.push_back(line.starts_with("#include") ? line : blank(line, in_comment));
