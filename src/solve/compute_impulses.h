@@ -11,8 +11,8 @@ namespace tumble::sim {
 /// Writes: contacts.impulse; velocity_gain, spin_gain, touched
 /// Errors: a gain that is not finite or beyond limits.h
 /// Order:  each gain is rounded to the velocity grid, so their sums are exact in any order
-/// Source: thesis III.B, eq. 3.1 and Coulomb friction. Differs: 3.1 as printed has the sign of B's rotation and of both
-///         inertia terms turned round; ours are Baraff and Witkin's (docs/thesis.md). No impulse when parting.
+/// Source: thesis III.B, eq. 3.1 and Coulomb friction. Differs: 3.1 as printed has the sign of B's rotation turned
+///         round; ours are Baraff and Witkin's (docs/thesis.md). No impulse when parting.
 Status compute_impulses(World& world, double dt_s);
 void hash_compute_impulses(const World& world, Hasher& hasher);
 
