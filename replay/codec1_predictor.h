@@ -1,0 +1,127 @@
+#pragma once
+
+#include <cmath>
+
+/// What codec 1 expects a body to do between two stored states: the stepper's free flight as it was when the codec was
+/// made. This copy is frozen. The stepper in src/ may change; logs already written decode with these very lines. Any
+/// change to a result here, even of one bit, is a new codec with a new number and a file of its own.
+///
+/// Only + − × ÷ and sqrt, so that every machine predicts the same bits. Inputs may be anything, also NaN.
+namespace tumble::replay::codec1 {
+
+struct V3 {
+  double x, y, z;
+};
+struct Q4 {
+  double w, x, y, z;
+};
+/// A body before the interval.
+struct Motion {
+  V3 position;
+  Q4 orientation;
+  V3 velocity;
+  V3 spin;
+};
+
+inline constexpr double kTurnMax = 0.25;  // rad in one part
+inline constexpr int kPartsMax = 8;       // faster spins are not worth a better guess
+inline constexpr int kIterationsMax = 16;
+inline constexpr double kConverged = 1e-15;
+
+inline V3 operator+(const V3& a, const V3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+inline V3 operator-(const V3& a, const V3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+inline V3 operator*(const V3& a, double s) { return {a.x * s, a.y * s, a.z * s}; }
+inline V3 operator/(const V3& a, double s) { return {a.x / s, a.y / s, a.z / s}; }
+inline double dot(const V3& a, const V3& b) { return (a.x * b.x + a.y * b.y) + a.z * b.z; }
+inline V3 cross(const V3& a, const V3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+inline V3 scaled(const V3& a, const V3& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+inline V3 divided(const V3& a, const V3& b) { return {a.x / b.x, a.y / b.y, a.z / b.z}; }
+
+/// Rounds to 2^−exponent, halves to even.
+template <int kExponent>
+double round_to_grid(double a) {
+  constexpr double kMagic = 6755399441055744.0 / static_cast<double>(1ULL << kExponent);
+  return ((a + kMagic) - kMagic) + 0.0;
+}
+template <int kExponent>
+V3 round_to_grid(const V3& a) {
+  return {round_to_grid<kExponent>(a.x), round_to_grid<kExponent>(a.y), round_to_grid<kExponent>(a.z)};
+}
+
+inline Q4 normalised(const Q4& q) {
+  const double n = std::sqrt(q.w * q.w + ((q.x * q.x + q.y * q.y) + q.z * q.z));
+  return {q.w / n + 0.0, q.x / n + 0.0, q.y / n + 0.0, q.z / n + 0.0};
+}
+
+inline Q4 product(const Q4& a, const Q4& b) {
+  return {a.w * b.w - ((a.x * b.x + a.y * b.y) + a.z * b.z), (a.w * b.x + a.x * b.w) + (a.y * b.z - a.z * b.y),
+          (a.w * b.y + a.y * b.w) + (a.z * b.x - a.x * b.z), (a.w * b.z + a.z * b.w) + (a.x * b.y - a.y * b.x)};
+}
+
+struct Axes {
+  V3 x, y, z;
+};
+inline Axes axes_of(const Q4& q) {
+  return {{1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y + q.w * q.z), 2 * (q.x * q.z - q.w * q.y)},
+          {2 * (q.x * q.y - q.w * q.z), 1 - 2 * (q.x * q.x + q.z * q.z), 2 * (q.y * q.z + q.w * q.x)},
+          {2 * (q.x * q.z + q.w * q.y), 2 * (q.y * q.z - q.w * q.x), 1 - 2 * (q.x * q.x + q.y * q.y)}};
+}
+inline V3 to_body(const Axes& axes, const V3& v) { return {dot(axes.x, v), dot(axes.y, v), dot(axes.z, v)}; }
+inline V3 to_world(const Axes& axes, const V3& v) { return (axes.x * v.x + axes.y * v.y) + axes.z * v.z; }
+
+inline V3 turned_back(const V3& v, const V3& h) {
+  const double hh = dot(h, h);
+  return (v * (1 - hh) + h * (2 * dot(h, v)) - cross(h, v) * 2) / (1 + hh);
+}
+
+inline V3 midpoint_spin(const V3& momentum, const V3& inverse_inertia, double dt) {
+  V3 spin = scaled(inverse_inertia, momentum);
+  for (int k = 0; k < kIterationsMax; ++k) {
+    const V3 after = turned_back(momentum, spin * (0.5 * dt));
+    const V3 next = scaled(inverse_inertia, (momentum + after) * 0.5);
+    const V3 change = next - spin;
+    spin = next;
+    if (dot(change, change) <= kConverged * kConverged * dot(spin, spin)) break;
+  }
+  return spin;
+}
+
+/// Turns a free body: the stepper's implicit midpoint for uneven boxes, one Cayley turn for even ones, static ones and
+/// those that spin too fast.
+inline void turn(Motion& motion, const V3& inertia, double dt) {
+  int parts = 1;
+  const double turn_squared = dot(motion.spin, motion.spin) * (dt * dt);
+  while (parts <= kPartsMax && turn_squared > (kTurnMax * kTurnMax) * (static_cast<double>(parts) * parts)) parts *= 2;
+  if ((inertia.x == inertia.y && inertia.y == inertia.z) || parts > kPartsMax) {
+    const V3 h = motion.spin * (0.5 * dt);
+    motion.orientation = normalised(product({1, h.x, h.y, h.z}, motion.orientation));
+    return;
+  }
+  const V3 inverse_inertia = divided({1, 1, 1}, inertia);
+  const Axes axes = axes_of(motion.orientation);
+  const V3 momentum = to_world(axes, scaled(inertia, to_body(axes, motion.spin)));
+  const double part = dt / parts;
+  for (int k = 0; k < parts; ++k) {
+    const V3 middle = midpoint_spin(to_body(axes_of(motion.orientation), momentum), inverse_inertia, part);
+    const V3 h = middle * (0.5 * part);
+    motion.orientation = normalised(product(motion.orientation, {1, h.x, h.y, h.z}));
+  }
+  const Axes after = axes_of(motion.orientation);
+  motion.spin = round_to_grid<38>(to_world(after, scaled(inverse_inertia, to_body(after, momentum))));
+}
+
+/// Free flight for dt (s) under gravity (m/s²) with linear drag (1/s); inertia: principal moments, kg·m².
+inline Motion predict(const Motion& before, const V3& inertia, const V3& gravity, double air_drag, double dt) {
+  Motion after = before;
+  const double slower = 1 + air_drag * dt;
+  after.velocity = before.velocity + round_to_grid<38>(gravity * dt);
+  if (air_drag > 0) after.velocity = round_to_grid<38>(after.velocity / slower);
+  after.position = before.position + round_to_grid<36>((before.velocity + after.velocity) * (0.5 * dt));
+  turn(after, inertia, dt);
+  if (air_drag > 0) after.spin = round_to_grid<38>(after.spin / slower);
+  return after;
+}
+
+}  // namespace tumble::replay::codec1

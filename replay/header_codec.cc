@@ -1,0 +1,69 @@
+#include "replay/header_codec.h"
+
+#include "replay/message.h"
+#include "replay/scene_codec.h"
+
+namespace tumble::replay {
+namespace {
+
+void encode_texts(const std::vector<std::string>& texts, capnp::List<capnp::Text>::Builder out) {
+  for (unsigned i = 0; i < out.size(); ++i) out.set(i, texts[i]);
+}
+
+std::vector<std::string> decode_texts(capnp::List<capnp::Text>::Reader in) {
+  std::vector<std::string> texts;
+  for (const capnp::Text::Reader text : in) texts.emplace_back(text.cStr(), text.size());
+  return texts;
+}
+
+Result<LogHeader> decode_root(schema::Header::Reader in) {
+  LogHeader header;
+  header.tool_version = in.getToolVersion().cStr();
+  header.tool_build = in.getToolBuild().cStr();
+  header.method = in.getMethod().cStr();
+  header.method_version = in.getMethodVersion();
+  header.float_format = in.getFloatFormat().cStr();
+  if (in.getPhases().size() > kPhasesMax) {
+    return damaged("found " + std::to_string(in.getPhases().size()) + " phases, wanted at most " +
+                   std::to_string(kPhasesMax));
+  }
+  header.phases = decode_texts(in.getPhases());
+  header.phase_rows_max = in.getPhaseRowsMax();
+  Result<sim::SceneDef> scene = decode(in.getScene());
+  if (!scene.ok()) return scene.error();
+  header.scene = *std::move(scene);
+  const capnp::Text::Reader text = in.getSceneText();
+  header.scene_text.assign(text.cStr(), text.size());
+  header.overrides = decode_texts(in.getOverrides());
+  header.states.every = in.getStatesEvery();
+  header.chunk_steps_max = in.getChunkStepsMax();
+  header.chunk_bytes_max = in.getChunkBytesMax();
+  return header;
+}
+
+}  // namespace
+
+Result<MessageBytes> encode_header(const LogHeader& header) {
+  const std::size_t guess = header.scene.boxes.size() * 256 + header.scene_text.size();
+  return write_message<schema::Header>(guess, [&](schema::Header::Builder out) {
+    out.setToolVersion(header.tool_version);
+    out.setToolBuild(header.tool_build);
+    out.setMethod(header.method);
+    out.setMethodVersion(header.method_version);
+    out.setFloatFormat(header.float_format);
+    encode_texts(header.phases, out.initPhases(static_cast<unsigned>(header.phases.size())));
+    out.setPhaseRowsMax(header.phase_rows_max);
+    encode(header.scene, out.initScene());
+    out.setSceneText(header.scene_text);
+    encode_texts(header.overrides, out.initOverrides(static_cast<unsigned>(header.overrides.size())));
+    out.setStatesEvery(header.states.every);
+    out.setChunkStepsMax(header.chunk_steps_max);
+    out.setChunkBytesMax(header.chunk_bytes_max);
+  });
+}
+
+Result<LogHeader> decode_header(const MessageBytes& message) {
+  return read_message<schema::Header>(message, decode_root);
+}
+
+}  // namespace tumble::replay

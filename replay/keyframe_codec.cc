@@ -1,0 +1,173 @@
+#include "replay/keyframe_codec.h"
+
+#include <array>
+
+#include "replay/blob.h"
+#include "replay/limits.h"
+#include "replay/scene_codec.h"
+#include "src/model/limits.h"
+
+namespace tumble::replay {
+namespace {
+
+constexpr std::size_t kDoubleColumns = 28;
+
+/// The order of Keyframe.doubles, for ever; a new column goes to the end.
+template <class Bodies, class Column>
+std::array<Column*, kDoubleColumns> double_columns(Bodies& b) {
+  return {&b.position.x,
+          &b.position.y,
+          &b.position.z,
+          &b.orientation.w,
+          &b.orientation.x,
+          &b.orientation.y,
+          &b.orientation.z,
+          &b.velocity.x,
+          &b.velocity.y,
+          &b.velocity.z,
+          &b.spin.x,
+          &b.spin.y,
+          &b.spin.z,
+          &b.low_energy_time,
+          &b.half_extent.x,
+          &b.half_extent.y,
+          &b.half_extent.z,
+          &b.mass,
+          &b.inverse_mass,
+          &b.inertia.x,
+          &b.inertia.y,
+          &b.inertia.z,
+          &b.inverse_inertia.x,
+          &b.inverse_inertia.y,
+          &b.inverse_inertia.z,
+          &b.friction,
+          &b.friction_dynamic,
+          &b.restitution};
+}
+
+void encode_bodies(const sim::Bodies& bodies, schema::Keyframe::Builder out) {
+  const auto n = static_cast<unsigned>(bodies.size());
+  put_differences(std::span<const std::uint64_t>(bodies.id), out.initId(n * 8));
+  auto lists = out.initDoubles(kDoubleColumns);
+  unsigned next = 0;
+  for (const auto* column : double_columns<const sim::Bodies, const std::vector<double>>(bodies)) {
+    put_planes(std::span<const std::uint64_t>(bits_of(*column)), lists.init(next++, n * 8));
+  }
+  put_plain(std::span<const std::uint8_t>(bodies.frozen), out.initFrozen(n));
+  put_plain(std::span<const std::uint8_t>(bodies.is_static), out.initIsStatic(n));
+}
+
+Status check_ids(const std::vector<sim::BodyId>& ids) {
+  sim::BodyId before = 0;
+  for (const sim::BodyId id : ids) {
+    if (id <= before || id > sim::kBodyIdMax) {
+      return damaged("keyframe: found body id " + std::to_string(id) + " after " + std::to_string(before) +
+                     ", wanted ascending ids up to 2^53 - 1");
+    }
+    before = id;
+  }
+  return {};
+}
+
+Status check_flags(const char* column, const std::vector<std::uint8_t>& flags) {
+  for (const std::uint8_t flag : flags) {
+    if (flag > 1)
+      return damaged("keyframe: " + std::string(column) + ": found " + std::to_string(flag) + ", wanted 0 or 1");
+  }
+  return {};
+}
+
+Status decode_bodies(schema::Keyframe::Reader in, sim::Bodies& bodies) {
+  const std::size_t n = in.getId().size() / 8;
+  if (n > sim::kBodiesMax) {
+    return damaged("keyframe: found " + std::to_string(n) + " bodies, wanted at most " +
+                   std::to_string(sim::kBodiesMax));
+  }
+  if (Status ok = get_differences("keyframe: id", in.getId(), n, bodies.id); !ok.ok()) return ok;
+  if (Status ok = check_ids(bodies.id); !ok.ok()) return ok;
+  const auto lists = in.getDoubles();
+  if (lists.size() < kDoubleColumns) {
+    return damaged("keyframe: found " + std::to_string(lists.size()) + " columns, wanted " +
+                   std::to_string(kDoubleColumns));
+  }
+  std::vector<std::uint64_t> bits;
+  unsigned next = 0;
+  for (auto* column : double_columns<sim::Bodies, std::vector<double>>(bodies)) {
+    if (Status ok = get_planes("keyframe: doubles", lists[next++], n, bits); !ok.ok()) return ok;
+    doubles_of(bits, *column);
+  }
+  if (Status ok = get_plain("keyframe: frozen", in.getFrozen(), n, bodies.frozen); !ok.ok()) return ok;
+  if (Status ok = get_plain("keyframe: isStatic", in.getIsStatic(), n, bodies.is_static); !ok.ok()) return ok;
+  if (Status ok = check_flags("frozen", bodies.frozen); !ok.ok()) return ok;
+  return check_flags("isStatic", bodies.is_static);
+}
+
+/// Rows must exist; `ground_too` allows kGround.
+Status check_rows(const char* column, const std::vector<sim::BodyIndex>& rows, std::size_t bodies, bool ground_too) {
+  for (const sim::BodyIndex row : rows) {
+    if (row < bodies || (ground_too && row == sim::kGround)) continue;
+    return damaged("keyframe: " + std::string(column) + ": found row " + std::to_string(row) + " of " +
+                   std::to_string(bodies) + " bodies");
+  }
+  return {};
+}
+
+Status decode_pairs(schema::Keyframe::Reader in, std::size_t bodies, sim::PairTable& pairs) {
+  const std::size_t n = in.getPairPlanes().size() / 2;
+  if (n > kPairsMax) return damaged("keyframe: found " + std::to_string(n) + " pairs");
+  if (Status ok = get_differences("keyframe: pairA", in.getPairA(), n, pairs.a); !ok.ok()) return ok;
+  if (Status ok = get_differences("keyframe: pairB", in.getPairB(), n, pairs.b); !ok.ok()) return ok;
+  if (Status ok = get_planes("keyframe: pairPlanes", in.getPairPlanes(), n, pairs.planes); !ok.ok()) return ok;
+  if (Status ok = check_rows("pairA", pairs.a, bodies, false); !ok.ok()) return ok;
+  return check_rows("pairB", pairs.b, bodies, false);
+}
+
+Status decode_contacts(schema::Keyframe::Reader in, std::size_t bodies, sim::ContactObjects& contacts) {
+  const std::size_t n = in.getContactBody().size() / 4;
+  if (n > kPairsMax) return damaged("keyframe: found " + std::to_string(n) + " contact objects");
+  if (Status ok = get_differences("keyframe: contactBody", in.getContactBody(), n, contacts.body); !ok.ok()) return ok;
+  if (Status ok = get_differences("keyframe: contactObject", in.getContactObject(), n, contacts.object); !ok.ok()) {
+    return ok;
+  }
+  if (Status ok = check_rows("contactBody", contacts.body, bodies, false); !ok.ok()) return ok;
+  return check_rows("contactObject", contacts.object, bodies, true);
+}
+
+}  // namespace
+
+std::size_t encoded_bytes(const sim::WorldState& state) {
+  return state.bodies.size() * (kDoubleColumns * 8 + 10) + state.pairs.size() * 10 + state.contact_objects.size() * 8 +
+         4096;
+}
+
+void encode(const Keyframe& keyframe, schema::Keyframe::Builder out) {
+  const sim::WorldState& state = keyframe.state;
+  out.setStep(state.step);
+  encode(state.def, out.initWorld());
+  out.setContinuationLow(keyframe.continuation_hash.low);
+  out.setContinuationHigh(keyframe.continuation_hash.high);
+  encode_bodies(state.bodies, out);
+  const auto pairs = static_cast<unsigned>(state.pairs.size());
+  put_differences(std::span<const sim::BodyIndex>(state.pairs.a), out.initPairA(pairs * 4));
+  put_differences(std::span<const sim::BodyIndex>(state.pairs.b), out.initPairB(pairs * 4));
+  put_planes(std::span<const std::uint16_t>(state.pairs.planes), out.initPairPlanes(pairs * 2));
+  const auto contacts = static_cast<unsigned>(state.contact_objects.size());
+  put_differences(std::span<const sim::BodyIndex>(state.contact_objects.body), out.initContactBody(contacts * 4));
+  put_differences(std::span<const sim::BodyIndex>(state.contact_objects.object), out.initContactObject(contacts * 4));
+}
+
+Result<Keyframe> decode(schema::Keyframe::Reader in) {
+  Keyframe keyframe;
+  sim::WorldState& state = keyframe.state;
+  state.step = in.getStep();
+  Result<sim::WorldDef> def = decode(in.getWorld());
+  if (!def.ok()) return def.error();
+  state.def = *def;
+  keyframe.continuation_hash = {in.getContinuationHigh(), in.getContinuationLow()};
+  if (Status ok = decode_bodies(in, state.bodies); !ok.ok()) return ok.error();
+  if (Status ok = decode_pairs(in, state.bodies.size(), state.pairs); !ok.ok()) return ok.error();
+  if (Status ok = decode_contacts(in, state.bodies.size(), state.contact_objects); !ok.ok()) return ok.error();
+  return keyframe;
+}
+
+}  // namespace tumble::replay

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "replay/byte_io.h"
+#include "replay/chunk.h"
+#include "replay/chunk_codec.h"
+#include "replay/index_codec.h"
+#include "replay/prelude.h"
+#include "replay/step_record.h"
+#include "replay/zstd_frame.h"
+
+namespace tumble::replay {
+
+/// Puts a log's records one after the other into a sink: compression, preludes, the chain, index and footer. Knows no
+/// threads; LogWriter has one call it. After an error every further call returns that error, and the sink has been cut
+/// back to the last complete record.
+class RecordWriter {
+ public:
+  explicit RecordWriter(std::unique_ptr<ByteSink> sink) : sink_(std::move(sink)) {}
+
+  Status write_header(const LogHeader& header, const sim::WorldState& initial);
+
+  /// Fills in each step's state_hash and has_states, and the keyframe's hash; then writes. Every step must have states.
+  Status write_chunk(Keyframe& keyframe, std::span<StepRecord> steps);
+
+  /// Index and footer; the log is complete then. What precedes the footer is on the disk before it is written.
+  Status finish();
+
+  [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
+  [[nodiscard]] std::uint64_t steps() const { return chunks_.empty() ? 0 : chunks_.back().end_step() - 1; }
+  [[nodiscard]] std::size_t chunks() const { return chunks_.size(); }
+  [[nodiscard]] const Hash128& final_hash() const { return final_hash_; }
+  [[nodiscard]] const Hash128& chain() const { return chain_; }
+
+ private:
+  Status write_record(Prelude& prelude, const MessageBytes& message);
+  Status write_all(std::span<const std::byte> bytes);
+  Status fail(const std::string& doing, const std::string& why);
+
+  std::unique_ptr<ByteSink> sink_;
+  Compressor compressor_;
+  ChunkEncoder encoder_;
+  std::vector<std::byte> stored_;  // kept for its memory
+  std::vector<ChunkPlace> chunks_;
+  StatesMode mode_;
+  std::uint64_t bytes_ = 0;  // of complete records
+  std::uint64_t sequence_ = 0;
+  std::uint64_t log_tag_ = 0;
+  Hash128 chain_;
+  Hash128 final_hash_;
+  Status status_;
+};
+
+}  // namespace tumble::replay

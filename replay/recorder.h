@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "replay/log_writer.h"
+#include "replay/step_record.h"
+#include "src/base/result.h"
+#include "src/step/step.h"
+#include "src/world/world.h"
+
+namespace tumble::replay {
+
+/// Called after each step with the steps done and planned; false stops, as at the end. May be empty.
+using Progress = std::function<bool(std::uint64_t done, std::uint64_t total)>;
+
+struct RecordOptions {
+  StatesMode states;
+  std::string scene_text;              ///< the scene's TOML, kept in the header
+  std::vector<std::string> overrides;  ///< "world.dt=0.01", kept in the header
+};
+
+/// Runs a session and writes its log, a step at a time.
+class Recorder {
+ public:
+  /// Makes the world (state 0) and begins the log. Errors: World::create's, LogWriter::create's; no file is touched
+  /// before the world stands.
+  static Result<std::unique_ptr<Recorder>> start(const std::string& path, const sim::SceneDef& scene,
+                                                 const RecordOptions& options);
+  static Result<std::unique_ptr<Recorder>> start(std::unique_ptr<ByteSink> sink, const sim::SceneDef& scene,
+                                                 const RecordOptions& options);
+
+  /// Applies the scene's inputs for the next step, then `live` ones, and steps. Errors: an input that the world refuses
+  /// (named with its step), a step that fails (kCannotFinish), writing. The steps before it stay in the log; finish()
+  /// still completes it unless writing failed.
+  Status step(std::span<const sim::Command> live = {});
+
+  [[nodiscard]] const sim::World& world() const { return world_; }
+
+  /// Before a pause: puts the steps so far into the file.
+  Status flush() { return writer_->flush(world_.state()); }
+
+  /// Completes the log.
+  Result<LogSummary> finish() { return writer_->finish(); }
+
+ private:
+  Recorder(const sim::SceneDef& scene, sim::World world, std::unique_ptr<LogWriter> writer);
+  Status apply_inputs(std::span<const sim::Command> live);
+
+  std::vector<sim::TimedCommand> inputs_;
+  std::size_t next_input_ = 0;
+  sim::World world_;
+  std::unique_ptr<LogWriter> writer_;
+  sim::PhaseHashes hashes_;
+  std::vector<sim::Command> applied_;  // before the current step; kept for its memory
+};
+
+/// Records scene.steps steps. A step that fails ends the session: the log is completed up to the step before, and the
+/// error names the step, the file and what was saved.
+Result<LogSummary> record_session(const std::string& path, const sim::SceneDef& scene, const RecordOptions& options,
+                                  const Progress& progress = {});
+
+}  // namespace tumble::replay

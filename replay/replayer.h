@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "replay/divergence.h"
+#include "replay/log_reader.h"
+#include "replay/recorder.h"
+#include "src/base/result.h"
+#include "src/step/step.h"
+#include "src/world/world.h"
+
+namespace tumble::replay {
+
+/// Feeds a log's inputs to this build's stepper, from a keyframe on.
+class Player {
+ public:
+  /// A world in state k of the log, 0 … step_count(): the keyframe at or before it, and the steps between simulated
+  /// again. `log` must outlive the player. Errors: the log's, World::restore's, a step that fails.
+  static Result<Player> at(LogReader& log, std::uint64_t k);
+
+  /// Takes the next step of the log: its inputs, then the step. The record is what this build makes of it, with states.
+  /// Errors: no further step (kBadInput); an input that is refused or a step that fails (kCannotFinish).
+  Result<const StepRecord*> step();
+
+  [[nodiscard]] const sim::World& world() const { return world_; }
+
+ private:
+  Player(LogReader& log, sim::World world) : log_(&log), world_(std::move(world)) {}
+
+  LogReader* log_;
+  sim::World world_;
+  sim::PhaseHashes hashes_;
+  StepRecord record_;
+};
+
+struct ReplayOptions {
+  /// Compare from the state after this step on; 0 replays all. The keyframe at or before it is trusted.
+  std::uint64_t from_step = 0;
+};
+
+struct ReplayReport {
+  std::uint64_t steps = 0;          ///< compared
+  std::optional<Divergence> first;  ///< none: identical to the bit, the last step included
+  Hash128 final_hash;               ///< state hash of the last state this build computed
+  std::vector<std::string> notes;   ///< for people: another method version, phases that cannot be compared, a torn end
+  [[nodiscard]] bool identical() const { return !first.has_value(); }
+};
+
+/// Replays a log and compares every step with it, the last included: dt and inputs, phase words, state hash, states,
+/// counters. Stops at the first difference. A log without steps is compared in state 0: that its scene still resolves
+/// to it. Errors: a log that cannot be read on (kDamaged, naming the steps compared before), nothing to compare
+/// (kDamaged). A step that this build cannot take is a Divergence with the field "error".
+Result<ReplayReport> replay_log(LogReader& log, const ReplayOptions& options = {}, const Progress& progress = {});
+
+}  // namespace tumble::replay

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "replay/byte_io.h"
+#include "replay/index_codec.h"
+#include "replay/prelude.h"
+
+namespace tumble::replay {
+
+/// Something in a log that is not as it was written.
+struct Damage {
+  RecordKind kind = RecordKind::kChunk;  ///< of the record that is hurt
+  std::uint64_t offset = 0;              ///< its first byte, or the first byte that belongs to no record
+  std::string message;                   ///< record, byte, found, wanted
+};
+
+/// How whole a log is.
+struct LogCondition {
+  bool finished = false;          ///< the footer is there: the writer came to its end
+  bool torn = false;              ///< the file ends before the footer does: a crash or a full disk; the rest is sound
+  std::uint64_t torn_offset = 0;  ///< end of the last complete record
+  std::vector<Damage> damages;    ///< by offset
+
+  /// Finished and nothing damaged.
+  [[nodiscard]] bool whole() const { return finished && !torn && damages.empty(); }
+
+  /// One line for people: "whole", "torn at byte 8123 …", "2 records damaged, the first …". last_step: LogReader's.
+  [[nodiscard]] std::string summary(std::uint64_t last_step) const;
+};
+
+/// What a walk from prelude to prelude finds, without index and footer.
+struct Scan {
+  std::vector<ChunkPlace> chunks;  ///< complete by length; their bytes are not hashed yet
+  std::optional<ChunkPlace> index;
+  std::optional<Footer> footer;
+  std::uint64_t footer_offset = 0;
+  LogCondition condition;
+};
+
+/// Walks the records behind the header. A record that is damaged is skipped: the walk goes on at the next prelude of
+/// the same log.
+Scan scan_records(const ByteSource& source, const Prelude& header);
+
+}  // namespace tumble::replay

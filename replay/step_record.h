@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "src/base/hash.h"
+#include "src/base/result.h"
+#include "src/model/scene.h"
+#include "src/step/step.h"
+#include "src/world/world_state.h"
+
+/// What a log holds, as plain data.
+namespace tumble::replay {
+
+/// What bodies visibly are: the columns of sim::Bodies that the state hash covers, with the same shapes, units and
+/// order (ascending id). Any double is stored to the bit, also those a world would never hold.
+struct BodyStates {
+  std::vector<sim::BodyId> id;
+  sim::Vec3Column position;          ///< m
+  sim::QuatColumn orientation;       ///< w x y z
+  sim::Vec3Column velocity;          ///< m/s
+  sim::Vec3Column spin;              ///< rad/s
+  std::vector<std::uint8_t> frozen;  ///< 0 or 1
+
+  [[nodiscard]] std::size_t size() const { return id.size(); }
+  /// By value, so NaN differs from itself and −0.0 equals 0.0; same_bits() is the exact comparison.
+  friend bool operator==(const BodyStates&, const BodyStates&) = default;
+};
+
+/// Copies the visible columns of `bodies`; keeps the memory that `states` has.
+void copy_visible(const sim::Bodies& bodies, BodyStates& states);
+
+/// sim::state_hash of the same columns.
+Hash128 state_hash(const BodyStates& states);
+
+/// Equality of every bit: NaNs with the same payload are equal, zeros of different sign are not.
+bool same_bits(const BodyStates& a, const BodyStates& b);
+
+/// One step of a session: it took state step − 1 to state `step`.
+struct StepRecord {
+  std::uint64_t step = 0;                  ///< 1 … N; 0 only for state 0, which has neither inputs nor counters
+  double dt = 0;                           ///< s, of this step
+  std::vector<sim::Command> inputs;        ///< applied before it, in this order
+  std::vector<std::uint64_t> phase_words;  ///< sub-step rows × phases (LogHeader::phases), as sim::PhaseHashes has them
+  Hash128 state_hash;                      ///< after it
+  sim::StepCounters counters;
+  bool has_states = false;  ///< a log may hold them for some steps only
+  BodyStates states;        ///< after it; empty without has_states
+};
+
+/// Which steps' states a log holds in full.
+struct StatesMode {
+  std::uint32_t every = 1;  ///< 1: all; n: steps that n divides; 0: none, only keyframes and hashes
+  [[nodiscard]] bool holds(std::uint64_t step) const { return every != 0 && step % every == 0; }
+  friend bool operator==(const StatesMode&, const StatesMode&) = default;
+};
+
+/// "all", "every:N" (N >= 1) or "hashes", as the command line says it.
+Result<StatesMode> parse_states_mode(const std::string& text);
+std::string to_string(const StatesMode& mode);
+
+/// What a log says of itself once, at its start.
+struct LogHeader {
+  std::uint16_t format_major = 0;  ///< of the file; the writer fills both in
+  std::uint16_t format_minor = 0;
+  std::string tool_version;  ///< of the program that wrote it
+  std::string tool_build;    ///< compiler and its version
+  std::string method;        ///< "thesis" or "layered"
+  std::uint32_t method_version = 0;
+  std::string float_format = "binary64, little-endian";
+  std::vector<std::string> phases;     ///< names, in the order they run
+  std::uint32_t phase_rows_max = 0;    ///< sim::PhaseHashes::kRowsMax of the writer
+  sim::SceneDef scene;                 ///< resolved
+  std::string scene_text;              ///< the TOML file as it was, empty if none
+  std::vector<std::string> overrides;  ///< "world.dt=0.01", in order
+  StatesMode states;
+  std::uint32_t chunk_steps_max = 0;
+  std::uint64_t chunk_bytes_max = 0;
+};
+
+/// The header of a session that this build records: everything but the scene text and the overrides.
+LogHeader header_for(const sim::SceneDef& scene);
+
+/// The scene format's word for a method.
+const char* name_of(sim::Method method);
+
+/// The chain: chain(k) = XXH3-128 of chain(k − 1) and the fields of step k (number, dt, inputs, phase words, state
+/// hash, counters); chain(0) of the state hash of state 0. Two sessions are the same up to step k exactly if their
+/// chains there are, whatever bytes their logs hold.
+Hash128 chain_start(const Hash128& state_hash_0);
+Hash128 chain_next(const Hash128& before, const StepRecord& record);
+
+}  // namespace tumble::replay
