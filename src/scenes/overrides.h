@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string_view>
+
+#include "src/base/result.h"
+#include "src/scenes/toml.h"
+
+namespace tumble::scenes {
+
+/// Sets one value in a scene's TOML tree: "grid.rows=7", "grid.2.rows=7", "world.dt=0.01", "material.friction=0.9".
+/// What it sets is read and checked later like the file's own, and carries "--set <argument>" as the path of its
+/// source region, so that messages name the argument. A key that excludes another one (steps and seconds, mass and
+/// density, orientation and axis with degrees, step and time) replaces it.
+/// Errors: not "key=value", a value that is neither TOML nor a bare word, a table that the scene does not have.
+Status apply_override(toml::table& root, std::string_view argument);
+
+/// Text that is safe to give to the TOML parser. It bounds memory by the text's length, but it recurses over dotted
+/// keys when it lets go of them: more of them than any scene has is an error.
+/// where: "scenes/foo.toml", or the --set argument.
+Status check_text(std::string_view text, std::string_view where);
+
+}  // namespace tumble::scenes

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "src/base/result.h"
+#include "src/scenes/toml.h"
+
+namespace tumble::scenes {
+
+/// A value or key of the scene as the person who wrote it finds it: "file:line:column", or the `--set` argument.
+class Place {
+ public:
+  Place() = default;
+  explicit Place(const toml::source_region& region) : region_(region) {}
+
+  /// Of a value that came from `--set`: its region carries the argument's text as its path.
+  [[nodiscard]] bool is_override() const { return region_.path != nullptr; }
+  [[nodiscard]] std::string text(std::string_view file_name) const;
+
+ private:
+  toml::source_region region_;
+};
+
+/// The first error met while a scene is read. Readers go on with defaults after one, so that they need no early exits;
+/// whoever is about to allocate by a number that was read asks found() first.
+class Problem {
+ public:
+  explicit Problem(std::string_view file_name) : file_name_(file_name) {}
+
+  /// Keeps the error "<place>: <message>" unless there is one already.
+  void report(const Place& place, std::string_view message);
+
+  [[nodiscard]] bool found() const { return first_.has_value(); }
+  [[nodiscard]] const Error& error() const { return *first_; }
+  [[nodiscard]] std::string place_text(const Place& place) const { return place.text(file_name_); }
+
+ private:
+  std::string file_name_;
+  std::optional<Error> first_;
+};
+
+/// "found X, wanted Y", the heart of every message.
+std::string found_wanted(std::string_view found, std::string_view wanted);
+
+/// A TOML value in a few words: `[1.0, -2.0, 1.0]`, `"abc"`, `a table`. Bounded, printable, whatever the value holds.
+std::string describe(const toml::node& node);
+
+/// Text in quotes, cut to a readable length, control characters and broken UTF-8 shown as `?`.
+std::string quoted(std::string_view text);
+
+/// The shortest decimal that reads back to the same double; always with a point or an exponent.
+std::string number_text(double value);
+
+/// "a, b or c".
+std::string list_text(const std::vector<std::string_view>& words);
+
+/// The candidate that `word` is most likely a slip for; empty if none is near.
+std::string_view nearest_word(std::string_view word, const std::vector<std::string_view>& candidates);
+
+}  // namespace tumble::scenes

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "src/math/vec.h"
+#include "src/scenes/problem.h"
+
+namespace tumble::scenes {
+
+/// What a number must be, and how a message says so: "a mass from 1e-09 to 1000000000000.0 kg". Bounds are inclusive.
+struct NumberRule {
+  const char* noun;
+  double low;
+  double high;
+  const char* unit;
+
+  [[nodiscard]] bool holds(double value) const { return value >= low && value <= high; }  // false for NaN
+  [[nodiscard]] std::string text() const;
+};
+
+/// Likewise for whole numbers.
+struct IntegerRule {
+  const char* noun;
+  std::uint64_t low;
+  std::uint64_t high;
+
+  [[nodiscard]] bool holds(std::uint64_t value) const { return value >= low && value <= high; }
+  [[nodiscard]] std::string text() const;
+};
+
+/// One table of a scene, read key by key. Each getter checks type and range, reports what is wrong to `problem` and
+/// gives the fallback if the key is missing or wrong; finish() reports every key that no getter asked for. The table
+/// and the problem must outlive the reader.
+class TableReader {
+ public:
+  /// label: as messages name the table, "[[box]]". prefix: of keys inside a key's own table, "material.".
+  TableReader(const toml::table& table, std::string label, Problem& problem, std::string prefix = "");
+
+  [[nodiscard]] bool has(std::string_view key);
+  double number(std::string_view key, double fallback, const NumberRule& rule);
+  std::uint64_t integer(std::string_view key, std::uint64_t fallback, const IntegerRule& rule);
+  sim::Vec3 vector(std::string_view key, const sim::Vec3& fallback, const NumberRule& each);
+  /// Fills `out` with as many numbers as it holds; false leaves it as it was.
+  bool numbers(std::string_view key, std::span<double> out, const NumberRule& each);
+  bool integers(std::string_view key, std::span<std::uint64_t> out, const IntegerRule& each);
+  bool flag(std::string_view key, bool fallback);
+  std::string text(std::string_view key, std::string fallback, std::size_t length_max);
+  /// The index of the word found among `words`.
+  std::size_t choice(std::string_view key, std::size_t fallback, std::span<const char* const> words);
+  /// The table under a key, or null.
+  const toml::table* table(std::string_view key);
+  /// The tables [[key]], or null.
+  const toml::array* array_of_tables(std::string_view key);
+
+  /// Reports a key whose value is wrong in a way the getters cannot know. A missing key waits for finish(): where a
+  /// key is missing, another is often misspelt, and that is what a person wants to hear.
+  void fail(std::string_view key, std::string_view wanted);
+  void finish();
+
+  /// Of the key's value, or of the table if the key is missing.
+  [[nodiscard]] Place place(std::string_view key) const;
+  [[nodiscard]] Place place() const { return Place(table_.source()); }
+  [[nodiscard]] const std::string& label() const { return label_; }
+  [[nodiscard]] Problem& problem() const { return problem_; }
+
+ private:
+  const toml::node* find(std::string_view key);
+  [[nodiscard]] std::string key_text(std::string_view key) const;
+
+  const toml::table& table_;
+  std::string label_;
+  Problem& problem_;
+  std::string prefix_;
+  std::vector<std::string_view> known_;  // keys asked for; the texts are literals
+  std::string missing_;                  // the message about the first missing key
+};
+
+}  // namespace tumble::scenes
