@@ -1,0 +1,68 @@
+// Runs scenes and prints what they end in, one line each: name, steps, final hash. Needs only the simulation and the
+// scene reader, so that it builds for machines on which the log's libraries are not installed (tools/determinism.sh).
+// Usage: determinism SCENE.toml:STEPS...
+#include <charconv>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+#include "src/base/hash.h"
+#include "src/base/result.h"
+#include "src/scenes/scene_file.h"
+#include "src/step/step.h"
+#include "src/world/world.h"
+
+namespace tumble {
+namespace {
+
+Result<Hash128> final_hash(const sim::SceneDef& scene, std::uint64_t steps) {
+  Result<sim::World> world = sim::World::create(scene);
+  if (!world) return world.error();
+  auto input = scene.inputs.begin();
+  for (std::uint64_t k = 1; k <= steps; ++k) {
+    for (; input != scene.inputs.end() && input->step == k; ++input) {
+      if (Status applied = world->apply(input->command); !applied) return applied.error();
+    }
+    if (Result<sim::StepCounters> counters = sim::step(*world); !counters) return counters.error();
+  }
+  return sim::state_hash(world->bodies());
+}
+
+Status run(std::string_view argument) {
+  const std::size_t colon = argument.rfind(':');
+  const std::string path(argument.substr(0, colon));
+  std::uint64_t steps = 0;
+  const bool has_steps =
+      colon != std::string_view::npos &&
+      std::from_chars(argument.data() + colon + 1, argument.data() + argument.size(), steps).ec == std::errc();
+  if (!has_steps) return bad_input("found \"" + std::string(argument) + "\", wanted SCENE.toml:STEPS");
+  std::ifstream file(path, std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  if (!file) return bad_input(path + ": cannot be read");
+  const Result<sim::SceneDef> scene = scenes::parse_scene(text, path);
+  if (!scene) return scene.error();
+  const Result<Hash128> hash = final_hash(*scene, steps);
+  if (!hash) return hash.error();
+  std::printf("%s %llu %s\n", scene->name.c_str(), static_cast<unsigned long long>(steps), to_string(*hash).c_str());
+  return {};
+}
+
+}  // namespace
+}  // namespace tumble
+
+int main(int argc, char** argv) {
+  if (argc < 2) {
+    std::fputs("usage: determinism SCENE.toml:STEPS...\n", stderr);
+    return 2;
+  }
+  for (int i = 1; i < argc; ++i) {
+    if (const tumble::Status status = tumble::run(argv[i]); !status) {
+      std::fprintf(stderr, "determinism: %s\n", status.error().message.c_str());
+      return status.error().kind == tumble::ErrorKind::kBadInput ? 2 : 4;
+    }
+  }
+  return 0;
+}
