@@ -90,8 +90,9 @@ Status get_column(const char* name, capnp::Data::Reader in, std::vector<StepReco
 
 Status decode_inputs(schema::Chunk::Reader in, Chunk& chunk) {
   std::uint64_t before = chunk.first_step;
-  if (in.getInputs().size() > sim::kInputsMax) return damaged("chunk: found more inputs than a session may have");
-  for (const schema::Input::Reader input : in.getInputs()) {
+  const auto inputs = in.getInputs();
+  if (inputs.size() > sim::kInputsMax) return damaged("chunk: found more inputs than a session may have");
+  for (const schema::Input::Reader input : inputs) {
     Result<sim::TimedCommand> command = decode(input);
     if (!command.ok()) return command.error();
     if (command->step < before || command->step - chunk.first_step >= chunk.steps.size()) {
@@ -170,10 +171,6 @@ Status check_counts(schema::Chunk::Reader in) {
     return damaged("chunk: found " + std::to_string(in.getStepCount()) + " steps from step " +
                    std::to_string(in.getFirstStep()) + " on");
   }
-  if (in.getStepCount() > 1 && in.getStates().getFlags().size() > kBodyStepsRead) {
-    return damaged("chunk: found the states of " + std::to_string(in.getStates().getFlags().size()) +
-                   " bodies and steps, wanted at most " + std::to_string(kBodyStepsRead));
-  }
   return {};
 }
 
@@ -214,7 +211,7 @@ Result<ChunkDecoder> ChunkDecoder::open(const MessageBytes& message) {
     }
     if (Status ok = decode_steps(in, decoder.chunk_); !ok.ok()) return ok;
     decoder.states_ = std::make_unique<StateDecoder>(decoder.chunk_.keyframe.state, in.getStates());
-    return decoder.states_->check();
+    return decoder.states_->check(in.getStepCount());
   };
   if (Status ok = read_message<schema::Chunk>(message, read); !ok.ok()) return ok.error();
   return decoder;

@@ -23,11 +23,11 @@ Result<LogHeader> decode_root(schema::Header::Reader in) {
   header.method = in.getMethod().cStr();
   header.method_version = in.getMethodVersion();
   header.float_format = in.getFloatFormat().cStr();
-  if (in.getPhases().size() > kPhasesMax) {
-    return damaged("found " + std::to_string(in.getPhases().size()) + " phases, wanted at most " +
-                   std::to_string(kPhasesMax));
+  const auto phases = in.getPhases();
+  if (phases.size() > kPhasesMax) {
+    return damaged("found " + std::to_string(phases.size()) + " phases, wanted at most " + std::to_string(kPhasesMax));
   }
-  header.phases = decode_texts(in.getPhases());
+  header.phases = decode_texts(phases);
   header.phase_rows_max = in.getPhaseRowsMax();
   Result<sim::SceneDef> scene = decode(in.getScene());
   if (!scene.ok()) return scene.error();

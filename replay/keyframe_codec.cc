@@ -78,12 +78,13 @@ Status check_flags(const char* column, const std::vector<std::uint8_t>& flags) {
 }
 
 Status decode_bodies(schema::Keyframe::Reader in, sim::Bodies& bodies) {
-  const std::size_t n = in.getId().size() / 8;
+  const capnp::Data::Reader ids = in.getId();
+  const std::size_t n = ids.size() / 8;
   if (n > sim::kBodiesMax) {
     return damaged("keyframe: found " + std::to_string(n) + " bodies, wanted at most " +
                    std::to_string(sim::kBodiesMax));
   }
-  if (Status ok = get_differences("keyframe: id", in.getId(), n, bodies.id); !ok.ok()) return ok;
+  if (Status ok = get_differences("keyframe: id", ids, n, bodies.id); !ok.ok()) return ok;
   if (Status ok = check_ids(bodies.id); !ok.ok()) return ok;
   const auto lists = in.getDoubles();
   if (lists.size() < kDoubleColumns) {
@@ -113,19 +114,21 @@ Status check_rows(const char* column, const std::vector<sim::BodyIndex>& rows, s
 }
 
 Status decode_pairs(schema::Keyframe::Reader in, std::size_t bodies, sim::PairTable& pairs) {
-  const std::size_t n = in.getPairPlanes().size() / 2;
+  const capnp::Data::Reader planes = in.getPairPlanes();
+  const std::size_t n = planes.size() / 2;
   if (n > kPairsMax) return damaged("keyframe: found " + std::to_string(n) + " pairs");
   if (Status ok = get_differences("keyframe: pairA", in.getPairA(), n, pairs.a); !ok.ok()) return ok;
   if (Status ok = get_differences("keyframe: pairB", in.getPairB(), n, pairs.b); !ok.ok()) return ok;
-  if (Status ok = get_planes("keyframe: pairPlanes", in.getPairPlanes(), n, pairs.planes); !ok.ok()) return ok;
+  if (Status ok = get_planes("keyframe: pairPlanes", planes, n, pairs.planes); !ok.ok()) return ok;
   if (Status ok = check_rows("pairA", pairs.a, bodies, false); !ok.ok()) return ok;
   return check_rows("pairB", pairs.b, bodies, false);
 }
 
 Status decode_contacts(schema::Keyframe::Reader in, std::size_t bodies, sim::ContactObjects& contacts) {
-  const std::size_t n = in.getContactBody().size() / 4;
+  const capnp::Data::Reader contact_bodies = in.getContactBody();
+  const std::size_t n = contact_bodies.size() / 4;
   if (n > kPairsMax) return damaged("keyframe: found " + std::to_string(n) + " contact objects");
-  if (Status ok = get_differences("keyframe: contactBody", in.getContactBody(), n, contacts.body); !ok.ok()) return ok;
+  if (Status ok = get_differences("keyframe: contactBody", contact_bodies, n, contacts.body); !ok.ok()) return ok;
   if (Status ok = get_differences("keyframe: contactObject", in.getContactObject(), n, contacts.object); !ok.ok()) {
     return ok;
   }

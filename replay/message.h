@@ -36,6 +36,7 @@ Result<MessageBytes> write_message(std::size_t first_segment_bytes, Fill fill) {
 
 /// Calls `read` with the root of a message and returns its Result. Cap'n Proto checks bounds when a field is read and
 /// throws; the traversal limit is the message's own size, so that no pointer cycle or shared list can multiply work.
+/// Every call of a pointer's getter counts towards it, so codecs call each once.
 template <class Root, class Read>
 auto read_message(const MessageBytes& message, Read read) -> decltype(read(std::declval<typename Root::Reader>())) {
   try {

@@ -21,6 +21,27 @@ Hash128 load_hash(const std::byte* at) { return {load<std::uint64_t>(at + 8), lo
 
 std::uint32_t frame_bytes(RecordKind kind) { return (kind == RecordKind::kFooter ? kFooterBytes : kPreludeBytes) - 8; }
 
+/// The bytes of kMagicEnd that are the same in every log: all but the frame's length, which the prelude's hash covers.
+constexpr std::size_t kMagicBytes = 12;
+
+struct MagicMatch {
+  std::size_t compared = 0;
+  std::size_t equal = 0;
+};
+
+MagicMatch match_magic(std::span<const std::byte> start) {
+  std::array<std::byte, kMagicEnd> wanted = {};
+  store(wanted.data(), kSkippableMagic);
+  std::memcpy(wanted.data() + 8, kMagic.data(), kMagic.size());
+  MagicMatch match;
+  for (std::size_t i = 0; i < std::min(start.size(), kMagicEnd); ++i) {
+    if (i >= 4 && i < 8) continue;
+    ++match.compared;
+    if (start[i] == wanted[i]) ++match.equal;
+  }
+  return match;
+}
+
 std::string hex(std::uint64_t value) { return to_string(Hash128{0, value}).substr(16); }
 
 void encode_prelude(const Prelude& prelude, std::byte* at) {
@@ -102,18 +123,13 @@ std::array<std::byte, kFooterBytes> encode(const Footer& footer) {
 }
 
 bool starts_like_log(std::span<const std::byte> start) {
-  std::array<std::byte, kMagicEnd> wanted = {};
-  store(wanted.data(), kSkippableMagic);
-  store(wanted.data() + 4, frame_bytes(RecordKind::kHeader));
-  std::memcpy(wanted.data() + 8, kMagic.data(), kMagic.size());
-  // The frame's length (bytes 4–7) is left to the prelude's own hash: a footer has another.
-  const auto matches = [&](std::size_t from, std::size_t to) {
-    const std::size_t end = std::min(to, start.size());
-    return from >= end || std::equal(start.begin() + static_cast<std::ptrdiff_t>(from),
-                                     start.begin() + static_cast<std::ptrdiff_t>(end),
-                                     wanted.begin() + static_cast<std::ptrdiff_t>(from));
-  };
-  return !start.empty() && matches(0, 4) && matches(8, kMagicEnd);
+  const MagicMatch match = match_magic(start);
+  return match.compared > 0 && match.equal == match.compared;
+}
+
+bool nearly_starts_like_log(std::span<const std::byte> start) {
+  const MagicMatch match = match_magic(start);
+  return match.compared == kMagicBytes && match.equal >= kMagicBytes / 2;
 }
 
 Result<Prelude> decode_prelude(std::span<const std::byte, kPreludeBytes> bytes) {

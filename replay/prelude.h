@@ -80,6 +80,9 @@ std::array<std::byte, kFooterBytes> encode(const Footer& footer);
 /// Whether a file may be a log, from its first bytes; fewer than kMagicEnd are compared as far as they go.
 bool starts_like_log(std::span<const std::byte> start);
 
+/// A file whose first bytes are a log's but for some: a damaged log rather than something else.
+bool nearly_starts_like_log(std::span<const std::byte> start);
+
 /// Reads and checks a prelude. The error says what is wrong but neither file nor offset, which the caller knows:
 /// kBadInput for a newer major version (and what it needs), kDamaged for everything else.
 Result<Prelude> decode_prelude(std::span<const std::byte, kPreludeBytes> bytes);

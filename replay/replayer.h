@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,7 +33,7 @@ class Player {
 
   LogReader* log_;
   sim::World world_;
-  sim::PhaseHashes hashes_;
+  std::unique_ptr<sim::PhaseHashes> hashes_ = std::make_unique<sim::PhaseHashes>();  // which cannot be moved
   StepRecord record_;
 };
 
@@ -49,9 +50,10 @@ struct ReplayReport {
   [[nodiscard]] bool identical() const { return !first.has_value(); }
 };
 
-/// Replays a log and compares every step with it, the last included: dt and inputs, phase words, state hash, states,
-/// counters. Stops at the first difference. A log without steps is compared in state 0: that its scene still resolves
-/// to it. Errors: a log that cannot be read on (kDamaged, naming the steps compared before), nothing to compare
+/// Replays a log and compares every step with it, the last included: dt and inputs, phase words, state hash, counters;
+/// where they differ, the states say body and field. (That a log's states are those its state hashes tell of is
+/// verify()'s matter.) From step 0 on, state 0 comes first: that the scene still resolves to it. Stops at the first
+/// difference. Errors: a log that cannot be read on (kDamaged, naming the steps compared before), nothing to compare
 /// (kDamaged). A step that this build cannot take is a Divergence with the field "error".
 Result<ReplayReport> replay_log(LogReader& log, const ReplayOptions& options = {}, const Progress& progress = {});
 

@@ -219,7 +219,8 @@ Result<sim::SceneDef> decode(schema::Scene::Reader in) {
   const schema::Camera::Reader camera = in.getCamera();
   scene.camera = {decode(camera.getPosition()), decode(camera.getTarget()), camera.getFov(), camera.getFocus(),
                   camera.getBlur()};
-  scene.light = {decode(in.getLight().getPosition()), decode(in.getLight().getTarget())};
+  const schema::Light::Reader light = in.getLight();
+  scene.light = {decode(light.getPosition()), decode(light.getTarget())};
   return scene;
 }
 

@@ -99,12 +99,13 @@ void StateEncoder::copy_to(schema::States::Builder out) const {
 }
 
 StateDecoder::StateDecoder(const sim::WorldState& keyframe, schema::States::Reader in)
-    : rows_(keyframe), codec_(in.getCodec()), column_count_(in.getColumns().size()) {
+    : rows_(keyframe), codec_(in.getCodec()) {
   const capnp::Data::Reader flags = in.getFlags();
   flags_.assign(flags.begin(), flags.end());
   std::size_t changed = 0;
   for (const std::uint8_t flag : flags_) changed += (flag & kChangedFlag) != 0 ? 1 : 0;
   const auto columns = in.getColumns();
+  column_count_ = columns.size();
   for (unsigned c = 0; c < kColumnCount && c < columns.size(); ++c) {
     on_grid_[c] = columns[c].getOnGrid() && codec1::steps_per_unit(c) != 0;
     const capnp::Data::Reader residuals = columns[c].getResiduals();
@@ -112,11 +113,15 @@ StateDecoder::StateDecoder(const sim::WorldState& keyframe, schema::States::Read
   }
 }
 
-Status StateDecoder::check() const {
+Status StateDecoder::check(std::size_t step_count) const {
   if (flags_.empty()) return {};  // no states
   if (codec_ != kStateCodec) {
     return bad_input("the states are stored with codec " + std::to_string(codec_) +
                      ", this program knows codec 1; use a newer one");
+  }
+  if (step_count > 1 && flags_.size() > kBodyStepsRead) {
+    return damaged("found the states of " + std::to_string(flags_.size()) + " bodies and steps, wanted at most " +
+                   std::to_string(kBodyStepsRead));
   }
   if (column_count_ == kColumnCount && sizes_agree_) return {};
   return damaged("the columns of states do not have the lengths that their flags ask for");

@@ -41,9 +41,9 @@ class StateDecoder {
  public:
   StateDecoder(const sim::WorldState& keyframe, schema::States::Reader in);
 
-  /// Errors (kDamaged, kBadInput): sizes that do not fit together, a codec that is not known. Call once before
-  /// decode().
-  Status check() const;
+  /// Errors (kDamaged, kBadInput): sizes that do not fit together, more states than limits.h allows in a chunk of
+  /// step_count steps, a codec that is not known. Call once before decode().
+  [[nodiscard]] Status check(std::size_t step_count) const;
 
   /// Fills record.states if record.has_states. Records must come in order, each once; step, dt and inputs are read.
   /// Errors (kDamaged): more states than were stored, an input that cannot be.
@@ -54,7 +54,7 @@ class StateDecoder {
 
   StateRows rows_;
   std::uint16_t codec_;
-  std::size_t column_count_;
+  std::size_t column_count_ = 0;
   std::vector<std::uint8_t> flags_;
   std::array<bool, kColumnCount> on_grid_ = {};
   std::array<std::vector<std::uint64_t>, kColumnCount> residuals_;

@@ -1,0 +1,109 @@
+#include "replay/record_writer.h"
+
+#include <utility>
+
+#include "replay/header_codec.h"
+
+namespace tumble::replay {
+namespace {
+
+std::string steps_text(std::uint64_t steps) {
+  if (steps == 0) return "no step was saved";
+  return "steps 1 to " + std::to_string(steps) + " are saved and can be read";
+}
+
+}  // namespace
+
+Status RecordWriter::fail(const std::string& doing, const std::string& why) {
+  sink_->truncate(bytes_);  // a log that ends with a complete record
+  status_ = cannot_finish(sink_->name() + ": cannot write " + doing + " at byte " + std::to_string(bytes_) + ": " +
+                          why + "; " + steps_text(steps()) + "; free some space and record again");
+  return status_;
+}
+
+Status RecordWriter::write_all(std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    Result<std::size_t> written = sink_->write_some(bytes);
+    if (!written.ok()) return written.error();
+    bytes = bytes.subspan(*written);
+  }
+  return {};
+}
+
+Status RecordWriter::write_record(Prelude& prelude, const MessageBytes& message) {
+  const std::string doing = std::string(name_of(prelude.kind)) + " " + std::to_string(sequence_);
+  if (Status ok = compressor_.compress(message.bytes(), stored_); !ok.ok()) return fail(doing, ok.error().message);
+  prelude.sequence = sequence_;
+  prelude.raw_bytes = message.bytes().size();
+  prelude.stored_bytes = stored_.size();
+  prelude.stored_hash = hash_bytes(stored_);
+  if (prelude.kind == RecordKind::kHeader) log_tag_ = prelude.stored_hash.low;
+  prelude.log_tag = log_tag_;
+  if (Status ok = write_all(encode(prelude)); !ok.ok()) return fail(doing, ok.error().message);
+  if (Status ok = write_all(stored_); !ok.ok()) return fail(doing, ok.error().message);
+  bytes_ += kPreludeBytes + stored_.size();
+  ++sequence_;
+  return {};
+}
+
+Status RecordWriter::write_header(const LogHeader& header, const sim::WorldState& initial) {
+  mode_ = header.states;
+  final_hash_ = sim::state_hash(initial.bodies);
+  chain_ = chain_start(final_hash_);
+  Result<MessageBytes> message = encode_header(header);
+  if (!message.ok()) return fail("header", message.error().message);
+  Prelude prelude;
+  prelude.kind = RecordKind::kHeader;
+  prelude.chain_before = prelude.chain_after = chain_;
+  return write_record(prelude, *message);
+}
+
+Status RecordWriter::write_chunk(Keyframe& keyframe, std::span<StepRecord> steps) {
+  if (!status_.ok()) return status_;
+  keyframe.continuation_hash = sim::continuation_hash(keyframe.state);
+  Prelude prelude;
+  prelude.kind = RecordKind::kChunk;
+  prelude.first_step = keyframe.state.step + 1;
+  prelude.step_count = steps.size();
+  prelude.chain_before = chain_;
+  for (StepRecord& step : steps) {
+    final_hash_ = step.state_hash = state_hash(step.states);
+    step.has_states = mode_.holds(step.step);
+    chain_ = chain_next(chain_, step);
+  }
+  prelude.chain_after = chain_;
+  Result<MessageBytes> message = encoder_.encode(keyframe, steps);
+  if (!message.ok()) return fail("chunk " + std::to_string(sequence_), message.error().message);
+  const std::uint64_t offset = bytes_;
+  if (Status ok = write_record(prelude, *message); !ok.ok()) return ok;
+  chunks_.push_back({offset, bytes_ - offset, prelude.first_step, prelude.step_count, chain_, prelude.stored_hash});
+  return {};
+}
+
+Status RecordWriter::finish() {
+  if (!status_.ok()) return status_;
+  Result<MessageBytes> message = encode_index(chunks_);
+  if (!message.ok()) return fail("index", message.error().message);
+  Footer footer;
+  footer.index_offset = bytes_;
+  Prelude index;
+  index.kind = RecordKind::kIndex;
+  index.first_step = 1;
+  index.step_count = steps();
+  index.chain_before = index.chain_after = chain_;
+  if (Status ok = write_record(index, *message); !ok.ok()) return ok;
+  if (Status ok = sink_->sync(); !ok.ok()) return fail("footer", ok.error().message);
+  footer.prelude = index;
+  footer.prelude.kind = RecordKind::kFooter;
+  footer.prelude.sequence = sequence_;
+  footer.prelude.stored_bytes = footer.prelude.raw_bytes = 0;
+  footer.prelude.stored_hash = {};
+  footer.file_bytes = bytes_ + kFooterBytes;
+  footer.final_state_hash = final_hash_;
+  if (Status ok = write_all(encode(footer)); !ok.ok()) return fail("footer", ok.error().message);
+  bytes_ += kFooterBytes;
+  if (Status ok = sink_->sync(); !ok.ok()) return fail("footer", ok.error().message);
+  return {};
+}
+
+}  // namespace tumble::replay

@@ -1,0 +1,132 @@
+#include "replay/replayer.h"
+
+#include <utility>
+
+namespace tumble::replay {
+namespace {
+
+Divergence failed_at(std::uint64_t step, const char* phase, const Error& error) {
+  Divergence divergence;
+  divergence.step = step;
+  divergence.phase = phase;
+  divergence.field = "error";
+  divergence.expected = std::string("none");
+  divergence.actual = error.message;
+  return divergence;
+}
+
+/// Whether the log's scene still resolves to its state 0.
+Result<std::optional<Divergence>> compare_start(LogReader& log) {
+  Result<const StepRecord*> expected = log.read_step(0);
+  if (!expected.ok()) return expected.error();
+  Result<sim::World> world = sim::World::create(log.header().scene);
+  if (!world.ok()) return std::optional(failed_at(0, "start", world.error()));
+  BodyStates actual;
+  copy_visible(world->bodies(), actual);
+  std::optional<Divergence> found = first_difference((*expected)->states, actual);
+  if (found) found->phase = "start";
+  return found;
+}
+
+std::vector<std::string> notes_of(const LogReader& log, bool same_phases) {
+  const LogHeader& header = log.header();
+  std::vector<std::string> notes;
+  const std::uint32_t ours = sim::method_version(header.scene.world.method);
+  if (header.method_version != ours) {
+    notes.push_back("the log was recorded with version " + std::to_string(header.method_version) + " of method " +
+                    header.method + ", this build has version " + std::to_string(ours));
+  }
+  if (!same_phases) notes.emplace_back("the phases of the method have changed since: only states are compared");
+  if (!log.condition().whole()) notes.push_back("the log is not whole: " + log.condition().summary(log.step_count()));
+  return notes;
+}
+
+/// The difference in step k, if there is one. States are decoded only then: for most steps the hashes are enough.
+Result<std::optional<Divergence>> compare_step(LogReader& log, const StepRecord& actual,
+                                               const std::vector<std::string>& phases) {
+  Result<const StepRecord*> expected = log.read_hashes(actual.step);
+  if (!expected.ok()) return expected.error();
+  StepRecord hashes = **expected;
+  hashes.has_states = false;
+  std::optional<Divergence> found = first_difference(hashes, actual, phases);
+  if (!found || !(*expected)->has_states) return found;
+  expected = log.read_step(actual.step);
+  if (!expected.ok()) return expected.error();
+  return first_difference(**expected, actual, phases);
+}
+
+}  // namespace
+
+Result<Player> Player::at(LogReader& log, std::uint64_t k) {
+  Result<const Keyframe*> keyframe = log.keyframe_at_or_before(k);
+  if (!keyframe.ok()) return keyframe.error();
+  Result<sim::World> world = sim::World::restore((*keyframe)->state);
+  if (!world.ok()) return world.error();
+  Player player(log, *std::move(world));
+  while (player.world_.state().step < k) {
+    if (Result<const StepRecord*> step = player.step(); !step.ok()) return step.error();
+  }
+  return player;
+}
+
+Result<const StepRecord*> Player::step() {
+  const std::uint64_t k = world_.state().step + 1;
+  Result<const StepRecord*> logged = log_->read_hashes(k);
+  if (!logged.ok()) return logged.error();
+  record_.inputs = (*logged)->inputs;
+  for (const sim::Command& command : record_.inputs) {
+    if (Status ok = world_.apply(command); !ok.ok()) {
+      return cannot_finish("input \"" + std::string(sim::name_of(command)) + "\" before step " + std::to_string(k) +
+                           ": " + ok.error().message);
+    }
+  }
+  record_.dt = world_.state().def.dt;
+  hashes_->clear();
+  Result<sim::StepCounters> counters = sim::step(world_, hashes_.get());
+  if (!counters.ok()) return counters.error();
+  record_.step = k;
+  record_.phase_words = hashes_->words();
+  record_.counters = *counters;
+  record_.state_hash = sim::state_hash(world_.bodies());
+  record_.has_states = true;
+  copy_visible(world_.bodies(), record_.states);
+  return &record_;
+}
+
+Result<ReplayReport> replay_log(LogReader& log, const ReplayOptions& options, const Progress& progress) {
+  const LogHeader& header = log.header();
+  const std::uint64_t last = log.step_count();
+  const bool same_phases =
+      header.phases == header_for(header.scene).phases && header.phase_rows_max == sim::PhaseHashes::kRowsMax;
+  ReplayReport report;
+  report.notes = notes_of(log, same_phases);
+  if (options.from_step == 0) {
+    Result<std::optional<Divergence>> start = compare_start(log);
+    if (!start.ok()) return start.error();
+    report.first = *std::move(start);
+    if (report.first) return report;
+  }
+  Result<Player> player = Player::at(log, options.from_step);
+  if (!player.ok()) return player.error();
+  const std::vector<std::string> phases = same_phases ? header.phases : std::vector<std::string>();
+  for (std::uint64_t k = options.from_step + 1; k <= last; ++k) {
+    const auto unreadable = [&](const Error& error) {
+      return Error{error.kind, error.message + "; the steps before step " + std::to_string(k) + " replayed the same"};
+    };
+    if (Result<const StepRecord*> logged = log.read_hashes(k); !logged.ok()) return unreadable(logged.error());
+    Result<const StepRecord*> actual = player->step();
+    if (actual.ok()) {
+      Result<std::optional<Divergence>> found = compare_step(log, **actual, phases);
+      if (!found.ok()) return unreadable(found.error());
+      report.first = *std::move(found);
+    } else {
+      report.first = failed_at(k, "step", actual.error());
+    }
+    ++report.steps;
+    if (report.first || (progress && !progress(k - options.from_step, last - options.from_step))) break;
+  }
+  report.final_hash = sim::state_hash(player->world().bodies());
+  return report;
+}
+
+}  // namespace tumble::replay
