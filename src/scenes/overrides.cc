@@ -26,7 +26,7 @@ constexpr Exclusion kExclusions[] = {
 };
 
 Error argument_error(std::string_view argument, std::string_view message) {
-  return bad_input("--set " + quoted(argument) + ": " + std::string(message));
+  return bad_input("--set " + printable(argument) + ": " + std::string(message));
 }
 
 bool is_bare_key(std::string_view text) {
@@ -138,7 +138,7 @@ Status check_text(std::string_view text, std::string_view where) {
 }
 
 Status apply_override(toml::table& root, std::string_view argument) {
-  const std::string source = "--set " + std::string(argument);
+  const std::string source = "--set " + printable(argument);
   const std::size_t equals = argument.find('=');
   if (equals == std::string_view::npos) {
     return argument_error(argument, "found no \"=\", wanted key=value, such as world.dt=0.01");

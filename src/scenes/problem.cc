@@ -13,6 +13,12 @@ constexpr std::size_t kShownLength = 60;    // of a text in a message
 constexpr std::size_t kShownElements = 8;   // of an array in a message
 constexpr std::size_t kWordLengthMax = 40;  // longer words are no slips of a key
 
+// As TOML writes it, so that a message shows 2.0 where the file says 2.0.
+std::string float_text(double value) {
+  const std::string text = number_text(value);
+  return text.find_first_not_of("-0123456789") == std::string::npos ? text + ".0" : text;
+}
+
 std::string describe_array(const toml::array& array) {
   std::string out = "[";
   for (std::size_t i = 0; i < array.size(); ++i) {
@@ -64,28 +70,26 @@ std::string found_wanted(std::string_view found, std::string_view wanted) {
   return "found " + std::string(found) + ", wanted " + std::string(wanted);
 }
 
-std::string quoted(std::string_view text) {
-  std::string out = "\"";
-  const bool cut = text.size() > kShownLength;
+std::string printable(std::string_view text) {
+  std::string out;
   for (char c : text.substr(0, kShownLength)) {
     const auto byte = static_cast<unsigned char>(c);
     out += byte >= 0x20 && byte < 0x7f ? c : '?';
   }
-  return out + (cut ? "…\"" : "\"");
+  return text.size() > kShownLength ? out + "…" : out;
 }
+
+std::string quoted(std::string_view text) { return "\"" + printable(text) + "\""; }
 
 std::string number_text(double value) {
   std::array<char, 32> buffer{};
-  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
-  std::string out(buffer.data(), end);
-  if (out.find_first_not_of("-0123456789") == std::string::npos) out += ".0";
-  return out;
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
 }
 
 std::string describe(const toml::node& node) {
   if (const auto* text = node.as_string()) return quoted(text->get());
   if (const auto* integer = node.as_integer()) return std::to_string(integer->get());
-  if (const auto* number = node.as_floating_point()) return number_text(number->get());
+  if (const auto* number = node.as_floating_point()) return float_text(number->get());
   if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
   if (const auto* array = node.as_array()) return describe_array(*array);
   return node.is_table() ? "a table" : "a date or time";

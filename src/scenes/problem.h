@@ -48,10 +48,13 @@ std::string found_wanted(std::string_view found, std::string_view wanted);
 /// A TOML value in a few words: `[1.0, -2.0, 1.0]`, `"abc"`, `a table`. Bounded, printable, whatever the value holds.
 std::string describe(const toml::node& node);
 
-/// Text in quotes, cut to a readable length, control characters and broken UTF-8 shown as `?`.
+/// Text cut to a readable length, control characters and everything beyond ASCII shown as `?`.
+std::string printable(std::string_view text);
+
+/// The same in quotes.
 std::string quoted(std::string_view text);
 
-/// The shortest decimal that reads back to the same double; always with a point or an exponent.
+/// The shortest decimal that reads back to the same double.
 std::string number_text(double value);
 
 /// "a, b or c".
