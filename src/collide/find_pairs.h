@@ -17,7 +17,4 @@ namespace tumble::sim {
 Status find_pairs(World& world, double dt_s);
 void hash_find_pairs(const World& world, Hasher& hasher);
 
-/// Writes frames and AABBs only; find_pairs begins with it.
-void update_frames(World& world);
-
 }  // namespace tumble::sim

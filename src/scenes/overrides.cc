@@ -72,6 +72,11 @@ std::optional<toml::table> parse_value(std::string_view text, const std::string&
   return std::move(word).table();
 }
 
+// Moves the value out of such a table; its source goes with it.
+void insert_value(toml::table& table, std::string_view key, toml::table& parsed) {
+  parsed.get("value")->visit([&](auto& node) { table.insert_or_assign(key, std::move(node)); });
+}
+
 void remove_excluded(toml::table& table, std::string_view key) {
   for (const Exclusion& exclusion : kExclusions) {
     if (exclusion.key != key) continue;
@@ -86,10 +91,13 @@ struct Walk {
   toml::table* table;
   std::size_t next = 0;  // part
 };
-Result<Walk> descend(Walk walk, const std::vector<std::string_view>& parts) {
+Result<Walk> descend(Walk walk, const std::vector<std::string_view>& parts, const std::string& source) {
   const std::string_view part = parts[walk.next++];
+  if (!walk.table->contains(part)) {
+    toml::table empty = *parse_value("{}", source);
+    insert_value(*walk.table, part, empty);
+  }
   toml::node* node = walk.table->get(part);
-  if (!node) node = &walk.table->emplace<toml::table>(part).first->second;
   if (toml::table* inner = node->as_table()) return Walk{inner, walk.next};
 
   const std::string name = "[[" + std::string(part) + "]]";
@@ -158,12 +166,12 @@ Status apply_override(toml::table& root, std::string_view argument) {
   }
   Walk walk{&root};
   while (walk.next + 1 < parts.size()) {
-    Result<Walk> deeper = descend(walk, parts);
+    Result<Walk> deeper = descend(walk, parts, source);
     if (!deeper) return argument_error(argument, deeper.error().message);
     walk = *deeper;
   }
   remove_excluded(*walk.table, parts.back());
-  value->get("value")->visit([&](auto& node) { walk.table->insert_or_assign(parts.back(), std::move(node)); });
+  insert_value(*walk.table, parts.back(), *value);
   return {};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -82,8 +83,13 @@ std::string printable(std::string_view text) {
 std::string quoted(std::string_view text) { return "\"" + printable(text) + "\""; }
 
 std::string number_text(double value) {
+  const double size = std::fabs(value);
+  const bool plain = size == 0 || (size >= 1e-5 && size < 1e9);
   std::array<char, 32> buffer{};
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+  char* const last = buffer.data() + buffer.size();
+  const auto end = plain ? std::to_chars(buffer.data(), last, value, std::chars_format::fixed)
+                         : std::to_chars(buffer.data(), last, value);
+  return {buffer.data(), end.ptr};
 }
 
 std::string describe(const toml::node& node) {
@@ -91,6 +97,7 @@ std::string describe(const toml::node& node) {
   if (const auto* integer = node.as_integer()) return std::to_string(integer->get());
   if (const auto* number = node.as_floating_point()) return float_text(number->get());
   if (const auto* flag = node.as_boolean()) return flag->get() ? "true" : "false";
+  if (node.is_array_of_tables()) return "an array of tables";
   if (const auto* array = node.as_array()) return describe_array(*array);
   return node.is_table() ? "a table" : "a date or time";
 }

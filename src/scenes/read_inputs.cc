@@ -81,7 +81,8 @@ std::uint64_t read_step(TableReader& reader, const InputClock& clock, bool& late
   late = step > clock.steps;
   if (late && !clock.steps_overridden) {
     const std::string last = std::to_string(clock.steps);
-    reader.fail(key, by_time ? "a time before the end (step " + std::to_string(step) + ", the last one is " + last + ")"
+    reader.fail(key, by_time ? "a time before the end (it means step " + std::to_string(step) + ", the last one is " +
+                                   last + ")"
                              : "a step from 1 to the last one, " + last);
   }
   return step;

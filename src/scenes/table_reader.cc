@@ -146,7 +146,7 @@ const toml::table* TableReader::table(std::string_view key) {
   const toml::node* node = find(key);
   if (!node) return nullptr;
   if (const toml::table* found = node->as_table()) return found;
-  fail(key, "a table");
+  fail(key, label_.empty() ? "a table that begins with [" + std::string(key) + "]" : "a table in braces");
   return nullptr;
 }
 

@@ -68,20 +68,25 @@ Rotation rotate_freely(const Quat& orientation, const Vec3& spin, const Vec3& in
   return {turned, VelocityGrid::round(new_spin)};
 }
 
+void fly_freely(WorldState& state, BodyIndex i, double dt_s) {
+  const WorldDef& def = state.def;
+  Bodies& bodies = state.bodies;
+  const Vec3 before = bodies.velocity[i];
+  const Vec3 after = fall(before, def, dt_s);
+  const Rotation rotation =
+      rotate_freely(bodies.orientation[i], bodies.spin[i], bodies.inertia[i], bodies.inverse_inertia[i], dt_s);
+  const double slower = 1 + def.air_drag * dt_s;
+  bodies.velocity.set(i, after);
+  bodies.position.set(i, plus_zero(bodies.position[i] + PositionGrid::round(Vec3((before + after) * (0.5 * dt_s)))));
+  bodies.orientation.set(i, rotation.orientation);
+  bodies.spin.set(i, def.air_drag > 0 ? VelocityGrid::round(Vec3(rotation.spin / slower)) : rotation.spin);
+}
+
 Status integrate(World& world, double dt_s) {
-  const WorldDef& def = world.state().def;
   Bodies& bodies = world.mutable_state().bodies;
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
     if (!bodies.moves(i)) continue;
-    const Vec3 before = bodies.velocity[i];
-    const Vec3 after = fall(before, def, dt_s);
-    const Rotation rotation =
-        rotate_freely(bodies.orientation[i], bodies.spin[i], bodies.inertia[i], bodies.inverse_inertia[i], dt_s);
-    const double slower = 1 + def.air_drag * dt_s;
-    bodies.velocity.set(i, after);
-    bodies.position.set(i, plus_zero(bodies.position[i] + PositionGrid::round(Vec3((before + after) * (0.5 * dt_s)))));
-    bodies.orientation.set(i, rotation.orientation);
-    bodies.spin.set(i, def.air_drag > 0 ? VelocityGrid::round(Vec3(rotation.spin / slower)) : rotation.spin);
+    fly_freely(world.mutable_state(), i, dt_s);
     if (Status ok = check_body(bodies, i); !ok.ok()) return ok;
   }
   return {};

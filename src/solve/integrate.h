@@ -17,6 +17,9 @@ namespace tumble::sim {
 Status integrate(World& world, double dt_s);
 void hash_integrate(const World& world, Hasher& hasher);
 
+/// Free flight of body i for dt_s.
+void fly_freely(WorldState& state, BodyIndex i, double dt_s);
+
 /// The part of integrate that turns one body: new orientation, and the spin that keeps R I Rᵀ w. Exposed for tests.
 struct Rotation {
   Quat orientation;

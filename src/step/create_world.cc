@@ -4,6 +4,7 @@
 #include <string>
 
 #include "src/model/limits.h"
+#include "src/solve/contact_memory.h"
 #include "src/solve/update_freezing.h"
 #include "src/world/edit_bodies.h"
 #include "src/world/world.h"
@@ -45,7 +46,12 @@ Result<World> World::create(const SceneDef& scene) {
     insert_body(state, box);
   }
   Result<World> world = restore(std::move(state));
-  if (world.ok()) find_first_contact_objects(*world);
+  if (!world.ok()) return world;
+  if (scene.world.method == Method::kThesis) {
+    find_first_contact_objects(*world);
+  } else {
+    find_first_contact_memory(*world);
+  }
   return world;
 }
 

@@ -1,17 +1,30 @@
 #include "src/step/step.h"
 
 #include <bit>
+#include <iterator>
 #include <string>
 
 #include "src/collide/find_contacts.h"
+#include "src/collide/find_manifolds.h"
+#include "src/collide/find_near_pairs.h"
 #include "src/collide/find_pairs.h"
 #include "src/collide/find_planes.h"
 #include "src/collide/recheck_planes.h"
+#include "src/solve/apply_forces.h"
 #include "src/solve/apply_outcomes.h"
+#include "src/solve/assign_levels.h"
+#include "src/solve/bounce_contacts.h"
 #include "src/solve/compute_impulses.h"
 #include "src/solve/compute_separation.h"
+#include "src/solve/finish_motion.h"
 #include "src/solve/integrate.h"
+#include "src/solve/integrate_positions.h"
+#include "src/solve/prepare_manifolds.h"
+#include "src/solve/push_contacts.h"
+#include "src/solve/relax_contacts.h"
 #include "src/solve/update_freezing.h"
+#include "src/solve/update_sleeping.h"
+#include "src/solve/wake_islands.h"
 
 namespace tumble::sim {
 namespace {
@@ -29,14 +42,53 @@ constexpr Phase kThesisPhases[] = {
     {"recheck_planes", recheck_planes, hash_recheck_planes},
     {"update_freezing", update_freezing, hash_update_freezing},
 };
-constexpr std::size_t kThesisTrialPhases = 3;
+constexpr PhaseTable kThesis = {kThesisPhases, 0, std::size(kThesisPhases), 3};
+
+// Contacts are found once a step; gravity, contacts and motion alternate in sub-steps.
+constexpr Phase kLayeredPhases[] = {
+    {"find_near_pairs", find_near_pairs, hash_find_near_pairs},
+    {"find_manifolds", find_manifolds, hash_find_manifolds},
+    {"wake_islands", wake_islands, hash_wake_islands},
+    {"assign_levels", assign_levels, hash_assign_levels},
+    {"prepare_manifolds", prepare_manifolds, hash_prepare_manifolds},
+    // --- every sub-step ---
+    {"apply_forces", apply_forces, hash_apply_forces},
+    {"push_contacts", push_contacts, hash_push_contacts},
+    {"integrate_positions", integrate_positions, hash_integrate_positions},
+    {"relax_contacts", relax_contacts, hash_relax_contacts},
+    // --- once again ---
+    {"bounce_contacts", bounce_contacts, hash_bounce_contacts},
+    {"finish_motion", finish_motion, hash_finish_motion},
+    {"update_sleeping", update_sleeping, hash_update_sleeping},
+};
+constexpr PhaseTable kLayered = {kLayeredPhases, 5, 9, 0};
+
+// floor(log2(substeps)): how often a step may be halved.
+unsigned recursion_depth(const WorldDef& def) { return static_cast<unsigned>(std::bit_width(def.substeps)) - 1U; }
 
 // One call of step(): the sub-steps of a step, counted.
-class SubstepRun {
+class StepRun {
  public:
-  SubstepRun(World& world, Observer* observer)
+  StepRun(World& world, Observer* observer)
       : world_(world), observer_(observer), table_(phase_table(world.state().def.method)) {}
 
+  Status run_all() {
+    const WorldDef& def = world_.state().def;
+    if (Status ok = run_range(0, table_.substeps_begin, def.dt); !ok.ok()) return ok;
+    if (table_.trial_count > 0) {
+      if (Status ok = advance(def.dt, recursion_depth(def)); !ok.ok()) return ok;
+    } else {
+      for (std::uint32_t k = 0; k < def.substeps; ++k) {
+        if (Status ok = accept(def.dt / def.substeps); !ok.ok()) return ok;
+      }
+    }
+    --substep_;  // what follows belongs to the last one
+    return run_range(table_.substeps_end, table_.phases.size(), def.dt);
+  }
+
+  [[nodiscard]] StepCounters counters() const { return counters_; }
+
+ private:
   /// Advances by dt_s, halving as often as `depth` allows when there are too many collisions (thesis V.A).
   Status advance(double dt_s, unsigned depth) {
     if (depth > 0) save(depth);
@@ -51,9 +103,14 @@ class SubstepRun {
     return accept(dt_s);
   }
 
-  [[nodiscard]] StepCounters counters() const { return counters_; }
+  Status run_range(std::size_t begin, std::size_t end, double dt_s) {
+    for (std::size_t k = begin; k < end; ++k) {
+      if (Status ok = run(k, dt_s); !ok.ok()) return ok;
+      notify(k);
+    }
+    return {};
+  }
 
- private:
   Status run(std::size_t phase, double dt_s) {
     Status status = table_.phases[phase].run(world_, dt_s);
     if (status.ok()) return status;
@@ -63,18 +120,16 @@ class SubstepRun {
 
   // Only accepted sub-steps are seen. What the trial phases wrote is still there to be looked at.
   Status accept(double dt_s) {
-    for (std::size_t k = 0; k < table_.trial_count; ++k) notify(k);
-    for (std::size_t k = table_.trial_count; k < table_.phases.size(); ++k) {
-      if (Status ok = run(k, dt_s); !ok.ok()) return ok;
-      notify(k);
-    }
+    const std::size_t tried = table_.substeps_begin + table_.trial_count;
+    for (std::size_t k = table_.substeps_begin; k < tried; ++k) notify(k);
+    if (Status ok = run_range(tried, table_.substeps_end, dt_s); !ok.ok()) return ok;
     counters_.contacts += static_cast<std::uint32_t>(world_.scratch().contacts.size());
-    ++counters_.substeps;
+    counters_.substeps = ++substep_;
     return {};
   }
 
   void notify(std::size_t phase) {
-    if (observer_ != nullptr) observer_->phase_done(counters_.substeps, phase, world_);
+    if (observer_ != nullptr) observer_->phase_done(substep_, phase, world_);
   }
 
   SavedMotion& saved(unsigned depth) {
@@ -105,20 +160,17 @@ class SubstepRun {
   Observer* observer_;
   PhaseTable table_;
   StepCounters counters_;
+  std::uint32_t substep_ = 0;
 };
-
-// floor(log2(substeps)): how often a step may be halved.
-unsigned recursion_depth(const WorldDef& def) { return static_cast<unsigned>(std::bit_width(def.substeps)) - 1U; }
 
 }  // namespace
 
-PhaseTable phase_table(Method /*method*/) { return {kThesisPhases, kThesisTrialPhases}; }
+PhaseTable phase_table(Method method) { return method == Method::kThesis ? kThesis : kLayered; }
 
 Result<StepCounters> step(World& world, Observer* observer) {
-  const WorldDef& def = world.state().def;
   world.mutable_scratch().removed_energy = 0;
-  SubstepRun run(world, observer);
-  if (Status ok = run.advance(def.dt, recursion_depth(def)); !ok.ok()) return ok.error();
+  StepRun run(world, observer);
+  if (Status ok = run.run_all(); !ok.ok()) return ok.error();
   ++world.mutable_state().step;
 
   StepCounters counters = run.counters();

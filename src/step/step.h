@@ -19,10 +19,13 @@ struct Phase {
   void (*hash)(const World& world, Hasher& hasher);
 };
 
-/// The phases of a method, in the order they run. `trial_count` first ones may be undone: the sub-step is accepted, or
-/// halved and begun again, after them.
+/// The phases of a method, in the order they run: those before `substeps_begin` once a step, then those up to
+/// `substeps_end` in every sub-step, then the rest once. `trial_count` first ones of a sub-step may be undone: the
+/// sub-step is accepted, or halved and begun again, after them.
 struct PhaseTable {
   std::span<const Phase> phases;
+  std::size_t substeps_begin;
+  std::size_t substeps_end;
   std::size_t trial_count;
 };
 PhaseTable phase_table(Method method);
@@ -39,8 +42,9 @@ struct StepCounters {
   friend bool operator==(const StepCounters&, const StepCounters&) = default;
 };
 
-/// Watches a step without the step knowing what for. Called after each phase of each accepted sub-step, in order; the
-/// world and its scratch still hold what the phase wrote. References last for the call.
+/// Watches a step without the step knowing what for. Called after each phase of each accepted sub-step, in order (what
+/// runs once a step counts to the first or the last sub-step); the world and its scratch still hold what the phase
+/// wrote. References last for the call.
 class Observer {
  public:
   virtual ~Observer() = default;
@@ -51,7 +55,8 @@ class Observer {
 Result<StepCounters> step(World& world, Observer* observer = nullptr);
 
 /// Collects a step's phase hashes: one 64-bit word (the low half of XXH3-128) a phase and sub-step, sub-step by
-/// sub-step. Sub-steps from kRowsMax on are folded into the last row, so a log stays small at any sub-step count.
+/// sub-step; 0 where a phase did not run in that sub-step. Sub-steps from kRowsMax on are folded into the last row, so
+/// a log stays small at any sub-step count.
 class PhaseHashes : public Observer {
  public:
   static constexpr std::uint32_t kRowsMax = 16;

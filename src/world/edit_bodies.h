@@ -15,7 +15,7 @@ Status check_box(const BoxDef& box);
 /// Precondition: check_box passed and the id is new.
 void insert_body(WorldState& state, const BoxDef& box);
 
-/// Removes row i, its pairs and its contact objects; wakes what had it as a contact object.
+/// Removes row i, its pairs and its contacts; wakes what rested on it (thesis) or touched it (layered).
 void erase_body(WorldState& state, BodyIndex i);
 
 /// Brings a frozen body back to life, at rest. Its contact objects are forgotten. No effect on others.

@@ -2,12 +2,14 @@
 
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "src/base/ids.h"
 #include "src/math/rotation.h"
 #include "src/math/vec.h"
+#include "src/world/manifold.h"
 #include "src/world/world_state.h"
 
 namespace tumble::sim {
@@ -62,6 +64,13 @@ struct SweepScratch {
   PairTable merged;
 };
 
+/// What the solver of method layered knows of a body; all zeros for what does not move.
+struct SolverBody {
+  Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();
+  double inverse_mass = 0;
+  double inverse_inertia[6] = {};  ///< world axes: xx, xy, xz, yy, yz, zz
+};
+
 /// A body that may freeze in this sub-step, and how low the lowest thing it touches lies.
 struct FreezeCandidate {
   bool ready = false;
@@ -88,11 +97,34 @@ struct Scratch {
   Vec3Column displacement;            ///< merged separation of each body, m; written by compute_separation
   Vec3Column displacement_low;        ///< its negative parts while it is being merged
   std::vector<std::uint8_t> touched;  ///< in a real collision in this sub-step; written by compute_impulses
-  double removed_energy = 0;          ///< J in this step; written by apply_outcomes
+  // Method layered.
+  std::vector<Manifold> manifolds;  ///< in the order of the pairs; written by find_manifolds
+  std::vector<ManifoldPoint> manifold_points;
+  std::vector<std::uint32_t> level;        ///< of each body: contacts away from the ground; written by assign_levels
+  std::vector<std::uint32_t> layered;      ///< manifolds that are awake, layer by layer
+  std::vector<std::uint32_t> layer_start;  ///< of each layer in `layered`
+  std::vector<std::uint8_t> in_contact;    ///< moving bodies that have a manifold; written by prepare_manifolds
+  std::vector<SolverBody> solver_bodies;   ///< written by prepare_manifolds, then by every sweep
+  Vec3Column next_velocity, next_spin;     ///< sums in progress
+
+  double removed_energy = 0;                       ///< J in this step; written by apply_outcomes
   std::vector<FreezeCandidate> freeze_candidates;  ///< written by update_freezing
   std::vector<std::uint8_t> frozen_before;
   ContactObjects new_contact_objects;
   std::vector<SavedMotion> saved;  ///< one for each depth of sub-step recursion; written by step
 };
+
+inline std::span<ManifoldPoint> points_of(Scratch& scratch, const Manifold& m) {
+  return std::span(scratch.manifold_points).subspan(m.first, m.count);
+}
+inline std::span<const ManifoldPoint> points_of(const Scratch& scratch, const Manifold& m) {
+  return std::span(scratch.manifold_points).subspan(m.first, m.count);
+}
+
+/// The manifolds of one layer, as indices.
+inline std::span<const std::uint32_t> layer_of(const Scratch& scratch, std::size_t layer) {
+  const std::uint32_t begin = scratch.layer_start[layer];
+  return std::span(scratch.layered).subspan(begin, scratch.layer_start[layer + 1] - begin);
+}
 
 }  // namespace tumble::sim

@@ -161,6 +161,25 @@ bool same_sizes(const WorldState& state) {
   return true;
 }
 
+Status check_memory(const ContactMemory& memory, BodyIndex n) {
+  const std::size_t size = memory.size();
+  if (memory.b.size() != size || memory.count.size() != size || memory.friction.x.size() != size ||
+      memory.friction.y.size() != size || memory.friction.z.size() != size || memory.twist.size() != size) {
+    return bad_input("snapshot: the columns of the contact memory differ in length");
+  }
+  std::uint64_t points = 0;
+  for (std::size_t k = 0; k < size; ++k) {
+    points += memory.count[k];
+    if (memory.b[k] >= n || (memory.a[k] >= n && memory.a[k] != kGround)) {
+      return bad_input("snapshot: contact memory " + std::to_string(k) + " is out of range");
+    }
+  }
+  if (memory.feature.size() != points || memory.impulse.size() != points) {
+    return bad_input("snapshot: the contact memory's points do not add up");
+  }
+  return {};
+}
+
 Status check_lists(const WorldState& state) {
   const BodyIndex n = static_cast<BodyIndex>(state.bodies.size());
   for (std::size_t i = 0; i < n; ++i) {
@@ -188,7 +207,7 @@ Status check_lists(const WorldState& state) {
       return bad_input("snapshot: contact object " + std::to_string(k) + " is out of order or out of range");
     }
   }
-  return {};
+  return check_memory(state.contact_memory, n);
 }
 
 }  // namespace
@@ -205,9 +224,6 @@ Result<World> World::restore(WorldState state) {
   if (Status ok = check_float_environment(); !ok.ok()) return ok.error();
   if (!same_sizes(state)) return bad_input("snapshot: the columns of the bodies differ in length");
   if (Status ok = check_lists(state); !ok.ok()) return ok.error();
-  if (method_version(state.def.method) == 0) {
-    return bad_input("method \"layered\" is not built yet; use method = \"thesis\"");
-  }
   if (state.def.substeps == 0 || state.def.substeps > kSubstepsMax) return bad_input("snapshot: substeps out of range");
   World world;
   world.state_ = std::move(state);

@@ -63,7 +63,7 @@ std::uint32_t method_version(Method method) {
     case Method::kThesis:
       return 1;
     case Method::kLayered:
-      return 0;  // not built yet
+      return 1;
   }
   return 0;
 }
@@ -95,6 +95,12 @@ Hash128 continuation_hash(const WorldState& state) {
   add(hasher, state.pairs.planes);
   add(hasher, state.contact_objects.body);
   add(hasher, state.contact_objects.object);
+  const ContactMemory& memory = state.contact_memory;
+  hasher.add(static_cast<std::uint64_t>(memory.size()));
+  for (const auto* column : {&memory.a, &memory.b, &memory.count, &memory.feature}) add(hasher, *column);
+  add(hasher, memory.friction);
+  add(hasher, memory.twist);
+  add(hasher, memory.impulse);
   return hasher.digest();
 }
 

@@ -9,6 +9,7 @@
 #include "src/math/rotation.h"
 #include "src/math/vec.h"
 #include "src/model/scene.h"
+#include "src/world/manifold.h"
 
 namespace tumble::sim {
 
@@ -100,7 +101,8 @@ struct WorldState {
   WorldDef def;            ///< with the current dt and gravity
   Bodies bodies;
   PairTable pairs;
-  ContactObjects contact_objects;
+  ContactObjects contact_objects;  ///< method thesis
+  ContactMemory contact_memory;    ///< method layered
   friend bool operator==(const WorldState&, const WorldState&) = default;
 };
 

@@ -1,0 +1,280 @@
+#include "src/collide/find_manifolds.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "src/collide/box_pair.h"
+#include "src/collide/find_near_pairs.h"
+#include "src/collide/manifold_points.h"
+#include "src/math/grid.h"
+
+namespace tumble::sim {
+namespace {
+
+constexpr double kEdgePreference = 0.01;   // of the smallest half extent: an edge pair must be better by this
+constexpr double kFacePreference = 0.001;  // likewise for the other box's face
+
+double smallest_half_extent(const BoxPair& pair) {
+  return std::min(pair.a().half_extent.minCoeff(), pair.b().half_extent.minCoeff());
+}
+
+double slack_of(double smallest) { return std::min(kContactSlack, kContactSlackPart * smallest); }
+
+// What the builder of one step's manifolds looks at and writes to.
+class Builder {
+ public:
+  Builder(World& world, double dt_s)
+      : world_(world),
+        bodies_(world.bodies()),
+        scratch_(world.mutable_scratch()),
+        dt_(dt_s),
+        fall_(falling_reach(world.state().def, dt_s)) {
+    scratch_.manifolds.clear();
+    scratch_.manifold_points.clear();
+  }
+
+  void build() {
+    const PairTable& pairs = world_.state().pairs;
+    std::size_t k = 0;
+    for (BodyIndex i = 0; i < bodies_.size(); ++i) {
+      for (; k < pairs.size() && pairs.a[k] == i; ++k) pair(i, pairs.b[k]);
+      if (world_.state().def.ground && bodies_.is_static[i] == 0) ground(i);
+    }
+  }
+
+ private:
+  double turning(BodyIndex i) const { return turning_reach(bodies_, i, dt_); }
+
+  void pair(BodyIndex lo, BodyIndex hi) {
+    const bool moves = bodies_.moves(lo) || bodies_.moves(hi);
+    if (!moves) return remember(lo, hi);
+    const BoxPair boxes(scratch_.frames[lo], scratch_.frames[hi]);
+    const double smallest = smallest_half_extent(boxes);
+    const Vec3 approach = bodies_.velocity[hi] - bodies_.velocity[lo];
+    const double turn = turning(lo) + turning(hi);
+    const auto margin_of = [&](const Vec3& n) {
+      return std::max(0.0, -dot(approach, n)) * dt_ + (turn + fall_) + slack_of(smallest);
+    };
+    const BestAxes face_lo = boxes.best(kFacesOfA), face_hi = boxes.best(kFacesOfB), edge = boxes.best(kEdges);
+    const double face = best_of(face_lo, face_hi);
+    const bool lo_first = canonical(boxes) >= 0, hi_first = canonical(boxes) <= 0;
+    if (edge.axes != 0 && edge.separation > face + kEdgePreference * smallest) {
+      for_each_axis(edge.axes, [&](int axis) {
+        const double margin = margin_of(boxes.normal(axis));
+        if (edge.separation > margin) return;
+        if (lo_first) add_edge(lo, hi, boxes, axis, edge.separation, margin);
+        if (hi_first) add_edge(hi, lo, boxes, axis, edge.separation, margin);
+      });
+      return;
+    }
+    const double prefer = kFacePreference * smallest;
+    const bool on_lo = face_lo.axes != 0 && (lo_first ? face_lo.separation >= face - prefer
+                                                      : face_lo.separation > face_hi.separation + prefer);
+    const bool on_hi = face_hi.axes != 0 && (hi_first ? face_hi.separation >= face - prefer
+                                                      : face_hi.separation > face_lo.separation + prefer);
+    if (on_lo) {
+      for_each_axis(face_lo.axes, [&](int axis) { add_face(lo, hi, axis, margin_of(boxes.normal(axis))); });
+    }
+    if (on_hi) {
+      for_each_axis(face_hi.axes, [&](int axis) { add_face(hi, lo, axis - 3, margin_of(boxes.normal(axis))); });
+    }
+  }
+
+  static double best_of(const BestAxes& x, const BestAxes& y) {
+    if (x.axes == 0) return y.separation;
+    if (y.axes == 0) return x.separation;
+    return std::max(x.separation, y.separation);
+  }
+
+  // > 0: a is the reference, < 0: b, 0: a tie.
+  static int canonical(const BoxPair& boxes) {
+    const double a = volume_measure(boxes.a()), b = volume_measure(boxes.b());
+    if (a != b) return a > b ? 1 : -1;
+    const double up = boxes.offset().z();
+    return up > 0 ? 1 : up < 0 ? -1 : 0;
+  }
+
+  template <class Visit>
+  static void for_each_axis(AxisSet axes, Visit visit) {
+    for (unsigned rest = axes; rest != 0; rest &= rest - 1) visit(std::countr_zero(rest));
+  }
+
+  ManifoldSide side_of(BodyIndex reference, BodyIndex incident, double margin) const {
+    const BoxFrame& a = scratch_.frames[reference];
+    const BoxFrame& b = scratch_.frames[incident];
+    return {&a, &b, b.position - a.position, reference < incident, margin};
+  }
+
+  void add_face(BodyIndex reference, BodyIndex incident, int axis, double margin) {
+    Manifold m = fresh(reference, incident);
+    face_manifold(side_of(reference, incident, margin), axis, m, scratch_.manifold_points);
+    finish(m);
+  }
+
+  void add_edge(BodyIndex reference, BodyIndex incident, const BoxPair& boxes, int axis, double separation,
+                double margin) {
+    Manifold m = fresh(reference, incident);
+    const ManifoldSide side = side_of(reference, incident, margin);
+    if (reference < incident) {
+      edge_manifold(side, boxes, axis, separation, m, scratch_.manifold_points);
+    } else {
+      const int i = (axis - 6) / 3, j = (axis - 6) % 3;
+      edge_manifold(side, BoxPair(*side.reference, *side.incident), 6 + 3 * j + i, separation, m,
+                    scratch_.manifold_points);
+    }
+    finish(m);
+  }
+
+  void ground(BodyIndex i) {
+    if (!bodies_.moves(i)) return remember_ground(i);
+    const BoxFrame& frame = scratch_.frames[i];
+    const double slack = slack_of(frame.half_extent.minCoeff());
+    const double reach = std::max(0.0, -bodies_.velocity.z[i]) * dt_ + (turning(i) + fall_) + slack;
+    if (frame.position.z() - reach_along(frame, 2) > reach) return;
+    Manifold m = fresh(kGround, i);
+    ground_manifold(frame, reach, m, scratch_.manifold_points);
+    finish(m);
+  }
+
+  Manifold fresh(BodyIndex reference, BodyIndex incident) const {
+    Manifold m;
+    m.a = reference;
+    m.b = incident;
+    const WorldDef& def = world_.state().def;
+    const bool ground = reference == kGround;
+    const double f = ground ? def.ground_material.friction : bodies_.friction[reference];
+    const double fd = ground ? def.ground_material.friction_dynamic : bodies_.friction_dynamic[reference];
+    const double e = ground ? def.ground_material.restitution : bodies_.restitution[reference];
+    m.friction = std::sqrt(f * bodies_.friction[incident]);
+    m.friction_dynamic = std::sqrt(fd * bodies_.friction_dynamic[incident]);
+    m.restitution = std::max(e, bodies_.restitution[incident]);
+    return m;
+  }
+
+  // Leaves out the points that cannot meet within the step, and takes over the last step's impulses.
+  void finish(Manifold& m) {
+    std::vector<ManifoldPoint>& points = scratch_.manifold_points;
+    const Vec3 va = m.a == kGround ? Vec3(Vec3::Zero()) : bodies_.velocity[m.a];
+    const Vec3 wa = m.a == kGround ? Vec3(Vec3::Zero()) : bodies_.spin[m.a];
+    const Vec3 u = (bodies_.velocity[m.b] - va) - cross(wa, m.d), w = bodies_.spin[m.b] - wa;
+    const double un = dot(u, m.n), w1 = dot(w, m.t1), w2 = dot(w, m.t2);
+    double smallest = scratch_.frames[m.b].half_extent.minCoeff();
+    if (m.a != kGround) smallest = std::min(smallest, scratch_.frames[m.a].half_extent.minCoeff());
+    const double reach = slack_of(smallest) + fall_;
+    std::size_t kept = m.first;
+    for (std::size_t k = m.first; k < points.size(); ++k) {
+      const double speed = un + (w1 * points[k].q - w2 * points[k].p);
+      if (points[k].separation + std::min(0.0, speed) * dt_ <= reach) points[kept++] = points[k];
+    }
+    points.resize(kept);
+    m.count = static_cast<std::uint32_t>(kept - m.first);
+    if (m.count == 0) return;
+    warm_start(m);
+    scratch_.manifolds.push_back(m);
+  }
+
+  // The memory is sorted like the pairs are visited, so one cursor walks along; a tied pair has up to several entries.
+  std::pair<std::size_t, std::size_t> entries(BodyIndex lo, BodyIndex hi) {
+    const ContactMemory& memory = world_.state().contact_memory;
+    const auto key = [](BodyIndex x, BodyIndex y) { return std::make_pair(x, y); };
+    const auto wanted = key(lo, hi);
+    while (cursor_ < memory.size() && key_of(memory, cursor_) < wanted) {
+      cursor_point_ += memory.count[cursor_];
+      ++cursor_;
+    }
+    std::size_t end = cursor_;
+    while (end < memory.size() && key_of(memory, end) == wanted) ++end;
+    return {cursor_, end};
+  }
+  static std::pair<BodyIndex, BodyIndex> key_of(const ContactMemory& memory, std::size_t k) {
+    const BodyIndex a = memory.a[k], b = memory.b[k];
+    return a == kGround ? std::make_pair(b, kGround) : std::make_pair(std::min(a, b), std::max(a, b));
+  }
+
+  void warm_start(Manifold& m) {
+    const ContactMemory& memory = world_.state().contact_memory;
+    const bool ground = m.a == kGround;
+    const auto [begin, end] = ground ? entries(m.b, kGround) : entries(std::min(m.a, m.b), std::max(m.a, m.b));
+    std::size_t point = cursor_point_;
+    std::size_t own = 0;
+    for (std::size_t k = begin; k < end; ++k) own += memory.a[k] == m.a ? 1U : 0U;
+    for (std::size_t k = begin; k < end; point += memory.count[k], ++k) {
+      // Where the reference has changed, the other's memory serves, turned round; else one's own.
+      const bool turned = memory.a[k] != m.a;
+      if (turned && own > 0) continue;
+      take_impulses(m, memory, k, point);
+      if ((own > 0 ? own : end - begin) == 1) take_friction(m, memory, k, turned ? -1.0 : 1.0);
+    }
+  }
+
+  static void take_friction(Manifold& m, const ContactMemory& memory, std::size_t k, double sign) {
+    const Vec3 force = memory.friction[k] * sign;
+    m.force1 = dot(force, m.t1);
+    m.force2 = dot(force, m.t2);
+    m.twist = memory.twist[k];
+  }
+
+  void take_impulses(Manifold& m, const ContactMemory& memory, std::size_t k, std::size_t first) {
+    for (std::size_t i = m.first; i < m.first + m.count; ++i) {
+      ManifoldPoint& point = scratch_.manifold_points[i];
+      for (std::size_t j = first; j < first + memory.count[k]; ++j) {
+        if (memory.feature[j] == point.feature) point.impulse = memory.impulse[j];
+      }
+    }
+  }
+
+  // Two resting bodies: what they remember is kept as it is.
+  void remember(BodyIndex lo, BodyIndex hi) { keep(entries(lo, hi)); }
+  void remember_ground(BodyIndex i) { keep(entries(i, kGround)); }
+  void keep(std::pair<std::size_t, std::size_t> range) {
+    const ContactMemory& memory = world_.state().contact_memory;
+    std::size_t point = cursor_point_;
+    for (std::size_t k = range.first; k < range.second; ++k) {
+      Manifold m;
+      m.a = memory.a[k];
+      m.b = memory.b[k];
+      m.asleep = true;
+      m.first = static_cast<std::uint32_t>(scratch_.manifold_points.size());
+      m.count = memory.count[k];
+      m.d = memory.friction[k];  // kept here until the memory is written again
+      m.twist = memory.twist[k];
+      for (std::uint32_t i = 0; i < m.count; ++i, ++point) {
+        ManifoldPoint p;
+        p.feature = memory.feature[point];
+        p.impulse = memory.impulse[point];
+        scratch_.manifold_points.push_back(p);
+      }
+      scratch_.manifolds.push_back(m);
+    }
+  }
+
+  World& world_;
+  const Bodies& bodies_;
+  Scratch& scratch_;
+  double dt_;
+  double fall_;  // m, how far gravity may take a body beyond its speed
+  std::size_t cursor_ = 0, cursor_point_ = 0;
+};
+
+}  // namespace
+
+Status find_manifolds(World& world, double dt_s) {
+  Builder(world, dt_s).build();
+  return {};
+}
+
+void hash_find_manifolds(const World& world, Hasher& hasher) {
+  for (const Manifold& m : world.scratch().manifolds) {
+    hasher.add(static_cast<std::uint64_t>(m.a));
+    hasher.add(static_cast<std::uint64_t>(m.b));
+    for (const double value : {m.n.x(), m.n.y(), m.n.z(), m.offset, m.force1, m.force2, m.twist}) hasher.add(value);
+    for (std::uint32_t k = m.first; k < m.first + m.count; ++k) {
+      const ManifoldPoint& point = world.scratch().manifold_points[k];
+      hasher.add(static_cast<std::uint64_t>(point.feature));
+      for (const double value : {point.p, point.q, point.separation, point.impulse}) hasher.add(value);
+    }
+  }
+}
+
+}  // namespace tumble::sim

@@ -1,0 +1,33 @@
+#include "src/collide/find_near_pairs.h"
+
+#include "src/collide/find_pairs.h"
+#include "src/collide/sweep.h"
+#include "src/math/grid.h"
+
+namespace tumble::sim {
+
+double turning_reach(const Bodies& bodies, BodyIndex i, double dt_s) {
+  return length(bodies.spin[i]) * length(bodies.half_extent[i]) * dt_s;
+}
+
+double falling_reach(const WorldDef& def, double dt_s) { return length(def.gravity) * dt_s * dt_s; }
+
+Status find_near_pairs(World& world, double dt_s) {
+  const Bodies& bodies = world.bodies();
+  Scratch& scratch = world.mutable_scratch();
+  update_frames(bodies, scratch);
+  const double fall = falling_reach(world.state().def, dt_s);
+  for (BodyIndex i = 0; i < bodies.size(); ++i) {
+    const double around = kContactSlack + fall + turning_reach(bodies, i, dt_s);
+    const Vec3 margin = Vec3::Constant(PositionGrid::round(around) + PositionGrid::kStep);
+    const Vec3 path = PositionGrid::round(Vec3(bodies.velocity[i] * dt_s));
+    scratch.aabb_low.set(i, scratch.aabb_low[i] - margin + path.cwiseMin(Vec3::Zero()));
+    scratch.aabb_high.set(i, scratch.aabb_high[i] + margin + path.cwiseMax(Vec3::Zero()));
+  }
+  find_overlaps(scratch, world.mutable_state().pairs);
+  return {};
+}
+
+void hash_find_near_pairs(const World& world, Hasher& hasher) { hash_find_pairs(world, hasher); }
+
+}  // namespace tumble::sim

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "src/base/hash.h"
+#include "src/base/result.h"
+#include "src/world/world.h"
+
+namespace tumble::sim {
+
+/// Broad phase of method layered: the pairs that touch or may touch within the step.
+/// Reads:  position, orientation, velocity, spin, half_extent; gravity
+/// Writes: frames, aabb_low, aabb_high (swept by the motion of the step); pairs, ascending by (a, b)
+Status find_near_pairs(World& world, double dt_s);
+void hash_find_near_pairs(const World& world, Hasher& hasher);
+
+/// Contact points this far apart, m, take part in a step, or this part of the smallest half extent if that is less.
+inline constexpr double kContactSlack = 0.01;
+inline constexpr double kContactSlackPart = 0.05;
+
+/// How far the corners of body i may come by turning within the step, m.
+double turning_reach(const Bodies& bodies, BodyIndex i, double dt_s);
+
+/// How far gravity may take a body beyond its speed within the step, m.
+double falling_reach(const WorldDef& def, double dt_s);
+
+}  // namespace tumble::sim

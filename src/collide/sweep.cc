@@ -1,0 +1,170 @@
+#include "src/collide/sweep.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/math/grid.h"
+
+namespace tumble::sim {
+namespace {
+
+constexpr std::size_t kSamples = 64;  // bodies that judge an axis
+constexpr int kAxisLifetime = 64;     // sub-steps until the axes are judged again
+
+// The reach of the box along each world axis, rounded up to the grid: position ± reach is then exact.
+Vec3 grid_reach(const BoxFrame& frame) {
+  const auto along = [&](int axis) { return PositionGrid::round(reach_along(frame, axis)) + PositionGrid::kStep; };
+  return {along(0), along(1), along(2)};
+}
+
+const std::vector<double>& axis_of(const Vec3Column& column, int axis) {
+  return axis == 0 ? column.x : axis == 1 ? column.y : column.z;
+}
+
+void sort_by_low(std::vector<BodyIndex>& order, const std::vector<double>& low) {
+  const std::size_t n = low.size();
+  order.resize(n);
+  for (std::size_t i = 0; i < n; ++i) order[i] = static_cast<BodyIndex>(i);
+  std::sort(order.begin(), order.end(), [&](BodyIndex i, BodyIndex j) { return low[i] < low[j]; });
+}
+
+// Starts from the order of the last sub-step: bodies move little, so insertion sort is nearly linear.
+void sort_again(std::vector<BodyIndex>& order, const std::vector<double>& low) {
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    const BodyIndex body = order[i];
+    std::size_t j = i;
+    for (; j > 0 && low[order[j - 1]] > low[body]; --j) order[j] = order[j - 1];
+    order[j] = body;
+  }
+}
+
+// How many bodies a sweep along this axis would meet, judged from a few of them.
+std::size_t overlaps_met(const std::vector<BodyIndex>& order, const std::vector<double>& low,
+                         const std::vector<double>& high) {
+  const std::size_t n = order.size(), stride = std::max<std::size_t>(1, n / kSamples);
+  std::size_t met = 0;
+  for (std::size_t i = 0; i < n; i += stride) {
+    const double end = high[order[i]];
+    const auto first = order.begin() + static_cast<std::ptrdiff_t>(i);
+    met += static_cast<std::size_t>(
+        std::upper_bound(first, order.end(), end, [&](double x, BodyIndex body) { return x < low[body]; }) - first);
+  }
+  return met;
+}
+
+// Sorts the boxes along the axis whose sweep meets the fewest. Which one that is changes slowly and shows in nothing
+// but time, so it is asked now and then.
+void sort_boxes(SweepScratch& sweep, const Scratch& scratch) {
+  const std::size_t n = scratch.frames.size();
+  if (sweep.order.size() == n && ++sweep.age < kAxisLifetime) {
+    return sort_again(sweep.order, axis_of(scratch.aabb_low, sweep.axis));
+  }
+  std::vector<BodyIndex> order;
+  std::size_t fewest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<double>& low = axis_of(scratch.aabb_low, axis);
+    sort_by_low(order, low);
+    const std::size_t met = overlaps_met(order, low, axis_of(scratch.aabb_high, axis));
+    if (axis > 0 && met >= fewest) continue;
+    fewest = met;
+    sweep.axis = axis;
+    sweep.order = order;
+  }
+  sweep.age = 0;
+}
+
+// Copies the extents in swept order, so that the sweep reads memory forwards.
+void gather(SweepScratch& sweep, const Scratch& scratch) {
+  const std::vector<BodyIndex>& order = sweep.order;
+  const std::size_t n = order.size();
+  sweep.boxes.resize(n);
+  const int first = sweep.axis, second = (first + 1) % 3, third = (first + 2) % 3;
+  const auto& low1 = axis_of(scratch.aabb_low, first);
+  const auto& low2 = axis_of(scratch.aabb_low, second);
+  const auto& low3 = axis_of(scratch.aabb_low, third);
+  const auto& high1 = axis_of(scratch.aabb_high, first);
+  const auto& high2 = axis_of(scratch.aabb_high, second);
+  const auto& high3 = axis_of(scratch.aabb_high, third);
+  for (std::size_t k = 0; k < n; ++k) {
+    const BodyIndex i = order[k];
+    sweep.boxes[k] = {low1[i], high1[i], low2[i], high2[i], low3[i], high3[i]};
+  }
+}
+
+// Every overlapping pair once, smaller index first, in swept order.
+void sweep_pairs(SweepScratch& sweep) {
+  sweep.found.clear();
+  const std::vector<BodyIndex>& order = sweep.order;
+  const std::size_t n = order.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const SweepScratch::Box& p = sweep.boxes[i];
+    for (std::size_t j = i + 1; j < n && sweep.boxes[j].low1 <= p.high1; ++j) {
+      const SweepScratch::Box& q = sweep.boxes[j];
+      // One branch that is nearly always false, rather than four that nobody can guess.
+      const bool apart = static_cast<unsigned>(q.low2 > p.high2) | static_cast<unsigned>(p.low2 > q.high2) |
+                         static_cast<unsigned>(q.low3 > p.high3) | static_cast<unsigned>(p.low3 > q.high3);
+      if (!apart) {
+        sweep.found.push_back(std::minmax(order[i], order[j]));
+      }
+    }
+  }
+}
+
+// Sorts the pairs by (a, b): by counting for a, directly for the few b of one a.
+void sort_pairs(SweepScratch& sweep, std::size_t n) {
+  sweep.start.assign(n + 1, 0);
+  for (const auto& pair : sweep.found) ++sweep.start[pair.first + 1];
+  for (std::size_t a = 0; a < n; ++a) sweep.start[a + 1] += sweep.start[a];
+  sweep.partner.resize(sweep.found.size());
+  sweep.next.assign(sweep.start.begin(), sweep.start.end() - 1);
+  for (const auto& pair : sweep.found) sweep.partner[sweep.next[pair.first]++] = pair.second;
+  for (std::size_t a = 0; a < n; ++a) {
+    std::sort(sweep.partner.begin() + sweep.start[a], sweep.partner.begin() + sweep.start[a + 1]);
+  }
+}
+
+// Makes the new list out of the sorted pairs; one that was in the old list, sorted alike, brings its planes along.
+void merge_pairs(SweepScratch& sweep, PairTable& pairs) {
+  PairTable& merged = sweep.merged;
+  merged.clear();
+  std::size_t old = 0;
+  const auto n = static_cast<BodyIndex>(sweep.start.size() - 1);
+  for (BodyIndex a = 0; a < n; ++a) {
+    for (std::uint32_t k = sweep.start[a]; k < sweep.start[a + 1]; ++k) {
+      const BodyIndex b = sweep.partner[k];
+      while (old < pairs.size() && (pairs.a[old] < a || (pairs.a[old] == a && pairs.b[old] < b))) ++old;
+      const bool known = old < pairs.size() && pairs.a[old] == a && pairs.b[old] == b;
+      merged.a.push_back(a);
+      merged.b.push_back(b);
+      merged.planes.push_back(known ? pairs.planes[old] : std::uint16_t{0});
+    }
+  }
+  std::swap(pairs, merged);
+}
+
+}  // namespace
+
+void update_frames(const Bodies& bodies, Scratch& scratch) {
+  const std::size_t n = bodies.size();
+  scratch.frames.resize(n);
+  scratch.aabb_low.resize(n);
+  scratch.aabb_high.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    BoxFrame& frame = scratch.frames[i];
+    frame = {bodies.position[i], axes_of(bodies.orientation[i]), bodies.half_extent[i]};
+    const Vec3 reach = grid_reach(frame);
+    scratch.aabb_low.set(i, frame.position - reach);
+    scratch.aabb_high.set(i, frame.position + reach);
+  }
+}
+
+void find_overlaps(Scratch& scratch, PairTable& pairs) {
+  SweepScratch& sweep = scratch.sweep;
+  sort_boxes(sweep, scratch);
+  gather(sweep, scratch);
+  sweep_pairs(sweep);
+  sort_pairs(sweep, scratch.frames.size());
+  merge_pairs(sweep, pairs);
+}
+
+}  // namespace tumble::sim

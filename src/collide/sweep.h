@@ -1,0 +1,17 @@
+#pragma once
+
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
+
+namespace tumble::sim {
+
+/// Puts every body's box and its AABB where the body is now. The extents are rounded outwards to the position grid, so
+/// that a shifted scene has the same overlaps.
+void update_frames(const Bodies& bodies, Scratch& scratch);
+
+/// Replaces the pair list by the pairs whose AABBs overlap on all three axes (touching counts), ascending by (a, b). A
+/// pair that was in the list keeps its planes. Sweep and prune along the axis that meets the fewest; the list is a set,
+/// so that choice shows in nothing but time.
+void find_overlaps(Scratch& scratch, PairTable& pairs);
+
+}  // namespace tumble::sim

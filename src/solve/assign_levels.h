@@ -1,0 +1,20 @@
+#pragma once
+
+#include "src/base/hash.h"
+#include "src/base/result.h"
+#include "src/world/world.h"
+
+namespace tumble::sim {
+
+/// Orders the manifolds: how many contacts each body is away from what does not move, and from that the layers in which
+/// manifolds are solved together, outward from the ground.
+/// Reads:  manifolds, frozen, is_static
+/// Writes: level; manifolds' layer; layer_start, layered
+/// Order:  a breadth-first distance is the same whatever the order of visits
+/// Source: thesis VI, "shock propagation", after Guendelman, Bridson and Fedkiw (2003). Differs: no body is pinned
+/// while
+///         the next layer is solved; sweeps alternate up and down instead.
+Status assign_levels(World& world, double dt_s);
+void hash_assign_levels(const World& world, Hasher& hasher);
+
+}  // namespace tumble::sim

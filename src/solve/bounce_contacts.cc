@@ -1,0 +1,14 @@
+#include "src/solve/bounce_contacts.h"
+
+#include "src/solve/sweep_layers.h"
+
+namespace tumble::sim {
+
+Status bounce_contacts(World& world, double dt_s) {
+  sweep_layers(world, Sweep::kRestitution, Direction::kUp, dt_s);
+  return {};
+}
+
+void hash_bounce_contacts(const World& world, Hasher& hasher) { hash_solution(world, hasher); }
+
+}  // namespace tumble::sim

@@ -1,0 +1,54 @@
+#include "src/solve/finish_motion.h"
+
+#include "src/math/grid.h"
+#include "src/solve/body_check.h"
+#include "src/solve/contact_memory.h"
+#include "src/solve/integrate.h"
+
+namespace tumble::sim {
+namespace {
+
+// The orientation has moved on; the spin that belongs to the same angular momentum has turned with it.
+Vec3 carried_spin(const Bodies& bodies, BodyIndex i, const Axes& before, const Vec3& spin) {
+  const Vec3 inertia = bodies.inertia[i];
+  if (inertia.x() == inertia.y() && inertia.y() == inertia.z()) return spin;
+  const Vec3 momentum = to_world(before, to_body(before, spin).cwiseProduct(inertia));
+  const Axes after = axes_of(bodies.orientation[i]);
+  return VelocityGrid::round(to_world(after, to_body(after, momentum).cwiseProduct(bodies.inverse_inertia[i])));
+}
+
+void leave_contact(World& world, BodyIndex i, double dt_s) {
+  Bodies& bodies = world.mutable_state().bodies;
+  const Scratch& scratch = world.scratch();
+  const SolverBody& body = scratch.solver_bodies[i];
+  const double slower = 1 + world.state().def.air_drag * dt_s;
+  const Vec3 spin = carried_spin(bodies, i, scratch.frames[i].axes, body.spin);
+  bodies.velocity.set(i, plus_zero(slower > 1 ? VelocityGrid::round(Vec3(body.velocity / slower)) : body.velocity));
+  bodies.spin.set(i, plus_zero(slower > 1 ? VelocityGrid::round(Vec3(spin / slower)) : spin));
+}
+
+}  // namespace
+
+Status finish_motion(World& world, double dt_s) {
+  const Bodies& bodies = world.bodies();
+  for (BodyIndex i = 0; i < bodies.size(); ++i) {
+    if (!bodies.moves(i)) continue;
+    if (world.scratch().in_contact[i] != 0) {
+      leave_contact(world, i, dt_s);
+    } else {
+      fly_freely(world.mutable_state(), i, dt_s);
+    }
+    if (Status ok = check_body(bodies, i); !ok.ok()) return ok;
+  }
+  remember_contacts(world.scratch(), world.mutable_state().contact_memory);
+  return {};
+}
+
+void hash_finish_motion(const World& world, Hasher& hasher) {
+  hash_motion(world, hasher);
+  const ContactMemory& memory = world.state().contact_memory;
+  hasher.add(std::span<const Feature>(memory.feature));
+  hasher.add(std::span<const double>(memory.impulse));
+}
+
+}  // namespace tumble::sim

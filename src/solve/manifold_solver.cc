@@ -1,0 +1,232 @@
+#include "src/solve/manifold_solver.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "src/math/grid.h"
+#include "src/solve/solver_body.h"
+
+namespace tumble::sim {
+namespace {
+
+constexpr int kInner = 2;                // Jacobi passes over a manifold's points in one visit
+constexpr double kOverRelaxation = 1.8;  // of the inner Jacobi, over its row sums
+constexpr double kPushPart = 0.1;        // of an overlap removed in a sub-step
+constexpr double kSlop = 0.0005;         // m of overlap that is left alone
+constexpr double kPushMax = 3;           // m/s
+constexpr double kBounceMin = 0.5;       // m/s; slower impacts do not bounce
+
+// Rounds impulses to a power-of-two grid that is fine for the lighter body, so that their sums have no order.
+double round_impulse(double x, double magic) { return (x + magic) - magic; }
+
+// The largest power of two not above x > 0, by its exponent bits.
+double power_of_two(double x) { return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & 0x7ff0000000000000ULL); }
+
+// What a unit of force along `direction` (or of pure torque, when it is zero) does to (u, W1, W2).
+struct Response {
+  double u, w1, w2;
+};
+Response response_to(const Manifold& m, const SolverBody& a, const SolverBody& b, const Wrench& wrench) {
+  const Vec3 va = wrench.force * (-a.inverse_mass * m.split_a), vb = wrench.force * (b.inverse_mass * m.split_b);
+  const Vec3 wa = spin_of(a, reaction_torque(m, wrench)) * -m.split_a, wb = spin_of(b, wrench.torque) * m.split_b;
+  const Vec3 u = (vb - va) - cross(wa, m.d), w = wb - wa;
+  return {dot(u, m.n), dot(w, m.t1), dot(w, m.t2)};
+}
+
+Wrench normal_wrench(const Manifold& m, double s, double sq, double sp) { return {m.n * s, m.t1 * sq - m.t2 * sp}; }
+
+// The point where friction acts: the mean of the points; and how far they lie from it.
+void find_friction_centre(Manifold& m, std::span<const ManifoldPoint> points) {
+  double p = 0, q = 0;
+  for (const ManifoldPoint& point : points) {
+    p += VelocityGrid::round(point.p);
+    q += VelocityGrid::round(point.q);
+  }
+  const double count = static_cast<double>(points.size());
+  m.centre_p = p / count;
+  m.centre_q = q / count;
+  double radius = 0;
+  for (const ManifoldPoint& point : points) {
+    const double x = point.p - m.centre_p, y = point.q - m.centre_q;
+    radius += VelocityGrid::round(std::sqrt(x * x + y * y));
+  }
+  m.radius = radius / count;
+}
+
+// Inverts the symmetric matrix k = (11, 12, 13, 22, 23, 33).
+void invert_symmetric(const double k[6], double inverse[6]) {
+  const double c11 = k[3] * k[5] - k[4] * k[4], c22 = k[0] * k[5] - k[2] * k[2], c33 = k[0] * k[3] - k[1] * k[1];
+  const double c12 = k[2] * k[4] - k[1] * k[5], c13 = k[1] * k[4] - k[2] * k[3], c23 = k[1] * k[2] - k[0] * k[4];
+  const double scale = 1 / (k[5] * c33 + (k[2] * c13 + k[4] * c23));
+  inverse[0] = c11 * scale;
+  inverse[1] = c12 * scale;
+  inverse[2] = c13 * scale;
+  inverse[3] = c22 * scale;
+  inverse[4] = c23 * scale;
+  inverse[5] = c33 * scale;
+}
+
+// Friction's rows: t1 and t2 at the friction centre, and twist about n.
+void prepare_friction(Manifold& m, const SolverBody& a, const SolverBody& b) {
+  const Vec3 rb = (m.t1 * m.centre_p + m.t2 * m.centre_q) + m.n * m.offset, ra = rb + m.d;
+  const Vec3 lever_a[3] = {cross(ra, m.t1), cross(ra, m.t2), m.n};
+  const Vec3 lever_b[3] = {cross(rb, m.t1), cross(rb, m.t2), m.n};
+  Vec3 turn_a[3], turn_b[3];
+  for (int k = 0; k < 3; ++k) {
+    turn_a[k] = spin_of(a, lever_a[k]);
+    turn_b[k] = spin_of(b, lever_b[k]);
+  }
+  const double linear = m.split_a * a.inverse_mass + m.split_b * b.inverse_mass;
+  double k[6];
+  int at = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = i; j < 3; ++j) {
+      const double of_a = 0.5 * (dot(lever_a[i], turn_a[j]) + dot(lever_a[j], turn_a[i]));
+      const double of_b = 0.5 * (dot(lever_b[i], turn_b[j]) + dot(lever_b[j], turn_b[i]));
+      k[at++] = (i == j && i < 2 ? linear : 0) + (m.split_a * of_a + m.split_b * of_b);
+    }
+  }
+  invert_symmetric(k, m.friction_inverse);
+}
+
+// The friction impulse that stops the slip, cut to what the normal impulses allow; returns the change as a wrench.
+Wrench solve_friction(Manifold& m, std::span<const ManifoldPoint> points, const RelativeMotion& motion) {
+  const double w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2), wn = dot(motion.w, m.n);
+  const double u1 = dot(motion.u, m.t1) + (w2 * m.offset - wn * m.centre_q);
+  const double u2 = dot(motion.u, m.t2) + (wn * m.centre_p - w1 * m.offset);
+  double pressure = 0;
+  for (const ManifoldPoint& point : points) pressure += round_impulse(point.impulse, m.impulse_magic);
+  const double* f = m.friction_inverse;
+  double force1 = m.force1 - ((f[0] * u1 + f[1] * u2) + f[2] * wn);
+  double force2 = m.force2 - ((f[1] * u1 + f[3] * u2) + f[4] * wn);
+  const double limit = m.friction * pressure, squared = force1 * force1 + force2 * force2;
+  if (squared > limit * limit) {
+    const double scale = m.friction_dynamic * pressure / std::sqrt(squared);
+    force1 *= scale;
+    force2 *= scale;
+  }
+  const double twist_limit = limit * m.radius;
+  const double twist = std::clamp(m.twist - ((f[2] * u1 + f[4] * u2) + f[5] * wn), -twist_limit, twist_limit);
+  const double d1 = force1 - m.force1, d2 = force2 - m.force2;
+  const double turn = (twist - m.twist) + (m.centre_p * d2 - m.centre_q * d1);
+  m.force1 = force1;
+  m.force2 = force2;
+  m.twist = twist;
+  return {m.t1 * d1 + m.t2 * d2, (m.t1 * (-m.offset * d2) + m.t2 * (m.offset * d1)) + m.n * turn};
+}
+
+// The normal velocity a point should have, negated: what is added to its velocity before it is driven to zero.
+double bias_of(Sweep sweep, const ManifoldPoint& point, double h) {
+  if (point.separation > 0) return point.separation / h;
+  if (sweep == Sweep::kRelax) return 0;
+  return std::max(-kPushMax, kPushPart / h * std::min(0.0, point.separation + kSlop));
+}
+
+double wanted_impulse(Sweep sweep, const Manifold& m, const ManifoldPoint& point, double speed, double h) {
+  if (sweep == Sweep::kRestitution) {
+    if (point.approach > -kBounceMin || point.peak == 0) return point.impulse;
+    return point.impulse - m.relaxation * (point.mass * (speed + m.restitution * point.approach));
+  }
+  return point.impulse - m.relaxation * (point.mass * (speed + bias_of(sweep, point, h)));
+}
+
+}  // namespace
+
+RelativeMotion relative_motion(const Manifold& m, const SolverBody& a, const SolverBody& b) {
+  return {(b.velocity - a.velocity) - cross(a.spin, m.d), b.spin - a.spin};
+}
+
+Vec3 reaction_torque(const Manifold& m, const Wrench& wrench) { return wrench.torque + cross(m.d, wrench.force); }
+
+void prepare_manifold(Manifold& m, std::span<ManifoldPoint> points, const SolverBody& a, const SolverBody& b,
+                      double lighter_mass) {
+  m.impulse_magic = VelocityGrid::kMagic * power_of_two(lighter_mass);
+  find_friction_centre(m, points);
+  prepare_friction(m, a, b);
+  const Response s = response_to(m, a, b, normal_wrench(m, 1, 0, 0));
+  const Response sq = response_to(m, a, b, normal_wrench(m, 0, 1, 0));
+  const Response sp = response_to(m, a, b, normal_wrench(m, 0, 0, 1));
+  const RelativeMotion motion = relative_motion(m, a, b);
+  const double u = dot(motion.u, m.n), w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2);
+  const auto to_unit = [&](const ManifoldPoint& point) {
+    return Response{s.u + (point.q * sq.u + point.p * sp.u), s.w1 + (point.q * sq.w1 + point.p * sp.w1),
+                    s.w2 + (point.q * sq.w2 + point.p * sp.w2)};
+  };
+  for (ManifoldPoint& point : points) {
+    const Response r = to_unit(point);
+    point.mass = 1 / (r.u + (point.q * r.w1 - point.p * r.w2));
+    point.peak = 0;
+    point.approach = u + (w1 * point.q - w2 * point.p);
+  }
+  double row_sum = 1;
+  for (const ManifoldPoint& row : points) {
+    double sum = 0;
+    for (const ManifoldPoint& column : points) {
+      const Response r = to_unit(column);
+      const double k = r.u + (row.q * r.w1 - row.p * r.w2);
+      sum += VelocityGrid::round(std::fabs(k) * std::sqrt(row.mass * column.mass));
+    }
+    row_sum = std::max(row_sum, sum);
+  }
+  m.relaxation = std::min(1.0, kOverRelaxation / row_sum);
+  m.response[0] = s.u;
+  m.response[1] = sq.u;
+  m.response[2] = sp.u;
+  m.response[3] = sq.w1;
+  m.response[4] = 0.5 * (sp.w1 - sq.w2);
+  m.response[5] = sp.w2;
+}
+
+Wrench warm_wrench(const Manifold& m, std::span<const ManifoldPoint> points) {
+  double s = 0, sq = 0, sp = 0;
+  for (const ManifoldPoint& point : points) {
+    s += round_impulse(point.impulse, m.impulse_magic);
+    sq += round_impulse(point.impulse * point.q, m.impulse_magic);
+    sp += round_impulse(point.impulse * point.p, m.impulse_magic);
+  }
+  Wrench wrench = normal_wrench(m, s, sq, sp);
+  const double turn = m.twist + (m.centre_p * m.force2 - m.centre_q * m.force1);
+  wrench.force += m.t1 * m.force1 + m.t2 * m.force2;
+  wrench.torque += (m.t1 * (-m.offset * m.force2) + m.t2 * (m.offset * m.force1)) + m.n * turn;
+  return wrench;
+}
+
+Wrench solve_manifold(Sweep sweep, Manifold& m, std::span<ManifoldPoint> points, const SolverBody& a,
+                      const SolverBody& b, double h) {
+  RelativeMotion motion = relative_motion(m, a, b);
+  Wrench total{Vec3::Zero(), Vec3::Zero()};
+  if (sweep != Sweep::kRestitution) {
+    total = solve_friction(m, points, motion);
+    const Vec3 va = total.force * (-a.inverse_mass * m.split_a), vb = total.force * (b.inverse_mass * m.split_b);
+    const Vec3 wa = spin_of(a, reaction_torque(m, total)) * -m.split_a, wb = spin_of(b, total.torque) * m.split_b;
+    motion.u += (vb - va) - cross(wa, m.d);
+    motion.w += wb - wa;
+  }
+  double u = dot(motion.u, m.n), w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2);
+  double total_s = 0, total_sq = 0, total_sp = 0;
+  for (int pass = 0; pass < kInner; ++pass) {
+    double s = 0, sq = 0, sp = 0;
+    for (ManifoldPoint& point : points) {
+      const double speed = u + (w1 * point.q - w2 * point.p);
+      const double impulse = std::max(0.0, wanted_impulse(sweep, m, point, speed, h));
+      const double change = impulse - point.impulse;
+      point.impulse = impulse;
+      point.peak = std::max(point.peak, impulse);
+      s += round_impulse(change, m.impulse_magic);
+      sq += round_impulse(change * point.q, m.impulse_magic);
+      sp += round_impulse(change * point.p, m.impulse_magic);
+    }
+    total_s += s;
+    total_sq += sq;
+    total_sp += sp;
+    const double* r = m.response;
+    u += r[0] * s + (r[1] * sq + r[2] * sp);
+    w1 += r[1] * s + (r[3] * sq + r[4] * sp);
+    w2 += -r[2] * s + (-r[4] * sq + r[5] * sp);
+  }
+  const Wrench normal = normal_wrench(m, total_s, total_sq, total_sp);
+  return {total.force + normal.force, total.torque + normal.torque};
+}
+
+}  // namespace tumble::sim

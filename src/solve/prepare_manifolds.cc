@@ -1,0 +1,109 @@
+#include "src/solve/prepare_manifolds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "src/solve/manifold_solver.h"
+#include "src/solve/solver_body.h"
+
+namespace tumble::sim {
+namespace {
+
+void prepare_bodies(World& world) {
+  const Bodies& bodies = world.bodies();
+  Scratch& scratch = world.mutable_scratch();
+  const std::size_t n = bodies.size();
+  scratch.solver_bodies.assign(n, {});
+  scratch.next_velocity.resize(n);
+  scratch.next_spin.resize(n);
+  for (BodyIndex i = 0; i < n; ++i) {
+    SolverBody& body = scratch.solver_bodies[i];
+    if (bodies.moves(i)) {
+      body.velocity = bodies.velocity[i];
+      body.spin = bodies.spin[i];
+      body.inverse_mass = bodies.inverse_mass[i];
+      set_inverse_inertia(body, scratch.frames[i].axes, bodies.inverse_inertia[i]);
+    }
+    scratch.next_velocity.set(i, body.velocity);
+    scratch.next_spin.set(i, body.spin);
+  }
+}
+
+void find_in_contact(World& world) {
+  const Bodies& bodies = world.bodies();
+  Scratch& scratch = world.mutable_scratch();
+  scratch.in_contact.assign(bodies.size(), 0);
+  for (const std::uint32_t k : scratch.layered) {
+    const Manifold& m = scratch.manifolds[k];
+    if (m.a != kGround && bodies.moves(m.a)) scratch.in_contact[m.a] = 1;
+    if (bodies.moves(m.b)) scratch.in_contact[m.b] = 1;
+  }
+}
+
+double mass_of(const Bodies& bodies, BodyIndex i) {
+  return i == kGround || !bodies.moves(i) ? std::numeric_limits<double>::max() : bodies.mass[i];
+}
+
+// A point that meets in the middle of the step meets at the speed it will have gained by then: v² = v₀² + 2 a s.
+// Without this a bouncing body loses height with every bounce.
+void foresee_impact(const World& world, Manifold& m, std::span<ManifoldPoint> points) {
+  const Vec3& gravity = world.state().def.gravity;
+  const bool a_falls = m.a != kGround && world.bodies().moves(m.a), b_falls = world.bodies().moves(m.b);
+  const double apart = a_falls == b_falls ? 0 : dot(gravity, m.n) * (b_falls ? 1 : -1);
+  for (ManifoldPoint& point : points) {
+    if (point.approach >= 0 || point.separation <= 0) continue;
+    point.approach = -std::sqrt(std::max(0.0, point.approach * point.approach - 2 * apart * point.separation));
+  }
+}
+
+// Manifolds of one layer are solved at the same time, so each sees only its share of a body's mass.
+void prepare_layer(World& world, std::span<const std::uint32_t> layer, std::vector<std::uint32_t>& uses) {
+  Scratch& scratch = world.mutable_scratch();
+  for (const std::uint32_t k : layer) {
+    const Manifold& m = scratch.manifolds[k];
+    if (m.a != kGround) ++uses[m.a];
+    ++uses[m.b];
+  }
+  for (const std::uint32_t k : layer) {
+    Manifold& m = scratch.manifolds[k];
+    m.split_a = m.a == kGround ? 1 : uses[m.a];
+    m.split_b = uses[m.b];
+    const double lighter = std::min(mass_of(world.bodies(), m.a), mass_of(world.bodies(), m.b));
+    prepare_manifold(m, points_of(scratch, m), solver_body(scratch, m.a), solver_body(scratch, m.b), lighter);
+    foresee_impact(world, m, points_of(scratch, m));
+  }
+  for (const std::uint32_t k : layer) {
+    const Manifold& m = scratch.manifolds[k];
+    if (m.a != kGround) uses[m.a] = 0;
+    uses[m.b] = 0;
+  }
+}
+
+}  // namespace
+
+Status prepare_manifolds(World& world, double /*dt_s*/) {
+  prepare_bodies(world);
+  find_in_contact(world);
+  const Scratch& scratch = world.scratch();
+  std::vector<std::uint32_t> uses(world.bodies().size(), 0);
+  for (std::size_t layer = 0; layer + 1 < scratch.layer_start.size(); ++layer) {
+    prepare_layer(world, layer_of(scratch, layer), uses);
+  }
+  return {};
+}
+
+void hash_prepare_manifolds(const World& world, Hasher& hasher) {
+  for (const Manifold& m : world.scratch().manifolds) {
+    if (m.asleep) continue;
+    for (const double value : {m.centre_p, m.centre_q, m.radius, m.relaxation}) hasher.add(value);
+    for (const double value : m.friction_inverse) hasher.add(value);
+    for (const double value : m.response) hasher.add(value);
+    for (const ManifoldPoint& point : points_of(world.scratch(), m)) {
+      hasher.add(point.mass);
+      hasher.add(point.approach);
+    }
+  }
+}
+
+}  // namespace tumble::sim

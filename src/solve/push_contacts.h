@@ -1,0 +1,15 @@
+#pragma once
+
+#include "src/base/hash.h"
+#include "src/base/result.h"
+#include "src/world/world.h"
+
+namespace tumble::sim {
+
+/// The main sweeps of a sub-step: contacts hold, slide, and push overlaps apart a little (bias).
+/// Reads and writes: impulses of manifolds; next_velocity, next_spin; solver_bodies' velocity and spin
+/// Order:  sweeps go down and up the levels in turn
+Status push_contacts(World& world, double substep_s);
+void hash_push_contacts(const World& world, Hasher& hasher);
+
+}  // namespace tumble::sim

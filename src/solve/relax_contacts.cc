@@ -1,0 +1,17 @@
+#include "src/solve/relax_contacts.h"
+
+#include "src/solve/sweep_layers.h"
+
+namespace tumble::sim {
+
+Status relax_contacts(World& world, double substep_s) {
+  const int sweeps = sweep_count(world.scratch());
+  for (int k = 0; k < sweeps; ++k) {
+    sweep_layers(world, Sweep::kRelax, k % 2 == 0 ? Direction::kUp : Direction::kDown, substep_s);
+  }
+  return {};
+}
+
+void hash_relax_contacts(const World& world, Hasher& hasher) { hash_solution(world, hasher); }
+
+}  // namespace tumble::sim

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "src/base/hash.h"
+#include "src/solve/manifold_solver.h"
+#include "src/world/world.h"
+
+namespace tumble::sim {
+
+enum class Direction { kUp, kDown };
+
+/// Visits every manifold once, layer by layer. The manifolds of a layer all see the velocities from before it and their
+/// outcomes are added up as grid doubles, so no order within the layer shows.
+void sweep_layers(World& world, Sweep sweep, Direction direction, double substep_s);
+
+/// Adds a manifold's wrench to the sums of both bodies.
+void add_wrench(Scratch& scratch, const Manifold& manifold, const Wrench& wrench);
+
+/// How often to sweep: impulses must find their way through the height of a stack, from 1 to 5 times.
+int sweep_count(const Scratch& scratch);
+
+/// Adds the impulses and the velocities that they have led to: what the phases that sweep have written.
+void hash_solution(const World& world, Hasher& hasher);
+
+}  // namespace tumble::sim

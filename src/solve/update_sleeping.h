@@ -1,0 +1,17 @@
+#pragma once
+
+#include "src/base/hash.h"
+#include "src/base/result.h"
+#include "src/world/world.h"
+
+namespace tumble::sim {
+
+/// Puts an island to sleep when every body in it has stayed below freeze_energy per kilogram for freeze_time while
+/// touching something.
+/// Reads:  velocity, spin; manifolds
+/// Writes: low_energy_time, frozen; velocity and spin of bodies that fall asleep (0)
+/// Source: thesis III.D made for islands: a stack sleeps as a whole, so none of it can sag under a sleeping part.
+Status update_sleeping(World& world, double dt_s);
+void hash_update_sleeping(const World& world, Hasher& hasher);
+
+}  // namespace tumble::sim

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "src/base/hash.h"
+#include "src/base/result.h"
+#include "src/world/world.h"
+
+namespace tumble::sim {
+
+/// Wakes a whole sleeping island when something with more than twice freeze_energy per kilogram is about to touch it,
+/// before the contact is solved: it must give way like a body, not bounce the visitor off like a wall.
+/// Reads:  manifolds, velocity, spin, frozen
+/// Writes: frozen, low_energy_time; manifolds and points again when anything woke
+Status wake_islands(World& world, double dt_s);
+void hash_wake_islands(const World& world, Hasher& hasher);
+
+}  // namespace tumble::sim
