@@ -10,7 +10,7 @@ export LC_ALL=C
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 # Chosen so that every phase has work in every case, and short enough for an emulator.
-cases=(tilted_grid:150 brick_wall:90 size_ratio:150 pile:60)
+cases=(tilted_grid:600 brick_wall:240 thin_long:240 pile:240)
 
 subset=false
 out=build/determinism

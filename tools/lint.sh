@@ -52,12 +52,12 @@ keys() {
 }
 
 # Runs in a process of its own for each file that is not known to be clean.
-tidy_one() { # build cache file key
+tidy_one() { # database cache file key
   local output
-  if output=$(clang-tidy -p "$1" --quiet "$3" 2>&1); then
+  if output=$(clang-tidy -p "$1" --quiet --extra-arg=-Wno-unknown-warning-option "$3" 2>&1); then
     : >"$2/$4"
   else
-    printf '%s\n' "$output" | grep -vE '^[0-9]+ warnings? generated|^Suppressed|^Use -header-filter' || true
+    printf '%s\n' "$output" | grep -vE '^[0-9]+ (warning|error)|^Error while processing' || true
     return 1
   fi
 }
@@ -85,14 +85,18 @@ case "${1-}" in
     work=$(mktemp -d)
     trap 'rm -rf "$work"' EXIT
     keys >"$work/keys"
-    grep -o '"file": "[^"]*"' "$build/compile_commands.json" | sed "s|.*\"$PWD/||; s|\"||" | sort -u >"$work/built"
+    # One entry a file: clang-tidy would read a file as often as programs are built with it.
+    awk '/^{/ { entry = ""; file = "" } { entry = entry $0 "\n" } /"file":/ { file = $0 }
+      /^}/ && !(file in seen) { seen[file] = 1; sub(/,\n$/, "\n", entry); printf "%s%s", n++ ? "," : "[", entry }
+      END { print "]" }' "$build/compile_commands.json" >"$work/compile_commands.json"
+    grep -o '"file": "[^"]*"' "$work/compile_commands.json" | sed "s|.*\"$PWD/||; s|\"||" | sort >"$work/built"
     join "$work/built" "$work/keys" | while read -r file key; do
       [[ -f $cache/$key ]] || printf '%s\0%s\0' "$file" "$key"
     done >"$work/todo"
     checked=$(join "$work/built" "$work/keys" | wc -l)
     ((checked > 0)) || fail "no file of this tree is in $build/compile_commands.json"
     export -f tidy_one
-    xargs -0 -r -n 2 -P "$(nproc)" bash -c 'tidy_one "$@"' tidy_one "$build" "$cache" <"$work/todo" ||
+    xargs -0 -r -n 2 -P "$(nproc)" bash -c 'tidy_one "$@"' tidy_one "$work" "$cache" <"$work/todo" ||
       fail "clang-tidy wants the changes above"
     printf 'lint: %d files clean\n' "$checked"
     ;;
