@@ -6,14 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "src/scenes/problem.h"
+#include "src/scenes/parse_toml.h"
 
 namespace tumble::scenes {
 namespace {
 
-constexpr std::size_t kTextMax = std::size_t{16} << 20;  // bytes of a scene; parsed, it takes some 40 times as much
-constexpr std::size_t kDotsMax = 256;                    // in one line
-constexpr std::size_t kPathMax = 6;                      // parts of a --set key
+constexpr std::size_t kPathMax = 6;  // parts of a --set key
 
 struct Exclusion {
   std::string_view key;
@@ -64,12 +62,11 @@ std::vector<std::string_view> split_path(std::string_view path) {
 
 // A table { value = … } that holds the argument's value and carries the argument's text as its source.
 std::optional<toml::table> parse_value(std::string_view text, const std::string& source) {
-  toml::parse_result parsed = toml::parse("value = " + std::string(text), source);
-  if (parsed && parsed.table().size() == 1 && parsed.table().contains("value")) return std::move(parsed).table();
+  Problem ignored("");
+  std::optional<toml::table> parsed = parse_toml("value = " + std::string(text), source, ignored);
+  if (parsed && parsed->size() == 1 && parsed->contains("value")) return parsed;
   if (!is_bare_word(text)) return std::nullopt;
-  toml::parse_result word = toml::parse("value = \"" + std::string(text) + "\"", source);
-  if (!word) return std::nullopt;
-  return std::move(word).table();
+  return parse_toml("value = \"" + std::string(text) + "\"", source, ignored);
 }
 
 // Moves the value out of such a table; its source goes with it.
@@ -124,27 +121,6 @@ bool is_array_name(std::string_view name) {
 
 }  // namespace
 
-Status check_text(std::string_view text, std::string_view where) {
-  if (text.size() > kTextMax) {
-    return bad_input(std::string(where) + ": " +
-                     found_wanted(std::to_string(text.size()) + " bytes", "at most " + std::to_string(kTextMax)));
-  }
-  std::size_t line = 1;
-  std::size_t dots = 0;
-  for (char c : text) {
-    if (c == '.') ++dots;
-    if (c == '\n') {
-      ++line;
-      dots = 0;
-    }
-    if (dots > kDotsMax) {
-      return bad_input(std::string(where) + ":" + std::to_string(line) + ":1: " +
-                       found_wanted("more than " + std::to_string(kDotsMax) + " dots", "a line with fewer of them"));
-    }
-  }
-  return {};
-}
-
 Status apply_override(toml::table& root, std::string_view argument) {
   const std::string source = "--set " + printable(argument);
   const std::size_t equals = argument.find('=');
@@ -155,7 +131,6 @@ Status apply_override(toml::table& root, std::string_view argument) {
   if (parts.size() > kPathMax || !std::all_of(parts.begin(), parts.end(), is_bare_key)) {
     return argument_error(argument, "found a strange key, wanted words with dots between, such as grid.2.rows");
   }
-  if (Status status = check_text(argument, source); !status.ok()) return status;
   std::optional<toml::table> value = parse_value(argument.substr(equals + 1), source);
   if (!value)
     return argument_error(argument, "found a value that is not TOML, wanted one such as 7, 0.5, [1, 2, 3] or a word");

@@ -14,9 +14,4 @@ namespace tumble::scenes {
 /// Errors: not "key=value", a value that is neither TOML nor a bare word, a table that the scene does not have.
 Status apply_override(toml::table& root, std::string_view argument);
 
-/// Text that is safe to give to the TOML parser. It bounds memory by the text's length, but it recurses over dotted
-/// keys when it lets go of them: more of them than any scene has is an error.
-/// where: "scenes/foo.toml", or the --set argument.
-Status check_text(std::string_view text, std::string_view where);
-
 }  // namespace tumble::scenes

@@ -9,6 +9,7 @@
 
 #include "src/scenes/body_ids.h"
 #include "src/scenes/overrides.h"
+#include "src/scenes/parse_toml.h"
 #include "src/scenes/read_bodies.h"
 #include "src/scenes/read_generators.h"
 #include "src/scenes/read_inputs.h"
@@ -147,19 +148,13 @@ sim::SceneDef resolve(const toml::table& root, std::string_view file_name, Probl
 
 Result<sim::SceneDef> parse_and_resolve(std::string_view text, std::string_view file_name,
                                         std::span<const std::string> overrides) {
-  if (Status status = check_text(text, file_name); !status.ok()) return status.error();
-  toml::parse_result parsed = toml::parse(text);
   Problem problem(file_name);
-  if (!parsed) {
-    problem.report(Place(parsed.error().source()), found_wanted("text that is not TOML", "TOML 1.0") + ": " +
-                                                       std::string(parsed.error().description()));
-    return problem.error();
-  }
-  toml::table root = std::move(parsed).table();
+  std::optional<toml::table> root = parse_toml(text, "", problem);
+  if (!root) return problem.error();
   for (const std::string& argument : overrides) {
-    if (Status status = apply_override(root, argument); !status.ok()) return status.error();
+    if (Status status = apply_override(*root, argument); !status.ok()) return status.error();
   }
-  sim::SceneDef scene = resolve(root, file_name, problem);
+  sim::SceneDef scene = resolve(*root, file_name, problem);
   if (problem.found()) return problem.error();
   return scene;
 }

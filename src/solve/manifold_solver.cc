@@ -11,6 +11,7 @@ namespace tumble::sim {
 namespace {
 
 constexpr int kInner = 2;                // Jacobi passes over a manifold's points in one visit
+constexpr int kInnerRestitution = 12;    // visited once a step, and what it misses is energy lost
 constexpr double kOverRelaxation = 1.8;  // of the inner Jacobi, over its row sums
 constexpr double kPushPart = 0.1;        // of an overlap removed in a sub-step
 constexpr double kSlop = 0.0005;         // m of overlap that is left alone
@@ -123,10 +124,16 @@ double bias_of(Sweep sweep, const ManifoldPoint& point, double h) {
   return std::max(-kPushMax, kPushPart / h * std::min(0.0, point.separation + kSlop));
 }
 
+// e times the speed of impact, less what the way from the contact to here has cost since.
+double rebound(const Manifold& m, const ManifoldPoint& point) {
+  const double speed = m.restitution * point.approach;
+  return std::sqrt(std::max(0.0, speed * speed + 2 * m.acceleration * point.separation));
+}
+
 double wanted_impulse(Sweep sweep, const Manifold& m, const ManifoldPoint& point, double speed, double h) {
   if (sweep == Sweep::kRestitution) {
     if (point.approach > -kBounceMin || point.peak == 0) return point.impulse;
-    return point.impulse - m.relaxation * (point.mass * (speed + m.restitution * point.approach));
+    return point.impulse - m.relaxation * (point.mass * (speed - rebound(m, point)));
   }
   return point.impulse - m.relaxation * (point.mass * (speed + bias_of(sweep, point, h)));
 }
@@ -205,7 +212,8 @@ Wrench solve_manifold(Sweep sweep, Manifold& m, std::span<ManifoldPoint> points,
   }
   double u = dot(motion.u, m.n), w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2);
   double total_s = 0, total_sq = 0, total_sp = 0;
-  for (int pass = 0; pass < kInner; ++pass) {
+  const int passes = sweep == Sweep::kRestitution ? kInnerRestitution : kInner;
+  for (int pass = 0; pass < passes; ++pass) {
     double s = 0, sq = 0, sp = 0;
     for (ManifoldPoint& point : points) {
       const double speed = u + (w1 * point.q - w2 * point.p);

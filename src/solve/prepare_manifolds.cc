@@ -50,10 +50,10 @@ double mass_of(const Bodies& bodies, BodyIndex i) {
 void foresee_impact(const World& world, Manifold& m, std::span<ManifoldPoint> points) {
   const Vec3& gravity = world.state().def.gravity;
   const bool a_falls = m.a != kGround && world.bodies().moves(m.a), b_falls = world.bodies().moves(m.b);
-  const double apart = a_falls == b_falls ? 0 : dot(gravity, m.n) * (b_falls ? 1 : -1);
+  m.acceleration = a_falls == b_falls ? 0 : dot(gravity, m.n) * (b_falls ? 1 : -1);
   for (ManifoldPoint& point : points) {
     if (point.approach >= 0 || point.separation <= 0) continue;
-    point.approach = -std::sqrt(std::max(0.0, point.approach * point.approach - 2 * apart * point.separation));
+    point.approach = -std::sqrt(std::max(0.0, point.approach * point.approach - 2 * m.acceleration * point.separation));
   }
 }
 

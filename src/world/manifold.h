@@ -25,7 +25,7 @@ struct ManifoldPoint {
   double separation = 0;  ///< m along the normal; negative when overlapping
   double impulse = 0;     ///< N·s accumulated along the normal, >= 0
   double mass = 0;        ///< kg, what one N·s along the normal moves by 1 m/s, with the split masses
-  double approach = 0;    ///< m/s, normal velocity when the step began; negative when closing
+  double approach = 0;    ///< m/s, normal velocity at which it will meet, or has met; negative when closing
   double peak = 0;        ///< N·s, the largest impulse of this step: whether it was ever hit
   Feature feature = 0;
 };
@@ -50,6 +50,7 @@ struct Manifold {
   double friction_inverse[6] = {};                ///< of the 3 × 3 matrix of (t1, t2, twist): 11, 12, 13, 22, 23, 33
   double response[6] = {};                        ///< of (u, W1, W2) to the sums (S, Sq, Sp)
   double relaxation = 1;
+  double acceleration = 0;   ///< m/s² along n that gravity alone gives b against a
   double impulse_magic = 0;  ///< rounds impulses to a grid that fits the lighter body
 };
 
