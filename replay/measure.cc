@@ -7,34 +7,25 @@ namespace tumble::replay {
 
 Measurer::Measurer(const LogHeader& header, const StepRecord& start)
     : meter_(header.scene, start.states), start_energy_(meter_.start_energy()), lowest_energy_(start_energy_.total()) {
-  const StateMeasures measures = meter_.measure(start.states);
-  note_rest(measures, 0);
   metrics_.bodies = start.states.size();
-  metrics_.energy.initial = metrics_.energy.final = start_energy_.total();
+  metrics_.energy.initial = start_energy_.total();
   metrics_.final_hash = start.state_hash;
   row_.kinetic = start_energy_.kinetic;
   row_.potential = start_energy_.potential;
-  row_.lost = meter_.lost();
-  row_.state = measures;
-  start_row_ = row_;
+  look_at(start.states);
 }
 
-SeriesRow Measurer::add(const StepRecord& record) {
+void Measurer::add(const StepRecord& record) {
   for (const sim::Command& input : record.inputs) {
     const auto* thrown = std::get_if<sim::Throw>(&input);
     if (thrown == nullptr) continue;
     meter_.add_thrown(thrown->box);
     ++metrics_.bodies;
   }
-  if (record.dt != dt_) {
-    run_start_ = row_.time;
-    run_steps_ = 0;
-    dt_ = record.dt;
-  }
-  ++run_steps_;
+  clock_.add_step(record.dt);
 
   row_.step = record.step;
-  row_.time = run_start_ + static_cast<double>(run_steps_) * dt_;  // a product, so that 300 steps of 1/60 s are 5 s
+  row_.time = clock_.now();
   row_.kinetic = record.counters.kinetic;
   row_.potential = record.counters.potential;
   row_.inputs += record.counters.inputs;
@@ -42,30 +33,25 @@ SeriesRow Measurer::add(const StepRecord& record) {
   const double own = row_.kinetic + row_.potential - row_.inputs;
   lowest_energy_ = std::min(lowest_energy_, own);
   row_.gain = own - lowest_energy_;
-  row_.state.reset();
-  if (record.has_states) {
-    row_.state = meter_.measure(record.states);
-    note_rest(*row_.state, row_.time);
-  }
-  row_.lost = meter_.lost();
+  look_at(record.states);
 
   metrics_.steps = record.step;
   metrics_.final_hash = record.state_hash;
   metrics_.energy.gain_max = std::max(metrics_.energy.gain_max, row_.gain);
-  return row_;
 }
 
-void Measurer::note_rest(const StateMeasures& measures, double time) {
-  if (!measures.at_rest) {
+void Measurer::look_at(const BodyStates& states) {
+  row_.state = meter_.measure(states);
+  row_.lost = meter_.lost();
+  if (!row_.state.at_rest) {
     rest_since_.reset();
   } else if (!rest_since_) {
-    rest_since_ = time;
+    rest_since_ = row_.time;
   }
 }
 
 Metrics Measurer::finish(const BodyStates& last) {
-  const StateMeasures end = meter_.measure(last);
-  note_rest(end, row_.time);
+  const StateMeasures& end = row_.state;
   metrics_.symmetry = {end.lateral_max, end.lateral_rms, end.column_spread};
   EnergyMetrics& energy = metrics_.energy;
   energy.final = row_.kinetic + row_.potential;
@@ -79,7 +65,7 @@ Metrics Measurer::finish(const BodyStates& last) {
   metrics_.stacking = {.drift_max = end.drift_max,
                        .tilt_max = end.tilt_max,
                        .top_drop_max = end.top_drop_max,
-                       .lost = meter_.lost(),
+                       .lost = row_.lost,
                        .overlap_max = meter_.overlap_max(last),
                        .ground_penetration_max = end.ground_penetration_max,
                        .kinetic_end = row_.kinetic,

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "replay/measure_state.h"
+#include "replay/session_clock.h"
 #include "replay/step_record.h"
 #include "src/base/hash.h"
 
@@ -56,36 +57,33 @@ struct SeriesRow {
   double removed = 0;  ///< since state 0
   double gain = 0;     ///< over the running minimum of the energy without the work of inputs
   std::uint64_t lost = 0;
-  std::optional<StateMeasures> state;  ///< none where the log does not hold the state
+  StateMeasures state;
 };
 
-/// Measures a session while its steps go by in order. Energies come from every step's counters; what needs states comes
-/// from the steps that have them.
+/// Measures a session while its steps go by in order.
 class Measurer {
  public:
   /// header: of the session. start: the record of step 0, which has states.
   Measurer(const LogHeader& header, const StepRecord& start);
 
-  /// Steps 1, 2, … in order.
-  SeriesRow add(const StepRecord& record);
+  /// Steps 1, 2, … in order, each with states.
+  void add(const StepRecord& record);
 
-  /// The row of step 0.
-  [[nodiscard]] const SeriesRow& start_row() const { return start_row_; }
+  /// What the step added last showed; state 0 before the first.
+  [[nodiscard]] const SeriesRow& row() const { return row_; }
 
-  /// After the last step. last: its state, also where the log does not hold it.
+  /// After the last step. last: its state.
   [[nodiscard]] Metrics finish(const BodyStates& last);
 
  private:
-  void note_rest(const StateMeasures& measures, double time);
+  void look_at(const BodyStates& states);
 
   StateMeter meter_;
   StateMeter::StartEnergy start_energy_;
   Metrics metrics_;
   SeriesRow start_row_;
-  SeriesRow row_;         // of the step added last
-  double dt_ = 0;         // of the current run of equal steps, s
-  double run_start_ = 0;  // s
-  std::uint64_t run_steps_ = 0;
+  SeriesRow row_;  // of the step added last
+  SessionClock clock_;
   double lowest_energy_;              // running minimum, work of inputs taken out, J
   std::optional<double> rest_since_;  // s
 };

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+
+namespace tumble::replay {
+
+/// Simulated time, s, since state 0. Equal steps are multiplied instead of added up, so that 300 steps of 1/60 s are 5
+/// s.
+class SessionClock {
+ public:
+  void add_step(double dt_s) {
+    if (dt_s != dt_) {
+      begin_ = now();
+      dt_ = dt_s;
+      steps_ = 0;
+    }
+    ++steps_;
+  }
+  [[nodiscard]] double now() const { return begin_ + static_cast<double>(steps_) * dt_; }
+
+ private:
+  double dt_ = 0;            // of the current run of equal steps
+  double begin_ = 0;         // of that run
+  std::uint64_t steps_ = 0;  // in it
+};
+
+}  // namespace tumble::replay
