@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "replay/divergence.h"
+#include "tools/text.h"
+
+namespace tumble::tools {
+
+/// {"identical":…, "steps":…, "first":null|{…}}: what `replay --json` and `diff --json` have in common.
+Json comparison_json(bool identical, std::uint64_t steps, const std::optional<replay::Divergence>& first);
+
+/// The first difference for people, a few aligned lines.
+void print_divergence(const replay::Divergence& first);
+
+}  // namespace tumble::tools

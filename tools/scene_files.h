@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "src/base/result.h"
+
+/// Where scenes are found: files by their path, golden cases by their name.
+namespace tumble::tools {
+
+struct SceneFile {
+  std::string name;  ///< of the case, or the file's name without its ending: what the log is called after
+  std::string path;
+};
+
+/// The golden cases, by name: every `golden/cases/<name>/scene.toml` of the nearest folder `golden/cases` from the
+/// current one upwards, else of the source folder that the program was built from. Empty where there is neither.
+std::vector<SceneFile> find_cases();
+
+/// SCENE as the command line gives it: a file, or a case's name. Errors (kBadInput): neither, with the nearest name.
+Result<SceneFile> find_scene(const std::string& scene);
+
+/// A scene file's text. Errors (kBadInput): missing, a folder, no permission, larger than any scene.
+Result<std::string> read_scene(const std::string& path);
+
+}  // namespace tumble::tools
