@@ -13,6 +13,7 @@ inline constexpr double kMassMin = 1e-9;       ///< kg
 inline constexpr double kMassMax = 1e12;       ///< kg
 inline constexpr double kDtMin = 1e-7;         ///< s
 inline constexpr double kDtMax = 1;            ///< s
+inline constexpr double kFrictionMax = 1000;
 inline constexpr double kGravityMax = 1e4;     ///< m/s², each component
 inline constexpr std::uint64_t kBodiesMax = 4'000'000;
 inline constexpr std::uint64_t kStepsMax = 100'000'000;

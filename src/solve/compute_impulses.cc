@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "src/math/grid.h"
-#include "src/solve/body_check.h"
+#include "src/world/body_check.h"
 
 namespace tumble::sim {
 namespace {

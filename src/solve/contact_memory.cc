@@ -1,18 +1,37 @@
 #include "src/solve/contact_memory.h"
 
 #include <algorithm>
-
-#include "src/collide/find_manifolds.h"
-#include "src/collide/find_near_pairs.h"
-#include "src/model/limits.h"
+#include <utility>
 
 namespace tumble::sim {
 namespace {
 
-constexpr double kTouchGap = 1e-3;  // m; bodies of a resting start this close touch
+std::pair<BodyIndex, BodyIndex> key_of(const ContactMemory& memory, std::size_t k) {
+  const BodyIndex a = memory.a[k], b = memory.b[k];
+  return a == kGround ? std::make_pair(b, kGround) : std::make_pair(std::min(a, b), std::max(a, b));
+}
+
+// A reader that walks a memory contact by contact, with the points that belong to each.
+struct Cursor {
+  const ContactMemory& memory;
+  std::size_t at = 0, point = 0;
+
+  [[nodiscard]] bool done() const { return at == memory.size(); }
+  void move_to(ContactMemory& to) {
+    to.a.push_back(memory.a[at]);
+    to.b.push_back(memory.b[at]);
+    to.count.push_back(memory.count[at]);
+    to.friction.push_back(memory.friction[at]);
+    to.twist.push_back(memory.twist[at]);
+    for (std::uint32_t k = 0; k < memory.count[at]; ++k, ++point) {
+      to.feature.push_back(memory.feature[point]);
+      to.impulse.push_back(memory.impulse[point]);
+    }
+    ++at;
+  }
+};
 
 }  // namespace
-
 void remember_contacts(const Scratch& scratch, ContactMemory& memory) {
   memory.clear();
   for (const Manifold& m : scratch.manifolds) {
@@ -28,24 +47,14 @@ void remember_contacts(const Scratch& scratch, ContactMemory& memory) {
   }
 }
 
-void find_first_contact_memory(World& world) {
-  const std::vector<std::uint8_t>& frozen = world.bodies().frozen;
-  if (std::find(frozen.begin(), frozen.end(), 1) == frozen.end()) return;
-  World awake = world;
-  std::fill(awake.mutable_state().bodies.frozen.begin(), awake.mutable_state().bodies.frozen.end(), std::uint8_t{0});
-  (void)find_near_pairs(awake, kDtMin);
-  (void)find_manifolds(awake, kDtMin);
-  Scratch& scratch = awake.mutable_scratch();
-  const auto apart = [&](const Manifold& m) {
-    const bool both_rest = frozen[m.b] != 0 && (m.a == kGround || !world.bodies().moves(m.a));
-    const bool either_rests = both_rest || (m.a != kGround && frozen[m.a] != 0 && !world.bodies().moves(m.b));
-    const auto points = points_of(scratch, m);
-    const bool close = std::any_of(points.begin(), points.end(),
-                                   [](const ManifoldPoint& point) { return point.separation < kTouchGap; });
-    return !either_rests || !close;
-  };
-  std::erase_if(scratch.manifolds, apart);
-  remember_contacts(scratch, world.mutable_state().contact_memory);
+void merge_contacts(ContactMemory& memory, const ContactMemory& added) {
+  ContactMemory merged;
+  Cursor old{memory}, fresh{added};
+  while (!old.done() || !fresh.done()) {
+    const bool take_old = fresh.done() || (!old.done() && key_of(memory, old.at) <= key_of(added, fresh.at));
+    (take_old ? old : fresh).move_to(merged);
+  }
+  memory = std::move(merged);
 }
 
 }  // namespace tumble::sim

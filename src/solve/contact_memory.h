@@ -7,7 +7,7 @@ namespace tumble::sim {
 /// Writes the impulses of all manifolds down for the next step.
 void remember_contacts(const Scratch& scratch, ContactMemory& memory);
 
-/// Gives a new world's frozen bodies their neighbours to remember, so that they sleep and wake as islands.
-void find_first_contact_memory(World& world);
+/// Adds contacts of other pairs, keeping the order.
+void merge_contacts(ContactMemory& memory, const ContactMemory& added);
 
 }  // namespace tumble::sim

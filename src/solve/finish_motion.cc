@@ -1,9 +1,9 @@
 #include "src/solve/finish_motion.h"
 
 #include "src/math/grid.h"
-#include "src/solve/body_check.h"
 #include "src/solve/contact_memory.h"
 #include "src/solve/integrate.h"
+#include "src/world/body_check.h"
 
 namespace tumble::sim {
 namespace {

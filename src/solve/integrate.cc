@@ -1,7 +1,7 @@
 #include "src/solve/integrate.h"
 
 #include "src/math/grid.h"
-#include "src/solve/body_check.h"
+#include "src/world/body_check.h"
 
 namespace tumble::sim {
 namespace {

@@ -1,9 +1,9 @@
 #include "src/solve/integrate_positions.h"
 
 #include "src/math/grid.h"
-#include "src/solve/body_check.h"
 #include "src/solve/manifold_solver.h"
 #include "src/solve/solver_body.h"
+#include "src/world/body_check.h"
 
 namespace tumble::sim {
 

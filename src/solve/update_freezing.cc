@@ -1,69 +1,18 @@
 #include "src/solve/update_freezing.h"
 
 #include <algorithm>
-#include <bit>
 #include <limits>
 
-#include "src/collide/box_pair.h"
-#include "src/collide/find_pairs.h"
+#include "src/solve/contact_objects.h"
 #include "src/world/edit_bodies.h"
 
 namespace tumble::sim {
 namespace {
 
-constexpr double kTouchGap = 1e-3;  // m; bodies of a resting start this close touch
-constexpr double kGroundHeight = -std::numeric_limits<double>::infinity();
-
 double energy_per_mass(const Bodies& bodies, BodyIndex i) { return kinetic_energy(bodies, i) / bodies.mass[i]; }
 
 bool immovable(const Bodies& bodies, const std::vector<std::uint8_t>& frozen, BodyIndex i) {
   return i == kGround || bodies.is_static[i] != 0 || frozen[i] != 0;
-}
-
-// Whether `object` may carry `body`, and how high its centre lies over the body's. Only lower bodies carry (thesis),
-// and static ones that press from below wherever their centre is: a ramp's may be high. push: direction from object to
-// body.
-struct Support {
-  bool carries = false;
-  double height = 0;
-};
-Support support_of(const World& world, BodyIndex body, BodyIndex object, const Vec3& push) {
-  const Vec3& gravity = world.state().def.gravity;
-  if (object == kGround) return {gravity.z() < 0, kGroundHeight};
-  const Bodies& bodies = world.bodies();
-  const double height = -dot(gravity, bodies.position[object] - bodies.position[body]);
-  const bool ramp = bodies.is_static[object] != 0 && dot(gravity, push) < 0;
-  return {height < 0 || ramp, height};
-}
-
-// Calls visit(body, object, push) for both sides of every contact.
-template <class Visit>
-void for_each_touch(const Contacts& contacts, Visit visit) {
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const BodyIndex a = contacts.a[k], b = contacts.b[k];
-    const Vec3 normal = contacts.normal[k];
-    visit(a, b, Vec3(-normal));
-    if (b != kGround) visit(b, a, normal);
-  }
-}
-
-// The contact objects of all candidates: for each, those among its supports that lie lowest. Sorted and unique.
-void collect_contact_objects(const World& world, std::vector<FreezeCandidate>& candidates, ContactObjects& found) {
-  const Contacts& contacts = world.scratch().contacts;
-  for_each_touch(contacts, [&](BodyIndex body, BodyIndex object, const Vec3& push) {
-    if (!candidates[body].ready) return;
-    const Support support = support_of(world, body, object, push);
-    if (support.carries) candidates[body].lowest = std::min(candidates[body].lowest, support.height);
-  });
-  std::vector<std::pair<BodyIndex, BodyIndex>> objects;
-  for_each_touch(contacts, [&](BodyIndex body, BodyIndex object, const Vec3& push) {
-    if (!candidates[body].ready) return;
-    const Support support = support_of(world, body, object, push);
-    if (support.carries && support.height == candidates[body].lowest) objects.emplace_back(body, object);
-  });
-  std::sort(objects.begin(), objects.end());
-  found.clear();
-  for (const auto& [body, object] : objects) found.push_back(body, object);
 }
 
 void halt(Bodies& bodies, BodyIndex i) {
@@ -164,7 +113,7 @@ Status update_freezing(World& world, double dt_s) {
   wake_unsupported(world);
   ContactObjects found;
   if (any) {
-    collect_contact_objects(world, scratch.freeze_candidates, found);
+    found = collect_contact_objects(world, scratch.contacts, scratch.freeze_candidates);
     freeze_supported(world, found);
   }
   if (any || bodies.frozen != scratch.frozen_before) merge_contact_objects(world, found);
@@ -181,41 +130,6 @@ void hash_update_freezing(const World& world, Hasher& hasher) {
   }
   hasher.add(std::span<const BodyIndex>(world.state().contact_objects.body));
   hasher.add(std::span<const BodyIndex>(world.state().contact_objects.object));
-}
-
-void find_first_contact_objects(World& world) {
-  const std::vector<std::uint8_t>& frozen = world.bodies().frozen;
-  if (std::find(frozen.begin(), frozen.end(), 1) == frozen.end()) return;
-  // Boxes grown by half the gap on every side overlap exactly where the real ones touch.
-  World grown = world;
-  Bodies& bodies = grown.mutable_state().bodies;
-  const Vec3 growth = Vec3::Constant(kTouchGap / 2);
-  for (std::size_t i = 0; i < bodies.size(); ++i) bodies.half_extent.set(i, bodies.half_extent[i] + growth);
-  (void)find_pairs(grown, 0);
-  Contacts& contacts = grown.mutable_scratch().contacts;
-  const auto add = [&](BodyIndex a, BodyIndex b, const Vec3& normal) {
-    contacts.a.push_back(a);
-    contacts.b.push_back(b);
-    contacts.normal.push_back(normal);
-  };
-  const PairTable& pairs = grown.state().pairs;
-  for (std::size_t k = 0; k < pairs.size(); ++k) {
-    const BodyIndex a = pairs.a[k], b = pairs.b[k];
-    const BoxPair pair(grown.scratch().frames[a], grown.scratch().frames[b]);
-    if (pair.separating(kFaces | kEdges) != 0) continue;
-    const BestAxes best = pair.best(kFaces);
-    add(a, b, best.axes != 0 ? pair.normal(std::countr_zero(best.axes)) : Vec3(Vec3::Zero()));
-  }
-  const bool ground = world.state().def.ground;
-  for (BodyIndex i = 0; ground && i < bodies.size(); ++i) {
-    const BoxFrame& frame = grown.scratch().frames[i];
-    if (reach_along(frame, 2) > frame.position.z()) add(i, kGround, Vec3(0, 0, -1));
-  }
-  std::vector<FreezeCandidate> candidates(bodies.size());
-  for (BodyIndex i = 0; i < bodies.size(); ++i) {
-    candidates[i] = {bodies.frozen[i] != 0, std::numeric_limits<double>::infinity()};
-  }
-  collect_contact_objects(grown, candidates, world.mutable_state().contact_objects);
 }
 
 }  // namespace tumble::sim

@@ -18,8 +18,4 @@ namespace tumble::sim {
 Status update_freezing(World& world, double dt_s);
 void hash_update_freezing(const World& world, Hasher& hasher);
 
-/// Gives every frozen body of a new world the lowest bodies that touch it as contact objects. A frozen body that
-/// touches nothing stays frozen until it is hit.
-void find_first_contact_objects(World& world);
-
 }  // namespace tumble::sim

@@ -7,6 +7,7 @@
 #include "src/math/grid.h"
 #include "src/model/limits.h"
 #include "src/model/mass.h"
+#include "src/world/body_check.h"
 
 namespace tumble::sim {
 namespace {
@@ -122,9 +123,8 @@ Status check_box(const BoxDef& box) {
   const Quat& q = box.orientation;
   const double norm = q.w * q.w + ((q.x * q.x + q.y * q.y) + q.z * q.z);
   if (!(norm > 1e-12 && norm < 1e12)) return bad_box(box, "its orientation has no direction; use [1, 0, 0, 0]");
-  const Material& m = box.material;
-  for (const double value : {m.friction, m.friction_dynamic, m.restitution}) {
-    if (!(value >= 0 && value <= 1e3)) return bad_box(box, "found a material value out of range, wanted 0 … 1000");
+  if (!material_in_range(box.material)) {
+    return bad_box(box, "found a material out of range, wanted friction 0 … 1000 and restitution 0 … 1");
   }
   return {};
 }

@@ -22,7 +22,8 @@ class World {
   /// A world that continues from a snapshot. Errors: inconsistent columns, the floating-point environment.
   static Result<World> restore(WorldState state);
 
-  /// Applies one input. Errors: an unknown or taken id, a value out of limits; the world is then unchanged.
+  /// Applies one input; defined in src/step/apply_command.cc. Errors: an unknown or taken id, a value out of limits;
+  /// the world is then unchanged.
   Status apply(const Command& command);
 
   [[nodiscard]] const WorldState& state() const { return state_; }

@@ -1,12 +1,15 @@
-#include "src/solve/body_check.h"
+#include "src/world/body_check.h"
 
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 #include "src/model/limits.h"
 
 namespace tumble::sim {
 namespace {
+
+constexpr double kNormTolerance = 1e-9;
 
 // NaN fails every comparison, so the test is for what is wanted.
 bool within(const Vec3& v, double limit) {
@@ -30,7 +33,32 @@ Status check_body(const Bodies& bodies, BodyIndex i) {
   if (!within(position, kPositionMax)) return beyond(bodies, i, "position", position, kPositionMax, "m");
   if (!within(velocity, kSpeedMax)) return beyond(bodies, i, "velocity", velocity, kSpeedMax, "m/s");
   if (!within(spin, kSpeedMax)) return beyond(bodies, i, "spin", spin, kSpeedMax, "rad/s");
+  const Quat q = bodies.orientation[i];
+  const double norm = q.w * q.w + ((q.x * q.x + q.y * q.y) + q.z * q.z);
+  if (!(std::fabs(norm - 1) <= kNormTolerance)) {
+    return cannot_finish("body " + std::to_string(bodies.id[i]) + ": found an orientation of squared length " +
+                         std::to_string(norm) + ", wanted 1");
+  }
   return {};
+}
+
+Status check_def(const WorldDef& def) {
+  const auto in = [](double value, double low, double high) { return value >= low && value <= high; };  // false for NaN
+  if (!in(def.dt, kDtMin, kDtMax)) return bad_input("world: dt must be " + std::to_string(kDtMin) + " … 1 s");
+  if (def.substeps == 0 || def.substeps > kSubstepsMax) return bad_input("world: substeps must be 1 … 1024");
+  for (const double g : {def.gravity.x(), def.gravity.y(), def.gravity.z()}) {
+    if (!in(g, -kGravityMax, kGravityMax)) return bad_input("world: gravity must be finite and within ±10000 m/s²");
+  }
+  for (const double value : {def.freeze_energy, def.freeze_time, def.slip_speed, def.air_drag}) {
+    if (!in(value, 0, 1e9)) return bad_input("world: freezing, slip and drag must be finite and not negative");
+  }
+  if (!material_in_range(def.ground_material)) return bad_input("world: material out of range");
+  return {};
+}
+
+bool material_in_range(const Material& m) {
+  const auto in = [](double value, double high) { return value >= 0 && value <= high; };
+  return in(m.friction, kFrictionMax) && in(m.friction_dynamic, kFrictionMax) && in(m.restitution, 1);
 }
 
 Status check_gain(const Bodies& bodies, BodyIndex i, const Vec3& velocity, const Vec3& spin) {

@@ -5,9 +5,16 @@
 
 namespace tumble::sim {
 
-/// Errors when the position, velocity or spin of body i is not finite or beyond limits.h: grid sums are exact only
-/// within them. The message names the body, what was found and the limit.
+/// Errors when the position, velocity or spin of body i is not finite or beyond limits.h, for grid sums are exact only
+/// within them, or when its orientation is not of unit length. The message names the body, what was found and the
+/// limit.
 Status check_body(const Bodies& bodies, BodyIndex i);
+
+/// Errors when a parameter of the stepper is out of range.
+Status check_def(const WorldDef& def);
+
+/// Friction 0 … kFrictionMax, restitution 0 … 1.
+bool material_in_range(const Material& material);
 
 /// The same for the outcome of one contact, before it enters a sum.
 Status check_gain(const Bodies& bodies, BodyIndex i, const Vec3& velocity, const Vec3& spin);

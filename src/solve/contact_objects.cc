@@ -1,0 +1,58 @@
+#include "src/solve/contact_objects.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace tumble::sim {
+namespace {
+
+constexpr double kGroundHeight = -std::numeric_limits<double>::infinity();
+
+// Whether `object` may carry `body`, and how high its centre lies over the body's. push: direction from object to body.
+struct Support {
+  bool carries = false;
+  double height = 0;
+};
+Support support_of(const World& world, BodyIndex body, BodyIndex object, const Vec3& push) {
+  const Vec3& gravity = world.state().def.gravity;
+  if (object == kGround) return {gravity.z() < 0, kGroundHeight};
+  const Bodies& bodies = world.bodies();
+  const double height = -dot(gravity, bodies.position[object] - bodies.position[body]);
+  const bool ramp = bodies.is_static[object] != 0 && dot(gravity, push) < 0;
+  return {height < 0 || ramp, height};
+}
+
+// Calls visit(body, object, push) for both sides of every contact.
+template <class Visit>
+void for_each_touch(const Contacts& contacts, Visit visit) {
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const BodyIndex a = contacts.a[k], b = contacts.b[k];
+    const Vec3 normal = contacts.normal[k];
+    visit(a, b, Vec3(-normal));
+    if (b != kGround) visit(b, a, normal);
+  }
+}
+
+}  // namespace
+
+ContactObjects collect_contact_objects(const World& world, const Contacts& contacts,
+                                       std::vector<FreezeCandidate>& candidates) {
+  for_each_touch(contacts, [&](BodyIndex body, BodyIndex object, const Vec3& push) {
+    if (!candidates[body].ready) return;
+    const Support support = support_of(world, body, object, push);
+    if (support.carries) candidates[body].lowest = std::min(candidates[body].lowest, support.height);
+  });
+  std::vector<std::pair<BodyIndex, BodyIndex>> objects;
+  for_each_touch(contacts, [&](BodyIndex body, BodyIndex object, const Vec3& push) {
+    if (!candidates[body].ready) return;
+    const Support support = support_of(world, body, object, push);
+    if (support.carries && support.height == candidates[body].lowest) objects.emplace_back(body, object);
+  });
+  std::sort(objects.begin(), objects.end());
+  objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
+  ContactObjects found;
+  for (const auto& [body, object] : objects) found.push_back(body, object);
+  return found;
+}
+
+}  // namespace tumble::sim
