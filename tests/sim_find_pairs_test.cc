@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "src/collide/find_pairs.h"
+#include "src/collide/sweep.h"
 #include "src/math/grid.h"
 #include "tests/support/sim_scenes.h"
 
@@ -51,7 +52,7 @@ TEST(FindPairs, AabbGrowsWhenTheBoxTurns) {
   scene.boxes = {box(1, {2, 1, 1}, {3, -2, 5}), box(2, {2, 1, 1}, {-3, 2, 5})};
   scene.boxes[1].orientation = turn({0, 0, 1}, kHalfRoot, kHalfRoot);
   World world = made(scene);
-  update_frames(world);
+  update_frames(world.bodies(), world.mutable_scratch());
   expect_reach(world, 0, {1, 0.5, 0.5});
   expect_reach(world, 1, {1.5 * kHalfRoot, 1.5 * kHalfRoot, 0.5});
 }
@@ -64,7 +65,7 @@ TEST(FindPairs, AabbIsTheTightestAroundTheCornersAtEveryStep) {
   World world = made(scene);
   for (int step = 0; step < 20; ++step) {
     advance(world);
-    update_frames(world);
+    update_frames(world.bodies(), world.mutable_scratch());
     for (BodyIndex i = 0; i < world.bodies().size(); ++i) {
       const sim::Quat q = world.bodies().orientation[i];
       const Vec3 u(q.x, q.y, q.z), h = world.bodies().half_extent[i];

@@ -7,6 +7,7 @@
 #include "src/collide/find_pairs.h"
 #include "src/collide/find_planes.h"
 #include "src/collide/recheck_planes.h"
+#include "src/collide/sweep.h"
 #include "tests/support/sim_scenes.h"
 
 namespace tumble::test {
@@ -31,7 +32,7 @@ World paired(const BoxDef& a, const BoxDef& b, AxisSet old) {
   SceneDef scene = empty_space();
   scene.boxes = {a, b};
   World world = made(scene);
-  update_frames(world);
+  update_frames(world.bodies(), world.mutable_scratch());
   world.mutable_state().pairs = {{0}, {1}, {old}};
   return world;
 }

@@ -114,7 +114,6 @@ TEST(WorldCreate, RefusesParametersBeyondTheLimits) {
       [](WorldDef& d) { d.air_drag = -1; },
       [](WorldDef& d) { d.air_drag = kInfinity; },
       [](WorldDef& d) { d.ground_material.friction = kNan; },
-      [](WorldDef& d) { d.method = sim::Method::kLayered; },
   };
   std::size_t k = 0;
   for (const auto& spoil : faults) {
@@ -246,6 +245,33 @@ TEST(Hashes, ContinuationHashChangesWithEveryHiddenFieldAndStateHashDoesNot) {
   }
 }
 
+// The memory of method layered: a cube that rests on the ground remembers four points.
+TEST(Hashes, ContinuationHashChangesWithTheContactMemory) {
+  SceneDef scene = tower(1);
+  scene.world.method = sim::Method::kLayered;
+  World world = made(scene);
+  for (int k = 0; k < 5; ++k) advance(world);
+  const WorldState state = world.state();
+  ASSERT_EQ(state.contact_memory.size(), 1U);
+  ASSERT_EQ(state.contact_memory.feature.size(), 4U);
+  const std::vector<Field> fields = {
+      {"a", [](WorldState& s) { --s.contact_memory.a[0]; }},
+      {"b", [](WorldState& s) { ++s.contact_memory.b[0]; }},
+      {"count", [](WorldState& s) { ++s.contact_memory.count[0]; }},
+      {"feature", [](WorldState& s) { ++s.contact_memory.feature[3]; }},
+      {"friction.x", [](WorldState& s) { s.contact_memory.friction.x[0] += 1; }},
+      {"friction.y", [](WorldState& s) { s.contact_memory.friction.y[0] += 1; }},
+      {"friction.z", [](WorldState& s) { s.contact_memory.friction.z[0] += 1; }},
+      {"twist", [](WorldState& s) { s.contact_memory.twist[0] += 1; }},
+      {"impulse", [](WorldState& s) { up(s.contact_memory.impulse[2]); }},
+  };
+  for (const Field& field : fields) {
+    WorldState changed = state;
+    field.change(changed);
+    EXPECT_NE(continuation_hash(changed), continuation_hash(state)) << field.name;
+  }
+}
+
 // A mirrored world without tilt has gravity (−0, 0, −9.81): the same world.
 TEST(Hashes, SignOfZeroGravityDoesNotCount) {
   WorldState state = busy_state(), mirrored = state;
@@ -267,7 +293,6 @@ TEST(WorldRestore, RefusesInconsistentLists) {
       {"body of a contact object", [](WorldState& s) { s.contact_objects.body.back() = 3; }},
       {"contact object column", [](WorldState& s) { s.contact_objects.object.pop_back(); }},
       {"substeps", [](WorldState& s) { s.def.substeps = 0; }},
-      {"method", [](WorldState& s) { s.def.method = sim::Method::kLayered; }},
   };
   EXPECT_TRUE(World::restore(busy_state()).ok());
   for (const Field& fault : faults) {
