@@ -136,27 +136,79 @@ Status decode_contacts(schema::Keyframe::Reader in, std::size_t bodies, sim::Con
   return check_rows("contactObject", contacts.object, bodies, true);
 }
 
+template <class Memory, class Column>
+std::array<Column*, 4> memory_columns(Memory& m) {
+  return {&m.friction.x, &m.friction.y, &m.friction.z, &m.twist};
+}
+
+void encode_memory(const sim::ContactMemory& memory, schema::Keyframe::Builder out) {
+  const auto n = static_cast<unsigned>(memory.size());
+  const auto points = static_cast<unsigned>(memory.feature.size());
+  put_differences(std::span<const sim::BodyIndex>(memory.a), out.initMemoryA(n * 4));
+  put_differences(std::span<const sim::BodyIndex>(memory.b), out.initMemoryB(n * 4));
+  put_planes(std::span<const std::uint32_t>(memory.count), out.initMemoryCount(n * 4));
+  auto lists = out.initMemoryDoubles(4);
+  unsigned next = 0;
+  for (const auto* column : memory_columns<const sim::ContactMemory, const std::vector<double>>(memory)) {
+    put_planes(std::span<const std::uint64_t>(bits_of(*column)), lists.init(next++, n * 8));
+  }
+  put_planes(std::span<const sim::Feature>(memory.feature), out.initMemoryFeature(points * 4));
+  put_planes(std::span<const std::uint64_t>(bits_of(memory.impulse)), out.initMemoryImpulse(points * 8));
+}
+
+Status decode_memory(schema::Keyframe::Reader in, std::size_t bodies, sim::ContactMemory& memory) {
+  const capnp::Data::Reader counts = in.getMemoryCount();
+  const capnp::Data::Reader features = in.getMemoryFeature();
+  const std::size_t n = counts.size() / 4;
+  const std::size_t points = features.size() / 4;
+  if (n > kPairsMax || points > kPairsMax)
+    return damaged("keyframe: found " + std::to_string(points) + " contact points");
+  if (Status ok = get_differences("keyframe: memoryA", in.getMemoryA(), n, memory.a); !ok.ok()) return ok;
+  if (Status ok = get_differences("keyframe: memoryB", in.getMemoryB(), n, memory.b); !ok.ok()) return ok;
+  if (Status ok = get_planes("keyframe: memoryCount", counts, n, memory.count); !ok.ok()) return ok;
+  if (Status ok = get_planes("keyframe: memoryFeature", features, points, memory.feature); !ok.ok()) return ok;
+  std::vector<std::uint64_t> bits;
+  const auto lists = in.getMemoryDoubles();
+  unsigned next = 0;
+  for (auto* column : memory_columns<sim::ContactMemory, std::vector<double>>(memory)) {
+    const capnp::Data::Reader list = next < lists.size() ? lists[next++] : capnp::Data::Reader();
+    if (Status ok = get_planes("keyframe: memoryDoubles", list, n, bits); !ok.ok()) return ok;
+    doubles_of(bits, *column);
+  }
+  if (Status ok = get_planes("keyframe: memoryImpulse", in.getMemoryImpulse(), points, bits); !ok.ok()) return ok;
+  doubles_of(bits, memory.impulse);
+  std::uint64_t sum = 0;
+  for (const std::uint32_t count : memory.count) sum += count;
+  if (sum != points) {
+    return damaged("keyframe: found " + std::to_string(points) + " contact points, wanted " + std::to_string(sum));
+  }
+  if (Status ok = check_rows("memoryA", memory.a, bodies, true); !ok.ok()) return ok;
+  return check_rows("memoryB", memory.b, bodies, false);
+}
+
 }  // namespace
 
 std::size_t encoded_bytes(const sim::WorldState& state) {
   return state.bodies.size() * (kDoubleColumns * 8 + 10) + state.pairs.size() * 10 + state.contact_objects.size() * 8 +
-         4096;
+         state.contact_memory.size() * 44 + state.contact_memory.feature.size() * 12 + 4096;
 }
 
 void encode(const Keyframe& keyframe, schema::Keyframe::Builder out) {
-  const sim::WorldState& state = keyframe.state;
-  out.setStep(state.step);
-  encode(state.def, out.initWorld());
+  // A field added to WorldState must be added here and to the schema: this line then no longer compiles.
+  const auto& [step, def, bodies, pairs, contact_objects, contact_memory] = keyframe.state;
+  out.setStep(step);
+  encode(def, out.initWorld());
   out.setContinuationLow(keyframe.continuation_hash.low);
   out.setContinuationHigh(keyframe.continuation_hash.high);
-  encode_bodies(state.bodies, out);
-  const auto pairs = static_cast<unsigned>(state.pairs.size());
-  put_differences(std::span<const sim::BodyIndex>(state.pairs.a), out.initPairA(pairs * 4));
-  put_differences(std::span<const sim::BodyIndex>(state.pairs.b), out.initPairB(pairs * 4));
-  put_planes(std::span<const std::uint16_t>(state.pairs.planes), out.initPairPlanes(pairs * 2));
-  const auto contacts = static_cast<unsigned>(state.contact_objects.size());
-  put_differences(std::span<const sim::BodyIndex>(state.contact_objects.body), out.initContactBody(contacts * 4));
-  put_differences(std::span<const sim::BodyIndex>(state.contact_objects.object), out.initContactObject(contacts * 4));
+  encode_bodies(bodies, out);
+  const auto n = static_cast<unsigned>(pairs.size());
+  put_differences(std::span<const sim::BodyIndex>(pairs.a), out.initPairA(n * 4));
+  put_differences(std::span<const sim::BodyIndex>(pairs.b), out.initPairB(n * 4));
+  put_planes(std::span<const std::uint16_t>(pairs.planes), out.initPairPlanes(n * 2));
+  const auto m = static_cast<unsigned>(contact_objects.size());
+  put_differences(std::span<const sim::BodyIndex>(contact_objects.body), out.initContactBody(m * 4));
+  put_differences(std::span<const sim::BodyIndex>(contact_objects.object), out.initContactObject(m * 4));
+  encode_memory(contact_memory, out);
 }
 
 Result<Keyframe> decode(schema::Keyframe::Reader in) {
@@ -168,8 +220,10 @@ Result<Keyframe> decode(schema::Keyframe::Reader in) {
   state.def = *def;
   keyframe.continuation_hash = {in.getContinuationHigh(), in.getContinuationLow()};
   if (Status ok = decode_bodies(in, state.bodies); !ok.ok()) return ok.error();
-  if (Status ok = decode_pairs(in, state.bodies.size(), state.pairs); !ok.ok()) return ok.error();
-  if (Status ok = decode_contacts(in, state.bodies.size(), state.contact_objects); !ok.ok()) return ok.error();
+  const std::size_t bodies = state.bodies.size();
+  if (Status ok = decode_pairs(in, bodies, state.pairs); !ok.ok()) return ok.error();
+  if (Status ok = decode_contacts(in, bodies, state.contact_objects); !ok.ok()) return ok.error();
+  if (Status ok = decode_memory(in, bodies, state.contact_memory); !ok.ok()) return ok.error();
   return keyframe;
 }
 

@@ -182,6 +182,13 @@ struct Keyframe {
   pairPlanes @10 :Data;         # UInt16, planes
   contactBody @11 :Data;        # UInt32 row, differences, planes
   contactObject @12 :Data;      # UInt32 row or 0xffffffff for the ground, differences, planes
+  # Method layered: the contacts that warm start the next step.
+  memoryA @13 :Data;            # UInt32 row or 0xffffffff for the ground, differences, planes; reference body
+  memoryB @14 :Data;            # UInt32 row, differences, planes; incident body
+  memoryCount @15 :Data;        # UInt32, planes; points of the contact
+  memoryDoubles @16 :List(Data);  # planes of Float64: friction x y z (N s), twist (N m s); one a contact
+  memoryFeature @17 :Data;      # UInt32, planes; one a point
+  memoryImpulse @18 :Data;      # planes of Float64, N s; one a point
 }
 
 # The last record but one: where the chunks are.
