@@ -35,8 +35,8 @@ struct ManifoldPoint {
 struct Manifold {
   BodyIndex a = kGround;  ///< reference body, or kGround
   BodyIndex b = 0;        ///< incident body
-  Vec3 n, t1, t2;
-  Vec3 d;                              ///< of an asleep manifold: the remembered friction instead
+  Vec3 n = Vec3::Zero(), t1 = Vec3::Zero(), t2 = Vec3::Zero();
+  Vec3 d = Vec3::Zero();               ///< of an asleep manifold: the remembered friction instead
   double offset = 0;                   ///< o: the plane of the points, from b's centre along n
   std::uint32_t first = 0, count = 0;  ///< its points
   std::uint32_t layer = 0;             ///< solved together with all manifolds of the same layer
