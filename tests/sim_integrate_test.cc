@@ -206,7 +206,7 @@ TEST(Integrate, OrientationStaysAUnitQuaternion) {
   for (int k = 0; k < 1000; ++k) advance(world);
   for (std::size_t i = 0; i < world.bodies().size(); ++i) {
     const Quat q = world.bodies().orientation[i];
-    EXPECT_NEAR(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, 1, 4e-16);
+    EXPECT_NEAR(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, 1, 1e-15);
   }
 }
 

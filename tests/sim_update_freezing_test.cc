@@ -197,8 +197,10 @@ TEST(ContactObject, MustBeAtRestItself) {
   SceneDef scene = cubes_at({{0, 0, 5}, {0, 0, 4}});
   World moving = made(scene);
   moving.mutable_state().bodies.velocity.set(1, {1, 0, 0});
-  for (int k = 0; k < 20; ++k) update(moving, {{0, 1, kDown}});
-  EXPECT_EQ(moving.bodies().frozen[0], 0);
+  for (int k = 0; k < 20; ++k) {
+    update(moving, {{0, 1, kDown}});
+    EXPECT_EQ(moving.bodies().frozen[0], 0) << "update " << k;
+  }
 }
 
 // A static ramp carries what it presses from below, however high its centre; a static ceiling does not.
@@ -254,6 +256,33 @@ TEST(FrozenStart, BrickOnTwoBricksTakesBoth) {
   const World world = made(scene);
   EXPECT_EQ(objects_of(world, 3), (std::vector<BodyIndex>{0, 1}));
   EXPECT_EQ(objects_of(world, 5), (std::vector<BodyIndex>{2}));
+}
+
+// Packed without a gap, the middle cube of the upper layer meets the four cubes around it and the four diagonal ones
+// only along edges and at corners; what carries it is the one below.
+TEST(FrozenStart, MeetingAtAnEdgeOrACornerCarriesNothing) {
+  SceneDef scene = on_ground();
+  for (int k = 0; k < 9; ++k) scene.boxes.push_back(cube(scene.boxes.size() + 1, {k % 3 - 1.0, k / 3 - 1.0, 0.5}));
+  scene.boxes.push_back(cube(10, {0, 0, 1.5}));
+  freeze_all(scene);
+  EXPECT_EQ(objects_of(made(scene), 9), (std::vector<BodyIndex>{4}));
+}
+
+// A body thrown in frozen rests on what it is put upon, as if it had always been there, and wakes with it.
+TEST(FrozenStart, FrozenThrowRestsOnWhatItTouches) {
+  SceneDef scene = tower(2);
+  freeze_all(scene);
+  World world = made(scene);
+  BoxDef top = cube(9, {0, 0, 2.5}), beneath = cube(5, {3, 0, 0.5});
+  top.frozen = beneath.frozen = true;
+  give(world, sim::Throw{top});
+  give(world, sim::Throw{beneath});
+  EXPECT_EQ(objects_of(world, 0), (std::vector<BodyIndex>{kGround}));
+  EXPECT_EQ(objects_of(world, 1), (std::vector<BodyIndex>{0}));
+  EXPECT_EQ(objects_of(world, 2), (std::vector<BodyIndex>{kGround}));
+  EXPECT_EQ(objects_of(world, 3), (std::vector<BodyIndex>{1}));
+  give(world, sim::Remove{2});
+  EXPECT_EQ(world.bodies().frozen, (std::vector<std::uint8_t>{1, 1, 0}));
 }
 
 std::vector<std::uint8_t> frozen(const World& world) { return world.bodies().frozen; }

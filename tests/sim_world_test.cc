@@ -72,6 +72,7 @@ TEST(WorldCreate, RefusesBoxesBeyondTheLimits) {
       {"material", [](BoxDef& b) { b.material.friction = -0.1; }},
       {"material", [](BoxDef& b) { b.material.friction_dynamic = kNan; }},
       {"material", [](BoxDef& b) { b.material.restitution = -1; }},
+      {"material", [](BoxDef& b) { b.material.restitution = 1.01; }},
   };
   for (const auto& [word, spoil] : faults) {
     SceneDef scene = on_ground();
@@ -114,6 +115,7 @@ TEST(WorldCreate, RefusesParametersBeyondTheLimits) {
       [](WorldDef& d) { d.air_drag = -1; },
       [](WorldDef& d) { d.air_drag = kInfinity; },
       [](WorldDef& d) { d.ground_material.friction = kNan; },
+      [](WorldDef& d) { d.ground_material.restitution = 1.01; },
   };
   std::size_t k = 0;
   for (const auto& spoil : faults) {
@@ -295,6 +297,34 @@ TEST(WorldRestore, RefusesInconsistentLists) {
       {"substeps", [](WorldState& s) { s.def.substeps = 0; }},
   };
   EXPECT_TRUE(World::restore(busy_state()).ok());
+  for (const Field& fault : faults) {
+    WorldState state = busy_state();
+    fault.change(state);
+    EXPECT_FALSE(World::restore(state).ok()) << fault.name;
+  }
+}
+
+// A snapshot may come from anywhere: every value that a step reads is looked at before the first step.
+TEST(WorldRestore, RefusesValuesThatCannotBe) {
+  const std::vector<Field> faults = {
+      {"position", [](WorldState& s) { s.bodies.position.y[1] = kNan; }},
+      {"velocity", [](WorldState& s) { s.bodies.velocity.x[2] = 9000; }},
+      {"spin", [](WorldState& s) { s.bodies.spin.z[2] = kInfinity; }},
+      {"orientation", [](WorldState& s) { s.bodies.orientation.x[1] = kNan; }},
+      {"length of orientation", [](WorldState& s) { s.bodies.orientation.w[2] *= 1.001; }},
+      {"half_extent", [](WorldState& s) { s.bodies.half_extent.z[0] = 0; }},
+      {"mass", [](WorldState& s) { s.bodies.mass[0] = -1; }},
+      {"inverse_mass", [](WorldState& s) { s.bodies.inverse_mass[0] = kNan; }},
+      {"inertia", [](WorldState& s) { s.bodies.inertia.x[0] = kNan; }},
+      {"inverse_inertia", [](WorldState& s) { s.bodies.inverse_inertia.y[0] = -1; }},
+      {"friction", [](WorldState& s) { s.bodies.friction[0] = kNan; }},
+      {"restitution", [](WorldState& s) { s.bodies.restitution[0] = kInfinity; }},
+      {"low_energy_time", [](WorldState& s) { s.bodies.low_energy_time[0] = -1; }},
+      {"frozen", [](WorldState& s) { s.bodies.frozen[0] = 2; }},
+      {"is_static", [](WorldState& s) { s.bodies.is_static[0] = 3; }},
+      {"dt", [](WorldState& s) { s.def.dt = kNan; }},
+      {"gravity", [](WorldState& s) { s.def.gravity.y() = kInfinity; }},
+  };
   for (const Field& fault : faults) {
     WorldState state = busy_state();
     fault.change(state);
