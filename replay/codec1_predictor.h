@@ -2,9 +2,10 @@
 
 #include <cmath>
 
-/// What codec 1 expects a body to do between two stored states: the stepper's free flight as it was when the codec was
-/// made. This copy is frozen. The stepper in src/ may change; logs already written decode with these very lines. Any
-/// change to a result here, even of one bit, is a new codec with a new number and a file of its own.
+/// What codec 1 expects a body to do between two stored states: free flight as the stepper computed it when the codec
+/// was made, or, for a body that touched something, motion with the mean velocity. This copy is frozen. The stepper in
+/// src/ may change; logs already written decode with these very lines. Any change to a result here, even of one bit, is
+/// a new codec with a new number and a file of its own.
 ///
 /// Only + − × ÷ and sqrt, so that every machine predicts the same bits. Inputs may be anything, also NaN.
 namespace tumble::replay::codec1 {
@@ -112,16 +113,36 @@ inline void turn(Motion& motion, const V3& inertia, double dt) {
   motion.spin = round_to_grid<38>(to_world(after, scaled(inverse_inertia, to_body(after, momentum))));
 }
 
+inline V3 fall(const V3& velocity, const V3& gravity, double air_drag, double dt) {
+  const V3 faster = velocity + round_to_grid<38>(gravity * dt);
+  return air_drag > 0 ? round_to_grid<38>(faster / (1 + air_drag * dt)) : faster + V3{0, 0, 0};
+}
+
 /// Free flight for dt (s) under gravity (m/s²) with linear drag (1/s); inertia: principal moments, kg·m².
-inline Motion predict(const Motion& before, const V3& inertia, const V3& gravity, double air_drag, double dt) {
+inline Motion fly(const Motion& before, const V3& inertia, const V3& gravity, double air_drag, double dt) {
   Motion after = before;
-  const double slower = 1 + air_drag * dt;
-  after.velocity = before.velocity + round_to_grid<38>(gravity * dt);
-  if (air_drag > 0) after.velocity = round_to_grid<38>(after.velocity / slower);
+  after.velocity = fall(before.velocity, gravity, air_drag, dt);
   after.position = before.position + round_to_grid<36>((before.velocity + after.velocity) * (0.5 * dt));
   turn(after, inertia, dt);
-  if (air_drag > 0) after.spin = round_to_grid<38>(after.spin / slower);
+  if (air_drag > 0) after.spin = round_to_grid<38>(after.spin / (1 + air_drag * dt));
   return after;
+}
+
+// A body that touched something: its velocities are known, and it moved with about the mean of the old and the new.
+
+inline V3 carried(const V3& position, const V3& v0, const V3& v1, double dt) {
+  return position + (v0 + v1) * (0.5 * dt);
+}
+inline Q4 turned(const Q4& orientation, const V3& w0, const V3& w1, double dt) {
+  const V3 h = (w0 + w1) * (0.25 * dt);
+  return normalised(product({1, h.x, h.y, h.z}, orientation));
+}
+
+/// The component of a unit quaternion that follows from the three others, given its sign.
+inline double fourth(double a, double b, double c, bool negative) {
+  const double left = 1 - ((a * a + b * b) + c * c);
+  const double size = left > 0 ? std::sqrt(left) : 0;
+  return negative ? -size : size;
 }
 
 }  // namespace tumble::replay::codec1

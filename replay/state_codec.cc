@@ -11,12 +11,20 @@ namespace tumble::replay {
 namespace {
 
 constexpr std::uint8_t kFrozenFlag = 1;
-constexpr std::uint8_t kChangedFlag = 2;
+constexpr std::uint8_t kMotionMask = 6;
+constexpr std::uint8_t kUnchanged = 0;
+constexpr std::uint8_t kFlown = 2;   // as free flight predicts, to the bit
+constexpr std::uint8_t kStored = 4;  // differences are stored
 
-bool same_row(const ConstColumns& a, const ConstColumns& b, std::size_t i) {
-  std::uint64_t difference = 0;
-  for (std::size_t c = 0; c < kColumnCount; ++c) difference |= bits_of((*a[c])[i]) ^ bits_of((*b[c])[i]);
-  return difference == 0;
+/// How row i came from `before` to `after`. Most bodies that touch something show it in their velocity, before the
+/// dearer part of free flight is computed.
+std::uint8_t motion_kind(const StateRows& rows, std::size_t i, const codec1::Motion& before, const codec1::Row& after,
+                         double dt) {
+  if (codec1::same_bits(codec1::row_of(before), after)) return kUnchanged;
+  const sim::Vec3& g = rows.gravity();
+  const codec1::V3 fallen = codec1::fall(before.velocity, {g.x(), g.y(), g.z()}, rows.air_drag(), dt);
+  if (fallen.x != after[0] || fallen.y != after[1] || fallen.z != after[2]) return kStored;
+  return codec1::same_bits(codec1::row_of(codec1::fly(rows, i, before, dt)), after) ? kFlown : kStored;
 }
 
 bool column_on_grid(std::span<const StepRecord> records, std::size_t column) {
@@ -58,10 +66,8 @@ Status StateEncoder::encode(const sim::WorldState& keyframe, std::span<const Ste
 
 Status StateEncoder::encode_step(const StateRows& rows, const StepRecord& record, double dt) {
   const BodyStates& states = record.states;
-  const ConstColumns after = columns_of(states);
-  const ConstColumns before = columns_of(rows.before());
   bool complete = states.id == rows.before().id && states.frozen.size() == states.size();
-  for (const auto* column : after) complete = complete && column->size() == states.size();
+  for (const auto* column : columns_of(states)) complete = complete && column->size() == states.size();
   if (!complete) {
     return cannot_finish("step " + std::to_string(record.step) + ": found the states of " +
                          std::to_string(states.size()) + " bodies, wanted the " + std::to_string(rows.before().size()) +
@@ -69,22 +75,24 @@ Status StateEncoder::encode_step(const StateRows& rows, const StepRecord& record
   }
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (states.frozen[i] > 1) return cannot_finish("step " + std::to_string(record.step) + ": frozen is not 0 or 1");
-    const bool frozen = states.frozen[i] != 0;
-    const bool changed = !same_row(after, before, i);
-    flags_.push_back(static_cast<std::uint8_t>((frozen ? kFrozenFlag : 0) | (changed ? kChangedFlag : 0)));
-    if (changed) encode_body(rows, after, i, frozen, dt);
+    encode_body(rows, states, i, dt);
   }
   return {};
 }
 
-void StateEncoder::encode_body(const StateRows& rows, const ConstColumns& after, std::size_t i, bool frozen,
-                               double dt) {
-  const auto predicted = codec1::predict_row(rows, i, frozen, dt);
-  for (std::size_t c = 0; c < kColumnCount; ++c) {
-    const double steps = codec1::steps_per_unit(c);
-    const std::uint64_t found = codec1::key_of((*after[c])[i], steps, on_grid_[c]);
-    residuals_[c].push_back(codec1::zigzag(found - codec1::predicted_key(predicted[c], steps, on_grid_[c])));
-  }
+void StateEncoder::encode_body(const StateRows& rows, const BodyStates& states, std::size_t i, double dt) {
+  const codec1::Motion before = codec1::motion_of(rows.before(), i);
+  const codec1::Row after = codec1::row_of(codec1::motion_of(states, i));
+  const std::uint8_t kind = motion_kind(rows, i, before, after, dt);
+  const bool frozen = states.frozen[i] != 0;
+  flags_.push_back(static_cast<std::uint8_t>(kind | (frozen ? kFrozenFlag : 0)));
+  if (kind != kStored) return;
+  codec1::code_row(before, frozen, dt, [&](std::size_t slot, std::size_t column, double predicted) {
+    const double steps = codec1::steps_per_unit(column);
+    const std::uint64_t key = codec1::key_of(after[column], steps, on_grid_[column]);
+    residuals_[slot].push_back(codec1::zigzag(key - codec1::predicted_key(predicted, steps, on_grid_[column])));
+    return after[column];
+  });
 }
 
 void StateEncoder::copy_to(schema::States::Builder out) const {
@@ -102,14 +110,14 @@ StateDecoder::StateDecoder(const sim::WorldState& keyframe, schema::States::Read
     : rows_(keyframe), codec_(in.getCodec()) {
   const capnp::Data::Reader flags = in.getFlags();
   flags_.assign(flags.begin(), flags.end());
-  std::size_t changed = 0;
-  for (const std::uint8_t flag : flags_) changed += (flag & kChangedFlag) != 0 ? 1 : 0;
+  std::size_t stored = 0;
+  for (const std::uint8_t flag : flags_) stored += (flag & kMotionMask) == kStored ? 1 : 0;
   const auto columns = in.getColumns();
   column_count_ = columns.size();
   for (unsigned c = 0; c < kColumnCount && c < columns.size(); ++c) {
     on_grid_[c] = columns[c].getOnGrid() && codec1::steps_per_unit(c) != 0;
     const capnp::Data::Reader residuals = columns[c].getResiduals();
-    sizes_agree_ = sizes_agree_ && get_planes("states", residuals, changed, residuals_[c]).ok();
+    sizes_agree_ = sizes_agree_ && get_planes("states", residuals, stored, residuals_[c]).ok();
   }
 }
 
@@ -138,27 +146,31 @@ Status StateDecoder::decode(StepRecord& record) {
     return damaged("states: found " + std::to_string(flags_.size()) + " flags, wanted more for step " +
                    std::to_string(record.step));
   }
-  const Columns columns = columns_of(before);
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    const std::uint8_t flag = flags_[next_flag_++];
-    const bool frozen = (flag & kFrozenFlag) != 0;
-    if ((flag & kChangedFlag) != 0) decode_body(columns, i, frozen);
-    before.frozen[i] = frozen ? 1 : 0;
-  }
+  for (std::size_t i = 0; i < before.size(); ++i) decode_body(before, i, flags_[next_flag_++]);
   record.states = before;
   dt_ = 0;
   return {};
 }
 
-void StateDecoder::decode_body(const Columns& columns, std::size_t i, bool frozen) {
-  const auto predicted = codec1::predict_row(rows_, i, frozen, dt_);
-  for (std::size_t c = 0; c < kColumnCount; ++c) {
-    const double steps = codec1::steps_per_unit(c);
-    const std::uint64_t key =
-        codec1::predicted_key(predicted[c], steps, on_grid_[c]) + codec1::unzigzag(residuals_[c][next_residual_]);
-    (*columns[c])[i] = codec1::value_of(key, steps, on_grid_[c]);
-  }
-  ++next_residual_;
+void StateDecoder::decode_body(BodyStates& states, std::size_t i, std::uint8_t flag) {
+  const bool frozen = (flag & kFrozenFlag) != 0;
+  states.frozen[i] = frozen ? 1 : 0;
+  const std::uint8_t kind = flag & kMotionMask;
+  if (kind == kUnchanged) return;
+  const codec1::Motion before = codec1::motion_of(states, i);
+  const codec1::Row row =
+      kind == kStored ? decode_row(before, frozen) : codec1::row_of(codec1::fly(rows_, i, before, dt_));
+  const Columns columns = columns_of(states);
+  for (std::size_t c = 0; c < kColumnCount; ++c) (*columns[c])[i] = row[c];
+}
+
+codec1::Row StateDecoder::decode_row(const codec1::Motion& before, bool frozen) {
+  const std::size_t at = next_residual_++;
+  return codec1::code_row(before, frozen, dt_, [&](std::size_t slot, std::size_t column, double predicted) {
+    const double steps = codec1::steps_per_unit(column);
+    const std::uint64_t expected = codec1::predicted_key(predicted, steps, on_grid_[column]);
+    return codec1::value_of(expected + codec1::unzigzag(residuals_[slot][at]), steps, on_grid_[column]);
+  });
 }
 
 }  // namespace tumble::replay

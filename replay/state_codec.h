@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "replay/columns.h"
+#include "replay/state_keys.h"
 #include "replay/state_rows.h"
 #include "replay/step_record.h"
 #include "schema/log.capnp.h"
@@ -28,7 +29,7 @@ class StateEncoder {
 
  private:
   Status encode_step(const StateRows& rows, const StepRecord& record, double dt);
-  void encode_body(const StateRows& rows, const ConstColumns& after, std::size_t i, bool frozen, double dt);
+  void encode_body(const StateRows& rows, const BodyStates& states, std::size_t i, double dt);
   void choose_grids(std::span<const StepRecord> records);
 
   std::vector<std::uint8_t> flags_;
@@ -50,7 +51,8 @@ class StateDecoder {
   Status decode(StepRecord& record);
 
  private:
-  void decode_body(const Columns& columns, std::size_t i, bool frozen);
+  void decode_body(BodyStates& states, std::size_t i, std::uint8_t flag);
+  codec1::Row decode_row(const codec1::Motion& before, bool frozen);
 
   StateRows rows_;
   std::uint16_t codec_;

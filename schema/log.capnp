@@ -158,13 +158,13 @@ struct Chunk {
 # The visible state of bodies. Which bodies: the keyframe's, changed by the throw and remove inputs.
 struct States {
   codec @0 :UInt16;             # 1: docs/log_format.md, "Codec 1"
-  flags @1 :Data;               # a byte a body and step: bit 0 frozen, bit 1 changed since the step stored before
-  columns @2 :List(Column);     # velocity x y z, spin x y z, position x y z, orientation w x y z
+  flags @1 :Data;               # a byte a body and step: bit 0 frozen; bits 1-2: 0 unchanged, 1 flew freely, 2 stored
+  columns @2 :List(Column);     # velocity x y z, spin x y z, position x y z, orientation: three components, the largest
 }
 
 struct Column {
   onGrid @0 :Bool;              # true: integers of grid steps; false: ordered bit patterns
-  residuals @1 :Data;           # planes of UInt64, zigzag; one a body and step flagged as changed
+  residuals @1 :Data;           # planes of UInt64, zigzag; one a body and step flagged as stored
 }
 
 # A complete sim::WorldState. Columns have one row a body in ascending id.
