@@ -83,6 +83,13 @@ TEST(HostileScenes, RandomSplicesGiveASceneOrAnError) {
   }
 }
 
+// The parser's own assertions and "unreachable" places (src/scenes/toml.h).
+TEST(HostileScenes, WhatTheParserThinksImpossibleIsAnError) {
+  for (const char* text : {"[&", "[[=", "[[[1]]]", "[[&", "\u00fc = 1", "x = \u00fc", "x = 1\u00fc", "[[b\u00fcx]]"}) {
+    expect_error(text);
+  }
+}
+
 TEST(HostileScenes, DeepNestingIsAnError) {
   expect_error("x = " + repeated("[", 100000));
   expect_error("x = " + repeated("{a=", 100000));
