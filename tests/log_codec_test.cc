@@ -164,6 +164,7 @@ TEST(StateCodec, BodiesThatTheInputsDoNotLeadToAreRefused) {
 
 TEST(StateCodec, FreeFlightIsPredictedExactly) {
   sim::SceneDef scene;
+  scene.world.method = sim::Method::kThesis;
   scene.world.ground = false;
   scene.steps = 60;
   for (std::uint64_t i = 1; i <= 50; ++i) {

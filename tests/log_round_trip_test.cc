@@ -118,6 +118,7 @@ TEST(LogRoundTrip, ALogWithoutStepsHoldsStateZero) {
 
 TEST(LogRoundTrip, ASceneWithoutBodiesIsALogToo) {
   sim::SceneDef scene;
+  scene.world.method = sim::Method::kThesis;
   scene.steps = 5;
   Result<LogReader> log = open_memory(record_to_memory(scene));
   ASSERT_TRUE(log.ok());

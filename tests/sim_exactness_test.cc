@@ -96,6 +96,7 @@ SceneDef session() {
 struct Case {
   std::string name;
   SceneDef scene;
+  scene.world.method = sim::Method::kThesis;
 };
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
 

@@ -109,7 +109,7 @@ struct TimedCommand {
 
 /// The parameters of the stepper. Thresholds are per kilogram, so no scene needs them changed for its sizes.
 struct WorldDef {
-  Method method = Method::kThesis;
+  Method method = Method::kLayered;
   double dt = 1.0 / 60;                 ///< s
   std::uint32_t substeps = 8;           ///< thesis: a step may be halved to depth floor(log2(substeps))
   std::uint32_t split_collisions = 1;   ///< thesis: a sub-step that meets more collisions is halved

@@ -81,7 +81,7 @@ void read_titles(TableReader& top, std::string_view file_name, sim::SceneDef& sc
 InputClock read_world(TableReader& top, sim::SceneDef& scene) {
   TableReader reader(table_or_empty(top, "world"), "[world]", top.problem());
   sim::WorldDef& world = scene.world;
-  world.method = static_cast<sim::Method>(reader.choice("method", 0, kMethods));
+  world.method = static_cast<sim::Method>(reader.choice("method", static_cast<std::size_t>(world.method), kMethods));
   world.dt = reader.number("dt", world.dt, kDtRule);
   InputClock clock{world.dt, 0, false};
   clock.steps = read_steps(reader, world.dt, clock.steps_overridden);

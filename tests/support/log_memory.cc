@@ -31,6 +31,7 @@ Status MemorySource::read(std::uint64_t offset, std::span<std::byte> bytes) cons
 
 sim::SceneDef small_scene(std::uint64_t steps) {
   sim::SceneDef scene;
+  scene.world.method = sim::Method::kThesis;
   scene.name = "small";
   scene.steps = steps;
   for (std::uint64_t i = 0; i < 3; ++i) {

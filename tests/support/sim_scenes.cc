@@ -66,6 +66,7 @@ Quat turn(const Vec3& axis, double cosine, double sine) {
 
 SceneDef empty_space() {
   SceneDef scene;
+  scene.world.method = sim::Method::kThesis;
   scene.world.gravity = Vec3::Zero();
   scene.world.ground = false;
   scene.world.freezing = false;
@@ -75,6 +76,7 @@ SceneDef empty_space() {
 
 SceneDef on_ground() {
   SceneDef scene;
+  scene.world.method = sim::Method::kThesis;
   scene.world.substeps = 1;
   return scene;
 }
