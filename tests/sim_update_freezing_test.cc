@@ -165,10 +165,13 @@ std::vector<BodyIndex> objects_of(const World& world, BodyIndex body) {
 
 // "If the object A has multiple collisions, the colliding object that has the lowest z position is the CO."
 TEST(ContactObject, IsTheLowestBodyTouched) {
-  const World world =
-      candidate_with({{0.5, 0, 4.1}, {-0.5, 0, 4.0}, {0, 0, 6}}, {{0, 1, kDown}, {0, 2, kDown}, {0, 3, kUp}});
-  EXPECT_EQ(world.bodies().frozen[0], 1);
-  EXPECT_EQ(objects_of(world, 0), (std::vector<BodyIndex>{2}));
+  for (const bool lowest_first : {true, false}) {
+    const double first = lowest_first ? 4.0 : 4.1, second = lowest_first ? 4.1 : 4.0;
+    const World world =
+        candidate_with({{0.5, 0, first}, {-0.5, 0, second}, {0, 0, 6}}, {{0, 1, kDown}, {0, 2, kDown}, {0, 3, kUp}});
+    EXPECT_EQ(world.bodies().frozen[0], 1);
+    EXPECT_EQ(objects_of(world, 0), (std::vector<BodyIndex>{lowest_first ? 1U : 2U}));
+  }
 }
 
 TEST(ContactObject, IsTheSetOfThemOnATie) {
