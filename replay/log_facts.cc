@@ -11,10 +11,10 @@ namespace {
 class FactCounter {
  public:
   explicit FactCounter(LogReader& log) : log_(log) {
+    facts_.bodies_at_start = log.header().scene.boxes.size();
     facts_.moving_body_steps = 0;
     for (const sim::BoxDef& box : log.header().scene.boxes) note_static(box);
     if (Result<const StepRecord*> start = log.read_step(0); start.ok()) {
-      facts_.bodies_at_start = (*start)->states.size();
       facts_.final_hash = (*start)->state_hash;
     }
   }

@@ -20,7 +20,7 @@ struct LogFacts {
   std::map<std::string, std::uint64_t> inputs;     ///< by kind: "throw", "push", …
   std::optional<std::uint64_t> moving_body_steps;  ///< bodies neither frozen nor static, summed over the steps; none
                                                    ///< where the log does not hold every state
-  Hash128 final_hash;                              ///< state hash of the last step that can be read
+  std::optional<Hash128> final_hash;               ///< state hash of the last step that can be read
 
   /// Bytes of the whole file for each of moving_body_steps; none where nothing moves or it is not known.
   [[nodiscard]] std::optional<double> bytes_per_moving_body_step(std::uint64_t file_bytes) const;

@@ -71,9 +71,9 @@ void print_text(const replay::DiffReport& report, bool exact_bits) {
 Result<Exit> diff(const Options& options) {
   const Result<replay::Tolerances> tolerances = parse_tolerances(options.tolerances);
   if (!tolerances.ok()) return tolerances.error();
-  Result<replay::LogReader> a = replay::LogReader::open(options.a);
+  Result<replay::LogReader> a = open_log(options.a);
   if (!a.ok()) return a.error();
-  Result<replay::LogReader> b = replay::LogReader::open(options.b);
+  Result<replay::LogReader> b = open_log(options.b);
   if (!b.ok()) return b.error();
   const InterruptGuard guard;
   ProgressBar bar("comparing");

@@ -155,8 +155,10 @@ Result<StepRange> range_of(const Options& options, const replay::LogReader& log)
     range = {*first, *last};
   }
   if (range.last > log.step_count()) {
-    return bad_input(log.name() + ": found no step " + std::to_string(range.last) + "; the log holds steps 0 to " +
-                     std::to_string(log.step_count()));
+    const std::string message = log.name() + ": found no step " + std::to_string(range.last) +
+                                "; the log holds steps 0 to " + std::to_string(log.step_count());
+    if (log.condition().whole()) return bad_input(message);
+    return damaged(message + "; it is " + log.condition().summary(log.step_count()));
   }
   return range;
 }
@@ -190,7 +192,7 @@ Error no_such_body(const Options& options, const replay::LogReader& log, const S
 }
 
 Result<Exit> dump(const Options& options) {
-  Result<replay::LogReader> log = replay::LogReader::open(options.log);
+  Result<replay::LogReader> log = open_log(options.log);
   if (!log.ok()) return log.error();
   const Result<StepRange> range = range_of(options, *log);
   if (!range.ok()) return range.error();

@@ -68,7 +68,7 @@ void print_text(const LogReader& log, const LogFacts& facts, const LogCondition&
   const std::optional<double> each = facts.bytes_per_moving_body_step(log.file_bytes());
   const std::string per_step = each ? ", " + rounded(*each, "bytes per moving body-step") : "";
   listing.add("size", bytes_text(log.file_bytes()) + per_step);
-  listing.add("final hash", to_string(facts.final_hash));
+  listing.add("final hash", facts.final_hash ? to_string(*facts.final_hash) : "none");
   listing.add("condition", condition.whole() ? "whole, every hash as written" : condition.summary(log.step_count()));
   listing.print();
 }
@@ -111,7 +111,7 @@ void print_as_json(const LogReader& log, const LogFacts& facts, const LogConditi
     json["damages"].push_back(
         {{"record", replay::name_of(damage.kind)}, {"byte", damage.offset}, {"message", damage.message}});
   }
-  json["final_hash"] = to_string(facts.final_hash);
+  json["final_hash"] = facts.final_hash ? Json(to_string(*facts.final_hash)) : Json(nullptr);
   print_json(json);
 }
 

@@ -39,7 +39,7 @@ Result<replay::Metrics> measure_with_series(replay::LogReader& log, const std::s
 }
 
 Result<Exit> measure(const Options& options) {
-  Result<replay::LogReader> log = replay::LogReader::open(options.log);
+  Result<replay::LogReader> log = open_log(options.log);
   if (!log.ok()) return log.error();
   const Result<replay::Metrics> metrics = measure_with_series(*log, options.series);
   if (!metrics.ok()) return metrics.error();

@@ -127,7 +127,7 @@ void print_as_json(const std::string& path, const sim::SceneDef& scene, const Se
 Result<Exit> record(const Options& options) {
   replay::RecordOptions how;
   Result<replay::StatesMode> states = replay::parse_states_mode(options.states);
-  if (!states.ok()) return bad_input("--states: " + states.error().message);
+  if (!states.ok()) return bad_input("--" + states.error().message);
   how.states = *states;
   how.overrides = options.overrides;
   if (options.steps) how.overrides.push_back("world.steps=" + std::to_string(*options.steps));
@@ -156,7 +156,8 @@ Result<Exit> record(const Options& options) {
 
 Action declare_record(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  app.add_option("SCENE", options->scene, "A scene file (.toml), or the name of a golden case ('tumble scenes')")
+  app.add_option("SCENE", options->scene,
+                 "A scene file (.toml), or the name of a golden case ('tumble scenes' lists them)")
       ->required()
       ->type_name("");
   app.add_option("-o,--output", options->log, "The log; <scene>.tumble in the current folder if not given")
@@ -170,11 +171,10 @@ Action declare_record(CLI::App& app) {
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   add_threads(app, options->threads);
-  app.add_option(
-         "--states", options->states,
-         "Which states the log holds: all, every:N (one step in N) or hashes (none; they can be simulated again)")
-      ->type_name("MODE")
-      ->capture_default_str();
+  app.add_option("--states", options->states,
+                 "Which states the log holds: all (if not given), every:N (one step in N) or hashes (none); the others "
+                 "can be simulated again")
+      ->type_name("MODE");
   add_json(app, options->json);
   app.add_flag("--quiet", options->quiet, "Print nothing but errors");
   app.footer(

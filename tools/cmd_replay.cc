@@ -36,7 +36,7 @@ void print_text(const replay::ReplayReport& report, const replay::LogReader& log
 }
 
 Result<Exit> replay_command(const Options& options) {
-  Result<replay::LogReader> log = replay::LogReader::open(options.log);
+  Result<replay::LogReader> log = open_log(options.log);
   if (!log.ok()) return log.error();
   ProgressBar bar("replaying");
   const InterruptGuard guard;

@@ -4,6 +4,14 @@
 
 namespace tumble::tools {
 
+Result<replay::LogReader> open_log(const std::string& path) {
+  Result<replay::LogReader> log = replay::LogReader::open(path);
+  if (log.ok() && log->chunks().empty()) {
+    return damaged(path + ": not one complete chunk to read; " + log->condition().summary(0));
+  }
+  return log;
+}
+
 Exit judge(const char* command, const replay::LogReader& log, Exit verdict) {
   const replay::LogCondition& condition = log.condition();
   if (condition.whole()) return verdict;

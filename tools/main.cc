@@ -2,6 +2,7 @@
 #include <array>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 
 #include "src/scenes/problem.h"
 #include "tools/command.h"
+#include "tools/help_format.h"
 #include "tools/text.h"
 
 namespace tumble::tools {
@@ -62,7 +64,7 @@ Exit unknown_command(const std::string& name) {
 Exit run_command(const Command& command, std::vector<std::string> arguments) {
   const std::string who = std::string("tumble ") + command.name;
   CLI::App app(command.summary, who);
-  app.get_formatter()->column_width(28);
+  app.formatter(std::make_shared<HelpFormat>());
   app.set_help_flag("-h,--help", "Print this help and exit");
   const Action action = command.declare(app);
   try {

@@ -39,7 +39,7 @@ class Listing {
  public:
   void add(std::string label, std::string value) { lines_.emplace_back(std::move(label), std::move(value)); }
   /// An empty line, and `title` on a line of its own if there is one.
-  void section(std::string title) { lines_.emplace_back("\n" + std::move(title), ""); }
+  void section(const std::string& title) { lines_.emplace_back(title.empty() ? "" : "\n" + title, ""); }
   void print() const;
 
  private:
