@@ -1,0 +1,239 @@
+// The program does what docs/commands.md says: run for real, judged by exit status, stdout and stderr.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "replay/log_reader.h"
+#include "tests/support/program.h"
+
+namespace tumble::test {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json parsed(const Outcome& outcome) {
+  ordered_json json = ordered_json::parse(outcome.out, nullptr, false);
+  EXPECT_FALSE(json.is_discarded()) << "not JSON: " << outcome.out;
+  return json;
+}
+
+std::vector<std::string> keys_of(const ordered_json& json) {
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : json.items()) keys.push_back(key);
+  return keys;
+}
+
+TEST(Program, HelpAndVersionGoToStdout) {
+  const Workshop shop;
+  EXPECT_EQ(shop.run({"--version"}).out, "tumble " TUMBLE_VERSION "\n");
+  const std::string overview = shop.run({"help"}).out;
+  for (const char* command : {"record", "replay", "diff", "info", "measure", "dump", "scenes"}) {
+    EXPECT_NE(overview.find(command), std::string::npos) << command;
+    const Outcome help = shop.run({command, "--help"});
+    EXPECT_EQ(help.exit, 0);
+    EXPECT_NE(help.out.find("Examples:\n  tumble " + std::string(command)), std::string::npos) << help.out;
+    EXPECT_EQ(shop.run({"help", command}).out, help.out);
+  }
+}
+
+TEST(Program, RecordsAndReplaysToTheBit) {
+  const Workshop shop;
+  shop.write("s.toml", kSmallScene);
+  const Outcome recorded = shop.run({"record", "s.toml"});
+  ASSERT_EQ(recorded.exit, 0) << recorded.err;
+  EXPECT_NE(recorded.out.find("bytes per moving body-step"), std::string::npos) << recorded.out;
+  const Outcome replayed = shop.run({"replay", "s.tumble", "--threads", "2"});
+  EXPECT_EQ(replayed.exit, 0) << replayed.err;
+  EXPECT_NE(replayed.out.find("identical: 40 steps"), std::string::npos) << replayed.out;
+  const ordered_json json = parsed(shop.run({"replay", "s.tumble", "--json"}));
+  EXPECT_EQ(json, ordered_json::parse(R"({"identical":true,"steps":40,"first":null})"));
+}
+
+TEST(Program, RecordFindsGoldenCasesFromTheCurrentFolderUpwards) {
+  const Workshop shop;
+  shop.write("x", "");  // so that the folder is not empty
+  ASSERT_EQ(mkdir(shop.path("golden").c_str(), 0700), 0);
+  ASSERT_EQ(mkdir(shop.path("golden/cases").c_str(), 0700), 0);
+  ASSERT_EQ(mkdir(shop.path("golden/cases/mine").c_str(), 0700), 0);
+  shop.write("golden/cases/mine/scene.toml", kSmallScene);
+  const ordered_json scenes = parsed(shop.run({"scenes", "--json"}));
+  ASSERT_EQ(scenes.size(), 1U);
+  EXPECT_EQ(scenes[0]["name"], "mine");
+  EXPECT_EQ(scenes[0]["bodies"], 3);
+  EXPECT_EQ(scenes[0]["steps"], 40);
+  const ordered_json recorded = parsed(shop.run({"record", "mine", "--steps", "10", "--json"}));
+  EXPECT_EQ(recorded["log"], "mine.tumble");
+  EXPECT_EQ(recorded["steps"], 10);
+  EXPECT_EQ(recorded["bodies"], 3);
+}
+
+TEST(Program, EveryStatesModeTellsTheSame) {
+  const Workshop shop;
+  shop.record_small("all");
+  shop.record_small("some", {"--states", "every:7"});
+  shop.record_small("none", {"--states", "hashes"});
+  ordered_json all = parsed(shop.run({"measure", "all.tumble", "--json"}));
+  all.erase("log");
+  for (const std::string log : {"some.tumble", "none.tumble"}) {
+    EXPECT_EQ(shop.run({"replay", log}).exit, 0);
+    EXPECT_EQ(shop.run({"diff", "all.tumble", log}).exit, 0);
+    EXPECT_EQ(shop.run({"dump", log, "--step", "33", "--csv"}).out,
+              shop.run({"dump", "all.tumble", "--step", "33", "--csv"}).out);
+    ordered_json metrics = parsed(shop.run({"measure", log, "--json"}));
+    metrics.erase("log");
+    EXPECT_EQ(metrics, all) << log;
+  }
+}
+
+TEST(Program, MeasureKeepsItsContract) {
+  const Workshop shop;
+  shop.record_small("s");
+  const ordered_json json = parsed(shop.run({"measure", "s.tumble", "--json", "--series", "s.csv"}));
+  using Keys = std::vector<std::string>;
+  EXPECT_EQ(keys_of(json), (Keys{"log", "bodies", "steps", "symmetry", "energy", "stacking", "final_hash"}));
+  EXPECT_EQ(keys_of(json["symmetry"]), (Keys{"lateral_max", "lateral_rms", "column_spread"}));
+  EXPECT_EQ(keys_of(json["energy"]), (Keys{"initial", "final", "gain_max", "gain_ratio", "removed", "inputs"}));
+  EXPECT_EQ(keys_of(json["stacking"]), (Keys{"drift_max", "tilt_max", "top_drop_max", "lost", "overlap_max",
+                                             "ground_penetration_max", "kinetic_end", "frozen_fraction", "rest_time"}));
+  EXPECT_EQ(json["bodies"], 3);
+  EXPECT_EQ(json["steps"], 40);
+  EXPECT_TRUE(json["symmetry"]["column_spread"].is_null());
+  std::istringstream rows(shop.read("s.csv"));
+  std::string line;
+  std::size_t count = 0;
+  while (std::getline(rows, line)) ++count;
+  EXPECT_EQ(count, 42U) << "a header, state 0 and 40 steps";
+}
+
+TEST(Program, DiffNamesTheFirstDifference) {
+  const Workshop shop;
+  shop.record_small("a");
+  shop.record_small("b", {"--set", "input.1.velocity=[0.0, 6.000000001, 0.0]"});
+  const Outcome text = shop.run({"diff", "a.tumble", "b.tumble"});
+  EXPECT_EQ(text.exit, 1);
+  EXPECT_NE(text.out.find("inputs: not the same script"), std::string::npos) << text.out;
+  const Outcome outcome = shop.run({"diff", "a.tumble", "b.tumble", "--json"});
+  EXPECT_EQ(outcome.exit, 1);
+  const ordered_json json = parsed(outcome);
+  EXPECT_EQ(json["identical"], false);
+  EXPECT_EQ(keys_of(json["first"]), (std::vector<std::string>{"step", "substep", "phase", "body", "pair", "field",
+                                                              "expected", "actual", "ulps"}));
+  EXPECT_EQ(json["first"]["step"], 5);
+}
+
+TEST(Program, DiffForgivesWhatTolerancesAllow) {
+  const Workshop shop;
+  shop.record_small("a", {"--steps", "12"});  // before a first touch makes the gap grow
+  shop.record_small("b", {"--steps", "12", "--set", "box.2.position=[0.1, 0.2, 2.000000001]"});
+  const std::vector<std::string> diff = {"diff", "a.tumble", "b.tumble"};
+  EXPECT_EQ(shop.run(diff).exit, 1);
+  std::vector<std::string> loose = diff;
+  for (const char* field : {"position", "orientation", "velocity", "spin"}) {
+    loose.insert(loose.end(), {"--tolerance", std::string(field) + "=1e-3"});
+  }
+  EXPECT_EQ(shop.run(loose).exit, 0) << shop.run(loose).out;
+  std::vector<std::string> tight = diff;
+  tight.insert(tight.end(), {"--tolerance", "position=1e-12", "--json"});
+  const ordered_json first = parsed(shop.run(tight))["first"];
+  EXPECT_EQ(first["step"], 0);
+  EXPECT_EQ(first["phase"], "start");
+  EXPECT_EQ(first["body"], 2);
+  EXPECT_EQ(first["field"], "position.z");
+}
+
+TEST(Program, DiffOfDifferentLengthsIsADifference) {
+  const Workshop shop;
+  shop.record_small("a");
+  shop.record_small("b", {"--steps", "30"});
+  const Outcome outcome = shop.run({"diff", "a.tumble", "b.tumble", "--json"});
+  EXPECT_EQ(outcome.exit, 1);
+  const ordered_json json = parsed(outcome);
+  EXPECT_EQ(json["identical"], false);
+  EXPECT_EQ(json["steps"], 30);
+  EXPECT_EQ(json["first"]["step"], 31);
+  EXPECT_EQ(json["first"]["field"], "steps");
+}
+
+// Every number that dump prints is the one in the log, to the bit.
+TEST(Program, DumpedNumbersReadBackToTheSameBits) {
+  const Workshop shop;
+  shop.record_small("s");
+  Result<replay::LogReader> log = replay::LogReader::open(shop.path("s.tumble"));
+  ASSERT_TRUE(log.ok());
+  const auto record = log->read_step(37);
+  ASSERT_TRUE(record.ok());
+  const replay::BodyStates& states = (*record)->states;
+  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+
+  const ordered_json json = parsed(shop.run({"dump", "s.tumble", "--step", "37", "--json"}));
+  EXPECT_EQ(json["step"], 37);
+  ASSERT_EQ(json["bodies"].size(), states.size());
+  std::istringstream csv(shop.run({"dump", "s.tumble", "--step", "37", "--csv"}).out);
+  std::string line;
+  std::getline(csv, line);
+  EXPECT_TRUE(line.starts_with("step,id,position.x,")) << line;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const std::vector<double> wanted = {states.position.x[i],    states.position.y[i],    states.position.z[i],
+                                        states.orientation.w[i], states.orientation.x[i], states.orientation.y[i],
+                                        states.orientation.z[i], states.velocity.x[i],    states.velocity.y[i],
+                                        states.velocity.z[i],    states.spin.x[i],        states.spin.y[i],
+                                        states.spin.z[i]};
+    std::getline(csv, line);
+    std::istringstream cells(line);
+    std::string cell;
+    std::getline(cells, cell, ',');
+    std::getline(cells, cell, ',');
+    EXPECT_EQ(cell, std::to_string(states.id[i]));
+    std::vector<double> numbers;
+    for (const char* key : {"position", "orientation", "velocity", "spin"}) {
+      for (const auto& number : json["bodies"][i][key]) numbers.push_back(number.get<double>());
+    }
+    ASSERT_EQ(numbers.size(), wanted.size());
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+      EXPECT_EQ(bits(numbers[k]), bits(wanted[k]));
+      std::getline(cells, cell, ',');
+      EXPECT_EQ(bits(std::stod(cell)), bits(wanted[k])) << cell;
+    }
+  }
+}
+
+TEST(Program, DumpFollowsOneBodyThroughItsSteps) {
+  const Workshop shop;
+  shop.record_small("s");
+  const std::string csv = shop.run({"dump", "s.tumble", "--steps", "3:6", "--body", "3", "--csv"}).out;
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3) << "a header, and steps 5 and 6: thrown in before step 5\n"
+                                                         << csv;
+  const ordered_json list = parsed(shop.run({"dump", "s.tumble", "--steps", "0:2", "--json"}));
+  ASSERT_EQ(list.size(), 3U);
+  EXPECT_EQ(list[2]["step"], 2);
+  EXPECT_EQ(list[0]["bodies"].size(), 2U);
+}
+
+TEST(Program, InfoTellsWhatALogHolds) {
+  const Workshop shop;
+  shop.record_small("s", {"--set", "world.substeps=4"});
+  const Outcome outcome = shop.run({"info", "s.tumble", "--json"});
+  EXPECT_EQ(outcome.exit, 0) << outcome.err;
+  const ordered_json json = parsed(outcome);
+  EXPECT_EQ(json["method"], "thesis");
+  EXPECT_EQ(json["scene"]["title"], "three boxes");
+  EXPECT_EQ(json["set"][0], "world.substeps=4");
+  EXPECT_EQ(json["bodies"], 3);
+  EXPECT_EQ(json["bodies_at_start"], 2);
+  EXPECT_EQ(json["steps"], 40);
+  EXPECT_EQ(json["inputs"], ordered_json::parse(R"({"throw":1})"));
+  EXPECT_EQ(json["bytes"], shop.read("s.tumble").size());
+  EXPECT_EQ(json["moving_body_steps"], 2 * 40 + 36);
+  EXPECT_EQ(json["whole"], true);
+  EXPECT_EQ(json["final_hash"], parsed(shop.run({"measure", "s.tumble", "--json"}))["final_hash"]);
+}
+
+}  // namespace
+}  // namespace tumble::test
