@@ -96,7 +96,6 @@ SceneDef session() {
 struct Case {
   std::string name;
   SceneDef scene;
-  scene.world.method = sim::Method::kThesis;
 };
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
 

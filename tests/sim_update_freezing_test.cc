@@ -265,7 +265,9 @@ TEST(FrozenStart, BrickOnTwoBricksTakesBoth) {
 // only along edges and at corners; what carries it is the one below.
 TEST(FrozenStart, MeetingAtAnEdgeOrACornerCarriesNothing) {
   SceneDef scene = on_ground();
-  for (int k = 0; k < 9; ++k) scene.boxes.push_back(cube(scene.boxes.size() + 1, {k % 3 - 1.0, k / 3 - 1.0, 0.5}));
+  for (const double y : {-1, 0, 1}) {
+    for (const double x : {-1, 0, 1}) scene.boxes.push_back(cube(scene.boxes.size() + 1, {x, y, 0.5}));
+  }
   scene.boxes.push_back(cube(10, {0, 0, 1.5}));
   freeze_all(scene);
   EXPECT_EQ(objects_of(made(scene), 9), (std::vector<BodyIndex>{4}));
