@@ -47,18 +47,22 @@ TEST(LogRoundTrip, EveryInputKindComesBackInItsStep) {
 }
 
 TEST(LogRoundTrip, StatesAreTheSessionsToTheBit) {
-  const sim::SceneDef scene = scene_with_inputs();
-  const std::vector<BodyStates> wanted = simulate(scene);
-  for (const std::uint64_t flush_every : {1ULL, 2ULL, 7ULL, 1000ULL}) {
-    Result<LogReader> log = open_memory(record_to_memory(scene, {}, flush_every));
-    ASSERT_TRUE(log.ok());
-    ASSERT_EQ(log->step_count(), scene.steps);
-    for (std::uint64_t k = 0; k <= scene.steps; ++k) {
-      const Result<const StepRecord*> step = log->read_step(k);
-      ASSERT_TRUE(step.ok()) << step.error().message;
-      EXPECT_EQ((*step)->step, k);
-      EXPECT_TRUE(same_bits((*step)->states, wanted[k])) << "step " << k << ", chunks of " << flush_every;
-      EXPECT_EQ((*step)->state_hash, state_hash(wanted[k]));
+  for (const sim::Method method : kMethods) {
+    const sim::SceneDef scene = scene_with_inputs(40, method);
+    const std::vector<BodyStates> wanted = simulate(scene);
+    for (const std::uint64_t flush_every : {1ULL, 2ULL, 7ULL, 1000ULL}) {
+      SCOPED_TRACE(std::string(name_of(method)) + ", chunks of " + std::to_string(flush_every));
+      Result<LogReader> log = open_memory(record_to_memory(scene, {}, flush_every));
+      ASSERT_TRUE(log.ok());
+      ASSERT_EQ(log->step_count(), scene.steps);
+      for (std::uint64_t k = 0; k <= scene.steps; ++k) {
+        const Result<const StepRecord*> step = log->read_step(k);
+        ASSERT_TRUE(step.ok()) << step.error().message;
+        EXPECT_EQ((*step)->step, k);
+        EXPECT_TRUE(same_bits((*step)->states, wanted[k])) << "step " << k;
+        EXPECT_EQ((*step)->state_hash, state_hash(wanted[k]));
+      }
+      EXPECT_TRUE(verify(*log).condition.whole());
     }
   }
 }
@@ -137,6 +141,48 @@ TEST(LogRoundTrip, ChainsDependOnTheSessionNotOnTheChunks) {
 
 TEST(LogRoundTrip, EqualSessionsGiveEqualBytes) {
   EXPECT_EQ(record_to_memory(scene_with_inputs(), {}, 8), record_to_memory(scene_with_inputs(), {}, 8));
+}
+
+/// Bytes of a log over its body-steps, frozen and not.
+std::pair<double, double> bytes_per_body_step(const sim::SceneDef& scene) {
+  const Bytes bytes = record_to_memory(scene);
+  Result<LogReader> log = open_memory(bytes);
+  double frozen = 0;
+  double moving = 0;
+  for (std::uint64_t k = 1; k <= scene.steps; ++k) {
+    for (const std::uint8_t flag : (*log->read_step(k))->states.frozen) (flag != 0 ? frozen : moving) += 1;
+  }
+  return {static_cast<double>(bytes.size()) / frozen, static_cast<double>(bytes.size()) / moving};
+}
+
+TEST(LogSize, BodiesThatFallTogetherTakeFewBytes) {
+  for (const sim::Method method : kMethods) {
+    sim::SceneDef scene;
+    scene.world.method = method;
+    scene.world.dt = 1.0 / 300;
+    scene.steps = 300;
+    for (std::uint64_t k = 0; k < 100; ++k) {
+      sim::BoxDef box;
+      box.id = k + 1;
+      box.position = {1.25 * static_cast<double>(k % 10), 2 * static_cast<double>(k / 10), 1};
+      box.orientation = {0.92387953251128674, 0.38268343236508978, 0, 0};  // on an edge, 45° about x
+      scene.boxes.push_back(box);
+    }
+    EXPECT_LT(bytes_per_body_step(scene).second, 25) << name_of(method);
+  }
+}
+
+TEST(LogSize, FrozenBodiesTakeNextToNothing) {
+  sim::SceneDef scene = small_scene(600);
+  scene.boxes.clear();
+  for (std::uint64_t k = 0; k < 200; ++k) {
+    sim::BoxDef box;
+    box.id = k + 1;
+    box.position = {1.0625 * static_cast<double>(k % 20), 1.5 * static_cast<double>(k / 20), 0.5};
+    box.frozen = true;
+    scene.boxes.push_back(box);
+  }
+  EXPECT_LT(bytes_per_body_step(scene).first, 0.5);
 }
 
 TEST(StatesMode, WordsAreReadAndWritten) {

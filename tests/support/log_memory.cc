@@ -29,10 +29,11 @@ Status MemorySource::read(std::uint64_t offset, std::span<std::byte> bytes) cons
   return {};
 }
 
-sim::SceneDef small_scene(std::uint64_t steps) {
+sim::SceneDef small_scene(std::uint64_t steps, sim::Method method) {
   sim::SceneDef scene;
   scene.world.method = sim::Method::kThesis;
   scene.name = "small";
+  scene.world.method = method;
   scene.steps = steps;
   for (std::uint64_t i = 0; i < 3; ++i) {
     sim::BoxDef box;
@@ -46,8 +47,8 @@ sim::SceneDef small_scene(std::uint64_t steps) {
   return scene;
 }
 
-sim::SceneDef scene_with_inputs(std::uint64_t steps) {
-  sim::SceneDef scene = small_scene(steps);
+sim::SceneDef scene_with_inputs(std::uint64_t steps, sim::Method method) {
+  sim::SceneDef scene = small_scene(steps, method);
   sim::BoxDef thrown;
   thrown.id = 5;  // before the others, so that every row moves
   thrown.position = {-6, 0, 2};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -48,10 +49,12 @@ class MemorySource : public ByteSource {
 };
 
 /// Three boxes that fall on each other and on the ground, the lowest one frozen, dt 1/60.
-sim::SceneDef small_scene(std::uint64_t steps = 20);
+sim::SceneDef small_scene(std::uint64_t steps = 20, sim::Method method = sim::Method::kThesis);
 
 /// The same with an input of every kind, some of them in the middle of a chunk.
-sim::SceneDef scene_with_inputs(std::uint64_t steps = 40);
+sim::SceneDef scene_with_inputs(std::uint64_t steps = 40, sim::Method method = sim::Method::kThesis);
+
+inline constexpr std::array<sim::Method, 2> kMethods = {sim::Method::kThesis, sim::Method::kLayered};
 
 /// Records scene.steps steps; a chunk is closed after every `flush_every` steps.
 Bytes record_to_memory(const sim::SceneDef& scene, const RecordOptions& options = {}, std::uint64_t flush_every = 1000);
