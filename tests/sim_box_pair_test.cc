@@ -19,7 +19,6 @@ using sim::kAxisCount;
 using sim::kEdges;
 using sim::kFaces;
 using sim::kFacesOfA;
-using sim::kFacesOfB;
 using sim::only;
 using sim::Quat;
 using sim::Vec3;

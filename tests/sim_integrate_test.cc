@@ -115,9 +115,9 @@ struct Spinner {
     q = next.orientation;
     spin = next.spin;
   }
-  [[nodiscard]] Vec3 spin_B() const { return to_body(axes_of(q), spin); }
-  [[nodiscard]] Vec3 momentum() const { return to_world(axes_of(q), spin_B().cwiseProduct(inertia)); }
-  [[nodiscard]] double energy() const { return 0.5 * spin_B().dot(spin_B().cwiseProduct(inertia)); }
+  [[nodiscard]] Vec3 body_spin() const { return to_body(axes_of(q), spin); }
+  [[nodiscard]] Vec3 momentum() const { return to_world(axes_of(q), body_spin().cwiseProduct(inertia)); }
+  [[nodiscard]] double energy() const { return 0.5 * body_spin().dot(body_spin().cwiseProduct(inertia)); }
 };
 
 // 60 s of a 1 × 2 × 3 m box of 1 kg tumbling at about 4 rad/s, for small and large steps, and at 400 rad/s. Spin is
@@ -154,7 +154,7 @@ TEST(FreeRotation, OnlyTheMiddleAxisTurnsOver) {
     double side = 1;
     for (int k = 0; k < 3600; ++k) {
       body.turn(1.0 / 60);
-      const double along = body.spin_B()[axis] / 5;
+      const double along = body.body_spin()[axis] / 5;
       if (along * side < -0.9) {
         side = -side;
         ++turned_over;
@@ -179,7 +179,7 @@ TEST(FreeRotation, SymmetricTopPrecessesAtTheRateOfTheTextbook) {
     const double error = (axes_of(body.q)[2] - wanted).norm();
     EXPECT_LT(error, 10 * dt * dt);
     EXPECT_LT(error, last_error / 3.5) << "a second-order rule errs a quarter as much at half the step";
-    EXPECT_NEAR(body.spin_B().z(), 4, 1e-9);
+    EXPECT_NEAR(body.body_spin().z(), 4, 1e-9);
     last_error = error;
   }
 }
