@@ -140,7 +140,9 @@ TEST(MeasureState, ColumnSpreadIsTheWidestRowOfAnyGrid) {
 TEST(MeasureState, BodiesOnceUnderTheGroundStayLost) {
   const std::vector<BoxDef> boxes = {box(1, {0, 0, 1}), box(2, {5, 0, 1})};
   StateMeter meter(scene_of(boxes), states_of(boxes));
-  static_cast<void>(meter.measure(states_of({box(1, {0, 0, -0.25}), box(2, {5, 0, 1})})));
+  for (int twice = 0; twice < 2; ++twice) {
+    static_cast<void>(meter.measure(states_of({box(1, {0, 0, -0.25}), box(2, {5, 0, 1})})));
+  }
   static_cast<void>(meter.measure(states_of(boxes)));
   EXPECT_EQ(meter.lost(), 1U);
   sim::SceneDef groundless = scene_of(boxes);

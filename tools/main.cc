@@ -53,6 +53,7 @@ Exit fail(const std::string& who, const std::string& message, Exit exit) {
 
 Exit unknown_command(const std::string& name) {
   std::vector<std::string_view> names;
+  names.reserve(kCommands.size());
   for (const Command& command : kCommands) names.emplace_back(command.name);
   const std::string_view nearest = scenes::nearest_word(name, names);
   const std::string hint = nearest.empty() ? "" : "; did you mean \"" + std::string(nearest) + "\"?";

@@ -20,7 +20,7 @@ constexpr std::size_t kSceneBytesMax = 64 << 20;  // the parser has the limit th
 fs::path cases_folder() {
   std::error_code error;
   for (fs::path folder = fs::current_path(error); !error; folder = folder.parent_path()) {
-    const fs::path cases = folder / "golden" / "cases";
+    fs::path cases = folder / "golden" / "cases";
     if (fs::is_directory(cases, error)) return cases;
     error.clear();
     if (folder == folder.parent_path()) break;
@@ -32,6 +32,7 @@ bool looks_like_path(const std::string& text) { return text.find('/') != std::st
 
 Error unknown_case(const std::string& scene, const std::vector<SceneFile>& cases) {
   std::vector<std::string_view> names;
+  names.reserve(cases.size());
   for (const SceneFile& known : cases) names.push_back(known.name);
   const std::string_view nearest = scenes::nearest_word(scene, names);
   const std::string hint = nearest.empty() ? "" : "; did you mean \"" + std::string(nearest) + "\"?";
