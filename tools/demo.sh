@@ -43,8 +43,8 @@ run $tumble measure $demo/tilted_grid.tumble
 printf '\nThe same wall again, and once more with gravity stronger by a billionth:\n'
 run $tumble record brick_wall -o $demo/again.tumble --quiet
 run $tumble diff $demo/brick_wall.tumble $demo/again.tumble
-run $tumble record brick_wall -o $demo/heavier.tumble --quiet --set 'world.gravity=[0, 0, -9.81000001]'
-run $tumble diff $demo/brick_wall.tumble $demo/heavier.tumble && status=0 || status=$?
+run $tumble record brick_wall -o $demo/stronger.tumble --quiet --set 'world.gravity=[0, 0, -9.81000001]'
+run $tumble diff $demo/brick_wall.tumble $demo/stronger.tumble && status=0 || status=$?
 if ((status != 1)); then
   printf 'demo: the difference was not found (exit status %d)\n' "$status" >&2
   exit 1
@@ -56,7 +56,7 @@ for name in brick_wall tilted_grid; do
   $tumble measure --json $demo/$name.tumble >$demo/$name.measure.json
 done
 $tumble diff --json $demo/brick_wall.tumble $demo/again.tumble >$demo/again.diff.json
-$tumble diff --json $demo/brick_wall.tumble $demo/heavier.tumble >$demo/heavier.diff.json || true
+$tumble diff --json $demo/brick_wall.tumble $demo/stronger.tumble >$demo/stronger.diff.json || true
 
 printf '\n== Summary ==\n'
 for name in brick_wall tilted_grid; do
@@ -71,7 +71,7 @@ done
 printf 'Symmetry of tilted_grid: lateral error %s m, column spread %s m (both exactly 0 when right)\n' \
   "$(value lateral_max $demo/tilted_grid.measure.json)" "$(value column_spread $demo/tilted_grid.measure.json)"
 printf 'The wall recorded twice: %s\n' "$(verdict $demo/again.diff.json "identical to the bit")"
-printf 'With stronger gravity:   %s, body %s, %s\n' "$(verdict $demo/heavier.diff.json "no difference found")" \
-  "$(value body $demo/heavier.diff.json)" "$(value field $demo/heavier.diff.json)"
+printf 'With stronger gravity:   %s, body %s, %s\n' "$(verdict $demo/stronger.diff.json "no difference found")" \
+  "$(value body $demo/stronger.diff.json)" "$(value field $demo/stronger.diff.json)"
 printf 'Logs and figures are in %s/%s; the program is %s.\n' "$PWD" "$demo" "$tumble"
 printf 'Next: %s --help, README.md, and tools/test.sh for all tests.\n' "$tumble"
