@@ -79,7 +79,10 @@ TEST(MeasureOverlap, CrossedEdgesAreKeptApartByTheirCrossProduct) {
 
 TEST(MeasureOverlap, FindsTheDeepestPairOfManyAndSkipsStatics) {
   std::vector<BoxFrame> boxes;
-  for (int i = 0; i < 200; ++i) boxes.push_back(frame({(i % 20) * 2.0, (i / 20) * 2.0, 0.5}));
+  boxes.reserve(200);
+  for (int y = 0; y < 10; ++y) {
+    for (int x = 0; x < 20; ++x) boxes.push_back(frame({2.0 * x, 2.0 * y, 0.5}));
+  }
   std::vector<std::uint8_t> is_static(boxes.size(), 0);
   EXPECT_EQ(deepest_overlap(boxes, is_static), 0);
   boxes[150].position = boxes[151].position - Vec3(0.75, 0, 0);
@@ -124,8 +127,9 @@ TEST(MeasureState, TiltIgnoresTurnsAboutTheVertical) {
 TEST(MeasureState, ColumnSpreadIsTheWidestRowOfAnyGrid) {
   std::vector<BoxDef> boxes;
   for (std::uint32_t i = 0; i < 4; ++i) {
-    boxes.push_back(box(i + 1, {2.0 * (i % 2), 2.0 * (i / 2), 1}));
-    boxes.back().origin = {sim::Origin::Kind::kGrid, 0, i / 2, i % 2};
+    const std::uint32_t row = i / 2, column = i % 2;
+    boxes.push_back(box(i + 1, {2.0 * column, 2.0 * row, 1}));
+    boxes.back().origin = {sim::Origin::Kind::kGrid, 0, row, column};
   }
   StateMeter meter(scene_of(boxes), states_of(boxes));
   EXPECT_EQ(meter.measure(states_of(boxes)).column_spread, 0);
