@@ -110,11 +110,11 @@ struct TimedCommand {
 /// The parameters of the stepper. Thresholds are per kilogram, so no scene needs them changed for its sizes.
 struct WorldDef {
   Method method = Method::kLayered;
-  double dt = 1.0 / 60;                 ///< s
-  std::uint32_t substeps = 8;           ///< thesis: a step may be halved to depth floor(log2(substeps))
-  std::uint32_t split_collisions = 1;   ///< thesis: a sub-step that meets more collisions is halved
-  Vec3 gravity = {0, 0, -9.81};         ///< m/s²
-  bool ground = true;                   ///< the half-space z <= 0
+  double dt = 1.0 / 60;                ///< s
+  std::uint32_t substeps = 8;          ///< thesis: a step may be halved to depth floor(log2(substeps))
+  std::uint32_t split_collisions = 1;  ///< thesis: a sub-step that meets more collisions is halved
+  Vec3 gravity = {0, 0, -9.81};        ///< m/s²
+  bool ground = true;                  ///< the half-space z <= 0
   bool freezing = true;
   double freeze_energy = 0.0032;  ///< J/kg to freeze below; a frozen body escapes at twice this
   double freeze_time = 0.5;       ///< s below freeze_energy before a body freezes
