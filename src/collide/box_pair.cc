@@ -33,7 +33,18 @@ BoxPair::Separation BoxPair::along(int axis) const {
     const double reach = hb[j] + ((ha.x() * product_[0][j] + ha.y() * product_[1][j]) + ha.z() * product_[2][j]);
     return {offset_b_[j] != 0, std::fabs(offset_b_[j]) - reach};
   }
-  return along_edge((axis - 6) / 3, (axis - 6) % 3);
+  const int i = (axis - 6) / 3, j = (axis - 6) % 3;
+  if (facelike(i, j)) return {};
+  return along_edge(i, j);
+}
+
+// Along the cross product of a's edge i and b's edge j, a's other axes reach as far as b's edge does along them: for
+// unit edges the cosines are |product| over the sine between the edges.
+bool BoxPair::facelike(int i, int j) const {
+  const Vec3 axis = cross(a_->axes[i], b_->axes[j]);
+  const double limit = kFaceLike * std::sqrt(dot(axis, axis));
+  return product_[kNext[i]][j] > limit || product_[kAfterNext[i]][j] > limit || product_[i][kNext[j]] > limit ||
+         product_[i][kAfterNext[j]] > limit;
 }
 
 BoxPair::Separation BoxPair::along_edge(int i, int j) const {
@@ -46,12 +57,22 @@ BoxPair::Separation BoxPair::along_edge(int i, int j) const {
   const int ia = kNext[i], ib = kAfterNext[i], ja = kNext[j], jb = kAfterNext[j];
   const double along_ia = product_[ib][j] * scale, along_ib = product_[ia][j] * scale;
   const double along_ja = product_[i][jb] * scale, along_jb = product_[i][ja] * scale;
-  if (along_ia > kFaceLike || along_ib > kFaceLike || along_ja > kFaceLike || along_jb > kFaceLike) return {};
   const double offset = dot(offset_, axis);
   const Vec3& ha = a_->half_extent;
   const Vec3& hb = b_->half_extent;
   const double reach = (ha[ia] * along_ia + ha[ib] * along_ib) + (hb[ja] * along_ja + hb[jb] * along_jb);
   return {offset != 0, std::fabs(offset) * scale - reach};
+}
+
+bool BoxPair::apart_along_facelike_edges() const {
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      if (!facelike(i, j)) continue;
+      const Separation s = along_edge(i, j);
+      if (s.has_direction && s.value >= 0) return true;
+    }
+  }
+  return false;
 }
 
 AxisSet BoxPair::separating(AxisSet candidates) const {

@@ -38,6 +38,10 @@ class BoxPair {
   /// The axes of `candidates` along which the boxes are apart or just touch.
   [[nodiscard]] AxisSet separating(AxisSet candidates) const;
 
+  /// Whether one of the edge axes that repeat a face shows the boxes apart. Such an axis is no plane to collide on, but
+  /// what it separates does not touch: without it crossed bars would collide across a gap.
+  [[nodiscard]] bool apart_along_facelike_edges() const;
+
   /// The largest separation among `candidates`.
   [[nodiscard]] BestAxes best(AxisSet candidates) const;
 
@@ -55,7 +59,8 @@ class BoxPair {
     double value = 0;
   };
   [[nodiscard]] Separation along(int axis) const;
-  [[nodiscard]] Separation along_edge(int i, int j) const;
+  [[nodiscard]] Separation along_edge(int i, int j) const;  // has_direction even where the axis repeats a face
+  [[nodiscard]] bool facelike(int i, int j) const;
 
   const BoxFrame* a_;
   const BoxFrame* b_;

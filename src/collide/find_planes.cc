@@ -97,7 +97,8 @@ Status find_planes(World& world, double /*dt_s*/) {
     const BoxPair pair(scratch.frames[a], scratch.frames[b]);
     const AxisSet old = pairs.planes[k];
     pairs.planes[k] = find_separating(pair, old);
-    if (pairs.planes[k] == 0) add_collision(contacts, a, b, collision_planes(pair, old));
+    if (pairs.planes[k] != 0 || pair.apart_along_facelike_edges()) continue;
+    add_collision(contacts, a, b, collision_planes(pair, old));
   }
   if (world.state().def.ground) find_grounded(world, contacts);
   return {};

@@ -13,6 +13,8 @@ namespace tumble::sim {
 /// Order:  each gain is rounded to the velocity grid, so their sums are exact in any order
 /// Source: thesis III.B, eq. 3.1 and Coulomb friction. Differs: 3.1 as printed has the sign of B's rotation turned
 ///         round; ours are Baraff and Witkin's (docs/thesis.md). No impulse when parting.
+///         Where restitution and friction together would gain energy, the impulse is shortened until they do not
+///         (III.E).
 Status compute_impulses(World& world, double dt_s);
 void hash_compute_impulses(const World& world, Hasher& hasher);
 
