@@ -32,8 +32,8 @@ sim::SceneDef tilted_grid(std::uint64_t steps, sim::Method method = sim::Method:
   scene.world.dt = 1.0 / 300;
   scene.steps = steps;
   for (std::uint32_t k = 0; k < 400; ++k) {
-    const double row = k / 20;
-    const double column = k % 20;
+    const auto row = static_cast<double>(k / 20);
+    const auto column = static_cast<double>(k % 20);
     sim::BoxDef box;
     box.id = k + 1;
     box.position = {(column - 9.5) * 1.25, row * 1.25 * kHalfRoot, 0.5 + kHalfRoot + row * 1.25 * kHalfRoot};
@@ -48,7 +48,8 @@ sim::SceneDef with_frozen_bodies(sim::SceneDef scene) {
   for (std::uint32_t k = 0; k < 400; ++k) {
     sim::BoxDef box;
     box.id = 1001 + k;
-    box.position = {2.0 * (k % 20), 1000 + 2.0 * (k / 20), 0.5};
+    const std::uint32_t row = k / 20;
+    box.position = {2.0 * (k % 20), 1000 + 2.0 * row, 0.5};
     box.frozen = true;
     scene.boxes.push_back(box);
   }
@@ -56,7 +57,7 @@ sim::SceneDef with_frozen_bodies(sim::SceneDef scene) {
 }
 
 std::string recorded(const sim::SceneDef& scene, const std::string& name) {
-  const std::string path = (std::filesystem::temp_directory_path() / (name + ".tumble")).string();
+  std::string path = (std::filesystem::temp_directory_path() / (name + ".tumble")).string();
   const Result<LogSummary> summary = record_session(path, scene, {});
   if (summary.ok()) return path;
   std::fprintf(stderr, "%s\n", summary.error().message.c_str());

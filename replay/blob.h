@@ -78,13 +78,13 @@ Status get_differences(const char* column, capnp::Data::Reader data, std::size_t
 /// Doubles by their bits: a copy through a floating-point register may quieten a NaN on some machines.
 inline std::vector<std::uint64_t> bits_of(std::span<const double> values) {
   std::vector<std::uint64_t> bits(values.size());
-  std::memcpy(bits.data(), values.data(), values.size_bytes());
+  if (!bits.empty()) std::memcpy(bits.data(), values.data(), values.size_bytes());
   return bits;
 }
 
 inline void doubles_of(std::span<const std::uint64_t> bits, std::vector<double>& values) {
   values.resize(bits.size());
-  std::memcpy(values.data(), bits.data(), bits.size_bytes());
+  if (!bits.empty()) std::memcpy(values.data(), bits.data(), bits.size_bytes());
 }
 
 }  // namespace tumble::replay

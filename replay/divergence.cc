@@ -155,7 +155,7 @@ std::string describe(const Divergence& d) {
 }
 
 std::optional<Divergence> first_difference(const BodyStates& expected, const BodyStates& actual) {
-  const std::optional<Divergence> ids = different_ids(expected, actual);
+  std::optional<Divergence> ids = different_ids(expected, actual);
   const std::size_t shorter = std::min(expected.size(), actual.size());
   for (std::size_t i = 0; i < shorter && expected.id[i] == actual.id[i]; ++i) {
     if (auto found = different_body(expected, actual, i)) return found;

@@ -162,9 +162,10 @@ TEST(LogSize, BodiesThatFallTogetherTakeFewBytes) {
     scene.world.dt = 1.0 / 300;
     scene.steps = 300;
     for (std::uint64_t k = 0; k < 100; ++k) {
+      const std::uint64_t row = k / 10;
       sim::BoxDef box;
       box.id = k + 1;
-      box.position = {1.25 * static_cast<double>(k % 10), 2 * static_cast<double>(k / 10), 1};
+      box.position = {1.25 * static_cast<double>(k % 10), 2 * static_cast<double>(row), 1};
       box.orientation = {0.92387953251128674, 0.38268343236508978, 0, 0};  // on an edge, 45° about x
       scene.boxes.push_back(box);
     }
@@ -176,9 +177,10 @@ TEST(LogSize, FrozenBodiesTakeNextToNothing) {
   sim::SceneDef scene = small_scene(600);
   scene.boxes.clear();
   for (std::uint64_t k = 0; k < 200; ++k) {
+    const std::uint64_t row = k / 20;
     sim::BoxDef box;
     box.id = k + 1;
-    box.position = {1.0625 * static_cast<double>(k % 20), 1.5 * static_cast<double>(k / 20), 0.5};
+    box.position = {1.0625 * static_cast<double>(k % 20), 1.5 * static_cast<double>(row), 0.5};
     box.frozen = true;
     scene.boxes.push_back(box);
   }

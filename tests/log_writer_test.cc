@@ -49,6 +49,7 @@ TEST(LogWriter, AFullDiskLosesNoCompleteChunk) {
     ASSERT_TRUE(log.ok()) << log.error().message;
     EXPECT_EQ(log->chunks().size(), complete);
     EXPECT_FALSE(log->condition().finished);
+    EXPECT_EQ(log->condition().torn_offset, log->file_bytes()) << "half a record was left behind";
     EXPECT_TRUE(verify(*log).condition.damages.empty());
     if (complete > 0) {
       const std::string saved = "steps 1 to " + std::to_string(complete * 6) + " are saved";
