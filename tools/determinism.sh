@@ -107,20 +107,27 @@ mkdir -p "$out/include"
 for header in eigen3/Eigen toml++ xxhash.h xxh3.h; do
   ln -sfn "/usr/include/$header" "$out/include/${header##*/}"
 done
-# A folder is compiled as one unit, which halves the time, where its files do not use one name for two things.
+# Files of a folder are compiled as one unit, which halves the time, where they do not use one name for two things;
+# otherwise its halves are tried.
+add_units() { # name, file...
+  local name=$1 unit=$out/units/$1.cc half=$((($# - 1) / 2))
+  shift
+  printf '#include "%s"\n' "$@" >"$unit"
+  # shellcheck disable=SC2046 -- flags are words
+  if (($# == 1)) || g++ -std=c++20 -w -fsyntax-only $(flags_for all) -I. -isystem "$out/include" "$unit" 2>/dev/null; then
+    printf '%s\n' "$unit" >>"$out/sources"
+  else
+    add_units "${name}_1" "${@:1:half}"
+    add_units "${name}_2" "${@:half+1}"
+  fi
+}
 rm -rf "$out/units" && mkdir "$out/units"
 printf 'tests/determinism/main.cc\n' >"$out/sources"
 for folder in src/*/; do
-  folder=${folder%/}
-  files=("$folder"/*.cc)
-  [[ -e ${files[0]} && $folder != src/render ]] || continue
-  unit=$out/units/${folder##*/}.cc
-  printf '#include "%s"\n' "${files[@]}" >"$unit"
-  # shellcheck disable=SC2046 -- flags are words
-  if g++ -std=c++20 -w -fsyntax-only $(flags_for all) -I. -isystem "$out/include" "$unit" 2>/dev/null; then
-    files=("$unit")
+  files=("$folder"*.cc)
+  if [[ -e ${files[0]} && $folder != src/render/ ]]; then
+    add_units "$(basename "$folder")" "${files[@]}"
   fi
-  printf '%s\n' "${files[@]}" >>"$out/sources"
 done
 
 arguments=()
