@@ -32,8 +32,8 @@ sim::SceneDef tilted_grid(std::uint64_t steps, sim::Method method = sim::Method:
   scene.world.dt = 1.0 / 300;
   scene.steps = steps;
   for (std::uint32_t k = 0; k < 400; ++k) {
-    const auto row = static_cast<double>(k / 20);
-    const auto column = static_cast<double>(k % 20);
+    const std::uint32_t row = k / 20;
+    const std::uint32_t column = k % 20;
     sim::BoxDef box;
     box.id = k + 1;
     box.position = {(column - 9.5) * 1.25, row * 1.25 * kHalfRoot, 0.5 + kHalfRoot + row * 1.25 * kHalfRoot};

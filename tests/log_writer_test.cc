@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "replay/limits.h"
 #include "replay/verify.h"
@@ -117,6 +119,21 @@ TEST(LogWriter, ChunksCloseByThemselves) {
   const Result<LogReader> log = open_memory(record_to_memory(quiet));
   ASSERT_TRUE(log.ok());
   EXPECT_EQ(log->chunks()[0].step_count, kChunkStepsMax);
+}
+
+TEST(LogWriter, ASlowSessionIsWrittenEverySecond) {
+  const auto disk = std::make_shared<Disk>();
+  auto recorder = Recorder::start(std::make_unique<MemorySink>(disk), small_scene(), {});
+  ASSERT_TRUE(recorder.ok());
+  ASSERT_TRUE((*recorder)->step().ok());
+  std::this_thread::sleep_for(std::chrono::milliseconds(1050));
+  ASSERT_TRUE((*recorder)->step().ok());  // closes the chunk that was begun a second ago
+  ASSERT_TRUE((*recorder)->step().ok());
+  ASSERT_TRUE((*recorder)->finish().ok());
+  const Result<LogReader> log = open_memory(disk->bytes);
+  ASSERT_TRUE(log.ok());
+  ASSERT_EQ(log->chunks().size(), 2U);
+  EXPECT_EQ(log->chunks()[0].step_count, 2U);
 }
 
 TEST(LogWriter, AFileThatIsNoLogIsNotOverwritten) {
