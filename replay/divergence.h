@@ -23,6 +23,7 @@ struct Divergence {
   std::optional<sim::BodyId> body;  ///< the first one, by id, whose state differs
   std::optional<std::pair<sim::BodyId, sim::BodyId>> pair;
   /// "position.x", "orientation.w", "velocity.y", "spin.z", "frozen", "id"; "dt", "inputs", "phase_hash", "state_hash",
+  /// "continuation_hash" (what is hidden in a state),
   /// "pairs", "contacts", "substeps", "kinetic", "potential", "input_energy", "removed_energy", "error".
   std::string field;
   FieldValue expected;  ///< in the log, or in the first of two

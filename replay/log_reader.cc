@@ -181,13 +181,18 @@ void LogReader::find_chunks() {
   }
 }
 
+Error LogReader::no_such(const char* what, std::uint64_t k) const {
+  const std::string found = name() + ": found no " + what + " " + std::to_string(k) + ", the log has ";
+  if (chunks_.empty()) return damaged(found + "not one complete chunk");
+  return bad_input(found + "steps 0 to " + std::to_string(step_count()));
+}
+
 Result<std::size_t> LogReader::chunk_of(std::uint64_t k) const {
   const auto after =
       std::upper_bound(chunks_.begin(), chunks_.end(), k,
                        [](std::uint64_t step, const ChunkPlace& place) { return step < place.first_step; });
   if (k > step_count() || chunks_.empty()) {
-    return bad_input(name() + ": found no step " + std::to_string(k) + ", the log has " +
-                     (chunks_.empty() ? "not one complete chunk" : "steps 0 to " + std::to_string(step_count())));
+    return no_such("step", k);
   }
   if (after == chunks_.begin() || k >= std::prev(after)->end_step()) {
     return damaged(name() + ": step " + std::to_string(k) + " was in a record that is damaged; steps from " +
@@ -238,8 +243,7 @@ Result<const Keyframe*> LogReader::keyframe_at_or_before(std::uint64_t k) {
       std::upper_bound(chunks_.begin(), chunks_.end(), k + 1,
                        [](std::uint64_t step, const ChunkPlace& place) { return step < place.first_step; });
   if (k > step_count() || after == chunks_.begin()) {
-    return bad_input(name() + ": found no state " + std::to_string(k) + ", the log has " +
-                     (chunks_.empty() ? "not one complete chunk" : "states up to " + std::to_string(step_count())));
+    return no_such("state", k);
   }
   Result<ChunkDecoder*> decoder = load(static_cast<std::size_t>(after - chunks_.begin()) - 1);
   if (!decoder.ok()) return decoder.error();

@@ -62,7 +62,8 @@ class LogReader {
   LogReader(std::unique_ptr<ByteSource> source) : source_(std::move(source)) {}
   Status read_header();
   void find_chunks();
-  Result<std::size_t> chunk_of(std::uint64_t k) const;
+  [[nodiscard]] Error no_such(const char* what, std::uint64_t k) const;
+  [[nodiscard]] Result<std::size_t> chunk_of(std::uint64_t k) const;
   Result<ChunkDecoder*> load(std::size_t chunk);
   Result<const StepRecord*> read(std::uint64_t k, bool with_states);
 

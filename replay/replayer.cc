@@ -1,5 +1,6 @@
 #include "replay/replayer.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace tumble::replay {
@@ -53,6 +54,27 @@ Result<std::optional<Divergence>> compare_step(LogReader& log, const StepRecord&
   expected = log.read_step(actual.step);
   if (!expected.ok()) return expected.error();
   return first_difference(**expected, actual, phases);
+}
+
+/// After the last step of a chunk: whether the hidden state is that of the keyframe which follows.
+Result<std::optional<Divergence>> compare_hidden(LogReader& log, const sim::WorldState& state) {
+  const auto& chunks = log.chunks();
+  const auto next = std::partition_point(chunks.begin(), chunks.end(),
+                                         [&](const ChunkPlace& place) { return place.first_step <= state.step; });
+  const bool comes = next != chunks.end() && next->first_step == state.step + 1;
+  const bool same_version = log.header().method_version == sim::method_version(state.def.method);
+  if (!comes || !same_version) return std::optional<Divergence>();
+  Result<const Keyframe*> keyframe = log.keyframe_at_or_before(state.step);
+  if (!keyframe.ok()) return keyframe.error();
+  const Hash128 actual = sim::continuation_hash(state);
+  if ((*keyframe)->continuation_hash == actual) return std::optional<Divergence>();
+  Divergence divergence;
+  divergence.step = state.step;
+  divergence.phase = "step";
+  divergence.field = "continuation_hash";
+  divergence.expected = to_string((*keyframe)->continuation_hash);
+  divergence.actual = to_string(actual);
+  return std::optional(divergence);
 }
 
 }  // namespace
@@ -117,6 +139,7 @@ Result<ReplayReport> replay_log(LogReader& log, const ReplayOptions& options, co
     Result<const StepRecord*> actual = player->step();
     if (actual.ok()) {
       Result<std::optional<Divergence>> found = compare_step(log, **actual, phases);
+      if (found.ok() && !*found) found = compare_hidden(log, player->world().state());
       if (!found.ok()) return unreadable(found.error());
       report.first = *std::move(found);
     } else {

@@ -52,9 +52,10 @@ struct ReplayReport {
 
 /// Replays a log and compares every step with it, the last included: dt and inputs, phase words, state hash, counters;
 /// where they differ, the states say body and field. (That a log's states are those its state hashes tell of is
-/// verify()'s matter.) From step 0 on, state 0 comes first: that the scene still resolves to it. Stops at the first
-/// difference. Errors: a log that cannot be read on (kDamaged, naming the steps compared before), nothing to compare
-/// (kDamaged). A step that this build cannot take is a Divergence with the field "error".
+/// verify()'s matter.) Where a chunk ends, the hidden state is compared too, by the next keyframe's continuation hash,
+/// if this build has the log's method version. From step 0 on, state 0 comes first: that the scene still resolves to
+/// it. Stops at the first difference. Errors: a log that cannot be read on (kDamaged, naming the steps compared
+/// before), nothing to compare (kDamaged). A step that this build cannot take is a Divergence with the field "error".
 Result<ReplayReport> replay_log(LogReader& log, const ReplayOptions& options = {}, const Progress& progress = {});
 
 }  // namespace tumble::replay

@@ -98,6 +98,21 @@ TEST(Replay, AnotherCounterIsFound) {
   EXPECT_EQ(report.first->field, "removed_energy");
 }
 
+TEST(Replay, HiddenStateOfAKeyframeIsCompared) {
+  const sim::SceneDef scene = small_scene(300);
+  const Result<LogReader> truth = open_memory(record_to_memory(scene));
+  ASSERT_TRUE(truth.ok());
+  ASSERT_GE(truth->chunks().size(), 2U);
+  const std::uint64_t end = truth->chunks()[1].first_step - 1;
+  const Bytes bytes = record_with_lie(scene, end, [](sim::WorldState& state, Words&, sim::StepCounters&) {
+    state.bodies.low_energy_time[2] += 0.125;  // which no hash of the step covers
+  });
+  const ReplayReport report = replay_of(bytes);
+  ASSERT_FALSE(report.identical());
+  EXPECT_EQ(report.first->step, end);
+  EXPECT_EQ(report.first->field, "continuation_hash");
+}
+
 TEST(Replay, ASceneThatResolvesToAnotherStartIsFound) {
   const sim::SceneDef scene = small_scene();
   sim::SceneDef moved = scene;
