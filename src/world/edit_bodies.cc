@@ -94,7 +94,7 @@ std::vector<BodyIndex> forget_contacts(ContactMemory& memory, BodyIndex i) {
     kept.count.push_back(memory.count[k]);
     kept.friction.push_back(memory.friction[k]);
     kept.twist.push_back(memory.twist[k]);
-    const auto from = static_cast<std::ptrdiff_t>(point), to = from + memory.count[k];
+    const auto from = static_cast<std::ptrdiff_t>(point), to = from + static_cast<std::ptrdiff_t>(memory.count[k]);
     kept.feature.insert(kept.feature.end(), memory.feature.begin() + from, memory.feature.begin() + to);
     kept.impulse.insert(kept.impulse.end(), memory.impulse.begin() + from, memory.impulse.begin() + to);
   }
