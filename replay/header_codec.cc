@@ -35,6 +35,7 @@ Result<LogHeader> decode_root(schema::Header::Reader in) {
   const capnp::Text::Reader text = in.getSceneText();
   header.scene_text.assign(text.cStr(), text.size());
   header.overrides = decode_texts(in.getOverrides());
+  header.transform = decode(in.getTransform());
   header.states.every = in.getStatesEvery();
   header.chunk_steps_max = in.getChunkStepsMax();
   header.chunk_bytes_max = in.getChunkBytesMax();
@@ -56,6 +57,7 @@ Result<MessageBytes> encode_header(const LogHeader& header) {
     encode(header.scene, out.initScene());
     out.setSceneText(header.scene_text);
     encode_texts(header.overrides, out.initOverrides(static_cast<unsigned>(header.overrides.size())));
+    encode(header.transform, out.initTransform());
     out.setStatesEvery(header.states.every);
     out.setChunkStepsMax(header.chunk_steps_max);
     out.setChunkBytesMax(header.chunk_bytes_max);

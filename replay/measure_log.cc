@@ -4,21 +4,22 @@
 
 namespace tumble::replay {
 
-Result<Metrics> measure_log(LogReader& log, const std::function<void(const SeriesRow&)>& each_row,
-                            const Progress& progress) {
+Result<Metrics> measure_log(LogReader& log, const MeasureOptions& options,
+                            const std::function<void(const SeriesRow&)>& each_row, const Progress& progress) {
   StateSource source(log);
+  Measurer measurer(log.header(), options);
   Result<const StepRecord*> record = source.read(0);
-  if (!record.ok()) return record.error();
-  Measurer measurer(log.header(), **record);
-  if (each_row) each_row(measurer.row());
-  for (std::uint64_t k = 1; k <= log.step_count(); ++k) {
-    record = source.read(k);
+  for (std::uint64_t k = 0; k <= log.step_count(); ++k) {
+    const bool needs_states = k == 0 || k >= options.from_step;
+    record = needs_states ? source.read(k) : log.read_hashes(k);
     if (!record.ok()) return record.error();
     measurer.add(**record);
-    if (each_row) each_row(measurer.row());
+    if (each_row && measurer.started()) each_row(measurer.row());
     if (progress && !progress(k, log.step_count())) return cannot_finish(log.name() + ": interrupted");
   }
-  return measurer.finish((*record)->states);
+  Result<Metrics> metrics = measurer.finish((*record)->states);
+  if (!metrics.ok()) return Error{metrics.error().kind, log.name() + ": " + metrics.error().message};
+  return metrics;
 }
 
 }  // namespace tumble::replay

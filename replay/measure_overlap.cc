@@ -79,7 +79,7 @@ double overlap_depth(const BoxFrame& a, const BoxFrame& b) {
   return std::max(0.0, -gap);
 }
 
-double deepest_overlap(std::span<const BoxFrame> boxes, std::span<const std::uint8_t> is_static) {
+double deepest_overlap(std::span<const BoxFrame> boxes, std::span<const std::uint8_t> left_out) {
   if (boxes.size() < 2) return 0;
   const std::size_t axis = widest_axis(boxes);
   std::vector<Extents> extents;
@@ -95,7 +95,7 @@ double deepest_overlap(std::span<const BoxFrame> boxes, std::span<const std::uin
     for (std::size_t second = first + 1; second < order.size(); ++second) {
       const std::size_t j = order[second];
       if (extents[j][axis].low > extents[i][axis].high) break;
-      if ((is_static[i] != 0 && is_static[j] != 0) || !meet(extents[i], extents[j])) continue;
+      if ((left_out[i] != 0 && left_out[j] != 0) || !meet(extents[i], extents[j])) continue;
       deepest = std::max(deepest, overlap_depth(boxes[i], boxes[j]));
     }
   }

@@ -13,10 +13,10 @@ namespace tumble::replay {
 /// Source: Gottschalk, Lin, Manocha, "OBBTree", 1996, section 5.
 double overlap_depth(const sim::BoxFrame& a, const sim::BoxFrame& b);
 
-/// The deepest overlap of any two boxes, m; 0 if none. Pairs of two static boxes do not count. boxes and is_static have
-/// one entry a body. Sorts along the axis on which the centres spread most, so a settled heap of thousands takes
-/// milliseconds.
-double deepest_overlap(std::span<const sim::BoxFrame> boxes, std::span<const std::uint8_t> is_static);
+/// The deepest overlap of any two boxes, m; 0 if none. Pairs of which neither box is of interest (static, not chosen)
+/// do not count. boxes and left_out have one entry a body. Sorts along the axis on which the centres spread most, so a
+/// settled heap of thousands takes milliseconds.
+double deepest_overlap(std::span<const sim::BoxFrame> boxes, std::span<const std::uint8_t> left_out);
 
 /// How deep the lowest corner lies under z = 0, m; 0 if it does not.
 double ground_penetration(const sim::BoxFrame& box);

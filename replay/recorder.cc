@@ -8,9 +8,15 @@ namespace {
 LogHeader header_of(const sim::SceneDef& scene, const RecordOptions& options) {
   LogHeader header = header_for(scene);
   header.states = options.states;
+  header.transform = options.transform;
   header.scene_text = options.scene_text;
   header.overrides = options.overrides;
   return header;
+}
+
+/// The scene as it is, or its image.
+sim::SceneDef session_of(const sim::SceneDef& scene, const sim::Transform& transform) {
+  return transform.identity() ? scene : image_of(scene, transform, ids_under(scene, transform));
 }
 
 /// What a failed step leaves behind, for its message.
@@ -28,20 +34,26 @@ Recorder::Recorder(const sim::SceneDef& scene, sim::World world, std::unique_ptr
 
 Result<std::unique_ptr<Recorder>> Recorder::start(const std::string& path, const sim::SceneDef& scene,
                                                   const RecordOptions& options) {
-  Result<sim::World> world = sim::World::create(scene);
-  if (!world.ok()) return world.error();
-  auto writer = LogWriter::create(path, header_of(scene, options), world->state());
-  if (!writer.ok()) return writer.error();
-  return std::unique_ptr<Recorder>(new Recorder(scene, *std::move(world), *std::move(writer)));
+  return start_with(
+      [&](const LogHeader& header, const sim::WorldState& state) { return LogWriter::create(path, header, state); },
+      scene, options);
 }
 
 Result<std::unique_ptr<Recorder>> Recorder::start(std::unique_ptr<ByteSink> sink, const sim::SceneDef& scene,
                                                   const RecordOptions& options) {
-  Result<sim::World> world = sim::World::create(scene);
+  return start_with([&](const LogHeader& header,
+                        const sim::WorldState& state) { return LogWriter::create(std::move(sink), header, state); },
+                    scene, options);
+}
+
+Result<std::unique_ptr<Recorder>> Recorder::start_with(const CreateWriter& create, const sim::SceneDef& scene,
+                                                       const RecordOptions& options) {
+  const sim::SceneDef session = session_of(scene, options.transform);
+  Result<sim::World> world = sim::World::create(session);
   if (!world.ok()) return world.error();
-  auto writer = LogWriter::create(std::move(sink), header_of(scene, options), world->state());
+  auto writer = create(header_of(session, options), world->state());
   if (!writer.ok()) return writer.error();
-  return std::unique_ptr<Recorder>(new Recorder(scene, *std::move(world), *std::move(writer)));
+  return std::unique_ptr<Recorder>(new Recorder(session, *std::move(world), *std::move(writer)));
 }
 
 Status Recorder::apply_inputs(std::span<const sim::Command> live) {

@@ -22,6 +22,7 @@ struct RecordOptions {
   StatesMode states;
   std::string scene_text;              ///< the scene's TOML, kept in the header
   std::vector<std::string> overrides;  ///< "world.dt=0.01", kept in the header
+  sim::Transform transform;            ///< the session is that of the scene's image
 };
 
 /// Runs a session and writes its log, a step at a time.
@@ -48,6 +49,10 @@ class Recorder {
   Result<LogSummary> finish() { return writer_->finish(); }
 
  private:
+  using CreateWriter =
+      std::function<Result<std::unique_ptr<LogWriter>>(const LogHeader& header, const sim::WorldState& initial)>;
+  static Result<std::unique_ptr<Recorder>> start_with(const CreateWriter& create, const sim::SceneDef& scene,
+                                                      const RecordOptions& options);
   Recorder(const sim::SceneDef& scene, sim::World world, std::unique_ptr<LogWriter> writer);
   Status apply_inputs(std::span<const sim::Command> live);
 

@@ -224,4 +224,19 @@ Result<sim::SceneDef> decode(schema::Scene::Reader in) {
   return scene;
 }
 
+void encode(const sim::Transform& transform, schema::Transform::Builder out) {
+  out.setMirrorX(transform.mirror_x);
+  out.setMirrorY(transform.mirror_y);
+  out.setSwapXy(transform.swap_xy);
+  encode(transform.shift, out.initShift());
+  out.setPermuted(transform.permute.has_value());
+  out.setPermuteSeed(transform.permute.value_or(0));
+}
+
+sim::Transform decode(schema::Transform::Reader in) {
+  sim::Transform transform{in.getMirrorX(), in.getMirrorY(), in.getSwapXy(), decode(in.getShift()), std::nullopt};
+  if (in.getPermuted()) transform.permute = in.getPermuteSeed();
+  return transform;
+}
+
 }  // namespace tumble::replay

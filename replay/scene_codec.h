@@ -6,6 +6,7 @@
 #include "schema/log.capnp.h"
 #include "src/base/result.h"
 #include "src/model/scene.h"
+#include "src/model/transform.h"
 
 /// Scenes, worlds and inputs to and from the schema's structs. Readers throw kj::Exception on bad pointers; callers are
 /// inside read_message(). Included by codecs only.
@@ -25,5 +26,8 @@ Result<sim::TimedCommand> decode(schema::Input::Reader in);
 void encode(const sim::SceneDef& scene, schema::Scene::Builder out);
 /// Errors: as above; kDamaged where ids or steps do not ascend.
 Result<sim::SceneDef> decode(schema::Scene::Reader in);
+
+void encode(const sim::Transform& transform, schema::Transform::Builder out);
+sim::Transform decode(schema::Transform::Reader in);
 
 }  // namespace tumble::replay

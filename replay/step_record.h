@@ -7,6 +7,7 @@
 #include "src/base/hash.h"
 #include "src/base/result.h"
 #include "src/model/scene.h"
+#include "src/model/transform.h"
 #include "src/step/step.h"
 #include "src/world/world_state.h"
 
@@ -74,6 +75,7 @@ struct LogHeader {
   sim::SceneDef scene;                 ///< resolved
   std::string scene_text;              ///< the TOML file as it was, empty if none
   std::vector<std::string> overrides;  ///< "world.dt=0.01", in order
+  sim::Transform transform;            ///< done to the scene of the text; `scene` has it done already
   StatesMode states;
   std::uint32_t chunk_steps_max = 0;
   std::uint64_t chunk_bytes_max = 0;

@@ -132,6 +132,17 @@ struct Header {
   statesEvery @10 :UInt32;      # 1: every step has states; n: every n-th and those alone; 0: none
   chunkStepsMax @11 :UInt32;    # what the writer closes a chunk at, for people
   chunkBytesMax @12 :UInt64;    # likewise
+  transform @13 :Transform;     # what was made of the scene file before the session began
+}
+
+# A symmetry of the simulation, done to the scene in this order. `scene` has it done already.
+struct Transform {
+  mirrorX @0 :Bool;
+  mirrorY @1 :Bool;
+  swapXy @2 :Bool;              # a mirror in the plane x = y
+  shift @3 :Vec3;               # m
+  permuted @4 :Bool;            # the bodies have new names
+  permuteSeed @5 :UInt64;       # which; means nothing unless permuted
 }
 
 # Steps firstStep .. firstStep + stepCount - 1 and the state before the first of them.

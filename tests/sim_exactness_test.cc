@@ -34,7 +34,7 @@ std::ostream& operator<<(std::ostream& out, const Difference& difference) {
 // is moved by one step of the grid: whatever stands in its row, so it is what a dependence on order would look like.
 Difference compare(const SceneDef& given, const Transform& transform, std::uint64_t disturb = 0) {
   const SceneDef scene = resolved(given);
-  const Names names = names_under(scene, transform, 0xfeed);
+  const IdMap names = ids_under(scene, transform);
   const SceneDef image_scene = image_of(scene, transform, names);
   World original = made(scene), image = made(image_scene);
   if (const std::size_t n = differing_bodies(original, image, transform, names); n > 0) return {0, n};
@@ -121,7 +121,7 @@ class Exactness : public testing::TestWithParam<Case> {};
 TEST_P(Exactness, EveryImageMovesBitForBitAlike) {
   for (const Transform& transform : all_transforms()) {
     const Difference difference = compare(GetParam().scene, transform);
-    EXPECT_EQ(difference.bodies, 0U) << transform.name << ": " << difference;
+    EXPECT_EQ(difference.bodies, 0U) << to_string(transform) << ": " << difference;
   }
 }
 
@@ -129,8 +129,8 @@ TEST_P(Exactness, EveryImageMovesBitForBitAlike) {
 TEST_P(Exactness, CanaryOfOneGridStepIsSeen) {
   for (const Transform& transform : all_transforms()) {
     const Difference difference = compare(GetParam().scene, transform, 10);
-    EXPECT_EQ(difference.step, 10U) << transform.name;
-    EXPECT_EQ(difference.bodies, 1U) << transform.name;
+    EXPECT_EQ(difference.step, 10U) << to_string(transform);
+    EXPECT_EQ(difference.bodies, 1U) << to_string(transform);
   }
 }
 
@@ -167,7 +167,7 @@ TEST(ExactTies, AreNeverDecidedByNames) {
     const SceneDef scene = lattice_of_ties(seed);
     for (const Transform& transform : all_transforms()) {
       const Difference difference = compare(scene, transform);
-      EXPECT_EQ(difference.bodies, 0U) << "seed " << seed << ", " << transform.name << ": " << difference;
+      EXPECT_EQ(difference.bodies, 0U) << "seed " << seed << ", " << to_string(transform) << ": " << difference;
     }
   }
 }
@@ -178,7 +178,7 @@ TEST(ExactnessCanary, OneGridStepReachesOtherBodiesWithinTheRun) {
     const SceneDef scene = resolved(c.scene);
     World original = made(scene), disturbed = made(scene);
     const Transform same;
-    const Names names = names_under(scene, same, 1);
+    const IdMap names = ids_under(scene, same);
     while (original.state().step < scene.steps) {
       for (World* world : {&original, &disturbed}) {
         apply_inputs(*world, scene);
@@ -232,7 +232,7 @@ TEST(Transforms, OrientationsTurnTheImageAsTheOriginalTurns) {
     const Vec3 body(0.3, -1.2, 0.6);
     const Vec3 moved = t.vector(to_world(axes, body));
     const Vec3 again = to_world(image, t.vector(body));
-    EXPECT_LT((moved - again).cwiseAbs().maxCoeff(), 1e-15) << t.name;
+    EXPECT_LT((moved - again).cwiseAbs().maxCoeff(), 1e-15) << to_string(t);
   }
 }
 

@@ -30,7 +30,7 @@ World run(const SceneDef& scene) {
 // The step after which a scene and its image differ, 0 for never.
 std::uint64_t first_difference(const SceneDef& given, const Transform& transform) {
   const SceneDef scene = resolved(given);
-  const Names names = names_under(scene, transform, 0xfeed);
+  const IdMap names = ids_under(scene, transform);
   World original = made(scene), image = made(image_of(scene, transform, names));
   while (original.state().step < scene.steps) {
     advance(original);
@@ -42,7 +42,7 @@ std::uint64_t first_difference(const SceneDef& given, const Transform& transform
 
 void expect_images_alike(const SceneDef& scene) {
   for (const Transform& transform : all_transforms())
-    EXPECT_EQ(first_difference(scene, transform), 0) << transform.name;
+    EXPECT_EQ(first_difference(scene, transform), 0) << to_string(transform);
 }
 
 double drift(const World& world, const SceneDef& scene) {

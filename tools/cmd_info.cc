@@ -47,6 +47,7 @@ void add_header(Listing& listing, const LogHeader& header) {
   if (!header.scene.title.empty()) listing.add("title", printable(header.scene.title));
   if (!header.scene.category.empty()) listing.add("category", printable(header.scene.category));
   if (!header.overrides.empty()) listing.add("set", printable(joined(header.overrides, ", ")));
+  if (!header.transform.identity()) listing.add("image", to_string(header.transform));
   listing.add("method", printable(header.method) + ", version " + std::to_string(header.method_version));
   listing.add("dt", exact(header.scene.world.dt) + " s");
   listing.add("phases", printable(joined(header.phases, ", ")));
@@ -83,6 +84,7 @@ void put_header(Json& json, const LogHeader& header) {
   json["phases"] = header.phases;
   json["scene"] = {{"name", header.scene.name}, {"title", header.scene.title}, {"category", header.scene.category}};
   json["set"] = header.overrides;
+  json["transform"] = to_string(header.transform);
   json["dt"] = header.scene.world.dt;
   json["planned_steps"] = header.scene.steps;
   json["states"] = to_string(header.states);

@@ -1,10 +1,14 @@
 // tumble measure: how a recorded session behaved, in numbers.
-#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "replay/log_reader.h"
 #include "replay/measure_log.h"
+#include "replay/twin.h"
+#include "src/model/limits.h"
+#include "src/scenes/problem.h"
 #include "tools/arguments.h"
 #include "tools/command.h"
 #include "tools/interrupt.h"
@@ -19,36 +23,79 @@ namespace {
 struct Options {
   std::string log;
   std::string series;
+  std::string bodies = "all";
+  std::string axis = "x";
+  std::optional<std::uint64_t> from_step;
+  std::string twin;
   bool json = false;
 };
 
-Result<replay::Metrics> measure_with_series(replay::LogReader& log, const std::string& path) {
-  const InterruptGuard guard;
-  ProgressBar bar("measuring");
-  const auto progress = [&](std::uint64_t done, std::uint64_t total) {
+Result<replay::MeasureOptions> measure_options(const Options& options) {
+  replay::MeasureOptions how;
+  Result<replay::BodyChoice> bodies = replay::parse_bodies(options.bodies);
+  if (!bodies.ok()) return bad_input("--" + bodies.error().message);
+  how.bodies = *std::move(bodies);
+  if (options.axis != "x" && options.axis != "y") {
+    return bad_input("--axis: found " + scenes::quoted(options.axis) + ", wanted x or y");
+  }
+  how.lateral = options.axis == "x" ? replay::LateralAxis::kX : replay::LateralAxis::kY;
+  how.from_step = options.from_step.value_or(0);
+  return how;
+}
+
+replay::Progress progress_on(ProgressBar& bar) {
+  return [&bar](std::uint64_t done, std::uint64_t total) {
     bar.show(done, total);
     return !InterruptGuard::interrupted();
   };
-  if (path.empty()) return replay::measure_log(log, {}, progress);
+}
+
+Result<replay::Metrics> measure_with_series(replay::LogReader& log, const replay::MeasureOptions& how,
+                                            const std::string& path) {
+  const InterruptGuard guard;
+  ProgressBar bar("measuring");
+  if (path.empty()) return replay::measure_log(log, how, {}, progress_on(bar));
   SeriesFile series;
   if (Status ok = series.open(path); !ok.ok()) return ok.error();
   Result<replay::Metrics> metrics = replay::measure_log(
-      log, [&](const replay::SeriesRow& row) { series.add(row); }, progress);
+      log, how, [&](const replay::SeriesRow& row) { series.add(row); }, progress_on(bar));
   if (Status ok = series.close(); !ok.ok()) return ok.error();
   return metrics;
 }
 
+/// Adds what only two sessions show.
+Status compare_with_twin(replay::LogReader& log, replay::LogReader& twin, replay::Metrics& metrics) {
+  const InterruptGuard guard;
+  ProgressBar bar("comparing");
+  const Result<replay::TwinReport> report = replay::compare_twins(log, twin, progress_on(bar));
+  if (!report.ok()) return report.error();
+  replay::set_twin_error(twin.header().transform, *report, metrics.symmetry);
+  return {};
+}
+
 Result<Exit> measure(const Options& options) {
+  const Result<replay::MeasureOptions> how = measure_options(options);
+  if (!how.ok()) return how.error();
   Result<replay::LogReader> log = open_log(options.log);
   if (!log.ok()) return log.error();
-  const Result<replay::Metrics> metrics = measure_with_series(*log, options.series);
+  std::optional<replay::LogReader> twin;
+  if (!options.twin.empty()) {
+    Result<replay::LogReader> opened = open_log(options.twin);
+    if (!opened.ok()) return opened.error();
+    twin.emplace(*std::move(opened));
+  }
+  Result<replay::Metrics> metrics = measure_with_series(*log, *how, options.series);
   if (!metrics.ok()) return metrics.error();
+  if (twin) {
+    if (Status ok = compare_with_twin(*log, *twin, *metrics); !ok.ok()) return ok.error();
+  }
   if (options.json) {
     print_json(metrics_json(options.log, *metrics));
   } else {
     print_metrics(options.log, *metrics);
   }
-  return judge("measure", *log, Exit::kSame);
+  const Exit verdict = judge("measure", *log, Exit::kSame);
+  return twin ? judge("measure", *twin, verdict) : verdict;
 }
 
 }  // namespace
@@ -58,12 +105,25 @@ Action declare_measure(CLI::App& app) {
   app.add_option("LOG", options->log, "The log to measure")->required()->type_name("");
   app.add_option("--series", options->series, "Also write the metrics of every step to this CSV file")
       ->type_name("FILE.csv");
+  app.add_option("--bodies", options->bodies,
+                 "Measure these: ids (7), ranges (3-9), tables of the scene (grid, tower:1, input), joined by commas")
+      ->type_name("LIST");
+  app.add_option("--axis", options->axis, "The axis along which nothing should move: x (if not given) or y")
+      ->type_name("AXIS");
+  add_whole(app, "--from-step", options->from_step, 0, sim::kStepsMax,
+            "Measure from the state after step K on, as if it were the start")
+      ->type_name("K");
+  app.add_option("--with", options->twin,
+                 "The log of the scene's image (record --mirror, --permute, --shift): also say how far it is from one")
+      ->type_name("LOG");
   add_json(app, options->json);
   app.footer(
       "docs/metrics.md has the formula, unit and meaning of each metric.\n\n"
       "Examples:\n"
       "  tumble measure tilted_grid.tumble\n"
-      "  tumble measure tilted_grid.tumble --json --series grid.csv");
+      "  tumble measure tilted_grid.tumble --json --series grid.csv\n"
+      "  tumble measure brick_wall.tumble --bodies wall --from-step 120\n"
+      "  tumble measure brick_wall.tumble --with mirrored.tumble");
   return [options] { return measure(*options); };
 }
 

@@ -16,6 +16,7 @@
 #include "tools/progress.h"
 #include "tools/scene_files.h"
 #include "tools/text.h"
+#include "tools/transform_arguments.h"
 
 namespace tumble::tools {
 namespace {
@@ -29,6 +30,7 @@ struct Options {
   std::optional<std::uint64_t> steps;
   std::vector<std::string> overrides;
   std::optional<std::uint64_t> threads;
+  TransformArguments transform;
   std::string states = "all";
   bool json = false;
   bool quiet = false;
@@ -129,6 +131,9 @@ Result<Exit> record(const Options& options) {
   Result<replay::StatesMode> states = replay::parse_states_mode(options.states);
   if (!states.ok()) return bad_input("--" + states.error().message);
   how.states = *states;
+  const Result<sim::Transform> transform = parse_transform(options.transform);
+  if (!transform.ok()) return transform.error();
+  how.transform = *transform;
   how.overrides = options.overrides;
   if (options.steps) how.overrides.push_back("world.steps=" + std::to_string(*options.steps));
   if (options.seconds) how.overrides.push_back("world.seconds=" + exact(*options.seconds));
@@ -170,6 +175,7 @@ Action declare_record(CLI::App& app) {
   app.add_option("--set", options->overrides, "Set a value of the scene, as in 'grid.rows=7'; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  add_transform(app, options->transform);
   add_threads(app, options->threads);
   app.add_option("--states", options->states,
                  "Which states the log holds: all (if not given), every:N (one step in N) or hashes (none); the others "
@@ -181,7 +187,8 @@ Action declare_record(CLI::App& app) {
       "Examples:\n"
       "  tumble record brick_wall\n"
       "  tumble record tilted_grid -o small.tumble --set grid.rows=6 --set grid.cols=6 --steps 150\n"
-      "  tumble record my_scene.toml --states hashes --json");
+      "  tumble record my_scene.toml --states hashes --json\n"
+      "  tumble record brick_wall -o twin.tumble --mirror x --permute 7");
   return [options] { return record(*options); };
 }
 

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/base/ids.h"
+#include "src/base/result.h"
+#include "src/model/scene.h"
+
+namespace tumble::replay {
+
+/// Which bodies a measure is over. Static ones never count, chosen or not.
+struct BodyChoice {
+  struct Ids {
+    sim::BodyId first;
+    sim::BodyId last;
+    friend bool operator==(const Ids&, const Ids&) = default;
+  };
+  /// All bodies that one kind of table made, or only those of one table of that kind.
+  struct Table {
+    sim::Origin::Kind kind;
+    std::optional<std::uint32_t> index;  ///< 0-based
+    friend bool operator==(const Table&, const Table&) = default;
+  };
+  std::vector<Ids> ids;
+  std::vector<Table> tables;
+
+  /// Nothing chosen means every body.
+  [[nodiscard]] bool all() const { return ids.empty() && tables.empty(); }
+  [[nodiscard]] bool holds(const sim::BoxDef& box) const;
+  friend bool operator==(const BodyChoice&, const BodyChoice&) = default;
+};
+
+/// "all", or a list of ids ("7"), ranges of ids ("3-9"), tables of the scene ("grid": of every [[grid]], "grid:1": of
+/// the second one; box, grid, tower, pyramid, wall, pile, and input for what was thrown in), joined by commas. Errors
+/// (kBadInput): anything else.
+Result<BodyChoice> parse_bodies(const std::string& text);
+std::string to_string(const BodyChoice& choice);
+
+enum class LateralAxis : std::uint8_t { kX = 0, kY = 1 };
+
+/// What a session is measured over. docs/metrics.md says which metrics heed which.
+struct MeasureOptions {
+  BodyChoice bodies = {};
+  LateralAxis lateral = LateralAxis::kX;  ///< along which nothing should move
+  std::uint64_t from_step = 0;            ///< the state after this step takes the place of the start
+  std::uint32_t overlap_every = 16;       ///< steps between two looks at the overlap; 0 looks at the end only
+};
+
+}  // namespace tumble::replay

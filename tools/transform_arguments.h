@@ -1,0 +1,26 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "src/base/result.h"
+#include "src/model/transform.h"
+
+/// The arguments of `record` that make the image of a scene.
+namespace tumble::tools {
+
+struct TransformArguments {
+  std::string mirror;
+  std::string shift;
+  std::optional<std::uint64_t> permute;
+};
+
+/// Declares `--mirror`, `--shift` and `--permute`.
+void add_transform(CLI::App& app, TransformArguments& target);
+
+/// Errors (kBadInput): another mirror than x, y and diagonal, a shift that is not two numbers on the grid of positions.
+Result<sim::Transform> parse_transform(const TransformArguments& arguments);
+
+}  // namespace tumble::tools
