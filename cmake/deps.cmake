@@ -11,6 +11,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(GTest REQUIRED)
 find_package(benchmark REQUIRED)
 find_package(Threads REQUIRED)
+find_package(PNG REQUIRED)
 
 # toml++ from its headers: the package's own target would link the shared library, and the bits of a scene would then
 # depend on how somebody else compiled its number parser.

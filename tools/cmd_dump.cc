@@ -12,10 +12,10 @@
 #include "replay/state_source.h"
 #include "src/base/ids.h"
 #include "src/model/limits.h"
-#include "src/scenes/problem.h"
 #include "tools/arguments.h"
 #include "tools/command.h"
 #include "tools/log_files.h"
+#include "tools/step_range.h"
 #include "tools/text.h"
 
 namespace tumble::tools {
@@ -30,11 +30,6 @@ struct Options {
   std::optional<std::uint64_t> body;
   bool csv = false;
   bool json = false;
-};
-
-struct StepRange {
-  std::uint64_t first = 0;
-  std::uint64_t last = 0;
 };
 
 // What a body's row holds, in the order of the columns: position, orientation, velocity, spin.
@@ -140,27 +135,7 @@ std::unique_ptr<Output> make_output(const Options& options) {
 
 Result<StepRange> range_of(const Options& options, const replay::LogReader& log) {
   if (!options.step && options.steps.empty()) return bad_input("wanted --step K or --steps A:B: which steps to print");
-  StepRange range;
-  if (options.step) {
-    range = {*options.step, *options.step};
-  } else {
-    const std::size_t colon = options.steps.find(':');
-    const std::optional<std::uint64_t> first = parse_whole(options.steps.substr(0, colon));
-    const std::optional<std::uint64_t> last =
-        colon == std::string::npos ? std::nullopt : parse_whole(options.steps.substr(colon + 1));
-    if (!first || !last || *first > *last) {
-      return bad_input("--steps: found " + scenes::quoted(options.steps) +
-                       ", wanted A:B with whole numbers A <= B, as in 0:60");
-    }
-    range = {*first, *last};
-  }
-  if (range.last > log.step_count()) {
-    const std::string message = log.name() + ": found no step " + std::to_string(range.last) +
-                                "; the log holds steps 0 to " + std::to_string(log.step_count());
-    if (log.condition().whole()) return bad_input(message);
-    return damaged(message + "; it is " + log.condition().summary(log.step_count()));
-  }
-  return range;
+  return options.step ? check_range({*options.step, *options.step}, log) : parse_range(options.steps, log);
 }
 
 void print_step(const replay::StepRecord& record, const std::optional<std::uint64_t>& body, Output& output) {

@@ -36,6 +36,7 @@ Action declare_diff(CLI::App& app);
 Action declare_info(CLI::App& app);
 Action declare_measure(CLI::App& app);
 Action declare_dump(CLI::App& app);
+Action declare_render(CLI::App& app);
 Action declare_scenes(CLI::App& app);
 
 }  // namespace tumble::tools

@@ -23,6 +23,7 @@ constexpr std::array kCommands = {
     Command{"info", "what a log holds, and whether every byte of it is as written", declare_info},
     Command{"measure", "symmetry, energy and stacking of a recorded session", declare_measure},
     Command{"dump", "the bodies at one step or over many, to the last bit", declare_dump},
+    Command{"render", "pictures and movies of a recorded session", declare_render},
     Command{"scenes", "the scenes that can be recorded by name", declare_scenes},
 };
 

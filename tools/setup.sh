@@ -9,6 +9,8 @@ packages=(
   g++ binutils cmake ninja-build ccache pkg-config
   libeigen3-dev capnproto libcapnp-dev libzstd-dev libxxhash-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev
   libgtest-dev libbenchmark-dev
+  libpng-dev libgl-dev libegl-dev libosmesa6 # pictures: headers, and the OpenGL that draws them
+  ffmpeg # movies
   clang-format clang-tidy
   clang-16 # one of the compilers that must agree to the bit, also in the short form that is part of the tests
 )

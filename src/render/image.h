@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace tumble::render {
+
+/// Pixels, 8 bits a channel, red green blue, rows from the top, no padding.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgb;  ///< width × height × 3
+
+  [[nodiscard]] static Image blank(int width, int height) {
+    return {width, height,
+            std::vector<std::uint8_t>(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 3)};
+  }
+  [[nodiscard]] std::size_t at(int x, int y) const {
+    return (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) * 3;
+  }
+  friend bool operator==(const Image&, const Image&) = default;
+};
+
+}  // namespace tumble::render

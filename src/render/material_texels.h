@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "src/model/scene.h"
+
+/// The materials, made by code: no files, and the same texels everywhere (only + − × ÷, sqrt and floor).
+namespace tumble::render {
+
+/// Layers of the texture array: those of sim::Texture, then the ground.
+inline constexpr int kGroundLayer = 5;
+inline constexpr int kLayerCount = 6;
+
+/// Texels along each edge of the finest level; every further level has half as many, down to 1.
+inline constexpr int kTexelsPerEdge = 256;
+inline constexpr int kLevelCount = 9;
+
+/// One level of a layer: RGBA, 8 bits a channel, colours sRGB-encoded, the specular mask in alpha.
+using Texels = std::vector<std::uint8_t>;
+
+/// All levels of a layer, finest first. A coarser texel is the mean, in linear light, of four.
+std::array<Texels, kLevelCount> make_levels(int layer);
+
+}  // namespace tumble::render

@@ -1,0 +1,192 @@
+#include "src/render/renderer.h"
+
+#include <chrono>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "src/render/box_mesh.h"
+#include "src/render/materials.h"
+#include "src/render/pass_base.h"
+#include "src/render/pass_blur.h"
+#include "src/render/pass_composite.h"
+#include "src/render/pass_depth.h"
+#include "src/render/pass_shrink.h"
+#include "src/render/stage_image.h"
+#include "src/render/view.h"
+
+namespace tumble::render {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::array<std::pair<const char*, Stage>, 9> kStages = {{{"depth", Stage::kDepth},
+                                                                   {"base", Stage::kBase},
+                                                                   {"masks", Stage::kMasks},
+                                                                   {"shrunk", Stage::kShrunk},
+                                                                   {"hdr", Stage::kHdr},
+                                                                   {"blur_x", Stage::kBlurX},
+                                                                   {"blurred", Stage::kBlurred},
+                                                                   {"glow", Stage::kGlow},
+                                                                   {"final", Stage::kFinal}}};
+
+// Texels along an edge of the depth map: about as fine as the picture that it shades.
+int depth_map_size(int height) {
+  int size = 512;
+  while (size < 2 * height && size < 4096) size *= 2;
+  return size;
+}
+
+}  // namespace
+
+Result<Stage> parse_stage(const std::string& word) {
+  std::string known;
+  for (const auto& [name, stage] : kStages) {
+    if (word == name) return stage;
+    known += (known.empty() ? "" : ", ") + std::string(name);
+  }
+  return bad_input("--pass: found \"" + word + "\", wanted one of " + known);
+}
+
+struct Renderer::Parts {
+  std::unique_ptr<Context> context;  // first, so that it goes last
+  Settings settings;
+  Materials materials;
+  BoxMesh boxes, scratch;
+  DepthPass depth;
+  BasePass base;
+  ShrinkPass shrink;
+  BlurPass blur_x, blur_y;
+  CompositePass composite;
+  bool measures = false;
+  std::array<double, 6> seconds{};
+
+  Status build();
+  void draw(const Snapshot& snapshot);
+  template <class Pass>
+  void timed(std::size_t pass, const Pass& run);
+};
+
+namespace {
+
+template <class T>
+Status keep(T& part, Result<T> made) {
+  if (!made.ok()) return made.error();
+  part = std::move(*made);
+  return {};
+}
+
+}  // namespace
+
+Status Renderer::Parts::build() {
+  const Gl& gl = context->gl();
+  const auto& [width, height, samples, effects] = settings;
+  const int small_width = (width + 3) / 4, small_height = (height + 3) / 4;
+  Status status = keep(materials, Materials::create(gl));
+  if (status.ok()) status = keep(boxes, BoxMesh::create(gl));
+  if (status.ok()) status = keep(scratch, BoxMesh::create(gl));
+  if (status.ok()) status = keep(depth, DepthPass::create(gl, depth_map_size(height)));
+  if (status.ok()) status = keep(base, BasePass::create(gl, width * samples, height * samples));
+  if (status.ok()) status = keep(shrink, ShrinkPass::create(gl, width, height, samples));
+  if (status.ok()) status = keep(blur_x, BlurPass::create(gl, small_width, small_height));
+  if (status.ok()) status = keep(blur_y, BlurPass::create(gl, small_width, small_height));
+  if (status.ok()) status = keep(composite, CompositePass::create(gl, width, height, samples));
+  return status;
+}
+
+template <class Pass>
+void Renderer::Parts::timed(std::size_t pass, const Pass& run) {
+  if (!measures) return run();
+  context->gl().Finish();
+  const Clock::time_point start = Clock::now();
+  run();
+  context->gl().Finish();
+  seconds[pass] = std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+void Renderer::Parts::draw(const Snapshot& snapshot) {
+  const Gl& gl = context->gl();
+  const View camera = camera_view(snapshot.camera, settings.width, settings.height);
+  const View light = light_view(snapshot);
+  boxes.load(gl, instances_of(snapshot.boxes, camera));
+  timed(0, [&] { settings.effects.shadow ? depth.draw(gl, boxes, light) : depth.clear(gl); });
+  const BasePass::Scene scene = {snapshot, camera, light, depth, materials, settings.effects};
+  timed(1, [&] { base.draw(gl, scene, boxes, scratch); });
+  timed(2, [&] { shrink.draw(gl, base.image()); });
+  timed(3, [&] { blur_x.draw(gl, shrink.image(), false); });
+  timed(4, [&] { blur_y.draw(gl, blur_x.image(), true); });
+  timed(5, [&] { composite.draw(gl, base.image(), blur_y.image(), settings.effects.bloom); });
+}
+
+Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Renderer::~Renderer() = default;
+
+const Context& Renderer::context() const { return *parts_->context; }
+void Renderer::measure_passes(bool on) { parts_->measures = on; }
+const std::array<double, 6>& Renderer::pass_seconds() const { return parts_->seconds; }
+
+Result<std::unique_ptr<Renderer>> Renderer::create(const Settings& settings, Backend backend) {
+  const auto& [width, height, samples, effects] = settings;
+  if (width < kSizeMin || height < kSizeMin || width > kSizeMax || height > kSizeMax) {
+    return bad_input("picture size: found " + std::to_string(width) + "x" + std::to_string(height) + ", wanted " +
+                     std::to_string(kSizeMin) + " to " + std::to_string(kSizeMax) + " pixels each way");
+  }
+  if (samples < 1 || samples > kSamplesMax) {
+    return bad_input("samples: found " + std::to_string(samples) + ", wanted 1 to " + std::to_string(kSamplesMax));
+  }
+  Result<std::unique_ptr<Context>> context = Context::open(backend);
+  if (!context.ok()) return context.error();
+  auto parts = std::make_unique<Parts>();
+  parts->context = std::move(*context);
+  parts->settings = settings;
+  GLint limit = 0;
+  parts->context->gl().GetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+  if (std::max(width, height) * samples > limit) {
+    return bad_input("picture size: " + std::to_string(width) + "x" + std::to_string(height) + " with " +
+                     std::to_string(samples) + " samples is beyond the driver's " + std::to_string(limit) +
+                     " pixels; draw with fewer samples");
+  }
+  const Status built = parts->build();
+  if (!built.ok()) return built.error();
+  return std::unique_ptr<Renderer>(new Renderer(std::move(parts)));
+}
+
+Result<Image> Renderer::draw(const Snapshot& snapshot, Stage stage) {
+  const Gl& gl = parts_->context->gl();
+  parts_->draw(snapshot);
+  Image image;
+  switch (stage) {
+    case Stage::kDepth:
+      image = read_depth(gl, parts_->depth.map(), light_view(snapshot));
+      break;
+    case Stage::kBase:
+      image = read_bytes(gl, parts_->base.image(), Channels::kColour);
+      break;
+    case Stage::kMasks:
+      image = read_bytes(gl, parts_->base.image(), Channels::kAlpha);
+      break;
+    case Stage::kShrunk:
+      image = read_floats(gl, parts_->shrink.image(), Channels::kColour);
+      break;
+    case Stage::kHdr:
+      image = read_floats(gl, parts_->shrink.image(), Channels::kAlpha);
+      break;
+    case Stage::kBlurX:
+      image = read_floats(gl, parts_->blur_x.image(), Channels::kColour);
+      break;
+    case Stage::kBlurred:
+      image = read_floats(gl, parts_->blur_y.image(), Channels::kColour);
+      break;
+    case Stage::kGlow:
+      image = read_floats(gl, parts_->blur_y.image(), Channels::kAlpha);
+      break;
+    case Stage::kFinal:
+      image = read_bytes(gl, parts_->composite.image(), Channels::kColour);
+      break;
+  }
+  const Status drawn = check_gl(gl, "drawing");
+  if (!drawn.ok()) return drawn.error();
+  return image;
+}
+
+}  // namespace tumble::render

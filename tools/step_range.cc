@@ -1,0 +1,29 @@
+#include "tools/step_range.h"
+
+#include <optional>
+
+#include "src/scenes/problem.h"
+#include "tools/arguments.h"
+
+namespace tumble::tools {
+
+Result<StepRange> check_range(const StepRange& range, const replay::LogReader& log) {
+  if (range.last <= log.step_count()) return range;
+  const std::string message = log.name() + ": found no step " + std::to_string(range.last) +
+                              "; the log holds steps 0 to " + std::to_string(log.step_count());
+  if (log.condition().whole()) return bad_input(message);
+  return damaged(message + "; it is " + log.condition().summary(log.step_count()));
+}
+
+Result<StepRange> parse_range(const std::string& text, const replay::LogReader& log) {
+  const std::size_t colon = text.find(':');
+  const std::optional<std::uint64_t> first = parse_whole(text.substr(0, colon));
+  const std::optional<std::uint64_t> last =
+      colon == std::string::npos ? std::nullopt : parse_whole(text.substr(colon + 1));
+  if (!first || !last || *first > *last) {
+    return bad_input("--steps: found " + scenes::quoted(text) + ", wanted A:B with whole numbers A <= B, as in 0:60");
+  }
+  return check_range({*first, *last}, log);
+}
+
+}  // namespace tumble::tools
