@@ -38,11 +38,17 @@ std::vector<std::string> different_headers(const LogHeader& a, const LogHeader& 
   check("method", a.method, b.method);
   check("method version", std::to_string(a.method_version), std::to_string(b.method_version));
   check("scene", a.scene.name, b.scene.name);
+  check("image", to_string(a.transform), to_string(b.transform));
+  const auto start = [](const LogHeader& header) {
+    return header.goes_on ? "step " + std::to_string(header.goes_on->step) + " of another session" : "state 0";
+  };
+  check("begins with", start(a), start(b));
   check("bodies at the start", std::to_string(a.scene.boxes.size()), std::to_string(b.scene.boxes.size()));
   check("planned steps", std::to_string(a.scene.steps), std::to_string(b.scene.steps));
   check("states", to_string(a.states), to_string(b.states));
   check("written by", a.tool_version + ", " + a.tool_build, b.tool_version + ", " + b.tool_build);
   if (a.phases != b.phases) lines.emplace_back("phases: not the same names, so only states are compared");
+  if (a.goes_on != b.goes_on) return lines;  // whose scenes are those of other steps
   if (!(a.scene.world == b.scene.world)) lines.emplace_back("world: not the same parameters");
   if (a.scene.boxes != b.scene.boxes) lines.emplace_back("boxes: not the same at the start");
   if (a.scene.inputs != b.scene.inputs) lines.emplace_back("inputs: not the same script");
@@ -58,56 +64,96 @@ class Diff {
   }
 
   Result<DiffReport> run(const Progress& progress) {
-    report_.steps_a = a_.step_count();
-    report_.steps_b = b_.step_count();
-    report_.steps = std::min(report_.steps_a, report_.steps_b);
+    report_.last_a = a_.last_step();
+    report_.last_b = b_.last_step();
+    const std::uint64_t from = report_.from = std::max(a_.first_state(), b_.first_state());
+    const std::uint64_t last = std::min(report_.last_a, report_.last_b);
+    if (from > last) return no_common_step();
+    report_.steps = last - from;
     report_.headers = different_headers(a_.header(), b_.header());
-    if (Status ok = compare_step(0); !ok.ok()) return ok.error();
+    if (Status ok = compare_start(from); !ok.ok()) return ok.error();
     if (report_.first) return std::move(report_);
-    const std::uint64_t same = steps_known_same();
-    for (std::uint64_t k = same + 1; k <= report_.steps && !report_.first; ++k) {
+    Result<std::uint64_t> same = last_known_same(from);
+    if (!same.ok()) return same.error();
+    for (std::uint64_t k = *same + 1; k <= last && !report_.first; ++k) {
       if (Status ok = compare_step(k); !ok.ok()) return ok.error();
-      if (progress && !progress(k, report_.steps)) break;
+      if (progress && !progress(k - from, report_.steps)) break;
     }
     return std::move(report_);
   }
 
  private:
+  [[nodiscard]] Error no_common_step() const {
+    const auto range = [](const LogReader& log) {
+      return log.name() + " holds steps " + std::to_string(log.first_state()) + " to " +
+             std::to_string(log.last_step());
+    };
+    return bad_input("found no step in common: " + range(a_) + ", " + range(b_));
+  }
+
   /// The last step up to which the chains of both logs agree, found among the steps at which both end a chunk. A chain
   /// never agrees again once it differed, so half of them can be left out at a time.
-  [[nodiscard]] std::uint64_t steps_known_same() const {
-    if (!chains_say_all_ || a_.header_prelude().chain_after != b_.header_prelude().chain_after) return 0;
+  [[nodiscard]] Result<std::uint64_t> last_known_same(std::uint64_t from) {
+    if (!chains_say_all_) return from;
+    const Result<Hash128> chain_a = a_.chain_at(from), chain_b = b_.chain_at(from);
+    if (!chain_a.ok()) return chain_a.error();
+    if (!chain_b.ok()) return chain_b.error();
+    if (*chain_a != *chain_b) return from;
     std::vector<std::pair<const ChunkPlace*, const ChunkPlace*>> ends;
     auto at_b = b_.chunks().begin();
     for (const ChunkPlace& place : a_.chunks()) {
       while (at_b != b_.chunks().end() && at_b->end_step() < place.end_step()) ++at_b;
+      if (place.end_step() <= from) continue;
       if (at_b != b_.chunks().end() && at_b->end_step() == place.end_step()) ends.emplace_back(&place, &*at_b);
     }
     const auto differs = std::partition_point(
         ends.begin(), ends.end(), [](const auto& end) { return end.first->chain_after == end.second->chain_after; });
-    return differs == ends.begin() ? 0 : std::prev(differs)->first->end_step() - 1;
+    return differs == ends.begin() ? from : std::prev(differs)->first->end_step() - 1;
+  }
+
+  /// The states that both begin with; how either came there is another question.
+  Status compare_start(std::uint64_t from) {
+    StepRecord start_a, start_b;
+    if (Status ok = read_start(a_, from, start_a); !ok.ok()) return ok;
+    if (Status ok = read_start(b_, from, start_b); !ok.ok()) return ok;
+    if (Status ok = can_tolerate(start_a, start_b); !ok.ok()) return ok;
+    judge(start_a, start_b);
+    if (report_.first) report_.first->phase = "start";
+    return {};
+  }
+
+  static Status read_start(LogReader& log, std::uint64_t from, StepRecord& start) {
+    Result<const StepRecord*> record = log.read_step(from);
+    if (!record.ok()) return record.error();
+    start.step = from;
+    start.state_hash = (*record)->state_hash;
+    start.has_states = (*record)->has_states;
+    start.states = (*record)->states;
+    return {};
   }
 
   Status compare_step(std::uint64_t k) {
-    Result<const StepRecord*> a = k == 0 ? a_.read_step(k) : a_.read_hashes(k);
+    Result<const StepRecord*> a = a_.read_hashes(k);
     if (!a.ok()) return a.error();
-    Result<const StepRecord*> b = k == 0 ? b_.read_step(k) : b_.read_hashes(k);
+    Result<const StepRecord*> b = b_.read_hashes(k);
     if (!b.ok()) return b.error();
-    if (chain_next({}, **a) == chain_next({}, **b) && k > 0) return {};
+    if (chain_next({}, **a) == chain_next({}, **b)) return {};
     return compare_states(k, **a, **b);
   }
 
-  /// A step whose hashes differ, or state 0: looked at with its states.
+  [[nodiscard]] Status can_tolerate(const StepRecord& a, const StepRecord& b) const {
+    if (tolerances_.exact() || (a.has_states && b.has_states) || a.state_hash == b.state_hash) return {};
+    return bad_input("step " + std::to_string(a.step) +
+                     ": its hashes differ and one log has no states of it, so tolerances cannot be judged; record "
+                     "both with --states all");
+  }
+
+  /// A step whose hashes differ: looked at with its states.
   Status compare_states(std::uint64_t k, const StepRecord& hashes_a, const StepRecord& hashes_b) {
-    const bool both = hashes_a.has_states && hashes_b.has_states;
-    if (!both && !tolerances_.exact() && hashes_a.state_hash != hashes_b.state_hash) {
-      return bad_input("step " + std::to_string(k) +
-                       ": its hashes differ and one log has no states of it, so tolerances cannot be judged; record "
-                       "both with --states all");
-    }
+    if (Status ok = can_tolerate(hashes_a, hashes_b); !ok.ok()) return ok;
     StepRecord expected = hashes_a;
     StepRecord actual = hashes_b;
-    if (both && k > 0) {
+    if (hashes_a.has_states && hashes_b.has_states) {
       Result<const StepRecord*> a = a_.read_step(k);
       if (!a.ok()) return a.error();
       Result<const StepRecord*> b = b_.read_step(k);
@@ -115,10 +161,13 @@ class Diff {
       expected = **a;
       actual = **b;
     }
+    judge(expected, actual);
+    return {};
+  }
+
+  void judge(const StepRecord& expected, StepRecord& actual) {
     if (!tolerances_.exact()) tolerate(expected, actual);
     report_.first = first_difference(expected, actual, phases_);
-    if (report_.first && k == 0) report_.first->phase = "start";
-    return {};
   }
 
   /// With tolerances only what a body visibly is counts; hashes and counters of two that differ would differ as well.

@@ -25,19 +25,20 @@ struct Tolerances {
 Status set_tolerance(Tolerances& tolerances, const std::string& field, double value);
 
 struct DiffReport {
-  std::uint64_t steps = 0;           ///< that both logs have
+  std::uint64_t from = 0;            ///< the first state that both logs have
+  std::uint64_t steps = 0;           ///< after it, that both logs have
   std::optional<Divergence> first;   ///< none: the same in all those steps
   std::vector<std::string> headers;  ///< what differs in the headers, a line each; no verdict by itself
-  std::uint64_t steps_a = 0;
-  std::uint64_t steps_b = 0;
-  /// No difference in any step, and as many steps.
-  [[nodiscard]] bool identical() const { return !first.has_value() && steps_a == steps_b; }
+  std::uint64_t last_a = 0;          ///< last step
+  std::uint64_t last_b = 0;
+  /// No difference in any step, and the same last step.
+  [[nodiscard]] bool identical() const { return !first.has_value() && last_a == last_b; }
 };
 
-/// Compares two logs: state 0, then every step. Exact comparison goes by the chains of whole chunks and opens only the
-/// chunk with the first difference. With tolerances, steps whose hashes differ are compared by their states, fields
-/// without a tolerance exactly. Errors: a log that cannot be read; no step in common to compare (kDamaged); tolerances
-/// where a log has no states for a step that differs (kBadInput).
+/// Compares two logs: state 0, then every step; where one goes on from a later state, from that on. Exact comparison
+/// goes by the chains of whole chunks and opens only the chunk with the first difference. With tolerances, steps whose
+/// hashes differ are compared by their states, fields without a tolerance exactly. Errors: a log that cannot be read;
+/// no step in common to compare (kDamaged); tolerances where a log has no states for a step that differs (kBadInput).
 Result<DiffReport> diff_logs(LogReader& a, LogReader& b, const Tolerances& tolerances = {},
                              const Progress& progress = {});
 

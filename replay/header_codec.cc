@@ -36,6 +36,11 @@ Result<LogHeader> decode_root(schema::Header::Reader in) {
   header.scene_text.assign(text.cStr(), text.size());
   header.overrides = decode_texts(in.getOverrides());
   header.transform = decode(in.getTransform());
+  if (in.hasGoesOn()) {
+    const schema::GoesOn::Reader before = in.getGoesOn();
+    const Hash128 hash = {before.getContinuationHigh(), before.getContinuationLow()};
+    header.goes_on = {before.getStep(), before.getLog().cStr(), hash, {}};
+  }
   header.states.every = in.getStatesEvery();
   header.chunk_steps_max = in.getChunkStepsMax();
   header.chunk_bytes_max = in.getChunkBytesMax();
@@ -58,6 +63,13 @@ Result<MessageBytes> encode_header(const LogHeader& header) {
     out.setSceneText(header.scene_text);
     encode_texts(header.overrides, out.initOverrides(static_cast<unsigned>(header.overrides.size())));
     encode(header.transform, out.initTransform());
+    if (header.goes_on) {
+      schema::GoesOn::Builder before = out.initGoesOn();
+      before.setStep(header.goes_on->step);
+      before.setLog(header.goes_on->log);
+      before.setContinuationLow(header.goes_on->continuation_hash.low);
+      before.setContinuationHigh(header.goes_on->continuation_hash.high);
+    }
     out.setStatesEvery(header.states.every);
     out.setChunkStepsMax(header.chunk_steps_max);
     out.setChunkBytesMax(header.chunk_bytes_max);

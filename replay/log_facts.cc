@@ -14,7 +14,7 @@ class FactCounter {
     facts_.bodies_at_start = log.header().scene.boxes.size();
     facts_.moving_body_steps = 0;
     for (const sim::BoxDef& box : log.header().scene.boxes) note_static(box);
-    if (Result<const StepRecord*> start = log.read_step(0); start.ok()) {
+    if (Result<const StepRecord*> start = log.read_step(log.first_state()); start.ok()) {
       facts_.final_hash = (*start)->state_hash;
     }
   }
@@ -25,7 +25,7 @@ class FactCounter {
         const Result<const StepRecord*> record = log_.read_step(k);
         if (!record.ok()) break;  // the rest of the chunk cannot be read either
         count(**record);
-        if (progress && !progress(k, log_.step_count())) return facts_;
+        if (progress && !progress(k - log_.first_state(), log_.step_count())) return facts_;
       }
     }
     facts_.seconds = clock_.now();

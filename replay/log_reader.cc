@@ -6,6 +6,7 @@
 
 #include "replay/header_codec.h"
 #include "replay/limits.h"
+#include "src/model/limits.h"
 
 namespace tumble::replay {
 namespace {
@@ -44,7 +45,7 @@ Result<std::vector<ChunkPlace>> read_index(const ByteSource& source, const Prelu
   Result<std::vector<ChunkPlace>> places = decode_index(*message);
   if (!places.ok()) return places.error();
   std::uint64_t offset = begin;
-  std::uint64_t step = 1;
+  std::uint64_t step = header.first_step + 1;
   for (const ChunkPlace& place : *places) {
     const bool fits = place.offset == offset && place.length > kPreludeBytes &&
                       place.length <= footer->index_offset - offset && place.first_step == step &&
@@ -53,7 +54,7 @@ Result<std::vector<ChunkPlace>> read_index(const ByteSource& source, const Prelu
     offset += place.length;
     step += place.step_count;
   }
-  if (places->empty() || offset != footer->index_offset || step != footer->prelude.step_count + 1 ||
+  if (places->empty() || offset != footer->index_offset || step != header.first_step + footer->prelude.step_count + 1 ||
       places->back().chain_after != footer->prelude.chain_after) {
     return damaged("index: it does not tell of all chunks before it");
   }
@@ -160,8 +161,14 @@ Status LogReader::read_header() {
   header_ = *std::move(header);
   header_.format_major = prelude->major;
   header_.format_minor = prelude->minor;
-  if (prelude->stored_hash.low == prelude->log_tag) return {};
-  return damaged(name() + ": header at byte 0: its tag is not its own hash");
+  if (prelude->stored_hash.low != prelude->log_tag) {
+    return damaged(name() + ": header at byte 0: its tag is not its own hash");
+  }
+  if (header_.goes_on) header_.goes_on->chain = prelude->chain_after;
+  const std::uint64_t wanted = header_.goes_on ? header_.goes_on->step : 0;
+  if (prelude->first_step == wanted && wanted < sim::kStepsMax) return {};
+  return damaged(name() + ": header at byte 0: found a log that begins with state " +
+                 std::to_string(prelude->first_step) + ", wanted " + std::to_string(wanted));
 }
 
 /// By the index if it is there and right, else by a walk over the preludes.
@@ -184,19 +191,19 @@ void LogReader::find_chunks() {
 Error LogReader::no_such(const char* what, std::uint64_t k) const {
   const std::string found = name() + ": found no " + what + " " + std::to_string(k) + ", the log has ";
   if (chunks_.empty()) return damaged(found + "not one complete chunk");
-  return bad_input(found + "steps 0 to " + std::to_string(step_count()));
+  return bad_input(found + "steps " + std::to_string(first_state()) + " to " + std::to_string(last_step()));
 }
 
 Result<std::size_t> LogReader::chunk_of(std::uint64_t k) const {
   const auto after =
       std::upper_bound(chunks_.begin(), chunks_.end(), k,
                        [](std::uint64_t step, const ChunkPlace& place) { return step < place.first_step; });
-  if (k > step_count() || chunks_.empty()) {
+  if (k <= first_state() || k > last_step()) {
     return no_such("step", k);
   }
   if (after == chunks_.begin() || k >= std::prev(after)->end_step()) {
     return damaged(name() + ": step " + std::to_string(k) + " was in a record that is damaged; steps from " +
-                   std::to_string(after == chunks_.end() ? step_count() : after->first_step) + " on can be read");
+                   std::to_string(after == chunks_.end() ? last_step() : after->first_step) + " on can be read");
   }
   return static_cast<std::size_t>(after - chunks_.begin()) - 1;
 }
@@ -213,15 +220,16 @@ Result<ChunkDecoder*> LogReader::load(std::size_t chunk) {
 }
 
 Result<const StepRecord*> LogReader::read(std::uint64_t k, bool with_states) {
-  if (k == 0) {
-    Result<const Keyframe*> start = keyframe_at_or_before(0);
+  if (k == first_state()) {
+    Result<const Keyframe*> start = keyframe_at_or_before(k);
     if (!start.ok()) return start.error();
-    state_0_ = {};
-    copy_visible((*start)->state.bodies, state_0_.states);
-    state_0_.has_states = true;
-    state_0_.dt = (*start)->state.def.dt;
-    state_0_.state_hash = sim::state_hash((*start)->state.bodies);
-    return &state_0_;
+    start_ = {};
+    start_.step = k;
+    copy_visible((*start)->state.bodies, start_.states);
+    start_.has_states = true;
+    start_.dt = (*start)->state.def.dt;
+    start_.state_hash = sim::state_hash((*start)->state.bodies);
+    return &start_;
   }
   Result<std::size_t> chunk = chunk_of(k);
   if (!chunk.ok()) return chunk.error();
@@ -242,7 +250,7 @@ Result<const Keyframe*> LogReader::keyframe_at_or_before(std::uint64_t k) {
   const auto after =
       std::upper_bound(chunks_.begin(), chunks_.end(), k + 1,
                        [](std::uint64_t step, const ChunkPlace& place) { return step < place.first_step; });
-  if (k > step_count() || after == chunks_.begin()) {
+  if (k < first_state() || k > last_step() || after == chunks_.begin()) {
     return no_such("state", k);
   }
   Result<ChunkDecoder*> decoder = load(static_cast<std::size_t>(after - chunks_.begin()) - 1);
@@ -251,7 +259,7 @@ Result<const Keyframe*> LogReader::keyframe_at_or_before(std::uint64_t k) {
 }
 
 Result<Hash128> LogReader::chain_at(std::uint64_t k) {
-  if (k == 0) return header_prelude_.chain_after;
+  if (k == first_state()) return header_prelude_.chain_after;
   Result<std::size_t> chunk = chunk_of(k);
   if (!chunk.ok()) return chunk.error();
   const ChunkPlace& place = chunks_[*chunk];

@@ -33,15 +33,23 @@ class LogReader {
   /// Whether the log was finished, where it is torn, what was found damaged on opening. verify() looks at every byte.
   [[nodiscard]] const LogCondition& condition() const { return condition_; }
 
-  /// The last step that the log holds; 0 if it holds state 0 alone or nothing.
-  [[nodiscard]] std::uint64_t step_count() const { return chunks_.empty() ? 0 : chunks_.back().end_step() - 1; }
+  /// The state that the log begins with: 0, or the step after which the session goes on from another one.
+  [[nodiscard]] std::uint64_t first_state() const { return header_prelude_.first_step; }
+
+  /// The last step that the log holds; first_state() if it holds that state alone or nothing.
+  [[nodiscard]] std::uint64_t last_step() const {
+    return chunks_.empty() ? first_state() : chunks_.back().end_step() - 1;
+  }
+
+  [[nodiscard]] std::uint64_t step_count() const { return last_step() - first_state(); }
 
   /// The chunks that are there, ascending. Between two of them steps are missing if a record was lost.
   [[nodiscard]] const std::vector<ChunkPlace>& chunks() const { return chunks_; }
 
-  /// Step k of 0 … step_count(), with its states where the log has them (record->has_states); step 0 is state 0, always
-  /// with states. The pointer is good until the next call of a member that is not const. Errors: kBadInput for a step
-  /// that the log does not hold, kDamaged (path, record, byte, found and wanted) for one that cannot be read.
+  /// Step k of first_state() … last_step(), with its states where the log has them (record->has_states); the first is
+  /// the state that the log begins with, always with states and without inputs. The pointer is good until the next call
+  /// of a member that is not const. Errors: kBadInput for a step that the log does not hold, kDamaged (path, record,
+  /// byte, found and wanted) for one that cannot be read.
   Result<const StepRecord*> read_step(std::uint64_t k);
 
   /// The same without states, which makes it cheap: inputs, hashes and counters only. states stays empty or not.
@@ -51,7 +59,7 @@ class LogReader {
   /// apply the inputs of steps state.step + 1 … k and step. Good until the next call of a member that is not const.
   Result<const Keyframe*> keyframe_at_or_before(std::uint64_t k);
 
-  /// The chain after step k of 0 … step_count(); see chain_next(). Errors: as read_step().
+  /// The chain after step k of first_state() … last_step(); see chain_next(). Errors: as read_step().
   Result<Hash128> chain_at(std::uint64_t k);
 
   // For verify().
@@ -74,7 +82,7 @@ class LogReader {
   std::vector<ChunkPlace> chunks_;
   std::optional<std::size_t> loaded_;  // which chunk decoder_ holds
   std::optional<ChunkDecoder> decoder_;
-  StepRecord state_0_;
+  StepRecord start_;
 };
 
 /// Reads, checks and decompresses the record at a place. Errors carry path, record and byte.

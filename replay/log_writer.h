@@ -42,8 +42,8 @@ struct StepInfo {
 /// Not to be called from two threads at once.
 class LogWriter {
  public:
-  /// Begins a log: writes the header. `initial` is state 0. header_for() makes the header. Errors: kBadInput from
-  /// open_file_sink(), kCannotFinish from writing.
+  /// Begins a log: writes the header. `initial` is state 0, or the state that LogHeader::goes_on tells of. header_for()
+  /// makes the header. Errors: kBadInput from open_file_sink(), kCannotFinish from writing.
   static Result<std::unique_ptr<LogWriter>> create(const std::string& path, const LogHeader& header,
                                                    const sim::WorldState& initial);
   static Result<std::unique_ptr<LogWriter>> create(std::unique_ptr<ByteSink> sink, const LogHeader& header,

@@ -42,7 +42,7 @@ BoxLook coloured(BoxLook look, const Colour& colour) {
 
 }  // namespace
 
-PictureSource::PictureSource(LogReader& log) : log_(&log), states_(log) {
+PictureSource::PictureSource(LogReader& log) : log_(&log), states_(log), scanned_(log.first_state()) {
   for (const sim::BoxDef& box : log.header().scene.boxes) boxes_.emplace(box.id, box);
 }
 
@@ -84,7 +84,7 @@ Result<Picture> PictureSource::read(std::uint64_t k, const PictureOptions& optio
     snapshot.boxes.push_back(look_of(record.states, row, **box, options));
   }
   if (options.velocities) add_velocity_markers(snapshot, kArrowSeconds);
-  if (options.contacts && k > 0) {
+  if (options.contacts && k > log_->first_state()) {
     if (const Status added = add_contacts(k, snapshot); !added.ok()) return added.error();
   }
   return picture;

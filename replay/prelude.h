@@ -30,7 +30,7 @@ const char* name_of(RecordKind kind);
 /// | 16–19   | format version: major, minor (2 bytes each). Bytes 0–19 stay as they are in every version        |
 /// | 20–23   | kind (2), reserved (2): 0                                                                       |
 /// | 24–31   | sequence number: 0 the header, then one more a record                                           |
-/// | 32–47   | first step, step count; footer and index: 1 and the steps of the log; header: 0                 |
+/// | 32–47   | first step, step count; footer and index: those of the log; header: number of the first state, 0 |
 /// | 48–63   | stored bytes that follow, bytes that they decompress to                                         |
 /// | 64–79   | XXH3-128 of the stored bytes: low, high                                                         |
 /// | 80–111  | chain before the first and after the last step: low, high each; header: the chain's start, twice |

@@ -7,9 +7,9 @@
 namespace tumble::replay {
 namespace {
 
-std::string steps_text(std::uint64_t steps) {
+std::string steps_text(std::uint64_t first, std::uint64_t steps) {
   if (steps == 0) return "no step was saved";
-  return "steps 1 to " + std::to_string(steps) + " are saved and can be read";
+  return "steps " + std::to_string(first) + " to " + std::to_string(first + steps - 1) + " are saved and can be read";
 }
 
 }  // namespace
@@ -17,7 +17,7 @@ std::string steps_text(std::uint64_t steps) {
 Status RecordWriter::fail(const std::string& doing, const std::string& why) {
   sink_->truncate(bytes_);  // a log that ends with a complete record
   status_ = cannot_finish(sink_->name() + ": cannot write " + doing + " at byte " + std::to_string(bytes_) + ": " +
-                          why + "; " + steps_text(steps()) + "; free some space and record again");
+                          why + "; " + steps_text(first_state_ + 1, steps()) + "; free some space and record again");
   return status_;
 }
 
@@ -49,11 +49,13 @@ Status RecordWriter::write_record(Prelude& prelude, const MessageBytes& message)
 Status RecordWriter::write_header(const LogHeader& header, const sim::WorldState& initial) {
   mode_ = header.states;
   final_hash_ = sim::state_hash(initial.bodies);
-  chain_ = chain_start(final_hash_);
+  first_state_ = initial.step;
+  chain_ = header.goes_on ? header.goes_on->chain : chain_start(final_hash_);
   Result<MessageBytes> message = encode_header(header);
   if (!message.ok()) return fail("header", message.error().message);
   Prelude prelude;
   prelude.kind = RecordKind::kHeader;
+  prelude.first_step = first_state_;
   prelude.chain_before = prelude.chain_after = chain_;
   return write_record(prelude, *message);
 }
@@ -88,7 +90,7 @@ Status RecordWriter::finish() {
   footer.index_offset = bytes_;
   Prelude index;
   index.kind = RecordKind::kIndex;
-  index.first_step = 1;
+  index.first_step = first_state_ + 1;
   index.step_count = steps();
   index.chain_before = index.chain_after = chain_;
   if (Status ok = write_record(index, *message); !ok.ok()) return ok;

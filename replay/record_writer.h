@@ -22,6 +22,7 @@ class RecordWriter {
  public:
   explicit RecordWriter(std::unique_ptr<ByteSink> sink) : sink_(std::move(sink)) {}
 
+  /// initial: state 0, or what the session goes on from.
   Status write_header(const LogHeader& header, const sim::WorldState& initial);
 
   /// Fills in each step's state_hash and has_states, and the keyframe's hash; then writes. Every step must have states.
@@ -31,7 +32,9 @@ class RecordWriter {
   Status finish();
 
   [[nodiscard]] std::uint64_t bytes() const { return bytes_; }
-  [[nodiscard]] std::uint64_t steps() const { return chunks_.empty() ? 0 : chunks_.back().end_step() - 1; }
+  [[nodiscard]] std::uint64_t steps() const {
+    return chunks_.empty() ? 0 : chunks_.back().end_step() - 1 - first_state_;
+  }
   [[nodiscard]] std::size_t chunks() const { return chunks_.size(); }
   [[nodiscard]] const Hash128& final_hash() const { return final_hash_; }
   [[nodiscard]] const Hash128& chain() const { return chain_; }
@@ -47,7 +50,8 @@ class RecordWriter {
   std::vector<std::byte> stored_;  // kept for its memory
   std::vector<ChunkPlace> chunks_;
   StatesMode mode_;
-  std::uint64_t bytes_ = 0;  // of complete records
+  std::uint64_t first_state_ = 0;  // what the log begins with
+  std::uint64_t bytes_ = 0;        // of complete records
   std::uint64_t sequence_ = 0;
   std::uint64_t log_tag_ = 0;
   Hash128 chain_;

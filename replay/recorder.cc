@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "replay/continuation.h"
+
 namespace tumble::replay {
 namespace {
 
@@ -29,8 +31,8 @@ Error ended_early(const Error& error, const std::string& path, const Result<LogS
 
 }  // namespace
 
-Recorder::Recorder(const sim::SceneDef& scene, sim::World world, std::unique_ptr<LogWriter> writer)
-    : inputs_(scene.inputs), world_(std::move(world)), writer_(std::move(writer)) {}
+Recorder::Recorder(sim::SceneDef scene, sim::World world, std::unique_ptr<LogWriter> writer)
+    : scene_(std::move(scene)), world_(std::move(world)), writer_(std::move(writer)) {}
 
 Result<std::unique_ptr<Recorder>> Recorder::start(const std::string& path, const sim::SceneDef& scene,
                                                   const RecordOptions& options) {
@@ -56,11 +58,37 @@ Result<std::unique_ptr<Recorder>> Recorder::start_with(const CreateWriter& creat
   return std::unique_ptr<Recorder>(new Recorder(session, *std::move(world), *std::move(writer)));
 }
 
+Result<std::unique_ptr<Recorder>> Recorder::go_on(const std::string& path, LogReader& from, std::uint64_t k,
+                                                  const GoOnOptions& options) {
+  return go_on_with(
+      [&](const LogHeader& header, const sim::WorldState& state) { return LogWriter::create(path, header, state); },
+      from, k, options);
+}
+
+Result<std::unique_ptr<Recorder>> Recorder::go_on(std::unique_ptr<ByteSink> sink, LogReader& from, std::uint64_t k,
+                                                  const GoOnOptions& options) {
+  return go_on_with([&](const LogHeader& header,
+                        const sim::WorldState& state) { return LogWriter::create(std::move(sink), header, state); },
+                    from, k, options);
+}
+
+Result<std::unique_ptr<Recorder>> Recorder::go_on_with(const CreateWriter& create, LogReader& from, std::uint64_t k,
+                                                       const GoOnOptions& options) {
+  Result<Continuation> continuation = continuation_of(from, k, options);
+  if (!continuation.ok()) return continuation.error();
+  Result<sim::World> world = sim::World::restore(continuation->state);
+  if (!world.ok()) return world.error();
+  auto writer = create(continuation->header, world->state());
+  if (!writer.ok()) return writer.error();
+  return std::unique_ptr<Recorder>(new Recorder(continuation->header.scene, *std::move(world), *std::move(writer)));
+}
+
 Status Recorder::apply_inputs(std::span<const sim::Command> live) {
   const std::uint64_t step = world_.state().step + 1;
   applied_.clear();
-  while (next_input_ < inputs_.size() && inputs_[next_input_].step <= step) {
-    applied_.push_back(inputs_[next_input_++].command);
+  const std::vector<sim::TimedCommand>& inputs = scene_.inputs;
+  while (next_input_ < inputs.size() && inputs[next_input_].step <= step) {
+    applied_.push_back(inputs[next_input_++].command);
   }
   applied_.insert(applied_.end(), live.begin(), live.end());
   for (const sim::Command& command : applied_) {

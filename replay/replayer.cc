@@ -38,7 +38,7 @@ std::vector<std::string> notes_of(const LogReader& log, bool same_phases) {
                     header.method + ", this build has version " + std::to_string(ours));
   }
   if (!same_phases) notes.emplace_back("the phases of the method have changed since: only states are compared");
-  if (!log.condition().whole()) notes.push_back("the log is not whole: " + log.condition().summary(log.step_count()));
+  if (!log.condition().whole()) notes.push_back("the log is not whole: " + log.condition().summary(log.last_step()));
   return notes;
 }
 
@@ -117,21 +117,22 @@ Result<const StepRecord*> Player::step() {
 
 Result<ReplayReport> replay_log(LogReader& log, const ReplayOptions& options, const Progress& progress) {
   const LogHeader& header = log.header();
-  const std::uint64_t last = log.step_count();
+  const std::uint64_t from = std::max(options.from_step, log.first_state());
+  const std::uint64_t last = log.last_step();
   const bool same_phases =
       header.phases == header_for(header.scene).phases && header.phase_rows_max == sim::PhaseHashes::kRowsMax;
   ReplayReport report;
   report.notes = notes_of(log, same_phases);
-  if (options.from_step == 0) {
+  if (from == 0) {
     Result<std::optional<Divergence>> start = compare_start(log);
     if (!start.ok()) return start.error();
     report.first = *std::move(start);
     if (report.first) return report;
   }
-  Result<Player> player = Player::at(log, options.from_step);
+  Result<Player> player = Player::at(log, from);
   if (!player.ok()) return player.error();
   const std::vector<std::string> phases = same_phases ? header.phases : std::vector<std::string>();
-  for (std::uint64_t k = options.from_step + 1; k <= last; ++k) {
+  for (std::uint64_t k = from + 1; k <= last; ++k) {
     const auto unreadable = [&](const Error& error) {
       return Error{error.kind, error.message + "; the steps before step " + std::to_string(k) + " replayed the same"};
     };
@@ -146,7 +147,7 @@ Result<ReplayReport> replay_log(LogReader& log, const ReplayOptions& options, co
       report.first = failed_at(k, "step", actual.error());
     }
     ++report.steps;
-    if (report.first || (progress && !progress(k - options.from_step, last - options.from_step))) break;
+    if (report.first || (progress && !progress(k - from, last - from))) break;
   }
   report.final_hash = sim::state_hash(player->world().bodies());
   return report;

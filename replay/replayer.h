@@ -18,8 +18,8 @@ namespace tumble::replay {
 /// Feeds a log's inputs to this build's stepper, from a keyframe on.
 class Player {
  public:
-  /// A world in state k of the log, 0 … step_count(): the keyframe at or before it, and the steps between simulated
-  /// again. `log` must outlive the player. Errors: the log's, World::restore's, a step that fails.
+  /// A world in state k of the log, first_state() … last_step(): the keyframe at or before it, and the steps between
+  /// simulated again. `log` must outlive the player. Errors: the log's, World::restore's, a step that fails.
   static Result<Player> at(LogReader& log, std::uint64_t k);
 
   /// Takes the next step of the log: its inputs, then the step. The record is what this build makes of it, with states.
@@ -38,7 +38,8 @@ class Player {
 };
 
 struct ReplayOptions {
-  /// Compare from the state after this step on; 0 replays all. The keyframe at or before it is trusted.
+  /// Compare from the state after this step on; the log's first state or less replays all. The keyframe at or before it
+  /// is trusted.
   std::uint64_t from_step = 0;
 };
 
@@ -53,9 +54,10 @@ struct ReplayReport {
 /// Replays a log and compares every step with it, the last included: dt and inputs, phase words, state hash, counters;
 /// where they differ, the states say body and field. (That a log's states are those its state hashes tell of is
 /// verify()'s matter.) Where a chunk ends, the hidden state is compared too, by the next keyframe's continuation hash,
-/// if this build has the log's method version. From step 0 on, state 0 comes first: that the scene still resolves to
-/// it. Stops at the first difference. Errors: a log that cannot be read on (kDamaged, naming the steps compared
-/// before), nothing to compare (kDamaged). A step that this build cannot take is a Divergence with the field "error".
+/// if this build has the log's method version. From state 0 on, that comes first: the scene must still resolve to it.
+/// A session that goes on from another one's state is replayed from its keyframe. Stops at the first difference.
+/// Errors: a log that cannot be read on (kDamaged, naming the steps compared before), nothing to compare (kDamaged). A
+/// step that this build cannot take is a Divergence with the field "error".
 Result<ReplayReport> replay_log(LogReader& log, const ReplayOptions& options = {}, const Progress& progress = {});
 
 }  // namespace tumble::replay

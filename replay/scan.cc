@@ -154,7 +154,7 @@ class Walk {
   /// a chunk that does not come after the others.
   bool check_order(const Prelude& prelude) {
     const std::string record = std::string(name_of(prelude.kind)) + " " + at_byte(offset_) + ": found ";
-    const std::uint64_t wanted = result_.chunks.empty() ? 1 : result_.chunks.back().end_step();
+    const std::uint64_t wanted = result_.chunks.empty() ? header_.first_step + 1 : result_.chunks.back().end_step();
     if (prelude.kind == RecordKind::kChunk && (prelude.first_step < wanted || prelude.first_step > sim::kStepsMax ||
                                                prelude.step_count > kStepsPerChunkRead)) {
       add_damage(prelude.kind, offset_,

@@ -17,9 +17,9 @@ class StateSource {
   /// log must outlive this, and may be read from in between.
   explicit StateSource(LogReader& log) : log_(&log) {}
 
-  /// Step k of 0 … step_count() as LogReader::read_step() gives it, always with states. Good until the next call of
-  /// this or of a member of the log that is not const. Errors: the log's; kCannotFinish where this build computes
-  /// another state than the log's.
+  /// Step k of first_state() … last_step() as LogReader::read_step() gives it, always with states. Good until the next
+  /// call of this or of a member of the log that is not const. Errors: the log's; kCannotFinish where this build
+  /// computes another state than the log's.
   Result<const StepRecord*> read(std::uint64_t k);
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,15 @@ struct StatesMode {
 Result<StatesMode> parse_states_mode(const std::string& text);
 std::string to_string(const StatesMode& mode);
 
+/// Where a session that goes on from another one's state began.
+struct GoesOn {
+  std::uint64_t step = 0;     ///< of the other session's state; this one's first step is the next
+  std::string log;            ///< the other log, as it was given
+  Hash128 continuation_hash;  ///< of that state
+  Hash128 chain;              ///< of the other session, after that step
+  friend bool operator==(const GoesOn&, const GoesOn&) = default;
+};
+
 /// What a log says of itself once, at its start.
 struct LogHeader {
   std::uint16_t format_major = 0;  ///< of the file; the writer fills both in
@@ -72,10 +82,11 @@ struct LogHeader {
   std::string float_format = "binary64, little-endian";
   std::vector<std::string> phases;     ///< names, in the order they run
   std::uint32_t phase_rows_max = 0;    ///< sim::PhaseHashes::kRowsMax of the writer
-  sim::SceneDef scene;                 ///< resolved
+  sim::SceneDef scene;                 ///< resolved; of a session that goes on: as it was then
   std::string scene_text;              ///< the TOML file as it was, empty if none
   std::vector<std::string> overrides;  ///< "world.dt=0.01", in order
   sim::Transform transform;            ///< done to the scene of the text; `scene` has it done already
+  std::optional<GoesOn> goes_on;       ///< none: the log begins with state 0
   StatesMode states;
   std::uint32_t chunk_steps_max = 0;
   std::uint64_t chunk_bytes_max = 0;

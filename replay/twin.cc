@@ -135,21 +135,26 @@ Result<TwinReport> compare_twins(LogReader& original, LogReader& image, const Pr
   }
   StateSource from(original), to(image);
   TwinMeter meter(transform, ids);
-  const std::uint64_t last = std::min(original.step_count(), image.step_count());
-  for (std::uint64_t k = 0; k <= last; ++k) {
+  const std::uint64_t first = original.first_state();
+  if (image.first_state() != first) {
+    return bad_input(image.name() + ": found state " + std::to_string(image.first_state()) + " at its begin, wanted " +
+                     std::to_string(first) + " as in " + original.name());
+  }
+  const std::uint64_t last = std::min(original.last_step(), image.last_step());
+  for (std::uint64_t k = first; k <= last; ++k) {
     Result<const StepRecord*> a = from.read(k);
     if (!a.ok()) return a.error();
     Result<const StepRecord*> b = to.read(k);
     if (!b.ok()) return b.error();
     meter.add(k, (*a)->states, (*b)->states);
-    if (progress && !progress(k, last)) return cannot_finish("interrupted");
+    if (progress && !progress(k - first, last - first)) return cannot_finish("interrupted");
   }
   if (original.step_count() != image.step_count()) {
     return bad_input(image.name() + ": found " + std::to_string(image.step_count()) + " steps, wanted as many as " +
                      original.name() + " has: " + std::to_string(original.step_count()));
   }
   TwinReport report = meter.report();
-  report.steps = last;
+  report.steps = last - first;
   return report;
 }
 

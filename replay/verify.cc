@@ -57,13 +57,14 @@ class Verifier {
     state_known_ = true;
   }
 
-  /// The keyframe must be what the step before it led to; state 0 is what the chain starts from.
+  /// The keyframe must be what the step before it led to.
   Status check_keyframe(const Keyframe& keyframe, const ChunkPlace& place) {
     const Hash128 found = sim::state_hash(keyframe.state.bodies);
-    if (place.first_step == 1 && chain_start(found) != log_.header_prelude().chain_after) {
-      return damaged("the first keyframe is not the state 0 that the header tells of");
+    if (place.first_step == log_.first_state() + 1 && !is_start(keyframe, found)) {
+      return damaged("the first keyframe is not the state that the header tells of");
     }
-    if (place.first_step > 1 && state_known_ && known_step_ + 1 == place.first_step && found != previous_) {
+    if (place.first_step > log_.first_state() + 1 && state_known_ && known_step_ + 1 == place.first_step &&
+        found != previous_) {
       return damaged("the keyframe has state hash " + to_string(found) + ", the step before it " +
                      to_string(previous_));
     }
@@ -72,6 +73,13 @@ class Verifier {
     if (continuation == keyframe.continuation_hash) return {};
     return damaged("the keyframe has continuation hash " + to_string(continuation) + ", the log says " +
                    to_string(keyframe.continuation_hash));
+  }
+
+  /// State 0 is what the chain starts from; a session that goes on names the complete state.
+  [[nodiscard]] bool is_start(const Keyframe& keyframe, const Hash128& state) const {
+    const std::optional<GoesOn>& before = log_.header().goes_on;
+    if (before) return before->continuation_hash == keyframe.continuation_hash;
+    return chain_start(state) == log_.header_prelude().chain_after;
   }
 
   Status check_step(const StepRecord& step) {
@@ -120,7 +128,7 @@ class Verifier {
   void check_footer() {
     if (!scan_.footer) return;
     const Footer& footer = *scan_.footer;
-    const std::uint64_t steps = scan_.chunks.empty() ? 0 : scan_.chunks.back().end_step() - 1;
+    const std::uint64_t steps = scan_.chunks.empty() ? 0 : scan_.chunks.back().end_step() - 1 - log_.first_state();
     const auto wrong = [&](const std::string& what) {
       add(RecordKind::kFooter, scan_.footer_offset,
           "footer at byte " + std::to_string(scan_.footer_offset) + ": " + what);
@@ -133,7 +141,7 @@ class Verifier {
     } else if (scan_.index && footer.index_offset != scan_.index->offset) {
       wrong("found the index at byte " + std::to_string(footer.index_offset) + ", wanted byte " +
             std::to_string(scan_.index->offset));
-    } else if (state_known_ && known_step_ > 0 && known_step_ == footer.prelude.step_count &&
+    } else if (state_known_ && steps > 0 && known_step_ == log_.first_state() + footer.prelude.step_count &&
                footer.final_state_hash != previous_) {
       wrong("found the final state hash " + to_string(footer.final_state_hash) + ", wanted " + to_string(previous_));
     }

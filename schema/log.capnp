@@ -133,6 +133,15 @@ struct Header {
   chunkStepsMax @11 :UInt32;    # what the writer closes a chunk at, for people
   chunkBytesMax @12 :UInt64;    # likewise
   transform @13 :Transform;     # what was made of the scene file before the session began
+  goesOn @14 :GoesOn;           # null: the session begins with step 1 of its scene
+}
+
+# Where a session that goes on from another one's state began.
+struct GoesOn {
+  step @0 :UInt64;              # steps of the other session before; this log's first step is the next
+  log @1 :Text;                 # the other log's file, as it was given; for people
+  continuationLow @2 :UInt64;   # the continuation hash of the state between them
+  continuationHigh @3 :UInt64;
 }
 
 # A symmetry of the simulation, done to the scene in this order. `scene` has it done already.

@@ -141,6 +141,47 @@ TEST(Program, ATwinIsRecordedAndMeasured) {
   }
 }
 
+TEST(Program, GoesOnFromAStepOfALog) {
+  const Workshop shop;
+  shop.record_small("s");
+  const Outcome outcome = shop.run({"record", "--from", "s.tumble:3"});
+  ASSERT_EQ(outcome.exit, 0) << outcome.err;
+  const std::string rest = "s_from_3.tumble";
+  EXPECT_EQ(shop.run({"diff", "s.tumble", rest}).exit, 0);
+  EXPECT_EQ(shop.run({"replay", rest}).exit, 0);
+  EXPECT_EQ(shop.run({"measure", rest}).exit, 0);
+  EXPECT_EQ(shop.run({"dump", rest, "--step", "2"}).exit, 2);
+  EXPECT_EQ(shop.run({"dump", rest, "--steps", "3:40", "--csv"}).out,
+            shop.run({"dump", "s.tumble", "--steps", "3:40", "--csv"}).out);
+  const ordered_json info = parsed(shop.run({"info", rest, "--json"}));
+  EXPECT_EQ(info["goes_on"]["step"], 3);
+  EXPECT_EQ(info["first_state"], 3);
+  EXPECT_EQ(info["steps"], 37);
+  EXPECT_EQ(shop.run({"record", "--from", "s.tumble:3", "--no-inputs", "-o", "quiet.tumble"}).exit, 0);
+  EXPECT_EQ(shop.run({"diff", "s.tumble", "quiet.tumble"}).exit, 1);
+}
+
+TEST(Program, GoingOnSaysWhatItCannotDo) {
+  const Workshop shop;
+  shop.record_small("s");
+  const std::vector<std::vector<std::string>> wrong = {
+      {"record"},
+      {"record", "--from", "s.tumble"},
+      {"record", "--from", "s.tumble:41"},
+      {"record", "--from", "s.tumble:40"},
+      {"record", "--from", "s.tumble:3", "-o", "s.tumble"},
+      {"record", "--from", "s.tumble:3", "--mirror", "x"},
+      {"record", "--from", "s.tumble:3", "--set", "world.dt=0.1"},
+      {"record", "s.toml", "--from", "s.tumble:3"},
+      {"record", "s.toml", "--no-inputs"},
+  };
+  for (const std::vector<std::string>& arguments : wrong) {
+    const Outcome outcome = shop.run(arguments);
+    EXPECT_EQ(outcome.exit, 2) << outcome.out << outcome.err;
+    EXPECT_FALSE(outcome.err.empty());
+  }
+}
+
 TEST(Program, DiffNamesTheFirstDifference) {
   const Workshop shop;
   shop.record_small("a");

@@ -1,4 +1,5 @@
 // tumble diff: the first difference between two logs.
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -46,16 +47,17 @@ Result<replay::Tolerances> parse_tolerances(const std::vector<std::string>& argu
 std::optional<replay::Divergence> first_of(const replay::DiffReport& report) {
   if (report.first || report.identical()) return report.first;
   replay::Divergence end;
-  end.step = report.steps + 1;
+  end.step = std::min(report.last_a, report.last_b) + 1;
   end.phase = "step";
   end.field = "steps";
-  end.expected = report.steps_a;
-  end.actual = report.steps_b;
+  end.expected = report.last_a;
+  end.actual = report.last_b;
   return end;
 }
 
 void print_text(const replay::DiffReport& report, bool exact_bits) {
   for (const std::string& line : report.headers) std::cout << "header: " << printable(line) << '\n';
+  if (report.from > 0) std::cout << "compared from step " << report.from << " on, which both logs have\n";
   const std::string steps = count_text(report.steps, "step");
   if (report.identical()) {
     std::cout << (exact_bits ? "identical: " + steps + ", every bit\n" : "same within tolerances: " + steps + '\n');
@@ -63,8 +65,8 @@ void print_text(const replay::DiffReport& report, bool exact_bits) {
     std::cout << "different from step " << report.first->step << " on\n";
     print_divergence(*report.first);
   } else {
-    std::cout << "different in length: the first has " << count_text(report.steps_a, "step") << ", the second "
-              << count_text(report.steps_b, "step") << "; the " << steps << " of both are the same\n";
+    std::cout << "different in length: the first ends with step " << report.last_a << ", the second with step "
+              << report.last_b << "; the " << steps << " of both are the same\n";
   }
 }
 

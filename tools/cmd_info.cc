@@ -47,6 +47,10 @@ void add_header(Listing& listing, const LogHeader& header) {
   if (!header.scene.title.empty()) listing.add("title", printable(header.scene.title));
   if (!header.scene.category.empty()) listing.add("category", printable(header.scene.category));
   if (!header.overrides.empty()) listing.add("set", printable(joined(header.overrides, ", ")));
+  if (header.goes_on) {
+    listing.add("goes on from",
+                "step " + std::to_string(header.goes_on->step) + " of " + printable(header.goes_on->log));
+  }
   if (!header.transform.identity()) listing.add("image", to_string(header.transform));
   listing.add("method", printable(header.method) + ", version " + std::to_string(header.method_version));
   listing.add("dt", exact(header.scene.world.dt) + " s");
@@ -70,7 +74,7 @@ void print_text(const LogReader& log, const LogFacts& facts, const LogCondition&
   const std::string per_step = each ? ", " + rounded(*each, "bytes per moving body-step") : "";
   listing.add("size", bytes_text(log.file_bytes()) + per_step);
   listing.add("final hash", facts.final_hash ? to_string(*facts.final_hash) : "none");
-  listing.add("condition", condition.whole() ? "whole, every hash as written" : condition.summary(log.step_count()));
+  listing.add("condition", condition.whole() ? "whole, every hash as written" : condition.summary(log.last_step()));
   listing.print();
 }
 
@@ -84,6 +88,12 @@ void put_header(Json& json, const LogHeader& header) {
   json["phases"] = header.phases;
   json["scene"] = {{"name", header.scene.name}, {"title", header.scene.title}, {"category", header.scene.category}};
   json["set"] = header.overrides;
+  json["goes_on"] = nullptr;
+  if (header.goes_on) {
+    json["goes_on"] = {{"log", header.goes_on->log},
+                       {"step", header.goes_on->step},
+                       {"continuation_hash", to_string(header.goes_on->continuation_hash)}};
+  }
   json["transform"] = to_string(header.transform);
   json["dt"] = header.scene.world.dt;
   json["planned_steps"] = header.scene.steps;
@@ -97,6 +107,7 @@ void print_as_json(const LogReader& log, const LogFacts& facts, const LogConditi
   json["bodies"] = facts.bodies_at_start + facts.bodies_thrown;
   json["bodies_at_start"] = facts.bodies_at_start;
   json["steps"] = log.step_count();
+  json["first_state"] = log.first_state();
   json["seconds"] = facts.seconds;
   json["chunks"] = log.chunks().size();
   json["inputs"] = Json::object();
@@ -133,7 +144,7 @@ Result<Exit> info(const Options& options) {
     print_text(*log, facts, report.condition);
   }
   if (report.condition.whole()) return Exit::kSame;
-  std::cerr << "tumble info: " << log->name() << ": " << report.condition.summary(log->step_count()) << '\n';
+  std::cerr << "tumble info: " << log->name() << ": " << report.condition.summary(log->last_step()) << '\n';
   return Exit::kDamaged;
 }
 

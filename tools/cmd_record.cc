@@ -1,18 +1,23 @@
 // tumble record: a scene in, a log out.
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
+#include "replay/log_reader.h"
 #include "replay/recorder.h"
 #include "replay/session_clock.h"
 #include "src/model/limits.h"
+#include "src/scenes/problem.h"
 #include "src/scenes/scene_file.h"
 #include "tools/arguments.h"
 #include "tools/command.h"
 #include "tools/interrupt.h"
+#include "tools/log_files.h"
 #include "tools/progress.h"
 #include "tools/scene_files.h"
 #include "tools/text.h"
@@ -25,6 +30,8 @@ constexpr double kSecondsMax = 1e9;
 
 struct Options {
   std::string scene;
+  std::string from;
+  bool no_inputs = false;
   std::string log;
   std::optional<double> seconds;
   std::optional<std::uint64_t> steps;
@@ -51,40 +58,38 @@ std::uint64_t count_moving(const sim::Bodies& bodies) {
   return count;
 }
 
-std::uint64_t count_bodies(const sim::SceneDef& scene, std::uint64_t steps) {
+std::uint64_t count_bodies(const sim::SceneDef& scene, std::uint64_t last_step) {
   std::uint64_t count = scene.boxes.size();
   for (const sim::TimedCommand& input : scene.inputs) {
-    if (input.step <= steps && std::holds_alternative<sim::Throw>(input.command)) ++count;
+    if (input.step <= last_step && std::holds_alternative<sim::Throw>(input.command)) ++count;
   }
   return count;
 }
 
-Result<Session> run_session(const std::string& path, const sim::SceneDef& scene, const replay::RecordOptions& options,
-                            bool quiet) {
+Result<Session> run_session(const std::string& path, replay::Recorder& recorder, bool quiet) {
   const auto begin = std::chrono::steady_clock::now();
-  Result<std::unique_ptr<replay::Recorder>> started = replay::Recorder::start(path, scene, options);
-  if (!started.ok()) return started.error();
-  replay::Recorder& recorder = **started;
+  const sim::SceneDef& scene = recorder.scene();
+  const std::uint64_t first = recorder.world().state().step;
   const InterruptGuard guard;
   ProgressBar bar("recording", !quiet);
   Session session;
   Status status;
-  for (std::uint64_t k = 1; k <= scene.steps && status.ok(); ++k) {
+  for (std::uint64_t k = first + 1; k <= scene.steps && status.ok(); ++k) {
     status = recorder.step();
     if (!status.ok()) break;
     session.clock.add_step(recorder.world().state().def.dt);
     session.moving_body_steps += count_moving(recorder.world().bodies());
-    bar.show(k, scene.steps);
+    bar.show(k - first, scene.steps - first);
     if (InterruptGuard::interrupted()) status = cannot_finish("interrupted after step " + std::to_string(k));
   }
   Result<replay::LogSummary> summary = recorder.finish();
   if (!summary.ok()) return status.ok() ? summary.error() : status.error();
   if (!status.ok()) {
-    const std::string saved = "; " + path + " is complete up to step " + std::to_string(summary->steps);
+    const std::string saved = "; " + path + " is complete up to step " + std::to_string(first + summary->steps);
     return Error{status.error().kind, status.error().message + saved};
   }
   session.log = *summary;
-  session.bodies = count_bodies(scene, summary->steps);
+  session.bodies = count_bodies(scene, first + summary->steps);
   session.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return session;
 }
@@ -126,11 +131,12 @@ void print_as_json(const std::string& path, const sim::SceneDef& scene, const Se
   print_json(json);
 }
 
-Result<Exit> record(const Options& options) {
+using Started = Result<std::unique_ptr<replay::Recorder>>;
+
+// A session of a scene from its state 0 on. path: where it is recorded to.
+Started start_scene(const Options& options, const replay::StatesMode& states, std::string& path) {
   replay::RecordOptions how;
-  Result<replay::StatesMode> states = replay::parse_states_mode(options.states);
-  if (!states.ok()) return bad_input("--" + states.error().message);
-  how.states = *states;
+  how.states = states;
   const Result<sim::Transform> transform = parse_transform(options.transform);
   if (!transform.ok()) return transform.error();
   how.transform = *transform;
@@ -145,14 +151,61 @@ Result<Exit> record(const Options& options) {
   how.scene_text = *std::move(text);
   const Result<sim::SceneDef> scene = scenes::parse_scene(how.scene_text, file->path, how.overrides);
   if (!scene.ok()) return scene.error();
+  if (path.empty()) path = file->name + ".tumble";
+  return replay::Recorder::start(path, *scene, how);
+}
 
-  const std::string path = options.log.empty() ? file->name + ".tumble" : options.log;
-  const Result<Session> session = run_session(path, *scene, how, options.quiet);
+// LOG:STEP
+struct Place {
+  std::string log;
+  std::uint64_t step = 0;
+};
+
+Result<Place> parse_place(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  const std::optional<std::uint64_t> step =
+      colon == std::string::npos ? std::nullopt : parse_whole(text.substr(colon + 1));
+  if (step && colon > 0) return Place{text.substr(0, colon), *step};
+  return bad_input("--from: found " + scenes::quoted(text) + ", wanted LOG:STEP, as in brick_wall.tumble:120");
+}
+
+// A session that goes on from a state of another one.
+Started start_from_log(const Options& options, const replay::StatesMode& states, std::string& path) {
+  const Result<Place> place = parse_place(options.from);
+  if (!place.ok()) return place.error();
+  if (path.empty()) {
+    path = std::filesystem::path(place->log).stem().string() + "_from_" + std::to_string(place->step) + ".tumble";
+  }
+  std::error_code error;
+  if (std::filesystem::equivalent(path, place->log, error)) {
+    return bad_input("--output: " + path + " is the log to go on from; name another file");
+  }
+  Result<replay::LogReader> log = open_log(place->log);
+  if (!log.ok()) return log.error();
+  replay::GoOnOptions how;
+  how.states = states;
+  how.keep_inputs = !options.no_inputs;
+  how.steps = options.steps;
+  how.seconds = options.seconds;
+  return replay::Recorder::go_on(path, *log, place->step, how);
+}
+
+Result<Exit> record(const Options& options) {
+  if (options.scene.empty() == options.from.empty()) {
+    return bad_input("SCENE is required, or --from LOG:STEP in its place\n'tumble record --help' explains the arguments.");
+  }
+  const Result<replay::StatesMode> states = replay::parse_states_mode(options.states);
+  if (!states.ok()) return bad_input("--" + states.error().message);
+  std::string path = options.log;
+  const Started recorder =
+      options.from.empty() ? start_scene(options, *states, path) : start_from_log(options, *states, path);
+  if (!recorder.ok()) return recorder.error();
+  const Result<Session> session = run_session(path, **recorder, options.quiet);
   if (!session.ok()) return session.error();
   if (options.json) {
-    print_as_json(path, *scene, *session);
+    print_as_json(path, (*recorder)->scene(), *session);
   } else if (!options.quiet) {
-    print_text(path, *scene, *session);
+    print_text(path, (*recorder)->scene(), *session);
   }
   return Exit::kSame;
 }
@@ -161,10 +214,9 @@ Result<Exit> record(const Options& options) {
 
 Action declare_record(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  app.add_option("SCENE", options->scene,
-                 "A scene file (.toml), or the name of a golden case ('tumble scenes' lists them)")
-      ->required()
-      ->type_name("");
+  CLI::Option* scene = app.add_option(
+      "SCENE", options->scene, "A scene file (.toml), or the name of a golden case ('tumble scenes' lists them)");
+  scene->type_name("");
   app.add_option("-o,--output", options->log, "The log; <scene>.tumble in the current folder if not given")
       ->type_name("LOG");
   CLI::Option* seconds = add_positive(app, "--seconds", options->seconds, kSecondsMax, "Simulate this long");
@@ -172,10 +224,17 @@ Action declare_record(CLI::App& app) {
   add_whole(app, "--steps", options->steps, 1, sim::kStepsMax, "Take this many steps")
       ->type_name("N")
       ->excludes(seconds);
+  CLI::Option* from = app.add_option("--from", options->from,
+                                     "Go on from the state after step STEP of LOG instead of beginning a scene; "
+                                     "--seconds and --steps count from there");
+  from->type_name("LOG:STEP")->excludes(scene);
+  app.add_flag("--no-inputs", options->no_inputs, "With --from: leave out the inputs that LOG has after STEP")
+      ->needs(from);
   app.add_option("--set", options->overrides, "Set a value of the scene, as in 'grid.rows=7'; may be repeated")
       ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
-  add_transform(app, options->transform);
+      ->allow_extra_args(false)
+      ->excludes(from);
+  add_transform(app, options->transform, from);
   add_threads(app, options->threads);
   app.add_option("--states", options->states,
                  "Which states the log holds: all (if not given), every:N (one step in N) or hashes (none); the others "
@@ -188,7 +247,8 @@ Action declare_record(CLI::App& app) {
       "  tumble record brick_wall\n"
       "  tumble record tilted_grid -o small.tumble --set grid.rows=6 --set grid.cols=6 --steps 150\n"
       "  tumble record my_scene.toml --states hashes --json\n"
-      "  tumble record brick_wall -o twin.tumble --mirror x --permute 7");
+      "  tumble record brick_wall -o twin.tumble --mirror x --permute 7\n"
+      "  tumble record --from brick_wall.tumble:120 --seconds 2");
   return [options] { return record(*options); };
 }
 

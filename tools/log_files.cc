@@ -15,7 +15,7 @@ Result<replay::LogReader> open_log(const std::string& path) {
 Exit judge(const char* command, const replay::LogReader& log, Exit verdict) {
   const replay::LogCondition& condition = log.condition();
   if (condition.whole()) return verdict;
-  std::cerr << "tumble " << command << ": " << log.name() << ": " << condition.summary(log.step_count()) << '\n';
+  std::cerr << "tumble " << command << ": " << log.name() << ": " << condition.summary(log.last_step()) << '\n';
   return Exit::kDamaged;
 }
 

@@ -134,7 +134,7 @@ Result<RenderPlan> plan_of(const RenderArguments& arguments, replay::LogReader& 
   RenderPlan plan;
   if (Status ok = read_look(arguments, plan); !ok.ok()) return ok.error();
   const bool many = arguments.every || !arguments.steps.empty() || arguments.speed;
-  const std::uint64_t last = log.step_count();
+  const std::uint64_t last = log.last_step();
   plan.output = arguments.output;
   plan.fps = arguments.fps.value_or(plan.fps);
   if (plan.output.empty()) {
@@ -147,7 +147,7 @@ Result<RenderPlan> plan_of(const RenderArguments& arguments, replay::LogReader& 
   }
   const bool is_one = plan.kind == OutputKind::kPicture || arguments.step;
   Result<StepRange> range = is_one ? check_range({arguments.step.value_or(last), arguments.step.value_or(last)}, log)
-                            : arguments.steps.empty() ? StepRange{0, last}
+                            : arguments.steps.empty() ? StepRange{log.first_state(), last}
                                                       : parse_range(arguments.steps, log);
   if (!range.ok()) return range.error();
   Result<std::vector<Frame>> frames = frames_of(arguments, log, plan, *range);

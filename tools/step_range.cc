@@ -8,11 +8,12 @@
 namespace tumble::tools {
 
 Result<StepRange> check_range(const StepRange& range, const replay::LogReader& log) {
-  if (range.last <= log.step_count()) return range;
-  const std::string message = log.name() + ": found no step " + std::to_string(range.last) +
-                              "; the log holds steps 0 to " + std::to_string(log.step_count());
+  if (range.first >= log.first_state() && range.last <= log.last_step()) return range;
+  const std::uint64_t missing = range.first < log.first_state() ? range.first : range.last;
+  const std::string message = log.name() + ": found no step " + std::to_string(missing) + "; the log holds steps " +
+                              std::to_string(log.first_state()) + " to " + std::to_string(log.last_step());
   if (log.condition().whole()) return bad_input(message);
-  return damaged(message + "; it is " + log.condition().summary(log.step_count()));
+  return damaged(message + "; it is " + log.condition().summary(log.last_step()));
 }
 
 Result<StepRange> parse_range(const std::string& text, const replay::LogReader& log) {

@@ -29,14 +29,18 @@ Result<sim::Vec3> parse_shift(const std::string& text) {
 
 }  // namespace
 
-void add_transform(CLI::App& app, TransformArguments& target) {
+void add_transform(CLI::App& app, TransformArguments& target, CLI::Option* excluded) {
   app.add_option("--mirror", target.mirror,
                  "Record the scene's mirror image: x (x becomes -x), y, or diagonal (x and y change places)")
-      ->type_name("AXIS");
-  app.add_option("--shift", target.shift, "Record the scene moved by so many metres")->type_name("X,Y");
+      ->type_name("AXIS")
+      ->excludes(excluded);
+  app.add_option("--shift", target.shift, "Record the scene moved by so many metres")
+      ->type_name("X,Y")
+      ->excludes(excluded);
   add_whole(app, "--permute", target.permute, 0, std::numeric_limits<std::int64_t>::max(),
             "Record the scene with the bodies' ids exchanged among them, by this seed")
-      ->type_name("SEED");
+      ->type_name("SEED")
+      ->excludes(excluded);
 }
 
 Result<sim::Transform> parse_transform(const TransformArguments& arguments) {

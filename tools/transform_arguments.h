@@ -17,8 +17,8 @@ struct TransformArguments {
   std::optional<std::uint64_t> permute;
 };
 
-/// Declares `--mirror`, `--shift` and `--permute`.
-void add_transform(CLI::App& app, TransformArguments& target);
+/// Declares `--mirror`, `--shift` and `--permute`, none of which goes with `excluded`.
+void add_transform(CLI::App& app, TransformArguments& target, CLI::Option* excluded);
 
 /// Errors (kBadInput): another mirror than x, y and diagonal, a shift that is not two numbers on the grid of positions.
 Result<sim::Transform> parse_transform(const TransformArguments& arguments);
