@@ -43,12 +43,12 @@ std::vector<std::string> different_headers(const LogHeader& a, const LogHeader& 
     return header.goes_on ? "step " + std::to_string(header.goes_on->step) + " of another session" : "state 0";
   };
   check("begins with", start(a), start(b));
-  check("bodies at the start", std::to_string(a.scene.boxes.size()), std::to_string(b.scene.boxes.size()));
   check("planned steps", std::to_string(a.scene.steps), std::to_string(b.scene.steps));
   check("states", to_string(a.states), to_string(b.states));
   check("written by", a.tool_version + ", " + a.tool_build, b.tool_version + ", " + b.tool_build);
   if (a.phases != b.phases) lines.emplace_back("phases: not the same names, so only states are compared");
   if (a.goes_on != b.goes_on) return lines;  // whose scenes are those of other steps
+  check("bodies at the start", std::to_string(a.scene.boxes.size()), std::to_string(b.scene.boxes.size()));
   if (!(a.scene.world == b.scene.world)) lines.emplace_back("world: not the same parameters");
   if (a.scene.boxes != b.scene.boxes) lines.emplace_back("boxes: not the same at the start");
   if (a.scene.inputs != b.scene.inputs) lines.emplace_back("inputs: not the same script");

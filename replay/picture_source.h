@@ -37,8 +37,9 @@ class PictureSource {
   /// log must outlive this, and may be read from in between.
   explicit PictureSource(LogReader& log);
 
-  /// State k of first_state() … last_step(). Quick where steps are asked for in ascending order. Errors: StateSource::read's; a
-  /// body that no box and no throw of the log explains (kDamaged); with `contacts`, a step that cannot be replayed.
+  /// State k of first_state() … last_step(). Quick where steps are asked for in ascending order. Errors:
+  /// StateSource::read's; a body that no box and no throw of the log explains (kDamaged); with `contacts`, a step that
+  /// cannot be replayed.
   Result<Picture> read(std::uint64_t k, const PictureOptions& options = {});
 
  private:

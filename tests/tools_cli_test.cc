@@ -126,6 +126,23 @@ TEST(Program, MeasuresSomeBodiesFromAStepOn) {
   EXPECT_EQ(shop.run({"measure", "s.tumble", "--axis", "z"}).exit, 2);
 }
 
+TEST(Program, MeasureDrawsPlots) {
+  const Workshop shop;
+  shop.record_small("s");
+  ASSERT_EQ(shop.run({"measure", "s.tumble", "--plot", "it's 1.svg"}).exit, 0);
+  const std::string svg = shop.read("it's 1.svg");
+  EXPECT_TRUE(svg.starts_with("<?xml")) << svg.substr(0, 80);
+  for (const char* label : {"three boxes", "kinetic", "highest", "deepest overlap"}) {
+    EXPECT_NE(svg.find(label), std::string::npos) << label;
+  }
+  ASSERT_EQ(shop.run({"measure", "s.tumble", "--plot", "s.png"}).exit, 0);
+  EXPECT_EQ(shop.read("s.png").substr(1, 3), "PNG");
+  EXPECT_EQ(shop.run({"measure", "s.tumble", "--plot", "s.gif"}).exit, 2);
+  const Outcome nowhere = shop.run({"measure", "s.tumble", "--plot", "no/such/folder.svg"});
+  EXPECT_EQ(nowhere.exit, 4);
+  EXPECT_NE(nowhere.err.find("no/such/folder.svg: gnuplot could not write it"), std::string::npos) << nowhere.err;
+}
+
 TEST(Program, ATwinIsRecordedAndMeasured) {
   const Workshop shop;
   shop.record_small("a");

@@ -14,6 +14,7 @@
 #include "tools/interrupt.h"
 #include "tools/log_files.h"
 #include "tools/metrics_output.h"
+#include "tools/plot.h"
 #include "tools/progress.h"
 #include "tools/text.h"
 
@@ -23,6 +24,7 @@ namespace {
 struct Options {
   std::string log;
   std::string series;
+  std::string plot;
   std::string bodies = "all";
   std::string axis = "x";
   std::optional<std::uint64_t> from_step;
@@ -50,16 +52,37 @@ replay::Progress progress_on(ProgressBar& bar) {
   };
 }
 
-Result<replay::Metrics> measure_with_series(replay::LogReader& log, const replay::MeasureOptions& how,
-                                            const std::string& path) {
+/// Measures, and hands every row to the files that were asked for.
+Result<replay::Metrics> measure_rows(replay::LogReader& log, const replay::MeasureOptions& how,
+                                     const Options& options) {
   const InterruptGuard guard;
   ProgressBar bar("measuring");
-  if (path.empty()) return replay::measure_log(log, how, {}, progress_on(bar));
-  SeriesFile series;
-  if (Status ok = series.open(path); !ok.ok()) return ok.error();
+  std::optional<SeriesFile> series;
+  if (!options.series.empty()) {
+    if (Status ok = series.emplace().open(options.series); !ok.ok()) return ok.error();
+  }
+  std::optional<Plot> plot;
+  if (!options.plot.empty()) {
+    Result<Plot> begun = Plot::for_file(options.plot);
+    if (!begun.ok()) return begun.error();
+    plot = *std::move(begun);
+  }
   Result<replay::Metrics> metrics = replay::measure_log(
-      log, how, [&](const replay::SeriesRow& row) { series.add(row); }, progress_on(bar));
-  if (Status ok = series.close(); !ok.ok()) return ok.error();
+      log, how,
+      [&](const replay::SeriesRow& row) {
+        if (series) series->add(row);
+        if (plot) plot->add(row);
+      },
+      progress_on(bar));
+  bar.finish();
+  if (series) {
+    if (Status ok = series->close(); !ok.ok()) return ok.error();
+  }
+  if (!metrics.ok() || !plot) return metrics;
+  const sim::SceneDef& scene = log.header().scene;
+  if (Status ok = plot->draw(scene.title.empty() ? scene.name : scene.name + ": " + scene.title); !ok.ok()) {
+    return ok.error();
+  }
   return metrics;
 }
 
@@ -84,7 +107,7 @@ Result<Exit> measure(const Options& options) {
     if (!opened.ok()) return opened.error();
     twin.emplace(*std::move(opened));
   }
-  Result<replay::Metrics> metrics = measure_with_series(*log, *how, options.series);
+  Result<replay::Metrics> metrics = measure_rows(*log, *how, options);
   if (!metrics.ok()) return metrics.error();
   if (twin) {
     if (Status ok = compare_with_twin(*log, *twin, *metrics); !ok.ok()) return ok.error();
@@ -105,6 +128,8 @@ Action declare_measure(CLI::App& app) {
   app.add_option("LOG", options->log, "The log to measure")->required()->type_name("");
   app.add_option("--series", options->series, "Also write the metrics of every step to this CSV file")
       ->type_name("FILE.csv");
+  app.add_option("--plot", options->plot, "Also draw energy, heights and overlap over time, with gnuplot")
+      ->type_name("FILE.svg|png");
   app.add_option("--bodies", options->bodies,
                  "Measure these: ids (7), ranges (3-9), tables of the scene (grid, tower:1, input), joined by commas")
       ->type_name("LIST");
@@ -122,6 +147,7 @@ Action declare_measure(CLI::App& app) {
       "Examples:\n"
       "  tumble measure tilted_grid.tumble\n"
       "  tumble measure tilted_grid.tumble --json --series grid.csv\n"
+      "  tumble measure brick_wall.tumble --plot wall.svg\n"
       "  tumble measure brick_wall.tumble --bodies wall --from-step 120\n"
       "  tumble measure brick_wall.tumble --with mirrored.tumble");
   return [options] { return measure(*options); };

@@ -192,7 +192,8 @@ Started start_from_log(const Options& options, const replay::StatesMode& states,
 
 Result<Exit> record(const Options& options) {
   if (options.scene.empty() == options.from.empty()) {
-    return bad_input("SCENE is required, or --from LOG:STEP in its place\n'tumble record --help' explains the arguments.");
+    return bad_input(
+        "SCENE is required, or --from LOG:STEP in its place\n'tumble record --help' explains the arguments.");
   }
   const Result<replay::StatesMode> states = replay::parse_states_mode(options.states);
   if (!states.ok()) return bad_input("--" + states.error().message);

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <string>
 
 #include "src/base/result.h"
 #include "src/render/image.h"
+#include "tools/child_pipe.h"
 
 namespace tumble::tools {
 
@@ -28,12 +27,10 @@ class Movie {
   [[nodiscard]] static bool is_movie(const std::string& path);
 
  private:
-  [[nodiscard]] int wait();
   [[nodiscard]] Error failed() const;
 
   std::string path_, part_;
-  pid_t child_ = -1;
-  int pipe_ = -1;
+  ChildPipe ffmpeg_;
 };
 
 }  // namespace tumble::tools

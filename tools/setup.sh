@@ -11,6 +11,7 @@ packages=(
   libgtest-dev libbenchmark-dev
   libpng-dev libgl-dev libegl-dev libosmesa6 # pictures: headers, and the OpenGL that draws them
   ffmpeg # movies
+  gnuplot-nox # measure --plot
   clang-format clang-tidy
   clang-16 # one of the compilers that must agree to the bit, also in the short form that is part of the tests
 )

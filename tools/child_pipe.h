@@ -1,0 +1,42 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "src/base/result.h"
+
+namespace tumble::tools {
+
+/// Another program that runs beside and reads what we write.
+class ChildPipe {
+ public:
+  ChildPipe() = default;
+  ~ChildPipe() { abandon(); }
+  ChildPipe(const ChildPipe&) = delete;
+  ChildPipe& operator=(const ChildPipe&) = delete;
+
+  /// Starts words[0] with the other words as its arguments; it is looked for in PATH. Errors (kCannotFinish): it is not
+  /// installed (purpose says what needs it, package how to get it), or does not start.
+  Status start(std::vector<std::string> words, const std::string& purpose, const std::string& package);
+
+  [[nodiscard]] bool running() const { return child_ > 0; }
+
+  /// False when the program reads no more.
+  bool write(std::span<const std::byte> bytes);
+
+  /// Closes the pipe and waits. True if the program ended well; otherwise its own words are on stderr.
+  bool finish();
+
+  /// Ends the program, if it runs.
+  void abandon();
+
+ private:
+  pid_t child_ = -1;
+  int pipe_ = -1;
+};
+
+}  // namespace tumble::tools
