@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # From nothing to a result: installs what is missing, builds, records the thrown cube and the brick wall, replays the
-# session bit for bit, does the same with the thesis's comparison scene, and shows what a difference looks like.
+# session bit for bit, does the same with the thesis's comparison scene, shows what a difference looks like, and draws
+# a picture and a movie.
 # Usage: tools/demo.sh        Everything it makes lies in build/demo.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -58,6 +59,10 @@ done
 $tumble diff --json $demo/brick_wall.tumble $demo/again.tumble >$demo/again.diff.json
 $tumble diff --json $demo/brick_wall.tumble $demo/stronger.tumble >$demo/stronger.diff.json || true
 
+printf '\nAnd to look at:\n'
+run $tumble render $demo/brick_wall.tumble --step 60 -o $demo/brick_wall.png
+run $tumble render $demo/brick_wall.tumble -o $demo/brick_wall.mp4 --size 480x360 --samples 1
+
 printf '\n== Summary ==\n'
 for name in brick_wall tilted_grid; do
   printf '%s\n' "$name: $(value title $demo/$name.info.json)"
@@ -73,5 +78,5 @@ printf 'Symmetry of tilted_grid: lateral error %s m, column spread %s m (both ex
 printf 'The wall recorded twice: %s\n' "$(verdict $demo/again.diff.json "identical to the bit")"
 printf 'With stronger gravity:   %s, body %s, %s\n' "$(verdict $demo/stronger.diff.json "no difference found")" \
   "$(value body $demo/stronger.diff.json)" "$(value field $demo/stronger.diff.json)"
-printf 'Logs and figures are in %s/%s; the program is %s.\n' "$PWD" "$demo" "$tumble"
+printf 'Logs, figures, brick_wall.png and brick_wall.mp4 are in %s/%s; the program is %s.\n' "$PWD" "$demo" "$tumble"
 printf 'Next: %s --help, README.md, and tools/test.sh for all tests.\n' "$tumble"

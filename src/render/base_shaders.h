@@ -147,7 +147,8 @@ void main() {
   vec4 albedo = texture(materials, vec3(uv, look_f.x));
   vec3 colour = albedo.rgb * tint * edge_shade(depth);
   vec3 to_light = normalize(light_at - at), to_eye = normalize(eye - at);
-  float facing = per_vertex ? diffuse : max(dot(normal, to_light), 0.0);
+  // The ground has no vertices near enough to light it by.
+  float facing = per_vertex && look_f.x < 4.5 ? diffuse : max(dot(normal, to_light), 0.0);
   float lit = with_shadow && facing > 0.0 ? lit_part() : 1.0;
   colour *= ambient(to_light) + kSun * (facing * lit);
   if (with_specular && facing > 0.0) {
@@ -156,7 +157,7 @@ void main() {
     shine *= shine;
     shine *= shine;
     shine *= shine;
-    colour += kSun * (albedo.a * lit * (shine * shine) * 1.6);  // its 32nd power
+    colour += kSun * (albedo.a * lit * (shine * shine) * 0.85);  // its 32nd power
   }
   float distance = length(at - eye);
   colour = mix(colour, horizon, smoothstep(fog_start, fog_start * 4.0, distance));

@@ -28,19 +28,25 @@ double lattice(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
   return static_cast<double>(h ^ (h >> 15U)) / 4294967295.0;
 }
 
-// Smooth noise, 0 … 1, of cells_x by cells_y cells over the unit square; the edges fit together.
+// Where a coordinate >= 0 lies in a row of cells that closes on itself.
+struct Cell {
+  std::uint32_t low, high;  // its lattice points
+  double part;              // of the way from one to the other, eased
+};
+Cell cell_of(double x, int cells) {
+  const auto whole = static_cast<std::uint32_t>(x);
+  const auto count = static_cast<std::uint32_t>(cells);
+  const std::uint32_t low = whole % count;
+  const double t = x - whole;
+  return {low, low + 1 == count ? 0 : low + 1, t * t * (3 - 2 * t)};
+}
+
+// Smooth noise, 0 … 1, of cells_x by cells_y cells over the unit square; the edges fit together. u, v >= 0.
 double noise(double u, double v, int cells_x, int cells_y, std::uint32_t seed) {
-  const double x = u * cells_x, y = v * cells_y;
-  const double fx = std::floor(x), fy = std::floor(y);
-  const double a = ramp(0, 1, x - fx), b = ramp(0, 1, y - fy);
-  const auto wrap = [](double cell, int cells) {
-    return static_cast<std::uint32_t>(cell) % static_cast<std::uint32_t>(cells);
-  };
-  const std::uint32_t x0 = wrap(fx, cells_x), x1 = wrap(fx + 1, cells_x);
-  const std::uint32_t y0 = wrap(fy, cells_y), y1 = wrap(fy + 1, cells_y);
-  const double low = lattice(x0, y0, seed) * (1 - a) + lattice(x1, y0, seed) * a;
-  const double high = lattice(x0, y1, seed) * (1 - a) + lattice(x1, y1, seed) * a;
-  return low * (1 - b) + high * b;
+  const Cell x = cell_of(u * cells_x, cells_x), y = cell_of(v * cells_y, cells_y);
+  const double low = lattice(x.low, y.low, seed) * (1 - x.part) + lattice(x.high, y.low, seed) * x.part;
+  const double high = lattice(x.low, y.high, seed) * (1 - x.part) + lattice(x.high, y.high, seed) * x.part;
+  return low * (1 - y.part) + high * y.part;
 }
 
 // Four octaves of it, 0 … 1.
