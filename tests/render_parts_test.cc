@@ -10,6 +10,7 @@
 
 #include "src/render/context.h"
 #include "src/render/effects.h"
+#include "src/render/image_difference.h"
 #include "src/render/material_texels.h"
 #include "src/render/materials.h"
 #include "src/render/png.h"
@@ -75,6 +76,23 @@ TEST_F(PngFiles, WithAnyByteDamagedAreRefusedOrReadWithoutHarm) {
   EXPECT_GT(refused, bytes.size() / 2);
   std::ofstream(path_, std::ios::binary) << bytes.substr(0, bytes.size() / 2);
   EXPECT_EQ(render::read_png(path_).error().kind, ErrorKind::kDamaged);
+}
+
+TEST(ImageDifferences, CountPixelsAndNotChannels) {
+  const Image expected = Image::blank(4, 2);
+  Image actual = expected;
+  EXPECT_TRUE(render::difference_of(expected, actual).equal());
+  actual.rgb[0] = 8;
+  actual.rgb[3] = actual.rgb[4] = actual.rgb[5] = 9;
+  actual.rgb[23] = 200;
+  const render::ImageDifference found = render::difference_of(expected, actual);
+  EXPECT_EQ(found.pixels, 3U);
+  EXPECT_EQ(found.far_off, 2U);
+  EXPECT_EQ(found.largest, 200);
+  const Image map = render::difference_map(expected, actual);
+  EXPECT_EQ(map.rgb[3], 255) << "far off";
+  EXPECT_LT(map.rgb[0], 100) << "a little off";
+  EXPECT_EQ(map.rgb[9], 0) << "the same";
 }
 
 TEST(EffectLists, NameTakeAwayAndComeBack) {
