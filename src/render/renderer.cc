@@ -1,7 +1,7 @@
 #include "src/render/renderer.h"
 
-#include <chrono>
-#include <cmath>
+#include <algorithm>
+#include <ctime>
 #include <utility>
 #include <vector>
 
@@ -17,8 +17,6 @@
 
 namespace tumble::render {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr std::array<std::pair<const char*, Stage>, 9> kStages = {{{"depth", Stage::kDepth},
                                                                    {"base", Stage::kBase},
@@ -98,10 +96,10 @@ template <class Pass>
 void Renderer::Parts::timed(std::size_t pass, const Pass& run) {
   if (!measures) return run();
   context->gl().Finish();
-  const Clock::time_point start = Clock::now();
+  const std::clock_t start = std::clock();
   run();
   context->gl().Finish();
-  seconds[pass] = std::chrono::duration<double>(Clock::now() - start).count();
+  seconds[pass] = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 void Renderer::Parts::draw(const Snapshot& snapshot) {

@@ -54,8 +54,8 @@ class Renderer {
 
   [[nodiscard]] const Context& context() const;
 
-  /// Seconds that each of the six passes of the last draw() took, in order; measured if set, at the price of waiting
-  /// for each.
+  /// Seconds of processor time, over all threads that draw, that each of the six passes of the last draw() took, in
+  /// order. Measured if switched on, at the price of waiting for each.
   void measure_passes(bool on);
   [[nodiscard]] const std::array<double, 6>& pass_seconds() const;
 
