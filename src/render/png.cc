@@ -32,9 +32,16 @@ void on_error(png_structp png, png_const_charp words) {
 }
 void on_warning(png_structp /*png*/, png_const_charp /*words*/) {}
 
-bool write_all(png_structp png, png_infop info, std::FILE* file, const Image& image, png_textp texts, int text_count) {
+void append(png_structp png, png_bytep data, std::size_t count) {
+  auto* bytes = static_cast<std::vector<std::byte>*>(png_get_io_ptr(png));
+  const auto* begin = reinterpret_cast<const std::byte*>(data);
+  bytes->insert(bytes->end(), begin, begin + count);
+}
+
+bool write_all(png_structp png, png_infop info, std::vector<std::byte>& bytes, const Image& image, png_textp texts,
+               int text_count) {
   if (setjmp(png_jmpbuf(png)) != 0) return false;
-  png_init_io(png, file);
+  png_set_write_fn(png, &bytes, append, nullptr);
   png_set_compression_level(png, 6);
   png_set_filter(png, 0, PNG_FILTER_SUB | PNG_FILTER_UP | PNG_FILTER_PAETH);
   png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
@@ -97,13 +104,10 @@ class Writer {
 
 }  // namespace
 
-Status write_png(const std::string& path, const Image& image, const PngText& text) {
-  const std::string part = path + ".part";
-  File file(std::fopen(part.c_str(), "wb"));
-  if (file == nullptr) return bad_input(path + ": cannot be written: " + std::strerror(errno));
+Result<std::vector<std::byte>> encode_png(const Image& image, const PngText& text) {
   Words words;
   Writer writer(words);
-  if (writer.info == nullptr) return cannot_finish(path + ": out of memory");
+  if (writer.info == nullptr) return cannot_finish("out of memory for a PNG");
   PngText kept = text;
   std::vector<png_text> texts(kept.size());
   for (std::size_t i = 0; i < kept.size(); ++i) {
@@ -112,11 +116,21 @@ Status write_png(const std::string& path, const Image& image, const PngText& tex
     texts[i].text = kept[i].second.data();
     texts[i].itxt_length = kept[i].second.size();
   }
-  const bool written =
-      write_all(writer.png, writer.info, file.get(), image, texts.data(), static_cast<int>(texts.size()));
+  std::vector<std::byte> bytes;
+  if (write_all(writer.png, writer.info, bytes, image, texts.data(), static_cast<int>(texts.size()))) return bytes;
+  return cannot_finish(std::string("a PNG cannot be made: ") + words.text.data());
+}
+
+Status write_png(const std::string& path, const Image& image, const PngText& text) {
+  const Result<std::vector<std::byte>> bytes = encode_png(image, text);
+  if (!bytes.ok()) return bytes.error();
+  const std::string part = path + ".part";
+  File file(std::fopen(part.c_str(), "wb"));
+  if (file == nullptr) return bad_input(path + ": cannot be written: " + std::strerror(errno));
+  const bool written = std::fwrite(bytes->data(), 1, bytes->size(), file.get()) == bytes->size();
   const bool closed = std::fclose(file.release()) == 0;
   if (written && closed && std::rename(part.c_str(), path.c_str()) == 0) return {};
-  const std::string why = written ? std::strerror(errno) : words.text.data();
+  const std::string why = std::strerror(errno);
   std::remove(part.c_str());
   return cannot_finish(path + ": could not be written: " + why);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,7 +18,10 @@ struct PngFile {
   PngText text;
 };
 
-/// Writes 8-bit RGB through a temporary file beside it, so that a file is whole or not there. Errors: a path that
+/// The bytes of an 8-bit RGB file. Errors (kCannotFinish): memory, a keyword that PNG does not allow.
+Result<std::vector<std::byte>> encode_png(const Image& image, const PngText& text = {});
+
+/// Writes them through a temporary file beside it, so that a file is whole or not there. Errors: a path that
 /// cannot be written to (kBadInput), a full disk (kCannotFinish).
 Status write_png(const std::string& path, const Image& image, const PngText& text = {});
 
