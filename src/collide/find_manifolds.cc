@@ -7,6 +7,7 @@
 #include "src/collide/box_pair.h"
 #include "src/collide/find_near_pairs.h"
 #include "src/collide/manifold_points.h"
+#include "src/collide/meeting_time.h"
 #include "src/math/grid.h"
 
 namespace tumble::sim {
@@ -49,9 +50,10 @@ class Builder {
   void pair(BodyIndex lo, BodyIndex hi) {
     const bool moves = bodies_.moves(lo) || bodies_.moves(hi);
     if (!moves) return remember(lo, hi);
-    const BoxPair boxes(scratch_.frames[lo], scratch_.frames[hi]);
-    const double smallest = smallest_half_extent(boxes);
     const Vec3 approach = bodies_.velocity[hi] - bodies_.velocity[lo];
+    look_ahead(lo, hi, approach);
+    const BoxPair boxes(scratch_.frames[lo], later_frame_);
+    const double smallest = smallest_half_extent(boxes);
     const double turn = turning(lo) + turning(hi);
     const auto margin_of = [&](const Vec3& n) {
       return std::max(0.0, -dot(approach, n)) * dt_ + (turn + fall_) + slack_of(smallest);
@@ -81,6 +83,20 @@ class Builder {
     }
   }
 
+  // Where two bodies move on by more than the smaller one's thickness in a step, what faces what is seen only where
+  // they will meet.
+  void look_ahead(BodyIndex lo, BodyIndex hi, const Vec3& approach) {
+    const BoxFrame& a = scratch_.frames[lo];
+    later_frame_ = scratch_.frames[hi];
+    later_ = 0;
+    const double thinnest = std::min(a.half_extent.minCoeff(), later_frame_.half_extent.minCoeff());
+    if (dot(approach, approach) * (dt_ * dt_) <= thinnest * thinnest) return;
+    const double time = meeting_time(a, later_frame_, approach, dt_);
+    if (time >= dt_) return;
+    later_ = time;
+    later_frame_ = moved_on(later_frame_, approach, time);
+  }
+
   static double best_of(const BestAxes& x, const BestAxes& y) {
     if (x.axes == 0) return y.separation;
     if (y.axes == 0) return x.separation;
@@ -101,14 +117,15 @@ class Builder {
   }
 
   ManifoldSide side_of(BodyIndex reference, BodyIndex incident, double margin) const {
-    const BoxFrame& a = scratch_.frames[reference];
-    const BoxFrame& b = scratch_.frames[incident];
+    const BoxFrame& a = reference < incident ? scratch_.frames[reference] : later_frame_;
+    const BoxFrame& b = reference < incident ? later_frame_ : scratch_.frames[incident];
     return {&a, &b, b.position - a.position, reference < incident, margin};
   }
 
   void add_face(BodyIndex reference, BodyIndex incident, int axis, double margin) {
     Manifold m = fresh(reference, incident);
     face_manifold(side_of(reference, incident, margin), axis, m, scratch_.manifold_points);
+    separate_as_now(m);
     finish(m);
   }
 
@@ -123,7 +140,15 @@ class Builder {
       edge_manifold(side, BoxPair(*side.reference, *side.incident), 6 + 3 * j + i, separation, m,
                     scratch_.manifold_points);
     }
+    separate_as_now(m);
     finish(m);
+  }
+
+  // The points are where they will meet; their separations are those of now.
+  void separate_as_now(const Manifold& m) {
+    if (later_ == 0) return;
+    const double opening = dot(Vec3(bodies_.velocity[m.b] - bodies_.velocity[m.a]), m.n);
+    for (ManifoldPoint& point : points_of(scratch_, m)) point.separation -= later_ * opening;
   }
 
   void ground(BodyIndex i) {
@@ -253,7 +278,9 @@ class Builder {
   const Bodies& bodies_;
   Scratch& scratch_;
   double dt_;
-  double fall_;  // m, how far gravity may take a body beyond its speed
+  BoxFrame later_frame_{};  // of the pair's higher row, when they meet
+  double later_ = 0;        // s, when that is
+  double fall_;             // m, how far gravity may take a body beyond its speed
   std::size_t cursor_ = 0, cursor_point_ = 0;
 };
 

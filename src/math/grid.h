@@ -1,6 +1,8 @@
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 
 #include "src/math/vec.h"
 
@@ -24,5 +26,10 @@ struct Grid {
 using PositionGrid = Grid<36>;  ///< 1.5e-11 m, within ±32,768 m
 using VelocityGrid = Grid<38>;  ///< 3.6e-12 m/s or rad/s, within ±8,192
 using UnitGrid = Grid<48>;      ///< parts of unit vectors and weights, within ±8
+
+/// The largest power of two not above x > 0, by its exponent bits: to make a grid that fits a range.
+inline double power_of_two(double x) {
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & 0x7ff0000000000000ULL);
+}
 
 }  // namespace tumble::sim

@@ -7,9 +7,10 @@ namespace tumble::sim {
 
 Status apply_forces(World& world, double substep_s) {
   Scratch& scratch = world.mutable_scratch();
-  const Vec3 gain = VelocityGrid::round(Vec3(world.state().def.gravity * substep_s));
+  const Vec3 fall = world.state().def.gravity * substep_s;
   for (BodyIndex i = 0; i < world.bodies().size(); ++i) {
-    if (scratch.in_contact[i] != 0) scratch.next_velocity.add(i, gain);
+    if (scratch.in_contact[i] == 0) continue;
+    scratch.next_velocity.add(i, VelocityGrid::round(Vec3(fall * scratch.solver_bodies[i].weight)));
   }
   for (const std::uint32_t k : scratch.layered) {
     const Manifold& m = scratch.manifolds[k];

@@ -15,7 +15,7 @@ void sweep_layers(World& world, Sweep sweep, Direction direction, double substep
 /// Adds a manifold's wrench to the sums of both bodies.
 void add_wrench(Scratch& scratch, const Manifold& manifold, const Wrench& wrench);
 
-/// How often to sweep: impulses must find their way through the height of a stack, from 1 to 5 times.
+/// How often to sweep: impulses must find their way through the height of a stack, from 1 to 10 times.
 int sweep_count(const Scratch& scratch);
 
 /// Adds the impulses and the velocities that they have led to: what the phases that sweep have written.

@@ -14,6 +14,7 @@
 #include "src/solve/apply_outcomes.h"
 #include "src/solve/assign_levels.h"
 #include "src/solve/bounce_contacts.h"
+#include "src/solve/carry_weights.h"
 #include "src/solve/compute_impulses.h"
 #include "src/solve/compute_separation.h"
 #include "src/solve/finish_motion.h"
@@ -50,6 +51,7 @@ constexpr Phase kLayeredPhases[] = {
     {"find_manifolds", find_manifolds, hash_find_manifolds},
     {"wake_islands", wake_islands, hash_wake_islands},
     {"assign_levels", assign_levels, hash_assign_levels},
+    {"carry_weights", carry_weights, hash_carry_weights},
     {"prepare_manifolds", prepare_manifolds, hash_prepare_manifolds},
     // --- every sub-step ---
     {"apply_forces", apply_forces, hash_apply_forces},
@@ -61,7 +63,7 @@ constexpr Phase kLayeredPhases[] = {
     {"finish_motion", finish_motion, hash_finish_motion},
     {"update_sleeping", update_sleeping, hash_update_sleeping},
 };
-constexpr PhaseTable kLayered = {kLayeredPhases, 5, 9, 0};
+constexpr PhaseTable kLayered = {kLayeredPhases, 6, 10, 0};
 
 // floor(log2(substeps)): how often a step may be halved.
 unsigned recursion_depth(const WorldDef& def) { return static_cast<unsigned>(std::bit_width(def.substeps)) - 1U; }

@@ -8,6 +8,9 @@
 
 namespace tumble::sim {
 
+/// Bodies that move no faster than this along a contact's normal, m/s, rest on each other; faster, they meet or part.
+inline constexpr double kRestingSpeed = 0.1;
+
 /// What touches what in a contact point, as a physical thing that keeps its name while boxes move: 0–7 a corner of the
 /// body with the lower row, 8–15 a corner of the other (bit k set: on the positive side of own axis k), and
 /// 16 + 12·e + f an edge e of the lower row crossing an edge f of the other (edge: 4·axis + two side bits, the axes
@@ -26,6 +29,7 @@ struct ManifoldPoint {
   double impulse = 0;     ///< N·s accumulated along the normal, >= 0
   double mass = 0;        ///< kg, what one N·s along the normal moves by 1 m/s, with the split masses
   double approach = 0;    ///< m/s, normal velocity at which it will meet, or has met; negative when closing
+  double load = 0;        ///< N·s a sub-step, what it bears of the weight above when all is at rest
   double peak = 0;        ///< N·s, the largest impulse of this step: whether it was ever hit
   Feature feature = 0;
 };

@@ -68,6 +68,7 @@ struct SweepScratch {
 struct SolverBody {
   Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();
   double inverse_mass = 0;
+  double weight = 1;               ///< of gravity's acceleration, where the solver lends the body inertia
   double inverse_inertia[6] = {};  ///< world axes: xx, xy, xz, yy, yz, zz
 };
 
@@ -103,6 +104,7 @@ struct Scratch {
   std::vector<std::uint32_t> level;        ///< of each body: contacts away from the ground; written by assign_levels
   std::vector<std::uint32_t> layered;      ///< manifolds that are awake, layer by layer
   std::vector<std::uint32_t> layer_start;  ///< of each layer in `layered`
+  std::vector<double> solver_mass;         ///< kg, inertia of each body in the solver; written by carry_weights
   std::vector<std::uint8_t> in_contact;    ///< moving bodies that have a manifold; written by prepare_manifolds
   std::vector<SolverBody> solver_bodies;   ///< written by prepare_manifolds, then by every sweep
   Vec3Column next_velocity, next_spin;     ///< sums in progress

@@ -1,0 +1,221 @@
+#include "src/solve/carry_weights.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/math/grid.h"
+#include "src/solve/manifold_solver.h"
+#include "src/solve/solver_body.h"
+
+namespace tumble::sim {
+namespace {
+
+constexpr double kBearing = 0.001;   // m; a point that is farther away bears nothing
+constexpr double kSteepest = 0.5;    // a contact that takes less than this part of gravity along its normal leans
+constexpr double kLendingSpeed = 1;  // m/s; inertia lent to a faster body would be energy out of nothing
+
+// A manifold through which one body rests on another.
+struct Support {
+  std::uint32_t manifold = 0;
+  BodyIndex upper = 0, lower = 0;
+  Vec3 origin;      // m, from the upper body's centre to where p, q and offset are measured from
+  double pull = 0;  // m/s², gravity along the normal
+};
+
+// The bearing points under a body, seen from its centre, and the load on each as a linear function of its place: of all
+// loads that balance the weight, those of least squares.
+struct Footing {
+  double count = 0, x = 0, y = 0;             // number of points, mean place
+  double xx = 0, xy = 0, yy = 0;              // products about the mean, summed
+  double even = 0, along_x = 0, along_y = 0;  // kg, kg/m
+  double total = 0;                           // kg, with what would have to pull left out
+
+  [[nodiscard]] double load_at(const Vec3& r) const {
+    return std::max(0.0, even + (along_x * (r.x() - x) + along_y * (r.y() - y)));
+  }
+};
+
+class Walk {
+ public:
+  explicit Walk(World& world, double substep_s)
+      : bodies_(world.bodies()),
+        scratch_(world.mutable_scratch()),
+        gravity_(world.state().def.gravity),
+        substep_(substep_s),
+        magic_(rounding_for(bodies_)),
+        carried_(bodies_.mass),
+        moment_x_(bodies_.size(), 0),
+        moment_y_(bodies_.size(), 0),
+        waiting_for_(bodies_.size(), 0) {}
+
+  void run() {
+    scratch_.solver_mass = bodies_.mass;
+    find_supports();
+    std::vector<BodyIndex> ready;
+    for (BodyIndex i = 0; i < bodies_.size(); ++i) {
+      if (waiting_for_[i] == 0 && start_[i] < start_[i + 1]) ready.push_back(i);
+    }
+    // A body hands its load down when all that rests on it has; bodies that rest on each other in a ring never do.
+    while (!ready.empty()) {
+      const BodyIndex i = ready.back();
+      ready.pop_back();
+      const Footing footing = footing_of(i);
+      for (const Support& s : supports_of(i)) {
+        hand_down(s, footing);
+        if (s.lower != kGround && --waiting_for_[s.lower] == 0) ready.push_back(s.lower);
+      }
+    }
+  }
+
+ private:
+  // Sums of n masses times lever arms are exact on this grid.
+  static double rounding_for(const Bodies& bodies) {
+    double heaviest = 0, reach = 1;
+    for (BodyIndex i = 0; i < bodies.size(); ++i) {
+      if (bodies.is_static[i] != 0) continue;
+      heaviest = std::max(heaviest, bodies.mass[i]);
+      reach = std::max(reach, length(bodies.half_extent[i]));
+    }
+    return VelocityGrid::kMagic * (power_of_two(static_cast<double>(bodies.size()) * heaviest * reach) / 2048);
+  }
+  double rounded(double x) const { return (x + magic_) - magic_; }
+
+  bool moves(BodyIndex i) const { return i != kGround && bodies_.moves(i); }
+  SolverBody motion_of(BodyIndex i) const {
+    SolverBody body;
+    if (moves(i)) {
+      body.velocity = bodies_.velocity[i];
+      body.spin = bodies_.spin[i];
+    }
+    return body;
+  }
+
+  bool is_new(const Manifold& m) const {
+    const std::span<const ManifoldPoint> points = points_of(scratch_, m);
+    return std::all_of(points.begin(), points.end(), [](const ManifoldPoint& p) { return p.impulse == 0; });
+  }
+  bool rests(const Manifold& m) const {
+    const RelativeMotion motion = relative_motion(m, motion_of(m.a), motion_of(m.b));
+    const double u = dot(motion.u, m.n), w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2);
+    const std::span<const ManifoldPoint> points = points_of(scratch_, m);
+    return std::all_of(points.begin(), points.end(), [&](const ManifoldPoint& point) {
+      return std::fabs(u + (w1 * point.q - w2 * point.p)) <= kRestingSpeed;
+    });
+  }
+
+  void find_supports() {
+    std::vector<Support> found;
+    start_.assign(bodies_.size() + 1, 0);
+    for (const std::uint32_t k : scratch_.layered) {
+      const Manifold& m = scratch_.manifolds[k];
+      const double pull = -dot(gravity_, m.n);
+      if (std::fabs(pull) < kSteepest * length(gravity_) || pull == 0) continue;
+      const bool b_above = pull > 0;
+      const BodyIndex upper = b_above ? m.b : m.a, lower = b_above ? m.a : m.b;
+      if (!moves(upper)) continue;
+      found.push_back({k, upper, moves(lower) ? lower : kGround, b_above ? Vec3(Vec3::Zero()) : m.d, std::fabs(pull)});
+      ++start_[upper + 1];
+      if (moves(lower)) ++waiting_for_[lower];
+    }
+    for (std::size_t i = 0; i < bodies_.size(); ++i) start_[i + 1] += start_[i];
+    supports_.resize(found.size());
+    std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
+    for (const Support& s : found) supports_[next[s.upper]++] = s;
+  }
+  std::span<const Support> supports_of(BodyIndex i) const {
+    return std::span(supports_).subspan(start_[i], start_[i + 1] - start_[i]);
+  }
+
+  // Calls visit(point, its place from the upper body's centre) for the points that bear.
+  template <class Visit>
+  void for_bearing(const Support& s, Visit visit) {
+    const Manifold& m = scratch_.manifolds[s.manifold];
+    for (ManifoldPoint& p : points_of(scratch_, m)) {
+      if (p.separation < kBearing) visit(p, Vec3(s.origin + ((m.t1 * p.p + m.t2 * p.q) + m.n * m.offset)));
+    }
+  }
+  template <class Visit>
+  void for_footing(BodyIndex i, Visit visit) {
+    for (const Support& s : supports_of(i)) for_bearing(s, [&](const ManifoldPoint&, const Vec3& r) { visit(r); });
+  }
+
+  Footing footing_of(BodyIndex i) {
+    Footing f;
+    for_footing(i, [&](const Vec3& r) {
+      f.count += 1;
+      f.x += VelocityGrid::round(r.x());
+      f.y += VelocityGrid::round(r.y());
+    });
+    if (f.count == 0) return f;
+    f.x /= f.count;
+    f.y /= f.count;
+    for_footing(i, [&](const Vec3& r) {
+      const double x = r.x() - f.x, y = r.y() - f.y;
+      f.xx += VelocityGrid::round(x * x);
+      f.xy += VelocityGrid::round(x * y);
+      f.yy += VelocityGrid::round(y * y);
+    });
+    balance(i, f);
+    for_footing(i, [&](const Vec3& r) { f.total += rounded(f.load_at(r)); });
+    return f;
+  }
+
+  // Moments are taken about x and y, so with a tilted gravity the load is spread evenly.
+  void balance(BodyIndex i, Footing& f) const {
+    f.even = carried_[i] / f.count;
+    if (gravity_.x() != 0 || gravity_.y() != 0) return;
+    const double turn_x = moment_x_[i] - carried_[i] * f.x, turn_y = moment_y_[i] - carried_[i] * f.y;
+    const double little = 1e-6 * (f.xx + f.yy);  // points in a row leave one slope open
+    const double xx = f.xx + little, yy = f.yy + little;
+    const double determinant = xx * yy - f.xy * f.xy;
+    if (determinant <= 0) return;
+    f.along_x = (yy * turn_x - f.xy * turn_y) / determinant;
+    f.along_y = (xx * turn_y - f.xy * turn_x) / determinant;
+  }
+
+  void hand_down(const Support& s, const Footing& f) {
+    const bool starts = is_new(scratch_.manifolds[s.manifold]) && rests(scratch_.manifolds[s.manifold]);
+    const bool hands_on = s.lower != kGround;
+    const Vec3 apart = hands_on ? Vec3(bodies_.position[s.upper] - bodies_.position[s.lower]) : Vec3(Vec3::Zero());
+    const double scale = f.total > 0 ? carried_[s.upper] / f.total : 0;
+    for_bearing(s, [&](ManifoldPoint& p, const Vec3& r) {
+      const double load = f.load_at(r) * scale;
+      p.load = load * s.pull * substep_;
+      if (starts) p.impulse = p.load;
+      if (!hands_on) return;
+      carried_[s.lower] += rounded(load);
+      moment_x_[s.lower] += rounded(load * (r.x() + apart.x()));
+      moment_y_[s.lower] += rounded(load * (r.y() + apart.y()));
+    });
+    if (!hands_on) return;
+    const Vec3 velocity = bodies_.velocity[s.lower];
+    if (dot(velocity, velocity) > kLendingSpeed * kLendingSpeed) return;
+    double& mass = scratch_.solver_mass[s.lower];
+    mass = std::max(mass, scratch_.solver_mass[s.upper]);
+  }
+
+  const Bodies& bodies_;
+  Scratch& scratch_;
+  Vec3 gravity_;
+  double substep_;
+  double magic_;
+  std::vector<double> carried_;              // kg, of the body and all that rests on it
+  std::vector<double> moment_x_, moment_y_;  // kg·m, of what rests on it about its centre
+  std::vector<std::uint32_t> waiting_for_;   // supports that have not handed down yet
+  std::vector<Support> supports_;            // by upper body
+  std::vector<std::uint32_t> start_;
+};
+
+}  // namespace
+
+Status carry_weights(World& world, double dt_s) {
+  Walk(world, dt_s / world.state().def.substeps).run();
+  return {};
+}
+
+void hash_carry_weights(const World& world, Hasher& hasher) {
+  hasher.add(std::span<const double>(world.scratch().solver_mass));
+  for (const ManifoldPoint& point : world.scratch().manifold_points) hasher.add(point.impulse);
+}
+
+}  // namespace tumble::sim

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "src/base/hash.h"
+#include "src/base/result.h"
+#include "src/world/world.h"
+
+namespace tumble::sim {
+
+/// Walks down the levels with the weight that each body carries, for two ends. A contact without a past starts from the
+/// impulse that its share of that weight needs, so that a stack stands from the first step on instead of sagging until
+/// the sweeps have found out. And a light body that carries a heavy one is given inertia (never weight) by the solver:
+/// impulses find their way through a contact in about as many sweeps as the heavy body outweighs the light one.
+/// Reads:  mass, velocity, spin, frames; level, layered, manifolds
+/// Writes: solver_mass; impulses of manifolds that have none
+/// Order:  sums of shares are of grid doubles, the rest are maxima
+/// Source: the thesis's "impact passed through the stack" (VI) as a starting point of the sweeps instead of a
+/// substitute
+///         for them.
+Status carry_weights(World& world, double dt_s);
+void hash_carry_weights(const World& world, Hasher& hasher);
+
+}  // namespace tumble::sim
