@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "src/collide/box_pair.h"
+#include "src/collide/contact_recall.h"
 #include "src/collide/find_near_pairs.h"
 #include "src/collide/manifold_points.h"
 #include "src/collide/meeting_time.h"
@@ -30,7 +31,8 @@ class Builder {
         bodies_(world.bodies()),
         scratch_(world.mutable_scratch()),
         dt_(dt_s),
-        fall_(falling_reach(world.state().def, dt_s)) {
+        fall_(falling_reach(world.state().def, dt_s)),
+        recall_(world.state().contact_memory) {
     scratch_.manifolds.clear();
     scratch_.manifold_points.clear();
   }
@@ -49,7 +51,7 @@ class Builder {
 
   void pair(BodyIndex lo, BodyIndex hi) {
     const bool moves = bodies_.moves(lo) || bodies_.moves(hi);
-    if (!moves) return remember(lo, hi);
+    if (!moves) return recall_.keep(lo, hi, scratch_);
     const Vec3 approach = bodies_.velocity[hi] - bodies_.velocity[lo];
     look_ahead(lo, hi, approach);
     const BoxPair boxes(scratch_.frames[lo], later_frame_);
@@ -152,7 +154,7 @@ class Builder {
   }
 
   void ground(BodyIndex i) {
-    if (!bodies_.moves(i)) return remember_ground(i);
+    if (!bodies_.moves(i)) return recall_.keep(i, kGround, scratch_);
     const BoxFrame& frame = scratch_.frames[i];
     const double slack = slack_of(frame.half_extent.minCoeff());
     const double reach = std::max(0.0, -bodies_.velocity.z[i]) * dt_ + (turning(i) + fall_) + slack;
@@ -195,83 +197,8 @@ class Builder {
     points.resize(kept);
     m.count = static_cast<std::uint32_t>(kept - m.first);
     if (m.count == 0) return;
-    warm_start(m);
+    recall_.warm_start(m, points_of(scratch_, m));
     scratch_.manifolds.push_back(m);
-  }
-
-  // The memory is sorted like the pairs are visited, so one cursor walks along; a tied pair has up to several entries.
-  std::pair<std::size_t, std::size_t> entries(BodyIndex lo, BodyIndex hi) {
-    const ContactMemory& memory = world_.state().contact_memory;
-    const auto key = [](BodyIndex x, BodyIndex y) { return std::make_pair(x, y); };
-    const auto wanted = key(lo, hi);
-    while (cursor_ < memory.size() && key_of(memory, cursor_) < wanted) {
-      cursor_point_ += memory.count[cursor_];
-      ++cursor_;
-    }
-    std::size_t end = cursor_;
-    while (end < memory.size() && key_of(memory, end) == wanted) ++end;
-    return {cursor_, end};
-  }
-  static std::pair<BodyIndex, BodyIndex> key_of(const ContactMemory& memory, std::size_t k) {
-    const BodyIndex a = memory.a[k], b = memory.b[k];
-    return a == kGround ? std::make_pair(b, kGround) : std::make_pair(std::min(a, b), std::max(a, b));
-  }
-
-  void warm_start(Manifold& m) {
-    const ContactMemory& memory = world_.state().contact_memory;
-    const bool ground = m.a == kGround;
-    const auto [begin, end] = ground ? entries(m.b, kGround) : entries(std::min(m.a, m.b), std::max(m.a, m.b));
-    std::size_t point = cursor_point_;
-    std::size_t own = 0;
-    for (std::size_t k = begin; k < end; ++k) own += memory.a[k] == m.a ? 1U : 0U;
-    for (std::size_t k = begin; k < end; point += memory.count[k], ++k) {
-      // Where the reference has changed, the other's memory serves, turned round; else one's own.
-      const bool turned = memory.a[k] != m.a;
-      if (turned && own > 0) continue;
-      take_impulses(m, memory, k, point);
-      if ((own > 0 ? own : end - begin) == 1) take_friction(m, memory, k, turned ? -1.0 : 1.0);
-    }
-  }
-
-  static void take_friction(Manifold& m, const ContactMemory& memory, std::size_t k, double sign) {
-    const Vec3 force = memory.friction[k] * sign;
-    m.force1 = dot(force, m.t1);
-    m.force2 = dot(force, m.t2);
-    m.twist = memory.twist[k];
-  }
-
-  void take_impulses(Manifold& m, const ContactMemory& memory, std::size_t k, std::size_t first) {
-    for (std::size_t i = m.first; i < m.first + m.count; ++i) {
-      ManifoldPoint& point = scratch_.manifold_points[i];
-      for (std::size_t j = first; j < first + memory.count[k]; ++j) {
-        if (memory.feature[j] == point.feature) point.impulse = memory.impulse[j];
-      }
-    }
-  }
-
-  // Two resting bodies: what they remember is kept as it is.
-  void remember(BodyIndex lo, BodyIndex hi) { keep(entries(lo, hi)); }
-  void remember_ground(BodyIndex i) { keep(entries(i, kGround)); }
-  void keep(std::pair<std::size_t, std::size_t> range) {
-    const ContactMemory& memory = world_.state().contact_memory;
-    std::size_t point = cursor_point_;
-    for (std::size_t k = range.first; k < range.second; ++k) {
-      Manifold m;
-      m.a = memory.a[k];
-      m.b = memory.b[k];
-      m.asleep = true;
-      m.first = static_cast<std::uint32_t>(scratch_.manifold_points.size());
-      m.count = memory.count[k];
-      m.d = memory.friction[k];  // kept here until the memory is written again
-      m.twist = memory.twist[k];
-      for (std::uint32_t i = 0; i < m.count; ++i, ++point) {
-        ManifoldPoint p;
-        p.feature = memory.feature[point];
-        p.impulse = memory.impulse[point];
-        scratch_.manifold_points.push_back(p);
-      }
-      scratch_.manifolds.push_back(m);
-    }
   }
 
   World& world_;
@@ -281,7 +208,7 @@ class Builder {
   BoxFrame later_frame_{};  // of the pair's higher row, when they meet
   double later_ = 0;        // s, when that is
   double fall_;             // m, how far gravity may take a body beyond its speed
-  std::size_t cursor_ = 0, cursor_point_ = 0;
+  ContactRecall recall_;
 };
 
 }  // namespace

@@ -24,7 +24,10 @@ SourceFile read(const fs::path& root, const fs::path& path) {
   return file;
 }
 
-bool is_text(const fs::path& path) { return std::ranges::find(kBinary, path.extension().string()) == kBinary.end(); }
+// .git is a file where the tree is a worktree of another clone.
+bool is_text(const fs::path& path) {
+  return path.filename() != ".git" && std::ranges::find(kBinary, path.extension().string()) == kBinary.end();
+}
 
 std::vector<SourceFile> read_tree() {
   const fs::path root = TUMBLE_SOURCE_DIR;
