@@ -102,6 +102,8 @@ const char* name_of(RecordKind kind) {
       return "index";
     case RecordKind::kFooter:
       return "footer";
+    case RecordKind::kGolden:
+      return "golden";
   }
   return "record";
 }

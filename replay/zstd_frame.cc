@@ -10,8 +10,6 @@
 namespace tumble::replay {
 namespace {
 
-constexpr int kLevel = 1;
-
 struct FreeDecompressor {
   void operator()(ZSTD_DCtx* context) const { ZSTD_freeDCtx(context); }
 };
@@ -20,9 +18,9 @@ std::string number(std::uint64_t value) { return std::to_string(value); }
 
 }  // namespace
 
-Compressor::Compressor() : context_(ZSTD_createCCtx()) {
+Compressor::Compressor(int level) : context_(ZSTD_createCCtx()) {
   if (context_ == nullptr) return;
-  ZSTD_CCtx_setParameter(context_, ZSTD_c_compressionLevel, kLevel);
+  ZSTD_CCtx_setParameter(context_, ZSTD_c_compressionLevel, level);
   ZSTD_CCtx_setParameter(context_, ZSTD_c_contentSizeFlag, 1);
   ZSTD_CCtx_setParameter(context_, ZSTD_c_checksumFlag, 1);  // off by default, and then flipped bits pass
 }

@@ -34,7 +34,7 @@ const std::map<std::string, Strings>& allowed_includes() {
       {"src/scenes/", {"src/base/", "src/math/", "src/model/"}},
       {"src/render/", kLook},
       {"replay/", {"src/", "schema/"}},
-      {"golden/", {"src/", "replay/"}},
+      {"golden/", {"src/", "replay/", "schema/"}},
       {"tools/", {"src/", "replay/", "golden/"}},
       {"tests/", {"src/", "replay/", "golden/", "tools/", "schema/"}},
       {"bench/", {"src/", "replay/", "golden/", "tools/"}},

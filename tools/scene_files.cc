@@ -17,15 +17,15 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kSceneBytesMax = 64 << 20;  // the parser has the limit that counts; this one bounds memory
 
-fs::path cases_folder() {
+fs::path suite_folder() {
   std::error_code error;
   for (fs::path folder = fs::current_path(error); !error; folder = folder.parent_path()) {
-    fs::path cases = folder / "golden" / "cases";
-    if (fs::is_directory(cases, error)) return cases;
+    fs::path suite = folder / "golden";
+    if (fs::is_directory(suite / "cases", error)) return suite;
     error.clear();
     if (folder == folder.parent_path()) break;
   }
-  return fs::path(TUMBLE_SOURCE_DIR) / "golden" / "cases";
+  return fs::path(TUMBLE_SOURCE_DIR) / "golden";
 }
 
 bool looks_like_path(const std::string& text) { return text.find('/') != std::string::npos || text.ends_with(".toml"); }
@@ -42,10 +42,17 @@ Error unknown_case(const std::string& scene, const std::vector<SceneFile>& cases
 
 }  // namespace
 
+std::string find_suite() {
+  std::error_code error;
+  const std::string whole = suite_folder().string();
+  const std::string relative = fs::proximate(whole, error).string();
+  return !error && relative.size() < whole.size() ? relative : whole;
+}
+
 std::vector<SceneFile> find_cases() {
   std::vector<SceneFile> cases;
   std::error_code error;
-  for (fs::directory_iterator at(cases_folder(), error), end; !error && at != end; at.increment(error)) {
+  for (fs::directory_iterator at(suite_folder() / "cases", error), end; !error && at != end; at.increment(error)) {
     const fs::path scene = at->path() / "scene.toml";
     std::error_code ignored;
     if (fs::is_regular_file(scene, ignored)) cases.push_back({at->path().filename().string(), scene.string()});

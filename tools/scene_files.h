@@ -13,6 +13,10 @@ struct SceneFile {
   std::string path;
 };
 
+/// The folder of the suite: the nearest `golden` with a folder `cases` in it from the current one upwards, else that of
+/// the source folder that the program was built from. Relative to the current folder where that is shorter.
+std::string find_suite();
+
 /// The golden cases, by name: every `golden/cases/<name>/scene.toml` of the nearest folder `golden/cases` from the
 /// current one upwards, else of the source folder that the program was built from. Empty where there is neither.
 std::vector<SceneFile> find_cases();

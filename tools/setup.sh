@@ -7,7 +7,7 @@ export LC_ALL=C # comm and sort must agree on the order
 
 packages=(
   g++ binutils cmake ninja-build ccache pkg-config
-  libeigen3-dev capnproto libcapnp-dev libzstd-dev libxxhash-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev
+  libeigen3-dev capnproto libcapnp-dev libzstd-dev libxxhash-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libpugixml-dev
   libgtest-dev libbenchmark-dev
   libpng-dev libgl-dev libegl-dev libosmesa6 # pictures: headers, and the OpenGL that draws them
   ffmpeg # movies

@@ -1,0 +1,113 @@
+#include "golden/check.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "golden/run_case.h"
+#include "golden/text_files.h"
+#include "src/scenes/scene_file.h"
+
+namespace tumble::golden {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::uint64_t body_steps(const CaseFolder& folder) {
+  const Result<std::string> text = read_text(folder.file(kSceneFile));
+  if (!text.ok()) return 0;
+  const Result<sim::SceneDef> scene = scenes::parse_scene(*text, folder.file(kSceneFile).string());
+  return scene.ok() ? scene->steps * (scene->boxes.size() + 1) : 0;
+}
+
+CaseResult result_of(const CaseFolder& folder, const CheckOptions& options, const ChildResult& child) {
+  if (child.failure.empty()) {
+    Result<CaseResult> result = case_from_json(child.output);
+    if (result.ok()) return *std::move(result);
+    CaseResult broken;
+    broken.problems.push_back(result.error().message);
+    broken.name = folder.name;
+    return broken;
+  }
+  // Not run_case: what ended the child would end this process.
+  CaseResult result;
+  result.name = folder.name;
+  result.problems.push_back("its process " + child.failure);
+  result.require = options.require.value_or(CaseRules().require);
+  result.reproduce = "tumble record " + folder.file(kSceneFile).string() + " -o " + folder.name + ".tumble";
+  return result;
+}
+
+/// What an earlier check left must not be taken for this one's.
+void remove_old_files(const fs::path& report, const std::vector<CaseFolder>& folders) {
+  std::error_code ignored;
+  for (const CaseFolder& folder : folders) {
+    const fs::path old = report / "cases" / folder.name;
+    fs::remove(old / "actual.tumble", ignored);
+    fs::remove(old / "expected_track.csv", ignored);
+    fs::remove(old, ignored);
+  }
+}
+
+}  // namespace
+
+bool SuiteResult::canaries_caught() const {
+  return !canaries.empty() && std::ranges::all_of(canaries, &CanaryResult::caught);
+}
+
+bool SuiteResult::passed() const { return problems.empty() && canaries_caught() && failed_cases() == 0; }
+
+std::size_t SuiteResult::failed_cases() const {
+  return static_cast<std::size_t>(std::ranges::count_if(cases, [](const CaseResult& c) { return !c.passed(); }));
+}
+
+std::size_t SuiteResult::failed(VerdictKind kind) const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(cases, [&](const CaseResult& c) { return c.verdict(kind).outcome == Outcome::kFail; }));
+}
+
+std::vector<CaseFolder> longest_first(std::vector<CaseFolder> folders) {
+  std::vector<std::pair<std::uint64_t, CaseFolder>> costs;
+  for (CaseFolder& folder : folders) costs.emplace_back(body_steps(folder), std::move(folder));
+  std::ranges::stable_sort(costs, std::greater<>(), &std::pair<std::uint64_t, CaseFolder>::first);
+  folders.clear();
+  for (auto& [cost, folder] : costs) folders.push_back(std::move(folder));
+  return folders;
+}
+
+Result<SuiteResult> check_suite(const CheckOptions& options) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Result<Suite> suite = open_suite(options.suite);
+  if (!suite.ok()) return suite.error();
+  Result<std::vector<CaseFolder>> selected = select_cases(*suite, options.selection);
+  if (!selected.ok()) return selected.error();
+  SuiteResult result;
+  result.suite = options.suite.string();
+  result.shard = options.selection.shard;
+  result.shards = options.selection.shards;
+  result.problems = suite->problems;
+  if (selected->empty() && result.shards == 1) result.problems.emplace_back("no case was run");
+  result.canaries = run_canaries(options.canary_judge);
+
+  const std::vector<CaseFolder> folders = longest_first(*std::move(selected));
+  if (!options.report.empty()) remove_old_files(options.report, folders);
+  const RunOptions run = {options.suite, options.require, options.report};
+  const bool finished = run_jobs(
+      folders.size(),
+      [&](std::size_t i) {
+        return to_json(run_case(folders[i], run).result).dump(-1, ' ', false, Json::error_handler_t::replace);
+      },
+      [&](std::size_t i, const ChildResult& child) {
+        result.cases.push_back(result_of(folders[i], options, child));
+        result.cases.back().seconds = child.seconds;
+        if (options.progress) options.progress(result.cases.back(), result.cases.size(), folders.size());
+      },
+      options.pool);
+  if (!finished) return cannot_finish("interrupted after " + std::to_string(result.cases.size()) + " cases");
+  if (result.cases.size() != folders.size()) return cannot_finish("a case was lost: fewer results than cases");
+  std::ranges::sort(result.cases, {}, &CaseResult::name);
+  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return result;
+}
+
+}  // namespace tumble::golden

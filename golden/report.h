@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "golden/check.h"
+#include "src/base/result.h"
+
+/// A check's results as files: report.json for programs, junit.xml for CI, index.html for people.
+namespace tumble::golden {
+
+Json report_json(const SuiteResult& result);
+std::string report_junit(const SuiteResult& result);
+/// One page that needs nothing else and no network.
+std::string report_html(const SuiteResult& result);
+
+/// Writes all three into a folder, which is made. junit: another place for junit.xml; empty: into the folder. Errors
+/// (kCannotFinish): a file that cannot be written.
+Status write_reports(const SuiteResult& result, const std::filesystem::path& folder,
+                     const std::filesystem::path& junit);
+
+/// "3 of 45 cases failed: exact 2, behaviour 1" or "45 cases passed".
+std::string headline(const SuiteResult& result);
+
+}  // namespace tumble::golden

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "src/base/hash.h"
+#include "src/model/scene.h"
+
+namespace tumble::golden {
+
+/// The hash of everything in a resolved scene that a session or its metrics depend on: world, steps, boxes with the
+/// table they came from, inputs. Names, comments, textures, camera and light are not in it.
+Hash128 scene_hash(const sim::SceneDef& scene);
+
+}  // namespace tumble::golden

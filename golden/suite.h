@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/base/result.h"
+
+/// A suite on disk: a folder with `cases/<name>/` in it. docs/goldens.md describes the files.
+namespace tumble::golden {
+
+inline constexpr const char* kSceneFile = "scene.toml";
+inline constexpr const char* kRulesFile = "metrics.toml";
+inline constexpr const char* kExpectedFile = "expected.tumble";
+inline constexpr const char* kHistoryFile = "HISTORY.md";
+
+struct CaseFolder {
+  std::string name;
+  std::filesystem::path path;
+  [[nodiscard]] std::filesystem::path file(const char* which) const { return path / which; }
+};
+
+struct Suite {
+  std::filesystem::path root;         ///< the folder that has `cases` in it
+  std::vector<CaseFolder> cases;      ///< by name
+  std::vector<std::string> problems;  ///< files that belong to no case; each fails a check
+};
+
+/// Errors (kBadInput): no such folder, no folder `cases` in it, no case in that.
+Result<Suite> open_suite(const std::filesystem::path& root);
+
+/// A case's name as a folder: letters, digits, '_' and '-'. Errors (kBadInput).
+Status check_case_name(const std::string& name);
+
+/// Files in a case's folder that nothing reads, and files that are missing, a sentence each.
+std::vector<std::string> folder_problems(const CaseFolder& folder);
+
+/// Which cases of a suite are run: those named, or all; then those of a category; then every N-th.
+struct Selection {
+  std::vector<std::string> names;
+  std::string category;   ///< empty: all
+  std::size_t shard = 1;  ///< K of N, 1-based, by the order of names
+  std::size_t shards = 1;
+};
+
+/// Errors (kBadInput): a name that no case has (with the nearest), a selection without a case. A shard may be empty
+/// where there are more shards than cases; everything else that selects nothing is an error.
+Result<std::vector<CaseFolder>> select_cases(const Suite& suite, const Selection& selection);
+
+}  // namespace tumble::golden

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "src/base/result.h"
+
+/// Small files, whole.
+namespace tumble::golden {
+
+/// Errors (kBadInput): missing, a folder, no permission, larger than anything a suite holds.
+Result<std::string> read_text(const std::filesystem::path& path);
+Result<std::vector<std::byte>> read_bytes(const std::filesystem::path& path);
+
+/// Writes beside the file and renames, so that a crash leaves the old one. Folders are made. Errors (kCannotFinish).
+Status write_file(const std::filesystem::path& path, std::string_view content);
+Status write_file(const std::filesystem::path& path, std::span<const std::byte> content);
+
+/// Without the ends of lines.
+std::vector<std::string> lines_of(std::string_view text);
+
+}  // namespace tumble::golden
