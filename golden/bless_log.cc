@@ -88,10 +88,10 @@ Result<std::string> scene_text(const NewCase& options, const replay::LogReader& 
 Status must_be_the_same(replay::LogReader& recorded, replay::LogReader& again, const std::string& path) {
   Result<replay::DiffReport> diff = replay::diff_logs(recorded, again);
   if (!diff.ok()) return diff.error();
-  if (diff->identical()) return {};
+  if (diff->identical() && diff->from == 0) return {};
   const std::string where = diff->first
                                 ? replay::describe(*diff->first)
-                                : std::to_string(diff->steps_a) + " and " + std::to_string(diff->steps_b) + " steps";
+                                : std::to_string(diff->last_a) + " and " + std::to_string(diff->last_b) + " steps";
   return bad_input(path + ": this build does not reproduce the session from its scene: " + where +
                    "; record it with this build first");
 }

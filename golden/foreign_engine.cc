@@ -51,9 +51,7 @@ std::string end_of(const fs::path& file) {
 }
 
 std::string ending(int status) {
-  // sh reports a signal of its child as 128 + its number.
-  if (WIFSIGNALED(status)) return "was ended by signal " + std::to_string(WTERMSIG(status));
-  const int code = WEXITSTATUS(status);
+  const int code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);  // sh reports its child's so
   const char* name = code > 128 ? ::sigabbrev_np(code - 128) : nullptr;
   if (name != nullptr) return "was ended by SIG" + std::string(name);
   return "ended with status " + std::to_string(code);

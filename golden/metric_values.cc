@@ -1,85 +1,101 @@
 #include "golden/metric_values.h"
 
 #include <algorithm>
-#include <array>
-#include <tuple>
+
+#include "replay/metric_list.h"
+#include "replay/twin.h"
 
 namespace tumble::golden {
 namespace {
 
-using replay::Metrics;
+constexpr std::uint64_t kOrderSeed = 7;      // of the names that order_error compares with
+const sim::Vec3 kShift = {1024, -512.5, 0};  // m, what shift_error compares with; exact on the grid of positions
 
-struct Row {
-  const char* name;
-  const char* unit;
-  std::optional<double> (*value)(const Metrics&);
-};
+bool same_choice(const MetricRule& a, const MetricRule& b) {
+  return a.bodies == b.bodies && a.axis == b.axis && a.from_step == b.from_step;
+}
 
-constexpr std::array kRows = {
-    Row{"lateral_max", "m", [](const Metrics& m) -> std::optional<double> { return m.symmetry.lateral_max; }},
-    Row{"lateral_rms", "m", [](const Metrics& m) -> std::optional<double> { return m.symmetry.lateral_rms; }},
-    Row{"column_spread", "m", [](const Metrics& m) { return m.symmetry.column_spread; }},
-    Row{"gain_max", "J", [](const Metrics& m) -> std::optional<double> { return m.energy.gain_max; }},
-    Row{"gain_ratio", "", [](const Metrics& m) { return m.energy.gain_ratio; }},
-    Row{"removed", "J", [](const Metrics& m) -> std::optional<double> { return m.energy.removed; }},
-    Row{"final", "J", [](const Metrics& m) -> std::optional<double> { return m.energy.final; }},
-    Row{"drift_max", "m", [](const Metrics& m) -> std::optional<double> { return m.stacking.drift_max; }},
-    Row{"tilt_max", "degrees", [](const Metrics& m) -> std::optional<double> { return m.stacking.tilt_max; }},
-    Row{"top_drop_max", "m", [](const Metrics& m) -> std::optional<double> { return m.stacking.top_drop_max; }},
-    Row{"lost", "bodies",
-        [](const Metrics& m) -> std::optional<double> { return static_cast<double>(m.stacking.lost); }},
-    Row{"overlap_max", "m", [](const Metrics& m) -> std::optional<double> { return m.stacking.overlap_max; }},
-    Row{"ground_penetration_max", "m",
-        [](const Metrics& m) -> std::optional<double> { return m.stacking.ground_penetration_max; }},
-    Row{"kinetic_end", "J", [](const Metrics& m) -> std::optional<double> { return m.stacking.kinetic_end; }},
-    Row{"frozen_fraction", "", [](const Metrics& m) -> std::optional<double> { return m.stacking.frozen_fraction; }},
-    Row{"rest_time", "s", [](const Metrics& m) { return m.stacking.rest_time; }},
-};
+/// The choice that a rule makes; its bodies were checked when it was read.
+replay::MeasureOptions options_of(const MetricRule& rule) {
+  replay::MeasureOptions options;
+  if (const Result<replay::BodyChoice> bodies = replay::parse_bodies(rule.bodies); bodies.ok())
+    options.bodies = *bodies;
+  options.lateral = rule.axis == "y" ? replay::LateralAxis::kY : replay::LateralAxis::kX;
+  options.from_step = rule.from_step;
+  return options;
+}
 
-const Row& row_of(const std::string& name) { return *std::ranges::find(kRows, name, &Row::name); }
+/// The image that a metric compares with; none for a metric of one session.
+std::optional<sim::Transform> image_for(const MetricRule& rule) {
+  sim::Transform transform;
+  if (rule.name == "mirror_error") {
+    (rule.axis == "y" ? transform.mirror_y : transform.mirror_x) = true;
+  } else if (rule.name == "order_error") {
+    transform.permute = kOrderSeed;
+  } else if (rule.name == "shift_error") {
+    transform.shift = kShift;
+  }
+  return transform.identity() ? std::nullopt : std::optional<sim::Transform>(transform);
+}
 
 }  // namespace
 
 std::vector<const char*> metric_names() {
   std::vector<const char*> names;
-  for (const Row& row : kRows) names.push_back(row.name);
+  for (const replay::MetricRow& row : replay::metric_list()) names.push_back(row.name);
   return names;
 }
 
-std::string metric_unit(const std::string& name) { return row_of(name).unit; }
+std::string metric_unit(const std::string& name) {
+  const replay::MetricRow* row = replay::find_metric(name);
+  return row == nullptr ? "" : row->unit;
+}
 
 Status check_selection(const MetricRule& rule) {
-  if (rule.bodies == "all" && rule.axis == "x" && rule.from_step == 0) return {};
-  return bad_input("found a choice of bodies, axis or step, wanted none");
+  const Result<replay::BodyChoice> bodies = replay::parse_bodies(rule.bodies);
+  return bodies.ok() ? Status() : Status(bodies.error());
 }
-
-struct MetricSet::Selected {
-  std::optional<replay::Measurer> measurer;
-};
 
 MetricSet::MetricSet(const replay::LogHeader& header, const CaseRules& rules) : header_(header), rules_(rules) {
-  measurers_.push_back(std::make_unique<Selected>());
-  of_rule_.assign(rules.metrics.size(), 0);
-}
-
-MetricSet::~MetricSet() = default;
-
-void MetricSet::add(const replay::StepRecord& record) {
-  for (const auto& selected : measurers_) {
-    if (record.step == 0) {
-      selected->measurer.emplace(header_, record);
-    } else {
-      selected->measurer->add(record);
-    }
+  std::vector<const MetricRule*> choices;
+  for (const MetricRule& rule : rules.metrics) {
+    const auto known =
+        std::ranges::find_if(choices, [&](const MetricRule* other) { return same_choice(rule, *other); });
+    of_rule_.push_back(static_cast<std::size_t>(known - choices.begin()));
+    if (known != choices.end()) continue;
+    choices.push_back(&rule);
+    measurers_.emplace_back(header, options_of(rule));
   }
 }
 
+void MetricSet::add(const replay::StepRecord& record) {
+  for (replay::Measurer& measurer : measurers_) measurer.add(record);
+}
+
+Result<std::optional<double>> MetricSet::twin_value(const MetricRule& rule) const {
+  if (!rules_.command.empty()) return std::optional<double>();  // this engine's images say nothing about another one's
+  const sim::Transform transform = *image_for(rule);
+  const Result<replay::TwinReport> report = replay::run_twins(header_.scene, transform);
+  if (!report.ok()) return report.error();
+  replay::Metrics metrics;
+  replay::set_twin_error(transform, *report, metrics.symmetry);
+  return replay::find_metric(rule.name)->value(metrics);
+}
+
 Result<std::vector<std::optional<double>>> MetricSet::finish(const replay::BodyStates& last) {
-  std::vector<Metrics> metrics;
-  for (const auto& selected : measurers_) metrics.push_back(selected->measurer->finish(last));
+  std::vector<replay::Metrics> metrics;
+  for (replay::Measurer& measurer : measurers_) {
+    const Result<replay::Metrics> measured = measurer.finish(last);
+    if (!measured.ok()) return measured.error();
+    metrics.push_back(*measured);
+  }
   std::vector<std::optional<double>> values;
   for (std::size_t k = 0; k < rules_.metrics.size(); ++k) {
-    values.push_back(row_of(rules_.metrics[k].name).value(metrics[of_rule_[k]]));
+    const MetricRule& rule = rules_.metrics[k];
+    Result<std::optional<double>> value =
+        image_for(rule) ? twin_value(rule) : replay::find_metric(rule.name)->value(metrics[of_rule_[k]]);
+    if (!value.ok()) return value.error();
+    values.push_back(*value);
   }
   return values;
 }

@@ -36,8 +36,9 @@ class CaseRunner {
     result.problems = folder_problems(folder);
     result.require = options.require.value_or(CaseRules().require);
     result.reproduce = "tumble record " + shell_quoted(scene_path()) + " -o " + folder.name + ".tumble";
-    result.bless =
-        "tumble bless " + folder.name + " --suite " + shell_quoted(options.suite.string()) + " --reason \"…\"";
+    const std::string suite = shell_quoted(options.suite.string());
+    const std::string where = suite == "golden" ? "" : " --suite " + suite;
+    result.bless = "tumble bless " + folder.name + where + " --reason \"…\"";
   }
 
   CaseRun run() {

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # From nothing to a result: installs what is missing, builds, records the thrown cube and the brick wall, replays the
-# session bit for bit, does the same with the thesis's comparison scene, shows what a difference looks like, and draws
-# a picture and a movie.
+# session bit for bit, does the same with the thesis's comparison scene, checks both against their goldens, shows what a
+# difference looks like, and draws a picture and a movie.
 # Usage: tools/demo.sh        Everything it makes lies in build/demo.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -41,6 +41,8 @@ run $tumble record tilted_grid -o $demo/tilted_grid.tumble
 run $tumble replay $demo/tilted_grid.tumble
 run $tumble measure $demo/tilted_grid.tumble
 
+run $tumble check brick_wall tilted_grid --report $demo/report
+
 printf '\nThe same wall again, and once more with gravity stronger by a billionth:\n'
 run $tumble record brick_wall -o $demo/again.tumble --quiet
 run $tumble diff $demo/brick_wall.tumble $demo/again.tumble
@@ -73,6 +75,7 @@ for name in brick_wall tilted_grid; do
   printf '  replay        %s\n' "$(verdict $demo/$name.replay.json "identical to the bit")"
   printf '  final hash    %s\n' "$(value final_hash $demo/$name.info.json)"
 done
+printf 'Golden suite, these two cases: %s\n' "$(sed -nE 's/.*"headline": "([^"]*)".*/\1/p' $demo/report/report.json)"
 printf 'Symmetry of tilted_grid: lateral error %s m, column spread %s m (both exactly 0 when right)\n' \
   "$(value lateral_max $demo/tilted_grid.measure.json)" "$(value column_spread $demo/tilted_grid.measure.json)"
 printf 'The wall recorded twice: %s\n' "$(verdict $demo/again.diff.json "identical to the bit")"
