@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "replay/columns.h"
+#include "replay/input_difference.h"
 #include "replay/state_keys.h"
 
 namespace tumble::replay {
@@ -26,27 +27,15 @@ Divergence make(std::uint64_t step, const char* phase, const char* field, FieldV
   return divergence;
 }
 
-std::string names_of(const std::vector<sim::Command>& inputs) {
-  std::string names;
-  for (const sim::Command& input : inputs) names += (names.empty() ? "" : ", ") + std::string(sim::name_of(input));
-  return names.empty() ? "none" : names;
-}
-
-/// Commands by their hash in the chain, which tells NaNs and zeros apart.
-bool same_inputs(const StepRecord& a, const StepRecord& b) {
-  StepRecord inputs_a;
-  StepRecord inputs_b;
-  inputs_a.inputs = a.inputs;
-  inputs_b.inputs = b.inputs;
-  return chain_next({}, inputs_a) == chain_next({}, inputs_b);
-}
-
 std::optional<Divergence> different_start(const StepRecord& expected, const StepRecord& actual) {
   if (bits_of(expected.dt) != bits_of(actual.dt)) {
     return make(expected.step, "inputs", "dt", expected.dt, actual.dt);
   }
-  if (same_inputs(expected, actual)) return std::nullopt;
-  return make(expected.step, "inputs", "inputs", names_of(expected.inputs), names_of(actual.inputs));
+  std::optional<InputDifference> inputs = first_difference(expected.inputs, actual.inputs);
+  if (!inputs) return std::nullopt;
+  Divergence found = make(expected.step, "inputs", inputs->field.c_str(), inputs->expected, inputs->actual);
+  found.body = inputs->body;
+  return found;
 }
 
 std::string hex(std::uint64_t word) { return to_string(Hash128{0, word}).substr(16); }

@@ -22,7 +22,8 @@ struct Divergence {
   std::string phase;
   std::optional<sim::BodyId> body;  ///< the first one, by id, whose state differs
   std::optional<std::pair<sim::BodyId, sim::BodyId>> pair;
-  /// "position.x", "orientation.w", "velocity.y", "spin.z", "frozen", "id"; "dt", "inputs", "phase_hash", "state_hash",
+  /// "position.x", "orientation.w", "velocity.y", "spin.z", "frozen", "id"; "dt", "inputs" (other kinds of them),
+  /// "throw.velocity.y" (what an input says; see input_difference.h), "phase_hash", "state_hash",
   /// "continuation_hash" (what is hidden in a state),
   /// "pairs", "contacts", "substeps", "kinetic", "potential", "input_energy", "removed_energy", "error".
   std::string field;

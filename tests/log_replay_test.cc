@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <span>
 
 #include "replay/compare.h"
+#include "replay/input_difference.h"
 #include "replay/limits.h"
 #include "replay/log_writer.h"
 #include "replay/replayer.h"
@@ -227,6 +229,39 @@ TEST(Diff, AnotherInputIsFoundBeforeItsStep) {
   ASSERT_TRUE(report.first.has_value());
   EXPECT_EQ(report.first->step, 3U);
   EXPECT_EQ(report.first->phase, "inputs");
+  EXPECT_EQ(report.first->field, "push.impulse.z");
+  EXPECT_EQ(report.first->body, 11U);
+  EXPECT_EQ(std::get<double>(report.first->expected), 2);
+  EXPECT_EQ(std::get<double>(report.first->actual), 3);
+}
+
+std::optional<InputDifference> input_difference(const sim::Command& a, const sim::Command& b) {
+  return first_difference(std::span(&a, 1), std::span(&b, 1));
+}
+
+TEST(InputDifference, NamesTheFieldOfEachKindOfInput) {
+  sim::BoxDef box, heavier, other_look;
+  box.id = heavier.id = other_look.id = 3;
+  heavier.mass = 2;
+  other_look.material.texture = sim::Texture::kBrick;
+  EXPECT_EQ(input_difference(sim::Throw{box}, sim::Throw{heavier})->field, "throw.mass");
+  EXPECT_FALSE(input_difference(sim::Throw{box}, sim::Throw{other_look})) << "look changes nothing";
+  EXPECT_EQ(input_difference(sim::Remove{3}, sim::Remove{4})->field, "remove.id");
+  EXPECT_FALSE(input_difference(sim::Remove{3}, sim::Remove{4})->body);
+  EXPECT_EQ(input_difference(sim::Wake{3}, sim::Wake{5})->field, "wake.id");
+  EXPECT_EQ(
+      input_difference(sim::SetVelocity{3, {1, 2, 3}, {0, 0, 0}}, sim::SetVelocity{3, {1, 2, 3}, {0, 0.5, 0}})->field,
+      "set_velocity.spin.y");
+  EXPECT_EQ(input_difference(sim::SetGravity{{0, 0, -9}}, sim::SetGravity{{0, 0, -8}})->field, "set_gravity.gravity.z");
+  EXPECT_EQ(input_difference(sim::SetDt{0.1}, sim::SetDt{0.2})->field, "set_dt.dt");
+  const sim::Push centre{3, {1, 0, 0}, true, {0, 0, 0}}, point{3, {1, 0, 0}, false, {0, 0, 1}};
+  EXPECT_EQ(input_difference(centre, point)->field, "push.at_centre");
+  EXPECT_FALSE(input_difference(centre, sim::Push{3, {1, 0, 0}, true, {9, 9, 9}})) << "a point that is not read";
+  const auto kinds = input_difference(sim::Wake{3}, sim::Remove{3});
+  EXPECT_EQ(kinds->field, "inputs");
+  EXPECT_EQ(std::get<std::string>(kinds->expected), "wake");
+  EXPECT_EQ(std::get<std::string>(kinds->actual), "remove");
+  EXPECT_TRUE(input_difference(sim::SetDt{0.0}, sim::SetDt{-0.0})) << "to the bit";
 }
 
 TEST(Diff, BodiesOfOneLogOnlyAreNamed) {
