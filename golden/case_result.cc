@@ -94,6 +94,12 @@ CaseResult result_from(const Json& json) {
   return result;
 }
 
+/// A problem without what to do about it.
+std::string short_problem(const CaseResult& result) {
+  const std::string& problem = result.problems.front();
+  return problem.starts_with("stale") || problem.starts_with("no ") ? problem.substr(0, problem.find(':')) : problem;
+}
+
 }  // namespace
 
 bool CaseResult::passed() const {
@@ -111,7 +117,7 @@ std::string summary(const CaseResult& result) {
   }
   std::string text = exact == Outcome::kNone ? metrics : std::string(bits) + ", " + metrics;
   if (behaviour == Outcome::kNone) text = std::string(bits) + ", behaviour not judged";
-  if (!result.problems.empty()) text += "; " + result.problems.front();
+  if (!result.problems.empty()) text += "; " + short_problem(result);
   return text;
 }
 

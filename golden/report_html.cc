@@ -187,6 +187,40 @@ std::string canary_list(const SuiteResult& result) {
   return out + "</tbody></table></div></div></details>\n";
 }
 
+/// What is furthest wrong, in one line: the case's own problem, a metric and how far it is out, or where bits moved.
+std::string worst_of(const CaseResult& result) {
+  std::string text;
+  const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
+  if (!result.problems.empty()) add(result.problems.front().substr(0, result.problems.front().find(';')));
+  for (const MetricResult& metric : result.metrics) {
+    if (!metric.pass) add(metric.rule.name + " " + value_text(metric.value, metric.unit) + ", " + metric.words);
+  }
+  if (result.difference)
+    add("bits differ from step " + std::to_string(result.difference->step) + ", phase " + result.difference->phase);
+  return text;
+}
+
+/// The failed cases at a glance: what, by which verdict, by how much, and the command.
+std::string overview(const SuiteResult& result) {
+  std::string rows;
+  for (const CaseResult& one : result.cases) {
+    if (one.passed()) continue;
+    std::string failed;
+    for (std::size_t k = 0; k < kVerdictNames.size(); ++k) {
+      if (one.verdicts[k].outcome == Outcome::kFail) failed += chip(kVerdictNames[k], Outcome::kFail) + " ";
+    }
+    rows += "<tr><td><a href=\"#" + escaped(one.name) + "\">" + escaped(one.name) + "</a></td><td>" +
+            (failed.empty() ? std::string("– none: the case itself is wrong") : failed) + "</td>" +
+            cell("by how much", worst_of(one), false) + "<td><code tabindex=\"0\">" + escaped(one.reproduce) +
+            "</code></td></tr>\n";
+  }
+  if (rows.empty()) return "";
+  return "<h2>Failed cases at a glance</h2>\n<div class=\"scroll\"><table "
+         "class=\"glance\"><thead><tr><th>Case</th><th>Failed "
+         "verdicts</th><th>By how much</th><th>To reproduce</th></tr></thead><tbody>\n" +
+         rows + "</tbody></table></div>\n";
+}
+
 std::string cases_section(const SuiteResult& result, bool passed, const char* title) {
   std::string blocks;
   for (const CaseResult& one : result.cases) {
@@ -208,8 +242,8 @@ std::string report_html(const SuiteResult& result) {
   out += element("h1", (passed ? "✓ " : "✕ ") + headline(result));
   std::string about = "suite " + result.suite + ", " + seconds_text(result.seconds);
   if (result.shards > 1) about += ", shard " + std::to_string(result.shard) + " of " + std::to_string(result.shards);
-  out += element("p class=\"soft\"", about) + list_of(result.problems) + "</div>\n" + tiles(result);
-  out += cases_section(result, false, "Failed cases") + cases_section(result, true, "Passed cases");
+  out += element("p class=\"soft\"", about) + list_of(result.problems) + "</div>\n" + tiles(result) + overview(result);
+  out += cases_section(result, false, "Failed cases in full") + cases_section(result, true, "Passed cases");
   out += element("h2", "The check itself") + canary_list(result);
   return out + "</main>\n</body>\n</html>\n";
 }

@@ -35,6 +35,9 @@ summary h3 { margin: 0; font-size: 1.05rem; overflow-wrap: anywhere; }
 .chip { padding: .05rem .6rem; border: 1px solid; border-radius: 1rem; font-size: .85rem; white-space: nowrap; }
 .pass > .mark, .chip.pass { color: var(--good); }
 .fail > .mark, .chip.fail { color: var(--bad); font-weight: 600; }
+td.mark, .glance .chip { white-space: nowrap; }
+.glance code { user-select: all; font: .82rem/1.4 ui-monospace, "DejaVu Sans Mono", monospace; overflow-wrap: anywhere; }
+a { color: inherit; }
 .chip.none { color: var(--soft); }
 .scroll { overflow-x: auto; }
 table { width: 100%; border-collapse: collapse; font-size: .92rem; }

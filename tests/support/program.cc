@@ -68,6 +68,7 @@ Workshop::~Workshop() {
 }
 
 void Workshop::write(const std::string& name, const std::string& content) const {
+  std::filesystem::create_directories(std::filesystem::path(path(name)).parent_path());
   std::ofstream(path(name), std::ios::binary) << content;
 }
 

@@ -1,0 +1,145 @@
+// check and bless as a person or CI runs them: exit statuses, what is printed, the files they leave.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tests/support/program.h"
+
+namespace tumble::test {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr const char* kRules = R"([[metric]]
+name = "drift_max"
+max = 100.0
+why = "they fall and topple"
+)";
+
+/// A workshop with a suite "s" of small cases, blessed.
+class SmallSuite : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* name : {"one", "two", "three"}) add(name);
+    const Outcome outcome = shop_.run({"bless", "--all", "--suite", "s", "--reason", "a test"});
+    ASSERT_EQ(outcome.exit, 0) << outcome.err;
+  }
+  void add(const std::string& name) const {
+    shop_.write("s/cases/" + name + "/scene.toml", kSmallScene);
+    shop_.write("s/cases/" + name + "/metrics.toml", kRules);
+  }
+  [[nodiscard]] Outcome check(std::vector<std::string> more = {}) const {
+    std::vector<std::string> arguments = {"check", "--suite", "s", "--report", "r"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return shop_.run(arguments);
+  }
+  Workshop shop_;
+};
+
+TEST_F(SmallSuite, PassesWithStatusZeroAndLeavesAReport) {
+  const Outcome outcome = check();
+  EXPECT_EQ(outcome.exit, 0) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("3 cases passed"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("same bits, behaviour same"), std::string::npos) << outcome.out;
+  const ordered_json report = ordered_json::parse(shop_.read("r/report.json"));
+  EXPECT_EQ(report["passed"], true);
+  EXPECT_EQ(report["canaries_caught"], true);
+  EXPECT_EQ(report, ordered_json::parse(shop_.read("r/report.json")));
+  EXPECT_NE(shop_.read("r/junit.xml").find("failures=\"0\""), std::string::npos);
+  const std::string page = shop_.read("r/index.html");
+  EXPECT_NE(page.find("3 cases passed"), std::string::npos);
+  for (const char* outside : {"http:", "https:", "src=", "<script", "@import", "url("}) {
+    EXPECT_EQ(page.find(outside), std::string::npos) << "the page must need nothing else: " << outside;
+  }
+}
+
+TEST_F(SmallSuite, AFailureIsStatusOneAndNamesVerdictMarginAndCommands) {
+  std::string rules = shop_.read("s/cases/two/metrics.toml");
+  rules.replace(rules.find("max = 100.0"), 11, "max = 1e-9");
+  shop_.write("s/cases/two/metrics.toml", rules);
+  const Outcome outcome = check({"--junit", "elsewhere.xml"});
+  EXPECT_EQ(outcome.exit, 1);
+  for (const char* words : {"FAILED  two", "same bits, behaviour changed", "above the bound by",
+                            "why: they fall and topple", "tumble record s/cases/two/scene.toml -o two.tumble",
+                            "tumble bless two --suite s --reason", "1 of 3 cases failed"}) {
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
+  }
+  EXPECT_NE(shop_.read("elsewhere.xml").find("failures=\"1\""), std::string::npos);
+  const std::string page = shop_.read("r/index.html");
+  for (const char* words : {"✕ two", "behaviour failed", "exact passed", "above the bound by", "tumble bless two"}) {
+    EXPECT_NE(page.find(words), std::string::npos) << words;
+  }
+  EXPECT_LT(page.find("✕ two"), page.find("✓ one")) << "failed cases come first";
+  EXPECT_EQ(shop_.run({"replay", "r/cases/two/actual.tumble"}).exit, 0);
+  EXPECT_EQ(check({"--require", "exact"}).exit, 0);
+}
+
+TEST_F(SmallSuite, ACaseThatDiesIsNamedWithItsSignal) {
+  shop_.write("s/cases/two/metrics.toml", std::string("[command]\nrun = \"kill -ABRT $$ # {scene} {log}\"\n") + kRules);
+  const Outcome outcome = check();
+  EXPECT_EQ(outcome.exit, 1);
+  EXPECT_NE(outcome.out.find("SIGABRT"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("1 of 3 cases failed"), std::string::npos) << outcome.out;
+}
+
+TEST_F(SmallSuite, ACaseThatHangsIsEnded) {
+  shop_.write("s/cases/two/metrics.toml", std::string("[command]\nrun = \"sleep 100 # {scene} {log}\"\n") + kRules);
+  const Outcome outcome = check({"--timeout", "0.5"});
+  EXPECT_EQ(outcome.exit, 1);
+  EXPECT_NE(outcome.out.find("took longer than"), std::string::npos) << outcome.out;
+}
+
+TEST_F(SmallSuite, AnotherEngineIsJudgedByTheLogItWrites) {
+  const std::string run = std::string("[command]\nrun = \"") + TUMBLE_PROGRAM + " record {scene} -o {log} --quiet";
+  shop_.write("s/cases/two/metrics.toml", run + "\"\n" + kRules);
+  ASSERT_EQ(shop_.run({"bless", "two", "--suite", "s", "--reason", "its own engine"}).exit, 0);
+  EXPECT_EQ(check().exit, 0);
+  std::string rules = shop_.read("s/cases/two/metrics.toml");
+  rules.replace(rules.find("--quiet"), 7, "--quiet --set 'world.gravity=[0, 0, -9.8]'");
+  shop_.write("s/cases/two/metrics.toml", rules);
+  const Outcome outcome = check();
+  EXPECT_EQ(outcome.exit, 1);
+  EXPECT_NE(outcome.out.find("bits moved"), std::string::npos) << outcome.out;
+}
+
+TEST_F(SmallSuite, ShardsCoverTheSuiteOnce) {
+  std::multiset<std::string> seen;
+  for (const char* shard : {"1/2", "2/2"}) {
+    const Outcome outcome = check({"--shard", shard, "--json"});
+    EXPECT_EQ(outcome.exit, 0);
+    const ordered_json report = ordered_json::parse(outcome.out);
+    for (const auto& one : report["cases"]) seen.insert(one["name"].get<std::string>());
+  }
+  EXPECT_EQ(seen, (std::multiset<std::string>{"one", "two", "three"}));
+}
+
+TEST_F(SmallSuite, BadUsageIsStatusTwo) {
+  for (const std::vector<std::string>& more : {std::vector<std::string>{"four"},
+                                               {"--shard", "3/2"},
+                                               {"--shard", "0/2"},
+                                               {"--shard", "x"},
+                                               {"--require", "luck"},
+                                               {"--category", "nothing"},
+                                               {"--jobs", "0"}}) {
+    EXPECT_EQ(check(more).exit, 2) << more.front();
+  }
+  EXPECT_EQ(shop_.run({"check", "--suite", "nowhere"}).exit, 2);
+  EXPECT_EQ(shop_.run({"bless", "one", "--suite", "s"}).exit, 2) << "a reason is required";
+  EXPECT_EQ(shop_.run({"bless", "--suite", "s", "--reason", "x"}).exit, 2) << "which cases?";
+  EXPECT_EQ(shop_.run({"bless", "one", "--all", "--suite", "s", "--reason", "x"}).exit, 2);
+  EXPECT_EQ(shop_.run({"bless", "new", "--from", "none.tumble", "--suite", "s", "--reason", "x"}).exit, 2);
+}
+
+TEST_F(SmallSuite, BlessFromALogMakesACaseThatPasses) {
+  shop_.record_small("session", {"--set", "box.2.position=[0.1, 0.2, 2.5]"});
+  const Outcome outcome =
+      shop_.run({"bless", "found", "--from", "session.tumble", "--suite", "s", "--reason", "seen", "--json"});
+  ASSERT_EQ(outcome.exit, 0) << outcome.err;
+  EXPECT_EQ(ordered_json::parse(outcome.out)["blessed"][0]["name"], "found");
+  EXPECT_EQ(check({"found"}).exit, 0) << check({"found"}).out;
+  EXPECT_NE(shop_.read("s/HISTORY.md").find("seen"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace tumble::test
