@@ -235,12 +235,11 @@ void ground_manifold(const BoxFrame& frame, double reach, Manifold& m, std::vect
   const Vec3 x = frame.axes[0] * frame.half_extent.x(), y = frame.axes[1] * frame.half_extent.y(),
              z = frame.axes[2] * frame.half_extent.z();
   const double lowest = frame.position.z() - reach_along(frame, 2);
-  const double depth = 0.5 * frame.half_extent.minCoeff();  // corners farther up belong to another face
   for (unsigned corner = 0; corner < 8; ++corner) {
     const double sx = (corner & 1U) != 0 ? 1 : -1, sy = (corner & 2U) != 0 ? 1 : -1, sz = (corner & 4U) != 0 ? 1 : -1;
     const Vec3 r = (x * sx + y * sy) + z * sz;
     const double height = frame.position.z() + r.z();
-    if (height > reach || height > lowest + depth) continue;
+    if (height > reach) continue;
     ManifoldPoint point;
     point.p = r.x();
     point.q = r.y();

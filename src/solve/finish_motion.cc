@@ -8,23 +8,13 @@
 namespace tumble::sim {
 namespace {
 
-// The orientation has moved on; the spin that belongs to the same angular momentum has turned with it.
-Vec3 carried_spin(const Bodies& bodies, BodyIndex i, const Axes& before, const Vec3& spin) {
-  const Vec3 inertia = bodies.inertia[i];
-  if (inertia.x() == inertia.y() && inertia.y() == inertia.z()) return spin;
-  const Vec3 momentum = to_world(before, to_body(before, spin).cwiseProduct(inertia));
-  const Axes after = axes_of(bodies.orientation[i]);
-  return VelocityGrid::round(to_world(after, to_body(after, momentum).cwiseProduct(bodies.inverse_inertia[i])));
-}
-
 void leave_contact(World& world, BodyIndex i, double dt_s) {
   Bodies& bodies = world.mutable_state().bodies;
   const Scratch& scratch = world.scratch();
   const SolverBody& body = scratch.solver_bodies[i];
   const double slower = 1 + world.state().def.air_drag * dt_s;
-  const Vec3 spin = carried_spin(bodies, i, scratch.frames[i].axes, body.spin);
   bodies.velocity.set(i, plus_zero(slower > 1 ? VelocityGrid::round(Vec3(body.velocity / slower)) : body.velocity));
-  bodies.spin.set(i, plus_zero(slower > 1 ? VelocityGrid::round(Vec3(spin / slower)) : spin));
+  bodies.spin.set(i, plus_zero(slower > 1 ? VelocityGrid::round(Vec3(body.spin / slower)) : body.spin));
 }
 
 }  // namespace

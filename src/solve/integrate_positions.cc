@@ -1,21 +1,42 @@
 #include "src/solve/integrate_positions.h"
 
 #include "src/math/grid.h"
+#include "src/solve/integrate.h"
 #include "src/solve/manifold_solver.h"
 #include "src/solve/solver_body.h"
 #include "src/world/body_check.h"
 
 namespace tumble::sim {
+namespace {
+
+constexpr double kStiff = 0.002;  // rad in a sub-step up to which a body's inertia is left as it was
+
+// Turned as in free flight, which keeps angular momentum and energy: held against the world, the spin of a fast bar
+// would gain both.
+void turn(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) {
+  SolverBody& body = scratch.solver_bodies[i];
+  const Vec3 inertia = bodies.inertia[i], inverse = bodies.inverse_inertia[i];
+  const Rotation rotation = rotate_freely(bodies.orientation[i], body.spin, inertia, inverse, substep_s);
+  bodies.orientation.set(i, rotation.orientation);
+  const double turned_squared = dot(body.spin, body.spin) * (substep_s * substep_s);
+  if (inertia.x() == inertia.y() && inertia.y() == inertia.z()) return;
+  body.spin = rotation.spin;
+  scratch.next_spin.set(i, rotation.spin);
+  if (turned_squared > kStiff * kStiff) {
+    set_inverse_inertia(body, axes_of(rotation.orientation), inverse * body.weight);
+  }
+}
+
+}  // namespace
 
 Status integrate_positions(World& world, double substep_s) {
   Bodies& bodies = world.mutable_state().bodies;
   Scratch& scratch = world.mutable_scratch();
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
     if (scratch.in_contact[i] == 0) continue;
-    const SolverBody& body = scratch.solver_bodies[i];
-    const Vec3 path = PositionGrid::round(Vec3(body.velocity * substep_s));
+    const Vec3 path = PositionGrid::round(Vec3(scratch.solver_bodies[i].velocity * substep_s));
     bodies.position.set(i, plus_zero(bodies.position[i] + path));
-    bodies.orientation.set(i, rotated_by_half(bodies.orientation[i], body.spin * (0.5 * substep_s)));
+    turn(bodies, scratch, i, substep_s);
   }
   for (const std::uint32_t k : scratch.layered) {
     const Manifold& m = scratch.manifolds[k];
