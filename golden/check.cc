@@ -68,6 +68,7 @@ std::size_t SuiteResult::failed(VerdictKind kind) const {
 
 std::vector<CaseFolder> longest_first(std::vector<CaseFolder> folders) {
   std::vector<std::pair<std::uint64_t, CaseFolder>> costs;
+  costs.reserve(folders.size());
   for (CaseFolder& folder : folders) costs.emplace_back(body_steps(folder), std::move(folder));
   std::ranges::stable_sort(costs, std::greater<>(), &std::pair<std::uint64_t, CaseFolder>::first);
   folders.clear();

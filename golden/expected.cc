@@ -34,6 +34,7 @@ std::vector<std::uint16_t> folded(const std::vector<std::uint16_t>& words, std::
     word = (word ^ words[i]) * 0x9E3779B97F4A7C15;
   }
   std::vector<std::uint16_t> out;
+  out.reserve(row.size());
   for (const std::uint64_t word : row) out.push_back(static_cast<std::uint16_t>(word >> 48));
   return out;
 }

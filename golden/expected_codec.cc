@@ -12,7 +12,6 @@
 namespace tumble::golden {
 namespace {
 
-using replay::check_size;
 using replay::get_differences;
 using replay::get_planes;
 using replay::put_differences;
