@@ -12,11 +12,12 @@
 namespace tumble::golden {
 namespace {
 
-/// What a child hands back: the result as JSON, then the new golden's bytes.
+/// What a child hands back: the result as JSON, then the new golden's bytes, then those of its pictures.
 constexpr std::size_t kLengthDigits = 12;
 
 std::string hand_over(const CaseRun& run) {
   std::string golden;
+  std::string pictures;
   Json json = to_json(run.result);
   json["complete"] = run.complete;
   if (run.complete) {
@@ -28,10 +29,15 @@ std::string hand_over(const CaseRun& run) {
       json["problems"].push_back(bytes.error().message);
     }
   }
+  json["picture_bytes"] = Json::array();
+  for (const DrawnPicture& picture : run.pictures) {
+    json["picture_bytes"].push_back(picture.png.size());
+    pictures.append(reinterpret_cast<const char*>(picture.png.data()), picture.png.size());
+  }
   const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string length = std::to_string(text.size());
   length.insert(0, kLengthDigits - length.size(), '0');
-  return length + text + golden;
+  return length + text + golden + pictures;
 }
 
 struct Handed {
@@ -39,11 +45,12 @@ struct Handed {
   CaseResult result;
   bool complete = false;
   std::string golden;
-  std::string rules_text;  // of the new metrics.toml
+  std::vector<std::string> pictures;  // one a [[picture]]; empty where it could not be drawn
+  std::string rules_text;             // of the new metrics.toml
 };
 
 Handed take_over(const CaseFolder& folder, const ChildResult& child) {
-  Handed handed{.folder = folder, .result = {}, .complete = false, .golden = {}, .rules_text = {}};
+  Handed handed{.folder = folder, .result = {}, .complete = false, .golden = {}, .pictures = {}, .rules_text = {}};
   if (!child.failure.empty()) {
     handed.result.problems.push_back("its process " + child.failure);
     return handed;
@@ -56,8 +63,15 @@ Handed take_over(const CaseFolder& folder, const ChildResult& child) {
     return handed;
   }
   handed.result = *std::move(result);
-  handed.complete = Json::parse(text).at("complete");
-  handed.golden = child.output.substr(kLengthDigits + length);
+  const Json json = Json::parse(text);
+  handed.complete = json.at("complete");
+  std::size_t end = child.output.size();
+  const std::vector<std::size_t> sizes = json.at("picture_bytes");
+  for (auto size = sizes.rbegin(); size != sizes.rend(); ++size) {
+    end -= *size;
+    handed.pictures.insert(handed.pictures.begin(), child.output.substr(end, *size));
+  }
+  handed.golden = child.output.substr(kLengthDigits + length, end - kLengthDigits - length);
   return handed;
 }
 
@@ -68,6 +82,10 @@ std::string obstacle(const Handed& handed) {
   }
   for (const std::string& problem : handed.result.problems) {
     if (problem.starts_with("unreferenced")) return problem;
+  }
+  for (std::size_t k = 0; k < handed.pictures.size(); ++k) {
+    if (handed.pictures[k].empty())
+      return handed.result.pictures[k].rule.file() + " " + handed.result.pictures[k].words;
   }
   for (const MetricResult& metric : handed.result.metrics) {
     const MetricRule& rule = metric.rule;
@@ -95,13 +113,17 @@ Blessing blessing_of(const CaseResult& result, bool is_new) {
     blessing.bits = "made anew, for the old golden could not be read";
   }
   if (!is_new && result.difference) blessing.details = result.difference->details;
+  for (const PictureResult& picture : result.pictures) {
+    if (!picture.words.empty()) blessing.details.push_back(picture.rule.file() + ": " + picture.words);
+  }
   std::erase_if(blessing.details, [](const std::string& detail) { return detail.starts_with("exact values"); });
   return blessing;
 }
 
 bool changes_something(const CaseResult& result, const std::string& old_rules, const std::string& new_rules) {
   return result.verdict(VerdictKind::kExact).outcome != Outcome::kPass || !result.problems.empty() ||
-         !result.notes.empty() || old_rules != new_rules;
+         !result.notes.empty() || old_rules != new_rules ||
+         std::ranges::any_of(result.pictures, [](const PictureResult& picture) { return !picture.words.empty(); });
 }
 
 Status check_reason(const std::string& reason) {
@@ -140,6 +162,12 @@ Result<std::vector<Handed>> run_all(const BlessOptions& options, const std::vect
 
 Status write_case(const Handed& handed) {
   if (Status ok = write_file(handed.folder.file(kRulesFile), std::string_view(handed.rules_text)); !ok.ok()) return ok;
+  for (std::size_t k = 0; k < handed.pictures.size(); ++k) {
+    const std::string name = handed.result.pictures[k].rule.file();
+    // A picture whose pixels did not move keeps its bytes, which name the driver that made them.
+    if (handed.result.pictures[k].words.empty()) continue;
+    if (Status ok = write_file(handed.folder.path / name, std::string_view(handed.pictures[k])); !ok.ok()) return ok;
+  }
   return write_file(handed.folder.file(kExpectedFile), std::string_view(handed.golden));
 }
 

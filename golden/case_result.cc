@@ -51,6 +51,36 @@ MetricResult metric_from(const Json& json) {
   return metric;
 }
 
+Json picture_json(const PictureResult& picture) {
+  const PictureRule& rule = picture.rule;
+  return {{"file", rule.file()},
+          {"step", rule.step},
+          {"width", rule.width},
+          {"height", rule.height},
+          {"freezing", rule.freezing},
+          {"pixels", picture.pixels},
+          {"far_off", picture.far_off},
+          {"far_off_max", rule.far_off_max},
+          {"why", rule.why},
+          {"pass", picture.pass},
+          {"words", picture.words}};
+}
+
+PictureResult picture_from(const Json& json) {
+  PictureResult picture;
+  picture.rule.step = json.at("step");
+  picture.rule.width = json.at("width");
+  picture.rule.height = json.at("height");
+  picture.rule.freezing = json.at("freezing");
+  picture.rule.far_off_max = json.at("far_off_max");
+  picture.rule.why = json.at("why");
+  picture.pixels = json.at("pixels");
+  picture.far_off = json.at("far_off");
+  picture.pass = json.at("pass");
+  picture.words = json.at("words");
+  return picture;
+}
+
 Json difference_json(const FirstDifference& difference) {
   return {{"step", difference.step},       {"substep", or_null(difference.substep)},
           {"phase", difference.phase},     {"states_from", or_null(difference.states_from)},
@@ -86,6 +116,7 @@ CaseResult result_from(const Json& json) {
   result.problems = json.at("problems");
   result.notes = json.at("notes");
   for (const Json& metric : json.at("metrics")) result.metrics.push_back(metric_from(metric));
+  for (const Json& picture : json.at("pictures")) result.pictures.push_back(picture_from(picture));
   if (!json.at("difference").is_null()) result.difference = difference_from(json.at("difference"));
   result.final_hash = json.at("final_hash");
   result.artifacts = json.at("artifacts");
@@ -117,6 +148,9 @@ std::string summary(const CaseResult& result) {
   }
   std::string text = exact == Outcome::kNone ? metrics : std::string(bits) + ", " + metrics;
   if (behaviour == Outcome::kNone) text = std::string(bits) + ", behaviour not judged";
+  const Outcome image = result.verdict(VerdictKind::kImage).outcome;
+  if (image == Outcome::kPass) text += ", same pictures";
+  if (image == Outcome::kFail) text += ", pictures changed";
   if (!result.problems.empty()) text += "; " + short_problem(result);
   return text;
 }
@@ -137,6 +171,8 @@ Json to_json(const CaseResult& result) {
   json["notes"] = result.notes;
   json["metrics"] = Json::array();
   for (const MetricResult& metric : result.metrics) json["metrics"].push_back(metric_json(metric));
+  json["pictures"] = Json::array();
+  for (const PictureResult& picture : result.pictures) json["pictures"].push_back(picture_json(picture));
   json["difference"] = result.difference ? difference_json(*result.difference) : Json(nullptr);
   json["final_hash"] = result.final_hash;
   json["artifacts"] = result.artifacts;

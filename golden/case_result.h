@@ -35,6 +35,14 @@ struct MetricResult {
   std::string words;  ///< why it failed, or what moved; may be empty
 };
 
+struct PictureResult {
+  PictureRule rule;
+  std::uint64_t pixels = 0;   ///< that are not as blessed
+  std::uint64_t far_off = 0;  ///< of these, by more than render::kFarOffLevels
+  bool pass = false;
+  std::string words;  ///< what differs; empty if nothing does
+};
+
 struct CaseResult {
   std::string name;
   std::string title;
@@ -47,6 +55,7 @@ struct CaseResult {
   std::vector<std::string> problems;  ///< each fails the case whatever is required: missing, stale, damaged, crashed …
   std::vector<std::string> notes;     ///< fail nothing
   std::vector<MetricResult> metrics;
+  std::vector<PictureResult> pictures;
   std::optional<FirstDifference> difference;
   std::string final_hash;              ///< of the session judged; empty if there was none
   std::vector<std::string> artifacts;  ///< files left for a person, relative to the report folder

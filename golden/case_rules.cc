@@ -7,6 +7,7 @@
 #include "golden/metric_values.h"
 #include "golden/text_files.h"
 #include "src/model/limits.h"
+#include "src/render/renderer.h"
 #include "src/scenes/parse_toml.h"
 #include "src/scenes/table_reader.h"
 
@@ -19,6 +20,9 @@ using scenes::TableReader;
 constexpr scenes::NumberRule kAnyNumber = {"a number", -std::numeric_limits<double>::max(),
                                            std::numeric_limits<double>::max(), ""};
 constexpr scenes::IntegerRule kStepRule = {"a step", 0, sim::kStepsMax};
+constexpr scenes::IntegerRule kEdgeRule = {"pixels", render::kSizeMin, render::kSizeMax};
+constexpr scenes::IntegerRule kPixelRule = {"a number of pixels", 0,
+                                            std::uint64_t{render::kSizeMax} * render::kSizeMax};
 constexpr std::size_t kTextLengthMax = 1000;
 constexpr std::array<const char*, 2> kAxes = {"x", "y"};
 
@@ -74,6 +78,19 @@ MetricRule read_metric(TableReader& reader, const toml::table& table) {
   return rule;
 }
 
+PictureRule read_picture(TableReader& reader) {
+  PictureRule rule;
+  rule.step = reader.integer("step", 0, kStepRule);
+  rule.width = static_cast<int>(reader.integer("width", 320, kEdgeRule));
+  rule.height = static_cast<int>(reader.integer("height", 240, kEdgeRule));
+  rule.freezing = reader.flag("freezing", false);
+  rule.far_off_max = reader.integer("far_off_max", 0, kPixelRule);
+  rule.why = reader.text("why", "", kTextLengthMax);
+  if (rule.why.find_first_not_of(' ') == std::string::npos) reader.fail("why", "the reason for the bound");
+  reader.finish();
+  return rule;
+}
+
 std::vector<VerdictKind> read_require(TableReader& top, const toml::table& root) {
   std::vector<VerdictKind> require = CaseRules().require;
   if (!top.has("require")) return require;
@@ -116,6 +133,12 @@ Result<CaseRules> parse(std::string_view text, std::string_view file_name) {
       rules.metrics.push_back(read_metric(reader, *node.as_table()));
     }
   }
+  if (const toml::array* pictures = top.array_of_tables("picture")) {
+    for (const toml::node& node : *pictures) {
+      TableReader reader(*node.as_table(), "[[picture]]", problem);
+      rules.pictures.push_back(read_picture(reader));
+    }
+  }
   if (rules.metrics.empty()) top.fail("metric", "at least one [[metric]]: a case that measures nothing proves nothing");
   top.finish();
   if (problem.found()) return problem.error();
@@ -134,6 +157,14 @@ std::string replaced_value(const std::string& line, const std::string& value) {
 }
 
 }  // namespace
+
+std::string PictureRule::file() const {
+  std::string number = std::to_string(step);
+  if (number.size() < 4) number.insert(0, 4 - number.size(), '0');
+  return "frame_" + number + ".png";
+}
+
+bool is_picture_name(std::string_view name) { return name.starts_with("frame_") && name.ends_with(".png"); }
 
 Result<VerdictKind> parse_verdict(std::string_view word) {
   for (std::size_t k = 0; k < kVerdictNames.size(); ++k) {

@@ -33,10 +33,25 @@ struct MetricRule {
   std::size_t value_line = 0;   ///< of `value`; 0 if there is none
 };
 
+/// One [[picture]]: the state after a step, as `tumble render` draws it.
+struct PictureRule {
+  std::uint64_t step = 0;
+  int width = 320;
+  int height = 240;
+  bool freezing = false;          ///< frozen bodies in their material, active ones white
+  std::uint64_t far_off_max = 0;  ///< pixels that another driver may have off by more than render::kFarOffLevels
+  std::string why;                ///< the reason for the bound
+  [[nodiscard]] std::string file() const;  ///< "frame_0120.png", in the case's folder
+};
+
+/// Whether a file of a case's folder is one that a PictureRule could name.
+bool is_picture_name(std::string_view name);
+
 struct CaseRules {
   std::vector<VerdictKind> require = {VerdictKind::kExact, VerdictKind::kBehaviour};
   std::string command;  ///< of another engine, with {scene} and {log}; empty: this one
   std::vector<MetricRule> metrics;
+  std::vector<PictureRule> pictures;
 };
 
 /// Errors (kBadInput): "<file>:<line>:<column>: …" for anything that is not understood, as in scenes.

@@ -118,6 +118,7 @@ class CaseRunner {
     Judged judged = judge(*log, yardstick);
     const bool measured = judged.result.problems.empty() || !judged.values.empty();
     take(std::move(judged));
+    take(judge_pictures(*log, run_.rules.pictures, folder_));
     if (!session->failure.empty()) run_.result.problems.push_back(session->failure);
     run_.complete = measured && session->failure.empty() && log->condition().whole();
     if (!run_.result.passed()) leave_files(*session);
@@ -138,6 +139,15 @@ class CaseRunner {
     run_.values = std::move(judged.values);
   }
 
+  void take(JudgedPictures&& judged) {
+    CaseResult& result = run_.result;
+    result.verdict(VerdictKind::kImage) = std::move(judged.verdict);
+    result.pictures = std::move(judged.results);
+    result.problems.insert(result.problems.end(), judged.problems.begin(), judged.problems.end());
+    result.notes.insert(result.notes.end(), judged.notes.begin(), judged.notes.end());
+    run_.pictures = std::move(judged.drawn);
+  }
+
   void leave_files(const Session& session) {
     if (options_.report.empty()) return;
     const std::string folder = "cases/" + folder_.name + "/";
@@ -149,6 +159,12 @@ class CaseRunner {
       }
     };
     leave("actual.tumble", std::span<const std::byte>(*session.log));
+    for (std::size_t k = 0; k < run_.pictures.size(); ++k) {
+      if (run_.result.pictures[k].words.empty() || run_.pictures[k].png.empty()) continue;
+      for (const PictureFile& file : explaining_files(run_.pictures[k])) {
+        leave(file.name, std::span<const std::byte>(file.bytes));
+      }
+    }
     if (expected_ && !expected_->track.empty()) leave("expected_track.csv", std::string_view(track_csv(*expected_)));
   }
 

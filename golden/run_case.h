@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "golden/judge.h"
+#include "golden/judge_pictures.h"
 #include "golden/suite.h"
 #include "replay/byte_memory.h"
 #include "src/model/scene.h"
@@ -37,6 +38,7 @@ struct CaseRun {
   CaseRules rules;
   Expected actual;
   std::vector<std::optional<double>> values;
+  std::vector<DrawnPicture> pictures;
   bool complete = false;  ///< the session ran to its end and was measured: it could be blessed
 };
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "golden/case_rules.h"
 #include "golden/text_files.h"
 #include "src/scenes/problem.h"
 #include "src/scenes/scene_file.h"
@@ -81,7 +82,7 @@ std::vector<std::string> folder_problems(const CaseFolder& folder) {
   }
   for (const fs::path& entry : entries_of(folder.path)) {
     const std::string name = entry.filename().string();
-    if (std::ranges::find(kCaseFiles, name) != kCaseFiles.end()) continue;
+    if (std::ranges::find(kCaseFiles, name) != kCaseFiles.end() || is_picture_name(name)) continue;  // judged with them
     problems.push_back("unreferenced: nothing reads " + name + "; remove it");
   }
   return problems;

@@ -4,6 +4,7 @@
 
 namespace tumble::render {
 
+// NOLINTNEXTLINE(readability-function-size): two statements for each entry point
 Result<Gl> load_gl(const std::function<GlFunction(const char*)>& get_proc) {
   Gl gl;
   std::string missing;

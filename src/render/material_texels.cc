@@ -130,7 +130,7 @@ Texel ground(double u, double v) {
   return scaled(t, 0.86 + 0.14 * ramp(0.004, 0.020, joint));
 }
 
-std::uint8_t to_byte(double x) { return static_cast<std::uint8_t>(std::clamp(x, 0.0, 1.0) * 255 + 0.5); }
+std::uint8_t to_byte(double x) { return static_cast<std::uint8_t>(std::lround(std::clamp(x, 0.0, 1.0) * 255)); }
 
 Texels make_finest(Texel (*material)(double, double)) {
   Texels texels;

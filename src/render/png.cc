@@ -153,6 +153,7 @@ Result<PngFile> read_png(const std::string& path) {
   PngFile made;
   made.image = Image::blank(width, height);
   std::vector<png_bytep> rows;
+  rows.reserve(static_cast<std::size_t>(height));
   for (int y = 0; y < height; ++y) rows.push_back(made.image.rgb.data() + made.image.at(0, y));
   if (!read_rows(reader.png, reader.info, rows.data())) return damaged(path + ": damaged PNG: " + words.text.data());
   png_textp texts = nullptr;

@@ -7,7 +7,7 @@
 namespace tumble::render {
 namespace {
 
-std::uint8_t to_byte(double x) { return static_cast<std::uint8_t>(std::clamp(x, 0.0, 1.0) * 255 + 0.5); }
+std::uint8_t to_byte(double x) { return static_cast<std::uint8_t>(std::lround(std::clamp(x, 0.0, 1.0) * 255)); }
 
 // GL's rows go upwards, an image's downwards.
 template <class Pixel>
