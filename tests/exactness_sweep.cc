@@ -1,5 +1,5 @@
-// Prints the symmetry errors of tilted grids: exactness_sweep N[,N…] SUBSTEPS[,SUBSTEPS…]. Exit status 1 when one is
-// not exactly zero or a cube has fallen through.
+// Prints the symmetry errors of tilted grids: exactness_sweep thesis|layered N[,N…] SUBSTEPS[,SUBSTEPS…]. Exit status 1
+// when one is not exactly zero or a cube has fallen through.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -21,9 +21,10 @@ std::vector<std::uint32_t> numbers(const std::string& list) {
 }
 
 // True when the run kept its symmetry.
-bool print_row(std::uint32_t n, double dt, std::uint32_t substeps) {
-  const tumble::test::SymmetryError error = tumble::test::tilted_grid_error(n, dt, substeps);
-  std::printf("| %u | 1/%.0f | %u | %g | %g | %.3f | %.2f |\n", n * n, 1 / dt, substeps, error.lateral,
+bool print_row(tumble::sim::Method method, std::uint32_t n, double dt, std::uint32_t substeps) {
+  const tumble::test::SymmetryError error = tumble::test::tilted_grid_error(method, n, dt, substeps);
+  std::printf("| %s | %u | 1/%.0f | %u | %g | %g | %.3f | %.2f |\n",
+              method == tumble::sim::Method::kThesis ? "thesis" : "layered", n * n, 1 / dt, substeps, error.lateral,
               error.column_spread, error.lowest, error.seconds);
   std::fflush(stdout);
   return error.lateral == 0 && error.column_spread == 0 && error.lowest > 0;
@@ -32,17 +33,19 @@ bool print_row(std::uint32_t n, double dt, std::uint32_t substeps) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) {
-    std::fprintf(stderr, "usage: exactness_sweep N[,N...] SUBSTEPS[,SUBSTEPS...]\n");
+  const std::string name = argc == 4 ? argv[1] : "";
+  if (name != "thesis" && name != "layered") {
+    std::fprintf(stderr, "usage: exactness_sweep thesis|layered N[,N...] SUBSTEPS[,SUBSTEPS...]\n");
     return 2;
   }
+  const tumble::sim::Method method = name == "thesis" ? tumble::sim::Method::kThesis : tumble::sim::Method::kLayered;
   try {
-    std::printf("| cubes | dt s | sub-steps | lateral m | column spread m | lowest centre m | CPU s |\n");
-    std::printf("|---|---|---|---|---|---|---|\n");
+    std::printf("| method | cubes | dt s | sub-steps | lateral m | column spread m | lowest centre m | CPU s |\n");
+    std::printf("|---|---|---|---|---|---|---|---|\n");
     bool exact = true;
-    for (const std::uint32_t n : numbers(argv[1])) {
+    for (const std::uint32_t n : numbers(argv[2])) {
       for (const double dt : {1.0 / 30, 1.0 / 300}) {
-        for (const std::uint32_t substeps : numbers(argv[2])) exact = print_row(n, dt, substeps) && exact;
+        for (const std::uint32_t substeps : numbers(argv[3])) exact = print_row(method, n, dt, substeps) && exact;
       }
     }
     return exact ? 0 : 1;

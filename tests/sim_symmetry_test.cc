@@ -13,7 +13,7 @@ class TiltedGrid : public testing::TestWithParam<std::uint32_t> {};
 TEST_P(TiltedGrid, EndsWithoutLateralErrorAndColumnSpread) {
   for (const double dt : {1.0 / 30, 1.0 / 300}) {
     for (const std::uint32_t substeps : {1U, 4U, 10U}) {
-      const SymmetryError error = tilted_grid_error(GetParam(), dt, substeps);
+      const SymmetryError error = tilted_grid_error(sim::Method::kThesis, GetParam(), dt, substeps);
       EXPECT_EQ(error.lateral, 0) << "dt " << dt << ", sub-steps " << substeps;
       EXPECT_EQ(error.column_spread, 0) << "dt " << dt << ", sub-steps " << substeps;
       EXPECT_GT(error.lowest, 0) << "a cube has fallen through the ground";

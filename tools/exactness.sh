@@ -1,5 +1,5 @@
 #!/bin/sh
-# Symmetry of the thesis's comparison scene at every size, step and number of sub-steps: prints a table in Markdown and
+# Symmetry of the thesis's comparison scene at every size, step and number of sub-steps, with both methods: prints a table in Markdown and
 # fails unless lateral error and column spread are exactly 0 everywhere.
 #
 #   tools/exactness.sh [BUILD_DIR]        BUILD_DIR: a configured build; build/release unless said
@@ -11,6 +11,8 @@ if [ ! -f "$build/CMakeCache.txt" ]; then
 fi
 cmake --build "$build" --target exactness_sweep >&2
 status=0
-"$build/tests/exactness_sweep" 6,10,15,20 1,4,10,40,200 || status=1
-"$build/tests/exactness_sweep" 40,60,80 1,4,10 || status=1
+for method in thesis layered; do
+  "$build/tests/exactness_sweep" $method 6,10,15,20 1,4,10,40,200 || status=1
+  "$build/tests/exactness_sweep" $method 40,60,80 1,4,10 || status=1
+done
 exit $status

@@ -31,8 +31,9 @@ SymmetryError symmetry_error(const sim::SceneDef& scene, std::uint32_t n, double
   return error;
 }
 
-SymmetryError tilted_grid_error(std::uint32_t n, double dt, std::uint32_t substeps) {
+SymmetryError tilted_grid_error(sim::Method method, std::uint32_t n, double dt, std::uint32_t substeps) {
   sim::SceneDef scene = tilted_grid(n);
+  scene.world.method = method;
   scene.world.dt = dt;
   scene.world.substeps = substeps;
   return symmetry_error(scene, n, 5);

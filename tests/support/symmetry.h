@@ -17,6 +17,6 @@ struct SymmetryError {
 /// Runs a scene of tilted_grid(n), as it is or disturbed, for so many seconds.
 SymmetryError symmetry_error(const sim::SceneDef& scene, std::uint32_t n, double seconds);
 /// The thesis's 5 s of it.
-SymmetryError tilted_grid_error(std::uint32_t n, double dt, std::uint32_t substeps);
+SymmetryError tilted_grid_error(sim::Method method, std::uint32_t n, double dt, std::uint32_t substeps);
 
 }  // namespace tumble::test
