@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "golden/report.h"
+#include "golden/report_pictures.h"
 #include "golden/report_style.h"
 
 namespace tumble::golden {
@@ -132,7 +133,7 @@ std::string case_body(const CaseResult& result) {
   }
   out += element("h3", "Verdicts") + list_of(verdicts);
   if (result.difference) out += element("h3", "How far it went") + list_of(result.difference->details);
-  out += metric_table(result.metrics);
+  out += picture_section(result) + metric_table(result.metrics);
   if (!result.notes.empty()) out += element("h3", "Notes") + list_of(result.notes);
   if (!result.passed()) {
     out += command("To reproduce", result.reproduce) + command("To accept it, if it is right", result.bless);
