@@ -11,4 +11,8 @@ set(TUMBLE_SANITIZE "" CACHE STRING "Sanitizers for the whole build, as -fsaniti
 if(TUMBLE_SANITIZE)
   add_compile_options(-fsanitize=${TUMBLE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${TUMBLE_SANITIZE})
+  # What the sanitizers add makes GCC lose track of std::optional.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    target_compile_options(tumble_warnings INTERFACE -Wno-maybe-uninitialized)
+  endif()
 endif()
