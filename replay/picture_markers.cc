@@ -7,7 +7,6 @@ namespace tumble::replay {
 namespace {
 
 using render::Colour;
-using render::Marker;
 using sim::Quat;
 using sim::Vec3;
 
