@@ -49,7 +49,7 @@ Status write_reports(const SuiteResult& result, const std::filesystem::path& fol
   if (Status ok = write_file(folder / "report.json", std::string_view(json)); !ok.ok()) return ok;
   const std::filesystem::path junit_path = junit.empty() ? folder / "junit.xml" : junit;
   if (Status ok = write_file(junit_path, std::string_view(report_junit(result))); !ok.ok()) return ok;
-  return write_file(folder / "index.html", std::string_view(report_html(result)));
+  return write_file(folder / "index.html", std::string_view(report_html(result, folder)));
 }
 
 }  // namespace tumble::golden

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "golden/report.h"
+#include "golden/report_files.h"
 #include "golden/report_pictures.h"
 #include "golden/report_style.h"
 
@@ -120,7 +121,7 @@ std::string command(const char* title, const std::string& line) {
   return element("h3", title) + "<pre tabindex=\"0\">" + escaped(line) + "</pre>\n";
 }
 
-std::string case_body(const CaseResult& result) {
+std::string case_body(const CaseResult& result, ReportFiles& files) {
   std::string out = "<div class=\"inside\">\n";
   out += "<p class=\"soft\">" + escaped(result.title) + " · " + std::to_string(result.bodies) + " bodies, " +
          std::to_string(result.steps) + " steps, " + seconds_text(result.seconds) + "</p>\n";
@@ -133,7 +134,7 @@ std::string case_body(const CaseResult& result) {
   }
   out += element("h3", "Verdicts") + list_of(verdicts);
   if (result.difference) out += element("h3", "How far it went") + list_of(result.difference->details);
-  out += picture_section(result) + metric_table(result.metrics);
+  out += picture_section(result, files) + drawing_section(result, files) + metric_table(result.metrics);
   if (!result.notes.empty()) out += element("h3", "Notes") + list_of(result.notes);
   if (!result.passed()) {
     out += command("To reproduce", result.reproduce) + command("To accept it, if it is right", result.bless);
@@ -149,13 +150,13 @@ std::string case_body(const CaseResult& result) {
   return out + "</div>\n";
 }
 
-std::string case_block(const CaseResult& result) {
+std::string case_block(const CaseResult& result, ReportFiles& files) {
   const bool passed = result.passed();
   std::string out = std::string("<details class=\"") + (passed ? "pass" : "fail") + (passed ? "\">" : "\" open>");
   out += std::string("<summary><h3 id=\"") + escaped(result.name) + "\">" + (passed ? "✓ " : "✕ ") +
          escaped(result.name) + "</h3><span>" + escaped(summary(result)) + "</span><span class=\"chips\">";
   for (std::size_t k = 0; k < kVerdictNames.size(); ++k) out += chip(kVerdictNames[k], result.verdicts[k].outcome);
-  return out + "</span></summary>\n" + case_body(result) + "</details>\n";
+  return out + "</span></summary>\n" + case_body(result, files) + "</details>\n";
 }
 
 std::string tiles(const SuiteResult& result) {
@@ -222,17 +223,18 @@ std::string overview(const SuiteResult& result) {
          rows + "</tbody></table></div>\n";
 }
 
-std::string cases_section(const SuiteResult& result, bool passed, const char* title) {
+std::string cases_section(const SuiteResult& result, bool passed, const char* title, ReportFiles& files) {
   std::string blocks;
   for (const CaseResult& one : result.cases) {
-    if (one.passed() == passed) blocks += case_block(one);
+    if (one.passed() == passed) blocks += case_block(one, files);
   }
   return blocks.empty() ? "" : element("h2", title) + blocks;
 }
 
 }  // namespace
 
-std::string report_html(const SuiteResult& result) {
+std::string report_html(const SuiteResult& result, const std::filesystem::path& folder) {
+  ReportFiles files(folder);
   const bool passed = result.passed();
   std::string out =
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
@@ -244,9 +246,10 @@ std::string report_html(const SuiteResult& result) {
   std::string about = "suite " + result.suite + ", " + seconds_text(result.seconds);
   if (result.shards > 1) about += ", shard " + std::to_string(result.shard) + " of " + std::to_string(result.shards);
   out += element("p class=\"soft\"", about) + list_of(result.problems) + "</div>\n" + tiles(result) + overview(result);
-  out += cases_section(result, false, "Failed cases in full") + cases_section(result, true, "Passed cases");
+  out +=
+      cases_section(result, false, "Failed cases in full", files) + cases_section(result, true, "Passed cases", files);
   out += element("h2", "The check itself") + canary_list(result);
-  return out + "</main>\n</body>\n</html>\n";
+  return out + "</main>\n" + (files.is_drawn() ? script_section() : "") + "</body>\n</html>\n";
 }
 
 }  // namespace tumble::golden

@@ -7,19 +7,20 @@ namespace {
 
 // A picture's path in the report, if it was left there. Case and file names need no escaping: suite.h allows letters,
 // digits, '_' and '-' only.
-std::string figure(const CaseResult& result, const PictureRule& rule, const std::string& kind) {
+std::string figure(const CaseResult& result, const PictureRule& rule, const std::string& kind, ReportFiles& files) {
   const std::string file = rule.file();
   const std::string path = "cases/" + result.name + "/" + file.substr(0, file.rfind('.')) + "." + kind + ".png";
   if (std::ranges::find(result.artifacts, path) == result.artifacts.end()) return "";
   const std::string size =
       " width=\"" + std::to_string(rule.width) + "\" height=\"" + std::to_string(rule.height) + "\"";
-  return "<figure><img src=\"" + path + "\"" + size + " alt=\"" + kind + " picture of " + result.name + " at step " +
-         std::to_string(rule.step) + "\"><figcaption>" + kind + "</figcaption></figure>\n";
+  return "<figure data-kind=\"" + kind + "\"><img src=\"" + files.image_source(path) + "\"" + size + " alt=\"" + kind +
+         " picture of " + result.name + " at step " + std::to_string(rule.step) + "\"><figcaption>" + kind +
+         "</figcaption></figure>\n";
 }
 
 }  // namespace
 
-std::string picture_section(const CaseResult& result) {
+std::string picture_section(const CaseResult& result, ReportFiles& files) {
   if (result.pictures.empty()) return "";
   std::string out = "<h3>Pictures</h3>\n";
   for (const PictureResult& picture : result.pictures) {
@@ -32,8 +33,9 @@ std::string picture_section(const CaseResult& result) {
     }
     out += "</p>\n";
     if (picture.words.empty()) continue;
-    out += "<div class=\"pictures\">" + figure(result, picture.rule, "expected") +
-           figure(result, picture.rule, "actual") + figure(result, picture.rule, "difference") + "</div>\n";
+    out += "<div class=\"pictures\" data-step=\"" + std::to_string(picture.rule.step) + "\">" +
+           figure(result, picture.rule, "expected", files) + figure(result, picture.rule, "actual", files) +
+           figure(result, picture.rule, "difference", files) + "</div>\n";
   }
   return out;
 }

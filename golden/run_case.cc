@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "golden/case_series.h"
 #include "golden/expected_file.h"
 #include "golden/foreign_engine.h"
 #include "golden/scene_hash.h"
@@ -121,7 +122,7 @@ class CaseRunner {
     take(judge_pictures(*log, run_.rules.pictures, folder_));
     if (!session->failure.empty()) run_.result.problems.push_back(session->failure);
     run_.complete = measured && session->failure.empty() && log->condition().whole();
-    if (!run_.result.passed()) leave_files(*session);
+    if (!run_.result.passed()) leave_files(*session, *log);
   }
 
   void take(Judged&& judged) {
@@ -148,7 +149,7 @@ class CaseRunner {
     run_.pictures = std::move(judged.drawn);
   }
 
-  void leave_files(const Session& session) {
+  void leave_files(const Session& session, replay::LogReader& log) {
     if (options_.report.empty()) return;
     const std::string folder = "cases/" + folder_.name + "/";
     const auto leave = [&](const std::string& name, const auto& content) {
@@ -166,6 +167,12 @@ class CaseRunner {
       }
     }
     if (expected_ && !expected_->track.empty()) leave("expected_track.csv", std::string_view(track_csv(*expected_)));
+    const Result<Json> series = case_series(log, expected_ ? &*expected_ : nullptr);
+    if (series.ok()) {
+      leave(kSeriesFile, std::string_view(series->dump()));
+    } else {
+      run_.result.notes.push_back("nothing to draw: " + series.error().message);
+    }
   }
 
   const CaseFolder& folder_;

@@ -4,7 +4,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-tools/setup.sh
+tools/setup.sh --with report
 cmake --preset release
 cmake --build --preset release --parallel "$(nproc)"
 

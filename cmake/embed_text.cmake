@@ -1,0 +1,17 @@
+# cmake -DINPUT=FILE -DOUTPUT=FILE.cc -P embed_text.cmake
+#
+# Writes the text of INPUT, ASCII, as the C++ source that defines tumble::golden::report_script_pieces(): pieces,
+# because compilers need not take a string literal longer than 65536 characters.
+file(READ ${INPUT} text)
+string(LENGTH "${text}" length)
+set(size 32000)
+set(code "#include \"golden/report_script.h\"\n\nnamespace tumble::golden {\n\n")
+string(APPEND code "std::vector<std::string_view> report_script_pieces() {\n  return {\n")
+set(at 0)
+while(at LESS length)
+  string(SUBSTRING "${text}" ${at} ${size} piece)
+  string(APPEND code "R\"piece(${piece})piece\",\n")
+  math(EXPR at "${at} + ${size}")
+endwhile()
+string(APPEND code "  };\n}\n\n}  // namespace tumble::golden\n")
+file(WRITE ${OUTPUT} "${code}")

@@ -1,0 +1,42 @@
+// The page's colours, light or dark, for what is drawn on a canvas.
+
+export function colours() {
+  const style = getComputedStyle(document.documentElement);
+  const read = (name) => style.getPropertyValue(name).trim();
+  return {
+    paper: read("--paper"),
+    ink: read("--ink"),
+    soft: read("--soft"),
+    line: read("--line"),
+    bad: read("--bad"),
+    actual: read("--actual"),
+    actual_more: read("--actual-more"),
+    expected: read("--expected"),
+  };
+}
+
+export function watch_theme(action) {
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", action);
+}
+
+/// An element with properties and children.
+export function element(tag, properties = {}, ...children) {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...children);
+  return made;
+}
+
+/// "1.235 m", "12.3 µm": four digits and a prefix that fits.
+export function metres(value) {
+  if (value === null || value === undefined) return "–";
+  const size = Math.abs(value);
+  if (size === 0 || size >= 0.1) return `${Number(value.toPrecision(4))} m`;
+  if (size >= 1e-3) return `${Number((value * 1e3).toPrecision(4))} mm`;
+  if (size >= 1e-6) return `${Number((value * 1e6).toPrecision(4))} µm`;
+  return `${value.toExponential(2)} m`;
+}
+
+export function joules(value) {
+  if (value === null || value === undefined) return "–";
+  return `${Number(value.toPrecision(5))} J`;
+}
