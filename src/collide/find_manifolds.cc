@@ -85,8 +85,8 @@ class Builder {
     }
   }
 
-  // Where two bodies move on by more than the smaller one's thickness in a step, what faces what is seen only where
-  // they will meet.
+  // Where two bodies move on by more than the thinner one's half thickness in a step, what faces what is seen only
+  // where they will meet.
   void look_ahead(BodyIndex lo, BodyIndex hi, const Vec3& approach) {
     const BoxFrame& a = scratch_.frames[lo];
     later_frame_ = scratch_.frames[hi];

@@ -11,8 +11,7 @@ namespace tumble::sim {
 /// Reads:  frames, pairs; velocity, spin, frozen; contact memory
 /// Writes: manifolds, manifold_points
 /// Source: separating axes by Gottschalk (1996). An edge pair must beat the best face by 1 % of the smallest half
-/// extent;
-///         the reference is the larger box, then the lower one, and both on an exact tie.
+///         extent; the reference is the larger box, then the lower one, and both on an exact tie.
 Status find_manifolds(World& world, double dt_s);
 void hash_find_manifolds(const World& world, Hasher& hasher);
 

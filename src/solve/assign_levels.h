@@ -12,8 +12,7 @@ namespace tumble::sim {
 /// Writes: level; manifolds' layer; layer_start, layered
 /// Order:  a breadth-first distance is the same whatever the order of visits
 /// Source: thesis VI, "shock propagation", after Guendelman, Bridson and Fedkiw (2003). Differs: no body is pinned
-/// while
-///         the next layer is solved; sweeps alternate up and down instead.
+///         while the next layer is solved; sweeps alternate up and down instead.
 Status assign_levels(World& world, double dt_s);
 void hash_assign_levels(const World& world, Hasher& hasher);
 

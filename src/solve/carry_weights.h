@@ -10,12 +10,13 @@ namespace tumble::sim {
 /// impulse that its share of that weight needs, so that a stack stands from the first step on instead of sagging until
 /// the sweeps have found out. And a light body that carries a heavy one is given inertia (never weight) by the solver:
 /// impulses find their way through a contact in about as many sweeps as the heavy body outweighs the light one.
-/// Reads:  mass, velocity, spin, frames; level, layered, manifolds
-/// Writes: solver_mass; impulses of manifolds that have none
+/// Reads:  mass, velocity, spin, position; gravity; layered, manifolds and their points
+/// Writes: solver_mass; load of points; impulses of resting manifolds that have none
 /// Order:  sums of shares are of grid doubles, the rest are maxima
 /// Source: the thesis's "impact passed through the stack" (VI) as a starting point of the sweeps instead of a
-/// substitute
-///         for them.
+///         substitute for them.
+/// Loads are shared by lever arms only where gravity points along z, else evenly. Nothing is handed down through bodies
+/// that rest on each other in a ring, nor from what lies below them.
 Status carry_weights(World& world, double dt_s);
 void hash_carry_weights(const World& world, Hasher& hasher);
 

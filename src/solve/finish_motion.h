@@ -7,9 +7,10 @@
 namespace tumble::sim {
 
 /// Ends the motion of a step: bodies in contact take over their solved velocities, all others fly freely and exactly
-/// for the whole step, and the contacts' impulses are remembered for the next one. Reads:  solver_bodies, manifolds,
-/// in_contact Writes: velocity, spin; position and orientation of flying bodies; contact_memory Errors: a body that is
-/// not finite or beyond limits.h
+/// for the whole step, and the contacts' impulses are remembered for the next one.
+/// Reads:  solver_bodies, manifolds, in_contact
+/// Writes: velocity, spin; position and orientation of flying bodies; contact_memory
+/// Errors: a body that is not finite or beyond limits.h
 Status finish_motion(World& world, double dt_s);
 void hash_finish_motion(const World& world, Hasher& hasher);
 
