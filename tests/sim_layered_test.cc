@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "tests/support/sim_scenes.h"
 #include "tests/support/transforms.h"
@@ -74,6 +75,23 @@ TEST(LayeredExactness, RampPlatesAndBars) {
   expect_images_alike(layered(plates_and_bars(20, 5), 150));
 }
 
+TEST(LayeredExactness, AThousandToOne) {
+  SceneDef scene = pyramid(4);
+  jitter(scene, 0.02, 9);
+  Random random(9);
+  for (sim::BoxDef& box : scene.boxes) box.mass = std::pow(10, random.uniform(0, 3));
+  expect_images_alike(layered(scene, 60));
+}
+
+TEST(LayeredExactness, AnyGravity) {
+  SceneDef scene = pyramid(4);
+  jitter(scene, 0.02, 6);
+  for (const Vec3& gravity : {Vec3(-1.5, -0.7, -9.81), Vec3(9, 3, 0), Vec3(0, 0, 9.81), Vec3(0, 0, 0)}) {
+    scene.world.gravity = gravity;
+    expect_images_alike(layered(scene, 30));
+  }
+}
+
 TEST(LayeredExactness, TiltedGridStaysInItsColumns) {
   for (const auto& [dt, substeps] : {std::pair{1.0 / 30, 4U}, std::pair{1.0 / 300, 1U}}) {
     const std::uint32_t n = 10;
@@ -101,6 +119,38 @@ TEST(LayeredExactness, GoesOnFromEveryStep) {
     while (other->state().step < scene.steps) advance(*other);
     ASSERT_EQ(sim::continuation_hash(other->state()), end) << "from step " << world.state().step;
     advance(world);
+  }
+}
+
+void advance_with_inputs(World& world) {
+  const std::uint64_t done = world.state().step;
+  if (done == 15) give(world, sim::SetDt{1.0 / 45});
+  if (done == 30) give(world, sim::SetGravity{{1, 0, -9}});
+  if (done == 45) give(world, sim::Remove{2});
+  if (done == 60) give(world, sim::SetGravity{{0, 0, -9.81}});
+  if (done == 75) give(world, sim::Wake{5});
+  advance(world);
+}
+
+// Sleepers, lent inertia and every kind of change in between: nothing of it may hide outside the state.
+TEST(LayeredExactness, GoesOnFromEveryStepThroughInputs) {
+  SceneDef scene = pyramid(4);
+  jitter(scene, 0.02, 4);
+  scene.boxes[8].mass = 500;
+  scene.boxes[9].mass = 3000;
+  add_thrown_cube(scene);
+  World through = made(layered(scene, 90, 1.0 / 60, 4));
+  std::vector<sim::WorldState> states;
+  while (through.state().step < 90) {
+    states.push_back(through.state());
+    advance_with_inputs(through);
+  }
+  const Hash128 end = sim::continuation_hash(through.state());
+  for (const sim::WorldState& state : states) {
+    auto other = World::restore(state);
+    ASSERT_TRUE(other.ok()) << other.error().message;
+    while (other->state().step < 90) advance_with_inputs(*other);
+    ASSERT_EQ(sim::continuation_hash(other->state()), end) << "from step " << state.step;
   }
 }
 
