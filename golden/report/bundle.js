@@ -153,16 +153,16 @@ null){let u=hn(i[l]-i[a]);u<c&&(c=u,o=hn(t(i[l],n,s,r)-t(i[a],n,s,r)))}a=l}}retu
 radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=pt(s),o=1-e[0],a=vt(e[1],Lt),l=vt(e[2],1),c=vt(i.disp,io),u=vt(i.each,d=>{}),{fill:f,stroke:h}=c;return(d,x,S,p)=>Us(
 d,x,(m,v,A,M,P,E,_,T,O,D,L)=>{let V=m.pxRound,H=t,N=n*St,G=a*St,J=l*St,k,le;M.ori==0?[k,le]=r(d,x):[le,k]=r(d,x);let $=M.dir*(M.ori==0?1:-1),Q=M.ori==0?xa:ah,ie=M.
 ori==0?u:(Ce,Xe,nt,Me,It,ze,We)=>{u(Ce,Xe,nt,It,Me,We,ze)},ue=vt(d.bands,eh).find(Ce=>Ce.series[0]==x),he=ue!=null?ue.dir:0,j=m.fillTo(d,x,m.min,m.max,he),pe=V(
-_(j,P,L,O)),_e,Ae,Se,Ge=D,tt=V(m.width*St),ke=!1,at=null,st=null,je=null,Vt=null;f!=null&&(tt==0||h!=null)&&(ke=!0,at=f.values(d,x,S,p),st=new Map,new Set(at).forEach(
-Ce=>{Ce!=null&&st.set(Ce,new Path2D)}),tt>0&&(je=h.values(d,x,S,p),Vt=new Map,new Set(je).forEach(Ce=>{Ce!=null&&Vt.set(Ce,new Path2D)})));let{x0:Nt,size:Qt}=c;
+_(j,P,L,O)),_e,Ae,Se,Ge=D,tt=V(m.width*St),ke=!1,lt=null,rt=null,je=null,Vt=null;f!=null&&(tt==0||h!=null)&&(ke=!0,lt=f.values(d,x,S,p),rt=new Map,new Set(lt).forEach(
+Ce=>{Ce!=null&&rt.set(Ce,new Path2D)}),tt>0&&(je=h.values(d,x,S,p),Vt=new Map,new Set(je).forEach(Ce=>{Ce!=null&&Vt.set(Ce,new Path2D)})));let{x0:Nt,size:Qt}=c;
 if(Nt!=null&&Qt!=null){H=1,v=Nt.values(d,x,S,p),Nt.unit==2&&(v=v.map(nt=>d.posToVal(T+nt*D,M.key,!0)));let Ce=Qt.values(d,x,S,p);Qt.unit==2?Ae=Ce[0]*D:Ae=E(Ce[0],
 M,D,T)-E(0,M,D,T),Ge=Nf(v,A,E,M,D,T,Ge),Se=Ge-Ae+N}else Ge=Nf(v,A,E,M,D,T,Ge),Se=Ge*o+N,Ae=Ge-Se;Se<1&&(Se=0),tt>=Ae/2&&(tt=0),Se<5&&(V=Hf);let Rt=Se>0,mn=Ge-Se-
 (Rt?tt:0);Ae=V(Gc(mn,J,G)),_e=(H==0?Ae/2:H==$?0:Ae)-H*$*((H==0?N/2:0)+(Rt?tt/2:0));let _t={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},an=ke?null:
 new Path2D,Xt=null;if(ue!=null)Xt=d.data[ue.series[1]];else{let{y0:Ce,y1:Xe}=c;Ce!=null&&Xe!=null&&(A=Xe.values(d,x,S,p),Xt=Ce.values(d,x,S,p))}let jt=k*Ae,F=le*
 Ae;for(let Ce=$==1?S:p;Ce>=S&&Ce<=p;Ce+=$){let Xe=A[Ce];if(Xe==null)continue;if(Xt!=null){let W=Xt[Ce]??0;if(Xe-W==0)continue;pe=_(W,P,L,O)}let nt=M.distr!=2||c!=
 null?v[Ce]:Ce,Me=E(nt,M,D,T),It=_(vt(Xe,j),P,L,O),ze=V(Me-_e),We=V(Dn(It,pe)),C=V(fi(It,pe)),y=We-C;if(Xe!=null){let W=Xe<0?F:jt,ce=Xe<0?jt:F;ke?(tt>0&&je[Ce]!=
-null&&Q(Vt.get(je[Ce]),ze,C+Wn(tt/2),Ae,Dn(0,y-tt),W,ce),at[Ce]!=null&&Q(st.get(at[Ce]),ze,C+Wn(tt/2),Ae,Dn(0,y-tt),W,ce)):Q(an,ze,C+Wn(tt/2),Ae,Dn(0,y-tt),W,ce),
-ie(d,x,Ce,ze-tt/2,C,Ae+tt,y)}}return tt>0?_t.stroke=ke?Vt:an:ke||(_t._fill=m.width==0?m._fill:m._stroke??m._fill,_t.width=0),_t.fill=ke?st:an,_t})}function C0(i,e){
+null&&Q(Vt.get(je[Ce]),ze,C+Wn(tt/2),Ae,Dn(0,y-tt),W,ce),lt[Ce]!=null&&Q(rt.get(lt[Ce]),ze,C+Wn(tt/2),Ae,Dn(0,y-tt),W,ce)):Q(an,ze,C+Wn(tt/2),Ae,Dn(0,y-tt),W,ce),
+ie(d,x,Ce,ze-tt/2,C,Ae+tt,y)}}return tt>0?_t.stroke=ke?Vt:an:ke||(_t._fill=m.width==0?m._fill:m._stroke??m._fill,_t.width=0),_t.fill=ke?rt:an,_t})}function C0(i,e){
 let t=vt(e?.alignGaps,0);return(n,s,r,o)=>Us(n,s,(a,l,c,u,f,h,d,x,S,p,m)=>{[r,o]=ua(c,r,o);let v=a.pxRound,A=k=>v(h(k,u,p,x)),M=k=>v(d(k,f,m,S)),P,E,_;u.ori==0?
 (P=ga,_=ur,E=gd):(P=_a,_=fr,E=_d);let T=u.dir*(u.ori==0?1:-1),O=A(l[T==1?r:o]),D=O,L=[],V=[];for(let k=T==1?r:o;k>=r&&k<=o;k+=T)if(c[k]!=null){let $=l[k],Q=A($);
 L.push(D=Q),V.push(M(c[k]))}let H={stroke:i(L,V,P,_,E,v),fill:null,clip:null,band:null,gaps:null,flags:cr},N=H.stroke,[G,J]=rh(n,s);if(a.fill!=null||G!=0){let k=H.
@@ -192,17 +192,17 @@ b.clamp||y0),b._min=b._max=null,b.valToPct=O(b)}}}D("x"),D("y"),s==1&&v.forEach(
 V=L.distr,H,N;L.ori==0?(Hn(c,Ym),H=r,N=o):(Hn(c,Zm),H=o,N=r);let G={};for(let g in M){let b=M[g];(b.min!=null||b.max!=null)&&(G[g]={min:b.min,max:b.max},b.min=b.
 max=null)}let J=i.tzDate||(g=>new Date(cn(g/m))),k=i.fmtDate||th,le=m==1?Yg(J):$g(J),$=Mf(J,Sf(m==1?qg:Jg,k)),Q=wf(J,bf(Qg,k)),ie=[],ue=n.legend=rn({},t0,i.legend),
 he=n.cursor=rn({},a0,{drag:{y:s==2}},i.cursor),j=ue.show,pe=he.show,_e=ue.markers;ue.idxs=ie,_e.width=pt(_e.width),_e.dash=pt(_e.dash),_e.stroke=pt(_e.stroke),_e.
-fill=pt(_e.fill);let Ae,Se,Ge,tt=[],ke=[],at,st=!1,je={};if(ue.live){let g=v[1]?v[1].values:null;st=g!=null,at=st?g(n,1,0):{_:0};for(let b in at)je[b]=Jc}if(j)if(Ae=
-hi("table",sg,c),Ge=hi("tbody",null,Ae),ue.mount(n,Ae),st){Se=hi("thead",null,Ae,Ge);let g=hi("tr",null,Se);hi("th",null,g);for(var Vt in at)hi("th",Ku,g).textContent=
-Vt}else Hn(Ae,og),ue.live&&Hn(Ae,rg);let Nt={show:!0},Qt={show:!1};function Rt(g,b){if(b==0&&(st||!ue.live||s==2))return ar;let R=[],I=hi("tr",ag,Ge,Ge.childNodes[b]);
+fill=pt(_e.fill);let Ae,Se,Ge,tt=[],ke=[],lt,rt=!1,je={};if(ue.live){let g=v[1]?v[1].values:null;rt=g!=null,lt=rt?g(n,1,0):{_:0};for(let b in lt)je[b]=Jc}if(j)if(Ae=
+hi("table",sg,c),Ge=hi("tbody",null,Ae),ue.mount(n,Ae),rt){Se=hi("thead",null,Ae,Ge);let g=hi("tr",null,Se);hi("th",null,g);for(var Vt in lt)hi("th",Ku,g).textContent=
+Vt}else Hn(Ae,og),ue.live&&Hn(Ae,rg);let Nt={show:!0},Qt={show:!1};function Rt(g,b){if(b==0&&(rt||!ue.live||s==2))return ar;let R=[],I=hi("tr",ag,Ge,Ge.childNodes[b]);
 Hn(I,g.class),g.show||Hn(I,Ls);let z=hi("th",null,I);if(_e.show){let fe=ti(lg,z);if(b>0){let ve=_e.width(n,b);ve&&(fe.style.border=ve+"px "+_e.dash(n,b)+" "+_e.
 stroke(n,b)),fe.style.background=_e.fill(n,b)}}let Z=ti(Ku,z);g.label instanceof HTMLElement?Z.appendChild(g.label):Z.textContent=g.label,b>0&&(_e.show||(Z.style.
 color=g.width>0?_e.stroke(n,b):_e.fill(n,b)),_t("click",z,fe=>{if(he._lock)return;Ze(fe);let ve=v.indexOf(g);if((fe.ctrlKey||fe.metaKey)!=ue.isolate){let Le=v.some(
 (De,Ue)=>Ue>0&&Ue!=ve&&De.show);v.forEach((De,Ue)=>{Ue>0&&wi(Ue,Le?Ue==ve?Nt:Qt:Nt,!0,sn.setSeries)})}else wi(ve,{show:!g.show},!0,sn.setSeries)},!1),Je&&_t(tf,
-z,fe=>{he._lock||(Ze(fe),wi(v.indexOf(g),tr,!0,sn.setSeries))},!1));for(var oe in at){let fe=hi("td",cg,I);fe.textContent="--",R.push(fe)}return[I,R]}let mn=new Map;
+z,fe=>{he._lock||(Ze(fe),wi(v.indexOf(g),tr,!0,sn.setSeries))},!1));for(var oe in lt){let fe=hi("td",cg,I);fe.textContent="--",R.push(fe)}return[I,R]}let mn=new Map;
 function _t(g,b,R,I=!0){let z=mn.get(b)||{},Z=he.bind[g](n,b,R,I);Z&&(Ds(g,b,z[g]=Z),mn.set(b,z))}function an(g,b,R){let I=mn.get(b)||{};for(let z in I)(g==null||
 z==g)&&(Vc(z,b,I[z]),delete I[z]);g==null&&mn.delete(b)}let Xt=0,jt=0,F=0,Ce=0,Xe=0,nt=0,Me=Xe,It=nt,ze=F,We=Ce,C=0,y=0,W=0,ce=0;n.bbox={};let re=!1,ge=!1,xe=!1,
-ee=!1,ne=!1,de=!1;function U(g,b,R){(R||g!=n.width||b!=n.height)&&se(g,b),rt(!1),xe=!0,ge=!0,bn()}function se(g,b){n.width=Xt=F=g,n.height=jt=Ce=b,Xe=nt=0,ye(),
+ee=!1,ne=!1,de=!1;function U(g,b,R){(R||g!=n.width||b!=n.height)&&se(g,b),ot(!1),xe=!0,ge=!0,bn()}function se(g,b){n.width=Xt=F=g,n.height=jt=Ce=b,Xe=nt=0,ye(),
 Ve();let R=n.bbox;C=R.left=Ps(Xe*St,.5),y=R.top=Ps(nt*St,.5),W=R.width=Ps(F*St,.5),ce=R.height=Ps(Ce*St,.5)}let te=3;function be(){let g=!1,b=0;for(;!g;){b++;let R=Js(
 b),I=bi(b);g=b==te||R&&I,g||(se(n.width,n.height),ge=!0)}}function me({width:g,height:b}){U(g,b)}n.setSize=me;function ye(){let g=!1,b=!1,R=!1,I=!1;A.forEach((z,Z)=>{
 if(z.show&&z._show){let{side:oe,_size:fe}=z,ve=oe%2,Le=z.label!=null?z.labelSize:0,De=fe+Le;De>0&&(ve?(F-=De,oe==3?(Xe+=De,I=!0):R=!0):(Ce-=De,oe==0?(nt+=De,g=!0):
@@ -231,14 +231,14 @@ g.labelFont=Of(g.labelFont),g._size=g.size(n,null,b,0),g._space=g._rotate=g._inc
 let[z,Z,oe,fe]=R,ve=b%2,Le=0;return ve==0&&(fe||Z)&&(Le=b==0&&!z||b==2&&!oe?cn(Tf.size/3):0),ve==1&&(z||oe)&&(Le=b==1&&!Z||b==3&&!fe?cn(Cf.size/2):0),Le}let Xr=n.
 padding=(i.padding||[zi,zi,zi,zi]).map(g=>pt(vt(g,zi))),ai=n._padding=Xr.map((g,b)=>g(n,b,Si,0)),qt,$t=null,Kt=null,Mi=s==1?v[0].idxs:null,zn=null,os=!1;function qr(g,b){
 if(e=g??[],n.data=n._data=e,s==2){qt=0;for(let R=1;R<v.length;R++)qt+=e[R][0].length}else{e.length==0&&(n.data=n._data=e=[[]]),zn=e[0],qt=zn.length;let R=e;if(V==
-2){R=e.slice();let I=R[0]=Array(qt);for(let z=0;z<qt;z++)I[z]=z}n._data=e=R}if(rt(!0),xn("setData"),V==2&&(xe=!0),b!==!1){let R=L;R.auto(n,os)?Yr():cs(E,R.min,R.
+2){R=e.slice();let I=R[0]=Array(qt);for(let z=0;z<qt;z++)I[z]=z}n._data=e=R}if(ot(!0),xn("setData"),V==2&&(xe=!0),b!==!1){let R=L;R.auto(n,os)?Yr():cs(E,R.min,R.
 max),ee=ee||he.left>=0,de=!0,bn()}}n.setData=qr;function Yr(){os=!0;let g,b;s==1&&(qt>0?($t=Mi[0]=0,Kt=Mi[1]=qt-1,g=e[0][$t],b=e[0][Kt],V==2?(g=$t,b=Kt):g==b&&(V==
 3?[g,b]=fa(g,g,L.log,!1):V==4?[g,b]=Kc(g,g,L.log,!1):L.time?b=g+cn(86400/m):[g,b]=ca(g,b,Qc,!0))):($t=Mi[0]=g=null,Kt=Mi[1]=b=null)),cs(E,g,b)}let Ys,as,Zs,w,B,
 K,X,Y,we,Re;function Te(g,b,R,I,z,Z){g??=ju,R??=eh,I??="butt",z??=ju,Z??="round",g!=Ys&&(f.strokeStyle=Ys=g),z!=as&&(f.fillStyle=as=z),b!=Zs&&(f.lineWidth=Zs=b),
 Z!=B&&(f.lineJoin=B=Z),I!=K&&(f.lineCap=K=I),R!=w&&f.setLineDash(w=R)}function Pe(g,b,R,I){b!=as&&(f.fillStyle=as=b),g!=X&&(f.font=X=g),R!=Y&&(f.textAlign=Y=R),
 I!=we&&(f.textBaseline=we=I)}function Be(g,b,R,I,z=0){if(I.length>0&&g.auto(n,os)&&(b==null||b.min==null)){let Z=vt($t,0),oe=vt(Kt,I.length-1),fe=R.min==null?mg(
 I,Z,oe,z,g.distr==3):[R.min,R.max];g.min=fi(g.min,R.min=fe[0]),g.max=Dn(g.max,R.max=fe[1])}}let $e={min:null,max:null};function ct(){for(let I in M){let z=M[I];
-G[I]==null&&(z.min==null||G[E]!=null&&z.auto(n,os))&&(G[I]=$e)}for(let I in M){let z=M[I];G[I]==null&&z.from!=null&&G[z.from]!=null&&(G[I]=$e)}G[E]!=null&&rt(!0);
+G[I]==null&&(z.min==null||G[E]!=null&&z.auto(n,os))&&(G[I]=$e)}for(let I in M){let z=M[I];G[I]==null&&z.from!=null&&G[z.from]!=null&&(G[I]=$e)}G[E]!=null&&ot(!0);
 let g={};for(let I in G){let z=G[I];if(z!=null){let Z=g[I]=lr(M[I],wg);if(z.min!=null)rn(Z,z);else if(I!=E||s==2)if(qt==0&&Z.from==null){let oe=Z.range(n,null,null,
 I);Z.min=oe[0],Z.max=oe[1]}else Z.min=Lt,Z.max=-Lt}}if(qt>0){v.forEach((I,z)=>{if(s==1){let Z=I.scale,oe=G[Z];if(oe==null)return;let fe=g[Z];if(z==0){let ve=fe.
 range(n,fe.min,fe.max,Z);fe.min=ve[0],fe.max=ve[1],$t=ui(fe.min,e[0]),Kt=ui(fe.max,e[0]),Kt-$t>1&&(e[0][$t]<fe.min&&$t++,e[0][Kt]>fe.max&&Kt--),I.min=zn[$t],I.max=
@@ -265,8 +265,8 @@ Map?b.forEach((I,z)=>{f.strokeStyle=Ys=z,f.stroke(I)}):b!=null&&g&&f.stroke(b))}
 b!=null&&g&&f.fill(b)}function ki(g,b,R,I){let z=A[g],Z;if(I<=0)Z=[0,0];else{let oe=z._space=z.space(n,g,b,R,I),fe=z._incrs=z.incrs(n,g,b,R,I,oe);Z=B0(b,R,fe,I,
 oe)}return z._found=Z}function tn(g,b,R,I,z,Z,oe,fe,ve,Le){let De=oe%2/2;S==1&&f.translate(De,De),Te(fe,oe,ve,Le,fe),f.beginPath();let Ue,et,yt,xt,ft=z+(I==0||I==
 3?-Z:Z);R==0?(et=z,xt=ft):(Ue=z,yt=ft);for(let Ye=0;Ye<g.length;Ye++)b[Ye]!=null&&(R==0?Ue=yt=g[Ye]:et=xt=g[Ye],f.moveTo(Ue,et),f.lineTo(yt,xt));f.stroke(),S==1&&
-f.translate(-De,-De)}function Js(g){let b=!0;return A.forEach((R,I)=>{if(!R.show)return;let z=M[R.scale];if(z.min==null){R._show&&(b=!1,R._show=!1,rt(!1));return}else
-R._show||(b=!1,R._show=!0,rt(!1));let Z=R.side,oe=Z%2,{min:fe,max:ve}=z,[Le,De]=ki(I,fe,ve,oe==0?F:Ce);if(De==0)return;let Ue=z.distr==2,et=R._splits=R.splits(n,
+f.translate(-De,-De)}function Js(g){let b=!0;return A.forEach((R,I)=>{if(!R.show)return;let z=M[R.scale];if(z.min==null){R._show&&(b=!1,R._show=!1,ot(!1));return}else
+R._show||(b=!1,R._show=!0,ot(!1));let Z=R.side,oe=Z%2,{min:fe,max:ve}=z,[Le,De]=ki(I,fe,ve,oe==0?F:Ce);if(De==0)return;let Ue=z.distr==2,et=R._splits=R.splits(n,
 I,fe,ve,Le,De,Ue),yt=z.distr==2?et.map(He=>zn[He]):et,xt=z.distr==2?zn[et[1]]-zn[et[0]]:Le,ft=R._values=R.values(n,R.filter(n,yt,I,De,xt),I,De,xt);R._rotate=Z==
 2?R.rotate(n,ft,I,De):0;let Ye=R._size;R._size=ni(R.size(n,ft,I,g)),Ye!=null&&R._size!=Ye&&(b=!1)}),b}function bi(g){let b=!0;return Xr.forEach((R,I)=>{let z=R(
 n,I,Si,g);z!=ai[I]&&(b=!1),ai[I]=z}),b}function Vi(){for(let g=0;g<A.length;g++){let b=A[g];if(!b.show||!b._show)continue;let R=b.side,I=R%2,z,Z,oe=b.stroke(n,g),
@@ -279,12 +279,12 @@ b.lineGap,ei=yt.map(In=>p(a(In,De,Ue,et))),ci=b._values;for(let In=0;In<ci.lengt
 "\n")==-1?[Gn]:Gn.split(/\n/gm);for(let Ln=0;Ln<Rs.length;Ln++){let Zu=Rs[Ln];Pt?(f.save(),f.translate(z,Z+Ln*Vn),f.rotate(Pt),f.fillText(Zu,0,0),f.restore()):f.
 fillText(Zu,z,Z+Ln*Vn)}}}Ye.show&&tn(ei,Ye.filter(n,xt,g,Le,ft),I,R,Jt,Zt,Dt(Ye.width*St,3),Ye.stroke(n,g),Ye.dash,Ye.cap);let Ei=b.grid;Ei.show&&tn(ei,Ei.filter(
 n,xt,g,Le,ft),I,I==0?2:1,I==0?y:C,I==0?ce:W,Dt(Ei.width*St,3),Ei.stroke(n,g),Ei.dash,Ei.cap),He.show&&tn([Jt],[1],I==0?1:0,I==0?1:2,I==1?y:C,I==1?ce:W,Dt(He.width*
-St,3),He.stroke(n,g),He.dash,He.cap)}xn("drawAxes")}function rt(g){v.forEach((b,R)=>{R>0&&(b._paths=null,g&&(s==1?(b.min=null,b.max=null):b.facets.forEach(I=>{I.
+St,3),He.stroke(n,g),He.dash,He.cap)}xn("drawAxes")}function ot(g){v.forEach((b,R)=>{R>0&&(b._paths=null,g&&(s==1?(b.min=null,b.max=null):b.facets.forEach(I=>{I.
 min=null,I.max=null})))})}let Yt=!1,Rn=!1,Ct=[];function nn(){Rn=!1;for(let g=0;g<Ct.length;g++)xn(...Ct[g]);Ct.length=0}function bn(){Yt||(Ig(Pu),Yt=!0)}function ta(g,b=!1){
 Yt=!0,Rn=b,g(n),Pu(),b&&Ct.length>0&&queueMicrotask(nn)}n.batch=ta;function Pu(){if(re&&(ct(),re=!1),xe&&(be(),xe=!1),ge){if(zt(d,ir,Xe),zt(d,"top",nt),zt(d,jr,
 F),zt(d,eo,Ce),zt(x,ir,Xe),zt(x,"top",nt),zt(x,jr,F),zt(x,eo,Ce),zt(h,jr,Xt),zt(h,eo,jt),u.width=cn(Xt*St),u.height=cn(jt*St),A.forEach(({_el:g,_show:b,_size:R,
 _pos:I,side:z})=>{if(g!=null)if(b){let Z=z===3||z===0?R:0,oe=z%2==1;zt(g,oe?"left":"top",I-Z),zt(g,oe?"width":"height",R),zt(g,oe?"top":"left",oe?nt:Xe),zt(g,oe?
-"height":"width",oe?Ce:F),kc(g,Ls)}else Hn(g,Ls)}),Ys=as=Zs=B=K=X=Y=we=w=null,Re=1,$r(!0),Xe!=Me||nt!=It||F!=ze||Ce!=We){rt(!1);let g=F/ze,b=Ce/We;if(pe&&!ee&&he.
+"height":"width",oe?Ce:F),kc(g,Ls)}else Hn(g,Ls)}),Ys=as=Zs=B=K=X=Y=we=w=null,Re=1,$r(!0),Xe!=Me||nt!=It||F!=ze||Ce!=We){ot(!1);let g=F/ze,b=Ce/We;if(pe&&!ee&&he.
 left>=0){he.left*=g,he.top*=b,$s&&Ci($s,cn(he.left),0,F,Ce),Ks&&Ci(Ks,0,cn(he.top),F,Ce);for(let R=0;R<it.length;R++){let I=it[R];I!=null&&(Ut[R]*=g,Cn[R]*=b,Ci(
 I,ni(Ut[R]),ni(Cn[R]),F,Ce))}}if(Ot.show&&!ne&&Ot.left>=0&&Ot.width>0){Ot.left*=g,Ot.width*=g,Ot.top*=b,Ot.height*=b;for(let R in Ec)zt(er,R,Ot[R])}Me=Xe,It=nt,
 ze=F,We=Ce}xn("setSize"),ge=!1}Xt>0&&jt>0&&(f.clearRect(0,0,u.width,u.height),xn("drawClear"),T.forEach(g=>g()),xn("draw")),Ot.show&&ne&&(na(Ot),ne=!1),pe&&ee&&
@@ -304,9 +304,9 @@ let I=M[b];R&&(g=g/St-(I.ori==1?nt:Xe));let z=F;I.ori==1&&(z=Ce,g=z-g),I.dir==-1
 10,ve):Le==4?vg(ve,I.asinh):Le==100?I.bwd(ve):ve}function Bm(g,b){let R=Ti(g,E,b);return ui(R,e[0],$t,Kt)}n.valToIdx=g=>ui(g,e[0]),n.posToIdx=Bm,n.posToVal=Ti,n.
 valToPos=(g,b,R)=>M[b].ori==0?r(g,M[b],R?W:F,R?C:0):o(g,M[b],R?ce:Ce,R?y:0),n.setCursor=(g,b,R)=>{Ft=g.left,Gt=g.top,Cs(null,b,R)};function Uu(g,b){zt(er,ir,Ot.
 left=g),zt(er,jr,Ot.width=b)}function Fu(g,b){zt(er,"top",Ot.top=g),zt(er,eo,Ot.height=b)}let Zr=L.ori==0?Uu:Fu,Jr=L.ori==1?Uu:Fu;function zm(){if(j&&ue.live)for(let g=s==
-2?1:0;g<v.length;g++){if(g==0&&st)continue;let b=ue.values[g],R=0;for(let I in b)ke[g][R++].firstChild.nodeValue=b[I]}}function Tc(g,b){if(g!=null&&(g.idxs?g.idxs.
-forEach((R,I)=>{ie[I]=R}):bg(g.idx)||ie.fill(g.idx),ue.idx=ie[0]),j&&ue.live){for(let R=0;R<v.length;R++)(R>0||s==1&&!st)&&km(R,ie[R]);zm()}de=!1,b!==!1&&xn("se\
-tLegend")}n.setLegend=Tc;function km(g,b){let R=v[g],I=g==0&&V==2?zn:e[g],z;st?z=R.values(n,g,b)??je:(z=R.value(n,b==null?null:I[b],g,b),z=z==null?je:{_:z}),ue.
+2?1:0;g<v.length;g++){if(g==0&&rt)continue;let b=ue.values[g],R=0;for(let I in b)ke[g][R++].firstChild.nodeValue=b[I]}}function Tc(g,b){if(g!=null&&(g.idxs?g.idxs.
+forEach((R,I)=>{ie[I]=R}):bg(g.idx)||ie.fill(g.idx),ue.idx=ie[0]),j&&ue.live){for(let R=0;R<v.length;R++)(R>0||s==1&&!rt)&&km(R,ie[R]);zm()}de=!1,b!==!1&&xn("se\
+tLegend")}n.setLegend=Tc;function km(g,b){let R=v[g],I=g==0&&V==2?zn:e[g],z;rt?z=R.values(n,g,b)??je:(z=R.value(n,b==null?null:I[b],g,b),z=z==null?je:{_:z}),ue.
 values[g]=z}function Cs(g,b,R){Du=Ft,Nu=Gt,[Ft,Gt]=he.move(n,Ft,Gt),he.left=Ft,he.top=Gt,pe&&($s&&Ci($s,cn(Ft),0,F,Ce),Ks&&Ci(Ks,0,cn(Gt),F,Ce));let I,z=$t>Kt;Gi=
 Lt,hs=null;let Z=L.ori==0?F:Ce,oe=L.ori==1?F:Ce;if(Ft<0||qt==0||z){I=he.idx=null;for(let fe=0;fe<v.length;fe++){let ve=it[fe];ve!=null&&Ci(ve,-10,-10,F,Ce)}Je&&
 wi(null,tr,!0,g==null&&sn.setSeries),ue.live&&(ie.fill(I),de=!0)}else{let fe,ve,Le;s==1&&(fe=L.ori==0?Ft:Gt,ve=Ti(fe,E),I=he.idx=ui(ve,e[0],$t,Kt),Le=H(e[0][I],
@@ -817,7 +817,7 @@ papayawhip:16773077,peachpuff:16767673,peru:13468991,pink:16761035,plum:14524637
 royalblue:4286945,saddlebrown:9127187,salmon:16416882,sandybrown:16032864,seagreen:3050327,seashell:16774638,sienna:10506797,silver:12632256,skyblue:8900331,slateblue:6970061,
 slategray:7372944,slategrey:7372944,snow:16775930,springgreen:65407,steelblue:4620980,tan:13808780,teal:32896,thistle:14204888,tomato:16737095,turquoise:4251856,
 violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:16776960,yellowgreen:10145074},ms={h:0,s:0,l:0},Ma={h:0,s:0,l:0};function _h(i,e,t){return t<
-0&&(t+=1),t>1&&(t-=1),t<1/6?i+(e-i)*6*t:t<1/2?e:t<2/3?i+(e-i)*6*(2/3-t):i}var lt=class{constructor(e,t,n){return this.isColor=!0,this.r=1,this.g=1,this.b=1,this.
+0&&(t+=1),t>1&&(t-=1),t<1/6?i+(e-i)*6*t:t<1/2?e:t<2/3?i+(e-i)*6*(2/3-t):i}var st=class{constructor(e,t,n){return this.isColor=!0,this.r=1,this.g=1,this.b=1,this.
 set(e,t,n)}set(e,t,n){if(t===void 0&&n===void 0){let s=e;s&&s.isColor?this.copy(s):typeof s=="number"?this.setHex(s):typeof s=="string"&&this.setStyle(s)}else this.
 setRGB(e,t,n);return this}setScalar(e){return this.r=e,this.g=e,this.b=e,this}setHex(e,t=Zn){return e=Math.floor(e),this.r=(e>>16&255)/255,this.g=(e>>8&255)/255,
 this.b=(e&255)/255,mt.colorSpaceToWorking(this,t),this}setRGB(e,t,n,s=mt.workingColorSpace){return this.r=e,this.g=t,this.b=n,mt.colorSpaceToWorking(this,s),this}setHSL(e,t,n,s=mt.
@@ -847,7 +847,7 @@ ms),e.getHSL(Ma);let n=uh(ms.h,Ma.h,t),s=uh(ms.s,Ma.s,t),r=uh(ms.l,Ma.l,t);retur
 e.z,this}applyMatrix3(e){let t=this.r,n=this.g,s=this.b,r=e.elements;return this.r=r[0]*t+r[3]*n+r[6]*s,this.g=r[1]*t+r[4]*n+r[7]*s,this.b=r[2]*t+r[5]*n+r[8]*s,
 this}equals(e){return e.r===this.r&&e.g===this.g&&e.b===this.b}fromArray(e,t=0){return this.r=e[t],this.g=e[t+1],this.b=e[t+2],this}toArray(e=[],t=0){return e[t]=
 this.r,e[t+1]=this.g,e[t+2]=this.b,e}fromBufferAttribute(e,t){return this.r=e.getX(t),this.g=e.getY(t),this.b=e.getZ(t),this}toJSON(){return this.getHex()}*[Symbol.
-iterator](){yield this.r,yield this.g,yield this.b}},Tn=new lt;lt.NAMES=Hp;var So=class extends An{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=
+iterator](){yield this.r,yield this.g,yield this.b}},Tn=new st;st.NAMES=Hp;var So=class extends An{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=
 0,this.backgroundIntensity=1,this.backgroundRotation=new Qi,this.environmentIntensity=1,this.environmentRotation=new Qi,this.overrideMaterial=null,typeof __THREE_DEVTOOLS__<
 "u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}copy(e,t){return super.copy(e,t),this.background=e.background!==null?e.background.
 clone():null,this.environment=e.environment!==null?e.environment.clone():null,this.fog=e.fog!==null?e.fog.clone():null,this.backgroundBlurriness=e.backgroundBlurriness,
@@ -1018,7 +1018,7 @@ constant=-s.dot(r),this}translate(e){return this.constant-=e.dot(this.normal),th
 return new this.constructor().copy(this)}toJSON(){return{normal:this.normal.toArray(),constant:this.constant}}fromJSON(e){return this.normal.fromArray(e.normal),
 this.constant=e.constant,this}},p_=0,es=class extends Ii{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:p_++}),this.uuid=Jo(),this.
 name="",this.type="Material",this.blending=Br,this.side=Ts,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=Wh,this.blendDst=
-Xh,this.blendEquation=Gs,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new lt(0,0,0),this.blendAlpha=0,this.depthFunc=
+Xh,this.blendEquation=Gs,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new st(0,0,0),this.blendAlpha=0,this.depthFunc=
 Cr,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Ip,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=Wa,this.stencilZFail=
 Wa,this.stencilZPass=Wa,this.stencilWrite=!1,this.clippingPlanes=null,this.clipIntersection=!1,this.clipShadows=!1,this.shadowSide=null,this.colorWrite=!0,this.
 precision=null,this.polygonOffset=!1,this.polygonOffsetFactor=0,this.polygonOffsetUnits=0,this.dithering=!1,this.alphaToCoverage=!1,this.premultipliedAlpha=!1,this.
@@ -1076,7 +1076,7 @@ this.wireframeLinecap!==void 0&&(n.wireframeLinecap=this.wireframeLinecap),this.
 void 0&&(n.flatShading=this.flatShading),this.fog!==void 0&&(n.fog=this.fog),Object.keys(this.userData).length>0&&(n.userData=this.userData);function s(r){let o=[];
 for(let a in r){let l=r[a];delete l.metadata,o.push(l)}return o}if(t){let r=s(e.textures),o=s(e.images);r.length>0&&(n.textures=r),o.length>0&&(n.images=o)}return n}fromJSON(e,t){
 if(e.uuid!==void 0&&(this.uuid=e.uuid),e.name!==void 0&&(this.name=e.name),e.color!==void 0&&this.color!==void 0&&this.color.setHex(e.color),e.roughness!==void 0&&
-(this.roughness=e.roughness),e.metalness!==void 0&&(this.metalness=e.metalness),e.sheen!==void 0&&(this.sheen=e.sheen),e.sheenColor!==void 0&&(this.sheenColor=new lt().
+(this.roughness=e.roughness),e.metalness!==void 0&&(this.metalness=e.metalness),e.sheen!==void 0&&(this.sheen=e.sheen),e.sheenColor!==void 0&&(this.sheenColor=new st().
 setHex(e.sheenColor)),e.sheenRoughness!==void 0&&(this.sheenRoughness=e.sheenRoughness),e.emissive!==void 0&&this.emissive!==void 0&&this.emissive.setHex(e.emissive),
 e.specular!==void 0&&this.specular!==void 0&&this.specular.setHex(e.specular),e.specularIntensity!==void 0&&(this.specularIntensity=e.specularIntensity),e.specularColor!==
 void 0&&this.specularColor!==void 0&&this.specularColor.setHex(e.specularColor),e.shininess!==void 0&&(this.shininess=e.shininess),e.clearcoat!==void 0&&(this.clearcoat=
@@ -1159,9 +1159,9 @@ S=t.y-o.y,p=t.z-o.z,m=n.x-o.x,v=n.y-o.y,A=n.z-o.z,M=Math.abs(l),P=Math.abs(c),E=
 u,D=h,L=d,H=S,N=p,J=v,k=A):(_=u,T=c,D=d,L=h,H=p,N=S,J=A,k=v)):P>=E?(O=c,V=h,G=S,le=v,c>=0?(_=u,T=l,D=d,L=f,H=p,N=x,J=A,k=m):(_=l,T=u,D=f,L=d,H=x,N=p,J=m,k=A)):(O=
 u,V=d,G=p,le=A,u>=0?(_=l,T=c,D=f,L=h,H=x,N=S,J=m,k=v):(_=c,T=l,D=h,L=f,H=S,N=x,J=v,k=m)),O===0)return null;let $=_/O,Q=T/O,ie=1/O,ue=D-$*V,he=L-Q*V,j=H-$*G,pe=N-
 Q*G,_e=J-$*le,Ae=k-Q*le,Se=_e*pe-Ae*j,Ge=ue*Ae-he*_e,tt=j*he-pe*ue;if(s){if(Se<0||Ge<0||tt<0)return null}else if((Se<0||Ge<0||tt<0)&&(Se>0||Ge>0||tt>0))return null;
-let ke=Se+Ge+tt;if(ke===0)return null;let at=ie*(Se*V+Ge*G+tt*le);return(ke>0?at<0:at>0)?null:this.at(at/ke,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),
+let ke=Se+Ge+tt;if(ke===0)return null;let lt=ie*(Se*V+Ge*G+tt*le);return(ke>0?lt<0:lt>0)?null:this.at(lt/ke,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),
 this.direction.transformDirection(e),this}equals(e){return e.origin.equals(this.origin)&&e.direction.equals(this.direction)}clone(){return new this.constructor().
-copy(this)}},Dr=class extends es{constructor(e){super(),this.isMeshBasicMaterial=!0,this.type="MeshBasicMaterial",this.color=new lt(16777215),this.map=null,this.
+copy(this)}},Dr=class extends es{constructor(e){super(),this.isMeshBasicMaterial=!0,this.type="MeshBasicMaterial",this.color=new st(16777215),this.map=null,this.
 lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new Qi,
 this.combine=Tl,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="r\
 ound",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,
@@ -1231,7 +1231,7 @@ let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsObject(e))r
 if(t[n].intersectsSprite(e))return!0;return!1}intersectsSphere(e){let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsSphere(e))return!0;return!1}intersectsBox(e){
 let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsBox(e))return!0;return!1}containsPoint(e){let t=this._frustums;for(let n=0;n<this._count;n++)
 if(t[n].containsPoint(e))return!0;return!1}copy(e){this.coordinateSystem=e.coordinateSystem;let t=this._frustums,n=e._frustums;for(let s=0;s<e._count;s++)t[s]===
-void 0&&(t[s]=new ys),t[s].copy(n[s]);return this._count=e._count,this}clone(){return new i().copy(this)}};var ts=class extends es{constructor(e){super(),this.isLineBasicMaterial=!0,this.type="LineBasicMaterial",this.color=new lt(16777215),this.map=null,this.linewidth=
+void 0&&(t[s]=new ys),t[s].copy(n[s]);return this._count=e._count,this}clone(){return new i().copy(this)}};var ts=class extends es{constructor(e){super(),this.isLineBasicMaterial=!0,this.type="LineBasicMaterial",this.color=new st(16777215),this.map=null,this.linewidth=
 1,this.linecap="round",this.linejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.linewidth=e.
 linewidth,this.linecap=e.linecap,this.linejoin=e.linejoin,this.fog=e.fog,this}},ol=new q,al=new q,Zd=new Mt,fo=new wo,Ba=new ji,Ih=new q,Jd=new q,ll=class extends An{constructor(e=new Kn,t=new ts){
 super(),this.isLine=!0,this.type="Line",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.updateMorphTargets()}copy(e,t){
@@ -1304,13 +1304,13 @@ toArray()}:o&&o.isMatrix3?t.uniforms[s]={type:"m3",value:o.toArray()}:o&&o.isMat
 keys(this.defines).length>0&&(t.defines=this.defines),t.vertexShader=this.vertexShader,t.fragmentShader=this.fragmentShader,t.lights=this.lights,t.clipping=this.
 clipping;let n={};for(let s in this.extensions)this.extensions[s]===!0&&(n[s]=!0);return Object.keys(n).length>0&&(t.extensions=n),t}fromJSON(e,t){if(super.fromJSON(
 e,t),e.uniforms!==void 0)for(let n in e.uniforms){let s=e.uniforms[n];switch(this.uniforms[n]={},s.type){case"t":this.uniforms[n].value=t[s.value]||null;break;case"\
-c":this.uniforms[n].value=new lt().setHex(s.value);break;case"v2":this.uniforms[n].value=new ut().fromArray(s.value);break;case"v3":this.uniforms[n].value=new q().
+c":this.uniforms[n].value=new st().setHex(s.value);break;case"v2":this.uniforms[n].value=new ut().fromArray(s.value);break;case"v3":this.uniforms[n].value=new q().
 fromArray(s.value);break;case"v4":this.uniforms[n].value=new Ht().fromArray(s.value);break;case"m3":this.uniforms[n].value=new Qe().fromArray(s.value);break;case"\
 m4":this.uniforms[n].value=new Mt().fromArray(s.value);break;default:this.uniforms[n].value=s.value}}if(e.defines!==void 0&&(this.defines=e.defines),e.vertexShader!==
 void 0&&(this.vertexShader=e.vertexShader),e.fragmentShader!==void 0&&(this.fragmentShader=e.fragmentShader),e.glslVersion!==void 0&&(this.glslVersion=e.glslVersion),
 e.extensions!==void 0)for(let n in e.extensions)this.extensions[n]=e.extensions[n];return e.lights!==void 0&&(this.lights=e.lights),e.clipping!==void 0&&(this.clipping=
-e.clipping),this}},hl=class extends Di{constructor(e){super(e),this.isRawShaderMaterial=!0,this.type="RawShaderMaterial"}};var Lo=class extends es{constructor(e){super(),this.isMeshLambertMaterial=!0,this.type="MeshLambertMaterial",this.color=new lt(16777215),this.map=null,this.lightMap=
-null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.emissive=new lt(0),this.emissiveIntensity=1,this.emissiveMap=null,this.bumpMap=null,this.
+e.clipping),this}},hl=class extends Di{constructor(e){super(e),this.isRawShaderMaterial=!0,this.type="RawShaderMaterial"}};var Lo=class extends es{constructor(e){super(),this.isMeshLambertMaterial=!0,this.type="MeshLambertMaterial",this.color=new st(16777215),this.map=null,this.lightMap=
+null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.emissive=new st(0),this.emissiveIntensity=1,this.emissiveMap=null,this.bumpMap=null,this.
 bumpScale=1,this.normalMap=null,this.normalMapType=fc,this.normalScale=new ut(1,1),this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.
 specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new Qi,this.combine=Tl,this.reflectivity=1,this.envMapIntensity=1,this.refractionRatio=
 .98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.flatShading=!1,this.fog=!0,this.setValues(e)}copy(e){
@@ -1393,7 +1393,7 @@ this.path="",this.resourcePath="",this.requestHeader={},this.priority="auto",thi
 new CustomEvent("observe",{detail:this}))}load(){}loadAsync(e,t){let n=this;return new Promise(function(s,r){n.load(e,s,t,r)})}parse(){}setCrossOrigin(e){return this.
 crossOrigin=e,this}setWithCredentials(e){return this.withCredentials=e,this}setPath(e){return this.path=e,this}setResourcePath(e){return this.resourcePath=e,this}setRequestHeader(e){
 return this.requestHeader=e,this}setPriority(e){return this.priority=e,this}setCache(e){return this.cache=e,this}abort(){return this}};Ml.DEFAULT_MATERIAL_NAME=
-"__DEFAULT";var Uo=class extends An{static registerNode(e){this.prototype._lightNode=e}constructor(e,t=1){super(),this.isLight=!0,this.type="Light",this.color=new lt(e),this.
+"__DEFAULT";var Uo=class extends An{static registerNode(e){this.prototype._lightNode=e}constructor(e,t=1){super(),this.isLight=!0,this.type="Light",this.color=new st(e),this.
 intensity=t}copy(e,t){return super.copy(e,t),this.color.copy(e.color),this.intensity=e.intensity,this}toJSON(e){let t=super.toJSON(e);return t.object.color=this.
 color.getHex(),t.object.intensity=this.intensity,t}};var Lh=new Mt,tp=new q,np=new q,bl=class{constructor(e){this.camera=e,this.intensity=1,this.bias=0,this.biasNode=null,this.normalBias=0,this.radius=1,this.blurSamples=
 8,this.mapSize=new ut(512,512),this.mapType=Bn,this.map=null,this.mapPass=null,this.matrix=new Mt,this.autoUpdate=!0,this.needsUpdate=!1,this._frustum=new ys,this.
@@ -1502,7 +1502,7 @@ prototype.SetterByBindingTypeAndVersioning=[[kt.prototype._setValue_direct,kt.pr
 [kt.prototype._setValue_array,kt.prototype._setValue_array_setNeedsUpdate,kt.prototype._setValue_array_setMatrixWorldNeedsUpdate],[kt.prototype._setValue_arrayElement,
 kt.prototype._setValue_arrayElement_setNeedsUpdate,kt.prototype._setValue_arrayElement_setMatrixWorldNeedsUpdate],[kt.prototype._setValue_fromArray,kt.prototype.
 _setValue_fromArray_setNeedsUpdate,kt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var kM=new Float32Array(1);var zh=class{static{this.prototype.isMatrix2=!0}constructor(e,t,n,s){this.elements=[1,0,0,1],e!==void 0&&this.set(e,t,n,s)}identity(){return this.set(1,0,0,1),this}fromArray(e,t=0){
-for(let n=0;n<4;n++)this.elements[n]=e[n+t];return this}set(e,t,n,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=n,r[3]=s,this}};var ko=class extends Ur{constructor(e=10,t=10,n=4473924,s=8947848){n=new lt(n),s=new lt(s);let r=t/2,o=e/t,a=e/2,l=[],c=[];for(let h=0,d=0,x=-a;h<=t;h++,x+=o){l.
+for(let n=0;n<4;n++)this.elements[n]=e[n+t];return this}set(e,t,n,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=n,r[3]=s,this}};var ko=class extends Ur{constructor(e=10,t=10,n=4473924,s=8947848){n=new st(n),s=new st(s);let r=t/2,o=e/t,a=e/2,l=[],c=[];for(let h=0,d=0,x=-a;h<=t;h++,x+=o){l.
 push(-a,0,x,a,0,x),l.push(x,0,-a,x,0,a);let S=h===r?n:s;S.toArray(c,d),d+=3,S.toArray(c,d),d+=3,S.toArray(c,d),d+=3,S.toArray(c,d),d+=3}let u=new Kn;u.setAttribute(
 "position",new fn(l,3)),u.setAttribute("color",new fn(c,3));let f=new ts({vertexColors:!0,toneMapped:!1});super(u,f),this.type="GridHelper"}dispose(){super.dispose(),
 this.geometry.dispose(),this.material.dispose()}};function mu(i,e,t,n){let s=I_(n);switch(t){case su:return i*e;case Ll:return i*e/s.components*s.byteLength;case Dl:return i*e/s.components*s.byteLength;case As:
@@ -2462,7 +2462,7 @@ clude <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphates
 include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nvoid main() {\n vec4 diffuseColor = vec4( diffuse, opacity );\n #include <clipping_pl\
 anes_fragment>\n vec3 outgoingLight = vec3( 0.0 );\n #include <logdepthbuf_fragment>\n #include <map_fragment>\n #include <alphamap_fragment>\n #include <alphatest_f\
 ragment>\n #include <alphahash_fragment>\n outgoingLight = diffuseColor.rgb;\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fr\
-agment>\n #include <fog_fragment>\n}",ot={alphahash_fragment:N_,alphahash_pars_fragment:U_,alphamap_fragment:F_,alphamap_pars_fragment:O_,alphatest_fragment:B_,
+agment>\n #include <fog_fragment>\n}",at={alphahash_fragment:N_,alphahash_pars_fragment:U_,alphamap_fragment:F_,alphamap_pars_fragment:O_,alphatest_fragment:B_,
 alphatest_pars_fragment:z_,aomap_fragment:k_,aomap_pars_fragment:V_,batching_pars_vertex:G_,batching_vertex:H_,begin_vertex:W_,beginnormal_vertex:X_,bsdfs:q_,iridescence_fragment:Y_,
 bumpmap_pars_fragment:Z_,clipping_planes_fragment:J_,clipping_planes_pars_fragment:$_,clipping_planes_pars_vertex:K_,clipping_planes_vertex:Q_,color_fragment:j_,
 color_pars_fragment:ex,color_pars_vertex:tx,color_vertex:nx,common:ix,defaultnormal_vertex:sx,displacementmap_pars_vertex:rx,displacementmap_vertex:ox,emissivemap_fragment:ax,
@@ -2480,7 +2480,7 @@ tonemapping_fragment:Tv,tonemapping_pars_fragment:Av,transmission_fragment:Ev,tr
 background_vert:Dv,background_frag:Nv,backgroundCube_vert:Uv,backgroundCube_frag:Fv,cube_vert:Ov,cube_frag:Bv,depth_vert:zv,depth_frag:kv,distance_vert:Vv,distance_frag:Gv,
 equirect_vert:Hv,equirect_frag:Wv,linedashed_vert:Xv,linedashed_frag:qv,meshbasic_vert:Yv,meshbasic_frag:Zv,meshlambert_vert:Jv,meshlambert_frag:$v,meshmatcap_vert:Kv,
 meshmatcap_frag:Qv,meshnormal_vert:jv,meshnormal_frag:ey,meshphong_vert:ty,meshphong_frag:ny,meshphysical_vert:iy,meshphysical_frag:sy,meshtoon_vert:ry,meshtoon_frag:oy,
-points_vert:ay,points_frag:ly,shadow_vert:cy,shadow_frag:hy,sprite_vert:uy,sprite_frag:fy},Ie={common:{diffuse:{value:new lt(16777215)},opacity:{value:1},map:{value:null},
+points_vert:ay,points_frag:ly,shadow_vert:cy,shadow_frag:hy,sprite_vert:uy,sprite_frag:fy},Ie={common:{diffuse:{value:new st(16777215)},opacity:{value:1},map:{value:null},
 mapTransform:{value:new Qe},alphaMap:{value:null},alphaMapTransform:{value:new Qe},alphaTest:{value:0}},specularmap:{specularMap:{value:null},specularMapTransform:{
 value:new Qe}},envmap:{envMap:{value:null},envMapRotation:{value:new Qe},reflectivity:{value:1},ior:{value:1.5},refractionRatio:{value:.98},dfgLUT:{value:null}},
 aomap:{aoMap:{value:null},aoMapIntensity:{value:1},aoMapTransform:{value:new Qe}},lightmap:{lightMap:{value:null},lightMapIntensity:{value:1},lightMapTransform:{
@@ -2488,7 +2488,7 @@ value:new Qe}},bumpmap:{bumpMap:{value:null},bumpMapTransform:{value:new Qe},bum
 normalScale:{value:new ut(1,1)}},displacementmap:{displacementMap:{value:null},displacementMapTransform:{value:new Qe},displacementScale:{value:1},displacementBias:{
 value:0}},emissivemap:{emissiveMap:{value:null},emissiveMapTransform:{value:new Qe}},metalnessmap:{metalnessMap:{value:null},metalnessMapTransform:{value:new Qe}},
 roughnessmap:{roughnessMap:{value:null},roughnessMapTransform:{value:new Qe}},gradientmap:{gradientMap:{value:null}},fog:{fogDensity:{value:25e-5},fogNear:{value:1},
-fogFar:{value:2e3},fogColor:{value:new lt(16777215)}},lights:{ambientLightColor:{value:[]},lightProbe:{value:[]},sunLights:{value:[],properties:{direction:{},color:{}}},
+fogFar:{value:2e3},fogColor:{value:new st(16777215)}},lights:{ambientLightColor:{value:[]},lightProbe:{value:[]},sunLights:{value:[],properties:{direction:{},color:{}}},
 sunLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},sunShadowMatrix:{value:[]},sunShadowCascade:{
 value:[]},directionalLights:{value:[],properties:{direction:{},color:{}}},directionalLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},
 shadowRadius:{},shadowMapSize:{}}},directionalShadowMatrix:{value:[]},spotLights:{value:[],properties:{color:{},position:{},direction:{},distance:{},coneCos:{},
@@ -2496,39 +2496,39 @@ penumbraCos:{},decay:{}}},spotLightShadows:{value:[],properties:{shadowIntensity
 value:[]},spotLightMatrix:{value:[]},pointLights:{value:[],properties:{color:{},position:{},decay:{},distance:{}}},pointLightShadows:{value:[],properties:{shadowIntensity:1,
 shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{},shadowCameraNear:{},shadowCameraFar:{}}},pointShadowMatrix:{value:[]},hemisphereLights:{value:[],
 properties:{direction:{},skyColor:{},groundColor:{}}},rectAreaLights:{value:[],properties:{color:{},position:{},width:{},height:{}}},ltc_1:{value:null},ltc_2:{value:null},
-probesSH:{value:[]},probesMin:{value:[]},probesMax:{value:[]},probesResolution:{value:[]}},points:{diffuse:{value:new lt(16777215)},opacity:{value:1},size:{value:1},
-scale:{value:1},map:{value:null},alphaMap:{value:null},alphaMapTransform:{value:new Qe},alphaTest:{value:0},uvTransform:{value:new Qe}},sprite:{diffuse:{value:new lt(
+probesSH:{value:[]},probesMin:{value:[]},probesMax:{value:[]},probesResolution:{value:[]}},points:{diffuse:{value:new st(16777215)},opacity:{value:1},size:{value:1},
+scale:{value:1},map:{value:null},alphaMap:{value:null},alphaMapTransform:{value:new Qe},alphaTest:{value:0},uvTransform:{value:new Qe}},sprite:{diffuse:{value:new st(
 16777215)},opacity:{value:1},center:{value:new ut(.5,.5)},rotation:{value:0},map:{value:null},mapTransform:{value:new Qe},alphaMap:{value:null},alphaMapTransform:{
-value:new Qe},alphaTest:{value:0}}},Oi={basic:{uniforms:En([Ie.common,Ie.specularmap,Ie.envmap,Ie.aomap,Ie.lightmap,Ie.fog]),vertexShader:ot.meshbasic_vert,fragmentShader:ot.
+value:new Qe},alphaTest:{value:0}}},Oi={basic:{uniforms:En([Ie.common,Ie.specularmap,Ie.envmap,Ie.aomap,Ie.lightmap,Ie.fog]),vertexShader:at.meshbasic_vert,fragmentShader:at.
 meshbasic_frag},lambert:{uniforms:En([Ie.common,Ie.specularmap,Ie.envmap,Ie.aomap,Ie.lightmap,Ie.emissivemap,Ie.bumpmap,Ie.normalmap,Ie.displacementmap,Ie.fog,Ie.
-lights,{emissive:{value:new lt(0)},envMapIntensity:{value:1}}]),vertexShader:ot.meshlambert_vert,fragmentShader:ot.meshlambert_frag},phong:{uniforms:En([Ie.common,
-Ie.specularmap,Ie.envmap,Ie.aomap,Ie.lightmap,Ie.emissivemap,Ie.bumpmap,Ie.normalmap,Ie.displacementmap,Ie.fog,Ie.lights,{emissive:{value:new lt(0)},specular:{value:new lt(
-1118481)},shininess:{value:30},envMapIntensity:{value:1}}]),vertexShader:ot.meshphong_vert,fragmentShader:ot.meshphong_frag},standard:{uniforms:En([Ie.common,Ie.
-envmap,Ie.aomap,Ie.lightmap,Ie.emissivemap,Ie.bumpmap,Ie.normalmap,Ie.displacementmap,Ie.roughnessmap,Ie.metalnessmap,Ie.fog,Ie.lights,{emissive:{value:new lt(0)},
-roughness:{value:1},metalness:{value:0},envMapIntensity:{value:1}}]),vertexShader:ot.meshphysical_vert,fragmentShader:ot.meshphysical_frag},toon:{uniforms:En([Ie.
-common,Ie.aomap,Ie.lightmap,Ie.emissivemap,Ie.bumpmap,Ie.normalmap,Ie.displacementmap,Ie.gradientmap,Ie.fog,Ie.lights,{emissive:{value:new lt(0)}}]),vertexShader:ot.
-meshtoon_vert,fragmentShader:ot.meshtoon_frag},matcap:{uniforms:En([Ie.common,Ie.bumpmap,Ie.normalmap,Ie.displacementmap,Ie.fog,{matcap:{value:null}}]),vertexShader:ot.
-meshmatcap_vert,fragmentShader:ot.meshmatcap_frag},points:{uniforms:En([Ie.points,Ie.fog]),vertexShader:ot.points_vert,fragmentShader:ot.points_frag},dashed:{uniforms:En(
-[Ie.common,Ie.fog,{scale:{value:1},dashSize:{value:1},totalSize:{value:2}}]),vertexShader:ot.linedashed_vert,fragmentShader:ot.linedashed_frag},depth:{uniforms:En(
-[Ie.common,Ie.displacementmap]),vertexShader:ot.depth_vert,fragmentShader:ot.depth_frag},normal:{uniforms:En([Ie.common,Ie.bumpmap,Ie.normalmap,Ie.displacementmap,
-{opacity:{value:1}}]),vertexShader:ot.meshnormal_vert,fragmentShader:ot.meshnormal_frag},sprite:{uniforms:En([Ie.sprite,Ie.fog]),vertexShader:ot.sprite_vert,fragmentShader:ot.
-sprite_frag},background:{uniforms:{uvTransform:{value:new Qe},t2D:{value:null},backgroundIntensity:{value:1}},vertexShader:ot.background_vert,fragmentShader:ot.
-background_frag},backgroundCube:{uniforms:{envMap:{value:null},backgroundBlurriness:{value:0},backgroundIntensity:{value:1},backgroundRotation:{value:new Qe}},vertexShader:ot.
-backgroundCube_vert,fragmentShader:ot.backgroundCube_frag},cube:{uniforms:{tCube:{value:null},tFlip:{value:-1},opacity:{value:1}},vertexShader:ot.cube_vert,fragmentShader:ot.
-cube_frag},equirect:{uniforms:{tEquirect:{value:null}},vertexShader:ot.equirect_vert,fragmentShader:ot.equirect_frag},distance:{uniforms:En([Ie.common,Ie.displacementmap,
-{referencePosition:{value:new q},nearDistance:{value:1},farDistance:{value:1e3}}]),vertexShader:ot.distance_vert,fragmentShader:ot.distance_frag},shadow:{uniforms:En(
-[Ie.lights,Ie.fog,{color:{value:new lt(0)},opacity:{value:1}}]),vertexShader:ot.shadow_vert,fragmentShader:ot.shadow_frag}};Oi.physical={uniforms:En([Oi.standard.
+lights,{emissive:{value:new st(0)},envMapIntensity:{value:1}}]),vertexShader:at.meshlambert_vert,fragmentShader:at.meshlambert_frag},phong:{uniforms:En([Ie.common,
+Ie.specularmap,Ie.envmap,Ie.aomap,Ie.lightmap,Ie.emissivemap,Ie.bumpmap,Ie.normalmap,Ie.displacementmap,Ie.fog,Ie.lights,{emissive:{value:new st(0)},specular:{value:new st(
+1118481)},shininess:{value:30},envMapIntensity:{value:1}}]),vertexShader:at.meshphong_vert,fragmentShader:at.meshphong_frag},standard:{uniforms:En([Ie.common,Ie.
+envmap,Ie.aomap,Ie.lightmap,Ie.emissivemap,Ie.bumpmap,Ie.normalmap,Ie.displacementmap,Ie.roughnessmap,Ie.metalnessmap,Ie.fog,Ie.lights,{emissive:{value:new st(0)},
+roughness:{value:1},metalness:{value:0},envMapIntensity:{value:1}}]),vertexShader:at.meshphysical_vert,fragmentShader:at.meshphysical_frag},toon:{uniforms:En([Ie.
+common,Ie.aomap,Ie.lightmap,Ie.emissivemap,Ie.bumpmap,Ie.normalmap,Ie.displacementmap,Ie.gradientmap,Ie.fog,Ie.lights,{emissive:{value:new st(0)}}]),vertexShader:at.
+meshtoon_vert,fragmentShader:at.meshtoon_frag},matcap:{uniforms:En([Ie.common,Ie.bumpmap,Ie.normalmap,Ie.displacementmap,Ie.fog,{matcap:{value:null}}]),vertexShader:at.
+meshmatcap_vert,fragmentShader:at.meshmatcap_frag},points:{uniforms:En([Ie.points,Ie.fog]),vertexShader:at.points_vert,fragmentShader:at.points_frag},dashed:{uniforms:En(
+[Ie.common,Ie.fog,{scale:{value:1},dashSize:{value:1},totalSize:{value:2}}]),vertexShader:at.linedashed_vert,fragmentShader:at.linedashed_frag},depth:{uniforms:En(
+[Ie.common,Ie.displacementmap]),vertexShader:at.depth_vert,fragmentShader:at.depth_frag},normal:{uniforms:En([Ie.common,Ie.bumpmap,Ie.normalmap,Ie.displacementmap,
+{opacity:{value:1}}]),vertexShader:at.meshnormal_vert,fragmentShader:at.meshnormal_frag},sprite:{uniforms:En([Ie.sprite,Ie.fog]),vertexShader:at.sprite_vert,fragmentShader:at.
+sprite_frag},background:{uniforms:{uvTransform:{value:new Qe},t2D:{value:null},backgroundIntensity:{value:1}},vertexShader:at.background_vert,fragmentShader:at.
+background_frag},backgroundCube:{uniforms:{envMap:{value:null},backgroundBlurriness:{value:0},backgroundIntensity:{value:1},backgroundRotation:{value:new Qe}},vertexShader:at.
+backgroundCube_vert,fragmentShader:at.backgroundCube_frag},cube:{uniforms:{tCube:{value:null},tFlip:{value:-1},opacity:{value:1}},vertexShader:at.cube_vert,fragmentShader:at.
+cube_frag},equirect:{uniforms:{tEquirect:{value:null}},vertexShader:at.equirect_vert,fragmentShader:at.equirect_frag},distance:{uniforms:En([Ie.common,Ie.displacementmap,
+{referencePosition:{value:new q},nearDistance:{value:1},farDistance:{value:1e3}}]),vertexShader:at.distance_vert,fragmentShader:at.distance_frag},shadow:{uniforms:En(
+[Ie.lights,Ie.fog,{color:{value:new st(0)},opacity:{value:1}}]),vertexShader:at.shadow_vert,fragmentShader:at.shadow_frag}};Oi.physical={uniforms:En([Oi.standard.
 uniforms,{clearcoat:{value:0},clearcoatMap:{value:null},clearcoatMapTransform:{value:new Qe},clearcoatNormalMap:{value:null},clearcoatNormalMapTransform:{value:new Qe},
 clearcoatNormalScale:{value:new ut(1,1)},clearcoatRoughness:{value:0},clearcoatRoughnessMap:{value:null},clearcoatRoughnessMapTransform:{value:new Qe},diffuseRoughness:{
 value:0},diffuseRoughnessMap:{value:null},diffuseRoughnessMapTransform:{value:new Qe},dispersion:{value:0},retroreflectivity:{value:0},iridescence:{value:0},iridescenceMap:{
 value:null},iridescenceMapTransform:{value:new Qe},iridescenceIOR:{value:1.3},iridescenceThicknessMinimum:{value:100},iridescenceThicknessMaximum:{value:400},iridescenceThicknessMap:{
-value:null},iridescenceThicknessMapTransform:{value:new Qe},sheen:{value:0},sheenColor:{value:new lt(0)},sheenColorMap:{value:null},sheenColorMapTransform:{value:new Qe},
+value:null},iridescenceThicknessMapTransform:{value:new Qe},sheen:{value:0},sheenColor:{value:new st(0)},sheenColorMap:{value:null},sheenColorMapTransform:{value:new Qe},
 sheenRoughness:{value:1},sheenRoughnessMap:{value:null},sheenRoughnessMapTransform:{value:new Qe},transmission:{value:0},transmissionMap:{value:null},transmissionMapTransform:{
 value:new Qe},transmissionSamplerSize:{value:new ut},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new Qe},
-attenuationDistance:{value:0},attenuationColor:{value:new lt(0)},specularColor:{value:new lt(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new Qe},
+attenuationDistance:{value:0},attenuationColor:{value:new st(0)},specularColor:{value:new st(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new Qe},
 specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new Qe},anisotropyVector:{value:new ut},anisotropyMap:{value:null},
-anisotropyMapTransform:{value:new Qe}}]),vertexShader:ot.meshphysical_vert,fragmentShader:ot.meshphysical_frag};var dc={r:0,b:0,g:0},dy=new Mt,mm=new Qe;mm.set(
--1,0,0,0,1,0,0,0,1);function py(i,e,t,n,s,r){let o=new lt(0),a=s===!0?0:1,l,c,u=null,f=0,h=null;function d(v){let A=v.isScene===!0?v.background:null;if(A&&A.isTexture){
+anisotropyMapTransform:{value:new Qe}}]),vertexShader:at.meshphysical_vert,fragmentShader:at.meshphysical_frag};var dc={r:0,b:0,g:0},dy=new Mt,mm=new Qe;mm.set(
+-1,0,0,0,1,0,0,0,1);function py(i,e,t,n,s,r){let o=new st(0),a=s===!0?0:1,l,c,u=null,f=0,h=null;function d(v){let A=v.isScene===!0?v.background:null;if(A&&A.isTexture){
 let M=v.backgroundBlurriness>0;A=e.get(A,M)}return A}function x(v){let A=!1,M=d(v);M===null?p(o,a):M&&M.isColor&&(p(M,1),A=!0);let P=i.xr.getEnvironmentBlendMode();
 P==="additive"?t.buffers.color.setClear(0,0,0,1,r):P==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(i.autoClear||A)&&(t.buffers.depth.setTest(!0),t.buffers.
 depth.setMask(!0),t.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function S(v,A){let M=d(A);M&&M.isCubeTexture?(c===
@@ -2608,7 +2608,7 @@ tion;\n\n    #include <common>\n\n    void main() {\n\n     vec3 direction = nor
 gColor = texture2D( tEquirect, sampleUV );\n\n    }\n   "},s=new Ss(5,5,5),r=new Di({name:"CubemapFromEquirect",uniforms:Xs(n.uniforms),vertexShader:n.vertexShader,
 fragmentShader:n.fragmentShader,side:Fn,blending:Vs});r.uniforms.tEquirect.value=t;let o=new ri(s,r),a=t.minFilter;return t.minFilter===is&&(t.minFilter=Un),new Fr(
 1,10,this).update(e,o),t.minFilter=a,o.geometry.dispose(),o.material.dispose(),this}clear(e,t=!0,n=!0,s=!0){let r=e.getRenderTarget();for(let o=0;o<6;o++)e.setRenderTarget(
-this,o),e.clear(t,n,s);e.setRenderTarget(r)}},Yp=256,vy=3,yy=20,gm=256,_m=16,Sy=3,My=new q,by=new lt,mc=class i{constructor(e){this._renderer=e,this._cubeSize=0,
+this,o),e.clear(t,n,s);e.setRenderTarget(r)}},Yp=256,vy=3,yy=20,gm=256,_m=16,Sy=3,My=new q,by=new st,mc=class i{constructor(e){this._renderer=e,this._cubeSize=0,
 this._sourceTarget=null,this._cubeCamera=new Fr(1,10,null),this._boxMesh=new ri(new Ss(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this.
 _blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,n=.1,s=100,r={}){let{size:o=256,position:a=My}=r,l=this._renderer;this.
 _setSize(o);let c=this._allocateTarget(),u=this._getSourceTarget(!0);t>0&&(u.texture.mipmapsAutoUpdate=!1);let f=l.autoClear,h=l.autoClearColor,d=l.autoClearDepth,
@@ -2634,7 +2634,7 @@ o,n);if(o>n-Sy)r.roughness.value=a,this._renderCube(e,o,this._integrationMateria
 value=a,s.lodBias.value=l,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=Ay());let n=this._blurMaterial,s=n.
 uniforms,r=this._sourceTarget;s.sigma.value=Math.min(t,Math.PI)/Math.SQRT2,s.envMap.value=r.texture,this._renderCube(e,0,n),s.envMap.value=e.texture,this._renderCube(
 r,0,n)}};function Zp(i,e,t){return new Qo(i,{minFilter:is,generateMipmaps:e,type:vi,colorSpace:go,depthBuffer:t})}function jo(i,e,t){return new Di({name:i,uniforms:e,
-vertexShader:ot.cube_vert,fragmentShader:t,side:Fn,blending:Vs,depthTest:!1,depthWrite:!1})}function wy(){return jo("PMREMGGXConvolution",{envMap:{value:null},roughness:{
+vertexShader:at.cube_vert,fragmentShader:t,side:Fn,blending:Vs,depthTest:!1,depthWrite:!1})}function wy(){return jo("PMREMGGXConvolution",{envMap:{value:null},roughness:{
 value:0},lodBias:{value:0}},"\n\n  #define GGX_SAMPLES ".concat(gm,"u\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float roughness;\
 \n  uniform float lodBias;\n\n  #include <common>\n\n  // Van der Corput radical inverse\n  float radicalInverse_VdC( uint bits ) {\n\n   bits = ( bits << 16u ) | ( bit\
 s >> 16u );\n   bits = ( ( bits & 0x55555555u ) << 1u ) | ( ( bits & 0xAAAAAAAAu ) >> 1u );\n   bits = ( ( bits & 0x33333333u ) << 2u ) | ( ( bits & 0xCCCCCCCCu )\
@@ -2812,7 +2812,7 @@ e.numRectAreaLights).replace(/NUM_POINT_LIGHTS/g,e.numPointLights).replace(/NUM_
 replace(/NUM_DIR_LIGHT_SHADOWS/g,e.numDirLightShadows).replace(/NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS/g,e.numSpotLightShadowsWithMaps).replace(/NUM_SPOT_LIGHT_SHADOWS/g,
 e.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,e.numPointLightShadows).replace(/NUM_LIGHT_PROBE_GRIDS/g,e.numLightProbeGrids)}function am(i,e){return i.
 replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}var NS=/^[ \t]*#include +<([\w\d./]+)>/gm;
-function Su(i){return i.replace(NS,US)}function US(i,e){let t=ot[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return Su(
+function Su(i){return i.replace(NS,US)}function US(i,e){let t=at[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return Su(
 t)}var FS=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function lm(i){
 return i.replace(FS,OS)}function OS(i,e,t,n){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=n.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,
 r);return s}function cm(i){let e="precision ".concat(i.precision," float;\n precision ").concat(i.precision," int;\n precision ").concat(i.precision," sampler2D\
@@ -2881,8 +2881,8 @@ TS_UV":"",t.gradientMap?"#define USE_GRADIENTMAP":"",t.flatShading?"#define FLAT
 DED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+l:"",t.premultipliedAlpha?"#define PREMULTIPLIED_ALPHA":"",t.numLightProbes>
 0?"#define USE_LIGHT_PROBES":"",t.decodeVideoTexture?"#define DECODE_VIDEO_TEXTURE":"",t.decodeVideoTextureEmissive?"#define DECODE_VIDEO_TEXTURE_EMISSIVE":"",t.
 logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 viewMatrix;","unifor\
-m vec3 cameraPosition;","uniform bool isOrthographic;",t.toneMapping!==Ui?"#define TONE_MAPPING":"",t.toneMapping!==Ui?ot.tonemapping_pars_fragment:"",t.toneMapping!==
-Ui?RS("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",ot.colorspace_pars_fragment,ES("linearToOutputTexel",t.outputColorSpace),
+m vec3 cameraPosition;","uniform bool isOrthographic;",t.toneMapping!==Ui?"#define TONE_MAPPING":"",t.toneMapping!==Ui?at.tonemapping_pars_fragment:"",t.toneMapping!==
+Ui?RS("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",at.colorspace_pars_fragment,ES("linearToOutputTexel",t.outputColorSpace),
 PS(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"","\n"].filter(Ko).join("\n")),o=Su(o),o=om(o,t),o=am(o,t),a=Su(a),a=om(a,t),a=am(a,t),o=lm(o),a=
 lm(a),t.isRawShaderMaterial!==!0&&(m="#version 300 es\n",S=[h,"#define attribute in","#define varying out","#define texture2D texture"].join("\n")+"\n"+S,p=["#d\
 efine varying in",t.glslVersion===cu?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===cu?"":"#define gl_FragColor pc_fragColor","#define g\
@@ -2913,7 +2913,7 @@ _.precision),$!==_.precision&&qe("WebGLProgram.getParameters:",_.precision,"not 
 normal||N.morphAttributes.color,ie=Q!==void 0?Q.length:0,ue=0;N.morphAttributes.position!==void 0&&(ue=1),N.morphAttributes.normal!==void 0&&(ue=2),N.morphAttributes.
 color!==void 0&&(ue=3);let he,j,pe,_e;if(le){let Ee=Oi[le];he=Ee.vertexShader,j=Ee.fragmentShader}else{he=_.vertexShader,j=_.fragmentShader;let Ee=a.getVertexShaderStage(
 _),it=a.getFragmentShaderStage(_);a.update(_,Ee,it),pe=Ee.id,_e=it.id}let Ae=i.getRenderTarget(),Se=i.state.buffers.depth.getReversed(),Ge=L.isInstancedMesh===!0,
-tt=L.isBatchedMesh===!0,ke=!!_.map,at=!!_.matcap,st=!!k,je=st&&k.isPMREMTexture===!0,Vt=!!_.aoMap,Nt=!!_.lightMap,Qt=!!_.bumpMap&&_.wireframe===!1,Rt=!!_.normalMap,
+tt=L.isBatchedMesh===!0,ke=!!_.map,lt=!!_.matcap,rt=!!k,je=rt&&k.isPMREMTexture===!0,Vt=!!_.aoMap,Nt=!!_.lightMap,Qt=!!_.bumpMap&&_.wireframe===!1,Rt=!!_.normalMap,
 mn=!!_.displacementMap,_t=!!_.emissiveMap,an=!!_.metalnessMap,Xt=!!_.roughnessMap,jt=_.anisotropy>0,F=_.clearcoat>0,Ce=_.diffuseRoughness>0,Xe=_.dispersion>0,nt=_.
 retroreflectivity>0,Me=_.iridescence>0,It=_.sheen>0,ze=_.transmission>0,We=jt&&!!_.anisotropyMap,C=F&&!!_.clearcoatMap,y=F&&!!_.clearcoatNormalMap,W=F&&!!_.clearcoatRoughnessMap,
 ce=Ce&&!!_.diffuseRoughnessMap,re=Me&&!!_.iridescenceMap,ge=Me&&!!_.iridescenceThicknessMap,xe=It&&!!_.sheenColorMap,ee=It&&!!_.sheenRoughnessMap,ne=!!_.specularMap,
@@ -2922,7 +2922,7 @@ alphaHash,Ze=!!_.extensions,ae=Ui;_.toneMapped&&(Ae===null||Ae.isXRRenderTarget=
 k.mipmaps:null,Je={shaderID:le,shaderType:_.type,shaderName:_.name,vertexShader:he,fragmentShader:j,defines:_.defines,customVertexShaderID:pe,customFragmentShaderID:_e,
 isRawShaderMaterial:_.isRawShaderMaterial===!0,glslVersion:_.glslVersion,precision:$,batching:tt,batchingColor:tt&&L._colorsTexture!==null,instancing:Ge,instancingColor:Ge&&
 L.instanceColor!==null,instancingMorph:Ge&&L.morphTexture!==null,outputColorSpace:Ae===null?i.outputColorSpace:Ae.isXRRenderTarget===!0?Ae.texture.colorSpace:mt.
-workingColorSpace,alphaToCoverage:!!_.alphaToCoverage,map:ke,matcap:at,envMap:st,envMapMode:st&&k.mapping,envMapPMREM:je,envMapMaxLod:je?Fe.length-1:null,envMapSize:je?
+workingColorSpace,alphaToCoverage:!!_.alphaToCoverage,map:ke,matcap:lt,envMap:rt,envMapMode:rt&&k.mapping,envMapPMREM:je,envMapMaxLod:je?Fe.length-1:null,envMapSize:je?
 Fe[0].width:null,aoMap:Vt,lightMap:Nt,bumpMap:Qt,normalMap:Rt,displacementMap:mn,emissiveMap:_t,normalMapObjectSpace:Rt&&_.normalMapType===Pp,normalMapTangentSpace:Rt&&
 _.normalMapType===fc,packedNormalMap:Rt&&_.normalMapType===fc&&qS(_.normalMap.format),metalnessMap:an,roughnessMap:Xt,anisotropy:jt,anisotropyMap:We,clearcoat:F,
 clearcoatMap:C,clearcoatNormalMap:y,clearcoatRoughnessMap:W,diffuseRoughness:Ce,diffuseRoughnessMap:ce,dispersion:Xe,retroreflection:nt,iridescence:Me,iridescenceMap:re,
@@ -2984,9 +2984,9 @@ n.unshift(v):x.transparent===!0?s.unshift(v):t.unshift(v)}function u(h,d){t.leng
 for(let h=e,d=i.length;h<d;h++){let x=i[h];if(x.id===null)break;x.id=null,x.object=null,x.geometry=null,x.material=null,x.group=null}}return{opaque:t,transmissive:n,
 transparent:s,init:r,push:l,unshift:c,finish:f,sort:u}}function $S(){let i=new WeakMap;function e(n,s){let r=i.get(n),o;return r===void 0?(o=new um,i.set(n,[o])):
 s>=r.length?(o=new um,r.push(o)):o=r[s],o}function t(){i=new WeakMap}return{get:e,dispose:t}}function KS(){let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.
-id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={direction:new q,color:new lt};break;case"SpotLight":t={position:new q,direction:new q,color:new lt,
-distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":t={position:new q,color:new lt,distance:0,decay:0};break;case"HemisphereLight":t={direction:new q,
-skyColor:new lt,groundColor:new lt};break;case"RectAreaLight":t={color:new lt,position:new q,halfWidth:new q,halfHeight:new q};break}return i[e.id]=t,t}}}function QS(){
+id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={direction:new q,color:new st};break;case"SpotLight":t={position:new q,direction:new q,color:new st,
+distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":t={position:new q,color:new st,distance:0,decay:0};break;case"HemisphereLight":t={direction:new q,
+skyColor:new st,groundColor:new st};break;case"RectAreaLight":t={color:new st,position:new q,halfWidth:new q,halfHeight:new q};break}return i[e.id]=t,t}}}function QS(){
 let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={shadowIntensity:1,shadowBias:0,
 shadowNormalBias:0,shadowRadius:1,shadowMapSize:new ut};break;case"SpotLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new ut};
 break;case"PointLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new ut,shadowCameraNear:1,shadowCameraFar:1e3};break}return i[e.
@@ -3093,7 +3093,7 @@ setTest:function(Fe){U||(Fe?Se(i.STENCIL_TEST):Ge(i.STENCIL_TEST))},setMask:func
 Fe||be!==Je||me!==Ee)&&(i.stencilFunc(Fe,Je,Ee),te=Fe,be=Je,me=Ee)},setOp:function(Fe,Je,Ee){(ye!==Fe||Ve!==Je||Ze!==Ee)&&(i.stencilOp(Fe,Je,Ee),ye=Fe,Ve=Je,Ze=
 Ee)},setLocked:function(Fe){U=Fe},setClear:function(Fe){ae!==Fe&&(i.clearStencil(Fe),ae=Fe)},reset:function(){U=!1,se=null,te=null,be=null,me=null,ye=null,Ve=null,
 Ze=null,ae=null}}}let r=new t,o=new n,a=new s,l={},c=new WeakMap,u={},f={},h={},d=new WeakMap,x=[],S=null,p=!1,m=null,v=null,A=null,M=null,P=null,E=null,_=null,
-T=new lt(0,0,0),O=0,D=!1,L=null,V=null,H=null,N=null,G=null,J=i.getParameter(i.MAX_COMBINED_TEXTURE_IMAGE_UNITS),k=!1,le=0,$=i.getParameter(i.VERSION);$.indexOf(
+T=new st(0,0,0),O=0,D=!1,L=null,V=null,H=null,N=null,G=null,J=i.getParameter(i.MAX_COMBINED_TEXTURE_IMAGE_UNITS),k=!1,le=0,$=i.getParameter(i.VERSION);$.indexOf(
 "WebGL")!==-1?(le=parseFloat(/^WebGL (\d)/.exec($)[1]),k=le>=1):$.indexOf("OpenGL ES")!==-1&&(le=parseFloat(/^OpenGL ES (\d)/.exec($)[1]),k=le>=2);let Q=null,ie={},
 ue=i.getParameter(i.SCISSOR_BOX),he=i.getParameter(i.VIEWPORT),j=new Ht().fromArray(ue),pe=new Ht().fromArray(he);function _e(U,se,te,be){let me=new Uint8Array(
 4),ye=i.createTexture();i.bindTexture(U,ye),i.texParameteri(U,i.TEXTURE_MIN_FILTER,i.NEAREST),i.texParameteri(U,i.TEXTURE_MAG_FILTER,i.NEAREST);for(let Ve=0;Ve<
@@ -3103,8 +3103,8 @@ _e(i.TEXTURE_2D_ARRAY,i.TEXTURE_2D_ARRAY,1,1),Ae[i.TEXTURE_3D]=_e(i.TEXTURE_3D,i
 o.setFunc(Cr),Qt(!1),Rt(kh),Se(i.CULL_FACE),Vt(Vs);function Se(U){u[U]!==!0&&(i.enable(U),u[U]=!0)}function Ge(U){u[U]!==!1&&(i.disable(U),u[U]=!1)}function tt(U,se){
 return h[U]!==se?(i.bindFramebuffer(U,se),h[U]=se,U===i.DRAW_FRAMEBUFFER&&(h[i.FRAMEBUFFER]=se),U===i.FRAMEBUFFER&&(h[i.DRAW_FRAMEBUFFER]=se),!0):!1}function ke(U,se){
 let te=x,be=!1;if(U){te=d.get(se),te===void 0&&(te=[],d.set(se,te));let me=U.textures;if(te.length!==me.length||te[0]!==i.COLOR_ATTACHMENT0){for(let ye=0,Ve=me.
-length;ye<Ve;ye++)te[ye]=i.COLOR_ATTACHMENT0+ye;te.length=me.length,be=!0}}else te[0]!==i.BACK&&(te[0]=i.BACK,be=!0);be&&i.drawBuffers(te)}function at(U){return S!==
-U?(i.useProgram(U),S=U,!0):!1}let st={[Gs]:i.FUNC_ADD,[cp]:i.FUNC_SUBTRACT,[hp]:i.FUNC_REVERSE_SUBTRACT};st[up]=i.MIN,st[fp]=i.MAX;let je={[dp]:i.ZERO,[pp]:i.ONE,
+length;ye<Ve;ye++)te[ye]=i.COLOR_ATTACHMENT0+ye;te.length=me.length,be=!0}}else te[0]!==i.BACK&&(te[0]=i.BACK,be=!0);be&&i.drawBuffers(te)}function lt(U){return S!==
+U?(i.useProgram(U),S=U,!0):!1}let rt={[Gs]:i.FUNC_ADD,[cp]:i.FUNC_SUBTRACT,[hp]:i.FUNC_REVERSE_SUBTRACT};rt[up]=i.MIN,rt[fp]=i.MAX;let je={[dp]:i.ZERO,[pp]:i.ONE,
 [mp]:i.SRC_COLOR,[Wh]:i.SRC_ALPHA,[Sp]:i.SRC_ALPHA_SATURATE,[vp]:i.DST_COLOR,[_p]:i.DST_ALPHA,[gp]:i.ONE_MINUS_SRC_COLOR,[Xh]:i.ONE_MINUS_SRC_ALPHA,[yp]:i.ONE_MINUS_DST_COLOR,
 [xp]:i.ONE_MINUS_DST_ALPHA,[Mp]:i.CONSTANT_COLOR,[bp]:i.ONE_MINUS_CONSTANT_COLOR,[wp]:i.CONSTANT_ALPHA,[Tp]:i.ONE_MINUS_CONSTANT_ALPHA};function Vt(U,se,te,be,me,ye,Ve,Ze,ae,Fe){
 if(U===Vs){p===!0&&(Ge(i.BLEND),p=!1);return}if(p===!1&&(Se(i.BLEND),p=!0),U!==lp){if(U!==m||Fe!==D){if((v!==Gs||P!==Gs)&&(i.blendEquation(i.FUNC_ADD),v=Gs,P=Gs),
@@ -3113,7 +3113,7 @@ i.ZERO,i.ONE_MINUS_SRC_COLOR,i.ZERO,i.ONE);break;case Hh:i.blendFuncSeparate(i.D
 id blending: ",U);break}else switch(U){case Br:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Vh:i.blendFuncSeparate(
 i.SRC_ALPHA,i.ONE,i.ONE,i.ONE);break;case Gh:Ke("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case Hh:Ke("WebGLState: Mul\
 tiplyBlending requires material.premultipliedAlpha = true");break;default:Ke("WebGLState: Invalid blending: ",U);break}A=null,M=null,E=null,_=null,T.set(0,0,0),
-O=0,m=U,D=Fe}return}me=me||se,ye=ye||te,Ve=Ve||be,(se!==v||me!==P)&&(i.blendEquationSeparate(st[se],st[me]),v=se,P=me),(te!==A||be!==M||ye!==E||Ve!==_)&&(i.blendFuncSeparate(
+O=0,m=U,D=Fe}return}me=me||se,ye=ye||te,Ve=Ve||be,(se!==v||me!==P)&&(i.blendEquationSeparate(rt[se],rt[me]),v=se,P=me),(te!==A||be!==M||ye!==E||Ve!==_)&&(i.blendFuncSeparate(
 je[te],je[be],je[ye],je[Ve]),A=te,M=be,E=ye,_=Ve),(Ze.equals(T)===!1||ae!==O)&&(i.blendColor(Ze.r,Ze.g,Ze.b,ae),T.copy(Ze),O=ae),m=U,D=!1}function Nt(U,se){U.side===
 Ni?Ge(i.CULL_FACE):Se(i.CULL_FACE);let te=U.side===Fn;se&&(te=!te),Qt(te),U.blending===Br&&U.transparent===!1?Vt(Vs):Vt(U.blending,U.blendEquation,U.blendSrc,U.
 blendDst,U.blendEquationAlpha,U.blendSrcAlpha,U.blendDstAlpha,U.blendColor,U.blendAlpha,U.premultipliedAlpha),o.setFunc(U.depthFunc),o.setTest(U.depthTest),o.setMask(
@@ -3142,9 +3142,9 @@ i.TEXTURE0),i.bindFramebuffer(i.FRAMEBUFFER,null),i.bindFramebuffer(i.DRAW_FRAME
 4),i.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,!1),i.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),i.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,i.BROWSER_DEFAULT_WEBGL),
 i.pixelStorei(i.PACK_ROW_LENGTH,0),i.pixelStorei(i.PACK_SKIP_PIXELS,0),i.pixelStorei(i.PACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_ROW_LENGTH,0),i.pixelStorei(i.UNPACK_IMAGE_HEIGHT,
 0),i.pixelStorei(i.UNPACK_SKIP_PIXELS,0),i.pixelStorei(i.UNPACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_SKIP_IMAGES,0),u={},f={},Q=null,ie={},h={},l={},d=new WeakMap,
-x=[],S=null,p=!1,m=null,v=null,A=null,M=null,P=null,E=null,_=null,T=new lt(0,0,0),O=0,D=!1,L=null,V=null,H=null,N=null,G=null,j.set(0,0,i.canvas.width,i.canvas.
+x=[],S=null,p=!1,m=null,v=null,A=null,M=null,P=null,E=null,_=null,T=new st(0,0,0),O=0,D=!1,L=null,V=null,H=null,N=null,G=null,j.set(0,0,i.canvas.width,i.canvas.
 height),pe.set(0,0,i.canvas.width,i.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:Se,disable:Ge,bindFramebuffer:tt,
-drawBuffers:ke,useProgram:at,setBlending:Vt,setMaterial:Nt,setFlipSided:Qt,setCullFace:Rt,setLineWidth:mn,setPolygonOffset:_t,setScissorTest:an,activeTexture:Xt,
+drawBuffers:ke,useProgram:lt,setBlending:Vt,setMaterial:Nt,setFlipSided:Qt,setCullFace:Rt,setLineWidth:mn,setPolygonOffset:_t,setScissorTest:an,activeTexture:Xt,
 bindTexture:jt,unbindTexture:F,compressedTexImage2D:Ce,compressedTexImage3D:Xe,texImage2D:y,texImage3D:W,pixelStorei:re,getParameter:ce,updateUBOMapping:ee,uniformBlockBinding:ne,
 texStorage2D:We,texStorage3D:C,texSubImage2D:nt,texSubImage3D:Me,compressedTexSubImage2D:It,compressedTexSubImage3D:ze,scissor:ge,viewport:xe,reset:de}}function cM(i,e,t,n,s,r,o){
 let a=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,l=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.
@@ -3196,14 +3196,14 @@ W.__webglTexture,i.TEXTURE0+y)}function _e(C,y){let W=n.get(C);if(C.isRenderTarg
 !1&&C.version>0&&W.__version!==C.version){Nt(W,C,y);return}t.bindTexture(i.TEXTURE_3D,W.__webglTexture,i.TEXTURE0+y)}function Se(C,y){let W=n.get(C);if(C.version>
 0&&W.__version!==C.version){Qt(W,C,y);return}t.bindTexture(i.TEXTURE_CUBE_MAP,W.__webglTexture,i.TEXTURE0+y)}let Ge={[Qa]:i.REPEAT,[Pi]:i.CLAMP_TO_EDGE,[ja]:i.MIRRORED_REPEAT},
 tt={[Sn]:i.NEAREST,[Cp]:i.NEAREST_MIPMAP_NEAREST,[Go]:i.NEAREST_MIPMAP_LINEAR,[Un]:i.LINEAR,[Cl]:i.LINEAR_MIPMAP_NEAREST,[is]:i.LINEAR_MIPMAP_LINEAR},ke={[Lp]:i.
-NEVER,[lu]:i.ALWAYS,[Dp]:i.LESS,[ou]:i.LEQUAL,[Np]:i.EQUAL,[au]:i.GEQUAL,[Up]:i.GREATER,[Fp]:i.NOTEQUAL};function at(C,y){if(y.type===oi&&e.has("OES_texture_flo\
+NEVER,[lu]:i.ALWAYS,[Dp]:i.LESS,[ou]:i.LEQUAL,[Np]:i.EQUAL,[au]:i.GEQUAL,[Up]:i.GREATER,[Fp]:i.NOTEQUAL};function lt(C,y){if(y.type===oi&&e.has("OES_texture_flo\
 at_linear")===!1&&(y.magFilter===Un||y.magFilter===Cl||y.magFilter===Go||y.magFilter===is||y.minFilter===Un||y.minFilter===Cl||y.minFilter===Go||y.minFilter===is)&&
 qe("WebGLRenderer: Unable to use linear filtering with floating point textures. OES_texture_float_linear not supported on this device."),i.texParameteri(C,i.TEXTURE_WRAP_S,
 Ge[y.wrapS]),i.texParameteri(C,i.TEXTURE_WRAP_T,Ge[y.wrapT]),(C===i.TEXTURE_3D||C===i.TEXTURE_2D_ARRAY)&&i.texParameteri(C,i.TEXTURE_WRAP_R,Ge[y.wrapR]),i.texParameteri(
 C,i.TEXTURE_MAG_FILTER,tt[y.magFilter]),i.texParameteri(C,i.TEXTURE_MIN_FILTER,tt[y.minFilter]),y.compareFunction&&(i.texParameteri(C,i.TEXTURE_COMPARE_MODE,i.COMPARE_REF_TO_TEXTURE),
 i.texParameteri(C,i.TEXTURE_COMPARE_FUNC,ke[y.compareFunction])),e.has("EXT_texture_filter_anisotropic")===!0){if(y.magFilter===Sn||y.minFilter!==Go&&y.minFilter!==
 is||y.type===oi&&e.has("OES_texture_float_linear")===!1)return;if(y.anisotropy>1||n.get(y).__currentAnisotropy){let W=e.get("EXT_texture_filter_anisotropic");i.
-texParameterf(C,W.TEXTURE_MAX_ANISOTROPY_EXT,Math.min(y.anisotropy,s.getMaxAnisotropy())),n.get(y).__currentAnisotropy=y.anisotropy}}}function st(C,y){let W=!1;
+texParameterf(C,W.TEXTURE_MAX_ANISOTROPY_EXT,Math.min(y.anisotropy,s.getMaxAnisotropy())),n.get(y).__currentAnisotropy=y.anisotropy}}}function rt(C,y){let W=!1;
 C.__webglInit===void 0&&(C.__webglInit=!0,y.addEventListener("dispose",L),O(y));let ce=y.source,re=d.get(ce);re===void 0&&(re={},d.set(ce,re));let ge=j(y);if(ge!==
 C.__cacheKey){re[ge]===void 0&&(re[ge]={texture:i.createTexture(),usedTimes:0},o.memory.textures++,W=!0),re[ge].usedTimes++;let xe=re[C.__cacheKey];xe!==void 0&&
 (re[C.__cacheKey].usedTimes--,xe.usedTimes===0&&k(y)),C.__cacheKey=ge,C.__webglTexture=re[ge].texture}return W}function je(C,y,W){return Math.floor(Math.floor(C/
@@ -3214,11 +3214,11 @@ ne=t.getParameter(i.UNPACK_SKIP_PIXELS),de=t.getParameter(i.UNPACK_SKIP_ROWS);t.
 be=Math.floor(te.start/4),me=Math.ceil(te.count/4),ye=be%y.width,Ve=Math.floor(be/y.width),Ze=me,ae=1;t.pixelStorei(i.UNPACK_SKIP_PIXELS,ye),t.pixelStorei(i.UNPACK_SKIP_ROWS,
 Ve),t.texSubImage2D(i.TEXTURE_2D,0,ye,Ve,Ze,ae,W,ce,y.data)}C.clearUpdateRanges(),t.pixelStorei(i.UNPACK_ROW_LENGTH,ee),t.pixelStorei(i.UNPACK_SKIP_PIXELS,ne),t.
 pixelStorei(i.UNPACK_SKIP_ROWS,de)}}function Nt(C,y,W){let ce=i.TEXTURE_2D;(y.isDataArrayTexture||y.isCompressedArrayTexture)&&(ce=i.TEXTURE_2D_ARRAY),y.isData3DTexture&&
-(ce=i.TEXTURE_3D);let re=st(C,y),ge=y.source;t.bindTexture(ce,C.__webglTexture,i.TEXTURE0+W);let xe=n.get(ge);if(ge.version!==xe.__version||re===!0){if(t.activeTexture(
+(ce=i.TEXTURE_3D);let re=rt(C,y),ge=y.source;t.bindTexture(ce,C.__webglTexture,i.TEXTURE0+W);let xe=n.get(ge);if(ge.version!==xe.__version||re===!0){if(t.activeTexture(
 i.TEXTURE0+W),(typeof ImageBitmap<"u"&&y.image instanceof ImageBitmap)===!1){let ae=mt.getPrimaries(mt.workingColorSpace),Fe=y.colorSpace===rs?null:mt.getPrimaries(
 y.colorSpace),Je=y.colorSpace===rs||ae===Fe?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,y.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,
 y.premultiplyAlpha),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,Je)}t.pixelStorei(i.UNPACK_ALIGNMENT,y.unpackAlignment);let ne=v(y.image,!1,s.maxTextureSize);
-ne=ze(y,ne);let de=r.convert(y.format,y.colorSpace),U=r.convert(y.type),se=E(y.internalFormat,de,U,y.normalized,y.colorSpace,y.isVideoTexture);at(ce,y);let te,be=y.
+ne=ze(y,ne);let de=r.convert(y.format,y.colorSpace),U=r.convert(y.type),se=E(y.internalFormat,de,U,y.normalized,y.colorSpace,y.isVideoTexture);lt(ce,y);let te,be=y.
 mipmaps,me=y.isVideoTexture!==!0,ye=xe.__version===void 0||re===!0,Ve=ge.dataReady,Ze=T(y,ne);if(y.isDepthTexture)se=_(y.format===ss,y.type),ye&&(me?t.texStorage2D(
 i.TEXTURE_2D,1,se,ne.width,ne.height):t.texImage2D(i.TEXTURE_2D,0,se,ne.width,ne.height,0,de,U,null));else if(y.isDataTexture)if(be.length>0){me&&ye&&t.texStorage2D(
 i.TEXTURE_2D,Ze,se,be[0].width,be[0].height);for(let ae=0,Fe=be.length;ae<Fe;ae++)te=be[ae],me?Ve&&t.texSubImage2D(i.TEXTURE_2D,ae,0,0,te.width,te.height,de,U,te.
@@ -3247,13 +3247,13 @@ i.texParameteri(i.TEXTURE_2D,i.TEXTURE_WRAP_S,i.CLAMP_TO_EDGE),i.texParameteri(i
 be[0]);t.texStorage2D(i.TEXTURE_2D,Ze,se,ae.width,ae.height)}for(let ae=0,Fe=be.length;ae<Fe;ae++)te=be[ae],me?Ve&&t.texSubImage2D(i.TEXTURE_2D,ae,0,0,de,U,te):
 t.texImage2D(i.TEXTURE_2D,ae,se,de,U,te);y.generateMipmaps=!1}else if(me){if(ye){let ae=We(ne);t.texStorage2D(i.TEXTURE_2D,Ze,se,ae.width,ae.height)}Ve&&t.texSubImage2D(
 i.TEXTURE_2D,0,0,0,de,U,ne)}else t.texImage2D(i.TEXTURE_2D,0,se,de,U,ne);A(y)&&y.mipmapsAutoUpdate===!0&&M(ce),xe.__version=ge.version,y.onUpdate&&y.onUpdate(y)}
-C.__version=y.version}function Qt(C,y,W){if(y.image.length!==6)return;let ce=st(C,y),re=y.source;t.bindTexture(i.TEXTURE_CUBE_MAP,C.__webglTexture,i.TEXTURE0+W);
+C.__version=y.version}function Qt(C,y,W){if(y.image.length!==6)return;let ce=rt(C,y),re=y.source;t.bindTexture(i.TEXTURE_CUBE_MAP,C.__webglTexture,i.TEXTURE0+W);
 let ge=n.get(re);if(re.version!==ge.__version||ce===!0){t.activeTexture(i.TEXTURE0+W);let xe=mt.getPrimaries(mt.workingColorSpace),ee=y.colorSpace===rs?null:mt.
 getPrimaries(y.colorSpace),ne=y.colorSpace===rs||xe===ee?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,y.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,
 y.premultiplyAlpha),t.pixelStorei(i.UNPACK_ALIGNMENT,y.unpackAlignment),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,ne);let de=y.isCompressedTexture||y.image[0].
 isCompressedTexture,U=y.image[0]&&y.image[0].isDataTexture,se=[];for(let Ee=0;Ee<6;Ee++)!de&&!U?se[Ee]=v(y.image[Ee],!0,s.maxCubemapSize):se[Ee]=U?y.image[Ee].image:
 y.image[Ee],se[Ee]=ze(y,se[Ee]);let te=se[0],be=r.convert(y.format,y.colorSpace),me=r.convert(y.type),ye=E(y.internalFormat,be,me,y.normalized,y.colorSpace),Ve=y.
-isVideoTexture!==!0,Ze=ge.__version===void 0||ce===!0,ae=re.dataReady,Fe=T(y,te);at(i.TEXTURE_CUBE_MAP,y);let Je;if(y.isDepthTexture){if(ye=_(y.format===ss,y.type),
+isVideoTexture!==!0,Ze=ge.__version===void 0||ce===!0,ae=re.dataReady,Fe=T(y,te);lt(i.TEXTURE_CUBE_MAP,y);let Je;if(y.isDepthTexture){if(ye=_(y.format===ss,y.type),
 Ze)if(Ve)t.texStorage2D(i.TEXTURE_CUBE_MAP,1,ye,te.width,te.height);else for(let Ee=0;Ee<6;Ee++)t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ee,0,ye,te.width,te.height,
 0,be,me,null)}else if(de){Ve&&Ze&&t.texStorage2D(i.TEXTURE_CUBE_MAP,Fe,ye,te.width,te.height);for(let Ee=0;Ee<6;Ee++){Je=se[Ee].mipmaps;for(let it=0;it<Je.length;it++){
 let Ut=Je[it];y.format!==yi?be!==null?Ve?ae&&t.compressedTexSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ee,it,0,0,Ut.width,Ut.height,be,Ut.data):t.compressedTexImage2D(
@@ -3302,13 +3302,13 @@ W.__webglColorRenderbuffer=[],t.bindFramebuffer(i.FRAMEBUFFER,W.__webglMultisamp
 i.createRenderbuffer(),i.bindRenderbuffer(i.RENDERBUFFER,W.__webglColorRenderbuffer[ee]);let de=r.convert(ne.format,ne.colorSpace),U=r.convert(ne.type),se=E(ne.
 internalFormat,de,U,ne.normalized,ne.colorSpace,C.isXRRenderTarget===!0),te=nt(C);i.renderbufferStorageMultisample(i.RENDERBUFFER,te,se,C.width,C.height),i.framebufferRenderbuffer(
 i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+ee,i.RENDERBUFFER,W.__webglColorRenderbuffer[ee])}i.bindRenderbuffer(i.RENDERBUFFER,null),C.depthBuffer&&(W.__webglDepthRenderbuffer=
-i.createRenderbuffer(),mn(W.__webglDepthRenderbuffer,C,!0)),t.bindFramebuffer(i.FRAMEBUFFER,null)}}if(ge){t.bindTexture(i.TEXTURE_CUBE_MAP,ce.__webglTexture),at(
+i.createRenderbuffer(),mn(W.__webglDepthRenderbuffer,C,!0)),t.bindFramebuffer(i.FRAMEBUFFER,null)}}if(ge){t.bindTexture(i.TEXTURE_CUBE_MAP,ce.__webglTexture),lt(
 i.TEXTURE_CUBE_MAP,y);for(let ee=0;ee<6;ee++)if(y.mipmaps.length>0)for(let ne=0;ne<y.mipmaps.length;ne++)Rt(W.__webglFramebuffer[ee][ne],C,y,i.COLOR_ATTACHMENT0,
 i.TEXTURE_CUBE_MAP_POSITIVE_X+ee,ne);else Rt(W.__webglFramebuffer[ee],C,y,i.COLOR_ATTACHMENT0,i.TEXTURE_CUBE_MAP_POSITIVE_X+ee,0);A(y)?M(i.TEXTURE_CUBE_MAP):y.mipmaps.
 length>0&&i.texParameteri(i.TEXTURE_CUBE_MAP,i.TEXTURE_MAX_LEVEL,y.mipmaps.length-1),t.unbindTexture()}else if(xe){for(let ee=0,ne=re.length;ee<ne;ee++){let de=re[ee],
 U=n.get(de),se=i.TEXTURE_2D;(C.isWebGL3DRenderTarget||C.isWebGLArrayRenderTarget)&&(se=C.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(se,
-U.__webglTexture),at(se,de),Rt(W.__webglFramebuffer,C,de,i.COLOR_ATTACHMENT0+ee,se,0),A(de)&&M(se)}t.unbindTexture()}else{let ee=i.TEXTURE_2D;if((C.isWebGL3DRenderTarget||
-C.isWebGLArrayRenderTarget)&&(ee=C.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(ee,ce.__webglTexture),at(ee,y),y.mipmaps.length>0)for(let ne=0;ne<
+U.__webglTexture),lt(se,de),Rt(W.__webglFramebuffer,C,de,i.COLOR_ATTACHMENT0+ee,se,0),A(de)&&M(se)}t.unbindTexture()}else{let ee=i.TEXTURE_2D;if((C.isWebGL3DRenderTarget||
+C.isWebGLArrayRenderTarget)&&(ee=C.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(ee,ce.__webglTexture),lt(ee,y),y.mipmaps.length>0)for(let ne=0;ne<
 y.mipmaps.length;ne++)Rt(W.__webglFramebuffer[ne],C,y,i.COLOR_ATTACHMENT0,ee,ne);else Rt(W.__webglFramebuffer,C,y,i.COLOR_ATTACHMENT0,ee,0);A(y)?M(ee):y.mipmaps.
 length>0&&i.texParameteri(ee,i.TEXTURE_MAX_LEVEL,y.mipmaps.length-1),t.unbindTexture()}C.depthBuffer&&an(C)}function F(C){let y=C.textures;for(let W=0,ce=y.length;W<
 ce;W++){let re=y[W];if(A(re)&&re.mipmapsAutoUpdate===!0){let ge=P(C),xe=n.get(re).__webglTexture;t.bindTexture(ge,xe),M(ge),t.unbindTexture()}}}let Ce=[];function Xe(C){
@@ -3404,14 +3404,14 @@ j.isPerspectiveCamera&&(j.fov=tl*2*Math.atan(1/j.projectionMatrix.elements[5]),j
 null&&d===null))return l},this.setFoveation=function(j){l=j,h!==null&&(h.fixedFoveation=j),d!==null&&d.fixedFoveation!==void 0&&(d.fixedFoveation=j)},this.hasDepthSensing=
 function(){return p.texture!==null},this.getDepthSensingMesh=function(){return p.getMesh(H)},this.getCameraTexture=function(j){return m[j]};let ie=null;function ue(j,pe){
 if(u=pe.getViewerPose(c||o),x=pe,u!==null){let _e=u.views;d!==null&&(e.setRenderTargetFramebuffer(M,d.framebuffer),e.setRenderTarget(M));let Ae=!1;_e.length!==H.
-cameras.length&&(H.cameras.length=0,Ae=!0);for(let ke=0;ke<_e.length;ke++){let at=_e[ke],st=null;if(d!==null)st=d.getViewport(at);else{let Vt=f.getViewSubImage(
-h,at);st=Vt.viewport,ke===0&&(e.setRenderTargetTextures(M,Vt.colorTexture,Vt.depthStencilTexture),e.setRenderTarget(M))}let je=V[ke];je===void 0&&(je=new Nn,je.
-layers.enable(ke),je.viewport=new Ht,V[ke]=je),je.matrix.fromArray(at.transform.matrix),je.matrix.decompose(je.position,je.quaternion,je.scale),je.projectionMatrix.
-fromArray(at.projectionMatrix),je.projectionMatrixInverse.copy(je.projectionMatrix).invert(),je.viewport.set(st.x,st.y,st.width,st.height),ke===0&&(H.matrix.copy(
+cameras.length&&(H.cameras.length=0,Ae=!0);for(let ke=0;ke<_e.length;ke++){let lt=_e[ke],rt=null;if(d!==null)rt=d.getViewport(lt);else{let Vt=f.getViewSubImage(
+h,lt);rt=Vt.viewport,ke===0&&(e.setRenderTargetTextures(M,Vt.colorTexture,Vt.depthStencilTexture),e.setRenderTarget(M))}let je=V[ke];je===void 0&&(je=new Nn,je.
+layers.enable(ke),je.viewport=new Ht,V[ke]=je),je.matrix.fromArray(lt.transform.matrix),je.matrix.decompose(je.position,je.quaternion,je.scale),je.projectionMatrix.
+fromArray(lt.projectionMatrix),je.projectionMatrixInverse.copy(je.projectionMatrix).invert(),je.viewport.set(rt.x,rt.y,rt.width,rt.height),ke===0&&(H.matrix.copy(
 je.matrix),H.matrix.decompose(H.position,H.quaternion,H.scale)),Ae===!0&&H.cameras.push(je)}let Se=s.enabledFeatures;if(Se&&Se.includes("depth-sensing")&&s.depthUsage==
 "gpu-optimized"&&S){f=n.getBinding();let ke=f.getDepthInformation(_e[0]);ke&&ke.isValid&&ke.texture&&p.init(ke,s.renderState)}if(Se&&Se.includes("camera-access")&&
-S){e.state.unbindTexture(),f=n.getBinding();for(let ke=0;ke<_e.length;ke++){let at=_e[ke].camera;if(at){let st=m[at];st||(st=new Ro,m[at]=st);let je=f.getCameraImage(
-at);st.sourceTexture=je}}}}for(let _e=0;_e<P.length;_e++){let Ae=E[_e],Se=P[_e];Ae!==null&&Se!==void 0&&Se.update(Ae,pe,c||o)}ie&&ie(j,pe),pe.detectedPlanes&&n.
+S){e.state.unbindTexture(),f=n.getBinding();for(let ke=0;ke<_e.length;ke++){let lt=_e[ke].camera;if(lt){let rt=m[lt];rt||(rt=new Ro,m[lt]=rt);let je=f.getCameraImage(
+lt);rt.sourceTexture=je}}}}for(let _e=0;_e<P.length;_e++){let Ae=E[_e],Se=P[_e];Ae!==null&&Se!==void 0&&Se.update(Ae,pe,c||o)}ie&&ie(j,pe),pe.detectedPlanes&&n.
 dispatchEvent({type:"planesdetected",data:pe}),x=null}let he=new pm;he.setAnimationLoop(ue),this.setAnimationLoop=function(j){ie=j},this.dispose=function(){}}},
 dM=new Mt,wm=new Qe;wm.set(-1,0,0,0,1,0,0,0,1);function pM(i,e){function t(p,m){p.matrixAutoUpdate===!0&&p.updateMatrix(),m.value.copy(p.matrix)}function n(p,m){
 m.color.getRGB(p.fogColor.value,fu(i)),m.isFog?(p.fogNear.value=m.near,p.fogFar.value=m.far):m.isFogExp2&&(p.fogDensity.value=m.density)}function s(p,m,v,A,M){m.
@@ -3500,8 +3500,8 @@ u"&&n instanceof WebGLRenderingContext)throw new Error("THREE.WebGLRenderer: Web
 p=new Set([Ul,Nl,Dl]),m=new Set([Bn,xi,kr,Ws,Pl,Il]),v=new Uint32Array(4),A=new Int32Array(4),M={textures:[],min:[],max:[],resolution:[]},P=null,E=null,_=[],T=[],
 O=null;this.domElement=t,this.debug={checkShaderErrors:!0,diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=
 !0,this.autoClearStencil=!0,this.sortObjects=!0,this.clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=Ui,this.toneMappingExposure=1,this.transmissionResolutionScale=
-1;let D=this,L=!1,V=null,H=null,N=null,G=null;this._outputColorSpace=Zn;let J=0,k=0,le=null,$=-1,Q=null,ie=new Ht,ue=new Ht,he=null,j=new lt(0),pe=0,_e=t.width,
-Ae=t.height,Se=1,Ge=null,tt=null,ke=new Ht(0,0,_e,Ae),at=new Ht(0,0,_e,Ae),st=!1,je=new ys,Vt=new rl,Nt=!1,Qt=!1,Rt=new Mt,mn=new q,_t=new Ht,an={background:null,
+1;let D=this,L=!1,V=null,H=null,N=null,G=null;this._outputColorSpace=Zn;let J=0,k=0,le=null,$=-1,Q=null,ie=new Ht,ue=new Ht,he=null,j=new st(0),pe=0,_e=t.width,
+Ae=t.height,Se=1,Ge=null,tt=null,ke=new Ht(0,0,_e,Ae),lt=new Ht(0,0,_e,Ae),rt=!1,je=new ys,Vt=new rl,Nt=!1,Qt=!1,Rt=new Mt,mn=new q,_t=new Ht,an={background:null,
 fog:null,environment:null,overrideMaterial:null,isScene:!0},Xt=!1;function jt(){return le===null?Se:1}let F=n;function Ce(w,B){return t.getContext(w,B)}let Xe,nt,
 Me,It,ze,We,C,y,W,ce,re,ge,xe,ee,ne,de,U,se,te,be,me,ye,Ve;try{let w={alpha:!0,depth:s,stencil:r,antialias:a,premultipliedAlpha:l,preserveDrawingBuffer:c,powerPreference:u,
 failIfMajorPerformanceCaveat:f};if("setAttribute"in t&&t.setAttribute("data-engine","three.js r".concat("187")),t.addEventListener("webglcontextlost",Fe,!1),t.addEventListener(
@@ -3522,9 +3522,9 @@ this.setDrawingBufferSize=function(w,B,K){_e=w,Ae=B,Se=K,t.width=Math.floor(w*K)
 if(S===Bn){Ke("WebGLRenderer: setEffects() requires outputBufferType set to HalfFloatType or FloatType.");return}if(w){for(let B=0;B<w.length;B++)if(w[B].isOutputPass===
 !0){qe("WebGLRenderer: OutputPass is not needed in setEffects(). Tone mapping and color space conversion are applied automatically.");break}}O.setEffects(w||[])},
 this.getCurrentViewport=function(w){return w.copy(ie)},this.getViewport=function(w){return w.copy(ke)},this.setViewport=function(w,B,K,X){w.isVector4?ke.set(w.x,
-w.y,w.z,w.w):ke.set(w,B,K,X),Me.viewport(ie.copy(ke).multiplyScalar(jt()).round())},this.getScissor=function(w){return w.copy(at)},this.setScissor=function(w,B,K,X){
-w.isVector4?at.set(w.x,w.y,w.z,w.w):at.set(w,B,K,X),Me.scissor(ue.copy(at).multiplyScalar(jt()).round())},this.getScissorTest=function(){return st},this.setScissorTest=
-function(w){Me.setScissorTest(st=w)},this.setOpaqueSort=function(w){Ge=w},this.setTransparentSort=function(w){tt=w},this.getClearColor=function(w){return w.copy(
+w.y,w.z,w.w):ke.set(w,B,K,X),Me.viewport(ie.copy(ke).multiplyScalar(jt()).round())},this.getScissor=function(w){return w.copy(lt)},this.setScissor=function(w,B,K,X){
+w.isVector4?lt.set(w.x,w.y,w.z,w.w):lt.set(w,B,K,X),Me.scissor(ue.copy(lt).multiplyScalar(jt()).round())},this.getScissorTest=function(){return rt},this.setScissorTest=
+function(w){Me.setScissorTest(rt=w)},this.setOpaqueSort=function(w){Ge=w},this.setTransparentSort=function(w){tt=w},this.getClearColor=function(w){return w.copy(
 U.getClearColor())},this.setClearColor=function(){U.setClearColor(...arguments)},this.getClearAlpha=function(){return U.getClearAlpha()},this.setClearAlpha=function(){
 U.setClearAlpha(...arguments)},this.clear=function(w=!0,B=!0,K=!0){let X=0;if(w){let Y=!1;if(le!==null){let we=le.texture.format;Y=p.has(we)}if(Y){let we=le.texture.
 type,Re=m.has(we),Te=U.getClearColor(),Pe=U.getClearAlpha(),Be=Te.r,$e=Te.g,ct=Te.b;Re?(v[0]=Be,v[1]=$e,v[2]=ct,v[3]=Pe,F.clearBufferuiv(F.COLOR,0,v)):(A[0]=Be,
@@ -3625,25 +3625,25 @@ Ne.instancingColor===!1&&Y.instanceColor!==null||Y.isInstancedMesh&&Ne.instancin
 Y.morphTexture!==null||Ne.envMap!==Be||X.fog===!0&&Ne.fog!==we||Ne.numClippingPlanes!==void 0&&(Ne.numClippingPlanes!==ne.numPlanes||Ne.numIntersection!==ne.numIntersection)||
 Ne.vertexAlphas!==$e||Ne.vertexTangents!==ct||Ne.morphTargets!==Oe||Ne.morphNormals!==ht||Ne.morphColors!==Wt||Ne.morphTargetsCount!==ln||Ne.numLightProbeGrids!==
 Kt(E.state.lightProbeGridArray)?dt=!0:(Ne.outputColorSpace!==Te||Ne.toneMapping!==At)&&(ki=!0):(dt=!0,Ne.__version=X.version);let tn=Ne.currentProgram;(dt===!0||
-ki===!0)&&(tn=ki===!0?zn(X,B,Y,Te,At):Mi(X,B,Y),V&&X.isNodeMaterial&&V.onUpdateProgram(X,tn,Ne));let Js=!1,bi=!1,Vi=!1,rt=tn.getUniforms(),Yt=Ne.uniforms;if(Me.
+ki===!0)&&(tn=ki===!0?zn(X,B,Y,Te,At):Mi(X,B,Y),V&&X.isNodeMaterial&&V.onUpdateProgram(X,tn,Ne));let Js=!1,bi=!1,Vi=!1,ot=tn.getUniforms(),Yt=Ne.uniforms;if(Me.
 useProgram(tn.program)&&(Js=!0,bi=!0,Vi=!0),X.id!==$&&($=X.id,bi=!0),Js||Q!==w){Me.buffers.depth.getReversed()&&w.reversedDepth!==!0&&(w._reversedDepth=!0,w.updateProjectionMatrix()),
-rt.setValue(F,"projectionMatrix",w.projectionMatrix),rt.setValue(F,"viewMatrix",w.matrixWorldInverse);let nn=rt.map.cameraPosition;nn!==void 0&&nn.setValue(F,mn.
-setFromMatrixPosition(w.matrixWorld)),nt.logarithmicDepthBuffer&&rt.setValue(F,"logDepthBufFC",2/(Math.log(w.far+1)/Math.LN2)),(X.isMeshPhongMaterial||X.isMeshToonMaterial||
-X.isMeshLambertMaterial||X.isMeshBasicMaterial||X.isMeshStandardMaterial||X.isShaderMaterial)&&rt.setValue(F,"isOrthographic",w.isOrthographicCamera===!0),Q!==w&&
-(Q=w,bi=!0,Vi=!0)}if(Ne.needsLights&&(en.state.sunShadowMap.length>0&&rt.setValue(F,"sunShadowMap",en.state.sunShadowMap,We),en.state.directionalShadowMap.length>
-0&&rt.setValue(F,"directionalShadowMap",en.state.directionalShadowMap,We),en.state.spotShadowMap.length>0&&rt.setValue(F,"spotShadowMap",en.state.spotShadowMap,
-We),en.state.pointShadowMap.length>0&&rt.setValue(F,"pointShadowMap",en.state.pointShadowMap,We)),Y.isSkinnedMesh){rt.setOptional(F,Y,"bindMatrix"),rt.setOptional(
-F,Y,"bindMatrixInverse");let Ct=Y.skeleton;Ct&&(Ct.boneTexture===null&&Ct.computeBoneTexture(),rt.setValue(F,"boneTexture",Ct.boneTexture,We))}Y.isBatchedMesh&&
-(rt.setOptional(F,Y,"batchingTexture"),rt.setValue(F,"batchingTexture",Y._matricesTexture,We),rt.setOptional(F,Y,"batchingIdTexture"),rt.setValue(F,"batchingIdT\
-exture",Y._indirectTexture,We),rt.setOptional(F,Y,"batchingColorTexture"),Y._colorsTexture!==null&&rt.setValue(F,"batchingColorTexture",Y._colorsTexture,We));let Rn=K.
+ot.setValue(F,"projectionMatrix",w.projectionMatrix),ot.setValue(F,"viewMatrix",w.matrixWorldInverse);let nn=ot.map.cameraPosition;nn!==void 0&&nn.setValue(F,mn.
+setFromMatrixPosition(w.matrixWorld)),nt.logarithmicDepthBuffer&&ot.setValue(F,"logDepthBufFC",2/(Math.log(w.far+1)/Math.LN2)),(X.isMeshPhongMaterial||X.isMeshToonMaterial||
+X.isMeshLambertMaterial||X.isMeshBasicMaterial||X.isMeshStandardMaterial||X.isShaderMaterial)&&ot.setValue(F,"isOrthographic",w.isOrthographicCamera===!0),Q!==w&&
+(Q=w,bi=!0,Vi=!0)}if(Ne.needsLights&&(en.state.sunShadowMap.length>0&&ot.setValue(F,"sunShadowMap",en.state.sunShadowMap,We),en.state.directionalShadowMap.length>
+0&&ot.setValue(F,"directionalShadowMap",en.state.directionalShadowMap,We),en.state.spotShadowMap.length>0&&ot.setValue(F,"spotShadowMap",en.state.spotShadowMap,
+We),en.state.pointShadowMap.length>0&&ot.setValue(F,"pointShadowMap",en.state.pointShadowMap,We)),Y.isSkinnedMesh){ot.setOptional(F,Y,"bindMatrix"),ot.setOptional(
+F,Y,"bindMatrixInverse");let Ct=Y.skeleton;Ct&&(Ct.boneTexture===null&&Ct.computeBoneTexture(),ot.setValue(F,"boneTexture",Ct.boneTexture,We))}Y.isBatchedMesh&&
+(ot.setOptional(F,Y,"batchingTexture"),ot.setValue(F,"batchingTexture",Y._matricesTexture,We),ot.setOptional(F,Y,"batchingIdTexture"),ot.setValue(F,"batchingIdT\
+exture",Y._indirectTexture,We),ot.setOptional(F,Y,"batchingColorTexture"),Y._colorsTexture!==null&&ot.setValue(F,"batchingColorTexture",Y._colorsTexture,We));let Rn=K.
 morphAttributes;if((Rn.position!==void 0||Rn.normal!==void 0||Rn.color!==void 0)&&se.update(Y,K,tn),(bi||Ne.receiveShadow!==Y.receiveShadow)&&(Ne.receiveShadow=
-Y.receiveShadow,rt.setValue(F,"receiveShadow",Y.receiveShadow)),(X.isMeshStandardMaterial||X.isMeshLambertMaterial||X.isMeshPhongMaterial)&&X.envMap===null&&B.environment!==
-null&&(Yt.envMapIntensity.value=B.environmentIntensity),Yt.dfgLUT!==void 0&&(Yt.dfgLUT.value=_M()),bi){if(rt.setValue(F,"toneMappingExposure",D.toneMappingExposure),
+Y.receiveShadow,ot.setValue(F,"receiveShadow",Y.receiveShadow)),(X.isMeshStandardMaterial||X.isMeshLambertMaterial||X.isMeshPhongMaterial)&&X.envMap===null&&B.environment!==
+null&&(Yt.envMapIntensity.value=B.environmentIntensity),Yt.dfgLUT!==void 0&&(Yt.dfgLUT.value=_M()),bi){if(ot.setValue(F,"toneMappingExposure",D.toneMappingExposure),
 Ne.needsLights&&Ys(Yt,Vi),we&&X.fog===!0&&ge.refreshFogUniforms(Yt,we),ge.refreshMaterialUniforms(Yt,X,Se,Ae,E.state.transmissionRenderTarget[w.id]),Ne.needsLights&&
 Ne.numLightProbeGrids>0){let Ct=M,nn=0;for(let bn of E.state.lightProbeGridArray)bn.texture!==null&&(Ct.textures[nn]=bn.texture,Ct.min[nn]=bn.boundingBox.min,Ct.
 max[nn]=bn.boundingBox.max,Ct.resolution[nn]=bn.resolution,nn++);for(let bn in Ct)Ct[bn].length=nn;Yt.probesSH.value=Ct.textures,Yt.probesMin.value=Ct.min,Yt.probesMax.
 value=Ct.max,Yt.probesResolution.value=Ct.resolution}Vr.upload(F,os(Ne),Yt,We)}if(X.isShaderMaterial&&X.uniformsNeedUpdate===!0&&(Vr.upload(F,os(Ne),Yt,We),X.uniformsNeedUpdate=
-!1),X.isSpriteMaterial&&rt.setValue(F,"center",Y.center),rt.setValue(F,"modelViewMatrix",Y.modelViewMatrix),rt.setValue(F,"normalMatrix",Y.normalMatrix),rt.setValue(
+!1),X.isSpriteMaterial&&ot.setValue(F,"center",Y.center),ot.setValue(F,"modelViewMatrix",Y.modelViewMatrix),ot.setValue(F,"normalMatrix",Y.normalMatrix),ot.setValue(
 F,"modelMatrix",Y.matrixWorld),X.uniformsGroups!==void 0){let Ct=X.uniformsGroups;for(let nn=0,bn=Ct.length;nn<bn;nn++){let ta=Ct[nn];Ve.update(ta,tn),Ve.bind(ta,
 tn)}}return tn}function Ys(w,B){w.ambientLightColor.needsUpdate=B,w.lightProbe.needsUpdate=B,w.sunLights.needsUpdate=B,w.sunLightShadows.needsUpdate=B,w.directionalLights.
 needsUpdate=B,w.directionalLightShadows.needsUpdate=B,w.pointLights.needsUpdate=B,w.pointLightShadows.needsUpdate=B,w.spotLights.needsUpdate=B,w.spotLightShadows.
@@ -3659,7 +3659,7 @@ __webglTexture);else if(w.depthBuffer){let $e=w.depthTexture;if(Te.__boundDepthT
 image.height))throw new Error("THREE.WebGLRenderer: Attached DepthTexture is initialized to the incorrect size.");We.setupDepthRenderbuffer(w)}}let Pe=w.texture;
 (Pe.isData3DTexture||Pe.isDataArrayTexture||Pe.isCompressedArrayTexture)&&(we=!0);let Be=ze.get(w).__webglFramebuffer;w.isWebGLCubeRenderTarget?(Array.isArray(Be[B])?
 X=Be[B][K]:X=Be[B],Y=!0):w.samples>0&&We.useMultisampledRTT(w)===!1?X=ze.get(w).__webglMultisampledFramebuffer:Array.isArray(Be)?X=Be[K]:X=Be,ie.copy(w.viewport),
-ue.copy(w.scissor),he=w.scissorTest}else ie.copy(ke).multiplyScalar(Se).floor(),ue.copy(at).multiplyScalar(Se).floor(),he=st;if(K!==0&&(X=H),Me.bindFramebuffer(
+ue.copy(w.scissor),he=w.scissorTest}else ie.copy(ke).multiplyScalar(Se).floor(),ue.copy(lt).multiplyScalar(Se).floor(),he=rt;if(K!==0&&(X=H),Me.bindFramebuffer(
 F.FRAMEBUFFER,X)&&Me.drawBuffers(w,X),Me.viewport(ie),Me.scissor(ue),Me.setScissorTest(he),Y){let Te=ze.get(w.texture);F.framebufferTexture2D(F.FRAMEBUFFER,F.COLOR_ATTACHMENT0,
 F.TEXTURE_CUBE_MAP_POSITIVE_X+B,Te.__webglTexture,K)}else if(we){let Te=B;for(let Pe=0;Pe<w.textures.length;Pe++){let Be=ze.get(w.textures[Pe]);F.framebufferTextureLayer(
 F.FRAMEBUFFER,F.COLOR_ATTACHMENT0+Pe,Be.__webglTexture,K,Te)}}else if(w!==null&&K!==0){let Te=ze.get(w.texture);F.framebufferTexture2D(F.FRAMEBUFFER,F.COLOR_ATTACHMENT0,
@@ -3682,20 +3682,20 @@ F.bindBuffer(F.PIXEL_PACK_BUFFER,ht),F.getBufferSubData(F.PIXEL_PACK_BUFFER,0,we
 throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: requested read bounds are out of range.")},this.copyFramebufferToTexture=function(w,B=null,K=0){
 let X=Math.pow(2,-K),Y=Math.floor(w.image.width*X),we=Math.floor(w.image.height*X),Re=B!==null?B.x:0,Te=B!==null?B.y:0;We.setTexture2D(w,0),F.copyTexSubImage2D(
 F.TEXTURE_2D,K,0,0,Re,Te,Y,we),Me.unbindTexture()},this.copyTextureToTexture=function(w,B,K=null,X=null,Y=0,we=0){let Re,Te,Pe,Be,$e,ct,Oe,ht,Wt,At=w.isCompressedTexture?
-w.mipmaps[we]:w.image;if(K!==null)Re=K.max.x-K.min.x,Te=K.max.y-K.min.y,Pe=K.isBox3?K.max.z-K.min.z:1,Be=K.min.x,$e=K.min.y,ct=K.isBox3?K.min.z:0;else{let rt=Math.
-pow(2,-Y);Re=Math.floor(At.width*rt),Te=Math.floor(At.height*rt),w.isDataArrayTexture?Pe=At.depth:w.isData3DTexture?Pe=Math.floor(At.depth*rt):Pe=1,Be=0,$e=0,ct=
+w.mipmaps[we]:w.image;if(K!==null)Re=K.max.x-K.min.x,Te=K.max.y-K.min.y,Pe=K.isBox3?K.max.z-K.min.z:1,Be=K.min.x,$e=K.min.y,ct=K.isBox3?K.min.z:0;else{let ot=Math.
+pow(2,-Y);Re=Math.floor(At.width*ot),Te=Math.floor(At.height*ot),w.isDataArrayTexture?Pe=At.depth:w.isData3DTexture?Pe=Math.floor(At.depth*ot):Pe=1,Be=0,$e=0,ct=
 0}X!==null?(Oe=X.x,ht=X.y,Wt=X.z):(Oe=0,ht=0,Wt=0);let Et=me.convert(B.format),ln=me.convert(B.type),Ne;B.isData3DTexture?(We.setTexture3D(B,0),Ne=F.TEXTURE_3D):
 B.isDataArrayTexture||B.isCompressedArrayTexture?(We.setTexture2DArray(B,0),Ne=F.TEXTURE_2D_ARRAY):(We.setTexture2D(B,0),Ne=F.TEXTURE_2D),Me.activeTexture(F.TEXTURE0),
 Me.pixelStorei(F.UNPACK_FLIP_Y_WEBGL,B.flipY),Me.pixelStorei(F.UNPACK_PREMULTIPLY_ALPHA_WEBGL,B.premultiplyAlpha),Me.pixelStorei(F.UNPACK_ALIGNMENT,B.unpackAlignment);
 let en=Me.getParameter(F.UNPACK_ROW_LENGTH),dt=Me.getParameter(F.UNPACK_IMAGE_HEIGHT),ki=Me.getParameter(F.UNPACK_SKIP_PIXELS),tn=Me.getParameter(F.UNPACK_SKIP_ROWS),
 Js=Me.getParameter(F.UNPACK_SKIP_IMAGES);Me.pixelStorei(F.UNPACK_ROW_LENGTH,At.width),Me.pixelStorei(F.UNPACK_IMAGE_HEIGHT,At.height),Me.pixelStorei(F.UNPACK_SKIP_PIXELS,
 Be),Me.pixelStorei(F.UNPACK_SKIP_ROWS,$e),Me.pixelStorei(F.UNPACK_SKIP_IMAGES,ct);let bi=w.isDataArrayTexture||w.isData3DTexture,Vi=B.isDataArrayTexture||B.isData3DTexture;
-if(w.isDepthTexture){let rt=ze.get(w),Yt=ze.get(B),Rn=ze.get(rt.__renderTarget),Ct=ze.get(Yt.__renderTarget);Me.bindFramebuffer(F.READ_FRAMEBUFFER,Rn.__webglFramebuffer),
+if(w.isDepthTexture){let ot=ze.get(w),Yt=ze.get(B),Rn=ze.get(ot.__renderTarget),Ct=ze.get(Yt.__renderTarget);Me.bindFramebuffer(F.READ_FRAMEBUFFER,Rn.__webglFramebuffer),
 Me.bindFramebuffer(F.DRAW_FRAMEBUFFER,Ct.__webglFramebuffer);for(let nn=0;nn<Pe;nn++)bi&&(F.framebufferTextureLayer(F.READ_FRAMEBUFFER,F.COLOR_ATTACHMENT0,ze.get(
 w).__webglTexture,Y,ct+nn),F.framebufferTextureLayer(F.DRAW_FRAMEBUFFER,F.COLOR_ATTACHMENT0,ze.get(B).__webglTexture,we,Wt+nn)),F.blitFramebuffer(Be,$e,Be+Re,$e+
 Te,Oe,ht,Oe+Re,ht+Te,F.DEPTH_BUFFER_BIT,F.NEAREST);Me.bindFramebuffer(F.READ_FRAMEBUFFER,null),Me.bindFramebuffer(F.DRAW_FRAMEBUFFER,null)}else if(Y!==0||w.isRenderTargetTexture||
-ze.has(w)){let rt=ze.get(w),Yt=ze.get(B);Me.bindFramebuffer(F.READ_FRAMEBUFFER,N),Me.bindFramebuffer(F.DRAW_FRAMEBUFFER,G);for(let Rn=0;Rn<Pe;Rn++)bi?F.framebufferTextureLayer(
-F.READ_FRAMEBUFFER,F.COLOR_ATTACHMENT0,rt.__webglTexture,Y,ct+Rn):F.framebufferTexture2D(F.READ_FRAMEBUFFER,F.COLOR_ATTACHMENT0,F.TEXTURE_2D,rt.__webglTexture,Y),
+ze.has(w)){let ot=ze.get(w),Yt=ze.get(B);Me.bindFramebuffer(F.READ_FRAMEBUFFER,N),Me.bindFramebuffer(F.DRAW_FRAMEBUFFER,G);for(let Rn=0;Rn<Pe;Rn++)bi?F.framebufferTextureLayer(
+F.READ_FRAMEBUFFER,F.COLOR_ATTACHMENT0,ot.__webglTexture,Y,ct+Rn):F.framebufferTexture2D(F.READ_FRAMEBUFFER,F.COLOR_ATTACHMENT0,F.TEXTURE_2D,ot.__webglTexture,Y),
 Vi?F.framebufferTextureLayer(F.DRAW_FRAMEBUFFER,F.COLOR_ATTACHMENT0,Yt.__webglTexture,we,Wt+Rn):F.framebufferTexture2D(F.DRAW_FRAMEBUFFER,F.COLOR_ATTACHMENT0,F.
 TEXTURE_2D,Yt.__webglTexture,we),Y!==0?F.blitFramebuffer(Be,$e,Be+Re,$e+Te,Oe,ht,Oe+Re,ht+Te,F.COLOR_BUFFER_BIT,F.NEAREST):Vi?F.copyTexSubImage3D(Ne,we,Oe,ht,Wt+
 Rn,Be,$e,Re,Te):F.copyTexSubImage2D(Ne,we,Oe,ht,Be,$e,Re,Te);Me.bindFramebuffer(F.READ_FRAMEBUFFER,null),Me.bindFramebuffer(F.DRAW_FRAMEBUFFER,null)}else Vi?w.isDataTexture||
@@ -3715,20 +3715,20 @@ n=[...i.frames.actual_mm,...i.frames.expected_mm].filter(r=>r!==null);["x","y","
 clone().add(t).divideScalar(2),radius:e.distanceTo(t)/2+Math.min(s,4)}}function Au(i,e){let t=new Kn().setFromPoints(i),n=new Ur(t,e);return n.frustumCulled=!1,
 e.isLineDashedMaterial&&n.computeLineDistances(),n}function Am(i,e,t){let n=i.bodies.id.map((o,a)=>Math.max(...t.map(l=>l[a]??0))),s=n.map((o,a)=>a).sort((o,a)=>n[a]-
 n[o]).slice(0,vM),r=[];for(let o of s)for(let a=1;a<e.length;++a){let l=Hr(e[a-1],o),c=Hr(e[a],o);l&&c&&r.push(l,c)}return r}function MM(i,e,t){let n=e.bodies.id.
-length,s=new Nr(new Ss,new Lo({color:t.actual}),n),r=new Nr(new Po(.5),new Dr({color:t.expected,wireframe:!0,depthTest:!1}),n);for(let o of[s,r])o.frustumCulled=
-!1;return r.renderOrder=2,i.add(s,r),{boxes:s,marks:r}}function Em(i,e,t){let n=new gc({canvas:i,antialias:!0,alpha:!0});n.setPixelRatio(Math.min(devicePixelRatio,
-2));let{centre:s,radius:r}=SM(e),o=new So,a=new Nn(Tm,1,r/100,r*100);a.up.set(0,0,1);let l=new Bo("#ffffff",2.4);l.position.set(.4,-.7,1);let c=new ko(4*r,20,t.
-line,t.line);c.rotation.x=Math.PI/2,c.position.set(s.x,s.y,0),o.add(new zo("#ffffff",.9),l,c);let u=Eu(e),f=yM(e,u),{boxes:h,marks:d}=MM(o,e,t),x=r/40;o.add(Au(
-Am(e,e.frames.actual_mm,u),new ts({color:t.actual})),Au(Am(e,e.frames.expected_mm,u),new Do({color:t.expected,dashSize:x,gapSize:.7*x})));let S=Au(e.bodies.id.flatMap(
-()=>[new q,new q]),new ts({color:t.bad,depthTest:!1}));S.renderOrder=1,o.add(S);let p={around:-.9,up:.45,distance:r/Math.sin(Tm/2*Math.PI/180)},m=()=>{let v=Math.
-cos(p.up)*p.distance;a.position.set(s.x+v*Math.cos(p.around),s.y+v*Math.sin(p.around),s.z+p.distance*Math.sin(p.up)),a.lookAt(s),n.render(o,a)};return{view:p,draw:m,
-show(v){bM(e,{apart:u[v],limits:f},v,{boxes:h,marks:d,links:S}),m()},turn(v,A){p.around+=v,p.up=Math.min(1.55,Math.max(-.3,p.up+A)),m()},zoom(v){p.distance=Math.
-min(20*r,Math.max(r/10,p.distance*v)),m()},resize(v,A){n.setSize(v,A,!1),a.aspect=v/A,a.updateProjectionMatrix(),m()},dispose(){o.traverse(v=>{v.geometry?.dispose(),
-v.material?.dispose()}),n.dispose(),n.forceContextLoss()}}}function bM(i,{apart:e,limits:t},n,{boxes:s,marks:r,links:o}){let{actual_mm:a,actual_turn:l,expected_mm:c}=i.
-frames,u=o.geometry.getAttribute("position"),f=new Mt,h=new Mt().makeScale(0,0,0),d=new Jn;i.bodies.id.forEach((x,S)=>{let p=new q().fromArray(i.bodies.size,3*S);
-p.x===0&&p.setScalar(.1);let m=Hr(a[n],S),v=Hr(c[n],S),[A,M,P,E]=l[n].slice(4*S,4*S+4);s.setMatrixAt(S,m?f.compose(m,new Jn(M,P,E,A),p):h);let _=v&&!(e[S]!==null&&
-e[S]<=t[S]),T=Math.min(p.x,p.y,p.z);r.setMatrixAt(S,_?f.compose(v,d,p.setScalar(T)):h);let O=_&&m;u.setXYZ(2*S,...O?m:new q),u.setXYZ(2*S+1,...O?v:new q)});for(let x of[
-s,r])x.instanceMatrix.needsUpdate=!0;u.needsUpdate=!0}var wM=150,yc=.12,Cm=.008,Cu=(i,e)=>{let t=wt("span",{className:"key"});return t.innerHTML='<svg viewBox="0 0 36 16" aria-hidden="true" fill="none" stroke-width\
+length,s=new Nr(new Ss,new Lo,n);for(let o=0;o<n;++o)s.setColorAt(o,new st(t.actual).offsetHSL(0,0,.035*(o%5-2)));let r=new Nr(new Po(.5),new Dr({color:t.expected,
+wireframe:!0,depthTest:!1}),n);for(let o of[s,r])o.frustumCulled=!1;return r.renderOrder=2,i.add(s,r),{boxes:s,marks:r}}function Em(i,e,t){let n=new gc({canvas:i,
+antialias:!0,alpha:!0});n.setPixelRatio(Math.min(devicePixelRatio,2));let{centre:s,radius:r}=SM(e),o=new So,a=new Nn(Tm,1,r/100,r*100);a.up.set(0,0,1);let l=new Bo(
+"#ffffff",2.4);l.position.set(.4,-.7,1);let c=new ko(4*r,20,t.line,t.line);c.rotation.x=Math.PI/2,c.position.set(s.x,s.y,0),o.add(new zo("#ffffff",.9),l,c);let u=Eu(
+e),f=yM(e,u),{boxes:h,marks:d}=MM(o,e,t),x=r/40;o.add(Au(Am(e,e.frames.actual_mm,u),new ts({color:t.actual})),Au(Am(e,e.frames.expected_mm,u),new Do({color:t.expected,
+dashSize:x,gapSize:.7*x})));let S=Au(e.bodies.id.flatMap(()=>[new q,new q]),new ts({color:t.bad,depthTest:!1}));S.renderOrder=1,o.add(S);let p={around:-.9,up:.45,
+distance:r/Math.sin(Tm/2*Math.PI/180)},m=()=>{let v=Math.cos(p.up)*p.distance;a.position.set(s.x+v*Math.cos(p.around),s.y+v*Math.sin(p.around),s.z+p.distance*Math.
+sin(p.up)),a.lookAt(s),n.render(o,a)};return{view:p,draw:m,show(v){bM(e,{apart:u[v],limits:f},v,{boxes:h,marks:d,links:S}),m()},turn(v,A){p.around+=v,p.up=Math.
+min(1.55,Math.max(-.3,p.up+A)),m()},zoom(v){p.distance=Math.min(20*r,Math.max(r/10,p.distance*v)),m()},resize(v,A){n.setSize(v,A,!1),a.aspect=v/A,a.updateProjectionMatrix(),
+m()},dispose(){o.traverse(v=>{v.geometry?.dispose(),v.material?.dispose()}),n.dispose(),n.forceContextLoss()}}}function bM(i,{apart:e,limits:t},n,{boxes:s,marks:r,
+links:o}){let{actual_mm:a,actual_turn:l,expected_mm:c}=i.frames,u=o.geometry.getAttribute("position"),f=new Mt,h=new Mt().makeScale(0,0,0),d=new Jn;i.bodies.id.
+forEach((x,S)=>{let p=new q().fromArray(i.bodies.size,3*S);p.x===0&&p.setScalar(.1);let m=Hr(a[n],S),v=Hr(c[n],S),[A,M,P,E]=l[n].slice(4*S,4*S+4);s.setMatrixAt(
+S,m?f.compose(m,new Jn(M,P,E,A),p):h);let _=v&&!(e[S]!==null&&e[S]<=t[S]),T=Math.min(p.x,p.y,p.z);r.setMatrixAt(S,_?f.compose(v,d,p.setScalar(T)):h);let O=_&&m;
+u.setXYZ(2*S,...O?m:new q),u.setXYZ(2*S+1,...O?v:new q)});for(let x of[s,r])x.instanceMatrix.needsUpdate=!0;u.needsUpdate=!0}var wM=150,yc=.12,Cm=.008,Cu=(i,e)=>{let t=wt("span",{className:"key"});return t.innerHTML='<svg viewBox="0 0 36 16" aria-hidden="true" fill="none" stroke-width\
 ="2">'.concat(i,"</svg>"),t.append(e),t};function TM(){return wt("p",{},Cu('<path d="M0 8H36" stroke="var(--actual)"/><rect x="12" y="2" width="12" height="12" \
 fill="var(--actual)"/>',"this run"),Cu('<path d="M0 8H36" stroke="var(--expected)" stroke-dasharray="5 4"/>\n      <path d="M18 1l7 7-7 7-7-7z" stroke="var(--exp\
 ected)"/>',"expected, where that can be told apart"),Cu('<path d="M0 8H36" stroke="var(--bad)"/>',"from one to the other"))}function AM(i,e,t){let n=e[t].map((a,l)=>({

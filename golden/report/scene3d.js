@@ -1,7 +1,7 @@
 // The bodies of one case in three dimensions: boxes where this run has them, diamonds where they were expected, and
 // the ways of those that went furthest astray. Knows three.js and nothing of the page.
 import {
-  AmbientLight, BoxGeometry, BufferGeometry, DirectionalLight, GridHelper, InstancedMesh,
+  AmbientLight, BoxGeometry, BufferGeometry, Color, DirectionalLight, GridHelper, InstancedMesh,
   LineBasicMaterial, LineDashedMaterial, LineSegments, Matrix4, MeshBasicMaterial, MeshLambertMaterial,
   OctahedronGeometry, PerspectiveCamera, Quaternion, Scene, Vector3, WebGLRenderer,
 } from "three";
@@ -73,7 +73,9 @@ function ways_of(data, rows, apart) {
 
 function add_boxes(scene, data, hue) {
   const count = data.bodies.id.length;
-  const boxes = new InstancedMesh(new BoxGeometry(), new MeshLambertMaterial({ color: hue.actual }), count);
+  const boxes = new InstancedMesh(new BoxGeometry(), new MeshLambertMaterial(), count);
+  // Five shades, so that a brick can be told from its neighbours.
+  for (let i = 0; i < count; ++i) boxes.setColorAt(i, new Color(hue.actual).offsetHSL(0, 0, 0.035 * (i % 5 - 2)));
   const marks = new InstancedMesh(new OctahedronGeometry(0.5),
     new MeshBasicMaterial({ color: hue.expected, wireframe: true, depthTest: false }), count);
   for (const mesh of [boxes, marks]) mesh.frustumCulled = false;
