@@ -21,12 +21,12 @@ or-x { border-right: 1px dashed var(--soft); }\n.uplot .u-select { background: c
 ntrols input[type="range"] { flex: 1 1 12rem; min-width: 0; accent-color: var(--actual); }\n.controls button { padding: .25rem .8rem; border: 1px solid var(--sof\
 t); border-radius: .4rem; background: var(--panel);\n  color: var(--ink); font: inherit; cursor: pointer; }\n.controls button[aria-pressed="true"] { border-width:\
  2px; font-weight: 600; }\n.controls :focus-visible, .view3d canvas:focus-visible { outline: 3px solid #3b82f6; outline-offset: 2px; }\n.controls output { flex: 1\
- 1 100%; font-variant-numeric: tabular-nums; }\n.key { display: inline-flex; align-items: center; gap: .35rem; margin-right: 1rem; white-space: nowrap; }\n.key sv\
-g { width: 2.2rem; height: 1rem; }\n.viewer { flex: 0 0 100%; min-width: 0; }\n.viewer .stack, .viewer .controls { max-width: 46rem; }\n.viewer .stack { position: \
-relative; border: 1px solid var(--line); }\n.viewer .stack img { display: block; width: 100%; max-width: none; image-rendering: pixelated; }\n.viewer .stack .over\
- { position: absolute; inset: 0; }\n.viewer .stack .edge { position: absolute; top: 0; bottom: 0; width: 2px; margin-left: -1px; background: #fff;\n  box-shadow: \
-0 0 0 1px #000; }\n.viewer .tag { position: absolute; top: .4rem; left: .4rem; padding: 0 .5rem; border-radius: .3rem; background: #000b;\n  color: #fff; font-siz\
-e: .82rem; }\n.viewer .tag.right { left: auto; right: .4rem; }\n.viewer .stack [hidden] { display: none; }\n';var qm="uplot",Ym="u-hz",Zm="u-vt",Jm="u-title",$m="u-wrap",Km="u-under",Qm="u-over",jm="u-axis",Ls="u-off",eg="u-select",tg="u-cursor-x",ng="u-cursor-y",ig="u-\
+ 1 100%; font-variant-numeric: tabular-nums; }\n.key { display: inline-flex; align-items: center; gap: .35rem; margin-right: 1rem; }\n.key svg { flex: none; width\
+: 2.2rem; height: 1rem; }\n.viewer { flex: 0 0 100%; min-width: 0; }\n.viewer .stack, .viewer .controls { max-width: 46rem; }\n.viewer .stack { position: relative;\
+ border: 1px solid var(--line); }\n.viewer .stack img { display: block; width: 100%; max-width: none; image-rendering: pixelated; }\n.viewer .stack .over { positi\
+on: absolute; inset: 0; }\n.viewer .stack .edge { position: absolute; top: 0; bottom: 0; width: 2px; margin-left: -1px; background: #fff;\n  box-shadow: 0 0 0 1px\
+ #000; }\n.viewer .tag { position: absolute; top: .4rem; left: .4rem; padding: 0 .5rem; border-radius: .3rem; background: #000b;\n  color: #fff; font-size: .82rem\
+; }\n.viewer .tag.right { left: auto; right: .4rem; }\n.viewer .stack [hidden] { display: none; }\n';var qm="uplot",Ym="u-hz",Zm="u-vt",Jm="u-title",$m="u-wrap",Km="u-under",Qm="u-over",jm="u-axis",Ls="u-off",eg="u-select",tg="u-cursor-x",ng="u-cursor-y",ig="u-\
 cursor-pt",sg="u-legend",rg="u-live",og="u-inline",ag="u-series",lg="u-marker",Ku="u-label",cg="u-value",jr="width",eo="height";var Qu="bottom",ir="left",Ic="right",Zc="#000",ju=Zc+"0",Lc="mousemove",ef="mousedown",Dc="mouseup",tf="mouseenter",nf="mouseleave",sf="dblclick",hg="resize",ug="\
 scroll",rf="change",la="dppxchange",Jc="--",hr=typeof window<"u",Bc=hr?document:null,rr=hr?window:null,fg=hr?navigator:null,St,sa;function zc(){let i=devicePixelRatio;
 St!=i&&(St=i,sa&&Vc(rf,sa,zc),sa=matchMedia("(min-resolution: ".concat(St-.001,"dppx) and (max-resolution: ").concat(St+.001,"dppx)")),Ds(rf,sa,zc),rr.dispatchEvent(
@@ -3731,7 +3731,7 @@ S,m?f.compose(m,new Jn(M,P,E,A),p):h);let _=v&&!(e[S]!==null&&e[S]<=t[S]),T=Math
 u.setXYZ(2*S,...O?m:new q),u.setXYZ(2*S+1,...O?v:new q)});for(let x of[s,r])x.instanceMatrix.needsUpdate=!0;u.needsUpdate=!0}var wM=150,yc=.12,Cm=.008,Cu=(i,e)=>{let t=wt("span",{className:"key"});return t.innerHTML='<svg viewBox="0 0 36 16" aria-hidden="true" fill="none" stroke-width\
 ="2">'.concat(i,"</svg>"),t.append(e),t};function TM(){return wt("p",{},Cu('<path d="M0 8H36" stroke="var(--actual)"/><rect x="12" y="2" width="12" height="12" \
 fill="var(--actual)"/>',"this run"),Cu('<path d="M0 8H36" stroke="var(--expected)" stroke-dasharray="5 4"/>\n      <path d="M18 1l7 7-7 7-7-7z" stroke="var(--exp\
-ected)"/>',"expected, where that can be told apart"),Cu('<path d="M0 8H36" stroke="var(--bad)"/>',"from one to the other"))}function AM(i,e,t){let n=e[t].map((a,l)=>({
+ected)"/>',"expected, if to be seen elsewhere"),Cu('<path d="M0 8H36" stroke="var(--bad)"/>',"from one to the other"))}function AM(i,e,t){let n=e[t].map((a,l)=>({
 value:a,id:i.bodies.id[l]})).filter(({value:a})=>a!==null),s="step ".concat(i.frames.step[t]);if(n.length===0)return"".concat(s,": the golden has no places here");
 let r=n.reduce((a,l)=>l.value>a.value?l:a),o=n.filter(({value:a})=>a>vc).length;return o===0?"".concat(s,": every body within ").concat(vc," mm of where it was \
 expected"):"".concat(s,": ").concat(o," of ").concat(n.length," bodies elsewhere, the furthest is body ").concat(r.id,", ")+"".concat(ro(r.value/1e3)," away")}function EM(i,e){

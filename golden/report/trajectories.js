@@ -19,7 +19,7 @@ function keys() {
     key(`<path d="M0 8H36" stroke="var(--actual)"/><rect x="12" y="2" width="12" height="12" fill="var(--actual)"/>`,
       "this run"),
     key(`<path d="M0 8H36" stroke="var(--expected)" stroke-dasharray="5 4"/>
-      <path d="M18 1l7 7-7 7-7-7z" stroke="var(--expected)"/>`, "expected, where that can be told apart"),
+      <path d="M18 1l7 7-7 7-7-7z" stroke="var(--expected)"/>`, "expected, if to be seen elsewhere"),
     key(`<path d="M0 8H36" stroke="var(--bad)"/>`, "from one to the other"));
 }
 
