@@ -20,7 +20,9 @@ std::optional<T> optional_at(const Json& json, const char* key) {
 
 Json metric_json(const MetricResult& metric) {
   const MetricRule& rule = metric.rule;
+  const replay::MetricRow* row = replay::find_metric(rule.name);
   return {{"name", rule.name},
+          {"group", row == nullptr ? "" : row->group},
           {"unit", metric.unit},
           {"bodies", rule.bodies},
           {"axis", rule.axis},
