@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "replay/metric_list.h"
+
 namespace tumble::golden {
 namespace {
 
