@@ -6,9 +6,11 @@
 #include <limits>
 
 #include "golden/expected_file.h"
+#include "golden/log_canaries.h"
 #include "golden/process_pool.h"
 #include "golden/run_case.h"
 #include "golden/scene_hash.h"
+#include "golden/suite_canaries.h"
 
 namespace tumble::golden {
 namespace {
@@ -191,6 +193,8 @@ std::vector<CanaryResult> run_canaries(Judge judge_function) {
   results.push_back(
       spoilt_file("the golden's file is empty", fixture.expected, [](std::vector<std::byte>& file) { file.clear(); }));
   results.push_back(dying_child());
+  for (CanaryResult& result : run_log_canaries()) results.push_back(std::move(result));
+  for (CanaryResult& result : run_suite_canaries()) results.push_back(std::move(result));
   return results;
 }
 

@@ -11,7 +11,8 @@ namespace tumble::golden {
 struct CanaryResult {
   std::string name;  ///< what is wrong on purpose: "the last state differs"
   bool caught = false;
-  std::string words;  ///< what the judge said
+  std::string words;            ///< what the judge said
+  std::string about = "suite";  ///< what does not work if it is not caught: "suite", or "format" for log and golden
 };
 
 /// Records a tiny session, spoils golden, bounds, log or file in one way after the other and lets the judge of the

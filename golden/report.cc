@@ -38,7 +38,8 @@ Json report_json(const SuiteResult& result) {
   for (const CaseResult& one : result.cases) json["cases"].push_back(to_json(one));
   json["canaries"] = Json::array();
   for (const CanaryResult& canary : result.canaries) {
-    json["canaries"].push_back({{"name", canary.name}, {"caught", canary.caught}, {"words", canary.words}});
+    json["canaries"].push_back(
+        {{"name", canary.name}, {"caught", canary.caught}, {"about", canary.about}, {"words", canary.words}});
   }
   return json;
 }

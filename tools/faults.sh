@@ -44,11 +44,11 @@ run_fault() { # name
   local file; file=$(<"$work/list/$name.file")
   put_back "$tree"
   plant "$name" "$tree"
-  if ! (cd "$tree" && CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1 cmake --build build --target tumble --parallel 1) \
+  if ! (cd "$tree" && CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1 cmake --build build/release --target tumble --parallel 1) \
       >"$work/log/$name.build" 2>&1; then
     found="does not build"
   else
-    found=$(judge_build "$tree/build/tools/tumble" "$tree" "$work/report/$name")
+    found=$(judge_build "$tree/build/release/tools/tumble" "$tree" "$work/report/$name" "$(<"$work/list/$name.cases")")
     seen=$(<"$work/report/$name/seen")
   fi
   as_predicted "$(<"$work/list/$name.predicted")" "$found" || status=WRONG

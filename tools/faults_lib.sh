@@ -5,9 +5,9 @@ fail() {
   exit 1
 }
 
-# tests/faults/*.faults into $work/list: NAME.file, .predicted, .why, .was, .is; their names into fault_names.
+# tests/faults/*.faults into $work/list: NAME.file, .predicted, .why, .was, .is, .cases; their names into fault_names.
 read_faults() {
-  local source line name="" part="" text=""
+  local source line name="" part="" text="" cases=""
   fault_names=()
   rm -rf "$work/list"
   mkdir -p "$work/list"
@@ -22,10 +22,12 @@ read_faults() {
           name=${line#fault }
           [[ ! -e $work/list/$name.file ]] || fail "$source: fault \"$name\" exists twice"
           fault_names+=("$name")
+          printf '%s' "$cases" >"$work/list/$name.cases"
           ;;
         "file "*) [[ -n $part ]] || printf '%s' "${line#file }" >"$work/list/$name.file" ;;
         "predicted "*) [[ -n $part ]] || printf '%s' "${line#predicted }" >"$work/list/$name.predicted" ;;
         "why "*) [[ -n $part ]] || printf '%s' "${line#why }" >"$work/list/$name.why" ;;
+        "cases "*) [[ -n $part ]] || cases=${line#cases } ;;
         "--- was") part=was ;;
         "--- is") part=is ;;
         "--- end") ;;
@@ -70,9 +72,10 @@ check_texts() {
 make_tree() { # tree
   local tree=$1 file
   mkdir -p "$tree"
-  find CMakeLists.txt CMakePresets.json cmake schema src replay golden tools tests bench -type f | sort >"$tree/.files"
-  (cd "$tree" && find CMakeLists.txt CMakePresets.json cmake schema src replay golden tools tests bench -type f \
-    2>/dev/null | sort) | comm -13 "$tree/.files" - | while read -r file; do rm "$tree/$file"; done
+  local parts=(CMakeLists.txt CMakePresets.json cmake schema src replay golden tools tests bench)
+  find "${parts[@]}" -type f | sort >"$tree/.files"
+  { (cd "$tree" && find "${parts[@]}" -type f 2>/dev/null) || true; } | sort | comm -13 "$tree/.files" - |
+    while read -r file; do rm "$tree/$file"; done
   while read -r file; do
     cmp -s "$file" "$tree/$file" && continue
     mkdir -p "$tree/$(dirname "$file")"
@@ -80,7 +83,7 @@ make_tree() { # tree
   done <"$tree/.files"
   rm -f "$tree/.planted"
   (cd "$tree" && export CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1 &&
-    cmake -B build -G Ninja -DCMAKE_BUILD_TYPE=Release && cmake --build build --target tumble --parallel 1) \
+    cmake --preset release && cmake --build build/release --target tumble --parallel 1) \
     >"$tree/.build" 2>&1 || fail "$tree does not build without a fault: see $tree/.build"
 }
 
@@ -121,12 +124,23 @@ words_of_report='
     (.cases[].problems[] | word), (.problems[] | "suite"),
     (.canaries[] | select(.caught | not) | .about // "suite") ] | unique | join(", ")'
 
+# The cases whose names match one of the patterns.
+matching_cases() { # patterns
+  local name pattern
+  set -f
+  while read -r name; do
+    # shellcheck disable=SC2053  # a pattern is meant
+    for pattern in $1; do [[ $name == $pattern ]] && printf '%s\n' "$name" && break; done
+  done <"$work/cases" || true
+  set +f
+}
+
 # Checks the tree with its own program; prints what was found. What is not seen reads "missed".
-judge_build() { # program tree report
+judge_build() { # program tree report patterns
   local status=0 found="" probe
   rm -rf "$3"
   mkdir -p "$3"
-  mapfile -t cases <"$work/cases"
+  mapfile -t cases < <(matching_cases "${4:-*}")
   nice "$1" check --suite "$2/golden" --report "$3" --jobs 1 --timeout 120 "${cases[@]}" >"$3/output" 2>&1 || status=$?
   : >"$3/seen"
   if [[ -f $3/report.json ]]; then
@@ -159,7 +173,7 @@ as_predicted() { # predicted found
 # What must be so before a fault proves anything: without one, the check passes.
 check_control() {
   local found
-  found=$(judge_build "$work/tree0/build/tools/tumble" "$work/tree0" "$work/report/control")
+  found=$(judge_build "$work/tree0/build/release/tools/tumble" "$work/tree0" "$work/report/control")
   [[ $found == missed ]] || fail "the tree fails its check without any fault ($found): see $work/report/control"
 }
 
@@ -211,5 +225,5 @@ rebuild_all() {
   return "$bad"
 }
 
-export -f fail put_back plant judge_build as_predicted print_row
+export -f fail put_back plant matching_cases judge_build as_predicted print_row
 export words_of_report
