@@ -1,0 +1,200 @@
+#!/usr/bin/env bash
+# What check and replay say about a fault, and the table of it; sourced by tools/faults.sh. Needs $work and $list.
+# shellcheck disable=SC2154
+
+# Suites that must fail, for what only the exit status of a check can show.
+make_probes() { # folder
+  rm -rf "$1"
+  mkdir -p "$1/bound/cases" "$1/empty/cases" "$1/missing/cases"
+  cp -r golden/cases/bounce "$1/bound/cases/"
+  cp -r golden/cases/bounce "$1/missing/cases/"
+  rm "$1/missing/cases/bounce/expected.tumble"
+  sed -i '0,/^max = .*/s//max = -1/' "$1/bound/cases/bounce/metrics.toml"
+}
+
+# The verdict words of a report: exact (bits moved), image, symmetry, energy, stacking, freezing, format, suite, stopped.
+# shellcheck disable=SC2089
+words_of_report='
+  def word: if test("its process|phase ") then "stopped"
+            elif test("damage|torn|golden|log|hash|codec|chunk|footer|index") then "format" else "suite" end;
+  [ (.cases[] | select(.verdicts.exact.outcome == "fail") | "exact"),
+    (.cases[] | select(.verdicts.image.outcome == "fail") | "image"),
+    (.cases[].metrics[] | select(.pass | not)
+      | if .name == "frozen_fraction" or .name == "rest_time" then "freezing" else .group end),
+    (.cases[].problems[] | word), (.problems[] | "suite"),
+    (.canaries[] | select(.caught | not) | .about // "suite") ] | unique | join(", ")'
+# shellcheck disable=SC2090  # it is given to jq as it stands
+export words_of_report
+
+# The cases whose names match one of the patterns.
+matching_cases() { # patterns
+  local name pattern
+  set -f
+  while read -r name; do
+    # shellcheck disable=SC2053  # a pattern is meant
+    for pattern in $1; do [[ $name == $pattern ]] && printf '%s\n' "$name" && break; done
+  done <"$work/cases" || true
+  set +f
+}
+
+# Checks the tree with its own program; prints what was found. What is not seen reads "missed".
+judge_build() { # program tree report patterns
+  local status=0 found="" probe
+  rm -rf "$3"
+  mkdir -p "$3"
+  mapfile -t cases < <(matching_cases "${4:-*}")
+  nice "$1" check --suite "$2/golden" --report "$3" --jobs 1 --timeout 120 "${cases[@]}" >"$3/output" 2>&1 || status=$?
+  printf -- '-' >"$3/seen"
+  if [[ -f $3/report.json ]]; then
+    found=$(jq -r "$words_of_report" "$3/report.json") || found=suite
+    jq -r '"\(.failed_cases) of \(.cases | length)"' "$3/report.json" >"$3/seen"
+    rm -rf "$3/cases"
+  fi
+  if ((status == 0)); then
+    found=${found:+"missed: passed with $found"}  # the exit status is what a build machine reads
+  else
+    found=${found:-suite}
+  fi
+  for probe in bound:1 missing:1 empty:2; do
+    status=0
+    "$1" check --suite "$work/probes/${probe%:*}" --report "$3/probe" >/dev/null 2>&1 || status=$?
+    ((status == ${probe#*:})) || [[ $found == *suite* ]] || found+=${found:+, }suite
+  done
+  printf '%s' "${found:-missed}"
+}
+
+# Logs of the tree without a fault.
+record_logs() { # program case...
+  local name program=$1
+  shift
+  rm -rf "$work/logs"
+  mkdir -p "$work/logs"
+  for name in "$@"; do
+    nice "$program" record "$name" -o "$work/logs/$name.tumble" >/dev/null || fail "cannot record $name"
+  done
+}
+
+# The phases that a replay of those logs names, and by how many: "find_planes 7, integrate 1".
+phases_named() { # program folder
+  local log
+  for log in "$work"/logs/*.tumble; do
+    nice timeout 60 "$1" replay "$log" --json 2>/dev/null | jq -r '.first.phase // empty' 2>/dev/null || true
+  done >"$2/phases"
+  sort "$2/phases" | uniq -c | sort -k 1,1nr -k 2 | awk '{ printf "%s%s %d", NR > 1 ? ", " : "", $2, $1 }'
+}
+
+# "energy, stacking" holds if both were found; "exact" only if nothing but bits and their pictures moved.
+as_predicted() { # predicted found
+  local word
+  [[ $1 != exact ]] || { [[ $2 == exact || $2 == "exact, image" ]]; return; }
+  for word in ${1//, / }; do
+    [[ ", $2, " == *", $word, "* ]] || return 1
+  done
+}
+
+# Whether replay named the phase in every log that differs: yes, no, or - where a fault lies in none.
+names_phase() { # name phases
+  [[ -s $list/$1.phase ]] || { printf -- '-'; return; }
+  [[ $2 =~ ^"$(<"$list/$1.phase")"\ [0-9]+$ ]] && printf yes || printf no
+}
+
+# As the author said: the verdict, and that replay names the phase unless "elsewhere" says why it cannot.
+row_holds() { # name
+  local key found seen named seconds
+  [[ -f $work/rows/$1 ]] || return 1
+  IFS='|' read -r key found seen named seconds <"$work/rows/$1"
+  [[ $key == "$(key_of "$1")" ]] || return 1
+  as_predicted "$(<"$list/$1.predicted")" "$found" || return 1
+  [[ $(names_phase "$1" "$named") != no || -s $list/$1.elsewhere ]]
+}
+
+print_row() { # name
+  local key found seen named seconds mark=""
+  [[ -f $work/rows/$1 ]] || { printf '%-36s was never run\n' "$1"; return; }
+  IFS='|' read -r key found seen named seconds <"$work/rows/$1"
+  row_holds "$1" || mark="   <-- not as predicted"
+  printf '%-36s %s: %s (%s, %s s) %s%s\n' "$1" "$(<"$list/$1.predicted")" "$found" "$seen" "$seconds" \
+    "${named:+[$(names_phase "$1" "$named"): $named]}" "$mark"
+}
+
+# What must be so before a fault proves anything: without one, the check passes.
+check_control() {
+  local found
+  found=$(judge_build "$work/tree0/build/release/tools/tumble" "$work/tree0" "$work/report/control")
+  [[ $found == missed ]] || fail "the tree fails its check without any fault ($found): see $work/report/control"
+  found=$(phases_named "$work/tree0/build/release/tools/tumble" "$work/report/control")
+  [[ -z $found ]] || fail "the tree does not replay its own logs ($found)"
+}
+
+table_rows() {
+  local name key found seen named seconds
+  printf '| fault | file | predicted | found | cases | replay names | s |\n|---|---|---|---|---|---|---|\n'
+  for name in "${fault_names[@]}"; do
+    [[ -f $work/rows/$name ]] || fail "\"$name\" was never run, so there is no row for docs/faults.md"
+    IFS='|' read -r key found seen named seconds <"$work/rows/$name"
+    [[ $key == "$(key_of "$name")" ]] || fail "\"$name\" or its cases changed since it was run: run it again"
+    row_holds "$name" || found+=" (**not as predicted**)"
+    # shellcheck disable=SC2016  # backquotes of Markdown
+    printf '| `%s` | `%s` | %s | %s | %s | %s | %s |\n' "$name" "$(<"$list/$name.file")" "$(<"$list/$name.predicted")" \
+      "$found" "$seen" "$named" "$seconds"
+  done
+}
+
+# What replay said of those faults that lie in a phase.
+phase_rows() {
+  local name key found seen named seconds yes=0 all=0 others=""
+  for name in "${fault_names[@]}"; do
+    [[ -s $list/$name.phase ]] || continue
+    IFS='|' read -r key found seen named seconds <"$work/rows/$name"
+    all=$((all + 1))
+    if [[ $(names_phase "$name" "$named") == yes ]]; then
+      yes=$((yes + 1))
+    else
+      others+="- \`$name\` lies in \`$(<"$list/$name.phase")\`, named: ${named:-none}. "
+      others+="$(cat "$list/$name.elsewhere" 2>/dev/null || printf '**Not explained.**')"$'\n'
+    fi
+  done
+  # shellcheck disable=SC2016  # backquotes of Markdown
+  printf 'Of %d faults that lie in a phase, `replay` names that phase, and no other, for %d.' "$all" "$yes"
+  [[ -z $others ]] || printf ' The others:\n\n%s' "$others"
+}
+
+write_table() {
+  table_rows >"$work/table"
+  { phase_rows; printf '\n'; } >"$work/phases"
+  awk -v table="$work/table" -v phases="$work/phases" '
+    function take(file, line) { print; while ((getline line < file) > 0) print line; skip = 1 }
+    /<!-- table -->/ { take(table) }
+    /<!-- phases -->/ { take(phases) }
+    /<!-- end -->/ { skip = 0 }
+    !skip { print }' docs/faults.md >"$work/faults.md"
+  cp "$work/faults.md" docs/faults.md
+}
+
+# The unchanged tree, built otherwise. Without optimisation a step takes seventy times as long, so few cases.
+rebuild_all() {
+  local row name compiler flags which found bad=0
+  mkdir -p "$work/report"
+  make_probes "$work/probes"
+  for row in "gcc-O0|g++|-O0|few" "gcc-O2-native|g++|-O2 -march=native|all" \
+    "gcc-O3-v3|g++|-O3 -march=x86-64-v3|all" "clang-16-O2|clang++-16|-O2|all" "clang-19-O3|clang++-19|-O3|all"; do
+    IFS='|' read -r name compiler flags which <<<"$row"
+    if ! command -v "$compiler" >/dev/null; then
+      printf '%-16s %s is not installed\n' "$name" "$compiler"
+      continue
+    fi
+    cases_to_run >"$work/cases"
+    [[ $which == all ]] || printf '%s\n' bounce tower size_ratio stacks layered_inputs layered_leaning >"$work/cases"
+    (export CCACHE_BASEDIR=$PWD CCACHE_NOHASHDIR=1
+      cmake -B "$work/$name" -G Ninja -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None \
+        -DCMAKE_CXX_FLAGS="$flags" && nice cmake --build "$work/$name" --target tumble --parallel "$jobs") \
+      >"$work/$name.build" 2>&1 || fail "$name does not build: see $work/$name.build"
+    found=$(judge_build "$work/$name/tools/tumble" "$PWD" "$work/report/$name")
+    [[ $found != missed ]] || found="passed"
+    printf '%-16s %-30s %-8s %s cases failed\n' "$name" "$compiler $flags" "$found" "$(<"$work/report/$name/seen")"
+    [[ $found == passed ]] || bad=1
+  done
+  return "$bad"
+}
+
+export -f matching_cases judge_build phases_named as_predicted names_phase row_holds print_row
