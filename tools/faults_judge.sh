@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # What check and replay say about a fault, and the table of it; sourced by tools/faults.sh. Needs $work and $list.
 # shellcheck disable=SC2154
+set -euo pipefail
 
 # Suites that must fail, for what only the exit status of a check can show.
 make_probes() { # folder

@@ -2,6 +2,7 @@
 # Reading faults and planting them; sourced by tools/faults.sh. Needs $work (kept from run to run) and $list (of this
 # run only).
 # shellcheck disable=SC2154
+set -euo pipefail
 
 fail() {
   printf 'faults: %s\n' "$*" >&2
