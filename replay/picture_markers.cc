@@ -14,6 +14,7 @@ using sim::Vec3;
 constexpr Colour kVelocity = {1.0F, 0.75F, 0.0F};
 constexpr Colour kContact = {0.95F, 0.05F, 0.25F};
 constexpr Colour kNormal = {0.0F, 0.55F, 0.55F};
+constexpr Colour kBound = {0.02F, 0.12F, 0.9F};
 
 // Over the camera's distance: so that markers are as wide in every scene's picture.
 constexpr double kShaftOverDistance = 0.0012;
@@ -74,7 +75,31 @@ void add_manifold_points(const sim::World& world, render::Snapshot& snapshot) {
   }
 }
 
+// Four edges along each axis, from corner to corner.
+void add_edges(render::Snapshot& snapshot, const Vec3& centre, const Vec3& reach) {
+  const double thick = kShaftOverDistance * camera_distance(snapshot);
+  for (int axis = 0; axis < 3; ++axis) {
+    const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+    Vec3 half(thick, thick, thick);
+    half[axis] += reach[axis];
+    for (int corner = 0; corner < 4; ++corner) {
+      Vec3 at = centre;
+      at[u] += (corner & 1) == 0 ? -reach[u] : reach[u];
+      at[v] += (corner & 2) == 0 ? -reach[v] : reach[v];
+      snapshot.markers.push_back({at, {}, half, kBound});
+    }
+  }
+}
+
 }  // namespace
+
+void add_bounds_markers(render::Snapshot& snapshot) {
+  for (const render::BoxLook& box : snapshot.boxes) {
+    const sim::BoxFrame frame = {box.centre, sim::axes_of(box.orientation), box.half_extent};
+    add_edges(snapshot, box.centre,
+              {sim::reach_along(frame, 0), sim::reach_along(frame, 1), sim::reach_along(frame, 2)});
+  }
+}
 
 void add_velocity_markers(render::Snapshot& snapshot, double seconds) {
   for (const render::BoxLook& box : snapshot.boxes) {

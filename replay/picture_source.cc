@@ -83,6 +83,7 @@ Result<Picture> PictureSource::read(std::uint64_t k, const PictureOptions& optio
     if (!box.ok()) return box.error();
     snapshot.boxes.push_back(look_of(record.states, row, **box, options));
   }
+  if (options.bounds) add_bounds_markers(snapshot);
   if (options.velocities) add_velocity_markers(snapshot, kArrowSeconds);
   if (options.contacts && k > log_->first_state()) {
     if (const Status added = add_contacts(k, snapshot); !added.ok()) return added.error();

@@ -18,6 +18,7 @@ namespace tumble::replay {
 struct PictureOptions {
   bool freezing = false;    ///< frozen bodies in their material, active ones white (the thesis's Fig. 10)
   bool velocities = false;  ///< an arrow from each moving body, as long as it goes in kArrowSeconds
+  bool bounds = false;      ///< the bodies' AABBs (the thesis's Fig. 4)
   bool contacts = false;    ///< the contact points of the step, with an arrow along each normal
 };
 inline constexpr double kArrowSeconds = 0.2;

@@ -132,7 +132,7 @@ TEST_F(ToolsRender, ColoursWhatDiffersFromAnotherLog) {
   EXPECT_GT(count_pixels(both, orange), 20U);
 }
 
-TEST_F(ToolsRender, ShowsContactsAndVelocitiesAndFreezing) {
+TEST_F(ToolsRender, ShowsBoundsContactsVelocitiesAndFreezing) {
   size_ = "480x360";
   const render::Image plain = drawn({"--step", "30"}).image;
   const auto contact = [](int r, int g, int b) { return r > 230 && g < 90 && b > 90 && b < 160; };
@@ -140,6 +140,9 @@ TEST_F(ToolsRender, ShowsContactsAndVelocitiesAndFreezing) {
   EXPECT_EQ(count_pixels(plain, contact) + count_pixels(plain, arrow), 0U);
   EXPECT_GT(count_pixels(drawn({"--step", "30", "--show", "contacts"}).image, contact), 0U);
   EXPECT_GT(count_pixels(drawn({"--step", "30", "--show", "velocities"}).image, arrow), 0U);
+  const auto bound = [](int r, int g, int b) { return b > 220 && r < 60 && g < 120; };
+  EXPECT_EQ(count_pixels(plain, bound), 0U);
+  EXPECT_GT(count_pixels(drawn({"--step", "30", "--show", "bounds"}).image, bound), 500U);
   EXPECT_GT(difference(plain, drawn({"--step", "30", "--show", "freezing"}).image).far_off, 50U);
 }
 
@@ -154,7 +157,7 @@ TEST_F(ToolsRender, RefusesWhatItCannotDo) {
       {{"--size", "99999x480"}, "as in 640x480"},
       {{"--effects", "glitter"}, "unknown word"},
       {{"--pass", "seventh"}, "wanted one of depth"},
-      {{"--show", "hidden"}, "freezing, contacts or velocities"},
+      {{"--show", "hidden"}, "bounds, contacts, freezing or velocities"},
       {{"--gl", "vulkan"}, "auto, osmesa or egl"},
       {{"--samples", "5"}, "from 1 to 4"},
       {{"--step", "3", "--speed", "0.5"}, "excludes"},

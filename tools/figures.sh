@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes the pictures of README.md and docs/thesis.md: records the sessions, draws them, puts them side by side.
-# Usage: tools/figures.sh [FOLDER [FIGURE...]]     FOLDER: docs/images unless said; FIGURE: tower, 5, 7, 10, … (all unless said)
-# Needs build/release/tools/tumble and ffmpeg.
+# Usage: tools/figures.sh [FOLDER [FIGURE...]]     FOLDER: docs/images unless said; FIGURE: tower, 4, 5, 7, 8, … (all unless said)
+# Needs build/release/tools/tumble, ffmpeg and gnuplot. Figs. 8 and 9 are tools/figures_drawn.sh's.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 tumble=$PWD/build/release/tools/tumble
@@ -50,6 +50,22 @@ if is_wanted tower; then
   cp "$work/tower.png" "$out/brick_tower.png"
 fi
 
+if is_wanted 4; then
+  size=400x300
+  crates() { # degrees
+    printf '[world]\nmethod = "thesis"\nsteps = 1\n[camera]\nposition = [1.2, -6.5, 3.4]\ntarget = [0.15, 0, 0.85]\nfov = 32\nblur = 0\n'
+    printf '[light]\nposition = [4, -6, 10]\n[[box]]\nposition = [-0.95, 0, 0.9]\naxis = [0.6, 0.2, 1]\ndegrees = %s\n' "$1"
+    printf '[[box]]\nposition = [1.05, 0, 0.95]\nsize = [1.6, 0.7, 0.9]\naxis = [-0.3, 1, 0.5]\ndegrees = %s\n' "$1"
+  }
+  for degrees in 0 35; do
+    crates $degrees >"$work/bounds-$degrees.toml"
+    record bounds-$degrees "$work/bounds-$degrees.toml"
+    draw 4-$degrees bounds-$degrees 0 --show bounds --effects -motion,-bloom
+  done
+  row 4 4-0 4-35
+  publish 4 fig04_bounding_boxes
+fi
+
 # Two crates that meet at one point, and at several that are merged into one.
 crate_scene() { # degrees about x of the falling crate
   printf '[world]\nmethod = "thesis"\nsteps = 60\nsubsteps = 1\n[[box]]\nposition = [0, 0, 0.5]\n[[box]]\n'
@@ -71,10 +87,14 @@ if is_wanted 7; then
   size=400x300
   record with friction_with
   record without friction_without
-  draw 7a with 240
+  draw 7a with 0
   draw 7b without 240
-  row 7 7a 7b
+  draw 7c with 240
+  row 7 7a 7b 7c
   publish 7 fig07_friction
+fi
+if is_wanted 8 || is_wanted 9; then
+  tools/figures_drawn.sh "$out"
 fi
 if is_wanted 10; then
   size=400x300
@@ -84,8 +104,9 @@ if is_wanted 10; then
   publish 10 fig10_freezing
 fi
 if is_wanted 11; then
-  size=800x360
-  record stacks stacks
+  size=800x300
+  record stacks stacks --set 'camera.position=[6.5, -27, 5.5]' --set 'camera.target=[2.7, 0, 3.1]' --set camera.fov=24 \
+    --set 'light.position=[14, -16, 22]'
   draw 11 stacks 480
   publish 11 fig11_stacking
 fi
@@ -103,10 +124,10 @@ if is_wanted 12; then
 fi
 if is_wanted 14; then
   size=400x300
-  record freeze freeze_and_wake
-  draw 14a freeze 110 --effects specular
-  draw 14b freeze 110 --effects specular,shadow
-  draw 15 freeze 110 --pass depth
+  record shade freeze_and_wake --set 'light.position=[-20, -14, 22]' --set 'light.target=[-2, 2, 1]'
+  draw 14a shade 110 --effects specular
+  draw 14b shade 110 --effects specular,shadow
+  draw 15 shade 110 --pass depth
   row 14 14a 14b 15
   publish 14 fig14_15_shadows_depth_map
 fi
@@ -174,7 +195,10 @@ from_above=(--set 'camera.position=[0, 14, 70]' --set 'camera.target=[0, 14, 0]'
 if is_wanted 21; then
   size=600x400
   record grid tilted_grid
-  draw 21 grid 0
+  record above tilted_grid "${from_above[@]}" --set 'camera.target=[0, 8, 0]' --set 'camera.position=[0, 8, 60]'
+  draw 21a above 0
+  draw 21b grid 0
+  row 21 21a 21b
   publish 21 fig21_comparison_scene
 fi
 if is_wanted 22; then
@@ -192,15 +216,19 @@ if is_wanted 22; then
   publish 22 fig22_400_cubes_from_above
 fi
 if is_wanted 24; then
-  size=400x300
-  for n in 6 10 20 40; do
-    record many-$n tilted_grid --set grid.rows=$n --set grid.cols=$n --set world.dt=0.03333333333333333 \
-      --set "camera.position=[0, $((-n - 8)), $((n + 8))]" --set "camera.target=[0, $((n / 3)), 0]" --set camera.fov=52 \
-      --set camera.blur=0 --set "light.position=[$n, -$n, $((3 * n + 10))]" --set "light.target=[0, $((n / 3)), 0]"
-    draw 24-$n many-$n 150
+  size=400x400
+  for n in 40 60 80; do
+    many=(--set grid.rows=$n --set grid.cols=$n --set world.dt=0.03333333333333333)
+    record many-$n tilted_grid "${many[@]}" --set "camera.position=[0, $((n * 17 / 40)), $((n * 7 / 2))]" \
+      --set "camera.target=[0, $((n * 17 / 40)), 0]" --set camera.fov=22 --set camera.blur=0 \
+      --set "light.position=[$((2 * n)), $((-2 * n)), $((3 * n))]" --set "light.target=[0, $((n * 6 / 10)), 0]"
+    draw 24-$n many-$n 150 --samples 4
   done
-  row 24a 24-6 24-10
-  row 24b 24-20 24-40
+  row 24a 24-40 24-60 24-80
+  record aslant tilted_grid "${many[@]}" --set 'camera.position=[38, -50, 30]' --set 'camera.target=[4, 18, 6]' \
+    --set camera.fov=38 --set camera.focus=65 --set 'light.position=[120, -120, 200]' --set 'light.target=[0, 45, 0]'
+  size=1200x400
+  draw 24b aslant 75 --samples 3
   column 24 24a 24b
   publish 24 fig24_numbers_of_cubes
 fi

@@ -40,14 +40,16 @@ Status read_show(const std::string& list, replay::PictureOptions& show) {
     const std::size_t end = std::min(list.find(',', begin), list.size());
     const std::string word = list.substr(begin, end - begin);
     begin = end + 1;
-    if (word == "freezing") {
+    if (word == "bounds") {
+      show.bounds = true;
+    } else if (word == "freezing") {
       show.freezing = true;
     } else if (word == "contacts") {
       show.contacts = true;
     } else if (word == "velocities") {
       show.velocities = true;
     } else {
-      return wrong("--show", word, "freezing, contacts or velocities, with commas between");
+      return wrong("--show", word, "bounds, contacts, freezing or velocities, with commas between");
     }
   }
   return {};
@@ -119,7 +121,7 @@ void declare_arguments(CLI::App& app, RenderArguments& a) {
   app.add_option("--pass", a.pass,
                  "The image to write: depth, base, masks, shrunk, hdr, blur_x, blurred, glow, final (default)")
       ->type_name("NAME");
-  app.add_option("--show", a.show, "Some of freezing,contacts,velocities")->type_name("LIST");
+  app.add_option("--show", a.show, "Some of bounds,contacts,freezing,velocities")->type_name("LIST");
   app.add_option("--compare", a.compare, "Lay OTHER over it: what differs is orange, OTHER's is blue")
       ->type_name("OTHER");
   CLI::Option* speed =
