@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <ranges>
 #include <system_error>
 
 #include "golden/check.h"
@@ -67,9 +68,9 @@ Handed take_over(const CaseFolder& folder, const ChildResult& child) {
   handed.complete = json.at("complete");
   std::size_t end = child.output.size();
   const std::vector<std::size_t> sizes = json.at("picture_bytes");
-  for (auto size = sizes.rbegin(); size != sizes.rend(); ++size) {
-    end -= *size;
-    handed.pictures.insert(handed.pictures.begin(), child.output.substr(end, *size));
+  for (const std::size_t size : std::views::reverse(sizes)) {
+    end -= size;
+    handed.pictures.insert(handed.pictures.begin(), child.output.substr(end, size));
   }
   handed.golden = child.output.substr(kLengthDigits + length, end - kLengthDigits - length);
   return handed;

@@ -7,12 +7,12 @@
 #include "golden/bless.h"
 #include "golden/expected_file.h"
 #include "golden/metric_values.h"
+#include "golden/rewrite_scene.h"
 #include "golden/run_case.h"
 #include "golden/scene_hash.h"
 #include "golden/text_files.h"
 #include "replay/compare.h"
 #include "src/scenes/problem.h"
-#include "src/scenes/rewrite_scene.h"
 #include "src/scenes/scene_file.h"
 
 namespace tumble::golden {
@@ -82,7 +82,7 @@ Result<std::string> scene_text(const NewCase& options, const replay::LogReader& 
   if (header.scene_text.empty()) {
     return bad_input(options.log + ": holds no scene text, so no scene.toml can be made of it");
   }
-  return scenes::rewrite_scene(header.scene_text, options.log, options.name, header.overrides);
+  return rewrite_scene(header.scene_text, options.log, options.name, header.overrides);
 }
 
 Status must_be_the_same(replay::LogReader& recorded, replay::LogReader& again, const std::string& path) {

@@ -40,8 +40,8 @@ replay::BodyStates states_of(const TrackPoint& point) {
   states.id = point.id;
   const std::size_t n = point.id.size();
   const auto metres = [](const std::vector<std::int32_t>& mm) {
-    std::vector<double> out;
-    for (const std::int32_t value : mm) out.push_back(value / 1000.0);
+    std::vector<double> out(mm.size());
+    std::ranges::transform(mm, out.begin(), [](std::int32_t value) { return value / 1000.0; });
     return out;
   };
   states.position = {metres(point.x), metres(point.y), metres(point.z)};

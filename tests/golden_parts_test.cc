@@ -32,8 +32,8 @@ TEST(ProcessPool, GivesBackWhatEachJobReturns) {
   const std::string large(1 << 20, 'x');
   PoolOptions options;
   options.jobs = 3;
-  const auto results = run({[] { return std::string("one"); }, [&] { return large; }, [] { return std::string(); },
-                            [] { return std::string("\0\6two", 5); }},
+  const auto results = run({[] { return std::string("one"); }, [&] { return std::string(large); },
+                            [] { return std::string(); }, [] { return std::string("\0\6two", 5); }},
                            options);
   EXPECT_EQ(results[0].output, "one");
   EXPECT_EQ(results[1].output, large);

@@ -55,7 +55,7 @@ Status ChildPipe::start(std::vector<std::string> words, const std::string& purpo
   return cannot_finish(program + " cannot be started: " + std::strerror(error));
 }
 
-bool ChildPipe::write(std::span<const std::byte> bytes) {
+bool ChildPipe::write(std::span<const std::byte> bytes) const {
   while (!bytes.empty()) {
     const ssize_t written = ::write(pipe_, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;

@@ -26,7 +26,7 @@ class ChildPipe {
   [[nodiscard]] bool running() const { return child_ > 0; }
 
   /// False when the program reads no more.
-  bool write(std::span<const std::byte> bytes);
+  bool write(std::span<const std::byte> bytes) const;
 
   /// Closes the pipe and waits. True if the program ended well; otherwise its own words are on stderr.
   bool finish();

@@ -125,6 +125,6 @@ SceneDef image_of(const SceneDef& scene, const Transform& transform, const IdMap
   return image;
 }
 
-SceneDef on_grids(SceneDef scene) { return image_of(scene, Transform(), IdMap()); }
+SceneDef on_grids(const SceneDef& scene) { return image_of(scene, Transform(), IdMap()); }
 
 }  // namespace tumble::sim

@@ -50,6 +50,6 @@ SceneDef image_of(const SceneDef& scene, const Transform& transform, const IdMap
 
 /// The scene with the values that a world and its inputs would round, rounded. Orientations are left: normalising
 /// commutes with every transform, but not with itself.
-SceneDef on_grids(SceneDef scene);
+SceneDef on_grids(const SceneDef& scene);
 
 }  // namespace tumble::sim

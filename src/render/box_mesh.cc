@@ -78,6 +78,7 @@ constexpr std::array<GLint, 9> kInstanceWidths = {3, 3, 3, 3, 3, 3, 3, 3, 4};
 
 void describe(const Gl& gl, GLuint location, GLint width, GLsizei stride, std::size_t offset, GLuint divisor) {
   gl.EnableVertexAttribArray(location);
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): OpenGL takes an offset into the bound buffer as a pointer
   gl.VertexAttribPointer(location, width, GL_FLOAT, GL_FALSE, stride, reinterpret_cast<const void*>(offset));
   gl.VertexAttribDivisor(location, divisor);
 }

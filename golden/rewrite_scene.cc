@@ -1,4 +1,4 @@
-#include "src/scenes/rewrite_scene.h"
+#include "golden/rewrite_scene.h"
 
 #include <new>
 #include <optional>
@@ -7,18 +7,18 @@
 #include "src/scenes/overrides.h"
 #include "src/scenes/parse_toml.h"
 
-namespace tumble::scenes {
+namespace tumble::golden {
 
 Result<std::string> rewrite_scene(std::string_view toml_text, std::string_view file_name, std::string_view name,
                                   std::span<const std::string> overrides) {
   try {
-    Problem problem(file_name);
-    std::optional<toml::table> root = parse_toml(toml_text, "", problem);
+    scenes::Problem problem(file_name);
+    std::optional<toml::table> root = scenes::parse_toml(toml_text, "", problem);
     if (!root) return problem.error();
     const bool same_name = !root->contains("name") || (*root)["name"].value_or(std::string_view()) == name;
     if (overrides.empty() && same_name) return std::string(toml_text);
     for (const std::string& argument : overrides) {
-      if (Status status = apply_override(*root, argument); !status.ok()) return status.error();
+      if (Status status = scenes::apply_override(*root, argument); !status.ok()) return status.error();
     }
     root->insert_or_assign("name", std::string(name));
     std::ostringstream out;
@@ -29,4 +29,4 @@ Result<std::string> rewrite_scene(std::string_view toml_text, std::string_view f
   }
 }
 
-}  // namespace tumble::scenes
+}  // namespace tumble::golden
