@@ -38,6 +38,7 @@ summary h3 { margin: 0; font-size: 1.05rem; overflow-wrap: anywhere; }
 td.mark, .glance .chip { white-space: nowrap; }
 .glance code { user-select: all; font: .82rem/1.4 ui-monospace, "DejaVu Sans Mono", monospace; overflow-wrap: anywhere; }
 a { color: inherit; overflow-wrap: anywhere; }
+.glance a { overflow-wrap: break-word; }
 .pictures { display: flex; flex-wrap: wrap; gap: .75rem; }
 .pictures figure { margin: 0; }
 .pictures img { max-width: 100%; height: auto; }

@@ -13,4 +13,4 @@ chromium=$(command -v "${CHROMIUM:-chromium}") || {
 modules=$(tools/report_packages.sh)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-TUMBLE=$tumble CHROMIUM=$chromium MODULES=$modules WORK=$work node --test tests/report_page/
+TUMBLE=$tumble CHROMIUM=$chromium MODULES=$modules WORK=$work node --test tests/report_page/page.test.js
