@@ -2,12 +2,13 @@
 # Plants one small mistake after the other in a copy of the tree, builds the program there, runs its `tumble check`, and
 # compares what the check says with what the author of the mistake predicted; then lets `tumble replay` say of logs that
 # were recorded without the mistake in which phase it lies: docs/faults.md.
-# Usage: tools/faults.sh [--all-cases] [--jobs N] [--write] [NAME...]
+# Usage: tools/faults.sh [--all-cases] [--rest] [--jobs N] [--write] [NAME...]
 #        tools/faults.sh --texts      only: does every fault still apply? Fast, builds nothing (part of the tests)
 #        tools/faults.sh --list       names, files and predictions
 #        tools/faults.sh --table      judges what earlier runs found once more, and writes docs/faults.md
-#        tools/faults.sh --rebuilds   no fault, other compilers and flags: every check must pass
+#        tools/faults.sh --rebuilds [BUILD...]   no fault, other compilers and flags: every check must pass
 #   --all-cases   also the cases that take long
+#   --rest        only those that were not run yet, or changed since
 #   --write       puts the table into docs/faults.md; rows of faults that were not run now are those of the run before
 # Exit status: 0 every fault was caught as predicted; 1 one was not, or no longer applies; 2 bad usage.
 set -euo pipefail
@@ -26,19 +27,21 @@ log_cases=(bounce freeze_and_wake friction_with size_ratio stacks thesis_free_sp
   layered_images_pile layered_inputs layered_leaning layered_mass_graded layered_plates layered_ramp
   layered_size_ratio layered_sleep layered_slide layered_spinning_plates layered_support_removed layered_table
   layered_tower_5)
-jobs=2 write=false mode=run names=()
+jobs=2 write=false rest=false mode=run names=()
 while (($#)); do
   case "$1" in
     --all-cases) slow_cases=(); shift ;;
     --jobs) jobs=${2:?--jobs needs a number}; shift 2 ;;
     --write) write=true; shift ;;
+    --rest) rest=true; shift ;;
     --texts | --list | --table | --rebuilds) mode=${1#--}; shift ;;
-    -*) sed -n '5,12s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2 ;;
+    -*) sed -n '5,13s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2 ;;
     *) names+=("$1"); shift ;;
   esac
 done
 
 work=$PWD/build/faults
+[[ $mode != rebuilds ]] || work+=/rebuilds  # which may run beside faults
 list=$(mktemp -d)
 trap 'rm -rf "$list"' EXIT
 export work list
@@ -96,7 +99,8 @@ run_faults() {
 }
 
 read_faults
-((${#names[@]})) || names=("${fault_names[@]}")
+((${#names[@]})) || [[ $mode == rebuilds ]] || names=("${fault_names[@]}")
+! "$rest" || mapfile -t names < <(for name in "${names[@]}"; do row_of "$name" >/dev/null || printf '%s\n' "$name"; done)
 case $mode in
   texts) check_texts && printf 'faults: %d apply\n' "${#fault_names[@]}" ;;
   list)
@@ -108,6 +112,6 @@ case $mode in
     for name in "${fault_names[@]}"; do print_row "$name"; done
     write_table
     ;;
-  rebuilds) rebuild_all ;;
+  rebuilds) rebuild_all "${names[@]}" ;;
   run) run_faults ;;
 esac
