@@ -218,7 +218,7 @@ fi
 if is_wanted 24; then
   size=400x400
   for n in 40 60 80; do
-    many=(--set grid.rows=$n --set grid.cols=$n --set world.dt=0.03333333333333333)
+    many=(--set "grid.rows=$n" --set "grid.cols=$n" --set world.dt=0.03333333333333333)
     record many-$n tilted_grid "${many[@]}" --set "camera.position=[0, $((n * 17 / 40)), $((n * 7 / 2))]" \
       --set "camera.target=[0, $((n * 17 / 40)), 0]" --set camera.fov=22 --set camera.blur=0 \
       --set "light.position=[$((2 * n)), $((-2 * n)), $((3 * n))]" --set "light.target=[0, $((n * 6 / 10)), 0]"
