@@ -10,6 +10,8 @@
 #include <thread>
 
 #include "replay/chunk_codec.h"
+#include "replay/compare.h"
+#include "replay/gap_story.h"
 #include "replay/limits.h"
 #include "replay/log_reader.h"
 #include "replay/recorder.h"
@@ -164,6 +166,46 @@ void open_and_read_middle_step(benchmark::State& bench) {
 }
 BENCHMARK(open_and_read_middle_step)->Unit(benchmark::kMillisecond);
 
+/// The same session, but for a push before step 1000.
+const std::string& other_log() {
+  static const std::string path = [] {
+    sim::SceneDef scene = tilted_grid(1500);
+    scene.inputs.push_back({1000, sim::Push{200, {0, 0, 0.001}, true, {0, 0, 0}}});
+    return recorded(scene, "tumble_log_bench_other");
+  }();
+  return path;
+}
+
+/// Opens both, and finds step, phase, body and field.
+void find_first_difference(benchmark::State& bench) {
+  const std::string& path = grid_log();
+  const std::string& other = other_log();
+  std::uint64_t chunks = 0;
+  for (auto _ : bench) {
+    LogReader a = opened(path), b = opened(other);
+    const Result<DiffReport> report = diff_logs(a, b);
+    if (!report.ok() || !report->first || report->first->step != 1000) bench.SkipWithError("not found");
+    chunks = a.chunks_opened() + b.chunks_opened();
+  }
+  bench.counters["chunks_opened"] = static_cast<double>(chunks);
+}
+BENCHMARK(find_first_difference)->Unit(benchmark::kMillisecond);
+
+/// And how the gap grew in the 500 steps that follow.
+void tell_what_it_led_to(benchmark::State& bench) {
+  const std::string& path = grid_log();
+  const std::string& other = other_log();
+  for (auto _ : bench) {
+    LogReader a = opened(path), b = opened(other);
+    const auto feed = [](LogReader& log) {
+      return StepFeed{log.name(), [&log](std::uint64_t k) { return log.read_step(k); }};
+    };
+    const Result<DiffReport> report = diff_logs(a, b);
+    if (!report.ok() || !tell_story(feed(a), feed(b), report->first->step, 1500).ok()) bench.SkipWithError("no story");
+  }
+}
+BENCHMARK(tell_what_it_led_to)->Unit(benchmark::kMillisecond);
+
 void verify_log(benchmark::State& bench) {
   LogReader log = opened(grid_log());
   for (auto _ : bench) {
@@ -224,5 +266,6 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();
   std::filesystem::remove(tumble::replay::grid_log());
+  std::filesystem::remove(tumble::replay::other_log());
   return 0;
 }

@@ -73,7 +73,7 @@ class Diff {
     report_.headers = different_headers(a_.header(), b_.header());
     if (Status ok = compare_start(from); !ok.ok()) return ok.error();
     if (report_.first) return std::move(report_);
-    Result<std::uint64_t> same = last_known_same(from);
+    Result<std::uint64_t> same = last_known_same(from, last);
     if (!same.ok()) return same.error();
     for (std::uint64_t k = *same + 1; k <= last && !report_.first; ++k) {
       if (Status ok = compare_step(k); !ok.ok()) return ok.error();
@@ -91,24 +91,31 @@ class Diff {
     return bad_input("found no step in common: " + range(a_) + ", " + range(b_));
   }
 
-  /// The last step up to which the chains of both logs agree, found among the steps at which both end a chunk. A chain
-  /// never agrees again once it differed, so half of them can be left out at a time.
-  [[nodiscard]] Result<std::uint64_t> last_known_same(std::uint64_t from) {
+  /// The last step up to which the chains of both logs agree, among the steps at which the first one ends a chunk. A
+  /// chain never agrees again once it differed, so half of them can be left out at a time. Where the other one ends a
+  /// chunk there too, which is the rule, that opens none.
+  [[nodiscard]] Result<std::uint64_t> last_known_same(std::uint64_t from, std::uint64_t last) {
     if (!chains_say_all_) return from;
     const Result<Hash128> chain_a = a_.chain_at(from), chain_b = b_.chain_at(from);
     if (!chain_a.ok()) return chain_a.error();
     if (!chain_b.ok()) return chain_b.error();
     if (*chain_a != *chain_b) return from;
-    std::vector<std::pair<const ChunkPlace*, const ChunkPlace*>> ends;
-    auto at_b = b_.chunks().begin();
-    for (const ChunkPlace& place : a_.chunks()) {
-      while (at_b != b_.chunks().end() && at_b->end_step() < place.end_step()) ++at_b;
-      if (place.end_step() <= from) continue;
-      if (at_b != b_.chunks().end() && at_b->end_step() == place.end_step()) ends.emplace_back(&place, &*at_b);
+    const std::vector<ChunkPlace>& chunks = a_.chunks();
+    const auto ends_by = [](std::uint64_t step, const ChunkPlace& place) { return step < place.end_step() - 1; };
+    auto low = std::upper_bound(chunks.begin(), chunks.end(), from, ends_by);  // all before it are known to be the same
+    auto high = std::upper_bound(chunks.begin(), chunks.end(), last, ends_by);
+    std::uint64_t same = from;
+    while (low < high) {
+      const auto middle = low + (high - low) / 2;
+      const Result<Hash128> other = b_.chain_at(middle->end_step() - 1);  // no answer where a record is damaged
+      if (other.ok() && *other == middle->chain_after) {
+        same = middle->end_step() - 1;
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
     }
-    const auto differs = std::partition_point(
-        ends.begin(), ends.end(), [](const auto& end) { return end.first->chain_after == end.second->chain_after; });
-    return differs == ends.begin() ? from : std::prev(differs)->first->end_step() - 1;
+    return same;
   }
 
   /// The states that both begin with; how either came there is another question.

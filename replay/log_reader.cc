@@ -215,6 +215,7 @@ Result<ChunkDecoder*> LogReader::load(std::size_t chunk) {
     if (!decoder.ok()) return decoder.error();
     decoder_ = *std::move(decoder);
     loaded_ = chunk;
+    ++chunks_opened_;
   }
   return &*decoder_;
 }

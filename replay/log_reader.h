@@ -62,6 +62,9 @@ class LogReader {
   /// The chain after step k of first_state() … last_step(); see chain_next(). Errors: as read_step().
   Result<Hash128> chain_at(std::uint64_t k);
 
+  /// How many chunks were read and decompressed so far: what finding something has cost.
+  [[nodiscard]] std::uint64_t chunks_opened() const { return chunks_opened_; }
+
   // For verify().
   [[nodiscard]] const ByteSource& source() const { return *source_; }
   [[nodiscard]] const Prelude& header_prelude() const { return header_prelude_; }
@@ -82,6 +85,7 @@ class LogReader {
   std::vector<ChunkPlace> chunks_;
   std::optional<std::size_t> loaded_;  // which chunk decoder_ holds
   std::optional<ChunkDecoder> decoder_;
+  std::uint64_t chunks_opened_ = 0;
   StepRecord start_;
 };
 

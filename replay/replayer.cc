@@ -6,6 +6,20 @@
 namespace tumble::replay {
 namespace {
 
+/// Two observers of one step.
+class Both : public sim::Observer {
+ public:
+  Both(sim::Observer& first, sim::Observer& second) : first_(first), second_(second) {}
+  void phase_done(std::uint32_t substep, std::size_t phase, const sim::World& world) override {
+    first_.phase_done(substep, phase, world);
+    second_.phase_done(substep, phase, world);
+  }
+
+ private:
+  sim::Observer& first_;
+  sim::Observer& second_;
+};
+
 Divergence failed_at(std::uint64_t step, const char* phase, const Error& error) {
   Divergence divergence;
   divergence.step = step;
@@ -91,7 +105,7 @@ Result<Player> Player::at(LogReader& log, std::uint64_t k) {
   return player;
 }
 
-Result<const StepRecord*> Player::step() {
+Result<const StepRecord*> Player::step(sim::Observer* also) {
   const std::uint64_t k = world_.state().step + 1;
   Result<const StepRecord*> logged = log_->read_hashes(k);
   if (!logged.ok()) return logged.error();
@@ -104,7 +118,9 @@ Result<const StepRecord*> Player::step() {
   }
   record_.dt = world_.state().def.dt;
   hashes_->clear();
-  Result<sim::StepCounters> counters = sim::step(world_, hashes_.get());
+  Both both(*hashes_, also != nullptr ? *also : *hashes_);
+  Result<sim::StepCounters> counters =
+      sim::step(world_, also != nullptr ? &both : static_cast<sim::Observer*>(hashes_.get()));
   if (!counters.ok()) return counters.error();
   record_.step = k;
   record_.phase_words = hashes_->words();

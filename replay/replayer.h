@@ -23,8 +23,9 @@ class Player {
   static Result<Player> at(LogReader& log, std::uint64_t k);
 
   /// Takes the next step of the log: its inputs, then the step. The record is what this build makes of it, with states.
-  /// Errors: no further step (kBadInput); an input that is refused or a step that fails (kCannotFinish).
-  Result<const StepRecord*> step();
+  /// `also` watches it too. Errors: no further step (kBadInput); an input that is refused or a step that fails
+  /// (kCannotFinish).
+  Result<const StepRecord*> step(sim::Observer* also = nullptr);
 
   [[nodiscard]] const sim::World& world() const { return world_; }
 

@@ -210,8 +210,9 @@ TEST(Program, DiffNamesTheFirstDifference) {
   EXPECT_EQ(outcome.exit, 1);
   const ordered_json json = parsed(outcome);
   EXPECT_EQ(json["identical"], false);
-  EXPECT_EQ(keys_of(json["first"]), (std::vector<std::string>{"step", "substep", "phase", "body", "pair", "field",
-                                                              "expected", "actual", "ulps"}));
+  EXPECT_EQ(keys_of(json["first"]),
+            (std::vector<std::string>{"step", "substep", "phase", "body", "pair", "field", "expected", "actual", "ulps",
+                                      "expected_hex", "actual_hex"}));
   EXPECT_EQ(json["first"]["step"], 5);
 }
 

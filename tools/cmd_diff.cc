@@ -6,15 +6,22 @@
 #include <string>
 #include <vector>
 
+#include "replay/aftermath.h"
 #include "replay/compare.h"
 #include "replay/log_reader.h"
+#include "replay/narrow.h"
+#include "src/model/limits.h"
 #include "src/scenes/problem.h"
 #include "tools/arguments.h"
 #include "tools/command.h"
 #include "tools/divergence_output.h"
+#include "tools/gap_plot.h"
+#include "tools/gnuplot.h"
 #include "tools/interrupt.h"
 #include "tools/log_files.h"
 #include "tools/progress.h"
+#include "tools/step_beside.h"
+#include "tools/story_output.h"
 #include "tools/text.h"
 
 namespace tumble::tools {
@@ -24,6 +31,9 @@ struct Options {
   std::string a;
   std::string b;
   std::vector<std::string> tolerances;
+  std::optional<std::uint64_t> step;
+  std::string plot;
+  bool brief = false;
   bool json = false;
 };
 
@@ -70,30 +80,114 @@ void print_text(const replay::DiffReport& report, bool exact_bits) {
   }
 }
 
-Result<Exit> diff(const Options& options) {
+// What is known of a difference beside where it is.
+struct Found {
+  replay::Narrowing narrowing;
+  std::optional<replay::Aftermath> aftermath;
+  std::string no_aftermath;  // why not
+};
+
+replay::Progress progress_on(ProgressBar& bar) {
+  return [&bar](std::uint64_t done, std::uint64_t total) {
+    bar.show(done, total);
+    return !InterruptGuard::interrupted();
+  };
+}
+
+// Everything about two logs that differ, or a look at all states of two whose hashes do not. Errors: a broken log.
+Result<Found> look_closer(replay::LogReader& a, replay::LogReader& b, replay::DiffReport report, bool exact_bits) {
+  ProgressBar bar("looking closer");
+  Found found;
+  const std::uint64_t last = std::min(report.last_a, report.last_b);
+  if (!report.first && exact_bits) {
+    if (Status ok = replay::confirm_states(a, b, report.from, last, progress_on(bar)); !ok.ok()) return ok.error();
+  }
+  found.narrowing = replay::narrow(a, b, std::move(report));
+  if (!found.narrowing.report.first) return found;
+  Result<replay::Aftermath> aftermath =
+      replay::aftermath_of(a, b, found.narrowing.report.first->step, progress_on(bar));
+  if (aftermath.ok()) {
+    found.aftermath = *std::move(aftermath);
+  } else if (aftermath.error().kind == ErrorKind::kDamaged && a.condition().whole() && b.condition().whole()) {
+    return aftermath.error();
+  } else {
+    found.no_aftermath = aftermath.error().message;
+  }
+  return found;
+}
+
+void print_found(const Found& found) {
+  if (!found.narrowing.report.first) return;
+  print_narrowing(found.narrowing);
+  if (found.aftermath) {
+    print_aftermath(*found.aftermath, "A", "B");
+  } else {
+    std::cout << "what it led to is not known: " << printable(found.no_aftermath) << '\n';
+  }
+}
+
+Result<Exit> step_beside(const Options& options, replay::LogReader& a, replay::LogReader& b) {
+  const Result<StepBeside> beside = look_at_step(a, b, *options.step);
+  if (!beside.ok()) return beside.error();
+  if (options.json) {
+    print_json(beside->json);
+  } else {
+    print_step_beside(*beside);
+  }
+  return beside->same ? Exit::kSame : Exit::kDifference;
+}
+
+Status draw(const Options& options, const Found& found) {
+  if (options.plot.empty()) return {};
+  if (!found.aftermath) {
+    const std::string& why = found.no_aftermath;
+    return cannot_finish("--plot: there is no gap to draw: " + (why.empty() ? "no step differs" : why));
+  }
+  return draw_gap(options.plot, options.a + " and " + options.b, found.aftermath->gap);
+}
+
+Result<Exit> compare(const Options& options, replay::LogReader& a, replay::LogReader& b) {
   const Result<replay::Tolerances> tolerances = parse_tolerances(options.tolerances);
   if (!tolerances.ok()) return tolerances.error();
+  ProgressBar bar("comparing");
+  Result<replay::DiffReport> report = replay::diff_logs(a, b, *tolerances, progress_on(bar));
+  bar.finish();
+  if (!report.ok()) return report.error();
+  Found found;
+  if (options.brief || InterruptGuard::interrupted()) {
+    found.narrowing.report = *std::move(report);
+  } else {
+    Result<Found> closer = look_closer(a, b, *std::move(report), tolerances->exact());
+    if (!closer.ok()) return closer.error();
+    found = *std::move(closer);
+  }
+  if (InterruptGuard::interrupted()) return cannot_finish("interrupted");
+  const replay::DiffReport& result = found.narrowing.report;
+  if (options.json) {
+    Json json = comparison_json(result.identical(), result.steps, first_of(result));
+    if (result.first && !options.brief) json["narrowed"] = narrowing_json(found.narrowing);
+    if (found.aftermath) json["aftermath"] = aftermath_json(*found.aftermath);
+    print_json(json);
+  } else {
+    print_text(result, tolerances->exact());
+    if (!options.brief) print_found(found);
+  }
+  if (Status ok = draw(options, found); !ok.ok()) return ok.error();
+  return result.identical() ? Exit::kSame : Exit::kDifference;
+}
+
+Result<Exit> diff(const Options& options) {
+  if (!options.plot.empty()) {
+    if (Status ok = check_plot_path(options.plot); !ok.ok()) return ok.error();
+  }
   Result<replay::LogReader> a = open_log(options.a);
   if (!a.ok()) return a.error();
   Result<replay::LogReader> b = open_log(options.b);
   if (!b.ok()) return b.error();
   const InterruptGuard guard;
-  ProgressBar bar("comparing");
-  const Result<replay::DiffReport> report =
-      replay::diff_logs(*a, *b, *tolerances, [&](std::uint64_t done, std::uint64_t total) {
-        bar.show(done, total);
-        return !InterruptGuard::interrupted();
-      });
-  bar.finish();
-  if (!report.ok()) return report.error();
-  if (InterruptGuard::interrupted()) return cannot_finish("interrupted");
-  if (options.json) {
-    print_json(comparison_json(report->identical(), report->steps, first_of(*report)));
-  } else {
-    print_text(*report, tolerances->exact());
-  }
-  const Exit verdict = report->identical() ? Exit::kSame : Exit::kDifference;
-  return judge("diff", *b, judge("diff", *a, verdict));
+  const Result<Exit> verdict = options.step ? step_beside(options, *a, *b) : compare(options, *a, *b);
+  if (!verdict.ok()) return verdict;
+  return judge("diff", *b, judge("diff", *a, *verdict));
 }
 
 }  // namespace
@@ -108,11 +202,23 @@ Action declare_diff(CLI::App& app) {
          "V apart; then states decide and hashes do not. May be repeated")
       ->type_name("FIELD=V")
       ->allow_extra_args(false);
+  CLI::Option* step = add_whole(app, "--step", options->step, 0, sim::kStepsMax,
+                                "Show step K of both side by side, phase by phase, and the bodies that differ");
+  step->type_name("K");
+  CLI::Option* plot =
+      app.add_option("--plot", options->plot, "Also draw the gap over the steps, on a logarithmic scale, with gnuplot");
+  plot->type_name("FILE.svg|png")->excludes(step);
+  app.add_flag("--brief", options->brief, "Only find the first difference, by the hashes, not what it led to")
+      ->excludes(step)
+      ->excludes(plot);
   add_json(app, options->json);
   app.footer(
-      "Exit status: 0 the same, 1 a difference, 3 a log is damaged or torn (the whole parts are compared).\n\n"
+      "Exit status: 0 the same, 1 a difference, 3 a log is damaged or torn (the whole parts are compared), or broken:\n"
+      "its states and its hashes do not tell the same.\n\n"
       "Examples:\n"
       "  tumble diff before.tumble after.tumble\n"
+      "  tumble diff before.tumble after.tumble --step 120\n"
+      "  tumble diff before.tumble after.tumble --plot gap.svg\n"
       "  tumble diff before.tumble after.tumble --tolerance position=1e-6 --tolerance velocity=1e-4 --json");
   return [options] { return diff(*options); };
 }

@@ -1,18 +1,20 @@
 // tumble measure: how a recorded session behaved, in numbers.
+#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "replay/log_reader.h"
 #include "replay/measure_log.h"
+#include "replay/metric_bound.h"
 #include "replay/twin.h"
-#include "src/model/limits.h"
-#include "src/scenes/problem.h"
 #include "tools/arguments.h"
 #include "tools/command.h"
 #include "tools/interrupt.h"
 #include "tools/log_files.h"
+#include "tools/measure_arguments.h"
 #include "tools/metrics_output.h"
 #include "tools/plot.h"
 #include "tools/progress.h"
@@ -25,24 +27,32 @@ struct Options {
   std::string log;
   std::string series;
   std::string plot;
-  std::string bodies = "all";
-  std::string axis = "x";
-  std::optional<std::uint64_t> from_step;
+  MeasureArguments over;
+  std::vector<std::string> require;
   std::string twin;
   bool json = false;
 };
 
-Result<replay::MeasureOptions> measure_options(const Options& options) {
-  replay::MeasureOptions how;
-  Result<replay::BodyChoice> bodies = replay::parse_bodies(options.bodies);
-  if (!bodies.ok()) return bad_input("--" + bodies.error().message);
-  how.bodies = *std::move(bodies);
-  if (options.axis != "x" && options.axis != "y") {
-    return bad_input("--axis: found " + scenes::quoted(options.axis) + ", wanted x or y");
+Result<std::vector<replay::MetricBound>> parse_bounds(const std::vector<std::string>& texts) {
+  std::vector<replay::MetricBound> bounds;
+  for (const std::string& text : texts) {
+    Result<replay::MetricBound> bound = replay::parse_metric_bound(text);
+    if (!bound.ok()) return bad_input("--require: " + bound.error().message);
+    bounds.push_back(*std::move(bound));
   }
-  how.lateral = options.axis == "x" ? replay::LateralAxis::kX : replay::LateralAxis::kY;
-  how.from_step = options.from_step.value_or(0);
-  return how;
+  return bounds;
+}
+
+// Which of the bounds are not kept, on stderr.
+Exit judge_bounds(const std::vector<replay::MetricBound>& bounds, const replay::Metrics& metrics) {
+  Exit verdict = Exit::kSame;
+  for (const replay::MetricBound& bound : bounds) {
+    const std::optional<double> value = bound.metric->value(metrics);
+    if (bound.holds(value)) continue;
+    std::cerr << "tumble measure: " << bound.text << ": found " << (value ? exact(*value) : "no value") << '\n';
+    verdict = Exit::kDifference;
+  }
+  return verdict;
 }
 
 replay::Progress progress_on(ProgressBar& bar) {
@@ -97,8 +107,10 @@ Status compare_with_twin(replay::LogReader& log, replay::LogReader& twin, replay
 }
 
 Result<Exit> measure(const Options& options) {
-  const Result<replay::MeasureOptions> how = measure_options(options);
+  const Result<replay::MeasureOptions> how = parse_measure(options.over);
   if (!how.ok()) return how.error();
+  const Result<std::vector<replay::MetricBound>> bounds = parse_bounds(options.require);
+  if (!bounds.ok()) return bounds.error();
   Result<replay::LogReader> log = open_log(options.log);
   if (!log.ok()) return log.error();
   std::optional<replay::LogReader> twin;
@@ -117,7 +129,7 @@ Result<Exit> measure(const Options& options) {
   } else {
     print_metrics(options.log, *metrics);
   }
-  const Exit verdict = judge("measure", *log, Exit::kSame);
+  const Exit verdict = judge("measure", *log, judge_bounds(*bounds, *metrics));
   return twin ? judge("measure", *twin, verdict) : verdict;
 }
 
@@ -130,14 +142,11 @@ Action declare_measure(CLI::App& app) {
       ->type_name("FILE.csv");
   app.add_option("--plot", options->plot, "Also draw energy, heights and overlap over time, with gnuplot")
       ->type_name("FILE.svg|png");
-  app.add_option("--bodies", options->bodies,
-                 "Measure these: ids (7), ranges (3-9), tables of the scene (grid, tower:1, input), joined by commas")
-      ->type_name("LIST");
-  app.add_option("--axis", options->axis, "The axis along which nothing should move: x (if not given) or y")
-      ->type_name("AXIS");
-  add_whole(app, "--from-step", options->from_step, 0, sim::kStepsMax,
-            "Measure from the state after step K on, as if it were the start")
-      ->type_name("K");
+  add_measure(app, options->over);
+  app.add_option("--require", options->require,
+                 "Exit with status 1 unless this holds, as in 'lateral_max<=0'; may be repeated")
+      ->type_name("EXPR")
+      ->allow_extra_args(false);
   app.add_option("--with", options->twin,
                  "The log of the scene's image (record --mirror, --permute, --shift): also say how far it is from one")
       ->type_name("LOG");
@@ -149,6 +158,7 @@ Action declare_measure(CLI::App& app) {
       "  tumble measure tilted_grid.tumble --json --series grid.csv\n"
       "  tumble measure brick_wall.tumble --plot wall.svg\n"
       "  tumble measure brick_wall.tumble --bodies wall --from-step 120\n"
+      "  tumble measure brick_wall.tumble --require 'gain_ratio<=1e-3' --require 'lost<=0'\n"
       "  tumble measure brick_wall.tumble --with mirrored.tumble");
   return [options] { return measure(*options); };
 }

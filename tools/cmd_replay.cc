@@ -3,15 +3,20 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "replay/aftermath.h"
 #include "replay/log_reader.h"
 #include "replay/replayer.h"
+#include "replay/step_contacts.h"
 #include "tools/arguments.h"
 #include "tools/command.h"
 #include "tools/divergence_output.h"
 #include "tools/interrupt.h"
 #include "tools/log_files.h"
 #include "tools/progress.h"
+#include "tools/story_output.h"
 #include "tools/text.h"
 
 namespace tumble::tools {
@@ -20,10 +25,42 @@ namespace {
 struct Options {
   std::string log;
   std::optional<std::uint64_t> threads;
+  bool brief = false;
   bool json = false;
 };
 
-void print_text(const replay::ReplayReport& report, const replay::LogReader& log) {
+// What goes with a first difference.
+struct Found {
+  std::optional<replay::Aftermath> aftermath;
+  std::vector<replay::StepContact> contacts;  // of the first body, by this build
+};
+
+// This build's own step of the first difference, and where it went from there. What cannot be found out is left out.
+Found look_closer(replay::LogReader& log, replay::Divergence& first) {
+  Found found;
+  const bool has_step = first.step > log.first_state() && first.field != "error";
+  if (!has_step) return found;
+  const Result<replay::RetakenStep> taken = replay::retake_step(log, first.step);
+  const Result<const replay::StepRecord*> logged = log.read_step(first.step);
+  if (taken.ok() && logged.ok() && (*logged)->has_states && first.phase != "inputs") {
+    first.pair = replay::pair_of(replay::differing_bodies((*logged)->states, taken->record.states), taken->contacts);
+    for (const replay::StepContact& contact : taken->contacts) {
+      if (first.body && contact.has(*first.body)) found.contacts.push_back(contact);
+    }
+  }
+  Result<replay::LogReader> again = open_log(log.name());
+  if (!again.ok()) return found;
+  ProgressBar bar("looking closer");
+  Result<replay::Aftermath> aftermath =
+      replay::aftermath_of_replay(log, *again, first.step, [&](std::uint64_t done, std::uint64_t total) {
+        bar.show(done, total);
+        return !InterruptGuard::interrupted();
+      });
+  if (aftermath.ok()) found.aftermath = *std::move(aftermath);
+  return found;
+}
+
+void print_text(const replay::ReplayReport& report, const replay::LogReader& log, const Found& found) {
   for (const std::string& note : report.notes) std::cout << "note: " << printable(note) << '\n';
   if (report.identical()) {
     std::cout << "identical: " << count_text(report.steps, "step") << " of " << printable(log.header().scene.name)
@@ -33,6 +70,10 @@ void print_text(const replay::ReplayReport& report, const replay::LogReader& log
   std::cout << "different: the first of " << count_text(log.step_count(), "step") << " that differs is step "
             << report.first->step << '\n';
   print_divergence(*report.first);
+  Listing contacts;
+  for (const replay::StepContact& contact : found.contacts) contacts.add("  contact", replay::describe(contact));
+  contacts.print();
+  if (found.aftermath) print_aftermath(*found.aftermath, "log", "this build");
 }
 
 Result<Exit> replay_command(const Options& options) {
@@ -40,20 +81,22 @@ Result<Exit> replay_command(const Options& options) {
   if (!log.ok()) return log.error();
   ProgressBar bar("replaying");
   const InterruptGuard guard;
-  const Result<replay::ReplayReport> report =
-      replay::replay_log(*log, {}, [&](std::uint64_t done, std::uint64_t total) {
-        bar.show(done, total);
-        return !InterruptGuard::interrupted();
-      });
+  Result<replay::ReplayReport> report = replay::replay_log(*log, {}, [&](std::uint64_t done, std::uint64_t total) {
+    bar.show(done, total);
+    return !InterruptGuard::interrupted();
+  });
   bar.finish();
   if (!report.ok()) return report.error();
   if (InterruptGuard::interrupted()) {
     return cannot_finish("interrupted; identical so far: " + count_text(report->steps, "step"));
   }
+  const Found found = report->first && !options.brief ? look_closer(*log, *report->first) : Found();
   if (options.json) {
-    print_json(comparison_json(report->identical(), report->steps, report->first));
+    Json json = comparison_json(report->identical(), report->steps, report->first);
+    if (found.aftermath) json["aftermath"] = aftermath_json(*found.aftermath);
+    print_json(json);
   } else {
-    print_text(*report, *log);
+    print_text(*report, *log, found);
   }
   return judge("replay", *log, report->identical() ? Exit::kSame : Exit::kDifference);
 }
@@ -64,6 +107,7 @@ Action declare_replay(CLI::App& app) {
   auto options = std::make_shared<Options>();
   app.add_option("LOG", options->log, "The log to replay")->required()->type_name("");
   add_threads(app, options->threads);
+  app.add_flag("--brief", options->brief, "Stop at the first difference; do not look what it leads to");
   add_json(app, options->json);
   app.footer(
       "Exit status: 0 identical, 1 a difference, 3 the log is damaged or torn (its whole part is replayed).\n\n"

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "replay/divergence.h"
 #include "tools/text.h"
@@ -10,6 +11,10 @@ namespace tumble::tools {
 
 /// {"identical":…, "steps":…, "first":null|{…}}: what `replay --json` and `diff --json` have in common.
 Json comparison_json(bool identical, std::uint64_t steps, const std::optional<replay::Divergence>& first);
+
+/// The bits of a double, or of a word, as 0x and 16 hexadecimal digits.
+std::string hex_text(double value);
+std::string hex_text(std::uint64_t word);
 
 /// The first difference for people, a few aligned lines.
 void print_divergence(const replay::Divergence& first);

@@ -25,6 +25,7 @@ constexpr std::array kCommands = {
     Command{"dump", "the bodies at one step or over many, to the last bit", declare_dump},
     Command{"render", "pictures and movies of a recorded session", declare_render},
     Command{"check", "run the golden suite and say what changed", declare_check},
+    Command{"bisect", "find the commit after which a session is another one", declare_bisect},
     Command{"bless", "accept what cases do now as their goldens", declare_bless},
     Command{"scenes", "the scenes that can be recorded by name", declare_scenes},
 };

@@ -1,24 +1,14 @@
 #include "tools/plot.h"
 
-#include <cstdio>
 #include <initializer_list>
-#include <span>
 
-#include "src/scenes/problem.h"
-#include "tools/child_pipe.h"
+#include "tools/gnuplot.h"
 #include "tools/text.h"
 
 namespace tumble::tools {
 namespace {
 
 constexpr std::size_t kPointsMax = 4000;  // more than a picture can show apart
-
-// In gnuplot's single quotes only the quote itself means something.
-std::string quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : printable(text)) out += c == '\'' ? "''" : std::string(1, c);
-  return out + "'";
-}
 
 // Colours that stay apart without colour vision.
 constexpr const char* kStyle = R"(
@@ -57,8 +47,8 @@ unset multiplot
 }  // namespace
 
 Result<Plot> Plot::for_file(const std::string& path) {
-  if (path.ends_with(".svg") || path.ends_with(".png")) return Plot(path);
-  return bad_input("--plot: found " + scenes::quoted(path) + ", wanted a name that ends with .svg or .png");
+  if (Status ok = check_plot_path(path); !ok.ok()) return ok.error();
+  return Plot(path);
 }
 
 void Plot::add(const replay::SeriesRow& row) {
@@ -82,23 +72,11 @@ std::string Plot::data() const {
   return rows + "EOD\n" + overlaps + "EOD\n";
 }
 
-std::string Plot::script(const std::string& output, const std::string& title) const {
-  const double first = points_.front().time, last = points_.back().time;
-  const bool is_svg = path_.ends_with(".svg");
-  return std::string("set terminal ") + (is_svg ? "svg size 900,1000 background 'white'" : "pngcairo size 900,1000") +
-         " font 'sans,11'\nset output " + quoted(output) + "\ntitle_text = " + quoted(title) +
-         "\nfirst = " + exact(first) + "\nlast = " + exact(last > first ? last : first + 1) + '\n' + data() + kStyle;
-}
-
 Status Plot::draw(const std::string& title) const {
-  const std::string part = path_ + ".part";
-  ChildPipe gnuplot;
-  if (Status ok = gnuplot.start({"gnuplot", "--default-settings", "-"}, "plots", "gnuplot-nox"); !ok.ok()) return ok;
-  const std::string text = script(part, title);
-  const bool written = gnuplot.write(std::as_bytes(std::span(text)));
-  if (gnuplot.finish() && written && std::rename(part.c_str(), path_.c_str()) == 0) return {};
-  std::remove(part.c_str());
-  return cannot_finish("--plot: " + path_ + ": gnuplot could not write it; its words are above");
+  const double first = points_.front().time, last = points_.back().time;
+  return run_gnuplot(path_, 900, 1000,
+                     "title_text = " + gnuplot_quoted(title) + "\nfirst = " + exact(first) +
+                         "\nlast = " + exact(last > first ? last : first + 1) + '\n' + data() + kStyle);
 }
 
 }  // namespace tumble::tools

@@ -29,7 +29,6 @@ class Plot {
   };
 
   explicit Plot(std::string path) : path_(std::move(path)) {}
-  [[nodiscard]] std::string script(const std::string& output, const std::string& title) const;
   [[nodiscard]] std::string data() const;
 
   std::string path_;

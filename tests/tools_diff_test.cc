@@ -1,0 +1,100 @@
+// `tumble diff` and `replay` as a person runs them: what a difference led to, one step side by side, the plot.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/program.h"
+
+namespace tumble::test {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// Two sessions, in the second of which the thrown box is faster; they differ from step 5 on.
+void record_two(const Workshop& shop) {
+  shop.record_small("a");
+  shop.record_small("b", {"--set", "input.1.velocity=[0.0, 6.5, 0.0]"});
+}
+
+TEST(DiffCommand, TellsWhatADifferenceLedTo) {
+  const Workshop shop;
+  record_two(shop);
+  const Outcome outcome = shop.run({"diff", "a.tumble", "b.tumble", "--json"});
+  ASSERT_EQ(outcome.exit, 1) << outcome.err;
+  const ordered_json json = ordered_json::parse(outcome.out);
+  const ordered_json& after = json["aftermath"];
+  EXPECT_EQ(after["kind"], "contacts");
+  EXPECT_EQ(after["marks"].size(), 5U);
+  EXPECT_EQ(after["marks"][0]["step"], 5);
+  EXPECT_EQ(after["steps"].size(), 36U);
+  EXPECT_EQ(after["steps"][0]["bodies"], 1);
+  EXPECT_GT(after["largest"]["gap"], 0.1);
+  EXPECT_FALSE(after["metrics"].empty());
+  EXPECT_EQ(json["narrowed"]["this_build_follows"], "both");
+  const Outcome text = shop.run({"diff", "a.tumble", "b.tumble"});
+  for (const char* words : {"gap above 1e-12 m", "largest gap", "bodies that differ", "metric that moved", "inputs"}) {
+    EXPECT_NE(text.out.find(words), std::string::npos) << text.out;
+  }
+}
+
+TEST(DiffCommand, BriefSaysOnlyWhere) {
+  const Workshop shop;
+  record_two(shop);
+  const Outcome outcome = shop.run({"diff", "a.tumble", "b.tumble", "--brief", "--json"});
+  ASSERT_EQ(outcome.exit, 1);
+  const ordered_json json = ordered_json::parse(outcome.out);
+  EXPECT_FALSE(json.contains("aftermath"));
+  EXPECT_EQ(json["first"]["step"], 5);
+}
+
+TEST(DiffCommand, ShowsAStepSideBySide) {
+  const Workshop shop;
+  record_two(shop);
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "b.tumble", "--step", "4"}).exit, 0);
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "b.tumble", "--step", "0"}).exit, 0);
+  const Outcome outcome = shop.run({"diff", "a.tumble", "b.tumble", "--step", "5", "--json"});
+  ASSERT_EQ(outcome.exit, 1) << outcome.err;
+  const ordered_json json = ordered_json::parse(outcome.out);
+  EXPECT_EQ(json["same"], false);
+  EXPECT_EQ(json["phases"][0]["phase"], "integrate");
+  EXPECT_EQ(json["phases"][0]["same"], false);
+  ASSERT_EQ(json["bodies"].size(), 1U);
+  EXPECT_EQ(json["bodies"][0]["fields"][0]["field"], "velocity.y");
+  EXPECT_EQ(json["bodies"][0]["fields"][0]["a"], 6.0);
+  EXPECT_EQ(json["bodies"][0]["fields"][0]["b_hex"], "0x401a000000000000");
+  EXPECT_EQ(json["contacts"]["a_as_recorded"], true);
+  const Outcome text = shop.run({"diff", "a.tumble", "b.tumble", "--step", "30"});
+  EXPECT_EQ(text.exit, 1);
+  EXPECT_NE(text.out.find("DIFFERENT"), std::string::npos);
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "b.tumble", "--step", "41"}).exit, 2);
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "b.tumble", "--step", "4", "--brief"}).exit, 2);
+}
+
+TEST(DiffCommand, DrawsTheGap) {
+  const Workshop shop;
+  record_two(shop);
+  ASSERT_EQ(shop.run({"diff", "a.tumble", "b.tumble", "--plot", "gap.svg"}).exit, 1);
+  EXPECT_NE(shop.read("gap.svg").find("bodies that differ"), std::string::npos);
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "b.tumble", "--plot", "gap.gif"}).exit, 2);
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "a.tumble", "--plot", "same.svg"}).exit, 4) << "there is nothing to draw";
+}
+
+TEST(DiffCommand, LooksAtTheStatesOfLogsWithTheSameHashes) {
+  const Workshop shop;
+  shop.record_small("a");
+  shop.record_small("b");
+  const Outcome outcome = shop.run({"diff", "a.tumble", "b.tumble", "--json"});
+  EXPECT_EQ(outcome.exit, 0) << outcome.err;
+  EXPECT_FALSE(ordered_json::parse(outcome.out).contains("aftermath"));
+}
+
+TEST(ReplayCommand, HasNothingToTellOfASessionThatReplays) {
+  const Workshop shop;
+  shop.record_small("a");
+  const Outcome outcome = shop.run({"replay", "a.tumble", "--json"});
+  EXPECT_EQ(outcome.exit, 0);
+  EXPECT_FALSE(ordered_json::parse(outcome.out).contains("aftermath"));
+}
+
+}  // namespace
+}  // namespace tumble::test
