@@ -1,0 +1,192 @@
+// `tumble bisect` finds the commit in a history of 64, without help, whatever the question; and narrows two logs.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/history.h"
+
+namespace tumble::test {
+namespace {
+
+using nlohmann::ordered_json;
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
+  return n;
+}
+
+/// The commit of the plan was found, and what belongs to it is told.
+ordered_json expect_found(const History& history, const HistoryPlan& plan, const Outcome& outcome) {
+  EXPECT_EQ(outcome.exit, 1) << outcome.out << outcome.err;
+  ordered_json json = ordered_json::parse(outcome.out, nullptr, false);
+  if (!json.is_object()) return json;
+  EXPECT_EQ(json["found"], true);
+  EXPECT_EQ(json["commit"]["commit"], history.commit(plan.fault));
+  EXPECT_EQ(json["commit"]["subject"], "solve: a harmless clean-up");
+  EXPECT_EQ(json["commit"]["author_date"].get<std::string>().substr(0, 9), "2023-11-1");
+  EXPECT_EQ(json["before"]["commit"], history.commit(plan.fault - 1));
+  EXPECT_EQ(json["after"]["commit"], history.commit(plan.fault));
+  EXPECT_LE(json["tested"].size(), 2 + 6 + 2 * plan.broken.size());
+  return json;
+}
+
+/// The sessions before and after: what the planted velocity does.
+void expect_the_drift(const ordered_json& json) {
+  const ordered_json& first = json["sessions"]["first"];
+  EXPECT_EQ(first["step"], 0);
+  EXPECT_EQ(first["phase"], "start");
+  EXPECT_EQ(first["body"], 1);
+  EXPECT_EQ(first["field"], "velocity.x");
+  EXPECT_EQ(first["expected"], 0.0);
+  EXPECT_NEAR(first["actual"].get<double>(), 0.01, 1e-9);
+  bool lateral_moved = false;
+  for (const ordered_json& metric : json["sessions"]["aftermath"]["metrics"]) {
+    lateral_moved = lateral_moved || (metric["name"] == "lateral_max" && metric["expected"] == 0.0);
+  }
+  EXPECT_TRUE(lateral_moved);
+}
+
+TEST(BisectCommand, FindsTheCommitByExactEqualityAndTouchesNothing) {
+  const Workshop shop;
+  const HistoryPlan plan;
+  const History history(shop, plan);
+  shop.write("project/notes.txt", "not committed yet\n");
+  shop.write("project/mine.txt", "not known to git\n");
+  const std::string before = history.footprint();
+  const Outcome outcome = history.bisect({"session.tumble", "--json"});
+  const ordered_json json = expect_found(history, plan, outcome);
+  expect_the_drift(json);
+  EXPECT_TRUE(history.footprint() == before) << "the clone has changed";
+  EXPECT_FALSE(std::filesystem::exists(shop.path("work"))) << "the folder of work is still there";
+  EXPECT_GE(count(outcome.err, "skip "), 1U) << "the plan puts what does not build in the middle";
+}
+
+TEST(BisectCommand, FindsTheCommitByAMetric) {
+  const Workshop shop;
+  const HistoryPlan plan;
+  const History history(shop, plan);
+  const ordered_json json =
+      expect_found(history, plan, history.bisect({"session.tumble", "--metric", "lateral_max<=0", "--json"}));
+  EXPECT_EQ(json["before"]["metric"], 0.0);
+  EXPECT_GT(json["after"]["metric"], 0.003);
+  expect_the_drift(json);
+  const Outcome text = history.bisect({"session.tumble", "--metric", "lateral_max<=0"});
+  EXPECT_EQ(text.exit, 1);
+  for (const char* words :
+       {"steps left|left, about", "solve: a harmless clean-up", "lateral_max is 0 m", "velocity.x"}) {
+    const std::string wanted = std::string(words).substr(std::string(words).find('|') + 1);
+    EXPECT_NE(text.out.find(wanted), std::string::npos) << wanted << "\n" << text.out;
+  }
+}
+
+TEST(BisectCommand, FindsTheCommitByAnImage) {
+  const Workshop shop;
+  HistoryPlan plan;
+  plan.with_case = true;
+  const History history(shop, plan);
+  const ordered_json json = expect_found(history, plan, history.bisect({"--case", "look", "--image", "--json"}));
+  EXPECT_NE(json["question"].get<std::string>().find("image"), std::string::npos);
+}
+
+TEST(BisectCommand, AsksAnyEngineThatWritesLogs) {
+  const Workshop shop;
+  const HistoryPlan plan{.commits = 12, .fault = 5, .broken = {}};
+  const History history(shop, plan);
+  expect_found(history, plan,
+               history.bisect({"session.tumble", "--run", "bin/tumble record {scene} -o {log} --quiet", "--json"}));
+}
+
+TEST(BisectCommand, ALogOfTheBadRevisionWillDoAsWell) {
+  const Workshop shop;
+  const HistoryPlan plan{.commits = 12, .fault = 9, .broken = {}};
+  const History history(shop, plan);
+  ASSERT_EQ(
+      shop.run({"record", "scene.toml", "-o", "bad.tumble", "--quiet", "--set", "box.1.velocity=[0.01,0.0,0.0]"}).exit,
+      0);
+  expect_found(history, plan, history.bisect({"bad.tumble", "--json"}));
+}
+
+TEST(BisectCommand, GoesOnAfterAnInterruption) {
+  const Workshop shop;
+  const HistoryPlan plan{.commits = 20, .fault = 14, .broken = {}};
+  const History history(shop, plan);
+  const std::vector<std::string> question = {"session.tumble", "--metric", "lateral_max<=0", "--json"};
+  std::vector<std::string> again = question;
+  again.emplace_back("--resume");
+  EXPECT_EQ(history.bisect(again).exit, 2) << "there is nothing to resume";
+  history.interrupt_next();
+  const Outcome stopped = history.bisect(question);
+  EXPECT_EQ(stopped.exit, 4);
+  EXPECT_NE(stopped.err.find("--resume"), std::string::npos) << stopped.err;
+  const Outcome resumed = history.bisect(again);
+  expect_found(history, plan, resumed);
+}
+
+TEST(BisectCommand, DoesNotAskAgainWhatItKnows) {
+  const Workshop shop;
+  const HistoryPlan plan{.commits = 20, .fault = 14, .broken = {}};
+  const History history(shop, plan);
+  const std::vector<std::string> question = {"session.tumble", "--json", "--keep"};
+  const std::size_t all = count(history.bisect(question).err, "asking ");
+  EXPECT_GE(all, 6U);
+  std::vector<std::string> again = question;
+  again.emplace_back("--resume");
+  const Outcome resumed = history.bisect(again);
+  expect_found(history, plan, resumed);
+  EXPECT_EQ(count(resumed.err, "asking "), 0U) << resumed.err;
+}
+
+TEST(BisectCommand, NamesAllSuspectsWhereTheFaultDoesNotBuild) {
+  const Workshop shop;
+  const History history(shop, {.commits = 10, .fault = 6, .broken = {5, 6}});
+  const Outcome outcome = history.bisect({"session.tumble", "--json"});
+  EXPECT_EQ(outcome.exit, 4) << outcome.err;
+  const ordered_json json = ordered_json::parse(outcome.out);
+  EXPECT_EQ(json["found"], false);
+  ASSERT_EQ(json["suspects"].size(), 3U);
+  EXPECT_EQ(json["suspects"][2]["commit"], history.commit(7));
+}
+
+TEST(BisectCommand, SaysWhatIsWrongWithItsArguments) {
+  const Workshop shop;
+  const History history(shop, {.commits = 4, .fault = 3, .broken = {}});
+  const auto says = [&](const std::vector<std::string>& arguments, const std::string& words) {
+    std::vector<std::string> all = {"bisect", "--repo", "project", "--work", "work"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    const Outcome outcome = shop.run(all);
+    EXPECT_EQ(outcome.exit, 2) << outcome.out << outcome.err;
+    EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
+  };
+  const std::string first = history.commit(1);
+  says({}, "wanted two logs");
+  says({"--good", first}, "--bad");
+  says({"--good", first, "--bad", "main"}, "wanted LOG");
+  says({"--good", "nowhere", "--bad", "main", "session.tumble"}, "\"nowhere\"");
+  says({"--good", "main", "--bad", first, "session.tumble"}, "ancestor");
+  says({"--good", "main", "--bad", "main", "session.tumble"}, "same commit");
+  says({"--good", first, "--bad", "main", "session.tumble", "--metric", "no_such<=0"}, "no_such");
+  says({"--good", first, "--bad", "main", "session.tumble", "--image"}, "--case");
+  says({"--good", first, "--bad", "main", "session.tumble", "--run", "engine"}, "{log}");
+  says({"--good", first, "--bad", "main", "scene.toml"}, "not a log");
+  const Outcome same = history.bisect({"session.tumble", "--metric", "lateral_max<=100"});
+  EXPECT_EQ(same.exit, 2);
+  EXPECT_NE(same.err.find("the same answer for both ends"), std::string::npos) << same.err;
+}
+
+TEST(BisectCommand, NarrowsTwoLogs) {
+  const Workshop shop;
+  shop.record_small("a");
+  shop.record_small("b", {"--set", "input.1.velocity=[0.0, 6.5, 0.0]"});
+  EXPECT_EQ(shop.run({"bisect", "a.tumble", "a.tumble"}).exit, 0);
+  const Outcome outcome = shop.run({"bisect", "a.tumble", "b.tumble", "--json"});
+  EXPECT_EQ(outcome.exit, 1) << outcome.err;
+  const ordered_json json = ordered_json::parse(outcome.out);
+  EXPECT_EQ(json["first"]["step"], 5);
+  EXPECT_EQ(json["narrowed"]["this_build_follows"], "both");
+  EXPECT_LE(json["chunks_opened"], 4);
+}
+
+}  // namespace
+}  // namespace tumble::test

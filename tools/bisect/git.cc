@@ -1,0 +1,111 @@
+#include "tools/bisect/git.h"
+
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+#include <utility>
+
+#include "golden/text_files.h"
+#include "src/scenes/problem.h"
+#include "tools/child_run.h"
+
+namespace tumble::tools::bisect {
+namespace {
+
+std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+
+/// Status 1 of a git command that answers a question.
+constexpr const char* kNo = "no";
+
+}  // namespace
+
+Result<std::string> Git::run(const std::string& folder, std::vector<std::string> words) const {
+  ChildTask task;
+  task.words = {"git", "-C", folder, "-c", "core.hooksPath=/dev/null", "-c", "advice.detachedHead=false"};
+  task.words.insert(task.words.end(), words.begin(), words.end());
+  task.out = scratch_ + "/git.out";
+  task.err = scratch_ + "/git.err";
+  task.more = {{"GIT_TERMINAL_PROMPT", "0"}};
+  const Result<ChildEnd> end = run_child(task);
+  if (!end.ok()) return cannot_finish("bisect needs git: " + end.error().message);
+  const Result<std::string> words_of_git = golden::read_text(task.err);
+  if (!end->well()) {
+    const std::string said = words_of_git.ok() ? first_line(*words_of_git) : "";
+    if (end->exit == 1 && said.empty()) return bad_input(kNo);
+    return cannot_finish("git " + words.front() + ' ' + end->text() + (said.empty() ? "" : ": " + said));
+  }
+  std::string text = *golden::read_text(task.out);
+  while (text.ends_with('\n')) text.pop_back();
+  return text;
+}
+
+Result<std::string> Git::resolve(const std::string& revision) const {
+  Result<std::string> commit =
+      run(repository_, {"rev-parse", "--verify", "--quiet", "--end-of-options", revision + "^{commit}"});
+  if (commit.ok()) return commit;
+  if (commit.error().message != kNo) return bad_input(commit.error().message);
+  return bad_input("found no revision " + scenes::quoted(revision) + " in " + repository_);
+}
+
+Result<std::string> Git::common_folder() const {
+  Result<std::string> folder = run(repository_, {"rev-parse", "--path-format=absolute", "--git-common-dir"});
+  if (folder.ok()) return folder;
+  return bad_input(repository_ + ": is no clone of a git repository; give one with --repo: " + folder.error().message);
+}
+
+Result<bool> Git::is_ancestor(const std::string& older, const std::string& newer) const {
+  const Result<std::string> answer = run(repository_, {"merge-base", "--is-ancestor", older, newer});
+  if (answer.ok()) return true;
+  if (answer.error().message == kNo) return false;
+  return answer.error();
+}
+
+Result<std::vector<Candidate>> Git::candidates(const std::vector<std::string>& good, const std::string& bad,
+                                               bool first_parent) const {
+  std::vector<std::string> words = {"rev-list", "--bisect-all"};
+  if (first_parent) words.emplace_back("--first-parent");
+  words.push_back(bad);
+  for (const std::string& commit : good) words.push_back('^' + commit);
+  const Result<std::string> text = run(repository_, words);
+  if (!text.ok()) return text.error();
+  std::vector<Candidate> all;
+  std::istringstream lines(*text);
+  for (std::string line; std::getline(lines, line);) {  // "<commit> (dist=7)", with the names of branches in between
+    Candidate candidate;
+    candidate.commit = line.substr(0, line.find(' '));
+    const std::size_t at = line.find("dist=");
+    if (at == std::string::npos)
+      return cannot_finish("git rev-list --bisect-all: found \"" + line + "\", wanted a distance");
+    std::from_chars(line.data() + at + 5, line.data() + line.size(), candidate.distance);
+    all.push_back(std::move(candidate));
+  }
+  return all;
+}
+
+Result<CommitFacts> Git::facts(const std::string& commit) const {
+  const Result<std::string> text = run(repository_, {"show", "--no-patch", "--format=%H%n%s%n%an%n%aI", commit});
+  if (!text.ok()) return text.error();
+  CommitFacts facts;
+  std::istringstream lines(*text);
+  std::getline(lines, facts.commit);
+  std::getline(lines, facts.subject);
+  std::getline(lines, facts.author);
+  std::getline(lines, facts.date);
+  return facts;
+}
+
+Status Git::clone_to(const std::string& folder) const {
+  const Result<std::string> source = common_folder();
+  if (!source.ok()) return source.error();
+  const Result<std::string> done = run(".", {"clone", "--quiet", "--shared", "--no-checkout", *source, folder});
+  return done.ok() ? Status() : done.error();
+}
+
+Status Git::put(const std::string& folder, const std::string& commit, bool from_scratch) const {
+  const Result<std::string> moved = run(folder, {"checkout", "--quiet", "--force", "--detach", commit});
+  if (!moved.ok()) return moved.error();
+  const Result<std::string> cleaned = run(folder, {"clean", "--quiet", "-ffd" + std::string(from_scratch ? "x" : "")});
+  return cleaned.ok() ? Status() : cleaned.error();
+}
+
+}  // namespace tumble::tools::bisect

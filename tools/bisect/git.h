@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "src/base/result.h"
+#include "tools/bisect/plan.h"
+
+namespace tumble::tools::bisect {
+
+/// What people want to know of a commit.
+struct CommitFacts {
+  std::string commit;
+  std::string subject;
+  std::string author;
+  std::string date;  ///< of the author, ISO 8601
+
+  [[nodiscard]] std::string shortly() const { return commit.substr(0, 10); }
+};
+
+/// git, as a child process. The repository is only read.
+class Git {
+ public:
+  /// repository: a folder in it. scratch: a folder for what git prints.
+  Git(std::string repository, std::string scratch) : repository_(std::move(repository)), scratch_(std::move(scratch)) {}
+
+  /// The full name of a commit. Errors (kBadInput): no such revision, no repository; kCannotFinish: no git.
+  [[nodiscard]] Result<std::string> resolve(const std::string& revision) const;
+
+  /// The repository's own folder, absolute.
+  [[nodiscard]] Result<std::string> common_folder() const;
+
+  [[nodiscard]] Result<bool> is_ancestor(const std::string& older, const std::string& newer) const;
+
+  /// Commits that `bad` has and none of `good`, best first. first_parent: along first parents only.
+  [[nodiscard]] Result<std::vector<Candidate>> candidates(const std::vector<std::string>& good, const std::string& bad,
+                                                          bool first_parent) const;
+
+  [[nodiscard]] Result<CommitFacts> facts(const std::string& commit) const;
+
+  /// Makes `folder` a clone that shares this repository's objects, with no files in it yet.
+  [[nodiscard]] Status clone_to(const std::string& folder) const;
+
+  /// Puts the files of a commit into such a clone. What git ignores stays (a build can go on from there), unless
+  /// `from_scratch`; everything else that is not the commit's goes.
+  [[nodiscard]] Status put(const std::string& folder, const std::string& commit, bool from_scratch) const;
+
+ private:
+  [[nodiscard]] Result<std::string> run(const std::string& folder, std::vector<std::string> words) const;
+
+  std::string repository_;
+  std::string scratch_;
+};
+
+}  // namespace tumble::tools::bisect

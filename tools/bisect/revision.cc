@@ -1,0 +1,272 @@
+#include "tools/bisect/revision.h"
+
+#include <cctype>
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "golden/text_files.h"
+#include "replay/compare.h"
+#include "replay/measure_log.h"
+#include "src/scenes/problem.h"
+#include "tools/child_run.h"
+#include "tools/log_files.h"
+#include "tools/text.h"
+
+namespace tumble::tools::bisect {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The last line that says something, of a file that a program wrote.
+std::string last_line(const std::string& path) {
+  const Result<std::string> text = golden::read_text(path);
+  if (!text.ok()) return "";
+  std::string last;
+  for (const std::string& line : golden::lines_of(*text)) {
+    if (line.find_first_not_of(" \t\r") != std::string::npos) last = line;
+  }
+  return printable(last.substr(0, 300));
+}
+
+Json json_of(const std::string& path) {
+  const Result<std::string> text = golden::read_text(path);
+  return text.ok() ? Json::parse(*text, nullptr, false) : Json();
+}
+
+/// "step 12, phase integrate, body 7, position.x" of a report that another version of this program may have written.
+std::string where(const Json& first) {
+  if (!first.is_object()) return "it differs";
+  const auto text = [&](const char* key) {
+    const Json value = first.value(key, Json());
+    return value.is_string() ? value.get<std::string>() : value.dump();
+  };
+  std::string words = "differs from step " + text("step") + " on, phase " + text("phase");
+  if (first.contains("body") && !first["body"].is_null()) words += ", body " + text("body");
+  return words + ", " + text("field");
+}
+
+Answer skipped(const std::string& why) { return {false, false, why, {}}; }
+Answer answered(bool yes, const std::string& words) { return {true, yes, words, {}}; }
+
+/// A name that is a file's and the scene's.
+std::string file_name(const std::string& scene) {
+  std::string name;
+  for (const char c : scene) name += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ? c : '_';
+  return name.empty() ? "scene" : name;
+}
+
+/// `--mirror` and so on, as they were when the log was recorded.
+std::vector<std::string> transform_words(const sim::Transform& transform) {
+  std::vector<std::string> words;
+  const auto mirror = [&](bool is_so, const char* axis) {
+    if (is_so) words.insert(words.end(), {"--mirror", axis});
+  };
+  mirror(transform.mirror_x, "x");
+  mirror(transform.mirror_y, "y");
+  mirror(transform.swap_xy, "diagonal");
+  if (transform.permute) words.insert(words.end(), {"--permute", std::to_string(*transform.permute)});
+  if (transform.shift.x() != 0 || transform.shift.y() != 0) {
+    words.insert(words.end(), {"--shift", exact(transform.shift.x()) + ',' + exact(transform.shift.y())});
+  }
+  return words;
+}
+
+std::string replaced(std::string word, const std::string& what, const std::string& with) {
+  for (std::size_t at = word.find(what); at != std::string::npos; at = word.find(what, at + with.size())) {
+    word.replace(at, what.size(), with);
+  }
+  return word;
+}
+
+}  // namespace
+
+Status Asker::prepare() {
+  if (!settings_.log.empty()) {
+    if (Status ok = write_scene(); !ok.ok()) return ok;
+  }
+  std::error_code error;
+  if (!fs::exists(place_.source(), error)) return git_.clone_to(place_.source());
+  built_before_ = true;
+  return {};
+}
+
+Status Asker::write_scene() {
+  Result<replay::LogReader> log = open_log(settings_.log);
+  if (!log.ok()) return log.error();
+  const replay::LogHeader& header = log->header();
+  const std::string steps = std::to_string(log->step_count());
+  if (header.goes_on || header.scene_text.empty()) {
+    if (!settings_.run.empty()) {
+      return bad_input(settings_.log + ": holds no scene text that --run could be given; record it from a scene");
+    }
+    record_words_ = {"--from", settings_.log + ':' + std::to_string(log->first_state()), "--steps", steps};
+    return {};
+  }
+  scene_ = place_.file("scene/" + file_name(header.scene.name) + ".toml");
+  record_words_ = {scene_, "--steps", steps};
+  for (const std::string& value : header.overrides) record_words_.insert(record_words_.end(), {"--set", value});
+  const std::vector<std::string> transform = transform_words(header.transform);
+  record_words_.insert(record_words_.end(), transform.begin(), transform.end());
+  return golden::write_file(scene_, std::string_view(header.scene_text));
+}
+
+std::string Asker::program() const { return (fs::path(place_.source()) / settings_.program).string(); }
+
+/// False and why where it did not end well.
+Result<bool> Asker::run(const std::vector<std::string>& words, const std::string& name, std::string& why) {
+  ChildTask task;
+  task.words = words;
+  task.folder = place_.source();
+  task.out = place_.file(name + ".out");
+  task.err = place_.file(name + ".err");
+  task.timeout_s = settings_.timeout_s;
+  const Result<ChildEnd> end = run_child(task, cancel_);
+  if (!end.ok()) {
+    why = end.error().message;
+    last_exit_ = -1;
+    return false;
+  }
+  if (end->stopped) return cannot_finish("interrupted");
+  last_exit_ = end->late ? -1 : end->exit;
+  if (end->well()) return true;
+  const std::string said = last_line(task.err);
+  why = fs::path(words.front()).filename().string() + ' ' + end->text() + (said.empty() ? "" : ": " + said);
+  return false;
+}
+
+Result<bool> Asker::build_once(const std::string& log, std::string& why) {
+  for (const std::string& command : settings_.build) {
+    const Result<std::vector<std::string>> words = split_words(command);
+    if (!words.ok()) return words.error();
+    ChildTask task;
+    task.words = *words;
+    task.folder = place_.source();
+    task.out = task.err = log;
+    // So that what other folders have compiled is found by the compiler cache.
+    task.more = {{"CCACHE_BASEDIR", place_.source()}, {"CCACHE_NOHASHDIR", "1"}};
+    const Result<ChildEnd> end = run_child(task, cancel_);
+    if (!end.ok()) return end.error();
+    if (end->stopped) return cannot_finish("interrupted");
+    if (end->well()) continue;
+    why = "does not build: " + words->front() + ' ' + end->text() + "; its words are in " + log;
+    return false;
+  }
+  return true;
+}
+
+/// On top of the build before, which is quick; where that fails, from scratch, for the other one's leftovers may be the
+/// reason.
+Result<bool> Asker::build(const std::string& commit, std::string& why) {
+  const std::string log = place_.file("build_" + commit.substr(0, 10) + ".txt");
+  if (Status ok = git_.put(place_.source(), commit, false); !ok.ok()) return ok.error();
+  Result<bool> built = build_once(log, why);
+  if (!built.ok() || *built || !built_before_) {
+    built_before_ = true;
+    return built;
+  }
+  if (Status ok = git_.put(place_.source(), commit, true); !ok.ok()) return ok.error();
+  return build_once(log, why);
+}
+
+std::vector<std::string> Asker::record_words(const std::string& session) const {
+  std::vector<std::string> words;
+  if (settings_.run.empty()) {
+    words = {program(), "record", "--quiet", "-o", session};
+    words.insert(words.end(), record_words_.begin(), record_words_.end());
+    return words;
+  }
+  const Result<std::vector<std::string>> command = split_words(settings_.run);
+  if (!command.ok()) return words;
+  for (const std::string& word : *command) {
+    words.push_back(replaced(replaced(word, "{scene}", scene_), "{log}", session));
+  }
+  return words;
+}
+
+Result<bool> Asker::record(const std::string& commit, std::string& why) {
+  std::error_code error;
+  const std::string session = place_.session(commit);
+  fs::remove(session, error);
+  std::vector<std::string> words = record_words(session);
+  if (record_words_.empty() && !settings_.case_name.empty()) {
+    words.push_back(place_.source() + "/golden/cases/" + settings_.case_name + "/scene.toml");
+  }
+  Result<bool> recorded = run(words, "record", why);
+  if (!recorded.ok() || !*recorded) fs::remove(session, error);
+  return recorded;
+}
+
+Result<Answer> Asker::ask_replay() {
+  std::string why;
+  const Result<bool> same = run({program(), "replay", settings_.log, "--json"}, "replay", why);
+  if (!same.ok()) return same.error();
+  if (*same) return answered(true, "the same in every bit");
+  if (last_exit_ != 1) return skipped(why);
+  const Json report = json_of(place_.file("replay.out"));
+  return answered(false, where(report.is_object() ? report.value("first", Json()) : Json()));
+}
+
+/// Asks the session that the revision recorded; this build does the judging, so that it is the same for all.
+Result<Answer> Asker::ask_session(const std::string& commit) {
+  Result<replay::LogReader> log = open_log(place_.session(commit));
+  if (!log.ok()) return skipped("wrote no session that can be read: " + log.error().message);
+  if (!settings_.metric) {
+    Result<replay::LogReader> wanted = open_log(settings_.log);
+    if (!wanted.ok()) return wanted.error();
+    const Result<replay::DiffReport> report = replay::diff_logs(*wanted, *log);
+    if (!report.ok()) return skipped(report.error().message);
+    if (report->identical()) return answered(true, "the same in every bit");
+    return answered(false, report->first ? replay::describe(*report->first) : "another number of steps");
+  }
+  const Result<replay::Metrics> metrics = replay::measure_log(*log, settings_.measure);
+  if (!metrics.ok()) return skipped(metrics.error().message);
+  const replay::MetricRow& row = *settings_.metric->metric;
+  Answer answer;
+  answer.asked = true;
+  answer.metric = row.value(*metrics);
+  answer.yes = settings_.metric->holds(answer.metric);
+  answer.words = std::string(row.name) + " is " + (answer.metric ? exact(*answer.metric) : "none") +
+                 (*row.unit != '\0' && answer.metric ? ' ' + std::string(row.unit) : "");
+  return answer;
+}
+
+Result<Answer> Asker::ask_case() {
+  std::vector<std::string> words = {program(),
+                                    "check",
+                                    settings_.case_name,
+                                    "--suite",
+                                    place_.source() + "/golden",
+                                    "--report",
+                                    place_.file("report"),
+                                    "--json"};
+  if (settings_.image) words.insert(words.end(), {"--require", "image"});
+  std::string why;
+  const Result<bool> passed = run(words, "check", why);
+  if (!passed.ok()) return passed.error();
+  if (!*passed && last_exit_ != 1) return skipped(why);
+  const Json report = json_of(place_.file("check.out"));
+  const Json cases = report.is_object() ? report.value("cases", Json::array()) : Json::array();
+  if (!cases.is_array() || cases.empty()) return skipped("check printed no report that can be read");
+  const Json& result = cases[0];
+  if (!settings_.image) return answered(*passed, result.value("summary", *passed ? "passed" : "failed"));
+  const Json verdict = result.value("verdicts", Json::object()).value("image", Json::object());
+  const std::string outcome = verdict.value("outcome", "none");
+  if (outcome == "none") return skipped("no image verdict: " + verdict.value("words", "the case has no picture"));
+  return answered(outcome == "pass", verdict.value("words", outcome));
+}
+
+Result<Answer> Asker::ask(const std::string& commit) {
+  std::string why;
+  const Result<bool> built = build(commit, why);
+  if (!built.ok()) return built.error();
+  if (!*built) return skipped(why);
+  const Result<bool> recorded = record(commit, why);
+  if (!recorded.ok()) return recorded.error();
+  if (!settings_.case_name.empty()) return ask_case();
+  if (!settings_.metric && settings_.run.empty()) return ask_replay();
+  if (!*recorded) return skipped(why);
+  return ask_session(commit);
+}
+
+}  // namespace tumble::tools::bisect

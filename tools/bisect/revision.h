@@ -1,0 +1,62 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "src/base/result.h"
+#include "tools/bisect/git.h"
+#include "tools/bisect/settings.h"
+#include "tools/bisect/workplace.h"
+
+namespace tumble::tools::bisect {
+
+/// What a revision says to the question.
+struct Answer {
+  bool asked = false;            ///< false: it does not build, or cannot read the log; it is skipped
+  bool yes = false;              ///< the same, within the bound, passed
+  std::string words;             ///< why, a line
+  std::optional<double> metric;  ///< the value of the metric asked about
+};
+
+/// Makes programs of revisions and asks them.
+class Asker {
+ public:
+  using Cancel = std::function<bool()>;
+
+  /// All must outlive the asker.
+  Asker(const Settings& settings, const Workplace& place, const Git& git, Cancel cancel)
+      : settings_(settings), place_(place), git_(git), cancel_(std::move(cancel)) {}
+
+  /// Makes the clone and the scene. Errors: git's; the log's; kBadInput where the session cannot be recorded anew and
+  /// the question needs that.
+  Status prepare();
+
+  /// Puts a commit's files in place, builds it and asks. Errors (kCannotFinish): an interruption, a full disk; what is
+  /// wrong with the revision itself is an answer.
+  Result<Answer> ask(const std::string& commit);
+
+ private:
+  [[nodiscard]] Status write_scene();
+  [[nodiscard]] Result<bool> run(const std::vector<std::string>& words, const std::string& name, std::string& why);
+  [[nodiscard]] Result<bool> build_once(const std::string& log, std::string& why);
+  [[nodiscard]] Result<bool> build(const std::string& commit, std::string& why);
+  [[nodiscard]] std::string program() const;
+  [[nodiscard]] std::vector<std::string> record_words(const std::string& session) const;
+  /// Records the session; false: the revision cannot.
+  [[nodiscard]] Result<bool> record(const std::string& commit, std::string& why);
+  [[nodiscard]] Result<Answer> ask_replay();
+  [[nodiscard]] Result<Answer> ask_session(const std::string& commit);
+  [[nodiscard]] Result<Answer> ask_case();
+
+  const Settings& settings_;
+  const Workplace& place_;
+  const Git& git_;
+  Cancel cancel_;
+  bool built_before_ = false;
+  int last_exit_ = 0;                      // of run()
+  std::vector<std::string> record_words_;  // without the program and the log to write; empty: it cannot be recorded
+  std::string scene_;
+};
+
+}  // namespace tumble::tools::bisect

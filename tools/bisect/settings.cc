@@ -1,0 +1,34 @@
+#include "tools/bisect/settings.h"
+
+#include <filesystem>
+
+#include "tools/text.h"
+
+namespace tumble::tools::bisect {
+
+std::string Settings::question() const {
+  const std::string name = std::filesystem::path(log).filename().string();
+  if (!case_name.empty()) return (image ? "image verdict of case " : "check of case ") + case_name;
+  if (metric) return metric->text + " in the session of " + name;
+  return (run.empty() ? "replay of " : "the session of ") + name + ", every bit";
+}
+
+std::string Settings::fingerprint() const {
+  Json json = {{"repository", repository},
+               {"good", good},
+               {"bad", bad},
+               {"first_parent", first_parent},
+               {"log", log},
+               {"metric", metric ? metric->text : ""},
+               {"bodies", to_string(measure.bodies)},
+               {"axis", measure.lateral == replay::LateralAxis::kX ? "x" : "y"},
+               {"from_step", measure.from_step},
+               {"case", case_name},
+               {"image", image},
+               {"build", build},
+               {"program", program},
+               {"run", run}};
+  return json.dump(-1, ' ', true, Json::error_handler_t::replace);
+}
+
+}  // namespace tumble::tools::bisect

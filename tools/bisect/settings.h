@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "replay/measure_options.h"
+#include "replay/metric_bound.h"
+
+namespace tumble::tools::bisect {
+
+/// What is asked of every revision, and how a revision becomes a program. Paths are absolute.
+struct Settings {
+  std::string repository;
+  std::string good;  ///< revisions, in git's words
+  std::string bad;
+  bool first_parent = false;
+
+  // The question. Without metric and case: whether a replay of the log is the same in every bit.
+  std::string log;                            ///< the session; may be empty where a case is asked about
+  std::optional<replay::MetricBound> metric;  ///< whether the session, recorded anew, is within this bound
+  replay::MeasureOptions measure;             ///< for the metric
+  std::string case_name;                      ///< whether the revision's own check of this golden case passes
+  bool image = false;                         ///< of the case: the image verdict alone
+
+  std::vector<std::string> build;  ///< command lines, run in the revision's source folder
+  std::string program;             ///< that they make: a path from that folder
+  std::string run;                 ///< instead of the program: a command line that writes {log} of {scene}
+  double timeout_s = 0;            ///< of a run of the program, not of a build
+
+  /// One line for people: "replay of wall.tumble in every bit".
+  [[nodiscard]] std::string question() const;
+  /// All of it as text: what an interrupted bisection must have in common with the one that resumes it.
+  [[nodiscard]] std::string fingerprint() const;
+};
+
+}  // namespace tumble::tools::bisect

@@ -1,0 +1,124 @@
+#include "tools/bisect/verdict.h"
+
+#include <iostream>
+
+#include "tools/divergence_output.h"
+#include "tools/log_files.h"
+#include "tools/story_output.h"
+
+namespace tumble::tools::bisect {
+namespace {
+
+Json facts_json(const CommitFacts& facts) {
+  return {{"commit", facts.commit}, {"subject", facts.subject}, {"author", facts.author}, {"author_date", facts.date}};
+}
+
+Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+void print_commit(const CommitFacts& facts) {
+  Listing listing;
+  listing.add("  commit", facts.commit);
+  listing.add("  subject", printable(facts.subject));
+  listing.add("  author", printable(facts.author) + ", " + facts.date);
+  listing.print();
+}
+
+void print_comparison(const Comparison& comparison) {
+  if (!comparison.not_compared.empty()) {
+    std::cout << "\nthe sessions before and after are not compared: " << printable(comparison.not_compared) << '\n';
+    return;
+  }
+  const replay::DiffReport& report = comparison.narrowing.report;
+  if (report.identical()) {
+    std::cout << "\nthe sessions before and after are the same in every bit\n";
+    return;
+  }
+  if (!report.first) {
+    std::cout << "\nthe sessions before and after have " << report.last_a << " and " << report.last_b << " steps\n";
+    return;
+  }
+  std::cout << "\nbefore (expected) and after (actual) it\n";
+  print_divergence(*report.first);
+  if (comparison.aftermath) print_aftermath(*comparison.aftermath, "before", "after");
+}
+
+}  // namespace
+
+Comparison compare_sessions(const Finding& finding, const Workplace& place) {
+  Comparison comparison;
+  const auto session = [&](std::size_t index) { return place.session(finding.tested[index].commit.commit); };
+  Result<replay::LogReader> before = open_log(session(finding.good));
+  Result<replay::LogReader> after = open_log(session(finding.bad));
+  if (!before.ok() || !after.ok()) {
+    comparison.not_compared = "one of the revisions could not record it";
+    return comparison;
+  }
+  Result<replay::Narrowing> narrowing = replay::narrow(*before, *after);
+  if (!narrowing.ok()) {
+    comparison.not_compared = narrowing.error().message;
+    return comparison;
+  }
+  comparison.narrowing = *std::move(narrowing);
+  const std::optional<replay::Divergence>& first = comparison.narrowing.report.first;
+  if (!first) return comparison;
+  Result<replay::Aftermath> aftermath = replay::aftermath_of(*before, *after, first->step);
+  if (aftermath.ok()) comparison.aftermath = *std::move(aftermath);
+  return comparison;
+}
+
+std::string tested_text(const Tested& tested) {
+  return padded(name_of(tested.verdict), 5) + ' ' + tested.commit.shortly() + ' ' + tested.commit.date.substr(0, 10) +
+         ' ' + printable(tested.commit.subject) + ": " + printable(tested.answer.words) + " (" +
+         seconds_text(tested.seconds) + ')';
+}
+
+void print_verdict(const Settings& settings, const Finding& finding, const Comparison& comparison) {
+  if (finding.found()) {
+    std::cout << "\nthe first commit with another answer (" << printable(settings.question()) << ")\n";
+    print_commit(finding.suspects.front());
+  } else {
+    std::cout << "\none of these " << count_text(finding.suspects.size(), "commit")
+              << "; those but the last could not be asked (" << printable(settings.question()) << ")\n";
+    for (const CommitFacts& facts : finding.suspects) {
+      std::cout << "  " << facts.shortly() << ' ' << facts.date.substr(0, 10) << ' ' << printable(facts.subject)
+                << '\n';
+    }
+  }
+  const Tested& good = finding.tested[finding.good];
+  const Tested& bad = finding.tested[finding.bad];
+  Listing listing;
+  listing.add("  before", printable(good.answer.words) + " (" + good.commit.shortly() + ')');
+  listing.add("  after", printable(bad.answer.words) + " (" + bad.commit.shortly() + ')');
+  listing.print();
+  print_comparison(comparison);
+}
+
+Json verdict_json(const Settings& settings, const Finding& finding, const Comparison& comparison) {
+  const Tested& good = finding.tested[finding.good];
+  const Tested& bad = finding.tested[finding.bad];
+  Json json = {{"found", finding.found()}, {"question", settings.question()}};
+  json["commit"] = finding.found() ? facts_json(finding.suspects.front()) : Json(nullptr);
+  json["suspects"] = Json::array();
+  for (const CommitFacts& facts : finding.suspects) json["suspects"].push_back(facts_json(facts));
+  json["before"] = {
+      {"commit", good.commit.commit}, {"words", good.answer.words}, {"metric", number(good.answer.metric)}};
+  json["after"] = {{"commit", bad.commit.commit}, {"words", bad.answer.words}, {"metric", number(bad.answer.metric)}};
+  json["sessions"] = nullptr;
+  if (comparison.not_compared.empty()) {
+    const replay::DiffReport& report = comparison.narrowing.report;
+    json["sessions"] = comparison_json(report.identical(), report.steps, report.first);
+    json["sessions"]["aftermath"] = comparison.aftermath ? aftermath_json(*comparison.aftermath) : Json(nullptr);
+  }
+  json["tested"] = Json::array();
+  for (const Tested& tested : finding.tested) {
+    json["tested"].push_back({{"commit", tested.commit.commit},
+                              {"subject", tested.commit.subject},
+                              {"verdict", name_of(tested.verdict)},
+                              {"words", tested.answer.words},
+                              {"metric", number(tested.answer.metric)},
+                              {"seconds", tested.seconds}});
+  }
+  return json;
+}
+
+}  // namespace tumble::tools::bisect

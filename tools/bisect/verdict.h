@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "replay/aftermath.h"
+#include "replay/narrow.h"
+#include "tools/bisect/bisection.h"
+#include "tools/text.h"
+
+namespace tumble::tools::bisect {
+
+/// The sessions of the closest good and the first bad revision, compared.
+struct Comparison {
+  replay::Narrowing narrowing;
+  std::optional<replay::Aftermath> aftermath;
+  std::string not_compared;  ///< why they are not; empty: they are
+};
+
+/// Errors are left to `not_compared`.
+Comparison compare_sessions(const Finding& finding, const Workplace& place);
+
+void print_verdict(const Settings& settings, const Finding& finding, const Comparison& comparison);
+Json verdict_json(const Settings& settings, const Finding& finding, const Comparison& comparison);
+
+/// "good  1a2b3c4d5e  2026-11-21  subject: the same in every bit (12.3 s)".
+std::string tested_text(const Tested& tested);
+
+}  // namespace tumble::tools::bisect
