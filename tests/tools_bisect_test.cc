@@ -1,6 +1,7 @@
 // `tumble bisect` finds the commit in a history of 64, without help, whatever the question; and narrows two logs.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -106,6 +107,21 @@ TEST(BisectCommand, ALogOfTheBadRevisionWillDoAsWell) {
       shop.run({"record", "scene.toml", "-o", "bad.tumble", "--quiet", "--set", "box.1.velocity=[0.01,0.0,0.0]"}).exit,
       0);
   expect_found(history, plan, history.bisect({"bad.tumble", "--json"}));
+}
+
+TEST(BisectAny, FindsTheCommitThroughGit) {
+  const Workshop shop;
+  const HistoryPlan plan{.commits = 16, .fault = 7, .broken = {8, 9}};
+  const History history(shop, plan);
+  const std::string script = std::string(TUMBLE_SOURCE_DIR) + "/tools/bisect-any.sh";
+  const std::string judge = "--require 'lateral_max<=0' --log '" + shop.path("session.tumble") + "'";
+  const std::string command =
+      "cd '" + shop.path("project") + "' && { git bisect start main " + history.commit(1) +
+      " && TUMBLE='" TUMBLE_PROGRAM "' git bisect run '" + script +
+      "' --build 'sh build.sh' --run 'bin/tumble record scene.toml -o \"$TUMBLE_LOG\" --quiet' " + judge +
+      " && git rev-parse refs/bisect/bad; } >'" + shop.path("found") + "' 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0) << shop.read("found");
+  EXPECT_TRUE(shop.read("found").ends_with(history.commit(plan.fault) + "\n")) << shop.read("found");
 }
 
 TEST(BisectCommand, GoesOnAfterAnInterruption) {

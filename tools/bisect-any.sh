@@ -9,7 +9,8 @@
 # TUMBLE names the program tumble; the one in PATH if it is not set.
 # Exit status, as git bisect wants it: 0 good; 1 bad; 125 to be skipped: it does not build, run or write a whole log.
 # 128 and up would end the bisection; so does bad usage here (255).
-set -uo pipefail
+set -euo pipefail
+trap 'exit 255' ERR  # a mistake of this script is no verdict
 
 usage() {
   sed -n '2,12s/^# //p' "${BASH_SOURCE[0]}" >&2
@@ -50,13 +51,14 @@ sh -c "$run" >"$work/run.txt" 2>&1 || { tail -n 3 "$work/run.txt" >&2; skip "doe
 
 verdict=0
 judge() { # command...
-  "$tumble" "$@"
-  case $? in
+  local status=0
+  "$tumble" "$@" || status=$?
+  case $status in
     0) ;;
     1) verdict=1 ;;
     *) skip "its log cannot be judged" ;;
   esac
 }
-[[ -z $log ]] || judge diff --brief "${tolerances[@]}" "$log" "$TUMBLE_LOG"
+[[ -z $log ]] || judge diff --brief ${tolerances[@]+"${tolerances[@]}"} "$log" "$TUMBLE_LOG"
 ((${#bounds[@]} == 0)) || judge measure "${bounds[@]}" "$TUMBLE_LOG"
 exit "$verdict"
