@@ -3,11 +3,12 @@
 # the physics and moves a case's camera. The fault must be found by exact equality, by a metric and by an image.
 # Builds about eight revisions a question; docs/bisecting.md has the figures of one run.
 # Usage: tools/bisect_trial.sh [FOLDER]    where to work; a temporary folder that is removed if not given
+# TUMBLE names the program that bisects; build/release/tools/tumble if it is not set.
 # Exit status: 0 found each time; 1 not.
 set -euo pipefail
 export LC_ALL=C
 source=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-tumble=$source/build/release/tools/tumble
+tumble=${TUMBLE:-$source/build/release/tools/tumble}
 [[ -x $tumble ]] || { printf 'bisect_trial: %s is missing; build it first\n' "$tumble" >&2; exit 1; }
 
 if (($#)); then

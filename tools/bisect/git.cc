@@ -34,7 +34,9 @@ Result<std::string> Git::run(const std::string& folder, std::vector<std::string>
     if (end->exit == 1 && said.empty()) return bad_input(kNo);
     return cannot_finish("git " + words.front() + ' ' + end->text() + (said.empty() ? "" : ": " + said));
   }
-  std::string text = *golden::read_text(task.out);
+  Result<std::string> printed = golden::read_text(task.out);
+  if (!printed.ok()) return printed.error();
+  std::string text = *std::move(printed);
   while (text.ends_with('\n')) text.pop_back();
   return text;
 }
