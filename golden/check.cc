@@ -4,6 +4,7 @@
 #include <chrono>
 #include <utility>
 
+#include "golden/case_series.h"
 #include "golden/run_case.h"
 #include "golden/text_files.h"
 #include "src/scenes/scene_file.h"
@@ -43,8 +44,13 @@ void remove_old_files(const fs::path& report, const std::vector<CaseFolder>& fol
   std::error_code ignored;
   for (const CaseFolder& folder : folders) {
     const fs::path old = report / "cases" / folder.name;
-    fs::remove(old / "actual.tumble", ignored);
-    fs::remove(old / "expected_track.csv", ignored);
+    for (const char* name : {"actual.tumble", "expected_track.csv", kSeriesFile}) fs::remove(old / name, ignored);
+    std::vector<fs::path> pictures;
+    for (fs::directory_iterator at(old, ignored); !ignored && at != fs::directory_iterator(); at.increment(ignored)) {
+      const std::string name = at->path().filename().string();
+      if (name.starts_with("frame_") && name.ends_with(".png")) pictures.push_back(at->path());
+    }
+    for (const fs::path& picture : pictures) fs::remove(picture, ignored);
     fs::remove(old, ignored);
   }
 }

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "golden/report.h"
+#include "golden/report_commands.h"
 #include "golden/report_files.h"
 #include "golden/report_pictures.h"
 #include "golden/report_style.h"
@@ -116,12 +117,11 @@ std::string list_of(const std::vector<std::string>& texts) {
   return out + "</ul>\n";
 }
 
-std::string command(const char* title, const std::string& line) {
-  if (line.empty()) return "";
-  return element("h3", title) + "<pre tabindex=\"0\">" + escaped(line) + "</pre>\n";
+std::string command(const NextCommand& next) {
+  return element("h3", next.purpose) + "<pre tabindex=\"0\">" + escaped(next.line) + "</pre>\n";
 }
 
-std::string case_body(const CaseResult& result, ReportFiles& files) {
+std::string case_body(const CaseResult& result, const std::string& suite, ReportFiles& files) {
   std::string out = "<div class=\"inside\">\n";
   out += "<p class=\"soft\">" + escaped(result.title) + " · " + std::to_string(result.bodies) + " bodies, " +
          std::to_string(result.steps) + " steps, " + seconds_text(result.seconds) + "</p>\n";
@@ -137,7 +137,7 @@ std::string case_body(const CaseResult& result, ReportFiles& files) {
   out += picture_section(result, files) + drawing_section(result, files) + metric_table(result.metrics);
   if (!result.notes.empty()) out += element("h3", "Notes") + list_of(result.notes);
   if (!result.passed()) {
-    out += command("To reproduce", result.reproduce) + command("To accept it, if it is right", result.bless);
+    for (const NextCommand& next : next_commands(result, suite)) out += command(next);
   }
   if (!result.artifacts.empty()) {
     out += element("h3", "Files");
@@ -150,13 +150,13 @@ std::string case_body(const CaseResult& result, ReportFiles& files) {
   return out + "</div>\n";
 }
 
-std::string case_block(const CaseResult& result, ReportFiles& files) {
+std::string case_block(const CaseResult& result, const std::string& suite, ReportFiles& files) {
   const bool passed = result.passed();
   std::string out = std::string("<details class=\"") + (passed ? "pass" : "fail") + (passed ? "\">" : "\" open>");
   out += std::string("<summary><h3 id=\"") + escaped(result.name) + "\">" + (passed ? "✓ " : "✕ ") +
          escaped(result.name) + "</h3><span>" + escaped(summary(result)) + "</span><span class=\"chips\">";
   for (std::size_t k = 0; k < kVerdictNames.size(); ++k) out += chip(kVerdictNames[k], result.verdicts[k].outcome);
-  return out + "</span></summary>\n" + case_body(result, files) + "</details>\n";
+  return out + "</span></summary>\n" + case_body(result, suite, files) + "</details>\n";
 }
 
 std::string tiles(const SuiteResult& result) {
@@ -226,7 +226,7 @@ std::string overview(const SuiteResult& result) {
 std::string cases_section(const SuiteResult& result, bool passed, const char* title, ReportFiles& files) {
   std::string blocks;
   for (const CaseResult& one : result.cases) {
-    if (one.passed() == passed) blocks += case_block(one, files);
+    if (one.passed() == passed) blocks += case_block(one, result.suite, files);
   }
   return blocks.empty() ? "" : element("h2", title) + blocks;
 }

@@ -104,6 +104,9 @@ TEST_F(PicturedCase, LeavesWhatExplainsADifference) {
   for (const char* name : {"frame_0012.actual.png", "frame_0012.expected.png", "frame_0012.difference.png"}) {
     EXPECT_TRUE(render::read_png((options.report / "cases/fall" / name).string()).ok()) << name;
   }
+  suite_.bless();
+  ASSERT_TRUE(check_suite(options).ok());
+  EXPECT_FALSE(std::filesystem::exists(options.report / "cases/fall")) << "what the failed check left";
 }
 
 }  // namespace

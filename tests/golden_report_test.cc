@@ -5,6 +5,7 @@
 
 #include "golden/case_series.h"
 #include "golden/report.h"
+#include "golden/report_commands.h"
 #include "golden/report_files.h"
 #include "golden/report_script.h"
 #include "tests/support/golden_suite.h"
@@ -70,6 +71,25 @@ TEST_F(ChangedScene, PageOfAFailureHasTheScriptAndItsNumbers) {
   EXPECT_EQ(count(page, "<div class=\"drawing\" data-first=\"0\">"), 1U);
   EXPECT_NE(page.find("\"expected_mm\""), std::string::npos);
   EXPECT_NE(page.find(report_script_pieces().front()), std::string::npos);
+}
+
+TEST_F(ChangedScene, PageHasTheCommandsToGoOnWith) {
+  const std::string page = this->page();
+  for (const char* begin : {"tumble record ", "tumble check falls --suite ", "tumble bless falls --suite "}) {
+    EXPECT_EQ(count(page, std::string("<pre tabindex=\"0\">") + begin), 1U) << begin;
+  }
+}
+
+TEST(NextCommands, BisectTheQuestionThatFailed) {
+  CaseResult result;
+  result.name = "falls";
+  const auto last = [&](const std::string& suite) { return next_commands(result, suite).back().line; };
+  result.verdict(VerdictKind::kExact).outcome = Outcome::kPass;
+  result.verdict(VerdictKind::kImage).outcome = Outcome::kFail;
+  EXPECT_EQ(last("golden"), "tumble bisect --good REV --bad HEAD --case falls --image");
+  result.verdict(VerdictKind::kExact).outcome = Outcome::kFail;
+  EXPECT_EQ(last("golden"), "tumble bisect --good REV --bad HEAD --case falls");
+  EXPECT_EQ(last("elsewhere"), "tumble check falls --suite elsewhere") << "no clone to bisect";
 }
 
 TEST_F(ChangedScene, TextsOfACaseStayText) {

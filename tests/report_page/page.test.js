@@ -182,6 +182,7 @@ test("texts of a scene stay text", async () => {
 test("the commands to reproduce and to accept are there", async () => {
   const commands = await section("moved").locator("pre").allTextContents();
   assert.ok(commands.some((line) => line.startsWith("tumble record suite/cases/moved/scene.toml")), commands.join("\n"));
+  assert.ok(commands.includes("tumble check moved --suite suite"), commands.join("\n"));
   assert.ok(commands.some((line) => line.startsWith("tumble bless moved --suite suite")), commands.join("\n"));
 });
 
