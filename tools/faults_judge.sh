@@ -198,8 +198,8 @@ rebuild_all() { # build..., all if none
   make_probes "$work/probes"
   cases_to_run >"$work/cases"
   for row in "gcc-O0|g++|-O0|bounce friction_with size_ratio stacks tower layered_images_ties layered_inputs layered_leaning" \
-    "gcc-O2-native|g++|-O2 -march=native|*" "gcc-O3-v3|g++|-O3 -march=x86-64-v3|*" "clang-16-O2|clang++-16|-O2|*" \
-    "clang-19-O3|clang++-19|-O3|*"; do
+    "gcc-O2-native|g++|-O2 -march=native|*" "gcc-O3-v3|g++|-O3 -march=x86-64-v3|*" "clang-O2|clang++|-O2|*" \
+    "clang-O3-v3|clang++|-O3 -march=x86-64-v3|*"; do
     IFS='|' read -r name compiler flags cases <<<"$row"
     (($# == 0)) || [[ " $* " == *" $name "* ]] || continue
     if ! command -v "$compiler" >/dev/null; then
