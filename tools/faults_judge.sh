@@ -149,8 +149,8 @@ table_rows() {
   printf '| fault | file | predicted | found | cases | replay names | s |\n|---|---|---|---|---|---|---|\n'
   for name in "${fault_names[@]}"; do
     IFS='|' read -r found seen named seconds < <(row_of "$name") ||
-      fail "\"$name\" was not run, or changed since: tools/faults.sh --rest --write"
-    row_holds "$name" || found+=" (**not as predicted**)"
+      found="not run" seen="" named="" seconds=""
+    [[ $found == "not run" ]] || row_holds "$name" || found+=" (**not as predicted**)"
     # shellcheck disable=SC2016  # backquotes of Markdown
     printf '| `%s` | `%s` | %s | %s | %s | %s | %s |\n' "$name" "$(<"$list/$name.file")" "$(<"$list/$name.predicted")" \
       "$found" "$seen" "$named" "$seconds"
@@ -162,7 +162,7 @@ phase_rows() {
   local name found seen named seconds names yes=0 mostly=0 all=0 others=""
   for name in "${fault_names[@]}"; do
     [[ -s $list/$name.phase ]] || continue
-    IFS='|' read -r found seen named seconds < <(row_of "$name")
+    IFS='|' read -r found seen named seconds < <(row_of "$name") || continue
     all=$((all + 1))
     names=$(names_phase "$name" "$named")
     case $names in
