@@ -112,10 +112,16 @@ const std::vector<Canary>& canaries() {
       {"a body starts a hair's breadth away",
        [](Fixture& f) { f.session = *run_session(tiny_scene(std::ldexp(1, -36)), ""); }, bits_moved},
       {"a metric lies just above its bound",
-       [](Fixture& f) { f.rules.metrics[0].max = std::nextafter(*f.rules.metrics[0].value, -kInfinity); },
+       [](Fixture& f) {
+         f.rules.metrics[0].min.reset();
+         f.rules.metrics[0].max = std::nextafter(*f.rules.metrics[0].value, -kInfinity);
+       },
        only_behaviour},
       {"a metric lies just below its bound",
-       [](Fixture& f) { f.rules.metrics[0].min = std::nextafter(*f.rules.metrics[0].value, kInfinity); },
+       [](Fixture& f) {
+         f.rules.metrics[0].max.reset();
+         f.rules.metrics[0].min = std::nextafter(*f.rules.metrics[0].value, kInfinity);
+       },
        only_behaviour},
       {"a metric is null", [](Fixture& f) { f.rules.metrics[0].name = "column_spread"; }, only_behaviour},
       {"a metric was never blessed", [](Fixture& f) { f.rules.metrics[0].value.reset(); }, only_behaviour},
