@@ -150,6 +150,11 @@ TEST(Story, OfAReplayFollowsThisBuild) {
   ASSERT_TRUE(after.ok()) << after.error().message;
   EXPECT_EQ(after->gap.rows.front().step, 5U);
   EXPECT_EQ(after->gap.largest.gap, 0) << "this build reproduces the log";
+  Result<LogReader> other = open_memory(record_to_memory(pushed(scene, 5)));
+  const Result<Aftermath> apart = aftermath_of_replay(*other, *again, 5);
+  ASSERT_TRUE(apart.ok()) << apart.error().message;
+  EXPECT_GT(apart->gap.rows.front().bodies, 0U);
+  EXPECT_GT(apart->gap.largest.gap, 0) << "there was no push in the session that this build plays";
 }
 
 /// A log whose first chunk has a state that its state hash does not tell of; all stored hashes are right.
