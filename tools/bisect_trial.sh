@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Bisects a history of 64 commits made of the real sources: most are harmless, two do not compile, one plants a fault in
 # the physics and moves a case's camera. The fault must be found by exact equality, by a metric and by an image.
-# Builds about eight revisions a question; docs/bisecting.md has the figures of one run.
+# Builds about eight revisions a question.
 # Usage: tools/bisect_trial.sh [FOLDER]    where to work; a temporary folder that is removed if not given
 # TUMBLE names the program that bisects; build/release/tools/tumble if it is not set.
 # Exit status: 0 found each time; 1 not.
