@@ -185,7 +185,7 @@ Result<Exit> diff(const Options& options) {
   Result<replay::LogReader> b = open_log(options.b);
   if (!b.ok()) return b.error();
   const InterruptGuard guard;
-  const Result<Exit> verdict = options.step ? step_beside(options, *a, *b) : compare(options, *a, *b);
+  Result<Exit> verdict = options.step ? step_beside(options, *a, *b) : compare(options, *a, *b);
   if (!verdict.ok()) return verdict;
   return judge("diff", *b, judge("diff", *a, *verdict));
 }
