@@ -38,7 +38,7 @@ std::vector<std::string> environment_with(const std::map<std::string, std::strin
   }
   for (const auto& [name, value] : more) {
     const bool has = std::ranges::any_of(all, [&](const std::string& text) { return text.starts_with(name + '='); });
-    if (!has) all.push_back(name + '=' + value);
+    if (!has) all.push_back(std::string(name).append(1, '=').append(value));
   }
   return all;
 }
