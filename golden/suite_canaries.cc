@@ -5,6 +5,7 @@
 
 #include "golden/check.h"
 #include "golden/process_pool.h"
+#include "replay/twin.h"
 
 namespace tumble::golden {
 namespace {
@@ -66,6 +67,23 @@ bool early_end_is_seen() {
   return seen;
 }
 
+/// All images of the suite are exact, so only this tells whether one that is not would be seen.
+bool inexact_images_are_seen() {
+  replay::BodyStates body;
+  body.id = {1};
+  body.position = {{0}, {0}, {0}};
+  body.orientation = {{1}, {0}, {0}, {0}};
+  body.velocity = body.spin = body.position;
+  body.frozen = {0};
+  replay::BodyStates moved = body;
+  moved.position.z = {0.5};
+  replay::TwinMeter meter({}, {});
+  meter.add(1, body, body);
+  if (meter.report().error != 0) return false;
+  meter.add(2, body, moved);
+  return meter.report().error == 0.5 && meter.report().differing == 1;
+}
+
 }  // namespace
 
 std::vector<CanaryResult> run_suite_canaries() {
@@ -75,6 +93,7 @@ std::vector<CanaryResult> run_suite_canaries() {
   return {canary("all shards together must be the suite", shards_make_a_whole()),
           canary("a case that cannot be read is left out", unreadable_cases_are_run()),
           canary("a canary, a case or a suite fails", failures_add_up()),
+          canary("a mirror image is half a metre off", inexact_images_are_seen()),
           canary("a case ends before it is done", early_end_is_seen())};
 }
 
