@@ -37,7 +37,8 @@ struct DiffReport {
 
 /// Compares two logs: state 0, then every step; where one goes on from a later state, from that on. Exact comparison
 /// goes by the chains of whole chunks and opens only the chunk with the first difference. With tolerances, steps whose
-/// hashes differ are compared by their states, fields without a tolerance exactly. Errors: a log that cannot be read;
+/// hashes differ are compared by their states, fields without a tolerance exactly. Logs of two engines are compared by
+/// dt and states alone; where both compute in binary32, ULPs are counted in it. Errors: a log that cannot be read;
 /// no step in common to compare (kDamaged); tolerances where a log has no states for a step that differs (kBadInput).
 Result<DiffReport> diff_logs(LogReader& a, LogReader& b, const Tolerances& tolerances = {},
                              const Progress& progress = {});

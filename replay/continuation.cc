@@ -60,6 +60,7 @@ std::vector<sim::BoxDef> boxes_at(const sim::Bodies& bodies, std::vector<sim::Bo
 
 /// State k, as this build makes it: it must be the log's.
 Result<sim::WorldState> state_at(LogReader& log, std::uint64_t k) {
+  if (Status ok = must_be_ours(log); !ok.ok()) return ok.error();
   const LogHeader& header = log.header();
   const std::uint32_t ours = sim::method_version(header.scene.world.method);
   if (header.method_version != ours) {

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
+#include <cmath>
+#include <limits>
 
 #include "replay/columns.h"
 #include "replay/input_difference.h"
@@ -121,6 +124,23 @@ std::optional<std::uint64_t> ulps_between(double a, double b) {
   const std::uint64_t key_a = codec1::ordered(bits_of(a));
   const std::uint64_t key_b = codec1::ordered(bits_of(b));
   return key_a > key_b ? key_a - key_b : key_b - key_a;
+}
+
+std::optional<std::uint64_t> ulps32_between(double a, double b) {
+  constexpr double kMax = std::numeric_limits<float>::max();
+  if (!(std::fabs(a) <= kMax && std::fabs(b) <= kMax)) return std::nullopt;
+  const auto key = [](double value) {  // ascending with the value; the negative ones mirrored
+    const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+    return (bits >> 31) != 0 ? ~bits : bits | 0x80000000U;
+  };
+  const std::uint32_t key_a = key(a), key_b = key(b);
+  return key_a > key_b ? key_a - key_b : key_b - key_a;
+}
+
+void count_in_binary32(Divergence& divergence) {
+  const auto* a = std::get_if<double>(&divergence.expected);
+  const auto* b = std::get_if<double>(&divergence.actual);
+  if (a != nullptr && b != nullptr) divergence.ulps = ulps32_between(*a, *b);
 }
 
 std::string to_string(const FieldValue& value) {

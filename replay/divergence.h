@@ -35,6 +35,12 @@ struct Divergence {
 /// Steps from one double to the other through all doubles between; −0.0 and 0.0 are one apart. None for NaN.
 std::optional<std::uint64_t> ulps_between(double a, double b);
 
+/// The same between the nearest floats of the two. None for NaN and beyond what a float holds.
+std::optional<std::uint64_t> ulps32_between(double a, double b);
+
+/// Counts the ULPs of a difference in floats: for what was computed in them.
+void count_in_binary32(Divergence& divergence);
+
 /// One line: "step 12, phase integrate, body 7, position.x: expected …, actual … (3 ulps)".
 std::string describe(const Divergence& divergence);
 std::string to_string(const FieldValue& value);  ///< doubles with 17 digits

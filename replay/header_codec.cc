@@ -41,6 +41,10 @@ Result<LogHeader> decode_root(schema::Header::Reader in) {
     const Hash128 hash = {before.getContinuationHigh(), before.getContinuationLow()};
     header.goes_on = {before.getStep(), before.getLog().cStr(), hash, {}};
   }
+  if (in.hasEngine()) {
+    const schema::Engine::Reader engine = in.getEngine();
+    header.engine = {engine.getName().cStr(), engine.getVersion().cStr(), engine.getPrecisionBits()};
+  }
   header.states.every = in.getStatesEvery();
   header.chunk_steps_max = in.getChunkStepsMax();
   header.chunk_bytes_max = in.getChunkBytesMax();
@@ -69,6 +73,12 @@ Result<MessageBytes> encode_header(const LogHeader& header) {
       before.setLog(header.goes_on->log);
       before.setContinuationLow(header.goes_on->continuation_hash.low);
       before.setContinuationHigh(header.goes_on->continuation_hash.high);
+    }
+    if (header.engine) {
+      schema::Engine::Builder engine = out.initEngine();
+      engine.setName(header.engine->name);
+      engine.setVersion(header.engine->version);
+      engine.setPrecisionBits(static_cast<std::uint8_t>(header.engine->precision_bits));
     }
     out.setStatesEvery(header.states.every);
     out.setChunkStepsMax(header.chunk_steps_max);

@@ -93,7 +93,14 @@ Result<std::optional<Divergence>> compare_hidden(LogReader& log, const sim::Worl
 
 }  // namespace
 
+Status must_be_ours(const LogReader& log) {
+  if (!log.header().engine) return {};
+  return bad_input(log.name() + ": this log was written by " + to_string(*log.header().engine) +
+                   "; it cannot be replayed, only compared (diff, measure, dump, render, check)");
+}
+
 Result<Player> Player::at(LogReader& log, std::uint64_t k) {
+  if (Status ok = must_be_ours(log); !ok.ok()) return ok.error();
   Result<const Keyframe*> keyframe = log.keyframe_at_or_before(k);
   if (!keyframe.ok()) return keyframe.error();
   Result<sim::World> world = sim::World::restore((*keyframe)->state);
@@ -132,6 +139,7 @@ Result<const StepRecord*> Player::step(sim::Observer* also) {
 }
 
 Result<ReplayReport> replay_log(LogReader& log, const ReplayOptions& options, const Progress& progress) {
+  if (Status ok = must_be_ours(log); !ok.ok()) return ok.error();
   const LogHeader& header = log.header();
   const std::uint64_t from = std::max(options.from_step, log.first_state());
   const std::uint64_t last = log.last_step();

@@ -15,11 +15,15 @@
 
 namespace tumble::replay {
 
+/// Errors (kBadInput): the log is another engine's, whose steps nobody here can compute.
+Status must_be_ours(const LogReader& log);
+
 /// Feeds a log's inputs to this build's stepper, from a keyframe on.
 class Player {
  public:
   /// A world in state k of the log, first_state() … last_step(): the keyframe at or before it, and the steps between
-  /// simulated again. `log` must outlive the player. Errors: the log's, World::restore's, a step that fails.
+  /// simulated again. `log` must outlive the player. Errors: the log's, must_be_ours(), World::restore's, a step that
+  /// fails.
   static Result<Player> at(LogReader& log, std::uint64_t k);
 
   /// Takes the next step of the log: its inputs, then the step. The record is what this build makes of it, with states.
@@ -57,8 +61,8 @@ struct ReplayReport {
 /// verify()'s matter.) Where a chunk ends, the hidden state is compared too, by the next keyframe's continuation hash,
 /// if this build has the log's method version. From state 0 on, that comes first: the scene must still resolve to it.
 /// A session that goes on from another one's state is replayed from its keyframe. Stops at the first difference.
-/// Errors: a log that cannot be read on (kDamaged, naming the steps compared before), nothing to compare (kDamaged). A
-/// step that this build cannot take is a Divergence with the field "error".
+/// Errors: must_be_ours(); a log that cannot be read on (kDamaged, naming the steps compared before), nothing to
+/// compare (kDamaged). A step that this build cannot take is a Divergence with the field "error".
 Result<ReplayReport> replay_log(LogReader& log, const ReplayOptions& options = {}, const Progress& progress = {});
 
 }  // namespace tumble::replay

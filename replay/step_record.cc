@@ -88,6 +88,10 @@ const char* name_of(sim::Method method) {
   return "unknown";
 }
 
+std::string to_string(const EngineName& engine) {
+  return engine.name + (engine.version.empty() ? "" : " " + engine.version);
+}
+
 LogHeader header_for(const sim::SceneDef& scene) {
   LogHeader header;
   header.format_major = kFormatMajor;

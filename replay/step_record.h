@@ -71,6 +71,19 @@ struct GoesOn {
   friend bool operator==(const GoesOn&, const GoesOn&) = default;
 };
 
+/// Another engine, whose steps a log holds (engine_log.h).
+inline constexpr std::uint32_t kBinary32Bits = 24;
+inline constexpr std::uint32_t kBinary64Bits = 53;
+struct EngineName {
+  std::string name;                              ///< never empty
+  std::string version;                           ///< may be empty
+  std::uint32_t precision_bits = kBinary64Bits;  ///< of its numbers: 24 (binary32) or 53 (binary64)
+  friend bool operator==(const EngineName&, const EngineName&) = default;
+};
+
+/// "Bullet 3.24".
+std::string to_string(const EngineName& engine);
+
 /// What a log says of itself once, at its start.
 struct LogHeader {
   std::uint16_t format_major = 0;  ///< of the file; the writer fills both in
@@ -87,6 +100,7 @@ struct LogHeader {
   std::vector<std::string> overrides;  ///< "world.dt=0.01", in order
   sim::Transform transform;            ///< done to the scene of the text; `scene` has it done already
   std::optional<GoesOn> goes_on;       ///< none: the log begins with state 0
+  std::optional<EngineName> engine;    ///< none: this project's physics computed the steps
   StatesMode states;
   std::uint32_t chunk_steps_max = 0;
   std::uint64_t chunk_bytes_max = 0;

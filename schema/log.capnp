@@ -134,6 +134,14 @@ struct Header {
   chunkBytesMax @12 :UInt64;    # likewise
   transform @13 :Transform;     # what was made of the scene file before the session began
   goesOn @14 :GoesOn;           # null: the session begins with step 1 of its scene
+  engine @15 :Engine;           # null: Tumble computed the steps; else methodVersion is 0 and replay is refused
+}
+
+# Another engine, whose steps the log holds: they can be compared, measured and drawn, not computed again.
+struct Engine {
+  name @0 :Text;                # never empty
+  version @1 :Text;             # may be empty
+  precisionBits @2 :UInt8 = 53; # of the numbers that it computes with: 24 (binary32) or 53 (binary64)
 }
 
 # Where a session that goes on from another one's state began.

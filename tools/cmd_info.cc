@@ -52,9 +52,14 @@ void add_header(Listing& listing, const LogHeader& header) {
                 "step " + std::to_string(header.goes_on->step) + " of " + printable(header.goes_on->log));
   }
   if (!header.transform.identity()) listing.add("image", to_string(header.transform));
-  listing.add("method", printable(header.method) + ", version " + std::to_string(header.method_version));
+  if (header.engine) {
+    const char* numbers = header.engine->precision_bits == replay::kBinary32Bits ? ", computes in binary32" : "";
+    listing.add("engine", printable(to_string(*header.engine)) + numbers);
+  } else {
+    listing.add("method", printable(header.method) + ", version " + std::to_string(header.method_version));
+  }
   listing.add("dt", exact(header.scene.world.dt) + " s");
-  listing.add("phases", printable(joined(header.phases, ", ")));
+  if (!header.phases.empty()) listing.add("phases", printable(joined(header.phases, ", ")));
   listing.add("states", to_string(header.states));
   listing.add("format", version_of(header) + ", " + printable(header.float_format));
   listing.add("written by", "tumble " + printable(header.tool_version) + ", " + printable(header.tool_build));
@@ -82,6 +87,12 @@ void put_header(Json& json, const LogHeader& header) {
   json["format"] = version_of(header);
   json["tool_version"] = header.tool_version;
   json["tool_build"] = header.tool_build;
+  json["engine"] = nullptr;
+  if (header.engine) {
+    json["engine"] = {{"name", header.engine->name},
+                      {"version", header.engine->version},
+                      {"precision_bits", header.engine->precision_bits}};
+  }
   json["method"] = header.method;
   json["method_version"] = header.method_version;
   json["float_format"] = header.float_format;

@@ -27,6 +27,7 @@ constexpr std::array kCommands = {
     Command{"check", "run the golden suite and say what changed", declare_check},
     Command{"bisect", "find the commit after which a session is another one", declare_bisect},
     Command{"bless", "accept what cases do now as their goldens", declare_bless},
+    Command{"import", "another engine's states, from a table to a log", declare_import},
     Command{"scenes", "the scenes that can be recorded by name", declare_scenes},
 };
 

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that the build, the tests and the checks need, and only those that are missing.
-# Usage: tools/setup.sh [--with determinism] [--with report]
+# Usage: tools/setup.sh [--with determinism] [--with report] [--with peers]
 #   --with determinism   also the compilers and emulators that tools/determinism.sh uses
 #   --with report        also what makes and tests the script of the report page; without it those tests are skipped
+#   --with peers         also other engines that bench/peers can run our scenes through
 set -euo pipefail
 export LC_ALL=C # comm and sort must agree on the order
 
@@ -21,6 +22,7 @@ determinism_packages=(
   g++-aarch64-linux-gnu g++-riscv64-linux-gnu g++-s390x-linux-gnu g++-arm-linux-gnueabihf g++-i686-linux-gnu
   qemu-user
 )
+peer_packages=(libbullet-dev libode-dev libmujoco-dev)
 report_commands=(node:nodejs npm:npm chromium:chromium) # from wherever the machine has them, else from Debian
 
 fail() {
@@ -31,14 +33,15 @@ fail() {
 while (($#)); do
   case "$1 ${2-}" in
     "--with determinism") packages+=("${determinism_packages[@]}"); shift 2 ;;
+    "--with peers") packages+=("${peer_packages[@]}"); shift 2 ;;
     "--with report")
       for pair in "${report_commands[@]}"; do
         command -v "${pair%%:*}" >/dev/null || packages+=("${pair#*:}")
       done
       shift 2
       ;;
-    "-h "* | "--help "*) sed -n '2,5s/^# //p' "${BASH_SOURCE[0]}"; exit 0 ;;
-    *) printf 'setup: unknown argument "%s"; usage: tools/setup.sh [--with determinism] [--with report]\n' "$*" >&2; exit 2 ;;
+    "-h "* | "--help "*) sed -n '2,6s/^# //p' "${BASH_SOURCE[0]}"; exit 0 ;;
+    *) printf 'setup: unknown argument "%s"; usage: tools/setup.sh [--with determinism] [--with report] [--with peers]\n' "$*" >&2; exit 2 ;;
   esac
 done
 

@@ -1,0 +1,60 @@
+// Ours, behind the same interface as the others. Bodies get their ids in the order in which they are added, so that a
+// shuffled order is a shuffled world.
+#include <utility>
+#include <vector>
+
+#include "bench/peers/engine.h"
+#include "replay/step_record.h"
+#include "src/step/step.h"
+#include "src/world/world.h"
+
+namespace tumble::peers {
+namespace {
+
+class TumbleEngine : public Engine {
+ public:
+  explicit TumbleEngine(const sim::SceneDef& scene) : start_(scene) { start_.boxes.clear(); }
+
+  Status add(const sim::BoxDef& box) override {
+    sim::BoxDef renamed = box;
+    renamed.id = ++count_;
+    if (world_) return world_->apply(sim::Throw{renamed});
+    start_.boxes.push_back(renamed);
+    return {};
+  }
+
+  Status ready() override {
+    Result<sim::World> world = sim::World::create(start_);
+    if (!world.ok()) return world.error();
+    world_ = *std::move(world);
+    return {};
+  }
+
+  Status step(double dt_s) override {
+    if (dt_s != world_->state().def.dt) {
+      if (Status ok = world_->apply(sim::SetDt{dt_s}); !ok.ok()) return ok;
+    }
+    const Result<sim::StepCounters> done = sim::step(*world_);
+    if (!done.ok()) return done.error();
+    return {};
+  }
+
+  [[nodiscard]] BodyState read(std::size_t row) const override {
+    const sim::Bodies& bodies = world_->bodies();  // in the order of their ids, which is that of adding
+    return {bodies.position[row], bodies.orientation[row], bodies.velocity[row], bodies.spin[row],
+            bodies.frozen[row] != 0};
+  }
+
+ private:
+  sim::SceneDef start_;
+  sim::BodyId count_ = 0;
+  std::optional<sim::World> world_;
+};
+
+}  // namespace
+
+replay::EngineName engine_name() { return {"Tumble", replay::header_for({}).tool_version, replay::kBinary64Bits}; }
+
+std::unique_ptr<Engine> make_engine(const sim::SceneDef& scene) { return std::make_unique<TumbleEngine>(scene); }
+
+}  // namespace tumble::peers

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "src/base/result.h"
+
+namespace tumble::replay {
+
+/// A line "# key: value" before the table.
+struct CsvSetting {
+  std::string key;
+  std::string value;
+  std::uint64_t line = 0;
+};
+
+/// Reads a table of numbers: lines "# key: value", a line with the names of the columns, a row a line. Cells are
+/// separated by commas and need no quotes; blanks around them, empty lines and, below the names, lines that begin with
+/// # mean nothing. Lines may end in CR LF. Errors (kBadInput) begin with "<name>:<line>:<column>: ", both from 1, the
+/// column in bytes.
+class CsvReader {
+ public:
+  /// Reads up to the names of the columns. `text` must outlive this.
+  static Result<CsvReader> open(std::string_view text, std::string name);
+
+  [[nodiscard]] const std::vector<CsvSetting>& settings() const { return settings_; }
+  [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
+  [[nodiscard]] std::optional<std::size_t> find(std::string_view column) const;
+
+  /// Goes to the next row; false at the end. Errors: another number of cells than of columns.
+  Result<bool> next();
+
+  // A cell of the row, by the number of its column. Errors: no number, or one that the type does not hold.
+  [[nodiscard]] Result<double> number(std::size_t column) const;
+  /// Rounded once, to float, as the program that wrote it had it.
+  [[nodiscard]] Result<double> single(std::size_t column) const;
+  [[nodiscard]] Result<std::uint64_t> whole(std::size_t column) const;
+
+  /// "<name>:<line>:<column>: <message>" for a cell of the row, or of the line with the names before the first row.
+  [[nodiscard]] Error at(std::size_t column, const std::string& message) const;
+  [[nodiscard]] Error at_line(std::uint64_t line, const std::string& message) const;
+  [[nodiscard]] std::uint64_t line() const { return line_; }
+
+ private:
+  CsvReader(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
+  bool next_line();
+  void split();
+  template <class Number>
+  [[nodiscard]] Result<Number> parse(std::size_t column, const char* wanted) const;
+
+  std::string_view text_;
+  std::string name_;
+  std::size_t begin_ = 0;     // of the next line
+  std::string_view current_;  // the line
+  std::uint64_t line_ = 0;    // its number
+  std::vector<CsvSetting> settings_;
+  std::vector<std::string> columns_;
+  std::vector<std::string_view> cells_;
+};
+
+}  // namespace tumble::replay
