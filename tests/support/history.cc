@@ -155,7 +155,7 @@ std::string History::footprint() const {
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(shop_.path("project"))) {
     if (entry.is_regular_file()) names.insert(fs::relative(entry.path(), shop_.path("")).string());
   }
-  for (const std::string& name : names) text += name + '\n' + shop_.read(name) + '\n';
+  for (const std::string& name : names) text.append(name).append(1, '\n').append(shop_.read(name)).append(1, '\n');
   return text;
 }
 
