@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <utility>
 
@@ -52,8 +53,10 @@ class FileSink : public ByteSink {
     if (::ftruncate(file_.get(), end) == 0) ::lseek(file_.get(), end, SEEK_SET);
   }
   Status sync() override {
-    if (::fdatasync(file_.get()) == 0 || errno == EINVAL || errno == EROFS) return {};  // not a file on a disk
-    return cannot_finish(reason());
+    for (;;) {
+      if (::fdatasync(file_.get()) == 0 || errno == EINVAL || errno == EROFS) return {};  // not a file on a disk
+      if (errno != EINTR) return cannot_finish(reason());
+    }
   }
   std::string name() const override { return path_; }
 
@@ -90,6 +93,8 @@ class FileSource : public ByteSource {
   std::string path_;
 };
 
+}  // namespace
+
 /// Only a log, or an empty file, is written over: a slip of the command line must not cost somebody a scene.
 Status may_replace(const std::string& path) {
   struct stat info = {};
@@ -103,12 +108,19 @@ Status may_replace(const std::string& path) {
   return bad_input(path + ": exists and is not a log; choose another name or remove it first");
 }
 
-}  // namespace
+Status rename_file(const std::string& from, const std::string& to) {
+  if (std::rename(from.c_str(), to.c_str()) == 0) return {};
+  return cannot_finish(to + ": cannot be put in place: " + reason() + "; what was to be there is in " + from);
+}
 
 Result<std::unique_ptr<ByteSink>> open_file_sink(const std::string& path) {
   if (Status ok = may_replace(path); !ok.ok()) return ok.error();
   File file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-  if (!file.ok()) return bad_input(path + ": cannot be written: " + reason());
+  if (!file.ok()) {
+    const bool is_systems = errno == EROFS || errno == ENOSPC || errno == EDQUOT || errno == EIO || errno == EMFILE;
+    const std::string message = path + ": cannot be written: " + reason();
+    return is_systems ? cannot_finish(message) : bad_input(message);
+  }
   return std::unique_ptr<ByteSink>(std::make_unique<FileSink>(std::move(file), path));
 }
 

@@ -44,8 +44,15 @@ class ByteSource {
 };
 
 /// Opens a log file for writing, under its final name: a crash must leave the chunks written so far where they are
-/// looked for. An existing log is replaced. Errors (kBadInput): a folder, no permission, a file that is not a log.
+/// looked for. A log there is replaced. Errors: kBadInput (a folder, no permission, no log), kCannotFinish (the disk).
 Result<std::unique_ptr<ByteSink>> open_file_sink(const std::string& path);
+
+/// Whether open_file_sink() would accept the path: nothing is there, or an empty file, a log or a device. Errors
+/// (kBadInput) say what is there.
+Status may_replace(const std::string& path);
+
+/// Gives a finished file its final name, in place of what had it. Errors (kCannotFinish), with both names.
+Status rename_file(const std::string& from, const std::string& to);
 
 /// Opens a file for reading. Errors (kBadInput): missing, a folder, no permission.
 Result<std::unique_ptr<ByteSource>> open_file_source(const std::string& path);

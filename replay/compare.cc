@@ -80,6 +80,10 @@ class Diff {
     Result<std::uint64_t> same = last_known_same(from, last);
     if (!same.ok()) return same.error();
     for (std::uint64_t k = *same + 1; k <= last && !report_.first; ++k) {
+      if (a_.lost_at(k) != nullptr || b_.lost_at(k) != nullptr) {
+        --report_.steps;
+        continue;
+      }
       if (Status ok = compare_step(k); !ok.ok()) return ok.error();
       if (progress && !progress(k - from, report_.steps)) break;
     }

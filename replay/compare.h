@@ -26,7 +26,7 @@ Status set_tolerance(Tolerances& tolerances, const std::string& field, double va
 
 struct DiffReport {
   std::uint64_t from = 0;            ///< the first state that both logs have
-  std::uint64_t steps = 0;           ///< after it, that both logs have
+  std::uint64_t steps = 0;           ///< after it, that both logs have; or that their chains say are the same
   std::optional<Divergence> first;   ///< none: the same in all those steps
   std::vector<std::string> headers;  ///< what differs in the headers, a line each; no verdict by itself
   std::uint64_t last_a = 0;          ///< last step

@@ -1,12 +1,12 @@
 #include "replay/continuation.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "replay/boxes_at.h"
 #include "replay/replayer.h"
 #include "src/model/limits.h"
 
@@ -37,25 +37,6 @@ Result<Inputs> inputs_around(LogReader& log, std::uint64_t k) {
     if (input.step > log.last_step()) inputs.to_come.push_back(input);
   }
   return inputs;
-}
-
-/// The bodies of a state, with what the scene and the throws say of them and the world does not keep: look and origin.
-std::vector<sim::BoxDef> boxes_at(const sim::Bodies& bodies, std::vector<sim::BoxDef> known) {
-  std::ranges::stable_sort(known, {}, &sim::BoxDef::id);
-  std::vector<sim::BoxDef> boxes;
-  boxes.reserve(bodies.size());
-  for (sim::BodyIndex i = 0; i < bodies.size(); ++i) {
-    const auto def = std::ranges::lower_bound(known, bodies.id[i], {}, &sim::BoxDef::id);
-    sim::BoxDef box = def != known.end() && def->id == bodies.id[i] ? *def : sim::BoxDef();
-    box.id = bodies.id[i];
-    box.position = bodies.position[i];
-    box.orientation = bodies.orientation[i];
-    box.velocity = bodies.velocity[i];
-    box.spin = bodies.spin[i];
-    box.frozen = bodies.frozen[i] != 0;
-    boxes.push_back(std::move(box));
-  }
-  return boxes;
 }
 
 /// State k, as this build makes it: it must be the log's.

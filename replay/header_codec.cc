@@ -2,6 +2,7 @@
 
 #include "replay/message.h"
 #include "replay/scene_codec.h"
+#include "src/model/limits.h"
 
 namespace tumble::replay {
 namespace {
@@ -14,6 +15,35 @@ std::vector<std::string> decode_texts(capnp::List<capnp::Text>::Reader in) {
   std::vector<std::string> texts;
   for (const capnp::Text::Reader text : in) texts.emplace_back(text.cStr(), text.size());
   return texts;
+}
+
+void encode_recovered(const Recovered& recovered, schema::Recovered::Builder out) {
+  out.setLog(recovered.log);
+  out.setHeaderLost(recovered.header_lost);
+  auto gaps = out.initGaps(static_cast<unsigned>(recovered.gaps.size()));
+  for (unsigned i = 0; i < gaps.size(); ++i) {
+    gaps[i].setFirstStep(recovered.gaps[i].first_step);
+    gaps[i].setStepCount(recovered.gaps[i].step_count);
+  }
+}
+
+Result<Recovered> decode_recovered(schema::Recovered::Reader in) {
+  Recovered recovered{in.getLog().cStr(), in.getHeaderLost(), {}};
+  const auto gaps = in.getGaps();
+  if (gaps.size() > kChunksMax) return damaged("found " + std::to_string(gaps.size()) + " gaps");
+  std::uint64_t before = 0;
+  for (const schema::Recovered::Gap::Reader gap : gaps) {
+    recovered.gaps.push_back({gap.getFirstStep(), gap.getStepCount()});
+    const Gap& last = recovered.gaps.back();
+    const bool fits = last.first_step > before && last.step_count > 0 && last.first_step <= sim::kStepsMax &&
+                      last.step_count <= sim::kStepsMax;
+    if (!fits) {
+      return damaged("found a gap of " + std::to_string(last.step_count) + " steps from step " +
+                     std::to_string(last.first_step) + " on, wanted one after step " + std::to_string(before));
+    }
+    before = last.end_step();
+  }
+  return recovered;
 }
 
 Result<LogHeader> decode_root(schema::Header::Reader in) {
@@ -44,6 +74,11 @@ Result<LogHeader> decode_root(schema::Header::Reader in) {
   if (in.hasEngine()) {
     const schema::Engine::Reader engine = in.getEngine();
     header.engine = {engine.getName().cStr(), engine.getVersion().cStr(), engine.getPrecisionBits()};
+  }
+  if (in.hasRecovered()) {
+    Result<Recovered> recovered = decode_recovered(in.getRecovered());
+    if (!recovered.ok()) return recovered.error();
+    header.recovered = *std::move(recovered);
   }
   header.states.every = in.getStatesEvery();
   header.chunk_steps_max = in.getChunkStepsMax();
@@ -80,6 +115,7 @@ Result<MessageBytes> encode_header(const LogHeader& header) {
       engine.setVersion(header.engine->version);
       engine.setPrecisionBits(static_cast<std::uint8_t>(header.engine->precision_bits));
     }
+    if (header.recovered) encode_recovered(*header.recovered, out.initRecovered());
     out.setStatesEvery(header.states.every);
     out.setChunkStepsMax(header.chunk_steps_max);
     out.setChunkBytesMax(header.chunk_bytes_max);

@@ -28,7 +28,9 @@ inline constexpr std::uint64_t kPhaseWordsMax = 1 << 16;  ///< of one step
 inline constexpr std::uint64_t kPhasesMax = 256;
 inline constexpr std::uint64_t kPairsMax = 1ULL << 28;
 inline constexpr std::uint64_t kChunksMax = 1 << 22;
-inline constexpr std::uint64_t kRowMovesMax = 1ULL << 32;  ///< rows moved by the throws and removes of a chunk
-inline constexpr int kNestingMax = 16;                     ///< of Cap'n Proto pointers; the schema needs 6
+inline constexpr std::uint64_t kRowMovesMax = 1ULL << 32;    ///< rows moved by the throws and removes of a chunk
+inline constexpr std::uint64_t kSalvageWork = 8;             ///< times a damaged file's size that its recovery may read
+inline constexpr std::uint64_t kScrapBytesMax = 1ULL << 28;  ///< of damaged bytes searched for frames in one piece
+inline constexpr int kNestingMax = 16;                       ///< of Cap'n Proto pointers; the schema needs 6
 
 }  // namespace tumble::replay

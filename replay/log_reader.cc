@@ -26,7 +26,8 @@ Status read_prelude(const ByteSource& source, std::uint64_t offset, Prelude& pre
 
 /// The index of a finished log, if footer and index are there, whole and tell of the whole file. Errors say what is
 /// not.
-Result<std::vector<ChunkPlace>> read_index(const ByteSource& source, const Prelude& header) {
+Result<std::vector<ChunkPlace>> read_index(const ByteSource& source, const Prelude& header,
+                                           const std::vector<Gap>& gaps) {
   const std::uint64_t begin = kPreludeBytes + header.stored_bytes;
   if (source.size() < begin + kFooterBytes) return damaged("no footer");
   std::array<std::byte, kFooterBytes> bytes;
@@ -47,6 +48,7 @@ Result<std::vector<ChunkPlace>> read_index(const ByteSource& source, const Prelu
   std::uint64_t offset = begin;
   std::uint64_t step = header.first_step + 1;
   for (const ChunkPlace& place : *places) {
+    step = step_after(step, gaps);
     const bool fits = place.offset == offset && place.length > kPreludeBytes &&
                       place.length <= footer->index_offset - offset && place.first_step == step &&
                       place.step_count <= kStepsPerChunkRead;
@@ -173,13 +175,14 @@ Status LogReader::read_header() {
 
 /// By the index if it is there and right, else by a walk over the preludes.
 void LogReader::find_chunks() {
-  Result<std::vector<ChunkPlace>> index = read_index(*source_, header_prelude_);
+  Result<std::vector<ChunkPlace>> index = read_index(*source_, header_prelude_, header_.gaps());
   if (index.ok()) {
     chunks_ = *std::move(index);
     condition_.finished = true;
+    condition_.gaps = header_.gaps();
     return;
   }
-  Scan scan = scan_records(*source_, header_prelude_);
+  Scan scan = scan_records(*source_, header_prelude_, header_.gaps());
   chunks_ = std::move(scan.chunks);
   condition_ = std::move(scan.condition);
   if (condition_.finished && condition_.damages.empty()) {
@@ -202,10 +205,18 @@ Result<std::size_t> LogReader::chunk_of(std::uint64_t k) const {
     return no_such("step", k);
   }
   if (after == chunks_.begin() || k >= std::prev(after)->end_step()) {
-    return damaged(name() + ": step " + std::to_string(k) + " was in a record that is damaged; steps from " +
+    const char* why = lost_at(k) != nullptr ? " was lost before this log was recovered from a damaged one"
+                                            : " was in a record that is damaged";
+    return damaged(name() + ": step " + std::to_string(k) + why + "; steps from " +
                    std::to_string(after == chunks_.end() ? last_step() : after->first_step) + " on can be read");
   }
   return static_cast<std::size_t>(after - chunks_.begin()) - 1;
+}
+
+const Gap* LogReader::lost_at(std::uint64_t k) const {
+  const std::vector<Gap>& gaps = header_.gaps();
+  const auto after = std::ranges::upper_bound(gaps, k, {}, &Gap::first_step);
+  return after != gaps.begin() && k < std::prev(after)->end_step() ? &*std::prev(after) : nullptr;
 }
 
 Result<ChunkDecoder*> LogReader::load(std::size_t chunk) {

@@ -43,6 +43,9 @@ class LogReader {
 
   [[nodiscard]] std::uint64_t step_count() const { return last_step() - first_state(); }
 
+  /// The gap of a recovered log in which step k lies, if it does.
+  [[nodiscard]] const Gap* lost_at(std::uint64_t k) const;
+
   /// The chunks that are there, ascending. Between two of them steps are missing if a record was lost.
   [[nodiscard]] const std::vector<ChunkPlace>& chunks() const { return chunks_; }
 

@@ -8,7 +8,13 @@ Result<Metrics> measure_log(LogReader& log, const MeasureOptions& options,
                             const std::function<void(const SeriesRow&)>& each_row, const Progress& progress) {
   StateSource source(log);
   Measurer measurer(log.header(), options);
-  const std::uint64_t first = log.first_state(), last = log.last_step();
+  const std::uint64_t first = log.first_state();
+  const std::vector<Gap>& gaps = log.header().gaps();
+  const std::uint64_t last = gaps.empty() ? log.last_step() : gaps.front().first_step - 1;
+  if (options.from_step > last && !gaps.empty()) {
+    return bad_input(log.name() + ": measures cannot begin after step " + std::to_string(last) + ": " +
+                     to_string(gaps.front()) + " were lost before the log was recovered");
+  }
   Result<const StepRecord*> record = source.read(first);
   for (std::uint64_t k = first; k <= last; ++k) {
     const bool needs_states = k == first || k >= options.from_step;

@@ -9,7 +9,8 @@
 
 namespace tumble::replay {
 
-/// Measures a whole log, as far as it is whole. States that it does not hold are simulated again, so the result does
+/// Measures a whole log, as far as it is whole; a recovered one up to its first gap, because what happened there to
+/// energy and bodies is not known. States that it does not hold are simulated again, so the result does
 /// not depend on `--states`. each_row, if given, is called for the state that is measured from and after every step.
 /// Errors: as StateSource::read() and Measurer::finish(); a stop asked for by `progress` (kCannotFinish).
 Result<Metrics> measure_log(LogReader& log, const MeasureOptions& options = {},

@@ -33,15 +33,20 @@ Status RecordWriter::write_all(std::span<const std::byte> bytes) {
 Status RecordWriter::write_record(Prelude& prelude, const MessageBytes& message) {
   const std::string doing = std::string(name_of(prelude.kind)) + " " + std::to_string(sequence_);
   if (Status ok = compressor_.compress(message.bytes(), stored_); !ok.ok()) return fail(doing, ok.error().message);
-  prelude.sequence = sequence_;
   prelude.raw_bytes = message.bytes().size();
-  prelude.stored_bytes = stored_.size();
-  prelude.stored_hash = hash_bytes(stored_);
+  return write_stored(prelude, stored_);
+}
+
+Status RecordWriter::write_stored(Prelude& prelude, std::span<const std::byte> stored) {
+  const std::string doing = std::string(name_of(prelude.kind)) + " " + std::to_string(sequence_);
+  prelude.sequence = sequence_;
+  prelude.stored_bytes = stored.size();
+  prelude.stored_hash = hash_bytes(stored);
   if (prelude.kind == RecordKind::kHeader) log_tag_ = prelude.stored_hash.low;
   prelude.log_tag = log_tag_;
   if (Status ok = write_all(encode(prelude)); !ok.ok()) return fail(doing, ok.error().message);
-  if (Status ok = write_all(stored_); !ok.ok()) return fail(doing, ok.error().message);
-  bytes_ += kPreludeBytes + stored_.size();
+  if (Status ok = write_all(stored); !ok.ok()) return fail(doing, ok.error().message);
+  bytes_ += kPreludeBytes + stored.size();
   ++sequence_;
   return {};
 }
@@ -78,6 +83,24 @@ Status RecordWriter::write_chunk(Keyframe& keyframe, std::span<StepRecord> steps
   if (!message.ok()) return fail("chunk " + std::to_string(sequence_), message.error().message);
   const std::uint64_t offset = bytes_;
   if (Status ok = write_record(prelude, *message); !ok.ok()) return ok;
+  chunks_.push_back({offset, bytes_ - offset, prelude.first_step, prelude.step_count, chain_, prelude.stored_hash});
+  return {};
+}
+
+Status RecordWriter::copy_header(const Prelude& before, std::span<const std::byte> stored) {
+  first_state_ = before.first_step;
+  chain_ = before.chain_after;
+  Prelude prelude = before;
+  return write_stored(prelude, stored);
+}
+
+Status RecordWriter::copy_chunk(const Prelude& before, std::span<const std::byte> stored, const Hash128& final_hash) {
+  if (!status_.ok()) return status_;
+  Prelude prelude = before;
+  const std::uint64_t offset = bytes_;
+  if (Status ok = write_stored(prelude, stored); !ok.ok()) return ok;
+  final_hash_ = final_hash;
+  chain_ = prelude.chain_after;
   chunks_.push_back({offset, bytes_ - offset, prelude.first_step, prelude.step_count, chain_, prelude.stored_hash});
   return {};
 }

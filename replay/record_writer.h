@@ -28,6 +28,11 @@ class RecordWriter {
   /// Fills in each step's state_hash and has_states, and the keyframe's hash; then writes. Every step must have states.
   Status write_chunk(Keyframe& keyframe, std::span<StepRecord> steps);
 
+  /// The same with records of another log, byte for byte but for their number and tag. `before` is the other header's
+  /// prelude; `final_hash` the state hash after the chunk's last step. A chunk need not begin where the last ended.
+  Status copy_header(const Prelude& before, std::span<const std::byte> stored);
+  Status copy_chunk(const Prelude& before, std::span<const std::byte> stored, const Hash128& final_hash);
+
   /// Index and footer; the log is complete then. What precedes the footer is on the disk before it is written.
   Status finish();
 
@@ -41,6 +46,7 @@ class RecordWriter {
 
  private:
   Status write_record(Prelude& prelude, const MessageBytes& message);
+  Status write_stored(Prelude& prelude, std::span<const std::byte> stored);
   Status write_all(std::span<const std::byte> bytes);
   Status fail(const std::string& doing, const std::string& why);
 

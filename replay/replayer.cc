@@ -147,7 +147,8 @@ Result<ReplayReport> replay_log(LogReader& log, const ReplayOptions& options, co
       header.phases == header_for(header.scene).phases && header.phase_rows_max == sim::PhaseHashes::kRowsMax;
   ReplayReport report;
   report.notes = notes_of(log, same_phases);
-  if (from == 0) {
+  const bool has_scene = !header.recovered || !header.recovered->header_lost;  // and not one made of state 0
+  if (from == 0 && has_scene) {
     Result<std::optional<Divergence>> start = compare_start(log);
     if (!start.ok()) return start.error();
     report.first = *std::move(start);
@@ -157,6 +158,10 @@ Result<ReplayReport> replay_log(LogReader& log, const ReplayOptions& options, co
   if (!player.ok()) return player.error();
   const std::vector<std::string> phases = same_phases ? header.phases : std::vector<std::string>();
   for (std::uint64_t k = from + 1; k <= last; ++k) {
+    if (const Gap* gap = log.lost_at(k); gap != nullptr) {
+      k = gap->end_step();
+      if (player = Player::at(log, k - 1); !player.ok()) return player.error();
+    }
     const auto unreadable = [&](const Error& error) {
       return Error{error.kind, error.message + "; the steps before step " + std::to_string(k) + " replayed the same"};
     };

@@ -19,7 +19,8 @@ std::string at_byte(std::uint64_t offset) { return "at byte " + std::to_string(o
 /// Walks the records of a log from its header's end on.
 class Walk {
  public:
-  Walk(const ByteSource& source, const Prelude& header) : source_(source), header_(header) {
+  Walk(const ByteSource& source, const Prelude& header, const std::vector<Gap>& gaps)
+      : source_(source), header_(header), gaps_(gaps) {
     offset_ = kPreludeBytes + header.stored_bytes;
     chain_ = header.chain_after;
     result_.condition.torn_offset = offset_;
@@ -31,6 +32,7 @@ class Walk {
     LogCondition& condition = result_.condition;
     condition.finished = result_.footer.has_value();
     condition.torn = torn_ || (!condition.finished && offset_ >= source_.size());
+    condition.gaps = gaps_;
     return std::move(result_);
   }
 
@@ -99,38 +101,15 @@ class Walk {
   /// Reports damage at the current place and goes on at the next prelude of this log, if there is one.
   bool skip_to_next(const std::string& why) {
     const std::uint64_t hurt = offset_;
-    const std::optional<Found> next = find_prelude(offset_ + 1);
+    const std::optional<FoundPrelude> next = find_prelude(source_, offset_ + 1, header_.log_tag);
     const std::string then = next ? "the next record begins " + at_byte(next->offset) : "no record follows";
     RecordKind kind = result_.index ? RecordKind::kFooter : RecordKind::kChunk;
-    if (next && next->kind == RecordKind::kFooter && !result_.index) kind = RecordKind::kIndex;
+    if (next && next->prelude.kind == RecordKind::kFooter && !result_.index) kind = RecordKind::kIndex;
     add_damage(kind, hurt, std::string(name_of(kind)) + " " + at_byte(hurt) + ": " + why + "; " + then);
     if (!next) return false;
     offset_ = next->offset;
     gap_ = true;
     return true;
-  }
-
-  struct Found {
-    std::uint64_t offset;
-    RecordKind kind;
-  };
-  std::optional<Found> find_prelude(std::uint64_t from) {
-    std::vector<std::byte> bytes;
-    std::size_t window = kWindowMin;
-    while (from + kPreludeBytes <= source_.size()) {
-      bytes.resize(std::min<std::uint64_t>(window, source_.size() - from));
-      if (!source_.read(from, bytes).ok()) return std::nullopt;
-      const std::size_t places = bytes.size() - kPreludeBytes + 1;
-      for (std::size_t i = 0; i < places; ++i) {
-        const auto candidate = std::span<const std::byte>(bytes).subspan(i).first<kPreludeBytes>();
-        if (candidate[8] != std::byte{0x89} || !starts_like_log(candidate)) continue;
-        const Result<Prelude> prelude = decode_prelude(candidate);
-        if (prelude.ok() && prelude->log_tag == header_.log_tag) return Found{from + i, prelude->kind};
-      }
-      from += places;
-      window = std::min(2 * window, kWindowMax);
-    }
-    return std::nullopt;
   }
 
   void take(const Prelude& prelude) {
@@ -154,7 +133,9 @@ class Walk {
   /// a chunk that does not come after the others.
   bool check_order(const Prelude& prelude) {
     const std::string record = std::string(name_of(prelude.kind)) + " " + at_byte(offset_) + ": found ";
-    const std::uint64_t wanted = result_.chunks.empty() ? header_.first_step + 1 : result_.chunks.back().end_step();
+    const std::uint64_t end = result_.chunks.empty() ? header_.first_step + 1 : result_.chunks.back().end_step();
+    const std::uint64_t wanted = step_after(end, gaps_);
+    const bool over_gap = prelude.kind == RecordKind::kChunk && wanted != end;
     if (prelude.kind == RecordKind::kChunk && (prelude.first_step < wanted || prelude.first_step > sim::kStepsMax ||
                                                prelude.step_count > kStepsPerChunkRead)) {
       add_damage(prelude.kind, offset_,
@@ -171,7 +152,7 @@ class Walk {
     } else if (prelude.kind == RecordKind::kChunk && prelude.first_step != wanted) {
       add_damage(prelude.kind, offset_,
                  record + "first step " + std::to_string(prelude.first_step) + ", wanted " + std::to_string(wanted));
-    } else if (prelude.chain_before != chain_) {
+    } else if (!over_gap && prelude.chain_before != chain_) {
       add_damage(prelude.kind, offset_,
                  record + "chain " + to_string(prelude.chain_before) + " before it, wanted " + to_string(chain_));
     }
@@ -193,6 +174,7 @@ class Walk {
 
   const ByteSource& source_;
   const Prelude& header_;
+  const std::vector<Gap>& gaps_;
   std::uint64_t offset_;
   std::uint64_t sequence_ = 1;
   Hash128 chain_;
@@ -215,9 +197,38 @@ std::string LogCondition::summary(std::uint64_t last_step) const {
     text += std::to_string(damages.size()) + (damages.size() == 1 ? " damage: " : " damages, the first: ") +
             damages.front().message;
   }
+  if (!gaps.empty()) {
+    if (!text.empty()) text += "; ";
+    text += "recovered from a damaged log: " + to_string(gaps.front()) +
+            (gaps.size() == 1 ? "" : " and " + std::to_string(gaps.size() - 1) + " more runs of steps") + " were lost";
+  }
   return text;
 }
 
-Scan scan_records(const ByteSource& source, const Prelude& header) { return Walk(source, header).run(); }
+Scan scan_records(const ByteSource& source, const Prelude& header, const std::vector<Gap>& gaps) {
+  return Walk(source, header, gaps).run();
+}
+
+std::optional<FoundPrelude> find_prelude(const ByteSource& source, std::uint64_t from,
+                                         std::optional<std::uint64_t> log_tag) {
+  std::vector<std::byte> bytes;
+  std::size_t window = kWindowMin;
+  while (from + kPreludeBytes <= source.size()) {
+    bytes.resize(std::min<std::uint64_t>(window, source.size() - from));
+    if (!source.read(from, bytes).ok()) return std::nullopt;
+    const std::size_t places = bytes.size() - kPreludeBytes + 1;
+    for (std::size_t i = 0; i < places; ++i) {
+      const auto candidate = std::span<const std::byte>(bytes).subspan(i).first<kPreludeBytes>();
+      if (candidate[8] != std::byte{0x89} || !starts_like_log(candidate)) continue;
+      const Result<Prelude> prelude = decode_prelude(candidate);
+      if (prelude.ok() && prelude->log_tag == log_tag.value_or(prelude->log_tag)) {
+        return FoundPrelude{from + i, *prelude};
+      }
+    }
+    from += places;
+    window = std::min(2 * window, kWindowMax);
+  }
+  return std::nullopt;
+}
 
 }  // namespace tumble::replay

@@ -8,6 +8,7 @@
 #include "replay/byte_io.h"
 #include "replay/index_codec.h"
 #include "replay/prelude.h"
+#include "replay/step_record.h"
 
 namespace tumble::replay {
 
@@ -24,9 +25,13 @@ struct LogCondition {
   bool torn = false;              ///< the file ends before the footer does: a crash or a full disk; the rest is sound
   std::uint64_t torn_offset = 0;  ///< end of the last complete record
   std::vector<Damage> damages;    ///< by offset
+  std::vector<Gap> gaps;          ///< steps that were lost before the log was recovered from a damaged one
 
-  /// Finished and nothing damaged.
-  [[nodiscard]] bool whole() const { return finished && !torn && damages.empty(); }
+  /// Every byte is as it was written and the writer came to its end; a recovered log may have gaps all the same.
+  [[nodiscard]] bool sound() const { return finished && !torn && damages.empty(); }
+
+  /// Sound, and every step is there.
+  [[nodiscard]] bool whole() const { return sound() && gaps.empty(); }
 
   /// One line for people: "whole", "torn at byte 8123 …", "2 records damaged, the first …". last_step: LogReader's.
   [[nodiscard]] std::string summary(std::uint64_t last_step) const;
@@ -42,7 +47,16 @@ struct Scan {
 };
 
 /// Walks the records behind the header. A record that is damaged is skipped: the walk goes on at the next prelude of
-/// the same log.
-Scan scan_records(const ByteSource& source, const Prelude& header);
+/// the same log. `gaps`: what the header says is missing.
+Scan scan_records(const ByteSource& source, const Prelude& header, const std::vector<Gap>& gaps);
+
+struct FoundPrelude {
+  std::uint64_t offset = 0;
+  Prelude prelude;
+};
+
+/// The first whole prelude at or after byte `from`: of the log with this tag, or of any if there is none.
+std::optional<FoundPrelude> find_prelude(const ByteSource& source, std::uint64_t from,
+                                         std::optional<std::uint64_t> log_tag);
 
 }  // namespace tumble::replay

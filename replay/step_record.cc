@@ -1,5 +1,6 @@
 #include "replay/step_record.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstring>
 
@@ -76,6 +77,21 @@ Result<StatesMode> parse_states_mode(const std::string& text) {
 std::string to_string(const StatesMode& mode) {
   if (mode.every == 0) return "hashes";
   return mode.every == 1 ? "all" : "every:" + std::to_string(mode.every);
+}
+
+std::string to_string(const Gap& gap) {
+  if (gap.step_count == 1) return "step " + std::to_string(gap.first_step);
+  return "steps " + std::to_string(gap.first_step) + " to " + std::to_string(gap.end_step() - 1);
+}
+
+std::uint64_t step_after(std::uint64_t end, const std::vector<Gap>& gaps) {
+  const auto gap = std::ranges::lower_bound(gaps, end, {}, &Gap::first_step);
+  return gap != gaps.end() && gap->first_step == end ? gap->end_step() : end;
+}
+
+const std::vector<Gap>& LogHeader::gaps() const {
+  static const std::vector<Gap> kNone;
+  return recovered ? recovered->gaps : kNone;
 }
 
 const char* name_of(sim::Method method) {

@@ -84,6 +84,28 @@ struct EngineName {
 /// "Bullet 3.24".
 std::string to_string(const EngineName& engine);
 
+/// Steps that a recovered log lacks between others.
+struct Gap {
+  std::uint64_t first_step = 0;
+  std::uint64_t step_count = 0;
+  [[nodiscard]] std::uint64_t end_step() const { return first_step + step_count; }  ///< the first that is there again
+  friend bool operator==(const Gap&, const Gap&) = default;
+};
+
+/// "step 7", "steps 7 to 12".
+std::string to_string(const Gap& gap);
+
+/// The step that comes after those before `end`: `end` itself, or the first one after a gap that begins there.
+std::uint64_t step_after(std::uint64_t end, const std::vector<Gap>& gaps);
+
+/// What a log lacks since it was recovered from a damaged one.
+struct Recovered {
+  std::string log;           ///< the damaged log, as it was given
+  bool header_lost = false;  ///< the header was made from the first keyframe: no names, looks, camera, scene text
+  std::vector<Gap> gaps;     ///< ascending; chunks stand before and after each
+  friend bool operator==(const Recovered&, const Recovered&) = default;
+};
+
 /// What a log says of itself once, at its start.
 struct LogHeader {
   std::uint16_t format_major = 0;  ///< of the file; the writer fills both in
@@ -101,9 +123,12 @@ struct LogHeader {
   sim::Transform transform;            ///< done to the scene of the text; `scene` has it done already
   std::optional<GoesOn> goes_on;       ///< none: the log begins with state 0
   std::optional<EngineName> engine;    ///< none: this project's physics computed the steps
+  std::optional<Recovered> recovered;  ///< none: the log is as it was recorded
   StatesMode states;
   std::uint32_t chunk_steps_max = 0;
   std::uint64_t chunk_bytes_max = 0;
+
+  [[nodiscard]] const std::vector<Gap>& gaps() const;  ///< steps that the log lacks between others
 };
 
 /// The header of a session that this build records: everything but the scene text and the overrides.

@@ -11,7 +11,8 @@ namespace {
 
 class Verifier {
  public:
-  explicit Verifier(LogReader& log) : log_(log), scan_(scan_records(log.source(), log.header_prelude())) {}
+  explicit Verifier(LogReader& log)
+      : log_(log), scan_(scan_records(log.source(), log.header_prelude(), log.header().gaps())) {}
 
   VerifyReport run() {
     report_.condition = scan_.condition;

@@ -36,6 +36,14 @@ Status Compressor::compress(std::span<const std::byte> raw, std::vector<std::byt
   return {};
 }
 
+std::optional<FrameSize> frame_at(std::span<const std::byte> bytes) {
+  const unsigned long long raw = ZSTD_getFrameContentSize(bytes.data(), bytes.size());
+  if (raw == ZSTD_CONTENTSIZE_ERROR || raw == ZSTD_CONTENTSIZE_UNKNOWN) return std::nullopt;
+  const std::size_t stored = ZSTD_findFrameCompressedSize(bytes.data(), bytes.size());
+  if (ZSTD_isError(stored) != 0) return std::nullopt;
+  return FrameSize{stored, raw};
+}
+
 Result<MessageBytes> decompress(std::span<const std::byte> frame, std::uint64_t raw_bytes, std::uint64_t limit) {
   if (raw_bytes > limit || raw_bytes % 8 != 0 || raw_bytes > (frame.size() + 64) * kZstdExpansionMax) {
     return damaged("found a message of " + number(raw_bytes) + " bytes in " + number(frame.size()) +

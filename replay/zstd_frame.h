@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -47,6 +48,16 @@ class Compressor {
  private:
   ZSTD_CCtx_s* context_;
 };
+
+/// How long a zstd frame is and what it decompresses to, both by its own account.
+struct FrameSize {
+  std::size_t stored_bytes = 0;
+  std::uint64_t raw_bytes = 0;
+};
+
+/// The frame that begins with the first of `bytes`, more of which may follow it; none if none does, it is cut, or does
+/// not say its size.
+std::optional<FrameSize> frame_at(std::span<const std::byte> bytes);
 
 /// The message in a frame. raw_bytes is what the prelude says; a frame that says otherwise is damaged. Errors carry
 /// neither file nor offset.

@@ -135,6 +135,7 @@ struct Header {
   transform @13 :Transform;     # what was made of the scene file before the session began
   goesOn @14 :GoesOn;           # null: the session begins with step 1 of its scene
   engine @15 :Engine;           # null: Tumble computed the steps; else methodVersion is 0 and replay is refused
+  recovered @16 :Recovered;     # null: the log is as it was recorded
 }
 
 # Another engine, whose steps the log holds: they can be compared, measured and drawn, not computed again.
@@ -142,6 +143,18 @@ struct Engine {
   name @0 :Text;                # never empty
   version @1 :Text;             # may be empty
   precisionBits @2 :UInt8 = 53; # of the numbers that it computes with: 24 (binary32) or 53 (binary64)
+}
+
+# What is missing since the log was recovered from a damaged one.
+struct Recovered {
+  log @0 :Text;                 # the damaged log's file, as it was given; for people
+  headerLost @1 :Bool;          # this header was made from a keyframe: no names, looks, camera, scene text
+  gaps @2 :List(Gap);           # ascending, none touches the next; chunks stand before and after each
+
+  struct Gap {
+    firstStep @0 :UInt64;       # 1 ..
+    stepCount @1 :UInt64;       # 1 ..
+  }
 }
 
 # Where a session that goes on from another one's state began.

@@ -10,38 +10,10 @@
 #include "replay/little_endian.h"
 #include "replay/verify.h"
 #include "replay/zstd_frame.h"
-#include "tests/support/log_memory.h"
+#include "tests/support/sample_log.h"
 
 namespace tumble::replay {
 namespace {
-
-/// A small finished log, and where its records begin.
-struct Sample {
-  Bytes bytes;
-  std::vector<std::uint64_t> records;  // offsets; the last but one is the index, the last the footer
-  std::vector<BodyStates> states;
-};
-
-const Sample& sample() {
-  static const Sample made = [] {
-    Sample s;
-    const sim::SceneDef scene = scene_with_inputs(24);
-    s.bytes = record_to_memory(scene, {}, 6);
-    s.states = simulate(scene);
-    const Result<LogReader> log = open_memory(s.bytes);
-    s.records.push_back(0);
-    for (const ChunkPlace& place : log->chunks()) s.records.push_back(place.offset);
-    s.records.push_back(log->chunks().back().offset + log->chunks().back().length);
-    s.records.push_back(s.bytes.size() - kFooterBytes);
-    return s;
-  }();
-  return made;
-}
-
-std::uint64_t record_of(std::uint64_t byte) {
-  const std::vector<std::uint64_t>& records = sample().records;
-  return *std::prev(std::upper_bound(records.begin(), records.end(), byte));
-}
 
 /// Every chunk that the reader offers must be what was recorded, but for the record at `hurt`.
 void expect_rest_is_readable(LogReader& log, std::uint64_t hurt) {
@@ -50,13 +22,13 @@ void expect_rest_is_readable(LogReader& log, std::uint64_t hurt) {
     for (std::uint64_t k = place.first_step; k < place.end_step(); ++k) {
       const Result<const StepRecord*> step = log.read_step(k);
       ASSERT_TRUE(step.ok()) << step.error().message;
-      ASSERT_TRUE(same_bits((*step)->states, sample().states[k])) << k;
+      ASSERT_TRUE(same_bits((*step)->states, sample_log().states[k])) << k;
     }
   }
 }
 
 TEST(LogReader, TornTailIsReportedAtEveryLength) {
-  const Sample& s = sample();
+  const SampleLog& s = sample_log();
   ASSERT_EQ(s.records.size(), 7U);
   for (std::uint64_t length = 0; length < s.bytes.size(); ++length) {
     SCOPED_TRACE("cut to " + std::to_string(length));
@@ -85,13 +57,13 @@ TEST(LogReader, TornTailIsReportedAtEveryLength) {
 }
 
 TEST(LogReader, AFlippedBitAnywhereIsFoundInItsRecord) {
-  const Sample& s = sample();
+  const SampleLog& s = sample_log();
   for (std::uint64_t byte = 0; byte < s.bytes.size(); ++byte) {
     SCOPED_TRACE("byte " + std::to_string(byte));
     Bytes bytes = s.bytes;
     bytes[byte] ^= static_cast<std::byte>(1U << (byte % 8));
     Result<LogReader> log = open_memory(bytes);
-    const std::uint64_t hurt = record_of(byte);
+    const std::uint64_t hurt = s.record_of(byte);
     if (hurt == 0) {  // the header
       ASSERT_FALSE(log.ok());
       EXPECT_EQ(log.error().kind, ErrorKind::kDamaged) << log.error().message;
@@ -114,14 +86,14 @@ TEST(LogReader, AFlippedBitAnywhereIsFoundInItsRecord) {
 }
 
 TEST(LogReader, ReadingADamagedStepNamesRecordFoundAndWanted) {
-  Bytes bytes = sample().bytes;
-  bytes[sample().records[2] + kPreludeBytes + 20] ^= std::byte{1};
+  Bytes bytes = sample_log().bytes;
+  bytes[sample_log().records[2] + kPreludeBytes + 20] ^= std::byte{1};
   Result<LogReader> log = open_memory(bytes);
   ASSERT_TRUE(log.ok());
   const Result<const StepRecord*> step = log->read_step(8);
   ASSERT_FALSE(step.ok());
   EXPECT_EQ(step.error().kind, ErrorKind::kDamaged);
-  const std::string place = "chunk at byte " + std::to_string(sample().records[2]);
+  const std::string place = "chunk at byte " + std::to_string(sample_log().records[2]);
   for (const std::string& part :
        {std::string("memory.tumble"), place, std::string("found hash"), std::string("wanted")}) {
     EXPECT_NE(step.error().message.find(part), std::string::npos) << step.error().message;
@@ -129,9 +101,9 @@ TEST(LogReader, ReadingADamagedStepNamesRecordFoundAndWanted) {
 }
 
 TEST(LogReader, ALostRecordLeavesAGapThatIsNamed) {
-  Bytes bytes = sample().bytes;
-  bytes[sample().records[2] + 30] ^= std::byte{1};  // a prelude: the record cannot be found any more
-  bytes.resize(bytes.size() - 1);                   // and no footer
+  Bytes bytes = sample_log().bytes;
+  bytes[sample_log().records[2] + 30] ^= std::byte{1};  // a prelude: the record cannot be found any more
+  bytes.resize(bytes.size() - 1);                       // and no footer
   Result<LogReader> log = open_memory(bytes);
   ASSERT_TRUE(log.ok());
   EXPECT_EQ(log->step_count(), 24U);
@@ -143,21 +115,9 @@ TEST(LogReader, ALostRecordLeavesAGapThatIsNamed) {
 }
 
 TEST(LogReader, ChunksTakenOutSwappedOrFromAnotherLogShow) {
-  const Sample& s = sample();
-  const auto piece = [&](const Bytes& from, std::size_t record) {
-    return Bytes(from.begin() + static_cast<std::ptrdiff_t>(s.records[record]),
-                 from.begin() + static_cast<std::ptrdiff_t>(s.records[record + 1]));
-  };
-  const auto joined = [&](const std::vector<std::size_t>& order) {
-    Bytes bytes;
-    for (const std::size_t record : order) {
-      const Bytes part = piece(s.bytes, record);
-      bytes.insert(bytes.end(), part.begin(), part.end());
-    }
-    return bytes;
-  };
+  const SampleLog& s = sample_log();
   for (const std::vector<std::size_t>& order : {std::vector<std::size_t>{0, 1, 3, 4}, {0, 2, 1, 3, 4}, {0, 1, 1, 2}}) {
-    Result<LogReader> log = open_memory(joined(order));
+    Result<LogReader> log = open_memory(s.joined(order));
     ASSERT_TRUE(log.ok());
     EXPECT_FALSE(verify(*log).condition.damages.empty());
   }
@@ -165,7 +125,7 @@ TEST(LogReader, ChunksTakenOutSwappedOrFromAnotherLogShow) {
   other.title = "another header";
   const Bytes foreign = record_to_memory(other, {}, 6);
   Result<LogReader> source = open_memory(foreign);
-  Bytes mixed = joined({0, 1});
+  Bytes mixed = s.joined({0, 1});
   const ChunkPlace& place = source->chunks()[1];
   mixed.insert(mixed.end(), foreign.begin() + static_cast<std::ptrdiff_t>(place.offset),
                foreign.begin() + static_cast<std::ptrdiff_t>(place.offset + place.length));
@@ -176,18 +136,19 @@ TEST(LogReader, ChunksTakenOutSwappedOrFromAnotherLogShow) {
 }
 
 TEST(LogReader, BytesAfterTheFooterAreReported) {
-  Bytes bytes = sample().bytes;
+  Bytes bytes = sample_log().bytes;
   bytes.insert(bytes.end(), 5, std::byte{7});
   Result<LogReader> log = open_memory(bytes);
   ASSERT_TRUE(log.ok());
   const VerifyReport report = verify(*log);
   ASSERT_EQ(report.condition.damages.size(), 1U);
-  EXPECT_EQ(report.condition.damages[0].offset, sample().bytes.size());
+  EXPECT_EQ(report.condition.damages[0].offset, sample_log().bytes.size());
   EXPECT_NE(report.condition.damages[0].message.find("5 bytes after the footer"), std::string::npos);
 }
 
 TEST(LogReader, ATailOfZerosIsATornTail) {
-  Bytes bytes(sample().bytes.begin(), sample().bytes.begin() + static_cast<std::ptrdiff_t>(sample().records[3]));
+  Bytes bytes(sample_log().bytes.begin(),
+              sample_log().bytes.begin() + static_cast<std::ptrdiff_t>(sample_log().records[3]));
   bytes.resize(bytes.size() + 10000);
   Result<LogReader> log = open_memory(bytes);
   ASSERT_TRUE(log.ok());
@@ -197,7 +158,7 @@ TEST(LogReader, ATailOfZerosIsATornTail) {
 }
 
 TEST(LogReader, AFutureVersionIsNamed) {
-  Bytes bytes = sample().bytes;
+  Bytes bytes = sample_log().bytes;
   Result<Prelude> prelude = decode_prelude(std::span<const std::byte>(bytes).first<kPreludeBytes>());
   ASSERT_TRUE(prelude.ok());
   prelude->major = 3;

@@ -32,6 +32,7 @@ struct Command {
 
 Action declare_record(CLI::App& app);
 Action declare_replay(CLI::App& app);
+Action declare_recover(CLI::App& app);
 Action declare_diff(CLI::App& app);
 Action declare_info(CLI::App& app);
 Action declare_measure(CLI::App& app);

@@ -19,6 +19,7 @@ namespace {
 constexpr std::array kCommands = {
     Command{"record", "run a scene and write every input and step to a log", declare_record},
     Command{"replay", "run a log through the physics and compare every step", declare_replay},
+    Command{"recover", "make a whole log of what is left in a damaged one", declare_recover},
     Command{"diff", "find the first difference between two logs", declare_diff},
     Command{"info", "what a log holds, and whether every byte of it is as written", declare_info},
     Command{"measure", "symmetry, energy and stacking of a recorded session", declare_measure},
