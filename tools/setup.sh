@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that the build, the tests and the checks need, and only those that are missing.
-# Usage: tools/setup.sh [--with determinism] [--with report] [--with peers]
+# Usage: tools/setup.sh [--with determinism] [--with fuzz] [--with report] [--with peers]
 #   --with determinism   also the compilers and emulators that tools/determinism.sh uses
+#   --with fuzz          also what tools/fuzz.sh uses
 #   --with report        also what makes and tests the script of the report page; without it those tests are skipped
 #   --with peers         also other engines that bench/peers can run our scenes through
 set -euo pipefail
@@ -23,6 +24,7 @@ determinism_packages=(
   qemu-user
 )
 peer_packages=(libbullet-dev libode-dev libmujoco-dev)
+fuzz_packages=(clang-14 libclang-rt-14-dev)
 report_commands=(node:nodejs npm:npm chromium:chromium) # from wherever the machine has them, else from Debian
 
 fail() {
@@ -34,14 +36,15 @@ while (($#)); do
   case "$1 ${2-}" in
     "--with determinism") packages+=("${determinism_packages[@]}"); shift 2 ;;
     "--with peers") packages+=("${peer_packages[@]}"); shift 2 ;;
+    "--with fuzz") packages+=("${fuzz_packages[@]}"); shift 2 ;;
     "--with report")
       for pair in "${report_commands[@]}"; do
         command -v "${pair%%:*}" >/dev/null || packages+=("${pair#*:}")
       done
       shift 2
       ;;
-    "-h "* | "--help "*) sed -n '2,6s/^# //p' "${BASH_SOURCE[0]}"; exit 0 ;;
-    *) printf 'setup: unknown argument "%s"; usage: tools/setup.sh [--with determinism] [--with report] [--with peers]\n' "$*" >&2; exit 2 ;;
+    "-h "* | "--help "*) sed -n '2,7s/^# //p' "${BASH_SOURCE[0]}"; exit 0 ;;
+    *) printf 'setup: unknown argument "%s"; usage: tools/setup.sh [--with determinism] [--with fuzz] [--with report] [--with peers]\n' "$*" >&2; exit 2 ;;
   esac
 done
 

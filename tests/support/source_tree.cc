@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array kFolders = {".ci",    "bench",  "cmake", "docs",  "golden",
                                  "replay", "schema", "src",   "tests", "tools"};
-constexpr std::array kBinary = {".png", ".tumble", ".mp4", ".orig"};
+constexpr std::array kBinary = {".png", ".tumble", ".mp4", ".orig", ".bin"};
 
 SourceFile read(const fs::path& root, const fs::path& path) {
   SourceFile file;

@@ -1,0 +1,45 @@
+// Messages without any file around them. The first byte says which kind the rest is.
+#include <algorithm>
+
+#include "golden/expected_codec.h"
+#include "replay/chunk_codec.h"
+#include "replay/header_codec.h"
+#include "replay/index_codec.h"
+#include "tests/fuzz/target.h"
+
+namespace tumble::fuzz {
+namespace {
+
+void decode_chunk(const replay::MessageBytes& message) {
+  Result<replay::ChunkDecoder> chunk = replay::ChunkDecoder::open(message);
+  if (!chunk.ok()) return;
+  for (std::size_t i = 0; i < chunk->step_count(); ++i) {
+    if (!chunk->step(i).ok()) return;
+  }
+}
+
+}  // namespace
+}  // namespace tumble::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace tumble;
+  if (size == 0) return 0;
+  const auto bytes = fuzz::as_bytes(data + 1, size - 1);
+  replay::MessageBytes message(bytes.size() / 8 * 8);
+  std::copy_n(bytes.begin(), message.bytes().size(), message.bytes().begin());
+  switch (data[0] % 4) {
+    case 0:
+      fuzz::decode_chunk(message);
+      break;
+    case 1:
+      (void)replay::decode_header(message).ok();
+      break;
+    case 2:
+      (void)replay::decode_index(message).ok();
+      break;
+    default:
+      (void)golden::decode(message).ok();
+      break;
+  }
+  return 0;
+}

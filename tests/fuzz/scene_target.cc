@@ -1,0 +1,14 @@
+// Any text as a scene; what is one is also resolved to a world.
+#include <string_view>
+
+#include "src/scenes/scene_file.h"
+#include "src/world/world.h"
+#include "tests/fuzz/target.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace tumble;
+  constexpr std::size_t kBodiesMax = 20'000;  // a generator makes many of few bytes; the rest is more of the same
+  const Result<sim::SceneDef> scene = scenes::parse_scene({reinterpret_cast<const char*>(data), size}, "fuzzed.toml");
+  if (scene.ok() && scene->boxes.size() <= kBodiesMax) (void)sim::World::create(*scene).ok();
+  return 0;
+}

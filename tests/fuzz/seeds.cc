@@ -1,0 +1,81 @@
+// Makes the seed inputs: small logs of both methods, whole and laid open, and their messages. Usage: fuzz_seeds FOLDER
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+
+#include "golden/expected_codec.h"
+#include "replay/log_reader.h"
+#include "replay/prelude.h"
+#include "tests/fuzz/mend.h"
+#include "tests/support/log_memory.h"
+
+namespace tumble::fuzz {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write(const fs::path& path, std::span<const std::byte> head, std::span<const std::byte> bytes) {
+  fs::create_directories(path.parent_path());
+  std::ofstream file(path, std::ios::binary);
+  file.write(reinterpret_cast<const char*>(head.data()), static_cast<std::streamsize>(head.size()));
+  file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+
+void write(const fs::path& path, std::span<const std::byte> bytes) { write(path, {}, bytes); }
+
+/// The first message of each kind, with the codec target's first byte.
+void write_messages(const fs::path& folder, const std::string& name, std::span<const std::byte> open) {
+  while (open.size() > replay::kPreludeBytes) {
+    const Result<replay::Prelude> prelude = replay::decode_prelude(open.first<replay::kPreludeBytes>());
+    if (!prelude.ok()) return;
+    const auto which = static_cast<std::byte>(prelude->kind == replay::RecordKind::kHeader  ? 1
+                                              : prelude->kind == replay::RecordKind::kIndex ? 2
+                                                                                            : 0);
+    write(folder / (name + "_" + replay::name_of(prelude->kind) + ".bin"), std::span(&which, 1),
+          open.subspan(replay::kPreludeBytes, prelude->raw_bytes));
+    open = open.subspan(replay::kPreludeBytes + prelude->raw_bytes);
+  }
+}
+
+void write_golden(const fs::path& folder) {
+  golden::Expected expected;
+  expected.method = "thesis";
+  expected.state_hashes.assign(3, Hash128{1, 2});
+  expected.step_words.assign(2, 7);
+  expected.phases = {"integrate", "freeze"};
+  expected.phase_words.assign(2, std::vector<std::uint16_t>{1, 2});
+  const Result<replay::MessageBytes> message = golden::encode(expected);
+  const std::byte which{3};
+  if (message.ok()) write(folder / "golden.bin", std::span(&which, 1), message->bytes());
+}
+
+void make_seeds(const fs::path& folder) {
+  for (const sim::Method method : replay::kMethods) {
+    const std::string name = replay::name_of(method);
+    const Bytes log = replay::record_to_memory(replay::scene_with_inputs(12, method), {}, 5);
+    const Bytes open = laid_open(log);
+    write(folder / "log" / (name + ".bin"), log);
+    write(folder / "messages" / (name + ".bin"), open);
+    write_messages(folder / "codec", name, open);
+    for (int command = 0; command < 6; ++command) {
+      const auto head = static_cast<std::byte>(command);
+      write(folder / "commands" / (name + "_" + std::to_string(command) + ".bin"), std::span(&head, 1),
+            command < 3 ? log : open);
+    }
+  }
+  write_golden(folder / "codec");
+}
+
+}  // namespace
+}  // namespace tumble::fuzz
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::cerr << "usage: fuzz_seeds FOLDER\n";
+    return 2;
+  }
+  tumble::fuzz::make_seeds(argv[1]);
+  return 0;
+}
