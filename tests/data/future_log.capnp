@@ -133,9 +133,16 @@ struct Header {
   chunkBytesMax @12 :UInt64;    # likewise
   transform @13 :Transform;     # what was made of the scene file before the session began
   goesOn @14 :GoesOn;           # null: the session begins with step 1 of its scene
-  recovered @15 :Recovered;     # null: the log is as it was recorded
-  wind @16 :Float64;            # m/s, of the future
-  weather @17 :Text;            # of the future
+  engine @15 :Engine;           # null: Tumble computed the steps
+  recovered @16 :Recovered;     # null: the log is as it was recorded
+  wind @17 :Float64;            # m/s, of the future
+  weather @18 :Text;            # of the future
+}
+
+struct Engine {
+  name @0 :Text;
+  version @1 :Text;
+  precisionBits @2 :UInt8 = 53;
 }
 
 # What is missing since the log was recovered from a damaged one.
