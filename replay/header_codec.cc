@@ -46,7 +46,7 @@ Result<Recovered> decode_recovered(schema::Recovered::Reader in) {
   return recovered;
 }
 
-Result<LogHeader> decode_root(schema::Header::Reader in) {
+Result<LogHeader> decode_root(schema::Header::Reader in, std::uint64_t message_bytes) {
   LogHeader header;
   header.tool_version = in.getToolVersion().cStr();
   header.tool_build = in.getToolBuild().cStr();
@@ -59,7 +59,7 @@ Result<LogHeader> decode_root(schema::Header::Reader in) {
   }
   header.phases = decode_texts(phases);
   header.phase_rows_max = in.getPhaseRowsMax();
-  Result<sim::SceneDef> scene = decode(in.getScene());
+  Result<sim::SceneDef> scene = decode(in.getScene(), message_bytes);
   if (!scene.ok()) return scene.error();
   header.scene = *std::move(scene);
   const capnp::Text::Reader text = in.getSceneText();
@@ -123,7 +123,8 @@ Result<MessageBytes> encode_header(const LogHeader& header) {
 }
 
 Result<LogHeader> decode_header(const MessageBytes& message) {
-  return read_message<schema::Header>(message, decode_root);
+  const std::uint64_t bytes = message.bytes().size();
+  return read_message<schema::Header>(message, [&](schema::Header::Reader in) { return decode_root(in, bytes); });
 }
 
 }  // namespace tumble::replay

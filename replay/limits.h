@@ -7,11 +7,14 @@
 namespace tumble::replay {
 
 // Sizes of stored and decoded parts.
-inline constexpr std::uint64_t kHeaderBytesMax = 1ULL << 30;  ///< decoded header: 4 million boxes of 200 bytes
-inline constexpr std::uint64_t kChunkBytesMax = 1ULL << 30;   ///< decoded chunk: keyframe and columns
-inline constexpr std::uint64_t kIndexBytesMax = 1ULL << 28;   ///< decoded index
+inline constexpr std::uint64_t kChunkBytesMax = 1ULL << 30;  ///< any decoded message
 /// zstd cannot pack more than a block of 128 KiB into 4 bytes, so a frame that claims more lies.
 inline constexpr std::uint64_t kZstdExpansionMax = 32768;
+inline constexpr std::uint64_t kEasyBytes = 64 << 20;       ///< a message up to this may come from few bytes
+inline constexpr std::uint64_t kLargeExpansionMax = 256;    ///< a larger one is at most so many times as long
+inline constexpr std::uint64_t kKeyframeBytesPerBox = 512;  ///< more in a chunk for each box of the header
+inline constexpr std::uint64_t kBoxBytesMin = 64;    ///< of a message for each box of its scene: lists may claim more
+inline constexpr std::uint64_t kInputBytesMin = 48;  ///< likewise for each input
 
 // A chunk, as the writer closes it. Frozen bodies cost next to nothing, so quiet chunks may be longer, which spreads
 // the cost of the keyframe; both limits bound the time to reach a step inside a chunk.
@@ -31,6 +34,16 @@ inline constexpr std::uint64_t kChunksMax = 1 << 22;
 inline constexpr std::uint64_t kRowMovesMax = 1ULL << 32;    ///< rows moved by the throws and removes of a chunk
 inline constexpr std::uint64_t kSalvageWork = 8;             ///< times a damaged file's size that its recovery may read
 inline constexpr std::uint64_t kScrapBytesMax = 1ULL << 28;  ///< of damaged bytes searched for frames in one piece
-inline constexpr int kNestingMax = 16;                       ///< of Cap'n Proto pointers; the schema needs 6
+/// What a message of so many stored bytes may decompress to, so that a small file cannot fill the memory. A header or
+/// an index never packs better than kLargeExpansionMax: ids and hashes differ. Columns of bodies that stand in rows
+/// may, and those bodies are in the header.
+constexpr std::uint64_t message_bytes_max(std::uint64_t stored_bytes, std::uint64_t boxes = 0) {
+  const std::uint64_t easy = kEasyBytes + boxes * kKeyframeBytesPerBox;
+  const std::uint64_t packed = stored_bytes < kChunkBytesMax ? stored_bytes * kLargeExpansionMax : kChunkBytesMax;
+  const std::uint64_t larger = easy > packed ? easy : packed;
+  return larger < kChunkBytesMax ? larger : kChunkBytesMax;
+}
+
+inline constexpr int kNestingMax = 16;  ///< of Cap'n Proto pointers; the schema needs 6
 
 }  // namespace tumble::replay

@@ -41,7 +41,8 @@ Result<std::vector<ChunkPlace>> read_index(const ByteSource& source, const Prelu
   Prelude prelude;
   if (Status ok = read_prelude(source, footer->index_offset, prelude); !ok.ok()) return ok.error();
   if (prelude.kind != RecordKind::kIndex || prelude.log_tag != header.log_tag) return damaged("no index");
-  Result<MessageBytes> message = read_payload(source, footer->index_offset, prelude, kIndexBytesMax);
+  Result<MessageBytes> message =
+      read_payload(source, footer->index_offset, prelude, message_bytes_max(prelude.stored_bytes));
   if (!message.ok()) return message.error();
   Result<std::vector<ChunkPlace>> places = decode_index(*message);
   if (!places.ok()) return places.error();
@@ -96,7 +97,8 @@ Result<ChunkDecoder> read_chunk(const ByteSource& source, const ChunkPlace& plac
   if (found != place || prelude.kind != RecordKind::kChunk || prelude.log_tag != header.log_tag) {
     return wrong(damaged("the index tells of another record here than the file has"));
   }
-  Result<MessageBytes> message = read_payload(source, place.offset, prelude, kChunkBytesMax);
+  Result<MessageBytes> message =
+      read_payload(source, place.offset, prelude, message_bytes_max(prelude.stored_bytes, log.scene.boxes.size()));
   if (!message.ok()) return message.error();
   Result<ChunkDecoder> decoder = ChunkDecoder::open(*message);
   if (!decoder.ok()) return wrong(decoder.error());
@@ -156,7 +158,7 @@ Status LogReader::read_header() {
     return damaged(name() + ": torn at byte " + std::to_string(size) + ", inside the header, which ends at byte " +
                    std::to_string(kPreludeBytes + prelude->stored_bytes) + "; nothing can be saved");
   }
-  Result<MessageBytes> message = read_payload(*source_, 0, *prelude, kHeaderBytesMax);
+  Result<MessageBytes> message = read_payload(*source_, 0, *prelude, message_bytes_max(prelude->stored_bytes));
   if (!message.ok()) return message.error();
   Result<LogHeader> header = decode_header(*message);
   if (!header.ok()) return at(*source_, "header", 0, header.error());

@@ -96,7 +96,8 @@ class Salvager {
 
   Status take_header(const Piece& piece) {
     tag_ = piece.prelude.log_tag;
-    const Result<MessageBytes> message = read_payload(source_, piece.offset, piece.prelude, kHeaderBytesMax);
+    const Result<MessageBytes> message =
+        read_payload(source_, piece.offset, piece.prelude, message_bytes_max(piece.prelude.stored_bytes));
     if (!message.ok()) return is_final(message.error()) ? Status(message.error()) : Status();
     Result<LogHeader> header = decode_header(*message);
     if (!header.ok()) return is_final(header.error()) ? named(header.error(), piece.offset) : Status();

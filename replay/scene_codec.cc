@@ -1,6 +1,10 @@
 #include "replay/scene_codec.h"
 
+#include <algorithm>
 #include <string>
+
+#include "replay/limits.h"
+#include "src/model/limits.h"
 
 namespace tumble::replay {
 namespace {
@@ -193,7 +197,7 @@ void encode(const sim::SceneDef& scene, schema::Scene::Builder out) {
   encode(scene.light.target, out.getLight().initTarget());
 }
 
-Result<sim::SceneDef> decode(schema::Scene::Reader in) {
+Result<sim::SceneDef> decode(schema::Scene::Reader in, std::uint64_t message_bytes) {
   sim::SceneDef scene;
   scene.name = in.getName().cStr();
   scene.title = in.getTitle().cStr();
@@ -202,7 +206,16 @@ Result<sim::SceneDef> decode(schema::Scene::Reader in) {
   if (!world.ok()) return world.error();
   scene.world = *world;
   scene.steps = in.getSteps();
-  for (const schema::Box::Reader box : in.getBoxes()) {
+  const auto boxes = in.getBoxes();
+  const auto inputs = in.getInputs();
+  if (boxes.size() > std::min(sim::kBodiesMax, message_bytes / kBoxBytesMin) ||
+      inputs.size() > std::min(sim::kInputsMax, message_bytes / kInputBytesMin)) {
+    return damaged("found a scene of " + std::to_string(boxes.size()) + " boxes and " + std::to_string(inputs.size()) +
+                   " inputs in a message of " + std::to_string(message_bytes) + " bytes");
+  }
+  scene.boxes.reserve(boxes.size());
+  scene.inputs.reserve(inputs.size());
+  for (const schema::Box::Reader box : boxes) {
     scene.boxes.push_back(decode_box(box));
     const sim::BodyId id = scene.boxes.back().id;
     const sim::BodyId before = scene.boxes.size() > 1 ? scene.boxes[scene.boxes.size() - 2].id : 0;
@@ -211,7 +224,7 @@ Result<sim::SceneDef> decode(schema::Scene::Reader in) {
                      ", wanted ascending ids up to 2^53 - 1");
     }
   }
-  for (const schema::Input::Reader input : in.getInputs()) {
+  for (const schema::Input::Reader input : inputs) {
     Result<sim::TimedCommand> command = decode(input);
     if (!command.ok()) return command.error();
     scene.inputs.push_back(*command);

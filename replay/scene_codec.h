@@ -25,7 +25,8 @@ Result<sim::TimedCommand> decode(schema::Input::Reader in);
 
 void encode(const sim::SceneDef& scene, schema::Scene::Builder out);
 /// Errors: as above; kDamaged where ids or steps do not ascend.
-Result<sim::SceneDef> decode(schema::Scene::Reader in);
+/// message_bytes: of the message that the scene is in, which bounds its lists.
+Result<sim::SceneDef> decode(schema::Scene::Reader in, std::uint64_t message_bytes);
 
 void encode(const sim::Transform& transform, schema::Transform::Builder out);
 sim::Transform decode(schema::Transform::Reader in);

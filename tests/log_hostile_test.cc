@@ -7,6 +7,7 @@
 
 #include "replay/chunk_codec.h"
 #include "replay/index_codec.h"
+#include "replay/limits.h"
 #include "replay/verify.h"
 #include "replay/zstd_frame.h"
 #include "tests/support/log_memory.h"
@@ -93,6 +94,20 @@ TEST(HostileLog, MessagesWithChangedBytesDoNoHarm) {
       byte = random() % 2 == 0 ? static_cast<std::byte>(random()) : byte ^ static_cast<std::byte>(1U << random() % 8);
     }
     read_everything(joined(std::move(records)));
+  }
+}
+
+TEST(HostileLog, AFewBytesThatWouldFillTheMemoryAreRefused) {
+  for (const std::size_t record : {0U, 1U, 3U}) {  // header, chunk, index
+    std::vector<Record> records = sample(sim::Method::kThesis);
+    records[record].message.assign(kEasyBytes + 8 + records.front().message.size() * kKeyframeBytesPerBox,
+                                   std::byte{0});
+    records[record].prelude.raw_bytes = records[record].message.size();
+    Result<LogReader> log = open_memory(joined(std::move(records)));
+    ASSERT_EQ(log.ok(), record != 0);
+    const std::string said =
+        log.ok() ? verify(*log).condition.damages.front().message : std::string(log.error().message);
+    EXPECT_NE(said.find("that can come from so few"), std::string::npos) << said;
   }
 }
 

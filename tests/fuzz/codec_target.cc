@@ -21,24 +21,23 @@ void decode_chunk(const replay::MessageBytes& message) {
 }  // namespace
 }  // namespace tumble::fuzz
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace tumble;
+extern "C" int test_one_input(const std::uint8_t* data, std::size_t size) {
   if (size == 0) return 0;
-  const auto bytes = fuzz::as_bytes(data + 1, size - 1);
-  replay::MessageBytes message(bytes.size() / 8 * 8);
+  const auto bytes = tumble::fuzz::as_bytes(data + 1, size - 1);
+  tumble::replay::MessageBytes message(bytes.size() / 8 * 8);
   std::copy_n(bytes.begin(), message.bytes().size(), message.bytes().begin());
   switch (data[0] % 4) {
     case 0:
-      fuzz::decode_chunk(message);
+      tumble::fuzz::decode_chunk(message);
       break;
     case 1:
-      (void)replay::decode_header(message).ok();
+      (void)tumble::replay::decode_header(message).ok();
       break;
     case 2:
-      (void)replay::decode_index(message).ok();
+      (void)tumble::replay::decode_index(message).ok();
       break;
     default:
-      (void)golden::decode(message).ok();
+      (void)tumble::golden::decode(message).ok();
       break;
   }
   return 0;

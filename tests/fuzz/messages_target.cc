@@ -3,8 +3,8 @@
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/use_log.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace tumble;
-  fuzz::use_log(std::make_shared<std::vector<std::byte>>(fuzz::mended(fuzz::as_bytes(data, size))));
+extern "C" int test_one_input(const std::uint8_t* data, std::size_t size) {
+  tumble::fuzz::use_log(
+      std::make_shared<std::vector<std::byte>>(tumble::fuzz::mended(tumble::fuzz::as_bytes(data, size))));
   return 0;
 }

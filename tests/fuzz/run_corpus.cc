@@ -41,7 +41,7 @@ int main(int argc, char** argv) {
     }
     std::printf("%s: %zu bytes\n", path.c_str(), content.size());
     std::fflush(stdout);
-    LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(content.data()), content.size());
+    test_one_input(reinterpret_cast<const std::uint8_t*>(content.data()), content.size());
   }
   std::printf("%zu inputs\n", paths.size());
   return paths.empty() ? 1 : 0;

@@ -5,10 +5,10 @@
 #include "src/world/world.h"
 #include "tests/fuzz/target.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace tumble;
+extern "C" int test_one_input(const std::uint8_t* data, std::size_t size) {
   constexpr std::size_t kBodiesMax = 20'000;  // a generator makes many of few bytes; the rest is more of the same
-  const Result<sim::SceneDef> scene = scenes::parse_scene({reinterpret_cast<const char*>(data), size}, "fuzzed.toml");
-  if (scene.ok() && scene->boxes.size() <= kBodiesMax) (void)sim::World::create(*scene).ok();
+  const tumble::Result<tumble::sim::SceneDef> scene =
+      tumble::scenes::parse_scene({reinterpret_cast<const char*>(data), size}, "fuzzed.toml");
+  if (scene.ok() && scene->boxes.size() <= kBodiesMax) (void)tumble::sim::World::create(*scene).ok();
   return 0;
 }

@@ -59,11 +59,6 @@ void make_seeds(const fs::path& folder) {
     write(folder / "log" / (name + ".bin"), log);
     write(folder / "messages" / (name + ".bin"), open);
     write_messages(folder / "codec", name, open);
-    for (int command = 0; command < 6; ++command) {
-      const auto head = static_cast<std::byte>(command);
-      write(folder / "commands" / (name + "_" + std::to_string(command) + ".bin"), std::span(&head, 1),
-            command < 3 ? log : open);
-    }
   }
   write_golden(folder / "codec");
 }

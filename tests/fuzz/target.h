@@ -5,7 +5,8 @@
 #include <span>
 
 /// What libFuzzer, or run_corpus.cc in its place, calls with every input. 0: carry on.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+/// The label is the name that libFuzzer knows.
+extern "C" int test_one_input(const std::uint8_t* data, std::size_t size) __asm__("LLVMFuzzerTestOneInput");
 
 namespace tumble::fuzz {
 

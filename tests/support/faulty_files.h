@@ -27,7 +27,7 @@ struct FileFaults {
 /// Puts faults in force while it lives. One at a time.
 class FaultyFiles {
  public:
-  explicit FaultyFiles(const FileFaults& faults);
+  explicit FaultyFiles(const FileFaults& wanted);
   ~FaultyFiles();
   FaultyFiles(const FaultyFiles&) = delete;
   FaultyFiles& operator=(const FaultyFiles&) = delete;

@@ -19,7 +19,7 @@ struct Counts {
 
 /// Flips bits in a log in memory and cuts it, `trials` times; every 100th is recovered too. Errors: a log that is not
 /// whole to begin with.
-Result<Counts> flip_and_cut(const std::string& log, std::uint64_t trials, std::uint64_t seed);
+Result<Counts> flip_and_cut(const std::string& path, std::uint64_t trials, std::uint64_t seed);
 
 /// Records a scene with the program, `count` times, and kills it with SIGKILL at a random instant of the time that it
 /// takes; looks at what it left. Errors: the program cannot be run to its end.
