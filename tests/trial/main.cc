@@ -47,7 +47,10 @@ int flips(std::uint64_t trials, std::uint64_t seed, const std::vector<std::strin
     all.undetected += counts->undetected;
     all.lost += counts->lost;
     all.recoveries += counts->recoveries;
-    for (const std::string& failure : counts->failures) all.failures.push_back(log + ": " + failure);
+    for (const std::string& failure : counts->failures) {
+      all.failures.push_back(log);
+      all.failures.back() += ": " + failure;
+    }
   }
   return report(all);
 }
