@@ -29,7 +29,7 @@ class LogFaults : public testing::Test {
     folder_ = pattern;
     path_ = folder_ + "/log.tumble";
   }
-  ~LogFaults() override {
+  void TearDown() override {
     std::error_code ignored;
     std::filesystem::remove_all(folder_, ignored);
   }
