@@ -39,6 +39,7 @@ Action declare_measure(CLI::App& app);
 Action declare_dump(CLI::App& app);
 Action declare_render(CLI::App& app);
 Action declare_import(CLI::App& app);
+Action declare_bench(CLI::App& app);
 Action declare_scenes(CLI::App& app);
 Action declare_bisect(CLI::App& app);
 Action declare_check(CLI::App& app);

@@ -29,6 +29,7 @@ constexpr std::array kCommands = {
     Command{"bisect", "find the commit after which a session is another one", declare_bisect},
     Command{"bless", "accept what cases do now as their goldens", declare_bless},
     Command{"import", "another engine's states, from a table to a log", declare_import},
+    Command{"bench", "how fast, how right beside other engines, how it grows", declare_bench},
     Command{"scenes", "the scenes that can be recorded by name", declare_scenes},
 };
 

@@ -1,0 +1,109 @@
+// The whole step and every phase of it by itself, by method and number of bodies: tilted_grid, dt 1/30, 4 sub-steps,
+// from the state a second in, when most rows have landed. A phase's time is from the end of the one before to its own
+// end, over all sub-steps that were accepted; so the first phase of a sub-step also has what was tried and undone.
+// Usage: step_bench [--benchmark_filter=layered/.*/6400] …
+#include <benchmark/benchmark.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string>
+#include <utility>
+
+#include "src/scenes/scene_file.h"
+#include "src/step/step.h"
+
+namespace {
+
+using namespace tumble;  // NOLINT(google-build-using-namespace): a program of one file
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint64_t kWarmSteps = 30;
+constexpr std::size_t kWholeStep = ~std::size_t{0};
+
+/// Columns of cubes in each of the sizes; rows are as many up to 80, then 20.
+constexpr std::pair<int, int> kSizes[] = {{6, 6}, {10, 10}, {20, 20}, {40, 40}, {80, 80}, {20, 1280}, {20, 5120}};
+
+/// Adds up what one phase takes.
+class PhaseClock : public sim::Observer {
+ public:
+  explicit PhaseClock(std::size_t phase) : phase_(phase), before_(Clock::now()) {}
+  void phase_done(std::uint32_t /*substep*/, std::size_t phase, const sim::World& /*world*/) override {
+    const Clock::time_point now = Clock::now();
+    if (phase == phase_) seconds_ += std::chrono::duration<double>(now - before_).count();
+    before_ = now;
+  }
+  [[nodiscard]] double seconds() const { return seconds_; }
+
+ private:
+  std::size_t phase_;
+  Clock::time_point before_;
+  double seconds_ = 0;
+};
+
+/// The world a second into the scene; made when it is first asked for. Ends the program where that fails.
+const sim::World& warm_world(sim::Method method, int rows, int columns) {
+  static std::map<std::pair<sim::Method, int>, sim::World> worlds;
+  const auto key = std::pair(method, rows * columns);
+  if (const auto known = worlds.find(key); known != worlds.end()) return known->second;
+  std::ifstream file(TUMBLE_SOURCE_DIR "/bench/scenes/tilted_grid.toml", std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const std::string changes[] = {std::string("world.method=") + (method == sim::Method::kThesis ? "thesis" : "layered"),
+                                 "world.dt=0.03333333333333333", "world.substeps=4",
+                                 "grid.rows=" + std::to_string(rows), "grid.cols=" + std::to_string(columns)};
+  const auto fail = [](const Error& error) {
+    std::fprintf(stderr, "step_bench: %s\n", error.message.c_str());
+    std::exit(2);
+  };
+  const Result<sim::SceneDef> scene = scenes::parse_scene(text, "tilted_grid.toml", changes);
+  if (!scene.ok()) fail(scene.error());
+  Result<sim::World> world = sim::World::create(*scene);
+  if (!world.ok()) fail(world.error());
+  for (std::uint64_t k = 0; k < kWarmSteps; ++k) {
+    if (const Result<sim::StepCounters> done = sim::step(*world); !done.ok()) fail(done.error());
+  }
+  return worlds.emplace(key, *std::move(world)).first->second;
+}
+
+void run(benchmark::State& state, sim::Method method, std::pair<int, int> size, std::size_t phase) {
+  const sim::World& warm = warm_world(method, size.first, size.second);
+  for (auto _ : state) {
+    sim::World world = warm;  // not timed
+    const Clock::time_point begin = Clock::now();
+    PhaseClock clock(phase);
+    if (!sim::step(world, phase == kWholeStep ? nullptr : &clock).ok()) state.SkipWithError("the step failed");
+    const double whole = std::chrono::duration<double>(Clock::now() - begin).count();
+    state.SetIterationTime(phase == kWholeStep ? whole : clock.seconds());
+  }
+  const double bodies = static_cast<double>(size.first) * size.second;
+  state.counters["ns_per_body"] =
+      benchmark::Counter(bodies * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+/// "layered/step/400".
+void add(const std::string& what, sim::Method method, std::pair<int, int> size, std::size_t phase) {
+  const std::string word = method == sim::Method::kThesis ? "thesis/" : "layered/";
+  const std::string name = word + what + '/' + std::to_string(size.first * size.second);
+  benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { run(state, method, size, phase); })
+      ->UseManualTime()
+      ->Unit(benchmark::kMicrosecond);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  for (const sim::Method method : {sim::Method::kThesis, sim::Method::kLayered}) {
+    const auto phases = sim::phase_table(method).phases;
+    for (const std::pair<int, int>& size : kSizes) {
+      add("step", method, size, kWholeStep);
+      for (std::size_t k = 0; k < phases.size(); ++k) add(phases[k].name, method, size, k);
+    }
+  }
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
