@@ -1,6 +1,7 @@
 #include "src/solve/apply_forces.h"
 
 #include "src/math/grid.h"
+#include "src/solve/contact_batches.h"
 #include "src/solve/sweep_layers.h"
 
 namespace tumble::sim {
@@ -10,15 +11,12 @@ Status apply_forces(World& world, double substep_s) {
   const Vec3 fall = world.state().def.gravity * substep_s;
   for (BodyIndex i = 0; i < world.bodies().size(); ++i) {
     if (scratch.in_contact[i] == 0) continue;
-    scratch.next_velocity.add(i, VelocityGrid::round(Vec3(fall * scratch.solver_bodies[i].weight)));
+    scratch.solver_sums[i].velocity += VelocityGrid::round(Vec3(fall * scratch.solver_bodies[i].weight));
   }
-  for (const std::uint32_t k : scratch.layered) {
-    const Manifold& m = scratch.manifolds[k];
-    add_wrench(scratch, m, warm_wrench(m, points_of(scratch, m)));
-  }
+  contact_kernels(scratch.lanes).warm_start(all_contacts(scratch, substep_s));
   for (BodyIndex i = 0; i < world.bodies().size(); ++i) {
-    scratch.solver_bodies[i].velocity = scratch.next_velocity[i];
-    scratch.solver_bodies[i].spin = scratch.next_spin[i];
+    scratch.solver_bodies[i].velocity = scratch.solver_sums[i].velocity;
+    scratch.solver_bodies[i].spin = scratch.solver_sums[i].spin;
   }
   return {};
 }

@@ -1,11 +1,13 @@
 #include "src/solve/bounce_contacts.h"
 
+#include "src/solve/contact_batches.h"
 #include "src/solve/sweep_layers.h"
 
 namespace tumble::sim {
 
 Status bounce_contacts(World& world, double dt_s) {
   sweep_layers(world, Sweep::kRestitution, Direction::kUp, dt_s);
+  store_contacts(world.mutable_scratch());
   return {};
 }
 

@@ -1,8 +1,8 @@
 #include "src/solve/integrate_positions.h"
 
 #include "src/math/grid.h"
+#include "src/solve/contact_batches.h"
 #include "src/solve/integrate.h"
-#include "src/solve/manifold_solver.h"
 #include "src/solve/solver_body.h"
 #include "src/world/body_check.h"
 
@@ -21,7 +21,7 @@ void turn(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) {
   const double turned_squared = dot(body.spin, body.spin) * (substep_s * substep_s);
   if (inertia.x() == inertia.y() && inertia.y() == inertia.z()) return;
   body.spin = rotation.spin;
-  scratch.next_spin.set(i, rotation.spin);
+  scratch.solver_sums[i].spin = rotation.spin;
   if (turned_squared > kStiff * kStiff) {
     set_inverse_inertia(body, axes_of(rotation.orientation), inverse * body.weight);
   }
@@ -38,14 +38,7 @@ Status integrate_positions(World& world, double substep_s) {
     bodies.position.set(i, plus_zero(bodies.position[i] + path));
     turn(bodies, scratch, i, substep_s);
   }
-  for (const std::uint32_t k : scratch.layered) {
-    const Manifold& m = scratch.manifolds[k];
-    const RelativeMotion motion = relative_motion(m, solver_body(scratch, m.a), solver_body(scratch, m.b));
-    const double u = dot(motion.u, m.n), w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2);
-    for (ManifoldPoint& point : points_of(scratch, m)) {
-      point.separation += substep_s * (u + (w1 * point.q - w2 * point.p));
-    }
-  }
+  contact_kernels(scratch.lanes).move_on(all_contacts(scratch, substep_s));
   return {};
 }
 

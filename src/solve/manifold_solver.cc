@@ -9,14 +9,7 @@
 namespace tumble::sim {
 namespace {
 
-constexpr int kInner = 2;                // Jacobi passes over a manifold's points in one visit
-constexpr int kInnerRestitution = 12;    // visited once a step, and what it misses is energy lost
 constexpr double kOverRelaxation = 1.8;  // of the inner Jacobi, over its row sums
-constexpr double kPushPart = 0.05;       // of an overlap removed in a sub-step
-constexpr double kSkin = 0.0001;         // m of air that counts as touching; see bias_of
-constexpr double kSlop = 0.0005;         // m of overlap that is left alone
-constexpr double kPushMax = 1;           // m/s
-constexpr double kBounceMin = 0.5;       // m/s; slower impacts do not bounce
 
 // What a unit of force along `direction` (or of pure torque, when it is zero) does to (u, W1, W2).
 struct Response {
@@ -85,55 +78,6 @@ void prepare_friction(Manifold& m, const SolverBody& a, const SolverBody& b) {
   invert_symmetric(k, m.friction_inverse);
 }
 
-// The friction impulse that stops the slip, cut to what the normal impulses allow; returns the change as a wrench.
-Wrench solve_friction(Manifold& m, std::span<const ManifoldPoint> points, const RelativeMotion& motion) {
-  const double w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2), wn = dot(motion.w, m.n);
-  const double u1 = dot(motion.u, m.t1) + (w2 * m.offset - wn * m.centre_q);
-  const double u2 = dot(motion.u, m.t2) + (wn * m.centre_p - w1 * m.offset);
-  double pressure = 0;
-  for (const ManifoldPoint& point : points) pressure += round_impulse(m, point.impulse);
-  const double* f = m.friction_inverse;
-  double force1 = m.force1 - ((f[0] * u1 + f[1] * u2) + f[2] * wn);
-  double force2 = m.force2 - ((f[1] * u1 + f[3] * u2) + f[4] * wn);
-  const double limit = m.friction * pressure, squared = force1 * force1 + force2 * force2;
-  if (squared > limit * limit) {
-    const double scale = m.friction_dynamic * pressure / std::sqrt(squared);
-    force1 *= scale;
-    force2 *= scale;
-  }
-  const double twist_limit = limit * m.radius;
-  const double twist = std::clamp(m.twist - ((f[2] * u1 + f[4] * u2) + f[5] * wn), -twist_limit, twist_limit);
-  const double d1 = force1 - m.force1, d2 = force2 - m.force2;
-  const double turn = (twist - m.twist) + (m.centre_p * d2 - m.centre_q * d1);
-  m.force1 = force1;
-  m.force2 = force2;
-  m.twist = twist;
-  return {m.t1 * d1 + m.t2 * d2, (m.t1 * (-m.offset * d2) + m.t2 * (m.offset * d1)) + m.n * turn};
-}
-
-// The normal velocity a point should have, negated: what is added to its velocity before it is driven to zero. Between
-// skin and slop a point is simply held. Were the gap closed down to zero, a resting box would rock: corners that are a
-// nanometre apart carry nothing for a sub-step, and tall stacks sway themselves apart on it.
-double bias_of(Sweep sweep, const ManifoldPoint& point, double h) {
-  if (point.separation > kSkin) return point.separation / h;
-  if (sweep == Sweep::kRelax) return 0;
-  return std::max(-kPushMax, kPushPart / h * std::min(0.0, point.separation + kSlop));
-}
-
-// e times the speed of impact, less what the way from the contact to here has cost since.
-double rebound(const Manifold& m, const ManifoldPoint& point) {
-  const double speed = m.restitution * point.approach;
-  return std::sqrt(std::max(0.0, speed * speed + 2 * m.acceleration * point.separation));
-}
-
-double wanted_impulse(Sweep sweep, const Manifold& m, const ManifoldPoint& point, double speed, double h) {
-  if (sweep == Sweep::kRestitution) {
-    if (point.approach > -kBounceMin || point.peak == 0) return point.impulse;
-    return point.impulse - m.relaxation * (point.mass * (speed - rebound(m, point)));
-  }
-  return point.impulse - m.relaxation * (point.mass * (speed + bias_of(sweep, point, h)));
-}
-
 }  // namespace
 
 RelativeMotion relative_motion(const Manifold& m, const SolverBody& a, const SolverBody& b) {
@@ -179,58 +123,6 @@ void prepare_manifold(Manifold& m, std::span<ManifoldPoint> points, const Solver
   m.response[3] = sq.w1;
   m.response[4] = 0.5 * (sp.w1 - sq.w2);
   m.response[5] = sp.w2;
-}
-
-Wrench warm_wrench(const Manifold& m, std::span<const ManifoldPoint> points) {
-  double s = 0, sq = 0, sp = 0;
-  for (const ManifoldPoint& point : points) {
-    s += round_impulse(m, point.impulse);
-    sq += round_impulse(m, point.impulse * point.q);
-    sp += round_impulse(m, point.impulse * point.p);
-  }
-  Wrench wrench = normal_wrench(m, s, sq, sp);
-  const double turn = m.twist + (m.centre_p * m.force2 - m.centre_q * m.force1);
-  wrench.force += m.t1 * m.force1 + m.t2 * m.force2;
-  wrench.torque += (m.t1 * (-m.offset * m.force2) + m.t2 * (m.offset * m.force1)) + m.n * turn;
-  return wrench;
-}
-
-Wrench solve_manifold(Sweep sweep, Manifold& m, std::span<ManifoldPoint> points, const SolverBody& a,
-                      const SolverBody& b, double h) {
-  RelativeMotion motion = relative_motion(m, a, b);
-  Wrench total{Vec3::Zero(), Vec3::Zero()};
-  if (sweep != Sweep::kRestitution) {
-    total = solve_friction(m, points, motion);
-    const Vec3 va = total.force * (-a.inverse_mass * m.split_a), vb = total.force * (b.inverse_mass * m.split_b);
-    const Vec3 wa = spin_of(a, reaction_torque(m, total)) * -m.split_a, wb = spin_of(b, total.torque) * m.split_b;
-    motion.u += (vb - va) - cross(wa, m.d);
-    motion.w += wb - wa;
-  }
-  double u = dot(motion.u, m.n), w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2);
-  double total_s = 0, total_sq = 0, total_sp = 0;
-  const int passes = sweep == Sweep::kRestitution ? kInnerRestitution : kInner;
-  for (int pass = 0; pass < passes; ++pass) {
-    double s = 0, sq = 0, sp = 0;
-    for (ManifoldPoint& point : points) {
-      const double speed = u + (w1 * point.q - w2 * point.p);
-      const double impulse = std::max(0.0, wanted_impulse(sweep, m, point, speed, h));
-      const double change = impulse - point.impulse;
-      point.impulse = impulse;
-      point.peak = std::max(point.peak, impulse);
-      s += round_impulse(m, change);
-      sq += round_impulse(m, change * point.q);
-      sp += round_impulse(m, change * point.p);
-    }
-    total_s += s;
-    total_sq += sq;
-    total_sp += sp;
-    const double* r = m.response;
-    u += r[0] * s + (r[1] * sq + r[2] * sp);
-    w1 += r[1] * s + (r[3] * sq + r[4] * sp);
-    w2 += -r[2] * s + (-r[4] * sq + r[5] * sp);
-  }
-  const Wrench normal = normal_wrench(m, total_s, total_sq, total_sp);
-  return {total.force + normal.force, total.torque + normal.torque};
 }
 
 }  // namespace tumble::sim

@@ -30,16 +30,7 @@ Vec3 reaction_torque(const Manifold& m, const Wrench& wrench);
 void prepare_manifold(Manifold& m, std::span<ManifoldPoint> points, const SolverBody& a, const SolverBody& b,
                       double lighter_mass);
 
-/// The accumulated impulses of a manifold.
-Wrench warm_wrench(const Manifold& m, std::span<const ManifoldPoint> points);
-
 /// Rounds impulses to a power-of-two grid that is fine for the lighter body, so that their sums have no order.
 inline double round_impulse(const Manifold& m, double x) { return (x + m.impulse_magic) - m.impulse_magic; }
-
-enum class Sweep { kPush, kRelax, kRestitution };
-
-/// Improves a manifold's impulses against the current velocities; returns what to add. h: sub-step, s.
-Wrench solve_manifold(Sweep sweep, Manifold& m, std::span<ManifoldPoint> points, const SolverBody& a,
-                      const SolverBody& b, double h);
 
 }  // namespace tumble::sim

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "src/solve/contact_batches.h"
 #include "src/solve/manifold_solver.h"
 #include "src/solve/solver_body.h"
 
@@ -14,9 +15,8 @@ void prepare_bodies(World& world) {
   const Bodies& bodies = world.bodies();
   Scratch& scratch = world.mutable_scratch();
   const std::size_t n = bodies.size();
-  scratch.solver_bodies.assign(n, {});
-  scratch.next_velocity.resize(n);
-  scratch.next_spin.resize(n);
+  scratch.solver_bodies.assign(n + 1, {});
+  scratch.solver_sums.assign(n + 1, {});
   for (BodyIndex i = 0; i < n; ++i) {
     SolverBody& body = scratch.solver_bodies[i];
     if (bodies.moves(i)) {
@@ -28,8 +28,8 @@ void prepare_bodies(World& world) {
       body.inverse_mass = lent ? 1 / mass : bodies.inverse_mass[i];
       set_inverse_inertia(body, scratch.frames[i].axes, bodies.inverse_inertia[i] * body.weight);
     }
-    scratch.next_velocity.set(i, body.velocity);
-    scratch.next_spin.set(i, body.spin);
+    scratch.solver_sums[i].velocity = body.velocity;
+    scratch.solver_sums[i].spin = body.spin;
   }
 }
 
@@ -110,6 +110,7 @@ Status prepare_manifolds(World& world, double /*dt_s*/) {
   for (std::size_t layer = 0; layer + 1 < scratch.layer_start.size(); ++layer) {
     prepare_layer(world, layer_of(scratch, layer), uses);
   }
+  batch_contacts(world.mutable_scratch());
   return {};
 }
 

@@ -4,10 +4,12 @@
 
 namespace tumble::sim {
 
-/// A body of the solver, or the ground.
+/// The row of a body of the solver; the ground has the last one.
+inline BodyIndex solver_row(const Scratch& scratch, BodyIndex i) {
+  return i == kGround ? static_cast<BodyIndex>(scratch.solver_bodies.size() - 1) : i;
+}
 inline const SolverBody& solver_body(const Scratch& scratch, BodyIndex i) {
-  static const SolverBody kFixed;
-  return i == kGround ? kFixed : scratch.solver_bodies[i];
+  return scratch.solver_bodies[solver_row(scratch, i)];
 }
 
 /// I⁻¹ torque in world axes: the change of spin that an angular impulse makes.

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include "src/math/grid.h"
-#include "src/solve/solver_body.h"
+#include "src/solve/contact_batches.h"
 
 namespace tumble::sim {
 namespace {
@@ -11,46 +10,30 @@ namespace {
 constexpr int kLevelsPerSweep = 5;  // measured: columns of 8 that sway after a fall come to rest with two, not with one
 constexpr int kSweepsMax = 10;
 
-void add_side(Scratch& scratch, BodyIndex i, const Vec3& force, const Vec3& torque) {
-  if (i == kGround) return;
-  const SolverBody& body = scratch.solver_bodies[i];
-  if (body.inverse_mass == 0) return;
-  scratch.next_velocity.add(i, VelocityGrid::round(Vec3(force * body.inverse_mass)));
-  scratch.next_spin.add(i, VelocityGrid::round(spin_of(body, torque)));
-}
-
-void commit(Scratch& scratch, BodyIndex i) {
-  if (i == kGround) return;
-  scratch.solver_bodies[i].velocity = scratch.next_velocity[i];
-  scratch.solver_bodies[i].spin = scratch.next_spin[i];
-}
-
-void solve_layer(Scratch& scratch, std::span<const std::uint32_t> layer, Sweep sweep, double substep_s) {
-  for (const std::uint32_t k : layer) {
-    Manifold& m = scratch.manifolds[k];
-    const Wrench wrench = solve_manifold(sweep, m, points_of(scratch, m), solver_body(scratch, m.a),
-                                         solver_body(scratch, m.b), substep_s);
-    add_wrench(scratch, m, wrench);
-  }
-  for (const std::uint32_t k : layer) {
-    commit(scratch, scratch.manifolds[k].a);
-    commit(scratch, scratch.manifolds[k].b);
+// The velocities that a layer's outcomes have led to, for the next layer to see.
+void commit(Scratch& scratch, const ContactWork& layer) {
+  for (std::size_t k = 0; k < layer.count; ++k) {
+    const ContactBatch& batch = layer.batches[k];
+    for (unsigned lane = 0; lane < batch.used; ++lane) {
+      for (const std::uint32_t row : {batch.a[lane], batch.b[lane]}) {
+        scratch.solver_bodies[row].velocity = scratch.solver_sums[row].velocity;
+        scratch.solver_bodies[row].spin = scratch.solver_sums[row].spin;
+      }
+    }
   }
 }
 
 }  // namespace
 
-void add_wrench(Scratch& scratch, const Manifold& m, const Wrench& wrench) {
-  add_side(scratch, m.b, wrench.force, wrench.torque);
-  add_side(scratch, m.a, -wrench.force, -reaction_torque(m, wrench));
-}
-
 void sweep_layers(World& world, Sweep sweep, Direction direction, double substep_s) {
   Scratch& scratch = world.mutable_scratch();
+  const ContactKernels& kernels = contact_kernels(scratch.lanes);
   const std::size_t layers = scratch.layer_start.size() - 1;
   for (std::size_t k = 0; k < layers; ++k) {
     const std::size_t layer = direction == Direction::kUp ? k : layers - 1 - k;
-    solve_layer(scratch, layer_of(scratch, layer), sweep, substep_s);
+    const ContactWork work = contacts_of_layer(scratch, layer, substep_s);
+    kernels.solve(work, sweep);
+    commit(scratch, work);
   }
 }
 
@@ -61,13 +44,26 @@ int sweep_count(const Scratch& scratch) {
 
 void hash_solution(const World& world, Hasher& hasher) {
   const Scratch& scratch = world.scratch();
-  for (const auto* column : {&scratch.next_velocity.x, &scratch.next_velocity.y, &scratch.next_velocity.z,
-                             &scratch.next_spin.x, &scratch.next_spin.y, &scratch.next_spin.z}) {
-    hasher.add(std::span<const double>(*column));
+  const std::size_t n = world.bodies().size();
+  std::vector<double> column(n);
+  for (const auto& part : {&SolverMotion::velocity, &SolverMotion::spin}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      for (std::size_t i = 0; i < n; ++i) column[i] = (scratch.solver_sums[i].*part)[axis];
+      hasher.add(std::span<const double>(column));
+    }
   }
-  for (const Manifold& m : scratch.manifolds) {
-    for (const double value : {m.force1, m.force2, m.twist}) hasher.add(value);
-    for (const ManifoldPoint& point : points_of(scratch, m)) hasher.add(point.impulse);
+  const ContactBatches& all = scratch.contact_batches;
+  for (std::size_t k = 0; k < scratch.manifolds.size(); ++k) {
+    const Manifold& m = scratch.manifolds[k];
+    if (m.asleep) {
+      for (const double value : {m.force1, m.force2, m.twist}) hasher.add(value);
+      for (const ManifoldPoint& point : points_of(scratch, m)) hasher.add(point.impulse);
+      continue;
+    }
+    const ContactBatch& batch = all.batches[all.place[k] / kLanes];
+    const unsigned lane = all.place[k] % kLanes;
+    for (const Lanes* lanes : {&batch.force1, &batch.force2, &batch.twist}) hasher.add(lanes->of[lane]);
+    for (std::uint32_t i = 0; i < m.count; ++i) hasher.add(all.points[batch.first + i].impulse.of[lane]);
   }
 }
 

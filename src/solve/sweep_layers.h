@@ -1,7 +1,7 @@
 #pragma once
 
 #include "src/base/hash.h"
-#include "src/solve/manifold_solver.h"
+#include "src/solve/contact_kernels.h"
 #include "src/world/world.h"
 
 namespace tumble::sim {
@@ -11,9 +11,6 @@ enum class Direction { kUp, kDown };
 /// Visits every manifold once, layer by layer. The manifolds of a layer all see the velocities from before it and their
 /// outcomes are added up as grid doubles, so no order within the layer shows.
 void sweep_layers(World& world, Sweep sweep, Direction direction, double substep_s);
-
-/// Adds a manifold's wrench to the sums of both bodies.
-void add_wrench(Scratch& scratch, const Manifold& manifold, const Wrench& wrench);
 
 /// How often to sweep: impulses must find their way through the height of a stack, from 1 to 10 times.
 int sweep_count(const Scratch& scratch);

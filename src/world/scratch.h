@@ -9,6 +9,7 @@
 #include "src/base/ids.h"
 #include "src/math/rotation.h"
 #include "src/math/vec.h"
+#include "src/world/contact_batch.h"
 #include "src/world/manifold.h"
 #include "src/world/world_state.h"
 
@@ -64,12 +65,29 @@ struct SweepScratch {
   PairTable merged;
 };
 
-/// What the solver of method layered knows of a body; all zeros for what does not move.
-struct SolverBody {
+/// What the solver of method layered knows of a body; all zeros for what does not move. The kernels read it as a row of
+/// doubles in this order.
+struct alignas(128) SolverBody {
   Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();
   double inverse_mass = 0;
   double weight = 1;               ///< of gravity's acceleration, where the solver lends the body inertia
   double inverse_inertia[6] = {};  ///< world axes: xx, xy, xz, yy, yz, zz
+  double unused[2] = {};
+};
+
+/// A body's velocity and spin while outcomes are being added up; also read as a row of doubles.
+struct alignas(64) SolverMotion {
+  Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();
+  double unused[2] = {};
+};
+
+/// The awake manifolds as the solver takes them, layer by layer; written by prepare_manifolds.
+struct ContactBatches {
+  std::vector<ContactBatch> batches;
+  std::vector<PointBatch> points;
+  std::vector<std::uint32_t> layer_start;  ///< of each layer in `batches`
+  std::vector<std::uint32_t> place;        ///< of each manifold: kLanes times its batch plus its lane
+  std::vector<std::uint32_t> order;        ///< manifolds of a layer while they are being batched
 };
 
 /// A body that may freeze in this sub-step, and how low the lowest thing it touches lies.
@@ -106,8 +124,10 @@ struct Scratch {
   std::vector<std::uint32_t> layer_start;  ///< of each layer in `layered`
   std::vector<double> solver_mass;         ///< kg, inertia of each body in the solver; written by carry_weights
   std::vector<std::uint8_t> in_contact;    ///< moving bodies that have a manifold; written by prepare_manifolds
-  std::vector<SolverBody> solver_bodies;   ///< written by prepare_manifolds, then by every sweep
-  Vec3Column next_velocity, next_spin;     ///< sums in progress
+  std::vector<SolverBody> solver_bodies;  ///< written by prepare_manifolds, then by every sweep; the last is the ground
+  std::vector<SolverMotion> solver_sums;  ///< of the same bodies: sums in progress
+  ContactBatches contact_batches;
+  LaneWidth lanes = LaneWidth::kWidest;  ///< shows in nothing but time; chosen by World
 
   double removed_energy = 0;                       ///< J in this step; written by apply_outcomes
   std::vector<FreezeCandidate> freeze_candidates;  ///< written by update_freezing

@@ -1,0 +1,14 @@
+#include "src/solve/contact_kernels_impl.h"
+
+namespace tumble::sim {
+
+const ContactKernels* contact_kernels_eight() {
+#ifdef __AVX512F__
+  static constexpr ContactKernels kKernels = kernels_of<8>(LaneWidth::kEight);
+  return &kKernels;
+#else
+  return nullptr;
+#endif
+}
+
+}  // namespace tumble::sim

@@ -1,0 +1,10 @@
+#include "src/solve/contact_kernels_impl.h"
+
+namespace tumble::sim {
+
+const ContactKernels* contact_kernels_one() {
+  static constexpr ContactKernels kKernels = kernels_of<1>(LaneWidth::kOne);
+  return &kKernels;
+}
+
+}  // namespace tumble::sim

@@ -1,0 +1,86 @@
+#pragma once
+
+// Numbers in lanes, for the files that are compiled for one instruction set each. Everything is in an unnamed namespace
+// and no other header of the project that has functions is included there: a function compiled for a wide machine must
+// never be the one that the linker keeps for all.
+
+#if defined(__AVX__) || defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+namespace tumble::sim {
+namespace {
+
+template <int kWidth>
+struct VectorOf {
+  typedef double Type __attribute__((vector_size(kWidth * 8)));  // NOLINT(modernize-use-using): GCC wants it so
+};
+template <>
+struct VectorOf<1> {
+  using Type = double;
+};
+
+inline double square_root(double x) { return __builtin_sqrt(x); }
+#ifdef __SSE2__
+inline VectorOf<2>::Type square_root(VectorOf<2>::Type x) { return _mm_sqrt_pd(x); }
+#endif
+#ifdef __AVX__
+inline VectorOf<4>::Type square_root(VectorOf<4>::Type x) { return _mm256_sqrt_pd(x); }
+#endif
+#ifdef __AVX512F__
+inline VectorOf<8>::Type square_root(VectorOf<8>::Type x) { return _mm512_sqrt_pd(x); }
+#endif
+
+template <class V>
+inline V load(const double* from) {
+  V v;
+  __builtin_memcpy(&v, from, sizeof v);
+  return v;
+}
+template <class V>
+inline void store(double* to, V v) {
+  __builtin_memcpy(to, &v, sizeof v);
+}
+
+// std::max and std::min of two numbers, to the sign of zero; a processor's own differ in it.
+template <class V>
+inline V larger(V a, V b) {
+  return a < b ? b : a;
+}
+template <class V>
+inline V smaller(V a, V b) {
+  return b < a ? b : a;
+}
+
+// Vectors in space, a number of each lane in each coordinate; sums in the order of src/math/vec.h.
+template <class V>
+struct Space {
+  V x, y, z;
+};
+template <class V>
+inline Space<V> operator+(Space<V> a, Space<V> b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class V>
+inline Space<V> operator-(Space<V> a, Space<V> b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class V>
+inline Space<V> operator-(Space<V> a) {
+  return {-a.x, -a.y, -a.z};
+}
+template <class V>
+inline Space<V> operator*(Space<V> a, V s) {
+  return {a.x * s, a.y * s, a.z * s};
+}
+template <class V>
+inline V dot(Space<V> a, Space<V> b) {
+  return (a.x * b.x + a.y * b.y) + a.z * b.z;
+}
+template <class V>
+inline Space<V> cross(Space<V> a, Space<V> b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+}  // namespace
+}  // namespace tumble::sim
