@@ -33,31 +33,30 @@ BoxPair::Separation BoxPair::along(int axis) const {
     const double reach = hb[j] + ((ha.x() * product_[0][j] + ha.y() * product_[1][j]) + ha.z() * product_[2][j]);
     return {offset_b_[j] != 0, std::fabs(offset_b_[j]) - reach};
   }
-  const int i = (axis - 6) / 3, j = (axis - 6) % 3;
-  if (facelike(i, j)) return {};
-  return along_edge(i, j);
+  const Edges edges((axis - 6) / 3, (axis - 6) % 3, *a_, *b_);
+  if (facelike(edges)) return {};
+  return along_edge(edges);
 }
 
-// Along the cross product of a's edge i and b's edge j, a's other axes reach as far as b's edge does along them: for
-// unit edges the cosines are |product| over the sine between the edges.
-bool BoxPair::facelike(int i, int j) const {
-  const Vec3 axis = cross(a_->axes[i], b_->axes[j]);
-  const double limit = kFaceLike * std::sqrt(dot(axis, axis));
+bool BoxPair::facelike(const Edges& edges) const {
+  const int i = edges.i, j = edges.j;
+  const double limit = kFaceLike * edges.length;
   return product_[kNext[i]][j] > limit || product_[kAfterNext[i]][j] > limit || product_[i][kNext[j]] > limit ||
          product_[i][kAfterNext[j]] > limit;
 }
 
-BoxPair::Separation BoxPair::along_edge(int i, int j) const {
-  const Vec3 axis = cross(a_->axes[i], b_->axes[j]);
-  const double squared = dot(axis, axis);
-  if (squared < kParallelSquared) return {};
-  const double scale = 1 / std::sqrt(squared);
+// Along the cross product of a's edge i and b's edge j, a's other axes reach as far as b's edge does along them: for
+// unit edges the cosines are |product| over the sine between the edges.
+BoxPair::Separation BoxPair::along_edge(const Edges& edges) const {
+  if (edges.squared < kParallelSquared) return {};
+  const int i = edges.i, j = edges.j;
+  const double scale = 1 / edges.length;
   // The edge's own axes span the plane of the other two: a's axis m along the cross product is b's edge along the
   // remaining axis of a.
   const int ia = kNext[i], ib = kAfterNext[i], ja = kNext[j], jb = kAfterNext[j];
   const double along_ia = product_[ib][j] * scale, along_ib = product_[ia][j] * scale;
   const double along_ja = product_[i][jb] * scale, along_jb = product_[i][ja] * scale;
-  const double offset = dot(offset_, axis);
+  const double offset = dot(offset_, edges.axis);
   const Vec3& ha = a_->half_extent;
   const Vec3& hb = b_->half_extent;
   const double reach = (ha[ia] * along_ia + ha[ib] * along_ib) + (hb[ja] * along_ja + hb[jb] * along_jb);
@@ -67,8 +66,9 @@ BoxPair::Separation BoxPair::along_edge(int i, int j) const {
 bool BoxPair::apart_along_facelike_edges() const {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
-      if (!facelike(i, j)) continue;
-      const Separation s = along_edge(i, j);
+      const Edges edges(i, j, *a_, *b_);
+      if (!facelike(edges)) continue;
+      const Separation s = along_edge(edges);
       if (s.has_direction && s.value >= 0) return true;
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "src/world/scratch.h"
@@ -58,9 +59,21 @@ class BoxPair {
     bool has_direction = false;
     double value = 0;
   };
+  // a's edge i crossed with b's edge j.
+  struct Edges {
+    int i, j;
+    Vec3 axis;
+    double squared, length;
+    Edges(int edge_a, int edge_b, const BoxFrame& a, const BoxFrame& b)
+        : i(edge_a),
+          j(edge_b),
+          axis(cross(a.axes[i], b.axes[j])),
+          squared(dot(axis, axis)),
+          length(std::sqrt(squared)) {}
+  };
   [[nodiscard]] Separation along(int axis) const;
-  [[nodiscard]] Separation along_edge(int i, int j) const;  // has_direction even where the axis repeats a face
-  [[nodiscard]] bool facelike(int i, int j) const;
+  [[nodiscard]] Separation along_edge(const Edges& edges) const;  // has_direction even where the axis repeats a face
+  [[nodiscard]] bool facelike(const Edges& edges) const;
 
   const BoxFrame* a_;
   const BoxFrame* b_;

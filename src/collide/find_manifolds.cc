@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kEdgePreference = 0.01;   // of the smallest half extent: an edge pair must be better by this
 constexpr double kFacePreference = 0.001;  // likewise for the other box's face
+constexpr double kFarPart = 0.02;          // covers both preferences and the tolerance of points at edges
 
 double smallest_half_extent(const BoxPair& pair) {
   return std::min(pair.a().half_extent.minCoeff(), pair.b().half_extent.minCoeff());
@@ -47,7 +48,7 @@ class Builder {
   }
 
  private:
-  double turning(BodyIndex i) const { return turning_reach(bodies_, i, dt_); }
+  double turning(BodyIndex i) const { return scratch_.turning[i]; }
 
   void pair(BodyIndex lo, BodyIndex hi) {
     const bool moves = bodies_.moves(lo) || bodies_.moves(hi);
@@ -60,8 +61,11 @@ class Builder {
     const auto margin_of = [&](const Vec3& n) {
       return std::max(0.0, -dot(approach, n)) * dt_ + (turn + fall_) + slack_of(smallest);
     };
-    const BestAxes face_lo = boxes.best(kFacesOfA), face_hi = boxes.best(kFacesOfB), edge = boxes.best(kEdges);
+    const BestAxes face_lo = boxes.best(kFacesOfA), face_hi = boxes.best(kFacesOfB);
     const double face = best_of(face_lo, face_hi);
+    // So far apart along a face that whatever is chosen below, no point of it is kept.
+    if (face > length(approach) * dt_ + (turn + fall_) + slack_of(smallest) + kFarPart * smallest) return;
+    const BestAxes edge = boxes.best(kEdges);
     const bool lo_first = canonical(boxes) >= 0, hi_first = canonical(boxes) <= 0;
     if (edge.axes != 0 && edge.separation > face + kEdgePreference * smallest) {
       for_each_axis(edge.axes, [&](int axis) {

@@ -1,6 +1,7 @@
 #include "src/collide/find_near_pairs.h"
 
 #include "src/collide/find_pairs.h"
+#include "src/collide/strips.h"
 #include "src/collide/sweep.h"
 #include "src/math/grid.h"
 
@@ -17,14 +18,16 @@ Status find_near_pairs(World& world, double dt_s) {
   Scratch& scratch = world.mutable_scratch();
   update_frames(bodies, scratch);
   const double fall = falling_reach(world.state().def, dt_s);
+  scratch.turning.resize(bodies.size());
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
-    const double around = kContactSlack + fall + turning_reach(bodies, i, dt_s);
+    scratch.turning[i] = turning_reach(bodies, i, dt_s);
+    const double around = kContactSlack + fall + scratch.turning[i];
     const Vec3 margin = Vec3::Constant(PositionGrid::round(around) + PositionGrid::kStep);
     const Vec3 path = PositionGrid::round(Vec3(bodies.velocity[i] * dt_s));
     scratch.aabb_low.set(i, scratch.aabb_low[i] - margin + path.cwiseMin(Vec3::Zero()));
     scratch.aabb_high.set(i, scratch.aabb_high[i] + margin + path.cwiseMax(Vec3::Zero()));
   }
-  find_overlaps(scratch, world.mutable_state().pairs);
+  find_overlaps_in_strips(scratch, world.mutable_state().pairs);
   return {};
 }
 

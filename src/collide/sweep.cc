@@ -17,10 +17,6 @@ Vec3 grid_reach(const BoxFrame& frame) {
   return {along(0), along(1), along(2)};
 }
 
-const std::vector<double>& axis_of(const Vec3Column& column, int axis) {
-  return axis == 0 ? column.x : axis == 1 ? column.y : column.z;
-}
-
 void sort_by_low(std::vector<BodyIndex>& order, const std::vector<double>& low) {
   const std::size_t n = low.size();
   order.resize(n);
@@ -52,39 +48,18 @@ std::size_t overlaps_met(const std::vector<BodyIndex>& order, const std::vector<
   return met;
 }
 
-// Sorts the boxes along the axis whose sweep meets the fewest. Which one that is changes slowly and shows in nothing
-// but time, so it is asked now and then.
-void sort_boxes(SweepScratch& sweep, const Scratch& scratch) {
-  const std::size_t n = scratch.frames.size();
-  if (sweep.order.size() == n && ++sweep.age < kAxisLifetime) {
-    return sort_again(sweep.order, axis_of(scratch.aabb_low, sweep.axis));
-  }
-  std::vector<BodyIndex> order;
-  std::size_t fewest = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::vector<double>& low = axis_of(scratch.aabb_low, axis);
-    sort_by_low(order, low);
-    const std::size_t met = overlaps_met(order, low, axis_of(scratch.aabb_high, axis));
-    if (axis > 0 && met >= fewest) continue;
-    fewest = met;
-    sweep.axis = axis;
-    sweep.order = order;
-  }
-  sweep.age = 0;
-}
-
 // Copies the extents in swept order, so that the sweep reads memory forwards.
 void gather(SweepScratch& sweep, const Scratch& scratch) {
   const std::vector<BodyIndex>& order = sweep.order;
   const std::size_t n = order.size();
   sweep.boxes.resize(n);
   const int first = sweep.axis, second = (first + 1) % 3, third = (first + 2) % 3;
-  const auto& low1 = axis_of(scratch.aabb_low, first);
-  const auto& low2 = axis_of(scratch.aabb_low, second);
-  const auto& low3 = axis_of(scratch.aabb_low, third);
-  const auto& high1 = axis_of(scratch.aabb_high, first);
-  const auto& high2 = axis_of(scratch.aabb_high, second);
-  const auto& high3 = axis_of(scratch.aabb_high, third);
+  const auto& low1 = column_of(scratch.aabb_low, first);
+  const auto& low2 = column_of(scratch.aabb_low, second);
+  const auto& low3 = column_of(scratch.aabb_low, third);
+  const auto& high1 = column_of(scratch.aabb_high, first);
+  const auto& high2 = column_of(scratch.aabb_high, second);
+  const auto& high3 = column_of(scratch.aabb_high, third);
   for (std::size_t k = 0; k < n; ++k) {
     const BodyIndex i = order[k];
     sweep.boxes[k] = {low1[i], high1[i], low2[i], high2[i], low3[i], high3[i]};
@@ -110,19 +85,6 @@ void sweep_pairs(SweepScratch& sweep) {
   }
 }
 
-// Sorts the pairs by (a, b): by counting for a, directly for the few b of one a.
-void sort_pairs(SweepScratch& sweep, std::size_t n) {
-  sweep.start.assign(n + 1, 0);
-  for (const auto& pair : sweep.found) ++sweep.start[pair.first + 1];
-  for (std::size_t a = 0; a < n; ++a) sweep.start[a + 1] += sweep.start[a];
-  sweep.partner.resize(sweep.found.size());
-  sweep.next.assign(sweep.start.begin(), sweep.start.end() - 1);
-  for (const auto& pair : sweep.found) sweep.partner[sweep.next[pair.first]++] = pair.second;
-  for (std::size_t a = 0; a < n; ++a) {
-    std::sort(sweep.partner.begin() + sweep.start[a], sweep.partner.begin() + sweep.start[a + 1]);
-  }
-}
-
 // Makes the new list out of the sorted pairs; one that was in the old list, sorted alike, brings its planes along.
 void merge_pairs(SweepScratch& sweep, PairTable& pairs) {
   PairTable& merged = sweep.merged;
@@ -143,6 +105,38 @@ void merge_pairs(SweepScratch& sweep, PairTable& pairs) {
 }
 
 }  // namespace
+
+// Which axis is best changes slowly and shows in nothing but time.
+void sort_boxes(SweepScratch& sweep, const Scratch& scratch) {
+  const std::size_t n = scratch.frames.size();
+  if (sweep.order.size() == n && ++sweep.age < kAxisLifetime) {
+    return sort_again(sweep.order, column_of(scratch.aabb_low, sweep.axis));
+  }
+  std::vector<BodyIndex> order;
+  std::size_t fewest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<double>& low = column_of(scratch.aabb_low, axis);
+    sort_by_low(order, low);
+    const std::size_t met = overlaps_met(order, low, column_of(scratch.aabb_high, axis));
+    if (axis > 0 && met >= fewest) continue;
+    fewest = met;
+    sweep.axis = axis;
+    sweep.order = order;
+  }
+  sweep.age = 0;
+}
+
+void sort_pairs(SweepScratch& sweep, std::size_t n) {
+  sweep.start.assign(n + 1, 0);
+  for (const auto& pair : sweep.found) ++sweep.start[pair.first + 1];
+  for (std::size_t a = 0; a < n; ++a) sweep.start[a + 1] += sweep.start[a];
+  sweep.partner.resize(sweep.found.size());
+  sweep.next.assign(sweep.start.begin(), sweep.start.end() - 1);
+  for (const auto& pair : sweep.found) sweep.partner[sweep.next[pair.first]++] = pair.second;
+  for (std::size_t a = 0; a < n; ++a) {
+    std::sort(sweep.partner.begin() + sweep.start[a], sweep.partner.begin() + sweep.start[a + 1]);
+  }
+}
 
 void update_frames(const Bodies& bodies, Scratch& scratch) {
   const std::size_t n = bodies.size();

@@ -9,6 +9,19 @@ namespace tumble::sim {
 /// that a shifted scene has the same overlaps.
 void update_frames(const Bodies& bodies, Scratch& scratch);
 
+/// Puts scratch.sweep.order into ascending order of the low ends along the axis whose sweep meets the fewest, which it
+/// chooses now and then.
+void sort_boxes(SweepScratch& sweep, const Scratch& scratch);
+
+/// Sorts the pairs in sweep.found by (a, b), a < n: by counting for a, directly for the few b of one a. The partners of
+/// a are then sweep.partner[sweep.start[a]] up to sweep.start[a + 1].
+void sort_pairs(SweepScratch& sweep, std::size_t n);
+
+/// The column of an axis (0, 1, 2).
+inline const std::vector<double>& column_of(const Vec3Column& columns, int axis) {
+  return axis == 0 ? columns.x : axis == 1 ? columns.y : columns.z;
+}
+
 /// Replaces the pair list by the pairs whose AABBs overlap on all three axes (touching counts), ascending by (a, b). A
 /// pair that was in the list keeps its planes. Sweep and prune along the axis that meets the fewest; the list is a set,
 /// so that choice shows in nothing but time.

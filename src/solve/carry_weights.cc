@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "src/math/grid.h"
-#include "src/solve/manifold_solver.h"
-#include "src/solve/solver_body.h"
 
 namespace tumble::sim {
 namespace {
@@ -81,22 +79,16 @@ class Walk {
   double rounded(double x) const { return (x + magic_) - magic_; }
 
   bool moves(BodyIndex i) const { return i != kGround && bodies_.moves(i); }
-  SolverBody motion_of(BodyIndex i) const {
-    SolverBody body;
-    if (moves(i)) {
-      body.velocity = bodies_.velocity[i];
-      body.spin = bodies_.spin[i];
-    }
-    return body;
-  }
+  Vec3 velocity_of(BodyIndex i) const { return moves(i) ? bodies_.velocity[i] : Vec3(Vec3::Zero()); }
+  Vec3 spin_of(BodyIndex i) const { return moves(i) ? bodies_.spin[i] : Vec3(Vec3::Zero()); }
 
   bool is_new(const Manifold& m) const {
     const std::span<const ManifoldPoint> points = points_of(scratch_, m);
     return std::all_of(points.begin(), points.end(), [](const ManifoldPoint& p) { return p.impulse == 0; });
   }
   bool rests(const Manifold& m) const {
-    const RelativeMotion motion = relative_motion(m, motion_of(m.a), motion_of(m.b));
-    const double u = dot(motion.u, m.n), w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2);
+    const Vec3 v = (velocity_of(m.b) - velocity_of(m.a)) - cross(spin_of(m.a), m.d), w = spin_of(m.b) - spin_of(m.a);
+    const double u = dot(v, m.n), w1 = dot(w, m.t1), w2 = dot(w, m.t2);
     const std::span<const ManifoldPoint> points = points_of(scratch_, m);
     return std::all_of(points.begin(), points.end(), [&](const ManifoldPoint& point) {
       return std::fabs(u + (w1 * point.q - w2 * point.p)) <= kRestingSpeed;

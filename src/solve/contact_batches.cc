@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
+#include "src/math/grid.h"
 #include "src/solve/solver_body.h"
 
 namespace tumble::sim {
@@ -18,26 +20,17 @@ void set(Lanes* lanes, unsigned lane, const Vec3& v) {
   for (int k = 0; k < 3; ++k) lanes[k].of[lane] = v[k];
 }
 
-void fill_lane(ContactBatch& batch, unsigned lane, const Manifold& m) {
+void fill_geometry(ContactBatch& batch, unsigned lane, const Manifold& m) {
   set(batch.n, lane, m.n);
   set(batch.t1, lane, m.t1);
   set(batch.t2, lane, m.t2);
   set(batch.d, lane, m.d);
   const auto put = [lane](Lanes& lanes, double value) { lanes.of[lane] = value; };
+  put(batch.point_count, m.count);
   put(batch.offset, m.offset);
-  put(batch.split_a, m.split_a);
-  put(batch.split_b, m.split_b);
   put(batch.friction, m.friction);
   put(batch.friction_dynamic, m.friction_dynamic);
   put(batch.restitution, m.restitution);
-  put(batch.acceleration, m.acceleration);
-  put(batch.centre_p, m.centre_p);
-  put(batch.centre_q, m.centre_q);
-  put(batch.radius, m.radius);
-  for (int k = 0; k < 6; ++k) put(batch.friction_inverse[k], m.friction_inverse[k]);
-  for (int k = 0; k < 6; ++k) put(batch.response[k], m.response[k]);
-  put(batch.relaxation, m.relaxation);
-  put(batch.impulse_magic, m.impulse_magic);
   put(batch.force1, m.force1);
   put(batch.force2, m.force2);
   put(batch.twist, m.twist);
@@ -48,56 +41,118 @@ void fill_point(PointBatch& batch, unsigned lane, const ManifoldPoint& point) {
   batch.q.of[lane] = point.q;
   batch.separation.of[lane] = point.separation;
   batch.impulse.of[lane] = point.impulse;
-  batch.mass.of[lane] = point.mass;
-  batch.approach.of[lane] = point.approach;
-  batch.peak.of[lane] = point.peak;
+  batch.load.of[lane] = point.load;
 }
 
-// One batch out of up to kLanes manifolds, whose last has the most points.
-void add_batch(Scratch& scratch, std::span<const std::uint32_t> group) {
-  ContactBatches& all = scratch.contact_batches;
-  const auto ground = static_cast<std::uint32_t>(scratch.solver_bodies.size() - 1);
-  const auto number = static_cast<std::uint32_t>(all.batches.size());
-  ContactBatch& batch = all.batches.emplace_back();
-  std::fill_n(batch.a, kLanes, ground);
-  std::fill_n(batch.b, kLanes, ground);
-  batch.used = static_cast<std::uint32_t>(group.size());
-  batch.first = static_cast<std::uint32_t>(all.points.size());
-  batch.count = scratch.manifolds[group.back()].count;
-  all.points.resize(all.points.size() + batch.count);
-  for (unsigned lane = 0; lane < group.size(); ++lane) {
-    const Manifold& m = scratch.manifolds[group[lane]];
-    all.place[group[lane]] = number * kLanes + lane;
-    batch.a[lane] = solver_row(scratch, m.a);
-    batch.b[lane] = m.b;
-    fill_lane(batch, lane, m);
-    const std::span<const ManifoldPoint> points = points_of(std::as_const(scratch), m);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      fill_point(all.points[batch.first + k], lane, points[k]);
-      batch.bounces = batch.bounces || points[k].approach <= -kBounceMin;
+double mass_of(const Bodies& bodies, BodyIndex i) {
+  return i == kGround || !bodies.moves(i) ? std::numeric_limits<double>::max() : bodies.mass[i];
+}
+
+class Batcher {
+ public:
+  explicit Batcher(World& world)
+      : bodies_(world.bodies()),
+        gravity_(world.state().def.gravity),
+        scratch_(world.mutable_scratch()),
+        all_(scratch_.contact_batches),
+        ground_(static_cast<std::uint32_t>(scratch_.solver_bodies.size() - 1)) {
+    all_.batches.clear();
+    all_.points.clear();
+    all_.layer_start.clear();
+    all_.place.assign(scratch_.manifolds.size(), 0);
+    all_.uses.assign(scratch_.solver_bodies.size(), 0);
+  }
+
+  // Side by side comes what has as many points.
+  void add_layer(std::span<const std::uint32_t> members) {
+    all_.layer_start.push_back(static_cast<std::uint32_t>(all_.batches.size()));
+    count_uses(members);
+    std::vector<std::uint32_t>& order = all_.order;
+    order.assign(members.begin(), members.end());
+    std::ranges::sort(order, {}, [&](std::uint32_t k) { return scratch_.manifolds[k].count; });
+    for (std::size_t begin = 0; begin < order.size(); begin += kLanes) {
+      add_batch(std::span(order).subspan(begin, std::min<std::size_t>(kLanes, order.size() - begin)));
+    }
+    forget_uses(members);
+  }
+  void finish() { all_.layer_start.push_back(static_cast<std::uint32_t>(all_.batches.size())); }
+
+ private:
+  // Manifolds of one layer are solved at the same time, so each sees only its share of a body's mass.
+  void count_uses(std::span<const std::uint32_t> members) {
+    for (const std::uint32_t k : members) {
+      ++all_.uses[solver_row(scratch_, scratch_.manifolds[k].a)];
+      ++all_.uses[scratch_.manifolds[k].b];
     }
   }
+  void forget_uses(std::span<const std::uint32_t> members) {
+    for (const std::uint32_t k : members) {
+      all_.uses[solver_row(scratch_, scratch_.manifolds[k].a)] = 0;
+      all_.uses[scratch_.manifolds[k].b] = 0;
+    }
+  }
+
+  // Up to kLanes manifolds, the last of which has the most points.
+  void add_batch(std::span<const std::uint32_t> group) {
+    const auto number = static_cast<std::uint32_t>(all_.batches.size());
+    ContactBatch& batch = all_.batches.emplace_back();
+    std::fill_n(batch.a, kLanes, ground_);
+    std::fill_n(batch.b, kLanes, ground_);
+    batch.used = static_cast<std::uint32_t>(group.size());
+    batch.first = static_cast<std::uint32_t>(all_.points.size());
+    batch.count = scratch_.manifolds[group.back()].count;
+    all_.points.resize(all_.points.size() + batch.count);
+    for (unsigned lane = 0; lane < group.size(); ++lane) {
+      const Manifold& m = scratch_.manifolds[group[lane]];
+      all_.place[group[lane]] = number * kLanes + lane;
+      fill_geometry(batch, lane, m);
+      fill_masses(batch, lane, m);
+      std::size_t at = batch.first;
+      for (const ManifoldPoint& point : points_of(std::as_const(scratch_), m)) {
+        fill_point(all_.points[at++], lane, point);
+      }
+    }
+  }
+
+  void fill_masses(ContactBatch& batch, unsigned lane, const Manifold& m) {
+    batch.a[lane] = solver_row(scratch_, m.a);
+    batch.b[lane] = m.b;
+    batch.split_a.of[lane] = m.a == kGround ? 1 : all_.uses[m.a];
+    batch.split_b.of[lane] = all_.uses[m.b];
+    const double lighter = std::min(mass_of(bodies_, m.a), mass_of(bodies_, m.b));
+    batch.impulse_magic.of[lane] = VelocityGrid::kMagic * power_of_two(lighter);
+    const bool a_falls = m.a != kGround && bodies_.moves(m.a), b_falls = bodies_.moves(m.b);
+    batch.acceleration.of[lane] = a_falls == b_falls ? 0 : dot(gravity_, m.n) * (b_falls ? 1 : -1);
+  }
+
+  const Bodies& bodies_;
+  const Vec3& gravity_;
+  Scratch& scratch_;
+  ContactBatches& all_;
+  std::uint32_t ground_;
+};
+
+bool bounces(const ContactBatches& all, const ContactBatch& batch) {
+  for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
+    const Lanes& approach = all.points[k].approach;
+    if (std::any_of(approach.of, approach.of + kLanes, [](double v) { return v <= -kBounceMin; })) return true;
+  }
+  return false;
 }
 
 }  // namespace
 
-void batch_contacts(Scratch& scratch) {
-  ContactBatches& all = scratch.contact_batches;
-  all.batches.clear();
-  all.points.clear();
-  all.layer_start.clear();
-  all.place.assign(scratch.manifolds.size(), 0);
-  std::vector<std::uint32_t>& order = all.order;
+void batch_contacts(World& world) {
+  Batcher batcher(world);
+  const Scratch& scratch = world.scratch();
   for (std::size_t layer = 0; layer + 1 < scratch.layer_start.size(); ++layer) {
-    all.layer_start.push_back(static_cast<std::uint32_t>(all.batches.size()));
-    const std::span<const std::uint32_t> members = layer_of(scratch, layer);
-    order.assign(members.begin(), members.end());
-    std::ranges::stable_sort(order, {}, [&](std::uint32_t k) { return scratch.manifolds[k].count; });
-    for (std::size_t begin = 0; begin < order.size(); begin += kLanes) {
-      add_batch(scratch, std::span(order).subspan(begin, std::min<std::size_t>(kLanes, order.size() - begin)));
-    }
+    batcher.add_layer(layer_of(scratch, layer));
   }
-  all.layer_start.push_back(static_cast<std::uint32_t>(all.batches.size()));
+  batcher.finish();
+}
+
+void mark_bounces(ContactBatches& all) {
+  for (ContactBatch& batch : all.batches) batch.bounces = bounces(all, batch);
 }
 
 void store_contacts(Scratch& scratch) {

@@ -29,6 +29,8 @@ struct ContactWork {
 /// The mathematics of the solver over batches of manifolds, compiled once for each lane width.
 struct ContactKernels {
   LaneWidth width;
+  /// Fills what stays fixed during a step: the masses, responses and approaches of points, where friction acts.
+  void (*prepare)(const ContactWork& work);
   /// Improves the impulses against the velocities of `bodies`, adds what they do to `sums`.
   void (*solve)(const ContactWork& work, Sweep sweep);
   /// Adds what the accumulated impulses do to `sums`.

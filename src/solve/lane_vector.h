@@ -52,6 +52,11 @@ inline V smaller(V a, V b) {
   return b < a ? b : a;
 }
 
+template <class V>
+inline V magnitude(V a) {
+  return a < 0.0 ? -a : a;
+}
+
 // Vectors in space, a number of each lane in each coordinate; sums in the order of src/math/vec.h.
 template <class V>
 struct Space {

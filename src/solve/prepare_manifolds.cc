@@ -1,11 +1,6 @@
 #include "src/solve/prepare_manifolds.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 #include "src/solve/contact_batches.h"
-#include "src/solve/manifold_solver.h"
 #include "src/solve/solver_body.h"
 
 namespace tumble::sim {
@@ -44,85 +39,33 @@ void find_in_contact(World& world) {
   }
 }
 
-double mass_of(const Bodies& bodies, BodyIndex i) {
-  return i == kGround || !bodies.moves(i) ? std::numeric_limits<double>::max() : bodies.mass[i];
-}
-
-// A point that meets in the middle of the step meets at the speed it will have gained by then: v² = v₀² + 2 a s.
-// Without this a bouncing body loses height with every bounce.
-void foresee_impact(const World& world, Manifold& m, std::span<ManifoldPoint> points) {
-  const Vec3& gravity = world.state().def.gravity;
-  const bool a_falls = m.a != kGround && world.bodies().moves(m.a), b_falls = world.bodies().moves(m.b);
-  m.acceleration = a_falls == b_falls ? 0 : dot(gravity, m.n) * (b_falls ? 1 : -1);
-  for (ManifoldPoint& point : points) {
-    if (point.approach >= 0 || point.separation <= 0) continue;
-    point.approach = -std::sqrt(std::max(0.0, point.approach * point.approach - 2 * m.acceleration * point.separation));
-  }
-}
-
-// What stopped an impact in the last step is far more than what carries the weight in this one, and a warm start from
-// it would throw the bodies apart.
-void forget_impacts(Manifold& m, std::span<ManifoldPoint> points) {
-  double before = 0, after = 0;
-  for (ManifoldPoint& point : points) {
-    before += round_impulse(m, point.impulse);
-    if (std::fabs(point.approach) > kRestingSpeed) point.impulse = std::min(point.impulse, point.load);
-    after += round_impulse(m, point.impulse);
-  }
-  if (after == before) return;
-  const double kept = after / before;
-  m.force1 *= kept;
-  m.force2 *= kept;
-  m.twist *= kept;
-}
-
-// Manifolds of one layer are solved at the same time, so each sees only its share of a body's mass.
-void prepare_layer(World& world, std::span<const std::uint32_t> layer, std::vector<std::uint32_t>& uses) {
-  Scratch& scratch = world.mutable_scratch();
-  for (const std::uint32_t k : layer) {
-    const Manifold& m = scratch.manifolds[k];
-    if (m.a != kGround) ++uses[m.a];
-    ++uses[m.b];
-  }
-  for (const std::uint32_t k : layer) {
-    Manifold& m = scratch.manifolds[k];
-    m.split_a = m.a == kGround ? 1 : uses[m.a];
-    m.split_b = uses[m.b];
-    const double lighter = std::min(mass_of(world.bodies(), m.a), mass_of(world.bodies(), m.b));
-    prepare_manifold(m, points_of(scratch, m), solver_body(scratch, m.a), solver_body(scratch, m.b), lighter);
-    forget_impacts(m, points_of(scratch, m));
-    foresee_impact(world, m, points_of(scratch, m));
-  }
-  for (const std::uint32_t k : layer) {
-    const Manifold& m = scratch.manifolds[k];
-    if (m.a != kGround) uses[m.a] = 0;
-    uses[m.b] = 0;
-  }
-}
-
 }  // namespace
 
-Status prepare_manifolds(World& world, double /*dt_s*/) {
+Status prepare_manifolds(World& world, double dt_s) {
   prepare_bodies(world);
   find_in_contact(world);
-  const Scratch& scratch = world.scratch();
-  std::vector<std::uint32_t> uses(world.bodies().size(), 0);
-  for (std::size_t layer = 0; layer + 1 < scratch.layer_start.size(); ++layer) {
-    prepare_layer(world, layer_of(scratch, layer), uses);
-  }
-  batch_contacts(world.mutable_scratch());
+  batch_contacts(world);
+  Scratch& scratch = world.mutable_scratch();
+  contact_kernels(scratch.lanes).prepare(all_contacts(scratch, dt_s));
+  mark_bounces(scratch.contact_batches);
   return {};
 }
 
 void hash_prepare_manifolds(const World& world, Hasher& hasher) {
-  for (const Manifold& m : world.scratch().manifolds) {
-    if (m.asleep) continue;
-    for (const double value : {m.centre_p, m.centre_q, m.radius, m.relaxation}) hasher.add(value);
-    for (const double value : m.friction_inverse) hasher.add(value);
-    for (const double value : m.response) hasher.add(value);
-    for (const ManifoldPoint& point : points_of(world.scratch(), m)) {
-      hasher.add(point.mass);
-      hasher.add(point.approach);
+  const Scratch& scratch = world.scratch();
+  const ContactBatches& all = scratch.contact_batches;
+  for (std::size_t k = 0; k < scratch.manifolds.size(); ++k) {
+    if (scratch.manifolds[k].asleep) continue;
+    const ContactBatch& batch = all.batches[all.place[k] / kLanes];
+    const unsigned lane = all.place[k] % kLanes;
+    for (const Lanes* lanes : {&batch.centre_p, &batch.centre_q, &batch.radius, &batch.relaxation}) {
+      hasher.add(lanes->of[lane]);
+    }
+    for (const Lanes& lanes : batch.friction_inverse) hasher.add(lanes.of[lane]);
+    for (const Lanes& lanes : batch.response) hasher.add(lanes.of[lane]);
+    for (std::uint32_t i = batch.first; i < batch.first + scratch.manifolds[k].count; ++i) {
+      hasher.add(all.points[i].mass.of[lane]);
+      hasher.add(all.points[i].approach.of[lane]);
     }
   }
 }

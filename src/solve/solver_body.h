@@ -8,16 +8,6 @@ namespace tumble::sim {
 inline BodyIndex solver_row(const Scratch& scratch, BodyIndex i) {
   return i == kGround ? static_cast<BodyIndex>(scratch.solver_bodies.size() - 1) : i;
 }
-inline const SolverBody& solver_body(const Scratch& scratch, BodyIndex i) {
-  return scratch.solver_bodies[solver_row(scratch, i)];
-}
-
-/// I⁻¹ torque in world axes: the change of spin that an angular impulse makes.
-inline Vec3 spin_of(const SolverBody& body, const Vec3& t) {
-  const double* i = body.inverse_inertia;
-  return {(i[0] * t.x() + i[1] * t.y()) + i[2] * t.z(), (i[1] * t.x() + i[3] * t.y()) + i[4] * t.z(),
-          (i[2] * t.x() + i[4] * t.y()) + i[5] * t.z()};
-}
 
 /// Fills the world inverse inertia of a body from its principal one, each sum in the order x, y, z.
 inline void set_inverse_inertia(SolverBody& body, const Axes& axes, const Vec3& principal) {

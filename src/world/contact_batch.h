@@ -8,6 +8,9 @@ namespace tumble::sim {
 /// memory looks alike everywhere.
 inline constexpr int kLanes = 8;
 
+/// Bodies that move no faster than this along a contact's normal, m/s, rest on each other; faster, they meet or part.
+inline constexpr double kRestingSpeed = 0.1;
+
 /// How many lanes an instruction takes. All give the same bits: lanes never mix. kWidest: as many as this machine can.
 enum class LaneWidth : std::uint8_t { kWidest, kOne, kTwo, kFour, kEight };
 
@@ -19,7 +22,10 @@ struct alignas(64) Lanes {
 /// One contact point of each manifold of a batch; the fields are ManifoldPoint's. A lane without such a point holds
 /// zeros, which give no impulse.
 struct PointBatch {
-  Lanes p, q, separation, impulse, mass, approach, peak;
+  Lanes p, q, separation, impulse, load;
+  Lanes mass;      ///< kg, what one N·s along the normal moves by 1 m/s, with the split masses
+  Lanes approach;  ///< m/s, normal velocity at which it will meet, or has met; negative when closing
+  Lanes peak;      ///< N·s, the largest impulse of this step: whether it was ever hit
 };
 
 /// Up to eight manifolds of one layer, as the solver sees them: the fields are Manifold's. An unused lane holds zeros
@@ -29,13 +35,18 @@ struct ContactBatch {
   std::uint32_t used = 0;                        ///< lanes from the left
   std::uint32_t first = 0, count = 0;            ///< its points, in Scratch::point_batches
   bool bounces = false;                          ///< a point of it met fast enough to bounce
+  Lanes point_count;                             ///< of each manifold
   Lanes n[3], t1[3], t2[3], d[3], offset;
-  Lanes split_a, split_b;
-  Lanes friction, friction_dynamic, restitution, acceleration;
-  Lanes centre_p, centre_q, radius;
-  Lanes friction_inverse[6], response[6];
-  Lanes relaxation, impulse_magic;
+  Lanes friction, friction_dynamic, restitution;
   Lanes force1, force2, twist;
+  Lanes split_a, split_b;  ///< in how many parts the bodies' masses are divided in this layer
+  Lanes acceleration;      ///< m/s² along n that gravity alone gives b against a
+  Lanes impulse_magic;     ///< rounds impulses to a grid that fits the lighter body
+  // Prepared once a step.
+  Lanes centre_p, centre_q, radius;  ///< friction acts here, m; mean distance of the points from it
+  Lanes friction_inverse[6];         ///< of the 3 × 3 matrix of (t1, t2, twist): 11, 12, 13, 22, 23, 33
+  Lanes response[6];                 ///< of (u, W1, W2) to the sums (S, Sq, Sp)
+  Lanes relaxation;
 };
 
 }  // namespace tumble::sim

@@ -8,9 +8,6 @@
 
 namespace tumble::sim {
 
-/// Bodies that move no faster than this along a contact's normal, m/s, rest on each other; faster, they meet or part.
-inline constexpr double kRestingSpeed = 0.1;
-
 /// What touches what in a contact point, as a physical thing that keeps its name while boxes move: 0–7 a corner of the
 /// body with the lower row, 8–15 a corner of the other (bit k set: on the positive side of own axis k), and
 /// 16 + 12·e + f an edge e of the lower row crossing an edge f of the other (edge: 4·axis + two side bits, the axes
@@ -27,10 +24,7 @@ struct ManifoldPoint {
   double p = 0, q = 0;
   double separation = 0;  ///< m along the normal; negative when overlapping
   double impulse = 0;     ///< N·s accumulated along the normal, >= 0
-  double mass = 0;        ///< kg, what one N·s along the normal moves by 1 m/s, with the split masses
-  double approach = 0;    ///< m/s, normal velocity at which it will meet, or has met; negative when closing
   double load = 0;        ///< N·s a sub-step, what it bears of the weight above when all is at rest
-  double peak = 0;        ///< N·s, the largest impulse of this step: whether it was ever hit
   Feature feature = 0;
 };
 
@@ -47,15 +41,6 @@ struct Manifold {
   bool asleep = false;                 ///< both bodies rest; carried along unsolved
   double friction = 0, friction_dynamic = 0, restitution = 0;
   double force1 = 0, force2 = 0, twist = 0;  ///< N·s, N·s, N·m·s accumulated by friction
-
-  // Prepared once a step for the solver.
-  double split_a = 1, split_b = 1;                ///< in how many parts the bodies' masses are divided in this layer
-  double centre_p = 0, centre_q = 0, radius = 0;  ///< friction acts here, m; mean distance of the points from it
-  double friction_inverse[6] = {};                ///< of the 3 × 3 matrix of (t1, t2, twist): 11, 12, 13, 22, 23, 33
-  double response[6] = {};                        ///< of (u, W1, W2) to the sums (S, Sq, Sp)
-  double relaxation = 1;
-  double acceleration = 0;   ///< m/s² along n that gravity alone gives b against a
-  double impulse_magic = 0;  ///< rounds impulses to a grid that fits the lighter body
 };
 
 /// What the contacts of a step leave for the next: the impulses that warm start it. Part of the state.

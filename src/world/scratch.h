@@ -63,6 +63,10 @@ struct SweepScratch {
   std::vector<std::uint32_t> start, next;  ///< of each a in `partner`
   std::vector<BodyIndex> partner;
   PairTable merged;
+  // In strips across a second axis.
+  std::vector<std::uint32_t> strip_start;  ///< of each strip in `boxes`
+  std::vector<std::uint32_t> strip_begin;  ///< of each entry of `boxes`: the first strip it lies in
+  std::vector<BodyIndex> body;             ///< of each entry
 };
 
 /// What the solver of method layered knows of a body; all zeros for what does not move. The kernels read it as a row of
@@ -88,6 +92,7 @@ struct ContactBatches {
   std::vector<std::uint32_t> layer_start;  ///< of each layer in `batches`
   std::vector<std::uint32_t> place;        ///< of each manifold: kLanes times its batch plus its lane
   std::vector<std::uint32_t> order;        ///< manifolds of a layer while they are being batched
+  std::vector<std::uint32_t> uses;         ///< of each body in that layer
 };
 
 /// A body that may freeze in this sub-step, and how low the lowest thing it touches lies.
@@ -117,6 +122,7 @@ struct Scratch {
   Vec3Column displacement_low;        ///< its negative parts while it is being merged
   std::vector<std::uint8_t> touched;  ///< in a real collision in this sub-step; written by compute_impulses
   // Method layered.
+  std::vector<double> turning;      ///< m, turning_reach of each body; written by find_near_pairs
   std::vector<Manifold> manifolds;  ///< in the order of the pairs; written by find_manifolds
   std::vector<ManifoldPoint> manifold_points;
   std::vector<std::uint32_t> level;        ///< of each body: contacts away from the ground; written by assign_levels

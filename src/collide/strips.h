@@ -1,0 +1,12 @@
+#pragma once
+
+#include "src/world/scratch.h"
+
+namespace tumble::sim {
+
+/// Every pair of bodies whose AABBs overlap, ascending by (a, b): as find_overlaps does, but in strips across a second
+/// axis, so that the cost does not grow with how many boxes line up along the first. A box lies in each strip that it
+/// reaches; a pair counts in the strip where both have begun. Remembers no planes: method layered has none.
+void find_overlaps_in_strips(Scratch& scratch, PairTable& pairs);
+
+}  // namespace tumble::sim
