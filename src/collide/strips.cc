@@ -1,7 +1,8 @@
 #include "src/collide/strips.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <functional>
 
 #include "src/collide/sweep.h"
 
@@ -9,25 +10,29 @@ namespace tumble::sim {
 namespace {
 
 constexpr double kStripWidth = 2;       // mean extents
+constexpr double kBinWidth = 0.125;     // mean extents
+constexpr double kBinReach = 1.01;      // bins; the quotient that finds one is rounded
+constexpr double kCrowd = 8;            // boxes side by side in a strip from which on the third axis pays too
 constexpr std::size_t kFewBodies = 48;  // one strip will do
 
 // How the bodies lie along an axis.
 struct Spread {
   int axis = 0;
-  double low = 0, high = 0, extent = 0;  // m; extent: the mean
+  double low = 0, range = 0, extent = 0;  // m; extent: the mean
+
+  [[nodiscard]] double extents() const { return extent > 0 ? range / extent : 0; }
 };
 
 Spread spread_along(const Scratch& scratch, int axis) {
   const std::vector<double>& low = column_of(scratch.aabb_low, axis);
   const std::vector<double>& high = column_of(scratch.aabb_high, axis);
-  Spread spread{axis, low.front(), high.front(), 0};
+  double lowest = low.front(), highest = high.front(), extents = 0;
   for (std::size_t i = 0; i < low.size(); ++i) {
-    spread.low = std::min(spread.low, low[i]);
-    spread.high = std::max(spread.high, high[i]);
-    spread.extent += high[i] - low[i];
+    lowest = std::min(lowest, low[i]);
+    highest = std::max(highest, high[i]);
+    extents += high[i] - low[i];
   }
-  spread.extent /= static_cast<double>(low.size());
-  return spread;
+  return {axis, lowest, highest - lowest, extents / static_cast<double>(low.size())};
 }
 
 // Parallel strips of equal width.
@@ -47,68 +52,110 @@ std::size_t entries_in(const Strips& strips, const std::vector<double>& low, con
   return entries;
 }
 
-// As narrow as it pays: large bodies among small ones would lie in very many.
-Strips lay_strips(const Scratch& scratch, const Spread& spread) {
-  const std::size_t n = scratch.frames.size();
-  Strips strips;
-  strips.low = spread.low;
-  strips.width = spread.high - spread.low;
-  if (n < kFewBodies || !(spread.extent > 0)) return strips;
-  const std::vector<double>& low = column_of(scratch.aabb_low, spread.axis);
-  const std::vector<double>& high = column_of(scratch.aabb_high, spread.axis);
-  const double range = spread.high - spread.low;
-  for (double width = kStripWidth * spread.extent; width < range; width *= 2) {
-    if (range / width > static_cast<double>(n)) continue;
-    strips.width = width;
-    strips.count = static_cast<std::uint32_t>(range / width) + 1;
-    if (entries_in(strips, low, high) <= 2 * n) return strips;
-  }
-  strips.width = range;
-  strips.count = 1;
-  return strips;
+Strips strips_of_width(const Spread& spread, double width) {
+  return {spread.low, width, static_cast<std::uint32_t>(spread.range / width) + 1};
 }
 
-// Entries strip by strip, each strip in swept order.
-void fill_strips(Scratch& scratch, const Strips& strips, int second) {
+Strips one_strip(const Spread& spread) { return strips_of_width(spread, 2 * spread.range + 1); }
+
+// At most so many, and as narrow as it pays: large bodies among small ones would lie in very many.
+Strips lay_strips(const Scratch& scratch, const Spread& spread, double most) {
+  const std::size_t n = scratch.frames.size();
+  const std::vector<double>& low = column_of(scratch.aabb_low, spread.axis);
+  const std::vector<double>& high = column_of(scratch.aabb_high, spread.axis);
+  if (n < kFewBodies || !(spread.extent > 0)) return one_strip(spread);
+  double width = std::max(kStripWidth * spread.extent, spread.range / most);
+  while (entries_in(strips_of_width(spread, width), low, high) > 2 * n) width *= 2;
+  return strips_of_width(spread, width);
+}
+
+// Bodies by where they begin along the first axis, to within a bin: enough for a sweep, and linear in their number.
+void sort_into_bins(SweepScratch& sweep, const std::vector<double>& low, const Strips& bins) {
+  sweep.start.assign(bins.count + 1, 0);
+  for (const double x : low) ++sweep.start[bins.of(x) + 1];
+  for (std::uint32_t k = 0; k < bins.count; ++k) sweep.start[k + 1] += sweep.start[k];
+  sweep.order.resize(low.size());
+  for (BodyIndex i = 0; i < low.size(); ++i) sweep.order[sweep.start[bins.of(low[i])]++] = i;
+}
+
+// Cells: where a strip across the second axis crosses one across the third.
+struct Cells {
+  Strips second, third;
+
+  [[nodiscard]] std::uint32_t count() const { return second.count * third.count; }
+};
+
+// The cells that a body reaches: visit(cell) for each.
+template <class Visit>
+void for_cells(const Cells& cells, const SweepScratch::Box& box, Visit visit) {
+  const std::uint32_t end2 = cells.second.of(box.high2), begin3 = cells.third.of(box.low3);
+  const std::uint32_t end3 = cells.third.of(box.high3);
+  for (std::uint32_t s = cells.second.of(box.low2); s <= end2; ++s) {
+    for (std::uint32_t t = begin3; t <= end3; ++t) visit(s * cells.third.count + t);
+  }
+}
+
+// Entries cell by cell, each cell in swept order.
+void fill_cells(SweepScratch& sweep, const Cells& cells) {
+  sweep.cell_start.assign(cells.count() + 1, 0);
+  for (const SweepScratch::Box& box : sweep.boxes)
+    for_cells(cells, box, [&](std::uint32_t c) { ++sweep.cell_start[c + 1]; });
+  for (std::uint32_t c = 0; c < cells.count(); ++c) sweep.cell_start[c + 1] += sweep.cell_start[c];
+  sweep.next.assign(sweep.cell_start.begin(), sweep.cell_start.end() - 1);
+  sweep.entries.resize(sweep.cell_start.back());
+  for (std::size_t k = 0; k < sweep.boxes.size(); ++k) {
+    const SweepScratch::Box& box = sweep.boxes[k];
+    for_cells(cells, box, [&](std::uint32_t c) { sweep.entries[sweep.next[c]++] = {box, sweep.order[k]}; });
+  }
+}
+
+// Entries are in order to within `bin`, m, so it looks that much farther and asks for overlap along the first axis too.
+void sweep_cell(SweepScratch& sweep, const Cells& cells, std::uint32_t cell, double bin) {
+  const SweepScratch::Entry* const end = sweep.entries.data() + sweep.cell_start[cell + 1];
+  for (const SweepScratch::Entry* i = sweep.entries.data() + sweep.cell_start[cell]; i != end; ++i) {
+    const SweepScratch::Box& p = i->box;
+    const double limit = p.high1 + bin;
+    for (const SweepScratch::Entry* j = i + 1; j != end && j->box.low1 <= limit; ++j) {
+      const SweepScratch::Box& q = j->box;
+      // One branch that is nearly always false, rather than six that nobody can guess.
+      const bool apart = static_cast<unsigned>(q.low1 > p.high1) | static_cast<unsigned>(p.low1 > q.high1) |
+                         static_cast<unsigned>(q.low2 > p.high2) | static_cast<unsigned>(p.low2 > q.high2) |
+                         static_cast<unsigned>(q.low3 > p.high3) | static_cast<unsigned>(p.low3 > q.high3);
+      if (apart) continue;
+      // In several cells together, it counts in the first.
+      const std::uint32_t s = cells.second.of(std::max(p.low2, q.low2)), t = cells.third.of(std::max(p.low3, q.low3));
+      if (s * cells.third.count + t == cell) sweep.found.push_back(std::minmax(i->body, j->body));
+    }
+  }
+}
+
+void gather_boxes(Scratch& scratch, int first, int second, int third) {
   SweepScratch& sweep = scratch.sweep;
-  const int first = sweep.axis, third = 3 - first - second;
   const auto &low1 = column_of(scratch.aabb_low, first), &high1 = column_of(scratch.aabb_high, first);
   const auto &low2 = column_of(scratch.aabb_low, second), &high2 = column_of(scratch.aabb_high, second);
   const auto &low3 = column_of(scratch.aabb_low, third), &high3 = column_of(scratch.aabb_high, third);
-  sweep.strip_start.assign(strips.count + 1, 0);
-  for (std::size_t i = 0; i < low2.size(); ++i) {
-    for (std::uint32_t s = strips.of(low2[i]); s <= strips.of(high2[i]); ++s) ++sweep.strip_start[s + 1];
-  }
-  for (std::uint32_t s = 0; s < strips.count; ++s) sweep.strip_start[s + 1] += sweep.strip_start[s];
-  sweep.next.assign(sweep.strip_start.begin(), sweep.strip_start.end() - 1);
-  const std::size_t entries = sweep.strip_start.back();
-  sweep.boxes.resize(entries);
-  sweep.body.resize(entries);
-  sweep.strip_begin.resize(entries);
-  for (const BodyIndex i : sweep.order) {
-    const std::uint32_t begin = strips.of(low2[i]), end = strips.of(high2[i]);
-    for (std::uint32_t s = begin; s <= end; ++s) {
-      const std::uint32_t at = sweep.next[s]++;
-      sweep.boxes[at] = {low1[i], high1[i], low2[i], high2[i], low3[i], high3[i]};
-      sweep.body[at] = i;
-      sweep.strip_begin[at] = begin;
-    }
+  sweep.boxes.resize(sweep.order.size());
+  for (std::size_t k = 0; k < sweep.order.size(); ++k) {
+    const BodyIndex i = sweep.order[k];
+    sweep.boxes[k] = {low1[i], high1[i], low2[i], high2[i], low3[i], high3[i]};
   }
 }
 
-void sweep_strip(SweepScratch& sweep, std::uint32_t strip) {
-  const std::uint32_t end = sweep.strip_start[strip + 1];
-  for (std::uint32_t i = sweep.strip_start[strip]; i < end; ++i) {
-    const SweepScratch::Box& p = sweep.boxes[i];
-    for (std::uint32_t j = i + 1; j < end && sweep.boxes[j].low1 <= p.high1; ++j) {
-      const SweepScratch::Box& q = sweep.boxes[j];
-      // One branch that is nearly always false, rather than four that nobody can guess.
-      const bool apart = static_cast<unsigned>(q.low2 > p.high2) | static_cast<unsigned>(p.low2 > q.high2) |
-                         static_cast<unsigned>(q.low3 > p.high3) | static_cast<unsigned>(p.low3 > q.high3);
-      if (apart || std::max(sweep.strip_begin[i], sweep.strip_begin[j]) != strip) continue;
-      sweep.found.push_back(std::minmax(sweep.body[i], sweep.body[j]));
-    }
-  }
+void find_in_cells(Scratch& scratch) {
+  SweepScratch& sweep = scratch.sweep;
+  const auto n = static_cast<double>(scratch.frames.size());
+  std::array<Spread, 3> axes = {spread_along(scratch, 0), spread_along(scratch, 1), spread_along(scratch, 2)};
+  std::ranges::stable_sort(axes, std::ranges::greater(), &Spread::extents);
+  const Spread& first = axes[0];
+  const double bin = std::max(kBinWidth * first.extent, first.range / (4 * n));
+  const Strips bins = strips_of_width(first, bin > 0 ? bin : 1);
+  sort_into_bins(sweep, column_of(scratch.aabb_low, first.axis), bins);
+  gather_boxes(scratch, first.axis, axes[1].axis, axes[2].axis);
+  Cells cells = {lay_strips(scratch, axes[1], n), one_strip(axes[2])};
+  const double crowd = n / (std::max(1.0, first.extents()) * cells.second.count);
+  if (crowd > kCrowd) cells.third = lay_strips(scratch, axes[2], 2 * n / cells.second.count);
+  fill_cells(sweep, cells);
+  for (std::uint32_t c = 0; c < cells.count(); ++c) sweep_cell(sweep, cells, c, kBinReach * bins.width);
 }
 
 }  // namespace
@@ -116,15 +163,7 @@ void sweep_strip(SweepScratch& sweep, std::uint32_t strip) {
 void find_overlaps_in_strips(Scratch& scratch, PairTable& pairs) {
   SweepScratch& sweep = scratch.sweep;
   sweep.found.clear();
-  if (!scratch.frames.empty()) {
-    sort_boxes(sweep, scratch);
-    const Spread one = spread_along(scratch, (sweep.axis + 1) % 3), other = spread_along(scratch, (sweep.axis + 2) % 3);
-    const bool second = (one.high - one.low) * other.extent >= (other.high - other.low) * one.extent;
-    const Spread& across = second ? one : other;
-    const Strips strips = lay_strips(scratch, across);
-    fill_strips(scratch, strips, across.axis);
-    for (std::uint32_t s = 0; s < strips.count; ++s) sweep_strip(sweep, s);
-  }
+  if (!scratch.frames.empty()) find_in_cells(scratch);
   sort_pairs(sweep, scratch.frames.size());
   pairs.clear();
   for (BodyIndex a = 0; a + 1 < sweep.start.size(); ++a) {

@@ -48,6 +48,27 @@ std::size_t overlaps_met(const std::vector<BodyIndex>& order, const std::vector<
   return met;
 }
 
+// Sorts the boxes along the axis whose sweep meets the fewest. Which one that is changes slowly and shows in nothing
+// but time, so it is asked now and then.
+void sort_boxes(SweepScratch& sweep, const Scratch& scratch) {
+  const std::size_t n = scratch.frames.size();
+  if (sweep.order.size() == n && ++sweep.age < kAxisLifetime) {
+    return sort_again(sweep.order, column_of(scratch.aabb_low, sweep.axis));
+  }
+  std::vector<BodyIndex> order;
+  std::size_t fewest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::vector<double>& low = column_of(scratch.aabb_low, axis);
+    sort_by_low(order, low);
+    const std::size_t met = overlaps_met(order, low, column_of(scratch.aabb_high, axis));
+    if (axis > 0 && met >= fewest) continue;
+    fewest = met;
+    sweep.axis = axis;
+    sweep.order = order;
+  }
+  sweep.age = 0;
+}
+
 // Copies the extents in swept order, so that the sweep reads memory forwards.
 void gather(SweepScratch& sweep, const Scratch& scratch) {
   const std::vector<BodyIndex>& order = sweep.order;
@@ -105,26 +126,6 @@ void merge_pairs(SweepScratch& sweep, PairTable& pairs) {
 }
 
 }  // namespace
-
-// Which axis is best changes slowly and shows in nothing but time.
-void sort_boxes(SweepScratch& sweep, const Scratch& scratch) {
-  const std::size_t n = scratch.frames.size();
-  if (sweep.order.size() == n && ++sweep.age < kAxisLifetime) {
-    return sort_again(sweep.order, column_of(scratch.aabb_low, sweep.axis));
-  }
-  std::vector<BodyIndex> order;
-  std::size_t fewest = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::vector<double>& low = column_of(scratch.aabb_low, axis);
-    sort_by_low(order, low);
-    const std::size_t met = overlaps_met(order, low, column_of(scratch.aabb_high, axis));
-    if (axis > 0 && met >= fewest) continue;
-    fewest = met;
-    sweep.axis = axis;
-    sweep.order = order;
-  }
-  sweep.age = 0;
-}
 
 void sort_pairs(SweepScratch& sweep, std::size_t n) {
   sweep.start.assign(n + 1, 0);

@@ -9,10 +9,6 @@ namespace tumble::sim {
 /// that a shifted scene has the same overlaps.
 void update_frames(const Bodies& bodies, Scratch& scratch);
 
-/// Puts scratch.sweep.order into ascending order of the low ends along the axis whose sweep meets the fewest, which it
-/// chooses now and then.
-void sort_boxes(SweepScratch& sweep, const Scratch& scratch);
-
 /// Sorts the pairs in sweep.found by (a, b), a < n: by counting for a, directly for the few b of one a. The partners of
 /// a are then sweep.partner[sweep.start[a]] up to sweep.start[a + 1].
 void sort_pairs(SweepScratch& sweep, std::size_t n);

@@ -28,7 +28,7 @@ inline VectorOf<2>::Type square_root(VectorOf<2>::Type x) { return _mm_sqrt_pd(x
 inline VectorOf<4>::Type square_root(VectorOf<4>::Type x) { return _mm256_sqrt_pd(x); }
 #endif
 #ifdef __AVX512F__
-inline VectorOf<8>::Type square_root(VectorOf<8>::Type x) { return _mm512_sqrt_pd(x); }
+inline VectorOf<8>::Type square_root(VectorOf<8>::Type x) { return _mm512_maskz_sqrt_pd(0xff, x); }
 #endif
 
 template <class V>

@@ -63,10 +63,13 @@ struct SweepScratch {
   std::vector<std::uint32_t> start, next;  ///< of each a in `partner`
   std::vector<BodyIndex> partner;
   PairTable merged;
-  // In strips across a second axis.
-  std::vector<std::uint32_t> strip_start;  ///< of each strip in `boxes`
-  std::vector<std::uint32_t> strip_begin;  ///< of each entry of `boxes`: the first strip it lies in
-  std::vector<BodyIndex> body;             ///< of each entry
+  // In cells across the other axes (method layered).
+  struct Entry {
+    Box box;
+    BodyIndex body;
+  };
+  std::vector<Entry> entries;             ///< cell by cell
+  std::vector<std::uint32_t> cell_start;  ///< of each cell in `entries`
 };
 
 /// What the solver of method layered knows of a body; all zeros for what does not move. The kernels read it as a row of
