@@ -40,6 +40,11 @@ bool runs_lanes(LaneWidth width) {
   return false;
 }
 
+const char* name_of(LaneWidth width) {
+  static constexpr const char* kNames[] = {"widest", "one", "two", "four", "eight"};
+  return kNames[static_cast<std::size_t>(width)];
+}
+
 const ContactKernels& contact_kernels(LaneWidth width) {
   switch (width) {
     case LaneWidth::kOne:

@@ -42,6 +42,9 @@ struct ContactKernels {
 /// Whether this machine and this build run a width.
 bool runs_lanes(LaneWidth width);
 
+/// "one", "two", "four", "eight", "widest".
+const char* name_of(LaneWidth width);
+
 /// The kernels of a width. Precondition: runs_lanes(width).
 const ContactKernels& contact_kernels(LaneWidth width);
 

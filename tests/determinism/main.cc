@@ -1,6 +1,7 @@
-// Runs scenes and prints what they end in, one line each: name, steps, final hash. Needs only the simulation and the
-// scene reader, so that it builds for machines on which the log's libraries are not installed (tools/determinism.sh).
-// Usage: determinism SCENE.toml:STEPS...
+// Runs scenes and prints what they end in, one line each: name, steps, final hash; those of method layered in every
+// lane width that the build and the machine have. Needs only the simulation and the scene reader, so that it builds for
+// machines on which the log's libraries are not installed (tools/determinism.sh). Usage: determinism
+// SCENE.toml:STEPS...
 #include <charconv>
 #include <cstdint>
 #include <cstdio>
@@ -12,15 +13,17 @@
 #include "src/base/hash.h"
 #include "src/base/result.h"
 #include "src/scenes/scene_file.h"
+#include "src/solve/contact_kernels.h"
 #include "src/step/step.h"
 #include "src/world/world.h"
 
 namespace tumble {
 namespace {
 
-Result<Hash128> final_hash(const sim::SceneDef& scene, std::uint64_t steps) {
+Result<Hash128> final_hash(const sim::SceneDef& scene, std::uint64_t steps, sim::LaneWidth lanes) {
   Result<sim::World> world = sim::World::create(scene);
   if (!world) return world.error();
+  world->mutable_scratch().lanes = lanes;
   auto input = scene.inputs.begin();
   for (std::uint64_t k = 1; k <= steps; ++k) {
     for (; input != scene.inputs.end() && input->step == k; ++input) {
@@ -29,6 +32,22 @@ Result<Hash128> final_hash(const sim::SceneDef& scene, std::uint64_t steps) {
     if (Result<sim::StepCounters> counters = sim::step(*world); !counters) return counters.error();
   }
   return sim::state_hash(world->bodies());
+}
+
+// The hash that every lane width of this build and machine ends in. Errors: two of them differ.
+Result<Hash128> common_hash(const sim::SceneDef& scene, std::uint64_t steps) {
+  const Result<Hash128> hash = final_hash(scene, steps, sim::LaneWidth::kOne);
+  if (!hash || scene.world.method == sim::Method::kThesis) return hash;
+  for (const sim::LaneWidth lanes : {sim::LaneWidth::kTwo, sim::LaneWidth::kFour, sim::LaneWidth::kEight}) {
+    if (!sim::runs_lanes(lanes)) continue;
+    const Result<Hash128> other = final_hash(scene, steps, lanes);
+    if (!other) return other;
+    if (*other != *hash) {
+      return cannot_finish(scene.name + ": " + sim::name_of(lanes) + " lanes end in " + to_string(*other) +
+                           ", one lane in " + to_string(*hash));
+    }
+  }
+  return hash;
 }
 
 Status run(std::string_view argument) {
@@ -44,7 +63,7 @@ Status run(std::string_view argument) {
   if (!file) return bad_input(path + ": cannot be read");
   const Result<sim::SceneDef> scene = scenes::parse_scene(text, path);
   if (!scene) return scene.error();
-  const Result<Hash128> hash = final_hash(*scene, steps);
+  const Result<Hash128> hash = common_hash(*scene, steps);
   if (!hash) return hash.error();
   std::printf("%s %llu %s\n", scene->name.c_str(), static_cast<unsigned long long>(steps), to_string(*hash).c_str());
   return {};
