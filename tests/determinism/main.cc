@@ -36,11 +36,11 @@ Result<Hash128> final_hash(const sim::SceneDef& scene, std::uint64_t steps, sim:
 
 // The hash that every lane width of this build and machine ends in. Errors: two of them differ.
 Result<Hash128> common_hash(const sim::SceneDef& scene, std::uint64_t steps) {
-  const Result<Hash128> hash = final_hash(scene, steps, sim::LaneWidth::kOne);
+  Result<Hash128> hash = final_hash(scene, steps, sim::LaneWidth::kOne);
   if (!hash || scene.world.method == sim::Method::kThesis) return hash;
   for (const sim::LaneWidth lanes : {sim::LaneWidth::kTwo, sim::LaneWidth::kFour, sim::LaneWidth::kEight}) {
     if (!sim::runs_lanes(lanes)) continue;
-    const Result<Hash128> other = final_hash(scene, steps, lanes);
+    Result<Hash128> other = final_hash(scene, steps, lanes);
     if (!other) return other;
     if (*other != *hash) {
       return cannot_finish(scene.name + ": " + sim::name_of(lanes) + " lanes end in " + to_string(*other) +
