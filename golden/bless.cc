@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
-#include <ranges>
+#include <numeric>
 #include <system_error>
 
 #include "golden/check.h"
@@ -66,11 +66,12 @@ Handed take_over(const CaseFolder& folder, const ChildResult& child) {
   handed.result = *std::move(result);
   const Json json = Json::parse(text);
   handed.complete = json.at("complete");
-  std::size_t end = child.output.size();
   const std::vector<std::size_t> sizes = json.at("picture_bytes");
-  for (const std::size_t size : std::views::reverse(sizes)) {
-    end -= size;
-    handed.pictures.insert(handed.pictures.begin(), child.output.substr(end, size));
+  const std::size_t end = child.output.size() - std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
+  std::size_t picture = end;
+  for (const std::size_t size : sizes) {
+    handed.pictures.push_back(child.output.substr(picture, size));
+    picture += size;
   }
   handed.golden = child.output.substr(kLengthDigits + length, end - kLengthDigits - length);
   return handed;

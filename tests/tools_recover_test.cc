@@ -27,13 +27,23 @@ TEST(RecoverCommand, WhatIsLostIsSaidAndTheRestReplays) {
   const Workshop shop;
   shop.record_small("torn");
   std::string bytes = shop.read("torn.tumble");
-  shop.write("torn.tumble", bytes.substr(0, bytes.size() - 10));
+  shop.write("torn.tumble", bytes.substr(0, bytes.size() - 200));  // in the index
   const Outcome outcome = shop.run({"recover", "torn.tumble", "-o", "saved.tumble"});
   EXPECT_EQ(outcome.exit, 3) << outcome.err;
   EXPECT_NE(outcome.out.find("40 steps"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.err.find("may have come after step 40"), std::string::npos) << outcome.err;
   EXPECT_EQ(shop.run({"info", "saved.tumble"}).exit, 0);
   EXPECT_EQ(shop.run({"replay", "saved.tumble"}).exit, 0);
+}
+
+TEST(RecoverCommand, ALostFooterAloneIsNoLoss) {
+  const Workshop shop;
+  shop.record_small("torn");
+  const std::string bytes = shop.read("torn.tumble");
+  shop.write("torn.tumble", bytes.substr(0, bytes.size() - 10));
+  const Outcome outcome = shop.run({"recover", "torn.tumble", "-o", "saved.tumble"});
+  EXPECT_EQ(outcome.exit, 0) << outcome.err;
+  EXPECT_EQ(shop.read("saved.tumble"), bytes);
 }
 
 TEST(RecoverCommand, TheDamagedLogIsNeverWrittenOver) {
