@@ -112,7 +112,9 @@ std::string all_keys() {
 std::string take(const std::string& name, const std::string& value, CsvSettings& out) {
   for (const Key& key : kKeys) {
     if (name != key.name) continue;
-    return key.take(value, out) ? "" : name + ": found \"" + value + "\", wanted " + key.wanted;
+    if (key.take(value, out)) return "";
+    std::string wrong = name;
+    return wrong.append(": found \"").append(value).append("\", wanted ").append(key.wanted);
   }
   return "found key \"" + name + "\", wanted one of " + all_keys() + "; a remark has no colon";
 }
