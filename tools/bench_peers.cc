@@ -123,7 +123,8 @@ class SceneRun {
     if (!score.failure.empty()) return {};
     const std::string first = (folder_ / "first.tumble").string(), other = (folder_ / "shuffled.tumble").string();
     const std::string logged = " --every " + std::to_string(every_) + " --log ";
-    for (const std::string& more : {logged + first, " --shuffle 1" + logged + other}) {
+    for (const std::string& more :
+         {std::string(logged).append(first), std::string(" --shuffle 1").append(logged).append(other)}) {
       if (const Result<Json> line = run(command(peer) + more); !line.ok()) return line.error();
     }
     Result<replay::LogReader> log = replay::LogReader::open(first);

@@ -36,9 +36,10 @@ std::vector<std::string> environment_with(const std::map<std::string, std::strin
     const std::string text = *entry;
     if (std::ranges::none_of(kGitsOwn, [&](const char* name) { return text.starts_with(name); })) all.push_back(text);
   }
-  for (const auto& [name, value] : more) {
-    const bool has = std::ranges::any_of(all, [&](const std::string& text) { return text.starts_with(name + '='); });
-    if (!has) all.push_back(std::string(name).append(1, '=').append(value));
+  for (const auto& setting : more) {
+    const std::string start = setting.first + '=';
+    const bool has = std::ranges::any_of(all, [&](const std::string& text) { return text.starts_with(start); });
+    if (!has) all.push_back(start + setting.second);
   }
   return all;
 }
