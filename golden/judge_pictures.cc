@@ -17,6 +17,16 @@ namespace fs = std::filesystem;
 
 constexpr int kSamples = 2;
 
+// What a software driver's last bits may depend on.
+std::string processor_class() {
+#if defined(__x86_64__) || defined(__i386__)
+  if (__builtin_cpu_supports("avx512f") != 0) return "AVX-512";
+  return __builtin_cpu_supports("fma") != 0 ? "x86 with FMA" : "x86 without FMA";
+#else
+  return "not x86";
+#endif
+}
+
 std::string pixels_text(std::uint64_t n) { return std::to_string(n) + (n == 1 ? " pixel" : " pixels"); }
 
 // Draws pictures of one log, with a renderer for each size in turn.
@@ -48,8 +58,10 @@ class Artist {
     return DrawnPicture{rule.file(), *std::move(png), *std::move(image), {}};
   }
 
-  /// "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6"; empty before the first picture.
-  [[nodiscard]] std::string driver() const { return renderer_ ? renderer_->context().driver() : ""; }
+  /// "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6, AVX-512"; empty before the first picture.
+  [[nodiscard]] std::string driver() const {
+    return renderer_ ? renderer_->context().driver() + ", " + processor_class() : "";
+  }
 
  private:
   replay::LogReader& log_;
