@@ -54,6 +54,13 @@ TEST(Bench, TableOneRunsWhatTheBudgetAllowsAndEstimatesTheRest) {
   EXPECT_FALSE(results["machine"]["flags"].get<std::string>().empty());
 }
 
+TEST(Bench, TableOneEstimatesBothHalvesWithAnyBudget) {
+  const Workshop shop;
+  const Json results = bench(shop, {"table1", "--budget", "0.000001"});
+  EXPECT_EQ(results["cells_run"], 2);
+  for (const Json& cell : results["cells"]) EXPECT_GT(cell["ratio"].get<double>(), 0) << cell;
+}
+
 TEST(Bench, ScalingLeavesOutWhatIsTooMuch) {
   const Workshop shop;
   const Json results = bench(shop, {"scaling", "--budget", "0.5"});

@@ -142,8 +142,10 @@ Result<Exit> bench_table1(const BenchOptions& options) {
   double spent = 0;
   std::map<std::size_t, double> share;  // of each half: the part of the thesis's time that the last cell took
   for (Cell& cell : cells) {
-    const double expected = cell.thesis() * share[cell.half];
-    cell.estimated = spent + expected > budget;
+    // The first of each half is run whatever is left: without it nothing could be said of the others.
+    const auto known = share.find(cell.half);
+    const double expected = known == share.end() ? 0 : cell.thesis() * known->second;
+    cell.estimated = known != share.end() && spent + expected > budget;
     cell.seconds = expected;
     if (cell.estimated) continue;
     std::vector<double> runs;
