@@ -77,7 +77,7 @@ struct RandomContacts {
     batch.restitution.of[lane] = number(0, 1);
     batch.split_a.of[lane] = batch.split_b.of[lane] = 1 + lane % 3;
     batch.acceleration.of[lane] = -9.81;
-    batch.impulse_magic.of[lane] = 6755399441055744.0 / 274877906944.0;
+    batch.impulse_magic.of[lane] = kMotionMagic;
     for (Lanes* lanes : {&batch.force1, &batch.force2, &batch.twist}) lanes->of[lane] = number(-1, 1);
     for (unsigned k = 0; k < count; ++k) {
       PointBatch& point = points[batch.first + k];

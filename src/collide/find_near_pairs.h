@@ -8,7 +8,7 @@ namespace tumble::sim {
 
 /// Broad phase of method layered: the pairs that touch or may touch within the step.
 /// Reads:  position, orientation, velocity, spin, half_extent; gravity
-/// Writes: frames, aabb_low, aabb_high (swept by the motion of the step); pairs, ascending by (a, b)
+/// Writes: frames, aabb_low, aabb_high (swept by the motion of the step), turning; pairs, ascending by (a, b)
 Status find_near_pairs(World& world, double dt_s);
 void hash_find_near_pairs(const World& world, Hasher& hasher);
 

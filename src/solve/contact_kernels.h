@@ -7,6 +7,9 @@
 
 namespace tumble::sim {
 
+/// VelocityGrid::kMagic, here because the kernels' files see no header with functions of its own.
+inline constexpr double kMotionMagic = 6755399441055744.0 / 274877906944.0;
+
 inline constexpr double kBounceMin = 0.5;  ///< m/s; slower impacts do not bounce
 
 enum class Sweep : std::uint8_t { kPush, kRelax, kRestitution };
@@ -28,7 +31,6 @@ struct ContactWork {
 
 /// The mathematics of the solver over batches of manifolds, compiled once for each lane width.
 struct ContactKernels {
-  LaneWidth width;
   /// Fills what stays fixed during a step: the masses, responses and approaches of points, where friction acts.
   void (*prepare)(const ContactWork& work);
   /// Improves the impulses against the velocities of `bodies`, adds what they do to `sums`.

@@ -4,7 +4,7 @@ namespace tumble::sim {
 
 const ContactKernels* contact_kernels_eight() {
 #ifdef __AVX512F__
-  static constexpr ContactKernels kKernels = kernels_of<8>(LaneWidth::kEight);
+  static constexpr ContactKernels kKernels = kernels_of<8>();
   return &kKernels;
 #else
   return nullptr;

@@ -4,7 +4,7 @@ namespace tumble::sim {
 
 const ContactKernels* contact_kernels_four() {
 #ifdef __AVX2__
-  static constexpr ContactKernels kKernels = kernels_of<4>(LaneWidth::kFour);
+  static constexpr ContactKernels kKernels = kernels_of<4>();
   return &kKernels;
 #else
   return nullptr;

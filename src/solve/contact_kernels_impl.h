@@ -48,8 +48,8 @@ void move_on_all(const ContactWork& work) {
 }
 
 template <int kWidth>
-constexpr ContactKernels kernels_of(LaneWidth width) {
-  return {width, prepare_all<kWidth>, solve_all<kWidth>, warm_start_all<kWidth>, move_on_all<kWidth>};
+constexpr ContactKernels kernels_of() {
+  return {prepare_all<kWidth>, solve_all<kWidth>, warm_start_all<kWidth>, move_on_all<kWidth>};
 }
 
 }  // namespace

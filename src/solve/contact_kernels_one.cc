@@ -3,7 +3,7 @@
 namespace tumble::sim {
 
 const ContactKernels* contact_kernels_one() {
-  static constexpr ContactKernels kKernels = kernels_of<1>(LaneWidth::kOne);
+  static constexpr ContactKernels kKernels = kernels_of<1>();
   return &kKernels;
 }
 

@@ -3,7 +3,7 @@
 namespace tumble::sim {
 
 const ContactKernels* contact_kernels_two() {
-  static constexpr ContactKernels kKernels = kernels_of<2>(LaneWidth::kTwo);
+  static constexpr ContactKernels kKernels = kernels_of<2>();
   return &kKernels;
 }
 

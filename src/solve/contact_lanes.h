@@ -13,8 +13,6 @@
 namespace tumble::sim {
 namespace {
 
-constexpr double kMotionMagic = 6755399441055744.0 / 274877906944.0;  // VelocityGrid's
-
 template <class V>
 V round_motion(V x) {
   return ((x + kMotionMagic) - kMotionMagic) + 0.0;

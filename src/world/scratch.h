@@ -136,7 +136,7 @@ struct Scratch {
   std::vector<SolverBody> solver_bodies;  ///< written by prepare_manifolds, then by every sweep; the last is the ground
   std::vector<SolverMotion> solver_sums;  ///< of the same bodies: sums in progress
   ContactBatches contact_batches;
-  LaneWidth lanes = LaneWidth::kWidest;  ///< shows in nothing but time; chosen by World
+  LaneWidth lanes = LaneWidth::kWidest;  ///< shows in nothing but time
 
   double removed_energy = 0;                       ///< J in this step; written by apply_outcomes
   std::vector<FreezeCandidate> freeze_candidates;  ///< written by update_freezing
