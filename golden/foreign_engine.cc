@@ -8,6 +8,7 @@
 #include <memory>
 #include <system_error>
 
+#include "golden/temporary_folder.h"
 #include "golden/text_files.h"
 
 namespace tumble::golden {
@@ -23,26 +24,6 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   }
   return text;
 }
-
-/// A folder that goes with its owner.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::error_code error;
-    std::string pattern = (fs::temp_directory_path(error) / "tumble-engine-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) != nullptr) path_ = pattern;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  [[nodiscard]] const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 std::string end_of(const fs::path& file) {
   const Result<std::string> text = read_text(file);
@@ -71,7 +52,7 @@ std::string engine_command(const std::string& command, const std::string& scene,
 }
 
 Result<Session> run_engine(const std::string& command, const fs::path& suite, const std::string& scene) {
-  const TemporaryFolder folder;
+  const TemporaryFolder folder("tumble-engine");
   if (folder.path().empty()) return cannot_finish("no temporary folder for an engine's log");
   const fs::path log = folder.path() / "session.tumble";
   const fs::path output = folder.path() / "output.txt";

@@ -1,18 +1,16 @@
 // tumble bench peers: the same scenes through our engine and those that are installed, in turn.
-#include <sys/wait.h>
-
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <map>
 
-#include "golden/foreign_engine.h"
+#include "golden/temporary_folder.h"
+#include "golden/text_files.h"
 #include "replay/log_reader.h"
 #include "replay/measure_log.h"
 #include "tools/bench.h"
+#include "tools/child_run.h"
 
 namespace tumble::tools {
 namespace {
@@ -73,19 +71,18 @@ std::vector<Peer> find_peers(const BenchOptions& options) {
   return peers;
 }
 
-/// Runs a command and reads the JSON that it prints. Errors (kCannotFinish): it failed; its words are on stderr.
-Result<Json> run(const std::string& command) {
-  FILE* pipe = ::popen(command.c_str(), "r");
-  if (pipe == nullptr) return cannot_finish("no process could be started");
-  std::string text;
-  std::array<char, 4096> block{};
-  for (std::size_t got = 0; (got = std::fread(block.data(), 1, block.size(), pipe)) > 0;) {
-    text.append(block.data(), got);
-  }
-  const int status = ::pclose(pipe);
-  Json json = Json::parse(text, nullptr, false);
-  if (status != 0 || json.is_discarded()) return cannot_finish("status " + std::to_string(WEXITSTATUS(status)));
-  return json;
+/// Runs a program and reads the JSON that it prints. Errors (kCannotFinish): it failed; with how, and its last words.
+Result<Json> run(std::vector<std::string> words, const fs::path& folder) {
+  ChildTask task;
+  task.words = std::move(words);
+  task.out = (folder / "out.json").string();
+  task.err = (folder / "words.txt").string();
+  const Result<ChildEnd> end = run_child(task);
+  if (!end.ok()) return end.error();
+  const Result<std::string> text = golden::read_text(task.out), said = golden::read_text(task.err);
+  Json json = Json::parse(text.ok() ? *text : "", nullptr, false);
+  if (end->well() && !json.is_discarded()) return json;
+  return cannot_finish(end->text() + (said.ok() && !said->empty() ? ": " + *said : ""));
 }
 
 /// What one engine did with one scene.
@@ -108,7 +105,7 @@ class SceneRun {
   /// One timed run. A failure is the engine's score in this scene.
   void time(const Peer& peer, Score& score) const {
     if (!score.failure.empty()) return;
-    const Result<Json> line = run(command(peer));
+    const Result<Json> line = run(command(peer), folder_);
     if (!line.ok()) {
       score.engine = peer.word;
       score.failure = line.error().message;
@@ -122,10 +119,11 @@ class SceneRun {
   Status judge(const Peer& peer, Score& score) const {
     if (!score.failure.empty()) return {};
     const std::string first = (folder_ / "first.tumble").string(), other = (folder_ / "shuffled.tumble").string();
-    const std::string logged = " --every " + std::to_string(every_) + " --log ";
-    for (const std::string& more :
-         {std::string(logged).append(first), std::string(" --shuffle 1").append(logged).append(other)}) {
-      if (const Result<Json> line = run(command(peer) + more); !line.ok()) return line.error();
+    for (const std::string& path : {first, other}) {
+      std::vector<std::string> words = command(peer);
+      words.insert(words.end(), {"--every", std::to_string(every_), "--log", path});
+      if (path == other) words.insert(words.end(), {"--shuffle", "1"});
+      if (const Result<Json> line = run(std::move(words), folder_); !line.ok()) return line.error();
     }
     Result<replay::LogReader> log = replay::LogReader::open(first);
     if (!log.ok()) return log.error();
@@ -147,10 +145,10 @@ class SceneRun {
   }
 
  private:
-  [[nodiscard]] std::string command(const Peer& peer) const {
-    std::string line = golden::shell_quoted(peer.program) + ' ' + golden::shell_quoted(bench_scene_path(scene_.file));
-    for (const std::string& change : scene_.overrides) line += " --set " + golden::shell_quoted(change);
-    return line;
+  [[nodiscard]] std::vector<std::string> command(const Peer& peer) const {
+    std::vector<std::string> words = {peer.program, bench_scene_path(scene_.file)};
+    for (const std::string& change : scene_.overrides) words.insert(words.end(), {"--set", change});
+    return words;
   }
 
   const PeerScene& scene_;
@@ -208,22 +206,6 @@ Json to_json(const PeerScene& scene, const sim::SceneDef& def, const std::vector
   return out;
 }
 
-/// A folder that goes with its owner.
-struct Folder {
-  Folder() {
-    std::error_code error;
-    std::string pattern = (fs::temp_directory_path(error) / "tumble-bench-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) != nullptr) path = pattern;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    if (!path.empty()) fs::remove_all(path, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  fs::path path;
-};
-
 bool chosen(const PeerScene& scene, const BenchOptions& options) {
   if (options.scenes.empty()) return options.large || !scene.large;
   return std::ranges::any_of(options.scenes, [&](const std::string& name) { return scene.name.starts_with(name); });
@@ -237,8 +219,8 @@ Result<Exit> bench_peers(const BenchOptions& options) {
     return cannot_finish("found no program " + build_folder() +
                          "/bench/peers/tumble_peer_tumble; build everything first");
   }
-  const Folder folder;
-  if (folder.path.empty()) return cannot_finish("no temporary folder for the logs");
+  const golden::TemporaryFolder folder("tumble-bench");
+  if (folder.path().empty()) return cannot_finish("no temporary folder for the logs");
   Json results = {{"bench", "peers"}, {"machine", machine_json()}, {"repeat", options.repeat.value_or(5)}};
   results["scenes"] = Json::array();
   if (!options.json) std::cout << machine_text(results["machine"]) << '\n';
@@ -246,7 +228,7 @@ Result<Exit> bench_peers(const BenchOptions& options) {
     if (!chosen(scene, options)) continue;
     const Result<sim::SceneDef> def = bench_scene(scene.file, scene.overrides);
     if (!def.ok()) return def.error();
-    const SceneRun runs(scene, *def, folder.path);
+    const SceneRun runs(scene, *def, folder.path());
     std::vector<Score> scores(peers.size());
     for (std::uint64_t r = 0; r < options.repeat.value_or(5); ++r) {
       for (std::size_t i = 0; i < peers.size(); ++i) runs.time(peers[i], scores[i]);
