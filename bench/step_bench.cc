@@ -15,6 +15,7 @@
 
 #include "src/scenes/scene_file.h"
 #include "src/step/step.h"
+#include "src/threads/worker_threads.h"
 
 namespace {
 
@@ -68,10 +69,12 @@ const sim::World& warm_world(sim::Method method, int rows, int columns) {
   return worlds.emplace(key, *std::move(world)).first->second;
 }
 
-void run(benchmark::State& state, sim::Method method, std::pair<int, int> size, std::size_t phase) {
+void run(benchmark::State& state, sim::Method method, std::pair<int, int> size, std::size_t phase, unsigned threads) {
+  const std::unique_ptr<WorkerThreads> workers = worker_threads(threads);
   const sim::World& warm = warm_world(method, size.first, size.second);
   for (auto _ : state) {
     sim::World world = warm;  // not timed
+    world.use(workers.get());
     const Clock::time_point begin = Clock::now();
     PhaseClock clock(phase);
     if (!sim::step(world, phase == kWholeStep ? nullptr : &clock).ok()) state.SkipWithError("the step failed");
@@ -83,11 +86,13 @@ void run(benchmark::State& state, sim::Method method, std::pair<int, int> size, 
       benchmark::Counter(bodies * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-/// "layered/step/400".
-void add(const std::string& what, sim::Method method, std::pair<int, int> size, std::size_t phase) {
+/// "layered/step/400", "layered/step/400/threads:2".
+void add(const std::string& what, sim::Method method, std::pair<int, int> size, std::size_t phase,
+         unsigned threads = 1) {
   const std::string word = method == sim::Method::kThesis ? "thesis/" : "layered/";
-  const std::string name = word + what + '/' + std::to_string(size.first * size.second);
-  benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { run(state, method, size, phase); })
+  std::string name = word + what + '/' + std::to_string(size.first * size.second);
+  if (threads > 1) name += "/threads:" + std::to_string(threads);
+  benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) { run(state, method, size, phase, threads); })
       ->UseManualTime()
       ->Unit(benchmark::kMicrosecond);
 }
@@ -101,6 +106,7 @@ int main(int argc, char** argv) {
     const auto phases = sim::phase_table(method).phases;
     for (const std::pair<int, int>& size : kSizes) {
       add("step", method, size, kWholeStep);
+      if (method == sim::Method::kLayered) add("step", method, size, kWholeStep, 2);
       for (std::size_t k = 0; k < phases.size(); ++k) add(phases[k].name, method, size, k);
     }
   }

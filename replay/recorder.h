@@ -60,6 +60,9 @@ class Recorder {
   /// still completes it unless writing failed.
   Status step(std::span<const sim::Command> live = {});
 
+  /// Threads to step with; see World::use.
+  void use(Workers* workers) { world_.use(workers); }
+
   [[nodiscard]] const sim::World& world() const { return world_; }
   /// The resolved scene; scene().steps is the number of the last step that is planned.
   [[nodiscard]] const sim::SceneDef& scene() const { return scene_; }

@@ -156,11 +156,13 @@ Result<ReplayReport> replay_log(LogReader& log, const ReplayOptions& options, co
   }
   Result<Player> player = Player::at(log, from);
   if (!player.ok()) return player.error();
+  player->use(options.workers);
   const std::vector<std::string> phases = same_phases ? header.phases : std::vector<std::string>();
   for (std::uint64_t k = from + 1; k <= last; ++k) {
     if (const Gap* gap = log.lost_at(k); gap != nullptr) {
       k = gap->end_step();
       if (player = Player::at(log, k - 1); !player.ok()) return player.error();
+      player->use(options.workers);
     }
     const auto unreadable = [&](const Error& error) {
       return Error{error.kind, error.message + "; the steps before step " + std::to_string(k) + " replayed the same"};

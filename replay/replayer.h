@@ -31,6 +31,9 @@ class Player {
   /// (kCannotFinish).
   Result<const StepRecord*> step(sim::Observer* also = nullptr);
 
+  /// Threads to step with; see World::use.
+  void use(Workers* workers) { world_.use(workers); }
+
   [[nodiscard]] const sim::World& world() const { return world_; }
 
  private:
@@ -46,6 +49,7 @@ struct ReplayOptions {
   /// Compare from the state after this step on; the log's first state or less replays all. The keyframe at or before it
   /// is trusted.
   std::uint64_t from_step = 0;
+  Workers* workers = nullptr;  ///< threads to step with; see World::use
 };
 
 struct ReplayReport {

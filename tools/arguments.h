@@ -23,7 +23,7 @@ CLI::Option* add_positive(CLI::App& app, const std::string& name, std::optional<
 /// Declares `--json`.
 CLI::Option* add_json(CLI::App& app, bool& target);
 
-/// Declares `--threads`, 1 … 256. One thread does all the work; any count is taken, for results cannot depend on it.
+/// Declares `--threads`, 1 … 256; results do not depend on it.
 CLI::Option* add_threads(CLI::App& app, std::optional<std::uint64_t>& target);
 
 }  // namespace tumble::tools

@@ -14,6 +14,7 @@
 #include "src/model/limits.h"
 #include "src/scenes/problem.h"
 #include "src/scenes/scene_file.h"
+#include "src/threads/worker_threads.h"
 #include "tools/arguments.h"
 #include "tools/command.h"
 #include "tools/interrupt.h"
@@ -201,6 +202,8 @@ Result<Exit> record(const Options& options) {
   const Started recorder =
       options.from.empty() ? start_scene(options, *states, path) : start_from_log(options, *states, path);
   if (!recorder.ok()) return recorder.error();
+  const std::unique_ptr<WorkerThreads> threads = worker_threads(options.threads.value_or(1));
+  (*recorder)->use(threads.get());
   const Result<Session> session = run_session(path, **recorder, options.quiet);
   if (!session.ok()) return session.error();
   if (options.json) {

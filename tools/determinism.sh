@@ -85,12 +85,12 @@ run_row() { # folder, row
       -c "$source" -o "${objects[-1]}" 2>>"$folder/log" || { problem "FAILED to compile $source, see $folder/log"; return; }
   done
   # shellcheck disable=SC2086
-  "$compiler" $flags "${objects[@]}" -o "$folder/program" 2>>"$folder/log" || { problem "FAILED to link, see $folder/log"; return; }
+  "$compiler" $flags -pthread "${objects[@]}" -o "$folder/program" 2>>"$folder/log" || { problem "FAILED to link, see $folder/log"; return; }
 
   if [[ -z $differs && $compiler != i686-* ]]; then # i686 returns doubles in x87 registers, which changes no bit
     local binutils=""
     [[ $compiler == *-linux-gnu* ]] && binutils=${compiler%g++}
-    tools/check_disassembly.sh --objdump "${binutils}objdump" --nm "${binutils}nm" "${objects[@]:1}" >"$folder/disassembly" ||
+    tools/check_disassembly.sh --objdump "${binutils}objdump" --nm "${binutils}nm" "${objects[@]:2}" >"$folder/disassembly" ||
       { problem "FAILED: disassembly, see $folder/disassembly"; return; }
   fi
   local need
@@ -127,14 +127,14 @@ add_units() { # name, file...
   fi
 }
 rm -rf "$out/units" && mkdir "$out/units"
-printf 'tests/determinism/main.cc\n' >"$out/sources"
+printf '%s\n' tests/determinism/main.cc src/threads/worker_threads.cc >"$out/sources" # not physics, these two
 add_units small src/{base,math,model,step}/*.cc # one unit, for most of its time goes into the headers
 for folder in world collide solve scenes; do
   add_units "$folder" src/"$folder"/*.cc
 done
 for folder in src/*/; do # a folder that came since would be missed without a word
   case "$folder" in
-    src/base/ | src/math/ | src/model/ | src/step/ | src/world/ | src/collide/ | src/solve/ | src/scenes/ | src/render/) ;;
+    src/base/ | src/math/ | src/model/ | src/step/ | src/world/ | src/collide/ | src/solve/ | src/scenes/ | src/threads/ | src/render/) ;;
     *) printf 'determinism: %s is not compiled; add it to the list\n' "$folder" >&2; exit 2 ;;
   esac
 done

@@ -28,6 +28,19 @@ void take_impulses(std::span<ManifoldPoint> points, const ContactMemory& memory,
 
 }  // namespace
 
+ContactRecall::ContactRecall(const ContactMemory& memory, BodyIndex first) : memory_(memory) {
+  std::size_t end = memory.size();
+  while (cursor_ < end) {
+    const std::size_t middle = cursor_ + (end - cursor_) / 2;
+    if (pair_of(memory.a[middle], memory.b[middle]).first < first) {
+      cursor_ = middle + 1;
+    } else {
+      end = middle;
+    }
+  }
+  for (std::size_t k = 0; k < cursor_; ++k) point_ += memory.count[k];
+}
+
 // A tied pair has several entries.
 std::pair<std::size_t, std::size_t> ContactRecall::entries(BodyIndex lo, BodyIndex hi) {
   const Pair wanted(lo, hi);
@@ -55,7 +68,7 @@ void ContactRecall::warm_start(Manifold& m, std::span<ManifoldPoint> points) {
   }
 }
 
-void ContactRecall::keep(BodyIndex lo, BodyIndex hi, Scratch& scratch) {
+void ContactRecall::keep(BodyIndex lo, BodyIndex hi, ManifoldList& to) {
   const auto [begin, end] = entries(lo, hi);
   std::size_t point = point_;
   for (std::size_t k = begin; k < end; ++k) {
@@ -63,7 +76,7 @@ void ContactRecall::keep(BodyIndex lo, BodyIndex hi, Scratch& scratch) {
     m.a = memory_.a[k];
     m.b = memory_.b[k];
     m.asleep = true;
-    m.first = static_cast<std::uint32_t>(scratch.manifold_points.size());
+    m.first = static_cast<std::uint32_t>(to.points.size());
     m.count = memory_.count[k];
     m.d = memory_.friction[k];  // kept here until the memory is written again
     m.twist = memory_.twist[k];
@@ -71,9 +84,9 @@ void ContactRecall::keep(BodyIndex lo, BodyIndex hi, Scratch& scratch) {
       ManifoldPoint p;
       p.feature = memory_.feature[point];
       p.impulse = memory_.impulse[point];
-      scratch.manifold_points.push_back(p);
+      to.points.push_back(p);
     }
-    scratch.manifolds.push_back(m);
+    to.manifolds.push_back(m);
   }
 }
 

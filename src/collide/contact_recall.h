@@ -12,13 +12,14 @@ namespace tumble::sim {
 /// is meanwhile.
 class ContactRecall {
  public:
-  explicit ContactRecall(const ContactMemory& memory) : memory_(memory) {}
+  /// For pairs whose lower row is `first` or higher.
+  explicit ContactRecall(const ContactMemory& memory, BodyIndex first);
 
   /// Gives a new manifold the impulses that points of the same features had, and the friction.
   void warm_start(Manifold& manifold, std::span<ManifoldPoint> points);
 
   /// Of two resting bodies: appends what they remember as manifolds that are asleep. hi may be kGround.
-  void keep(BodyIndex lo, BodyIndex hi, Scratch& scratch);
+  void keep(BodyIndex lo, BodyIndex hi, ManifoldList& to);
 
  private:
   std::pair<std::size_t, std::size_t> entries(BodyIndex lo, BodyIndex hi);

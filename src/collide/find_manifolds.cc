@@ -14,6 +14,7 @@
 namespace tumble::sim {
 namespace {
 
+constexpr std::size_t kWorthPairs = 4096;  // and bodies, for a thread more
 constexpr double kEdgePreference = 0.01;   // of the smallest half extent: an edge pair must be better by this
 constexpr double kFacePreference = 0.001;  // likewise for the other box's face
 constexpr double kFarPart = 0.02;          // covers both preferences and the tolerance of points at edges
@@ -24,24 +25,71 @@ double smallest_half_extent(const BoxPair& pair) {
 
 double slack_of(double smallest) { return std::min(kContactSlack, kContactSlackPart * smallest); }
 
+// How many pairs come before those of a body.
+std::size_t pairs_before(const PairTable& pairs, BodyIndex i) {
+  return static_cast<std::size_t>(std::ranges::lower_bound(pairs.a, i) - pairs.a.begin());
+}
+
+// The body that a part begins with, so that parts have as many pairs and bodies as each other.
+BodyIndex first_body(const World& world, unsigned part, unsigned parts) {
+  const PairTable& pairs = world.state().pairs;
+  const std::size_t n = world.bodies().size(), wanted = (pairs.size() + n) * part / parts;
+  BodyIndex low = 0, high = static_cast<BodyIndex>(n);
+  while (low < high) {
+    const BodyIndex middle = low + (high - low) / 2;
+    if (pairs_before(pairs, middle) + middle < wanted) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
+// Puts together what the threads have found: the first one's lists become the scratch's, the others' are copied.
+void join(Scratch& scratch, unsigned parts) {
+  std::swap(scratch.manifolds, scratch.manifolds_by[0].manifolds);
+  std::swap(scratch.manifold_points, scratch.manifolds_by[0].points);
+  if (parts == 1) return;
+  std::size_t manifolds = scratch.manifolds.size(), points = scratch.manifold_points.size();
+  std::vector<std::pair<std::size_t, std::size_t>> starts(parts);
+  for (unsigned part = 1; part < parts; ++part) {
+    starts[part] = {manifolds, points};
+    manifolds += scratch.manifolds_by[part].manifolds.size();
+    points += scratch.manifolds_by[part].points.size();
+  }
+  scratch.manifolds.resize(manifolds);
+  scratch.manifold_points.resize(points);
+  for_parts(scratch.workers, parts, [&](unsigned part) {
+    if (part == 0) return;
+    ManifoldList& list = scratch.manifolds_by[part];
+    for (Manifold& m : list.manifolds) m.first += static_cast<std::uint32_t>(starts[part].second);
+    std::ranges::copy(list.manifolds, scratch.manifolds.begin() + static_cast<std::ptrdiff_t>(starts[part].first));
+    std::ranges::copy(list.points, scratch.manifold_points.begin() + static_cast<std::ptrdiff_t>(starts[part].second));
+  });
+}
+
 // What the builder of one step's manifolds looks at and writes to.
 class Builder {
  public:
-  Builder(World& world, double dt_s)
+  Builder(const World& world, double dt_s, BodyIndex first, ManifoldList& out)
       : world_(world),
         bodies_(world.bodies()),
-        scratch_(world.mutable_scratch()),
+        scratch_(world.scratch()),
+        out_(out),
+        first_(first),
         dt_(dt_s),
         fall_(falling_reach(world.state().def, dt_s)),
-        recall_(world.state().contact_memory) {
-    scratch_.manifolds.clear();
-    scratch_.manifold_points.clear();
+        recall_(world.state().contact_memory, first) {
+    out_.manifolds.clear();
+    out_.points.clear();
   }
 
-  void build() {
+  // Of bodies up to `end`, with those of higher rows and with the ground.
+  void build(BodyIndex end) {
     const PairTable& pairs = world_.state().pairs;
-    std::size_t k = 0;
-    for (BodyIndex i = 0; i < bodies_.size(); ++i) {
+    std::size_t k = pairs_before(pairs, first_);
+    for (BodyIndex i = first_; i < end; ++i) {
       for (; k < pairs.size() && pairs.a[k] == i; ++k) pair(i, pairs.b[k]);
       if (world_.state().def.ground && bodies_.is_static[i] == 0) ground(i);
     }
@@ -52,7 +100,7 @@ class Builder {
 
   void pair(BodyIndex lo, BodyIndex hi) {
     const bool moves = bodies_.moves(lo) || bodies_.moves(hi);
-    if (!moves) return recall_.keep(lo, hi, scratch_);
+    if (!moves) return recall_.keep(lo, hi, out_);
     const Vec3 approach = bodies_.velocity[hi] - bodies_.velocity[lo];
     look_ahead(lo, hi, approach);
     const BoxPair boxes(scratch_.frames[lo], later_frame_);
@@ -130,7 +178,7 @@ class Builder {
 
   void add_face(BodyIndex reference, BodyIndex incident, int axis, double margin) {
     Manifold m = fresh(reference, incident);
-    face_manifold(side_of(reference, incident, margin), axis, m, scratch_.manifold_points);
+    face_manifold(side_of(reference, incident, margin), axis, m, out_.points);
     separate_as_now(m);
     finish(m);
   }
@@ -140,11 +188,10 @@ class Builder {
     Manifold m = fresh(reference, incident);
     const ManifoldSide side = side_of(reference, incident, margin);
     if (reference < incident) {
-      edge_manifold(side, boxes, axis, separation, m, scratch_.manifold_points);
+      edge_manifold(side, boxes, axis, separation, m, out_.points);
     } else {
       const int i = (axis - 6) / 3, j = (axis - 6) % 3;
-      edge_manifold(side, BoxPair(*side.reference, *side.incident), 6 + 3 * j + i, separation, m,
-                    scratch_.manifold_points);
+      edge_manifold(side, BoxPair(*side.reference, *side.incident), 6 + 3 * j + i, separation, m, out_.points);
     }
     separate_as_now(m);
     finish(m);
@@ -154,17 +201,17 @@ class Builder {
   void separate_as_now(const Manifold& m) {
     if (later_ == 0) return;
     const double opening = dot(Vec3(bodies_.velocity[m.b] - bodies_.velocity[m.a]), m.n);
-    for (ManifoldPoint& point : points_of(scratch_, m)) point.separation -= later_ * opening;
+    for (ManifoldPoint& point : points_of(out_, m)) point.separation -= later_ * opening;
   }
 
   void ground(BodyIndex i) {
-    if (!bodies_.moves(i)) return recall_.keep(i, kGround, scratch_);
+    if (!bodies_.moves(i)) return recall_.keep(i, kGround, out_);
     const BoxFrame& frame = scratch_.frames[i];
     const double slack = slack_of(frame.half_extent.minCoeff());
     const double reach = std::max(0.0, -bodies_.velocity.z[i]) * dt_ + (turning(i) + fall_) + slack;
     if (frame.position.z() - reach_along(frame, 2) > reach) return;
     Manifold m = fresh(kGround, i);
-    ground_manifold(frame, reach, m, scratch_.manifold_points);
+    ground_manifold(frame, reach, m, out_.points);
     finish(m);
   }
 
@@ -185,7 +232,7 @@ class Builder {
 
   // Leaves out the points that cannot meet within the step, and takes over the last step's impulses.
   void finish(Manifold& m) {
-    std::vector<ManifoldPoint>& points = scratch_.manifold_points;
+    std::vector<ManifoldPoint>& points = out_.points;
     const Vec3 va = m.a == kGround ? Vec3(Vec3::Zero()) : bodies_.velocity[m.a];
     const Vec3 wa = m.a == kGround ? Vec3(Vec3::Zero()) : bodies_.spin[m.a];
     const Vec3 u = (bodies_.velocity[m.b] - va) - cross(wa, m.d), w = bodies_.spin[m.b] - wa;
@@ -201,13 +248,15 @@ class Builder {
     points.resize(kept);
     m.count = static_cast<std::uint32_t>(kept - m.first);
     if (m.count == 0) return;
-    recall_.warm_start(m, points_of(scratch_, m));
-    scratch_.manifolds.push_back(m);
+    recall_.warm_start(m, points_of(out_, m));
+    out_.manifolds.push_back(m);
   }
 
-  World& world_;
+  const World& world_;
   const Bodies& bodies_;
-  Scratch& scratch_;
+  const Scratch& scratch_;
+  ManifoldList& out_;
+  BodyIndex first_;
   double dt_;
   BoxFrame later_frame_{};  // of the pair's higher row, when they meet
   double later_ = 0;        // s, when that is
@@ -218,7 +267,15 @@ class Builder {
 }  // namespace
 
 Status find_manifolds(World& world, double dt_s) {
-  Builder(world, dt_s).build();
+  Scratch& scratch = world.mutable_scratch();
+  const std::size_t work = world.state().pairs.size() + world.bodies().size();
+  const unsigned parts = part_count(scratch.workers, work, kWorthPairs);
+  if (scratch.manifolds_by.size() < parts) scratch.manifolds_by.resize(parts);
+  for_parts(scratch.workers, parts, [&](unsigned part) {
+    Builder builder(world, dt_s, first_body(world, part, parts), scratch.manifolds_by[part]);
+    builder.build(first_body(world, part + 1, parts));
+  });
+  join(scratch, parts);
   return {};
 }
 

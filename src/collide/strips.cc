@@ -9,11 +9,12 @@
 namespace tumble::sim {
 namespace {
 
-constexpr double kStripWidth = 2;       // mean extents
-constexpr double kBinWidth = 0.125;     // mean extents
-constexpr double kBinReach = 1.01;      // bins; the quotient that finds one is rounded
-constexpr double kCrowd = 8;            // boxes side by side in a strip from which on the third axis pays too
-constexpr std::size_t kFewBodies = 48;  // one strip will do
+constexpr double kStripWidth = 2;             // mean extents
+constexpr double kBinWidth = 0.125;           // mean extents
+constexpr double kBinReach = 1.01;            // bins; the quotient that finds one is rounded
+constexpr double kCrowd = 8;                  // boxes side by side in a strip from which on the third axis pays too
+constexpr std::size_t kFewBodies = 48;        // one strip will do
+constexpr std::size_t kWorthEntries = 16384;  // for a thread more
 
 // How the bodies lie along an axis.
 struct Spread {
@@ -110,7 +111,7 @@ void fill_cells(SweepScratch& sweep, const Cells& cells) {
 }
 
 // Entries are in order to within `bin`, m, so it looks that much farther and asks for overlap along the first axis too.
-void sweep_cell(SweepScratch& sweep, const Cells& cells, std::uint32_t cell, double bin) {
+void sweep_cell(const SweepScratch& sweep, const Cells& cells, std::uint32_t cell, double bin, FoundPairs& found) {
   const SweepScratch::Entry* const end = sweep.entries.data() + sweep.cell_start[cell + 1];
   for (const SweepScratch::Entry* i = sweep.entries.data() + sweep.cell_start[cell]; i != end; ++i) {
     const SweepScratch::Box& p = i->box;
@@ -124,7 +125,7 @@ void sweep_cell(SweepScratch& sweep, const Cells& cells, std::uint32_t cell, dou
       if (apart) continue;
       // In several cells together, it counts in the first.
       const std::uint32_t s = cells.second.of(std::max(p.low2, q.low2)), t = cells.third.of(std::max(p.low3, q.low3));
-      if (s * cells.third.count + t == cell) sweep.found.push_back(std::minmax(i->body, j->body));
+      if (s * cells.third.count + t == cell) found.push_back(std::minmax(i->body, j->body));
     }
   }
 }
@@ -138,6 +139,27 @@ void gather_boxes(Scratch& scratch, int first, int second, int third) {
   for (std::size_t k = 0; k < sweep.order.size(); ++k) {
     const BodyIndex i = sweep.order[k];
     sweep.boxes[k] = {low1[i], high1[i], low2[i], high2[i], low3[i], high3[i]};
+  }
+}
+
+// Each thread takes cells that hold as many entries as the others'.
+void sweep_cells(Scratch& scratch, const Cells& cells, double bin) {
+  SweepScratch& sweep = scratch.sweep;
+  const unsigned parts = part_count(scratch.workers, sweep.entries.size(), kWorthEntries);
+  const std::vector<std::uint32_t>& start = sweep.cell_start;
+  const auto first_cell = [&](unsigned part) {
+    const std::size_t entry = sweep.entries.size() * part / parts;
+    return static_cast<std::uint32_t>(std::lower_bound(start.begin(), start.end() - 1, entry) - start.begin());
+  };
+  if (sweep.found_by.size() < parts) sweep.found_by.resize(parts);
+  for_parts(scratch.workers, parts, [&](unsigned part) {
+    FoundPairs& found = part == 0 ? sweep.found : sweep.found_by[part];
+    found.clear();
+    const std::uint32_t end = part + 1 == parts ? cells.count() : first_cell(part + 1);
+    for (std::uint32_t c = first_cell(part); c < end; ++c) sweep_cell(sweep, cells, c, bin, found);
+  });
+  for (unsigned part = 1; part < parts; ++part) {
+    sweep.found.insert(sweep.found.end(), sweep.found_by[part].begin(), sweep.found_by[part].end());
   }
 }
 
@@ -155,7 +177,7 @@ void find_in_cells(Scratch& scratch) {
   const double crowd = n / (std::max(1.0, first.extents()) * cells.second.count);
   if (crowd > kCrowd) cells.third = lay_strips(scratch, axes[2], 2 * n / cells.second.count);
   fill_cells(sweep, cells);
-  for (std::uint32_t c = 0; c < cells.count(); ++c) sweep_cell(sweep, cells, c, kBinReach * bins.width);
+  sweep_cells(scratch, cells, kBinReach * bins.width);
 }
 
 }  // namespace
@@ -164,15 +186,13 @@ void find_overlaps_in_strips(Scratch& scratch, PairTable& pairs) {
   SweepScratch& sweep = scratch.sweep;
   sweep.found.clear();
   if (!scratch.frames.empty()) find_in_cells(scratch);
-  sort_pairs(sweep, scratch.frames.size());
-  pairs.clear();
+  sort_pairs(scratch);
+  pairs.a.resize(sweep.partner.size());
   for (BodyIndex a = 0; a + 1 < sweep.start.size(); ++a) {
-    for (std::uint32_t k = sweep.start[a]; k < sweep.start[a + 1]; ++k) {
-      pairs.a.push_back(a);
-      pairs.b.push_back(sweep.partner[k]);
-      pairs.planes.push_back(0);
-    }
+    std::fill(pairs.a.begin() + sweep.start[a], pairs.a.begin() + sweep.start[a + 1], a);
   }
+  pairs.b = sweep.partner;
+  pairs.planes.assign(sweep.partner.size(), 0);
 }
 
 }  // namespace tumble::sim

@@ -8,8 +8,9 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kSamples = 64;  // bodies that judge an axis
-constexpr int kAxisLifetime = 64;     // sub-steps until the axes are judged again
+constexpr std::size_t kWorthBodies = 16384;  // for a thread more
+constexpr std::size_t kSamples = 64;         // bodies that judge an axis
+constexpr int kAxisLifetime = 64;            // sub-steps until the axes are judged again
 
 // The reach of the box along each world axis, rounded up to the grid: position ± reach is then exact.
 Vec3 grid_reach(const BoxFrame& frame) {
@@ -127,16 +128,20 @@ void merge_pairs(SweepScratch& sweep, PairTable& pairs) {
 
 }  // namespace
 
-void sort_pairs(SweepScratch& sweep, std::size_t n) {
+void sort_pairs(Scratch& scratch) {
+  SweepScratch& sweep = scratch.sweep;
+  const std::size_t n = scratch.frames.size();
   sweep.start.assign(n + 1, 0);
   for (const auto& pair : sweep.found) ++sweep.start[pair.first + 1];
   for (std::size_t a = 0; a < n; ++a) sweep.start[a + 1] += sweep.start[a];
   sweep.partner.resize(sweep.found.size());
   sweep.next.assign(sweep.start.begin(), sweep.start.end() - 1);
   for (const auto& pair : sweep.found) sweep.partner[sweep.next[pair.first]++] = pair.second;
-  for (std::size_t a = 0; a < n; ++a) {
-    std::sort(sweep.partner.begin() + sweep.start[a], sweep.partner.begin() + sweep.start[a + 1]);
-  }
+  for_ranges(scratch.workers, n, kWorthBodies, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t a = begin; a < end; ++a) {
+      std::sort(sweep.partner.begin() + sweep.start[a], sweep.partner.begin() + sweep.start[a + 1]);
+    }
+  });
 }
 
 void update_frames(const Bodies& bodies, Scratch& scratch) {
@@ -144,13 +149,15 @@ void update_frames(const Bodies& bodies, Scratch& scratch) {
   scratch.frames.resize(n);
   scratch.aabb_low.resize(n);
   scratch.aabb_high.resize(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    BoxFrame& frame = scratch.frames[i];
-    frame = {bodies.position[i], axes_of(bodies.orientation[i]), bodies.half_extent[i]};
-    const Vec3 reach = grid_reach(frame);
-    scratch.aabb_low.set(i, frame.position - reach);
-    scratch.aabb_high.set(i, frame.position + reach);
-  }
+  for_ranges(scratch.workers, n, kWorthBodies, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      BoxFrame& frame = scratch.frames[i];
+      frame = {bodies.position[i], axes_of(bodies.orientation[i]), bodies.half_extent[i]};
+      const Vec3 reach = grid_reach(frame);
+      scratch.aabb_low.set(i, frame.position - reach);
+      scratch.aabb_high.set(i, frame.position + reach);
+    }
+  });
 }
 
 void find_overlaps(Scratch& scratch, PairTable& pairs) {
@@ -158,7 +165,7 @@ void find_overlaps(Scratch& scratch, PairTable& pairs) {
   sort_boxes(sweep, scratch);
   gather(sweep, scratch);
   sweep_pairs(sweep);
-  sort_pairs(sweep, scratch.frames.size());
+  sort_pairs(scratch);
   merge_pairs(sweep, pairs);
 }
 

@@ -11,7 +11,7 @@ void update_frames(const Bodies& bodies, Scratch& scratch);
 
 /// Sorts the pairs in sweep.found by (a, b), a < n: by counting for a, directly for the few b of one a. The partners of
 /// a are then sweep.partner[sweep.start[a]] up to sweep.start[a + 1].
-void sort_pairs(SweepScratch& sweep, std::size_t n);
+void sort_pairs(Scratch& scratch);
 
 /// The column of an axis (0, 1, 2).
 inline const std::vector<double>& column_of(const Vec3Column& columns, int axis) {

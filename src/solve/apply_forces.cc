@@ -1,23 +1,26 @@
 #include "src/solve/apply_forces.h"
 
 #include "src/math/grid.h"
-#include "src/solve/contact_batches.h"
 #include "src/solve/sweep_layers.h"
 
 namespace tumble::sim {
+namespace {
+
+constexpr std::size_t kWorthBodies = 8192;  // for a thread more
+
+}  // namespace
 
 Status apply_forces(World& world, double substep_s) {
   Scratch& scratch = world.mutable_scratch();
   const Vec3 fall = world.state().def.gravity * substep_s;
-  for (BodyIndex i = 0; i < world.bodies().size(); ++i) {
-    if (scratch.in_contact[i] == 0) continue;
-    scratch.solver_sums[i].velocity += VelocityGrid::round(Vec3(fall * scratch.solver_bodies[i].weight));
-  }
-  contact_kernels(scratch.lanes).warm_start(all_contacts(scratch, substep_s));
-  for (BodyIndex i = 0; i < world.bodies().size(); ++i) {
-    scratch.solver_bodies[i].velocity = scratch.solver_sums[i].velocity;
-    scratch.solver_bodies[i].spin = scratch.solver_sums[i].spin;
-  }
+  for_ranges(scratch.workers, world.bodies().size(), kWorthBodies, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (scratch.in_contact[i] == 0) continue;
+      SolverBody& body = scratch.solver_bodies[i];
+      body.velocity += VelocityGrid::round(Vec3(fall * body.weight));
+    }
+  });
+  warm_start_layers(world, substep_s);
   return {};
 }
 

@@ -7,7 +7,7 @@
 namespace tumble::sim {
 
 /// Restitution, once a step: points that were hit leave with e times the speed at which they met.
-/// Reads and writes: impulses in contact_batches; solver_sums; solver_bodies' velocity and spin
+/// Reads and writes: impulses in contact_batches; solver_bodies' velocity and spin
 Status bounce_contacts(World& world, double dt_s);
 void hash_bounce_contacts(const World& world, Hasher& hasher);
 

@@ -49,7 +49,8 @@ void move_on_all(const ContactWork& work) {
 
 template <int kWidth>
 constexpr ContactKernels kernels_of() {
-  return {prepare_all<kWidth>, solve_all<kWidth>, warm_start_all<kWidth>, move_on_all<kWidth>};
+  return {prepare_all<kWidth>, solve_all<kWidth>, warm_start_all<kWidth>,
+          apply_outcomes<typename VectorOf<kWidth>::Type>, move_on_all<kWidth>};
 }
 
 }  // namespace

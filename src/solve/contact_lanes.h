@@ -95,19 +95,21 @@ Wrench<V> friction_wrench(const Manifolds<V>& m, V force1, V force2, V turn) {
 }
 
 template <class V>
-void add_side(double* sums, const std::uint32_t* row, const Body<V>& body, Space<V> force, Space<V> torque) {
+void write_side(double* outcomes, const Body<V>& body, Space<V> force, Space<V> torque) {
   const Space<V> v = force * body.inverse_mass, w = spin_of(body, torque);
   const V zero = V{} + 0.0;
   const V first[4] = {round_motion(v.x), round_motion(v.y), round_motion(v.z), round_motion(w.x)};
   const V second[4] = {round_motion(w.y), round_motion(w.z), zero, zero};
-  add4(sums, kSolverMotionDoubles, row, 0, first);
-  add4(sums, kSolverMotionDoubles, row, 4, second);
+  scatter4(outcomes, 2 * kOutcomeDoubles, first);
+  scatter4(outcomes + 4, 2 * kOutcomeDoubles, second);
 }
 
 template <class V>
-void add_wrench(double* sums, const Manifolds<V>& m, const Wrench<V>& wrench) {
-  add_side(sums, m.batch->b + m.at, m.b, wrench.force, wrench.torque);
-  add_side(sums, m.batch->a + m.at, m.a, -wrench.force, -reaction_torque(m, wrench));
+void write_outcomes(const ContactWork& work, const Manifolds<V>& m, const Wrench<V>& wrench) {
+  const std::size_t lane = static_cast<std::size_t>(m.batch - work.batches) * kLanes + m.at;
+  double* const row = work.outcomes + 2 * lane * kOutcomeDoubles;
+  write_side(row, m.a, -wrench.force, -reaction_torque(m, wrench));
+  write_side(row + kOutcomeDoubles, m.b, wrench.force, wrench.torque);
 }
 
 // Impulses are rounded to a power-of-two grid that is fine for the lighter body, so that their sums have no order.

@@ -6,6 +6,8 @@
 namespace tumble::sim {
 namespace {
 
+constexpr std::size_t kWorthManifolds = 4096;  // for a thread more
+
 std::pair<BodyIndex, BodyIndex> key_of(const ContactMemory& memory, std::size_t k) {
   const BodyIndex a = memory.a[k], b = memory.b[k];
   return a == kGround ? std::make_pair(b, kGround) : std::make_pair(std::min(a, b), std::max(a, b));
@@ -31,20 +33,39 @@ struct Cursor {
   }
 };
 
-}  // namespace
-void remember_contacts(const Scratch& scratch, ContactMemory& memory) {
-  memory.clear();
-  for (const Manifold& m : scratch.manifolds) {
-    memory.a.push_back(m.a);
-    memory.b.push_back(m.b);
-    memory.count.push_back(m.count);
-    memory.friction.push_back(plus_zero(m.asleep ? m.d : Vec3(m.t1 * m.force1 + m.t2 * m.force2)));
-    memory.twist.push_back(plus_zero(m.twist));
-    for (const ManifoldPoint& point : points_of(scratch, m)) {
-      memory.feature.push_back(point.feature);
-      memory.impulse.push_back(plus_zero(point.impulse));
-    }
+void remember(const Scratch& scratch, const Manifold& m, ContactMemory& memory, std::size_t at, std::size_t point) {
+  memory.a[at] = m.a;
+  memory.b[at] = m.b;
+  memory.friction.set(at, plus_zero(m.asleep ? m.d : Vec3(m.t1 * m.force1 + m.t2 * m.force2)));
+  memory.twist[at] = plus_zero(m.twist);
+  for (const ManifoldPoint& p : points_of(scratch, m)) {
+    memory.feature[point] = p.feature;
+    memory.impulse[point] = plus_zero(p.impulse);
+    ++point;
   }
+}
+
+}  // namespace
+
+void remember_contacts(const Scratch& scratch, ContactMemory& memory) {
+  const std::vector<Manifold>& manifolds = scratch.manifolds;
+  std::size_t points = 0;
+  memory.count.resize(manifolds.size());
+  for (std::size_t k = 0; k < manifolds.size(); ++k) points += memory.count[k] = manifolds[k].count;
+  memory.a.resize(manifolds.size());
+  memory.b.resize(manifolds.size());
+  memory.friction.resize(manifolds.size());
+  memory.twist.resize(manifolds.size());
+  memory.feature.resize(points);
+  memory.impulse.resize(points);
+  for_ranges(scratch.workers, manifolds.size(), kWorthManifolds, [&](std::size_t begin, std::size_t end) {
+    std::size_t point = 0;
+    for (std::size_t k = 0; k < begin; ++k) point += memory.count[k];
+    for (std::size_t k = begin; k < end; ++k) {
+      remember(scratch, manifolds[k], memory, k, point);
+      point += memory.count[k];
+    }
+  });
 }
 
 void merge_contacts(ContactMemory& memory, const ContactMemory& added) {

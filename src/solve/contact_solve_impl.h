@@ -114,7 +114,7 @@ void solve_manifolds(const ContactWork& work, ContactBatch& batch, unsigned at) 
   const Manifolds<V> m(work, batch, at);
   Motion<V> motion = relative_motion(m);
   if constexpr (kSweep == Sweep::kRestitution) {
-    add_wrench(work.sums, m, solve_normals<kSweep>(m, motion, work.substep_s));
+    write_outcomes(work, m, solve_normals<kSweep>(m, motion, work.substep_s));
   } else {
     const Wrench<V> friction = solve_friction(m, motion);
     const V split_a = m.get(batch.split_a), split_b = m.get(batch.split_b);
@@ -125,7 +125,7 @@ void solve_manifolds(const ContactWork& work, ContactBatch& batch, unsigned at) 
     motion.u = motion.u + ((vb - va) - cross(wa, m.d));
     motion.w = motion.w + (wb - wa);
     const Wrench<V> normal = solve_normals<kSweep>(m, motion, work.substep_s);
-    add_wrench(work.sums, m, {friction.force + normal.force, friction.torque + normal.torque});
+    write_outcomes(work, m, {friction.force + normal.force, friction.torque + normal.torque});
   }
 }
 
@@ -133,7 +133,8 @@ template <class V>
 void solve(const ContactWork& work, ContactBatch& batch, unsigned at, Sweep sweep) {
   if (sweep == Sweep::kPush) return solve_manifolds<Sweep::kPush, V>(work, batch, at);
   if (sweep == Sweep::kRelax) return solve_manifolds<Sweep::kRelax, V>(work, batch, at);
-  if (batch.bounces) solve_manifolds<Sweep::kRestitution, V>(work, batch, at);
+  if (batch.bounces) return solve_manifolds<Sweep::kRestitution, V>(work, batch, at);
+  write_outcomes(work, Manifolds<V>(work, batch, at), Wrench<V>{});
 }
 
 template <class V>
@@ -151,7 +152,23 @@ void warm_start(const ContactWork& work, ContactBatch& batch, unsigned at) {
   const V force1 = m.get(batch.force1), force2 = m.get(batch.force2);
   const V turn = m.get(batch.twist) + (m.get(batch.centre_p) * force2 - m.get(batch.centre_q) * force1);
   const Wrench<V> normal = normal_wrench(m, s, sq, sp), friction = friction_wrench(m, force1, force2, turn);
-  add_wrench(work.sums, m, {normal.force + friction.force, normal.torque + friction.torque});
+  write_outcomes(work, m, {normal.force + friction.force, normal.torque + friction.torque});
+}
+
+// Every body of a layer, its outcomes one after the other; exact sums have no order.
+template <class V>
+void apply_outcomes(const ContactWork& work, const BodyOutcomes* of, std::size_t count) {
+  constexpr std::size_t kAtOnce = sizeof(V) / sizeof(double);
+  for (std::size_t k = 0; k < count; ++k) {
+    double* const body = work.bodies + of[k].body * kSolverBodyDoubles;
+    for (std::size_t part = 0; part < kOutcomeDoubles; part += kAtOnce) {
+      V motion = load<V>(body + part);
+      for (std::uint32_t e = of[k].begin; e < of[k].end; ++e) {
+        motion += load<V>(work.outcomes + work.entries[e] * kOutcomeDoubles + part);
+      }
+      store(body + part, motion);
+    }
+  }
 }
 
 template <class V>

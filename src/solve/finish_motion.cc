@@ -8,6 +8,8 @@
 namespace tumble::sim {
 namespace {
 
+constexpr std::size_t kWorthBodies = 8192;  // for a thread more
+
 void leave_contact(World& world, BodyIndex i, double dt_s) {
   Bodies& bodies = world.mutable_state().bodies;
   const Scratch& scratch = world.scratch();
@@ -17,17 +19,24 @@ void leave_contact(World& world, BodyIndex i, double dt_s) {
   bodies.spin.set(i, plus_zero(slower > 1 ? VelocityGrid::round(Vec3(body.spin / slower)) : body.spin));
 }
 
+void finish_body(World& world, BodyIndex i, double dt_s) {
+  if (!world.bodies().moves(i)) return;
+  if (world.scratch().in_contact[i] != 0) {
+    leave_contact(world, i, dt_s);
+  } else {
+    fly_freely(world.mutable_state(), i, dt_s);
+  }
+}
+
 }  // namespace
 
 Status finish_motion(World& world, double dt_s) {
   const Bodies& bodies = world.bodies();
+  for_ranges(world.scratch().workers, bodies.size(), kWorthBodies, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) finish_body(world, static_cast<BodyIndex>(i), dt_s);
+  });
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
     if (!bodies.moves(i)) continue;
-    if (world.scratch().in_contact[i] != 0) {
-      leave_contact(world, i, dt_s);
-    } else {
-      fly_freely(world.mutable_state(), i, dt_s);
-    }
     if (Status ok = check_body(bodies, i); !ok.ok()) return ok;
   }
   remember_contacts(world.scratch(), world.mutable_state().contact_memory);

@@ -9,6 +9,7 @@
 namespace tumble::sim {
 namespace {
 
+constexpr std::size_t kWorthBodies = 4096, kWorthBatches = 256;  // for a thread more
 constexpr double kStiff = 0.002;  // rad in a sub-step up to which a body's inertia is left as it was
 
 // Turned as in free flight, which keeps angular momentum and energy: held against the world, the spin of a fast bar
@@ -21,10 +22,15 @@ void turn(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) {
   const double turned_squared = dot(body.spin, body.spin) * (substep_s * substep_s);
   if (inertia.x() == inertia.y() && inertia.y() == inertia.z()) return;
   body.spin = rotation.spin;
-  scratch.solver_sums[i].spin = rotation.spin;
   if (turned_squared > kStiff * kStiff) {
     set_inverse_inertia(body, axes_of(rotation.orientation), inverse * body.weight);
   }
+}
+
+void move_body(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) {
+  const Vec3 path = PositionGrid::round(Vec3(scratch.solver_bodies[i].velocity * substep_s));
+  bodies.position.set(i, plus_zero(bodies.position[i] + path));
+  turn(bodies, scratch, i, substep_s);
 }
 
 }  // namespace
@@ -32,13 +38,15 @@ void turn(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) {
 Status integrate_positions(World& world, double substep_s) {
   Bodies& bodies = world.mutable_state().bodies;
   Scratch& scratch = world.mutable_scratch();
-  for (BodyIndex i = 0; i < bodies.size(); ++i) {
-    if (scratch.in_contact[i] == 0) continue;
-    const Vec3 path = PositionGrid::round(Vec3(scratch.solver_bodies[i].velocity * substep_s));
-    bodies.position.set(i, plus_zero(bodies.position[i] + path));
-    turn(bodies, scratch, i, substep_s);
-  }
-  contact_kernels(scratch.lanes).move_on(all_contacts(scratch, substep_s));
+  for_ranges(scratch.workers, bodies.size(), kWorthBodies, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (scratch.in_contact[i] != 0) move_body(bodies, scratch, static_cast<BodyIndex>(i), substep_s);
+    }
+  });
+  const ContactWork work = all_contacts(scratch, substep_s);
+  for_ranges(scratch.workers, work.count, kWorthBatches, [&](std::size_t begin, std::size_t end) {
+    contact_kernels(scratch.lanes).move_on(part_of(work, begin, end));
+  });
   return {};
 }
 

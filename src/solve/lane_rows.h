@@ -2,6 +2,7 @@
 
 // Rows of bodies turned into lanes and back: lane k gets the row of its own body. For the files of lane_vector.h.
 
+#include <cstddef>
 #include <cstdint>
 
 #include "src/solve/lane_vector.h"
@@ -24,17 +25,15 @@ inline void gather4(const double* rows, unsigned stride, const std::uint32_t* ro
   }
 }
 
-// Adds four numbers of each lane to the row of its body, lane after lane: two lanes may share a body.
-inline void add4(double* rows, unsigned stride, const std::uint32_t* row, unsigned at, const double* v) {
-  for (unsigned k = 0; k < 4; ++k) rows[row[0] * stride + at + k] += v[k];
+// Stores four numbers of each lane as a row; the rows lie `stride` doubles apart.
+inline void scatter4(double* rows, unsigned /*stride*/, const double* v) {
+  for (unsigned k = 0; k < 4; ++k) rows[k] = v[k];
 }
 
-inline void add4(double* rows, unsigned stride, const std::uint32_t* row, unsigned at, const Two* v) {
+inline void scatter4(double* rows, unsigned stride, const Two* v) {
   for (unsigned half = 0; half < 4; half += 2) {
-    double* r0 = rows + row[0] * stride + at + half;
-    store(r0, load<Two>(r0) + __builtin_shufflevector(v[half], v[half + 1], 0, 2));
-    double* r1 = rows + row[1] * stride + at + half;
-    store(r1, load<Two>(r1) + __builtin_shufflevector(v[half], v[half + 1], 1, 3));
+    store(rows + half, __builtin_shufflevector(v[half], v[half + 1], 0, 2));
+    store(rows + stride + half, __builtin_shufflevector(v[half], v[half + 1], 1, 3));
   }
 }
 
@@ -55,13 +54,10 @@ inline void gather4(const double* rows, unsigned stride, const std::uint32_t* ro
   transpose(out[0], out[1], out[2], out[3]);
 }
 
-inline void add4(double* rows, unsigned stride, const std::uint32_t* row, unsigned at, const Four* v) {
+inline void scatter4(double* rows, unsigned stride, const Four* v) {
   Four r[4] = {v[0], v[1], v[2], v[3]};
   transpose(r[0], r[1], r[2], r[3]);
-  for (unsigned k = 0; k < 4; ++k) {
-    double* to = rows + row[k] * stride + at;
-    store(to, load<Four>(to) + r[k]);
-  }
+  for (unsigned k = 0; k < 4; ++k) store(rows + k * stride, r[k]);
 }
 
 #endif  // __AVX2__
@@ -76,14 +72,14 @@ inline void gather4(const double* rows, unsigned stride, const std::uint32_t* ro
   for (unsigned k = 0; k < 4; ++k) out[k] = __builtin_shufflevector(low[k], high[k], 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-inline void add4(double* rows, unsigned stride, const std::uint32_t* row, unsigned at, const Eight* v) {
+inline void scatter4(double* rows, unsigned stride, const Eight* v) {
   Four low[4], high[4];
   for (unsigned k = 0; k < 4; ++k) {
     low[k] = __builtin_shufflevector(v[k], v[k], 0, 1, 2, 3);
     high[k] = __builtin_shufflevector(v[k], v[k], 4, 5, 6, 7);
   }
-  add4(rows, stride, row, at, low);
-  add4(rows, stride, row + 4, at, high);
+  scatter4(rows, stride, low);
+  scatter4(rows + 4 * std::size_t{stride}, stride, high);
 }
 
 #endif  // __AVX512F__

@@ -1,31 +1,38 @@
 #include "src/solve/prepare_manifolds.h"
 
+#include "src/solve/batch_contacts.h"
 #include "src/solve/contact_batches.h"
 #include "src/solve/solver_body.h"
 
 namespace tumble::sim {
 namespace {
 
+constexpr std::size_t kWorthBodies = 8192, kWorthBatches = 128;  // for a thread more
+
+SolverBody solver_body(const Bodies& bodies, const Scratch& scratch, BodyIndex i) {
+  SolverBody body;
+  if (!bodies.moves(i)) return body;
+  body.velocity = bodies.velocity[i];
+  body.spin = bodies.spin[i];
+  const double mass = scratch.solver_mass[i];
+  const bool lent = mass != bodies.mass[i];
+  body.weight = bodies.mass[i] / mass;
+  body.inverse_mass = lent ? 1 / mass : bodies.inverse_mass[i];
+  set_inverse_inertia(body, scratch.frames[i].axes, bodies.inverse_inertia[i] * body.weight);
+  return body;
+}
+
 void prepare_bodies(World& world) {
   const Bodies& bodies = world.bodies();
   Scratch& scratch = world.mutable_scratch();
   const std::size_t n = bodies.size();
-  scratch.solver_bodies.assign(n + 1, {});
-  scratch.solver_sums.assign(n + 1, {});
-  for (BodyIndex i = 0; i < n; ++i) {
-    SolverBody& body = scratch.solver_bodies[i];
-    if (bodies.moves(i)) {
-      body.velocity = bodies.velocity[i];
-      body.spin = bodies.spin[i];
-      const double mass = scratch.solver_mass[i];
-      const bool lent = mass != bodies.mass[i];
-      body.weight = bodies.mass[i] / mass;
-      body.inverse_mass = lent ? 1 / mass : bodies.inverse_mass[i];
-      set_inverse_inertia(body, scratch.frames[i].axes, bodies.inverse_inertia[i] * body.weight);
+  scratch.solver_bodies.resize(n + 1);
+  scratch.solver_bodies[n] = {};
+  for_ranges(scratch.workers, n, kWorthBodies, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      scratch.solver_bodies[i] = solver_body(bodies, scratch, static_cast<BodyIndex>(i));
     }
-    scratch.solver_sums[i].velocity = body.velocity;
-    scratch.solver_sums[i].spin = body.spin;
-  }
+  });
 }
 
 void find_in_contact(World& world) {
@@ -46,8 +53,12 @@ Status prepare_manifolds(World& world, double dt_s) {
   find_in_contact(world);
   batch_contacts(world);
   Scratch& scratch = world.mutable_scratch();
-  contact_kernels(scratch.lanes).prepare(all_contacts(scratch, dt_s));
-  mark_bounces(scratch.contact_batches);
+  const ContactWork work = all_contacts(scratch, dt_s);
+  for_ranges(scratch.workers, work.count, kWorthBatches, [&](std::size_t begin, std::size_t end) {
+    const ContactWork part = part_of(work, begin, end);
+    contact_kernels(scratch.lanes).prepare(part);
+    mark_bounces(part);
+  });
   return {};
 }
 

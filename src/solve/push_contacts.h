@@ -7,7 +7,7 @@
 namespace tumble::sim {
 
 /// The main sweeps of a sub-step: contacts hold, slide, and push overlaps apart a little (bias).
-/// Reads and writes: impulses in contact_batches; solver_sums; solver_bodies' velocity and spin
+/// Reads and writes: impulses in contact_batches; solver_bodies' velocity and spin
 /// Order:  sweeps go down and up the levels in turn
 Status push_contacts(World& world, double substep_s);
 void hash_push_contacts(const World& world, Hasher& hasher);

@@ -7,7 +7,7 @@
 namespace tumble::sim {
 
 /// Sweeps without the push, after the positions have moved: takes the velocity that pushing gave out again.
-/// Reads and writes: impulses in contact_batches; solver_sums; solver_bodies' velocity and spin
+/// Reads and writes: impulses in contact_batches; solver_bodies' velocity and spin
 /// Order:  sweeps go down and up the levels in turn
 Status relax_contacts(World& world, double substep_s);
 void hash_relax_contacts(const World& world, Hasher& hasher);

@@ -10,20 +10,32 @@ namespace {
 constexpr int kLevelsPerSweep = 5;  // measured: columns of 8 that sway after a fall come to rest with two, not with one
 constexpr int kSweepsMax = 10;
 
-// The velocities that a layer's outcomes have led to, for the next layer to see.
-void commit(Scratch& scratch, const ContactWork& layer) {
-  for (std::size_t k = 0; k < layer.count; ++k) {
-    const ContactBatch& batch = layer.batches[k];
-    for (unsigned lane = 0; lane < batch.used; ++lane) {
-      for (const std::uint32_t row : {batch.a[lane], batch.b[lane]}) {
-        scratch.solver_bodies[row].velocity = scratch.solver_sums[row].velocity;
-        scratch.solver_bodies[row].spin = scratch.solver_sums[row].spin;
-      }
-    }
-  }
+constexpr std::size_t kWorthBatches = 64;  // for a thread more; measured
+constexpr std::size_t kWorthBodies = 1024;
+
+// Lets the manifolds of a layer find what they do, then the bodies take it up.
+template <class Solve>
+void solve_layer(Scratch& scratch, std::size_t layer, double substep_s, Solve solve) {
+  const ContactBatches& all = scratch.contact_batches;
+  const ContactWork work = contacts_of_layer(scratch, layer, substep_s);
+  for_ranges(scratch.workers, work.count, kWorthBatches,
+             [&](std::size_t begin, std::size_t end) { solve(part_of(work, begin, end)); });
+  const BodyOutcomes* touched = all.touched.data() + all.touched_start[layer];
+  const std::size_t count = all.touched_start[layer + 1] - all.touched_start[layer];
+  const ContactKernels& kernels = contact_kernels(scratch.lanes);
+  for_ranges(scratch.workers, count, kWorthBodies,
+             [&](std::size_t begin, std::size_t end) { kernels.apply_outcomes(work, touched + begin, end - begin); });
 }
 
 }  // namespace
+
+void warm_start_layers(World& world, double substep_s) {
+  Scratch& scratch = world.mutable_scratch();
+  const ContactKernels& kernels = contact_kernels(scratch.lanes);
+  for (std::size_t layer = 0; layer + 1 < scratch.layer_start.size(); ++layer) {
+    solve_layer(scratch, layer, substep_s, kernels.warm_start);
+  }
+}
 
 void sweep_layers(World& world, Sweep sweep, Direction direction, double substep_s) {
   Scratch& scratch = world.mutable_scratch();
@@ -31,9 +43,7 @@ void sweep_layers(World& world, Sweep sweep, Direction direction, double substep
   const std::size_t layers = scratch.layer_start.size() - 1;
   for (std::size_t k = 0; k < layers; ++k) {
     const std::size_t layer = direction == Direction::kUp ? k : layers - 1 - k;
-    const ContactWork work = contacts_of_layer(scratch, layer, substep_s);
-    kernels.solve(work, sweep);
-    commit(scratch, work);
+    solve_layer(scratch, layer, substep_s, [&](const ContactWork& work) { kernels.solve(work, sweep); });
   }
 }
 
@@ -46,9 +56,9 @@ void hash_solution(const World& world, Hasher& hasher) {
   const Scratch& scratch = world.scratch();
   const std::size_t n = world.bodies().size();
   std::vector<double> column(n);
-  for (const auto& part : {&SolverMotion::velocity, &SolverMotion::spin}) {
+  for (const auto& part : {&SolverBody::velocity, &SolverBody::spin}) {
     for (int axis = 0; axis < 3; ++axis) {
-      for (std::size_t i = 0; i < n; ++i) column[i] = (scratch.solver_sums[i].*part)[axis];
+      for (std::size_t i = 0; i < n; ++i) column[i] = (scratch.solver_bodies[i].*part)[axis];
       hasher.add(std::span<const double>(column));
     }
   }

@@ -12,6 +12,9 @@ enum class Direction { kUp, kDown };
 /// outcomes are added up as grid doubles, so no order within the layer shows.
 void sweep_layers(World& world, Sweep sweep, Direction direction, double substep_s);
 
+/// Gives bodies the impulses that their contacts have from before.
+void warm_start_layers(World& world, double substep_s);
+
 /// How often to sweep: impulses must find their way through the height of a stack, from 1 to 10 times.
 int sweep_count(const Scratch& scratch);
 

@@ -28,12 +28,18 @@ struct PointBatch {
   Lanes peak;      ///< N·s, the largest impulse of this step: whether it was ever hit
 };
 
+/// A body of a layer, and which of the layer's outcomes are its own: [begin, end) of the entries.
+struct BodyOutcomes {
+  std::uint32_t body = 0, begin = 0, end = 0;
+};
+
 /// Up to eight manifolds of one layer, as the solver sees them: the fields are Manifold's. An unused lane holds zeros
 /// and the row after the last body, which does not move.
 struct ContactBatch {
   std::uint32_t a[kLanes] = {}, b[kLanes] = {};  ///< rows of solver_bodies; the row after the last body is the ground
   std::uint32_t used = 0;                        ///< lanes from the left
-  std::uint32_t first = 0, count = 0;            ///< its points, in Scratch::point_batches
+  std::uint32_t members = 0;                     ///< where its manifolds begin in ContactBatches::order
+  std::uint32_t first = 0, count = 0;            ///< its points
   bool bounces = false;                          ///< a point of it met fast enough to bounce
   Lanes point_count;                             ///< of each manifold
   Lanes n[3], t1[3], t2[3], d[3], offset;

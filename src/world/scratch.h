@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/base/ids.h"
+#include "src/base/workers.h"
 #include "src/math/rotation.h"
 #include "src/math/vec.h"
 #include "src/world/contact_batch.h"
@@ -50,6 +51,9 @@ struct Contacts {
   [[nodiscard]] std::size_t size() const { return a.size(); }
 };
 
+/// Pairs (a, b), a < b, in any order.
+using FoundPairs = std::vector<std::pair<BodyIndex, BodyIndex>>;
+
 /// What the broad phase keeps between sub-steps to be quick: the last sorted order and buffers.
 struct SweepScratch {
   struct Box {
@@ -59,7 +63,8 @@ struct SweepScratch {
   int age = 0;                   ///< sub-steps since it was chosen
   std::vector<BodyIndex> order;  ///< bodies by the low end of their AABB along it
   std::vector<Box> boxes;        ///< extents in that order
-  std::vector<std::pair<BodyIndex, BodyIndex>> found;
+  FoundPairs found;
+  std::vector<FoundPairs> found_by;        ///< by the threads but the first
   std::vector<std::uint32_t> start, next;  ///< of each a in `partner`
   std::vector<BodyIndex> partner;
   PairTable merged;
@@ -82,20 +87,29 @@ struct alignas(128) SolverBody {
   double unused[2] = {};
 };
 
-/// A body's velocity and spin while outcomes are being added up; also read as a row of doubles.
-struct alignas(64) SolverMotion {
-  Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();
-  double unused[2] = {};
+/// What a manifold does to one body: a row that the kernels write and add up.
+struct alignas(64) Outcome {
+  double of[8] = {};
 };
 
 /// The awake manifolds as the solver takes them, layer by layer; written by prepare_manifolds.
 struct ContactBatches {
   std::vector<ContactBatch> batches;
   std::vector<PointBatch> points;
-  std::vector<std::uint32_t> layer_start;  ///< of each layer in `batches`
-  std::vector<std::uint32_t> place;        ///< of each manifold: kLanes times its batch plus its lane
-  std::vector<std::uint32_t> order;        ///< manifolds of a layer while they are being batched
-  std::vector<std::uint32_t> uses;         ///< of each body in that layer
+  std::vector<std::uint32_t> layer_start;    ///< of each layer in `batches`
+  std::vector<std::uint32_t> place;          ///< of each manifold: kLanes times its batch plus its lane
+  std::vector<std::uint32_t> order;          ///< the manifolds, batch by batch
+  std::vector<BodyOutcomes> touched;         ///< moving bodies that each layer touches, layer by layer
+  std::vector<std::uint32_t> touched_start;  ///< of each layer in `touched`
+  std::vector<std::uint32_t> entries;        ///< rows of `outcomes`, body by body
+  std::vector<std::uint32_t> uses;           ///< of each body in a layer, while it is being counted
+  std::vector<Outcome> outcomes;             ///< of one layer at a time
+};
+
+/// Manifolds and their points.
+struct ManifoldList {
+  std::vector<Manifold> manifolds;
+  std::vector<ManifoldPoint> points;
 };
 
 /// A body that may freeze in this sub-step, and how low the lowest thing it touches lies.
@@ -128,15 +142,16 @@ struct Scratch {
   std::vector<double> turning;      ///< m, turning_reach of each body; written by find_near_pairs
   std::vector<Manifold> manifolds;  ///< in the order of the pairs; written by find_manifolds
   std::vector<ManifoldPoint> manifold_points;
+  std::vector<ManifoldList> manifolds_by;  ///< by the threads that find them
   std::vector<std::uint32_t> level;        ///< of each body: contacts away from the ground; written by assign_levels
   std::vector<std::uint32_t> layered;      ///< manifolds that are awake, layer by layer
   std::vector<std::uint32_t> layer_start;  ///< of each layer in `layered`
   std::vector<double> solver_mass;         ///< kg, inertia of each body in the solver; written by carry_weights
   std::vector<std::uint8_t> in_contact;    ///< moving bodies that have a manifold; written by prepare_manifolds
   std::vector<SolverBody> solver_bodies;  ///< written by prepare_manifolds, then by every sweep; the last is the ground
-  std::vector<SolverMotion> solver_sums;  ///< of the same bodies: sums in progress
   ContactBatches contact_batches;
   LaneWidth lanes = LaneWidth::kWidest;  ///< shows in nothing but time
+  Workers* workers = nullptr;            ///< likewise; not owned
 
   double removed_energy = 0;                       ///< J in this step; written by apply_outcomes
   std::vector<FreezeCandidate> freeze_candidates;  ///< written by update_freezing
@@ -147,6 +162,9 @@ struct Scratch {
 
 inline std::span<ManifoldPoint> points_of(Scratch& scratch, const Manifold& m) {
   return std::span(scratch.manifold_points).subspan(m.first, m.count);
+}
+inline std::span<ManifoldPoint> points_of(ManifoldList& list, const Manifold& m) {
+  return std::span(list.points).subspan(m.first, m.count);
 }
 inline std::span<const ManifoldPoint> points_of(const Scratch& scratch, const Manifold& m) {
   return std::span(scratch.manifold_points).subspan(m.first, m.count);

@@ -33,6 +33,10 @@ class World {
   /// Work done on the bodies by inputs since the last step, J (what each apply() added to the total energy).
   [[nodiscard]] double input_energy() const { return input_energy_; }
 
+  /// Steps are split over these hands from now on; null: none but the caller's. They must outlive their use, and show
+  /// in nothing but time.
+  void use(Workers* workers) { scratch_.workers = workers; }
+
   // For the phases only.
   WorldState& mutable_state() { return state_; }
   Scratch& mutable_scratch() { return scratch_; }

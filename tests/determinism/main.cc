@@ -1,7 +1,7 @@
 // Runs scenes and prints what they end in, one line each: name, steps, final hash; those of method layered in every
-// lane width that the build and the machine have. Needs only the simulation and the scene reader, so that it builds for
-// machines on which the log's libraries are not installed (tools/determinism.sh). Usage: determinism
-// SCENE.toml:STEPS...
+// lane width that the build and the machine have, and split over threads. Needs only the simulation and the scene
+// reader, so that it builds for machines on which the log's libraries are not installed (tools/determinism.sh). Usage:
+// determinism SCENE.toml:STEPS...
 #include <charconv>
 #include <cstdint>
 #include <cstdio>
@@ -15,15 +15,18 @@
 #include "src/scenes/scene_file.h"
 #include "src/solve/contact_kernels.h"
 #include "src/step/step.h"
+#include "src/threads/worker_threads.h"
 #include "src/world/world.h"
 
 namespace tumble {
 namespace {
 
-Result<Hash128> final_hash(const sim::SceneDef& scene, std::uint64_t steps, sim::LaneWidth lanes) {
+Result<Hash128> final_hash(const sim::SceneDef& scene, std::uint64_t steps, sim::LaneWidth lanes,
+                           Workers* workers = nullptr) {
   Result<sim::World> world = sim::World::create(scene);
   if (!world) return world.error();
   world->mutable_scratch().lanes = lanes;
+  world->use(workers);
   auto input = scene.inputs.begin();
   for (std::uint64_t k = 1; k <= steps; ++k) {
     for (; input != scene.inputs.end() && input->step == k; ++input) {
@@ -34,19 +37,26 @@ Result<Hash128> final_hash(const sim::SceneDef& scene, std::uint64_t steps, sim:
   return sim::state_hash(world->bodies());
 }
 
-// The hash that every lane width of this build and machine ends in. Errors: two of them differ.
+Status must_equal(const sim::SceneDef& scene, const Hash128& one, const Result<Hash128>& other,
+                  const std::string& how) {
+  if (!other) return other.error();
+  if (*other == one) return {};
+  return cannot_finish(scene.name + ": " + how + " end in " + to_string(*other) + ", one lane and one thread in " +
+                       to_string(one));
+}
+
+// The hash that every lane width of this build and machine ends in, and three threads. Errors: two of them differ.
 Result<Hash128> common_hash(const sim::SceneDef& scene, std::uint64_t steps) {
   Result<Hash128> hash = final_hash(scene, steps, sim::LaneWidth::kOne);
   if (!hash || scene.world.method == sim::Method::kThesis) return hash;
   for (const sim::LaneWidth lanes : {sim::LaneWidth::kTwo, sim::LaneWidth::kFour, sim::LaneWidth::kEight}) {
     if (!sim::runs_lanes(lanes)) continue;
-    Result<Hash128> other = final_hash(scene, steps, lanes);
-    if (!other) return other;
-    if (*other != *hash) {
-      return cannot_finish(scene.name + ": " + sim::name_of(lanes) + " lanes end in " + to_string(*other) +
-                           ", one lane in " + to_string(*hash));
-    }
+    const std::string how = std::string(sim::name_of(lanes)) + " lanes";
+    if (Status same = must_equal(scene, *hash, final_hash(scene, steps, lanes), how); !same) return same.error();
   }
+  WorkerThreads threads(3, Split::kEverything);
+  const Result<Hash128> split = final_hash(scene, steps, sim::LaneWidth::kWidest, &threads);
+  if (Status same = must_equal(scene, *hash, split, "three threads"); !same) return same.error();
   return hash;
 }
 

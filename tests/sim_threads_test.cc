@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "src/step/step.h"
+#include "src/threads/worker_threads.h"
+#include "tests/support/sim_scenes.h"
+
+namespace tumble::sim {
+namespace {
+
+constexpr std::array<unsigned, 6> kCounts = {1, 2, 3, 4, 7, 16};
+
+TEST(WorkerThreads, CallEveryPartOnceEveryRound) {
+  for (const unsigned count : kCounts) {
+    WorkerThreads workers(count);
+    ASSERT_EQ(workers.count(), count);
+    for (unsigned round = 0; round < 300; ++round) {
+      std::array<std::atomic<unsigned>, 16> calls{};
+      const unsigned parts = 1 + round % count;
+      for_parts(&workers, parts, [&](unsigned part) { calls[part].fetch_add(1); });
+      for (unsigned part = 0; part < calls.size(); ++part) ASSERT_EQ(calls[part].load(), part < parts ? 1U : 0U);
+    }
+  }
+}
+
+TEST(WorkerThreads, RangesCoverEverythingOnce) {
+  WorkerThreads workers(7, Split::kEverything);
+  for (std::size_t n = 0; n < 40; ++n) {
+    std::vector<std::atomic<int>> seen(n);
+    for_ranges(&workers, n, 1000, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) seen[k].fetch_add(1);
+    });
+    for (const std::atomic<int>& times : seen) ASSERT_EQ(times.load(), 1);
+  }
+}
+
+TEST(WorkerThreads, SmallWorkIsNotSplit) {
+  WorkerThreads workers(4);
+  EXPECT_EQ(part_count(&workers, 99, 100), 1U);
+  EXPECT_EQ(part_count(&workers, 250, 100), 2U);
+  EXPECT_EQ(part_count(&workers, 100000, 100), 4U);
+  EXPECT_EQ(part_count(nullptr, 100000, 100), 1U);
+}
+
+std::vector<std::uint64_t> hashes_of(const SceneDef& scene, Workers* workers, int steps) {
+  Result<World> world = World::create(scene);
+  EXPECT_TRUE(world.ok());
+  world->use(workers);
+  std::vector<std::uint64_t> all;
+  for (int k = 0; k < steps; ++k) {
+    PhaseHashes hashes;
+    EXPECT_TRUE(step(*world, &hashes).ok());
+    all.insert(all.end(), hashes.words().begin(), hashes.words().end());
+  }
+  const Hash128 end = continuation_hash(world->state());
+  all.insert(all.end(), {end.high, end.low});
+  return all;
+}
+
+TEST(Threads, SessionsOfAnyNumberHaveTheSamePhaseHashes) {
+  SceneDef heap = test::pile(3);
+  test::jitter(heap, 0.01, 7);
+  for (SceneDef scene : {heap, test::tumble_of_boxes(3, 3), test::wall(3, 4)}) {
+    scene.world.method = Method::kLayered;
+    scene.world.substeps = 1;
+    const std::vector<std::uint64_t> one = hashes_of(scene, nullptr, 40);
+    for (const unsigned count : {2U, 3U}) {
+      WorkerThreads workers(count, Split::kEverything);
+      EXPECT_EQ(one, hashes_of(scene, &workers, 40)) << count << " threads";
+    }
+  }
+  heap.world.method = Method::kLayered;
+  const std::vector<std::uint64_t> one = hashes_of(heap, nullptr, 12);
+  for (const unsigned count : kCounts) {
+    WorkerThreads workers(count, Split::kEverything);
+    EXPECT_EQ(one, hashes_of(heap, &workers, 12)) << count << " threads";
+  }
+}
+
+TEST(Threads, MethodThesisIsTheSameToo) {
+  SceneDef heap = test::pile(3);
+  heap.world.method = Method::kThesis;
+  WorkerThreads workers(3, Split::kEverything);
+  EXPECT_EQ(hashes_of(heap, nullptr, 40), hashes_of(heap, &workers, 40));
+}
+
+}  // namespace
+}  // namespace tumble::sim
