@@ -58,6 +58,31 @@ TEST(Program, RecordsAndReplaysToTheBit) {
   EXPECT_EQ(json, ordered_json::parse(R"({"identical":true,"steps":40,"first":null})"));
 }
 
+TEST(Program, ASessionInRealTimeReplaysToTheBit) {
+  const Workshop shop;
+  shop.write("s.toml", kSmallScene);
+  const ordered_json json = parsed(shop.run({"record", "s.toml", "--realtime", "--set", "world.dt=0.004", "--json"}));
+  EXPECT_EQ(json["steps"], 40);
+  EXPECT_EQ(json["frames"]["met"].get<int>() + json["frames"]["missed"].get<int>(), 40) << "every frame counts once";
+  Result<replay::LogReader> log = replay::LogReader::open(shop.path("s.tumble"));
+  ASSERT_TRUE(log.ok());
+  for (std::uint64_t k = 1; k <= 40; ++k) {
+    const Result<const replay::StepRecord*> step = log->read_step(k);
+    ASSERT_TRUE(step.ok());
+    EXPECT_GE((*step)->dt, 0.002);
+    EXPECT_LE((*step)->dt, 0.016) << "four frames at most, however slow the machine";
+    const auto& inputs = (*step)->inputs;
+    EXPECT_TRUE(
+        std::ranges::any_of(inputs, [](const sim::Command& c) { return std::holds_alternative<sim::SetDt>(c); }))
+        << "step " << k;
+  }
+  EXPECT_EQ(shop.run({"replay", "s.tumble", "--brief"}).exit, 0);
+  EXPECT_EQ(parsed(shop.run({"record", "s.toml", "--json"}))["frames"], nullptr);
+  const Outcome refused = shop.run({"record", "s.toml", "--longest-step", "1"});
+  EXPECT_EQ(refused.exit, 2);
+  EXPECT_NE(refused.err.find("--realtime"), std::string::npos) << refused.err;
+}
+
 TEST(Program, RecordFindsGoldenCasesFromTheCurrentFolderUpwards) {
   const Workshop shop;
   shop.write("x", "");  // so that the folder is not empty

@@ -8,6 +8,7 @@
 #include <system_error>
 #include <vector>
 
+#include "replay/frame_clock.h"
 #include "replay/log_reader.h"
 #include "replay/recorder.h"
 #include "replay/session_clock.h"
@@ -21,6 +22,7 @@
 #include "tools/log_files.h"
 #include "tools/progress.h"
 #include "tools/scene_files.h"
+#include "tools/session_stepper.h"
 #include "tools/text.h"
 #include "tools/transform_arguments.h"
 
@@ -38,6 +40,7 @@ struct Options {
   std::optional<std::uint64_t> steps;
   std::vector<std::string> overrides;
   std::optional<std::uint64_t> threads;
+  RealTime realtime;
   TransformArguments transform;
   std::string states = "all";
   bool json = false;
@@ -51,6 +54,7 @@ struct Session {
   std::uint64_t bodies = 0;             // of the start and thrown in
   std::uint64_t moving_body_steps = 0;  // bodies neither frozen nor static, summed over the steps
   double elapsed_s = 0;
+  std::optional<replay::Frames> frames;  // of a session in real time
 };
 
 std::uint64_t count_moving(const sim::Bodies& bodies) {
@@ -67,16 +71,16 @@ std::uint64_t count_bodies(const sim::SceneDef& scene, std::uint64_t last_step) 
   return count;
 }
 
-Result<Session> run_session(const std::string& path, replay::Recorder& recorder, bool quiet) {
-  const auto begin = std::chrono::steady_clock::now();
+Result<Session> run_session(const std::string& path, replay::Recorder& recorder, const Options& options) {
+  SessionStepper stepper(recorder, options.realtime);
   const sim::SceneDef& scene = recorder.scene();
   const std::uint64_t first = recorder.world().state().step;
   const InterruptGuard guard;
-  ProgressBar bar("recording", !quiet);
+  ProgressBar bar("recording", !options.quiet);
   Session session;
   Status status;
   for (std::uint64_t k = first + 1; k <= scene.steps && status.ok(); ++k) {
-    status = recorder.step();
+    status = stepper.step();
     if (!status.ok()) break;
     session.clock.add_step(recorder.world().state().def.dt);
     session.moving_body_steps += count_moving(recorder.world().bodies());
@@ -91,7 +95,8 @@ Result<Session> run_session(const std::string& path, replay::Recorder& recorder,
   }
   session.log = *summary;
   session.bodies = count_bodies(scene, first + summary->steps);
-  session.elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  session.elapsed_s = stepper.elapsed_s();
+  session.frames = stepper.frames();
   return session;
 }
 
@@ -102,6 +107,12 @@ void print_text(const std::string& path, const sim::SceneDef& scene, const Sessi
   listing.add("steps", std::to_string(session.log.steps));
   listing.add("simulated", seconds_text(session.clock.now()));
   listing.add("elapsed", seconds_text(session.elapsed_s));
+  if (session.frames) {
+    const replay::Frames& frames = *session.frames;
+    std::string text = std::to_string(frames.met) + " in time, " + std::to_string(frames.missed) + " late";
+    if (frames.bounded > 0) text += ", " + std::to_string(frames.bounded) + " steps cut short of the clock";
+    listing.add("frames", text + "; the longest took " + rounded(frames.longest_s * 1000, "ms"));
+  }
   listing.add("log", path);
   std::string size = bytes_text(session.log.bytes);
   if (session.moving_body_steps > 0) {
@@ -121,6 +132,13 @@ void print_as_json(const std::string& path, const sim::SceneDef& scene, const Se
   json["steps"] = session.log.steps;
   json["simulated"] = session.clock.now();
   json["elapsed"] = session.elapsed_s;
+  json["frames"] = nullptr;
+  if (session.frames) {
+    json["frames"] = {{"met", session.frames->met},
+                      {"missed", session.frames->missed},
+                      {"bounded", session.frames->bounded},
+                      {"longest", session.frames->longest_s}};
+  }
   json["bytes"] = session.log.bytes;
   json["moving_body_steps"] = session.moving_body_steps;
   json["bytes_per_moving_body_step"] = nullptr;
@@ -204,7 +222,7 @@ Result<Exit> record(const Options& options) {
   if (!recorder.ok()) return recorder.error();
   const std::unique_ptr<WorkerThreads> threads = worker_threads(options.threads.value_or(1));
   (*recorder)->use(threads.get());
-  const Result<Session> session = run_session(path, **recorder, options.quiet);
+  const Result<Session> session = run_session(path, **recorder, options);
   if (!session.ok()) return session.error();
   if (options.json) {
     print_as_json(path, (*recorder)->scene(), *session);
@@ -240,6 +258,13 @@ Action declare_record(CLI::App& app) {
       ->excludes(from);
   add_transform(app, options->transform, from);
   add_threads(app, options->threads);
+  CLI::Option* realtime = app.add_flag("--realtime", options->realtime.on,
+                                       "Step with the time that passes on the clock, a frame every dt of the scene; "
+                                       "the steps are in the log as inputs, so it replays like any other");
+  add_positive(app, "--longest-step", options->realtime.longest_step, sim::kDtMax,
+               "With --realtime: no step is longer, s; four times dt if not given")
+      ->type_name("S")
+      ->needs(realtime);
   app.add_option("--states", options->states,
                  "Which states the log holds: all (if not given), every:N (one step in N) or hashes (none); the others "
                  "can be simulated again")
@@ -251,6 +276,7 @@ Action declare_record(CLI::App& app) {
       "  tumble record brick_wall\n"
       "  tumble record tilted_grid -o small.tumble --set grid.rows=6 --set grid.cols=6 --steps 150\n"
       "  tumble record my_scene.toml --states hashes --json\n"
+      "  tumble record tilted_grid --realtime --set world.dt=0.0333 --seconds 5\n"
       "  tumble record brick_wall -o twin.tumble --mirror x --permute 7\n"
       "  tumble record --from brick_wall.tumble:120 --seconds 2");
   return [options] { return record(*options); };

@@ -201,9 +201,9 @@ if is_wanted 21; then
   row 21 21a 21b
   publish 21 fig21_comparison_scene
 fi
+coarse=(--set world.dt=0.03333333333333333)
 if is_wanted 22; then
   size=400x400
-  coarse=(--set world.dt=0.03333333333333333)
   for n in 1 4 10; do
     record above-$n tilted_grid "${from_above[@]}" "${coarse[@]}" --set world.substeps=$n
     record fine-$n tilted_grid "${from_above[@]}" --set world.substeps=$n
@@ -214,6 +214,15 @@ if is_wanted 22; then
   row 22b 22-fine-{1,4,10}
   column 22 22a 22b
   publish 22 fig22_400_cubes_from_above
+fi
+if is_wanted 23; then
+  size=400x400
+  record clock tilted_grid "${from_above[@]}" "${coarse[@]}" --set world.substeps=1 --realtime
+  record substeps tilted_grid "${from_above[@]}" --set world.substeps=200
+  draw 23-clock clock 150
+  draw 23-substeps substeps 1500
+  row 23 23-clock 23-substeps
+  publish 23 fig23_real_time
 fi
 if is_wanted 24; then
   size=400x400
