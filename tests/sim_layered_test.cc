@@ -218,6 +218,34 @@ TEST(LayeredSleep, RemovingASupportWakesWhatItCarried) {
 }
 
 // 0.1 m at 100 m/s and 1/60 s is seventeen of its own lengths a step; the plate is half as thick as the box.
+// One step, beside that of a world which knows nothing of the steps before.
+void expect_same_as_fresh(World& world) {
+  Result<World> fresh = World::restore(world.state());
+  ASSERT_TRUE(fresh.ok());
+  sim::PhaseHashes hashes, fresh_hashes;
+  const auto counters = sim::step(world, &hashes);
+  auto expected = sim::step(*fresh, &fresh_hashes);
+  ASSERT_TRUE(counters.ok() && expected.ok());
+  expected->inputs = counters->inputs;  // which came before
+  ASSERT_EQ(hashes.words(), fresh_hashes.words()) << "step " << world.state().step;
+  ASSERT_EQ(*counters, *expected) << "step " << world.state().step;
+  ASSERT_EQ(sim::continuation_hash(world.state()), sim::continuation_hash(fresh->state()));
+}
+
+TEST(LayeredSleep, AStillWorldIsSteppedAsIfItWereNot) {
+  SceneDef scene = tower(4);
+  scene.boxes.insert(scene.boxes.end(), {cube(5, {5, 0, 0.5}), cube(6, {9, 0, 0.5})});
+  World world = made(layered(scene, 1));
+  for (int k = 0; k < 200 && world.scratch().still_steps < 6; ++k) expect_same_as_fresh(world);
+  ASSERT_EQ(world.scratch().still_steps, 6U) << "everything should sleep";
+  give(world, sim::Remove{5});  // wakes nobody
+  for (int k = 0; k < 6; ++k) expect_same_as_fresh(world);
+  EXPECT_EQ(world.scratch().still_steps, 6U);
+  give(world, sim::Remove{1});
+  for (int k = 0; k < 6; ++k) expect_same_as_fresh(world);
+  EXPECT_EQ(world.scratch().still_steps, 0U) << "what stood on the lowest falls";
+}
+
 TEST(LayeredFast, AFastSmallBoxDoesNotTunnel) {
   SceneDef scene = empty_space();
   scene.boxes = {cube(1, {0, 0, 0}), cube(2, {-5, 0.1, 0.3})};

@@ -128,6 +128,7 @@ class Applier {
 
 Status World::apply(const Command& command) {
   const Energy before = total_energy(state_);
+  scratch_.still_steps = 0;
   if (Status ok = std::visit(Applier(state_), command); !ok.ok()) return ok;
   if (const auto* thrown = std::get_if<Throw>(&command); thrown != nullptr && thrown->box.frozen) {
     find_first_contacts(*this, state_.bodies.find(thrown->box.id));

@@ -68,6 +68,17 @@ constexpr PhaseTable kLayered = {kLayeredPhases, 6, 10, 0};
 // floor(log2(substeps)): how often a step may be halved.
 unsigned recursion_depth(const WorldDef& def) { return static_cast<unsigned>(std::bit_width(def.substeps)) - 1U; }
 
+// So many steps in which nothing could move leave a world as they find it, and so does every further one: the first may
+// still drop contacts of bodies that have come to rest apart.
+constexpr std::uint32_t kStillSteps = 2;
+
+bool nothing_moves(const WorldState& state) {
+  for (BodyIndex i = 0; i < state.bodies.size(); ++i) {
+    if (state.bodies.moves(i)) return false;
+  }
+  return state.def.method == Method::kLayered;
+}
+
 // One call of step(): the sub-steps of a step, counted.
 class StepRun {
  public:
@@ -86,6 +97,17 @@ class StepRun {
     }
     --substep_;  // what follows belongs to the last one
     return run_range(table_.substeps_end, table_.phases.size(), def.dt);
+  }
+
+  /// The same for a world that is still: every phase would write what its scratch holds already.
+  void look_at_all() {
+    const std::uint32_t substeps = world_.state().def.substeps;
+    for (std::size_t k = 0; k < table_.substeps_begin; ++k) notify(k);
+    for (; substep_ < substeps; ++substep_) {
+      for (std::size_t k = table_.substeps_begin; k < table_.substeps_end; ++k) notify(k);
+    }
+    counters_.substeps = substep_--;
+    for (std::size_t k = table_.substeps_end; k < table_.phases.size(); ++k) notify(k);
   }
 
   [[nodiscard]] StepCounters counters() const { return counters_; }
@@ -172,7 +194,13 @@ PhaseTable phase_table(Method method) { return method == Method::kThesis ? kThes
 Result<StepCounters> step(World& world, Observer* observer) {
   world.mutable_scratch().removed_energy = 0;
   StepRun run(world, observer);
-  if (Status ok = run.run_all(); !ok.ok()) return ok.error();
+  std::uint32_t& still = world.mutable_scratch().still_steps;
+  still = nothing_moves(world.state()) ? still + 1 : 0;
+  if (still > kStillSteps) {
+    run.look_at_all();
+  } else if (Status ok = run.run_all(); !ok.ok()) {
+    return ok.error();
+  }
   ++world.mutable_state().step;
 
   StepCounters counters = run.counters();

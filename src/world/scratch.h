@@ -153,6 +153,8 @@ struct Scratch {
   LaneWidth lanes = LaneWidth::kWidest;  ///< shows in nothing but time
   Workers* workers = nullptr;            ///< likewise; not owned
 
+  std::uint32_t still_steps = 0;  ///< in a row, before which nothing could move and no input came
+
   double removed_energy = 0;                       ///< J in this step; written by apply_outcomes
   std::vector<FreezeCandidate> freeze_candidates;  ///< written by update_freezing
   std::vector<std::uint8_t> frozen_before;
