@@ -19,10 +19,10 @@ enum class Exit : int {
 /// The status that goes with an error.
 Exit exit_for(const Error& error);
 
-/// What a command does once its arguments are read. Its results go to stdout; an Error is printed by main().
+/// What a command does once its arguments are read. Its results go to stdout; an Error is printed by run_program().
 using Action = std::function<Result<Exit>()>;
 
-/// One command of the program: one file, cmd_<name>.cc, and one row of main.cc's table.
+/// One command of the program: one file, cmd_<name>.cc, and one row of run_program.cc's table.
 struct Command {
   const char* name;
   const char* summary;  ///< a line for `tumble help`

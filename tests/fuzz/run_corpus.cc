@@ -1,4 +1,6 @@
 // In libFuzzer's place: runs a target over the files given, or all files of the folders given, as a test.
+#include <sys/resource.h>
+
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -43,6 +45,8 @@ int main(int argc, char** argv) {
     std::fflush(stdout);
     test_one_input(reinterpret_cast<const std::uint8_t*>(content.data()), content.size());
   }
-  std::printf("%zu inputs\n", paths.size());
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  std::printf("%zu inputs, peak memory %.1f MB\n", paths.size(), static_cast<double>(usage.ru_maxrss) / 1024);
   return paths.empty() ? 1 : 0;
 }

@@ -39,6 +39,14 @@ void write_messages(const fs::path& folder, const std::string& name, std::span<c
   }
 }
 
+/// With the commands target's first byte: a log as it is, and one laid open that is answered in JSON.
+void write_commands(const fs::path& folder, const std::string& name, std::span<const std::byte> log,
+                    std::span<const std::byte> open) {
+  const std::byte as_it_is{0}, laid_open_json{3};
+  write(folder / (name + ".bin"), std::span(&as_it_is, 1), log);
+  write(folder / (name + "_open.bin"), std::span(&laid_open_json, 1), open);
+}
+
 void write_golden(const fs::path& folder) {
   golden::Expected expected;
   expected.method = "thesis";
@@ -58,6 +66,7 @@ void make_seeds(const fs::path& folder) {
     const Bytes open = laid_open(log);
     write(folder / "log" / (name + ".bin"), log);
     write(folder / "messages" / (name + ".bin"), open);
+    write_commands(folder / "commands", name, log, open);
     write_messages(folder / "codec", name, open);
   }
   write_golden(folder / "codec");

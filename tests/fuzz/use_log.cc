@@ -4,7 +4,6 @@
 #include <cstdlib>
 
 #include "replay/log_facts.h"
-#include "replay/log_reader.h"
 #include "replay/measure_log.h"
 #include "replay/recover.h"
 #include "replay/replayer.h"
@@ -13,13 +12,7 @@
 namespace tumble::fuzz {
 namespace {
 
-constexpr std::uint64_t kStepsSimulated = 64;  // enough to come through every phase; a body more costs the same again
 constexpr std::size_t kBodiesSimulated = 64;
-
-bool is_small(const replay::LogReader& log) {
-  const sim::SceneDef& scene = log.header().scene;
-  return scene.boxes.size() <= kBodiesSimulated && scene.world.substeps <= 16;
-}
 
 /// What recovery writes must be sound, whatever it was made of.
 void recover(const replay::MemoryFile& file) {
@@ -35,6 +28,11 @@ void recover(const replay::MemoryFile& file) {
 
 }  // namespace
 
+bool takes_a_moment(const replay::LogReader& log) {
+  const sim::SceneDef& scene = log.header().scene;
+  return scene.boxes.size() <= kBodiesSimulated && scene.world.substeps <= 16;
+}
+
 void use_log(const replay::MemoryFile& file) {
   recover(file);
   Result<replay::LogReader> log =
@@ -44,7 +42,7 @@ void use_log(const replay::MemoryFile& file) {
   (void)replay::collect_facts(*log);
   const std::uint64_t last = std::min(log->last_step(), log->first_state() + kStepsSimulated);
   for (std::uint64_t k = log->first_state(); k <= last; ++k) (void)log->chain_at(k).ok();
-  if (!is_small(*log)) return;
+  if (!takes_a_moment(*log)) return;
   const auto some = [](std::uint64_t done, std::uint64_t /*total*/) { return done < kStepsSimulated; };
   (void)replay::replay_log(*log, {}, some).ok();
   (void)replay::measure_log(*log, {}, {}, some).ok();

@@ -1,0 +1,142 @@
+#include "tools/run_program.h"
+
+#include <array>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <new>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "src/scenes/problem.h"
+#include "tools/command.h"
+#include "tools/help_format.h"
+#include "tools/text.h"
+
+namespace tumble::tools {
+namespace {
+
+constexpr std::array kCommands = {
+    Command{"record", "run a scene and write every input and step to a log", declare_record},
+    Command{"replay", "run a log through the physics and compare every step", declare_replay},
+    Command{"recover", "make a whole log of what is left in a damaged one", declare_recover},
+    Command{"diff", "find the first difference between two logs", declare_diff},
+    Command{"info", "what a log holds, and whether every byte of it is as written", declare_info},
+    Command{"measure", "symmetry, energy and stacking of a recorded session", declare_measure},
+    Command{"dump", "the bodies at one step or over many, to the last bit", declare_dump},
+    Command{"render", "pictures and movies of a recorded session", declare_render},
+    Command{"check", "run the golden suite and say what changed", declare_check},
+    Command{"bisect", "find the commit after which a session is another one", declare_bisect},
+    Command{"bless", "accept what cases do now as their goldens", declare_bless},
+    Command{"import", "another engine's states, from a table to a log", declare_import},
+    Command{"bench", "how fast, how right beside other engines, how it grows", declare_bench},
+    Command{"scenes", "the scenes that can be recorded by name", declare_scenes},
+};
+
+const Command* find_command(std::string_view name) {
+  for (const Command& command : kCommands) {
+    if (name == command.name) return &command;
+  }
+  return nullptr;
+}
+
+std::string overview() {
+  std::string text =
+      "tumble: rigid bodies, recorded and replayed bit for bit\n\n"
+      "Usage: tumble COMMAND [OPTIONS]\n\nCommands:\n";
+  for (const Command& command : kCommands) text += "  " + padded(command.name, 10) + command.summary + '\n';
+  return text +
+         "\ntumble help COMMAND explains one, with examples; tumble --version tells the version.\n\n"
+         "Exit status: 0 same or done, 1 difference found, 2 bad usage or input, 3 file damaged or torn,\n"
+         "             4 could not finish\n\n"
+         "Example: tumble record brick_wall && tumble replay brick_wall.tumble\n";
+}
+
+// "tumble record: message" on stderr.
+Exit fail(const std::string& who, const std::string& message, Exit exit) {
+  std::cerr << who << ": " << message << '\n';
+  return exit;
+}
+
+Exit unknown_command(const std::string& name) {
+  std::vector<std::string_view> names;
+  names.reserve(kCommands.size());
+  for (const Command& command : kCommands) names.emplace_back(command.name);
+  const std::string_view nearest = scenes::nearest_word(name, names);
+  const std::string hint = nearest.empty() ? "" : "; did you mean \"" + std::string(nearest) + "\"?";
+  return fail("tumble", "unknown command " + scenes::quoted(name) + hint + "\n'tumble help' lists the commands.",
+              Exit::kBadInput);
+}
+
+// CLI11 reports through exceptions; they end here.
+Exit run_command(const Command& command, std::vector<std::string> arguments) {
+  const std::string who = std::string("tumble ") + command.name;
+  CLI::App app(command.summary, who);
+  app.formatter(std::make_shared<HelpFormat>());
+  app.set_help_flag("-h,--help", "Print this help and exit");
+  const Action action = command.declare(app);
+  try {
+    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // last argument first, as CLI11 wants
+  } catch (const CLI::CallForHelp&) {
+    std::cout << app.help();
+    return Exit::kSame;
+  } catch (const CLI::ParseError& error) {
+    return fail(who, std::string(error.what()) + "\n'" + who + " --help' explains the arguments.", Exit::kBadInput);
+  }
+  const Result<Exit> result = action();
+  if (!result.ok()) return fail(who, result.error().message, exit_for(result.error()));
+  return *result;
+}
+
+Exit run(std::vector<std::string> arguments) {
+  if (arguments.empty()) {
+    std::cerr << overview();
+    return Exit::kBadInput;
+  }
+  const std::string first = arguments.front();
+  arguments.erase(arguments.begin());
+  if (first == "--version") {
+    std::cout << "tumble " TUMBLE_VERSION "\n";
+    return Exit::kSame;
+  }
+  const bool is_help = first == "help" || first == "--help" || first == "-h";
+  if (is_help && arguments.empty()) {
+    std::cout << overview();
+    return Exit::kSame;
+  }
+  const std::string name = is_help ? arguments.front() : first;
+  if (is_help) arguments = {"--help"};
+  const Command* command = find_command(name);
+  return command == nullptr ? unknown_command(name) : run_command(*command, std::move(arguments));
+}
+
+}  // namespace
+
+Exit run_program(std::vector<std::string> arguments) {
+  try {
+    const Exit exit = run(std::move(arguments));
+    std::cout.flush();
+    if (!std::cout) return fail("tumble", "standard output could not be written (full disk?)", Exit::kCannotFinish);
+    return exit;
+  } catch (const std::bad_alloc&) {
+    return fail("tumble", "out of memory", Exit::kCannotFinish);
+  } catch (const std::exception& error) {
+    return fail("tumble", std::string("internal error: ") + error.what(), Exit::kCannotFinish);
+  }
+}
+
+Exit exit_for(const Error& error) {
+  switch (error.kind) {
+    case ErrorKind::kBadInput:
+      return Exit::kBadInput;
+    case ErrorKind::kDamaged:
+      return Exit::kDamaged;
+    case ErrorKind::kCannotFinish:
+      return Exit::kCannotFinish;
+  }
+  return Exit::kCannotFinish;
+}
+
+}  // namespace tumble::tools
