@@ -104,7 +104,7 @@ Result<Player> Player::at(LogReader& log, std::uint64_t k) {
   Result<const Keyframe*> keyframe = log.keyframe_at_or_before(k);
   if (!keyframe.ok()) return keyframe.error();
   Result<sim::World> world = sim::World::restore((*keyframe)->state);
-  if (!world.ok()) return world.error();
+  if (!world.ok()) return Error{world.error().kind, log.name() + ": " + world.error().message};
   Player player(log, *std::move(world));
   while (player.world_.state().step < k) {
     if (Result<const StepRecord*> step = player.step(); !step.ok()) return step.error();
