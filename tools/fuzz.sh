@@ -27,8 +27,8 @@ export TMPDIR=$scratch
 
 # Bytes that an input may have: a log of a few bodies shows every path, and small ones run often.
 declare -A longest=([log]=16384 [messages]=32768 [codec]=16384 [scene]=4096 [commands]=32768 [import]=4096)
-# Memory: no piece above 128 MB. The sum is 256 MB (tools/hostile_memory.sh measures that without sanitizers) and what
-# AddressSanitizer takes for its shadow, for freed memory that it keeps back, and libFuzzer for the corpus.
+# Memory: no piece above 128 MB. The sum has room for AddressSanitizer's shadow, for freed memory that it keeps back,
+# and for libFuzzer's corpus.
 limits=(-malloc_limit_mb=128 -rss_limit_mb=640)
 export ASAN_OPTIONS=quarantine_size_mb=16
 found=0
