@@ -59,7 +59,9 @@ std::string describe(const FirstDifference& difference) {
 }
 
 ExpectedComparer::ExpectedComparer(const Expected& expected, const replay::LogHeader& header)
-    : expected_(expected), same_phases_(expected.phases == header.phases && expected.method == header.method) {
+    : expected_(expected),
+      same_phases_(expected.phases == header.phases && expected.method == header.method),
+      same_words_(same_phases_ && expected.phase_hash_version == header.phase_hash_version) {
   if (expected.method != header.method || expected.method_version != header.method_version) {
     notes_.push_back("blessed with method " + expected.method + " version " + number(expected.method_version) +
                      ", run with " + header.method + " version " + number(header.method_version));
@@ -79,7 +81,7 @@ void ExpectedComparer::add(const replay::StepRecord& record) {
     return;
   }
   const bool same_state = record.state_hash == expected_.state_hashes[record.step];
-  if (record.step > 0 && same_phases_) compare_words(record);
+  if (record.step > 0 && same_words_) compare_words(record);
   if (!same_state) {
     note_first(record.step, record.step == 0 ? "start" : "step");
     if (!first_->states_from) first_->states_from = record.step;

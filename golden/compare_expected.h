@@ -45,6 +45,7 @@ class ExpectedComparer {
 
   const Expected& expected_;
   bool same_phases_;
+  bool same_words_;  // and their hashes cover the same
   std::optional<FirstDifference> first_;
   std::uint64_t steps_ = 0;
   std::string bodies_detail_;

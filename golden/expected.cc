@@ -111,6 +111,7 @@ ExpectedBuilder::ExpectedBuilder(const replay::LogHeader& header, std::uint64_t 
   expected_.method_version = header.method_version;
   expected_.scene = scene;
   expected_.phases = header.phases;
+  expected_.phase_hash_version = header.phase_hash_version;
 }
 
 void ExpectedBuilder::add(const replay::StepRecord& record) {

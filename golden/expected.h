@@ -44,6 +44,7 @@ struct Expected {
   std::vector<std::uint32_t> step_words;  ///< of steps 1 … N: step_word()
   std::vector<std::string> phases;        ///< names of the phase words
   PhaseDetail phase_detail = PhaseDetail::kSubstep;
+  std::uint32_t phase_hash_version = 1;  ///< LogHeader::phase_hash_version: what phase and step words mean
   std::vector<std::vector<std::uint16_t>> phase_words;  ///< of steps 1 … N: phase_words_of()
   Hash128 continuation;                 ///< of state N, hidden parts included; zero where it was not known
   std::vector<BodyHashes> body_hashes;  ///< ascending step

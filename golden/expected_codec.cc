@@ -87,6 +87,7 @@ void encode_root(const Expected& expected, schema::Expected::Builder out) {
   auto phases = out.initPhases(static_cast<unsigned>(expected.phases.size()));
   for (unsigned i = 0; i < phases.size(); ++i) phases.set(i, expected.phases[i]);
   out.setPhaseDetail(static_cast<std::uint8_t>(expected.phase_detail));
+  out.setPhaseHashVersion(expected.phase_hash_version);
   encode_words(expected, out);
   out.setContinuationLow(expected.continuation.low);
   out.setContinuationHigh(expected.continuation.high);
@@ -187,6 +188,7 @@ Result<Expected> decode_root(schema::Expected::Reader in) {
   out.tool_version = in.getToolVersion().cStr();
   out.method = in.getMethod().cStr();
   out.method_version = in.getMethodVersion();
+  out.phase_hash_version = in.getPhaseHashVersion();
   out.scene = {in.getSceneHigh(), in.getSceneLow()};
   out.continuation = {in.getContinuationHigh(), in.getContinuationLow()};
   if (Status ok = decode_hashes(in, out); !ok.ok()) return ok.error();

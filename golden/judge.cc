@@ -75,10 +75,18 @@ class Pass {
       result.problems.emplace_back(
           "stale: scene.toml is not the scene that was blessed; bless the case if the change is meant, else undo it");
     }
+    const bool same_words = expected.phase_hash_version == log_.header().phase_hash_version;
+    if (!same_words) {
+      result.problems.push_back("stale: blessed with phase hashes of version " + number(expected.phase_hash_version) +
+                                ", run with version " + number(log_.header().phase_hash_version) +
+                                ", which cover different fields: states and metrics were compared, what led from state "
+                                "to state was not; bless the case if nothing else is wrong with it");
+    }
     result.notes = comparer_->notes();
     result.difference = comparer_->finish(yardstick_.continuation);
     if (!result.difference) {
-      exact = {Outcome::kPass, "same bits in all " + number(expected.state_hashes.size()) + " states"};
+      exact = {Outcome::kPass, "same bits in all " + number(expected.state_hashes.size()) + " states" +
+                                   (same_words ? "" : ", phase hashes of another version")};
       return;
     }
     exact = {Outcome::kFail, "first difference: " + describe(*result.difference)};

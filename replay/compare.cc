@@ -48,7 +48,11 @@ std::vector<std::string> different_headers(const LogHeader& a, const LogHeader& 
   check("planned steps", std::to_string(a.scene.steps), std::to_string(b.scene.steps));
   check("states", to_string(a.states), to_string(b.states));
   check("written by", a.tool_version + ", " + a.tool_build, b.tool_version + ", " + b.tool_build);
-  if (a.phases != b.phases) lines.emplace_back("phases: not the same names, so only states are compared");
+  if (a.phases != b.phases) {
+    lines.emplace_back("phases: not the same names, so only states are compared");
+  } else if (std::string note = phase_hash_note(a, b); !note.empty()) {
+    lines.push_back(std::move(note));
+  }
   if (a.goes_on != b.goes_on) return lines;  // whose scenes are those of other steps
   check("bodies at the start", std::to_string(a.scene.boxes.size()), std::to_string(b.scene.boxes.size()));
   if (!(a.scene.world == b.scene.world)) lines.emplace_back("world: not the same parameters");
@@ -60,11 +64,11 @@ std::vector<std::string> different_headers(const LogHeader& a, const LogHeader& 
 class Diff {
  public:
   Diff(LogReader& a, LogReader& b, const Tolerances& tolerances) : a_(a), b_(b), tolerances_(tolerances) {
-    const bool same = a.header().phases == b.header().phases && a.header().phase_rows_max == b.header().phase_rows_max;
-    if (same && tolerances.exact()) phases_ = a.header().phases;
+    same_words_ = same_phase_words(a.header(), b.header());
+    if (same_words_ && tolerances.exact()) phases_ = a.header().phases;
     const auto engine = [](const LogHeader& header) { return header.engine.value_or(EngineName()).name; };
     states_only_ = engine(a.header()) != engine(b.header());
-    chains_say_all_ = same && !states_only_;
+    chains_say_all_ = same_words_ && !states_only_;
   }
 
   Result<DiffReport> run(const Progress& progress) {
@@ -153,8 +157,10 @@ class Diff {
     Result<const StepRecord*> b = b_.read_hashes(k);
     if (!b.ok()) return b.error();
     if (states_only_ && (*a)->dt == (*b)->dt && (*a)->state_hash == (*b)->state_hash) return {};
-    if (chain_next({}, **a) == chain_next({}, **b)) return {};
-    return compare_states(k, **a, **b);
+    StepRecord actual = **b;
+    if (!same_words_) leave_out_phase_words(**a, actual);
+    if (chain_next({}, **a) == chain_next({}, actual)) return {};
+    return compare_states(k, **a, actual);
   }
 
   [[nodiscard]] Status can_tolerate(const StepRecord& a, const StepRecord& b) const {
@@ -182,6 +188,7 @@ class Diff {
   }
 
   void judge(const StepRecord& expected, StepRecord& actual) {
+    if (!same_words_) leave_out_phase_words(expected, actual);
     if (!tolerances_.exact()) tolerate(expected, actual);
     if (states_only_) {
       actual.counters = expected.counters;
@@ -209,6 +216,7 @@ class Diff {
   LogReader& b_;
   Tolerances tolerances_;
   std::vector<std::string> phases_;
+  bool same_words_ = false;
   bool chains_say_all_ = false;
   bool states_only_ = false;  // of two engines: how each came to its states cannot be compared
   DiffReport report_;

@@ -64,6 +64,7 @@ LogHeader header_of(const EngineDef& def, const sim::SceneDef& start) {
   header.method = "engine";
   header.method_version = 0;  // no build of ours has it, so none takes the steps for its own
   header.phases = def.phases;
+  header.phase_hash_version = 1;  // its phases are its own
   return header;
 }
 

@@ -59,6 +59,7 @@ Result<LogHeader> decode_root(schema::Header::Reader in, std::uint64_t message_b
   }
   header.phases = decode_texts(phases);
   header.phase_rows_max = in.getPhaseRowsMax();
+  header.phase_hash_version = in.getPhaseHashVersion();
   Result<sim::SceneDef> scene = decode(in.getScene(), message_bytes);
   if (!scene.ok()) return scene.error();
   header.scene = *std::move(scene);
@@ -98,6 +99,7 @@ Result<MessageBytes> encode_header(const LogHeader& header) {
     out.setFloatFormat(header.float_format);
     encode_texts(header.phases, out.initPhases(static_cast<unsigned>(header.phases.size())));
     out.setPhaseRowsMax(header.phase_rows_max);
+    out.setPhaseHashVersion(header.phase_hash_version);
     encode(header.scene, out.initScene());
     out.setSceneText(header.scene_text);
     encode_texts(header.overrides, out.initOverrides(static_cast<unsigned>(header.overrides.size())));

@@ -14,7 +14,7 @@
 namespace tumble::replay {
 
 inline constexpr std::uint16_t kFormatMajor = 1;  ///< a reader of another major version cannot read the file
-inline constexpr std::uint16_t kFormatMinor = 2;  ///< raised with every added field; older readers ignore the fields
+inline constexpr std::uint16_t kFormatMinor = 3;  ///< raised with every added field; older readers ignore the fields
 
 enum class RecordKind : std::uint16_t { kHeader = 1, kChunk = 2, kIndex = 3, kFooter = 4, kGolden = 5 };
 /// "header", "chunk", …; "record" for a value that is none of them.

@@ -16,6 +16,9 @@
 namespace tumble::replay {
 namespace {
 
+// The format since which a header says which version of phase hashes its log has; before, there was only the first.
+constexpr std::uint16_t kMinorOfPhaseHashVersion = 3;
+
 class Recovery {
  public:
   Recovery(const ByteSource& source, std::unique_ptr<ByteSink> sink, Salvage left)
@@ -113,6 +116,7 @@ class Recovery {
       if (!decoder.ok()) return decoder.error();
       const Keyframe& begin = decoder->keyframe();
       phases_fit = phases_fit && sim::continuation_hash(begin.state) == begin.continuation_hash;
+      if (chunk.prelude.minor < kMinorOfPhaseHashVersion) header.phase_hash_version = 1;
       for (std::size_t i = 0; i < decoder->step_count(); ++i) {
         const StepRecord& step = decoder->without_states(i);
         if (step.has_states) with_states = std::gcd(with_states, step.step);

@@ -43,7 +43,7 @@ Result<std::optional<Divergence>> compare_start(LogReader& log) {
   return found;
 }
 
-std::vector<std::string> notes_of(const LogReader& log, bool same_phases) {
+std::vector<std::string> notes_of(const LogReader& log, const LogHeader& ours_now) {
   const LogHeader& header = log.header();
   std::vector<std::string> notes;
   const std::uint32_t ours = sim::method_version(header.scene.world.method);
@@ -51,23 +51,32 @@ std::vector<std::string> notes_of(const LogReader& log, bool same_phases) {
     notes.push_back("the log was recorded with version " + std::to_string(header.method_version) + " of method " +
                     header.method + ", this build has version " + std::to_string(ours));
   }
-  if (!same_phases) notes.emplace_back("the phases of the method have changed since: only states are compared");
+  const bool same_names = header.phases == ours_now.phases && header.phase_rows_max == ours_now.phase_rows_max;
+  if (!same_names) {
+    notes.emplace_back("the phases of the method have changed since: only states are compared");
+  } else if (!same_phase_words(header, ours_now)) {
+    notes.push_back(phase_hash_note(header, ours_now));
+  }
   if (!log.condition().whole()) notes.push_back("the log is not whole: " + log.condition().summary(log.last_step()));
   return notes;
 }
 
 /// The difference in step k, if there is one. States are decoded only then: for most steps the hashes are enough.
+/// phases: empty where phase words cannot be compared.
 Result<std::optional<Divergence>> compare_step(LogReader& log, const StepRecord& actual,
                                                const std::vector<std::string>& phases) {
-  Result<const StepRecord*> expected = log.read_hashes(actual.step);
-  if (!expected.ok()) return expected.error();
-  StepRecord hashes = **expected;
-  hashes.has_states = false;
-  std::optional<Divergence> found = first_difference(hashes, actual, phases);
-  if (!found || !(*expected)->has_states) return found;
-  expected = log.read_step(actual.step);
-  if (!expected.ok()) return expected.error();
-  return first_difference(**expected, actual, phases);
+  Result<const StepRecord*> read = log.read_hashes(actual.step);
+  if (!read.ok()) return read.error();
+  StepRecord expected = **read;
+  expected.has_states = false;
+  if (phases.empty()) leave_out_phase_words(actual, expected);
+  std::optional<Divergence> found = first_difference(expected, actual, phases);
+  if (!found || !(*read)->has_states) return found;
+  read = log.read_step(actual.step);
+  if (!read.ok()) return read.error();
+  expected = **read;
+  if (phases.empty()) leave_out_phase_words(actual, expected);
+  return first_difference(expected, actual, phases);
 }
 
 /// After the last step of a chunk: whether the hidden state is that of the keyframe which follows.
@@ -143,10 +152,9 @@ Result<ReplayReport> replay_log(LogReader& log, const ReplayOptions& options, co
   const LogHeader& header = log.header();
   const std::uint64_t from = std::max(options.from_step, log.first_state());
   const std::uint64_t last = log.last_step();
-  const bool same_phases =
-      header.phases == header_for(header.scene).phases && header.phase_rows_max == sim::PhaseHashes::kRowsMax;
+  const LogHeader ours_now = header_for(header.scene);
   ReplayReport report;
-  report.notes = notes_of(log, same_phases);
+  report.notes = notes_of(log, ours_now);
   const bool has_scene = !header.recovered || !header.recovered->header_lost;  // and not one made of state 0
   if (from == 0 && has_scene) {
     Result<std::optional<Divergence>> start = compare_start(log);
@@ -157,7 +165,8 @@ Result<ReplayReport> replay_log(LogReader& log, const ReplayOptions& options, co
   Result<Player> player = Player::at(log, from);
   if (!player.ok()) return player.error();
   player->use(options.workers);
-  const std::vector<std::string> phases = same_phases ? header.phases : std::vector<std::string>();
+  const bool same_words = same_phase_words(header, ours_now);
+  const std::vector<std::string> phases = same_words ? header.phases : std::vector<std::string>();
   for (std::uint64_t k = from + 1; k <= last; ++k) {
     if (const Gap* gap = log.lost_at(k); gap != nullptr) {
       k = gap->end_step();

@@ -72,7 +72,9 @@ Result<RetakenStep> retake_step(LogReader& log, std::uint64_t k) {
   if (!taken.ok()) return taken.error();
   Result<const StepRecord*> logged = log.read_hashes(k);
   if (!logged.ok()) return logged.error();
-  return RetakenStep{chain_next({}, **logged) == chain_next({}, **taken), **taken, collector.contacts()};
+  StepRecord ours = **taken;
+  if (!same_phase_words(log.header(), header_for(log.header().scene))) leave_out_phase_words(**logged, ours);
+  return RetakenStep{chain_next({}, **logged) == chain_next({}, ours), **taken, collector.contacts()};
 }
 
 std::optional<std::pair<sim::BodyId, sim::BodyId>> pair_of(const std::vector<sim::BodyId>& differing,

@@ -94,6 +94,22 @@ const std::vector<Gap>& LogHeader::gaps() const {
   return recovered ? recovered->gaps : kNone;
 }
 
+bool same_phase_words(const LogHeader& a, const LogHeader& b) {
+  return a.phases == b.phases && a.phase_rows_max == b.phase_rows_max && a.phase_hash_version == b.phase_hash_version;
+}
+
+void leave_out_phase_words(const StepRecord& of, StepRecord& record) {
+  record.phase_words = of.phase_words;
+  record.counters.contacts = of.counters.contacts;
+}
+
+std::string phase_hash_note(const LogHeader& a, const LogHeader& b) {
+  if (a.phase_hash_version == b.phase_hash_version) return "";
+  return "phase hashes: version " + std::to_string(a.phase_hash_version) + " and " +
+         std::to_string(b.phase_hash_version) +
+         ", which cover different fields; phase words and contact counts were not compared, all else was";
+}
+
 const char* name_of(sim::Method method) {
   switch (method) {
     case sim::Method::kThesis:
@@ -118,6 +134,7 @@ LogHeader header_for(const sim::SceneDef& scene) {
   header.method_version = sim::method_version(scene.world.method);
   for (const sim::Phase& phase : sim::phase_table(scene.world.method).phases) header.phases.emplace_back(phase.name);
   header.phase_rows_max = sim::PhaseHashes::kRowsMax;
+  header.phase_hash_version = sim::PhaseHashes::kVersion;
   header.scene = scene;
   header.chunk_steps_max = kChunkStepsMax;
   header.chunk_bytes_max = kChunkStateBytes;

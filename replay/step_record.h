@@ -115,15 +115,16 @@ struct LogHeader {
   std::string method;        ///< "thesis" or "layered"
   std::uint32_t method_version = 0;
   std::string float_format = "binary64, little-endian";
-  std::vector<std::string> phases;     ///< names, in the order they run
-  std::uint32_t phase_rows_max = 0;    ///< sim::PhaseHashes::kRowsMax of the writer
-  sim::SceneDef scene;                 ///< resolved; of a session that goes on: as it was then
-  std::string scene_text;              ///< the TOML file as it was, empty if none
-  std::vector<std::string> overrides;  ///< "world.dt=0.01", in order
-  sim::Transform transform;            ///< done to the scene of the text; `scene` has it done already
-  std::optional<GoesOn> goes_on;       ///< none: the log begins with state 0
-  std::optional<EngineName> engine;    ///< none: this project's physics computed the steps
-  std::optional<Recovered> recovered;  ///< none: the log is as it was recorded
+  std::vector<std::string> phases;       ///< names, in the order they run
+  std::uint32_t phase_rows_max = 0;      ///< sim::PhaseHashes::kRowsMax of the writer
+  std::uint32_t phase_hash_version = 1;  ///< sim::PhaseHashes::kVersion of the writer; 1 for another engine's
+  sim::SceneDef scene;                   ///< resolved; of a session that goes on: as it was then
+  std::string scene_text;                ///< the TOML file as it was, empty if none
+  std::vector<std::string> overrides;    ///< "world.dt=0.01", in order
+  sim::Transform transform;              ///< done to the scene of the text; `scene` has it done already
+  std::optional<GoesOn> goes_on;         ///< none: the log begins with state 0
+  std::optional<EngineName> engine;      ///< none: this project's physics computed the steps
+  std::optional<Recovered> recovered;    ///< none: the log is as it was recorded
   StatesMode states;
   std::uint32_t chunk_steps_max = 0;
   std::uint64_t chunk_bytes_max = 0;
@@ -133,6 +134,17 @@ struct LogHeader {
 
 /// The header of a session that this build records: everything but the scene text and the overrides.
 LogHeader header_for(const sim::SceneDef& scene);
+
+/// Whether the phase words of two sessions can be compared: those of the same phases, whose hashes cover the same.
+bool same_phase_words(const LogHeader& a, const LogHeader& b);
+
+/// Gives `record` the phase words of `of`, and its count of contacts, for a comparison of the rest: two sessions whose
+/// words mean different things may count differently too.
+void leave_out_phase_words(const StepRecord& of, StepRecord& record);
+
+/// "phase hashes: …", for people: why the words of two sessions of the same phases were not compared. Empty if they
+/// were.
+std::string phase_hash_note(const LogHeader& a, const LogHeader& b);
 
 /// The scene format's word for a method.
 const char* name_of(sim::Method method);

@@ -24,6 +24,7 @@ struct Expected {
   bodyHashes @14 :List(BodyHashes);
   states @15 :List(State);
   track @16 :List(TrackPoint);
+  phaseHashVersion @17 :UInt32 = 1;  # as in the header of a log
 }
 
 # Which bodies differ at a step: a hash of the visible state of each.

@@ -136,6 +136,7 @@ struct Header {
   goesOn @14 :GoesOn;           # null: the session begins with step 1 of its scene
   engine @15 :Engine;           # null: Tumble computed the steps; else methodVersion is 0 and replay is refused
   recovered @16 :Recovered;     # null: the log is as it was recorded
+  phaseHashVersion @17 :UInt32 = 1;  # of what phase words cover and `contacts` counts; 1 in an engine's log
 }
 
 # Another engine, whose steps the log holds: they can be compared, measured and drawn, not computed again.

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <set>
 
+#include "golden/bless.h"
 #include "golden/check.h"
+#include "golden/expected_file.h"
 #include "golden/text_files.h"
 #include "tests/support/golden_suite.h"
 
@@ -52,6 +54,32 @@ TEST_F(OneCase, BitsThatMoveWithoutBehaviourReadAsThat) {
   const std::string details = testing::PrintToString(result.difference->details);
   EXPECT_NE(details.find("body 2, position.z: expected 2, actual 2.0000000010"), std::string::npos) << details;
   EXPECT_TRUE(std::filesystem::exists(suite_.root() / "report" / "cases" / "fall" / "actual.tumble"));
+}
+
+// Another definition of phase hashes is no other physics: states, metrics and the hidden end still compare.
+TEST_F(OneCase, PhaseHashesOfAnotherVersionAreStaleAndNoDifference) {
+  const std::string path = suite_.file("fall", kExpectedFile).string();
+  const std::string bytes = suite_.read(path);
+  Result<Expected> golden = unpack(std::as_bytes(std::span(bytes)), path);
+  ASSERT_TRUE(golden.ok()) << golden.error().message;
+  --golden->phase_hash_version;
+  for (std::uint32_t& word : golden->step_words) word ^= 5;
+  for (std::vector<std::uint16_t>& words : golden->phase_words) words.front() ^= 5;
+  const Result<std::vector<std::byte>> old = pack(*golden);
+  suite_.write(path, std::string(reinterpret_cast<const char*>(old->data()), old->size()));
+  const CaseResult result = suite_.check_one("fall");
+  EXPECT_FALSE(result.passed());
+  EXPECT_EQ(exact_of(result), Outcome::kPass) << result.verdict(VerdictKind::kExact).words;
+  EXPECT_EQ(behaviour_of(result), Outcome::kPass);
+  EXPECT_TRUE(has_problem(result, "stale: blessed with phase hashes of version 1, run with version 2"));
+
+  ASSERT_TRUE(bless_cases({suite_.root(), {"fall"}, "because", false, {}}).ok());
+  EXPECT_TRUE(suite_.check_one("fall").passed());
+
+  golden->state_hashes.back().low ^= 1;
+  const Result<std::vector<std::byte>> wrong = pack(*golden);
+  suite_.write(path, std::string(reinterpret_cast<const char*>(wrong->data()), wrong->size()));
+  EXPECT_EQ(exact_of(suite_.check_one("fall")), Outcome::kFail);
 }
 
 TEST_F(OneCase, CommentsAndLooksDoNotMakeAGoldenStale) {

@@ -165,6 +165,7 @@ Result<Exit> compare(const Options& options, replay::LogReader& a, replay::LogRe
   const replay::DiffReport& result = found.narrowing.report;
   if (options.json) {
     Json json = comparison_json(result.identical(), result.steps, first_of(result));
+    json["headers"] = result.headers;
     if (result.first && !options.brief) json["narrowed"] = narrowing_json(found.narrowing);
     if (found.aftermath) json["aftermath"] = aftermath_json(*found.aftermath);
     print_json(json);

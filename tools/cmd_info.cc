@@ -60,6 +60,7 @@ void add_header(Listing& listing, const LogHeader& header) {
   }
   listing.add("dt", exact(header.scene.world.dt) + " s");
   if (!header.phases.empty()) listing.add("phases", printable(joined(header.phases, ", ")));
+  if (!header.engine) listing.add("phase hashes", "version " + std::to_string(header.phase_hash_version));
   listing.add("states", to_string(header.states));
   listing.add("format", version_of(header) + ", " + printable(header.float_format));
   listing.add("written by", "tumble " + printable(header.tool_version) + ", " + printable(header.tool_build));
@@ -97,6 +98,7 @@ void put_header(Json& json, const LogHeader& header) {
   json["method_version"] = header.method_version;
   json["float_format"] = header.float_format;
   json["phases"] = header.phases;
+  json["phase_hash_version"] = header.phase_hash_version;
   json["scene"] = {{"name", header.scene.name}, {"title", header.scene.title}, {"category", header.scene.category}};
   json["set"] = header.overrides;
   json["goes_on"] = nullptr;

@@ -93,6 +93,7 @@ Result<Exit> replay_command(const Options& options) {
   const Found found = report->first && !options.brief ? look_closer(*log, *report->first) : Found();
   if (options.json) {
     Json json = comparison_json(report->identical(), report->steps, report->first);
+    json["notes"] = report->notes;
     if (found.aftermath) json["aftermath"] = aftermath_json(*found.aftermath);
     print_json(json);
   } else {

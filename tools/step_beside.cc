@@ -41,7 +41,7 @@ Json phases_json(const replay::StepRecord& a, const replay::StepRecord& b, const
   return rows;
 }
 
-Json values_json(const replay::StepRecord& a, const replay::StepRecord& b) {
+Json values_json(const replay::StepRecord& a, const replay::StepRecord& b, bool same_words) {
   Json rows = Json::array();
   const auto add = [&](const char* name, const Json& in_a, const Json& in_b, bool same) {
     rows.push_back({{"name", name}, {"a", in_a}, {"b", in_b}, {"same", same}});
@@ -56,7 +56,7 @@ Json values_json(const replay::StepRecord& a, const replay::StepRecord& b) {
   };
   count("substeps", a.counters.substeps, b.counters.substeps);
   count("pairs", a.counters.pairs, b.counters.pairs);
-  count("contacts", a.counters.contacts, b.counters.contacts);
+  if (same_words) count("contacts", a.counters.contacts, b.counters.contacts);
   number("kinetic", a.counters.kinetic, b.counters.kinetic);
   number("potential", a.counters.potential, b.counters.potential);
   number("input_energy", a.counters.inputs, b.counters.inputs);
@@ -160,14 +160,15 @@ Result<StepBeside> look_at_step(replay::LogReader& a, replay::LogReader& b, std:
   if (!read_b.ok()) return read_b.error();
   const replay::StepRecord& in_a = **read_a;
   const replay::StepRecord& in_b = **read_b;
-  const bool same_phases = a.header().phases == b.header().phases;
+  const bool same_words = replay::same_phase_words(a.header(), b.header());
 
   StepBeside beside;
   Json& json = beside.json;
   json["step"] = k;
   json["same"] = false;
-  json["values"] = values_json(in_a, in_b);
-  json["phases"] = phases_json(in_a, in_b, same_phases ? a.header().phases : std::vector<std::string>());
+  json["note"] = replay::phase_hash_note(a.header(), b.header());
+  json["values"] = values_json(in_a, in_b, same_words);
+  json["phases"] = phases_json(in_a, in_b, same_words ? a.header().phases : std::vector<std::string>());
   const bool have_states = in_a.has_states && in_b.has_states;
   json["bodies"] = have_states ? bodies_json(in_a.states, in_b.states) : Json(nullptr);
   const auto same_rows = [](const Json& rows) {
@@ -188,6 +189,7 @@ void print_step_beside(const StepBeside& beside) {
     values.add({"  " + cell(row["name"]), cell(row["a"]), cell(row["b"]), verdict(row)});
   }
   values.print();
+  if (const std::string note = json["note"]; !note.empty()) std::cout << '\n' << note << '\n';
   if (!json["phases"].empty()) {
     std::cout << '\n';
     std::size_t on_one_side = 0;

@@ -48,6 +48,7 @@ void Hasher::add_column(std::span<const T> column) {
 
 void Hasher::add(std::uint64_t value) { add_column(std::span<const std::uint64_t>(&value, 1)); }
 void Hasher::add(double value) { add_column(std::span<const double>(&value, 1)); }
+void Hasher::add(std::initializer_list<double> values) { add_column(std::span(values.begin(), values.size())); }
 void Hasher::add(std::span<const double> column) { add_column(column); }
 void Hasher::add(std::span<const std::uint64_t> column) { add_column(column); }
 void Hasher::add(std::span<const std::uint32_t> column) { add_column(column); }

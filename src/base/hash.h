@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <vector>
@@ -33,6 +34,7 @@ class Hasher {
 
   void add(std::uint64_t value);
   void add(double value);
+  void add(std::initializer_list<double> values);
   void add(std::span<const double> column);
   void add(std::span<const std::uint64_t> column);
   void add(std::span<const std::uint32_t> column);

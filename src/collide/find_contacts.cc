@@ -165,8 +165,10 @@ void hash_find_contacts(const World& world, Hasher& hasher) {
   const Contacts& contacts = world.scratch().contacts;
   hasher.add(std::span<const BodyIndex>(contacts.a));
   hasher.add(std::span<const BodyIndex>(contacts.b));
-  for (const auto* column : {&contacts.normal.x, &contacts.normal.y, &contacts.normal.z, &contacts.depth,
-                             &contacts.r_a.x, &contacts.r_a.y, &contacts.r_a.z}) {
+  hasher.add(std::span<const std::uint16_t>(contacts.planes));
+  for (const auto* column :
+       {&contacts.normal.x, &contacts.normal.y, &contacts.normal.z, &contacts.depth, &contacts.r_a.x, &contacts.r_a.y,
+        &contacts.r_a.z, &contacts.r_b.x, &contacts.r_b.y, &contacts.r_b.z}) {
     hasher.add(std::span<const double>(*column));
   }
 }

@@ -1,6 +1,7 @@
 #include "src/collide/find_manifolds.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 
@@ -280,14 +281,15 @@ Status find_manifolds(World& world, double dt_s) {
 }
 
 void hash_find_manifolds(const World& world, Hasher& hasher) {
-  for (const Manifold& m : world.scratch().manifolds) {
-    hasher.add(static_cast<std::uint64_t>(m.a));
-    hasher.add(static_cast<std::uint64_t>(m.b));
-    for (const double value : {m.n.x(), m.n.y(), m.n.z(), m.offset, m.force1, m.force2, m.twist}) hasher.add(value);
-    for (std::uint32_t k = m.first; k < m.first + m.count; ++k) {
-      const ManifoldPoint& point = world.scratch().manifold_points[k];
+  const Scratch& scratch = world.scratch();
+  for (const Manifold& m : scratch.manifolds) {
+    const std::array<std::uint32_t, 4> what = {m.a, m.b, m.count, m.asleep ? 1U : 0U};
+    hasher.add(std::span<const std::uint32_t>(what));
+    for (const Vec3* v : {&m.n, &m.t1, &m.t2, &m.d}) hasher.add({v->x(), v->y(), v->z()});
+    hasher.add({m.offset, m.friction, m.friction_dynamic, m.restitution, m.force1, m.force2, m.twist});
+    for (const ManifoldPoint& point : points_of(scratch, m)) {
       hasher.add(static_cast<std::uint64_t>(point.feature));
-      for (const double value : {point.p, point.q, point.separation, point.impulse}) hasher.add(value);
+      hasher.add({point.p, point.q, point.separation, point.impulse});
     }
   }
 }

@@ -1,6 +1,5 @@
 #include "src/collide/find_near_pairs.h"
 
-#include "src/collide/find_pairs.h"
 #include "src/collide/strips.h"
 #include "src/collide/sweep.h"
 #include "src/math/grid.h"
@@ -41,6 +40,13 @@ Status find_near_pairs(World& world, double dt_s) {
   return {};
 }
 
-void hash_find_near_pairs(const World& world, Hasher& hasher) { hash_find_pairs(world, hasher); }
+void hash_find_near_pairs(const World& world, Hasher& hasher) {
+  const PairTable& pairs = world.state().pairs;
+  hasher.add(std::span<const BodyIndex>(pairs.a));
+  hasher.add(std::span<const BodyIndex>(pairs.b));
+  hasher.add(std::span<const std::uint16_t>(pairs.planes));
+  hasher.add(std::span<const double>(world.scratch().turning));
+  hash_frames(world.scratch(), hasher);
+}
 
 }  // namespace tumble::sim

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "src/base/hash.h"
 #include "src/world/scratch.h"
 #include "src/world/world_state.h"
 
@@ -8,6 +9,9 @@ namespace tumble::sim {
 /// Puts every body's box and its AABB where the body is now. The extents are rounded outwards to the position grid, so
 /// that a shifted scene has the same overlaps.
 void update_frames(const Bodies& bodies, Scratch& scratch);
+
+/// How the frames are turned; where they are and how large is the bodies' own.
+void hash_frames(const Scratch& scratch, Hasher& hasher);
 
 /// Sorts the pairs in sweep.found by (a, b), a < n: by counting for a, directly for the few b of one a. The partners of
 /// a are then sweep.partner[sweep.start[a]] up to sweep.start[a + 1].

@@ -1,6 +1,7 @@
 #include "src/solve/apply_forces.h"
 
 #include "src/math/grid.h"
+#include "src/solve/solver_hashes.h"
 #include "src/solve/sweep_layers.h"
 
 namespace tumble::sim {

@@ -40,6 +40,9 @@ Status apply_outcomes(World& world, double /*dt_s*/) {
   return {};
 }
 
-void hash_apply_outcomes(const World& world, Hasher& hasher) { hash_motion(world, hasher); }
+void hash_apply_outcomes(const World& world, Hasher& hasher) {
+  hash_motion(world, hasher);
+  hasher.add(world.scratch().removed_energy);
+}
 
 }  // namespace tumble::sim

@@ -103,6 +103,7 @@ Status assign_levels(World& world, double /*dt_s*/) {
 void hash_assign_levels(const World& world, Hasher& hasher) {
   hasher.add(std::span<const std::uint32_t>(world.scratch().level));
   hasher.add(std::span<const std::uint32_t>(world.scratch().layer_start));
+  hasher.add(std::span<const std::uint32_t>(world.scratch().layered));
 }
 
 }  // namespace tumble::sim

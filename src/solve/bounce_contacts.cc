@@ -1,6 +1,7 @@
 #include "src/solve/bounce_contacts.h"
 
 #include "src/solve/contact_batches.h"
+#include "src/solve/solver_hashes.h"
 #include "src/solve/sweep_layers.h"
 
 namespace tumble::sim {
@@ -11,6 +12,9 @@ Status bounce_contacts(World& world, double dt_s) {
   return {};
 }
 
-void hash_bounce_contacts(const World& world, Hasher& hasher) { hash_solution(world, hasher); }
+void hash_bounce_contacts(const World& world, Hasher& hasher) {
+  hash_solution(world, hasher);
+  hash_stored(world, hasher);
+}
 
 }  // namespace tumble::sim

@@ -207,7 +207,7 @@ Status carry_weights(World& world, double dt_s) {
 
 void hash_carry_weights(const World& world, Hasher& hasher) {
   hasher.add(std::span<const double>(world.scratch().solver_mass));
-  for (const ManifoldPoint& point : world.scratch().manifold_points) hasher.add(point.impulse);
+  for (const ManifoldPoint& point : world.scratch().manifold_points) hasher.add({point.load, point.impulse});
 }
 
 }  // namespace tumble::sim

@@ -114,6 +114,10 @@ Status compute_impulses(World& world, double /*dt_s*/) {
 void hash_compute_impulses(const World& world, Hasher& hasher) {
   const Vec3Column& impulse = world.scratch().contacts.impulse;
   for (const auto* column : {&impulse.x, &impulse.y, &impulse.z}) hasher.add(std::span<const double>(*column));
+  for (const auto* gain : {&world.scratch().velocity_gain, &world.scratch().spin_gain}) {
+    for (const auto* column : {&gain->x, &gain->y, &gain->z}) hasher.add(std::span<const double>(*column));
+  }
+  hasher.add(std::span<const std::uint8_t>(world.scratch().touched));
 }
 
 }  // namespace tumble::sim

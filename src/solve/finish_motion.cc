@@ -46,8 +46,13 @@ Status finish_motion(World& world, double dt_s) {
 void hash_finish_motion(const World& world, Hasher& hasher) {
   hash_motion(world, hasher);
   const ContactMemory& memory = world.state().contact_memory;
-  hasher.add(std::span<const Feature>(memory.feature));
-  hasher.add(std::span<const double>(memory.impulse));
+  for (const auto* column : {&memory.a, &memory.b, &memory.count, &memory.feature}) {
+    hasher.add(std::span<const std::uint32_t>(*column));
+  }
+  for (const auto* column :
+       {&memory.friction.x, &memory.friction.y, &memory.friction.z, &memory.twist, &memory.impulse}) {
+    hasher.add(std::span<const double>(*column));
+  }
 }
 
 }  // namespace tumble::sim

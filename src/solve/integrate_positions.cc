@@ -4,6 +4,7 @@
 #include "src/solve/contact_batches.h"
 #include "src/solve/integrate.h"
 #include "src/solve/solver_body.h"
+#include "src/solve/solver_hashes.h"
 #include "src/world/body_check.h"
 
 namespace tumble::sim {
@@ -50,6 +51,9 @@ Status integrate_positions(World& world, double substep_s) {
   return {};
 }
 
-void hash_integrate_positions(const World& world, Hasher& hasher) { hash_motion(world, hasher); }
+void hash_integrate_positions(const World& world, Hasher& hasher) {
+  hash_motion(world, hasher);
+  hash_moved(world, hasher);
+}
 
 }  // namespace tumble::sim

@@ -3,6 +3,7 @@
 #include "src/solve/batch_contacts.h"
 #include "src/solve/contact_batches.h"
 #include "src/solve/solver_body.h"
+#include "src/solve/solver_hashes.h"
 
 namespace tumble::sim {
 namespace {
@@ -62,23 +63,6 @@ Status prepare_manifolds(World& world, double dt_s) {
   return {};
 }
 
-void hash_prepare_manifolds(const World& world, Hasher& hasher) {
-  const Scratch& scratch = world.scratch();
-  const ContactBatches& all = scratch.contact_batches;
-  for (std::size_t k = 0; k < scratch.manifolds.size(); ++k) {
-    if (scratch.manifolds[k].asleep) continue;
-    const ContactBatch& batch = all.batches[all.place[k] / kLanes];
-    const unsigned lane = all.place[k] % kLanes;
-    for (const Lanes* lanes : {&batch.centre_p, &batch.centre_q, &batch.radius, &batch.relaxation}) {
-      hasher.add(lanes->of[lane]);
-    }
-    for (const Lanes& lanes : batch.friction_inverse) hasher.add(lanes.of[lane]);
-    for (const Lanes& lanes : batch.response) hasher.add(lanes.of[lane]);
-    for (std::uint32_t i = batch.first; i < batch.first + scratch.manifolds[k].count; ++i) {
-      hasher.add(all.points[i].mass.of[lane]);
-      hasher.add(all.points[i].approach.of[lane]);
-    }
-  }
-}
+void hash_prepare_manifolds(const World& world, Hasher& hasher) { hash_prepared(world, hasher); }
 
 }  // namespace tumble::sim

@@ -1,5 +1,6 @@
 #include "src/solve/push_contacts.h"
 
+#include "src/solve/solver_hashes.h"
 #include "src/solve/sweep_layers.h"
 
 namespace tumble::sim {

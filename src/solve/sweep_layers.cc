@@ -52,29 +52,4 @@ int sweep_count(const Scratch& scratch) {
   return std::min(kSweepsMax, 1 + levels / kLevelsPerSweep);
 }
 
-void hash_solution(const World& world, Hasher& hasher) {
-  const Scratch& scratch = world.scratch();
-  const std::size_t n = world.bodies().size();
-  std::vector<double> column(n);
-  for (const auto& part : {&SolverBody::velocity, &SolverBody::spin}) {
-    for (int axis = 0; axis < 3; ++axis) {
-      for (std::size_t i = 0; i < n; ++i) column[i] = (scratch.solver_bodies[i].*part)[axis];
-      hasher.add(std::span<const double>(column));
-    }
-  }
-  const ContactBatches& all = scratch.contact_batches;
-  for (std::size_t k = 0; k < scratch.manifolds.size(); ++k) {
-    const Manifold& m = scratch.manifolds[k];
-    if (m.asleep) {
-      for (const double value : {m.force1, m.force2, m.twist}) hasher.add(value);
-      for (const ManifoldPoint& point : points_of(scratch, m)) hasher.add(point.impulse);
-      continue;
-    }
-    const ContactBatch& batch = all.batches[all.place[k] / kLanes];
-    const unsigned lane = all.place[k] % kLanes;
-    for (const Lanes* lanes : {&batch.force1, &batch.force2, &batch.twist}) hasher.add(lanes->of[lane]);
-    for (std::uint32_t i = 0; i < m.count; ++i) hasher.add(all.points[batch.first + i].impulse.of[lane]);
-  }
-}
-
 }  // namespace tumble::sim

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "src/base/hash.h"
 #include "src/solve/contact_kernels.h"
 #include "src/world/world.h"
 
@@ -17,8 +16,5 @@ void warm_start_layers(World& world, double substep_s);
 
 /// How often to sweep: impulses must find their way through the height of a stack, from 1 to 10 times.
 int sweep_count(const Scratch& scratch);
-
-/// Adds the impulses and the velocities that they have led to: what the phases that sweep have written.
-void hash_solution(const World& world, Hasher& hasher);
 
 }  // namespace tumble::sim

@@ -45,6 +45,10 @@ void hash_update_sleeping(const World& world, Hasher& hasher) {
   const Bodies& bodies = world.bodies();
   hasher.add(std::span<const std::uint8_t>(bodies.frozen));
   hasher.add(std::span<const double>(bodies.low_energy_time));
+  for (const auto* column :
+       {&bodies.velocity.x, &bodies.velocity.y, &bodies.velocity.z, &bodies.spin.x, &bodies.spin.y, &bodies.spin.z}) {
+    hasher.add(std::span<const double>(*column));
+  }
 }
 
 }  // namespace tumble::sim

@@ -29,6 +29,7 @@ std::vector<BodyIndex> disturbed_bodies(const World& world) {
 
 Status wake_islands(World& world, double dt_s) {
   const std::vector<BodyIndex> disturbed = disturbed_bodies(world);
+  world.mutable_scratch().found_again = !disturbed.empty();
   if (disturbed.empty()) return {};
   Bodies& bodies = world.mutable_state().bodies;
   Islands islands(bodies.size());
@@ -47,6 +48,8 @@ Status wake_islands(World& world, double dt_s) {
 
 void hash_wake_islands(const World& world, Hasher& hasher) {
   hasher.add(std::span<const std::uint8_t>(world.bodies().frozen));
+  hasher.add(std::span<const double>(world.bodies().low_energy_time));
+  if (world.scratch().found_again) hash_find_manifolds(world, hasher);
 }
 
 }  // namespace tumble::sim

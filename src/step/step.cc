@@ -79,6 +79,13 @@ bool nothing_moves(const WorldState& state) {
   return state.def.method == Method::kLayered;
 }
 
+// Method layered: the points of the manifolds that were solved.
+std::uint32_t solved_points(const Scratch& scratch) {
+  std::uint32_t count = 0;
+  for (const std::uint32_t k : scratch.layered) count += scratch.manifolds[k].count;
+  return count;
+}
+
 // One call of step(): the sub-steps of a step, counted.
 class StepRun {
  public:
@@ -204,6 +211,7 @@ Result<StepCounters> step(World& world, Observer* observer) {
   ++world.mutable_state().step;
 
   StepCounters counters = run.counters();
+  if (world.state().def.method == Method::kLayered) counters.contacts = solved_points(world.scratch());
   const Energy energy = total_energy(world.state());
   counters.pairs = static_cast<std::uint32_t>(world.state().pairs.size());
   counters.kinetic = energy.kinetic;

@@ -33,7 +33,7 @@ PhaseTable phase_table(Method method);
 /// What a step did, in numbers. Energies in J.
 struct StepCounters {
   std::uint32_t pairs = 0;     ///< in the Active Collision List after the last sub-step
-  std::uint32_t contacts = 0;  ///< collisions resolved, all sub-steps
+  std::uint32_t contacts = 0;  ///< thesis: collisions resolved, all sub-steps; layered: contact points solved
   std::uint32_t substeps = 0;  ///< accepted
   double kinetic = 0;          ///< after the step
   double potential = 0;        ///< after the step
@@ -60,6 +60,10 @@ Result<StepCounters> step(World& world, Observer* observer = nullptr);
 class PhaseHashes : public Observer {
  public:
   static constexpr std::uint32_t kRowsMax = 16;
+  /// Of what the phases' hashes cover and StepCounters count: raised whenever either changes while no state does, since
+  /// words of two versions say nothing of each other. 1: some of what a phase wrote was left out, and method layered
+  /// counted no contacts. 2: all that a phase writes and the future depends on.
+  static constexpr std::uint32_t kVersion = 2;
 
   void phase_done(std::uint32_t substep, std::size_t phase, const World& world) override;
   void clear() { words_.clear(); }

@@ -132,17 +132,19 @@ struct Scratch {
   Vec3Column aabb_low;           ///< written by find_pairs; on PositionGrid
   Vec3Column aabb_high;
   SweepScratch sweep;
-  Contacts contacts;                  ///< written by find_planes (a, b, planes), find_contacts, compute_impulses
-  Vec3Column velocity_gain;           ///< sum of impulse outcomes of each body, m/s; written by compute_impulses
-  Vec3Column spin_gain;               ///< likewise, rad/s
-  Vec3Column displacement;            ///< merged separation of each body, m; written by compute_separation
-  Vec3Column displacement_low;        ///< its negative parts while it is being merged
-  std::vector<std::uint8_t> touched;  ///< in a real collision in this sub-step; written by compute_impulses
+  std::vector<std::uint16_t> old_planes;  ///< of each pair, those it was known with; written by find_pairs
+  Contacts contacts;                      ///< written by find_planes (a, b, planes), find_contacts, compute_impulses
+  Vec3Column velocity_gain;               ///< sum of impulse outcomes of each body, m/s; written by compute_impulses
+  Vec3Column spin_gain;                   ///< likewise, rad/s
+  Vec3Column displacement;                ///< merged separation of each body, m; written by compute_separation
+  Vec3Column displacement_low;            ///< its negative parts while it is being merged
+  std::vector<std::uint8_t> touched;      ///< in a real collision in this sub-step; written by compute_impulses
   // Method layered.
   std::vector<double> turning;      ///< m, turning_reach of each body; written by find_near_pairs
   std::vector<Manifold> manifolds;  ///< in the order of the pairs; written by find_manifolds
   std::vector<ManifoldPoint> manifold_points;
   std::vector<ManifoldList> manifolds_by;  ///< by the threads that find them
+  bool found_again = false;                ///< the manifolds, by wake_islands
   std::vector<std::uint32_t> level;        ///< of each body: contacts away from the ground; written by assign_levels
   std::vector<std::uint32_t> layered;      ///< manifolds that are awake, layer by layer
   std::vector<std::uint32_t> layer_start;  ///< of each layer in `layered`

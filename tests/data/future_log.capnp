@@ -135,8 +135,9 @@ struct Header {
   goesOn @14 :GoesOn;           # null: the session begins with step 1 of its scene
   engine @15 :Engine;           # null: Tumble computed the steps
   recovered @16 :Recovered;     # null: the log is as it was recorded
-  wind @17 :Float64;            # m/s, of the future
-  weather @18 :Text;            # of the future
+  phaseHashVersion @17 :UInt32 = 1;
+  wind @18 :Float64;            # m/s, of the future
+  weather @19 :Text;            # of the future
 }
 
 struct Engine {

@@ -1,0 +1,176 @@
+// What a phase writes is in its hash: each field is changed, one at a time, and the hash has to notice.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "src/step/step.h"
+#include "tests/support/sim_scenes.h"
+
+namespace tumble::sim {
+namespace {
+
+using test::advance;
+
+/// A field that a phase writes, and a change of it: by a bit that no later phase would round away.
+struct Field {
+  const char* phase;
+  const char* name;
+  std::function<void(World& world)> change;
+};
+
+double& lane(Lanes& lanes) { return lanes.of[0]; }
+ContactBatch& batch(World& world) { return world.mutable_scratch().contact_batches.batches.front(); }
+PointBatch& point(World& world) { return world.mutable_scratch().contact_batches.points[batch(world).first]; }
+Manifold& manifold(World& world) { return world.mutable_scratch().manifolds.front(); }
+ManifoldPoint& manifold_point(World& world) { return world.mutable_scratch().manifold_points.front(); }
+SolverBody& body(World& world) { return world.mutable_scratch().solver_bodies.front(); }
+ContactMemory& memory(World& world) { return world.mutable_state().contact_memory; }
+Bodies& bodies(World& world) { return world.mutable_state().bodies; }
+
+std::vector<Field> layered_fields() {
+  std::vector<Field> fields = {
+      {"find_near_pairs", "b", [](World& w) { ++w.mutable_state().pairs.b[0]; }},
+      {"find_near_pairs", "turning", [](World& w) { w.mutable_scratch().turning[0] += 1; }},
+      {"find_near_pairs", "axes", [](World& w) { w.mutable_scratch().frames[0].axes.axis[2].y() += 1; }},
+      {"find_manifolds", "restitution", [](World& w) { manifold(w).restitution += 1; }},
+      {"find_manifolds", "friction", [](World& w) { manifold(w).friction += 1; }},
+      {"find_manifolds", "friction_dynamic", [](World& w) { manifold(w).friction_dynamic += 1; }},
+      {"find_manifolds", "t2", [](World& w) { manifold(w).t2.z() += 1; }},
+      {"find_manifolds", "d", [](World& w) { manifold(w).d.x() += 1; }},
+      {"find_manifolds", "asleep", [](World& w) { manifold(w).asleep = !manifold(w).asleep; }},
+      {"find_manifolds", "separation", [](World& w) { manifold_point(w).separation += 1; }},
+      {"wake_islands", "frozen", [](World& w) { bodies(w).frozen[0] ^= 1; }},
+      {"wake_islands", "low_energy_time", [](World& w) { bodies(w).low_energy_time[0] += 1; }},
+      {"assign_levels", "layered", [](World& w) { ++w.mutable_scratch().layered[0]; }},
+      {"carry_weights", "load", [](World& w) { manifold_point(w).load += 1; }},
+      {"carry_weights", "impulse", [](World& w) { manifold_point(w).impulse += 1; }},
+      {"carry_weights", "solver_mass", [](World& w) { w.mutable_scratch().solver_mass[0] += 1; }},
+      {"prepare_manifolds", "in_contact", [](World& w) { w.mutable_scratch().in_contact[0] ^= 1; }},
+      {"prepare_manifolds", "inverse_mass", [](World& w) { body(w).inverse_mass += 1; }},
+      {"prepare_manifolds", "weight", [](World& w) { body(w).weight += 1; }},
+      {"prepare_manifolds", "restitution", [](World& w) { lane(batch(w).restitution) += 1; }},
+      {"prepare_manifolds", "force1", [](World& w) { lane(batch(w).force1) += 1; }},
+      {"prepare_manifolds", "split_a", [](World& w) { lane(batch(w).split_a) += 1; }},
+      {"prepare_manifolds", "response", [](World& w) { lane(batch(w).response[5]) += 1; }},
+      {"prepare_manifolds", "impulse", [](World& w) { lane(point(w).impulse) += 1; }},
+      {"prepare_manifolds", "load", [](World& w) { lane(point(w).load) += 1; }},
+      {"integrate_positions", "separation", [](World& w) { lane(point(w).separation) += 1; }},
+      {"integrate_positions", "inverse_inertia", [](World& w) { body(w).inverse_inertia[5] += 1; }},
+      {"integrate_positions", "orientation", [](World& w) { bodies(w).orientation.z[0] += 1; }},
+      {"bounce_contacts", "stored impulse", [](World& w) { manifold_point(w).impulse += 1; }},
+      {"bounce_contacts", "stored separation", [](World& w) { manifold_point(w).separation += 1; }},
+      {"bounce_contacts", "stored twist", [](World& w) { manifold(w).twist += 1; }},
+      {"finish_motion", "friction", [](World& w) { memory(w).friction.z[0] += 1; }},
+      {"finish_motion", "twist", [](World& w) { memory(w).twist[0] += 1; }},
+      {"finish_motion", "count", [](World& w) { ++memory(w).count[0]; }},
+      {"finish_motion", "a", [](World& w) { ++memory(w).a[0]; }},
+      {"finish_motion", "b", [](World& w) { ++memory(w).b[0]; }},
+      {"finish_motion", "impulse", [](World& w) { memory(w).impulse[0] += 1; }},
+      {"update_sleeping", "velocity", [](World& w) { bodies(w).velocity.z[0] += 1; }},
+  };
+  for (const char* phase : {"apply_forces", "push_contacts", "relax_contacts", "bounce_contacts"}) {
+    fields.push_back({phase, "impulse", [](World& w) { lane(point(w).impulse) += 1; }});
+    fields.push_back({phase, "peak", [](World& w) { lane(point(w).peak) += 1; }});
+    fields.push_back({phase, "twist", [](World& w) { lane(batch(w).twist) += 1; }});
+  }
+  for (const char* phase : {"apply_forces", "push_contacts", "integrate_positions", "relax_contacts"}) {
+    fields.push_back({phase, "spin", [](World& w) { body(w).spin.y() += 1; }});
+    fields.push_back({phase, "velocity", [](World& w) { body(w).velocity.z() += 1; }});
+  }
+  return fields;
+}
+
+std::vector<Field> thesis_fields() {
+  const auto contacts = [](World& world) -> Contacts& { return world.mutable_scratch().contacts; };
+  return {
+      {"integrate", "spin", [](World& w) { bodies(w).spin.x[0] += 1; }},
+      {"find_pairs", "planes taken over", [](World& w) { w.mutable_scratch().old_planes[0] ^= 1; }},
+      {"find_pairs", "axes", [](World& w) { w.mutable_scratch().frames[0].axes.axis[0].x() += 1; }},
+      {"find_pairs", "aabb_low", [](World& w) { w.mutable_scratch().aabb_low.z[0] += 1; }},
+      {"find_planes", "planes", [](World& w) { w.mutable_state().pairs.planes[0] ^= 1; }},
+      {"find_contacts", "planes", [=](World& w) { contacts(w).planes[0] ^= 1; }},
+      {"find_contacts", "r_b", [=](World& w) { contacts(w).r_b.y[0] += 1; }},
+      {"compute_impulses", "velocity_gain", [](World& w) { w.mutable_scratch().velocity_gain.z[0] += 1; }},
+      {"compute_impulses", "spin_gain", [](World& w) { w.mutable_scratch().spin_gain.x[0] += 1; }},
+      {"compute_impulses", "touched", [](World& w) { w.mutable_scratch().touched[0] ^= 1; }},
+      {"compute_separation", "displacement", [](World& w) { w.mutable_scratch().displacement.z[0] += 1; }},
+      {"apply_outcomes", "position", [](World& w) { bodies(w).position.z[0] += 1; }},
+      {"apply_outcomes", "removed_energy", [](World& w) { w.mutable_scratch().removed_energy += 1; }},
+      {"recheck_planes", "planes", [](World& w) { w.mutable_state().pairs.planes[0] ^= 1; }},
+      {"update_freezing", "low_energy_time", [](World& w) { bodies(w).low_energy_time[0] += 1; }},
+  };
+}
+
+/// After each phase, once in a step: tries all of its fields on a copy of the world.
+class Changer : public Observer {
+ public:
+  explicit Changer(std::vector<Field> fields) : fields_(std::move(fields)) {}
+
+  void phase_done(std::uint32_t /*substep*/, std::size_t phase, const World& world) override {
+    const Phase& of = phase_table(world.state().def.method).phases[phase];
+    for (const Field& field : fields_) {
+      if (std::string(field.phase) != of.name) continue;
+      World other = world;
+      field.change(other);
+      EXPECT_NE(hash(of, other), hash(of, world)) << field.phase << ": " << field.name;
+      ++tried_[std::string(field.phase) + ' ' + field.name];
+    }
+  }
+  void expect_all_tried() const { EXPECT_EQ(tried_.size(), fields_.size()); }
+
+ private:
+  static Hash128 hash(const Phase& phase, const World& world) {
+    Hasher hasher;
+    phase.hash(world, hasher);
+    return hasher.digest();
+  }
+
+  std::vector<Field> fields_;
+  std::map<std::string, int> tried_;
+};
+
+/// Uneven boxes in a heap, in their step 61, so that there is a past to carry along.
+void try_all(Method method, const std::vector<Field>& fields) {
+  SceneDef scene = test::tumble_of_boxes(3, 5);
+  scene.world.method = method;
+  World world = test::made(scene);
+  for (int k = 0; k < 60; ++k) advance(world);
+  Changer changer(fields);
+  advance(world, &changer);
+  changer.expect_all_tried();
+}
+
+TEST(PhaseHashes, CoverWhatThePhasesOfTheThesisWrite) { try_all(Method::kThesis, thesis_fields()); }
+TEST(PhaseHashes, CoverWhatThePhasesOfMethodLayeredWrite) { try_all(Method::kLayered, layered_fields()); }
+
+// Manifolds are made once more when somebody wakes, by another phase than the one that makes them first.
+TEST(PhaseHashes, WakingCoversTheManifoldsThatItMakesAnew) {
+  SceneDef scene = test::tower(3);
+  scene.world.method = Method::kLayered;
+  test::freeze_all(scene);
+  test::add_thrown_cube(scene);
+  World world = test::made(scene);
+  bool woke = false;
+  for (int k = 0; k < 200 && !woke; ++k) {
+    Changer changer({{"wake_islands", "separation", [](World& w) {
+                        if (!w.scratch().found_again) bodies(w).frozen[0] ^= 1;
+                        manifold_point(w).separation += 1;
+                      }}});
+    advance(world, &changer);
+    woke = world.scratch().found_again;
+  }
+  EXPECT_TRUE(woke);
+}
+
+TEST(Counters, ContactsOfMethodLayeredAreThePointsThatWereSolved) {
+  SceneDef scene = test::tower(3);
+  scene.world.method = Method::kLayered;
+  World world = test::made(scene);
+  EXPECT_EQ(advance(world).contacts, 12U) << "four corners under each of three cubes";
+}
+
+}  // namespace
+}  // namespace tumble::sim
