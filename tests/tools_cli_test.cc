@@ -55,7 +55,7 @@ TEST(Program, RecordsAndReplaysToTheBit) {
   EXPECT_EQ(replayed.exit, 0) << replayed.err;
   EXPECT_NE(replayed.out.find("identical: 40 steps"), std::string::npos) << replayed.out;
   const ordered_json json = parsed(shop.run({"replay", "s.tumble", "--json"}));
-  EXPECT_EQ(json, ordered_json::parse(R"({"identical":true,"steps":40,"first":null})"));
+  EXPECT_EQ(json, ordered_json::parse(R"({"identical":true,"steps":40,"first":null,"notes":[]})"));
 }
 
 TEST(Program, ASessionInRealTimeReplaysToTheBit) {
