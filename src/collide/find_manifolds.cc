@@ -15,10 +15,10 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kWorthPairs = 4096;  // and bodies, for a thread more
-constexpr double kEdgePreference = 0.01;   // of the smallest half extent: an edge pair must be better by this
-constexpr double kFacePreference = 0.001;  // likewise for the other box's face
-constexpr double kFarPart = 0.02;          // covers both preferences and the tolerance of points at edges
+constexpr std::size_t kWorthPairs = 16384;  // and bodies, for a thread more
+constexpr double kEdgePreference = 0.01;    // of the smallest half extent: an edge pair must be better by this
+constexpr double kFacePreference = 0.001;   // likewise for the other box's face
+constexpr double kFarPart = 0.02;           // covers both preferences and the tolerance of points at edges
 
 double smallest_half_extent(const BoxPair& pair) {
   return std::min(pair.a().half_extent.minCoeff(), pair.b().half_extent.minCoeff());

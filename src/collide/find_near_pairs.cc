@@ -7,7 +7,7 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kWorthBodies = 16384;  // for a thread more
+constexpr std::size_t kWorthBodies = 32768;  // for a thread more
 
 // Widens a body's AABB to where it may come within the step.
 void reach_out(const Bodies& bodies, Scratch& scratch, BodyIndex i, double fall, double dt_s) {

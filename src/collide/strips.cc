@@ -14,7 +14,7 @@ constexpr double kBinWidth = 0.125;           // mean extents
 constexpr double kBinReach = 1.01;            // bins; the quotient that finds one is rounded
 constexpr double kCrowd = 8;                  // boxes side by side in a strip from which on the third axis pays too
 constexpr std::size_t kFewBodies = 48;        // one strip will do
-constexpr std::size_t kWorthEntries = 16384;  // for a thread more
+constexpr std::size_t kWorthEntries = 49152;  // for a thread more
 
 // How the bodies lie along an axis.
 struct Spread {

@@ -8,7 +8,7 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kWorthBodies = 16384;  // for a thread more
+constexpr std::size_t kWorthBodies = 32768;  // for a thread more
 constexpr std::size_t kSamples = 64;         // bodies that judge an axis
 constexpr int kAxisLifetime = 64;            // sub-steps until the axes are judged again
 

@@ -7,7 +7,7 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kWorthBodies = 8192;  // for a thread more
+constexpr std::size_t kWorthBodies = 32768;  // for a thread more
 
 }  // namespace
 

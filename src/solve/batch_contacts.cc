@@ -10,7 +10,7 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kWorthBatches = 256;  // for a thread more
+constexpr std::size_t kWorthBatches = 2048;  // for a thread more
 
 // Which manifolds are solved side by side: those of one layer with as many points.
 class Grouping {

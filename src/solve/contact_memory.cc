@@ -6,7 +6,7 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kWorthManifolds = 4096;  // for a thread more
+constexpr std::size_t kWorthManifolds = 32768;  // for a thread more
 
 std::pair<BodyIndex, BodyIndex> key_of(const ContactMemory& memory, std::size_t k) {
   const BodyIndex a = memory.a[k], b = memory.b[k];

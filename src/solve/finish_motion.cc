@@ -8,7 +8,7 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kWorthBodies = 8192;  // for a thread more
+constexpr std::size_t kWorthBodies = 32768;  // for a thread more
 
 void leave_contact(World& world, BodyIndex i, double dt_s) {
   Bodies& bodies = world.mutable_state().bodies;

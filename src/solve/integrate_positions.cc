@@ -10,7 +10,7 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kWorthBodies = 4096, kWorthBatches = 256;  // for a thread more
+constexpr std::size_t kWorthBodies = 32768, kWorthBatches = 2048;  // for a thread more
 constexpr double kStiff = 0.002;  // rad in a sub-step up to which a body's inertia is left as it was
 
 // Turned as in free flight, which keeps angular momentum and energy: held against the world, the spin of a fast bar

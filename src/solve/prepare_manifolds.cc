@@ -8,7 +8,7 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kWorthBodies = 8192, kWorthBatches = 128;  // for a thread more
+constexpr std::size_t kWorthBodies = 32768, kWorthBatches = 2048;  // for a thread more
 
 SolverBody solver_body(const Bodies& bodies, const Scratch& scratch, BodyIndex i) {
   SolverBody body;

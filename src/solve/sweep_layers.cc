@@ -10,8 +10,8 @@ namespace {
 constexpr int kLevelsPerSweep = 5;  // measured: columns of 8 that sway after a fall come to rest with two, not with one
 constexpr int kSweepsMax = 10;
 
-constexpr std::size_t kWorthBatches = 64;  // for a thread more; measured
-constexpr std::size_t kWorthBodies = 1024;
+constexpr std::size_t kWorthBatches = 512;  // for a thread more; measured
+constexpr std::size_t kWorthBodies = 8192;
 
 // Lets the manifolds of a layer find what they do, then the bodies take it up.
 template <class Solve>
