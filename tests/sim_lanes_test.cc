@@ -144,13 +144,7 @@ std::vector<std::uint64_t> hashes_of(const SceneDef& scene, LaneWidth width, int
   Result<World> world = World::create(scene);
   EXPECT_TRUE(world.ok());
   world->mutable_scratch().lanes = width;
-  std::vector<std::uint64_t> all;
-  for (int k = 0; k < steps; ++k) {
-    PhaseHashes hashes;
-    EXPECT_TRUE(step(*world, &hashes).ok());
-    all.insert(all.end(), hashes.words().begin(), hashes.words().end());
-  }
-  return all;
+  return test::phase_words_of(*world, steps);
 }
 
 TEST(Lanes, SessionsOfEveryWidthHaveTheSamePhaseHashes) {

@@ -50,12 +50,7 @@ std::vector<std::uint64_t> hashes_of(const SceneDef& scene, Workers* workers, in
   Result<World> world = World::create(scene);
   EXPECT_TRUE(world.ok());
   world->use(workers);
-  std::vector<std::uint64_t> all;
-  for (int k = 0; k < steps; ++k) {
-    PhaseHashes hashes;
-    EXPECT_TRUE(step(*world, &hashes).ok());
-    all.insert(all.end(), hashes.words().begin(), hashes.words().end());
-  }
+  std::vector<std::uint64_t> all = test::phase_words_of(*world, steps);
   const Hash128 end = continuation_hash(world->state());
   all.insert(all.end(), {end.high, end.low});
   return all;

@@ -146,8 +146,7 @@ class Filling {
 // solved at the same time, so each sees only its share of a body's mass.
 class Sharing {
  public:
-  explicit Sharing(World& world)
-      : bodies_(world.bodies()), scratch_(world.scratch()), all_(world.mutable_scratch().contact_batches) {
+  explicit Sharing(World& world) : bodies_(world.bodies()), all_(world.mutable_scratch().contact_batches) {
     all_.touched.clear();
     all_.touched_start.assign(1, 0);
     all_.entries.resize(2 * all_.order.size());
@@ -194,7 +193,6 @@ class Sharing {
   }
 
   const Bodies& bodies_;
-  const Scratch& scratch_;
   ContactBatches& all_;
   std::uint32_t entries_ = 0;
 };

@@ -224,4 +224,14 @@ void give(sim::World& world, const sim::Command& command) {
   if (const Status status = world.apply(command); !status.ok()) throw std::runtime_error(status.error().message);
 }
 
+std::vector<std::uint64_t> phase_words_of(sim::World& world, int steps) {
+  std::vector<std::uint64_t> all;
+  for (int k = 0; k < steps; ++k) {
+    sim::PhaseHashes hashes;
+    advance(world, &hashes);
+    all.insert(all.end(), hashes.words().begin(), hashes.words().end());
+  }
+  return all;
+}
+
 }  // namespace tumble::test

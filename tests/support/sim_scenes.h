@@ -72,4 +72,7 @@ sim::World made(const sim::SceneDef& scene);
 sim::StepCounters advance(sim::World& world, sim::Observer* observer = nullptr);
 void give(sim::World& world, const sim::Command& command);
 
+/// The phase hashes of so many steps of a world, one after the other; throws likewise.
+std::vector<std::uint64_t> phase_words_of(sim::World& world, int steps);
+
 }  // namespace tumble::test
