@@ -92,6 +92,12 @@ Status decode_inputs(schema::Chunk::Reader in, Chunk& chunk) {
   std::uint64_t before = chunk.first_step;
   const auto inputs = in.getInputs();
   if (inputs.size() > sim::kInputsMax) return damaged("chunk: found more inputs than a session may have");
+  std::vector<std::size_t> counts(chunk.steps.size());  // vectors that grow would take twice the memory
+  for (const schema::Input::Reader input : inputs) {
+    const std::uint64_t index = input.getStep() - chunk.first_step;
+    if (index < counts.size()) ++counts[index];
+  }
+  for (std::size_t i = 0; i < counts.size(); ++i) chunk.steps[i].inputs.reserve(counts[i]);
   for (const schema::Input::Reader input : inputs) {
     Result<sim::TimedCommand> command = decode(input);
     if (!command.ok()) return command.error();

@@ -1,5 +1,6 @@
 #include "replay/header_codec.h"
 
+#include "replay/limits.h"
 #include "replay/message.h"
 #include "replay/scene_codec.h"
 #include "src/model/limits.h"
@@ -65,7 +66,9 @@ Result<LogHeader> decode_root(schema::Header::Reader in, std::uint64_t message_b
   header.scene = *std::move(scene);
   const capnp::Text::Reader text = in.getSceneText();
   header.scene_text.assign(text.cStr(), text.size());
-  header.overrides = decode_texts(in.getOverrides());
+  const auto overrides = in.getOverrides();
+  if (overrides.size() > kOverridesMax) return damaged("found " + std::to_string(overrides.size()) + " overrides");
+  header.overrides = decode_texts(overrides);
   header.transform = decode(in.getTransform());
   if (in.hasGoesOn()) {
     const schema::GoesOn::Reader before = in.getGoesOn();

@@ -41,8 +41,7 @@ Result<std::vector<ChunkPlace>> read_index(const ByteSource& source, const Prelu
   Prelude prelude;
   if (Status ok = read_prelude(source, footer->index_offset, prelude); !ok.ok()) return ok.error();
   if (prelude.kind != RecordKind::kIndex || prelude.log_tag != header.log_tag) return damaged("no index");
-  Result<MessageBytes> message =
-      read_payload(source, footer->index_offset, prelude, message_bytes_max(prelude.stored_bytes));
+  Result<MessageBytes> message = read_payload(source, footer->index_offset, prelude);
   if (!message.ok()) return message.error();
   Result<std::vector<ChunkPlace>> places = decode_index(*message);
   if (!places.ok()) return places.error();
@@ -66,8 +65,7 @@ Result<std::vector<ChunkPlace>> read_index(const ByteSource& source, const Prelu
 
 }  // namespace
 
-Result<MessageBytes> read_payload(const ByteSource& source, std::uint64_t offset, const Prelude& prelude,
-                                  std::uint64_t limit) {
+Result<MessageBytes> read_payload(const ByteSource& source, std::uint64_t offset, const Prelude& prelude) {
   const std::string record = name_of(prelude.kind);
   if (prelude.stored_bytes > source.size() || offset + kPreludeBytes > source.size() - prelude.stored_bytes) {
     return damaged(source.name() + ": " + record + " at byte " + std::to_string(offset) + ": the file ends at byte " +
@@ -81,7 +79,7 @@ Result<MessageBytes> read_payload(const ByteSource& source, std::uint64_t offset
               damaged("the stored bytes are not those that were written: found hash " + to_string(found) + ", wanted " +
                       to_string(prelude.stored_hash)));
   }
-  Result<MessageBytes> message = decompress(stored, prelude.raw_bytes, limit);
+  Result<MessageBytes> message = decompress(stored, prelude.raw_bytes, raw_bytes_max(prelude, offset));
   if (!message.ok()) return at(source, record, offset, message.error());
   return message;
 }
@@ -97,8 +95,7 @@ Result<ChunkDecoder> read_chunk(const ByteSource& source, const ChunkPlace& plac
   if (found != place || prelude.kind != RecordKind::kChunk || prelude.log_tag != header.log_tag) {
     return wrong(damaged("the index tells of another record here than the file has"));
   }
-  Result<MessageBytes> message =
-      read_payload(source, place.offset, prelude, message_bytes_max(prelude.stored_bytes, log.scene.boxes.size()));
+  Result<MessageBytes> message = read_payload(source, place.offset, prelude);
   if (!message.ok()) return message.error();
   Result<ChunkDecoder> decoder = ChunkDecoder::open(*message);
   if (!decoder.ok()) return wrong(decoder.error());
@@ -158,7 +155,7 @@ Status LogReader::read_header() {
     return damaged(name() + ": torn at byte " + std::to_string(size) + ", inside the header, which ends at byte " +
                    std::to_string(kPreludeBytes + prelude->stored_bytes) + "; nothing can be saved");
   }
-  Result<MessageBytes> message = read_payload(*source_, 0, *prelude, message_bytes_max(prelude->stored_bytes));
+  Result<MessageBytes> message = read_payload(*source_, 0, *prelude);
   if (!message.ok()) return message.error();
   Result<LogHeader> header = decode_header(*message);
   if (!header.ok()) return at(*source_, "header", 0, header.error());

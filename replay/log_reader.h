@@ -93,8 +93,7 @@ class LogReader {
 };
 
 /// Reads, checks and decompresses the record at a place. Errors carry path, record and byte.
-Result<MessageBytes> read_payload(const ByteSource& source, std::uint64_t offset, const Prelude& prelude,
-                                  std::uint64_t limit);
+Result<MessageBytes> read_payload(const ByteSource& source, std::uint64_t offset, const Prelude& prelude);
 
 /// Reads the chunk at a place and checks it against its prelude: the stored hash, the counts, the chain over its steps.
 Result<ChunkDecoder> read_chunk(const ByteSource& source, const ChunkPlace& place, const Prelude& header,

@@ -44,11 +44,13 @@ Extents extents_of(const BoxFrame& box) {
   return extents;
 }
 
-bool meet(const Extents& a, const Extents& b) {
+// The least overlap along the world's axes, negative when apart: the shortest way apart is never longer.
+double most_depth(const Extents& a, const Extents& b) {
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < 3; ++k) {
-    if (a[k].low > b[k].high || b[k].low > a[k].high) return false;
+    least = std::min(least, std::min(a[k].high, b[k].high) - std::max(a[k].low, b[k].low));
   }
-  return true;
+  return least;
 }
 
 std::size_t widest_axis(std::span<const BoxFrame> boxes) {
@@ -94,8 +96,10 @@ double deepest_overlap(std::span<const BoxFrame> boxes, std::span<const std::uin
     const std::size_t i = order[first];
     for (std::size_t second = first + 1; second < order.size(); ++second) {
       const std::size_t j = order[second];
-      if (extents[j][axis].low > extents[i][axis].high) break;
-      if ((left_out[i] != 0 && left_out[j] != 0) || !meet(extents[i], extents[j])) continue;
+      // Pairs that cannot be deeper than the deepest so far are not looked at: in a crowd, where each box meets each,
+      // those are nearly all.
+      if (extents[i][axis].high - extents[j][axis].low <= deepest) break;
+      if ((left_out[i] != 0 && left_out[j] != 0) || most_depth(extents[i], extents[j]) <= deepest) continue;
       deepest = std::max(deepest, overlap_depth(boxes[i], boxes[j]));
     }
   }

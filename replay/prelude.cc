@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "replay/limits.h"
 #include "replay/little_endian.h"
 
 namespace tumble::replay {
@@ -168,6 +169,11 @@ Result<Footer> decode_footer(std::span<const std::byte, kFooterBytes> bytes) {
   if (prelude->kind != RecordKind::kFooter) return damaged("found a " + std::string(name_of(prelude->kind)));
   return Footer{*prelude, load<std::uint64_t>(bytes.data() + 128), load<std::uint64_t>(bytes.data() + 136),
                 load_hash(bytes.data() + 144)};
+}
+
+std::uint64_t raw_bytes_max(const Prelude& prelude, std::uint64_t offset) {
+  if (prelude.kind == RecordKind::kHeader) return header_bytes_max(prelude.stored_bytes);
+  return message_bytes_max(offset + kPreludeBytes + prelude.stored_bytes);
 }
 
 }  // namespace tumble::replay

@@ -88,4 +88,7 @@ bool nearly_starts_like_log(std::span<const std::byte> start);
 Result<Prelude> decode_prelude(std::span<const std::byte, kPreludeBytes> bytes);
 Result<Footer> decode_footer(std::span<const std::byte, kFooterBytes> bytes);
 
+/// What the message of the record at a byte of a file may decompress to (limits.h).
+std::uint64_t raw_bytes_max(const Prelude& prelude, std::uint64_t offset);
+
 }  // namespace tumble::replay

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "replay/header_codec.h"
+#include "replay/limits.h"
 
 namespace tumble::replay {
 namespace {
@@ -34,7 +35,21 @@ Status RecordWriter::write_record(Prelude& prelude, const MessageBytes& message)
   const std::string doing = std::string(name_of(prelude.kind)) + " " + std::to_string(sequence_);
   if (Status ok = compressor_.compress(message.bytes(), stored_); !ok.ok()) return fail(doing, ok.error().message);
   prelude.raw_bytes = message.bytes().size();
+  prelude.stored_bytes = stored_.size();
+  if (prelude.raw_bytes > raw_bytes_max(prelude, bytes_)) {
+    if (Status ok = pack_worse(prelude, message.bytes()); !ok.ok()) return ok;
+  }
   return write_stored(prelude, stored_);
+}
+
+Status RecordWriter::pack_worse(Prelude& prelude, std::span<const std::byte> message) {
+  const std::string doing = std::string(name_of(prelude.kind)) + " " + std::to_string(sequence_);
+  Compressor narrow(1, kNarrowWindowLog);
+  if (Status ok = narrow.compress(message, stored_); !ok.ok()) return fail(doing, ok.error().message);
+  prelude.stored_bytes = stored_.size();
+  if (prelude.raw_bytes <= raw_bytes_max(prelude, bytes_)) return {};
+  return fail(doing, "its " + std::to_string(prelude.raw_bytes) + " bytes pack to " +
+                         std::to_string(prelude.stored_bytes) + ", so few that no program would read it again");
 }
 
 Status RecordWriter::write_stored(Prelude& prelude, std::span<const std::byte> stored) {
@@ -98,6 +113,12 @@ Status RecordWriter::copy_chunk(const Prelude& before, std::span<const std::byte
   if (!status_.ok()) return status_;
   Prelude prelude = before;
   const std::uint64_t offset = bytes_;
+  if (prelude.raw_bytes > raw_bytes_max(prelude, offset)) {  // what told of its bodies is lost
+    const Result<MessageBytes> message = decompress(stored, prelude.raw_bytes, kChunkBytesMax);
+    if (!message.ok()) return fail("chunk " + std::to_string(sequence_), message.error().message);
+    if (Status ok = pack_worse(prelude, message->bytes()); !ok.ok()) return ok;
+    stored = stored_;
+  }
   if (Status ok = write_stored(prelude, stored); !ok.ok()) return ok;
   final_hash_ = final_hash;
   chain_ = prelude.chain_after;

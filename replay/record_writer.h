@@ -28,7 +28,8 @@ class RecordWriter {
   /// Fills in each step's state_hash and has_states, and the keyframe's hash; then writes. Every step must have states.
   Status write_chunk(Keyframe& keyframe, std::span<StepRecord> steps);
 
-  /// The same with records of another log, byte for byte but for their number and tag. `before` is the other header's
+  /// The same with records of another log, byte for byte but for their number and tag; a chunk that packed so well
+  /// that it would be refused at its new place is packed anew. `before` is the other header's
   /// prelude; `final_hash` the state hash after the chunk's last step. A chunk need not begin where the last ended.
   Status copy_header(const Prelude& before, std::span<const std::byte> stored);
   Status copy_chunk(const Prelude& before, std::span<const std::byte> stored, const Hash128& final_hash);
@@ -46,6 +47,8 @@ class RecordWriter {
 
  private:
   Status write_record(Prelude& prelude, const MessageBytes& message);
+  /// Into stored_, for a message that readers would refuse for packing too well.
+  Status pack_worse(Prelude& prelude, std::span<const std::byte> message);
   Status write_stored(Prelude& prelude, std::span<const std::byte> stored);
   Status write_all(std::span<const std::byte> bytes);
   Status fail(const std::string& doing, const std::string& why);

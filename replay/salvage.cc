@@ -96,8 +96,7 @@ class Salvager {
 
   Status take_header(const Piece& piece) {
     tag_ = piece.prelude.log_tag;
-    const Result<MessageBytes> message =
-        read_payload(source_, piece.offset, piece.prelude, message_bytes_max(piece.prelude.stored_bytes));
+    const Result<MessageBytes> message = read_payload(source_, piece.offset, piece.prelude);
     if (!message.ok()) return is_final(message.error()) ? Status(message.error()) : Status();
     Result<LogHeader> header = decode_header(*message);
     if (!header.ok()) return is_final(header.error()) ? named(header.error(), piece.offset) : Status();
@@ -108,6 +107,7 @@ class Salvager {
 
   /// A frame that may be the header; only the tag of the chunks proves it, so without chunks nothing does.
   Status take_loose_header(const LooseFrame& frame) {
+    if (frame.raw_bytes > header_bytes_max(frame.stored_bytes)) return {};
     const Result<MessageBytes> message = read_frame(source_, frame);
     if (!message.ok()) return is_final(message.error()) ? Status(message.error()) : Status();
     Result<LogHeader> header = decode_header(*message);

@@ -37,7 +37,7 @@ class FrameFinder {
     if (work_left_ < rest.size()) return 0;
     work_left_ -= rest.size();
     const std::optional<FrameSize> size = frame_at(rest);
-    if (!size || size->raw_bytes > std::min(work_left_, message_bytes_max(size->stored_bytes))) return 0;
+    if (!size || size->raw_bytes > std::min(work_left_, message_bytes_max(offset + size->stored_bytes))) return 0;
     work_left_ -= size->raw_bytes;
     const std::span<const std::byte> stored = rest.first(size->stored_bytes);
     if (!decompress(stored, size->raw_bytes, kChunkBytesMax).ok()) return 0;

@@ -102,8 +102,7 @@ class Verifier {
     if (Status ok = log_.source().read(offset, bytes); !ok.ok()) return wrong(ok.error().message);
     Result<Prelude> prelude = decode_prelude(bytes);
     if (!prelude.ok()) return wrong(prelude.error().message);
-    Result<MessageBytes> message =
-        read_payload(log_.source(), offset, *prelude, message_bytes_max(prelude->stored_bytes));
+    Result<MessageBytes> message = read_payload(log_.source(), offset, *prelude);
     if (!message.ok()) return wrong(message.error().message);
     Result<std::vector<ChunkPlace>> places = decode_index(*message);
     if (!places.ok()) return wrong(places.error().message);

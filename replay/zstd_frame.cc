@@ -18,9 +18,10 @@ std::string number(std::uint64_t value) { return std::to_string(value); }
 
 }  // namespace
 
-Compressor::Compressor(int level) : context_(ZSTD_createCCtx()) {
+Compressor::Compressor(int level, int window_log) : context_(ZSTD_createCCtx()) {
   if (context_ == nullptr) return;
   ZSTD_CCtx_setParameter(context_, ZSTD_c_compressionLevel, level);
+  ZSTD_CCtx_setParameter(context_, ZSTD_c_windowLog, window_log);
   ZSTD_CCtx_setParameter(context_, ZSTD_c_contentSizeFlag, 1);
   ZSTD_CCtx_setParameter(context_, ZSTD_c_checksumFlag, 1);  // off by default, and then flipped bits pass
 }

@@ -37,7 +37,8 @@ class MessageBytes {
 /// two thirds of the speed (docs/log_format.md).
 class Compressor {
  public:
-  explicit Compressor(int level = 1);
+  /// window_log: matches reach back at most 2^window_log bytes, and no block is longer; 0: as the level has it.
+  explicit Compressor(int level = 1, int window_log = 0);
   ~Compressor();
   Compressor(const Compressor&) = delete;
   Compressor& operator=(const Compressor&) = delete;

@@ -100,8 +100,8 @@ TEST(HostileLog, MessagesWithChangedBytesDoNoHarm) {
 TEST(HostileLog, AFewBytesThatWouldFillTheMemoryAreRefused) {
   for (const std::size_t record : {0U, 1U, 3U}) {  // header, chunk, index
     std::vector<Record> records = sample(sim::Method::kThesis);
-    records[record].message.assign(kEasyBytes + 8 + records.front().message.size() * kKeyframeBytesPerBox,
-                                   std::byte{0});
+    const std::uint64_t most = record == 0 ? header_bytes_max(0) : message_bytes_max(0);
+    records[record].message.assign(most + 8, std::byte{0});
     records[record].prelude.raw_bytes = records[record].message.size();
     Result<LogReader> log = open_memory(joined(std::move(records)));
     ASSERT_EQ(log.ok(), record != 0);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -32,6 +33,27 @@ BoxFrame frame(const Vec3& position, const Quat& orientation = {}, const Vec3& h
 TEST(MeasureOverlap, BoxesThatAreApartOrTouchDoNotOverlap) {
   EXPECT_EQ(overlap_depth(frame({0, 0, 0}), frame({1.5, 0, 0})), 0);
   EXPECT_EQ(overlap_depth(frame({0, 0, 0}), frame({1, 0.25, 0})), 0);
+}
+
+TEST(MeasureOverlap, ACrowdInOnePlaceIsMeasuredInNoTime) {
+  constexpr std::size_t kCrowd = 100'000;  // 5·10⁹ pairs, minutes if each were looked at
+  std::vector<BoxFrame> boxes(kCrowd, frame({1, 2, 3}));
+  EXPECT_DOUBLE_EQ(deepest_overlap(boxes, std::vector<std::uint8_t>(kCrowd, 0)), 1);
+}
+
+TEST(MeasureOverlap, OfManyTurnedBoxesIsThatOfTheirDeepestPair) {
+  std::vector<BoxFrame> boxes;
+  for (int i = 0; i < 60; ++i) {
+    const double d = i;
+    boxes.push_back(frame({std::sin(3 * d), 1.5 * std::sin(5 * d), std::sin(7 * d)}, turned({0, 0.6, 0.8}, 37 * d),
+                          {0.2 + 0.1 * (i % 3), 0.3, 0.2 + 0.05 * (i % 5)}));
+  }
+  double deepest = 0;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) deepest = std::max(deepest, overlap_depth(boxes[i], boxes[j]));
+  }
+  EXPECT_GT(deepest, 0.25);
+  EXPECT_NEAR(deepest_overlap(boxes, std::vector<std::uint8_t>(boxes.size(), 0)), deepest, 1e-14);
 }
 
 TEST(MeasureOverlap, IsTheShortestWayApart) {
