@@ -10,7 +10,7 @@ namespace tumble::replay {
 inline constexpr std::uint64_t kChunkBytesMax = 1ULL << 30;  ///< any decoded message
 /// zstd cannot pack more than a block of 128 KiB into 4 bytes, so a frame that claims more lies.
 inline constexpr std::uint64_t kZstdExpansionMax = 32768;
-inline constexpr std::uint64_t kEasyBytes = 12 << 20;     ///< a chunk or an index up to this may come from few bytes
+inline constexpr std::uint64_t kEasyBytes = 10 << 20;     ///< a chunk or an index up to this may come from few bytes
 inline constexpr std::uint64_t kLargeExpansionMax = 256;  ///< a larger one is at most so many times as long
 /// zstd's smallest window: blocks of 1 KiB, at least 4 bytes each, so that nothing packs better than
 /// kLargeExpansionMax.
@@ -41,7 +41,7 @@ inline constexpr std::uint64_t kSalvageWork = 8;             ///< times a damage
 inline constexpr std::uint64_t kScrapBytesMax = 1ULL << 28;  ///< of damaged bytes searched for frames in one piece
 
 // What a message of so many bytes in the file may decompress to, so that a small file cannot fill the memory: what
-// takes 12 MiB as a message takes less than 256 MB in a program that steps it (tests/trial/hostile_memory.cc).
+// takes 10 MiB as a message takes less than 256 MB in a program that steps it (tests/trial/hostile_memory.cc).
 constexpr std::uint64_t expanded_max(std::uint64_t bytes, std::uint64_t times, std::uint64_t easy) {
   const std::uint64_t packed = bytes < kChunkBytesMax ? bytes * times : kChunkBytesMax;
   const std::uint64_t larger = easy > packed ? easy : packed;

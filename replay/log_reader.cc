@@ -221,6 +221,7 @@ const Gap* LogReader::lost_at(std::uint64_t k) const {
 Result<ChunkDecoder*> LogReader::load(std::size_t chunk) {
   if (loaded_ != chunk) {
     loaded_.reset();
+    decoder_.reset();  // never two at once: a chunk of many bodies takes much
     Result<ChunkDecoder> decoder = read_chunk(*source_, chunks_[chunk], header_prelude_, header_);
     if (!decoder.ok()) return decoder.error();
     decoder_ = *std::move(decoder);

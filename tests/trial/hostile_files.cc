@@ -12,6 +12,7 @@
 #include "replay/limits.h"
 #include "replay/prelude.h"
 #include "replay/recorder.h"
+#include "src/step/step.h"
 #include "src/world/world.h"
 #include "tests/fuzz/mend.h"
 
@@ -46,6 +47,18 @@ class HostileLog {
   HostileLog& chunk(const std::vector<replay::StepRecord>& steps = {}) {
     keyframe_.continuation_hash = sim::continuation_hash(keyframe_.state);
     return record(RecordKind::kChunk, steps.size(), *replay::ChunkEncoder().encode(keyframe_, steps));
+  }
+  /// A chunk of the one step that the keyframe leads to; goes on from there.
+  HostileLog& stepped_chunk() {
+    Result<sim::World> world = sim::World::restore(keyframe_.state);
+    if (!world.ok() || !sim::step(*world).ok()) return *this;
+    replay::StepRecord record;
+    record.step = world->state().step;
+    record.dt = keyframe_.state.def.dt;
+    record.state_hash = sim::state_hash(world->bodies());
+    chunk({record});
+    keyframe_.state = world->state();
+    return *this;
   }
   HostileLog& record(RecordKind kind, std::uint64_t steps, const MessageBytes& message) {
     return record(kind, steps, Bytes(message.bytes().begin(), message.bytes().end()));
@@ -139,25 +152,17 @@ Bytes header_inputs() {
   return HostileLog(scene).header().chunk().bytes();
 }
 
-/// A keyframe of more bodies than the header has, where replay starts from it.
-Bytes chunk_bodies(bool with_header) {
-  replay::LogHeader header = replay::header_for(scene_of(1));
+/// Two chunks of more bodies than the header has, each of a step as it would be computed, where replay starts from
+/// them.
+Bytes chunk_bodies(std::uint64_t boxes, bool with_header) {
+  replay::LogHeader header = replay::header_for(scene_of(boxes));
   header.goes_on = replay::GoesOn{5, "before.tumble", {}, {}};
   HostileLog log(std::move(header));
   log.keyframe().state.step = 5;
   fill_bodies(log.keyframe().state.bodies, kChunkBytes / kBodyBytes);
   log.of_header().goes_on->continuation_hash = sim::continuation_hash(log.keyframe().state);
   if (with_header) log.header();
-  return log.chunk({step_record(6)}).bytes();
-}
-
-/// As many boxes as a header of few bytes may have, and as many bodies again as their chunk has room for.
-Bytes all_room() {
-  const std::uint64_t boxes = kHeaderBytes / kBoxBytes;
-  HostileLog log(scene_of(boxes));
-  log.header();
-  fill_bodies(log.keyframe().state.bodies, kChunkBytes / kBodyBytes);
-  return log.chunk({step_record(1)}).bytes();
+  return log.stepped_chunk().stepped_chunk().bytes();
 }
 
 Bytes chunk_inputs() {
@@ -267,9 +272,9 @@ void add_logs(Folder& folder) {
   folder.add("header_many_texts.tumble", header_texts(false));
   folder.add("header_boxes.tumble", header_boxes());
   folder.add("header_inputs.tumble", header_inputs());
-  folder.add("chunk_bodies.tumble", chunk_bodies(true));
-  folder.add("chunk_bodies_no_header.tumble", chunk_bodies(false));
-  folder.add("all_room.tumble", all_room());
+  folder.add("chunk_bodies.tumble", chunk_bodies(1, true));
+  folder.add("chunk_bodies_no_header.tumble", chunk_bodies(1, false));
+  folder.add("all_room.tumble", chunk_bodies(kHeaderBytes / kBoxBytes, true));
   folder.add("chunk_inputs.tumble", chunk_inputs());
   folder.add("chunk_phase_words.tumble", chunk_words());
   folder.add("chunk_steps.tumble", chunk_steps(1, replay::kStepsPerChunkRead));
