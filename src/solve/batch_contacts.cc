@@ -23,10 +23,11 @@ class Grouping {
 
   void run() {
     std::uint32_t widest = 0;
-    for (std::size_t layer = 0; layer + 1 < scratch_.layer_start.size(); ++layer) {
-      add_layer(layer_of(scratch_, layer), scratch_.layer_start[layer]);
-      all_.layer_start.push_back(batches_);
-      widest = std::max(widest, all_.layer_start[layer + 1] - all_.layer_start[layer]);
+    for (const SweepGroup& group : scratch_.sweep_groups) {
+      for (std::uint32_t layer = group.begin; layer < group.end; ++layer) {
+        add_layer(layer, group.slender);
+        widest = std::max(widest, all_.layer_start[layer + 1] - all_.layer_start[layer]);
+      }
     }
     all_.batches.resize(batches_);
     all_.points.resize(points_);
@@ -36,20 +37,26 @@ class Grouping {
  private:
   static constexpr std::uint32_t kManyPoints = 15;  // more are all alike
 
-  void add_layer(std::span<const std::uint32_t> members, std::uint32_t begin) {
+  void add_layer(std::uint32_t layer, bool slender) {
+    const std::span<const std::uint32_t> members = layer_of(scratch_, layer);
+    const std::uint32_t begin = scratch_.layer_start[layer];
     const auto points_of_member = [&](std::uint32_t k) { return std::min(kManyPoints, scratch_.manifolds[k].count); };
     std::array<std::uint32_t, kManyPoints + 2> start{};
     for (const std::uint32_t k : members) ++start[points_of_member(k) + 1];
     for (std::size_t k = 1; k < start.size(); ++k) start[k] += start[k - 1];
     for (const std::uint32_t k : members) all_.order[begin + start[points_of_member(k)]++] = k;
     const auto end = begin + static_cast<std::uint32_t>(members.size());
-    for (std::uint32_t k = begin; k < end; k += kLanes) add_batch(k, std::min<std::uint32_t>(kLanes, end - k));
+    for (std::uint32_t k = begin; k < end; k += kLanes) {
+      add_batch(k, std::min<std::uint32_t>(kLanes, end - k), slender);
+    }
+    all_.layer_start.push_back(batches_);
   }
 
-  void add_batch(std::uint32_t members, std::uint32_t used) {
+  void add_batch(std::uint32_t members, std::uint32_t used, bool slender) {
     if (all_.batches.size() == batches_) all_.batches.emplace_back();
     ContactBatch& batch = all_.batches[batches_];
     batch.used = used;
+    batch.slender = slender;
     batch.members = members;
     batch.first = points_;
     batch.count = 0;
@@ -84,6 +91,7 @@ class Filling {
   void fill(ContactBatch& batch) {
     ContactBatch empty;
     empty.used = batch.used;
+    empty.slender = batch.slender;
     empty.members = batch.members;
     empty.first = batch.first;
     empty.count = batch.count;

@@ -43,6 +43,8 @@ struct ContactKernels {
   void (*apply_outcomes)(const ContactWork& work, const BodyOutcomes* of, std::size_t count);
   /// Moves the separations on by one sub-step with the velocities of `bodies`.
   void (*move_on)(const ContactWork& work);
+  /// Fits masses and responses of slender batches to bodies that have turned.
+  void (*renew)(const ContactWork& work);
 };
 
 /// Whether this machine and this build run a width.

@@ -48,9 +48,15 @@ void move_on_all(const ContactWork& work) {
 }
 
 template <int kWidth>
+void renew_all(const ContactWork& work) {
+  for_packs<kWidth>(work, [&](auto v, ContactBatch& batch, unsigned at) { renew<decltype(v)>(work, batch, at); });
+}
+
+template <int kWidth>
 constexpr ContactKernels kernels_of() {
-  return {prepare_all<kWidth>, solve_all<kWidth>, warm_start_all<kWidth>,
-          apply_outcomes<typename VectorOf<kWidth>::Type>, move_on_all<kWidth>};
+  return {prepare_all<kWidth>,    solve_all<kWidth>,
+          warm_start_all<kWidth>, apply_outcomes<typename VectorOf<kWidth>::Type>,
+          move_on_all<kWidth>,    renew_all<kWidth>};
 }
 
 }  // namespace

@@ -7,7 +7,9 @@
 namespace tumble::sim {
 namespace {
 
-constexpr double kOverRelaxation = 1.8;  // of the inner Jacobi, over its row sums
+// Of the inner Jacobi, over its row sums. The points between two bars lie so close that they act as one, and then the
+// row sums are no bound but the truth.
+constexpr double kOverRelaxation = 1.8, kSlenderRelaxation = 1.4;
 
 // What a unit of force along a direction (or of pure torque) does to (u, W1, W2).
 template <class V>
@@ -103,16 +105,23 @@ struct PlaneResponse {
 };
 
 template <class V>
-void prepare_points(const Manifolds<V>& m, const PlaneResponse<V>& plane) {
-  const Motion<V> motion = relative_motion(m);
-  const V u = dot(motion.u, m.n), w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2);
+void prepare_masses(const Manifolds<V>& m, const PlaneResponse<V>& plane) {
   for (unsigned k = 0; k < m.batch->count; ++k) {
     PointBatch& point = m.points[k];
     const V p = m.get(point.p), q = m.get(point.q);
     const Response<V> r = plane.to_unit_at(p, q);
     m.set(point.mass, where_present(m, k, 1.0 / (r.u + (q * r.w1 - p * r.w2))));
+  }
+}
+
+template <class V>
+void prepare_approaches(const Manifolds<V>& m) {
+  const Motion<V> motion = relative_motion(m);
+  const V u = dot(motion.u, m.n), w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2);
+  for (unsigned k = 0; k < m.batch->count; ++k) {
+    PointBatch& point = m.points[k];
     m.set(point.peak, V{});
-    m.set(point.approach, where_present(m, k, u + (w1 * q - w2 * p)));
+    m.set(point.approach, where_present(m, k, u + (w1 * m.get(point.q) - w2 * m.get(point.p))));
   }
 }
 
@@ -130,7 +139,8 @@ void prepare_relaxation(const Manifolds<V>& m, const PlaneResponse<V>& plane) {
     }
     row_sum = larger(row_sum, sum);
   }
-  m.set(m.batch->relaxation, smaller(V{} + 1.0, kOverRelaxation / row_sum));
+  const double over = m.batch->slender ? kSlenderRelaxation : kOverRelaxation;
+  m.set(m.batch->relaxation, smaller(V{} + 1.0, over / row_sum));
   const V response[6] = {plane.s.u,  plane.sq.u, plane.sp.u, plane.sq.w1, 0.5 * (plane.sp.w1 - plane.sq.w2),
                          plane.sp.w2};
   for (int i = 0; i < 6; ++i) m.set(m.batch->response[i], response[i]);
@@ -172,13 +182,24 @@ void foresee_impact(const Manifolds<V>& m) {
 }
 
 template <class V>
+void prepare_responses(const Manifolds<V>& m) {
+  prepare_friction(m);
+  const PlaneResponse<V> plane(m);
+  prepare_masses(m, plane);
+  prepare_relaxation(m, plane);
+}
+
+template <class V>
+void renew(const ContactWork& work, ContactBatch& batch, unsigned at) {
+  if (batch.slender) prepare_responses(Manifolds<V>(work, batch, at));
+}
+
+template <class V>
 void prepare(const ContactWork& work, ContactBatch& batch, unsigned at) {
   const Manifolds<V> m(work, batch, at);
   find_friction_centre(m);
-  prepare_friction(m);
-  const PlaneResponse<V> plane(m);
-  prepare_points(m, plane);
-  prepare_relaxation(m, plane);
+  prepare_responses(m);
+  prepare_approaches(m);
   forget_impacts(m);
   foresee_impact(m);
 }

@@ -8,30 +8,40 @@ namespace {
 
 constexpr double kTurnMax = 0.25;     // rad in one rotation; faster ones are taken in equal parts
 constexpr int kPartsMax = 1024;       // 256 rad a step; beyond, the midpoint iteration may stop short
-constexpr int kIterationsMax = 16;    // of the midpoint; each gains about a digit at kTurnMax
+constexpr int kIterationsMax = 8;     // of the midpoint; each doubles the digits
 constexpr double kConverged = 1e-15;  // relative
 
 Vec3 scaled(const Vec3& a, const Vec3& b) { return a.cwiseProduct(b); }
 
-// A vector of the body's frame before a turn by the half vector h (axis times tan of half the angle, in that frame),
-// seen from the frame after it.
-Vec3 turned_back(const Vec3& v, const Vec3& h) {
-  const double hh = dot(h, h);
-  return (v * (1 - hh) + h * (2 * dot(h, v)) - cross(h, v) * 2) / (1 + hh);
+// The change of spin that takes what is off of I w + h w × I w, to first order. z is eliminated first: its row and
+// column are the only ones that differ from each other's mirror image under an exchange of x and y.
+Vec3 newton_step(const Vec3& inertia, const Vec3& spin, double h, const Vec3& off) {
+  const double ix = inertia.z() - inertia.y(), iy = inertia.x() - inertia.z(), iz = inertia.y() - inertia.x();
+  const Vec3 w = spin * h;
+  const double xz = w.y() * ix, yz = w.x() * iy, zx = w.y() * iz, zy = w.x() * iz, part = 1 / inertia.z();
+  const double xx = inertia.x() - xz * (zx * part), xy = w.z() * ix - xz * (zy * part);
+  const double yx = w.z() * iy - yz * (zx * part), yy = inertia.y() - yz * (zy * part);
+  const double x = off.x() - xz * (off.z() * part), y = off.y() - yz * (off.z() * part);
+  const double scale = 1 / (xx * yy - xy * yx);
+  const double step_x = (x * yy - xy * y) * scale, step_y = (y * xx - yx * x) * scale;
+  return {step_x, step_y, (off.z() - (zx * step_x + zy * step_y)) * part};
 }
 
 // The angular velocity, body frame, that carries angular momentum L through one turn of length dt so that both ends
-// and the middle agree: w = I⁻¹ (L + L') / 2 with L' = L seen from the turned frame.
-Vec3 midpoint_spin(const Vec3& momentum, const Vec3& inverse_inertia, double dt_s) {
-  Vec3 spin = scaled(inverse_inertia, momentum);
+// and the middle agree: w = I⁻¹ (L + L') / 2 with L' = L seen from the turned frame, which under a Cayley map is
+// I w + dt/2 w × I w = L. By Newton: repeated substitution diverges where a bar turns fast across its length.
+Vec3 midpoint_spin(const Vec3& momentum, const Vec3& inertia, const Vec3& inverse_inertia, double dt_s) {
+  const double h = 0.5 * dt_s;
+  Vec3 w = scaled(inverse_inertia, momentum);
   for (int k = 0; k < kIterationsMax; ++k) {
-    const Vec3 after = turned_back(momentum, spin * (0.5 * dt_s));
-    const Vec3 next = scaled(inverse_inertia, (momentum + after) * 0.5);
-    const Vec3 change = next - spin;
-    spin = next;
-    if (dot(change, change) <= kConverged * kConverged * dot(spin, spin)) break;
+    const Vec3 gyroscopic = {w.y() * w.z() * (inertia.z() - inertia.y()), w.z() * w.x() * (inertia.x() - inertia.z()),
+                             w.x() * w.y() * (inertia.y() - inertia.x())};
+    const Vec3 off = (scaled(inertia, w) - momentum) + gyroscopic * h;
+    const Vec3 step = newton_step(inertia, w, h, off);
+    w -= step;
+    if (dot(step, step) <= kConverged * kConverged * dot(w, w)) break;
   }
-  return spin;
+  return w;
 }
 
 int part_count(const Vec3& spin, double dt_s) {
@@ -59,7 +69,7 @@ Rotation rotate_freely(const Quat& orientation, const Vec3& spin, const Vec3& in
   const double part_s = dt_s / parts;
   Quat turned = orientation;
   for (int k = 0; k < parts; ++k) {
-    const Vec3 middle = midpoint_spin(to_body(axes_of(turned), momentum_W), inverse_inertia, part_s);
+    const Vec3 middle = midpoint_spin(to_body(axes_of(turned), momentum_W), inertia, inverse_inertia, part_s);
     const Vec3 h = middle * (0.5 * part_s);
     turned = normalised(product(turned, {1, h.x(), h.y(), h.z()}));
   }

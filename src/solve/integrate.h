@@ -11,9 +11,9 @@ namespace tumble::sim {
 /// Writes: position, orientation, velocity, spin
 /// Errors: a body that is not finite or beyond limits.h
 /// Source: ballistic rule x += ½ (v₀ + v₁) dt, exact under gravity. Rotation: implicit midpoint in the body's frame
-/// with
-///         a Cayley map (Austin, Krishnaprasad and Wang 1993): it keeps angular momentum and kinetic energy, and needs
-///         no trigonometry. The thesis says only "basic integration" by Baraff and Witkin.
+///         with a Cayley map (Austin, Krishnaprasad and Wang 1993): it keeps angular momentum and kinetic energy, and
+///         needs no trigonometry; solved by Newton's method, which bars need. The thesis says only "basic integration"
+///         by Baraff and Witkin.
 Status integrate(World& world, double dt_s);
 void hash_integrate(const World& world, Hasher& hasher);
 

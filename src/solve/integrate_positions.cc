@@ -5,6 +5,7 @@
 #include "src/solve/integrate.h"
 #include "src/solve/solver_body.h"
 #include "src/solve/solver_hashes.h"
+#include "src/solve/sweep_layers.h"
 #include "src/world/body_check.h"
 
 namespace tumble::sim {
@@ -44,9 +45,13 @@ Status integrate_positions(World& world, double substep_s) {
       if (scratch.in_contact[i] != 0) move_body(bodies, scratch, static_cast<BodyIndex>(i), substep_s);
     }
   });
+  // A bar is thousands of times as easy to turn about its length: a degree later, an impulse that was right is several
+  // times too large, and sweeps would only make it worse.
+  const bool renews = has_slender(scratch);
   const ContactWork work = all_contacts(scratch, substep_s);
   for_ranges(scratch.workers, work.count, kWorthBatches, [&](std::size_t begin, std::size_t end) {
     contact_kernels(scratch.lanes).move_on(part_of(work, begin, end));
+    if (renews) contact_kernels(scratch.lanes).renew(part_of(work, begin, end));
   });
   return {};
 }
@@ -54,6 +59,7 @@ Status integrate_positions(World& world, double substep_s) {
 void hash_integrate_positions(const World& world, Hasher& hasher) {
   hash_motion(world, hasher);
   hash_moved(world, hasher);
+  if (has_slender(world.scratch())) hash_prepared(world, hasher);
 }
 
 }  // namespace tumble::sim

@@ -6,10 +6,7 @@
 namespace tumble::sim {
 
 Status push_contacts(World& world, double substep_s) {
-  const int sweeps = sweep_count(world.scratch());
-  for (int k = 0; k < sweeps; ++k) {
-    sweep_layers(world, Sweep::kPush, k % 2 == 0 ? Direction::kDown : Direction::kUp, substep_s);
-  }
+  sweep_layers(world, Sweep::kPush, Direction::kDown, substep_s);
   return {};
 }
 

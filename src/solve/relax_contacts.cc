@@ -6,10 +6,7 @@
 namespace tumble::sim {
 
 Status relax_contacts(World& world, double substep_s) {
-  const int sweeps = sweep_count(world.scratch());
-  for (int k = 0; k < sweeps; ++k) {
-    sweep_layers(world, Sweep::kRelax, k % 2 == 0 ? Direction::kUp : Direction::kDown, substep_s);
-  }
+  sweep_layers(world, Sweep::kRelax, Direction::kUp, substep_s);
   return {};
 }
 

@@ -1,14 +1,9 @@
 #include "src/solve/sweep_layers.h"
 
-#include <algorithm>
-
 #include "src/solve/contact_batches.h"
 
 namespace tumble::sim {
 namespace {
-
-constexpr int kLevelsPerSweep = 5;  // measured: columns of 8 that sway after a fall come to rest with two, not with one
-constexpr int kSweepsMax = 10;
 
 constexpr std::size_t kWorthBatches = 512;  // for a thread more; measured
 constexpr std::size_t kWorthBodies = 8192;
@@ -27,6 +22,16 @@ void solve_layer(Scratch& scratch, std::size_t layer, double substep_s, Solve so
              [&](std::size_t begin, std::size_t end) { kernels.apply_outcomes(work, touched + begin, end - begin); });
 }
 
+Direction opposite(Direction direction) { return direction == Direction::kUp ? Direction::kDown : Direction::kUp; }
+
+void sweep_once(Scratch& scratch, const SweepGroup& group, Sweep sweep, Direction direction, double substep_s) {
+  const ContactKernels& kernels = contact_kernels(scratch.lanes);
+  for (std::uint32_t k = group.begin; k < group.end; ++k) {
+    const std::uint32_t layer = direction == Direction::kUp ? k : group.end - 1 - (k - group.begin);
+    solve_layer(scratch, layer, substep_s, [&](const ContactWork& work) { kernels.solve(work, sweep); });
+  }
+}
+
 }  // namespace
 
 void warm_start_layers(World& world, double substep_s) {
@@ -37,19 +42,14 @@ void warm_start_layers(World& world, double substep_s) {
   }
 }
 
-void sweep_layers(World& world, Sweep sweep, Direction direction, double substep_s) {
+void sweep_layers(World& world, Sweep sweep, Direction first, double substep_s) {
   Scratch& scratch = world.mutable_scratch();
-  const ContactKernels& kernels = contact_kernels(scratch.lanes);
-  const std::size_t layers = scratch.layer_start.size() - 1;
-  for (std::size_t k = 0; k < layers; ++k) {
-    const std::size_t layer = direction == Direction::kUp ? k : layers - 1 - k;
-    solve_layer(scratch, layer, substep_s, [&](const ContactWork& work) { kernels.solve(work, sweep); });
+  for (const SweepGroup& group : scratch.sweep_groups) {
+    const int sweeps = sweep == Sweep::kRestitution ? 1 : group.sweeps;
+    for (int k = 0; k < sweeps; ++k) sweep_once(scratch, group, sweep, k % 2 == 0 ? first : opposite(first), substep_s);
   }
 }
 
-int sweep_count(const Scratch& scratch) {
-  const int levels = static_cast<int>(scratch.layer_start.size() - 2) / 2;
-  return std::min(kSweepsMax, 1 + levels / kLevelsPerSweep);
-}
+bool has_slender(const Scratch& scratch) { return scratch.sweep_groups.back().slender; }
 
 }  // namespace tumble::sim

@@ -41,6 +41,7 @@ struct ContactBatch {
   std::uint32_t members = 0;                     ///< where its manifolds begin in ContactBatches::order
   std::uint32_t first = 0, count = 0;            ///< its points
   bool bounces = false;                          ///< a point of it met fast enough to bounce
+  bool slender = false;                          ///< of an island with a slender body
   Lanes point_count;                             ///< of each manifold
   Lanes n[3], t1[3], t2[3], d[3], offset;
   Lanes friction, friction_dynamic, restitution;

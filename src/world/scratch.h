@@ -106,6 +106,13 @@ struct ContactBatches {
   std::vector<Outcome> outcomes;             ///< of one layer at a time
 };
 
+/// Layers that are swept equally often. Groups have no moving body in common. Written by assign_levels.
+struct SweepGroup {
+  std::uint32_t begin = 0, end = 0;  ///< layers
+  int sweeps = 1;
+  bool slender = false;  ///< islands with a slender body
+};
+
 /// Manifolds and their points.
 struct ManifoldList {
   std::vector<Manifold> manifolds;
@@ -148,6 +155,7 @@ struct Scratch {
   std::vector<std::uint32_t> level;        ///< of each body: contacts away from the ground; written by assign_levels
   std::vector<std::uint32_t> layered;      ///< manifolds that are awake, layer by layer
   std::vector<std::uint32_t> layer_start;  ///< of each layer in `layered`
+  std::vector<SweepGroup> sweep_groups;    ///< islands with slender bodies, if there are any, come last
   std::vector<double> solver_mass;         ///< kg, inertia of each body in the solver; written by carry_weights
   std::vector<std::uint8_t> in_contact;    ///< moving bodies that have a manifold; written by prepare_manifolds
   std::vector<SolverBody> solver_bodies;  ///< written by prepare_manifolds, then by every sweep; the last is the ground
