@@ -1,27 +1,51 @@
 #include "src/solve/solver_hashes.h"
 
-#include <vector>
+#include <algorithm>
 
 namespace tumble::sim {
 namespace {
 
-// Numbers from all over memory, hashed in one go.
+// Numbers from all over memory, hashed in blocks that stay in the nearest cache.
 class Values {
  public:
-  void add(double value) { values_.push_back(value); }
-  void add(const Vec3& v) { values_.insert(values_.end(), {v.x(), v.y(), v.z()}); }
+  explicit Values(Hasher& hasher) : hasher_(hasher) {}
+  ~Values() { flush(); }
+  Values(const Values&) = delete;
+  Values& operator=(const Values&) = delete;
+
+  void add(double value) { *room_for(1) = value; }
+  void add(const Vec3& v) {
+    double* to = room_for(3);
+    for (int k = 0; k < 3; ++k) to[k] = v[k];
+  }
   template <std::size_t kCount>
   void add(const double (&row)[kCount]) {
-    values_.insert(values_.end(), row, row + kCount);
+    std::copy_n(row, kCount, room_for(kCount));
   }
   template <std::size_t kCount>
   void add(const Lanes (&rows)[kCount], unsigned lane) {
-    for (const Lanes& row : rows) values_.push_back(row.of[lane]);
+    double* to = room_for(kCount);
+    for (std::size_t k = 0; k < kCount; ++k) to[k] = rows[k].of[lane];
   }
-  void add_to(Hasher& hasher) const { hasher.add(std::span<const double>(values_)); }
+
+  /// Hands on what there is; what is hashed by other means comes after it.
+  void flush() {
+    hasher_.add(std::span<const double>(block_, used_));
+    used_ = 0;
+  }
 
  private:
-  std::vector<double> values_;
+  static constexpr std::size_t kBlock = 1024;
+
+  double* room_for(std::size_t count) {
+    if (used_ + count > kBlock) flush();
+    used_ += count;
+    return block_ + (used_ - count);
+  }
+
+  Hasher& hasher_;
+  std::size_t used_ = 0;
+  double block_[kBlock];
 };
 
 // Calls visit(manifold, its batch, its lane).
@@ -60,7 +84,7 @@ void add_contact(const ContactBatch& batch, unsigned lane, Values& values) {
 
 void hash_prepared(const World& world, Hasher& hasher) {
   const Scratch& scratch = world.scratch();
-  Values values;
+  Values values(hasher);
   for (BodyIndex i = 0; i < world.bodies().size(); ++i) {
     values.add(scratch.solver_bodies[i].inverse_mass);
     values.add(scratch.solver_bodies[i].weight);
@@ -77,13 +101,13 @@ void hash_prepared(const World& world, Hasher& hasher) {
       }
     }
   });
-  values.add_to(hasher);
+  values.flush();
   hasher.add(std::span<const std::uint8_t>(scratch.in_contact));
 }
 
 void hash_solution(const World& world, Hasher& hasher) {
   const Scratch& scratch = world.scratch();
-  Values values;
+  Values values(hasher);
   add_motions(world, values);
   for_each_awake(scratch, [&](const Manifold& m, const ContactBatch& batch, unsigned lane) {
     for (const Lanes* number : {&batch.force1, &batch.force2, &batch.twist}) values.add(number->of[lane]);
@@ -93,12 +117,11 @@ void hash_solution(const World& world, Hasher& hasher) {
       values.add(point.peak.of[lane]);
     }
   });
-  values.add_to(hasher);
 }
 
 void hash_moved(const World& world, Hasher& hasher) {
   const Scratch& scratch = world.scratch();
-  Values values;
+  Values values(hasher);
   add_motions(world, values);
   for (BodyIndex i = 0; i < world.bodies().size(); ++i) values.add(scratch.solver_bodies[i].inverse_inertia);
   for_each_awake(scratch, [&](const Manifold& m, const ContactBatch& batch, unsigned lane) {
@@ -106,12 +129,11 @@ void hash_moved(const World& world, Hasher& hasher) {
       values.add(scratch.contact_batches.points[i].separation.of[lane]);
     }
   });
-  values.add_to(hasher);
 }
 
 void hash_stored(const World& world, Hasher& hasher) {
   const Scratch& scratch = world.scratch();
-  Values values;
+  Values values(hasher);
   for (const std::uint32_t k : scratch.layered) {
     const Manifold& m = scratch.manifolds[k];
     for (const double number : {m.force1, m.force2, m.twist}) values.add(number);
@@ -120,7 +142,6 @@ void hash_stored(const World& world, Hasher& hasher) {
       values.add(point.separation);
     }
   }
-  values.add_to(hasher);
 }
 
 }  // namespace tumble::sim
