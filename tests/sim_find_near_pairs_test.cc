@@ -1,6 +1,7 @@
 // The broad phase of method layered: strips, and cells where boxes crowd, against looking at every pair.
 #include <gtest/gtest.h>
 
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -80,6 +81,22 @@ TEST(FindNearPairs, FewBodiesAndNone) {
   expect_all_found(room(1, {1, 1, 1}, 1, 1, 1));
   expect_all_found(room(47, {4, 4, 4}, 0.5, 2, 1));
   expect_all_found(room(49, {4, 4, 4}, 0.5, 2, 1));
+}
+
+// n bodies in one place have n² / 2 pairs: a few kilobytes of scene would fill any memory.
+TEST(FindNearPairs, ACrowdInOnePlaceIsRefused) {
+  for (const auto& [method, bodies, what] : {std::tuple(sim::Method::kLayered, 400, "contacts of 400 bodies"),
+                                             std::tuple(sim::Method::kLayered, 1800, "pairs of 1800 bodies"),
+                                             std::tuple(sim::Method::kThesis, 1800, "pairs of 1800 bodies")}) {
+    SceneDef scene = empty_space();
+    scene.world.method = method;
+    for (int k = 0; k < bodies; ++k) scene.boxes.push_back(cube(static_cast<sim::BodyId>(k + 1), {0, 0, 1e-3 * k}));
+    World world = made(scene);
+    const auto stepped = sim::step(world, nullptr);
+    ASSERT_FALSE(stepped.ok());
+    EXPECT_EQ(stepped.error().kind, ErrorKind::kCannotFinish);
+    EXPECT_NE(stepped.error().message.find(what), std::string::npos) << stepped.error().message;
+  }
 }
 
 }  // namespace

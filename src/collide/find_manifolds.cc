@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <string>
 
 #include "src/collide/box_pair.h"
 #include "src/collide/contact_recall.h"
@@ -70,6 +71,9 @@ void join(Scratch& scratch, unsigned parts) {
   });
 }
 
+// A contact takes 2 kB, and n bodies in one place would have n²; in a heap a body has six at most.
+constexpr std::size_t manifolds_max(std::size_t bodies) { return 32768 + 16 * bodies; }
+
 // What the builder of one step's manifolds looks at and writes to.
 class Builder {
  public:
@@ -90,7 +94,8 @@ class Builder {
   void build(BodyIndex end) {
     const PairTable& pairs = world_.state().pairs;
     std::size_t k = pairs_before(pairs, first_);
-    for (BodyIndex i = first_; i < end; ++i) {
+    const std::size_t most = manifolds_max(bodies_.size());
+    for (BodyIndex i = first_; i < end && out_.manifolds.size() <= most; ++i) {
       for (; k < pairs.size() && pairs.a[k] == i; ++k) pair(i, pairs.b[k]);
       if (world_.state().def.ground && bodies_.is_static[i] == 0) ground(i);
     }
@@ -276,6 +281,13 @@ Status find_manifolds(World& world, double dt_s) {
     Builder builder(world, dt_s, first_body(world, part, parts), scratch.manifolds_by[part]);
     builder.build(first_body(world, part + 1, parts));
   });
+  std::size_t found = 0;
+  for (unsigned part = 0; part < parts; ++part) found += scratch.manifolds_by[part].manifolds.size();
+  const std::size_t n = world.bodies().size(), most = manifolds_max(n);
+  if (found > most) {
+    return cannot_finish("found more than " + std::to_string(most) + " contacts of " + std::to_string(n) +
+                         " bodies; so many stand inside one another: set them farther apart");
+  }
   join(scratch, parts);
   return {};
 }

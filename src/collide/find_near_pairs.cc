@@ -37,7 +37,7 @@ Status find_near_pairs(World& world, double dt_s) {
     for (std::size_t i = begin; i < end; ++i) reach_out(bodies, scratch, static_cast<BodyIndex>(i), fall, dt_s);
   });
   find_overlaps_in_strips(scratch, world.mutable_state().pairs);
-  return {};
+  return check_crowd(scratch);
 }
 
 void hash_find_near_pairs(const World& world, Hasher& hasher) {

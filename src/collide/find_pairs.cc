@@ -8,7 +8,7 @@ Status find_pairs(World& world, double /*dt_s*/) {
   update_frames(world.bodies(), world.mutable_scratch());
   find_overlaps(world.mutable_scratch(), world.mutable_state().pairs);
   world.mutable_scratch().old_planes = world.state().pairs.planes;
-  return {};
+  return check_crowd(world.scratch());
 }
 
 // The pairs' own planes are find_planes's by the time that trial phases are hashed.

@@ -112,8 +112,10 @@ void fill_cells(SweepScratch& sweep, const Cells& cells) {
 
 // Entries are in order to within `bin`, m, so it looks that much farther and asks for overlap along the first axis too.
 void sweep_cell(const SweepScratch& sweep, const Cells& cells, std::uint32_t cell, double bin, FoundPairs& found) {
+  const std::size_t most = near_pairs_max(sweep.order.size());
   const SweepScratch::Entry* const end = sweep.entries.data() + sweep.cell_start[cell + 1];
   for (const SweepScratch::Entry* i = sweep.entries.data() + sweep.cell_start[cell]; i != end; ++i) {
+    if (found.size() > most) return;
     const SweepScratch::Box& p = i->box;
     const double limit = p.high1 + bin;
     for (const SweepScratch::Entry* j = i + 1; j != end && j->box.low1 <= limit; ++j) {

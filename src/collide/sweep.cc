@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "src/math/grid.h"
 
@@ -93,7 +94,7 @@ void sweep_pairs(SweepScratch& sweep) {
   sweep.found.clear();
   const std::vector<BodyIndex>& order = sweep.order;
   const std::size_t n = order.size();
-  for (std::size_t i = 0; i < n; ++i) {
+  for (std::size_t i = 0; i < n && sweep.found.size() <= near_pairs_max(n); ++i) {
     const SweepScratch::Box& p = sweep.boxes[i];
     for (std::size_t j = i + 1; j < n && sweep.boxes[j].low1 <= p.high1; ++j) {
       const SweepScratch::Box& q = sweep.boxes[j];
@@ -127,6 +128,13 @@ void merge_pairs(SweepScratch& sweep, PairTable& pairs) {
 }
 
 }  // namespace
+
+Status check_crowd(const Scratch& scratch) {
+  const std::size_t n = scratch.frames.size(), most = near_pairs_max(n);
+  if (scratch.sweep.found.size() <= most) return {};
+  return cannot_finish("found more than " + std::to_string(most) + " pairs of " + std::to_string(n) +
+                       " bodies near one another; so many stand inside one another: set them farther apart");
+}
 
 void sort_pairs(Scratch& scratch) {
   SweepScratch& sweep = scratch.sweep;

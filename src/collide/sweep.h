@@ -1,6 +1,7 @@
 #pragma once
 
 #include "src/base/hash.h"
+#include "src/base/result.h"
 #include "src/world/scratch.h"
 #include "src/world/world_state.h"
 
@@ -12,6 +13,12 @@ void update_frames(const Bodies& bodies, Scratch& scratch);
 
 /// How the frames are turned; where they are and how large is the bodies' own.
 void hash_frames(const Scratch& scratch, Hasher& hasher);
+
+/// So many pairs may be near one another. n bodies in one place have n² / 2, and a small log could fill the memory.
+constexpr std::size_t near_pairs_max(std::size_t bodies) { return (std::size_t{1} << 20) + 128 * bodies; }
+
+/// Errors (kCannotFinish) where a sweep has found more; it stopped soon after.
+Status check_crowd(const Scratch& scratch);
 
 /// Sorts the pairs in sweep.found by (a, b), a < n: by counting for a, directly for the few b of one a. The partners of
 /// a are then sweep.partner[sweep.start[a]] up to sweep.start[a + 1].
