@@ -46,7 +46,7 @@ void expect_frozen_session(const std::string& name) {
 
 TEST(OlderLogs, OpenVerifyAndMeasure) {
   for (const char* name : {"format_1.0_thesis", "format_1.0_layered", "format_1.1_thesis", "format_1.1_layered",
-                           "format_1.2_thesis", "format_1.2_layered"}) {
+                           "format_1.2_thesis", "format_1.2_layered", "format_1.3_thesis", "format_1.3_layered"}) {
     expect_frozen_session(name);
   }
 }
@@ -64,6 +64,17 @@ TEST(OlderLogs, ReplayTheSameWhereThePhysicsIsTheSame) {
     EXPECT_TRUE(report->notes.front().starts_with("the log was recorded with version 1 of method"))
         << report->notes.front();
     EXPECT_TRUE(report->notes.back().starts_with("phase hashes: version 1 and 2")) << report->notes.back();
+  }
+}
+
+TEST(OlderLogs, OfTodayReplayWithNothingToSay) {
+  for (const char* name : {"format_1.3_thesis", "format_1.3_layered"}) {
+    SCOPED_TRACE(name);
+    Result<LogReader> log = LogReader::open(frozen(name));
+    const Result<ReplayReport> report = replay_log(*log);
+    ASSERT_TRUE(report.ok()) << report.error().message;
+    EXPECT_TRUE(report->identical());
+    EXPECT_TRUE(report->notes.empty()) << report->notes.front();
   }
 }
 
