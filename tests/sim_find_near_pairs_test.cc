@@ -85,12 +85,14 @@ TEST(FindNearPairs, FewBodiesAndNone) {
 
 // n bodies in one place have n² / 2 pairs: a few kilobytes of scene would fill any memory.
 TEST(FindNearPairs, ACrowdInOnePlaceIsRefused) {
-  for (const auto& [method, bodies, what] : {std::tuple(sim::Method::kLayered, 400, "contacts of 400 bodies"),
-                                             std::tuple(sim::Method::kLayered, 1800, "pairs of 1800 bodies"),
-                                             std::tuple(sim::Method::kThesis, 1800, "pairs of 1800 bodies")}) {
+  for (const auto& [method, bodies, what] : {std::tuple(sim::Method::kLayered, 400U, "contacts of 400 bodies"),
+                                             std::tuple(sim::Method::kLayered, 1800U, "pairs of 1800 bodies"),
+                                             std::tuple(sim::Method::kThesis, 1800U, "pairs of 1800 bodies")}) {
     SceneDef scene = empty_space();
     scene.world.method = method;
-    for (int k = 0; k < bodies; ++k) scene.boxes.push_back(cube(static_cast<sim::BodyId>(k + 1), {0, 0, 1e-3 * k}));
+    for (sim::BodyId id = 1; id <= bodies; ++id) {
+      scene.boxes.push_back(cube(id, {0, 0, 1e-3 * static_cast<double>(id)}));
+    }
     World world = made(scene);
     const auto stepped = sim::step(world, nullptr);
     ASSERT_FALSE(stepped.ok());
