@@ -98,7 +98,7 @@ run_row() { # folder, row
     grep -qw "$need" /proc/cpuinfo || { problem "not run: this CPU has no $need (built only)"; return; }
   done
   # shellcheck disable=SC2086
-  $runner "$folder/program" $TUMBLE_DETERMINISM_CASES >"$folder/output" 2>>"$folder/log" || { problem "FAILED to run, see $folder/log"; return; }
+  $runner "$folder/program" ${differs:+--one-lane} $TUMBLE_DETERMINISM_CASES >"$folder/output" 2>>"$folder/log" || { problem "FAILED to run, see $folder/log"; return; }
   mv "$folder/output" "$folder/hashes"
 }
 

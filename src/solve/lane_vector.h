@@ -24,7 +24,10 @@ inline double square_root(double x) { return __builtin_sqrt(x); }
 #ifdef __SSE2__
 inline VectorOf<2>::Type square_root(VectorOf<2>::Type x) { return _mm_sqrt_pd(x); }
 #else
-inline VectorOf<2>::Type square_root(VectorOf<2>::Type x) { return {__builtin_sqrt(x[0]), __builtin_sqrt(x[1])}; }
+inline VectorOf<2>::Type square_root(VectorOf<2>::Type x) {
+  const VectorOf<2>::Type roots = {__builtin_sqrt(x[0]), __builtin_sqrt(x[1])};
+  return roots;
+}
 #endif
 #ifdef __AVX__
 inline VectorOf<4>::Type square_root(VectorOf<4>::Type x) { return _mm256_sqrt_pd(x); }

@@ -1,7 +1,7 @@
 // Runs scenes and prints what they end in, one line each: name, steps, final hash; those of method layered in every
 // lane width that the build and the machine have, and split over threads. Needs only the simulation and the scene
 // reader, so that it builds for machines on which the log's libraries are not installed (tools/determinism.sh). Usage:
-// determinism SCENE.toml:STEPS...
+// determinism [--one-lane] SCENE.toml:STEPS...   --one-lane: compare nothing
 #include <charconv>
 #include <cstdint>
 #include <cstdio>
@@ -60,7 +60,7 @@ Result<Hash128> common_hash(const sim::SceneDef& scene, std::uint64_t steps) {
   return hash;
 }
 
-Status run(std::string_view argument) {
+Status run(std::string_view argument, bool one_lane) {
   const std::size_t colon = argument.rfind(':');
   const std::string path(argument.substr(0, colon));
   std::uint64_t steps = 0;
@@ -73,7 +73,7 @@ Status run(std::string_view argument) {
   if (!file) return bad_input(path + ": cannot be read");
   const Result<sim::SceneDef> scene = scenes::parse_scene(text, path);
   if (!scene) return scene.error();
-  const Result<Hash128> hash = common_hash(*scene, steps);
+  const Result<Hash128> hash = one_lane ? final_hash(*scene, steps, sim::LaneWidth::kOne) : common_hash(*scene, steps);
   if (!hash) return hash.error();
   std::printf("%s %llu %s\n", scene->name.c_str(), static_cast<unsigned long long>(steps), to_string(*hash).c_str());
   return {};
@@ -84,11 +84,12 @@ Status run(std::string_view argument) {
 
 int main(int argc, char** argv) {
   if (argc < 2) {
-    std::fputs("usage: determinism SCENE.toml:STEPS...\n", stderr);
+    std::fputs("usage: determinism [--one-lane] SCENE.toml:STEPS...\n", stderr);
     return 2;
   }
-  for (int i = 1; i < argc; ++i) {
-    if (const tumble::Status status = tumble::run(argv[i]); !status) {
+  const bool one_lane = std::string_view(argv[1]) == "--one-lane";  // a build of which lanes may differ
+  for (int i = one_lane ? 2 : 1; i < argc; ++i) {
+    if (const tumble::Status status = tumble::run(argv[i], one_lane); !status) {
       std::fprintf(stderr, "determinism: %s\n", status.error().message.c_str());
       return status.error().kind == tumble::ErrorKind::kBadInput ? 2 : 4;
     }
