@@ -71,7 +71,7 @@ void join(Scratch& scratch, unsigned parts) {
   });
 }
 
-// A contact takes 2 kB, and n bodies in one place would have n²; in a heap a body has six at most.
+// A contact takes 2 kB, and n bodies in one place would have n² of them.
 constexpr std::size_t manifolds_max(std::size_t bodies) { return 32768 + 16 * bodies; }
 
 // What the builder of one step's manifolds looks at and writes to.
