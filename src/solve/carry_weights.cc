@@ -18,6 +18,7 @@ struct Support {
   BodyIndex upper = 0, lower = 0;
   Vec3 origin;      // m, from the upper body's centre to where p, q and offset are measured from
   double pull = 0;  // m/s², gravity along the normal
+  std::size_t first_bearing = 0, end_bearing = 0;
 };
 
 // The bearing points under a body, seen from its centre, and the load on each as a linear function of its place: of all
@@ -26,11 +27,17 @@ struct Footing {
   double count = 0, x = 0, y = 0;             // number of points, mean place
   double xx = 0, xy = 0, yy = 0;              // products about the mean, summed
   double even = 0, along_x = 0, along_y = 0;  // kg, kg/m
-  double total = 0;                           // kg, with what would have to pull left out
 
-  [[nodiscard]] double load_at(const Vec3& r) const {
-    return std::max(0.0, even + (along_x * (r.x() - x) + along_y * (r.y() - y)));
+  [[nodiscard]] double load_at(double at_x, double at_y) const {
+    return std::max(0.0, even + (along_x * (at_x - x) + along_y * (at_y - y)));
   }
+};
+
+// A point that bears: its place across from the upper body's centre, and what loads it before all is scaled to fit.
+struct Bearing {
+  ManifoldPoint* point = nullptr;
+  double x = 0, y = 0;  // m
+  double load = 0;      // kg
 };
 
 class Walk {
@@ -57,9 +64,10 @@ class Walk {
     while (!ready.empty()) {
       const BodyIndex i = ready.back();
       ready.pop_back();
-      const Footing footing = footing_of(i);
+      find_bearings(i);
+      const double scale = load_bearings(i);
       for (const Support& s : supports_of(i)) {
-        hand_down(s, footing);
+        hand_down(s, scale);
         if (s.lower != kGround && --waiting_for_[s.lower] == 0) ready.push_back(s.lower);
       }
     }
@@ -114,41 +122,52 @@ class Walk {
     std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
     for (const Support& s : found) supports_[next[s.upper]++] = s;
   }
-  std::span<const Support> supports_of(BodyIndex i) const {
+  std::span<Support> supports_of(BodyIndex i) {
     return std::span(supports_).subspan(start_[i], start_[i + 1] - start_[i]);
   }
 
-  // Calls visit(point, its place from the upper body's centre) for the points that bear.
-  template <class Visit>
-  void for_bearing(const Support& s, Visit visit) {
-    const Manifold& m = scratch_.manifolds[s.manifold];
-    for (ManifoldPoint& p : points_of(scratch_, m)) {
-      if (p.separation < kBearing) visit(p, Vec3(s.origin + ((m.t1 * p.p + m.t2 * p.q) + m.n * m.offset)));
+  void find_bearings(BodyIndex i) {
+    bearings_.clear();
+    for (Support& s : supports_of(i)) {
+      const Manifold& m = scratch_.manifolds[s.manifold];
+      s.first_bearing = bearings_.size();
+      for (ManifoldPoint& p : points_of(scratch_, m)) {
+        if (p.separation >= kBearing) continue;
+        const Vec3 r = s.origin + ((m.t1 * p.p + m.t2 * p.q) + m.n * m.offset);
+        bearings_.push_back({&p, r.x(), r.y()});
+      }
+      s.end_bearing = bearings_.size();
     }
   }
-  template <class Visit>
-  void for_footing(BodyIndex i, Visit visit) {
-    for (const Support& s : supports_of(i)) for_bearing(s, [&](const ManifoldPoint&, const Vec3& r) { visit(r); });
+
+  // Returns what loads have to be multiplied by to make up the body's weight.
+  double load_bearings(BodyIndex i) {
+    const Footing f = footing_of(i);
+    double total = 0;  // kg, with what would have to pull left out
+    for (Bearing& bearing : bearings_) {
+      bearing.load = f.load_at(bearing.x, bearing.y);
+      total += rounded(bearing.load);
+    }
+    return total > 0 ? carried_[i] / total : 0;
   }
 
-  Footing footing_of(BodyIndex i) {
+  Footing footing_of(BodyIndex i) const {
     Footing f;
-    for_footing(i, [&](const Vec3& r) {
-      f.count += 1;
-      f.x += VelocityGrid::round(r.x());
-      f.y += VelocityGrid::round(r.y());
-    });
-    if (f.count == 0) return f;
+    if (bearings_.empty()) return f;
+    f.count = static_cast<double>(bearings_.size());
+    for (const Bearing& bearing : bearings_) {
+      f.x += VelocityGrid::round(bearing.x);
+      f.y += VelocityGrid::round(bearing.y);
+    }
     f.x /= f.count;
     f.y /= f.count;
-    for_footing(i, [&](const Vec3& r) {
-      const double x = r.x() - f.x, y = r.y() - f.y;
+    for (const Bearing& bearing : bearings_) {
+      const double x = bearing.x - f.x, y = bearing.y - f.y;
       f.xx += VelocityGrid::round(x * x);
       f.xy += VelocityGrid::round(x * y);
       f.yy += VelocityGrid::round(y * y);
-    });
+    }
     balance(i, f);
-    for_footing(i, [&](const Vec3& r) { f.total += rounded(f.load_at(r)); });
     return f;
   }
 
@@ -165,20 +184,20 @@ class Walk {
     f.along_y = (xx * turn_y - f.xy * turn_x) / determinant;
   }
 
-  void hand_down(const Support& s, const Footing& f) {
+  void hand_down(const Support& s, double scale) {
     const bool starts = is_new(scratch_.manifolds[s.manifold]) && rests(scratch_.manifolds[s.manifold]);
     const bool hands_on = s.lower != kGround;
     const Vec3 apart = hands_on ? Vec3(bodies_.position[s.upper] - bodies_.position[s.lower]) : Vec3(Vec3::Zero());
-    const double scale = f.total > 0 ? carried_[s.upper] / f.total : 0;
-    for_bearing(s, [&](ManifoldPoint& p, const Vec3& r) {
-      const double load = f.load_at(r) * scale;
-      p.load = load * s.pull * substep_;
-      if (starts) p.impulse = p.load;
-      if (!hands_on) return;
+    for (std::size_t k = s.first_bearing; k < s.end_bearing; ++k) {
+      const Bearing& bearing = bearings_[k];
+      const double load = bearing.load * scale;
+      bearing.point->load = load * s.pull * substep_;
+      if (starts) bearing.point->impulse = bearing.point->load;
+      if (!hands_on) continue;
       carried_[s.lower] += rounded(load);
-      moment_x_[s.lower] += rounded(load * (r.x() + apart.x()));
-      moment_y_[s.lower] += rounded(load * (r.y() + apart.y()));
-    });
+      moment_x_[s.lower] += rounded(load * (bearing.x + apart.x()));
+      moment_y_[s.lower] += rounded(load * (bearing.y + apart.y()));
+    }
     if (!hands_on) return;
     const Vec3 velocity = bodies_.velocity[s.lower];
     if (dot(velocity, velocity) > kLendingSpeed * kLendingSpeed) return;
@@ -195,6 +214,7 @@ class Walk {
   std::vector<double> moment_x_, moment_y_;  // kg·m, of what rests on it about its centre
   std::vector<std::uint32_t> waiting_for_;   // supports that have not handed down yet
   std::vector<Support> supports_;            // by upper body
+  std::vector<Bearing> bearings_;            // of one body at a time
   std::vector<std::uint32_t> start_;
 };
 
