@@ -61,8 +61,8 @@ class Session {
         next_(scene.inputs.begin()),
         dt_(scene.world.dt) {}
 
-  /// CPU seconds of all steps; the clock is not read between steps unless there is something else to do, for a step of a
-  /// few bodies takes less than reading it.
+  /// CPU seconds of all steps; the clock is not read between steps unless there is something else to do, for a step of
+  /// a few bodies takes less than reading it.
   Result<double> run() {
     if (Status ok = start(); !ok.ok()) return ok.error();
     double seconds = 0;
