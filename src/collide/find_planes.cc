@@ -72,13 +72,12 @@ void add_collision(Contacts& contacts, BodyIndex a, BodyIndex b, AxisSet planes)
   contacts.planes.push_back(planes);
 }
 
-// The ground is its own separating plane: a body is in it when its lowest corner is.
+// The ground is its own separating plane.
 void find_grounded(const World& world, Contacts& contacts) {
   const Bodies& bodies = world.bodies();
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
     if (world.scratch().aabb_low.z[i] >= 0 || !bodies.moves(i)) continue;
-    const BoxFrame& frame = world.scratch().frames[i];
-    if (reach_along(frame, 2) > frame.position.z()) add_collision(contacts, i, kGround, 0);
+    if (reaches_ground(world.scratch().frames[i])) add_collision(contacts, i, kGround, 0);
   }
 }
 

@@ -78,18 +78,25 @@ Rotation rotate_freely(const Quat& orientation, const Vec3& spin, const Vec3& in
   return {turned, VelocityGrid::round(new_spin)};
 }
 
-void fly_freely(WorldState& state, BodyIndex i, double dt_s) {
+Flight free_flight(const WorldState& state, BodyIndex i, double dt_s) {
   const WorldDef& def = state.def;
-  Bodies& bodies = state.bodies;
-  const Vec3 before = bodies.velocity[i];
-  const Vec3 after = fall(before, def, dt_s);
+  const Bodies& bodies = state.bodies;
+  const Vec3 before = bodies.velocity[i], after = fall(before, def, dt_s);
   const Rotation rotation =
       rotate_freely(bodies.orientation[i], bodies.spin[i], bodies.inertia[i], bodies.inverse_inertia[i], dt_s);
   const double slower = 1 + def.air_drag * dt_s;
-  bodies.velocity.set(i, after);
-  bodies.position.set(i, plus_zero(bodies.position[i] + PositionGrid::round(Vec3((before + after) * (0.5 * dt_s)))));
-  bodies.orientation.set(i, rotation.orientation);
-  bodies.spin.set(i, def.air_drag > 0 ? VelocityGrid::round(Vec3(rotation.spin / slower)) : rotation.spin);
+  return {plus_zero(bodies.position[i] + PositionGrid::round(Vec3((before + after) * (0.5 * dt_s)))),
+          rotation.orientation, after,
+          def.air_drag > 0 ? VelocityGrid::round(Vec3(rotation.spin / slower)) : rotation.spin};
+}
+
+void fly_freely(WorldState& state, BodyIndex i, double dt_s) {
+  const Flight flight = free_flight(state, i, dt_s);
+  Bodies& bodies = state.bodies;
+  bodies.position.set(i, flight.position);
+  bodies.orientation.set(i, flight.orientation);
+  bodies.velocity.set(i, flight.velocity);
+  bodies.spin.set(i, flight.spin);
 }
 
 Status integrate(World& world, double dt_s) {

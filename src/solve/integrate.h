@@ -17,7 +17,14 @@ namespace tumble::sim {
 Status integrate(World& world, double dt_s);
 void hash_integrate(const World& world, Hasher& hasher);
 
-/// Free flight of body i for dt_s.
+/// What free flight for dt_s makes of body i.
+struct Flight {
+  Vec3 position;
+  Quat orientation;
+  Vec3 velocity, spin;
+};
+Flight free_flight(const WorldState& state, BodyIndex i, double dt_s);
+/// Lets it fly.
 void fly_freely(WorldState& state, BodyIndex i, double dt_s);
 
 /// The part of integrate that turns one body: new orientation, and the spin that keeps R I Rᵀ w. Exposed for tests.

@@ -1,6 +1,7 @@
 #include "src/step/step.h"
 
 #include <bit>
+#include <cmath>
 #include <iterator>
 #include <string>
 
@@ -86,6 +87,21 @@ std::uint32_t solved_points(const Scratch& scratch) {
   return count;
 }
 
+// Whether more than `most` bodies fly into the ground within dt_s, as the trial phases of method thesis would find.
+bool grounds_more_than(std::size_t most, const WorldState& state, double dt_s) {
+  const Bodies& bodies = state.bodies;
+  const double fall = length(state.def.gravity) * (dt_s * dt_s);
+  std::size_t found = 0;
+  for (BodyIndex i = 0; state.def.ground && i < bodies.size() && found <= most; ++i) {
+    const Vec3 half_extent = bodies.half_extent[i];
+    const double lowest = bodies.position.z[i] - half_extent.sum();  // a bound
+    if (!bodies.moves(i) || lowest > std::fabs(bodies.velocity.z[i]) * dt_s + fall) continue;
+    const Flight flight = free_flight(state, i, dt_s);
+    if (reaches_ground({flight.position, axes_of(flight.orientation), half_extent})) ++found;
+  }
+  return found > most;
+}
+
 // One call of step(): the sub-steps of a step, counted.
 class StepRun {
  public:
@@ -122,16 +138,23 @@ class StepRun {
  private:
   /// Advances by dt_s, halving as often as `depth` allows when there are too many collisions (thesis V.A).
   Status advance(double dt_s, unsigned depth) {
+    const std::size_t most = world_.state().def.split_collisions;
+    // What falls into the ground is seen without trying, and mostly is enough.
+    if (depth > 0 && grounds_more_than(most, world_.state(), dt_s)) return halve(dt_s, depth);
     if (depth > 0) save(depth);
     for (std::size_t k = 0; k < table_.trial_count; ++k) {
       if (Status ok = run(k, dt_s); !ok.ok()) return ok;
     }
-    if (depth > 0 && world_.scratch().contacts.a.size() > world_.state().def.split_collisions) {
+    if (depth > 0 && world_.scratch().contacts.a.size() > most) {
       put_back(depth);
-      if (Status ok = advance(dt_s / 2, depth - 1); !ok.ok()) return ok;
-      return advance(dt_s / 2, depth - 1);
+      return halve(dt_s, depth);
     }
     return accept(dt_s);
+  }
+
+  Status halve(double dt_s, unsigned depth) {
+    if (Status ok = advance(dt_s / 2, depth - 1); !ok.ok()) return ok;
+    return advance(dt_s / 2, depth - 1);
   }
 
   Status run_range(std::size_t begin, std::size_t end, double dt_s) {

@@ -30,6 +30,9 @@ inline double reach_along(const BoxFrame& frame, int axis) {
          h.z() * std::fabs(frame.axes[2][axis]);
 }
 
+/// Whether its lowest corner is in the ground.
+inline bool reaches_ground(const BoxFrame& frame) { return reach_along(frame, 2) > frame.position.z(); }
+
 /// An eighth of the volume, m³: enough to tell which box is larger.
 inline double volume_measure(const BoxFrame& frame) {
   return (frame.half_extent.x() * frame.half_extent.y()) * frame.half_extent.z();
