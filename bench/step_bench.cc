@@ -1,9 +1,12 @@
 // The whole step and every phase of it by itself, by method and number of bodies: tilted_grid, dt 1/30, 4 sub-steps,
 // from the state a second in, when most rows have landed. A phase's time is from the end of the one before to its own
 // end, over all sub-steps that were accepted; so the first phase of a sub-step also has what was tried and undone.
+// box_test/… is the test of all fifteen axes alone, over the pairs of 6400 cubes of the same scene, as they stand and
+// turned at random: BoxPair, then each lane width.
 // Usage: step_bench [--benchmark_filter=layered/.*/6400] …
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
@@ -12,7 +15,11 @@
 #include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "src/base/rng.h"
+#include "src/collide/box_pair.h"
+#include "src/collide/box_tests.h"
 #include "src/scenes/scene_file.h"
 #include "src/step/step.h"
 #include "src/threads/worker_threads.h"
@@ -97,6 +104,74 @@ void add(const std::string& what, sim::Method method, std::pair<int, int> size, 
       ->Unit(benchmark::kMicrosecond);
 }
 
+void count_pairs(benchmark::State& state, std::size_t pairs) {
+  state.counters["ns_per_pair"] = benchmark::Counter(
+      static_cast<double>(pairs) * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+/// The boxes of the scene as they stand, or each turned in a way of its own.
+std::vector<sim::BoxFrame> box_frames(const sim::World& world, bool turned) {
+  std::vector<sim::BoxFrame> frames = world.scratch().frames;
+  for (std::size_t i = 0; turned && i < frames.size(); ++i) {
+    const auto number = [i](std::uint64_t draw) { return random_symmetric(1, i, draw); };
+    frames[i].axes = sim::axes_of(sim::normalised({number(0), number(1), number(2), number(3)}));
+  }
+  return frames;
+}
+
+void run_box_pair(benchmark::State& state, bool turned) {
+  const sim::World& world = warm_world(sim::Method::kLayered, 80, 80);
+  const sim::PairTable& pairs = world.state().pairs;
+  const std::vector<sim::BoxFrame> frames = box_frames(world, turned);
+  for (auto _ : state) {
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const sim::BoxPair pair(frames[pairs.a[k]], frames[pairs.b[k]]);
+      benchmark::DoNotOptimize(pair.best(sim::kFacesOfA));
+      benchmark::DoNotOptimize(pair.best(sim::kFacesOfB));
+      benchmark::DoNotOptimize(pair.best(sim::kEdges));
+    }
+  }
+  count_pairs(state, pairs.size());
+}
+
+/// Filling the lanes included.
+void run_box_tests(benchmark::State& state, bool turned, sim::LaneWidth width) {
+  const sim::World& world = warm_world(sim::Method::kLayered, 80, 80);
+  const sim::PairTable& pairs = world.state().pairs;
+  const std::vector<sim::BoxFrame> frames = box_frames(world, turned);
+  const sim::BoxTestKernels& kernels = *sim::box_test_kernels(width);
+  sim::BoxTests tests;
+  tests.frames = frames.data();
+  for (auto _ : state) {
+    for (std::size_t first = 0; first < pairs.size(); first += tests.count) {
+      tests.count = std::min(sim::BoxTests::kMost, pairs.size() - first);
+      for (std::size_t k = 0; k < tests.count; ++k) {
+        const sim::BodyIndex a = tests.a[k] = pairs.a[first + k], b = tests.b[k] = pairs.b[first + k];
+        const sim::Vec3 offset = frames[b].position - frames[a].position;
+        for (int axis = 0; axis < 3; ++axis) tests.offset[axis][k] = offset[axis];
+      }
+      kernels.find_faces(tests);
+      kernels.find_edges(tests);
+      benchmark::ClobberMemory();
+    }
+  }
+  count_pairs(state, pairs.size());
+}
+
+void add_box_tests(bool turned) {
+  const std::string prefix = std::string("box_test/") + (turned ? "turned/" : "grid/");
+  benchmark::RegisterBenchmark((prefix + "BoxPair").c_str(), [=](benchmark::State& state) {
+    run_box_pair(state, turned);
+  })->Unit(benchmark::kMicrosecond);
+  for (const sim::LaneWidth width : {sim::LaneWidth::kTwo, sim::LaneWidth::kFour, sim::LaneWidth::kEight}) {
+    if (sim::box_test_kernels(width) == nullptr) continue;
+    const std::string name = prefix + sim::name_of(width) + "_lanes";
+    benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
+      run_box_tests(state, turned, width);
+    })->Unit(benchmark::kMicrosecond);
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -110,6 +185,7 @@ int main(int argc, char** argv) {
       for (std::size_t k = 0; k < phases.size(); ++k) add(phases[k].name, method, size, k);
     }
   }
+  for (const bool turned : {false, true}) add_box_tests(turned);
   benchmark::RunSpecifiedBenchmarks();
   return 0;
 }

@@ -12,7 +12,7 @@ constexpr int kAfterNext[3] = {2, 0, 1};
 
 }  // namespace
 
-BoxPair::BoxPair(const BoxFrame& a, const BoxFrame& b) : a_(&a), b_(&b), offset_(b.position - a.position) {
+BoxPair::BoxPair(const BoxFrame& a, const BoxFrame& b, const Vec3& offset) : a_(&a), b_(&b), offset_(offset) {
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) product_[i][j] = std::fabs(dot(a.axes[i], b.axes[j]));
     offset_a_[i] = dot(offset_, a.axes[i]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -24,6 +25,13 @@ struct BestAxes {
   double separation = 0;  ///< m, negative when the boxes overlap along the axis
 };
 
+/// The larger separation of two sets, as far as either has an axis.
+inline double larger_separation(const BestAxes& x, const BestAxes& y) {
+  if (x.axes == 0) return y.separation;
+  if (y.axes == 0) return x.separation;
+  return std::max(x.separation, y.separation);
+}
+
 /// Two boxes and the products of their axes that every separation needs. All of it follows from d = x_b − x_a, which is
 /// exact on the position grid, so it does not change when the pair is shifted; and every sum is arranged so that
 /// exchanging a and b, mirroring, or swapping x and y gives the same bits.
@@ -34,7 +42,9 @@ struct BestAxes {
 /// the thesis's Fig. 22).
 class BoxPair {
  public:
-  BoxPair(const BoxFrame& a, const BoxFrame& b);
+  BoxPair(const BoxFrame& a, const BoxFrame& b) : BoxPair(a, b, b.position - a.position) {}
+  /// With b so far from a, wherever the frames are.
+  BoxPair(const BoxFrame& a, const BoxFrame& b, const Vec3& offset);
 
   /// The axes of `candidates` along which the boxes are apart or just touch.
   [[nodiscard]] AxisSet separating(AxisSet candidates) const;

@@ -10,22 +10,12 @@
 #include "src/collide/contact_recall.h"
 #include "src/collide/find_near_pairs.h"
 #include "src/collide/manifold_points.h"
-#include "src/collide/meeting_time.h"
-#include "src/math/grid.h"
+#include "src/collide/pair_tests.h"
 
 namespace tumble::sim {
 namespace {
 
 constexpr std::size_t kWorthPairs = 16384;  // and bodies, for a thread more
-constexpr double kEdgePreference = 0.01;    // of the smallest half extent: an edge pair must be better by this
-constexpr double kFacePreference = 0.001;   // likewise for the other box's face
-constexpr double kFarPart = 0.02;           // covers both preferences and the tolerance of points at edges
-
-double smallest_half_extent(const BoxPair& pair) {
-  return std::min(pair.a().half_extent.minCoeff(), pair.b().half_extent.minCoeff());
-}
-
-double slack_of(double smallest) { return std::min(kContactSlack, kContactSlackPart * smallest); }
 
 // How many pairs come before those of a body.
 std::size_t pairs_before(const PairTable& pairs, BodyIndex i) {
@@ -77,25 +67,28 @@ constexpr std::size_t manifolds_max(std::size_t bodies) { return 32768 + 16 * bo
 // What the builder of one step's manifolds looks at and writes to.
 class Builder {
  public:
-  Builder(const World& world, double dt_s, BodyIndex first, ManifoldList& out)
+  // Of bodies [first, end).
+  Builder(const World& world, double dt_s, BodyIndex first, BodyIndex end, ManifoldList& out)
       : world_(world),
         bodies_(world.bodies()),
         scratch_(world.scratch()),
         out_(out),
         first_(first),
+        end_(end),
         dt_(dt_s),
         fall_(falling_reach(world.state().def, dt_s)),
+        tests_(world, dt_s, pairs_before(world.state().pairs, first), pairs_before(world.state().pairs, end)),
         recall_(world.state().contact_memory, first) {
     out_.manifolds.clear();
     out_.points.clear();
   }
 
-  // Of bodies up to `end`, with those of higher rows and with the ground.
-  void build(BodyIndex end) {
+  // With bodies of higher rows and with the ground.
+  void build() {
     const PairTable& pairs = world_.state().pairs;
     std::size_t k = pairs_before(pairs, first_);
     const std::size_t most = manifolds_max(bodies_.size());
-    for (BodyIndex i = first_; i < end && out_.manifolds.size() <= most; ++i) {
+    for (BodyIndex i = first_; i < end_ && out_.manifolds.size() <= most; ++i) {
       for (; k < pairs.size() && pairs.a[k] == i; ++k) pair(i, pairs.b[k]);
       if (world_.state().def.ground && bodies_.is_static[i] == 0) ground(i);
     }
@@ -105,28 +98,27 @@ class Builder {
   double turning(BodyIndex i) const { return scratch_.turning[i]; }
 
   void pair(BodyIndex lo, BodyIndex hi) {
-    const bool moves = bodies_.moves(lo) || bodies_.moves(hi);
-    if (!moves) return recall_.keep(lo, hi, out_);
+    if (!bodies_.moves(lo) && !bodies_.moves(hi)) return recall_.keep(lo, hi, out_);
+    pair_ = tests_.next();
+    if (pair_ == nullptr) return;
+    const BoxFrame& a = scratch_.frames[lo];
+    const BoxFrame& b = scratch_.frames[hi];
+    const double smallest = smallest_half_extent(a, b);
     const Vec3 approach = bodies_.velocity[hi] - bodies_.velocity[lo];
-    look_ahead(lo, hi, approach);
-    const BoxPair boxes(scratch_.frames[lo], later_frame_);
-    const double smallest = smallest_half_extent(boxes);
     const double turn = turning(lo) + turning(hi);
     const auto margin_of = [&](const Vec3& n) {
       return std::max(0.0, -dot(approach, n)) * dt_ + (turn + fall_) + slack_of(smallest);
     };
-    const BestAxes face_lo = boxes.best(kFacesOfA), face_hi = boxes.best(kFacesOfB);
-    const double face = best_of(face_lo, face_hi);
-    // So far apart along a face that whatever is chosen below, no point of it is kept.
-    if (face > length(approach) * dt_ + (turn + fall_) + slack_of(smallest) + kFarPart * smallest) return;
-    const BestAxes edge = boxes.best(kEdges);
-    const bool lo_first = canonical(boxes) >= 0, hi_first = canonical(boxes) <= 0;
+    const BestAxes &face_lo = pair_->face_a, &face_hi = pair_->face_b, &edge = pair_->edge;
+    const Vec3& offset = pair_->offset;
+    const double face = larger_separation(face_lo, face_hi);
+    const bool lo_first = canonical(a, b, offset) >= 0, hi_first = canonical(a, b, offset) <= 0;
     if (edge.axes != 0 && edge.separation > face + kEdgePreference * smallest) {
       for_each_axis(edge.axes, [&](int axis) {
-        const double margin = margin_of(boxes.normal(axis));
+        const double margin = margin_of(BoxPair(a, b, offset).normal(axis));
         if (edge.separation > margin) return;
-        if (lo_first) add_edge(lo, hi, boxes, axis, edge.separation, margin);
-        if (hi_first) add_edge(hi, lo, boxes, axis, edge.separation, margin);
+        if (lo_first) add_edge(lo, hi, axis, margin);
+        if (hi_first) add_edge(hi, lo, axis, margin);
       });
       return;
     }
@@ -136,40 +128,23 @@ class Builder {
     const bool on_hi = face_hi.axes != 0 && (hi_first ? face_hi.separation >= face - prefer
                                                       : face_hi.separation > face_lo.separation + prefer);
     if (on_lo) {
-      for_each_axis(face_lo.axes, [&](int axis) { add_face(lo, hi, axis, margin_of(boxes.normal(axis))); });
+      for_each_axis(face_lo.axes, [&](int axis) { add_face(lo, hi, axis, margin_of(towards(offset, a.axes[axis]))); });
     }
     if (on_hi) {
-      for_each_axis(face_hi.axes, [&](int axis) { add_face(hi, lo, axis - 3, margin_of(boxes.normal(axis))); });
+      for_each_axis(face_hi.axes,
+                    [&](int axis) { add_face(hi, lo, axis - 3, margin_of(towards(offset, b.axes[axis - 3]))); });
     }
-  }
-
-  // Where two bodies move on by more than the thinner one's half thickness in a step, what faces what is seen only
-  // where they will meet.
-  void look_ahead(BodyIndex lo, BodyIndex hi, const Vec3& approach) {
-    const BoxFrame& a = scratch_.frames[lo];
-    later_frame_ = scratch_.frames[hi];
-    later_ = 0;
-    const double thinnest = std::min(a.half_extent.minCoeff(), later_frame_.half_extent.minCoeff());
-    if (dot(approach, approach) * (dt_ * dt_) <= thinnest * thinnest) return;
-    const double time = meeting_time(a, later_frame_, approach, dt_);
-    if (time >= dt_) return;
-    later_ = time;
-    later_frame_ = moved_on(later_frame_, approach, time);
-  }
-
-  static double best_of(const BestAxes& x, const BestAxes& y) {
-    if (x.axes == 0) return y.separation;
-    if (y.axes == 0) return x.separation;
-    return std::max(x.separation, y.separation);
   }
 
   // > 0: a is the reference, < 0: b, 0: a tie.
-  static int canonical(const BoxPair& boxes) {
-    const double a = volume_measure(boxes.a()), b = volume_measure(boxes.b());
+  static int canonical(const BoxFrame& box_a, const BoxFrame& box_b, const Vec3& offset) {
+    const double a = volume_measure(box_a), b = volume_measure(box_b);
     if (a != b) return a > b ? 1 : -1;
-    const double up = boxes.offset().z();
+    const double up = offset.z();
     return up > 0 ? 1 : up < 0 ? -1 : 0;
   }
+
+  static Vec3 towards(const Vec3& offset, const Vec3& axis) { return dot(offset, axis) < 0 ? Vec3(-axis) : axis; }
 
   template <class Visit>
   static void for_each_axis(AxisSet axes, Visit visit) {
@@ -177,9 +152,8 @@ class Builder {
   }
 
   ManifoldSide side_of(BodyIndex reference, BodyIndex incident, double margin) const {
-    const BoxFrame& a = reference < incident ? scratch_.frames[reference] : later_frame_;
-    const BoxFrame& b = reference < incident ? later_frame_ : scratch_.frames[incident];
-    return {&a, &b, b.position - a.position, reference < incident, margin};
+    const Vec3 d = reference < incident ? pair_->offset : plus_zero(Vec3(-pair_->offset));
+    return {&scratch_.frames[reference], &scratch_.frames[incident], d, reference < incident, margin};
   }
 
   void add_face(BodyIndex reference, BodyIndex incident, int axis, double margin) {
@@ -189,25 +163,23 @@ class Builder {
     finish(m);
   }
 
-  void add_edge(BodyIndex reference, BodyIndex incident, const BoxPair& boxes, int axis, double separation,
-                double margin) {
+  // axis: of (lower row, higher row).
+  void add_edge(BodyIndex reference, BodyIndex incident, int axis, double margin) {
     Manifold m = fresh(reference, incident);
     const ManifoldSide side = side_of(reference, incident, margin);
-    if (reference < incident) {
-      edge_manifold(side, boxes, axis, separation, m, out_.points);
-    } else {
-      const int i = (axis - 6) / 3, j = (axis - 6) % 3;
-      edge_manifold(side, BoxPair(*side.reference, *side.incident), 6 + 3 * j + i, separation, m, out_.points);
-    }
+    const int i = (axis - 6) / 3, j = (axis - 6) % 3;
+    const int own_axis = reference < incident ? axis : 6 + 3 * j + i;
+    const BoxPair boxes(*side.reference, *side.incident, side.d);
+    edge_manifold(side, boxes, own_axis, pair_->edge.separation, m, out_.points);
     separate_as_now(m);
     finish(m);
   }
 
   // The points are where they will meet; their separations are those of now.
   void separate_as_now(const Manifold& m) {
-    if (later_ == 0) return;
+    if (pair_->later == 0) return;
     const double opening = dot(Vec3(bodies_.velocity[m.b] - bodies_.velocity[m.a]), m.n);
-    for (ManifoldPoint& point : points_of(out_, m)) point.separation -= later_ * opening;
+    for (ManifoldPoint& point : points_of(out_, m)) point.separation -= pair_->later * opening;
   }
 
   void ground(BodyIndex i) {
@@ -249,7 +221,9 @@ class Builder {
     std::size_t kept = m.first;
     for (std::size_t k = m.first; k < points.size(); ++k) {
       const double speed = un + (w1 * points[k].q - w2 * points[k].p);
-      if (points[k].separation + std::min(0.0, speed) * dt_ <= reach) points[kept++] = points[k];
+      if (points[k].separation + std::min(0.0, speed) * dt_ > reach) continue;
+      if (kept != k) points[kept] = points[k];  // copying a point just written over itself would wait for it
+      ++kept;
     }
     points.resize(kept);
     m.count = static_cast<std::uint32_t>(kept - m.first);
@@ -262,11 +236,11 @@ class Builder {
   const Bodies& bodies_;
   const Scratch& scratch_;
   ManifoldList& out_;
-  BodyIndex first_;
+  BodyIndex first_, end_;
   double dt_;
-  BoxFrame later_frame_{};  // of the pair's higher row, when they meet
-  double later_ = 0;        // s, when that is
-  double fall_;             // m, how far gravity may take a body beyond its speed
+  double fall_;  // m, how far gravity may take a body beyond its speed
+  PairTests tests_;
+  const TestedPair* pair_ = nullptr;
   ContactRecall recall_;
 };
 
@@ -278,8 +252,8 @@ Status find_manifolds(World& world, double dt_s) {
   const unsigned parts = part_count(scratch.workers, work, kWorthPairs);
   if (scratch.manifolds_by.size() < parts) scratch.manifolds_by.resize(parts);
   for_parts(scratch.workers, parts, [&](unsigned part) {
-    Builder builder(world, dt_s, first_body(world, part, parts), scratch.manifolds_by[part]);
-    builder.build(first_body(world, part + 1, parts));
+    Builder(world, dt_s, first_body(world, part, parts), first_body(world, part + 1, parts), scratch.manifolds_by[part])
+        .build();
   });
   std::size_t found = 0;
   for (unsigned part = 0; part < parts; ++part) found += scratch.manifolds_by[part].manifolds.size();

@@ -43,6 +43,7 @@ class FacePair {
 
   void add_points(int incident_axis, std::vector<ManifoldPoint>& points) {
     set_incident(incident_axis);
+    earlier_ = points.size();
     const int inside = add_incident_corners(points);
     if (inside == 4) return;
     add_reference_corners(points);
@@ -69,15 +70,14 @@ class FacePair {
 
   void add(double u, double v, double w, Feature feature, std::vector<ManifoldPoint>& points) const {
     if (w > side_.margin) return;
-    for (std::size_t k = m_.first; k < points.size(); ++k) {
+    for (std::size_t k = m_.first; k < earlier_; ++k) {
       if (points[k].feature == feature) return;  // shared by two tied incident faces
     }
-    ManifoldPoint point;
+    ManifoldPoint& point = points.emplace_back();
     point.p = u - centre_u_;
     point.q = v - centre_v_;
     point.separation = w;
     point.feature = feature;
-    points.push_back(point);
   }
 
   int add_incident_corners(std::vector<ManifoldPoint>& points) const {
@@ -158,6 +158,7 @@ class FacePair {
   const Manifold& m_;
   double centre_u_, centre_v_;
 
+  std::size_t earlier_ = 0;  // points of all manifolds before those of this incident face
   int f_ = 0, j1_ = 0, j2_ = 0;
   double facing_ = 1, half1_ = 0, half2_ = 0, tolerance_ = 0;
   InFace c_{}, e1_{}, e2_{};

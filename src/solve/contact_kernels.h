@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "src/math/lane_width.h"
 #include "src/world/contact_batch.h"
 
 namespace tumble::sim {
@@ -49,9 +50,6 @@ struct ContactKernels {
 
 /// Whether this machine and this build run a width.
 bool runs_lanes(LaneWidth width);
-
-/// "one", "two", "four", "eight", "widest".
-const char* name_of(LaneWidth width);
 
 /// The kernels of a width. Precondition: runs_lanes(width).
 const ContactKernels& contact_kernels(LaneWidth width);

@@ -11,9 +11,6 @@ inline constexpr int kLanes = 8;
 /// Bodies that move no faster than this along a contact's normal, m/s, rest on each other; faster, they meet or part.
 inline constexpr double kRestingSpeed = 0.1;
 
-/// How many lanes an instruction takes. All give the same bits: lanes never mix. kWidest: as many as this machine can.
-enum class LaneWidth : std::uint8_t { kWidest, kOne, kTwo, kFour, kEight };
-
 /// One number of each of eight manifolds.
 struct alignas(64) Lanes {
   double of[kLanes] = {};

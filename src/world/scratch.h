@@ -8,6 +8,7 @@
 
 #include "src/base/ids.h"
 #include "src/base/workers.h"
+#include "src/math/lane_width.h"
 #include "src/math/rotation.h"
 #include "src/math/vec.h"
 #include "src/world/contact_batch.h"

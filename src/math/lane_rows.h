@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "src/solve/lane_vector.h"
+#include "src/math/lane_vector.h"
 
 namespace tumble::sim {
 namespace {

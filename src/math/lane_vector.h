@@ -4,6 +4,8 @@
 // and no other header of the project that has functions is included there: a function compiled for a wide machine must
 // never be the one that the linker keeps for all.
 
+#include <cstdint>
+
 #if defined(__AVX__) || defined(__SSE2__)
 #include <immintrin.h>
 #endif
@@ -60,6 +62,14 @@ inline V smaller(V a, V b) {
 template <class V>
 inline V magnitude(V a) {
   return a < 0.0 ? -a : a;
+}
+
+// std::fabs, to the sign of zero.
+inline double absolute(double a) { return __builtin_fabs(a); }
+template <class V>
+inline V absolute(V a) {
+  typedef std::int64_t Bits __attribute__((vector_size(sizeof(V))));  // NOLINT(modernize-use-using): GCC wants it so
+  return reinterpret_cast<V>(reinterpret_cast<Bits>(a) & INT64_MAX);
 }
 
 // Vectors in space, a number of each lane in each coordinate; sums in the order of src/math/vec.h.
