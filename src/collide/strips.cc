@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
+#include <utility>
 
 #include "src/collide/sweep.h"
 
@@ -34,6 +34,18 @@ Spread spread_along(const Scratch& scratch, int axis) {
     extents += high[i] - low[i];
   }
   return {axis, lowest, highest - lowest, extents / static_cast<double>(low.size())};
+}
+
+// The three axes, longest first, equals in their order: std::stable_sort would allocate.
+std::array<Spread, 3> longest_first(const Scratch& scratch) {
+  std::array<Spread, 3> axes = {spread_along(scratch, 0), spread_along(scratch, 1), spread_along(scratch, 2)};
+  const auto put_in_order = [](Spread& x, Spread& y) {
+    if (y.extents() > x.extents()) std::swap(x, y);
+  };
+  put_in_order(axes[0], axes[1]);
+  put_in_order(axes[1], axes[2]);
+  put_in_order(axes[0], axes[1]);
+  return axes;
 }
 
 // Parallel strips of equal width.
@@ -168,8 +180,7 @@ void sweep_cells(Scratch& scratch, const Cells& cells, double bin) {
 void find_in_cells(Scratch& scratch) {
   SweepScratch& sweep = scratch.sweep;
   const auto n = static_cast<double>(scratch.frames.size());
-  std::array<Spread, 3> axes = {spread_along(scratch, 0), spread_along(scratch, 1), spread_along(scratch, 2)};
-  std::ranges::stable_sort(axes, std::ranges::greater(), &Spread::extents);
+  const std::array<Spread, 3> axes = longest_first(scratch);
   const Spread& first = axes[0];
   const double bin = std::max(kBinWidth * first.extent, first.range / (4 * n));
   const Strips bins = strips_of_width(first, bin > 0 ? bin : 1);

@@ -57,7 +57,7 @@ void sort_boxes(SweepScratch& sweep, const Scratch& scratch) {
   if (sweep.order.size() == n && ++sweep.age < kAxisLifetime) {
     return sort_again(sweep.order, column_of(scratch.aabb_low, sweep.axis));
   }
-  std::vector<BodyIndex> order;
+  std::vector<BodyIndex>& order = sweep.judged;
   std::size_t fewest = 0;
   for (int axis = 0; axis < 3; ++axis) {
     const std::vector<double>& low = column_of(scratch.aabb_low, axis);

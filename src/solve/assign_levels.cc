@@ -78,7 +78,7 @@ bool is_slender(const Bodies& bodies, BodyIndex i) {
 }
 
 // For each body whether a slender one can be reached from it through contacts; empty if there is none at all.
-std::vector<std::uint8_t> find_slender_islands(const World& world) {
+std::vector<std::uint8_t> find_slender_islands(World& world) {
   const Bodies& bodies = world.bodies();
   std::vector<BodyIndex> slender;
   for (const Manifold& m : world.scratch().manifolds) {
@@ -87,7 +87,7 @@ std::vector<std::uint8_t> find_slender_islands(const World& world) {
     if (is_slender(bodies, m.b)) slender.push_back(m.b);
   }
   if (slender.empty()) return {};
-  Islands islands(bodies.size());
+  Islands islands(world.mutable_scratch().island_links, bodies.size());
   for (const Manifold& m : world.scratch().manifolds) {
     if (!at_rest(bodies, m.a) && !at_rest(bodies, m.b)) islands.join(m.a, m.b);
   }

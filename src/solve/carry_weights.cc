@@ -12,14 +12,8 @@ constexpr double kBearing = 0.001;   // m; a point that is farther away bears no
 constexpr double kSteepest = 0.5;    // a contact that takes less than this part of gravity along its normal leans
 constexpr double kLendingSpeed = 1;  // m/s; inertia lent to a faster body would be energy out of nothing
 
-// A manifold through which one body rests on another.
-struct Support {
-  std::uint32_t manifold = 0;
-  BodyIndex upper = 0, lower = 0;
-  Vec3 origin;      // m, from the upper body's centre to where p, q and offset are measured from
-  double pull = 0;  // m/s², gravity along the normal
-  std::size_t first_bearing = 0, end_bearing = 0;
-};
+using Support = WeightScratch::Support;
+using Bearing = WeightScratch::Bearing;
 
 // The bearing points under a body, seen from its centre, and the load on each as a linear function of its place: of all
 // loads that balance the weight, those of least squares.
@@ -33,13 +27,6 @@ struct Footing {
   }
 };
 
-// A point that bears: its place across from the upper body's centre, and what loads it before all is scaled to fit.
-struct Bearing {
-  ManifoldPoint* point = nullptr;
-  double x = 0, y = 0;  // m
-  double load = 0;      // kg
-};
-
 class Walk {
  public:
   explicit Walk(World& world, double substep_s)
@@ -48,17 +35,20 @@ class Walk {
         gravity_(world.state().def.gravity),
         substep_(substep_s),
         magic_(rounding_for(bodies_)),
-        carried_(bodies_.mass),
-        moment_x_(bodies_.size(), 0),
-        moment_y_(bodies_.size(), 0),
-        waiting_for_(bodies_.size(), 0) {}
+        own_(scratch_.weights) {
+    own_.carried = bodies_.mass;
+    own_.moment_x.assign(bodies_.size(), 0);
+    own_.moment_y.assign(bodies_.size(), 0);
+    own_.waiting_for.assign(bodies_.size(), 0);
+  }
 
   void run() {
     scratch_.solver_mass = bodies_.mass;
     find_supports();
-    std::vector<BodyIndex> ready;
+    std::vector<BodyIndex>& ready = own_.ready;
+    ready.clear();
     for (BodyIndex i = 0; i < bodies_.size(); ++i) {
-      if (waiting_for_[i] == 0 && start_[i] < start_[i + 1]) ready.push_back(i);
+      if (own_.waiting_for[i] == 0 && own_.start[i] < own_.start[i + 1]) ready.push_back(i);
     }
     // A body hands its load down when all that rests on it has; bodies that rest on each other in a ring never do.
     while (!ready.empty()) {
@@ -68,7 +58,7 @@ class Walk {
       const double scale = load_bearings(i);
       for (const Support& s : supports_of(i)) {
         hand_down(s, scale);
-        if (s.lower != kGround && --waiting_for_[s.lower] == 0) ready.push_back(s.lower);
+        if (s.lower != kGround && --own_.waiting_for[s.lower] == 0) ready.push_back(s.lower);
       }
     }
   }
@@ -104,8 +94,9 @@ class Walk {
   }
 
   void find_supports() {
-    std::vector<Support> found;
-    start_.assign(bodies_.size() + 1, 0);
+    std::vector<Support>& found = own_.found;
+    found.clear();
+    own_.start.assign(bodies_.size() + 1, 0);
     for (const std::uint32_t k : scratch_.layered) {
       const Manifold& m = scratch_.manifolds[k];
       const double pull = -dot(gravity_, m.n);
@@ -114,29 +105,29 @@ class Walk {
       const BodyIndex upper = b_above ? m.b : m.a, lower = b_above ? m.a : m.b;
       if (!moves(upper)) continue;
       found.push_back({k, upper, moves(lower) ? lower : kGround, b_above ? Vec3(Vec3::Zero()) : m.d, std::fabs(pull)});
-      ++start_[upper + 1];
-      if (moves(lower)) ++waiting_for_[lower];
+      ++own_.start[upper + 1];
+      if (moves(lower)) ++own_.waiting_for[lower];
     }
-    for (std::size_t i = 0; i < bodies_.size(); ++i) start_[i + 1] += start_[i];
-    supports_.resize(found.size());
-    std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
-    for (const Support& s : found) supports_[next[s.upper]++] = s;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) own_.start[i + 1] += own_.start[i];
+    own_.supports.resize(found.size());
+    own_.next.assign(own_.start.begin(), own_.start.end() - 1);
+    for (const Support& s : found) own_.supports[own_.next[s.upper]++] = s;
   }
   std::span<Support> supports_of(BodyIndex i) {
-    return std::span(supports_).subspan(start_[i], start_[i + 1] - start_[i]);
+    return std::span(own_.supports).subspan(own_.start[i], own_.start[i + 1] - own_.start[i]);
   }
 
   void find_bearings(BodyIndex i) {
-    bearings_.clear();
+    own_.bearings.clear();
     for (Support& s : supports_of(i)) {
       const Manifold& m = scratch_.manifolds[s.manifold];
-      s.first_bearing = bearings_.size();
+      s.first_bearing = own_.bearings.size();
       for (ManifoldPoint& p : points_of(scratch_, m)) {
         if (p.separation >= kBearing) continue;
         const Vec3 r = s.origin + ((m.t1 * p.p + m.t2 * p.q) + m.n * m.offset);
-        bearings_.push_back({&p, r.x(), r.y()});
+        own_.bearings.push_back({&p, r.x(), r.y()});
       }
-      s.end_bearing = bearings_.size();
+      s.end_bearing = own_.bearings.size();
     }
   }
 
@@ -144,24 +135,24 @@ class Walk {
   double load_bearings(BodyIndex i) {
     const Footing f = footing_of(i);
     double total = 0;  // kg, with what would have to pull left out
-    for (Bearing& bearing : bearings_) {
+    for (Bearing& bearing : own_.bearings) {
       bearing.load = f.load_at(bearing.x, bearing.y);
       total += rounded(bearing.load);
     }
-    return total > 0 ? carried_[i] / total : 0;
+    return total > 0 ? own_.carried[i] / total : 0;
   }
 
   Footing footing_of(BodyIndex i) const {
     Footing f;
-    if (bearings_.empty()) return f;
-    f.count = static_cast<double>(bearings_.size());
-    for (const Bearing& bearing : bearings_) {
+    if (own_.bearings.empty()) return f;
+    f.count = static_cast<double>(own_.bearings.size());
+    for (const Bearing& bearing : own_.bearings) {
       f.x += VelocityGrid::round(bearing.x);
       f.y += VelocityGrid::round(bearing.y);
     }
     f.x /= f.count;
     f.y /= f.count;
-    for (const Bearing& bearing : bearings_) {
+    for (const Bearing& bearing : own_.bearings) {
       const double x = bearing.x - f.x, y = bearing.y - f.y;
       f.xx += VelocityGrid::round(x * x);
       f.xy += VelocityGrid::round(x * y);
@@ -173,9 +164,9 @@ class Walk {
 
   // Moments are taken about x and y, so with a tilted gravity the load is spread evenly.
   void balance(BodyIndex i, Footing& f) const {
-    f.even = carried_[i] / f.count;
+    f.even = own_.carried[i] / f.count;
     if (gravity_.x() != 0 || gravity_.y() != 0) return;
-    const double turn_x = moment_x_[i] - carried_[i] * f.x, turn_y = moment_y_[i] - carried_[i] * f.y;
+    const double turn_x = own_.moment_x[i] - own_.carried[i] * f.x, turn_y = own_.moment_y[i] - own_.carried[i] * f.y;
     const double little = 1e-6 * (f.xx + f.yy);  // points in a row leave one slope open
     const double xx = f.xx + little, yy = f.yy + little;
     const double determinant = xx * yy - f.xy * f.xy;
@@ -189,14 +180,14 @@ class Walk {
     const bool hands_on = s.lower != kGround;
     const Vec3 apart = hands_on ? Vec3(bodies_.position[s.upper] - bodies_.position[s.lower]) : Vec3(Vec3::Zero());
     for (std::size_t k = s.first_bearing; k < s.end_bearing; ++k) {
-      const Bearing& bearing = bearings_[k];
+      const Bearing& bearing = own_.bearings[k];
       const double load = bearing.load * scale;
       bearing.point->load = load * s.pull * substep_;
       if (starts) bearing.point->impulse = bearing.point->load;
       if (!hands_on) continue;
-      carried_[s.lower] += rounded(load);
-      moment_x_[s.lower] += rounded(load * (bearing.x + apart.x()));
-      moment_y_[s.lower] += rounded(load * (bearing.y + apart.y()));
+      own_.carried[s.lower] += rounded(load);
+      own_.moment_x[s.lower] += rounded(load * (bearing.x + apart.x()));
+      own_.moment_y[s.lower] += rounded(load * (bearing.y + apart.y()));
     }
     if (!hands_on) return;
     const Vec3 velocity = bodies_.velocity[s.lower];
@@ -210,12 +201,7 @@ class Walk {
   Vec3 gravity_;
   double substep_;
   double magic_;
-  std::vector<double> carried_;              // kg, of the body and all that rests on it
-  std::vector<double> moment_x_, moment_y_;  // kg·m, of what rests on it about its centre
-  std::vector<std::uint32_t> waiting_for_;   // supports that have not handed down yet
-  std::vector<Support> supports_;            // by upper body
-  std::vector<Bearing> bearings_;            // of one body at a time
-  std::vector<std::uint32_t> start_;
+  WeightScratch& own_;
 };
 
 }  // namespace

@@ -35,24 +35,24 @@ void for_each_touch(const Contacts& contacts, Visit visit) {
 
 }  // namespace
 
-ContactObjects collect_contact_objects(const World& world, const Contacts& contacts,
-                                       std::vector<FreezeCandidate>& candidates) {
+void collect_contact_objects(const World& world, const Contacts& contacts, FreezeScratch& freezing) {
+  std::vector<FreezeCandidate>& candidates = freezing.candidates;
   for_each_touch(contacts, [&](BodyIndex body, BodyIndex object, const Vec3& push) {
     if (!candidates[body].ready) return;
     const Support support = support_of(world, body, object, push);
     if (support.carries) candidates[body].lowest = std::min(candidates[body].lowest, support.height);
   });
-  std::vector<std::pair<BodyIndex, BodyIndex>> objects;
+  std::vector<std::pair<BodyIndex, BodyIndex>>& carriers = freezing.carriers;
+  carriers.clear();
   for_each_touch(contacts, [&](BodyIndex body, BodyIndex object, const Vec3& push) {
     if (!candidates[body].ready) return;
     const Support support = support_of(world, body, object, push);
-    if (support.carries && support.height == candidates[body].lowest) objects.emplace_back(body, object);
+    if (support.carries && support.height == candidates[body].lowest) carriers.emplace_back(body, object);
   });
-  std::sort(objects.begin(), objects.end());
-  objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
-  ContactObjects found;
-  for (const auto& [body, object] : objects) found.push_back(body, object);
-  return found;
+  std::sort(carriers.begin(), carriers.end());
+  carriers.erase(std::unique(carriers.begin(), carriers.end()), carriers.end());
+  freezing.found.clear();
+  for (const auto& [body, object] : carriers) freezing.found.push_back(body, object);
 }
 
 }  // namespace tumble::sim

@@ -67,11 +67,12 @@ Contacts touching_contacts(World& copy) {
 void find_objects(World& world, const std::vector<std::uint8_t>& wanted) {
   World copy = grown(world);
   const Contacts contacts = touching_contacts(copy);
-  std::vector<FreezeCandidate> candidates(wanted.size());
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    candidates[i] = {wanted[i] != 0, std::numeric_limits<double>::infinity()};
+  FreezeScratch freezing;
+  for (const std::uint8_t ready : wanted) {
+    freezing.candidates.push_back({ready != 0, std::numeric_limits<double>::infinity()});
   }
-  const ContactObjects found = collect_contact_objects(copy, contacts, candidates);
+  collect_contact_objects(copy, contacts, freezing);
+  const ContactObjects& found = freezing.found;
   ContactObjects& objects = world.mutable_state().contact_objects;
   ContactObjects merged;
   std::size_t k = 0;

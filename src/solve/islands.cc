@@ -2,7 +2,8 @@
 
 namespace tumble::sim {
 
-Islands::Islands(std::size_t bodies) : up_(bodies) {
+Islands::Islands(std::vector<BodyIndex>& links, std::size_t bodies) : up_(links) {
+  up_.resize(bodies);
   for (std::size_t i = 0; i < bodies; ++i) up_[i] = static_cast<BodyIndex>(i);
 }
 

@@ -10,13 +10,14 @@ namespace tumble::sim {
 /// order of joining; which bodies share a set does not, and nothing else may be asked.
 class Islands {
  public:
-  explicit Islands(std::size_t bodies);
+  /// Every body by itself. `links` is the memory for it: a set lasts until the next is made of the same.
+  Islands(std::vector<BodyIndex>& links, std::size_t bodies);
   void join(BodyIndex a, BodyIndex b);
   /// Equal for two bodies exactly when they are in one set.
   [[nodiscard]] BodyIndex of(BodyIndex i);
 
  private:
-  std::vector<BodyIndex> up_;
+  std::vector<BodyIndex>& up_;
 };
 
 /// Manifolds closer than this, m, are contacts that carry.

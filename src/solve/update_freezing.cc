@@ -42,7 +42,7 @@ bool count_rest(World& world, BodyIndex i, double dt_s) {
 // A frozen body wakes when any of its contact objects moves.
 void wake_unsupported(World& world) {
   Bodies& bodies = world.mutable_state().bodies;
-  const std::vector<std::uint8_t>& before = world.scratch().frozen_before;
+  const std::vector<std::uint8_t>& before = world.scratch().freezing.frozen_before;
   const ContactObjects& objects = world.state().contact_objects;
   for (std::size_t k = 0; k < objects.size(); ++k) {
     const BodyIndex i = objects.body[k];
@@ -56,7 +56,7 @@ void wake_unsupported(World& world) {
 // Freezes each candidate all of whose contact objects were immovable.
 void freeze_supported(World& world, const ContactObjects& found) {
   Bodies& bodies = world.mutable_state().bodies;
-  const std::vector<std::uint8_t>& before = world.scratch().frozen_before;
+  const std::vector<std::uint8_t>& before = world.scratch().freezing.frozen_before;
   for (std::size_t begin = 0, end = 0; begin < found.size(); begin = end) {
     const BodyIndex i = found.body[begin];
     bool supported = true;
@@ -73,8 +73,8 @@ void freeze_supported(World& world, const ContactObjects& found) {
 // Keeps the contact objects of bodies that stayed frozen and adds those of the newly frozen: both lists are sorted.
 void merge_contact_objects(World& world, const ContactObjects& found) {
   const Bodies& bodies = world.bodies();
-  const std::vector<std::uint8_t>& before = world.scratch().frozen_before;
-  ContactObjects& merged = world.mutable_scratch().new_contact_objects;
+  const std::vector<std::uint8_t>& before = world.scratch().freezing.frozen_before;
+  ContactObjects& merged = world.mutable_scratch().freezing.merged;
   ContactObjects& old = world.mutable_state().contact_objects;
   merged.clear();
   std::size_t j = 0;
@@ -98,25 +98,26 @@ Status update_freezing(World& world, double dt_s) {
   const WorldDef& def = world.state().def;
   Bodies& bodies = world.mutable_state().bodies;
   Scratch& scratch = world.mutable_scratch();
-  scratch.frozen_before = bodies.frozen;
-  scratch.freeze_candidates.assign(bodies.size(), {});
+  scratch.freezing.frozen_before = bodies.frozen;
+  scratch.freezing.candidates.assign(bodies.size(), {});
   bool any = false;
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
     if (bodies.is_static[i] != 0) continue;
     if (bodies.frozen[i] != 0) {
       if (scratch.touched[i] != 0) escape_or_halt(bodies, kEscapeFactor * def.freeze_energy, i);
     } else if (count_rest(world, i, dt_s)) {
-      scratch.freeze_candidates[i] = {true, std::numeric_limits<double>::infinity()};
+      scratch.freezing.candidates[i] = {true, std::numeric_limits<double>::infinity()};
       any = true;
     }
   }
   wake_unsupported(world);
-  ContactObjects found;
+  const ContactObjects& found = scratch.freezing.found;
+  scratch.freezing.found.clear();
   if (any) {
-    found = collect_contact_objects(world, scratch.contacts, scratch.freeze_candidates);
+    collect_contact_objects(world, scratch.contacts, scratch.freezing);
     freeze_supported(world, found);
   }
-  if (any || bodies.frozen != scratch.frozen_before) merge_contact_objects(world, found);
+  if (any || bodies.frozen != scratch.freezing.frozen_before) merge_contact_objects(world, found);
   return {};
 }
 

@@ -5,11 +5,14 @@
 namespace tumble::sim {
 namespace {
 
-Islands join_touching(const World& world, std::vector<std::uint8_t>& touching) {
+Islands join_touching(World& world) {
   const Bodies& bodies = world.bodies();
-  Islands islands(bodies.size());
-  for (const Manifold& m : world.scratch().manifolds) {
-    if (!touches(world.scratch(), m)) continue;
+  Scratch& scratch = world.mutable_scratch();
+  std::vector<std::uint8_t>& touching = scratch.sleeping.touching;
+  touching.assign(bodies.size(), 0);
+  Islands islands(scratch.island_links, bodies.size());
+  for (const Manifold& m : scratch.manifolds) {
+    if (!touches(scratch, m)) continue;
     touching[m.b] = 1;
     if (m.a == kGround) continue;
     touching[m.a] = 1;
@@ -23,8 +26,10 @@ Islands join_touching(const World& world, std::vector<std::uint8_t>& touching) {
 Status update_sleeping(World& world, double dt_s) {
   const WorldDef& def = world.state().def;
   Bodies& bodies = world.mutable_state().bodies;
-  std::vector<std::uint8_t> touching(bodies.size(), 0), restless(bodies.size(), 0);
-  Islands islands = join_touching(world, touching);
+  Islands islands = join_touching(world);
+  const std::vector<std::uint8_t>& touching = world.scratch().sleeping.touching;
+  std::vector<std::uint8_t>& restless = world.mutable_scratch().sleeping.restless;
+  restless.assign(bodies.size(), 0);
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
     if (!bodies.moves(i)) continue;
     const bool low = touching[i] != 0 && kinetic_energy(bodies, i) / bodies.mass[i] < def.freeze_energy;

@@ -13,33 +13,35 @@ bool lively(const World& world, BodyIndex i) {
          kinetic_energy(bodies, i) / bodies.mass[i] > kEscapeFactor * world.state().def.freeze_energy;
 }
 
-// The sleeping bodies whose islands a lively body is about to touch.
-std::vector<BodyIndex> disturbed_bodies(const World& world) {
+void find_disturbed(World& world) {
   const std::vector<std::uint8_t>& frozen = world.bodies().frozen;
-  std::vector<BodyIndex> disturbed;
+  std::vector<BodyIndex>& disturbed = world.mutable_scratch().waking.disturbed;
+  disturbed.clear();
   for (const Manifold& m : world.scratch().manifolds) {
     if (m.asleep || m.a == kGround) continue;
     if (frozen[m.a] != 0 && lively(world, m.b)) disturbed.push_back(m.a);
     if (frozen[m.b] != 0 && lively(world, m.a)) disturbed.push_back(m.b);
   }
-  return disturbed;
 }
 
 }  // namespace
 
 Status wake_islands(World& world, double dt_s) {
-  const std::vector<BodyIndex> disturbed = disturbed_bodies(world);
-  world.mutable_scratch().found_again = !disturbed.empty();
+  find_disturbed(world);
+  Scratch& scratch = world.mutable_scratch();
+  const std::vector<BodyIndex>& disturbed = scratch.waking.disturbed;
+  scratch.found_again = !disturbed.empty();
   if (disturbed.empty()) return {};
   Bodies& bodies = world.mutable_state().bodies;
-  Islands islands(bodies.size());
-  for (const Manifold& m : world.scratch().manifolds) {
+  Islands islands(scratch.island_links, bodies.size());
+  for (const Manifold& m : scratch.manifolds) {
     if (m.asleep && m.a != kGround && bodies.is_static[m.a] == 0 && bodies.is_static[m.b] == 0) islands.join(m.a, m.b);
   }
-  std::vector<std::uint8_t> wake(bodies.size(), 0);
-  for (const BodyIndex i : disturbed) wake[islands.of(i)] = 1;
+  std::vector<std::uint8_t>& wakes = scratch.waking.wakes;
+  wakes.assign(bodies.size(), 0);
+  for (const BodyIndex i : disturbed) wakes[islands.of(i)] = 1;
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
-    if (bodies.frozen[i] == 0 || wake[islands.of(i)] == 0) continue;
+    if (bodies.frozen[i] == 0 || wakes[islands.of(i)] == 0) continue;
     bodies.frozen[i] = 0;
     bodies.low_energy_time[i] = 0;
   }

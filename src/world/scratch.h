@@ -13,6 +13,7 @@
 #include "src/math/vec.h"
 #include "src/world/contact_batch.h"
 #include "src/world/manifold.h"
+#include "src/world/phase_scratch.h"
 #include "src/world/world_state.h"
 
 namespace tumble::sim {
@@ -63,10 +64,11 @@ struct SweepScratch {
   struct Box {
     double low1, high1, low2, high2, low3, high3;
   };
-  int axis = 0;                  ///< to sweep along
-  int age = 0;                   ///< sub-steps since it was chosen
-  std::vector<BodyIndex> order;  ///< bodies by the low end of their AABB along it
-  std::vector<Box> boxes;        ///< extents in that order
+  int axis = 0;                   ///< to sweep along
+  int age = 0;                    ///< sub-steps since it was chosen
+  std::vector<BodyIndex> order;   ///< bodies by the low end of their AABB along it
+  std::vector<BodyIndex> judged;  ///< likewise along an axis that might be better
+  std::vector<Box> boxes;         ///< extents in that order
   FoundPairs found;
   std::vector<FoundPairs> found_by;        ///< by the threads but the first
   std::vector<std::uint32_t> start, next;  ///< of each a in `partner`
@@ -121,12 +123,7 @@ struct SweepGroup {
 struct ManifoldList {
   std::vector<Manifold> manifolds;
   std::vector<ManifoldPoint> points;
-};
-
-/// A body that may freeze in this sub-step, and how low the lowest thing it touches lies.
-struct FreezeCandidate {
-  bool ready = false;
-  double lowest = 0;  ///< m, height of the contact object's centre over the body's; −infinity for the ground
+  std::size_t manifolds_before = 0, points_before = 0;  ///< of threads before the one that finds these
 };
 
 /// What a rejected sub-step has to put back: all that its trial phases write.
@@ -169,11 +166,15 @@ struct Scratch {
 
   std::uint32_t still_steps = 0;  ///< in a row, before which nothing could move and no input came
 
-  double removed_energy = 0;                       ///< J in this step; written by apply_outcomes
-  std::vector<FreezeCandidate> freeze_candidates;  ///< written by update_freezing
-  std::vector<std::uint8_t> frozen_before;
-  ContactObjects new_contact_objects;
-  std::vector<SavedMotion> saved;  ///< one for each depth of sub-step recursion; written by step
+  double removed_energy = 0;            ///< J in this step; written by apply_outcomes
+  std::vector<SavedMotion> saved;       ///< one for each depth of sub-step recursion; written by step
+  std::vector<BodyIndex> island_links;  ///< where Islands joins bodies, each time anew
+  // Each of the one phase that it is named after.
+  FreezeScratch freezing;
+  WakeScratch waking;
+  LevelScratch levels;
+  WeightScratch weights;
+  SleepScratch sleeping;
 };
 
 inline std::span<ManifoldPoint> points_of(Scratch& scratch, const Manifold& m) {
