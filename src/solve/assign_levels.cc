@@ -15,43 +15,40 @@ constexpr int kSweepsMax = 10;
 constexpr double kSlender = 16;     // largest moment of inertia over the smallest, from which a body is slender
 constexpr int kSlenderSweeps = 20;  // it turns about one end when the other is pressed, and passes little on
 
-// For each body the others that it touches.
-struct Neighbours {
-  std::vector<std::uint32_t> start;
-  std::vector<BodyIndex> body;
-};
-
 bool at_rest(const Bodies& bodies, BodyIndex i) { return i == kGround || !bodies.moves(i); }
 
-Neighbours find_neighbours(const World& world) {
+// For each body the others that it touches.
+void find_neighbours(const World& world, LevelScratch& own) {
   const Scratch& scratch = world.scratch();
   const std::size_t n = world.bodies().size();
-  Neighbours neighbours;
-  neighbours.start.assign(n + 1, 0);
-  std::vector<const Manifold*> touching;
-  for (const Manifold& m : scratch.manifolds) {
+  own.start.assign(n + 1, 0);
+  own.touching.clear();
+  for (std::uint32_t k = 0; k < scratch.manifolds.size(); ++k) {
+    const Manifold& m = scratch.manifolds[k];
     if (m.asleep || m.a == kGround || !touches(scratch, m)) continue;
-    touching.push_back(&m);
-    ++neighbours.start[m.a + 1];
-    ++neighbours.start[m.b + 1];
+    own.touching.push_back(k);
+    ++own.start[m.a + 1];
+    ++own.start[m.b + 1];
   }
-  for (std::size_t i = 0; i < n; ++i) neighbours.start[i + 1] += neighbours.start[i];
-  neighbours.body.resize(neighbours.start[n]);
-  std::vector<std::uint32_t> next(neighbours.start.begin(), neighbours.start.end() - 1);
-  for (const Manifold* m : touching) {
-    neighbours.body[next[m->a]++] = m->b;
-    neighbours.body[next[m->b]++] = m->a;
+  for (std::size_t i = 0; i < n; ++i) own.start[i + 1] += own.start[i];
+  own.neighbours.resize(own.start[n]);
+  own.next.assign(own.start.begin(), own.start.end() - 1);
+  for (const std::uint32_t k : own.touching) {
+    const Manifold& m = scratch.manifolds[k];
+    own.neighbours[own.next[m.a]++] = m.b;
+    own.neighbours[own.next[m.b]++] = m.a;
   }
-  return neighbours;
 }
 
 void measure_levels(World& world) {
   Scratch& scratch = world.mutable_scratch();
   const Bodies& bodies = world.bodies();
-  const Neighbours neighbours = find_neighbours(world);
+  LevelScratch& own = scratch.levels;
+  find_neighbours(world, own);
   std::vector<std::uint32_t>& level = scratch.level;
   level.assign(bodies.size(), kUnreached);
-  std::vector<BodyIndex> front, next;
+  std::vector<BodyIndex>&front = own.front, &next = own.reached;
+  next.clear();
   const auto reach = [&](BodyIndex i, std::uint32_t at) {
     if (at_rest(bodies, i) || level[i] <= at) return;
     level[i] = at;
@@ -66,7 +63,7 @@ void measure_levels(World& world) {
     std::swap(front, next);
     next.clear();
     for (const BodyIndex i : front) {
-      for (std::uint32_t k = neighbours.start[i]; k < neighbours.start[i + 1]; ++k) reach(neighbours.body[k], at);
+      for (std::uint32_t k = own.start[i]; k < own.start[i + 1]; ++k) reach(own.neighbours[k], at);
     }
   }
 }
@@ -78,9 +75,11 @@ bool is_slender(const Bodies& bodies, BodyIndex i) {
 }
 
 // For each body whether a slender one can be reached from it through contacts; empty if there is none at all.
-std::vector<std::uint8_t> find_slender_islands(World& world) {
+std::span<const std::uint8_t> find_slender_islands(World& world) {
   const Bodies& bodies = world.bodies();
-  std::vector<BodyIndex> slender;
+  LevelScratch& own = world.mutable_scratch().levels;
+  std::vector<BodyIndex>& slender = own.slender;
+  slender.clear();
   for (const Manifold& m : world.scratch().manifolds) {
     if (m.asleep) continue;
     if (is_slender(bodies, m.a)) slender.push_back(m.a);
@@ -91,10 +90,11 @@ std::vector<std::uint8_t> find_slender_islands(World& world) {
   for (const Manifold& m : world.scratch().manifolds) {
     if (!at_rest(bodies, m.a) && !at_rest(bodies, m.b)) islands.join(m.a, m.b);
   }
-  std::vector<std::uint8_t> has_slender(bodies.size(), 0), marked(bodies.size(), 0);
-  for (const BodyIndex i : slender) marked[islands.of(i)] = 1;
-  for (BodyIndex i = 0; i < bodies.size(); ++i) has_slender[i] = marked[islands.of(i)];
-  return has_slender;
+  own.marked.assign(bodies.size(), 0);
+  own.in_slender.resize(bodies.size());
+  for (const BodyIndex i : slender) own.marked[islands.of(i)] = 1;
+  for (BodyIndex i = 0; i < bodies.size(); ++i) own.in_slender[i] = own.marked[islands.of(i)];
+  return own.in_slender;
 }
 
 // Layer 2 l holds what joins level l to l + 1, layer 2 l + 1 what joins bodies of one level.
@@ -137,7 +137,8 @@ void sort_by_layer(Scratch& scratch) {
   }
   for (std::uint32_t k = 0; k < layers; ++k) scratch.layer_start[k + 1] += scratch.layer_start[k];
   scratch.layered.resize(scratch.layer_start[layers]);
-  std::vector<std::uint32_t> next(scratch.layer_start.begin(), scratch.layer_start.end() - 1);
+  std::vector<std::uint32_t>& next = scratch.levels.next;
+  next.assign(scratch.layer_start.begin(), scratch.layer_start.end() - 1);
   for (std::uint32_t k = 0; k < scratch.manifolds.size(); ++k) {
     if (!scratch.manifolds[k].asleep) scratch.layered[next[scratch.manifolds[k].layer]++] = k;
   }
@@ -147,7 +148,7 @@ void sort_by_layer(Scratch& scratch) {
 
 Status assign_levels(World& world, double /*dt_s*/) {
   measure_levels(world);
-  const std::vector<std::uint8_t> near_slender = find_slender_islands(world);
+  const std::span<const std::uint8_t> near_slender = find_slender_islands(world);
   const auto in_slender = [&](const Manifold& m) {
     if (near_slender.empty()) return false;
     return near_slender[at_rest(world.bodies(), m.b) ? m.a : m.b] != 0;
