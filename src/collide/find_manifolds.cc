@@ -38,26 +38,32 @@ BodyIndex first_body(const World& world, unsigned part, unsigned parts) {
   return low;
 }
 
-// Puts together what the threads have found: the first one's lists become the scratch's, the others' are copied.
-void join(Scratch& scratch, unsigned parts) {
+// The first thread's lists are the scratch's own, before and after.
+void swap_first(Scratch& scratch) {
   std::swap(scratch.manifolds, scratch.manifolds_by[0].manifolds);
   std::swap(scratch.manifold_points, scratch.manifolds_by[0].points);
+}
+
+// Puts together what the threads have found: the lists of all but the first are copied.
+void join(Scratch& scratch, unsigned parts) {
+  swap_first(scratch);
   if (parts == 1) return;
   std::size_t manifolds = scratch.manifolds.size(), points = scratch.manifold_points.size();
-  std::vector<std::pair<std::size_t, std::size_t>> starts(parts);
   for (unsigned part = 1; part < parts; ++part) {
-    starts[part] = {manifolds, points};
-    manifolds += scratch.manifolds_by[part].manifolds.size();
-    points += scratch.manifolds_by[part].points.size();
+    ManifoldList& list = scratch.manifolds_by[part];
+    list.manifolds_before = manifolds;
+    list.points_before = points;
+    manifolds += list.manifolds.size();
+    points += list.points.size();
   }
   scratch.manifolds.resize(manifolds);
   scratch.manifold_points.resize(points);
   for_parts(scratch.workers, parts, [&](unsigned part) {
     if (part == 0) return;
     ManifoldList& list = scratch.manifolds_by[part];
-    for (Manifold& m : list.manifolds) m.first += static_cast<std::uint32_t>(starts[part].second);
-    std::ranges::copy(list.manifolds, scratch.manifolds.begin() + static_cast<std::ptrdiff_t>(starts[part].first));
-    std::ranges::copy(list.points, scratch.manifold_points.begin() + static_cast<std::ptrdiff_t>(starts[part].second));
+    for (Manifold& m : list.manifolds) m.first += static_cast<std::uint32_t>(list.points_before);
+    std::ranges::copy(list.manifolds, scratch.manifolds.begin() + static_cast<std::ptrdiff_t>(list.manifolds_before));
+    std::ranges::copy(list.points, scratch.manifold_points.begin() + static_cast<std::ptrdiff_t>(list.points_before));
   });
 }
 
@@ -251,6 +257,7 @@ Status find_manifolds(World& world, double dt_s) {
   const std::size_t work = world.state().pairs.size() + world.bodies().size();
   const unsigned parts = part_count(scratch.workers, work, kWorthPairs);
   if (scratch.manifolds_by.size() < parts) scratch.manifolds_by.resize(parts);
+  swap_first(scratch);
   for_parts(scratch.workers, parts, [&](unsigned part) {
     Builder(world, dt_s, first_body(world, part, parts), first_body(world, part + 1, parts), scratch.manifolds_by[part])
         .build();
