@@ -1,7 +1,9 @@
 // Runs scenes and prints what they end in, one line each: name, steps, final hash; those of method layered in every
-// lane width that the build and the machine have, and split over threads. Needs only the simulation and the scene
-// reader, so that it builds for machines on which the log's libraries are not installed (tools/determinism.sh). Usage:
-// determinism [--one-lane] SCENE.toml:STEPS...   --one-lane: compare nothing
+// lane width that the build and the machine have, and all split over threads: 3 all the way, 2, 4, 7 and 16 for the
+// last steps, as an emulator takes long to wake so many so often. Needs only the simulation and the scene reader, so
+// that it builds for machines on which the log's libraries are not installed (tools/determinism.sh). Usage: determinism
+// [--one-lane] SCENE.toml:STEPS...   --one-lane: compare nothing
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <cstdio>
@@ -21,20 +23,40 @@
 namespace tumble {
 namespace {
 
-Result<Hash128> final_hash(const sim::SceneDef& scene, std::uint64_t steps, sim::LaneWidth lanes,
-                           Workers* workers = nullptr) {
+constexpr std::uint64_t kLastSteps = 6;  // that every number of threads makes
+
+Status step_to(sim::World& world, const sim::SceneDef& scene, std::uint64_t last) {
+  for (std::uint64_t k = world.state().step + 1; k <= last; ++k) {
+    for (const auto& input : scene.inputs) {
+      if (input.step != k) continue;
+      if (Status applied = world.apply(input.command); !applied) return applied;
+    }
+    if (Result<sim::StepCounters> counters = sim::step(world); !counters) return counters.error();
+  }
+  return {};
+}
+
+Result<sim::World> world_at(const sim::SceneDef& scene, std::uint64_t step, sim::LaneWidth lanes,
+                            Workers* workers = nullptr) {
   Result<sim::World> world = sim::World::create(scene);
-  if (!world) return world.error();
+  if (!world) return world;
   world->mutable_scratch().lanes = lanes;
   world->use(workers);
-  auto input = scene.inputs.begin();
-  for (std::uint64_t k = 1; k <= steps; ++k) {
-    for (; input != scene.inputs.end() && input->step == k; ++input) {
-      if (Status applied = world->apply(input->command); !applied) return applied.error();
-    }
-    if (Result<sim::StepCounters> counters = sim::step(*world); !counters) return counters.error();
-  }
+  if (Status done = step_to(*world, scene, step); !done) return done.error();
+  return world;
+}
+
+Result<Hash128> final_hash(const sim::SceneDef& scene, std::uint64_t steps, sim::LaneWidth lanes,
+                           Workers* workers = nullptr) {
+  const Result<sim::World> world = world_at(scene, steps, lanes, workers);
+  if (!world) return world.error();
   return sim::state_hash(world->bodies());
+}
+
+Result<Hash128> final_hash(sim::World before, const sim::SceneDef& scene, std::uint64_t steps, Workers& workers) {
+  before.use(&workers);
+  if (Status done = step_to(before, scene, steps); !done) return done.error();
+  return sim::state_hash(before.bodies());
 }
 
 Status must_equal(const sim::SceneDef& scene, const Hash128& one, const Result<Hash128>& other,
@@ -45,18 +67,36 @@ Status must_equal(const sim::SceneDef& scene, const Hash128& one, const Result<H
                        to_string(one));
 }
 
-// The hash that every lane width of this build and machine ends in, and three threads. Errors: two of them differ.
-Result<Hash128> common_hash(const sim::SceneDef& scene, std::uint64_t steps) {
-  Result<Hash128> hash = final_hash(scene, steps, sim::LaneWidth::kOne);
-  if (!hash || scene.world.method == sim::Method::kThesis) return hash;
+Status same_in_lanes(const sim::SceneDef& scene, std::uint64_t steps, const Hash128& hash) {
   for (const sim::LaneWidth lanes : {sim::LaneWidth::kTwo, sim::LaneWidth::kFour, sim::LaneWidth::kEight}) {
     if (!sim::runs_lanes(lanes)) continue;
     const std::string how = std::string(sim::name_of(lanes)) + " lanes";
-    if (Status same = must_equal(scene, *hash, final_hash(scene, steps, lanes), how); !same) return same.error();
+    if (Status same = must_equal(scene, hash, final_hash(scene, steps, lanes), how); !same) return same;
   }
-  WorkerThreads threads(3, Split::kEverything);
-  const Result<Hash128> split = final_hash(scene, steps, sim::LaneWidth::kWidest, &threads);
-  if (Status same = must_equal(scene, *hash, split, "three threads"); !same) return same.error();
+  return {};
+}
+
+// Everything is split, however small.
+Status same_in_threads(const sim::SceneDef& scene, std::uint64_t steps, const Hash128& hash) {
+  const std::uint64_t first = steps - std::min(steps, kLastSteps);
+  const Result<sim::World> before = world_at(scene, first, sim::LaneWidth::kWidest);
+  if (!before) return before.error();
+  for (const unsigned count : {2U, 3U, 4U, 7U, 16U}) {
+    WorkerThreads threads(count, Split::kEverything);
+    if (threads.count() != count) return cannot_finish("no " + std::to_string(count) + " threads to be had");
+    const Result<Hash128> split = count == 3 ? final_hash(scene, steps, sim::LaneWidth::kWidest, &threads)
+                                             : final_hash(*before, scene, steps, threads);
+    if (Status same = must_equal(scene, hash, split, std::to_string(count) + " threads"); !same) return same;
+  }
+  return {};
+}
+
+// The hash that every lane width of this build and machine ends in, and every number of threads. Errors: two differ.
+Result<Hash128> common_hash(const sim::SceneDef& scene, std::uint64_t steps) {
+  Result<Hash128> hash = final_hash(scene, steps, sim::LaneWidth::kOne);
+  if (!hash || scene.world.method == sim::Method::kThesis) return hash;
+  if (Status same = same_in_lanes(scene, steps, *hash); !same) return same.error();
+  if (Status same = same_in_threads(scene, steps, *hash); !same) return same.error();
   return hash;
 }
 
