@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "replay/chunk_ahead.h"
 #include "replay/header_codec.h"
 #include "replay/limits.h"
 #include "src/model/limits.h"
@@ -218,15 +219,21 @@ const Gap* LogReader::lost_at(std::uint64_t k) const {
   return after != gaps.begin() && k < std::prev(after)->end_step() ? &*std::prev(after) : nullptr;
 }
 
+void LogReader::read_ahead(bool on) {
+  ahead_ = on ? std::make_shared<ChunkAhead>(*source_, header_prelude_, header_) : nullptr;
+}
+
 Result<ChunkDecoder*> LogReader::load(std::size_t chunk) {
   if (loaded_ != chunk) {
     loaded_.reset();
-    decoder_.reset();  // never two at once: a chunk of many bodies takes much
-    Result<ChunkDecoder> decoder = read_chunk(*source_, chunks_[chunk], header_prelude_, header_);
-    if (!decoder.ok()) return decoder.error();
-    decoder_ = *std::move(decoder);
+    decoder_.reset();  // first: a chunk of many bodies takes much
+    std::optional<Result<ChunkDecoder>> decoder = ahead_ ? ahead_->take(chunk) : std::nullopt;
+    if (!decoder) decoder = read_chunk(*source_, chunks_[chunk], header_prelude_, header_);
+    if (!decoder->ok()) return decoder->error();
+    decoder_ = **std::move(decoder);
     loaded_ = chunk;
     ++chunks_opened_;
+    if (ahead_ && chunk + 1 < chunks_.size()) ahead_->begin(chunk + 1, chunks_[chunk + 1]);
   }
   return &*decoder_;
 }

@@ -17,6 +17,8 @@
 
 namespace tumble::replay {
 
+class ChunkAhead;
+
 /// Reads a log: any step, in any order, at the price of one chunk. Not for two threads at once; open the file twice.
 class LogReader {
  public:
@@ -65,6 +67,10 @@ class LogReader {
   /// The chain after step k of first_state() … last_step(); see chain_next(). Errors: as read_step().
   Result<Hash128> chain_at(std::uint64_t k);
 
+  /// Whether a second thread decodes the next chunk while one is in use: for who reads all steps in turn. It takes the
+  /// memory of a chunk more.
+  void read_ahead(bool on);
+
   /// How many chunks were read and decompressed so far: what finding something has cost.
   [[nodiscard]] std::uint64_t chunks_opened() const { return chunks_opened_; }
 
@@ -90,6 +96,7 @@ class LogReader {
   std::optional<ChunkDecoder> decoder_;
   std::uint64_t chunks_opened_ = 0;
   StepRecord start_;
+  std::shared_ptr<ChunkAhead> ahead_;
 };
 
 /// Reads, checks and decompresses the record at a place. Errors carry path, record and byte.

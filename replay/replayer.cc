@@ -63,12 +63,11 @@ std::vector<std::string> notes_of(const LogReader& log, const LogHeader& ours_no
 
 /// The difference in step k, if there is one. States are decoded only then: for most steps the hashes are enough.
 /// phases: empty where phase words cannot be compared.
-Result<std::optional<Divergence>> compare_step(LogReader& log, const StepRecord& actual,
+Result<std::optional<Divergence>> compare_step(LogReader& log, const StepRecord& actual, Player& player,
                                                const std::vector<std::string>& phases) {
   Result<const StepRecord*> read = log.read_hashes(actual.step);
   if (!read.ok()) return read.error();
   StepRecord expected = **read;
-  expected.has_states = false;
   if (phases.empty()) leave_out_phase_words(actual, expected);
   std::optional<Divergence> found = first_difference(expected, actual, phases);
   if (!found || !(*read)->has_states) return found;
@@ -76,7 +75,7 @@ Result<std::optional<Divergence>> compare_step(LogReader& log, const StepRecord&
   if (!read.ok()) return read.error();
   expected = **read;
   if (phases.empty()) leave_out_phase_words(actual, expected);
-  return first_difference(expected, actual, phases);
+  return first_difference(expected, player.add_states(), phases);
 }
 
 /// After the last step of a chunk: whether the hidden state is that of the keyframe which follows.
@@ -116,12 +115,24 @@ Result<Player> Player::at(LogReader& log, std::uint64_t k) {
   if (!world.ok()) return Error{world.error().kind, log.name() + ": " + world.error().message};
   Player player(log, *std::move(world));
   while (player.world_.state().step < k) {
-    if (Result<const StepRecord*> step = player.step(); !step.ok()) return step.error();
+    if (Result<const StepRecord*> step = player.step_hashes(); !step.ok()) return step.error();
   }
   return player;
 }
 
 Result<const StepRecord*> Player::step(sim::Observer* also) {
+  Result<const StepRecord*> taken = step_hashes(also);
+  if (taken.ok()) add_states();
+  return taken;
+}
+
+const StepRecord& Player::add_states() {
+  record_.has_states = true;
+  copy_visible(world_.bodies(), record_.states);
+  return record_;
+}
+
+Result<const StepRecord*> Player::step_hashes(sim::Observer* also) {
   const std::uint64_t k = world_.state().step + 1;
   Result<const StepRecord*> logged = log_->read_hashes(k);
   if (!logged.ok()) return logged.error();
@@ -142,13 +153,14 @@ Result<const StepRecord*> Player::step(sim::Observer* also) {
   record_.phase_words = hashes_->words();
   record_.counters = *counters;
   record_.state_hash = sim::state_hash(world_.bodies());
-  record_.has_states = true;
-  copy_visible(world_.bodies(), record_.states);
+  record_.has_states = false;
   return &record_;
 }
 
-Result<ReplayReport> replay_log(LogReader& log, const ReplayOptions& options, const Progress& progress) {
-  if (Status ok = must_be_ours(log); !ok.ok()) return ok.error();
+namespace {
+
+/// replay_log() for a log of ours.
+Result<ReplayReport> replay_steps(LogReader& log, const ReplayOptions& options, const Progress& progress) {
   const LogHeader& header = log.header();
   const std::uint64_t from = std::max(options.from_step, log.first_state());
   const std::uint64_t last = log.last_step();
@@ -177,9 +189,9 @@ Result<ReplayReport> replay_log(LogReader& log, const ReplayOptions& options, co
       return Error{error.kind, error.message + "; the steps before step " + std::to_string(k) + " replayed the same"};
     };
     if (Result<const StepRecord*> logged = log.read_hashes(k); !logged.ok()) return unreadable(logged.error());
-    Result<const StepRecord*> actual = player->step();
+    Result<const StepRecord*> actual = player->step_hashes();
     if (actual.ok()) {
-      Result<std::optional<Divergence>> found = compare_step(log, **actual, phases);
+      Result<std::optional<Divergence>> found = compare_step(log, **actual, *player, phases);
       if (found.ok() && !*found) found = compare_hidden(log, player->world().state());
       if (!found.ok()) return unreadable(found.error());
       report.first = *std::move(found);
@@ -190,6 +202,16 @@ Result<ReplayReport> replay_log(LogReader& log, const ReplayOptions& options, co
     if (report.first || (progress && !progress(k - from, last - from))) break;
   }
   report.final_hash = sim::state_hash(player->world().bodies());
+  return report;
+}
+
+}  // namespace
+
+Result<ReplayReport> replay_log(LogReader& log, const ReplayOptions& options, const Progress& progress) {
+  if (Status ok = must_be_ours(log); !ok.ok()) return ok.error();
+  log.read_ahead(true);
+  Result<ReplayReport> report = replay_steps(log, options, progress);
+  log.read_ahead(false);
   return report;
 }
 

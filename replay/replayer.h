@@ -31,6 +31,10 @@ class Player {
   /// (kCannotFinish).
   Result<const StepRecord*> step(sim::Observer* also = nullptr);
 
+  /// The same without states, which add_states() adds to the record: for most steps the hashes are enough.
+  Result<const StepRecord*> step_hashes(sim::Observer* also = nullptr);
+  const StepRecord& add_states();
+
   /// Threads to step with; see World::use.
   void use(Workers* workers) { world_.use(workers); }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "src/step/step.h"
+#include "src/world/manifold_hashes.h"
 #include "tests/support/sim_scenes.h"
 
 namespace tumble::sim {
@@ -35,6 +36,7 @@ std::vector<Field> layered_fields() {
       {"find_near_pairs", "b", [](World& w) { ++w.mutable_state().pairs.b[0]; }},
       {"find_near_pairs", "turning", [](World& w) { w.mutable_scratch().turning[0] += 1; }},
       {"find_near_pairs", "axes", [](World& w) { w.mutable_scratch().frames[0].axes.axis[2].y() += 1; }},
+      {"find_near_pairs", "frame", [](World& w) { w.mutable_scratch().frames[0].position.y() += 1; }},
       {"find_manifolds", "restitution", [](World& w) { manifold(w).restitution += 1; }},
       {"find_manifolds", "friction", [](World& w) { manifold(w).friction += 1; }},
       {"find_manifolds", "friction_dynamic", [](World& w) { manifold(w).friction_dynamic += 1; }},
@@ -69,14 +71,16 @@ std::vector<Field> layered_fields() {
       {"finish_motion", "a", [](World& w) { ++memory(w).a[0]; }},
       {"finish_motion", "b", [](World& w) { ++memory(w).b[0]; }},
       {"finish_motion", "impulse", [](World& w) { memory(w).impulse[0] += 1; }},
-      {"update_sleeping", "velocity", [](World& w) { bodies(w).velocity.z[0] += 1; }},
+      {"finish_motion", "velocity", [](World& w) { bodies(w).velocity.z[0] += 1; }},
+      {"finish_motion", "spin", [](World& w) { bodies(w).spin.x[0] += 1; }},
+      {"update_sleeping", "low_energy_time", [](World& w) { bodies(w).low_energy_time[0] += 1; }},
   };
-  for (const char* phase : {"apply_forces", "push_contacts", "relax_contacts", "bounce_contacts"}) {
+  for (const char* phase : {"push_contacts", "relax_contacts"}) {
     fields.push_back({phase, "impulse", [](World& w) { lane(point(w).impulse) += 1; }});
     fields.push_back({phase, "peak", [](World& w) { lane(point(w).peak) += 1; }});
     fields.push_back({phase, "twist", [](World& w) { lane(batch(w).twist) += 1; }});
   }
-  for (const char* phase : {"apply_forces", "push_contacts", "integrate_positions", "relax_contacts"}) {
+  for (const char* phase : {"apply_forces", "push_contacts", "integrate_positions", "relax_contacts", "bounce_contacts"}) {
     fields.push_back({phase, "spin", [](World& w) { body(w).spin.y() += 1; }});
     fields.push_back({phase, "velocity", [](World& w) { body(w).velocity.z() += 1; }});
   }
@@ -145,6 +149,54 @@ void try_all(Method method, const std::vector<Field>& fields) {
 
 TEST(PhaseHashes, CoverWhatThePhasesOfTheThesisWrite) { try_all(Method::kThesis, thesis_fields()); }
 TEST(PhaseHashes, CoverWhatThePhasesOfMethodLayeredWrite) { try_all(Method::kLayered, layered_fields()); }
+
+// What no contact touches flies in the last phase but one.
+TEST(PhaseHashes, FinishingCoversWhereBodiesFly) {
+  SceneDef scene = test::tower(1);
+  scene.world.method = Method::kLayered;
+  scene.boxes.front().position.z() += 1;
+  World world = test::made(scene);
+  Changer changer({{"finish_motion", "position", [](World& w) { bodies(w).position.z[0] += 1; }},
+                   {"finish_motion", "orientation", [](World& w) { bodies(w).orientation.x[0] += 1; }}});
+  advance(world, &changer);
+  changer.expect_all_tried();
+}
+
+TEST(PhaseHashes, SleepingCoversTheVelocitiesOfWhoSleeps) {
+  SceneDef scene = test::tower(2);
+  scene.world.method = Method::kLayered;
+  test::freeze_all(scene);
+  World world = test::made(scene);
+  Changer changer({{"update_sleeping", "velocity", [](World& w) { bodies(w).velocity.z[0] += 1; }},
+                   {"update_sleeping", "spin", [](World& w) { bodies(w).spin.y[0] += 1; }}});
+  advance(world, &changer);
+  changer.expect_all_tried();
+}
+
+// Machines of the other byte order go field by field.
+TEST(PhaseHashes, RowsOfManifoldsAreTheirFields) {
+  SceneDef scene = test::tower(3);
+  scene.world.method = Method::kLayered;
+  World world = test::made(scene);
+  advance(world);
+  Hasher rows, fields;
+  hash_manifolds(world, rows);
+  for (const Manifold& m : world.scratch().manifolds) add_fields(m, fields);
+  for (const ManifoldPoint& point : world.scratch().manifold_points) add_fields(point, fields);
+  EXPECT_EQ(rows.digest(), fields.digest());
+}
+
+// Long input is hashed with the widest instructions that the machine has, and in one piece without.
+TEST(PhaseHashes, AreTheSameWithAnyInstructions) {
+  std::vector<std::uint8_t> bytes(100'000);
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::uint8_t>(i * i >> 3U);
+  for (const std::size_t count : {0U, 3U, 240U, 256U, 257U, 1024U, 5000U, 99'999U}) {
+    Hasher hasher;
+    hasher.add(std::span(bytes).first(count / 3));
+    hasher.add(std::span(bytes).first(count).subspan(count / 3));
+    EXPECT_EQ(hasher.digest(), hash_bytes(std::as_bytes(std::span(bytes).first(count)))) << count;
+  }
+}
 
 // Manifolds are made once more when somebody wakes, by another phase than the one that makes them first.
 TEST(PhaseHashes, WakingCoversTheManifoldsThatItMakesAnew) {

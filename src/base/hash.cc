@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstring>
 
+#include "src/base/hash_update.h"
+
 // What GCC 12's own AVX-512 header leaves undefined on purpose is no mistake (its bug 105593; seen with -march=native).
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
@@ -17,6 +19,22 @@ namespace tumble {
 namespace {
 
 XXH3_state_t* as_state(void* state) { return static_cast<XXH3_state_t*>(state); }
+
+void update_plain(void* state, const void* bytes, std::size_t count) {
+  XXH3_128bits_update(as_state(state), bytes, count);
+}
+
+HashUpdate fastest_update() {
+#if defined(__x86_64__) || defined(__i386__)
+  if (__builtin_cpu_supports("avx2") != 0 && hash_update_avx2() != nullptr) return hash_update_avx2();
+#endif
+  return update_plain;
+}
+
+void update(void* state, const void* bytes, std::size_t count) {
+  static const HashUpdate kUpdate = fastest_update();
+  kUpdate(state, bytes, count);
+}
 
 Hash128 from_xxh(XXH128_hash_t hash) { return {hash.high64, hash.low64}; }
 
@@ -40,13 +58,13 @@ void Hasher::reset() { XXH3_128bits_reset(as_state(state_)); }
 template <class T>
 void Hasher::add_column(std::span<const T> column) {
   if constexpr (std::endian::native == std::endian::little) {
-    XXH3_128bits_update(as_state(state_), column.data(), column.size_bytes());
+    update(state_, column.data(), column.size_bytes());
   } else {
     for (const T& value : column) {
       std::array<std::byte, sizeof(T)> bytes;
       std::memcpy(bytes.data(), &value, sizeof(T));
       std::reverse(bytes.begin(), bytes.end());
-      XXH3_128bits_update(as_state(state_), bytes.data(), bytes.size());
+      update(state_, bytes.data(), bytes.size());
     }
   }
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <span>
@@ -41,6 +43,17 @@ class Hasher {
   void add(std::span<const std::uint16_t> column);
   void add(std::span<const std::uint8_t> column);
 
+  /// Rows that are numbers without a gap, as they lie in memory. add_fields(row, *this) adds the same bytes field by
+  /// field, for machines that keep them the other way round.
+  template <class Row, class AddFields>
+  void add_rows(std::span<const Row> rows, AddFields add_fields) {
+    if constexpr (std::endian::native == std::endian::little) {
+      add(std::span(reinterpret_cast<const std::uint8_t*>(rows.data()), rows.size_bytes()));
+    } else {
+      for (const Row& row : rows) add_fields(row, *this);
+    }
+  }
+
   [[nodiscard]] Hash128 digest() const;
 
  private:
@@ -49,6 +62,13 @@ class Hasher {
 
   void* state_;  // XXH3_state_t, kept out of this header
 };
+
+/// Rows of nothing but doubles, one after the other.
+template <class Row>
+std::span<const double> doubles_of(const std::vector<Row>& rows) {
+  static_assert(sizeof(Row) % sizeof(double) == 0);
+  return {reinterpret_cast<const double*>(rows.data()), rows.size() * (sizeof(Row) / sizeof(double))};
+}
 
 /// XXH3-128 of plain bytes: what a file stores, never what a struct holds.
 Hash128 hash_bytes(std::span<const std::byte> bytes);

@@ -11,6 +11,7 @@
 #include "src/collide/find_near_pairs.h"
 #include "src/collide/manifold_points.h"
 #include "src/collide/pair_tests.h"
+#include "src/world/manifold_hashes.h"
 
 namespace tumble::sim {
 namespace {
@@ -273,18 +274,6 @@ Status find_manifolds(World& world, double dt_s) {
   return {};
 }
 
-void hash_find_manifolds(const World& world, Hasher& hasher) {
-  const Scratch& scratch = world.scratch();
-  for (const Manifold& m : scratch.manifolds) {
-    const std::array<std::uint32_t, 4> what = {m.a, m.b, m.count, m.asleep ? 1U : 0U};
-    hasher.add(std::span<const std::uint32_t>(what));
-    for (const Vec3* v : {&m.n, &m.t1, &m.t2, &m.d}) hasher.add({v->x(), v->y(), v->z()});
-    hasher.add({m.offset, m.friction, m.friction_dynamic, m.restitution, m.force1, m.force2, m.twist});
-    for (const ManifoldPoint& point : points_of(scratch, m)) {
-      hasher.add(static_cast<std::uint64_t>(point.feature));
-      hasher.add({point.p, point.q, point.separation, point.impulse});
-    }
-  }
-}
+void hash_find_manifolds(const World& world, Hasher& hasher) { hash_manifolds(world, hasher); }
 
 }  // namespace tumble::sim

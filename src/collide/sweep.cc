@@ -169,10 +169,8 @@ void update_frames(const Bodies& bodies, Scratch& scratch) {
 }
 
 void hash_frames(const Scratch& scratch, Hasher& hasher) {
-  for (const BoxFrame& frame : scratch.frames) {
-    const Vec3 &x = frame.axes[0], &y = frame.axes[1], &z = frame.axes[2];
-    hasher.add({x.x(), x.y(), x.z(), y.x(), y.y(), y.z(), z.x(), z.y(), z.z()});
-  }
+  static_assert(sizeof(BoxFrame) == 15 * sizeof(double));
+  hasher.add(doubles_of(scratch.frames));
 }
 
 void find_overlaps(Scratch& scratch, PairTable& pairs) {

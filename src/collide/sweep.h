@@ -11,7 +11,7 @@ namespace tumble::sim {
 /// that a shifted scene has the same overlaps.
 void update_frames(const Bodies& bodies, Scratch& scratch);
 
-/// How the frames are turned; where they are and how large is the bodies' own.
+/// Where they are and how they are turned.
 void hash_frames(const Scratch& scratch, Hasher& hasher);
 
 /// So many pairs may be near one another. n bodies in one place have n² / 2, and a small log could fill the memory.

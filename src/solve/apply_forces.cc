@@ -25,6 +25,6 @@ Status apply_forces(World& world, double substep_s) {
   return {};
 }
 
-void hash_apply_forces(const World& world, Hasher& hasher) { hash_solution(world, hasher); }
+void hash_apply_forces(const World& world, Hasher& hasher) { hash_solver_bodies(world, hasher); }
 
 }  // namespace tumble::sim

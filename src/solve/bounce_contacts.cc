@@ -3,6 +3,7 @@
 #include "src/solve/contact_batches.h"
 #include "src/solve/solver_hashes.h"
 #include "src/solve/sweep_layers.h"
+#include "src/world/manifold_hashes.h"
 
 namespace tumble::sim {
 
@@ -13,8 +14,8 @@ Status bounce_contacts(World& world, double dt_s) {
 }
 
 void hash_bounce_contacts(const World& world, Hasher& hasher) {
-  hash_solution(world, hasher);
-  hash_stored(world, hasher);
+  hash_solver_bodies(world, hasher);
+  hash_manifolds(world, hasher);
 }
 
 }  // namespace tumble::sim

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "src/math/grid.h"
+#include "src/world/manifold_hashes.h"
 
 namespace tumble::sim {
 namespace {
@@ -213,7 +214,7 @@ Status carry_weights(World& world, double dt_s) {
 
 void hash_carry_weights(const World& world, Hasher& hasher) {
   hasher.add(std::span<const double>(world.scratch().solver_mass));
-  for (const ManifoldPoint& point : world.scratch().manifold_points) hasher.add({point.load, point.impulse});
+  hash_manifold_points(world, hasher);
 }
 
 }  // namespace tumble::sim

@@ -140,10 +140,10 @@ void prepare_relaxation(const Manifolds<V>& m, const PlaneResponse<V>& plane) {
     row_sum = larger(row_sum, sum);
   }
   const double over = m.batch->slender ? kSlenderRelaxation : kOverRelaxation;
-  m.set(m.batch->relaxation, smaller(V{} + 1.0, over / row_sum));
+  m.set(m.batch->relaxation, where_present(m, 0, smaller(V{} + 1.0, over / row_sum)));
   const V response[6] = {plane.s.u,  plane.sq.u, plane.sp.u, plane.sq.w1, 0.5 * (plane.sp.w1 - plane.sq.w2),
                          plane.sp.w2};
-  for (int i = 0; i < 6; ++i) m.set(m.batch->response[i], response[i]);
+  for (int i = 0; i < 6; ++i) m.set(m.batch->response[i], where_present(m, 0, response[i]));
 }
 
 // What stopped an impact in the last step is far more than what carries the weight in this one, and a warm start from

@@ -3,6 +3,7 @@
 #include "src/math/grid.h"
 #include "src/solve/contact_memory.h"
 #include "src/solve/integrate.h"
+#include "src/solve/solver_hashes.h"
 #include "src/world/body_check.h"
 
 namespace tumble::sim {
@@ -44,7 +45,8 @@ Status finish_motion(World& world, double dt_s) {
 }
 
 void hash_finish_motion(const World& world, Hasher& hasher) {
-  hash_motion(world, hasher);
+  hash_velocities(world, hasher);
+  hash_flown(world, hasher);
   const ContactMemory& memory = world.state().contact_memory;
   for (const auto* column : {&memory.a, &memory.b, &memory.count, &memory.feature}) {
     hasher.add(std::span<const std::uint32_t>(*column));

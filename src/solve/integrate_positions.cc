@@ -57,7 +57,7 @@ Status integrate_positions(World& world, double substep_s) {
 }
 
 void hash_integrate_positions(const World& world, Hasher& hasher) {
-  hash_motion(world, hasher);
+  hash_places(world, hasher);
   hash_moved(world, hasher);
   if (has_slender(world.scratch())) hash_prepared(world, hasher);
 }

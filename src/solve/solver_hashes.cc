@@ -1,9 +1,13 @@
 #include "src/solve/solver_hashes.h"
 
-#include <algorithm>
+#include <cstring>
 
 namespace tumble::sim {
 namespace {
+
+// Rows in memory without a gap, whatever the machine.
+static_assert(sizeof(SolverBody) == 16 * sizeof(double));
+static_assert(sizeof(PointBatch) == 8 * sizeof(Lanes));
 
 // Numbers from all over memory, hashed in blocks that stay in the nearest cache.
 class Values {
@@ -13,19 +17,12 @@ class Values {
   Values(const Values&) = delete;
   Values& operator=(const Values&) = delete;
 
-  void add(double value) { *room_for(1) = value; }
-  void add(const Vec3& v) {
-    double* to = room_for(3);
-    for (int k = 0; k < 3; ++k) to[k] = v[k];
-  }
-  template <std::size_t kCount>
-  void add(const double (&row)[kCount]) {
-    std::copy_n(row, kCount, room_for(kCount));
-  }
-  template <std::size_t kCount>
-  void add(const Lanes (&rows)[kCount], unsigned lane) {
-    double* to = room_for(kCount);
-    for (std::size_t k = 0; k < kCount; ++k) to[k] = rows[k].of[lane];
+  /// Fields that are doubles or made of them.
+  template <class... Fields>
+  void add(const Fields&... fields) {
+    constexpr std::size_t kCount = (sizeof(Fields) + ...) / sizeof(double);
+    if (used_ + kCount > kBlock) flush();
+    (put(fields), ...);
   }
 
   /// Hands on what there is; what is hashed by other means comes after it.
@@ -37,10 +34,12 @@ class Values {
  private:
   static constexpr std::size_t kBlock = 1024;
 
-  double* room_for(std::size_t count) {
-    if (used_ + count > kBlock) flush();
-    used_ += count;
-    return block_ + (used_ - count);
+  template <class Field>
+  void put(const Field& field) {
+    constexpr std::size_t kCount = (sizeof(Field) + 0) / sizeof(double);
+    static_assert(kCount * sizeof(double) == sizeof(Field));
+    std::memcpy(block_ + used_, &field, sizeof field);
+    used_ += kCount;
   }
 
   Hasher& hasher_;
@@ -48,100 +47,72 @@ class Values {
   double block_[kBlock];
 };
 
-// Calls visit(manifold, its batch, its lane).
+// What solving needs beside the contact's place in space, which is the manifold's own.
+void add_prepared(const ContactBatch& c, Values& values) {
+  values.add(c.friction, c.friction_dynamic, c.restitution, c.force1, c.force2, c.twist, c.split_a, c.split_b);
+  values.add(c.acceleration, c.impulse_magic, c.centre_p, c.centre_q, c.radius, c.friction_inverse, c.response,
+             c.relaxation);
+}
+
+// Calls visit(row) for the rows with this flag; those without are passed over many at a time.
 template <class Visit>
-void for_each_awake(const Scratch& scratch, Visit visit) {
-  const ContactBatches& all = scratch.contact_batches;
-  for (std::size_t k = 0; k < scratch.manifolds.size(); ++k) {
-    if (scratch.manifolds[k].asleep) continue;
-    visit(scratch.manifolds[k], all.batches[all.place[k] / kLanes], all.place[k] % kLanes);
+void for_each_with(int flag, const std::vector<std::uint8_t>& flags, Visit visit) {
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    const void* found = std::memchr(flags.data() + i, flag, flags.size() - i);
+    if (found == nullptr) return;
+    i = static_cast<std::size_t>(static_cast<const std::uint8_t*>(found) - flags.data());
+    visit(i);
   }
 }
 
-void add_motions(const World& world, Values& values) {
-  const Scratch& scratch = world.scratch();
-  for (BodyIndex i = 0; i < world.bodies().size(); ++i) {
-    values.add(scratch.solver_bodies[i].velocity);
-    values.add(scratch.solver_bodies[i].spin);
-  }
-}
-
-void add_contact(const ContactBatch& batch, unsigned lane, Values& values) {
-  values.add(batch.a[lane]);
-  values.add(batch.b[lane]);
-  for (const auto* vector : {&batch.n, &batch.t1, &batch.t2, &batch.d}) values.add(*vector, lane);
-  for (const Lanes* number :
-       {&batch.point_count, &batch.offset, &batch.friction, &batch.friction_dynamic, &batch.restitution, &batch.force1,
-        &batch.force2, &batch.twist, &batch.split_a, &batch.split_b, &batch.acceleration, &batch.impulse_magic,
-        &batch.centre_p, &batch.centre_q, &batch.radius, &batch.relaxation}) {
-    values.add(number->of[lane]);
-  }
-  values.add(batch.friction_inverse, lane);
-  values.add(batch.response, lane);
+bool turns_evenly(const Vec3Column& inertia, std::size_t i) {
+  return inertia.x[i] == inertia.y[i] && inertia.y[i] == inertia.z[i];
 }
 
 }  // namespace
 
+void hash_solver_bodies(const World& world, Hasher& hasher) { hasher.add(doubles_of(world.scratch().solver_bodies)); }
+
 void hash_prepared(const World& world, Hasher& hasher) {
   const Scratch& scratch = world.scratch();
-  Values values(hasher);
-  for (BodyIndex i = 0; i < world.bodies().size(); ++i) {
-    values.add(scratch.solver_bodies[i].inverse_mass);
-    values.add(scratch.solver_bodies[i].weight);
-    values.add(scratch.solver_bodies[i].inverse_inertia);
-  }
-  add_motions(world, values);
-  for_each_awake(scratch, [&](const Manifold& m, const ContactBatch& batch, unsigned lane) {
-    add_contact(batch, lane, values);
-    for (std::uint32_t i = batch.first; i < batch.first + m.count; ++i) {
-      const PointBatch& point = scratch.contact_batches.points[i];
-      for (const Lanes* number : {&point.p, &point.q, &point.separation, &point.impulse, &point.load, &point.mass,
-                                  &point.approach, &point.peak}) {
-        values.add(number->of[lane]);
-      }
-    }
-  });
-  values.flush();
+  hash_solver_bodies(world, hasher);
   hasher.add(std::span<const std::uint8_t>(scratch.in_contact));
+  hasher.add(std::span<const std::uint32_t>(scratch.contact_batches.order));
+  hasher.add(doubles_of(scratch.contact_batches.points));
+  Values values(hasher);
+  for (const ContactBatch& batch : scratch.contact_batches.batches) add_prepared(batch, values);
 }
 
 void hash_solution(const World& world, Hasher& hasher) {
-  const Scratch& scratch = world.scratch();
+  const ContactBatches& all = world.scratch().contact_batches;
+  hash_solver_bodies(world, hasher);
   Values values(hasher);
-  add_motions(world, values);
-  for_each_awake(scratch, [&](const Manifold& m, const ContactBatch& batch, unsigned lane) {
-    for (const Lanes* number : {&batch.force1, &batch.force2, &batch.twist}) values.add(number->of[lane]);
-    for (std::uint32_t i = batch.first; i < batch.first + m.count; ++i) {
-      const PointBatch& point = scratch.contact_batches.points[i];
-      values.add(point.impulse.of[lane]);
-      values.add(point.peak.of[lane]);
-    }
-  });
+  for (const ContactBatch& batch : all.batches) values.add(batch.force1, batch.force2, batch.twist);
+  for (const PointBatch& point : all.points) values.add(point.impulse, point.peak);
 }
 
 void hash_moved(const World& world, Hasher& hasher) {
   const Scratch& scratch = world.scratch();
   Values values(hasher);
-  add_motions(world, values);
-  for (BodyIndex i = 0; i < world.bodies().size(); ++i) values.add(scratch.solver_bodies[i].inverse_inertia);
-  for_each_awake(scratch, [&](const Manifold& m, const ContactBatch& batch, unsigned lane) {
-    for (std::uint32_t i = batch.first; i < batch.first + m.count; ++i) {
-      values.add(scratch.contact_batches.points[i].separation.of[lane]);
-    }
+  const Vec3Column& inertia = world.bodies().inertia;
+  for (std::size_t i = 0, n = inertia.size(); i < n; ++i) {
+    if (!turns_evenly(inertia, i)) values.add(scratch.solver_bodies[i]);
+  }
+  for (const PointBatch& point : scratch.contact_batches.points) values.add(point.separation);
+}
+
+void hash_flown(const World& world, Hasher& hasher) {
+  const Bodies& bodies = world.bodies();
+  Values values(hasher);
+  for_each_with(0, world.scratch().in_contact, [&](std::size_t i) {
+    if (bodies.moves(static_cast<BodyIndex>(i))) values.add(bodies.position[i], bodies.orientation[i]);
   });
 }
 
-void hash_stored(const World& world, Hasher& hasher) {
-  const Scratch& scratch = world.scratch();
+void hash_resting(const World& world, Hasher& hasher) {
+  const Bodies& bodies = world.bodies();
   Values values(hasher);
-  for (const std::uint32_t k : scratch.layered) {
-    const Manifold& m = scratch.manifolds[k];
-    for (const double number : {m.force1, m.force2, m.twist}) values.add(number);
-    for (const ManifoldPoint& point : points_of(scratch, m)) {
-      values.add(point.impulse);
-      values.add(point.separation);
-    }
-  }
+  for_each_with(1, bodies.frozen, [&](std::size_t i) { values.add(bodies.velocity[i], bodies.spin[i]); });
 }
 
 }  // namespace tumble::sim

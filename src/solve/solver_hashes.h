@@ -3,20 +3,26 @@
 #include "src/base/hash.h"
 #include "src/world/world.h"
 
-/// What the phases of method layered write to memory of the solver's own, for their hashes. Contacts are taken in the
-/// order of the manifolds, whatever batches they came into; only those that are awake.
+/// What the phases of method layered write to memory of the solver's own, for their hashes. Contacts are taken as they
+/// lie in their batches, which are alike for every lane width; only those that are awake.
 namespace tumble::sim {
 
-/// All that prepare_manifolds makes of bodies and contacts.
+/// All that prepare_manifolds makes of bodies and contacts. Of what it only copies: points, friction and restitution.
 void hash_prepared(const World& world, Hasher& hasher);
+
+/// The solver's bodies: their velocities, and what these are found with.
+void hash_solver_bodies(const World& world, Hasher& hasher);
 
 /// Impulses and the velocities that they have led to: what the phases that sweep write.
 void hash_solution(const World& world, Hasher& hasher);
 
-/// What moves with the bodies: their velocities and inertia, how far points are apart.
+/// How far points are apart, and the solver's bodies whose spin changes as they turn.
 void hash_moved(const World& world, Hasher& hasher);
 
-/// What store_contacts takes back into manifolds and points.
-void hash_stored(const World& world, Hasher& hasher);
+/// Where bodies have flown that touch nothing.
+void hash_flown(const World& world, Hasher& hasher);
+
+/// The velocities of bodies that rest.
+void hash_resting(const World& world, Hasher& hasher);
 
 }  // namespace tumble::sim

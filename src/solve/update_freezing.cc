@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "src/solve/contact_objects.h"
+#include "src/world/body_check.h"
 #include "src/world/edit_bodies.h"
 
 namespace tumble::sim {
@@ -125,10 +126,7 @@ void hash_update_freezing(const World& world, Hasher& hasher) {
   const Bodies& bodies = world.bodies();
   hasher.add(std::span<const std::uint8_t>(bodies.frozen));
   hasher.add(std::span<const double>(bodies.low_energy_time));
-  for (const auto* column :
-       {&bodies.velocity.x, &bodies.velocity.y, &bodies.velocity.z, &bodies.spin.x, &bodies.spin.y, &bodies.spin.z}) {
-    hasher.add(std::span<const double>(*column));
-  }
+  hash_velocities(world, hasher);
   hasher.add(std::span<const BodyIndex>(world.state().contact_objects.body));
   hasher.add(std::span<const BodyIndex>(world.state().contact_objects.object));
 }

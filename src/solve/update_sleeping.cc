@@ -1,6 +1,7 @@
 #include "src/solve/update_sleeping.h"
 
 #include "src/solve/islands.h"
+#include "src/solve/solver_hashes.h"
 
 namespace tumble::sim {
 namespace {
@@ -50,10 +51,7 @@ void hash_update_sleeping(const World& world, Hasher& hasher) {
   const Bodies& bodies = world.bodies();
   hasher.add(std::span<const std::uint8_t>(bodies.frozen));
   hasher.add(std::span<const double>(bodies.low_energy_time));
-  for (const auto* column :
-       {&bodies.velocity.x, &bodies.velocity.y, &bodies.velocity.z, &bodies.spin.x, &bodies.spin.y, &bodies.spin.z}) {
-    hasher.add(std::span<const double>(*column));
-  }
+  hash_resting(world, hasher);
 }
 
 }  // namespace tumble::sim

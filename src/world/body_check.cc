@@ -67,13 +67,25 @@ Status check_gain(const Bodies& bodies, BodyIndex i, const Vec3& velocity, const
   return {};
 }
 
-void hash_motion(const World& world, Hasher& hasher) {
+void hash_places(const World& world, Hasher& hasher) {
   const Bodies& bodies = world.bodies();
   for (const auto* column : {&bodies.position.x, &bodies.position.y, &bodies.position.z, &bodies.orientation.w,
-                             &bodies.orientation.x, &bodies.orientation.y, &bodies.orientation.z, &bodies.velocity.x,
-                             &bodies.velocity.y, &bodies.velocity.z, &bodies.spin.x, &bodies.spin.y, &bodies.spin.z}) {
+                             &bodies.orientation.x, &bodies.orientation.y, &bodies.orientation.z}) {
     hasher.add(std::span<const double>(*column));
   }
+}
+
+void hash_velocities(const World& world, Hasher& hasher) {
+  const Bodies& bodies = world.bodies();
+  for (const auto* column :
+       {&bodies.velocity.x, &bodies.velocity.y, &bodies.velocity.z, &bodies.spin.x, &bodies.spin.y, &bodies.spin.z}) {
+    hasher.add(std::span<const double>(*column));
+  }
+}
+
+void hash_motion(const World& world, Hasher& hasher) {
+  hash_places(world, hasher);
+  hash_velocities(world, hasher);
 }
 
 }  // namespace tumble::sim

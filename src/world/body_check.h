@@ -19,7 +19,13 @@ bool material_in_range(const Material& material);
 /// The same for the outcome of one contact, before it enters a sum.
 Status check_gain(const Bodies& bodies, BodyIndex i, const Vec3& velocity, const Vec3& spin);
 
-/// Adds position, orientation, velocity and spin of all bodies: what the phases that move bodies have written.
+/// Adds position and orientation of all bodies.
+void hash_places(const World& world, Hasher& hasher);
+
+/// Adds velocity and spin of all bodies.
+void hash_velocities(const World& world, Hasher& hasher);
+
+/// Adds both: what the phases that move bodies have written.
 void hash_motion(const World& world, Hasher& hasher);
 
 }  // namespace tumble::sim

@@ -19,10 +19,11 @@ struct alignas(64) Lanes {
 /// One contact point of each manifold of a batch; the fields are ManifoldPoint's. A lane without such a point holds
 /// zeros, which give no impulse.
 struct PointBatch {
-  Lanes p, q, separation, impulse, load;
+  Lanes p, q, load, separation;
+  Lanes impulse;
+  Lanes peak;      ///< N·s, the largest impulse of this step: whether it was ever hit
   Lanes mass;      ///< kg, what one N·s along the normal moves by 1 m/s, with the split masses
   Lanes approach;  ///< m/s, normal velocity at which it will meet, or has met; negative when closing
-  Lanes peak;      ///< N·s, the largest impulse of this step: whether it was ever hit
 };
 
 /// A body of a layer, and which of the layer's outcomes are its own: [begin, end) of the entries.

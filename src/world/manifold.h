@@ -26,6 +26,7 @@ struct ManifoldPoint {
   double impulse = 0;     ///< N·s accumulated along the normal, >= 0
   double load = 0;        ///< N·s a sub-step, what it bears of the weight above when all is at rest
   Feature feature = 0;
+  std::uint32_t unused = 0;  ///< rows are hashed as they lie in memory
 };
 
 /// All contact points of a pair on one reference face (or of one edge pair), solved together. n points from the
@@ -39,6 +40,7 @@ struct Manifold {
   std::uint32_t first = 0, count = 0;  ///< its points
   std::uint32_t layer = 0;             ///< solved together with all manifolds of the same layer
   bool asleep = false;                 ///< both bodies rest; carried along unsolved
+  std::uint8_t unused[3] = {};         ///< rows are hashed as they lie in memory
   double friction = 0, friction_dynamic = 0, restitution = 0;
   double force1 = 0, force2 = 0, twist = 0;  ///< N·s, N·s, N·m·s accumulated by friction
 };

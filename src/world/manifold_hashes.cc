@@ -1,0 +1,35 @@
+#include "src/world/manifold_hashes.h"
+
+namespace tumble::sim {
+
+// Rows in memory without a gap, whatever the machine.
+static_assert(sizeof(Manifold) == 22 * sizeof(double));
+static_assert(sizeof(ManifoldPoint) == 6 * sizeof(double));
+
+void add_fields(const Manifold& m, Hasher& hasher) {
+  const auto add_numbers = [&](const std::uint32_t(&numbers)[2]) { hasher.add(std::span(numbers)); };
+  add_numbers({m.a, m.b});
+  for (const Vec3* v : {&m.n, &m.t1, &m.t2, &m.d}) hasher.add({v->x(), v->y(), v->z()});
+  hasher.add(m.offset);
+  add_numbers({m.first, m.count});
+  add_numbers({m.layer, m.asleep ? 1U : 0U});
+  hasher.add({m.friction, m.friction_dynamic, m.restitution, m.force1, m.force2, m.twist});
+}
+
+void add_fields(const ManifoldPoint& point, Hasher& hasher) {
+  hasher.add({point.p, point.q, point.separation, point.impulse, point.load});
+  hasher.add(std::uint64_t{point.feature});
+}
+
+void hash_manifold_points(const World& world, Hasher& hasher) {
+  hasher.add_rows(std::span<const ManifoldPoint>(world.scratch().manifold_points),
+                  [](const ManifoldPoint& point, Hasher& to) { add_fields(point, to); });
+}
+
+void hash_manifolds(const World& world, Hasher& hasher) {
+  hasher.add_rows(std::span<const Manifold>(world.scratch().manifolds),
+                  [](const Manifold& m, Hasher& to) { add_fields(m, to); });
+  hash_manifold_points(world, hasher);
+}
+
+}  // namespace tumble::sim
