@@ -10,6 +10,7 @@
 #include "replay/log_reader.h"
 #include "replay/replayer.h"
 #include "replay/step_contacts.h"
+#include "src/threads/worker_threads.h"
 #include "tools/arguments.h"
 #include "tools/command.h"
 #include "tools/divergence_output.h"
@@ -81,7 +82,10 @@ Result<Exit> replay_command(const Options& options) {
   if (!log.ok()) return log.error();
   ProgressBar bar("replaying");
   const InterruptGuard guard;
-  Result<replay::ReplayReport> report = replay::replay_log(*log, {}, [&](std::uint64_t done, std::uint64_t total) {
+  const std::unique_ptr<WorkerThreads> threads = worker_threads(options.threads.value_or(1));
+  replay::ReplayOptions how;
+  how.workers = threads.get();
+  Result<replay::ReplayReport> report = replay::replay_log(*log, how, [&](std::uint64_t done, std::uint64_t total) {
     bar.show(done, total);
     return !InterruptGuard::interrupted();
   });

@@ -1,9 +1,11 @@
-// No header of the project that has functions may be included: one compiled for a wide machine must never be the one that
-// the linker keeps for all.
+// No header of the project that has functions may be included: one compiled for a wide machine must never be the one
+// that the linker keeps for all.
 #include "src/base/hash_update.h"
 
 #ifdef __AVX2__
+#ifndef XXH_VECTOR
 #define XXH_VECTOR XXH_AVX2
+#endif
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 #endif

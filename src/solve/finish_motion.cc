@@ -3,7 +3,6 @@
 #include "src/math/grid.h"
 #include "src/solve/contact_memory.h"
 #include "src/solve/integrate.h"
-#include "src/solve/solver_hashes.h"
 #include "src/world/body_check.h"
 
 namespace tumble::sim {
@@ -45,8 +44,7 @@ Status finish_motion(World& world, double dt_s) {
 }
 
 void hash_finish_motion(const World& world, Hasher& hasher) {
-  hash_velocities(world, hasher);
-  hash_flown(world, hasher);
+  hash_motion(world, hasher);
   const ContactMemory& memory = world.state().contact_memory;
   for (const auto* column : {&memory.a, &memory.b, &memory.count, &memory.feature}) {
     hasher.add(std::span<const std::uint32_t>(*column));

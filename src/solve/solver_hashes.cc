@@ -54,21 +54,6 @@ void add_prepared(const ContactBatch& c, Values& values) {
              c.relaxation);
 }
 
-// Calls visit(row) for the rows with this flag; those without are passed over many at a time.
-template <class Visit>
-void for_each_with(int flag, const std::vector<std::uint8_t>& flags, Visit visit) {
-  for (std::size_t i = 0; i < flags.size(); ++i) {
-    const void* found = std::memchr(flags.data() + i, flag, flags.size() - i);
-    if (found == nullptr) return;
-    i = static_cast<std::size_t>(static_cast<const std::uint8_t*>(found) - flags.data());
-    visit(i);
-  }
-}
-
-bool turns_evenly(const Vec3Column& inertia, std::size_t i) {
-  return inertia.x[i] == inertia.y[i] && inertia.y[i] == inertia.z[i];
-}
-
 }  // namespace
 
 void hash_solver_bodies(const World& world, Hasher& hasher) { hasher.add(doubles_of(world.scratch().solver_bodies)); }
@@ -92,27 +77,11 @@ void hash_solution(const World& world, Hasher& hasher) {
 }
 
 void hash_moved(const World& world, Hasher& hasher) {
-  const Scratch& scratch = world.scratch();
-  Values values(hasher);
   const Vec3Column& inertia = world.bodies().inertia;
-  for (std::size_t i = 0, n = inertia.size(); i < n; ++i) {
-    if (!turns_evenly(inertia, i)) values.add(scratch.solver_bodies[i]);
-  }
-  for (const PointBatch& point : scratch.contact_batches.points) values.add(point.separation);
-}
-
-void hash_flown(const World& world, Hasher& hasher) {
-  const Bodies& bodies = world.bodies();
+  const bool all_even = inertia.x == inertia.y && inertia.y == inertia.z;
+  if (!all_even) hash_solver_bodies(world, hasher);
   Values values(hasher);
-  for_each_with(0, world.scratch().in_contact, [&](std::size_t i) {
-    if (bodies.moves(static_cast<BodyIndex>(i))) values.add(bodies.position[i], bodies.orientation[i]);
-  });
-}
-
-void hash_resting(const World& world, Hasher& hasher) {
-  const Bodies& bodies = world.bodies();
-  Values values(hasher);
-  for_each_with(1, bodies.frozen, [&](std::size_t i) { values.add(bodies.velocity[i], bodies.spin[i]); });
+  for (const PointBatch& point : world.scratch().contact_batches.points) values.add(point.separation);
 }
 
 }  // namespace tumble::sim

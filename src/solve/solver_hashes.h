@@ -16,13 +16,7 @@ void hash_solver_bodies(const World& world, Hasher& hasher);
 /// Impulses and the velocities that they have led to: what the phases that sweep write.
 void hash_solution(const World& world, Hasher& hasher);
 
-/// How far points are apart, and the solver's bodies whose spin changes as they turn.
+/// How far points are apart, and the solver's bodies where there are any whose spin changes as they turn.
 void hash_moved(const World& world, Hasher& hasher);
-
-/// Where bodies have flown that touch nothing.
-void hash_flown(const World& world, Hasher& hasher);
-
-/// The velocities of bodies that rest.
-void hash_resting(const World& world, Hasher& hasher);
 
 }  // namespace tumble::sim

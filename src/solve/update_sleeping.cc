@@ -1,7 +1,7 @@
 #include "src/solve/update_sleeping.h"
 
 #include "src/solve/islands.h"
-#include "src/solve/solver_hashes.h"
+#include "src/world/body_check.h"
 
 namespace tumble::sim {
 namespace {
@@ -51,7 +51,7 @@ void hash_update_sleeping(const World& world, Hasher& hasher) {
   const Bodies& bodies = world.bodies();
   hasher.add(std::span<const std::uint8_t>(bodies.frozen));
   hasher.add(std::span<const double>(bodies.low_energy_time));
-  hash_resting(world, hasher);
+  hash_velocities(world, hasher);
 }
 
 }  // namespace tumble::sim

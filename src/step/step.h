@@ -62,8 +62,8 @@ class PhaseHashes : public Observer {
   static constexpr std::uint32_t kRowsMax = 16;
   /// Of what the phases' hashes cover and StepCounters count: raised whenever either changes while no state does, since
   /// words of two versions say nothing of each other. 1: some of what a phase wrote was left out, and method layered
-  /// counted no contacts. 2: all that a phase writes and the future depends on. 3: the same, less what is only copied or
-  /// left as it was, in the order in which it lies in memory.
+  /// counted no contacts. 2: all that a phase writes and the future depends on. 3: the same, less some that
+  /// a phase leaves as it was or only copies, in the order in which it lies in memory.
   static constexpr std::uint32_t kVersion = 3;
 
   void phase_done(std::uint32_t substep, std::size_t phase, const World& world) override;
