@@ -1,0 +1,250 @@
+// What 1 to 32 threads would make of a step, on a machine that has fewer processors: the step is cut into the parts
+// that so many threads would be given, the parts are run one after the other by one thread, and each is timed. A round
+// of parts then costs its longest part and what it takes to call the others up and wait for them; all else is serial.
+// Left out: that a processor has to fetch what another has written, that processors share caches and memory, and that
+// they slow down when all are busy. So it bounds from above what the way of splitting allows.
+// Usage: thread_model [SCENE...]   names of kScenes; all without. docs/performance.md, Threads, explains the figures.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "src/scenes/scene_file.h"
+#include "src/step/step.h"
+#include "src/threads/worker_threads.h"
+
+namespace {
+
+using namespace tumble;  // NOLINT(google-build-using-namespace): a program of one file
+using Clock = std::chrono::steady_clock;
+
+constexpr int kWarmSteps = 60, kSteps = 10;  // the latter are timed
+constexpr int kRepeats = 3;                  // of which the quickest counts
+constexpr unsigned kThreads[] = {1, 2, 4, 8, 16, 32};
+constexpr unsigned kShown = 8;                // threads of the table of phases
+constexpr std::size_t kDivisors[] = {1, 16};  // of the least sizes that are split, which suit two processors
+
+/// Warmed up in few and long steps, timed in those of docs/performance.md.
+struct Trial {
+  const char* name;
+  const char* scene;
+  std::vector<std::string> warm;
+  double dt;  ///< s, of the steps that are timed
+  std::uint32_t substeps;
+};
+
+const std::vector<Trial>& trials() {
+  static const std::string long_steps = "world.dt=0.03333333333333333", four = "world.substeps=4";
+  static const std::vector<Trial> all = {
+      {"6400", "tilted_grid", {"grid.rows=80", "grid.cols=80", long_steps, four}, 1.0 / 300, 1},
+      {"25600", "tilted_grid", {"grid.rows=20", "grid.cols=1280", long_steps, four}, 1.0 / 300, 1},
+      {"102400", "tilted_grid", {"grid.rows=20", "grid.cols=5120", long_steps, four}, 1.0 / 300, 1},
+      {"pile", "pile", {"world.substeps=8"}, 1.0 / 60, 8},
+  };
+  return all;
+}
+
+[[noreturn]] void fail(const std::string& message) {
+  std::fprintf(stderr, "thread_model: %s\n", message.c_str());
+  std::exit(2);
+}
+
+double seconds_between(Clock::time_point begin, Clock::time_point end) {
+  return std::chrono::duration<double>(end - begin).count();
+}
+
+/// Hands that take their turns, with a clock on each.
+class TimedParts : public Workers {
+ public:
+  TimedParts(unsigned count, std::size_t divisor) : count_(count), divisor_(divisor) {}
+  [[nodiscard]] unsigned count() const override { return count_; }
+  [[nodiscard]] std::size_t worth(std::size_t least) const override {
+    return std::max<std::size_t>(1, least / divisor_);
+  }
+  void run(unsigned parts, void (*task)(void*, unsigned), void* context) override {
+    std::vector<double>& round = rounds_.emplace_back();
+    for (unsigned part = 0; part < parts; ++part) {
+      const Clock::time_point begin = Clock::now();
+      task(context, part);
+      round.push_back(seconds_between(begin, Clock::now()));
+    }
+  }
+  /// s of each part of each round since it was last asked.
+  std::vector<std::vector<double>> take() { return std::exchange(rounds_, {}); }
+
+ private:
+  unsigned count_;
+  std::size_t divisor_;
+  std::vector<std::vector<double>> rounds_;
+};
+
+/// One phase of one sub-step: what is not split, and the parts of its rounds, s.
+struct Visit {
+  std::size_t phase = 0;
+  double serial = 0;
+  std::vector<std::vector<double>> rounds;
+
+  /// The same in another run: what took longer was disturbed.
+  void take_least(const Visit& other) {
+    serial = std::min(serial, other.serial);
+    for (std::size_t k = 0; k < rounds.size(); ++k) {
+      for (std::size_t part = 0; part < rounds[k].size(); ++part) {
+        rounds[k][part] = std::min(rounds[k][part], other.rounds[k][part]);
+      }
+    }
+  }
+};
+
+class Visits : public sim::Observer {
+ public:
+  explicit Visits(TimedParts& parts) : parts_(parts), before_(Clock::now()) {}
+  void phase_done(std::uint32_t /*substep*/, std::size_t phase, const sim::World& /*world*/) override {
+    double serial = seconds_between(before_, Clock::now());
+    std::vector<std::vector<double>> rounds = parts_.take();
+    for (const std::vector<double>& round : rounds) serial -= std::accumulate(round.begin(), round.end(), 0.0);
+    all_.push_back({phase, serial, std::move(rounds)});
+    before_ = Clock::now();
+  }
+  std::vector<Visit>& all() { return all_; }
+
+ private:
+  TimedParts& parts_;
+  Clock::time_point before_;
+  std::vector<Visit> all_;
+};
+
+/// Of a phase, or of the whole step, over all steps that were timed; s.
+struct Share {
+  double serial = 0;
+  double sum = 0, longest = 0, mean = 0;  ///< of all parts; of the longest of each round; of the mean of each
+  double rounds = 0;
+
+  void add(const Visit& visit) {
+    serial += visit.serial;
+    for (const std::vector<double>& round : visit.rounds) {
+      const double all = std::accumulate(round.begin(), round.end(), 0.0);
+      sum += all;
+      mean += all / static_cast<double>(round.size());
+      longest += *std::ranges::max_element(round);
+      ++rounds;
+    }
+  }
+  [[nodiscard]] double alone() const { return serial + sum; }
+  /// Were the parts of a round done at the same time.
+  [[nodiscard]] double together(double round_cost) const { return serial + longest + rounds * round_cost; }
+};
+
+Share share_of(const std::vector<Visit>& visits, std::optional<std::size_t> phase = std::nullopt) {
+  Share share;
+  for (const Visit& visit : visits) {
+    if (!phase || visit.phase == *phase) share.add(visit);
+  }
+  return share;
+}
+
+void make_step(sim::World& world, sim::Observer* observer = nullptr) {
+  if (const Result<sim::StepCounters> done = sim::step(world, observer); !done.ok()) fail(done.error().message);
+}
+
+/// The state from which all is timed.
+sim::WorldState warm_state(const Trial& trial) {
+  const std::string path = std::string(TUMBLE_SOURCE_DIR "/bench/scenes/") + trial.scene + ".toml";
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  const Result<sim::SceneDef> scene = scenes::parse_scene(text, path, trial.warm);
+  if (!scene.ok()) fail(scene.error().message);
+  Result<sim::World> world = sim::World::create(*scene);
+  if (!world.ok()) fail(world.error().message);
+  for (int k = 0; k < kWarmSteps; ++k) make_step(*world);
+  sim::WorldState state = world->state();
+  state.def.dt = trial.dt;
+  state.def.substeps = trial.substeps;
+  return state;
+}
+
+std::vector<Visit> time_parts(const sim::WorldState& state, unsigned threads, std::size_t divisor) {
+  std::vector<Visit> least;
+  for (int repeat = 0; repeat < kRepeats; ++repeat) {
+    Result<sim::World> world = sim::World::restore(state);
+    if (!world.ok()) fail(world.error().message);
+    TimedParts parts(threads, divisor);
+    world->use(&parts);
+    make_step(*world);  // not timed: memory is asked for here
+    parts.take();
+    Visits visits(parts);
+    for (int k = 0; k < kSteps; ++k) make_step(*world, &visits);
+    if (repeat == 0) least = visits.all();
+    for (std::size_t k = 0; k < least.size(); ++k) least[k].take_least(visits.all()[k]);
+  }
+  return least;
+}
+
+/// s that a round of two threads costs here, with nothing in it; the least of many batches, as others use the machine.
+double cost_of_round() {
+  WorkerThreads two(2);
+  double least = INFINITY;
+  for (int batch = 0; batch < 200; ++batch) {
+    const Clock::time_point begin = Clock::now();
+    for (int k = 0; k < 100; ++k) for_parts(&two, 2, [](unsigned /*part*/) {});
+    least = std::min(least, seconds_between(begin, Clock::now()) / 100);
+  }
+  return least;
+}
+
+void print_phases(const std::vector<Visit>& visits, double round_cost) {
+  std::printf("  %-22s %8s %9s %8s %8s   (%u threads)\n", "phase", "1, ms", "so, ms", "split", "rounds", kShown);
+  const auto phases = sim::phase_table(sim::Method::kLayered).phases;
+  for (std::size_t k = 0; k < phases.size(); ++k) {
+    const Share share = share_of(visits, k);
+    std::printf("  %-22s %8.3f %9.3f %7.0f%% %8.1f\n", phases[k].name, share.alone() * 1e3 / kSteps,
+                share.together(round_cost) * 1e3 / kSteps, 100 * share.sum / share.alone(), share.rounds / kSteps);
+  }
+}
+
+void model(const Trial& trial, double pair_cost) {
+  const sim::WorldState state = warm_state(trial);
+  std::printf("\n%s: %zu bodies, %zu pairs\n", trial.name, state.bodies.size(), state.pairs.size());
+  for (const std::size_t divisor : kDivisors) {
+    std::printf(" parts of at least 1/%zu of the sizes that pay on two processors\n", divisor);
+    std::printf("  %7s %9s %9s %9s %12s %8s %9s %8s\n", "threads", "alone, ms", "so, ms", "speed-up", "rounds free",
+                "serial", "max/mean", "rounds");
+    std::vector<Visit> shown;
+    for (const unsigned threads : kThreads) {
+      // Counters pass from processor to processor, so each thread more waits for its turn.
+      const double round_cost = pair_cost * (threads - 1);
+      const std::vector<Visit> visits = time_parts(state, threads, divisor);
+      const Share whole = share_of(visits);
+      const double alone = whole.alone(), together = whole.together(round_cost);
+      std::printf("  %7u %9.3f %9.3f %9.2f %12.2f %7.0f%% %9.2f %8.1f\n", threads, alone * 1e3 / kSteps,
+                  together * 1e3 / kSteps, alone / together, alone / whole.together(0), 100 * whole.serial / alone,
+                  whole.rounds > 0 ? whole.longest / whole.mean : 1.0, whole.rounds / kSteps);
+      if (threads == kShown) shown = visits;
+    }
+    print_phases(shown, pair_cost * (kShown - 1));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> wanted(argv + 1, argv + argc);
+  for (const std::string& name : wanted) {
+    if (std::ranges::none_of(trials(), [&](const Trial& trial) { return trial.name == name; })) {
+      fail("found \"" + name + "\", wanted 6400, 25600, 102400 or pile");
+    }
+  }
+  const double pair_cost = cost_of_round();
+  std::printf("a round of two threads with nothing in it: %.2f us; of N: N - 1 times that\n", pair_cost * 1e6);
+  for (const Trial& trial : trials()) {
+    if (wanted.empty() || std::ranges::find(wanted, trial.name) != wanted.end()) model(trial, pair_cost);
+  }
+  return 0;
+}
