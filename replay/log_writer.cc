@@ -19,6 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t kBuffers = 3;  // one is filled while one is written and one waits or comes back
+constexpr std::size_t kManyBodies = std::size_t{1} << 19U;  // a buffer holds a state, 0.5 kB of each: one must do
 constexpr std::chrono::seconds kChunkAgeMax(1);
 
 /// The steps of a chunk on their way to the writing thread; its memory is used again and again.
@@ -59,15 +60,17 @@ struct Buffer {
 }  // namespace
 
 struct LogWriter::Shared {
-  explicit Shared(std::unique_ptr<ByteSink> sink) : records(std::move(sink)) {
-    for (std::size_t i = 1; i < kBuffers; ++i) free.push_back(std::make_unique<Buffer>());
+  Shared(std::unique_ptr<ByteSink> sink, std::size_t bodies)
+      : records(std::move(sink)), buffers(bodies < kManyBodies ? kBuffers : 1) {
+    for (std::size_t i = 1; i < buffers; ++i) free.push_back(std::make_unique<Buffer>());
   }
 
   void run();
   Status hand_over(const sim::WorldState& now);
   void stop();
 
-  RecordWriter records;                                      // the thread's, while it runs
+  RecordWriter records;  // the thread's, while it runs
+  std::size_t buffers;
   std::unique_ptr<Buffer> open{std::make_unique<Buffer>()};  // the caller's
 
   std::mutex mutex;  // guards what follows
@@ -139,7 +142,7 @@ Result<std::unique_ptr<LogWriter>> LogWriter::create(const std::string& path, co
 
 Result<std::unique_ptr<LogWriter>> LogWriter::create(std::unique_ptr<ByteSink> sink, const LogHeader& header,
                                                      const sim::WorldState& initial) {
-  auto shared = std::make_unique<Shared>(std::move(sink));
+  auto shared = std::make_unique<Shared>(std::move(sink), initial.bodies.size());
   if (Status ok = shared->records.write_header(header, initial); !ok.ok()) return ok.error();
   shared->open->begin(initial);
   Shared* running = shared.get();
@@ -158,7 +161,7 @@ Status LogWriter::flush(const sim::WorldState& now) {
     if (Status ok = shared_->hand_over(now); !ok.ok()) return ok;
   }
   std::unique_lock lock(shared_->mutex);
-  shared_->changed.wait(lock, [this] { return shared_->free.size() + 1 == kBuffers; });
+  shared_->changed.wait(lock, [this] { return shared_->free.size() + 1 == shared_->buffers; });
   return shared_->status;
 }
 

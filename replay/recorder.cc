@@ -50,12 +50,12 @@ Result<std::unique_ptr<Recorder>> Recorder::start(std::unique_ptr<ByteSink> sink
 
 Result<std::unique_ptr<Recorder>> Recorder::start_with(const CreateWriter& create, const sim::SceneDef& scene,
                                                        const RecordOptions& options) {
-  const sim::SceneDef session = session_of(scene, options.transform);
+  sim::SceneDef session = session_of(scene, options.transform);
   Result<sim::World> world = sim::World::create(session);
   if (!world.ok()) return world.error();
   auto writer = create(header_of(session, options), world->state());
   if (!writer.ok()) return writer.error();
-  return std::unique_ptr<Recorder>(new Recorder(session, *std::move(world), *std::move(writer)));
+  return std::unique_ptr<Recorder>(new Recorder(std::move(session), *std::move(world), *std::move(writer)));
 }
 
 Result<std::unique_ptr<Recorder>> Recorder::go_on(const std::string& path, LogReader& from, std::uint64_t k,
