@@ -11,6 +11,7 @@
 
 #include "src/step/step.h"
 #include "src/threads/worker_threads.h"
+#include "src/world/memory_use.h"
 #include "tests/support/allocations.h"
 #include "tests/support/sim_scenes.h"
 
@@ -111,6 +112,20 @@ TEST_P(Allocations, WarmStepsMakeNoneWithPhaseHashes) {
 TEST_P(Allocations, WarmStepsMakeNoneOnTwoThreads) {
   WorkerThreads workers(2, Split::kEverything);
   expect_none_in_all(GetParam(), nullptr, &workers);
+}
+
+// Vectors that memory_use forgets would show: nothing else is held. malloc rounds up a little.
+TEST_P(Allocations, MemoryUseTellsAllThatAWorldHolds) {
+  SceneDef scene = test::pile(12);
+  scene.world.method = GetParam();
+  const std::int64_t before = test::bytes_held();
+  World world = test::made(scene);
+  make_steps(world, 20, nullptr);
+  const auto held = static_cast<double>(test::bytes_held() - before);
+  double told = 0;
+  for (const MemoryPart& part : memory_use(world)) told += static_cast<double>(part.bytes);
+  EXPECT_LE(told, held);
+  EXPECT_GT(told + 2000, held);
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, Allocations, testing::Values(Method::kThesis, Method::kLayered),

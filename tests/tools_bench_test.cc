@@ -68,11 +68,26 @@ TEST(Bench, ScalingLeavesOutWhatIsTooMuch) {
   for (const Json& point : results["points"]) EXPECT_LT(point["bodies"], 102400);
 }
 
+TEST(Bench, MemoryIsToldByBodyAndByContact) {
+  const Workshop shop;
+  const Json results = bench(shop, {"memory", "--scene", "layered_tower_5", "--scene", "pyramid"});
+  ASSERT_EQ(results["scenes"].size(), 2U);
+  for (const Json& scene : results["scenes"]) {
+    EXPECT_GT(scene["contacts"], 0) << scene;
+    EXPECT_GT(scene["bytes_per_body"], 300) << scene;
+    EXPECT_GT(scene["bytes_per_contact"], 100) << scene;
+    std::size_t sum = 0;
+    for (const Json& part : scene["parts"]) sum += part["bytes"].get<std::size_t>();
+    EXPECT_EQ(scene["bytes"], sum);
+  }
+}
+
 TEST(Bench, BadArgumentsAreStatusTwo) {
   const Workshop shop;
   EXPECT_EQ(shop.run({"bench", "everything"}).exit, 2);
   EXPECT_EQ(shop.run({"bench", "table1", "--method", "other"}).exit, 2);
   EXPECT_EQ(shop.run({"bench", "peers", "--scene", "no_such"}).exit, 2);
+  EXPECT_EQ(shop.run({"bench", "memory", "--scene", "no_such"}).exit, 2);
   EXPECT_EQ(shop.run({"bench", "scaling", "--budget", "0.3", "--plot", "x.txt"}).exit, 2);
 }
 

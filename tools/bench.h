@@ -17,18 +17,19 @@ struct BenchOptions {
   std::string what;
   std::optional<std::uint64_t> repeat;  ///< runs of which the median counts
   std::optional<double> budget;         ///< s of CPU; what would go beyond is left out and estimated
-  std::vector<std::string> scenes;      ///< peers: only scenes whose name begins so
+  std::vector<std::string> scenes;      ///< peers: only scenes whose name begins so; memory: these
   std::vector<std::string> engines;     ///< peers: only these, besides ours
   bool large = false;                   ///< peers: the grids of 1600 cubes and more too
-  std::string method;                   ///< table1, scaling; empty: table1 thesis, scaling layered
-  std::string plot;                     ///< scaling: FILE.svg or FILE.png
-  std::string save;                     ///< also write the results, with the machine, to this file as JSON
+  std::string method;  ///< table1, scaling, memory; empty: table1 thesis, scaling layered, memory the scene's
+  std::string plot;    ///< scaling: FILE.svg or FILE.png
+  std::string save;    ///< also write the results, with the machine, to this file as JSON
   bool json = false;
 };
 
 Result<Exit> bench_peers(const BenchOptions& options);
 Result<Exit> bench_table1(const BenchOptions& options);
 Result<Exit> bench_scaling(const BenchOptions& options);
+Result<Exit> bench_memory(const BenchOptions& options);
 
 /// Runs one of the programs of bench/ beside this one, with its output as it is.
 Result<Exit> bench_program(const std::string& name, const std::vector<std::string>& arguments);

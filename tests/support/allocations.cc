@@ -1,5 +1,7 @@
 #include "tests/support/allocations.h"
 
+#include <malloc.h>
+
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
@@ -8,10 +10,17 @@
 namespace {
 
 std::atomic<std::uint64_t> blocks;
+std::atomic<std::int64_t> held;
 
-void* or_throw(void* block) {
+void* taken(void* block) {
   if (block == nullptr) throw std::bad_alloc();
+  held += static_cast<std::int64_t>(malloc_usable_size(block));
   return block;
+}
+
+void give_back(void* block) {
+  held -= static_cast<std::int64_t>(malloc_usable_size(block));
+  std::free(block);
 }
 
 }  // namespace
@@ -19,6 +28,7 @@ void* or_throw(void* block) {
 namespace tumble::test {
 
 std::uint64_t allocations() { return blocks; }
+std::int64_t bytes_held() { return held; }
 
 }  // namespace tumble::test
 
@@ -57,14 +67,14 @@ void* counted_aligned_alloc(std::size_t alignment, std::size_t size) {
 }
 
 // The other forms of new and delete call these.
-void* operator new(std::size_t size) { return or_throw(counted_malloc(size)); }
+void* operator new(std::size_t size) { return taken(counted_malloc(size)); }
 
 void* operator new(std::size_t size, std::align_val_t alignment) {
   const auto step = static_cast<std::size_t>(alignment);
-  return or_throw(counted_aligned_alloc(step, (size + step - 1) / step * step));
+  return taken(counted_aligned_alloc(step, (size + step - 1) / step * step));
 }
 
-void operator delete(void* block) noexcept { std::free(block); }
-void operator delete(void* block, std::size_t /*size*/) noexcept { std::free(block); }
-void operator delete(void* block, std::align_val_t /*alignment*/) noexcept { std::free(block); }
-void operator delete(void* block, std::size_t /*size*/, std::align_val_t /*alignment*/) noexcept { std::free(block); }
+void operator delete(void* block) noexcept { give_back(block); }
+void operator delete(void* block, std::size_t /*size*/) noexcept { give_back(block); }
+void operator delete(void* block, std::align_val_t /*alignment*/) noexcept { give_back(block); }
+void operator delete(void* block, std::size_t /*size*/, std::align_val_t /*alignment*/) noexcept { give_back(block); }

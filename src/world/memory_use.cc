@@ -1,0 +1,106 @@
+#include "src/world/memory_use.h"
+
+namespace tumble::sim {
+namespace {
+
+// Bytes that something made of vectors has room for.
+std::size_t held(const Bodies& b);
+std::size_t held(const ContactMemory& m);
+std::size_t held(const Contacts& c);
+std::size_t held(const ManifoldList& list);
+std::size_t held(const ContactBatches& b);
+std::size_t held(const SavedMotion& s);
+template <class T>
+std::size_t held(const std::vector<T>& items) {
+  return items.capacity() * sizeof(T);
+}
+std::size_t held(const Vec3Column& c) { return held(c.x) + held(c.y) + held(c.z); }
+std::size_t held(const QuatColumn& c) { return held(c.w) + held(c.x) + held(c.y) + held(c.z); }
+std::size_t held(const PairTable& p) { return held(p.a) + held(p.b) + held(p.planes); }
+std::size_t held(const ContactObjects& o) { return held(o.body) + held(o.object); }
+
+template <class... Parts>
+std::size_t held_by(const Parts&... parts) {
+  return (held(parts) + ...);
+}
+
+std::size_t held(const Bodies& b) {
+  return held_by(b.id, b.position, b.orientation, b.velocity, b.spin, b.frozen, b.low_energy_time, b.half_extent,
+                 b.mass, b.inverse_mass, b.inertia, b.inverse_inertia, b.friction, b.friction_dynamic, b.restitution,
+                 b.is_static);
+}
+std::size_t held(const ContactMemory& m) {
+  return held_by(m.a, m.b, m.count, m.friction, m.twist, m.feature, m.impulse);
+}
+std::size_t held(const Contacts& c) { return held_by(c.a, c.b, c.planes, c.normal, c.depth, c.r_a, c.r_b, c.impulse); }
+std::size_t held(const ManifoldList& list) { return held_by(list.manifolds, list.points); }
+std::size_t held(const ContactBatches& b) {
+  return held_by(b.batches, b.points, b.layer_start, b.place, b.order, b.touched, b.touched_start, b.entries,
+                 b.outcomes);
+}
+std::size_t held(const SavedMotion& s) { return held_by(s.position, s.velocity, s.spin, s.orientation, s.pairs); }
+
+template <class T>
+std::size_t held_inside(const std::vector<T>& lists) {
+  std::size_t bytes = held(lists);
+  for (const T& list : lists) bytes += held(list);
+  return bytes;
+}
+
+void add_state(const WorldState& state, std::vector<MemoryPart>& parts) {
+  parts.push_back({"state: bodies", GrowsWith::kBodies, held_by(state.bodies, state.contact_objects)});
+  parts.push_back({"state: pairs", GrowsWith::kPairs, held(state.pairs)});
+  parts.push_back({"state: contact memory", GrowsWith::kContacts, held(state.contact_memory)});
+}
+
+void add_search(const Scratch& s, std::vector<MemoryPart>& parts) {
+  const SweepScratch& sweep = s.sweep;
+  parts.push_back({"boxes", GrowsWith::kBodies, held_by(s.frames, s.aabb_low, s.aabb_high, s.turning)});
+  parts.push_back(
+      {"sweep: order and cells", GrowsWith::kBodies,
+       held_by(sweep.order, sweep.judged, sweep.boxes, sweep.start, sweep.next, sweep.entries, sweep.cell_start)});
+  parts.push_back({"sweep: pairs", GrowsWith::kPairs,
+                   held_by(sweep.found, sweep.partner, sweep.merged, s.old_planes) + held_inside(sweep.found_by)});
+}
+
+void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
+  const LevelScratch& l = s.levels;
+  const WeightScratch& w = s.weights;
+  parts.push_back(
+      {"manifolds", GrowsWith::kContacts, held_by(s.manifolds, s.manifold_points) + held_inside(s.manifolds_by)});
+  parts.push_back(
+      {"layers", GrowsWith::kContacts, held_by(s.layered, s.layer_start, s.sweep_groups, l.touching, l.neighbours)});
+  parts.push_back({"weights", GrowsWith::kContacts, held_by(w.found, w.supports)});
+  parts.push_back({"batches", GrowsWith::kContacts, held(s.contact_batches)});
+  parts.push_back({"solver's bodies", GrowsWith::kBodies,
+                   held_by(s.solver_bodies, s.solver_mass, s.in_contact, s.contact_batches.uses)});
+  parts.push_back({"levels, islands and sleep", GrowsWith::kBodies,
+                   held_by(s.level, l.start, l.next, l.front, l.reached, l.slender, l.marked, l.in_slender, w.start,
+                           w.next, w.waiting_for, w.ready, w.carried, w.moment_x, w.moment_y, s.island_links,
+                           s.waking.disturbed, s.waking.wakes, s.sleeping.touching, s.sleeping.restless)});
+}
+
+void add_thesis(const Scratch& s, std::vector<MemoryPart>& parts) {
+  const FreezeScratch& f = s.freezing;
+  parts.push_back({"contacts", GrowsWith::kContacts, held_by(s.contacts, f.carriers, f.found)});
+  parts.push_back({"outcomes and freezing", GrowsWith::kBodies,
+                   held_by(s.velocity_gain, s.spin_gain, s.displacement, s.displacement_low, s.touched, f.candidates,
+                           f.frozen_before, f.merged)});
+  parts.push_back({"put back after a trial", GrowsWith::kBodies, held_inside(s.saved)});
+}
+
+}  // namespace
+
+std::vector<MemoryPart> memory_use(const World& world) {
+  std::vector<MemoryPart> parts;
+  add_state(world.state(), parts);
+  add_search(world.scratch(), parts);
+  if (world.state().def.method == Method::kLayered) {
+    add_layered(world.scratch(), parts);
+  } else {
+    add_thesis(world.scratch(), parts);
+  }
+  return parts;
+}
+
+}  // namespace tumble::sim
