@@ -14,8 +14,7 @@ void stream(const std::byte* from, std::byte* to, std::size_t count) {
 #ifdef __SSE2__
   if (reinterpret_cast<std::uintptr_t>(to) % sizeof(__m128i) == 0) {
     for (; i + sizeof(__m128i) <= count; i += sizeof(__m128i)) {
-      _mm_stream_si128(reinterpret_cast<__m128i*>(to + i),
-                       _mm_loadu_si128(reinterpret_cast<const __m128i*>(from + i)));
+      _mm_stream_si128(reinterpret_cast<__m128i*>(to + i), _mm_loadu_si128(reinterpret_cast<const __m128i*>(from + i)));
     }
   }
 #endif

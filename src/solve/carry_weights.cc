@@ -122,13 +122,13 @@ class Walk {
     own_.bearings.clear();
     for (Support& s : supports_of(i)) {
       const Manifold& m = scratch_.manifolds[s.manifold];
-      s.first_bearing = own_.bearings.size();
+      s.first_bearing = static_cast<std::uint32_t>(own_.bearings.size());
       for (ManifoldPoint& p : points_of(scratch_, m)) {
         if (p.separation >= kBearing) continue;
         const Vec3 r = s.origin + ((m.t1 * p.p + m.t2 * p.q) + m.n * m.offset);
         own_.bearings.push_back({&p, r.x(), r.y()});
       }
-      s.end_bearing = own_.bearings.size();
+      s.end_bearing = static_cast<std::uint32_t>(own_.bearings.size());
     }
   }
 

@@ -70,7 +70,7 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
       {"manifolds", GrowsWith::kContacts, held_by(s.manifolds, s.manifold_points) + held_inside(s.manifolds_by)});
   parts.push_back(
       {"layers", GrowsWith::kContacts, held_by(s.layered, s.layer_start, s.sweep_groups, l.touching, l.neighbours)});
-  parts.push_back({"weights", GrowsWith::kContacts, held_by(w.found, w.supports)});
+  parts.push_back({"weights", GrowsWith::kContacts, held_by(w.found, w.supports, w.bearings)});
   parts.push_back({"batches", GrowsWith::kContacts, held(s.contact_batches)});
   parts.push_back({"solver's bodies", GrowsWith::kBodies,
                    held_by(s.solver_bodies, s.solver_mass, s.in_contact, s.contact_batches.uses)});

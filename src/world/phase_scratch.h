@@ -52,7 +52,7 @@ struct WeightScratch {
     BodyIndex upper = 0, lower = 0;
     Vec3 origin;      ///< m, from the upper body's centre to where p, q and offset are measured from
     double pull = 0;  ///< m/s², gravity along the normal
-    std::size_t first_bearing = 0, end_bearing = 0;
+    std::uint32_t first_bearing = 0, end_bearing = 0;
   };
   /// A point that bears.
   struct Bearing {
