@@ -3,6 +3,7 @@
 // the state put back once more, and of the third time every allocation counts. What grows in the first, because there
 // are more contacts than ever before, is growth that no engine is spared.
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <cstdint>
 #include <cstdlib>
@@ -114,8 +115,10 @@ TEST_P(Allocations, WarmStepsMakeNoneOnTwoThreads) {
   expect_none_in_all(GetParam(), nullptr, &workers);
 }
 
-// Vectors that memory_use forgets would show: nothing else is held. malloc rounds up a little.
+// Vectors that memory_use forgets would show: nothing else is held. malloc rounds up a little, and what it maps by whole
+// pages.
 TEST_P(Allocations, MemoryUseTellsAllThatAWorldHolds) {
+  ASSERT_EQ(mallopt(M_MMAP_THRESHOLD, 32 << 20), 1);
   SceneDef scene = test::pile(12);
   scene.world.method = GetParam();
   const std::int64_t before = test::bytes_held();

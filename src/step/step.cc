@@ -94,7 +94,7 @@ bool grounds_more_than(std::size_t most, const WorldState& state, double dt_s) {
   std::size_t found = 0;
   for (BodyIndex i = 0; state.def.ground && i < bodies.size() && found <= most; ++i) {
     const Vec3 half_extent = bodies.half_extent[i];
-    const double lowest = bodies.position.z[i] - half_extent.sum();  // a bound
+    const double lowest = bodies.position.z[i] - ((half_extent.x() + half_extent.y()) + half_extent.z());  // a bound
     if (!bodies.moves(i) || lowest > std::fabs(bodies.velocity.z[i]) * dt_s + fall) continue;
     const Flight flight = free_flight(state, i, dt_s);
     if (reaches_ground({flight.position, axes_of(flight.orientation), half_extent})) ++found;
