@@ -115,8 +115,8 @@ TEST_P(Allocations, WarmStepsMakeNoneOnTwoThreads) {
   expect_none_in_all(GetParam(), nullptr, &workers);
 }
 
-// Vectors that memory_use forgets would show: nothing else is held. malloc rounds up a little, and what it maps by whole
-// pages.
+// Vectors that memory_use forgets would show: nothing else is held. malloc rounds up a little, and what it maps by
+// whole pages.
 TEST_P(Allocations, MemoryUseTellsAllThatAWorldHolds) {
   ASSERT_EQ(mallopt(M_MMAP_THRESHOLD, 32 << 20), 1);
   SceneDef scene = test::pile(12);
