@@ -11,7 +11,6 @@
 
 #include "replay/limits.h"
 #include "replay/record_writer.h"
-#include "replay/stream_states.h"
 
 namespace tumble::replay {
 namespace {
@@ -46,7 +45,7 @@ struct Buffer {
     step.inputs.assign(info.inputs.begin(), info.inputs.end());
     step.phase_words.assign(info.phase_words.begin(), info.phase_words.end());
     step.counters = info.counters;
-    stream_visible(after.bodies, step.states);
+    copy_visible(after.bodies, step.states);
     busy_rows += static_cast<std::uint64_t>(std::count(after.bodies.frozen.begin(), after.bodies.frozen.end(), 0));
     bytes += after.bodies.size() * kBodyStateBytes + info.phase_words.size() * 8;
   }

@@ -2,11 +2,11 @@
 
 #include <cmath>
 
+#include "src/collide/box_tests.h"
+
 namespace tumble::sim {
 namespace {
 
-constexpr double kParallelSquared = 1e-6;  // |edge × edge|² below this: the edges are parallel
-constexpr double kFaceLike = 0.999;        // |axis · face normal| above this: the axis repeats a face
 constexpr int kNext[3] = {1, 2, 0};
 constexpr int kAfterNext[3] = {2, 0, 1};
 

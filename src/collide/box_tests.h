@@ -9,6 +9,9 @@ namespace tumble::sim {
 
 struct BoxFrame;
 
+inline constexpr double kParallelSquared = 1e-6;  ///< |edge × edge|² below this: the edges are parallel
+inline constexpr double kFaceLike = 0.999;        ///< |axis · face normal| above this: the axis repeats a face
+
 /// Pairs of boxes that are tested side by side, and the best axes of each (BestAxes), numbered and skipped as by
 /// BoxPair. A set of axes is a sum of powers of two, so that lanes can hold it.
 struct BoxTests {

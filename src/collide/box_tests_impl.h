@@ -12,8 +12,6 @@ namespace {
 
 constexpr unsigned kFrameDoubles = 15;  // of a BoxFrame: position, three axes, half extents
 constexpr unsigned kFrameAxes = 3;
-constexpr double kLanesParallelSquared = 1e-6;  // as in box_pair.cc
-constexpr double kLanesFaceLike = 0.999;
 constexpr double kNoDirection = -__builtin_inf();  // as the separation along an axis to be skipped
 
 template <class V>
@@ -90,8 +88,7 @@ V along_edges(const LanePairs<V>& pairs) {
   const V reach = (pairs.a.half[ia] * (p[ib][j] * scale) + pairs.a.half[ib] * (p[ia][j] * scale)) +
                   (pairs.b.half[ja] * (p[i][jb] * scale) + pairs.b.half[jb] * (p[i][ja] * scale));
   const V most_along_face = larger(larger(p[ia][j], p[ib][j]), larger(p[i][ja], p[i][jb]));
-  const auto skipped =
-      (squared < kLanesParallelSquared) | (most_along_face > kLanesFaceLike * length) | (offset == 0.0);
+  const auto skipped = (squared < kParallelSquared) | (most_along_face > kFaceLike * length) | (offset == 0.0);
   return skipped ? V{} + kNoDirection : absolute(offset) * scale - reach;
 }
 

@@ -90,7 +90,7 @@ std::uint32_t solved_points(const Scratch& scratch) {
 // Whether more than `most` bodies fly into the ground within dt_s, as the trial phases of method thesis would find.
 bool grounds_more_than(std::size_t most, const WorldState& state, double dt_s) {
   const Bodies& bodies = state.bodies;
-  const double fall = length(state.def.gravity) * (dt_s * dt_s);
+  const double fall = falling_reach(state.def, dt_s);
   std::size_t found = 0;
   for (BodyIndex i = 0; state.def.ground && i < bodies.size() && found <= most; ++i) {
     const Vec3 half_extent = bodies.half_extent[i];
