@@ -72,7 +72,7 @@ void ContactRecall::keep(BodyIndex lo, BodyIndex hi, ManifoldList& to) {
   const auto [begin, end] = entries(lo, hi);
   std::size_t point = point_;
   for (std::size_t k = begin; k < end; ++k) {
-    Manifold m;
+    Manifold& m = to.manifolds.emplace_back();
     m.a = memory_.a[k];
     m.b = memory_.b[k];
     m.asleep = true;
@@ -81,12 +81,10 @@ void ContactRecall::keep(BodyIndex lo, BodyIndex hi, ManifoldList& to) {
     m.d = memory_.friction[k];  // kept here until the memory is written again
     m.twist = memory_.twist[k];
     for (std::uint32_t i = 0; i < m.count; ++i, ++point) {
-      ManifoldPoint p;
+      ManifoldPoint& p = to.points.emplace_back();
       p.feature = memory_.feature[point];
       p.impulse = memory_.impulse[point];
-      to.points.push_back(p);
     }
-    to.manifolds.push_back(m);
   }
 }
 

@@ -164,7 +164,7 @@ class Builder {
   }
 
   void add_face(BodyIndex reference, BodyIndex incident, int axis, double margin) {
-    Manifold m = fresh(reference, incident);
+    Manifold& m = fresh(reference, incident);
     face_manifold(side_of(reference, incident, margin), axis, m, out_.points);
     separate_as_now(m);
     finish(m);
@@ -172,7 +172,7 @@ class Builder {
 
   // axis: of (lower row, higher row).
   void add_edge(BodyIndex reference, BodyIndex incident, int axis, double margin) {
-    Manifold m = fresh(reference, incident);
+    Manifold& m = fresh(reference, incident);
     const ManifoldSide side = side_of(reference, incident, margin);
     const int i = (axis - 6) / 3, j = (axis - 6) % 3;
     const int own_axis = reference < incident ? axis : 6 + 3 * j + i;
@@ -195,13 +195,14 @@ class Builder {
     const double slack = slack_of(frame.half_extent.minCoeff());
     const double reach = std::max(0.0, -bodies_.velocity.z[i]) * dt_ + (turning(i) + fall_) + slack;
     if (frame.position.z() - reach_along(frame, 2) > reach) return;
-    Manifold m = fresh(kGround, i);
+    Manifold& m = fresh(kGround, i);
     ground_manifold(frame, reach, m, out_.points);
     finish(m);
   }
 
-  Manifold fresh(BodyIndex reference, BodyIndex incident) const {
-    Manifold m;
+  // Begins a manifold where it will stay: a copy would wait for what was just written.
+  Manifold& fresh(BodyIndex reference, BodyIndex incident) {
+    Manifold& m = out_.manifolds.emplace_back();
     m.a = reference;
     m.b = incident;
     const WorldDef& def = world_.state().def;
@@ -234,9 +235,8 @@ class Builder {
     }
     points.resize(kept);
     m.count = static_cast<std::uint32_t>(kept - m.first);
-    if (m.count == 0) return;
+    if (m.count == 0) return out_.manifolds.pop_back();
     recall_.warm_start(m, points_of(out_, m));
-    out_.manifolds.push_back(m);
   }
 
   const World& world_;

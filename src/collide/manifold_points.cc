@@ -219,12 +219,11 @@ void edge_manifold(const ManifoldSide& side, const BoxPair& pair, int axis, doub
   m.first = static_cast<std::uint32_t>(points.size());
   m.count = 1;
   m.offset = dot(from_b, m.n);
-  ManifoldPoint point;
+  ManifoldPoint& point = points.emplace_back();
   point.p = dot(from_b, m.t1);
   point.q = dot(from_b, m.t2);
   point.separation = separation;
   point.feature = side.reference_is_lower_row ? crossing_feature(edge_a, edge_b) : crossing_feature(edge_b, edge_a);
-  points.push_back(point);
 }
 
 void ground_manifold(const BoxFrame& frame, double reach, Manifold& m, std::vector<ManifoldPoint>& points) {
@@ -241,12 +240,11 @@ void ground_manifold(const BoxFrame& frame, double reach, Manifold& m, std::vect
     const Vec3 r = (x * sx + y * sy) + z * sz;
     const double height = frame.position.z() + r.z();
     if (height > reach) continue;
-    ManifoldPoint point;
+    ManifoldPoint& point = points.emplace_back();
     point.p = r.x();
     point.q = r.y();
     point.separation = height;
     point.feature = corner_feature(true, corner);
-    points.push_back(point);
   }
   m.count = static_cast<std::uint32_t>(points.size()) - m.first;
   m.offset = lowest - frame.position.z();

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kStripWidth = 2;             // mean extents
 constexpr double kBinWidth = 0.125;           // mean extents
-constexpr double kBinReach = 1.01;            // bins; the quotient that finds one is rounded
+constexpr double kBinReach = 1.01;            // bins; the product that finds one is rounded
 constexpr double kCrowd = 8;                  // boxes side by side in a strip from which on the third axis pays too
 constexpr std::size_t kFewBodies = 48;        // one strip will do
 constexpr std::size_t kWorthEntries = 49152;  // for a thread more
@@ -50,11 +50,11 @@ std::array<Spread, 3> longest_first(const Scratch& scratch) {
 
 // Parallel strips of equal width.
 struct Strips {
-  double low = 0, width = 1;
+  double low = 0, width = 1, per_width = 1;  // m, m, 1/m
   std::uint32_t count = 1;
 
   [[nodiscard]] std::uint32_t of(double x) const {
-    return std::min(count - 1, static_cast<std::uint32_t>((x - low) / width));
+    return std::min(count - 1, static_cast<std::uint32_t>((x - low) * per_width));
   }
 };
 
@@ -66,7 +66,7 @@ std::size_t entries_in(const Strips& strips, const std::vector<double>& low, con
 }
 
 Strips strips_of_width(const Spread& spread, double width) {
-  return {spread.low, width, static_cast<std::uint32_t>(spread.range / width) + 1};
+  return {spread.low, width, 1 / width, static_cast<std::uint32_t>(spread.range / width) + 1};
 }
 
 Strips one_strip(const Spread& spread) { return strips_of_width(spread, 2 * spread.range + 1); }

@@ -78,7 +78,7 @@ void set(Lanes* lanes, unsigned lane, const Vec3& v) {
   for (int k = 0; k < 3; ++k) lanes[k].of[lane] = v[k];
 }
 
-// Copies manifolds into the lanes of their batch, which zeroes what no manifold has.
+// Copies manifolds into the lanes of their batch; what no manifold has is zero.
 class Filling {
  public:
   explicit Filling(World& world)
@@ -89,6 +89,20 @@ class Filling {
         ground_(static_cast<std::uint32_t>(scratch_.solver_bodies.size() - 1)) {}
 
   void fill(ContactBatch& batch) {
+    if (batch.used < kLanes) clear(batch);
+    for (unsigned lane = 0; lane < batch.used; ++lane) {
+      const Manifold& m = scratch_.manifolds[all_.order[batch.members + lane]];
+      fill_geometry(batch, lane, m);
+      fill_bodies(batch, lane, m);
+      PointBatch* to = all_.points.data() + batch.first;
+      for (const ManifoldPoint& point : points_of(scratch_, m)) fill_point(*to++, lane, point);
+      for (std::uint32_t k = m.count; k < batch.count; ++k) fill_point(*to++, lane, {});
+    }
+  }
+
+ private:
+  // All that lanes without a manifold show.
+  void clear(ContactBatch& batch) const {
     ContactBatch empty;
     empty.used = batch.used;
     empty.slender = batch.slender;
@@ -99,16 +113,8 @@ class Filling {
     std::fill_n(batch.a, kLanes, ground_);
     std::fill_n(batch.b, kLanes, ground_);
     std::fill_n(all_.points.begin() + batch.first, batch.count, PointBatch{});
-    for (unsigned lane = 0; lane < batch.used; ++lane) {
-      const Manifold& m = scratch_.manifolds[all_.order[batch.members + lane]];
-      fill_geometry(batch, lane, m);
-      fill_bodies(batch, lane, m);
-      PointBatch* to = all_.points.data() + batch.first;
-      for (const ManifoldPoint& point : points_of(scratch_, m)) fill_point(*to++, lane, point);
-    }
   }
 
- private:
   static void fill_geometry(ContactBatch& batch, unsigned lane, const Manifold& m) {
     set(batch.n, lane, m.n);
     set(batch.t1, lane, m.t1);
@@ -123,6 +129,8 @@ class Filling {
     put(batch.force1, m.force1);
     put(batch.force2, m.force2);
     put(batch.twist, m.twist);
+    put(batch.split_a, 0);
+    put(batch.split_b, 0);
   }
   static void fill_point(PointBatch& batch, unsigned lane, const ManifoldPoint& point) {
     batch.p.of[lane] = point.p;

@@ -67,12 +67,13 @@ class Walk {
  private:
   // Sums of n masses times lever arms are exact on this grid.
   static double rounding_for(const Bodies& bodies) {
-    double heaviest = 0, reach = 1;
+    double heaviest = 0, squared_reach = 1;
     for (BodyIndex i = 0; i < bodies.size(); ++i) {
       if (bodies.is_static[i] != 0) continue;
       heaviest = std::max(heaviest, bodies.mass[i]);
-      reach = std::max(reach, length(bodies.half_extent[i]));
+      squared_reach = std::max(squared_reach, dot(bodies.half_extent[i], bodies.half_extent[i]));
     }
+    const double reach = std::sqrt(squared_reach);
     return VelocityGrid::kMagic * (power_of_two(static_cast<double>(bodies.size()) * heaviest * reach) / 2048);
   }
   double rounded(double x) const { return (x + magic_) - magic_; }

@@ -30,25 +30,25 @@ void for_packs(const ContactWork& work, Visit visit) {
 }
 
 template <int kWidth>
-void prepare_all(const ContactWork& work) {
+[[gnu::flatten]] void prepare_all(const ContactWork& work) {
   for_packs<kWidth>(work, [&](auto v, ContactBatch& batch, unsigned at) { prepare<decltype(v)>(work, batch, at); });
 }
 template <int kWidth>
-void solve_all(const ContactWork& work, Sweep sweep) {
+[[gnu::flatten]] void solve_all(const ContactWork& work, Sweep sweep) {
   for_packs<kWidth>(work,
                     [&](auto v, ContactBatch& batch, unsigned at) { solve<decltype(v)>(work, batch, at, sweep); });
 }
 template <int kWidth>
-void warm_start_all(const ContactWork& work) {
+[[gnu::flatten]] void warm_start_all(const ContactWork& work) {
   for_packs<kWidth>(work, [&](auto v, ContactBatch& batch, unsigned at) { warm_start<decltype(v)>(work, batch, at); });
 }
 template <int kWidth>
-void move_on_all(const ContactWork& work) {
+[[gnu::flatten]] void move_on_all(const ContactWork& work) {
   for_packs<kWidth>(work, [&](auto v, ContactBatch& batch, unsigned at) { move_on<decltype(v)>(work, batch, at); });
 }
 
 template <int kWidth>
-void renew_all(const ContactWork& work) {
+[[gnu::flatten]] void renew_all(const ContactWork& work) {
   for_packs<kWidth>(work, [&](auto v, ContactBatch& batch, unsigned at) { renew<decltype(v)>(work, batch, at); });
 }
 
