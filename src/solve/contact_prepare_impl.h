@@ -127,18 +127,19 @@ void prepare_approaches(const Manifolds<V>& m) {
 
 template <class V>
 void prepare_relaxation(const Manifolds<V>& m, const PlaneResponse<V>& plane) {
-  V row_sum = V{} + 1.0;
-  for (unsigned row = 0; row < m.batch->count; ++row) {
-    const PointBatch& of_row = m.points[row];
-    V sum = V{};
-    for (unsigned column = 0; column < m.batch->count; ++column) {
-      const PointBatch& point = m.points[column];
-      const Response<V> r = plane.to_unit_at(m.get(point.p), m.get(point.q));
+  const unsigned count = m.batch->count;
+  V sums[kPointsMax], row_sum = V{} + 1.0;
+  for (unsigned row = 0; row < count; ++row) sums[row] = V{};
+  for (unsigned column = 0; column < count; ++column) {
+    const PointBatch& point = m.points[column];
+    const Response<V> r = plane.to_unit_at(m.get(point.p), m.get(point.q));
+    for (unsigned row = 0; row < count; ++row) {
+      const PointBatch& of_row = m.points[row];
       const V k = r.u + (m.get(of_row.q) * r.w1 - m.get(of_row.p) * r.w2);
-      sum += round_motion(magnitude(k) * square_root(m.get(of_row.mass) * m.get(point.mass)));
+      sums[row] += round_motion(magnitude(k) * square_root(m.get(of_row.mass) * m.get(point.mass)));
     }
-    row_sum = larger(row_sum, sum);
   }
+  for (unsigned row = 0; row < count; ++row) row_sum = larger(row_sum, sums[row]);
   const double over = m.batch->slender ? kSlenderRelaxation : kOverRelaxation;
   m.set(m.batch->relaxation, where_present(m, 0, smaller(V{} + 1.0, over / row_sum)));
   const V response[6] = {plane.s.u,  plane.sq.u, plane.sp.u, plane.sq.w1, 0.5 * (plane.sp.w1 - plane.sq.w2),

@@ -63,18 +63,23 @@ V rebound(const Manifolds<V>& m, V approach, V separation) {
   return square_root(larger(zero, speed * speed + 2.0 * m.get(m.batch->acceleration) * separation));
 }
 
+// What a point's velocity is to be, negated; the passes over the points do not change it.
 template <Sweep kSweep, class V>
-V wanted_impulse(const Manifolds<V>& m, const PointBatch& point, V speed, double h) {
-  const V impulse = m.get(point.impulse), separation = m.get(point.separation);
-  const V relaxation = m.get(m.batch->relaxation), mass = m.get(point.mass);
+V unwanted_speed(const Manifolds<V>& m, const PointBatch& point, double h) {
+  const V separation = m.get(point.separation);
+  if constexpr (kSweep == Sweep::kRestitution) return -rebound(m, m.get(point.approach), separation);
+  return bias_of<kSweep>(separation, h);
+}
+
+template <Sweep kSweep, class V>
+V wanted_impulse(const Manifolds<V>& m, const PointBatch& point, V speed) {
+  const V impulse = m.get(point.impulse);
+  const V wanted = impulse - m.get(m.batch->relaxation) * (m.get(point.mass) * speed);
   if constexpr (kSweep == Sweep::kRestitution) {
-    const V approach = m.get(point.approach);
-    const V bounced = impulse - relaxation * (mass * (speed - rebound(m, approach, separation)));
-    const V met = approach > -kBounceMin ? impulse : bounced;
+    const V met = m.get(point.approach) > -kBounceMin ? impulse : wanted;
     return m.get(point.peak) == 0.0 ? impulse : met;
-  } else {
-    return impulse - relaxation * (mass * (speed + bias_of<kSweep>(separation, h)));
   }
+  return wanted;
 }
 
 template <Sweep kSweep, class V>
@@ -83,6 +88,8 @@ Wrench<V> solve_normals(const Manifolds<V>& m, const Motion<V>& motion, double h
   const V magic = m.get(m.batch->impulse_magic), zero = V{};
   V r[6];
   for (int k = 0; k < 6; ++k) r[k] = m.get(m.batch->response[k]);
+  V unwanted[kPointsMax];
+  for (unsigned k = 0; k < m.batch->count; ++k) unwanted[k] = unwanted_speed<kSweep>(m, m.points[k], h);
   V total_s = zero, total_sq = zero, total_sp = zero;
   constexpr int kPasses = kSweep == Sweep::kRestitution ? kInnerRestitution : kInner;
   for (int pass = 0; pass < kPasses; ++pass) {
@@ -90,8 +97,8 @@ Wrench<V> solve_normals(const Manifolds<V>& m, const Motion<V>& motion, double h
     for (unsigned k = 0; k < m.batch->count; ++k) {
       PointBatch& point = m.points[k];
       const V p = m.get(point.p), q = m.get(point.q);
-      const V speed = u + (w1 * q - w2 * p);
-      const V impulse = larger(zero, wanted_impulse<kSweep>(m, point, speed, h));
+      const V speed = (u + (w1 * q - w2 * p)) + unwanted[k];
+      const V impulse = larger(zero, wanted_impulse<kSweep>(m, point, speed));
       const V change = impulse - m.get(point.impulse);
       m.set(point.impulse, impulse);
       m.set(point.peak, larger(m.get(point.peak), impulse));
