@@ -40,10 +40,12 @@ inline VectorOf<8>::Type square_root(VectorOf<8>::Type x) { return _mm512_maskz_
 
 template <class V>
 inline V load(const double* from) {
+  if constexpr (sizeof(V) == sizeof(double)) return *from;  // GCC copies eight bytes by way of another kind of register
   V v;
   __builtin_memcpy(&v, from, sizeof v);
   return v;
 }
+inline void store(double* to, double v) { *to = v; }
 template <class V>
 inline void store(double* to, V v) {
   __builtin_memcpy(to, &v, sizeof v);
