@@ -3,6 +3,7 @@
 #include "src/collide/strips.h"
 #include "src/collide/sweep.h"
 #include "src/math/grid.h"
+#include "src/world/body_kernels.h"
 
 namespace tumble::sim {
 namespace {
@@ -17,6 +18,25 @@ void reach_out(const Bodies& bodies, Scratch& scratch, BodyIndex i, double fall,
   const Vec3 path = PositionGrid::round(Vec3(bodies.velocity[i] * dt_s));
   scratch.aabb_low.set(i, scratch.aabb_low[i] - margin + path.cwiseMin(Vec3::Zero()));
   scratch.aabb_high.set(i, scratch.aabb_high[i] + margin + path.cwiseMax(Vec3::Zero()));
+}
+
+// Returns where it stopped.
+std::size_t reach_out_in_lanes(const Bodies& bodies, Scratch& scratch, std::size_t begin, std::size_t end, double fall,
+                               double dt_s) {
+  const BodyKernels* lanes = body_kernels(scratch.lanes);
+  if (lanes == nullptr) return begin;
+  const Vec3Column &v = bodies.velocity, &w = bodies.spin, &half = bodies.half_extent;
+  Vec3Column &low = scratch.aabb_low, &high = scratch.aabb_high;
+  return lanes->reach_out({begin,
+                           end,
+                           {v.x.data(), v.y.data(), v.z.data()},
+                           {w.x.data(), w.y.data(), w.z.data()},
+                           {half.x.data(), half.y.data(), half.z.data()},
+                           kContactSlack + fall,
+                           dt_s,
+                           scratch.turning.data(),
+                           {low.x.data(), low.y.data(), low.z.data()},
+                           {high.x.data(), high.y.data(), high.z.data()}});
 }
 
 }  // namespace
@@ -34,7 +54,8 @@ Status find_near_pairs(World& world, double dt_s) {
   const double fall = falling_reach(world.state().def, dt_s);
   scratch.turning.resize(bodies.size());
   for_ranges(scratch.workers, bodies.size(), kWorthBodies, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) reach_out(bodies, scratch, static_cast<BodyIndex>(i), fall, dt_s);
+    std::size_t i = reach_out_in_lanes(bodies, scratch, begin, end, fall, dt_s);
+    for (; i < end; ++i) reach_out(bodies, scratch, static_cast<BodyIndex>(i), fall, dt_s);
   });
   find_overlaps_in_strips(scratch, world.mutable_state().pairs);
   return check_crowd(scratch);

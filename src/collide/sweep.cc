@@ -5,6 +5,7 @@
 #include <string>
 
 #include "src/math/grid.h"
+#include "src/world/body_kernels.h"
 
 namespace tumble::sim {
 namespace {
@@ -89,6 +90,24 @@ void gather(SweepScratch& sweep, const Scratch& scratch) {
   }
 }
 
+// Returns where it stopped.
+std::size_t frame_in_lanes(const Bodies& bodies, Scratch& scratch, std::size_t begin, std::size_t end) {
+  static_assert(sizeof(BoxFrame) == 15 * sizeof(double));
+  const BodyKernels* lanes = body_kernels(scratch.lanes);
+  if (lanes == nullptr) return begin;
+  const Vec3Column &x = bodies.position, &half = bodies.half_extent;
+  const QuatColumn& q = bodies.orientation;
+  Vec3Column &low = scratch.aabb_low, &high = scratch.aabb_high;
+  return lanes->frame({begin,
+                       end,
+                       {x.x.data(), x.y.data(), x.z.data()},
+                       {q.w.data(), q.x.data(), q.y.data(), q.z.data()},
+                       {half.x.data(), half.y.data(), half.z.data()},
+                       reinterpret_cast<double*>(scratch.frames.data()),
+                       {low.x.data(), low.y.data(), low.z.data()},
+                       {high.x.data(), high.y.data(), high.z.data()}});
+}
+
 // Every overlapping pair once, smaller index first, in swept order.
 void sweep_pairs(SweepScratch& sweep) {
   sweep.found.clear();
@@ -158,7 +177,7 @@ void update_frames(const Bodies& bodies, Scratch& scratch) {
   scratch.aabb_low.resize(n);
   scratch.aabb_high.resize(n);
   for_ranges(scratch.workers, n, kWorthBodies, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
+    for (std::size_t i = frame_in_lanes(bodies, scratch, begin, end); i < end; ++i) {
       BoxFrame& frame = scratch.frames[i];
       frame = {bodies.position[i], axes_of(bodies.orientation[i]), bodies.half_extent[i]};
       const Vec3 reach = grid_reach(frame);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "src/math/grid_magic.h"
 #include "src/math/vec.h"
 
 namespace tumble::sim {
@@ -26,6 +27,8 @@ struct Grid {
 using PositionGrid = Grid<36>;  ///< 1.5e-11 m, within ±32,768 m
 using VelocityGrid = Grid<38>;  ///< 3.6e-12 m/s or rad/s, within ±8,192
 using UnitGrid = Grid<48>;      ///< parts of unit vectors and weights, within ±8
+static_assert(PositionGrid::kMagic == kPlaceMagic && PositionGrid::kStep == kPlaceStep);
+static_assert(VelocityGrid::kMagic == kMotionMagic);
 
 /// The largest power of two not above x > 0, by its exponent bits: to make a grid that fits a range.
 inline double power_of_two(double x) {

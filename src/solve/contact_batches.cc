@@ -8,7 +8,6 @@
 namespace tumble::sim {
 namespace {
 
-static_assert(kMotionMagic == VelocityGrid::kMagic);
 static_assert(sizeof(SolverBody) == kSolverBodyDoubles * sizeof(double));
 static_assert(offsetof(SolverBody, inverse_mass) == 6 * sizeof(double));
 static_assert(offsetof(SolverBody, inverse_inertia) == 8 * sizeof(double));

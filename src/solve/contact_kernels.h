@@ -8,9 +8,6 @@
 
 namespace tumble::sim {
 
-/// VelocityGrid::kMagic, here because the kernels' files see no header with functions of its own.
-inline constexpr double kMotionMagic = 6755399441055744.0 / 274877906944.0;
-
 inline constexpr double kBounceMin = 0.5;  ///< m/s; slower impacts do not bounce
 
 enum class Sweep : std::uint8_t { kPush, kRelax, kRestitution };

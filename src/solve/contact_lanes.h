@@ -6,6 +6,7 @@
 // three sums, S = Σλ, Sq = Σλq, Sp = Σλp, and what the bodies do to the points only on three numbers: the normal
 // velocity u at b's centre and the parts W1, W2 of the relative spin, v(p, q) = u + W1 q − W2 p.
 
+#include "src/math/grid_magic.h"
 #include "src/math/lane_rows.h"
 #include "src/math/lane_vector.h"
 #include "src/solve/contact_kernels.h"

@@ -19,21 +19,19 @@ void leave_contact(World& world, BodyIndex i, double dt_s) {
   bodies.spin.set(i, plus_zero(slower > 1 ? VelocityGrid::round(Vec3(body.spin / slower)) : body.spin));
 }
 
-void finish_body(World& world, BodyIndex i, double dt_s) {
-  if (!world.bodies().moves(i)) return;
-  if (world.scratch().in_contact[i] != 0) {
-    leave_contact(world, i, dt_s);
-  } else {
-    fly_freely(world.mutable_state(), i, dt_s);
-  }
-}
-
 }  // namespace
 
 Status finish_motion(World& world, double dt_s) {
   const Bodies& bodies = world.bodies();
-  for_ranges(world.scratch().workers, bodies.size(), kWorthBodies, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) finish_body(world, static_cast<BodyIndex>(i), dt_s);
+  Scratch& scratch = world.mutable_scratch();
+  scratch.flies.resize(bodies.size());
+  for_ranges(scratch.workers, bodies.size(), kWorthBodies, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const bool moves = bodies.moves(static_cast<BodyIndex>(i)), in_contact = scratch.in_contact[i] != 0;
+      scratch.flies[i] = moves && !in_contact ? 1 : 0;
+      if (moves && in_contact) leave_contact(world, static_cast<BodyIndex>(i), dt_s);
+    }
+    fly_freely(world, scratch.flies, begin, end, dt_s);
   });
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
     if (!bodies.moves(i)) continue;

@@ -1,7 +1,10 @@
 #include "src/solve/integrate.h"
 
+#include <utility>
+
 #include "src/math/grid.h"
 #include "src/world/body_check.h"
+#include "src/world/body_kernels.h"
 
 namespace tumble::sim {
 namespace {
@@ -56,11 +59,49 @@ Vec3 fall(const Vec3& velocity, const WorldDef& def, double dt_s) {
   return def.air_drag > 0 ? VelocityGrid::round(Vec3(faster / (1 + def.air_drag * dt_s))) : plus_zero(faster);
 }
 
+bool turns_alike(const Vec3& inertia) { return inertia.x() == inertia.y() && inertia.y() == inertia.z(); }
+
+void fly_one(WorldState& state, BodyIndex i, double dt_s) {
+  const Flight flight = free_flight(state, i, dt_s);
+  Bodies& bodies = state.bodies;
+  bodies.position.set(i, flight.position);
+  bodies.orientation.set(i, flight.orientation);
+  bodies.velocity.set(i, flight.velocity);
+  bodies.spin.set(i, flight.spin);
+}
+
+// Those that turn alike about every axis; returns where it stopped, and how many of the others there are before.
+std::pair<std::size_t, std::size_t> fly_in_lanes(World& world, const std::vector<std::uint8_t>& flies,
+                                                 std::size_t begin, std::size_t end, double dt_s) {
+  const BodyKernels* lanes = body_kernels(world.scratch().lanes);
+  if (lanes == nullptr) return {begin, 0};
+  const WorldDef& def = world.state().def;
+  Bodies& bodies = world.mutable_state().bodies;
+  Vec3Column &x = bodies.position, &v = bodies.velocity, &w = bodies.spin;
+  QuatColumn& q = bodies.orientation;
+  const Vec3Column& inertia = bodies.inertia;
+  const Vec3 fall = VelocityGrid::round(Vec3(def.gravity * dt_s));
+  std::size_t uneven = 0;
+  const std::size_t stop = lanes->fly({begin,
+                                       end,
+                                       flies.data(),
+                                       {x.x.data(), x.y.data(), x.z.data()},
+                                       {q.w.data(), q.x.data(), q.y.data(), q.z.data()},
+                                       {v.x.data(), v.y.data(), v.z.data()},
+                                       {w.x.data(), w.y.data(), w.z.data()},
+                                       {inertia.x.data(), inertia.y.data(), inertia.z.data()},
+                                       {fall.x(), fall.y(), fall.z()},
+                                       1 + def.air_drag * dt_s,
+                                       dt_s},
+                                      uneven);
+  return {stop, uneven};
+}
+
 }  // namespace
 
 Rotation rotate_freely(const Quat& orientation, const Vec3& spin, const Vec3& inertia, const Vec3& inverse_inertia,
                        double dt_s) {
-  if (inertia.x() == inertia.y() && inertia.y() == inertia.z()) {
+  if (turns_alike(inertia)) {
     return {rotated_by_half(orientation, spin * (0.5 * dt_s)), spin};
   }
   const Axes axes = axes_of(orientation);
@@ -90,20 +131,23 @@ Flight free_flight(const WorldState& state, BodyIndex i, double dt_s) {
           def.air_drag > 0 ? VelocityGrid::round(Vec3(rotation.spin / slower)) : rotation.spin};
 }
 
-void fly_freely(WorldState& state, BodyIndex i, double dt_s) {
-  const Flight flight = free_flight(state, i, dt_s);
-  Bodies& bodies = state.bodies;
-  bodies.position.set(i, flight.position);
-  bodies.orientation.set(i, flight.orientation);
-  bodies.velocity.set(i, flight.velocity);
-  bodies.spin.set(i, flight.spin);
+void fly_freely(World& world, const std::vector<std::uint8_t>& flies, std::size_t begin, std::size_t end, double dt_s) {
+  const auto [stop, uneven] = fly_in_lanes(world, flies, begin, end, dt_s);
+  const Vec3Column& inertia = world.bodies().inertia;
+  for (std::size_t i = uneven > 0 ? begin : stop; i < end; ++i) {
+    if (flies[i] == 0 || (i < stop && turns_alike(inertia[i]))) continue;
+    fly_one(world.mutable_state(), static_cast<BodyIndex>(i), dt_s);
+  }
 }
 
 Status integrate(World& world, double dt_s) {
-  Bodies& bodies = world.mutable_state().bodies;
+  const Bodies& bodies = world.bodies();
+  std::vector<std::uint8_t>& flies = world.mutable_scratch().flies;
+  flies.resize(bodies.size());
+  for (BodyIndex i = 0; i < bodies.size(); ++i) flies[i] = bodies.moves(i) ? 1 : 0;
+  fly_freely(world, flies, 0, bodies.size(), dt_s);
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
-    if (!bodies.moves(i)) continue;
-    fly_freely(world.mutable_state(), i, dt_s);
+    if (flies[i] == 0) continue;
     if (Status ok = check_body(bodies, i); !ok.ok()) return ok;
   }
   return {};

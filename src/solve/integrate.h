@@ -24,8 +24,8 @@ struct Flight {
   Vec3 velocity, spin;
 };
 Flight free_flight(const WorldState& state, BodyIndex i, double dt_s);
-/// Lets it fly.
-void fly_freely(WorldState& state, BodyIndex i, double dt_s);
+/// Lets those of rows [begin, end) fly for which `flies` is 1; in lanes, where the machine has them.
+void fly_freely(World& world, const std::vector<std::uint8_t>& flies, std::size_t begin, std::size_t end, double dt_s);
 
 /// The part of integrate that turns one body: new orientation, and the spin that keeps R I Rᵀ w. Exposed for tests.
 struct Rotation {

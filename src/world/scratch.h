@@ -158,6 +158,7 @@ struct Scratch {
   std::vector<std::uint32_t> layer_start;  ///< of each layer in `layered`
   std::vector<SweepGroup> sweep_groups;    ///< islands with slender bodies, if there are any, come last
   std::vector<double> solver_mass;         ///< kg, inertia of each body in the solver; written by carry_weights
+  std::vector<std::uint8_t> flies;         ///< bodies that move freely; written by integrate and finish_motion
   std::vector<std::uint8_t> in_contact;    ///< moving bodies that have a manifold; written by prepare_manifolds
   std::vector<SolverBody> solver_bodies;  ///< written by prepare_manifolds, then by every sweep; the last is the ground
   ContactBatches contact_batches;

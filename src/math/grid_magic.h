@@ -1,0 +1,10 @@
+#pragma once
+
+namespace tumble::sim {
+
+// Of grid.h, for the files of lane_vector.h, which see no header with functions of its own.
+inline constexpr double kMotionMagic = 6755399441055744.0 / 274877906944.0;  ///< VelocityGrid::kMagic
+inline constexpr double kPlaceMagic = 6755399441055744.0 / 68719476736.0;    ///< PositionGrid::kMagic
+inline constexpr double kPlaceStep = 1.0 / 68719476736.0;                    ///< PositionGrid::kStep, m
+
+}  // namespace tumble::sim

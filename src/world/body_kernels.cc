@@ -1,0 +1,12 @@
+#include "src/world/body_kernels.h"
+
+#include "src/math/kernels_by_width.h"
+
+namespace tumble::sim {
+
+const BodyKernels* body_kernels(LaneWidth width) {
+  const KernelsByWidth<BodyKernels> all = {nullptr, body_kernels_two(), body_kernels_four(), body_kernels_eight()};
+  return all.of(width);
+}
+
+}  // namespace tumble::sim
