@@ -202,7 +202,8 @@ class Builder {
 
   // Begins a manifold where it will stay: a copy would wait for what was just written.
   Manifold& fresh(BodyIndex reference, BodyIndex incident) {
-    Manifold& m = out_.manifolds.emplace_back();
+    out_.manifolds.push_back(empty_);
+    Manifold& m = out_.manifolds.back();
     m.a = reference;
     m.b = incident;
     const WorldDef& def = world_.state().def;
@@ -249,6 +250,7 @@ class Builder {
   PairTests tests_;
   const TestedPair* pair_ = nullptr;
   ContactRecall recall_;
+  const Manifold empty_{};  // copied faster than made
 };
 
 }  // namespace
