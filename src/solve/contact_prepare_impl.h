@@ -125,23 +125,35 @@ void prepare_approaches(const Manifolds<V>& m) {
   }
 }
 
+// The largest sum over a row of the points' matrix of responses, scaled by their masses; at least 1.
 template <class V>
-void prepare_relaxation(const Manifolds<V>& m, const PlaneResponse<V>& plane) {
+V largest_row_sum(const Manifolds<V>& m, const PlaneResponse<V>& plane) {
   const unsigned count = m.batch->count;
-  V sums[kPointsMax], row_sum = V{} + 1.0;
-  for (unsigned row = 0; row < count; ++row) sums[row] = V{};
-  for (unsigned column = 0; column < count; ++column) {
-    const PointBatch& point = m.points[column];
-    const Response<V> r = plane.to_unit_at(m.get(point.p), m.get(point.q));
-    for (unsigned row = 0; row < count; ++row) {
-      const PointBatch& of_row = m.points[row];
-      const V k = r.u + (m.get(of_row.q) * r.w1 - m.get(of_row.p) * r.w2);
-      sums[row] += round_motion(magnitude(k) * square_root(m.get(of_row.mass) * m.get(point.mass)));
+  Response<V> unit[kPointsMax];
+  V sum[kPointsMax], largest = V{} + 1.0;
+  const auto add = [&](unsigned row, unsigned column, V root) {
+    const PointBatch& at = m.points[row];
+    const Response<V>& r = unit[column];
+    sum[row] += round_motion(magnitude(r.u + (m.get(at.q) * r.w1 - m.get(at.p) * r.w2)) * root);
+  };
+  for (unsigned i = 0; i < count; ++i) {
+    const PointBatch& point = m.points[i];
+    unit[i] = plane.to_unit_at(m.get(point.p), m.get(point.q));
+    sum[i] = V{};
+    for (unsigned j = 0; j <= i; ++j) {
+      const V root = square_root(m.get(point.mass) * m.get(m.points[j].mass));
+      add(i, j, root);
+      if (i != j) add(j, i, root);
     }
   }
-  for (unsigned row = 0; row < count; ++row) row_sum = larger(row_sum, sums[row]);
+  for (unsigned row = 0; row < count; ++row) largest = larger(largest, sum[row]);
+  return largest;
+}
+
+template <class V>
+void prepare_relaxation(const Manifolds<V>& m, const PlaneResponse<V>& plane) {
   const double over = m.batch->slender ? kSlenderRelaxation : kOverRelaxation;
-  m.set(m.batch->relaxation, where_present(m, 0, smaller(V{} + 1.0, over / row_sum)));
+  m.set(m.batch->relaxation, where_present(m, 0, smaller(V{} + 1.0, over / largest_row_sum(m, plane))));
   const V response[6] = {plane.s.u,  plane.sq.u, plane.sp.u, plane.sq.w1, 0.5 * (plane.sp.w1 - plane.sq.w2),
                          plane.sp.w2};
   for (int i = 0; i < 6; ++i) m.set(m.batch->response[i], where_present(m, 0, response[i]));
