@@ -33,10 +33,7 @@ Status finish_motion(World& world, double dt_s) {
     }
     fly_freely(world, scratch.flies, begin, end, dt_s);
   });
-  for (BodyIndex i = 0; i < bodies.size(); ++i) {
-    if (!bodies.moves(i)) continue;
-    if (Status ok = check_body(bodies, i); !ok.ok()) return ok;
-  }
+  if (Status ok = check_moving(world); !ok.ok()) return ok;
   remember_contacts(world.scratch(), world.mutable_state().contact_memory);
   return {};
 }

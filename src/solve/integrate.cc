@@ -146,11 +146,7 @@ Status integrate(World& world, double dt_s) {
   flies.resize(bodies.size());
   for (BodyIndex i = 0; i < bodies.size(); ++i) flies[i] = bodies.moves(i) ? 1 : 0;
   fly_freely(world, flies, 0, bodies.size(), dt_s);
-  for (BodyIndex i = 0; i < bodies.size(); ++i) {
-    if (flies[i] == 0) continue;
-    if (Status ok = check_body(bodies, i); !ok.ok()) return ok;
-  }
-  return {};
+  return check_moving(world);
 }
 
 void hash_integrate(const World& world, Hasher& hasher) { hash_motion(world, hasher); }

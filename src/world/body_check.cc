@@ -5,6 +5,7 @@
 #include <string>
 
 #include "src/model/limits.h"
+#include "src/world/body_kernels.h"
 
 namespace tumble::sim {
 namespace {
@@ -26,6 +27,24 @@ Error beyond(const Bodies& bodies, BodyIndex i, const char* what, const Vec3& fo
   return cannot_finish(text);
 }
 
+// Returns where it stopped.
+std::size_t check_in_lanes(const World& world) {
+  const BodyKernels* lanes = body_kernels(world.scratch().lanes);
+  if (lanes == nullptr) return 0;
+  const Bodies& bodies = world.bodies();
+  const Vec3Column &x = bodies.position, &v = bodies.velocity, &w = bodies.spin;
+  const QuatColumn& q = bodies.orientation;
+  return lanes->check({0,
+                       bodies.size(),
+                       {x.x.data(), x.y.data(), x.z.data()},
+                       {q.w.data(), q.x.data(), q.y.data(), q.z.data()},
+                       {v.x.data(), v.y.data(), v.z.data()},
+                       {w.x.data(), w.y.data(), w.z.data()},
+                       kPositionMax,
+                       kSpeedMax,
+                       kNormTolerance});
+}
+
 }  // namespace
 
 Status check_body(const Bodies& bodies, BodyIndex i) {
@@ -38,6 +57,16 @@ Status check_body(const Bodies& bodies, BodyIndex i) {
   if (!(std::fabs(norm - 1) <= kNormTolerance)) {
     return cannot_finish("body " + std::to_string(bodies.id[i]) + ": found an orientation of squared length " +
                          std::to_string(norm) + ", wanted 1");
+  }
+  return {};
+}
+
+Status check_moving(const World& world) {
+  const Bodies& bodies = world.bodies();
+  for (std::size_t i = check_in_lanes(world); i < bodies.size(); ++i) {
+    const auto row = static_cast<BodyIndex>(i);
+    if (!bodies.moves(row)) continue;
+    if (Status ok = check_body(bodies, row); !ok.ok()) return ok;
   }
   return {};
 }

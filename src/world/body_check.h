@@ -10,6 +10,9 @@ namespace tumble::sim {
 /// limit.
 Status check_body(const Bodies& bodies, BodyIndex i);
 
+/// The same for all bodies that move, the first that is wrong; in lanes, where the machine has them.
+Status check_moving(const World& world);
+
 /// Errors when a parameter of the stepper is out of range.
 Status check_def(const WorldDef& def);
 

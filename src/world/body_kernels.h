@@ -36,6 +36,13 @@ struct ReachWork {
   double *low[3] = {}, *high[3] = {};  ///< read and written
 };
 
+/// Bodies of rows [begin, end) that are finite and within limits: see check_body.
+struct CheckWork {
+  std::size_t begin = 0, end = 0;
+  const double *position[3] = {}, *orientation[4] = {}, *velocity[3] = {}, *spin[3] = {};
+  double position_max = 0, speed_max = 0, norm_tolerance = 0;
+};
+
 /// What is done to each body by itself, in lanes; compiled once for each width. Each does as many rows as fill whole
 /// vectors and returns where it stopped: the code for one body is what does the rest, and all with one lane.
 struct BodyKernels {
@@ -43,6 +50,8 @@ struct BodyKernels {
   std::size_t (*fly)(const FlightWork& work, std::size_t& uneven);
   std::size_t (*frame)(const FrameWork& work);
   std::size_t (*reach_out)(const ReachWork& work);
+  /// Stops at the beginning if any of the rows is wrong.
+  std::size_t (*check)(const CheckWork& work);
 };
 
 /// Null with one lane, and where this machine or this build does not run the width.

@@ -139,6 +139,33 @@ void reach_out_pack(const ReachWork& work, std::size_t i) {
                                 (high.z + margin) + larger(path.z, zero)});
 }
 
+// NaN fails every comparison, so the test is for what is wanted.
+template <class V>
+auto within(Space<V> a, double limit) {
+  return (absolute(a.x) <= limit) & (absolute(a.y) <= limit) & (absolute(a.z) <= limit);
+}
+
+template <class V>
+auto right(const CheckWork& work, std::size_t i) {
+  const LaneQuat<V> q = load_quat<V>(work.orientation, i);
+  const V norm = q.w * q.w + ((q.x * q.x + q.y * q.y) + q.z * q.z);
+  return within(load_space<V>(work.position, i), work.position_max) &
+         within(load_space<V>(work.velocity, i), work.speed_max) &
+         within(load_space<V>(work.spin, i), work.speed_max) & (absolute(norm - 1.0) <= work.norm_tolerance);
+}
+
+template <int kWidth>
+[[gnu::flatten]] std::size_t check(const CheckWork& work) {
+  using V = typename VectorOf<kWidth>::Type;
+  auto all = V{} == V{};
+  std::size_t i = work.begin;
+  for (; i + kWidth <= work.end; i += kWidth) all &= right<V>(work, i);
+  for (int k = 0; k < kWidth; ++k) {
+    if (all[k] == 0) return work.begin;
+  }
+  return i;
+}
+
 template <int kWidth>
 [[gnu::flatten]] std::size_t fly(const FlightWork& work, std::size_t& uneven) {
   std::size_t i = work.begin;
@@ -164,7 +191,7 @@ template <int kWidth>
 
 template <int kWidth>
 constexpr BodyKernels body_kernels_of() {
-  return {fly<kWidth>, frame<kWidth>, reach_out<kWidth>};
+  return {fly<kWidth>, frame<kWidth>, reach_out<kWidth>, check<kWidth>};
 }
 
 }  // namespace
