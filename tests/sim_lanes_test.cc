@@ -6,6 +6,7 @@
 #include <cstring>
 #include <vector>
 
+#include "src/math/grid_magic.h"
 #include "src/solve/contact_kernels.h"
 #include "src/step/step.h"
 #include "src/world/scratch.h"

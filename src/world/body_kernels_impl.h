@@ -171,7 +171,7 @@ template <int kWidth>
   std::size_t i = work.begin;
   for (; i + kWidth <= work.end; i += kWidth) {
     unsigned any = 0;
-    for (int k = 0; k < kWidth; ++k) any |= work.flies[i + k];
+    for (std::size_t k = i; k < i + kWidth; ++k) any |= work.flies[k];
     if (any != 0) fly_pack<typename VectorOf<kWidth>::Type>(work, i, uneven);
   }
   return i;
