@@ -28,7 +28,8 @@ SceneDef mixed_bodies(std::uint64_t seed) {
     const auto number = [&](double most) { return random.uniform(-most, most); };
     const double size = random.uniform(0.2, 2);
     const bool even = random.uniform(0, 1) < 0.8;
-    BoxDef box = test::box(id, even ? Vec3(size, size, size) : Vec3(size, 2 * size, 0.5), {number(9), number(9), number(9)});
+    BoxDef box =
+        test::box(id, even ? Vec3(size, size, size) : Vec3(size, 2 * size, 0.5), {number(9), number(9), number(9)});
     box.orientation = random.rotation();
     box.velocity = {number(20), number(20), number(20)};
     box.spin = {number(5), number(5), number(5)};

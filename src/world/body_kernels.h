@@ -22,15 +22,15 @@ struct FlightWork {
 struct FrameWork {
   std::size_t begin = 0, end = 0;
   const double *position[3] = {}, *orientation[4] = {}, *half_extent[3] = {};
-  double* frames = nullptr;               ///< rows of BoxFrame
-  double *low[3] = {}, *high[3] = {};     ///< written: their AABBs
+  double* frames = nullptr;            ///< rows of BoxFrame
+  double *low[3] = {}, *high[3] = {};  ///< written: their AABBs
 };
 
 /// AABBs of rows [begin, end), widened to where the boxes may come within dt_s.
 struct ReachWork {
   std::size_t begin = 0, end = 0;
   const double *velocity[3] = {}, *spin[3] = {}, *half_extent[3] = {};
-  double around = 0;                   ///< m, what all of them reach beyond their motion
+  double around = 0;  ///< m, what all of them reach beyond their motion
   double dt_s = 0;
   double* turning = nullptr;           ///< written: m, how far corners may come by turning
   double *low[3] = {}, *high[3] = {};  ///< read and written

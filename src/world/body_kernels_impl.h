@@ -79,8 +79,7 @@ auto flying(const FlightWork& work, std::size_t i, std::size_t& uneven) {
 
 template <class V, class Mask>
 void store_where(Mask where, double* const* columns, std::size_t i, Space<V> now, Space<V> before) {
-  store_space<V>(columns, i,
-                 {where ? now.x : before.x, where ? now.y : before.y, where ? now.z : before.z});
+  store_space<V>(columns, i, {where ? now.x : before.x, where ? now.y : before.y, where ? now.z : before.z});
 }
 
 template <class V>
@@ -133,10 +132,12 @@ void reach_out_pack(const ReachWork& work, std::size_t i) {
   const Space<V> low = load_space<V>(work.low, i), high = load_space<V>(work.high, i);
   const V zero = V{};
   store(work.turning + i, turning);
-  store_space<V>(work.low, i, {(low.x - margin) + smaller(path.x, zero), (low.y - margin) + smaller(path.y, zero),
-                               (low.z - margin) + smaller(path.z, zero)});
-  store_space<V>(work.high, i, {(high.x + margin) + larger(path.x, zero), (high.y + margin) + larger(path.y, zero),
-                                (high.z + margin) + larger(path.z, zero)});
+  store_space<V>(work.low, i,
+                 {(low.x - margin) + smaller(path.x, zero), (low.y - margin) + smaller(path.y, zero),
+                  (low.z - margin) + smaller(path.z, zero)});
+  store_space<V>(work.high, i,
+                 {(high.x + margin) + larger(path.x, zero), (high.y + margin) + larger(path.y, zero),
+                  (high.z + margin) + larger(path.z, zero)});
 }
 
 // NaN fails every comparison, so the test is for what is wanted.
@@ -150,8 +151,8 @@ auto right(const CheckWork& work, std::size_t i) {
   const LaneQuat<V> q = load_quat<V>(work.orientation, i);
   const V norm = q.w * q.w + ((q.x * q.x + q.y * q.y) + q.z * q.z);
   return within(load_space<V>(work.position, i), work.position_max) &
-         within(load_space<V>(work.velocity, i), work.speed_max) &
-         within(load_space<V>(work.spin, i), work.speed_max) & (absolute(norm - 1.0) <= work.norm_tolerance);
+         within(load_space<V>(work.velocity, i), work.speed_max) & within(load_space<V>(work.spin, i), work.speed_max) &
+         (absolute(norm - 1.0) <= work.norm_tolerance);
 }
 
 template <int kWidth>

@@ -8,8 +8,8 @@ namespace tumble::sim {
 /// memory looks alike everywhere.
 inline constexpr int kLanes = 8;
 
-/// Points of a manifold at most: corners of the reference face (4), of the other box (8), and edges of the one that cross
-/// edges of the other (4 · 12); two points have different features.
+/// Points of a manifold at most: corners of the reference face (4), of the other box (8), and edges of the one that
+/// cross edges of the other (4 · 12); two points have different features.
 inline constexpr unsigned kPointsMax = 60;
 
 /// Bodies that move no faster than this along a contact's normal, m/s, rest on each other; faster, they meet or part.
