@@ -30,6 +30,12 @@ struct Buffer {
   std::uint64_t bytes = 0;
   Clock::time_point begun;
 
+  /// Gets the memory of so many steps: pages cost more to get than to fill.
+  void reserve(const sim::Bodies& bodies, std::size_t count) {
+    steps.resize(count);
+    for (StepRecord& step : steps) copy_visible(bodies, step.states);
+  }
+
   void begin(const sim::WorldState& state) {
     keyframe.state = state;
     used = 0;
@@ -65,6 +71,7 @@ struct LogWriter::Shared {
   }
 
   void run();
+  void reserve(const sim::Bodies& bodies, std::uint64_t planned);
   Status hand_over(const sim::WorldState& now);
   void stop();
 
@@ -81,6 +88,23 @@ struct LogWriter::Shared {
 
   std::thread thread;
 };
+
+/// The writing thread, first: what the free chunks of a session of `planned` steps will need.
+void LogWriter::Shared::reserve(const sim::Bodies& bodies, std::uint64_t planned) {
+  const std::uint64_t most = kChunkStateBytes / (kBodyStateBytes * std::max<std::size_t>(bodies.size(), 1)) + 1;
+  const std::uint64_t count = std::min(most, kChunkBusySteps);
+  std::unique_lock lock(mutex);
+  const std::uint64_t chunks = std::min<std::uint64_t>(free.size(), planned / count);
+  for (std::uint64_t k = 0; k < chunks && !free.empty(); ++k) {
+    std::unique_ptr<Buffer> buffer = std::move(free.front());  // the caller takes from the back
+    free.erase(free.begin());
+    lock.unlock();
+    buffer->reserve(bodies, count);
+    lock.lock();
+    free.push_back(std::move(buffer));
+    changed.notify_all();
+  }
+}
 
 /// The writing thread: chunks from `full` to the file and back to `free`.
 void LogWriter::Shared::run() {
@@ -145,7 +169,13 @@ Result<std::unique_ptr<LogWriter>> LogWriter::create(std::unique_ptr<ByteSink> s
   if (Status ok = shared->records.write_header(header, initial); !ok.ok()) return ok.error();
   shared->open->begin(initial);
   Shared* running = shared.get();
-  shared->thread = std::thread([running] { running->run(); });
+  // The first chunk's keyframe stays as it is until the thread itself writes it.
+  const sim::Bodies& bodies = shared->open->keyframe.state.bodies;
+  const std::uint64_t planned = std::max(header.scene.steps, initial.step) - initial.step;
+  shared->thread = std::thread([running, &bodies, planned] {
+    running->reserve(bodies, planned);
+    running->run();
+  });
   return std::unique_ptr<LogWriter>(new LogWriter(std::move(shared)));
 }
 

@@ -1,5 +1,7 @@
 #include "src/solve/solver_hashes.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstring>
 
 namespace tumble::sim {
@@ -8,50 +10,29 @@ namespace {
 // Rows in memory without a gap, whatever the machine.
 static_assert(sizeof(SolverBody) == 16 * sizeof(double));
 static_assert(sizeof(PointBatch) == 8 * sizeof(Lanes));
+static_assert(sizeof(ContactBatch) - offsetof(ContactBatch, friction) == 26 * sizeof(Lanes));
 
-// Numbers from all over memory, hashed in blocks that stay in the nearest cache.
-class Values {
- public:
-  explicit Values(Hasher& hasher) : hasher_(hasher) {}
-  ~Values() { flush(); }
-  Values(const Values&) = delete;
-  Values& operator=(const Values&) = delete;
+bool same_bytes(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
 
-  /// Fields that are doubles or made of them.
-  template <class... Fields>
-  void add(const Fields&... fields) {
-    constexpr std::size_t kCount = (sizeof(Fields) + ...) / sizeof(double);
-    if (used_ + kCount > kBlock) flush();
-    (put(fields), ...);
+// The same part of every row, rows far apart: each is fetched before its turn, since waiting for it takes longer than
+// hashing it, and hashed with others in a block that stays in the nearest cache.
+template <std::size_t kBegin, std::size_t kEnd, class Row>
+void add_parts(const std::vector<Row>& rows, Hasher& hasher) {
+  static_assert(kBegin % sizeof(Lanes) == 0 && kEnd % sizeof(Lanes) == 0 && kEnd <= sizeof(Row));
+  constexpr std::size_t kBytes = kEnd - kBegin, kAhead = 1 + 4096 / kBytes, kBlockRows = 1 + 4096 / kBytes;
+  alignas(64) double block[kBlockRows * kBytes / sizeof(double)];
+  const auto part_of = [&](std::size_t k) { return reinterpret_cast<const std::byte*>(&rows[k]) + kBegin; };
+  for (std::size_t begin = 0; begin < rows.size(); begin += kBlockRows) {
+    const std::size_t count = std::min(kBlockRows, rows.size() - begin);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::byte* ahead = part_of(std::min(begin + k + kAhead, rows.size() - 1));
+      for (std::size_t at = 0; at < kBytes; at += sizeof(Lanes)) __builtin_prefetch(ahead + at);
+      std::memcpy(block + k * kBytes / sizeof(double), part_of(begin + k), kBytes);
+    }
+    hasher.add(std::span<const double>(block, count * kBytes / sizeof(double)));
   }
-
-  /// Hands on what there is; what is hashed by other means comes after it.
-  void flush() {
-    hasher_.add(std::span<const double>(block_, used_));
-    used_ = 0;
-  }
-
- private:
-  static constexpr std::size_t kBlock = 1024;
-
-  template <class Field>
-  void put(const Field& field) {
-    constexpr std::size_t kCount = (sizeof(Field) + 0) / sizeof(double);
-    static_assert(kCount * sizeof(double) == sizeof(Field));
-    std::memcpy(block_ + used_, &field, sizeof field);
-    used_ += kCount;
-  }
-
-  Hasher& hasher_;
-  std::size_t used_ = 0;
-  double block_[kBlock];
-};
-
-// What solving needs beside the contact's place in space, which is the manifold's own.
-void add_prepared(const ContactBatch& c, Values& values) {
-  values.add(c.friction, c.friction_dynamic, c.restitution, c.force1, c.force2, c.twist, c.split_a, c.split_b);
-  values.add(c.acceleration, c.impulse_magic, c.centre_p, c.centre_q, c.radius, c.friction_inverse, c.response,
-             c.relaxation);
 }
 
 }  // namespace
@@ -64,24 +45,22 @@ void hash_prepared(const World& world, Hasher& hasher) {
   hasher.add(std::span<const std::uint8_t>(scratch.in_contact));
   hasher.add(std::span<const std::uint32_t>(scratch.contact_batches.order));
   hasher.add(doubles_of(scratch.contact_batches.points));
-  Values values(hasher);
-  for (const ContactBatch& batch : scratch.contact_batches.batches) add_prepared(batch, values);
+  add_parts<offsetof(ContactBatch, friction), sizeof(ContactBatch)>(scratch.contact_batches.batches, hasher);
 }
 
 void hash_solution(const World& world, Hasher& hasher) {
-  const ContactBatches& all = world.scratch().contact_batches;
   hash_solver_bodies(world, hasher);
-  Values values(hasher);
-  for (const ContactBatch& batch : all.batches) values.add(batch.force1, batch.force2, batch.twist);
-  for (const PointBatch& point : all.points) values.add(point.impulse, point.peak);
+  const ContactBatches& all = world.scratch().contact_batches;
+  add_parts<offsetof(ContactBatch, force1), offsetof(ContactBatch, split_a)>(all.batches, hasher);
+  add_parts<offsetof(PointBatch, impulse), offsetof(PointBatch, mass)>(all.points, hasher);
 }
 
 void hash_moved(const World& world, Hasher& hasher) {
   const Vec3Column& inertia = world.bodies().inertia;
-  const bool all_even = inertia.x == inertia.y && inertia.y == inertia.z;
+  const bool all_even = same_bytes(inertia.x, inertia.y) && same_bytes(inertia.y, inertia.z);
   if (!all_even) hash_solver_bodies(world, hasher);
-  Values values(hasher);
-  for (const PointBatch& point : world.scratch().contact_batches.points) values.add(point.separation);
+  add_parts<offsetof(PointBatch, separation), offsetof(PointBatch, impulse)>(world.scratch().contact_batches.points,
+                                                                             hasher);
 }
 
 }  // namespace tumble::sim
