@@ -52,7 +52,7 @@ TEST(FindPairs, AabbGrowsWhenTheBoxTurns) {
   scene.boxes = {box(1, {2, 1, 1}, {3, -2, 5}), box(2, {2, 1, 1}, {-3, 2, 5})};
   scene.boxes[1].orientation = turn({0, 0, 1}, kHalfRoot, kHalfRoot);
   World world = made(scene);
-  update_frames(world.bodies(), world.mutable_scratch());
+  update_frames(world);
   expect_reach(world, 0, {1, 0.5, 0.5});
   expect_reach(world, 1, {1.5 * kHalfRoot, 1.5 * kHalfRoot, 0.5});
 }
@@ -65,7 +65,7 @@ TEST(FindPairs, AabbIsTheTightestAroundTheCornersAtEveryStep) {
   World world = made(scene);
   for (int step = 0; step < 20; ++step) {
     advance(world);
-    update_frames(world.bodies(), world.mutable_scratch());
+    update_frames(world);
     for (BodyIndex i = 0; i < world.bodies().size(); ++i) {
       const sim::Quat q = world.bodies().orientation[i];
       const Vec3 u(q.x, q.y, q.z), h = world.bodies().half_extent[i];
@@ -137,6 +137,39 @@ TEST(FindPairs, SweepFindsWhatComparingAllPairsFinds) {
     }
     EXPECT_GT(seen, 100U) << "hardly any pairs: the test proves nothing";
   }
+}
+
+// Neighbours are kept while every box is in its room: leaving it on any side is noticed.
+TEST(FindPairs, BoxThatCrossesToAnotherIsFoundFromEverySide) {
+  for (int axis = 0; axis < 3; ++axis) {
+    for (const double side : {-1.0, 1.0}) {
+      Vec3 far = Vec3::Zero(), near = Vec3::Zero();
+      far[axis] = 3 * side;
+      near[axis] = 0.9 * side;
+      World world = two_cubes(far);
+      EXPECT_EQ(pair_count(world), 0U);
+      world.mutable_state().bodies.position.set(1, near);
+      EXPECT_EQ(pair_count(world), 1U) << "axis " << axis << ", side " << side;
+      world.mutable_state().bodies.position.set(1, far);
+      EXPECT_EQ(pair_count(world), 0U);
+    }
+  }
+}
+
+// Within a step only what could not move keeps its box: one that wakes takes it along, and so does one that freezes.
+TEST(FindPairs, BoxOfABodyThatWakesOrFreezesWithinAStepMovesAlong) {
+  World world = two_cubes({3, 0, 0});
+  sim::Bodies& bodies = world.mutable_state().bodies;
+  bodies.frozen[1] = 1;
+  bodies.frozen[0] = 1;                         // boxes are put in lanes: two are skipped or put together
+  world.mutable_scratch().framed.assign(2, 0);  // as a step begins
+  EXPECT_EQ(pair_count(world), 0U);
+  bodies.frozen[1] = 0;
+  bodies.position.set(1, {0.9, 0, 0});
+  EXPECT_EQ(pair_count(world), 1U) << "it has woken";
+  bodies.position.set(1, {3, 0, 0});
+  bodies.frozen[1] = 1;
+  EXPECT_EQ(pair_count(world), 0U) << "it has been moved and has frozen since";
 }
 
 // "The caching of SP starts when the pair is inserted into the ACL and stops when the pair leaves the ACL."

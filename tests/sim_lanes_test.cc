@@ -159,5 +159,19 @@ TEST(Lanes, SessionsOfEveryWidthHaveTheSamePhaseHashes) {
   }
 }
 
+TEST(Lanes, SessionsOfMethodThesisLikewise) {
+  SceneDef drag = test::tilted_grid(5);  // 25 bodies: three eights and one
+  drag.world.air_drag = 0.3;
+  SceneDef heap = test::pile(3);
+  test::jitter(heap, 0.01, 7);
+  for (SceneDef thesis : {drag, heap, test::tumble_of_boxes(3, 3), test::plates_and_bars(4, 3)}) {
+    thesis.world.method = Method::kThesis;
+    thesis.world.substeps = 4;
+    const std::vector<std::uint64_t> one = hashes_of(thesis, LaneWidth::kOne, 60);
+    for (const LaneWidth width : widths_here()) EXPECT_EQ(one, hashes_of(thesis, width, 60)) << name_of(width);
+    EXPECT_EQ(one, hashes_of(thesis, LaneWidth::kWidest, 60));
+  }
+}
+
 }  // namespace
 }  // namespace tumble::sim

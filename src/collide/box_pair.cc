@@ -1,5 +1,6 @@
 #include "src/collide/box_pair.h"
 
+#include <bit>
 #include <cmath>
 
 #include "src/collide/box_tests.h"
@@ -10,7 +11,28 @@ namespace {
 constexpr int kNext[3] = {1, 2, 0};
 constexpr int kAfterNext[3] = {2, 0, 1};
 
+// BoxPair::along of a face of `box`, without the products of the others.
+bool apart_along_face(const BoxFrame& box, int face, const BoxFrame& other, const Vec3& offset) {
+  const Vec3 &normal = box.axes[face], &h = other.half_extent;
+  const double distance = dot(offset, normal);
+  const auto along = [&](int k) { return std::fabs(dot(normal, other.axes[k])); };
+  const double reach = box.half_extent[face] + ((h.x() * along(0) + h.y() * along(1)) + h.z() * along(2));
+  return distance != 0 && std::fabs(distance) - reach >= 0;
+}
+
 }  // namespace
+
+AxisSet separating(const BoxFrame& a, const BoxFrame& b, AxisSet candidates) {
+  if ((candidates & kEdges) != 0) return BoxPair(a, b).separating(candidates);
+  const Vec3 offset = b.position - a.position;
+  AxisSet apart = 0;
+  for (unsigned left = candidates; left != 0; left &= left - 1) {
+    const int axis = std::countr_zero(left);
+    const bool found = axis < 3 ? apart_along_face(a, axis, b, offset) : apart_along_face(b, axis - 3, a, offset);
+    if (found) apart |= only(axis);
+  }
+  return apart;
+}
 
 BoxPair::BoxPair(const BoxFrame& a, const BoxFrame& b, const Vec3& offset) : a_(&a), b_(&b), offset_(offset) {
   for (int i = 0; i < 3; ++i) {
@@ -77,8 +99,8 @@ bool BoxPair::apart_along_facelike_edges() const {
 
 AxisSet BoxPair::separating(AxisSet candidates) const {
   AxisSet apart = 0;
-  for (int axis = 0; axis < kAxisCount; ++axis) {
-    if ((candidates & only(axis)) == 0) continue;
+  for (unsigned left = candidates; left != 0; left &= left - 1) {
+    const int axis = std::countr_zero(left);
     const Separation s = along(axis);
     if (s.has_direction && s.value >= 0) apart |= only(axis);
   }
@@ -87,8 +109,8 @@ AxisSet BoxPair::separating(AxisSet candidates) const {
 
 BestAxes BoxPair::best(AxisSet candidates) const {
   BestAxes best;
-  for (int axis = 0; axis < kAxisCount; ++axis) {
-    if ((candidates & only(axis)) == 0) continue;
+  for (unsigned left = candidates; left != 0; left &= left - 1) {
+    const int axis = std::countr_zero(left);
     const Separation s = along(axis);
     if (!s.has_direction) continue;
     if (best.axes == 0 || s.value > best.separation) {

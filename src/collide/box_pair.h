@@ -93,4 +93,7 @@ class BoxPair {
   double offset_b_[3];
 };
 
+/// BoxPair(a, b).separating(candidates), quicker where these are faces.
+AxisSet separating(const BoxFrame& a, const BoxFrame& b, AxisSet candidates);
+
 }  // namespace tumble::sim

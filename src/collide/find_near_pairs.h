@@ -16,9 +16,6 @@ void hash_find_near_pairs(const World& world, Hasher& hasher);
 inline constexpr double kContactSlack = 0.01;
 inline constexpr double kContactSlackPart = 0.05;
 
-/// How far the corners of body i may come by turning within the step, m.
-double turning_reach(const Bodies& bodies, BodyIndex i, double dt_s);
-
 /// How far gravity may take a body beyond its speed within the step, m.
 double falling_reach(const WorldDef& def, double dt_s);
 

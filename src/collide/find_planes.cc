@@ -39,8 +39,8 @@ AxisSet separating_faces(const BoxPair& pair) {
   return found != 0 ? found : best_separating(pair, static_cast<AxisSet>(kFaces & ~first));
 }
 
+// Where the old planes have failed.
 AxisSet find_separating(const BoxPair& pair, AxisSet old) {
-  if (const AxisSet kept = pair.separating(old); kept != 0) return kept;
   if ((old & kFaces) != 0) {
     const AxisSet edges = best_separating(pair, kEdges);
     return edges != 0 ? edges : separating_faces(pair);
@@ -93,8 +93,10 @@ Status find_planes(World& world, double /*dt_s*/) {
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const BodyIndex a = pairs.a[k], b = pairs.b[k];
     if (!world.bodies().moves(a) && !world.bodies().moves(b)) continue;
-    const BoxPair pair(scratch.frames[a], scratch.frames[b]);
     const AxisSet old = pairs.planes[k];
+    pairs.planes[k] = separating(scratch.frames[a], scratch.frames[b], old);
+    if (pairs.planes[k] != 0) continue;
+    const BoxPair pair(scratch.frames[a], scratch.frames[b]);
     pairs.planes[k] = find_separating(pair, old);
     if (pairs.planes[k] != 0 || pair.apart_along_facelike_edges()) continue;
     add_collision(contacts, a, b, collision_planes(pair, old));

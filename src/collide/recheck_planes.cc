@@ -8,12 +8,14 @@ Status recheck_planes(World& world, double /*dt_s*/) {
   const Bodies& bodies = world.bodies();
   PairTable& pairs = world.mutable_state().pairs;
   Scratch& scratch = world.mutable_scratch();
-  for (BodyIndex i = 0; i < bodies.size(); ++i) scratch.frames[i].position = bodies.position[i];
+  for (BodyIndex i = 0; i < bodies.size(); ++i) {
+    if (scratch.touched[i] != 0) scratch.frames[i].position = bodies.position[i];
+  }
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const BodyIndex a = pairs.a[k], b = pairs.b[k];
     const bool displaced = scratch.touched[a] != 0 || scratch.touched[b] != 0;
     if (pairs.planes[k] == 0 || !displaced) continue;
-    pairs.planes[k] = BoxPair(scratch.frames[a], scratch.frames[b]).separating(pairs.planes[k]);
+    pairs.planes[k] = separating(scratch.frames[a], scratch.frames[b], pairs.planes[k]);
   }
   return {};
 }

@@ -5,20 +5,16 @@
 #include <string>
 
 #include "src/math/grid.h"
-#include "src/world/body_kernels.h"
+#include "src/world/body_columns.h"
 
 namespace tumble::sim {
 namespace {
 
 constexpr std::size_t kWorthBodies = 32768;  // for a thread more
 constexpr std::size_t kSamples = 64;         // bodies that judge an axis
-constexpr int kAxisLifetime = 64;            // sub-steps until the axes are judged again
-
-// The reach of the box along each world axis, rounded up to the grid: position ± reach is then exact.
-Vec3 grid_reach(const BoxFrame& frame) {
-  const auto along = [&](int axis) { return PositionGrid::round(reach_along(frame, axis)) + PositionGrid::kStep; };
-  return {along(0), along(1), along(2)};
-}
+constexpr int kAxisLifetime = 64;            // sweeps until the axes are judged again
+constexpr double kRoom = 0.1;                // of its extent, that a box is widened by for the list of neighbours
+constexpr double kRoomSubsteps = 4;          // and so many sub-steps of its motion
 
 void sort_by_low(std::vector<BodyIndex>& order, const std::vector<double>& low) {
   const std::size_t n = low.size();
@@ -53,17 +49,17 @@ std::size_t overlaps_met(const std::vector<BodyIndex>& order, const std::vector<
 
 // Sorts the boxes along the axis whose sweep meets the fewest. Which one that is changes slowly and shows in nothing
 // but time, so it is asked now and then.
-void sort_boxes(SweepScratch& sweep, const Scratch& scratch) {
-  const std::size_t n = scratch.frames.size();
+void sort_boxes(SweepScratch& sweep) {
+  const std::size_t n = sweep.low.size();
   if (sweep.order.size() == n && ++sweep.age < kAxisLifetime) {
-    return sort_again(sweep.order, column_of(scratch.aabb_low, sweep.axis));
+    return sort_again(sweep.order, column_of(sweep.low, sweep.axis));
   }
   std::vector<BodyIndex>& order = sweep.judged;
   std::size_t fewest = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    const std::vector<double>& low = column_of(scratch.aabb_low, axis);
+    const std::vector<double>& low = column_of(sweep.low, axis);
     sort_by_low(order, low);
-    const std::size_t met = overlaps_met(order, low, column_of(scratch.aabb_high, axis));
+    const std::size_t met = overlaps_met(order, low, column_of(sweep.high, axis));
     if (axis > 0 && met >= fewest) continue;
     fewest = met;
     sweep.axis = axis;
@@ -73,39 +69,21 @@ void sort_boxes(SweepScratch& sweep, const Scratch& scratch) {
 }
 
 // Copies the extents in swept order, so that the sweep reads memory forwards.
-void gather(SweepScratch& sweep, const Scratch& scratch) {
+void gather(SweepScratch& sweep) {
   const std::vector<BodyIndex>& order = sweep.order;
   const std::size_t n = order.size();
   sweep.boxes.resize(n);
   const int first = sweep.axis, second = (first + 1) % 3, third = (first + 2) % 3;
-  const auto& low1 = column_of(scratch.aabb_low, first);
-  const auto& low2 = column_of(scratch.aabb_low, second);
-  const auto& low3 = column_of(scratch.aabb_low, third);
-  const auto& high1 = column_of(scratch.aabb_high, first);
-  const auto& high2 = column_of(scratch.aabb_high, second);
-  const auto& high3 = column_of(scratch.aabb_high, third);
+  const auto& low1 = column_of(sweep.low, first);
+  const auto& low2 = column_of(sweep.low, second);
+  const auto& low3 = column_of(sweep.low, third);
+  const auto& high1 = column_of(sweep.high, first);
+  const auto& high2 = column_of(sweep.high, second);
+  const auto& high3 = column_of(sweep.high, third);
   for (std::size_t k = 0; k < n; ++k) {
     const BodyIndex i = order[k];
     sweep.boxes[k] = {low1[i], high1[i], low2[i], high2[i], low3[i], high3[i]};
   }
-}
-
-// Returns where it stopped.
-std::size_t frame_in_lanes(const Bodies& bodies, Scratch& scratch, std::size_t begin, std::size_t end) {
-  static_assert(sizeof(BoxFrame) == 15 * sizeof(double));
-  const BodyKernels* lanes = body_kernels(scratch.lanes);
-  if (lanes == nullptr) return begin;
-  const Vec3Column &x = bodies.position, &half = bodies.half_extent;
-  const QuatColumn& q = bodies.orientation;
-  Vec3Column &low = scratch.aabb_low, &high = scratch.aabb_high;
-  return lanes->frame({begin,
-                       end,
-                       {x.x.data(), x.y.data(), x.z.data()},
-                       {q.w.data(), q.x.data(), q.y.data(), q.z.data()},
-                       {half.x.data(), half.y.data(), half.z.data()},
-                       reinterpret_cast<double*>(scratch.frames.data()),
-                       {low.x.data(), low.y.data(), low.z.data()},
-                       {high.x.data(), high.y.data(), high.z.data()}});
 }
 
 // Every overlapping pair once, smaller index first, in swept order.
@@ -127,23 +105,38 @@ void sweep_pairs(SweepScratch& sweep) {
   }
 }
 
-// Makes the new list out of the sorted pairs; one that was in the old list, sorted alike, brings its planes along.
-void merge_pairs(SweepScratch& sweep, PairTable& pairs) {
-  PairTable& merged = sweep.merged;
-  merged.clear();
-  std::size_t old = 0;
-  const auto n = static_cast<BodyIndex>(sweep.start.size() - 1);
-  for (BodyIndex a = 0; a < n; ++a) {
-    for (std::uint32_t k = sweep.start[a]; k < sweep.start[a + 1]; ++k) {
-      const BodyIndex b = sweep.partner[k];
-      while (old < pairs.size() && (pairs.a[old] < a || (pairs.a[old] == a && pairs.b[old] < b))) ++old;
-      const bool known = old < pairs.size() && pairs.a[old] == a && pairs.b[old] == b;
-      merged.a.push_back(a);
-      merged.b.push_back(b);
-      merged.planes.push_back(known ? pairs.planes[old] : std::uint16_t{0});
-    }
+// Gives each box room around it and ahead of it.
+void make_room(Scratch& scratch, const Vec3Column& velocity, double room, double ahead_s) {
+  SweepScratch& sweep = scratch.sweep;
+  const std::size_t n = scratch.frames.size();
+  sweep.low.resize(n);
+  sweep.high.resize(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec3 low = scratch.aabb_low[i], high = scratch.aabb_high[i], path = velocity[i] * ahead_s;
+    const Vec3 around = (high - low) * room;
+    sweep.low.set(i, low - around + path.cwiseMin(Vec3::Zero()));
+    sweep.high.set(i, high + around + path.cwiseMax(Vec3::Zero()));
   }
-  std::swap(pairs, merged);
+}
+
+void find_neighbours(Scratch& scratch) {
+  SweepScratch& sweep = scratch.sweep;
+  sort_boxes(sweep);
+  gather(sweep);
+  sweep_pairs(sweep);
+  sort_pairs(scratch);
+  sweep.neighbours.clear();
+  for (BodyIndex a = 0; a < sweep.low.size(); ++a) {
+    for (std::uint32_t k = sweep.start[a]; k < sweep.start[a + 1]; ++k)
+      sweep.neighbours.emplace_back(a, sweep.partner[k]);
+  }
+}
+
+bool overlap(const Vec3Column& low, const Vec3Column& high, BodyIndex a, BodyIndex b) {
+  const unsigned apart = static_cast<unsigned>(low.x[a] > high.x[b]) | static_cast<unsigned>(low.x[b] > high.x[a]) |
+                         static_cast<unsigned>(low.y[a] > high.y[b]) | static_cast<unsigned>(low.y[b] > high.y[a]) |
+                         static_cast<unsigned>(low.z[a] > high.z[b]) | static_cast<unsigned>(low.z[b] > high.z[a]);
+  return apart == 0;
 }
 
 }  // namespace
@@ -171,34 +164,52 @@ void sort_pairs(Scratch& scratch) {
   });
 }
 
-void update_frames(const Bodies& bodies, Scratch& scratch) {
-  const std::size_t n = bodies.size();
+BoxColumns box_columns_of(Scratch& scratch, std::size_t n) {
   scratch.frames.resize(n);
   scratch.aabb_low.resize(n);
   scratch.aabb_high.resize(n);
+  static_assert(sizeof(BoxFrame) == 15 * sizeof(double));
+  BoxColumns columns;
+  columns.frames = reinterpret_cast<double*>(scratch.frames.data());
+  put_pointers(scratch.aabb_low, columns.low);
+  put_pointers(scratch.aabb_high, columns.high);
+  return columns;
+}
+
+void update_frames(World& world) {
+  Scratch& scratch = world.mutable_scratch();
+  const std::size_t n = world.bodies().size();
+  const BodyColumns bodies = columns_of(world.mutable_state().bodies);
+  const BoxColumns boxes = box_columns_of(scratch, n);
   for_ranges(scratch.workers, n, kWorthBodies, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = frame_in_lanes(bodies, scratch, begin, end); i < end; ++i) {
-      BoxFrame& frame = scratch.frames[i];
-      frame = {bodies.position[i], axes_of(bodies.orientation[i]), bodies.half_extent[i]};
-      const Vec3 reach = grid_reach(frame);
-      scratch.aabb_low.set(i, frame.position - reach);
-      scratch.aabb_high.set(i, frame.position + reach);
-    }
+    body_kernels(scratch.lanes)->put_boxes(bodies, {begin, end}, boxes);
   });
 }
 
-void hash_frames(const Scratch& scratch, Hasher& hasher) {
-  static_assert(sizeof(BoxFrame) == 15 * sizeof(double));
-  hasher.add(doubles_of(scratch.frames));
+void hash_frames(const Scratch& scratch, Hasher& hasher) { hasher.add(doubles_of(scratch.frames)); }
+
+void renew_neighbours(const Vec3Column& velocity, double dt_s, Scratch& scratch) {
+  make_room(scratch, velocity, kRoom, kRoomSubsteps * dt_s);
+  find_neighbours(scratch);
+  if (check_crowd(scratch).ok()) return;
+  make_room(scratch, velocity, 0, 0);  // there are fewer without
+  find_neighbours(scratch);
 }
 
 void find_overlaps(Scratch& scratch, PairTable& pairs) {
   SweepScratch& sweep = scratch.sweep;
-  sort_boxes(sweep, scratch);
-  gather(sweep, scratch);
-  sweep_pairs(sweep);
-  sort_pairs(scratch);
-  merge_pairs(sweep, pairs);
+  PairTable& merged = sweep.merged;
+  merged.clear();
+  std::size_t old = 0;
+  for (const auto& [a, b] : sweep.neighbours) {
+    if (!overlap(scratch.aabb_low, scratch.aabb_high, a, b)) continue;
+    while (old < pairs.size() && (pairs.a[old] < a || (pairs.a[old] == a && pairs.b[old] < b))) ++old;
+    const bool known = old < pairs.size() && pairs.a[old] == a && pairs.b[old] == b;
+    merged.a.push_back(a);
+    merged.b.push_back(b);
+    merged.planes.push_back(known ? pairs.planes[old] : std::uint16_t{0});
+  }
+  std::swap(pairs, merged);
 }
 
 }  // namespace tumble::sim

@@ -2,14 +2,17 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/scratch.h"
-#include "src/world/world_state.h"
+#include "src/world/body_kernels.h"
+#include "src/world/world.h"
 
 namespace tumble::sim {
 
 /// Puts every body's box and its AABB where the body is now. The extents are rounded outwards to the position grid, so
 /// that a shifted scene has the same overlaps.
-void update_frames(const Bodies& bodies, Scratch& scratch);
+void update_frames(World& world);
+
+/// Where the boxes of n bodies are written, with room for them.
+BoxColumns box_columns_of(Scratch& scratch, std::size_t n);
 
 /// Where they are and how they are turned.
 void hash_frames(const Scratch& scratch, Hasher& hasher);
@@ -29,9 +32,13 @@ inline const std::vector<double>& column_of(const Vec3Column& columns, int axis)
   return axis == 0 ? columns.x : axis == 1 ? columns.y : columns.z;
 }
 
-/// Replaces the pair list by the pairs whose AABBs overlap on all three axes (touching counts), ascending by (a, b). A
-/// pair that was in the list keeps its planes. Sweep and prune along the axis that meets the fewest; the list is a set,
-/// so that choice shows in nothing but time.
+/// Gives each box room around it, in sweep.low and high, and finds its neighbours: the pairs whose rooms overlap on all
+/// three axes, ascending by (a, b). While every box is in its room, no others can overlap (Verlet 1967). Sweep and
+/// prune along the axis that meets the fewest; that choice, the room and how long it lasts show in nothing but time.
+void renew_neighbours(const Vec3Column& velocity, double dt_s, Scratch& scratch);
+
+/// Replaces the pair list by those neighbours whose AABBs overlap on all three axes (touching counts). A pair that was
+/// in the list keeps its planes. Precondition: every box is in its room.
 void find_overlaps(Scratch& scratch, PairTable& pairs);
 
 }  // namespace tumble::sim

@@ -74,6 +74,23 @@ inline V absolute(V a) {
   return reinterpret_cast<V>(reinterpret_cast<Bits>(a) & INT64_MAX);
 }
 
+// Whether a comparison holds in any lane.
+inline bool any(bool holds) { return holds; }
+inline bool any(int holds) { return holds != 0; }
+template <class Mask>
+inline bool any(Mask holds) {
+  constexpr int kWidth = sizeof(Mask) / sizeof(std::int64_t);
+#ifdef __AVX512DQ__
+  if constexpr (kWidth == 8) return _mm512_movepi64_mask(reinterpret_cast<__m512i>(holds)) != 0;
+#endif
+#ifdef __AVX__
+  if constexpr (kWidth == 4) return _mm256_movemask_pd(reinterpret_cast<__m256d>(holds)) != 0;
+#endif
+  std::int64_t joined = 0;
+  for (int k = 0; k < kWidth; ++k) joined |= holds[k];
+  return joined != 0;
+}
+
 // Vectors in space, a number of each lane in each coordinate; sums in the order of src/math/vec.h.
 template <class V>
 struct Space {

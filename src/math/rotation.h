@@ -64,9 +64,11 @@ inline Axes axes_of(const Quat& q) {
 inline Vec3 to_body(const Axes& axes, const Vec3& v) { return {dot(axes[0], v), dot(axes[1], v), dot(axes[2], v)}; }
 inline Vec3 to_world(const Axes& axes, const Vec3& v) { return (axes[0] * v.x() + axes[1] * v.y()) + axes[2] * v.z(); }
 
+inline double squared_length(const Quat& q) { return q.w * q.w + ((q.x * q.x + q.y * q.y) + q.z * q.z); }
+
 /// q scaled to length 1. Precondition: q is finite and not zero.
 inline Quat normalised(const Quat& q) {
-  const double n = std::sqrt(q.w * q.w + ((q.x * q.x + q.y * q.y) + q.z * q.z));
+  const double n = std::sqrt(squared_length(q));
   return {plus_zero(q.w / n), plus_zero(q.x / n), plus_zero(q.y / n), plus_zero(q.z / n)};
 }
 

@@ -5,14 +5,15 @@
 namespace tumble::sim {
 
 // Named limits, checked where a value enters. Positions and speeds are what the grids of math/grid.h can hold.
-inline constexpr double kPositionMax = 32768;  ///< m, each coordinate
-inline constexpr double kSpeedMax = 8192;      ///< m/s and rad/s, each component
-inline constexpr double kSizeMin = 1e-4;       ///< m, an edge
-inline constexpr double kSizeMax = 4096;       ///< m, an edge
-inline constexpr double kMassMin = 1e-9;       ///< kg
-inline constexpr double kMassMax = 1e12;       ///< kg
-inline constexpr double kDtMin = 1e-7;         ///< s
-inline constexpr double kDtMax = 1;            ///< s
+inline constexpr double kPositionMax = 32768;   ///< m, each coordinate
+inline constexpr double kSpeedMax = 8192;       ///< m/s and rad/s, each component
+inline constexpr double kNormTolerance = 1e-9;  ///< of an orientation's squared length from 1
+inline constexpr double kSizeMin = 1e-4;        ///< m, an edge
+inline constexpr double kSizeMax = 4096;        ///< m, an edge
+inline constexpr double kMassMin = 1e-9;        ///< kg
+inline constexpr double kMassMax = 1e12;        ///< kg
+inline constexpr double kDtMin = 1e-7;          ///< s
+inline constexpr double kDtMax = 1;             ///< s
 inline constexpr double kFrictionMax = 1000;
 inline constexpr double kGravityMax = 1e4;  ///< m/s², each component
 inline constexpr std::uint64_t kBodiesMax = 4'000'000;

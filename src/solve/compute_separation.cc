@@ -14,6 +14,12 @@ void merge(Scratch& scratch, BodyIndex i, const Vec3& displacement) {
   scratch.displacement_low.set(i, scratch.displacement_low[i].cwiseMin(d));
 }
 
+// Once: the second time there is nothing left to add.
+void add_low(Scratch& scratch, BodyIndex i) {
+  scratch.displacement.add(i, scratch.displacement_low[i]);
+  scratch.displacement_low.set(i, Vec3::Zero());
+}
+
 double give_way(const Bodies& bodies, BodyIndex i) {
   return i != kGround && bodies.moves(i) ? bodies.inverse_mass[i] : 0;
 }
@@ -36,7 +42,11 @@ Status compute_separation(World& world, double /*dt_s*/) {
     if (share_a > 0) merge(scratch, a, normal * (-contacts.depth[k] * share_a / total));
     if (share_b > 0) merge(scratch, b, normal * (contacts.depth[k] * share_b / total));
   }
-  for (std::size_t i = 0; i < n; ++i) scratch.displacement.add(i, scratch.displacement_low[i]);
+  for (const std::vector<BodyIndex>* side : {&contacts.a, &contacts.b}) {
+    for (const BodyIndex i : *side) {
+      if (i != kGround) add_low(scratch, i);
+    }
+  }
   return {};
 }
 

@@ -2,6 +2,7 @@
 
 #include "src/collide/box_tests.h"
 #include "src/math/kernels_by_width.h"
+#include "src/world/body_kernels.h"
 
 namespace tumble::sim {
 namespace {
@@ -12,7 +13,9 @@ KernelsByWidth<ContactKernels> all() {
 
 }  // namespace
 
-bool runs_lanes(LaneWidth width) { return all().of(width) != nullptr && box_test_kernels(width) != nullptr; }
+bool runs_lanes(LaneWidth width) {
+  return all().of(width) != nullptr && box_test_kernels(width) != nullptr && body_kernels(width) != nullptr;
+}
 
 const ContactKernels& contact_kernels(LaneWidth width) { return *all().of(width); }
 

@@ -23,15 +23,12 @@ void leave_contact(World& world, BodyIndex i, double dt_s) {
 
 Status finish_motion(World& world, double dt_s) {
   const Bodies& bodies = world.bodies();
-  Scratch& scratch = world.mutable_scratch();
-  scratch.flies.resize(bodies.size());
+  const Scratch& scratch = world.scratch();
   for_ranges(scratch.workers, bodies.size(), kWorthBodies, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const bool moves = bodies.moves(static_cast<BodyIndex>(i)), in_contact = scratch.in_contact[i] != 0;
-      scratch.flies[i] = moves && !in_contact ? 1 : 0;
-      if (moves && in_contact) leave_contact(world, static_cast<BodyIndex>(i), dt_s);
+    for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
+      if (scratch.in_contact[i] != 0) leave_contact(world, i, dt_s);
     }
-    fly_freely(world, scratch.flies, begin, end, dt_s);
+    fly_freely(world, {begin, end}, scratch.in_contact.data(), dt_s);
   });
   if (Status ok = check_moving(world); !ok.ok()) return ok;
   remember_contacts(world.scratch(), world.mutable_state().contact_memory);

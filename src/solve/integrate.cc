@@ -1,10 +1,8 @@
 #include "src/solve/integrate.h"
 
-#include <utility>
-
 #include "src/math/grid.h"
 #include "src/world/body_check.h"
-#include "src/world/body_kernels.h"
+#include "src/world/body_columns.h"
 
 namespace tumble::sim {
 namespace {
@@ -54,56 +52,17 @@ int part_count(const Vec3& spin, double dt_s) {
   return parts;
 }
 
-Vec3 fall(const Vec3& velocity, const WorldDef& def, double dt_s) {
-  const Vec3 faster = velocity + VelocityGrid::round(Vec3(def.gravity * dt_s));
-  return def.air_drag > 0 ? VelocityGrid::round(Vec3(faster / (1 + def.air_drag * dt_s))) : plus_zero(faster);
+Air air_of(const WorldDef& def, double dt_s) {
+  const Vec3 gain = VelocityGrid::round(Vec3(def.gravity * dt_s));
+  return {dt_s, {gain.x(), gain.y(), gain.z()}, def.air_drag > 0, 1 + def.air_drag * dt_s};
 }
 
-bool turns_alike(const Vec3& inertia) { return inertia.x() == inertia.y() && inertia.y() == inertia.z(); }
-
-void fly_one(WorldState& state, BodyIndex i, double dt_s) {
-  const Flight flight = free_flight(state, i, dt_s);
-  Bodies& bodies = state.bodies;
-  bodies.position.set(i, flight.position);
-  bodies.orientation.set(i, flight.orientation);
-  bodies.velocity.set(i, flight.velocity);
-  bodies.spin.set(i, flight.spin);
-}
-
-// Those that turn alike about every axis; returns where it stopped, and how many of the others there are before.
-std::pair<std::size_t, std::size_t> fly_in_lanes(World& world, const std::vector<std::uint8_t>& flies,
-                                                 std::size_t begin, std::size_t end, double dt_s) {
-  const BodyKernels* lanes = body_kernels(world.scratch().lanes);
-  if (lanes == nullptr) return {begin, 0};
-  const WorldDef& def = world.state().def;
-  Bodies& bodies = world.mutable_state().bodies;
-  Vec3Column &x = bodies.position, &v = bodies.velocity, &w = bodies.spin;
-  QuatColumn& q = bodies.orientation;
-  const Vec3Column& inertia = bodies.inertia;
-  const Vec3 fall = VelocityGrid::round(Vec3(def.gravity * dt_s));
-  std::size_t uneven = 0;
-  const std::size_t stop = lanes->fly({begin,
-                                       end,
-                                       flies.data(),
-                                       {x.x.data(), x.y.data(), x.z.data()},
-                                       {q.w.data(), q.x.data(), q.y.data(), q.z.data()},
-                                       {v.x.data(), v.y.data(), v.z.data()},
-                                       {w.x.data(), w.y.data(), w.z.data()},
-                                       {inertia.x.data(), inertia.y.data(), inertia.z.data()},
-                                       {fall.x(), fall.y(), fall.z()},
-                                       1 + def.air_drag * dt_s,
-                                       dt_s},
-                                      uneven);
-  return {stop, uneven};
-}
+Vec3 slowed(const Air& air, const Vec3& v) { return VelocityGrid::round(Vec3(v / air.slower)); }
 
 }  // namespace
 
-Rotation rotate_freely(const Quat& orientation, const Vec3& spin, const Vec3& inertia, const Vec3& inverse_inertia,
-                       double dt_s) {
-  if (turns_alike(inertia)) {
-    return {rotated_by_half(orientation, spin * (0.5 * dt_s)), spin};
-  }
+Rotation rotate_unevenly(const Quat& orientation, const Vec3& spin, const Vec3& inertia, const Vec3& inverse_inertia,
+                         double dt_s) {
   const Axes axes = axes_of(orientation);
   const Vec3 momentum_W = to_world(axes, scaled(inertia, to_body(axes, spin)));
   const int parts = part_count(spin, dt_s);
@@ -120,32 +79,32 @@ Rotation rotate_freely(const Quat& orientation, const Vec3& spin, const Vec3& in
 }
 
 Flight free_flight(const WorldState& state, BodyIndex i, double dt_s) {
-  const WorldDef& def = state.def;
+  const Air air = air_of(state.def, dt_s);
   const Bodies& bodies = state.bodies;
-  const Vec3 before = bodies.velocity[i], after = fall(before, def, dt_s);
+  const Vec3 before = bodies.velocity[i], faster = before + Vec3(air.gain[0], air.gain[1], air.gain[2]);
+  const Vec3 after = air.drags ? slowed(air, faster) : plus_zero(faster);
   const Rotation rotation =
       rotate_freely(bodies.orientation[i], bodies.spin[i], bodies.inertia[i], bodies.inverse_inertia[i], dt_s);
-  const double slower = 1 + def.air_drag * dt_s;
   return {plus_zero(bodies.position[i] + PositionGrid::round(Vec3((before + after) * (0.5 * dt_s)))),
-          rotation.orientation, after,
-          def.air_drag > 0 ? VelocityGrid::round(Vec3(rotation.spin / slower)) : rotation.spin};
+          rotation.orientation, after, air.drags ? slowed(air, rotation.spin) : rotation.spin};
 }
 
-void fly_freely(World& world, const std::vector<std::uint8_t>& flies, std::size_t begin, std::size_t end, double dt_s) {
-  const auto [stop, uneven] = fly_in_lanes(world, flies, begin, end, dt_s);
-  const Vec3Column& inertia = world.bodies().inertia;
-  for (std::size_t i = uneven > 0 ? begin : stop; i < end; ++i) {
-    if (flies[i] == 0 || (i < stop && turns_alike(inertia[i]))) continue;
-    fly_one(world.mutable_state(), static_cast<BodyIndex>(i), dt_s);
+void fly_freely(World& world, Rows rows, const std::uint8_t* in_contact, double dt_s) {
+  Bodies& bodies = world.mutable_state().bodies;
+  const Air air = air_of(world.state().def, dt_s);
+  if (!body_kernels(world.scratch().lanes)->fly(columns_of(bodies), rows, in_contact, air)) return;
+  for (auto i = static_cast<BodyIndex>(rows.begin); i < rows.end; ++i) {
+    if (!bodies.moves(i) || turns_evenly(bodies.inertia[i]) || (in_contact != nullptr && in_contact[i] != 0)) continue;
+    const Flight flight = free_flight(world.state(), i, dt_s);
+    bodies.position.set(i, flight.position);
+    bodies.orientation.set(i, flight.orientation);
+    bodies.velocity.set(i, flight.velocity);
+    bodies.spin.set(i, flight.spin);
   }
 }
 
 Status integrate(World& world, double dt_s) {
-  const Bodies& bodies = world.bodies();
-  std::vector<std::uint8_t>& flies = world.mutable_scratch().flies;
-  flies.resize(bodies.size());
-  for (BodyIndex i = 0; i < bodies.size(); ++i) flies[i] = bodies.moves(i) ? 1 : 0;
-  fly_freely(world, flies, 0, bodies.size(), dt_s);
+  fly_freely(world, {0, world.bodies().size()}, nullptr, dt_s);
   return check_moving(world);
 }
 

@@ -2,6 +2,7 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
+#include "src/world/body_kernels.h"
 #include "src/world/world.h"
 
 namespace tumble::sim {
@@ -24,15 +25,25 @@ struct Flight {
   Vec3 velocity, spin;
 };
 Flight free_flight(const WorldState& state, BodyIndex i, double dt_s);
-/// Lets those of rows [begin, end) fly for which `flies` is 1; in lanes, where the machine has them.
-void fly_freely(World& world, const std::vector<std::uint8_t>& flies, std::size_t begin, std::size_t end, double dt_s);
+/// Lets bodies fly that move and are not `in_contact` (null: none is).
+void fly_freely(World& world, Rows rows, const std::uint8_t* in_contact, double dt_s);
 
 /// The part of integrate that turns one body: new orientation, and the spin that keeps R I Rᵀ w. Exposed for tests.
 struct Rotation {
   Quat orientation;
   Vec3 spin;
 };
-Rotation rotate_freely(const Quat& orientation, const Vec3& spin, const Vec3& inertia, const Vec3& inverse_inertia,
-                       double dt_s);
+/// A cube or the like, whose spin stays as it is.
+inline bool turns_evenly(const Vec3& inertia) { return inertia.x() == inertia.y() && inertia.y() == inertia.z(); }
+/// What does not.
+Rotation rotate_unevenly(const Quat& orientation, const Vec3& spin, const Vec3& inertia, const Vec3& inverse_inertia,
+                         double dt_s);
+inline Rotation rotate_freely(const Quat& orientation, const Vec3& spin, const Vec3& inertia,
+                              const Vec3& inverse_inertia, double dt_s) {
+  if (turns_evenly(inertia)) {
+    return {rotated_by_half(orientation, spin * (0.5 * dt_s)), spin};
+  }
+  return rotate_unevenly(orientation, spin, inertia, inverse_inertia, dt_s);
+}
 
 }  // namespace tumble::sim

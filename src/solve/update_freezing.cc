@@ -40,6 +40,11 @@ bool count_rest(World& world, BodyIndex i, double dt_s) {
   return def.freezing && low && bodies.low_energy_time[i] >= def.freeze_time && world.scratch().touched[i] != 0;
 }
 
+void mark_candidates(FreezeScratch& freezing, std::size_t bodies) {
+  freezing.candidates.assign(bodies, {});
+  for (const BodyIndex i : freezing.ready) freezing.candidates[i] = {true, std::numeric_limits<double>::infinity()};
+}
+
 // A frozen body wakes when any of its contact objects moves.
 void wake_unsupported(World& world) {
   Bodies& bodies = world.mutable_state().bodies;
@@ -100,21 +105,21 @@ Status update_freezing(World& world, double dt_s) {
   Bodies& bodies = world.mutable_state().bodies;
   Scratch& scratch = world.mutable_scratch();
   scratch.freezing.frozen_before = bodies.frozen;
-  scratch.freezing.candidates.assign(bodies.size(), {});
-  bool any = false;
+  scratch.freezing.ready.clear();
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
     if (bodies.is_static[i] != 0) continue;
     if (bodies.frozen[i] != 0) {
       if (scratch.touched[i] != 0) escape_or_halt(bodies, kEscapeFactor * def.freeze_energy, i);
     } else if (count_rest(world, i, dt_s)) {
-      scratch.freezing.candidates[i] = {true, std::numeric_limits<double>::infinity()};
-      any = true;
+      scratch.freezing.ready.push_back(i);
     }
   }
   wake_unsupported(world);
   const ContactObjects& found = scratch.freezing.found;
+  const bool any = !scratch.freezing.ready.empty();
   scratch.freezing.found.clear();
   if (any) {
+    mark_candidates(scratch.freezing, bodies.size());
     collect_contact_objects(world, scratch.contacts, scratch.freezing);
     freeze_supported(world, found);
   }

@@ -112,7 +112,9 @@ class StepRun {
     const WorldDef& def = world_.state().def;
     if (Status ok = run_range(0, table_.substeps_begin, def.dt); !ok.ok()) return ok;
     if (table_.trial_count > 0) {
+      world_.mutable_scratch().framed.assign(world_.bodies().size(), 0);
       if (Status ok = advance(def.dt, recursion_depth(def)); !ok.ok()) return ok;
+      world_.mutable_scratch().framed.clear();
     } else {
       for (std::uint32_t k = 0; k < def.substeps; ++k) {
         if (Status ok = accept(def.dt / def.substeps); !ok.ok()) return ok;

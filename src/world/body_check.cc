@@ -5,17 +5,10 @@
 #include <string>
 
 #include "src/model/limits.h"
-#include "src/world/body_kernels.h"
+#include "src/world/body_columns.h"
 
 namespace tumble::sim {
 namespace {
-
-constexpr double kNormTolerance = 1e-9;
-
-// NaN fails every comparison, so the test is for what is wanted.
-bool within(const Vec3& v, double limit) {
-  return std::fabs(v.x()) <= limit && std::fabs(v.y()) <= limit && std::fabs(v.z()) <= limit;
-}
 
 Error beyond(const Bodies& bodies, BodyIndex i, const char* what, const Vec3& found, double limit, const char* unit) {
   char text[256];
@@ -27,46 +20,26 @@ Error beyond(const Bodies& bodies, BodyIndex i, const char* what, const Vec3& fo
   return cannot_finish(text);
 }
 
-// Returns where it stopped.
-std::size_t check_in_lanes(const World& world) {
-  const BodyKernels* lanes = body_kernels(world.scratch().lanes);
-  if (lanes == nullptr) return 0;
-  const Bodies& bodies = world.bodies();
-  const Vec3Column &x = bodies.position, &v = bodies.velocity, &w = bodies.spin;
-  const QuatColumn& q = bodies.orientation;
-  return lanes->check({0,
-                       bodies.size(),
-                       {x.x.data(), x.y.data(), x.z.data()},
-                       {q.w.data(), q.x.data(), q.y.data(), q.z.data()},
-                       {v.x.data(), v.y.data(), v.z.data()},
-                       {w.x.data(), w.y.data(), w.z.data()},
-                       kPositionMax,
-                       kSpeedMax,
-                       kNormTolerance});
-}
-
 }  // namespace
 
-Status check_body(const Bodies& bodies, BodyIndex i) {
+Status check_body_closely(const Bodies& bodies, BodyIndex i) {
   const Vec3 position = bodies.position[i], velocity = bodies.velocity[i], spin = bodies.spin[i];
   if (!within(position, kPositionMax)) return beyond(bodies, i, "position", position, kPositionMax, "m");
   if (!within(velocity, kSpeedMax)) return beyond(bodies, i, "velocity", velocity, kSpeedMax, "m/s");
   if (!within(spin, kSpeedMax)) return beyond(bodies, i, "spin", spin, kSpeedMax, "rad/s");
   const Quat q = bodies.orientation[i];
-  const double norm = q.w * q.w + ((q.x * q.x + q.y * q.y) + q.z * q.z);
-  if (!(std::fabs(norm - 1) <= kNormTolerance)) {
-    return cannot_finish("body " + std::to_string(bodies.id[i]) + ": found an orientation of squared length " +
-                         std::to_string(norm) + ", wanted 1");
-  }
-  return {};
+  if (nearly_unit(q)) return {};
+  return cannot_finish("body " + std::to_string(bodies.id[i]) + ": found an orientation of squared length " +
+                       std::to_string(squared_length(q)) + ", wanted 1");
 }
 
-Status check_moving(const World& world) {
+Status check_moving(World& world) {
   const Bodies& bodies = world.bodies();
-  for (std::size_t i = check_in_lanes(world); i < bodies.size(); ++i) {
-    const auto row = static_cast<BodyIndex>(i);
-    if (!bodies.moves(row)) continue;
-    if (Status ok = check_body(bodies, row); !ok.ok()) return ok;
+  if (body_kernels(world.scratch().lanes)->check(columns_of(world.mutable_state().bodies), {0, bodies.size()}))
+    return {};
+  for (BodyIndex i = 0; i < bodies.size(); ++i) {
+    if (!bodies.moves(i)) continue;
+    if (Status ok = check_body(bodies, i); !ok.ok()) return ok;
   }
   return {};
 }
@@ -90,7 +63,7 @@ bool material_in_range(const Material& m) {
   return in(m.friction, kFrictionMax) && in(m.friction_dynamic, kFrictionMax) && in(m.restitution, 1);
 }
 
-Status check_gain(const Bodies& bodies, BodyIndex i, const Vec3& velocity, const Vec3& spin) {
+Status check_gain_closely(const Bodies& bodies, BodyIndex i, const Vec3& velocity, const Vec3& spin) {
   if (!within(velocity, kSpeedMax)) return beyond(bodies, i, "velocity gain", velocity, kSpeedMax, "m/s");
   if (!within(spin, kSpeedMax)) return beyond(bodies, i, "spin gain", spin, kSpeedMax, "rad/s");
   return {};

@@ -1,17 +1,42 @@
 #pragma once
 
+#include <cmath>
+
 #include "src/base/result.h"
+#include "src/model/limits.h"
 #include "src/world/world.h"
 
 namespace tumble::sim {
 
+/// Finite, with every coordinate within ±limit. NaN fails every comparison, so the test is for what is wanted.
+inline bool within(const Vec3& v, double limit) {
+  return std::fabs(v.x()) <= limit && std::fabs(v.y()) <= limit && std::fabs(v.z()) <= limit;
+}
+/// While their sum is within a limit, all are, and it is quicker to find.
+inline double magnitudes(const Vec3& v) { return (std::fabs(v.x()) + std::fabs(v.y())) + std::fabs(v.z()); }
+/// True of nothing that check_body refuses, and quick.
+inline bool far_within_limits(const Vec3& position, const Vec3& velocity, const Vec3& spin) {
+  static_assert(kSpeedMax <= kPositionMax);
+  return (magnitudes(position) + magnitudes(velocity)) + magnitudes(spin) <= kSpeedMax;
+}
+inline bool nearly_unit(const Quat& q) { return std::fabs(squared_length(q) - 1) <= kNormTolerance; }
+
+/// What check_body and check_gain do where all is not far within the limits.
+Status check_body_closely(const Bodies& bodies, BodyIndex i);
+Status check_gain_closely(const Bodies& bodies, BodyIndex i, const Vec3& velocity, const Vec3& spin);
+
 /// Errors when the position, velocity or spin of body i is not finite or beyond limits.h, for grid sums are exact only
 /// within them, or when its orientation is not of unit length. The message names the body, what was found and the
 /// limit.
-Status check_body(const Bodies& bodies, BodyIndex i);
+inline Status check_body(const Bodies& bodies, BodyIndex i) {
+  if (far_within_limits(bodies.position[i], bodies.velocity[i], bodies.spin[i]) && nearly_unit(bodies.orientation[i]))
+      [[likely]]
+    return {};
+  return check_body_closely(bodies, i);
+}
 
-/// The same for all bodies that move, the first that is wrong; in lanes, where the machine has them.
-Status check_moving(const World& world);
+/// The same for all bodies that move: the first that is wrong.
+Status check_moving(World& world);
 
 /// Errors when a parameter of the stepper is out of range.
 Status check_def(const WorldDef& def);
@@ -20,7 +45,11 @@ Status check_def(const WorldDef& def);
 bool material_in_range(const Material& material);
 
 /// The same for the outcome of one contact, before it enters a sum.
-Status check_gain(const Bodies& bodies, BodyIndex i, const Vec3& velocity, const Vec3& spin);
+inline Status check_gain(const Bodies& bodies, BodyIndex i, const Vec3& velocity, const Vec3& spin) {
+  if (magnitudes(velocity) + magnitudes(spin) <= kSpeedMax) [[likely]]
+    return {};
+  return check_gain_closely(bodies, i, velocity, spin);
+}
 
 /// Adds position and orientation of all bodies.
 void hash_places(const World& world, Hasher& hasher);

@@ -5,7 +5,8 @@
 namespace tumble::sim {
 
 const BodyKernels* body_kernels(LaneWidth width) {
-  const KernelsByWidth<BodyKernels> all = {nullptr, body_kernels_two(), body_kernels_four(), body_kernels_eight()};
+  const KernelsByWidth<BodyKernels> all = {body_kernels_one(), body_kernels_two(), body_kernels_four(),
+                                           body_kernels_eight()};
   return all.of(width);
 }
 

@@ -7,57 +7,60 @@
 
 namespace tumble::sim {
 
-/// Free flight of the bodies of rows [begin, end) for which `flies` is 1.
-struct FlightWork {
-  std::size_t begin = 0, end = 0;
-  const std::uint8_t* flies = nullptr;
+/// Where the columns of Bodies lie.
+struct BodyColumns {
+  const std::uint8_t *frozen = nullptr, *is_static = nullptr;
   double *position[3] = {}, *orientation[4] = {}, *velocity[3] = {}, *spin[3] = {};
-  const double* inertia[3] = {};
-  double fall[3] = {};  ///< m/s, what gravity adds in dt_s, on its grid
-  double slower = 1;    ///< 1 + air drag · dt_s
+  const double *inertia[3] = {}, *half_extent[3] = {};
+};
+
+/// Rows [begin, end).
+struct Rows {
+  std::size_t begin = 0, end = 0;
+};
+
+/// What gravity and the air do in a flight, to all bodies alike.
+struct Air {
   double dt_s = 0;
+  double gain[3] = {};  ///< m/s, on the velocity grid
+  bool drags = false;
+  double slower = 1;  ///< what velocities are divided by where it drags
 };
 
-/// The boxes of rows [begin, end) where they stand.
-struct FrameWork {
-  std::size_t begin = 0, end = 0;
-  const double *position[3] = {}, *orientation[4] = {}, *half_extent[3] = {};
+/// Where the boxes of bodies are written. Without `framed` all are; without rooms all are taken to have left them.
+struct BoxColumns {
   double* frames = nullptr;            ///< rows of BoxFrame
-  double *low[3] = {}, *high[3] = {};  ///< written: their AABBs
+  double *low[3] = {}, *high[3] = {};  ///< of the AABBs
+  std::uint8_t* framed = nullptr;      ///< Scratch::framed
+  bool rooms = false;
+  const double *room_low[3] = {}, *room_high[3] = {};  ///< SweepScratch::low and high
 };
 
-/// AABBs of rows [begin, end), widened to where the boxes may come within dt_s.
-struct ReachWork {
-  std::size_t begin = 0, end = 0;
-  const double *velocity[3] = {}, *spin[3] = {}, *half_extent[3] = {};
+/// AABBs that are to be widened to where the boxes may come within a step.
+struct ReachColumns {
   double around = 0;  ///< m, what all of them reach beyond their motion
   double dt_s = 0;
   double* turning = nullptr;           ///< written: m, how far corners may come by turning
   double *low[3] = {}, *high[3] = {};  ///< read and written
 };
 
-/// Bodies of rows [begin, end) that are finite and within limits: see check_body.
-struct CheckWork {
-  std::size_t begin = 0, end = 0;
-  const double *position[3] = {}, *orientation[4] = {}, *velocity[3] = {}, *spin[3] = {};
-  double position_max = 0, speed_max = 0, norm_tolerance = 0;
-};
-
-/// What is done to each body by itself, in lanes; compiled once for each width. Each does as many rows as fill whole
-/// vectors and returns where it stopped: the code for one body is what does the rest, and all with one lane.
+/// What is done to each body by itself, compiled once for each lane width.
 struct BodyKernels {
-  /// Bodies whose moments of inertia differ are left as they are, and counted in `uneven`.
-  std::size_t (*fly)(const FlightWork& work, std::size_t& uneven);
-  std::size_t (*frame)(const FrameWork& work);
-  std::size_t (*reach_out)(const ReachWork& work);
-  /// Stops at the beginning if any of the rows is wrong.
-  std::size_t (*check)(const CheckWork& work);
+  /// Free flight of every body that moves, is not `in_contact` (null: none is) and whose moments of inertia are equal.
+  /// Tells whether others are left that should fly.
+  bool (*fly)(const BodyColumns& bodies, Rows rows, const std::uint8_t* in_contact, const Air& air);
+  /// Puts boxes and AABBs where the bodies are, but for the framed ones; tells whether all are in their rooms.
+  bool (*put_boxes)(const BodyColumns& bodies, Rows rows, const BoxColumns& boxes);
+  void (*reach_out)(const BodyColumns& bodies, Rows rows, const ReachColumns& reach);
+  /// Whether all are finite and within limits: false where check_body would object to one.
+  bool (*check)(const BodyColumns& bodies, Rows rows);
 };
 
-/// Null with one lane, and where this machine or this build does not run the width.
+/// Null where this machine or this build does not run the width.
 const BodyKernels* body_kernels(LaneWidth width);
 
 // Each is defined where the compiler makes that width, and null elsewhere.
+const BodyKernels* body_kernels_one();
 const BodyKernels* body_kernels_two();
 const BodyKernels* body_kernels_four();
 const BodyKernels* body_kernels_eight();

@@ -12,10 +12,6 @@
 namespace tumble::sim {
 namespace {
 
-bool within(const Vec3& v, double limit) {
-  return std::fabs(v.x()) <= limit && std::fabs(v.y()) <= limit && std::fabs(v.z()) <= limit;
-}
-
 Error bad_box(const BoxDef& box, const std::string& what) {
   return bad_input("body " + std::to_string(box.id) + ": " + what);
 }

@@ -55,12 +55,13 @@ void add_state(const WorldState& state, std::vector<MemoryPart>& parts) {
 
 void add_search(const Scratch& s, std::vector<MemoryPart>& parts) {
   const SweepScratch& sweep = s.sweep;
-  parts.push_back({"boxes", GrowsWith::kBodies, held_by(s.frames, s.aabb_low, s.aabb_high, s.turning)});
-  parts.push_back(
-      {"sweep: order and cells", GrowsWith::kBodies,
-       held_by(sweep.order, sweep.judged, sweep.boxes, sweep.start, sweep.next, sweep.entries, sweep.cell_start)});
+  parts.push_back({"boxes", GrowsWith::kBodies, held_by(s.frames, s.aabb_low, s.aabb_high, s.turning, s.framed)});
+  parts.push_back({"sweep: order and cells", GrowsWith::kBodies,
+                   held_by(sweep.order, sweep.judged, sweep.low, sweep.high, sweep.boxes, sweep.start, sweep.next,
+                           sweep.entries, sweep.cell_start)});
   parts.push_back({"sweep: pairs", GrowsWith::kPairs,
-                   held_by(sweep.found, sweep.partner, sweep.merged, s.old_planes) + held_inside(sweep.found_by)});
+                   held_by(sweep.neighbours, sweep.found, sweep.partner, sweep.merged, s.old_planes) +
+                       held_inside(sweep.found_by)});
 }
 
 void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
@@ -84,8 +85,8 @@ void add_thesis(const Scratch& s, std::vector<MemoryPart>& parts) {
   const FreezeScratch& f = s.freezing;
   parts.push_back({"contacts", GrowsWith::kContacts, held_by(s.contacts, f.carriers, f.found)});
   parts.push_back({"outcomes and freezing", GrowsWith::kBodies,
-                   held_by(s.velocity_gain, s.spin_gain, s.displacement, s.displacement_low, s.touched, f.candidates,
-                           f.frozen_before, f.merged)});
+                   held_by(s.velocity_gain, s.spin_gain, s.displacement, s.displacement_low, s.touched, f.ready,
+                           f.candidates, f.frozen_before, f.merged)});
   parts.push_back({"put back after a trial", GrowsWith::kBodies, held_inside(s.saved)});
 }
 

@@ -21,7 +21,8 @@ struct FreezeCandidate {
 
 /// Of update_freezing.
 struct FreezeScratch {
-  std::vector<FreezeCandidate> candidates;
+  std::vector<BodyIndex> ready;             ///< to freeze
+  std::vector<FreezeCandidate> candidates;  ///< of each body, where any is ready
   std::vector<std::uint8_t> frozen_before;
   std::vector<std::pair<BodyIndex, BodyIndex>> carriers;  ///< bodies and what carries them, as it is found
   ContactObjects found;

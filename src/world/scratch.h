@@ -65,10 +65,12 @@ struct SweepScratch {
     double low1, high1, low2, high2, low3, high3;
   };
   int axis = 0;                   ///< to sweep along
-  int age = 0;                    ///< sub-steps since it was chosen
-  std::vector<BodyIndex> order;   ///< bodies by the low end of their AABB along it
+  int age = 0;                    ///< sweeps since it was chosen
+  std::vector<BodyIndex> order;   ///< bodies by the low end of their box along it
   std::vector<BodyIndex> judged;  ///< likewise along an axis that might be better
   std::vector<Box> boxes;         ///< extents in that order
+  Vec3Column low, high;           ///< of each box's room: while it stays there, it has no other neighbours
+  FoundPairs neighbours;          ///< pairs whose rooms overlap, ascending
   FoundPairs found;
   std::vector<FoundPairs> found_by;        ///< by the threads but the first
   std::vector<std::uint32_t> start, next;  ///< of each a in `partner`
@@ -139,6 +141,7 @@ struct Scratch {
   std::vector<BoxFrame> frames;  ///< written by find_pairs
   Vec3Column aabb_low;           ///< written by find_pairs; on PositionGrid
   Vec3Column aabb_high;
+  std::vector<std::uint8_t> framed;  ///< bodies that could not move since their boxes were put; empty between steps
   SweepScratch sweep;
   std::vector<std::uint16_t> old_planes;  ///< of each pair, those it was known with; written by find_pairs
   Contacts contacts;                      ///< written by find_planes (a, b, planes), find_contacts, compute_impulses
@@ -148,7 +151,7 @@ struct Scratch {
   Vec3Column displacement_low;            ///< its negative parts while it is being merged
   std::vector<std::uint8_t> touched;      ///< in a real collision in this sub-step; written by compute_impulses
   // Method layered.
-  std::vector<double> turning;      ///< m, turning_reach of each body; written by find_near_pairs
+  std::vector<double> turning;      ///< m, how far corners may come by turning; written by find_near_pairs
   std::vector<Manifold> manifolds;  ///< in the order of the pairs; written by find_manifolds
   std::vector<ManifoldPoint> manifold_points;
   std::vector<ManifoldList> manifolds_by;  ///< by the threads that find them
@@ -158,7 +161,6 @@ struct Scratch {
   std::vector<std::uint32_t> layer_start;  ///< of each layer in `layered`
   std::vector<SweepGroup> sweep_groups;    ///< islands with slender bodies, if there are any, come last
   std::vector<double> solver_mass;         ///< kg, inertia of each body in the solver; written by carry_weights
-  std::vector<std::uint8_t> flies;         ///< bodies that move freely; written by integrate and finish_motion
   std::vector<std::uint8_t> in_contact;    ///< moving bodies that have a manifold; written by prepare_manifolds
   std::vector<SolverBody> solver_bodies;  ///< written by prepare_manifolds, then by every sweep; the last is the ground
   ContactBatches contact_batches;

@@ -104,13 +104,6 @@ Hash128 continuation_hash(const WorldState& state) {
   return hasher.digest();
 }
 
-double kinetic_energy(const Bodies& bodies, BodyIndex i) {
-  const Vec3 v = bodies.velocity[i], w = bodies.spin[i], inertia = bodies.inertia[i];
-  const bool round = inertia.x() == inertia.y() && inertia.y() == inertia.z();
-  const Vec3 w_B = round ? w : to_body(axes_of(bodies.orientation[i]), w);
-  return 0.5 * (bodies.mass[i] * dot(v, v) + dot(w_B, w_B.cwiseProduct(inertia)));
-}
-
 Energy total_energy(const WorldState& state) {
   const Bodies& bodies = state.bodies;
   Energy energy;

@@ -117,7 +117,12 @@ Hash128 continuation_hash(const WorldState& state);
 std::uint32_t method_version(Method method);
 
 /// Kinetic energy in J of body i, linear and rotational.
-double kinetic_energy(const Bodies& bodies, BodyIndex i);
+inline double kinetic_energy(const Bodies& bodies, BodyIndex i) {
+  const Vec3 v = bodies.velocity[i], w = bodies.spin[i], inertia = bodies.inertia[i];
+  const bool round = inertia.x() == inertia.y() && inertia.y() == inertia.z();
+  const Vec3 w_B = round ? w : to_body(axes_of(bodies.orientation[i]), w);
+  return 0.5 * (bodies.mass[i] * dot(v, v) + dot(w_B, w_B.cwiseProduct(inertia)));
+}
 
 /// Energies of all bodies, J; potential is −m g·x, statics count nothing. Summed in row order.
 struct Energy {

@@ -94,8 +94,9 @@ Status same_in_threads(const sim::SceneDef& scene, std::uint64_t steps, const Ha
 // The hash that every lane width of this build and machine ends in, and every number of threads. Errors: two differ.
 Result<Hash128> common_hash(const sim::SceneDef& scene, std::uint64_t steps) {
   Result<Hash128> hash = final_hash(scene, steps, sim::LaneWidth::kOne);
-  if (!hash || scene.world.method == sim::Method::kThesis) return hash;
+  if (!hash) return hash;
   if (Status same = same_in_lanes(scene, steps, *hash); !same) return same.error();
+  if (scene.world.method == sim::Method::kThesis) return hash;
   if (Status same = same_in_threads(scene, steps, *hash); !same) return same.error();
   return hash;
 }
