@@ -2,13 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 
 #include "src/collide/find_contacts.h"
 #include "src/collide/find_pairs.h"
 #include "src/collide/find_planes.h"
-#include "src/collide/sweep.h"
 #include "src/solve/compute_impulses.h"
 #include "tests/support/sim_scenes.h"
 
@@ -171,46 +169,6 @@ TEST(Friction, WithoutNormalImpulseThereIsNone) {
   const Vec3 impulse =
       collision_impulse(point_mass(1, {0, 0, 0}), point_mass(1, {0, 4, 0}), {1, 0, 0}, {0.9, 0.9, 0, 0.01});
   EXPECT_EQ(impulse, Vec3(0, 0, 0));
-}
-
-// What hits the ground is worked out without the terms that are then zero; no bit may show it.
-TEST(CollisionImpulse, GroundIsABodyOfInfiniteMass) {
-  Random random(29);
-  const auto vector = [&](double s) {
-    const double x = random.uniform(-s, s), y = random.uniform(-s, s);
-    return Vec3(x, y, random.uniform(-s, s));
-  };
-  int hits = 0;
-  for (int trial = 0; trial < 2000; ++trial) {
-    SceneDef scene = empty_space();
-    scene.boxes = {box(1, Vec3(1, 1, 1) + vector(0.5), {0, 0, 1})};
-    scene.boxes[0].orientation = random.rotation();
-    scene.boxes[0].velocity = trial % 5 == 0 ? Vec3(0, 0, -1) : vector(2);
-    scene.boxes[0].spin = trial % 3 == 0 ? Vec3(0, 0, 0) : vector(3);
-    scene.boxes[0].material.friction = random.uniform(0, 1);
-    scene.boxes[0].material.restitution = random.uniform(0, 1);
-    World world = made(scene);
-    update_frames(world);
-    sim::Contacts& contacts = world.mutable_scratch().contacts;
-    contacts.a = {0};
-    contacts.b = {sim::kGround};
-    contacts.normal.push_back({0, 0, -1});
-    contacts.r_a.push_back(trial % 7 == 0 ? Vec3(0, 0, -0.5) : vector(0.5));
-    contacts.r_b.push_back(Vec3::Zero());
-    ASSERT_TRUE(compute_impulses(world, 0).ok());
-    const sim::Bodies& b = world.bodies();
-    const sim::Material& ground = world.state().def.ground_material;
-    const ContactBody body = {
-        b.velocity[0],  b.spin[0], b.inverse_mass[0], b.inverse_inertia[0], world.scratch().frames[0].axes,
-        contacts.r_a[0]};
-    const PairMaterial material = {std::sqrt(b.friction[0] * ground.friction),
-                                   std::sqrt(b.friction_dynamic[0] * ground.friction_dynamic),
-                                   std::max(b.restitution[0], ground.restitution), world.state().def.slip_speed};
-    const Vec3 wanted = collision_impulse(body, ContactBody{}, {0, 0, -1}, material);
-    EXPECT_EQ(contacts.impulse[0], wanted) << "trial " << trial;
-    if (wanted.z() < 0) ++hits;
-  }
-  EXPECT_GT(hits, 500);
 }
 
 // Over random contacts: inside the cone, opposed to the slip of b, and no more than stops it.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <optional>
 
 #include "src/collide/box_pair.h"
@@ -31,33 +30,25 @@ std::array<Vec3, 8> corners(const BoxFrame& frame, const Vec3& centre) {
   return all;
 }
 
-// Those of a box's corners that lie behind a plane, merged to one point by the depth of each (thesis Fig. 6).
-template <class Corner>
-inline std::optional<Vec3> merged_by_depth(const std::array<double, 8>& depth, const Corner& corner) {
+// The corners behind a plane, merged to one point by the depth of each (thesis Fig. 6). The plane is given by its
+// normal and its distance from the origin that the corners are relative to.
+std::optional<Vec3> point_behind(const std::array<Vec3, 8>& corners, const Vec3& normal, double distance) {
+  std::array<double, 8> depth;
   double deepest = 0;
-  unsigned behind = 0;
   for (std::size_t k = 0; k < 8; ++k) {
+    depth[k] = distance - dot(corners[k], normal);
     deepest = std::max(deepest, depth[k]);
-    behind |= static_cast<unsigned>(depth[k] > 0) << k;
   }
-  if (behind == 0) return std::nullopt;
+  if (deepest <= 0) return std::nullopt;
   Vec3 sum = Vec3::Zero();
   double weights = 0;
-  for (; behind != 0; behind &= behind - 1) {
-    const auto k = static_cast<std::size_t>(std::countr_zero(behind));
+  for (std::size_t k = 0; k < 8; ++k) {
+    if (depth[k] <= 0) continue;
     const double weight = UnitGrid::round(depth[k] / deepest);
-    sum += PositionGrid::round(Vec3(corner(k) * weight));
+    sum += PositionGrid::round(Vec3(corners[k] * weight));
     weights += weight;
   }
   return PositionGrid::round(Vec3(sum / weights));
-}
-
-// Likewise of all corners. The plane is given by its normal and its distance from the origin that the corners are
-// relative to.
-std::optional<Vec3> point_behind(const std::array<Vec3, 8>& corners, const Vec3& normal, double distance) {
-  std::array<double, 8> depth;
-  for (std::size_t k = 0; k < 8; ++k) depth[k] = distance - dot(corners[k], normal);
-  return merged_by_depth(depth, [&](std::size_t k) { return corners[k]; });
 }
 
 // The collision point, from a's centre, on a face of a or b.
@@ -129,42 +120,12 @@ std::optional<Contact> pair_contact(const BoxPair& pair, AxisSet planes) {
   return contact;
 }
 
-// Where a box is in the ground, from its centre, which is as high as given.
-std::optional<Vec3> point_in_ground(const BoxFrame& frame, double height) {
-  const Vec3 x = frame.axes[0] * frame.half_extent.x();
-  const Vec3 y = frame.axes[1] * frame.half_extent.y();
-  const Vec3 z = frame.axes[2] * frame.half_extent.z();
-  // As `corners` has them; but only those that are in the ground are needed whole.
-  const double base[4] = {-x.z() - y.z(), x.z() - y.z(), y.z() - x.z(), x.z() + y.z()};
-  std::array<double, 8> depth;
-  for (std::size_t k = 0; k < 4; ++k) {
-    depth[k] = -height - (base[k] - z.z());
-    depth[k + 4] = -height - (base[k] + z.z());
-  }
-  const auto side = [](std::size_t k, std::size_t bit) { return (k & bit) != 0 ? 1.0 : -1.0; };
-  return merged_by_depth(depth,
-                         [&](std::size_t k) { return Vec3((x * side(k, 1) + y * side(k, 2)) + z * side(k, 4)); });
-}
-
-void resize(Contacts& contacts, std::size_t n) {
-  contacts.a.resize(n);
-  contacts.b.resize(n);
-  contacts.planes.resize(n);
-  contacts.normal.resize(n);
-  contacts.depth.resize(n);
-  contacts.r_a.resize(n);
-  contacts.r_b.resize(n);
-}
-
-inline void put(Contacts& contacts, std::size_t k, BodyIndex a, BodyIndex b, AxisSet planes, const Contact& contact,
-                const Vec3& r_b) {
-  contacts.a[k] = a;
-  contacts.b[k] = b;
-  contacts.planes[k] = planes;
-  contacts.normal.set(k, contact.normal);
-  contacts.depth[k] = contact.depth;
-  contacts.r_a.set(k, contact.r_a);
-  contacts.r_b.set(k, r_b);
+std::optional<Contact> ground_contact(const BoxFrame& frame) {
+  // Corners are taken from the body's centre, so that x and y do not enter; the plane lies z below it.
+  const double height = frame.position.z();
+  const auto point = point_behind(corners(frame, Vec3::Zero()), Vec3(0, 0, 1), -height);
+  if (!point) return std::nullopt;
+  return Contact{Vec3(0, 0, -1), reach_along(frame, 2) - height, *point};
 }
 
 }  // namespace
@@ -172,26 +133,31 @@ inline void put(Contacts& contacts, std::size_t k, BodyIndex a, BodyIndex b, Axi
 Status find_contacts(World& world, double /*dt_s*/) {
   Scratch& scratch = world.mutable_scratch();
   Contacts& contacts = scratch.contacts;
-  const std::size_t found = contacts.a.size();
-  resize(contacts, found);
+  contacts.normal.clear();
+  contacts.depth.clear();
+  contacts.r_a.clear();
+  contacts.r_b.clear();
   std::size_t kept = 0;
-  for (std::size_t k = 0; k < found; ++k) {
+  for (std::size_t k = 0; k < contacts.a.size(); ++k) {
     const BodyIndex a = contacts.a[k], b = contacts.b[k];
     const std::uint16_t planes = contacts.planes[k];
     const BoxFrame& frame = scratch.frames[a];
-    if (b == kGround) {
-      const double height = frame.position.z();
-      const auto point = point_in_ground(frame, height);
-      if (!point) continue;
-      put(contacts, kept++, a, b, planes, {Vec3(0, 0, -1), reach_along(frame, 2) - height, *point}, Vec3::Zero());
-    } else {
-      const auto contact = pair_contact(BoxPair(frame, scratch.frames[b]), planes);
-      if (!contact) continue;
-      const Vec3 r_b = contact->r_a - (scratch.frames[b].position - frame.position);
-      put(contacts, kept++, a, b, planes, *contact, r_b);
-    }
+    const bool ground = b == kGround;
+    const auto contact = ground ? ground_contact(frame) : pair_contact(BoxPair(frame, scratch.frames[b]), planes);
+    if (!contact) continue;
+    contacts.a[kept] = a;
+    contacts.b[kept] = b;
+    contacts.planes[kept] = planes;
+    ++kept;
+    contacts.normal.push_back(contact->normal);
+    contacts.depth.push_back(contact->depth);
+    contacts.r_a.push_back(contact->r_a);
+    contacts.r_b.push_back(ground ? Vec3(Vec3::Zero())
+                                  : Vec3(contact->r_a - (scratch.frames[b].position - frame.position)));
   }
-  resize(contacts, kept);
+  contacts.a.resize(kept);
+  contacts.b.resize(kept);
+  contacts.planes.resize(kept);
   return {};
 }
 
