@@ -9,15 +9,15 @@
 #include <string>
 #include <thread>
 
-#include "replay/chunk_codec.h"
-#include "replay/compare.h"
-#include "replay/gap_story.h"
-#include "replay/limits.h"
-#include "replay/log_reader.h"
-#include "replay/recorder.h"
-#include "replay/replayer.h"
-#include "replay/verify.h"
-#include "replay/zstd_frame.h"
+#include "replay/codec/chunk_codec.h"
+#include "replay/codec/zstd_frame.h"
+#include "replay/diff/compare.h"
+#include "replay/diff/gap_story.h"
+#include "replay/diff/replayer.h"
+#include "replay/format/limits.h"
+#include "replay/log/log_reader.h"
+#include "replay/log/verify.h"
+#include "replay/session/recorder.h"
 
 namespace tumble::replay {
 namespace {

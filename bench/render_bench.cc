@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "replay/picture_source.h"
+#include "replay/picture/picture_source.h"
 #include "src/render/renderer.h"
 
 namespace {

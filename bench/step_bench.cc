@@ -18,8 +18,8 @@
 #include <vector>
 
 #include "src/base/rng.h"
-#include "src/collide/box_pair.h"
-#include "src/collide/box_tests.h"
+#include "src/kernels/box_pair.h"
+#include "src/kernels/box_tests.h"
 #include "src/scenes/scene_file.h"
 #include "src/step/step.h"
 #include "src/threads/worker_threads.h"

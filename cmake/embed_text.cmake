@@ -5,7 +5,7 @@
 file(READ ${INPUT} text)
 string(LENGTH "${text}" length)
 set(size 32000)
-set(code "#include \"golden/report_script.h\"\n\nnamespace tumble::golden {\n\n")
+set(code "#include \"golden/report/page/script.h\"\n\nnamespace tumble::golden {\n\n")
 string(APPEND code "std::vector<std::string_view> report_script_pieces() {\n  return {\n")
 set(at 0)
 while(at LESS length)

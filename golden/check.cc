@@ -4,9 +4,9 @@
 #include <chrono>
 #include <utility>
 
-#include "golden/case_series.h"
-#include "golden/run_case.h"
-#include "golden/text_files.h"
+#include "golden/judge/case_series.h"
+#include "golden/run/run_case.h"
+#include "golden/suite/text_files.h"
 #include "src/scenes/scene_file.h"
 
 namespace tumble::golden {

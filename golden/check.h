@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "golden/canaries.h"
-#include "golden/case_result.h"
-#include "golden/process_pool.h"
-#include "golden/suite.h"
+#include "golden/canaries/canaries.h"
+#include "golden/judge/case_result.h"
+#include "golden/run/process_pool.h"
+#include "golden/suite/suite.h"
 #include "src/base/result.h"
 
 namespace tumble::golden {

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "src/scenes/problem.h"
-#include "tools/command.h"
-#include "tools/help_format.h"
-#include "tools/text.h"
+#include "src/base/text.h"
+#include "tools/arguments/command.h"
+#include "tools/arguments/help_format.h"
+#include "tools/output/text.h"
 
 namespace tumble::tools {
 namespace {
@@ -64,9 +64,9 @@ Exit unknown_command(const std::string& name) {
   std::vector<std::string_view> names;
   names.reserve(kCommands.size());
   for (const Command& command : kCommands) names.emplace_back(command.name);
-  const std::string_view nearest = scenes::nearest_word(name, names);
+  const std::string_view nearest = nearest_word(name, names);
   const std::string hint = nearest.empty() ? "" : "; did you mean \"" + std::string(nearest) + "\"?";
-  return fail("tumble", "unknown command " + scenes::quoted(name) + hint + "\n'tumble help' lists the commands.",
+  return fail("tumble", "unknown command " + in_quotes(name) + hint + "\n'tumble help' lists the commands.",
               Exit::kBadInput);
 }
 

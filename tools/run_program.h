@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/command.h"
+#include "tools/arguments/command.h"
 
 namespace tumble::tools {
 

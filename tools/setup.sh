@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs the Debian packages that the build, the tests and the checks need, and only those that are missing.
 # Usage: tools/setup.sh [--with determinism] [--with fuzz] [--with report] [--with peers]
-#   --with determinism   also the compilers and emulators that tools/determinism.sh uses
-#   --with fuzz          also what tools/fuzz.sh uses
+#   --with determinism   also the compilers and emulators that tools/scripts/checks/determinism.sh uses
+#   --with fuzz          also what tools/scripts/checks/fuzz.sh uses
 #   --with report        also what makes and tests the script of the report page; without it those tests are skipped
 #   --with peers         also other engines that bench/peers can run our scenes through
 set -euo pipefail
@@ -10,7 +10,7 @@ export LC_ALL=C # comm and sort must agree on the order
 
 packages=(
   g++ binutils cmake ninja-build ccache pkg-config
-  libeigen3-dev capnproto libcapnp-dev libzstd-dev libxxhash-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libpugixml-dev
+  libeigen3-dev capnproto libcapnp-dev libzstd-dev libxxhash-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libpugixml-dev
   libgtest-dev libbenchmark-dev
   libpng-dev libgl-dev libegl-dev libosmesa6 # pictures: headers, and the OpenGL that draws them
   ffmpeg # movies

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <memory>
 
-#include "replay/step_record.h"
+#include "replay/format/step_record.h"
 #include "src/base/result.h"
 #include "src/model/scene.h"
 

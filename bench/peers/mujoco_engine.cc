@@ -3,12 +3,12 @@
 #include <mujoco/mujoco.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <vector>
 
 #include "bench/peers/engine.h"
+#include "src/base/text.h"
 #include "src/math/rotation.h"
 
 namespace tumble::peers {
@@ -24,9 +24,7 @@ void keep_warning(const char* text) { last_warning = text; }
 std::string text_of(std::initializer_list<double> values) {
   std::string text;
   for (const double value : values) {
-    std::array<char, 40> digits;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-    text += (text.empty() ? "" : " ") + std::string(digits.data(), end.ptr);
+    text += (text.empty() ? "" : " ") + exact(value);
   }
   return '"' + text + '"';
 }

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "bench/peers/engine.h"
-#include "replay/engine_log.h"
+#include "replay/import/engine_log.h"
 #include "src/base/rng.h"
 #include "src/scenes/scene_file.h"
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bench/peers/engine.h"
-#include "replay/step_record.h"
+#include "replay/format/step_record.h"
 #include "src/step/step.h"
 #include "src/world/world.h"
 

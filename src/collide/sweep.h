@@ -2,7 +2,7 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/body_kernels.h"
+#include "src/kernels/body_kernels.h"
 #include "src/world/world.h"
 
 namespace tumble::sim {

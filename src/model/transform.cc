@@ -1,11 +1,11 @@
 #include "src/model/transform.h"
 
 #include <algorithm>
-#include <charconv>
 #include <utility>
 #include <vector>
 
 #include "src/base/rng.h"
+#include "src/base/text.h"
 #include "src/math/grid.h"
 
 namespace tumble::sim {
@@ -16,11 +16,6 @@ BoxDef on_grids(BoxDef box) {
   box.velocity = VelocityGrid::round(box.velocity);
   box.spin = VelocityGrid::round(box.spin);
   return box;
-}
-
-std::string shortest(double value) {
-  char digits[32];
-  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
 }
 
 }  // namespace
@@ -52,8 +47,7 @@ std::string to_string(const Transform& transform) {
   if (transform.mirror_x) add("mirror x");
   if (transform.mirror_y) add("mirror y");
   if (transform.swap_xy) add("mirror diagonal");
-  if (transform.shift != Vec3(0, 0, 0))
-    add("shift " + shortest(transform.shift.x()) + "," + shortest(transform.shift.y()));
+  if (transform.shift != Vec3(0, 0, 0)) add("shift " + exact(transform.shift.x()) + "," + exact(transform.shift.y()));
   if (transform.permute) add("permute " + std::to_string(*transform.permute));
   return text.empty() ? "identity" : text;
 }

@@ -5,15 +5,15 @@
 #include <utility>
 #include <vector>
 
-#include "src/render/box_mesh.h"
-#include "src/render/materials.h"
-#include "src/render/pass_base.h"
-#include "src/render/pass_blur.h"
-#include "src/render/pass_composite.h"
-#include "src/render/pass_depth.h"
-#include "src/render/pass_shrink.h"
-#include "src/render/stage_image.h"
-#include "src/render/view.h"
+#include "src/render/passes/base.h"
+#include "src/render/passes/blur.h"
+#include "src/render/passes/composite.h"
+#include "src/render/passes/depth.h"
+#include "src/render/passes/shrink.h"
+#include "src/render/passes/stage_image.h"
+#include "src/render/scene/box_mesh.h"
+#include "src/render/scene/materials.h"
+#include "src/render/scene/view.h"
 
 namespace tumble::render {
 namespace {

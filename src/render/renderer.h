@@ -5,10 +5,10 @@
 #include <string>
 
 #include "src/base/result.h"
-#include "src/render/context.h"
-#include "src/render/effects.h"
-#include "src/render/image.h"
-#include "src/render/snapshot.h"
+#include "src/render/gl/context.h"
+#include "src/render/passes/effects.h"
+#include "src/render/picture/image.h"
+#include "src/render/scene/snapshot.h"
 
 namespace tumble::render {
 

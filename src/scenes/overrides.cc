@@ -24,7 +24,7 @@ constexpr Exclusion kExclusions[] = {
 };
 
 Error argument_error(std::string_view argument, std::string_view message) {
-  return bad_input("--set " + printable(argument) + ": " + std::string(message));
+  return bad_input("--set " + shortened(argument) + ": " + std::string(message));
 }
 
 bool is_bare_key(std::string_view text) {
@@ -100,7 +100,7 @@ Result<Walk> descend(Walk walk, const std::vector<std::string_view>& parts, cons
   const std::string name = "[[" + std::string(part) + "]]";
   toml::array* array = node->as_array();
   if (!array || !array->is_array_of_tables()) {
-    return bad_input("found no table " + quoted(part) + ", wanted one to set a key in");
+    return bad_input("found no table " + in_quotes(part) + ", wanted one to set a key in");
   }
   const std::optional<std::size_t> index = as_index(parts[walk.next]);
   if (index) ++walk.next;
@@ -122,7 +122,7 @@ bool is_array_name(std::string_view name) {
 }  // namespace
 
 Status apply_override(toml::table& root, std::string_view argument) {
-  const std::string source = "--set " + printable(argument);
+  const std::string source = "--set " + shortened(argument);
   const std::size_t equals = argument.find('=');
   if (equals == std::string_view::npos) {
     return argument_error(argument, "found no \"=\", wanted key=value, such as world.dt=0.01");

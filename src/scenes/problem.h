@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "src/base/result.h"
+#include "src/base/text.h"
 #include "src/scenes/toml.h"
 
 namespace tumble::scenes {
@@ -42,25 +43,7 @@ class Problem {
   std::optional<Error> first_;
 };
 
-/// "found X, wanted Y", the heart of every message.
-std::string found_wanted(std::string_view found, std::string_view wanted);
-
 /// A TOML value in a few words: `[1.0, -2.0, 1.0]`, `"abc"`, `a table`. Bounded, printable, whatever the value holds.
 std::string describe(const toml::node& node);
-
-/// Text cut to a readable length, control characters and everything beyond ASCII shown as `?`.
-std::string printable(std::string_view text);
-
-/// The same in quotes.
-std::string quoted(std::string_view text);
-
-/// The shortest decimal that reads back to the same double.
-std::string number_text(double value);
-
-/// "a, b or c".
-std::string list_text(const std::vector<std::string_view>& words);
-
-/// The candidate that `word` is most likely a slip for; empty if none is near.
-std::string_view nearest_word(std::string_view word, const std::vector<std::string_view>& candidates);
 
 }  // namespace tumble::scenes

@@ -51,7 +51,7 @@ void announce(BodyTables& bodies, TableReader& reader, std::uint64_t count, sim:
     return;
   }
   if (first == 0) return;
-  const std::string what = reader.label() + " key " + quoted(id_key);
+  const std::string what = reader.label() + " key " + in_quotes(id_key);
   bodies.ids.reserve(first, count, reader.place(id_key), what, reader.problem());
 }
 

@@ -136,7 +136,7 @@ std::size_t TableReader::choice(std::string_view key, std::size_t fallback, std:
     const auto found = std::find(list.begin(), list.end(), std::string_view(value->get()));
     if (found != list.end()) return static_cast<std::size_t>(found - list.begin());
     const std::string_view near = nearest_word(value->get(), list);
-    if (!near.empty()) hint = "; did you mean " + quoted(near) + "?";
+    if (!near.empty()) hint = "; did you mean " + in_quotes(near) + "?";
   }
   fail(key, list_text(list) + hint);
   return fallback;
@@ -173,7 +173,7 @@ void TableReader::finish() {
     const std::string_view name = key.str();
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) continue;
     const std::string_view near = nearest_word(name, known_);
-    const std::string hint = near.empty() ? std::string() : "; did you mean " + quoted(near) + "?";
+    const std::string hint = near.empty() ? std::string() : "; did you mean " + in_quotes(near) + "?";
     const Place at(node.source().path ? node.source() : key.source());
     problem_.report(at, key_text(name) + ": " + found_wanted("an unknown key", list_text(known_)) + hint);
     return;
@@ -187,7 +187,7 @@ Place TableReader::place(std::string_view key) const {
 }
 
 std::string TableReader::key_text(std::string_view key) const {
-  return label_ + (label_.empty() ? "" : " ") + "key " + quoted(prefix_ + std::string(key));
+  return label_ + (label_.empty() ? "" : " ") + "key " + in_quotes(prefix_ + std::string(key));
 }
 
 }  // namespace tumble::scenes

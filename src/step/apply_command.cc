@@ -5,7 +5,7 @@
 
 #include "src/math/grid.h"
 #include "src/model/limits.h"
-#include "src/solve/first_contacts.h"
+#include "src/step/first_contacts.h"
 #include "src/world/edit_bodies.h"
 #include "src/world/world.h"
 

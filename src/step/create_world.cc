@@ -4,7 +4,7 @@
 #include <string>
 
 #include "src/model/limits.h"
-#include "src/solve/first_contacts.h"
+#include "src/step/first_contacts.h"
 #include "src/world/body_check.h"
 #include "src/world/edit_bodies.h"
 #include "src/world/world.h"

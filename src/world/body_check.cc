@@ -1,9 +1,9 @@
 #include "src/world/body_check.h"
 
 #include <cmath>
-#include <cstdio>
 #include <string>
 
+#include "src/base/text.h"
 #include "src/model/limits.h"
 #include "src/world/body_columns.h"
 
@@ -11,13 +11,11 @@ namespace tumble::sim {
 namespace {
 
 Error beyond(const Bodies& bodies, BodyIndex i, const char* what, const Vec3& found, double limit, const char* unit) {
-  char text[256];
-  std::snprintf(text, sizeof text,
-                "body %llu: found %s (%.9g, %.9g, %.9g) %s, wanted finite and within ±%g %s; "
-                "use smaller speeds, a smaller dt or less extreme masses",
-                static_cast<unsigned long long>(bodies.id[i]), what, found.x(), found.y(), found.z(), unit, limit,
-                unit);
-  return cannot_finish(text);
+  const auto digits = [](double value) { return significant(value, 9); };
+  return cannot_finish("body " + std::to_string(bodies.id[i]) + ": found " + what + " (" + digits(found.x()) + ", " +
+                       digits(found.y()) + ", " + digits(found.z()) + ") " + unit + ", wanted finite and within ±" +
+                       significant(limit, 6) + ' ' + unit +
+                       "; use smaller speeds, a smaller dt or less extreme masses");
 }
 
 }  // namespace

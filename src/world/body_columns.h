@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/world/body_kernels.h"
+#include "src/kernels/body_kernels.h"
 #include "src/world/scratch.h"
 
 namespace tumble::sim {

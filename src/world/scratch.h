@@ -8,10 +8,10 @@
 
 #include "src/base/ids.h"
 #include "src/base/workers.h"
-#include "src/math/lane_width.h"
+#include "src/kernels/contact_batch.h"
+#include "src/kernels/lane_width.h"
 #include "src/math/rotation.h"
 #include "src/math/vec.h"
-#include "src/world/contact_batch.h"
 #include "src/world/manifold.h"
 #include "src/world/phase_scratch.h"
 #include "src/world/world_state.h"

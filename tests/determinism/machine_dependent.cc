@@ -1,5 +1,5 @@
-// Everything that tools/check_disassembly.sh is there to find, so that a test can see it find them. Compiled with
-// contraction on for a machine that can fuse; never linked.
+// Everything that tools/scripts/checks/check_disassembly.sh is there to find, so that a test can see it find them.
+// Compiled with contraction on for a machine that can fuse; never linked.
 #include <chrono>
 #include <cmath>
 #include <cstdlib>

@@ -1,7 +1,8 @@
 // Runs scenes and prints what they end in, one line each: name, steps, final hash; those of method layered in every
 // lane width that the build and the machine have, and all split over threads: 3 all the way, 2, 4, 7 and 16 for the
 // last steps, as an emulator takes long to wake so many so often. Needs only the simulation and the scene reader, so
-// that it builds for machines on which the log's libraries are not installed (tools/determinism.sh). Usage: determinism
+// that it builds for machines on which the log's libraries are not installed (tools/scripts/checks/determinism.sh).
+// Usage: determinism
 // [--one-lane] SCENE.toml:STEPS...   --one-lane: compare nothing
 #include <algorithm>
 #include <charconv>
@@ -14,8 +15,8 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
+#include "src/kernels/contact_kernels.h"
 #include "src/scenes/scene_file.h"
-#include "src/solve/contact_kernels.h"
 #include "src/step/step.h"
 #include "src/threads/worker_threads.h"
 #include "src/world/world.h"

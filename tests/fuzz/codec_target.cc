@@ -1,10 +1,10 @@
 // Messages without any file around them. The first byte says which kind the rest is.
 #include <algorithm>
 
-#include "golden/expected_codec.h"
-#include "replay/chunk_codec.h"
-#include "replay/header_codec.h"
-#include "replay/index_codec.h"
+#include "golden/expected/expected_codec.h"
+#include "replay/codec/chunk_codec.h"
+#include "replay/codec/header_codec.h"
+#include "replay/codec/index_codec.h"
 #include "tests/fuzz/target.h"
 
 namespace tumble::fuzz {

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "replay/log_reader.h"
-#include "replay/verify.h"
+#include "replay/log/log_reader.h"
+#include "replay/log/verify.h"
 #include "tests/fuzz/mend.h"
 #include "tests/fuzz/program_place.h"
 #include "tests/fuzz/target.h"

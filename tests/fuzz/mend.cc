@@ -4,10 +4,10 @@
 #include <array>
 #include <cstring>
 
-#include "replay/chunk_codec.h"
-#include "replay/little_endian.h"
-#include "replay/prelude.h"
-#include "replay/zstd_frame.h"
+#include "replay/codec/chunk_codec.h"
+#include "replay/codec/zstd_frame.h"
+#include "replay/format/little_endian.h"
+#include "replay/format/prelude.h"
 
 namespace tumble::fuzz {
 namespace {

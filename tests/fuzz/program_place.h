@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/command.h"
+#include "tools/arguments/command.h"
 
 /// The program `tumble` in this process, with files of its own: commands as a person runs them, often.
 namespace tumble::fuzz {

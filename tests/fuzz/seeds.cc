@@ -5,9 +5,9 @@
 #include <iostream>
 #include <string>
 
-#include "golden/expected_codec.h"
-#include "replay/log_reader.h"
-#include "replay/prelude.h"
+#include "golden/expected/expected_codec.h"
+#include "replay/format/prelude.h"
+#include "replay/log/log_reader.h"
 #include "tests/fuzz/mend.h"
 #include "tests/support/log_memory.h"
 

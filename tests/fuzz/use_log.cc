@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "replay/log_facts.h"
-#include "replay/measure_log.h"
-#include "replay/recover.h"
-#include "replay/replayer.h"
-#include "replay/verify.h"
+#include "replay/diff/replayer.h"
+#include "replay/log/log_facts.h"
+#include "replay/log/verify.h"
+#include "replay/measure/measure_log.h"
+#include "replay/recover/recover.h"
 
 namespace tumble::fuzz {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "replay/byte_memory.h"
-#include "replay/log_reader.h"
+#include "replay/log/byte_memory.h"
+#include "replay/log/log_reader.h"
 
 namespace tumble::fuzz {
 

@@ -4,8 +4,8 @@
 
 #include <cstdlib>
 
-#include "golden/bless.h"
-#include "golden/text_files.h"
+#include "golden/bless/bless.h"
+#include "golden/suite/text_files.h"
 
 namespace tumble::golden {
 

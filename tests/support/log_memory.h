@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "replay/byte_io.h"
-#include "replay/log_reader.h"
-#include "replay/recorder.h"
+#include "replay/log/byte_io.h"
+#include "replay/log/log_reader.h"
+#include "replay/session/recorder.h"
 #include "src/model/scene.h"
 
 /// Logs in memory, with the faults that a file can have.

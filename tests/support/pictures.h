@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <functional>
 
-#include "src/render/image.h"
+#include "src/render/picture/image.h"
 #include "src/render/renderer.h"
-#include "src/render/snapshot.h"
+#include "src/render/scene/snapshot.h"
 
 /// Small scenes to draw, and pictures compared.
 namespace tumble::test {

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "replay/byte_memory.h"
-#include "replay/verify.h"
+#include "replay/log/byte_memory.h"
+#include "replay/log/verify.h"
 
 namespace tumble::replay {
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "replay/log_reader.h"
-#include "replay/recover.h"
+#include "replay/log/log_reader.h"
+#include "replay/recover/recover.h"
 #include "tests/support/log_memory.h"
 
 /// A small finished log to do damage to, and what belongs in it.

@@ -4,12 +4,12 @@
 #include <limits>
 #include <span>
 
-#include "replay/chunk_codec.h"
-#include "replay/header_codec.h"
-#include "replay/index_codec.h"
-#include "replay/limits.h"
-#include "replay/prelude.h"
-#include "replay/recorder.h"
+#include "replay/codec/chunk_codec.h"
+#include "replay/codec/header_codec.h"
+#include "replay/codec/index_codec.h"
+#include "replay/format/limits.h"
+#include "replay/format/prelude.h"
+#include "replay/session/recorder.h"
 #include "src/step/step.h"
 #include "src/world/world.h"
 

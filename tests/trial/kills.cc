@@ -9,10 +9,10 @@
 #include <random>
 #include <thread>
 
-#include "replay/byte_memory.h"
-#include "replay/log_reader.h"
-#include "replay/recover.h"
-#include "replay/verify.h"
+#include "replay/log/byte_memory.h"
+#include "replay/log/log_reader.h"
+#include "replay/log/verify.h"
+#include "replay/recover/recover.h"
 #include "tests/trial/trial.h"
 
 namespace tumble::trial {

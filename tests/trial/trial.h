@@ -6,7 +6,7 @@
 
 #include "src/base/result.h"
 
-/// Damage done to logs by the hundred thousand: what tools/damage.sh runs, and in small the tests.
+/// Damage done to logs by the hundred thousand: what tools/scripts/checks/damage.sh runs, and in small the tests.
 namespace tumble::trial {
 
 struct Counts {

@@ -6,8 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "golden/text_files.h"
-#include "tools/text.h"
+#include "golden/suite/text_files.h"
+#include "tools/output/text.h"
 
 namespace tumble::tools::bisect {
 namespace {

@@ -5,9 +5,9 @@
 #include <sstream>
 #include <utility>
 
-#include "golden/text_files.h"
-#include "src/scenes/problem.h"
-#include "tools/child_run.h"
+#include "golden/suite/text_files.h"
+#include "src/base/text.h"
+#include "tools/process/child_run.h"
 
 namespace tumble::tools::bisect {
 namespace {
@@ -46,7 +46,7 @@ Result<std::string> Git::resolve(const std::string& revision) const {
       run(repository_, {"rev-parse", "--verify", "--quiet", "--end-of-options", revision + "^{commit}"});
   if (commit.ok()) return commit;
   if (commit.error().message != kNo) return bad_input(commit.error().message);
-  return bad_input("found no revision " + scenes::quoted(revision) + " in " + repository_);
+  return bad_input("found no revision " + in_quotes(revision) + " in " + repository_);
 }
 
 Result<std::string> Git::common_folder() const {

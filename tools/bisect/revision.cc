@@ -5,13 +5,13 @@
 #include <system_error>
 #include <utility>
 
-#include "golden/text_files.h"
-#include "replay/compare.h"
-#include "replay/measure_log.h"
+#include "golden/suite/text_files.h"
+#include "replay/diff/compare.h"
+#include "replay/measure/measure_log.h"
 #include "src/scenes/problem.h"
-#include "tools/child_run.h"
-#include "tools/log_files.h"
-#include "tools/text.h"
+#include "tools/files/log_files.h"
+#include "tools/output/text.h"
+#include "tools/process/child_run.h"
 
 namespace tumble::tools::bisect {
 namespace {

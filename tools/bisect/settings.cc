@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "tools/text.h"
+#include "tools/output/text.h"
 
 namespace tumble::tools::bisect {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "replay/measure_options.h"
-#include "replay/metric_bound.h"
+#include "replay/measure/measure_options.h"
+#include "replay/measure/metric_bound.h"
 
 namespace tumble::tools::bisect {
 

@@ -2,9 +2,9 @@
 
 #include <iostream>
 
-#include "tools/divergence_output.h"
-#include "tools/log_files.h"
-#include "tools/story_output.h"
+#include "tools/files/log_files.h"
+#include "tools/output/divergence_output.h"
+#include "tools/output/story_output.h"
 
 namespace tumble::tools::bisect {
 namespace {

@@ -3,10 +3,10 @@
 #include <optional>
 #include <string>
 
-#include "replay/aftermath.h"
-#include "replay/narrow.h"
+#include "replay/diff/aftermath.h"
+#include "replay/diff/locate_divergence.h"
 #include "tools/bisect/bisection.h"
-#include "tools/text.h"
+#include "tools/output/text.h"
 
 namespace tumble::tools::bisect {
 

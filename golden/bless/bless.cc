@@ -1,0 +1,214 @@
+#include "golden/bless/bless.h"
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+#include <system_error>
+
+#include "golden/check.h"
+#include "golden/expected/expected_file.h"
+#include "golden/run/run_case.h"
+#include "golden/suite/text_files.h"
+
+namespace tumble::golden {
+namespace {
+
+/// What a child hands back: the result as JSON, then the new golden's bytes, then those of its pictures.
+constexpr std::size_t kLengthDigits = 12;
+
+std::string hand_over(const CaseRun& run) {
+  std::string golden;
+  std::string pictures;
+  Json json = to_json(run.result);
+  json["complete"] = run.complete;
+  if (run.complete) {
+    const Result<std::vector<std::byte>> bytes = pack(run.actual);
+    if (bytes.ok()) {
+      golden.assign(reinterpret_cast<const char*>(bytes->data()), bytes->size());
+    } else {
+      json["complete"] = false;
+      json["problems"].push_back(bytes.error().message);
+    }
+  }
+  json["picture_bytes"] = Json::array();
+  for (const DrawnPicture& picture : run.pictures) {
+    json["picture_bytes"].push_back(picture.png.size());
+    pictures.append(reinterpret_cast<const char*>(picture.png.data()), picture.png.size());
+  }
+  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string length = std::to_string(text.size());
+  length.insert(0, kLengthDigits - length.size(), '0');
+  return length + text + golden + pictures;
+}
+
+struct Handed {
+  CaseFolder folder;
+  CaseResult result;
+  bool complete = false;
+  std::string golden;
+  std::vector<std::string> pictures;  // one a [[picture]]; empty where it could not be drawn
+  std::string rules_text;             // of the new metrics.toml
+};
+
+Handed take_over(const CaseFolder& folder, const ChildResult& child) {
+  Handed handed{.folder = folder, .result = {}, .complete = false, .golden = {}, .pictures = {}, .rules_text = {}};
+  if (!child.failure.empty()) {
+    handed.result.problems.push_back("its process " + child.failure);
+    return handed;
+  }
+  const std::size_t length = std::stoul(child.output.substr(0, kLengthDigits));
+  const std::string text = child.output.substr(kLengthDigits, length);
+  Result<CaseResult> result = case_from_json(text);
+  if (!result.ok()) {
+    handed.result.problems.push_back(result.error().message);
+    return handed;
+  }
+  handed.result = *std::move(result);
+  const Json json = Json::parse(text);
+  handed.complete = json.at("complete");
+  const std::vector<std::size_t> sizes = json.at("picture_bytes");
+  const std::size_t end = child.output.size() - std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
+  std::size_t picture = end;
+  for (const std::size_t size : sizes) {
+    handed.pictures.push_back(child.output.substr(picture, size));
+    picture += size;
+  }
+  handed.golden = child.output.substr(kLengthDigits + length, end - kLengthDigits - length);
+  return handed;
+}
+
+/// Why a case cannot be blessed; empty if it can.
+std::string obstacle(const Handed& handed) {
+  if (!handed.complete) {
+    return handed.result.problems.empty() ? "did not run to its end" : handed.result.problems.front();
+  }
+  for (const std::string& problem : handed.result.problems) {
+    if (problem.starts_with("unreferenced")) return problem;
+  }
+  for (std::size_t k = 0; k < handed.pictures.size(); ++k) {
+    if (handed.pictures[k].empty())
+      return handed.result.pictures[k].rule.file() + " " + handed.result.pictures[k].words;
+  }
+  for (const MetricResult& metric : handed.result.metrics) {
+    const MetricRule& rule = metric.rule;
+    const bool above = metric.value && rule.max && !(*metric.value <= *rule.max);
+    const bool below = metric.value && rule.min && !(*metric.value >= *rule.min);
+    const bool null = !metric.value && !metric.pass;
+    if (!above && !below && !null) continue;
+    const std::string bound = above   ? ", above its max of " + number_with_unit(*rule.max, metric.unit)
+                              : below ? ", below its min of " + number_with_unit(*rule.min, metric.unit)
+                                      : "";
+    return rule.name + " is " + (metric.value ? number_with_unit(*metric.value, metric.unit) : "null") + bound +
+           "; if that is right, change the bound and its reason in " + handed.folder.file(kRulesFile).string() +
+           " first";
+  }
+  return "";
+}
+
+Blessing blessing_of(const CaseResult& result, bool is_new) {
+  Blessing blessing{.name = result.name, .is_new = is_new, .bits = {}, .details = {}, .metrics = result.metrics};
+  const Verdict& exact = result.verdict(VerdictKind::kExact);
+  blessing.bits = exact.words;
+  if (is_new) {
+    blessing.bits = "new, " + std::to_string(result.steps) + " steps of " + std::to_string(result.bodies) + " bodies";
+  } else if (exact.words.empty()) {
+    blessing.bits = "made anew, for the old golden could not be read";
+  }
+  if (!is_new && result.difference) blessing.details = result.difference->details;
+  for (const PictureResult& picture : result.pictures) {
+    if (!picture.words.empty()) blessing.details.push_back(picture.rule.file() + ": " + picture.words);
+  }
+  std::erase_if(blessing.details, [](const std::string& detail) { return detail.starts_with("exact values"); });
+  return blessing;
+}
+
+bool changes_something(const CaseResult& result, const std::string& old_rules, const std::string& new_rules) {
+  return result.verdict(VerdictKind::kExact).outcome != Outcome::kPass || !result.problems.empty() ||
+         !result.notes.empty() || old_rules != new_rules ||
+         std::ranges::any_of(result.pictures, [](const PictureResult& picture) { return !picture.words.empty(); });
+}
+
+Status check_reason(const std::string& reason) {
+  if (reason.find_first_not_of(' ') != std::string::npos && reason.find('\n') == std::string::npos) return {};
+  return bad_input("--reason: wanted one line that says why the goldens move; it goes into HISTORY.md");
+}
+
+/// The new text of metrics.toml.
+Result<std::string> new_rules(const Handed& handed, std::string& old_text) {
+  const std::string path = handed.folder.file(kRulesFile).string();
+  Result<std::string> text = read_text(path);
+  if (!text.ok()) return text.error();
+  old_text = *text;
+  const Result<CaseRules> rules = parse_rules(*text, path);
+  if (!rules.ok()) return rules.error();
+  std::vector<std::optional<double>> values;
+  for (const MetricResult& metric : handed.result.metrics) values.push_back(metric.value);
+  if (values.size() != rules->metrics.size()) return cannot_finish(path + ": changed while it was read");
+  return with_values(*text, path, *rules, values);
+}
+
+Result<std::vector<Handed>> run_all(const BlessOptions& options, const std::vector<CaseFolder>& folders) {
+  std::vector<Handed> handed;
+  const RunOptions run = {options.suite, {}, {}};
+  const bool finished = run_jobs(
+      folders.size(), [&](std::size_t i) { return hand_over(run_case(folders[i], run)); },
+      [&](std::size_t i, const ChildResult& child) { handed.push_back(take_over(folders[i], child)); }, options.pool);
+  if (!finished) return cannot_finish("interrupted; nothing was blessed");
+  std::ranges::sort(handed, {}, [](const Handed& h) { return h.folder.name; });
+  for (const Handed& one : handed) {
+    const std::string why = obstacle(one);
+    if (!why.empty()) return bad_input(one.folder.name + ": " + why + "; nothing was blessed");
+  }
+  return handed;
+}
+
+Status write_case(const Handed& handed) {
+  if (Status ok = write_file(handed.folder.file(kRulesFile), std::string_view(handed.rules_text)); !ok.ok()) return ok;
+  for (std::size_t k = 0; k < handed.pictures.size(); ++k) {
+    const std::string name = handed.result.pictures[k].rule.file();
+    // A picture whose pixels did not move keeps its bytes, which name the driver that made them.
+    if (handed.result.pictures[k].words.empty()) continue;
+    if (Status ok = write_file(handed.folder.path / name, std::string_view(handed.pictures[k])); !ok.ok()) return ok;
+  }
+  return write_file(handed.folder.file(kExpectedFile), std::string_view(handed.golden));
+}
+
+}  // namespace
+
+Result<BlessReport> bless_cases(const BlessOptions& options) {
+  if (Status ok = check_reason(options.reason); !ok.ok()) return ok.error();
+  const Result<Suite> suite = open_suite(options.suite);
+  if (!suite.ok()) return suite.error();
+  Selection chosen;
+  chosen.names = options.names;
+  Result<std::vector<CaseFolder>> folders = select_cases(*suite, chosen);
+  if (!folders.ok()) return folders.error();
+  Result<std::vector<Handed>> handed = run_all(options, longest_first(*std::move(folders)));
+  if (!handed.ok()) return handed.error();
+
+  BlessReport report;
+  std::vector<const Handed*> changed;
+  for (Handed& one : *handed) {
+    std::string old_rules;
+    Result<std::string> rules = new_rules(one, old_rules);
+    if (!rules.ok()) return rules.error();
+    one.rules_text = *std::move(rules);
+    std::error_code error;
+    if (!changes_something(one.result, old_rules, one.rules_text)) {
+      report.unchanged.push_back(one.folder.name);
+      continue;
+    }
+    const bool is_new = !std::filesystem::exists(one.folder.file(kExpectedFile), error);
+    report.blessed.push_back(blessing_of(one.result, is_new));
+    changed.push_back(&one);
+  }
+  if (options.dry_run || changed.empty()) return report;
+  for (const Handed* one : changed) {
+    if (Status ok = write_case(*one); !ok.ok()) return ok.error();
+  }
+  const std::string entry = history_entry(today(), options.reason, report.blessed);
+  if (Status ok = add_to_history(options.suite, entry); !ok.ok()) return ok.error();
+  return report;
+}
+
+}  // namespace tumble::golden

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "golden/expected/expected.h"
+#include "golden/judge/case_result.h"
+#include "src/base/result.h"
+
+/// HISTORY.md: what was blessed, by how much it moved, and why.
+namespace tumble::golden {
+
+/// What blessing a case changed.
+struct Blessing {
+  std::string name;
+  bool is_new = false;  ///< there was no golden before
+  std::string bits;     ///< "first difference: step 12, phase find_contacts", "same bits", "new: 300 states"
+  std::vector<std::string> details;   ///< further sentences about the bits
+  std::vector<MetricResult> metrics;  ///< value: after; rule.value: before
+};
+
+/// An entry: heading with date and reason, a table of cases.
+std::string history_entry(const std::string& date, const std::string& reason, const std::vector<Blessing>& blessings);
+
+/// Adds an entry at the top, under the file's heading, which is made where there is no file. Errors (kCannotFinish,
+/// kBadInput): reading, writing.
+Status add_to_history(const std::filesystem::path& suite, const std::string& entry);
+
+/// Today, as YYYY-MM-DD in UTC.
+std::string today();
+
+}  // namespace tumble::golden

@@ -1,0 +1,208 @@
+#include "golden/canaries/canaries.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+
+#include "golden/canaries/log_canaries.h"
+#include "golden/canaries/suite_canaries.h"
+#include "golden/expected/expected_file.h"
+#include "golden/run/process_pool.h"
+#include "golden/run/run_case.h"
+#include "golden/suite/scene_hash.h"
+
+namespace tumble::golden {
+namespace {
+
+constexpr std::uint64_t kSteps = 24;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Three boxes that fall onto each other and the ground; shift: of the middle one, m.
+sim::SceneDef tiny_scene(double shift = 0) {
+  sim::SceneDef scene;
+  scene.name = "canary";
+  scene.world.method = sim::Method::kThesis;
+  scene.steps = kSteps;
+  for (std::uint64_t i = 0; i < 3; ++i) {
+    sim::BoxDef box;
+    box.id = 1 + i;
+    box.position = {0.25 * static_cast<double>(i) + (i == 1 ? shift : 0), 0, 0.55 + 1.05 * static_cast<double>(i)};
+    box.spin = {0.25, 0.5, 0};
+    scene.boxes.push_back(box);
+  }
+  return scene;
+}
+
+/// What a canary spoils a part of.
+struct Fixture {
+  sim::SceneDef scene = tiny_scene();
+  Session session;
+  Expected expected;
+  bool has_expected = true;
+  CaseRules rules;
+  Judge judge = nullptr;
+
+  [[nodiscard]] CaseResult run() const {
+    CaseResult result;
+    Result<replay::LogReader> log = open_session(session, "the canary's log");
+    if (!log.ok()) {
+      result.problems.push_back(log.error().message);
+      return result;
+    }
+    const Yardstick yardstick = {rules, has_expected ? &expected : nullptr, scene_hash(scene), session.continuation};
+    result = judge(*log, yardstick).result;
+    result.require = rules.require;
+    return result;
+  }
+};
+
+bool failed(const CaseResult& result, VerdictKind kind) { return result.verdict(kind).outcome == Outcome::kFail; }
+bool passed(const CaseResult& result, VerdictKind kind) { return result.verdict(kind).outcome == Outcome::kPass; }
+
+bool only_exact(const CaseResult& r) {
+  return failed(r, VerdictKind::kExact) && passed(r, VerdictKind::kBehaviour) && r.problems.empty();
+}
+bool only_behaviour(const CaseResult& r) {
+  return passed(r, VerdictKind::kExact) && failed(r, VerdictKind::kBehaviour) && r.problems.empty();
+}
+bool bits_moved(const CaseResult& r) { return failed(r, VerdictKind::kExact); }
+bool has_problem(const CaseResult& r) { return !r.problems.empty(); }
+bool nothing_to_compare(const CaseResult& r) { return !passed(r, VerdictKind::kExact); }
+bool no_picture(const CaseResult& r) { return r.verdict(VerdictKind::kImage).outcome != Outcome::kPass; }
+
+struct Canary {
+  const char* name;
+  void (*spoil)(Fixture& fixture);
+  bool (*caught)(const CaseResult& result);  ///< besides: the case must not pass
+};
+
+void flip(Hash128& hash) { hash.low ^= 1; }
+
+const std::vector<Canary>& canaries() {
+  static const std::vector<Canary> kCanaries = {
+      {"one bit of a state hash differs", [](Fixture& f) { flip(f.expected.state_hashes[kSteps / 2]); }, only_exact},
+      {"the first state differs", [](Fixture& f) { flip(f.expected.state_hashes.front()); }, only_exact},
+      {"the last state differs", [](Fixture& f) { flip(f.expected.state_hashes.back()); }, only_exact},
+      {"the golden has a step less",
+       [](Fixture& f) {
+         f.expected.state_hashes.pop_back();
+         f.expected.step_words.pop_back();
+         f.expected.phase_words.pop_back();
+       },
+       only_exact},
+      {"the golden has a step more",
+       [](Fixture& f) {
+         f.expected.state_hashes.push_back(f.expected.state_hashes.back());
+         f.expected.step_words.push_back(0);
+         f.expected.phase_words.emplace_back();
+       },
+       only_exact},
+      {"the golden is empty", [](Fixture& f) { f.expected.state_hashes.clear(); }, has_problem},
+      {"there is no golden", [](Fixture& f) { f.has_expected = false; }, nothing_to_compare},
+      {"the scene changed since", [](Fixture& f) { f.scene.world.gravity.z() -= 1e-9; }, has_problem},
+      {"a phase wrote something else",
+       [](Fixture& f) {
+         f.expected.phase_words[kSteps / 2][0] ^= 1;
+         f.expected.step_words[kSteps / 2] ^= 1;
+       },
+       only_exact},
+      {"phase hashes cover other fields", [](Fixture& f) { ++f.expected.phase_hash_version; }, has_problem},
+      {"a counter differs", [](Fixture& f) { f.expected.step_words[kSteps / 2] ^= 1; }, only_exact},
+      {"the hidden state differs", [](Fixture& f) { flip(f.expected.continuation); }, only_exact},
+      {"a body starts a hair's breadth away",
+       [](Fixture& f) { f.session = *run_session(tiny_scene(std::ldexp(1, -36)), ""); }, bits_moved},
+      {"a metric lies just above its bound",
+       [](Fixture& f) {
+         f.rules.metrics[0].min.reset();
+         f.rules.metrics[0].max = std::nextafter(*f.rules.metrics[0].value, -kInfinity);
+       },
+       only_behaviour},
+      {"a metric lies just below its bound",
+       [](Fixture& f) {
+         f.rules.metrics[0].max.reset();
+         f.rules.metrics[0].min = std::nextafter(*f.rules.metrics[0].value, kInfinity);
+       },
+       only_behaviour},
+      {"a metric is null", [](Fixture& f) { f.rules.metrics[0].name = "column_spread"; }, only_behaviour},
+      {"a metric was never blessed", [](Fixture& f) { f.rules.metrics[0].value.reset(); }, only_behaviour},
+      {"a metric moved and no bit did", [](Fixture& f) { *f.rules.metrics[0].value *= 1.001; }, only_behaviour},
+      {"there is no metric", [](Fixture& f) { f.rules.metrics.clear(); }, only_behaviour},
+      {"a picture is required and there is none", [](Fixture& f) { f.rules.require = {VerdictKind::kImage}; },
+       no_picture},
+      {"the log is damaged", [](Fixture& f) { (*f.session.log)[f.session.log->size() / 2] ^= std::byte{1}; },
+       has_problem},
+      {"the log is torn", [](Fixture& f) { f.session.log->resize(f.session.log->size() - 1); }, has_problem},
+  };
+  return kCanaries;
+}
+
+std::string words_of(const CaseResult& result) {
+  return result.problems.empty() ? summary(result) : result.problems.front();
+}
+
+/// Goldens as files: what was not written as a whole must not be read.
+CanaryResult spoilt_file(const char* name, const Expected& expected, void (*spoil)(std::vector<std::byte>& file)) {
+  Result<std::vector<std::byte>> file = pack(expected);
+  if (!file.ok()) return {name, false, file.error().message};
+  const Result<Expected> whole = unpack(*file, "the canary's golden");
+  spoil(*file);
+  const Result<Expected> spoilt = unpack(*file, "the canary's golden");
+  return {name, whole.ok() && *whole == expected && !spoilt.ok(), spoilt.ok() ? "read" : spoilt.error().message};
+}
+
+CanaryResult dying_child() {
+  CanaryResult result{"a case crashes", false, "it passed as finished"};
+  run_jobs(
+      1, [](std::size_t) -> std::string { std::abort(); },
+      [&](std::size_t, const ChildResult& child) {
+        result.caught = !child.failure.empty() && child.output.empty();
+        result.words = child.failure;
+      },
+      {});
+  return result;
+}
+
+}  // namespace
+
+std::vector<CanaryResult> run_canaries(Judge judge_function) {
+  Fixture fixture;
+  fixture.judge = judge_function;
+  Result<Session> session = run_session(fixture.scene, "");
+  if (!session.ok()) return {{"nothing is wrong, which must pass", false, session.error().message}};
+  fixture.session = *std::move(session);
+  Result<replay::LogReader> log = open_session(fixture.session, "the canary's log");
+  if (!log.ok()) return {{"nothing is wrong, which must pass", false, log.error().message}};
+  MetricRule& rule = fixture.rules.metrics.emplace_back();
+  rule.name = "drift_max";
+  rule.min = 0;
+  rule.max = 1000;
+  // The golden is made by the real judge, so that one that does nothing cannot make up its own.
+  const Judged blessed = judge(*log, {fixture.rules, nullptr, scene_hash(fixture.scene), fixture.session.continuation});
+  fixture.expected = blessed.actual;
+  if (!blessed.values.empty()) fixture.rules.metrics[0].value = blessed.values[0];
+
+  std::vector<CanaryResult> results;
+  const CaseResult control = fixture.run();
+  results.push_back({"nothing is wrong, which must pass", control.passed(), words_of(control)});
+  if (!control.passed()) return results;
+  for (const Canary& canary : canaries()) {
+    Fixture spoilt = fixture;
+    spoilt.session.log = std::make_shared<std::vector<std::byte>>(*fixture.session.log);
+    canary.spoil(spoilt);
+    const CaseResult result = spoilt.run();
+    results.push_back({canary.name, !result.passed() && canary.caught(result), words_of(result)});
+  }
+  results.push_back(spoilt_file("a byte of the golden differs", fixture.expected,
+                                [](std::vector<std::byte>& file) { file[file.size() / 2] ^= std::byte{1}; }));
+  results.push_back(spoilt_file("the golden's file is torn", fixture.expected,
+                                [](std::vector<std::byte>& file) { file.pop_back(); }));
+  results.push_back(
+      spoilt_file("the golden's file is empty", fixture.expected, [](std::vector<std::byte>& file) { file.clear(); }));
+  results.push_back(dying_child());
+  for (CanaryResult& result : run_log_canaries()) results.push_back(std::move(result));
+  for (CanaryResult& result : run_suite_canaries()) results.push_back(std::move(result));
+  return results;
+}
+
+}  // namespace tumble::golden

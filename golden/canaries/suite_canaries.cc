@@ -1,0 +1,100 @@
+#include "golden/canaries/suite_canaries.h"
+
+#include <cstdlib>
+#include <set>
+
+#include "golden/check.h"
+#include "golden/run/process_pool.h"
+#include "replay/measure/mirrored_pair.h"
+
+namespace tumble::golden {
+namespace {
+
+constexpr std::size_t kCases = 5;
+
+Suite five_cases() {
+  Suite suite;
+  for (std::size_t i = 0; i < kCases; ++i) suite.cases.push_back({"case" + std::to_string(i), "no such folder"});
+  return suite;
+}
+
+bool shards_make_a_whole() {
+  std::multiset<std::string> names;
+  for (std::size_t k = 1; k <= 3; ++k) {
+    const auto shard = select_cases(five_cases(), {.names = {}, .category = "", .shard = k, .shards = 3});
+    if (!shard.ok()) return false;
+    for (const CaseFolder& folder : *shard) names.insert(folder.name);
+  }
+  return names.size() == kCases && std::set<std::string>(names.begin(), names.end()).size() == kCases;
+}
+
+bool unreadable_cases_are_run() { return longest_first(five_cases().cases).size() == kCases; }
+
+/// A suite of which everything passed.
+SuiteResult passing() {
+  SuiteResult suite;
+  CaseResult& one = suite.cases.emplace_back();
+  one.require = {VerdictKind::kExact};
+  one.verdict(VerdictKind::kExact).outcome = Outcome::kPass;
+  suite.canaries = {{"seen", true, "", "suite"}, {"seen", true, "", "suite"}};
+  return suite;
+}
+
+/// A suite in which this one thing is wrong must fail.
+bool fails(void (*spoil)(SuiteResult& suite)) {
+  SuiteResult suite = passing();
+  if (!suite.passed()) return false;
+  spoil(suite);
+  return !suite.passed();
+}
+
+bool failures_add_up() {
+  return fails([](SuiteResult& suite) { suite.canaries.back().caught = false; }) &&
+         fails([](SuiteResult& suite) { suite.canaries.clear(); }) &&
+         fails([](SuiteResult& suite) { suite.problems.emplace_back("a problem"); }) &&
+         fails([](SuiteResult& suite) { suite.cases.front().problems.emplace_back("a problem"); }) &&
+         fails([](SuiteResult& suite) { suite.cases.front().require.clear(); }) && fails([](SuiteResult& suite) {
+           suite.cases.emplace_back(suite.cases.front()).verdict(VerdictKind::kExact).outcome = Outcome::kFail;
+         }) &&
+         fails([](SuiteResult& suite) { suite.cases.front().verdict(VerdictKind::kExact).outcome = Outcome::kNone; });
+}
+
+bool early_end_is_seen() {
+  bool seen = false;
+  run_jobs(
+      1, [](std::size_t) -> std::string { std::_Exit(0); },
+      [&](std::size_t, const ChildResult& child) { seen = !child.failure.empty(); }, {});
+  return seen;
+}
+
+/// All images of the suite are exact, so only this tells whether one that is not would be seen.
+bool inexact_images_are_seen() {
+  replay::BodyStates body;
+  body.id = {1};
+  body.position = {{0}, {0}, {0}};
+  body.orientation = {{1}, {0}, {0}, {0}};
+  body.velocity = body.spin = body.position;
+  body.frozen = {0};
+  replay::BodyStates moved = body;
+  moved.position.z = {0.5};
+  replay::TwinMeter meter({}, {});
+  meter.add(1, body, body);
+  if (meter.report().error != 0) return false;
+  meter.add(2, body, moved);
+  return meter.report().error == 0.5 && meter.report().differing == 1;
+}
+
+}  // namespace
+
+std::vector<CanaryResult> run_suite_canaries() {
+  const auto canary = [](const char* name, bool caught) {
+    return CanaryResult{name, caught, caught ? "seen" : "not seen", "suite"};
+  };
+  return {canary("all shards together must be the suite", shards_make_a_whole()),
+          canary("a case that cannot be read is left out", unreadable_cases_are_run()),
+          canary("a canary, a case or a suite fails", failures_add_up()),
+          canary("a mirror image is half a metre off", inexact_images_are_seen()),
+          canary("a case ends before it is done", early_end_is_seen())};
+}
+
+}  // namespace tumble::golden

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "golden/canaries/canaries.h"
+
+namespace tumble::golden {
+
+/// What a check does with verdicts that it has: nothing is left out, no failure adds up to a success.
+std::vector<CanaryResult> run_suite_canaries();
+
+}  // namespace tumble::golden

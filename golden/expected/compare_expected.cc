@@ -1,0 +1,162 @@
+#include "golden/expected/compare_expected.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "replay/diff/divergence.h"
+#include "src/base/text.h"
+
+namespace tumble::golden {
+namespace {
+
+constexpr double kTrackGrain = 0.001;  // m: rounding alone can make half of this a difference
+
+std::string number(std::uint64_t value) { return std::to_string(value); }
+
+std::string length_text(double metres) { return significant(metres, 3) + " m"; }
+
+/// The entry of a step in a list that ascends, or null.
+template <class T>
+const T* at_step(const std::vector<T>& list, std::uint64_t step) {
+  const auto found = std::ranges::lower_bound(list, step, {}, &T::step);
+  return found != list.end() && found->step == step ? &*found : nullptr;
+}
+
+/// How many bodies two lists do not have alike, and the first of them.
+std::string different_bodies(const BodyHashes& expected, const BodyHashes& actual) {
+  std::size_t count = 0;
+  sim::BodyId first = 0;
+  std::size_t a = 0;
+  std::size_t b = 0;
+  while (a < expected.id.size() || b < actual.id.size()) {
+    const sim::BodyId id_a = a < expected.id.size() ? expected.id[a] : ~sim::BodyId{0};
+    const sim::BodyId id_b = b < actual.id.size() ? actual.id[b] : ~sim::BodyId{0};
+    const bool same = id_a == id_b && expected.hash[a] == actual.hash[b];
+    if (!same && count++ == 0) first = std::min(id_a, id_b);
+    if (id_a <= id_b) ++a;
+    if (id_b <= id_a) ++b;
+  }
+  if (count == 0) return "";
+  return "at step " + number(actual.step) + ", " + number(count) + " of " + number(expected.id.size()) +
+         " bodies differ, the first is body " + number(first);
+}
+
+}  // namespace
+
+std::string describe(const FirstDifference& difference) {
+  std::string text = "step " + number(difference.step);
+  if (difference.substep) text += ", sub-step " + number(*difference.substep);
+  text += ", phase " + difference.phase;
+  if (!difference.states_from) return text + "; every state is the same, only what led to them is not";
+  if (*difference.states_from != difference.step)
+    text += "; states differ from step " + number(*difference.states_from);
+  return text;
+}
+
+ExpectedComparer::ExpectedComparer(const Expected& expected, const replay::LogHeader& header)
+    : expected_(expected),
+      same_phases_(expected.phases == header.phases && expected.method == header.method),
+      same_words_(same_phases_ && expected.phase_hash_version == header.phase_hash_version) {
+  if (expected.method != header.method || expected.method_version != header.method_version) {
+    notes_.push_back("blessed with method " + expected.method + " version " + number(expected.method_version) +
+                     ", run with " + header.method + " version " + number(header.method_version));
+  }
+  if (!same_phases_) notes_.emplace_back("the phases have other names than when it was blessed: only states compare");
+}
+
+void ExpectedComparer::note_first(std::uint64_t step, const std::string& phase, std::optional<std::uint32_t> substep) {
+  if (!first_)
+    first_ = FirstDifference{.step = step, .substep = substep, .phase = phase, .states_from = {}, .details = {}};
+}
+
+void ExpectedComparer::add(const replay::StepRecord& record) {
+  steps_ = record.step;
+  if (record.step >= expected_.state_hashes.size()) {
+    note_first(record.step, "step");
+    return;
+  }
+  const bool same_state = record.state_hash == expected_.state_hashes[record.step];
+  if (record.step > 0 && same_words_) compare_words(record);
+  if (!same_state) {
+    note_first(record.step, record.step == 0 ? "start" : "step");
+    if (!first_->states_from) first_->states_from = record.step;
+  }
+  if (first_ && first_->states_from) look_closer(record);
+  follow_track(record);
+}
+
+/// The first phase word that differs; else, by the word of the whole step, what the words do not cover.
+void ExpectedComparer::compare_words(const replay::StepRecord& record) {
+  if (first_ || step_word(record) == expected_.step_words[record.step - 1]) return;
+  const std::size_t phases = expected_.phases.size();
+  const std::vector<std::uint16_t> actual = phase_words_of(record, phases, expected_.phase_detail);
+  const std::vector<std::uint16_t>& wanted = expected_.phase_words[record.step - 1];
+  const std::size_t shorter = std::min(actual.size(), wanted.size());
+  std::size_t word = 0;
+  while (word < shorter && actual[word] == wanted[word]) ++word;
+  if (word == shorter && actual.size() == wanted.size()) {
+    if (record.state_hash == expected_.state_hashes[record.step]) note_first(record.step, "inputs or counters");
+    return;
+  }
+  std::optional<std::uint32_t> substep;
+  if (expected_.phase_detail == PhaseDetail::kSubstep) substep = static_cast<std::uint32_t>(word / phases);
+  note_first(record.step, expected_.phases[word % phases], substep);
+}
+
+/// Bodies and fields at the nearest steps of which the golden knows them.
+void ExpectedComparer::look_closer(const replay::StepRecord& record) {
+  if (bodies_detail_.empty()) {
+    if (const BodyHashes* wanted = at_step(expected_.body_hashes, record.step)) {
+      bodies_detail_ = different_bodies(*wanted, hash_bodies(record.step, record.states));
+    }
+  }
+  if (!field_detail_.empty()) return;
+  const KeyState* wanted = at_step(expected_.states, record.step);
+  if (wanted == nullptr) return;
+  std::optional<replay::Divergence> divergence = replay::first_difference(wanted->states, record.states);
+  if (!divergence) return;
+  const std::string body = divergence->body ? "body " + number(*divergence->body) + ", " : "";
+  field_detail_ = "at step " + number(record.step) + ", " + body + divergence->field + ": expected " +
+                  replay::to_string(divergence->expected) + ", actual " + replay::to_string(divergence->actual);
+  if (divergence->ulps) field_detail_ += " (" + number(*divergence->ulps) + " ULPs apart)";
+}
+
+void ExpectedComparer::follow_track(const replay::StepRecord& record) {
+  const TrackPoint* point = at_step(expected_.track, record.step);
+  if (point == nullptr) return;
+  const replay::BodyStates& states = record.states;
+  std::size_t row = 0;
+  for (std::size_t i = 0; i < point->id.size(); ++i) {
+    while (row < states.size() && states.id[row] < point->id[i]) ++row;
+    if (row == states.size() || states.id[row] != point->id[i]) continue;
+    const double dx = states.position.x[row] - point->x[i] / 1000.0;
+    const double dy = states.position.y[row] - point->y[i] / 1000.0;
+    const double dz = states.position.z[row] - point->z[i] / 1000.0;
+    const double distance = std::sqrt(dx * dx + dy * dy + dz * dz);
+    if (!(distance > apart_)) continue;
+    apart_ = distance;
+    apart_step_ = record.step;
+    apart_body_ = point->id[i];
+  }
+}
+
+std::optional<FirstDifference> ExpectedComparer::finish(const Hash128& continuation) {
+  if (steps_ != expected_.steps()) {
+    note_first(std::min(steps_, expected_.steps()) + 1, "step");
+    first_->details.push_back("expected " + number(expected_.steps()) + " steps, found " + number(steps_));
+    if (!first_->states_from) first_->states_from = first_->step;
+  }
+  const bool known = continuation != Hash128{} && expected_.continuation != Hash128{} && same_phases_;
+  if (known && continuation != expected_.continuation) note_first(steps_, "hidden state");
+  if (!first_) return std::nullopt;
+  for (const std::string& detail : {bodies_detail_, field_detail_}) {
+    if (!detail.empty()) first_->details.push_back(detail);
+  }
+  if (apart_ > 2 * kTrackGrain) {
+    first_->details.push_back("furthest from where it was expected: body " + number(apart_body_) + ", " +
+                              length_text(apart_) + " at step " + number(apart_step_) + " (coarse track)");
+  }
+  return first_;
+}
+
+}  // namespace tumble::golden

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "golden/expected/expected.h"
+#include "replay/format/step_record.h"
+
+namespace tumble::golden {
+
+/// Where a session leaves its golden, for people and programs.
+struct FirstDifference {
+  std::uint64_t step = 0;
+  std::optional<std::uint32_t> substep;  ///< where the golden has words for each sub-step
+  std::string phase;  ///< "find_contacts", …; "start", "inputs or counters", "step", "hidden state"
+  std::optional<std::uint64_t> states_from;  ///< the first step whose state differs; none: only what led to states did
+  std::vector<std::string> details;  ///< sentences: bodies and fields at the nearest stored state, how far apart
+};
+
+/// One sentence: "step 12, phase find_contacts; states differ from step 13".
+std::string describe(const FirstDifference& difference);
+
+/// Compares every step of a session with a golden: state hash, phase words, dt, inputs and counters. Both must outlive
+/// it.
+class ExpectedComparer {
+ public:
+  ExpectedComparer(const Expected& expected, const replay::LogHeader& header);
+
+  /// State 0, then every step in order, with states.
+  void add(const replay::StepRecord& record);
+
+  /// After the last step. continuation: of the last state, zero where it is not known.
+  std::optional<FirstDifference> finish(const Hash128& continuation);
+
+  /// Where phase words could not be compared, and the like.
+  [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
+
+ private:
+  void compare_words(const replay::StepRecord& record);
+  void look_closer(const replay::StepRecord& record);
+  void follow_track(const replay::StepRecord& record);
+  void note_first(std::uint64_t step, const std::string& phase, std::optional<std::uint32_t> substep = {});
+
+  const Expected& expected_;
+  bool same_phases_;
+  bool same_words_;  // and their hashes cover the same
+  std::optional<FirstDifference> first_;
+  std::uint64_t steps_ = 0;
+  std::string bodies_detail_;
+  std::string field_detail_;
+  std::vector<std::string> notes_;
+  double apart_ = 0;  // along the track, m
+  std::uint64_t apart_step_ = 0;
+  sim::BodyId apart_body_ = 0;
+};
+
+}  // namespace tumble::golden

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "replay/format/step_record.h"
+#include "src/base/hash.h"
+#include "src/base/result.h"
+
+/// What a golden case expects of a session, as plain data: hashes of all steps, some states, a coarse track.
+namespace tumble::golden {
+
+/// A hash of each body's visible state at a step: says which bodies differ.
+struct BodyHashes {
+  std::uint64_t step = 0;
+  std::vector<sim::BodyId> id;      ///< ascending
+  std::vector<std::uint32_t> hash;  ///< low half of XXH3-128's low word
+  friend bool operator==(const BodyHashes&, const BodyHashes&) = default;
+};
+
+struct KeyState {
+  std::uint64_t step = 0;
+  replay::BodyStates states;
+  friend bool operator==(const KeyState&, const KeyState&) = default;
+};
+
+/// Positions to the millimetre: for reports, decides nothing.
+struct TrackPoint {
+  std::uint64_t step = 0;
+  std::vector<sim::BodyId> id;
+  std::vector<std::int32_t> x, y, z;  ///< mm
+  friend bool operator==(const TrackPoint&, const TrackPoint&) = default;
+};
+
+enum class PhaseDetail : std::uint8_t { kNone = 0, kStep = 1, kSubstep = 2 };
+
+struct Expected {
+  std::string tool_version;
+  std::string method;
+  std::uint32_t method_version = 0;
+  Hash128 scene;                          ///< scene_hash()
+  std::vector<Hash128> state_hashes;      ///< of states 0 … N
+  std::vector<std::uint32_t> step_words;  ///< of steps 1 … N: step_word()
+  std::vector<std::string> phases;        ///< names of the phase words
+  PhaseDetail phase_detail = PhaseDetail::kSubstep;
+  std::uint32_t phase_hash_version = 1;  ///< LogHeader::phase_hash_version: what phase and step words mean
+  std::vector<std::vector<std::uint16_t>> phase_words;  ///< of steps 1 … N: phase_words_of()
+  Hash128 continuation;                 ///< of state N, hidden parts included; zero where it was not known
+  std::vector<BodyHashes> body_hashes;  ///< ascending step
+  std::vector<KeyState> states;         ///< ascending step
+  std::vector<TrackPoint> track;        ///< ascending step
+
+  [[nodiscard]] std::uint64_t steps() const { return state_hashes.empty() ? 0 : state_hashes.size() - 1; }
+  friend bool operator==(const Expected&, const Expected&) = default;
+};
+
+/// All of a step but its states: dt, inputs, phase words, state hash, counters, in 32 bits.
+std::uint32_t step_word(const replay::StepRecord& record);
+
+/// A step's phase words as a golden keeps them: 16 bits of each, at kStep the sub-steps folded into one row.
+/// phase_count: words in a row.
+std::vector<std::uint16_t> phase_words_of(const replay::StepRecord& record, std::size_t phase_count,
+                                          PhaseDetail detail);
+
+/// Makes a golden with PhaseDetail::kSubstep smaller.
+void reduce_phase_words(Expected& expected, PhaseDetail detail);
+
+/// A hash of each body's visible state.
+BodyHashes hash_bodies(std::uint64_t step, const replay::BodyStates& states);
+
+/// Which steps of a session of so many a golden looks at more closely, ascending, 0 and the last included.
+struct Milestones {
+  std::vector<std::uint64_t> states;  ///< full states; empty where a state alone is too large for a golden
+  std::vector<std::uint64_t> body_hashes;
+  std::vector<std::uint64_t> track;
+};
+Milestones choose_milestones(std::uint64_t steps, std::size_t bodies);
+
+/// Collects a golden while a session goes by: state 0, then every step in order, all with states.
+class ExpectedBuilder {
+ public:
+  ExpectedBuilder(const replay::LogHeader& header, std::uint64_t steps, const Hash128& scene);
+
+  void add(const replay::StepRecord& record);
+
+  /// After the last step. continuation: zero where it is not known.
+  Expected finish(const Hash128& continuation);
+
+ private:
+  Expected expected_;
+  Milestones milestones_;
+};
+
+}  // namespace tumble::golden

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "golden/expected/expected.h"
+#include "golden/judge/case_result.h"
+#include "replay/log/log_reader.h"
+#include "src/base/result.h"
+
+namespace tumble::golden {
+
+/// Its name in a failed case's folder of the report.
+inline constexpr const char* kSeriesFile = "series.json";
+
+/// What index.html draws of a failed case: numbers and nulls under fixed names, never a word of the scene.
+///   actual    a column each of step, kinetic, potential, total (J), lateral_max, column_spread, height_max,
+///   height_mean
+///             (m), a row a state; every n-th of a long session
+///   expected  track: the same where the coarse track has them, potential of the energies; states: step and the three
+///             energies, where the golden has full states. Millimetres: the track keeps no more
+///   bodies    id and size (x, y, z in m, one after the other; 0 where unknown) of every body of frames
+///   frames    step, and a row a step of expected_mm and actual_mm (x, y, z a body, null where it is not there) and
+///             actual_turn (w, x, y, z a body)
+/// expected: null where there is none. Errors: a log that cannot be read.
+Result<Json> case_series(replay::LogReader& log, const Expected* expected);
+
+}  // namespace tumble::golden

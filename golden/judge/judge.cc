@@ -1,0 +1,122 @@
+#include "golden/judge/judge.h"
+
+#include "golden/suite/metric_values.h"
+#include "replay/session/state_source.h"
+
+namespace tumble::golden {
+namespace {
+
+constexpr const char* kExactValues = "exact values: record a full log with the command below and compare it by diff";
+
+std::string number(std::uint64_t value) { return std::to_string(value); }
+
+/// One pass over a log: comparing, measuring and collecting what a new golden would hold.
+class Pass {
+ public:
+  Pass(replay::LogReader& log, const Yardstick& yardstick)
+      : log_(log),
+        yardstick_(yardstick),
+        metrics_(log.header(), yardstick.rules),
+        builder_(log.header(), log.step_count(), yardstick.scene) {
+    if (yardstick.expected != nullptr) comparer_.emplace(*yardstick.expected, log.header());
+  }
+
+  Judged run() {
+    Judged judged;
+    CaseResult& result = judged.result;
+    result.steps = log_.step_count();
+    if (const Status status = read_all(); !status.ok()) {
+      result.problems.push_back(status.error().message);
+      return judged;
+    }
+    if (!log_.condition().whole()) result.problems.push_back("its log is " + log_.condition().summary(result.steps));
+    result.bodies = bodies_;
+    result.final_hash = to_string(final_hash_);
+    judged.actual = builder_.finish(yardstick_.continuation);
+    judge_exact(result);
+    judge_behaviour(judged);
+    return judged;
+  }
+
+ private:
+  Status read_all() {
+    replay::StateSource source(log_);
+    for (std::uint64_t k = 0; k <= log_.step_count(); ++k) {
+      const Result<const replay::StepRecord*> record = source.read(k);
+      if (!record.ok()) return record.error();
+      const replay::StepRecord& step = **record;
+      if (replay::state_hash(step.states) != step.state_hash) {
+        return damaged("step " + number(k) + ": the states of the log are not those its state hash tells of");
+      }
+      if (comparer_) comparer_->add(step);
+      metrics_.add(step);
+      builder_.add(step);
+      final_hash_ = step.state_hash;
+      for (const sim::Command& input : step.inputs) bodies_ += std::holds_alternative<sim::Throw>(input) ? 1U : 0U;
+      if (k == 0) bodies_ = step.states.size();
+      if (k == log_.step_count()) last_ = step.states;
+    }
+    return {};
+  }
+
+  void judge_exact(CaseResult& result) {
+    Verdict& exact = result.verdict(VerdictKind::kExact);
+    if (result.steps == 0) {
+      result.problems.emplace_back("its session has no step: nothing to compare");
+      return;
+    }
+    if (yardstick_.expected == nullptr) return;  // why there is none is the caller's problem to tell
+    const Expected& expected = *yardstick_.expected;
+    if (expected.steps() == 0) {
+      result.problems.emplace_back("expected.tumble is empty: it holds no step to compare");
+      return;
+    }
+    if (expected.scene != yardstick_.scene) {
+      result.problems.emplace_back(
+          "stale: scene.toml is not the scene that was blessed; bless the case if the change is meant, else undo it");
+    }
+    const bool same_words = expected.phase_hash_version == log_.header().phase_hash_version;
+    if (!same_words) {
+      result.problems.push_back("stale: blessed with phase hashes of version " + number(expected.phase_hash_version) +
+                                ", run with version " + number(log_.header().phase_hash_version) +
+                                ", which cover different fields: states and metrics were compared, what led from state "
+                                "to state was not; bless the case if nothing else is wrong with it");
+    }
+    result.notes = comparer_->notes();
+    result.difference = comparer_->finish(yardstick_.continuation);
+    if (!result.difference) {
+      exact = {Outcome::kPass, "same bits in all " + number(expected.state_hashes.size()) + " states" +
+                                   (same_words ? "" : ", phase hashes of another version")};
+      return;
+    }
+    exact = {Outcome::kFail, "first difference: " + describe(*result.difference)};
+    result.difference->details.emplace_back(kExactValues);
+  }
+
+  void judge_behaviour(Judged& judged) {
+    CaseResult& result = judged.result;
+    Result<std::vector<std::optional<double>>> values = metrics_.finish(last_);
+    if (!values.ok()) {
+      result.problems.push_back(values.error().message);
+      return;
+    }
+    judged.values = *values;
+    const bool same_bits = result.verdict(VerdictKind::kExact).outcome == Outcome::kPass;
+    result.verdict(VerdictKind::kBehaviour) = judge_metrics(yardstick_.rules, judged.values, same_bits, result.metrics);
+  }
+
+  replay::LogReader& log_;
+  const Yardstick& yardstick_;
+  std::optional<ExpectedComparer> comparer_;
+  MetricSet metrics_;
+  ExpectedBuilder builder_;
+  replay::BodyStates last_;
+  Hash128 final_hash_;
+  std::uint64_t bodies_ = 0;
+};
+
+}  // namespace
+
+Judged judge(replay::LogReader& log, const Yardstick& yardstick) { return Pass(log, yardstick).run(); }
+
+}  // namespace tumble::golden

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "golden/judge/case_result.h"
+#include "golden/suite/case_rules.h"
+#include "golden/suite/suite.h"
+#include "replay/log/log_reader.h"
+#include "src/base/result.h"
+#include "src/render/picture/image.h"
+
+/// The third verdict: pictures of a session, drawn as `tumble render` draws them, against the golden ones.
+namespace tumble::golden {
+
+/// One picture of a rule, drawn now.
+struct DrawnPicture {
+  std::string file;            ///< "frame_0120.png"
+  std::vector<std::byte> png;  ///< what a golden of it would be
+  render::Image image;
+  render::Image expected;  ///< empty: there is none, or it cannot be read
+};
+
+struct JudgedPictures {
+  Verdict verdict;                     ///< kNone if the rules name no picture
+  std::vector<PictureResult> results;  ///< one a rule
+  std::vector<std::string> problems;   ///< a golden picture that is missing, damaged or that no rule names
+  std::vector<std::string> notes;      ///< the driver, where a pixel is not as it was
+  std::vector<DrawnPicture> drawn;     ///< one a rule; without pixels where it could not be drawn
+};
+
+/// Draws every picture that the rules name and compares its decoded pixels with the case's file. Equal pixels pass;
+/// else those off by more than render::kFarOffLevels are counted against the rule's bound.
+JudgedPictures judge_pictures(replay::LogReader& log, const std::vector<PictureRule>& rules, const CaseFolder& folder);
+
+/// The files that show a person what is wrong with a picture, by name: "frame_0120.actual.png", and where there is a
+/// golden, "….expected.png" and "….difference.png".
+struct PictureFile {
+  std::string name;
+  std::vector<std::byte> bytes;
+};
+std::vector<PictureFile> explaining_files(const DrawnPicture& picture);
+
+}  // namespace tumble::golden

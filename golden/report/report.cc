@@ -1,0 +1,56 @@
+#include "golden/report/report.h"
+
+#include "golden/suite/text_files.h"
+
+namespace tumble::golden {
+
+std::string headline(const SuiteResult& result) {
+  const std::string total = std::to_string(result.cases.size()) + (result.cases.size() == 1 ? " case" : " cases");
+  if (!result.canaries_caught()) return "a canary was not caught: no verdict of this check can be trusted";
+  if (result.passed()) return total + " passed";
+  std::string text = std::to_string(result.failed_cases()) + " of " + total + " failed";
+  std::string verdicts;
+  for (std::size_t k = 0; k < kVerdictNames.size(); ++k) {
+    const std::size_t failed = result.failed(static_cast<VerdictKind>(k));
+    if (failed == 0) continue;
+    verdicts += (verdicts.empty() ? "; verdicts failed: " : ", ") + std::string(kVerdictNames[k]) + ' ' +
+                std::to_string(failed);
+  }
+  text += verdicts;
+  if (!result.problems.empty()) text += "; " + result.problems.front();
+  return text;
+}
+
+Json report_json(const SuiteResult& result) {
+  Json json = {{"passed", result.passed()},
+               {"headline", headline(result)},
+               {"suite", result.suite},
+               {"shard", result.shard},
+               {"shards", result.shards},
+               {"seconds", result.seconds},
+               {"failed_cases", result.failed_cases()},
+               {"canaries_caught", result.canaries_caught()},
+               {"problems", result.problems}};
+  for (std::size_t k = 0; k < kVerdictNames.size(); ++k) {
+    json["failed_verdicts"][kVerdictNames[k]] = result.failed(static_cast<VerdictKind>(k));
+  }
+  json["cases"] = Json::array();
+  for (const CaseResult& one : result.cases) json["cases"].push_back(to_json(one));
+  json["canaries"] = Json::array();
+  for (const CanaryResult& canary : result.canaries) {
+    json["canaries"].push_back(
+        {{"name", canary.name}, {"caught", canary.caught}, {"about", canary.about}, {"words", canary.words}});
+  }
+  return json;
+}
+
+Status write_reports(const SuiteResult& result, const std::filesystem::path& folder,
+                     const std::filesystem::path& junit) {
+  const std::string json = report_json(result).dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+  if (Status ok = write_file(folder / "report.json", std::string_view(json)); !ok.ok()) return ok;
+  const std::filesystem::path junit_path = junit.empty() ? folder / "junit.xml" : junit;
+  if (Status ok = write_file(junit_path, std::string_view(report_junit(result))); !ok.ok()) return ok;
+  return write_file(folder / "index.html", std::string_view(report_html(result, folder)));
+}
+
+}  // namespace tumble::golden

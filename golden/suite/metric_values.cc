@@ -1,0 +1,103 @@
+#include "golden/suite/metric_values.h"
+
+#include <algorithm>
+
+#include "replay/measure/metric_list.h"
+#include "replay/measure/mirrored_pair.h"
+
+namespace tumble::golden {
+namespace {
+
+constexpr std::uint64_t kOrderSeed = 7;      // of the names that order_error compares with
+const sim::Vec3 kShift = {1024, -512.5, 0};  // m, what shift_error compares with; exact on the grid of positions
+
+bool same_choice(const MetricRule& a, const MetricRule& b) {
+  return a.bodies == b.bodies && a.axis == b.axis && a.from_step == b.from_step;
+}
+
+/// The choice that a rule makes; its bodies were checked when it was read.
+replay::MeasureOptions options_of(const MetricRule& rule) {
+  replay::MeasureOptions options;
+  if (const Result<replay::BodyChoice> bodies = replay::parse_bodies(rule.bodies); bodies.ok())
+    options.bodies = *bodies;
+  options.lateral = rule.axis == "y" ? replay::LateralAxis::kY : replay::LateralAxis::kX;
+  options.from_step = rule.from_step;
+  return options;
+}
+
+/// The image that a metric compares with; none for a metric of one session.
+std::optional<sim::Transform> image_for(const MetricRule& rule) {
+  sim::Transform transform;
+  if (rule.name == "mirror_error") {
+    (rule.axis == "y" ? transform.mirror_y : transform.mirror_x) = true;
+  } else if (rule.name == "order_error") {
+    transform.permute = kOrderSeed;
+  } else if (rule.name == "shift_error") {
+    transform.shift = kShift;
+  }
+  return transform.identity() ? std::nullopt : std::optional<sim::Transform>(transform);
+}
+
+}  // namespace
+
+std::vector<const char*> metric_names() {
+  std::vector<const char*> names;
+  for (const replay::MetricRow& row : replay::metric_list()) names.push_back(row.name);
+  return names;
+}
+
+std::string metric_unit(const std::string& name) {
+  const replay::MetricRow* row = replay::find_metric(name);
+  return row == nullptr ? "" : row->unit;
+}
+
+Status check_selection(const MetricRule& rule) {
+  const Result<replay::BodyChoice> bodies = replay::parse_bodies(rule.bodies);
+  return bodies.ok() ? Status() : Status(bodies.error());
+}
+
+MetricSet::MetricSet(const replay::LogHeader& header, const CaseRules& rules) : header_(header), rules_(rules) {
+  std::vector<const MetricRule*> choices;
+  for (const MetricRule& rule : rules.metrics) {
+    const auto known =
+        std::ranges::find_if(choices, [&](const MetricRule* other) { return same_choice(rule, *other); });
+    of_rule_.push_back(static_cast<std::size_t>(known - choices.begin()));
+    if (known != choices.end()) continue;
+    choices.push_back(&rule);
+    measurers_.emplace_back(header, options_of(rule));
+  }
+}
+
+void MetricSet::add(const replay::StepRecord& record) {
+  for (replay::Measurer& measurer : measurers_) measurer.add(record);
+}
+
+Result<std::optional<double>> MetricSet::twin_value(const MetricRule& rule) const {
+  if (!rules_.command.empty()) return std::optional<double>();  // this engine's images say nothing about another one's
+  const sim::Transform transform = *image_for(rule);
+  const Result<replay::TwinReport> report = replay::run_twins(header_.scene, transform);
+  if (!report.ok()) return report.error();
+  replay::Metrics metrics;
+  replay::set_twin_error(transform, *report, metrics.symmetry);
+  return replay::find_metric(rule.name)->value(metrics);
+}
+
+Result<std::vector<std::optional<double>>> MetricSet::finish(const replay::BodyStates& last) {
+  std::vector<replay::Metrics> metrics;
+  for (replay::Measurer& measurer : measurers_) {
+    const Result<replay::Metrics> measured = measurer.finish(last);
+    if (!measured.ok()) return measured.error();
+    metrics.push_back(*measured);
+  }
+  std::vector<std::optional<double>> values;
+  for (std::size_t k = 0; k < rules_.metrics.size(); ++k) {
+    const MetricRule& rule = rules_.metrics[k];
+    Result<std::optional<double>> value =
+        image_for(rule) ? twin_value(rule) : replay::find_metric(rule.name)->value(metrics[of_rule_[k]]);
+    if (!value.ok()) return value.error();
+    values.push_back(*value);
+  }
+  return values;
+}
+
+}  // namespace tumble::golden

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "golden/suite/case_rules.h"
+#include "replay/format/step_record.h"
+#include "replay/measure/measure.h"
+
+/// The metrics of replay/measure/metric_list.h for the rules of a case.
+namespace tumble::golden {
+
+/// All names, in the order of docs/metrics.md.
+std::vector<const char*> metric_names();
+std::string metric_unit(const std::string& name);
+
+/// Errors (kBadInput): bodies that are not written as docs/metrics.md says.
+Status check_selection(const MetricRule& rule);
+
+/// Measures all metrics of a case in one pass over its session. Metrics of a session and its image (mirror_error along
+/// the rule's axis, order_error, shift_error) make it run the scene twice more, at the end.
+class MetricSet {
+ public:
+  /// header and rules, of the session, must outlive this.
+  MetricSet(const replay::LogHeader& header, const CaseRules& rules);
+
+  /// State 0, then every step in order, with states.
+  void add(const replay::StepRecord& record);
+
+  /// After the last step: a value a rule, none where the metric makes no sense. last: the last state. Errors: a rule
+  /// that measures nothing, such as one from a step that the session does not reach (kBadInput); an image that cannot
+  /// be run (run_twins').
+  Result<std::vector<std::optional<double>>> finish(const replay::BodyStates& last);
+
+ private:
+  [[nodiscard]] Result<std::optional<double>> twin_value(const MetricRule& rule) const;
+
+  const replay::LogHeader& header_;
+  const CaseRules& rules_;
+  std::vector<replay::Measurer> measurers_;  // one for each choice of bodies, axis and step
+  std::vector<std::size_t> of_rule_;         // index into measurers_
+};
+
+}  // namespace tumble::golden

@@ -1,0 +1,109 @@
+#include "golden/suite/suite.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <system_error>
+
+#include "golden/suite/case_rules.h"
+#include "golden/suite/text_files.h"
+#include "src/base/text.h"
+#include "src/scenes/scene_file.h"
+
+namespace tumble::golden {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<const char*, 3> kCaseFiles = {kSceneFile, kRulesFile, kExpectedFile};
+constexpr std::size_t kNameLengthMax = 100;
+
+std::vector<fs::path> entries_of(const fs::path& folder) {
+  std::vector<fs::path> entries;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    entries.push_back(at->path());
+  }
+  std::ranges::sort(entries);
+  return entries;
+}
+
+Error unknown_case(const Suite& suite, const std::string& name) {
+  std::vector<std::string_view> names;
+  for (const CaseFolder& known : suite.cases) names.push_back(known.name);
+  const std::string_view nearest = nearest_word(name, names);
+  const std::string hint = nearest.empty() ? "" : "; did you mean \"" + std::string(nearest) + "\"?";
+  return bad_input("no case " + in_quotes(name) + " in " + (suite.root / "cases").string() + hint);
+}
+
+/// A case whose scene cannot be read belongs to every category, or its failure would hide.
+bool is_in_category(const CaseFolder& folder, const std::string& category) {
+  const Result<std::string> text = read_text(folder.file(kSceneFile));
+  if (!text.ok()) return true;
+  const Result<sim::SceneDef> scene = scenes::parse_scene(*text, folder.file(kSceneFile).string());
+  return !scene.ok() || scene->category == category;
+}
+
+}  // namespace
+
+Result<Suite> open_suite(const fs::path& root) {
+  std::error_code error;
+  const fs::path cases = root / "cases";
+  if (!fs::is_directory(cases, error)) {
+    return bad_input(root.string() + ": found no folder \"cases\" in it, wanted a suite");
+  }
+  Suite suite{.root = root, .cases = {}, .problems = {}};
+  for (const fs::path& entry : entries_of(cases)) {
+    if (fs::is_directory(entry, error)) {
+      suite.cases.push_back({entry.filename().string(), entry});
+    } else {
+      suite.problems.push_back(entry.string() + ": belongs to no case; remove it or give it a folder");
+    }
+  }
+  if (suite.cases.empty()) return bad_input(cases.string() + ": found no case, wanted a folder for each");
+  return suite;
+}
+
+Status check_case_name(const std::string& name) {
+  const bool right = !name.empty() && name.size() <= kNameLengthMax && std::ranges::all_of(name, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  });
+  if (right) return {};
+  return bad_input("found " + in_quotes(name) + " as a case's name, wanted letters, digits, '_' and '-'");
+}
+
+std::vector<std::string> folder_problems(const CaseFolder& folder) {
+  std::vector<std::string> problems;
+  std::error_code error;
+  for (const char* wanted : kCaseFiles) {
+    if (fs::exists(folder.file(wanted), error)) continue;
+    const bool by_bless = std::string_view(wanted) == kExpectedFile;
+    problems.push_back(std::string("no ") + wanted + (by_bless ? ": bless the case" : ": a case needs one"));
+  }
+  for (const fs::path& entry : entries_of(folder.path)) {
+    const std::string name = entry.filename().string();
+    if (std::ranges::find(kCaseFiles, name) != kCaseFiles.end() || is_picture_name(name)) continue;  // judged with them
+    problems.push_back("unreferenced: nothing reads " + name + "; remove it");
+  }
+  return problems;
+}
+
+Result<std::vector<CaseFolder>> select_cases(const Suite& suite, const Selection& selection) {
+  std::vector<CaseFolder> chosen;
+  for (const std::string& name : selection.names) {
+    const auto found = std::ranges::find(suite.cases, name, &CaseFolder::name);
+    if (found == suite.cases.end()) return unknown_case(suite, name);
+    if (std::ranges::find(chosen, name, &CaseFolder::name) == chosen.end()) chosen.push_back(*found);
+  }
+  if (selection.names.empty()) chosen = suite.cases;
+  if (!selection.category.empty()) {
+    std::erase_if(chosen, [&](const CaseFolder& folder) { return !is_in_category(folder, selection.category); });
+    if (chosen.empty()) return bad_input("found no case of category " + in_quotes(selection.category));
+  }
+  std::ranges::sort(chosen, {}, &CaseFolder::name);
+  std::vector<CaseFolder> shard;
+  for (std::size_t i = selection.shard - 1; i < chosen.size(); i += selection.shards) shard.push_back(chosen[i]);
+  return shard;
+}
+
+}  // namespace tumble::golden

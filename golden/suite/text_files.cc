@@ -1,0 +1,66 @@
+#include "golden/suite/text_files.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+namespace tumble::golden {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kBytesMax = std::size_t{256} << 20;
+
+template <class Content>
+Result<Content> read(const fs::path& path) {
+  std::error_code error;
+  if (fs::is_directory(path, error)) return bad_input(path.string() + ": is a folder, not a file");
+  errno = 0;
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if (!file) return bad_input(path.string() + ": cannot be opened: " + std::strerror(errno));
+  const auto size = static_cast<std::size_t>(file.tellg());
+  if (size > kBytesMax) return bad_input(path.string() + ": larger than any file of a suite");
+  Content content(size, typename Content::value_type{});
+  file.seekg(0);
+  file.read(reinterpret_cast<char*>(content.data()), static_cast<std::streamsize>(size));
+  if (!file) return cannot_finish(path.string() + ": cannot be read: " + std::strerror(errno));
+  return content;
+}
+
+}  // namespace
+
+Result<std::string> read_text(const fs::path& path) { return read<std::string>(path); }
+Result<std::vector<std::byte>> read_bytes(const fs::path& path) { return read<std::vector<std::byte>>(path); }
+
+Status write_file(const fs::path& path, std::string_view content) {
+  std::error_code error;
+  fs::create_directories(path.parent_path().empty() ? "." : path.parent_path(), error);
+  const fs::path beside = path.string() + ".new";
+  errno = 0;
+  std::ofstream file(beside, std::ios::binary | std::ios::trunc);
+  file.write(content.data(), static_cast<std::streamsize>(content.size()));
+  file.close();
+  if (!file) return cannot_finish(path.string() + ": cannot be written: " + std::strerror(errno));
+  fs::rename(beside, path, error);
+  if (error) return cannot_finish(path.string() + ": cannot be written: " + error.message());
+  return {};
+}
+
+Status write_file(const fs::path& path, std::span<const std::byte> content) {
+  return write_file(path, std::string_view(reinterpret_cast<const char*>(content.data()), content.size()));
+}
+
+std::vector<std::string> lines_of(std::string_view text) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const std::size_t end = text.find('\n');
+    lines.emplace_back(text.substr(0, end));
+    if (!lines.back().empty() && lines.back().back() == '\r') lines.back().pop_back();
+    if (end == std::string_view::npos) break;
+    text.remove_prefix(end + 1);
+  }
+  return lines;
+}
+
+}  // namespace tumble::golden

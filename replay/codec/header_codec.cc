@@ -1,0 +1,135 @@
+#include "replay/codec/header_codec.h"
+
+#include "replay/codec/message.h"
+#include "replay/codec/scene_codec.h"
+#include "replay/format/limits.h"
+#include "src/model/limits.h"
+
+namespace tumble::replay {
+namespace {
+
+void encode_texts(const std::vector<std::string>& texts, capnp::List<capnp::Text>::Builder out) {
+  for (unsigned i = 0; i < out.size(); ++i) out.set(i, texts[i]);
+}
+
+std::vector<std::string> decode_texts(capnp::List<capnp::Text>::Reader in) {
+  std::vector<std::string> texts;
+  for (const capnp::Text::Reader text : in) texts.emplace_back(text.cStr(), text.size());
+  return texts;
+}
+
+void encode_recovered(const Recovered& recovered, schema::Recovered::Builder out) {
+  out.setLog(recovered.log);
+  out.setHeaderLost(recovered.header_lost);
+  auto gaps = out.initGaps(static_cast<unsigned>(recovered.gaps.size()));
+  for (unsigned i = 0; i < gaps.size(); ++i) {
+    gaps[i].setFirstStep(recovered.gaps[i].first_step);
+    gaps[i].setStepCount(recovered.gaps[i].step_count);
+  }
+}
+
+Result<Recovered> decode_recovered(schema::Recovered::Reader in) {
+  Recovered recovered{in.getLog().cStr(), in.getHeaderLost(), {}};
+  const auto gaps = in.getGaps();
+  if (gaps.size() > kChunksMax) return damaged("found " + std::to_string(gaps.size()) + " gaps");
+  std::uint64_t before = 0;
+  for (const schema::Recovered::Gap::Reader gap : gaps) {
+    recovered.gaps.push_back({gap.getFirstStep(), gap.getStepCount()});
+    const Gap& last = recovered.gaps.back();
+    const bool fits = last.first_step > before && last.step_count > 0 && last.first_step <= sim::kStepsMax &&
+                      last.step_count <= sim::kStepsMax;
+    if (!fits) {
+      return damaged("found a gap of " + std::to_string(last.step_count) + " steps from step " +
+                     std::to_string(last.first_step) + " on, wanted one after step " + std::to_string(before));
+    }
+    before = last.end_step();
+  }
+  return recovered;
+}
+
+Result<LogHeader> decode_root(schema::Header::Reader in, std::uint64_t message_bytes) {
+  LogHeader header;
+  header.tool_version = in.getToolVersion().cStr();
+  header.tool_build = in.getToolBuild().cStr();
+  header.method = in.getMethod().cStr();
+  header.method_version = in.getMethodVersion();
+  header.float_format = in.getFloatFormat().cStr();
+  const auto phases = in.getPhases();
+  if (phases.size() > kPhasesMax) {
+    return damaged("found " + std::to_string(phases.size()) + " phases, wanted at most " + std::to_string(kPhasesMax));
+  }
+  header.phases = decode_texts(phases);
+  header.phase_rows_max = in.getPhaseRowsMax();
+  header.phase_hash_version = in.getPhaseHashVersion();
+  Result<sim::SceneDef> scene = decode(in.getScene(), message_bytes);
+  if (!scene.ok()) return scene.error();
+  header.scene = *std::move(scene);
+  const capnp::Text::Reader text = in.getSceneText();
+  header.scene_text.assign(text.cStr(), text.size());
+  const auto overrides = in.getOverrides();
+  if (overrides.size() > kOverridesMax) return damaged("found " + std::to_string(overrides.size()) + " overrides");
+  header.overrides = decode_texts(overrides);
+  header.transform = decode(in.getTransform());
+  if (in.hasGoesOn()) {
+    const schema::GoesOn::Reader before = in.getGoesOn();
+    const Hash128 hash = {before.getContinuationHigh(), before.getContinuationLow()};
+    header.goes_on = {before.getStep(), before.getLog().cStr(), hash, {}};
+  }
+  if (in.hasEngine()) {
+    const schema::Engine::Reader engine = in.getEngine();
+    header.engine = {engine.getName().cStr(), engine.getVersion().cStr(), engine.getPrecisionBits()};
+  }
+  if (in.hasRecovered()) {
+    Result<Recovered> recovered = decode_recovered(in.getRecovered());
+    if (!recovered.ok()) return recovered.error();
+    header.recovered = *std::move(recovered);
+  }
+  header.states.every = in.getStatesEvery();
+  header.chunk_steps_max = in.getChunkStepsMax();
+  header.chunk_bytes_max = in.getChunkBytesMax();
+  return header;
+}
+
+}  // namespace
+
+Result<MessageBytes> encode_header(const LogHeader& header) {
+  const std::size_t guess = header.scene.boxes.size() * 256 + header.scene_text.size();
+  return write_message<schema::Header>(guess, [&](schema::Header::Builder out) {
+    out.setToolVersion(header.tool_version);
+    out.setToolBuild(header.tool_build);
+    out.setMethod(header.method);
+    out.setMethodVersion(header.method_version);
+    out.setFloatFormat(header.float_format);
+    encode_texts(header.phases, out.initPhases(static_cast<unsigned>(header.phases.size())));
+    out.setPhaseRowsMax(header.phase_rows_max);
+    out.setPhaseHashVersion(header.phase_hash_version);
+    encode(header.scene, out.initScene());
+    out.setSceneText(header.scene_text);
+    encode_texts(header.overrides, out.initOverrides(static_cast<unsigned>(header.overrides.size())));
+    encode(header.transform, out.initTransform());
+    if (header.goes_on) {
+      schema::GoesOn::Builder before = out.initGoesOn();
+      before.setStep(header.goes_on->step);
+      before.setLog(header.goes_on->log);
+      before.setContinuationLow(header.goes_on->continuation_hash.low);
+      before.setContinuationHigh(header.goes_on->continuation_hash.high);
+    }
+    if (header.engine) {
+      schema::Engine::Builder engine = out.initEngine();
+      engine.setName(header.engine->name);
+      engine.setVersion(header.engine->version);
+      engine.setPrecisionBits(static_cast<std::uint8_t>(header.engine->precision_bits));
+    }
+    if (header.recovered) encode_recovered(*header.recovered, out.initRecovered());
+    out.setStatesEvery(header.states.every);
+    out.setChunkStepsMax(header.chunk_steps_max);
+    out.setChunkBytesMax(header.chunk_bytes_max);
+  });
+}
+
+Result<LogHeader> decode_header(const MessageBytes& message) {
+  const std::uint64_t bytes = message.bytes().size();
+  return read_message<schema::Header>(message, [&](schema::Header::Reader in) { return decode_root(in, bytes); });
+}
+
+}  // namespace tumble::replay

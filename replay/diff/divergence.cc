@@ -1,0 +1,196 @@
+#include "replay/diff/divergence.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "replay/codec/state_keys.h"
+#include "replay/diff/input_difference.h"
+#include "replay/format/columns.h"
+
+namespace tumble::replay {
+namespace {
+
+/// The order in which a body's fields are compared and named.
+constexpr std::array<std::size_t, kColumnCount> kFieldOrder = {6, 7, 8, 9, 10, 11, 12, 0, 1, 2, 3, 4, 5};
+
+Divergence make(std::uint64_t step, const char* phase, const char* field, FieldValue expected, FieldValue actual) {
+  Divergence divergence;
+  divergence.step = step;
+  divergence.phase = phase;
+  divergence.field = field;
+  divergence.expected = std::move(expected);
+  divergence.actual = std::move(actual);
+  const auto* a = std::get_if<double>(&divergence.expected);
+  const auto* b = std::get_if<double>(&divergence.actual);
+  if (a != nullptr && b != nullptr) divergence.ulps = ulps_between(*a, *b);
+  return divergence;
+}
+
+std::optional<Divergence> different_start(const StepRecord& expected, const StepRecord& actual) {
+  if (bits_of(expected.dt) != bits_of(actual.dt)) {
+    return make(expected.step, "inputs", "dt", expected.dt, actual.dt);
+  }
+  std::optional<InputDifference> inputs = first_difference(expected.inputs, actual.inputs);
+  if (!inputs) return std::nullopt;
+  Divergence found = make(expected.step, "inputs", inputs->field.c_str(), inputs->expected, inputs->actual);
+  found.body = inputs->body;
+  return found;
+}
+
+std::string hex(std::uint64_t word) { return to_string(Hash128{0, word}).substr(16); }
+
+/// The first sub-step and phase that wrote something else.
+std::optional<Divergence> different_phase(const StepRecord& expected, const StepRecord& actual,
+                                          const std::vector<std::string>& phases) {
+  if (phases.empty() || expected.phase_words == actual.phase_words) return std::nullopt;
+  const std::size_t shorter = std::min(expected.phase_words.size(), actual.phase_words.size());
+  const auto word = static_cast<std::size_t>(
+      std::mismatch(expected.phase_words.begin(), expected.phase_words.begin() + static_cast<std::ptrdiff_t>(shorter),
+                    actual.phase_words.begin())
+          .first -
+      expected.phase_words.begin());
+  const auto text = [word](const StepRecord& record) {
+    return word < record.phase_words.size() ? hex(record.phase_words[word]) : std::string("no such sub-step");
+  };
+  Divergence divergence =
+      make(expected.step, phases[word % phases.size()].c_str(), "phase_hash", text(expected), text(actual));
+  divergence.substep = static_cast<std::uint32_t>(word / phases.size());
+  return divergence;
+}
+
+std::optional<Divergence> different_counter(const StepRecord& expected, const StepRecord& actual) {
+  const auto count = [&](const char* field, std::uint32_t sim::StepCounters::*counter) -> std::optional<Divergence> {
+    const std::uint64_t a = expected.counters.*counter;
+    const std::uint64_t b = actual.counters.*counter;
+    if (a == b) return std::nullopt;
+    return make(expected.step, "step", field, a, b);
+  };
+  const auto energy = [&](const char* field, double sim::StepCounters::*counter) -> std::optional<Divergence> {
+    const double a = expected.counters.*counter;
+    const double b = actual.counters.*counter;
+    if (bits_of(a) == bits_of(b)) return std::nullopt;
+    return make(expected.step, "step", field, a, b);
+  };
+  if (auto d = energy("input_energy", &sim::StepCounters::inputs)) return d;
+  if (auto d = count("substeps", &sim::StepCounters::substeps)) return d;
+  if (auto d = count("pairs", &sim::StepCounters::pairs)) return d;
+  if (auto d = count("contacts", &sim::StepCounters::contacts)) return d;
+  if (auto d = energy("kinetic", &sim::StepCounters::kinetic)) return d;
+  if (auto d = energy("potential", &sim::StepCounters::potential)) return d;
+  return energy("removed_energy", &sim::StepCounters::removed);
+}
+
+std::optional<Divergence> different_body(const BodyStates& expected, const BodyStates& actual, std::size_t i) {
+  const ConstColumns a = columns_of(expected);
+  const ConstColumns b = columns_of(actual);
+  std::optional<Divergence> found;
+  for (const std::size_t c : kFieldOrder) {
+    const double value_a = (*a[c])[i];
+    const double value_b = (*b[c])[i];
+    if (bits_of(value_a) == bits_of(value_b)) continue;
+    found = make(0, "step", kColumnNames[c], value_a, value_b);
+    break;
+  }
+  if (!found && expected.frozen[i] != actual.frozen[i]) {
+    found = make(0, "step", "frozen", std::uint64_t{expected.frozen[i]}, std::uint64_t{actual.frozen[i]});
+  }
+  if (found) found->body = expected.id[i];
+  return found;
+}
+
+std::optional<Divergence> different_ids(const BodyStates& expected, const BodyStates& actual) {
+  const std::size_t shorter = std::min(expected.size(), actual.size());
+  std::size_t i = 0;
+  while (i < shorter && expected.id[i] == actual.id[i]) ++i;
+  if (i == shorter && expected.size() == actual.size()) return std::nullopt;
+  const auto text = [i](const BodyStates& states) {
+    return i < states.size() ? FieldValue(std::uint64_t{states.id[i]}) : FieldValue(std::string("no such body"));
+  };
+  Divergence divergence = make(0, "step", "id", text(expected), text(actual));
+  const sim::BodyId a = i < expected.size() ? expected.id[i] : sim::kBodyIdMax;
+  const sim::BodyId b = i < actual.size() ? actual.id[i] : sim::kBodyIdMax;
+  divergence.body = std::min(a, b);
+  return divergence;
+}
+
+}  // namespace
+
+std::optional<std::uint64_t> ulps_between(double a, double b) {
+  if (a != a || b != b) return std::nullopt;
+  const std::uint64_t key_a = codec1::ordered(bits_of(a));
+  const std::uint64_t key_b = codec1::ordered(bits_of(b));
+  return key_a > key_b ? key_a - key_b : key_b - key_a;
+}
+
+std::optional<std::uint64_t> ulps32_between(double a, double b) {
+  constexpr double kMax = std::numeric_limits<float>::max();
+  if (!(std::fabs(a) <= kMax && std::fabs(b) <= kMax)) return std::nullopt;
+  const auto key = [](double value) {  // ascending with the value; the negative ones mirrored
+    const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
+    return (bits >> 31) != 0 ? ~bits : bits | 0x80000000U;
+  };
+  const std::uint32_t key_a = key(a), key_b = key(b);
+  return key_a > key_b ? key_a - key_b : key_b - key_a;
+}
+
+void count_in_binary32(Divergence& divergence) {
+  const auto* a = std::get_if<double>(&divergence.expected);
+  const auto* b = std::get_if<double>(&divergence.actual);
+  if (a != nullptr && b != nullptr) divergence.ulps = ulps32_between(*a, *b);
+}
+
+std::string to_string(const FieldValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  if (const auto* number = std::get_if<std::uint64_t>(&value)) return std::to_string(*number);
+  std::array<char, 40> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), std::get<double>(value),
+                                 std::chars_format::general, 17);
+  return {digits.data(), end.ptr};
+}
+
+std::string describe(const Divergence& d) {
+  std::string text = "step " + std::to_string(d.step);
+  if (d.substep) text += ", sub-step " + std::to_string(*d.substep);
+  text += ", phase " + d.phase;
+  if (d.body) text += ", body " + std::to_string(*d.body);
+  if (d.pair) text += ", pair " + std::to_string(d.pair->first) + " and " + std::to_string(d.pair->second);
+  text += ", " + d.field + ": expected " + to_string(d.expected) + ", actual " + to_string(d.actual);
+  if (d.ulps) text += " (" + std::to_string(*d.ulps) + (*d.ulps == 1 ? " ulp)" : " ulps)");
+  return text;
+}
+
+std::optional<Divergence> first_difference(const BodyStates& expected, const BodyStates& actual) {
+  std::optional<Divergence> ids = different_ids(expected, actual);
+  const std::size_t shorter = std::min(expected.size(), actual.size());
+  for (std::size_t i = 0; i < shorter && expected.id[i] == actual.id[i]; ++i) {
+    if (auto found = different_body(expected, actual, i)) return found;
+  }
+  return ids;
+}
+
+std::optional<Divergence> first_difference(const StepRecord& expected, const StepRecord& actual,
+                                           const std::vector<std::string>& phases) {
+  if (auto found = different_start(expected, actual)) return found;
+  std::optional<Divergence> found = different_phase(expected, actual, phases);
+  const bool have_states = expected.has_states && actual.has_states;
+  if (!found && expected.state_hash != actual.state_hash) {
+    found = make(expected.step, "step", "state_hash", to_string(expected.state_hash), to_string(actual.state_hash));
+  }
+  if (have_states && (found || !same_bits(expected.states, actual.states))) {
+    if (auto body = first_difference(expected.states, actual.states)) {
+      body->step = expected.step;
+      if (found) {
+        body->phase = found->phase;
+        body->substep = found->substep;
+      }
+      return body;
+    }
+  }
+  return found ? found : different_counter(expected, actual);
+}
+
+}  // namespace tumble::replay

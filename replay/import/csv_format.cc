@@ -1,0 +1,244 @@
+#include "replay/import/csv_format.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace tumble::replay {
+namespace {
+
+/// The numbers of "0 0 -9.81"; empty if there is anything else.
+std::vector<double> numbers_of(const std::string& text) {
+  std::vector<double> numbers;
+  const char* at = text.data();
+  const char* end = at + text.size();
+  while (at != end) {
+    if (*at == ' ' || *at == ',') {
+      ++at;
+      continue;
+    }
+    double value = 0;
+    const auto [stop, error] = std::from_chars(at, end, value);
+    if (error != std::errc() || !std::isfinite(value)) return {};
+    numbers.push_back(value);
+    at = stop;
+  }
+  return numbers;
+}
+
+bool take_number(const std::string& text, double& out) {
+  const std::vector<double> numbers = numbers_of(text);
+  if (numbers.size() != 1) return false;
+  out = numbers[0];
+  return true;
+}
+
+bool take_vector(const std::string& text, sim::Vec3& out) {
+  const std::vector<double> numbers = numbers_of(text);
+  if (numbers.size() != 3) return false;
+  out = {numbers[0], numbers[1], numbers[2]};
+  return true;
+}
+
+/// A key: what its value may be, and what takes it.
+struct Key {
+  const char* name;
+  const char* wanted;
+  bool (*take)(const std::string& value, CsvSettings& out);
+};
+
+constexpr std::array kKeys = {
+    Key{"engine", "a name", [](const std::string& v, CsvSettings& out) { return !(out.engine.name = v).empty(); }},
+    Key{"version", "a text",
+        [](const std::string& v, CsvSettings& out) {
+          out.engine.version = v;
+          return true;
+        }},
+    Key{"scene", "a name", [](const std::string& v, CsvSettings& out) { return !(out.scene.name = v).empty(); }},
+    Key{"precision", "float32 or float64",
+        [](const std::string& v, CsvSettings& out) {
+          out.engine.precision_bits = v == "float32" ? kBinary32Bits : kBinary64Bits;
+          return v == "float32" || v == "float64";
+        }},
+    Key{"up", "x, y or z",
+        [](const std::string& v, CsvSettings& out) {
+          if (v != "x" && v != "y" && v != "z") return false;
+          out.axes.up = v[0] - 'x';
+          return true;
+        }},
+    Key{"handed", "right or left",
+        [](const std::string& v, CsvSettings& out) {
+          out.axes.left_handed = v == "left";
+          return v == "left" || v == "right";
+        }},
+    Key{"length", "m, cm, mm or a number of metres > 0",
+        [](const std::string& v, CsvSettings& out) {
+          double& metres = out.axes.metres;
+          if (v == "m" || v == "cm" || v == "mm") {
+            metres = v == "m" ? 1 : (v == "cm" ? 0.01 : 0.001);
+            return true;
+          }
+          return take_number(v, metres) && metres > 0;
+        }},
+    Key{"dt", "a number of seconds > 0",
+        [](const std::string& v, CsvSettings& out) { return take_number(v, out.dt.emplace()) && *out.dt > 0; }},
+    Key{"gravity", "three numbers",
+        [](const std::string& v, CsvSettings& out) { return take_vector(v, out.scene.world.gravity); }},
+    Key{"ground", "yes or no",
+        [](const std::string& v, CsvSettings& out) {
+          out.scene.world.ground = v == "yes";
+          return v == "yes" || v == "no";
+        }},
+    Key{"size", "three numbers", [](const std::string& v, CsvSettings& out) { return take_vector(v, out.box.size); }},
+    Key{"mass", "a number of kg", [](const std::string& v, CsvSettings& out) { return take_number(v, out.box.mass); }},
+    Key{"friction", "a number",
+        [](const std::string& v, CsvSettings& out) {
+          const bool taken = take_number(v, out.box.material.friction);
+          out.box.material.friction_dynamic = out.box.material.friction;
+          return taken;
+        }},
+    Key{"restitution", "a number",
+        [](const std::string& v, CsvSettings& out) { return take_number(v, out.box.material.restitution); }},
+};
+
+std::string all_keys() {
+  std::string text;
+  for (const Key& key : kKeys) text += (text.empty() ? "" : ", ") + std::string(key.name);
+  return text;
+}
+
+/// "" or what is wrong.
+std::string take(const std::string& name, const std::string& value, CsvSettings& out) {
+  for (const Key& key : kKeys) {
+    if (name != key.name) continue;
+    if (key.take(value, out)) return "";
+    std::string wrong = name;
+    return wrong.append(": found \"").append(value).append("\", wanted ").append(key.wanted);
+  }
+  return "found key \"" + name + "\", wanted one of " + all_keys() + "; a remark has no colon";
+}
+
+Error wrong_argument(const std::string& setting, const std::string& wrong) {
+  return bad_input("\"" + setting + "\": " + wrong);
+}
+
+/// A column of the format: its name and where its number goes.
+using Places = std::vector<std::pair<std::string, std::size_t*>>;
+
+Error unknown_column(const CsvReader& table, std::size_t column, const Places& places) {
+  std::string known;
+  for (const auto& [word, where] : places) known += (known.empty() ? "" : ", ") + word;
+  return table.at(column, "found column \"" + table.columns()[column] + "\", wanted some of " + known +
+                              "; the name of a column that is to be passed over begins with _");
+}
+
+template <std::size_t N>
+void add_vector(Places& places, const std::string& name, const char* letters, std::array<std::size_t, N>& out) {
+  out.fill(CsvColumns::kNone);
+  for (std::size_t k = 0; k < N; ++k) places.emplace_back(name + '.' + letters[k], &out[k]);
+}
+
+/// All of a vector's columns or none.
+template <std::size_t N>
+Status check_vector(const CsvReader& table, const char* name, const std::array<std::size_t, N>& columns, bool needed) {
+  std::size_t there = 0;
+  for (const std::size_t column : columns) there += column != CsvColumns::kNone ? 1U : 0U;
+  if (there == N || (there == 0 && !needed)) return {};
+  return table.at_line(table.line(), "found " + std::to_string(there) + " columns of " + name + ", wanted " +
+                                         std::to_string(N) + ": " + name + (N == 4 ? ".w, " : ".x, ") + "…");
+}
+
+}  // namespace
+
+sim::Vec3 CsvAxes::direction(const sim::Vec3& v) const {
+  sim::Vec3 right = left_handed ? sim::Vec3(v.x(), v.y(), -v.z()) : v;
+  if (up == 0) return {right.y(), right.z(), right.x()};
+  if (up == 1) return {right.x(), -right.z(), right.y()};
+  return right;
+}
+
+sim::Vec3 CsvAxes::length(const sim::Vec3& v) const {
+  const sim::Vec3 turned = direction(v);
+  return {turned.x() * metres, turned.y() * metres, turned.z() * metres};
+}
+
+sim::Vec3 CsvAxes::axial(const sim::Vec3& w) const {  // a reflection turns spins round
+  return left_handed ? direction({-w.x(), -w.y(), -w.z()}) : direction(w);
+}
+
+sim::Quat CsvAxes::turn(const sim::Quat& q) const {
+  const sim::Vec3 axis = axial({q.x, q.y, q.z});
+  return {q.w, axis.x(), axis.y(), axis.z()};
+}
+
+sim::Vec3 CsvAxes::extents(const sim::Vec3& size) const {
+  const sim::Vec3 turned = length(size);
+  return {std::fabs(turned.x()), std::fabs(turned.y()), std::fabs(turned.z())};
+}
+
+Result<CsvSettings> read_settings(const CsvReader& table, std::span<const std::string> more, CsvSettings start) {
+  const sim::Vec3 gravity = start.scene.world.gravity;
+  bool given = false;  // gravity and size in the engine's axes and units
+  bool sized = false;
+  for (const CsvSetting& setting : table.settings()) {
+    if (const std::string wrong = take(setting.key, setting.value, start); !wrong.empty()) {
+      return table.at_line(setting.line, wrong);
+    }
+    given = given || setting.key == "gravity";
+    sized = sized || setting.key == "size";
+  }
+  for (const std::string& setting : more) {
+    const std::size_t colon = std::min(setting.find(':'), setting.size());
+    const std::string key = setting.substr(0, colon);
+    const std::size_t value = setting.find_first_not_of(' ', std::min(colon + 1, setting.size()));
+    const std::string wrong = take(key, value == std::string::npos ? "" : setting.substr(value), start);
+    if (!wrong.empty()) return wrong_argument(setting, wrong);
+    given = given || key == "gravity";
+    sized = sized || key == "size";
+  }
+  start.scene.world.gravity = given ? start.axes.length(start.scene.world.gravity) : gravity;
+  if (sized) start.box.size = start.axes.extents(start.box.size);
+  return start;
+}
+
+Result<CsvColumns> find_columns(const CsvReader& table) {
+  CsvColumns columns;
+  Places places = {{"step", &columns.step},
+                   {"time", &columns.time},
+                   {"id", &columns.id},
+                   {"frozen", &columns.frozen},
+                   {"mass", &columns.mass},
+                   {"static", &columns.is_static},
+                   {"friction", &columns.friction},
+                   {"restitution", &columns.restitution},
+                   {"row", &columns.row},
+                   {"column", &columns.column}};
+  add_vector(places, "position", "xyz", columns.position);
+  add_vector(places, "orientation", "wxyz", columns.orientation);
+  add_vector(places, "velocity", "xyz", columns.velocity);
+  add_vector(places, "spin", "xyz", columns.spin);
+  add_vector(places, "size", "xyz", columns.size);
+  for (std::size_t k = 0; k < table.columns().size(); ++k) {
+    const std::string& name = table.columns()[k];
+    if (name.starts_with('_')) continue;
+    const auto place = std::ranges::find(places, name, &Places::value_type::first);
+    if (place == places.end()) {
+      return unknown_column(table, k, places);
+    }
+    if (*place->second != CsvColumns::kNone) return table.at(k, "found column \"" + name + "\" twice");
+    *place->second = k;
+  }
+  if (columns.step == CsvColumns::kNone && columns.time == CsvColumns::kNone) {
+    return table.at_line(table.line(), "found neither a column step nor a column time, wanted one of them");
+  }
+  if (columns.id == CsvColumns::kNone) return table.at_line(table.line(), "found no column id, wanted one");
+  if (Status ok = check_vector(table, "position", columns.position, true); !ok.ok()) return ok.error();
+  if (Status ok = check_vector(table, "orientation", columns.orientation, true); !ok.ok()) return ok.error();
+  if (Status ok = check_vector(table, "velocity", columns.velocity, true); !ok.ok()) return ok.error();
+  if (Status ok = check_vector(table, "spin", columns.spin, true); !ok.ok()) return ok.error();
+  if (Status ok = check_vector(table, "size", columns.size, false); !ok.ok()) return ok.error();
+  return columns;
+}
+
+}  // namespace tumble::replay

@@ -1,0 +1,114 @@
+#include "replay/import/csv_reader.h"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+namespace tumble::replay {
+namespace {
+
+constexpr std::size_t kColumnsMax = 1000;
+constexpr std::size_t kShown = 40;  // bytes of a cell in a message
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r");
+  if (begin == std::string_view::npos) return text.substr(text.size());  // empty, but still a place in the line
+  return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
+}
+
+}  // namespace
+
+bool CsvReader::next_line() {
+  if (begin_ >= text_.size()) return false;
+  const std::size_t end = std::min(text_.find('\n', begin_), text_.size());
+  current_ = text_.substr(begin_, end - begin_);
+  begin_ = end + 1;
+  ++line_;
+  return true;
+}
+
+void CsvReader::split() {
+  cells_.clear();
+  for (std::size_t begin = 0; begin <= current_.size();) {
+    const std::size_t end = std::min(current_.find(',', begin), current_.size());
+    cells_.push_back(trimmed(current_.substr(begin, end - begin)));
+    begin = end + 1;
+  }
+}
+
+Result<CsvReader> CsvReader::open(std::string_view text, std::string name) {
+  constexpr std::string_view kMark = "\xef\xbb\xbf";  // which some editors put before UTF-8
+  if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
+  CsvReader reader(text, std::move(name));
+  while (reader.next_line()) {
+    const std::string_view line = trimmed(reader.current_);
+    if (line.empty()) continue;
+    if (line.front() == '#') {
+      const std::size_t colon = line.find(':');
+      if (colon == std::string_view::npos) continue;  // a remark
+      reader.settings_.push_back({std::string(trimmed(line.substr(1, colon - 1))),
+                                  std::string(trimmed(line.substr(colon + 1))), reader.line_});
+      continue;
+    }
+    reader.split();
+    if (reader.cells_.size() > kColumnsMax) {
+      return reader.at_line(reader.line_, "found " + std::to_string(reader.cells_.size()) +
+                                              " columns, wanted at most " + std::to_string(kColumnsMax));
+    }
+    reader.columns_.assign(reader.cells_.begin(), reader.cells_.end());
+    return reader;
+  }
+  return reader.at_line(std::max<std::uint64_t>(reader.line_, 1), "found no line with the names of the columns");
+}
+
+std::optional<std::size_t> CsvReader::find(std::string_view column) const {
+  const auto found = std::ranges::find(columns_, column);
+  if (found == columns_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - columns_.begin());
+}
+
+Result<bool> CsvReader::next() {
+  while (next_line()) {
+    const std::string_view line = trimmed(current_);
+    if (line.empty() || line.front() == '#') continue;
+    split();
+    if (cells_.size() == columns_.size()) return true;
+    return at_line(line_, "found " + std::to_string(cells_.size()) + " cells, wanted " +
+                              std::to_string(columns_.size()) + ", one for each column");
+  }
+  return false;
+}
+
+template <class Number>
+Result<Number> CsvReader::parse(std::size_t column, const char* wanted) const {
+  std::string_view cell = cells_[column];
+  if (cell.starts_with('+')) cell.remove_prefix(1);
+  Number value{};
+  const auto [stop, error] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (error == std::errc() && stop == cell.data() + cell.size() && !cell.empty()) return value;
+  return at(column, columns_[column] + ": found \"" + std::string(cells_[column].substr(0, kShown)) + "\", wanted " +
+                        (error == std::errc::result_out_of_range ? "a number that its type holds" : wanted));
+}
+
+Result<double> CsvReader::number(std::size_t column) const { return parse<double>(column, "a number"); }
+
+Result<double> CsvReader::single(std::size_t column) const {
+  const Result<float> value = parse<float>(column, "a number");
+  if (!value.ok()) return value.error();
+  return static_cast<double>(*value);
+}
+
+Result<std::uint64_t> CsvReader::whole(std::size_t column) const {
+  return parse<std::uint64_t>(column, "a whole number from 0 on");
+}
+
+Error CsvReader::at(std::size_t column, const std::string& message) const {
+  const std::size_t byte = static_cast<std::size_t>(cells_[column].data() - current_.data()) + 1;
+  return bad_input(name_ + ":" + std::to_string(line_) + ":" + std::to_string(byte) + ": " + message);
+}
+
+Error CsvReader::at_line(std::uint64_t line, const std::string& message) const {
+  return bad_input(name_ + ":" + std::to_string(line) + ":1: " + message);
+}
+
+}  // namespace tumble::replay

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "replay/import/csv_format.h"
+#include "replay/import/csv_reader.h"
+#include "replay/import/engine_log.h"
+#include "src/base/result.h"
+#include "src/model/scene.h"
+
+/// The rows of an imported table, gathered step by step.
+namespace tumble::replay {
+
+/// Another session, which says what the table does not: sizes, masses and materials by id, gravity, dt, the camera.
+struct SessionLike {
+  sim::SceneDef scene;             ///< of its header
+  std::vector<sim::BoxDef> boxes;  ///< every body of the session, thrown ones too; ascending id
+};
+
+/// The rows of one step.
+struct TableStep {
+  using Row = std::pair<sim::BodyId, EngineState>;
+  double dt = 0;           ///< s, since the step before; of the first step 0
+  std::uint64_t line = 0;  ///< of its first row
+  std::vector<Row> rows;   ///< ascending id
+};
+
+/// Reads a table step by step and keeps count of the bodies. Errors (kBadInput) name file, line and column.
+class CsvSteps {
+ public:
+  /// Reads up to the first row. settings: "key: value", which win over the table's own.
+  static Result<CsvSteps> open(std::string_view text, const std::string& name, std::span<const std::string> settings,
+                               const std::optional<SessionLike>& like);
+
+  /// The next step; false after the last one.
+  Result<bool> next(TableStep& step);
+
+  [[nodiscard]] const CsvSettings& settings() const { return settings_; }
+  /// A body as it was where it first appeared.
+  [[nodiscard]] const sim::BoxDef& box(sim::BodyId id) const { return boxes_.at(id); }
+  [[nodiscard]] Error at_line(std::uint64_t line, const std::string& message) const {
+    return table_.at_line(line, message);
+  }
+
+ private:
+  CsvSteps(CsvReader table, CsvSettings settings, const CsvColumns& columns)
+      : table_(std::move(table)), settings_(std::move(settings)), columns_(columns) {}
+  Result<bool> next_row();
+  Result<double> begin_step();
+  Status take_row(TableStep& step);
+  Status meet(sim::BodyId id, const EngineState& state);
+  Status read_box(sim::BoxDef& box) const;
+  Status read_origin(sim::Origin& origin) const;
+  template <std::size_t N>
+  Status read_numbers(const std::array<std::size_t, N>& columns, std::array<double, N>& out) const;
+  [[nodiscard]] Result<bool> flag(std::size_t column, bool otherwise) const;
+
+  CsvReader table_;
+  CsvSettings settings_;
+  CsvColumns columns_;
+  std::map<sim::BodyId, sim::BoxDef> like_;
+  std::map<sim::BodyId, sim::BoxDef> boxes_;        // of every body met
+  std::map<sim::BodyId, std::uint64_t> last_seen_;  // the step, counted from 0
+  std::uint64_t steps_ = 0;                         // read so far
+  bool has_row_ = false;
+  double cell_key_ = 0, cell_time_ = 0;  // of the row that comes next
+  double key_ = 0, time_ = 0;            // of the step that is read
+  double stride_ = 1;
+};
+
+}  // namespace tumble::replay

@@ -1,0 +1,110 @@
+#include "replay/import/import_csv.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "replay/diff/divergence.h"
+#include "replay/import/csv_steps.h"
+#include "replay/import/engine_log.h"
+#include "src/model/limits.h"
+
+namespace tumble::replay {
+namespace {
+
+/// What the first reading finds out.
+struct Survey {
+  std::uint64_t states = 0;
+  double first_dt = 0;  ///< of step 1; 0 without one
+};
+
+Result<Survey> survey(std::string_view text, const std::string& name, const ImportOptions& options) {
+  Result<CsvSteps> reader = CsvSteps::open(text, name, options.settings, options.like);
+  if (!reader.ok()) return reader.error();
+  Survey found;
+  TableStep step;
+  for (;;) {
+    const Result<bool> more = reader->next(step);
+    if (!more.ok()) return more.error();
+    if (!*more) break;
+    if (found.states > 0 && !(step.dt >= sim::kDtMin && step.dt <= sim::kDtMax)) {
+      return reader->at_line(step.line, "found a step of " + to_string(FieldValue(step.dt)) + " s, wanted 1e-7 … 1 s");
+    }
+    if (found.states == 1) found.first_dt = step.dt;
+    ++found.states;
+  }
+  if (found.states == 0) return reader->at_line(1, "found no row, wanted at least those of one step");
+  return found;
+}
+
+Result<std::unique_ptr<EngineLog>> begin(const CsvSteps& reader, const TableStep& first, const Survey& found,
+                                         const MakeSink& make_sink) {
+  sim::SceneDef start = reader.settings().scene;
+  start.boxes.clear();
+  start.inputs.clear();
+  start.steps = found.states - 1;
+  if (found.first_dt > 0) start.world.dt = found.first_dt;
+  for (const auto& [id, state] : first.rows) start.boxes.push_back(reader.box(id));
+  Result<std::unique_ptr<ByteSink>> sink = make_sink();
+  if (!sink.ok()) return sink.error();
+  return EngineLog::create(*std::move(sink), {reader.settings().engine}, start);
+}
+
+/// Bodies that came and went between the state that the log has and the step, as inputs.
+Status tell_of_bodies(EngineLog& log, const CsvSteps& reader, const TableStep& step) {
+  const std::vector<sim::BodyId> there = log.bodies().id;
+  const auto in_step = [&](sim::BodyId id) {
+    return std::ranges::binary_search(step.rows, id, {}, &TableStep::Row::first);
+  };
+  for (const sim::BodyId id : there) {
+    if (in_step(id)) continue;
+    if (Status ok = log.input(sim::Remove{id}); !ok.ok()) return ok;
+  }
+  for (const auto& [id, state] : step.rows) {
+    if (std::ranges::binary_search(there, id)) continue;
+    if (Status ok = log.input(sim::Throw{reader.box(id)}); !ok.ok()) return ok;
+  }
+  return {};
+}
+
+Status write_step(EngineLog& log, const CsvSteps& reader, const TableStep& step) {
+  if (Status ok = tell_of_bodies(log, reader, step); !ok.ok()) return ok;
+  for (const auto& [id, state] : step.rows) {
+    if (Status ok = log.set_state(id, state); !ok.ok()) return ok;
+  }
+  return log.end_step(step.dt);
+}
+
+}  // namespace
+
+Result<SessionLike> session_like(LogReader& log) {
+  SessionLike like{log.header().scene, log.header().scene.boxes};
+  for (std::uint64_t k = log.first_state() + 1; k <= log.last_step(); ++k) {
+    const Result<const StepRecord*> step = log.read_hashes(k);
+    if (!step.ok()) return step.error();
+    for (const sim::Command& input : (*step)->inputs) {
+      if (const auto* thrown = std::get_if<sim::Throw>(&input)) like.boxes.push_back(thrown->box);
+    }
+  }
+  std::ranges::sort(like.boxes, {}, &sim::BoxDef::id);
+  return like;
+}
+
+Result<LogSummary> import_csv(std::string_view text, const std::string& name, const MakeSink& make_sink,
+                              const ImportOptions& options, const Progress& progress) {
+  const Result<Survey> found = survey(text, name, options);
+  if (!found.ok()) return found.error();
+  Result<CsvSteps> reader = CsvSteps::open(text, name, options.settings, options.like);
+  if (!reader.ok()) return reader.error();
+  TableStep step;
+  if (const Result<bool> first = reader->next(step); !first.ok()) return first.error();
+  Result<std::unique_ptr<EngineLog>> log = begin(*reader, step, *found, make_sink);
+  if (!log.ok()) return log.error();
+  for (std::uint64_t k = 1; k < found->states; ++k) {
+    if (const Result<bool> more = reader->next(step); !more.ok()) return more.error();
+    if (Status ok = write_step(**log, *reader, step); !ok.ok()) return ok.error();
+    if (progress && !progress(k, found->states - 1)) return cannot_finish(name + ": stopped before its last step");
+  }
+  return (*log)->finish();
+}
+
+}  // namespace tumble::replay

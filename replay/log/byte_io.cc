@@ -1,0 +1,137 @@
+#include "replay/log/byte_io.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <utility>
+
+#include "replay/format/prelude.h"
+
+namespace tumble::replay {
+namespace {
+
+/// Larger writes are cut, so that one call cannot exceed what systems accept (2 GiB on Linux).
+constexpr std::size_t kWriteMax = 1 << 30;
+
+std::string reason() { return std::strerror(errno); }
+
+class File {
+ public:
+  explicit File(int descriptor) : descriptor_(descriptor) {}
+  ~File() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  File(File&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  File& operator=(File&&) = delete;
+  [[nodiscard]] int get() const { return descriptor_; }
+  [[nodiscard]] bool ok() const { return descriptor_ >= 0; }
+
+ private:
+  int descriptor_;
+};
+
+class FileSink : public ByteSink {
+ public:
+  FileSink(File file, std::string path) : file_(std::move(file)), path_(std::move(path)) {}
+
+  Result<std::size_t> write_some(std::span<const std::byte> bytes) override {
+    for (;;) {
+      const ssize_t written = ::write(file_.get(), bytes.data(), std::min(bytes.size(), kWriteMax));
+      if (written > 0) return static_cast<std::size_t>(written);
+      if (written == 0) return cannot_finish("the file takes no more bytes");
+      if (errno != EINTR) return cannot_finish(reason());
+    }
+  }
+  void truncate(std::uint64_t size) override {
+    const auto end = static_cast<off_t>(size);
+    if (::ftruncate(file_.get(), end) == 0) ::lseek(file_.get(), end, SEEK_SET);
+  }
+  Status sync() override {
+    for (;;) {
+      if (::fdatasync(file_.get()) == 0 || errno == EINVAL || errno == EROFS) return {};  // not a file on a disk
+      if (errno != EINTR) return cannot_finish(reason());
+    }
+  }
+  std::string name() const override { return path_; }
+
+ private:
+  File file_;
+  std::string path_;
+};
+
+class FileSource : public ByteSource {
+ public:
+  FileSource(File file, std::uint64_t size, std::string path)
+      : file_(std::move(file)), size_(size), path_(std::move(path)) {}
+
+  std::uint64_t size() const override { return size_; }
+  Status read(std::uint64_t offset, std::span<std::byte> bytes) const override {
+    while (!bytes.empty()) {
+      const ssize_t got = ::pread(file_.get(), bytes.data(), bytes.size(), static_cast<off_t>(offset));
+      if (got < 0 && errno == EINTR) continue;
+      if (got < 0) return cannot_finish(path_ + ": cannot read at byte " + std::to_string(offset) + ": " + reason());
+      if (got == 0) {
+        return damaged(path_ + ": the file ends at byte " + std::to_string(offset) + ", before the " +
+                       std::to_string(bytes.size()) + " bytes wanted there");
+      }
+      bytes = bytes.subspan(static_cast<std::size_t>(got));
+      offset += static_cast<std::uint64_t>(got);
+    }
+    return {};
+  }
+  std::string name() const override { return path_; }
+
+ private:
+  File file_;
+  std::uint64_t size_;
+  std::string path_;
+};
+
+}  // namespace
+
+/// Only a log, or an empty file, is written over: a slip of the command line must not cost somebody a scene.
+Status may_replace(const std::string& path) {
+  struct stat info = {};
+  if (::stat(path.c_str(), &info) != 0) return {};
+  if (S_ISDIR(info.st_mode)) return bad_input(path + ": is a folder; name a file to write the log to");
+  if (!S_ISREG(info.st_mode) || info.st_size == 0) return {};
+  const File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  std::array<std::byte, kMagicEnd> start = {};
+  const ssize_t got = file.ok() ? ::pread(file.get(), start.data(), start.size(), 0) : 0;
+  if (got > 0 && starts_like_log(std::span(start).first(static_cast<std::size_t>(got)))) return {};
+  return bad_input(path + ": exists and is not a log; choose another name or remove it first");
+}
+
+Status rename_file(const std::string& from, const std::string& to) {
+  if (std::rename(from.c_str(), to.c_str()) == 0) return {};
+  return cannot_finish(to + ": cannot be put in place: " + reason() + "; what was to be there is in " + from);
+}
+
+Result<std::unique_ptr<ByteSink>> open_file_sink(const std::string& path) {
+  if (Status ok = may_replace(path); !ok.ok()) return ok.error();
+  File file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  if (!file.ok()) {
+    const bool is_systems = errno == EROFS || errno == ENOSPC || errno == EDQUOT || errno == EIO || errno == EMFILE;
+    const std::string message = path + ": cannot be written: " + reason();
+    return is_systems ? cannot_finish(message) : bad_input(message);
+  }
+  return std::unique_ptr<ByteSink>(std::make_unique<FileSink>(std::move(file), path));
+}
+
+Result<std::unique_ptr<ByteSource>> open_file_source(const std::string& path) {
+  File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file.ok()) return bad_input(path + ": cannot be opened: " + reason());
+  struct stat info = {};
+  if (::fstat(file.get(), &info) != 0) return bad_input(path + ": cannot be opened: " + reason());
+  if (S_ISDIR(info.st_mode)) return bad_input(path + ": is a folder, not a log");
+  const auto size = static_cast<std::uint64_t>(info.st_size);
+  return std::unique_ptr<ByteSource>(std::make_unique<FileSource>(std::move(file), size, path));
+}
+
+}  // namespace tumble::replay

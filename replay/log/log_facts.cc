@@ -1,0 +1,74 @@
+#include "replay/log/log_facts.h"
+
+#include <set>
+#include <variant>
+
+#include "replay/log/session_clock.h"
+
+namespace tumble::replay {
+namespace {
+
+class FactCounter {
+ public:
+  explicit FactCounter(LogReader& log) : log_(log) {
+    facts_.bodies_at_start = log.header().scene.boxes.size();
+    facts_.moving_body_steps = 0;
+    for (const sim::BoxDef& box : log.header().scene.boxes) note_static(box);
+    if (Result<const StepRecord*> start = log.read_step(log.first_state()); start.ok()) {
+      facts_.final_hash = (*start)->state_hash;
+    }
+  }
+
+  LogFacts run(const Progress& progress) {
+    for (const ChunkPlace& place : log_.chunks()) {
+      for (std::uint64_t k = place.first_step; k < place.end_step(); ++k) {
+        const Result<const StepRecord*> record = log_.read_step(k);
+        if (!record.ok()) break;  // the rest of the chunk cannot be read either
+        count(**record);
+        if (progress && !progress(k - log_.first_state(), log_.step_count())) return facts_;
+      }
+    }
+    facts_.seconds = clock_.now();
+    return facts_;
+  }
+
+ private:
+  void note_static(const sim::BoxDef& box) {
+    if (box.is_static) statics_.insert(box.id);
+  }
+
+  void count(const StepRecord& record) {
+    ++facts_.steps_read;
+    clock_.add_step(record.dt);
+    facts_.final_hash = record.state_hash;
+    for (const sim::Command& input : record.inputs) {
+      ++facts_.inputs[sim::name_of(input)];
+      if (const auto* thrown = std::get_if<sim::Throw>(&input)) {
+        ++facts_.bodies_thrown;
+        note_static(thrown->box);
+      }
+    }
+    if (!record.has_states) facts_.moving_body_steps.reset();
+    if (!facts_.moving_body_steps) return;
+    const BodyStates& states = record.states;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      if (states.frozen[i] == 0 && !statics_.contains(states.id[i])) ++*facts_.moving_body_steps;
+    }
+  }
+
+  LogReader& log_;
+  LogFacts facts_;
+  SessionClock clock_;
+  std::set<sim::BodyId> statics_;
+};
+
+}  // namespace
+
+std::optional<double> LogFacts::bytes_per_moving_body_step(std::uint64_t file_bytes) const {
+  if (!moving_body_steps || *moving_body_steps == 0) return std::nullopt;
+  return static_cast<double>(file_bytes) / static_cast<double>(*moving_body_steps);
+}
+
+LogFacts collect_facts(LogReader& log, const Progress& progress) { return FactCounter(log).run(progress); }
+
+}  // namespace tumble::replay

@@ -1,0 +1,210 @@
+#include "replay/log/log_writer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "replay/format/limits.h"
+#include "replay/log/record_writer.h"
+
+namespace tumble::replay {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t kBuffers = 3;  // one is filled while one is written and one waits or comes back
+constexpr std::size_t kManyBodies = std::size_t{1} << 19U;  // a buffer holds a state, 0.5 kB of each: one must do
+constexpr std::chrono::seconds kChunkAgeMax(1);
+
+/// The steps of a chunk on their way to the writing thread; its memory is used again and again.
+struct Buffer {
+  Keyframe keyframe;
+  std::vector<StepRecord> steps;  // of which `used` are filled
+  std::size_t used = 0;
+  std::uint64_t busy_rows = 0;  // body-steps that moved
+  std::uint64_t bytes = 0;
+  Clock::time_point begun;
+
+  /// Gets the memory of so many steps: pages cost more to get than to fill.
+  void reserve(const sim::Bodies& bodies, std::size_t count) {
+    steps.resize(count);
+    for (StepRecord& step : steps) copy_visible(bodies, step.states);
+  }
+
+  void begin(const sim::WorldState& state) {
+    keyframe.state = state;
+    used = 0;
+    busy_rows = bytes = 0;
+    begun = Clock::now();
+  }
+
+  void add(const StepInfo& info, const sim::WorldState& after) {
+    if (used == steps.size()) steps.emplace_back();
+    StepRecord& step = steps[used++];
+    step.step = after.step;
+    step.dt = info.dt;
+    step.inputs.assign(info.inputs.begin(), info.inputs.end());
+    step.phase_words.assign(info.phase_words.begin(), info.phase_words.end());
+    step.counters = info.counters;
+    copy_visible(after.bodies, step.states);
+    busy_rows += static_cast<std::uint64_t>(std::count(after.bodies.frozen.begin(), after.bodies.frozen.end(), 0));
+    bytes += after.bodies.size() * kBodyStateBytes + info.phase_words.size() * 8;
+  }
+
+  [[nodiscard]] bool full(std::size_t bodies) const {
+    return used >= kChunkStepsMax || busy_rows >= kChunkBusySteps * std::max<std::size_t>(bodies, 1) ||
+           bytes >= kChunkStateBytes || Clock::now() - begun >= kChunkAgeMax;
+  }
+};
+
+}  // namespace
+
+struct LogWriter::Shared {
+  Shared(std::unique_ptr<ByteSink> sink, std::size_t bodies)
+      : records(std::move(sink)), buffers(bodies < kManyBodies ? kBuffers : 1) {
+    for (std::size_t i = 1; i < buffers; ++i) free.push_back(std::make_unique<Buffer>());
+  }
+
+  void run();
+  void reserve(const sim::Bodies& bodies, std::uint64_t planned);
+  Status hand_over(const sim::WorldState& now);
+  void stop();
+
+  RecordWriter records;  // the thread's, while it runs
+  std::size_t buffers;
+  std::unique_ptr<Buffer> open{std::make_unique<Buffer>()};  // the caller's
+
+  std::mutex mutex;  // guards what follows
+  std::condition_variable changed;
+  std::deque<std::unique_ptr<Buffer>> full;
+  std::vector<std::unique_ptr<Buffer>> free;
+  Status status;
+  bool stopping = false;
+
+  std::thread thread;
+};
+
+/// The writing thread, first: what the free chunks of a session of `planned` steps will need.
+void LogWriter::Shared::reserve(const sim::Bodies& bodies, std::uint64_t planned) {
+  const std::uint64_t most = kChunkStateBytes / (kBodyStateBytes * std::max<std::size_t>(bodies.size(), 1)) + 1;
+  const std::uint64_t count = std::min(most, kChunkBusySteps);
+  std::unique_lock lock(mutex);
+  const std::uint64_t chunks = std::min<std::uint64_t>(free.size(), planned / count);
+  for (std::uint64_t k = 0; k < chunks && !free.empty(); ++k) {
+    std::unique_ptr<Buffer> buffer = std::move(free.front());  // the caller takes from the back
+    free.erase(free.begin());
+    lock.unlock();
+    buffer->reserve(bodies, count);
+    lock.lock();
+    free.push_back(std::move(buffer));
+    changed.notify_all();
+  }
+}
+
+/// The writing thread: chunks from `full` to the file and back to `free`.
+void LogWriter::Shared::run() {
+  std::unique_lock lock(mutex);
+  for (;;) {
+    changed.wait(lock, [this] { return stopping || !full.empty(); });
+    if (full.empty()) return;
+    std::unique_ptr<Buffer> buffer = std::move(full.front());
+    full.pop_front();
+    lock.unlock();
+    Status written = records.write_chunk(buffer->keyframe, std::span(buffer->steps).first(buffer->used));
+    lock.lock();
+    if (status.ok() && !written.ok()) status = written;
+    free.push_back(std::move(buffer));
+    changed.notify_all();
+  }
+}
+
+/// Gives the open chunk to the thread and begins the next at `now`; waits for memory if none is free.
+Status LogWriter::Shared::hand_over(const sim::WorldState& now) {
+  std::unique_lock lock(mutex);
+  full.push_back(std::move(open));
+  changed.notify_all();
+  changed.wait(lock, [this] { return !free.empty(); });
+  open = std::move(free.back());
+  free.pop_back();
+  open->begin(now);
+  return status;
+}
+
+/// Lets the thread write what it was given, and ends it.
+void LogWriter::Shared::stop() {
+  if (!thread.joinable()) return;
+  {
+    const std::lock_guard lock(mutex);
+    stopping = true;
+  }
+  changed.notify_all();
+  thread.join();
+}
+
+LogWriter::LogWriter(std::unique_ptr<Shared> shared) : shared_(std::move(shared)) {}
+
+LogWriter::~LogWriter() {
+  if (shared_->thread.joinable() && shared_->open->used > 0) {
+    const std::lock_guard lock(shared_->mutex);
+    shared_->full.push_back(std::move(shared_->open));
+  }
+  shared_->stop();
+}
+
+Result<std::unique_ptr<LogWriter>> LogWriter::create(const std::string& path, const LogHeader& header,
+                                                     const sim::WorldState& initial) {
+  Result<std::unique_ptr<ByteSink>> sink = open_file_sink(path);
+  if (!sink.ok()) return sink.error();
+  return create(*std::move(sink), header, initial);
+}
+
+Result<std::unique_ptr<LogWriter>> LogWriter::create(std::unique_ptr<ByteSink> sink, const LogHeader& header,
+                                                     const sim::WorldState& initial) {
+  auto shared = std::make_unique<Shared>(std::move(sink), initial.bodies.size());
+  if (Status ok = shared->records.write_header(header, initial); !ok.ok()) return ok.error();
+  shared->open->begin(initial);
+  Shared* running = shared.get();
+  // The first chunk's keyframe stays as it is until the thread itself writes it.
+  const sim::Bodies& bodies = shared->open->keyframe.state.bodies;
+  const std::uint64_t planned = std::max(header.scene.steps, initial.step) - initial.step;
+  shared->thread = std::thread([running, &bodies, planned] {
+    running->reserve(bodies, planned);
+    running->run();
+  });
+  return std::unique_ptr<LogWriter>(new LogWriter(std::move(shared)));
+}
+
+Status LogWriter::append(const StepInfo& info, const sim::WorldState& after) {
+  shared_->open->add(info, after);
+  if (!shared_->open->full(after.bodies.size())) return {};
+  return shared_->hand_over(after);
+}
+
+Status LogWriter::flush(const sim::WorldState& now) {
+  if (shared_->open->used > 0) {
+    if (Status ok = shared_->hand_over(now); !ok.ok()) return ok;
+  }
+  std::unique_lock lock(shared_->mutex);
+  shared_->changed.wait(lock, [this] { return shared_->free.size() + 1 == shared_->buffers; });
+  return shared_->status;
+}
+
+Result<LogSummary> LogWriter::finish() {
+  shared_->stop();
+  RecordWriter& records = shared_->records;
+  Buffer& open = *shared_->open;
+  if (open.used > 0 || records.chunks() == 0) {  // a log without steps has one chunk, for state 0
+    if (Status ok = records.write_chunk(open.keyframe, std::span(open.steps).first(open.used)); !ok.ok()) {
+      return ok.error();
+    }
+  }
+  if (Status ok = records.finish(); !ok.ok()) return ok.error();
+  return LogSummary{records.steps(), records.chunks(), records.bytes(), records.final_hash(), records.chain()};
+}
+
+}  // namespace tumble::replay

@@ -1,0 +1,155 @@
+#include "replay/log/record_writer.h"
+
+#include <utility>
+
+#include "replay/codec/header_codec.h"
+#include "replay/format/limits.h"
+
+namespace tumble::replay {
+namespace {
+
+std::string steps_text(std::uint64_t first, std::uint64_t steps) {
+  if (steps == 0) return "no step was saved";
+  return "steps " + std::to_string(first) + " to " + std::to_string(first + steps - 1) + " are saved and can be read";
+}
+
+}  // namespace
+
+Status RecordWriter::fail(const std::string& doing, const std::string& why) {
+  sink_->truncate(bytes_);  // a log that ends with a complete record
+  status_ = cannot_finish(sink_->name() + ": cannot write " + doing + " at byte " + std::to_string(bytes_) + ": " +
+                          why + "; " + steps_text(first_state_ + 1, steps()) + "; free some space and record again");
+  return status_;
+}
+
+Status RecordWriter::write_all(std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    Result<std::size_t> written = sink_->write_some(bytes);
+    if (!written.ok()) return written.error();
+    bytes = bytes.subspan(*written);
+  }
+  return {};
+}
+
+Status RecordWriter::write_record(Prelude& prelude, const MessageBytes& message) {
+  const std::string doing = std::string(name_of(prelude.kind)) + " " + std::to_string(sequence_);
+  if (Status ok = compressor_.compress(message.bytes(), stored_); !ok.ok()) return fail(doing, ok.error().message);
+  prelude.raw_bytes = message.bytes().size();
+  prelude.stored_bytes = stored_.size();
+  if (prelude.raw_bytes > raw_bytes_max(prelude, bytes_)) {
+    if (Status ok = pack_worse(prelude, message.bytes()); !ok.ok()) return ok;
+  }
+  return write_stored(prelude, stored_);
+}
+
+Status RecordWriter::pack_worse(Prelude& prelude, std::span<const std::byte> message) {
+  const std::string doing = std::string(name_of(prelude.kind)) + " " + std::to_string(sequence_);
+  Compressor narrow(1, kNarrowWindowLog);
+  if (Status ok = narrow.compress(message, stored_); !ok.ok()) return fail(doing, ok.error().message);
+  prelude.stored_bytes = stored_.size();
+  if (prelude.raw_bytes <= raw_bytes_max(prelude, bytes_)) return {};
+  return fail(doing, "its " + std::to_string(prelude.raw_bytes) + " bytes pack to " +
+                         std::to_string(prelude.stored_bytes) + ", so few that no program would read it again");
+}
+
+Status RecordWriter::write_stored(Prelude& prelude, std::span<const std::byte> stored) {
+  const std::string doing = std::string(name_of(prelude.kind)) + " " + std::to_string(sequence_);
+  prelude.sequence = sequence_;
+  prelude.stored_bytes = stored.size();
+  prelude.stored_hash = hash_bytes(stored);
+  if (prelude.kind == RecordKind::kHeader) log_tag_ = prelude.stored_hash.low;
+  prelude.log_tag = log_tag_;
+  if (Status ok = write_all(encode(prelude)); !ok.ok()) return fail(doing, ok.error().message);
+  if (Status ok = write_all(stored); !ok.ok()) return fail(doing, ok.error().message);
+  bytes_ += kPreludeBytes + stored.size();
+  ++sequence_;
+  return {};
+}
+
+Status RecordWriter::write_header(const LogHeader& header, const sim::WorldState& initial) {
+  mode_ = header.states;
+  final_hash_ = sim::state_hash(initial.bodies);
+  first_state_ = initial.step;
+  chain_ = header.goes_on ? header.goes_on->chain : chain_start(final_hash_);
+  Result<MessageBytes> message = encode_header(header);
+  if (!message.ok()) return fail("header", message.error().message);
+  Prelude prelude;
+  prelude.kind = RecordKind::kHeader;
+  prelude.first_step = first_state_;
+  prelude.chain_before = prelude.chain_after = chain_;
+  return write_record(prelude, *message);
+}
+
+Status RecordWriter::write_chunk(Keyframe& keyframe, std::span<StepRecord> steps) {
+  if (!status_.ok()) return status_;
+  keyframe.continuation_hash = sim::continuation_hash(keyframe.state);
+  Prelude prelude;
+  prelude.kind = RecordKind::kChunk;
+  prelude.first_step = keyframe.state.step + 1;
+  prelude.step_count = steps.size();
+  prelude.chain_before = chain_;
+  for (StepRecord& step : steps) {
+    final_hash_ = step.state_hash = state_hash(step.states);
+    step.has_states = mode_.holds(step.step);
+    chain_ = chain_next(chain_, step);
+  }
+  prelude.chain_after = chain_;
+  Result<MessageBytes> message = encoder_.encode(keyframe, steps);
+  if (!message.ok()) return fail("chunk " + std::to_string(sequence_), message.error().message);
+  const std::uint64_t offset = bytes_;
+  if (Status ok = write_record(prelude, *message); !ok.ok()) return ok;
+  chunks_.push_back({offset, bytes_ - offset, prelude.first_step, prelude.step_count, chain_, prelude.stored_hash});
+  return {};
+}
+
+Status RecordWriter::copy_header(const Prelude& before, std::span<const std::byte> stored) {
+  first_state_ = before.first_step;
+  chain_ = before.chain_after;
+  Prelude prelude = before;
+  return write_stored(prelude, stored);
+}
+
+Status RecordWriter::copy_chunk(const Prelude& before, std::span<const std::byte> stored, const Hash128& final_hash) {
+  if (!status_.ok()) return status_;
+  Prelude prelude = before;
+  const std::uint64_t offset = bytes_;
+  if (prelude.raw_bytes > raw_bytes_max(prelude, offset)) {  // what told of its bodies is lost
+    const Result<MessageBytes> message = decompress(stored, prelude.raw_bytes, kChunkBytesMax);
+    if (!message.ok()) return fail("chunk " + std::to_string(sequence_), message.error().message);
+    if (Status ok = pack_worse(prelude, message->bytes()); !ok.ok()) return ok;
+    stored = stored_;
+  }
+  if (Status ok = write_stored(prelude, stored); !ok.ok()) return ok;
+  final_hash_ = final_hash;
+  chain_ = prelude.chain_after;
+  chunks_.push_back({offset, bytes_ - offset, prelude.first_step, prelude.step_count, chain_, prelude.stored_hash});
+  return {};
+}
+
+Status RecordWriter::finish() {
+  if (!status_.ok()) return status_;
+  Result<MessageBytes> message = encode_index(chunks_);
+  if (!message.ok()) return fail("index", message.error().message);
+  Footer footer;
+  footer.index_offset = bytes_;
+  Prelude index;
+  index.kind = RecordKind::kIndex;
+  index.first_step = first_state_ + 1;
+  index.step_count = steps();
+  index.chain_before = index.chain_after = chain_;
+  if (Status ok = write_record(index, *message); !ok.ok()) return ok;
+  if (Status ok = sink_->sync(); !ok.ok()) return fail("footer", ok.error().message);
+  footer.prelude = index;
+  footer.prelude.kind = RecordKind::kFooter;
+  footer.prelude.sequence = sequence_;
+  footer.prelude.stored_bytes = footer.prelude.raw_bytes = 0;
+  footer.prelude.stored_hash = {};
+  footer.file_bytes = bytes_ + kFooterBytes;
+  footer.final_state_hash = final_hash_;
+  if (Status ok = write_all(encode(footer)); !ok.ok()) return fail("footer", ok.error().message);
+  bytes_ += kFooterBytes;
+  if (Status ok = sink_->sync(); !ok.ok()) return fail("footer", ok.error().message);
+  return {};
+}
+
+}  // namespace tumble::replay

@@ -1,0 +1,62 @@
+#include "replay/measure/body_track.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace tumble::replay {
+namespace {
+
+// Where free flight at this height and speed has its top. The steps rarely hit the top itself; this does not depend on
+// where they fall.
+double top_of_flight(const BodyMotion& motion, double pull) {
+  return motion.height + motion.rise * motion.rise / (2 * pull);
+}
+
+}  // namespace
+
+void BodyTrack::add(const BodyMotion& now, double pull) {
+  if (!started_) start(now, pull);
+  const sim::Vec3 change = now.spin_momentum - first_momentum_;
+  momentum_change_ = std::max(momentum_change_, std::sqrt(sim::dot(change, change)));
+  least_spin_energy_ = std::min(least_spin_energy_, now.spin_energy);
+  spin_gain_ = std::max(spin_gain_, now.spin_energy - least_spin_energy_);
+  look_for_top(now, pull);
+  last_rise_ = now.rise;
+}
+
+void BodyTrack::start(const BodyMotion& now, double pull) {
+  started_ = true;
+  first_momentum_ = now.spin_momentum;
+  first_momentum_length_ = std::sqrt(sim::dot(first_momentum_, first_momentum_));
+  first_spin_energy_ = least_spin_energy_ = now.spin_energy;
+  starts_rising_ = now.rise > 0;
+  if (pull > 0) first_top_ = std::max(0.0, top_of_flight(now, pull));
+}
+
+void BodyTrack::look_for_top(const BodyMotion& now, double pull) {
+  if (!(pull > 0)) first_top_ = 0;
+  if (first_top_ == 0 || !(last_rise_ > 0) || now.rise > 0) return;
+  if (starts_rising_) {  // the top of the flight it began with is no bounce's
+    starts_rising_ = false;
+    return;
+  }
+  ++bounces_;
+  height_change_ = std::max(height_change_, std::fabs(top_of_flight(now, pull) - first_top_));
+}
+
+std::optional<double> BodyTrack::momentum_drift() const {
+  if (first_momentum_length_ == 0) return std::nullopt;
+  return momentum_change_ / first_momentum_length_;
+}
+
+std::optional<double> BodyTrack::spin_energy_gain() const {
+  if (first_spin_energy_ == 0) return std::nullopt;
+  return spin_gain_ / first_spin_energy_;
+}
+
+std::optional<double> BodyTrack::bounce_height_loss() const {
+  if (bounces_ == 0 || first_top_ == 0) return std::nullopt;
+  return height_change_ / first_top_;
+}
+
+}  // namespace tumble::replay

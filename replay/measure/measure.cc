@@ -1,0 +1,119 @@
+#include "replay/measure/measure.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <variant>
+
+namespace tumble::replay {
+
+Measurer::Measurer(const LogHeader& header, const MeasureOptions& options) : scene_(header.scene), options_(options) {}
+
+void Measurer::add(const StepRecord& record) {
+  for (const sim::Command& input : record.inputs) {
+    if (meter_) meter_->apply(input);
+    if (!meter_) apply_before_start(input);
+    if (meter_ && std::holds_alternative<sim::Throw>(input)) ++metrics_.bodies;
+  }
+  if (records_++ > 0) clock_.add_step(record.dt);  // the first one is a state that no step led to
+  metrics_.steps = record.step;
+  metrics_.final_hash = record.state_hash;
+  if (!meter_) {
+    if (record.step >= options_.from_step) start(record);
+    return;
+  }
+  row_.step = record.step;
+  row_.time = clock_.now();
+  row_.kinetic = record.counters.kinetic;
+  row_.potential = record.counters.potential;
+  row_.inputs += record.counters.inputs;
+  row_.removed += record.counters.removed;
+  const double own = row_.kinetic + row_.potential - row_.inputs;
+  lowest_energy_ = std::min(lowest_energy_, own);
+  row_.gain = own - lowest_energy_;
+  metrics_.energy.gain_max = std::max(metrics_.energy.gain_max, row_.gain);
+  look_at(record);
+}
+
+// Who is there at the start, and what pulls.
+void Measurer::apply_before_start(const sim::Command& input) {
+  if (const auto* thrown = std::get_if<sim::Throw>(&input)) scene_.boxes.push_back(thrown->box);
+  if (const auto* gravity = std::get_if<sim::SetGravity>(&input)) scene_.world.gravity = gravity->gravity;
+}
+
+void Measurer::start(const StepRecord& record) {
+  std::ranges::sort(scene_.boxes, {}, &sim::BoxDef::id);
+  meter_.emplace(scene_, record.states, options_);
+  start_energy_ = meter_->start_energy();
+  lowest_energy_ = start_energy_.total();
+  metrics_.bodies = record.states.size();
+  metrics_.energy.initial = start_energy_.total();
+  row_.step = record.step;
+  row_.time = clock_.now();
+  row_.kinetic = start_energy_.kinetic;
+  row_.potential = start_energy_.potential;
+  look_at(record);
+}
+
+void Measurer::look_at(const StepRecord& record) {
+  row_.state = meter_->measure(record.states);
+  row_.lost = meter_->lost();
+  bodies_seen_ = std::max(bodies_seen_, row_.state.bodies);
+  row_.overlap.reset();
+  if (options_.overlap_every != 0 && record.step % options_.overlap_every == 0) {
+    row_.overlap = meter_->overlap_max(record.states);
+  }
+  StackingMetrics& stacking = metrics_.stacking;
+  stacking.overlap_peak = std::max(stacking.overlap_peak, row_.overlap.value_or(0));
+  stacking.ground_penetration_peak = std::max(stacking.ground_penetration_peak, row_.state.ground_penetration_max);
+  if (!row_.state.at_rest) {
+    rest_since_.reset();
+  } else if (!rest_since_) {
+    rest_since_ = row_.time;
+  }
+}
+
+Result<Metrics> Measurer::finish(const BodyStates& last) {
+  if (!meter_) {
+    return bad_input("found no step " + std::to_string(options_.from_step) +
+                     " to measure from, the session ends with " + std::to_string(metrics_.steps));
+  }
+  if (bodies_seen_ == 0 && !options_.bodies.all()) {
+    return bad_input("bodies: found none of \"" + to_string(options_.bodies) +
+                     "\" that is not static, wanted some to measure");
+  }
+  const StateMeasures& end = row_.state;
+  SymmetryMetrics& symmetry = metrics_.symmetry;
+  symmetry.lateral_max = end.lateral_max;
+  symmetry.lateral_rms = end.lateral_rms;
+  symmetry.column_spread = end.column_spread;
+  const StateMeter::Keeping keeping = meter_->keeping();
+  EnergyMetrics& energy = metrics_.energy;
+  energy.final = row_.kinetic + row_.potential;
+  energy.removed = row_.removed;
+  energy.inputs = row_.inputs;
+  energy.bounce_height_loss = keeping.bounce_height_loss;
+  energy.bounces = keeping.bounces;
+  energy.momentum_drift = keeping.momentum_drift;
+  energy.spin_energy_gain = keeping.spin_energy_gain;
+  if (energy.gain_max == 0) {
+    energy.gain_ratio = 0;
+  } else if (start_energy_.above_rest > 0) {
+    energy.gain_ratio = energy.gain_max / start_energy_.above_rest;
+  }
+  StackingMetrics& stacking = metrics_.stacking;
+  stacking.drift_max = end.drift_max;
+  stacking.tilt_max = end.tilt_max;
+  stacking.top_drop_max = end.top_drop_max;
+  stacking.lost = row_.lost;
+  stacking.overlap_max = meter_->overlap_max(last);
+  stacking.overlap_peak = std::max(stacking.overlap_peak, stacking.overlap_max);
+  stacking.ground_penetration_max = end.ground_penetration_max;
+  stacking.kinetic_linear_end = end.kinetic_linear;
+  stacking.kinetic_rotational_end = end.kinetic_rotational;
+  stacking.frozen_fraction = end.frozen_fraction;
+  stacking.rest_time = rest_since_;
+  return metrics_;
+}
+
+}  // namespace tumble::replay

@@ -1,0 +1,32 @@
+#include "replay/measure/measure_log.h"
+
+#include "replay/session/state_source.h"
+
+namespace tumble::replay {
+
+Result<Metrics> measure_log(LogReader& log, const MeasureOptions& options,
+                            const std::function<void(const SeriesRow&)>& each_row, const Progress& progress) {
+  StateSource source(log);
+  Measurer measurer(log.header(), options);
+  const std::uint64_t first = log.first_state();
+  const std::vector<Gap>& gaps = log.header().gaps();
+  const std::uint64_t last = gaps.empty() ? log.last_step() : gaps.front().first_step - 1;
+  if (options.from_step > last && !gaps.empty()) {
+    return bad_input(log.name() + ": measures cannot begin after step " + std::to_string(last) + ": " +
+                     to_string(gaps.front()) + " were lost before the log was recovered");
+  }
+  Result<const StepRecord*> record = source.read(first);
+  for (std::uint64_t k = first; k <= last; ++k) {
+    const bool needs_states = k == first || k >= options.from_step;
+    record = needs_states ? source.read(k) : log.read_hashes(k);
+    if (!record.ok()) return record.error();
+    measurer.add(**record);
+    if (each_row && measurer.started()) each_row(measurer.row());
+    if (progress && !progress(k - first, last - first)) return cannot_finish(log.name() + ": interrupted");
+  }
+  Result<Metrics> metrics = measurer.finish((*record)->states);
+  if (!metrics.ok()) return Error{metrics.error().kind, log.name() + ": " + metrics.error().message};
+  return metrics;
+}
+
+}  // namespace tumble::replay

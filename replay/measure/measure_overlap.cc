@@ -1,0 +1,111 @@
+#include "replay/measure/measure_overlap.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace tumble::replay {
+namespace {
+
+using sim::BoxFrame;
+using sim::Vec3;
+
+// |edge × edge|² below this: the edges are parallel, and a face axis says the same. The direction is off by about
+// 1e-16 / 1e-6 there, far less than any overlap of interest.
+constexpr double kParallelSquared = 1e-12;
+
+double reach(const BoxFrame& box, const Vec3& axis) {
+  return (box.half_extent.x() * std::fabs(sim::dot(box.axes[0], axis)) +
+          box.half_extent.y() * std::fabs(sim::dot(box.axes[1], axis))) +
+         box.half_extent.z() * std::fabs(sim::dot(box.axes[2], axis));
+}
+
+// Gap between the projections, negative when they overlap. axis: unit length.
+double gap_along(const BoxFrame& a, const BoxFrame& b, const Vec3& axis) {
+  return std::fabs(sim::dot(b.position - a.position, axis)) - (reach(a, axis) + reach(b, axis));
+}
+
+struct Interval {
+  double low;
+  double high;
+};
+using Extents = std::array<Interval, 3>;
+
+Extents extents_of(const BoxFrame& box) {
+  Extents extents{};
+  for (int k = 0; k < 3; ++k) {
+    const double r = sim::reach_along(box, k);
+    extents[static_cast<std::size_t>(k)] = {box.position[k] - r, box.position[k] + r};
+  }
+  return extents;
+}
+
+// The least overlap along the world's axes, negative when apart: the shortest way apart is never longer.
+double most_depth(const Extents& a, const Extents& b) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    least = std::min(least, std::min(a[k].high, b[k].high) - std::max(a[k].low, b[k].low));
+  }
+  return least;
+}
+
+std::size_t widest_axis(std::span<const BoxFrame> boxes) {
+  Vec3 sum = Vec3::Zero(), squares = Vec3::Zero();
+  for (const BoxFrame& box : boxes) {
+    sum += box.position;
+    squares += box.position.cwiseProduct(box.position);
+  }
+  const Vec3 variance = squares - sum.cwiseProduct(sum) / static_cast<double>(boxes.size());
+  if (variance.x() >= variance.y() && variance.x() >= variance.z()) return 0;
+  return variance.y() >= variance.z() ? 1 : 2;
+}
+
+}  // namespace
+
+double overlap_depth(const BoxFrame& a, const BoxFrame& b) {
+  double gap = -std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 3; ++i) {
+    gap = std::max({gap, gap_along(a, b, a.axes[i]), gap_along(a, b, b.axes[i])});
+  }
+  for (int i = 0; i < 3 && gap < 0; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const Vec3 edge = sim::cross(a.axes[i], b.axes[j]);
+      const double squared = sim::dot(edge, edge);
+      if (squared >= kParallelSquared) gap = std::max(gap, gap_along(a, b, edge / std::sqrt(squared)));
+    }
+  }
+  return std::max(0.0, -gap);
+}
+
+double deepest_overlap(std::span<const BoxFrame> boxes, std::span<const std::uint8_t> left_out) {
+  if (boxes.size() < 2) return 0;
+  const std::size_t axis = widest_axis(boxes);
+  std::vector<Extents> extents;
+  extents.reserve(boxes.size());
+  for (const BoxFrame& box : boxes) extents.push_back(extents_of(box));
+  std::vector<std::size_t> order(boxes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t i) { return extents[i][axis].low; });
+
+  double deepest = 0;
+  for (std::size_t first = 0; first < order.size(); ++first) {
+    const std::size_t i = order[first];
+    for (std::size_t second = first + 1; second < order.size(); ++second) {
+      const std::size_t j = order[second];
+      // Pairs that cannot be deeper than the deepest so far are not looked at: in a crowd, where each box meets each,
+      // those are nearly all.
+      if (extents[i][axis].high - extents[j][axis].low <= deepest) break;
+      if ((left_out[i] != 0 && left_out[j] != 0) || most_depth(extents[i], extents[j]) <= deepest) continue;
+      deepest = std::max(deepest, overlap_depth(boxes[i], boxes[j]));
+    }
+  }
+  return deepest;
+}
+
+double ground_penetration(const BoxFrame& box) { return std::max(0.0, sim::reach_along(box, 2) - box.position.z()); }
+
+}  // namespace tumble::replay

@@ -1,0 +1,258 @@
+#include "replay/measure/measure_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include "replay/measure/measure_overlap.h"
+#include "src/model/mass.h"
+
+namespace tumble::replay {
+namespace {
+
+using sim::BoxFrame;
+using sim::Quat;
+using sim::Vec3;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// The angle, degrees, between the world's up and where a body's turn since the start has carried it. A turn about the
+// vertical is no tilt, and equal orientations give exactly 0.
+double tilt_between(const Quat& start, const Quat& now) {
+  const Quat turn = sim::product(now, {start.w, -start.x, -start.y, -start.z});
+  const double half = std::min(1.0, std::sqrt(turn.x * turn.x + turn.y * turn.y));  // sine of half the angle
+  return 2 * std::asin(half) * 180 / std::numbers::pi;
+}
+
+Vec3 spin_in_body(const Vec3& inertia, const BodyStates& s, std::size_t row) {
+  const Vec3 w = s.spin[row];
+  const bool round = inertia.x() == inertia.y() && inertia.y() == inertia.z();
+  return round ? w : sim::to_body(sim::axes_of(s.orientation[row]), w);
+}
+
+// As sim::kinetic_energy, from what a log says of a body.
+double kinetic_of(const sim::BoxDef& box, const Vec3& inertia, const BodyStates& s, std::size_t row) {
+  const Vec3 v = s.velocity[row], w_B = spin_in_body(inertia, s, row);
+  return 0.5 * (box.mass * sim::dot(v, v) + sim::dot(w_B, w_B.cwiseProduct(inertia)));
+}
+
+BoxFrame frame_of(const sim::BoxDef& box, const BodyStates& s, std::size_t row) {
+  return {s.position[row], sim::axes_of(s.orientation[row]), box.size / 2};
+}
+
+}  // namespace
+
+StateMeter::StateMeter(const sim::SceneDef& scene, BodyStates start, const MeasureOptions& options)
+    : start_(std::move(start)),
+      options_(options),
+      start_gravity_(scene.world.gravity),
+      gravity_(scene.world.gravity),
+      ground_(scene.world.ground),
+      space_(scene.world.ground) {
+  bodies_.reserve(scene.boxes.size());
+  for (sim::BoxDef box : scene.boxes) {
+    const auto at = std::ranges::lower_bound(start_.id, box.id);
+    if (at == start_.id.end() || *at != box.id) continue;
+    const auto row = static_cast<std::size_t>(at - start_.id.begin());
+    box.position = start_.position[row];
+    box.orientation = start_.orientation[row];
+    space_.add(box);
+    bodies_.push_back(body_of(box));
+    bodies_.back().in_start = true;
+    bodies_.back().start_row = row;
+  }
+  number_grid_rows();
+}
+
+StateMeter::Body StateMeter::body_of(const sim::BoxDef& box) const {
+  Body body;
+  body.box = box;
+  body.inertia = sim::box_inertia(box.mass, box.size);
+  body.measured = !box.is_static && options_.bodies.holds(box);
+  return body;
+}
+
+void StateMeter::number_grid_rows() {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> numbers;
+  for (Body& body : bodies_) {
+    const sim::Origin& origin = body.box.origin;
+    if (origin.kind != sim::Origin::Kind::kGrid || !body.measured) continue;
+    body.grid_row = numbers.try_emplace({origin.table, origin.row}, numbers.size()).first->second;
+  }
+  grid_rows_.resize(numbers.size());
+}
+
+void StateMeter::apply(const sim::Command& input) {
+  const auto place_of = [&](sim::BodyId id) {
+    return std::ranges::lower_bound(bodies_, id, {}, [](const Body& body) { return body.box.id; });
+  };
+  if (const auto* gravity = std::get_if<sim::SetGravity>(&input)) gravity_ = gravity->gravity;
+  if (const auto* thrown = std::get_if<sim::Throw>(&input)) {
+    space_.add(thrown->box);
+    bodies_.insert(place_of(thrown->box.id), body_of(thrown->box));
+    row_ids_.clear();  // bodies_ moved
+  }
+  if (const auto* removed = std::get_if<sim::Remove>(&input)) {
+    const auto body = place_of(removed->id);
+    if (body != bodies_.end() && body->box.id == removed->id) body->removed = true;
+  }
+}
+
+void StateMeter::lose(Body& body) {
+  if (body.measured && !std::exchange(body.lost, true)) ++lost_;
+}
+
+void StateMeter::find_rows(const BodyStates& now) {
+  if (row_ids_ == now.id && body_of_row_.size() == now.size()) return;
+  row_ids_ = now.id;
+  body_of_row_.assign(now.size(), kNone);
+  std::size_t row = 0;
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {  // both lists ascend
+    while (row < now.size() && now.id[row] < bodies_[k].box.id) ++row;
+    if (row < now.size() && now.id[row] == bodies_[k].box.id) {
+      body_of_row_[row] = k;
+    } else if (!bodies_[k].removed) {
+      lose(bodies_[k]);  // it is gone, and no input took it
+    }
+  }
+}
+
+StateMeasures StateMeter::measure(const BodyStates& now) {
+  find_rows(now);
+  std::ranges::fill(grid_rows_, GridRow{kInfinity, -kInfinity, kInfinity, -kInfinity});
+  StateMeasures out;
+  std::size_t from_start = 0, frozen = 0;
+  out.height_max = -kInfinity;
+  out.height_min = kInfinity;
+  for (std::size_t row = 0; row < now.size(); ++row) {
+    if (body_of_row_[row] == kNone) continue;
+    Body& body = bodies_[body_of_row_[row]];
+    if (!body.measured) continue;
+    ++out.bodies;
+    frozen += now.frozen[row];
+    measure_motion(body, now, row, out);
+    measure_place(body, now, row, out);
+    if (!body.in_start) continue;
+    ++from_start;
+    compare_with_start(body, now, row, out);
+    widen_grid_row(body, now.position[row]);
+  }
+  if (from_start > 0) out.lateral_rms = std::sqrt(out.lateral_rms / static_cast<double>(from_start));
+  out.column_spread = column_spread();
+  if (out.bodies == 0) {
+    out.height_max = out.height_min = 0;
+    return out;
+  }
+  out.frozen_fraction = static_cast<double>(frozen) / static_cast<double>(out.bodies);
+  out.height_mean /= static_cast<double>(out.bodies);
+  return out;
+}
+
+void StateMeter::measure_motion(Body& body, const BodyStates& now, std::size_t row, StateMeasures& out) {
+  const Vec3 v = now.velocity[row], w_B = spin_in_body(body.inertia, now, row);
+  const Vec3 momentum_B = w_B.cwiseProduct(body.inertia);
+  const double linear = 0.5 * body.box.mass * sim::dot(v, v), rotational = 0.5 * sim::dot(w_B, momentum_B);
+  const bool round = body.inertia.x() == body.inertia.y() && body.inertia.y() == body.inertia.z();
+  body.track.add({.height = now.position.z[row] - body.box.size.minCoeff() / 2,
+                  .rise = v.z(),
+                  .spin_momentum = round ? momentum_B : sim::to_world(sim::axes_of(now.orientation[row]), momentum_B),
+                  .spin_energy = rotational},
+                 -gravity_.z());
+  if (now.frozen[row] != 0) return;
+  out.kinetic_linear += linear;
+  out.kinetic_rotational += rotational;
+  if (!(linear + rotational <= kRestEnergy * body.box.mass)) out.at_rest = false;
+}
+
+void StateMeter::measure_place(Body& body, const BodyStates& now, std::size_t row, StateMeasures& out) {
+  const Vec3 centre = now.position[row];
+  if (!space_.holds(centre)) lose(body);
+  if (ground_) {
+    out.ground_penetration_max = std::max(out.ground_penetration_max, ground_penetration(frame_of(body.box, now, row)));
+  }
+  out.height_max = std::max(out.height_max, centre.z());
+  out.height_min = std::min(out.height_min, centre.z());
+  out.height_mean += centre.z();  // the sum; measure() finishes it
+}
+
+void StateMeter::compare_with_start(const Body& body, const BodyStates& now, std::size_t row,
+                                    StateMeasures& out) const {
+  const Vec3 moved = now.position[row] - start_.position[body.start_row];
+  const double lateral = options_.lateral == LateralAxis::kX ? moved.x() : moved.y();
+  out.lateral_max = std::max(out.lateral_max, std::fabs(lateral));
+  out.lateral_rms += lateral * lateral;  // the sum; measure() finishes it
+  out.drift_max = std::max(out.drift_max, std::sqrt(moved.x() * moved.x() + moved.y() * moved.y()));
+  out.top_drop_max = std::max(out.top_drop_max, -moved.z());
+  out.tilt_max = std::max(out.tilt_max, tilt_between(start_.orientation[body.start_row], now.orientation[row]));
+}
+
+void StateMeter::widen_grid_row(const Body& body, const Vec3& position) {
+  if (body.grid_row == kNone) return;
+  GridRow& span = grid_rows_[body.grid_row];
+  const double across = options_.lateral == LateralAxis::kX ? position.y() : position.x();
+  span.across_low = std::min(span.across_low, across);
+  span.across_high = std::max(span.across_high, across);
+  span.z_low = std::min(span.z_low, position.z());
+  span.z_high = std::max(span.z_high, position.z());
+}
+
+std::optional<double> StateMeter::column_spread() const {
+  if (grid_rows_.empty()) return std::nullopt;
+  double widest = 0;  // a row whose bodies were all removed is −infinity wide
+  for (const GridRow& row : grid_rows_) {
+    widest = std::max({widest, row.across_high - row.across_low, row.z_high - row.z_low});
+  }
+  return widest;
+}
+
+double StateMeter::overlap_max(const BodyStates& now) {
+  find_rows(now);
+  std::vector<BoxFrame> boxes;
+  std::vector<std::uint8_t> left_out;
+  boxes.reserve(now.size());
+  left_out.reserve(now.size());
+  for (std::size_t row = 0; row < now.size(); ++row) {
+    if (body_of_row_[row] == kNone) continue;
+    const Body& body = bodies_[body_of_row_[row]];
+    boxes.push_back(frame_of(body.box, now, row));
+    left_out.push_back(body.measured ? 0 : 1);
+  }
+  return deepest_overlap(boxes, left_out);
+}
+
+StateMeter::Keeping StateMeter::keeping() const {
+  Keeping worst;
+  std::optional<std::uint64_t> bounces;
+  const auto take = [](std::optional<double>& most, const std::optional<double>& value) {
+    if (value && (!most || *value > *most)) most = value;
+  };
+  for (const Body& body : bodies_) {
+    if (!body.measured) continue;
+    take(worst.momentum_drift, body.track.momentum_drift());
+    take(worst.spin_energy_gain, body.track.spin_energy_gain());
+    take(worst.bounce_height_loss, body.track.bounce_height_loss());
+    bounces = std::min(bounces.value_or(body.track.bounces()), body.track.bounces());
+  }
+  worst.bounces = bounces.value_or(0);
+  return worst;
+}
+
+StateMeter::StartEnergy StateMeter::start_energy() const {
+  double kinetic = 0, potential = 0, above_rest = 0;  // summed as sim::total_energy does, for equal bits
+  for (const Body& body : bodies_) {
+    if (!body.in_start || body.box.is_static) continue;
+    const Vec3 position = start_.position[body.start_row];
+    if (start_.frozen[body.start_row] == 0) kinetic += kinetic_of(body.box, body.inertia, start_, body.start_row);
+    potential -= body.box.mass * sim::dot(start_gravity_, position);
+    if (!ground_ || start_gravity_.z() >= 0) continue;
+    const double rest = body.box.size.minCoeff() / 2;
+    above_rest += body.box.mass * -start_gravity_.z() * std::max(0.0, position.z() - rest);
+  }
+  return {kinetic, potential, kinetic + above_rest};
+}
+
+}  // namespace tumble::replay

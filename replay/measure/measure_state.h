@@ -1,0 +1,120 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "replay/format/step_record.h"
+#include "replay/measure/body_track.h"
+#include "replay/measure/measure_options.h"
+#include "replay/measure/reasonable_space.h"
+#include "src/model/scene.h"
+
+namespace tumble::replay {
+
+/// A body whose kinetic energy is at most this, J/kg, counts as at rest in StateMeasures::at_rest: 0.08 m/s without
+/// spin. It is a fixed number, not the scene's freeze_energy, so that sessions can be compared.
+inline constexpr double kRestEnergy = 0.0032;
+
+/// What one state shows, compared with the start. docs/metrics.md defines each. Over the dynamic bodies that were
+/// chosen; lateral, drift, tilt and top_drop are over those of the start that still exist.
+struct StateMeasures {
+  double lateral_max = 0;               ///< m
+  double lateral_rms = 0;               ///< m
+  std::optional<double> column_spread;  ///< m; none without a [[grid]]
+  double drift_max = 0;                 ///< m
+  double tilt_max = 0;                  ///< degrees
+  double top_drop_max = 0;              ///< m
+  double ground_penetration_max = 0;    ///< m; 0 in a scene without ground
+  double kinetic_linear = 0;            ///< J
+  double kinetic_rotational = 0;        ///< J
+  double frozen_fraction = 0;           ///< 0 if there are no bodies
+  bool at_rest = true;                  ///< every body is frozen or below kRestEnergy
+  std::size_t bodies = 0;               ///< that this is over
+  double height_max = 0;                ///< m, of the centres; 0 if there are no bodies
+  double height_min = 0;                ///< m
+  double height_mean = 0;               ///< m
+};
+
+/// Measures the states of one session, in order, against its start. Needs nothing but what a log says: the scene's
+/// boxes, the states, and the inputs since.
+class StateMeter {
+ public:
+  /// scene: its boxes are those there may be at the start, its gravity is that of the start. start: the state to
+  /// compare with, as stored (positions are on the grid there).
+  StateMeter(const sim::SceneDef& scene, BodyStates start, const MeasureOptions& options = {});
+
+  /// An input, before the state that it led to is measured.
+  void apply(const sim::Command& input);
+
+  /// Measures a state. Bodies that neither the scene nor a throw explains are left out.
+  StateMeasures measure(const BodyStates& now);
+
+  /// The deepest overlap of two boxes in a state, one of them chosen, m: slower than measure(), so asked for by itself.
+  double overlap_max(const BodyStates& now);
+
+  /// Chosen bodies that were lost in any state measured so far.
+  [[nodiscard]] std::uint64_t lost() const { return lost_; }
+
+  /// What the steps measured so far show together: the worst of any chosen body; bounces: the fewest.
+  struct Keeping {
+    std::optional<double> momentum_drift;
+    std::optional<double> spin_energy_gain;
+    std::optional<double> bounce_height_loss;
+    std::uint64_t bounces = 0;
+  };
+  [[nodiscard]] Keeping keeping() const;
+
+  /// Of all bodies, chosen or not. Kinetic and potential energy of state 0, J, and how much of it lies above the lowest
+  /// rest: every box on the ground on its largest face.
+  struct StartEnergy {
+    double kinetic = 0;
+    double potential = 0;
+    double above_rest = 0;
+    [[nodiscard]] double total() const { return kinetic + potential; }
+  };
+  [[nodiscard]] StartEnergy start_energy() const;
+
+ private:
+  struct Body {
+    sim::BoxDef box;
+    sim::Vec3 inertia;  // kg·m², own axes
+    BodyTrack track;
+    bool measured = false;  // dynamic and chosen
+    bool in_start = false;
+    bool removed = false;
+    bool lost = false;
+    std::size_t start_row = 0;
+    std::size_t grid_row = kNone;  // index into grid_rows_
+  };
+  // What the bodies of one grid row span in the state being measured, m: along the other horizontal axis, and upwards.
+  struct GridRow {
+    double across_low, across_high, z_low, z_high;
+  };
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+  [[nodiscard]] Body body_of(const sim::BoxDef& box) const;
+  void number_grid_rows();
+  void find_rows(const BodyStates& now);
+  void measure_place(Body& body, const BodyStates& now, std::size_t row, StateMeasures& out);
+  void measure_motion(Body& body, const BodyStates& now, std::size_t row, StateMeasures& out);
+  void lose(Body& body);
+  void compare_with_start(const Body& body, const BodyStates& now, std::size_t row, StateMeasures& out) const;
+  void widen_grid_row(const Body& body, const sim::Vec3& position);
+  [[nodiscard]] std::optional<double> column_spread() const;
+
+  BodyStates start_;
+  MeasureOptions options_;
+  sim::Vec3 start_gravity_;  // m/s²
+  sim::Vec3 gravity_;        // now
+  bool ground_;
+  ReasonableSpace space_;
+  std::vector<Body> bodies_;  // ascending id; every one is in each state until it is removed
+  std::uint64_t lost_ = 0;
+  std::vector<GridRow> grid_rows_;
+  std::vector<std::size_t> body_of_row_;  // of the rows of row_ids_: index into bodies_, or kNone
+  std::vector<sim::BodyId> row_ids_;
+};
+
+}  // namespace tumble::replay

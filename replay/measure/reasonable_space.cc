@@ -1,0 +1,39 @@
+#include "replay/measure/reasonable_space.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace tumble::replay {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+ReasonableSpace::ReasonableSpace(bool ground)
+    : ground_(ground),
+      floor_(ground ? 0 : -kInfinity),
+      low_(kInfinity, kInfinity, kInfinity),
+      high_(-kInfinity, -kInfinity, -kInfinity) {}
+
+void ReasonableSpace::add(const sim::BoxDef& box) {
+  const sim::Axes axes = sim::axes_of(box.orientation);
+  const sim::Vec3 half = box.size / 2;
+  const sim::Vec3 reach =
+      (axes[0].cwiseAbs() * half.x() + axes[1].cwiseAbs() * half.y()) + axes[2].cwiseAbs() * half.z();
+  low_ = low_.cwiseMin(box.position - reach);
+  high_ = high_.cwiseMax(box.position + reach);
+  if (ground_ || !box.is_static) return;
+  const double bottom = box.position.z() - reach.z();
+  floor_ = floor_ == -kInfinity ? bottom : std::min(floor_, bottom);
+}
+
+bool ReasonableSpace::holds(const sim::Vec3& centre) const {
+  if (centre.z() < floor_) return false;
+  for (int k = 0; k < 3; ++k) {
+    if (centre[k] < low_[k] - kReasonableDistance || centre[k] > high_[k] + kReasonableDistance) return false;
+  }
+  return true;
+}
+
+}  // namespace tumble::replay

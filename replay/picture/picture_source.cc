@@ -1,0 +1,127 @@
+#include "replay/picture/picture_source.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "replay/picture/picture_markers.h"
+
+namespace tumble::replay {
+namespace {
+
+using render::BoxLook;
+using render::Colour;
+using render::Snapshot;
+
+constexpr Colour kOurs = {1.0F, 0.36F, 0.02F};
+constexpr Colour kTheirs = {0.05F, 0.30F, 1.0F};
+
+BoxLook look_of(const BodyStates& states, std::size_t row, const sim::BoxDef& box, const PictureOptions& options) {
+  BoxLook look;
+  look.id = states.id[row];
+  look.centre = states.position[row];
+  look.orientation = states.orientation[row];
+  look.half_extent = box.size / 2;
+  look.velocity = states.velocity[row];
+  look.spin = states.spin[row];
+  look.texture = box.material.texture;
+  if (options.freezing && states.frozen[row] == 0 && !box.is_static) look.texture = sim::Texture::kWhite;
+  return look;
+}
+
+bool same_pose(const BoxLook& a, const BoxLook& b) {
+  return a.centre == b.centre && a.orientation == b.orientation && a.half_extent == b.half_extent;
+}
+
+BoxLook coloured(BoxLook look, const Colour& colour) {
+  look.texture = sim::Texture::kConcrete;
+  look.tint = colour;
+  return look;
+}
+
+}  // namespace
+
+PictureSource::PictureSource(LogReader& log) : log_(&log), states_(log), scanned_(log.first_state()) {
+  for (const sim::BoxDef& box : log.header().scene.boxes) boxes_.emplace(box.id, box);
+}
+
+void PictureSource::add_throws(const std::vector<sim::Command>& inputs) {
+  for (const sim::Command& command : inputs) {
+    if (const auto* thrown = std::get_if<sim::Throw>(&command)) boxes_.emplace(thrown->box.id, thrown->box);
+  }
+}
+
+Result<const sim::BoxDef*> PictureSource::find_box(sim::BodyId id, std::uint64_t k) {
+  auto found = boxes_.find(id);
+  for (; found == boxes_.end() && scanned_ < k; found = boxes_.find(id)) {
+    ++scanned_;
+    // A step that cannot be read may lie in a damaged part that the picture does not need.
+    const Result<const StepRecord*> record = log_->read_hashes(scanned_);
+    if (record.ok()) add_throws((*record)->inputs);
+  }
+  if (found != boxes_.end()) return &found->second;
+  return damaged(log_->name() + ": body " + std::to_string(id) + " at step " + std::to_string(k) +
+                 " is in neither the scene nor a readable throw before, so its size is not known");
+}
+
+Result<Picture> PictureSource::read(std::uint64_t k, const PictureOptions& options) {
+  const Result<const StepRecord*> found = states_.read(k);
+  if (!found.ok()) return found.error();
+  const StepRecord record = **found;  // looking for throws reads on in the log
+  Picture picture;
+  picture.step = k;
+  picture.state_hash = record.state_hash;
+  picture.dt = record.dt;
+  Snapshot& snapshot = picture.snapshot;
+  const sim::SceneDef& scene = log_->header().scene;
+  snapshot.ground = scene.world.ground;
+  snapshot.camera = scene.camera;
+  snapshot.light = scene.light;
+  for (std::size_t row = 0; row < record.states.size(); ++row) {
+    const Result<const sim::BoxDef*> box = find_box(record.states.id[row], k);
+    if (!box.ok()) return box.error();
+    snapshot.boxes.push_back(look_of(record.states, row, **box, options));
+  }
+  if (options.bounds) add_bounds_markers(snapshot);
+  if (options.velocities) add_velocity_markers(snapshot, kArrowSeconds);
+  if (options.contacts && k > log_->first_state()) {
+    if (const Status added = add_contacts(k, snapshot); !added.ok()) return added.error();
+  }
+  return picture;
+}
+
+Status PictureSource::add_contacts(std::uint64_t k, Snapshot& snapshot) {
+  if (!player_ || player_->world().state().step >= k || player_->world().state().step + 64 < k) {
+    Result<Player> player = Player::at(*log_, k - 1);
+    if (!player.ok()) return player.error();
+    player_ = *std::move(player);
+  }
+  while (player_->world().state().step < k) {
+    const Result<const StepRecord*> stepped = player_->step();
+    if (!stepped.ok()) return stepped.error();
+  }
+  add_contact_markers(player_->world(), snapshot);
+  return {};
+}
+
+Snapshot overlay(const Snapshot& ours, const Snapshot& theirs) {
+  Snapshot both = ours;
+  both.boxes.clear();
+  auto other = theirs.boxes.begin();
+  for (const BoxLook& box : ours.boxes) {
+    for (; other != theirs.boxes.end() && other->id < box.id; ++other) both.boxes.push_back(coloured(*other, kTheirs));
+    const bool is_shared = other != theirs.boxes.end() && other->id == box.id;
+    if (is_shared && same_pose(box, *other)) {
+      both.boxes.push_back(box);
+    } else {
+      both.boxes.push_back(coloured(box, kOurs));
+      if (is_shared) both.boxes.push_back(coloured(*other, kTheirs));
+    }
+    if (is_shared) ++other;
+  }
+  for (; other != theirs.boxes.end(); ++other) both.boxes.push_back(coloured(*other, kTheirs));
+  return both;
+}
+
+}  // namespace tumble::replay

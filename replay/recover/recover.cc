@@ -1,0 +1,161 @@
+#include "replay/recover/recover.h"
+
+#include <array>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "replay/format/limits.h"
+#include "replay/log/log_reader.h"
+#include "replay/log/record_writer.h"
+#include "replay/recover/salvage.h"
+#include "replay/session/boxes_at.h"
+#include "src/model/limits.h"
+
+namespace tumble::replay {
+namespace {
+
+// The format since which a header says which version of phase hashes its log has; before, there was only the first.
+constexpr std::uint16_t kMinorOfPhaseHashVersion = 3;
+
+class Recovery {
+ public:
+  Recovery(const ByteSource& source, std::unique_ptr<ByteSink> sink, Salvage left)
+      : source_(source), writer_(std::move(sink)), left_(std::move(left)) {}
+
+  Result<RecoverReport> run() {
+    report_.header_lost = !left_.header;
+    report_.end_known = left_.last_step.has_value();
+    report_.damages = left_.damages;
+    report_.lost_bytes = left_.lost_bytes;
+    report_.first_state = left_.chunks.front().first_step() - 1;
+    report_.last_step = left_.chunks.back().end_step() - 1;
+    find_gaps();
+    if (Status ok = write_header(); !ok.ok()) return ok.error();
+    for (const SavedChunk& chunk : left_.chunks) {
+      const Result<std::vector<std::byte>> stored = bytes_of(chunk.payload, chunk.prelude);
+      if (!stored.ok()) return stored.error();
+      if (Status ok = writer_.copy_chunk(chunk.prelude, *stored, chunk.final_hash); !ok.ok()) return ok.error();
+      report_.steps += chunk.prelude.step_count;
+    }
+    if (Status ok = writer_.finish(); !ok.ok()) return ok.error();
+    report_.chunks = writer_.chunks();
+    report_.bytes = writer_.bytes();
+    return std::move(report_);
+  }
+
+ private:
+  void find_gaps() {
+    const std::uint64_t begin = left_.header ? left_.header->prelude.first_step : 0;
+    if (begin < report_.first_state) report_.lost.push_back({begin + 1, report_.first_state - begin});
+    std::uint64_t end = report_.first_state + 1;
+    for (const SavedChunk& chunk : left_.chunks) {
+      if (chunk.first_step() > end) gaps_.push_back({end, chunk.first_step() - end});
+      end = chunk.end_step();
+    }
+    report_.lost.insert(report_.lost.end(), gaps_.begin(), gaps_.end());
+    if (left_.last_step && *left_.last_step >= end) report_.lost.push_back({end, *left_.last_step + 1 - end});
+  }
+
+  [[nodiscard]] Result<std::vector<std::byte>> bytes_of(std::uint64_t payload, const Prelude& prelude) const {
+    std::vector<std::byte> stored(prelude.stored_bytes);
+    if (Status ok = source_.read(payload, stored); !ok.ok()) return ok.error();
+    return stored;
+  }
+
+  Status write_header() {
+    const bool begins_as_it_did = left_.header && left_.header->prelude.first_step == report_.first_state;
+    const bool as_it_was = begins_as_it_did && left_.header->content.gaps() == gaps_;
+    if (as_it_was) {
+      const Result<std::vector<std::byte>> stored = bytes_of(left_.header->payload, left_.header->prelude);
+      return stored.ok() ? writer_.copy_header(left_.header->prelude, *stored) : Status(stored.error());
+    }
+    Result<ChunkDecoder> first = decode(left_.chunks.front());
+    if (!first.ok()) return first.error();
+    Result<LogHeader> header = left_.header ? left_.header->content : made_header(*first);
+    if (!header.ok()) return header.error();
+    header->recovered = {source_.name(), report_.header_lost, gaps_};
+    const Keyframe& keyframe = first->keyframe();
+    const Hash128 chain = left_.chunks.front().prelude.chain_before;
+    const bool is_begin = report_.first_state == 0 && chain == chain_start(sim::state_hash(keyframe.state.bodies));
+    if (!begins_as_it_did && !is_begin) begin_with(keyframe, chain, *header);
+    return writer_.write_header(*header, keyframe.state);
+  }
+
+  [[nodiscard]] Result<ChunkDecoder> decode(const SavedChunk& chunk) const {
+    const Result<std::vector<std::byte>> stored = bytes_of(chunk.payload, chunk.prelude);
+    if (!stored.ok()) return stored.error();
+    const Result<MessageBytes> message = decompress(*stored, chunk.prelude.raw_bytes, kChunkBytesMax);
+    if (!message.ok()) return message.error();
+    return ChunkDecoder::open(*message);
+  }
+
+  /// The session goes on from the first state that is left.
+  void begin_with(const Keyframe& keyframe, const Hash128& chain, LogHeader& header) const {
+    header.scene.boxes = boxes_at(keyframe.state.bodies, std::move(header.scene.boxes));
+    header.scene.world = keyframe.state.def;
+    std::erase_if(header.scene.inputs,
+                  [&](const sim::TimedCommand& input) { return input.step <= keyframe.state.step; });
+    header.goes_on = {keyframe.state.step, source_.name(), keyframe.continuation_hash, chain};
+  }
+
+  /// A header that says what the chunks say: bodies, method, inputs. Phases only if they can be this build's.
+  [[nodiscard]] Result<LogHeader> made_header(const ChunkDecoder& first) const {
+    const Keyframe& keyframe = first.keyframe();
+    sim::SceneDef scene;
+    scene.name = "recovered";
+    scene.world = keyframe.state.def;
+    scene.steps = report_.last_step;
+    scene.boxes = boxes_at(keyframe.state.bodies, {});
+    std::uint64_t with_states = 0;  // the greatest number that divides the steps with states
+    bool phases_fit = true;
+    LogHeader header = header_for(scene);
+    for (const SavedChunk& chunk : left_.chunks) {
+      const Result<ChunkDecoder> decoder = decode(chunk);
+      if (!decoder.ok()) return decoder.error();
+      const Keyframe& begin = decoder->keyframe();
+      phases_fit = phases_fit && sim::continuation_hash(begin.state) == begin.continuation_hash;
+      if (chunk.prelude.minor < kMinorOfPhaseHashVersion) header.phase_hash_version = 1;
+      for (std::size_t i = 0; i < decoder->step_count(); ++i) {
+        const StepRecord& step = decoder->without_states(i);
+        if (step.has_states) with_states = std::gcd(with_states, step.step);
+        phases_fit = phases_fit && step.phase_words.size() % header.phases.size() == 0;
+        for (const sim::Command& command : step.inputs) header.scene.inputs.push_back({step.step, command});
+      }
+    }
+    header.states.every = with_states <= sim::kStepsMax ? static_cast<std::uint32_t>(with_states) : 0;
+    if (phases_fit) return header;
+    header.phases.clear();
+    header.method_version = 0;
+    return header;
+  }
+
+  const ByteSource& source_;
+  RecordWriter writer_;
+  Salvage left_;
+  std::vector<Gap> gaps_;  // that the new log has
+  RecoverReport report_;
+};
+
+/// Why nothing can be saved: never a log, or nothing of one is left.
+Error nothing_left(const ByteSource& source, const Salvage& left) {
+  std::array<std::byte, kMagicEnd> bytes = {};
+  const auto start = std::span(bytes).first(std::min<std::uint64_t>(source.size(), kMagicEnd));
+  const bool was_log = left.header || source.size() == 0 || !source.read(0, start).ok() || starts_like_log(start) ||
+                       nearly_starts_like_log(start);
+  if (!was_log) return bad_input(source.name() + ": is not a log: nothing in it is one; was another file meant?");
+  return damaged(source.name() + ": nothing of the session can be saved: found not one whole chunk in " +
+                 std::to_string(source.size()) + " bytes");
+}
+
+}  // namespace
+
+Result<RecoverReport> recover_log(const ByteSource& damaged, std::unique_ptr<ByteSink> sink) {
+  Result<Salvage> left = salvage(damaged);
+  if (!left.ok()) return left.error();
+  if (left->chunks.empty()) return nothing_left(damaged, *left);
+  return Recovery(damaged, std::move(sink), *std::move(left)).run();
+}
+
+}  // namespace tumble::replay

@@ -1,0 +1,71 @@
+#include "replay/recover/salvage_pieces.h"
+
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "replay/format/limits.h"
+#include "replay/log/scan.h"
+
+namespace tumble::replay {
+namespace {
+
+class PieceFinder {
+ public:
+  explicit PieceFinder(const ByteSource& source) : source_(source) {}
+
+  Pieces run() {
+    std::uint64_t at = 0;
+    while (const std::optional<FoundPrelude> found = find_prelude(source_, at, std::nullopt)) {
+      const std::uint64_t length = take(*found);
+      if (length == 0) {
+        at = found->offset + kPreludeBytes;
+        continue;
+      }
+      scrap_up_to(found->offset);
+      at = good_end_ = found->offset + length;
+    }
+    scrap_up_to(source_.size());
+    return std::move(pieces_);
+  }
+
+ private:
+  void scrap_up_to(std::uint64_t end) {
+    if (end > good_end_) pieces_.scraps.push_back({good_end_, end});
+  }
+
+  /// The record's length; 0 if its bytes are not those that its prelude tells of.
+  std::uint64_t take(const FoundPrelude& found) {
+    const Piece piece = {found.offset, found.prelude};
+    if (found.prelude.kind == RecordKind::kFooter) return take_footer(piece);
+    const std::uint64_t left = source_.size() - found.offset - kPreludeBytes;
+    const std::uint64_t stored = found.prelude.stored_bytes;
+    const bool may_be = found.prelude.kind != RecordKind::kGolden && stored <= left && stored <= kChunkBytesMax;
+    if (!may_be || work_ > kSalvageWork * source_.size()) return 0;
+    work_ += stored;
+    bytes_.resize(stored);
+    if (!source_.read(found.offset + kPreludeBytes, bytes_).ok()) return 0;
+    if (hash_bytes(bytes_) != found.prelude.stored_hash) return 0;
+    pieces_.records.push_back(piece);
+    return kPreludeBytes + stored;
+  }
+
+  std::uint64_t take_footer(const Piece& piece) {
+    std::array<std::byte, kFooterBytes> bytes;
+    if (!source_.read(piece.offset, bytes).ok() || !decode_footer(bytes).ok()) return 0;
+    pieces_.footers.push_back(piece);
+    return kFooterBytes;
+  }
+
+  const ByteSource& source_;
+  std::vector<std::byte> bytes_;
+  std::uint64_t good_end_ = 0;  // of the record found last
+  std::uint64_t work_ = 0;      // bytes hashed
+  Pieces pieces_;
+};
+
+}  // namespace
+
+Pieces find_pieces(const ByteSource& source) { return PieceFinder(source).run(); }
+
+}  // namespace tumble::replay

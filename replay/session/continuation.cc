@@ -1,0 +1,97 @@
+#include "replay/session/continuation.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "replay/diff/replayer.h"
+#include "replay/session/boxes_at.h"
+#include "src/model/limits.h"
+
+namespace tumble::replay {
+namespace {
+
+/// What the log did before step k + 1 and since.
+struct Inputs {
+  std::vector<sim::BoxDef> thrown;         // up to step k
+  std::vector<sim::TimedCommand> to_come;  // after it
+};
+
+Result<Inputs> inputs_around(LogReader& log, std::uint64_t k) {
+  Inputs inputs;
+  for (std::uint64_t step = log.first_state() + 1; step <= log.last_step(); ++step) {
+    const Result<const StepRecord*> record = log.read_hashes(step);
+    if (!record.ok()) return record.error();
+    for (const sim::Command& command : (*record)->inputs) {
+      const auto* thrown = std::get_if<sim::Throw>(&command);
+      if (step > k) {
+        inputs.to_come.push_back({step, command});
+      } else if (thrown != nullptr) {
+        inputs.thrown.push_back(thrown->box);
+      }
+    }
+  }
+  for (const sim::TimedCommand& input : log.header().scene.inputs) {
+    if (input.step > log.last_step()) inputs.to_come.push_back(input);
+  }
+  return inputs;
+}
+
+/// State k, as this build makes it: it must be the log's.
+Result<sim::WorldState> state_at(LogReader& log, std::uint64_t k) {
+  if (Status ok = must_be_ours(log); !ok.ok()) return ok.error();
+  const LogHeader& header = log.header();
+  const std::uint32_t ours = sim::method_version(header.scene.world.method);
+  if (header.method_version != ours) {
+    return cannot_finish(log.name() + ": was recorded with version " + std::to_string(header.method_version) +
+                         " of method " + header.method + ", this build has version " + std::to_string(ours) +
+                         " and would not go on to the bit; use the build that wrote it, or record the scene again");
+  }
+  Result<Player> player = Player::at(log, k);
+  if (!player.ok()) return player.error();
+  const sim::WorldState& state = player->world().state();
+  const Result<const StepRecord*> logged = log.read_hashes(k);
+  if (!logged.ok()) return logged.error();
+  const Hash128 computed = sim::state_hash(state.bodies);
+  if (computed == (*logged)->state_hash) return state;
+  return cannot_finish(log.name() + ": step " + std::to_string(k) + ": this build computes state hash " +
+                       to_string(computed) + ", the log has " + to_string((*logged)->state_hash) +
+                       "; 'tumble replay' says where they part");
+}
+
+}  // namespace
+
+Result<Continuation> continuation_of(LogReader& log, std::uint64_t k, const GoOnOptions& options) {
+  Result<sim::WorldState> state = state_at(log, k);
+  if (!state.ok()) return state.error();
+  Result<Inputs> inputs = inputs_around(log, k);
+  if (!inputs.ok()) return inputs.error();
+  const Result<Hash128> chain = log.chain_at(k);
+  if (!chain.ok()) return chain.error();
+
+  sim::SceneDef scene = log.header().scene;
+  std::vector<sim::BoxDef> known = std::move(scene.boxes);
+  known.insert(known.end(), inputs->thrown.begin(), inputs->thrown.end());
+  scene.boxes = boxes_at(state->bodies, std::move(known));
+  scene.world = state->def;
+  scene.inputs.clear();
+  if (options.keep_inputs) scene.inputs = std::move(inputs->to_come);
+  if (options.steps) scene.steps = k + *options.steps;
+  if (options.seconds) scene.steps = k + static_cast<std::uint64_t>(std::llround(*options.seconds / state->def.dt));
+  if (scene.steps <= k || scene.steps > sim::kStepsMax) {
+    return bad_input(log.name() + ": found an end after step " + std::to_string(scene.steps) +
+                     ", wanted one after step " + std::to_string(k) + " and up to step " +
+                     std::to_string(sim::kStepsMax) + "; say how many steps to go on");
+  }
+  LogHeader header = header_for(scene);
+  header.states = options.states;
+  header.scene_text = log.header().scene_text;
+  header.overrides = log.header().overrides;
+  header.transform = log.header().transform;
+  header.goes_on = {k, log.name(), sim::continuation_hash(*state), *chain};
+  return Continuation{std::move(header), *std::move(state)};
+}
+
+}  // namespace tumble::replay

@@ -1,0 +1,140 @@
+#include "src/base/text.h"
+
+#define FMT_HEADER_ONLY 1  // cross builds have headers alone
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace tumble {
+namespace {
+
+constexpr std::size_t kShownLength = 60;    // bytes of a text in a message
+constexpr std::size_t kWordLengthMax = 40;  // longer words are no slips of a key
+
+// Shortest digits come from the standard library: {fmt} chooses other limits between fixed and scientific notation.
+template <class... Format>
+std::string shortest(double value, Format... format) {
+  std::array<char, 32> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format...);
+  return {buffer.data(), end.ptr};
+}
+
+// Levenshtein's distance, row by row.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0U : 1U);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+    }
+  }
+  return row[b.size()];
+}
+
+}  // namespace
+
+std::string exact(double value) { return shortest(value); }
+
+std::string number_text(double value) {
+  const double size = std::fabs(value);
+  const bool plain = size == 0 || (size >= 1e-5 && size < 1e9);
+  return plain ? shortest(value, std::chars_format::fixed) : shortest(value);
+}
+
+std::string fixed(double value, int digits) { return fmt::format("{:.{}f}", value, digits); }
+
+std::string significant(double value, int digits) { return fmt::format("{:.{}g}", value == 0 ? 0.0 : value, digits); }
+
+std::string rounded(double value, std::string_view unit) {
+  return unit.empty() ? significant(value, 4) : fmt::format("{} {}", significant(value, 4), unit);
+}
+
+std::string bytes_text(std::uint64_t bytes) {
+  if (bytes < 10'000) return count_text(bytes, "byte");
+  double value = static_cast<double>(bytes) / 1000;
+  for (const char* unit : {"kB", "MB", "GB"}) {
+    if (value < 1000) return fmt::format("{:.{}f} {}", value, value < 100 ? 1 : 0, unit);
+    value /= 1000;
+  }
+  return fmt::format("{:.1f} TB", value);
+}
+
+std::string count_text(std::uint64_t n, const char* one) {
+  std::string noun = one;
+  if (n != 1) {
+    if (noun.ends_with('y')) noun.replace(noun.size() - 1, 1, "ie");
+    noun += 's';
+  }
+  return fmt::format("{} {}", n, noun);
+}
+
+std::string seconds_text(double seconds) {
+  if (seconds < 0.0995) return fmt::format("{:.1f} ms", seconds * 1000);
+  return fmt::format("{:.{}f} s", seconds, seconds < 100 ? 2 : 0);
+}
+
+std::string found_wanted(std::string_view found, std::string_view wanted) {
+  return fmt::format("found {}, wanted {}", found, wanted);
+}
+
+std::string printable(std::string_view text) {
+  std::string out(text);
+  std::ranges::replace_if(
+      out, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+  return out;
+}
+
+std::string shortened(std::string_view text) {
+  std::string out(text.substr(0, kShownLength));
+  std::ranges::replace_if(
+      out, [](unsigned char c) { return c < 0x20 || c >= 0x7f; }, '?');
+  return text.size() > kShownLength ? out + "…" : out;
+}
+
+std::string in_quotes(std::string_view text) { return fmt::format("\"{}\"", shortened(text)); }
+
+std::string list_text(const std::vector<std::string_view>& words) {
+  std::string out;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) out += i + 1 == words.size() ? " or " : ", ";
+    out += words[i];
+  }
+  return out;
+}
+
+std::string_view nearest_word(std::string_view word, const std::vector<std::string_view>& candidates) {
+  if (word.size() > kWordLengthMax) return {};
+  std::string_view best;
+  std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
+  for (std::string_view candidate : candidates) {
+    const std::size_t distance = edit_distance(word, candidate);
+    if (distance >= best_distance) continue;
+    best_distance = distance;
+    best = candidate;
+  }
+  return best;
+}
+
+// Bytes that do not continue a UTF-8 character.
+std::size_t columns(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & '\xc0') != '\x80'; }));
+}
+
+std::string padded(std::string_view text, std::size_t width) {
+  const std::size_t has = columns(text);
+  return std::string(text) + std::string(width > has ? width - has : 0, ' ');
+}
+
+std::string padded_left(std::string_view text, std::size_t width) {
+  const std::size_t has = columns(text);
+  return std::string(width > has ? width - has : 0, ' ') + std::string(text);
+}
+
+}  // namespace tumble

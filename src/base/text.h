@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+/// Text of messages and results: the only place where a number becomes text. Independent of the locale.
+namespace tumble {
+
+/// The shortest decimal that reads back to the same double, with an exponent where that is shorter: "1e-07".
+std::string exact(double value);
+
+/// The same without an exponent from 1e-5 to 1e9, as a person writes it: "0.00001".
+std::string number_text(double value);
+
+/// `digits` decimals: fixed(2.5, 3) is "2.500".
+std::string fixed(double value, int digits);
+
+/// `digits` significant digits, as printf's %g writes them; "0" for 0 of either sign.
+std::string significant(double value, int digits);
+
+/// Four significant digits with the unit: "1.234e-07 m", "45.3 J".
+std::string rounded(double value, std::string_view unit);
+
+std::string bytes_text(std::uint64_t bytes);               ///< "812 bytes", "4.21 MB"
+std::string count_text(std::uint64_t n, const char* one);  ///< "1 body", "222 bodies", "12 steps"
+std::string seconds_text(double seconds);                  ///< "5.00 s", "12 ms"
+
+/// "found X, wanted Y", the heart of every error message.
+std::string found_wanted(std::string_view found, std::string_view wanted);
+
+/// Control characters as '?': text from a file must not drive the terminal.
+std::string printable(std::string_view text);
+
+/// The first 60 bytes, with '?' for control characters and for everything beyond ASCII.
+std::string shortened(std::string_view text);
+
+/// shortened() in double quotes.
+std::string in_quotes(std::string_view text);
+
+/// "a, b or c".
+std::string list_text(const std::vector<std::string_view>& words);
+
+/// The candidate that `word` is most likely a slip for; empty if none is near.
+std::string_view nearest_word(std::string_view word, const std::vector<std::string_view>& candidates);
+
+/// Columns that UTF-8 text takes on a terminal.
+std::size_t columns(std::string_view text);
+
+/// With spaces to at least `width` columns, on the right or, for numbers, on the left.
+std::string padded(std::string_view text, std::size_t width);
+std::string padded_left(std::string_view text, std::size_t width);
+
+}  // namespace tumble

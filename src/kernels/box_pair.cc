@@ -1,0 +1,133 @@
+#include "src/kernels/box_pair.h"
+
+#include <bit>
+#include <cmath>
+
+#include "src/kernels/box_tests.h"
+
+namespace tumble::sim {
+namespace {
+
+constexpr int kNext[3] = {1, 2, 0};
+constexpr int kAfterNext[3] = {2, 0, 1};
+
+// BoxPair::along of a face of `box`, without the products of the others.
+bool apart_along_face(const BoxFrame& box, int face, const BoxFrame& other, const Vec3& offset) {
+  const Vec3 &normal = box.axes[face], &h = other.half_extent;
+  const double distance = dot(offset, normal);
+  const auto along = [&](int k) { return std::fabs(dot(normal, other.axes[k])); };
+  const double reach = box.half_extent[face] + ((h.x() * along(0) + h.y() * along(1)) + h.z() * along(2));
+  return distance != 0 && std::fabs(distance) - reach >= 0;
+}
+
+}  // namespace
+
+AxisSet separating(const BoxFrame& a, const BoxFrame& b, AxisSet candidates) {
+  if ((candidates & kEdges) != 0) return BoxPair(a, b).separating(candidates);
+  const Vec3 offset = b.position - a.position;
+  AxisSet apart = 0;
+  for (unsigned left = candidates; left != 0; left &= left - 1) {
+    const int axis = std::countr_zero(left);
+    const bool found = axis < 3 ? apart_along_face(a, axis, b, offset) : apart_along_face(b, axis - 3, a, offset);
+    if (found) apart |= only(axis);
+  }
+  return apart;
+}
+
+BoxPair::BoxPair(const BoxFrame& a, const BoxFrame& b, const Vec3& offset) : a_(&a), b_(&b), offset_(offset) {
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) product_[i][j] = std::fabs(dot(a.axes[i], b.axes[j]));
+    offset_a_[i] = dot(offset_, a.axes[i]);
+    offset_b_[i] = dot(offset_, b.axes[i]);
+  }
+}
+
+BoxPair::Separation BoxPair::along(int axis) const {
+  const Vec3& ha = a_->half_extent;
+  const Vec3& hb = b_->half_extent;
+  if (axis < 3) {
+    const double* p = product_[axis];
+    const double reach = ha[axis] + ((hb.x() * p[0] + hb.y() * p[1]) + hb.z() * p[2]);
+    return {offset_a_[axis] != 0, std::fabs(offset_a_[axis]) - reach};
+  }
+  if (axis < 6) {
+    const int j = axis - 3;
+    const double reach = hb[j] + ((ha.x() * product_[0][j] + ha.y() * product_[1][j]) + ha.z() * product_[2][j]);
+    return {offset_b_[j] != 0, std::fabs(offset_b_[j]) - reach};
+  }
+  const Edges edges((axis - 6) / 3, (axis - 6) % 3, *a_, *b_);
+  if (facelike(edges)) return {};
+  return along_edge(edges);
+}
+
+bool BoxPair::facelike(const Edges& edges) const {
+  const int i = edges.i, j = edges.j;
+  const double limit = kFaceLike * edges.length;
+  return product_[kNext[i]][j] > limit || product_[kAfterNext[i]][j] > limit || product_[i][kNext[j]] > limit ||
+         product_[i][kAfterNext[j]] > limit;
+}
+
+// Along the cross product of a's edge i and b's edge j, a's other axes reach as far as b's edge does along them: for
+// unit edges the cosines are |product| over the sine between the edges.
+BoxPair::Separation BoxPair::along_edge(const Edges& edges) const {
+  if (edges.squared < kParallelSquared) return {};
+  const int i = edges.i, j = edges.j;
+  const double scale = 1 / edges.length;
+  // The edge's own axes span the plane of the other two: a's axis m along the cross product is b's edge along the
+  // remaining axis of a.
+  const int ia = kNext[i], ib = kAfterNext[i], ja = kNext[j], jb = kAfterNext[j];
+  const double along_ia = product_[ib][j] * scale, along_ib = product_[ia][j] * scale;
+  const double along_ja = product_[i][jb] * scale, along_jb = product_[i][ja] * scale;
+  const double offset = dot(offset_, edges.axis);
+  const Vec3& ha = a_->half_extent;
+  const Vec3& hb = b_->half_extent;
+  const double reach = (ha[ia] * along_ia + ha[ib] * along_ib) + (hb[ja] * along_ja + hb[jb] * along_jb);
+  return {offset != 0, std::fabs(offset) * scale - reach};
+}
+
+bool BoxPair::apart_along_facelike_edges() const {
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      const Edges edges(i, j, *a_, *b_);
+      if (!facelike(edges)) continue;
+      const Separation s = along_edge(edges);
+      if (s.has_direction && s.value >= 0) return true;
+    }
+  }
+  return false;
+}
+
+AxisSet BoxPair::separating(AxisSet candidates) const {
+  AxisSet apart = 0;
+  for (unsigned left = candidates; left != 0; left &= left - 1) {
+    const int axis = std::countr_zero(left);
+    const Separation s = along(axis);
+    if (s.has_direction && s.value >= 0) apart |= only(axis);
+  }
+  return apart;
+}
+
+BestAxes BoxPair::best(AxisSet candidates) const {
+  BestAxes best;
+  for (unsigned left = candidates; left != 0; left &= left - 1) {
+    const int axis = std::countr_zero(left);
+    const Separation s = along(axis);
+    if (!s.has_direction) continue;
+    if (best.axes == 0 || s.value > best.separation) {
+      best = {only(axis), s.value};
+    } else if (s.value == best.separation) {
+      best.axes |= only(axis);
+    }
+  }
+  return best;
+}
+
+Vec3 BoxPair::normal(int axis) const {
+  if (axis < 3) return offset_a_[axis] < 0 ? Vec3(-a_->axes[axis]) : a_->axes[axis];
+  if (axis < 6) return offset_b_[axis - 3] < 0 ? Vec3(-b_->axes[axis - 3]) : b_->axes[axis - 3];
+  const Vec3 edge = cross(a_->axes[(axis - 6) / 3], b_->axes[(axis - 6) % 3]);
+  const double scale = 1 / std::sqrt(dot(edge, edge));
+  return edge * (dot(offset_, edge) < 0 ? -scale : scale);
+}
+
+}  // namespace tumble::sim

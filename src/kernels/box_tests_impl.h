@@ -1,0 +1,120 @@
+#pragma once
+
+// BoxPair's test for any number of lanes, the same operations in the same order; see src/kernels/lane_vector.h for who
+// may include this.
+
+#include "src/kernels/box_tests.h"
+#include "src/kernels/lane_rows.h"
+#include "src/kernels/lane_vector.h"
+
+namespace tumble::sim {
+namespace {
+
+constexpr unsigned kFrameDoubles = 15;  // of a BoxFrame: position, three axes, half extents
+constexpr unsigned kFrameAxes = 3;
+constexpr double kNoDirection = -__builtin_inf();  // as the separation along an axis to be skipped
+
+template <class V>
+struct LaneBoxes {
+  Space<V> axes[3];
+  V half[3];
+
+  LaneBoxes(const double* frames, const std::uint32_t* row) {
+    V c[12];
+    for (unsigned at = 0; at < 12; at += 4) gather4(frames, kFrameDoubles, row, kFrameAxes + at, c + at);
+    for (int k = 0; k < 3; ++k) {
+      axes[k] = {c[3 * k], c[3 * k + 1], c[3 * k + 2]};
+      half[k] = c[9 + k];
+    }
+  }
+};
+
+template <class V>
+struct LanePairs {
+  LaneBoxes<V> a, b;
+  Space<V> offset;
+  V product[3][3];  // |a's axis i · b's axis j|
+
+  LanePairs(const BoxTests& tests, std::size_t at)
+      : a(reinterpret_cast<const double*>(tests.frames), tests.a + at),
+        b(reinterpret_cast<const double*>(tests.frames), tests.b + at),
+        offset{load<V>(tests.offset[0] + at), load<V>(tests.offset[1] + at), load<V>(tests.offset[2] + at)} {
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) product[i][j] = absolute(dot(a.axes[i], b.axes[j]));
+    }
+  }
+};
+
+// The largest of some separations and the axes that have it, of which the first is `bit`.
+template <class V, std::size_t kCount>
+void store_best(const V (&separation)[kCount], double bit, BoxTests::Best& best, std::size_t at) {
+  V most = separation[0];
+  for (std::size_t k = 1; k < kCount; ++k) most = larger(most, separation[k]);
+  const V zero = V{} + 0.0;
+  V axes = zero;
+  for (std::size_t k = 0; k < kCount; ++k, bit *= 2) axes = axes + (separation[k] == most ? V{} + bit : zero);
+  store(best.axes + at, most == kNoDirection ? zero : axes);
+  store(best.separation + at, most == kNoDirection ? zero : most);
+}
+
+template <class V>
+V along_face(const Space<V>& offset, const Space<V>& normal, V half, const V (&other_half)[3], V p0, V p1, V p2) {
+  const V distance = dot(offset, normal);
+  const V reach = half + ((other_half[0] * p0 + other_half[1] * p1) + other_half[2] * p2);
+  return distance == 0.0 ? V{} + kNoDirection : absolute(distance) - reach;
+}
+
+template <class V>
+void find_faces_at(BoxTests& tests, std::size_t at) {
+  const LanePairs<V> pairs(tests, at);
+  const auto& p = pairs.product;
+  V of_a[3], of_b[3];
+  for (int k = 0; k < 3; ++k) {
+    of_a[k] = along_face(pairs.offset, pairs.a.axes[k], pairs.a.half[k], pairs.b.half, p[k][0], p[k][1], p[k][2]);
+    of_b[k] = along_face(pairs.offset, pairs.b.axes[k], pairs.b.half[k], pairs.a.half, p[0][k], p[1][k], p[2][k]);
+  }
+  store_best(of_a, 1, tests.faces_of_a, at);
+  store_best(of_b, 8, tests.faces_of_b, at);
+}
+
+// Along a's edge i crossed with b's edge j.
+template <int i, int j, class V>
+V along_edges(const LanePairs<V>& pairs) {
+  constexpr int ia = (i + 1) % 3, ib = (i + 2) % 3, ja = (j + 1) % 3, jb = (j + 2) % 3;
+  const auto& p = pairs.product;
+  const Space<V> axis = cross(pairs.a.axes[i], pairs.b.axes[j]);
+  const V squared = dot(axis, axis), length = square_root(squared), scale = 1.0 / length;
+  const V offset = dot(pairs.offset, axis);
+  const V reach = (pairs.a.half[ia] * (p[ib][j] * scale) + pairs.a.half[ib] * (p[ia][j] * scale)) +
+                  (pairs.b.half[ja] * (p[i][jb] * scale) + pairs.b.half[jb] * (p[i][ja] * scale));
+  const V most_along_face = larger(larger(p[ia][j], p[ib][j]), larger(p[i][ja], p[i][jb]));
+  const auto skipped = (squared < kParallelSquared) | (most_along_face > kFaceLike * length) | (offset == 0.0);
+  return skipped ? V{} + kNoDirection : absolute(offset) * scale - reach;
+}
+
+template <class V>
+void find_edges_at(BoxTests& tests, std::size_t at) {
+  const LanePairs<V> pairs(tests, at);
+  const V separation[9] = {along_edges<0, 0>(pairs), along_edges<0, 1>(pairs), along_edges<0, 2>(pairs),
+                           along_edges<1, 0>(pairs), along_edges<1, 1>(pairs), along_edges<1, 2>(pairs),
+                           along_edges<2, 0>(pairs), along_edges<2, 1>(pairs), along_edges<2, 2>(pairs)};
+  store_best(separation, 64, tests.edges, at);
+}
+
+template <int kWidth>
+void find_faces(BoxTests& tests) {
+  for (std::size_t at = 0; at < tests.count; at += kWidth) find_faces_at<typename VectorOf<kWidth>::Type>(tests, at);
+}
+
+template <int kWidth>
+void find_edges(BoxTests& tests) {
+  for (std::size_t at = 0; at < tests.count; at += kWidth) find_edges_at<typename VectorOf<kWidth>::Type>(tests, at);
+}
+
+template <int kWidth>
+constexpr BoxTestKernels box_test_kernels_of() {
+  return {find_faces<kWidth>, find_edges<kWidth>};
+}
+
+}  // namespace
+}  // namespace tumble::sim

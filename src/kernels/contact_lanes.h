@@ -1,0 +1,123 @@
+#pragma once
+
+// Manifolds in lanes, and what a wrench on one does to its bodies; see lane_vector.h for who may include this.
+//
+// A manifold's points lie in a plane, so what the normal impulses λ of its points do to the bodies depends only on
+// three sums, S = Σλ, Sq = Σλq, Sp = Σλp, and what the bodies do to the points only on three numbers: the normal
+// velocity u at b's centre and the parts W1, W2 of the relative spin, v(p, q) = u + W1 q − W2 p.
+
+#include "src/kernels/contact_kernels.h"
+#include "src/kernels/lane_rows.h"
+#include "src/kernels/lane_vector.h"
+#include "src/math/grid_magic.h"
+
+namespace tumble::sim {
+namespace {
+
+template <class V>
+V round_motion(V x) {
+  return ((x + kMotionMagic) - kMotionMagic) + 0.0;
+}
+
+template <class V>
+struct Body {
+  Space<V> velocity, spin;
+  V inverse_mass;
+  V inertia[6];  // inverse, world axes: xx, xy, xz, yy, yz, zz
+};
+
+template <class V>
+Body<V> gather_body(const double* bodies, const std::uint32_t* row) {
+  V c[16];
+  for (unsigned at = 0; at < 16; at += 4) gather4(bodies, kSolverBodyDoubles, row, at, c + at);
+  return {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, c[6], {c[8], c[9], c[10], c[11], c[12], c[13]}};
+}
+
+// I⁻¹ torque.
+template <class V>
+Space<V> spin_of(const Body<V>& body, Space<V> t) {
+  const V* i = body.inertia;
+  return {(i[0] * t.x + i[1] * t.y) + i[2] * t.z, (i[1] * t.x + i[3] * t.y) + i[4] * t.z,
+          (i[2] * t.x + i[4] * t.y) + i[5] * t.z};
+}
+
+// As many manifolds of a batch as the width takes, from lane `at` on.
+template <class V>
+struct Manifolds {
+  ContactBatch* batch;
+  PointBatch* points;
+  unsigned at;
+  Space<V> n, t1, t2, d;
+  Body<V> a, b;
+
+  Manifolds(const ContactWork& work, ContactBatch& of, unsigned lane)
+      : batch(&of),
+        points(work.points + of.first),
+        at(lane),
+        n(space(of.n)),
+        t1(space(of.t1)),
+        t2(space(of.t2)),
+        d(space(of.d)),
+        a(gather_body<V>(work.bodies, of.a + lane)),
+        b(gather_body<V>(work.bodies, of.b + lane)) {}
+
+  V get(const Lanes& lanes) const { return load<V>(lanes.of + at); }
+  void set(Lanes& lanes, V v) const { store(lanes.of + at, v); }
+  Space<V> space(const Lanes* lanes) const { return {get(lanes[0]), get(lanes[1]), get(lanes[2])}; }
+};
+
+// Motion of b against a. u: of b's centre in a's (moving) frame; w: relative spin.
+template <class V>
+struct Motion {
+  Space<V> u, w;
+};
+template <class V>
+Motion<V> relative_motion(const Manifolds<V>& m) {
+  return {(m.b.velocity - m.a.velocity) - cross(m.a.spin, m.d), m.b.spin - m.a.spin};
+}
+
+// An impulse on b: a force through b's centre and a torque. a receives the opposite at the same place.
+template <class V>
+struct Wrench {
+  Space<V> force, torque;
+};
+template <class V>
+Space<V> reaction_torque(const Manifolds<V>& m, const Wrench<V>& wrench) {
+  return wrench.torque + cross(m.d, wrench.force);
+}
+template <class V>
+Wrench<V> normal_wrench(const Manifolds<V>& m, V s, V sq, V sp) {
+  return {m.n * s, m.t1 * sq - m.t2 * sp};
+}
+template <class V>
+Wrench<V> friction_wrench(const Manifolds<V>& m, V force1, V force2, V turn) {
+  const V offset = m.get(m.batch->offset);
+  return {m.t1 * force1 + m.t2 * force2, (m.t1 * (-offset * force2) + m.t2 * (offset * force1)) + m.n * turn};
+}
+
+template <class V>
+void write_side(double* outcomes, const Body<V>& body, Space<V> force, Space<V> torque) {
+  const Space<V> v = force * body.inverse_mass, w = spin_of(body, torque);
+  const V zero = V{} + 0.0;
+  const V first[4] = {round_motion(v.x), round_motion(v.y), round_motion(v.z), round_motion(w.x)};
+  const V second[4] = {round_motion(w.y), round_motion(w.z), zero, zero};
+  scatter4(outcomes, 2 * kOutcomeDoubles, first);
+  scatter4(outcomes + 4, 2 * kOutcomeDoubles, second);
+}
+
+template <class V>
+void write_outcomes(const ContactWork& work, const Manifolds<V>& m, const Wrench<V>& wrench) {
+  const std::size_t lane = static_cast<std::size_t>(m.batch - work.batches) * kLanes + m.at;
+  double* const row = work.outcomes + 2 * lane * kOutcomeDoubles;
+  write_side(row, m.a, -wrench.force, -reaction_torque(m, wrench));
+  write_side(row + kOutcomeDoubles, m.b, wrench.force, wrench.torque);
+}
+
+// Impulses are rounded to a power-of-two grid that is fine for the lighter body, so that their sums have no order.
+template <class V>
+V round_impulse(V magic, V x) {
+  return (x + magic) - magic;
+}
+
+}  // namespace
+}  // namespace tumble::sim

@@ -1,0 +1,221 @@
+#pragma once
+
+// What stays fixed for a manifold during a step, for any number of lanes; see lane_vector.h for who may include this.
+
+#include "src/kernels/contact_lanes.h"
+
+namespace tumble::sim {
+namespace {
+
+// Of the inner Jacobi, over its row sums. The points between two bars lie so close that they act as one, and then the
+// row sums are no bound but the truth.
+constexpr double kOverRelaxation = 1.8, kSlenderRelaxation = 1.4;
+
+// What a unit of force along a direction (or of pure torque) does to (u, W1, W2).
+template <class V>
+struct Response {
+  V u, w1, w2;
+};
+template <class V>
+Response<V> response_to(const Manifolds<V>& m, const Wrench<V>& wrench) {
+  const V split_a = m.get(m.batch->split_a), split_b = m.get(m.batch->split_b);
+  const Space<V> va = wrench.force * (-m.a.inverse_mass * split_a), vb = wrench.force * (m.b.inverse_mass * split_b);
+  const Space<V> wa = spin_of(m.a, reaction_torque(m, wrench)) * -split_a, wb = spin_of(m.b, wrench.torque) * split_b;
+  const Space<V> u = (vb - va) - cross(wa, m.d), w = wb - wa;
+  return {dot(u, m.n), dot(w, m.t1), dot(w, m.t2)};
+}
+
+// Points of lanes that have fewer than others count for nothing.
+template <class V>
+V where_present(const Manifolds<V>& m, unsigned point, V value) {
+  return m.get(m.batch->point_count) > static_cast<double>(point) ? value : V{};
+}
+
+// The point where friction acts: the mean of the points; and how far they lie from it.
+template <class V>
+void find_friction_centre(const Manifolds<V>& m) {
+  ContactBatch& batch = *m.batch;
+  V p = V{}, q = V{}, radius = V{};
+  for (unsigned k = 0; k < batch.count; ++k) {
+    p += round_motion(m.get(m.points[k].p));
+    q += round_motion(m.get(m.points[k].q));
+  }
+  const V count = larger(V{} + 1.0, m.get(batch.point_count));
+  p = p / count;
+  q = q / count;
+  for (unsigned k = 0; k < batch.count; ++k) {
+    const V x = m.get(m.points[k].p) - p, y = m.get(m.points[k].q) - q;
+    radius += where_present(m, k, round_motion(square_root(x * x + y * y)));
+  }
+  m.set(batch.centre_p, p);
+  m.set(batch.centre_q, q);
+  m.set(batch.radius, radius / count);
+}
+
+// The inverse of the symmetric matrix k = (11, 12, 13, 22, 23, 33); zeros in a lane that is not used.
+template <class V>
+void invert_friction(const Manifolds<V>& m, const V k[6]) {
+  const V c11 = k[3] * k[5] - k[4] * k[4], c22 = k[0] * k[5] - k[2] * k[2], c33 = k[0] * k[3] - k[1] * k[1];
+  const V c12 = k[2] * k[4] - k[1] * k[5], c13 = k[1] * k[4] - k[2] * k[3], c23 = k[1] * k[2] - k[0] * k[4];
+  const V scale = 1.0 / (k[5] * c33 + (k[2] * c13 + k[4] * c23));
+  const V cofactor[6] = {c11, c12, c13, c22, c23, c33};
+  for (int i = 0; i < 6; ++i) m.set(m.batch->friction_inverse[i], where_present(m, 0, cofactor[i] * scale));
+}
+
+// Friction's rows: t1 and t2 at the friction centre, and twist about n.
+template <class V>
+void prepare_friction(const Manifolds<V>& m) {
+  const ContactBatch& batch = *m.batch;
+  const V split_a = m.get(batch.split_a), split_b = m.get(batch.split_b);
+  const Space<V> rb = (m.t1 * m.get(batch.centre_p) + m.t2 * m.get(batch.centre_q)) + m.n * m.get(batch.offset);
+  const Space<V> ra = rb + m.d;
+  const Space<V> lever_a[3] = {cross(ra, m.t1), cross(ra, m.t2), m.n};
+  const Space<V> lever_b[3] = {cross(rb, m.t1), cross(rb, m.t2), m.n};
+  Space<V> turn_a[3], turn_b[3];
+  for (int k = 0; k < 3; ++k) {
+    turn_a[k] = spin_of(m.a, lever_a[k]);
+    turn_b[k] = spin_of(m.b, lever_b[k]);
+  }
+  const V linear = split_a * m.a.inverse_mass + split_b * m.b.inverse_mass;
+  V k[6];
+  int at = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = i; j < 3; ++j) {
+      const V of_a = 0.5 * (dot(lever_a[i], turn_a[j]) + dot(lever_a[j], turn_a[i]));
+      const V of_b = 0.5 * (dot(lever_b[i], turn_b[j]) + dot(lever_b[j], turn_b[i]));
+      k[at++] = (i == j && i < 2 ? linear : V{}) + (split_a * of_a + split_b * of_b);
+    }
+  }
+  invert_friction(m, k);
+}
+
+// The response of the points' plane to S, Sq and Sp, with the velocity and mass of each point.
+template <class V>
+struct PlaneResponse {
+  Response<V> s, sq, sp;
+
+  explicit PlaneResponse(const Manifolds<V>& m)
+      : s(response_to(m, normal_wrench(m, V{} + 1.0, V{}, V{}))),
+        sq(response_to(m, normal_wrench(m, V{}, V{} + 1.0, V{}))),
+        sp(response_to(m, normal_wrench(m, V{}, V{}, V{} + 1.0))) {}
+
+  Response<V> to_unit_at(V p, V q) const {
+    return {s.u + (q * sq.u + p * sp.u), s.w1 + (q * sq.w1 + p * sp.w1), s.w2 + (q * sq.w2 + p * sp.w2)};
+  }
+};
+
+template <class V>
+void prepare_masses(const Manifolds<V>& m, const PlaneResponse<V>& plane) {
+  for (unsigned k = 0; k < m.batch->count; ++k) {
+    PointBatch& point = m.points[k];
+    const V p = m.get(point.p), q = m.get(point.q);
+    const Response<V> r = plane.to_unit_at(p, q);
+    m.set(point.mass, where_present(m, k, 1.0 / (r.u + (q * r.w1 - p * r.w2))));
+  }
+}
+
+template <class V>
+void prepare_approaches(const Manifolds<V>& m) {
+  const Motion<V> motion = relative_motion(m);
+  const V u = dot(motion.u, m.n), w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2);
+  for (unsigned k = 0; k < m.batch->count; ++k) {
+    PointBatch& point = m.points[k];
+    m.set(point.peak, V{});
+    m.set(point.approach, where_present(m, k, u + (w1 * m.get(point.q) - w2 * m.get(point.p))));
+  }
+}
+
+// The largest sum over a row of the points' matrix of responses, scaled by their masses; at least 1.
+template <class V>
+V largest_row_sum(const Manifolds<V>& m, const PlaneResponse<V>& plane) {
+  const unsigned count = m.batch->count;
+  Response<V> unit[kPointsMax];
+  V sum[kPointsMax], largest = V{} + 1.0;
+  const auto add = [&](unsigned row, unsigned column, V root) {
+    const PointBatch& at = m.points[row];
+    const Response<V>& r = unit[column];
+    sum[row] += round_motion(magnitude(r.u + (m.get(at.q) * r.w1 - m.get(at.p) * r.w2)) * root);
+  };
+  for (unsigned i = 0; i < count; ++i) {
+    const PointBatch& point = m.points[i];
+    unit[i] = plane.to_unit_at(m.get(point.p), m.get(point.q));
+    sum[i] = V{};
+    for (unsigned j = 0; j <= i; ++j) {
+      const V root = square_root(m.get(point.mass) * m.get(m.points[j].mass));
+      add(i, j, root);
+      if (i != j) add(j, i, root);
+    }
+  }
+  for (unsigned row = 0; row < count; ++row) largest = larger(largest, sum[row]);
+  return largest;
+}
+
+template <class V>
+void prepare_relaxation(const Manifolds<V>& m, const PlaneResponse<V>& plane) {
+  const double over = m.batch->slender ? kSlenderRelaxation : kOverRelaxation;
+  m.set(m.batch->relaxation, where_present(m, 0, smaller(V{} + 1.0, over / largest_row_sum(m, plane))));
+  const V response[6] = {plane.s.u,  plane.sq.u, plane.sp.u, plane.sq.w1, 0.5 * (plane.sp.w1 - plane.sq.w2),
+                         plane.sp.w2};
+  for (int i = 0; i < 6; ++i) m.set(m.batch->response[i], where_present(m, 0, response[i]));
+}
+
+// What stopped an impact in the last step is far more than what carries the weight in this one, and a warm start from
+// it would throw the bodies apart.
+template <class V>
+void forget_impacts(const Manifolds<V>& m) {
+  ContactBatch& batch = *m.batch;
+  const V magic = m.get(batch.impulse_magic);
+  V before = V{}, after = V{};
+  for (unsigned k = 0; k < batch.count; ++k) {
+    PointBatch& point = m.points[k];
+    const V impulse = m.get(point.impulse);
+    const V kept = magnitude(m.get(point.approach)) > kRestingSpeed ? smaller(impulse, m.get(point.load)) : impulse;
+    before += round_impulse(magic, impulse);
+    after += round_impulse(magic, kept);
+    m.set(point.impulse, kept);
+  }
+  const V kept = after == before ? V{} + 1.0 : after / before;
+  m.set(batch.force1, m.get(batch.force1) * kept);
+  m.set(batch.force2, m.get(batch.force2) * kept);
+  m.set(batch.twist, m.get(batch.twist) * kept);
+}
+
+// A point that meets in the middle of the step meets at the speed it will have gained by then: v² = v₀² + 2 a s.
+// Without this a bouncing body loses height with every bounce.
+template <class V>
+void foresee_impact(const Manifolds<V>& m) {
+  const V acceleration = m.get(m.batch->acceleration), zero = V{};
+  for (unsigned k = 0; k < m.batch->count; ++k) {
+    PointBatch& point = m.points[k];
+    const V approach = m.get(point.approach), separation = m.get(point.separation);
+    const V at_impact = -square_root(larger(zero, approach * approach - 2.0 * acceleration * separation));
+    const V still_apart = separation > 0.0 ? at_impact : approach;
+    m.set(point.approach, approach < 0.0 ? still_apart : approach);
+  }
+}
+
+template <class V>
+void prepare_responses(const Manifolds<V>& m) {
+  prepare_friction(m);
+  const PlaneResponse<V> plane(m);
+  prepare_masses(m, plane);
+  prepare_relaxation(m, plane);
+}
+
+template <class V>
+void renew(const ContactWork& work, ContactBatch& batch, unsigned at) {
+  if (batch.slender) prepare_responses(Manifolds<V>(work, batch, at));
+}
+
+template <class V>
+void prepare(const ContactWork& work, ContactBatch& batch, unsigned at) {
+  const Manifolds<V> m(work, batch, at);
+  find_friction_centre(m);
+  prepare_responses(m);
+  prepare_approaches(m);
+  forget_impacts(m);
+  foresee_impact(m);
+}
+
+}  // namespace
+}  // namespace tumble::sim

@@ -1,0 +1,194 @@
+#pragma once
+
+// Warm start, sweeps and the motion of separations, for any number of lanes; see lane_vector.h for who may include
+// this.
+
+#include "src/kernels/contact_lanes.h"
+
+namespace tumble::sim {
+namespace {
+
+constexpr int kInner = 2;              // Jacobi passes over a manifold's points in one visit
+constexpr int kInnerRestitution = 12;  // visited once a step, and what it misses is energy lost
+constexpr double kPushPart = 0.05;     // of an overlap removed in a sub-step
+constexpr double kSkin = 0.0001;       // m of air that counts as touching; see bias_of
+constexpr double kSlop = 0.0005;       // m of overlap that is left alone
+constexpr double kPushMax = 1;         // m/s
+
+// The friction impulse that stops the slip, cut to what the normal impulses allow; returns the change as a wrench.
+template <class V>
+Wrench<V> solve_friction(const Manifolds<V>& m, const Motion<V>& motion) {
+  ContactBatch& batch = *m.batch;
+  const V offset = m.get(batch.offset), p = m.get(batch.centre_p), q = m.get(batch.centre_q);
+  const V magic = m.get(batch.impulse_magic);
+  const V w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2), wn = dot(motion.w, m.n);
+  const V u1 = dot(motion.u, m.t1) + (w2 * offset - wn * q);
+  const V u2 = dot(motion.u, m.t2) + (wn * p - w1 * offset);
+  V pressure = V{};
+  for (unsigned k = 0; k < batch.count; ++k) pressure += round_impulse(magic, m.get(m.points[k].impulse));
+  V f[6];
+  for (int k = 0; k < 6; ++k) f[k] = m.get(batch.friction_inverse[k]);
+  const V before1 = m.get(batch.force1), before2 = m.get(batch.force2), twist_before = m.get(batch.twist);
+  const V stop1 = before1 - ((f[0] * u1 + f[1] * u2) + f[2] * wn);
+  const V stop2 = before2 - ((f[1] * u1 + f[3] * u2) + f[4] * wn);
+  const V limit = m.get(batch.friction) * pressure, squared = stop1 * stop1 + stop2 * stop2;
+  const V scale = m.get(batch.friction_dynamic) * pressure / square_root(squared);
+  const auto slips = squared > limit * limit;
+  const V force1 = slips ? stop1 * scale : stop1, force2 = slips ? stop2 * scale : stop2;
+  const V twist_limit = limit * m.get(batch.radius);
+  const V twist_stop = twist_before - ((f[2] * u1 + f[4] * u2) + f[5] * wn);
+  const V twist = twist_stop < -twist_limit ? -twist_limit : (twist_limit < twist_stop ? twist_limit : twist_stop);
+  const V d1 = force1 - before1, d2 = force2 - before2;
+  m.set(batch.force1, force1);
+  m.set(batch.force2, force2);
+  m.set(batch.twist, twist);
+  return friction_wrench(m, d1, d2, (twist - twist_before) + (p * d2 - q * d1));
+}
+
+// The normal velocity a point should have, negated: what is added to its velocity before it is driven to zero. Between
+// skin and slop a point is simply held. Were the gap closed down to zero, a resting box would rock: corners that are a
+// nanometre apart carry nothing for a sub-step, and tall stacks sway themselves apart on it.
+template <Sweep kSweep, class V>
+V bias_of(V separation, double h) {
+  const V gap = separation / h, zero = V{};
+  if constexpr (kSweep == Sweep::kRelax) return separation > kSkin ? gap : zero;
+  const V push = larger(V{} - kPushMax, (kPushPart / h) * smaller(zero, separation + kSlop));
+  return separation > kSkin ? gap : push;
+}
+
+// e times the speed of impact, less what the way from the contact to here has cost since.
+template <class V>
+V rebound(const Manifolds<V>& m, V approach, V separation) {
+  const V speed = m.get(m.batch->restitution) * approach, zero = V{};
+  return square_root(larger(zero, speed * speed + 2.0 * m.get(m.batch->acceleration) * separation));
+}
+
+// What a point's velocity is to be, negated; the passes over the points do not change it.
+template <Sweep kSweep, class V>
+V unwanted_speed(const Manifolds<V>& m, const PointBatch& point, double h) {
+  const V separation = m.get(point.separation);
+  if constexpr (kSweep == Sweep::kRestitution) return -rebound(m, m.get(point.approach), separation);
+  return bias_of<kSweep>(separation, h);
+}
+
+template <Sweep kSweep, class V>
+V wanted_impulse(const Manifolds<V>& m, const PointBatch& point, V speed) {
+  const V impulse = m.get(point.impulse);
+  const V wanted = impulse - m.get(m.batch->relaxation) * (m.get(point.mass) * speed);
+  if constexpr (kSweep == Sweep::kRestitution) {
+    const V met = m.get(point.approach) > -kBounceMin ? impulse : wanted;
+    return m.get(point.peak) == 0.0 ? impulse : met;
+  }
+  return wanted;
+}
+
+template <Sweep kSweep, class V>
+Wrench<V> solve_normals(const Manifolds<V>& m, const Motion<V>& motion, double h) {
+  V u = dot(motion.u, m.n), w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2);
+  const V magic = m.get(m.batch->impulse_magic), zero = V{};
+  V r[6];
+  for (int k = 0; k < 6; ++k) r[k] = m.get(m.batch->response[k]);
+  V unwanted[kPointsMax];
+  for (unsigned k = 0; k < m.batch->count; ++k) unwanted[k] = unwanted_speed<kSweep>(m, m.points[k], h);
+  V total_s = zero, total_sq = zero, total_sp = zero;
+  constexpr int kPasses = kSweep == Sweep::kRestitution ? kInnerRestitution : kInner;
+  for (int pass = 0; pass < kPasses; ++pass) {
+    V s = zero, sq = zero, sp = zero;
+    for (unsigned k = 0; k < m.batch->count; ++k) {
+      PointBatch& point = m.points[k];
+      const V p = m.get(point.p), q = m.get(point.q);
+      const V speed = (u + (w1 * q - w2 * p)) + unwanted[k];
+      const V impulse = larger(zero, wanted_impulse<kSweep>(m, point, speed));
+      const V change = impulse - m.get(point.impulse);
+      m.set(point.impulse, impulse);
+      m.set(point.peak, larger(m.get(point.peak), impulse));
+      s += round_impulse(magic, change);
+      sq += round_impulse(magic, change * q);
+      sp += round_impulse(magic, change * p);
+    }
+    total_s += s;
+    total_sq += sq;
+    total_sp += sp;
+    u += r[0] * s + (r[1] * sq + r[2] * sp);
+    w1 += r[1] * s + (r[3] * sq + r[4] * sp);
+    w2 += -r[2] * s + (-r[4] * sq + r[5] * sp);
+  }
+  return normal_wrench(m, total_s, total_sq, total_sp);
+}
+
+template <Sweep kSweep, class V>
+void solve_manifolds(const ContactWork& work, ContactBatch& batch, unsigned at) {
+  const Manifolds<V> m(work, batch, at);
+  Motion<V> motion = relative_motion(m);
+  if constexpr (kSweep == Sweep::kRestitution) {
+    write_outcomes(work, m, solve_normals<kSweep>(m, motion, work.substep_s));
+  } else {
+    const Wrench<V> friction = solve_friction(m, motion);
+    const V split_a = m.get(batch.split_a), split_b = m.get(batch.split_b);
+    const Space<V> va = friction.force * (-m.a.inverse_mass * split_a);
+    const Space<V> vb = friction.force * (m.b.inverse_mass * split_b);
+    const Space<V> wa = spin_of(m.a, reaction_torque(m, friction)) * -split_a;
+    const Space<V> wb = spin_of(m.b, friction.torque) * split_b;
+    motion.u = motion.u + ((vb - va) - cross(wa, m.d));
+    motion.w = motion.w + (wb - wa);
+    const Wrench<V> normal = solve_normals<kSweep>(m, motion, work.substep_s);
+    write_outcomes(work, m, {friction.force + normal.force, friction.torque + normal.torque});
+  }
+}
+
+template <class V>
+void solve(const ContactWork& work, ContactBatch& batch, unsigned at, Sweep sweep) {
+  if (sweep == Sweep::kPush) return solve_manifolds<Sweep::kPush, V>(work, batch, at);
+  if (sweep == Sweep::kRelax) return solve_manifolds<Sweep::kRelax, V>(work, batch, at);
+  if (batch.bounces) return solve_manifolds<Sweep::kRestitution, V>(work, batch, at);
+  write_outcomes(work, Manifolds<V>(work, batch, at), Wrench<V>{});
+}
+
+template <class V>
+void warm_start(const ContactWork& work, ContactBatch& batch, unsigned at) {
+  const Manifolds<V> m(work, batch, at);
+  const V magic = m.get(batch.impulse_magic);
+  V s = V{}, sq = V{}, sp = V{};
+  for (unsigned k = 0; k < batch.count; ++k) {
+    const PointBatch& point = m.points[k];
+    const V impulse = m.get(point.impulse);
+    s += round_impulse(magic, impulse);
+    sq += round_impulse(magic, impulse * m.get(point.q));
+    sp += round_impulse(magic, impulse * m.get(point.p));
+  }
+  const V force1 = m.get(batch.force1), force2 = m.get(batch.force2);
+  const V turn = m.get(batch.twist) + (m.get(batch.centre_p) * force2 - m.get(batch.centre_q) * force1);
+  const Wrench<V> normal = normal_wrench(m, s, sq, sp), friction = friction_wrench(m, force1, force2, turn);
+  write_outcomes(work, m, {normal.force + friction.force, normal.torque + friction.torque});
+}
+
+// Every body of a layer, its outcomes one after the other; exact sums have no order.
+template <class V>
+void apply_outcomes(const ContactWork& work, const BodyOutcomes* of, std::size_t count) {
+  constexpr std::size_t kAtOnce = sizeof(V) / sizeof(double);
+  for (std::size_t k = 0; k < count; ++k) {
+    double* const body = work.bodies + of[k].body * kSolverBodyDoubles;
+    for (std::size_t part = 0; part < kOutcomeDoubles; part += kAtOnce) {
+      V motion = load<V>(body + part);
+      for (std::uint32_t e = of[k].begin; e < of[k].end; ++e) {
+        motion += load<V>(work.outcomes + work.entries[e] * kOutcomeDoubles + part);
+      }
+      store(body + part, motion);
+    }
+  }
+}
+
+template <class V>
+void move_on(const ContactWork& work, ContactBatch& batch, unsigned at) {
+  const Manifolds<V> m(work, batch, at);
+  const Motion<V> motion = relative_motion(m);
+  const V u = dot(motion.u, m.n), w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2);
+  for (unsigned k = 0; k < batch.count; ++k) {
+    PointBatch& point = m.points[k];
+    const V speed = u + (w1 * m.get(point.q) - w2 * m.get(point.p));
+    m.set(point.separation, m.get(point.separation) + work.substep_s * speed);
+  }
+}
+
+}  // namespace
+}  // namespace tumble::sim

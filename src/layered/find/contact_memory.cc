@@ -1,0 +1,81 @@
+#include "src/layered/find/contact_memory.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace tumble::sim {
+namespace {
+
+constexpr std::size_t kWorthManifolds = 32768;  // for a thread more
+
+std::pair<BodyIndex, BodyIndex> key_of(const ContactMemory& memory, std::size_t k) {
+  const BodyIndex a = memory.a[k], b = memory.b[k];
+  return a == kGround ? std::make_pair(b, kGround) : std::make_pair(std::min(a, b), std::max(a, b));
+}
+
+// A reader that walks a memory contact by contact, with the points that belong to each.
+struct Cursor {
+  const ContactMemory& memory;
+  std::size_t at = 0, point = 0;
+
+  [[nodiscard]] bool done() const { return at == memory.size(); }
+  void move_to(ContactMemory& to) {
+    to.a.push_back(memory.a[at]);
+    to.b.push_back(memory.b[at]);
+    to.count.push_back(memory.count[at]);
+    to.friction.push_back(memory.friction[at]);
+    to.twist.push_back(memory.twist[at]);
+    for (std::uint32_t k = 0; k < memory.count[at]; ++k, ++point) {
+      to.feature.push_back(memory.feature[point]);
+      to.impulse.push_back(memory.impulse[point]);
+    }
+    ++at;
+  }
+};
+
+void remember(const Scratch& scratch, const Manifold& m, ContactMemory& memory, std::size_t at, std::size_t point) {
+  memory.a[at] = m.a;
+  memory.b[at] = m.b;
+  memory.friction.set(at, plus_zero(m.asleep ? m.d : Vec3(m.t1 * m.force1 + m.t2 * m.force2)));
+  memory.twist[at] = plus_zero(m.twist);
+  for (const ManifoldPoint& p : points_of(scratch, m)) {
+    memory.feature[point] = p.feature;
+    memory.impulse[point] = plus_zero(p.impulse);
+    ++point;
+  }
+}
+
+}  // namespace
+
+void remember_contacts(const Scratch& scratch, ContactMemory& memory) {
+  const std::vector<Manifold>& manifolds = scratch.manifolds;
+  std::size_t points = 0;
+  memory.count.resize(manifolds.size());
+  for (std::size_t k = 0; k < manifolds.size(); ++k) points += memory.count[k] = manifolds[k].count;
+  memory.a.resize(manifolds.size());
+  memory.b.resize(manifolds.size());
+  memory.friction.resize(manifolds.size());
+  memory.twist.resize(manifolds.size());
+  memory.feature.resize(points);
+  memory.impulse.resize(points);
+  for_ranges(scratch.workers, manifolds.size(), kWorthManifolds, [&](std::size_t begin, std::size_t end) {
+    std::size_t point = 0;
+    for (std::size_t k = 0; k < begin; ++k) point += memory.count[k];
+    for (std::size_t k = begin; k < end; ++k) {
+      remember(scratch, manifolds[k], memory, k, point);
+      point += memory.count[k];
+    }
+  });
+}
+
+void merge_contacts(ContactMemory& memory, const ContactMemory& added) {
+  ContactMemory merged;
+  Cursor old{memory}, fresh{added};
+  while (!old.done() || !fresh.done()) {
+    const bool take_old = fresh.done() || (!old.done() && key_of(memory, old.at) <= key_of(added, fresh.at));
+    (take_old ? old : fresh).move_to(merged);
+  }
+  memory = std::move(merged);
+}
+
+}  // namespace tumble::sim

@@ -1,0 +1,91 @@
+#include "src/layered/find/contact_recall.h"
+
+#include <algorithm>
+
+namespace tumble::sim {
+namespace {
+
+using Pair = std::pair<BodyIndex, BodyIndex>;
+
+Pair pair_of(BodyIndex a, BodyIndex b) {
+  return a == kGround ? Pair(b, kGround) : Pair(std::min(a, b), std::max(a, b));
+}
+
+void take_friction(Manifold& m, const ContactMemory& memory, std::size_t k, double sign) {
+  const Vec3 force = memory.friction[k] * sign;
+  m.force1 = dot(force, m.t1);
+  m.force2 = dot(force, m.t2);
+  m.twist = memory.twist[k];
+}
+
+void take_impulses(std::span<ManifoldPoint> points, const ContactMemory& memory, std::size_t first, std::size_t count) {
+  for (ManifoldPoint& point : points) {
+    for (std::size_t j = first; j < first + count; ++j) {
+      if (memory.feature[j] == point.feature) point.impulse = memory.impulse[j];
+    }
+  }
+}
+
+}  // namespace
+
+ContactRecall::ContactRecall(const ContactMemory& memory, BodyIndex first) : memory_(memory) {
+  std::size_t end = memory.size();
+  while (cursor_ < end) {
+    const std::size_t middle = cursor_ + (end - cursor_) / 2;
+    if (pair_of(memory.a[middle], memory.b[middle]).first < first) {
+      cursor_ = middle + 1;
+    } else {
+      end = middle;
+    }
+  }
+  for (std::size_t k = 0; k < cursor_; ++k) point_ += memory.count[k];
+}
+
+// A tied pair has several entries.
+std::pair<std::size_t, std::size_t> ContactRecall::entries(BodyIndex lo, BodyIndex hi) {
+  const Pair wanted(lo, hi);
+  while (cursor_ < memory_.size() && pair_of(memory_.a[cursor_], memory_.b[cursor_]) < wanted) {
+    point_ += memory_.count[cursor_];
+    ++cursor_;
+  }
+  std::size_t end = cursor_;
+  while (end < memory_.size() && pair_of(memory_.a[end], memory_.b[end]) == wanted) ++end;
+  return {cursor_, end};
+}
+
+void ContactRecall::warm_start(Manifold& m, std::span<ManifoldPoint> points) {
+  const Pair pair = pair_of(m.a, m.b);
+  const auto [begin, end] = entries(pair.first, pair.second);
+  std::size_t own = 0;
+  for (std::size_t k = begin; k < end; ++k) own += memory_.a[k] == m.a ? 1U : 0U;
+  std::size_t point = point_;
+  for (std::size_t k = begin; k < end; point += memory_.count[k], ++k) {
+    // Where the reference has changed, the other's memory serves, turned round; else one's own.
+    const bool turned = memory_.a[k] != m.a;
+    if (turned && own > 0) continue;
+    take_impulses(points, memory_, point, memory_.count[k]);
+    if ((own > 0 ? own : end - begin) == 1) take_friction(m, memory_, k, turned ? -1.0 : 1.0);
+  }
+}
+
+void ContactRecall::keep(BodyIndex lo, BodyIndex hi, ManifoldList& to) {
+  const auto [begin, end] = entries(lo, hi);
+  std::size_t point = point_;
+  for (std::size_t k = begin; k < end; ++k) {
+    Manifold& m = to.manifolds.emplace_back();
+    m.a = memory_.a[k];
+    m.b = memory_.b[k];
+    m.asleep = true;
+    m.first = static_cast<std::uint32_t>(to.points.size());
+    m.count = memory_.count[k];
+    m.d = memory_.friction[k];  // kept here until the memory is written again
+    m.twist = memory_.twist[k];
+    for (std::uint32_t i = 0; i < m.count; ++i, ++point) {
+      ManifoldPoint& p = to.points.emplace_back();
+      p.feature = memory_.feature[point];
+      p.impulse = memory_.impulse[point];
+    }
+  }
+}
+
+}  // namespace tumble::sim

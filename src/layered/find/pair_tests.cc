@@ -1,0 +1,113 @@
+#include "src/layered/find/pair_tests.h"
+
+#include <type_traits>
+
+#include "src/layered/find/meeting_time.h"
+
+namespace tumble::sim {
+namespace {
+
+// What the kernels take for granted.
+static_assert(std::is_standard_layout_v<BoxFrame> && sizeof(BoxFrame) == 15 * sizeof(double) &&
+              offsetof(BoxFrame, axes) == 3 * sizeof(double) && offsetof(BoxFrame, half_extent) == 12 * sizeof(double));
+
+constexpr double kFarPart = 0.02;  // of the smallest half extent: both preferences and the tolerance of points at edges
+static_assert(kFarPart > kEdgePreference + kFacePreference);
+
+BestAxes best_of(const BoxTests::Best& best, std::size_t k) {
+  return {static_cast<AxisSet>(best.axes[k]), best.separation[k]};
+}
+
+// Of faces of both boxes.
+double face_separation(const BoxTests& tests, std::size_t k) {
+  return larger_separation(best_of(tests.faces_of_a, k), best_of(tests.faces_of_b, k));
+}
+
+void copy(BoxTests::Best& best, std::size_t from, std::size_t to) {
+  best.axes[to] = best.axes[from];
+  best.separation[to] = best.separation[from];
+}
+
+}  // namespace
+
+PairTests::PairTests(const World& world, double dt_s, std::size_t first, std::size_t last)
+    : world_(world),
+      kernels_(*box_test_kernels(world.scratch().lanes)),
+      dt_(dt_s),
+      fall_(falling_reach(world.state().def, dt_s)),
+      pair_(first),
+      last_(last) {
+  tests_.frames = world.scratch().frames.data();
+}
+
+const TestedPair* PairTests::next() {
+  if (asked_ == added_) refill();
+  if (!near_[asked_++]) return nullptr;
+  const std::size_t k = taken_++;
+  tested_.face_a = best_of(tests_.faces_of_a, k);
+  tested_.face_b = best_of(tests_.faces_of_b, k);
+  tested_.edge = best_of(tests_.edges, k);
+  tested_.offset = {tests_.offset[0][k], tests_.offset[1][k], tests_.offset[2][k]};
+  tested_.later = later_[k];
+  return &tested_;
+}
+
+void PairTests::refill() {
+  const PairTable& pairs = world_.state().pairs;
+  const Bodies& bodies = world_.bodies();
+  tests_.count = asked_ = taken_ = 0;
+  for (; pair_ < last_ && tests_.count < BoxTests::kMost; ++pair_) {
+    const BodyIndex a = pairs.a[pair_], b = pairs.b[pair_];
+    if (bodies.moves(a) || bodies.moves(b)) add(a, b);
+  }
+  added_ = tests_.count;
+  kernels_.find_faces(tests_);
+  keep_near();
+  kernels_.find_edges(tests_);
+}
+
+void PairTests::add(BodyIndex a, BodyIndex b) {
+  const Scratch& scratch = world_.scratch();
+  const Bodies& bodies = world_.bodies();
+  const BoxFrame& frame_a = scratch.frames[a];
+  const BoxFrame& frame_b = scratch.frames[b];
+  const Vec3 approach = bodies.velocity[b] - bodies.velocity[a];
+  const double smallest = smallest_half_extent(frame_a, frame_b);
+  const double turn = scratch.turning[a] + scratch.turning[b];
+  const double later = meeting(a, b, approach, smallest);
+  const Vec3 offset = (later == 0 ? frame_b : moved_on(frame_b, approach, later)).position - frame_a.position;
+  const std::size_t k = tests_.count++;
+  tests_.a[k] = a;
+  tests_.b[k] = b;
+  for (int axis = 0; axis < 3; ++axis) tests_.offset[axis][k] = offset[axis];
+  later_[k] = later;
+  reach_[k] = length(approach) * dt_ + (turn + fall_) + slack_of(smallest) + kFarPart * smallest;
+}
+
+// Where two bodies move on by more than the thinner one's half thickness in a step, what faces what is seen only where
+// they will meet.
+double PairTests::meeting(BodyIndex a, BodyIndex b, const Vec3& approach, double thinnest) const {
+  if (dot(approach, approach) * (dt_ * dt_) <= thinnest * thinnest) return 0;
+  const Scratch& scratch = world_.scratch();
+  const double time = meeting_time(scratch.frames[a], scratch.frames[b], approach, dt_);
+  return time < dt_ ? time : 0;
+}
+
+// Leaves the pairs that need more than their faces.
+void PairTests::keep_near() {
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < added_; ++k) {
+    near_[k] = face_separation(tests_, k) <= reach_[k];
+    if (!near_[k]) continue;
+    tests_.a[kept] = tests_.a[k];
+    tests_.b[kept] = tests_.b[k];
+    for (double(&offset)[BoxTests::kMost] : tests_.offset) offset[kept] = offset[k];
+    copy(tests_.faces_of_a, k, kept);
+    copy(tests_.faces_of_b, k, kept);
+    later_[kept] = later_[k];
+    ++kept;
+  }
+  tests_.count = kept;
+}
+
+}  // namespace tumble::sim

@@ -1,0 +1,170 @@
+#include "src/layered/order/assign_levels.h"
+
+#include <algorithm>
+
+#include "src/layered/order/islands.h"
+
+namespace tumble::sim {
+namespace {
+
+constexpr std::uint32_t kUnreached = 0xffffffffU;
+
+// Impulses must find their way through the height of a stack.
+constexpr int kLevelsPerSweep = 5;  // measured: columns of 8 that sway after a fall come to rest with two, not with one
+constexpr int kSweepsMax = 10;
+constexpr double kSlender = 16;     // largest moment of inertia over the smallest, from which a body is slender
+constexpr int kSlenderSweeps = 20;  // it turns about one end when the other is pressed, and passes little on
+
+bool at_rest(const Bodies& bodies, BodyIndex i) { return i == kGround || !bodies.moves(i); }
+
+// For each body the others that it touches.
+void find_neighbours(const World& world, LevelScratch& own) {
+  const Scratch& scratch = world.scratch();
+  const std::size_t n = world.bodies().size();
+  own.start.assign(n + 1, 0);
+  own.touching.clear();
+  for (std::uint32_t k = 0; k < scratch.manifolds.size(); ++k) {
+    const Manifold& m = scratch.manifolds[k];
+    if (m.asleep || m.a == kGround || !touches(scratch, m)) continue;
+    own.touching.push_back(k);
+    ++own.start[m.a + 1];
+    ++own.start[m.b + 1];
+  }
+  for (std::size_t i = 0; i < n; ++i) own.start[i + 1] += own.start[i];
+  own.neighbours.resize(own.start[n]);
+  own.next.assign(own.start.begin(), own.start.end() - 1);
+  for (const std::uint32_t k : own.touching) {
+    const Manifold& m = scratch.manifolds[k];
+    own.neighbours[own.next[m.a]++] = m.b;
+    own.neighbours[own.next[m.b]++] = m.a;
+  }
+}
+
+void measure_levels(World& world) {
+  Scratch& scratch = world.mutable_scratch();
+  const Bodies& bodies = world.bodies();
+  LevelScratch& own = scratch.levels;
+  find_neighbours(world, own);
+  std::vector<std::uint32_t>& level = scratch.level;
+  level.assign(bodies.size(), kUnreached);
+  std::vector<BodyIndex>&front = own.front, &next = own.reached;
+  next.clear();
+  const auto reach = [&](BodyIndex i, std::uint32_t at) {
+    if (at_rest(bodies, i) || level[i] <= at) return;
+    level[i] = at;
+    next.push_back(i);
+  };
+  for (const Manifold& m : scratch.manifolds) {
+    if (m.asleep || !touches(scratch, m)) continue;
+    if (at_rest(bodies, m.a)) reach(m.b, 1);
+    if (at_rest(bodies, m.b)) reach(m.a, 1);
+  }
+  for (std::uint32_t at = 2; !next.empty(); ++at) {
+    std::swap(front, next);
+    next.clear();
+    for (const BodyIndex i : front) {
+      for (std::uint32_t k = own.start[i]; k < own.start[i + 1]; ++k) reach(own.neighbours[k], at);
+    }
+  }
+}
+
+bool is_slender(const Bodies& bodies, BodyIndex i) {
+  if (at_rest(bodies, i)) return false;
+  const Vec3 inertia = bodies.inertia[i];
+  return inertia.maxCoeff() > kSlender * inertia.minCoeff();
+}
+
+// For each body whether a slender one can be reached from it through contacts; empty if there is none at all.
+std::span<const std::uint8_t> find_slender_islands(World& world) {
+  const Bodies& bodies = world.bodies();
+  LevelScratch& own = world.mutable_scratch().levels;
+  std::vector<BodyIndex>& slender = own.slender;
+  slender.clear();
+  for (const Manifold& m : world.scratch().manifolds) {
+    if (m.asleep) continue;
+    if (is_slender(bodies, m.a)) slender.push_back(m.a);
+    if (is_slender(bodies, m.b)) slender.push_back(m.b);
+  }
+  if (slender.empty()) return {};
+  Islands islands(world.mutable_scratch().island_links, bodies.size());
+  for (const Manifold& m : world.scratch().manifolds) {
+    if (!at_rest(bodies, m.a) && !at_rest(bodies, m.b)) islands.join(m.a, m.b);
+  }
+  own.marked.assign(bodies.size(), 0);
+  own.in_slender.resize(bodies.size());
+  for (const BodyIndex i : slender) own.marked[islands.of(i)] = 1;
+  for (BodyIndex i = 0; i < bodies.size(); ++i) own.in_slender[i] = own.marked[islands.of(i)];
+  return own.in_slender;
+}
+
+// Layer 2 l holds what joins level l to l + 1, layer 2 l + 1 what joins bodies of one level.
+std::uint32_t layer_for(const World& world, const Manifold& m) {
+  const auto level = [&](BodyIndex i) { return at_rest(world.bodies(), i) ? 0U : world.scratch().level[i]; };
+  const std::uint32_t a = level(m.a), b = level(m.b);
+  if (a == kUnreached && b == kUnreached) return kUnreached;
+  return 2 * std::min(a, b) + (a == b ? 1U : 0U);
+}
+
+int sweeps_for(std::uint32_t layers, bool slender) {
+  const int levels = static_cast<int>(layers - 1) / 2;
+  const int sweeps = std::min(kSweepsMax, 1 + levels / kLevelsPerSweep);
+  return slender ? std::max(kSlenderSweeps, sweeps) : sweeps;
+}
+
+// Gives the manifolds for which belongs(manifold) layers after those there are.
+template <class Belongs>
+void add_group(World& world, bool slender, Belongs belongs) {
+  Scratch& scratch = world.mutable_scratch();
+  const std::uint32_t begin = scratch.sweep_groups.empty() ? 0 : scratch.sweep_groups.back().end;
+  std::uint32_t highest = 0;
+  for (Manifold& m : scratch.manifolds) {
+    if (m.asleep || !belongs(m)) continue;
+    m.layer = layer_for(world, m);
+    if (m.layer != kUnreached) highest = std::max(highest, m.layer);
+  }
+  const std::uint32_t layers = highest + 2;  // the last one: what hangs in the air
+  for (Manifold& m : scratch.manifolds) {
+    if (!m.asleep && belongs(m)) m.layer = begin + std::min(m.layer, layers - 1);
+  }
+  scratch.sweep_groups.push_back({begin, begin + layers, sweeps_for(layers, slender), slender});
+}
+
+void sort_by_layer(Scratch& scratch) {
+  const std::uint32_t layers = scratch.sweep_groups.back().end;
+  scratch.layer_start.assign(layers + 1, 0);
+  for (const Manifold& m : scratch.manifolds) {
+    if (!m.asleep) ++scratch.layer_start[m.layer + 1];
+  }
+  for (std::uint32_t k = 0; k < layers; ++k) scratch.layer_start[k + 1] += scratch.layer_start[k];
+  scratch.layered.resize(scratch.layer_start[layers]);
+  std::vector<std::uint32_t>& next = scratch.levels.next;
+  next.assign(scratch.layer_start.begin(), scratch.layer_start.end() - 1);
+  for (std::uint32_t k = 0; k < scratch.manifolds.size(); ++k) {
+    if (!scratch.manifolds[k].asleep) scratch.layered[next[scratch.manifolds[k].layer]++] = k;
+  }
+}
+
+}  // namespace
+
+Status assign_levels(World& world, double /*dt_s*/) {
+  measure_levels(world);
+  const std::span<const std::uint8_t> near_slender = find_slender_islands(world);
+  const auto in_slender = [&](const Manifold& m) {
+    if (near_slender.empty()) return false;
+    return near_slender[at_rest(world.bodies(), m.b) ? m.a : m.b] != 0;
+  };
+  world.mutable_scratch().sweep_groups.clear();
+  add_group(world, false, [&](const Manifold& m) { return !in_slender(m); });
+  if (!near_slender.empty()) add_group(world, true, in_slender);
+  sort_by_layer(world.mutable_scratch());
+  return {};
+}
+
+void hash_assign_levels(const World& world, Hasher& hasher) {
+  const Scratch& scratch = world.scratch();
+  hasher.add(std::span<const std::uint32_t>(scratch.level));
+  hasher.add(std::span<const std::uint32_t>(scratch.layer_start));
+  hasher.add(std::span<const std::uint32_t>(scratch.layered));
+}
+
+}  // namespace tumble::sim

@@ -1,0 +1,230 @@
+#include "src/layered/order/batch_contacts.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "src/layered/order/solver_body.h"
+#include "src/math/grid.h"
+
+namespace tumble::sim {
+namespace {
+
+constexpr std::size_t kWorthBatches = 2048;  // for a thread more
+
+// Which manifolds are solved side by side: those of one layer with as many points.
+class Grouping {
+ public:
+  explicit Grouping(Scratch& scratch) : scratch_(scratch), all_(scratch.contact_batches) {
+    all_.layer_start.assign(1, 0);
+    all_.place.resize(scratch.manifolds.size());
+    all_.order.resize(scratch.layered.size());
+  }
+
+  void run() {
+    std::uint32_t widest = 0;
+    for (const SweepGroup& group : scratch_.sweep_groups) {
+      for (std::uint32_t layer = group.begin; layer < group.end; ++layer) {
+        add_layer(layer, group.slender);
+        widest = std::max(widest, all_.layer_start[layer + 1] - all_.layer_start[layer]);
+      }
+    }
+    all_.batches.resize(batches_);
+    all_.points.resize(points_);
+    all_.outcomes.resize(std::size_t{widest} * kLanes * 2);
+  }
+
+ private:
+  static constexpr std::uint32_t kManyPoints = 15;  // more are all alike
+
+  void add_layer(std::uint32_t layer, bool slender) {
+    const std::span<const std::uint32_t> members = layer_of(scratch_, layer);
+    const std::uint32_t begin = scratch_.layer_start[layer];
+    const auto points_of_member = [&](std::uint32_t k) { return std::min(kManyPoints, scratch_.manifolds[k].count); };
+    std::array<std::uint32_t, kManyPoints + 2> start{};
+    for (const std::uint32_t k : members) ++start[points_of_member(k) + 1];
+    for (std::size_t k = 1; k < start.size(); ++k) start[k] += start[k - 1];
+    for (const std::uint32_t k : members) all_.order[begin + start[points_of_member(k)]++] = k;
+    const auto end = begin + static_cast<std::uint32_t>(members.size());
+    for (std::uint32_t k = begin; k < end; k += kLanes) {
+      add_batch(k, std::min<std::uint32_t>(kLanes, end - k), slender);
+    }
+    all_.layer_start.push_back(batches_);
+  }
+
+  void add_batch(std::uint32_t members, std::uint32_t used, bool slender) {
+    if (all_.batches.size() == batches_) all_.batches.emplace_back();
+    ContactBatch& batch = all_.batches[batches_];
+    batch.used = used;
+    batch.slender = slender;
+    batch.members = members;
+    batch.first = points_;
+    batch.count = 0;
+    for (unsigned lane = 0; lane < used; ++lane) {
+      const std::uint32_t k = all_.order[members + lane];
+      batch.count = std::max(batch.count, scratch_.manifolds[k].count);
+      all_.place[k] = batches_ * kLanes + lane;
+    }
+    points_ += batch.count;
+    ++batches_;
+  }
+
+  Scratch& scratch_;
+  ContactBatches& all_;
+  std::uint32_t batches_ = 0, points_ = 0;
+};
+
+void set(Lanes* lanes, unsigned lane, const Vec3& v) {
+  for (int k = 0; k < 3; ++k) lanes[k].of[lane] = v[k];
+}
+
+// Copies manifolds into the lanes of their batch; what no manifold has is zero.
+class Filling {
+ public:
+  explicit Filling(World& world)
+      : bodies_(world.bodies()),
+        gravity_(world.state().def.gravity),
+        scratch_(world.scratch()),
+        all_(world.mutable_scratch().contact_batches),
+        ground_(static_cast<std::uint32_t>(scratch_.solver_bodies.size() - 1)) {}
+
+  void fill(ContactBatch& batch) {
+    if (batch.used < kLanes) clear(batch);
+    for (unsigned lane = 0; lane < batch.used; ++lane) {
+      const Manifold& m = scratch_.manifolds[all_.order[batch.members + lane]];
+      fill_geometry(batch, lane, m);
+      fill_bodies(batch, lane, m);
+      PointBatch* to = all_.points.data() + batch.first;
+      for (const ManifoldPoint& point : points_of(scratch_, m)) fill_point(*to++, lane, point);
+      for (std::uint32_t k = m.count; k < batch.count; ++k) fill_point(*to++, lane, {});
+    }
+  }
+
+ private:
+  // All that lanes without a manifold show.
+  void clear(ContactBatch& batch) const {
+    ContactBatch empty;
+    empty.used = batch.used;
+    empty.slender = batch.slender;
+    empty.members = batch.members;
+    empty.first = batch.first;
+    empty.count = batch.count;
+    batch = empty;
+    std::fill_n(batch.a, kLanes, ground_);
+    std::fill_n(batch.b, kLanes, ground_);
+    std::fill_n(all_.points.begin() + batch.first, batch.count, PointBatch{});
+  }
+
+  static void fill_geometry(ContactBatch& batch, unsigned lane, const Manifold& m) {
+    set(batch.n, lane, m.n);
+    set(batch.t1, lane, m.t1);
+    set(batch.t2, lane, m.t2);
+    set(batch.d, lane, m.d);
+    const auto put = [lane](Lanes& lanes, double value) { lanes.of[lane] = value; };
+    put(batch.point_count, m.count);
+    put(batch.offset, m.offset);
+    put(batch.friction, m.friction);
+    put(batch.friction_dynamic, m.friction_dynamic);
+    put(batch.restitution, m.restitution);
+    put(batch.force1, m.force1);
+    put(batch.force2, m.force2);
+    put(batch.twist, m.twist);
+    put(batch.split_a, 0);
+    put(batch.split_b, 0);
+  }
+  static void fill_point(PointBatch& batch, unsigned lane, const ManifoldPoint& point) {
+    batch.p.of[lane] = point.p;
+    batch.q.of[lane] = point.q;
+    batch.separation.of[lane] = point.separation;
+    batch.impulse.of[lane] = point.impulse;
+    batch.load.of[lane] = point.load;
+  }
+  void fill_bodies(ContactBatch& batch, unsigned lane, const Manifold& m) const {
+    batch.a[lane] = solver_row(scratch_, m.a);
+    batch.b[lane] = m.b;
+    const double lighter = std::min(mass_of(m.a), mass_of(m.b));
+    batch.impulse_magic.of[lane] = VelocityGrid::kMagic * power_of_two(lighter);
+    const bool a_falls = m.a != kGround && bodies_.moves(m.a), b_falls = bodies_.moves(m.b);
+    batch.acceleration.of[lane] = a_falls == b_falls ? 0 : dot(gravity_, m.n) * (b_falls ? 1 : -1);
+  }
+  double mass_of(BodyIndex i) const {
+    return i == kGround || !bodies_.moves(i) ? std::numeric_limits<double>::max() : bodies_.mass[i];
+  }
+
+  const Bodies& bodies_;
+  const Vec3& gravity_;
+  const Scratch& scratch_;
+  ContactBatches& all_;
+  std::uint32_t ground_;
+};
+
+// Lists for each layer the moving bodies that it touches and the outcomes that are theirs. Manifolds of one layer are
+// solved at the same time, so each sees only its share of a body's mass.
+class Sharing {
+ public:
+  explicit Sharing(World& world) : bodies_(world.bodies()), all_(world.mutable_scratch().contact_batches) {
+    all_.touched.clear();
+    all_.touched_start.assign(1, 0);
+    all_.entries.resize(2 * all_.order.size());
+    all_.uses.assign(bodies_.size(), 0);
+  }
+
+  void add_layer(std::size_t layer) {
+    const std::uint32_t begin = all_.layer_start[layer], end = all_.layer_start[layer + 1];
+    for_sides(begin, end, [&](BodyIndex i, Lanes&, unsigned, std::uint32_t) {
+      if (all_.uses[i]++ == 0) all_.touched.push_back({i, 0, 0});
+    });
+    const std::span<BodyOutcomes> touched = std::span(all_.touched).subspan(all_.touched_start.back());
+    for (std::uint32_t k = 0; k < touched.size(); ++k) {
+      BodyOutcomes& of = touched[k];
+      of.begin = of.end = entries_;
+      entries_ += all_.uses[of.body];
+      all_.uses[of.body] = k;
+    }
+    for_sides(begin, end, [&](BodyIndex i, Lanes&, unsigned, std::uint32_t row) {
+      all_.entries[touched[all_.uses[i]].end++] = row;
+    });
+    for_sides(begin, end, [&](BodyIndex i, Lanes& split, unsigned lane, std::uint32_t) {
+      const BodyOutcomes& of = touched[all_.uses[i]];
+      split.of[lane] = of.end - of.begin;
+    });
+    for (const BodyOutcomes& of : touched) all_.uses[of.body] = 0;
+    all_.touched_start.push_back(static_cast<std::uint32_t>(all_.touched.size()));
+  }
+
+ private:
+  // Calls visit(body, its split, lane, its row of outcomes) for the moving bodies of batches [begin, end).
+  template <class Visit>
+  void for_sides(std::uint32_t begin, std::uint32_t end, Visit visit) {
+    for (std::uint32_t k = begin; k < end; ++k) {
+      ContactBatch& batch = all_.batches[k];
+      for (unsigned lane = 0; lane < batch.used; ++lane) {
+        const std::uint32_t row = 2 * ((k - begin) * kLanes + lane);
+        if (batch.a[lane] < bodies_.size() && bodies_.moves(batch.a[lane])) {
+          visit(batch.a[lane], batch.split_a, lane, row);
+        }
+        if (bodies_.moves(batch.b[lane])) visit(batch.b[lane], batch.split_b, lane, row + 1);
+      }
+    }
+  }
+
+  const Bodies& bodies_;
+  ContactBatches& all_;
+  std::uint32_t entries_ = 0;
+};
+
+}  // namespace
+
+void batch_contacts(World& world) {
+  Scratch& scratch = world.mutable_scratch();
+  ContactBatches& all = scratch.contact_batches;
+  Grouping(scratch).run();
+  for_ranges(scratch.workers, all.batches.size(), kWorthBatches, [&](std::size_t begin, std::size_t end) {
+    Filling filling(world);
+    for (std::size_t k = begin; k < end; ++k) filling.fill(all.batches[k]);
+  });
+  Sharing sharing(world);
+  for (std::size_t layer = 0; layer + 1 < all.layer_start.size(); ++layer) sharing.add_layer(layer);
+}
+
+}  // namespace tumble::sim

@@ -1,0 +1,81 @@
+#include "src/layered/solve/contact_batches.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "src/math/grid.h"
+
+namespace tumble::sim {
+namespace {
+
+static_assert(sizeof(SolverBody) == kSolverBodyDoubles * sizeof(double));
+static_assert(offsetof(SolverBody, inverse_mass) == 6 * sizeof(double));
+static_assert(offsetof(SolverBody, inverse_inertia) == 8 * sizeof(double));
+static_assert(sizeof(Outcome) == kOutcomeDoubles * sizeof(double));
+
+constexpr std::size_t kWorthManifolds = 32768;  // for a thread more
+
+bool bounces(const ContactWork& work, const ContactBatch& batch) {
+  for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
+    const Lanes& approach = work.points[k].approach;
+    if (std::any_of(approach.of, approach.of + kLanes, [](double v) { return v <= -kBounceMin; })) return true;
+  }
+  return false;
+}
+
+void store_contact(Scratch& scratch, std::uint32_t manifold) {
+  const ContactBatches& all = scratch.contact_batches;
+  Manifold& m = scratch.manifolds[manifold];
+  const ContactBatch& batch = all.batches[all.place[manifold] / kLanes];
+  const unsigned lane = all.place[manifold] % kLanes;
+  m.force1 = batch.force1.of[lane];
+  m.force2 = batch.force2.of[lane];
+  m.twist = batch.twist.of[lane];
+  std::size_t at = batch.first;
+  for (ManifoldPoint& point : points_of(scratch, m)) {
+    point.impulse = all.points[at].impulse.of[lane];
+    point.separation = all.points[at].separation.of[lane];
+    ++at;
+  }
+}
+
+}  // namespace
+
+void mark_bounces(const ContactWork& work) {
+  for (std::size_t k = 0; k < work.count; ++k) work.batches[k].bounces = bounces(work, work.batches[k]);
+}
+
+void store_contacts(Scratch& scratch) {
+  for_ranges(scratch.workers, scratch.layered.size(), kWorthManifolds, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) store_contact(scratch, scratch.layered[k]);
+  });
+}
+
+ContactWork all_contacts(Scratch& scratch, double substep_s) {
+  ContactBatches& all = scratch.contact_batches;
+  return {all.batches.data(),
+          all.batches.size(),
+          all.points.data(),
+          reinterpret_cast<double*>(scratch.solver_bodies.data()),
+          reinterpret_cast<double*>(all.outcomes.data()),
+          all.entries.data(),
+          substep_s};
+}
+
+ContactWork part_of(const ContactWork& work, std::size_t begin, std::size_t end) {
+  ContactWork part = work;
+  part.batches += begin;
+  part.count = end - begin;
+  part.outcomes += begin * kLanes * 2 * kOutcomeDoubles;
+  return part;
+}
+
+ContactWork contacts_of_layer(Scratch& scratch, std::size_t layer, double substep_s) {
+  ContactWork work = all_contacts(scratch, substep_s);
+  const std::uint32_t begin = scratch.contact_batches.layer_start[layer];
+  work.batches += begin;
+  work.count = scratch.contact_batches.layer_start[layer + 1] - begin;
+  return work;
+}
+
+}  // namespace tumble::sim

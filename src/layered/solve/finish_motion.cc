@@ -1,0 +1,50 @@
+#include "src/layered/solve/finish_motion.h"
+
+#include "src/layered/find/contact_memory.h"
+#include "src/math/grid.h"
+#include "src/thesis/integrate.h"
+#include "src/world/body_check.h"
+
+namespace tumble::sim {
+namespace {
+
+constexpr std::size_t kWorthBodies = 32768;  // for a thread more
+
+void leave_contact(World& world, BodyIndex i, double dt_s) {
+  Bodies& bodies = world.mutable_state().bodies;
+  const Scratch& scratch = world.scratch();
+  const SolverBody& body = scratch.solver_bodies[i];
+  const double slower = 1 + world.state().def.air_drag * dt_s;
+  bodies.velocity.set(i, plus_zero(slower > 1 ? VelocityGrid::round(Vec3(body.velocity / slower)) : body.velocity));
+  bodies.spin.set(i, plus_zero(slower > 1 ? VelocityGrid::round(Vec3(body.spin / slower)) : body.spin));
+}
+
+}  // namespace
+
+Status finish_motion(World& world, double dt_s) {
+  const Bodies& bodies = world.bodies();
+  const Scratch& scratch = world.scratch();
+  for_ranges(scratch.workers, bodies.size(), kWorthBodies, [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
+      if (scratch.in_contact[i] != 0) leave_contact(world, i, dt_s);
+    }
+    fly_freely(world, {begin, end}, scratch.in_contact.data(), dt_s);
+  });
+  if (Status ok = check_moving(world); !ok.ok()) return ok;
+  remember_contacts(world.scratch(), world.mutable_state().contact_memory);
+  return {};
+}
+
+void hash_finish_motion(const World& world, Hasher& hasher) {
+  hash_motion(world, hasher);
+  const ContactMemory& memory = world.state().contact_memory;
+  for (const auto* column : {&memory.a, &memory.b, &memory.count, &memory.feature}) {
+    hasher.add(std::span<const std::uint32_t>(*column));
+  }
+  for (const auto* column :
+       {&memory.friction.x, &memory.friction.y, &memory.friction.z, &memory.twist, &memory.impulse}) {
+    hasher.add(std::span<const double>(*column));
+  }
+}
+
+}  // namespace tumble::sim

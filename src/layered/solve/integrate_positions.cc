@@ -1,0 +1,65 @@
+#include "src/layered/solve/integrate_positions.h"
+
+#include "src/layered/order/solver_body.h"
+#include "src/layered/solve/contact_batches.h"
+#include "src/layered/solve/solver_hashes.h"
+#include "src/layered/solve/sweep_layers.h"
+#include "src/math/grid.h"
+#include "src/thesis/integrate.h"
+#include "src/world/body_check.h"
+
+namespace tumble::sim {
+namespace {
+
+constexpr std::size_t kWorthBodies = 32768, kWorthBatches = 2048;  // for a thread more
+constexpr double kStiff = 0.002;  // rad in a sub-step up to which a body's inertia is left as it was
+
+// Turned as in free flight, which keeps angular momentum and energy: held against the world, the spin of a fast bar
+// would gain both.
+void turn(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) {
+  SolverBody& body = scratch.solver_bodies[i];
+  const Vec3 inertia = bodies.inertia[i], inverse = bodies.inverse_inertia[i];
+  const Rotation rotation = rotate_freely(bodies.orientation[i], body.spin, inertia, inverse, substep_s);
+  bodies.orientation.set(i, rotation.orientation);
+  const double turned_squared = dot(body.spin, body.spin) * (substep_s * substep_s);
+  if (inertia.x() == inertia.y() && inertia.y() == inertia.z()) return;
+  body.spin = rotation.spin;
+  if (turned_squared > kStiff * kStiff) {
+    set_inverse_inertia(body, axes_of(rotation.orientation), inverse * body.weight);
+  }
+}
+
+void move_body(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) {
+  const Vec3 path = PositionGrid::round(Vec3(scratch.solver_bodies[i].velocity * substep_s));
+  bodies.position.set(i, plus_zero(bodies.position[i] + path));
+  turn(bodies, scratch, i, substep_s);
+}
+
+}  // namespace
+
+Status integrate_positions(World& world, double substep_s) {
+  Bodies& bodies = world.mutable_state().bodies;
+  Scratch& scratch = world.mutable_scratch();
+  for_ranges(scratch.workers, bodies.size(), kWorthBodies, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      if (scratch.in_contact[i] != 0) move_body(bodies, scratch, static_cast<BodyIndex>(i), substep_s);
+    }
+  });
+  // A bar is thousands of times as easy to turn about its length: a degree later, an impulse that was right is several
+  // times too large, and sweeps would only make it worse.
+  const bool renews = has_slender(scratch);
+  const ContactWork work = all_contacts(scratch, substep_s);
+  for_ranges(scratch.workers, work.count, kWorthBatches, [&](std::size_t begin, std::size_t end) {
+    contact_kernels(scratch.lanes).move_on(part_of(work, begin, end));
+    if (renews) contact_kernels(scratch.lanes).renew(part_of(work, begin, end));
+  });
+  return {};
+}
+
+void hash_integrate_positions(const World& world, Hasher& hasher) {
+  hash_places(world, hasher);
+  hash_moved(world, hasher);
+  if (has_slender(world.scratch())) hash_prepared(world, hasher);
+}
+
+}  // namespace tumble::sim

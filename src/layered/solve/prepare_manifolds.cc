@@ -1,0 +1,68 @@
+#include "src/layered/solve/prepare_manifolds.h"
+
+#include "src/layered/order/batch_contacts.h"
+#include "src/layered/order/solver_body.h"
+#include "src/layered/solve/contact_batches.h"
+#include "src/layered/solve/solver_hashes.h"
+
+namespace tumble::sim {
+namespace {
+
+constexpr std::size_t kWorthBodies = 32768, kWorthBatches = 2048;  // for a thread more
+
+SolverBody solver_body(const Bodies& bodies, const Scratch& scratch, BodyIndex i) {
+  SolverBody body;
+  if (!bodies.moves(i)) return body;
+  body.velocity = bodies.velocity[i];
+  body.spin = bodies.spin[i];
+  const double mass = scratch.solver_mass[i];
+  const bool lent = mass != bodies.mass[i];
+  body.weight = bodies.mass[i] / mass;
+  body.inverse_mass = lent ? 1 / mass : bodies.inverse_mass[i];
+  set_inverse_inertia(body, scratch.frames[i].axes, bodies.inverse_inertia[i] * body.weight);
+  return body;
+}
+
+void prepare_bodies(World& world) {
+  const Bodies& bodies = world.bodies();
+  Scratch& scratch = world.mutable_scratch();
+  const std::size_t n = bodies.size();
+  scratch.solver_bodies.resize(n + 1);
+  scratch.solver_bodies[n] = {};
+  for_ranges(scratch.workers, n, kWorthBodies, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      scratch.solver_bodies[i] = solver_body(bodies, scratch, static_cast<BodyIndex>(i));
+    }
+  });
+}
+
+void find_in_contact(World& world) {
+  const Bodies& bodies = world.bodies();
+  Scratch& scratch = world.mutable_scratch();
+  scratch.in_contact.assign(bodies.size(), 0);
+  for (const std::uint32_t k : scratch.layered) {
+    const Manifold& m = scratch.manifolds[k];
+    if (m.a != kGround && bodies.moves(m.a)) scratch.in_contact[m.a] = 1;
+    if (bodies.moves(m.b)) scratch.in_contact[m.b] = 1;
+  }
+}
+
+}  // namespace
+
+Status prepare_manifolds(World& world, double dt_s) {
+  prepare_bodies(world);
+  find_in_contact(world);
+  batch_contacts(world);
+  Scratch& scratch = world.mutable_scratch();
+  const ContactWork work = all_contacts(scratch, dt_s);
+  for_ranges(scratch.workers, work.count, kWorthBatches, [&](std::size_t begin, std::size_t end) {
+    const ContactWork part = part_of(work, begin, end);
+    contact_kernels(scratch.lanes).prepare(part);
+    mark_bounces(part);
+  });
+  return {};
+}
+
+void hash_prepare_manifolds(const World& world, Hasher& hasher) { hash_prepared(world, hasher); }
+
+}  // namespace tumble::sim

@@ -1,0 +1,66 @@
+#include "src/layered/solve/solver_hashes.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+
+namespace tumble::sim {
+namespace {
+
+// Rows in memory without a gap, whatever the machine.
+static_assert(sizeof(SolverBody) == 16 * sizeof(double));
+static_assert(sizeof(PointBatch) == 8 * sizeof(Lanes));
+static_assert(sizeof(ContactBatch) - offsetof(ContactBatch, friction) == 26 * sizeof(Lanes));
+
+bool same_bytes(const std::vector<double>& a, const std::vector<double>& b) {
+  return a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+// The same part of every row, rows far apart: each is fetched before its turn, since waiting for it takes longer than
+// hashing it, and hashed with others in a block that stays in the nearest cache.
+template <std::size_t kBegin, std::size_t kEnd, class Row>
+void add_parts(const std::vector<Row>& rows, Hasher& hasher) {
+  static_assert(kBegin % sizeof(Lanes) == 0 && kEnd % sizeof(Lanes) == 0 && kEnd <= sizeof(Row));
+  constexpr std::size_t kBytes = kEnd - kBegin, kAhead = 1 + 4096 / kBytes, kBlockRows = 1 + 4096 / kBytes;
+  alignas(64) double block[kBlockRows * kBytes / sizeof(double)];
+  const auto part_of = [&](std::size_t k) { return reinterpret_cast<const std::byte*>(&rows[k]) + kBegin; };
+  for (std::size_t begin = 0; begin < rows.size(); begin += kBlockRows) {
+    const std::size_t count = std::min(kBlockRows, rows.size() - begin);
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::byte* ahead = part_of(std::min(begin + k + kAhead, rows.size() - 1));
+      for (std::size_t at = 0; at < kBytes; at += sizeof(Lanes)) __builtin_prefetch(ahead + at);
+      std::memcpy(block + k * kBytes / sizeof(double), part_of(begin + k), kBytes);
+    }
+    hasher.add(std::span<const double>(block, count * kBytes / sizeof(double)));
+  }
+}
+
+}  // namespace
+
+void hash_solver_bodies(const World& world, Hasher& hasher) { hasher.add(doubles_of(world.scratch().solver_bodies)); }
+
+void hash_prepared(const World& world, Hasher& hasher) {
+  const Scratch& scratch = world.scratch();
+  hash_solver_bodies(world, hasher);
+  hasher.add(std::span<const std::uint8_t>(scratch.in_contact));
+  hasher.add(std::span<const std::uint32_t>(scratch.contact_batches.order));
+  hasher.add(doubles_of(scratch.contact_batches.points));
+  add_parts<offsetof(ContactBatch, friction), sizeof(ContactBatch)>(scratch.contact_batches.batches, hasher);
+}
+
+void hash_solution(const World& world, Hasher& hasher) {
+  hash_solver_bodies(world, hasher);
+  const ContactBatches& all = world.scratch().contact_batches;
+  add_parts<offsetof(ContactBatch, force1), offsetof(ContactBatch, split_a)>(all.batches, hasher);
+  add_parts<offsetof(PointBatch, impulse), offsetof(PointBatch, mass)>(all.points, hasher);
+}
+
+void hash_moved(const World& world, Hasher& hasher) {
+  const Vec3Column& inertia = world.bodies().inertia;
+  const bool all_even = same_bytes(inertia.x, inertia.y) && same_bytes(inertia.y, inertia.z);
+  if (!all_even) hash_solver_bodies(world, hasher);
+  add_parts<offsetof(PointBatch, separation), offsetof(PointBatch, impulse)>(world.scratch().contact_batches.points,
+                                                                             hasher);
+}
+
+}  // namespace tumble::sim

@@ -1,0 +1,38 @@
+#include "src/render/gl/context.h"
+
+namespace tumble::render {
+
+Result<Backend> parse_backend(const std::string& word) {
+  if (word == "auto") return Backend::kAuto;
+  if (word == "osmesa") return Backend::kOsmesa;
+  if (word == "egl") return Backend::kEgl;
+  return bad_input("--gl: found \"" + word + "\", wanted auto, osmesa or egl");
+}
+
+Result<std::unique_ptr<Context>> Context::open(Backend backend) {
+  if (backend == Backend::kOsmesa) return open_osmesa();
+  if (backend == Backend::kEgl) return open_egl();
+  Result<std::unique_ptr<Context>> osmesa = open_osmesa();
+  if (osmesa.ok()) return osmesa;
+  Result<std::unique_ptr<Context>> egl = open_egl();
+  if (egl.ok()) return egl;
+  return cannot_finish("no OpenGL to draw with; " + osmesa.error().message + "; " + egl.error().message +
+                       ". Debian has both: install libosmesa6, or libegl1 with libgl1-mesa-dri");
+}
+
+Status Context::load(GlFunction (*get_proc)(const char*)) {
+  Result<Gl> gl = load_gl(get_proc);
+  if (!gl.ok()) return gl.error();
+  gl_ = *gl;
+  return {};
+}
+
+std::string Context::driver() const {
+  const auto text = [&](GLenum name) {
+    const GLubyte* found = gl_.GetString(name);
+    return found == nullptr ? std::string("unknown") : std::string(reinterpret_cast<const char*>(found));
+  };
+  return text(GL_RENDERER) + ", " + text(GL_VERSION);
+}
+
+}  // namespace tumble::render

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "src/base/result.h"
+#include "src/render/gl/table.h"
+
+namespace tumble::render {
+
+/// Which library makes the off-screen context. Both give the same pixels.
+enum class Backend { kAuto, kOsmesa, kEgl };
+
+/// "auto", "osmesa" or "egl". Errors (kBadInput): anything else.
+Result<Backend> parse_backend(const std::string& word);
+
+/// An OpenGL 3.3 core context without window or display, current on the thread that opened it. One backend a process:
+/// two drivers in one process would share names and cross over.
+class Context {
+ public:
+  virtual ~Context() = default;
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  /// kAuto takes OSMesa where libOSMesa is installed, else EGL without a surface, in software. Errors (kCannotFinish):
+  /// neither can be loaded or gives a context, with what each said and what to install.
+  static Result<std::unique_ptr<Context>> open(Backend backend = Backend::kAuto);
+
+  [[nodiscard]] const Gl& gl() const { return gl_; }
+  [[nodiscard]] const char* backend_name() const { return backend_name_; }  ///< "OSMesa" or "EGL"
+  /// Driver and machine class, for reports: "llvmpipe (LLVM 15.0.6, 256 bits), 3.3 (Core Profile) Mesa 22.3.6".
+  [[nodiscard]] std::string driver() const;
+
+ protected:
+  explicit Context(const char* backend_name) : backend_name_(backend_name) {}
+  Status load(GlFunction (*get_proc)(const char*));
+
+ private:
+  Gl gl_;
+  const char* backend_name_;
+};
+
+// The two ways to one; Context::open() chooses.
+Result<std::unique_ptr<Context>> open_osmesa();
+Result<std::unique_ptr<Context>> open_egl();
+
+}  // namespace tumble::render

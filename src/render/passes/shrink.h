@@ -1,0 +1,28 @@
+#pragma once
+
+#include "src/base/result.h"
+#include "src/render/passes/shader_program.h"
+
+namespace tumble::render {
+
+/// Pass 3: the blurred image, to begin with just smaller.
+/// Reads:  the base image, `samples` times as large as the picture
+/// Writes: image(), a quarter as wide and high as the picture, floats. Red, green, blue: the mean of the texels it
+///         covers, linear light. Alpha: the HDR mask, powers of the base image's values, so that all but absolute
+///         white converges to zero without a threshold that would flicker
+/// Source: thesis IV.C
+class ShrinkPass {
+ public:
+  ShrinkPass() = default;
+  static Result<ShrinkPass> create(const Gl& gl, int width, int height, int samples);
+  void draw(const Gl& gl, const RenderTarget& base) const;
+  [[nodiscard]] const RenderTarget& image() const { return image_; }
+
+ private:
+  ShaderProgram program_;
+  RenderTarget image_;
+  GlObject empty_;
+  int samples_ = 1;
+};
+
+}  // namespace tumble::render

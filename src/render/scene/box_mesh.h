@@ -1,0 +1,56 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "src/base/result.h"
+#include "src/render/gl/objects.h"
+#include "src/render/scene/snapshot.h"
+#include "src/render/scene/view.h"
+
+namespace tumble::render {
+
+/// What the shaders know of one box; all floats, world axes. Its layout is the vertex attributes' (box_mesh.cc).
+struct BoxInstance {
+  float centre[3];
+  float axis_x[3], axis_y[3], axis_z[3];  ///< unit, world directions of its own axes
+  float half_extent[3];                   ///< m
+  float velocity[3];                      ///< m/s
+  float spin[3];                          ///< rad/s
+  float tint[3];
+  float layer;      ///< of the materials
+  float offset[2];  ///< of the texture
+  float plain;      ///< 1: its tint as it is, unlit and in focus; else 0
+};
+
+/// Instances of a snapshot's boxes, the nearest to `view` first, so that what is hidden is not shaded.
+std::vector<BoxInstance> instances_of(const std::vector<BoxLook>& boxes, const View& view);
+std::vector<BoxInstance> instances_of(const std::vector<Marker>& markers);
+/// The plane z = 0 as the top of a huge flat box around a point.
+BoxInstance ground_instance(const sim::Vec3& around, double half_extent);
+
+/// A unit cube, drawn once for every instance.
+///
+/// | location | attribute             | a vertex or an instance |
+/// |----------|-----------------------|-------------------------|
+/// | 0        | corner, ±1            | vertex                  |
+/// | 1        | normal, own axes      | vertex                  |
+/// | 2        | tangent, own axes     | vertex                  |
+/// | 3 … 12   | BoxInstance, in order | instance                |
+class BoxMesh {
+ public:
+  BoxMesh() = default;
+  static Result<BoxMesh> create(const Gl& gl);
+  /// Replaces the instances that draw() draws.
+  void load(const Gl& gl, std::span<const BoxInstance> instances);
+  void draw(const Gl& gl) const;
+
+ private:
+  GlObject vertices_, indices_, instances_, array_;
+  GLsizei count_ = 0;
+};
+
+/// The declarations of those attributes, for vertex shaders.
+extern const char* const kBoxAttributes;
+
+}  // namespace tumble::render

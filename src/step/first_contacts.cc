@@ -1,0 +1,123 @@
+#include "src/step/first_contacts.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "src/kernels/box_pair.h"
+#include "src/layered/find/contact_memory.h"
+#include "src/layered/find/find_manifolds.h"
+#include "src/layered/find/find_near_pairs.h"
+#include "src/model/limits.h"
+#include "src/thesis/contact_objects.h"
+#include "src/thesis/find_pairs.h"
+
+namespace tumble::sim {
+namespace {
+
+constexpr double kTouchGap = 1e-3;  // m
+constexpr double kSameWay = 0.99;   // cosine between normals that are one direction
+
+// Boxes grown by half the gap on every side overlap exactly where the real ones touch.
+World grown(const World& world) {
+  World copy = world;
+  Bodies& bodies = copy.mutable_state().bodies;
+  const Vec3 growth = Vec3::Constant(kTouchGap / 2);
+  for (std::size_t i = 0; i < bodies.size(); ++i) bodies.half_extent.set(i, bodies.half_extent[i] + growth);
+  return copy;
+}
+
+// The direction in which two grown boxes touch, unless they only meet at an edge or a corner: they then barely overlap
+// in more than one direction.
+std::optional<Vec3> touch_normal(const BoxPair& pair) {
+  if (pair.separating(kFaces | kEdges) != 0) return std::nullopt;
+  const BestAxes best = pair.best(kFaces);
+  if (best.axes == 0) return std::nullopt;
+  const Vec3 normal = pair.normal(std::countr_zero(best.axes));
+  for (int axis = 0; axis < 6; ++axis) {
+    const BestAxes other = pair.best(only(axis));
+    const bool barely = other.axes != 0 && other.separation > -2 * kTouchGap;
+    if (barely && std::fabs(dot(pair.normal(axis), normal)) < kSameWay) return std::nullopt;
+  }
+  return normal;
+}
+
+Contacts touching_contacts(World& copy) {
+  (void)find_pairs(copy, 0);
+  Contacts contacts;
+  const auto add = [&](BodyIndex a, BodyIndex b, const Vec3& normal) {
+    contacts.a.push_back(a);
+    contacts.b.push_back(b);
+    contacts.normal.push_back(normal);
+  };
+  const PairTable& pairs = copy.state().pairs;
+  const std::vector<BoxFrame>& frames = copy.scratch().frames;
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const auto normal = touch_normal(BoxPair(frames[pairs.a[k]], frames[pairs.b[k]]));
+    if (normal) add(pairs.a[k], pairs.b[k], *normal);
+  }
+  const bool ground = copy.state().def.ground;
+  for (BodyIndex i = 0; ground && i < frames.size(); ++i) {
+    if (reach_along(frames[i], 2) > frames[i].position.z()) add(i, kGround, Vec3(0, 0, -1));
+  }
+  return contacts;
+}
+
+void find_objects(World& world, const std::vector<std::uint8_t>& wanted) {
+  World copy = grown(world);
+  const Contacts contacts = touching_contacts(copy);
+  FreezeScratch freezing;
+  for (const std::uint8_t ready : wanted) {
+    freezing.candidates.push_back({ready != 0, std::numeric_limits<double>::infinity()});
+  }
+  collect_contact_objects(copy, contacts, freezing);
+  const ContactObjects& found = freezing.found;
+  ContactObjects& objects = world.mutable_state().contact_objects;
+  ContactObjects merged;
+  std::size_t k = 0;
+  for (std::size_t j = 0; j <= found.size(); ++j) {
+    const BodyIndex limit = j < found.size() ? found.body[j] : kGround;
+    for (; k < objects.size() && objects.body[k] < limit; ++k) merged.push_back(objects.body[k], objects.object[k]);
+    if (j < found.size()) merged.push_back(found.body[j], found.object[j]);
+  }
+  objects = merged;
+}
+
+// With everything awake in a copy, the manifolds at rest are found like any other; their impulses start at nothing.
+void find_memory(World& world, const std::vector<std::uint8_t>& wanted) {
+  const Bodies& bodies = world.bodies();
+  World awake = world;
+  std::fill(awake.mutable_state().bodies.frozen.begin(), awake.mutable_state().bodies.frozen.end(), std::uint8_t{0});
+  (void)find_near_pairs(awake, kDtMin);
+  (void)find_manifolds(awake, kDtMin);
+  Scratch& scratch = awake.mutable_scratch();
+  const auto is_wanted = [&](BodyIndex i) { return i != kGround && wanted[i] != 0; };
+  const auto rests = [&](BodyIndex i) { return i == kGround || !bodies.moves(i); };
+  std::erase_if(scratch.manifolds, [&](const Manifold& m) {
+    const auto points = points_of(std::as_const(scratch), m);
+    const bool close = std::any_of(points.begin(), points.end(),
+                                   [](const ManifoldPoint& point) { return point.separation < kTouchGap; });
+    return !close || !((is_wanted(m.a) && rests(m.b)) || (is_wanted(m.b) && rests(m.a)));
+  });
+  ContactMemory found;
+  remember_contacts(scratch, found);
+  merge_contacts(world.mutable_state().contact_memory, found);
+}
+
+}  // namespace
+
+void find_first_contacts(World& world, std::optional<BodyIndex> body) {
+  const Bodies& bodies = world.bodies();
+  std::vector<std::uint8_t> wanted(bodies.size(), 0);
+  for (BodyIndex i = 0; i < bodies.size(); ++i)
+    wanted[i] = body ? static_cast<std::uint8_t>(i == *body) : bodies.frozen[i];
+  if (std::find(wanted.begin(), wanted.end(), 1) == wanted.end()) return;
+  if (world.state().def.method == Method::kThesis) {
+    find_objects(world, wanted);
+  } else {
+    find_memory(world, wanted);
+  }
+}
+
+}  // namespace tumble::sim

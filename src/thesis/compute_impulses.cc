@@ -1,0 +1,123 @@
+#include "src/thesis/compute_impulses.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "src/math/grid.h"
+#include "src/world/body_check.h"
+
+namespace tumble::sim {
+namespace {
+
+// Slower than this there is no direction of slip to oppose, m/s.
+constexpr double kSlipMin = 1e-12;
+
+Vec3 point_velocity(const ContactBody& body) { return body.velocity + cross(body.spin, body.r); }
+
+// The speed that a unit impulse at r gives the point along `direction`: n · ((I⁻¹ (r × n)) × r), as a square.
+double yield_of_rotation(const ContactBody& body, const Vec3& direction) {
+  const Vec3 lever = to_body(body.axes, cross(body.r, direction));
+  const Vec3& i = body.inverse_inertia;
+  return (lever.x() * lever.x() * i.x() + lever.y() * lever.y() * i.y()) + lever.z() * lever.z() * i.z();
+}
+
+// How fast the points move apart along what an impulse pushes them by, times the impulse: J · K J, in J.
+double stiffness_work(const ContactBody& a, const ContactBody& b, const Vec3& impulse) {
+  return dot(impulse, impulse) * (a.inverse_mass + b.inverse_mass) +
+         (yield_of_rotation(a, impulse) + yield_of_rotation(b, impulse));
+}
+
+double yield(const ContactBody& a, const ContactBody& b, const Vec3& direction) {
+  return (a.inverse_mass + b.inverse_mass) + (yield_of_rotation(a, direction) + yield_of_rotation(b, direction));
+}
+
+ContactBody contact_body(const World& world, BodyIndex i, const Vec3& r) {
+  if (i == kGround) return {};
+  const Bodies& bodies = world.bodies();
+  const BoxFrame& frame = world.scratch().frames[i];
+  return {bodies.velocity[i], bodies.spin[i], bodies.inverse_mass[i], bodies.inverse_inertia[i], frame.axes, r};
+}
+
+PairMaterial pair_material(const World& world, BodyIndex a, BodyIndex b) {
+  const Bodies& bodies = world.bodies();
+  const WorldDef& def = world.state().def;
+  const bool ground = b == kGround;
+  const Material& under = def.ground_material;
+  const double friction = ground ? under.friction : bodies.friction[b];
+  const double dynamic = ground ? under.friction_dynamic : bodies.friction_dynamic[b];
+  const double restitution = ground ? under.restitution : bodies.restitution[b];
+  return {std::sqrt(bodies.friction[a] * friction), std::sqrt(bodies.friction_dynamic[a] * dynamic),
+          std::max(bodies.restitution[a], restitution), def.slip_speed};
+}
+
+// Adds what the impulse does to body i. The impulse on a is the negative of that on b, to the bit.
+Status add_gain(World& world, BodyIndex i, const ContactBody& body, const Vec3& impulse) {
+  Scratch& scratch = world.mutable_scratch();
+  scratch.touched[i] = 1;
+  if (body.inverse_mass == 0) return {};
+  const Vec3 velocity = VelocityGrid::round(Vec3(impulse * body.inverse_mass));
+  const Vec3 spin = VelocityGrid::round(spin_gain_of(body, impulse));
+  if (Status ok = check_gain(world.bodies(), i, velocity, spin); !ok.ok()) return ok;
+  scratch.velocity_gain.add(i, velocity);
+  scratch.spin_gain.add(i, spin);
+  return {};
+}
+
+}  // namespace
+
+Vec3 spin_gain_of(const ContactBody& body, const Vec3& impulse) {
+  const Vec3 turn = to_body(body.axes, cross(body.r, impulse));
+  return to_world(body.axes, turn.cwiseProduct(body.inverse_inertia));
+}
+
+Vec3 collision_impulse(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material) {
+  const Vec3 relative = point_velocity(b) - point_velocity(a);
+  const double approach = dot(relative, normal);
+  if (approach >= 0) return Vec3::Zero();
+  const double along_normal = -(1 + material.restitution) * approach / yield(a, b, normal);
+  Vec3 impulse = normal * along_normal;
+  const Vec3 slip = relative - normal * approach;
+  const double slip_speed = length(slip);
+  if (slip_speed > kSlipMin) {
+    const Vec3 tangent = slip / slip_speed;
+    const double to_stop = slip_speed / yield(a, b, tangent);
+    const double friction = slip_speed < material.slip_speed ? material.friction : material.friction_dynamic;
+    impulse -= tangent * std::min(to_stop, friction * along_normal);
+  }
+  // The collision changes the kinetic energy by J·u + ½ J·KJ, which 3.1 keeps below zero, but not together with
+  // friction that was found on its own: off centre, each changes the other's speed.
+  const double spent = -2 * dot(impulse, relative), gained = stiffness_work(a, b, impulse);
+  return gained > spent ? Vec3(impulse * (spent / gained)) : impulse;
+}
+
+Status compute_impulses(World& world, double /*dt_s*/) {
+  Scratch& scratch = world.mutable_scratch();
+  Contacts& contacts = scratch.contacts;
+  const std::size_t n = world.bodies().size();
+  scratch.velocity_gain.assign(n, Vec3::Zero());
+  scratch.spin_gain.assign(n, Vec3::Zero());
+  scratch.touched.assign(n, 0);
+  contacts.impulse.resize(contacts.size());
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const BodyIndex a = contacts.a[k], b = contacts.b[k];
+    const ContactBody on_a = contact_body(world, a, contacts.r_a[k]);
+    const ContactBody on_b = contact_body(world, b, contacts.r_b[k]);
+    const Vec3 impulse = collision_impulse(on_a, on_b, contacts.normal[k], pair_material(world, a, b));
+    contacts.impulse.set(k, impulse);
+    if (Status ok = add_gain(world, a, on_a, -impulse); !ok.ok()) return ok;
+    if (b == kGround) continue;
+    if (Status ok = add_gain(world, b, on_b, impulse); !ok.ok()) return ok;
+  }
+  return {};
+}
+
+void hash_compute_impulses(const World& world, Hasher& hasher) {
+  const Vec3Column& impulse = world.scratch().contacts.impulse;
+  for (const auto* column : {&impulse.x, &impulse.y, &impulse.z}) hasher.add(std::span<const double>(*column));
+  for (const auto* gain : {&world.scratch().velocity_gain, &world.scratch().spin_gain}) {
+    for (const auto* column : {&gain->x, &gain->y, &gain->z}) hasher.add(std::span<const double>(*column));
+  }
+  hasher.add(std::span<const std::uint8_t>(world.scratch().touched));
+}
+
+}  // namespace tumble::sim

@@ -1,0 +1,176 @@
+#include "src/thesis/find_contacts.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "src/kernels/box_pair.h"
+#include "src/math/grid.h"
+
+namespace tumble::sim {
+namespace {
+
+struct Contact {
+  Vec3 normal;  // a to b
+  double depth = 0;
+  Vec3 r_a;
+};
+
+// The eight corners of a box whose centre lies at `centre`.
+std::array<Vec3, 8> corners(const BoxFrame& frame, const Vec3& centre) {
+  const Vec3 x = frame.axes[0] * frame.half_extent.x();
+  const Vec3 y = frame.axes[1] * frame.half_extent.y();
+  const Vec3 z = frame.axes[2] * frame.half_extent.z();
+  const std::array<Vec3, 4> base = {Vec3(-x - y), Vec3(x - y), Vec3(y - x), Vec3(x + y)};
+  std::array<Vec3, 8> all;
+  for (std::size_t k = 0; k < 4; ++k) {
+    all[k] = centre + (base[k] - z);
+    all[k + 4] = centre + (base[k] + z);
+  }
+  return all;
+}
+
+// The corners behind a plane, merged to one point by the depth of each (thesis Fig. 6). The plane is given by its
+// normal and its distance from the origin that the corners are relative to.
+std::optional<Vec3> point_behind(const std::array<Vec3, 8>& corners, const Vec3& normal, double distance) {
+  std::array<double, 8> depth;
+  double deepest = 0;
+  for (std::size_t k = 0; k < 8; ++k) {
+    depth[k] = distance - dot(corners[k], normal);
+    deepest = std::max(deepest, depth[k]);
+  }
+  if (deepest <= 0) return std::nullopt;
+  Vec3 sum = Vec3::Zero();
+  double weights = 0;
+  for (std::size_t k = 0; k < 8; ++k) {
+    if (depth[k] <= 0) continue;
+    const double weight = UnitGrid::round(depth[k] / deepest);
+    sum += PositionGrid::round(Vec3(corners[k] * weight));
+    weights += weight;
+  }
+  return PositionGrid::round(Vec3(sum / weights));
+}
+
+// The collision point, from a's centre, on a face of a or b.
+std::optional<Vec3> face_point(const BoxPair& pair, int axis) {
+  const Vec3 normal = pair.normal(axis);
+  const Vec3& d = pair.offset();
+  if (axis < 3) return point_behind(corners(pair.b(), d), normal, pair.a().half_extent[axis]);
+  const auto from_b = point_behind(corners(pair.a(), -d), -normal, pair.b().half_extent[axis - 3]);
+  if (!from_b) return std::nullopt;
+  return Vec3(*from_b + d);
+}
+
+// The middle of the edge that lies farthest along `direction`, from the box's centre.
+Vec3 outermost_edge(const BoxFrame& frame, int edge, const Vec3& direction) {
+  const int i = (edge + 1) % 3, j = (edge + 2) % 3;
+  const auto side = [&](int k) {
+    const double h = frame.half_extent[k];
+    return Vec3(frame.axes[k] * (dot(frame.axes[k], direction) > 0 ? h : -h));
+  };
+  return side(i) + side(j);
+}
+
+Vec3 edge_point(const BoxPair& pair, int axis) {
+  const int i = (axis - 6) / 3, j = (axis - 6) % 3;
+  const Vec3& u = pair.a().axes[i];
+  const Vec3& w = pair.b().axes[j];
+  const Vec3 normal = pair.normal(axis);
+  const Vec3 edge_a = outermost_edge(pair.a(), i, normal);
+  const Vec3 edge_b = outermost_edge(pair.b(), j, -normal);
+  const Vec3 between = pair.offset() + (edge_b - edge_a);
+  const double uw = dot(u, w), du = dot(between, u), dw = dot(between, w);
+  const double squared_sine = 1 - uw * uw;  // > 0: BoxPair refuses parallel edges
+  const double s = std::clamp((du - uw * dw) / squared_sine, -pair.a().half_extent[i], pair.a().half_extent[i]);
+  const double t = std::clamp((uw * du - dw) / squared_sine, -pair.b().half_extent[j], pair.b().half_extent[j]);
+  const Vec3 on_a = PositionGrid::round(Vec3(edge_a + u * s));
+  const Vec3 on_b = PositionGrid::round(Vec3(edge_b + w * t));
+  return (on_a + (pair.offset() + on_b)) * 0.5;
+}
+
+std::optional<Contact> coincident_contact(const BoxPair& pair) {
+  const double a = volume_measure(pair.a()), b = volume_measure(pair.b());
+  if (a == b) return std::nullopt;
+  const double depth = reach_along(pair.a(), 2) + reach_along(pair.b(), 2);
+  return Contact{Vec3(0, 0, a > b ? 1 : -1), depth, Vec3::Zero()};
+}
+
+std::optional<Contact> pair_contact(const BoxPair& pair, AxisSet planes) {
+  const BestAxes best = pair.best(planes);
+  if (best.axes == 0) return coincident_contact(pair);
+  Vec3 normals = Vec3::Zero(), points = Vec3::Zero();
+  Contact contact;
+  int count = 0;
+  for (int axis = 0; axis < kAxisCount; ++axis) {
+    if ((best.axes & only(axis)) == 0) continue;
+    const std::optional<Vec3> point = axis < 6 ? face_point(pair, axis) : edge_point(pair, axis);
+    if (!point) continue;
+    contact.normal = pair.normal(axis);
+    contact.r_a = *point;
+    normals += UnitGrid::round(contact.normal);
+    points += *point;
+    ++count;
+  }
+  if (count == 0) return std::nullopt;
+  contact.depth = -best.separation;
+  if (count > 1) {  // every normal has a part along x_b − x_a, so they do not cancel
+    contact.normal = normals / length(normals);
+    contact.r_a = PositionGrid::round(Vec3(points / count));
+  }
+  return contact;
+}
+
+std::optional<Contact> ground_contact(const BoxFrame& frame) {
+  // Corners are taken from the body's centre, so that x and y do not enter; the plane lies z below it.
+  const double height = frame.position.z();
+  const auto point = point_behind(corners(frame, Vec3::Zero()), Vec3(0, 0, 1), -height);
+  if (!point) return std::nullopt;
+  return Contact{Vec3(0, 0, -1), reach_along(frame, 2) - height, *point};
+}
+
+}  // namespace
+
+Status find_contacts(World& world, double /*dt_s*/) {
+  Scratch& scratch = world.mutable_scratch();
+  Contacts& contacts = scratch.contacts;
+  contacts.normal.clear();
+  contacts.depth.clear();
+  contacts.r_a.clear();
+  contacts.r_b.clear();
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < contacts.a.size(); ++k) {
+    const BodyIndex a = contacts.a[k], b = contacts.b[k];
+    const std::uint16_t planes = contacts.planes[k];
+    const BoxFrame& frame = scratch.frames[a];
+    const bool ground = b == kGround;
+    const auto contact = ground ? ground_contact(frame) : pair_contact(BoxPair(frame, scratch.frames[b]), planes);
+    if (!contact) continue;
+    contacts.a[kept] = a;
+    contacts.b[kept] = b;
+    contacts.planes[kept] = planes;
+    ++kept;
+    contacts.normal.push_back(contact->normal);
+    contacts.depth.push_back(contact->depth);
+    contacts.r_a.push_back(contact->r_a);
+    contacts.r_b.push_back(ground ? Vec3(Vec3::Zero())
+                                  : Vec3(contact->r_a - (scratch.frames[b].position - frame.position)));
+  }
+  contacts.a.resize(kept);
+  contacts.b.resize(kept);
+  contacts.planes.resize(kept);
+  return {};
+}
+
+void hash_find_contacts(const World& world, Hasher& hasher) {
+  const Contacts& contacts = world.scratch().contacts;
+  hasher.add(std::span<const BodyIndex>(contacts.a));
+  hasher.add(std::span<const BodyIndex>(contacts.b));
+  hasher.add(std::span<const std::uint16_t>(contacts.planes));
+  for (const auto* column :
+       {&contacts.normal.x, &contacts.normal.y, &contacts.normal.z, &contacts.depth, &contacts.r_a.x, &contacts.r_a.y,
+        &contacts.r_a.z, &contacts.r_b.x, &contacts.r_b.y, &contacts.r_b.z}) {
+    hasher.add(std::span<const double>(*column));
+  }
+}
+
+}  // namespace tumble::sim

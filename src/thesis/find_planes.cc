@@ -1,0 +1,116 @@
+#include "src/thesis/find_planes.h"
+
+#include <algorithm>
+
+#include "src/kernels/box_pair.h"
+
+namespace tumble::sim {
+namespace {
+
+// A face is preferred to another box's face, and any face to an edge, unless the latter's overlap is smaller by this
+// part of the smallest half extent: nearly equal axes would otherwise alternate from step to step.
+constexpr double kPreference = 0.01;
+// An old plane is believed until its overlap is deeper than this part of the smallest half extent; the boxes have then
+// turned past it.
+constexpr double kOldPlaneDepth = 0.5;
+
+// The faces to look at first: those of the larger box (thesis Fig. 5), then of the lower one; never decided by index,
+// so on an exact tie those of both.
+AxisSet first_faces(const BoxPair& pair) {
+  const double a = volume_measure(pair.a()), b = volume_measure(pair.b());
+  if (a != b) return a > b ? kFacesOfA : kFacesOfB;
+  const double up = pair.offset().z();
+  if (up != 0) return up > 0 ? kFacesOfA : kFacesOfB;
+  return kFaces;
+}
+
+double smallest_half_extent(const BoxPair& pair) {
+  return std::min(pair.a().half_extent.minCoeff(), pair.b().half_extent.minCoeff());
+}
+
+AxisSet best_separating(const BoxPair& pair, AxisSet candidates) {
+  const BestAxes best = pair.best(candidates);
+  return best.axes != 0 && best.separation >= 0 ? best.axes : AxisSet{0};
+}
+
+AxisSet separating_faces(const BoxPair& pair) {
+  const AxisSet first = first_faces(pair);
+  const AxisSet found = best_separating(pair, first);
+  return found != 0 ? found : best_separating(pair, static_cast<AxisSet>(kFaces & ~first));
+}
+
+// Where the old planes have failed.
+AxisSet find_separating(const BoxPair& pair, AxisSet old) {
+  if ((old & kFaces) != 0) {
+    const AxisSet edges = best_separating(pair, kEdges);
+    return edges != 0 ? edges : separating_faces(pair);
+  }
+  const AxisSet faces = separating_faces(pair);
+  return faces != 0 ? faces : best_separating(pair, kEdges);
+}
+
+AxisSet least_overlap(const BoxPair& pair) {
+  const double margin = kPreference * smallest_half_extent(pair);
+  const AxisSet first = first_faces(pair);
+  BestAxes chosen = pair.best(first);
+  for (const AxisSet others : {static_cast<AxisSet>(kFaces & ~first), kEdges}) {
+    const BestAxes other = pair.best(others);
+    if (other.axes != 0 && (chosen.axes == 0 || other.separation > chosen.separation + margin)) chosen = other;
+  }
+  return chosen.axes;
+}
+
+AxisSet collision_planes(const BoxPair& pair, AxisSet old) {
+  const BestAxes cached = pair.best(old);
+  const bool believed = cached.axes != 0 && -cached.separation <= kOldPlaneDepth * smallest_half_extent(pair);
+  return believed ? cached.axes : least_overlap(pair);
+}
+
+void add_collision(Contacts& contacts, BodyIndex a, BodyIndex b, AxisSet planes) {
+  contacts.a.push_back(a);
+  contacts.b.push_back(b);
+  contacts.planes.push_back(planes);
+}
+
+// The ground is its own separating plane.
+void find_grounded(const World& world, Contacts& contacts) {
+  const Bodies& bodies = world.bodies();
+  for (BodyIndex i = 0; i < bodies.size(); ++i) {
+    if (world.scratch().aabb_low.z[i] >= 0 || !bodies.moves(i)) continue;
+    if (reaches_ground(world.scratch().frames[i])) add_collision(contacts, i, kGround, 0);
+  }
+}
+
+}  // namespace
+
+Status find_planes(World& world, double /*dt_s*/) {
+  PairTable& pairs = world.mutable_state().pairs;
+  Scratch& scratch = world.mutable_scratch();
+  Contacts& contacts = scratch.contacts;
+  contacts.a.clear();
+  contacts.b.clear();
+  contacts.planes.clear();
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const BodyIndex a = pairs.a[k], b = pairs.b[k];
+    if (!world.bodies().moves(a) && !world.bodies().moves(b)) continue;
+    const AxisSet old = pairs.planes[k];
+    pairs.planes[k] = separating(scratch.frames[a], scratch.frames[b], old);
+    if (pairs.planes[k] != 0) continue;
+    const BoxPair pair(scratch.frames[a], scratch.frames[b]);
+    pairs.planes[k] = find_separating(pair, old);
+    if (pairs.planes[k] != 0 || pair.apart_along_facelike_edges()) continue;
+    add_collision(contacts, a, b, collision_planes(pair, old));
+  }
+  if (world.state().def.ground) find_grounded(world, contacts);
+  return {};
+}
+
+void hash_find_planes(const World& world, Hasher& hasher) {
+  hasher.add(std::span<const std::uint16_t>(world.state().pairs.planes));
+  const Contacts& contacts = world.scratch().contacts;
+  hasher.add(std::span<const BodyIndex>(contacts.a));
+  hasher.add(std::span<const BodyIndex>(contacts.b));
+  hasher.add(std::span<const std::uint16_t>(contacts.planes));
+}
+
+}  // namespace tumble::sim

@@ -1,0 +1,203 @@
+// The parts of the suite by themselves: children that die, canaries that a bad judge does not see, files, reports.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <pugixml.hpp>
+#include <thread>
+
+#include "golden/canaries/canaries.h"
+#include "golden/expected/expected_file.h"
+#include "golden/report/report.h"
+#include "golden/run/run_case.h"
+#include "golden/suite/scene_hash.h"
+#include "src/base/rng.h"
+#include "src/scenes/scene_file.h"
+#include "tests/support/golden_suite.h"
+
+namespace tumble::golden {
+namespace {
+
+std::vector<ChildResult> run(const std::vector<std::function<std::string()>>& jobs, const PoolOptions& options) {
+  std::vector<ChildResult> results(jobs.size());
+  EXPECT_TRUE(run_jobs(
+      jobs.size(), [&](std::size_t i) { return jobs[i](); },
+      [&](std::size_t i, const ChildResult& child) { results[i] = child; }, options));
+  return results;
+}
+
+TEST(ProcessPool, GivesBackWhatEachJobReturns) {
+  const std::string large(1 << 20, 'x');
+  PoolOptions options;
+  options.jobs = 3;
+  const auto results = run({[] { return std::string("one"); }, [&] { return std::string(large); },
+                            [] { return std::string(); }, [] { return std::string("\0\6two", 5); }},
+                           options);
+  EXPECT_EQ(results[0].output, "one");
+  EXPECT_EQ(results[1].output, large);
+  EXPECT_EQ(results[2].output, "");
+  EXPECT_EQ(results[3].output, std::string("\0\6two", 5));
+  for (const ChildResult& result : results) EXPECT_EQ(result.failure, "");
+}
+
+TEST(ProcessPool, NamesWhatEndedAChildAndRunsTheOthers) {
+  PoolOptions options;
+  options.jobs = 2;
+  options.timeout_s = 0.5;
+  const auto results =
+      run({[]() -> std::string {
+             std::raise(SIGSEGV);
+             return "";
+           },
+           []() -> std::string { throw std::runtime_error("no"); }, []() -> std::string { ::_exit(0); },
+           []() -> std::string {
+             std::this_thread::sleep_for(std::chrono::seconds(60));
+             return "late";
+           },
+           [] { return std::string("fine"); }},
+          options);
+  EXPECT_NE(results[0].failure, "");
+  EXPECT_NE(results[1].failure.find("status"), std::string::npos) << results[1].failure;
+  EXPECT_NE(results[2].failure.find("before it was done"), std::string::npos) << "an exit without a result is no pass";
+  EXPECT_NE(results[3].failure.find("longer than"), std::string::npos) << results[3].failure;
+  EXPECT_EQ(results[4].failure, "");
+  EXPECT_EQ(results[4].output, "fine");
+}
+
+TEST(Canaries, AreAllCaughtByTheJudge) {
+  const std::vector<CanaryResult> results = run_canaries();
+  EXPECT_GE(results.size(), 25U);
+  for (const CanaryResult& canary : results) EXPECT_TRUE(canary.caught) << canary.name << ": " << canary.words;
+}
+
+Judged always_pleased(replay::LogReader& log, const Yardstick& yardstick) {
+  Judged judged = judge(log, yardstick);
+  judged.result.problems.clear();
+  judged.result.difference.reset();
+  for (Verdict& verdict : judged.result.verdicts) verdict.outcome = Outcome::kPass;
+  return judged;
+}
+
+Judged blind_to_the_last_state(replay::LogReader& log, const Yardstick& yardstick) {
+  Judged judged = judge(log, yardstick);
+  if (judged.result.difference && judged.result.difference->step == log.step_count()) {
+    judged.result.verdict(VerdictKind::kExact) = {Outcome::kPass, "same"};
+  }
+  return judged;
+}
+
+Judged never_pleased(replay::LogReader& log, const Yardstick& yardstick) {
+  Judged judged = judge(log, yardstick);
+  judged.result.problems.emplace_back("no");
+  return judged;
+}
+
+TEST(Canaries, ShowAJudgeThatSeesNothingOrTooMuch) {
+  for (const Judge sabotaged : {always_pleased, blind_to_the_last_state, never_pleased}) {
+    EXPECT_TRUE(std::ranges::any_of(run_canaries(sabotaged), [](const CanaryResult& c) { return !c.caught; }));
+  }
+  const TemporarySuite suite;
+  suite.add("fall");
+  suite.bless();
+  CheckOptions options;
+  options.suite = suite.root();
+  options.canary_judge = always_pleased;
+  const Result<SuiteResult> result = check_suite(options);
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(result->failed_cases(), 0U);
+  EXPECT_FALSE(result->passed());
+}
+
+/// What a golden of the falling boxes holds.
+Expected some_golden() {
+  const Result<sim::SceneDef> scene = scenes::parse_scene(kFallingBoxes, "s.toml");
+  const Result<Session> session = run_session(*scene, kFallingBoxes);
+  Result<replay::LogReader> log = open_session(*session, "log");
+  const CaseRules rules;
+  return judge(*log, {rules, nullptr, scene_hash(*scene), session->continuation}).actual;
+}
+
+TEST(Expected, ReadsBackAsItWasWritten) {
+  const Expected golden = some_golden();
+  ASSERT_EQ(golden.steps(), 30U);
+  EXPECT_EQ(golden.states.front().step, 0U);
+  EXPECT_EQ(golden.states.back().step, 30U);
+  EXPECT_NE(golden.continuation, Hash128{});
+  const Result<std::vector<std::byte>> file = pack(golden);
+  ASSERT_TRUE(file.ok()) << file.error().message;
+  const Result<Expected> again = unpack(*file, "golden");
+  ASSERT_TRUE(again.ok()) << again.error().message;
+  EXPECT_EQ(*again, golden);
+}
+
+TEST(Expected, LargeSessionsLosePhaseDetailBeforeAnythingElse) {
+  Expected golden = some_golden();
+  for (std::vector<std::uint16_t>& words : golden.phase_words) {
+    for (std::size_t i = 0; i < 40'000; ++i) words.push_back(static_cast<std::uint16_t>(random_bits(1, i, words[0])));
+    words.resize(words.size() / golden.phases.size() * golden.phases.size());
+  }
+  const Result<std::vector<std::byte>> file = pack(golden);
+  ASSERT_TRUE(file.ok());
+  EXPECT_LE(file->size(), kGoldenBytesWanted);
+  const Result<Expected> again = unpack(*file, "golden");
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(again->phase_detail, PhaseDetail::kStep);
+  EXPECT_EQ(again->state_hashes, golden.state_hashes);
+  EXPECT_EQ(again->states, golden.states);
+}
+
+TEST(SceneHash, CoversEveryNumberThatMatters) {
+  const sim::SceneDef scene = *scenes::parse_scene(kFallingBoxes, "s.toml");
+  const auto differs = [&](auto change) {
+    sim::SceneDef other = scene;
+    change(other);
+    return scene_hash(other) != scene_hash(scene);
+  };
+  EXPECT_TRUE(differs([](sim::SceneDef& s) { s.steps += 1; }));
+  EXPECT_TRUE(differs([](sim::SceneDef& s) { s.world.dt *= 1.0000001; }));
+  EXPECT_TRUE(differs([](sim::SceneDef& s) { s.world.slip_speed *= 2; }));
+  EXPECT_TRUE(differs([](sim::SceneDef& s) { s.world.freezing = false; }));
+  EXPECT_TRUE(differs([](sim::SceneDef& s) { s.boxes[1].material.restitution = 0.9; }));
+  EXPECT_TRUE(differs([](sim::SceneDef& s) { s.boxes[1].origin.row = 7; }));
+  EXPECT_TRUE(differs([](sim::SceneDef& s) { s.inputs.push_back({3, sim::Wake{1}}); }));
+  EXPECT_FALSE(differs([](sim::SceneDef& s) { s.title = "another"; }));
+  EXPECT_FALSE(differs([](sim::SceneDef& s) { s.camera.fov = 10; }));
+}
+
+TEST(Report, JunitIsXmlThatCountsItsFailures) {
+  const TemporarySuite suite;
+  suite.add("fall");
+  suite.add("new <one> \"quoted\" & more");
+  suite.bless();
+  suite.edit("fall", kRulesFile, "max = 100.0", "max = 1e-9");
+  const SuiteResult result = suite.check();
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_string(report_junit(result).c_str()));
+  const pugi::xml_node junit = document.child("testsuites").child("testsuite");
+  EXPECT_EQ(junit.attribute("tests").as_int(), 3);
+  EXPECT_EQ(junit.attribute("failures").as_int(), 1);
+  EXPECT_EQ(std::distance(junit.children("testcase").begin(), junit.children("testcase").end()), 3);
+  const pugi::xml_node fall = junit.find_child_by_attribute("testcase", "name", "fall");
+  EXPECT_STREQ(fall.child("failure").attribute("message").value(), "same bits, behaviour changed");
+  EXPECT_TRUE(junit.find_child_by_attribute("testcase", "name", "new <one> \"quoted\" & more"));
+}
+
+TEST(Report, JsonAndPageNameWhatFailedAndTheCommands) {
+  const TemporarySuite suite;
+  suite.add("fall");
+  suite.bless();
+  suite.edit("fall", kRulesFile, "max = 100.0", "max = 1e-9");
+  const SuiteResult result = suite.check();
+  const Json json = report_json(result);
+  EXPECT_EQ(json["passed"], false);
+  EXPECT_EQ(json["failed_verdicts"]["behaviour"], 1);
+  EXPECT_EQ(json["failed_verdicts"]["exact"], 0);
+  const Result<CaseResult> again = case_from_json(json["cases"][0].dump());
+  ASSERT_TRUE(again.ok()) << again.error().message;
+  EXPECT_EQ(to_json(*again), json["cases"][0]);
+}
+
+}  // namespace
+}  // namespace tumble::golden

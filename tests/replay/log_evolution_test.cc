@@ -1,0 +1,245 @@
+// Logs of other builds: older formats, and some that do not exist yet.
+#include <capnp/dynamic.h>
+#include <capnp/message.h>
+#include <capnp/schema-parser.h>
+#include <gtest/gtest.h>
+#include <kj/filesystem.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "replay/codec/header_codec.h"
+#include "replay/codec/message.h"
+#include "replay/diff/compare.h"
+#include "replay/diff/replayer.h"
+#include "replay/log/verify.h"
+#include "replay/measure/measure_log.h"
+#include "tests/fuzz/mend.h"
+#include "tests/support/log_memory.h"
+
+namespace tumble::replay {
+namespace {
+
+std::string frozen(const std::string& name) { return std::string(TUMBLE_SOURCE_DIR "/tests/data/") + name + ".tumble"; }
+
+/// How a note begins that a log's phase words cannot be compared with this build's.
+std::string versions_of_phase_hashes(std::uint32_t of_log) {
+  return "phase hashes: version " + std::to_string(of_log) + " and " + std::to_string(sim::PhaseHashes::kVersion);
+}
+
+/// What a log of tests/data/frozen.toml tells whoever opens it, whatever build wrote it.
+void expect_frozen_session(const std::string& name) {
+  SCOPED_TRACE(name);
+  Result<LogReader> log = LogReader::open(frozen(name));
+  ASSERT_TRUE(log.ok()) << log.error().message;
+  EXPECT_EQ(log->step_count(), 40U);
+  EXPECT_EQ(log->header().scene.name, "frozen");
+  EXPECT_EQ(log->header().scene.boxes.size(), 2U);
+  EXPECT_EQ(log->header().scene.inputs.size(), 3U);
+  EXPECT_FALSE(log->header().goes_on);
+  EXPECT_FALSE(log->header().recovered);
+  const VerifyReport report = verify(*log);
+  EXPECT_TRUE(report.condition.whole()) << report.condition.summary(40);
+  EXPECT_EQ(report.states_checked, 40U);
+  const Result<const StepRecord*> thrown = log->read_step(5);
+  ASSERT_TRUE(thrown.ok());
+  EXPECT_EQ((*thrown)->inputs.size(), 1U);
+  EXPECT_EQ((*thrown)->states.size(), 3U);
+  const Result<Metrics> metrics = measure_log(*log);
+  EXPECT_TRUE(metrics.ok()) << metrics.error().message;
+}
+
+TEST(OlderLogs, OpenVerifyAndMeasure) {
+  for (const char* name : {"format_1.0_thesis", "format_1.0_layered", "format_1.1_thesis", "format_1.1_layered",
+                           "format_1.2_thesis", "format_1.2_layered", "format_1.3_thesis", "format_1.3_layered",
+                           "format_1.3_hashes_3_thesis", "format_1.3_hashes_3_layered"}) {
+    expect_frozen_session(name);
+  }
+}
+
+TEST(OlderLogs, ReplayTheSameWhereThePhysicsIsTheSame) {
+  for (const char* name : {"format_1.0_thesis", "format_1.1_thesis", "format_1.2_thesis", "format_1.2_layered"}) {
+    SCOPED_TRACE(name);
+    Result<LogReader> log = LogReader::open(frozen(name));
+    const Result<ReplayReport> report = replay_log(*log);
+    ASSERT_TRUE(report.ok()) << report.error().message;
+    EXPECT_TRUE(report->identical()) << describe(*report->first);
+    EXPECT_EQ(to_string(report->final_hash), log->header().method == "thesis" ? "966fb0034b87403fc1e9eb5e9db91c05"
+                                                                              : "f8ef00dda2a0ab6a4fa38407b9b3ccba");
+    ASSERT_EQ(report->notes.size(), 2U);
+    EXPECT_TRUE(report->notes.front().starts_with("the log was recorded with version 1 of method"))
+        << report->notes.front();
+    EXPECT_TRUE(report->notes.back().starts_with(versions_of_phase_hashes(1))) << report->notes.back();
+  }
+}
+
+TEST(OlderLogs, OfOtherPhaseHashesReplayTheSame) {
+  for (const char* name : {"format_1.3_thesis", "format_1.3_layered"}) {
+    SCOPED_TRACE(name);
+    Result<LogReader> log = LogReader::open(frozen(name));
+    const Result<ReplayReport> report = replay_log(*log);
+    ASSERT_TRUE(report.ok()) << report.error().message;
+    EXPECT_TRUE(report->identical());
+    ASSERT_EQ(report->notes.size(), 1U);
+    EXPECT_TRUE(report->notes.front().starts_with(versions_of_phase_hashes(2))) << report->notes.front();
+  }
+}
+
+TEST(OlderLogs, OfTodayReplayWithNothingToSay) {
+  for (const char* name : {"format_1.3_hashes_3_thesis", "format_1.3_hashes_3_layered"}) {
+    SCOPED_TRACE(name);
+    Result<LogReader> log = LogReader::open(frozen(name));
+    const Result<ReplayReport> report = replay_log(*log);
+    ASSERT_TRUE(report.ok()) << report.error().message;
+    EXPECT_TRUE(report->identical());
+    EXPECT_TRUE(report->notes.empty()) << report->notes.front();
+  }
+}
+
+// Up to format 1.2 phase hashes left out some of what a phase wrote.
+TEST(OlderLogs, AreTheSameAsNewOnesButForPhaseHashes) {
+  for (const char* name : {"format_1.2_thesis", "format_1.2_layered"}) {
+    SCOPED_TRACE(name);
+    Result<LogReader> old = LogReader::open(frozen(name));
+    EXPECT_EQ(old->header().phase_hash_version, 1U);
+    Result<LogReader> fresh = open_memory(record_to_memory(old->header().scene));
+    EXPECT_EQ(fresh->header().phase_hash_version, sim::PhaseHashes::kVersion);
+    const Result<DiffReport> same = diff_logs(*old, *fresh);
+    ASSERT_TRUE(same.ok()) << same.error().message;
+    EXPECT_TRUE(same->identical()) << describe(*same->first);
+    EXPECT_EQ(same->steps, 40U);
+    EXPECT_TRUE(std::ranges::any_of(
+        same->headers, [](const std::string& line) { return line.starts_with(versions_of_phase_hashes(1)); }));
+
+    sim::SceneDef other = old->header().scene;
+    other.boxes[1].position.x() += 0x1p-20;
+    Result<LogReader> moved = open_memory(record_to_memory(other));
+    const Result<DiffReport> differs = diff_logs(*old, *moved);
+    ASSERT_TRUE(differs.ok() && differs->first);
+    EXPECT_EQ(differs->first->field, "position.x");
+  }
+}
+
+TEST(OlderLogs, AStateThatDiffersIsFoundWithoutPhaseHashes) {
+  Result<LogReader> old = LogReader::open(frozen("format_1.2_layered"));
+  sim::SceneDef scene = old->header().scene;
+  scene.inputs[1].step += 1;
+  Result<LogReader> fresh = open_memory(record_to_memory(scene));
+  const Result<DiffReport> report = diff_logs(*old, *fresh);
+  ASSERT_TRUE(report.ok() && report->first);
+  EXPECT_EQ(report->first->step, 9U);
+  EXPECT_EQ(report->first->phase, "inputs");
+}
+
+// Written before the phases of the method were what they are now.
+TEST(OlderLogs, ReplaySaysFromWhichStepOtherPhysicsDiffers) {
+  Result<LogReader> log = LogReader::open(frozen("format_1.0_layered"));
+  const Result<ReplayReport> report = replay_log(*log);
+  ASSERT_TRUE(report.ok()) << report.error().message;
+  ASSERT_TRUE(report->first);
+  EXPECT_EQ(report->first->step, 17U);
+  EXPECT_EQ(report->first->field, "position.z");
+  EXPECT_TRUE(std::ranges::any_of(report->notes, [](const std::string& note) {
+    return note.find("phases of the method have changed") != std::string::npos;
+  }));
+}
+
+/// A sample's header read, changed by a schema that is newer than this program's, and put back.
+class FutureLog {
+ public:
+  FutureLog() {
+    const kj::Path path = files_->getCurrentPath().evalNative(TUMBLE_SOURCE_DIR "/tests/data/future_log.capnp");
+    root_ = parser_.parseFromDirectory(files_->getRoot(), path.clone(), nullptr);
+    open_ = fuzz::laid_open(record_to_memory(scene_with_inputs(12), {}, 6));
+  }
+
+  /// change(header): a capnp::DynamicStruct::Builder of the future's Header.
+  template <class Change>
+  Bytes with_header(Change change) {
+    const std::size_t raw = decode_prelude(std::span<const std::byte>(open_).first<kPreludeBytes>())->raw_bytes;
+    MessageBytes message(raw);
+    std::copy_n(open_.begin() + kPreludeBytes, raw, message.bytes().begin());
+    const auto* words = reinterpret_cast<const capnp::word*>(message.bytes().data());
+    capnp::FlatArrayMessageReader reader(kj::arrayPtr(words, raw / sizeof(capnp::word)));
+    const auto header = root_.getNested("Header").asStruct();
+    capnp::MallocMessageBuilder builder;
+    builder.setRoot(reader.getRoot<capnp::DynamicStruct>(header));
+    change(builder.getRoot<capnp::DynamicStruct>(header));
+    const kj::Array<capnp::word> flat = capnp::messageToFlatArray(builder);
+    return put_back(std::as_bytes(std::span(flat.begin(), flat.size())), raw);
+  }
+
+ private:
+  [[nodiscard]] Bytes put_back(std::span<const std::byte> header, std::size_t raw) const {
+    Prelude prelude = *decode_prelude(std::span<const std::byte>(open_).first<kPreludeBytes>());
+    prelude.raw_bytes = header.size();
+    const auto encoded = encode(prelude);
+    Bytes open(encoded.begin(), encoded.end());
+    open.insert(open.end(), header.begin(), header.end());
+    open.insert(open.end(), open_.begin() + static_cast<std::ptrdiff_t>(kPreludeBytes + raw), open_.end());
+    return fuzz::mended(open);
+  }
+
+  kj::Own<kj::Filesystem> files_ = kj::newDiskFilesystem();
+  capnp::SchemaParser parser_;
+  capnp::ParsedSchema root_;
+  Bytes open_;
+};
+
+TEST(NewerLogs, FieldsThatThisProgramDoesNotKnowAreIgnored) {
+  const Bytes bytes = FutureLog().with_header([](capnp::DynamicStruct::Builder header) {
+    header.set("wind", 12.5);
+    header.set("weather", "rain");
+    header.get("scene").as<capnp::DynamicStruct>().set("seasons", 4);
+  });
+  Result<LogReader> log = open_memory(bytes);
+  ASSERT_TRUE(log.ok()) << log.error().message;
+  const VerifyReport verified = verify(*log);
+  EXPECT_EQ(verified.states_checked, 12U);
+  // The header is longer than the index knows; nothing else is wrong.
+  ASSERT_EQ(verified.condition.damages.size(), 1U);
+  EXPECT_EQ(verified.condition.damages.front().kind, RecordKind::kIndex);
+  const Result<ReplayReport> report = replay_log(*log);
+  ASSERT_TRUE(report.ok()) << report.error().message;
+  EXPECT_TRUE(report->identical());
+}
+
+TEST(NewerLogs, PhasesThatThisProgramDoesNotKnowLeaveStatesToCompare) {
+  const Bytes bytes = FutureLog().with_header(
+      [](capnp::DynamicStruct::Builder header) { header.get("phases").as<capnp::DynamicList>().set(1, "blow_wind"); });
+  Result<LogReader> log = open_memory(bytes);
+  ASSERT_TRUE(log.ok()) << log.error().message;
+  const Result<ReplayReport> report = replay_log(*log);
+  ASSERT_TRUE(report.ok()) << report.error().message;
+  EXPECT_TRUE(report->identical());
+  EXPECT_NE(report->notes.front().find("only states are compared"), std::string::npos) << report->notes.front();
+}
+
+TEST(NewerLogs, AnInputThatThisProgramDoesNotKnowIsNamed) {
+  const Bytes bytes = FutureLog().with_header([](capnp::DynamicStruct::Builder header) {
+    auto input = header.get("scene").as<capnp::DynamicStruct>().get("inputs").as<capnp::DynamicList>()[0];
+    input.as<capnp::DynamicStruct>().set("explode", 3.5);
+    input.as<capnp::DynamicStruct>().set("kind", "explode");
+  });
+  const Result<LogReader> log = open_memory(bytes);
+  ASSERT_FALSE(log.ok());
+  EXPECT_EQ(log.error().kind, ErrorKind::kBadInput);
+  for (const char* part : {"memory.tumble", "kind \"explode\"", "before step 3", "use a newer one"}) {
+    EXPECT_NE(log.error().message.find(part), std::string::npos) << log.error().message;
+  }
+}
+
+TEST(NewerLogs, ANewerMajorVersionSaysWhichIsNeededAndIsNotRecoveredAway) {
+  Bytes bytes = record_to_memory(small_scene(), {}, 6);
+  Prelude prelude = *decode_prelude(std::span<const std::byte>(bytes).first<kPreludeBytes>());
+  prelude.major = 2;
+  const auto encoded = encode(prelude);
+  std::copy(encoded.begin(), encoded.end(), bytes.begin());
+  const Result<LogReader> log = open_memory(bytes);
+  ASSERT_FALSE(log.ok());
+  EXPECT_EQ(log.error().kind, ErrorKind::kBadInput);
+  EXPECT_NE(log.error().message.find("writes or reads version 2"), std::string::npos) << log.error().message;
+}
+
+}  // namespace
+}  // namespace tumble::replay

@@ -1,0 +1,230 @@
+// What a first difference is made of and what it led to: few chunks opened, pairs, gaps, logs that contradict
+// themselves.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "replay/codec/zstd_frame.h"
+#include "replay/diff/aftermath.h"
+#include "replay/diff/locate_divergence.h"
+#include "replay/format/limits.h"
+#include "replay/measure/metric_bound.h"
+#include "tests/support/log_memory.h"
+
+namespace tumble::replay {
+namespace {
+
+/// A session in which the upper box falls from a little higher.
+sim::SceneDef raised(sim::SceneDef scene, double by) {
+  scene.boxes[2].position.z() += by;
+  return scene;
+}
+
+/// A push before a step, so that two sessions differ from there on.
+sim::SceneDef pushed(sim::SceneDef scene, std::uint64_t step) {
+  scene.inputs.push_back({step, sim::Push{12, {0, 0.001, 0}, true, {0, 0, 0}}});
+  return scene;
+}
+
+TEST(Narrow, ChunksThatDoNotMatchAreHalvedToo) {
+  constexpr std::uint64_t kSteps = 900;
+  const sim::SceneDef scene = small_scene(kSteps);
+  const Bytes bytes = record_to_memory(scene, {}, 5);
+  for (const std::uint64_t step : {1ULL, 317ULL, 600ULL, kSteps - 0ULL}) {
+    Result<LogReader> a = open_memory(bytes), b = open_memory(record_to_memory(pushed(scene, step), {}, 7));
+    ASSERT_TRUE(a.ok() && b.ok());
+    ASSERT_GT(a->chunks().size(), 150U);
+    const Result<Narrowing> narrowing = narrow(*a, *b);
+    ASSERT_TRUE(narrowing.ok()) << narrowing.error().message;
+    ASSERT_TRUE(narrowing->report.first);
+    EXPECT_EQ(narrowing->report.first->step, step);
+    EXPECT_EQ(narrowing->report.first->phase, "inputs");
+    EXPECT_LE(narrowing->chunks_opened, 24U) << step;
+  }
+}
+
+TEST(Narrow, BothSidesAreTakenAgain) {
+  for (const sim::Method method : kMethods) {
+    const sim::SceneDef scene = small_scene(30, method);
+    Result<LogReader> a = open_memory(record_to_memory(scene)), b = open_memory(record_to_memory(pushed(scene, 20)));
+    const Result<Narrowing> narrowing = narrow(*a, *b);
+    ASSERT_TRUE(narrowing.ok());
+    EXPECT_TRUE(narrowing->as_a && narrowing->as_b);
+    EXPECT_TRUE(narrowing->not_taken.empty());
+    EXPECT_EQ(std::ranges::count(narrowing->bodies, 12U), 1);
+  }
+}
+
+TEST(Narrow, LogsWithoutStatesNameABodyWhereThisBuildReproducesThem) {
+  RecordOptions hashes;
+  hashes.states = {0};
+  const sim::SceneDef scene = small_scene(30);
+  Result<LogReader> a = open_memory(record_to_memory(scene, hashes)),
+                    b = open_memory(record_to_memory(pushed(scene, 20), hashes));
+  const Result<Narrowing> narrowing = narrow(*a, *b);
+  ASSERT_TRUE(narrowing.ok());
+  EXPECT_EQ(std::ranges::count(narrowing->bodies, 12U), 1);
+}
+
+TEST(StepContacts, AreThoseOfTheStep) {
+  for (const sim::Method method : kMethods) {
+    Result<LogReader> log = open_memory(record_to_memory(small_scene(40, method)));
+    const Result<RetakenStep> step = retake_step(*log, 40);
+    ASSERT_TRUE(step.ok()) << step.error().message;
+    EXPECT_TRUE(step->same);
+    ASSERT_FALSE(step->contacts.empty());
+    bool on_ground = false;
+    for (const StepContact& contact : step->contacts) {
+      on_ground = on_ground || (contact.a == 10 && !contact.b) || contact.b == 10U || contact.a == 10;
+      EXPECT_NEAR(sim::length(contact.normal), 1, 1e-9) << describe(contact);
+    }
+    EXPECT_TRUE(on_ground);
+    EXPECT_FALSE(retake_step(*log, 0).ok());
+    EXPECT_FALSE(retake_step(*log, 41).ok());
+  }
+}
+
+StepContact contact(sim::BodyId a, std::optional<sim::BodyId> b) {
+  StepContact made;
+  made.a = a;
+  made.b = b;
+  return made;
+}
+
+TEST(StepContacts, ThePairIsTheOneThatDiffersOrTheOnlyOne) {
+  using Pair = std::pair<sim::BodyId, sim::BodyId>;
+  const std::vector<StepContact> contacts = {contact(1, 2), contact(3, 7), contact(5, 7), contact(7, std::nullopt)};
+  EXPECT_EQ(pair_of({5, 7}, contacts), Pair(5, 7));
+  EXPECT_EQ(pair_of({1}, contacts), Pair(1, 2)) << "the only body it touched";
+  EXPECT_EQ(pair_of({7}, contacts), std::nullopt) << "it touched two";
+  EXPECT_EQ(pair_of({9}, contacts), std::nullopt);
+  EXPECT_EQ(pair_of({}, contacts), std::nullopt);
+}
+
+TEST(Story, TellsWhenTheGapPassedEachMark) {
+  const sim::SceneDef scene = small_scene(20);
+  Result<LogReader> a = open_memory(record_to_memory(scene)),
+                    b = open_memory(record_to_memory(raised(scene, std::ldexp(1.0, -26))));
+  const Result<Aftermath> after = aftermath_of(*a, *b, 0);
+  ASSERT_TRUE(after.ok()) << after.error().message;
+  ASSERT_EQ(after->gap.rows.size(), 21U);
+  ASSERT_GE(after->gap.marks.size(), 2U);
+  EXPECT_EQ(after->gap.marks[0].above, 1e-12);
+  EXPECT_EQ(after->gap.marks[1].above, 1e-9);
+  EXPECT_EQ(after->gap.marks[1].step, 0U);
+  EXPECT_EQ(after->gap.marks[1].body, 12U);
+  EXPECT_EQ(after->gap.rows[0].bodies, 1U);
+  EXPECT_EQ(after->gap.rows[0].gap, std::ldexp(1.0, -26));
+  EXPECT_FALSE(after->gap.bodies_from);
+  EXPECT_TRUE(after->not_measured.empty());
+  EXPECT_FALSE(after->metrics.empty());
+}
+
+TEST(Story, OfOneSessionIsThatNothingDiffers) {
+  Result<LogReader> a = open_memory(record_to_memory(small_scene())), b = open_memory(record_to_memory(small_scene()));
+  const Result<Aftermath> after = aftermath_of(*a, *b, 0);
+  ASSERT_TRUE(after.ok());
+  EXPECT_EQ(after->gap.largest.gap, 0);
+  EXPECT_TRUE(after->gap.marks.empty());
+  EXPECT_TRUE(after->metrics.empty());
+  EXPECT_TRUE(confirm_states(*a, *b, 0, 20).ok());
+}
+
+TEST(Story, ABodyOnOneSideOnlyIsSaid) {
+  const sim::SceneDef scene = small_scene(12);
+  sim::SceneDef removed = scene;
+  removed.inputs.push_back({8, sim::Remove{12}});
+  Result<LogReader> a = open_memory(record_to_memory(scene)), b = open_memory(record_to_memory(removed));
+  const Result<Aftermath> after = aftermath_of(*a, *b, 8);
+  ASSERT_TRUE(after.ok());
+  EXPECT_EQ(after->gap.bodies_from, 8U);
+  EXPECT_GE(after->gap.rows[0].bodies, 1U);
+}
+
+TEST(Story, OfAReplayFollowsThisBuild) {
+  const sim::SceneDef scene = small_scene(20);
+  const Bytes bytes = record_to_memory(scene);
+  Result<LogReader> log = open_memory(bytes), again = open_memory(bytes);
+  const Result<Aftermath> after = aftermath_of_replay(*log, *again, 5);
+  ASSERT_TRUE(after.ok()) << after.error().message;
+  EXPECT_EQ(after->gap.rows.front().step, 5U);
+  EXPECT_EQ(after->gap.largest.gap, 0) << "this build reproduces the log";
+  Result<LogReader> other = open_memory(record_to_memory(pushed(scene, 5)));
+  const Result<Aftermath> apart = aftermath_of_replay(*other, *again, 5);
+  ASSERT_TRUE(apart.ok()) << apart.error().message;
+  EXPECT_GT(apart->gap.rows.front().bodies, 0U);
+  EXPECT_GT(apart->gap.largest.gap, 0) << "there was no push in the session that this build plays";
+}
+
+/// A log whose first chunk has a state that its state hash does not tell of; all stored hashes are right.
+Bytes with_broken_state(const Bytes& bytes, std::uint64_t step) {
+  Result<LogReader> log = open_memory(bytes);
+  const ChunkPlace place = log->chunks().front();
+  const auto begin = bytes.begin() + static_cast<std::ptrdiff_t>(place.offset);
+  Prelude prelude = *decode_prelude(std::span(bytes).subspan(place.offset).first<kPreludeBytes>());
+  std::vector<StepRecord> steps;
+  for (std::uint64_t k = place.first_step; k < place.end_step(); ++k) steps.push_back(**log->read_step(k));
+  steps[step - place.first_step].states.velocity.x[1] += 1.0 / 64;
+  ChunkEncoder encoder;
+  const Result<MessageBytes> message = encoder.encode(**log->keyframe_at_or_before(place.first_step - 1), steps);
+  Compressor compressor;
+  Bytes stored;
+  EXPECT_TRUE(message.ok() && compressor.compress(message->bytes(), stored).ok());
+  prelude.raw_bytes = message->bytes().size();
+  prelude.stored_bytes = stored.size();
+  prelude.stored_hash = hash_bytes(stored);
+  Bytes made(bytes.begin(), begin);
+  const auto encoded = encode(prelude);
+  made.insert(made.end(), encoded.begin(), encoded.end());
+  made.insert(made.end(), stored.begin(), stored.end());
+  return made;
+}
+
+TEST(BrokenLog, EqualHashesWithUnequalStatesAreNotCalledTheSame) {
+  const Bytes bytes = record_to_memory(small_scene(20));
+  Result<LogReader> a = open_memory(bytes), b = open_memory(with_broken_state(bytes, 9));
+  ASSERT_TRUE(b.ok());
+  ASSERT_EQ(b->last_step(), 20U);
+  EXPECT_TRUE(diff_logs(*a, *b)->identical()) << "by the hashes they are";
+  const Status status = confirm_states(*a, *b, 0, 20);
+  ASSERT_FALSE(status.ok());
+  EXPECT_EQ(status.error().kind, ErrorKind::kDamaged);
+  EXPECT_NE(status.error().message.find("step 9"), std::string::npos) << status.error().message;
+}
+
+TEST(BrokenLog, EqualStatesWithUnequalHashesAreNotCalledDifferent) {
+  StepRecord record;
+  copy_visible(sim::World::create(small_scene())->bodies(), record.states);
+  record.has_states = true;
+  record.state_hash = state_hash(record.states);
+  StepRecord liar = record;
+  liar.state_hash.low ^= 1;
+  const auto feed = [](const char* name, const StepRecord& r) {
+    return StepFeed{name, [&r](std::uint64_t) -> Result<const StepRecord*> { return &r; }};
+  };
+  const Result<GapStory> story = tell_story(feed("good.tumble", record), feed("liar.tumble", liar), 3, 3);
+  ASSERT_FALSE(story.ok());
+  EXPECT_EQ(story.error().kind, ErrorKind::kDamaged);
+  EXPECT_NE(story.error().message.find("liar.tumble"), std::string::npos) << story.error().message;
+}
+
+TEST(MetricBound, SaysWhetherAValueIsWithinIt) {
+  const Result<MetricBound> bound = parse_metric_bound("lateral_max <= 0.5");
+  ASSERT_TRUE(bound.ok()) << bound.error().message;
+  EXPECT_EQ(std::string(bound->metric->name), "lateral_max");
+  EXPECT_TRUE(bound->holds(0.5));
+  EXPECT_FALSE(bound->holds(0.500001));
+  EXPECT_FALSE(bound->holds(std::nan("")));
+  EXPECT_FALSE(bound->holds(std::nullopt));
+  EXPECT_FALSE(parse_metric_bound("lateral_max<0.5")->holds(0.5));
+  EXPECT_TRUE(parse_metric_bound("lost>0")->holds(1));
+  EXPECT_TRUE(parse_metric_bound("lost>=1")->holds(1));
+  for (const char* wrong : {"", "lateral_max", "lateral_max=0", "lateral_max<=", "lateral_max<=x", "lateral_max<=nan",
+                            "lateral_max<=0m", "no_such<=0", "<=0"}) {
+    EXPECT_FALSE(parse_metric_bound(wrong).ok()) << wrong;
+  }
+}
+
+}  // namespace
+}  // namespace tumble::replay

@@ -1,0 +1,175 @@
+// What the steps of a session show together: bounces, free spin, bodies lost, what was deepest.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "replay/measure/body_track.h"
+#include "replay/measure/measure.h"
+#include "replay/measure/reasonable_space.h"
+#include "src/step/step.h"
+#include "tests/support/hand_states.h"
+
+namespace tumble::replay {
+namespace {
+
+using sim::Vec3;
+
+constexpr double kPull = 10;
+
+// A body that is dropped from a height and comes up to others, one after the other, looked at every dt seconds.
+BodyTrack bouncing(const std::vector<double>& tops, double dt) {
+  BodyTrack track;
+  double phase = 0;  // s into the flight
+  for (std::size_t i = 0; i < tops.size(); ++i) {
+    const double fall = std::sqrt(2 * tops[i] / kPull);
+    const double end = i == 0 ? fall : 2 * fall;
+    const double speed = i == 0 ? 0 : kPull * fall;  // at the flight's begin
+    const double height = i == 0 ? tops[0] : 0;
+    for (; phase < end; phase += dt) {
+      track.add({.height = height + speed * phase - kPull / 2 * phase * phase,
+                 .rise = speed - kPull * phase,
+                 .spin_momentum = Vec3::Zero()},
+                kPull);
+    }
+    phase -= end;
+  }
+  return track;
+}
+
+TEST(BodyTrack, BounceHeightsAreComparedWithTheFirstHoweverTheStepsFall) {
+  for (const double dt : {1.0 / 300, 1.0 / 60, 0.037}) {
+    EXPECT_NEAR(*bouncing({2, 2, 2, 2}, dt).bounce_height_loss(), 0, 1e-12) << dt;
+    const BodyTrack sagging = bouncing({2, 1.9, 1.5, 1.8}, dt);
+    EXPECT_NEAR(*sagging.bounce_height_loss(), 0.25, 1e-12) << dt;
+    EXPECT_EQ(sagging.bounces(), 3U) << dt;
+    EXPECT_NEAR(*bouncing({2, 2.2}, dt).bounce_height_loss(), 0.1, 1e-12) << "a gain counts too";
+  }
+}
+
+TEST(BodyTrack, TheTopOfTheFirstFlightIsNoBounce) {
+  BodyTrack track;
+  for (double t = 0; t < 1; t += 0.125) {
+    track.add({.height = 1 + 4 * t - 5 * t * t, .rise = 4 - 10 * t, .spin_momentum = Vec3::Zero()}, kPull);
+  }
+  EXPECT_EQ(track.bounces(), 0U);
+  EXPECT_FALSE(track.bounce_height_loss());
+}
+
+TEST(BodyTrack, WithoutGravityNothingBounces) {
+  BodyTrack track;
+  for (const double rise : {-1.0, 1.0, -1.0, 1.0, -1.0}) {
+    track.add({.height = 2, .rise = rise, .spin_momentum = Vec3::Zero()}, 0);
+  }
+  EXPECT_EQ(track.bounces(), 0U);
+}
+
+TEST(BodyTrack, SpinIsComparedWithTheFirstAndWithItsLeastEnergy) {
+  BodyTrack track;
+  track.add({.spin_momentum = {0, 0, 2}, .spin_energy = 4}, kPull);
+  track.add({.spin_momentum = {0, 0.5, 2}, .spin_energy = 2}, kPull);
+  track.add({.spin_momentum = {0, 0, 2.25}, .spin_energy = 3}, kPull);
+  EXPECT_DOUBLE_EQ(*track.momentum_drift(), 0.25);
+  EXPECT_DOUBLE_EQ(*track.spin_energy_gain(), 0.25) << "1 J over the least, of 4 J";
+  BodyTrack still;
+  still.add({.spin_momentum = Vec3::Zero()}, kPull);
+  EXPECT_FALSE(still.momentum_drift());
+  EXPECT_FALSE(still.spin_energy_gain());
+}
+
+// The meter's momentum is that of the world's axes: a plate that spins freely about none of its own keeps it.
+TEST(MeasureKeeping, FreeSpinKeepsItsAngularMomentum) {
+  BoxDef plate = box(1, {0, 0, 0});
+  plate.size = {1, 2, 0.25};
+  plate.spin = {1, 0.5, 2};
+  sim::SceneDef scene = scene_of({plate});
+  scene.world.ground = scene.world.freezing = false;
+  scene.world.gravity = Vec3::Zero();
+  Result<sim::World> world = sim::World::create(scene);
+  ASSERT_TRUE(world.ok());
+  BodyStates states;
+  copy_visible(world->bodies(), states);
+  StateMeter meter(scene, states);
+  for (int k = 0; k < 120; ++k) {
+    ASSERT_TRUE(sim::step(*world).ok());
+    copy_visible(world->bodies(), states);
+    static_cast<void>(meter.measure(states));
+  }
+  EXPECT_LT(*meter.keeping().momentum_drift, 1e-9);
+  EXPECT_LE(*meter.keeping().spin_energy_gain, 1e-9);
+  EXPECT_GT((states.spin[0] - plate.spin).norm(), 0.1) << "the spin itself has moved, or this shows nothing";
+}
+
+TEST(MeasureKeeping, OverlapAndPenetrationHaveAPeakOverTime) {
+  const std::vector<BoxDef> apart = {box(1, {0, 0, 0.5}), box(2, {3, 0, 0.5})};
+  const std::vector<BoxDef> deep = {box(1, {0, 0, 0.25}), box(2, {0.75, 0, 0.5})};
+  LogHeader header;
+  header.scene = scene_of(apart);
+  MeasureOptions options;
+  options.overlap_every = 2;
+  for (const std::uint64_t when : {1U, 2U}) {
+    Measurer measurer(header, options);
+    measurer.add(step_record(0, apart));
+    for (std::uint64_t k = 1; k <= 3; ++k) measurer.add(step_record(k, k == when ? deep : apart));
+    const Metrics metrics = *measurer.finish(states_of(apart));
+    EXPECT_EQ(metrics.stacking.overlap_max, 0);
+    EXPECT_EQ(metrics.stacking.overlap_peak, when == 2 ? 0.25 : 0) << "looked at in every second step";
+    EXPECT_EQ(metrics.stacking.ground_penetration_max, 0);
+    EXPECT_EQ(metrics.stacking.ground_penetration_peak, 0.25);
+  }
+}
+
+TEST(MeasureKeeping, KineticEnergyIsLinearAndRotational) {
+  BoxDef moving = box(1, {0, 0, 2});
+  moving.size = {1, 2, 3};
+  moving.mass = 12;
+  moving.velocity = {0, 2, 0};
+  moving.spin = {0, 0, 2};
+  StateMeter meter(scene_of({moving}), states_of({moving}));
+  const StateMeasures measures = meter.measure(states_of({moving}));
+  EXPECT_DOUBLE_EQ(measures.kinetic_linear, 24);
+  EXPECT_DOUBLE_EQ(measures.kinetic_rotational, 10) << "12/12 (1² + 2²) = 5 kg·m² at 2 rad/s";
+}
+
+TEST(ReasonableSpace, EndsAtTheGround) {
+  ReasonableSpace space(true);
+  space.add(box(1, {0, 0, 1}));
+  EXPECT_TRUE(space.holds({0, 0, 0}));
+  EXPECT_FALSE(space.holds({0, 0, -0.001}));
+}
+
+TEST(ReasonableSpace, WithoutGroundEndsBelowTheLowestStaticBox) {
+  ReasonableSpace space(false);
+  space.add(box(1, {0, 0, 1}));
+  EXPECT_TRUE(space.holds({0, 0, -900})) << "nothing to fall through";
+  for (const double z : {-3.0, -2.0}) {
+    BoxDef floor = box(2, {0, 0, z});
+    floor.is_static = true;
+    space.add(floor);
+  }
+  EXPECT_TRUE(space.holds({0, 0, -3.25}));
+  EXPECT_FALSE(space.holds({0, 0, -3.75}));
+}
+
+TEST(ReasonableSpace, EndsFarFromWhereBodiesBegan) {
+  ReasonableSpace space(true);
+  space.add(box(1, {-5, 0, 1}));
+  space.add(box(2, {5, 0, 1}));
+  EXPECT_TRUE(space.holds({1005, 0, 1}));
+  EXPECT_FALSE(space.holds({1006, 0, 1}));
+  EXPECT_FALSE(space.holds({0, -1001, 1}));
+  EXPECT_FALSE(space.holds({0, 0, 1002}));
+}
+
+TEST(MeasureKeeping, ABodyThatVanishesIsLostUnlessAnInputTookIt) {
+  const std::vector<BoxDef> both = {box(1, {0, 0, 1}), box(2, {5, 0, 1})};
+  for (const bool asked : {false, true}) {
+    StateMeter meter(scene_of(both), states_of(both));
+    static_cast<void>(meter.measure(states_of(both)));
+    if (asked) meter.apply(sim::Remove{2});
+    static_cast<void>(meter.measure(states_of({both[0]})));
+    EXPECT_EQ(meter.lost(), asked ? 0U : 1U);
+  }
+}
+
+}  // namespace
+}  // namespace tumble::replay

@@ -1,0 +1,153 @@
+// A warm step allocates nothing. Warm means: the world has made the same steps before. So a stretch of steps is made,
+// the state put back, the stretch made again (some buffers change places from step to step, so both have grown then),
+// the state put back once more, and of the third time every allocation counts. What grows in the first, because there
+// are more contacts than ever before, is growth that no engine is spared.
+#include "tests/support/allocations.h"
+
+#include <gtest/gtest.h>
+#include <malloc.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "src/step/step.h"
+#include "src/threads/worker_threads.h"
+#include "src/world/memory_use.h"
+#include "tests/support/sim_scenes.h"
+
+namespace tumble::sim {
+namespace {
+
+struct Stretch {
+  const char* name;
+  SceneDef scene;
+  int first = 0;  ///< steps made before
+  int steps = 0;
+};
+
+/// Piles at rest, a tower, a grid whose rows land and fall apart, a tumble, thrown things that wake what sleeps, thin
+/// plates with bars; each with one sub-step and with several.
+std::vector<Stretch> stretches() {
+  SceneDef awake = test::pile(3), heap = test::pile(3), hit = test::wall(3, 4), grid = test::tilted_grid(6);
+  awake.world.freezing = false;
+  test::jitter(heap, 0.05, 5);
+  test::freeze_all(hit);
+  test::add_thrown_cube(hit);
+  std::vector<Stretch> all = {{"pile that rests", awake, 90, 20},
+                              {"pile that goes to sleep", heap, 40, 120},
+                              {"tower", test::tower(8), 30, 20},
+                              {"tilted grid", grid, 30, 60},
+                              {"tumble", test::tumble_of_boxes(3, 3), 20, 60},
+                              {"wall that is hit", hit, 0, 60},
+                              {"ramp", test::ramp(6, 2), 20, 60},
+                              {"plates and bars", test::plates_and_bars(6, 3), 30, 60}};
+  for (std::size_t k = 0, n = all.size(); k < n; ++k) {
+    all[k].scene.world.substeps = 1;
+    all.push_back(all[k]);
+    all.back().scene.world.substeps = 4;
+  }
+  return all;
+}
+
+void make_steps(World& world, int steps, Observer* observer) {
+  for (int k = 0; k < steps; ++k) (void)test::advance(world, observer);
+}
+
+/// Which phase asked for memory, for a message.
+class Culprits : public Observer {
+ public:
+  void phase_done(std::uint32_t /*substep*/, std::size_t phase, const World& world) override {
+    const std::uint64_t now = test::allocations();
+    const std::string name = std::string(" ") + phase_table(world.state().def.method).phases[phase].name;
+    if (now != before_ && !names_.ends_with(name)) names_ += name;
+    before_ = test::allocations();
+  }
+  [[nodiscard]] const std::string& names() const { return names_; }
+
+ private:
+  std::uint64_t before_ = test::allocations();
+  std::string names_;
+};
+
+void expect_none(const Stretch& stretch, Method method, Observer* observer, Workers* workers) {
+  SceneDef scene = stretch.scene;
+  scene.world.method = method;
+  World world = test::made(scene);
+  world.use(workers);
+  make_steps(world, stretch.first, observer);
+  const WorldState start = world.state();
+  make_steps(world, stretch.steps, observer);
+  const Hash128 end = continuation_hash(world.state());
+  world.mutable_state() = start;
+  make_steps(world, stretch.steps, observer);
+  world.mutable_state() = start;
+  const std::uint64_t before = test::allocations();
+  make_steps(world, stretch.steps, observer);
+  const std::uint64_t made = test::allocations() - before;
+  EXPECT_EQ(continuation_hash(world.state()), end);
+  if (made == 0) return;
+  Culprits culprits;
+  world.mutable_state() = start;
+  make_steps(world, stretch.steps, &culprits);
+  ADD_FAILURE() << made << " allocations in " << stretch.steps << " steps:" << culprits.names();
+}
+
+void expect_none_in_all(Method method, Observer* observer, Workers* workers) {
+  for (const Stretch& stretch : stretches()) {
+    if (workers != nullptr && stretch.scene.world.substeps > 1) continue;  // takes long where processors are shared
+    SCOPED_TRACE(std::string(stretch.name) + ", sub-steps: " + std::to_string(stretch.scene.world.substeps));
+    expect_none(stretch, method, observer, workers);
+  }
+}
+
+class Allocations : public testing::TestWithParam<Method> {};
+
+TEST_P(Allocations, WarmStepsMakeNone) { expect_none_in_all(GetParam(), nullptr, nullptr); }
+
+TEST_P(Allocations, WarmStepsMakeNoneWithPhaseHashes) {
+  PhaseHashes hashes;
+  expect_none_in_all(GetParam(), &hashes, nullptr);
+}
+
+TEST_P(Allocations, WarmStepsMakeNoneOnTwoThreads) {
+  WorkerThreads workers(2, Split::kEverything);
+  expect_none_in_all(GetParam(), nullptr, &workers);
+}
+
+// Vectors that memory_use forgets would show: nothing else is held. malloc rounds up a little, and what it maps by
+// whole pages.
+TEST_P(Allocations, MemoryUseTellsAllThatAWorldHolds) {
+  ASSERT_EQ(mallopt(M_MMAP_THRESHOLD, 32 << 20), 1);
+  SceneDef scene = test::pile(12);
+  scene.world.method = GetParam();
+  const std::int64_t before = test::bytes_held();
+  World world = test::made(scene);
+  make_steps(world, 20, nullptr);
+  const auto held = static_cast<double>(test::bytes_held() - before);
+  double told = 0;
+  for (const MemoryPart& part : memory_use(world)) told += static_cast<double>(part.bytes);
+  EXPECT_LE(told, held);
+  EXPECT_GT(told + 2000, held);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, Allocations, testing::Values(Method::kThesis, Method::kLayered),
+                         [](const auto& method) { return method.param == Method::kThesis ? "Thesis" : "Layered"; });
+
+TEST(CountingAllocations, SeesNewAndMalloc) {
+  const std::uint64_t before = test::allocations();
+  std::vector<double> some(10);
+  EXPECT_EQ(test::allocations(), before + 1);
+  struct alignas(128) Wide {
+    double of[16];
+  };
+  std::vector<Wide> wide(3);
+  EXPECT_EQ(test::allocations(), before + 2);
+  void* volatile block = std::malloc(wide.size());
+  EXPECT_EQ(test::allocations(), before + 3);
+  std::free(block);
+}
+
+}  // namespace
+}  // namespace tumble::sim

@@ -1,0 +1,311 @@
+// Thesis III.B: equation 3.1 and Coulomb friction, with the numbers worked out by hand.
+#include "src/thesis/compute_impulses.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "src/thesis/find_contacts.h"
+#include "src/thesis/find_pairs.h"
+#include "src/thesis/find_planes.h"
+#include "tests/support/sim_scenes.h"
+
+namespace tumble::test {
+namespace {
+
+using sim::BoxDef;
+using sim::ContactBody;
+using sim::PairMaterial;
+using sim::SceneDef;
+using sim::Vec3;
+using sim::World;
+
+void expect_near(const Vec3& found, const Vec3& wanted, double tolerance = 1e-12) {
+  EXPECT_LT((found - wanted).cwiseAbs().maxCoeff(), tolerance)
+      << "found " << found.transpose() << ", wanted " << wanted.transpose();
+}
+
+ContactBody point_mass(double mass, const Vec3& velocity) {
+  ContactBody body;
+  body.inverse_mass = 1 / mass;
+  body.velocity = velocity;
+  return body;
+}
+
+PairMaterial smooth(double restitution) { return {0, 0, restitution, 0.01}; }
+
+Vec3 velocity_of_point(const ContactBody& body) { return body.velocity + body.spin.cross(body.r); }
+
+// The body after the impulse, by Newton and Euler; box axes along the world's.
+ContactBody after(ContactBody body, const Vec3& impulse) {
+  body.velocity += impulse * body.inverse_mass;
+  body.spin += body.r.cross(impulse).cwiseProduct(body.inverse_inertia);
+  return body;
+}
+
+// 1 kg at 2 m/s meets 3 kg at −1 m/s: approach 3, 1/mA + 1/mB = 4/3, so J = 1.5 · 3 / (4/3) = 3.375 at ε = ½. Then
+// 2 − 3.375 and −1 + 3.375/3 part at 1.5 = ε · 3.
+TEST(CollisionImpulse, CentralCollisionOfUnequalMasses) {
+  const ContactBody a = point_mass(1, {2, 0, 0}), b = point_mass(3, {-1, 0, 0});
+  const Vec3 impulse = collision_impulse(a, b, {1, 0, 0}, smooth(0.5));
+  expect_near(impulse, {3.375, 0, 0});
+  EXPECT_NEAR(after(b, impulse).velocity.x() - after(a, -impulse).velocity.x(), 1.5, 1e-12);
+}
+
+ContactBody turning_a() {
+  ContactBody a = point_mass(2, {1, 0, 0});
+  a.spin = {0, 0, 2};
+  a.r = {0.5, 0.3, 0};
+  a.inverse_inertia = {1 / 0.3, 1 / 0.2, 1 / 0.4};
+  return a;
+}
+
+ContactBody turning_b() {
+  ContactBody b = point_mass(1, {-1, 0, 0.5});
+  b.spin = {0, 1, 0};
+  b.r = {-0.5, -0.2, 0.1};
+  b.inverse_inertia = {1 / 0.1, 1 / 0.2, 1 / 0.5};
+  return b;
+}
+
+// r × n: a (0, 0, −0.3), b (0, 0.1, 0.2). Denominator 1/2 + 1 + 0.09/0.4 + 0.01/0.2 + 0.04/0.5 = 1.855.
+// Points: a (1, 0, 0) + (0, 0, 2) × r = (0.4, 1, 0); b (−1, 0, ½) + (0, 1, 0) × r = (−0.9, 0, 1). Approach 1.3.
+TEST(CollisionImpulse, OffCentreCollisionOfTwoTurningBodies) {
+  const ContactBody a = turning_a(), b = turning_b();
+  const Vec3 impulse = collision_impulse(a, b, {1, 0, 0}, smooth(0.2));
+  expect_near(impulse, {1.2 * 1.3 / 1.855, 0, 0});
+  const Vec3 parting = velocity_of_point(after(b, impulse)) - velocity_of_point(after(a, -impulse));
+  EXPECT_NEAR(parting.x(), 0.2 * 1.3, 1e-12) << "ε times the approach";
+}
+
+// With B fixed, 1/mB and its rotation drop out: 1/2 + 0.225, approach 0.4 against n = x.
+TEST(CollisionImpulse, CollisionWithAFixedBody) {
+  const Vec3 impulse = collision_impulse(turning_a(), ContactBody{}, {1, 0, 0}, smooth(0.2));
+  expect_near(impulse, {1.2 * 0.4 / 0.725, 0, 0});
+}
+
+// A quarter turn about z lays the body's y axis along −x … so the world's x inertia is the body's y one: turning a long
+// body changes how it yields. r × n = (0.6, 0, 0) for r = (0, 0, 0.6), n = −y; I about world x is the body's y: 0.2.
+TEST(CollisionImpulse, InertiaTurnsWithTheBody) {
+  ContactBody a = point_mass(2, {0, -1, 0});
+  a.r = {0, 0, 0.6};
+  a.inverse_inertia = {1 / 0.3, 1 / 0.2, 1 / 0.4};
+  a.axes = axes_of(sim::normalised(turn({0, 0, 1}, 0, 1)));
+  const Vec3 impulse = collision_impulse(a, ContactBody{}, {0, -1, 0}, smooth(0));
+  expect_near(impulse, {0, -1 / (0.5 + 0.36 / 0.2), 0});
+  expect_near(spin_gain_of(a, {0, 1, 0}), {-0.6 / 0.2, 0, 0});
+}
+
+double kinetic_energy(const ContactBody& body) {
+  const double turning = body.spin.cwiseProduct(body.inverse_inertia.cwiseInverse()).dot(body.spin);
+  return 0.5 * (body.velocity.squaredNorm() / body.inverse_mass + turning);
+}
+
+// III.E: no energy is pumped in. An elastic, rough, off-centre bounce of a unit cube would gain 33 % if 3.1 and
+// Coulomb's bound were simply put together (each changes the speed that the other was found from).
+TEST(CollisionImpulse, RestitutionWithFrictionGainsNoEnergy) {
+  Random random(17);
+  int shortened = 0;
+  for (int k = 0; k < 2000; ++k) {
+    ContactBody cube = point_mass(1, {random.uniform(-3, 3), random.uniform(-3, 3), random.uniform(-5, 0)});
+    cube.inverse_inertia = {6, 6, 6};
+    cube.spin = {random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5)};
+    cube.r = {random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), -0.5};
+    const Vec3 impulse = collision_impulse(ContactBody{}, cube, {0, 0, 1}, {0.8, 0.8, 1, 0.01});
+    const double before = kinetic_energy(cube), gain = kinetic_energy(after(cube, impulse)) - before;
+    EXPECT_LT(gain, 1e-12 * before) << "trial " << k;
+    shortened += impulse.squaredNorm() > 0 && gain > -1e-12 * before ? 1 : 0;
+  }
+  EXPECT_GT(shortened, 100) << "the bound must have been reached";
+}
+
+TEST(CollisionImpulse, PartingBodiesGetNone) {
+  for (const double speed : {0.0, 0.1, 5.0}) {
+    const Vec3 impulse =
+        collision_impulse(point_mass(1, {0, 3, 0}), point_mass(1, {speed, 0, 0}), {1, 0, 0}, {0.5, 0.5, 1, 0.01});
+    EXPECT_EQ(impulse, Vec3(0, 0, 0)) << speed;
+  }
+}
+
+// 1 kg, approach 1, ε = 0: the normal impulse is 1. Sliding at 3 m/s in y: friction 0.3 · 1 against the slip of b.
+TEST(Friction, SlidingIsBoundByTheDynamicCoefficient) {
+  const ContactBody a = point_mass(1e300, {0, 0, 0});
+  const ContactBody b = point_mass(1, {-1, 3, 0});
+  expect_near(collision_impulse(a, b, {1, 0, 0}, {0.5, 0.3, 0, 0.01}), {1, -0.3, 0});
+}
+
+// Below slip_speed the static coefficient bounds, at it the dynamic one. Approach 0.001, so the bounds are 5e-4 and
+// 3e-4.
+TEST(Friction, SlowSlipIsBoundByTheStaticCoefficient) {
+  const ContactBody a = point_mass(1e300, {0, 0, 0});
+  const PairMaterial material = {0.5, 0.3, 0, 0.01};
+  const ContactBody slow = point_mass(1, {-0.001, 0.00999, 0}), quick = point_mass(1, {-0.001, 0.01, 0});
+  expect_near(collision_impulse(a, slow, {1, 0, 0}, material), {0.001, -0.0005, 0});
+  expect_near(collision_impulse(a, quick, {1, 0, 0}, material), {0.001, -0.0003, 0});
+}
+
+// Slip of 0.1 m/s is stopped by 0.1 N·s, less than 0.5 · 1, and not turned round.
+TEST(Friction, StopsTheSlipAndNeverReversesIt) {
+  const ContactBody a = point_mass(1e300, {0, 0, 0}), b = point_mass(1, {-1, 0.1, 0});
+  const Vec3 impulse = collision_impulse(a, b, {1, 0, 0}, {0.5, 0.5, 0, 0.01});
+  expect_near(impulse, {1, -0.1, 0});
+  expect_near(after(b, impulse).velocity, {0, 0, 0});
+}
+
+// A cube of 1 kg on its face, 6 per kg·m² of inverse inertia, point ½ m below the centre: along the tangent a unit
+// impulse moves the point by 1 + 6/4 = 2.5. Slip 0.2 is stopped by 0.08; torque −½ z × −0.08 x = +0.04 y rolls it
+// forward: spin 0.24 about y.
+TEST(Friction, OffCentreFrictionStopsThePointAndTurnsTheBody) {
+  ContactBody a = point_mass(1, {0.2, 0, -1});
+  a.r = {0, 0, -0.5};
+  a.inverse_inertia = {6, 6, 6};
+  const Vec3 impulse = collision_impulse(a, ContactBody{}, {0, 0, -1}, {0.5, 0.5, 0, 0.01});
+  expect_near(impulse, {0.08, 0, -1});
+  expect_near(spin_gain_of(a, -impulse), {0, 0.24, 0});
+  expect_near(velocity_of_point(after(a, -impulse)), {0, 0, 0});
+}
+
+TEST(Friction, WithoutNormalImpulseThereIsNone) {
+  const Vec3 impulse =
+      collision_impulse(point_mass(1, {0, 0, 0}), point_mass(1, {0, 4, 0}), {1, 0, 0}, {0.9, 0.9, 0, 0.01});
+  EXPECT_EQ(impulse, Vec3(0, 0, 0));
+}
+
+// Over random contacts: inside the cone, opposed to the slip of b, and no more than stops it.
+TEST(Friction, LiesInTheConeAgainstTheSlip) {
+  Random random(12);
+  const auto vector = [&](double s) {
+    const double x = random.uniform(-s, s), y = random.uniform(-s, s);
+    return Vec3(x, y, random.uniform(-s, s));
+  };
+  int in_contact = 0;
+  for (int trial = 0; trial < 5000; ++trial) {
+    ContactBody a = turning_a(), b = turning_b();
+    for (ContactBody* body : {&a, &b}) {
+      body->velocity = vector(2);
+      body->spin = vector(3);
+      body->r = vector(0.5);
+    }
+    const Vec3 n = vector(1).normalized();
+    const PairMaterial material = {0.6, 0.35, random.uniform(0, 1), 0.5};
+    const Vec3 impulse = collision_impulse(a, b, n, material);
+    const Vec3 relative = velocity_of_point(b) - velocity_of_point(a);
+    if (relative.dot(n) >= 0) continue;
+    ++in_contact;
+    const double along = impulse.dot(n);
+    const Vec3 friction = impulse - n * along, slip = relative - n * relative.dot(n);
+    const double coefficient = slip.norm() < 0.5 ? 0.6 : 0.35;
+    EXPECT_GT(along, 0);
+    EXPECT_LE(friction.norm(), coefficient * along * (1 + 1e-12));
+    EXPECT_NEAR(friction.dot(slip), -friction.norm() * slip.norm(), 1e-12) << "straight against the slip";
+    // Friction by itself, over what the normal part does, takes speed from the slip and does not turn it round.
+    const Vec3 with = velocity_of_point(after(b, friction)) - velocity_of_point(after(a, -friction));
+    EXPECT_GE(with.dot(slip), -1e-12);
+  }
+  EXPECT_GT(in_contact, 1000);
+}
+
+// Two boxes of 2 × 1 × 1 m and 8 kg, and 1 m and 1 kg, overlapping off centre, flying and turning.
+World crash() {
+  SceneDef scene = empty_space();
+  scene.boxes = {cube(3, {0, 0, 0}), cube(8, {1.3, 0.6, 0.4})};
+  scene.boxes[0].size = {2, 1, 1};
+  scene.boxes[0].mass = 8;
+  scene.boxes[0].velocity = {2, 0.5, -1};
+  scene.boxes[0].spin = {0.5, -1, 2};
+  scene.boxes[1].orientation = {0.9, 0.2, -0.1, 0.3};
+  scene.boxes[1].velocity = {-3, 1, 0};
+  scene.boxes[1].spin = {1, 2, -1};
+  for (BoxDef& b : scene.boxes) b.material = {0.8, 0.5, 0.7};
+  World world = made(scene);
+  EXPECT_TRUE(find_pairs(world, 0).ok());
+  EXPECT_TRUE(find_planes(world, 0).ok());
+  EXPECT_TRUE(find_contacts(world, 0).ok());
+  EXPECT_TRUE(compute_impulses(world, 0).ok());
+  EXPECT_EQ(world.scratch().contacts.size(), 1U);
+  return world;
+}
+
+// What one body gains the other loses. Gains lie on the velocity grid (2⁻³⁸), so 9 kg of them are off by 1e-11 at most;
+// about the origin L = x × m v + R I Rᵀ w.
+TEST(ComputeImpulses, MomentumAndAngularMomentumAreConserved) {
+  const World world = crash();
+  Vec3 momentum = Vec3::Zero(), angular = Vec3::Zero();
+  double size = 0;
+  for (sim::BodyIndex i = 0; i < 2; ++i) {
+    const sim::Bodies& bodies = world.bodies();
+    const Vec3 p = world.scratch().velocity_gain[i] * bodies.mass[i];
+    const sim::Axes axes = axes_of(bodies.orientation[i]);
+    const Vec3 spin_B = to_body(axes, world.scratch().spin_gain[i]);
+    momentum += p;
+    angular += bodies.position[i].cross(p) + to_world(axes, spin_B.cwiseProduct(bodies.inertia[i]));
+    size += p.norm();
+  }
+  EXPECT_GT(size, 1) << "they did collide";
+  expect_near(momentum, {0, 0, 0}, 5e-11);
+  expect_near(angular, {0, 0, 0}, 5e-11);
+}
+
+TEST(ComputeImpulses, NothingIsAppliedYet) {
+  const World world = crash();
+  EXPECT_EQ(world.bodies().velocity[0], Vec3(2, 0.5, -1));
+  EXPECT_EQ(world.bodies().spin[1], Vec3(1, 2, -1));
+  EXPECT_EQ(world.scratch().touched, (std::vector<std::uint8_t>{1, 1}));
+}
+
+// A cube falls flat on the ground at 4 m/s and leaves at ε · 4; of the pair's two coefficients the larger counts.
+TEST(ComputeImpulses, RestitutionDecidesHowHighACubeBounces) {
+  for (const double restitution : {0.0, 0.5, 1.0}) {
+    for (const bool ground_bounces : {false, true}) {
+      SceneDef scene = on_ground();
+      scene.world.gravity = Vec3::Zero();
+      scene.world.dt = 0.125;
+      scene.world.ground_material.restitution = ground_bounces ? restitution : 0;
+      scene.boxes = {cube(1, {0, 0, 0.75})};
+      scene.boxes[0].velocity = {0, 0, -4};
+      scene.boxes[0].material.restitution = ground_bounces ? 0 : restitution;
+      World world = made(scene);
+      advance(world);
+      EXPECT_NEAR(world.bodies().velocity.z[0], 4 * restitution, 1e-11);
+      EXPECT_EQ(world.bodies().velocity.x[0], 0);
+      expect_near(world.bodies().spin[0], {0, 0, 0}, 1e-11);
+    }
+  }
+}
+
+// A pair's friction is the geometric mean: √(0.9 · 0.1) = 0.3 between a box and the ground. Falling at 4 m/s with ε = 0
+// it loses 0.3 · 4 of its 10 m/s; static coefficients must not matter at that speed.
+TEST(ComputeImpulses, FrictionOfAPairIsTheGeometricMean) {
+  SceneDef scene = on_ground();
+  scene.world.gravity = Vec3::Zero();
+  scene.world.ground_material = {0.8, 0.1, 0};
+  scene.boxes = {cube(1, {0, 0, 0.5})};
+  scene.boxes[0].velocity = {10, 0, -4};
+  scene.boxes[0].material = {0.7, 0.9, 0};
+  World world = made(scene);
+  advance(world);
+  EXPECT_NEAR(world.bodies().velocity.x[0], 10 - 0.3 * 4, 1e-11);
+}
+
+// The outcome of a pair does not depend on other pairs: a cube struck from both sides at once gets both impulses.
+TEST(ComputeImpulses, OutcomesAreComputedBeforeAnyIsApplied) {
+  SceneDef scene = empty_space();
+  scene.boxes = {cube(1, {-0.95, 0.01, 0.02}), cube(2, {0, 0, 0}), cube(3, {0.95, 0.01, 0.02})};
+  scene.boxes[0].velocity = {2, 0, 0};
+  scene.boxes[2].velocity = {-2, 0, 0};
+  for (BoxDef& b : scene.boxes) b.material = {0, 0, 0};
+  World world = made(scene);
+  ASSERT_TRUE(find_pairs(world, 0).ok());
+  ASSERT_TRUE(find_planes(world, 0).ok());
+  ASSERT_TRUE(find_contacts(world, 0).ok());
+  ASSERT_TRUE(compute_impulses(world, 0).ok());
+  ASSERT_EQ(world.scratch().contacts.size(), 2U);
+  const Vec3 left = world.scratch().contacts.impulse[0], right = world.scratch().contacts.impulse[1];
+  EXPECT_GT(left.x(), 0.5);
+  EXPECT_EQ(left.x(), right.x());
+  EXPECT_EQ(world.scratch().velocity_gain.x[1], 0) << "equal and opposite";
+}
+
+}  // namespace
+}  // namespace tumble::test

@@ -1,0 +1,177 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "src/kernels/contact_kernels.h"
+#include "src/math/grid_magic.h"
+#include "src/step/step.h"
+#include "src/world/scratch.h"
+#include "tests/support/sim_scenes.h"
+
+namespace tumble::sim {
+namespace {
+
+constexpr std::array<LaneWidth, 4> kWidths = {LaneWidth::kOne, LaneWidth::kTwo, LaneWidth::kFour, LaneWidth::kEight};
+
+std::vector<LaneWidth> widths_here() {
+  std::vector<LaneWidth> widths;
+  for (const LaneWidth width : kWidths) {
+    if (runs_lanes(width)) widths.push_back(width);
+  }
+  return widths;
+}
+
+// Bodies and manifolds with nothing in common but that every sum stays within its grid; of the outcomes, the first
+// body takes the first two, and so on.
+struct RandomContacts {
+  std::vector<ContactBatch> batches;
+  std::vector<PointBatch> points;
+  std::vector<Outcome> outcomes;
+  std::vector<std::uint32_t> entries;
+  std::vector<BodyOutcomes> touched;
+  std::vector<double> bodies;
+
+  explicit RandomContacts(std::uint64_t seed) : random_(seed) {
+    constexpr std::size_t kBodies = 40;
+    bodies.assign((kBodies + 1) * kSolverBodyDoubles, 0.0);
+    for (std::size_t i = 0; i < kBodies; ++i) fill_body(bodies.data() + i * kSolverBodyDoubles);
+    for (std::uint32_t used = 1; used <= kLanes; ++used) add_batch(used, kBodies);
+    outcomes.resize(batches.size() * kLanes * 2);
+    for (std::uint32_t i = 0; i < kBodies; ++i) {
+      touched.push_back({i, 2 * i, 2 * i + 2});
+      entries.insert(entries.end(), {2 * kLanes * (i % kLanes) + i / kLanes, 2 * kLanes * (i % kLanes)});
+    }
+  }
+
+  ContactWork work() {
+    return {batches.data(), batches.size(), points.data(), bodies.data(), outcomes.data()->of, entries.data(), 0.01};
+  }
+
+ private:
+  double number(double low, double high) { return random_.uniform(low, high); }
+
+  void fill_body(double* body) {
+    for (int k = 0; k < 6; ++k) body[k] = number(-2, 2);
+    body[6] = number(0.1, 2);
+    for (const int diagonal : {8, 11, 13}) body[diagonal] = number(1, 8);
+    for (const int other : {9, 10, 12}) body[other] = number(-0.3, 0.3);
+  }
+
+  void add_batch(std::uint32_t used, std::size_t ground) {
+    ContactBatch& batch = batches.emplace_back();
+    std::fill_n(batch.a, kLanes, static_cast<std::uint32_t>(ground));
+    std::fill_n(batch.b, kLanes, static_cast<std::uint32_t>(ground));
+    batch.used = used;
+    batch.first = static_cast<std::uint32_t>(points.size());
+    batch.count = 1 + used % 5;
+    batch.bounces = true;
+    points.resize(points.size() + batch.count);
+    for (unsigned lane = 0; lane < used; ++lane) fill_lane(batch, lane, static_cast<std::uint32_t>(ground));
+  }
+
+  void fill_lane(ContactBatch& batch, unsigned lane, std::uint32_t ground) {
+    batch.a[lane] = lane % 3 == 0 ? ground : static_cast<std::uint32_t>(number(0, ground - 1));
+    batch.b[lane] = static_cast<std::uint32_t>(number(0, ground - 1));
+    const unsigned count = lane % 2 == 0 ? batch.count : 1;
+    batch.point_count.of[lane] = count;
+    for (int k = 0; k < 3; ++k) {
+      batch.n[k].of[lane] = k == 2 ? 1 : 0;
+      batch.t1[k].of[lane] = k == 0 ? 1 : 0;
+      batch.t2[k].of[lane] = k == 1 ? 1 : 0;
+      batch.d[k].of[lane] = number(-1, 1);
+    }
+    batch.offset.of[lane] = number(-1, 0);
+    batch.friction.of[lane] = batch.friction_dynamic.of[lane] = number(0, 1);
+    batch.restitution.of[lane] = number(0, 1);
+    batch.split_a.of[lane] = batch.split_b.of[lane] = 1 + lane % 3;
+    batch.acceleration.of[lane] = -9.81;
+    batch.impulse_magic.of[lane] = kMotionMagic;
+    for (Lanes* lanes : {&batch.force1, &batch.force2, &batch.twist}) lanes->of[lane] = number(-1, 1);
+    for (unsigned k = 0; k < count; ++k) {
+      PointBatch& point = points[batch.first + k];
+      point.p.of[lane] = number(-0.5, 0.5);
+      point.q.of[lane] = number(-0.5, 0.5);
+      point.separation.of[lane] = number(-0.01, 0.01);
+      point.impulse.of[lane] = number(0, 1);
+      point.load.of[lane] = number(0, 1);
+    }
+  }
+
+  test::Random random_;
+};
+
+template <class T>
+bool same_bits(const std::vector<T>& x, const std::vector<T>& y) {
+  return x.size() == y.size() && std::memcmp(x.data(), y.data(), x.size() * sizeof(T)) == 0;
+}
+
+void run_kernels(RandomContacts& contacts, LaneWidth width) {
+  const ContactKernels& kernels = contact_kernels(width);
+  kernels.prepare(contacts.work());
+  const auto apply = [&] { kernels.apply_outcomes(contacts.work(), contacts.touched.data(), contacts.touched.size()); };
+  kernels.warm_start(contacts.work());
+  apply();
+  for (const Sweep sweep : {Sweep::kPush, Sweep::kRelax, Sweep::kRestitution}) {
+    kernels.solve(contacts.work(), sweep);
+    apply();
+  }
+  kernels.move_on(contacts.work());
+}
+
+TEST(Lanes, KernelsOfEveryWidthGiveTheBitsOfOneLane) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    RandomContacts one(seed);
+    run_kernels(one, LaneWidth::kOne);
+    for (const double number : one.bodies) ASSERT_TRUE(std::isfinite(number)) << "seed " << seed;
+    for (const LaneWidth width : widths_here()) {
+      RandomContacts other(seed);
+      run_kernels(other, width);
+      ASSERT_TRUE(same_bits(one.bodies, other.bodies)) << name_of(width) << " lanes, seed " << seed;
+      for (std::size_t k = 0; k < one.points.size(); ++k) {
+        for (int lane = 0; lane < kLanes; ++lane) {
+          ASSERT_EQ(one.points[k].impulse.of[lane], other.points[k].impulse.of[lane]) << name_of(width);
+          ASSERT_EQ(one.points[k].separation.of[lane], other.points[k].separation.of[lane]) << name_of(width);
+        }
+      }
+    }
+  }
+}
+
+std::vector<std::uint64_t> hashes_of(const SceneDef& scene, LaneWidth width, int steps) {
+  Result<World> world = World::create(scene);
+  EXPECT_TRUE(world.ok());
+  world->mutable_scratch().lanes = width;
+  return test::phase_words_of(*world, steps);
+}
+
+TEST(Lanes, SessionsOfEveryWidthHaveTheSamePhaseHashes) {
+  SceneDef heap = test::pile(4);
+  test::jitter(heap, 0.01, 7);
+  for (SceneDef layered : {heap, test::tumble_of_boxes(5, 3), test::wall(4, 5)}) {
+    layered.world.method = Method::kLayered;
+    const std::vector<std::uint64_t> one = hashes_of(layered, LaneWidth::kOne, 90);
+    for (const LaneWidth width : widths_here()) EXPECT_EQ(one, hashes_of(layered, width, 90)) << name_of(width);
+    EXPECT_EQ(one, hashes_of(layered, LaneWidth::kWidest, 90));
+  }
+}
+
+TEST(Lanes, SessionsOfMethodThesisLikewise) {
+  SceneDef drag = test::tilted_grid(5);  // 25 bodies: three eights and one
+  drag.world.air_drag = 0.3;
+  SceneDef heap = test::pile(3);
+  test::jitter(heap, 0.01, 7);
+  for (SceneDef thesis : {drag, heap, test::tumble_of_boxes(3, 3), test::plates_and_bars(4, 3)}) {
+    thesis.world.method = Method::kThesis;
+    thesis.world.substeps = 4;
+    const std::vector<std::uint64_t> one = hashes_of(thesis, LaneWidth::kOne, 60);
+    for (const LaneWidth width : widths_here()) EXPECT_EQ(one, hashes_of(thesis, width, 60)) << name_of(width);
+    EXPECT_EQ(one, hashes_of(thesis, LaneWidth::kWidest, 60));
+  }
+}
+
+}  // namespace
+}  // namespace tumble::sim

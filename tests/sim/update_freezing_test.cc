@@ -1,0 +1,384 @@
+// Thesis III.D: three criteria, two thresholds, contact objects. Each criterion fails on its own below.
+#include "src/thesis/update_freezing.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/sim_scenes.h"
+
+namespace tumble::test {
+namespace {
+
+using sim::BodyIndex;
+using sim::BoxDef;
+using sim::ContactObjects;
+using sim::kGround;
+using sim::SceneDef;
+using sim::Vec3;
+using sim::World;
+
+constexpr double kDt = 0.125;  // four of them are the freeze_time of ½ s, exactly
+const Vec3 kUp(0, 0, 1), kDown(0, 0, -1);
+
+struct Touch {
+  BodyIndex a, b;
+  Vec3 normal;  // from a to b
+};
+const Touch kOnGround = {0, kGround, kDown};
+
+// One update_freezing in which exactly these collisions happen.
+void update(World& world, const std::vector<Touch>& touches, double dt = kDt) {
+  sim::Scratch& scratch = world.mutable_scratch();
+  scratch.contacts = {};
+  scratch.touched.assign(world.bodies().size(), 0);
+  for (const Touch& t : touches) {
+    scratch.contacts.a.push_back(t.a);
+    scratch.contacts.b.push_back(t.b);
+    scratch.contacts.normal.push_back(t.normal);
+    scratch.touched[t.a] = 1;
+    if (t.b != kGround) scratch.touched[t.b] = 1;
+  }
+  ASSERT_TRUE(update_freezing(world, dt).ok());
+}
+
+SceneDef cubes_at(const std::vector<Vec3>& positions) {
+  SceneDef scene = on_ground();
+  for (const Vec3& position : positions) scene.boxes.push_back(cube(scene.boxes.size() + 1, position));
+  return scene;
+}
+
+World one_cube(const Vec3& velocity, const Vec3& spin) {
+  SceneDef scene = cubes_at({{0, 0, 0.5}});
+  scene.boxes[0].velocity = velocity;
+  scene.boxes[0].spin = spin;
+  return made(scene);
+}
+
+bool is_frozen_after(World& world, int updates, const std::vector<Touch>& touches) {
+  for (int k = 0; k < updates; ++k) update(world, touches);
+  return world.bodies().frozen[0] != 0;
+}
+
+// ½ v² < 0.0032 J/kg: v < 0.08 m/s. A cube's ½ w² I/m is w²/12: w < √0.0384 = 0.19596 rad/s. Both together: their sum.
+TEST(Freezing, NeedsEnergyBelowTheThreshold) {
+  World slow = one_cube({0.0799, 0, 0}, {0, 0, 0}), fast = one_cube({0.0801, 0, 0}, {0, 0, 0});
+  EXPECT_TRUE(is_frozen_after(slow, 4, {kOnGround}));
+  EXPECT_FALSE(is_frozen_after(fast, 40, {kOnGround}));
+  World turning_slow = one_cube({0, 0, 0}, {0, 0.1959, 0}), turning_fast = one_cube({0, 0, 0}, {0, 0.1961, 0});
+  EXPECT_TRUE(is_frozen_after(turning_slow, 4, {kOnGround}));
+  EXPECT_FALSE(is_frozen_after(turning_fast, 40, {kOnGround}));
+  World both = one_cube({0, 0.06, 0}, {0, 0.15, 0});  // 0.0018 + 0.001875
+  EXPECT_FALSE(is_frozen_after(both, 40, {kOnGround}));
+}
+
+TEST(Freezing, NeedsTheEnergyToStayLowForFreezeTime) {
+  World world = one_cube({0.01, 0, 0}, {0, 0, 0});
+  EXPECT_FALSE(is_frozen_after(world, 3, {kOnGround}));
+  EXPECT_EQ(world.bodies().low_energy_time[0], 0.375);
+  EXPECT_TRUE(is_frozen_after(world, 1, {kOnGround})) << "½ s is enough";
+}
+
+TEST(Freezing, AnInterruptionStartsTheTimeAnew) {
+  World world = one_cube({0.01, 0, 0}, {0, 0, 0});
+  EXPECT_FALSE(is_frozen_after(world, 3, {kOnGround}));
+  world.mutable_state().bodies.velocity.set(0, {1, 0, 0});
+  EXPECT_FALSE(is_frozen_after(world, 1, {kOnGround}));
+  world.mutable_state().bodies.velocity.set(0, {0.01, 0, 0});
+  EXPECT_FALSE(is_frozen_after(world, 3, {kOnGround}));
+  EXPECT_TRUE(is_frozen_after(world, 1, {kOnGround}));
+}
+
+TEST(Freezing, NeedsACollisionInThatStep) {
+  World world = one_cube({0.01, 0, 0}, {0, 0, 0});
+  EXPECT_FALSE(is_frozen_after(world, 20, {}));
+  EXPECT_TRUE(is_frozen_after(world, 1, {kOnGround}));
+}
+
+// "When an object becomes frozen, its velocities (linear and angular) are set to zero."
+TEST(Freezing, StopsTheBody) {
+  World world = one_cube({0.01, 0.02, -0.03}, {0.01, 0.02, 0.03});
+  ASSERT_TRUE(is_frozen_after(world, 4, {kOnGround}));
+  EXPECT_EQ(world.bodies().velocity[0], Vec3(0, 0, 0));
+  EXPECT_EQ(world.bodies().spin[0], Vec3(0, 0, 0));
+  const Vec3 position = world.bodies().position[0];
+  advance(world);
+  EXPECT_EQ(world.bodies().position[0], position) << "a frozen body is not moved by the step";
+}
+
+TEST(Freezing, CanBeSwitchedOff) {
+  World world = one_cube({0, 0, 0}, {0, 0, 0});
+  world.mutable_state().def.freezing = false;
+  EXPECT_FALSE(is_frozen_after(world, 40, {kOnGround}));
+}
+
+// The escape threshold is twice the entering one: ½ v² > 0.0064, v > 0.113137.
+TEST(Escape, NeedsTwiceTheFreezingEnergy) {
+  for (const double speed : {0.1131, 0.1132}) {
+    SceneDef scene = cubes_at({{0, 0, 0.5}});
+    scene.boxes[0].frozen = true;
+    World world = made(scene);
+    const Vec3 velocity(0, speed, 0);
+    world.mutable_state().bodies.velocity.set(0, velocity);  // what an impulse would have given
+    update(world, {kOnGround});
+    const bool escapes = speed > 0.1131371;
+    EXPECT_EQ(world.bodies().frozen[0] == 0, escapes) << speed;
+    EXPECT_EQ(world.bodies().velocity[0], escapes ? velocity : Vec3(0, 0, 0));
+    EXPECT_EQ(world.state().contact_objects.size(), escapes ? 0U : 1U);
+  }
+}
+
+// A thrown cube of 1 kg meets a frozen one of 1 kg head-on, ε = 0: both have v/2 after it, if the frozen one escapes,
+// which it does for v/2 > 0.1131. A body hit too softly stands as if nailed, and hitting it is not free: v/2 is kept.
+TEST(Escape, FollowsFromARealCollision) {
+  for (const double speed : {0.22, 0.23}) {
+    SceneDef scene = empty_space();
+    scene.boxes = {cube(1, {0, 0, 0}), cube(2, {1.001, 0, 0})};
+    scene.boxes[0].frozen = true;
+    scene.boxes[1].velocity = {-speed, 0, 0};
+    for (BoxDef& b : scene.boxes) b.material = {0, 0, 0};
+    World world = made(scene);
+    advance(world);
+    EXPECT_EQ(world.bodies().frozen[0], speed < 0.2263 ? 1 : 0);
+    EXPECT_NEAR(world.bodies().velocity.x[0], speed < 0.2263 ? 0 : -speed / 2, 1e-11);
+    EXPECT_NEAR(world.bodies().velocity.x[1], -speed / 2, 1e-11);
+  }
+}
+
+World candidate_with(const std::vector<Vec3>& others, const std::vector<Touch>& touches) {
+  std::vector<Vec3> positions = {{0, 0, 5}};
+  positions.insert(positions.end(), others.begin(), others.end());
+  SceneDef scene = cubes_at(positions);
+  for (std::size_t k = 1; k < scene.boxes.size(); ++k) scene.boxes[k].frozen = true;
+  World world = made(scene);
+  for (int k = 0; k < 4; ++k) update(world, touches);
+  return world;
+}
+
+std::vector<BodyIndex> objects_of(const World& world, BodyIndex body) {
+  std::vector<BodyIndex> objects;
+  const ContactObjects& all = world.state().contact_objects;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (all.body[k] == body) objects.push_back(all.object[k]);
+  }
+  return objects;
+}
+
+// "If the object A has multiple collisions, the colliding object that has the lowest z position is the CO."
+TEST(ContactObject, IsTheLowestBodyTouched) {
+  for (const bool lowest_first : {true, false}) {
+    const double first = lowest_first ? 4.0 : 4.1, second = lowest_first ? 4.1 : 4.0;
+    const World world =
+        candidate_with({{0.5, 0, first}, {-0.5, 0, second}, {0, 0, 6}}, {{0, 1, kDown}, {0, 2, kDown}, {0, 3, kUp}});
+    EXPECT_EQ(world.bodies().frozen[0], 1);
+    EXPECT_EQ(objects_of(world, 0), (std::vector<BodyIndex>{lowest_first ? 1U : 2U}));
+  }
+}
+
+TEST(ContactObject, IsTheSetOfThemOnATie) {
+  const World world =
+      candidate_with({{0.5, 0, 4}, {-0.5, 0, 4.5}, {-0.5, 0, 4}}, {{0, 1, kDown}, {0, 2, kDown}, {0, 3, kDown}});
+  EXPECT_EQ(objects_of(world, 0), (std::vector<BodyIndex>{1, 3}));
+}
+
+TEST(ContactObject, GroundIsLowerThanAnything) {
+  const World world = candidate_with({{0.5, 0, -100}}, {{0, 1, kDown}, kOnGround});
+  EXPECT_EQ(objects_of(world, 0), (std::vector<BodyIndex>{kGround}));
+}
+
+// "If object B has a lower z position than object A, B is the CO": one that only hangs beside or above carries nothing.
+TEST(ContactObject, BodiesBesideAndAboveCarryNothing) {
+  for (const double height : {5.0, 6.0}) {
+    const World world = candidate_with({{1, 0, height}}, {{0, 1, {1, 0, 0}}});
+    EXPECT_EQ(world.bodies().frozen[0], 0) << height;
+  }
+}
+
+// Rests only on what rests: the lower body must be frozen itself.
+TEST(ContactObject, MustBeAtRestItself) {
+  World world = candidate_with({{0, 0, 4}}, {{0, 1, kDown}});
+  EXPECT_EQ(world.bodies().frozen[0], 1);
+  SceneDef scene = cubes_at({{0, 0, 5}, {0, 0, 4}});
+  World moving = made(scene);
+  moving.mutable_state().bodies.velocity.set(1, {1, 0, 0});
+  for (int k = 0; k < 20; ++k) {
+    update(moving, {{0, 1, kDown}});
+    EXPECT_EQ(moving.bodies().frozen[0], 0) << "update " << k;
+  }
+}
+
+// A static ramp carries what it presses from below, however high its centre; a static ceiling does not.
+TEST(ContactObject, StaticRampCarriesWhateverItsCentre) {
+  for (const bool from_below : {true, false}) {
+    SceneDef scene = cubes_at({{0, 0, 5}, {9, 0, 7}});
+    scene.boxes[1].is_static = true;
+    World world = made(scene);
+    const Vec3 down_the_slope(0.6, 0, from_below ? -0.8 : 0.8);
+    for (int k = 0; k < 4; ++k) update(world, {{0, 1, down_the_slope}});
+    EXPECT_EQ(world.bodies().frozen[0], from_below ? 1 : 0);
+  }
+}
+
+// Low is along gravity: pulled towards +x, the body at larger x carries.
+TEST(ContactObject, LowIsAlongGravity) {
+  SceneDef scene = cubes_at({{0, 0, 5}, {1, 0, 5}, {-1, 0, 4}});
+  scene.world.gravity = {9.81, 0, 0};
+  scene.boxes[1].frozen = scene.boxes[2].frozen = true;
+  World world = made(scene);
+  for (int k = 0; k < 4; ++k) update(world, {{0, 1, {1, 0, 0}}, {0, 2, {-1, 0, 0}}});
+  EXPECT_EQ(objects_of(world, 0), (std::vector<BodyIndex>{1}));
+}
+
+TEST(ContactObject, WithoutGravityNothingFreezes) {
+  SceneDef scene = cubes_at({{0, 0, 5}, {0, 0, 4}});
+  scene.world.gravity = {0, 0, 0};
+  scene.boxes[1].frozen = true;
+  World world = made(scene);
+  for (int k = 0; k < 20; ++k) update(world, {{0, 1, kDown}, kOnGround});
+  EXPECT_EQ(world.bodies().frozen[0], 0);
+}
+
+// A frozen start: each cube of a tower takes the one below; a cube 2 mm clear of another touches nothing.
+TEST(FrozenStart, TakesTouchingBodiesAsContactObjects) {
+  SceneDef scene = tower(3);
+  scene.boxes.push_back(cube(4, {5, 0, 0.502}));
+  scene.boxes.push_back(cube(5, {0.7505, 0, 1.5}));  // touches the side of cube 2, at its height
+  scene.boxes.back().size = {0.5, 0.5, 0.5};
+  freeze_all(scene);
+  const World world = made(scene);
+  EXPECT_EQ(objects_of(world, 0), (std::vector<BodyIndex>{kGround}));
+  EXPECT_EQ(objects_of(world, 1), (std::vector<BodyIndex>{0}));
+  EXPECT_EQ(objects_of(world, 2), (std::vector<BodyIndex>{1}));
+  EXPECT_EQ(objects_of(world, 3), (std::vector<BodyIndex>{}));
+  EXPECT_EQ(objects_of(world, 4), (std::vector<BodyIndex>{}));
+}
+
+// Fig. 10's bricks: one resting on two neighbours takes both.
+TEST(FrozenStart, BrickOnTwoBricksTakesBoth) {
+  SceneDef scene = wall(2, 3);
+  freeze_all(scene);
+  const World world = made(scene);
+  EXPECT_EQ(objects_of(world, 3), (std::vector<BodyIndex>{0, 1}));
+  EXPECT_EQ(objects_of(world, 5), (std::vector<BodyIndex>{2}));
+}
+
+// Packed without a gap, the middle cube of the upper layer meets the four cubes around it and the four diagonal ones
+// only along edges and at corners; what carries it is the one below.
+TEST(FrozenStart, MeetingAtAnEdgeOrACornerCarriesNothing) {
+  SceneDef scene = on_ground();
+  for (const double y : {-1, 0, 1}) {
+    for (const double x : {-1, 0, 1}) scene.boxes.push_back(cube(scene.boxes.size() + 1, {x, y, 0.5}));
+  }
+  scene.boxes.push_back(cube(10, {0, 0, 1.5}));
+  freeze_all(scene);
+  EXPECT_EQ(objects_of(made(scene), 9), (std::vector<BodyIndex>{4}));
+}
+
+// A body thrown in frozen rests on what it is put upon, as if it had always been there, and wakes with it.
+TEST(FrozenStart, FrozenThrowRestsOnWhatItTouches) {
+  SceneDef scene = tower(2);
+  freeze_all(scene);
+  World world = made(scene);
+  BoxDef top = cube(9, {0, 0, 2.5}), beneath = cube(5, {3, 0, 0.5});
+  top.frozen = beneath.frozen = true;
+  give(world, sim::Throw{top});
+  give(world, sim::Throw{beneath});
+  EXPECT_EQ(objects_of(world, 0), (std::vector<BodyIndex>{kGround}));
+  EXPECT_EQ(objects_of(world, 1), (std::vector<BodyIndex>{0}));
+  EXPECT_EQ(objects_of(world, 2), (std::vector<BodyIndex>{kGround}));
+  EXPECT_EQ(objects_of(world, 3), (std::vector<BodyIndex>{1}));
+  give(world, sim::Remove{2});
+  EXPECT_EQ(world.bodies().frozen, (std::vector<std::uint8_t>{1, 1, 0}));
+}
+
+std::vector<std::uint8_t> frozen(const World& world) { return world.bodies().frozen; }
+using Flags = std::vector<std::uint8_t>;
+
+// "It is possible to activate a frozen object sitting at the top of another object when the bottom object becomes
+// activated": one level each time, whichever way the ids run.
+TEST(Waking, ClimbsOneLevelAtATime) {
+  for (const bool from_top : {false, true}) {
+    SceneDef scene = tower(4);
+    freeze_all(scene);
+    if (from_top) {
+      for (std::size_t k = 0; k < 4; ++k) scene.boxes[k].position.z() = 3.5 - static_cast<double>(k);
+    }
+    World world = made(scene);
+    give(world, sim::Wake{from_top ? 4U : 1U});
+    const std::vector<Flags> wanted = from_top
+                                          ? std::vector<Flags>{{1, 1, 1, 0}, {1, 1, 0, 0}, {1, 0, 0, 0}, {0, 0, 0, 0}}
+                                          : std::vector<Flags>{{0, 1, 1, 1}, {0, 0, 1, 1}, {0, 0, 0, 1}, {0, 0, 0, 0}};
+    for (const Flags& flags : wanted) {
+      EXPECT_EQ(frozen(world), flags);
+      update(world, {}, 1e-3);
+    }
+    EXPECT_EQ(world.state().contact_objects.size(), 0U);
+  }
+}
+
+TEST(Waking, BodyWithSeveralContactObjectsWakesWithAnyOfThem) {
+  for (const sim::BodyId woken : {1U, 2U}) {
+    SceneDef scene = wall(2, 2);
+    freeze_all(scene);
+    World world = made(scene);
+    ASSERT_EQ(objects_of(world, 2), (std::vector<BodyIndex>{0, 1}));
+    give(world, sim::Wake{woken});
+    update(world, {}, 1e-3);
+    EXPECT_EQ(frozen(world)[2], 0);
+  }
+}
+
+TEST(Waking, FollowsARemovedContactObjectAtOnce) {
+  SceneDef scene = tower(4);
+  freeze_all(scene);
+  World world = made(scene);
+  give(world, sim::Remove{2});
+  EXPECT_EQ(frozen(world), (Flags{1, 0, 1}));
+  EXPECT_EQ(objects_of(world, 0), (std::vector<BodyIndex>{kGround}));
+  EXPECT_EQ(objects_of(world, 1), (std::vector<BodyIndex>{}));
+  EXPECT_EQ(objects_of(world, 2), (std::vector<BodyIndex>{1})) << "rows behind the removed one move up";
+  update(world, {}, 1e-3);
+  EXPECT_EQ(frozen(world), (Flags{1, 0, 0}));
+}
+
+TEST(Waking, FollowsChangedGravity) {
+  SceneDef scene = tower(3);
+  freeze_all(scene);
+  World world = made(scene);
+  give(world, sim::SetGravity{{0, 1, -9}});
+  EXPECT_EQ(frozen(world), (Flags{0, 0, 0}));
+  EXPECT_EQ(world.state().contact_objects.size(), 0U);
+}
+
+// Contact objects keep pointing at the right bodies when a body is thrown in between the ids.
+TEST(Waking, ContactObjectsFollowTheRowsOfAThrow) {
+  SceneDef scene = tower(2);
+  scene.boxes[0].id = 10;
+  scene.boxes[1].id = 20;
+  freeze_all(scene);
+  World world = made(scene);
+  give(world, sim::Throw{cube(5, {9, 9, 9})});
+  give(world, sim::Throw{cube(15, {-9, 9, 9})});
+  EXPECT_EQ(objects_of(world, 1), (std::vector<BodyIndex>{kGround}));
+  EXPECT_EQ(objects_of(world, 3), (std::vector<BodyIndex>{1}));
+}
+
+// End to end: a dropped cube comes to rest on the ground, freezes ½ s later at the earliest, and stays.
+TEST(Freezing, DroppedCubeComesToRestAndFreezes) {
+  SceneDef scene = cubes_at({{0, 0, 0.8}});
+  scene.world.substeps = 8;
+  World world = made(scene);
+  int first = 0;
+  for (int step = 1; step <= 300; ++step) {
+    advance(world);
+    if (first == 0 && world.bodies().frozen[0] != 0) first = step;
+  }
+  EXPECT_GT(first, 30);
+  EXPECT_LT(first, 150);
+  EXPECT_EQ(world.bodies().frozen[0], 1);
+  EXPECT_NEAR(world.bodies().position.z[0], 0.5, 0.005);
+  EXPECT_EQ(objects_of(world, 0), (std::vector<BodyIndex>{kGround}));
+}
+
+}  // namespace
+}  // namespace tumble::test

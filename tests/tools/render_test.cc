@@ -1,0 +1,181 @@
+// `tumble render` as a person runs it.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "src/render/picture/png.h"
+#include "tests/support/pictures.h"
+#include "tests/support/program.h"
+
+namespace tumble::test {
+namespace {
+
+// An environment variable for the programs run while it lives.
+class Setting {
+ public:
+  Setting(const char* name, const char* value) : name_(name) {
+    if (const char* old = std::getenv(name)) old_ = old;
+    setenv(name, value, 1);
+  }
+  ~Setting() { old_ ? setenv(name_, old_->c_str(), 1) : unsetenv(name_); }
+  Setting(const Setting&) = delete;
+  Setting& operator=(const Setting&) = delete;
+
+ private:
+  const char* name_;
+  std::optional<std::string> old_;
+};
+
+class ToolsRender : public testing::Test {
+ protected:
+  void SetUp() override { shop_.record_small("s"); }
+
+  render::PngFile drawn(std::vector<std::string> more, const std::string& name = "x.png") {
+    std::vector<std::string> arguments = {"render", "s.tumble", "--size", size_, "--samples", "1", "-o", name};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = shop_.run(arguments);
+    EXPECT_EQ(outcome.exit, 0) << outcome.err;
+    const auto read = render::read_png(shop_.path(name));
+    EXPECT_TRUE(read.ok()) << read.error().message;
+    return read.ok() ? *read : render::PngFile{};
+  }
+
+  std::string size_ = "96x64";
+  Workshop shop_;
+};
+
+TEST_F(ToolsRender, SaysInThePictureWhatItShows) {
+  const render::PngFile file = drawn({"--step", "12", "--effects", "-bloom"});
+  EXPECT_EQ(file.image.width, 96);
+  EXPECT_EQ(file.image.height, 64);
+  const std::map<std::string, std::string> text(file.text.begin(), file.text.end());
+  EXPECT_EQ(text.at("Scene"), "s");
+  EXPECT_EQ(text.at("Step"), "12");
+  EXPECT_EQ(text.at("Effects"), "specular,shadow,dof,motion");
+  EXPECT_EQ(text.at("State hash").size(), 32U);
+  EXPECT_NE(drawn({"--step", "13"}).image, file.image) << "another step, the same picture";
+}
+
+// Every one is a process of its own: a driver reads its settings once, and two backends in a process cross over.
+TEST_F(ToolsRender, GivesTheSamePixelsWhateverDrawsThem) {
+  const render::Image expected = drawn({"--step", "20"}).image;
+  EXPECT_EQ(drawn({"--step", "20"}).image, expected) << "from run to run";
+  for (const char* threads : {"0", "1", "2"}) {
+    const Setting setting("LP_NUM_THREADS", threads);
+    EXPECT_EQ(drawn({"--step", "20"}).image, expected) << threads << " threads";
+  }
+  for (const char* width : {"128", "256"}) {
+    const Setting setting("LP_NATIVE_VECTOR_WIDTH", width);
+    EXPECT_EQ(drawn({"--step", "20"}).image, expected) << "vectors of " << width << " bits";
+  }
+  EXPECT_EQ(drawn({"--step", "20", "--gl", "osmesa"}).image, expected) << "OSMesa";
+  EXPECT_EQ(drawn({"--step", "20", "--gl", "egl"}).image, expected) << "EGL";
+}
+
+TEST_F(ToolsRender, NumbersPicturesByTheirStep) {
+  const Outcome outcome =
+      shop_.run({"render", "s.tumble", "--steps", "10:30", "--every", "10", "--size", "32x32", "-o", "frames"});
+  ASSERT_EQ(outcome.exit, 0) << outcome.err;
+  std::size_t count = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(shop_.path("frames"))) ++count;
+  EXPECT_EQ(count, 3U);
+  for (const char* name : {"frames/frame_0010.png", "frames/frame_0020.png", "frames/frame_0030.png"}) {
+    EXPECT_TRUE(std::filesystem::exists(shop_.path(name))) << name;
+  }
+}
+
+TEST_F(ToolsRender, CallsAPictureAfterItsLog) {
+  ASSERT_EQ(shop_.run({"render", "s.tumble", "--step", "7", "--size", "32x32"}).exit, 0);
+  EXPECT_TRUE(std::filesystem::exists(shop_.path("s_0007.png")));
+}
+
+TEST_F(ToolsRender, MakesMoviesOfBothKindsAndSlowMotion) {
+  const Outcome mp4 = shop_.run({"render", "s.tumble", "-o", "s.mp4", "--size", "64x48", "--samples", "1", "--json"});
+  ASSERT_EQ(mp4.exit, 0) << mp4.err;
+  EXPECT_EQ(nlohmann::json::parse(mp4.out)["pictures"], 21) << "40 steps of 1/60 s at 30 frames a second";
+  EXPECT_EQ(shop_.read("s.mp4").substr(4, 4), "ftyp");
+  const Outcome webm = shop_.run({"render", "s.tumble", "-o", "s.webm", "--size", "64x48", "--samples", "1", "--steps",
+                                  "0:4", "--speed", "0.25", "--json"});
+  ASSERT_EQ(webm.exit, 0) << webm.err;
+  EXPECT_EQ(nlohmann::json::parse(webm.out)["pictures"], 9) << "every other frame lies between two states";
+  EXPECT_EQ(shop_.read("s.webm").substr(0, 4), "\x1A\x45\xDF\xA3");
+  EXPECT_FALSE(std::filesystem::exists(shop_.path("s.mp4.part")));
+}
+
+TEST_F(ToolsRender, SaysThatMoviesNeedFfmpeg) {
+  const Setting path("PATH", "");
+  const Outcome outcome = shop_.run({"render", "s.tumble", "-o", "s.mp4", "--size", "64x48"});
+  EXPECT_EQ(outcome.exit, 4);
+  EXPECT_NE(outcome.err.find("ffmpeg"), std::string::npos) << outcome.err;
+}
+
+TEST_F(ToolsRender, ReportsAMovieThatCannotBeWritten) {
+  const Outcome outcome = shop_.run({"render", "s.tumble", "-o", "no/such/folder/s.mp4", "--size", "64x48"});
+  EXPECT_EQ(outcome.exit, 4);
+  EXPECT_NE(outcome.err.find("s.mp4"), std::string::npos) << outcome.err;
+}
+
+TEST_F(ToolsRender, ColoursWhatDiffersFromAnotherLog) {
+  shop_.record_small("same");
+  shop_.record_small("other", {"--set", "material.restitution=0.9"});
+  const auto orange = [](int r, int g, int b) { return r > 120 && r > g + 50 && g > b + 20; };
+  const auto blue = [](int r, int g, int b) { return b > 120 && b > r + 60 && b > g + 30; };
+  const render::Image alone = drawn({"--step", "40", "--effects", "shadow"}).image;
+  EXPECT_EQ(drawn({"--step", "40", "--effects", "shadow", "--compare", "same.tumble"}).image, alone);
+  const render::Image both = drawn({"--step", "40", "--effects", "shadow", "--compare", "other.tumble"}).image;
+  EXPECT_GT(count_pixels(both, blue), 20U);
+  EXPECT_EQ(count_pixels(alone, blue), 0U);
+  EXPECT_GT(count_pixels(both, orange), 20U);
+}
+
+TEST_F(ToolsRender, ShowsBoundsContactsVelocitiesAndFreezing) {
+  size_ = "480x360";
+  const render::Image plain = drawn({"--step", "30"}).image;
+  const auto contact = [](int r, int g, int b) { return r > 230 && g < 90 && b > 90 && b < 160; };
+  const auto arrow = [](int r, int g, int b) { return r > 240 && g > 200 && b < 30; };
+  EXPECT_EQ(count_pixels(plain, contact) + count_pixels(plain, arrow), 0U);
+  EXPECT_GT(count_pixels(drawn({"--step", "30", "--show", "contacts"}).image, contact), 0U);
+  EXPECT_GT(count_pixels(drawn({"--step", "30", "--show", "velocities"}).image, arrow), 0U);
+  const auto bound = [](int r, int g, int b) { return b > 220 && r < 60 && g < 120; };
+  EXPECT_EQ(count_pixels(plain, bound), 0U);
+  EXPECT_GT(count_pixels(drawn({"--step", "30", "--show", "bounds"}).image, bound), 500U);
+  EXPECT_GT(difference(plain, drawn({"--step", "30", "--show", "freezing"}).image).far_off, 50U);
+}
+
+TEST_F(ToolsRender, RefusesWhatItCannotDo) {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+      {{"--step", "41"}, "holds steps 0 to 40"},
+      {{"--steps", "5:1"}, "wanted"},
+      {{"--steps", "0:4"}, "wanted -o"},
+      {{"--steps", "0:4", "-o", "x.png"}, "one .png holds one picture"},
+      {{"--size", "640"}, "as in 640x480"},
+      {{"--size", "9x9"}, "as in 640x480"},
+      {{"--size", "99999x480"}, "as in 640x480"},
+      {{"--effects", "glitter"}, "unknown word"},
+      {{"--pass", "seventh"}, "wanted one of depth"},
+      {{"--show", "hidden"}, "bounds, contacts, freezing or velocities"},
+      {{"--gl", "vulkan"}, "auto, osmesa or egl"},
+      {{"--samples", "5"}, "from 1 to 4"},
+      {{"--step", "3", "--speed", "0.5"}, "excludes"},
+      {{"--speed", "0"}, "above 0"},
+      {{"--size", "65x48", "-o", "s.mp4"}, "even width and height"},
+      {{"--compare", "missing.tumble"}, "missing.tumble"},
+      {{"-o", "s.tumble"}, "cannot be made a folder"},
+      {{"-o", "no/such/x.png"}, "cannot be written"},
+  };
+  for (const auto& [more, phrase] : cases) {
+    std::vector<std::string> arguments = {"render", "s.tumble"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome outcome = shop_.run(arguments);
+    EXPECT_EQ(outcome.exit, 2) << phrase;
+    EXPECT_NE(outcome.err.find(phrase), std::string::npos) << phrase << " is not in: " << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+  }
+}
+
+}  // namespace
+}  // namespace tumble::test

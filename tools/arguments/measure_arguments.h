@@ -1,0 +1,26 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "replay/measure/measure_options.h"
+#include "src/base/result.h"
+
+namespace tumble::tools {
+
+/// What `measure` and `bisect --metric` are told about what to measure over.
+struct MeasureArguments {
+  std::string bodies = "all";
+  std::string axis = "x";
+  std::optional<std::uint64_t> from_step;
+};
+
+/// Declares --bodies, --axis and --from-step.
+void add_measure(CLI::App& app, MeasureArguments& target);
+
+/// Errors (kBadInput): what is not understood.
+Result<replay::MeasureOptions> parse_measure(const MeasureArguments& arguments);
+
+}  // namespace tumble::tools

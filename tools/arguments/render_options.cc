@@ -1,0 +1,161 @@
+#include "tools/arguments/render_options.h"
+
+#include <filesystem>
+#include <utility>
+
+#include "src/base/text.h"
+#include "src/model/limits.h"
+#include "tools/arguments/arguments.h"
+#include "tools/arguments/step_range.h"
+#include "tools/output/movie.h"
+
+namespace tumble::tools {
+namespace {
+
+constexpr double kFpsMax = 1000;
+constexpr double kSpeedMax = 1000;
+constexpr std::uint64_t kFramesMax = 1000000;
+
+Error wrong(const char* option, const std::string& found, const std::string& wanted) {
+  return bad_input(std::string(option) + ": found " + in_quotes(found) + ", wanted " + wanted);
+}
+
+Status read_size(const std::string& text, render::Settings& settings) {
+  const std::size_t x = text.find('x');
+  const auto width = parse_whole(text.substr(0, x));
+  const auto height = x == std::string::npos ? std::nullopt : parse_whole(text.substr(x + 1));
+  constexpr std::uint64_t kLow = render::kSizeMin, kHigh = render::kSizeMax;
+  if (!width || !height || *width < kLow || *height < kLow || *width > kHigh || *height > kHigh) {
+    return wrong(
+        "--size", text,
+        "WxH in pixels, each from " + std::to_string(kLow) + " to " + std::to_string(kHigh) + ", as in 640x480");
+  }
+  settings.width = static_cast<int>(*width);
+  settings.height = static_cast<int>(*height);
+  return {};
+}
+
+Status read_show(const std::string& list, replay::PictureOptions& show) {
+  for (std::size_t begin = 0; begin < list.size();) {
+    const std::size_t end = std::min(list.find(',', begin), list.size());
+    const std::string word = list.substr(begin, end - begin);
+    begin = end + 1;
+    if (word == "bounds") {
+      show.bounds = true;
+    } else if (word == "freezing") {
+      show.freezing = true;
+    } else if (word == "contacts") {
+      show.contacts = true;
+    } else if (word == "velocities") {
+      show.velocities = true;
+    } else {
+      return wrong("--show", word, "bounds, contacts, freezing or velocities, with commas between");
+    }
+  }
+  return {};
+}
+
+Status read_look(const RenderArguments& arguments, RenderPlan& plan) {
+  if (Status ok = read_size(arguments.size, plan.settings); !ok.ok()) return ok;
+  const Result<render::Effects> effects = render::parse_effects(arguments.effects);
+  if (!effects.ok()) return effects.error();
+  plan.settings.effects = *effects;
+  const Result<render::Stage> stage = render::parse_stage(arguments.pass);
+  if (!stage.ok()) return stage.error();
+  plan.stage = *stage;
+  const Result<render::Backend> backend = render::parse_backend(arguments.gl);
+  if (!backend.ok()) return backend.error();
+  plan.backend = *backend;
+  // An intermediate image is shown as it is; with more samples it would be larger than the picture.
+  plan.settings.samples = plan.stage == render::Stage::kFinal ? static_cast<int>(arguments.samples.value_or(2)) : 1;
+  return read_show(arguments.show, plan.show);
+}
+
+OutputKind kind_of(const std::string& output) {
+  if (Movie::is_movie(output)) return OutputKind::kMovie;
+  return output.ends_with(".png") ? OutputKind::kPicture : OutputKind::kFolder;
+}
+
+// "brick_wall_0120.png" in the current folder.
+std::string default_output(const RenderArguments& arguments, std::uint64_t step) {
+  std::string number = std::to_string(step);
+  if (number.size() < 4) number.insert(0, 4 - number.size(), '0');
+  return std::filesystem::path(arguments.log).stem().string() + '_' + number + ".png";
+}
+
+Result<std::vector<Frame>> frames_of(const RenderArguments& arguments, replay::LogReader& log, const RenderPlan& plan,
+                                     const StepRange& range) {
+  const bool in_time = arguments.speed || (plan.kind == OutputKind::kMovie && !arguments.every);
+  if (!in_time) return frames_of_states(range.first, range.last, arguments.every.value_or(1));
+  const double seconds_each = arguments.speed.value_or(1) / plan.fps;
+  Result<std::vector<Frame>> frames = frames_in_time(log, range.first, range.last, seconds_each);
+  if (frames.ok() && frames->size() > kFramesMax) {
+    return bad_input("--speed, --fps: found " + std::to_string(frames->size()) + " frames, wanted at most " +
+                     std::to_string(kFramesMax));
+  }
+  return frames;
+}
+
+}  // namespace
+
+void declare_arguments(CLI::App& app, RenderArguments& a) {
+  app.add_option("LOG", a.log, "The log to draw")->required()->type_name("");
+  CLI::Option* step = add_whole(app, "--step", a.step, 0, sim::kStepsMax,
+                                "One picture: the state after step K, 0 being the start (default: the last)");
+  step->type_name("K");
+  CLI::Option* every = add_whole(app, "--every", a.every, 1, sim::kStepsMax, "Every N-th state");
+  every->type_name("N")->excludes(step);
+  app.add_option("--steps", a.steps, "From the state after step A to that after B (default: all)")
+      ->type_name("A:B")
+      ->excludes(step);
+  app.add_option("-o,--output", a.output,
+                 "Where to write: FILE.png; FILE.mp4 or FILE.webm for a movie; else a folder for numbered pictures")
+      ->type_name("PATH");
+  app.add_option("--size", a.size, "Width and height in pixels (default: 640x480)")->type_name("WxH");
+  add_whole(app, "--samples", a.samples, 1, render::kSamplesMax,
+            "Samples of a pixel along each edge: 1 is quick, 2 (default) has smooth edges")
+      ->type_name("N");
+  app.add_option("--effects", a.effects,
+                 "all, none, or some of specular,shadow,bloom,dof,motion,vertex; with - before each, all but these")
+      ->type_name("LIST");
+  app.add_option("--pass", a.pass,
+                 "The image to write: depth, base, masks, shrunk, hdr, blur_x, blurred, glow, final (default)")
+      ->type_name("NAME");
+  app.add_option("--show", a.show, "Some of bounds,contacts,freezing,velocities")->type_name("LIST");
+  app.add_option("--compare", a.compare, "Lay OTHER over it: what differs is orange, OTHER's is blue")
+      ->type_name("OTHER");
+  CLI::Option* speed =
+      add_positive(app, "--speed", a.speed, kSpeedMax, "Simulated seconds a second shows; 0.1 is slow motion");
+  speed->type_name("X")->excludes(step)->excludes(every);
+  add_positive(app, "--fps", a.fps, kFpsMax, "Frames a second of a movie (default: 30)")->type_name("F");
+  app.add_option("--gl", a.gl, "OpenGL through: auto (default), osmesa, egl")->type_name("WHICH");
+  add_json(app, a.json);
+}
+
+Result<RenderPlan> plan_of(const RenderArguments& arguments, replay::LogReader& log) {
+  RenderPlan plan;
+  if (Status ok = read_look(arguments, plan); !ok.ok()) return ok.error();
+  const bool many = arguments.every || !arguments.steps.empty() || arguments.speed;
+  const std::uint64_t last = log.last_step();
+  plan.output = arguments.output;
+  plan.fps = arguments.fps.value_or(plan.fps);
+  if (plan.output.empty()) {
+    if (many) return bad_input("wanted -o PATH: a movie (.mp4, .webm) or a folder for many pictures");
+    plan.output = default_output(arguments, arguments.step.value_or(last));
+  }
+  plan.kind = kind_of(plan.output);
+  if (plan.kind == OutputKind::kPicture && many) {
+    return wrong("-o", plan.output, "a movie (.mp4, .webm) or a folder: one .png holds one picture");
+  }
+  const bool is_one = plan.kind == OutputKind::kPicture || arguments.step;
+  Result<StepRange> range = is_one ? check_range({arguments.step.value_or(last), arguments.step.value_or(last)}, log)
+                            : arguments.steps.empty() ? StepRange{log.first_state(), last}
+                                                      : parse_range(arguments.steps, log);
+  if (!range.ok()) return range.error();
+  Result<std::vector<Frame>> frames = frames_of(arguments, log, plan, *range);
+  if (!frames.ok()) return frames.error();
+  plan.frames = *std::move(frames);
+  return plan;
+}
+
+}  // namespace tumble::tools

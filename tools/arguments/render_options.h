@@ -1,0 +1,45 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "replay/log/log_reader.h"
+#include "replay/picture/picture_source.h"
+#include "src/base/result.h"
+#include "src/render/renderer.h"
+#include "tools/output/frames.h"
+
+namespace tumble::tools {
+
+/// The arguments of `tumble render` as they are given.
+struct RenderArguments {
+  std::string log, compare, output;
+  std::optional<std::uint64_t> step, every, samples;
+  std::optional<double> speed, fps;
+  std::string steps, size = "640x480", effects = "all", pass = "final", show, gl = "auto";
+  bool json = false;
+};
+void declare_arguments(CLI::App& app, RenderArguments& arguments);
+
+/// Where the pictures go.
+enum class OutputKind { kPicture, kFolder, kMovie };
+
+/// What the arguments mean for a log.
+struct RenderPlan {
+  render::Settings settings;
+  render::Stage stage = render::Stage::kFinal;
+  render::Backend backend = render::Backend::kAuto;
+  replay::PictureOptions show;
+  OutputKind kind = OutputKind::kPicture;
+  std::string output;
+  std::vector<Frame> frames;
+  double fps = 30;
+};
+
+/// Errors (kBadInput): a word, size or range that is wrong, or arguments that do not go together; the log's.
+Result<RenderPlan> plan_of(const RenderArguments& arguments, replay::LogReader& log);
+
+}  // namespace tumble::tools

@@ -1,0 +1,127 @@
+#include "tools/bench/bench.h"
+
+#include <sys/utsname.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <thread>
+
+#include "golden/run/external_engine.h"
+#include "replay/format/step_record.h"
+#include "src/scenes/scene_file.h"
+#include "tools/files/scene_files.h"
+
+namespace tumble::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The value of the first line "key : value" of a file of /proc.
+std::string proc_value(const char* path, const std::string& key) {
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    const std::size_t colon = line.find(": ");
+    if (line.starts_with(key) && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown";
+}
+
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  ::gmtime_r(&now, &parts);
+  std::array<char, 20> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%d", &parts);
+  return text.data();
+}
+
+}  // namespace
+
+std::string build_folder() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  return program.parent_path().parent_path().string();
+}
+
+std::string bench_scene_path(const std::string& name) {
+  return std::string(TUMBLE_SOURCE_DIR) + "/bench/scenes/" + name + ".toml";
+}
+
+Result<sim::SceneDef> bench_scene(const std::string& name, const std::vector<std::string>& overrides) {
+  const std::string path = bench_scene_path(name);
+  const Result<std::string> text = read_scene(path);
+  if (!text.ok()) return text.error();
+  return scenes::parse_scene(*text, path, overrides);
+}
+
+Result<Exit> bench_program(const std::string& name, const std::vector<std::string>& arguments) {
+  const std::string path = build_folder() + "/bench/" + name;
+  std::error_code error;
+  if (!fs::exists(path, error)) {
+    return cannot_finish(path + ": not built; cmake --build --preset release --target " + name);
+  }
+  std::string line = golden::shell_quoted(path);
+  for (const std::string& argument : arguments) line += ' ' + golden::shell_quoted(argument);
+  std::cout.flush();
+  if (std::system(line.c_str()) != 0) return cannot_finish(name + " failed; its words are above");
+  return Exit::kSame;
+}
+
+Json machine_json() {
+  utsname kernel{};
+  ::uname(&kernel);
+  double load = 0;
+  std::ifstream("/proc/loadavg") >> load;
+  const replay::LogHeader header = replay::header_for({});
+  return {{"processor", proc_value("/proc/cpuinfo", "model name")},
+          {"cores", std::thread::hardware_concurrency()},
+          {"load_average", load},
+          {"system", std::string(kernel.sysname) + ' ' + kernel.release + ' ' + kernel.machine},
+          {"compiler", header.tool_build},
+          {"flags", TUMBLE_BUILD_FLAGS},
+          {"tool_version", header.tool_version},
+          {"date", today()}};
+}
+
+std::string machine_text(const Json& machine) {
+  return machine["processor"].get<std::string>() + ", " + std::to_string(machine["cores"].get<unsigned>()) +
+         " cores, load " + exact(machine["load_average"].get<double>()) + "; " +
+         machine["compiler"].get<std::string>() + ' ' + machine["flags"].get<std::string>();
+}
+
+Status give_results(const BenchOptions& options, const Json& results) {
+  if (options.json) print_json(results);
+  if (options.save.empty()) return {};
+  std::ofstream file(options.save);
+  file << results.dump(1) << '\n';
+  file.close();
+  if (file.fail()) return cannot_finish(options.save + ": cannot be written");
+  return {};
+}
+
+double cpu_seconds() {
+  timespec now{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  const std::size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+std::string short_number(double value) {
+  if (value == 0) return "0";
+  const int before = static_cast<int>(std::floor(std::log10(std::fabs(value)))) + 1;
+  return fixed(value, std::clamp(3 - before, 0, 9));
+}
+
+}  // namespace tumble::tools

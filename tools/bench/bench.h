@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "src/base/result.h"
+#include "src/model/scene.h"
+#include "tools/arguments/command.h"
+#include "tools/output/text.h"
+
+/// What the parts of `tumble bench` share. docs/performance.md explains the figures.
+namespace tumble::tools {
+
+struct BenchOptions {
+  std::string what;
+  std::optional<std::uint64_t> repeat;  ///< runs of which the median counts
+  std::optional<double> budget;         ///< s of CPU; what would go beyond is left out and estimated
+  std::vector<std::string> scenes;      ///< peers: only scenes whose name begins so; memory: these
+  std::vector<std::string> engines;     ///< peers: only these, besides ours
+  bool large = false;                   ///< peers: the grids of 1600 cubes and more too
+  std::string method;  ///< table1, scaling, memory; empty: table1 thesis, scaling layered, memory the scene's
+  std::string plot;    ///< scaling: FILE.svg or FILE.png
+  std::string save;    ///< also write the results, with the machine, to this file as JSON
+  bool json = false;
+};
+
+Result<Exit> bench_peers(const BenchOptions& options);
+Result<Exit> bench_table1(const BenchOptions& options);
+Result<Exit> bench_scaling(const BenchOptions& options);
+Result<Exit> bench_memory(const BenchOptions& options);
+
+/// Runs one of the programs of bench/ beside this one, with its output as it is.
+Result<Exit> bench_program(const std::string& name, const std::vector<std::string>& arguments);
+
+/// The folder of the build that this program belongs to: where bench/ has its programs.
+std::string build_folder();
+
+/// The scene bench/scenes/<name>.toml of the source folder.
+std::string bench_scene_path(const std::string& name);
+Result<sim::SceneDef> bench_scene(const std::string& name, const std::vector<std::string>& overrides);
+
+/// Processor, cores, load, kernel, compiler, flags, version of the tool and the day.
+Json machine_json();
+std::string machine_text(const Json& machine);
+
+/// Prints `results` as JSON if that was asked for, and writes them to the file that was asked for.
+Status give_results(const BenchOptions& options, const Json& results);
+
+/// CPU seconds of this process so far.
+double cpu_seconds();
+
+double median(std::vector<double> values);
+
+/// "0.0123", "41.9": three digits, no exponent.
+std::string short_number(double value);
+
+}  // namespace tumble::tools

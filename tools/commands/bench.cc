@@ -1,0 +1,73 @@
+// tumble bench: how fast, how right beside others, how it grows.
+#include "tools/bench/bench.h"
+
+#include <memory>
+#include <string>
+
+#include "src/base/text.h"
+#include "tools/arguments/arguments.h"
+#include "tools/arguments/command.h"
+
+namespace tumble::tools {
+namespace {
+
+Result<Exit> bench(const BenchOptions& options) {
+  if (!options.method.empty() && options.method != "thesis" && options.method != "layered") {
+    return bad_input("--method: found " + in_quotes(options.method) + ", wanted thesis or layered");
+  }
+  if (options.what == "peers") return bench_peers(options);
+  if (options.what == "table1") return bench_table1(options);
+  if (options.what == "scaling") return bench_scaling(options);
+  if (options.what == "memory") return bench_memory(options);
+  if (options.what == "phases") return bench_program("step_bench", {});
+  if (options.what == "threads") return bench_program("thread_model", options.scenes);
+  if (options.what == "record") return bench_program("log_bench", {});
+  if (options.what == "render") return bench_program("render_bench", {"brick_wall.tumble", "60", "640", "480", "1"});
+  return bad_input("found " + in_quotes(options.what) +
+                   ", wanted peers, table1, scaling, memory, phases, threads, record or render");
+}
+
+}  // namespace
+
+Action declare_bench(CLI::App& app) {
+  auto options = std::make_shared<BenchOptions>();
+  app.add_option("WHAT", options->what, "peers, table1, scaling, memory, phases, threads, record or render")
+      ->required()
+      ->type_name("");
+  add_whole(app, "--repeat", options->repeat, 1, 1000, "Runs of which the median counts (peers: 5, others: 1)")
+      ->type_name("N");
+  add_positive(app, "--budget", options->budget, 1e6,
+               "table1, scaling: CPU seconds to spend; the rest is left out and estimated (120, 300)")
+      ->type_name("S");
+  app.add_option(
+         "--scene", options->scenes,
+         "peers: only scenes whose name begins so; memory: SCENE; threads: 6400, 25600, 102400, pile; may be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  app.add_option("--engine", options->engines, "peers: only bullet, ode or mujoco beside ours; may be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  app.add_flag("--large", options->large, "peers: also the grids of 1600 cubes and more");
+  app.add_option("--method", options->method,
+                 "table1 (thesis), scaling (layered), memory (the scene's): another method")
+      ->type_name("NAME");
+  app.add_option("--plot", options->plot, "scaling: also draw it, with gnuplot")->type_name("FILE.svg|png");
+  app.add_option("--save", options->save, "Also write the results and the machine to this file, as JSON")
+      ->type_name("FILE.json");
+  add_json(app, options->json);
+  app.footer(
+      "peers    our scenes through Bullet, ODE and MuJoCo, where they are installed, in turn with ours\n"
+      "table1   the thesis's Table I beside its own and Havok's columns\n"
+      "scaling  the exponent with which time grows with the number of bodies\n"
+      "memory   bytes a body and a contact that the simulation holds\n"
+      "phases, threads, record, render   the programs step_bench, thread_model, log_bench and render_bench (of "
+      "brick_wall.tumble) of the build\n\n"
+      "Times are CPU seconds of one thread. docs/performance.md explains the figures.\n\n"
+      "Examples:\n"
+      "  tumble bench peers --scene grid_20 --scene tower\n"
+      "  tumble bench table1 --budget 60\n"
+      "  tumble bench scaling --plot scaling.svg --save scaling.json");
+  return [options] { return bench(*options); };
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,238 @@
+// tumble bisect: where two logs part, or the commit after which a session is another one.
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "replay/diff/locate_divergence.h"
+#include "tools/arguments/arguments.h"
+#include "tools/arguments/command.h"
+#include "tools/arguments/measure_arguments.h"
+#include "tools/bisect/bisection.h"
+#include "tools/bisect/verdict.h"
+#include "tools/files/log_files.h"
+#include "tools/output/divergence_output.h"
+#include "tools/output/story_output.h"
+#include "tools/output/text.h"
+#include "tools/process/child_run.h"
+#include "tools/process/interrupt.h"
+
+namespace tumble::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::vector<std::string> logs;
+  std::string good, bad;
+  std::string repository = ".";
+  bool first_parent = false;
+  std::string metric;
+  MeasureArguments measure;
+  std::string case_name;
+  bool image = false;
+  std::vector<std::string> build;
+  std::string program = "build/release/tools/tumble";
+  std::string run;
+  std::optional<double> timeout;
+  std::string work;
+  bool resume = false;
+  bool keep = false;
+  bool json = false;
+};
+
+// --- two logs ---
+
+Result<Exit> narrow_logs(const Options& options) {
+  Result<replay::LogReader> a = open_log(options.logs[0]);
+  if (!a.ok()) return a.error();
+  Result<replay::LogReader> b = open_log(options.logs[1]);
+  if (!b.ok()) return b.error();
+  const InterruptGuard guard;
+  const Result<replay::Narrowing> narrowing =
+      replay::narrow(*a, *b, [](std::uint64_t, std::uint64_t) { return !InterruptGuard::interrupted(); });
+  if (!narrowing.ok()) return narrowing.error();
+  if (InterruptGuard::interrupted()) return cannot_finish("interrupted");
+  const replay::DiffReport& report = narrowing->report;
+  const std::size_t chunks = a->chunks().size() + b->chunks().size();
+  if (options.json) {
+    Json json = comparison_json(report.identical(), report.steps, report.first);
+    json["narrowed"] = report.first ? narrowing_json(*narrowing) : Json(nullptr);
+    json["chunks_opened"] = narrowing->chunks_opened;
+    json["chunks"] = chunks;
+    print_json(json);
+  } else if (report.first) {
+    std::cout << "different from step " << report.first->step << " on\n";
+    print_divergence(*report.first);
+    print_narrowing(*narrowing);
+    std::cout << "  opened      " << narrowing->chunks_opened << " chunks of " << chunks << '\n';
+  } else {
+    std::cout << (report.identical() ? "identical: " : "different in length; the same: ")
+              << count_text(report.steps, "step") << '\n';
+  }
+  return judge("bisect", *b, judge("bisect", *a, report.identical() ? Exit::kSame : Exit::kDifference));
+}
+
+// --- commits ---
+
+std::string absolute(const std::string& path) {
+  std::error_code error;
+  return path.empty() ? "" : fs::absolute(path, error).lexically_normal().string();
+}
+
+Status check_arguments(const Options& options) {
+  if (options.good.empty() || options.bad.empty()) {
+    return bad_input("wanted two logs, or --good REV and --bad REV\n'tumble bisect --help' explains the arguments.");
+  }
+  if (options.logs.size() > 1) return bad_input("wanted one log with --good and --bad, found two");
+  if (options.logs.empty() == options.case_name.empty()) {
+    return bad_input("wanted LOG, the session to ask about, or --case NAME in its place");
+  }
+  if (options.image && options.case_name.empty()) {
+    return bad_input("--image: wanted --case NAME too, the case whose pictures are judged");
+  }
+  if (!options.metric.empty() && !options.case_name.empty()) return bad_input("--metric: does not go with --case");
+  if (!options.run.empty() && !options.case_name.empty()) return bad_input("--run: does not go with --case");
+  if (!options.run.empty() && options.run.find("{log}") == std::string::npos) {
+    return bad_input("--run: wanted {log} in the command line, where the log to write is put");
+  }
+  return {};
+}
+
+Result<bisect::Settings> settings_of(const Options& options) {
+  if (Status ok = check_arguments(options); !ok.ok()) return ok.error();
+  bisect::Settings settings;
+  settings.repository = absolute(options.repository);
+  settings.good = options.good;
+  settings.bad = options.bad;
+  settings.first_parent = options.first_parent;
+  if (!options.logs.empty()) settings.log = absolute(options.logs[0]);
+  if (!options.metric.empty()) {
+    Result<replay::MetricBound> bound = replay::parse_metric_bound(options.metric);
+    if (!bound.ok()) return bad_input("--metric: " + bound.error().message);
+    settings.metric = *std::move(bound);
+  }
+  Result<replay::MeasureOptions> measure = parse_measure(options.measure);
+  if (!measure.ok()) return measure.error();
+  settings.measure = *std::move(measure);
+  settings.case_name = options.case_name;
+  settings.image = options.image;
+  settings.build = options.build;
+  if (settings.build.empty()) {
+    settings.build = {"cmake --preset release", "cmake --build --preset release --target tumble"};
+  }
+  settings.program = options.program;
+  settings.run = options.run;
+  settings.timeout_s = options.timeout.value_or(0);
+  for (const std::string& command : settings.build) {
+    if (const auto words = split_words(command); !words.ok()) return bad_input("--build: " + words.error().message);
+  }
+  if (const auto words = split_words(settings.run); !settings.run.empty() && !words.ok()) {
+    return bad_input("--run: " + words.error().message);
+  }
+  return settings;
+}
+
+// What happens goes to stdout as it happens, or to stderr where stdout is to be one JSON value.
+Result<bisect::Finding> search(const bisect::Settings& settings, const bisect::Workplace& place, bool json) {
+  std::ostream& out = json ? std::cerr : std::cout;
+  out << "question: " << printable(settings.question()) << "\nwork in:  " << place.root() << std::endl;
+  const bisect::Git git(settings.repository, place.root());
+  return bisect::find_commit(
+      settings, place, git, [] { return InterruptGuard::interrupted(); },
+      [&](const bisect::CommitFacts& facts) {
+        out << "asking " << facts.shortly() << ' ' << printable(facts.subject) << std::endl;
+      },
+      [&](const bisect::Tested& tested, std::uint64_t left, unsigned steps) {
+        out << tested_text(tested) << "\n      " << count_text(left, "commit") << " left, about "
+            << count_text(steps, "step") << std::endl;
+      });
+}
+
+Result<Exit> find_commit(const Options& options) {
+  const Result<bisect::Settings> settings = settings_of(options);
+  if (!settings.ok()) return settings.error();
+  const InterruptGuard guard;
+  Result<bisect::Workplace> place =
+      bisect::Workplace::open(absolute(options.work), settings->fingerprint(), options.resume);
+  if (!place.ok()) return place.error();
+  const Result<bisect::Finding> finding = search(*settings, *place, options.json);
+  if (!finding.ok()) {
+    if (!InterruptGuard::interrupted()) return finding.error();
+    return cannot_finish(finding.error().message + "; what is known is kept: the same command with --resume goes on");
+  }
+  const bisect::Comparison comparison = bisect::compare_sessions(*finding, *place);
+  if (options.json) {
+    print_json(bisect::verdict_json(*settings, *finding, comparison));
+  } else {
+    bisect::print_verdict(*settings, *finding, comparison);
+  }
+  if (!options.keep) place->remove();
+  return finding->found() ? Exit::kDifference : Exit::kCannotFinish;
+}
+
+void declare_question(CLI::App& app, Options& options) {
+  app.add_option("--metric", options.metric,
+                 "Ask whether the session, recorded anew by each revision, is within a bound, as in 'lateral_max<=0'")
+      ->type_name("EXPR");
+  add_measure(app, options.measure);
+  app.add_option("--case", options.case_name, "Ask whether each revision's own check of this golden case passes")
+      ->type_name("NAME");
+  app.add_flag("--image", options.image, "With --case: ask for the image verdict alone");
+}
+
+void declare_building(CLI::App& app, Options& options) {
+  app.add_option("--repo", options.repository, "A folder in the clone; the current one if not given")->type_name("DIR");
+  app.add_flag("--first-parent", options.first_parent, "Ask only along first parents: which merge it was");
+  app.add_option("--build", options.build,
+                 "A command that builds a revision, run in its folder; may be repeated. The release preset's build of "
+                 "tumble if not given")
+      ->type_name("COMMAND")
+      ->allow_extra_args(false);
+  app.add_option("--program", options.program, "The program it makes, a path from that folder")->type_name("PATH");
+  app.add_option("--run", options.run,
+                 "Instead of the program: a command of any engine that makes the log {log} of the scene {scene}")
+      ->type_name("COMMAND");
+  constexpr double kTimeoutMax = 1e6;
+  add_positive(app, "--timeout", options.timeout, kTimeoutMax, "Skip a revision whose program takes longer")
+      ->type_name("S");
+  app.add_option("--work", options.work, "Work in this folder; one under the folder for temporary files if not given")
+      ->type_name("DIR");
+  app.add_flag("--resume", options.resume, "Go on with an interrupted bisection: the same arguments and --resume");
+  app.add_flag("--keep", options.keep, "Keep the folder with the clone, the last build and the sessions");
+}
+
+}  // namespace
+
+Action declare_bisect(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("LOG", options->logs, "Two logs; or, with --good and --bad, the session to ask about")
+      ->expected(0, 2)
+      ->type_name("");
+  CLI::Option* good = app.add_option("--good", options->good, "A revision that is as it should be");
+  CLI::Option* bad = app.add_option("--bad", options->bad, "A later revision that is not");
+  good->type_name("REV")->needs(bad);
+  bad->type_name("REV")->needs(good);
+  declare_question(app, *options);
+  declare_building(app, *options);
+  add_json(app, options->json);
+  app.footer(
+      "docs/bisecting.md explains it. Revisions that do not build or cannot read the log are skipped. The clone's own\n"
+      "files, index and branches are not touched.\n\n"
+      "Exit status: 0 two logs are the same, 1 they differ, or the commit was found, 4 interrupted, or what is left\n"
+      "could not be asked.\n\n"
+      "Examples:\n"
+      "  tumble bisect before.tumble after.tumble\n"
+      "  tumble bisect --good v0.1 --bad main wall.tumble\n"
+      "  tumble bisect --good HEAD~40 --bad HEAD grid.tumble --metric 'lateral_max<=0'\n"
+      "  tumble bisect --good HEAD~40 --bad HEAD --case brick_wall --image");
+  return [options] {
+    const bool logs_alone = options->good.empty() && options->logs.size() == 2;
+    return logs_alone ? narrow_logs(*options) : find_commit(*options);
+  };
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,86 @@
+// tumble bless: what cases do now becomes what is expected of them.
+#include "golden/bless/bless.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tools/arguments/arguments.h"
+#include "tools/arguments/command.h"
+#include "tools/files/scene_files.h"
+#include "tools/output/check_output.h"
+#include "tools/output/text.h"
+#include "tools/process/interrupt.h"
+
+namespace tumble::tools {
+namespace {
+
+struct Options {
+  std::vector<std::string> cases;
+  std::string suite;
+  std::string reason;
+  std::string log;
+  bool all = false;
+  bool dry_run = false;
+  std::optional<std::uint64_t> jobs;
+  bool json = false;
+};
+
+Result<golden::BlessReport> run(const Options& options) {
+  const std::string suite = options.suite.empty() ? find_suite() : options.suite;
+  if (!options.log.empty()) {
+    if (options.cases.size() != 1 || options.all) return bad_input("--from: wanted the name of one new case beside it");
+    return golden::bless_log({suite, options.cases.front(), options.log, options.reason, options.dry_run});
+  }
+  if (options.cases.empty() != options.all) {
+    return bad_input(options.all ? "found cases and --all, wanted one of the two"
+                                 : "which cases? Give their names, or --all");
+  }
+  golden::BlessOptions how{suite, options.cases, options.reason, options.dry_run, {}};
+  how.pool.jobs = options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
+  how.pool.cancel = InterruptGuard::interrupted;
+  return golden::bless_cases(how);
+}
+
+Result<Exit> bless(const Options& options) {
+  const InterruptGuard guard;
+  const Result<golden::BlessReport> report = run(options);
+  if (!report.ok()) return report.error();
+  if (options.json) {
+    print_json(blessings_json(*report, options.dry_run));
+  } else {
+    print_blessings(*report, options.dry_run);
+  }
+  return Exit::kSame;
+}
+
+}  // namespace
+
+Action declare_bless(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("CASE", options->cases, "The cases to bless, or the name of a new one with --from")->type_name("");
+  app.add_flag("--all", options->all, "Every case of the suite");
+  app.add_option("--reason", options->reason, "Why the goldens move: one line for HISTORY.md")
+      ->type_name("TEXT")
+      ->required();
+  app.add_option("--from", options->log, "Make a new case of this recorded session")->type_name("LOG");
+  app.add_flag("--dry-run", options->dry_run, "Say what would change, and change nothing");
+  app.add_option("--suite", options->suite, "The suite: a folder with cases/ in it; the nearest golden/ if not given")
+      ->type_name("DIR");
+  add_whole(app, "--jobs", options->jobs, 1, 1024, "Cases at a time; as many as processors if not given")
+      ->type_name("N");
+  add_json(app, options->json);
+  app.footer(
+      "Replaces expected.tumble and the values in metrics.toml; bounds stay. A metric out of its bounds is refused:\n"
+      "change the bound, and its reason, in metrics.toml first. HISTORY.md gets what moved, by how much and why.\n\n"
+      "Examples:\n"
+      "  tumble bless brick_wall --reason \"contacts are found before planes are cached\" --dry-run\n"
+      "  tumble bless --all --reason \"method thesis, version 2\"\n"
+      "  tumble bless two_walls --from session.tumble --reason \"the wall that fell in the field\"");
+  return [options] { return bless(*options); };
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,141 @@
+// tumble check: the golden suite against this build.
+#include "golden/check.h"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "golden/report/report.h"
+#include "src/base/text.h"
+#include "tools/arguments/arguments.h"
+#include "tools/arguments/command.h"
+#include "tools/files/scene_files.h"
+#include "tools/output/check_output.h"
+#include "tools/output/progress.h"
+#include "tools/output/text.h"
+#include "tools/process/interrupt.h"
+
+namespace tumble::tools {
+namespace {
+
+constexpr std::uint64_t kShardsMax = 10'000;
+constexpr double kTimeoutMax = 1e6;
+constexpr double kTimeout = 600;  // s: many times what the longest case takes in the slowest build
+
+struct Options {
+  std::vector<std::string> cases;
+  std::string suite;
+  std::vector<std::string> require;
+  std::string report = "report";
+  std::string junit;
+  std::string shard;
+  std::string category;
+  std::optional<std::uint64_t> jobs;
+  std::optional<double> timeout;
+  bool json = false;
+};
+
+/// "2/5".
+Status read_shard(const std::string& text, golden::Selection& selection) {
+  if (text.empty()) return {};
+  const std::size_t slash = text.find('/');
+  const std::optional<std::uint64_t> k = parse_whole(text.substr(0, slash));
+  const std::optional<std::uint64_t> n =
+      slash == std::string::npos ? std::nullopt : parse_whole(text.substr(slash + 1));
+  if (!k || !n || *k < 1 || *k > *n || *n > kShardsMax) {
+    return bad_input("--shard: found " + in_quotes(text) + ", wanted K/N with K from 1 to N, as in 2/5");
+  }
+  selection.shard = *k;
+  selection.shards = *n;
+  return {};
+}
+
+Result<golden::CheckOptions> check_options(const Options& options) {
+  golden::CheckOptions out;
+  out.suite = options.suite.empty() ? find_suite() : options.suite;
+  out.selection.names = options.cases;
+  out.selection.category = options.category;
+  if (Status ok = read_shard(options.shard, out.selection); !ok.ok()) return ok.error();
+  if (!options.require.empty()) out.require.emplace();
+  for (const std::string& word : options.require) {
+    const Result<golden::VerdictKind> kind = golden::parse_verdict(word);
+    if (!kind.ok()) return bad_input("--require: " + kind.error().message);
+    out.require->push_back(*kind);
+  }
+  out.report = options.report;
+  out.pool.jobs = options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
+  out.pool.timeout_s = options.timeout.value_or(kTimeout);
+  out.pool.cancel = InterruptGuard::interrupted;
+  return out;
+}
+
+Exit verdict_of(const golden::SuiteResult& result) {
+  if (!result.canaries_caught()) return Exit::kCannotFinish;
+  return result.passed() ? Exit::kSame : Exit::kDifference;
+}
+
+Result<Exit> check(const Options& options) {
+  Result<golden::CheckOptions> how = check_options(options);
+  if (!how.ok()) return how.error();
+  const InterruptGuard guard;
+  ProgressBar bar("checking");
+  how->progress = [&](const golden::CaseResult& one, std::size_t done, std::size_t total) {
+    bar.finish();
+    if (!options.json) print_case(one);
+    std::cout.flush();
+    bar.show(done, total);
+  };
+  const Result<golden::SuiteResult> result = golden::check_suite(*how);
+  bar.finish();
+  if (!result.ok()) return result.error();
+  if (Status ok = golden::write_reports(*result, how->report, options.junit); !ok.ok()) return ok.error();
+  if (options.json) {
+    print_json(golden::report_json(*result));
+  } else {
+    print_sum(*result, options.report);
+  }
+  if (!result->canaries_caught()) {
+    std::cerr << "tumble check: a comparison that must fail passed: this build of the suite sees nothing, and none of "
+                 "its verdicts counts\n";
+  }
+  return verdict_of(*result);
+}
+
+}  // namespace
+
+Action declare_check(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("CASE", options->cases, "Cases to run; all if none is given")->type_name("");
+  app.add_option("--suite", options->suite, "The suite: a folder with cases/ in it; the nearest golden/ if not given")
+      ->type_name("DIR");
+  app.add_option("--category", options->category, "Only cases of this category")->type_name("NAME");
+  app.add_option("--require", options->require,
+                 "Which verdict decides, instead of what each case says: exact, behaviour or image; may be repeated")
+      ->type_name("VERDICT")
+      ->allow_extra_args(false);
+  app.add_option("--report", options->report,
+                 "Where to write index.html, junit.xml, report.json and the logs of failed "
+                 "cases; report if not given")
+      ->type_name("DIR");
+  app.add_option("--junit", options->junit, "Write junit.xml to this file instead")->type_name("FILE");
+  app.add_option("--shard", options->shard, "Only the K-th of N parts of the suite")->type_name("K/N");
+  add_whole(app, "--jobs", options->jobs, 1, 1024, "Cases at a time; as many as processors if not given")
+      ->type_name("N");
+  add_positive(app, "--timeout", options->timeout, kTimeoutMax, "Seconds a case may take; 600 if not given")
+      ->type_name("S");
+  add_json(app, options->json);
+  app.footer(
+      "Exit status: 0 all passed, 1 a case failed, 2 bad usage or no such case or suite, 4 could not finish, or a\n"
+      "canary (a comparison that must fail, made in every run) passed.\n\n"
+      "Examples:\n"
+      "  tumble check\n"
+      "  tumble check brick_wall tower --report build/report\n"
+      "  tumble check --suite my_engine/goldens --require behaviour --shard 1/4");
+  return [options] { return check(*options); };
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,203 @@
+// tumble dump: bodies at one step, or one body over many.
+#include <algorithm>
+#include <array>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "replay/log/log_reader.h"
+#include "replay/session/state_source.h"
+#include "src/base/ids.h"
+#include "src/model/limits.h"
+#include "tools/arguments/arguments.h"
+#include "tools/arguments/command.h"
+#include "tools/arguments/step_range.h"
+#include "tools/files/log_files.h"
+#include "tools/output/text.h"
+
+namespace tumble::tools {
+namespace {
+
+using replay::BodyStates;
+
+struct Options {
+  std::string log;
+  std::optional<std::uint64_t> step;
+  std::string steps;
+  std::optional<std::uint64_t> body;
+  bool csv = false;
+  bool json = false;
+};
+
+// What a body's row holds, in the order of the columns: position, orientation, velocity, spin.
+constexpr std::size_t kNumbers = 13;
+constexpr std::array<const char*, kNumbers> kNames = {
+    "position.x", "position.y", "position.z", "orientation.w", "orientation.x", "orientation.y", "orientation.z",
+    "velocity.x", "velocity.y", "velocity.z", "spin.x",        "spin.y",        "spin.z"};
+
+std::array<double, kNumbers> numbers_of(const BodyStates& s, std::size_t i) {
+  return {s.position.x[i],    s.position.y[i],    s.position.z[i], s.orientation.w[i], s.orientation.x[i],
+          s.orientation.y[i], s.orientation.z[i], s.velocity.x[i], s.velocity.y[i],    s.velocity.z[i],
+          s.spin.x[i],        s.spin.y[i],        s.spin.z[i]};
+}
+
+// Where the rows of a dump go, in one of the three forms.
+class Output {
+ public:
+  virtual ~Output() = default;
+  virtual void begin_step(std::uint64_t /*step*/) {}
+  virtual void add(std::uint64_t step, const BodyStates& states, std::size_t row) = 0;
+  virtual void end_step() {}
+  virtual void end() {}
+};
+
+class CsvOutput : public Output {
+ public:
+  CsvOutput() {
+    std::cout << "step,id";
+    for (const char* name : kNames) std::cout << ',' << name;
+    std::cout << ",frozen\n";
+  }
+  void add(std::uint64_t step, const BodyStates& states, std::size_t row) override {
+    std::string line = std::to_string(step) + ',' + std::to_string(states.id[row]);
+    for (const double number : numbers_of(states, row)) line += ',' + exact(number);
+    std::cout << line << (states.frozen[row] != 0 ? ",1\n" : ",0\n");
+  }
+};
+
+// One object for --step, a list of them for --steps; a line a body, so that text tools can look at it too.
+class JsonOutput : public Output {
+ public:
+  explicit JsonOutput(bool is_list) : is_list_(is_list) {
+    if (is_list_) std::cout << "[\n";
+  }
+  void begin_step(std::uint64_t step) override {
+    std::cout << (first_step_ ? "" : ",\n") << "{\"step\":" << step << ",\"bodies\":[";
+    first_step_ = false;
+    first_body_ = true;
+  }
+  void add(std::uint64_t /*step*/, const BodyStates& s, std::size_t i) override {
+    Json body;
+    body["id"] = s.id[i];
+    body["position"] = {s.position.x[i], s.position.y[i], s.position.z[i]};
+    body["orientation"] = {s.orientation.w[i], s.orientation.x[i], s.orientation.y[i], s.orientation.z[i]};
+    body["velocity"] = {s.velocity.x[i], s.velocity.y[i], s.velocity.z[i]};
+    body["spin"] = {s.spin.x[i], s.spin.y[i], s.spin.z[i]};
+    body["frozen"] = s.frozen[i] != 0;
+    std::cout << (first_body_ ? "\n" : ",\n") << body.dump();
+    first_body_ = false;
+  }
+  void end_step() override { std::cout << "\n]}"; }
+  void end() override { std::cout << (is_list_ ? "\n]\n" : "\n"); }
+
+ private:
+  bool is_list_;
+  bool first_step_ = true;
+  bool first_body_ = true;
+};
+
+// Rounded, to be read by eye.
+class TextOutput : public Output {
+ public:
+  TextOutput()
+      : table_({">step", ">body", ">x m", ">y m", ">z m", ">vx m/s", ">vy m/s", ">vz m/s", ">wx rad/s", ">wy rad/s",
+                ">wz rad/s", ">qw", ">qx", ">qy", ">qz", "frozen"}) {}
+  void add(std::uint64_t step, const BodyStates& states, std::size_t row) override {
+    const std::array<double, kNumbers> n = numbers_of(states, row);
+    std::vector<std::string> cells = {std::to_string(step), std::to_string(states.id[row])};
+    for (const std::size_t k : {0U, 1U, 2U, 7U, 8U, 9U, 10U, 11U, 12U, 3U, 4U, 5U, 6U}) cells.push_back(fixed(n[k], 6));
+    cells.emplace_back(states.frozen[row] != 0 ? "frozen" : "");
+    table_.add(std::move(cells));
+  }
+  void end() override {
+    table_.print();
+    std::cout << "Rounded; --csv and --json print every bit.\n";
+  }
+
+ private:
+  Table table_;
+};
+
+std::unique_ptr<Output> make_output(const Options& options) {
+  if (options.csv) return std::make_unique<CsvOutput>();
+  if (options.json) return std::make_unique<JsonOutput>(!options.step);
+  return std::make_unique<TextOutput>();
+}
+
+Result<StepRange> range_of(const Options& options, const replay::LogReader& log) {
+  if (!options.step && options.steps.empty()) return bad_input("wanted --step K or --steps A:B: which steps to print");
+  return options.step ? check_range({*options.step, *options.step}, log) : parse_range(options.steps, log);
+}
+
+void print_step(const replay::StepRecord& record, const std::optional<std::uint64_t>& body, Output& output) {
+  const BodyStates& states = record.states;
+  output.begin_step(record.step);
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (body && states.id[i] != *body) continue;
+    output.add(record.step, states, i);
+  }
+  output.end_step();
+}
+
+// Whether the body is there at any step of the range: asked before anything is printed.
+Result<bool> body_exists(replay::StateSource& source, const StepRange& range, std::uint64_t body) {
+  for (std::uint64_t k = range.first; k <= range.last; ++k) {
+    const Result<const replay::StepRecord*> record = source.read(k);
+    if (!record.ok()) return record.error();
+    if (std::ranges::binary_search((*record)->states.id, body)) return true;
+  }
+  return false;
+}
+
+Error no_such_body(const Options& options, const replay::LogReader& log, const StepRange& range) {
+  const std::string where = range.first == range.last
+                                ? "at step " + std::to_string(range.first)
+                                : "in steps " + std::to_string(range.first) + " to " + std::to_string(range.last);
+  return bad_input(log.name() + ": found no body " + std::to_string(*options.body) + ' ' + where +
+                   "; 'tumble dump' without --body lists those there are");
+}
+
+Result<Exit> dump(const Options& options) {
+  Result<replay::LogReader> log = open_log(options.log);
+  if (!log.ok()) return log.error();
+  const Result<StepRange> range = range_of(options, *log);
+  if (!range.ok()) return range.error();
+  replay::StateSource source(*log);
+  if (options.body) {
+    const Result<bool> exists = body_exists(source, *range, *options.body);
+    if (!exists.ok()) return exists.error();
+    if (!*exists) return no_such_body(options, *log, *range);
+  }
+  const std::unique_ptr<Output> output = make_output(options);
+  for (std::uint64_t k = range->first; k <= range->last && std::cout; ++k) {
+    const Result<const replay::StepRecord*> record = source.read(k);
+    if (!record.ok()) return record.error();
+    print_step(**record, options.body, *output);
+  }
+  output->end();
+  return judge("dump", *log, Exit::kSame);
+}
+
+}  // namespace
+
+Action declare_dump(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("LOG", options->log, "The log to read")->required()->type_name("");
+  CLI::Option* step =
+      add_whole(app, "--step", options->step, 0, sim::kStepsMax, "The state after step K; 0 is the start");
+  step->type_name("K");
+  app.add_option("--steps", options->steps, "The states after steps A to B")->type_name("A:B")->excludes(step);
+  add_whole(app, "--body", options->body, 1, sim::kBodyIdMax, "Only the body with this id")->type_name("ID");
+  CLI::Option* csv = app.add_flag("--csv", options->csv, "Print a table of comma-separated values");
+  add_json(app, options->json)->excludes(csv);
+  app.footer(
+      "Numbers of --csv and --json read back to the same bits; the table for people is rounded.\n\n"
+      "Examples:\n"
+      "  tumble dump brick_wall.tumble --step 0\n"
+      "  tumble dump brick_wall.tumble --steps 0:300 --body 222 --csv");
+  return [options] { return dump(*options); };
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,134 @@
+// tumble import: a table of another engine's states, made into a log.
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "replay/import/import_csv.h"
+#include "replay/log/log_reader.h"
+#include "tools/arguments/arguments.h"
+#include "tools/arguments/command.h"
+#include "tools/files/log_files.h"
+#include "tools/output/progress.h"
+#include "tools/output/text.h"
+#include "tools/process/interrupt.h"
+
+namespace tumble::tools {
+namespace {
+
+constexpr std::size_t kTableBytesMax = std::size_t{4} << 30;
+
+struct Options {
+  std::string table;
+  std::string output;
+  std::string like;
+  std::vector<std::string> settings;
+  bool json = false;
+};
+
+Result<std::string> read_table(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return bad_input(path + ": cannot be opened; name a table of comma-separated values");
+  std::string text;
+  std::string block(1 << 20, '\0');
+  while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0) {
+    text.append(block, 0, static_cast<std::size_t>(file.gcount()));
+    if (text.size() > kTableBytesMax)
+      return bad_input(path + ": found more than 4 GiB, wanted a smaller table; cut it");
+  }
+  if (text.empty()) return bad_input(path + ": is empty or no file; name a table of comma-separated values");
+  return text;
+}
+
+Result<replay::LogSummary> import_to(const Options& options, const std::string& output, const std::string& text,
+                                     const replay::ImportOptions& how) {
+  ProgressBar bar("importing");
+  const InterruptGuard guard;
+  Result<replay::LogSummary> summary = replay::import_csv(
+      text, options.table, [&] { return replay::open_file_sink(output); }, how,
+      [&](std::uint64_t done, std::uint64_t total) {
+        bar.show(done, total);
+        return !InterruptGuard::interrupted();
+      });
+  bar.finish();
+  return summary;
+}
+
+void print_result(const Options& options, const std::string& output, const replay::LogSummary& summary,
+                  const replay::LogHeader& header) {
+  if (options.json) {
+    Json json;
+    json["log"] = output;
+    json["engine"] = to_string(*header.engine);
+    json["bodies_at_start"] = header.scene.boxes.size();
+    json["steps"] = summary.steps;
+    json["bytes"] = summary.bytes;
+    json["final_hash"] = to_string(summary.final_hash);
+    print_json(json);
+    return;
+  }
+  Listing listing;
+  listing.add("engine", printable(to_string(*header.engine)));
+  listing.add("bodies", std::to_string(header.scene.boxes.size()) + " at the start");
+  listing.add("steps", std::to_string(summary.steps));
+  listing.add("log", output);
+  listing.add("size", bytes_text(summary.bytes));
+  listing.add("final hash", to_string(summary.final_hash));
+  listing.print();
+}
+
+Result<Exit> import_command(const Options& options) {
+  const Result<std::string> text = read_table(options.table);
+  if (!text.ok()) return text.error();
+  replay::ImportOptions how;
+  how.settings = options.settings;
+  if (!options.like.empty()) {
+    Result<replay::LogReader> log = open_log(options.like);
+    if (!log.ok()) return log.error();
+    Result<replay::SessionLike> like = replay::session_like(*log);
+    if (!like.ok()) return like.error();
+    how.like = *std::move(like);
+  }
+  std::string output = options.output;
+  if (output.empty()) {
+    const std::size_t name = options.table.find_last_of('/') + 1;  // 0 without one
+    output = options.table.substr(name, options.table.find_last_of('.') - name) + ".tumble";
+  }
+  const Result<replay::LogSummary> summary = import_to(options, output, *text, how);
+  if (!summary.ok()) return summary.error();
+  const Result<replay::LogReader> log = replay::LogReader::open(output);
+  if (!log.ok()) return log.error();
+  print_result(options, output, *summary, log->header());
+  return Exit::kSame;
+}
+
+}  // namespace
+
+Action declare_import(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("FILE.csv", options->table, "The table: a row a body and step")->required()->type_name("");
+  app.add_option("-o,--output", options->output, "The log to write (if not given: FILE.tumble in this folder)")
+      ->type_name("LOG");
+  app.add_option("--header", options->settings,
+                 "A line of the header, \"key: value\", that wins over the table's: \"up: y\", \"dt: 0.01\"")
+      ->type_name("LINE")
+      ->allow_extra_args(false);
+  app.add_option("--like", options->like,
+                 "Sizes, masses, gravity, dt and camera, where the table does not say them, as in this log")
+      ->type_name("LOG");
+  add_json(app, options->json);
+  app.footer(
+      "Columns: step or time, id, position.x …, orientation.w …, velocity.x …, spin.x …, and any of frozen, size.x …,\n"
+      "mass, static, friction, restitution, row, column. Lines \"# key: value\" before them: engine, version, scene,\n"
+      "precision, up, handed, length, dt, gravity, ground, size, mass, friction, restitution.\n"
+      "docs/other_engines.md explains each. The log can be compared, measured and drawn, but not replayed.\n\n"
+      "Examples:\n"
+      "  tumble import mine.csv -o mine.tumble\n"
+      "  tumble import mine.csv --header \"engine: mine\" --header \"up: y\" --header \"dt: 0.016666666666666666\"\n"
+      "  tumble import mine.csv --like brick_wall.tumble && tumble diff brick_wall.tumble mine.tumble --tolerance "
+      "position=0.01");
+  return [options] { return import_command(*options); };
+}
+
+}  // namespace tumble::tools

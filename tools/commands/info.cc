@@ -1,0 +1,179 @@
+// tumble info: what a log says of itself, counted and verified.
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "replay/log/log_facts.h"
+#include "replay/log/log_reader.h"
+#include "replay/log/verify.h"
+#include "tools/arguments/arguments.h"
+#include "tools/arguments/command.h"
+#include "tools/output/progress.h"
+#include "tools/output/text.h"
+
+namespace tumble::tools {
+namespace {
+
+using replay::LogCondition;
+using replay::LogFacts;
+using replay::LogHeader;
+using replay::LogReader;
+
+struct Options {
+  std::string log;
+  bool json = false;
+};
+
+std::string version_of(const LogHeader& header) {
+  return std::to_string(header.format_major) + '.' + std::to_string(header.format_minor);
+}
+
+std::string joined(const std::vector<std::string>& words, const char* between) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
+  return text;
+}
+
+std::string inputs_text(const LogFacts& facts) {
+  std::string text;
+  for (const auto& [kind, count] : facts.inputs) {
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " × " + kind;
+  }
+  return text.empty() ? "none" : text;
+}
+
+void add_header(Listing& listing, const LogHeader& header) {
+  listing.add("scene", printable(header.scene.name));
+  if (!header.scene.title.empty()) listing.add("title", printable(header.scene.title));
+  if (!header.scene.category.empty()) listing.add("category", printable(header.scene.category));
+  if (!header.overrides.empty()) listing.add("set", printable(joined(header.overrides, ", ")));
+  if (header.goes_on) {
+    listing.add("goes on from",
+                "step " + std::to_string(header.goes_on->step) + " of " + printable(header.goes_on->log));
+  }
+  if (!header.transform.identity()) listing.add("image", to_string(header.transform));
+  if (header.engine) {
+    const char* numbers = header.engine->precision_bits == replay::kBinary32Bits ? ", computes in binary32" : "";
+    listing.add("engine", printable(to_string(*header.engine)) + numbers);
+  } else {
+    listing.add("method", printable(header.method) + ", version " + std::to_string(header.method_version));
+  }
+  listing.add("dt", exact(header.scene.world.dt) + " s");
+  if (!header.phases.empty()) listing.add("phases", printable(joined(header.phases, ", ")));
+  if (!header.engine) listing.add("phase hashes", "version " + std::to_string(header.phase_hash_version));
+  listing.add("states", to_string(header.states));
+  listing.add("format", version_of(header) + ", " + printable(header.float_format));
+  listing.add("written by", "tumble " + printable(header.tool_version) + ", " + printable(header.tool_build));
+}
+
+void print_text(const LogReader& log, const LogFacts& facts, const LogCondition& condition) {
+  Listing listing;
+  listing.add("log", log.name());
+  add_header(listing, log.header());
+  std::string bodies = std::to_string(facts.bodies_at_start + facts.bodies_thrown);
+  if (facts.bodies_thrown > 0) bodies += ", " + std::to_string(facts.bodies_thrown) + " of them thrown in";
+  listing.add("bodies", bodies);
+  listing.add("steps", std::to_string(log.step_count()) + ", " + seconds_text(facts.seconds));
+  listing.add("inputs", inputs_text(facts));
+  listing.add("chunks", std::to_string(log.chunks().size()));
+  const std::optional<double> each = facts.bytes_per_moving_body_step(log.file_bytes());
+  const std::string per_step = each ? ", " + rounded(*each, "bytes per moving body-step") : "";
+  listing.add("size", bytes_text(log.file_bytes()) + per_step);
+  listing.add("final hash", facts.final_hash ? to_string(*facts.final_hash) : "none");
+  listing.add("condition", condition.whole() ? "whole, every hash as written" : condition.summary(log.last_step()));
+  listing.print();
+}
+
+void put_header(Json& json, const LogHeader& header) {
+  json["format"] = version_of(header);
+  json["tool_version"] = header.tool_version;
+  json["tool_build"] = header.tool_build;
+  json["engine"] = nullptr;
+  if (header.engine) {
+    json["engine"] = {{"name", header.engine->name},
+                      {"version", header.engine->version},
+                      {"precision_bits", header.engine->precision_bits}};
+  }
+  json["method"] = header.method;
+  json["method_version"] = header.method_version;
+  json["float_format"] = header.float_format;
+  json["phases"] = header.phases;
+  json["phase_hash_version"] = header.phase_hash_version;
+  json["scene"] = {{"name", header.scene.name}, {"title", header.scene.title}, {"category", header.scene.category}};
+  json["set"] = header.overrides;
+  json["goes_on"] = nullptr;
+  if (header.goes_on) {
+    json["goes_on"] = {{"log", header.goes_on->log},
+                       {"step", header.goes_on->step},
+                       {"continuation_hash", to_string(header.goes_on->continuation_hash)}};
+  }
+  json["transform"] = to_string(header.transform);
+  json["dt"] = header.scene.world.dt;
+  json["planned_steps"] = header.scene.steps;
+  json["states"] = to_string(header.states);
+}
+
+void print_as_json(const LogReader& log, const LogFacts& facts, const LogCondition& condition) {
+  Json json;
+  json["log"] = log.name();
+  put_header(json, log.header());
+  json["bodies"] = facts.bodies_at_start + facts.bodies_thrown;
+  json["bodies_at_start"] = facts.bodies_at_start;
+  json["steps"] = log.step_count();
+  json["first_state"] = log.first_state();
+  json["seconds"] = facts.seconds;
+  json["chunks"] = log.chunks().size();
+  json["inputs"] = Json::object();
+  for (const auto& [kind, count] : facts.inputs) json["inputs"][kind] = count;
+  json["bytes"] = log.file_bytes();
+  json["moving_body_steps"] = facts.moving_body_steps ? Json(*facts.moving_body_steps) : Json(nullptr);
+  const std::optional<double> each = facts.bytes_per_moving_body_step(log.file_bytes());
+  json["bytes_per_moving_body_step"] = each ? Json(*each) : Json(nullptr);
+  json["whole"] = condition.whole();
+  json["torn"] = condition.torn;
+  json["torn_at_byte"] = condition.torn ? Json(condition.torn_offset) : Json(nullptr);
+  json["damages"] = Json::array();
+  for (const replay::Damage& damage : condition.damages) {
+    json["damages"].push_back(
+        {{"record", replay::name_of(damage.kind)}, {"byte", damage.offset}, {"message", damage.message}});
+  }
+  json["final_hash"] = facts.final_hash ? Json(to_string(*facts.final_hash)) : Json(nullptr);
+  print_json(json);
+}
+
+Result<Exit> info(const Options& options) {
+  Result<LogReader> log = LogReader::open(options.log);
+  if (!log.ok()) return log.error();
+  ProgressBar bar("reading");
+  const replay::VerifyReport report = replay::verify(*log);
+  const LogFacts facts = replay::collect_facts(*log, [&](std::uint64_t done, std::uint64_t total) {
+    bar.show(done, total);
+    return true;
+  });
+  bar.finish();
+  if (options.json) {
+    print_as_json(*log, facts, report.condition);
+  } else {
+    print_text(*log, facts, report.condition);
+  }
+  if (report.condition.whole()) return Exit::kSame;
+  std::cerr << "tumble info: " << log->name() << ": " << report.condition.summary(log->last_step()) << '\n';
+  return Exit::kDamaged;
+}
+
+}  // namespace
+
+Action declare_info(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("LOG", options->log, "The log to look at")->required()->type_name("");
+  add_json(app, options->json);
+  app.footer(
+      "Reads every byte and checks every hash. Exit status: 0 whole, 3 damaged or torn; what can be read is "
+      "printed.\n\n"
+      "Examples:\n"
+      "  tumble info brick_wall.tumble\n"
+      "  tumble info brick_wall.tumble --json");
+  return [options] { return info(*options); };
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,166 @@
+// tumble measure: how a recorded session behaved, in numbers.
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "replay/log/log_reader.h"
+#include "replay/measure/measure_log.h"
+#include "replay/measure/metric_bound.h"
+#include "replay/measure/mirrored_pair.h"
+#include "tools/arguments/arguments.h"
+#include "tools/arguments/command.h"
+#include "tools/arguments/measure_arguments.h"
+#include "tools/files/log_files.h"
+#include "tools/output/metrics_output.h"
+#include "tools/output/plot.h"
+#include "tools/output/progress.h"
+#include "tools/output/text.h"
+#include "tools/process/interrupt.h"
+
+namespace tumble::tools {
+namespace {
+
+struct Options {
+  std::string log;
+  std::string series;
+  std::string plot;
+  MeasureArguments over;
+  std::vector<std::string> require;
+  std::string twin;
+  bool json = false;
+};
+
+Result<std::vector<replay::MetricBound>> parse_bounds(const std::vector<std::string>& texts) {
+  std::vector<replay::MetricBound> bounds;
+  for (const std::string& text : texts) {
+    Result<replay::MetricBound> bound = replay::parse_metric_bound(text);
+    if (!bound.ok()) return bad_input("--require: " + bound.error().message);
+    bounds.push_back(*std::move(bound));
+  }
+  return bounds;
+}
+
+// Which of the bounds are not kept, on stderr.
+Exit judge_bounds(const std::vector<replay::MetricBound>& bounds, const replay::Metrics& metrics) {
+  Exit verdict = Exit::kSame;
+  for (const replay::MetricBound& bound : bounds) {
+    const std::optional<double> value = bound.metric->value(metrics);
+    if (bound.holds(value)) continue;
+    std::cerr << "tumble measure: " << bound.text << ": found " << (value ? exact(*value) : "no value") << '\n';
+    verdict = Exit::kDifference;
+  }
+  return verdict;
+}
+
+replay::Progress progress_on(ProgressBar& bar) {
+  return [&bar](std::uint64_t done, std::uint64_t total) {
+    bar.show(done, total);
+    return !InterruptGuard::interrupted();
+  };
+}
+
+/// Measures, and hands every row to the files that were asked for.
+Result<replay::Metrics> measure_rows(replay::LogReader& log, const replay::MeasureOptions& how,
+                                     const Options& options) {
+  const InterruptGuard guard;
+  ProgressBar bar("measuring");
+  std::optional<SeriesFile> series;
+  if (!options.series.empty()) {
+    if (Status ok = series.emplace().open(options.series); !ok.ok()) return ok.error();
+  }
+  std::optional<Plot> plot;
+  if (!options.plot.empty()) {
+    Result<Plot> begun = Plot::for_file(options.plot);
+    if (!begun.ok()) return begun.error();
+    plot = *std::move(begun);
+  }
+  Result<replay::Metrics> metrics = replay::measure_log(
+      log, how,
+      [&](const replay::SeriesRow& row) {
+        if (series) series->add(row);
+        if (plot) plot->add(row);
+      },
+      progress_on(bar));
+  bar.finish();
+  if (series) {
+    if (Status ok = series->close(); !ok.ok()) return ok.error();
+  }
+  if (!metrics.ok() || !plot) return metrics;
+  const sim::SceneDef& scene = log.header().scene;
+  if (Status ok = plot->draw(scene.title.empty() ? scene.name : scene.name + ": " + scene.title); !ok.ok()) {
+    return ok.error();
+  }
+  return metrics;
+}
+
+/// Adds what only two sessions show.
+Status compare_with_twin(replay::LogReader& log, replay::LogReader& twin, replay::Metrics& metrics) {
+  const InterruptGuard guard;
+  ProgressBar bar("comparing");
+  const Result<replay::TwinReport> report = replay::compare_twins(log, twin, progress_on(bar));
+  if (!report.ok()) return report.error();
+  replay::set_twin_error(twin.header().transform, *report, metrics.symmetry);
+  return {};
+}
+
+Result<Exit> measure(const Options& options) {
+  const Result<replay::MeasureOptions> how = parse_measure(options.over);
+  if (!how.ok()) return how.error();
+  const Result<std::vector<replay::MetricBound>> bounds = parse_bounds(options.require);
+  if (!bounds.ok()) return bounds.error();
+  Result<replay::LogReader> log = open_log(options.log);
+  if (!log.ok()) return log.error();
+  std::optional<replay::LogReader> twin;
+  if (!options.twin.empty()) {
+    Result<replay::LogReader> opened = open_log(options.twin);
+    if (!opened.ok()) return opened.error();
+    twin.emplace(*std::move(opened));
+  }
+  Result<replay::Metrics> metrics = measure_rows(*log, *how, options);
+  if (!metrics.ok()) return metrics.error();
+  if (twin) {
+    if (Status ok = compare_with_twin(*log, *twin, *metrics); !ok.ok()) return ok.error();
+  }
+  if (options.json) {
+    print_json(metrics_json(options.log, *metrics));
+  } else {
+    print_metrics(options.log, *metrics);
+  }
+  const Exit verdict = judge("measure", *log, judge_bounds(*bounds, *metrics));
+  return twin ? judge("measure", *twin, verdict) : verdict;
+}
+
+}  // namespace
+
+Action declare_measure(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("LOG", options->log, "The log to measure")->required()->type_name("");
+  app.add_option("--series", options->series, "Also write the metrics of every step to this CSV file")
+      ->type_name("FILE.csv");
+  app.add_option("--plot", options->plot, "Also draw energy, heights and overlap over time, with gnuplot")
+      ->type_name("FILE.svg|png");
+  add_measure(app, options->over);
+  app.add_option("--require", options->require,
+                 "Exit with status 1 unless this holds, as in 'lateral_max<=0'; may be repeated")
+      ->type_name("EXPR")
+      ->allow_extra_args(false);
+  app.add_option("--with", options->twin,
+                 "The log of the scene's image (record --mirror, --permute, --shift): also say how far it is from one")
+      ->type_name("LOG");
+  add_json(app, options->json);
+  app.footer(
+      "docs/metrics.md has the formula, unit and meaning of each metric.\n\n"
+      "Examples:\n"
+      "  tumble measure tilted_grid.tumble\n"
+      "  tumble measure tilted_grid.tumble --json --series grid.csv\n"
+      "  tumble measure brick_wall.tumble --plot wall.svg\n"
+      "  tumble measure brick_wall.tumble --bodies wall --from-step 120\n"
+      "  tumble measure brick_wall.tumble --require 'gain_ratio<=1e-3' --require 'lost<=0'\n"
+      "  tumble measure brick_wall.tumble --with mirrored.tumble");
+  return [options] { return measure(*options); };
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,285 @@
+// tumble record: a scene in, a log out.
+#include <chrono>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "replay/log/log_reader.h"
+#include "replay/log/session_clock.h"
+#include "replay/session/frame_clock.h"
+#include "replay/session/recorder.h"
+#include "src/model/limits.h"
+#include "src/scenes/problem.h"
+#include "src/scenes/scene_file.h"
+#include "src/threads/worker_threads.h"
+#include "tools/arguments/arguments.h"
+#include "tools/arguments/command.h"
+#include "tools/arguments/transform_arguments.h"
+#include "tools/commands/session_stepper.h"
+#include "tools/files/log_files.h"
+#include "tools/files/scene_files.h"
+#include "tools/output/progress.h"
+#include "tools/output/text.h"
+#include "tools/process/interrupt.h"
+
+namespace tumble::tools {
+namespace {
+
+constexpr double kSecondsMax = 1e9;
+
+struct Options {
+  std::string scene;
+  std::string from;
+  bool no_inputs = false;
+  std::string log;
+  std::optional<double> seconds;
+  std::optional<std::uint64_t> steps;
+  std::vector<std::string> overrides;
+  std::optional<std::uint64_t> threads;
+  RealTime realtime;
+  TransformArguments transform;
+  std::string states = "all";
+  bool json = false;
+  bool quiet = false;
+};
+
+// What a session came to, beside what its log says.
+struct Session {
+  replay::LogSummary log;
+  replay::SessionClock clock;
+  std::uint64_t bodies = 0;             // of the start and thrown in
+  std::uint64_t moving_body_steps = 0;  // bodies neither frozen nor static, summed over the steps
+  double elapsed_s = 0;
+  std::optional<replay::Frames> frames;  // of a session in real time
+};
+
+std::uint64_t count_moving(const sim::Bodies& bodies) {
+  std::uint64_t count = 0;
+  for (sim::BodyIndex i = 0; i < bodies.size(); ++i) count += bodies.moves(i) ? 1U : 0U;
+  return count;
+}
+
+std::uint64_t count_bodies(const sim::SceneDef& scene, std::uint64_t last_step) {
+  std::uint64_t count = scene.boxes.size();
+  for (const sim::TimedCommand& input : scene.inputs) {
+    if (input.step <= last_step && std::holds_alternative<sim::Throw>(input.command)) ++count;
+  }
+  return count;
+}
+
+Result<Session> run_session(const std::string& path, replay::Recorder& recorder, const Options& options) {
+  SessionStepper stepper(recorder, options.realtime);
+  const sim::SceneDef& scene = recorder.scene();
+  const std::uint64_t first = recorder.world().state().step;
+  const InterruptGuard guard;
+  ProgressBar bar("recording", !options.quiet);
+  Session session;
+  Status status;
+  for (std::uint64_t k = first + 1; k <= scene.steps && status.ok(); ++k) {
+    status = stepper.step();
+    if (!status.ok()) break;
+    session.clock.add_step(recorder.world().state().def.dt);
+    session.moving_body_steps += count_moving(recorder.world().bodies());
+    bar.show(k - first, scene.steps - first);
+    if (InterruptGuard::interrupted()) status = cannot_finish("interrupted after step " + std::to_string(k));
+  }
+  Result<replay::LogSummary> summary = recorder.finish();
+  if (!summary.ok()) return status.ok() ? summary.error() : status.error();
+  if (!status.ok()) {
+    const std::string saved = "; " + path + " is complete up to step " + std::to_string(first + summary->steps);
+    return Error{status.error().kind, status.error().message + saved};
+  }
+  session.log = *summary;
+  session.bodies = count_bodies(scene, first + summary->steps);
+  session.elapsed_s = stepper.elapsed_s();
+  session.frames = stepper.frames();
+  return session;
+}
+
+void print_text(const std::string& path, const sim::SceneDef& scene, const Session& session) {
+  Listing listing;
+  listing.add("scene", printable(scene.name) + (scene.title.empty() ? "" : ": " + printable(scene.title)));
+  listing.add("bodies", std::to_string(session.bodies));
+  listing.add("steps", std::to_string(session.log.steps));
+  listing.add("simulated", seconds_text(session.clock.now()));
+  listing.add("elapsed", seconds_text(session.elapsed_s));
+  if (session.frames) {
+    const replay::Frames& frames = *session.frames;
+    std::string text = std::to_string(frames.met) + " in time, " + std::to_string(frames.missed) + " late";
+    if (frames.bounded > 0) text += ", " + std::to_string(frames.bounded) + " steps cut short of the clock";
+    listing.add("frames", text + "; the longest took " + rounded(frames.longest_s * 1000, "ms"));
+  }
+  listing.add("log", path);
+  std::string size = bytes_text(session.log.bytes);
+  if (session.moving_body_steps > 0) {
+    const double each = static_cast<double>(session.log.bytes) / static_cast<double>(session.moving_body_steps);
+    size += ", " + rounded(each, "bytes per moving body-step");
+  }
+  listing.add("size", size);
+  listing.add("final hash", to_string(session.log.final_hash));
+  listing.print();
+}
+
+void print_as_json(const std::string& path, const sim::SceneDef& scene, const Session& session) {
+  Json json;
+  json["log"] = path;
+  json["scene"] = scene.name;
+  json["bodies"] = session.bodies;
+  json["steps"] = session.log.steps;
+  json["simulated"] = session.clock.now();
+  json["elapsed"] = session.elapsed_s;
+  json["frames"] = nullptr;
+  if (session.frames) {
+    json["frames"] = {{"met", session.frames->met},
+                      {"missed", session.frames->missed},
+                      {"bounded", session.frames->bounded},
+                      {"longest", session.frames->longest_s}};
+  }
+  json["bytes"] = session.log.bytes;
+  json["moving_body_steps"] = session.moving_body_steps;
+  json["bytes_per_moving_body_step"] = nullptr;
+  if (session.moving_body_steps > 0) {
+    json["bytes_per_moving_body_step"] =
+        static_cast<double>(session.log.bytes) / static_cast<double>(session.moving_body_steps);
+  }
+  json["final_hash"] = to_string(session.log.final_hash);
+  print_json(json);
+}
+
+using Started = Result<std::unique_ptr<replay::Recorder>>;
+
+// A session of a scene from its state 0 on. path: where it is recorded to.
+Started start_scene(const Options& options, const replay::StatesMode& states, std::string& path) {
+  replay::RecordOptions how;
+  how.states = states;
+  const Result<sim::Transform> transform = parse_transform(options.transform);
+  if (!transform.ok()) return transform.error();
+  how.transform = *transform;
+  how.overrides = options.overrides;
+  if (options.steps) how.overrides.push_back("world.steps=" + std::to_string(*options.steps));
+  if (options.seconds) how.overrides.push_back("world.seconds=" + exact(*options.seconds));
+
+  const Result<SceneFile> file = find_scene(options.scene);
+  if (!file.ok()) return file.error();
+  Result<std::string> text = read_scene(file->path);
+  if (!text.ok()) return text.error();
+  how.scene_text = *std::move(text);
+  const Result<sim::SceneDef> scene = scenes::parse_scene(how.scene_text, file->path, how.overrides);
+  if (!scene.ok()) return scene.error();
+  if (path.empty()) path = file->name + ".tumble";
+  return replay::Recorder::start(path, *scene, how);
+}
+
+// LOG:STEP
+struct Place {
+  std::string log;
+  std::uint64_t step = 0;
+};
+
+Result<Place> parse_place(const std::string& text) {
+  const std::size_t colon = text.rfind(':');
+  const std::optional<std::uint64_t> step =
+      colon == std::string::npos ? std::nullopt : parse_whole(text.substr(colon + 1));
+  if (step && colon > 0) return Place{text.substr(0, colon), *step};
+  return bad_input("--from: found " + in_quotes(text) + ", wanted LOG:STEP, as in brick_wall.tumble:120");
+}
+
+// A session that goes on from a state of another one.
+Started start_from_log(const Options& options, const replay::StatesMode& states, std::string& path) {
+  const Result<Place> place = parse_place(options.from);
+  if (!place.ok()) return place.error();
+  if (path.empty()) {
+    path = std::filesystem::path(place->log).stem().string() + "_from_" + std::to_string(place->step) + ".tumble";
+  }
+  std::error_code error;
+  if (std::filesystem::equivalent(path, place->log, error)) {
+    return bad_input("--output: " + path + " is the log to go on from; name another file");
+  }
+  Result<replay::LogReader> log = open_log(place->log);
+  if (!log.ok()) return log.error();
+  replay::GoOnOptions how;
+  how.states = states;
+  how.keep_inputs = !options.no_inputs;
+  how.steps = options.steps;
+  how.seconds = options.seconds;
+  return replay::Recorder::go_on(path, *log, place->step, how);
+}
+
+Result<Exit> record(const Options& options) {
+  if (options.scene.empty() == options.from.empty()) {
+    return bad_input(
+        "SCENE is required, or --from LOG:STEP in its place\n'tumble record --help' explains the arguments.");
+  }
+  const Result<replay::StatesMode> states = replay::parse_states_mode(options.states);
+  if (!states.ok()) return bad_input("--" + states.error().message);
+  std::string path = options.log;
+  const Started recorder =
+      options.from.empty() ? start_scene(options, *states, path) : start_from_log(options, *states, path);
+  if (!recorder.ok()) return recorder.error();
+  const std::unique_ptr<WorkerThreads> threads = worker_threads(options.threads.value_or(1));
+  (*recorder)->use(threads.get());
+  const Result<Session> session = run_session(path, **recorder, options);
+  if (!session.ok()) return session.error();
+  if (options.json) {
+    print_as_json(path, (*recorder)->scene(), *session);
+  } else if (!options.quiet) {
+    print_text(path, (*recorder)->scene(), *session);
+  }
+  return Exit::kSame;
+}
+
+}  // namespace
+
+Action declare_record(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  CLI::Option* scene = app.add_option(
+      "SCENE", options->scene, "A scene file (.toml), or the name of a golden case ('tumble scenes' lists them)");
+  scene->type_name("");
+  app.add_option("-o,--output", options->log, "The log; <scene>.tumble in the current folder if not given")
+      ->type_name("LOG");
+  CLI::Option* seconds = add_positive(app, "--seconds", options->seconds, kSecondsMax, "Simulate this long");
+  seconds->type_name("S");
+  add_whole(app, "--steps", options->steps, 1, sim::kStepsMax, "Take this many steps")
+      ->type_name("N")
+      ->excludes(seconds);
+  CLI::Option* from = app.add_option("--from", options->from,
+                                     "Go on from the state after step STEP of LOG instead of beginning a scene; "
+                                     "--seconds and --steps count from there");
+  from->type_name("LOG:STEP")->excludes(scene);
+  app.add_flag("--no-inputs", options->no_inputs, "With --from: leave out the inputs that LOG has after STEP")
+      ->needs(from);
+  app.add_option("--set", options->overrides, "Set a value of the scene, as in 'grid.rows=7'; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false)
+      ->excludes(from);
+  add_transform(app, options->transform, from);
+  add_threads(app, options->threads);
+  CLI::Option* realtime = app.add_flag("--realtime", options->realtime.on,
+                                       "Step with the time that passes on the clock, a frame every dt of the scene; "
+                                       "the steps are in the log as inputs, so it replays like any other");
+  add_positive(app, "--longest-step", options->realtime.longest_step, sim::kDtMax,
+               "With --realtime: no step is longer, s; four times dt if not given")
+      ->type_name("S")
+      ->needs(realtime);
+  app.add_option("--states", options->states,
+                 "Which states the log holds: all (if not given), every:N (one step in N) or hashes (none); the others "
+                 "can be simulated again")
+      ->type_name("MODE");
+  add_json(app, options->json);
+  app.add_flag("--quiet", options->quiet, "Print nothing but errors");
+  app.footer(
+      "Examples:\n"
+      "  tumble record brick_wall\n"
+      "  tumble record tilted_grid -o small.tumble --set grid.rows=6 --set grid.cols=6 --steps 150\n"
+      "  tumble record my_scene.toml --states hashes --json\n"
+      "  tumble record tilted_grid --realtime --set world.dt=0.0333 --seconds 5\n"
+      "  tumble record brick_wall -o twin.tumble --mirror x --permute 7\n"
+      "  tumble record --from brick_wall.tumble:120 --seconds 2");
+  return [options] { return record(*options); };
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,151 @@
+// tumble recover: a whole log of what is left in a damaged one.
+#include "replay/recover/recover.h"
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "replay/log/byte_io.h"
+#include "replay/log/log_reader.h"
+#include "replay/log/verify.h"
+#include "tools/arguments/arguments.h"
+#include "tools/arguments/command.h"
+#include "tools/output/text.h"
+
+namespace tumble::tools {
+namespace {
+
+namespace fs = std::filesystem;
+using replay::RecoverReport;
+
+constexpr std::size_t kDamagesShown = 12;
+
+struct Options {
+  std::string damaged;
+  std::string log;
+  bool json = false;
+};
+
+/// What is written has this name until it has been read again.
+std::string partial_name(const std::string& log) { return log + ".partial"; }
+
+Status check_names(const Options& options) {
+  std::error_code ignored;
+  if (fs::equivalent(options.damaged, options.log, ignored)) {
+    return bad_input(options.log + ": is the damaged log itself, which is kept as it is; choose another name");
+  }
+  return replay::may_replace(options.log);
+}
+
+/// Reads the new log from end to end: nothing is promised that was not looked at.
+Status verify_written(const std::string& path, const RecoverReport& report) {
+  Result<replay::LogReader> log = replay::LogReader::open(path);
+  if (!log.ok()) return log.error();
+  const replay::VerifyReport verified = replay::verify(*log);
+  if (!verified.condition.sound()) {
+    return cannot_finish(path + ": what was written does not read back: " +
+                         verified.condition.summary(log->last_step()) + "; the damaged log was not touched");
+  }
+  if (verified.steps_checked == report.steps && log->last_step() == report.last_step) return {};
+  return cannot_finish(path + ": found " + std::to_string(verified.steps_checked) + " steps in what was written, " +
+                       "wanted " + std::to_string(report.steps) + "; the damaged log was not touched");
+}
+
+std::string lost_text(const RecoverReport& report) {
+  std::string text;
+  for (const replay::Gap& gap : report.lost) text += (text.empty() ? "" : ", ") + to_string(gap);
+  if (!report.end_known) {
+    text += (text.empty() ? "" : ", and ") + std::string("what may have come after step ") +
+            std::to_string(report.last_step) + " (the end was never written or is gone)";
+  }
+  if (report.header_lost)
+    text += (text.empty() ? "" : "; ") + std::string("the header: names, looks, camera, scene text");
+  return text.empty() ? "nothing" : text;
+}
+
+void print_text(const Options& options, const RecoverReport& report) {
+  Listing listing;
+  listing.add("recovered", options.log + ", " + bytes_text(report.bytes));
+  listing.add("steps", count_text(report.steps, "step") + " in " + count_text(report.chunks, "chunk") + ", states " +
+                           std::to_string(report.first_state) + " to " + std::to_string(report.last_step));
+  listing.add("lost", lost_text(report) + (report.lost_bytes > 0 ? "; " + bytes_text(report.lost_bytes) : ""));
+  listing.add("checked", "every byte of it was read again");
+  listing.print();
+  for (std::size_t i = 0; i < report.damages.size() && i < kDamagesShown; ++i) {
+    std::cout << "  byte " << report.damages[i].offset << ": " << printable(report.damages[i].message) << '\n';
+  }
+  if (report.damages.size() > kDamagesShown) {
+    std::cout << "  and " << report.damages.size() - kDamagesShown << " more; --json has them all\n";
+  }
+}
+
+void print_as_json(const Options& options, const RecoverReport& report) {
+  Json json;
+  json["damaged"] = options.damaged;
+  json["log"] = options.log;
+  json["nothing_lost"] = report.nothing_lost();
+  json["first_state"] = report.first_state;
+  json["last_step"] = report.last_step;
+  json["steps"] = report.steps;
+  json["chunks"] = report.chunks;
+  json["bytes"] = report.bytes;
+  json["lost_steps"] = Json::array();
+  for (const replay::Gap& gap : report.lost) json["lost_steps"].push_back({gap.first_step, gap.end_step() - 1});
+  json["end_known"] = report.end_known;
+  json["header_lost"] = report.header_lost;
+  json["lost_bytes"] = report.lost_bytes;
+  json["damages"] = Json::array();
+  for (const replay::Damage& damage : report.damages) {
+    json["damages"].push_back({{"byte", damage.offset}, {"message", damage.message}});
+  }
+  print_json(json);
+}
+
+Result<RecoverReport> write_partial(const replay::ByteSource& source, const std::string& partial) {
+  Result<std::unique_ptr<replay::ByteSink>> sink = replay::open_file_sink(partial);
+  if (!sink.ok()) return sink.error();
+  return replay::recover_log(source, *std::move(sink));
+}
+
+Result<Exit> recover(const Options& options) {
+  Result<std::unique_ptr<replay::ByteSource>> source = replay::open_file_source(options.damaged);
+  if (!source.ok()) return source.error();
+  if (Status ok = check_names(options); !ok.ok()) return ok.error();
+  const std::string partial = partial_name(options.log);
+  const Result<RecoverReport> report = write_partial(**source, partial);
+  const Status verified = report.ok() ? verify_written(partial, *report) : Status(report.error());
+  if (!verified.ok()) {
+    std::error_code ignored;
+    fs::remove(partial, ignored);
+    return verified.error();
+  }
+  if (Status ok = replay::rename_file(partial, options.log); !ok.ok()) return ok.error();
+  if (options.json) {
+    print_as_json(options, *report);
+  } else {
+    print_text(options, *report);
+  }
+  if (report->nothing_lost()) return Exit::kSame;
+  std::cerr << "tumble recover: " << options.damaged << ": lost: " << lost_text(*report) << '\n';
+  return Exit::kDamaged;
+}
+
+}  // namespace
+
+Action declare_recover(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("DAMAGED", options->damaged, "The log to recover; it is only read")->required()->type_name("");
+  app.add_option("-o,--output", options->log, "The log to write")->required()->type_name("LOG");
+  add_json(app, options->json);
+  app.footer(
+      "Keeps every chunk that is whole, wherever it lies in the file, also behind damage, and reads what it wrote\n"
+      "from end to end before it says so. Exit status: 0 nothing was lost, 3 something was, which it names; 2 the\n"
+      "file was never a log; 4 the new log could not be written.\n\n"
+      "Examples:\n"
+      "  tumble recover torn.tumble -o saved.tumble\n"
+      "  tumble recover torn.tumble -o saved.tumble --json");
+  return [options] { return recover(*options); };
+}
+
+}  // namespace tumble::tools

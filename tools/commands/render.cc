@@ -1,0 +1,191 @@
+// tumble render: pictures and movies of recorded states.
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "src/render/picture/png.h"
+#include "tools/arguments/command.h"
+#include "tools/arguments/render_options.h"
+#include "tools/arguments/step_range.h"
+#include "tools/files/log_files.h"
+#include "tools/output/movie.h"
+#include "tools/output/progress.h"
+#include "tools/output/text.h"
+#include "tools/process/interrupt.h"
+
+namespace tumble::tools {
+namespace {
+
+// What was drawn, for the listing and for --json.
+struct Summary {
+  std::uint64_t pictures = 0;
+  std::string first_hash, last_hash;  // state hashes
+  std::string driver, backend;
+};
+
+// "12" for a state, "11.25" for a moment between two.
+std::string moment_text(const Frame& frame) {
+  if (frame.is_state()) return std::to_string(frame.step);
+  return exact(static_cast<double>(frame.step) - 1 + frame.part);
+}
+
+render::PngText text_of(const replay::LogReader& log, const RenderPlan& plan, const Frame& frame, const Hash128& hash) {
+  render::PngText text = {{"Software", "tumble " TUMBLE_VERSION},
+                          {"Scene", printable(log.header().scene.name)},
+                          {"Step", moment_text(frame)},
+                          {"State hash", to_string(hash)},
+                          {"Effects", render::to_string(plan.settings.effects)}};
+  return text;
+}
+
+// Pictures of states are called after their step, others by their number in the row.
+std::string picture_path(const RenderPlan& plan, std::size_t index, bool only_states) {
+  if (plan.kind == OutputKind::kPicture) return plan.output;
+  std::string number = std::to_string(only_states ? plan.frames[index].step : index);
+  const std::size_t width = 4;
+  if (number.size() < width) number.insert(0, width - number.size(), '0');
+  return plan.output + "/frame_" + number + ".png";
+}
+
+Status prepare_output(const RenderPlan& plan, Movie& movie) {
+  if (plan.kind == OutputKind::kMovie) {
+    return movie.start(plan.output, plan.settings.width, plan.settings.height, plan.fps);
+  }
+  if (plan.kind == OutputKind::kPicture) return {};
+  std::error_code error;
+  std::filesystem::create_directories(plan.output, error);
+  if (!error && std::filesystem::is_directory(plan.output, error)) return {};
+  return bad_input(plan.output + ": cannot be made a folder" + (error ? ": " + error.message() : "") +
+                   "; a picture's path ends with .png, a movie's with .mp4 or .webm");
+}
+
+class Drawing {
+ public:
+  Drawing(const RenderPlan& plan, replay::LogReader& log, replay::LogReader* other)
+      : plan_(plan), log_(log), frames_(log, other, plan.show) {
+    for (const Frame& frame : plan.frames) only_states_ = only_states_ && frame.is_state();
+  }
+
+  Result<Summary> run() {
+    Result<std::unique_ptr<render::Renderer>> renderer = render::Renderer::create(plan_.settings, plan_.backend);
+    if (!renderer.ok()) return renderer.error();
+    renderer_ = *std::move(renderer);
+    if (Status ok = prepare_output(plan_, movie_); !ok.ok()) return ok.error();
+    summary_.driver = renderer_->context().driver();
+    summary_.backend = renderer_->context().backend_name();
+    ProgressBar bar("drawing");
+    const InterruptGuard guard;
+    for (std::size_t i = 0; i < plan_.frames.size() && !InterruptGuard::interrupted(); ++i) {
+      bar.show(i, plan_.frames.size());
+      if (Status ok = draw(i); !ok.ok()) return ok.error();
+    }
+    bar.finish();
+    if (plan_.kind == OutputKind::kMovie) {
+      if (Status ok = movie_.finish(); !ok.ok()) return ok.error();
+    }
+    if (!InterruptGuard::interrupted()) return summary_;
+    return cannot_finish("interrupted; " + plan_.output + " holds the first " +
+                         count_text(summary_.pictures, "picture"));
+  }
+
+ private:
+  Status draw(std::size_t index) {
+    const Frame& frame = plan_.frames[index];
+    const Result<replay::Picture> picture = frames_.make(frame);
+    if (!picture.ok()) return picture.error();
+    const Result<render::Image> image = renderer_->draw(picture->snapshot, plan_.stage);
+    if (!image.ok()) return image.error();
+    summary_.last_hash = to_string(picture->state_hash);
+    if (summary_.pictures == 0) summary_.first_hash = summary_.last_hash;
+    ++summary_.pictures;
+    if (plan_.kind == OutputKind::kMovie) return movie_.add(*image);
+    return render::write_png(picture_path(plan_, index, only_states_), *image,
+                             text_of(log_, plan_, frame, picture->state_hash));
+  }
+
+  const RenderPlan& plan_;
+  replay::LogReader& log_;
+  FrameMaker frames_;
+  std::unique_ptr<render::Renderer> renderer_;
+  Movie movie_;
+  Summary summary_;
+  bool only_states_ = true;
+};
+
+void print_text(const RenderPlan& plan, const Summary& summary) {
+  Listing listing;
+  const char* what[] = {"picture", "folder", "movie"};
+  listing.add(what[static_cast<int>(plan.kind)], printable(plan.output));
+  const std::string first = moment_text(plan.frames.front()), last = moment_text(plan.frames.back());
+  if (plan.frames.size() == 1) {
+    listing.add("step", first);
+    listing.add("state hash", summary.first_hash);
+  } else {
+    listing.add("steps", first + " to " + last + " in " + count_text(summary.pictures, "picture"));
+  }
+  listing.add("size", std::to_string(plan.settings.width) + " x " + std::to_string(plan.settings.height));
+  listing.add("drawn with", summary.backend + ": " + printable(summary.driver));
+  listing.print();
+}
+
+void print_json_summary(const std::string& log, const RenderPlan& plan, const Summary& summary) {
+  Json json;
+  json["log"] = log;
+  json["output"] = plan.output;
+  json["pictures"] = summary.pictures;
+  json["first_step"] = static_cast<double>(plan.frames.front().step) - 1 + plan.frames.front().part;
+  json["last_step"] = static_cast<double>(plan.frames.back().step) - 1 + plan.frames.back().part;
+  json["first_state_hash"] = summary.first_hash;
+  json["last_state_hash"] = summary.last_hash;
+  json["width"] = plan.settings.width;
+  json["height"] = plan.settings.height;
+  json["samples"] = plan.settings.samples;
+  json["effects"] = render::to_string(plan.settings.effects);
+  json["backend"] = summary.backend;
+  json["driver"] = summary.driver;
+  print_json(json);
+}
+
+Result<Exit> render_command(const RenderArguments& arguments) {
+  Result<replay::LogReader> log = open_log(arguments.log);
+  if (!log.ok()) return log.error();
+  std::optional<replay::LogReader> other;
+  if (!arguments.compare.empty()) {
+    Result<replay::LogReader> opened = open_log(arguments.compare);
+    if (!opened.ok()) return opened.error();
+    other.emplace(*std::move(opened));
+  }
+  const Result<RenderPlan> plan = plan_of(arguments, *log);
+  if (!plan.ok()) return plan.error();
+  if (other) {
+    const std::uint64_t last = plan->frames.back().step;
+    if (const Result<StepRange> range = check_range({last, last}, *other); !range.ok()) return range.error();
+  }
+  const Result<Summary> summary = Drawing(*plan, *log, other ? &*other : nullptr).run();
+  if (!summary.ok()) return summary.error();
+  if (arguments.json) {
+    print_json_summary(arguments.log, *plan, *summary);
+  } else {
+    print_text(*plan, *summary);
+  }
+  return judge("render", *log, Exit::kSame);
+}
+
+}  // namespace
+
+Action declare_render(CLI::App& app) {
+  auto arguments = std::make_shared<RenderArguments>();
+  declare_arguments(app, *arguments);
+  app.footer(
+      "A PNG says which scene, step and state it shows. docs/rendering.md explains effects and passes.\n\n"
+      "Examples:\n"
+      "  tumble render brick_wall.tumble --step 60 -o wall.png --size 1280x720\n"
+      "  tumble render brick_wall.tumble -o wall.mp4 --speed 0.25\n"
+      "  tumble render pyramid.tumble --every 60 -o frames --show freezing\n"
+      "  tumble render a.tumble --compare b.tumble --step 300");
+  return [arguments] { return render_command(*arguments); };
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,125 @@
+// tumble replay: a log through this build's physics, every step compared.
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "replay/diff/aftermath.h"
+#include "replay/diff/replayer.h"
+#include "replay/diff/step_contacts.h"
+#include "replay/log/log_reader.h"
+#include "src/threads/worker_threads.h"
+#include "tools/arguments/arguments.h"
+#include "tools/arguments/command.h"
+#include "tools/files/log_files.h"
+#include "tools/output/divergence_output.h"
+#include "tools/output/progress.h"
+#include "tools/output/story_output.h"
+#include "tools/output/text.h"
+#include "tools/process/interrupt.h"
+
+namespace tumble::tools {
+namespace {
+
+struct Options {
+  std::string log;
+  std::optional<std::uint64_t> threads;
+  bool brief = false;
+  bool json = false;
+};
+
+// What goes with a first difference.
+struct Found {
+  std::optional<replay::Aftermath> aftermath;
+  std::vector<replay::StepContact> contacts;  // of the first body, by this build
+};
+
+// This build's own step of the first difference, and where it went from there. What cannot be found out is left out.
+Found look_closer(replay::LogReader& log, replay::Divergence& first) {
+  Found found;
+  const bool has_step = first.step > log.first_state() && first.field != "error";
+  if (!has_step) return found;
+  const Result<replay::RetakenStep> taken = replay::retake_step(log, first.step);
+  const Result<const replay::StepRecord*> logged = log.read_step(first.step);
+  if (taken.ok() && logged.ok() && (*logged)->has_states && first.phase != "inputs") {
+    first.pair = replay::pair_of(replay::differing_bodies((*logged)->states, taken->record.states), taken->contacts);
+    for (const replay::StepContact& contact : taken->contacts) {
+      if (first.body && contact.has(*first.body)) found.contacts.push_back(contact);
+    }
+  }
+  Result<replay::LogReader> again = open_log(log.name());
+  if (!again.ok()) return found;
+  ProgressBar bar("looking closer");
+  Result<replay::Aftermath> aftermath =
+      replay::aftermath_of_replay(log, *again, first.step, [&](std::uint64_t done, std::uint64_t total) {
+        bar.show(done, total);
+        return !InterruptGuard::interrupted();
+      });
+  if (aftermath.ok()) found.aftermath = *std::move(aftermath);
+  return found;
+}
+
+void print_text(const replay::ReplayReport& report, const replay::LogReader& log, const Found& found) {
+  for (const std::string& note : report.notes) std::cout << "note: " << printable(note) << '\n';
+  if (report.identical()) {
+    std::cout << "identical: " << count_text(report.steps, "step") << " of " << printable(log.header().scene.name)
+              << " replayed, every bit as recorded\nfinal hash  " << to_string(report.final_hash) << '\n';
+    return;
+  }
+  std::cout << "different: the first of " << count_text(log.step_count(), "step") << " that differs is step "
+            << report.first->step << '\n';
+  print_divergence(*report.first);
+  Listing contacts;
+  for (const replay::StepContact& contact : found.contacts) contacts.add("  contact", replay::describe(contact));
+  contacts.print();
+  if (found.aftermath) print_aftermath(*found.aftermath, "log", "this build");
+}
+
+Result<Exit> replay_command(const Options& options) {
+  Result<replay::LogReader> log = open_log(options.log);
+  if (!log.ok()) return log.error();
+  ProgressBar bar("replaying");
+  const InterruptGuard guard;
+  const std::unique_ptr<WorkerThreads> threads = worker_threads(options.threads.value_or(1));
+  replay::ReplayOptions how;
+  how.workers = threads.get();
+  Result<replay::ReplayReport> report = replay::replay_log(*log, how, [&](std::uint64_t done, std::uint64_t total) {
+    bar.show(done, total);
+    return !InterruptGuard::interrupted();
+  });
+  bar.finish();
+  if (!report.ok()) return report.error();
+  if (InterruptGuard::interrupted()) {
+    return cannot_finish("interrupted; identical so far: " + count_text(report->steps, "step"));
+  }
+  const Found found = report->first && !options.brief ? look_closer(*log, *report->first) : Found();
+  if (options.json) {
+    Json json = comparison_json(report->identical(), report->steps, report->first);
+    json["notes"] = report->notes;
+    if (found.aftermath) json["aftermath"] = aftermath_json(*found.aftermath);
+    print_json(json);
+  } else {
+    print_text(*report, *log, found);
+  }
+  return judge("replay", *log, report->identical() ? Exit::kSame : Exit::kDifference);
+}
+
+}  // namespace
+
+Action declare_replay(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("LOG", options->log, "The log to replay")->required()->type_name("");
+  add_threads(app, options->threads);
+  app.add_flag("--brief", options->brief, "Stop at the first difference; do not look what it leads to");
+  add_json(app, options->json);
+  app.footer(
+      "Exit status: 0 identical, 1 a difference, 3 the log is damaged or torn (its whole part is replayed).\n\n"
+      "Examples:\n"
+      "  tumble replay brick_wall.tumble\n"
+      "  tumble replay brick_wall.tumble --json");
+  return [options] { return replay_command(*options); };
+}
+
+}  // namespace tumble::tools

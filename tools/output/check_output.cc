@@ -1,0 +1,103 @@
+#include "tools/output/check_output.h"
+
+#include <iostream>
+
+#include "golden/report/report.h"
+#include "tools/output/text.h"
+
+namespace tumble::tools {
+namespace {
+
+constexpr std::size_t kNameColumns = 24;
+constexpr const char* kIndent = "    ";
+
+std::string bound_text(const golden::MetricRule& rule, const std::string& unit) {
+  std::string text;
+  if (rule.min) text += "at least " + rounded(*rule.min, unit);
+  if (rule.max) text += (text.empty() ? "" : ", ") + ("at most " + rounded(*rule.max, unit));
+  return text;
+}
+
+void print_line(const std::string& label, const std::string& text) {
+  std::cout << kIndent << padded(label, 11) << printable(text) << '\n';
+}
+
+void print_failure(const golden::CaseResult& result) {
+  for (const std::string& problem : result.problems) print_line("problem", problem);
+  for (std::size_t k = 0; k < golden::kVerdictNames.size(); ++k) {
+    if (!result.verdicts[k].words.empty()) print_line(golden::kVerdictNames[k], result.verdicts[k].words);
+  }
+  for (const golden::MetricResult& metric : result.metrics) {
+    if (metric.pass) continue;
+    const std::string value = metric.value ? rounded(*metric.value, metric.unit) : "null";
+    print_line("  metric", metric.rule.name + " " + value + ", wanted " + bound_text(metric.rule, metric.unit) + ": " +
+                               metric.words);
+    print_line("", "why: " + metric.rule.why);
+  }
+  if (result.difference) {
+    for (const std::string& detail : result.difference->details) print_line("", detail);
+  }
+  for (const std::string& note : result.notes) print_line("note", note);
+  if (!result.reproduce.empty()) print_line("reproduce", result.reproduce);
+  if (!result.bless.empty()) print_line("bless", result.bless);
+}
+
+}  // namespace
+
+void print_case(const golden::CaseResult& result) {
+  std::cout << (result.passed() ? "passed  " : "FAILED  ") << padded(result.name, kNameColumns) << ' '
+            << padded(printable(golden::summary(result)), 34) << ' ' << seconds_text(result.seconds) << '\n';
+  if (!result.passed()) print_failure(result);
+}
+
+void print_sum(const golden::SuiteResult& result, const std::string& report) {
+  for (const std::string& problem : result.problems) std::cout << "FAILED  " << printable(problem) << '\n';
+  std::size_t caught = 0;
+  for (const golden::CanaryResult& canary : result.canaries) {
+    caught += canary.caught ? 1U : 0U;
+    if (!canary.caught) {
+      std::cout << "CANARY NOT CAUGHT: " << canary.name << ": " << printable(canary.words) << '\n';
+    }
+  }
+  std::cout << '\n'
+            << printable(golden::headline(result)) << "  (" << seconds_text(result.seconds) << "; " << caught << " of "
+            << count_text(result.canaries.size(), "canary") << " caught";
+  if (result.shards > 1) std::cout << "; shard " << result.shard << " of " << result.shards;
+  std::cout << ")\n";
+  if (!report.empty()) std::cout << "report: " << report << "/index.html\n";
+}
+
+void print_blessings(const golden::BlessReport& report, bool dry_run) {
+  for (const golden::Blessing& blessing : report.blessed) {
+    std::cout << (dry_run ? "would bless  " : "blessed  ") << padded(blessing.name, kNameColumns) << ' '
+              << printable(blessing.bits) << '\n';
+    for (const std::string& detail : blessing.details) print_line("", detail);
+    for (const golden::MetricResult& metric : blessing.metrics) {
+      if (metric.value == metric.rule.value) continue;
+      const auto text = [&](const std::optional<double>& v) { return v ? rounded(*v, metric.unit) : "none"; };
+      print_line("  metric", metric.rule.name + ": " + text(metric.rule.value) + " -> " + text(metric.value) + " (" +
+                                 bound_text(metric.rule, metric.unit) + ")");
+    }
+  }
+  if (report.blessed.empty()) std::cout << "nothing to bless: bits and values are those of the goldens\n";
+}
+
+golden::Json blessings_json(const golden::BlessReport& report, bool dry_run) {
+  golden::Json json = {{"dry_run", dry_run}, {"unchanged", report.unchanged}, {"blessed", golden::Json::array()}};
+  for (const golden::Blessing& blessing : report.blessed) {
+    golden::Json metrics = golden::Json::array();
+    for (const golden::MetricResult& metric : blessing.metrics) {
+      const auto number = [](const std::optional<double>& v) { return v ? golden::Json(*v) : golden::Json(nullptr); };
+      metrics.push_back(
+          {{"name", metric.rule.name}, {"before", number(metric.rule.value)}, {"after", number(metric.value)}});
+    }
+    json["blessed"].push_back({{"name", blessing.name},
+                               {"new", blessing.is_new},
+                               {"bits", blessing.bits},
+                               {"details", blessing.details},
+                               {"metrics", metrics}});
+  }
+  return json;
+}
+
+}  // namespace tumble::tools

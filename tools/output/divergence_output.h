@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "replay/diff/divergence.h"
+#include "tools/output/text.h"
+
+namespace tumble::tools {
+
+/// {"identical":…, "steps":…, "first":null|{…}}: what `replay --json` and `diff --json` have in common.
+Json comparison_json(bool identical, std::uint64_t steps, const std::optional<replay::Divergence>& first);
+
+/// The bits of a double, or of a word, as 0x and 16 hexadecimal digits.
+std::string hex_text(double value);
+std::string hex_text(std::uint64_t word);
+
+/// The first difference for people, a few aligned lines.
+void print_divergence(const replay::Divergence& first);
+
+}  // namespace tumble::tools

@@ -1,0 +1,74 @@
+#include "tools/output/frames.h"
+
+#include <utility>
+
+namespace tumble::tools {
+
+using replay::Picture;
+
+std::vector<Frame> frames_of_states(std::uint64_t first, std::uint64_t last, std::uint64_t every) {
+  std::vector<Frame> frames;
+  for (std::uint64_t k = first; k <= last; k += every) frames.push_back({k, 1});
+  return frames;
+}
+
+Result<std::vector<Frame>> frames_in_time(replay::LogReader& log, std::uint64_t first, std::uint64_t last,
+                                          double seconds_each) {
+  constexpr double kSameMoment = 1e-6;  // of a step: times are sums, which round
+  std::vector<Frame> frames = {{first, 1}};
+  double end = 0;  // of step k, from state `first` on, s
+  for (std::uint64_t k = first + 1; k <= last; ++k) {
+    const Result<const replay::StepRecord*> record = log.read_hashes(k);
+    if (!record.ok()) return record.error();
+    const double dt = (*record)->dt, start = end;
+    end += dt;
+    for (double at = static_cast<double>(frames.size()) * seconds_each; at <= end + dt * kSameMoment;
+         at = static_cast<double>(frames.size()) * seconds_each) {
+      const double part = (at - start) / dt;
+      frames.push_back({k, part > 1 - kSameMoment ? 1 : part});
+    }
+  }
+  return frames;
+}
+
+FrameMaker::FrameMaker(replay::LogReader& log, replay::LogReader* other, replay::PictureOptions options)
+    : options_(options), ours_(log) {
+  if (other != nullptr) theirs_.emplace(*other);
+}
+
+Result<const Picture*> FrameMaker::read(Source& source, std::uint64_t step) const {
+  for (const std::optional<Picture>* kept : {&source.newer, &source.older}) {
+    if (*kept && (*kept)->step == step) return &**kept;
+  }
+  Result<Picture> picture = source.pictures.read(step, options_);
+  if (!picture.ok()) return picture.error();
+  source.older = std::exchange(source.newer, *std::move(picture));
+  return &*source.newer;
+}
+
+Result<Picture> FrameMaker::make_of(Source& source, const Frame& frame) const {
+  if (frame.is_state()) {
+    const Result<const Picture*> picture = read(source, frame.step);
+    if (!picture.ok()) return picture.error();
+    return **picture;
+  }
+  const Result<const Picture*> found = read(source, frame.step - 1);
+  if (!found.ok()) return found.error();
+  const render::Snapshot before = (*found)->snapshot;
+  const Result<const Picture*> after = read(source, frame.step);
+  if (!after.ok()) return after.error();
+  Picture picture = **after;
+  picture.snapshot = render::between(before, picture.snapshot, frame.part, picture.dt);
+  return picture;
+}
+
+Result<Picture> FrameMaker::make(const Frame& frame) {
+  Result<Picture> picture = make_of(ours_, frame);
+  if (!picture.ok() || !theirs_) return picture;
+  const Result<Picture> other = make_of(*theirs_, frame);
+  if (!other.ok()) return other.error();
+  picture->snapshot = replay::overlay(picture->snapshot, other->snapshot);
+  return picture;
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "replay/picture/picture_source.h"
+#include "src/base/result.h"
+
+/// Which moments of a session are drawn, and how they look.
+namespace tumble::tools {
+
+/// A moment: `part` (above 0, up to 1) of the way from state step − 1 to state `step`. 1 is the state itself.
+struct Frame {
+  std::uint64_t step = 0;
+  double part = 1;
+  [[nodiscard]] bool is_state() const { return part == 1; }
+};
+
+/// States first, first + every, … up to last.
+std::vector<Frame> frames_of_states(std::uint64_t first, std::uint64_t last, std::uint64_t every);
+
+/// Moments that are `seconds_each` of simulated time apart, from state first to state last. Errors: the log's.
+Result<std::vector<Frame>> frames_in_time(replay::LogReader& log, std::uint64_t first, std::uint64_t last,
+                                          double seconds_each);
+
+/// Snapshots of a log's frames, alone or laid over those of another log.
+class FrameMaker {
+ public:
+  /// The logs must outlive it; `other` may be null.
+  FrameMaker(replay::LogReader& log, replay::LogReader* other, replay::PictureOptions options);
+
+  /// A picture at the frame; its state hash is the one of `frame.step`. Errors: PictureSource::read's.
+  Result<replay::Picture> make(const Frame& frame);
+
+ private:
+  // A log's pictures; the last two are kept, for interpolation asks for each twice.
+  struct Source {
+    replay::PictureSource pictures;
+    std::optional<replay::Picture> newer, older;
+    explicit Source(replay::LogReader& log) : pictures(log) {}
+  };
+  Result<const replay::Picture*> read(Source& source, std::uint64_t step) const;
+  Result<replay::Picture> make_of(Source& source, const Frame& frame) const;
+
+  replay::PictureOptions options_;
+  Source ours_;
+  std::optional<Source> theirs_;
+};
+
+}  // namespace tumble::tools

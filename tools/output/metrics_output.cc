@@ -1,0 +1,86 @@
+#include "tools/output/metrics_output.h"
+
+#include <cerrno>
+#include <cstring>
+#include <optional>
+#include <string_view>
+
+#include "replay/measure/metric_list.h"
+
+namespace tumble::tools {
+namespace {
+
+Json value_json(const replay::MetricRow& metric, const replay::Metrics& metrics) {
+  const std::optional<double> value = metric.value(metrics);
+  if (!value) return nullptr;
+  return metric.counts() ? Json(static_cast<std::uint64_t>(*value)) : Json(*value);
+}
+
+std::string value_text(const replay::MetricRow& metric, const replay::Metrics& metrics) {
+  const std::optional<double> value = metric.value(metrics);
+  if (!value) return metric.nothing;
+  if (metric.counts()) return std::to_string(static_cast<std::uint64_t>(*value));
+  return metric.unit == std::string_view("s") ? seconds_text(*value) : rounded(*value, metric.unit);
+}
+
+}  // namespace
+
+Json metrics_json(const std::string& log, const replay::Metrics& metrics) {
+  Json json;
+  json["log"] = log;
+  json["bodies"] = metrics.bodies;
+  json["steps"] = metrics.steps;
+  for (const replay::MetricRow& metric : replay::metric_list()) {
+    json[metric.group][metric.name] = value_json(metric, metrics);
+  }
+  json["final_hash"] = to_string(metrics.final_hash);
+  return json;
+}
+
+void print_metrics(const std::string& log, const replay::Metrics& metrics) {
+  Listing out;
+  out.add("log", log);
+  out.add("bodies", std::to_string(metrics.bodies));
+  out.add("steps", std::to_string(metrics.steps));
+  std::string_view group;
+  for (const replay::MetricRow& metric : replay::metric_list()) {
+    if (group != metric.group) out.section(metric.group);
+    group = metric.group;
+    out.add(std::string("  ") + metric.label, value_text(metric, metrics));
+  }
+  out.section("");
+  out.add("final hash", to_string(metrics.final_hash));
+  out.print();
+}
+
+Status SeriesFile::open(const std::string& path) {
+  path_ = path;
+  errno = 0;
+  file_.open(path, std::ios::binary | std::ios::trunc);
+  if (!file_) return bad_input("--series: " + path + ": cannot be written: " + std::strerror(errno));
+  file_ << "step,time,kinetic,potential,inputs,removed,gain,lateral_max,lateral_rms,column_spread,drift_max,tilt_max,"
+           "top_drop_max,lost,ground_penetration_max,frozen_fraction\n";
+  return {};
+}
+
+void SeriesFile::add(const replay::SeriesRow& row) {
+  const replay::StateMeasures& state = row.state;
+  std::string line = std::to_string(row.step);
+  for (const double value : {row.time, row.kinetic, row.potential, row.inputs, row.removed, row.gain, state.lateral_max,
+                             state.lateral_rms}) {
+    line += ',' + exact(value);
+  }
+  line += ',' + (state.column_spread ? exact(*state.column_spread) : "");
+  for (const double value : {state.drift_max, state.tilt_max, state.top_drop_max}) line += ',' + exact(value);
+  line += ',' + std::to_string(row.lost) + ',' + exact(state.ground_penetration_max) + ',' +
+          exact(state.frozen_fraction) + '\n';
+  file_ << line;
+}
+
+Status SeriesFile::close() {
+  file_.close();
+  if (file_) return {};
+  return cannot_finish("--series: " + path_ + ": could not be written to its end (full disk?)");
+}
+
+}  // namespace tumble::tools

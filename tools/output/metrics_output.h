@@ -1,0 +1,32 @@
+#pragma once
+
+#include <fstream>
+#include <string>
+
+#include "replay/measure/measure.h"
+#include "src/base/result.h"
+#include "tools/output/text.h"
+
+namespace tumble::tools {
+
+/// `measure --json`: the keys of docs/metrics.md. log: its path.
+Json metrics_json(const std::string& log, const replay::Metrics& metrics);
+
+/// The same for people, with units.
+void print_metrics(const std::string& log, const replay::Metrics& metrics);
+
+/// `measure --series`: a CSV file with one row a step.
+class SeriesFile {
+ public:
+  /// Opens the file and writes the header. Errors (kBadInput): a path that cannot be written to.
+  Status open(const std::string& path);
+  void add(const replay::SeriesRow& row);
+  /// Errors (kCannotFinish): anything that went wrong since.
+  Status close();
+
+ private:
+  std::string path_;
+  std::ofstream file_;
+};
+
+}  // namespace tumble::tools

@@ -1,0 +1,63 @@
+#include "tools/output/movie.h"
+
+#include <cstdio>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "tools/output/text.h"
+
+namespace tumble::tools {
+namespace {
+
+const std::vector<std::string> kMp4 = {"-c:v",     "libx264", "-preset",   "veryfast",   "-crf", "18",
+                                       "-pix_fmt", "yuv420p", "-movflags", "+faststart", "-f",   "mp4"};
+const std::vector<std::string> kWebm = {"-c:v",     "libvpx-vp9", "-deadline", "realtime", "-cpu-used", "6",
+                                        "-row-mt",  "1",          "-crf",      "28",       "-b:v",      "0",
+                                        "-pix_fmt", "yuv420p",    "-f",        "webm"};
+
+}  // namespace
+
+bool Movie::is_movie(const std::string& path) { return path.ends_with(".mp4") || path.ends_with(".webm"); }
+
+Status Movie::start(const std::string& path, int width, int height, double frames_per_second) {
+  if (width % 2 != 0 || height % 2 != 0) {
+    return bad_input("--size: found " + std::to_string(width) + "x" + std::to_string(height) +
+                     ", wanted an even width and height for a movie");
+  }
+  path_ = path;
+  part_ = path + ".part";
+  std::vector<std::string> words = {"ffmpeg",   "-v",
+                                    "error",    "-y",
+                                    "-f",       "rawvideo",
+                                    "-pix_fmt", "rgb24",
+                                    "-s",       std::to_string(width) + "x" + std::to_string(height),
+                                    "-r",       exact(frames_per_second),
+                                    "-i",       "-",
+                                    "-an"};
+  const std::vector<std::string>& format = path.ends_with(".webm") ? kWebm : kMp4;
+  words.insert(words.end(), format.begin(), format.end());
+  words.push_back("file:" + part_);
+  return ffmpeg_.start(std::move(words), "movies", "ffmpeg");
+}
+
+Error Movie::failed() const { return cannot_finish(path_ + ": ffmpeg could not write it; its words are above"); }
+
+Status Movie::add(const render::Image& image) {
+  if (ffmpeg_.write(std::as_bytes(std::span(image.rgb)))) return {};
+  return failed();
+}
+
+Status Movie::finish() {
+  if (ffmpeg_.finish() && std::rename(part_.c_str(), path_.c_str()) == 0) return {};
+  std::remove(part_.c_str());
+  return failed();
+}
+
+Movie::~Movie() {
+  if (!ffmpeg_.running()) return;
+  ffmpeg_.abandon();
+  std::remove(part_.c_str());
+}
+
+}  // namespace tumble::tools

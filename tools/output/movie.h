@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+
+#include "src/base/result.h"
+#include "src/render/picture/image.h"
+#include "tools/process/child_pipe.h"
+
+namespace tumble::tools {
+
+/// A movie being written: frames go through a pipe into ffmpeg, which runs beside. The file appears under its name when
+/// it is complete.
+class Movie {
+ public:
+  Movie() = default;
+  ~Movie();  ///< gives up a movie that was not finished
+  Movie(const Movie&) = delete;
+  Movie& operator=(const Movie&) = delete;
+
+  /// Starts ffmpeg. path: ends with .mp4 (H.264) or .webm (VP9). Errors: an odd width or height, which the formats'
+  /// colours do not allow (kBadInput); no ffmpeg (kCannotFinish).
+  Status start(const std::string& path, int width, int height, double frames_per_second);
+  Status add(const render::Image& image);
+  /// Waits until ffmpeg is done. Errors (kCannotFinish): it failed; its own words are on stderr.
+  Status finish();
+
+  [[nodiscard]] static bool is_movie(const std::string& path);
+
+ private:
+  [[nodiscard]] Error failed() const;
+
+  std::string path_, part_;
+  ChildPipe ffmpeg_;
+};
+
+}  // namespace tumble::tools

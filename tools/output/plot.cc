@@ -1,0 +1,82 @@
+#include "tools/output/plot.h"
+
+#include <initializer_list>
+
+#include "tools/output/gnuplot.h"
+#include "tools/output/text.h"
+
+namespace tumble::tools {
+namespace {
+
+constexpr std::size_t kPointsMax = 4000;  // more than a picture can show apart
+
+// Colours that stay apart without colour vision.
+constexpr const char* kStyle = R"(
+set multiplot layout 3,1 title title_text noenhanced font ',14'
+set lmargin 13
+set rmargin 3
+set grid xtics ytics linetype 1 linecolor rgb '#c8c8c8' linewidth 0.5
+set border 3 linecolor rgb '#606060'
+set tics nomirror
+set format y '%.4g'
+set key outside top center horizontal maxrows 1
+set datafile missing '?'
+set style data lines
+set linetype 1 linecolor rgb '#0072b2' linewidth 1.5
+set linetype 2 linecolor rgb '#e69f00' linewidth 1.5
+set linetype 3 linecolor rgb '#000000' linewidth 2
+set linetype 4 linecolor rgb '#d55e00' linewidth 1.5 pointtype 7 pointsize 0.4
+set xrange [first:last]
+set offsets 0, 0, graph 0.05, graph 0.05
+set ylabel 'energy, J'
+plot $rows using 1:2 title 'kinetic' linetype 1, \
+     $rows using 1:3 title 'potential' linetype 2, \
+     $rows using 1:4 title 'total less inputs' linetype 3
+set ylabel 'height of centres, m'
+plot $rows using 1:5 title 'highest' linetype 1, \
+     $rows using 1:6 title 'mean' linetype 3, \
+     $rows using 1:7 title 'lowest' linetype 2
+set ylabel 'depth, m'
+set yrange [0:*]
+set xlabel 'time, s'
+plot $rows using 1:8 title 'in the ground' linetype 2, \
+     $overlaps using 1:2 title 'deepest overlap of two boxes' with linespoints linetype 4
+unset multiplot
+)";
+
+}  // namespace
+
+Result<Plot> Plot::for_file(const std::string& path) {
+  if (Status ok = check_plot_path(path); !ok.ok()) return ok.error();
+  return Plot(path);
+}
+
+void Plot::add(const replay::SeriesRow& row) {
+  const replay::StateMeasures& state = row.state;
+  points_.push_back({row.time, row.kinetic, row.potential, row.kinetic + row.potential - row.inputs, state.height_max,
+                     state.height_mean, state.height_min, state.ground_penetration_max, row.overlap});
+}
+
+std::string Plot::data() const {
+  std::string rows = "$rows << EOD\n", overlaps = "$overlaps << EOD\n";
+  const std::size_t stride = points_.size() / kPointsMax + 1;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Point& p = points_[i];
+    if (p.overlap) overlaps += exact(p.time) + ' ' + exact(*p.overlap) + '\n';
+    if (i % stride != 0 && i + 1 != points_.size()) continue;
+    for (const double value : {p.time, p.kinetic, p.potential, p.own, p.highest, p.mean, p.lowest, p.penetration}) {
+      rows += exact(value) + ' ';
+    }
+    rows += '\n';
+  }
+  return rows + "EOD\n" + overlaps + "EOD\n";
+}
+
+Status Plot::draw(const std::string& title) const {
+  const double first = points_.front().time, last = points_.back().time;
+  return run_gnuplot(path_, 900, 1000,
+                     "title_text = " + gnuplot_quoted(title) + "\nfirst = " + exact(first) +
+                         "\nlast = " + exact(last > first ? last : first + 1) + '\n' + data() + kStyle);
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,226 @@
+#include "tools/output/side_by_side.h"
+
+#include <algorithm>
+#include <iostream>
+#include <span>
+#include <string>
+
+#include "replay/diff/input_difference.h"
+#include "replay/diff/locate_divergence.h"
+#include "replay/format/columns.h"
+#include "replay/session/state_source.h"
+#include "tools/output/divergence_output.h"
+
+namespace tumble::tools {
+namespace {
+
+constexpr std::size_t kBodiesShown = 12;
+
+Json inputs_json(const replay::StepRecord& record) {
+  Json names = Json::array();
+  for (const sim::Command& input : record.inputs) names.push_back(sim::name_of(input));
+  return names;
+}
+
+std::string word_text(const replay::StepRecord& record, std::size_t word) {
+  return word < record.phase_words.size() ? hex_text(record.phase_words[word]) : "-";
+}
+
+/// A row a sub-step and phase. Only where both have the same phases.
+Json phases_json(const replay::StepRecord& a, const replay::StepRecord& b, const std::vector<std::string>& phases) {
+  Json rows = Json::array();
+  const std::size_t words = std::max(a.phase_words.size(), b.phase_words.size());
+  for (std::size_t w = 0; w < words && !phases.empty(); ++w) {
+    const std::string in_a = word_text(a, w), in_b = word_text(b, w);
+    rows.push_back({{"substep", w / phases.size()},
+                    {"phase", phases[w % phases.size()]},
+                    {"a", in_a},
+                    {"b", in_b},
+                    {"same", in_a == in_b}});
+  }
+  return rows;
+}
+
+Json values_json(const replay::StepRecord& a, const replay::StepRecord& b, bool same_words) {
+  Json rows = Json::array();
+  const auto add = [&](const char* name, const Json& in_a, const Json& in_b, bool same) {
+    rows.push_back({{"name", name}, {"a", in_a}, {"b", in_b}, {"same", same}});
+  };
+  const auto number = [&](const char* name, double in_a, double in_b) {
+    add(name, in_a, in_b, replay::ulps_between(in_a, in_b) == 0U);
+  };
+  number("dt", a.dt, b.dt);
+  add("inputs", inputs_json(a), inputs_json(b), !replay::first_difference(std::span(a.inputs), std::span(b.inputs)));
+  const auto count = [&](const char* name, std::uint32_t in_a, std::uint32_t in_b) {
+    add(name, in_a, in_b, in_a == in_b);
+  };
+  count("substeps", a.counters.substeps, b.counters.substeps);
+  count("pairs", a.counters.pairs, b.counters.pairs);
+  if (same_words) count("contacts", a.counters.contacts, b.counters.contacts);
+  number("kinetic", a.counters.kinetic, b.counters.kinetic);
+  number("potential", a.counters.potential, b.counters.potential);
+  number("input_energy", a.counters.inputs, b.counters.inputs);
+  number("removed_energy", a.counters.removed, b.counters.removed);
+  add("state_hash", to_string(a.state_hash), to_string(b.state_hash), a.state_hash == b.state_hash);
+  return rows;
+}
+
+/// The fields of a body that differ.
+Json fields_json(const replay::BodyStates& a, std::size_t i, const replay::BodyStates& b, std::size_t j) {
+  Json fields = Json::array();
+  const replay::ConstColumns in_a = replay::columns_of(a), in_b = replay::columns_of(b);
+  for (std::size_t c = 0; c < replay::kColumnCount; ++c) {
+    const double one = (*in_a[c])[i], other = (*in_b[c])[j];
+    const std::string bits = hex_text(one);
+    if (bits == hex_text(other)) continue;
+    const std::optional<std::uint64_t> ulps = replay::ulps_between(one, other);
+    fields.push_back({{"field", replay::kColumnNames[c]},
+                      {"a", one},
+                      {"b", other},
+                      {"a_hex", bits},
+                      {"b_hex", hex_text(other)},
+                      {"ulps", ulps ? Json(*ulps) : Json(nullptr)}});
+  }
+  if (a.frozen[i] != b.frozen[j]) {
+    fields.push_back({{"field", "frozen"}, {"a", a.frozen[i] != 0}, {"b", b.frozen[j] != 0}});
+  }
+  return fields;
+}
+
+/// Bodies that differ, or that only one of the two has.
+Json bodies_json(const replay::BodyStates& a, const replay::BodyStates& b) {
+  Json bodies = Json::array();
+  std::size_t i = 0, j = 0;
+  while (i < a.size() || j < b.size()) {
+    const bool only_a = j == b.size() || (i < a.size() && a.id[i] < b.id[j]);
+    const bool only_b = !only_a && (i == a.size() || b.id[j] < a.id[i]);
+    if (only_a || only_b) {
+      bodies.push_back({{"id", only_a ? a.id[i] : b.id[j]}, {"only_in", only_a ? "a" : "b"}});
+    } else if (Json fields = fields_json(a, i, b, j); !fields.empty()) {
+      bodies.push_back({{"id", a.id[i]}, {"fields", std::move(fields)}});
+    }
+    if (!only_b) ++i;
+    if (!only_a) ++j;
+  }
+  return bodies;
+}
+
+/// What this build says of the step, taken again from both: how many contacts, and the first that is not the same.
+Json contacts_json(replay::LogReader& a, replay::LogReader& b, std::uint64_t k) {
+  if (k <= a.first_state() || k <= b.first_state()) return nullptr;
+  const Result<replay::RetakenStep> in_a = replay::retake_step(a, k);
+  const Result<replay::RetakenStep> in_b = replay::retake_step(b, k);
+  if (!in_a.ok() || !in_b.ok()) return nullptr;
+  Json json = {{"a_as_recorded", in_a->same},
+               {"b_as_recorded", in_b->same},
+               {"a", in_a->contacts.size()},
+               {"b", in_b->contacts.size()},
+               {"first", nullptr}};
+  const std::size_t both = std::min(in_a->contacts.size(), in_b->contacts.size());
+  for (std::size_t i = 0; i < both; ++i) {
+    const std::string one = replay::describe(in_a->contacts[i]), other = replay::describe(in_b->contacts[i]);
+    if (one == other) continue;
+    json["first"] = {{"a", one}, {"b", other}};
+    break;
+  }
+  return json;
+}
+
+std::string cell(const Json& value) { return value.is_string() ? printable(value.get<std::string>()) : value.dump(); }
+
+void print_fields(const Json& body, Table& table) {
+  const std::string id = body["id"].dump();
+  if (body.contains("only_in")) {
+    table.add({"  " + id, "only in " + body["only_in"].get<std::string>(), "", "", ""});
+    return;
+  }
+  for (const Json& field : body["fields"]) {
+    const std::string name = field["field"];
+    if (!field.contains("ulps")) {
+      table.add({"  " + id, name, cell(field["a"]), cell(field["b"]), ""});
+      continue;
+    }
+    table.add({"  " + id, name, exact(field["a"]), exact(field["b"]), field["ulps"].dump()});
+    table.add({"", "", cell(field["a_hex"]), cell(field["b_hex"]), ""});
+  }
+}
+
+}  // namespace
+
+Result<StepBeside> look_at_step(replay::LogReader& a, replay::LogReader& b, std::uint64_t k) {
+  replay::StateSource source_a(a), source_b(b);
+  // A log without the states, and a build that cannot make them, still have hashes to show.
+  const auto record_of = [k](replay::LogReader& log, replay::StateSource& source) {
+    Result<const replay::StepRecord*> record = source.read(k);
+    return record.ok() || record.error().kind != ErrorKind::kCannotFinish ? record : log.read_hashes(k);
+  };
+  const Result<const replay::StepRecord*> read_a = record_of(a, source_a);
+  if (!read_a.ok()) return read_a.error();
+  const Result<const replay::StepRecord*> read_b = record_of(b, source_b);
+  if (!read_b.ok()) return read_b.error();
+  const replay::StepRecord& in_a = **read_a;
+  const replay::StepRecord& in_b = **read_b;
+  const bool same_words = replay::same_phase_words(a.header(), b.header());
+
+  StepBeside beside;
+  Json& json = beside.json;
+  json["step"] = k;
+  json["same"] = false;
+  json["note"] = replay::phase_hash_note(a.header(), b.header());
+  json["values"] = values_json(in_a, in_b, same_words);
+  json["phases"] = phases_json(in_a, in_b, same_words ? a.header().phases : std::vector<std::string>());
+  const bool have_states = in_a.has_states && in_b.has_states;
+  json["bodies"] = have_states ? bodies_json(in_a.states, in_b.states) : Json(nullptr);
+  const auto same_rows = [](const Json& rows) {
+    return std::ranges::all_of(rows, [](const Json& row) { return row["same"].get<bool>(); });
+  };
+  beside.same = same_rows(json["values"]) && same_rows(json["phases"]) && (!have_states || json["bodies"].empty());
+  json["same"] = beside.same;
+  json["contacts"] = contacts_json(a, b, k);
+  return beside;
+}
+
+void print_step_beside(const StepBeside& beside) {
+  const Json& json = beside.json;
+  std::cout << "step " << json["step"].dump() << ": " << (beside.same ? "the same" : "different") << "\n\n";
+  const auto verdict = [](const Json& row) { return row["same"].get<bool>() ? "same" : "DIFFERENT"; };
+  Table values({"  value", "A", "B", ""});
+  for (const Json& row : json["values"]) {
+    values.add({"  " + cell(row["name"]), cell(row["a"]), cell(row["b"]), verdict(row)});
+  }
+  values.print();
+  if (const std::string note = json["note"]; !note.empty()) std::cout << '\n' << note << '\n';
+  if (!json["phases"].empty()) {
+    std::cout << '\n';
+    std::size_t on_one_side = 0;
+    Table phases({">  sub-step", "phase", "hash in A", "hash in B", ""});
+    for (const Json& row : json["phases"]) {
+      if (row["a"] == "-" || row["b"] == "-") {
+        ++on_one_side;
+        continue;
+      }
+      phases.add({row["substep"].dump(), cell(row["phase"]), cell(row["a"]), cell(row["b"]), verdict(row)});
+    }
+    phases.print();
+    if (on_one_side > 0) std::cout << "  (the sub-steps that only one of them has are left out)\n";
+  }
+  if (!json["bodies"].is_null() && !json["bodies"].empty()) {
+    const std::size_t count = json["bodies"].size();
+    std::cout << '\n' << count_text(count, "body") << " differ" << (count == 1 ? "s" : "");
+    if (count > kBodiesShown) std::cout << "; the first " << kBodiesShown << " (all with --json)";
+    std::cout << '\n';
+    Table bodies({"  body", "field", "A", "B", ">ULPs"});
+    for (std::size_t i = 0; i < std::min(count, kBodiesShown); ++i) print_fields(json["bodies"][i], bodies);
+    bodies.print();
+  }
+  const Json& contacts = json["contacts"];
+  if (contacts.is_null()) return;
+  const auto recorded = [&](const char* key) { return contacts[key].get<bool>() ? "as recorded" : "not as recorded"; };
+  std::cout << "\ntaken again by this build: A " << recorded("a_as_recorded") << ", " << contacts["a"].dump()
+            << " contacts; B " << recorded("b_as_recorded") << ", " << contacts["b"].dump() << " contacts\n";
+  if (contacts["first"].is_null()) return;
+  std::cout << "  first contact that differs\n    A  " << cell(contacts["first"]["a"]) << "\n    B  "
+            << cell(contacts["first"]["b"]) << '\n';
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "src/base/text.h"
+
+/// How results look: for people, aligned and with units; for programs, exact.
+namespace tumble::tools {
+
+/// Keys stay in the order in which they are set.
+using Json = nlohmann::ordered_json;
+
+/// Prints JSON and a newline to stdout. Numbers read back to the same bits; text that is not UTF-8 (a log may hold any)
+/// gets replacement characters.
+void print_json(const Json& json);
+
+/// Lines of "label  value", values aligned.
+class Listing {
+ public:
+  void add(std::string label, std::string value) { lines_.emplace_back(std::move(label), std::move(value)); }
+  /// An empty line, and `title` on a line of its own if there is one.
+  void section(const std::string& title) { lines_.emplace_back(title.empty() ? "" : "\n" + title, ""); }
+  void print() const;
+
+ private:
+  std::vector<std::pair<std::string, std::string>> lines_;
+};
+
+/// A table with a header; columns are as wide as they need to be.
+class Table {
+ public:
+  /// A name that begins with '>' makes a column of numbers, aligned on the right.
+  explicit Table(std::vector<std::string> header);
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  void print() const;
+
+ private:
+  std::vector<bool> right_;
+  std::vector<std::vector<std::string>> rows_;  // the header first
+};
+
+}  // namespace tumble::tools
