@@ -5,7 +5,7 @@
 
 #include "replay/codec/state_keys.h"
 #include "replay/codec/state_rows.h"
-#include "replay/format/columns.h"
+#include "replay/format/body_states.h"
 #include "replay/format/step_record.h"
 #include "schema/log.capnp.h"
 #include "src/base/result.h"

@@ -6,7 +6,7 @@
 
 #include "replay/codec/codec1_predictor.h"
 #include "replay/codec/state_rows.h"
-#include "replay/format/columns.h"
+#include "replay/format/body_states.h"
 #include "replay/format/little_endian.h"
 
 /// How codec 1 turns doubles into the integers whose differences it stores.

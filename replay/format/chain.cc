@@ -1,4 +1,5 @@
-#include "replay/format/step_record.h"
+#include "replay/format/chain.h"
+
 #include "src/model/command_fields.h"
 
 namespace tumble::replay {

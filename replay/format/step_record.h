@@ -5,39 +5,15 @@
 #include <string>
 #include <vector>
 
+#include "replay/format/body_states.h"
 #include "src/base/hash.h"
 #include "src/base/result.h"
 #include "src/model/scene.h"
 #include "src/model/transform.h"
 #include "src/step/step.h"
-#include "src/world/world_state.h"
 
 /// What a log holds, as plain data.
 namespace tumble::replay {
-
-/// What bodies visibly are: the columns of sim::Bodies that the state hash covers, with the same shapes, units and
-/// order (ascending id). Any double is stored to the bit, also those a world would never hold.
-struct BodyStates {
-  std::vector<sim::BodyId> id;
-  sim::Vec3Column position;          ///< m
-  sim::QuatColumn orientation;       ///< w x y z
-  sim::Vec3Column velocity;          ///< m/s
-  sim::Vec3Column spin;              ///< rad/s
-  std::vector<std::uint8_t> frozen;  ///< 0 or 1
-
-  [[nodiscard]] std::size_t size() const { return id.size(); }
-  /// By value, so NaN differs from itself and −0.0 equals 0.0; same_bits() is the exact comparison.
-  friend bool operator==(const BodyStates&, const BodyStates&) = default;
-};
-
-/// Copies the visible columns of `bodies`; keeps the memory that `states` has.
-void copy_visible(const sim::Bodies& bodies, BodyStates& states);
-
-/// sim::state_hash of the same columns.
-Hash128 state_hash(const BodyStates& states);
-
-/// Equality of every bit: NaNs with the same payload are equal, zeros of different sign are not.
-bool same_bits(const BodyStates& a, const BodyStates& b);
 
 /// One step of a session: it took state step − 1 to state `step`.
 struct StepRecord {
@@ -148,11 +124,5 @@ std::string phase_hash_note(const LogHeader& a, const LogHeader& b);
 
 /// The scene format's word for a method.
 const char* name_of(sim::Method method);
-
-/// The chain: chain(k) = XXH3-128 of chain(k − 1) and the fields of step k (number, dt, inputs, phase words, state
-/// hash, counters); chain(0) of the state hash of state 0. Two sessions are the same up to step k exactly if their
-/// chains there are, whatever bytes their logs hold.
-Hash128 chain_start(const Hash128& state_hash_0);
-Hash128 chain_next(const Hash128& before, const StepRecord& record);
 
 }  // namespace tumble::replay

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "replay/diff/divergence.h"
+#include "src/base/text.h"
 #include "src/model/limits.h"
 #include "src/world/edit_bodies.h"
 
@@ -13,7 +13,7 @@ constexpr std::size_t kNone = CsvColumns::kNone;
 
 sim::Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
-std::string text_of(double value) { return to_string(FieldValue(value)); }
+std::string text_of(double value) { return significant(value, 17); }
 
 }  // namespace
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "replay/diff/divergence.h"
 #include "replay/import/csv_steps.h"
 #include "replay/import/engine_log.h"
+#include "src/base/text.h"
 #include "src/model/limits.h"
 
 namespace tumble::replay {
@@ -27,7 +27,7 @@ Result<Survey> survey(std::string_view text, const std::string& name, const Impo
     if (!more.ok()) return more.error();
     if (!*more) break;
     if (found.states > 0 && !(step.dt >= sim::kDtMin && step.dt <= sim::kDtMax)) {
-      return reader->at_line(step.line, "found a step of " + to_string(FieldValue(step.dt)) + " s, wanted 1e-7 … 1 s");
+      return reader->at_line(step.line, "found a step of " + significant(step.dt, 17) + " s, wanted 1e-7 … 1 s");
     }
     if (found.states == 1) found.first_dt = step.dt;
     ++found.states;

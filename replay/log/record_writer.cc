@@ -3,6 +3,8 @@
 #include <utility>
 
 #include "replay/codec/header_codec.h"
+#include "replay/codec/index_codec.h"
+#include "replay/format/chain.h"
 #include "replay/format/limits.h"
 
 namespace tumble::replay {

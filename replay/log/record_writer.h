@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "replay/codec/chunk_codec.h"
-#include "replay/codec/index_codec.h"
 #include "replay/codec/zstd_frame.h"
 #include "replay/format/chunk.h"
 #include "replay/format/prelude.h"

@@ -1,11 +1,11 @@
 #include "replay/log/scan.h"
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <utility>
 
 #include "replay/format/limits.h"
+#include "replay/log/record_reader.h"
 #include "src/model/limits.h"
 
 namespace tumble::replay {
@@ -20,7 +20,7 @@ std::string at_byte(std::uint64_t offset) { return "at byte " + std::to_string(o
 class Walk {
  public:
   Walk(const ByteSource& source, const Prelude& header, const std::vector<Gap>& gaps)
-      : source_(source), header_(header), gaps_(gaps) {
+      : source_(source), records_(source), header_(header), gaps_(gaps) {
     offset_ = kPreludeBytes + header.stored_bytes;
     chain_ = header.chain_after;
     result_.condition.torn_offset = offset_;
@@ -47,9 +47,9 @@ class Walk {
   bool read_record() {
     if (result_.footer) return stray_bytes();
     if (left() < kPreludeBytes) return incomplete_prelude();
-    std::array<std::byte, kPreludeBytes> bytes;
-    if (Status ok = source_.read(offset_, bytes); !ok.ok()) return unreadable(ok.error().message);
-    Result<Prelude> prelude = decode_prelude(bytes);
+    const auto bytes = records_.read_bytes<kPreludeBytes>(offset_);
+    if (!bytes.ok()) return unreadable(bytes.error().message);
+    const Result<Prelude> prelude = decode_prelude(*bytes);
     if (!prelude.ok()) return zeros_to_end() ? torn() : skip_to_next(prelude.error().message);
     if (prelude->log_tag != header_.log_tag || prelude->kind == RecordKind::kHeader) {
       return skip_to_next("found a record of another log");
@@ -113,9 +113,7 @@ class Walk {
   }
 
   void take(const Prelude& prelude) {
-    const std::uint64_t length = kPreludeBytes + prelude.stored_bytes;
-    const ChunkPlace place = {
-        offset_, length, prelude.first_step, prelude.step_count, prelude.chain_after, prelude.stored_hash};
+    const ChunkPlace place = place_of(prelude, offset_);
     const bool in_order = check_order(prelude);
     if (prelude.kind == RecordKind::kIndex) {
       result_.index = place;
@@ -124,7 +122,7 @@ class Walk {
     }
     sequence_ = prelude.sequence + 1;
     chain_ = prelude.chain_after;
-    offset_ += length;
+    offset_ += place.length;
     result_.condition.torn_offset = offset_;
     gap_ = false;
   }
@@ -161,9 +159,9 @@ class Walk {
 
   bool read_footer() {
     if (left() < kFooterBytes) return torn();
-    std::array<std::byte, kFooterBytes> bytes;
-    if (Status ok = source_.read(offset_, bytes); !ok.ok()) return unreadable(ok.error().message);
-    Result<Footer> footer = decode_footer(bytes);
+    const auto bytes = records_.read_bytes<kFooterBytes>(offset_);
+    if (!bytes.ok()) return unreadable(bytes.error().message);
+    const Result<Footer> footer = decode_footer(*bytes);
     if (!footer.ok()) return skip_to_next(footer.error().message);
     check_order(footer->prelude);
     result_.footer = *footer;
@@ -173,6 +171,7 @@ class Walk {
   }
 
   const ByteSource& source_;
+  const RecordReader records_;
   const Prelude& header_;
   const std::vector<Gap>& gaps_;
   std::uint64_t offset_;
@@ -184,26 +183,6 @@ class Walk {
 };
 
 }  // namespace
-
-std::string LogCondition::summary(std::uint64_t last_step) const {
-  if (whole()) return "whole";
-  std::string text;
-  if (torn) {
-    text = "torn: complete up to byte " + std::to_string(torn_offset) + ", which is step " + std::to_string(last_step) +
-           "; the rest was never written";
-  }
-  if (!damages.empty()) {
-    if (!text.empty()) text += "; ";
-    text += std::to_string(damages.size()) + (damages.size() == 1 ? " damage: " : " damages, the first: ") +
-            damages.front().message;
-  }
-  if (!gaps.empty()) {
-    if (!text.empty()) text += "; ";
-    text += "recovered from a damaged log: " + to_string(gaps.front()) +
-            (gaps.size() == 1 ? "" : " and " + std::to_string(gaps.size() - 1) + " more runs of steps") + " were lost";
-  }
-  return text;
-}
 
 Scan scan_records(const ByteSource& source, const Prelude& header, const std::vector<Gap>& gaps) {
   return Walk(source, header, gaps).run();

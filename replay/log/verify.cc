@@ -1,10 +1,11 @@
 #include "replay/log/verify.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
-#include "replay/format/limits.h"
+#include "replay/format/chain.h"
+#include "replay/log/record_reader.h"
+#include "replay/log/scan.h"
 
 namespace tumble::replay {
 namespace {
@@ -37,7 +38,8 @@ class Verifier {
   void add(RecordKind kind, std::uint64_t offset, const std::string& message) { add(Damage{kind, offset, message}); }
 
   void check_chunk(const ChunkPlace& place) {
-    Result<ChunkDecoder> chunk = read_chunk(log_.source(), place, log_.header_prelude(), log_.header());
+    const ChunkRules rules = {log_.header_prelude().log_tag, log_.header().phases.size()};
+    Result<ChunkDecoder> chunk = RecordReader(log_.source()).read_chunk(place, rules);
     const auto wrong = [&](const std::string& message) {
       add(RecordKind::kChunk, place.offset,
           log_.name() + ": chunk at byte " + std::to_string(place.offset) + ": " + message);
@@ -98,13 +100,8 @@ class Verifier {
     if (!scan_.index) return;
     const std::uint64_t offset = scan_.index->offset;
     const auto wrong = [&](const std::string& message) { add(RecordKind::kIndex, offset, message); };
-    std::array<std::byte, kPreludeBytes> bytes;
-    if (Status ok = log_.source().read(offset, bytes); !ok.ok()) return wrong(ok.error().message);
-    Result<Prelude> prelude = decode_prelude(bytes);
-    if (!prelude.ok()) return wrong(prelude.error().message);
-    Result<MessageBytes> message = read_payload(log_.source(), offset, *prelude);
-    if (!message.ok()) return wrong(message.error().message);
-    Result<std::vector<ChunkPlace>> places = decode_index(*message);
+    const Result<std::vector<ChunkPlace>> places =
+        RecordReader(log_.source()).read_index(offset, log_.header_prelude().log_tag);
     if (!places.ok()) return wrong(places.error().message);
     if (!tells_of_file(*places))
       wrong("index at byte " + std::to_string(offset) + ": its rows are not the file's chunks");

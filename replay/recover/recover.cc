@@ -6,8 +6,9 @@
 #include <utility>
 #include <variant>
 
+#include "replay/codec/chunk_codec.h"
+#include "replay/format/chain.h"
 #include "replay/format/limits.h"
-#include "replay/log/log_reader.h"
 #include "replay/log/record_writer.h"
 #include "replay/recover/salvage.h"
 #include "replay/session/boxes_at.h"

@@ -8,8 +8,9 @@
 #include <utility>
 
 #include "replay/codec/header_codec.h"
+#include "replay/format/chain.h"
 #include "replay/format/limits.h"
-#include "replay/log/log_reader.h"
+#include "replay/log/record_reader.h"
 #include "replay/recover/salvage_frames.h"
 #include "replay/recover/salvage_pieces.h"
 
@@ -96,7 +97,7 @@ class Salvager {
 
   Status take_header(const Piece& piece) {
     tag_ = piece.prelude.log_tag;
-    const Result<MessageBytes> message = read_payload(source_, piece.offset, piece.prelude);
+    const Result<MessageBytes> message = RecordReader(source_).read_payload(piece.offset, piece.prelude);
     if (!message.ok()) return is_final(message.error()) ? Status(message.error()) : Status();
     Result<LogHeader> header = decode_header(*message);
     if (!header.ok()) return is_final(header.error()) ? named(header.error(), piece.offset) : Status();
@@ -155,12 +156,8 @@ class Salvager {
       copies_ += kPreludeBytes + p.stored_bytes;
       return {};
     }
-    const ChunkPlace place = {piece.offset, kPreludeBytes + p.stored_bytes, p.first_step, p.step_count, p.chain_after,
-                              p.stored_hash};
-    Prelude tag;
-    tag.log_tag = *tag_;
-    Result<ChunkDecoder> decoder =
-        read_chunk(source_, place, tag, result_.header ? result_.header->content : LogHeader());
+    const std::size_t phase_count = result_.header ? result_.header->content.phases.size() : 0;
+    Result<ChunkDecoder> decoder = RecordReader(source_).read_chunk(place_of(p, piece.offset), {*tag_, phase_count});
     SavedChunk chunk = {p, piece.offset + kPreludeBytes, true, {}, {}, {}};
     Status ok = decoder.ok() ? check_chunk(*decoder, result_.header, chunk) : Status(decoder.error());
     if (ok.ok()) {

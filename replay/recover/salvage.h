@@ -6,7 +6,7 @@
 
 #include "replay/format/step_record.h"
 #include "replay/log/byte_io.h"
-#include "replay/log/scan.h"
+#include "replay/log/log_condition.h"
 #include "replay/recover/salvage_choice.h"
 #include "src/base/result.h"
 

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <utility>
 
-#include "replay/format/step_record.h"
+#include "replay/format/chain.h"
 
 namespace tumble::replay {
 namespace {

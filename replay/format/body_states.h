@@ -2,11 +2,37 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
-#include "replay/format/step_record.h"
+#include "src/base/hash.h"
+#include "src/world/world_state.h"
 
 namespace tumble::replay {
+
+/// What bodies visibly are: the columns of sim::Bodies that the state hash covers, with the same shapes, units and
+/// order (ascending id). Any double is stored to the bit, also those a world would never hold.
+struct BodyStates {
+  std::vector<sim::BodyId> id;
+  sim::Vec3Column position;          ///< m
+  sim::QuatColumn orientation;       ///< w x y z
+  sim::Vec3Column velocity;          ///< m/s
+  sim::Vec3Column spin;              ///< rad/s
+  std::vector<std::uint8_t> frozen;  ///< 0 or 1
+
+  [[nodiscard]] std::size_t size() const { return id.size(); }
+  /// By value, so NaN differs from itself and −0.0 equals 0.0; same_bits() is the exact comparison.
+  friend bool operator==(const BodyStates&, const BodyStates&) = default;
+};
+
+/// Copies the visible columns of `bodies`; keeps the memory that `states` has.
+void copy_visible(const sim::Bodies& bodies, BodyStates& states);
+
+/// sim::state_hash of the same columns.
+Hash128 state_hash(const BodyStates& states);
+
+/// Equality of every bit: NaNs with the same payload are equal, zeros of different sign are not.
+bool same_bits(const BodyStates& a, const BodyStates& b);
 
 /// The columns of doubles of BodyStates in one list, in the order of log.capnp's States.columns.
 enum ColumnIndex : std::size_t { kVelocity = 0, kSpin = 3, kPosition = 6, kOrientation = 9, kColumnCount = 13 };
