@@ -224,6 +224,7 @@ Result<ChunkDecoder> ChunkDecoder::open(const MessageBytes& message) {
 }
 
 Result<const StepRecord*> ChunkDecoder::step(std::size_t index) {
+  SIM_CHECK(index < chunk_.steps.size(), index, chunk_.steps.size());
   while (decoded_ <= index) {
     if (Status ok = states_->decode(chunk_.steps[decoded_]); !ok.ok()) return ok.error();
     ++decoded_;

@@ -6,6 +6,7 @@
 #include "replay/codec/blob.h"
 #include "replay/codec/state_keys.h"
 #include "replay/format/limits.h"
+#include "src/base/check.h"
 
 namespace tumble::replay {
 namespace {
@@ -166,6 +167,7 @@ void StateDecoder::decode_body(BodyStates& states, std::size_t i, std::uint8_t f
 
 codec1::Row StateDecoder::decode_row(const codec1::Motion& before, bool frozen) {
   const std::size_t at = next_residual_++;
+  SIM_DCHECK(at < residuals_[0].size(), at, residuals_[0].size());
   return codec1::code_row(before, frozen, dt_, [&](std::size_t slot, std::size_t column, double predicted) {
     const double steps = codec1::steps_per_unit(column);
     const std::uint64_t expected = codec1::predicted_key(predicted, steps, on_grid_[column]);

@@ -34,6 +34,8 @@ Status Compressor::compress(std::span<const std::byte> raw, std::vector<std::byt
   const std::size_t size = ZSTD_compress2(context_, out.data(), out.size(), raw.data(), raw.size());
   if (ZSTD_isError(size) != 0) return cannot_finish(std::string("compression failed: ") + ZSTD_getErrorName(size));
   out.resize(size);
+  const std::optional<FrameSize> frame = frame_at(out);
+  SIM_CHECK(frame && frame->stored_bytes == size && frame->raw_bytes == raw.size(), size, raw.size());
   return {};
 }
 

@@ -10,8 +10,8 @@
 
 namespace tumble::replay {
 
-/// What bodies visibly are: the columns of sim::Bodies that the state hash covers, with the same shapes, units and
-/// order (ascending id). Any double is stored to the bit, also those a world would never hold.
+/// The visible state of all bodies: the columns of sim::Bodies that the state hash covers, one row per body by
+/// ascending id. Holds any double to the bit, also values that no world would hold.
 struct BodyStates {
   std::vector<sim::BodyId> id;
   sim::Vec3Column position;          ///< m
@@ -21,20 +21,20 @@ struct BodyStates {
   std::vector<std::uint8_t> frozen;  ///< 0 or 1
 
   [[nodiscard]] std::size_t size() const { return id.size(); }
-  /// By value, so NaN differs from itself and −0.0 equals 0.0; same_bits() is the exact comparison.
+  /// Compares values: NaN differs from itself, −0.0 equals 0.0. same_bits() compares bits.
   friend bool operator==(const BodyStates&, const BodyStates&) = default;
 };
 
-/// Copies the visible columns of `bodies`; keeps the memory that `states` has.
+/// Copies the visible columns of `bodies` into `states`, whose memory is used again.
 void copy_visible(const sim::Bodies& bodies, BodyStates& states);
 
-/// sim::state_hash of the same columns.
+/// The state hash: sim::state_hash() of these columns.
 Hash128 state_hash(const BodyStates& states);
 
-/// Equality of every bit: NaNs with the same payload are equal, zeros of different sign are not.
+/// Whether every bit is equal: NaNs with equal payload are, zeros of different sign are not.
 bool same_bits(const BodyStates& a, const BodyStates& b);
 
-/// The columns of doubles of BodyStates in one list, in the order of log.capnp's States.columns.
+/// The columns of doubles of BodyStates as one list, in the order of States.columns in log.capnp.
 enum ColumnIndex : std::size_t { kVelocity = 0, kSpin = 3, kPosition = 6, kOrientation = 9, kColumnCount = 13 };
 
 using Columns = std::array<std::vector<double>*, kColumnCount>;
@@ -52,7 +52,7 @@ inline ConstColumns columns_of(const BodyStates& s) {
           &s.orientation.x, &s.orientation.y, &s.orientation.z};
 }
 
-/// "velocity.x", …: what reports call a column.
+/// The names of the columns in reports.
 inline constexpr std::array<const char*, kColumnCount> kColumnNames = {
     "velocity.x", "velocity.y", "velocity.z",    "spin.x",        "spin.y",        "spin.z",       "position.x",
     "position.y", "position.z", "orientation.w", "orientation.x", "orientation.y", "orientation.z"};

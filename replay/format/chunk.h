@@ -9,20 +9,20 @@
 
 namespace tumble::replay {
 
-/// A complete state, hidden parts included, from which a session can be continued.
+/// A complete state with its hidden parts. A session can continue from it.
 struct Keyframe {
   sim::WorldState state;
-  Hash128 continuation_hash;  ///< sim::continuation_hash of it, by the build that wrote the log
+  Hash128 continuation_hash;  ///< sim::continuation_hash of `state`, by the build that wrote the log
 };
 
-/// A run of steps and the state before the first of them, before its inputs.
+/// Consecutive steps, and the state before the first step and its inputs.
 struct Chunk {
   Keyframe keyframe;
   std::uint64_t first_step = 1;
   std::vector<StepRecord> steps;
 };
 
-/// Where a chunk is and what it holds: a row of the index, which a scan over the preludes finds as well.
+/// The place and the content of a chunk record: one row of the index. The prelude of the chunk has the same values.
 struct ChunkPlace {
   std::uint64_t offset = 0;      ///< of the record's prelude
   std::uint64_t length = 0;      ///< of the record, prelude included

@@ -43,19 +43,19 @@ std::string to_string(const StatesMode& mode) {
   return mode.every == 1 ? "all" : "every:" + std::to_string(mode.every);
 }
 
-std::string to_string(const Gap& gap) {
-  if (gap.step_count == 1) return "step " + std::to_string(gap.first_step);
-  return "steps " + std::to_string(gap.first_step) + " to " + std::to_string(gap.end_step() - 1);
+std::string to_string(const MissingSteps& run) {
+  if (run.step_count == 1) return "step " + std::to_string(run.first_step);
+  return "steps " + std::to_string(run.first_step) + " to " + std::to_string(run.end_step() - 1);
 }
 
-std::uint64_t step_after(std::uint64_t end, const std::vector<Gap>& gaps) {
-  const auto gap = std::ranges::lower_bound(gaps, end, {}, &Gap::first_step);
-  return gap != gaps.end() && gap->first_step == end ? gap->end_step() : end;
+std::uint64_t step_after(std::uint64_t end, const std::vector<MissingSteps>& missing) {
+  const auto run = std::ranges::lower_bound(missing, end, {}, &MissingSteps::first_step);
+  return run != missing.end() && run->first_step == end ? run->end_step() : end;
 }
 
-const std::vector<Gap>& LogHeader::gaps() const {
-  static const std::vector<Gap> kNone;
-  return recovered ? recovered->gaps : kNone;
+const std::vector<MissingSteps>& LogHeader::missing() const {
+  static const std::vector<MissingSteps> kNone;
+  return recovered ? recovered->missing : kNone;
 }
 
 bool same_phase_words(const LogHeader& a, const LogHeader& b) {

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "replay/format/limits.h"
+#include "src/base/check.h"
 #include "src/model/limits.h"
 #include "src/world/body_check.h"
 #include "src/world/edit_bodies.h"
@@ -116,6 +117,7 @@ Status EngineLog::set_state(sim::BodyId id, const EngineState& state) {
   const auto row = world_.bodies().find(id);
   if (!row) return at_step("found a state of body " + std::to_string(id) + ", wanted the id of a body that exists");
   if (told_.empty()) told_.assign(world_.bodies().size(), 0);
+  SIM_CHECK(told_.size() == world_.bodies().size(), told_.size(), world_.bodies().size());
   told_[*row] = 1;
   put(world_.mutable_state().bodies, *row, state);
   return {};

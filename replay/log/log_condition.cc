@@ -14,10 +14,11 @@ std::string LogCondition::summary(std::uint64_t last_step) const {
     text += std::to_string(damages.size()) + (damages.size() == 1 ? " damage: " : " damages, the first: ") +
             damages.front().message;
   }
-  if (!gaps.empty()) {
+  if (!missing.empty()) {
     if (!text.empty()) text += "; ";
-    text += "recovered from a damaged log: " + to_string(gaps.front()) +
-            (gaps.size() == 1 ? "" : " and " + std::to_string(gaps.size() - 1) + " more runs of steps") + " were lost";
+    text += "recovered from a damaged log: " + to_string(missing.front()) +
+            (missing.size() == 1 ? "" : " and " + std::to_string(missing.size() - 1) + " more runs of steps") +
+            " were lost";
   }
   return text;
 }

@@ -9,28 +9,28 @@
 
 namespace tumble::replay {
 
-/// Something in a log that is not as it was written.
+/// A place of a log whose bytes changed after they were written.
 struct Damage {
-  RecordKind kind = RecordKind::kChunk;  ///< of the record that is hurt
-  std::uint64_t offset = 0;              ///< its first byte, or the first byte that belongs to no record
-  std::string message;                   ///< record, byte, found, wanted
+  RecordKind kind = RecordKind::kChunk;  ///< of the damaged record
+  std::uint64_t offset = 0;              ///< of the record, or of the first byte outside every record
+  std::string message;                   ///< names record, byte, found and wanted
 };
 
-/// How whole a log is.
+/// How complete and how intact a log is.
 struct LogCondition {
-  bool finished = false;          ///< the footer is there: the writer came to its end
-  bool torn = false;              ///< the file ends before the footer does: a crash or a full disk; the rest is sound
-  std::uint64_t torn_offset = 0;  ///< end of the last complete record
-  std::vector<Damage> damages;    ///< by offset
-  std::vector<Gap> gaps;          ///< steps that were lost before the log was recovered from a damaged one
+  bool finished = false;              ///< the footer exists, so the writer completed the log
+  bool torn = false;                  ///< the file ends before the footer, as after a crash or with a full disk
+  std::uint64_t torn_offset = 0;      ///< end of the last complete record
+  std::vector<Damage> damages;        ///< by offset
+  std::vector<MissingSteps> missing;  ///< steps that were lost before recovery from a damaged log
 
-  /// Every byte is as it was written and the writer came to its end; a recovered log may have gaps all the same.
+  /// Complete and without damage. Steps may still be missing in a recovered log.
   [[nodiscard]] bool sound() const { return finished && !torn && damages.empty(); }
 
-  /// Sound, and every step is there.
-  [[nodiscard]] bool whole() const { return sound() && gaps.empty(); }
+  /// Sound, and no step is missing.
+  [[nodiscard]] bool whole() const { return sound() && missing.empty(); }
 
-  /// One line for people: "whole", "torn at byte 8123 …", "2 records damaged, the first …". last_step: LogReader's.
+  /// One line for people: "whole", "torn at byte 8123 …", "2 records damaged, the first …". last_step: of the reader.
   [[nodiscard]] std::string summary(std::uint64_t last_step) const;
 };
 

@@ -10,14 +10,18 @@
 #include "replay/log/chunk_ahead.h"
 #include "replay/log/record_reader.h"
 #include "replay/log/scan.h"
+#include "src/base/check.h"
 
 namespace tumble::replay {
 namespace {
 
-/// The index of a finished log, if footer and index are there, whole and tell of the whole file. Errors say what is
-/// not.
+/// The chunks that the index of a finished log lists. Errors (kDamaged): footer or index is missing or damaged, or the
+/// rows do not cover all bytes between header and index.
+///
+/// The rows are trusted only if they cover the file without a hole, so that a log that opens by its index holds the
+/// same chunks as one that is scanned.
 Result<std::vector<ChunkPlace>> chunks_of_index(const ByteSource& source, const Prelude& header,
-                                                const std::vector<Gap>& gaps) {
+                                                const std::vector<MissingSteps>& missing) {
   const std::uint64_t begin = kPreludeBytes + header.stored_bytes;
   if (source.size() < begin + kFooterBytes) return damaged("no footer");
   const RecordReader records(source);
@@ -34,7 +38,7 @@ Result<std::vector<ChunkPlace>> chunks_of_index(const ByteSource& source, const 
   std::uint64_t offset = begin;
   std::uint64_t step = header.first_step + 1;
   for (const ChunkPlace& place : *places) {
-    step = step_after(step, gaps);
+    step = step_after(step, missing);
     const bool fits = place.offset == offset && place.length > kPreludeBytes &&
                       place.length <= footer->index_offset - offset && place.first_step == step &&
                       place.step_count <= kStepsPerChunkRead;
@@ -57,7 +61,7 @@ struct LogReader::State {
   void find_chunks();
   [[nodiscard]] std::uint64_t last_step() const;
   [[nodiscard]] ChunkRules rules() const { return {header.prelude.log_tag, header.content.phases.size()}; }
-  [[nodiscard]] const Gap* lost_at(std::uint64_t k) const;
+  [[nodiscard]] const MissingSteps* lost_at(std::uint64_t k) const;
   [[nodiscard]] Error no_such(const char* what, std::uint64_t k) const;
   [[nodiscard]] Result<std::size_t> chunk_of(std::uint64_t k) const;
   Result<ChunkDecoder*> load(std::size_t chunk);
@@ -80,16 +84,16 @@ std::uint64_t LogReader::State::last_step() const {
   return chunks.empty() ? header.prelude.first_step : chunks.back().end_step() - 1;
 }
 
-/// By the index if it is there and right, else by a walk over the preludes.
+/// Reads the index, or follows the preludes where the index is missing or wrong.
 void LogReader::State::find_chunks() {
-  Result<std::vector<ChunkPlace>> index = chunks_of_index(*source, header.prelude, header.content.gaps());
+  Result<std::vector<ChunkPlace>> index = chunks_of_index(*source, header.prelude, header.content.missing());
   if (index.ok()) {
     chunks = *std::move(index);
     condition.finished = true;
-    condition.gaps = header.content.gaps();
+    condition.missing = header.content.missing();
     return;
   }
-  Scan scan = scan_records(*source, header.prelude, header.content.gaps());
+  Scan scan = scan_records(*source, header.prelude, header.content.missing());
   chunks = std::move(scan.chunks);
   condition = std::move(scan.condition);
   if (condition.finished && condition.damages.empty()) {
@@ -120,10 +124,10 @@ Result<std::size_t> LogReader::State::chunk_of(std::uint64_t k) const {
   return static_cast<std::size_t>(after - chunks.begin()) - 1;
 }
 
-const Gap* LogReader::State::lost_at(std::uint64_t k) const {
-  const std::vector<Gap>& gaps = header.content.gaps();
-  const auto after = std::ranges::upper_bound(gaps, k, {}, &Gap::first_step);
-  return after != gaps.begin() && k < std::prev(after)->end_step() ? &*std::prev(after) : nullptr;
+const MissingSteps* LogReader::State::lost_at(std::uint64_t k) const {
+  const std::vector<MissingSteps>& missing = header.content.missing();
+  const auto after = std::ranges::upper_bound(missing, k, {}, &MissingSteps::first_step);
+  return after != missing.begin() && k < std::prev(after)->end_step() ? &*std::prev(after) : nullptr;
 }
 
 Result<ChunkDecoder*> LogReader::State::load(std::size_t chunk) {
@@ -211,6 +215,10 @@ Result<LogReader> LogReader::open(std::unique_ptr<ByteSource> source) {
   if (!header.ok()) return header.error();
   state->header = *std::move(header);
   state->find_chunks();
+  const std::vector<ChunkPlace>& chunks = state->chunks;
+  for (std::size_t i = 1; i < chunks.size(); ++i) {
+    SIM_CHECK(chunks[i].first_step >= chunks[i - 1].end_step(), i, chunks[i].first_step, chunks[i - 1].end_step());
+  }
   return LogReader(std::move(state));
 }
 
@@ -220,7 +228,7 @@ std::uint64_t LogReader::file_bytes() const { return state_->source->size(); }
 const LogCondition& LogReader::condition() const { return state_->condition; }
 std::uint64_t LogReader::first_state() const { return state_->header.prelude.first_step; }
 std::uint64_t LogReader::last_step() const { return state_->last_step(); }
-const Gap* LogReader::lost_at(std::uint64_t k) const { return state_->lost_at(k); }
+const MissingSteps* LogReader::lost_at(std::uint64_t k) const { return state_->lost_at(k); }
 const std::vector<ChunkPlace>& LogReader::chunks() const { return state_->chunks; }
 std::uint64_t LogReader::chunks_opened() const { return state_->opened; }
 const ByteSource& LogReader::source() const { return *state_->source; }

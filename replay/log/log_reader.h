@@ -46,7 +46,7 @@ class LogReader {
   [[nodiscard]] std::uint64_t step_count() const { return last_step() - first_state(); }
 
   /// The missing steps of a recovered log that step k belongs to; null for every other step.
-  [[nodiscard]] const Gap* lost_at(std::uint64_t k) const;
+  [[nodiscard]] const MissingSteps* lost_at(std::uint64_t k) const;
 
   /// The intact chunks, by ascending step. A lost record leaves steps missing between two of them.
   [[nodiscard]] const std::vector<ChunkPlace>& chunks() const;

@@ -8,6 +8,7 @@
 #include "replay/codec/index_codec.h"
 #include "replay/format/chain.h"
 #include "replay/format/limits.h"
+#include "src/base/check.h"
 #include "src/model/limits.h"
 
 namespace tumble::replay {
@@ -129,6 +130,7 @@ Result<ChunkDecoder> RecordReader::read_chunk(const ChunkPlace& place, const Chu
     return wrong(
         damaged("found chain " + to_string(chain) + " after the last step, wanted " + to_string(prelude->chain_after)));
   }
+  SIM_CHECK(decoder->keyframe().state.step + 1 == place.first_step, decoder->keyframe().state.step, place.first_step);
   return decoder;
 }
 

@@ -21,38 +21,38 @@ struct HeaderRecord {
   LogHeader content;
 };
 
-/// What every chunk of a log must agree with. The log's header says it.
+/// The values of a log's header that each of its chunks must match.
 struct ChunkRules {
   std::uint64_t log_tag = 0;
-  std::size_t phase_count = 0;  ///< phase words come in rows of so many; 0: any number
+  std::size_t phase_count = 0;  ///< each row of phase words has this length; 0: any length
 };
 
-/// Reads single records and checks each against its prelude: the mirror of RecordWriter. The order of the records is
-/// checked by LogReader (with the index) and scan_records() (without).
+/// Reads single records and checks each against its prelude: the mirror of RecordWriter. LogReader and scan_records()
+/// check the order of the records, by the index and by the preludes.
 ///
-/// Errors name path, record and byte. kDamaged: bytes that nobody wrote so. kBadInput: a file that is no log, a record
-/// that needs a newer program. kCannotFinish: a read that fails, memory.
+/// Errors name path, record and byte. kDamaged: the bytes changed after they were written. kBadInput: the file is no
+/// log, or a record needs a newer program. kCannotFinish: the system cannot read, or memory runs out.
 class RecordReader {
  public:
   /// `source` must outlive the reader.
   explicit RecordReader(const ByteSource& source) : source_(source) {}
 
-  /// The header record, at byte 0. The format version and the chain of LogHeader::goes_on are filled in.
+  /// The header record, at byte 0. Fills in the format version and the chain of LogHeader::goes_on.
   [[nodiscard]] Result<HeaderRecord> read_header() const;
 
-  /// The chunk at a place: its stored hash, its counts and the chain over its steps are checked.
+  /// The chunk at a place. Checks the stored hash, the counts and the chain over the steps.
   [[nodiscard]] Result<ChunkDecoder> read_chunk(const ChunkPlace& place, const ChunkRules& rules) const;
 
-  /// The rows of the index record at a byte of the log with this tag. The rows themselves are not checked.
+  /// The rows of the index record at byte `offset`. Checks the record, but not whether the rows match the file.
   [[nodiscard]] Result<std::vector<ChunkPlace>> read_index(std::uint64_t offset, std::uint64_t log_tag) const;
 
-  /// The prelude at a byte.
+  /// The prelude at byte `offset`.
   [[nodiscard]] Result<Prelude> read_prelude(std::uint64_t offset) const;
 
-  /// The message behind a prelude, compared with its stored hash and decompressed.
+  /// The message behind the prelude at byte `offset`. Checks the stored hash and decompresses.
   [[nodiscard]] Result<MessageBytes> read_payload(std::uint64_t offset, const Prelude& prelude) const;
 
-  /// So many bytes, unchecked: of a prelude or a footer.
+  /// The kCount bytes at `offset`, unchecked: a prelude or a footer.
   template <std::size_t kCount>
   [[nodiscard]] Result<std::array<std::byte, kCount>> read_bytes(std::uint64_t offset) const {
     std::array<std::byte, kCount> bytes;
@@ -66,7 +66,7 @@ class RecordReader {
   const ByteSource& source_;
 };
 
-/// Where a record with this prelude lies if its prelude begins at `offset`.
+/// The place of a record whose prelude lies at `offset`.
 ChunkPlace place_of(const Prelude& prelude, std::uint64_t offset);
 
 /// "<path>: <record> at byte <offset>: <message>".

@@ -12,25 +12,26 @@
 
 namespace tumble::replay {
 
-/// What a walk from prelude to prelude finds, without index and footer.
+/// The records of a log, found by following the preludes instead of the index.
 struct Scan {
-  std::vector<ChunkPlace> chunks;  ///< complete by length; their bytes are not hashed yet
+  std::vector<ChunkPlace> chunks;  ///< of full length; their bytes are not hashed yet
   std::optional<ChunkPlace> index;
   std::optional<Footer> footer;
   std::uint64_t footer_offset = 0;
   LogCondition condition;
 };
 
-/// Walks the records behind the header. A record that is damaged is skipped: the walk goes on at the next prelude of
-/// the same log. `gaps`: what the header says is missing.
-Scan scan_records(const ByteSource& source, const Prelude& header, const std::vector<Gap>& gaps);
+/// Follows the preludes from the end of the header to the end of the file. Skips a damaged record and continues at the
+/// next prelude of this log. `missing`: the steps that the header declares missing.
+Scan scan_records(const ByteSource& source, const Prelude& header, const std::vector<MissingSteps>& missing);
 
+/// An intact prelude and its place.
 struct FoundPrelude {
   std::uint64_t offset = 0;
   Prelude prelude;
 };
 
-/// The first whole prelude at or after byte `from`: of the log with this tag, or of any if there is none.
+/// The first intact prelude at or after byte `from`. log_tag: of the wanted log; none accepts every log.
 std::optional<FoundPrelude> find_prelude(const ByteSource& source, std::uint64_t from,
                                          std::optional<std::uint64_t> log_tag);
 

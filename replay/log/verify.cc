@@ -13,7 +13,7 @@ namespace {
 class Verifier {
  public:
   explicit Verifier(LogReader& log)
-      : log_(log), scan_(scan_records(log.source(), log.header_prelude(), log.header().gaps())) {}
+      : log_(log), scan_(scan_records(log.source(), log.header_prelude(), log.header().missing())) {}
 
   VerifyReport run() {
     report_.condition = scan_.condition;
@@ -60,7 +60,7 @@ class Verifier {
     state_known_ = true;
   }
 
-  /// The keyframe must be what the step before it led to.
+  /// A keyframe repeats the state after the step before.
   Status check_keyframe(const Keyframe& keyframe, const ChunkPlace& place) {
     const Hash128 found = sim::state_hash(keyframe.state.bodies);
     if (place.first_step == log_.first_state() + 1 && !is_start(keyframe, found)) {
@@ -78,7 +78,8 @@ class Verifier {
                    to_string(keyframe.continuation_hash));
   }
 
-  /// State 0 is what the chain starts from; a session that goes on names the complete state.
+  /// Whether the keyframe is the state that the log begins with. The chain starts from the hash of state 0; the header
+  /// of a continued log names the complete state instead.
   [[nodiscard]] bool is_start(const Keyframe& keyframe, const Hash128& state) const {
     const std::optional<GoesOn>& before = log_.header().goes_on;
     if (before) return before->continuation_hash == keyframe.continuation_hash;
@@ -107,7 +108,7 @@ class Verifier {
       wrong("index at byte " + std::to_string(offset) + ": its rows are not the file's chunks");
   }
 
-  /// Every chunk has its row and every row its chunk, but for chunks whose damage is known already.
+  /// Whether rows and chunks match one to one. A row without a chunk is accepted where damage was reported.
   [[nodiscard]] bool tells_of_file(const std::vector<ChunkPlace>& rows) const {
     auto chunk = scan_.chunks.begin();
     for (const ChunkPlace& row : rows) {

@@ -32,7 +32,7 @@ class Recovery {
     report_.lost_bytes = left_.lost_bytes;
     report_.first_state = left_.chunks.front().first_step() - 1;
     report_.last_step = left_.chunks.back().end_step() - 1;
-    find_gaps();
+    find_missing();
     if (Status ok = write_header(); !ok.ok()) return ok.error();
     for (const SavedChunk& chunk : left_.chunks) {
       const Result<std::vector<std::byte>> stored = bytes_of(chunk.payload, chunk.prelude);
@@ -47,15 +47,15 @@ class Recovery {
   }
 
  private:
-  void find_gaps() {
+  void find_missing() {
     const std::uint64_t begin = left_.header ? left_.header->prelude.first_step : 0;
     if (begin < report_.first_state) report_.lost.push_back({begin + 1, report_.first_state - begin});
     std::uint64_t end = report_.first_state + 1;
     for (const SavedChunk& chunk : left_.chunks) {
-      if (chunk.first_step() > end) gaps_.push_back({end, chunk.first_step() - end});
+      if (chunk.first_step() > end) missing_.push_back({end, chunk.first_step() - end});
       end = chunk.end_step();
     }
-    report_.lost.insert(report_.lost.end(), gaps_.begin(), gaps_.end());
+    report_.lost.insert(report_.lost.end(), missing_.begin(), missing_.end());
     if (left_.last_step && *left_.last_step >= end) report_.lost.push_back({end, *left_.last_step + 1 - end});
   }
 
@@ -67,7 +67,7 @@ class Recovery {
 
   Status write_header() {
     const bool begins_as_it_did = left_.header && left_.header->prelude.first_step == report_.first_state;
-    const bool as_it_was = begins_as_it_did && left_.header->content.gaps() == gaps_;
+    const bool as_it_was = begins_as_it_did && left_.header->content.missing() == missing_;
     if (as_it_was) {
       const Result<std::vector<std::byte>> stored = bytes_of(left_.header->payload, left_.header->prelude);
       return stored.ok() ? writer_.copy_header(left_.header->prelude, *stored) : Status(stored.error());
@@ -76,7 +76,7 @@ class Recovery {
     if (!first.ok()) return first.error();
     Result<LogHeader> header = left_.header ? left_.header->content : made_header(*first);
     if (!header.ok()) return header.error();
-    header->recovered = {source_.name(), report_.header_lost, gaps_};
+    header->recovered = {source_.name(), report_.header_lost, missing_};
     const Keyframe& keyframe = first->keyframe();
     const Hash128 chain = left_.chunks.front().prelude.chain_before;
     const bool is_begin = report_.first_state == 0 && chain == chain_start(sim::state_hash(keyframe.state.bodies));
@@ -135,7 +135,7 @@ class Recovery {
   const ByteSource& source_;
   RecordWriter writer_;
   Salvage left_;
-  std::vector<Gap> gaps_;  // that the new log has
+  std::vector<MissingSteps> missing_;  // that the new log has
   RecoverReport report_;
 };
 

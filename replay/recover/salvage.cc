@@ -233,13 +233,13 @@ class Salvager {
       payloads.insert(chunk.payload);
       kept += kPreludeBytes + chunk.prelude.stored_bytes;
       if (!chunk.chain_known) {
-        note(chunk.payload, to_string(Gap{chunk.first_step(), chunk.prelude.step_count}) +
+        note(chunk.payload, to_string(MissingSteps{chunk.first_step(), chunk.prelude.step_count}) +
                                 ": the chunk's prelude was damaged and is made anew");
       }
     }
     for (const SavedChunk& chunk : candidates_) {
       if (payloads.contains(chunk.payload)) continue;
-      note(chunk.payload, to_string(Gap{chunk.first_step(), chunk.prelude.step_count}) +
+      note(chunk.payload, to_string(MissingSteps{chunk.first_step(), chunk.prelude.step_count}) +
                               ": a whole chunk that does not fit the others");
     }
     for (const Scrap& scrap : pieces_.scraps) {

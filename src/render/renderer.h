@@ -12,8 +12,6 @@
 
 namespace tumble::render {
 
-inline constexpr int kSizeMin = 16;  ///< pixels, of width and height
-inline constexpr int kSizeMax = 4096;
 inline constexpr int kSamplesMax = 4;
 
 struct Settings {

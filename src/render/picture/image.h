@@ -6,6 +6,9 @@
 
 namespace tumble::render {
 
+inline constexpr int kSizeMin = 16;    ///< pixels, least width and height of a picture that is drawn
+inline constexpr int kSizeMax = 4096;  ///< pixels, greatest width and height of a picture that is drawn or read
+
 /// Pixels, 8 bits a channel, red green blue, rows from the top, no padding.
 struct Image {
   int width = 0;
