@@ -5,7 +5,8 @@
 namespace tumble::replay {
 namespace {
 
-/// Adds one value of an input.
+/// Adds one value of an input. Called for the values that change what happens, in the order of for_each_effect(). That
+/// order and the index of each kind of input are part of the log format: chains of old logs must stay equal.
 struct AddField {
   Hasher& hasher;
   void operator()(auto, double value) const { hasher.add(value); }

@@ -11,7 +11,7 @@
 namespace tumble::replay {
 namespace {
 
-/// What the first reading finds out.
+/// The result of the first reading.
 struct Survey {
   std::uint64_t states = 0;
   double first_dt = 0;  ///< of step 1; 0 without one
@@ -49,7 +49,7 @@ Result<std::unique_ptr<EngineLog>> begin(const CsvSteps& reader, const TableStep
   return EngineLog::create(*std::move(sink), {reader.settings().engine}, start);
 }
 
-/// Bodies that came and went between the state that the log has and the step, as inputs.
+/// Adds inputs for the bodies that disappeared and appeared since the last step.
 Status tell_of_bodies(EngineLog& log, const CsvSteps& reader, const TableStep& step) {
   const std::vector<sim::BodyId> there = log.bodies().id;
   const auto in_step = [&](sim::BodyId id) {

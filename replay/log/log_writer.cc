@@ -206,7 +206,8 @@ Status LogWriter::flush(const sim::WorldState& now) {
 }
 
 Result<LogSummary> LogWriter::finish() {
-  SIM_CHECK(!std::exchange(shared_->finished, true));
+  SIM_CHECK(!shared_->finished);
+  shared_->finished = true;
   shared_->stop();
   RecordWriter& records = shared_->records;
   Buffer& open = *shared_->open;

@@ -102,6 +102,9 @@ Result<HeaderRecord> RecordReader::read_header() const {
                  std::to_string(prelude->first_step) + ", wanted " + std::to_string(wanted));
 }
 
+// The stored hash proves that the bytes are those that were written. The chain proves more: that inputs, phase words,
+// hashes and counters belong to this session and this place in it. States are not part of this check, because decoding
+// them is the expensive part; verify() compares states with their hashes.
 Result<ChunkDecoder> RecordReader::read_chunk(const ChunkPlace& place, const ChunkRules& rules) const {
   const Result<Prelude> prelude = read_prelude(place.offset);
   if (!prelude.ok()) return prelude.error();

@@ -51,6 +51,9 @@ Status RecordWriter::write_record(Prelude& prelude, const MessageBytes& message)
   return write_stored(prelude, stored_);
 }
 
+// A message of many equal rows can compress so well that it looks like a decompression bomb, and readers would refuse
+// it (message_bytes_max() in limits.h). With a window of 1 KiB, zstd needs at least 4 bytes per KiB, so the result is
+// always within the limit of 256. Other messages are not compressed twice.
 Status RecordWriter::pack_worse(Prelude& prelude, std::span<const std::byte> message) {
   const std::string doing = std::string(name_of(prelude.kind)) + " " + std::to_string(sequence_);
   Compressor narrow(1, kNarrowWindowLog);
@@ -61,6 +64,8 @@ Status RecordWriter::pack_worse(Prelude& prelude, std::span<const std::byte> mes
                          std::to_string(prelude.stored_bytes) + ", so few that no program would read it again");
 }
 
+// Each record is written completely or cut off again. The next record needs no repair, and a reader never sees half a
+// record in front of a whole one.
 Status RecordWriter::write_stored(Prelude& prelude, std::span<const std::byte> stored) {
   const std::string doing = std::string(name_of(prelude.kind)) + " " + std::to_string(sequence_);
   prelude.sequence = sequence_;
@@ -134,7 +139,7 @@ Status RecordWriter::copy_chunk(const Prelude& before, std::span<const std::byte
   SIM_CHECK(before.first_step >= end_step(), before.first_step, end_step());
   Prelude prelude = before;
   const std::uint64_t offset = bytes_;
-  if (prelude.raw_bytes > raw_bytes_max(prelude, offset)) {  // what told of its bodies is lost
+  if (prelude.raw_bytes > raw_bytes_max(prelude, offset)) {  // the bytes before it in the file are fewer now
     const Result<MessageBytes> message = decompress(stored, prelude.raw_bytes, kChunkBytesMax);
     if (!message.ok()) return fail("chunk " + std::to_string(sequence_), message.error().message);
     if (Status ok = pack_worse(prelude, message->bytes()); !ok.ok()) return ok;
@@ -147,6 +152,8 @@ Status RecordWriter::copy_chunk(const Prelude& before, std::span<const std::byte
   return {};
 }
 
+// The footer promises that all bytes before it are on the disk, so the first sync() comes before the footer. The second
+// makes the footer itself survive a loss of power.
 Status RecordWriter::finish() {
   if (!status_.ok()) return status_;
   for (std::size_t i = 1; i < chunks_.size(); ++i) {

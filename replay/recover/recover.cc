@@ -17,7 +17,7 @@
 namespace tumble::replay {
 namespace {
 
-// The format since which a header says which version of phase hashes its log has; before, there was only the first.
+// The format version that added the version of phase hashes to the header. Older logs have version 1.
 constexpr std::uint16_t kMinorOfPhaseHashVersion = 3;
 
 class Recovery {
@@ -92,7 +92,7 @@ class Recovery {
     return ChunkDecoder::open(*message);
   }
 
-  /// The session goes on from the first state that is left.
+  /// Makes the new log continue the session from the first saved state.
   void begin_with(const Keyframe& keyframe, const Hash128& chain, LogHeader& header) const {
     header.scene.boxes = boxes_at(keyframe.state.bodies, std::move(header.scene.boxes));
     header.scene.world = keyframe.state.def;
@@ -101,7 +101,9 @@ class Recovery {
     header.goes_on = {keyframe.state.step, source_.name(), keyframe.continuation_hash, chain};
   }
 
-  /// A header that says what the chunks say: bodies, method, inputs. Phases only if they can be this build's.
+  /// Rebuilds a lost header from the chunks: bodies, method and inputs. Phase names are in the header alone, so they
+  /// are taken from this build where its continuation hashes equal those of the log: the hash covers the method
+  /// version, and so the phases.
   [[nodiscard]] Result<LogHeader> made_header(const ChunkDecoder& first) const {
     const Keyframe& keyframe = first.keyframe();
     sim::SceneDef scene;
@@ -109,7 +111,7 @@ class Recovery {
     scene.world = keyframe.state.def;
     scene.steps = report_.last_step;
     scene.boxes = boxes_at(keyframe.state.bodies, {});
-    std::uint64_t with_states = 0;  // the greatest number that divides the steps with states
+    std::uint64_t with_states = 0;  // the greatest common divisor of the steps with states
     bool phases_fit = true;
     LogHeader header = header_for(scene);
     for (const SavedChunk& chunk : left_.chunks) {
@@ -139,7 +141,7 @@ class Recovery {
   RecoverReport report_;
 };
 
-/// Why nothing can be saved: never a log, or nothing of one is left.
+/// The reason why nothing can be saved: the file was never a log, or no chunk is left.
 Error nothing_left(const ByteSource& source, const Salvage& left) {
   std::array<std::byte, kMagicEnd> bytes = {};
   const auto start = std::span(bytes).first(std::min<std::uint64_t>(source.size(), kMagicEnd));
