@@ -5,7 +5,8 @@
 #include <limits>
 #include <utility>
 
-#include "replay/format/columns.h"
+#include "replay/format/body_states.h"
+#include "replay/format/chain.h"
 
 namespace tumble::golden {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "replay/codec/blob.h"
 #include "replay/codec/message.h"
-#include "replay/format/columns.h"
+#include "replay/format/body_states.h"
 #include "schema/golden.capnp.h"
 #include "src/model/limits.h"
 

@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "replay/format/chain.h"
 #include "replay/format/step_record.h"
 
 namespace tumble::golden {

@@ -9,7 +9,7 @@
 
 #include "replay/codec/state_keys.h"
 #include "replay/diff/input_difference.h"
-#include "replay/format/columns.h"
+#include "replay/format/body_states.h"
 
 namespace tumble::replay {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "replay/format/columns.h"
+#include "replay/format/body_states.h"
 #include "replay/format/little_endian.h"
 #include "replay/measure/metric_list.h"
 #include "src/math/vec.h"

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "replay/format/progress.h"
 #include "replay/format/step_record.h"
 #include "replay/log/log_reader.h"
 #include "replay/log/log_writer.h"
@@ -16,9 +17,6 @@
 #include "src/world/world.h"
 
 namespace tumble::replay {
-
-/// Called after each step with the steps done and planned; false stops, as at the end. May be empty.
-using Progress = std::function<bool(std::uint64_t done, std::uint64_t total)>;
 
 struct RecordOptions {
   StatesMode states;

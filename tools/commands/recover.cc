@@ -54,7 +54,7 @@ Status verify_written(const std::string& path, const RecoverReport& report) {
 
 std::string lost_text(const RecoverReport& report) {
   std::string text;
-  for (const replay::Gap& gap : report.lost) text += (text.empty() ? "" : ", ") + to_string(gap);
+  for (const replay::MissingSteps& run : report.lost) text += (text.empty() ? "" : ", ") + to_string(run);
   if (!report.end_known) {
     text += (text.empty() ? "" : ", and ") + std::string("what may have come after step ") +
             std::to_string(report.last_step) + " (the end was never written or is gone)";
@@ -91,7 +91,8 @@ void print_as_json(const Options& options, const RecoverReport& report) {
   json["chunks"] = report.chunks;
   json["bytes"] = report.bytes;
   json["lost_steps"] = Json::array();
-  for (const replay::Gap& gap : report.lost) json["lost_steps"].push_back({gap.first_step, gap.end_step() - 1});
+  for (const replay::MissingSteps& run : report.lost)
+    json["lost_steps"].push_back({run.first_step, run.end_step() - 1});
   json["end_known"] = report.end_known;
   json["header_lost"] = report.header_lost;
   json["lost_bytes"] = report.lost_bytes;

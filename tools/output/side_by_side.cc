@@ -7,7 +7,7 @@
 
 #include "replay/diff/input_difference.h"
 #include "replay/diff/locate_divergence.h"
-#include "replay/format/columns.h"
+#include "replay/format/body_states.h"
 #include "replay/session/state_source.h"
 #include "tools/output/divergence_output.h"
 
