@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "replay/diff/replayer.h"
+#include "replay/session/player.h"
 #include "replay/session/state_source.h"
 
 namespace tumble::replay {

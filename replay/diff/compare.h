@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "replay/diff/divergence.h"
+#include "replay/format/progress.h"
 #include "replay/log/log_reader.h"
-#include "replay/session/recorder.h"
 #include "src/base/result.h"
 
 namespace tumble::replay {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "replay/format/progress.h"
 #include "replay/format/step_record.h"
 #include "replay/log/log_reader.h"
 #include "replay/measure/measure.h"
-#include "replay/session/recorder.h"
 #include "src/base/ids.h"
 #include "src/base/result.h"
 

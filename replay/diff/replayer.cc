@@ -3,22 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "replay/session/player.h"
+#include "src/step/step.h"
+
 namespace tumble::replay {
 namespace {
-
-/// Two observers of one step.
-class Both : public sim::Observer {
- public:
-  Both(sim::Observer& first, sim::Observer& second) : first_(first), second_(second) {}
-  void phase_done(std::uint32_t substep, std::size_t phase, const sim::World& world) override {
-    first_.phase_done(substep, phase, world);
-    second_.phase_done(substep, phase, world);
-  }
-
- private:
-  sim::Observer& first_;
-  sim::Observer& second_;
-};
 
 Divergence failed_at(std::uint64_t step, const char* phase, const Error& error) {
   Divergence divergence;
@@ -98,66 +87,6 @@ Result<std::optional<Divergence>> compare_hidden(LogReader& log, const sim::Worl
   divergence.actual = to_string(actual);
   return std::optional(divergence);
 }
-
-}  // namespace
-
-Status must_be_ours(const LogReader& log) {
-  if (!log.header().engine) return {};
-  return bad_input(log.name() + ": this log was written by " + to_string(*log.header().engine) +
-                   "; it cannot be replayed, only compared (diff, measure, dump, render, check)");
-}
-
-Result<Player> Player::at(LogReader& log, std::uint64_t k) {
-  if (Status ok = must_be_ours(log); !ok.ok()) return ok.error();
-  Result<const Keyframe*> keyframe = log.keyframe_at_or_before(k);
-  if (!keyframe.ok()) return keyframe.error();
-  Result<sim::World> world = sim::World::restore((*keyframe)->state);
-  if (!world.ok()) return Error{world.error().kind, log.name() + ": " + world.error().message};
-  Player player(log, *std::move(world));
-  while (player.world_.state().step < k) {
-    if (Result<const StepRecord*> step = player.step_hashes(); !step.ok()) return step.error();
-  }
-  return player;
-}
-
-Result<const StepRecord*> Player::step(sim::Observer* also) {
-  Result<const StepRecord*> taken = step_hashes(also);
-  if (taken.ok()) add_states();
-  return taken;
-}
-
-const StepRecord& Player::add_states() {
-  record_.has_states = true;
-  copy_visible(world_.bodies(), record_.states);
-  return record_;
-}
-
-Result<const StepRecord*> Player::step_hashes(sim::Observer* also) {
-  const std::uint64_t k = world_.state().step + 1;
-  Result<const StepRecord*> logged = log_->read_hashes(k);
-  if (!logged.ok()) return logged.error();
-  record_.inputs = (*logged)->inputs;
-  for (const sim::Command& command : record_.inputs) {
-    if (Status ok = world_.apply(command); !ok.ok()) {
-      return cannot_finish("input \"" + std::string(sim::name_of(command)) + "\" before step " + std::to_string(k) +
-                           ": " + ok.error().message);
-    }
-  }
-  record_.dt = world_.state().def.dt;
-  hashes_->clear();
-  Both both(*hashes_, also != nullptr ? *also : *hashes_);
-  Result<sim::StepCounters> counters =
-      sim::step(world_, also != nullptr ? &both : static_cast<sim::Observer*>(hashes_.get()));
-  if (!counters.ok()) return counters.error();
-  record_.step = k;
-  record_.phase_words = hashes_->words();
-  record_.counters = *counters;
-  record_.state_hash = sim::state_hash(world_.bodies());
-  record_.has_states = false;
-  return &record_;
-}
-
-namespace {
 
 /// replay_log() for a log of ours.
 Result<ReplayReport> replay_steps(LogReader& log, const ReplayOptions& options, const Progress& progress) {

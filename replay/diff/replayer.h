@@ -1,53 +1,17 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "replay/diff/divergence.h"
+#include "replay/format/progress.h"
 #include "replay/log/log_reader.h"
-#include "replay/session/recorder.h"
 #include "src/base/result.h"
-#include "src/step/step.h"
 #include "src/world/world.h"
 
 namespace tumble::replay {
-
-/// Errors (kBadInput): the log is another engine's, whose steps nobody here can compute.
-Status must_be_ours(const LogReader& log);
-
-/// Feeds a log's inputs to this build's stepper, from a keyframe on.
-class Player {
- public:
-  /// A world in state k of the log, first_state() … last_step(): the keyframe at or before it, and the steps between
-  /// simulated again. `log` must outlive the player. Errors: the log's, must_be_ours(), World::restore's, a step that
-  /// fails.
-  static Result<Player> at(LogReader& log, std::uint64_t k);
-
-  /// Takes the next step of the log: its inputs, then the step. The record is what this build makes of it, with states.
-  /// `also` watches it too. Errors: no further step (kBadInput); an input that is refused or a step that fails
-  /// (kCannotFinish).
-  Result<const StepRecord*> step(sim::Observer* also = nullptr);
-
-  /// The same without states, which add_states() adds to the record: for most steps the hashes are enough.
-  Result<const StepRecord*> step_hashes(sim::Observer* also = nullptr);
-  const StepRecord& add_states();
-
-  /// Threads to step with; see World::use.
-  void use(Workers* workers) { world_.use(workers); }
-
-  [[nodiscard]] const sim::World& world() const { return world_; }
-
- private:
-  Player(LogReader& log, sim::World world) : log_(&log), world_(std::move(world)) {}
-
-  LogReader* log_;
-  sim::World world_;
-  std::unique_ptr<sim::PhaseHashes> hashes_ = std::make_unique<sim::PhaseHashes>();  // which cannot be moved
-  StepRecord record_;
-};
 
 struct ReplayOptions {
   /// Compare from the state after this step on; the log's first state or less replays all. The keyframe at or before it

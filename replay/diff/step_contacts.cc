@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <set>
 
-#include "replay/diff/replayer.h"
 #include "replay/format/columns.h"
 #include "replay/format/little_endian.h"
+#include "replay/session/player.h"
 
 namespace tumble::replay {
 namespace {

@@ -7,11 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "replay/format/progress.h"
 #include "replay/import/csv_steps.h"
 #include "replay/log/byte_io.h"
 #include "replay/log/log_reader.h"
 #include "replay/log/log_writer.h"
-#include "replay/session/recorder.h"
 #include "src/base/result.h"
 
 /// A table of states, as any engine can print one, made into a log that can be compared, measured and drawn.

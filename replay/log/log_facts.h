@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "replay/format/progress.h"
 #include "replay/log/log_reader.h"
-#include "replay/session/recorder.h"
 #include "src/base/hash.h"
 
 namespace tumble::replay {

@@ -2,9 +2,9 @@
 
 #include <functional>
 
+#include "replay/format/progress.h"
 #include "replay/log/log_reader.h"
 #include "replay/measure/measure.h"
-#include "replay/session/recorder.h"
 #include "src/base/result.h"
 
 namespace tumble::replay {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "replay/codec/state_keys.h"
+#include "replay/session/session.h"
 #include "replay/session/state_source.h"
 
 namespace tumble::replay {
@@ -20,38 +21,6 @@ bool same(const sim::Vec3& a, const sim::Vec3& b) {
 bool same(const sim::Quat& a, const sim::Quat& b) {
   return same(a.w, b.w) && same(a.x, b.x) && same(a.y, b.y) && same(a.z, b.z);
 }
-
-/// One of two worlds that are stepped side by side.
-class Twin {
- public:
-  static Result<Twin> create(sim::SceneDef scene) {
-    Result<sim::World> world = sim::World::create(scene);
-    if (!world.ok()) return world.error();
-    return Twin(std::move(scene), *std::move(world));
-  }
-
-  Status step() {
-    const std::uint64_t k = world_.state().step + 1;
-    for (; next_ < scene_.inputs.size() && scene_.inputs[next_].step <= k; ++next_) {
-      if (Status ok = world_.apply(scene_.inputs[next_].command); !ok.ok()) return ok;
-    }
-    if (Result<sim::StepCounters> stepped = sim::step(world_); !stepped.ok()) return stepped.error();
-    return {};
-  }
-
-  const BodyStates& states() {
-    copy_visible(world_.bodies(), states_);
-    return states_;
-  }
-
- private:
-  Twin(sim::SceneDef scene, sim::World world) : scene_(std::move(scene)), world_(std::move(world)) {}
-
-  sim::SceneDef scene_;
-  sim::World world_;
-  BodyStates states_;
-  std::size_t next_ = 0;  // input
-};
 
 /// What keeps `image` from being the image of `original`; empty if nothing does.
 std::string not_an_image(const sim::SceneDef& original, const sim::SceneDef& image, const sim::Transform& transform,
@@ -102,18 +71,24 @@ void TwinMeter::add(std::uint64_t step, const BodyStates& original, const BodySt
 
 Result<TwinReport> run_twins(const sim::SceneDef& scene, const sim::Transform& transform, const Progress& progress) {
   const sim::IdMap ids = ids_under(scene, transform);
-  Result<Twin> original = Twin::create(scene);
+  Result<Session> original = Session::start(scene);
   if (!original.ok()) return original.error();
-  Result<Twin> image = Twin::create(image_of(scene, transform, ids));
+  Result<Session> image = Session::start(image_of(scene, transform, ids));
   if (!image.ok()) return image.error();
   TwinMeter meter(transform, ids);
-  meter.add(0, original->states(), image->states());
+  BodyStates states, image_states;
+  const auto measure = [&](std::uint64_t k) {
+    copy_visible(original->world().bodies(), states);
+    copy_visible(image->world().bodies(), image_states);
+    meter.add(k, states, image_states);
+  };
+  measure(0);
   for (std::uint64_t k = 1; k <= scene.steps; ++k) {
-    if (Status ok = original->step(); !ok.ok()) return ok.error();
-    if (Status ok = image->step(); !ok.ok()) {
-      return Error{ok.error().kind, "the image, " + to_string(transform) + ": " + ok.error().message};
+    if (Result<TakenStep> taken = original->step(); !taken.ok()) return taken.error();
+    if (Result<TakenStep> taken = image->step(); !taken.ok()) {
+      return Error{taken.error().kind, "the image, " + to_string(transform) + ": " + taken.error().message};
     }
-    meter.add(k, original->states(), image->states());
+    measure(k);
     if (progress && !progress(k, scene.steps)) return cannot_finish("interrupted");
   }
   TwinReport report = meter.report();

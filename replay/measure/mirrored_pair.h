@@ -4,10 +4,10 @@
 #include <optional>
 #include <set>
 
+#include "replay/format/progress.h"
 #include "replay/format/step_record.h"
 #include "replay/log/log_reader.h"
 #include "replay/measure/measure.h"
-#include "replay/session/recorder.h"
 #include "src/base/result.h"
 #include "src/model/transform.h"
 

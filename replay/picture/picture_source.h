@@ -4,8 +4,8 @@
 #include <map>
 #include <optional>
 
-#include "replay/diff/replayer.h"
 #include "replay/log/log_reader.h"
+#include "replay/session/player.h"
 #include "replay/session/state_source.h"
 #include "src/base/hash.h"
 #include "src/base/result.h"

@@ -6,16 +6,16 @@
 #include <variant>
 #include <vector>
 
-#include "replay/diff/replayer.h"
 #include "replay/session/boxes_at.h"
+#include "replay/session/player.h"
 #include "src/model/limits.h"
 
 namespace tumble::replay {
 namespace {
 
-/// What the log did before step k + 1 and since.
+/// The inputs of a log, on both sides of state k.
 struct Inputs {
-  std::vector<sim::BoxDef> thrown;         // up to step k
+  std::vector<sim::BoxDef> thrown;         // before it
   std::vector<sim::TimedCommand> to_come;  // after it
 };
 
@@ -39,7 +39,7 @@ Result<Inputs> inputs_around(LogReader& log, std::uint64_t k) {
   return inputs;
 }
 
-/// State k, as this build makes it: it must be the log's.
+/// State k with its hidden part, which only this build can make. Its hash must be the one in the log.
 Result<sim::WorldState> state_at(LogReader& log, std::uint64_t k) {
   if (Status ok = must_be_ours(log); !ok.ok()) return ok.error();
   const LogHeader& header = log.header();

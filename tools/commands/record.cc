@@ -47,8 +47,8 @@ struct Options {
   bool quiet = false;
 };
 
-// What a session came to, beside what its log says.
-struct Session {
+// A recorded session in numbers, beside those in its log.
+struct Recorded {
   replay::LogSummary log;
   replay::SessionClock clock;
   std::uint64_t bodies = 0;             // of the start and thrown in
@@ -71,13 +71,13 @@ std::uint64_t count_bodies(const sim::SceneDef& scene, std::uint64_t last_step) 
   return count;
 }
 
-Result<Session> run_session(const std::string& path, replay::Recorder& recorder, const Options& options) {
+Result<Recorded> run_session(const std::string& path, replay::Recorder& recorder, const Options& options) {
   SessionStepper stepper(recorder, options.realtime);
   const sim::SceneDef& scene = recorder.scene();
   const std::uint64_t first = recorder.world().state().step;
   const InterruptGuard guard;
   ProgressBar bar("recording", !options.quiet);
-  Session session;
+  Recorded session;
   Status status;
   for (std::uint64_t k = first + 1; k <= scene.steps && status.ok(); ++k) {
     status = stepper.step();
@@ -100,7 +100,7 @@ Result<Session> run_session(const std::string& path, replay::Recorder& recorder,
   return session;
 }
 
-void print_text(const std::string& path, const sim::SceneDef& scene, const Session& session) {
+void print_text(const std::string& path, const sim::SceneDef& scene, const Recorded& session) {
   Listing listing;
   listing.add("scene", printable(scene.name) + (scene.title.empty() ? "" : ": " + printable(scene.title)));
   listing.add("bodies", std::to_string(session.bodies));
@@ -124,7 +124,7 @@ void print_text(const std::string& path, const sim::SceneDef& scene, const Sessi
   listing.print();
 }
 
-void print_as_json(const std::string& path, const sim::SceneDef& scene, const Session& session) {
+void print_as_json(const std::string& path, const sim::SceneDef& scene, const Recorded& session) {
   Json json;
   json["log"] = path;
   json["scene"] = scene.name;
@@ -222,7 +222,7 @@ Result<Exit> record(const Options& options) {
   if (!recorder.ok()) return recorder.error();
   const std::unique_ptr<WorkerThreads> threads = worker_threads(options.threads.value_or(1));
   (*recorder)->use(threads.get());
-  const Result<Session> session = run_session(path, **recorder, options);
+  const Result<Recorded> session = run_session(path, **recorder, options);
   if (!session.ok()) return session.error();
   if (options.json) {
     print_as_json(path, (*recorder)->scene(), *session);
