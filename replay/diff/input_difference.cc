@@ -6,8 +6,6 @@
 #include <variant>
 #include <vector>
 
-#include "replay/format/little_endian.h"
-
 namespace tumble::replay {
 namespace {
 
@@ -68,12 +66,6 @@ class Fields {
   std::vector<std::pair<std::string, FieldValue>> list_;
   std::optional<sim::BodyId> body_;
 };
-
-bool same_bits(const FieldValue& a, const FieldValue& b) {
-  const auto* x = std::get_if<double>(&a);
-  const auto* y = std::get_if<double>(&b);
-  return x != nullptr && y != nullptr ? bits_of(*x) == bits_of(*y) : a == b;
-}
 
 std::string names_of(std::span<const sim::Command> inputs) {
   std::string names;

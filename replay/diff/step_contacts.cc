@@ -114,7 +114,7 @@ std::string describe(const StepContact& contact) {
   return std::to_string(contact.a) + " and " + (contact.b ? std::to_string(*contact.b) : "the ground") + ": depth " +
          number(contact.depth) + " m, impulse " + number(contact.impulse) + " N s, normal " +
          number(contact.normal.x()) + ' ' + number(contact.normal.y()) + ' ' + number(contact.normal.z()) +
-         ", sub-step " + std::to_string(contact.substep);
+         ", substep " + std::to_string(contact.substep);
 }
 
 }  // namespace tumble::replay

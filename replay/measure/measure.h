@@ -16,7 +16,7 @@ struct SymmetryMetrics {
   double lateral_max = 0;               ///< m
   double lateral_rms = 0;               ///< m
   std::optional<double> column_spread;  ///< m; none without a [[grid]]
-  // Of a session and its transformed twin (twin.h); none as long as there is no twin to compare with.
+  // Of a mirrored pair (mirrored_pair.h); none for a session alone.
   std::optional<double> mirror_error;  ///< m
   std::optional<double> order_error;   ///< m
   std::optional<double> shift_error;   ///< m
