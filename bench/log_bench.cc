@@ -17,6 +17,7 @@
 #include "replay/format/limits.h"
 #include "replay/log/log_reader.h"
 #include "replay/log/verify.h"
+#include "replay/session/player.h"
 #include "replay/session/recorder.h"
 
 namespace tumble::replay {

@@ -12,6 +12,8 @@
 #include "replay/log/byte_memory.h"
 #include "replay/log/log_writer.h"
 #include "replay/log/verify.h"
+#include "replay/session/player.h"
+#include "replay/session/recorder.h"
 #include "replay/session/session.h"
 #include "src/step/step.h"
 

@@ -20,11 +20,11 @@ struct DifferenceReport {
   std::string growth_unknown;  ///< the reason why there is no growth; may be empty for a replay
 };
 
-/// Of two logs and the first difference that diff_logs() found. Errors (kDamaged): states of a whole log that do not
-/// match its hashes. Other failures leave their part of the report out and give the reason in it.
+/// Reports the first difference that diff_logs() found between two logs. Errors (kDamaged): states of a whole log that
+/// do not match its hashes. Other failures leave their part of the report out and give the reason in it.
 Result<DifferenceReport> report_difference(LogReader& a, LogReader& b, Divergence first, const Progress& progress = {});
 
-/// Of a log and the first difference that replay_log() found. `again` is the same log opened a second time; null leaves
+/// Reports the first difference that replay_log() found. `again` is the same log opened a second time; null leaves
 /// growth out.
 DifferenceReport report_replay_difference(LogReader& log, LogReader* again, Divergence first,
                                           const Progress& progress = {});

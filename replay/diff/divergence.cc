@@ -5,14 +5,13 @@
 #include <utility>
 
 #include "replay/diff/input_difference.h"
-#include "replay/format/columns.h"
 #include "replay/format/little_endian.h"
 
 namespace tumble::replay {
 namespace {
 
-/// The order in which a body's fields are compared and named: position, orientation, velocity, spin. A wrong position
-/// says more to a reader than the velocity that led to it.
+/// The order in which a body's fields are compared and named: that of BodyStates (position, orientation, velocity,
+/// spin).
 constexpr std::array<std::size_t, kColumnCount> kFieldOrder = {6, 7, 8, 9, 10, 11, 12, 0, 1, 2, 3, 4, 5};
 
 Divergence make(std::uint64_t step, const char* phase, const char* field, FieldValue expected, FieldValue actual) {
@@ -139,6 +138,29 @@ std::optional<Divergence> first_difference(const BodyStates& expected, const Bod
   const std::size_t shorter = std::min(expected.size(), actual.size());
   for (std::size_t i = 0; i < shorter && expected.id[i] == actual.id[i]; ++i) {
     if (auto found = different_body(expected, actual, i)) return found;
+  }
+  return ids;
+}
+
+bool same_columns(const ConstColumns& a, std::size_t i, const ConstColumns& b, std::size_t j) {
+  for (std::size_t c = 0; c < kColumnCount; ++c) {
+    if (bits_of((*a[c])[i]) != bits_of((*b[c])[j])) return false;
+  }
+  return true;
+}
+
+std::vector<sim::BodyId> differing_bodies(const BodyStates& a, const BodyStates& b) {
+  std::vector<sim::BodyId> ids;
+  const ConstColumns in_a = columns_of(a), in_b = columns_of(b);
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (a.id[i] != b.id[j]) {
+      ++(a.id[i] < b.id[j] ? i : j);
+      continue;
+    }
+    if (a.frozen[i] != b.frozen[j] || !same_columns(in_a, i, in_b, j)) ids.push_back(a.id[i]);
+    ++i;
+    ++j;
   }
   return ids;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "replay/diff/field_value.h"
+#include "replay/format/columns.h"
 #include "replay/format/step_record.h"
 
 namespace tumble::replay {
@@ -44,5 +45,11 @@ std::optional<Divergence> first_difference(const StepRecord& expected, const Ste
 
 /// The first body and field in which two states differ to the bit, by ascending id.
 std::optional<Divergence> first_difference(const BodyStates& expected, const BodyStates& actual);
+
+/// Whether all columns of row i of `a` and row j of `b` are equal to the bit.
+bool same_columns(const ConstColumns& a, std::size_t i, const ConstColumns& b, std::size_t j);
+
+/// The bodies of both states whose rows differ in any bit, ascending. Both states are sorted by id.
+std::vector<sim::BodyId> differing_bodies(const BodyStates& a, const BodyStates& b);
 
 }  // namespace tumble::replay

@@ -8,6 +8,7 @@
 #include "replay/measure/metric_list.h"
 #include "replay/session/player.h"
 #include "replay/session/state_source.h"
+#include "src/base/check.h"
 
 namespace tumble::replay {
 namespace {
@@ -79,6 +80,7 @@ Result<DivergenceGrowth> growth_between(LogReader& a, LogReader& b, std::uint64_
 
 Result<DivergenceGrowth> growth_in_replay(LogReader& log, LogReader& again, std::uint64_t first_difference,
                                           const Progress& progress) {
+  SIM_CHECK(first_difference > log.first_state(), first_difference, log.first_state());
   const std::uint64_t last = log.last_step();
   Result<Separation> separation =
       measure_separation(steps_of(log), steps_of_replay(again, first_difference), first_difference, last, progress);

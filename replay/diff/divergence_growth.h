@@ -28,12 +28,13 @@ struct DivergenceGrowth {
   std::string not_measured;          ///< the reason why metrics are not compared; empty: they are
 };
 
-/// Of two logs, from their first different step on. Errors: as measure_separation() and StateSource::read().
+/// Follows two logs from their first different step on. Errors: measure_separation()'s, StateSource::read's.
 Result<DivergenceGrowth> growth_between(LogReader& a, LogReader& b, std::uint64_t first_difference,
                                         const Progress& progress = {});
 
-/// Of a log and this build's replay of it, which first differs in step `first_difference` and starts from the log's
-/// state before. `again` is the same log opened a second time. Errors: likewise; a step that this build cannot take.
+/// Follows a log and this build's replay of it, which first differs in step `first_difference` and starts from the
+/// log's state before; that must be a step after its first state. `again` is the same log opened a second time. Errors:
+/// likewise; a step that this build cannot take.
 Result<DivergenceGrowth> growth_in_replay(LogReader& log, LogReader& again, std::uint64_t first_difference,
                                           const Progress& progress = {});
 

@@ -9,7 +9,7 @@
 namespace tumble::replay {
 namespace {
 
-/// The fields of an input by name, those that name its body first. The same ones as in the chain (chain.cc).
+/// The fields of an input by name, its body first: those that the chain hashes (chain.cc).
 class Fields {
  public:
   explicit Fields(const sim::Command& command) { std::visit(*this, command); }

@@ -3,6 +3,8 @@
 #include <optional>
 #include <utility>
 
+#include "src/base/check.h"
+
 namespace tumble::replay {
 namespace {
 
@@ -66,6 +68,7 @@ DivergenceLocation locate_divergence(LogReader& a, LogReader& b, Divergence& fir
 }
 
 DivergenceLocation locate_in_replay(LogReader& log, Divergence& first) {
+  SIM_CHECK(first.step > log.first_state(), first.step, log.first_state());
   DivergenceLocation location;
   const std::optional<RetakenStep> taken = retake(log, first.step, location.not_taken);
   const Result<const StepRecord*> logged = log.read_step(first.step);

@@ -32,7 +32,8 @@ struct DivergenceLocation {
 DivergenceLocation locate_divergence(LogReader& a, LogReader& b, Divergence& first);
 
 /// The location of the first difference between a log and this build's replay of it. Side b is this build and is left
-/// out: as_b stays false. Completes the pair of `first` where the log holds states.
+/// out: as_b stays false. Completes the pair of `first` where the log holds states. Requires a step after the log's
+/// first state.
 DivergenceLocation locate_in_replay(LogReader& log, Divergence& first);
 
 /// diff_logs() and locate_divergence() in one call.

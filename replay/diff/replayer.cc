@@ -19,7 +19,7 @@ Divergence failed_at(std::uint64_t step, const char* phase, const Error& error) 
   return divergence;
 }
 
-/// Whether the log's scene still resolves to its state 0.
+/// Compares the state 0 that the log's scene resolves to now with the log's own.
 Result<std::optional<Divergence>> compare_start(LogReader& log) {
   Result<const StepRecord*> expected = log.read_step(0);
   if (!expected.ok()) return expected.error();
@@ -50,8 +50,8 @@ std::vector<std::string> notes_of(const LogReader& log, const LogHeader& ours_no
   return notes;
 }
 
-/// The difference in step k, if there is one. States are decoded only then: for most steps the hashes are enough.
-/// phases: empty where phase words cannot be compared.
+/// The difference in a step, if there is one. Compares hashes first and decodes states only where they differ, which
+/// saves most of the decoding. phases: empty where phase words cannot be compared.
 Result<std::optional<Divergence>> compare_step(LogReader& log, const StepRecord& actual, Player& player,
                                                const std::vector<std::string>& phases) {
   Result<const StepRecord*> read = log.read_hashes(actual.step);
@@ -67,7 +67,8 @@ Result<std::optional<Divergence>> compare_step(LogReader& log, const StepRecord&
   return first_difference(expected, player.add_states(), phases);
 }
 
-/// After the last step of a chunk: whether the hidden state is that of the keyframe which follows.
+/// After the last step of a chunk, compares the hidden state with that of the next keyframe. Hidden state (solver
+/// memory, rest times) shows in no visible column until steps later; this finds a difference within a chunk.
 Result<std::optional<Divergence>> compare_hidden(LogReader& log, const sim::WorldState& state) {
   const auto& chunks = log.chunks();
   const auto next = std::partition_point(chunks.begin(), chunks.end(),

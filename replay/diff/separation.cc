@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include "replay/diff/divergence.h"
 #include "replay/format/columns.h"
-#include "replay/format/little_endian.h"
+#include "src/base/check.h"
 #include "src/math/vec.h"
 
 namespace tumble::replay {
@@ -26,6 +27,7 @@ class SeparationMeter {
   SeparationMeter(const SessionSteps& a, const SessionSteps& b) : a_(a), b_(b) {}
 
   Result<Separation> run(std::uint64_t from, std::uint64_t last, const Progress& progress) {
+    SIM_CHECK(from <= last, from, last);  // a result has at least one row
     for (std::uint64_t k = from; k <= last; ++k) {
       Result<const StepRecord*> in_a = a_.read(k);
       if (!in_a.ok()) return in_a.error();
@@ -68,8 +70,7 @@ class SeparationMeter {
       }
       const bool same_frozen = a.frozen[i] == b.frozen[j];
       if (!same_frozen) note(separation_.freezing_from);
-      bool same = same_frozen;
-      for (std::size_t c = 0; c < kColumnCount && same; ++c) same = bits_of((*in_a[c])[i]) == bits_of((*in_b[c])[j]);
+      const bool same = same_frozen && same_columns(in_a, i, in_b, j);
       if (!same) differs(a.id[i], sim::length(a.position[i] - b.position[j]));
       ++i;
       ++j;

@@ -51,8 +51,8 @@ struct Separation {
   std::optional<std::uint64_t> bodies_from;    ///< a body exists in one only
 };
 
-/// Compares the states of steps from … last. Errors: those of reading; kDamaged where the states of a log do not match
-/// its state hash; kCannotFinish where `progress` stops.
+/// Compares the states of steps from … last, at least one. Errors: those of reading; kDamaged where the states of a log
+/// do not match its state hash; kCannotFinish where `progress` stops.
 Result<Separation> measure_separation(const SessionSteps& a, const SessionSteps& b, std::uint64_t from,
                                       std::uint64_t last, const Progress& progress = {});
 

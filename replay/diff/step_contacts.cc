@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <set>
 
-#include "replay/format/columns.h"
-#include "replay/format/little_endian.h"
 #include "replay/session/player.h"
 
 namespace tumble::replay {
@@ -89,24 +87,6 @@ std::optional<std::pair<sim::BodyId, sim::BodyId>> pair_of(const std::vector<sim
   }
   if (of_first.size() == 1) return *of_first.begin();
   return std::nullopt;
-}
-
-std::vector<sim::BodyId> differing_bodies(const BodyStates& a, const BodyStates& b) {
-  std::vector<sim::BodyId> ids;
-  const ConstColumns in_a = columns_of(a), in_b = columns_of(b);
-  std::size_t i = 0, j = 0;
-  while (i < a.size() && j < b.size()) {
-    if (a.id[i] != b.id[j]) {
-      ++(a.id[i] < b.id[j] ? i : j);
-      continue;
-    }
-    bool same = a.frozen[i] == b.frozen[j];
-    for (std::size_t c = 0; c < kColumnCount && same; ++c) same = bits_of((*in_a[c])[i]) == bits_of((*in_b[c])[j]);
-    if (!same) ids.push_back(a.id[i]);
-    ++i;
-    ++j;
-  }
-  return ids;
 }
 
 std::string describe(const StepContact& contact) {

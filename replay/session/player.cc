@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include "src/base/check.h"
+
 namespace tumble::replay {
 namespace {
 
@@ -51,6 +53,7 @@ Result<const StepRecord*> Player::step(sim::Observer* also) {
 }
 
 const StepRecord& Player::add_states() {
+  SIM_CHECK(record_.step == session_.steps_done(), record_.step, session_.steps_done());
   record_.has_states = true;
   copy_visible(world().bodies(), record_.states);
   return record_;

@@ -30,6 +30,7 @@ class Player {
 
   /// step() without the states. For most steps the hashes are enough; add_states() adds the states to the record.
   Result<const StepRecord*> step_hashes(sim::Observer* also = nullptr);
+  /// Requires a step taken by this player.
   const StepRecord& add_states();
 
   /// Sets the threads to step with; see World::use.

@@ -53,7 +53,7 @@ Result<replay::Tolerances> parse_tolerances(const std::vector<std::string>& argu
   return tolerances;
 }
 
-// Where one log goes on and the other does not, the first difference is the step that only one of them has.
+// If one log is longer and equal so far, the first difference is the step that only this log has.
 std::optional<replay::Divergence> first_of(const replay::DiffReport& report) {
   if (report.first || report.identical()) return report.first;
   replay::Divergence end;
@@ -176,10 +176,10 @@ Action declare_diff(CLI::App& app) {
   auto options = std::make_shared<Options>();
   app.add_option("A", options->a, "The log with the expected values")->required()->type_name("");
   app.add_option("B", options->b, "The log to compare with it")->required()->type_name("");
-  app.add_option(
-         "--tolerance", options->tolerances,
-         "Call states the same where each component of FIELD (position, orientation, velocity, spin) is at most "
-         "V apart; then states decide and hashes do not. May be repeated")
+  app.add_option("--tolerance", options->tolerances,
+                 "Call states equal where each component of FIELD (position, orientation, velocity, spin: angular "
+                 "velocity) is at "
+                 "most V apart; then states decide and hashes do not. May be repeated")
       ->type_name("FIELD=V")
       ->allow_extra_args(false);
   CLI::Option* step = add_whole(app, "--step", options->step, 0, sim::kStepsMax,

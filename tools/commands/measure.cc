@@ -1,4 +1,4 @@
-// tumble measure: how a recorded session behaved, in numbers.
+// tumble measure: the metrics of a recorded session.
 #include <iostream>
 #include <memory>
 #include <optional>

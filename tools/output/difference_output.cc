@@ -61,7 +61,7 @@ const char* follows(const replay::DivergenceLocation& location) {
   return location.as_b ? "B" : "neither";
 }
 
-/// Whose step this build repeats, for people.
+/// For people: the logs that this build's step matches.
 std::string match_text(const replay::DivergenceLocation& location) {
   if (location.as_a && location.as_b) return "matches both logs in that step";
   if (location.as_a || location.as_b) return std::string("matches log ") + follows(location) + " in that step";
