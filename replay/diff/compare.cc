@@ -30,6 +30,8 @@ void forgive(const BodyStates& expected, BodyStates& actual, const Tolerances& t
   }
 }
 
+/// Differences of the headers, for people. Steps decide whether two sessions are equal; two logs of one session may
+/// well have other headers (another tool, another --states).
 std::vector<std::string> different_headers(const LogHeader& a, const LogHeader& b) {
   std::vector<std::string> lines;
   const auto check = [&](const char* what, const std::string& value_a, const std::string& value_b) {
@@ -61,6 +63,11 @@ std::vector<std::string> different_headers(const LogHeader& a, const LogHeader& 
   return lines;
 }
 
+/// One comparison of two logs, A and B.
+///
+/// Three kinds of comparison share the loop. Exact: hashes decide, states only name body and field. With tolerances:
+/// states decide, as soon as hashes differ. Logs of two engines: dt and states decide, because engines differ in
+/// phases, counters and the inputs they know.
 class Diff {
  public:
   Diff(LogReader& a, LogReader& b, const Tolerances& tolerances) : a_(a), b_(b), tolerances_(tolerances) {
@@ -152,6 +159,8 @@ class Diff {
     return {};
   }
 
+  /// Compares step k by hashes. chain_next() covers every field of a record but its states, which the state hash stands
+  /// for, so one comparison of 128 bits replaces one a field.
   Status compare_step(std::uint64_t k) {
     Result<const StepRecord*> a = a_.read_hashes(k);
     if (!a.ok()) return a.error();
@@ -164,6 +173,7 @@ class Diff {
     return compare_states(k, **a, actual);
   }
 
+  /// Tolerances need states: hashes only tell that two states differ, not by how much.
   [[nodiscard]] Status can_tolerate(const StepRecord& a, const StepRecord& b) const {
     if (tolerances_.exact() || (a.has_states && b.has_states) || a.state_hash == b.state_hash) return {};
     return bad_input("step " + std::to_string(a.step) +
@@ -188,6 +198,7 @@ class Diff {
     return {};
   }
 
+  /// Finds the first difference. Fields that this kind of comparison leaves out are first made equal in `actual`.
   void judge(const StepRecord& expected, StepRecord& actual) {
     if (!same_words_) leave_out_phase_words(expected, actual);
     if (!tolerances_.exact()) tolerate(expected, actual);

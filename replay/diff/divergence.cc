@@ -27,6 +27,7 @@ Divergence make(std::uint64_t step, const char* phase, const char* field, FieldV
   return divergence;
 }
 
+/// Causes before effects: a step with another dt or other inputs differs in everything after, so these come first.
 std::optional<Divergence> different_start(const StepRecord& expected, const StepRecord& actual) {
   if (bits_of(expected.dt) != bits_of(actual.dt)) {
     return make(expected.step, "inputs", "dt", expected.dt, actual.dt);
@@ -59,6 +60,7 @@ std::optional<Divergence> different_phase(const StepRecord& expected, const Step
   return divergence;
 }
 
+/// Counters come last: they differ alone only where states agree in every bit.
 std::optional<Divergence> different_counter(const StepRecord& expected, const StepRecord& actual) {
   const auto count = [&](const char* field, std::uint32_t sim::StepCounters::*counter) -> std::optional<Divergence> {
     const std::uint64_t a = expected.counters.*counter;
@@ -99,6 +101,8 @@ std::optional<Divergence> different_body(const BodyStates& expected, const BodyS
   return found;
 }
 
+/// The first place at which the lists of bodies differ. Both ascend, so the smaller of the two ids there is the body
+/// that one side lacks.
 std::optional<Divergence> different_ids(const BodyStates& expected, const BodyStates& actual) {
   const std::size_t shorter = std::min(expected.size(), actual.size());
   std::size_t i = 0;
@@ -165,6 +169,9 @@ std::vector<sim::BodyId> differing_bodies(const BodyStates& a, const BodyStates&
   return ids;
 }
 
+// The order follows time: what led into the step, its phases, its result. Phase words find the first phase that wrote
+// another value but cannot say where; states say body and field but not when. Where both are there, the answer has the
+// phase of the one and the body of the other.
 std::optional<Divergence> first_difference(const StepRecord& expected, const StepRecord& actual,
                                            const std::vector<std::string>& phases) {
   if (auto found = different_start(expected, actual)) return found;

@@ -32,6 +32,8 @@ SessionSteps steps_of_replay(LogReader& log, std::uint64_t from) {
           }};
 }
 
+/// Metrics over both sessions from their first state on, each up to the last common step: over less, the metrics of the
+/// longer one would differ by its length alone.
 Result<Metrics> measure(const LogHeader& header, const SessionSteps& steps, std::uint64_t first, std::uint64_t last) {
   Measurer measurer(header);
   const StepRecord* record = nullptr;
@@ -56,6 +58,8 @@ void compare_metrics(const LogHeader& a, const SessionSteps& in_a, const LogHead
   }
 }
 
+// The bound is far above the differences between C libraries (some units in the last place) and far below any change of
+// a metric that matters.
 bool is_same(const std::optional<double>& a, const std::optional<double>& b) {
   constexpr double kSameValue = 1e-9;
   if (!a || !b) return a.has_value() == b.has_value();

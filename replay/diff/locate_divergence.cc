@@ -46,6 +46,9 @@ std::vector<StepContact> contacts_of(const std::optional<sim::BodyId>& body, con
 
 }  // namespace
 
+// A log says that two sessions differ after step k. It does not say which of them the program at hand agrees with, nor
+// which contact the difference came through. Both follow from step k alone, taken again from each log's own state k −
+// 1: up to there the two are equal, so any difference of the results lies in that step.
 DivergenceLocation locate_divergence(LogReader& a, LogReader& b, Divergence& first) {
   DivergenceLocation location;
   if (first.step <= a.first_state() || first.step <= b.first_state()) return location;

@@ -32,6 +32,7 @@ Result<std::optional<Divergence>> compare_start(LogReader& log) {
   return found;
 }
 
+/// Reasons why a difference may be expected, or why less than everything was compared.
 std::vector<std::string> notes_of(const LogReader& log, const LogHeader& ours_now) {
   const LogHeader& header = log.header();
   std::vector<std::string> notes;
@@ -89,7 +90,8 @@ Result<std::optional<Divergence>> compare_hidden(LogReader& log, const sim::Worl
   return std::optional(divergence);
 }
 
-/// replay_log() for a log of ours.
+/// replay_log() for a log of ours. Steps that a recovered log lacks are jumped over: the replay starts again from the
+/// keyframe behind them, since the inputs in between are lost.
 Result<ReplayReport> replay_steps(LogReader& log, const ReplayOptions& options, const Progress& progress) {
   const LogHeader& header = log.header();
   const std::uint64_t from = std::max(options.from_step, log.first_state());

@@ -22,6 +22,9 @@ Error broken(const std::string& a, const StepRecord& in_a, const std::string& b,
   return damaged(a + " and " + b + ": " + step + ": the states do not match their hashes");
 }
 
+/// Follows two sessions through the steps after their first difference. Keeps one row a step and the first step of each
+/// event (a mark exceeded, other contacts, other freezing, other bodies), so memory grows with steps and not with
+/// bodies.
 class SeparationMeter {
  public:
   SeparationMeter(const SessionSteps& a, const SessionSteps& b) : a_(a), b_(b) {}
@@ -49,6 +52,8 @@ class SeparationMeter {
       if (in_a.counters.*count != in_b.counters.*count) note(separation_.contacts_from);
     }
     compare(in_a.states, in_b.states);
+    // States and hashes are stored apart, so a log can lie in one of them. Equal states need equal hashes, and the
+    // reverse.
     if ((row_.bodies == 0) != (in_a.state_hash == in_b.state_hash)) return broken(a_.name, in_a, b_.name, in_b);
     mark();
     separation_.rows.push_back(row_);
@@ -84,6 +89,7 @@ class SeparationMeter {
     row_.body = id;
   }
 
+  /// A separation that jumps over several marks in one step passes all of them there.
   void mark() {
     while (next_mark_ < kSeparationMarks.size() && row_.separation > kSeparationMarks[next_mark_]) {
       separation_.marks.push_back({kSeparationMarks[next_mark_++], row_.step, row_.body.value_or(0)});

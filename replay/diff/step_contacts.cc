@@ -24,6 +24,7 @@ StepContact contact_of(const sim::World& world, sim::BodyIndex a, sim::BodyIndex
   return contact;
 }
 
+/// Method thesis resolves single contact points, in every substep.
 void add_thesis(const sim::World& world, std::uint32_t substep, std::vector<StepContact>& out) {
   const sim::Contacts& contacts = world.scratch().contacts;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -35,6 +36,8 @@ void add_thesis(const sim::World& world, std::uint32_t substep, std::vector<Step
   }
 }
 
+/// Method layered solves manifolds of several points: one contact a manifold, with the deepest point and the sum of
+/// the impulses.
 void add_layered(const sim::World& world, std::uint32_t substep, std::vector<StepContact>& out) {
   const sim::Scratch& scratch = world.scratch();
   for (const sim::Manifold& manifold : scratch.manifolds) {
@@ -53,12 +56,14 @@ void add_layered(const sim::World& world, std::uint32_t substep, std::vector<Ste
 
 }  // namespace
 
+// Scratch holds the contacts with their final impulses only after the last phase; later steps overwrite them.
 void ContactCollector::phase_done(std::uint32_t substep, std::size_t phase, const sim::World& world) {
   const sim::Method method = world.state().def.method;
   if (phase + 1 != sim::phase_table(method).phases.size()) return;
   method == sim::Method::kThesis ? add_thesis(world, substep, contacts_) : add_layered(world, substep, contacts_);
 }
 
+// Compares by chain links from one common start value: equal links mean equal records.
 Result<RetakenStep> retake_step(LogReader& log, std::uint64_t k) {
   if (k <= log.first_state() || k > log.last_step()) {
     return bad_input(log.name() + ": found no step " + std::to_string(k) + " to take again");
@@ -75,6 +80,9 @@ Result<RetakenStep> retake_step(LogReader& log, std::uint64_t k) {
   return RetakenStep{chain_next({}, **logged) == chain_next({}, ours), **taken, collector.contacts()};
 }
 
+// A difference in one contact shows in both of its bodies at once. So a contact between two differing bodies is the
+// first suspect, in solver order; else the first differing body's only partner. With several partners any choice would
+// be a guess, and there is none.
 std::optional<std::pair<sim::BodyId, sim::BodyId>> pair_of(const std::vector<sim::BodyId>& differing,
                                                            const std::vector<StepContact>& contacts) {
   if (differing.empty()) return std::nullopt;

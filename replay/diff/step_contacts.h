@@ -16,7 +16,7 @@ namespace tumble::replay {
 
 /// A contact of two bodies, or of a body and the ground.
 struct StepContact {
-  std::uint32_t substep = 0;     ///< 0-based; method layered finds contacts once a step, and they have its last substep
+  std::uint32_t substep = 0;     ///< 0-based; contacts of method layered, found once a step, have its last one
   sim::BodyId a = 0;             ///< the lower id
   std::optional<sim::BodyId> b;  ///< none: the ground
   sim::Vec3 normal = {0, 0, 0};  ///< from a to b; of the ground: up
@@ -51,7 +51,7 @@ Result<RetakenStep> retake_step(LogReader& log, std::uint64_t k);
 std::optional<std::pair<sim::BodyId, sim::BodyId>> pair_of(const std::vector<sim::BodyId>& differing,
                                                            const std::vector<StepContact>& contacts);
 
-/// One line: "7 and 9: depth 1.2e-05 m, impulse 0.3 N s, normal 0 0 1, sub-step 0".
+/// One line: "7 and 9: depth 1.2e-05 m, impulse 0.3 N s, normal 0 0 1, substep 0".
 std::string describe(const StepContact& contact);
 
 }  // namespace tumble::replay

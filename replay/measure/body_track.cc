@@ -34,6 +34,8 @@ void BodyTrack::start(const BodyMotion& now, double pull) {
   if (pull > 0) first_top_ = std::max(0.0, top_of_flight(now, pull));
 }
 
+// A top is a sign change of the vertical speed from up to not up. The first one of a body that starts on its way up
+// belongs to no bounce and is not counted.
 void BodyTrack::look_for_top(const BodyMotion& now, double pull) {
   if (!(pull > 0)) first_top_ = 0;
   if (first_top_ == 0 || !(last_rise_ > 0) || now.rise > 0) return;
@@ -45,6 +47,7 @@ void BodyTrack::look_for_top(const BodyMotion& now, double pull) {
   height_change_ = std::max(height_change_, std::fabs(top_of_flight(now, pull) - first_top_));
 }
 
+// Ratios to the first value. Without a first value there is no ratio, and a metric without a value passes no bound.
 std::optional<double> BodyTrack::momentum_drift() const {
   if (first_momentum_length_ == 0) return std::nullopt;
   return momentum_change_ / first_momentum_length_;

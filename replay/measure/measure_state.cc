@@ -111,6 +111,8 @@ void StateMeter::lose(Body& body) {
   if (body.measured && !std::exchange(body.lost, true)) ++lost_;
 }
 
+// Bodies and rows both ascend by id, so one walk over the two lists matches them. Most steps neither add nor remove a
+// body; then the ids are those of the state before and the walk is saved.
 void StateMeter::find_rows(const BodyStates& now) {
   if (row_ids_ == now.id && body_of_row_.size() == now.size()) return;
   row_ids_ = now.id;
@@ -157,6 +159,7 @@ StateMeasures StateMeter::measure(const BodyStates& now) {
   return out;
 }
 
+// Angular momentum is measured in world axes, where it is constant in free flight while the body's axes turn.
 void StateMeter::measure_motion(Body& body, const BodyStates& now, std::size_t row, StateMeasures& out) {
   const Vec3 v = now.velocity[row], w_B = spin_in_body(body.inertia, now, row);
   const Vec3 momentum_B = w_B.cwiseProduct(body.inertia);
@@ -205,6 +208,7 @@ void StateMeter::widen_grid_row(const Body& body, const Vec3& position) {
   span.z_high = std::max(span.z_high, position.z());
 }
 
+// In a tilted grid the bodies of one row start at one height and one place across; an exact solver keeps them so.
 std::optional<double> StateMeter::column_spread() const {
   if (grid_rows_.empty()) return std::nullopt;
   double widest = 0;  // a row whose bodies were all removed is −infinity wide
@@ -246,6 +250,8 @@ StateMeter::Keeping StateMeter::keeping() const {
   return worst;
 }
 
+// Counters of a log begin with step 1, so the energy of the start is computed here. Its sum runs in the solver's order,
+// and the value equals the one a counter would have.
 StateMeter::StartEnergy StateMeter::start_energy() const {
   double kinetic = 0, potential = 0, above_rest = 0;  // in the order of sim::total_energy, for equal bits
   for (const Body& body : bodies_) {

@@ -12,6 +12,7 @@
 namespace tumble::replay {
 namespace {
 
+/// Equality of bits: −0.0 is not 0.0.
 bool same(double a, double b) { return bits_of(a) == bits_of(b); }
 
 bool same(const sim::Vec3& a, const sim::Vec3& b) {
@@ -46,6 +47,9 @@ void PairMeter::differs(std::uint64_t step, sim::BodyId id, double distance) {
   if (differing_.insert(id).second) ++report_.differing;
 }
 
+// Exactness is a claim about bits, so `differing` compares all columns bit by bit. The error in metres is for judging a
+// session that is not exact: a wrong bit in a velocity shows in a position one step later. A transform of grid values
+// by mirror, swap or shift rounds nothing, so the expected values are exact too.
 void PairMeter::add(std::uint64_t step, const BodyStates& original, const BodyStates& transformed) {
   std::size_t matched = 0;
   for (std::size_t i = 0; i < original.size(); ++i) {
@@ -109,6 +113,7 @@ Result<PairReport> compare_mirrored_pair(LogReader& original, LogReader& transfo
     return bad_input(transformed.name() + ": is not the transformed session (" + to_string(transform) + ") of " +
                      original.name() + ": found " + why);
   }
+  // Either log may lack states; StateSource simulates those.
   StateSource from(original), to(transformed);
   PairMeter meter(transform, ids);
   const std::uint64_t first = original.first_state();

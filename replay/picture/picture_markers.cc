@@ -20,7 +20,8 @@ constexpr Colour kBound = {0.02F, 0.12F, 0.9F};
 constexpr double kShaftOverDistance = 0.0012;
 constexpr double kPointOverDistance = 0.0028;
 
-// The rotation that takes +x to a unit direction.
+// The rotation that takes +x to a unit direction d, by the half-way construction: q = (1 + x·d, x × d), normalised. For
+// d = −x that is zero, and half a turn about z serves.
 Quat rotation_from_x(const Vec3& direction) {
   if (direction.x() < -0.999999) return {0, 0, 0, 1};
   return sim::normalised({1 + direction.x(), 0, -direction.z(), direction.y()});

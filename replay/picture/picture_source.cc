@@ -53,6 +53,8 @@ void PictureSource::add_throws(const std::vector<sim::Command>& inputs) {
   }
 }
 
+// A state has no sizes or looks; the scene and the throws have. Throws are searched for only when an unknown id turns
+// up, from the last searched step on, so a log without throws is never read through.
 Result<const sim::BoxDef*> PictureSource::find_box(sim::BodyId id, std::uint64_t k) {
   auto found = boxes_.find(id);
   for (; found == boxes_.end() && scanned_ < k; found = boxes_.find(id)) {
@@ -92,6 +94,8 @@ Result<Picture> PictureSource::read(std::uint64_t k, const PictureOptions& optio
   return picture;
 }
 
+// Contacts are in no log; the step is simulated again. A player that is at most 64 steps behind is stepped on, which
+// costs less than decoding a keyframe and starting from there.
 Status PictureSource::add_contacts(std::uint64_t k, Snapshot& snapshot) {
   if (!player_ || player_->world().state().step >= k || player_->world().state().step + 64 < k) {
     Result<Player> player = Player::at(*log_, k - 1);
@@ -106,6 +110,7 @@ Status PictureSource::add_contacts(std::uint64_t k, Snapshot& snapshot) {
   return {};
 }
 
+// Merges two lists of boxes, both by ascending id.
 Snapshot overlay(const Snapshot& ours, const Snapshot& theirs) {
   SIM_DCHECK(std::ranges::is_sorted(ours.boxes, {}, &BoxLook::id));
   SIM_DCHECK(std::ranges::is_sorted(theirs.boxes, {}, &BoxLook::id));

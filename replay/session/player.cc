@@ -59,6 +59,8 @@ const StepRecord& Player::add_states() {
   return record_;
 }
 
+// The inputs come from the log and not from its scene: the log has all of them, also those that were made live. The log
+// is read for nothing else, so the record is this build's own.
 Result<const StepRecord*> Player::step_hashes(sim::Observer* also) {
   const std::uint64_t k = session_.steps_done() + 1;
   const Result<const StepRecord*> logged = log_->read_hashes(k);

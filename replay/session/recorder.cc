@@ -87,6 +87,8 @@ Result<std::unique_ptr<Recorder>> Recorder::go_on(std::unique_ptr<ByteSink> sink
   return go_on_with(writer_to(sink), from, k, options);
 }
 
+// Hashes are taken inside the step, by an observer, because a phase's words hash scratch memory that the next phase
+// overwrites. The writer copies what it needs before append() returns, so the spans may be used again.
 Status Recorder::step(std::span<const sim::Command> live) {
   hashes_.clear();
   const Result<TakenStep> taken = session_.step(live, &hashes_);

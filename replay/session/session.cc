@@ -19,6 +19,10 @@ Result<Session> Session::resume(sim::WorldState state, sim::SceneDef scene) {
   return Session(std::move(scene), *std::move(world));
 }
 
+// Order decides bits: a push before a throw meets another world than one after it. The scene's inputs come first
+// because their steps are fixed before the session begins; live ones follow in the order in which they were made. `<=`
+// and not
+// `==`, so that an input for a step that has passed (a scene that is resumed) is applied and not stuck in front.
 Status Session::apply_inputs(std::span<const sim::Command> live) {
   const std::uint64_t step = world_.state().step + 1;
   applied_.clear();
