@@ -48,8 +48,8 @@ void PairMeter::differs(std::uint64_t step, sim::BodyId id, double distance) {
 }
 
 // Exactness is a claim about bits, so `differing` compares all columns bit by bit. The error in metres is for judging a
-// session that is not exact: a wrong bit in a velocity shows in a position one step later. A transform of grid values
-// by mirror, swap or shift rounds nothing, so the expected values are exact too.
+// session that is not exact: a wrong bit in a velocity shows in a position one step later. Positions lie on a grid;
+// a mirror, a swap of axes or a shift by grid steps rounds nothing, so the expected values are exact too.
 void PairMeter::add(std::uint64_t step, const BodyStates& original, const BodyStates& transformed) {
   std::size_t matched = 0;
   for (std::size_t i = 0; i < original.size(); ++i) {
