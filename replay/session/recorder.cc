@@ -55,8 +55,9 @@ Result<std::unique_ptr<Recorder>> Recorder::write_with(const CreateWriter& creat
 
 Result<std::unique_ptr<Recorder>> Recorder::start_with(const CreateWriter& create, const sim::SceneDef& scene,
                                                        const RecordOptions& options) {
-  const sim::SceneDef transformed = session_of(scene, options.transform);
-  return write_with(create, header_of(transformed, options), Session::start(transformed));
+  sim::SceneDef transformed = session_of(scene, options.transform);
+  const LogHeader header = header_of(transformed, options);
+  return write_with(create, header, Session::start(std::move(transformed)));
 }
 
 Result<std::unique_ptr<Recorder>> Recorder::go_on_with(const CreateWriter& create, LogReader& from, std::uint64_t k,
