@@ -12,11 +12,12 @@
 #include "replay/codec/chunk_codec.h"
 #include "replay/codec/zstd_frame.h"
 #include "replay/diff/compare.h"
-#include "replay/diff/gap_story.h"
 #include "replay/diff/replayer.h"
+#include "replay/diff/separation.h"
 #include "replay/format/limits.h"
 #include "replay/log/log_reader.h"
 #include "replay/log/verify.h"
+#include "replay/session/player.h"
 #include "replay/session/recorder.h"
 
 namespace tumble::replay {
@@ -191,20 +192,21 @@ void find_first_difference(benchmark::State& bench) {
 }
 BENCHMARK(find_first_difference)->Unit(benchmark::kMillisecond);
 
-/// And how the gap grew in the 500 steps that follow.
-void tell_what_it_led_to(benchmark::State& bench) {
+/// Finds the first difference and measures the separation in the 500 steps that follow.
+void follow_first_difference(benchmark::State& bench) {
   const std::string& path = grid_log();
   const std::string& other = other_log();
   for (auto _ : bench) {
     LogReader a = opened(path), b = opened(other);
     const auto feed = [](LogReader& log) {
-      return StepFeed{log.name(), [&log](std::uint64_t k) { return log.read_step(k); }};
+      return SessionSteps{log.name(), [&log](std::uint64_t k) { return log.read_step(k); }};
     };
     const Result<DiffReport> report = diff_logs(a, b);
-    if (!report.ok() || !tell_story(feed(a), feed(b), report->first->step, 1500).ok()) bench.SkipWithError("no story");
+    if (!report.ok() || !measure_separation(feed(a), feed(b), report->first->step, 1500).ok())
+      bench.SkipWithError("no separation");
   }
 }
-BENCHMARK(tell_what_it_led_to)->Unit(benchmark::kMillisecond);
+BENCHMARK(follow_first_difference)->Unit(benchmark::kMillisecond);
 
 void verify_log(benchmark::State& bench) {
   LogReader log = opened(grid_log());

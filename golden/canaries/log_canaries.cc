@@ -12,7 +12,9 @@
 #include "replay/log/byte_memory.h"
 #include "replay/log/log_writer.h"
 #include "replay/log/verify.h"
+#include "replay/session/player.h"
 #include "replay/session/recorder.h"
+#include "replay/session/session.h"
 #include "src/step/step.h"
 
 namespace tumble::golden {
@@ -57,26 +59,19 @@ using Lie = std::function<void(sim::WorldState& state, sim::StepCounters& counte
 /// Records a session whose log lies in one step, if it lies: what is written is altered, not what happens.
 Result<MemoryFile> record(const sim::SceneDef& scene, std::uint64_t lie_step = 0, const Lie& lie = {}) {
   auto file = std::make_shared<std::vector<std::byte>>();
-  Result<sim::World> world = sim::World::create(scene);
-  if (!world.ok()) return world.error();
+  Result<replay::Session> session = replay::Session::start(scene);
+  if (!session.ok()) return session.error();
   auto writer = replay::LogWriter::create(std::make_unique<replay::MemoryByteSink>(file, "the canary's log"),
-                                          replay::header_for(scene), world->state());
+                                          replay::header_for(scene), session->world().state());
   if (!writer.ok()) return writer.error();
   sim::PhaseHashes hashes;
-  std::size_t next = 0;
   for (std::uint64_t k = 1; k <= scene.steps; ++k) {
-    std::vector<sim::Command> inputs;
-    for (; next < scene.inputs.size() && scene.inputs[next].step == k; ++next) {
-      inputs.push_back(scene.inputs[next].command);
-      if (const Status ok = world->apply(inputs.back()); !ok.ok()) return ok.error();
-    }
     hashes.clear();
-    const double dt = world->state().def.dt;
-    Result<sim::StepCounters> counters = sim::step(*world, &hashes);
-    if (!counters.ok()) return counters.error();
-    sim::WorldState state = world->state();
-    if (k == lie_step) lie(state, *counters);
-    Status ok = (*writer)->append({dt, inputs, hashes.words(), *counters}, state);
+    Result<replay::TakenStep> taken = session->step({}, &hashes);
+    if (!taken.ok()) return taken.error();
+    sim::WorldState state = session->world().state();
+    if (k == lie_step) lie(state, taken->counters);
+    Status ok = (*writer)->append({taken->dt, taken->inputs, hashes.words(), taken->counters}, state);
     if (ok.ok() && k % kChunk == 0) ok = (*writer)->flush(state);
     if (!ok.ok()) return ok.error();
   }

@@ -77,7 +77,7 @@ bool inexact_images_are_seen() {
   body.frozen = {0};
   replay::BodyStates moved = body;
   moved.position.z = {0.5};
-  replay::TwinMeter meter({}, {});
+  replay::PairMeter meter({}, {});
   meter.add(1, body, body);
   if (meter.report().error != 0) return false;
   meter.add(2, body, moved);

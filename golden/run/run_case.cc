@@ -192,9 +192,7 @@ Result<Session> run_session(const sim::SceneDef& scene, const std::string& scene
   auto sink = std::make_unique<replay::MemoryByteSink>(session.log, scene.name);
   auto recorder = replay::Recorder::start(std::move(sink), scene, options);
   if (!recorder.ok()) return recorder.error();
-  for (std::uint64_t k = 1; k <= scene.steps && session.failure.empty(); ++k) {
-    if (const Status ok = (*recorder)->step(); !ok.ok()) session.failure = ok.error().message;
-  }
+  if (const Status ok = (*recorder)->run(); !ok.ok()) session.failure = ok.error().message;
   session.continuation = sim::continuation_hash((*recorder)->world().state());
   const Result<replay::LogSummary> summary = (*recorder)->finish();
   if (!summary.ok() && session.failure.empty()) return summary.error();

@@ -72,13 +72,13 @@ void MetricSet::add(const replay::StepRecord& record) {
   for (replay::Measurer& measurer : measurers_) measurer.add(record);
 }
 
-Result<std::optional<double>> MetricSet::twin_value(const MetricRule& rule) const {
+Result<std::optional<double>> MetricSet::pair_value(const MetricRule& rule) const {
   if (!rules_.command.empty()) return std::optional<double>();  // this engine's images say nothing about another one's
   const sim::Transform transform = *image_for(rule);
-  const Result<replay::TwinReport> report = replay::run_twins(header_.scene, transform);
+  const Result<replay::PairReport> report = replay::run_mirrored_pair(header_.scene, transform);
   if (!report.ok()) return report.error();
   replay::Metrics metrics;
-  replay::set_twin_error(transform, *report, metrics.symmetry);
+  replay::set_pair_error(transform, *report, metrics.symmetry);
   return replay::find_metric(rule.name)->value(metrics);
 }
 
@@ -93,7 +93,7 @@ Result<std::vector<std::optional<double>>> MetricSet::finish(const replay::BodyS
   for (std::size_t k = 0; k < rules_.metrics.size(); ++k) {
     const MetricRule& rule = rules_.metrics[k];
     Result<std::optional<double>> value =
-        image_for(rule) ? twin_value(rule) : replay::find_metric(rule.name)->value(metrics[of_rule_[k]]);
+        image_for(rule) ? pair_value(rule) : replay::find_metric(rule.name)->value(metrics[of_rule_[k]]);
     if (!value.ok()) return value.error();
     values.push_back(*value);
   }

@@ -31,11 +31,11 @@ class MetricSet {
 
   /// After the last step: a value a rule, none where the metric makes no sense. last: the last state. Errors: a rule
   /// that measures nothing, such as one from a step that the session does not reach (kBadInput); an image that cannot
-  /// be run (run_twins').
+  /// be run (run_mirrored_pair').
   Result<std::vector<std::optional<double>>> finish(const replay::BodyStates& last);
 
  private:
-  [[nodiscard]] Result<std::optional<double>> twin_value(const MetricRule& rule) const;
+  [[nodiscard]] Result<std::optional<double>> pair_value(const MetricRule& rule) const;
 
   const replay::LogHeader& header_;
   const CaseRules& rules_;

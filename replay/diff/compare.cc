@@ -17,7 +17,7 @@ double tolerance_of(const Tolerances& tolerances, std::size_t column) {
   return column >= kSpin ? tolerances.spin : tolerances.velocity;
 }
 
-/// Copies into `actual` what lies within tolerance of `expected`, so that an exact comparison passes over it.
+/// Copies into `actual` every value of `expected` within tolerance, so that an exact comparison finds it equal.
 void forgive(const BodyStates& expected, BodyStates& actual, const Tolerances& tolerances) {
   if (expected.id != actual.id) return;
   const ConstColumns wanted = columns_of(expected);
@@ -31,6 +31,8 @@ void forgive(const BodyStates& expected, BodyStates& actual, const Tolerances& t
   }
 }
 
+/// Differences of the headers, for people. Steps decide whether two sessions are equal; two logs of one session may
+/// well have other headers (another tool, another --states).
 std::vector<std::string> different_headers(const LogHeader& a, const LogHeader& b) {
   std::vector<std::string> lines;
   const auto check = [&](const char* what, const std::string& value_a, const std::string& value_b) {
@@ -41,7 +43,7 @@ std::vector<std::string> different_headers(const LogHeader& a, const LogHeader& 
   check("method", a.method, b.method);
   check("method version", std::to_string(a.method_version), std::to_string(b.method_version));
   check("scene", a.scene.name, b.scene.name);
-  check("image", to_string(a.transform), to_string(b.transform));
+  check("transform", to_string(a.transform), to_string(b.transform));
   const auto start = [](const LogHeader& header) {
     return header.goes_on ? "step " + std::to_string(header.goes_on->step) + " of another session" : "state 0";
   };
@@ -54,7 +56,7 @@ std::vector<std::string> different_headers(const LogHeader& a, const LogHeader& 
   } else if (std::string note = phase_hash_note(a, b); !note.empty()) {
     lines.push_back(std::move(note));
   }
-  if (a.goes_on != b.goes_on) return lines;  // whose scenes are those of other steps
+  if (a.goes_on != b.goes_on) return lines;  // the two scenes are those of different steps
   check("bodies at the start", std::to_string(a.scene.boxes.size()), std::to_string(b.scene.boxes.size()));
   if (!(a.scene.world == b.scene.world)) lines.emplace_back("world: not the same parameters");
   if (a.scene.boxes != b.scene.boxes) lines.emplace_back("boxes: not the same at the start");
@@ -62,6 +64,11 @@ std::vector<std::string> different_headers(const LogHeader& a, const LogHeader& 
   return lines;
 }
 
+/// One comparison of two logs, A and B.
+///
+/// Three kinds of comparison share the loop. Exact: hashes decide, states only name body and field. With tolerances:
+/// states decide, as soon as hashes differ. Logs of two engines: dt and states decide, because engines differ in
+/// phases, counters and the inputs they know.
 class Diff {
  public:
   Diff(LogReader& a, LogReader& b, const Tolerances& tolerances) : a_(a), b_(b), tolerances_(tolerances) {
@@ -104,9 +111,9 @@ class Diff {
     return bad_input("found no step in common: " + range(a_) + ", " + range(b_));
   }
 
-  /// The last step up to which the chains of both logs agree, among the steps at which the first one ends a chunk. A
-  /// chain never agrees again once it differed, so half of them can be left out at a time. Where the other one ends a
-  /// chunk there too, which is the rule, that opens none.
+  /// The last step up to which the chains of both logs agree, among the steps at which log A ends a chunk. A chain
+  /// value is a hash over all steps before, so two chains that differ once never agree again: a binary search finds the
+  /// place. If log B ends a chunk at that step too, the index of each log has the value, and no chunk is decoded.
   [[nodiscard]] Result<std::uint64_t> last_known_same(std::uint64_t from, std::uint64_t last) {
     if (!chains_say_all_) return from;
     const Result<Hash128> chain_a = a_.chain_at(from), chain_b = b_.chain_at(from);
@@ -115,7 +122,8 @@ class Diff {
     if (*chain_a != *chain_b) return from;
     const std::vector<ChunkPlace>& chunks = a_.chunks();
     const auto ends_by = [](std::uint64_t step, const ChunkPlace& place) { return step < place.end_step() - 1; };
-    auto low = std::upper_bound(chunks.begin(), chunks.end(), from, ends_by);  // all before it are known to be the same
+    auto low =
+        std::upper_bound(chunks.begin(), chunks.end(), from, ends_by);  // all chunks before it are known to be equal
     auto high = std::upper_bound(chunks.begin(), chunks.end(), last, ends_by);
     std::uint64_t same = from;
     while (low < high) {
@@ -131,7 +139,7 @@ class Diff {
     return same;
   }
 
-  /// The states that both begin with; how either came there is another question.
+  /// Compares the first states of both, without the inputs and phases that led there.
   Status compare_start(std::uint64_t from) {
     StepRecord start_a, start_b;
     if (Status ok = read_start(a_, from, start_a); !ok.ok()) return ok;
@@ -152,6 +160,8 @@ class Diff {
     return {};
   }
 
+  /// Compares step k by hashes. chain_next() covers every field of a record but its states, which the state hash stands
+  /// for, so one comparison of 128 bits replaces one a field.
   Status compare_step(std::uint64_t k) {
     Result<const StepRecord*> a = a_.read_hashes(k);
     if (!a.ok()) return a.error();
@@ -164,6 +174,7 @@ class Diff {
     return compare_states(k, **a, actual);
   }
 
+  /// Tolerances need states: hashes only tell that two states differ, not by how much.
   [[nodiscard]] Status can_tolerate(const StepRecord& a, const StepRecord& b) const {
     if (tolerances_.exact() || (a.has_states && b.has_states) || a.state_hash == b.state_hash) return {};
     return bad_input("step " + std::to_string(a.step) +
@@ -171,7 +182,7 @@ class Diff {
                      "both with --states all");
   }
 
-  /// A step whose hashes differ: looked at with its states.
+  /// Compares a step whose hashes differ, with its states where both logs hold them.
   Status compare_states(std::uint64_t k, const StepRecord& hashes_a, const StepRecord& hashes_b) {
     if (Status ok = can_tolerate(hashes_a, hashes_b); !ok.ok()) return ok;
     StepRecord expected = hashes_a;
@@ -188,6 +199,7 @@ class Diff {
     return {};
   }
 
+  /// Finds the first difference. Fields that this kind of comparison leaves out are first made equal in `actual`.
   void judge(const StepRecord& expected, StepRecord& actual) {
     if (!same_words_) leave_out_phase_words(expected, actual);
     if (!tolerances_.exact()) tolerate(expected, actual);
@@ -206,7 +218,7 @@ class Diff {
     return is_single(a_) && is_single(b_);
   }
 
-  /// With tolerances only what a body visibly is counts; hashes and counters of two that differ would differ as well.
+  /// With tolerances only the visible states decide: hashes and counters differ as soon as one bit does.
   void tolerate(const StepRecord& expected, StepRecord& actual) const {
     forgive(expected.states, actual.states, tolerances_);
     actual.counters = expected.counters;
@@ -219,7 +231,7 @@ class Diff {
   std::vector<std::string> phases_;
   bool same_words_ = false;
   bool chains_say_all_ = false;
-  bool states_only_ = false;  // of two engines: how each came to its states cannot be compared
+  bool states_only_ = false;  // of two engines, whose phases and counters cannot be compared
   DiffReport report_;
 };
 

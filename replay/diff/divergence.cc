@@ -2,19 +2,17 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <charconv>
-#include <cmath>
-#include <limits>
+#include <utility>
 
-#include "replay/codec/state_keys.h"
 #include "replay/diff/input_difference.h"
 #include "replay/format/body_states.h"
+#include "replay/format/little_endian.h"
 
 namespace tumble::replay {
 namespace {
 
-/// The order in which a body's fields are compared and named.
+/// The order in which a body's fields are compared and named: that of BodyStates (position, orientation, velocity,
+/// spin).
 constexpr std::array<std::size_t, kColumnCount> kFieldOrder = {6, 7, 8, 9, 10, 11, 12, 0, 1, 2, 3, 4, 5};
 
 Divergence make(std::uint64_t step, const char* phase, const char* field, FieldValue expected, FieldValue actual) {
@@ -30,6 +28,7 @@ Divergence make(std::uint64_t step, const char* phase, const char* field, FieldV
   return divergence;
 }
 
+/// Causes before effects: a step with another dt or other inputs differs in everything after, so these come first.
 std::optional<Divergence> different_start(const StepRecord& expected, const StepRecord& actual) {
   if (bits_of(expected.dt) != bits_of(actual.dt)) {
     return make(expected.step, "inputs", "dt", expected.dt, actual.dt);
@@ -43,7 +42,7 @@ std::optional<Divergence> different_start(const StepRecord& expected, const Step
 
 std::string hex(std::uint64_t word) { return to_string(Hash128{0, word}).substr(16); }
 
-/// The first sub-step and phase that wrote something else.
+/// The first substep and phase that wrote another value.
 std::optional<Divergence> different_phase(const StepRecord& expected, const StepRecord& actual,
                                           const std::vector<std::string>& phases) {
   if (phases.empty() || expected.phase_words == actual.phase_words) return std::nullopt;
@@ -54,7 +53,7 @@ std::optional<Divergence> different_phase(const StepRecord& expected, const Step
           .first -
       expected.phase_words.begin());
   const auto text = [word](const StepRecord& record) {
-    return word < record.phase_words.size() ? hex(record.phase_words[word]) : std::string("no such sub-step");
+    return word < record.phase_words.size() ? hex(record.phase_words[word]) : std::string("no such substep");
   };
   Divergence divergence =
       make(expected.step, phases[word % phases.size()].c_str(), "phase_hash", text(expected), text(actual));
@@ -62,6 +61,7 @@ std::optional<Divergence> different_phase(const StepRecord& expected, const Step
   return divergence;
 }
 
+/// Counters come last: they differ alone only where states agree in every bit.
 std::optional<Divergence> different_counter(const StepRecord& expected, const StepRecord& actual) {
   const auto count = [&](const char* field, std::uint32_t sim::StepCounters::*counter) -> std::optional<Divergence> {
     const std::uint64_t a = expected.counters.*counter;
@@ -102,6 +102,8 @@ std::optional<Divergence> different_body(const BodyStates& expected, const BodyS
   return found;
 }
 
+/// The first place at which the lists of bodies differ. Both ascend, so the smaller of the two ids there is the body
+/// that one side lacks.
 std::optional<Divergence> different_ids(const BodyStates& expected, const BodyStates& actual) {
   const std::size_t shorter = std::min(expected.size(), actual.size());
   std::size_t i = 0;
@@ -119,42 +121,15 @@ std::optional<Divergence> different_ids(const BodyStates& expected, const BodySt
 
 }  // namespace
 
-std::optional<std::uint64_t> ulps_between(double a, double b) {
-  if (a != a || b != b) return std::nullopt;
-  const std::uint64_t key_a = codec1::ordered(bits_of(a));
-  const std::uint64_t key_b = codec1::ordered(bits_of(b));
-  return key_a > key_b ? key_a - key_b : key_b - key_a;
-}
-
-std::optional<std::uint64_t> ulps32_between(double a, double b) {
-  constexpr double kMax = std::numeric_limits<float>::max();
-  if (!(std::fabs(a) <= kMax && std::fabs(b) <= kMax)) return std::nullopt;
-  const auto key = [](double value) {  // ascending with the value; the negative ones mirrored
-    const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(value));
-    return (bits >> 31) != 0 ? ~bits : bits | 0x80000000U;
-  };
-  const std::uint32_t key_a = key(a), key_b = key(b);
-  return key_a > key_b ? key_a - key_b : key_b - key_a;
-}
-
 void count_in_binary32(Divergence& divergence) {
   const auto* a = std::get_if<double>(&divergence.expected);
   const auto* b = std::get_if<double>(&divergence.actual);
   if (a != nullptr && b != nullptr) divergence.ulps = ulps32_between(*a, *b);
 }
 
-std::string to_string(const FieldValue& value) {
-  if (const auto* text = std::get_if<std::string>(&value)) return *text;
-  if (const auto* number = std::get_if<std::uint64_t>(&value)) return std::to_string(*number);
-  std::array<char, 40> digits;
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), std::get<double>(value),
-                                 std::chars_format::general, 17);
-  return {digits.data(), end.ptr};
-}
-
 std::string describe(const Divergence& d) {
   std::string text = "step " + std::to_string(d.step);
-  if (d.substep) text += ", sub-step " + std::to_string(*d.substep);
+  if (d.substep) text += ", substep " + std::to_string(*d.substep);
   text += ", phase " + d.phase;
   if (d.body) text += ", body " + std::to_string(*d.body);
   if (d.pair) text += ", pair " + std::to_string(d.pair->first) + " and " + std::to_string(d.pair->second);
@@ -172,6 +147,32 @@ std::optional<Divergence> first_difference(const BodyStates& expected, const Bod
   return ids;
 }
 
+bool same_columns(const ConstColumns& a, std::size_t i, const ConstColumns& b, std::size_t j) {
+  for (std::size_t c = 0; c < kColumnCount; ++c) {
+    if (bits_of((*a[c])[i]) != bits_of((*b[c])[j])) return false;
+  }
+  return true;
+}
+
+std::vector<sim::BodyId> differing_bodies(const BodyStates& a, const BodyStates& b) {
+  std::vector<sim::BodyId> ids;
+  const ConstColumns in_a = columns_of(a), in_b = columns_of(b);
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (a.id[i] != b.id[j]) {
+      ++(a.id[i] < b.id[j] ? i : j);
+      continue;
+    }
+    if (a.frozen[i] != b.frozen[j] || !same_columns(in_a, i, in_b, j)) ids.push_back(a.id[i]);
+    ++i;
+    ++j;
+  }
+  return ids;
+}
+
+// The order follows time: what led into the step, its phases, its result. Phase words find the first phase that wrote
+// another value but cannot say where; states say body and field but not when. Where both are there, the answer has the
+// phase of the one and the body of the other.
 std::optional<Divergence> first_difference(const StepRecord& expected, const StepRecord& actual,
                                            const std::vector<std::string>& phases) {
   if (auto found = different_start(expected, actual)) return found;

@@ -6,13 +6,12 @@
 #include <variant>
 #include <vector>
 
-#include "replay/format/little_endian.h"
 #include "src/model/command_fields.h"
 
 namespace tumble::replay {
 namespace {
 
-/// The values of an input that change what happens, by name. The chain covers the same ones (chain.cc).
+/// The values of an input that change what happens, by name, its body first; the chain covers the same ones (chain.cc).
 class Fields {
  public:
   explicit Fields(const sim::Command& command) { sim::for_each_effect(command, *this); }
@@ -46,12 +45,6 @@ class Fields {
   std::vector<std::pair<std::string, FieldValue>> list_;
   std::optional<sim::BodyId> body_;
 };
-
-bool same_bits(const FieldValue& a, const FieldValue& b) {
-  const auto* x = std::get_if<double>(&a);
-  const auto* y = std::get_if<double>(&b);
-  return x != nullptr && y != nullptr ? bits_of(*x) == bits_of(*y) : a == b;
-}
 
 std::string names_of(std::span<const sim::Command> inputs) {
   std::string names;

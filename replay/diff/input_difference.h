@@ -4,21 +4,21 @@
 #include <span>
 #include <string>
 
-#include "replay/diff/divergence.h"
+#include "replay/diff/field_value.h"
 #include "src/model/scene.h"
 
 namespace tumble::replay {
 
-/// Where the inputs of one step differ in two sessions.
+/// The first difference between the inputs that two sessions have before one step.
 struct InputDifference {
-  /// "inputs" where their number or kinds differ; else the kind and the field: "throw.velocity.y", "push.impulse.x".
+  /// "inputs" where their number or kinds differ; else kind and field: "throw.velocity.y", "push.impulse.x".
   std::string field;
-  std::optional<sim::BodyId> body;  ///< that the input is about, where both mean the same one
-  FieldValue expected;              ///< of "inputs": the kinds, in order
+  std::optional<sim::BodyId> body;  ///< the body that the input acts on, where both inputs act on one body
+  FieldValue expected;              ///< for "inputs": the kinds, in order
   FieldValue actual;
 };
 
-/// The first difference to the bit, in the fields that change what happens; look and origin do not.
+/// Compares to the bit the fields that change the simulation. Look and origin of a thrown box are not compared.
 std::optional<InputDifference> first_difference(std::span<const sim::Command> expected,
                                                 std::span<const sim::Command> actual);
 

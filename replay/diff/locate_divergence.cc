@@ -1,6 +1,9 @@
 #include "replay/diff/locate_divergence.h"
 
+#include <optional>
 #include <utility>
+
+#include "src/base/check.h"
 
 namespace tumble::replay {
 namespace {
@@ -32,40 +35,63 @@ void name_body(Divergence& first, const BodyStates& a, const BodyStates& b) {
   first = *std::move(body);
 }
 
+/// The contacts of a body, none if there is no body.
+std::vector<StepContact> contacts_of(const std::optional<sim::BodyId>& body, const std::vector<StepContact>& contacts) {
+  std::vector<StepContact> of_body;
+  for (const StepContact& contact : contacts) {
+    if (body && contact.has(*body)) of_body.push_back(contact);
+  }
+  return of_body;
+}
+
 }  // namespace
 
-Narrowing narrow(LogReader& a, LogReader& b, DiffReport report) {
-  Narrowing narrowing;
-  narrowing.report = std::move(report);
-  std::optional<Divergence>& first = narrowing.report.first;
-  if (!first || first->step <= a.first_state() || first->step <= b.first_state()) return narrowing;
-  const std::uint64_t k = first->step;
-  const std::optional<RetakenStep> in_a = retake(a, k, narrowing.not_taken);
-  const std::optional<RetakenStep> in_b = retake(b, k, narrowing.not_taken);
-  narrowing.as_a = in_a && in_a->same;
-  narrowing.as_b = in_b && in_b->same;
+// A log says that two sessions differ after step k. It does not say which of them the program at hand agrees with, nor
+// which contact the difference came through. Both follow from step k alone, taken again from each log's own state k −
+// 1: up to there the two are equal, so any difference of the results lies in that step.
+DivergenceLocation locate_divergence(LogReader& a, LogReader& b, Divergence& first) {
+  DivergenceLocation location;
+  if (first.step <= a.first_state() || first.step <= b.first_state()) return location;
+  const std::uint64_t k = first.step;
+  const std::optional<RetakenStep> in_a = retake(a, k, location.not_taken);
+  const std::optional<RetakenStep> in_b = retake(b, k, location.not_taken);
+  location.as_a = in_a && in_a->same;
+  location.as_b = in_b && in_b->same;
   const std::optional<BodyStates> after_a = states_after(a, k, in_a);
   const std::optional<BodyStates> after_b = states_after(b, k, in_b);
   if (after_a && after_b) {
-    name_body(*first, *after_a, *after_b);
-    narrowing.bodies = differing_bodies(*after_a, *after_b);
+    name_body(first, *after_a, *after_b);
+    location.bodies = differing_bodies(*after_a, *after_b);
   }
-  const std::optional<RetakenStep>& witness = narrowing.as_b && !narrowing.as_a ? in_b : in_a;
-  if (!witness || first->phase == "inputs") return narrowing;
-  if (narrowing.as_a || narrowing.as_b) first->pair = pair_of(narrowing.bodies, witness->contacts);
-  for (const StepContact& contact : witness->contacts) {
-    if (first->body && contact.has(*first->body)) narrowing.contacts.push_back(contact);
-  }
-  return narrowing;
+  const std::optional<RetakenStep>& witness = location.as_b && !location.as_a ? in_b : in_a;
+  if (!witness || first.phase == "inputs") return location;
+  if (location.as_a || location.as_b) first.pair = pair_of(location.bodies, witness->contacts);
+  location.contacts = contacts_of(first.body, witness->contacts);
+  return location;
 }
 
-Result<Narrowing> narrow(LogReader& a, LogReader& b, const Progress& progress) {
+DivergenceLocation locate_in_replay(LogReader& log, Divergence& first) {
+  SIM_CHECK(first.step > log.first_state(), first.step, log.first_state());
+  DivergenceLocation location;
+  const std::optional<RetakenStep> taken = retake(log, first.step, location.not_taken);
+  const Result<const StepRecord*> logged = log.read_step(first.step);
+  if (!taken || !logged.ok() || !(*logged)->has_states) return location;
+  location.as_a = taken->same;
+  location.bodies = differing_bodies((*logged)->states, taken->record.states);
+  if (first.phase == "inputs") return location;
+  first.pair = pair_of(location.bodies, taken->contacts);
+  location.contacts = contacts_of(first.body, taken->contacts);
+  return location;
+}
+
+Result<LocatedDivergence> diff_and_locate(LogReader& a, LogReader& b, const Progress& progress) {
   const std::uint64_t before = a.chunks_opened() + b.chunks_opened();
   Result<DiffReport> report = diff_logs(a, b, {}, progress);
   if (!report.ok()) return report.error();
-  Narrowing narrowing = narrow(a, b, *std::move(report));
-  narrowing.chunks_opened = a.chunks_opened() + b.chunks_opened() - before;
-  return narrowing;
+  LocatedDivergence located{*std::move(report), {}, 0};
+  if (located.report.first) located.location = locate_divergence(a, b, *located.report.first);
+  located.chunks_opened = a.chunks_opened() + b.chunks_opened() - before;
+  return located;
 }
 
 }  // namespace tumble::replay

@@ -1,36 +1,49 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <string>
 #include <vector>
 
 #include "replay/diff/compare.h"
+#include "replay/diff/divergence.h"
 #include "replay/diff/step_contacts.h"
+#include "replay/format/progress.h"
 #include "replay/log/log_reader.h"
 
 namespace tumble::replay {
 
-/// Where two logs part, as close as logs and this build can say.
-struct Narrowing {
-  DiffReport report;  ///< with the pair filled in, where it is plain
-  // Of the first different step: whether this build, from the log's own state before it, does as the log says.
+/// The first different step of two sessions, taken again by this build from the state before it.
+struct DivergenceLocation {
+  // Whether this build's step matches the log.
   bool as_a = false;
   bool as_b = false;
-  /// Why it could not be taken again; empty: it was, or there was no step to take.
+  /// The reason why the step could not be taken again; empty: it was, or the difference is in a log's first state.
   std::string not_taken;
-  /// What the first different body touched in that step, by the log that this build reproduces (the first one if both).
+  /// The contacts of the first different body in that step, as this build computes them from the log that it matches
+  /// (from the first log if it matches both or neither).
   std::vector<StepContact> contacts;
-  /// Bodies with different states after that step, ascending; empty where a log has no such states and this build
+  /// The bodies whose states differ after that step, ascending; empty where a log has no such states and this build
   /// cannot make them.
   std::vector<sim::BodyId> bodies;
+};
+
+/// Takes the first different step again from both logs. Completes `first`: the pair where it is plain, body and field
+/// in place of a hash where the logs hold no states.
+DivergenceLocation locate_divergence(LogReader& a, LogReader& b, Divergence& first);
+
+/// The location of the first difference between a log and this build's replay of it. Side b is this build and is left
+/// out: as_b stays false. Completes the pair of `first` where the log holds states. Requires a step after the log's
+/// first state.
+DivergenceLocation locate_in_replay(LogReader& log, Divergence& first);
+
+/// diff_logs() and locate_divergence() in one call.
+struct LocatedDivergence {
+  DiffReport report;  ///< with `first` completed
+  DivergenceLocation location;
   std::uint64_t chunks_opened = 0;  ///< decoded, of both logs
 };
 
-/// diff_logs() exactly, then the first different step taken again from both logs: which of them this build follows,
-/// what the body touched, body and field also where the logs hold no states. Errors: as diff_logs().
-Result<Narrowing> narrow(LogReader& a, LogReader& b, const Progress& progress = {});
-
-/// The same for a comparison that was made already.
-Narrowing narrow(LogReader& a, LogReader& b, DiffReport report);
+/// Compares two logs exactly and locates their first difference. Errors: as diff_logs().
+Result<LocatedDivergence> diff_and_locate(LogReader& a, LogReader& b, const Progress& progress = {});
 
 }  // namespace tumble::replay

@@ -3,22 +3,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "replay/session/player.h"
+#include "src/step/step.h"
+
 namespace tumble::replay {
 namespace {
-
-/// Two observers of one step.
-class Both : public sim::Observer {
- public:
-  Both(sim::Observer& first, sim::Observer& second) : first_(first), second_(second) {}
-  void phase_done(std::uint32_t substep, std::size_t phase, const sim::World& world) override {
-    first_.phase_done(substep, phase, world);
-    second_.phase_done(substep, phase, world);
-  }
-
- private:
-  sim::Observer& first_;
-  sim::Observer& second_;
-};
 
 Divergence failed_at(std::uint64_t step, const char* phase, const Error& error) {
   Divergence divergence;
@@ -30,7 +19,7 @@ Divergence failed_at(std::uint64_t step, const char* phase, const Error& error) 
   return divergence;
 }
 
-/// Whether the log's scene still resolves to its state 0.
+/// Compares the state 0 that the log's scene resolves to now with the log's own.
 Result<std::optional<Divergence>> compare_start(LogReader& log) {
   Result<const StepRecord*> expected = log.read_step(0);
   if (!expected.ok()) return expected.error();
@@ -43,6 +32,7 @@ Result<std::optional<Divergence>> compare_start(LogReader& log) {
   return found;
 }
 
+/// Reasons why a difference may be expected, or why less than everything was compared.
 std::vector<std::string> notes_of(const LogReader& log, const LogHeader& ours_now) {
   const LogHeader& header = log.header();
   std::vector<std::string> notes;
@@ -61,8 +51,8 @@ std::vector<std::string> notes_of(const LogReader& log, const LogHeader& ours_no
   return notes;
 }
 
-/// The difference in step k, if there is one. States are decoded only then: for most steps the hashes are enough.
-/// phases: empty where phase words cannot be compared.
+/// The difference in a step, if there is one. Compares hashes first and decodes states only where they differ, which
+/// saves most of the decoding. phases: empty where phase words cannot be compared.
 Result<std::optional<Divergence>> compare_step(LogReader& log, const StepRecord& actual, Player& player,
                                                const std::vector<std::string>& phases) {
   Result<const StepRecord*> read = log.read_hashes(actual.step);
@@ -78,7 +68,8 @@ Result<std::optional<Divergence>> compare_step(LogReader& log, const StepRecord&
   return first_difference(expected, player.add_states(), phases);
 }
 
-/// After the last step of a chunk: whether the hidden state is that of the keyframe which follows.
+/// After the last step of a chunk, compares the hidden state with that of the next keyframe. Hidden state (solver
+/// memory, rest times) shows in no visible column until steps later; this finds a difference within a chunk.
 Result<std::optional<Divergence>> compare_hidden(LogReader& log, const sim::WorldState& state) {
   const auto& chunks = log.chunks();
   const auto next = std::partition_point(chunks.begin(), chunks.end(),
@@ -99,67 +90,8 @@ Result<std::optional<Divergence>> compare_hidden(LogReader& log, const sim::Worl
   return std::optional(divergence);
 }
 
-}  // namespace
-
-Status must_be_ours(const LogReader& log) {
-  if (!log.header().engine) return {};
-  return bad_input(log.name() + ": this log was written by " + to_string(*log.header().engine) +
-                   "; it cannot be replayed, only compared (diff, measure, dump, render, check)");
-}
-
-Result<Player> Player::at(LogReader& log, std::uint64_t k) {
-  if (Status ok = must_be_ours(log); !ok.ok()) return ok.error();
-  Result<const Keyframe*> keyframe = log.keyframe_at_or_before(k);
-  if (!keyframe.ok()) return keyframe.error();
-  Result<sim::World> world = sim::World::restore((*keyframe)->state);
-  if (!world.ok()) return Error{world.error().kind, log.name() + ": " + world.error().message};
-  Player player(log, *std::move(world));
-  while (player.world_.state().step < k) {
-    if (Result<const StepRecord*> step = player.step_hashes(); !step.ok()) return step.error();
-  }
-  return player;
-}
-
-Result<const StepRecord*> Player::step(sim::Observer* also) {
-  Result<const StepRecord*> taken = step_hashes(also);
-  if (taken.ok()) add_states();
-  return taken;
-}
-
-const StepRecord& Player::add_states() {
-  record_.has_states = true;
-  copy_visible(world_.bodies(), record_.states);
-  return record_;
-}
-
-Result<const StepRecord*> Player::step_hashes(sim::Observer* also) {
-  const std::uint64_t k = world_.state().step + 1;
-  Result<const StepRecord*> logged = log_->read_hashes(k);
-  if (!logged.ok()) return logged.error();
-  record_.inputs = (*logged)->inputs;
-  for (const sim::Command& command : record_.inputs) {
-    if (Status ok = world_.apply(command); !ok.ok()) {
-      return cannot_finish("input \"" + std::string(sim::name_of(command)) + "\" before step " + std::to_string(k) +
-                           ": " + ok.error().message);
-    }
-  }
-  record_.dt = world_.state().def.dt;
-  hashes_->clear();
-  Both both(*hashes_, also != nullptr ? *also : *hashes_);
-  Result<sim::StepCounters> counters =
-      sim::step(world_, also != nullptr ? &both : static_cast<sim::Observer*>(hashes_.get()));
-  if (!counters.ok()) return counters.error();
-  record_.step = k;
-  record_.phase_words = hashes_->words();
-  record_.counters = *counters;
-  record_.state_hash = sim::state_hash(world_.bodies());
-  record_.has_states = false;
-  return &record_;
-}
-
-namespace {
-
-/// replay_log() for a log of ours.
+/// replay_log() for a log of ours. Steps that a recovered log lacks are jumped over: the replay starts again from the
+/// keyframe behind them, since the inputs in between are lost.
 Result<ReplayReport> replay_steps(LogReader& log, const ReplayOptions& options, const Progress& progress) {
   const LogHeader& header = log.header();
   const std::uint64_t from = std::max(options.from_step, log.first_state());

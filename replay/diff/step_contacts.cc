@@ -7,6 +7,7 @@
 #include "replay/format/body_states.h"
 #include "replay/format/chain.h"
 #include "replay/format/little_endian.h"
+#include "replay/session/player.h"
 
 namespace tumble::replay {
 namespace {
@@ -27,6 +28,7 @@ StepContact contact_of(const sim::World& world, sim::BodyIndex a, sim::BodyIndex
   return contact;
 }
 
+/// Method thesis resolves single contact points, in every substep.
 void add_thesis(const sim::World& world, std::uint32_t substep, std::vector<StepContact>& out) {
   const sim::Contacts& contacts = world.scratch().contacts;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -38,6 +40,8 @@ void add_thesis(const sim::World& world, std::uint32_t substep, std::vector<Step
   }
 }
 
+/// Method layered solves manifolds of several points: one contact a manifold, with the deepest point and the sum of
+/// the impulses.
 void add_layered(const sim::World& world, std::uint32_t substep, std::vector<StepContact>& out) {
   const sim::Scratch& scratch = world.scratch();
   for (const sim::Manifold& manifold : scratch.manifolds) {
@@ -56,12 +60,14 @@ void add_layered(const sim::World& world, std::uint32_t substep, std::vector<Ste
 
 }  // namespace
 
+// Scratch holds the contacts with their final impulses only after the last phase; later steps overwrite them.
 void ContactCollector::phase_done(std::uint32_t substep, std::size_t phase, const sim::World& world) {
   const sim::Method method = world.state().def.method;
   if (phase + 1 != sim::phase_table(method).phases.size()) return;
   method == sim::Method::kThesis ? add_thesis(world, substep, contacts_) : add_layered(world, substep, contacts_);
 }
 
+// Compares by chain links from one common start value: equal links mean equal records.
 Result<RetakenStep> retake_step(LogReader& log, std::uint64_t k) {
   if (k <= log.first_state() || k > log.last_step()) {
     return bad_input(log.name() + ": found no step " + std::to_string(k) + " to take again");
@@ -78,6 +84,9 @@ Result<RetakenStep> retake_step(LogReader& log, std::uint64_t k) {
   return RetakenStep{chain_next({}, **logged) == chain_next({}, ours), **taken, collector.contacts()};
 }
 
+// A difference in one contact shows in both of its bodies at once. So a contact between two differing bodies is the
+// first suspect, in solver order; else the first differing body's only partner. With several partners any choice would
+// be a guess, and there is none.
 std::optional<std::pair<sim::BodyId, sim::BodyId>> pair_of(const std::vector<sim::BodyId>& differing,
                                                            const std::vector<StepContact>& contacts) {
   if (differing.empty()) return std::nullopt;
@@ -92,30 +101,12 @@ std::optional<std::pair<sim::BodyId, sim::BodyId>> pair_of(const std::vector<sim
   return std::nullopt;
 }
 
-std::vector<sim::BodyId> differing_bodies(const BodyStates& a, const BodyStates& b) {
-  std::vector<sim::BodyId> ids;
-  const ConstColumns in_a = columns_of(a), in_b = columns_of(b);
-  std::size_t i = 0, j = 0;
-  while (i < a.size() && j < b.size()) {
-    if (a.id[i] != b.id[j]) {
-      ++(a.id[i] < b.id[j] ? i : j);
-      continue;
-    }
-    bool same = a.frozen[i] == b.frozen[j];
-    for (std::size_t c = 0; c < kColumnCount && same; ++c) same = bits_of((*in_a[c])[i]) == bits_of((*in_b[c])[j]);
-    if (!same) ids.push_back(a.id[i]);
-    ++i;
-    ++j;
-  }
-  return ids;
-}
-
 std::string describe(const StepContact& contact) {
   const auto number = [](double value) { return to_string(FieldValue(value)); };
   return std::to_string(contact.a) + " and " + (contact.b ? std::to_string(*contact.b) : "the ground") + ": depth " +
          number(contact.depth) + " m, impulse " + number(contact.impulse) + " N s, normal " +
          number(contact.normal.x()) + ' ' + number(contact.normal.y()) + ' ' + number(contact.normal.z()) +
-         ", sub-step " + std::to_string(contact.substep);
+         ", substep " + std::to_string(contact.substep);
 }
 
 }  // namespace tumble::replay

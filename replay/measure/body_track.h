@@ -7,24 +7,24 @@
 
 namespace tumble::replay {
 
-/// One body at one step, as BodyTrack looks at it.
+/// One body after one step.
 struct BodyMotion {
-  double height = 0;        ///< m, of its centre above where it lies on its largest face
+  double height = 0;        ///< m, of its centre above its height when it lies on its largest face
   double rise = 0;          ///< m/s, upwards
   sim::Vec3 spin_momentum;  ///< kg·m²/s, about its centre, world axes
   double spin_energy = 0;   ///< J
 };
 
-/// What only the steps of a body together show: how free spin and bounces keep what they have. docs/metrics.md has the
-/// formulas.
+/// Follows one body through all steps and measures how well free rotation keeps its momentum and energy and how well
+/// bounces keep their height. docs/metrics.md has the formulas.
 class BodyTrack {
  public:
-  /// States in order, the first is what the others are compared with. pull: m/s² downwards, 0 or less where nothing
-  /// pulls down, which ends the counting of bounces.
+  /// Takes the states in order; the first is the one that later ones are compared with. pull: gravity downwards, m/s².
+  /// A pull of 0 or less ends the counting of bounces.
   void add(const BodyMotion& now, double pull);
 
-  [[nodiscard]] std::optional<double> momentum_drift() const;      ///< none without spin at the start
-  [[nodiscard]] std::optional<double> spin_energy_gain() const;    ///< none without spin at the start
+  [[nodiscard]] std::optional<double> momentum_drift() const;      ///< none without angular velocity at the start
+  [[nodiscard]] std::optional<double> spin_energy_gain() const;    ///< none without angular velocity at the start
   [[nodiscard]] std::optional<double> bounce_height_loss() const;  ///< none before the first bounce
   [[nodiscard]] std::uint64_t bounces() const { return bounces_; }
 

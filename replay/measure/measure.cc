@@ -5,6 +5,8 @@
 #include <utility>
 #include <variant>
 
+#include "src/base/check.h"
+
 namespace tumble::replay {
 
 Measurer::Measurer(const LogHeader& header, const MeasureOptions& options) : scene_(header.scene), options_(options) {}
@@ -15,7 +17,8 @@ void Measurer::add(const StepRecord& record) {
     if (!meter_) apply_before_start(input);
     if (meter_ && std::holds_alternative<sim::Throw>(input)) ++metrics_.bodies;
   }
-  if (records_++ > 0) clock_.add_step(record.dt);  // the first one is a state that no step led to
+  if (records_++ > 0) clock_.add_step(record.dt);  // the first record is a state, not a step
+  SIM_CHECK(records_ == 1 || record.step > metrics_.steps, record.step, metrics_.steps);
   metrics_.steps = record.step;
   metrics_.final_hash = record.state_hash;
   if (!meter_) {
@@ -28,17 +31,24 @@ void Measurer::add(const StepRecord& record) {
   row_.potential = record.counters.potential;
   row_.inputs += record.counters.inputs;
   row_.removed += record.counters.removed;
+  // Energy put in by inputs is no gain of the solver's, so it is subtracted before the minimum is taken. The minimum
+  // runs along with the session: a gain after a loss counts, even if the total stays below that of the start.
   const double own = row_.kinetic + row_.potential - row_.inputs;
   lowest_energy_ = std::min(lowest_energy_, own);
   row_.gain = own - lowest_energy_;
   metrics_.energy.gain_max = std::max(metrics_.energy.gain_max, row_.gain);
-  look_at(record);
+  measure_state(record);
 }
 
-// Who is there at the start, and what pulls.
+// Keeps the scene current until measuring starts: its bodies and its gravity.
 void Measurer::apply_before_start(const sim::Command& input) {
   if (const auto* thrown = std::get_if<sim::Throw>(&input)) scene_.boxes.push_back(thrown->box);
   if (const auto* gravity = std::get_if<sim::SetGravity>(&input)) scene_.world.gravity = gravity->gravity;
+}
+
+const SeriesRow& Measurer::row() const {
+  SIM_CHECK(started());
+  return row_;
 }
 
 void Measurer::start(const StepRecord& record) {
@@ -52,10 +62,10 @@ void Measurer::start(const StepRecord& record) {
   row_.time = clock_.now();
   row_.kinetic = start_energy_.kinetic;
   row_.potential = start_energy_.potential;
-  look_at(record);
+  measure_state(record);
 }
 
-void Measurer::look_at(const StepRecord& record) {
+void Measurer::measure_state(const StepRecord& record) {
   row_.state = meter_->measure(record.states);
   row_.lost = meter_->lost();
   bodies_seen_ = std::max(bodies_seen_, row_.state.bodies);

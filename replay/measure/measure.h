@@ -16,7 +16,7 @@ struct SymmetryMetrics {
   double lateral_max = 0;               ///< m
   double lateral_rms = 0;               ///< m
   std::optional<double> column_spread;  ///< m; none without a [[grid]]
-  // Of a session and its transformed twin (twin.h); none as long as there is no twin to compare with.
+  // These compare a mirrored pair (mirrored_pair.h); none for a session alone.
   std::optional<double> mirror_error;  ///< m
   std::optional<double> order_error;   ///< m
   std::optional<double> shift_error;   ///< m
@@ -51,18 +51,18 @@ struct StackingMetrics {
   [[nodiscard]] double kinetic_end() const { return kinetic_linear_end + kinetic_rotational_end; }
 };
 
-/// How a session behaved, computed from its log alone. docs/metrics.md has each formula, unit and meaning;
-/// metric_list.h names them all.
+/// The metrics of a session, computed from its log alone. docs/metrics.md has each formula, unit and meaning;
+/// metric_list.h has the table of names.
 struct Metrics {
-  std::uint64_t bodies = 0;  ///< of the start and thrown in since, chosen or not
-  std::uint64_t steps = 0;   ///< the last one's number
+  std::uint64_t bodies = 0;  ///< of the start and thrown in later, chosen or not
+  std::uint64_t steps = 0;   ///< the number of the last one
   SymmetryMetrics symmetry;
   EnergyMetrics energy;
   StackingMetrics stacking;
   Hash128 final_hash;  ///< the state hash after the last step
 };
 
-/// What Measurer saw after one step: a row of `measure --series`. Energies in J, of all bodies; "since the start" means
+/// One row of `measure --series`: the measures after one step. Energies in J, of all bodies; "since the start" means
 /// since MeasureOptions::from_step.
 struct SeriesRow {
   std::uint64_t step = 0;
@@ -77,30 +77,29 @@ struct SeriesRow {
   StateMeasures state;
 };
 
-/// Measures a session while its steps go by in order.
+/// Measures a session step by step.
 class Measurer {
  public:
-  /// header: of the session.
   explicit Measurer(const LogHeader& header, const MeasureOptions& options = {});
 
-  /// The record of state 0, then those of steps 1, 2, … in order (a log that starts later: from its first state on).
-  /// Each needs states from MeasureOptions::from_step on.
+  /// Takes the record of the first state, then those of the steps that follow, in order. From MeasureOptions::from_step
+  /// on, each record needs states.
   void add(const StepRecord& record);
 
-  /// Whether the step from which on is measured has been reached.
+  /// Whether MeasureOptions::from_step has been reached.
   [[nodiscard]] bool started() const { return meter_.has_value(); }
 
-  /// What the step added last showed. Only when started().
-  [[nodiscard]] const SeriesRow& row() const { return row_; }
+  /// The row of the step added last. Requires started().
+  [[nodiscard]] const SeriesRow& row() const;
 
-  /// After the last step. last: its states. Errors (kBadInput): a from_step that was not reached, a choice of bodies
-  /// that holds none, so that nothing would have been measured.
+  /// Call after the last step; `last` is its states. Errors (kBadInput): from_step was not reached; the choice of
+  /// bodies holds none, so nothing was measured.
   Result<Metrics> finish(const BodyStates& last);
 
  private:
   void start(const StepRecord& record);
   void apply_before_start(const sim::Command& input);
-  void look_at(const StepRecord& record);
+  void measure_state(const StepRecord& record);
 
   sim::SceneDef scene_;  // as it was at the last step before the start
   MeasureOptions options_;
@@ -110,7 +109,7 @@ class Measurer {
   SeriesRow row_;  // of the step added last
   SessionClock clock_;
   std::uint64_t records_ = 0;
-  double lowest_energy_ = 0;          // running minimum, work of inputs taken out, J
+  double lowest_energy_ = 0;          // running minimum of the energy less the work of inputs, J
   std::optional<double> rest_since_;  // s
   std::size_t bodies_seen_ = 0;       // the most that a state showed of those chosen
 };

@@ -2,17 +2,17 @@
 
 #include <functional>
 
+#include "replay/format/progress.h"
 #include "replay/log/log_reader.h"
 #include "replay/measure/measure.h"
-#include "replay/session/recorder.h"
 #include "src/base/result.h"
 
 namespace tumble::replay {
 
-/// Measures a whole log, as far as it is whole; a recovered one up to its first gap, because what happened there to
-/// energy and bodies is not known. States that it does not hold are simulated again, so the result does
-/// not depend on `--states`. each_row, if given, is called for the state that is measured from and after every step.
-/// Errors: as StateSource::read() and Measurer::finish(); a stop asked for by `progress` (kCannotFinish).
+/// Measures all steps that a log can deliver. A recovered log is measured up to its first missing steps, because the
+/// changes of energy and bodies in them are not known. States that the log does not hold are simulated again, so the
+/// result does not depend on `--states`. each_row, if given, is called for the first measured state and after every
+/// later step. Errors: StateSource::read's, Measurer::finish's; kCannotFinish where `progress` stops.
 Result<Metrics> measure_log(LogReader& log, const MeasureOptions& options = {},
                             const std::function<void(const SeriesRow&)>& each_row = {}, const Progress& progress = {});
 

@@ -11,14 +11,14 @@
 
 namespace tumble::replay {
 
-/// Which bodies a measure is over. Static ones never count, chosen or not.
+/// A choice of the bodies that are measured. Static bodies never count, chosen or not.
 struct BodyChoice {
   struct Ids {
     sim::BodyId first;
     sim::BodyId last;
     friend bool operator==(const Ids&, const Ids&) = default;
   };
-  /// All bodies that one kind of table made, or only those of one table of that kind.
+  /// All bodies that one kind of scene table made, or only those of one table of that kind.
   struct Table {
     sim::Origin::Kind kind;
     std::optional<std::uint32_t> index;  ///< 0-based
@@ -33,20 +33,20 @@ struct BodyChoice {
   friend bool operator==(const BodyChoice&, const BodyChoice&) = default;
 };
 
-/// "all", or a list of ids ("7"), ranges of ids ("3-9"), tables of the scene ("grid": of every [[grid]], "grid:1": of
-/// the second one; box, grid, tower, pyramid, wall, pile, and input for what was thrown in), joined by commas. Errors
-/// (kBadInput): anything else.
+/// Reads "all", or a list joined by commas: ids ("7"), ranges of ids ("3-9"), tables of the scene ("grid": every
+/// [[grid]], "grid:1": the second one; box, grid, tower, pyramid, wall, pile, and input for bodies thrown in). Errors
+/// (kBadInput): any other text.
 Result<BodyChoice> parse_bodies(const std::string& text);
 std::string to_string(const BodyChoice& choice);
 
 enum class LateralAxis : std::uint8_t { kX = 0, kY = 1 };
 
-/// What a session is measured over. docs/metrics.md says which metrics heed which.
+/// Bodies, axis and steps of a measurement. docs/metrics.md lists which metrics follow which option.
 struct MeasureOptions {
   BodyChoice bodies = {};
-  LateralAxis lateral = LateralAxis::kX;  ///< along which nothing should move
-  std::uint64_t from_step = 0;            ///< the state after this step takes the place of the start
-  std::uint32_t overlap_every = 16;       ///< steps between two looks at the overlap; 0 looks at the end only
+  LateralAxis lateral = LateralAxis::kX;  ///< the axis along which no body should move
+  std::uint64_t from_step = 0;            ///< the state after this step replaces the start
+  std::uint32_t overlap_every = 16;       ///< steps between two measurements of overlap; 0 measures the end only
 };
 
 }  // namespace tumble::replay

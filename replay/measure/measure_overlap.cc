@@ -8,14 +8,16 @@
 #include <numeric>
 #include <vector>
 
+#include "src/base/check.h"
+
 namespace tumble::replay {
 namespace {
 
 using sim::BoxFrame;
 using sim::Vec3;
 
-// |edge × edge|² below this: the edges are parallel, and a face axis says the same. The direction is off by about
-// 1e-16 / 1e-6 there, far less than any overlap of interest.
+// Edges with |edge × edge|² below this count as parallel: a face axis measures the same there. Just above it, rounding
+// turns the axis by about 1e-16 / 1e-6, far less than any overlap of interest.
 constexpr double kParallelSquared = 1e-12;
 
 double reach(const BoxFrame& box, const Vec3& axis) {
@@ -24,8 +26,8 @@ double reach(const BoxFrame& box, const Vec3& axis) {
          box.half_extent.z() * std::fabs(sim::dot(box.axes[2], axis));
 }
 
-// Gap between the projections, negative when they overlap. axis: unit length.
-double gap_along(const BoxFrame& a, const BoxFrame& b, const Vec3& axis) {
+// The distance between the projections on an axis of unit length, negative when they overlap.
+double distance_along(const BoxFrame& a, const BoxFrame& b, const Vec3& axis) {
   return std::fabs(sim::dot(b.position - a.position, axis)) - (reach(a, axis) + reach(b, axis));
 }
 
@@ -44,7 +46,7 @@ Extents extents_of(const BoxFrame& box) {
   return extents;
 }
 
-// The least overlap along the world's axes, negative when apart: the shortest way apart is never longer.
+// An upper bound of the overlap: the least overlap of the AABBs along the world's axes, negative when they are apart.
 double most_depth(const Extents& a, const Extents& b) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < 3; ++k) {
@@ -53,6 +55,7 @@ double most_depth(const Extents& a, const Extents& b) {
   return least;
 }
 
+// The axis along which the centres vary most.
 std::size_t widest_axis(std::span<const BoxFrame> boxes) {
   Vec3 sum = Vec3::Zero(), squares = Vec3::Zero();
   for (const BoxFrame& box : boxes) {
@@ -66,22 +69,30 @@ std::size_t widest_axis(std::span<const BoxFrame> boxes) {
 
 }  // namespace
 
+// Two convex polyhedra are apart exactly if a plane separates them that is normal to a face of one or to an edge of
+// each (Gottschalk, Lin, Manocha 1996, section 5). For two boxes that makes 3 + 3 + 9 axes. If the projections overlap
+// on all of them, the axis of the least overlap is the shortest way apart. The nine edge axes are tried only if the six
+// face axes leave a depth to shorten.
 double overlap_depth(const BoxFrame& a, const BoxFrame& b) {
-  double gap = -std::numeric_limits<double>::infinity();
+  double distance = -std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
-    gap = std::max({gap, gap_along(a, b, a.axes[i]), gap_along(a, b, b.axes[i])});
+    distance = std::max({distance, distance_along(a, b, a.axes[i]), distance_along(a, b, b.axes[i])});
   }
-  for (int i = 0; i < 3 && gap < 0; ++i) {
+  for (int i = 0; i < 3 && distance < 0; ++i) {
     for (int j = 0; j < 3; ++j) {
       const Vec3 edge = sim::cross(a.axes[i], b.axes[j]);
       const double squared = sim::dot(edge, edge);
-      if (squared >= kParallelSquared) gap = std::max(gap, gap_along(a, b, edge / std::sqrt(squared)));
+      if (squared >= kParallelSquared) distance = std::max(distance, distance_along(a, b, edge / std::sqrt(squared)));
     }
   }
-  return std::max(0.0, -gap);
+  return std::max(0.0, -distance);
 }
 
+// A sweep along the widest axis: sorted by their low end, only boxes whose intervals overlap by more than the deepest
+// overlap so far can change the result. The bound grows with the search, so a crowd in which each box meets each costs
+// few exact tests.
 double deepest_overlap(std::span<const BoxFrame> boxes, std::span<const std::uint8_t> left_out) {
+  SIM_CHECK(boxes.size() == left_out.size(), boxes.size(), left_out.size());
   if (boxes.size() < 2) return 0;
   const std::size_t axis = widest_axis(boxes);
   std::vector<Extents> extents;
@@ -96,8 +107,6 @@ double deepest_overlap(std::span<const BoxFrame> boxes, std::span<const std::uin
     const std::size_t i = order[first];
     for (std::size_t second = first + 1; second < order.size(); ++second) {
       const std::size_t j = order[second];
-      // Pairs that cannot be deeper than the deepest so far are not looked at: in a crowd, where each box meets each,
-      // those are nearly all.
       if (extents[i][axis].high - extents[j][axis].low <= deepest) break;
       if ((left_out[i] != 0 && left_out[j] != 0) || most_depth(extents[i], extents[j]) <= deepest) continue;
       deepest = std::max(deepest, overlap_depth(boxes[i], boxes[j]));

@@ -20,21 +20,25 @@ using sim::Vec3;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// The angle, degrees, between the world's up and where a body's turn since the start has carried it. A turn about the
-// vertical is no tilt, and equal orientations give exactly 0.
+// The angle, degrees, between the world's up and the direction to which the body's turn since the start carries up. A
+// turn about the vertical is no tilt. For a unit quaternion (w, x, y, z) the cosine of that angle is 1 − 2(x² + y²), so
+// sin(angle / 2) = √(x² + y²). The arcsine keeps small angles exact, and equal orientations give exactly 0; an
+// arccosine near 1 would give 1e-8.
 double tilt_between(const Quat& start, const Quat& now) {
   const Quat turn = sim::product(now, {start.w, -start.x, -start.y, -start.z});
   const double half = std::min(1.0, std::sqrt(turn.x * turn.x + turn.y * turn.y));  // sine of half the angle
   return 2 * std::asin(half) * 180 / std::numbers::pi;
 }
 
+// Angular velocity in the body's own axes, rad/s. For a cube every axis is principal, so no turn is needed and the
+// world's components give the same energy without rounding.
 Vec3 spin_in_body(const Vec3& inertia, const BodyStates& s, std::size_t row) {
   const Vec3 w = s.spin[row];
   const bool round = inertia.x() == inertia.y() && inertia.y() == inertia.z();
   return round ? w : sim::to_body(sim::axes_of(s.orientation[row]), w);
 }
 
-// As sim::kinetic_energy, from what a log says of a body.
+// sim::kinetic_energy for the values in a log.
 double kinetic_of(const sim::BoxDef& box, const Vec3& inertia, const BodyStates& s, std::size_t row) {
   const Vec3 v = s.velocity[row], w_B = spin_in_body(inertia, s, row);
   return 0.5 * (box.mass * sim::dot(v, v) + sim::dot(w_B, w_B.cwiseProduct(inertia)));
@@ -76,6 +80,7 @@ StateMeter::Body StateMeter::body_of(const sim::BoxDef& box) const {
   return body;
 }
 
+// Numbers the rows of all [[grid]] tables, in the order in which their bodies appear.
 void StateMeter::number_grid_rows() {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> numbers;
   for (Body& body : bodies_) {
@@ -106,6 +111,8 @@ void StateMeter::lose(Body& body) {
   if (body.measured && !std::exchange(body.lost, true)) ++lost_;
 }
 
+// Bodies and rows both ascend by id, so one walk over the two lists matches them. Most steps neither add nor remove a
+// body; then the ids are those of the state before and the walk is saved.
 void StateMeter::find_rows(const BodyStates& now) {
   if (row_ids_ == now.id && body_of_row_.size() == now.size()) return;
   row_ids_ = now.id;
@@ -116,7 +123,7 @@ void StateMeter::find_rows(const BodyStates& now) {
     if (row < now.size() && now.id[row] == bodies_[k].box.id) {
       body_of_row_[row] = k;
     } else if (!bodies_[k].removed) {
-      lose(bodies_[k]);  // it is gone, and no input took it
+      lose(bodies_[k]);  // it is gone, and no input removed it
     }
   }
 }
@@ -152,6 +159,7 @@ StateMeasures StateMeter::measure(const BodyStates& now) {
   return out;
 }
 
+// Angular momentum is measured in world axes, where it is constant in free flight while the body's axes turn.
 void StateMeter::measure_motion(Body& body, const BodyStates& now, std::size_t row, StateMeasures& out) {
   const Vec3 v = now.velocity[row], w_B = spin_in_body(body.inertia, now, row);
   const Vec3 momentum_B = w_B.cwiseProduct(body.inertia);
@@ -200,6 +208,7 @@ void StateMeter::widen_grid_row(const Body& body, const Vec3& position) {
   span.z_high = std::max(span.z_high, position.z());
 }
 
+// In a tilted grid the bodies of one row start at one height and one place across; an exact solver keeps them so.
 std::optional<double> StateMeter::column_spread() const {
   if (grid_rows_.empty()) return std::nullopt;
   double widest = 0;  // a row whose bodies were all removed is −infinity wide
@@ -241,8 +250,10 @@ StateMeter::Keeping StateMeter::keeping() const {
   return worst;
 }
 
+// Counters of a log begin with step 1, so the energy of the start is computed here. Its sum runs in the solver's order,
+// and the value equals the one a counter would have.
 StateMeter::StartEnergy StateMeter::start_energy() const {
-  double kinetic = 0, potential = 0, above_rest = 0;  // summed as sim::total_energy does, for equal bits
+  double kinetic = 0, potential = 0, above_rest = 0;  // in the order of sim::total_energy, for equal bits
   for (const Body& body : bodies_) {
     if (!body.in_start || body.box.is_static) continue;
     const Vec3 position = start_.position[body.start_row];

@@ -13,12 +13,12 @@
 
 namespace tumble::replay {
 
-/// A body whose kinetic energy is at most this, J/kg, counts as at rest in StateMeasures::at_rest: 0.08 m/s without
-/// spin. It is a fixed number, not the scene's freeze_energy, so that sessions can be compared.
+/// The largest kinetic energy, J/kg, at which a body counts as at rest in StateMeasures::at_rest: 0.08 m/s without
+/// rotation. A fixed number and not the scene's freeze_energy, so that sessions with different settings compare.
 inline constexpr double kRestEnergy = 0.0032;
 
-/// What one state shows, compared with the start. docs/metrics.md defines each. Over the dynamic bodies that were
-/// chosen; lateral, drift, tilt and top_drop are over those of the start that still exist.
+/// The measures of one state, compared with the start; docs/metrics.md defines each. They are over the chosen dynamic
+/// bodies; lateral, drift, tilt and top_drop are over those of the start that still exist.
 struct StateMeasures {
   double lateral_max = 0;               ///< m
   double lateral_rms = 0;               ///< m
@@ -31,33 +31,33 @@ struct StateMeasures {
   double kinetic_rotational = 0;        ///< J
   double frozen_fraction = 0;           ///< 0 if there are no bodies
   bool at_rest = true;                  ///< every body is frozen or below kRestEnergy
-  std::size_t bodies = 0;               ///< that this is over
+  std::size_t bodies = 0;               ///< measured
   double height_max = 0;                ///< m, of the centres; 0 if there are no bodies
   double height_min = 0;                ///< m
   double height_mean = 0;               ///< m
 };
 
-/// Measures the states of one session, in order, against its start. Needs nothing but what a log says: the scene's
-/// boxes, the states, and the inputs since.
+/// Measures the states of one session, in order, against its start. Uses only what a log holds: the scene's boxes, the
+/// states and the inputs.
 class StateMeter {
  public:
-  /// scene: its boxes are those there may be at the start, its gravity is that of the start. start: the state to
-  /// compare with, as stored (positions are on the grid there).
+  /// scene: its boxes define the bodies of the start, its gravity is that of the start. start: the state to compare
+  /// with, as stored, with positions rounded to their grid.
   StateMeter(const sim::SceneDef& scene, BodyStates start, const MeasureOptions& options = {});
 
-  /// An input, before the state that it led to is measured.
+  /// Takes an input. Call it before measuring the state that follows.
   void apply(const sim::Command& input);
 
-  /// Measures a state. Bodies that neither the scene nor a throw explains are left out.
+  /// Measures a state. Bodies that are defined neither by the scene nor by a throw are left out.
   StateMeasures measure(const BodyStates& now);
 
-  /// The deepest overlap of two boxes in a state, one of them chosen, m: slower than measure(), so asked for by itself.
+  /// The deepest overlap of two boxes in a state, at least one of them chosen, m. Slower than all of measure().
   double overlap_max(const BodyStates& now);
 
   /// Chosen bodies that were lost in any state measured so far.
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
 
-  /// What the steps measured so far show together: the worst of any chosen body; bounces: the fewest.
+  /// The results of BodyTrack over the steps so far: the worst of any chosen body; bounces: the fewest.
   struct Keeping {
     std::optional<double> momentum_drift;
     std::optional<double> spin_energy_gain;
@@ -66,8 +66,8 @@ class StateMeter {
   };
   [[nodiscard]] Keeping keeping() const;
 
-  /// Of all bodies, chosen or not. Kinetic and potential energy of state 0, J, and how much of it lies above the lowest
-  /// rest: every box on the ground on its largest face.
+  /// Kinetic and potential energy of the start, J, of all bodies, chosen or not. above_rest: the part above the lowest
+  /// rest, in which every box lies on the ground on its largest face.
   struct StartEnergy {
     double kinetic = 0;
     double potential = 0;
@@ -88,7 +88,7 @@ class StateMeter {
     std::size_t start_row = 0;
     std::size_t grid_row = kNone;  // index into grid_rows_
   };
-  // What the bodies of one grid row span in the state being measured, m: along the other horizontal axis, and upwards.
+  // The extent of one grid row in the state being measured, m: along the other horizontal axis, and upwards.
   struct GridRow {
     double across_low, across_high, z_low, z_high;
   };

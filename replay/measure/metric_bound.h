@@ -8,7 +8,7 @@
 
 namespace tumble::replay {
 
-/// A question about a session that has yes or no for an answer: "lateral_max<=0".
+/// A condition on one metric of a session: "lateral_max<=0".
 struct MetricBound {
   enum class Comparison { kBelow, kAtMost, kAbove, kAtLeast };
 
@@ -17,12 +17,12 @@ struct MetricBound {
   double bound = 0;
   std::string text;  ///< as it was written
 
-  /// A metric without a value, or that is not a number, is within no bound.
+  /// A metric without a value, or with NaN, is within no bound.
   [[nodiscard]] bool holds(const std::optional<double>& value) const;
 };
 
-/// NAME, one of < <= > >=, a number; spaces between them are fine. Errors (kBadInput): anything else, a name that no
-/// metric has.
+/// Reads NAME, one of < <= > >=, and a number, with or without spaces between. Errors (kBadInput): any other text; a
+/// name that no metric has.
 Result<MetricBound> parse_metric_bound(const std::string& text);
 
 }  // namespace tumble::replay

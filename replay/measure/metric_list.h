@@ -8,17 +8,17 @@
 
 namespace tumble::replay {
 
-/// One metric: its name is the same word in this table, in `measure --json`, in docs/metrics.md and in a case's
-/// metrics.toml. Adding a metric means a row here, its formula there and its value in Metrics.
+/// One metric. Its name is one word in this table, in `measure --json`, in docs/metrics.md and in a case's
+/// metrics.toml. A new metric needs a row here, its formula in docs/metrics.md and its value in Metrics.
 struct MetricRow {
   const char* name;
   const char* label;    ///< for people
   const char* unit;     ///< "m", "J", "s", "degrees", "bodies", "bounces"; "" for ratios
   const char* group;    ///< "symmetry", "energy", "stacking"
-  const char* nothing;  ///< what it means for people that there is no value
+  const char* nothing;  ///< shown to people in place of a missing value
   std::optional<double> (*value)(const Metrics& metrics);
 
-  /// A number of things, to be written without a point.
+  /// Whether the metric is a count, written without a decimal point.
   [[nodiscard]] bool counts() const {
     return unit == std::string_view("bodies") || unit == std::string_view("bounces");
   }
@@ -27,7 +27,7 @@ struct MetricRow {
 /// All metrics, those of a group together.
 std::span<const MetricRow> metric_list();
 
-/// Null if there is none of that name.
+/// The metric of that name; null if there is none.
 const MetricRow* find_metric(std::string_view name);
 
 }  // namespace tumble::replay

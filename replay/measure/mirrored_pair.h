@@ -4,38 +4,39 @@
 #include <optional>
 #include <set>
 
+#include "replay/format/progress.h"
 #include "replay/format/step_record.h"
 #include "replay/log/log_reader.h"
 #include "replay/measure/measure.h"
-#include "replay/session/recorder.h"
 #include "src/base/result.h"
 #include "src/model/transform.h"
 
-/// Two sessions that should be one another's image: a scene and what a transform (a mirror, a shift, other names) makes
-/// of it.
+/// A mirrored pair: the session of a scene, and the session of the same scene after a transform (a mirror, a shift,
+/// other ids). The second session must be the transform of the first in every state.
 namespace tumble::replay {
 
-struct TwinReport {
+struct PairReport {
   std::uint64_t steps = 0;  ///< compared, beside the start
-  /// m: the largest distance of a body from the image of its twin, over all states; kNoTwin where a body has none.
+  /// m: the largest distance of a body from its expected place, over all states; kNoPartner where a body has no
+  /// partner.
   double error = 0;
-  std::uint64_t differing = 0;              ///< bodies whose visible state was not the image in every bit, in any state
-  std::optional<std::uint64_t> first_step;  ///< after which one differed; none: exact images throughout
+  std::uint64_t differing = 0;  ///< bodies that in any state differed in any bit from the transformed original
+  std::optional<std::uint64_t> first_step;  ///< after which a body differed; none: all states are exact
 };
 
-/// What a body counts that exists on one side only, m: the width of the world, more than any distance in it.
-inline constexpr double kNoTwin = 65'536;
+/// The error of a body that exists in one session only, m: the width of the world, more than any distance in it.
+inline constexpr double kNoPartner = 65'536;
 
-/// Compares states of two sessions as they go by.
-class TwinMeter {
+/// Compares the states of a mirrored pair, step by step.
+class PairMeter {
  public:
-  /// transform and ids: what makes the second of the first.
-  TwinMeter(const sim::Transform& transform, sim::IdMap ids) : transform_(transform), ids_(std::move(ids)) {}
+  /// transform and ids turn the first session into the second.
+  PairMeter(const sim::Transform& transform, sim::IdMap ids) : transform_(transform), ids_(std::move(ids)) {}
 
-  /// The states of both after a step.
-  void add(std::uint64_t step, const BodyStates& original, const BodyStates& image);
+  /// Takes the states of both after a step.
+  void add(std::uint64_t step, const BodyStates& original, const BodyStates& transformed);
 
-  [[nodiscard]] const TwinReport& report() const { return report_; }
+  [[nodiscard]] const PairReport& report() const { return report_; }
 
  private:
   void differs(std::uint64_t step, sim::BodyId id, double distance);
@@ -43,21 +44,21 @@ class TwinMeter {
   sim::Transform transform_;
   sim::IdMap ids_;
   std::set<sim::BodyId> differing_;
-  TwinReport report_;
+  PairReport report_;
 };
 
-/// Steps a scene and its image side by side, without files: scene.steps steps with the scene's inputs. Errors:
-/// World::create's, an input that is refused, a step that fails, a stop asked for by `progress` (kCannotFinish).
-Result<TwinReport> run_twins(const sim::SceneDef& scene, const sim::Transform& transform,
-                             const Progress& progress = {});
+/// Steps a scene and its transform in turn, without files: scene.steps steps with the scene's inputs. Errors:
+/// Session::start's, Session::step's; kCannotFinish where `progress` stops.
+Result<PairReport> run_mirrored_pair(const sim::SceneDef& scene, const sim::Transform& transform,
+                                     const Progress& progress = {});
 
-/// Compares the logs of a session and of its image: `record --mirror`, `--permute`, `--shift` wrote the transform into
-/// the second one's header. Errors: logs that cannot be read, a first log that is an image itself, a second one that is
-/// not of the first one's scene (kBadInput), a stop asked for by `progress` (kCannotFinish).
-Result<TwinReport> compare_twins(LogReader& original, LogReader& image, const Progress& progress = {});
+/// Compares two logs. `record` with --mirror, --permute or --shift writes the transform into the header of the second
+/// log. Errors: logs that cannot be read; a first log that has a transform, a second one of another scene (kBadInput);
+/// kCannotFinish where `progress` stops.
+Result<PairReport> compare_mirrored_pair(LogReader& original, LogReader& transformed, const Progress& progress = {});
 
-/// Puts the error where it belongs: mirror_error for a reflection, order_error for other names, shift_error for a
-/// shift, and each of them for a mixture.
-void set_twin_error(const sim::Transform& transform, const TwinReport& report, SymmetryMetrics& metrics);
+/// Stores the error in the metrics of the transform: mirror_error for a reflection, order_error for other ids,
+/// shift_error for a shift; a mixture sets several.
+void set_pair_error(const sim::Transform& transform, const PairReport& report, SymmetryMetrics& metrics);
 
 }  // namespace tumble::replay

@@ -16,6 +16,7 @@ ReasonableSpace::ReasonableSpace(bool ground)
       low_(kInfinity, kInfinity, kInfinity),
       high_(-kInfinity, -kInfinity, -kInfinity) {}
 
+// A box reaches along a world axis by the sum of its half edges' shadows on it: Σ half_k |axis_k|.
 void ReasonableSpace::add(const sim::BoxDef& box) {
   const sim::Axes axes = sim::axes_of(box.orientation);
   const sim::Vec3 half = box.size / 2;

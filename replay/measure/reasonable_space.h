@@ -4,16 +4,16 @@
 
 namespace tumble::replay {
 
-/// Where the bodies of a session may be; one that is elsewhere is lost. The space reaches from the floor, which is the
-/// ground or, without one, the lowest corner of any static box, to kReasonableDistance from the block of space that the
-/// start and the boxes thrown in fill. Without ground and static boxes there is no floor.
+/// The space in which the bodies of a session belong; a body outside is lost. The space is the block that the start and
+/// the boxes thrown in fill, widened by kReasonableDistance, and cut off at the floor. The floor is the ground or,
+/// without ground, the lowest corner of any static box; without both there is no floor.
 class ReasonableSpace {
  public:
   static constexpr double kReasonableDistance = 1000;  ///< m
 
   explicit ReasonableSpace(bool ground);
 
-  /// A box of the start, or one thrown in; box.position and box.orientation are where it was then.
+  /// Takes a box of the start or one thrown in, with its position and orientation then.
   void add(const sim::BoxDef& box);
 
   [[nodiscard]] bool holds(const sim::Vec3& centre) const;

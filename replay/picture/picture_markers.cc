@@ -10,17 +10,18 @@ using render::Colour;
 using sim::Quat;
 using sim::Vec3;
 
-// Told apart without colour vision by their lightness too.
+// They differ in lightness too, for readers without colour vision.
 constexpr Colour kVelocity = {1.0F, 0.75F, 0.0F};
 constexpr Colour kContact = {0.95F, 0.05F, 0.25F};
 constexpr Colour kNormal = {0.0F, 0.55F, 0.55F};
 constexpr Colour kBound = {0.02F, 0.12F, 0.9F};
 
-// Over the camera's distance: so that markers are as wide in every scene's picture.
+// Sizes relative to the camera's distance, so that markers look equally wide in every scene.
 constexpr double kShaftOverDistance = 0.0012;
 constexpr double kPointOverDistance = 0.0028;
 
-// The rotation that takes +x to a unit direction.
+// The rotation that takes +x to a unit direction d, by the half-way construction: q = (1 + x·d, x × d), normalised. For
+// d = −x that is zero, and half a turn about z serves.
 Quat rotation_from_x(const Vec3& direction) {
   if (direction.x() < -0.999999) return {0, 0, 0, 1};
   return sim::normalised({1 + direction.x(), 0, -direction.z(), direction.y()});
@@ -57,7 +58,7 @@ void add_thesis_contacts(const sim::Scratch& scratch, render::Snapshot& snapshot
   const sim::Contacts& contacts = scratch.contacts;
   for (std::size_t i = 0; i < contacts.size(); ++i) {
     const Vec3 at = scratch.frames[contacts.a[i]].position + contacts.r_a[i];
-    // Normals point from a to b; drawn as the push on the upper one of the two.
+    // Normals point from a to b. The arrow shows the push on the upper one of the two.
     const bool on_a = contacts.normal.z[i] < 0;
     add_contact(snapshot, at, on_a ? Vec3(-contacts.normal[i]) : contacts.normal[i]);
   }

@@ -3,16 +3,16 @@
 #include "src/render/scene/snapshot.h"
 #include "src/world/world.h"
 
-/// What cannot be seen on a body's surface, drawn over the picture.
+/// Markers drawn over a picture: velocities, contacts, AABBs.
 namespace tumble::replay {
 
-/// An arrow for each box that moves, from its centre, as long as it goes in `seconds`.
+/// Adds an arrow for each moving box, from its centre, as long as the box moves in `seconds`.
 void add_velocity_markers(render::Snapshot& snapshot, double seconds);
 
-/// The contact points of the last sub-step that `world` took, each a small cube with an arrow along its normal.
+/// Adds the contact points of the last substep that `world` took, each a small cube with an arrow along its normal.
 void add_contact_markers(const sim::World& world, render::Snapshot& snapshot);
 
-/// The edges of each box's AABB, as large as the broad phase has it before it rounds it.
+/// Adds the edges of each box's AABB, in the size that the broad phase computes before rounding.
 void add_bounds_markers(render::Snapshot& snapshot);
 
 }  // namespace tumble::replay

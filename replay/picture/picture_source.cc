@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "replay/picture/picture_markers.h"
+#include "src/base/check.h"
 
 namespace tumble::replay {
 namespace {
@@ -52,11 +53,13 @@ void PictureSource::add_throws(const std::vector<sim::Command>& inputs) {
   }
 }
 
+// A state has no sizes or looks; the scene and the throws have. Throws are searched for only when an unknown id turns
+// up, from the last searched step on, so a log without throws is never read through.
 Result<const sim::BoxDef*> PictureSource::find_box(sim::BodyId id, std::uint64_t k) {
   auto found = boxes_.find(id);
   for (; found == boxes_.end() && scanned_ < k; found = boxes_.find(id)) {
     ++scanned_;
-    // A step that cannot be read may lie in a damaged part that the picture does not need.
+    // Skips a step that cannot be read: it may lie in a damaged part that this picture does not need.
     const Result<const StepRecord*> record = log_->read_hashes(scanned_);
     if (record.ok()) add_throws((*record)->inputs);
   }
@@ -68,7 +71,7 @@ Result<const sim::BoxDef*> PictureSource::find_box(sim::BodyId id, std::uint64_t
 Result<Picture> PictureSource::read(std::uint64_t k, const PictureOptions& options) {
   const Result<const StepRecord*> found = states_.read(k);
   if (!found.ok()) return found.error();
-  const StepRecord record = **found;  // looking for throws reads on in the log
+  const StepRecord record = **found;  // a copy, because the search for throws reads other steps of the log
   Picture picture;
   picture.step = k;
   picture.state_hash = record.state_hash;
@@ -91,6 +94,8 @@ Result<Picture> PictureSource::read(std::uint64_t k, const PictureOptions& optio
   return picture;
 }
 
+// Contacts are in no log; the step is simulated again. A player that is at most 64 steps behind is stepped on, which
+// costs less than decoding a keyframe and starting from there.
 Status PictureSource::add_contacts(std::uint64_t k, Snapshot& snapshot) {
   if (!player_ || player_->world().state().step >= k || player_->world().state().step + 64 < k) {
     Result<Player> player = Player::at(*log_, k - 1);
@@ -105,7 +110,10 @@ Status PictureSource::add_contacts(std::uint64_t k, Snapshot& snapshot) {
   return {};
 }
 
+// Merges two lists of boxes, both by ascending id.
 Snapshot overlay(const Snapshot& ours, const Snapshot& theirs) {
+  SIM_DCHECK(std::ranges::is_sorted(ours.boxes, {}, &BoxLook::id));
+  SIM_DCHECK(std::ranges::is_sorted(theirs.boxes, {}, &BoxLook::id));
   Snapshot both = ours;
   both.boxes.clear();
   auto other = theirs.boxes.begin();

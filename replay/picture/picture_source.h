@@ -4,8 +4,8 @@
 #include <map>
 #include <optional>
 
-#include "replay/diff/replayer.h"
 #include "replay/log/log_reader.h"
+#include "replay/session/player.h"
 #include "replay/session/state_source.h"
 #include "src/base/hash.h"
 #include "src/base/result.h"
@@ -14,16 +14,16 @@
 
 namespace tumble::replay {
 
-/// What a picture shows beside the bodies.
+/// Additions to a picture of the bodies.
 struct PictureOptions {
   bool freezing = false;    ///< frozen bodies in their material, active ones white (the thesis's Fig. 10)
-  bool velocities = false;  ///< an arrow from each moving body, as long as it goes in kArrowSeconds
+  bool velocities = false;  ///< an arrow from each moving body, as long as the body moves in kArrowSeconds
   bool bounds = false;      ///< the bodies' AABBs (the thesis's Fig. 4)
   bool contacts = false;    ///< the contact points of the step, with an arrow along each normal
 };
 inline constexpr double kArrowSeconds = 0.2;
 
-/// One state of a log as it is to be seen.
+/// One state of a log, ready to render.
 struct Picture {
   std::uint64_t step = 0;
   Hash128 state_hash;
@@ -31,15 +31,15 @@ struct Picture {
   render::Snapshot snapshot;
 };
 
-/// Pictures of a log's states: the scene says how its bodies look, where the camera and the light stand, and the throws
-/// tell of those that come later.
+/// Makes pictures of a log's states. The scene gives the look of its bodies, the camera and the light; throws give the
+/// look of bodies that come later.
 class PictureSource {
  public:
-  /// log must outlive this, and may be read from in between.
+  /// `log` must outlive this object. Others may read from `log` between two calls.
   explicit PictureSource(LogReader& log);
 
-  /// State k of first_state() … last_step(). Quick where steps are asked for in ascending order. Errors:
-  /// StateSource::read's; a body that no box and no throw of the log explains (kDamaged); with `contacts`, a step that
+  /// Reads state k of first_state() … last_step(). Quick where steps are read in ascending order. Errors:
+  /// StateSource::read's; a body that no box and no throw of the log defines (kDamaged); with `contacts`, a step that
   /// cannot be replayed.
   Result<Picture> read(std::uint64_t k, const PictureOptions& options = {});
 
@@ -51,12 +51,13 @@ class PictureSource {
   LogReader* log_;
   StateSource states_;
   std::map<sim::BodyId, sim::BoxDef> boxes_;
-  std::uint64_t scanned_ = 0;  // steps whose inputs were looked at for throws
+  std::uint64_t scanned_ = 0;  // the last step whose inputs were searched for throws
   std::optional<Player> player_;
 };
 
-/// Two sessions in one picture, for the eye to find the difference: bodies that are the same to the bit as they are in
-/// `ours`; those that differ twice, orange in ours and blue in theirs; those that only one has, likewise.
+/// Draws two sessions in one picture. A body that is equal to the bit in both looks as in `ours`. A body that differs
+/// appears twice, orange as in `ours` and blue as in `theirs`; a body of one session alone has that session's colour.
+/// Both snapshots list their boxes by ascending id.
 render::Snapshot overlay(const render::Snapshot& ours, const render::Snapshot& theirs);
 
 }  // namespace tumble::replay

@@ -7,8 +7,9 @@
 
 namespace tumble::replay {
 
-/// The bodies of a state as a scene has them. `known`: definitions from the scene and the throws, which hold what the
-/// world does not keep (look and origin); a body that is not among them is made of the state's columns.
+/// The bodies of a state as definitions for a scene, in the state's order. `known` holds definitions from the scene and
+/// the throws, which have the parts that a world does not keep (look and origin). A body without a known definition
+/// gets one from the state's columns alone.
 std::vector<sim::BoxDef> boxes_at(const sim::Bodies& bodies, std::vector<sim::BoxDef> known);
 
 }  // namespace tumble::replay

@@ -6,19 +6,21 @@
 #include <variant>
 #include <vector>
 
-#include "replay/diff/replayer.h"
 #include "replay/session/boxes_at.h"
+#include "replay/session/player.h"
 #include "src/model/limits.h"
 
 namespace tumble::replay {
 namespace {
 
-/// What the log did before step k + 1 and since.
+/// The inputs of a log, on both sides of state k.
 struct Inputs {
-  std::vector<sim::BoxDef> thrown;         // up to step k
+  std::vector<sim::BoxDef> thrown;         // before it
   std::vector<sim::TimedCommand> to_come;  // after it
 };
 
+/// Reads the inputs of all steps. Steps of the log come first; after its last step, the scene still has the inputs that
+/// a session which stopped early did not reach.
 Result<Inputs> inputs_around(LogReader& log, std::uint64_t k) {
   Inputs inputs;
   for (std::uint64_t step = log.first_state() + 1; step <= log.last_step(); ++step) {
@@ -39,7 +41,9 @@ Result<Inputs> inputs_around(LogReader& log, std::uint64_t k) {
   return inputs;
 }
 
-/// State k, as this build makes it: it must be the log's.
+/// State k with its hidden part (solver memory, rest times). A log stores hidden state in keyframes only, so this build
+/// simulates from the last one. Its visible hash must be the log's; a build of another method version may agree in what
+/// is visible and differ in what is hidden, and is refused before.
 Result<sim::WorldState> state_at(LogReader& log, std::uint64_t k) {
   if (Status ok = must_be_ours(log); !ok.ok()) return ok.error();
   const LogHeader& header = log.header();
@@ -71,6 +75,7 @@ Result<Continuation> continuation_of(LogReader& log, std::uint64_t k, const GoOn
   const Result<Hash128> chain = log.chain_at(k);
   if (!chain.ok()) return chain.error();
 
+  // The new scene is the old one as it is at state k: a reader of the new log needs nothing of the old one.
   sim::SceneDef scene = log.header().scene;
   std::vector<sim::BoxDef> known = std::move(scene.boxes);
   known.insert(known.end(), inputs->thrown.begin(), inputs->thrown.end());

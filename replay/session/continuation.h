@@ -1,22 +1,30 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "replay/format/step_record.h"
 #include "replay/log/log_reader.h"
-#include "replay/session/recorder.h"
 #include "src/base/result.h"
 #include "src/world/world_state.h"
 
 namespace tumble::replay {
 
-/// What a session needs to go on from another one's state.
-struct Continuation {
-  LogHeader header;  ///< of the new log: its scene has the bodies as they are then, and the inputs still to come
-  sim::WorldState state;
+/// How a new session continues another one from one of its states.
+struct GoOnOptions {
+  StatesMode states;
+  std::optional<std::uint64_t> steps = std::nullopt;  ///< to plan after that state; none: to the other's planned end
+  std::optional<double> seconds = std::nullopt;       ///< likewise, in s of the dt in force at that state
+  bool keep_inputs = true;  ///< apply the inputs that the other log and its scene have after that state
 };
 
-/// State k of a log, and the header of a log that goes on from it. Errors: Recorder::go_on's.
+/// The start of a session that continues another one.
+struct Continuation {
+  LogHeader header;       ///< of the new log; its scene has the bodies of `state` and the inputs still to come
+  sim::WorldState state;  ///< of the old log, to the bit
+};
+
+/// Reads state k of a log and makes the header of a log that continues from it. Errors: Recorder::go_on's.
 Result<Continuation> continuation_of(LogReader& log, std::uint64_t k, const GoOnOptions& options);
 
 }  // namespace tumble::replay

@@ -3,30 +3,34 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "src/base/check.h"
+
 namespace tumble::replay {
 
-/// Frames of a session in real time.
+/// Counts of the frames of a session in real time.
 struct Frames {
-  std::uint64_t met = 0;      ///< done before the next one was due
-  std::uint64_t missed = 0;   ///< not
-  std::uint64_t bounded = 0;  ///< whose step is shorter than the time that had passed
-  double longest_s = 0;       ///< that one took to compute
+  std::uint64_t met = 0;      ///< finished before the next frame was due
+  std::uint64_t missed = 0;   ///< finished later
+  std::uint64_t bounded = 0;  ///< steps shortened to the longest one allowed
+  double longest_s = 0;       ///< the longest time that a frame took to compute
 };
 
-/// Turns time on the clock into steps, as the thesis's demonstration does: a frame is due every period, and its step is
-/// the time since the frame before it began. A frame that takes longer makes the next step longer, which may make that
-/// frame slower still; so a step is never longer than a bound, and from there on the session falls behind the clock. It
-/// looks at no clock itself: times come from the caller, s, from any origin.
+/// Turns time on a clock into steps, as the thesis's demonstration does. A frame is due every period, and its step is
+/// the time since the frame before began. A slow frame makes the next step longer, and a longer step may be slower
+/// still. Steps therefore have a bound, at which the session falls behind the clock. The caller reads the clock and
+/// passes the times, s, from any origin.
 class FrameClock {
  public:
-  /// The first frame begins now.
+  /// Begins the first frame. period_s and longest_step_s must be positive.
   FrameClock(double period_s, double longest_step_s, double now_s)
-      : period_(period_s), longest_step_(longest_step_s), due_(now_s), began_(now_s - period_s) {}
+      : period_(period_s), longest_step_(longest_step_s), due_(now_s), began_(now_s - period_s) {
+    SIM_CHECK(period_s > 0 && longest_step_s > 0, period_s, longest_step_s);
+  }
 
-  /// When the next frame is due; it is the caller's to wait for that.
+  /// The time at which the next frame is due. The caller waits until then.
   [[nodiscard]] double due() const { return due_; }
 
-  /// A frame begins. Returns its step, s.
+  /// Begins a frame. Returns its step, s.
   double begin(double now_s) {
     const double passed = now_s - began_;
     if (passed > longest_step_) ++frames_.bounded;
@@ -35,7 +39,7 @@ class FrameClock {
     return std::clamp(passed, std::min(period_ / 2, longest_step_), longest_step_);
   }
 
-  /// It is done.
+  /// Ends the frame.
   void end(double now_s) {
     ++(now_s <= due_ ? frames_.met : frames_.missed);
     frames_.longest_s = std::max(frames_.longest_s, now_s - began_);

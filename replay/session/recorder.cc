@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "replay/session/continuation.h"
-
 namespace tumble::replay {
 namespace {
 
@@ -16,12 +14,12 @@ LogHeader header_of(const sim::SceneDef& scene, const RecordOptions& options) {
   return header;
 }
 
-/// The scene as it is, or its image.
+/// The scene with the transform applied.
 sim::SceneDef session_of(const sim::SceneDef& scene, const sim::Transform& transform) {
   return transform.identity() ? scene : image_of(scene, transform, ids_under(scene, transform));
 }
 
-/// What a failed step leaves behind, for its message.
+/// Adds to the message of a failed step how much of the session is saved.
 Error ended_early(const Error& error, const std::string& path, const Result<LogSummary>& saved) {
   if (!saved.ok() && saved.error().message == error.message) return error;  // writing itself failed
   if (!saved.ok()) return {error.kind, error.message + "; and " + saved.error().message};
@@ -29,95 +27,93 @@ Error ended_early(const Error& error, const std::string& path, const Result<LogS
           error.message + "; " + path + " is complete with the " + std::to_string(saved->steps) + " steps before it"};
 }
 
-}  // namespace
-
-Recorder::Recorder(sim::SceneDef scene, sim::World world, std::unique_ptr<LogWriter> writer)
-    : scene_(std::move(scene)), world_(std::move(world)), writer_(std::move(writer)) {}
-
-Result<std::unique_ptr<Recorder>> Recorder::start(const std::string& path, const sim::SceneDef& scene,
-                                                  const RecordOptions& options) {
-  return start_with(
-      [&](const LogHeader& header, const sim::WorldState& state) { return LogWriter::create(path, header, state); },
-      scene, options);
+/// LogWriter::create() for a place: a path or a sink.
+auto writer_to(const std::string& path) {
+  return [&path](const LogHeader& header, const sim::WorldState& initial) {
+    return LogWriter::create(path, header, initial);
+  };
 }
 
-Result<std::unique_ptr<Recorder>> Recorder::start(std::unique_ptr<ByteSink> sink, const sim::SceneDef& scene,
-                                                  const RecordOptions& options) {
-  return start_with([&](const LogHeader& header,
-                        const sim::WorldState& state) { return LogWriter::create(std::move(sink), header, state); },
-                    scene, options);
+auto writer_to(std::unique_ptr<ByteSink>& sink) {
+  return [&sink](const LogHeader& header, const sim::WorldState& initial) {
+    return LogWriter::create(std::move(sink), header, initial);
+  };
+}
+
+}  // namespace
+
+Recorder::Recorder(Session session, std::unique_ptr<LogWriter> writer)
+    : session_(std::move(session)), writer_(std::move(writer)) {}
+
+Result<std::unique_ptr<Recorder>> Recorder::write_with(const CreateWriter& create, const LogHeader& header,
+                                                       Result<Session> session) {
+  if (!session.ok()) return session.error();
+  auto writer = create(header, session->world().state());
+  if (!writer.ok()) return writer.error();
+  return std::unique_ptr<Recorder>(new Recorder(*std::move(session), *std::move(writer)));
 }
 
 Result<std::unique_ptr<Recorder>> Recorder::start_with(const CreateWriter& create, const sim::SceneDef& scene,
                                                        const RecordOptions& options) {
-  sim::SceneDef session = session_of(scene, options.transform);
-  Result<sim::World> world = sim::World::create(session);
-  if (!world.ok()) return world.error();
-  auto writer = create(header_of(session, options), world->state());
-  if (!writer.ok()) return writer.error();
-  return std::unique_ptr<Recorder>(new Recorder(std::move(session), *std::move(world), *std::move(writer)));
-}
-
-Result<std::unique_ptr<Recorder>> Recorder::go_on(const std::string& path, LogReader& from, std::uint64_t k,
-                                                  const GoOnOptions& options) {
-  return go_on_with(
-      [&](const LogHeader& header, const sim::WorldState& state) { return LogWriter::create(path, header, state); },
-      from, k, options);
-}
-
-Result<std::unique_ptr<Recorder>> Recorder::go_on(std::unique_ptr<ByteSink> sink, LogReader& from, std::uint64_t k,
-                                                  const GoOnOptions& options) {
-  return go_on_with([&](const LogHeader& header,
-                        const sim::WorldState& state) { return LogWriter::create(std::move(sink), header, state); },
-                    from, k, options);
+  sim::SceneDef transformed = session_of(scene, options.transform);
+  const LogHeader header = header_of(transformed, options);
+  return write_with(create, header, Session::start(std::move(transformed)));
 }
 
 Result<std::unique_ptr<Recorder>> Recorder::go_on_with(const CreateWriter& create, LogReader& from, std::uint64_t k,
                                                        const GoOnOptions& options) {
   Result<Continuation> continuation = continuation_of(from, k, options);
   if (!continuation.ok()) return continuation.error();
-  Result<sim::World> world = sim::World::restore(continuation->state);
-  if (!world.ok()) return world.error();
-  auto writer = create(continuation->header, world->state());
-  if (!writer.ok()) return writer.error();
-  return std::unique_ptr<Recorder>(new Recorder(continuation->header.scene, *std::move(world), *std::move(writer)));
+  const LogHeader& header = continuation->header;
+  return write_with(create, header, Session::resume(std::move(continuation->state), header.scene));
 }
 
-Status Recorder::apply_inputs(std::span<const sim::Command> live) {
-  const std::uint64_t step = world_.state().step + 1;
-  applied_.clear();
-  const std::vector<sim::TimedCommand>& inputs = scene_.inputs;
-  while (next_input_ < inputs.size() && inputs[next_input_].step <= step) {
-    applied_.push_back(inputs[next_input_++].command);
-  }
-  applied_.insert(applied_.end(), live.begin(), live.end());
-  for (const sim::Command& command : applied_) {
-    if (Status ok = world_.apply(command); !ok.ok()) {
-      return Error{ok.error().kind, "input \"" + std::string(sim::name_of(command)) + "\" before step " +
-                                        std::to_string(step) + ": " + ok.error().message};
-    }
+Result<std::unique_ptr<Recorder>> Recorder::start(const std::string& path, const sim::SceneDef& scene,
+                                                  const RecordOptions& options) {
+  return start_with(writer_to(path), scene, options);
+}
+
+Result<std::unique_ptr<Recorder>> Recorder::start(std::unique_ptr<ByteSink> sink, const sim::SceneDef& scene,
+                                                  const RecordOptions& options) {
+  return start_with(writer_to(sink), scene, options);
+}
+
+Result<std::unique_ptr<Recorder>> Recorder::go_on(const std::string& path, LogReader& from, std::uint64_t k,
+                                                  const GoOnOptions& options) {
+  return go_on_with(writer_to(path), from, k, options);
+}
+
+Result<std::unique_ptr<Recorder>> Recorder::go_on(std::unique_ptr<ByteSink> sink, LogReader& from, std::uint64_t k,
+                                                  const GoOnOptions& options) {
+  return go_on_with(writer_to(sink), from, k, options);
+}
+
+// Hashes are taken inside the step, by an observer, because a phase's words hash scratch memory that the next phase
+// overwrites. The writer copies what it needs before append() returns, so the spans may be used again.
+Status Recorder::step(std::span<const sim::Command> live) {
+  hashes_.clear();
+  const Result<TakenStep> taken = session_.step(live, &hashes_);
+  if (!taken.ok()) return taken.error();
+  return writer_->append({taken->dt, taken->inputs, hashes_.words(), taken->counters}, world().state());
+}
+
+Status Recorder::run(const Progress& progress) {
+  const std::uint64_t first = session_.steps_done(), last = scene().steps;
+  for (std::uint64_t k = first + 1; k <= last; ++k) {
+    if (Status ok = step(); !ok.ok()) return ok;
+    if (progress && !progress(k - first, last - first)) break;
   }
   return {};
-}
-
-Status Recorder::step(std::span<const sim::Command> live) {
-  if (Status ok = apply_inputs(live); !ok.ok()) return ok;
-  const double dt = world_.state().def.dt;
-  hashes_.clear();
-  Result<sim::StepCounters> counters = sim::step(world_, &hashes_);
-  if (!counters.ok()) return counters.error();
-  return writer_->append({dt, applied_, hashes_.words(), *counters}, world_.state());
 }
 
 Result<LogSummary> record_session(const std::string& path, const sim::SceneDef& scene, const RecordOptions& options,
                                   const Progress& progress) {
   Result<std::unique_ptr<Recorder>> recorder = Recorder::start(path, scene, options);
   if (!recorder.ok()) return recorder.error();
-  for (std::uint64_t k = 1; k <= scene.steps; ++k) {
-    if (Status ok = (*recorder)->step(); !ok.ok()) return ended_early(ok.error(), path, (*recorder)->finish());
-    if (progress && !progress(k, scene.steps)) break;
-  }
-  return (*recorder)->finish();
+  const Status recorded = (*recorder)->run(progress);
+  Result<LogSummary> saved = (*recorder)->finish();
+  if (!recorded.ok()) return ended_early(recorded.error(), path, saved);
+  return saved;
 }
 
 }  // namespace tumble::replay

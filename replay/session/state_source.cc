@@ -22,6 +22,8 @@ Result<const StepRecord*> StateSource::read(std::uint64_t k) {
   return &record_;
 }
 
+// Keeps the player between calls: the next state in order costs one step. Any other costs the steps since the keyframe
+// before it.
 Status StateSource::simulate(std::uint64_t k) {
   if (player_ && player_->world().state().step + 1 == k) {
     if (Result<const StepRecord*> played = player_->step(); !played.ok()) return played.error();

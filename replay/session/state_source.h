@@ -3,23 +3,24 @@
 #include <cstdint>
 #include <optional>
 
-#include "replay/diff/replayer.h"
 #include "replay/format/step_record.h"
 #include "replay/log/log_reader.h"
+#include "replay/session/player.h"
 #include "src/base/result.h"
 
 namespace tumble::replay {
 
-/// Every state of a log, also those that it does not hold (`--states every:N` and `hashes`): they are simulated again
-/// from the keyframe before and must have the log's state hash. Quick where steps are asked for in ascending order.
+/// Reads every state of a log, including those that the log does not hold (`--states every:N` and `hashes`). A missing
+/// state is simulated again from the keyframe before; its hash must be the log's. Quick where steps are read in
+/// ascending order.
 class StateSource {
  public:
-  /// log must outlive this, and may be read from in between.
+  /// `log` must outlive this object. Others may read from `log` between two calls.
   explicit StateSource(LogReader& log) : log_(&log) {}
 
-  /// Step k of first_state() … last_step() as LogReader::read_step() gives it, always with states. Good until the next
-  /// call of this or of a member of the log that is not const. Errors: the log's; kCannotFinish where this build
-  /// computes another state than the log's.
+  /// Step k of first_state() … last_step() as LogReader::read_step() returns it, always with states. The record lasts
+  /// until the next read() and until the next call of a non-const member of the log. Errors: the log's; kCannotFinish
+  /// where this build computes a state with another hash.
   Result<const StepRecord*> read(std::uint64_t k);
 
  private:

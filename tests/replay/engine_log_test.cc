@@ -14,6 +14,7 @@
 #include "replay/log/byte_memory.h"
 #include "replay/log/verify.h"
 #include "replay/measure/measure_log.h"
+#include "replay/session/player.h"
 #include "tests/support/engine_log_in_c.h"
 #include "tests/support/log_memory.h"
 

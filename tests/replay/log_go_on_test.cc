@@ -1,4 +1,4 @@
-// Save and go on: a session that goes on from any state of another one is that one, to the bit.
+// Save and continue: a session that continues from any state of another one equals that one to the bit.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -9,6 +9,7 @@
 #include "replay/log/log_facts.h"
 #include "replay/log/verify.h"
 #include "replay/measure/measure_log.h"
+#include "replay/session/player.h"
 #include "replay/session/state_source.h"
 #include "tests/support/log_memory.h"
 #include "tests/support/sim_scenes.h"
@@ -16,7 +17,7 @@
 namespace tumble::replay {
 namespace {
 
-// Records what follows state k of a log, up to its planned end.
+// Records the steps after state k of a log, up to its planned end.
 Result<Bytes> go_on(const Bytes& from, std::uint64_t k, const GoOnOptions& options = {}) {
   Result<LogReader> log = open_memory(from);
   if (!log.ok()) return log.error();
@@ -30,7 +31,7 @@ Result<Bytes> go_on(const Bytes& from, std::uint64_t k, const GoOnOptions& optio
   return disk->bytes;
 }
 
-// What the future depends on after the last step of a log.
+// The hash of everything the future depends on, after the last step of a log.
 Hash128 final_continuation(const Bytes& bytes) {
   Result<LogReader> log = open_memory(bytes);
   Result<Player> player = Player::at(*log, log->last_step());
@@ -38,7 +39,7 @@ Hash128 final_continuation(const Bytes& bytes) {
   return sim::continuation_hash(player->world().state());
 }
 
-// Boxes of all shapes that hit one another, the ground and what lies there frozen, with inputs in between.
+// Boxes of all shapes that hit one another, the ground and frozen bodies, with inputs in between.
 sim::SceneDef chaos(sim::Method method) {
   sim::SceneDef scene = scene_with_inputs(60, method);
   for (sim::BodyId id = 20; id < 26; ++id) {
@@ -72,7 +73,7 @@ TEST(GoOn, FromEveryStepTheSessionIsTheSameToTheBit) {
   }
 }
 
-// Nothing outside the state has a say: a world restored at any step has the hidden state of the other 20 steps later.
+// Nothing outside the state matters: a world restored at any step has the other's hidden state 20 steps later.
 TEST(GoOn, EverythingTheFutureDependsOnIsInTheState) {
   for (const sim::Method method : kMethods) {
     sim::SceneDef scene = test::tumble_of_boxes(3, 11);
@@ -95,7 +96,7 @@ TEST(GoOn, EverythingTheFutureDependsOnIsInTheState) {
   }
 }
 
-// The canary of the above: what a snapshot forgets, the future shows.
+// The canary of the test above: a value missing in a snapshot changes the future.
 TEST(GoOn, AForgottenPartOfTheStateShows) {
   for (const sim::Method method : kMethods) {
     sim::SceneDef scene = chaos(method);
@@ -161,7 +162,7 @@ TEST(GoOn, TheNewLogIsALogLikeAnyOther) {
   EXPECT_EQ(collect_facts(*log).steps_read, 45U);
   EXPECT_FALSE(log->read_step(14).ok());
   EXPECT_FALSE(log->read_step(61).ok());
-  // Measured from its begin, it shows what the whole log shows from that step on.
+  // Measured from its start, it has the metrics of the whole log from that step on.
   Result<LogReader> original = open_memory(whole);
   MeasureOptions from;
   from.from_step = 15;

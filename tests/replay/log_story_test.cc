@@ -1,4 +1,4 @@
-// What a first difference is made of and what it led to: few chunks opened, pairs, gaps, logs that contradict
+// The location and the growth of a first difference: few chunks opened, pairs, separations, logs that contradict
 // themselves.
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "replay/codec/zstd_frame.h"
-#include "replay/diff/aftermath.h"
+#include "replay/diff/difference_report.h"
 #include "replay/diff/locate_divergence.h"
 #include "replay/format/limits.h"
 #include "replay/measure/metric_bound.h"
@@ -27,7 +27,7 @@ sim::SceneDef pushed(sim::SceneDef scene, std::uint64_t step) {
   return scene;
 }
 
-TEST(Narrow, ChunksThatDoNotMatchAreHalvedToo) {
+TEST(Locate, ChunksThatDoNotMatchAreHalvedToo) {
   constexpr std::uint64_t kSteps = 900;
   const sim::SceneDef scene = small_scene(kSteps);
   const Bytes bytes = record_to_memory(scene, {}, 5);
@@ -35,36 +35,36 @@ TEST(Narrow, ChunksThatDoNotMatchAreHalvedToo) {
     Result<LogReader> a = open_memory(bytes), b = open_memory(record_to_memory(pushed(scene, step), {}, 7));
     ASSERT_TRUE(a.ok() && b.ok());
     ASSERT_GT(a->chunks().size(), 150U);
-    const Result<Narrowing> narrowing = narrow(*a, *b);
-    ASSERT_TRUE(narrowing.ok()) << narrowing.error().message;
-    ASSERT_TRUE(narrowing->report.first);
-    EXPECT_EQ(narrowing->report.first->step, step);
-    EXPECT_EQ(narrowing->report.first->phase, "inputs");
-    EXPECT_LE(narrowing->chunks_opened, 24U) << step;
+    const Result<LocatedDivergence> located = diff_and_locate(*a, *b);
+    ASSERT_TRUE(located.ok()) << located.error().message;
+    ASSERT_TRUE(located->report.first);
+    EXPECT_EQ(located->report.first->step, step);
+    EXPECT_EQ(located->report.first->phase, "inputs");
+    EXPECT_LE(located->chunks_opened, 24U) << step;
   }
 }
 
-TEST(Narrow, BothSidesAreTakenAgain) {
+TEST(Locate, BothSidesAreTakenAgain) {
   for (const sim::Method method : kMethods) {
     const sim::SceneDef scene = small_scene(30, method);
     Result<LogReader> a = open_memory(record_to_memory(scene)), b = open_memory(record_to_memory(pushed(scene, 20)));
-    const Result<Narrowing> narrowing = narrow(*a, *b);
-    ASSERT_TRUE(narrowing.ok());
-    EXPECT_TRUE(narrowing->as_a && narrowing->as_b);
-    EXPECT_TRUE(narrowing->not_taken.empty());
-    EXPECT_EQ(std::ranges::count(narrowing->bodies, 12U), 1);
+    const Result<LocatedDivergence> located = diff_and_locate(*a, *b);
+    ASSERT_TRUE(located.ok());
+    EXPECT_TRUE(located->location.as_a && located->location.as_b);
+    EXPECT_TRUE(located->location.not_taken.empty());
+    EXPECT_EQ(std::ranges::count(located->location.bodies, 12U), 1);
   }
 }
 
-TEST(Narrow, LogsWithoutStatesNameABodyWhereThisBuildReproducesThem) {
+TEST(Locate, LogsWithoutStatesNameABodyWhereThisBuildReproducesThem) {
   RecordOptions hashes;
   hashes.states = {0};
   const sim::SceneDef scene = small_scene(30);
   Result<LogReader> a = open_memory(record_to_memory(scene, hashes)),
                     b = open_memory(record_to_memory(pushed(scene, 20), hashes));
-  const Result<Narrowing> narrowing = narrow(*a, *b);
-  ASSERT_TRUE(narrowing.ok());
-  EXPECT_EQ(std::ranges::count(narrowing->bodies, 12U), 1);
+  const Result<LocatedDivergence> located = diff_and_locate(*a, *b);
+  ASSERT_TRUE(located.ok());
+  EXPECT_EQ(std::ranges::count(located->location.bodies, 12U), 1);
 }
 
 TEST(StepContacts, AreThoseOfTheStep) {
@@ -102,62 +102,62 @@ TEST(StepContacts, ThePairIsTheOneThatDiffersOrTheOnlyOne) {
   EXPECT_EQ(pair_of({}, contacts), std::nullopt);
 }
 
-TEST(Story, TellsWhenTheGapPassedEachMark) {
+TEST(Growth, NamesTheStepOfEachMark) {
   const sim::SceneDef scene = small_scene(20);
   Result<LogReader> a = open_memory(record_to_memory(scene)),
                     b = open_memory(record_to_memory(raised(scene, std::ldexp(1.0, -26))));
-  const Result<Aftermath> after = aftermath_of(*a, *b, 0);
-  ASSERT_TRUE(after.ok()) << after.error().message;
-  ASSERT_EQ(after->gap.rows.size(), 21U);
-  ASSERT_GE(after->gap.marks.size(), 2U);
-  EXPECT_EQ(after->gap.marks[0].above, 1e-12);
-  EXPECT_EQ(after->gap.marks[1].above, 1e-9);
-  EXPECT_EQ(after->gap.marks[1].step, 0U);
-  EXPECT_EQ(after->gap.marks[1].body, 12U);
-  EXPECT_EQ(after->gap.rows[0].bodies, 1U);
-  EXPECT_EQ(after->gap.rows[0].gap, std::ldexp(1.0, -26));
-  EXPECT_FALSE(after->gap.bodies_from);
-  EXPECT_TRUE(after->not_measured.empty());
-  EXPECT_FALSE(after->metrics.empty());
+  const Result<DivergenceGrowth> growth = growth_between(*a, *b, 0);
+  ASSERT_TRUE(growth.ok()) << growth.error().message;
+  ASSERT_EQ(growth->separation.rows.size(), 21U);
+  ASSERT_GE(growth->separation.marks.size(), 2U);
+  EXPECT_EQ(growth->separation.marks[0].above, 1e-12);
+  EXPECT_EQ(growth->separation.marks[1].above, 1e-9);
+  EXPECT_EQ(growth->separation.marks[1].step, 0U);
+  EXPECT_EQ(growth->separation.marks[1].body, 12U);
+  EXPECT_EQ(growth->separation.rows[0].bodies, 1U);
+  EXPECT_EQ(growth->separation.rows[0].separation, std::ldexp(1.0, -26));
+  EXPECT_FALSE(growth->separation.bodies_from);
+  EXPECT_TRUE(growth->not_measured.empty());
+  EXPECT_FALSE(growth->metrics.empty());
 }
 
-TEST(Story, OfOneSessionIsThatNothingDiffers) {
+TEST(Growth, OfOneSessionIsNone) {
   Result<LogReader> a = open_memory(record_to_memory(small_scene())), b = open_memory(record_to_memory(small_scene()));
-  const Result<Aftermath> after = aftermath_of(*a, *b, 0);
-  ASSERT_TRUE(after.ok());
-  EXPECT_EQ(after->gap.largest.gap, 0);
-  EXPECT_TRUE(after->gap.marks.empty());
-  EXPECT_TRUE(after->metrics.empty());
+  const Result<DivergenceGrowth> growth = growth_between(*a, *b, 0);
+  ASSERT_TRUE(growth.ok());
+  EXPECT_EQ(growth->separation.largest.separation, 0);
+  EXPECT_TRUE(growth->separation.marks.empty());
+  EXPECT_TRUE(growth->metrics.empty());
   EXPECT_TRUE(confirm_states(*a, *b, 0, 20).ok());
 }
 
-TEST(Story, ABodyOnOneSideOnlyIsSaid) {
+TEST(Growth, NamesABodyOnOneSideOnly) {
   const sim::SceneDef scene = small_scene(12);
   sim::SceneDef removed = scene;
   removed.inputs.push_back({8, sim::Remove{12}});
   Result<LogReader> a = open_memory(record_to_memory(scene)), b = open_memory(record_to_memory(removed));
-  const Result<Aftermath> after = aftermath_of(*a, *b, 8);
-  ASSERT_TRUE(after.ok());
-  EXPECT_EQ(after->gap.bodies_from, 8U);
-  EXPECT_GE(after->gap.rows[0].bodies, 1U);
+  const Result<DivergenceGrowth> growth = growth_between(*a, *b, 8);
+  ASSERT_TRUE(growth.ok());
+  EXPECT_EQ(growth->separation.bodies_from, 8U);
+  EXPECT_GE(growth->separation.rows[0].bodies, 1U);
 }
 
-TEST(Story, OfAReplayFollowsThisBuild) {
+TEST(Growth, OfAReplayFollowsThisBuild) {
   const sim::SceneDef scene = small_scene(20);
   const Bytes bytes = record_to_memory(scene);
   Result<LogReader> log = open_memory(bytes), again = open_memory(bytes);
-  const Result<Aftermath> after = aftermath_of_replay(*log, *again, 5);
-  ASSERT_TRUE(after.ok()) << after.error().message;
-  EXPECT_EQ(after->gap.rows.front().step, 5U);
-  EXPECT_EQ(after->gap.largest.gap, 0) << "this build reproduces the log";
+  const Result<DivergenceGrowth> growth = growth_in_replay(*log, *again, 5);
+  ASSERT_TRUE(growth.ok()) << growth.error().message;
+  EXPECT_EQ(growth->separation.rows.front().step, 5U);
+  EXPECT_EQ(growth->separation.largest.separation, 0) << "this build reproduces the log";
   Result<LogReader> other = open_memory(record_to_memory(pushed(scene, 5)));
-  const Result<Aftermath> apart = aftermath_of_replay(*other, *again, 5);
+  const Result<DivergenceGrowth> apart = growth_in_replay(*other, *again, 5);
   ASSERT_TRUE(apart.ok()) << apart.error().message;
-  EXPECT_GT(apart->gap.rows.front().bodies, 0U);
-  EXPECT_GT(apart->gap.largest.gap, 0) << "there was no push in the session that this build plays";
+  EXPECT_GT(apart->separation.rows.front().bodies, 0U);
+  EXPECT_GT(apart->separation.largest.separation, 0) << "there was no push in the session that this build plays";
 }
 
-/// A log whose first chunk has a state that its state hash does not tell of; all stored hashes are right.
+/// A log in whose first chunk one state does not match its state hash; all hashes of stored bytes are right.
 Bytes with_broken_state(const Bytes& bytes, std::uint64_t step) {
   Result<LogReader> log = open_memory(bytes);
   const ChunkPlace place = log->chunks().front();
@@ -201,12 +201,13 @@ TEST(BrokenLog, EqualStatesWithUnequalHashesAreNotCalledDifferent) {
   StepRecord liar = record;
   liar.state_hash.low ^= 1;
   const auto feed = [](const char* name, const StepRecord& r) {
-    return StepFeed{name, [&r](std::uint64_t) -> Result<const StepRecord*> { return &r; }};
+    return SessionSteps{name, [&r](std::uint64_t) -> Result<const StepRecord*> { return &r; }};
   };
-  const Result<GapStory> story = tell_story(feed("good.tumble", record), feed("liar.tumble", liar), 3, 3);
-  ASSERT_FALSE(story.ok());
-  EXPECT_EQ(story.error().kind, ErrorKind::kDamaged);
-  EXPECT_NE(story.error().message.find("liar.tumble"), std::string::npos) << story.error().message;
+  const Result<Separation> separation =
+      measure_separation(feed("good.tumble", record), feed("liar.tumble", liar), 3, 3);
+  ASSERT_FALSE(separation.ok());
+  EXPECT_EQ(separation.error().kind, ErrorKind::kDamaged);
+  EXPECT_NE(separation.error().message.find("liar.tumble"), std::string::npos) << separation.error().message;
 }
 
 TEST(MetricBound, SaysWhetherAValueIsWithinIt) {

@@ -34,7 +34,7 @@ StepRecord record_of(const sim::World& world, std::uint64_t step) {
   return record;
 }
 
-/// As a session would be written in which nothing moves; computing its steps would take long.
+/// A log of a session in which nothing moves, written without computing its steps, which would take long.
 Bytes write_session() {
   sim::SceneDef scene = small_scene(kSteps);
   for (sim::BoxDef& box : scene.boxes) box.spin = {0, 0, 0};

@@ -32,7 +32,8 @@ TEST(DiffCommand, TellsWhatADifferenceLedTo) {
   EXPECT_FALSE(after["metrics"].empty());
   EXPECT_EQ(json["narrowed"]["this_build_follows"], "both");
   const Outcome text = shop.run({"diff", "a.tumble", "b.tumble"});
-  for (const char* words : {"gap above 1e-12 m", "largest gap", "bodies that differ", "metric that moved", "inputs"}) {
+  for (const char* words :
+       {"separation above 1e-12 m", "largest separation", "bodies that differ", "metric that moved", "inputs"}) {
     EXPECT_NE(text.out.find(words), std::string::npos) << text.out;
   }
 }

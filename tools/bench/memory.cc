@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <iostream>
 
+#include "replay/session/session.h"
 #include "src/scenes/scene_file.h"
-#include "src/step/step.h"
 #include "src/world/memory_use.h"
 #include "tools/bench/bench.h"
 #include "tools/files/scene_files.h"
@@ -51,19 +51,15 @@ struct Use {
 };
 
 Result<Use> run(const sim::SceneDef& scene) {
-  Result<sim::World> world = sim::World::create(scene);
-  if (!world.ok()) return world.error();
+  Result<replay::Session> session = replay::Session::start(scene);
+  if (!session.ok()) return session.error();
   Use use;
   use.scene = scene.name;
-  auto input = scene.inputs.begin();
   for (std::uint64_t k = 1; k <= scene.steps; ++k) {
-    for (; input != scene.inputs.end() && input->step == k; ++input) {
-      if (Status ok = world->apply(input->command); !ok.ok()) return ok.error();
-    }
-    if (const Result<sim::StepCounters> done = sim::step(*world); !done.ok()) return done.error();
-    use.counts.see(*world);
+    if (const Result<replay::TakenStep> taken = session->step(); !taken.ok()) return taken.error();
+    use.counts.see(session->world());
   }
-  use.parts = sim::memory_use(*world);
+  use.parts = sim::memory_use(session->world());
   return use;
 }
 

@@ -3,8 +3,8 @@
 #include <iostream>
 
 #include "tools/files/log_files.h"
+#include "tools/output/difference_output.h"
 #include "tools/output/divergence_output.h"
-#include "tools/output/story_output.h"
 
 namespace tumble::tools::bisect {
 namespace {
@@ -28,7 +28,7 @@ void print_comparison(const Comparison& comparison) {
     std::cout << "\nthe sessions before and after are not compared: " << printable(comparison.not_compared) << '\n';
     return;
   }
-  const replay::DiffReport& report = comparison.narrowing.report;
+  const replay::DiffReport& report = comparison.report;
   if (report.identical()) {
     std::cout << "\nthe sessions before and after are the same in every bit\n";
     return;
@@ -39,7 +39,8 @@ void print_comparison(const Comparison& comparison) {
   }
   std::cout << "\nbefore (expected) and after (actual) it\n";
   print_divergence(*report.first);
-  if (comparison.aftermath) print_aftermath(*comparison.aftermath, "before", "after");
+  const std::optional<replay::DifferenceReport>& difference = comparison.difference;
+  if (difference && difference->growth) print_growth(*difference->growth, "before", "after");
 }
 
 }  // namespace
@@ -53,16 +54,17 @@ Comparison compare_sessions(const Finding& finding, const Workplace& place) {
     comparison.not_compared = "one of the revisions could not record it";
     return comparison;
   }
-  Result<replay::Narrowing> narrowing = replay::narrow(*before, *after);
-  if (!narrowing.ok()) {
-    comparison.not_compared = narrowing.error().message;
+  Result<replay::DiffReport> report = replay::diff_logs(*before, *after);
+  if (!report.ok()) {
+    comparison.not_compared = report.error().message;
     return comparison;
   }
-  comparison.narrowing = *std::move(narrowing);
-  const std::optional<replay::Divergence>& first = comparison.narrowing.report.first;
-  if (!first) return comparison;
-  Result<replay::Aftermath> aftermath = replay::aftermath_of(*before, *after, first->step);
-  if (aftermath.ok()) comparison.aftermath = *std::move(aftermath);
+  comparison.report = *std::move(report);
+  if (!comparison.report.first) return comparison;
+  Result<replay::DifferenceReport> difference = replay::report_difference(*before, *after, *comparison.report.first);
+  if (!difference.ok()) return comparison;
+  comparison.report.first = difference->first;
+  comparison.difference = *std::move(difference);
   return comparison;
 }
 
@@ -105,9 +107,10 @@ Json verdict_json(const Settings& settings, const Finding& finding, const Compar
   json["after"] = {{"commit", bad.commit.commit}, {"words", bad.answer.words}, {"metric", number(bad.answer.metric)}};
   json["sessions"] = nullptr;
   if (comparison.not_compared.empty()) {
-    const replay::DiffReport& report = comparison.narrowing.report;
+    const replay::DiffReport& report = comparison.report;
     json["sessions"] = comparison_json(report.identical(), report.steps, report.first);
-    json["sessions"]["aftermath"] = comparison.aftermath ? aftermath_json(*comparison.aftermath) : Json(nullptr);
+    const bool has_growth = comparison.difference && comparison.difference->growth;
+    json["sessions"]["aftermath"] = has_growth ? growth_json(*comparison.difference->growth) : Json(nullptr);
   }
   json["tested"] = Json::array();
   for (const Tested& tested : finding.tested) {

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "replay/diff/aftermath.h"
-#include "replay/diff/locate_divergence.h"
+#include "replay/diff/compare.h"
+#include "replay/diff/difference_report.h"
 #include "tools/bisect/bisection.h"
 #include "tools/output/text.h"
 
@@ -12,8 +12,8 @@ namespace tumble::tools::bisect {
 
 /// The sessions of the closest good and the first bad revision, compared.
 struct Comparison {
-  replay::Narrowing narrowing;
-  std::optional<replay::Aftermath> aftermath;
+  replay::DiffReport report;
+  std::optional<replay::DifferenceReport> difference;
   std::string not_compared;  ///< why they are not; empty: they are
 };
 

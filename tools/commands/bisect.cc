@@ -14,8 +14,8 @@
 #include "tools/bisect/bisection.h"
 #include "tools/bisect/verdict.h"
 #include "tools/files/log_files.h"
+#include "tools/output/difference_output.h"
 #include "tools/output/divergence_output.h"
-#include "tools/output/story_output.h"
 #include "tools/output/text.h"
 #include "tools/process/child_run.h"
 #include "tools/process/interrupt.h"
@@ -46,29 +46,29 @@ struct Options {
 
 // --- two logs ---
 
-Result<Exit> narrow_logs(const Options& options) {
+Result<Exit> locate_in_logs(const Options& options) {
   Result<replay::LogReader> a = open_log(options.logs[0]);
   if (!a.ok()) return a.error();
   Result<replay::LogReader> b = open_log(options.logs[1]);
   if (!b.ok()) return b.error();
   const InterruptGuard guard;
-  const Result<replay::Narrowing> narrowing =
-      replay::narrow(*a, *b, [](std::uint64_t, std::uint64_t) { return !InterruptGuard::interrupted(); });
-  if (!narrowing.ok()) return narrowing.error();
+  const Result<replay::LocatedDivergence> located =
+      replay::diff_and_locate(*a, *b, [](std::uint64_t, std::uint64_t) { return !InterruptGuard::interrupted(); });
+  if (!located.ok()) return located.error();
   if (InterruptGuard::interrupted()) return cannot_finish("interrupted");
-  const replay::DiffReport& report = narrowing->report;
+  const replay::DiffReport& report = located->report;
   const std::size_t chunks = a->chunks().size() + b->chunks().size();
   if (options.json) {
     Json json = comparison_json(report.identical(), report.steps, report.first);
-    json["narrowed"] = report.first ? narrowing_json(*narrowing) : Json(nullptr);
-    json["chunks_opened"] = narrowing->chunks_opened;
+    json["narrowed"] = report.first ? location_json(located->location) : Json(nullptr);
+    json["chunks_opened"] = located->chunks_opened;
     json["chunks"] = chunks;
     print_json(json);
   } else if (report.first) {
     std::cout << "different from step " << report.first->step << " on\n";
     print_divergence(*report.first);
-    print_narrowing(*narrowing);
-    std::cout << "  opened      " << narrowing->chunks_opened << " chunks of " << chunks << '\n';
+    print_location(located->location);
+    std::cout << "  opened      " << located->chunks_opened << " chunks of " << chunks << '\n';
   } else {
     std::cout << (report.identical() ? "identical: " : "different in length; the same: ")
               << count_text(report.steps, "step") << '\n';
@@ -231,7 +231,7 @@ Action declare_bisect(CLI::App& app) {
       "  tumble bisect --good HEAD~40 --bad HEAD --case brick_wall --image");
   return [options] {
     const bool logs_alone = options->good.empty() && options->logs.size() == 2;
-    return logs_alone ? narrow_logs(*options) : find_commit(*options);
+    return logs_alone ? locate_in_logs(*options) : find_commit(*options);
   };
 }
 

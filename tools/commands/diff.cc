@@ -6,21 +6,21 @@
 #include <string>
 #include <vector>
 
-#include "replay/diff/aftermath.h"
 #include "replay/diff/compare.h"
-#include "replay/diff/locate_divergence.h"
+#include "replay/diff/difference_report.h"
+#include "replay/diff/separation.h"
 #include "replay/log/log_reader.h"
 #include "src/base/text.h"
 #include "src/model/limits.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/files/log_files.h"
+#include "tools/output/difference_output.h"
 #include "tools/output/divergence_output.h"
-#include "tools/output/gap_plot.h"
 #include "tools/output/gnuplot.h"
 #include "tools/output/progress.h"
+#include "tools/output/separation_plot.h"
 #include "tools/output/side_by_side.h"
-#include "tools/output/story_output.h"
 #include "tools/output/text.h"
 #include "tools/process/interrupt.h"
 
@@ -53,7 +53,7 @@ Result<replay::Tolerances> parse_tolerances(const std::vector<std::string>& argu
   return tolerances;
 }
 
-// Where one log goes on and the other does not, the first difference is the step that only one of them has.
+// If one log is longer and equal so far, the first difference is the step that only this log has.
 std::optional<replay::Divergence> first_of(const replay::DiffReport& report) {
   if (report.first || report.identical()) return report.first;
   replay::Divergence end;
@@ -73,19 +73,11 @@ void print_text(const replay::DiffReport& report, bool exact_bits) {
     std::cout << (exact_bits ? "identical: " + steps + ", every bit\n" : "same within tolerances: " + steps + '\n');
   } else if (report.first) {
     std::cout << "different from step " << report.first->step << " on\n";
-    print_divergence(*report.first);
   } else {
     std::cout << "different in length: the first ends with step " << report.last_a << ", the second with step "
               << report.last_b << "; the " << steps << " of both are the same\n";
   }
 }
-
-// What is known of a difference beside where it is.
-struct Found {
-  replay::Narrowing narrowing;
-  std::optional<replay::Aftermath> aftermath;
-  std::string no_aftermath;  // why not
-};
 
 replay::Progress progress_on(ProgressBar& bar) {
   return [&bar](std::uint64_t done, std::uint64_t total) {
@@ -94,56 +86,42 @@ replay::Progress progress_on(ProgressBar& bar) {
   };
 }
 
-// Everything about two logs that differ, or a look at all states of two whose hashes do not. Errors: a broken log.
-Result<Found> look_closer(replay::LogReader& a, replay::LogReader& b, replay::DiffReport report, bool exact_bits) {
+using Difference = std::optional<replay::DifferenceReport>;
+
+// Explains the first difference. Where there is none, compares all states of the two logs, whose hashes are the same.
+// Errors: a log whose states do not match its hashes.
+Result<Difference> look_closer(replay::LogReader& a, replay::LogReader& b, const replay::DiffReport& report,
+                               bool exact_bits) {
   ProgressBar bar("looking closer");
-  Found found;
   const std::uint64_t last = std::min(report.last_a, report.last_b);
-  if (!report.first && exact_bits) {
+  if (!report.first) {
+    if (!exact_bits) return Difference();
     if (Status ok = replay::confirm_states(a, b, report.from, last, progress_on(bar)); !ok.ok()) return ok.error();
+    return Difference();
   }
-  found.narrowing = replay::narrow(a, b, std::move(report));
-  if (!found.narrowing.report.first) return found;
-  Result<replay::Aftermath> aftermath =
-      replay::aftermath_of(a, b, found.narrowing.report.first->step, progress_on(bar));
-  if (aftermath.ok()) {
-    found.aftermath = *std::move(aftermath);
-  } else if (aftermath.error().kind == ErrorKind::kDamaged && a.condition().whole() && b.condition().whole()) {
-    return aftermath.error();
-  } else {
-    found.no_aftermath = aftermath.error().message;
-  }
-  return found;
+  Result<replay::DifferenceReport> found = replay::report_difference(a, b, *report.first, progress_on(bar));
+  if (!found.ok()) return found.error();
+  return Difference(*std::move(found));
 }
 
-void print_found(const Found& found) {
-  if (!found.narrowing.report.first) return;
-  print_narrowing(found.narrowing);
-  if (found.aftermath) {
-    print_aftermath(*found.aftermath, "A", "B");
-  } else {
-    std::cout << "what it led to is not known: " << printable(found.no_aftermath) << '\n';
-  }
-}
-
-Result<Exit> step_beside(const Options& options, replay::LogReader& a, replay::LogReader& b) {
-  const Result<StepBeside> beside = look_at_step(a, b, *options.step);
-  if (!beside.ok()) return beside.error();
+Result<Exit> show_step(const Options& options, replay::LogReader& a, replay::LogReader& b) {
+  const Result<SideBySide> step = step_side_by_side(a, b, *options.step);
+  if (!step.ok()) return step.error();
   if (options.json) {
-    print_json(beside->json);
+    print_json(step->json);
   } else {
-    print_step_beside(*beside);
+    print_side_by_side(*step);
   }
-  return beside->same ? Exit::kSame : Exit::kDifference;
+  return step->same ? Exit::kSame : Exit::kDifference;
 }
 
-Status draw(const Options& options, const Found& found) {
+Status draw(const Options& options, const Difference& difference) {
   if (options.plot.empty()) return {};
-  if (!found.aftermath) {
-    const std::string& why = found.no_aftermath;
-    return cannot_finish("--plot: there is no gap to draw: " + (why.empty() ? "no step differs" : why));
+  if (difference && difference->growth) {
+    return draw_separation(options.plot, options.a + " and " + options.b, difference->growth->separation);
   }
-  return draw_gap(options.plot, options.a + " and " + options.b, found.aftermath->gap);
+  const std::string why = difference ? difference->growth_unknown : "";
+  return cannot_finish("--plot: there is no separation to draw: " + (why.empty() ? "no step differs" : why));
 }
 
 Result<Exit> compare(const Options& options, replay::LogReader& a, replay::LogReader& b) {
@@ -153,28 +131,29 @@ Result<Exit> compare(const Options& options, replay::LogReader& a, replay::LogRe
   Result<replay::DiffReport> report = replay::diff_logs(a, b, *tolerances, progress_on(bar));
   bar.finish();
   if (!report.ok()) return report.error();
-  Found found;
-  if (options.brief || InterruptGuard::interrupted()) {
-    found.narrowing.report = *std::move(report);
-  } else {
-    Result<Found> closer = look_closer(a, b, *std::move(report), tolerances->exact());
+  Difference difference;
+  if (!options.brief && !InterruptGuard::interrupted()) {
+    Result<Difference> closer = look_closer(a, b, *report, tolerances->exact());
     if (!closer.ok()) return closer.error();
-    found = *std::move(closer);
+    difference = *std::move(closer);
+    if (difference) report->first = difference->first;
   }
   if (InterruptGuard::interrupted()) return cannot_finish("interrupted");
-  const replay::DiffReport& result = found.narrowing.report;
   if (options.json) {
-    Json json = comparison_json(result.identical(), result.steps, first_of(result));
-    json["headers"] = result.headers;
-    if (result.first && !options.brief) json["narrowed"] = narrowing_json(found.narrowing);
-    if (found.aftermath) json["aftermath"] = aftermath_json(*found.aftermath);
+    Json json = comparison_json(report->identical(), report->steps, first_of(*report));
+    json["headers"] = report->headers;
+    if (difference) add_difference(*difference, Compared::kTwoLogs, json);
     print_json(json);
   } else {
-    print_text(result, tolerances->exact());
-    if (!options.brief) print_found(found);
+    print_text(*report, tolerances->exact());
+    if (difference) {
+      print_difference(*difference, Compared::kTwoLogs);
+    } else if (report->first) {
+      print_divergence(*report->first);
+    }
   }
-  if (Status ok = draw(options, found); !ok.ok()) return ok.error();
-  return result.identical() ? Exit::kSame : Exit::kDifference;
+  if (Status ok = draw(options, difference); !ok.ok()) return ok.error();
+  return report->identical() ? Exit::kSame : Exit::kDifference;
 }
 
 Result<Exit> diff(const Options& options) {
@@ -186,7 +165,7 @@ Result<Exit> diff(const Options& options) {
   Result<replay::LogReader> b = open_log(options.b);
   if (!b.ok()) return b.error();
   const InterruptGuard guard;
-  Result<Exit> verdict = options.step ? step_beside(options, *a, *b) : compare(options, *a, *b);
+  Result<Exit> verdict = options.step ? show_step(options, *a, *b) : compare(options, *a, *b);
   if (!verdict.ok()) return verdict;
   return judge("diff", *b, judge("diff", *a, *verdict));
 }
@@ -197,25 +176,26 @@ Action declare_diff(CLI::App& app) {
   auto options = std::make_shared<Options>();
   app.add_option("A", options->a, "The log with the expected values")->required()->type_name("");
   app.add_option("B", options->b, "The log to compare with it")->required()->type_name("");
-  app.add_option(
-         "--tolerance", options->tolerances,
-         "Call states the same where each component of FIELD (position, orientation, velocity, spin) is at most "
-         "V apart; then states decide and hashes do not. May be repeated")
+  app.add_option("--tolerance", options->tolerances,
+                 "Call states equal where each component of FIELD (position, orientation, velocity, spin: angular "
+                 "velocity) is at "
+                 "most V apart; then states decide and hashes do not. May be repeated")
       ->type_name("FIELD=V")
       ->allow_extra_args(false);
   CLI::Option* step = add_whole(app, "--step", options->step, 0, sim::kStepsMax,
                                 "Show step K of both side by side, phase by phase, and the bodies that differ");
   step->type_name("K");
   CLI::Option* plot =
-      app.add_option("--plot", options->plot, "Also draw the gap over the steps, on a logarithmic scale, with gnuplot");
+      app.add_option("--plot", options->plot,
+                     "Also draw the separation of the two over the steps, on a logarithmic scale, with gnuplot");
   plot->type_name("FILE.svg|png")->excludes(step);
-  app.add_flag("--brief", options->brief, "Only find the first difference, by the hashes, not what it led to")
+  app.add_flag("--brief", options->brief, "Only find the first difference, by the hashes; do not follow its growth")
       ->excludes(step)
       ->excludes(plot);
   add_json(app, options->json);
   app.footer(
       "Exit status: 0 the same, 1 a difference, 3 a log is damaged or torn (the whole parts are compared), or broken:\n"
-      "its states and its hashes do not tell the same.\n\n"
+      "its states do not match its hashes.\n\n"
       "Examples:\n"
       "  tumble diff before.tumble after.tumble\n"
       "  tumble diff before.tumble after.tumble --step 120\n"

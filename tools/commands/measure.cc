@@ -1,4 +1,4 @@
-// tumble measure: how a recorded session behaved, in numbers.
+// tumble measure: the metrics of a recorded session.
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -29,7 +29,7 @@ struct Options {
   std::string plot;
   MeasureArguments over;
   std::vector<std::string> require;
-  std::string twin;
+  std::string pair;
   bool json = false;
 };
 
@@ -43,7 +43,7 @@ Result<std::vector<replay::MetricBound>> parse_bounds(const std::vector<std::str
   return bounds;
 }
 
-// Which of the bounds are not kept, on stderr.
+// Names the bounds that are not kept, on stderr.
 Exit judge_bounds(const std::vector<replay::MetricBound>& bounds, const replay::Metrics& metrics) {
   Exit verdict = Exit::kSame;
   for (const replay::MetricBound& bound : bounds) {
@@ -62,7 +62,7 @@ replay::Progress progress_on(ProgressBar& bar) {
   };
 }
 
-/// Measures, and hands every row to the files that were asked for.
+/// Measures, and passes every row to the files that were asked for.
 Result<replay::Metrics> measure_rows(replay::LogReader& log, const replay::MeasureOptions& how,
                                      const Options& options) {
   const InterruptGuard guard;
@@ -96,13 +96,13 @@ Result<replay::Metrics> measure_rows(replay::LogReader& log, const replay::Measu
   return metrics;
 }
 
-/// Adds what only two sessions show.
-Status compare_with_twin(replay::LogReader& log, replay::LogReader& twin, replay::Metrics& metrics) {
+/// Adds the metrics of a mirrored pair.
+Status compare_pair(replay::LogReader& log, replay::LogReader& pair, replay::Metrics& metrics) {
   const InterruptGuard guard;
   ProgressBar bar("comparing");
-  const Result<replay::TwinReport> report = replay::compare_twins(log, twin, progress_on(bar));
+  const Result<replay::PairReport> report = replay::compare_mirrored_pair(log, pair, progress_on(bar));
   if (!report.ok()) return report.error();
-  replay::set_twin_error(twin.header().transform, *report, metrics.symmetry);
+  replay::set_pair_error(pair.header().transform, *report, metrics.symmetry);
   return {};
 }
 
@@ -113,16 +113,16 @@ Result<Exit> measure(const Options& options) {
   if (!bounds.ok()) return bounds.error();
   Result<replay::LogReader> log = open_log(options.log);
   if (!log.ok()) return log.error();
-  std::optional<replay::LogReader> twin;
-  if (!options.twin.empty()) {
-    Result<replay::LogReader> opened = open_log(options.twin);
+  std::optional<replay::LogReader> pair;
+  if (!options.pair.empty()) {
+    Result<replay::LogReader> opened = open_log(options.pair);
     if (!opened.ok()) return opened.error();
-    twin.emplace(*std::move(opened));
+    pair.emplace(*std::move(opened));
   }
   Result<replay::Metrics> metrics = measure_rows(*log, *how, options);
   if (!metrics.ok()) return metrics.error();
-  if (twin) {
-    if (Status ok = compare_with_twin(*log, *twin, *metrics); !ok.ok()) return ok.error();
+  if (pair) {
+    if (Status ok = compare_pair(*log, *pair, *metrics); !ok.ok()) return ok.error();
   }
   if (options.json) {
     print_json(metrics_json(options.log, *metrics));
@@ -130,7 +130,7 @@ Result<Exit> measure(const Options& options) {
     print_metrics(options.log, *metrics);
   }
   const Exit verdict = judge("measure", *log, judge_bounds(*bounds, *metrics));
-  return twin ? judge("measure", *twin, verdict) : verdict;
+  return pair ? judge("measure", *pair, verdict) : verdict;
 }
 
 }  // namespace
@@ -147,8 +147,9 @@ Action declare_measure(CLI::App& app) {
                  "Exit with status 1 unless this holds, as in 'lateral_max<=0'; may be repeated")
       ->type_name("EXPR")
       ->allow_extra_args(false);
-  app.add_option("--with", options->twin,
-                 "The log of the scene's image (record --mirror, --permute, --shift): also say how far it is from one")
+  app.add_option(
+         "--with", options->pair,
+         "The log of the transformed scene (record --mirror, --permute, --shift): also measure the errors of the pair")
       ->type_name("LOG");
   add_json(app, options->json);
   app.footer(

@@ -47,8 +47,8 @@ struct Options {
   bool quiet = false;
 };
 
-// What a session came to, beside what its log says.
-struct Session {
+// A recorded session in numbers, beside those in its log.
+struct Recorded {
   replay::LogSummary log;
   replay::SessionClock clock;
   std::uint64_t bodies = 0;             // of the start and thrown in
@@ -71,13 +71,13 @@ std::uint64_t count_bodies(const sim::SceneDef& scene, std::uint64_t last_step) 
   return count;
 }
 
-Result<Session> run_session(const std::string& path, replay::Recorder& recorder, const Options& options) {
+Result<Recorded> run_session(const std::string& path, replay::Recorder& recorder, const Options& options) {
   SessionStepper stepper(recorder, options.realtime);
   const sim::SceneDef& scene = recorder.scene();
   const std::uint64_t first = recorder.world().state().step;
   const InterruptGuard guard;
   ProgressBar bar("recording", !options.quiet);
-  Session session;
+  Recorded session;
   Status status;
   for (std::uint64_t k = first + 1; k <= scene.steps && status.ok(); ++k) {
     status = stepper.step();
@@ -100,7 +100,7 @@ Result<Session> run_session(const std::string& path, replay::Recorder& recorder,
   return session;
 }
 
-void print_text(const std::string& path, const sim::SceneDef& scene, const Session& session) {
+void print_text(const std::string& path, const sim::SceneDef& scene, const Recorded& session) {
   Listing listing;
   listing.add("scene", printable(scene.name) + (scene.title.empty() ? "" : ": " + printable(scene.title)));
   listing.add("bodies", std::to_string(session.bodies));
@@ -124,7 +124,7 @@ void print_text(const std::string& path, const sim::SceneDef& scene, const Sessi
   listing.print();
 }
 
-void print_as_json(const std::string& path, const sim::SceneDef& scene, const Session& session) {
+void print_as_json(const std::string& path, const sim::SceneDef& scene, const Recorded& session) {
   Json json;
   json["log"] = path;
   json["scene"] = scene.name;
@@ -152,7 +152,7 @@ void print_as_json(const std::string& path, const sim::SceneDef& scene, const Se
 
 using Started = Result<std::unique_ptr<replay::Recorder>>;
 
-// A session of a scene from its state 0 on. path: where it is recorded to.
+// Starts a session of a scene from state 0. path: the log; empty: named after the scene.
 Started start_scene(const Options& options, const replay::StatesMode& states, std::string& path) {
   replay::RecordOptions how;
   how.states = states;
@@ -174,7 +174,7 @@ Started start_scene(const Options& options, const replay::StatesMode& states, st
   return replay::Recorder::start(path, *scene, how);
 }
 
-// LOG:STEP
+// The argument LOG:STEP.
 struct Place {
   std::string log;
   std::uint64_t step = 0;
@@ -188,7 +188,7 @@ Result<Place> parse_place(const std::string& text) {
   return bad_input("--from: found " + in_quotes(text) + ", wanted LOG:STEP, as in brick_wall.tumble:120");
 }
 
-// A session that goes on from a state of another one.
+// Starts a session that continues from a state of another one.
 Started start_from_log(const Options& options, const replay::StatesMode& states, std::string& path) {
   const Result<Place> place = parse_place(options.from);
   if (!place.ok()) return place.error();
@@ -197,7 +197,7 @@ Started start_from_log(const Options& options, const replay::StatesMode& states,
   }
   std::error_code error;
   if (std::filesystem::equivalent(path, place->log, error)) {
-    return bad_input("--output: " + path + " is the log to go on from; name another file");
+    return bad_input("--output: " + path + " is the log to continue; name another file");
   }
   Result<replay::LogReader> log = open_log(place->log);
   if (!log.ok()) return log.error();
@@ -222,7 +222,7 @@ Result<Exit> record(const Options& options) {
   if (!recorder.ok()) return recorder.error();
   const std::unique_ptr<WorkerThreads> threads = worker_threads(options.threads.value_or(1));
   (*recorder)->use(threads.get());
-  const Result<Session> session = run_session(path, **recorder, options);
+  const Result<Recorded> session = run_session(path, **recorder, options);
   if (!session.ok()) return session.error();
   if (options.json) {
     print_as_json(path, (*recorder)->scene(), *session);
@@ -247,7 +247,7 @@ Action declare_record(CLI::App& app) {
       ->type_name("N")
       ->excludes(seconds);
   CLI::Option* from = app.add_option("--from", options->from,
-                                     "Go on from the state after step STEP of LOG instead of beginning a scene; "
+                                     "Continue from the state after step STEP of LOG instead of beginning a scene; "
                                      "--seconds and --steps count from there");
   from->type_name("LOG:STEP")->excludes(scene);
   app.add_flag("--no-inputs", options->no_inputs, "With --from: leave out the inputs that LOG has after STEP")
@@ -277,7 +277,7 @@ Action declare_record(CLI::App& app) {
       "  tumble record tilted_grid -o small.tumble --set grid.rows=6 --set grid.cols=6 --steps 150\n"
       "  tumble record my_scene.toml --states hashes --json\n"
       "  tumble record tilted_grid --realtime --set world.dt=0.0333 --seconds 5\n"
-      "  tumble record brick_wall -o twin.tumble --mirror x --permute 7\n"
+      "  tumble record brick_wall -o mirrored.tumble --mirror x --permute 7\n"
       "  tumble record --from brick_wall.tumble:120 --seconds 2");
   return [options] { return record(*options); };
 }

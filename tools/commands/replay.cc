@@ -6,17 +6,16 @@
 #include <utility>
 #include <vector>
 
-#include "replay/diff/aftermath.h"
+#include "replay/diff/difference_report.h"
 #include "replay/diff/replayer.h"
-#include "replay/diff/step_contacts.h"
 #include "replay/log/log_reader.h"
 #include "src/threads/worker_threads.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/files/log_files.h"
+#include "tools/output/difference_output.h"
 #include "tools/output/divergence_output.h"
 #include "tools/output/progress.h"
-#include "tools/output/story_output.h"
 #include "tools/output/text.h"
 #include "tools/process/interrupt.h"
 
@@ -30,38 +29,19 @@ struct Options {
   bool json = false;
 };
 
-// What goes with a first difference.
-struct Found {
-  std::optional<replay::Aftermath> aftermath;
-  std::vector<replay::StepContact> contacts;  // of the first body, by this build
-};
-
-// This build's own step of the first difference, and where it went from there. What cannot be found out is left out.
-Found look_closer(replay::LogReader& log, replay::Divergence& first) {
-  Found found;
-  const bool has_step = first.step > log.first_state() && first.field != "error";
-  if (!has_step) return found;
-  const Result<replay::RetakenStep> taken = replay::retake_step(log, first.step);
-  const Result<const replay::StepRecord*> logged = log.read_step(first.step);
-  if (taken.ok() && logged.ok() && (*logged)->has_states && first.phase != "inputs") {
-    first.pair = replay::pair_of(replay::differing_bodies((*logged)->states, taken->record.states), taken->contacts);
-    for (const replay::StepContact& contact : taken->contacts) {
-      if (first.body && contact.has(*first.body)) found.contacts.push_back(contact);
-    }
-  }
+// Explains the first difference, as far as it can be found out.
+replay::DifferenceReport look_closer(replay::LogReader& log, const replay::Divergence& first) {
   Result<replay::LogReader> again = open_log(log.name());
-  if (!again.ok()) return found;
   ProgressBar bar("looking closer");
-  Result<replay::Aftermath> aftermath =
-      replay::aftermath_of_replay(log, *again, first.step, [&](std::uint64_t done, std::uint64_t total) {
-        bar.show(done, total);
-        return !InterruptGuard::interrupted();
-      });
-  if (aftermath.ok()) found.aftermath = *std::move(aftermath);
-  return found;
+  return replay::report_replay_difference(log, again.ok() ? &*again : nullptr, first,
+                                          [&](std::uint64_t done, std::uint64_t total) {
+                                            bar.show(done, total);
+                                            return !InterruptGuard::interrupted();
+                                          });
 }
 
-void print_text(const replay::ReplayReport& report, const replay::LogReader& log, const Found& found) {
+void print_text(const replay::ReplayReport& report, const replay::LogReader& log,
+                const std::optional<replay::DifferenceReport>& difference) {
   for (const std::string& note : report.notes) std::cout << "note: " << printable(note) << '\n';
   if (report.identical()) {
     std::cout << "identical: " << count_text(report.steps, "step") << " of " << printable(log.header().scene.name)
@@ -70,11 +50,11 @@ void print_text(const replay::ReplayReport& report, const replay::LogReader& log
   }
   std::cout << "different: the first of " << count_text(log.step_count(), "step") << " that differs is step "
             << report.first->step << '\n';
-  print_divergence(*report.first);
-  Listing contacts;
-  for (const replay::StepContact& contact : found.contacts) contacts.add("  contact", replay::describe(contact));
-  contacts.print();
-  if (found.aftermath) print_aftermath(*found.aftermath, "log", "this build");
+  if (difference) {
+    print_difference(*difference, Compared::kReplay);
+  } else {
+    print_divergence(*report.first);
+  }
 }
 
 Result<Exit> replay_command(const Options& options) {
@@ -94,14 +74,18 @@ Result<Exit> replay_command(const Options& options) {
   if (InterruptGuard::interrupted()) {
     return cannot_finish("interrupted; identical so far: " + count_text(report->steps, "step"));
   }
-  const Found found = report->first && !options.brief ? look_closer(*log, *report->first) : Found();
+  std::optional<replay::DifferenceReport> difference;
+  if (report->first && !options.brief) {
+    difference = look_closer(*log, *report->first);
+    report->first = difference->first;
+  }
   if (options.json) {
     Json json = comparison_json(report->identical(), report->steps, report->first);
     json["notes"] = report->notes;
-    if (found.aftermath) json["aftermath"] = aftermath_json(*found.aftermath);
+    if (difference) add_difference(*difference, Compared::kReplay, json);
     print_json(json);
   } else {
-    print_text(*report, *log, found);
+    print_text(*report, *log, difference);
   }
   return judge("replay", *log, report->identical() ? Exit::kSame : Exit::kDifference);
 }
@@ -112,7 +96,7 @@ Action declare_replay(CLI::App& app) {
   auto options = std::make_shared<Options>();
   app.add_option("LOG", options->log, "The log to replay")->required()->type_name("");
   add_threads(app, options->threads);
-  app.add_flag("--brief", options->brief, "Stop at the first difference; do not look what it leads to");
+  app.add_flag("--brief", options->brief, "Stop at the first difference; do not follow its growth");
   add_json(app, options->json);
   app.footer(
       "Exit status: 0 identical, 1 a difference, 3 the log is damaged or torn (its whole part is replayed).\n\n"

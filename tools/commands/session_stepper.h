@@ -9,22 +9,22 @@
 
 namespace tumble::tools {
 
-/// Whether a session follows the clock, and how long a step may then be, s; four frames if not said.
+/// Real time: whether a session follows the clock, and the longest step then, s (four frames if not given).
 struct RealTime {
   bool on = false;
   std::optional<double> longest_step;
 };
 
-/// Takes the steps of a session: as fast as they come, or each with the time on the clock since the one before.
+/// Takes the steps of a recorder: as fast as possible, or each as long as the time since the step before.
 class SessionStepper {
  public:
   SessionStepper(replay::Recorder& recorder, const RealTime& realtime);
 
-  /// Waits until the next step is due, if one is, and takes it. Errors: Recorder::step's.
+  /// Takes the next step; in real time, waits until the step is due. Errors: Recorder::step's.
   Status step();
 
   [[nodiscard]] double elapsed_s() const;
-  /// Of a session in real time.
+  /// Counts of the frames; none without real time.
   [[nodiscard]] std::optional<replay::Frames> frames() const;
 
  private:

@@ -17,7 +17,7 @@ Json hex_json(const replay::FieldValue& value) {
   return number == nullptr ? Json(nullptr) : Json(hex_text(*number));
 }
 
-// Doubles also by their bits, for two that print alike.
+// Doubles also by their bits, because two that differ may print alike.
 std::string value_text(const replay::FieldValue& value) {
   std::string text = printable(replay::to_string(value));
   if (const auto* number = std::get_if<double>(&value)) text += "  " + hex_text(*number);
@@ -63,7 +63,7 @@ std::string hex_text(std::uint64_t word) {
 void print_divergence(const replay::Divergence& first) {
   Listing listing;
   listing.add("  step", std::to_string(first.step));
-  if (first.substep) listing.add("  sub-step", std::to_string(*first.substep));
+  if (first.substep) listing.add("  substep", std::to_string(*first.substep));
   listing.add("  phase", first.phase);
   if (first.body) listing.add("  body", std::to_string(*first.body));
   if (first.pair) {

@@ -9,14 +9,14 @@
 
 namespace tumble::tools {
 
-/// {"identical":…, "steps":…, "first":null|{…}}: what `replay --json` and `diff --json` have in common.
+/// {"identical":…, "steps":…, "first":null|{…}}: the common part of `replay --json` and `diff --json`.
 Json comparison_json(bool identical, std::uint64_t steps, const std::optional<replay::Divergence>& first);
 
-/// The bits of a double, or of a word, as 0x and 16 hexadecimal digits.
+/// The bits of a double or of a word, as 0x and 16 hexadecimal digits.
 std::string hex_text(double value);
 std::string hex_text(std::uint64_t word);
 
-/// The first difference for people, a few aligned lines.
+/// Prints the first difference for people, in a few aligned lines.
 void print_divergence(const replay::Divergence& first);
 
 }  // namespace tumble::tools

@@ -5,9 +5,11 @@
 #include <span>
 #include <string>
 
+#include "replay/diff/divergence.h"
 #include "replay/diff/input_difference.h"
 #include "replay/diff/locate_divergence.h"
 #include "replay/format/body_states.h"
+#include "replay/diff/step_contacts.h"
 #include "replay/session/state_source.h"
 #include "tools/output/divergence_output.h"
 
@@ -26,7 +28,7 @@ std::string word_text(const replay::StepRecord& record, std::size_t word) {
   return word < record.phase_words.size() ? hex_text(record.phase_words[word]) : "-";
 }
 
-/// A row a sub-step and phase. Only where both have the same phases.
+/// One row a substep and phase; none where the two have different phases.
 Json phases_json(const replay::StepRecord& a, const replay::StepRecord& b, const std::vector<std::string>& phases) {
   Json rows = Json::array();
   const std::size_t words = std::max(a.phase_words.size(), b.phase_words.size());
@@ -105,7 +107,8 @@ Json bodies_json(const replay::BodyStates& a, const replay::BodyStates& b) {
   return bodies;
 }
 
-/// What this build says of the step, taken again from both: how many contacts, and the first that is not the same.
+/// Takes the step again from both logs: whether it comes out as recorded, the number of contacts, and the first contact
+/// that differs.
 Json contacts_json(replay::LogReader& a, replay::LogReader& b, std::uint64_t k) {
   if (k <= a.first_state() || k <= b.first_state()) return nullptr;
   const Result<replay::RetakenStep> in_a = replay::retake_step(a, k);
@@ -147,7 +150,7 @@ void print_fields(const Json& body, Table& table) {
 
 }  // namespace
 
-Result<StepBeside> look_at_step(replay::LogReader& a, replay::LogReader& b, std::uint64_t k) {
+Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b, std::uint64_t k) {
   replay::StateSource source_a(a), source_b(b);
   // A log without the states, and a build that cannot make them, still have hashes to show.
   const auto record_of = [k](replay::LogReader& log, replay::StateSource& source) {
@@ -162,8 +165,8 @@ Result<StepBeside> look_at_step(replay::LogReader& a, replay::LogReader& b, std:
   const replay::StepRecord& in_b = **read_b;
   const bool same_words = replay::same_phase_words(a.header(), b.header());
 
-  StepBeside beside;
-  Json& json = beside.json;
+  SideBySide step;
+  Json& json = step.json;
   json["step"] = k;
   json["same"] = false;
   json["note"] = replay::phase_hash_note(a.header(), b.header());
@@ -174,15 +177,15 @@ Result<StepBeside> look_at_step(replay::LogReader& a, replay::LogReader& b, std:
   const auto same_rows = [](const Json& rows) {
     return std::ranges::all_of(rows, [](const Json& row) { return row["same"].get<bool>(); });
   };
-  beside.same = same_rows(json["values"]) && same_rows(json["phases"]) && (!have_states || json["bodies"].empty());
-  json["same"] = beside.same;
+  step.same = same_rows(json["values"]) && same_rows(json["phases"]) && (!have_states || json["bodies"].empty());
+  json["same"] = step.same;
   json["contacts"] = contacts_json(a, b, k);
-  return beside;
+  return step;
 }
 
-void print_step_beside(const StepBeside& beside) {
-  const Json& json = beside.json;
-  std::cout << "step " << json["step"].dump() << ": " << (beside.same ? "the same" : "different") << "\n\n";
+void print_side_by_side(const SideBySide& step) {
+  const Json& json = step.json;
+  std::cout << "step " << json["step"].dump() << ": " << (step.same ? "the same" : "different") << "\n\n";
   const auto verdict = [](const Json& row) { return row["same"].get<bool>() ? "same" : "DIFFERENT"; };
   Table values({"  value", "A", "B", ""});
   for (const Json& row : json["values"]) {
@@ -193,7 +196,7 @@ void print_step_beside(const StepBeside& beside) {
   if (!json["phases"].empty()) {
     std::cout << '\n';
     std::size_t on_one_side = 0;
-    Table phases({">  sub-step", "phase", "hash in A", "hash in B", ""});
+    Table phases({">  substep", "phase", "hash in A", "hash in B", ""});
     for (const Json& row : json["phases"]) {
       if (row["a"] == "-" || row["b"] == "-") {
         ++on_one_side;
@@ -202,7 +205,7 @@ void print_step_beside(const StepBeside& beside) {
       phases.add({row["substep"].dump(), cell(row["phase"]), cell(row["a"]), cell(row["b"]), verdict(row)});
     }
     phases.print();
-    if (on_one_side > 0) std::cout << "  (the sub-steps that only one of them has are left out)\n";
+    if (on_one_side > 0) std::cout << "  (substeps that only one of them has are left out)\n";
   }
   if (!json["bodies"].is_null() && !json["bodies"].empty()) {
     const std::size_t count = json["bodies"].size();

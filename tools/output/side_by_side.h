@@ -7,15 +7,16 @@
 /// `diff --step K`: one step of two logs side by side, phase by phase.
 namespace tumble::tools {
 
-struct StepBeside {
+struct SideBySide {
   bool same = false;  ///< in every bit that both logs hold of it
   Json json;          ///< for `--json`
 };
 
-/// Looks at step K of both, which is its start for a log that begins there. Errors: as LogReader::read_step().
-Result<StepBeside> look_at_step(replay::LogReader& a, replay::LogReader& b, std::uint64_t k);
+/// Compares step k of both. For a log that begins at k, only its first state is compared. Errors: as
+/// LogReader::read_step().
+Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b, std::uint64_t k);
 
-/// The same for people.
-void print_step_beside(const StepBeside& beside);
+/// Prints the comparison for people.
+void print_side_by_side(const SideBySide& step);
 
 }  // namespace tumble::tools

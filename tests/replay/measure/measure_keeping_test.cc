@@ -1,4 +1,4 @@
-// What the steps of a session show together: bounces, free spin, bodies lost, what was deepest.
+// Metrics over all steps of a session: bounces, free rotation, lost bodies, the deepest overlap.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,14 +16,14 @@ using sim::Vec3;
 
 constexpr double kPull = 10;
 
-// A body that is dropped from a height and comes up to others, one after the other, looked at every dt seconds.
+// A body that is dropped from a height and rises to other heights, one after the other, sampled every dt seconds.
 BodyTrack bouncing(const std::vector<double>& tops, double dt) {
   BodyTrack track;
   double phase = 0;  // s into the flight
   for (std::size_t i = 0; i < tops.size(); ++i) {
     const double fall = std::sqrt(2 * tops[i] / kPull);
     const double end = i == 0 ? fall : 2 * fall;
-    const double speed = i == 0 ? 0 : kPull * fall;  // at the flight's begin
+    const double speed = i == 0 ? 0 : kPull * fall;  // at the start of the flight
     const double height = i == 0 ? tops[0] : 0;
     for (; phase < end; phase += dt) {
       track.add({.height = height + speed * phase - kPull / 2 * phase * phase,
@@ -76,7 +76,8 @@ TEST(BodyTrack, SpinIsComparedWithTheFirstAndWithItsLeastEnergy) {
   EXPECT_FALSE(still.spin_energy_gain());
 }
 
-// The meter's momentum is that of the world's axes: a plate that spins freely about none of its own keeps it.
+// The meter measures momentum in the world's axes, where a plate that rotates freely about none of its own axes keeps
+// it.
 TEST(MeasureKeeping, FreeSpinKeepsItsAngularMomentum) {
   BoxDef plate = box(1, {0, 0, 0});
   plate.size = {1, 2, 0.25};

@@ -1,4 +1,4 @@
-// A measure over some bodies, along one axis, from a step on; and the table of all metrics.
+// Measures over some bodies, along one axis, from a step on; and the table of all metrics.
 #include <gtest/gtest.h>
 
 #include <set>

@@ -1,32 +1,38 @@
-#include "replay/diff/gap_story.h"
+#include "replay/diff/separation.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "replay/format/body_states.h"
 #include "replay/format/little_endian.h"
 #include "replay/measure/metric_list.h"
+#include "replay/diff/divergence.h"
+#include "src/base/check.h"
 #include "src/math/vec.h"
 
 namespace tumble::replay {
 namespace {
 
-/// A log whose states are not those of its state hash; equal hashes with unequal states, or the reverse.
+/// The error for two steps of which states and hashes contradict each other: equal hashes with unequal states, or the
+/// reverse. Blames the log whose states do not match its own hash.
 Error broken(const std::string& a, const StepRecord& in_a, const std::string& b, const StepRecord& in_b) {
   const auto lies = [](const StepRecord& record) { return state_hash(record.states) != record.state_hash; };
   const std::string step = "step " + std::to_string(in_a.step);
   if (lies(in_a) || lies(in_b)) {
     return damaged((lies(in_a) ? a : b) + ": the log is broken: the states of " + step +
-                   " are not those that its state hash tells of; what diff says of it cannot be trusted");
+                   " do not match their state hash; do not trust what diff says of it");
   }
-  return damaged(a + " and " + b + ": " + step + ": the bits of the states and their hashes do not tell the same");
+  return damaged(a + " and " + b + ": " + step + ": the states do not match their hashes");
 }
 
-class Storyteller {
+/// Follows two sessions through the steps after their first difference. Keeps one row a step and the first step of each
+/// event (a mark exceeded, other contacts, other freezing, other bodies), so memory grows with steps and not with
+/// bodies.
+class SeparationMeter {
  public:
-  Storyteller(const StepFeed& a, const StepFeed& b) : a_(a), b_(b) {}
+  SeparationMeter(const SessionSteps& a, const SessionSteps& b) : a_(a), b_(b) {}
 
-  Result<GapStory> run(std::uint64_t from, std::uint64_t last, const Progress& progress) {
+  Result<Separation> run(std::uint64_t from, std::uint64_t last, const Progress& progress) {
+    SIM_CHECK(from <= last, from, last);  // a result has at least one row
     for (std::uint64_t k = from; k <= last; ++k) {
       Result<const StepRecord*> in_a = a_.read(k);
       if (!in_a.ok()) return in_a.error();
@@ -35,7 +41,7 @@ class Storyteller {
       if (Status ok = add(k, **in_a, **in_b); !ok.ok()) return ok.error();
       if (progress && !progress(k - from, last - from)) return cannot_finish("interrupted");
     }
-    return std::move(story_);
+    return std::move(separation_);
   }
 
  private:
@@ -45,16 +51,18 @@ class Storyteller {
     const std::array<const std::uint32_t sim::StepCounters::*, 3> counts = {
         &sim::StepCounters::pairs, &sim::StepCounters::contacts, &sim::StepCounters::substeps};
     for (const auto count : counts) {
-      if (in_a.counters.*count != in_b.counters.*count) note(story_.contacts_from);
+      if (in_a.counters.*count != in_b.counters.*count) note(separation_.contacts_from);
     }
     compare(in_a.states, in_b.states);
+    // States and hashes are stored apart, so a log can lie in one of them. Equal states need equal hashes, and the
+    // reverse.
     if ((row_.bodies == 0) != (in_a.state_hash == in_b.state_hash)) return broken(a_.name, in_a, b_.name, in_b);
     mark();
-    story_.rows.push_back(row_);
+    separation_.rows.push_back(row_);
     return {};
   }
 
-  /// Both by ascending id.
+  /// Walks both states by ascending id, as two sorted lists are merged.
   void compare(const BodyStates& a, const BodyStates& b) {
     const ConstColumns in_a = columns_of(a), in_b = columns_of(b);
     std::size_t i = 0, j = 0;
@@ -64,13 +72,12 @@ class Storyteller {
         const bool only_a = j == b.size() || (i < a.size() && a.id[i] < b.id[j]);
         ++(only_a ? i : j);
         ++row_.bodies;
-        note(story_.bodies_from);
+        note(separation_.bodies_from);
         continue;
       }
       const bool same_frozen = a.frozen[i] == b.frozen[j];
-      if (!same_frozen) note(story_.freezing_from);
-      bool same = same_frozen;
-      for (std::size_t c = 0; c < kColumnCount && same; ++c) same = bits_of((*in_a[c])[i]) == bits_of((*in_b[c])[j]);
+      if (!same_frozen) note(separation_.freezing_from);
+      const bool same = same_frozen && same_columns(in_a, i, in_b, j);
       if (!same) differs(a.id[i], sim::length(a.position[i] - b.position[j]));
       ++i;
       ++j;
@@ -79,40 +86,35 @@ class Storyteller {
 
   void differs(sim::BodyId id, double distance) {
     ++row_.bodies;
-    if (!(distance > row_.gap)) return;
-    row_.gap = distance;
+    if (!(distance > row_.separation)) return;
+    row_.separation = distance;
     row_.body = id;
   }
 
+  /// A separation that jumps over several marks in one step passes all of them there.
   void mark() {
-    while (next_mark_ < kGapMarks.size() && row_.gap > kGapMarks[next_mark_]) {
-      story_.marks.push_back({kGapMarks[next_mark_++], row_.step, row_.body.value_or(0)});
+    while (next_mark_ < kSeparationMarks.size() && row_.separation > kSeparationMarks[next_mark_]) {
+      separation_.marks.push_back({kSeparationMarks[next_mark_++], row_.step, row_.body.value_or(0)});
     }
-    if (row_.gap > story_.largest.gap || story_.rows.empty()) story_.largest = row_;
+    if (row_.separation > separation_.largest.separation || separation_.rows.empty()) separation_.largest = row_;
   }
 
   void note(std::optional<std::uint64_t>& first) const {
     if (!first) first = row_.step;
   }
 
-  const StepFeed& a_;
-  const StepFeed& b_;
-  GapRow row_;
+  const SessionSteps& a_;
+  const SessionSteps& b_;
+  SeparationRow row_;
   std::size_t next_mark_ = 0;
-  GapStory story_;
+  Separation separation_;
 };
-
-bool is_same(const std::optional<double>& a, const std::optional<double>& b) {
-  constexpr double kSameValue = 1e-9;
-  if (!a || !b) return a.has_value() == b.has_value();
-  return *a == *b || std::fabs(*a - *b) <= kSameValue * std::max(std::fabs(*a), std::fabs(*b));
-}
 
 }  // namespace
 
-Result<GapStory> tell_story(const StepFeed& a, const StepFeed& b, std::uint64_t from, std::uint64_t last,
-                            const Progress& progress) {
-  return Storyteller(a, b).run(from, last, progress);
+Result<Separation> measure_separation(const SessionSteps& a, const SessionSteps& b, std::uint64_t from,
+                                      std::uint64_t last, const Progress& progress) {
+  return SeparationMeter(a, b).run(from, last, progress);
 }
 
 Status confirm_states(LogReader& a, LogReader& b, std::uint64_t from, std::uint64_t last, const Progress& progress) {
@@ -130,15 +132,6 @@ Status confirm_states(LogReader& a, LogReader& b, std::uint64_t from, std::uint6
     if (progress && !progress(k - from, last - from)) return cannot_finish("interrupted");
   }
   return {};
-}
-
-std::vector<MovedMetric> moved_metrics(const Metrics& a, const Metrics& b) {
-  std::vector<MovedMetric> moved;
-  for (const MetricRow& row : metric_list()) {
-    const std::optional<double> in_a = row.value(a), in_b = row.value(b);
-    if (!is_same(in_a, in_b)) moved.push_back({row.name, row.unit, in_a, in_b});
-  }
-  return moved;
 }
 
 }  // namespace tumble::replay

@@ -1,4 +1,4 @@
-#include "tools/output/gap_plot.h"
+#include "tools/output/separation_plot.h"
 
 #include "tools/output/gnuplot.h"
 #include "tools/output/text.h"
@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kPointsMax = 4000;  // more than a picture can show apart
 
-// Colours that stay apart without colour vision. A gap of 0 has no place on a logarithmic scale.
+// Colours that stay apart without colour vision. A separation of 0 has no place on a logarithmic scale.
 constexpr const char* kStyle = R"(
 set multiplot layout 2,1 title title_text noenhanced font ',14'
 set lmargin 13
@@ -38,21 +38,21 @@ unset multiplot
 
 }  // namespace
 
-Status draw_gap(const std::string& path, const std::string& title, const replay::GapStory& story) {
+Status draw_separation(const std::string& path, const std::string& title, const replay::Separation& separation) {
   std::string rows = "$rows << EOD\n";
-  const std::size_t stride = story.rows.size() / kPointsMax + 1;
-  double low = story.largest.gap > 0 ? story.largest.gap : 1;
-  for (std::size_t i = 0; i < story.rows.size(); ++i) {
-    const replay::GapRow& row = story.rows[i];
-    if (row.gap > 0 && row.gap < low) low = row.gap;
-    if (i % stride != 0 && i + 1 != story.rows.size()) continue;
-    rows +=
-        std::to_string(row.step) + ' ' + (row.gap > 0 ? exact(row.gap) : "?") + ' ' + std::to_string(row.bodies) + '\n';
+  const std::size_t stride = separation.rows.size() / kPointsMax + 1;
+  double low = separation.largest.separation > 0 ? separation.largest.separation : 1;
+  for (std::size_t i = 0; i < separation.rows.size(); ++i) {
+    const replay::SeparationRow& row = separation.rows[i];
+    if (row.separation > 0 && row.separation < low) low = row.separation;
+    if (i % stride != 0 && i + 1 != separation.rows.size()) continue;
+    rows += std::to_string(row.step) + ' ' + (row.separation > 0 ? exact(row.separation) : "?") + ' ' +
+            std::to_string(row.bodies) + '\n';
   }
-  const std::uint64_t first = story.rows.front().step, last = story.rows.back().step;
-  // Without any gap there would be nothing to scale the axis by.
-  if (story.largest.gap == 0)
-    rows += std::to_string(first) + " 1e-16 " + std::to_string(story.rows.front().bodies) + '\n';
+  const std::uint64_t first = separation.rows.front().step, last = separation.rows.back().step;
+  // Where no separation exceeds 0, one point gives the axis its scale.
+  if (separation.largest.separation == 0)
+    rows += std::to_string(first) + " 1e-16 " + std::to_string(separation.rows.front().bodies) + '\n';
   return run_gnuplot(path, 900, 700,
                      "title_text = " + gnuplot_quoted(title) + "\nfirst = " + std::to_string(first) +
                          "\nlast = " + std::to_string(last > first ? last : first + 1) + "\nlow = " + exact(low / 2) +

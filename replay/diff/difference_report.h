@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "replay/diff/divergence.h"
+#include "replay/diff/divergence_growth.h"
+#include "replay/diff/locate_divergence.h"
+#include "replay/format/progress.h"
+#include "replay/log/log_reader.h"
+#include "src/base/result.h"
+
+namespace tumble::replay {
+
+/// Everything known of the first difference between two sessions: `diff`, `replay` and `bisect` print this report.
+struct DifferenceReport {
+  Divergence first;  ///< with body, field and pair, where they could be found
+  DivergenceLocation location;
+  std::optional<DivergenceGrowth> growth;
+  std::string growth_unknown;  ///< the reason why there is no growth; may be empty for a replay
+};
+
+/// Reports the first difference that diff_logs() found between two logs. Errors (kDamaged): states of a whole log that
+/// do not match its hashes. Other failures leave their part of the report out and give the reason in it.
+Result<DifferenceReport> report_difference(LogReader& a, LogReader& b, Divergence first, const Progress& progress = {});
+
+/// Reports the first difference that replay_log() found. `again` is the same log opened a second time; null leaves
+/// growth out.
+DifferenceReport report_replay_difference(LogReader& log, LogReader* again, Divergence first,
+                                          const Progress& progress = {});
+
+}  // namespace tumble::replay

@@ -1,0 +1,107 @@
+#include "replay/diff/divergence_growth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "replay/measure/metric_list.h"
+#include "replay/session/player.h"
+#include "replay/session/state_source.h"
+#include "src/base/check.h"
+
+namespace tumble::replay {
+namespace {
+
+SessionSteps steps_of(LogReader& log) {
+  return {log.name(), [source = std::make_shared<StateSource>(log)](std::uint64_t k) { return source->read(k); }};
+}
+
+/// This build's replay of a log: the log's own states before step `from`, simulated ones from there on.
+SessionSteps steps_of_replay(LogReader& log, std::uint64_t from) {
+  auto source = std::make_shared<StateSource>(log);
+  auto player = std::make_shared<std::optional<Player>>();
+  return {"this build", [&log, source, player, from](std::uint64_t k) -> Result<const StepRecord*> {
+            if (k < from) return source->read(k);
+            if (!*player) {
+              Result<Player> at = Player::at(log, from - 1);
+              if (!at.ok()) return at.error();
+              player->emplace(*std::move(at));
+            }
+            return (*player)->step();
+          }};
+}
+
+/// Metrics over both sessions from their first state on, each up to the last common step: over less, the metrics of the
+/// longer one would differ by its length alone.
+Result<Metrics> measure(const LogHeader& header, const SessionSteps& steps, std::uint64_t first, std::uint64_t last) {
+  Measurer measurer(header);
+  const StepRecord* record = nullptr;
+  for (std::uint64_t k = first; k <= last; ++k) {
+    const Result<const StepRecord*> read = steps.read(k);
+    if (!read.ok()) return read.error();
+    record = *read;
+    measurer.add(*record);
+  }
+  return measurer.finish(record->states);
+}
+
+/// Adds the metrics that differ, or the reason why there are none.
+void compare_metrics(const LogHeader& a, const SessionSteps& in_a, const LogHeader& b, const SessionSteps& in_b,
+                     std::uint64_t first, std::uint64_t last, DivergenceGrowth& growth) {
+  const Result<Metrics> of_a = measure(a, in_a, first, last);
+  const Result<Metrics> of_b = of_a.ok() ? measure(b, in_b, first, last) : of_a;
+  if (of_b.ok()) {
+    growth.metrics = moved_metrics(*of_a, *of_b);
+  } else {
+    growth.not_measured = of_b.error().message;
+  }
+}
+
+// The bound is far above the differences between C libraries (some units in the last place) and far below any change of
+// a metric that matters.
+bool is_same(const std::optional<double>& a, const std::optional<double>& b) {
+  constexpr double kSameValue = 1e-9;
+  if (!a || !b) return a.has_value() == b.has_value();
+  return *a == *b || std::fabs(*a - *b) <= kSameValue * std::max(std::fabs(*a), std::fabs(*b));
+}
+
+}  // namespace
+
+Result<DivergenceGrowth> growth_between(LogReader& a, LogReader& b, std::uint64_t first_difference,
+                                        const Progress& progress) {
+  const std::uint64_t last = std::min(a.last_step(), b.last_step());
+  Result<Separation> separation = measure_separation(steps_of(a), steps_of(b), first_difference, last, progress);
+  if (!separation.ok()) return separation.error();
+  DivergenceGrowth growth{*std::move(separation), {}, {}};
+  if (a.first_state() != b.first_state()) {
+    growth.not_measured = "the two begin with different steps";
+    return growth;
+  }
+  compare_metrics(a.header(), steps_of(a), b.header(), steps_of(b), a.first_state(), last, growth);
+  return growth;
+}
+
+Result<DivergenceGrowth> growth_in_replay(LogReader& log, LogReader& again, std::uint64_t first_difference,
+                                          const Progress& progress) {
+  SIM_CHECK(first_difference > log.first_state(), first_difference, log.first_state());
+  const std::uint64_t last = log.last_step();
+  Result<Separation> separation =
+      measure_separation(steps_of(log), steps_of_replay(again, first_difference), first_difference, last, progress);
+  if (!separation.ok()) return separation.error();
+  DivergenceGrowth growth{*std::move(separation), {}, {}};
+  compare_metrics(log.header(), steps_of(log), log.header(), steps_of_replay(again, first_difference),
+                  log.first_state(), last, growth);
+  return growth;
+}
+
+std::vector<MovedMetric> moved_metrics(const Metrics& a, const Metrics& b) {
+  std::vector<MovedMetric> moved;
+  for (const MetricRow& row : metric_list()) {
+    const std::optional<double> in_a = row.value(a), in_b = row.value(b);
+    if (!is_same(in_a, in_b)) moved.push_back({row.name, row.unit, in_a, in_b});
+  }
+  return moved;
+}
+
+}  // namespace tumble::replay

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "replay/diff/separation.h"
+#include "replay/format/progress.h"
+#include "replay/log/log_reader.h"
+#include "replay/measure/measure.h"
+#include "src/base/result.h"
+
+namespace tumble::replay {
+
+/// One metric in two sessions.
+struct MovedMetric {
+  std::string name;
+  std::string unit;
+  std::optional<double> a;
+  std::optional<double> b;
+};
+
+/// The growth of a first difference, up to the last step that both sessions have.
+struct DivergenceGrowth {
+  Separation separation;
+  std::vector<MovedMetric> metrics;  ///< those that differ, over the whole sessions
+  std::string not_measured;          ///< the reason why metrics are not compared; empty: they are
+};
+
+/// Follows two logs from their first different step on. Errors: measure_separation()'s, StateSource::read's.
+Result<DivergenceGrowth> growth_between(LogReader& a, LogReader& b, std::uint64_t first_difference,
+                                        const Progress& progress = {});
+
+/// Follows a log and this build's replay of it, which first differs in step `first_difference` and starts from the
+/// log's state before; that must be a step after its first state. `again` is the same log opened a second time. Errors:
+/// likewise; a step that this build cannot take.
+Result<DivergenceGrowth> growth_in_replay(LogReader& log, LogReader& again, std::uint64_t first_difference,
+                                          const Progress& progress = {});
+
+/// The metrics that differ, over all bodies. Values within a billionth of each other count as equal, because metrics
+/// are computed with the C library's trigonometry, which differs between systems.
+std::vector<MovedMetric> moved_metrics(const Metrics& a, const Metrics& b);
+
+}  // namespace tumble::replay

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "replay/format/progress.h"
+#include "replay/format/step_record.h"
+#include "replay/log/log_reader.h"
+#include "src/base/ids.h"
+#include "src/base/result.h"
+
+/// The distance between two sessions after their first difference, step by step.
+namespace tumble::replay {
+
+/// Reads one of two sessions.
+struct SessionSteps {
+  std::string name;  ///< for messages: the path of a log, or "this build"
+  /// The record of step k, with states. Called with ascending k; the record lasts until the next call.
+  std::function<Result<const StepRecord*>(std::uint64_t k)> read;
+};
+
+/// Two sessions after one step.
+struct SeparationRow {
+  std::uint64_t step = 0;
+  std::uint64_t bodies = 0;         ///< whose visible states differ in any bit, or that exist on one side only
+  double separation = 0;            ///< m: largest distance of a body's centre in one from its centre in the other
+  std::optional<sim::BodyId> body;  ///< the body at that distance; none at 0
+};
+
+/// Separations whose first step is reported, m.
+inline constexpr std::array<double, 5> kSeparationMarks = {1e-12, 1e-9, 1e-6, 1e-3, 1e-2};
+
+/// The first step after which the separation exceeded a mark.
+struct SeparationMark {
+  double above = 0;  ///< m
+  std::uint64_t step = 0;
+  sim::BodyId body = 0;
+};
+
+struct Separation {
+  std::vector<SeparationRow> rows;    ///< one a step, beginning with the first difference
+  std::vector<SeparationMark> marks;  ///< those that were exceeded
+  SeparationRow largest;              ///< the row with the largest separation
+  // The first step in which the sessions differ in kind; none: in no step.
+  std::optional<std::uint64_t> contacts_from;  ///< in the number of pairs, contacts or substeps
+  std::optional<std::uint64_t> freezing_from;  ///< a body is frozen in one only
+  std::optional<std::uint64_t> bodies_from;    ///< a body exists in one only
+};
+
+/// Compares the states of steps from … last, at least one. Errors: those of reading; kDamaged where the states of a log
+/// do not match its state hash; kCannotFinish where `progress` stops.
+Result<Separation> measure_separation(const SessionSteps& a, const SessionSteps& b, std::uint64_t from,
+                                      std::uint64_t last, const Progress& progress = {});
+
+/// Checks that in steps from … last the states of two logs are equal exactly where their hashes are. Skips steps whose
+/// states one log does not hold. diff_logs() trusts the hashes; this call proves them. Errors: as measure_separation().
+Status confirm_states(LogReader& a, LogReader& b, std::uint64_t from, std::uint64_t last,
+                      const Progress& progress = {});
+
+}  // namespace tumble::replay

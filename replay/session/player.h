@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "replay/format/step_record.h"
+#include "replay/log/log_reader.h"
+#include "replay/session/session.h"
+#include "src/base/result.h"
+#include "src/step/step.h"
+#include "src/world/world.h"
+
+namespace tumble::replay {
+
+/// Errors (kBadInput): another engine wrote the log; this build cannot compute its steps.
+Status must_be_ours(const LogReader& log);
+
+/// Steps this build's physics with the inputs of a log, from one of its keyframes on.
+class Player {
+ public:
+  /// A world in state k of the log, first_state() … last_step(). Starts at the last keyframe up to k and simulates the
+  /// steps in between. `log` must outlive the player. Errors: the log's, must_be_ours(), World::restore's, a step that
+  /// fails.
+  static Result<Player> at(LogReader& log, std::uint64_t k);
+
+  /// Takes the next step of the log: applies its inputs, then steps. Returns this build's record of the step, with
+  /// states; the record lasts until the next step. `also`, if given, observes the step too. Errors: the log has no
+  /// further step (kBadInput); an input is refused or the step fails (kCannotFinish).
+  Result<const StepRecord*> step(sim::Observer* also = nullptr);
+
+  /// step() without the states. For most steps the hashes are enough; add_states() adds the states to the record.
+  Result<const StepRecord*> step_hashes(sim::Observer* also = nullptr);
+  /// Requires a step taken by this player.
+  const StepRecord& add_states();
+
+  /// Sets the threads to step with; see World::use.
+  void use(Workers* workers) { session_.use(workers); }
+
+  [[nodiscard]] const sim::World& world() const { return session_.world(); }
+
+ private:
+  Player(LogReader& log, Session session);
+
+  LogReader* log_;
+  Session session_;
+  std::unique_ptr<sim::PhaseHashes> hashes_;  // on the heap, because it cannot be moved
+  StepRecord record_;
+};
+
+}  // namespace tumble::replay

@@ -1,0 +1,188 @@
+#include "tools/output/difference_output.h"
+
+#include <algorithm>
+#include <iostream>
+#include <string>
+#include <utility>
+
+#include "tools/output/divergence_output.h"
+
+namespace tumble::tools {
+namespace {
+
+constexpr std::size_t kRowsJson = 4000;
+constexpr std::size_t kContactsShown = 8;
+
+/// The strongest kind of difference between the two.
+const char* kind_of(const replay::Separation& separation) {
+  if (separation.bodies_from) return "bodies";
+  if (separation.freezing_from) return "freezing";
+  if (separation.contacts_from) return "contacts";
+  return "numbers";
+}
+
+std::string since(const std::optional<std::uint64_t>& step) {
+  return step ? "differ from step " + std::to_string(*step) + " on" : "the same";
+}
+
+std::string separation_text(const replay::SeparationRow& row) {
+  std::string text = rounded(row.separation, "m");
+  if (row.body) text += ", body " + std::to_string(*row.body);
+  return text;
+}
+
+/// A few rows to print: 0, 1, 2, 4, 8, … steps after the first, and the last.
+std::vector<const replay::SeparationRow*> chosen_rows(const replay::Separation& separation) {
+  std::vector<const replay::SeparationRow*> rows;
+  for (std::size_t i = 0; i < separation.rows.size(); i = i == 0 ? 1 : 2 * i) rows.push_back(&separation.rows[i]);
+  if (rows.back() != &separation.rows.back()) rows.push_back(&separation.rows.back());
+  return rows;
+}
+
+/// Rounded, unless that would make them look alike.
+std::pair<std::string, std::string> values_apart(const std::optional<double>& a, const std::optional<double>& b) {
+  const auto text = [](const std::optional<double>& value) { return value ? rounded(*value, "") : "none"; };
+  if (!a || !b || text(a) != text(b)) return {text(a), text(b)};
+  return {exact(*a), exact(*b)};
+}
+
+Json row_json(const replay::SeparationRow& row) {
+  return {{"step", row.step},
+          {"bodies", row.bodies},
+          {"gap", row.separation},
+          {"body", row.body ? Json(*row.body) : Json(nullptr)}};
+}
+
+Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+Json step_or_null(const std::optional<std::uint64_t>& step) { return step ? Json(*step) : Json(nullptr); }
+
+const char* follows(const replay::DivergenceLocation& location) {
+  if (location.as_a) return location.as_b ? "both" : "A";
+  return location.as_b ? "B" : "neither";
+}
+
+/// For people: the logs that this build's step matches.
+std::string match_text(const replay::DivergenceLocation& location) {
+  if (location.as_a && location.as_b) return "matches both logs in that step";
+  if (location.as_a || location.as_b) return std::string("matches log ") + follows(location) + " in that step";
+  return "matches neither log in that step";
+}
+
+}  // namespace
+
+void print_growth(const replay::DivergenceGrowth& growth, const char* a, const char* b) {
+  const replay::Separation& separation = growth.separation;
+  Listing listing;
+  listing.section("growth of the difference");
+  for (const replay::SeparationMark& mark : separation.marks) {
+    listing.add("  separation above " + rounded(mark.above, "m"),
+                "from step " + std::to_string(mark.step) + ", body " + std::to_string(mark.body));
+  }
+  listing.add("  largest separation",
+              separation_text(separation.largest) + ", step " + std::to_string(separation.largest.step));
+  listing.add("  separation at the end", separation_text(separation.rows.back()));
+  listing.add("  contacts", since(separation.contacts_from));
+  listing.add("  freezing", since(separation.freezing_from));
+  if (separation.bodies_from)
+    listing.add("  bodies", "not the same ones from step " + std::to_string(*separation.bodies_from) + " on");
+  listing.print();
+
+  std::cout << '\n';
+  Table steps({">  step", ">bodies that differ", ">separation, m"});
+  for (const replay::SeparationRow* row : chosen_rows(separation)) {
+    steps.add({std::to_string(row->step), std::to_string(row->bodies), rounded(row->separation, "")});
+  }
+  steps.print();
+  std::cout << '\n';
+  if (!growth.not_measured.empty()) {
+    std::cout << "metrics are not compared: " << printable(growth.not_measured) << '\n';
+  } else if (growth.metrics.empty()) {
+    std::cout << "no metric moved\n";
+  } else {
+    Table metrics({"  metric that moved", std::string(">") + a, std::string(">") + b, "unit"});
+    for (const replay::MovedMetric& m : growth.metrics) {
+      const auto [in_a, in_b] = values_apart(m.a, m.b);
+      metrics.add({"  " + m.name, in_a, in_b, m.unit});
+    }
+    metrics.print();
+  }
+}
+
+Json growth_json(const replay::DivergenceGrowth& growth) {
+  const replay::Separation& separation = growth.separation;
+  Json json = {{"kind", kind_of(separation)}, {"marks", Json::array()}};
+  for (const replay::SeparationMark& mark : separation.marks) {
+    json["marks"].push_back({{"above", mark.above}, {"step", mark.step}, {"body", mark.body}});
+  }
+  json["contacts_from"] = step_or_null(separation.contacts_from);
+  json["freezing_from"] = step_or_null(separation.freezing_from);
+  json["bodies_from"] = step_or_null(separation.bodies_from);
+  json["largest"] = row_json(separation.largest);
+  json["last"] = row_json(separation.rows.back());
+  json["metrics"] = growth.not_measured.empty() ? Json::array() : Json(nullptr);
+  for (const replay::MovedMetric& m : growth.metrics) {
+    json["metrics"].push_back({{"name", m.name}, {"unit", m.unit}, {"expected", number(m.a)}, {"actual", number(m.b)}});
+  }
+  json["steps"] = Json::array();
+  const std::size_t stride = separation.rows.size() / kRowsJson + 1;
+  for (std::size_t i = 0; i < separation.rows.size(); i += stride)
+    json["steps"].push_back(row_json(separation.rows[i]));
+  return json;
+}
+
+void print_location(const replay::DivergenceLocation& location) {
+  if (!location.not_taken.empty()) {
+    std::cout << "  the step could not be taken again: " << printable(location.not_taken) << '\n';
+    return;
+  }
+  Listing listing;
+  listing.add("  this build", match_text(location));
+  if (!location.bodies.empty()) {
+    listing.add("  after it", count_text(location.bodies.size(), "body") + " in another state");
+  }
+  for (std::size_t i = 0; i < std::min(kContactsShown, location.contacts.size()); ++i) {
+    listing.add(i == 0 ? "  contacts" : "", replay::describe(location.contacts[i]));
+  }
+  listing.print();
+}
+
+Json location_json(const replay::DivergenceLocation& location) {
+  Json json;
+  json["this_build_follows"] = location.not_taken.empty() ? Json(follows(location)) : Json(nullptr);
+  json["bodies"] = location.bodies;
+  json["contacts"] = Json::array();
+  for (const replay::StepContact& contact : location.contacts) {
+    json["contacts"].push_back({{"substep", contact.substep},
+                                {"bodies", contact.b ? Json{contact.a, *contact.b} : Json{contact.a}},
+                                {"normal", {contact.normal.x(), contact.normal.y(), contact.normal.z()}},
+                                {"depth", contact.depth},
+                                {"impulse", contact.impulse}});
+  }
+  return json;
+}
+
+void print_difference(const replay::DifferenceReport& report, Compared compared) {
+  print_divergence(report.first);
+  if (compared == Compared::kTwoLogs) {
+    print_location(report.location);
+  } else {
+    Listing contacts;
+    for (const replay::StepContact& contact : report.location.contacts) {
+      contacts.add("  contact", replay::describe(contact));
+    }
+    contacts.print();
+  }
+  if (report.growth) {
+    compared == Compared::kTwoLogs ? print_growth(*report.growth, "A", "B")
+                                   : print_growth(*report.growth, "log", "this build");
+  } else if (compared == Compared::kTwoLogs) {
+    std::cout << "the growth of the difference is not known: " << printable(report.growth_unknown) << '\n';
+  }
+}
+
+void add_difference(const replay::DifferenceReport& report, Compared compared, Json& json) {
+  if (compared == Compared::kTwoLogs) json["narrowed"] = location_json(report.location);
+  if (report.growth) json["aftermath"] = growth_json(*report.growth);
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "replay/diff/separation.h"
+#include "src/base/result.h"
+
+namespace tumble::tools {
+
+/// `diff --plot`: draws the separation, on a logarithmic scale, and the number of bodies that differ over the steps.
+/// Errors: run_gnuplot()'s.
+Status draw_separation(const std::string& path, const std::string& title, const replay::Separation& separation);
+
+}  // namespace tumble::tools
