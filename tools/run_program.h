@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/arguments/command.h"
+#include "tools/process/exit.h"
 
 namespace tumble::tools {
 

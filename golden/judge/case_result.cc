@@ -1,6 +1,7 @@
 #include "golden/judge/case_result.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "replay/measure/metric_list.h"
 

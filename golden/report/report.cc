@@ -1,5 +1,7 @@
 #include "golden/report/report.h"
 
+#include <nlohmann/json.hpp>
+
 #include "golden/suite/text_files.h"
 
 namespace tumble::golden {

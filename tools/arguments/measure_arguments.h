@@ -1,12 +1,12 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include "replay/measure/measure_options.h"
 #include "src/base/result.h"
+#include "tools/arguments/arguments.h"
 
 namespace tumble::tools {
 
@@ -18,7 +18,7 @@ struct MeasureArguments {
 };
 
 /// Declares --bodies, --axis and --from-step.
-void add_measure(CLI::App& app, MeasureArguments& target);
+void add_measure(Arguments& arguments, MeasureArguments& target);
 
 /// Errors (kBadInput): what is not understood.
 Result<replay::MeasureOptions> parse_measure(const MeasureArguments& arguments);

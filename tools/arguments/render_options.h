@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,6 +9,7 @@
 #include "replay/picture/picture_source.h"
 #include "src/base/result.h"
 #include "src/render/renderer.h"
+#include "tools/arguments/arguments.h"
 #include "tools/output/frames.h"
 
 namespace tumble::tools {
@@ -22,7 +22,7 @@ struct RenderArguments {
   std::string steps, size = "640x480", effects = "all", pass = "final", show, gl = "auto";
   bool json = false;
 };
-void declare_arguments(CLI::App& app, RenderArguments& arguments);
+void declare_arguments(Arguments& arguments, RenderArguments& target);
 
 /// Where the pictures go.
 enum class OutputKind { kPicture, kFolder, kMovie };

@@ -1,6 +1,7 @@
 // tumble bench memory: what a world holds of memory, by body and by contact.
 #include <algorithm>
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "src/scenes/scene_file.h"
 #include "src/step/step.h"

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "golden/suite/temporary_folder.h"
 #include "golden/suite/text_files.h"

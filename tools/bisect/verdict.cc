@@ -1,6 +1,7 @@
 #include "tools/bisect/verdict.h"
 
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "tools/files/log_files.h"
 #include "tools/output/divergence_output.h"

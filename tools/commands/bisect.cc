@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -174,52 +175,47 @@ Result<Exit> find_commit(const Options& options) {
   return finding->found() ? Exit::kDifference : Exit::kCannotFinish;
 }
 
-void declare_question(CLI::App& app, Options& options) {
-  app.add_option("--metric", options.metric,
-                 "Ask whether the session, recorded anew by each revision, is within a bound, as in 'lateral_max<=0'")
-      ->type_name("EXPR");
-  add_measure(app, options.measure);
-  app.add_option("--case", options.case_name, "Ask whether each revision's own check of this golden case passes")
-      ->type_name("NAME");
-  app.add_flag("--image", options.image, "With --case: ask for the image verdict alone");
+void declare_question(Arguments& arguments, Options& options) {
+  arguments.option(
+      "--metric", "EXPR", options.metric,
+      "Ask whether the session, recorded anew by each revision, is within a bound, as in 'lateral_max<=0'");
+  add_measure(arguments, options.measure);
+  arguments.option("--case", "NAME", options.case_name,
+                   "Ask whether each revision's own check of this golden case passes");
+  arguments.flag("--image", options.image, "With --case: ask for the image verdict alone");
 }
 
-void declare_building(CLI::App& app, Options& options) {
-  app.add_option("--repo", options.repository, "A folder in the clone; the current one if not given")->type_name("DIR");
-  app.add_flag("--first-parent", options.first_parent, "Ask only along first parents: which merge it was");
-  app.add_option("--build", options.build,
-                 "A command that builds a revision, run in its folder; may be repeated. The release preset's build of "
-                 "tumble if not given")
-      ->type_name("COMMAND")
-      ->allow_extra_args(false);
-  app.add_option("--program", options.program, "The program it makes, a path from that folder")->type_name("PATH");
-  app.add_option("--run", options.run,
-                 "Instead of the program: a command of any engine that makes the log {log} of the scene {scene}")
-      ->type_name("COMMAND");
+void declare_building(Arguments& arguments, Options& options) {
+  arguments.option("--repo", "DIR", options.repository, "A folder in the clone; the current one if not given");
+  arguments.flag("--first-parent", options.first_parent, "Ask only along first parents: which merge it was");
+  arguments.option(
+      "--build", "COMMAND", options.build,
+      "A command that builds a revision, run in its folder; may be repeated. The release preset's build of "
+      "tumble if not given");
+  arguments.option("--program", "PATH", options.program, "The program it makes, a path from that folder");
+  arguments.option("--run", "COMMAND", options.run,
+                   "Instead of the program: a command of any engine that makes the log {log} of the scene {scene}");
   constexpr double kTimeoutMax = 1e6;
-  add_positive(app, "--timeout", options.timeout, kTimeoutMax, "Skip a revision whose program takes longer")
-      ->type_name("S");
-  app.add_option("--work", options.work, "Work in this folder; one under the folder for temporary files if not given")
-      ->type_name("DIR");
-  app.add_flag("--resume", options.resume, "Go on with an interrupted bisection: the same arguments and --resume");
-  app.add_flag("--keep", options.keep, "Keep the folder with the clone, the last build and the sessions");
+  arguments.positive("--timeout", "S", options.timeout, kTimeoutMax, "Skip a revision whose program takes longer");
+  arguments.option("--work", "DIR", options.work,
+                   "Work in this folder; one under the folder for temporary files if not given");
+  arguments.flag("--resume", options.resume, "Go on with an interrupted bisection: the same arguments and --resume");
+  arguments.flag("--keep", options.keep, "Keep the folder with the clone, the last build and the sessions");
 }
 
 }  // namespace
 
-Action declare_bisect(CLI::App& app) {
+Action declare_bisect(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  app.add_option("LOG", options->logs, "Two logs; or, with --good and --bad, the session to ask about")
-      ->expected(0, 2)
-      ->type_name("");
-  CLI::Option* good = app.add_option("--good", options->good, "A revision that is as it should be");
-  CLI::Option* bad = app.add_option("--bad", options->bad, "A later revision that is not");
-  good->type_name("REV")->needs(bad);
-  bad->type_name("REV")->needs(good);
-  declare_question(app, *options);
-  declare_building(app, *options);
-  add_json(app, options->json);
-  app.footer(
+  arguments.positionals("LOG", options->logs, "Two logs; or, with --good and --bad, the session to ask about", 2);
+  const Argument good = arguments.option("--good", "REV", options->good, "A revision that is as it should be");
+  const Argument bad = arguments.option("--bad", "REV", options->bad, "A later revision that is not");
+  good.needs(bad);
+  bad.needs(good);
+  declare_question(arguments, *options);
+  declare_building(arguments, *options);
+  arguments.json(options->json);
+  arguments.footer(
       "docs/bisecting.md explains it. Revisions that do not build or cannot read the log are skipped. The clone's own\n"
       "files, index and branches are not touched.\n\n"
       "Exit status: 0 two logs are the same, 1 they differ, or the commit was found, 4 interrupted, or what is left\n"

@@ -59,21 +59,18 @@ Result<Exit> bless(const Options& options) {
 
 }  // namespace
 
-Action declare_bless(CLI::App& app) {
+Action declare_bless(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  app.add_option("CASE", options->cases, "The cases to bless, or the name of a new one with --from")->type_name("");
-  app.add_flag("--all", options->all, "Every case of the suite");
-  app.add_option("--reason", options->reason, "Why the goldens move: one line for HISTORY.md")
-      ->type_name("TEXT")
-      ->required();
-  app.add_option("--from", options->log, "Make a new case of this recorded session")->type_name("LOG");
-  app.add_flag("--dry-run", options->dry_run, "Say what would change, and change nothing");
-  app.add_option("--suite", options->suite, "The suite: a folder with cases/ in it; the nearest golden/ if not given")
-      ->type_name("DIR");
-  add_whole(app, "--jobs", options->jobs, 1, 1024, "Cases at a time; as many as processors if not given")
-      ->type_name("N");
-  add_json(app, options->json);
-  app.footer(
+  arguments.positionals("CASE", options->cases, "The cases to bless, or the name of a new one with --from");
+  arguments.flag("--all", options->all, "Every case of the suite");
+  arguments.option("--reason", "TEXT", options->reason, "Why the goldens move: one line for HISTORY.md").required();
+  arguments.option("--from", "LOG", options->log, "Make a new case of this recorded session");
+  arguments.flag("--dry-run", options->dry_run, "Say what would change, and change nothing");
+  arguments.option("--suite", "DIR", options->suite,
+                   "The suite: a folder with cases/ in it; the nearest golden/ if not given");
+  arguments.whole("--jobs", "N", options->jobs, 1, 1024, "Cases at a time; as many as processors if not given");
+  arguments.json(options->json);
+  arguments.footer(
       "Replaces expected.tumble and the values in metrics.toml; bounds stay. A metric out of its bounds is refused:\n"
       "change the bound, and its reason, in metrics.toml first. HISTORY.md gets what moved, by how much and why.\n\n"
       "Examples:\n"

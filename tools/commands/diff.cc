@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@
 #include "src/model/limits.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
+#include "tools/arguments/numbers.h"
 #include "tools/files/log_files.h"
 #include "tools/output/divergence_output.h"
 #include "tools/output/gap_plot.h"
@@ -193,27 +195,25 @@ Result<Exit> diff(const Options& options) {
 
 }  // namespace
 
-Action declare_diff(CLI::App& app) {
+Action declare_diff(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  app.add_option("A", options->a, "The log with the expected values")->required()->type_name("");
-  app.add_option("B", options->b, "The log to compare with it")->required()->type_name("");
-  app.add_option(
-         "--tolerance", options->tolerances,
-         "Call states the same where each component of FIELD (position, orientation, velocity, spin) is at most "
-         "V apart; then states decide and hashes do not. May be repeated")
-      ->type_name("FIELD=V")
-      ->allow_extra_args(false);
-  CLI::Option* step = add_whole(app, "--step", options->step, 0, sim::kStepsMax,
-                                "Show step K of both side by side, phase by phase, and the bodies that differ");
-  step->type_name("K");
-  CLI::Option* plot =
-      app.add_option("--plot", options->plot, "Also draw the gap over the steps, on a logarithmic scale, with gnuplot");
-  plot->type_name("FILE.svg|png")->excludes(step);
-  app.add_flag("--brief", options->brief, "Only find the first difference, by the hashes, not what it led to")
-      ->excludes(step)
-      ->excludes(plot);
-  add_json(app, options->json);
-  app.footer(
+  arguments.positional("A", options->a, "The log with the expected values").required();
+  arguments.positional("B", options->b, "The log to compare with it").required();
+  arguments.option(
+      "--tolerance", "FIELD=V", options->tolerances,
+      "Call states the same where each component of FIELD (position, orientation, velocity, spin) is at most "
+      "V apart; then states decide and hashes do not. May be repeated");
+  const Argument step = arguments.whole("--step", "K", options->step, 0, sim::kStepsMax,
+                                        "Show step K of both side by side, phase by phase, and the bodies that differ");
+  const Argument plot = arguments
+                            .option("--plot", "FILE.svg|png", options->plot,
+                                    "Also draw the gap over the steps, on a logarithmic scale, with gnuplot")
+                            .excludes(step);
+  arguments.flag("--brief", options->brief, "Only find the first difference, by the hashes, not what it led to")
+      .excludes(step)
+      .excludes(plot);
+  arguments.json(options->json);
+  arguments.footer(
       "Exit status: 0 the same, 1 a difference, 3 a log is damaged or torn (the whole parts are compared), or broken:\n"
       "its states and its hashes do not tell the same.\n\n"
       "Examples:\n"

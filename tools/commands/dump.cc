@@ -3,6 +3,7 @@
 #include <array>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -182,17 +183,16 @@ Result<Exit> dump(const Options& options) {
 
 }  // namespace
 
-Action declare_dump(CLI::App& app) {
+Action declare_dump(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  app.add_option("LOG", options->log, "The log to read")->required()->type_name("");
-  CLI::Option* step =
-      add_whole(app, "--step", options->step, 0, sim::kStepsMax, "The state after step K; 0 is the start");
-  step->type_name("K");
-  app.add_option("--steps", options->steps, "The states after steps A to B")->type_name("A:B")->excludes(step);
-  add_whole(app, "--body", options->body, 1, sim::kBodyIdMax, "Only the body with this id")->type_name("ID");
-  CLI::Option* csv = app.add_flag("--csv", options->csv, "Print a table of comma-separated values");
-  add_json(app, options->json)->excludes(csv);
-  app.footer(
+  arguments.positional("LOG", options->log, "The log to read").required();
+  const Argument step =
+      arguments.whole("--step", "K", options->step, 0, sim::kStepsMax, "The state after step K; 0 is the start");
+  arguments.option("--steps", "A:B", options->steps, "The states after steps A to B").excludes(step);
+  arguments.whole("--body", "ID", options->body, 1, sim::kBodyIdMax, "Only the body with this id");
+  const Argument csv = arguments.flag("--csv", options->csv, "Print a table of comma-separated values");
+  arguments.json(options->json).excludes(csv);
+  arguments.footer(
       "Numbers of --csv and --json read back to the same bits; the table for people is rounded.\n\n"
       "Examples:\n"
       "  tumble dump brick_wall.tumble --step 0\n"

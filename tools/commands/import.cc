@@ -2,6 +2,7 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -105,20 +106,17 @@ Result<Exit> import_command(const Options& options) {
 
 }  // namespace
 
-Action declare_import(CLI::App& app) {
+Action declare_import(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  app.add_option("FILE.csv", options->table, "The table: a row a body and step")->required()->type_name("");
-  app.add_option("-o,--output", options->output, "The log to write (if not given: FILE.tumble in this folder)")
-      ->type_name("LOG");
-  app.add_option("--header", options->settings,
-                 "A line of the header, \"key: value\", that wins over the table's: \"up: y\", \"dt: 0.01\"")
-      ->type_name("LINE")
-      ->allow_extra_args(false);
-  app.add_option("--like", options->like,
-                 "Sizes, masses, gravity, dt and camera, where the table does not say them, as in this log")
-      ->type_name("LOG");
-  add_json(app, options->json);
-  app.footer(
+  arguments.positional("FILE.csv", options->table, "The table: a row a body and step").required();
+  arguments.option("-o,--output", "LOG", options->output,
+                   "The log to write (if not given: FILE.tumble in this folder)");
+  arguments.option("--header", "LINE", options->settings,
+                   "A line of the header, \"key: value\", that wins over the table's: \"up: y\", \"dt: 0.01\"");
+  arguments.option("--like", "LOG", options->like,
+                   "Sizes, masses, gravity, dt and camera, where the table does not say them, as in this log");
+  arguments.json(options->json);
+  arguments.footer(
       "Columns: step or time, id, position.x …, orientation.w …, velocity.x …, spin.x …, and any of frozen, size.x …,\n"
       "mass, static, friction, restitution, row, column. Lines \"# key: value\" before them: engine, version, scene,\n"
       "precision, up, handed, length, dt, gravity, ground, size, mass, friction, restitution.\n"

@@ -135,23 +135,20 @@ Result<Exit> measure(const Options& options) {
 
 }  // namespace
 
-Action declare_measure(CLI::App& app) {
+Action declare_measure(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  app.add_option("LOG", options->log, "The log to measure")->required()->type_name("");
-  app.add_option("--series", options->series, "Also write the metrics of every step to this CSV file")
-      ->type_name("FILE.csv");
-  app.add_option("--plot", options->plot, "Also draw energy, heights and overlap over time, with gnuplot")
-      ->type_name("FILE.svg|png");
-  add_measure(app, options->over);
-  app.add_option("--require", options->require,
-                 "Exit with status 1 unless this holds, as in 'lateral_max<=0'; may be repeated")
-      ->type_name("EXPR")
-      ->allow_extra_args(false);
-  app.add_option("--with", options->twin,
-                 "The log of the scene's image (record --mirror, --permute, --shift): also say how far it is from one")
-      ->type_name("LOG");
-  add_json(app, options->json);
-  app.footer(
+  arguments.positional("LOG", options->log, "The log to measure").required();
+  arguments.option("--series", "FILE.csv", options->series, "Also write the metrics of every step to this CSV file");
+  arguments.option("--plot", "FILE.svg|png", options->plot,
+                   "Also draw energy, heights and overlap over time, with gnuplot");
+  add_measure(arguments, options->over);
+  arguments.option("--require", "EXPR", options->require,
+                   "Exit with status 1 unless this holds, as in 'lateral_max<=0'; may be repeated");
+  arguments.option(
+      "--with", "LOG", options->twin,
+      "The log of the scene's image (record --mirror, --permute, --shift): also say how far it is from one");
+  arguments.json(options->json);
+  arguments.footer(
       "docs/metrics.md has the formula, unit and meaning of each metric.\n\n"
       "Examples:\n"
       "  tumble measure tilted_grid.tumble\n"

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "replay/log/byte_io.h"
@@ -133,12 +134,12 @@ Result<Exit> recover(const Options& options) {
 
 }  // namespace
 
-Action declare_recover(CLI::App& app) {
+Action declare_recover(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  app.add_option("DAMAGED", options->damaged, "The log to recover; it is only read")->required()->type_name("");
-  app.add_option("-o,--output", options->log, "The log to write")->required()->type_name("LOG");
-  add_json(app, options->json);
-  app.footer(
+  arguments.positional("DAMAGED", options->damaged, "The log to recover; it is only read").required();
+  arguments.option("-o,--output", "LOG", options->log, "The log to write").required();
+  arguments.json(options->json);
+  arguments.footer(
       "Keeps every chunk that is whole, wherever it lies in the file, also behind damage, and reads what it wrote\n"
       "from end to end before it says so. Exit status: 0 nothing was lost, 3 something was, which it names; 2 the\n"
       "file was never a log; 4 the new log could not be written.\n\n"

@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
@@ -175,17 +176,17 @@ Result<Exit> render_command(const RenderArguments& arguments) {
 
 }  // namespace
 
-Action declare_render(CLI::App& app) {
-  auto arguments = std::make_shared<RenderArguments>();
-  declare_arguments(app, *arguments);
-  app.footer(
+Action declare_render(Arguments& arguments) {
+  auto given = std::make_shared<RenderArguments>();
+  declare_arguments(arguments, *given);
+  arguments.footer(
       "A PNG says which scene, step and state it shows. docs/rendering.md explains effects and passes.\n\n"
       "Examples:\n"
       "  tumble render brick_wall.tumble --step 60 -o wall.png --size 1280x720\n"
       "  tumble render brick_wall.tumble -o wall.mp4 --speed 0.25\n"
       "  tumble render pyramid.tumble --every 60 -o frames --show freezing\n"
       "  tumble render a.tumble --compare b.tumble --step 300");
-  return [arguments] { return render_command(*arguments); };
+  return [given] { return render_command(*given); };
 }
 
 }  // namespace tumble::tools

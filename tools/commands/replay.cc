@@ -1,6 +1,7 @@
 // tumble replay: a log through this build's physics, every step compared.
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -108,13 +109,13 @@ Result<Exit> replay_command(const Options& options) {
 
 }  // namespace
 
-Action declare_replay(CLI::App& app) {
+Action declare_replay(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  app.add_option("LOG", options->log, "The log to replay")->required()->type_name("");
-  add_threads(app, options->threads);
-  app.add_flag("--brief", options->brief, "Stop at the first difference; do not look what it leads to");
-  add_json(app, options->json);
-  app.footer(
+  arguments.positional("LOG", options->log, "The log to replay").required();
+  arguments.threads(options->threads);
+  arguments.flag("--brief", options->brief, "Stop at the first difference; do not look what it leads to");
+  arguments.json(options->json);
+  arguments.footer(
       "Exit status: 0 identical, 1 a difference, 3 the log is damaged or torn (its whole part is replayed).\n\n"
       "Examples:\n"
       "  tumble replay brick_wall.tumble\n"

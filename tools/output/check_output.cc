@@ -1,6 +1,7 @@
 #include "tools/output/check_output.h"
 
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "golden/report/report.h"
 #include "tools/output/text.h"
