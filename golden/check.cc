@@ -3,24 +3,18 @@
 #include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <system_error>
 #include <utility>
 
+#include "golden/canaries/canaries.h"
 #include "golden/judge/case_series.h"
+#include "golden/run/longest_first.h"
 #include "golden/run/run_case.h"
-#include "golden/suite/text_files.h"
-#include "src/scenes/scene_file.h"
 
 namespace tumble::golden {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::uint64_t body_steps(const CaseFolder& folder) {
-  const Result<std::string> text = read_text(folder.file(kSceneFile));
-  if (!text.ok()) return 0;
-  const Result<sim::SceneDef> scene = scenes::parse_scene(*text, folder.file(kSceneFile).string());
-  return scene.ok() ? scene->steps * (scene->boxes.size() + 1) : 0;
-}
 
 CaseResult result_of(const CaseFolder& folder, const CheckOptions& options, const ChildResult& child) {
   if (child.failure.empty()) {
@@ -57,31 +51,6 @@ void remove_old_files(const fs::path& report, const std::vector<CaseFolder>& fol
 }
 
 }  // namespace
-
-bool SuiteResult::canaries_caught() const {
-  return !canaries.empty() && std::ranges::all_of(canaries, &CanaryResult::caught);
-}
-
-bool SuiteResult::passed() const { return problems.empty() && canaries_caught() && failed_cases() == 0; }
-
-std::size_t SuiteResult::failed_cases() const {
-  return static_cast<std::size_t>(std::ranges::count_if(cases, [](const CaseResult& c) { return !c.passed(); }));
-}
-
-std::size_t SuiteResult::failed(VerdictKind kind) const {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(cases, [&](const CaseResult& c) { return c.verdict(kind).outcome == Outcome::kFail; }));
-}
-
-std::vector<CaseFolder> longest_first(std::vector<CaseFolder> folders) {
-  std::vector<std::pair<std::uint64_t, CaseFolder>> costs;
-  costs.reserve(folders.size());
-  for (CaseFolder& folder : folders) costs.emplace_back(body_steps(folder), std::move(folder));
-  std::ranges::stable_sort(costs, std::greater<>(), &std::pair<std::uint64_t, CaseFolder>::first);
-  folders.clear();
-  for (auto& [cost, folder] : costs) folders.push_back(std::move(folder));
-  return folders;
-}
 
 Result<SuiteResult> check_suite(const CheckOptions& options) {
   const auto begin = std::chrono::steady_clock::now();

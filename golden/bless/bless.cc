@@ -6,10 +6,12 @@
 #include <numeric>
 #include <system_error>
 
-#include "golden/check.h"
 #include "golden/expected/expected_file.h"
+#include "golden/run/longest_first.h"
 #include "golden/run/run_case.h"
+#include "golden/suite/parse_rules.h"
 #include "golden/suite/text_files.h"
+#include "src/base/text.h"
 
 namespace tumble::golden {
 namespace {
@@ -88,7 +90,7 @@ std::string obstacle(const Handed& handed) {
   }
   for (std::size_t k = 0; k < handed.pictures.size(); ++k) {
     if (handed.pictures[k].empty())
-      return handed.result.pictures[k].rule.file() + " " + handed.result.pictures[k].words;
+      return handed.result.pictures[k].rule.file() + " " + handed.result.pictures[k].message;
   }
   for (const MetricResult& metric : handed.result.metrics) {
     const MetricRule& rule = metric.rule;
@@ -96,10 +98,10 @@ std::string obstacle(const Handed& handed) {
     const bool below = metric.value && rule.min && !(*metric.value >= *rule.min);
     const bool null = !metric.value && !metric.pass;
     if (!above && !below && !null) continue;
-    const std::string bound = above   ? ", above its max of " + number_with_unit(*rule.max, metric.unit)
-                              : below ? ", below its min of " + number_with_unit(*rule.min, metric.unit)
+    const std::string bound = above   ? ", above its max of " + rounded(*rule.max, metric.unit)
+                              : below ? ", below its min of " + rounded(*rule.min, metric.unit)
                                       : "";
-    return rule.name + " is " + (metric.value ? number_with_unit(*metric.value, metric.unit) : "null") + bound +
+    return rule.name + " is " + (metric.value ? rounded(*metric.value, metric.unit) : "null") + bound +
            "; if that is right, change the bound and its reason in " + handed.folder.file(kRulesFile).string() +
            " first";
   }
@@ -109,15 +111,15 @@ std::string obstacle(const Handed& handed) {
 Blessing blessing_of(const CaseResult& result, bool is_new) {
   Blessing blessing{.name = result.name, .is_new = is_new, .bits = {}, .details = {}, .metrics = result.metrics};
   const Verdict& exact = result.verdict(VerdictKind::kExact);
-  blessing.bits = exact.words;
+  blessing.bits = exact.message;
   if (is_new) {
     blessing.bits = "new, " + std::to_string(result.steps) + " steps of " + std::to_string(result.bodies) + " bodies";
-  } else if (exact.words.empty()) {
+  } else if (exact.message.empty()) {
     blessing.bits = "made anew, for the old golden could not be read";
   }
   if (!is_new && result.difference) blessing.details = result.difference->details;
   for (const PictureResult& picture : result.pictures) {
-    if (!picture.words.empty()) blessing.details.push_back(picture.rule.file() + ": " + picture.words);
+    if (!picture.message.empty()) blessing.details.push_back(picture.rule.file() + ": " + picture.message);
   }
   std::erase_if(blessing.details, [](const std::string& detail) { return detail.starts_with("exact values"); });
   return blessing;
@@ -126,7 +128,7 @@ Blessing blessing_of(const CaseResult& result, bool is_new) {
 bool changes_something(const CaseResult& result, const std::string& old_rules, const std::string& new_rules) {
   return result.verdict(VerdictKind::kExact).outcome != Outcome::kPass || !result.problems.empty() ||
          !result.notes.empty() || old_rules != new_rules ||
-         std::ranges::any_of(result.pictures, [](const PictureResult& picture) { return !picture.words.empty(); });
+         std::ranges::any_of(result.pictures, [](const PictureResult& picture) { return !picture.message.empty(); });
 }
 
 Status check_reason(const std::string& reason) {
@@ -168,7 +170,7 @@ Status write_case(const Handed& handed) {
   for (std::size_t k = 0; k < handed.pictures.size(); ++k) {
     const std::string name = handed.result.pictures[k].rule.file();
     // A picture whose pixels did not move keeps its bytes, which name the driver that made them.
-    if (handed.result.pictures[k].words.empty()) continue;
+    if (handed.result.pictures[k].message.empty()) continue;
     if (Status ok = write_file(handed.folder.path / name, std::string_view(handed.pictures[k])); !ok.ok()) return ok;
   }
   return write_file(handed.folder.file(kExpectedFile), std::string_view(handed.golden));

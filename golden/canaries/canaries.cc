@@ -9,7 +9,7 @@
 #include "golden/canaries/suite_canaries.h"
 #include "golden/expected/expected_file.h"
 #include "golden/run/process_pool.h"
-#include "golden/run/run_case.h"
+#include "golden/run/run_session.h"
 #include "golden/suite/scene_hash.h"
 
 namespace tumble::golden {
@@ -50,8 +50,8 @@ struct Fixture {
       result.problems.push_back(log.error().message);
       return result;
     }
-    const Yardstick yardstick = {rules, has_expected ? &expected : nullptr, scene_hash(scene), session.continuation};
-    result = judge(*log, yardstick).result;
+    const Reference reference = {rules, has_expected ? &expected : nullptr, scene_hash(scene), session.continuation};
+    result = judge(*log, reference).result;
     result.require = rules.require;
     return result;
   }
@@ -157,7 +157,7 @@ CanaryResult dying_child() {
       1, [](std::size_t) -> std::string { std::abort(); },
       [&](std::size_t, const ChildResult& child) {
         result.caught = !child.failure.empty() && child.output.empty();
-        result.words = child.failure;
+        result.message = child.failure;
       },
       {});
   return result;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "golden/canaries/canaries.h"
+#include "golden/judge/suite_result.h"
 
 namespace tumble::golden {
 

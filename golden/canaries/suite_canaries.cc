@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "golden/check.h"
+#include "golden/run/longest_first.h"
 #include "golden/run/process_pool.h"
 #include "replay/measure/mirrored_pair.h"
 

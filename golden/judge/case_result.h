@@ -24,7 +24,7 @@ enum class Outcome : std::uint8_t {
 
 struct Verdict {
   Outcome outcome = Outcome::kNone;
-  std::string words;  ///< "same bits in all 301 states", "1 of 6 metrics out of bounds"
+  std::string message;  ///< "same bits in all 301 states", "1 of 6 metrics out of bounds"
 };
 
 struct MetricResult {
@@ -32,7 +32,7 @@ struct MetricResult {
   std::string unit;
   std::optional<double> value;  ///< measured now; none: null
   bool pass = false;
-  std::string words;  ///< why it failed, or what moved; may be empty
+  std::string message;  ///< why it failed, or what moved; may be empty
 };
 
 struct PictureResult {
@@ -40,7 +40,7 @@ struct PictureResult {
   std::uint64_t pixels = 0;   ///< that are not as blessed
   std::uint64_t far_off = 0;  ///< of these, by more than render::kFarOffLevels
   bool pass = false;
-  std::string words;  ///< what differs; empty if nothing does
+  std::string message;  ///< what differs; empty if nothing does
 };
 
 struct CaseResult {

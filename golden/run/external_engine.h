@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "golden/run/run_case.h"
+#include "golden/run/run_session.h"
 #include "src/base/result.h"
 
 /// Cases of another engine: a command that reads a scene and writes a log.

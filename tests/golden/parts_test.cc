@@ -69,27 +69,27 @@ TEST(ProcessPool, NamesWhatEndedAChildAndRunsTheOthers) {
 TEST(Canaries, AreAllCaughtByTheJudge) {
   const std::vector<CanaryResult> results = run_canaries();
   EXPECT_GE(results.size(), 25U);
-  for (const CanaryResult& canary : results) EXPECT_TRUE(canary.caught) << canary.name << ": " << canary.words;
+  for (const CanaryResult& canary : results) EXPECT_TRUE(canary.caught) << canary.name << ": " << canary.message;
 }
 
-Judged always_pleased(replay::LogReader& log, const Yardstick& yardstick) {
-  Judged judged = judge(log, yardstick);
+Judged always_pleased(replay::LogReader& log, const Reference& reference) {
+  Judged judged = judge(log, reference);
   judged.result.problems.clear();
   judged.result.difference.reset();
   for (Verdict& verdict : judged.result.verdicts) verdict.outcome = Outcome::kPass;
   return judged;
 }
 
-Judged blind_to_the_last_state(replay::LogReader& log, const Yardstick& yardstick) {
-  Judged judged = judge(log, yardstick);
+Judged blind_to_the_last_state(replay::LogReader& log, const Reference& reference) {
+  Judged judged = judge(log, reference);
   if (judged.result.difference && judged.result.difference->step == log.step_count()) {
     judged.result.verdict(VerdictKind::kExact) = {Outcome::kPass, "same"};
   }
   return judged;
 }
 
-Judged never_pleased(replay::LogReader& log, const Yardstick& yardstick) {
-  Judged judged = judge(log, yardstick);
+Judged never_pleased(replay::LogReader& log, const Reference& reference) {
+  Judged judged = judge(log, reference);
   judged.result.problems.emplace_back("no");
   return judged;
 }

@@ -17,7 +17,7 @@ Json answer_json(const std::string& commit, const Answer& answer, double seconds
   return {{"commit", commit},
           {"asked", answer.asked},
           {"yes", answer.yes},
-          {"words", answer.words},
+          {"words", answer.message},
           {"metric", answer.metric ? Json(*answer.metric) : Json(nullptr)},
           {"seconds", seconds}};
 }
@@ -46,7 +46,7 @@ class State {
       Known known;
       known.answer.asked = row.value("asked", false);
       known.answer.yes = row.value("yes", false);
-      known.answer.words = row.value("words", "");
+      known.answer.message = row.value("words", "");
       if (row.contains("metric") && row["metric"].is_number()) known.answer.metric = row["metric"].get<double>();
       known.seconds = row.value("seconds", 0.0);
       known_[row.value("commit", "")] = known;
@@ -123,11 +123,11 @@ class Bisection {
       const Tested& tested = finding_.tested.back();
       if (tested.answer.asked) continue;
       return cannot_finish("the " + std::string(end == bad_ ? "bad" : "good") + " revision " + tested.commit.shortly() +
-                           " cannot be asked: " + tested.answer.words);
+                           " cannot be asked: " + tested.answer.message);
     }
     if (finding_.tested[0].answer.yes != finding_.tested[1].answer.yes) return {};
     return bad_input("the question (" + settings_.question() + ") has the same answer for both ends: good: " +
-                     finding_.tested[0].answer.words + "; bad: " + finding_.tested[1].answer.words);
+                     finding_.tested[0].answer.message + "; bad: " + finding_.tested[1].answer.message);
   }
 
   Result<Plan> next() {

@@ -227,8 +227,8 @@ Result<Answer> Asker::ask_session(const std::string& commit) {
   answer.asked = true;
   answer.metric = row.value(*metrics);
   answer.yes = settings_.metric->holds(answer.metric);
-  answer.words = std::string(row.name) + " is " + (answer.metric ? exact(*answer.metric) : "none") +
-                 (*row.unit != '\0' && answer.metric ? ' ' + std::string(row.unit) : "");
+  answer.message = std::string(row.name) + " is " + (answer.metric ? exact(*answer.metric) : "none") +
+                   (*row.unit != '\0' && answer.metric ? ' ' + std::string(row.unit) : "");
   return answer;
 }
 

@@ -15,7 +15,7 @@ namespace tumble::tools::bisect {
 struct Answer {
   bool asked = false;            ///< false: it does not build, or cannot read the log; it is skipped
   bool yes = false;              ///< the same, within the bound, passed
-  std::string words;             ///< why, a line
+  std::string message;           ///< why, a line
   std::optional<double> metric;  ///< the value of the metric asked about
 };
 

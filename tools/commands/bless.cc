@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "golden/bless/bless_log.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/files/scene_files.h"

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "golden/bless/bless.h"
-#include "golden/check.h"
+#include "golden/judge/suite_result.h"
 
 namespace tumble::tools {
 
