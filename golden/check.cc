@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-CaseResult result_of(const CaseFolder& folder, const CheckOptions& options, const ChildResult& child) {
+CaseResult result_of(const CaseFolder& folder, const CheckOptions& options, const process::JobResult& child) {
   if (child.failure.empty()) {
     Result<CaseResult> result = case_from_json(child.output);
     if (result.ok()) return *std::move(result);
@@ -69,12 +69,12 @@ Result<SuiteResult> check_suite(const CheckOptions& options) {
   const std::vector<CaseFolder> folders = longest_first(*std::move(selected));
   if (!options.report.empty()) remove_old_files(options.report, folders);
   const RunOptions run = {options.suite, options.require, options.report};
-  const bool finished = run_jobs(
+  const bool finished = process::run_jobs(
       folders.size(),
       [&](std::size_t i) {
         return to_json(run_case(folders[i], run).result).dump(-1, ' ', false, Json::error_handler_t::replace);
       },
-      [&](std::size_t i, const ChildResult& child) {
+      [&](std::size_t i, const process::JobResult& child) {
         result.cases.push_back(result_of(folders[i], options, child));
         result.cases.back().seconds = child.seconds;
         if (options.progress) options.progress(result.cases.back(), result.cases.size(), folders.size());

@@ -8,9 +8,9 @@
 
 #include "golden/judge/judge.h"
 #include "golden/judge/suite_result.h"
-#include "golden/run/process_pool.h"
 #include "golden/suite/suite.h"
 #include "src/base/result.h"
+#include "src/process/job_pool.h"
 
 namespace tumble::golden {
 
@@ -19,7 +19,7 @@ struct CheckOptions {
   Selection selection;
   std::optional<std::vector<VerdictKind>> require;  ///< instead of what each case says
   std::filesystem::path report;                     ///< where failed cases leave their files; empty: nowhere
-  PoolOptions pool;
+  process::PoolOptions pool;
   Judge canary_judge = judge;  ///< what the canaries are put before: the judge of the cases, except in a test
   /// Called as each case ends; may be empty.
   std::function<void(const CaseResult& result, std::size_t done, std::size_t total)> progress;

@@ -12,8 +12,8 @@
 #include "src/base/text.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
+#include "tools/output/exit.h"
 #include "tools/output/text.h"
-#include "tools/process/exit.h"
 
 namespace tumble::tools {
 namespace {

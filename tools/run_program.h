@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "tools/process/exit.h"
+#include "tools/output/exit.h"
 
 namespace tumble::tools {
 

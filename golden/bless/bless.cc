@@ -53,7 +53,7 @@ struct Handed {
   std::string rules_text;             // of the new metrics.toml
 };
 
-Handed take_over(const CaseFolder& folder, const ChildResult& child) {
+Handed take_over(const CaseFolder& folder, const process::JobResult& child) {
   Handed handed{.folder = folder, .result = {}, .complete = false, .golden = {}, .pictures = {}, .rules_text = {}};
   if (!child.failure.empty()) {
     handed.result.problems.push_back("its process " + child.failure);
@@ -153,9 +153,10 @@ Result<std::string> new_rules(const Handed& handed, std::string& old_text) {
 Result<std::vector<Handed>> run_all(const BlessOptions& options, const std::vector<CaseFolder>& folders) {
   std::vector<Handed> handed;
   const RunOptions run = {options.suite, {}, {}};
-  const bool finished = run_jobs(
+  const bool finished = process::run_jobs(
       folders.size(), [&](std::size_t i) { return hand_over(run_case(folders[i], run)); },
-      [&](std::size_t i, const ChildResult& child) { handed.push_back(take_over(folders[i], child)); }, options.pool);
+      [&](std::size_t i, const process::JobResult& child) { handed.push_back(take_over(folders[i], child)); },
+      options.pool);
   if (!finished) return cannot_finish("interrupted; nothing was blessed");
   std::ranges::sort(handed, {}, [](const Handed& h) { return h.folder.name; });
   for (const Handed& one : handed) {

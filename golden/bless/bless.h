@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "golden/bless/history.h"
-#include "golden/run/process_pool.h"
 #include "golden/suite/suite.h"
 #include "src/base/result.h"
+#include "src/process/job_pool.h"
 
 namespace tumble::golden {
 
@@ -16,7 +16,7 @@ struct BlessOptions {
   std::vector<std::string> names;  ///< of cases; empty: all
   std::string reason;              ///< one line
   bool dry_run = false;            ///< say what would change, write nothing
-  PoolOptions pool;
+  process::PoolOptions pool;
 };
 
 struct BlessReport {

@@ -8,9 +8,9 @@
 #include "golden/canaries/log_canaries.h"
 #include "golden/canaries/suite_canaries.h"
 #include "golden/expected/expected_file.h"
-#include "golden/run/process_pool.h"
 #include "golden/run/run_session.h"
 #include "golden/suite/scene_hash.h"
+#include "src/process/job_pool.h"
 
 namespace tumble::golden {
 namespace {
@@ -153,9 +153,9 @@ CanaryResult spoilt_file(const char* name, const Expected& expected, void (*spoi
 
 CanaryResult dying_child() {
   CanaryResult result{"a case crashes", false, "it passed as finished"};
-  run_jobs(
+  process::run_jobs(
       1, [](std::size_t) -> std::string { std::abort(); },
-      [&](std::size_t, const ChildResult& child) {
+      [&](std::size_t, const process::JobResult& child) {
         result.caught = !child.failure.empty() && child.output.empty();
         result.message = child.failure;
       },

@@ -4,8 +4,8 @@
 #include <set>
 
 #include "golden/run/longest_first.h"
-#include "golden/run/process_pool.h"
 #include "replay/measure/mirrored_pair.h"
+#include "src/process/job_pool.h"
 
 namespace tumble::golden {
 namespace {
@@ -61,9 +61,9 @@ bool failures_add_up() {
 
 bool early_end_is_seen() {
   bool seen = false;
-  run_jobs(
+  process::run_jobs(
       1, [](std::size_t) -> std::string { std::_Exit(0); },
-      [&](std::size_t, const ChildResult& child) { seen = !child.failure.empty(); }, {});
+      [&](std::size_t, const process::JobResult& child) { seen = !child.failure.empty(); }, {});
   return seen;
 }
 

@@ -1,4 +1,4 @@
-// The logic of a bisection, without git: every place of the fault, any commits that cannot be asked.
+// The parts of a bisection, without git: every place of the fault, any commits that cannot be asked, the progress line.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -6,7 +6,6 @@
 #include <random>
 
 #include "tools/bisect/plan.h"
-#include "tools/process/child_run.h"
 
 namespace tumble::tools {
 namespace {
@@ -79,15 +78,6 @@ TEST(BisectPlan, NothingToAskLeavesTheBadOne) {
   EXPECT_TRUE(plan.test.empty());
   EXPECT_EQ(plan.suspects, std::vector<std::string>{"5"});
   EXPECT_EQ(plan.steps, 0U);
-}
-
-TEST(SplitWords, KnowsQuotesAndBackslashes) {
-  const auto words = [](const char* text) { return *split_words(text); };
-  EXPECT_EQ(words("cmake  --build 'a folder'"), (std::vector<std::string>{"cmake", "--build", "a folder"}));
-  EXPECT_EQ(words(R"(a\ b "c \" d" '' e'f'g)"), (std::vector<std::string>{"a b", "c \" d", "", "efg"}));
-  EXPECT_EQ(words("$HOME;rm *"), (std::vector<std::string>{"$HOME;rm", "*"})) << "no shell sees it";
-  EXPECT_FALSE(split_words("  ").ok());
-  EXPECT_FALSE(split_words("a 'b").ok());
 }
 
 }  // namespace

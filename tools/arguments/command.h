@@ -4,7 +4,7 @@
 
 #include "src/base/result.h"
 #include "tools/arguments/arguments.h"
-#include "tools/process/exit.h"
+#include "tools/output/exit.h"
 
 namespace tumble::tools {
 

@@ -7,8 +7,8 @@
 
 #include "src/base/result.h"
 #include "src/model/scene.h"
+#include "tools/output/exit.h"
 #include "tools/output/text.h"
-#include "tools/process/exit.h"
 
 /// What the parts of `tumble bench` share. docs/performance.md explains the figures.
 namespace tumble::tools {

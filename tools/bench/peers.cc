@@ -10,8 +10,8 @@
 #include "golden/suite/text_files.h"
 #include "replay/log/log_reader.h"
 #include "replay/measure/measure_log.h"
+#include "src/process/run_child.h"
 #include "tools/bench/bench.h"
-#include "tools/process/child_run.h"
 
 namespace tumble::tools {
 namespace {
@@ -74,11 +74,11 @@ std::vector<Peer> find_peers(const BenchOptions& options) {
 
 /// Runs a program and reads the JSON that it prints. Errors (kCannotFinish): it failed; with how, and its last words.
 Result<Json> run(std::vector<std::string> words, const fs::path& folder) {
-  ChildTask task;
+  process::Program task;
   task.words = std::move(words);
   task.out = (folder / "out.json").string();
   task.err = (folder / "words.txt").string();
-  const Result<ChildEnd> end = run_child(task);
+  const Result<process::ChildEnd> end = process::run_child(task);
   if (!end.ok()) return end.error();
   const Result<std::string> text = golden::read_text(task.out), said = golden::read_text(task.err);
   Json json = Json::parse(text.ok() ? *text : "", nullptr, false);

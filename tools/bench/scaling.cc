@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "src/process/child_pipe.h"
 #include "src/step/step.h"
 #include "src/world/world.h"
 #include "tools/bench/bench.h"
-#include "tools/process/child_pipe.h"
 
 namespace tumble::tools {
 namespace {
@@ -79,7 +79,7 @@ Status plot(const std::vector<Point>& points, const std::string& path, const std
       "stats $rows using 1:2 nooutput\nslope = STATS_min_y / STATS_min_x\n"
       "plot $rows with linespoints pointtype 7 title '20 rows', $squares with linespoints pointtype 6 title "
       "'squares', slope * x title 'linear' linecolor 'gray'\n";
-  ChildPipe gnuplot;
+  process::ChildPipe gnuplot;
   if (Status ok = gnuplot.start({"gnuplot", "--default-settings", "-"}, "plots", "gnuplot-nox"); !ok.ok()) return ok;
   const bool written = gnuplot.write(std::as_bytes(std::span(script)));
   if (gnuplot.finish() && written) return {};

@@ -9,10 +9,11 @@
 #include "golden/suite/text_files.h"
 #include "replay/diff/compare.h"
 #include "replay/measure/measure_log.h"
+#include "src/process/run_child.h"
+#include "src/process/split_words.h"
 #include "src/scenes/problem.h"
 #include "tools/files/log_files.h"
 #include "tools/output/text.h"
-#include "tools/process/child_run.h"
 
 namespace tumble::tools::bisect {
 namespace {
@@ -116,13 +117,12 @@ std::string Asker::program() const { return (fs::path(place_.source()) / setting
 
 /// False and why where it did not end well.
 Result<bool> Asker::run(const std::vector<std::string>& words, const std::string& name, std::string& why) {
-  ChildTask task;
+  process::Program task;
   task.words = words;
   task.folder = place_.source();
   task.out = place_.file(name + ".out");
   task.err = place_.file(name + ".err");
-  task.timeout_s = settings_.timeout_s;
-  const Result<ChildEnd> end = run_child(task, cancel_);
+  const Result<process::ChildEnd> end = process::run_child(task, settings_.timeout_s, cancel_);
   if (!end.ok()) {
     why = end.error().message;
     last_exit_ = -1;
@@ -138,15 +138,15 @@ Result<bool> Asker::run(const std::vector<std::string>& words, const std::string
 
 Result<bool> Asker::build_once(const std::string& log, std::string& why) {
   for (const std::string& command : settings_.build) {
-    const Result<std::vector<std::string>> words = split_words(command);
+    const Result<std::vector<std::string>> words = process::split_words(command);
     if (!words.ok()) return words.error();
-    ChildTask task;
+    process::Program task;
     task.words = *words;
     task.folder = place_.source();
     task.out = task.err = log;
     // So that what other folders have compiled is found by the compiler cache.
     task.more = {{"CCACHE_BASEDIR", place_.source()}, {"CCACHE_NOHASHDIR", "1"}};
-    const Result<ChildEnd> end = run_child(task, cancel_);
+    const Result<process::ChildEnd> end = process::run_child(task, 0, cancel_);
     if (!end.ok()) return end.error();
     if (end->stopped) return cannot_finish("interrupted");
     if (end->well()) continue;
@@ -177,7 +177,7 @@ std::vector<std::string> Asker::record_words(const std::string& session) const {
     words.insert(words.end(), record_words_.begin(), record_words_.end());
     return words;
   }
-  const Result<std::vector<std::string>> command = split_words(settings_.run);
+  const Result<std::vector<std::string>> command = process::split_words(settings_.run);
   if (!command.ok()) return words;
   for (const std::string& word : *command) {
     words.push_back(replaced(replaced(word, "{scene}", scene_), "{log}", session));

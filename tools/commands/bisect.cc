@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "replay/diff/locate_divergence.h"
+#include "src/process/interrupt.h"
+#include "src/process/split_words.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/arguments/measure_arguments.h"
@@ -18,8 +20,6 @@
 #include "tools/output/divergence_output.h"
 #include "tools/output/story_output.h"
 #include "tools/output/text.h"
-#include "tools/process/child_run.h"
-#include "tools/process/interrupt.h"
 
 namespace tumble::tools {
 namespace {
@@ -52,11 +52,11 @@ Result<Exit> narrow_logs(const Options& options) {
   if (!a.ok()) return a.error();
   Result<replay::LogReader> b = open_log(options.logs[1]);
   if (!b.ok()) return b.error();
-  const InterruptGuard guard;
+  const process::InterruptGuard guard;
   const Result<replay::Narrowing> narrowing =
-      replay::narrow(*a, *b, [](std::uint64_t, std::uint64_t) { return !InterruptGuard::interrupted(); });
+      replay::narrow(*a, *b, [](std::uint64_t, std::uint64_t) { return !process::InterruptGuard::interrupted(); });
   if (!narrowing.ok()) return narrowing.error();
-  if (InterruptGuard::interrupted()) return cannot_finish("interrupted");
+  if (process::InterruptGuard::interrupted()) return cannot_finish("interrupted");
   const replay::DiffReport& report = narrowing->report;
   const std::size_t chunks = a->chunks().size() + b->chunks().size();
   if (options.json) {
@@ -129,9 +129,10 @@ Result<bisect::Settings> settings_of(const Options& options) {
   settings.run = options.run;
   settings.timeout_s = options.timeout.value_or(0);
   for (const std::string& command : settings.build) {
-    if (const auto words = split_words(command); !words.ok()) return bad_input("--build: " + words.error().message);
+    if (const auto words = process::split_words(command); !words.ok())
+      return bad_input("--build: " + words.error().message);
   }
-  if (const auto words = split_words(settings.run); !settings.run.empty() && !words.ok()) {
+  if (const auto words = process::split_words(settings.run); !settings.run.empty() && !words.ok()) {
     return bad_input("--run: " + words.error().message);
   }
   return settings;
@@ -143,7 +144,7 @@ Result<bisect::Finding> search(const bisect::Settings& settings, const bisect::W
   out << "question: " << printable(settings.question()) << "\nwork in:  " << place.root() << std::endl;
   const bisect::Git git(settings.repository, place.root());
   return bisect::find_commit(
-      settings, place, git, [] { return InterruptGuard::interrupted(); },
+      settings, place, git, [] { return process::InterruptGuard::interrupted(); },
       [&](const bisect::CommitFacts& facts) {
         out << "asking " << facts.shortly() << ' ' << printable(facts.subject) << std::endl;
       },
@@ -156,13 +157,13 @@ Result<bisect::Finding> search(const bisect::Settings& settings, const bisect::W
 Result<Exit> find_commit(const Options& options) {
   const Result<bisect::Settings> settings = settings_of(options);
   if (!settings.ok()) return settings.error();
-  const InterruptGuard guard;
+  const process::InterruptGuard guard;
   Result<bisect::Workplace> place =
       bisect::Workplace::open(absolute(options.work), settings->fingerprint(), options.resume);
   if (!place.ok()) return place.error();
   const Result<bisect::Finding> finding = search(*settings, *place, options.json);
   if (!finding.ok()) {
-    if (!InterruptGuard::interrupted()) return finding.error();
+    if (!process::InterruptGuard::interrupted()) return finding.error();
     return cannot_finish(finding.error().message + "; what is known is kept: the same command with --resume goes on");
   }
   const bisect::Comparison comparison = bisect::compare_sessions(*finding, *place);

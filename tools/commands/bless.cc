@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "golden/bless/bless_log.h"
+#include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/files/scene_files.h"
 #include "tools/output/check_output.h"
 #include "tools/output/text.h"
-#include "tools/process/interrupt.h"
 
 namespace tumble::tools {
 namespace {
@@ -42,12 +42,12 @@ Result<golden::BlessReport> run(const Options& options) {
   }
   golden::BlessOptions how{suite, options.cases, options.reason, options.dry_run, {}};
   how.pool.jobs = options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
-  how.pool.cancel = InterruptGuard::interrupted;
+  how.pool.cancel = process::InterruptGuard::interrupted;
   return golden::bless_cases(how);
 }
 
 Result<Exit> bless(const Options& options) {
-  const InterruptGuard guard;
+  const process::InterruptGuard guard;
   const Result<golden::BlessReport> report = run(options);
   if (!report.ok()) return report.error();
   if (options.json) {

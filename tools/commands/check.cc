@@ -11,6 +11,7 @@
 
 #include "golden/report/report.h"
 #include "src/base/text.h"
+#include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/arguments/numbers.h"
@@ -18,7 +19,6 @@
 #include "tools/output/check_output.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
-#include "tools/process/interrupt.h"
 
 namespace tumble::tools {
 namespace {
@@ -70,7 +70,7 @@ Result<golden::CheckOptions> check_options(const Options& options) {
   out.report = options.report;
   out.pool.jobs = options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
   out.pool.timeout_s = options.timeout.value_or(kTimeout);
-  out.pool.cancel = InterruptGuard::interrupted;
+  out.pool.cancel = process::InterruptGuard::interrupted;
   return out;
 }
 
@@ -82,7 +82,7 @@ Exit verdict_of(const golden::SuiteResult& result) {
 Result<Exit> check(const Options& options) {
   Result<golden::CheckOptions> how = check_options(options);
   if (!how.ok()) return how.error();
-  const InterruptGuard guard;
+  const process::InterruptGuard guard;
   ProgressBar bar("checking");
   how->progress = [&](const golden::CaseResult& one, std::size_t done, std::size_t total) {
     bar.finish();

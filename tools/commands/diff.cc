@@ -13,6 +13,7 @@
 #include "replay/log/log_reader.h"
 #include "src/base/text.h"
 #include "src/model/limits.h"
+#include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/arguments/numbers.h"
@@ -24,7 +25,6 @@
 #include "tools/output/side_by_side.h"
 #include "tools/output/story_output.h"
 #include "tools/output/text.h"
-#include "tools/process/interrupt.h"
 
 namespace tumble::tools {
 namespace {
@@ -92,7 +92,7 @@ struct Found {
 replay::Progress progress_on(ProgressBar& bar) {
   return [&bar](std::uint64_t done, std::uint64_t total) {
     bar.show(done, total);
-    return !InterruptGuard::interrupted();
+    return !process::InterruptGuard::interrupted();
   };
 }
 
@@ -156,14 +156,14 @@ Result<Exit> compare(const Options& options, replay::LogReader& a, replay::LogRe
   bar.finish();
   if (!report.ok()) return report.error();
   Found found;
-  if (options.brief || InterruptGuard::interrupted()) {
+  if (options.brief || process::InterruptGuard::interrupted()) {
     found.narrowing.report = *std::move(report);
   } else {
     Result<Found> closer = look_closer(a, b, *std::move(report), tolerances->exact());
     if (!closer.ok()) return closer.error();
     found = *std::move(closer);
   }
-  if (InterruptGuard::interrupted()) return cannot_finish("interrupted");
+  if (process::InterruptGuard::interrupted()) return cannot_finish("interrupted");
   const replay::DiffReport& result = found.narrowing.report;
   if (options.json) {
     Json json = comparison_json(result.identical(), result.steps, first_of(result));
@@ -187,7 +187,7 @@ Result<Exit> diff(const Options& options) {
   if (!a.ok()) return a.error();
   Result<replay::LogReader> b = open_log(options.b);
   if (!b.ok()) return b.error();
-  const InterruptGuard guard;
+  const process::InterruptGuard guard;
   Result<Exit> verdict = options.step ? step_beside(options, *a, *b) : compare(options, *a, *b);
   if (!verdict.ok()) return verdict;
   return judge("diff", *b, judge("diff", *a, *verdict));

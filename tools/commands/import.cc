@@ -8,12 +8,12 @@
 
 #include "replay/import/import_csv.h"
 #include "replay/log/log_reader.h"
+#include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/files/log_files.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
-#include "tools/process/interrupt.h"
 
 namespace tumble::tools {
 namespace {
@@ -45,12 +45,12 @@ Result<std::string> read_table(const std::string& path) {
 Result<replay::LogSummary> import_to(const Options& options, const std::string& output, const std::string& text,
                                      const replay::ImportOptions& how) {
   ProgressBar bar("importing");
-  const InterruptGuard guard;
+  const process::InterruptGuard guard;
   Result<replay::LogSummary> summary = replay::import_csv(
       text, options.table, [&] { return replay::open_file_sink(output); }, how,
       [&](std::uint64_t done, std::uint64_t total) {
         bar.show(done, total);
-        return !InterruptGuard::interrupted();
+        return !process::InterruptGuard::interrupted();
       });
   bar.finish();
   return summary;

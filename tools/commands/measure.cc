@@ -10,6 +10,7 @@
 #include "replay/measure/measure_log.h"
 #include "replay/measure/metric_bound.h"
 #include "replay/measure/mirrored_pair.h"
+#include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/arguments/measure_arguments.h"
@@ -18,7 +19,6 @@
 #include "tools/output/plot.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
-#include "tools/process/interrupt.h"
 
 namespace tumble::tools {
 namespace {
@@ -58,14 +58,14 @@ Exit judge_bounds(const std::vector<replay::MetricBound>& bounds, const replay::
 replay::Progress progress_on(ProgressBar& bar) {
   return [&bar](std::uint64_t done, std::uint64_t total) {
     bar.show(done, total);
-    return !InterruptGuard::interrupted();
+    return !process::InterruptGuard::interrupted();
   };
 }
 
 /// Measures, and hands every row to the files that were asked for.
 Result<replay::Metrics> measure_rows(replay::LogReader& log, const replay::MeasureOptions& how,
                                      const Options& options) {
-  const InterruptGuard guard;
+  const process::InterruptGuard guard;
   ProgressBar bar("measuring");
   std::optional<SeriesFile> series;
   if (!options.series.empty()) {
@@ -98,7 +98,7 @@ Result<replay::Metrics> measure_rows(replay::LogReader& log, const replay::Measu
 
 /// Adds what only two sessions show.
 Status compare_with_twin(replay::LogReader& log, replay::LogReader& twin, replay::Metrics& metrics) {
-  const InterruptGuard guard;
+  const process::InterruptGuard guard;
   ProgressBar bar("comparing");
   const Result<replay::TwinReport> report = replay::compare_twins(log, twin, progress_on(bar));
   if (!report.ok()) return report.error();

@@ -14,6 +14,7 @@
 #include "replay/session/frame_clock.h"
 #include "replay/session/recorder.h"
 #include "src/model/limits.h"
+#include "src/process/interrupt.h"
 #include "src/scenes/problem.h"
 #include "src/scenes/scene_file.h"
 #include "src/threads/worker_threads.h"
@@ -26,7 +27,6 @@
 #include "tools/files/scene_files.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
-#include "tools/process/interrupt.h"
 
 namespace tumble::tools {
 namespace {
@@ -77,7 +77,7 @@ Result<Session> run_session(const std::string& path, replay::Recorder& recorder,
   SessionStepper stepper(recorder, options.realtime);
   const sim::SceneDef& scene = recorder.scene();
   const std::uint64_t first = recorder.world().state().step;
-  const InterruptGuard guard;
+  const process::InterruptGuard guard;
   ProgressBar bar("recording", !options.quiet);
   Session session;
   Status status;
@@ -87,7 +87,7 @@ Result<Session> run_session(const std::string& path, replay::Recorder& recorder,
     session.clock.add_step(recorder.world().state().def.dt);
     session.moving_body_steps += count_moving(recorder.world().bodies());
     bar.show(k - first, scene.steps - first);
-    if (InterruptGuard::interrupted()) status = cannot_finish("interrupted after step " + std::to_string(k));
+    if (process::InterruptGuard::interrupted()) status = cannot_finish("interrupted after step " + std::to_string(k));
   }
   Result<replay::LogSummary> summary = recorder.finish();
   if (!summary.ok()) return status.ok() ? summary.error() : status.error();

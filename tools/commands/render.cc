@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "src/process/interrupt.h"
 #include "src/render/picture/png.h"
 #include "tools/arguments/command.h"
 #include "tools/arguments/render_options.h"
@@ -14,7 +15,6 @@
 #include "tools/output/movie.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
-#include "tools/process/interrupt.h"
 
 namespace tumble::tools {
 namespace {
@@ -77,8 +77,8 @@ class Drawing {
     summary_.driver = renderer_->context().driver();
     summary_.backend = renderer_->context().backend_name();
     ProgressBar bar("drawing");
-    const InterruptGuard guard;
-    for (std::size_t i = 0; i < plan_.frames.size() && !InterruptGuard::interrupted(); ++i) {
+    const process::InterruptGuard guard;
+    for (std::size_t i = 0; i < plan_.frames.size() && !process::InterruptGuard::interrupted(); ++i) {
       bar.show(i, plan_.frames.size());
       if (Status ok = draw(i); !ok.ok()) return ok.error();
     }
@@ -86,7 +86,7 @@ class Drawing {
     if (plan_.kind == OutputKind::kMovie) {
       if (Status ok = movie_.finish(); !ok.ok()) return ok.error();
     }
-    if (!InterruptGuard::interrupted()) return summary_;
+    if (!process::InterruptGuard::interrupted()) return summary_;
     return cannot_finish("interrupted; " + plan_.output + " holds the first " +
                          count_text(summary_.pictures, "picture"));
   }

@@ -11,6 +11,7 @@
 #include "replay/diff/replayer.h"
 #include "replay/diff/step_contacts.h"
 #include "replay/log/log_reader.h"
+#include "src/process/interrupt.h"
 #include "src/threads/worker_threads.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
@@ -19,7 +20,6 @@
 #include "tools/output/progress.h"
 #include "tools/output/story_output.h"
 #include "tools/output/text.h"
-#include "tools/process/interrupt.h"
 
 namespace tumble::tools {
 namespace {
@@ -56,7 +56,7 @@ Found look_closer(replay::LogReader& log, replay::Divergence& first) {
   Result<replay::Aftermath> aftermath =
       replay::aftermath_of_replay(log, *again, first.step, [&](std::uint64_t done, std::uint64_t total) {
         bar.show(done, total);
-        return !InterruptGuard::interrupted();
+        return !process::InterruptGuard::interrupted();
       });
   if (aftermath.ok()) found.aftermath = *std::move(aftermath);
   return found;
@@ -82,17 +82,17 @@ Result<Exit> replay_command(const Options& options) {
   Result<replay::LogReader> log = open_log(options.log);
   if (!log.ok()) return log.error();
   ProgressBar bar("replaying");
-  const InterruptGuard guard;
+  const process::InterruptGuard guard;
   const std::unique_ptr<WorkerThreads> threads = worker_threads(options.threads.value_or(1));
   replay::ReplayOptions how;
   how.workers = threads.get();
   Result<replay::ReplayReport> report = replay::replay_log(*log, how, [&](std::uint64_t done, std::uint64_t total) {
     bar.show(done, total);
-    return !InterruptGuard::interrupted();
+    return !process::InterruptGuard::interrupted();
   });
   bar.finish();
   if (!report.ok()) return report.error();
-  if (InterruptGuard::interrupted()) {
+  if (process::InterruptGuard::interrupted()) {
     return cannot_finish("interrupted; identical so far: " + count_text(report->steps, "step"));
   }
   const Found found = report->first && !options.brief ? look_closer(*log, *report->first) : Found();

@@ -4,7 +4,7 @@
 
 #include "replay/log/log_reader.h"
 #include "src/base/result.h"
-#include "tools/process/exit.h"
+#include "tools/output/exit.h"
 
 namespace tumble::tools {
 

@@ -4,8 +4,8 @@
 #include <span>
 
 #include "src/base/text.h"
+#include "src/process/child_pipe.h"
 #include "tools/output/text.h"
-#include "tools/process/child_pipe.h"
 
 namespace tumble::tools {
 
@@ -27,7 +27,7 @@ Status run_gnuplot(const std::string& path, int width, int height, const std::st
       path.ends_with(".svg") ? "svg size " + size + " background 'white'" : "pngcairo size " + size;
   const std::string text =
       "set terminal " + terminal + " font 'sans,11'\nset output " + gnuplot_quoted(part) + '\n' + script;
-  ChildPipe gnuplot;
+  process::ChildPipe gnuplot;
   if (Status ok = gnuplot.start({"gnuplot", "--default-settings", "-"}, "plots", "gnuplot-nox"); !ok.ok()) return ok;
   const bool written = gnuplot.write(std::as_bytes(std::span(text)));
   if (gnuplot.finish() && written && std::rename(part.c_str(), path.c_str()) == 0) return {};

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "src/base/result.h"
+#include "src/process/child_pipe.h"
 #include "src/render/picture/image.h"
-#include "tools/process/child_pipe.h"
 
 namespace tumble::tools {
 
@@ -30,7 +30,7 @@ class Movie {
   [[nodiscard]] Error failed() const;
 
   std::string path_, part_;
-  ChildPipe ffmpeg_;
+  process::ChildPipe ffmpeg_;
 };
 
 }  // namespace tumble::tools

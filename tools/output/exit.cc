@@ -1,4 +1,4 @@
-#include "tools/process/exit.h"
+#include "tools/output/exit.h"
 
 namespace tumble::tools {
 

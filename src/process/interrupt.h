@@ -1,6 +1,6 @@
 #pragma once
 
-namespace tumble::tools {
+namespace tumble::process {
 
 /// While one of these lives, Ctrl-C sets a flag instead of ending the program, so that a log can be completed first.
 class InterruptGuard {
@@ -13,4 +13,4 @@ class InterruptGuard {
   [[nodiscard]] static bool interrupted();
 };
 
-}  // namespace tumble::tools
+}  // namespace tumble::process
