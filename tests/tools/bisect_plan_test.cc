@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
+#include <fstream>
 #include <random>
+#include <sstream>
 
+#include "tools/bisect/build_progress.h"
 #include "tools/bisect/plan.h"
 
 namespace tumble::tools {
@@ -78,6 +82,30 @@ TEST(BisectPlan, NothingToAskLeavesTheBadOne) {
   EXPECT_TRUE(plan.test.empty());
   EXPECT_EQ(plan.suspects, std::vector<std::string>{"5"});
   EXPECT_EQ(plan.steps, 0U);
+}
+
+TEST(BuildProgress, FindsTheLastCounterOfNinjaOrMake) {
+  EXPECT_EQ(bisect::last_counter("[1/260] Building a.o\n[2/260] Building b.o\nb.cc: warning: [x]\n"), "[2/260]");
+  EXPECT_EQ(bisect::last_counter("[ 12%] Building a.o\n[ 13%] Bui"), "[ 13%]");
+  EXPECT_EQ(bisect::last_counter("-- Configuring done\n[warning] [12] here\n"), "");
+  EXPECT_EQ(bisect::last_counter(""), "");
+}
+
+TEST(BuildProgress, TellsTheTimeInMinutesAndSeconds) {
+  EXPECT_EQ(bisect::elapsed_text(std::chrono::seconds(45)), "45 s");
+  EXPECT_EQ(bisect::elapsed_text(std::chrono::seconds(780)), "13 min 0 s");
+}
+
+TEST(BuildProgress, WritesLinesOrRewritesOne) {
+  const std::string log = testing::TempDir() + "tumble_build_log.txt";
+  std::ofstream(log) << "[3/9] Building a.o\n";
+  std::ostringstream file, terminal, quick;
+  bisect::BuildProgress(log, {file, false, std::chrono::seconds(0)}).show();
+  EXPECT_EQ(file.str(), "      building [3/9], 0 s so far\n");
+  bisect::BuildProgress(log, {terminal, true, std::chrono::seconds(0)}).show();
+  EXPECT_EQ(terminal.str(), "\r      building [3/9], 0 s so far\033[K\r\033[K") << "gone afterwards";
+  bisect::BuildProgress(log, {quick, false, std::chrono::minutes(1)}).show();
+  EXPECT_EQ(quick.str(), "") << "a quick build needs no line";
 }
 
 }  // namespace

@@ -136,7 +136,11 @@ Result<bool> Asker::run(const std::vector<std::string>& words, const std::string
   return false;
 }
 
-Result<bool> Asker::build_once(const std::string& log, std::string& why) {
+Result<bool> Asker::build_once(const std::string& log, BuildProgress& progress, std::string& why) {
+  const auto show_and_ask = [&] {
+    progress.show();
+    return cancel_ && cancel_();
+  };
   for (const std::string& command : settings_.build) {
     const Result<std::vector<std::string>> words = process::split_words(command);
     if (!words.ok()) return words.error();
@@ -146,7 +150,7 @@ Result<bool> Asker::build_once(const std::string& log, std::string& why) {
     task.out = task.err = log;
     // So that what other folders have compiled is found by the compiler cache.
     task.more = {{"CCACHE_BASEDIR", place_.source()}, {"CCACHE_NOHASHDIR", "1"}};
-    const Result<process::ChildEnd> end = process::run_child(task, 0, cancel_);
+    const Result<process::ChildEnd> end = process::run_child(task, 0, show_and_ask);
     if (!end.ok()) return end.error();
     if (end->stopped) return cannot_finish("interrupted");
     if (end->well()) continue;
@@ -161,13 +165,14 @@ Result<bool> Asker::build_once(const std::string& log, std::string& why) {
 Result<bool> Asker::build(const std::string& commit, std::string& why) {
   const std::string log = place_.file("build_" + commit.substr(0, 10) + ".txt");
   if (Status ok = git_.put(place_.source(), commit, false); !ok.ok()) return ok.error();
-  Result<bool> built = build_once(log, why);
+  BuildProgress progress(log);
+  Result<bool> built = build_once(log, progress, why);
   if (!built.ok() || *built || !built_before_) {
     built_before_ = true;
     return built;
   }
   if (Status ok = git_.put(place_.source(), commit, true); !ok.ok()) return ok.error();
-  return build_once(log, why);
+  return build_once(log, progress, why);
 }
 
 std::vector<std::string> Asker::record_words(const std::string& session) const {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "src/base/result.h"
+#include "tools/bisect/build_progress.h"
 #include "tools/bisect/git.h"
 #include "tools/bisect/settings.h"
 #include "tools/bisect/workplace.h"
@@ -39,7 +40,7 @@ class Asker {
  private:
   [[nodiscard]] Status write_scene();
   [[nodiscard]] Result<bool> run(const std::vector<std::string>& words, const std::string& name, std::string& why);
-  [[nodiscard]] Result<bool> build_once(const std::string& log, std::string& why);
+  [[nodiscard]] Result<bool> build_once(const std::string& log, BuildProgress& progress, std::string& why);
   [[nodiscard]] Result<bool> build(const std::string& commit, std::string& why);
   [[nodiscard]] std::string program() const;
   [[nodiscard]] std::vector<std::string> record_words(const std::string& session) const;
