@@ -25,7 +25,7 @@ CaseResult result_of(const CaseFolder& folder, const CheckOptions& options, cons
     broken.name = folder.name;
     return broken;
   }
-  // Not run_case: what ended the child would end this process.
+  // The case is not run here: a crash that ended the child would end this process too.
   CaseResult result;
   result.name = folder.name;
   result.problems.push_back("its process " + child.failure);
@@ -34,7 +34,7 @@ CaseResult result_of(const CaseFolder& folder, const CheckOptions& options, cons
   return result;
 }
 
-/// What an earlier check left must not be taken for this one's.
+/// Removes the files of an earlier check, which could be mistaken for this one's.
 void remove_old_files(const fs::path& report, const std::vector<CaseFolder>& folders) {
   std::error_code ignored;
   for (const CaseFolder& folder : folders) {

@@ -17,10 +17,10 @@ namespace tumble::golden {
 struct CheckOptions {
   std::filesystem::path suite;
   Selection selection;
-  std::optional<std::vector<VerdictKind>> require;  ///< instead of what each case says
-  std::filesystem::path report;                     ///< where failed cases leave their files; empty: nowhere
+  std::optional<std::vector<VerdictKind>> require;  ///< overrides each case's own list
+  std::filesystem::path report;                     ///< folder for the files of failed cases; empty: none
   process::PoolOptions pool;
-  Judge canary_judge = judge;  ///< what the canaries are put before: the judge of the cases, except in a test
+  Judge canary_judge = judge;  ///< judges the canaries: the judge of the cases, except in a test
   /// Called as each case ends; may be empty.
   std::function<void(const CaseResult& result, std::size_t done, std::size_t total)> progress;
 };

@@ -11,12 +11,13 @@
 #include "golden/run/run_case.h"
 #include "golden/suite/parse_rules.h"
 #include "golden/suite/text_files.h"
+#include "src/base/check.h"
 #include "src/base/text.h"
 
 namespace tumble::golden {
 namespace {
 
-/// What a child hands back: the result as JSON, then the new golden's bytes, then those of its pictures.
+/// A child's output has three parts: the result as JSON after its length, the new golden, the pictures.
 constexpr std::size_t kLengthDigits = 12;
 
 std::string hand_over(const CaseRun& run) {
@@ -40,6 +41,7 @@ std::string hand_over(const CaseRun& run) {
   }
   const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string length = std::to_string(text.size());
+  SIM_CHECK(length.size() <= kLengthDigits, length.size());
   length.insert(0, kLengthDigits - length.size(), '0');
   return length + text + golden + pictures;
 }
@@ -80,7 +82,7 @@ Handed take_over(const CaseFolder& folder, const process::JobResult& child) {
   return handed;
 }
 
-/// Why a case cannot be blessed; empty if it can.
+/// The reason why a case cannot be blessed; empty if it can.
 std::string obstacle(const Handed& handed) {
   if (!handed.complete) {
     return handed.result.problems.empty() ? "did not run to its end" : handed.result.problems.front();

@@ -17,7 +17,7 @@ struct NewCase {
 };
 
 /// Makes a case of a recorded session: scene.toml from the log's scene text and overrides, metrics.toml with measured
-/// values and bounds a little wider, the golden. Errors: a name that is taken, a log that cannot be read or has no
+/// values and bounds a tenth wider, the golden. Errors: a name that is taken, a log that cannot be read or has no
 /// scene text; a session that this build does not reproduce from its scene to the bit (kBadInput).
 Result<BlessReport> bless_log(const NewCase& options);
 

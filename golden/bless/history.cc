@@ -19,7 +19,7 @@ std::string value_text(const std::optional<double>& value, const std::string& un
   return value ? rounded(*value, unit) : "null";
 }
 
-/// "drift_max 0.1 m → 0.2 m"; empty where nothing moved.
+/// "drift_max 0.1 m → 0.2 m"; empty for a value that did not move.
 std::string metric_line(const MetricResult& metric, bool is_new) {
   const std::string after = value_text(metric.value, metric.unit);
   if (is_new) return metric.rule.name + ' ' + after;

@@ -34,7 +34,7 @@ sim::SceneDef tiny_scene(double shift = 0) {
   return scene;
 }
 
-/// What a canary spoils a part of.
+/// A session, its golden and its rules. Each canary spoils one part of a copy.
 struct Fixture {
   sim::SceneDef scene = tiny_scene();
   Session session;
@@ -141,7 +141,7 @@ std::string words_of(const CaseResult& result) {
   return result.problems.empty() ? summary(result) : result.problems.front();
 }
 
-/// Goldens as files: what was not written as a whole must not be read.
+/// A golden file with a spoilt byte or end must not be read.
 CanaryResult spoilt_file(const char* name, const Expected& expected, void (*spoil)(std::vector<std::byte>& file)) {
   Result<std::vector<std::byte>> file = pack(expected);
   if (!file.ok()) return {name, false, file.error().message};
@@ -177,7 +177,7 @@ std::vector<CanaryResult> run_canaries(Judge judge_function) {
   rule.name = "drift_max";
   rule.min = 0;
   rule.max = 1000;
-  // The golden is made by the real judge, so that one that does nothing cannot make up its own.
+  // The real judge makes the golden: a judge that does nothing could otherwise agree with its own empty golden.
   const Judged blessed = judge(*log, {fixture.rules, nullptr, scene_hash(fixture.scene), fixture.session.continuation});
   fixture.expected = blessed.actual;
   if (!blessed.values.empty()) fixture.rules.metrics[0].value = blessed.values[0];

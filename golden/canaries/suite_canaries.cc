@@ -30,7 +30,7 @@ bool shards_make_a_whole() {
 
 bool unreadable_cases_are_run() { return longest_first(five_cases().cases).size() == kCases; }
 
-/// A suite of which everything passed.
+/// A suite in which everything passed.
 SuiteResult passing() {
   SuiteResult suite;
   CaseResult& one = suite.cases.emplace_back();
@@ -40,7 +40,7 @@ SuiteResult passing() {
   return suite;
 }
 
-/// A suite in which this one thing is wrong must fail.
+/// True if a suite with this one fault fails.
 bool fails(void (*spoil)(SuiteResult& suite)) {
   SuiteResult suite = passing();
   if (!suite.passed()) return false;
@@ -67,7 +67,7 @@ bool early_end_is_seen() {
   return seen;
 }
 
-/// All images of the suite are exact, so only this tells whether one that is not would be seen.
+/// All transformed scenes of the suite are exact: only this canary shows that an inexact one would be seen.
 bool inexact_images_are_seen() {
   replay::BodyStates body;
   body.id = {1};

@@ -130,7 +130,7 @@ CaseResult result_from(const Json& json) {
   return result;
 }
 
-/// A problem without what to do about it.
+/// A problem without its advice.
 std::string short_problem(const CaseResult& result) {
   const std::string& problem = result.problems.front();
   return problem.starts_with("stale") || problem.starts_with("no ") ? problem.substr(0, problem.find(':')) : problem;

@@ -11,7 +11,7 @@ constexpr const char* kExactValues = "exact values: record a full log with the c
 
 std::string number(std::uint64_t value) { return std::to_string(value); }
 
-/// One pass over a log: comparing, measuring and collecting what a new golden would hold.
+/// One pass over a log: compares, measures and collects a new golden.
 class Pass {
  public:
   Pass(replay::LogReader& log, const Reference& reference)
@@ -47,7 +47,7 @@ class Pass {
       if (!record.ok()) return record.error();
       const replay::StepRecord& step = **record;
       if (replay::state_hash(step.states) != step.state_hash) {
-        return damaged("step " + number(k) + ": the states of the log are not those its state hash tells of");
+        return damaged("step " + number(k) + ": the states do not match their hashes");
       }
       if (comparer_) comparer_->add(step);
       metrics_.add(step);
@@ -66,7 +66,7 @@ class Pass {
       result.problems.emplace_back("its session has no step: nothing to compare");
       return;
     }
-    if (reference_.expected == nullptr) return;  // why there is none is the caller's problem to tell
+    if (reference_.expected == nullptr) return;  // the caller reports why there is none
     const Expected& expected = *reference_.expected;
     if (expected.steps() == 0) {
       result.problems.emplace_back("expected.tumble is empty: it holds no step to compare");

@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "golden/suite/metric_values.h"
+#include "src/base/check.h"
 #include "src/base/text.h"
 
 namespace tumble::golden {
 namespace {
 
-/// Metrics go through the C library's trigonometry, whose last bits vary from machine to machine.
+/// Metrics use the C library's trigonometry, whose last bits vary from machine to machine.
 constexpr double kSameValue = 1e-9;
 
 bool is_same(double a, double b) { return std::fabs(a - b) <= kSameValue * std::max(std::fabs(a), std::fabs(b)); }
@@ -18,7 +19,7 @@ std::string beyond(const char* side, double value, double bound, const std::stri
   return std::string(side) + " the bound by " + rounded(std::fabs(value - bound), unit);
 }
 
-/// What is wrong with a value, or empty.
+/// The fault of a value; empty if it has none.
 std::string fault_of(const MetricRule& rule, const std::optional<double>& value, const std::string& unit,
                      bool same_bits) {
   if (!value) {
@@ -43,6 +44,7 @@ std::string movement_of(const MetricRule& rule, const std::optional<double>& val
 
 Verdict judge_metrics(const CaseRules& rules, const std::vector<std::optional<double>>& values, bool same_bits,
                       std::vector<MetricResult>& out) {
+  SIM_CHECK(values.size() == rules.metrics.size(), values.size(), rules.metrics.size());
   std::size_t failed = 0;
   std::size_t moved = 0;
   for (std::size_t k = 0; k < rules.metrics.size(); ++k) {

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr int kSamples = 2;
 
-// What a software driver's last bits may depend on.
+// The class of processor, on which a software driver's last bits may depend.
 std::string processor_class() {
 #if defined(__x86_64__) || defined(__i386__)
   if (__builtin_cpu_supports("avx512f") != 0) return "AVX-512";
@@ -75,7 +75,7 @@ std::string driver_of(const render::PngFile& golden) {
   return found == golden.text.end() ? "an unknown driver" : found->second;
 }
 
-// Every picture in the folder belongs to a rule: one that does not is judged by nobody.
+// Every picture in the folder must belong to a rule: any other would never be judged.
 void find_unreferenced(const std::vector<PictureRule>& rules, const CaseFolder& folder,
                        std::vector<std::string>& problems) {
   std::error_code error;

@@ -11,10 +11,11 @@ namespace tumble::golden {
 
 /// A comparison that must fail, and whether it did.
 struct CanaryResult {
-  std::string name;  ///< what is wrong on purpose: "the last state differs"
+  std::string name;  ///< the fault made on purpose: "the last state differs"
   bool caught = false;
-  std::string message;          ///< what the judge said
-  std::string about = "suite";  ///< what does not work if it is not caught: "suite", or "format" for log and golden
+  std::string message;  ///< of the judge
+  std::string about =
+      "suite";  ///< the part that is broken if it is not caught: "suite", or "format" for log and golden
 };
 
 struct SuiteResult {

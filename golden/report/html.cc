@@ -61,7 +61,7 @@ std::string bound_text(const MetricResult& metric) {
   return text;
 }
 
-/// How far the value lies inside its nearer bound; negative outside.
+/// Distance of the value from its nearer bound; negative outside.
 std::string margin_text(const MetricResult& metric) {
   if (!metric.value) return "–";
   double margin = INFINITY;
@@ -184,7 +184,7 @@ std::string canary_list(const SuiteResult& result) {
   return out + "</tbody></table></div></div></details>\n";
 }
 
-/// What is furthest wrong, in one line: the case's own problem, a metric and how far it is out, or where bits moved.
+/// The worst fault in one line: the case's own problem, a metric and its excess, or the place where bits moved.
 std::string worst_of(const CaseResult& result) {
   std::string text;
   const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
@@ -197,7 +197,7 @@ std::string worst_of(const CaseResult& result) {
   return text;
 }
 
-/// The failed cases at a glance: what, by which verdict, by how much, and the command.
+/// A table of the failed cases: fault, verdict, size and command.
 std::string overview(const SuiteResult& result) {
   std::string rows;
   for (const CaseResult& one : result.cases) {

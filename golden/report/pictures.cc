@@ -5,8 +5,8 @@
 namespace tumble::golden {
 namespace {
 
-// A picture's path in the report, if it was left there. Case and file names need no escaping: suite.h allows letters,
-// digits, '_' and '-' only.
+// The path of a picture in the report, if it was left there. Case and file names need no escaping: suite.h allows
+// letters, digits, '_' and '-' only.
 std::string figure(const CaseResult& result, const PictureRule& rule, const std::string& kind, ReportFiles& files) {
   const std::string file = rule.file();
   const std::string path = "cases/" + result.name + "/" + file.substr(0, file.rfind('.')) + "." + kind + ".png";

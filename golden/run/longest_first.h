@@ -6,7 +6,7 @@
 
 namespace tumble::golden {
 
-/// Cases with the most body-steps first, so that no long one is left over at the end.
+/// Puts cases with the most body-steps first: a long case that starts last would keep one processor busy alone.
 std::vector<CaseFolder> longest_first(std::vector<CaseFolder> folders);
 
 }  // namespace tumble::golden

@@ -13,8 +13,8 @@ namespace tumble::golden {
 
 struct RunOptions {
   std::filesystem::path suite;                      ///< its root
-  std::optional<std::vector<VerdictKind>> require;  ///< instead of what the case says
-  std::filesystem::path report;                     ///< where a failed case leaves its files; empty: nowhere
+  std::optional<std::vector<VerdictKind>> require;  ///< overrides the case's own list
+  std::filesystem::path report;                     ///< folder for the files of a failed case; empty: none
 };
 
 /// A case, run and judged.
@@ -27,8 +27,8 @@ struct CaseRun {
   bool complete = false;  ///< the session ran to its end and was measured: it could be blessed
 };
 
-/// Reads a case's files, runs its scene (or the engine that it names) and judges the session. Everything that goes
-/// wrong becomes a problem of the result.
+/// Reads a case's files, runs its scene (or the external engine that it names) and judges the session. Every failure
+/// becomes a problem of the result.
 CaseRun run_case(const CaseFolder& folder, const RunOptions& options);
 
 }  // namespace tumble::golden

@@ -20,7 +20,7 @@ struct Session {
 /// Runs a scene with this build. Errors: a world that cannot be made.
 Result<Session> run_session(const sim::SceneDef& scene, const std::string& scene_text);
 
-/// Opens it as the log it is. name: for messages.
+/// Opens the session as a log. name: for messages.
 Result<replay::LogReader> open_session(const Session& session, const std::string& name);
 
 }  // namespace tumble::golden

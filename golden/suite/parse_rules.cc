@@ -6,6 +6,7 @@
 
 #include "golden/suite/metric_values.h"
 #include "golden/suite/text_files.h"
+#include "src/base/check.h"
 #include "src/model/limits.h"
 #include "src/render/renderer.h"
 #include "src/scenes/parse_toml.h"
@@ -168,8 +169,9 @@ Result<CaseRules> parse_rules(std::string_view text, std::string_view file_name)
 
 Result<std::string> with_values(const std::string& text, const std::string& file_name, const CaseRules& rules,
                                 const std::vector<std::optional<double>>& values) {
+  SIM_CHECK(values.size() == rules.metrics.size(), values.size(), rules.metrics.size());
   std::vector<std::string> lines = lines_of(text);
-  // From the last metric to the first, so that the line numbers of those still to come stay right.
+  // Goes from the last metric to the first: an inserted line leaves the line numbers above it right.
   for (std::size_t k = rules.metrics.size(); k-- > 0;) {
     const MetricRule& rule = rules.metrics[k];
     const std::string number = values[k] ? number_text(*values[k]) : "";

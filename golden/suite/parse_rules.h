@@ -11,10 +11,10 @@
 /// metrics.toml as text: read, and written again with other values.
 namespace tumble::golden {
 
-/// Errors (kBadInput): "<file>:<line>:<column>: …" for anything that is not understood, as in scenes.
+/// Errors (kBadInput): "<file>:<line>:<column>: …" for anything unknown or out of range, as in scenes.
 Result<CaseRules> parse_rules(std::string_view text, std::string_view file_name);
 
-/// The text with other values: nothing else changes, comments included. values: one a metric, none for null.
+/// The text with other values; all else stays, comments included. values: one a metric, none for null.
 /// Errors (kBadInput): a layout that cannot be edited line by line.
 Result<std::string> with_values(const std::string& text, const std::string& file_name, const CaseRules& rules,
                                 const std::vector<std::optional<double>>& values);

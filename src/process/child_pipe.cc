@@ -37,6 +37,7 @@ Status ChildPipe::start(std::vector<std::string> words, const std::string& purpo
 }
 
 bool ChildPipe::write(std::span<const std::byte> bytes) const {
+  SIM_CHECK(running());
   return write_all(pipe_, reinterpret_cast<const char*>(bytes.data()), bytes.size());
 }
 

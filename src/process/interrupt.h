@@ -2,7 +2,7 @@
 
 namespace tumble::process {
 
-/// While one of these lives, Ctrl-C sets a flag instead of ending the program, so that a log can be completed first.
+/// While a guard exists, Ctrl-C and SIGTERM set a flag instead of ending the program, so that a log can be completed.
 class InterruptGuard {
  public:
   InterruptGuard();

@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "src/base/check.h"
 #include "src/process/child.h"
 
 #ifdef __linux__
@@ -38,7 +39,7 @@ struct Child {
   JobResult result;
 };
 
-/// In the child; never returns, and runs no destructor or exit handler of the parent's.
+/// Runs in the child. Never returns, and runs no destructor or exit handler of the parent's.
 [[noreturn]] void run_in_child(std::size_t index, const std::function<std::string(std::size_t)>& job, int out) {
   ::setpgid(0, 0);
   const rlimit no_core = {0, 0};
@@ -57,6 +58,9 @@ struct Child {
   ::_exit(status);
 }
 
+/// Children hand over their results through pipes. A child writes kFinished after its output, so that a child that dies
+/// in the middle of a write is told from one that is done: an exit status of 0 alone would not do, for a job can call
+/// exit() itself. Each child leads a process group, so that programs it started end with it.
 class Pool {
  public:
   Pool(const std::function<std::string(std::size_t)>& job,
@@ -166,6 +170,7 @@ class Pool {
 
 bool run_jobs(std::size_t count, const std::function<std::string(std::size_t)>& job,
               const std::function<void(std::size_t, const JobResult&)>& done, const PoolOptions& options) {
+  SIM_CHECK(job && done);
   return Pool(job, done, options).run(count);
 }
 

@@ -15,7 +15,7 @@ using Action = std::function<Result<Exit>()>;
 struct Command {
   const char* name;
   const char* summary;  ///< a line for `tumble help`
-  /// Declares the arguments and returns what to do with them.
+  /// Declares the arguments and returns the action on them.
   Action (*declare)(Arguments& arguments);
 };
 

@@ -10,7 +10,7 @@
 
 namespace tumble::tools {
 
-/// What `measure` and `bisect --metric` are told about what to measure over.
+/// The choice of bodies, axis and start, for `measure` and `bisect --metric`.
 struct MeasureArguments {
   std::string bodies = "all";
   std::string axis = "x";
@@ -20,7 +20,7 @@ struct MeasureArguments {
 /// Declares --bodies, --axis and --from-step.
 void add_measure(Arguments& arguments, MeasureArguments& target);
 
-/// Errors (kBadInput): what is not understood.
+/// Errors (kBadInput): unknown words, bodies or axes.
 Result<replay::MeasureOptions> parse_measure(const MeasureArguments& arguments);
 
 }  // namespace tumble::tools

@@ -66,7 +66,7 @@ Status read_look(const RenderArguments& arguments, RenderPlan& plan) {
   const Result<render::Backend> backend = render::parse_backend(arguments.gl);
   if (!backend.ok()) return backend.error();
   plan.backend = *backend;
-  // An intermediate image is shown as it is; with more samples it would be larger than the picture.
+  // An intermediate image is shown without scaling; with more samples it would be larger than the picture.
   plan.settings.samples = plan.stage == render::Stage::kFinal ? static_cast<int>(arguments.samples.value_or(2)) : 1;
   return read_show(arguments.show, plan.show);
 }

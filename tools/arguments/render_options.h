@@ -14,7 +14,7 @@
 
 namespace tumble::tools {
 
-/// The arguments of `tumble render` as they are given.
+/// The arguments of `tumble render`, as given.
 struct RenderArguments {
   std::string log, compare, output;
   std::optional<std::uint64_t> step, every, samples;
@@ -24,10 +24,10 @@ struct RenderArguments {
 };
 void declare_arguments(Arguments& arguments, RenderArguments& target);
 
-/// Where the pictures go.
+/// The kind of output.
 enum class OutputKind { kPicture, kFolder, kMovie };
 
-/// What the arguments mean for a log.
+/// The meaning of the arguments for a log.
 struct RenderPlan {
   render::Settings settings;
   render::Stage stage = render::Stage::kFinal;

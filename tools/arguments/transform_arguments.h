@@ -8,7 +8,7 @@
 #include "src/model/transform.h"
 #include "tools/arguments/arguments.h"
 
-/// The arguments of `record` that make the image of a scene.
+/// The arguments of `record` that transform a scene.
 namespace tumble::tools {
 
 struct TransformArguments {

@@ -1,4 +1,4 @@
-// tumble bench peers: the same scenes through our engine and those that are installed, in turn.
+// tumble bench peers: scenes through our engine and the installed ones, in turn.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A scene of bench/scenes and what is changed in it.
+/// A scene of bench/scenes and its overrides.
 struct PeerScene {
   std::string name;
   std::string file;
@@ -72,7 +72,7 @@ std::vector<Peer> find_peers(const BenchOptions& options) {
   return peers;
 }
 
-/// Runs a program and reads the JSON that it prints. Errors (kCannotFinish): it failed; with how, and its last words.
+/// Runs a program and reads the JSON that it prints. Errors (kCannotFinish): it failed; with its end and its message.
 Result<Json> run(std::vector<std::string> words, const fs::path& folder) {
   process::Program task;
   task.words = std::move(words);
@@ -86,7 +86,7 @@ Result<Json> run(std::vector<std::string> words, const fs::path& folder) {
   return cannot_finish(end->text() + (said.ok() && !said->empty() ? ": " + *said : ""));
 }
 
-/// What one engine did with one scene.
+/// The result of one engine in one scene.
 struct Score {
   std::string engine;  ///< "Bullet 3.24"; as the program is called where it failed
   std::string failure;

@@ -83,7 +83,7 @@ Status plot(const std::vector<Point>& points, const std::string& path, const std
   if (Status ok = gnuplot.start({"gnuplot", "--default-settings", "-"}, "plots", "gnuplot-nox"); !ok.ok()) return ok;
   const bool written = gnuplot.write(std::as_bytes(std::span(script)));
   if (gnuplot.finish() && written) return {};
-  return cannot_finish("--plot: " + path + ": gnuplot could not write it; its words are above");
+  return cannot_finish("--plot: " + path + ": gnuplot could not write it; its message is above");
 }
 
 }  // namespace
@@ -94,7 +94,7 @@ Result<Exit> bench_scaling(const BenchOptions& options) {
   std::vector<Point> points;
   Json results = {{"bench", "scaling"}, {"machine", machine_json()}, {"method", method}, {"points", Json::array()}};
   if (!options.json)
-    std::cout << machine_text(results["machine"]) << "\nmethod " << method << ", 5 s at 1/30, 4 sub-steps\n";
+    std::cout << machine_text(results["machine"]) << "\nmethod " << method << ", 5 s at 1/30, 4 substeps\n";
   Table table({"series", ">bodies", ">CPU s", ">µs a body-step"});
   double spent = 0;
   for (Point point : all_points()) {

@@ -27,7 +27,7 @@ struct Known {
   double seconds = 0;
 };
 
-/// The answers had so far, in a file that is never half written.
+/// The answers so far, in a file that is never half written.
 class State {
  public:
   State(std::string path, std::string fingerprint) : path_(std::move(path)) {
@@ -116,7 +116,7 @@ class Bisection {
                      "; take their merge base as the good one ('git merge-base'), or exchange them");
   }
 
-  /// Whether the ends are what the user says decides what the others are measured by.
+  /// Asks both ends first: the good end's answer is the reference for all others.
   Status ask_ends() {
     for (const std::string& end : {good_.front(), bad_}) {
       if (Status ok = ask(end); !ok.ok()) return ok;
@@ -158,7 +158,7 @@ class Bisection {
     return tell();
   }
 
-  /// Good's own answer is good, whatever it is: a log that the bad revision recorded will do as well.
+  /// The good end's answer counts as good, whatever it is: a log that the bad revision recorded serves as well.
   Tested::Verdict judge(const Tested& tested) {
     if (!tested.answer.asked) {
       skipped_.insert(tested.commit.commit);

@@ -1,4 +1,4 @@
-// tumble bench: how fast, how right beside others, how it grows.
+// tumble bench: speed, comparison with other engines, growth.
 #include "tools/bench/bench.h"
 
 #include <memory>

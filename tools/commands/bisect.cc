@@ -1,4 +1,4 @@
-// tumble bisect: where two logs part, or the commit after which a session is another one.
+// tumble bisect: the first difference of two logs, or the commit that changed a session.
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -138,7 +138,7 @@ Result<bisect::Settings> settings_of(const Options& options) {
   return settings;
 }
 
-// What happens goes to stdout as it happens, or to stderr where stdout is to be one JSON value.
+// Prints progress to stdout, or to stderr if stdout is to be one JSON value.
 Result<bisect::Finding> search(const bisect::Settings& settings, const bisect::Workplace& place, bool json) {
   std::ostream& out = json ? std::cerr : std::cout;
   out << "question: " << printable(settings.question()) << "\nwork in:  " << place.root() << std::endl;

@@ -1,4 +1,4 @@
-// tumble bless: what cases do now becomes what is expected of them.
+// tumble bless: accepts the present results of cases as their goldens.
 #include "golden/bless/bless.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// tumble check: the golden suite against this build.
+// tumble check: runs the golden suite with this build.
 #include "golden/check.h"
 
 #include <algorithm>

@@ -32,7 +32,7 @@ struct Options {
   bool json = false;
 };
 
-// What a body's row holds, in the order of the columns: position, orientation, velocity, spin.
+// The numbers of a body, in the order of the columns: position, orientation, velocity, angular velocity.
 constexpr std::size_t kNumbers = 13;
 constexpr std::array<const char*, kNumbers> kNames = {
     "position.x", "position.y", "position.z", "orientation.w", "orientation.x", "orientation.y", "orientation.z",
@@ -44,7 +44,7 @@ std::array<double, kNumbers> numbers_of(const BodyStates& s, std::size_t i) {
           s.spin.x[i],        s.spin.y[i],        s.spin.z[i]};
 }
 
-// Where the rows of a dump go, in one of the three forms.
+// Prints the rows of a dump in one of the three forms.
 class Output {
  public:
   virtual ~Output() = default;
@@ -142,7 +142,7 @@ void print_step(const replay::StepRecord& record, const std::optional<std::uint6
   output.end_step();
 }
 
-// Whether the body is there at any step of the range: asked before anything is printed.
+// True if the body exists at any step of the range. Asked before anything is printed.
 Result<bool> body_exists(replay::StateSource& source, const StepRange& range, std::uint64_t body) {
   for (std::uint64_t k = range.first; k <= range.last; ++k) {
     const Result<const replay::StepRecord*> record = source.read(k);

@@ -1,4 +1,4 @@
-// tumble import: a table of another engine's states, made into a log.
+// tumble import: makes a log of a table of another engine's states.
 #include <fstream>
 #include <iostream>
 #include <memory>

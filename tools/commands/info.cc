@@ -1,4 +1,4 @@
-// tumble info: what a log says of itself, counted and verified.
+// tumble info: the header of a log, its counts, and a check of every hash.
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>

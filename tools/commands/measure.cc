@@ -1,4 +1,4 @@
-// tumble measure: how a recorded session behaved, in numbers.
+// tumble measure: symmetry, energy and stacking of a recorded session, in numbers.
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -43,7 +43,7 @@ Result<std::vector<replay::MetricBound>> parse_bounds(const std::vector<std::str
   return bounds;
 }
 
-// Which of the bounds are not kept, on stderr.
+// Prints the broken bounds to stderr.
 Exit judge_bounds(const std::vector<replay::MetricBound>& bounds, const replay::Metrics& metrics) {
   Exit verdict = Exit::kSame;
   for (const replay::MetricBound& bound : bounds) {
@@ -62,7 +62,7 @@ replay::Progress progress_on(ProgressBar& bar) {
   };
 }
 
-/// Measures, and hands every row to the files that were asked for.
+/// Measures, and writes every row to the files of --series and --plot.
 Result<replay::Metrics> measure_rows(replay::LogReader& log, const replay::MeasureOptions& how,
                                      const Options& options) {
   const process::InterruptGuard guard;
@@ -96,7 +96,7 @@ Result<replay::Metrics> measure_rows(replay::LogReader& log, const replay::Measu
   return metrics;
 }
 
-/// Adds what only two sessions show.
+/// Adds the metrics of two sessions.
 Status compare_with_twin(replay::LogReader& log, replay::LogReader& twin, replay::Metrics& metrics) {
   const process::InterruptGuard guard;
   ProgressBar bar("comparing");

@@ -1,4 +1,4 @@
-// tumble record: a scene in, a log out.
+// tumble record: runs a scene and writes a log.
 #include <chrono>
 #include <filesystem>
 #include <iostream>
@@ -49,7 +49,7 @@ struct Options {
   bool quiet = false;
 };
 
-// What a session came to, beside what its log says.
+// Facts about a session that its log does not hold.
 struct Session {
   replay::LogSummary log;
   replay::SessionClock clock;
@@ -154,7 +154,7 @@ void print_as_json(const std::string& path, const sim::SceneDef& scene, const Se
 
 using Started = Result<std::unique_ptr<replay::Recorder>>;
 
-// A session of a scene from its state 0 on. path: where it is recorded to.
+// A session of a scene from its state 0 on. path: of the log.
 Started start_scene(const Options& options, const replay::StatesMode& states, std::string& path) {
   replay::RecordOptions how;
   how.states = states;
@@ -190,7 +190,7 @@ Result<Place> parse_place(const std::string& text) {
   return bad_input("--from: found " + in_quotes(text) + ", wanted LOG:STEP, as in brick_wall.tumble:120");
 }
 
-// A session that goes on from a state of another one.
+// A session that continues another one from a state of it.
 Started start_from_log(const Options& options, const replay::StatesMode& states, std::string& path) {
   const Result<Place> place = parse_place(options.from);
   if (!place.ok()) return place.error();

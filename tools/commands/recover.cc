@@ -1,4 +1,4 @@
-// tumble recover: a whole log of what is left in a damaged one.
+// tumble recover: makes a whole log of the intact parts of a damaged one.
 #include "replay/recover/recover.h"
 
 #include <filesystem>
@@ -28,7 +28,7 @@ struct Options {
   bool json = false;
 };
 
-/// What is written has this name until it has been read again.
+/// The new log has this name until it has been read again.
 std::string partial_name(const std::string& log) { return log + ".partial"; }
 
 Status check_names(const Options& options) {
@@ -39,7 +39,7 @@ Status check_names(const Options& options) {
   return replay::may_replace(options.log);
 }
 
-/// Reads the new log from end to end: nothing is promised that was not looked at.
+/// Reads the new log from end to end before success is reported.
 Status verify_written(const std::string& path, const RecoverReport& report) {
   Result<replay::LogReader> log = replay::LogReader::open(path);
   if (!log.ok()) return log.error();

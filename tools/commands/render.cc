@@ -19,7 +19,7 @@
 namespace tumble::tools {
 namespace {
 
-// What was drawn, for the listing and for --json.
+// Facts about the drawn pictures, for the listing and for --json.
 struct Summary {
   std::uint64_t pictures = 0;
   std::string first_hash, last_hash;  // state hashes
@@ -41,7 +41,7 @@ render::PngText text_of(const replay::LogReader& log, const RenderPlan& plan, co
   return text;
 }
 
-// Pictures of states are called after their step, others by their number in the row.
+// Pictures of states are named after their step, others by their number.
 std::string picture_path(const RenderPlan& plan, std::size_t index, bool only_states) {
   if (plan.kind == OutputKind::kPicture) return plan.output;
   std::string number = std::to_string(only_states ? plan.frames[index].step : index);

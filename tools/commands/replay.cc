@@ -1,4 +1,4 @@
-// tumble replay: a log through this build's physics, every step compared.
+// tumble replay: runs a log's inputs through this build's physics and compares every step.
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// tumble scenes: what can be recorded by name.
+// tumble scenes: lists the scenes that can be recorded by name.
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>

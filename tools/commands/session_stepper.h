@@ -9,13 +9,13 @@
 
 namespace tumble::tools {
 
-/// Whether a session follows the clock, and how long a step may then be, s; four frames if not said.
+/// Whether a session follows the clock, and the longest step, s; four frames by default.
 struct RealTime {
   bool on = false;
   std::optional<double> longest_step;
 };
 
-/// Takes the steps of a session: as fast as they come, or each with the time on the clock since the one before.
+/// Takes the steps of a session: as fast as possible, or each as long as the last frame took on the clock.
 class SessionStepper {
  public:
   SessionStepper(replay::Recorder& recorder, const RealTime& realtime);
@@ -24,7 +24,7 @@ class SessionStepper {
   Status step();
 
   [[nodiscard]] double elapsed_s() const;
-  /// Of a session in real time.
+  /// The frames of a session in real time; none for others.
   [[nodiscard]] std::optional<replay::Frames> frames() const;
 
  private:

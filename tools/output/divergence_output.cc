@@ -64,7 +64,7 @@ std::string hex_text(std::uint64_t word) {
 void print_divergence(const replay::Divergence& first) {
   Listing listing;
   listing.add("  step", std::to_string(first.step));
-  if (first.substep) listing.add("  sub-step", std::to_string(*first.substep));
+  if (first.substep) listing.add("  substep", std::to_string(*first.substep));
   listing.add("  phase", first.phase);
   if (first.body) listing.add("  body", std::to_string(*first.body));
   if (first.pair) {

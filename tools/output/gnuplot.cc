@@ -32,7 +32,7 @@ Status run_gnuplot(const std::string& path, int width, int height, const std::st
   const bool written = gnuplot.write(std::as_bytes(std::span(text)));
   if (gnuplot.finish() && written && std::rename(part.c_str(), path.c_str()) == 0) return {};
   std::remove(part.c_str());
-  return cannot_finish("--plot: " + path + ": gnuplot could not write it; its words are above");
+  return cannot_finish("--plot: " + path + ": gnuplot could not write it; its message is above");
 }
 
 }  // namespace tumble::tools

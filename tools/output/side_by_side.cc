@@ -27,7 +27,7 @@ std::string word_text(const replay::StepRecord& record, std::size_t word) {
   return word < record.phase_words.size() ? hex_text(record.phase_words[word]) : "-";
 }
 
-/// A row a sub-step and phase. Only where both have the same phases.
+/// A row a substep and phase, if both have the same phases.
 Json phases_json(const replay::StepRecord& a, const replay::StepRecord& b, const std::vector<std::string>& phases) {
   Json rows = Json::array();
   const std::size_t words = std::max(a.phase_words.size(), b.phase_words.size());
@@ -88,7 +88,7 @@ Json fields_json(const replay::BodyStates& a, std::size_t i, const replay::BodyS
   return fields;
 }
 
-/// Bodies that differ, or that only one of the two has.
+/// Bodies that differ, or that one of the two lacks.
 Json bodies_json(const replay::BodyStates& a, const replay::BodyStates& b) {
   Json bodies = Json::array();
   std::size_t i = 0, j = 0;
@@ -150,7 +150,7 @@ void print_fields(const Json& body, Table& table) {
 
 Result<StepBeside> look_at_step(replay::LogReader& a, replay::LogReader& b, std::uint64_t k) {
   replay::StateSource source_a(a), source_b(b);
-  // A log without the states, and a build that cannot make them, still have hashes to show.
+  // A log without states, in a build that cannot simulate them, still has hashes to show.
   const auto record_of = [k](replay::LogReader& log, replay::StateSource& source) {
     Result<const replay::StepRecord*> record = source.read(k);
     return record.ok() || record.error().kind != ErrorKind::kCannotFinish ? record : log.read_hashes(k);
@@ -194,7 +194,7 @@ void print_step_beside(const StepBeside& beside) {
   if (!json["phases"].empty()) {
     std::cout << '\n';
     std::size_t on_one_side = 0;
-    Table phases({">  sub-step", "phase", "hash in A", "hash in B", ""});
+    Table phases({">  substep", "phase", "hash in A", "hash in B", ""});
     for (const Json& row : json["phases"]) {
       if (row["a"] == "-" || row["b"] == "-") {
         ++on_one_side;
@@ -203,7 +203,7 @@ void print_step_beside(const StepBeside& beside) {
       phases.add({row["substep"].dump(), cell(row["phase"]), cell(row["a"]), cell(row["b"]), verdict(row)});
     }
     phases.print();
-    if (on_one_side > 0) std::cout << "  (the sub-steps that only one of them has are left out)\n";
+    if (on_one_side > 0) std::cout << "  (substeps of only one of them are left out)\n";
   }
   if (!json["bodies"].is_null() && !json["bodies"].empty()) {
     const std::size_t count = json["bodies"].size();

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kRowsJson = 4000;
 constexpr std::size_t kContactsShown = 8;
 
-/// In which way the two differ at all, the strongest.
+/// The strongest way in which the two differ.
 const char* kind_of(const replay::GapStory& gap) {
   if (gap.bodies_from) return "bodies";
   if (gap.freezing_from) return "freezing";

@@ -7,7 +7,7 @@
 
 #include "src/base/text.h"
 
-/// How results look: for people, aligned and with units; for programs, exact.
+/// Prints results: for people, aligned and with units; for programs, exact.
 namespace tumble::tools {
 
 /// Keys stay in the order in which they are set.
