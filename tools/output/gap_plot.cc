@@ -6,19 +6,10 @@
 namespace tumble::tools {
 namespace {
 
-constexpr std::size_t kPointsMax = 4000;  // more than a picture can show apart
-
-// Colours that stay apart without colour vision. A gap of 0 has no place on a logarithmic scale.
+// Colours that stay apart without colour vision. A separation of 0 has no place on a logarithmic scale.
 constexpr const char* kStyle = R"(
 set multiplot layout 2,1 title title_text noenhanced font ',14'
-set lmargin 13
-set rmargin 3
-set grid xtics ytics linetype 1 linecolor rgb '#c8c8c8' linewidth 0.5
-set border 3 linecolor rgb '#606060'
-set tics nomirror
 set key off
-set datafile missing '?'
-set style data lines
 set linetype 1 linecolor rgb '#0072b2' linewidth 1.5 pointtype 7 pointsize 0.3
 set linetype 2 linecolor rgb '#d55e00' linewidth 1.5
 set xrange [first:last]
@@ -40,7 +31,7 @@ unset multiplot
 
 Status draw_gap(const std::string& path, const std::string& title, const replay::GapStory& story) {
   std::string rows = "$rows << EOD\n";
-  const std::size_t stride = story.rows.size() / kPointsMax + 1;
+  const std::size_t stride = story.rows.size() / kPlotPointsMax + 1;
   double low = story.largest.gap > 0 ? story.largest.gap : 1;
   for (std::size_t i = 0; i < story.rows.size(); ++i) {
     const replay::GapRow& row = story.rows[i];
@@ -50,7 +41,7 @@ Status draw_gap(const std::string& path, const std::string& title, const replay:
         std::to_string(row.step) + ' ' + (row.gap > 0 ? exact(row.gap) : "?") + ' ' + std::to_string(row.bodies) + '\n';
   }
   const std::uint64_t first = story.rows.front().step, last = story.rows.back().step;
-  // Without any gap there would be nothing to scale the axis by.
+  // Without any separation the axis would have no scale.
   if (story.largest.gap == 0)
     rows += std::to_string(first) + " 1e-16 " + std::to_string(story.rows.front().bodies) + '\n';
   return run_gnuplot(path, 900, 700,

@@ -7,8 +7,8 @@
 
 namespace tumble::tools {
 
-/// `diff --plot`: the gap and the number of bodies that differ over the steps, the gap on a logarithmic scale.
-/// Errors: run_gnuplot()'s.
+/// `diff --plot`: the separation and the number of bodies that differ over the steps, the separation on a logarithmic
+/// scale. Errors: run_gnuplot()'s.
 Status draw_gap(const std::string& path, const std::string& title, const replay::GapStory& story);
 
 }  // namespace tumble::tools

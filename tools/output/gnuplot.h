@@ -1,11 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "src/base/result.h"
 
 /// Plots for `--plot`, drawn by gnuplot.
 namespace tumble::tools {
+
+/// Points of a plot: more than a picture can show apart.
+inline constexpr std::size_t kPlotPointsMax = 4000;
 
 /// Errors (kBadInput): a name that ends with neither .svg nor .png.
 Status check_plot_path(const std::string& path);
