@@ -32,6 +32,7 @@ const std::map<std::string, Strings>& allowed_includes() {
       {"src/solve/", {"src/base/", "src/math/", "src/model/", "src/world/", "src/collide/"}},
       {"src/step/", kSim},
       {"src/scenes/", {"src/base/", "src/math/", "src/model/"}},
+      {"src/process/", {"src/base/"}},
       {"src/threads/", {"src/base/"}},
       {"src/render/", kLook},
       {"replay/", {"src/", "schema/"}},

@@ -1,9 +1,10 @@
-// tumble recover: a whole log of what is left in a damaged one.
+// tumble recover: makes a whole log of the intact parts of a damaged one.
 #include "replay/recover/recover.h"
 
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "replay/log/byte_io.h"
@@ -27,7 +28,7 @@ struct Options {
   bool json = false;
 };
 
-/// What is written has this name until it has been read again.
+/// The new log has this name until it has been read again.
 std::string partial_name(const std::string& log) { return log + ".partial"; }
 
 Status check_names(const Options& options) {
@@ -38,7 +39,7 @@ Status check_names(const Options& options) {
   return replay::may_replace(options.log);
 }
 
-/// Reads the new log from end to end: nothing is promised that was not looked at.
+/// Reads the new log from end to end before success is reported.
 Status verify_written(const std::string& path, const RecoverReport& report) {
   Result<replay::LogReader> log = replay::LogReader::open(path);
   if (!log.ok()) return log.error();
@@ -134,12 +135,12 @@ Result<Exit> recover(const Options& options) {
 
 }  // namespace
 
-Action declare_recover(CLI::App& app) {
+Action declare_recover(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  app.add_option("DAMAGED", options->damaged, "The log to recover; it is only read")->required()->type_name("");
-  app.add_option("-o,--output", options->log, "The log to write")->required()->type_name("LOG");
-  add_json(app, options->json);
-  app.footer(
+  arguments.positional("DAMAGED", options->damaged, "The log to recover; it is only read").required();
+  arguments.option("-o,--output", "LOG", options->log, "The log to write").required();
+  arguments.json(options->json);
+  arguments.footer(
       "Keeps every chunk that is whole, wherever it lies in the file, also behind damage, and reads what it wrote\n"
       "from end to end before it says so. Exit status: 0 nothing was lost, 3 something was, which it names; 2 the\n"
       "file was never a log; 4 the new log could not be written.\n\n"
