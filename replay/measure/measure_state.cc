@@ -18,7 +18,6 @@ using sim::BoxFrame;
 using sim::Quat;
 using sim::Vec3;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // The angle, degrees, between the world's up and the direction to which the body's turn since the start carries up. A
 // turn about the vertical is no tilt. For a unit quaternion (w, x, y, z) the cosine of that angle is 1 − 2(x² + y²), so
