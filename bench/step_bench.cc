@@ -19,7 +19,7 @@
 
 #include "src/base/rng.h"
 #include "src/kernels/box_pair.h"
-#include "src/kernels/box_tests.h"
+#include "src/kernels/kernels_by_width.h"
 #include "src/scenes/scene_file.h"
 #include "src/step/step.h"
 #include "src/threads/worker_threads.h"
@@ -139,7 +139,7 @@ void run_box_tests(benchmark::State& state, bool turned, sim::LaneWidth width) {
   const sim::World& world = warm_world(sim::Method::kLayered, 80, 80);
   const sim::PairTable& pairs = world.state().pairs;
   const std::vector<sim::BoxFrame> frames = box_frames(world, turned);
-  const sim::BoxTestKernels& kernels = *sim::box_test_kernels(width);
+  const sim::BoxTestKernels& kernels = sim::kernels(width).box_tests;
   sim::BoxTests tests;
   tests.frames = frames.data();
   for (auto _ : state) {
@@ -164,7 +164,7 @@ void add_box_tests(bool turned) {
     run_box_pair(state, turned);
   })->Unit(benchmark::kMicrosecond);
   for (const sim::LaneWidth width : {sim::LaneWidth::kTwo, sim::LaneWidth::kFour, sim::LaneWidth::kEight}) {
-    if (sim::box_test_kernels(width) == nullptr) continue;
+    if (!sim::runs_lanes(width)) continue;
     const std::string name = prefix + sim::name_of(width) + "_lanes";
     benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
       run_box_tests(state, turned, width);

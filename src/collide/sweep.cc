@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "src/kernels/kernels_by_width.h"
 #include "src/math/grid.h"
 #include "src/world/body_columns.h"
 
@@ -182,7 +183,7 @@ void update_frames(World& world) {
   const BodyColumns bodies = columns_of(world.mutable_state().bodies);
   const BoxColumns boxes = box_columns_of(scratch, n);
   for_ranges(scratch.workers, n, kWorthBodies, [&](std::size_t begin, std::size_t end) {
-    body_kernels(scratch.lanes)->put_boxes(bodies, {begin, end}, boxes);
+    kernels(scratch.lanes).bodies.put_boxes(bodies, {begin, end}, boxes);
   });
 }
 

@@ -3,8 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "src/kernels/lane_width.h"
-
 namespace tumble::sim {
 
 /// Where the columns of Bodies lie.
@@ -55,14 +53,5 @@ struct BodyKernels {
   /// Whether all are finite and within limits: false where check_body would object to one.
   bool (*check)(const BodyColumns& bodies, Rows rows);
 };
-
-/// Null where this machine or this build does not run the width.
-const BodyKernels* body_kernels(LaneWidth width);
-
-// Each is defined where the compiler makes that width, and null elsewhere.
-const BodyKernels* body_kernels_one();
-const BodyKernels* body_kernels_two();
-const BodyKernels* body_kernels_four();
-const BodyKernels* body_kernels_eight();
 
 }  // namespace tumble::sim

@@ -12,8 +12,6 @@
 namespace tumble::sim {
 namespace {
 
-constexpr unsigned kFrameDoubles = 15;  // of a BoxFrame: position, three axes, half extents
-
 template <class V>
 V on_grid(V x, double magic) {
   return ((x + magic) - magic) + 0.0;

@@ -1,6 +1,7 @@
 #include "src/thesis/find_pairs.h"
 
 #include "src/collide/sweep.h"
+#include "src/kernels/kernels_by_width.h"
 #include "src/world/body_columns.h"
 
 namespace tumble::sim {
@@ -16,7 +17,7 @@ bool update_boxes(World& world) {
   boxes.rooms = scratch.sweep.low.size() == n;
   put_pointers(scratch.sweep.low, boxes.room_low);
   put_pointers(scratch.sweep.high, boxes.room_high);
-  return body_kernels(scratch.lanes)->put_boxes(columns_of(world.mutable_state().bodies), {0, n}, boxes);
+  return kernels(scratch.lanes).bodies.put_boxes(columns_of(world.mutable_state().bodies), {0, n}, boxes);
 }
 
 }  // namespace

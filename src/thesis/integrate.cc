@@ -1,5 +1,6 @@
 #include "src/thesis/integrate.h"
 
+#include "src/kernels/kernels_by_width.h"
 #include "src/math/grid.h"
 #include "src/world/body_check.h"
 #include "src/world/body_columns.h"
@@ -92,7 +93,7 @@ Flight free_flight(const WorldState& state, BodyIndex i, double dt_s) {
 void fly_freely(World& world, Rows rows, const std::uint8_t* in_contact, double dt_s) {
   Bodies& bodies = world.mutable_state().bodies;
   const Air air = air_of(world.state().def, dt_s);
-  if (!body_kernels(world.scratch().lanes)->fly(columns_of(bodies), rows, in_contact, air)) return;
+  if (!kernels(world.scratch().lanes).bodies.fly(columns_of(bodies), rows, in_contact, air)) return;
   for (auto i = static_cast<BodyIndex>(rows.begin); i < rows.end; ++i) {
     if (!bodies.moves(i) || turns_evenly(bodies.inertia[i]) || (in_contact != nullptr && in_contact[i] != 0)) continue;
     const Flight flight = free_flight(world.state(), i, dt_s);

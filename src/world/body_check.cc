@@ -4,6 +4,7 @@
 #include <string>
 
 #include "src/base/text.h"
+#include "src/kernels/kernels_by_width.h"
 #include "src/model/limits.h"
 #include "src/world/body_columns.h"
 
@@ -33,7 +34,7 @@ Status check_body_closely(const Bodies& bodies, BodyIndex i) {
 
 Status check_moving(World& world) {
   const Bodies& bodies = world.bodies();
-  if (body_kernels(world.scratch().lanes)->check(columns_of(world.mutable_state().bodies), {0, bodies.size()}))
+  if (kernels(world.scratch().lanes).bodies.check(columns_of(world.mutable_state().bodies), {0, bodies.size()}))
     return {};
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
     if (!bodies.moves(i)) continue;

@@ -15,7 +15,7 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/kernels/contact_kernels.h"
+#include "src/kernels/kernels_by_width.h"
 #include "src/scenes/scene_file.h"
 #include "src/step/step.h"
 #include "src/threads/worker_threads.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string>
 
-#include "src/kernels/body_kernels.h"
+#include "src/kernels/kernels_by_width.h"
 #include "src/layered/find/find_near_pairs.h"
 #include "src/math/grid.h"
 #include "src/step/step.h"
@@ -52,7 +52,7 @@ World world_in(const SceneDef& scene, LaneWidth width) {
 TEST(BodyLanes, FlyAsOneBodyDoes) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     for (const LaneWidth width : kWidths) {
-      if (body_kernels(width) == nullptr) continue;
+      if (!runs_lanes(width)) continue;
       World world = world_in(mixed_bodies(seed), width);
       Bodies expected = world.bodies();
       for (BodyIndex i = 0; i < expected.size(); ++i) {
@@ -93,7 +93,7 @@ void expect_reach(const World& world, BodyIndex i) {
 TEST(BodyLanes, AreFramedAndReachOutAsOneBodyDoes) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     for (const LaneWidth width : kWidths) {
-      if (body_kernels(width) == nullptr) continue;
+      if (!runs_lanes(width)) continue;
       SCOPED_TRACE(std::string(name_of(width)) + " lanes, seed " + std::to_string(seed));
       World world = world_in(mixed_bodies(seed), width);
       ASSERT_TRUE(find_near_pairs(world, kDt).ok());
@@ -117,7 +117,7 @@ TEST(BodyLanes, NameTheFirstBodyThatIsWrong) {
     const Status expected = one.bodies().moves(i) ? check_body(one.bodies(), i) : Status();
     ASSERT_EQ(expected.ok(), !one.bodies().moves(i));
     for (const LaneWidth width : kWidths) {
-      if (body_kernels(width) == nullptr) continue;
+      if (!runs_lanes(width)) continue;
       World other = world_in(scene, width);
       break_number(other.mutable_state().bodies, i, static_cast<int>(i % 4));
       const Status found = check_moving(other);

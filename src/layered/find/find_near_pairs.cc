@@ -2,6 +2,7 @@
 
 #include "src/collide/strips.h"
 #include "src/collide/sweep.h"
+#include "src/kernels/kernels_by_width.h"
 #include "src/world/body_columns.h"
 
 namespace tumble::sim {
@@ -23,7 +24,7 @@ Status find_near_pairs(World& world, double dt_s) {
   put_pointers(scratch.aabb_low, reach.low);
   put_pointers(scratch.aabb_high, reach.high);
   for_ranges(scratch.workers, n, kWorthBodies, [&](std::size_t begin, std::size_t end) {
-    body_kernels(scratch.lanes)->reach_out(bodies, {begin, end}, reach);
+    kernels(scratch.lanes).bodies.reach_out(bodies, {begin, end}, reach);
   });
   find_overlaps_in_strips(scratch, world.mutable_state().pairs);
   return check_crowd(scratch);

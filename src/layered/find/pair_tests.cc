@@ -2,6 +2,7 @@
 
 #include <type_traits>
 
+#include "src/kernels/kernels_by_width.h"
 #include "src/layered/find/meeting_time.h"
 
 namespace tumble::sim {
@@ -32,7 +33,7 @@ void copy(BoxTests::Best& best, std::size_t from, std::size_t to) {
 
 PairTests::PairTests(const World& world, double dt_s, std::size_t first, std::size_t last)
     : world_(world),
-      kernels_(*box_test_kernels(world.scratch().lanes)),
+      kernels_(kernels(world.scratch().lanes).box_tests),
       dt_(dt_s),
       fall_(falling_reach(world.state().def, dt_s)),
       pair_(first),

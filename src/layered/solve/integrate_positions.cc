@@ -1,5 +1,6 @@
 #include "src/layered/solve/integrate_positions.h"
 
+#include "src/kernels/kernels_by_width.h"
 #include "src/layered/order/solver_body.h"
 #include "src/layered/solve/contact_batches.h"
 #include "src/layered/solve/solver_hashes.h"
@@ -50,8 +51,8 @@ Status integrate_positions(World& world, double substep_s) {
   const bool renews = has_slender(scratch);
   const ContactWork work = all_contacts(scratch, substep_s);
   for_ranges(scratch.workers, work.count, kWorthBatches, [&](std::size_t begin, std::size_t end) {
-    contact_kernels(scratch.lanes).move_on(part_of(work, begin, end));
-    if (renews) contact_kernels(scratch.lanes).renew(part_of(work, begin, end));
+    kernels(scratch.lanes).contacts.move_on(part_of(work, begin, end));
+    if (renews) kernels(scratch.lanes).contacts.renew(part_of(work, begin, end));
   });
   return {};
 }

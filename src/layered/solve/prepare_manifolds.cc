@@ -1,5 +1,6 @@
 #include "src/layered/solve/prepare_manifolds.h"
 
+#include "src/kernels/kernels_by_width.h"
 #include "src/layered/order/batch_contacts.h"
 #include "src/layered/order/solver_body.h"
 #include "src/layered/solve/contact_batches.h"
@@ -57,7 +58,7 @@ Status prepare_manifolds(World& world, double dt_s) {
   const ContactWork work = all_contacts(scratch, dt_s);
   for_ranges(scratch.workers, work.count, kWorthBatches, [&](std::size_t begin, std::size_t end) {
     const ContactWork part = part_of(work, begin, end);
-    contact_kernels(scratch.lanes).prepare(part);
+    kernels(scratch.lanes).contacts.prepare(part);
     mark_bounces(part);
   });
   return {};
