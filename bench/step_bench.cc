@@ -23,6 +23,7 @@
 #include "src/scenes/scene_file.h"
 #include "src/step/step.h"
 #include "src/threads/worker_threads.h"
+#include "src/world/scratch.h"
 
 namespace {
 
@@ -68,7 +69,7 @@ const sim::World& warm_world(sim::Method method, int rows, int columns) {
   };
   const Result<sim::SceneDef> scene = scenes::parse_scene(text, "tilted_grid.toml", changes);
   if (!scene.ok()) fail(scene.error());
-  Result<sim::World> world = sim::World::create(*scene);
+  Result<sim::World> world = sim::create_world(*scene);
   if (!world.ok()) fail(world.error());
   for (std::uint64_t k = 0; k < kWarmSteps; ++k) {
     if (const Result<sim::StepCounters> done = sim::step(*world); !done.ok()) fail(done.error());

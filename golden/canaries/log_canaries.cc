@@ -57,7 +57,7 @@ using Lie = std::function<void(sim::WorldState& state, sim::StepCounters& counte
 /// Records a session whose log lies in one step, if it lies: what is written is altered, not what happens.
 Result<MemoryFile> record(const sim::SceneDef& scene, std::uint64_t lie_step = 0, const Lie& lie = {}) {
   auto file = std::make_shared<std::vector<std::byte>>();
-  Result<sim::World> world = sim::World::create(scene);
+  Result<sim::World> world = sim::create_world(scene);
   if (!world.ok()) return world.error();
   auto writer = replay::LogWriter::create(std::make_unique<replay::MemoryByteSink>(file, "the canary's log"),
                                           replay::header_for(scene), world->state());
@@ -68,7 +68,7 @@ Result<MemoryFile> record(const sim::SceneDef& scene, std::uint64_t lie_step = 0
     std::vector<sim::Command> inputs;
     for (; next < scene.inputs.size() && scene.inputs[next].step == k; ++next) {
       inputs.push_back(scene.inputs[next].command);
-      if (const Status ok = world->apply(inputs.back()); !ok.ok()) return ok.error();
+      if (const Status ok = sim::apply(*world, inputs.back()); !ok.ok()) return ok.error();
     }
     hashes.clear();
     const double dt = world->state().def.dt;
@@ -236,7 +236,7 @@ bool goes_on(sim::Method method) {
 Result<replay::MessageBytes> made_up_chunk() {
   sim::SceneDef scene = session_scene(sim::Method::kLayered);
   for (sim::BoxDef& box : scene.boxes) box.position[2] += 8;
-  const Result<sim::World> world = sim::World::create(scene);
+  const Result<sim::World> world = sim::create_world(scene);
   if (!world.ok()) return world.error();
   replay::Keyframe keyframe = {world->state(), {1, 2}};
   keyframe.state.pairs = {{0, 1}, {1, 3}, {5, 6}};

@@ -34,7 +34,7 @@ Divergence failed_at(std::uint64_t step, const char* phase, const Error& error) 
 Result<std::optional<Divergence>> compare_start(LogReader& log) {
   Result<const StepRecord*> expected = log.read_step(0);
   if (!expected.ok()) return expected.error();
-  Result<sim::World> world = sim::World::create(log.header().scene);
+  Result<sim::World> world = sim::create_world(log.header().scene);
   if (!world.ok()) return std::optional(failed_at(0, "start", world.error()));
   BodyStates actual;
   copy_visible(world->bodies(), actual);
@@ -138,7 +138,7 @@ Result<const StepRecord*> Player::step_hashes(sim::Observer* also) {
   if (!logged.ok()) return logged.error();
   record_.inputs = (*logged)->inputs;
   for (const sim::Command& command : record_.inputs) {
-    if (Status ok = world_.apply(command); !ok.ok()) {
+    if (Status ok = sim::apply(world_, command); !ok.ok()) {
       return cannot_finish("input \"" + std::string(sim::name_of(command)) + "\" before step " + std::to_string(k) +
                            ": " + ok.error().message);
     }

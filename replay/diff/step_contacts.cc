@@ -6,6 +6,7 @@
 #include "replay/diff/replayer.h"
 #include "replay/format/columns.h"
 #include "replay/format/little_endian.h"
+#include "src/world/scratch.h"
 
 namespace tumble::replay {
 namespace {

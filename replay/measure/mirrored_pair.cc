@@ -7,6 +7,7 @@
 
 #include "replay/codec/state_keys.h"
 #include "replay/session/state_source.h"
+#include "src/step/step.h"
 
 namespace tumble::replay {
 namespace {
@@ -25,7 +26,7 @@ bool same(const sim::Quat& a, const sim::Quat& b) {
 class Twin {
  public:
   static Result<Twin> create(sim::SceneDef scene) {
-    Result<sim::World> world = sim::World::create(scene);
+    Result<sim::World> world = sim::create_world(scene);
     if (!world.ok()) return world.error();
     return Twin(std::move(scene), *std::move(world));
   }
@@ -33,7 +34,7 @@ class Twin {
   Status step() {
     const std::uint64_t k = world_.state().step + 1;
     for (; next_ < scene_.inputs.size() && scene_.inputs[next_].step <= k; ++next_) {
-      if (Status ok = world_.apply(scene_.inputs[next_].command); !ok.ok()) return ok;
+      if (Status ok = sim::apply(world_, scene_.inputs[next_].command); !ok.ok()) return ok;
     }
     if (Result<sim::StepCounters> stepped = sim::step(world_); !stepped.ok()) return stepped.error();
     return {};

@@ -47,7 +47,7 @@ class TwinMeter {
 };
 
 /// Steps a scene and its image side by side, without files: scene.steps steps with the scene's inputs. Errors:
-/// World::create's, an input that is refused, a step that fails, a stop asked for by `progress` (kCannotFinish).
+/// create_world's, an input that is refused, a step that fails, a stop asked for by `progress` (kCannotFinish).
 Result<TwinReport> run_twins(const sim::SceneDef& scene, const sim::Transform& transform,
                              const Progress& progress = {});
 

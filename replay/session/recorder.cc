@@ -51,7 +51,7 @@ Result<std::unique_ptr<Recorder>> Recorder::start(std::unique_ptr<ByteSink> sink
 Result<std::unique_ptr<Recorder>> Recorder::start_with(const CreateWriter& create, const sim::SceneDef& scene,
                                                        const RecordOptions& options) {
   sim::SceneDef session = session_of(scene, options.transform);
-  Result<sim::World> world = sim::World::create(session);
+  Result<sim::World> world = sim::create_world(session);
   if (!world.ok()) return world.error();
   auto writer = create(header_of(session, options), world->state());
   if (!writer.ok()) return writer.error();
@@ -92,7 +92,7 @@ Status Recorder::apply_inputs(std::span<const sim::Command> live) {
   }
   applied_.insert(applied_.end(), live.begin(), live.end());
   for (const sim::Command& command : applied_) {
-    if (Status ok = world_.apply(command); !ok.ok()) {
+    if (Status ok = sim::apply(world_, command); !ok.ok()) {
       return Error{ok.error().kind, "input \"" + std::string(sim::name_of(command)) + "\" before step " +
                                         std::to_string(step) + ": " + ok.error().message};
     }

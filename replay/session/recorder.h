@@ -38,7 +38,7 @@ struct GoOnOptions {
 /// Runs a session and writes its log, a step at a time.
 class Recorder {
  public:
-  /// Makes the world (state 0) and begins the log. Errors: World::create's, LogWriter::create's; no file is touched
+  /// Makes the world (state 0) and begins the log. Errors: create_world's, LogWriter::create's; no file is touched
   /// before the world stands.
   static Result<std::unique_ptr<Recorder>> start(const std::string& path, const sim::SceneDef& scene,
                                                  const RecordOptions& options);

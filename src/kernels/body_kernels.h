@@ -46,10 +46,10 @@ struct ReachColumns {
 struct BodyKernels {
   /// Free flight of every body that moves, is not `in_contact` (null: none is) and whose moments of inertia are equal.
   /// Tells whether others are left that should fly.
-  bool (*fly)(const BodyColumns& bodies, Rows rows, const std::uint8_t* in_contact, const Air& air);
+  bool (*integrate_free)(const BodyColumns& bodies, Rows rows, const std::uint8_t* in_contact, const Air& air);
   /// Puts boxes and AABBs where the bodies are, but for the framed ones; tells whether all are in their rooms.
   bool (*put_boxes)(const BodyColumns& bodies, Rows rows, const BoxColumns& boxes);
-  void (*reach_out)(const BodyColumns& bodies, Rows rows, const ReachColumns& reach);
+  void (*expand_aabbs)(const BodyColumns& bodies, Rows rows, const ReachColumns& reach);
   /// Whether all are finite and within limits: false where check_body would object to one.
   bool (*check)(const BodyColumns& bodies, Rows rows);
 };

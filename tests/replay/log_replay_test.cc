@@ -18,7 +18,7 @@ namespace {
 template <class Change>
 Bytes record_with_lie(const sim::SceneDef& scene, std::uint64_t lie, Change change) {
   const auto disk = std::make_shared<Disk>();
-  Result<sim::World> world = sim::World::create(scene);
+  Result<sim::World> world = sim::create_world(scene);
   auto writer = LogWriter::create(std::make_unique<MemorySink>(disk), header_for(scene), world->state());
   sim::PhaseHashes hashes;
   for (std::uint64_t k = 1; k <= scene.steps; ++k) {
@@ -120,7 +120,7 @@ TEST(Replay, ASceneThatResolvesToAnotherStartIsFound) {
   sim::SceneDef moved = scene;
   moved.boxes[2].position.x() += 0.125;
   const auto disk = std::make_shared<Disk>();
-  const Result<sim::World> world = sim::World::create(scene);
+  const Result<sim::World> world = sim::create_world(scene);
   auto writer = LogWriter::create(std::make_unique<MemorySink>(disk), header_for(moved), world->state());
   ASSERT_TRUE((*writer)->finish().ok());
   const ReplayReport report = replay_of(disk->bytes);

@@ -142,7 +142,7 @@ TEST(Lanes, KernelsOfEveryWidthGiveTheBitsOfOneLane) {
 }
 
 std::vector<std::uint64_t> hashes_of(const SceneDef& scene, LaneWidth width, int steps) {
-  Result<World> world = World::create(scene);
+  Result<World> world = create_world(scene);
   EXPECT_TRUE(world.ok());
   world->mutable_scratch().lanes = width;
   return test::phase_words_of(*world, steps);

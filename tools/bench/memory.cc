@@ -5,6 +5,7 @@
 #include "src/scenes/scene_file.h"
 #include "src/step/step.h"
 #include "src/world/memory_use.h"
+#include "src/world/scratch.h"
 #include "tools/bench/bench.h"
 #include "tools/files/scene_files.h"
 
@@ -51,14 +52,14 @@ struct Use {
 };
 
 Result<Use> run(const sim::SceneDef& scene) {
-  Result<sim::World> world = sim::World::create(scene);
+  Result<sim::World> world = sim::create_world(scene);
   if (!world.ok()) return world.error();
   Use use;
   use.scene = scene.name;
   auto input = scene.inputs.begin();
   for (std::uint64_t k = 1; k <= scene.steps; ++k) {
     for (; input != scene.inputs.end() && input->step == k; ++input) {
-      if (Status ok = world->apply(input->command); !ok.ok()) return ok.error();
+      if (Status ok = sim::apply(*world, input->command); !ok.ok()) return ok.error();
     }
     if (const Result<sim::StepCounters> done = sim::step(*world); !done.ok()) return done.error();
     use.counts.see(*world);

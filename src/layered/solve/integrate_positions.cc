@@ -6,8 +6,8 @@
 #include "src/layered/solve/solver_hashes.h"
 #include "src/layered/solve/sweep_layers.h"
 #include "src/math/grid.h"
-#include "src/thesis/integrate.h"
 #include "src/world/body_check.h"
+#include "src/world/free_flight.h"
 
 namespace tumble::sim {
 namespace {
@@ -38,9 +38,8 @@ void move_body(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) 
 
 }  // namespace
 
-Status integrate_positions(World& world, double substep_s) {
-  Bodies& bodies = world.mutable_state().bodies;
-  Scratch& scratch = world.mutable_scratch();
+Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s) {
+  Bodies& bodies = state.bodies;
   for_ranges(scratch.workers, bodies.size(), kWorthBodies, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (scratch.in_contact[i] != 0) move_body(bodies, scratch, static_cast<BodyIndex>(i), substep_s);
@@ -57,10 +56,10 @@ Status integrate_positions(World& world, double substep_s) {
   return {};
 }
 
-void hash_integrate_positions(const World& world, Hasher& hasher) {
-  hash_places(world, hasher);
-  hash_moved(world, hasher);
-  if (has_slender(world.scratch())) hash_prepared(world, hasher);
+void hash_integrate_positions(const WorldState& state, const Scratch& scratch, Hasher& hasher) {
+  hash_places(state.bodies, hasher);
+  hash_moved(state.bodies, scratch, hasher);
+  if (has_slender(scratch)) hash_prepared(scratch, hasher);
 }
 
 }  // namespace tumble::sim

@@ -39,16 +39,14 @@ void sweep_once(Scratch& scratch, const SweepGroup& group, Sweep sweep, Directio
 
 }  // namespace
 
-void warm_start_layers(World& world, double substep_s) {
-  Scratch& scratch = world.mutable_scratch();
+void warm_start_layers(Scratch& scratch, double substep_s) {
   const ContactKernels& contacts = kernels(scratch.lanes).contacts;
   for (std::size_t layer = 0; layer + 1 < scratch.layer_start.size(); ++layer) {
     solve_layer(scratch, contacts, layer, substep_s, contacts.warm_start);
   }
 }
 
-void sweep_layers(World& world, Sweep sweep, Direction first, double substep_s) {
-  Scratch& scratch = world.mutable_scratch();
+void sweep_layers(Scratch& scratch, Sweep sweep, Direction first, double substep_s) {
   for (const SweepGroup& group : scratch.sweep_groups) {
     const int sweeps = sweep == Sweep::kRestitution ? 1 : group.sweeps;
     for (int k = 0; k < sweeps; ++k) sweep_once(scratch, group, sweep, k % 2 == 0 ? first : opposite(first), substep_s);
