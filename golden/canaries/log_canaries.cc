@@ -231,7 +231,7 @@ bool goes_on(sim::Method method) {
 Result<replay::MessageBytes> made_up_chunk() {
   sim::SceneDef scene = session_scene(sim::Method::kLayered);
   for (sim::BoxDef& box : scene.boxes) box.position[2] += 8;
-  const Result<sim::World> world = sim::World::create(scene);
+  const Result<sim::World> world = sim::create_world(scene);
   if (!world.ok()) return world.error();
   replay::Keyframe keyframe = {world->state(), {1, 2}};
   keyframe.state.pairs = {{0, 1}, {1, 3}, {5, 6}};

@@ -8,6 +8,7 @@
 #include "replay/format/chain.h"
 #include "replay/format/little_endian.h"
 #include "replay/session/player.h"
+#include "src/world/scratch.h"
 
 namespace tumble::replay {
 namespace {
