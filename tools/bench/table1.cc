@@ -16,7 +16,7 @@
 namespace tumble::tools {
 namespace {
 
-constexpr double kBudget = 120;  // s
+constexpr double kCellBudget = 120;  // s
 
 /// One cell of the table, and its result here.
 struct Cell {
@@ -138,7 +138,7 @@ Json to_json(const std::vector<Cell>& cells) {
 
 Result<Exit> bench_table1(const BenchOptions& options) {
   const std::string method = options.method.empty() ? "thesis" : options.method;
-  const double budget = options.budget.value_or(kBudget);
+  const double budget = options.budget.value_or(kCellBudget);
   std::vector<Cell> cells = all_cells();
   std::ranges::sort(cells, {}, &Cell::thesis);  // the cheap ones first, so that they say what the others will cost
   double spent = 0;
