@@ -13,7 +13,7 @@
 /// compiles in a walk that has no rule for its tag or its role.
 namespace tumble::sim {
 
-/// What a value means, and so what a transform does to it. A tag of `field` derives from its role.
+/// The roles of values: a transform treats all values of one role alike. A tag of `field` derives from its role.
 namespace role {
 struct Body {};      ///< BodyId: names the body that the input is about
 struct Plain {};     ///< a number or a flag that no symmetry touches
