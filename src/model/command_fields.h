@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <concepts>
 #include <type_traits>
 #include <utility>
@@ -158,10 +157,5 @@ void for_each_effect(Whole& whole, Visit&& visit) {
   };
   walk(walk, whole);
 }
-
-/// The scene format's words for the kinds of input, in the order of Command's alternatives.
-inline constexpr std::array<const char*, std::variant_size_v<Command>> kCommandNames = {
-    "throw", "push", "remove", "wake", "set_velocity", "set_gravity", "set_dt"};
-static_assert(kCommandNames.back() != nullptr);
 
 }  // namespace tumble::sim
