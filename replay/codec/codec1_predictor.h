@@ -6,7 +6,7 @@
 ///
 /// A log stores states to the bit, 113 bytes each, and most of these bits follow from the state before. Codec 1
 /// predicts each body and stores only the difference, which is zero for a body in free flight and a few low bits for a
-/// body that touched something (docs/log_format.md, "States"). Two predictions are tried. The first is free flight,
+/// body that touched something (docs/log_format.md, "Codec 1"). Two predictions are tried. The first is free flight,
 /// computed as the stepper computed it when the codec was made: equal bits then cost one flag. The second is for bodies
 /// that touched something. Contact impulses cannot be predicted, so the new velocities are stored first, as differences
 /// from the old ones; then position and orientation are predicted from the mean of old and new velocity, which is close

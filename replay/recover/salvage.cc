@@ -51,7 +51,7 @@ bool is_final(const Error& error) { return error.kind != ErrorKind::kDamaged; }
 /// 3. The header decides which session is saved: a file may hold parts of several. Chunks of a session name their
 /// header
 ///    by its tag, so the header with the most steps behind it wins.
-/// 4. Of all candidates, choose_chunks() takes the set with the most steps that fits together.
+/// 4. choose_chunks() takes the set of candidates with the most steps that fits together.
 class Salvager {
  public:
   explicit Salvager(const ByteSource& source) : source_(source) {}

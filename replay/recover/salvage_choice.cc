@@ -30,9 +30,9 @@ bool better(const Way& a, const Way& b) {
 /// the chain, is lost. Taking the first chunk that fits may lead to a dead end, so for each chunk the best sequence
 /// that ends with it is kept: the one with the most steps. A chunk follows either a chunk that it is linked to (its
 /// first step comes next, and state hash and chain match), or any chunk that ends earlier, with missing steps between.
-/// Of all that end earlier only the best one matters, and a queue ordered by end finds it, so the whole choice costs n
-/// log n for n chunks. This is weighted interval scheduling (Kleinberg and Tardos, Algorithm Design, 2005, section 6.1)
-/// with links.
+/// Among those that end earlier only the best one matters, and a queue ordered by end finds it, so the whole choice
+/// costs n log n for n chunks. This is weighted interval scheduling (Kleinberg and Tardos, Algorithm Design, 2005,
+/// section 6.1) with links.
 ///
 /// A chunk with a lost prelude is accepted only where it is linked, because nothing else shows which session it belongs
 /// to.

@@ -34,8 +34,8 @@ struct SessionStart {
 using ChainAfter = std::function<std::optional<Hash128>(const SavedChunk&, const Hash128& before)>;
 
 /// Chooses the chunks that hold the most steps of one session. No step occurs twice, and chain and state match wherever
-/// a chunk begins with the step after another. Of equal sums, prefers the fewest runs of missing steps, then the chunks
-/// that come first in the file. Fills in the chain of chunks without one.
+/// a chunk begins with the step after another. Among equal sums, prefers the fewest runs of missing steps, then the
+/// chunks that come first in the file. Fills in the chain of chunks without one.
 std::vector<SavedChunk> choose_chunks(std::vector<SavedChunk> candidates, const SessionStart& start,
                                       const ChainAfter& chain_after);
 

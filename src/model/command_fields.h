@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <concepts>
 #include <type_traits>
 #include <utility>
@@ -13,7 +12,7 @@
 /// compiles in a walk that has no rule for its tag or its role.
 namespace tumble::sim {
 
-/// What a value means, and so what a transform does to it. A tag of `field` derives from its role.
+/// The roles of values: a transform treats all values of one role alike. A tag of `field` derives from its role.
 namespace role {
 struct Body {};      ///< BodyId: names the body that the input is about
 struct Plain {};     ///< a number or a flag that no symmetry touches
@@ -158,10 +157,5 @@ void for_each_effect(Whole& whole, Visit&& visit) {
   };
   walk(walk, whole);
 }
-
-/// The scene format's words for the kinds of input, in the order of Command's alternatives.
-inline constexpr std::array<const char*, std::variant_size_v<Command>> kCommandNames = {
-    "throw", "push", "remove", "wake", "set_velocity", "set_gravity", "set_dt"};
-static_assert(kCommandNames.back() != nullptr);
 
 }  // namespace tumble::sim

@@ -97,8 +97,13 @@ struct SetDt {
 
 using Command = std::variant<Throw, Push, Remove, Wake, SetVelocity, SetGravity, SetDt>;
 
+/// The scene format's words for the kinds of input, in the order of Command's alternatives.
+inline constexpr std::array<const char*, std::variant_size_v<Command>> kCommandNames = {
+    "throw", "push", "remove", "wake", "set_velocity", "set_gravity", "set_dt"};
+static_assert(kCommandNames.back() != nullptr);
+
 /// The scene format's word for a command: "throw", "push", …
-const char* name_of(const Command& command);
+inline const char* name_of(const Command& command) { return kCommandNames[command.index()]; }
 
 /// Applied before step `step` (1 … N); inputs of one step keep their order.
 struct TimedCommand {

@@ -6,7 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "src/model/command_fields.h"
 #include "src/scenes/read_bodies.h"
 #include "src/scenes/rules.h"
 
