@@ -1,4 +1,4 @@
-// The log: what it costs the stepping thread, how large it is, how fast it is made and read.
+// The log: its cost to the stepping thread, its size, the speed of writing and reading it.
 // The scene is the thesis's tilted grid (Fig. 21): 20 × 20 cubes, 5 s at 1/300.
 #include <benchmark/benchmark.h>
 
@@ -46,7 +46,7 @@ sim::SceneDef tilted_grid(std::uint64_t steps, sim::Method method = sim::Method:
   return scene;
 }
 
-/// The same with as many frozen cubes a long way off.
+/// The scene with as many frozen cubes a long way off.
 sim::SceneDef with_frozen_bodies(sim::SceneDef scene) {
   for (std::uint32_t k = 0; k < 400; ++k) {
     sim::BoxDef box;
@@ -106,7 +106,7 @@ std::int64_t state_bytes(const MiddleChunk& chunk) {
   return static_cast<std::int64_t>(chunk.steps.size() * chunk.keyframe.state.bodies.size() * kBodyStateBytes);
 }
 
-/// What append() costs the stepping thread when steps come every 200 µs, as they do at 400 bodies.
+/// The cost of append() to the stepping thread when steps come every 200 µs, as they do at 400 bodies.
 void append_400_bodies(benchmark::State& bench) {
   const MiddleChunk& chunk = middle_chunk();
   const std::string path = (std::filesystem::temp_directory_path() / "tumble_append_bench.tumble").string();
@@ -167,7 +167,7 @@ void open_and_read_middle_step(benchmark::State& bench) {
 }
 BENCHMARK(open_and_read_middle_step)->Unit(benchmark::kMillisecond);
 
-/// The same session, but for a push before step 1000.
+/// The session with one more push before step 1000.
 const std::string& other_log() {
   static const std::string path = [] {
     sim::SceneDef scene = tilted_grid(1500);
@@ -216,8 +216,8 @@ void verify_log(benchmark::State& bench) {
 }
 BENCHMARK(verify_log)->Unit(benchmark::kMillisecond);
 
-/// What the chunks of a log take when each has as many steps. The writer cuts by the clock, which makes a file's own
-/// size another one each time, and later where bodies rest, which would hide what these take.
+/// The size of a log's chunks of equally many steps. The writer cuts by the clock, so that a file has another size each
+/// time, and it cuts later where bodies rest, which would hide their cost.
 std::uint64_t size_in_chunks(LogReader& log) {
   ChunkEncoder encoder;
   Compressor compressor;
@@ -238,7 +238,8 @@ std::uint64_t size_in_chunks(LogReader& log) {
   return bytes;
 }
 
-/// No time: bytes over the body-steps that are not frozen, and what a frozen body-step adds. Argument: the method.
+/// No time: bytes over the body-steps that are not frozen, and the bytes that a frozen body-step adds. Argument: the
+/// method.
 void log_size(benchmark::State& bench) {
   const sim::SceneDef scene = tilted_grid(1500, static_cast<sim::Method>(bench.range(0)));
   LogReader log = opened(recorded(scene, "tumble_log_bench_size"));

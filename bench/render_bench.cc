@@ -1,4 +1,4 @@
-// Pictures: what a frame and each of its passes cost; of the passes processor time, the least of 20.
+// Pictures: the cost of a frame and of each of its passes; for passes the processor time, the least of 20.
 // Usage: render_bench LOG STEP [WIDTH HEIGHT SAMPLES]
 #include <array>
 #include <chrono>

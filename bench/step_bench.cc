@@ -1,6 +1,6 @@
-// The whole step and every phase of it by itself, by method and number of bodies: tilted_grid, dt 1/30, 4 sub-steps,
+// The whole step and each of its phases, by method and number of bodies: tilted_grid, dt 1/30, 4 substeps,
 // from the state a second in, when most rows have landed. A phase's time is from the end of the one before to its own
-// end, over all sub-steps that were accepted; so the first phase of a sub-step also has what was tried and undone.
+// end, over all accepted substeps; the first phase of a substep therefore includes steps that were tried and undone.
 // box_test/… is the test of all fifteen axes alone, over the pairs of 6400 cubes of the same scene, as they stand and
 // turned at random: BoxPair, then each lane width.
 // Usage: step_bench [--benchmark_filter=layered/.*/6400] …
@@ -35,7 +35,7 @@ constexpr std::size_t kWholeStep = ~std::size_t{0};
 /// Columns of cubes in each of the sizes; rows are as many up to 80, then 20.
 constexpr std::pair<int, int> kSizes[] = {{6, 6}, {10, 10}, {20, 20}, {40, 40}, {80, 80}, {20, 1280}, {20, 5120}};
 
-/// Adds up what one phase takes.
+/// Adds up the time of one phase.
 class PhaseClock : public sim::Observer {
  public:
   explicit PhaseClock(std::size_t phase) : phase_(phase), before_(Clock::now()) {}
@@ -52,7 +52,7 @@ class PhaseClock : public sim::Observer {
   double seconds_ = 0;
 };
 
-/// The world a second into the scene; made when it is first asked for. Ends the program where that fails.
+/// The world a second into the scene, made on first use. Ends the program if that fails.
 const sim::World& warm_world(sim::Method method, int rows, int columns) {
   static std::map<std::pair<sim::Method, int>, sim::World> worlds;
   const auto key = std::pair(method, rows * columns);
@@ -134,7 +134,7 @@ void run_box_pair(benchmark::State& state, bool turned) {
   count_pairs(state, pairs.size());
 }
 
-/// Filling the lanes included.
+/// Includes filling the lanes.
 void run_box_tests(benchmark::State& state, bool turned, sim::LaneWidth width) {
   const sim::World& world = warm_world(sim::Method::kLayered, 80, 80);
   const sim::PairTable& pairs = world.state().pairs;

@@ -1,8 +1,8 @@
-// What 1 to 32 threads would make of a step, on a machine that has fewer processors: the step is cut into the parts
-// that so many threads would be given, the parts are run one after the other by one thread, and each is timed. A round
-// of parts then costs its longest part and what it takes to call the others up and wait for them; all else is serial.
-// Left out: that a processor has to fetch what another has written, that processors share caches and memory, and that
-// they slow down when all are busy. So it bounds from above what the way of splitting allows.
+// Estimates a step with 1 to 32 threads on a machine that has fewer processors. The step is cut into the parts that so
+// many threads would get; one thread runs the parts one after the other and times each. A round of parts then costs its
+// longest part and the time to wake the others and wait for them; all else is serial. The model leaves out that a
+// processor fetches data that another has written, that processors share caches and memory, and that they slow down
+// when all are busy. The estimate is therefore an upper bound for this way of splitting.
 // Usage: thread_model [SCENE...]   names of kScenes; all without. docs/performance.md, Threads, explains the figures.
 #include <algorithm>
 #include <chrono>
@@ -61,7 +61,7 @@ double seconds_between(Clock::time_point begin, Clock::time_point end) {
   return std::chrono::duration<double>(end - begin).count();
 }
 
-/// Hands that take their turns, with a clock on each.
+/// Workers that take turns, each of them timed.
 class TimedParts : public Workers {
  public:
   TimedParts(unsigned count, std::size_t divisor) : count_(count), divisor_(divisor) {}
@@ -77,7 +77,7 @@ class TimedParts : public Workers {
       round.push_back(seconds_between(begin, Clock::now()));
     }
   }
-  /// s of each part of each round since it was last asked.
+  /// The time of each part of each round since the last call, s.
   std::vector<std::vector<double>> take() { return std::exchange(rounds_, {}); }
 
  private:
@@ -86,13 +86,13 @@ class TimedParts : public Workers {
   std::vector<std::vector<double>> rounds_;
 };
 
-/// One phase of one sub-step: what is not split, and the parts of its rounds, s.
+/// One phase of one substep: the time that is not split, and the parts of its rounds, s.
 struct Visit {
   std::size_t phase = 0;
   double serial = 0;
   std::vector<std::vector<double>> rounds;
 
-  /// The same in another run: what took longer was disturbed.
+  /// Merges another run: the longer time was disturbed.
   void take_least(const Visit& other) {
     serial = std::min(serial, other.serial);
     for (std::size_t k = 0; k < rounds.size(); ++k) {
@@ -121,7 +121,7 @@ class Visits : public sim::Observer {
   std::vector<Visit> all_;
 };
 
-/// Of a phase, or of the whole step, over all steps that were timed; s.
+/// Times of a phase, or of the whole step, over all timed steps, s.
 struct Share {
   double serial = 0;
   double sum = 0, longest = 0, mean = 0;  ///< of all parts; of the longest of each round; of the mean of each
@@ -138,7 +138,7 @@ struct Share {
     }
   }
   [[nodiscard]] double alone() const { return serial + sum; }
-  /// Were the parts of a round done at the same time.
+  /// If the parts of a round ran at the same time.
   [[nodiscard]] double together(double round_cost) const { return serial + longest + rounds * round_cost; }
 };
 
@@ -154,7 +154,7 @@ void make_step(sim::World& world, sim::Observer* observer = nullptr) {
   if (const Result<sim::StepCounters> done = sim::step(world, observer); !done.ok()) fail(done.error().message);
 }
 
-/// The state from which all is timed.
+/// The state from which timing starts.
 sim::WorldState warm_state(const Trial& trial) {
   const std::string path = std::string(TUMBLE_SOURCE_DIR "/bench/scenes/") + trial.scene + ".toml";
   std::ifstream file(path, std::ios::binary);
@@ -187,7 +187,7 @@ std::vector<Visit> time_parts(const sim::WorldState& state, unsigned threads, st
   return least;
 }
 
-/// s that a round of two threads costs here, with nothing in it; the least of many batches, as others use the machine.
+/// The cost of an empty round of two threads here, s: the least of many batches, as other programs use the machine.
 double cost_of_round() {
   WorkerThreads two(2);
   double least = INFINITY;

@@ -8,13 +8,3 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   target_compile_options(tumble_warnings INTERFACE -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow
                                                      -Wno-stringop-overread)
 endif()
-
-set(TUMBLE_SANITIZE "" CACHE STRING "Sanitizers for the whole build, as -fsanitize= takes them")
-if(TUMBLE_SANITIZE)
-  add_compile_options(-fsanitize=${TUMBLE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
-  add_link_options(-fsanitize=${TUMBLE_SANITIZE})
-  # What the sanitizers add makes GCC lose track of std::optional.
-  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-    target_compile_options(tumble_warnings INTERFACE -Wno-maybe-uninitialized)
-  endif()
-endif()

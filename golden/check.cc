@@ -2,26 +2,21 @@
 
 #include <algorithm>
 #include <chrono>
+#include <nlohmann/json.hpp>
+#include <system_error>
 #include <utility>
 
+#include "golden/canaries/canaries.h"
 #include "golden/judge/case_series.h"
+#include "golden/run/longest_first.h"
 #include "golden/run/run_case.h"
-#include "golden/suite/text_files.h"
-#include "src/scenes/scene_file.h"
 
 namespace tumble::golden {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::uint64_t body_steps(const CaseFolder& folder) {
-  const Result<std::string> text = read_text(folder.file(kSceneFile));
-  if (!text.ok()) return 0;
-  const Result<sim::SceneDef> scene = scenes::parse_scene(*text, folder.file(kSceneFile).string());
-  return scene.ok() ? scene->steps * (scene->boxes.size() + 1) : 0;
-}
-
-CaseResult result_of(const CaseFolder& folder, const CheckOptions& options, const ChildResult& child) {
+CaseResult result_of(const CaseFolder& folder, const CheckOptions& options, const process::JobResult& child) {
   if (child.failure.empty()) {
     Result<CaseResult> result = case_from_json(child.output);
     if (result.ok()) return *std::move(result);
@@ -30,7 +25,7 @@ CaseResult result_of(const CaseFolder& folder, const CheckOptions& options, cons
     broken.name = folder.name;
     return broken;
   }
-  // Not run_case: what ended the child would end this process.
+  // The case is not run here: a crash that ended the child would end this process too.
   CaseResult result;
   result.name = folder.name;
   result.problems.push_back("its process " + child.failure);
@@ -39,7 +34,7 @@ CaseResult result_of(const CaseFolder& folder, const CheckOptions& options, cons
   return result;
 }
 
-/// What an earlier check left must not be taken for this one's.
+/// Removes the files of an earlier check, which could be mistaken for this one's.
 void remove_old_files(const fs::path& report, const std::vector<CaseFolder>& folders) {
   std::error_code ignored;
   for (const CaseFolder& folder : folders) {
@@ -56,31 +51,6 @@ void remove_old_files(const fs::path& report, const std::vector<CaseFolder>& fol
 }
 
 }  // namespace
-
-bool SuiteResult::canaries_caught() const {
-  return !canaries.empty() && std::ranges::all_of(canaries, &CanaryResult::caught);
-}
-
-bool SuiteResult::passed() const { return problems.empty() && canaries_caught() && failed_cases() == 0; }
-
-std::size_t SuiteResult::failed_cases() const {
-  return static_cast<std::size_t>(std::ranges::count_if(cases, [](const CaseResult& c) { return !c.passed(); }));
-}
-
-std::size_t SuiteResult::failed(VerdictKind kind) const {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(cases, [&](const CaseResult& c) { return c.verdict(kind).outcome == Outcome::kFail; }));
-}
-
-std::vector<CaseFolder> longest_first(std::vector<CaseFolder> folders) {
-  std::vector<std::pair<std::uint64_t, CaseFolder>> costs;
-  costs.reserve(folders.size());
-  for (CaseFolder& folder : folders) costs.emplace_back(body_steps(folder), std::move(folder));
-  std::ranges::stable_sort(costs, std::greater<>(), &std::pair<std::uint64_t, CaseFolder>::first);
-  folders.clear();
-  for (auto& [cost, folder] : costs) folders.push_back(std::move(folder));
-  return folders;
-}
 
 Result<SuiteResult> check_suite(const CheckOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
@@ -99,12 +69,12 @@ Result<SuiteResult> check_suite(const CheckOptions& options) {
   const std::vector<CaseFolder> folders = longest_first(*std::move(selected));
   if (!options.report.empty()) remove_old_files(options.report, folders);
   const RunOptions run = {options.suite, options.require, options.report};
-  const bool finished = run_jobs(
+  const bool finished = process::run_jobs(
       folders.size(),
       [&](std::size_t i) {
         return to_json(run_case(folders[i], run).result).dump(-1, ' ', false, Json::error_handler_t::replace);
       },
-      [&](std::size_t i, const ChildResult& child) {
+      [&](std::size_t i, const process::JobResult& child) {
         result.cases.push_back(result_of(folders[i], options, child));
         result.cases.back().seconds = child.seconds;
         if (options.progress) options.progress(result.cases.back(), result.cases.size(), folders.size());

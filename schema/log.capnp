@@ -1,10 +1,10 @@
 @0xc4d1d5b0a9e3f217;
-# The messages inside a .tumble log. docs/log_format.md says how they are framed, hashed and found.
+# The messages of a .tumble log. docs/log_format.md explains how messages are framed, hashed and found.
 #
-# Rules of evolution: fields are added with the next ordinal and never change their type, ordinal or default; a default
-# means the behaviour of the versions that did not have the field. Units are SI; angles in degrees only in Camera.
-# Columns are Data: little-endian elements, one a row, because lists of structs compress badly. "Planes" means that the
-# bytes of a column are regrouped: byte 0 of all elements, then byte 1, and so on.
+# Rules of evolution: new fields get the next ordinal. Type, ordinal and default of a field never change. A default means
+# the behaviour of versions without the field. Units are SI; only Camera has angles in degrees. Columns are Data:
+# little-endian elements, one per row, because lists of structs compress badly. "Planes": the bytes of a column are
+# regrouped, byte 0 of all elements, then byte 1, and so on.
 
 using Cxx = import "/capnp/c++.capnp";
 $Cxx.namespace("tumble::replay::schema");
@@ -26,7 +26,7 @@ struct WorldDef {
   method @0 :UInt8;             # 0 thesis, 1 layered
   dt @1 :Float64;               # s, > 0; the step's length when the message was written
   substeps @2 :UInt32;          # 1 .. 1024
-  splitCollisions @3 :UInt32;   # thesis: a sub-step that meets more collisions is halved
+  splitCollisions @3 :UInt32;   # thesis: a substep with more collisions is halved
   gravity @4 :Vec3;             # m/s^2
   ground @5 :Bool;              # the half-space z <= 0
   freezing @6 :Bool;
@@ -54,7 +54,7 @@ struct Box {
   origin @13 :Origin;
 }
 
-# Which table of the scene made a body. Columns of a generator's bodies share row and column numbers.
+# The table of the scene that made a body, and the place of the body in that table.
 struct Origin {
   kind @0 :UInt8;               # 0 box, 1 grid, 2 tower, 3 pyramid, 4 wall, 5 pile, 6 input
   table @1 :UInt32;             # 0-based: the first, second, ... table of that kind
@@ -62,8 +62,8 @@ struct Origin {
   column @3 :UInt32;
 }
 
-# One input, applied before a step. `kind` repeats the union's word, so that a reader that does not know a newer kind
-# can name it in its error.
+# One input, applied before a step. `kind` repeats the word of the union, so that an older reader can name a newer kind
+# in its error.
 struct Input {
   step @0 :UInt64;              # 1 .. number of steps: the step before which it is applied
   kind @1 :Text;                # "throw", "push", ...
@@ -81,7 +81,7 @@ struct Input {
 struct Push {
   id @0 :UInt64;
   impulse @1 :Vec3;             # N s
-  atCentre @2 :Bool;            # true: at the centre of mass, `at` means nothing
+  atCentre @2 :Bool;            # true: at the centre of mass, `at` is ignored
   at @3 :Vec3;                  # m, world point
 }
 
@@ -104,15 +104,15 @@ struct Light {
   target @1 :Vec3;              # m
 }
 
-# The scene with all values resolved: what a session starts from, without the text it was written as.
+# The scene with all values resolved: the start of a session, without the TOML text.
 struct Scene {
   name @0 :Text;
   title @1 :Text;
   category @2 :Text;
   world @3 :WorldDef;
-  steps @4 :UInt64;             # the steps that were planned; the log may hold fewer
+  steps @4 :UInt64;             # planned steps; the log may hold fewer
   boxes @5 :List(Box);          # ascending id
-  inputs @6 :List(Input);       # ascending step; the scripted ones
+  inputs @6 :List(Input);       # ascending step; scripted inputs
   camera @7 :Camera;
   light @8 :Light;
 }
@@ -125,32 +125,32 @@ struct Header {
   methodVersion @3 :UInt32;     # a build with another version may give other bits
   floatFormat @4 :Text;         # "binary64, little-endian"
   phases @5 :List(Text);        # names, in the order of the words of Chunk.phaseWords
-  phaseRowsMax @6 :UInt32;      # sub-steps that have a row of words of their own; later ones share the last
+  phaseRowsMax @6 :UInt32;      # rows of words of a step at most; later substeps share the last row
   scene @7 :Scene;
-  sceneText @8 :Text;           # the TOML file, byte for byte; empty if there was none
+  sceneText @8 :Text;           # the TOML file, byte for byte; empty without one
   overrides @9 :List(Text);     # "world.dt=0.01", in the order given
-  statesEvery @10 :UInt32;      # 1: every step has states; n: every n-th and those alone; 0: none
-  chunkStepsMax @11 :UInt32;    # what the writer closes a chunk at, for people
-  chunkBytesMax @12 :UInt64;    # likewise
-  transform @13 :Transform;     # what was made of the scene file before the session began
+  statesEvery @10 :UInt32;      # 1: all steps have states; n: multiples of n only; 0: none
+  chunkStepsMax @11 :UInt32;    # steps at which the writer closes a chunk; for people
+  chunkBytesMax @12 :UInt64;    # bytes of states at which the writer closes a chunk; for people
+  transform @13 :Transform;     # applied to the scene of the file before the session began
   goesOn @14 :GoesOn;           # null: the session begins with step 1 of its scene
   engine @15 :Engine;           # null: Tumble computed the steps; else methodVersion is 0 and replay is refused
-  recovered @16 :Recovered;     # null: the log is as it was recorded
-  phaseHashVersion @17 :UInt32 = 1;  # of what phase words cover and `contacts` counts; 1 in an engine's log
+  recovered @16 :Recovered;     # null: the log was not recovered
+  phaseHashVersion @17 :UInt32 = 1;  # version of phase words and of `contacts`; 1 for another engine
 }
 
-# Another engine, whose steps the log holds: they can be compared, measured and drawn, not computed again.
+# The physics engine that computed the steps. Such steps can be compared, measured and drawn, but not computed again.
 struct Engine {
-  name @0 :Text;                # never empty
-  version @1 :Text;             # may be empty
-  precisionBits @2 :UInt8 = 53; # of the numbers that it computes with: 24 (binary32) or 53 (binary64)
+  name @0 :Text;                # not empty
+  version @1 :Text;             # empty if unknown
+  precisionBits @2 :UInt8 = 53; # of the engine's numbers: 24 (binary32) or 53 (binary64)
 }
 
-# What is missing since the log was recovered from a damaged one.
+# The losses of a log that was recovered from a damaged one.
 struct Recovered {
-  log @0 :Text;                 # the damaged log's file, as it was given; for people
-  headerLost @1 :Bool;          # this header was made from a keyframe: no names, looks, camera, scene text
-  gaps @2 :List(Gap);           # ascending, none touches the next; chunks stand before and after each
+  log @0 :Text;                 # path of the damaged log, as the user gave it; for people
+  headerLost @1 :Bool;          # the header was rebuilt from a keyframe: no names, looks, camera, scene text
+  gaps @2 :List(Gap);           # missing steps; ascending, apart; chunks stand before and after each
 
   struct Gap {
     firstStep @0 :UInt64;       # 1 ..
@@ -158,22 +158,22 @@ struct Recovered {
   }
 }
 
-# Where a session that goes on from another one's state began.
+# The origin of a continued session: a state of another session.
 struct GoesOn {
-  step @0 :UInt64;              # steps of the other session before; this log's first step is the next
-  log @1 :Text;                 # the other log's file, as it was given; for people
-  continuationLow @2 :UInt64;   # the continuation hash of the state between them
+  step @0 :UInt64;              # number of that state; the log begins with the step after
+  log @1 :Text;                 # path of the other log, as the user gave it; for people
+  continuationLow @2 :UInt64;   # the continuation hash of that state
   continuationHigh @3 :UInt64;
 }
 
-# A symmetry of the simulation, done to the scene in this order. `scene` has it done already.
+# A symmetry of the simulation, applied to the scene in this order. Header.scene is the result.
 struct Transform {
   mirrorX @0 :Bool;
   mirrorY @1 :Bool;
   swapXy @2 :Bool;              # a mirror in the plane x = y
   shift @3 :Vec3;               # m
   permuted @4 :Bool;            # the bodies have new names
-  permuteSeed @5 :UInt64;       # which; means nothing unless permuted
+  permuteSeed @5 :UInt64;       # seed of the new names; ignored unless permuted
 }
 
 # Steps firstStep .. firstStep + stepCount - 1 and the state before the first of them.
@@ -184,7 +184,7 @@ struct Chunk {
   inputs @3 :List(Input);       # of these steps, in the order applied
   dt @4 :Data;                  # stepCount x Float64, s
   stateHash @5 :Data;           # stepCount x 16 bytes: low, high
-  phaseWordCount @6 :Data;      # stepCount x UInt32: sub-step rows x phases
+  phaseWordCount @6 :Data;      # stepCount x UInt32: substep rows x phases
   phaseWords @7 :Data;          # UInt64: word 0 of all steps that have one, then word 1, ...
   pairs @8 :Data;               # stepCount x UInt32
   contacts @9 :Data;            # stepCount x UInt32
@@ -192,24 +192,24 @@ struct Chunk {
   kinetic @11 :Data;            # stepCount x Float64, J, after the step
   potential @12 :Data;          # stepCount x Float64, J, after the step
   inputEnergy @13 :Data;        # stepCount x Float64, J, put in by the inputs before the step
-  removedEnergy @14 :Data;      # stepCount x Float64, J
+  removedEnergy @14 :Data;      # stepCount x Float64, J, dissipated in the step
   hasStates @15 :Data;          # stepCount x UInt8, 0 or 1
   states @16 :States;           # of the steps that have them
 }
 
-# The visible state of bodies. Which bodies: the keyframe's, changed by the throw and remove inputs.
+# The visible states of the bodies of the keyframe, changed by throw and remove inputs.
 struct States {
   codec @0 :UInt16;             # 1: docs/log_format.md, "Codec 1"
-  flags @1 :Data;               # a byte a body and step: bit 0 frozen; bits 1-2: 0 unchanged, 1 flew freely, 2 stored
+  flags @1 :Data;               # one byte per body and step: bit 0 frozen; bits 1-2: 0 unchanged, 1 flew freely, 2 stored
   columns @2 :List(Column);     # velocity x y z, spin x y z, position x y z, orientation: three components, the largest
 }
 
 struct Column {
   onGrid @0 :Bool;              # true: integers of grid steps; false: ordered bit patterns
-  residuals @1 :Data;           # planes of UInt64, zigzag; one a body and step flagged as stored
+  residuals @1 :Data;           # planes of UInt64, zigzag; one per body and step with flag stored
 }
 
-# A complete sim::WorldState. Columns have one row a body in ascending id.
+# A complete sim::WorldState. Columns have one row per body, in ascending id.
 struct Keyframe {
   step @0 :UInt64;              # steps taken
   world @1 :WorldDef;           # with the current dt and gravity
@@ -228,12 +228,12 @@ struct Keyframe {
   memoryA @13 :Data;            # UInt32 row or 0xffffffff for the ground, differences, planes; reference body
   memoryB @14 :Data;            # UInt32 row, differences, planes; incident body
   memoryCount @15 :Data;        # UInt32, planes; points of the contact
-  memoryDoubles @16 :List(Data);  # planes of Float64: friction x y z (N s), twist (N m s); one a contact
-  memoryFeature @17 :Data;      # UInt32, planes; one a point
-  memoryImpulse @18 :Data;      # planes of Float64, N s; one a point
+  memoryDoubles @16 :List(Data);  # planes of Float64: friction x y z (N s), twist (N m s); one per contact
+  memoryFeature @17 :Data;      # UInt32, planes; one per point
+  memoryImpulse @18 :Data;      # planes of Float64, N s; one per point
 }
 
-# The last record but one: where the chunks are.
+# The record before the footer: the places of the chunks.
 struct Index {
   chunks @0 :List(Entry);
 

@@ -5,18 +5,38 @@
 # Usage: tools/demo.sh        Everything it makes lies in build/demo.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
-
-tools/setup.sh
-printf 'Building …\n'
-build_log=build/demo/build.log
-mkdir -p build/demo
-if ! { cmake --preset release && cmake --build --preset release --parallel "$(nproc)" --target tumble; } >"$build_log" 2>&1; then
-  tail -n 40 "$build_log" >&2
-  printf 'demo: the build failed; all of it is in %s\n' "$build_log" >&2
-  exit 4
-fi
-tumble=build/release/tools/tumble
 demo=build/demo
+mkdir -p $demo
+
+say() { # what comes next, with the time so far
+  printf '\n== %d:%02d  %s\n' $((SECONDS / 60)) $((SECONDS % 60)) "$*"
+}
+# Builds the program: ninja's own counter on a terminal, a line a minute elsewhere.
+build() {
+  local log=$demo/build.log pid=""
+  cmake --preset release -DTUMBLE_TESTS=OFF >"$log" 2>&1 || { tail -n 40 "$log" >&2; return 1; }
+  if [[ -t 1 ]]; then
+    NINJA_STATUS='[%f of %t files, %e s] ' cmake --build --preset release --parallel "$(nproc)" --target tumble
+    return
+  fi
+  NINJA_STATUS='[%f of %t files] ' cmake --build --preset release --parallel "$(nproc)" --target tumble >>"$log" 2>&1 &
+  pid=$!
+  local next=$((SECONDS + 60))
+  while kill -0 "$pid" 2>/dev/null; do
+    sleep 1
+    ((SECONDS < next)) && continue
+    next=$((SECONDS + 60))
+    printf '%d:%02d  %s built\n' $((SECONDS / 60)) $((SECONDS % 60)) "$(sed -nE 's/^\[([0-9]+ of [0-9]+ files)\].*/\1/p' "$log" | tail -n 1)"
+  done
+  wait "$pid" || { tail -n 40 "$log" >&2; return 1; }
+}
+
+say 'Installing what building needs and this machine lacks'
+tools/setup.sh --only program
+installed=$SECONDS
+say 'Building the program'
+build || { printf 'demo: the build failed\n' >&2; exit 4; }
+tumble=build/release/tools/tumble
 
 run() { # command and arguments, shown and run
   printf '\n$ %s\n' "$*"
@@ -34,16 +54,23 @@ verdict() { # file, what it is when identical
   fi
 }
 
+say 'A first session, recorded and replayed'
 run $tumble record brick_wall -o $demo/brick_wall.tumble
 run $tumble replay $demo/brick_wall.tumble
+first=$SECONDS
+say "The log's contents, and the thesis's comparison scene with its symmetry measured"
 run $tumble info $demo/brick_wall.tumble
 run $tumble record tilted_grid -o $demo/tilted_grid.tumble
 run $tumble replay $demo/tilted_grid.tumble
 run $tumble measure $demo/tilted_grid.tumble
 
+say 'Both sessions checked against their goldens, pictures included'
+pictures=$SECONDS
+tools/setup.sh --only pictures
+installed=$((installed + SECONDS - pictures))
 run $tumble check brick_wall tilted_grid --report $demo/report
 
-printf '\nThe same wall again, and once more with gravity stronger by a billionth:\n'
+say 'The same wall again, and once more with gravity stronger by a billionth'
 run $tumble record brick_wall -o $demo/again.tumble --quiet
 run $tumble diff $demo/brick_wall.tumble $demo/again.tumble
 run $tumble record brick_wall -o $demo/stronger.tumble --quiet --set 'world.gravity=[0, 0, -9.81000001]'
@@ -61,11 +88,13 @@ done
 $tumble diff --json $demo/brick_wall.tumble $demo/again.tumble >$demo/again.diff.json
 $tumble diff --json $demo/brick_wall.tumble $demo/stronger.tumble >$demo/stronger.diff.json || true
 
-printf '\nAnd to look at:\n'
+say 'A picture and a movie'
 run $tumble render $demo/brick_wall.tumble --step 60 -o $demo/brick_wall.png
 run $tumble render $demo/brick_wall.tumble -o $demo/brick_wall.mp4 --size 480x360 --samples 1
 
-printf '\n== Summary ==\n'
+say 'Summary'
+printf 'The first session was recorded and replayed after %d s, everything after %d s; installing took %d s of them.\n' \
+  "$first" "$SECONDS" "$installed"
 for name in brick_wall tilted_grid; do
   printf '%s\n' "$name: $(value title $demo/$name.info.json)"
   printf '  recorded      %s bodies, %s steps, %s s of motion, every state of every body\n' \

@@ -1,16 +1,24 @@
 #!/usr/bin/env bash
-# Layout and habits of the code, judged by clang-format and clang-tidy. Part of the tests; prints what to change.
-# Usage: tools/lint.sh format         layout of every .h and .cc (.clang-format)
-#        tools/lint.sh fix            puts the layout right
-#        tools/lint.sh tidy [BUILD]   the checks of .clang-tidy, with the flags of a build folder (build/release)
+# Layout and habits of the code, judged by clang-format (part of the tests) and clang-tidy; prints what to change.
+# Usage: tools/lint.sh [--since REVISION | --all] [--minutes N] [--build FOLDER]     clang-tidy with the checks of .clang-tidy
+#          over the .cc files that changed since the revision and those of changed headers; without --since, since the
+#          last tag, else since this branch left main, else over all. --minutes: files not begun by then are listed
+#          and not read (60). --build: the build folder with the compiler's flags (build/release)
+#        tools/lint.sh format     layout of every .h and .cc (.clang-format)
+#        tools/lint.sh fix        puts the layout right
 # A file that was found clean is not looked at again until it, a header it includes or the checks change; what is
 # remembered lies in TUMBLE_LINT_CACHE (by default under ~/.cache), and tells nothing that cannot be found again.
+# Exit status: 0 clean, also where files were left for lack of time; 2 something to change, or bad usage.
 set -euo pipefail
 export LC_ALL=C
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 fail() {
   printf 'lint: %s\n' "$*" >&2
+  exit 2
+}
+usage() {
+  sed -n '3,8s/^# //p' "${BASH_SOURCE[0]}" >&2
   exit 2
 }
 need() {
@@ -22,12 +30,19 @@ sources() { # ending...
   done | sort
 }
 
+# "file included-file" for every include of ours; public headers by their files.
+includes() {
+  sources cc h | xargs grep -H '^#include "' | sed -E 's/^([^:]+):#include "([^"]+)".*/\1 \2/' |
+    awk 'NR == FNR { if (NF == 2) file[$1] = $2; next } { print $1, ($2 in file ? file[$2] : $2) }' \
+      cmake/public_headers.txt -
+}
+
 # "file key" for every .cc: the key changes with the file, what it includes, directly or not, and the checks.
 keys() {
   local common
   common=$({ clang-tidy --version; cat .clang-tidy cmake/* schema/*; } | sha256sum)
   sources cc h | xargs sha256sum | sed 's/^\([0-9a-f]*\)  /\1 /' >"$work/hashes"
-  sources cc h | xargs grep -H '^#include "' | sed -E 's/^([^:]+):#include "([^"]+)".*/\1 \2/' >"$work/includes" || true
+  includes >"$work/includes"
   awk -v common="${common%% *}" '
     FILENAME ~ /hashes$/ { hash[$2] = $1; next }
     { included[$1] = included[$1] " " $2 }
@@ -52,14 +67,103 @@ keys() {
 }
 
 # Runs in a process of its own for each file that is not known to be clean.
-tidy_one() { # database cache file key
+tidy_one() { # work cache deadline file key
   local output
-  if output=$(clang-tidy -p "$1" --quiet --extra-arg=-Wno-unknown-warning-option "$3" 2>&1); then
-    : >"$2/$4"
+  if (($(date +%s) >= $3)); then
+    printf '%s\n' "$4" >>"$1/unread"
+  elif output=$(clang-tidy -p "$1" --quiet --extra-arg=-Wno-unknown-warning-option "$4" 2>&1); then
+    : >"$2/$5"
   else
     printf '%s\n' "$output" | grep -vE '^[0-9]+ (warning|error)|^Error while processing' || true
     return 1
   fi
+}
+
+# The revision that a change is held against; empty if there is none.
+base_revision() {
+  local branch base
+  git describe --tags --abbrev=0 2>/dev/null && return
+  for branch in origin/main main; do
+    base=$(git merge-base HEAD "$branch" 2>/dev/null) || continue
+    [[ $base == $(git rev-parse HEAD) ]] && continue # this is the main branch
+    printf '%s\n' "$base"
+    return
+  done
+}
+
+# The .cc files that show what changed since a revision: themselves, and for a header its own source or, where it has
+# none, the first that includes it.
+changed_since() { # revision
+  { git diff --name-only --diff-filter=d "$1" --; git ls-files --others --exclude-standard; } | sort -u |
+    while read -r file; do
+      case $file in
+        *.cc) printf '%s\n' "$file" ;;
+        *.h)
+          if [[ -f ${file%.h}.cc ]]; then
+            printf '%s\n' "${file%.h}.cc"
+          else
+            awk -v file="$file" '$2 == file && $1 ~ /\.cc$/ { print $1; exit }' "$work/includes"
+          fi
+          ;;
+      esac
+    done | sort -u
+}
+
+# One entry a file of the build's list of commands: clang-tidy would read a file as often as programs are built with it.
+# It cannot read precompiled headers of g++; files include what they use without them.
+write_commands() { # build
+  awk '/^{/ { entry = ""; file = "" } { entry = entry $0 "\n" } /"file":/ { file = $0 }
+    /^}/ && !(file in seen) { seen[file] = 1; sub(/,\n$/, "\n", entry); printf "%s%s", n++ ? "," : "[", entry }
+    END { print "]" }' "$1/compile_commands.json" |
+    sed -E 's/ -Winvalid-pch//; s/ -include [^ "]*cmake_pch\.hxx//' >"$work/compile_commands.json"
+}
+
+tidy() {
+  local build=build/release minutes=60 since="" all=false cache checked unread=0
+  while (($#)); do
+    case "$1" in
+      --all) all=true; shift; continue ;;
+      --since) since=${2:?--since needs a revision} ;;
+      --minutes) minutes=${2:?--minutes needs a number} ;;
+      --build) build=${2:?--build needs a folder} ;;
+      *) usage ;;
+    esac
+    shift 2
+  done
+  [[ $minutes =~ ^[0-9]+$ ]] || usage
+  need clang-tidy
+  [[ -f $build/compile_commands.json ]] || fail "$build/compile_commands.json is missing; configure and build first"
+  cache=${TUMBLE_LINT_CACHE:-${XDG_CACHE_HOME:-${HOME:-$build}/.cache}/tumble/clang-tidy}
+  mkdir -p "$cache"
+  find "$cache" -type f -mtime +30 -delete
+  work=$(mktemp -d)
+  trap 'rm -rf "$work"' EXIT
+  keys >"$work/keys"
+  write_commands "$build"
+  grep -o '"file": "[^"]*"' "$work/compile_commands.json" | sed "s|.*\"$PWD/||; s|\"||" | sort -u >"$work/built"
+  "$all" || [[ -n $since ]] || since=$(base_revision)
+  if [[ -n $since ]]; then
+    git rev-parse --quiet --verify "$since^{commit}" >/dev/null || fail "$since is no revision of this tree"
+    changed_since "$since" | join - "$work/built" >"$work/wanted"
+    printf 'lint: %d files changed since %s\n' "$(wc -l <"$work/wanted")" "$since"
+  else
+    cp "$work/built" "$work/wanted"
+  fi
+  join "$work/wanted" "$work/keys" | while read -r file key; do
+    [[ -f $cache/$key ]] || printf '%s\0%s\0' "$file" "$key"
+  done >"$work/todo"
+  checked=$(join "$work/wanted" "$work/keys" | wc -l)
+  [[ -n $since ]] || ((checked > 0)) || fail "no file of this tree is in $build/compile_commands.json"
+  : >"$work/unread"
+  export -f tidy_one
+  xargs -0 -r -n 2 -P "$(nproc)" bash -c 'tidy_one "$@"' tidy_one "$work" "$cache" $(($(date +%s) + 60 * minutes)) \
+    <"$work/todo" || fail "clang-tidy wants the changes above"
+  unread=$(wc -l <"$work/unread")
+  if ((unread > 0)); then
+    printf 'lint: %d files were not read, because the time (%d min) was over:\n' "$unread" "$minutes"
+    sort "$work/unread" | sed 's/^/  /'
+  fi
+  printf 'lint: %d files clean\n' $((checked - unread))
 }
 
 case "${1-}" in
@@ -75,33 +179,6 @@ case "${1-}" in
     need clang-format
     sources h cc | xargs clang-format -i
     ;;
-  tidy)
-    need clang-tidy
-    build=${2:-build/release}
-    [[ -f $build/compile_commands.json ]] || fail "$build/compile_commands.json is missing; configure and build first"
-    cache=${TUMBLE_LINT_CACHE:-${XDG_CACHE_HOME:-${HOME:-$build}/.cache}/tumble/clang-tidy}
-    mkdir -p "$cache"
-    find "$cache" -type f -mtime +30 -delete
-    work=$(mktemp -d)
-    trap 'rm -rf "$work"' EXIT
-    keys >"$work/keys"
-    # One entry a file: clang-tidy would read a file as often as programs are built with it.
-    awk '/^{/ { entry = ""; file = "" } { entry = entry $0 "\n" } /"file":/ { file = $0 }
-      /^}/ && !(file in seen) { seen[file] = 1; sub(/,\n$/, "\n", entry); printf "%s%s", n++ ? "," : "[", entry }
-      END { print "]" }' "$build/compile_commands.json" >"$work/compile_commands.json"
-    grep -o '"file": "[^"]*"' "$work/compile_commands.json" | sed "s|.*\"$PWD/||; s|\"||" | sort >"$work/built"
-    join "$work/built" "$work/keys" | while read -r file key; do
-      [[ -f $cache/$key ]] || printf '%s\0%s\0' "$file" "$key"
-    done >"$work/todo"
-    checked=$(join "$work/built" "$work/keys" | wc -l)
-    ((checked > 0)) || fail "no file of this tree is in $build/compile_commands.json"
-    export -f tidy_one
-    xargs -0 -r -n 2 -P "$(nproc)" bash -c 'tidy_one "$@"' tidy_one "$work" "$cache" <"$work/todo" ||
-      fail "clang-tidy wants the changes above"
-    printf 'lint: %d files clean\n' "$checked"
-    ;;
-  *)
-    sed -n '2,5s/^# //p' "${BASH_SOURCE[0]}" >&2
-    exit 2
-    ;;
+  "" | --*) tidy "$@" ;;
+  *) usage ;;
 esac

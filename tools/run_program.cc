@@ -3,7 +3,6 @@
 #include <array>
 #include <exception>
 #include <iostream>
-#include <memory>
 #include <new>
 #include <string>
 #include <string_view>
@@ -11,8 +10,9 @@
 #include <vector>
 
 #include "src/base/text.h"
+#include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
-#include "tools/arguments/help_format.h"
+#include "tools/output/exit.h"
 #include "tools/output/text.h"
 
 namespace tumble::tools {
@@ -70,20 +70,17 @@ Exit unknown_command(const std::string& name) {
               Exit::kBadInput);
 }
 
-// CLI11 reports through exceptions; they end here.
-Exit run_command(const Command& command, std::vector<std::string> arguments) {
+Exit run_command(const Command& command, const std::vector<std::string>& words) {
   const std::string who = std::string("tumble ") + command.name;
-  CLI::App app(command.summary, who);
-  app.formatter(std::make_shared<HelpFormat>());
-  app.set_help_flag("-h,--help", "Print this help and exit");
-  const Action action = command.declare(app);
-  try {
-    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));  // last argument first, as CLI11 wants
-  } catch (const CLI::CallForHelp&) {
-    std::cout << app.help();
+  Arguments arguments(who, command.summary);
+  const Action action = command.declare(arguments);
+  const Reading reading = arguments.read(words);
+  if (reading.kind == Reading::Kind::kHelp) {
+    std::cout << reading.text;
     return Exit::kSame;
-  } catch (const CLI::ParseError& error) {
-    return fail(who, std::string(error.what()) + "\n'" + who + " --help' explains the arguments.", Exit::kBadInput);
+  }
+  if (reading.kind == Reading::Kind::kWrong) {
+    return fail(who, reading.text + "\n'" + who + " --help' explains the arguments.", Exit::kBadInput);
   }
   const Result<Exit> result = action();
   if (!result.ok()) return fail(who, result.error().message, exit_for(result.error()));
@@ -109,7 +106,7 @@ Exit run(std::vector<std::string> arguments) {
   const std::string name = is_help ? arguments.front() : first;
   if (is_help) arguments = {"--help"};
   const Command* command = find_command(name);
-  return command == nullptr ? unknown_command(name) : run_command(*command, std::move(arguments));
+  return command == nullptr ? unknown_command(name) : run_command(*command, arguments);
 }
 
 }  // namespace
@@ -125,18 +122,6 @@ Exit run_program(std::vector<std::string> arguments) {
   } catch (const std::exception& error) {
     return fail("tumble", std::string("internal error: ") + error.what(), Exit::kCannotFinish);
   }
-}
-
-Exit exit_for(const Error& error) {
-  switch (error.kind) {
-    case ErrorKind::kBadInput:
-      return Exit::kBadInput;
-    case ErrorKind::kDamaged:
-      return Exit::kDamaged;
-    case ErrorKind::kCannotFinish:
-      return Exit::kCannotFinish;
-  }
-  return Exit::kCannotFinish;
 }
 
 }  // namespace tumble::tools

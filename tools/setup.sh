@@ -1,51 +1,61 @@
 #!/usr/bin/env bash
-# Installs the Debian packages that the build, the tests and the checks need, and only those that are missing.
-# Usage: tools/setup.sh [--with determinism] [--with fuzz] [--with report] [--with peers]
-#   --with determinism   also the compilers and emulators that tools/scripts/checks/determinism.sh uses
-#   --with fuzz          also what tools/scripts/checks/fuzz.sh uses
-#   --with report        also what makes and tests the script of the report page; without it those tests are skipped
-#   --with peers         also other engines that bench/peers can run our scenes through
+# Installs Debian packages, only those that are missing.
+# Usage: tools/setup.sh [--only GROUP]... [--with GROUP]...     without --only: program, pictures, tests and lint
+#   program      what builds and runs the program
+#   pictures     OpenGL in software, movies and plots
+#   tests        what builds and runs the tests
+#   lint         clang-tidy
+#   report       what makes and tests the script of the report page; without it those tests are skipped
+#   determinism  the compilers and emulators that tools/scripts/checks/determinism.sh uses
+#   fuzz         what tools/scripts/checks/fuzz.sh uses
+#   faults       what tools/scripts/faults/faults.sh uses
+#   peers        other engines that bench/peers can run our scenes through
 set -euo pipefail
 export LC_ALL=C # comm and sort must agree on the order
 
-packages=(
-  g++ binutils cmake ninja-build ccache pkg-config
-  libeigen3-dev capnproto libcapnp-dev libzstd-dev libxxhash-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libpugixml-dev
-  libgtest-dev libbenchmark-dev
-  libpng-dev libgl-dev libegl-dev libosmesa6 # pictures: headers, and the OpenGL that draws them
-  ffmpeg # movies
-  gnuplot-nox # measure --plot
-  clang-format clang-tidy
-  clang-16 # one of the compilers that must agree to the bit, also in the short form that is part of the tests
+declare -A groups=(
+  [program]="g++ binutils cmake ninja-build ccache pkg-config libeigen3-dev capnproto libcapnp-dev libzstd-dev
+             libxxhash-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libpugixml-dev
+             libpng-dev libgl-dev libegl-dev"
+  [pictures]="libosmesa6 ffmpeg gnuplot-nox"
+  # clang-16: one of the compilers that must agree to the bit, also in the short form that is part of the tests
+  [tests]="libgtest-dev libbenchmark-dev clang-format clang-16"
+  [lint]="clang-tidy"
+  [report]="" # commands, from wherever the machine has them, else from Debian
+  [determinism]="clang-16 clang-19 qemu-user g++-aarch64-linux-gnu g++-riscv64-linux-gnu g++-s390x-linux-gnu
+                 g++-arm-linux-gnueabihf g++-i686-linux-gnu"
+  [fuzz]="clang-14 libclang-rt-14-dev"
+  [faults]="jq"
+  [peers]="libbullet-dev libode-dev libmujoco-dev"
 )
-determinism_packages=(
-  clang-19
-  g++-aarch64-linux-gnu g++-riscv64-linux-gnu g++-s390x-linux-gnu g++-arm-linux-gnueabihf g++-i686-linux-gnu
-  qemu-user
-)
-peer_packages=(libbullet-dev libode-dev libmujoco-dev)
-fuzz_packages=(clang-14 libclang-rt-14-dev)
-report_commands=(node:nodejs npm:npm chromium:chromium) # from wherever the machine has them, else from Debian
+for pair in node:nodejs npm:npm chromium:chromium; do
+  command -v "${pair%%:*}" >/dev/null || groups[report]+=" ${pair#*:}"
+done
 
 fail() {
   printf 'setup: %s\n' "$*" >&2
   exit 4
 }
+usage() {
+  sed -n '3,12s/^# //p' "${BASH_SOURCE[0]}"
+}
 
+only=() with=()
 while (($#)); do
-  case "$1 ${2-}" in
-    "--with determinism") packages+=("${determinism_packages[@]}"); shift 2 ;;
-    "--with peers") packages+=("${peer_packages[@]}"); shift 2 ;;
-    "--with fuzz") packages+=("${fuzz_packages[@]}"); shift 2 ;;
-    "--with report")
-      for pair in "${report_commands[@]}"; do
-        command -v "${pair%%:*}" >/dev/null || packages+=("${pair#*:}")
-      done
-      shift 2
-      ;;
-    "-h "* | "--help "*) sed -n '2,7s/^# //p' "${BASH_SOURCE[0]}"; exit 0 ;;
-    *) printf 'setup: unknown argument "%s"; usage: tools/setup.sh [--with determinism] [--with fuzz] [--with report] [--with peers]\n' "$*" >&2; exit 2 ;;
-  esac
+  [[ $1 != -h && $1 != --help ]] || { usage; exit 0; }
+  if [[ $1 != --only && $1 != --with ]] || [[ -z ${2-} || -z ${groups[$2]+known} ]]; then
+    printf 'setup: found "%s", wanted --only or --with and one of the groups below\n' "$*" >&2
+    usage >&2
+    exit 2
+  fi
+  if [[ $1 == --only ]]; then only+=("$2"); else with+=("$2"); fi
+  shift 2
+done
+((${#only[@]})) || only=(program pictures tests lint)
+packages=()
+for group in "${only[@]}" ${with[@]+"${with[@]}"}; do
+  read -r -d '' -a more <<<"${groups[$group]}" || true
+  packages+=(${more[@]+"${more[@]}"})
 done
 
 command -v dpkg-query >/dev/null ||

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kBodiesMax = 1000;  // its constraint matrix grows with the square
 constexpr std::size_t kContactsEach = 12;
 
-// It warns of what spoils a result, as contacts that are left out for want of room, and would write that to a file.
+// MuJoCo warns of events that spoil a result, such as contacts left out for lack of memory, and would write to a file.
 std::string last_warning;
 void keep_warning(const char* text) { last_warning = text; }
 

@@ -1,4 +1,4 @@
-// One program an engine: runs a scene through it, times the steps and tells what it took as a line of JSON.
+// One program an engine: runs a scene through it, times the steps and prints the time as a line of JSON.
 // Run by hand; docs/other_engines.md shows how.
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -61,8 +61,8 @@ class Session {
         next_(scene.inputs.begin()),
         dt_(scene.world.dt) {}
 
-  /// CPU seconds of all steps; the clock is not read between steps unless there is something else to do, for a step of
-  /// a few bodies takes less than reading it.
+  /// CPU seconds of all steps; the clock is not read between steps unless there is something else to do: a step of
+  /// a few bodies takes less time than reading the clock.
   Result<double> run() {
     if (Status ok = start(); !ok.ok()) return ok.error();
     double seconds = 0;
@@ -85,7 +85,7 @@ class Session {
   }
 
  private:
-  /// The bodies of the start and those thrown in before the first step, which some engines can have only here.
+  /// Bodies of the start and those thrown in before the first step. Some engines accept bodies only here.
   Status start() {
     for (const std::size_t i : order_of(scene_.boxes.size(), options_.shuffle)) {
       if (Status ok = add(scene_.boxes[i]); !ok.ok()) return ok;
@@ -124,7 +124,7 @@ class Session {
     return {};
   }
 
-  /// The first step from k + 1 on before which there is something else to do than to step.
+  /// The first step from k + 1 on that needs something done before it.
   [[nodiscard]] std::uint64_t next_stop(std::uint64_t k) const {
     if (log_) return k + 1;
     const std::uint64_t end = scene_.steps + 1;

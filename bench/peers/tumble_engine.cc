@@ -1,5 +1,5 @@
-// Ours, behind the same interface as the others. Bodies get their ids in the order in which they are added, so that a
-// shuffled order is a shuffled world.
+// Our engine behind the interface of the others. Bodies get their ids in the order of adding, so that a shuffled order
+// is a shuffled world.
 #include <utility>
 #include <vector>
 

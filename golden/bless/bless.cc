@@ -2,18 +2,22 @@
 
 #include <algorithm>
 #include <cstring>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <system_error>
 
-#include "golden/check.h"
 #include "golden/expected/expected_file.h"
+#include "golden/run/longest_first.h"
 #include "golden/run/run_case.h"
+#include "golden/suite/parse_rules.h"
 #include "golden/suite/text_files.h"
+#include "src/base/check.h"
+#include "src/base/text.h"
 
 namespace tumble::golden {
 namespace {
 
-/// What a child hands back: the result as JSON, then the new golden's bytes, then those of its pictures.
+/// A child's output has three parts: the result as JSON after its length, the new golden, the pictures.
 constexpr std::size_t kLengthDigits = 12;
 
 std::string hand_over(const CaseRun& run) {
@@ -37,6 +41,7 @@ std::string hand_over(const CaseRun& run) {
   }
   const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string length = std::to_string(text.size());
+  SIM_CHECK(length.size() <= kLengthDigits, length.size());
   length.insert(0, kLengthDigits - length.size(), '0');
   return length + text + golden + pictures;
 }
@@ -50,7 +55,7 @@ struct Handed {
   std::string rules_text;             // of the new metrics.toml
 };
 
-Handed take_over(const CaseFolder& folder, const ChildResult& child) {
+Handed take_over(const CaseFolder& folder, const process::JobResult& child) {
   Handed handed{.folder = folder, .result = {}, .complete = false, .golden = {}, .pictures = {}, .rules_text = {}};
   if (!child.failure.empty()) {
     handed.result.problems.push_back("its process " + child.failure);
@@ -77,7 +82,7 @@ Handed take_over(const CaseFolder& folder, const ChildResult& child) {
   return handed;
 }
 
-/// Why a case cannot be blessed; empty if it can.
+/// The reason why a case cannot be blessed; empty if it can.
 std::string obstacle(const Handed& handed) {
   if (!handed.complete) {
     return handed.result.problems.empty() ? "did not run to its end" : handed.result.problems.front();
@@ -87,7 +92,7 @@ std::string obstacle(const Handed& handed) {
   }
   for (std::size_t k = 0; k < handed.pictures.size(); ++k) {
     if (handed.pictures[k].empty())
-      return handed.result.pictures[k].rule.file() + " " + handed.result.pictures[k].words;
+      return handed.result.pictures[k].rule.file() + " " + handed.result.pictures[k].message;
   }
   for (const MetricResult& metric : handed.result.metrics) {
     const MetricRule& rule = metric.rule;
@@ -95,10 +100,10 @@ std::string obstacle(const Handed& handed) {
     const bool below = metric.value && rule.min && !(*metric.value >= *rule.min);
     const bool null = !metric.value && !metric.pass;
     if (!above && !below && !null) continue;
-    const std::string bound = above   ? ", above its max of " + number_with_unit(*rule.max, metric.unit)
-                              : below ? ", below its min of " + number_with_unit(*rule.min, metric.unit)
+    const std::string bound = above   ? ", above its max of " + rounded(*rule.max, metric.unit)
+                              : below ? ", below its min of " + rounded(*rule.min, metric.unit)
                                       : "";
-    return rule.name + " is " + (metric.value ? number_with_unit(*metric.value, metric.unit) : "null") + bound +
+    return rule.name + " is " + (metric.value ? rounded(*metric.value, metric.unit) : "null") + bound +
            "; if that is right, change the bound and its reason in " + handed.folder.file(kRulesFile).string() +
            " first";
   }
@@ -108,15 +113,15 @@ std::string obstacle(const Handed& handed) {
 Blessing blessing_of(const CaseResult& result, bool is_new) {
   Blessing blessing{.name = result.name, .is_new = is_new, .bits = {}, .details = {}, .metrics = result.metrics};
   const Verdict& exact = result.verdict(VerdictKind::kExact);
-  blessing.bits = exact.words;
+  blessing.bits = exact.message;
   if (is_new) {
     blessing.bits = "new, " + std::to_string(result.steps) + " steps of " + std::to_string(result.bodies) + " bodies";
-  } else if (exact.words.empty()) {
+  } else if (exact.message.empty()) {
     blessing.bits = "made anew, for the old golden could not be read";
   }
   if (!is_new && result.difference) blessing.details = result.difference->details;
   for (const PictureResult& picture : result.pictures) {
-    if (!picture.words.empty()) blessing.details.push_back(picture.rule.file() + ": " + picture.words);
+    if (!picture.message.empty()) blessing.details.push_back(picture.rule.file() + ": " + picture.message);
   }
   std::erase_if(blessing.details, [](const std::string& detail) { return detail.starts_with("exact values"); });
   return blessing;
@@ -125,7 +130,7 @@ Blessing blessing_of(const CaseResult& result, bool is_new) {
 bool changes_something(const CaseResult& result, const std::string& old_rules, const std::string& new_rules) {
   return result.verdict(VerdictKind::kExact).outcome != Outcome::kPass || !result.problems.empty() ||
          !result.notes.empty() || old_rules != new_rules ||
-         std::ranges::any_of(result.pictures, [](const PictureResult& picture) { return !picture.words.empty(); });
+         std::ranges::any_of(result.pictures, [](const PictureResult& picture) { return !picture.message.empty(); });
 }
 
 Status check_reason(const std::string& reason) {
@@ -150,9 +155,10 @@ Result<std::string> new_rules(const Handed& handed, std::string& old_text) {
 Result<std::vector<Handed>> run_all(const BlessOptions& options, const std::vector<CaseFolder>& folders) {
   std::vector<Handed> handed;
   const RunOptions run = {options.suite, {}, {}};
-  const bool finished = run_jobs(
+  const bool finished = process::run_jobs(
       folders.size(), [&](std::size_t i) { return hand_over(run_case(folders[i], run)); },
-      [&](std::size_t i, const ChildResult& child) { handed.push_back(take_over(folders[i], child)); }, options.pool);
+      [&](std::size_t i, const process::JobResult& child) { handed.push_back(take_over(folders[i], child)); },
+      options.pool);
   if (!finished) return cannot_finish("interrupted; nothing was blessed");
   std::ranges::sort(handed, {}, [](const Handed& h) { return h.folder.name; });
   for (const Handed& one : handed) {
@@ -167,7 +173,7 @@ Status write_case(const Handed& handed) {
   for (std::size_t k = 0; k < handed.pictures.size(); ++k) {
     const std::string name = handed.result.pictures[k].rule.file();
     // A picture whose pixels did not move keeps its bytes, which name the driver that made them.
-    if (handed.result.pictures[k].words.empty()) continue;
+    if (handed.result.pictures[k].message.empty()) continue;
     if (Status ok = write_file(handed.folder.path / name, std::string_view(handed.pictures[k])); !ok.ok()) return ok;
   }
   return write_file(handed.folder.file(kExpectedFile), std::string_view(handed.golden));

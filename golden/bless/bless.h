@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "golden/bless/history.h"
-#include "golden/run/process_pool.h"
 #include "golden/suite/suite.h"
 #include "src/base/result.h"
+#include "src/process/job_pool.h"
 
 namespace tumble::golden {
 
@@ -15,32 +15,19 @@ struct BlessOptions {
   std::filesystem::path suite;
   std::vector<std::string> names;  ///< of cases; empty: all
   std::string reason;              ///< one line
-  bool dry_run = false;            ///< say what would change, write nothing
-  PoolOptions pool;
+  bool dry_run = false;            ///< reports the changes and writes nothing
+  process::PoolOptions pool;
 };
 
 struct BlessReport {
-  std::vector<Blessing> blessed;       ///< what was changed (or would be), by name
-  std::vector<std::string> unchanged;  ///< cases whose bits and values are those of their golden
+  std::vector<Blessing> blessed;       ///< changed cases (in a dry run: cases that would change), by name
+  std::vector<std::string> unchanged;  ///< cases whose bits and values agree with their golden
 };
 
-/// Runs cases and makes what they do now their goldens: expected.tumble and the values of metrics.toml; bounds stay as
-/// they are. Nothing is written for any case unless every case can be blessed. Errors (kBadInput): a reason that is
-/// empty or has several lines, no such case, a case that did not run to its end, a metric out of its bounds or null:
-/// change the bound, with its reason, in metrics.toml first. kCannotFinish: writing, cancelled.
+/// Runs cases and accepts their present results: writes expected.tumble and the values of metrics.toml; bounds stay as
+/// they are. Writes nothing for any case unless every case can be blessed. Errors (kBadInput): a reason that is
+/// empty or has several lines, an unknown case, a case that did not run to its end, a metric out of its bounds or null
+/// (change the bound, with its reason, in metrics.toml first). kCannotFinish: writing, cancelled.
 Result<BlessReport> bless_cases(const BlessOptions& options);
-
-struct NewCase {
-  std::filesystem::path suite;
-  std::string name;
-  std::string log;  ///< path of the session that becomes a case
-  std::string reason;
-  bool dry_run = false;
-};
-
-/// Makes a case of a recorded session: scene.toml from the log's scene text and overrides, metrics.toml with measured
-/// values and bounds a little wider, the golden. Errors: a name that is taken, a log that cannot be read or has no
-/// scene text; a session that this build does not reproduce from its scene to the bit (kBadInput).
-Result<BlessReport> bless_log(const NewCase& options);
 
 }  // namespace tumble::golden

@@ -1,14 +1,17 @@
+#include "golden/bless/bless_log.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
 #include <system_error>
 
-#include "golden/bless/bless.h"
 #include "golden/bless/rewrite_scene.h"
 #include "golden/expected/expected_file.h"
-#include "golden/run/run_case.h"
+#include "golden/judge/judge.h"
+#include "golden/run/run_session.h"
 #include "golden/suite/metric_values.h"
+#include "golden/suite/parse_rules.h"
 #include "golden/suite/scene_hash.h"
 #include "golden/suite/text_files.h"
 #include "replay/diff/compare.h"

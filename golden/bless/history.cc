@@ -4,9 +4,10 @@
 #include <ctime>
 #include <system_error>
 
-#include "golden/judge/judge.h"
+#include "golden/judge/case_result.h"
 #include "golden/suite/suite.h"
 #include "golden/suite/text_files.h"
+#include "src/base/text.h"
 
 namespace tumble::golden {
 namespace {
@@ -15,10 +16,10 @@ constexpr const char* kHeading =
     "# History of the goldens\n\nWritten by `tumble bless`, newest first: what moved, by how much, why.\n";
 
 std::string value_text(const std::optional<double>& value, const std::string& unit) {
-  return value ? number_with_unit(*value, unit) : "null";
+  return value ? rounded(*value, unit) : "null";
 }
 
-/// "drift_max 0.1 m → 0.2 m"; empty where nothing moved.
+/// "drift_max 0.1 m → 0.2 m"; empty for a value that did not move.
 std::string metric_line(const MetricResult& metric, bool is_new) {
   const std::string after = value_text(metric.value, metric.unit);
   if (is_new) return metric.rule.name + ' ' + after;

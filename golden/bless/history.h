@@ -8,10 +8,10 @@
 #include "golden/judge/case_result.h"
 #include "src/base/result.h"
 
-/// HISTORY.md: what was blessed, by how much it moved, and why.
+/// HISTORY.md: every blessing, the size of its changes, and its reason.
 namespace tumble::golden {
 
-/// What blessing a case changed.
+/// The changes of one case by one blessing.
 struct Blessing {
   std::string name;
   bool is_new = false;  ///< there was no golden before

@@ -8,9 +8,9 @@
 #include "golden/canaries/log_canaries.h"
 #include "golden/canaries/suite_canaries.h"
 #include "golden/expected/expected_file.h"
-#include "golden/run/process_pool.h"
-#include "golden/run/run_case.h"
+#include "golden/run/run_session.h"
 #include "golden/suite/scene_hash.h"
+#include "src/process/job_pool.h"
 
 namespace tumble::golden {
 namespace {
@@ -34,7 +34,7 @@ sim::SceneDef tiny_scene(double shift = 0) {
   return scene;
 }
 
-/// What a canary spoils a part of.
+/// A session, its golden and its rules. Each canary spoils one part of a copy.
 struct Fixture {
   sim::SceneDef scene = tiny_scene();
   Session session;
@@ -50,8 +50,8 @@ struct Fixture {
       result.problems.push_back(log.error().message);
       return result;
     }
-    const Yardstick yardstick = {rules, has_expected ? &expected : nullptr, scene_hash(scene), session.continuation};
-    result = judge(*log, yardstick).result;
+    const Reference reference = {rules, has_expected ? &expected : nullptr, scene_hash(scene), session.continuation};
+    result = judge(*log, reference).result;
     result.require = rules.require;
     return result;
   }
@@ -141,7 +141,7 @@ std::string words_of(const CaseResult& result) {
   return result.problems.empty() ? summary(result) : result.problems.front();
 }
 
-/// Goldens as files: what was not written as a whole must not be read.
+/// A golden file with a spoilt byte or end must not be read.
 CanaryResult spoilt_file(const char* name, const Expected& expected, void (*spoil)(std::vector<std::byte>& file)) {
   Result<std::vector<std::byte>> file = pack(expected);
   if (!file.ok()) return {name, false, file.error().message};
@@ -153,11 +153,11 @@ CanaryResult spoilt_file(const char* name, const Expected& expected, void (*spoi
 
 CanaryResult dying_child() {
   CanaryResult result{"a case crashes", false, "it passed as finished"};
-  run_jobs(
+  process::run_jobs(
       1, [](std::size_t) -> std::string { std::abort(); },
-      [&](std::size_t, const ChildResult& child) {
+      [&](std::size_t, const process::JobResult& child) {
         result.caught = !child.failure.empty() && child.output.empty();
-        result.words = child.failure;
+        result.message = child.failure;
       },
       {});
   return result;
@@ -177,7 +177,7 @@ std::vector<CanaryResult> run_canaries(Judge judge_function) {
   rule.name = "drift_max";
   rule.min = 0;
   rule.max = 1000;
-  // The golden is made by the real judge, so that one that does nothing cannot make up its own.
+  // The real judge makes the golden: a judge that does nothing could otherwise agree with its own empty golden.
   const Judged blessed = judge(*log, {fixture.rules, nullptr, scene_hash(fixture.scene), fixture.session.continuation});
   fixture.expected = blessed.actual;
   if (!blessed.values.empty()) fixture.rules.metrics[0].value = blessed.values[0];

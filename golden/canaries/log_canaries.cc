@@ -26,7 +26,7 @@ using replay::MemoryFile;
 constexpr std::uint64_t kSteps = 13;  // two full chunks, and one of a single step
 constexpr std::uint64_t kChunk = 6;
 
-/// Boxes on each other, one of them frozen, that are pushed, thrown at and taken away.
+/// Stacked boxes, one of them frozen. Inputs push them, throw another one at them and take one away.
 sim::SceneDef session_scene(sim::Method method) {
   sim::SceneDef scene;
   scene.name = "canary";
@@ -178,7 +178,7 @@ bool tolerances_hold(sim::Method method) {
          is_at(differing(truth, moved_by(1.5e-6), tolerances), kSteps, "position.x");
 }
 
-/// Cut where a record ends, so that only the missing footer tells.
+/// A log cut at the end of a record: only the missing footer shows it.
 bool torn_end_is_seen(sim::Method method) {
   const Result<MemoryFile> file = record(session_scene(method));
   if (!file.ok()) return false;
@@ -206,7 +206,7 @@ bool strange_chunk_is_seen(sim::Method method) {
   return log.ok() && !log->condition().damages.empty();
 }
 
-/// From every step on, the end must be that of the session which never stopped.
+/// Continued from every step in turn, the session must end in the state of the one that never stopped.
 bool goes_on(sim::Method method) {
   const Result<MemoryFile> file = record(session_scene(method));
   if (!file.ok()) return false;
@@ -227,7 +227,7 @@ bool goes_on(sim::Method method) {
   return true;
 }
 
-/// A chunk of made-up numbers, so that no change of the physics changes it.
+/// A chunk of made-up numbers: no change of the physics changes it.
 Result<replay::MessageBytes> made_up_chunk() {
   sim::SceneDef scene = session_scene(sim::Method::kLayered);
   for (sim::BoxDef& box : scene.boxes) box.position[2] += 8;
@@ -254,8 +254,8 @@ Result<replay::MessageBytes> made_up_chunk() {
   return replay::ChunkEncoder().encode(keyframe, steps);
 }
 
-/// What another build will read must be written as it always was. Where the schema was extended, or a codec was given
-/// a number of its own, the hash of the new bytes belongs here.
+/// Other builds read these bytes, so they must stay as they always were. After an extension of the schema, or a codec
+/// with a number of its own, the hash of the new bytes belongs here.
 CanaryResult written_as_ever() {
   constexpr const char* kWritten = "bd2405411ea5c35442bfbc643a8eca48";
   const Result<replay::MessageBytes> chunk = made_up_chunk();

@@ -2,12 +2,12 @@
 
 #include <vector>
 
-#include "golden/canaries/canaries.h"
+#include "golden/judge/suite_result.h"
 
 namespace tumble::golden {
 
-/// Sessions whose logs lie in one value, lose a part or go on from the middle: replay, diff and reading must see it,
-/// and must see nothing where there is nothing. What they say is about "format".
+/// Logs with one false value, without a part, or continued from the middle. Replay, diff and reading must see each
+/// fault, and must see none in an intact log. These canaries are about "format".
 std::vector<CanaryResult> run_log_canaries();
 
 }  // namespace tumble::golden

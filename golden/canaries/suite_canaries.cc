@@ -3,9 +3,9 @@
 #include <cstdlib>
 #include <set>
 
-#include "golden/check.h"
-#include "golden/run/process_pool.h"
+#include "golden/run/longest_first.h"
 #include "replay/measure/mirrored_pair.h"
+#include "src/process/job_pool.h"
 
 namespace tumble::golden {
 namespace {
@@ -30,7 +30,7 @@ bool shards_make_a_whole() {
 
 bool unreadable_cases_are_run() { return longest_first(five_cases().cases).size() == kCases; }
 
-/// A suite of which everything passed.
+/// A suite in which everything passed.
 SuiteResult passing() {
   SuiteResult suite;
   CaseResult& one = suite.cases.emplace_back();
@@ -40,7 +40,7 @@ SuiteResult passing() {
   return suite;
 }
 
-/// A suite in which this one thing is wrong must fail.
+/// True if a suite with this one fault fails.
 bool fails(void (*spoil)(SuiteResult& suite)) {
   SuiteResult suite = passing();
   if (!suite.passed()) return false;
@@ -61,13 +61,13 @@ bool failures_add_up() {
 
 bool early_end_is_seen() {
   bool seen = false;
-  run_jobs(
+  process::run_jobs(
       1, [](std::size_t) -> std::string { std::_Exit(0); },
-      [&](std::size_t, const ChildResult& child) { seen = !child.failure.empty(); }, {});
+      [&](std::size_t, const process::JobResult& child) { seen = !child.failure.empty(); }, {});
   return seen;
 }
 
-/// All images of the suite are exact, so only this tells whether one that is not would be seen.
+/// All transformed scenes of the suite are exact: only this canary shows that an inexact one would be seen.
 bool inexact_images_are_seen() {
   replay::BodyStates body;
   body.id = {1};

@@ -2,11 +2,11 @@
 
 #include <vector>
 
-#include "golden/canaries/canaries.h"
+#include "golden/judge/suite_result.h"
 
 namespace tumble::golden {
 
-/// What a check does with verdicts that it has: nothing is left out, no failure adds up to a success.
+/// Checks the adding up of verdicts: no case is left out, no failure becomes a success.
 std::vector<CanaryResult> run_suite_canaries();
 
 }  // namespace tumble::golden

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "replay/diff/divergence.h"
+#include "src/base/check.h"
 #include "src/base/text.h"
 
 namespace tumble::golden {
@@ -22,7 +23,7 @@ const T* at_step(const std::vector<T>& list, std::uint64_t step) {
   return found != list.end() && found->step == step ? &*found : nullptr;
 }
 
-/// How many bodies two lists do not have alike, and the first of them.
+/// Counts the bodies that differ between two lists, and names the first.
 std::string different_bodies(const BodyHashes& expected, const BodyHashes& actual) {
   std::size_t count = 0;
   sim::BodyId first = 0;
@@ -45,9 +46,9 @@ std::string different_bodies(const BodyHashes& expected, const BodyHashes& actua
 
 std::string describe(const FirstDifference& difference) {
   std::string text = "step " + number(difference.step);
-  if (difference.substep) text += ", sub-step " + number(*difference.substep);
+  if (difference.substep) text += ", substep " + number(*difference.substep);
   text += ", phase " + difference.phase;
-  if (!difference.states_from) return text + "; every state is the same, only what led to them is not";
+  if (!difference.states_from) return text + "; all states agree, but not the steps between them";
   if (*difference.states_from != difference.step)
     text += "; states differ from step " + number(*difference.states_from);
   return text;
@@ -70,6 +71,8 @@ void ExpectedComparer::note_first(std::uint64_t step, const std::string& phase, 
 }
 
 void ExpectedComparer::add(const replay::StepRecord& record) {
+  SIM_CHECK(record.step == next_step_, record.step, next_step_);
+  ++next_step_;
   steps_ = record.step;
   if (record.step >= expected_.state_hashes.size()) {
     note_first(record.step, "step");
@@ -85,7 +88,9 @@ void ExpectedComparer::add(const replay::StepRecord& record) {
   follow_track(record);
 }
 
-/// The first phase word that differs; else, by the word of the whole step, what the words do not cover.
+/// Finds the first phase word that differs. A golden keeps 16 bits of each phase hash, so that about one difference in
+/// 65,536 escapes at its phase; the 32 bits of the whole step, which also cover inputs and counters, and the full state
+/// hash show it then. A difference is never missed for the sake of size, only named less exactly.
 void ExpectedComparer::compare_words(const replay::StepRecord& record) {
   if (first_ || step_word(record) == expected_.step_words[record.step - 1]) return;
   const std::size_t phases = expected_.phases.size();
@@ -103,7 +108,7 @@ void ExpectedComparer::compare_words(const replay::StepRecord& record) {
   note_first(record.step, expected_.phases[word % phases], substep);
 }
 
-/// Bodies and fields at the nearest steps of which the golden knows them.
+/// Compares bodies and fields at the nearest steps for which the golden holds them.
 void ExpectedComparer::look_closer(const replay::StepRecord& record) {
   if (bodies_detail_.empty()) {
     if (const BodyHashes* wanted = at_step(expected_.body_hashes, record.step)) {
@@ -121,6 +126,8 @@ void ExpectedComparer::look_closer(const replay::StepRecord& record) {
   if (divergence->ulps) field_detail_ += " (" + number(*divergence->ulps) + " ULPs apart)";
 }
 
+/// Positions are kept to the millimetre and decide nothing: the track tells a person whether a difference of bits has
+/// grown into one of metres.
 void ExpectedComparer::follow_track(const replay::StepRecord& record) {
   const TrackPoint* point = at_step(expected_.track, record.step);
   if (point == nullptr) return;
@@ -153,7 +160,7 @@ std::optional<FirstDifference> ExpectedComparer::finish(const Hash128& continuat
     if (!detail.empty()) first_->details.push_back(detail);
   }
   if (apart_ > 2 * kTrackGrain) {
-    first_->details.push_back("furthest from where it was expected: body " + number(apart_body_) + ", " +
+    first_->details.push_back("largest distance from an expected position: body " + number(apart_body_) + ", " +
                               length_text(apart_) + " at step " + number(apart_step_) + " (coarse track)");
   }
   return first_;

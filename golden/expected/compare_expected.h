@@ -10,20 +10,20 @@
 
 namespace tumble::golden {
 
-/// Where a session leaves its golden, for people and programs.
+/// The first difference between a session and its golden, for people and programs.
 struct FirstDifference {
   std::uint64_t step = 0;
-  std::optional<std::uint32_t> substep;  ///< where the golden has words for each sub-step
+  std::optional<std::uint32_t> substep;  ///< if the golden has words for each substep
   std::string phase;  ///< "find_contacts", …; "start", "inputs or counters", "step", "hidden state"
-  std::optional<std::uint64_t> states_from;  ///< the first step whose state differs; none: only what led to states did
+  std::optional<std::uint64_t> states_from;  ///< the first step whose state differs; none: no state does
   std::vector<std::string> details;  ///< sentences: bodies and fields at the nearest stored state, how far apart
 };
 
 /// One sentence: "step 12, phase find_contacts; states differ from step 13".
 std::string describe(const FirstDifference& difference);
 
-/// Compares every step of a session with a golden: state hash, phase words, dt, inputs and counters. Both must outlive
-/// it.
+/// Compares every step of a session with a golden: state hash, phase words, dt, inputs and counters. Golden and header
+/// must outlive it.
 class ExpectedComparer {
  public:
   ExpectedComparer(const Expected& expected, const replay::LogHeader& header);
@@ -34,7 +34,7 @@ class ExpectedComparer {
   /// After the last step. continuation: of the last state, zero where it is not known.
   std::optional<FirstDifference> finish(const Hash128& continuation);
 
-  /// Where phase words could not be compared, and the like.
+  /// Reasons why something could not be compared, such as phase words of another version.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
  private:
@@ -45,9 +45,10 @@ class ExpectedComparer {
 
   const Expected& expected_;
   bool same_phases_;
-  bool same_words_;  // and their hashes cover the same
+  bool same_words_;  // and their hashes cover the same fields
   std::optional<FirstDifference> first_;
   std::uint64_t steps_ = 0;
+  std::uint64_t next_step_ = 0;  // that add() expects
   std::string bodies_detail_;
   std::string field_detail_;
   std::vector<std::string> notes_;

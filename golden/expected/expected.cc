@@ -5,12 +5,15 @@
 #include <limits>
 #include <utility>
 
-#include "replay/format/columns.h"
+#include "replay/format/body_states.h"
+#include "replay/format/chain.h"
+#include "src/base/check.h"
 
 namespace tumble::golden {
 namespace {
 
-// What the close looks of one golden may weigh before compression, bytes: a suite of fifty stays small enough for git.
+// Limit for the states and body hashes of one golden before compression, bytes: a suite of fifty stays small enough for
+// git.
 constexpr std::size_t kStatesBytes = 200'000;
 constexpr std::size_t kHashesBytes = 40'000;
 constexpr std::size_t kTrackBytes = 100'000;
@@ -26,7 +29,8 @@ std::vector<std::uint64_t> spread(std::uint64_t steps, std::size_t count) {
   return out;
 }
 
-/// The sub-steps' rows as one; their order counts.
+/// Folds the substeps' rows into one by a multiplicative hash, word by word, so that their order counts. The factor is
+/// 2^64 over the golden ratio (Knuth, The Art of Computer Programming 3, section 6.4), whose high bits mix best.
 std::vector<std::uint16_t> folded(const std::vector<std::uint16_t>& words, std::size_t phase_count) {
   std::vector<std::uint64_t> row(phase_count, 0);
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -72,6 +76,7 @@ std::vector<std::uint16_t> phase_words_of(const replay::StepRecord& record, std:
 }
 
 void reduce_phase_words(Expected& expected, PhaseDetail detail) {
+  SIM_CHECK(detail < expected.phase_detail);
   expected.phase_detail = detail;
   for (std::vector<std::uint16_t>& words : expected.phase_words) {
     words = detail == PhaseDetail::kNone ? std::vector<std::uint16_t>() : folded(words, expected.phases.size());
@@ -92,11 +97,14 @@ BodyHashes hash_bodies(std::uint64_t step, const replay::BodyStates& states) {
   return out;
 }
 
+// Evenly spread steps find the neighbourhood of a difference in a session of any length. Their number shrinks as bodies
+// grow in number, because git keeps every version of every golden; the exact values of any other step can be had by
+// recording the scene again.
 Milestones choose_milestones(std::uint64_t steps, std::size_t bodies) {
   const std::size_t each = std::max<std::size_t>(bodies, 1);
   const auto fitting = [&](std::size_t budget, std::size_t bytes) { return budget / (bytes * each); };
   Milestones out;
-  // Where not even start and end fit, the hashes of bodies have to do.
+  // If not even start and end fit, the golden has hashes of bodies instead of states.
   const std::size_t states = fitting(kStatesBytes, kStateBytesEach);
   if (states >= 2) out.states = spread(steps, std::min<std::size_t>(states, 5));
   out.body_hashes = spread(steps, std::clamp<std::size_t>(fitting(kHashesBytes, kHashBytesEach), 2, 17));
@@ -115,6 +123,7 @@ ExpectedBuilder::ExpectedBuilder(const replay::LogHeader& header, std::uint64_t 
 }
 
 void ExpectedBuilder::add(const replay::StepRecord& record) {
+  SIM_CHECK(record.step == expected_.state_hashes.size(), record.step, expected_.state_hashes.size());
   expected_.state_hashes.push_back(record.state_hash);
   if (record.step > 0) {
     expected_.step_words.push_back(step_word(record));

@@ -8,10 +8,10 @@
 #include "src/base/hash.h"
 #include "src/base/result.h"
 
-/// What a golden case expects of a session, as plain data: hashes of all steps, some states, a coarse track.
+/// The golden of a session as plain data: hashes of all steps, some states, a coarse track.
 namespace tumble::golden {
 
-/// A hash of each body's visible state at a step: says which bodies differ.
+/// A hash of each body's visible state at a step: tells which bodies differ.
 struct BodyHashes {
   std::uint64_t step = 0;
   std::vector<sim::BodyId> id;      ///< ascending
@@ -25,7 +25,7 @@ struct KeyState {
   friend bool operator==(const KeyState&, const KeyState&) = default;
 };
 
-/// Positions to the millimetre: for reports, decides nothing.
+/// Positions to the millimetre, for reports; no verdict depends on them.
 struct TrackPoint {
   std::uint64_t step = 0;
   std::vector<sim::BodyId> id;
@@ -44,7 +44,7 @@ struct Expected {
   std::vector<std::uint32_t> step_words;  ///< of steps 1 … N: step_word()
   std::vector<std::string> phases;        ///< names of the phase words
   PhaseDetail phase_detail = PhaseDetail::kSubstep;
-  std::uint32_t phase_hash_version = 1;  ///< LogHeader::phase_hash_version: what phase and step words mean
+  std::uint32_t phase_hash_version = 1;  ///< LogHeader::phase_hash_version: the meaning of phase and step words
   std::vector<std::vector<std::uint16_t>> phase_words;  ///< of steps 1 … N: phase_words_of()
   Hash128 continuation;                 ///< of state N, hidden parts included; zero where it was not known
   std::vector<BodyHashes> body_hashes;  ///< ascending step
@@ -55,29 +55,29 @@ struct Expected {
   friend bool operator==(const Expected&, const Expected&) = default;
 };
 
-/// All of a step but its states: dt, inputs, phase words, state hash, counters, in 32 bits.
+/// A step without its states (dt, inputs, phase words, state hash, counters) in 32 bits.
 std::uint32_t step_word(const replay::StepRecord& record);
 
-/// A step's phase words as a golden keeps them: 16 bits of each, at kStep the sub-steps folded into one row.
+/// The phase words of a step as a golden keeps them: 16 bits of each, at kStep the substeps folded into one row.
 /// phase_count: words in a row.
 std::vector<std::uint16_t> phase_words_of(const replay::StepRecord& record, std::size_t phase_count,
                                           PhaseDetail detail);
 
-/// Makes a golden with PhaseDetail::kSubstep smaller.
+/// Makes a golden smaller. Precondition: its detail is PhaseDetail::kSubstep.
 void reduce_phase_words(Expected& expected, PhaseDetail detail);
 
 /// A hash of each body's visible state.
 BodyHashes hash_bodies(std::uint64_t step, const replay::BodyStates& states);
 
-/// Which steps of a session of so many a golden looks at more closely, ascending, 0 and the last included.
+/// Steps for which a golden keeps more than a hash, ascending, 0 and the last included.
 struct Milestones {
-  std::vector<std::uint64_t> states;  ///< full states; empty where a state alone is too large for a golden
+  std::vector<std::uint64_t> states;  ///< full states; empty if one state is too large for a golden
   std::vector<std::uint64_t> body_hashes;
   std::vector<std::uint64_t> track;
 };
 Milestones choose_milestones(std::uint64_t steps, std::size_t bodies);
 
-/// Collects a golden while a session goes by: state 0, then every step in order, all with states.
+/// Collects a golden from a session: state 0, then every step in order, all with states.
 class ExpectedBuilder {
  public:
   ExpectedBuilder(const replay::LogHeader& header, std::uint64_t steps, const Hash128& scene);

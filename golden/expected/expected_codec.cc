@@ -5,7 +5,7 @@
 
 #include "replay/codec/blob.h"
 #include "replay/codec/message.h"
-#include "replay/format/columns.h"
+#include "replay/format/body_states.h"
 #include "schema/golden.capnp.h"
 #include "src/model/limits.h"
 
@@ -125,6 +125,7 @@ Status decode_words(schema::Expected::Reader in, Expected& out) {
   if (Status ok = get_planes("phaseWordCount", in.getPhaseWordCount(), out.steps(), counts); !ok.ok()) return ok;
   std::size_t total = 0;
   for (const std::uint32_t count : counts) total += count;
+  if (total > 0 && out.phases.empty()) return damaged("found phase words without phases");
   if (Status ok = get_planes("phaseWords", in.getPhaseWords(), total, words); !ok.ok()) return ok;
   auto from = words.begin();
   for (const std::uint32_t count : counts) {

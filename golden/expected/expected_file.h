@@ -10,7 +10,7 @@
 
 namespace tumble::golden {
 
-/// Above this the phase words of a golden lose detail, bytes: git keeps every version of every golden.
+/// Above this size the phase words of a golden lose detail, bytes: git keeps every version of every golden.
 inline constexpr std::size_t kGoldenBytesWanted = 300'000;
 /// No golden decodes to more than this, bytes.
 inline constexpr std::size_t kGoldenBytesMax = std::size_t{256} << 20;

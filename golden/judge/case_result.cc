@@ -1,6 +1,7 @@
 #include "golden/judge/case_result.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "replay/measure/metric_list.h"
 
@@ -35,7 +36,7 @@ Json metric_json(const MetricResult& metric) {
           {"max", or_null(rule.max)},
           {"why", rule.why},
           {"pass", metric.pass},
-          {"words", metric.words}};
+          {"words", metric.message}};
 }
 
 MetricResult metric_from(const Json& json) {
@@ -51,7 +52,7 @@ MetricResult metric_from(const Json& json) {
   metric.rule.max = optional_at<double>(json, "max");
   metric.rule.why = json.at("why");
   metric.pass = json.at("pass");
-  metric.words = json.at("words");
+  metric.message = json.at("words");
   return metric;
 }
 
@@ -67,7 +68,7 @@ Json picture_json(const PictureResult& picture) {
           {"far_off_max", rule.far_off_max},
           {"why", rule.why},
           {"pass", picture.pass},
-          {"words", picture.words}};
+          {"words", picture.message}};
 }
 
 PictureResult picture_from(const Json& json) {
@@ -81,7 +82,7 @@ PictureResult picture_from(const Json& json) {
   picture.pixels = json.at("pixels");
   picture.far_off = json.at("far_off");
   picture.pass = json.at("pass");
-  picture.words = json.at("words");
+  picture.message = json.at("words");
   return picture;
 }
 
@@ -129,7 +130,7 @@ CaseResult result_from(const Json& json) {
   return result;
 }
 
-/// A problem without what to do about it.
+/// A problem without its advice.
 std::string short_problem(const CaseResult& result) {
   const std::string& problem = result.problems.front();
   return problem.starts_with("stale") || problem.starts_with("no ") ? problem.substr(0, problem.find(':')) : problem;
@@ -169,7 +170,7 @@ Json to_json(const CaseResult& result) {
   for (std::size_t k = 0; k < kVerdictNames.size(); ++k) {
     const Verdict& verdict = result.verdicts[k];
     json["verdicts"][kVerdictNames[k]] = {{"outcome", kOutcomeNames[static_cast<std::size_t>(verdict.outcome)]},
-                                          {"words", verdict.words}};
+                                          {"words", verdict.message}};
   }
   json["problems"] = result.problems;
   json["notes"] = result.notes;

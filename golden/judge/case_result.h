@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstdint>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,7 +10,7 @@
 #include "golden/expected/compare_expected.h"
 #include "golden/suite/case_rules.h"
 
-/// What came of judging one case: plain data, as report.json has it.
+/// The result of judging one case: plain data, as report.json has it.
 namespace tumble::golden {
 
 /// Keys stay in the order in which they are set.
@@ -24,7 +24,7 @@ enum class Outcome : std::uint8_t {
 
 struct Verdict {
   Outcome outcome = Outcome::kNone;
-  std::string words;  ///< "same bits in all 301 states", "1 of 6 metrics out of bounds"
+  std::string message;  ///< "same bits in all 301 states", "1 of 6 metrics out of bounds"
 };
 
 struct MetricResult {
@@ -32,7 +32,7 @@ struct MetricResult {
   std::string unit;
   std::optional<double> value;  ///< measured now; none: null
   bool pass = false;
-  std::string words;  ///< why it failed, or what moved; may be empty
+  std::string message;  ///< why it failed, or by how much it moved; may be empty
 };
 
 struct PictureResult {
@@ -40,7 +40,7 @@ struct PictureResult {
   std::uint64_t pixels = 0;   ///< that are not as blessed
   std::uint64_t far_off = 0;  ///< of these, by more than render::kFarOffLevels
   bool pass = false;
-  std::string words;  ///< what differs; empty if nothing does
+  std::string message;  ///< the difference; empty if there is none
 };
 
 struct CaseResult {
@@ -52,7 +52,7 @@ struct CaseResult {
   double seconds = 0;                 ///< of wall time
   std::vector<VerdictKind> require;   ///< which verdicts decide
   std::array<Verdict, 3> verdicts;    ///< by VerdictKind
-  std::vector<std::string> problems;  ///< each fails the case whatever is required: missing, stale, damaged, crashed …
+  std::vector<std::string> problems;  ///< each fails the case whatever it requires: missing, stale, damaged, crashed …
   std::vector<std::string> notes;     ///< fail nothing
   std::vector<MetricResult> metrics;
   std::vector<PictureResult> pictures;

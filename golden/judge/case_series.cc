@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -24,7 +25,7 @@ using Boxes = std::map<sim::BodyId, sim::BoxDef>;
 /// Six digits are more than a plot shows, and a third of the text.
 double six_digits(double value) { return std::strtod(significant(value, 6).c_str(), nullptr); }
 
-/// Another engine's log may hold anything; what has no place stays null.
+/// Another engine's log may hold anything; a value without a place stays null.
 Json whole(double value) {
   return std::fabs(value) < 1e15 ? Json(static_cast<std::int64_t>(std::round(value))) : Json(nullptr);
 }
@@ -62,7 +63,7 @@ void add_energies(Json& columns, double kinetic, double potential) {
   columns["total"].push_back(six_digits(kinetic + potential));
 }
 
-/// Measures the states that a golden has, from its own first one on: what did not move reads 0 in spite of millimetres.
+/// Measures the states that a golden has against its own first one: a body at rest reads 0 in spite of millimetres.
 class ExpectedMeter {
  public:
   explicit ExpectedMeter(const sim::SceneDef& scene) : scene_(scene), gravity_(scene.world.gravity) {
@@ -123,7 +124,7 @@ Json place_row(const std::vector<sim::BodyId>& ids, const Rows& rows, const auto
   return out;
 }
 
-/// Reads a log once and collects what there is to draw.
+/// Reads a log once and collects the numbers to draw.
 class Collector {
  public:
   Collector(replay::LogReader& log, const Expected* expected)

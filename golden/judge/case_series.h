@@ -7,10 +7,10 @@
 
 namespace tumble::golden {
 
-/// Its name in a failed case's folder of the report.
+/// The file of these numbers in a failed case's folder of the report.
 inline constexpr const char* kSeriesFile = "series.json";
 
-/// What index.html draws of a failed case: numbers and nulls under fixed names, never a word of the scene.
+/// The numbers that index.html draws for a failed case: numbers and nulls under fixed names, never a word of the scene.
 ///   actual    a column each of step, kinetic, potential, total (J), lateral_max, column_spread, height_max,
 ///   height_mean
 ///             (m), a row a state; every n-th of a long session

@@ -1,5 +1,6 @@
 #include "golden/judge/judge.h"
 
+#include "golden/judge/judge_metrics.h"
 #include "golden/suite/metric_values.h"
 #include "replay/session/state_source.h"
 
@@ -10,15 +11,15 @@ constexpr const char* kExactValues = "exact values: record a full log with the c
 
 std::string number(std::uint64_t value) { return std::to_string(value); }
 
-/// One pass over a log: comparing, measuring and collecting what a new golden would hold.
+/// One pass over a log: compares, measures and collects a new golden.
 class Pass {
  public:
-  Pass(replay::LogReader& log, const Yardstick& yardstick)
+  Pass(replay::LogReader& log, const Reference& reference)
       : log_(log),
-        yardstick_(yardstick),
-        metrics_(log.header(), yardstick.rules),
-        builder_(log.header(), log.step_count(), yardstick.scene) {
-    if (yardstick.expected != nullptr) comparer_.emplace(*yardstick.expected, log.header());
+        reference_(reference),
+        metrics_(log.header(), reference.rules),
+        builder_(log.header(), log.step_count(), reference.scene) {
+    if (reference.expected != nullptr) comparer_.emplace(*reference.expected, log.header());
   }
 
   Judged run() {
@@ -32,7 +33,7 @@ class Pass {
     if (!log_.condition().whole()) result.problems.push_back("its log is " + log_.condition().summary(result.steps));
     result.bodies = bodies_;
     result.final_hash = to_string(final_hash_);
-    judged.actual = builder_.finish(yardstick_.continuation);
+    judged.actual = builder_.finish(reference_.continuation);
     judge_exact(result);
     judge_behaviour(judged);
     return judged;
@@ -46,7 +47,7 @@ class Pass {
       if (!record.ok()) return record.error();
       const replay::StepRecord& step = **record;
       if (replay::state_hash(step.states) != step.state_hash) {
-        return damaged("step " + number(k) + ": the states of the log are not those its state hash tells of");
+        return damaged("step " + number(k) + ": the states do not match their hashes");
       }
       if (comparer_) comparer_->add(step);
       metrics_.add(step);
@@ -65,13 +66,13 @@ class Pass {
       result.problems.emplace_back("its session has no step: nothing to compare");
       return;
     }
-    if (yardstick_.expected == nullptr) return;  // why there is none is the caller's problem to tell
-    const Expected& expected = *yardstick_.expected;
+    if (reference_.expected == nullptr) return;  // the caller reports why there is none
+    const Expected& expected = *reference_.expected;
     if (expected.steps() == 0) {
       result.problems.emplace_back("expected.tumble is empty: it holds no step to compare");
       return;
     }
-    if (expected.scene != yardstick_.scene) {
+    if (expected.scene != reference_.scene) {
       result.problems.emplace_back(
           "stale: scene.toml is not the scene that was blessed; bless the case if the change is meant, else undo it");
     }
@@ -83,7 +84,7 @@ class Pass {
                                 "to state was not; bless the case if nothing else is wrong with it");
     }
     result.notes = comparer_->notes();
-    result.difference = comparer_->finish(yardstick_.continuation);
+    result.difference = comparer_->finish(reference_.continuation);
     if (!result.difference) {
       exact = {Outcome::kPass, "same bits in all " + number(expected.state_hashes.size()) + " states" +
                                    (same_words ? "" : ", phase hashes of another version")};
@@ -102,11 +103,11 @@ class Pass {
     }
     judged.values = *values;
     const bool same_bits = result.verdict(VerdictKind::kExact).outcome == Outcome::kPass;
-    result.verdict(VerdictKind::kBehaviour) = judge_metrics(yardstick_.rules, judged.values, same_bits, result.metrics);
+    result.verdict(VerdictKind::kBehaviour) = judge_metrics(reference_.rules, judged.values, same_bits, result.metrics);
   }
 
   replay::LogReader& log_;
-  const Yardstick& yardstick_;
+  const Reference& reference_;
   std::optional<ExpectedComparer> comparer_;
   MetricSet metrics_;
   ExpectedBuilder builder_;
@@ -117,6 +118,6 @@ class Pass {
 
 }  // namespace
 
-Judged judge(replay::LogReader& log, const Yardstick& yardstick) { return Pass(log, yardstick).run(); }
+Judged judge(replay::LogReader& log, const Reference& reference) { return Pass(log, reference).run(); }
 
 }  // namespace tumble::golden

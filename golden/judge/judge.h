@@ -10,34 +10,26 @@
 
 namespace tumble::golden {
 
-/// What a session is judged by. References must outlive the call.
-struct Yardstick {
+/// A session is judged by these. References must outlive the call.
+struct Reference {
   const CaseRules& rules;
   const Expected* expected = nullptr;  ///< null: there is none, which fails
   Hash128 scene;                       ///< scene_hash() of scene.toml as it is now
   Hash128 continuation;                ///< of the last state; zero where it is not known
 };
 
-/// What a session turned out to be, apart from its verdicts.
+/// A judged session.
 struct Judged {
   CaseResult result;  ///< verdicts, problems, metrics, difference, steps, bodies, final hash; the rest is the caller's
-  Expected actual;    ///< what a golden of this session would be
+  Expected actual;    ///< a new golden of this session
   std::vector<std::optional<double>> values;  ///< of the rules' metrics, in their order; empty if it was not measured
 };
 
-/// Reads a session's log from state 0 to its last step, compares every one of them with the golden and measures it.
-/// Nothing here throws away a failure: a log that cannot be read on becomes a problem of the result.
-Judged judge(replay::LogReader& log, const Yardstick& yardstick);
+/// Reads a session's log from state 0 to its last step, compares each step with the golden and measures the session. A
+/// log that cannot be read to its end becomes a problem of the result.
+Judged judge(replay::LogReader& log, const Reference& reference);
 
-/// The same kind of function as judge(): canaries use it to prove that a judge sees what it must.
-using Judge = Judged (*)(replay::LogReader& log, const Yardstick& yardstick);
-
-/// Judges metrics by their bounds. same_bits: no bit of the session moved, so that no value may have either. values:
-/// one a rule.
-Verdict judge_metrics(const CaseRules& rules, const std::vector<std::optional<double>>& values, bool same_bits,
-                      std::vector<MetricResult>& out);
-
-/// For people: four significant digits and the unit.
-std::string number_with_unit(double value, const std::string& unit);
+/// A function like judge(). Tests give the canaries a bad one, to show that the canaries notice.
+using Judge = Judged (*)(replay::LogReader& log, const Reference& reference);
 
 }  // namespace tumble::golden

@@ -1,23 +1,25 @@
+#include "golden/judge/judge_metrics.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "golden/judge/judge.h"
 #include "golden/suite/metric_values.h"
+#include "src/base/check.h"
 #include "src/base/text.h"
 
 namespace tumble::golden {
 namespace {
 
-/// Metrics go through the C library's trigonometry, whose last bits vary from machine to machine.
+/// Metrics use the C library's trigonometry, whose last bits vary from machine to machine.
 constexpr double kSameValue = 1e-9;
 
 bool is_same(double a, double b) { return std::fabs(a - b) <= kSameValue * std::max(std::fabs(a), std::fabs(b)); }
 
 std::string beyond(const char* side, double value, double bound, const std::string& unit) {
-  return std::string(side) + " the bound by " + number_with_unit(std::fabs(value - bound), unit);
+  return std::string(side) + " the bound by " + rounded(std::fabs(value - bound), unit);
 }
 
-/// What is wrong with a value, or empty.
+/// The fault of a value; empty if it has none.
 std::string fault_of(const MetricRule& rule, const std::optional<double>& value, const std::string& unit,
                      bool same_bits) {
   if (!value) {
@@ -35,15 +37,14 @@ std::string fault_of(const MetricRule& rule, const std::optional<double>& value,
 
 std::string movement_of(const MetricRule& rule, const std::optional<double>& value, const std::string& unit) {
   if (!value || !rule.value || is_same(*value, *rule.value)) return "";
-  return "moved by " + number_with_unit(*value - *rule.value, unit);
+  return "moved by " + rounded(*value - *rule.value, unit);
 }
 
 }  // namespace
 
-std::string number_with_unit(double value, const std::string& unit) { return rounded(value, unit); }
-
 Verdict judge_metrics(const CaseRules& rules, const std::vector<std::optional<double>>& values, bool same_bits,
                       std::vector<MetricResult>& out) {
+  SIM_CHECK(values.size() == rules.metrics.size(), values.size(), rules.metrics.size());
   std::size_t failed = 0;
   std::size_t moved = 0;
   for (std::size_t k = 0; k < rules.metrics.size(); ++k) {
@@ -54,7 +55,7 @@ Verdict judge_metrics(const CaseRules& rules, const std::vector<std::optional<do
     const std::string fault = fault_of(metric.rule, metric.value, metric.unit, same_bits);
     const std::string movement = movement_of(metric.rule, metric.value, metric.unit);
     metric.pass = fault.empty();
-    metric.words = metric.pass ? movement : fault;
+    metric.message = metric.pass ? movement : fault;
     failed += metric.pass ? 0U : 1U;
     moved += movement.empty() ? 0U : 1U;
     out.push_back(std::move(metric));

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr int kSamples = 2;
 
-// What a software driver's last bits may depend on.
+// The class of processor, on which a software driver's last bits may depend.
 std::string processor_class() {
 #if defined(__x86_64__) || defined(__i386__)
   if (__builtin_cpu_supports("avx512f") != 0) return "AVX-512";
@@ -75,7 +75,7 @@ std::string driver_of(const render::PngFile& golden) {
   return found == golden.text.end() ? "an unknown driver" : found->second;
 }
 
-// Every picture in the folder belongs to a rule: one that does not is judged by nobody.
+// Every picture in the folder must belong to a rule: any other would never be judged.
 void find_unreferenced(const std::vector<PictureRule>& rules, const CaseFolder& folder,
                        std::vector<std::string>& problems) {
   std::error_code error;
@@ -106,10 +106,10 @@ void compare(const render::PngFile& golden, DrawnPicture& drawn, const std::stri
   result.far_off = found.far_off;
   result.pass = found.equal() || found.far_off <= rule.far_off_max;
   if (found.equal()) return;
-  result.words = pixels_text(found.pixels) + " not as blessed, " + std::to_string(found.far_off) +
-                 " of them by more than " + std::to_string(render::kFarOffLevels) +
-                 " levels (bound: " + std::to_string(rule.far_off_max) + "), the worst by " +
-                 std::to_string(found.largest);
+  result.message = pixels_text(found.pixels) + " not as blessed, " + std::to_string(found.far_off) +
+                   " of them by more than " + std::to_string(render::kFarOffLevels) +
+                   " levels (bound: " + std::to_string(rule.far_off_max) + "), the worst by " +
+                   std::to_string(found.largest);
   judged.notes.push_back(drawn.file + ": drawn with " + driver + "; the golden with " + driver_of(golden));
 }
 
@@ -119,7 +119,7 @@ Verdict verdict_of(const std::vector<PictureResult>& results) {
   for (const PictureResult& result : results) {
     bad += result.pass ? 0U : 1U;
     moved += result.pass && result.pixels > 0 ? 1U : 0U;
-    if (!result.pass && words.empty()) words = result.rule.file() + ": " + result.words;
+    if (!result.pass && words.empty()) words = result.rule.file() + ": " + result.message;
   }
   const std::string all = std::to_string(results.size()) + (results.size() == 1 ? " picture" : " pictures");
   if (bad > 0) return {Outcome::kFail, std::to_string(bad) + " of " + all + " differ: " + words};
@@ -135,10 +135,10 @@ JudgedPictures judge_pictures(replay::LogReader& log, const std::vector<PictureR
   find_unreferenced(rules, folder, judged.problems);
   Artist artist(log);
   for (const PictureRule& rule : rules) {
-    PictureResult result{.rule = rule, .pixels = 0, .far_off = 0, .pass = false, .words = {}};
+    PictureResult result{.rule = rule, .pixels = 0, .far_off = 0, .pass = false, .message = {}};
     Result<DrawnPicture> drawn = artist.draw(rule);
     if (!drawn.ok()) {
-      result.words = "cannot be drawn: " + drawn.error().message;
+      result.message = "cannot be drawn: " + drawn.error().message;
       judged.drawn.push_back({rule.file(), {}, {}, {}});
     } else {
       std::error_code error;
@@ -153,7 +153,7 @@ JudgedPictures judge_pictures(replay::LogReader& log, const std::vector<PictureR
       }
       judged.drawn.push_back(*std::move(drawn));
     }
-    if (!result.pass && result.words.empty()) result.words = "is new: there is no golden to compare it with";
+    if (!result.pass && result.message.empty()) result.message = "is new: there is no golden to compare it with";
     judged.results.push_back(std::move(result));
   }
   if (!rules.empty()) judged.verdict = verdict_of(judged.results);

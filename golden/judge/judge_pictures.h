@@ -17,7 +17,7 @@ namespace tumble::golden {
 /// One picture of a rule, drawn now.
 struct DrawnPicture {
   std::string file;            ///< "frame_0120.png"
-  std::vector<std::byte> png;  ///< what a golden of it would be
+  std::vector<std::byte> png;  ///< as a golden
   render::Image image;
   render::Image expected;  ///< empty: there is none, or it cannot be read
 };
@@ -26,7 +26,7 @@ struct JudgedPictures {
   Verdict verdict;                     ///< kNone if the rules name no picture
   std::vector<PictureResult> results;  ///< one a rule
   std::vector<std::string> problems;   ///< a golden picture that is missing, damaged or that no rule names
-  std::vector<std::string> notes;      ///< the driver, where a pixel is not as it was
+  std::vector<std::string> notes;      ///< the driver, where a pixel has changed
   std::vector<DrawnPicture> drawn;     ///< one a rule; without pixels where it could not be drawn
 };
 
@@ -34,8 +34,8 @@ struct JudgedPictures {
 /// else those off by more than render::kFarOffLevels are counted against the rule's bound.
 JudgedPictures judge_pictures(replay::LogReader& log, const std::vector<PictureRule>& rules, const CaseFolder& folder);
 
-/// The files that show a person what is wrong with a picture, by name: "frame_0120.actual.png", and where there is a
-/// golden, "….expected.png" and "….difference.png".
+/// Files that show a person the fault of a picture, by name: "frame_0120.actual.png", and if there is a golden,
+/// "….expected.png" and "….difference.png".
 struct PictureFile {
   std::string name;
   std::vector<std::byte> bytes;

@@ -5,7 +5,7 @@
 namespace tumble::golden {
 namespace {
 
-// Only of a clone's own suite: each revision judges the case with its own program, scene and golden.
+// Bisection works on a clone's own suite alone: each revision judges the case with its own program, scene and golden.
 std::string bisect_command(const CaseResult& result, const std::string& suite) {
   if (suite != "golden") return "";
   bool is_only_image = result.problems.empty() && result.verdict(VerdictKind::kImage).outcome == Outcome::kFail;

@@ -1,3 +1,5 @@
+#include "golden/report/html.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -6,7 +8,6 @@
 #include "golden/report/files.h"
 #include "golden/report/page/style.h"
 #include "golden/report/pictures.h"
-#include "golden/report/report.h"
 #include "src/base/text.h"
 
 namespace tumble::golden {
@@ -50,23 +51,23 @@ std::string chip(const char* name, Outcome outcome) {
 }
 
 std::string value_text(const std::optional<double>& value, const std::string& unit) {
-  return value ? number_with_unit(*value, unit) : "null";
+  return value ? rounded(*value, unit) : "null";
 }
 
 std::string bound_text(const MetricResult& metric) {
   std::string text;
-  if (metric.rule.min) text += "≥ " + number_with_unit(*metric.rule.min, metric.unit);
-  if (metric.rule.max) text += (text.empty() ? "≤ " : ", ≤ ") + number_with_unit(*metric.rule.max, metric.unit);
+  if (metric.rule.min) text += "≥ " + rounded(*metric.rule.min, metric.unit);
+  if (metric.rule.max) text += (text.empty() ? "≤ " : ", ≤ ") + rounded(*metric.rule.max, metric.unit);
   return text;
 }
 
-/// How far the value lies inside its nearer bound; negative outside.
+/// Distance of the value from its nearer bound; negative outside.
 std::string margin_text(const MetricResult& metric) {
   if (!metric.value) return "–";
   double margin = INFINITY;
   if (metric.rule.min) margin = std::min(margin, *metric.value - *metric.rule.min);
   if (metric.rule.max) margin = std::min(margin, *metric.rule.max - *metric.value);
-  return number_with_unit(margin, metric.unit);
+  return rounded(margin, metric.unit);
 }
 
 std::string cell(const char* name, const std::string& text, bool is_number) {
@@ -98,7 +99,7 @@ std::string metric_table(const std::vector<MetricResult>& metrics) {
            cell("margin", margin_text(metric), true) +
            cell("blessed", metric.rule.value ? value_text(metric.rule.value, metric.unit) : "not yet", true) + "<td>" +
            escaped(metric.rule.why);
-    if (!metric.words.empty()) out += "<br><strong>" + escaped(metric.words) + "</strong>";
+    if (!metric.message.empty()) out += "<br><strong>" + escaped(metric.message) + "</strong>";
     out += "</td></tr>\n";
   }
   return out + "</tbody></table></div>\n";
@@ -123,7 +124,7 @@ std::string case_body(const CaseResult& result, const std::string& suite, Report
   std::vector<std::string> verdicts;
   for (std::size_t k = 0; k < kVerdictNames.size(); ++k) {
     const Verdict& verdict = result.verdicts[k];
-    const std::string words = verdict.words.empty() ? "not judged" : verdict.words;
+    const std::string words = verdict.message.empty() ? "not judged" : verdict.message;
     verdicts.push_back(std::string(kVerdictNames[k]) + ": " + words);
   }
   out += element("h3", "Verdicts") + list_of(verdicts);
@@ -178,25 +179,25 @@ std::string canary_list(const SuiteResult& result) {
   for (const CanaryResult& canary : result.canaries) {
     out += std::string("<tr class=\"") + (canary.caught ? "pass" : "fail") + "\"><td class=\"mark\">" +
            (canary.caught ? "✓ caught" : "✕ not caught") + "</td><td>" + escaped(canary.name) + "</td><td>" +
-           escaped(canary.words) + "</td></tr>\n";
+           escaped(canary.message) + "</td></tr>\n";
   }
   return out + "</tbody></table></div></div></details>\n";
 }
 
-/// What is furthest wrong, in one line: the case's own problem, a metric and how far it is out, or where bits moved.
+/// The worst fault in one line: the case's own problem, a metric and its excess, or the place where bits moved.
 std::string worst_of(const CaseResult& result) {
   std::string text;
   const auto add = [&](const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
   if (!result.problems.empty()) add(result.problems.front().substr(0, result.problems.front().find(';')));
   for (const MetricResult& metric : result.metrics) {
-    if (!metric.pass) add(metric.rule.name + " " + value_text(metric.value, metric.unit) + ", " + metric.words);
+    if (!metric.pass) add(metric.rule.name + " " + value_text(metric.value, metric.unit) + ", " + metric.message);
   }
   if (result.difference)
     add("bits differ from step " + std::to_string(result.difference->step) + ", phase " + result.difference->phase);
   return text;
 }
 
-/// The failed cases at a glance: what, by which verdict, by how much, and the command.
+/// A table of the failed cases: fault, verdict, size and command.
 std::string overview(const SuiteResult& result) {
   std::string rows;
   for (const CaseResult& one : result.cases) {

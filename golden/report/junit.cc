@@ -1,8 +1,9 @@
+#include "golden/report/junit.h"
+
 #include <algorithm>
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "golden/report/report.h"
 #include "src/base/text.h"
 
 namespace tumble::golden {
@@ -19,11 +20,11 @@ std::string failure_text(const CaseResult& result) {
   std::string text;
   for (const std::string& problem : result.problems) text += "problem: " + problem + '\n';
   for (std::size_t k = 0; k < kVerdictNames.size(); ++k) {
-    if (!result.verdicts[k].words.empty())
-      text += std::string(kVerdictNames[k]) + ": " + result.verdicts[k].words + '\n';
+    if (!result.verdicts[k].message.empty())
+      text += std::string(kVerdictNames[k]) + ": " + result.verdicts[k].message + '\n';
   }
   for (const MetricResult& metric : result.metrics) {
-    if (!metric.pass) text += metric.rule.name + ": " + metric.words + " (" + metric.rule.why + ")\n";
+    if (!metric.pass) text += metric.rule.name + ": " + metric.message + " (" + metric.rule.why + ")\n";
   }
   if (result.difference) {
     for (const std::string& detail : result.difference->details) text += detail + '\n';
@@ -67,7 +68,7 @@ std::string report_junit(const SuiteResult& result) {
   }
   std::string words;
   for (const CanaryResult& canary : result.canaries) {
-    if (!canary.caught) words += canary.name + ": " + canary.words + '\n';
+    if (!canary.caught) words += canary.name + ": " + canary.message + '\n';
   }
   const std::string failure = result.canaries_caught() ? "" : std::to_string(missed) + " canaries were not caught";
   add_case(suite, "tumble.canaries", "comparisons that must fail", 0, failure, xml_text(words));

@@ -5,8 +5,8 @@
 namespace tumble::golden {
 namespace {
 
-// A picture's path in the report, if it was left there. Case and file names need no escaping: suite.h allows letters,
-// digits, '_' and '-' only.
+// The path of a picture in the report, if it was left there. Case and file names need no escaping: suite.h allows
+// letters, digits, '_' and '-' only.
 std::string figure(const CaseResult& result, const PictureRule& rule, const std::string& kind, ReportFiles& files) {
   const std::string file = rule.file();
   const std::string path = "cases/" + result.name + "/" + file.substr(0, file.rfind('.')) + "." + kind + ".png";
@@ -25,14 +25,14 @@ std::string picture_section(const CaseResult& result, ReportFiles& files) {
   std::string out = "<h3>Pictures</h3>\n";
   for (const PictureResult& picture : result.pictures) {
     const std::string mark = picture.pass ? "✓ " : "✕ ";
-    out +=
-        "<p>" + mark + picture.rule.file() + ": " + (picture.words.empty() ? "every pixel the same" : "not as blessed");
+    out += "<p>" + mark + picture.rule.file() + ": " +
+           (picture.message.empty() ? "every pixel the same" : "not as blessed");
     if (picture.pixels > 0) {
       out += ", " + std::to_string(picture.pixels) + " pixels differ, " + std::to_string(picture.far_off) +
              " of them far off (bound: " + std::to_string(picture.rule.far_off_max) + ")";
     }
     out += "</p>\n";
-    if (picture.words.empty()) continue;
+    if (picture.message.empty()) continue;
     out += "<div class=\"pictures\" data-step=\"" + std::to_string(picture.rule.step) + "\">" +
            figure(result, picture.rule, "expected", files) + figure(result, picture.rule, "actual", files) +
            figure(result, picture.rule, "difference", files) + "</div>\n";

@@ -7,8 +7,8 @@
 
 namespace tumble::golden {
 
-/// The pictures of a case for index.html: how many, and for each that is not as blessed what differs, with expected,
-/// actual and difference beside each other, which the page's script makes one picture with a slider and a blink.
+/// The pictures of a case for index.html: their number, and for each that is not as blessed its difference, with
+/// expected, actual and difference beside each other. The page's script turns them into one picture with a slider.
 std::string picture_section(const CaseResult& result, ReportFiles& files);
 
 }  // namespace tumble::golden

@@ -1,25 +1,12 @@
 #include "golden/report/report.h"
 
+#include <nlohmann/json.hpp>
+
+#include "golden/report/html.h"
+#include "golden/report/junit.h"
 #include "golden/suite/text_files.h"
 
 namespace tumble::golden {
-
-std::string headline(const SuiteResult& result) {
-  const std::string total = std::to_string(result.cases.size()) + (result.cases.size() == 1 ? " case" : " cases");
-  if (!result.canaries_caught()) return "a canary was not caught: no verdict of this check can be trusted";
-  if (result.passed()) return total + " passed";
-  std::string text = std::to_string(result.failed_cases()) + " of " + total + " failed";
-  std::string verdicts;
-  for (std::size_t k = 0; k < kVerdictNames.size(); ++k) {
-    const std::size_t failed = result.failed(static_cast<VerdictKind>(k));
-    if (failed == 0) continue;
-    verdicts += (verdicts.empty() ? "; verdicts failed: " : ", ") + std::string(kVerdictNames[k]) + ' ' +
-                std::to_string(failed);
-  }
-  text += verdicts;
-  if (!result.problems.empty()) text += "; " + result.problems.front();
-  return text;
-}
 
 Json report_json(const SuiteResult& result) {
   Json json = {{"passed", result.passed()},
@@ -39,7 +26,7 @@ Json report_json(const SuiteResult& result) {
   json["canaries"] = Json::array();
   for (const CanaryResult& canary : result.canaries) {
     json["canaries"].push_back(
-        {{"name", canary.name}, {"caught", canary.caught}, {"about", canary.about}, {"words", canary.words}});
+        {{"name", canary.name}, {"caught", canary.caught}, {"about", canary.about}, {"words", canary.message}});
   }
   return json;
 }

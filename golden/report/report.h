@@ -3,17 +3,13 @@
 #include <filesystem>
 #include <string>
 
-#include "golden/check.h"
+#include "golden/judge/suite_result.h"
 #include "src/base/result.h"
 
 /// A check's results as files: report.json for programs, junit.xml for CI, index.html for people.
 namespace tumble::golden {
 
 Json report_json(const SuiteResult& result);
-std::string report_junit(const SuiteResult& result);
-/// One page that needs nothing else and no network. folder: where the failed cases left their files; those that the
-/// page shows are taken into it.
-std::string report_html(const SuiteResult& result, const std::filesystem::path& folder);
 
 /// Writes all three into a folder, which is made. junit: another place for junit.xml; empty: into the folder. Errors
 /// (kCannotFinish): a file that cannot be written.

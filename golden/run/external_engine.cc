@@ -1,15 +1,12 @@
 #include "golden/run/external_engine.h"
 
-#include <sys/wait.h>
-
-#include <csignal>
-#include <cstdlib>
-#include <cstring>
+#include <algorithm>
 #include <memory>
 #include <system_error>
 
 #include "golden/suite/temporary_folder.h"
 #include "golden/suite/text_files.h"
+#include "src/process/run_child.h"
 
 namespace tumble::golden {
 namespace {
@@ -31,13 +28,6 @@ std::string end_of(const fs::path& file) {
   return "; it printed: " + text->substr(text->size() - std::min(text->size(), kOutputShown));
 }
 
-std::string ending(int status) {
-  const int code = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);  // sh reports its child's so
-  const char* name = code > 128 ? ::sigabbrev_np(code - 128) : nullptr;
-  if (name != nullptr) return "was ended by SIG" + std::string(name);
-  return "ended with status " + std::to_string(code);
-}
-
 }  // namespace
 
 std::string shell_quoted(const std::string& word) {
@@ -57,12 +47,15 @@ Result<Session> run_engine(const std::string& command, const fs::path& suite, co
   const fs::path log = folder.path() / "session.tumble";
   const fs::path output = folder.path() / "output.txt";
   std::error_code error;
-  const std::string line = "cd " + shell_quoted(suite.string()) + " && { " +
-                           engine_command(command, fs::absolute(scene, error).string(), log.string()) + "\n} >" +
-                           shell_quoted(output.string()) + " 2>&1";
-  const int status = std::system(line.c_str());
+  process::Program shell;
+  shell.words = {"sh", "-c", engine_command(command, fs::absolute(scene, error).string(), log.string())};
+  shell.folder = suite.string();
+  shell.out = shell.err = output.string();
+  shell.own_group = false;  // a case that takes too long is ended as a group, and the engine with it
   const std::string who = "the engine's command \"" + command + "\" ";
-  if (status != 0) return cannot_finish(who + ending(status) + end_of(output));
+  const Result<process::ChildEnd> end = process::run_child(shell);
+  if (!end.ok()) return cannot_finish(who + "was not run: " + end.error().message);
+  if (!end->well()) return cannot_finish(who + process::behind_shell(*end).text() + end_of(output));
   Result<std::vector<std::byte>> bytes = read_bytes(log);
   if (!bytes.ok()) return cannot_finish(who + "wrote no log" + end_of(output));
   return Session{std::make_shared<std::vector<std::byte>>(*std::move(bytes)), {}, {}};

@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <string>
 
-#include "golden/run/run_case.h"
+#include "golden/run/run_session.h"
 #include "src/base/result.h"
 
-/// Cases of another engine: a command that reads a scene and writes a log.
+/// External engines: a command of a case reads a scene and writes a log.
 namespace tumble::golden {
 
 /// In single quotes where the shell needs them.
@@ -15,8 +15,8 @@ std::string shell_quoted(const std::string& word);
 /// The command line with {scene} and {log} filled in.
 std::string engine_command(const std::string& command, const std::string& scene, const std::string& log);
 
-/// Runs the command by sh in the suite's folder and takes the log that it writes. Errors (kCannotFinish): a status
-/// other than 0, no log; the message has the end of what it printed.
+/// Runs the command by sh in the suite's folder and reads the log that it writes. Errors (kCannotFinish): a status
+/// other than 0, no log; the message has the end of its output.
 Result<Session> run_engine(const std::string& command, const std::filesystem::path& suite, const std::string& scene);
 
 }  // namespace tumble::golden

@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "golden/expected/expected_file.h"
 #include "golden/judge/case_series.h"
 #include "golden/run/external_engine.h"
+#include "golden/run/run_session.h"
+#include "golden/suite/parse_rules.h"
 #include "golden/suite/scene_hash.h"
 #include "golden/suite/text_files.h"
-#include "replay/session/recorder.h"
 #include "src/scenes/scene_file.h"
 
 namespace tumble::golden {
@@ -101,10 +103,10 @@ class CaseRunner {
   }
 
   void judge_session() {
-    const bool foreign = !run_.rules.command.empty();
+    const bool is_external = !run_.rules.command.empty();
     const Result<Session> session =
-        foreign ? run_engine(run_.rules.command, options_.suite, scene_path()) : run_session(scene_, scene_text_);
-    if (foreign) run_.result.reproduce = engine_command(run_.rules.command, scene_path(), folder_.name + ".tumble");
+        is_external ? run_engine(run_.rules.command, options_.suite, scene_path()) : run_session(scene_, scene_text_);
+    if (is_external) run_.result.reproduce = engine_command(run_.rules.command, scene_path(), folder_.name + ".tumble");
     if (!session.ok()) {
       fail(session.error());
       return;
@@ -114,9 +116,9 @@ class CaseRunner {
       fail(log.error());
       return;
     }
-    const Yardstick yardstick = {run_.rules, expected_ ? &*expected_ : nullptr, scene_hash(scene_),
+    const Reference reference = {run_.rules, expected_ ? &*expected_ : nullptr, scene_hash(scene_),
                                  session->continuation};
-    Judged judged = judge(*log, yardstick);
+    Judged judged = judge(*log, reference);
     const bool measured = judged.result.problems.empty() || !judged.values.empty();
     take(std::move(judged));
     take(judge_pictures(*log, run_.rules.pictures, folder_));
@@ -161,7 +163,7 @@ class CaseRunner {
     };
     leave("actual.tumble", std::span<const std::byte>(*session.log));
     for (std::size_t k = 0; k < run_.pictures.size(); ++k) {
-      if (run_.result.pictures[k].words.empty() || run_.pictures[k].png.empty()) continue;
+      if (run_.result.pictures[k].message.empty() || run_.pictures[k].png.empty()) continue;
       for (const PictureFile& file : explaining_files(run_.pictures[k])) {
         leave(file.name, std::span<const std::byte>(file.bytes));
       }
@@ -184,24 +186,6 @@ class CaseRunner {
 };
 
 }  // namespace
-
-Result<Session> run_session(const sim::SceneDef& scene, const std::string& scene_text) {
-  Session session{.log = std::make_shared<std::vector<std::byte>>(), .continuation = {}, .failure = {}};
-  replay::RecordOptions options;
-  options.scene_text = scene_text;
-  auto sink = std::make_unique<replay::MemoryByteSink>(session.log, scene.name);
-  auto recorder = replay::Recorder::start(std::move(sink), scene, options);
-  if (!recorder.ok()) return recorder.error();
-  if (const Status ok = (*recorder)->run(); !ok.ok()) session.failure = ok.error().message;
-  session.continuation = sim::continuation_hash((*recorder)->world().state());
-  const Result<replay::LogSummary> summary = (*recorder)->finish();
-  if (!summary.ok() && session.failure.empty()) return summary.error();
-  return session;
-}
-
-Result<replay::LogReader> open_session(const Session& session, const std::string& name) {
-  return replay::LogReader::open(std::make_unique<replay::MemoryByteSource>(session.log, name));
-}
 
 CaseRun run_case(const CaseFolder& folder, const RunOptions& options) { return CaseRunner(folder, options).run(); }
 

@@ -8,28 +8,13 @@
 #include "golden/judge/judge.h"
 #include "golden/judge/judge_pictures.h"
 #include "golden/suite/suite.h"
-#include "replay/log/byte_memory.h"
-#include "src/model/scene.h"
 
 namespace tumble::golden {
 
-/// A recorded session in memory.
-struct Session {
-  replay::MemoryFile log;
-  Hash128 continuation;  ///< of the last state; zero where it is not known (another engine's)
-  std::string failure;   ///< why it ended early; empty: it did not
-};
-
-/// Runs a scene with this build. Errors: a world that cannot be made.
-Result<Session> run_session(const sim::SceneDef& scene, const std::string& scene_text);
-
-/// Opens it as the log it is. name: for messages.
-Result<replay::LogReader> open_session(const Session& session, const std::string& name);
-
 struct RunOptions {
   std::filesystem::path suite;                      ///< its root
-  std::optional<std::vector<VerdictKind>> require;  ///< instead of what the case says
-  std::filesystem::path report;                     ///< where a failed case leaves its files; empty: nowhere
+  std::optional<std::vector<VerdictKind>> require;  ///< overrides the case's own list
+  std::filesystem::path report;                     ///< folder for the files of a failed case; empty: none
 };
 
 /// A case, run and judged.
@@ -42,8 +27,8 @@ struct CaseRun {
   bool complete = false;  ///< the session ran to its end and was measured: it could be blessed
 };
 
-/// Reads a case's files, runs its scene (or the engine that it names) and judges the session. Everything that goes
-/// wrong becomes a problem of the result.
+/// Reads a case's files, runs its scene (or the external engine that it names) and judges the session. Every failure
+/// becomes a problem of the result.
 CaseRun run_case(const CaseFolder& folder, const RunOptions& options);
 
 }  // namespace tumble::golden

@@ -9,7 +9,7 @@
 
 #include "src/base/result.h"
 
-/// metrics.toml: what a case is judged by.
+/// The rules of a case, as metrics.toml gives them.
 namespace tumble::golden {
 
 enum class VerdictKind : std::uint8_t { kExact = 0, kBehaviour = 1, kImage = 2 };
@@ -25,8 +25,8 @@ struct MetricRule {
   std::optional<double> max;
   std::optional<double> value;  ///< when it was blessed; none: not yet, or null
   std::string why;              ///< the reason for the bound
-  bool may_be_null = false;     ///< a metric that makes no sense in the end fails unless this is said
-  std::string bodies = "all";   ///< which bodies it is measured over, in the words of docs/metrics.md
+  bool may_be_null = false;     ///< otherwise a metric that reads null in the end fails
+  std::string bodies = "all";   ///< measured bodies, in the words of docs/metrics.md
   std::string axis = "x";       ///< along which nothing should move: "x" or "y"
   std::uint64_t from_step = 0;  ///< the state after this step takes the place of the start
   std::size_t line = 0;         ///< of `name`, 1-based: where bless finds its place
@@ -53,13 +53,5 @@ struct CaseRules {
   std::vector<MetricRule> metrics;
   std::vector<PictureRule> pictures;
 };
-
-/// Errors (kBadInput): "<file>:<line>:<column>: …" for anything that is not understood, as in scenes.
-Result<CaseRules> parse_rules(std::string_view text, std::string_view file_name);
-
-/// The text with other values: nothing else changes, comments included. values: one a metric, none for null.
-/// Errors (kBadInput): a layout that cannot be edited line by line.
-Result<std::string> with_values(const std::string& text, const std::string& file_name, const CaseRules& rules,
-                                const std::vector<std::optional<double>>& values);
 
 }  // namespace tumble::golden

@@ -4,6 +4,7 @@
 
 #include "replay/measure/metric_list.h"
 #include "replay/measure/mirrored_pair.h"
+#include "src/base/check.h"
 
 namespace tumble::golden {
 namespace {
@@ -15,7 +16,7 @@ bool same_choice(const MetricRule& a, const MetricRule& b) {
   return a.bodies == b.bodies && a.axis == b.axis && a.from_step == b.from_step;
 }
 
-/// The choice that a rule makes; its bodies were checked when it was read.
+/// The choice of a rule, whose bodies were checked when it was read.
 replay::MeasureOptions options_of(const MetricRule& rule) {
   replay::MeasureOptions options;
   if (const Result<replay::BodyChoice> bodies = replay::parse_bodies(rule.bodies); bodies.ok())
@@ -25,8 +26,8 @@ replay::MeasureOptions options_of(const MetricRule& rule) {
   return options;
 }
 
-/// The image that a metric compares with; none for a metric of one session.
-std::optional<sim::Transform> image_for(const MetricRule& rule) {
+/// The transform of the scene that a metric compares with; none for a metric of one session.
+std::optional<sim::Transform> transform_for(const MetricRule& rule) {
   sim::Transform transform;
   if (rule.name == "mirror_error") {
     (rule.axis == "y" ? transform.mirror_y : transform.mirror_x) = true;
@@ -73,8 +74,11 @@ void MetricSet::add(const replay::StepRecord& record) {
 }
 
 Result<std::optional<double>> MetricSet::pair_value(const MetricRule& rule) const {
-  if (!rules_.command.empty()) return std::optional<double>();  // this engine's images say nothing about another one's
-  const sim::Transform transform = *image_for(rule);
+  // Transformed scenes in this engine say nothing about another one.
+  if (!rules_.command.empty()) return std::optional<double>();
+  const std::optional<sim::Transform> wanted = transform_for(rule);
+  SIM_CHECK(wanted.has_value(), std::string_view(rule.name));
+  const sim::Transform& transform = *wanted;
   const Result<replay::PairReport> report = replay::run_mirrored_pair(header_.scene, transform);
   if (!report.ok()) return report.error();
   replay::Metrics metrics;
@@ -93,7 +97,7 @@ Result<std::vector<std::optional<double>>> MetricSet::finish(const replay::BodyS
   for (std::size_t k = 0; k < rules_.metrics.size(); ++k) {
     const MetricRule& rule = rules_.metrics[k];
     Result<std::optional<double>> value =
-        image_for(rule) ? pair_value(rule) : replay::find_metric(rule.name)->value(metrics[of_rule_[k]]);
+        transform_for(rule) ? pair_value(rule) : replay::find_metric(rule.name)->value(metrics[of_rule_[k]]);
     if (!value.ok()) return value.error();
     values.push_back(*value);
   }

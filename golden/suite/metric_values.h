@@ -19,8 +19,8 @@ std::string metric_unit(const std::string& name);
 /// Errors (kBadInput): bodies that are not written as docs/metrics.md says.
 Status check_selection(const MetricRule& rule);
 
-/// Measures all metrics of a case in one pass over its session. Metrics of a session and its image (mirror_error along
-/// the rule's axis, order_error, shift_error) make it run the scene twice more, at the end.
+/// Measures all metrics of a case in one pass over its session. Metrics of a session and its transformed scene
+/// (mirror_error along the rule's axis, order_error, shift_error) run the scene twice more, at the end.
 class MetricSet {
  public:
   /// header and rules, of the session, must outlive this.
@@ -30,8 +30,8 @@ class MetricSet {
   void add(const replay::StepRecord& record);
 
   /// After the last step: a value a rule, none where the metric makes no sense. last: the last state. Errors: a rule
-  /// that measures nothing, such as one from a step that the session does not reach (kBadInput); an image that cannot
-  /// be run (run_mirrored_pair').
+  /// that measures nothing, such as one from a step that the session does not reach (kBadInput); a transformed
+  /// scene that cannot be run (run_mirrored_pair's).
   Result<std::vector<std::optional<double>>> finish(const replay::BodyStates& last);
 
  private:

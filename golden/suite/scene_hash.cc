@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "replay/format/chain.h"
 #include "replay/format/step_record.h"
 
 namespace tumble::golden {
@@ -33,7 +34,7 @@ Hash128 scene_hash(const sim::SceneDef& scene) {
   Hasher hasher;
   add(hasher, scene.world);
   hasher.add(scene.steps);
-  // A box is hashed as the input that would throw it in, so that a field added to boxes is never forgotten here.
+  // A box is hashed as the input that would throw it in: a field added to boxes is then never forgotten here.
   replay::StepRecord record;
   for (const sim::BoxDef& box : scene.boxes) {
     record.inputs.emplace_back(sim::Throw{box});

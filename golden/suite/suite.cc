@@ -7,6 +7,7 @@
 
 #include "golden/suite/case_rules.h"
 #include "golden/suite/text_files.h"
+#include "src/base/check.h"
 #include "src/base/text.h"
 #include "src/scenes/scene_file.h"
 
@@ -36,7 +37,7 @@ Error unknown_case(const Suite& suite, const std::string& name) {
   return bad_input("no case " + in_quotes(name) + " in " + (suite.root / "cases").string() + hint);
 }
 
-/// A case whose scene cannot be read belongs to every category, or its failure would hide.
+/// A case whose scene cannot be read belongs to every category: its failure must not hide.
 bool is_in_category(const CaseFolder& folder, const std::string& category) {
   const Result<std::string> text = read_text(folder.file(kSceneFile));
   if (!text.ok()) return true;
@@ -89,6 +90,7 @@ std::vector<std::string> folder_problems(const CaseFolder& folder) {
 }
 
 Result<std::vector<CaseFolder>> select_cases(const Suite& suite, const Selection& selection) {
+  SIM_CHECK(selection.shard >= 1 && selection.shard <= selection.shards, selection.shard, selection.shards);
   std::vector<CaseFolder> chosen;
   for (const std::string& name : selection.names) {
     const auto found = std::ranges::find(suite.cases, name, &CaseFolder::name);

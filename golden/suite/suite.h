@@ -36,7 +36,7 @@ Status check_case_name(const std::string& name);
 /// Files in a case's folder that nothing reads, and files that are missing, a sentence each.
 std::vector<std::string> folder_problems(const CaseFolder& folder);
 
-/// Which cases of a suite are run: those named, or all; then those of a category; then every N-th.
+/// Chooses cases of a suite: the named ones, or all; of these a category; of these every N-th.
 struct Selection {
   std::vector<std::string> names;
   std::string category;   ///< empty: all

@@ -7,8 +7,8 @@
 
 namespace tumble::golden {
 
-/// A new folder for temporary files, named PREFIX-XXXXXX, that goes with its owner. Its path is empty where none could
-/// be made.
+/// A new folder for temporary files, named PREFIX-XXXXXX, removed with this object. The path is empty if no folder
+/// could be made.
 class TemporaryFolder {
  public:
   explicit TemporaryFolder(const std::string& prefix) {

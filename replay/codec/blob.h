@@ -10,24 +10,26 @@
 
 #include "replay/codec/byte_planes.h"
 #include "replay/format/little_endian.h"
+#include "src/base/check.h"
 #include "src/base/result.h"
 
-/// Columns in Cap'n Proto's Data fields. Included by codecs only.
+/// Writes and reads columns of numbers in Data fields of Cap'n Proto. Included by codecs only.
 namespace tumble::replay {
 
 inline std::byte* bytes_of(capnp::Data::Builder data) { return reinterpret_cast<std::byte*>(data.begin()); }
 inline const std::byte* bytes_of(capnp::Data::Reader data) { return reinterpret_cast<const std::byte*>(data.begin()); }
 
-/// Errors (kDamaged) unless a column has exactly `count` elements of `size` bytes.
+/// Errors (kDamaged): a column does not have exactly `count` elements of `size` bytes.
 inline Status check_size(const char* column, capnp::Data::Reader data, std::size_t count, std::size_t size) {
   if (data.size() == count * size) return {};
   return damaged(std::string(column) + ": found " + std::to_string(data.size()) + " bytes, wanted " +
                  std::to_string(count) + " elements of " + std::to_string(size));
 }
 
-/// Elements one after the other.
+/// Writes elements one after the other.
 template <std::unsigned_integral T>
 void put_plain(std::span<const T> values, capnp::Data::Builder data) {
+  SIM_CHECK(data.size() == values.size_bytes(), data.size(), values.size_bytes());
   for (std::size_t i = 0; i < values.size(); ++i) store(bytes_of(data) + i * sizeof(T), values[i]);
 }
 
@@ -41,6 +43,7 @@ Status get_plain(const char* column, capnp::Data::Reader data, std::size_t count
 
 template <std::unsigned_integral T>
 void put_planes(std::span<const T> values, capnp::Data::Builder data) {
+  SIM_CHECK(data.size() == values.size_bytes(), data.size(), values.size_bytes());
   split_planes(values, bytes_of(data));
 }
 
@@ -52,7 +55,7 @@ Status get_planes(const char* column, capnp::Data::Reader data, std::size_t coun
   return {};
 }
 
-/// Differences to the element before, in planes: ascending columns become small numbers.
+/// Writes the difference of each element to the element before, in byte planes. Ascending columns become small numbers.
 template <std::unsigned_integral T>
 void put_differences(std::span<const T> values, capnp::Data::Builder data) {
   std::vector<T> differences(values.size());
@@ -75,7 +78,7 @@ Status get_differences(const char* column, capnp::Data::Reader data, std::size_t
   return {};
 }
 
-/// Doubles by their bits: a copy through a floating-point register may quieten a NaN on some machines.
+/// Copies doubles as bits, because some machines change a signalling NaN in a floating-point register.
 inline std::vector<std::uint64_t> bits_of(std::span<const double> values) {
   std::vector<std::uint64_t> bits(values.size());
   if (!bits.empty()) std::memcpy(bits.data(), values.data(), values.size_bytes());

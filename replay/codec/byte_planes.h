@@ -8,11 +8,11 @@
 
 #include "replay/format/little_endian.h"
 
-/// Columns as byte planes: byte 0 of all elements, then byte 1, and so on. High bytes of small numbers are then one
-/// long run, which is what zstd packs best.
+/// Columns as byte planes: byte 0 of all elements, then byte 1, and so on. The high bytes of small numbers become one
+/// long run, which zstd compresses well.
 namespace tumble::replay {
 
-/// out: values.size() · sizeof(T) bytes.
+/// out: has values.size() · sizeof(T) bytes.
 template <std::unsigned_integral T>
 void split_planes(std::span<const T> values, std::byte* out) {
   const std::size_t n = values.size();
@@ -33,7 +33,7 @@ void join_planes(const std::byte* in, std::span<T> values) {
   }
 }
 
-/// The 8 × 8 byte matrix whose rows are the words, transposed. Its own inverse.
+/// Transposes the 8 × 8 matrix of bytes whose rows are the words. Applied twice, the matrix is unchanged.
 inline void transpose(std::array<std::uint64_t, 8>& w) {
   const auto exchange = [&w](std::size_t i, std::size_t distance, unsigned shift, std::uint64_t low) {
     const std::uint64_t a = w[i];
@@ -46,7 +46,7 @@ inline void transpose(std::array<std::uint64_t, 8>& w) {
   for (const std::size_t i : {0U, 2U, 4U, 6U}) exchange(i, 1, 8, 0x00FF00FF00FF00FF);
 }
 
-/// Eight elements at a time: this is where a chunk's bytes pass through.
+/// Splits eight elements at a time, because all states of a chunk pass through here.
 template <>
 inline void split_planes<std::uint64_t>(std::span<const std::uint64_t> values, std::byte* out) {
   const std::size_t n = values.size();

@@ -14,6 +14,9 @@
 namespace tumble::replay {
 namespace {
 
+// Numbers of steps are stored as columns, one Data field for each quantity. A list of structs would put unlike bytes
+// side by side, and zstd would find few repetitions (see "Chunks" in docs/log_format.md).
+
 using Steps = std::span<const StepRecord>;
 
 /// One number of each step as a column.
@@ -42,6 +45,7 @@ void encode_hashes(Steps steps, schema::Chunk::Builder out) {
     hashes.push_back(step.state_hash.high);
     longest = std::max(longest, step.phase_words.size());
   }
+  // Word j of all steps, then word j + 1: a phase that does not change its result repeats its word from step to step.
   for (std::size_t j = 0; j < longest; ++j) {
     for (const StepRecord& step : steps) {
       if (step.phase_words.size() > j) words.push_back(step.phase_words[j]);
@@ -92,7 +96,7 @@ Status decode_inputs(schema::Chunk::Reader in, Chunk& chunk) {
   std::uint64_t before = chunk.first_step;
   const auto inputs = in.getInputs();
   if (inputs.size() > sim::kInputsMax) return damaged("chunk: found more inputs than a session may have");
-  std::vector<std::size_t> counts(chunk.steps.size());  // vectors that grow would take twice the memory
+  std::vector<std::size_t> counts(chunk.steps.size());  // reserved exactly: a growing vector takes twice the memory
   for (const schema::Input::Reader input : inputs) {
     const std::uint64_t index = input.getStep() - chunk.first_step;
     if (index < counts.size()) ++counts[index];
@@ -224,6 +228,7 @@ Result<ChunkDecoder> ChunkDecoder::open(const MessageBytes& message) {
 }
 
 Result<const StepRecord*> ChunkDecoder::step(std::size_t index) {
+  SIM_CHECK(index < chunk_.steps.size(), index, chunk_.steps.size());
   while (decoded_ <= index) {
     if (Status ok = states_->decode(chunk_.steps[decoded_]); !ok.ok()) return ok.error();
     ++decoded_;

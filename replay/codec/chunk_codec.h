@@ -4,6 +4,7 @@
 
 #include "replay/codec/zstd_frame.h"
 #include "replay/format/chunk.h"
+#include "src/base/check.h"
 #include "src/base/result.h"
 
 namespace tumble::replay {
@@ -11,24 +12,25 @@ namespace tumble::replay {
 class StateEncoder;
 class StateDecoder;
 
-/// Makes chunk messages. Keeps its memory from chunk to chunk.
+/// Encodes chunk messages. Uses its memory again for the next chunk.
 class ChunkEncoder {
  public:
   ChunkEncoder();
   ~ChunkEncoder();
 
-  /// Errors (kCannotFinish): memory, states that the keyframe and the inputs do not lead to.
+  /// Errors (kCannotFinish): out of memory; a state has other bodies than keyframe and inputs lead to.
   Result<MessageBytes> encode(const Keyframe& keyframe, std::span<const StepRecord> steps);
 
  private:
   std::unique_ptr<StateEncoder> states_;
 };
 
-/// A chunk message taken apart. States are decoded up to the step that is asked for and kept, so that going through a
-/// chunk costs its decoding once, and a look at its hashes costs none.
+/// Decodes a chunk message. Opening decodes everything but the states. step() decodes states up to the requested step
+/// and keeps them, so that reading a whole chunk decodes each state once, and reading hashes decodes none.
 class ChunkDecoder {
  public:
-  /// Errors without file and offset: kDamaged for what cannot be, kBadInput for what this build does not know.
+  /// Errors name neither file nor offset. kDamaged: a value that no writer produces. kBadInput: a method, an input or a
+  /// codec that this build does not know.
   static Result<ChunkDecoder> open(const MessageBytes& message);
   ChunkDecoder(ChunkDecoder&&) noexcept;
   ChunkDecoder& operator=(ChunkDecoder&&) noexcept;
@@ -38,10 +40,13 @@ class ChunkDecoder {
   [[nodiscard]] std::uint64_t first_step() const { return chunk_.first_step; }
   [[nodiscard]] std::size_t step_count() const { return chunk_.steps.size(); }
 
-  /// Step first_step() + index without its states, which stay empty until step() has been there.
-  [[nodiscard]] const StepRecord& without_states(std::size_t index) const { return chunk_.steps[index]; }
+  /// Step first_step() + index. Its states are empty until step() has decoded them.
+  [[nodiscard]] const StepRecord& without_states(std::size_t index) const {
+    SIM_CHECK(index < chunk_.steps.size(), index, chunk_.steps.size());
+    return chunk_.steps[index];
+  }
 
-  /// The same with its states, where the log has them. Errors: kDamaged.
+  /// Step first_step() + index with its states, where the log has them. Errors: kDamaged.
   Result<const StepRecord*> step(std::size_t index);
 
  private:

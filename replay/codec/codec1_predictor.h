@@ -2,12 +2,22 @@
 
 #include <cmath>
 
-/// What codec 1 expects a body to do between two stored states: free flight as the stepper computed it when the codec
-/// was made, or, for a body that touched something, motion with the mean velocity. This copy is frozen. The stepper in
-/// src/ may change; logs already written decode with these very lines. Any change to a result here, even of one bit, is
-/// a new codec with a new number and a file of its own.
+/// The prediction of codec 1: the motion of a body between two stored states.
 ///
-/// Only + − × ÷ and sqrt, so that every machine predicts the same bits. Inputs may be anything, also NaN.
+/// A log stores states to the bit, 113 bytes each, and most of these bits follow from the state before. Codec 1
+/// predicts each body and stores only the difference, which is zero for a body in free flight and a few low bits for a
+/// body that touched something (docs/log_format.md, "States"). Two predictions are tried. The first is free flight,
+/// computed as the stepper computed it when the codec was made: equal bits then cost one flag. The second is for bodies
+/// that touched something. Contact impulses cannot be predicted, so the new velocities are stored first, as differences
+/// from the old ones; then position and orientation are predicted from the mean of old and new velocity, which is close
+/// to what any integrator does. The largest component of the orientation is stored last, because the quaternion has
+/// unit length.
+///
+/// The functions below are a copy of the stepper's, and stay as they are. The stepper in src/ may change; old logs
+/// still decode with these lines. A change of one bit in a result needs a new codec with a new number and a file of its
+/// own.
+///
+/// Uses + − × ÷ and sqrt only, so that all machines predict equal bits. Inputs may be any doubles, NaN included.
 namespace tumble::replay::codec1 {
 
 struct V3 {
@@ -24,8 +34,8 @@ struct Motion {
   V3 spin;
 };
 
-inline constexpr double kTurnMax = 0.25;  // rad in one part
-inline constexpr int kPartsMax = 8;       // faster spins are not worth a better guess
+inline constexpr double kTurnMax = 0.25;  // rad that a body turns in one part
+inline constexpr int kPartsMax = 8;       // faster bodies get a coarser prediction
 inline constexpr int kIterationsMax = 16;
 inline constexpr double kConverged = 1e-15;
 
@@ -89,8 +99,8 @@ inline V3 midpoint_spin(const V3& momentum, const V3& inverse_inertia, double dt
   return spin;
 }
 
-/// Turns a free body: the stepper's implicit midpoint for uneven boxes, one Cayley turn for even ones, static ones and
-/// those that spin too fast.
+/// Turns a free body: by the implicit midpoint rule of the stepper for boxes with different moments of inertia, by one
+/// Cayley turn for cubes, static bodies and bodies that spin too fast.
 inline void turn(Motion& motion, const V3& inertia, double dt) {
   int parts = 1;
   const double turn_squared = dot(motion.spin, motion.spin) * (dt * dt);
@@ -128,7 +138,7 @@ inline Motion fly(const Motion& before, const V3& inertia, const V3& gravity, do
   return after;
 }
 
-// A body that touched something: its velocities are known, and it moved with about the mean of the old and the new.
+// A body that touched something: the new velocities are known, and the body moved with about the mean velocity.
 
 inline V3 carried(const V3& position, const V3& v0, const V3& v1, double dt) {
   return position + (v0 + v1) * (0.5 * dt);
@@ -138,7 +148,7 @@ inline Q4 turned(const Q4& orientation, const V3& w0, const V3& w1, double dt) {
   return normalised(product({1, h.x, h.y, h.z}, orientation));
 }
 
-/// The component of a unit quaternion that follows from the three others, given its sign.
+/// The fourth component of a unit quaternion, from the other three and its sign.
 inline double fourth(double a, double b, double c, bool negative) {
   const double left = 1 - ((a * a + b * b) + c * c);
   const double size = left > 0 ? std::sqrt(left) : 0;

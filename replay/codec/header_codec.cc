@@ -21,25 +21,25 @@ std::vector<std::string> decode_texts(capnp::List<capnp::Text>::Reader in) {
 void encode_recovered(const Recovered& recovered, schema::Recovered::Builder out) {
   out.setLog(recovered.log);
   out.setHeaderLost(recovered.header_lost);
-  auto gaps = out.initGaps(static_cast<unsigned>(recovered.gaps.size()));
-  for (unsigned i = 0; i < gaps.size(); ++i) {
-    gaps[i].setFirstStep(recovered.gaps[i].first_step);
-    gaps[i].setStepCount(recovered.gaps[i].step_count);
+  auto missing = out.initGaps(static_cast<unsigned>(recovered.missing.size()));
+  for (unsigned i = 0; i < missing.size(); ++i) {
+    missing[i].setFirstStep(recovered.missing[i].first_step);
+    missing[i].setStepCount(recovered.missing[i].step_count);
   }
 }
 
 Result<Recovered> decode_recovered(schema::Recovered::Reader in) {
   Recovered recovered{in.getLog().cStr(), in.getHeaderLost(), {}};
-  const auto gaps = in.getGaps();
-  if (gaps.size() > kChunksMax) return damaged("found " + std::to_string(gaps.size()) + " gaps");
+  const auto missing = in.getGaps();
+  if (missing.size() > kChunksMax) return damaged("found " + std::to_string(missing.size()) + " runs of missing steps");
   std::uint64_t before = 0;
-  for (const schema::Recovered::Gap::Reader gap : gaps) {
-    recovered.gaps.push_back({gap.getFirstStep(), gap.getStepCount()});
-    const Gap& last = recovered.gaps.back();
+  for (const schema::Recovered::Gap::Reader run : missing) {
+    recovered.missing.push_back({run.getFirstStep(), run.getStepCount()});
+    const MissingSteps& last = recovered.missing.back();
     const bool fits = last.first_step > before && last.step_count > 0 && last.first_step <= sim::kStepsMax &&
                       last.step_count <= sim::kStepsMax;
     if (!fits) {
-      return damaged("found a gap of " + std::to_string(last.step_count) + " steps from step " +
+      return damaged("found a run of " + std::to_string(last.step_count) + " steps from step " +
                      std::to_string(last.first_step) + " on, wanted one after step " + std::to_string(before));
     }
     before = last.end_step();

@@ -6,7 +6,7 @@
 
 namespace tumble::replay {
 
-/// The header record's message. Decoding leaves the format version to the caller, who knows the prelude.
+/// The message of the header record. The format version is in the prelude, so decode_header() leaves it 0.
 Result<MessageBytes> encode_header(const LogHeader& header);
 Result<LogHeader> decode_header(const MessageBytes& message);
 

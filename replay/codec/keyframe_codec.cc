@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kDoubleColumns = 28;
 
-/// The order of Keyframe.doubles, for ever; a new column goes to the end.
+/// The order of Keyframe.doubles. The order never changes; a new column goes to the end.
 template <class Bodies, class Column>
 std::array<Column*, kDoubleColumns> double_columns(Bodies& b) {
   return {&b.position.x,
@@ -103,7 +103,8 @@ Status decode_bodies(schema::Keyframe::Reader in, sim::Bodies& bodies) {
   return check_flags("isStatic", bodies.is_static);
 }
 
-/// Rows must exist; `ground_too` allows kGround.
+/// Errors (kDamaged): a row number beyond the bodies. ground_too: kGround is allowed. World::restore() and the phases
+/// use these rows as indices without a further check.
 Status check_rows(const char* column, const std::vector<sim::BodyIndex>& rows, std::size_t bodies, bool ground_too) {
   for (const sim::BodyIndex row : rows) {
     if (row < bodies || (ground_too && row == sim::kGround)) continue;

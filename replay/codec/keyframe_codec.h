@@ -6,15 +6,15 @@
 #include "src/base/result.h"
 #include "src/world/world_state.h"
 
-/// A complete WorldState to and from the schema. Included by codecs only.
+/// Converts a complete WorldState to the schema and back. Included by codecs only.
 namespace tumble::replay {
 
-/// Bytes that the message will need, roughly.
+/// About the number of bytes that the message will need.
 std::size_t encoded_bytes(const sim::WorldState& state);
 
 void encode(const Keyframe& keyframe, schema::Keyframe::Builder out);
 
-/// Errors: kDamaged where columns disagree in length, ids do not ascend, or a row does not exist.
+/// Errors (kDamaged): columns differ in length, ids do not ascend, or a row number is out of range.
 Result<Keyframe> decode(schema::Keyframe::Reader in);
 
 }  // namespace tumble::replay

@@ -12,10 +12,10 @@
 #include "replay/format/limits.h"
 #include "src/base/result.h"
 
-/// Cap'n Proto messages as bytes, with its exceptions turned into Errors. Included by codecs only.
+/// Converts Cap'n Proto messages to bytes and back, and its exceptions to Errors. Included by codecs only.
 namespace tumble::replay {
 
-/// One message in Cap'n Proto's flat form. Errors: memory.
+/// Encodes one message in the flat form of Cap'n Proto. Errors (kCannotFinish): out of memory.
 template <class Root, class Fill>
 Result<MessageBytes> write_message(std::size_t first_segment_bytes, Fill fill) {
   try {
@@ -34,9 +34,9 @@ Result<MessageBytes> write_message(std::size_t first_segment_bytes, Fill fill) {
   }
 }
 
-/// Calls `read` with the root of a message and returns its Result. Cap'n Proto checks bounds when a field is read and
-/// throws; the traversal limit is the message's own size, so that no pointer cycle or shared list can multiply work.
-/// Every call of a pointer's getter counts towards it, so codecs call each once.
+/// Calls `read` with the root of a message and returns the Result of `read`. Cap'n Proto checks bounds when a field is
+/// read, and throws. The traversal limit is the size of the message, so that no cycle of pointers and no shared list
+/// can multiply the work. Each call of a pointer getter counts towards the limit, so codecs call each getter once.
 template <class Root, class Read>
 auto read_message(const MessageBytes& message, Read read) -> decltype(read(std::declval<typename Root::Reader>())) {
   try {

@@ -4,24 +4,13 @@
 #include <string>
 
 #include "replay/format/limits.h"
+#include "src/model/command_fields.h"
 #include "src/model/limits.h"
 
 namespace tumble::replay {
 namespace {
 
-void encode_material(const sim::Material& material, schema::Material::Builder out) {
-  out.setFriction(material.friction);
-  out.setFrictionDynamic(material.friction_dynamic);
-  out.setRestitution(material.restitution);
-  out.setTexture(static_cast<std::uint8_t>(material.texture));
-}
-
-sim::Material decode_material(schema::Material::Reader in) {
-  sim::Material material{in.getFriction(), in.getFrictionDynamic(), in.getRestitution()};
-  const bool known = in.getTexture() <= static_cast<std::uint8_t>(sim::Texture::kWhite);
-  material.texture = known ? static_cast<sim::Texture>(in.getTexture()) : sim::Texture::kWhite;
-  return material;
-}
+namespace field = sim::field;
 
 void encode_origin(const sim::Origin& origin, schema::Origin::Builder out) {
   out.setKind(static_cast<std::uint8_t>(origin.kind));
@@ -36,60 +25,104 @@ sim::Origin decode_origin(schema::Origin::Reader in) {
   return {known ? static_cast<Kind>(in.getKind()) : Kind::kBox, in.getTable(), in.getRow(), in.getColumn()};
 }
 
-void encode_box(const sim::BoxDef& box, schema::Box::Builder out) {
-  out.setId(box.id);
-  encode(box.size, out.initSize());
-  out.setMass(box.mass);
-  out.setIsStatic(box.is_static);
-  encode(box.position, out.initPosition());
-  out.setOrientationW(box.orientation.w);
-  out.setOrientationX(box.orientation.x);
-  out.setOrientationY(box.orientation.y);
-  out.setOrientationZ(box.orientation.z);
-  encode(box.velocity, out.initVelocity());
-  encode(box.spin, out.initSpin());
-  encode_material(box.material, out.initMaterial());
-  out.setFrozen(box.frozen);
-  encode_origin(box.origin, out.initOrigin());
+/// Writes the fields of an input, a box or a material into the schema's struct of the same name. A field without a
+/// line here does not compile.
+template <class Builder>
+struct PutFields {
+  Builder out;
+
+  void operator()(field::Id, sim::BodyId id) { out.setId(id); }
+  void operator()(field::Size, const sim::Vec3& size) { encode(size, out.initSize()); }
+  void operator()(field::Mass, double mass) { out.setMass(mass); }
+  void operator()(field::Static, bool is_static) { out.setIsStatic(is_static); }
+  void operator()(field::Position, const sim::Vec3& p) { encode(p, out.initPosition()); }
+  void operator()(field::Orientation, const sim::Quat& q) {
+    out.setOrientationW(q.w);
+    out.setOrientationX(q.x);
+    out.setOrientationY(q.y);
+    out.setOrientationZ(q.z);
+  }
+  void operator()(field::Velocity, const sim::Vec3& v) { encode(v, out.initVelocity()); }
+  void operator()(field::Spin, const sim::Vec3& w) { encode(w, out.initSpin()); }
+  void operator()(field::Material, const sim::Material& m) {
+    for_each_field(m, PutFields<schema::Material::Builder>{out.initMaterial()});
+  }
+  void operator()(field::Friction, double friction) { out.setFriction(friction); }
+  void operator()(field::FrictionDynamic, double friction) { out.setFrictionDynamic(friction); }
+  void operator()(field::Restitution, double restitution) { out.setRestitution(restitution); }
+  void operator()(field::Texture, sim::Texture texture) { out.setTexture(static_cast<std::uint8_t>(texture)); }
+  void operator()(field::Frozen, bool frozen) { out.setFrozen(frozen); }
+  void operator()(field::Origin, const sim::Origin& origin) { encode_origin(origin, out.initOrigin()); }
+  void operator()(field::Impulse, const sim::Vec3& impulse) { encode(impulse, out.initImpulse()); }
+  void operator()(field::AtCentre, bool at_centre) { out.setAtCentre(at_centre); }
+  void operator()(field::At, const sim::Vec3& p) { encode(p, out.initAt()); }
+};
+
+/// The mirror of PutFields: the same lines, read.
+template <class Reader>
+struct GetFields {
+  Reader in;
+
+  void operator()(field::Id, sim::BodyId& id) { id = in.getId(); }
+  void operator()(field::Size, sim::Vec3& size) { size = decode(in.getSize()); }
+  void operator()(field::Mass, double& mass) { mass = in.getMass(); }
+  void operator()(field::Static, bool& is_static) { is_static = in.getIsStatic(); }
+  void operator()(field::Position, sim::Vec3& p) { p = decode(in.getPosition()); }
+  void operator()(field::Orientation, sim::Quat& q) {
+    q = {in.getOrientationW(), in.getOrientationX(), in.getOrientationY(), in.getOrientationZ()};
+  }
+  void operator()(field::Velocity, sim::Vec3& v) { v = decode(in.getVelocity()); }
+  void operator()(field::Spin, sim::Vec3& w) { w = decode(in.getSpin()); }
+  void operator()(field::Material, sim::Material& m) {
+    for_each_field(m, GetFields<schema::Material::Reader>{in.getMaterial()});
+  }
+  void operator()(field::Friction, double& friction) { friction = in.getFriction(); }
+  void operator()(field::FrictionDynamic, double& friction) { friction = in.getFrictionDynamic(); }
+  void operator()(field::Restitution, double& restitution) { restitution = in.getRestitution(); }
+  void operator()(field::Texture, sim::Texture& texture) {
+    const bool known = in.getTexture() <= static_cast<std::uint8_t>(sim::Texture::kWhite);
+    texture = known ? static_cast<sim::Texture>(in.getTexture()) : sim::Texture::kWhite;
+  }
+  void operator()(field::Frozen, bool& frozen) { frozen = in.getFrozen(); }
+  void operator()(field::Origin, sim::Origin& origin) { origin = decode_origin(in.getOrigin()); }
+  void operator()(field::Impulse, sim::Vec3& impulse) { impulse = decode(in.getImpulse()); }
+  void operator()(field::AtCentre, bool& at_centre) { at_centre = in.getAtCentre(); }
+  void operator()(field::At, sim::Vec3& p) { p = decode(in.getAt()); }
+};
+
+template <class Struct, class Builder>
+void put(const Struct& from, Builder out) {
+  for_each_field(from, PutFields<Builder>{out});
 }
 
-sim::BoxDef decode_box(schema::Box::Reader in) {
-  sim::BoxDef box;
-  box.id = in.getId();
-  box.size = decode(in.getSize());
-  box.mass = in.getMass();
-  box.is_static = in.getIsStatic();
-  box.position = decode(in.getPosition());
-  box.orientation = {in.getOrientationW(), in.getOrientationX(), in.getOrientationY(), in.getOrientationZ()};
-  box.velocity = decode(in.getVelocity());
-  box.spin = decode(in.getSpin());
-  box.material = decode_material(in.getMaterial());
-  box.frozen = in.getFrozen();
-  box.origin = decode_origin(in.getOrigin());
-  return box;
+template <class Struct, class Reader>
+Struct get(Reader in) {
+  Struct to;
+  for_each_field(to, GetFields<Reader>{in});
+  return to;
 }
 
-/// One alternative of sim::Command each; there is no catch-all, so the compiler asks for a new one.
+/// One alternative of sim::Command each; there is no catch-all, so the compiler asks for a new one. Inputs of one field
+/// have no struct in the schema: the union holds the value.
 struct EncodeCommand {
   schema::Input::Builder out;
-  void operator()(const sim::Throw& c) { encode_box(c.box, out.initThrow()); }
-  void operator()(const sim::Push& c) {
-    schema::Push::Builder push = out.initPush();
-    push.setId(c.id);
-    encode(c.impulse, push.initImpulse());
-    push.setAtCentre(c.at_centre);
-    encode(c.at, push.initAt());
+  void operator()(const sim::Throw& c) {
+    for_each_field(c, [&](field::Box, const sim::BoxDef& box) { put(box, out.initThrow()); });
   }
-  void operator()(const sim::Remove& c) { out.setRemove(c.id); }
-  void operator()(const sim::Wake& c) { out.setWake(c.id); }
-  void operator()(const sim::SetVelocity& c) {
-    schema::SetVelocity::Builder set = out.initSetVelocity();
-    set.setId(c.id);
-    encode(c.velocity, set.initVelocity());
-    encode(c.spin, set.initSpin());
+  void operator()(const sim::Push& c) { put(c, out.initPush()); }
+  void operator()(const sim::Remove& c) {
+    for_each_field(c, [&](field::Id, sim::BodyId id) { out.setRemove(id); });
   }
-  void operator()(const sim::SetGravity& c) { encode(c.gravity, out.initSetGravity()); }
-  void operator()(const sim::SetDt& c) { out.setSetDt(c.dt); }
+  void operator()(const sim::Wake& c) {
+    for_each_field(c, [&](field::Id, sim::BodyId id) { out.setWake(id); });
+  }
+  void operator()(const sim::SetVelocity& c) { put(c, out.initSetVelocity()); }
+  void operator()(const sim::SetGravity& c) {
+    for_each_field(c, [&](field::Gravity, const sim::Vec3& gravity) { encode(gravity, out.initSetGravity()); });
+  }
+  void operator()(const sim::SetDt& c) {
+    for_each_field(c, [&](field::Dt, double dt) { out.setSetDt(dt); });
+  }
 };
 
 Error unknown_input(schema::Input::Reader in) {
@@ -127,7 +160,7 @@ void encode(const sim::WorldDef& def, schema::WorldDef::Builder out) {
   out.setFreezeTime(def.freeze_time);
   out.setSlipSpeed(def.slip_speed);
   out.setAirDrag(def.air_drag);
-  encode_material(def.ground_material, out.initGroundMaterial());
+  put(def.ground_material, out.initGroundMaterial());
 }
 
 Result<sim::WorldDef> decode(schema::WorldDef::Reader in) {
@@ -147,7 +180,7 @@ Result<sim::WorldDef> decode(schema::WorldDef::Reader in) {
   def.freeze_time = in.getFreezeTime();
   def.slip_speed = in.getSlipSpeed();
   def.air_drag = in.getAirDrag();
-  def.ground_material = decode_material(in.getGroundMaterial());
+  def.ground_material = get<sim::Material>(in.getGroundMaterial());
   return def;
 }
 
@@ -161,19 +194,15 @@ Result<sim::TimedCommand> decode(schema::Input::Reader in) {
   const auto timed = [&](sim::Command command) { return sim::TimedCommand{in.getStep(), std::move(command)}; };
   switch (in.which()) {
     case schema::Input::THROW:
-      return timed(sim::Throw{decode_box(in.getThrow())});
-    case schema::Input::PUSH: {
-      const schema::Push::Reader push = in.getPush();
-      return timed(sim::Push{push.getId(), decode(push.getImpulse()), push.getAtCentre(), decode(push.getAt())});
-    }
+      return timed(sim::Throw{get<sim::BoxDef>(in.getThrow())});
+    case schema::Input::PUSH:
+      return timed(get<sim::Push>(in.getPush()));
     case schema::Input::REMOVE:
       return timed(sim::Remove{in.getRemove()});
     case schema::Input::WAKE:
       return timed(sim::Wake{in.getWake()});
-    case schema::Input::SET_VELOCITY: {
-      const schema::SetVelocity::Reader set = in.getSetVelocity();
-      return timed(sim::SetVelocity{set.getId(), decode(set.getVelocity()), decode(set.getSpin())});
-    }
+    case schema::Input::SET_VELOCITY:
+      return timed(get<sim::SetVelocity>(in.getSetVelocity()));
     case schema::Input::SET_GRAVITY:
       return timed(sim::SetGravity{decode(in.getSetGravity())});
     case schema::Input::SET_DT:
@@ -189,7 +218,7 @@ void encode(const sim::SceneDef& scene, schema::Scene::Builder out) {
   encode(scene.world, out.initWorld());
   out.setSteps(scene.steps);
   auto boxes = out.initBoxes(static_cast<unsigned>(scene.boxes.size()));
-  for (unsigned i = 0; i < boxes.size(); ++i) encode_box(scene.boxes[i], boxes[i]);
+  for (unsigned i = 0; i < boxes.size(); ++i) put(scene.boxes[i], boxes[i]);
   auto inputs = out.initInputs(static_cast<unsigned>(scene.inputs.size()));
   for (unsigned i = 0; i < inputs.size(); ++i) encode(scene.inputs[i], inputs[i]);
   encode_camera(scene.camera, out.initCamera());
@@ -216,7 +245,7 @@ Result<sim::SceneDef> decode(schema::Scene::Reader in, std::uint64_t message_byt
   scene.boxes.reserve(boxes.size());
   scene.inputs.reserve(inputs.size());
   for (const schema::Box::Reader box : boxes) {
-    scene.boxes.push_back(decode_box(box));
+    scene.boxes.push_back(get<sim::BoxDef>(box));
     const sim::BodyId id = scene.boxes.back().id;
     const sim::BodyId before = scene.boxes.size() > 1 ? scene.boxes[scene.boxes.size() - 2].id : 0;
     if (id <= before || id > sim::kBodyIdMax) {

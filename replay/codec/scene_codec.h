@@ -8,24 +8,24 @@
 #include "src/model/scene.h"
 #include "src/model/transform.h"
 
-/// Scenes, worlds and inputs to and from the schema's structs. Readers throw kj::Exception on bad pointers; callers are
-/// inside read_message(). Included by codecs only.
+/// Converts scenes, worlds and inputs to the structs of the schema and back. Decoding throws kj::Exception on bad
+/// pointers, so callers stay inside read_message(). Included by codecs only.
 namespace tumble::replay {
 
 void encode(const sim::Vec3& v, schema::Vec3::Builder out);
 sim::Vec3 decode(schema::Vec3::Reader in);
 
 void encode(const sim::WorldDef& def, schema::WorldDef::Builder out);
-/// Errors (kBadInput): a method that this build does not know.
+/// Errors (kBadInput): the method is unknown to this build.
 Result<sim::WorldDef> decode(schema::WorldDef::Reader in);
 
 void encode(const sim::TimedCommand& input, schema::Input::Builder out);
-/// Errors (kBadInput): a kind of input that this build does not know, with its name.
+/// Errors (kBadInput): the kind of input is unknown to this build; the message names the kind.
 Result<sim::TimedCommand> decode(schema::Input::Reader in);
 
 void encode(const sim::SceneDef& scene, schema::Scene::Builder out);
-/// Errors: as above; kDamaged where ids or steps do not ascend.
-/// message_bytes: of the message that the scene is in, which bounds its lists.
+/// message_bytes: size of the message that holds the scene; limits the lengths of its lists. Errors: as above; kDamaged
+/// where ids do not ascend or a list is too long.
 Result<sim::SceneDef> decode(schema::Scene::Reader in, std::uint64_t message_bytes);
 
 void encode(const sim::Transform& transform, schema::Transform::Builder out);

@@ -6,6 +6,7 @@
 #include "replay/codec/blob.h"
 #include "replay/codec/state_keys.h"
 #include "replay/format/limits.h"
+#include "src/base/check.h"
 
 namespace tumble::replay {
 namespace {
@@ -16,8 +17,10 @@ constexpr std::uint8_t kUnchanged = 0;
 constexpr std::uint8_t kFlown = 2;   // as free flight predicts, to the bit
 constexpr std::uint8_t kStored = 4;  // differences are stored
 
-/// How row i came from `before` to `after`. Most bodies that touch something show it in their velocity, before the
-/// dearer part of free flight is computed.
+/// How row i moved from `before` to `after`.
+///
+/// Free flight is compared in two stages because its second half, the rotation, is expensive. A body that touches
+/// something nearly always shows a velocity other than that of free fall, so the cheap first stage decides most cases.
 std::uint8_t motion_kind(const StateRows& rows, std::size_t i, const codec1::Motion& before, const codec1::Row& after,
                          double dt) {
   if (codec1::same_bits(codec1::row_of(before), after)) return kUnchanged;
@@ -27,6 +30,12 @@ std::uint8_t motion_kind(const StateRows& rows, std::size_t i, const codec1::Mot
   return codec1::same_bits(codec1::row_of(codec1::fly(rows, i, before, dt)), after) ? kFlown : kStored;
 }
 
+/// Whether all values of a column lie on its grid, over all stored steps of the chunk.
+///
+/// The stepper keeps velocities and positions on grids (src/math/grid.h), so their differences in grid steps are much
+/// smaller than differences of bit patterns. One value off the grid, as another engine writes, sends the whole column
+/// to bit patterns: one flag per column is cheaper than one per value, and columns are either all on the grid or hardly
+/// at all.
 bool column_on_grid(std::span<const StepRecord> records, std::size_t column) {
   const double steps = codec1::steps_per_unit(column);
   if (steps == 0) return false;
@@ -45,6 +54,8 @@ void StateEncoder::choose_grids(std::span<const StepRecord> records) {
   for (std::size_t c = 0; c < kColumnCount; ++c) on_grid_[c] = column_on_grid(records, c);
 }
 
+// `dt` is summed over steps whose states are not stored, so that the prediction covers the whole interval since the
+// last stored state. The decoder does the same.
 Status StateEncoder::encode(const sim::WorldState& keyframe, std::span<const StepRecord> records) {
   flags_.clear();
   for (auto& column : residuals_) column.clear();
@@ -166,6 +177,7 @@ void StateDecoder::decode_body(BodyStates& states, std::size_t i, std::uint8_t f
 
 codec1::Row StateDecoder::decode_row(const codec1::Motion& before, bool frozen) {
   const std::size_t at = next_residual_++;
+  SIM_DCHECK(at < residuals_[0].size(), at, residuals_[0].size());
   return codec1::code_row(before, frozen, dt_, [&](std::size_t slot, std::size_t column, double predicted) {
     const double steps = codec1::steps_per_unit(column);
     const std::uint64_t expected = codec1::predicted_key(predicted, steps, on_grid_[column]);

@@ -5,23 +5,24 @@
 
 #include "replay/codec/state_keys.h"
 #include "replay/codec/state_rows.h"
-#include "replay/format/columns.h"
+#include "replay/format/body_states.h"
 #include "replay/format/step_record.h"
 #include "schema/log.capnp.h"
 #include "src/base/result.h"
 
-/// Codec 1 of docs/log_format.md: the states of a chunk as residuals against codec1_predictor.h, column by column.
-/// Lossless for any doubles: a column with a value off its grid stores differences of bit patterns instead. Included by
-/// codecs only.
+/// Codec 1 of docs/log_format.md: stores the states of a chunk, column by column, as differences from the prediction of
+/// codec1_predictor.h. Lossless for all doubles: a column with a value off its grid stores differences of bit patterns.
+/// Included by codecs only.
 namespace tumble::replay {
 
 inline constexpr std::uint16_t kStateCodec = 1;
 
-/// A chunk's states, packed; made first, so that the message can be sized, then copied into it.
+/// Encodes the states of a chunk. First encodes into its own memory, so that the message can be allocated in the right
+/// size, then copies into the message.
 class StateEncoder {
  public:
-  /// records: the steps after the keyframe, in order. Errors (kCannotFinish): the bodies of a state are not those that
-  /// keyframe and inputs imply, or `frozen` is not 0 or 1: the caller logged something else than a session.
+  /// records: the steps after the keyframe, in order. Errors (kCannotFinish): a state has other bodies than keyframe
+  /// and inputs lead to, or `frozen` is not 0 or 1, so the records are no session.
   Status encode(const sim::WorldState& keyframe, std::span<const StepRecord> records);
 
   [[nodiscard]] std::size_t bytes() const { return flags_.size() + residuals_[0].size() * 8 * kColumnCount; }
@@ -37,17 +38,17 @@ class StateEncoder {
   std::array<std::vector<std::uint64_t>, kColumnCount> residuals_;
 };
 
-/// Unpacks a chunk's states step by step. Owns what it needs; the message may go.
+/// Decodes the states of a chunk, step by step. Copies the data, so the message need not outlive the decoder.
 class StateDecoder {
  public:
   StateDecoder(const sim::WorldState& keyframe, schema::States::Reader in);
 
-  /// Errors (kDamaged, kBadInput): sizes that do not fit together, more states than limits.h allows in a chunk of
-  /// step_count steps, a codec that is not known. Call once before decode().
+  /// Checks the sizes; call once before decode(). Errors. kDamaged: sizes that contradict each other, more states than
+  /// limits.h allows in a chunk of step_count steps. kBadInput: an unknown codec.
   [[nodiscard]] Status check(std::size_t step_count) const;
 
-  /// Fills record.states if record.has_states. Records must come in order, each once; step, dt and inputs are read.
-  /// Errors (kDamaged): more states than were stored, an input that cannot be.
+  /// Fills record.states if record.has_states. Call for each record once, in order; reads step, dt and inputs of the
+  /// record. Errors (kDamaged): fewer states are stored than the records need, or an input is impossible.
   Status decode(StepRecord& record);
 
  private:

@@ -6,35 +6,37 @@
 
 #include "replay/codec/codec1_predictor.h"
 #include "replay/codec/state_rows.h"
-#include "replay/format/columns.h"
+#include "replay/format/body_states.h"
 #include "replay/format/little_endian.h"
 
-/// How codec 1 turns doubles into the integers whose differences it stores.
+/// The integers that codec 1 stores differences of, computed from doubles.
 namespace tumble::replay::codec1 {
 
 inline constexpr int kVelocityExponent = 38;
 inline constexpr int kPositionExponent = 36;
-inline constexpr double kKeyMax = 2251799813685248.0;   // 2⁵¹: a prediction beyond says nothing
-inline constexpr double kRounder = 6755399441055744.0;  // 1.5·2⁵²: adding and taking it away rounds to integers
+inline constexpr double kKeyMax = 2251799813685248.0;   // 2⁵¹: a larger prediction is not used
+inline constexpr double kRounder = 6755399441055744.0;  // 1.5·2⁵²: adding and subtracting it rounds to integers
 
-/// Grid steps per unit of a column; 0 where no grid is tried.
+/// Grid steps per unit of a column; 0 for a column without a grid.
 inline constexpr double steps_per_unit(std::size_t column) {
   if (column >= kOrientation) return 0;
   return static_cast<double>(1ULL << (column >= kPosition ? kPositionExponent : kVelocityExponent));
 }
 
-/// A whole number of grid steps, small enough to be exact, and not −0.0, which an integer would forget.
+/// Whether a value is a whole number of grid steps, small enough to be exact. −0.0 is not: an integer has no sign of
+/// zero.
 inline bool is_on_grid(double value, double steps_per_unit) {
   const double steps = value * steps_per_unit;
   if (!(steps > -4503599627370496.0 && steps < 4503599627370496.0)) return false;  // 2⁵², and NaN
   return static_cast<double>(static_cast<std::int64_t>(steps)) == steps && bits_of(value) != bits_of(-0.0);
 }
 
-/// Bit patterns in the order of the values: neighbours in value are neighbours in key, across zero too.
+/// Maps the bits of doubles to integers in the order of the values, so that close values have close integers, also
+/// across zero.
 inline std::uint64_t ordered(std::uint64_t bits) { return (bits >> 63) != 0 ? ~bits : bits | 0x8000000000000000; }
 inline std::uint64_t unordered(std::uint64_t key) { return (key >> 63) != 0 ? key & 0x7fffffffffffffff : ~key; }
 
-/// The integer of a value: differences of these are stored.
+/// The integer of a value.
 inline std::uint64_t key_of(double value, double steps_per_unit, bool on_grid) {
   if (!on_grid) return ordered(bits_of(value));
   return static_cast<std::uint64_t>(static_cast<std::int64_t>(value * steps_per_unit));
@@ -44,7 +46,7 @@ inline double value_of(std::uint64_t key, double steps_per_unit, bool on_grid) {
   return static_cast<double>(static_cast<std::int64_t>(key)) / steps_per_unit;
 }
 
-/// The integer expected. NaNs differ in their bits from machine to machine, so one is never used.
+/// The integer of a predicted value. Returns 0 for NaN, because the bits of a computed NaN differ between machines.
 inline std::uint64_t predicted_key(double predicted, double steps_per_unit, bool on_grid) {
   if (!on_grid) return predicted == predicted ? ordered(bits_of(predicted)) : 0;
   const double steps = predicted * steps_per_unit;
@@ -52,11 +54,11 @@ inline std::uint64_t predicted_key(double predicted, double steps_per_unit, bool
   return static_cast<std::uint64_t>(static_cast<std::int64_t>((steps + kRounder) - kRounder));
 }
 
-/// Small differences of either sign become small numbers.
+/// Maps small differences of either sign to small numbers.
 inline std::uint64_t zigzag(std::uint64_t difference) { return (difference << 1) ^ (0 - (difference >> 63)); }
 inline std::uint64_t unzigzag(std::uint64_t number) { return (number >> 1) ^ (0 - (number & 1)); }
 
-/// The motion of row i as the state stored last has it.
+/// The motion of row i.
 inline Motion motion_of(const BodyStates& s, std::size_t i) {
   return {{s.position.x[i], s.position.y[i], s.position.z[i]},
           {s.orientation.w[i], s.orientation.x[i], s.orientation.y[i], s.orientation.z[i]},
@@ -85,8 +87,8 @@ inline Motion fly(const StateRows& rows, std::size_t i, const Motion& before, do
   return fly(before, {inertia.x[i], inertia.y[i], inertia.z[i]}, {g.x(), g.y(), g.z()}, rows.air_drag(), dt);
 }
 
-/// Where the largest component of a quaternion is; the first of equals. It is stored last, because it follows from the
-/// others but for rounding.
+/// The index of the largest component of a quaternion; the first of equal ones. Stored last, because the other three
+/// determine it up to rounding.
 inline std::size_t largest(const Q4& q) {
   const std::array<double, 4> size = {std::fabs(q.w), std::fabs(q.x), std::fabs(q.y), std::fabs(q.z)};
   std::size_t at = 0;
@@ -96,9 +98,9 @@ inline std::size_t largest(const Q4& q) {
   return at;
 }
 
-/// Goes through the columns of a body that did not fly freely, in the order in which they are stored. For each it calls
-/// code(slot, column, predicted), which returns the column's value: the encoder by looking it up, the decoder by adding
-/// the difference. Later predictions use values returned before.
+/// Calls code(slot, column, predicted) for the columns of a body that touched something, in the order of storage.
+/// `code` returns the value of the column: the encoder looks the value up, the decoder adds the stored difference.
+/// Later predictions use values that `code` returned.
 template <class Code>
 Row code_row(const Motion& before, bool frozen, double dt, Code code) {
   Row row;

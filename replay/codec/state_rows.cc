@@ -18,7 +18,7 @@ Status StateRows::apply(const sim::Command& command) {
   if (const auto* c = std::get_if<sim::Remove>(&command)) return remove(c->id);
   if (const auto* c = std::get_if<sim::SetVelocity>(&command)) return set_velocity(*c);
   if (const auto* c = std::get_if<sim::SetGravity>(&command)) gravity_ = c->gravity;
-  return {};  // the others only change how well the next step is predicted
+  return {};  // other inputs make the next prediction less exact, which only costs space
 }
 
 std::size_t StateRows::row_of(sim::BodyId id) const {
@@ -31,6 +31,8 @@ Status StateRows::count_move(std::size_t rows) {
   return damaged("throws and removes of one chunk move more than " + std::to_string(kRowMovesMax) + " rows");
 }
 
+// A throw in the middle of the columns moves all rows behind it, so a file with many throws could cost quadratic time.
+// count_move() ends such a chunk with an error.
 Status StateRows::insert(const sim::BoxDef& box) {
   const std::size_t row = row_of(box.id);
   if (box.id == 0 || box.id > sim::kBodyIdMax || (row < before_.size() && before_.id[row] == box.id)) {

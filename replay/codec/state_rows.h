@@ -8,17 +8,17 @@
 
 namespace tumble::replay {
 
-/// Who is in a chunk's states at each step, and what they were last: the keyframe, changed by throws and removes. The
-/// encoder and the decoder of states each keep one, and so agree without storing ids.
+/// The bodies of a chunk at each step and their last stored states: the rows of the keyframe, changed by throws and
+/// removes. The encoder and the decoder of states each keep one, so that ids need not be stored.
 class StateRows {
  public:
   explicit StateRows(const sim::WorldState& keyframe);
 
-  /// Applies an input that precedes the next step: bodies come and go, gravity and velocities change. Errors
-  /// (kDamaged): an id that is taken or does not exist.
+  /// Applies an input before the next step: inserts or removes a row, changes gravity or a velocity. Errors (kDamaged):
+  /// the id of a throw is taken, or another id does not exist.
   Status apply(const sim::Command& command);
 
-  /// The state stored last, with rows as they are now; a thrown body stands where it was thrown.
+  /// The last stored state, with the current rows. A thrown body has its values from the throw.
   [[nodiscard]] const BodyStates& before() const { return before_; }
   BodyStates& mutable_before() { return before_; }
 
@@ -37,7 +37,7 @@ class StateRows {
   sim::Vec3Column inertia_;
   sim::Vec3 gravity_;
   double air_drag_;
-  std::uint64_t moved_rows_ = 0;  // by insertions and removals, against limits.h
+  std::uint64_t moved_rows_ = 0;  // by insertions and removals; limited by kRowMovesMax
 };
 
 }  // namespace tumble::replay

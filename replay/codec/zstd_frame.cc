@@ -23,7 +23,7 @@ Compressor::Compressor(int level, int window_log) : context_(ZSTD_createCCtx()) 
   ZSTD_CCtx_setParameter(context_, ZSTD_c_compressionLevel, level);
   ZSTD_CCtx_setParameter(context_, ZSTD_c_windowLog, window_log);
   ZSTD_CCtx_setParameter(context_, ZSTD_c_contentSizeFlag, 1);
-  ZSTD_CCtx_setParameter(context_, ZSTD_c_checksumFlag, 1);  // off by default, and then flipped bits pass
+  ZSTD_CCtx_setParameter(context_, ZSTD_c_checksumFlag, 1);  // off by default; without it flipped bits go unnoticed
 }
 
 Compressor::~Compressor() { ZSTD_freeCCtx(context_); }
@@ -34,6 +34,8 @@ Status Compressor::compress(std::span<const std::byte> raw, std::vector<std::byt
   const std::size_t size = ZSTD_compress2(context_, out.data(), out.size(), raw.data(), raw.size());
   if (ZSTD_isError(size) != 0) return cannot_finish(std::string("compression failed: ") + ZSTD_getErrorName(size));
   out.resize(size);
+  const std::optional<FrameSize> frame = frame_at(out);
+  SIM_CHECK(frame && frame->stored_bytes == size && frame->raw_bytes == raw.size(), size, raw.size());
   return {};
 }
 
@@ -45,6 +47,9 @@ std::optional<FrameSize> frame_at(std::span<const std::byte> bytes) {
   return FrameSize{stored, raw};
 }
 
+// Memory is allocated for the size that the prelude states, so three things are compared first: the limit for this
+// record, the best possible ratio of zstd, and the size inside the frame. Only then does a wrong size cost no more than
+// a read.
 Result<MessageBytes> decompress(std::span<const std::byte> frame, std::uint64_t raw_bytes, std::uint64_t limit) {
   if (raw_bytes > limit || raw_bytes % 8 != 0 || raw_bytes > (frame.size() + 64) * kZstdExpansionMax) {
     return damaged("found a message of " + number(raw_bytes) + " bytes in " + number(frame.size()) +

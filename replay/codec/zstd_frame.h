@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "src/base/check.h"
 #include "src/base/result.h"
 
 struct ZSTD_CCtx_s;
@@ -14,14 +15,16 @@ struct ZSTD_DCtx_s;
 
 namespace tumble::replay {
 
-/// Bytes aligned as Cap'n Proto wants them. The memory is not cleared first, so that a size that a file merely claims
-/// costs nothing until the bytes are there.
+/// Bytes with the alignment that Cap'n Proto needs. The memory is not cleared, so that allocating a size that a file
+/// merely claims costs nothing.
 class MessageBytes {
  public:
   MessageBytes() = default;
   /// bytes: a multiple of 8.
   explicit MessageBytes(std::size_t bytes)
-      : words_(std::make_unique_for_overwrite<std::uint64_t[]>(bytes / 8)), bytes_(bytes) {}
+      : words_(std::make_unique_for_overwrite<std::uint64_t[]>(bytes / 8)), bytes_(bytes) {
+    SIM_CHECK(bytes % 8 == 0, bytes);
+  }
 
   [[nodiscard]] std::span<std::byte> bytes() { return {reinterpret_cast<std::byte*>(words_.get()), bytes_}; }
   [[nodiscard]] std::span<const std::byte> bytes() const {
@@ -33,35 +36,36 @@ class MessageBytes {
   std::size_t bytes_ = 0;
 };
 
-/// Makes one zstd frame of a message, with its size and a checksum in it. Logs take level 1: level 3 gains 4 % at
-/// two thirds of the speed (docs/log_format.md).
+/// Compresses a message to one zstd frame that holds the size and a checksum of the message. Logs use level 1: level 3
+/// saves 4 % of the size at two thirds of the speed (docs/log_format.md).
 class Compressor {
  public:
-  /// window_log: matches reach back at most 2^window_log bytes, and no block is longer; 0: as the level has it.
+  /// window_log: matches reach back at most 2^window_log bytes, and no block is longer. 0: the default of the level.
   explicit Compressor(int level = 1, int window_log = 0);
   ~Compressor();
   Compressor(const Compressor&) = delete;
   Compressor& operator=(const Compressor&) = delete;
 
-  /// Replaces `out` with the frame. Errors: memory.
+  /// Replaces `out` with the frame. Errors (kCannotFinish): out of memory.
   Status compress(std::span<const std::byte> raw, std::vector<std::byte>& out);
 
  private:
   ZSTD_CCtx_s* context_;
 };
 
-/// How long a zstd frame is and what it decompresses to, both by its own account.
+/// The sizes of a zstd frame, as the frame states them.
 struct FrameSize {
   std::size_t stored_bytes = 0;
   std::uint64_t raw_bytes = 0;
 };
 
-/// The frame that begins with the first of `bytes`, more of which may follow it; none if none does, it is cut, or does
-/// not say its size.
+/// The sizes of the frame at the start of `bytes`; other bytes may follow the frame. None where no complete frame
+/// begins, or the frame does not state its size.
 std::optional<FrameSize> frame_at(std::span<const std::byte> bytes);
 
-/// The message in a frame. raw_bytes is what the prelude says; a frame that says otherwise is damaged. Errors carry
-/// neither file nor offset.
+/// The message in a frame. raw_bytes: its size as the prelude states it. Errors name neither file nor offset. kDamaged:
+/// the frame states another size, the size exceeds `limit`, or zstd cannot read the frame. kCannotFinish: out of
+/// memory.
 Result<MessageBytes> decompress(std::span<const std::byte> frame, std::uint64_t raw_bytes, std::uint64_t limit);
 
 }  // namespace tumble::replay

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "replay/format/columns.h"
+#include "replay/format/body_states.h"
+#include "replay/format/chain.h"
 #include "replay/format/little_endian.h"
 
 namespace tumble::replay {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "replay/diff/input_difference.h"
+#include "replay/format/body_states.h"
 #include "replay/format/little_endian.h"
 
 namespace tumble::replay {

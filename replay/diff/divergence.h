@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "replay/diff/field_value.h"
-#include "replay/format/columns.h"
+#include "replay/format/body_states.h"
 #include "replay/format/step_record.h"
 
 namespace tumble::replay {

@@ -6,62 +6,41 @@
 #include <variant>
 #include <vector>
 
+#include "src/model/command_fields.h"
+
 namespace tumble::replay {
 namespace {
 
-/// The fields of an input by name, its body first: those that the chain hashes (chain.cc).
+/// The values of an input that change what happens, by name, its body first; the chain covers the same ones (chain.cc).
 class Fields {
  public:
-  explicit Fields(const sim::Command& command) { std::visit(*this, command); }
+  explicit Fields(const sim::Command& command) { sim::for_each_effect(command, *this); }
 
-  void operator()(const sim::Throw& c) {
-    const sim::BoxDef& box = c.box;
-    add_body(box.id);
-    add("size", box.size);
-    add("mass", box.mass);
-    add("static", std::uint64_t{box.is_static});
-    add("position", box.position);
-    add("orientation.w", box.orientation.w);
-    add("orientation.x", box.orientation.x);
-    add("orientation.y", box.orientation.y);
-    add("orientation.z", box.orientation.z);
-    add("velocity", box.velocity);
-    add("spin", box.spin);
-    add("friction", box.material.friction);
-    add("friction_dynamic", box.material.friction_dynamic);
-    add("restitution", box.material.restitution);
-    add("frozen", std::uint64_t{box.frozen});
+  void operator()(sim::field::Id tag, sim::BodyId id) {
+    body_ = id;
+    add(tag.kName, id);
   }
-  void operator()(const sim::Push& c) {
-    add_body(c.id);
-    add("impulse", c.impulse);
-    add("at_centre", std::uint64_t{c.at_centre});
-    if (!c.at_centre) add("at", c.at);
+  void operator()(auto tag, double value) { add(tag.kName, value); }
+  void operator()(auto tag, bool value) { add(tag.kName, std::uint64_t{value}); }
+  void operator()(auto tag, const sim::Vec3& v) {
+    const std::string name = tag.kName;
+    add(name + ".x", v.x());
+    add(name + ".y", v.y());
+    add(name + ".z", v.z());
   }
-  void operator()(const sim::Remove& c) { add_body(c.id); }
-  void operator()(const sim::Wake& c) { add_body(c.id); }
-  void operator()(const sim::SetVelocity& c) {
-    add_body(c.id);
-    add("velocity", c.velocity);
-    add("spin", c.spin);
+  void operator()(auto tag, const sim::Quat& q) {
+    const std::string name = tag.kName;
+    add(name + ".w", q.w);
+    add(name + ".x", q.x);
+    add(name + ".y", q.y);
+    add(name + ".z", q.z);
   }
-  void operator()(const sim::SetGravity& c) { add("gravity", c.gravity); }
-  void operator()(const sim::SetDt& c) { add("dt", c.dt); }
 
   [[nodiscard]] const std::vector<std::pair<std::string, FieldValue>>& list() const { return list_; }
   [[nodiscard]] const std::optional<sim::BodyId>& body() const { return body_; }
 
  private:
-  void add_body(sim::BodyId id) {
-    body_ = id;
-    add("id", std::uint64_t{id});
-  }
   void add(const std::string& name, FieldValue value) { list_.emplace_back(name, std::move(value)); }
-  void add(const std::string& name, const sim::Vec3& v) {
-    add(name + ".x", v.x());
-    add(name + ".y", v.y());
-    add(name + ".z", v.z());
-  }
 
   std::vector<std::pair<std::string, FieldValue>> list_;
   std::optional<sim::BodyId> body_;

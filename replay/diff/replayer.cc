@@ -112,8 +112,8 @@ Result<ReplayReport> replay_steps(LogReader& log, const ReplayOptions& options, 
   const bool same_words = same_phase_words(header, ours_now);
   const std::vector<std::string> phases = same_words ? header.phases : std::vector<std::string>();
   for (std::uint64_t k = from + 1; k <= last; ++k) {
-    if (const Gap* gap = log.lost_at(k); gap != nullptr) {
-      k = gap->end_step();
+    if (const MissingSteps* missing = log.lost_at(k); missing != nullptr) {
+      k = missing->end_step();
       if (player = Player::at(log, k - 1); !player.ok()) return player.error();
       player->use(options.workers);
     }

@@ -1,51 +1,23 @@
-#include "replay/format/step_record.h"
+#include "replay/format/chain.h"
+
+#include "src/model/command_fields.h"
 
 namespace tumble::replay {
 namespace {
 
-void add(Hasher& hasher, const sim::Vec3& v) {
-  hasher.add(v.x());
-  hasher.add(v.y());
-  hasher.add(v.z());
-}
-
-void add(Hasher& hasher, const sim::BoxDef& box) {
-  hasher.add(box.id);
-  add(hasher, box.size);
-  hasher.add(box.mass);
-  hasher.add(std::uint64_t{box.is_static});
-  add(hasher, box.position);
-  hasher.add(box.orientation.w);
-  hasher.add(box.orientation.x);
-  hasher.add(box.orientation.y);
-  hasher.add(box.orientation.z);
-  add(hasher, box.velocity);
-  add(hasher, box.spin);
-  hasher.add(box.material.friction);
-  hasher.add(box.material.friction_dynamic);
-  hasher.add(box.material.restitution);
-  hasher.add(std::uint64_t{box.frozen});
-}
-
-/// The fields that change what happens; texture and origin do not.
-struct AddCommand {
+/// Adds one value of an input. Called for the values that change what happens, in the order of for_each_effect(). That
+/// order and the index of each kind of input are part of the log format: chains of old logs must stay equal.
+struct AddField {
   Hasher& hasher;
-  void operator()(const sim::Throw& c) const { add(hasher, c.box); }
-  void operator()(const sim::Push& c) const {
-    hasher.add(c.id);
-    add(hasher, c.impulse);
-    hasher.add(std::uint64_t{c.at_centre});
-    if (!c.at_centre) add(hasher, c.at);
+  void operator()(auto, double value) const { hasher.add(value); }
+  void operator()(auto, std::uint64_t value) const { hasher.add(value); }
+  void operator()(auto, bool value) const { hasher.add(std::uint64_t{value}); }
+  void operator()(auto, const sim::Vec3& v) const {
+    for (const double value : {v.x(), v.y(), v.z()}) hasher.add(value);
   }
-  void operator()(const sim::Remove& c) const { hasher.add(c.id); }
-  void operator()(const sim::Wake& c) const { hasher.add(c.id); }
-  void operator()(const sim::SetVelocity& c) const {
-    hasher.add(c.id);
-    add(hasher, c.velocity);
-    add(hasher, c.spin);
+  void operator()(auto, const sim::Quat& q) const {
+    for (const double value : {q.w, q.x, q.y, q.z}) hasher.add(value);
   }
-  void operator()(const sim::SetGravity& c) const { add(hasher, c.gravity); }
-  void operator()(const sim::SetDt& c) const { hasher.add(c.dt); }
 };
 
 void add(Hasher& hasher, const Hash128& hash) {
@@ -69,7 +41,7 @@ Hash128 chain_next(const Hash128& before, const StepRecord& record) {
   hasher.add(std::uint64_t{record.inputs.size()});
   for (const sim::Command& command : record.inputs) {
     hasher.add(std::uint64_t{command.index()});
-    std::visit(AddCommand{hasher}, command);
+    sim::for_each_effect(command, AddField{hasher});
   }
   hasher.add(std::uint64_t{record.phase_words.size()});
   hasher.add(std::span<const std::uint64_t>(record.phase_words));

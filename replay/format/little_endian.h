@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-/// Numbers as little-endian bytes, on every machine.
+/// Stores and loads numbers as little-endian bytes on every machine.
 namespace tumble::replay {
 
 template <std::unsigned_integral T>

@@ -22,7 +22,7 @@ Hash128 load_hash(const std::byte* at) { return {load<std::uint64_t>(at + 8), lo
 
 std::uint32_t frame_bytes(RecordKind kind) { return (kind == RecordKind::kFooter ? kFooterBytes : kPreludeBytes) - 8; }
 
-/// The bytes of kMagicEnd that are the same in every log: all but the frame's length, which the prelude's hash covers.
+/// The fixed bytes among the first kMagicEnd: all but the length of the frame, which the hash of the prelude covers.
 constexpr std::size_t kMagicBytes = 12;
 
 struct MagicMatch {
@@ -82,8 +82,9 @@ Prelude fields_of(const std::byte* at) {
   return prelude;
 }
 
-/// A prelude that is right in all but its major version was written by this format and damaged there; one of a newer
-/// version has that version in its own hash, or another layout.
+/// Whether only the major version of a prelude was damaged. With this format's version put back, the hash of such a
+/// prelude matches. A prelude of a newer version has the newer number in its own hash, or another layout, and never
+/// matches. Without this test a flipped bit in the version would be reported as "needs a newer program".
 bool version_is_damaged(std::span<const std::byte, kPreludeBytes> bytes) {
   std::array<std::byte, kPreludeBytes> ours;
   std::copy(bytes.begin(), bytes.end(), ours.begin());

@@ -10,19 +10,20 @@
 #include "src/base/hash.h"
 #include "src/base/result.h"
 
-/// The fixed bytes before each record's payload, and the footer. docs/log_format.md has the same tables.
+/// The prelude (the fixed bytes before the payload of each record) and the footer. docs/log_format.md has the same
+/// tables.
 namespace tumble::replay {
 
-inline constexpr std::uint16_t kFormatMajor = 1;  ///< a reader of another major version cannot read the file
-inline constexpr std::uint16_t kFormatMinor = 3;  ///< raised with every added field; older readers ignore the fields
+inline constexpr std::uint16_t kFormatMajor = 1;  ///< readers of another major version cannot read the file
+inline constexpr std::uint16_t kFormatMinor = 3;  ///< grows with every added field; older readers ignore the field
 
 enum class RecordKind : std::uint16_t { kHeader = 1, kChunk = 2, kIndex = 3, kFooter = 4, kGolden = 5 };
 /// "header", "chunk", …; "record" for a value that is none of them.
 const char* name_of(RecordKind kind);
 
-/// What a record says of itself before its payload.
+/// The fixed bytes of a record before its payload.
 ///
-/// | bytes   | what (little-endian)                                                                            |
+/// | bytes   | meaning (little-endian)                                                                         |
 /// |---------|-------------------------------------------------------------------------------------------------|
 /// | 0–3     | 0x184D2A54: the start of a zstd skippable frame, so that zstd's own tools read the file         |
 /// | 4–7     | 120 (footer: 184): bytes of the skippable frame that follow                                     |
@@ -53,12 +54,12 @@ struct Prelude {
 };
 
 inline constexpr std::size_t kPreludeBytes = 128;
-inline constexpr std::size_t kMagicEnd = 16;    ///< after these bytes a file is known to be a log
-inline constexpr std::size_t kVersionEnd = 20;  ///< after these its version is known
+inline constexpr std::size_t kMagicEnd = 16;    ///< the bytes before this offset show that a file is a log
+inline constexpr std::size_t kVersionEnd = 20;  ///< the bytes before this offset hold the format version
 
-/// The end of a finished log: a prelude with kind footer and nothing stored, then these, in one write.
+/// The end of a finished log: a prelude of kind footer without payload, then the bytes below, in one write.
 ///
-/// | bytes   | what                                                  |
+/// | bytes   | meaning                                               |
 /// |---------|-------------------------------------------------------|
 /// | 128–135 | offset of the index record                            |
 /// | 136–143 | size of the file, this footer included                |
@@ -77,18 +78,18 @@ inline constexpr std::size_t kFooterBytes = 192;
 std::array<std::byte, kPreludeBytes> encode(const Prelude& prelude);
 std::array<std::byte, kFooterBytes> encode(const Footer& footer);
 
-/// Whether a file may be a log, from its first bytes; fewer than kMagicEnd are compared as far as they go.
+/// Whether a file with these first bytes may be a log. Compares at most kMagicEnd bytes, and fewer where `start` ends.
 bool starts_like_log(std::span<const std::byte> start);
 
-/// A file whose first bytes are a log's but for some: a damaged log rather than something else.
+/// Whether most of the first bytes are those of a log: a damaged log rather than another file.
 bool nearly_starts_like_log(std::span<const std::byte> start);
 
-/// Reads and checks a prelude. The error says what is wrong but neither file nor offset, which the caller knows:
-/// kBadInput for a newer major version (and what it needs), kDamaged for everything else.
+/// Reads and checks a prelude or a footer. Errors name neither file nor offset; the caller adds both. kBadInput: a
+/// newer major version; the message names the program that is needed. kDamaged: everything else.
 Result<Prelude> decode_prelude(std::span<const std::byte, kPreludeBytes> bytes);
 Result<Footer> decode_footer(std::span<const std::byte, kFooterBytes> bytes);
 
-/// What the message of the record at a byte of a file may decompress to (limits.h).
+/// The most bytes that the message of the record at byte `offset` may decompress to (limits.h).
 std::uint64_t raw_bytes_max(const Prelude& prelude, std::uint64_t offset);
 
 }  // namespace tumble::replay

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstring>
 
-#include "replay/format/columns.h"
 #include "replay/format/limits.h"
 #include "replay/format/prelude.h"
 
@@ -14,10 +12,6 @@
 
 namespace tumble::replay {
 namespace {
-
-bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
-}
 
 std::string compiler() {
 #if defined(__clang__)
@@ -30,36 +24,6 @@ std::string compiler() {
 }
 
 }  // namespace
-
-void copy_visible(const sim::Bodies& bodies, BodyStates& states) {
-  states.id = bodies.id;
-  states.position = bodies.position;
-  states.orientation = bodies.orientation;
-  states.velocity = bodies.velocity;
-  states.spin = bodies.spin;
-  states.frozen = bodies.frozen;
-}
-
-Hash128 state_hash(const BodyStates& states) {
-  sim::Bodies bodies;
-  bodies.id = states.id;
-  bodies.position = states.position;
-  bodies.orientation = states.orientation;
-  bodies.velocity = states.velocity;
-  bodies.spin = states.spin;
-  bodies.frozen = states.frozen;
-  return sim::state_hash(bodies);
-}
-
-bool same_bits(const BodyStates& a, const BodyStates& b) {
-  if (a.id != b.id || a.frozen != b.frozen) return false;
-  const ConstColumns columns_a = columns_of(a);
-  const ConstColumns columns_b = columns_of(b);
-  for (std::size_t c = 0; c < kColumnCount; ++c) {
-    if (!same_bits(*columns_a[c], *columns_b[c])) return false;
-  }
-  return true;
-}
 
 Result<StatesMode> parse_states_mode(const std::string& text) {
   if (text == "all") return StatesMode{1};
@@ -79,19 +43,19 @@ std::string to_string(const StatesMode& mode) {
   return mode.every == 1 ? "all" : "every:" + std::to_string(mode.every);
 }
 
-std::string to_string(const Gap& gap) {
-  if (gap.step_count == 1) return "step " + std::to_string(gap.first_step);
-  return "steps " + std::to_string(gap.first_step) + " to " + std::to_string(gap.end_step() - 1);
+std::string to_string(const MissingSteps& run) {
+  if (run.step_count == 1) return "step " + std::to_string(run.first_step);
+  return "steps " + std::to_string(run.first_step) + " to " + std::to_string(run.end_step() - 1);
 }
 
-std::uint64_t step_after(std::uint64_t end, const std::vector<Gap>& gaps) {
-  const auto gap = std::ranges::lower_bound(gaps, end, {}, &Gap::first_step);
-  return gap != gaps.end() && gap->first_step == end ? gap->end_step() : end;
+std::uint64_t step_after(std::uint64_t end, const std::vector<MissingSteps>& missing) {
+  const auto run = std::ranges::lower_bound(missing, end, {}, &MissingSteps::first_step);
+  return run != missing.end() && run->first_step == end ? run->end_step() : end;
 }
 
-const std::vector<Gap>& LogHeader::gaps() const {
-  static const std::vector<Gap> kNone;
-  return recovered ? recovered->gaps : kNone;
+const std::vector<MissingSteps>& LogHeader::missing() const {
+  static const std::vector<MissingSteps> kNone;
+  return recovered ? recovered->missing : kNone;
 }
 
 bool same_phase_words(const LogHeader& a, const LogHeader& b) {

@@ -5,154 +5,127 @@
 #include <string>
 #include <vector>
 
+#include "replay/format/body_states.h"
 #include "src/base/hash.h"
 #include "src/base/result.h"
 #include "src/model/scene.h"
 #include "src/model/transform.h"
 #include "src/step/step.h"
-#include "src/world/world_state.h"
 
-/// What a log holds, as plain data.
+/// The content of a log, as plain data.
 namespace tumble::replay {
 
-/// What bodies visibly are: the columns of sim::Bodies that the state hash covers, with the same shapes, units and
-/// order (ascending id). Any double is stored to the bit, also those a world would never hold.
-struct BodyStates {
-  std::vector<sim::BodyId> id;
-  sim::Vec3Column position;          ///< m
-  sim::QuatColumn orientation;       ///< w x y z
-  sim::Vec3Column velocity;          ///< m/s
-  sim::Vec3Column spin;              ///< rad/s
-  std::vector<std::uint8_t> frozen;  ///< 0 or 1
-
-  [[nodiscard]] std::size_t size() const { return id.size(); }
-  /// By value, so NaN differs from itself and −0.0 equals 0.0; same_bits() is the exact comparison.
-  friend bool operator==(const BodyStates&, const BodyStates&) = default;
-};
-
-/// Copies the visible columns of `bodies`; keeps the memory that `states` has.
-void copy_visible(const sim::Bodies& bodies, BodyStates& states);
-
-/// sim::state_hash of the same columns.
-Hash128 state_hash(const BodyStates& states);
-
-/// Equality of every bit: NaNs with the same payload are equal, zeros of different sign are not.
-bool same_bits(const BodyStates& a, const BodyStates& b);
-
-/// One step of a session: it took state step − 1 to state `step`.
+/// One step of a session, from state step − 1 to state `step`.
 struct StepRecord {
-  std::uint64_t step = 0;                  ///< 1 … N; 0 only for state 0, which has neither inputs nor counters
+  std::uint64_t step = 0;                  ///< 1 … N; 0 only for state 0, which has no inputs and no counters
   double dt = 0;                           ///< s, of this step
-  std::vector<sim::Command> inputs;        ///< applied before it, in this order
-  std::vector<std::uint64_t> phase_words;  ///< sub-step rows × phases (LogHeader::phases), as sim::PhaseHashes has them
-  Hash128 state_hash;                      ///< after it
+  std::vector<sim::Command> inputs;        ///< applied before the step, in this order
+  std::vector<std::uint64_t> phase_words;  ///< substep rows × phases (LogHeader::phases), as in sim::PhaseHashes
+  Hash128 state_hash;                      ///< after the step
   sim::StepCounters counters;
-  bool has_states = false;  ///< a log may hold them for some steps only
-  BodyStates states;        ///< after it; empty without has_states
+  bool has_states = false;  ///< false for steps whose states the log leaves out
+  BodyStates states;        ///< after the step; empty without has_states
 };
 
-/// Which steps' states a log holds in full.
+/// The steps whose states a log holds in full.
 struct StatesMode {
-  std::uint32_t every = 1;  ///< 1: all; n: steps that n divides; 0: none, only keyframes and hashes
+  std::uint32_t every = 1;  ///< 1: all steps; n: multiples of n; 0: none, only keyframes and hashes
   [[nodiscard]] bool holds(std::uint64_t step) const { return every != 0 && step % every == 0; }
   friend bool operator==(const StatesMode&, const StatesMode&) = default;
 };
 
-/// "all", "every:N" (N >= 1) or "hashes", as the command line says it.
+/// Reads "all", "every:N" (N >= 1) or "hashes", the words of the command line. Errors (kBadInput): other text.
 Result<StatesMode> parse_states_mode(const std::string& text);
 std::string to_string(const StatesMode& mode);
 
-/// Where a session that goes on from another one's state began.
+/// The origin of a continued session: a state of another session.
 struct GoesOn {
-  std::uint64_t step = 0;     ///< of the other session's state; this one's first step is the next
-  std::string log;            ///< the other log, as it was given
+  std::uint64_t step = 0;     ///< of that state; the continued session begins with the step after
+  std::string log;            ///< path of the other log, as the user gave it
   Hash128 continuation_hash;  ///< of that state
   Hash128 chain;              ///< of the other session, after that step
   friend bool operator==(const GoesOn&, const GoesOn&) = default;
 };
 
-/// Another engine, whose steps a log holds (engine_log.h).
+/// The physics engine whose steps a log holds (engine_log.h).
 inline constexpr std::uint32_t kBinary32Bits = 24;
 inline constexpr std::uint32_t kBinary64Bits = 53;
 struct EngineName {
-  std::string name;                              ///< never empty
-  std::string version;                           ///< may be empty
-  std::uint32_t precision_bits = kBinary64Bits;  ///< of its numbers: 24 (binary32) or 53 (binary64)
+  std::string name;                              ///< not empty
+  std::string version;                           ///< empty if unknown
+  std::uint32_t precision_bits = kBinary64Bits;  ///< of the engine's numbers: 24 (binary32) or 53 (binary64)
   friend bool operator==(const EngineName&, const EngineName&) = default;
 };
 
 /// "Bullet 3.24".
 std::string to_string(const EngineName& engine);
 
-/// Steps that a recovered log lacks between others.
-struct Gap {
+/// A run of steps that a recovered log lacks between others.
+struct MissingSteps {
   std::uint64_t first_step = 0;
   std::uint64_t step_count = 0;
-  [[nodiscard]] std::uint64_t end_step() const { return first_step + step_count; }  ///< the first that is there again
-  friend bool operator==(const Gap&, const Gap&) = default;
+  [[nodiscard]] std::uint64_t end_step() const { return first_step + step_count; }  ///< the first step behind the run
+  friend bool operator==(const MissingSteps&, const MissingSteps&) = default;
 };
 
 /// "step 7", "steps 7 to 12".
-std::string to_string(const Gap& gap);
+std::string to_string(const MissingSteps& gap);
 
-/// The step that comes after those before `end`: `end` itself, or the first one after a gap that begins there.
-std::uint64_t step_after(std::uint64_t end, const std::vector<Gap>& gaps);
+/// The next step that the log holds from step `end` on: `end` itself, or the step behind the missing run that begins
+/// there.
+std::uint64_t step_after(std::uint64_t end, const std::vector<MissingSteps>& missing);
 
-/// What a log lacks since it was recovered from a damaged one.
+/// The losses of a log that was recovered from a damaged one.
 struct Recovered {
-  std::string log;           ///< the damaged log, as it was given
-  bool header_lost = false;  ///< the header was made from the first keyframe: no names, looks, camera, scene text
-  std::vector<Gap> gaps;     ///< ascending; chunks stand before and after each
+  std::string log;  ///< path of the damaged log, as the user gave it
+  bool header_lost =
+      false;  ///< the header was rebuilt from the first keyframe, without names, looks, camera and scene text
+  std::vector<MissingSteps> missing;  ///< ascending; chunks stand before and after each run
   friend bool operator==(const Recovered&, const Recovered&) = default;
 };
 
-/// What a log says of itself once, at its start.
+/// The header of a log: everything that holds for all its steps.
 struct LogHeader {
-  std::uint16_t format_major = 0;  ///< of the file; the writer fills both in
+  std::uint16_t format_major = 0;  ///< of the file; RecordWriter fills in both
   std::uint16_t format_minor = 0;
-  std::string tool_version;  ///< of the program that wrote it
+  std::string tool_version;  ///< of the program that wrote the log
   std::string tool_build;    ///< compiler and its version
   std::string method;        ///< "thesis" or "layered"
   std::uint32_t method_version = 0;
   std::string float_format = "binary64, little-endian";
-  std::vector<std::string> phases;       ///< names, in the order they run
+  std::vector<std::string> phases;       ///< names, in the order in which the phases run
   std::uint32_t phase_rows_max = 0;      ///< sim::PhaseHashes::kRowsMax of the writer
   std::uint32_t phase_hash_version = 1;  ///< sim::PhaseHashes::kVersion of the writer; 1 for another engine's
-  sim::SceneDef scene;                   ///< resolved; of a session that goes on: as it was then
-  std::string scene_text;                ///< the TOML file as it was, empty if none
+  sim::SceneDef scene;                   ///< resolved; of a continued session: at its first state
+  std::string scene_text;                ///< the TOML file, byte for byte; empty without one
   std::vector<std::string> overrides;    ///< "world.dt=0.01", in order
-  sim::Transform transform;              ///< done to the scene of the text; `scene` has it done already
+  sim::Transform transform;              ///< applied to the scene of the text; `scene` is the result
   std::optional<GoesOn> goes_on;         ///< none: the log begins with state 0
-  std::optional<EngineName> engine;      ///< none: this project's physics computed the steps
-  std::optional<Recovered> recovered;    ///< none: the log is as it was recorded
+  std::optional<EngineName> engine;      ///< none: the steps were computed by this project
+  std::optional<Recovered> recovered;    ///< none: the log was not recovered
   StatesMode states;
   std::uint32_t chunk_steps_max = 0;
   std::uint64_t chunk_bytes_max = 0;
 
-  [[nodiscard]] const std::vector<Gap>& gaps() const;  ///< steps that the log lacks between others
+  [[nodiscard]] const std::vector<MissingSteps>& missing() const;  ///< steps that the log lacks between others
 };
 
-/// The header of a session that this build records: everything but the scene text and the overrides.
+/// The header of a session that this build records, without scene text and overrides.
 LogHeader header_for(const sim::SceneDef& scene);
 
-/// Whether the phase words of two sessions can be compared: those of the same phases, whose hashes cover the same.
+/// Whether the phase words of two sessions can be compared: both have the same phases, and the phase hashes cover the
+/// same fields.
 bool same_phase_words(const LogHeader& a, const LogHeader& b);
 
-/// Gives `record` the phase words of `of`, and its count of contacts, for a comparison of the rest: two sessions whose
-/// words mean different things may count differently too.
+/// Copies phase words and contact count of `of` into `record`, so that a comparison covers everything else. Contacts
+/// are included because sessions with phase words of different meaning may count contacts differently too.
 void leave_out_phase_words(const StepRecord& of, StepRecord& record);
 
-/// "phase hashes: …", for people: why the words of two sessions of the same phases were not compared. Empty if they
-/// were.
+/// For people: the reason why phase words were not compared, "phase hashes: …". Empty where both sessions have the same
+/// version of phase hashes.
 std::string phase_hash_note(const LogHeader& a, const LogHeader& b);
 
-/// The scene format's word for a method.
+/// The word of the scene format for a method.
 const char* name_of(sim::Method method);
-
-/// The chain: chain(k) = XXH3-128 of chain(k − 1) and the fields of step k (number, dt, inputs, phase words, state
-/// hash, counters); chain(0) of the state hash of state 0. Two sessions are the same up to step k exactly if their
-/// chains there are, whatever bytes their logs hold.
-Hash128 chain_start(const Hash128& state_hash_0);
-Hash128 chain_next(const Hash128& before, const StepRecord& record);
 
 }  // namespace tumble::replay

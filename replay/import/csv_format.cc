@@ -8,7 +8,7 @@
 namespace tumble::replay {
 namespace {
 
-/// The numbers of "0 0 -9.81"; empty if there is anything else.
+/// The numbers of "0 0 -9.81"; empty for any other text.
 std::vector<double> numbers_of(const std::string& text) {
   std::vector<double> numbers;
   const char* at = text.data();
@@ -41,7 +41,7 @@ bool take_vector(const std::string& text, sim::Vec3& out) {
   return true;
 }
 
-/// A key: what its value may be, and what takes it.
+/// A key, the values that it accepts, and the function that stores a value.
 struct Key {
   const char* name;
   const char* wanted;
@@ -108,7 +108,7 @@ std::string all_keys() {
   return text;
 }
 
-/// "" or what is wrong.
+/// Stores a setting. Returns "" or the error.
 std::string take(const std::string& name, const std::string& value, CsvSettings& out) {
   for (const Key& key : kKeys) {
     if (name != key.name) continue;
@@ -123,7 +123,7 @@ Error wrong_argument(const std::string& setting, const std::string& wrong) {
   return bad_input("\"" + setting + "\": " + wrong);
 }
 
-/// A column of the format: its name and where its number goes.
+/// The columns of the format: name, and destination of the number.
 using Places = std::vector<std::pair<std::string, std::size_t*>>;
 
 Error unknown_column(const CsvReader& table, std::size_t column, const Places& places) {
@@ -139,7 +139,7 @@ void add_vector(Places& places, const std::string& name, const char* letters, st
   for (std::size_t k = 0; k < N; ++k) places.emplace_back(name + '.' + letters[k], &out[k]);
 }
 
-/// All of a vector's columns or none.
+/// Errors (kBadInput): a vector has only some of its columns, or lacks all and is needed.
 template <std::size_t N>
 Status check_vector(const CsvReader& table, const char* name, const std::array<std::size_t, N>& columns, bool needed) {
   std::size_t there = 0;
@@ -151,6 +151,8 @@ Status check_vector(const CsvReader& table, const char* name, const std::array<s
 
 }  // namespace
 
+// A left-handed engine is reflected in its xy plane first. Then the axes are permuted cyclically until "up" is z, which
+// keeps the handedness; y up needs one sign besides. No value is rounded.
 sim::Vec3 CsvAxes::direction(const sim::Vec3& v) const {
   sim::Vec3 right = left_handed ? sim::Vec3(v.x(), v.y(), -v.z()) : v;
   if (up == 0) return {right.y(), right.z(), right.x()};
@@ -163,7 +165,7 @@ sim::Vec3 CsvAxes::length(const sim::Vec3& v) const {
   return {turned.x() * metres, turned.y() * metres, turned.z() * metres};
 }
 
-sim::Vec3 CsvAxes::axial(const sim::Vec3& w) const {  // a reflection turns spins round
+sim::Vec3 CsvAxes::axial(const sim::Vec3& w) const {  // a reflection reverses axial vectors
   return left_handed ? direction({-w.x(), -w.y(), -w.z()}) : direction(w);
 }
 

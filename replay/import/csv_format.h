@@ -12,15 +12,16 @@
 #include "src/base/result.h"
 #include "src/model/scene.h"
 
-/// What the lines "# key: value" and the columns of an imported table mean. docs/other_engines.md is the format.
+/// The meaning of the lines "# key: value" and of the columns of an imported table. docs/other_engines.md specifies the
+/// format.
 namespace tumble::replay {
 
-/// How an engine's numbers become ours: SI, z up, right-handed. Every way is a change of signs and axes, exact to the
-/// bit, but for the unit of length, which multiplies.
+/// Converts the vectors of an engine to SI units, z up, right-handed. Changes signs and axes, which is exact to the
+/// bit; the unit of length multiplies.
 struct CsvAxes {
   int up = 2;  ///< the engine's axis that points up: 0 x, 1 y, 2 z
   bool left_handed = false;
-  double metres = 1;  ///< in the engine's unit of length
+  double metres = 1;  ///< per unit of length of the engine
 
   [[nodiscard]] sim::Vec3 direction(const sim::Vec3& v) const;  ///< without the unit
   [[nodiscard]] sim::Vec3 length(const sim::Vec3& v) const;     ///< positions, velocities, gravity
@@ -34,25 +35,25 @@ struct CsvSettings {
   CsvAxes axes;
   std::optional<double> dt;  ///< s, of one step of the engine
   sim::SceneDef scene;       ///< name, gravity, ground
-  sim::BoxDef box;           ///< what a body is where no column says it: size, mass, material
+  sim::BoxDef box;           ///< size, mass and material of a body without such columns
 };
 
-/// Reads the settings of a file, then `more` ("key: value", from the command line), which win. `start`: what holds
-/// where neither says anything. Errors (kBadInput): an unknown key, a value that cannot be; file and line, or the
-/// argument.
+/// Reads the settings of a table, then `more` ("key: value", from the command line), which override the table. start:
+/// the values of keys that neither has. Errors (kBadInput): an unknown key, an impossible value. The message names file
+/// and line, or the argument.
 Result<CsvSettings> read_settings(const CsvReader& table, std::span<const std::string> more, CsvSettings start);
 
-/// Where the table has what; kNone where it does not.
+/// The number of each column in the table; kNone for an absent column.
 struct CsvColumns {
   static constexpr std::size_t kNone = ~std::size_t{0};
   std::size_t step = kNone, time = kNone, id = kNone, frozen = kNone, mass = kNone, is_static = kNone;
   std::size_t friction = kNone, restitution = kNone, row = kNone, column = kNone;
-  std::array<std::size_t, 3> position = {}, velocity = {}, spin = {}, size = {};  ///< all of a vector or none
+  std::array<std::size_t, 3> position = {}, velocity = {}, spin = {},
+                             size = {};  ///< all components of a vector or none
   std::array<std::size_t, 4> orientation = {};
 };
 
-/// Finds the columns. Errors (kBadInput): one that is missing, given twice, unknown (and what it may have meant) or
-/// part of a vector without the rest.
+/// Finds the columns. Errors (kBadInput): a column is missing, given twice or unknown, or a vector lacks components.
 Result<CsvColumns> find_columns(const CsvReader& table);
 
 }  // namespace tumble::replay

@@ -17,25 +17,25 @@ struct CsvSetting {
   std::uint64_t line = 0;
 };
 
-/// Reads a table of numbers: lines "# key: value", a line with the names of the columns, a row a line. Cells are
-/// separated by commas and need no quotes; blanks around them, empty lines and, below the names, lines that begin with
-/// # mean nothing. Lines may end in CR LF. Errors (kBadInput) begin with "<name>:<line>:<column>: ", both from 1, the
-/// column in bytes.
+/// Reads a table of numbers: lines "# key: value", a line with the names of the columns, then one row per line. Commas
+/// separate the cells; quotes are not used. The reader ignores blanks around cells, empty lines, and lines below the
+/// names that begin with #. Lines may end in CR LF. Errors (kBadInput) begin with "<name>:<line>:<column>: "; line and
+/// column count from 1, the column in bytes.
 class CsvReader {
  public:
-  /// Reads up to the names of the columns. `text` must outlive this.
+  /// Reads up to the names of the columns. `text` must outlive the reader.
   static Result<CsvReader> open(std::string_view text, std::string name);
 
   [[nodiscard]] const std::vector<CsvSetting>& settings() const { return settings_; }
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
   [[nodiscard]] std::optional<std::size_t> find(std::string_view column) const;
 
-  /// Goes to the next row; false at the end. Errors: another number of cells than of columns.
+  /// Moves to the next row; false at the end. Errors: the row has not as many cells as columns.
   Result<bool> next();
 
   // A cell of the row, by the number of its column. Errors: no number, or one that the type does not hold.
   [[nodiscard]] Result<double> number(std::size_t column) const;
-  /// Rounded once, to float, as the program that wrote it had it.
+  /// Rounded once, to float, which gives the value that a program with floats printed.
   [[nodiscard]] Result<double> single(std::size_t column) const;
   [[nodiscard]] Result<std::uint64_t> whole(std::size_t column) const;
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "replay/diff/divergence.h"
+#include "src/base/text.h"
 #include "src/model/limits.h"
 #include "src/world/edit_bodies.h"
 
@@ -13,7 +13,7 @@ constexpr std::size_t kNone = CsvColumns::kNone;
 
 sim::Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
-std::string text_of(double value) { return to_string(FieldValue(value)); }
+std::string text_of(double value) { return significant(value, 17); }
 
 }  // namespace
 
@@ -62,7 +62,7 @@ Result<bool> CsvSteps::next(TableStep& step) {
   return true;
 }
 
-/// Reads on to the next row, and what says to which step it belongs.
+/// Moves to the next row and reads its step number and time.
 Result<bool> CsvSteps::next_row() {
   Result<bool> more = table_.next();
   if (!more.ok()) return more;
@@ -84,7 +84,7 @@ Result<bool> CsvSteps::next_row() {
   return true;
 }
 
-/// Checks that the step follows the one before; its dt.
+/// Checks that the step follows the step before, and returns its dt.
 Result<double> CsvSteps::begin_step() {
   const double before = std::exchange(key_, cell_key_);
   const double time_before = std::exchange(time_, cell_time_);
@@ -133,7 +133,7 @@ Status CsvSteps::take_row(TableStep& step) {
   return {};
 }
 
-/// A body that is new needs a box; one that was away must not come back.
+/// Makes the box of a new body. Refuses a body that returns after steps without it.
 Status CsvSteps::meet(sim::BodyId id, const EngineState& state) {
   const auto known = last_seen_.find(id);
   if (known != last_seen_.end()) {
@@ -159,7 +159,7 @@ Status CsvSteps::meet(sim::BodyId id, const EngineState& state) {
   return {};
 }
 
-/// What columns say of a body itself.
+/// Reads the columns of a body: size, mass, material, place in a grid.
 Status CsvSteps::read_box(sim::BoxDef& box) const {
   if (columns_.size[0] != kNone) {
     std::array<double, 3> size{};
@@ -182,7 +182,7 @@ Status CsvSteps::read_box(sim::BoxDef& box) const {
   return read_origin(box.origin);
 }
 
-/// Rows and columns: of a grid, which is what the metrics know them of.
+/// Reads row and column. The body counts as part of a grid, because metrics know rows and columns of grids.
 Status CsvSteps::read_origin(sim::Origin& origin) const {
   const std::array<std::pair<std::size_t, std::uint32_t*>, 2> places = {
       {{columns_.row, &origin.row}, {columns_.column, &origin.column}}};

@@ -19,24 +19,24 @@
 /// The rows of an imported table, gathered step by step.
 namespace tumble::replay {
 
-/// Another session, which says what the table does not: sizes, masses and materials by id, gravity, dt, the camera.
+/// Another session, for values that the table lacks: sizes, masses and materials by id, gravity, dt, camera.
 struct SessionLike {
-  sim::SceneDef scene;             ///< of its header
-  std::vector<sim::BoxDef> boxes;  ///< every body of the session, thrown ones too; ascending id
+  sim::SceneDef scene;             ///< of the header
+  std::vector<sim::BoxDef> boxes;  ///< all bodies of the session, thrown ones included; ascending id
 };
 
 /// The rows of one step.
 struct TableStep {
   using Row = std::pair<sim::BodyId, EngineState>;
-  double dt = 0;           ///< s, since the step before; of the first step 0
-  std::uint64_t line = 0;  ///< of its first row
+  double dt = 0;           ///< s, since the step before; 0 for the first step
+  std::uint64_t line = 0;  ///< line of the first row
   std::vector<Row> rows;   ///< ascending id
 };
 
-/// Reads a table step by step and keeps count of the bodies. Errors (kBadInput) name file, line and column.
+/// Reads a table step by step and records which bodies exist. Errors (kBadInput) name file, line and column.
 class CsvSteps {
  public:
-  /// Reads up to the first row. settings: "key: value", which win over the table's own.
+  /// Reads up to the first row. settings: "key: value"; override the settings of the table.
   static Result<CsvSteps> open(std::string_view text, const std::string& name, std::span<const std::string> settings,
                                const std::optional<SessionLike>& like);
 
@@ -44,7 +44,7 @@ class CsvSteps {
   Result<bool> next(TableStep& step);
 
   [[nodiscard]] const CsvSettings& settings() const { return settings_; }
-  /// A body as it was where it first appeared.
+  /// A body with its values from the step in which it first appears.
   [[nodiscard]] const sim::BoxDef& box(sim::BodyId id) const { return boxes_.at(id); }
   [[nodiscard]] Error at_line(std::uint64_t line, const std::string& message) const {
     return table_.at_line(line, message);

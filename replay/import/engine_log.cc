@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "replay/format/limits.h"
+#include "src/base/check.h"
 #include "src/model/limits.h"
 #include "src/world/body_check.h"
 #include "src/world/edit_bodies.h"
@@ -11,7 +12,7 @@
 namespace tumble::replay {
 namespace {
 
-/// Writes a state into a row as it is: no grid, no normalising.
+/// Writes a state into a row unchanged: without rounding to a grid, without normalising.
 void put(sim::Bodies& bodies, sim::BodyIndex i, const EngineState& state) {
   bodies.position.set(i, state.position);
   bodies.orientation.set(i, state.orientation);
@@ -62,9 +63,9 @@ LogHeader header_of(const EngineDef& def, const sim::SceneDef& start) {
   LogHeader header = header_for(start);
   header.engine = def.engine;
   header.method = "engine";
-  header.method_version = 0;  // no build of ours has it, so none takes the steps for its own
+  header.method_version = 0;  // no build has this version, so none takes the steps for its own
   header.phases = def.phases;
-  header.phase_hash_version = 1;  // its phases are its own
+  header.phase_hash_version = 1;  // the phases are those of the engine
   return header;
 }
 
@@ -72,7 +73,7 @@ LogHeader header_of(const EngineDef& def, const sim::SceneDef& start) {
 
 Result<std::unique_ptr<EngineLog>> EngineLog::create(const std::string& path, const EngineDef& def,
                                                      const sim::SceneDef& start) {
-  if (Status ok = check_engine(def); !ok.ok()) return ok.error();  // before any file is touched
+  if (Status ok = check_engine(def); !ok.ok()) return ok.error();  // before a file is created
   if (const Result<sim::World> world = world_of(start); !world.ok()) return world.error();
   Result<std::unique_ptr<ByteSink>> sink = open_file_sink(path);
   if (!sink.ok()) return sink.error();
@@ -100,7 +101,7 @@ Status EngineLog::input(const sim::Command& command) {
   const auto* thrown = std::get_if<sim::Throw>(&command);
   Status applied;
   if (thrown != nullptr) {
-    sim::Throw awake = *thrown;  // what a frozen body of ours would rest upon is no matter here
+    sim::Throw awake = *thrown;  // the other engine decides what rests; no contacts are searched
     awake.box.frozen = false;
     applied = world_.apply(awake);
     if (applied.ok()) put(world_.mutable_state().bodies, thrown->box);
@@ -116,6 +117,7 @@ Status EngineLog::set_state(sim::BodyId id, const EngineState& state) {
   const auto row = world_.bodies().find(id);
   if (!row) return at_step("found a state of body " + std::to_string(id) + ", wanted the id of a body that exists");
   if (told_.empty()) told_.assign(world_.bodies().size(), 0);
+  SIM_CHECK(told_.size() == world_.bodies().size(), told_.size(), world_.bodies().size());
   told_[*row] = 1;
   put(world_.mutable_state().bodies, *row, state);
   return {};

@@ -12,65 +12,67 @@
 #include "src/base/result.h"
 #include "src/world/world.h"
 
-/// The log of another engine: what it computes, written so that diff, measure, dump, render, check and bisect
-/// understand it. docs/other_engines.md shows how; engine_log_c.h is the same for C.
+/// Writes the session of another physics engine as a log that diff, measure, dump, render, check and bisect read.
+/// docs/other_engines.md has a tutorial. engine_log_c.h is the interface for C.
 namespace tumble::replay {
 
 struct EngineDef {
   EngineName engine;
-  /// Names for set_phase_hashes(), in the order in which the engine runs them. Empty: steps have no phase hashes.
+  /// Names of the phases for set_phase_hashes(), in the order in which they run. Empty: steps have no phase hashes.
   std::vector<std::string> phases = {};
 };
 
-/// What one body is after a step. SI units, z up, spin about world axes. Any double is kept to the bit, NaN too.
+/// The state of one body after a step. SI units, z up, angular velocity about world axes. Every double is kept to the
+/// bit, NaN included.
 struct EngineState {
   sim::Vec3 position = {0, 0, 0};
   sim::Quat orientation;
   sim::Vec3 velocity = {0, 0, 0};
   sim::Vec3 spin = {0, 0, 0};
-  bool frozen = false;  ///< the engine lets it sleep
+  bool frozen = false;  ///< the engine has put the body to sleep
 };
 
-/// Writes the log of another engine, step by step:
+/// Writes the log of another engine, step by step.
 ///
 ///     auto log = EngineLog::create("session.tumble", {{"my engine", "1.2"}}, start);
 ///     for each step: input() for what was done to the bodies before it, set_state() for what they became, end_step()
 ///     finish()
 ///
-/// Every body that is neither static nor frozen must be given its state in every step, so that none is forgotten in
-/// silence; the others keep theirs until it is given. All states are kept. After an error the log is not to be used on;
-/// what was written before it can be read. Not to be called from two threads at once.
+/// Give every moving body a state in every step: a body that is neither static nor frozen and has no state is an error.
+/// Static and frozen bodies keep their last state. The log holds the states of all steps. After an error, make no
+/// further call; the steps written before can be read. Not for use by two threads at once.
 class EngineLog {
  public:
-  /// Begins a log. `start` is state 0, taken to the bit: its boxes (ascending id, see sim::BoxDef), dt, gravity,
-  /// whether there is a ground; steps is how many are planned, 0 if nobody knows. The rest of it is look. Errors
-  /// (kBadInput): a body or a value beyond src/model/limits.h, a name that is missing, a file that is no log already.
+  /// Creates the log. start: state 0, kept to the bit. Its boxes (ascending id, see sim::BoxDef), dt, gravity and
+  /// ground count; `steps` is the planned number of steps, 0 if unknown; the rest is look. Errors (kBadInput): a body
+  /// or a value beyond src/model/limits.h, a missing name, an existing file that is no log.
   static Result<std::unique_ptr<EngineLog>> create(const std::string& path, const EngineDef& def,
                                                    const sim::SceneDef& start);
   static Result<std::unique_ptr<EngineLog>> create(std::unique_ptr<ByteSink> sink, const EngineDef& def,
                                                    const sim::SceneDef& start);
 
-  /// Something done to the bodies before the coming step; of a step, inputs come before states. Errors (kBadInput): an
-  /// unknown or taken id, a value beyond the limits.
+  /// Records an input that changes the bodies before the coming step. Inputs of a step come before its states. Errors
+  /// (kBadInput): an unknown or taken id, a value beyond the limits, an input after a state.
   Status input(const sim::Command& command);
 
-  /// Errors (kBadInput): no such body.
+  /// Sets the state of a body after the coming step. Errors (kBadInput): no body has this id.
   Status set_state(sim::BodyId id, const EngineState& state);
 
-  /// Hashes of what each phase of the step wrote: as many words as there are phases, or that for each sub-step in turn.
-  /// Errors (kBadInput): another count, or more than the log has room for.
+  /// Sets the phase hashes of the coming step: one word per phase, or one row of such words per substep. Errors
+  /// (kBadInput): another number of words, more than PhaseHashes::kRowsMax rows, a log without phases.
   Status set_phase_hashes(std::span<const std::uint64_t> words);
 
-  /// Ends the step and writes it. Errors: a body without a state, a dt beyond the limits (kBadInput); writing.
+  /// Ends the step and writes it. Errors. kBadInput: a moving body without a state, a dt beyond the limits, phase
+  /// hashes missing. kCannotFinish: writing fails.
   Status end_step(double dt_s);
 
-  /// Completes the log. Errors: inputs or states of a step that was not ended (kBadInput); writing.
+  /// Completes the log. Errors. kBadInput: inputs or states without end_step(). kCannotFinish: writing fails.
   Result<LogSummary> finish();
 
-  /// The step that is being told of: 1 before the first end_step().
+  /// The number of the coming step: 1 before the first end_step().
   [[nodiscard]] std::uint64_t step() const { return world_.state().step + 1; }
 
-  /// The bodies as they were told last, ascending by id.
+  /// The bodies with their last states, ascending by id.
   [[nodiscard]] const sim::Bodies& bodies() const { return world_.bodies(); }
 
  private:
@@ -78,12 +80,12 @@ class EngineLog {
   [[nodiscard]] Error at_step(const std::string& message) const;
   Status check_all_told() const;
 
-  sim::World world_;  // what inputs mean for the bodies that exist; it never steps
+  sim::World world_;  // applies the inputs; takes no steps
   std::size_t phase_count_;
   std::unique_ptr<LogWriter> writer_;
-  std::vector<sim::Command> inputs_;        // before the step that is being told of
-  std::vector<std::uint64_t> phase_words_;  // of it
-  std::vector<std::uint8_t> told_;          // a flag a row: its state was given; empty before the first
+  std::vector<sim::Command> inputs_;        // of the coming step
+  std::vector<std::uint64_t> phase_words_;  // of the coming step
+  std::vector<std::uint8_t> told_;          // one flag per row: the state was set; empty before the first
 };
 
 }  // namespace tumble::replay

@@ -17,7 +17,7 @@ using tumble::replay::EngineDef;
 using tumble::replay::EngineLog;
 using tumble::replay::EngineState;
 
-// A name of C's and one allocation: what EngineLog::create wants at once comes here a call at a time.
+// Collects the arguments of EngineLog::create, which C passes one call at a time.
 struct TumbleLog {
   EngineDef def;
   tumble::sim::SceneDef start;
@@ -32,7 +32,7 @@ TumbleLogStatus kind_of(const Status& status) {
   return status.error().kind == ErrorKind::kBadInput ? TUMBLE_BAD_INPUT : TUMBLE_CANNOT_FINISH;
 }
 
-/// Runs a call unless one before it failed. Nothing that C++ throws gets into C.
+/// Runs a call unless an earlier one failed. Catches all exceptions, because none may reach C.
 template <class Call>
 TumbleLogStatus guarded(TumbleLog* log, Call call) {
   if (log == nullptr) return TUMBLE_BAD_INPUT;
@@ -45,7 +45,7 @@ TumbleLogStatus guarded(TumbleLog* log, Call call) {
   return kind_of(log->status);
 }
 
-/// The same for calls that need a log that was begun.
+/// As guarded(), for calls after tumble_log_begin().
 template <class Call>
 TumbleLogStatus while_open(TumbleLog* log, Call call) {
   return guarded(log, [&]() -> Status {

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <utility>
 
-#include "replay/diff/divergence.h"
 #include "replay/import/csv_steps.h"
 #include "replay/import/engine_log.h"
+#include "src/base/text.h"
 #include "src/model/limits.h"
 
 namespace tumble::replay {
 namespace {
 
-/// What the first reading finds out.
+/// The result of the first reading.
 struct Survey {
   std::uint64_t states = 0;
   double first_dt = 0;  ///< of step 1; 0 without one
@@ -27,7 +27,7 @@ Result<Survey> survey(std::string_view text, const std::string& name, const Impo
     if (!more.ok()) return more.error();
     if (!*more) break;
     if (found.states > 0 && !(step.dt >= sim::kDtMin && step.dt <= sim::kDtMax)) {
-      return reader->at_line(step.line, "found a step of " + to_string(FieldValue(step.dt)) + " s, wanted 1e-7 … 1 s");
+      return reader->at_line(step.line, "found a step of " + significant(step.dt, 17) + " s, wanted 1e-7 … 1 s");
     }
     if (found.states == 1) found.first_dt = step.dt;
     ++found.states;
@@ -49,7 +49,7 @@ Result<std::unique_ptr<EngineLog>> begin(const CsvSteps& reader, const TableStep
   return EngineLog::create(*std::move(sink), {reader.settings().engine}, start);
 }
 
-/// Bodies that came and went between the state that the log has and the step, as inputs.
+/// Adds inputs for the bodies that disappeared and appeared since the last step.
 Status tell_of_bodies(EngineLog& log, const CsvSteps& reader, const TableStep& step) {
   const std::vector<sim::BodyId> there = log.bodies().id;
   const auto in_step = [&](sim::BodyId id) {

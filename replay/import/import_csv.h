@@ -14,25 +14,25 @@
 #include "replay/log/log_writer.h"
 #include "src/base/result.h"
 
-/// A table of states, as any engine can print one, made into a log that can be compared, measured and drawn.
-/// docs/other_engines.md is the format.
+/// Converts a table of states, as any engine can print one, to a log. The log can be compared, measured and drawn.
+/// docs/other_engines.md specifies the format.
 namespace tumble::replay {
 
-/// Errors: the log's.
+/// The values of a session that a table may lack. Errors: a step of the log cannot be read.
 Result<SessionLike> session_like(LogReader& log);
 
 struct ImportOptions {
-  std::vector<std::string> settings;  ///< "key: value", as the table's own lines say it; these win
+  std::vector<std::string> settings;  ///< "key: value"; override the settings of the table
   std::optional<SessionLike> like = {};
 };
 
-/// Where the log goes; asked once, when all of the table was found good.
+/// Opens the destination of the log. Called once, after the whole table was checked.
 using MakeSink = std::function<Result<std::unique_ptr<ByteSink>>()>;
 
-/// Reads the table twice: first all of it for errors, then to write. `name` is for messages. The first step of the
-/// table becomes state 0, the others steps 1, 2, …; a body that appears later becomes an input throw, one that is
-/// missing an input remove. Errors: "<name>:<line>:<column>: found …, wanted …" (kBadInput); writing; a stop asked for
-/// by `progress` (kCannotFinish).
+/// Reads the table twice, first to check all of it, then to write the log. The first step of the table becomes state 0,
+/// the others steps 1, 2, …. A body that appears later becomes an input `throw`, a body that disappears an input
+/// `remove`. name: for messages. Errors. kBadInput: "<name>:<line>:<column>: found …, wanted …". kCannotFinish: writing
+/// fails, or `progress` stops the work.
 Result<LogSummary> import_csv(std::string_view text, const std::string& name, const MakeSink& make_sink,
                               const ImportOptions& options = {}, const Progress& progress = {});
 

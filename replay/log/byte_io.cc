@@ -16,7 +16,7 @@
 namespace tumble::replay {
 namespace {
 
-/// Larger writes are cut, so that one call cannot exceed what systems accept (2 GiB on Linux).
+/// The most bytes of one write; systems accept no more than 2 GiB (Linux).
 constexpr std::size_t kWriteMax = 1 << 30;
 
 std::string reason() { return std::strerror(errno); }
@@ -95,7 +95,7 @@ class FileSource : public ByteSource {
 
 }  // namespace
 
-/// Only a log, or an empty file, is written over: a slip of the command line must not cost somebody a scene.
+/// Protects files that are no logs: a slip of the command line must not replace a scene.
 Status may_replace(const std::string& path) {
   struct stat info = {};
   if (::stat(path.c_str(), &info) != 0) return {};

@@ -8,50 +8,53 @@
 
 #include "src/base/result.h"
 
-/// Where a log's bytes go to and come from. Files in the program; memory and faults on purpose in tests.
+/// The destination and the origin of a log's bytes: files in the program, memory and planted faults in tests.
 namespace tumble::replay {
 
+/// A destination that bytes are appended to.
 class ByteSink {
  public:
   virtual ~ByteSink() = default;
 
-  /// Appends some of `bytes`, at least one, and returns how many. Errors (kCannotFinish): a full disk and the like; the
-  /// message has the system's reason and not the name, which name() gives.
+  /// Appends the first bytes of `bytes`, at least one, and returns how many. Errors (kCannotFinish): a full disk and
+  /// the like. The message holds the system's reason; the caller adds name().
   virtual Result<std::size_t> write_some(std::span<const std::byte> bytes) = 0;
 
-  /// Cuts everything from `size` on, after a failed write. Best effort.
+  /// Removes all bytes from byte `size` on, after a failed write. Does what the system allows and reports nothing.
   virtual void truncate(std::uint64_t size) = 0;
 
-  /// Returns when what was written will outlive a loss of power.
+  /// Waits until all written bytes would survive a loss of power.
   virtual Status sync() = 0;
 
   /// For messages: the path.
   [[nodiscard]] virtual std::string name() const = 0;
 };
 
+/// An origin that bytes are read from, in any order.
 class ByteSource {
  public:
   virtual ~ByteSource() = default;
 
   [[nodiscard]] virtual std::uint64_t size() const = 0;
 
-  /// Fills `bytes` from `offset` on. Errors: the range is not inside the source (kDamaged: a file that shrank while it
-  /// was read), a read that fails (kCannotFinish).
+  /// Fills `bytes` with the bytes from `offset` on. Errors. kDamaged: the source ends before, as a file does that
+  /// shrinks while it is read. kCannotFinish: the system cannot read.
   virtual Status read(std::uint64_t offset, std::span<std::byte> bytes) const = 0;
 
   /// For messages: the path.
   [[nodiscard]] virtual std::string name() const = 0;
 };
 
-/// Opens a log file for writing, under its final name: a crash must leave the chunks written so far where they are
-/// looked for. A log there is replaced. Errors: kBadInput (a folder, no permission, no log), kCannotFinish (the disk).
+/// Opens a log file for writing. The file has its final name from the start, so that after a crash the written chunks
+/// are where a reader looks. Replaces a log of that name. Errors. kBadInput: a folder, no permission, a file that is no
+/// log. kCannotFinish: the disk.
 Result<std::unique_ptr<ByteSink>> open_file_sink(const std::string& path);
 
-/// Whether open_file_sink() would accept the path: nothing is there, or an empty file, a log or a device. Errors
-/// (kBadInput) say what is there.
+/// Success where open_file_sink() accepts the path: no file, an empty file, a log or a device. Errors (kBadInput) name
+/// what lies there instead.
 Status may_replace(const std::string& path);
 
-/// Gives a finished file its final name, in place of what had it. Errors (kCannotFinish), with both names.
+/// Renames a finished file and replaces the file that has the new name. Errors (kCannotFinish) hold both names.
 Status rename_file(const std::string& from, const std::string& to);
 
 /// Opens a file for reading. Errors (kBadInput): missing, a folder, no permission.

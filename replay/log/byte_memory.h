@@ -12,7 +12,7 @@ namespace tumble::replay {
 
 using MemoryFile = std::shared_ptr<std::vector<std::byte>>;
 
-/// A log in memory instead of a file: for sessions that are judged and thrown away.
+/// Writes a log to memory instead of a file, for sessions that are judged and discarded.
 class MemoryByteSink : public ByteSink {
  public:
   /// name: for messages.
@@ -27,6 +27,7 @@ class MemoryByteSink : public ByteSink {
   std::string name_;
 };
 
+/// Reads a log from memory.
 class MemoryByteSource : public ByteSource {
  public:
   MemoryByteSource(MemoryFile file, std::string name) : file_(std::move(file)), name_(std::move(name)) {}

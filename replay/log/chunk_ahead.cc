@@ -2,14 +2,12 @@
 
 #include <system_error>
 
-#include "replay/log/log_reader.h"
-
 namespace tumble::replay {
 
 void ChunkAhead::begin(std::size_t chunk, const ChunkPlace& place) {
   chunk_ = chunk;
   try {
-    decoder_ = std::async(std::launch::async, [this, place] { return read_chunk(source_, place, header_, log_); });
+    decoder_ = std::async(std::launch::async, [this, place] { return records_.read_chunk(place, rules_); });
   } catch (const std::system_error&) {
     decoder_ = {};
   }

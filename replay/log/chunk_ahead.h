@@ -5,31 +5,27 @@
 #include <optional>
 
 #include "replay/codec/chunk_codec.h"
-#include "replay/format/prelude.h"
-#include "replay/format/step_record.h"
-#include "replay/log/byte_io.h"
-#include "replay/log/scan.h"
+#include "replay/format/chunk.h"
+#include "replay/log/record_reader.h"
 #include "src/base/result.h"
 
 namespace tumble::replay {
 
-/// Decodes one chunk of a log on a thread of its own, while the one before it is in use.
+/// Decodes one chunk of a log on a thread of its own while the chunk before is in use.
 class ChunkAhead {
  public:
-  /// `source` must outlive it.
-  ChunkAhead(const ByteSource& source, const Prelude& header, const LogHeader& log)
-      : source_(source), header_(header), log_(log) {}
+  /// The reader's source must outlive this.
+  ChunkAhead(const RecordReader& records, const ChunkRules& rules) : records_(records), rules_(rules) {}
 
-  /// Begins to decode a chunk; where the system gives no thread, nothing happens.
+  /// Begins to decode chunk number `chunk`. Does nothing where the system gives no thread.
   void begin(std::size_t chunk, const ChunkPlace& place);
 
-  /// The chunk, as read_chunk() gives it; nothing if it is not the one that was begun.
+  /// Waits for the chunk and returns what RecordReader::read_chunk() returns; none if another chunk was begun.
   std::optional<Result<ChunkDecoder>> take(std::size_t chunk);
 
  private:
-  const ByteSource& source_;
-  Prelude header_;
-  LogHeader log_;
+  RecordReader records_;
+  ChunkRules rules_;
   std::size_t chunk_ = 0;
   std::future<Result<ChunkDecoder>> decoder_;
 };

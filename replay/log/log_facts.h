@@ -11,7 +11,7 @@
 
 namespace tumble::replay {
 
-/// What a log holds, counted over the steps that can be read.
+/// Counts over all readable steps of a log.
 struct LogFacts {
   std::uint64_t bodies_at_start = 0;
   std::uint64_t bodies_thrown = 0;
@@ -19,14 +19,14 @@ struct LogFacts {
   double seconds = 0;                              ///< simulated
   std::map<std::string, std::uint64_t> inputs;     ///< by kind: "throw", "push", …
   std::optional<std::uint64_t> moving_body_steps;  ///< bodies neither frozen nor static, summed over the steps; none
-                                                   ///< where the log does not hold every state
-  std::optional<Hash128> final_hash;               ///< state hash of the last step that can be read
+                                                   ///< for a log that lacks the states of a step
+  std::optional<Hash128> final_hash;               ///< state hash of the last readable step
 
-  /// Bytes of the whole file for each of moving_body_steps; none where nothing moves or it is not known.
+  /// Bytes of the whole file divided by moving_body_steps; none without a moving body or without that count.
   [[nodiscard]] std::optional<double> bytes_per_moving_body_step(std::uint64_t file_bytes) const;
 };
 
-/// Reads a log from end to end. Steps that cannot be read are left out: verify() names them.
+/// Reads a log from end to end and leaves out steps that cannot be read. verify() names those.
 LogFacts collect_facts(LogReader& log, const Progress& progress = {});
 
 }  // namespace tumble::replay

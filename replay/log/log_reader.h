@@ -2,108 +2,90 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "replay/codec/chunk_codec.h"
-#include "replay/codec/index_codec.h"
 #include "replay/format/chunk.h"
 #include "replay/format/prelude.h"
 #include "replay/format/step_record.h"
 #include "replay/log/byte_io.h"
-#include "replay/log/scan.h"
+#include "replay/log/log_condition.h"
+#include "src/base/hash.h"
 #include "src/base/result.h"
 
 namespace tumble::replay {
 
-class ChunkAhead;
-
-/// Reads a log: any step, in any order, at the price of one chunk. Not for two threads at once; open the file twice.
+/// Reads a log: any step, in any order. A step costs the decoding of its chunk, and the reader keeps the chunk that it
+/// decoded last. Use one reader per thread.
 class LogReader {
  public:
+  /// Opens a log whose header is intact. Damage behind the header does not fail here: condition() reports it, and every
+  /// intact chunk can be read.
+  ///
   /// Errors. kBadInput: no such file, a folder, not a log, a format that needs a newer program. kDamaged: an empty
-  /// file, a header that is torn or not what was written. Everything behind the header may be damaged and the log still
-  /// opens; condition() says so, and what is whole can be read.
+  /// file, a header that is cut off or has changed bytes.
   static Result<LogReader> open(const std::string& path);
   static Result<LogReader> open(std::unique_ptr<ByteSource> source);
+  LogReader(LogReader&&) noexcept;
+  LogReader& operator=(LogReader&&) noexcept;
+  ~LogReader();
 
-  [[nodiscard]] const LogHeader& header() const { return header_; }
-  [[nodiscard]] std::string name() const { return source_->name(); }  ///< the path
-  [[nodiscard]] std::uint64_t file_bytes() const { return source_->size(); }
+  [[nodiscard]] const LogHeader& header() const;
+  [[nodiscard]] std::string name() const;  ///< the path
+  [[nodiscard]] std::uint64_t file_bytes() const;
 
-  /// Whether the log was finished, where it is torn, what was found damaged on opening. verify() looks at every byte.
-  [[nodiscard]] const LogCondition& condition() const { return condition_; }
+  /// Whether the log was finished, where it was cut off, and the damage that opening found. verify() checks every byte.
+  [[nodiscard]] const LogCondition& condition() const;
 
-  /// The state that the log begins with: 0, or the step after which the session goes on from another one.
-  [[nodiscard]] std::uint64_t first_state() const { return header_prelude_.first_step; }
+  /// The number of the state that the log begins with: 0, or the step at which the log continues another one.
+  [[nodiscard]] std::uint64_t first_state() const;
 
-  /// The last step that the log holds; first_state() if it holds that state alone or nothing.
-  [[nodiscard]] std::uint64_t last_step() const {
-    return chunks_.empty() ? first_state() : chunks_.back().end_step() - 1;
-  }
+  /// The last step that the log holds; first_state() for a log without steps.
+  [[nodiscard]] std::uint64_t last_step() const;
 
   [[nodiscard]] std::uint64_t step_count() const { return last_step() - first_state(); }
 
-  /// The gap of a recovered log in which step k lies, if it does.
-  [[nodiscard]] const Gap* lost_at(std::uint64_t k) const;
+  /// The missing steps of a recovered log that step k belongs to; null for every other step.
+  [[nodiscard]] const MissingSteps* lost_at(std::uint64_t k) const;
 
-  /// The chunks that are there, ascending. Between two of them steps are missing if a record was lost.
-  [[nodiscard]] const std::vector<ChunkPlace>& chunks() const { return chunks_; }
+  /// The intact chunks, by ascending step. A lost record leaves steps missing between two of them.
+  [[nodiscard]] const std::vector<ChunkPlace>& chunks() const;
 
-  /// Step k of first_state() … last_step(), with its states where the log has them (record->has_states); the first is
-  /// the state that the log begins with, always with states and without inputs. The pointer is good until the next call
-  /// of a member that is not const. Errors: kBadInput for a step that the log does not hold, kDamaged (path, record,
-  /// byte, found and wanted) for one that cannot be read.
+  /// Step k of first_state() … last_step(). record->has_states says whether the log holds the states of that step.
+  /// Step first_state() stands for the state that the log begins with: always with states, without inputs.
+  ///
+  /// The pointer is valid until the next call of a non-const member. Errors. kBadInput: the log does not hold the step.
+  /// kDamaged: the step cannot be read; the message names path, record, byte, found and wanted.
   Result<const StepRecord*> read_step(std::uint64_t k);
 
-  /// The same without states, which makes it cheap: inputs, hashes and counters only. states stays empty or not.
+  /// Step k with inputs, hashes and counters only, at a fraction of the cost of read_step(). `states` is unspecified.
   Result<const StepRecord*> read_hashes(std::uint64_t k);
 
-  /// The latest complete state from which state k can be reached: its state.step <= k. World::restore() takes it; then
-  /// apply the inputs of steps state.step + 1 … k and step. Good until the next call of a member that is not const.
+  /// The latest complete state at or before state k: its state.step <= k. To reach state k, pass it to
+  /// World::restore(), then apply the inputs of steps state.step + 1 … k and step.
+  ///
+  /// The pointer is valid until the next call of a non-const member. Errors: as read_step().
   Result<const Keyframe*> keyframe_at_or_before(std::uint64_t k);
 
   /// The chain after step k of first_state() … last_step(); see chain_next(). Errors: as read_step().
   Result<Hash128> chain_at(std::uint64_t k);
 
-  /// Whether a second thread decodes the next chunk while one is in use: for who reads all steps in turn. It takes the
-  /// memory of a chunk more.
+  /// Decodes the next chunk on a second thread while one chunk is in use. Costs the memory of one more chunk. Pays off
+  /// where all steps are read in ascending order.
   void read_ahead(bool on);
 
-  /// How many chunks were read and decompressed so far: what finding something has cost.
-  [[nodiscard]] std::uint64_t chunks_opened() const { return chunks_opened_; }
+  /// The number of chunks decoded so far: a measure of the work done.
+  [[nodiscard]] std::uint64_t chunks_opened() const;
 
   // For verify().
-  [[nodiscard]] const ByteSource& source() const { return *source_; }
-  [[nodiscard]] const Prelude& header_prelude() const { return header_prelude_; }
+  [[nodiscard]] const ByteSource& source() const;
+  [[nodiscard]] const Prelude& header_prelude() const;
 
  private:
-  LogReader(std::unique_ptr<ByteSource> source) : source_(std::move(source)) {}
-  Status read_header();
-  void find_chunks();
-  [[nodiscard]] Error no_such(const char* what, std::uint64_t k) const;
-  [[nodiscard]] Result<std::size_t> chunk_of(std::uint64_t k) const;
-  Result<ChunkDecoder*> load(std::size_t chunk);
-  Result<const StepRecord*> read(std::uint64_t k, bool with_states);
+  struct State;
+  explicit LogReader(std::unique_ptr<State> state);
 
-  std::unique_ptr<ByteSource> source_;
-  Prelude header_prelude_;
-  LogHeader header_;
-  LogCondition condition_;
-  std::vector<ChunkPlace> chunks_;
-  std::optional<std::size_t> loaded_;  // which chunk decoder_ holds
-  std::optional<ChunkDecoder> decoder_;
-  std::uint64_t chunks_opened_ = 0;
-  StepRecord start_;
-  std::shared_ptr<ChunkAhead> ahead_;
+  std::unique_ptr<State> state_;
 };
-
-/// Reads, checks and decompresses the record at a place. Errors carry path, record and byte.
-Result<MessageBytes> read_payload(const ByteSource& source, std::uint64_t offset, const Prelude& prelude);
-
-/// Reads the chunk at a place and checks it against its prelude: the stored hash, the counts, the chain over its steps.
-Result<ChunkDecoder> read_chunk(const ByteSource& source, const ChunkPlace& place, const Prelude& header,
-                                const LogHeader& log);
 
 }  // namespace tumble::replay

@@ -11,6 +11,7 @@
 
 #include "replay/format/limits.h"
 #include "replay/log/record_writer.h"
+#include "src/base/check.h"
 
 namespace tumble::replay {
 namespace {
@@ -21,7 +22,11 @@ constexpr std::size_t kBuffers = 3;  // one is filled while one is written and o
 constexpr std::size_t kManyBodies = std::size_t{1} << 19U;  // a buffer holds a state, 0.5 kB of each: one must do
 constexpr std::chrono::seconds kChunkAgeMax(1);
 
-/// The steps of a chunk on their way to the writing thread; its memory is used again and again.
+/// The steps of one chunk, filled by the caller and written by the thread.
+///
+/// Buffers circulate between the two threads and keep their memory: allocating the pages of a chunk costs more than
+/// filling them. With three of them the caller fills one while the thread writes another, and the third covers the time
+/// until a buffer comes back.
 struct Buffer {
   Keyframe keyframe;
   std::vector<StepRecord> steps;  // of which `used` are filled
@@ -30,7 +35,7 @@ struct Buffer {
   std::uint64_t bytes = 0;
   Clock::time_point begun;
 
-  /// Gets the memory of so many steps: pages cost more to get than to fill.
+  /// Allocates the memory of `count` steps and touches it.
   void reserve(const sim::Bodies& bodies, std::size_t count) {
     steps.resize(count);
     for (StepRecord& step : steps) copy_visible(bodies, step.states);
@@ -43,7 +48,11 @@ struct Buffer {
     begun = Clock::now();
   }
 
+  /// The number of the state after the last added step.
+  [[nodiscard]] std::uint64_t last_state() const { return keyframe.state.step + used; }
+
   void add(const StepInfo& info, const sim::WorldState& after) {
+    SIM_CHECK(after.step == last_state() + 1, after.step, last_state());
     if (used == steps.size()) steps.emplace_back();
     StepRecord& step = steps[used++];
     step.step = after.step;
@@ -77,6 +86,7 @@ struct LogWriter::Shared {
 
   RecordWriter records;  // the thread's, while it runs
   std::size_t buffers;
+  bool finished = false;                                     // the caller's
   std::unique_ptr<Buffer> open{std::make_unique<Buffer>()};  // the caller's
 
   std::mutex mutex;  // guards what follows
@@ -89,7 +99,7 @@ struct LogWriter::Shared {
   std::thread thread;
 };
 
-/// The writing thread, first: what the free chunks of a session of `planned` steps will need.
+/// Runs first on the writing thread: allocates the free buffers that a session of `planned` steps will fill.
 void LogWriter::Shared::reserve(const sim::Bodies& bodies, std::uint64_t planned) {
   const std::uint64_t most = kChunkStateBytes / (kBodyStateBytes * std::max<std::size_t>(bodies.size(), 1)) + 1;
   const std::uint64_t count = std::min(most, kChunkBusySteps);
@@ -106,7 +116,7 @@ void LogWriter::Shared::reserve(const sim::Bodies& bodies, std::uint64_t planned
   }
 }
 
-/// The writing thread: chunks from `full` to the file and back to `free`.
+/// Runs on the writing thread: writes the buffers of `full` and moves each to `free`.
 void LogWriter::Shared::run() {
   std::unique_lock lock(mutex);
   for (;;) {
@@ -123,8 +133,9 @@ void LogWriter::Shared::run() {
   }
 }
 
-/// Gives the open chunk to the thread and begins the next at `now`; waits for memory if none is free.
+/// Moves the open buffer to `full` and begins the next one at `now`. Waits while no buffer is free.
 Status LogWriter::Shared::hand_over(const sim::WorldState& now) {
+  SIM_CHECK(now.step == open->last_state(), now.step, open->last_state());
   std::unique_lock lock(mutex);
   full.push_back(std::move(open));
   changed.notify_all();
@@ -135,7 +146,7 @@ Status LogWriter::Shared::hand_over(const sim::WorldState& now) {
   return status;
 }
 
-/// Lets the thread write what it was given, and ends it.
+/// Waits until the thread has written all full buffers, and ends it.
 void LogWriter::Shared::stop() {
   if (!thread.joinable()) return;
   {
@@ -195,6 +206,8 @@ Status LogWriter::flush(const sim::WorldState& now) {
 }
 
 Result<LogSummary> LogWriter::finish() {
+  SIM_CHECK(!shared_->finished);
+  shared_->finished = true;
   shared_->stop();
   RecordWriter& records = shared_->records;
   Buffer& open = *shared_->open;

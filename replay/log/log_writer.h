@@ -12,7 +12,7 @@
 
 namespace tumble::replay {
 
-/// A finished log in numbers.
+/// The numbers of a finished log.
 struct LogSummary {
   std::uint64_t steps = 0;
   std::uint64_t chunks = 0;
@@ -21,7 +21,7 @@ struct LogSummary {
   Hash128 chain;       ///< after the last step: equal for equal sessions
 };
 
-/// What happened in a step, for append(). References last for the call.
+/// One step, for append(). The spans must be valid during the call.
 struct StepInfo {
   double dt = 0;                               ///< s
   std::span<const sim::Command> inputs;        ///< applied before the step, in order
@@ -29,38 +29,40 @@ struct StepInfo {
   sim::StepCounters counters;
 };
 
-/// Writes a session to a log as it happens.
+/// Writes a session to a log while the session runs.
 ///
-/// The calling thread only copies: append() puts the visible columns into memory that is used again, and a chunk that
-/// is full goes to the writer's own thread, which hashes, encodes, compresses, writes. There are three such chunks; a
-/// caller faster than the disk waits in append() for one to come back.
+/// The calling thread only copies. append() copies the visible columns into a chunk in memory. The writer's own thread
+/// hashes, encodes, compresses and writes full chunks. Three chunks exist (one for huge scenes); append() waits while
+/// all of them are full.
 ///
-/// A chunk is closed after kChunkBusySteps steps of all bodies moving (quiet ones count less, up to kChunkStepsMax
-/// steps), at kChunkStateBytes, and at the first append() a second or more after it was begun. A crash of the process
-/// loses the open chunk and those on their way to the disk; a session that pauses calls flush().
+/// The writer closes a chunk
+/// - after kChunkBusySteps steps in which all bodies move; resting bodies count nothing, up to kChunkStepsMax steps
+/// - at kChunkStateBytes of states
+/// - in the first append() that comes a second or more after the chunk was begun
+/// A crash of the process loses the chunks that are not in the file yet. Call flush() before a pause.
 ///
-/// Not to be called from two threads at once.
+/// Not for use by two threads at once.
 class LogWriter {
  public:
-  /// Begins a log: writes the header. `initial` is state 0, or the state that LogHeader::goes_on tells of. header_for()
-  /// makes the header. Errors: kBadInput from open_file_sink(), kCannotFinish from writing.
+  /// Creates the log and writes its header. header: as header_for() makes it. initial: state 0, or the state that
+  /// LogHeader::goes_on names. Errors. kBadInput: open_file_sink() refuses the path. kCannotFinish: writing fails.
   static Result<std::unique_ptr<LogWriter>> create(const std::string& path, const LogHeader& header,
                                                    const sim::WorldState& initial);
   static Result<std::unique_ptr<LogWriter>> create(std::unique_ptr<ByteSink> sink, const LogHeader& header,
                                                    const sim::WorldState& initial);
 
-  /// Without finish(): writes the steps so far, but neither index nor footer. Such a log reads as torn.
+  /// Without finish(), writes the remaining steps but no index and no footer. Readers report such a log as torn.
   ~LogWriter();
 
-  /// Adds a step; `after` is the state that it led to (after.step is its number). Steps must follow each other without
-  /// a gap. Errors (kCannotFinish): what the writing thread met earlier, with the file, the reason and the steps that
-  /// are saved; nothing is written any more then.
+  /// Adds a step. after: the state after the step; after.step is the number of the step, one more than the last.
+  /// Errors (kCannotFinish): an earlier write failed. The message names the file, the reason and the saved steps, and
+  /// the writer writes nothing more.
   Status append(const StepInfo& info, const sim::WorldState& after);
 
-  /// Closes the open chunk and returns when it is in the file. `now` is the state after the step appended last.
+  /// Closes the open chunk and waits until the file holds it. now: the state after the last appended step.
   Status flush(const sim::WorldState& now);
 
-  /// Writes the rest, the index and the footer. Call once, last. Errors: as append().
+  /// Writes the remaining steps, the index and the footer. Call once, as the last call. Errors: as append().
   Result<LogSummary> finish();
 
  private:

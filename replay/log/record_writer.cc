@@ -3,7 +3,10 @@
 #include <utility>
 
 #include "replay/codec/header_codec.h"
+#include "replay/codec/index_codec.h"
+#include "replay/format/chain.h"
 #include "replay/format/limits.h"
+#include "src/base/check.h"
 
 namespace tumble::replay {
 namespace {
@@ -11,6 +14,11 @@ namespace {
 std::string steps_text(std::uint64_t first, std::uint64_t steps) {
   if (steps == 0) return "no step was saved";
   return "steps " + std::to_string(first) + " to " + std::to_string(first + steps - 1) + " are saved and can be read";
+}
+
+bool reads_back(const Prelude& prelude) {
+  const Result<Prelude> read = decode_prelude(encode(prelude));
+  return read.ok() && *read == prelude;
 }
 
 }  // namespace
@@ -26,6 +34,7 @@ Status RecordWriter::write_all(std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     Result<std::size_t> written = sink_->write_some(bytes);
     if (!written.ok()) return written.error();
+    SIM_CHECK(*written >= 1 && *written <= bytes.size(), *written, bytes.size());
     bytes = bytes.subspan(*written);
   }
   return {};
@@ -42,6 +51,9 @@ Status RecordWriter::write_record(Prelude& prelude, const MessageBytes& message)
   return write_stored(prelude, stored_);
 }
 
+// A message of many equal rows can compress so well that it looks like a decompression bomb, and readers would refuse
+// it (message_bytes_max() in limits.h). With a window of 1 KiB, zstd needs at least 4 bytes per KiB, so the result is
+// always within the limit of 256. Other messages are not compressed twice.
 Status RecordWriter::pack_worse(Prelude& prelude, std::span<const std::byte> message) {
   const std::string doing = std::string(name_of(prelude.kind)) + " " + std::to_string(sequence_);
   Compressor narrow(1, kNarrowWindowLog);
@@ -52,6 +64,8 @@ Status RecordWriter::pack_worse(Prelude& prelude, std::span<const std::byte> mes
                          std::to_string(prelude.stored_bytes) + ", so few that no program would read it again");
 }
 
+// Each record is written completely or cut off again. The next record needs no repair, and a reader never sees half a
+// record in front of a whole one.
 Status RecordWriter::write_stored(Prelude& prelude, std::span<const std::byte> stored) {
   const std::string doing = std::string(name_of(prelude.kind)) + " " + std::to_string(sequence_);
   prelude.sequence = sequence_;
@@ -59,6 +73,8 @@ Status RecordWriter::write_stored(Prelude& prelude, std::span<const std::byte> s
   prelude.stored_hash = hash_bytes(stored);
   if (prelude.kind == RecordKind::kHeader) log_tag_ = prelude.stored_hash.low;
   prelude.log_tag = log_tag_;
+  SIM_CHECK(prelude.raw_bytes <= raw_bytes_max(prelude, bytes_), prelude.raw_bytes, stored.size(), bytes_);
+  SIM_CHECK(reads_back(prelude), static_cast<unsigned>(prelude.kind), sequence_);
   if (Status ok = write_all(encode(prelude)); !ok.ok()) return fail(doing, ok.error().message);
   if (Status ok = write_all(stored); !ok.ok()) return fail(doing, ok.error().message);
   bytes_ += kPreludeBytes + stored.size();
@@ -67,6 +83,9 @@ Status RecordWriter::write_stored(Prelude& prelude, std::span<const std::byte> s
 }
 
 Status RecordWriter::write_header(const LogHeader& header, const sim::WorldState& initial) {
+  SIM_CHECK(sequence_ == 0, sequence_);
+  const std::vector<sim::BoxDef>& boxes = header.scene.boxes;
+  for (std::size_t i = 1; i < boxes.size(); ++i) SIM_CHECK(boxes[i - 1].id < boxes[i].id, i, boxes[i].id);
   mode_ = header.states;
   final_hash_ = sim::state_hash(initial.bodies);
   first_state_ = initial.step;
@@ -88,7 +107,11 @@ Status RecordWriter::write_chunk(Keyframe& keyframe, std::span<StepRecord> steps
   prelude.first_step = keyframe.state.step + 1;
   prelude.step_count = steps.size();
   prelude.chain_before = chain_;
+  SIM_CHECK(prelude.first_step == end_step(), prelude.first_step, end_step());
+  SIM_CHECK(steps.size() <= kStepsPerChunkRead, steps.size());
   for (StepRecord& step : steps) {
+    SIM_CHECK(step.step == prelude.first_step + static_cast<std::uint64_t>(&step - steps.data()), step.step);
+    SIM_CHECK(step.phase_words.size() <= kPhaseWordsMax, step.step, step.phase_words.size());
     final_hash_ = step.state_hash = state_hash(step.states);
     step.has_states = mode_.holds(step.step);
     chain_ = chain_next(chain_, step);
@@ -103,6 +126,7 @@ Status RecordWriter::write_chunk(Keyframe& keyframe, std::span<StepRecord> steps
 }
 
 Status RecordWriter::copy_header(const Prelude& before, std::span<const std::byte> stored) {
+  SIM_CHECK(sequence_ == 0 && before.kind == RecordKind::kHeader, sequence_);
   first_state_ = before.first_step;
   chain_ = before.chain_after;
   Prelude prelude = before;
@@ -111,9 +135,11 @@ Status RecordWriter::copy_header(const Prelude& before, std::span<const std::byt
 
 Status RecordWriter::copy_chunk(const Prelude& before, std::span<const std::byte> stored, const Hash128& final_hash) {
   if (!status_.ok()) return status_;
+  SIM_CHECK(before.kind == RecordKind::kChunk && before.stored_bytes == stored.size(), stored.size());
+  SIM_CHECK(before.first_step >= end_step(), before.first_step, end_step());
   Prelude prelude = before;
   const std::uint64_t offset = bytes_;
-  if (prelude.raw_bytes > raw_bytes_max(prelude, offset)) {  // what told of its bodies is lost
+  if (prelude.raw_bytes > raw_bytes_max(prelude, offset)) {  // the bytes before it in the file are fewer now
     const Result<MessageBytes> message = decompress(stored, prelude.raw_bytes, kChunkBytesMax);
     if (!message.ok()) return fail("chunk " + std::to_string(sequence_), message.error().message);
     if (Status ok = pack_worse(prelude, message->bytes()); !ok.ok()) return ok;
@@ -126,8 +152,13 @@ Status RecordWriter::copy_chunk(const Prelude& before, std::span<const std::byte
   return {};
 }
 
+// The footer promises that all bytes before it are on the disk, so the first sync() comes before the footer. The second
+// makes the footer itself survive a loss of power.
 Status RecordWriter::finish() {
   if (!status_.ok()) return status_;
+  for (std::size_t i = 1; i < chunks_.size(); ++i) {
+    SIM_CHECK(chunks_[i].offset == chunks_[i - 1].offset + chunks_[i - 1].length, i, chunks_[i].offset);
+  }
   Result<MessageBytes> message = encode_index(chunks_);
   if (!message.ok()) return fail("index", message.error().message);
   Footer footer;
@@ -148,6 +179,7 @@ Status RecordWriter::finish() {
   footer.final_state_hash = final_hash_;
   if (Status ok = write_all(encode(footer)); !ok.ok()) return fail("footer", ok.error().message);
   bytes_ += kFooterBytes;
+  SIM_CHECK(bytes_ == footer.file_bytes, bytes_, footer.file_bytes);
   if (Status ok = sink_->sync(); !ok.ok()) return fail("footer", ok.error().message);
   return {};
 }

@@ -1,26 +1,31 @@
 #include "replay/log/scan.h"
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <utility>
 
 #include "replay/format/limits.h"
+#include "replay/log/record_reader.h"
 #include "src/model/limits.h"
 
 namespace tumble::replay {
 namespace {
 
-constexpr std::size_t kWindowMin = 4096;  // read at a time in a search; doubles, so that short searches stay cheap
+constexpr std::size_t kWindowMin = 4096;  // bytes per read of a search; doubles, so that short searches stay cheap
 constexpr std::size_t kWindowMax = 1 << 20;
 
 std::string at_byte(std::uint64_t offset) { return "at byte " + std::to_string(offset); }
 
-/// Walks the records of a log from its header's end on.
+/// Follows the records of a log from the end of its header.
+///
+/// A record is found by the length that the prelude before it states. Where a prelude is damaged that length is lost,
+/// so the walk searches for the next prelude byte by byte: the 12 fixed bytes rarely occur by chance, and the hash
+/// inside a prelude and the tag of the log exclude the rest. LevelDB's log reader resynchronises at block boundaries
+/// instead (db/log_reader.cc); records of this format have any length, so there are no boundaries to rely on.
 class Walk {
  public:
-  Walk(const ByteSource& source, const Prelude& header, const std::vector<Gap>& gaps)
-      : source_(source), header_(header), gaps_(gaps) {
+  Walk(const ByteSource& source, const Prelude& header, const std::vector<MissingSteps>& missing)
+      : source_(source), records_(source), header_(header), missing_(missing) {
     offset_ = kPreludeBytes + header.stored_bytes;
     chain_ = header.chain_after;
     result_.condition.torn_offset = offset_;
@@ -32,7 +37,7 @@ class Walk {
     LogCondition& condition = result_.condition;
     condition.finished = result_.footer.has_value();
     condition.torn = torn_ || (!condition.finished && offset_ >= source_.size());
-    condition.gaps = gaps_;
+    condition.missing = missing_;
     return std::move(result_);
   }
 
@@ -43,13 +48,13 @@ class Walk {
     result_.condition.damages.push_back({kind, offset, std::move(message)});
   }
 
-  /// False at the end of what can be read.
+  /// Returns false where the walk ends.
   bool read_record() {
     if (result_.footer) return stray_bytes();
     if (left() < kPreludeBytes) return incomplete_prelude();
-    std::array<std::byte, kPreludeBytes> bytes;
-    if (Status ok = source_.read(offset_, bytes); !ok.ok()) return unreadable(ok.error().message);
-    Result<Prelude> prelude = decode_prelude(bytes);
+    const auto bytes = records_.read_bytes<kPreludeBytes>(offset_);
+    if (!bytes.ok()) return unreadable(bytes.error().message);
+    const Result<Prelude> prelude = decode_prelude(*bytes);
     if (!prelude.ok()) return zeros_to_end() ? torn() : skip_to_next(prelude.error().message);
     if (prelude->log_tag != header_.log_tag || prelude->kind == RecordKind::kHeader) {
       return skip_to_next("found a record of another log");
@@ -85,7 +90,7 @@ class Walk {
     return false;
   }
 
-  /// Systems that lose power may leave the length of a write without its bytes.
+  /// A system that loses power may keep the length of a write without its bytes.
   bool zeros_to_end() {
     std::vector<std::byte> bytes;
     std::size_t window = kWindowMin;
@@ -98,7 +103,7 @@ class Walk {
     return true;
   }
 
-  /// Reports damage at the current place and goes on at the next prelude of this log, if there is one.
+  /// Reports damage at the current place and moves to the next prelude of this log. Returns false without one.
   bool skip_to_next(const std::string& why) {
     const std::uint64_t hurt = offset_;
     const std::optional<FoundPrelude> next = find_prelude(source_, offset_ + 1, header_.log_tag);
@@ -108,14 +113,12 @@ class Walk {
     add_damage(kind, hurt, std::string(name_of(kind)) + " " + at_byte(hurt) + ": " + why + "; " + then);
     if (!next) return false;
     offset_ = next->offset;
-    gap_ = true;
+    after_loss_ = true;
     return true;
   }
 
   void take(const Prelude& prelude) {
-    const std::uint64_t length = kPreludeBytes + prelude.stored_bytes;
-    const ChunkPlace place = {
-        offset_, length, prelude.first_step, prelude.step_count, prelude.chain_after, prelude.stored_hash};
+    const ChunkPlace place = place_of(prelude, offset_);
     const bool in_order = check_order(prelude);
     if (prelude.kind == RecordKind::kIndex) {
       result_.index = place;
@@ -124,18 +127,18 @@ class Walk {
     }
     sequence_ = prelude.sequence + 1;
     chain_ = prelude.chain_after;
-    offset_ += length;
+    offset_ += place.length;
     result_.condition.torn_offset = offset_;
-    gap_ = false;
+    after_loss_ = false;
   }
 
-  /// A record taken out, put in or moved shows in the numbers and the chain; after damage a gap is no news. False for
-  /// a chunk that does not come after the others.
+  /// A record that was removed, inserted or moved shows in the sequence numbers and in the chain. Behind damage,
+  /// missing records are expected. Returns false for a chunk that does not follow the chunks before.
   bool check_order(const Prelude& prelude) {
     const std::string record = std::string(name_of(prelude.kind)) + " " + at_byte(offset_) + ": found ";
     const std::uint64_t end = result_.chunks.empty() ? header_.first_step + 1 : result_.chunks.back().end_step();
-    const std::uint64_t wanted = step_after(end, gaps_);
-    const bool over_gap = prelude.kind == RecordKind::kChunk && wanted != end;
+    const std::uint64_t wanted = step_after(end, missing_);
+    const bool after_missing = prelude.kind == RecordKind::kChunk && wanted != end;
     if (prelude.kind == RecordKind::kChunk && (prelude.first_step < wanted || prelude.first_step > sim::kStepsMax ||
                                                prelude.step_count > kStepsPerChunkRead)) {
       add_damage(prelude.kind, offset_,
@@ -144,7 +147,7 @@ class Walk {
                      " or later");
       return false;
     }
-    if (gap_ && prelude.sequence > sequence_) return true;
+    if (after_loss_ && prelude.sequence > sequence_) return true;
     if (prelude.sequence != sequence_) {
       add_damage(
           prelude.kind, offset_,
@@ -152,7 +155,7 @@ class Walk {
     } else if (prelude.kind == RecordKind::kChunk && prelude.first_step != wanted) {
       add_damage(prelude.kind, offset_,
                  record + "first step " + std::to_string(prelude.first_step) + ", wanted " + std::to_string(wanted));
-    } else if (!over_gap && prelude.chain_before != chain_) {
+    } else if (!after_missing && prelude.chain_before != chain_) {
       add_damage(prelude.kind, offset_,
                  record + "chain " + to_string(prelude.chain_before) + " before it, wanted " + to_string(chain_));
     }
@@ -161,9 +164,9 @@ class Walk {
 
   bool read_footer() {
     if (left() < kFooterBytes) return torn();
-    std::array<std::byte, kFooterBytes> bytes;
-    if (Status ok = source_.read(offset_, bytes); !ok.ok()) return unreadable(ok.error().message);
-    Result<Footer> footer = decode_footer(bytes);
+    const auto bytes = records_.read_bytes<kFooterBytes>(offset_);
+    if (!bytes.ok()) return unreadable(bytes.error().message);
+    const Result<Footer> footer = decode_footer(*bytes);
     if (!footer.ok()) return skip_to_next(footer.error().message);
     check_order(footer->prelude);
     result_.footer = *footer;
@@ -173,40 +176,21 @@ class Walk {
   }
 
   const ByteSource& source_;
+  const RecordReader records_;
   const Prelude& header_;
-  const std::vector<Gap>& gaps_;
+  const std::vector<MissingSteps>& missing_;
   std::uint64_t offset_;
   std::uint64_t sequence_ = 1;
   Hash128 chain_;
-  bool gap_ = false;   // the record before was lost
-  bool torn_ = false;  // the file ends inside a record
+  bool after_loss_ = false;  // the record before was lost
+  bool torn_ = false;        // the file ends inside a record
   Scan result_;
 };
 
 }  // namespace
 
-std::string LogCondition::summary(std::uint64_t last_step) const {
-  if (whole()) return "whole";
-  std::string text;
-  if (torn) {
-    text = "torn: complete up to byte " + std::to_string(torn_offset) + ", which is step " + std::to_string(last_step) +
-           "; the rest was never written";
-  }
-  if (!damages.empty()) {
-    if (!text.empty()) text += "; ";
-    text += std::to_string(damages.size()) + (damages.size() == 1 ? " damage: " : " damages, the first: ") +
-            damages.front().message;
-  }
-  if (!gaps.empty()) {
-    if (!text.empty()) text += "; ";
-    text += "recovered from a damaged log: " + to_string(gaps.front()) +
-            (gaps.size() == 1 ? "" : " and " + std::to_string(gaps.size() - 1) + " more runs of steps") + " were lost";
-  }
-  return text;
-}
-
-Scan scan_records(const ByteSource& source, const Prelude& header, const std::vector<Gap>& gaps) {
-  return Walk(source, header, gaps).run();
+Scan scan_records(const ByteSource& source, const Prelude& header, const std::vector<MissingSteps>& missing) {
+  return Walk(source, header, missing).run();
 }
 
 std::optional<FoundPrelude> find_prelude(const ByteSource& source, std::uint64_t from,

@@ -4,8 +4,8 @@
 
 namespace tumble::replay {
 
-/// Simulated time, s, since state 0. Equal steps are multiplied instead of added up, so that 300 steps of 1/60 s are 5
-/// s.
+/// Simulated time in s since state 0. Multiplies the length of equal steps instead of adding it up, so that 300 steps
+/// of 1/60 s are exactly 5 s.
 class SessionClock {
  public:
   void add_step(double dt_s) {

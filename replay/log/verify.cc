@@ -1,10 +1,11 @@
 #include "replay/log/verify.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
-#include "replay/format/limits.h"
+#include "replay/format/chain.h"
+#include "replay/log/record_reader.h"
+#include "replay/log/scan.h"
 
 namespace tumble::replay {
 namespace {
@@ -12,7 +13,7 @@ namespace {
 class Verifier {
  public:
   explicit Verifier(LogReader& log)
-      : log_(log), scan_(scan_records(log.source(), log.header_prelude(), log.header().gaps())) {}
+      : log_(log), scan_(scan_records(log.source(), log.header_prelude(), log.header().missing())) {}
 
   VerifyReport run() {
     report_.condition = scan_.condition;
@@ -37,7 +38,8 @@ class Verifier {
   void add(RecordKind kind, std::uint64_t offset, const std::string& message) { add(Damage{kind, offset, message}); }
 
   void check_chunk(const ChunkPlace& place) {
-    Result<ChunkDecoder> chunk = read_chunk(log_.source(), place, log_.header_prelude(), log_.header());
+    const ChunkRules rules = {log_.header_prelude().log_tag, log_.header().phases.size()};
+    Result<ChunkDecoder> chunk = RecordReader(log_.source()).read_chunk(place, rules);
     const auto wrong = [&](const std::string& message) {
       add(RecordKind::kChunk, place.offset,
           log_.name() + ": chunk at byte " + std::to_string(place.offset) + ": " + message);
@@ -58,7 +60,7 @@ class Verifier {
     state_known_ = true;
   }
 
-  /// The keyframe must be what the step before it led to.
+  /// A keyframe repeats the state after the step before.
   Status check_keyframe(const Keyframe& keyframe, const ChunkPlace& place) {
     const Hash128 found = sim::state_hash(keyframe.state.bodies);
     if (place.first_step == log_.first_state() + 1 && !is_start(keyframe, found)) {
@@ -76,7 +78,8 @@ class Verifier {
                    to_string(keyframe.continuation_hash));
   }
 
-  /// State 0 is what the chain starts from; a session that goes on names the complete state.
+  /// Whether the keyframe is the state that the log begins with. The chain starts from the hash of state 0; the header
+  /// of a continued log names the complete state instead.
   [[nodiscard]] bool is_start(const Keyframe& keyframe, const Hash128& state) const {
     const std::optional<GoesOn>& before = log_.header().goes_on;
     if (before) return before->continuation_hash == keyframe.continuation_hash;
@@ -98,19 +101,14 @@ class Verifier {
     if (!scan_.index) return;
     const std::uint64_t offset = scan_.index->offset;
     const auto wrong = [&](const std::string& message) { add(RecordKind::kIndex, offset, message); };
-    std::array<std::byte, kPreludeBytes> bytes;
-    if (Status ok = log_.source().read(offset, bytes); !ok.ok()) return wrong(ok.error().message);
-    Result<Prelude> prelude = decode_prelude(bytes);
-    if (!prelude.ok()) return wrong(prelude.error().message);
-    Result<MessageBytes> message = read_payload(log_.source(), offset, *prelude);
-    if (!message.ok()) return wrong(message.error().message);
-    Result<std::vector<ChunkPlace>> places = decode_index(*message);
+    const Result<std::vector<ChunkPlace>> places =
+        RecordReader(log_.source()).read_index(offset, log_.header_prelude().log_tag);
     if (!places.ok()) return wrong(places.error().message);
     if (!tells_of_file(*places))
       wrong("index at byte " + std::to_string(offset) + ": its rows are not the file's chunks");
   }
 
-  /// Every chunk has its row and every row its chunk, but for chunks whose damage is known already.
+  /// Whether rows and chunks match one to one. A row without a chunk is accepted where damage was reported.
   [[nodiscard]] bool tells_of_file(const std::vector<ChunkPlace>& rows) const {
     auto chunk = scan_.chunks.begin();
     for (const ChunkPlace& row : rows) {

@@ -7,14 +7,18 @@
 namespace tumble::replay {
 
 struct VerifyReport {
-  LogCondition condition;           ///< everything found
-  std::uint64_t steps_checked = 0;  ///< read, decoded and hashed again
-  std::uint64_t states_checked = 0;
+  LogCondition condition;            ///< with all damage found
+  std::uint64_t steps_checked = 0;   ///< decoded, and added to the chain again
+  std::uint64_t states_checked = 0;  ///< steps whose states were hashed again
 };
 
-/// Reads every byte of a log and checks all it can: stored hashes, chain, steps without a gap, states against their
-/// state hashes, each keyframe against the step before it (and its continuation hash where this build has the log's
-/// method version), the index against the file, the footer, bytes that belong to no record.
+/// Reads every byte of a log and checks:
+/// - the stored hash of each record, the chain, and that no step is missing
+/// - states against their state hashes
+/// - each keyframe against the step before it, and against its continuation hash if this build has the method version
+/// of
+///   the log
+/// - the index against the file, the footer, and that no byte lies outside a record
 VerifyReport verify(LogReader& log);
 
 }  // namespace tumble::replay

@@ -9,11 +9,11 @@ Result<Metrics> measure_log(LogReader& log, const MeasureOptions& options,
   StateSource source(log);
   Measurer measurer(log.header(), options);
   const std::uint64_t first = log.first_state();
-  const std::vector<Gap>& gaps = log.header().gaps();
-  const std::uint64_t last = gaps.empty() ? log.last_step() : gaps.front().first_step - 1;
-  if (options.from_step > last && !gaps.empty()) {
+  const std::vector<MissingSteps>& missing = log.header().missing();
+  const std::uint64_t last = missing.empty() ? log.last_step() : missing.front().first_step - 1;
+  if (options.from_step > last && !missing.empty()) {
     return bad_input(log.name() + ": measures cannot begin after step " + std::to_string(last) + ": " +
-                     to_string(gaps.front()) + " were lost before the log was recovered");
+                     to_string(missing.front()) + " were lost before the log was recovered");
   }
   Result<const StepRecord*> record = source.read(first);
   for (std::uint64_t k = first; k <= last; ++k) {

@@ -6,8 +6,9 @@
 #include <utility>
 #include <variant>
 
+#include "replay/codec/chunk_codec.h"
+#include "replay/format/chain.h"
 #include "replay/format/limits.h"
-#include "replay/log/log_reader.h"
 #include "replay/log/record_writer.h"
 #include "replay/recover/salvage.h"
 #include "replay/session/boxes_at.h"
@@ -16,7 +17,7 @@
 namespace tumble::replay {
 namespace {
 
-// The format since which a header says which version of phase hashes its log has; before, there was only the first.
+// The format version that added the version of phase hashes to the header. Older logs have version 1.
 constexpr std::uint16_t kMinorOfPhaseHashVersion = 3;
 
 class Recovery {
@@ -31,7 +32,7 @@ class Recovery {
     report_.lost_bytes = left_.lost_bytes;
     report_.first_state = left_.chunks.front().first_step() - 1;
     report_.last_step = left_.chunks.back().end_step() - 1;
-    find_gaps();
+    find_missing();
     if (Status ok = write_header(); !ok.ok()) return ok.error();
     for (const SavedChunk& chunk : left_.chunks) {
       const Result<std::vector<std::byte>> stored = bytes_of(chunk.payload, chunk.prelude);
@@ -46,15 +47,15 @@ class Recovery {
   }
 
  private:
-  void find_gaps() {
+  void find_missing() {
     const std::uint64_t begin = left_.header ? left_.header->prelude.first_step : 0;
     if (begin < report_.first_state) report_.lost.push_back({begin + 1, report_.first_state - begin});
     std::uint64_t end = report_.first_state + 1;
     for (const SavedChunk& chunk : left_.chunks) {
-      if (chunk.first_step() > end) gaps_.push_back({end, chunk.first_step() - end});
+      if (chunk.first_step() > end) missing_.push_back({end, chunk.first_step() - end});
       end = chunk.end_step();
     }
-    report_.lost.insert(report_.lost.end(), gaps_.begin(), gaps_.end());
+    report_.lost.insert(report_.lost.end(), missing_.begin(), missing_.end());
     if (left_.last_step && *left_.last_step >= end) report_.lost.push_back({end, *left_.last_step + 1 - end});
   }
 
@@ -66,7 +67,7 @@ class Recovery {
 
   Status write_header() {
     const bool begins_as_it_did = left_.header && left_.header->prelude.first_step == report_.first_state;
-    const bool as_it_was = begins_as_it_did && left_.header->content.gaps() == gaps_;
+    const bool as_it_was = begins_as_it_did && left_.header->content.missing() == missing_;
     if (as_it_was) {
       const Result<std::vector<std::byte>> stored = bytes_of(left_.header->payload, left_.header->prelude);
       return stored.ok() ? writer_.copy_header(left_.header->prelude, *stored) : Status(stored.error());
@@ -75,7 +76,7 @@ class Recovery {
     if (!first.ok()) return first.error();
     Result<LogHeader> header = left_.header ? left_.header->content : made_header(*first);
     if (!header.ok()) return header.error();
-    header->recovered = {source_.name(), report_.header_lost, gaps_};
+    header->recovered = {source_.name(), report_.header_lost, missing_};
     const Keyframe& keyframe = first->keyframe();
     const Hash128 chain = left_.chunks.front().prelude.chain_before;
     const bool is_begin = report_.first_state == 0 && chain == chain_start(sim::state_hash(keyframe.state.bodies));
@@ -91,7 +92,7 @@ class Recovery {
     return ChunkDecoder::open(*message);
   }
 
-  /// The session goes on from the first state that is left.
+  /// Makes the new log continue the session from the first saved state.
   void begin_with(const Keyframe& keyframe, const Hash128& chain, LogHeader& header) const {
     header.scene.boxes = boxes_at(keyframe.state.bodies, std::move(header.scene.boxes));
     header.scene.world = keyframe.state.def;
@@ -100,7 +101,9 @@ class Recovery {
     header.goes_on = {keyframe.state.step, source_.name(), keyframe.continuation_hash, chain};
   }
 
-  /// A header that says what the chunks say: bodies, method, inputs. Phases only if they can be this build's.
+  /// Rebuilds a lost header from the chunks: bodies, method and inputs. Phase names are in the header alone, so they
+  /// are taken from this build where its continuation hashes equal those of the log: the hash covers the method
+  /// version, and so the phases.
   [[nodiscard]] Result<LogHeader> made_header(const ChunkDecoder& first) const {
     const Keyframe& keyframe = first.keyframe();
     sim::SceneDef scene;
@@ -108,7 +111,7 @@ class Recovery {
     scene.world = keyframe.state.def;
     scene.steps = report_.last_step;
     scene.boxes = boxes_at(keyframe.state.bodies, {});
-    std::uint64_t with_states = 0;  // the greatest number that divides the steps with states
+    std::uint64_t with_states = 0;  // the greatest common divisor of the steps with states
     bool phases_fit = true;
     LogHeader header = header_for(scene);
     for (const SavedChunk& chunk : left_.chunks) {
@@ -134,11 +137,11 @@ class Recovery {
   const ByteSource& source_;
   RecordWriter writer_;
   Salvage left_;
-  std::vector<Gap> gaps_;  // that the new log has
+  std::vector<MissingSteps> missing_;  // that the new log has
   RecoverReport report_;
 };
 
-/// Why nothing can be saved: never a log, or nothing of one is left.
+/// The reason why nothing can be saved: the file was never a log, or no chunk is left.
 Error nothing_left(const ByteSource& source, const Salvage& left) {
   std::array<std::byte, kMagicEnd> bytes = {};
   const auto start = std::span(bytes).first(std::min<std::uint64_t>(source.size(), kMagicEnd));

@@ -8,23 +8,24 @@
 #include <utility>
 
 #include "replay/codec/header_codec.h"
+#include "replay/format/chain.h"
 #include "replay/format/limits.h"
-#include "replay/log/log_reader.h"
+#include "replay/log/record_reader.h"
 #include "replay/recover/salvage_frames.h"
 #include "replay/recover/salvage_pieces.h"
 
 namespace tumble::replay {
 namespace {
 
-/// Compares every state and the keyframe with their hashes; fills in what joins the chunk to others. Errors: the
-/// chunk's, kDamaged.
+/// Compares every state and the keyframe with their hashes, and fills in the hashes that link the chunk to others.
+/// Errors (kDamaged): a state or the keyframe does not match, or cannot be decoded.
 Status check_chunk(ChunkDecoder& decoder, const std::optional<SavedHeader>& header, SavedChunk& chunk) {
   const Keyframe& keyframe = decoder.keyframe();
   chunk.final_hash = chunk.keyframe_hash = sim::state_hash(keyframe.state.bodies);
   chunk.continuation_hash = keyframe.continuation_hash;
   const bool comparable = header && header->content.method_version == sim::method_version(keyframe.state.def.method);
   if (comparable && sim::continuation_hash(keyframe.state) != keyframe.continuation_hash) {
-    return damaged("the keyframe has another continuation hash than it says");
+    return damaged("the keyframe does not match its continuation hash");
   }
   const std::size_t phases = header ? header->content.phases.size() : 0;
   for (std::size_t i = 0; i < decoder.step_count(); ++i) {
@@ -33,7 +34,7 @@ Status check_chunk(ChunkDecoder& decoder, const std::optional<SavedHeader>& head
     const StepRecord& record = **step;
     const bool phases_fit = phases == 0 || record.phase_words.size() % phases == 0;
     if (!phases_fit || (record.has_states && state_hash(record.states) != record.state_hash)) {
-      return damaged("step " + std::to_string(record.step) + " has other states than its hash says");
+      return damaged("the states of step " + std::to_string(record.step) + " do not match their hash");
     }
     chunk.final_hash = record.state_hash;
   }
@@ -42,6 +43,15 @@ Status check_chunk(ChunkDecoder& decoder, const std::optional<SavedHeader>& head
 
 bool is_final(const Error& error) { return error.kind != ErrorKind::kDamaged; }
 
+/// Searches in four stages, each on what the stage before left over.
+///
+/// 1. Intact records at any byte (salvage_pieces.h), so that inserted, moved and copied parts are found too.
+/// 2. zstd frames between the records (salvage_frames.h). A frame has its own checksum, so a chunk survives the loss of
+///    its prelude; what only the prelude held, the chain, is computed again from the chunk before.
+/// 3. The header decides which session is saved: a file may hold parts of several. Chunks of a session name their
+/// header
+///    by its tag, so the header with the most steps behind it wins.
+/// 4. Of all candidates, choose_chunks() takes the set with the most steps that fits together.
 class Salvager {
  public:
   explicit Salvager(const ByteSource& source) : source_(source) {}
@@ -73,7 +83,8 @@ class Salvager {
     result_.damages.push_back({RecordKind::kChunk, offset, std::move(message)});
   }
 
-  /// The session of the header that has the most steps; else the most steps without one.
+  /// Chooses the header whose session has the most steps. Without an intact header, chooses the tag with the most
+  /// steps.
   Status find_header() {
     std::map<std::uint64_t, std::uint64_t> steps;  // by tag
     for (const Piece& piece : pieces_.records) {
@@ -96,7 +107,7 @@ class Salvager {
 
   Status take_header(const Piece& piece) {
     tag_ = piece.prelude.log_tag;
-    const Result<MessageBytes> message = read_payload(source_, piece.offset, piece.prelude);
+    const Result<MessageBytes> message = RecordReader(source_).read_payload(piece.offset, piece.prelude);
     if (!message.ok()) return is_final(message.error()) ? Status(message.error()) : Status();
     Result<LogHeader> header = decode_header(*message);
     if (!header.ok()) return is_final(header.error()) ? named(header.error(), piece.offset) : Status();
@@ -105,7 +116,7 @@ class Salvager {
     return {};
   }
 
-  /// A frame that may be the header; only the tag of the chunks proves it, so without chunks nothing does.
+  /// Takes a frame as the header. Only the tag of the chunks proves that a frame is the header.
   Status take_loose_header(const LooseFrame& frame) {
     if (frame.raw_bytes > header_bytes_max(frame.stored_bytes)) return {};
     const Result<MessageBytes> message = read_frame(source_, frame);
@@ -155,12 +166,8 @@ class Salvager {
       copies_ += kPreludeBytes + p.stored_bytes;
       return {};
     }
-    const ChunkPlace place = {piece.offset, kPreludeBytes + p.stored_bytes, p.first_step, p.step_count, p.chain_after,
-                              p.stored_hash};
-    Prelude tag;
-    tag.log_tag = *tag_;
-    Result<ChunkDecoder> decoder =
-        read_chunk(source_, place, tag, result_.header ? result_.header->content : LogHeader());
+    const std::size_t phase_count = result_.header ? result_.header->content.phases.size() : 0;
+    Result<ChunkDecoder> decoder = RecordReader(source_).read_chunk(place_of(p, piece.offset), {*tag_, phase_count});
     SavedChunk chunk = {p, piece.offset + kPreludeBytes, true, {}, {}, {}};
     Status ok = decoder.ok() ? check_chunk(*decoder, result_.header, chunk) : Status(decoder.error());
     if (ok.ok()) {
@@ -214,7 +221,7 @@ class Salvager {
     }
   }
 
-  /// The session's last step, as index or footer tell it.
+  /// The last step of the session, from index or footer.
   void find_end() {
     const auto look = [&](const Piece& piece) {
       const Prelude& p = piece.prelude;
@@ -236,13 +243,13 @@ class Salvager {
       payloads.insert(chunk.payload);
       kept += kPreludeBytes + chunk.prelude.stored_bytes;
       if (!chunk.chain_known) {
-        note(chunk.payload, to_string(Gap{chunk.first_step(), chunk.prelude.step_count}) +
+        note(chunk.payload, to_string(MissingSteps{chunk.first_step(), chunk.prelude.step_count}) +
                                 ": the chunk's prelude was damaged and is made anew");
       }
     }
     for (const SavedChunk& chunk : candidates_) {
       if (payloads.contains(chunk.payload)) continue;
-      note(chunk.payload, to_string(Gap{chunk.first_step(), chunk.prelude.step_count}) +
+      note(chunk.payload, to_string(MissingSteps{chunk.first_step(), chunk.prelude.step_count}) +
                               ": a whole chunk that does not fit the others");
     }
     for (const Scrap& scrap : pieces_.scraps) {

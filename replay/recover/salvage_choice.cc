@@ -6,22 +6,36 @@
 #include <tuple>
 #include <utility>
 
-#include "replay/format/step_record.h"
+#include "replay/format/chain.h"
 
 namespace tumble::replay {
 namespace {
 
-/// The best way to come to a chunk, as a chain of chunks that ends with it.
+/// The best sequence of chunks that ends with a given chunk.
 struct Way {
   std::uint64_t steps = 0;
-  std::uint64_t gaps = 0;
-  std::optional<std::size_t> before;  // the chunk before it
-  Hash128 chain;                      // before the chunk, where it is linked
+  std::uint64_t runs_missing = 0;
+  std::optional<std::size_t> before;  // the chunk before; none: the sequence begins here
+  Hash128 chain;                      // before the chunk, if linked
   bool linked = false;
 };
 
-bool better(const Way& a, const Way& b) { return std::make_pair(a.steps, b.gaps) > std::make_pair(b.steps, a.gaps); }
+bool better(const Way& a, const Way& b) {
+  return std::make_pair(a.steps, b.runs_missing) > std::make_pair(b.steps, a.runs_missing);
+}
 
+/// Chooses by dynamic programming over the chunks in ascending order of their first step.
+///
+/// A damaged file may hold chunks of several sessions, second copies, and chunks whose prelude, and so whose place in
+/// the chain, is lost. Taking the first chunk that fits may lead to a dead end, so for each chunk the best sequence
+/// that ends with it is kept: the one with the most steps. A chunk follows either a chunk that it is linked to (its
+/// first step comes next, and state hash and chain match), or any chunk that ends earlier, with missing steps between.
+/// Of all that end earlier only the best one matters, and a queue ordered by end finds it, so the whole choice costs n
+/// log n for n chunks. This is weighted interval scheduling (Kleinberg and Tardos, Algorithm Design, 2005, section 6.1)
+/// with links.
+///
+/// A chunk with a lost prelude is accepted only where it is linked, because nothing else shows which session it belongs
+/// to.
 class Chooser {
  public:
   Chooser(std::vector<SavedChunk> candidates, const SessionStart& start, const ChainAfter& chain_after)
@@ -42,7 +56,7 @@ class Chooser {
   }
 
  private:
-  /// Whether chunk i can be part of the session; if so, its best way is known.
+  /// Whether chunk i can be part of the session. Finds the best sequence that ends with it.
   bool reach(std::size_t i) {
     SavedChunk& chunk = chunks_[i];
     std::optional<Way> way;
@@ -54,7 +68,7 @@ class Chooser {
     for (auto it = from; it != to; ++it) {
       if (linked(chunks_[it->second], chunk)) consider(after(it->second, 0, true));
     }
-    if (chunk.chain_known) consider_gap(chunk, consider);
+    if (chunk.chain_known) consider_missing(chunk, consider);
     if (!way || (!chunk.chain_known && !complete(chunk, *way))) return false;
     way->steps += chunk.prelude.step_count;
     ways_[i] = *way;
@@ -63,9 +77,9 @@ class Chooser {
     return true;
   }
 
-  [[nodiscard]] Way after(std::size_t before, std::uint64_t gaps, bool linked) const {
+  [[nodiscard]] Way after(std::size_t before, std::uint64_t runs_missing, bool linked) const {
     const Way& way = *ways_[before];
-    return {way.steps, way.gaps + gaps, before, chunks_[before].prelude.chain_after, linked};
+    return {way.steps, way.runs_missing + runs_missing, before, chunks_[before].prelude.chain_after, linked};
   }
 
   [[nodiscard]] std::optional<Hash128> start_chain(const SavedChunk& chunk) const {
@@ -85,9 +99,9 @@ class Chooser {
     return a.final_hash == b.keyframe_hash && (!b.chain_known || a.prelude.chain_after == b.prelude.chain_before);
   }
 
-  /// After the best of the chunks that end before the step before this one; or as the first of all.
+  /// Considers missing steps before the chunk: behind the best sequence that ends earlier, or behind the start.
   template <class Consider>
-  void consider_gap(const SavedChunk& chunk, const Consider& consider) {
+  void consider_missing(const SavedChunk& chunk, const Consider& consider) {
     while (!ending_.empty() && ending_.top().first < chunk.first_step()) {
       const std::size_t i = ending_.top().second;
       ending_.pop();

@@ -12,6 +12,9 @@ namespace {
 
 constexpr std::array kZstdMagic = {std::byte{0x28}, std::byte{0xb5}, std::byte{0x2f}, std::byte{0xfd}};
 
+/// Tries every occurrence of the magic number of zstd. A frame that decompresses with a correct checksum is taken, and
+/// the search continues behind the frame; after a failure it continues behind the magic number. The total work is
+/// limited, because hostile bytes may contain any number of magic numbers in front of long frames.
 class FrameFinder {
  public:
   FrameFinder(const ByteSource& source, std::vector<LooseFrame>& frames)
@@ -32,7 +35,7 @@ class FrameFinder {
   }
 
  private:
-  /// The frame's length; 0 if there is none, or it does not decompress.
+  /// The length of the frame; 0 without a frame that decompresses.
   std::size_t take(std::uint64_t offset, std::span<const std::byte> rest) {
     if (work_left_ < rest.size()) return 0;
     work_left_ -= rest.size();

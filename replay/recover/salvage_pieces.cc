@@ -10,6 +10,8 @@
 namespace tumble::replay {
 namespace {
 
+/// Takes each record that is found at the earliest byte, and continues behind the record. A prelude whose stored bytes
+/// do not match is skipped alone, because an intact record may lie inside the bytes that a damaged prelude claims.
 class PieceFinder {
  public:
   explicit PieceFinder(const ByteSource& source) : source_(source) {}
@@ -34,7 +36,7 @@ class PieceFinder {
     if (end > good_end_) pieces_.scraps.push_back({good_end_, end});
   }
 
-  /// The record's length; 0 if its bytes are not those that its prelude tells of.
+  /// The length of the record; 0 if its stored bytes do not match the prelude.
   std::uint64_t take(const FoundPrelude& found) {
     const Piece piece = {found.offset, found.prelude};
     if (found.prelude.kind == RecordKind::kFooter) return take_footer(piece);

@@ -7,16 +7,28 @@
 #include "src/base/rng.h"
 #include "src/base/text.h"
 #include "src/math/grid.h"
+#include "src/model/command_fields.h"
 
 namespace tumble::sim {
 namespace {
 
-BoxDef on_grids(BoxDef box) {
-  box.position = PositionGrid::round(box.position);
-  box.velocity = VelocityGrid::round(box.velocity);
-  box.spin = VelocityGrid::round(box.spin);
-  return box;
-}
+/// Transforms the fields of a box or an input in place, each by its role. Positions and velocities are rounded to
+/// their grids first, as a world would.
+struct TransformFields {
+  const Transform& transform;
+  const IdMap& ids;
+
+  void operator()(role::Body, BodyId& id) const { id = image_of(id, ids); }
+  void operator()(role::Extents, Vec3& size) const { size = transform.extents(size); }
+  void operator()(role::Point, Vec3& p) const { p = transform.point(PositionGrid::round(p)); }
+  void operator()(role::Rotation, Quat& q) const { q = transform.orientation(q); }
+  void operator()(role::Velocity, Vec3& v) const { v = transform.vector(VelocityGrid::round(v)); }
+  void operator()(role::Spin, Vec3& w) const { w = transform.axial_vector(VelocityGrid::round(w)); }
+  void operator()(role::Vector, Vec3& v) const { v = transform.vector(v); }
+  void operator()(role::Plain, const auto&) const {}
+  void operator()(role::Look, const auto&) const {}
+  void operator()(role::Part, auto& part) const { for_each_field(part, *this); }
+};
 
 }  // namespace
 
@@ -76,34 +88,15 @@ BodyId image_of(BodyId id, const IdMap& ids) {
 }
 
 BoxDef image_of(const BoxDef& box, const Transform& transform, const IdMap& ids) {
-  BoxDef image = on_grids(box);
-  image.id = image_of(box.id, ids);
-  image.size = transform.extents(image.size);
-  image.position = transform.point(image.position);
-  image.orientation = transform.orientation(image.orientation);
-  image.velocity = transform.vector(image.velocity);
-  image.spin = transform.axial_vector(image.spin);
+  BoxDef image = box;
+  for_each_field(image, TransformFields{transform, ids});
   return image;
 }
 
 Command image_of(const Command& command, const Transform& transform, const IdMap& ids) {
-  struct Image {
-    const Transform& t;
-    const IdMap& ids;
-    Command operator()(const Throw& c) const { return Throw{image_of(c.box, t, ids)}; }
-    Command operator()(const Push& c) const {
-      return Push{image_of(c.id, ids), t.vector(c.impulse), c.at_centre, t.point(PositionGrid::round(c.at))};
-    }
-    Command operator()(const Remove& c) const { return Remove{image_of(c.id, ids)}; }
-    Command operator()(const Wake& c) const { return Wake{image_of(c.id, ids)}; }
-    Command operator()(const SetVelocity& c) const {
-      return SetVelocity{image_of(c.id, ids), t.vector(VelocityGrid::round(c.velocity)),
-                         t.axial_vector(VelocityGrid::round(c.spin))};
-    }
-    Command operator()(const SetGravity& c) const { return SetGravity{t.vector(c.gravity)}; }
-    Command operator()(const SetDt& c) const { return c; }
-  };
-  return std::visit(Image{transform, ids}, command);
+  Command image = command;
+  for_each_field(image, TransformFields{transform, ids});
+  return image;
 }
 
 SceneDef image_of(const SceneDef& scene, const Transform& transform, const IdMap& ids) {

@@ -6,16 +6,12 @@
 #include <map>
 #include <utility>
 
+#include "src/model/command_fields.h"
 #include "src/scenes/read_bodies.h"
 #include "src/scenes/rules.h"
 
 namespace tumble::scenes {
 namespace {
-
-// In the order of sim::Command's alternatives.
-constexpr std::array<const char*, 7> kKinds = {"throw",        "push",        "remove", "wake",
-                                               "set_velocity", "set_gravity", "set_dt"};
-static_assert(kKinds.size() == std::variant_size_v<sim::Command>);
 
 void require(TableReader& reader, const char* key, const char* wanted) {
   if (!reader.has(key)) reader.fail(key, wanted);
@@ -64,7 +60,8 @@ sim::Command read_set_dt(TableReader& reader, const sim::Material&) {
 }
 
 using CommandReader = sim::Command (*)(TableReader& reader, const sim::Material& scene_material);
-constexpr std::array<CommandReader, kKinds.size()> kCommandReaders = {
+// In the order of sim::kCommandNames.
+constexpr std::array<CommandReader, sim::kCommandNames.size()> kCommandReaders = {
     read_throw, read_push, read_remove, read_wake, read_set_velocity, read_set_gravity, read_set_dt};
 
 // The step of an input; `late` if it is one that a shortened session leaves out.
@@ -163,11 +160,12 @@ PendingInput read_input(TableReader& reader, std::uint32_t table, const InputClo
   PendingInput input;
   if (!reader.has("kind")) {
     reader.problem().report(
-        reader.place(), "[[input]] key \"kind\": " + found_wanted("none", list_text({kKinds.begin(), kKinds.end()})));
+        reader.place(), "[[input]] key \"kind\": " +
+                            found_wanted("none", list_text({sim::kCommandNames.begin(), sim::kCommandNames.end()})));
     return input;
   }
   input.timed.step = read_step(reader, clock, input.late);
-  const std::size_t kind = reader.choice("kind", 0, kKinds);
+  const std::size_t kind = reader.choice("kind", 0, sim::kCommandNames);
   input.timed.command = kCommandReaders[kind](reader, scene_material);
   if (auto* thrown = std::get_if<sim::Throw>(&input.timed.command)) {
     thrown->box.origin = {sim::Origin::Kind::kInput, table, 0, 0};

@@ -6,6 +6,7 @@
 
 #include "replay/codec/chunk_codec.h"
 #include "replay/codec/zstd_frame.h"
+#include "replay/format/chain.h"
 #include "replay/format/little_endian.h"
 #include "replay/format/prelude.h"
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "golden/bless/bless_log.h"
+#include "golden/suite/parse_rules.h"
 #include "golden/suite/text_files.h"
 #include "replay/session/recorder.h"
 #include "src/scenes/scene_file.h"

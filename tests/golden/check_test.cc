@@ -70,7 +70,7 @@ TEST_F(OneCase, PhaseHashesOfAnotherVersionAreStaleAndNoDifference) {
   suite_.write(path, std::string(reinterpret_cast<const char*>(old->data()), old->size()));
   const CaseResult result = suite_.check_one("fall");
   EXPECT_FALSE(result.passed());
-  EXPECT_EQ(exact_of(result), Outcome::kPass) << result.verdict(VerdictKind::kExact).words;
+  EXPECT_EQ(exact_of(result), Outcome::kPass) << result.verdict(VerdictKind::kExact).message;
   EXPECT_EQ(behaviour_of(result), Outcome::kPass);
   EXPECT_TRUE(has_problem(result, "stale: blessed with phase hashes of version 2, run with version 3"));
 
@@ -95,7 +95,7 @@ TEST_F(OneCase, BoundsDecideBehaviour) {
   EXPECT_EQ(exact_of(result), Outcome::kPass);
   EXPECT_EQ(behaviour_of(result), Outcome::kFail);
   EXPECT_EQ(summary(result), "same bits, behaviour changed");
-  EXPECT_NE(result.metrics[0].words.find("above the bound by"), std::string::npos) << result.metrics[0].words;
+  EXPECT_NE(result.metrics[0].message.find("above the bound by"), std::string::npos) << result.metrics[0].message;
 }
 
 TEST_F(OneCase, AValueThatMovesWithoutABitFails) {
@@ -104,7 +104,7 @@ TEST_F(OneCase, AValueThatMovesWithoutABitFails) {
   suite_.edit("fall", kRulesFile, rules.substr(at, rules.find('\n', at) - at), "value = 0.5");
   const CaseResult result = suite_.check_one("fall");
   EXPECT_EQ(behaviour_of(result), Outcome::kFail);
-  EXPECT_NE(result.metrics[0].words.find("no bit moved"), std::string::npos) << result.metrics[0].words;
+  EXPECT_NE(result.metrics[0].message.find("no bit moved"), std::string::npos) << result.metrics[0].message;
 }
 
 TEST_F(OneCase, NullFailsUnlessTheCaseAllowsIt) {

@@ -1,12 +1,8 @@
-// The parts of the suite by themselves: children that die, canaries that a bad judge does not see, files, reports.
+// The parts of the suite by themselves: canaries that a bad judge does not see, files, reports.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
-#include <csignal>
 #include <pugixml.hpp>
-#include <thread>
 
 #include "golden/canaries/canaries.h"
 #include "golden/expected/expected_file.h"
@@ -20,76 +16,30 @@
 namespace tumble::golden {
 namespace {
 
-std::vector<ChildResult> run(const std::vector<std::function<std::string()>>& jobs, const PoolOptions& options) {
-  std::vector<ChildResult> results(jobs.size());
-  EXPECT_TRUE(run_jobs(
-      jobs.size(), [&](std::size_t i) { return jobs[i](); },
-      [&](std::size_t i, const ChildResult& child) { results[i] = child; }, options));
-  return results;
-}
-
-TEST(ProcessPool, GivesBackWhatEachJobReturns) {
-  const std::string large(1 << 20, 'x');
-  PoolOptions options;
-  options.jobs = 3;
-  const auto results = run({[] { return std::string("one"); }, [&] { return std::string(large); },
-                            [] { return std::string(); }, [] { return std::string("\0\6two", 5); }},
-                           options);
-  EXPECT_EQ(results[0].output, "one");
-  EXPECT_EQ(results[1].output, large);
-  EXPECT_EQ(results[2].output, "");
-  EXPECT_EQ(results[3].output, std::string("\0\6two", 5));
-  for (const ChildResult& result : results) EXPECT_EQ(result.failure, "");
-}
-
-TEST(ProcessPool, NamesWhatEndedAChildAndRunsTheOthers) {
-  PoolOptions options;
-  options.jobs = 2;
-  options.timeout_s = 0.5;
-  const auto results =
-      run({[]() -> std::string {
-             std::raise(SIGSEGV);
-             return "";
-           },
-           []() -> std::string { throw std::runtime_error("no"); }, []() -> std::string { ::_exit(0); },
-           []() -> std::string {
-             std::this_thread::sleep_for(std::chrono::seconds(60));
-             return "late";
-           },
-           [] { return std::string("fine"); }},
-          options);
-  EXPECT_NE(results[0].failure, "");
-  EXPECT_NE(results[1].failure.find("status"), std::string::npos) << results[1].failure;
-  EXPECT_NE(results[2].failure.find("before it was done"), std::string::npos) << "an exit without a result is no pass";
-  EXPECT_NE(results[3].failure.find("longer than"), std::string::npos) << results[3].failure;
-  EXPECT_EQ(results[4].failure, "");
-  EXPECT_EQ(results[4].output, "fine");
-}
-
 TEST(Canaries, AreAllCaughtByTheJudge) {
   const std::vector<CanaryResult> results = run_canaries();
   EXPECT_GE(results.size(), 25U);
-  for (const CanaryResult& canary : results) EXPECT_TRUE(canary.caught) << canary.name << ": " << canary.words;
+  for (const CanaryResult& canary : results) EXPECT_TRUE(canary.caught) << canary.name << ": " << canary.message;
 }
 
-Judged always_pleased(replay::LogReader& log, const Yardstick& yardstick) {
-  Judged judged = judge(log, yardstick);
+Judged always_pleased(replay::LogReader& log, const Reference& reference) {
+  Judged judged = judge(log, reference);
   judged.result.problems.clear();
   judged.result.difference.reset();
   for (Verdict& verdict : judged.result.verdicts) verdict.outcome = Outcome::kPass;
   return judged;
 }
 
-Judged blind_to_the_last_state(replay::LogReader& log, const Yardstick& yardstick) {
-  Judged judged = judge(log, yardstick);
+Judged blind_to_the_last_state(replay::LogReader& log, const Reference& reference) {
+  Judged judged = judge(log, reference);
   if (judged.result.difference && judged.result.difference->step == log.step_count()) {
     judged.result.verdict(VerdictKind::kExact) = {Outcome::kPass, "same"};
   }
   return judged;
 }
 
-Judged never_pleased(replay::LogReader& log, const Yardstick& yardstick) {
-  Judged judged = judge(log, yardstick);
+Judged never_pleased(replay::LogReader& log, const Reference& reference) {
+  Judged judged = judge(log, reference);
   judged.result.problems.emplace_back("no");
   return judged;
 }

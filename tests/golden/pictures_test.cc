@@ -47,13 +47,13 @@ class PicturedCase : public testing::Test {
 TEST_F(PicturedCase, PassesWithEveryPixelTheSame) {
   ASSERT_TRUE(std::filesystem::exists(suite_.file("fall", kFrame)));
   EXPECT_EQ(image().outcome, Outcome::kPass);
-  EXPECT_EQ(image().words, "1 picture, every pixel the same");
+  EXPECT_EQ(image().message, "1 picture, every pixel the same");
 }
 
 TEST_F(PicturedCase, PassesWithinItsBoundAndSaysSo) {
   spoil(500, 8);  // many, but none far off
   EXPECT_EQ(image().outcome, Outcome::kPass);
-  EXPECT_NE(image().words.find("within their bounds"), std::string::npos) << image().words;
+  EXPECT_NE(image().message.find("within their bounds"), std::string::npos) << image().message;
   spoil(3, 100);
   EXPECT_EQ(image().outcome, Outcome::kPass);
 }
@@ -61,7 +61,7 @@ TEST_F(PicturedCase, PassesWithinItsBoundAndSaysSo) {
 TEST_F(PicturedCase, FailsBeyondItsBoundWithNumbers) {
   spoil(4, 100);
   EXPECT_EQ(image().outcome, Outcome::kFail);
-  EXPECT_NE(image().words.find("4 of them by more than 8 levels (bound: 3)"), std::string::npos) << image().words;
+  EXPECT_NE(image().message.find("4 of them by more than 8 levels (bound: 3)"), std::string::npos) << image().message;
 }
 
 TEST_F(PicturedCase, FailsWhereOnlyTheLookOfTheSceneChanged) {

@@ -9,7 +9,7 @@
 #include "replay/codec/byte_planes.h"
 #include "replay/codec/chunk_codec.h"
 #include "replay/codec/state_keys.h"
-#include "replay/format/columns.h"
+#include "replay/format/body_states.h"
 #include "tests/support/log_memory.h"
 
 namespace tumble::replay {

@@ -12,7 +12,7 @@
 namespace tumble::replay {
 namespace {
 
-using Gaps = std::vector<Gap>;
+using Gaps = std::vector<MissingSteps>;
 
 /// Every step of the log that is not lost must be what was recorded.
 void expect_recorded_steps(const Bytes& bytes, const Gaps& lost) {
@@ -20,7 +20,7 @@ void expect_recorded_steps(const Bytes& bytes, const Gaps& lost) {
   ASSERT_TRUE(log.ok()) << log.error().message;
   for (std::uint64_t k = log->first_state() + 1; k <= log->last_step(); ++k) {
     const bool is_lost =
-        std::ranges::any_of(lost, [&](const Gap& gap) { return k >= gap.first_step && k < gap.end_step(); });
+        std::ranges::any_of(lost, [&](const MissingSteps& gap) { return k >= gap.first_step && k < gap.end_step(); });
     const Result<const StepRecord*> step = log->read_step(k);
     ASSERT_EQ(step.ok(), !is_lost) << k;
     ASSERT_TRUE(is_lost || same_bits((*step)->states, sample_log().states[k])) << k;
@@ -28,7 +28,7 @@ void expect_recorded_steps(const Bytes& bytes, const Gaps& lost) {
 }
 
 /// The steps of chunk 1 … 4 of the sample.
-Gap steps_of(std::size_t chunk) { return {chunk * 6 - 5, 6}; }
+MissingSteps steps_of(std::size_t chunk) { return {chunk * 6 - 5, 6}; }
 
 TEST(Recover, AWholeLogComesBackByteForByte) {
   for (const sim::Method method : kMethods) {

@@ -128,7 +128,7 @@ TEST(ThrownBodies, AreRecoveredWithoutTheHeader) {
 TEST(ThrownBodies, AreRecoveredWithoutTheInputsThatThrewThem) {
   const Result<RecoveredLog> recovered = recover_memory(without({2}));
   ASSERT_TRUE(recovered.ok()) << recovered.error().message;
-  EXPECT_EQ(recovered->report.lost, std::vector<Gap>({{2, 1}}));
+  EXPECT_EQ(recovered->report.lost, std::vector<MissingSteps>({{2, 1}}));
   EXPECT_LT(recovered->bytes.size(), std::size_t{1} << 17);  // too few for a chunk that packs as it did
   expect_bodies(recovered->bytes, 3, 3 + kThrown);
 }

@@ -166,6 +166,29 @@ TEST(LogWriter, TheSystemsFullDeviceIsReported) {
   EXPECT_NE(summary.error().message.find("/dev/full"), std::string::npos);
 }
 
+/// A writer whose log begins with state 0 of the small scene.
+std::unique_ptr<LogWriter> writer_in_memory(sim::WorldState& state) {
+  const sim::SceneDef scene = small_scene();
+  state = sim::World::create(scene)->state();
+  return *LogWriter::create(std::make_unique<MemorySink>(std::make_shared<Disk>()), header_for(scene), state);
+}
+
+TEST(LogWriterDeathTest, AStepMustFollowTheStepBefore) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  sim::WorldState state;
+  const std::unique_ptr<LogWriter> writer = writer_in_memory(state);
+  state.step = 2;
+  EXPECT_EXIT((void)writer->append({}, state), testing::ExitedWithCode(4), "log_writer.cc:.*found .* = 2, 0");
+}
+
+TEST(LogWriterDeathTest, IsFinishedOnce) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  sim::WorldState state;
+  const std::unique_ptr<LogWriter> writer = writer_in_memory(state);
+  EXPECT_TRUE(writer->finish().ok());
+  EXPECT_EXIT((void)writer->finish().ok(), testing::ExitedWithCode(4), "internal check failed: !shared_->finished");
+}
+
 TEST(Recorder, AStepThatFailsLeavesACompleteLog) {
   sim::SceneDef scene = small_scene(20);
   scene.inputs = {{8, sim::Remove{4711}}};

@@ -7,7 +7,7 @@ import { kHostile, make_report } from "./suite.js";
 
 const { CHROMIUM, MODULES, TUMBLE, WORK } = process.env;
 const { chromium } = createRequire(`${MODULES}/`)("playwright-core");
-const kPatienceMs = 20000;  // a busy machine draws slowly
+const kPatienceMs = 600000;  // a busy machine draws slowly
 
 let browser;
 let page;
@@ -45,7 +45,7 @@ async function eventually(read, wanted, words) {
 
 before(async () => {
   make_report(TUMBLE, WORK);
-  browser = await chromium.launch({ executablePath: CHROMIUM, args: ["--enable-unsafe-swiftshader"] });
+  browser = await chromium.launch({ executablePath: CHROMIUM, timeout: kPatienceMs, args: ["--enable-unsafe-swiftshader"] });
   page = await open();
 });
 after(() => browser?.close());

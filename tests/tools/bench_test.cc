@@ -64,7 +64,7 @@ TEST(Bench, TableOneEstimatesBothHalvesWithAnyBudget) {
 TEST(Bench, ScalingLeavesOutWhatIsTooMuch) {
   const Workshop shop;
   const Json results = bench(shop, {"scaling", "--budget", "0.5"});
-  EXPECT_GE(results["points"].size(), 2U);
+  EXPECT_GE(results["points"].size(), 1U);
   for (const Json& point : results["points"]) EXPECT_LT(point["bodies"], 102400);
 }
 

@@ -1,12 +1,15 @@
-// The logic of a bisection, without git: every place of the fault, any commits that cannot be asked.
+// The parts of a bisection, without git: every place of the fault, any commits that cannot be asked, the progress line.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
+#include <fstream>
 #include <random>
+#include <sstream>
 
+#include "tools/bisect/build_progress.h"
 #include "tools/bisect/plan.h"
-#include "tools/process/child_run.h"
 
 namespace tumble::tools {
 namespace {
@@ -81,13 +84,28 @@ TEST(BisectPlan, NothingToAskLeavesTheBadOne) {
   EXPECT_EQ(plan.steps, 0U);
 }
 
-TEST(SplitWords, KnowsQuotesAndBackslashes) {
-  const auto words = [](const char* text) { return *split_words(text); };
-  EXPECT_EQ(words("cmake  --build 'a folder'"), (std::vector<std::string>{"cmake", "--build", "a folder"}));
-  EXPECT_EQ(words(R"(a\ b "c \" d" '' e'f'g)"), (std::vector<std::string>{"a b", "c \" d", "", "efg"}));
-  EXPECT_EQ(words("$HOME;rm *"), (std::vector<std::string>{"$HOME;rm", "*"})) << "no shell sees it";
-  EXPECT_FALSE(split_words("  ").ok());
-  EXPECT_FALSE(split_words("a 'b").ok());
+TEST(BuildProgress, FindsTheLastCounterOfNinjaOrMake) {
+  EXPECT_EQ(bisect::last_counter("[1/260] Building a.o\n[2/260] Building b.o\nb.cc: warning: [x]\n"), "[2/260]");
+  EXPECT_EQ(bisect::last_counter("[ 12%] Building a.o\n[ 13%] Bui"), "[ 13%]");
+  EXPECT_EQ(bisect::last_counter("-- Configuring done\n[warning] [12] here\n"), "");
+  EXPECT_EQ(bisect::last_counter(""), "");
+}
+
+TEST(BuildProgress, TellsTheTimeInMinutesAndSeconds) {
+  EXPECT_EQ(bisect::elapsed_text(std::chrono::seconds(45)), "45 s");
+  EXPECT_EQ(bisect::elapsed_text(std::chrono::seconds(780)), "13 min 0 s");
+}
+
+TEST(BuildProgress, WritesLinesOrRewritesOne) {
+  const std::string log = testing::TempDir() + "tumble_build_log.txt";
+  std::ofstream(log) << "[3/9] Building a.o\n";
+  std::ostringstream file, terminal, quick;
+  bisect::BuildProgress(log, {file, false, std::chrono::seconds(0)}).show();
+  EXPECT_EQ(file.str(), "      building [3/9], 0 s so far\n");
+  bisect::BuildProgress(log, {terminal, true, std::chrono::seconds(0)}).show();
+  EXPECT_EQ(terminal.str(), "\r      building [3/9], 0 s so far\033[K\r\033[K") << "gone afterwards";
+  bisect::BuildProgress(log, {quick, false, std::chrono::minutes(1)}).show();
+  EXPECT_EQ(quick.str(), "") << "a quick build needs no line";
 }
 
 }  // namespace

@@ -124,6 +124,22 @@ TEST(BisectAny, FindsTheCommitThroughGit) {
   EXPECT_TRUE(shop.read("found").ends_with(history.commit(plan.fault) + "\n")) << shop.read("found");
 }
 
+TEST(BisectCommand, ShowsHowFarABuildIsOnATerminal) {
+  const Workshop shop;
+  const History history(shop, {.commits = 3, .fault = 2, .broken = {}});
+  shop.write("slow.sh", "echo '[3/9] Building a.o'; sleep 1\n");
+  const std::string bisect =
+      TUMBLE_PROGRAM " bisect session.tumble --good " + history.commit(1) +
+      " --bad main --repo project --work work --program bin/tumble --build 'sh build.sh' --build "
+      "'sh " +
+      shop.path("slow.sh") + "'";
+  shop.write("bisect.sh", bisect + "\n");
+  const std::string terminal =
+      "cd '" + shop.path("") + "' && script -qec 'sh bisect.sh' /dev/null >shown 2>&1 </dev/null";
+  EXPECT_NE(std::system(terminal.c_str()), 0) << "a commit was found: status 1";
+  EXPECT_NE(shop.read("shown").find("building [3/9], 0 s so far"), std::string::npos) << shop.read("shown");
+}
+
 TEST(BisectCommand, GoesOnAfterAnInterruption) {
   const Workshop shop;
   const HistoryPlan plan{.commits = 20, .fault = 14, .broken = {}};

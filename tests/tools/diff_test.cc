@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/program.h"
+#include "tests/tools/json_output.h"
 
 namespace tumble::test {
 namespace {
@@ -114,6 +115,56 @@ TEST(ReplayCommand, HasNothingToTellOfASessionThatReplays) {
   const Outcome outcome = shop.run({"replay", "a.tumble", "--json"});
   EXPECT_EQ(outcome.exit, 0);
   EXPECT_FALSE(ordered_json::parse(outcome.out).contains("aftermath"));
+}
+
+TEST(Program, DiffNamesTheFirstDifference) {
+  const Workshop shop;
+  shop.record_small("a");
+  shop.record_small("b", {"--set", "input.1.velocity=[0.0, 6.000000001, 0.0]"});
+  const Outcome text = shop.run({"diff", "a.tumble", "b.tumble"});
+  EXPECT_EQ(text.exit, 1);
+  EXPECT_NE(text.out.find("inputs: not the same script"), std::string::npos) << text.out;
+  const Outcome outcome = shop.run({"diff", "a.tumble", "b.tumble", "--json"});
+  EXPECT_EQ(outcome.exit, 1);
+  const ordered_json json = parsed(outcome);
+  EXPECT_EQ(json["identical"], false);
+  EXPECT_EQ(keys_of(json["first"]),
+            (std::vector<std::string>{"step", "substep", "phase", "body", "pair", "field", "expected", "actual", "ulps",
+                                      "expected_hex", "actual_hex"}));
+  EXPECT_EQ(json["first"]["step"], 5);
+}
+
+TEST(Program, DiffForgivesWhatTolerancesAllow) {
+  const Workshop shop;
+  shop.record_small("a", {"--steps", "12"});  // before a first touch makes the gap grow
+  shop.record_small("b", {"--steps", "12", "--set", "box.2.position=[0.1, 0.2, 2.000000001]"});
+  const std::vector<std::string> diff = {"diff", "a.tumble", "b.tumble"};
+  EXPECT_EQ(shop.run(diff).exit, 1);
+  std::vector<std::string> loose = diff;
+  for (const char* field : {"position", "orientation", "velocity", "spin"}) {
+    loose.insert(loose.end(), {"--tolerance", std::string(field) + "=1e-3"});
+  }
+  EXPECT_EQ(shop.run(loose).exit, 0) << shop.run(loose).out;
+  std::vector<std::string> tight = diff;
+  tight.insert(tight.end(), {"--tolerance", "position=1e-12", "--json"});
+  const ordered_json first = parsed(shop.run(tight))["first"];
+  EXPECT_EQ(first["step"], 0);
+  EXPECT_EQ(first["phase"], "start");
+  EXPECT_EQ(first["body"], 2);
+  EXPECT_EQ(first["field"], "position.z");
+}
+
+TEST(Program, DiffOfDifferentLengthsIsADifference) {
+  const Workshop shop;
+  shop.record_small("a");
+  shop.record_small("b", {"--steps", "30"});
+  const Outcome outcome = shop.run({"diff", "a.tumble", "b.tumble", "--json"});
+  EXPECT_EQ(outcome.exit, 1);
+  const ordered_json json = parsed(outcome);
+  EXPECT_EQ(json["identical"], false);
+  EXPECT_EQ(json["steps"], 30);
+  EXPECT_EQ(json["first"]["step"], 31);
+  EXPECT_EQ(json["first"]["field"], "steps");
 }
 
 }  // namespace

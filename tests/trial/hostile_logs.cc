@@ -7,6 +7,7 @@
 #include "replay/codec/chunk_codec.h"
 #include "replay/codec/header_codec.h"
 #include "replay/codec/index_codec.h"
+#include "replay/format/chain.h"
 #include "replay/format/limits.h"
 #include "replay/format/prelude.h"
 #include "replay/session/recorder.h"

@@ -1,22 +1,49 @@
 #include "tools/arguments/arguments.h"
 
-#include <charconv>
+#include <CLI/CLI.hpp>
+#include <sstream>
 
 #include "src/base/text.h"
+#include "tools/arguments/numbers.h"
 
 namespace tumble::tools {
 namespace {
 
 constexpr std::uint64_t kThreadsMax = 256;
+constexpr std::size_t kNameColumns = 28;
+constexpr std::size_t kTextColumns = 72;
 
-template <class T>
-std::optional<T> parse(const std::string& text) {
-  T value{};
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end) return std::nullopt;
-  return value;
-}
+/// Help as one reads it: "--seconds S" without what it excludes and needs, descriptions broken before column 100.
+class HelpFormat : public CLI::Formatter {
+ public:
+  HelpFormat() {
+    column_width(kNameColumns);
+    label("Positionals", "Arguments");
+  }
+
+  std::string make_option_opts(const CLI::Option* option) const override {
+    const std::string type = option->get_type_name();
+    return type.empty() ? "" : ' ' + type;
+  }
+
+  std::string make_option_desc(const CLI::Option* option) const override {
+    std::istringstream words(option->get_description());
+    std::string text, word;
+    std::size_t column = 0;
+    while (words >> word) {
+      if (column > 0 && column + 1 + word.size() > kTextColumns) {
+        text += '\n';  // CLI11 indents what follows
+        column = 0;
+      } else if (column > 0) {
+        text += ' ';
+        ++column;
+      }
+      text += word;
+      column += word.size();
+    }
+    return text;
+  }
+};
 
 CLI::ValidationError wrong(const std::string& name, const std::string& found, const std::string& wanted) {
   return CLI::ValidationError(name, found_wanted(in_quotes(found), wanted));
@@ -24,36 +51,91 @@ CLI::ValidationError wrong(const std::string& name, const std::string& found, co
 
 }  // namespace
 
-std::optional<std::uint64_t> parse_whole(const std::string& text) { return parse<std::uint64_t>(text); }
-std::optional<double> parse_number(const std::string& text) { return parse<double>(text); }
+Argument Argument::required() const {
+  option_->required();
+  return *this;
+}
 
-CLI::Option* add_whole(CLI::App& app, const std::string& name, std::optional<std::uint64_t>& target, std::uint64_t low,
-                       std::uint64_t high, const std::string& description) {
+Argument Argument::excludes(Argument other) const {
+  option_->excludes(other.option_);
+  return *this;
+}
+
+Argument Argument::needs(Argument other) const {
+  option_->needs(other.option_);
+  return *this;
+}
+
+Arguments::Arguments(const std::string& command, const std::string& summary)
+    : app_(std::make_unique<CLI::App>(summary, command)) {
+  app_->formatter(std::make_shared<HelpFormat>());
+  app_->set_help_flag("-h,--help", "Print this help and exit");
+}
+
+Arguments::~Arguments() = default;
+
+Argument Arguments::positional(const std::string& name, std::string& target, const std::string& description) {
+  return Argument(app_->add_option(name, target, description)->type_name(""));
+}
+
+Argument Arguments::positionals(const std::string& name, std::vector<std::string>& target,
+                                const std::string& description, std::optional<int> most) {
+  CLI::Option* option = app_->add_option(name, target, description)->type_name("");
+  if (most) option->expected(0, *most);
+  return Argument(option);
+}
+
+Argument Arguments::option(const std::string& names, const std::string& sign, std::string& target,
+                           const std::string& description) {
+  return Argument(app_->add_option(names, target, description)->type_name(sign));
+}
+
+Argument Arguments::option(const std::string& names, const std::string& sign, std::vector<std::string>& target,
+                           const std::string& description) {
+  return Argument(app_->add_option(names, target, description)->type_name(sign)->allow_extra_args(false));
+}
+
+Argument Arguments::whole(const std::string& name, const std::string& sign, std::optional<std::uint64_t>& target,
+                          std::uint64_t low, std::uint64_t high, const std::string& description) {
   const auto read = [&target, name, low, high](const std::string& text) {
     target = parse_whole(text);
     if (target && *target >= low && *target <= high) return;
     throw wrong(name, text, "a whole number from " + std::to_string(low) + " to " + std::to_string(high));
   };
-  return app.add_option_function<std::string>(name, read, description);
+  return Argument(app_->add_option_function<std::string>(name, read, description)->type_name(sign));
 }
 
-CLI::Option* add_positive(CLI::App& app, const std::string& name, std::optional<double>& target, double high,
-                          const std::string& description) {
+Argument Arguments::positive(const std::string& name, const std::string& sign, std::optional<double>& target,
+                             double high, const std::string& description) {
   const auto read = [&target, name, high](const std::string& text) {
     target = parse_number(text);
     if (target && *target > 0 && *target <= high) return;
     throw wrong(name, text, "a number above 0, at most " + number_text(high));
   };
-  return app.add_option_function<std::string>(name, read, description);
+  return Argument(app_->add_option_function<std::string>(name, read, description)->type_name(sign));
 }
 
-CLI::Option* add_json(CLI::App& app, bool& target) {
-  return app.add_flag("--json", target, "Print JSON to standard output");
+Argument Arguments::flag(const std::string& name, bool& target, const std::string& description) {
+  return Argument(app_->add_flag(name, target, description));
 }
 
-CLI::Option* add_threads(CLI::App& app, std::optional<std::uint64_t>& target) {
-  return add_whole(app, "--threads", target, 1, kThreadsMax, "Threads to step with; the result does not depend on it")
-      ->type_name("N");
+Argument Arguments::json(bool& target) { return flag("--json", target, "Print JSON to standard output"); }
+
+Argument Arguments::threads(std::optional<std::uint64_t>& target) {
+  return whole("--threads", "N", target, 1, kThreadsMax, "Threads to step with; the result does not depend on it");
+}
+
+void Arguments::footer(const std::string& text) { app_->footer(text); }
+
+Reading Arguments::read(const std::vector<std::string>& words) {
+  try {
+    app_->parse(std::vector<std::string>(words.rbegin(), words.rend()));  // last word first, as CLI11 wants
+    return {};
+  } catch (const CLI::CallForHelp&) {  // CLI11 reports through exceptions; they end here
+    return {Reading::Kind::kHelp, app_->help()};
+  } catch (const CLI::ParseError& error) {
+    return {Reading::Kind::kWrong, error.what()};
+  }
 }
 
 }  // namespace tumble::tools

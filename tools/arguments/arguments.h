@@ -1,29 +1,85 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
-/// Arguments that several commands share, with errors that say what was found and what is wanted.
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+/// The arguments of one command: declared, then read from the command line. CLI11 does the reading, and only
+/// arguments.cc includes it: it costs ten seconds a file to compile.
 namespace tumble::tools {
 
-/// A decimal number and nothing else; none if `text` is not one. Independent of the locale.
-std::optional<std::uint64_t> parse_whole(const std::string& text);
-std::optional<double> parse_number(const std::string& text);
+/// One declared argument; what holds between it and others. Valid as long as its Arguments.
+class Argument {
+ public:
+  Argument required() const;                ///< a command line without it is an error
+  Argument excludes(Argument other) const;  ///< both at once are an error
+  Argument needs(Argument other) const;     ///< this one without the other is an error
 
-/// Declares an option for a whole number low … high.
-CLI::Option* add_whole(CLI::App& app, const std::string& name, std::optional<std::uint64_t>& target, std::uint64_t low,
-                       std::uint64_t high, const std::string& description);
+ private:
+  friend class Arguments;
+  explicit Argument(CLI::Option* option) : option_(option) {}
 
-/// Declares an option for a number above 0, up to high.
-CLI::Option* add_positive(CLI::App& app, const std::string& name, std::optional<double>& target, double high,
-                          const std::string& description);
+  CLI::Option* option_;
+};
 
-/// Declares `--json`.
-CLI::Option* add_json(CLI::App& app, bool& target);
+/// What came of reading a command line.
+struct Reading {
+  enum class Kind { kRun, kHelp, kWrong };
+  Kind kind = Kind::kRun;
+  std::string text;  ///< kHelp: the help; kWrong: what was found and what is wanted
+};
 
-/// Declares `--threads`, 1 … 256; results do not depend on it.
-CLI::Option* add_threads(CLI::App& app, std::optional<std::uint64_t>& target);
+/// Each target gets its value when read() finds the argument, keeps its own where it is not given, and must outlive the
+/// Arguments. Help lists arguments in the order of their declaration. `sign` stands for the value in help, as in
+/// "FILE".
+class Arguments {
+ public:
+  /// command: "tumble record"; summary: the first line of its help. Declares -h and --help.
+  Arguments(const std::string& command, const std::string& summary);
+  ~Arguments();
+
+  Argument positional(const std::string& name, std::string& target, const std::string& description);
+
+  /// Takes every further word of the command line, at most `most` of them.
+  Argument positionals(const std::string& name, std::vector<std::string>& target, const std::string& description,
+                       std::optional<int> most = {});
+
+  /// names: "--size", or "-o,--output"
+  Argument option(const std::string& names, const std::string& sign, std::string& target,
+                  const std::string& description);
+
+  /// May be repeated: one value a time.
+  Argument option(const std::string& names, const std::string& sign, std::vector<std::string>& target,
+                  const std::string& description);
+
+  /// A whole number low … high.
+  Argument whole(const std::string& name, const std::string& sign, std::optional<std::uint64_t>& target,
+                 std::uint64_t low, std::uint64_t high, const std::string& description);
+
+  /// A number above 0, up to high.
+  Argument positive(const std::string& name, const std::string& sign, std::optional<double>& target, double high,
+                    const std::string& description);
+
+  Argument flag(const std::string& name, bool& target, const std::string& description);
+
+  Argument json(bool& target);                             ///< --json
+  Argument threads(std::optional<std::uint64_t>& target);  ///< --threads, 1 … 256; results do not depend on it
+
+  /// What help says after the list of arguments: examples, exit statuses.
+  void footer(const std::string& text);
+
+  /// words: those after the command's name, in their order. May be called once.
+  Reading read(const std::vector<std::string>& words);
+
+ private:
+  std::unique_ptr<CLI::App> app_;
+};
 
 }  // namespace tumble::tools

@@ -1,48 +1,37 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 
 #include "src/base/result.h"
+#include "tools/arguments/arguments.h"
+#include "tools/output/exit.h"
 
 namespace tumble::tools {
 
-/// The exit status of every command.
-enum class Exit : int {
-  kSame = 0,          ///< done; the same; passed
-  kDifference = 1,    ///< a difference was found
-  kBadInput = 2,      ///< bad usage or bad input
-  kDamaged = 3,       ///< a file is damaged or torn, even where its whole part is fine
-  kCannotFinish = 4,  ///< full disk, memory, a step that fails, an interruption
-};
-
-/// The status that goes with an error.
-Exit exit_for(const Error& error);
-
-/// What a command does once its arguments are read. Its results go to stdout; an Error is printed by run_program().
+/// Runs a command whose arguments are read. Results go to stdout; run_program() prints an Error.
 using Action = std::function<Result<Exit>()>;
 
-/// One command of the program: one file, cmd_<name>.cc, and one row of run_program.cc's table.
+/// One command of the program: one file, commands/NAME.cc, and one row of run_program.cc's table.
 struct Command {
   const char* name;
   const char* summary;  ///< a line for `tumble help`
-  /// Declares the arguments and returns what to do with them.
-  Action (*declare)(CLI::App& app);
+  /// Declares the arguments and returns the action on them.
+  Action (*declare)(Arguments& arguments);
 };
 
-Action declare_record(CLI::App& app);
-Action declare_replay(CLI::App& app);
-Action declare_recover(CLI::App& app);
-Action declare_diff(CLI::App& app);
-Action declare_info(CLI::App& app);
-Action declare_measure(CLI::App& app);
-Action declare_dump(CLI::App& app);
-Action declare_render(CLI::App& app);
-Action declare_import(CLI::App& app);
-Action declare_bench(CLI::App& app);
-Action declare_scenes(CLI::App& app);
-Action declare_bisect(CLI::App& app);
-Action declare_check(CLI::App& app);
-Action declare_bless(CLI::App& app);
+Action declare_record(Arguments& arguments);
+Action declare_replay(Arguments& arguments);
+Action declare_recover(Arguments& arguments);
+Action declare_diff(Arguments& arguments);
+Action declare_info(Arguments& arguments);
+Action declare_measure(Arguments& arguments);
+Action declare_dump(Arguments& arguments);
+Action declare_render(Arguments& arguments);
+Action declare_import(Arguments& arguments);
+Action declare_bench(Arguments& arguments);
+Action declare_scenes(Arguments& arguments);
+Action declare_bisect(Arguments& arguments);
+Action declare_check(Arguments& arguments);
+Action declare_bless(Arguments& arguments);
 
 }  // namespace tumble::tools

@@ -8,15 +8,13 @@
 
 namespace tumble::tools {
 
-void add_measure(CLI::App& app, MeasureArguments& target) {
-  app.add_option("--bodies", target.bodies,
-                 "Measure these: ids (7), ranges (3-9), tables of the scene (grid, tower:1, input), joined by commas")
-      ->type_name("LIST");
-  app.add_option("--axis", target.axis, "The axis along which nothing should move: x (if not given) or y")
-      ->type_name("AXIS");
-  add_whole(app, "--from-step", target.from_step, 0, sim::kStepsMax,
-            "Measure from the state after step K on, as if it were the start")
-      ->type_name("K");
+void add_measure(Arguments& arguments, MeasureArguments& target) {
+  arguments.option(
+      "--bodies", "LIST", target.bodies,
+      "Measure these: ids (7), ranges (3-9), tables of the scene (grid, tower:1, input), joined by commas");
+  arguments.option("--axis", "AXIS", target.axis, "The axis along which nothing should move: x (if not given) or y");
+  arguments.whole("--from-step", "K", target.from_step, 0, sim::kStepsMax,
+                  "Measure from the state after step K on, as if it were the start");
 }
 
 Result<replay::MeasureOptions> parse_measure(const MeasureArguments& arguments) {

@@ -1,16 +1,16 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include "replay/measure/measure_options.h"
 #include "src/base/result.h"
+#include "tools/arguments/arguments.h"
 
 namespace tumble::tools {
 
-/// What `measure` and `bisect --metric` are told about what to measure over.
+/// The choice of bodies, axis and start, for `measure` and `bisect --metric`.
 struct MeasureArguments {
   std::string bodies = "all";
   std::string axis = "x";
@@ -18,9 +18,9 @@ struct MeasureArguments {
 };
 
 /// Declares --bodies, --axis and --from-step.
-void add_measure(CLI::App& app, MeasureArguments& target);
+void add_measure(Arguments& arguments, MeasureArguments& target);
 
-/// Errors (kBadInput): what is not understood.
+/// Errors (kBadInput): unknown words, bodies or axes.
 Result<replay::MeasureOptions> parse_measure(const MeasureArguments& arguments);
 
 }  // namespace tumble::tools

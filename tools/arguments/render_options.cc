@@ -5,7 +5,7 @@
 
 #include "src/base/text.h"
 #include "src/model/limits.h"
-#include "tools/arguments/arguments.h"
+#include "tools/arguments/numbers.h"
 #include "tools/arguments/step_range.h"
 #include "tools/output/movie.h"
 
@@ -66,7 +66,7 @@ Status read_look(const RenderArguments& arguments, RenderPlan& plan) {
   const Result<render::Backend> backend = render::parse_backend(arguments.gl);
   if (!backend.ok()) return backend.error();
   plan.backend = *backend;
-  // An intermediate image is shown as it is; with more samples it would be larger than the picture.
+  // An intermediate image is shown without scaling; with more samples it would be larger than the picture.
   plan.settings.samples = plan.stage == render::Stage::kFinal ? static_cast<int>(arguments.samples.value_or(2)) : 1;
   return read_show(arguments.show, plan.show);
 }
@@ -98,38 +98,31 @@ Result<std::vector<Frame>> frames_of(const RenderArguments& arguments, replay::L
 
 }  // namespace
 
-void declare_arguments(CLI::App& app, RenderArguments& a) {
-  app.add_option("LOG", a.log, "The log to draw")->required()->type_name("");
-  CLI::Option* step = add_whole(app, "--step", a.step, 0, sim::kStepsMax,
-                                "One picture: the state after step K, 0 being the start (default: the last)");
-  step->type_name("K");
-  CLI::Option* every = add_whole(app, "--every", a.every, 1, sim::kStepsMax, "Every N-th state");
-  every->type_name("N")->excludes(step);
-  app.add_option("--steps", a.steps, "From the state after step A to that after B (default: all)")
-      ->type_name("A:B")
-      ->excludes(step);
-  app.add_option("-o,--output", a.output,
-                 "Where to write: FILE.png; FILE.mp4 or FILE.webm for a movie; else a folder for numbered pictures")
-      ->type_name("PATH");
-  app.add_option("--size", a.size, "Width and height in pixels (default: 640x480)")->type_name("WxH");
-  add_whole(app, "--samples", a.samples, 1, render::kSamplesMax,
-            "Samples of a pixel along each edge: 1 is quick, 2 (default) has smooth edges")
-      ->type_name("N");
-  app.add_option("--effects", a.effects,
-                 "all, none, or some of specular,shadow,bloom,dof,motion,vertex; with - before each, all but these")
-      ->type_name("LIST");
-  app.add_option("--pass", a.pass,
-                 "The image to write: depth, base, masks, shrunk, hdr, blur_x, blurred, glow, final (default)")
-      ->type_name("NAME");
-  app.add_option("--show", a.show, "Some of bounds,contacts,freezing,velocities")->type_name("LIST");
-  app.add_option("--compare", a.compare, "Lay OTHER over it: what differs is orange, OTHER's is blue")
-      ->type_name("OTHER");
-  CLI::Option* speed =
-      add_positive(app, "--speed", a.speed, kSpeedMax, "Simulated seconds a second shows; 0.1 is slow motion");
-  speed->type_name("X")->excludes(step)->excludes(every);
-  add_positive(app, "--fps", a.fps, kFpsMax, "Frames a second of a movie (default: 30)")->type_name("F");
-  app.add_option("--gl", a.gl, "OpenGL through: auto (default), osmesa, egl")->type_name("WHICH");
-  add_json(app, a.json);
+void declare_arguments(Arguments& arguments, RenderArguments& target) {
+  arguments.positional("LOG", target.log, "The log to draw").required();
+  const Argument step = arguments.whole("--step", "K", target.step, 0, sim::kStepsMax,
+                                        "One picture: the state after step K, 0 being the start (default: the last)");
+  const Argument every =
+      arguments.whole("--every", "N", target.every, 1, sim::kStepsMax, "Every N-th state").excludes(step);
+  arguments.option("--steps", "A:B", target.steps, "From the state after step A to that after B (default: all)")
+      .excludes(step);
+  arguments.option("-o,--output", "PATH", target.output,
+                   "Where to write: FILE.png; FILE.mp4 or FILE.webm for a movie; else a folder for numbered pictures");
+  arguments.option("--size", "WxH", target.size, "Width and height in pixels (default: 640x480)");
+  arguments.whole("--samples", "N", target.samples, 1, render::kSamplesMax,
+                  "Samples of a pixel along each edge: 1 is quick, 2 (default) has smooth edges");
+  arguments.option("--effects", "LIST", target.effects,
+                   "all, none, or some of specular,shadow,bloom,dof,motion,vertex; with - before each, all but these");
+  arguments.option("--pass", "NAME", target.pass,
+                   "The image to write: depth, base, masks, shrunk, hdr, blur_x, blurred, glow, final (default)");
+  arguments.option("--show", "LIST", target.show, "Some of bounds,contacts,freezing,velocities");
+  arguments.option("--compare", "OTHER", target.compare, "Lay OTHER over it: what differs is orange, OTHER's is blue");
+  arguments.positive("--speed", "X", target.speed, kSpeedMax, "Simulated seconds a second shows; 0.1 is slow motion")
+      .excludes(step)
+      .excludes(every);
+  arguments.positive("--fps", "F", target.fps, kFpsMax, "Frames a second of a movie (default: 30)");
+  arguments.option("--gl", "WHICH", target.gl, "OpenGL through: auto (default), osmesa, egl");
+  arguments.json(target.json);
 }
 
 Result<RenderPlan> plan_of(const RenderArguments& arguments, replay::LogReader& log) {

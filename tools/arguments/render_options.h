@@ -1,6 +1,5 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -10,11 +9,12 @@
 #include "replay/picture/picture_source.h"
 #include "src/base/result.h"
 #include "src/render/renderer.h"
+#include "tools/arguments/arguments.h"
 #include "tools/output/frames.h"
 
 namespace tumble::tools {
 
-/// The arguments of `tumble render` as they are given.
+/// The arguments of `tumble render`, as given.
 struct RenderArguments {
   std::string log, compare, output;
   std::optional<std::uint64_t> step, every, samples;
@@ -22,12 +22,12 @@ struct RenderArguments {
   std::string steps, size = "640x480", effects = "all", pass = "final", show, gl = "auto";
   bool json = false;
 };
-void declare_arguments(CLI::App& app, RenderArguments& arguments);
+void declare_arguments(Arguments& arguments, RenderArguments& target);
 
-/// Where the pictures go.
+/// The kind of output.
 enum class OutputKind { kPicture, kFolder, kMovie };
 
-/// What the arguments mean for a log.
+/// The meaning of the arguments for a log.
 struct RenderPlan {
   render::Settings settings;
   render::Stage stage = render::Stage::kFinal;

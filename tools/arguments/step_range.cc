@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "src/base/text.h"
-#include "tools/arguments/arguments.h"
+#include "tools/arguments/numbers.h"
 
 namespace tumble::tools {
 

@@ -6,7 +6,7 @@
 #include "src/base/text.h"
 #include "src/math/grid.h"
 #include "src/model/limits.h"
-#include "tools/arguments/arguments.h"
+#include "tools/arguments/numbers.h"
 #include "tools/output/text.h"
 
 namespace tumble::tools {
@@ -29,18 +29,16 @@ Result<sim::Vec3> parse_shift(const std::string& text) {
 
 }  // namespace
 
-void add_transform(CLI::App& app, TransformArguments& target, CLI::Option* excluded) {
-  app.add_option("--mirror", target.mirror,
-                 "Record the scene's mirror image: x (x becomes -x), y, or diagonal (x and y change places)")
-      ->type_name("AXIS")
-      ->excludes(excluded);
-  app.add_option("--shift", target.shift, "Record the scene moved by so many metres")
-      ->type_name("X,Y")
-      ->excludes(excluded);
-  add_whole(app, "--permute", target.permute, 0, std::numeric_limits<std::int64_t>::max(),
-            "Record the scene with the bodies' ids exchanged among them, by this seed")
-      ->type_name("SEED")
-      ->excludes(excluded);
+void add_transform(Arguments& arguments, TransformArguments& target, Argument excluded) {
+  arguments
+      .option("--mirror", "AXIS", target.mirror,
+              "Record the scene's mirror image: x (x becomes -x), y, or diagonal (x and y change places)")
+      .excludes(excluded);
+  arguments.option("--shift", "X,Y", target.shift, "Record the scene moved by so many metres").excludes(excluded);
+  arguments
+      .whole("--permute", "SEED", target.permute, 0, std::numeric_limits<std::int64_t>::max(),
+             "Record the scene with the bodies' ids exchanged among them, by this seed")
+      .excludes(excluded);
 }
 
 Result<sim::Transform> parse_transform(const TransformArguments& arguments) {

@@ -1,14 +1,14 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <optional>
 #include <string>
 
 #include "src/base/result.h"
 #include "src/model/transform.h"
+#include "tools/arguments/arguments.h"
 
-/// The arguments of `record` that make the image of a scene.
+/// The arguments of `record` that transform a scene.
 namespace tumble::tools {
 
 struct TransformArguments {
@@ -18,7 +18,7 @@ struct TransformArguments {
 };
 
 /// Declares `--mirror`, `--shift` and `--permute`, none of which goes with `excluded`.
-void add_transform(CLI::App& app, TransformArguments& target, CLI::Option* excluded);
+void add_transform(Arguments& arguments, TransformArguments& target, Argument excluded);
 
 /// Errors (kBadInput): another mirror than x, y and diagonal, a shift that is not two numbers on the grid of positions.
 Result<sim::Transform> parse_transform(const TransformArguments& arguments);

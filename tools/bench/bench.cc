@@ -11,10 +11,12 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <thread>
 
-#include "golden/run/external_engine.h"
 #include "replay/format/step_record.h"
+#include "src/base/check.h"
+#include "src/process/run_child.h"
 #include "src/scenes/scene_file.h"
 #include "tools/files/scene_files.h"
 
@@ -23,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The value of the first line "key : value" of a file of /proc.
+/// The value of the first line "key : value" in a file of /proc.
 std::string proc_value(const char* path, const std::string& key) {
   std::ifstream file(path);
   for (std::string line; std::getline(file, line);) {
@@ -67,10 +69,14 @@ Result<Exit> bench_program(const std::string& name, const std::vector<std::strin
   if (!fs::exists(path, error)) {
     return cannot_finish(path + ": not built; cmake --build --preset release --target " + name);
   }
-  std::string line = golden::shell_quoted(path);
-  for (const std::string& argument : arguments) line += ' ' + golden::shell_quoted(argument);
+  process::Program program;
+  program.words = {path};
+  program.words.insert(program.words.end(), arguments.begin(), arguments.end());
+  program.own_group = false;  // Ctrl-C ends both
   std::cout.flush();
-  if (std::system(line.c_str()) != 0) return cannot_finish(name + " failed; its words are above");
+  const Result<process::ChildEnd> end = process::run_child(program);
+  if (!end.ok()) return end.error();
+  if (!end->well()) return cannot_finish(name + ' ' + end->text() + "; its message is above");
   return Exit::kSame;
 }
 
@@ -113,6 +119,7 @@ double cpu_seconds() {
 }
 
 double median(std::vector<double> values) {
+  SIM_CHECK(!values.empty());
   std::ranges::sort(values);
   const std::size_t half = values.size() / 2;
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);

@@ -7,16 +7,16 @@
 
 #include "src/base/result.h"
 #include "src/model/scene.h"
-#include "tools/arguments/command.h"
+#include "tools/output/exit.h"
 #include "tools/output/text.h"
 
-/// What the parts of `tumble bench` share. docs/performance.md explains the figures.
+/// Shared by the parts of `tumble bench`. docs/performance.md explains the figures.
 namespace tumble::tools {
 
 struct BenchOptions {
   std::string what;
   std::optional<std::uint64_t> repeat;  ///< runs of which the median counts
-  std::optional<double> budget;         ///< s of CPU; what would go beyond is left out and estimated
+  std::optional<double> budget;         ///< s of CPU; runs beyond it are left out and estimated
   std::vector<std::string> scenes;      ///< peers: only scenes whose name begins so; memory: these
   std::vector<std::string> engines;     ///< peers: only these, besides ours
   bool large = false;                   ///< peers: the grids of 1600 cubes and more too
@@ -34,7 +34,7 @@ Result<Exit> bench_memory(const BenchOptions& options);
 /// Runs one of the programs of bench/ beside this one, with its output as it is.
 Result<Exit> bench_program(const std::string& name, const std::vector<std::string>& arguments);
 
-/// The folder of the build that this program belongs to: where bench/ has its programs.
+/// The build folder of this program, which has the programs of bench/.
 std::string build_folder();
 
 /// The scene bench/scenes/<name>.toml of the source folder.
@@ -45,7 +45,7 @@ Result<sim::SceneDef> bench_scene(const std::string& name, const std::vector<std
 Json machine_json();
 std::string machine_text(const Json& machine);
 
-/// Prints `results` as JSON if that was asked for, and writes them to the file that was asked for.
+/// Prints `results` as JSON for --json, and writes them to the file of --save.
 Status give_results(const BenchOptions& options, const Json& results);
 
 /// CPU seconds of this process so far.

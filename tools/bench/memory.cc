@@ -1,6 +1,7 @@
-// tumble bench memory: what a world holds of memory, by body and by contact.
+// tumble bench memory: the memory of a world, by body and by contact.
 #include <algorithm>
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "replay/session/session.h"
 #include "src/scenes/scene_file.h"
@@ -11,7 +12,7 @@
 namespace tumble::tools {
 namespace {
 
-/// The most there were of each at a time.
+/// The largest count of each at a time.
 struct Counts {
   std::size_t bodies = 0, pairs = 0, contacts = 0;
 

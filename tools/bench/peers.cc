@@ -1,23 +1,24 @@
-// tumble bench peers: the same scenes through our engine and those that are installed, in turn.
+// tumble bench peers: scenes through our engine and the installed ones, in turn.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "golden/suite/temporary_folder.h"
 #include "golden/suite/text_files.h"
 #include "replay/log/log_reader.h"
 #include "replay/measure/measure_log.h"
+#include "src/process/run_child.h"
 #include "tools/bench/bench.h"
-#include "tools/process/child_run.h"
 
 namespace tumble::tools {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A scene of bench/scenes and what is changed in it.
+/// A scene of bench/scenes and its overrides.
 struct PeerScene {
   std::string name;
   std::string file;
@@ -71,13 +72,13 @@ std::vector<Peer> find_peers(const BenchOptions& options) {
   return peers;
 }
 
-/// Runs a program and reads the JSON that it prints. Errors (kCannotFinish): it failed; with how, and its last words.
+/// Runs a program and reads the JSON that it prints. Errors (kCannotFinish): it failed; with its end and its message.
 Result<Json> run(std::vector<std::string> words, const fs::path& folder) {
-  ChildTask task;
+  process::Program task;
   task.words = std::move(words);
   task.out = (folder / "out.json").string();
   task.err = (folder / "words.txt").string();
-  const Result<ChildEnd> end = run_child(task);
+  const Result<process::ChildEnd> end = process::run_child(task);
   if (!end.ok()) return end.error();
   const Result<std::string> text = golden::read_text(task.out), said = golden::read_text(task.err);
   Json json = Json::parse(text.ok() ? *text : "", nullptr, false);
@@ -85,7 +86,7 @@ Result<Json> run(std::vector<std::string> words, const fs::path& folder) {
   return cannot_finish(end->text() + (said.ok() && !said->empty() ? ": " + *said : ""));
 }
 
-/// What one engine did with one scene.
+/// The result of one engine in one scene.
 struct Score {
   std::string engine;  ///< "Bullet 3.24"; as the program is called where it failed
   std::string failure;

@@ -1,13 +1,12 @@
 // tumble bench scaling: how the time of a step grows with the number of bodies (the thesis's Fig. 25).
 #include <cmath>
-#include <cstdio>
 #include <iostream>
-#include <span>
+#include <nlohmann/json.hpp>
 
 #include "src/step/step.h"
 #include "src/world/world.h"
 #include "tools/bench/bench.h"
-#include "tools/process/child_pipe.h"
+#include "tools/output/gnuplot.h"
 
 namespace tumble::tools {
 namespace {
@@ -61,12 +60,11 @@ std::optional<double> exponent(const std::vector<Point>& points, const std::stri
 }
 
 Status plot(const std::vector<Point>& points, const std::string& path, const std::string& method) {
-  const bool is_svg = path.ends_with(".svg");
-  if (!is_svg && !path.ends_with(".png")) return bad_input("--plot: wanted a name that ends with .svg or .png");
+  if (Status ok = check_plot_path(path); !ok.ok()) return ok;
   std::string script =
-      std::string("set terminal ") + (is_svg ? "svg size 800,600 background 'white'" : "pngcairo size 800,600") +
-      "\nset output '" + path + "'\nset logscale xy\nset grid\nset key left top\n" +
-      "set xlabel 'bodies'\nset ylabel 'CPU seconds for 5 s, dt 1/30'\nset title 'method " + method + "'\n";
+      "set logscale xy\nset key left top\nset xlabel 'bodies'\nset ylabel 'CPU seconds for 5 s, dt 1/30'\n"
+      "set title 'method " +
+      method + "'\n";
   for (const char* series : {"20 rows", "squares"}) {
     script += std::string(series == std::string("squares") ? "$squares" : "$rows") + " << EOD\n";
     for (const Point& point : points) {
@@ -78,11 +76,7 @@ Status plot(const std::vector<Point>& points, const std::string& path, const std
       "stats $rows using 1:2 nooutput\nslope = STATS_min_y / STATS_min_x\n"
       "plot $rows with linespoints pointtype 7 title '20 rows', $squares with linespoints pointtype 6 title "
       "'squares', slope * x title 'linear' linecolor 'gray'\n";
-  ChildPipe gnuplot;
-  if (Status ok = gnuplot.start({"gnuplot", "--default-settings", "-"}, "plots", "gnuplot-nox"); !ok.ok()) return ok;
-  const bool written = gnuplot.write(std::as_bytes(std::span(script)));
-  if (gnuplot.finish() && written) return {};
-  return cannot_finish("--plot: " + path + ": gnuplot could not write it; its words are above");
+  return run_gnuplot(path, 800, 600, script);
 }
 
 }  // namespace
@@ -93,7 +87,7 @@ Result<Exit> bench_scaling(const BenchOptions& options) {
   std::vector<Point> points;
   Json results = {{"bench", "scaling"}, {"machine", machine_json()}, {"method", method}, {"points", Json::array()}};
   if (!options.json)
-    std::cout << machine_text(results["machine"]) << "\nmethod " << method << ", 5 s at 1/30, 4 sub-steps\n";
+    std::cout << machine_text(results["machine"]) << "\nmethod " << method << ", 5 s at 1/30, 4 substeps\n";
   Table table({"series", ">bodies", ">CPU s", ">µs a body-step"});
   double spent = 0;
   for (Point point : all_points()) {

@@ -1,8 +1,10 @@
-// tumble bench table1: the thesis's Table I with its method as it is here, beside the thesis's and Havok's columns.
+// tumble bench table1: the thesis's Table I with this program's method `thesis`, beside the thesis's and Havok's
+// columns.
 #include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "replay/measure/measure.h"
@@ -16,7 +18,7 @@ namespace {
 
 constexpr double kBudget = 120;  // s
 
-/// One cell of the table, and what became of it here.
+/// One cell of the table, and its result here.
 struct Cell {
   std::size_t half = 0, row = 0, column = 0;
   double seconds = 0;
@@ -95,7 +97,7 @@ void print(const std::vector<Cell>& cells) {
   for (std::size_t half = 0; half < thesis_table1().size(); ++half) {
     const TableHalf& table1 = thesis_table1()[half];
     std::cout << "\nconstant time " << table1.name << " s; seconds of computation for 5 s\n";
-    Table table({">cubes", ">sub-steps", ">here", ">thesis", ">thesis / here", ">Havok", ">Havok / here", ">lateral",
+    Table table({">cubes", ">substeps", ">here", ">thesis", ">thesis / here", ">Havok", ">Havok / here", ">lateral",
                  ">column spread"});
     for (const Cell& cell : cells) {
       if (cell.half != half) continue;
@@ -142,7 +144,7 @@ Result<Exit> bench_table1(const BenchOptions& options) {
   double spent = 0;
   std::map<std::size_t, double> share;  // of each half: the part of the thesis's time that the last cell took
   for (Cell& cell : cells) {
-    // The first of each half is run whatever is left: without it nothing could be said of the others.
+    // The first of each half runs whatever budget is left: the estimates of the others need it.
     const auto known = share.find(cell.half);
     const double expected = known == share.end() ? 0 : cell.thesis() * known->second;
     cell.estimated = known != share.end() && spent + expected > budget;

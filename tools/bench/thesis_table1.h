@@ -15,7 +15,7 @@ struct TableTime {
 inline constexpr std::array<int, 7> kTableCubes = {36, 100, 225, 400, 1600, 3600, 6400};
 inline constexpr std::array<int, 5> kTableSubsteps = {1, 4, 10, 40, 200};
 
-/// Rows by sub-steps, columns by cubes.
+/// Rows by substeps, columns by cubes.
 using TableTimes = std::array<std::array<TableTime, kTableCubes.size()>, kTableSubsteps.size()>;
 
 namespace table1_detail {

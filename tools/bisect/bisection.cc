@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
@@ -16,7 +17,7 @@ Json answer_json(const std::string& commit, const Answer& answer, double seconds
   return {{"commit", commit},
           {"asked", answer.asked},
           {"yes", answer.yes},
-          {"words", answer.words},
+          {"words", answer.message},
           {"metric", answer.metric ? Json(*answer.metric) : Json(nullptr)},
           {"seconds", seconds}};
 }
@@ -26,7 +27,7 @@ struct Known {
   double seconds = 0;
 };
 
-/// The answers had so far, in a file that is never half written.
+/// The answers so far, in a file that is never half written.
 class State {
  public:
   State(std::string path, std::string fingerprint) : path_(std::move(path)) {
@@ -45,7 +46,7 @@ class State {
       Known known;
       known.answer.asked = row.value("asked", false);
       known.answer.yes = row.value("yes", false);
-      known.answer.words = row.value("words", "");
+      known.answer.message = row.value("words", "");
       if (row.contains("metric") && row["metric"].is_number()) known.answer.metric = row["metric"].get<double>();
       known.seconds = row.value("seconds", 0.0);
       known_[row.value("commit", "")] = known;
@@ -115,18 +116,18 @@ class Bisection {
                      "; take their merge base as the good one ('git merge-base'), or exchange them");
   }
 
-  /// Whether the ends are what the user says decides what the others are measured by.
+  /// Asks both ends first: the good end's answer is the reference for all others.
   Status ask_ends() {
     for (const std::string& end : {good_.front(), bad_}) {
       if (Status ok = ask(end); !ok.ok()) return ok;
       const Tested& tested = finding_.tested.back();
       if (tested.answer.asked) continue;
       return cannot_finish("the " + std::string(end == bad_ ? "bad" : "good") + " revision " + tested.commit.shortly() +
-                           " cannot be asked: " + tested.answer.words);
+                           " cannot be asked: " + tested.answer.message);
     }
     if (finding_.tested[0].answer.yes != finding_.tested[1].answer.yes) return {};
     return bad_input("the question (" + settings_.question() + ") has the same answer for both ends: good: " +
-                     finding_.tested[0].answer.words + "; bad: " + finding_.tested[1].answer.words);
+                     finding_.tested[0].answer.message + "; bad: " + finding_.tested[1].answer.message);
   }
 
   Result<Plan> next() {
@@ -157,7 +158,7 @@ class Bisection {
     return tell();
   }
 
-  /// Good's own answer is good, whatever it is: a log that the bad revision recorded will do as well.
+  /// The good end's answer counts as good, whatever it is: a log that the bad revision recorded serves as well.
   Tested::Verdict judge(const Tested& tested) {
     if (!tested.answer.asked) {
       skipped_.insert(tested.commit.commit);

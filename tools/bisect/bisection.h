@@ -20,7 +20,7 @@ struct Tested {
 };
 const char* name_of(Tested::Verdict verdict);  ///< "good", "bad", "skip"
 
-/// What a bisection came to.
+/// The result of a bisection.
 struct Finding {
   std::vector<CommitFacts>
       suspects;                ///< one: the commit looked for; more: nothing that could be asked tells them apart
@@ -30,14 +30,14 @@ struct Finding {
   [[nodiscard]] bool found() const { return suspects.size() == 1; }
 };
 
-/// Told of each revision: commits that are left, and about how many answers are still needed.
+/// Called after each revision: commits that are left, and about how many answers are still needed.
 using EachTested = std::function<void(const Tested& tested, std::uint64_t left, unsigned steps)>;
-/// Told before each: what will be asked.
+/// Called before each revision.
 using EachBegun = std::function<void(const CommitFacts& commit)>;
 
-/// Finds the first commit between good and bad whose answer is not good's. What is known is written to the workplace's
-/// state after every answer, and read from there first. Errors: kBadInput where the revisions cannot be ends (unknown,
-/// not in line, the same answer of both); kCannotFinish for an interruption, an end that cannot be asked, git, disk.
+/// Finds the first commit between good and bad whose answer is not good's. Writes the workplace's state after every
+/// answer, and reads it first. Errors: kBadInput where the revisions cannot be ends (unknown, not in line, the same
+/// answer of both); kCannotFinish for an interruption, an end that cannot be asked, git, disk.
 Result<Finding> find_commit(const Settings& settings, const Workplace& place, const Git& git,
                             const Asker::Cancel& cancel, const EachBegun& begun, const EachTested& each);
 

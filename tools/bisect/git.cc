@@ -7,7 +7,7 @@
 
 #include "golden/suite/text_files.h"
 #include "src/base/text.h"
-#include "tools/process/child_run.h"
+#include "src/process/run_child.h"
 
 namespace tumble::tools::bisect {
 namespace {
@@ -20,13 +20,13 @@ constexpr const char* kNo = "no";
 }  // namespace
 
 Result<std::string> Git::run(const std::string& folder, std::vector<std::string> words) const {
-  ChildTask task;
+  process::Program task;
   task.words = {"git", "-C", folder, "-c", "core.hooksPath=/dev/null", "-c", "advice.detachedHead=false"};
   task.words.insert(task.words.end(), words.begin(), words.end());
   task.out = scratch_ + "/git.out";
   task.err = scratch_ + "/git.err";
   task.more = {{"GIT_TERMINAL_PROMPT", "0"}};
-  const Result<ChildEnd> end = run_child(task);
+  const Result<process::ChildEnd> end = process::run_child(task);
   if (!end.ok()) return cannot_finish("bisect needs git: " + end.error().message);
   const Result<std::string> words_of_git = golden::read_text(task.err);
   if (!end->well()) {

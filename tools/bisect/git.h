@@ -9,7 +9,7 @@
 
 namespace tumble::tools::bisect {
 
-/// What people want to know of a commit.
+/// A commit as people know it.
 struct CommitFacts {
   std::string commit;
   std::string subject;
@@ -22,7 +22,7 @@ struct CommitFacts {
 /// git, as a child process. The repository is only read.
 class Git {
  public:
-  /// repository: a folder in it. scratch: a folder for what git prints.
+  /// repository: a folder in it. scratch: a folder for git's output.
   Git(std::string repository, std::string scratch) : repository_(std::move(repository)), scratch_(std::move(scratch)) {}
 
   /// The full name of a commit. Errors (kBadInput): no such revision, no repository; kCannotFinish: no git.
@@ -42,8 +42,8 @@ class Git {
   /// Makes `folder` a clone that shares this repository's objects, with no files in it yet.
   [[nodiscard]] Status clone_to(const std::string& folder) const;
 
-  /// Puts the files of a commit into such a clone. What git ignores stays (a build can go on from there), unless
-  /// `from_scratch`; everything else that is not the commit's goes.
+  /// Puts the files of a commit into such a clone. Ignored files stay (a build can use them), unless `from_scratch`;
+  /// all other files that are not the commit's are removed.
   [[nodiscard]] Status put(const std::string& folder, const std::string& commit, bool from_scratch) const;
 
  private:

@@ -2,23 +2,25 @@
 
 #include <cctype>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
 
 #include "golden/suite/text_files.h"
 #include "replay/diff/compare.h"
 #include "replay/measure/measure_log.h"
+#include "src/process/run_child.h"
+#include "src/process/split_words.h"
 #include "src/scenes/problem.h"
 #include "tools/files/log_files.h"
 #include "tools/output/text.h"
-#include "tools/process/child_run.h"
 
 namespace tumble::tools::bisect {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The last line that says something, of a file that a program wrote.
+/// The last line of a file that is not blank.
 std::string last_line(const std::string& path) {
   const Result<std::string> text = golden::read_text(path);
   if (!text.ok()) return "";
@@ -49,14 +51,14 @@ std::string where(const Json& first) {
 Answer skipped(const std::string& why) { return {false, false, why, {}}; }
 Answer answered(bool yes, const std::string& words) { return {true, yes, words, {}}; }
 
-/// A name that is a file's and the scene's.
+/// A name for both the file and the scene.
 std::string file_name(const std::string& scene) {
   std::string name;
   for (const char c : scene) name += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ? c : '_';
   return name.empty() ? "scene" : name;
 }
 
-/// `--mirror` and so on, as they were when the log was recorded.
+/// `--mirror` and so on, as when the log was recorded.
 std::vector<std::string> transform_words(const sim::Transform& transform) {
   std::vector<std::string> words;
   const auto mirror = [&](bool is_so, const char* axis) {
@@ -113,15 +115,14 @@ Status Asker::write_scene() {
 
 std::string Asker::program() const { return (fs::path(place_.source()) / settings_.program).string(); }
 
-/// False and why where it did not end well.
+/// False, and the reason in `why`, if the program did not end well.
 Result<bool> Asker::run(const std::vector<std::string>& words, const std::string& name, std::string& why) {
-  ChildTask task;
+  process::Program task;
   task.words = words;
   task.folder = place_.source();
   task.out = place_.file(name + ".out");
   task.err = place_.file(name + ".err");
-  task.timeout_s = settings_.timeout_s;
-  const Result<ChildEnd> end = run_child(task, cancel_);
+  const Result<process::ChildEnd> end = process::run_child(task, settings_.timeout_s, cancel_);
   if (!end.ok()) {
     why = end.error().message;
     last_exit_ = -1;
@@ -135,38 +136,43 @@ Result<bool> Asker::run(const std::vector<std::string>& words, const std::string
   return false;
 }
 
-Result<bool> Asker::build_once(const std::string& log, std::string& why) {
+Result<bool> Asker::build_once(const std::string& log, BuildProgress& progress, std::string& why) {
+  const auto show_and_ask = [&] {
+    progress.show();
+    return cancel_ && cancel_();
+  };
   for (const std::string& command : settings_.build) {
-    const Result<std::vector<std::string>> words = split_words(command);
+    const Result<std::vector<std::string>> words = process::split_words(command);
     if (!words.ok()) return words.error();
-    ChildTask task;
+    process::Program task;
     task.words = *words;
     task.folder = place_.source();
     task.out = task.err = log;
-    // So that what other folders have compiled is found by the compiler cache.
+    // The compiler cache then finds objects that were compiled in other folders.
     task.more = {{"CCACHE_BASEDIR", place_.source()}, {"CCACHE_NOHASHDIR", "1"}};
-    const Result<ChildEnd> end = run_child(task, cancel_);
+    const Result<process::ChildEnd> end = process::run_child(task, 0, show_and_ask);
     if (!end.ok()) return end.error();
     if (end->stopped) return cannot_finish("interrupted");
     if (end->well()) continue;
-    why = "does not build: " + words->front() + ' ' + end->text() + "; its words are in " + log;
+    why = "does not build: " + words->front() + ' ' + end->text() + "; its output is in " + log;
     return false;
   }
   return true;
 }
 
-/// On top of the build before, which is quick; where that fails, from scratch, for the other one's leftovers may be the
-/// reason.
+/// Builds on top of the build before, which is quick. If that fails, builds from scratch: files that the other build
+/// left may be the reason.
 Result<bool> Asker::build(const std::string& commit, std::string& why) {
   const std::string log = place_.file("build_" + commit.substr(0, 10) + ".txt");
   if (Status ok = git_.put(place_.source(), commit, false); !ok.ok()) return ok.error();
-  Result<bool> built = build_once(log, why);
+  BuildProgress progress(log);
+  Result<bool> built = build_once(log, progress, why);
   if (!built.ok() || *built || !built_before_) {
     built_before_ = true;
     return built;
   }
   if (Status ok = git_.put(place_.source(), commit, true); !ok.ok()) return ok.error();
-  return build_once(log, why);
+  return build_once(log, progress, why);
 }
 
 std::vector<std::string> Asker::record_words(const std::string& session) const {
@@ -176,7 +182,7 @@ std::vector<std::string> Asker::record_words(const std::string& session) const {
     words.insert(words.end(), record_words_.begin(), record_words_.end());
     return words;
   }
-  const Result<std::vector<std::string>> command = split_words(settings_.run);
+  const Result<std::vector<std::string>> command = process::split_words(settings_.run);
   if (!command.ok()) return words;
   for (const std::string& word : *command) {
     words.push_back(replaced(replaced(word, "{scene}", scene_), "{log}", session));
@@ -207,7 +213,7 @@ Result<Answer> Asker::ask_replay() {
   return answered(false, where(report.is_object() ? report.value("first", Json()) : Json()));
 }
 
-/// Asks the session that the revision recorded; this build does the judging, so that it is the same for all.
+/// Judges the session that the revision recorded. This build judges, so that all revisions are judged alike.
 Result<Answer> Asker::ask_session(const std::string& commit) {
   Result<replay::LogReader> log = open_log(place_.session(commit));
   if (!log.ok()) return skipped("wrote no session that can be read: " + log.error().message);
@@ -226,8 +232,8 @@ Result<Answer> Asker::ask_session(const std::string& commit) {
   answer.asked = true;
   answer.metric = row.value(*metrics);
   answer.yes = settings_.metric->holds(answer.metric);
-  answer.words = std::string(row.name) + " is " + (answer.metric ? exact(*answer.metric) : "none") +
-                 (*row.unit != '\0' && answer.metric ? ' ' + std::string(row.unit) : "");
+  answer.message = std::string(row.name) + " is " + (answer.metric ? exact(*answer.metric) : "none") +
+                   (*row.unit != '\0' && answer.metric ? ' ' + std::string(row.unit) : "");
   return answer;
 }
 

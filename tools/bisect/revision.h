@@ -5,21 +5,22 @@
 #include <string>
 
 #include "src/base/result.h"
+#include "tools/bisect/build_progress.h"
 #include "tools/bisect/git.h"
 #include "tools/bisect/settings.h"
 #include "tools/bisect/workplace.h"
 
 namespace tumble::tools::bisect {
 
-/// What a revision says to the question.
+/// A revision's answer to the question.
 struct Answer {
-  bool asked = false;            ///< false: it does not build, or cannot read the log; it is skipped
-  bool yes = false;              ///< the same, within the bound, passed
-  std::string words;             ///< why, a line
+  bool asked = false;            ///< false: the revision does not build, or cannot read the log; it is skipped
+  bool yes = false;              ///< same bits, within the bound, passed
+  std::string message;           ///< the reason, a line
   std::optional<double> metric;  ///< the value of the metric asked about
 };
 
-/// Makes programs of revisions and asks them.
+/// Builds programs of revisions and asks them.
 class Asker {
  public:
   using Cancel = std::function<bool()>;
@@ -32,14 +33,14 @@ class Asker {
   /// the question needs that.
   Status prepare();
 
-  /// Puts a commit's files in place, builds it and asks. Errors (kCannotFinish): an interruption, a full disk; what is
-  /// wrong with the revision itself is an answer.
+  /// Puts a commit's files in place, builds it and asks. Errors (kCannotFinish): an interruption, a full disk; a
+  /// fault of the revision itself is an answer.
   Result<Answer> ask(const std::string& commit);
 
  private:
   [[nodiscard]] Status write_scene();
   [[nodiscard]] Result<bool> run(const std::vector<std::string>& words, const std::string& name, std::string& why);
-  [[nodiscard]] Result<bool> build_once(const std::string& log, std::string& why);
+  [[nodiscard]] Result<bool> build_once(const std::string& log, BuildProgress& progress, std::string& why);
   [[nodiscard]] Result<bool> build(const std::string& commit, std::string& why);
   [[nodiscard]] std::string program() const;
   [[nodiscard]] std::vector<std::string> record_words(const std::string& session) const;

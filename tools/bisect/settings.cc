@@ -1,6 +1,7 @@
 #include "tools/bisect/settings.h"
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "tools/output/text.h"
 

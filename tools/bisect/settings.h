@@ -9,14 +9,14 @@
 
 namespace tumble::tools::bisect {
 
-/// What is asked of every revision, and how a revision becomes a program. Paths are absolute.
+/// The question to every revision, and the way in which a revision becomes a program. Paths are absolute.
 struct Settings {
   std::string repository;
-  std::string good;  ///< revisions, in git's words
+  std::string good;  ///< revisions, as git names them
   std::string bad;
   bool first_parent = false;
 
-  // The question. Without metric and case: whether a replay of the log is the same in every bit.
+  // The question. Without metric and case: whether a replay of the log agrees in every bit.
   std::string log;                            ///< the session; may be empty where a case is asked about
   std::optional<replay::MetricBound> metric;  ///< whether the session, recorded anew, is within this bound
   replay::MeasureOptions measure;             ///< for the metric
@@ -30,7 +30,7 @@ struct Settings {
 
   /// One line for people: "replay of wall.tumble in every bit".
   [[nodiscard]] std::string question() const;
-  /// All of it as text: what an interrupted bisection must have in common with the one that resumes it.
+  /// All settings as text. An interrupted bisection and the one that resumes it must agree in it.
   [[nodiscard]] std::string fingerprint() const;
 };
 

@@ -1,6 +1,7 @@
 #include "tools/bisect/verdict.h"
 
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "tools/files/log_files.h"
 #include "tools/output/difference_output.h"
@@ -70,7 +71,7 @@ Comparison compare_sessions(const Finding& finding, const Workplace& place) {
 
 std::string tested_text(const Tested& tested) {
   return padded(name_of(tested.verdict), 5) + ' ' + tested.commit.shortly() + ' ' + tested.commit.date.substr(0, 10) +
-         ' ' + printable(tested.commit.subject) + ": " + printable(tested.answer.words) + " (" +
+         ' ' + printable(tested.commit.subject) + ": " + printable(tested.answer.message) + " (" +
          seconds_text(tested.seconds) + ')';
 }
 
@@ -89,8 +90,8 @@ void print_verdict(const Settings& settings, const Finding& finding, const Compa
   const Tested& good = finding.tested[finding.good];
   const Tested& bad = finding.tested[finding.bad];
   Listing listing;
-  listing.add("  before", printable(good.answer.words) + " (" + good.commit.shortly() + ')');
-  listing.add("  after", printable(bad.answer.words) + " (" + bad.commit.shortly() + ')');
+  listing.add("  before", printable(good.answer.message) + " (" + good.commit.shortly() + ')');
+  listing.add("  after", printable(bad.answer.message) + " (" + bad.commit.shortly() + ')');
   listing.print();
   print_comparison(comparison);
 }
@@ -103,8 +104,8 @@ Json verdict_json(const Settings& settings, const Finding& finding, const Compar
   json["suspects"] = Json::array();
   for (const CommitFacts& facts : finding.suspects) json["suspects"].push_back(facts_json(facts));
   json["before"] = {
-      {"commit", good.commit.commit}, {"words", good.answer.words}, {"metric", number(good.answer.metric)}};
-  json["after"] = {{"commit", bad.commit.commit}, {"words", bad.answer.words}, {"metric", number(bad.answer.metric)}};
+      {"commit", good.commit.commit}, {"words", good.answer.message}, {"metric", number(good.answer.metric)}};
+  json["after"] = {{"commit", bad.commit.commit}, {"words", bad.answer.message}, {"metric", number(bad.answer.metric)}};
   json["sessions"] = nullptr;
   if (comparison.not_compared.empty()) {
     const replay::DiffReport& report = comparison.report;
@@ -117,7 +118,7 @@ Json verdict_json(const Settings& settings, const Finding& finding, const Compar
     json["tested"].push_back({{"commit", tested.commit.commit},
                               {"subject", tested.commit.subject},
                               {"verdict", name_of(tested.verdict)},
-                              {"words", tested.answer.words},
+                              {"words", tested.answer.message},
                               {"metric", number(tested.answer.metric)},
                               {"seconds", tested.seconds}});
   }

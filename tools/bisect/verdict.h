@@ -14,10 +14,10 @@ namespace tumble::tools::bisect {
 struct Comparison {
   replay::DiffReport report;
   std::optional<replay::DifferenceReport> difference;
-  std::string not_compared;  ///< why they are not; empty: they are
+  std::string not_compared;  ///< the reason if they could not be compared; else empty
 };
 
-/// Errors are left to `not_compared`.
+/// Errors go to `not_compared`.
 Comparison compare_sessions(const Finding& finding, const Workplace& place);
 
 void print_verdict(const Settings& settings, const Finding& finding, const Comparison& comparison);

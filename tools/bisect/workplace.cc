@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kLockFile = "bisect.lock";
 
-/// A folder of this user's that nobody else can write to: programs are built and run in it.
+/// True for a folder that this user owns and nobody else can write to: programs are built and run in it.
 Status make_private(const std::string& folder) {
   std::error_code error;
   fs::create_directories(fs::path(folder).parent_path(), error);
@@ -69,7 +69,7 @@ Result<Workplace> Workplace::open(const std::string& folder, const std::string& 
   if (!is_ours && !fs::is_empty(place.root_, error)) {
     return bad_input(place.root_ + ": holds other things; name an empty or a new folder");
   }
-  // Not closed in child processes: as long as one of them works here, nobody else does.
+  // Child processes keep the lock open: as long as one of them works here, no other bisection does.
   place.lock_ = ::open(place.file(kLockFile).c_str(), O_RDWR | O_CREAT, 0600);  // NOLINT(android-cloexec-open)
   if (place.lock_ < 0) return cannot_finish(place.root_ + ": cannot be written to");
   if (flock(place.lock_, LOCK_EX | LOCK_NB) != 0) {

@@ -6,8 +6,7 @@
 
 namespace tumble::tools::bisect {
 
-/// The folder in which a bisection works: a clone, builds, sessions, what is known so far. Nothing is written
-/// elsewhere.
+/// The folder of a bisection: a clone, builds, sessions, answers so far. Nothing is written elsewhere.
 class Workplace {
  public:
   Workplace() = default;
@@ -16,9 +15,9 @@ class Workplace {
   ~Workplace();
 
   /// Opens `folder`, or one for this question under the system's folder for temporary files, and locks it; processes
-  /// that an earlier bisection left behind hold the lock too. Without `resume` what lies in it is removed first.
-  /// Errors: kBadInput for a folder of somebody else's or one that holds other things, and with `resume` where nothing
-  /// is to be resumed; kCannotFinish where it cannot be made or is in use.
+  /// that an earlier bisection left behind hold the lock too. Without `resume` its contents are removed
+  /// first. Errors: kBadInput for a folder of another user or one that holds other things, and with `resume` if there
+  /// is nothing to resume; kCannotFinish if it cannot be made or is in use.
   static Result<Workplace> open(const std::string& folder, const std::string& fingerprint, bool resume);
 
   [[nodiscard]] const std::string& root() const { return root_; }
@@ -29,7 +28,7 @@ class Workplace {
     return root_ + "/sessions/" + commit + ".tumble";
   }
 
-  /// Takes everything away.
+  /// Removes the folder with all its contents.
   void remove();
 
  private:

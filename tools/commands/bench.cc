@@ -1,4 +1,4 @@
-// tumble bench: how fast, how right beside others, how it grows.
+// tumble bench: speed, comparison with other engines, growth.
 #include "tools/bench/bench.h"
 
 #include <memory>
@@ -29,33 +29,26 @@ Result<Exit> bench(const BenchOptions& options) {
 
 }  // namespace
 
-Action declare_bench(CLI::App& app) {
+Action declare_bench(Arguments& arguments) {
   auto options = std::make_shared<BenchOptions>();
-  app.add_option("WHAT", options->what, "peers, table1, scaling, memory, phases, threads, record or render")
-      ->required()
-      ->type_name("");
-  add_whole(app, "--repeat", options->repeat, 1, 1000, "Runs of which the median counts (peers: 5, others: 1)")
-      ->type_name("N");
-  add_positive(app, "--budget", options->budget, 1e6,
-               "table1, scaling: CPU seconds to spend; the rest is left out and estimated (120, 300)")
-      ->type_name("S");
-  app.add_option(
-         "--scene", options->scenes,
-         "peers: only scenes whose name begins so; memory: SCENE; threads: 6400, 25600, 102400, pile; may be repeated")
-      ->type_name("NAME")
-      ->allow_extra_args(false);
-  app.add_option("--engine", options->engines, "peers: only bullet, ode or mujoco beside ours; may be repeated")
-      ->type_name("NAME")
-      ->allow_extra_args(false);
-  app.add_flag("--large", options->large, "peers: also the grids of 1600 cubes and more");
-  app.add_option("--method", options->method,
-                 "table1 (thesis), scaling (layered), memory (the scene's): another method")
-      ->type_name("NAME");
-  app.add_option("--plot", options->plot, "scaling: also draw it, with gnuplot")->type_name("FILE.svg|png");
-  app.add_option("--save", options->save, "Also write the results and the machine to this file, as JSON")
-      ->type_name("FILE.json");
-  add_json(app, options->json);
-  app.footer(
+  arguments.positional("WHAT", options->what, "peers, table1, scaling, memory, phases, threads, record or render")
+      .required();
+  arguments.whole("--repeat", "N", options->repeat, 1, 1000, "Runs of which the median counts (peers: 5, others: 1)");
+  arguments.positive("--budget", "S", options->budget, 1e6,
+                     "table1, scaling: CPU seconds to spend; the rest is left out and estimated (120, 300)");
+  arguments.option(
+      "--scene", "NAME", options->scenes,
+      "peers: only scenes whose name begins so; memory: SCENE; threads: 6400, 25600, 102400, pile; may be repeated");
+  arguments.option("--engine", "NAME", options->engines,
+                   "peers: only bullet, ode or mujoco beside ours; may be repeated");
+  arguments.flag("--large", options->large, "peers: also the grids of 1600 cubes and more");
+  arguments.option("--method", "NAME", options->method,
+                   "table1 (thesis), scaling (layered), memory (the scene's): another method");
+  arguments.option("--plot", "FILE.svg|png", options->plot, "scaling: also draw it, with gnuplot");
+  arguments.option("--save", "FILE.json", options->save,
+                   "Also write the results and the machine to this file, as JSON");
+  arguments.json(options->json);
+  arguments.footer(
       "peers    our scenes through Bullet, ODE and MuJoCo, where they are installed, in turn with ours\n"
       "table1   the thesis's Table I beside its own and Havok's columns\n"
       "scaling  the exponent with which time grows with the number of bodies\n"

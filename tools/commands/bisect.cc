@@ -1,13 +1,16 @@
-// tumble bisect: where two logs part, or the commit after which a session is another one.
+// tumble bisect: the first difference of two logs, or the commit that changed a session.
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <system_error>
 #include <vector>
 
 #include "replay/diff/locate_divergence.h"
+#include "src/process/interrupt.h"
+#include "src/process/split_words.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/arguments/measure_arguments.h"
@@ -17,8 +20,6 @@
 #include "tools/output/difference_output.h"
 #include "tools/output/divergence_output.h"
 #include "tools/output/text.h"
-#include "tools/process/child_run.h"
-#include "tools/process/interrupt.h"
 
 namespace tumble::tools {
 namespace {
@@ -51,11 +52,11 @@ Result<Exit> locate_in_logs(const Options& options) {
   if (!a.ok()) return a.error();
   Result<replay::LogReader> b = open_log(options.logs[1]);
   if (!b.ok()) return b.error();
-  const InterruptGuard guard;
-  const Result<replay::LocatedDivergence> located =
-      replay::diff_and_locate(*a, *b, [](std::uint64_t, std::uint64_t) { return !InterruptGuard::interrupted(); });
+  const process::InterruptGuard guard;
+  const Result<replay::LocatedDivergence> located = replay::diff_and_locate(
+      *a, *b, [](std::uint64_t, std::uint64_t) { return !process::InterruptGuard::interrupted(); });
   if (!located.ok()) return located.error();
-  if (InterruptGuard::interrupted()) return cannot_finish("interrupted");
+  if (process::InterruptGuard::interrupted()) return cannot_finish("interrupted");
   const replay::DiffReport& report = located->report;
   const std::size_t chunks = a->chunks().size() + b->chunks().size();
   if (options.json) {
@@ -128,21 +129,22 @@ Result<bisect::Settings> settings_of(const Options& options) {
   settings.run = options.run;
   settings.timeout_s = options.timeout.value_or(0);
   for (const std::string& command : settings.build) {
-    if (const auto words = split_words(command); !words.ok()) return bad_input("--build: " + words.error().message);
+    if (const auto words = process::split_words(command); !words.ok())
+      return bad_input("--build: " + words.error().message);
   }
-  if (const auto words = split_words(settings.run); !settings.run.empty() && !words.ok()) {
+  if (const auto words = process::split_words(settings.run); !settings.run.empty() && !words.ok()) {
     return bad_input("--run: " + words.error().message);
   }
   return settings;
 }
 
-// What happens goes to stdout as it happens, or to stderr where stdout is to be one JSON value.
+// Prints progress to stdout, or to stderr if stdout is to be one JSON value.
 Result<bisect::Finding> search(const bisect::Settings& settings, const bisect::Workplace& place, bool json) {
   std::ostream& out = json ? std::cerr : std::cout;
   out << "question: " << printable(settings.question()) << "\nwork in:  " << place.root() << std::endl;
   const bisect::Git git(settings.repository, place.root());
   return bisect::find_commit(
-      settings, place, git, [] { return InterruptGuard::interrupted(); },
+      settings, place, git, [] { return process::InterruptGuard::interrupted(); },
       [&](const bisect::CommitFacts& facts) {
         out << "asking " << facts.shortly() << ' ' << printable(facts.subject) << std::endl;
       },
@@ -155,13 +157,13 @@ Result<bisect::Finding> search(const bisect::Settings& settings, const bisect::W
 Result<Exit> find_commit(const Options& options) {
   const Result<bisect::Settings> settings = settings_of(options);
   if (!settings.ok()) return settings.error();
-  const InterruptGuard guard;
+  const process::InterruptGuard guard;
   Result<bisect::Workplace> place =
       bisect::Workplace::open(absolute(options.work), settings->fingerprint(), options.resume);
   if (!place.ok()) return place.error();
   const Result<bisect::Finding> finding = search(*settings, *place, options.json);
   if (!finding.ok()) {
-    if (!InterruptGuard::interrupted()) return finding.error();
+    if (!process::InterruptGuard::interrupted()) return finding.error();
     return cannot_finish(finding.error().message + "; what is known is kept: the same command with --resume goes on");
   }
   const bisect::Comparison comparison = bisect::compare_sessions(*finding, *place);
@@ -174,52 +176,47 @@ Result<Exit> find_commit(const Options& options) {
   return finding->found() ? Exit::kDifference : Exit::kCannotFinish;
 }
 
-void declare_question(CLI::App& app, Options& options) {
-  app.add_option("--metric", options.metric,
-                 "Ask whether the session, recorded anew by each revision, is within a bound, as in 'lateral_max<=0'")
-      ->type_name("EXPR");
-  add_measure(app, options.measure);
-  app.add_option("--case", options.case_name, "Ask whether each revision's own check of this golden case passes")
-      ->type_name("NAME");
-  app.add_flag("--image", options.image, "With --case: ask for the image verdict alone");
+void declare_question(Arguments& arguments, Options& options) {
+  arguments.option(
+      "--metric", "EXPR", options.metric,
+      "Ask whether the session, recorded anew by each revision, is within a bound, as in 'lateral_max<=0'");
+  add_measure(arguments, options.measure);
+  arguments.option("--case", "NAME", options.case_name,
+                   "Ask whether each revision's own check of this golden case passes");
+  arguments.flag("--image", options.image, "With --case: ask for the image verdict alone");
 }
 
-void declare_building(CLI::App& app, Options& options) {
-  app.add_option("--repo", options.repository, "A folder in the clone; the current one if not given")->type_name("DIR");
-  app.add_flag("--first-parent", options.first_parent, "Ask only along first parents: which merge it was");
-  app.add_option("--build", options.build,
-                 "A command that builds a revision, run in its folder; may be repeated. The release preset's build of "
-                 "tumble if not given")
-      ->type_name("COMMAND")
-      ->allow_extra_args(false);
-  app.add_option("--program", options.program, "The program it makes, a path from that folder")->type_name("PATH");
-  app.add_option("--run", options.run,
-                 "Instead of the program: a command of any engine that makes the log {log} of the scene {scene}")
-      ->type_name("COMMAND");
+void declare_building(Arguments& arguments, Options& options) {
+  arguments.option("--repo", "DIR", options.repository, "A folder in the clone; the current one if not given");
+  arguments.flag("--first-parent", options.first_parent, "Ask only along first parents: which merge it was");
+  arguments.option(
+      "--build", "COMMAND", options.build,
+      "A command that builds a revision, run in its folder; may be repeated. The release preset's build of "
+      "tumble if not given");
+  arguments.option("--program", "PATH", options.program, "The program it makes, a path from that folder");
+  arguments.option("--run", "COMMAND", options.run,
+                   "Instead of the program: a command of any engine that makes the log {log} of the scene {scene}");
   constexpr double kTimeoutMax = 1e6;
-  add_positive(app, "--timeout", options.timeout, kTimeoutMax, "Skip a revision whose program takes longer")
-      ->type_name("S");
-  app.add_option("--work", options.work, "Work in this folder; one under the folder for temporary files if not given")
-      ->type_name("DIR");
-  app.add_flag("--resume", options.resume, "Go on with an interrupted bisection: the same arguments and --resume");
-  app.add_flag("--keep", options.keep, "Keep the folder with the clone, the last build and the sessions");
+  arguments.positive("--timeout", "S", options.timeout, kTimeoutMax, "Skip a revision whose program takes longer");
+  arguments.option("--work", "DIR", options.work,
+                   "Work in this folder; one under the folder for temporary files if not given");
+  arguments.flag("--resume", options.resume, "Go on with an interrupted bisection: the same arguments and --resume");
+  arguments.flag("--keep", options.keep, "Keep the folder with the clone, the last build and the sessions");
 }
 
 }  // namespace
 
-Action declare_bisect(CLI::App& app) {
+Action declare_bisect(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  app.add_option("LOG", options->logs, "Two logs; or, with --good and --bad, the session to ask about")
-      ->expected(0, 2)
-      ->type_name("");
-  CLI::Option* good = app.add_option("--good", options->good, "A revision that is as it should be");
-  CLI::Option* bad = app.add_option("--bad", options->bad, "A later revision that is not");
-  good->type_name("REV")->needs(bad);
-  bad->type_name("REV")->needs(good);
-  declare_question(app, *options);
-  declare_building(app, *options);
-  add_json(app, options->json);
-  app.footer(
+  arguments.positionals("LOG", options->logs, "Two logs; or, with --good and --bad, the session to ask about", 2);
+  const Argument good = arguments.option("--good", "REV", options->good, "A revision that is as it should be");
+  const Argument bad = arguments.option("--bad", "REV", options->bad, "A later revision that is not");
+  good.needs(bad);
+  bad.needs(good);
+  declare_question(arguments, *options);
+  declare_building(arguments, *options);
+  arguments.json(options->json);
+  arguments.footer(
       "docs/bisecting.md explains it. Revisions that do not build or cannot read the log are skipped. The clone's own\n"
       "files, index and branches are not touched.\n\n"
       "Exit status: 0 two logs are the same, 1 they differ, or the commit was found, 4 interrupted, or what is left\n"

@@ -1,4 +1,4 @@
-// tumble bless: what cases do now becomes what is expected of them.
+// tumble bless: accepts the present results of cases as their goldens.
 #include "golden/bless/bless.h"
 
 #include <algorithm>
@@ -8,12 +8,13 @@
 #include <thread>
 #include <vector>
 
+#include "golden/bless/bless_log.h"
+#include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/files/scene_files.h"
 #include "tools/output/check_output.h"
 #include "tools/output/text.h"
-#include "tools/process/interrupt.h"
 
 namespace tumble::tools {
 namespace {
@@ -41,12 +42,12 @@ Result<golden::BlessReport> run(const Options& options) {
   }
   golden::BlessOptions how{suite, options.cases, options.reason, options.dry_run, {}};
   how.pool.jobs = options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
-  how.pool.cancel = InterruptGuard::interrupted;
+  how.pool.cancel = process::InterruptGuard::interrupted;
   return golden::bless_cases(how);
 }
 
 Result<Exit> bless(const Options& options) {
-  const InterruptGuard guard;
+  const process::InterruptGuard guard;
   const Result<golden::BlessReport> report = run(options);
   if (!report.ok()) return report.error();
   if (options.json) {
@@ -59,21 +60,18 @@ Result<Exit> bless(const Options& options) {
 
 }  // namespace
 
-Action declare_bless(CLI::App& app) {
+Action declare_bless(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  app.add_option("CASE", options->cases, "The cases to bless, or the name of a new one with --from")->type_name("");
-  app.add_flag("--all", options->all, "Every case of the suite");
-  app.add_option("--reason", options->reason, "Why the goldens move: one line for HISTORY.md")
-      ->type_name("TEXT")
-      ->required();
-  app.add_option("--from", options->log, "Make a new case of this recorded session")->type_name("LOG");
-  app.add_flag("--dry-run", options->dry_run, "Say what would change, and change nothing");
-  app.add_option("--suite", options->suite, "The suite: a folder with cases/ in it; the nearest golden/ if not given")
-      ->type_name("DIR");
-  add_whole(app, "--jobs", options->jobs, 1, 1024, "Cases at a time; as many as processors if not given")
-      ->type_name("N");
-  add_json(app, options->json);
-  app.footer(
+  arguments.positionals("CASE", options->cases, "The cases to bless, or the name of a new one with --from");
+  arguments.flag("--all", options->all, "Every case of the suite");
+  arguments.option("--reason", "TEXT", options->reason, "Why the goldens move: one line for HISTORY.md").required();
+  arguments.option("--from", "LOG", options->log, "Make a new case of this recorded session");
+  arguments.flag("--dry-run", options->dry_run, "Say what would change, and change nothing");
+  arguments.option("--suite", "DIR", options->suite,
+                   "The suite: a folder with cases/ in it; the nearest golden/ if not given");
+  arguments.whole("--jobs", "N", options->jobs, 1, 1024, "Cases at a time; as many as processors if not given");
+  arguments.json(options->json);
+  arguments.footer(
       "Replaces expected.tumble and the values in metrics.toml; bounds stay. A metric out of its bounds is refused:\n"
       "change the bound, and its reason, in metrics.toml first. HISTORY.md gets what moved, by how much and why.\n\n"
       "Examples:\n"

@@ -1,4 +1,4 @@
-// tumble check: the golden suite against this build.
+// tumble check: runs the golden suite with this build.
 #include "golden/check.h"
 
 #include <algorithm>
@@ -11,13 +11,14 @@
 
 #include "golden/report/report.h"
 #include "src/base/text.h"
+#include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
+#include "tools/arguments/numbers.h"
 #include "tools/files/scene_files.h"
 #include "tools/output/check_output.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
-#include "tools/process/interrupt.h"
 
 namespace tumble::tools {
 namespace {
@@ -69,7 +70,7 @@ Result<golden::CheckOptions> check_options(const Options& options) {
   out.report = options.report;
   out.pool.jobs = options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
   out.pool.timeout_s = options.timeout.value_or(kTimeout);
-  out.pool.cancel = InterruptGuard::interrupted;
+  out.pool.cancel = process::InterruptGuard::interrupted;
   return out;
 }
 
@@ -81,7 +82,7 @@ Exit verdict_of(const golden::SuiteResult& result) {
 Result<Exit> check(const Options& options) {
   Result<golden::CheckOptions> how = check_options(options);
   if (!how.ok()) return how.error();
-  const InterruptGuard guard;
+  const process::InterruptGuard guard;
   ProgressBar bar("checking");
   how->progress = [&](const golden::CaseResult& one, std::size_t done, std::size_t total) {
     bar.finish();
@@ -107,28 +108,23 @@ Result<Exit> check(const Options& options) {
 
 }  // namespace
 
-Action declare_check(CLI::App& app) {
+Action declare_check(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  app.add_option("CASE", options->cases, "Cases to run; all if none is given")->type_name("");
-  app.add_option("--suite", options->suite, "The suite: a folder with cases/ in it; the nearest golden/ if not given")
-      ->type_name("DIR");
-  app.add_option("--category", options->category, "Only cases of this category")->type_name("NAME");
-  app.add_option("--require", options->require,
-                 "Which verdict decides, instead of what each case says: exact, behaviour or image; may be repeated")
-      ->type_name("VERDICT")
-      ->allow_extra_args(false);
-  app.add_option("--report", options->report,
-                 "Where to write index.html, junit.xml, report.json and the logs of failed "
-                 "cases; report if not given")
-      ->type_name("DIR");
-  app.add_option("--junit", options->junit, "Write junit.xml to this file instead")->type_name("FILE");
-  app.add_option("--shard", options->shard, "Only the K-th of N parts of the suite")->type_name("K/N");
-  add_whole(app, "--jobs", options->jobs, 1, 1024, "Cases at a time; as many as processors if not given")
-      ->type_name("N");
-  add_positive(app, "--timeout", options->timeout, kTimeoutMax, "Seconds a case may take; 600 if not given")
-      ->type_name("S");
-  add_json(app, options->json);
-  app.footer(
+  arguments.positionals("CASE", options->cases, "Cases to run; all if none is given");
+  arguments.option("--suite", "DIR", options->suite,
+                   "The suite: a folder with cases/ in it; the nearest golden/ if not given");
+  arguments.option("--category", "NAME", options->category, "Only cases of this category");
+  arguments.option("--require", "VERDICT", options->require,
+                   "Which verdict decides, instead of what each case says: exact, behaviour or image; may be repeated");
+  arguments.option("--report", "DIR", options->report,
+                   "Where to write index.html, junit.xml, report.json and the logs of failed "
+                   "cases; report if not given");
+  arguments.option("--junit", "FILE", options->junit, "Write junit.xml to this file instead");
+  arguments.option("--shard", "K/N", options->shard, "Only the K-th of N parts of the suite");
+  arguments.whole("--jobs", "N", options->jobs, 1, 1024, "Cases at a time; as many as processors if not given");
+  arguments.positive("--timeout", "S", options->timeout, kTimeoutMax, "Seconds a case may take; 600 if not given");
+  arguments.json(options->json);
+  arguments.footer(
       "Exit status: 0 all passed, 1 a case failed, 2 bad usage or no such case or suite, 4 could not finish, or a\n"
       "canary (a comparison that must fail, made in every run) passed.\n\n"
       "Examples:\n"

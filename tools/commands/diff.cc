@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -12,8 +13,10 @@
 #include "replay/log/log_reader.h"
 #include "src/base/text.h"
 #include "src/model/limits.h"
+#include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
+#include "tools/arguments/numbers.h"
 #include "tools/files/log_files.h"
 #include "tools/output/difference_output.h"
 #include "tools/output/divergence_output.h"
@@ -22,7 +25,6 @@
 #include "tools/output/separation_plot.h"
 #include "tools/output/side_by_side.h"
 #include "tools/output/text.h"
-#include "tools/process/interrupt.h"
 
 namespace tumble::tools {
 namespace {
@@ -82,7 +84,7 @@ void print_text(const replay::DiffReport& report, bool exact_bits) {
 replay::Progress progress_on(ProgressBar& bar) {
   return [&bar](std::uint64_t done, std::uint64_t total) {
     bar.show(done, total);
-    return !InterruptGuard::interrupted();
+    return !process::InterruptGuard::interrupted();
   };
 }
 
@@ -132,13 +134,13 @@ Result<Exit> compare(const Options& options, replay::LogReader& a, replay::LogRe
   bar.finish();
   if (!report.ok()) return report.error();
   Difference difference;
-  if (!options.brief && !InterruptGuard::interrupted()) {
+  if (!options.brief && !process::InterruptGuard::interrupted()) {
     Result<Difference> closer = look_closer(a, b, *report, tolerances->exact());
     if (!closer.ok()) return closer.error();
     difference = *std::move(closer);
     if (difference) report->first = difference->first;
   }
-  if (InterruptGuard::interrupted()) return cannot_finish("interrupted");
+  if (process::InterruptGuard::interrupted()) return cannot_finish("interrupted");
   if (options.json) {
     Json json = comparison_json(report->identical(), report->steps, first_of(*report));
     json["headers"] = report->headers;
@@ -164,7 +166,7 @@ Result<Exit> diff(const Options& options) {
   if (!a.ok()) return a.error();
   Result<replay::LogReader> b = open_log(options.b);
   if (!b.ok()) return b.error();
-  const InterruptGuard guard;
+  const process::InterruptGuard guard;
   Result<Exit> verdict = options.step ? show_step(options, *a, *b) : compare(options, *a, *b);
   if (!verdict.ok()) return verdict;
   return judge("diff", *b, judge("diff", *a, *verdict));
@@ -172,28 +174,25 @@ Result<Exit> diff(const Options& options) {
 
 }  // namespace
 
-Action declare_diff(CLI::App& app) {
+Action declare_diff(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  app.add_option("A", options->a, "The log with the expected values")->required()->type_name("");
-  app.add_option("B", options->b, "The log to compare with it")->required()->type_name("");
-  app.add_option("--tolerance", options->tolerances,
-                 "Call states equal where each component of FIELD (position, orientation, velocity, spin: angular "
-                 "velocity) is at "
-                 "most V apart; then states decide and hashes do not. May be repeated")
-      ->type_name("FIELD=V")
-      ->allow_extra_args(false);
-  CLI::Option* step = add_whole(app, "--step", options->step, 0, sim::kStepsMax,
-                                "Show step K of both side by side, phase by phase, and the bodies that differ");
-  step->type_name("K");
-  CLI::Option* plot =
-      app.add_option("--plot", options->plot,
-                     "Also draw the separation of the two over the steps, on a logarithmic scale, with gnuplot");
-  plot->type_name("FILE.svg|png")->excludes(step);
-  app.add_flag("--brief", options->brief, "Only find the first difference, by the hashes; do not follow its growth")
-      ->excludes(step)
-      ->excludes(plot);
-  add_json(app, options->json);
-  app.footer(
+  arguments.positional("A", options->a, "The log with the expected values").required();
+  arguments.positional("B", options->b, "The log to compare with it").required();
+  arguments.option("--tolerance", "FIELD=V", options->tolerances,
+                   "Call states equal where each component of FIELD (position, orientation, velocity, spin: angular "
+                   "velocity) is at most V apart; then states decide and hashes do not. May be repeated");
+  const Argument step = arguments.whole("--step", "K", options->step, 0, sim::kStepsMax,
+                                        "Show step K of both side by side, phase by phase, and the bodies that differ");
+  const Argument plot =
+      arguments
+          .option("--plot", "FILE.svg|png", options->plot,
+                  "Also draw the separation of the two over the steps, on a logarithmic scale, with gnuplot")
+          .excludes(step);
+  arguments.flag("--brief", options->brief, "Only find the first difference, by the hashes; do not follow its growth")
+      .excludes(step)
+      .excludes(plot);
+  arguments.json(options->json);
+  arguments.footer(
       "Exit status: 0 the same, 1 a difference, 3 a log is damaged or torn (the whole parts are compared), or broken:\n"
       "its states do not match its hashes.\n\n"
       "Examples:\n"

@@ -3,6 +3,7 @@
 #include <array>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -31,7 +32,7 @@ struct Options {
   bool json = false;
 };
 
-// What a body's row holds, in the order of the columns: position, orientation, velocity, spin.
+// The numbers of a body, in the order of the columns: position, orientation, velocity, angular velocity.
 constexpr std::size_t kNumbers = 13;
 constexpr std::array<const char*, kNumbers> kNames = {
     "position.x", "position.y", "position.z", "orientation.w", "orientation.x", "orientation.y", "orientation.z",
@@ -43,7 +44,7 @@ std::array<double, kNumbers> numbers_of(const BodyStates& s, std::size_t i) {
           s.spin.x[i],        s.spin.y[i],        s.spin.z[i]};
 }
 
-// Where the rows of a dump go, in one of the three forms.
+// Prints the rows of a dump in one of the three forms.
 class Output {
  public:
   virtual ~Output() = default;
@@ -141,7 +142,7 @@ void print_step(const replay::StepRecord& record, const std::optional<std::uint6
   output.end_step();
 }
 
-// Whether the body is there at any step of the range: asked before anything is printed.
+// True if the body exists at any step of the range. Asked before anything is printed.
 Result<bool> body_exists(replay::StateSource& source, const StepRange& range, std::uint64_t body) {
   for (std::uint64_t k = range.first; k <= range.last; ++k) {
     const Result<const replay::StepRecord*> record = source.read(k);
@@ -182,17 +183,16 @@ Result<Exit> dump(const Options& options) {
 
 }  // namespace
 
-Action declare_dump(CLI::App& app) {
+Action declare_dump(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  app.add_option("LOG", options->log, "The log to read")->required()->type_name("");
-  CLI::Option* step =
-      add_whole(app, "--step", options->step, 0, sim::kStepsMax, "The state after step K; 0 is the start");
-  step->type_name("K");
-  app.add_option("--steps", options->steps, "The states after steps A to B")->type_name("A:B")->excludes(step);
-  add_whole(app, "--body", options->body, 1, sim::kBodyIdMax, "Only the body with this id")->type_name("ID");
-  CLI::Option* csv = app.add_flag("--csv", options->csv, "Print a table of comma-separated values");
-  add_json(app, options->json)->excludes(csv);
-  app.footer(
+  arguments.positional("LOG", options->log, "The log to read").required();
+  const Argument step =
+      arguments.whole("--step", "K", options->step, 0, sim::kStepsMax, "The state after step K; 0 is the start");
+  arguments.option("--steps", "A:B", options->steps, "The states after steps A to B").excludes(step);
+  arguments.whole("--body", "ID", options->body, 1, sim::kBodyIdMax, "Only the body with this id");
+  const Argument csv = arguments.flag("--csv", options->csv, "Print a table of comma-separated values");
+  arguments.json(options->json).excludes(csv);
+  arguments.footer(
       "Numbers of --csv and --json read back to the same bits; the table for people is rounded.\n\n"
       "Examples:\n"
       "  tumble dump brick_wall.tumble --step 0\n"

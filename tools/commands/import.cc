@@ -1,18 +1,19 @@
-// tumble import: a table of another engine's states, made into a log.
+// tumble import: makes a log of a table of another engine's states.
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "replay/import/import_csv.h"
 #include "replay/log/log_reader.h"
+#include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/files/log_files.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
-#include "tools/process/interrupt.h"
 
 namespace tumble::tools {
 namespace {
@@ -44,12 +45,12 @@ Result<std::string> read_table(const std::string& path) {
 Result<replay::LogSummary> import_to(const Options& options, const std::string& output, const std::string& text,
                                      const replay::ImportOptions& how) {
   ProgressBar bar("importing");
-  const InterruptGuard guard;
+  const process::InterruptGuard guard;
   Result<replay::LogSummary> summary = replay::import_csv(
       text, options.table, [&] { return replay::open_file_sink(output); }, how,
       [&](std::uint64_t done, std::uint64_t total) {
         bar.show(done, total);
-        return !InterruptGuard::interrupted();
+        return !process::InterruptGuard::interrupted();
       });
   bar.finish();
   return summary;
@@ -105,20 +106,17 @@ Result<Exit> import_command(const Options& options) {
 
 }  // namespace
 
-Action declare_import(CLI::App& app) {
+Action declare_import(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  app.add_option("FILE.csv", options->table, "The table: a row a body and step")->required()->type_name("");
-  app.add_option("-o,--output", options->output, "The log to write (if not given: FILE.tumble in this folder)")
-      ->type_name("LOG");
-  app.add_option("--header", options->settings,
-                 "A line of the header, \"key: value\", that wins over the table's: \"up: y\", \"dt: 0.01\"")
-      ->type_name("LINE")
-      ->allow_extra_args(false);
-  app.add_option("--like", options->like,
-                 "Sizes, masses, gravity, dt and camera, where the table does not say them, as in this log")
-      ->type_name("LOG");
-  add_json(app, options->json);
-  app.footer(
+  arguments.positional("FILE.csv", options->table, "The table: a row a body and step").required();
+  arguments.option("-o,--output", "LOG", options->output,
+                   "The log to write (if not given: FILE.tumble in this folder)");
+  arguments.option("--header", "LINE", options->settings,
+                   "A line of the header, \"key: value\", that wins over the table's: \"up: y\", \"dt: 0.01\"");
+  arguments.option("--like", "LOG", options->like,
+                   "Sizes, masses, gravity, dt and camera, where the table does not say them, as in this log");
+  arguments.json(options->json);
+  arguments.footer(
       "Columns: step or time, id, position.x …, orientation.w …, velocity.x …, spin.x …, and any of frozen, size.x …,\n"
       "mass, static, friction, restitution, row, column. Lines \"# key: value\" before them: engine, version, scene,\n"
       "precision, up, handed, length, dt, gravity, ground, size, mass, friction, restitution.\n"

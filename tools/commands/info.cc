@@ -1,6 +1,7 @@
-// tumble info: what a log says of itself, counted and verified.
+// tumble info: the header of a log, its counts, and a check of every hash.
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "replay/log/log_facts.h"
@@ -163,11 +164,11 @@ Result<Exit> info(const Options& options) {
 
 }  // namespace
 
-Action declare_info(CLI::App& app) {
+Action declare_info(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  app.add_option("LOG", options->log, "The log to look at")->required()->type_name("");
-  add_json(app, options->json);
-  app.footer(
+  arguments.positional("LOG", options->log, "The log to look at").required();
+  arguments.json(options->json);
+  arguments.footer(
       "Reads every byte and checks every hash. Exit status: 0 whole, 3 damaged or torn; what can be read is "
       "printed.\n\n"
       "Examples:\n"

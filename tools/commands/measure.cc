@@ -1,4 +1,4 @@
-// tumble measure: the metrics of a recorded session.
+// tumble measure: symmetry, energy and stacking of a recorded session, in numbers.
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -10,6 +10,7 @@
 #include "replay/measure/measure_log.h"
 #include "replay/measure/metric_bound.h"
 #include "replay/measure/mirrored_pair.h"
+#include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/arguments/measure_arguments.h"
@@ -18,7 +19,6 @@
 #include "tools/output/plot.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
-#include "tools/process/interrupt.h"
 
 namespace tumble::tools {
 namespace {
@@ -43,7 +43,7 @@ Result<std::vector<replay::MetricBound>> parse_bounds(const std::vector<std::str
   return bounds;
 }
 
-// Names the bounds that are not kept, on stderr.
+// Prints the broken bounds to stderr.
 Exit judge_bounds(const std::vector<replay::MetricBound>& bounds, const replay::Metrics& metrics) {
   Exit verdict = Exit::kSame;
   for (const replay::MetricBound& bound : bounds) {
@@ -58,14 +58,14 @@ Exit judge_bounds(const std::vector<replay::MetricBound>& bounds, const replay::
 replay::Progress progress_on(ProgressBar& bar) {
   return [&bar](std::uint64_t done, std::uint64_t total) {
     bar.show(done, total);
-    return !InterruptGuard::interrupted();
+    return !process::InterruptGuard::interrupted();
   };
 }
 
-/// Measures, and passes every row to the files that were asked for.
+/// Measures, and writes every row to the files of --series and --plot.
 Result<replay::Metrics> measure_rows(replay::LogReader& log, const replay::MeasureOptions& how,
                                      const Options& options) {
-  const InterruptGuard guard;
+  const process::InterruptGuard guard;
   ProgressBar bar("measuring");
   std::optional<SeriesFile> series;
   if (!options.series.empty()) {
@@ -98,7 +98,7 @@ Result<replay::Metrics> measure_rows(replay::LogReader& log, const replay::Measu
 
 /// Adds the metrics of a mirrored pair.
 Status compare_pair(replay::LogReader& log, replay::LogReader& pair, replay::Metrics& metrics) {
-  const InterruptGuard guard;
+  const process::InterruptGuard guard;
   ProgressBar bar("comparing");
   const Result<replay::PairReport> report = replay::compare_mirrored_pair(log, pair, progress_on(bar));
   if (!report.ok()) return report.error();
@@ -135,24 +135,20 @@ Result<Exit> measure(const Options& options) {
 
 }  // namespace
 
-Action declare_measure(CLI::App& app) {
+Action declare_measure(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  app.add_option("LOG", options->log, "The log to measure")->required()->type_name("");
-  app.add_option("--series", options->series, "Also write the metrics of every step to this CSV file")
-      ->type_name("FILE.csv");
-  app.add_option("--plot", options->plot, "Also draw energy, heights and overlap over time, with gnuplot")
-      ->type_name("FILE.svg|png");
-  add_measure(app, options->over);
-  app.add_option("--require", options->require,
-                 "Exit with status 1 unless this holds, as in 'lateral_max<=0'; may be repeated")
-      ->type_name("EXPR")
-      ->allow_extra_args(false);
-  app.add_option(
-         "--with", options->pair,
-         "The log of the transformed scene (record --mirror, --permute, --shift): also measure the errors of the pair")
-      ->type_name("LOG");
-  add_json(app, options->json);
-  app.footer(
+  arguments.positional("LOG", options->log, "The log to measure").required();
+  arguments.option("--series", "FILE.csv", options->series, "Also write the metrics of every step to this CSV file");
+  arguments.option("--plot", "FILE.svg|png", options->plot,
+                   "Also draw energy, heights and overlap over time, with gnuplot");
+  add_measure(arguments, options->over);
+  arguments.option("--require", "EXPR", options->require,
+                   "Exit with status 1 unless this holds, as in 'lateral_max<=0'; may be repeated");
+  arguments.option(
+      "--with", "LOG", options->pair,
+      "The log of the transformed scene (record --mirror, --permute, --shift): also measure the errors of the pair");
+  arguments.json(options->json);
+  arguments.footer(
       "docs/metrics.md has the formula, unit and meaning of each metric.\n\n"
       "Examples:\n"
       "  tumble measure tilted_grid.tumble\n"

@@ -1,8 +1,9 @@
-// tumble record: a scene in, a log out.
+// tumble record: runs a scene and writes a log.
 #include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <system_error>
@@ -13,18 +14,19 @@
 #include "replay/session/frame_clock.h"
 #include "replay/session/recorder.h"
 #include "src/model/limits.h"
+#include "src/process/interrupt.h"
 #include "src/scenes/problem.h"
 #include "src/scenes/scene_file.h"
 #include "src/threads/worker_threads.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
+#include "tools/arguments/numbers.h"
 #include "tools/arguments/transform_arguments.h"
 #include "tools/commands/session_stepper.h"
 #include "tools/files/log_files.h"
 #include "tools/files/scene_files.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
-#include "tools/process/interrupt.h"
 
 namespace tumble::tools {
 namespace {
@@ -75,7 +77,7 @@ Result<Recorded> run_session(const std::string& path, replay::Recorder& recorder
   SessionStepper stepper(recorder, options.realtime);
   const sim::SceneDef& scene = recorder.scene();
   const std::uint64_t first = recorder.world().state().step;
-  const InterruptGuard guard;
+  const process::InterruptGuard guard;
   ProgressBar bar("recording", !options.quiet);
   Recorded session;
   Status status;
@@ -85,7 +87,7 @@ Result<Recorded> run_session(const std::string& path, replay::Recorder& recorder
     session.clock.add_step(recorder.world().state().def.dt);
     session.moving_body_steps += count_moving(recorder.world().bodies());
     bar.show(k - first, scene.steps - first);
-    if (InterruptGuard::interrupted()) status = cannot_finish("interrupted after step " + std::to_string(k));
+    if (process::InterruptGuard::interrupted()) status = cannot_finish("interrupted after step " + std::to_string(k));
   }
   Result<replay::LogSummary> summary = recorder.finish();
   if (!summary.ok()) return status.ok() ? summary.error() : status.error();
@@ -234,44 +236,41 @@ Result<Exit> record(const Options& options) {
 
 }  // namespace
 
-Action declare_record(CLI::App& app) {
+Action declare_record(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  CLI::Option* scene = app.add_option(
+  const Argument scene = arguments.positional(
       "SCENE", options->scene, "A scene file (.toml), or the name of a golden case ('tumble scenes' lists them)");
-  scene->type_name("");
-  app.add_option("-o,--output", options->log, "The log; <scene>.tumble in the current folder if not given")
-      ->type_name("LOG");
-  CLI::Option* seconds = add_positive(app, "--seconds", options->seconds, kSecondsMax, "Simulate this long");
-  seconds->type_name("S");
-  add_whole(app, "--steps", options->steps, 1, sim::kStepsMax, "Take this many steps")
-      ->type_name("N")
-      ->excludes(seconds);
-  CLI::Option* from = app.add_option("--from", options->from,
-                                     "Continue from the state after step STEP of LOG instead of beginning a scene; "
-                                     "--seconds and --steps count from there");
-  from->type_name("LOG:STEP")->excludes(scene);
-  app.add_flag("--no-inputs", options->no_inputs, "With --from: leave out the inputs that LOG has after STEP")
-      ->needs(from);
-  app.add_option("--set", options->overrides, "Set a value of the scene, as in 'grid.rows=7'; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false)
-      ->excludes(from);
-  add_transform(app, options->transform, from);
-  add_threads(app, options->threads);
-  CLI::Option* realtime = app.add_flag("--realtime", options->realtime.on,
-                                       "Step with the time that passes on the clock, a frame every dt of the scene; "
-                                       "the steps are in the log as inputs, so it replays like any other");
-  add_positive(app, "--longest-step", options->realtime.longest_step, sim::kDtMax,
-               "With --realtime: no step is longer, s; four times dt if not given")
-      ->type_name("S")
-      ->needs(realtime);
-  app.add_option("--states", options->states,
-                 "Which states the log holds: all (if not given), every:N (one step in N) or hashes (none); the others "
-                 "can be simulated again")
-      ->type_name("MODE");
-  add_json(app, options->json);
-  app.add_flag("--quiet", options->quiet, "Print nothing but errors");
-  app.footer(
+  arguments.option("-o,--output", "LOG", options->log, "The log; <scene>.tumble in the current folder if not given");
+  const Argument seconds = arguments.positive("--seconds", "S", options->seconds, kSecondsMax, "Simulate this long");
+  arguments.whole("--steps", "N", options->steps, 1, sim::kStepsMax, "Take this many steps").excludes(seconds);
+  const Argument from = arguments
+                            .option("--from", "LOG:STEP", options->from,
+                                    "Continue from the state after step STEP of LOG instead of beginning a scene; "
+                                    "--seconds and --steps count from there")
+                            .excludes(scene);
+  arguments.flag("--no-inputs", options->no_inputs, "With --from: leave out the inputs that LOG has after STEP")
+      .needs(from);
+  arguments
+      .option("--set", "KEY=VALUE", options->overrides,
+              "Set a value of the scene, as in 'grid.rows=7'; may be repeated")
+      .excludes(from);
+  add_transform(arguments, options->transform, from);
+  arguments.threads(options->threads);
+  const Argument realtime =
+      arguments.flag("--realtime", options->realtime.on,
+                     "Step with the time that passes on the clock, a frame every dt of the scene; "
+                     "the steps are in the log as inputs, so it replays like any other");
+  arguments
+      .positive("--longest-step", "S", options->realtime.longest_step, sim::kDtMax,
+                "With --realtime: no step is longer, s; four times dt if not given")
+      .needs(realtime);
+  arguments.option(
+      "--states", "MODE", options->states,
+      "Which states the log holds: all (if not given), every:N (one step in N) or hashes (none); the others "
+      "can be simulated again");
+  arguments.json(options->json);
+  arguments.flag("--quiet", options->quiet, "Print nothing but errors");
+  arguments.footer(
       "Examples:\n"
       "  tumble record brick_wall\n"
       "  tumble record tilted_grid -o small.tumble --set grid.rows=6 --set grid.cols=6 --steps 150\n"

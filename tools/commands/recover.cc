@@ -1,9 +1,10 @@
-// tumble recover: a whole log of what is left in a damaged one.
+// tumble recover: makes a whole log of the intact parts of a damaged one.
 #include "replay/recover/recover.h"
 
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "replay/log/byte_io.h"
@@ -27,7 +28,7 @@ struct Options {
   bool json = false;
 };
 
-/// What is written has this name until it has been read again.
+/// The new log has this name until it has been read again.
 std::string partial_name(const std::string& log) { return log + ".partial"; }
 
 Status check_names(const Options& options) {
@@ -38,7 +39,7 @@ Status check_names(const Options& options) {
   return replay::may_replace(options.log);
 }
 
-/// Reads the new log from end to end: nothing is promised that was not looked at.
+/// Reads the new log from end to end before success is reported.
 Status verify_written(const std::string& path, const RecoverReport& report) {
   Result<replay::LogReader> log = replay::LogReader::open(path);
   if (!log.ok()) return log.error();
@@ -54,7 +55,7 @@ Status verify_written(const std::string& path, const RecoverReport& report) {
 
 std::string lost_text(const RecoverReport& report) {
   std::string text;
-  for (const replay::Gap& gap : report.lost) text += (text.empty() ? "" : ", ") + to_string(gap);
+  for (const replay::MissingSteps& run : report.lost) text += (text.empty() ? "" : ", ") + to_string(run);
   if (!report.end_known) {
     text += (text.empty() ? "" : ", and ") + std::string("what may have come after step ") +
             std::to_string(report.last_step) + " (the end was never written or is gone)";
@@ -91,7 +92,8 @@ void print_as_json(const Options& options, const RecoverReport& report) {
   json["chunks"] = report.chunks;
   json["bytes"] = report.bytes;
   json["lost_steps"] = Json::array();
-  for (const replay::Gap& gap : report.lost) json["lost_steps"].push_back({gap.first_step, gap.end_step() - 1});
+  for (const replay::MissingSteps& run : report.lost)
+    json["lost_steps"].push_back({run.first_step, run.end_step() - 1});
   json["end_known"] = report.end_known;
   json["header_lost"] = report.header_lost;
   json["lost_bytes"] = report.lost_bytes;
@@ -133,12 +135,12 @@ Result<Exit> recover(const Options& options) {
 
 }  // namespace
 
-Action declare_recover(CLI::App& app) {
+Action declare_recover(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  app.add_option("DAMAGED", options->damaged, "The log to recover; it is only read")->required()->type_name("");
-  app.add_option("-o,--output", options->log, "The log to write")->required()->type_name("LOG");
-  add_json(app, options->json);
-  app.footer(
+  arguments.positional("DAMAGED", options->damaged, "The log to recover; it is only read").required();
+  arguments.option("-o,--output", "LOG", options->log, "The log to write").required();
+  arguments.json(options->json);
+  arguments.footer(
       "Keeps every chunk that is whole, wherever it lies in the file, also behind damage, and reads what it wrote\n"
       "from end to end before it says so. Exit status: 0 nothing was lost, 3 something was, which it names; 2 the\n"
       "file was never a log; 4 the new log could not be written.\n\n"

@@ -2,9 +2,11 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
+#include "src/process/interrupt.h"
 #include "src/render/picture/png.h"
 #include "tools/arguments/command.h"
 #include "tools/arguments/render_options.h"
@@ -13,12 +15,11 @@
 #include "tools/output/movie.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
-#include "tools/process/interrupt.h"
 
 namespace tumble::tools {
 namespace {
 
-// What was drawn, for the listing and for --json.
+// Facts about the drawn pictures, for the listing and for --json.
 struct Summary {
   std::uint64_t pictures = 0;
   std::string first_hash, last_hash;  // state hashes
@@ -40,7 +41,7 @@ render::PngText text_of(const replay::LogReader& log, const RenderPlan& plan, co
   return text;
 }
 
-// Pictures of states are called after their step, others by their number in the row.
+// Pictures of states are named after their step, others by their number.
 std::string picture_path(const RenderPlan& plan, std::size_t index, bool only_states) {
   if (plan.kind == OutputKind::kPicture) return plan.output;
   std::string number = std::to_string(only_states ? plan.frames[index].step : index);
@@ -76,8 +77,8 @@ class Drawing {
     summary_.driver = renderer_->context().driver();
     summary_.backend = renderer_->context().backend_name();
     ProgressBar bar("drawing");
-    const InterruptGuard guard;
-    for (std::size_t i = 0; i < plan_.frames.size() && !InterruptGuard::interrupted(); ++i) {
+    const process::InterruptGuard guard;
+    for (std::size_t i = 0; i < plan_.frames.size() && !process::InterruptGuard::interrupted(); ++i) {
       bar.show(i, plan_.frames.size());
       if (Status ok = draw(i); !ok.ok()) return ok.error();
     }
@@ -85,7 +86,7 @@ class Drawing {
     if (plan_.kind == OutputKind::kMovie) {
       if (Status ok = movie_.finish(); !ok.ok()) return ok.error();
     }
-    if (!InterruptGuard::interrupted()) return summary_;
+    if (!process::InterruptGuard::interrupted()) return summary_;
     return cannot_finish("interrupted; " + plan_.output + " holds the first " +
                          count_text(summary_.pictures, "picture"));
   }
@@ -175,17 +176,17 @@ Result<Exit> render_command(const RenderArguments& arguments) {
 
 }  // namespace
 
-Action declare_render(CLI::App& app) {
-  auto arguments = std::make_shared<RenderArguments>();
-  declare_arguments(app, *arguments);
-  app.footer(
+Action declare_render(Arguments& arguments) {
+  auto given = std::make_shared<RenderArguments>();
+  declare_arguments(arguments, *given);
+  arguments.footer(
       "A PNG says which scene, step and state it shows. docs/rendering.md explains effects and passes.\n\n"
       "Examples:\n"
       "  tumble render brick_wall.tumble --step 60 -o wall.png --size 1280x720\n"
       "  tumble render brick_wall.tumble -o wall.mp4 --speed 0.25\n"
       "  tumble render pyramid.tumble --every 60 -o frames --show freezing\n"
       "  tumble render a.tumble --compare b.tumble --step 300");
-  return [arguments] { return render_command(*arguments); };
+  return [given] { return render_command(*given); };
 }
 
 }  // namespace tumble::tools

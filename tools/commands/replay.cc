@@ -1,6 +1,7 @@
-// tumble replay: a log through this build's physics, every step compared.
+// tumble replay: runs a log's inputs through this build's physics and compares every step.
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "replay/diff/difference_report.h"
 #include "replay/diff/replayer.h"
 #include "replay/log/log_reader.h"
+#include "src/process/interrupt.h"
 #include "src/threads/worker_threads.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
@@ -17,7 +19,6 @@
 #include "tools/output/divergence_output.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
-#include "tools/process/interrupt.h"
 
 namespace tumble::tools {
 namespace {
@@ -36,7 +37,7 @@ replay::DifferenceReport look_closer(replay::LogReader& log, const replay::Diver
   return replay::report_replay_difference(log, again.ok() ? &*again : nullptr, first,
                                           [&](std::uint64_t done, std::uint64_t total) {
                                             bar.show(done, total);
-                                            return !InterruptGuard::interrupted();
+                                            return !process::InterruptGuard::interrupted();
                                           });
 }
 
@@ -61,17 +62,17 @@ Result<Exit> replay_command(const Options& options) {
   Result<replay::LogReader> log = open_log(options.log);
   if (!log.ok()) return log.error();
   ProgressBar bar("replaying");
-  const InterruptGuard guard;
+  const process::InterruptGuard guard;
   const std::unique_ptr<WorkerThreads> threads = worker_threads(options.threads.value_or(1));
   replay::ReplayOptions how;
   how.workers = threads.get();
   Result<replay::ReplayReport> report = replay::replay_log(*log, how, [&](std::uint64_t done, std::uint64_t total) {
     bar.show(done, total);
-    return !InterruptGuard::interrupted();
+    return !process::InterruptGuard::interrupted();
   });
   bar.finish();
   if (!report.ok()) return report.error();
-  if (InterruptGuard::interrupted()) {
+  if (process::InterruptGuard::interrupted()) {
     return cannot_finish("interrupted; identical so far: " + count_text(report->steps, "step"));
   }
   std::optional<replay::DifferenceReport> difference;
@@ -92,13 +93,13 @@ Result<Exit> replay_command(const Options& options) {
 
 }  // namespace
 
-Action declare_replay(CLI::App& app) {
+Action declare_replay(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  app.add_option("LOG", options->log, "The log to replay")->required()->type_name("");
-  add_threads(app, options->threads);
-  app.add_flag("--brief", options->brief, "Stop at the first difference; do not follow its growth");
-  add_json(app, options->json);
-  app.footer(
+  arguments.positional("LOG", options->log, "The log to replay").required();
+  arguments.threads(options->threads);
+  arguments.flag("--brief", options->brief, "Stop at the first difference; do not look what it leads to");
+  arguments.json(options->json);
+  arguments.footer(
       "Exit status: 0 identical, 1 a difference, 3 the log is damaged or torn (its whole part is replayed).\n\n"
       "Examples:\n"
       "  tumble replay brick_wall.tumble\n"

@@ -1,6 +1,7 @@
-// tumble scenes: what can be recorded by name.
+// tumble scenes: lists the scenes that can be recorded by name.
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <variant>
 
@@ -65,10 +66,10 @@ Result<Exit> list_scenes(const Options& options) {
 
 }  // namespace
 
-Action declare_scenes(CLI::App& app) {
+Action declare_scenes(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  add_json(app, options->json);
-  app.footer(
+  arguments.json(options->json);
+  arguments.footer(
       "The golden cases: golden/cases/NAME/scene.toml of the nearest folder from here upwards, else of the source "
       "folder\n"
       "that the program was built from.\n\n"

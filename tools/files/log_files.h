@@ -4,15 +4,15 @@
 
 #include "replay/log/log_reader.h"
 #include "src/base/result.h"
-#include "tools/arguments/command.h"
+#include "tools/output/exit.h"
 
 namespace tumble::tools {
 
 /// Opens a log that holds state 0 at least. Errors: LogReader::open's; kDamaged for a log torn before its first chunk.
 Result<replay::LogReader> open_log(const std::string& path);
 
-/// The exit status of a command that has read what `log` still holds: `verdict` for a whole log; kDamaged, and a line
-/// on stderr that says what is wrong, for one that is torn or damaged.
+/// The exit status of a command that has read the intact part of `log`: `verdict` for a whole log; kDamaged, and a line
+/// on stderr with the damage, for one that is torn or damaged.
 Exit judge(const char* command, const replay::LogReader& log, Exit verdict);
 
 }  // namespace tumble::tools

@@ -5,11 +5,11 @@
 
 #include "src/base/result.h"
 
-/// Where scenes are found: files by their path, golden cases by their name.
+/// Finds scenes: files by their path, golden cases by their name.
 namespace tumble::tools {
 
 struct SceneFile {
-  std::string name;  ///< of the case, or the file's name without its ending: what the log is called after
+  std::string name;  ///< of the case, or the file's name without its ending; the log's default name
   std::string path;
 };
 
@@ -18,7 +18,7 @@ struct SceneFile {
 std::string find_suite();
 
 /// The golden cases, by name: every `golden/cases/<name>/scene.toml` of the nearest folder `golden/cases` from the
-/// current one upwards, else of the source folder that the program was built from. Empty where there is neither.
+/// current one upwards, else of the source folder that the program was built from. Empty if there is neither.
 std::vector<SceneFile> find_cases();
 
 /// SCENE as the command line gives it: a file, or a case's name. Errors (kBadInput): neither, with the nearest name.

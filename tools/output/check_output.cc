@@ -1,6 +1,7 @@
 #include "tools/output/check_output.h"
 
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "golden/report/report.h"
 #include "tools/output/text.h"
@@ -25,13 +26,13 @@ void print_line(const std::string& label, const std::string& text) {
 void print_failure(const golden::CaseResult& result) {
   for (const std::string& problem : result.problems) print_line("problem", problem);
   for (std::size_t k = 0; k < golden::kVerdictNames.size(); ++k) {
-    if (!result.verdicts[k].words.empty()) print_line(golden::kVerdictNames[k], result.verdicts[k].words);
+    if (!result.verdicts[k].message.empty()) print_line(golden::kVerdictNames[k], result.verdicts[k].message);
   }
   for (const golden::MetricResult& metric : result.metrics) {
     if (metric.pass) continue;
     const std::string value = metric.value ? rounded(*metric.value, metric.unit) : "null";
     print_line("  metric", metric.rule.name + " " + value + ", wanted " + bound_text(metric.rule, metric.unit) + ": " +
-                               metric.words);
+                               metric.message);
     print_line("", "why: " + metric.rule.why);
   }
   if (result.difference) {
@@ -56,7 +57,7 @@ void print_sum(const golden::SuiteResult& result, const std::string& report) {
   for (const golden::CanaryResult& canary : result.canaries) {
     caught += canary.caught ? 1U : 0U;
     if (!canary.caught) {
-      std::cout << "CANARY NOT CAUGHT: " << canary.name << ": " << printable(canary.words) << '\n';
+      std::cout << "CANARY NOT CAUGHT: " << canary.name << ": " << printable(canary.message) << '\n';
     }
   }
   std::cout << '\n'

@@ -3,17 +3,17 @@
 #include <string>
 
 #include "golden/bless/bless.h"
-#include "golden/check.h"
+#include "golden/judge/suite_result.h"
 
 namespace tumble::tools {
 
-/// A line for a case that passed, all that a person needs for one that failed.
+/// Prints a line for a case that passed, all details for one that failed.
 void print_case(const golden::CaseResult& result);
 
-/// The end of `check`: what is wrong with suite and canaries, the sum of it.
+/// Prints the end of `check`: problems of suite and canaries, the totals.
 void print_sum(const golden::SuiteResult& result, const std::string& report);
 
-/// `bless` for people. dry_run: nothing was written.
+/// Prints the result of `bless`. dry_run: nothing was written.
 void print_blessings(const golden::BlessReport& report, bool dry_run);
 
 golden::Json blessings_json(const golden::BlessReport& report, bool dry_run);

@@ -1,6 +1,7 @@
 #include "tools/output/divergence_output.h"
 
 #include <bit>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <variant>
 

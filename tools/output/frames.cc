@@ -2,11 +2,14 @@
 
 #include <utility>
 
+#include "src/base/check.h"
+
 namespace tumble::tools {
 
 using replay::Picture;
 
 std::vector<Frame> frames_of_states(std::uint64_t first, std::uint64_t last, std::uint64_t every) {
+  SIM_CHECK(every > 0);
   std::vector<Frame> frames;
   for (std::uint64_t k = first; k <= last; k += every) frames.push_back({k, 1});
   return frames;
@@ -14,6 +17,7 @@ std::vector<Frame> frames_of_states(std::uint64_t first, std::uint64_t last, std
 
 Result<std::vector<Frame>> frames_in_time(replay::LogReader& log, std::uint64_t first, std::uint64_t last,
                                           double seconds_each) {
+  SIM_CHECK(seconds_each > 0, seconds_each);
   constexpr double kSameMoment = 1e-6;  // of a step: times are sums, which round
   std::vector<Frame> frames = {{first, 1}};
   double end = 0;  // of step k, from state `first` on, s
@@ -63,6 +67,7 @@ Result<Picture> FrameMaker::make_of(Source& source, const Frame& frame) const {
 }
 
 Result<Picture> FrameMaker::make(const Frame& frame) {
+  SIM_CHECK(frame.part > 0 && frame.part <= 1, frame.step, frame.part);
   Result<Picture> picture = make_of(ours_, frame);
   if (!picture.ok() || !theirs_) return picture;
   const Result<Picture> other = make_of(*theirs_, frame);

@@ -8,7 +8,7 @@
 #include "replay/picture/picture_source.h"
 #include "src/base/result.h"
 
-/// Which moments of a session are drawn, and how they look.
+/// The moments of a session that are drawn, and their pictures.
 namespace tumble::tools {
 
 /// A moment: `part` (above 0, up to 1) of the way from state step − 1 to state `step`. 1 is the state itself.
@@ -35,7 +35,7 @@ class FrameMaker {
   Result<replay::Picture> make(const Frame& frame);
 
  private:
-  // A log's pictures; the last two are kept, for interpolation asks for each twice.
+  // The pictures of a log. The last two are kept, for interpolation asks for each twice.
   struct Source {
     replay::PictureSource pictures;
     std::optional<replay::Picture> newer, older;

@@ -12,7 +12,7 @@ namespace tumble::tools {
 /// `measure --json`: the keys of docs/metrics.md. log: its path.
 Json metrics_json(const std::string& log, const replay::Metrics& metrics);
 
-/// The same for people, with units.
+/// Prints the metrics for people, with units.
 void print_metrics(const std::string& log, const replay::Metrics& metrics);
 
 /// `measure --series`: a CSV file with one row a step.
@@ -21,7 +21,7 @@ class SeriesFile {
   /// Opens the file and writes the header. Errors (kBadInput): a path that cannot be written to.
   Status open(const std::string& path);
   void add(const replay::SeriesRow& row);
-  /// Errors (kCannotFinish): anything that went wrong since.
+  /// Errors (kCannotFinish): any write since open() that failed.
   Status close();
 
  private:

@@ -41,7 +41,7 @@ Status Movie::start(const std::string& path, int width, int height, double frame
   return ffmpeg_.start(std::move(words), "movies", "ffmpeg");
 }
 
-Error Movie::failed() const { return cannot_finish(path_ + ": ffmpeg could not write it; its words are above"); }
+Error Movie::failed() const { return cannot_finish(path_ + ": ffmpeg could not write it; its message is above"); }
 
 Status Movie::add(const render::Image& image) {
   if (ffmpeg_.write(std::as_bytes(std::span(image.rgb)))) return {};

@@ -3,17 +3,16 @@
 #include <string>
 
 #include "src/base/result.h"
+#include "src/process/child_pipe.h"
 #include "src/render/picture/image.h"
-#include "tools/process/child_pipe.h"
 
 namespace tumble::tools {
 
-/// A movie being written: frames go through a pipe into ffmpeg, which runs beside. The file appears under its name when
-/// it is complete.
+/// Writes a movie: frames go through a pipe into ffmpeg, which runs beside. The file gets its name when it is complete.
 class Movie {
  public:
   Movie() = default;
-  ~Movie();  ///< gives up a movie that was not finished
+  ~Movie();  ///< discards a movie that was not finished
   Movie(const Movie&) = delete;
   Movie& operator=(const Movie&) = delete;
 
@@ -21,7 +20,7 @@ class Movie {
   /// colours do not allow (kBadInput); no ffmpeg (kCannotFinish).
   Status start(const std::string& path, int width, int height, double frames_per_second);
   Status add(const render::Image& image);
-  /// Waits until ffmpeg is done. Errors (kCannotFinish): it failed; its own words are on stderr.
+  /// Waits until ffmpeg is done. Errors (kCannotFinish): it failed; its own message is on stderr.
   Status finish();
 
   [[nodiscard]] static bool is_movie(const std::string& path);
@@ -30,7 +29,7 @@ class Movie {
   [[nodiscard]] Error failed() const;
 
   std::string path_, part_;
-  ChildPipe ffmpeg_;
+  process::ChildPipe ffmpeg_;
 };
 
 }  // namespace tumble::tools

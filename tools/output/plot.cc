@@ -8,20 +8,11 @@
 namespace tumble::tools {
 namespace {
 
-constexpr std::size_t kPointsMax = 4000;  // more than a picture can show apart
-
 // Colours that stay apart without colour vision.
 constexpr const char* kStyle = R"(
 set multiplot layout 3,1 title title_text noenhanced font ',14'
-set lmargin 13
-set rmargin 3
-set grid xtics ytics linetype 1 linecolor rgb '#c8c8c8' linewidth 0.5
-set border 3 linecolor rgb '#606060'
-set tics nomirror
 set format y '%.4g'
 set key outside top center horizontal maxrows 1
-set datafile missing '?'
-set style data lines
 set linetype 1 linecolor rgb '#0072b2' linewidth 1.5
 set linetype 2 linecolor rgb '#e69f00' linewidth 1.5
 set linetype 3 linecolor rgb '#000000' linewidth 2
@@ -59,7 +50,7 @@ void Plot::add(const replay::SeriesRow& row) {
 
 std::string Plot::data() const {
   std::string rows = "$rows << EOD\n", overlaps = "$overlaps << EOD\n";
-  const std::size_t stride = points_.size() / kPointsMax + 1;
+  const std::size_t stride = points_.size() / kPlotPointsMax + 1;
   for (std::size_t i = 0; i < points_.size(); ++i) {
     const Point& p = points_[i];
     if (p.overlap) overlaps += exact(p.time) + ' ' + exact(*p.overlap) + '\n';

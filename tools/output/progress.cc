@@ -8,7 +8,7 @@
 namespace tumble::tools {
 namespace {
 
-constexpr std::chrono::milliseconds kPatience{300};  // what takes less needs no bar
+constexpr std::chrono::milliseconds kPatience{300};  // a shorter task needs no bar
 constexpr std::chrono::milliseconds kInterval{100};
 constexpr std::size_t kWidth = 40;
 

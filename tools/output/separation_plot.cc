@@ -6,19 +6,10 @@
 namespace tumble::tools {
 namespace {
 
-constexpr std::size_t kPointsMax = 4000;  // more than a picture can show apart
-
 // Colours that stay apart without colour vision. A separation of 0 has no place on a logarithmic scale.
 constexpr const char* kStyle = R"(
 set multiplot layout 2,1 title title_text noenhanced font ',14'
-set lmargin 13
-set rmargin 3
-set grid xtics ytics linetype 1 linecolor rgb '#c8c8c8' linewidth 0.5
-set border 3 linecolor rgb '#606060'
-set tics nomirror
 set key off
-set datafile missing '?'
-set style data lines
 set linetype 1 linecolor rgb '#0072b2' linewidth 1.5 pointtype 7 pointsize 0.3
 set linetype 2 linecolor rgb '#d55e00' linewidth 1.5
 set xrange [first:last]
@@ -40,7 +31,7 @@ unset multiplot
 
 Status draw_separation(const std::string& path, const std::string& title, const replay::Separation& separation) {
   std::string rows = "$rows << EOD\n";
-  const std::size_t stride = separation.rows.size() / kPointsMax + 1;
+  const std::size_t stride = separation.rows.size() / kPlotPointsMax + 1;
   double low = separation.largest.separation > 0 ? separation.largest.separation : 1;
   for (std::size_t i = 0; i < separation.rows.size(); ++i) {
     const replay::SeparationRow& row = separation.rows[i];

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <iostream>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 
 #include "replay/diff/divergence.h"
 #include "replay/diff/input_difference.h"
+#include "replay/diff/locate_divergence.h"
 #include "replay/diff/step_contacts.h"
-#include "replay/format/columns.h"
+#include "replay/format/body_states.h"
 #include "replay/session/state_source.h"
 #include "tools/output/divergence_output.h"
 
@@ -88,7 +90,7 @@ Json fields_json(const replay::BodyStates& a, std::size_t i, const replay::BodyS
   return fields;
 }
 
-/// Bodies that differ, or that only one of the two has.
+/// Bodies that differ, or that one of the two lacks.
 Json bodies_json(const replay::BodyStates& a, const replay::BodyStates& b) {
   Json bodies = Json::array();
   std::size_t i = 0, j = 0;
@@ -151,7 +153,7 @@ void print_fields(const Json& body, Table& table) {
 
 Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b, std::uint64_t k) {
   replay::StateSource source_a(a), source_b(b);
-  // A log without the states, and a build that cannot make them, still have hashes to show.
+  // A log without states, in a build that cannot simulate them, still has hashes to show.
   const auto record_of = [k](replay::LogReader& log, replay::StateSource& source) {
     Result<const replay::StepRecord*> record = source.read(k);
     return record.ok() || record.error().kind != ErrorKind::kCannotFinish ? record : log.read_hashes(k);

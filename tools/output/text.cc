@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "src/base/check.h"
 
 namespace tumble::tools {
 void print_json(const Json& json) { std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n'; }
@@ -27,6 +30,7 @@ Table::Table(std::vector<std::string> header) {
 void Table::print() const {
   std::vector<std::size_t> widths(right_.size(), 0);
   for (const auto& row : rows_) {
+    SIM_CHECK(row.size() <= widths.size(), row.size(), widths.size());
     for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], columns(row[k]));
   }
   for (const auto& row : rows_) {

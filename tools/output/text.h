@@ -1,13 +1,13 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "src/base/text.h"
 
-/// How results look: for people, aligned and with units; for programs, exact.
+/// Prints results: for people, aligned and with units; for programs, exact.
 namespace tumble::tools {
 
 /// Keys stay in the order in which they are set.

@@ -8,14 +8,14 @@
 
 namespace tumble::render {
 
-/// Which library makes the off-screen context. Both give the same pixels.
+/// The library that makes the off-screen context. Both give equal pixels.
 enum class Backend { kAuto, kOsmesa, kEgl };
 
 /// "auto", "osmesa" or "egl". Errors (kBadInput): anything else.
 Result<Backend> parse_backend(const std::string& word);
 
-/// An OpenGL 3.3 core context without window or display, current on the thread that opened it. One backend a process:
-/// two drivers in one process would share names and cross over.
+/// An OpenGL 3.3 core context without window or display, current on the thread that opened it. Use one backend per
+/// process: two drivers in one process share symbol names.
 class Context {
  public:
   virtual ~Context() = default;
@@ -23,7 +23,7 @@ class Context {
   Context& operator=(const Context&) = delete;
 
   /// kAuto takes OSMesa where libOSMesa is installed, else EGL without a surface, in software. Errors (kCannotFinish):
-  /// neither can be loaded or gives a context, with what each said and what to install.
+  /// neither library gives a context; the message has the reason of each and the package to install.
   static Result<std::unique_ptr<Context>> open(Backend backend = Backend::kAuto);
 
   [[nodiscard]] const Gl& gl() const { return gl_; }
@@ -40,7 +40,7 @@ class Context {
   const char* backend_name_;
 };
 
-// The two ways to one; Context::open() chooses.
+// The two backends; Context::open() chooses.
 Result<std::unique_ptr<Context>> open_osmesa();
 Result<std::unique_ptr<Context>> open_egl();
 

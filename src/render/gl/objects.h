@@ -7,15 +7,15 @@
 
 namespace tumble::render {
 
-/// Owns one GL name. The table that made it must outlive it, and its context be current when it dies.
+/// Owns one GL name. `gl` must outlive the object, and the context must be current when the object is destroyed.
 class GlObject {
  public:
   enum class Kind { kTexture, kFramebuffer, kBuffer, kVertexArray, kShader, kProgram };
 
   GlObject() = default;
-  /// Adopts a name.
+  /// Takes over a name.
   GlObject(const Gl& gl, Kind kind, GLuint id) : gl_(&gl), kind_(kind), id_(id) {}
-  /// Makes a new texture, framebuffer, buffer or vertex array.
+  /// Creates a texture, framebuffer, buffer or vertex array.
   static GlObject make(const Gl& gl, Kind kind);
   ~GlObject() { reset(); }
   GlObject(GlObject&& other) noexcept { *this = std::move(other); }
@@ -36,20 +36,20 @@ class GlObject {
   GLuint id_ = 0;
 };
 
-/// What a pass draws into: a colour texture, a depth texture, or both, of one size.
+/// The textures that a pass draws into: colour, depth, or both, of one size.
 class RenderTarget {
  public:
-  /// kBytes: 8 bits a channel as unsigned integers, because conversions to normalised bytes differ between versions
-  /// of Mesa. kFloats: 32 bits. kDepthOnly: no colour; its 32-bit depth is filtered and compared when it is looked up.
+  /// kBytes: 8 bits per channel as unsigned integers, because conversions to normalised bytes differ between versions
+  /// of Mesa. kFloats: 32 bits. kDepthOnly: no colour; look-ups filter and compare the 32-bit depth.
   enum class Format { kBytes, kBytesWithDepth, kFloats, kDepthOnly };
 
   RenderTarget() = default;
-  /// Errors (kCannotFinish): the driver cannot draw into that size or format.
+  /// Errors (kCannotFinish): the driver does not support the size or the format.
   static Result<RenderTarget> create(const Gl& gl, int width, int height, Format format);
 
-  /// Makes it what is drawn into, all of it.
+  /// Directs drawing to the whole target.
   void bind(const Gl& gl) const;
-  /// Binds its texture (the depth's for kDepthOnly) to a texture unit, to be read.
+  /// Binds the texture (for kDepthOnly: of depth) to a texture unit for reading.
   void bind_texture(const Gl& gl, int unit) const;
 
   [[nodiscard]] int width() const { return width_; }

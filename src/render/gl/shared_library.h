@@ -9,10 +9,11 @@
 
 namespace tumble::render {
 
-/// A library found at run time. It stays loaded for the life of the process: drivers leave threads behind.
+/// A library that is loaded at run time. The library stays loaded until the process ends, because drivers leave threads
+/// running.
 class SharedLibrary {
  public:
-  /// The first of `names` that is there. Errors (kCannotFinish): none is, with the loader's words on the first.
+  /// Loads the first of `names` that exists. Errors (kCannotFinish): none does; the message is of the first name.
   static Result<SharedLibrary> load(std::span<const char* const> names) {
     std::string first;
     for (const char* name : names) {
@@ -23,7 +24,7 @@ class SharedLibrary {
     return cannot_finish(first);
   }
 
-  /// A function of it, null if it has none of that name.
+  /// A function of the library, null without one of that name.
   template <class Function>
   [[nodiscard]] Function find(const char* name) const {
     return reinterpret_cast<Function>(dlsym(handle_, name));

@@ -6,7 +6,7 @@
 
 #include "src/base/result.h"
 
-/// The entry points of OpenGL 3.3 core that the passes use. Nothing links a GL library; a context fills the table.
+/// The functions of OpenGL 3.3 core that the passes use. No GL library is linked; a context fills the table.
 #define TUMBLE_GL_FUNCTIONS(X)                                 \
   X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                     \
   X(PFNGLATTACHSHADERPROC, AttachShader)                       \
@@ -79,10 +79,10 @@ struct Gl {
 
 using GlFunction = void (*)();
 
-/// Fills the table through a context's own look-up. Errors (kCannotFinish): an entry point that the driver lacks.
+/// Fills the table by the look-up function of a context. Errors (kCannotFinish): the driver lacks a function.
 Result<Gl> load_gl(const std::function<GlFunction(const char*)>& get_proc);
 
-/// Errors (kCannotFinish): GL has recorded one since the last call; `where` is the pass that it is said to be in.
+/// Errors (kCannotFinish): GL has recorded an error since the last call. where: the pass, for the message.
 Status check_gl(const Gl& gl, const char* where);
 
 }  // namespace tumble::render

@@ -18,7 +18,7 @@ namespace tumble::render {
 class BasePass {
  public:
   BasePass() = default;
-  /// width, height: of the base image, which is `samples` times the picture's.
+  /// width, height: of the base image, `samples` times those of the picture.
   static Result<BasePass> create(const Gl& gl, int width, int height);
 
   struct Scene {
@@ -29,7 +29,7 @@ class BasePass {
     const Materials& materials;
     const Effects& effects;
   };
-  /// boxes: a mesh that holds the instances of the snapshot's boxes, nearest first; scratch: any other mesh.
+  /// boxes: a mesh with the instances of the boxes of the snapshot, nearest first. scratch: any other mesh.
   void draw(const Gl& gl, const Scene& scene, const BoxMesh& boxes, BoxMesh& scratch) const;
 
   [[nodiscard]] const RenderTarget& image() const { return image_; }

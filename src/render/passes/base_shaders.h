@@ -1,9 +1,9 @@
 #pragma once
 
-/// The text of pass 2's shaders, apart because it is long. World space is metres, z up; colours are linear light.
+/// The source of the shaders of pass 2. World space is in metres, z up; colours are linear light.
 namespace tumble::render {
 
-/// What both fragment shaders begin with: `finish(colour, mask)` writes the base image's texel.
+/// The start of both fragment shaders. `finish(colour, mask)` writes a texel of the base image.
 inline const char* const kBaseOutput = R"(
 uniform float focus;       // m; 0 without depth of field
 uniform float blur;        // its strength

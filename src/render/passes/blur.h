@@ -13,7 +13,7 @@ namespace tumble::render {
 class BlurPass {
  public:
   BlurPass() = default;
-  /// width, height: of the image that it filters.
+  /// width, height: of the filtered image.
   static Result<BlurPass> create(const Gl& gl, int width, int height);
   void draw(const Gl& gl, const RenderTarget& from, bool along_y) const;
   [[nodiscard]] const RenderTarget& image() const { return image_; }

@@ -8,7 +8,7 @@ namespace tumble::render {
 /// Pass 6: the final image.
 /// Reads:  the base image (`samples` times as large) with the masks in its alpha; the blurred image with the spread
 ///         HDR mask in its alpha
-/// Writes: image(), 8 bits a channel, to be shown: base and blurred mixed by the masks, the HDR mask added as glow
+/// Writes: image(), 8 bits per channel, the picture: base and blurred mixed by the masks, the HDR mask added as glow
 /// Source: thesis IV.F
 class CompositePass {
  public:

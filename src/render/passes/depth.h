@@ -7,7 +7,7 @@
 
 namespace tumble::render {
 
-/// Pass 1: the depth map, which the shadows are looked up in.
+/// Pass 1: the depth map for shadows.
 /// Reads:  the boxes loaded into `mesh`, without the ground; the light's view
 /// Writes: texture(), size × size floats: depth of the surface next to the light, 0 … 1 from near to far
 /// Source: thesis IV.B
@@ -16,7 +16,7 @@ class DepthPass {
   DepthPass() = default;
   static Result<DepthPass> create(const Gl& gl, int size);
   void draw(const Gl& gl, const BoxMesh& mesh, const View& light) const;
-  /// Makes the map "nothing casts a shadow".
+  /// Clears the map, so that nothing casts a shadow.
   void clear(const Gl& gl) const;
 
   [[nodiscard]] const RenderTarget& map() const { return map_; }

@@ -8,12 +8,12 @@
 
 namespace tumble::render {
 
-/// A vertex and a fragment shader, linked. Uniforms are set by name while it is in use.
+/// A linked vertex and fragment shader. Call use() before set(), which sets a uniform by name.
 class ShaderProgram {
  public:
   ShaderProgram() = default;
-  /// The texts go behind "#version 330 core". Errors (kCannotFinish): the driver's compiler refuses one; `name` and its
-  /// words are in the message.
+  /// Compiles both texts behind "#version 330 core". Errors (kCannotFinish): the compiler of the driver refuses a text;
+  /// the message has `name` and the words of the compiler.
   static Result<ShaderProgram> create(const Gl& gl, const char* name, const std::string& vertex,
                                       const std::string& fragment);
 
@@ -30,7 +30,7 @@ class ShaderProgram {
   GlObject program_;
 };
 
-/// The vertex shader of passes over the whole image: one triangle that covers it, without any buffer.
+/// The vertex shader of passes over the whole image: one triangle that covers the image, without a buffer.
 extern const char* const kFullScreenVertices;
 
 /// Draws that triangle into the bound target. `empty` is a vertex array without attributes.

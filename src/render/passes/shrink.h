@@ -5,11 +5,11 @@
 
 namespace tumble::render {
 
-/// Pass 3: the blurred image, to begin with just smaller.
+/// Pass 3: the reduced image, which passes 4 and 5 blur.
 /// Reads:  the base image, `samples` times as large as the picture
 /// Writes: image(), a quarter as wide and high as the picture, floats. Red, green, blue: the mean of the texels it
-///         covers, linear light. Alpha: the HDR mask, powers of the base image's values, so that all but absolute
-///         white converges to zero without a threshold that would flicker
+///         covers, linear light. Alpha: the HDR mask, a power of the values of the base image. All values but white
+///         go to zero without a threshold, which would flicker
 /// Source: thesis IV.C
 class ShrinkPass {
  public:

@@ -4,7 +4,7 @@
 #include "src/render/picture/image.h"
 #include "src/render/scene/view.h"
 
-/// What a pass wrote, as an image to look at. Waits until it is drawn.
+/// Reads the result of a pass as an image for people. Waits until the pass is finished.
 namespace tumble::render {
 
 enum class Channels {
@@ -12,12 +12,12 @@ enum class Channels {
   kAlpha,   ///< as grey
 };
 
-/// Of a target of bytes, as they are.
+/// Reads a target of bytes, unchanged.
 Image read_bytes(const Gl& gl, const RenderTarget& target, Channels channels);
-/// Of a target of floats: colours as square roots of linear light, as in the final image; alpha as it is.
+/// Reads a target of floats: colours as square roots of linear light, as in the final image; alpha unchanged.
 Image read_floats(const Gl& gl, const RenderTarget& target, Channels channels);
-/// Of the depth map: distance from the light along its gaze as grey, from black for the nearest to white for the
-/// farthest surface; white where there is none.
+/// Reads the depth map: distance from the light along its direction as grey, black for the nearest surface, white for
+/// the farthest and where no surface is.
 Image read_depth(const Gl& gl, const RenderTarget& map, const View& light);
 
 }  // namespace tumble::render

@@ -6,7 +6,10 @@
 
 namespace tumble::render {
 
-/// Pixels, 8 bits a channel, red green blue, rows from the top, no padding.
+inline constexpr int kSizeMin = 16;    ///< pixels, least width and height of a picture that is drawn
+inline constexpr int kSizeMax = 4096;  ///< pixels, greatest width and height of a picture that is drawn or read
+
+/// A picture: red, green, blue, 8 bits per channel, rows from the top, without padding.
 struct Image {
   int width = 0;
   int height = 0;

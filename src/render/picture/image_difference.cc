@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "src/base/check.h"
+
 namespace tumble::render {
 namespace {
 
@@ -13,9 +15,15 @@ int levels_off(const Image& a, const Image& b, std::size_t i) {
   return worst;
 }
 
+void check_sizes(const Image& a, const Image& b) {
+  SIM_CHECK(a.width == b.width && a.height == b.height, a.width, a.height, b.width, b.height);
+  SIM_CHECK(a.rgb.size() == b.rgb.size(), a.rgb.size(), b.rgb.size());
+}
+
 }  // namespace
 
 ImageDifference difference_of(const Image& expected, const Image& actual) {
+  check_sizes(expected, actual);
   ImageDifference found;
   for (std::size_t i = 0; i < expected.rgb.size(); i += 3) {
     const int off = levels_off(expected, actual, i);
@@ -27,6 +35,7 @@ ImageDifference difference_of(const Image& expected, const Image& actual) {
 }
 
 Image difference_map(const Image& expected, const Image& actual) {
+  check_sizes(expected, actual);
   Image map = expected;
   for (std::size_t i = 0; i < map.rgb.size(); i += 3) {
     const int off = levels_off(expected, actual, i);

@@ -6,24 +6,24 @@
 
 namespace tumble::render {
 
-/// Levels (of 255) that a channel may be off before its pixel counts as far off: what another version of the driver
-/// does to a pixel here and there; what a defect does to hundreds.
+/// Levels (of 255) by which a channel may differ before its pixel counts as far off. Another version of the driver
+/// changes single pixels by more, a defect changes hundreds.
 inline constexpr int kFarOffLevels = 8;
 
 /// How two pictures of one size differ.
 struct ImageDifference {
-  std::uint64_t pixels = 0;   ///< that differ at all
-  std::uint64_t far_off = 0;  ///< of these, in a channel by more than kFarOffLevels
-  int largest = 0;            ///< levels, of any channel
+  std::uint64_t pixels = 0;   ///< pixels that differ
+  std::uint64_t far_off = 0;  ///< pixels with a channel that differs by more than kFarOffLevels
+  int largest = 0;            ///< levels, the largest difference of a channel
   [[nodiscard]] bool equal() const { return pixels == 0; }
 };
 
-/// Precondition: both have the same width and height.
+/// Compares two pictures. Precondition (SIM_CHECK): equal width and height.
 ImageDifference difference_of(const Image& expected, const Image& actual);
 
-/// The expected picture dimmed to a quarter, and over it what differs: pixels that are far off from yellow to red by
-/// how much, others that differ in blue. Readable without colour vision: the farther off, the brighter against the
-/// rest.
+/// The expected picture, dimmed to a quarter, with the differing pixels in colour: yellow to red where far off, by the
+/// size of the difference, else blue. Readable without colour vision, because larger differences are brighter.
+/// Precondition (SIM_CHECK): equal width and height.
 Image difference_map(const Image& expected, const Image& actual);
 
 }  // namespace tumble::render

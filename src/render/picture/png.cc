@@ -9,8 +9,6 @@
 #include <cstring>
 #include <memory>
 
-#include "src/render/renderer.h"
-
 namespace tumble::render {
 namespace {
 

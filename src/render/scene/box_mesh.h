@@ -10,28 +10,28 @@
 
 namespace tumble::render {
 
-/// What the shaders know of one box; all floats, world axes. Its layout is the vertex attributes' (box_mesh.cc).
+/// One box as the shaders read it: floats, world axes. The layout is that of the vertex attributes (box_mesh.cc).
 struct BoxInstance {
   float centre[3];
-  float axis_x[3], axis_y[3], axis_z[3];  ///< unit, world directions of its own axes
+  float axis_x[3], axis_y[3], axis_z[3];  ///< unit vectors, the axes of the box in world axes
   float half_extent[3];                   ///< m
   float velocity[3];                      ///< m/s
   float spin[3];                          ///< rad/s
   float tint[3];
   float layer;      ///< of the materials
   float offset[2];  ///< of the texture
-  float plain;      ///< 1: its tint as it is, unlit and in focus; else 0
+  float plain;      ///< 1: the tint without light, in focus; else 0
 };
 
-/// Instances of a snapshot's boxes, the nearest to `view` first, so that what is hidden is not shaded.
+/// Instances of the boxes of a snapshot, the nearest to `view` first, so that hidden surfaces are not shaded.
 std::vector<BoxInstance> instances_of(const std::vector<BoxLook>& boxes, const View& view);
 std::vector<BoxInstance> instances_of(const std::vector<Marker>& markers);
 /// The plane z = 0 as the top of a huge flat box around a point.
 BoxInstance ground_instance(const sim::Vec3& around, double half_extent);
 
-/// A unit cube, drawn once for every instance.
+/// A unit cube, drawn once per instance.
 ///
-/// | location | attribute             | a vertex or an instance |
+/// | location | attribute             | per vertex or instance  |
 /// |----------|-----------------------|-------------------------|
 /// | 0        | corner, ±1            | vertex                  |
 /// | 1        | normal, own axes      | vertex                  |
@@ -50,7 +50,7 @@ class BoxMesh {
   GLsizei count_ = 0;
 };
 
-/// The declarations of those attributes, for vertex shaders.
+/// The declarations of these attributes, for vertex shaders.
 extern const char* const kBoxAttributes;
 
 }  // namespace tumble::render

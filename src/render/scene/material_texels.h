@@ -6,18 +6,19 @@
 
 #include "src/model/scene.h"
 
-/// The materials, made by code: no files, and the same texels everywhere (only + − × ÷, sqrt and floor).
+/// Computes the textures of the materials. Reads no files and uses + − × ÷, sqrt and floor only, so that the texels are
+/// equal on all machines.
 namespace tumble::render {
 
-/// Layers of the texture array: those of sim::Texture, then the ground.
+/// The layers of the texture array: those of sim::Texture, then the ground.
 inline constexpr int kGroundLayer = 5;
 inline constexpr int kLayerCount = 6;
 
-/// Texels along each edge of the finest level; every further level has half as many, down to 1.
+/// Texels along each edge of the finest level. Each further level has half as many, down to 1.
 inline constexpr int kTexelsPerEdge = 256;
 inline constexpr int kLevelCount = 9;
 
-/// One level of a layer: RGBA, 8 bits a channel, colours sRGB-encoded, the specular mask in alpha.
+/// One level of a layer: RGBA, 8 bits per channel, colours sRGB-encoded, alpha the specular mask.
 using Texels = std::vector<std::uint8_t>;
 
 /// All levels of a layer, finest first. A coarser texel is the mean, in linear light, of four.

@@ -6,7 +6,7 @@
 
 namespace tumble::render {
 
-/// All materials as one array texture, a layer each (material_texels.h). sRGB texels are decoded by the hardware.
+/// All materials in one array texture, one layer each (material_texels.h). OpenGL decodes the sRGB texels.
 class Materials {
  public:
   Materials() = default;
@@ -17,10 +17,10 @@ class Materials {
   GlObject texture_;
 };
 
-/// How one body's material differs from another's of the same kind.
+/// The difference between two bodies of equal material.
 struct Variation {
   Colour tint;
-  float offset_u = 0, offset_v = 0;  ///< of the texture, in its edges
+  float offset_u = 0, offset_v = 0;  ///< of the texture, in edge lengths
 };
 Variation variation_of(const BoxLook& box);
 

@@ -7,17 +7,17 @@
 #include "src/math/vec.h"
 #include "src/model/scene.h"
 
-/// Everything a picture is made of, as plain data. The renderer knows no more of a simulation than this.
+/// The content of a picture as plain data. The renderer reads nothing else of a simulation.
 namespace tumble::render {
 
-/// A colour in linear light, 0 … 1 a channel.
+/// A colour in linear light, 0 … 1 per channel.
 struct Colour {
   float r = 1, g = 1, b = 1;
 };
 
-/// A box as it is to be seen.
+/// The look of one box.
 struct BoxLook {
-  std::uint64_t id = 0;               ///< picks the variation of its material; nothing else
+  std::uint64_t id = 0;               ///< selects the variation of the material; nothing else
   sim::Vec3 centre = {0, 0, 0};       ///< m, world
   sim::Quat orientation;              ///< unit length
   sim::Vec3 half_extent = {1, 1, 1};  ///< m, own axes
@@ -27,7 +27,7 @@ struct BoxLook {
   Colour tint;  ///< multiplies the texture
 };
 
-/// A small box of plain colour that is drawn over everything and casts no shadow: a contact point, part of an arrow.
+/// A small box of plain colour, for contact points and arrows. Drawn over everything, without a shadow.
 struct Marker {
   sim::Vec3 centre = {0, 0, 0};  ///< m, world
   sim::Quat orientation;
@@ -43,9 +43,9 @@ struct Snapshot {
   sim::Light light;
 };
 
-/// What was to be seen at a part (0 … 1) of the `dt` seconds from one state to the next: positions on straight lines,
-/// orientations on the shorter arc. Boxes that only `after` has fly there as they come out; those that only `before`
-/// has are gone. Markers, camera and light are `after`'s.
+/// The snapshot at a fraction `part` (0 … 1) of the `dt` seconds between two states. Positions move on straight lines,
+/// orientations on the shorter arc. A box that only `after` has is moved back along its velocity; a box that only
+/// `before` has is left out. Markers, camera and light are those of `after`.
 Snapshot between(const Snapshot& before, const Snapshot& after, double part, double dt);
 
 }  // namespace tumble::render

@@ -75,7 +75,7 @@ run_fault() { # name slot
 
 run_faults() {
   local name slot wrong=0 begin
-  command -v jq >/dev/null || fail "jq is missing; run tools/setup.sh"
+  command -v jq >/dev/null || fail "jq is missing; run tools/setup.sh --with faults"
   check_texts
   for name in "${names[@]}"; do
     [[ -f $list/$name.file ]] || fail "no fault \"$name\"; tools/scripts/faults/faults.sh --list names them"

@@ -1,8 +1,8 @@
 #pragma once
 
-namespace tumble::tools {
+namespace tumble::process {
 
-/// While one of these lives, Ctrl-C sets a flag instead of ending the program, so that a log can be completed first.
+/// While a guard exists, Ctrl-C and SIGTERM set a flag instead of ending the program, so that a log can be completed.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -13,4 +13,4 @@ class InterruptGuard {
   [[nodiscard]] static bool interrupted();
 };
 
-}  // namespace tumble::tools
+}  // namespace tumble::process

@@ -9,9 +9,9 @@
 
 #include "src/base/result.h"
 
-namespace tumble::tools {
+namespace tumble::process {
 
-/// Another program that runs beside and reads what we write.
+/// Another program that runs beside and reads our output from its standard input.
 class ChildPipe {
  public:
   ChildPipe() = default;
@@ -20,15 +20,15 @@ class ChildPipe {
   ChildPipe& operator=(const ChildPipe&) = delete;
 
   /// Starts words[0] with the other words as its arguments; it is looked for in PATH. Errors (kCannotFinish): it is not
-  /// installed (purpose says what needs it, package how to get it), or does not start.
+  /// installed (purpose says what needs it, package how to get it), or does not start. Precondition: it does not run.
   Status start(std::vector<std::string> words, const std::string& purpose, const std::string& package);
 
   [[nodiscard]] bool running() const { return child_ > 0; }
 
   /// False when the program reads no more.
-  bool write(std::span<const std::byte> bytes) const;
+  [[nodiscard]] bool write(std::span<const std::byte> bytes) const;
 
-  /// Closes the pipe and waits. True if the program ended well; otherwise its own words are on stderr.
+  /// Closes the pipe and waits. True if the program ended well; otherwise its own message is on stderr.
   bool finish();
 
   /// Ends the program, if it runs.
@@ -39,4 +39,4 @@ class ChildPipe {
   int pipe_ = -1;
 };
 
-}  // namespace tumble::tools
+}  // namespace tumble::process

@@ -1,8 +1,8 @@
-#include "tools/process/interrupt.h"
+#include "src/process/interrupt.h"
 
 #include <csignal>
 
-namespace tumble::tools {
+namespace tumble::process {
 namespace {
 
 volatile std::sig_atomic_t signal_came = 0;
@@ -24,4 +24,4 @@ InterruptGuard::~InterruptGuard() {
 
 bool InterruptGuard::interrupted() { return signal_came != 0; }
 
-}  // namespace tumble::tools
+}  // namespace tumble::process

@@ -1,11 +1,11 @@
-#include "golden/run/process_pool.h"
+#include "src/process/job_pool.h"
 
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/resource.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -13,13 +13,17 @@
 #include <cstring>
 #include <exception>
 #include <iostream>
+#include <utility>
 #include <vector>
+
+#include "src/base/check.h"
+#include "src/process/child.h"
 
 #ifdef __linux__
 #include <sys/prctl.h>
 #endif
 
-namespace tumble::golden {
+namespace tumble::process {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -32,22 +36,11 @@ struct Child {
   pid_t pid = -1;
   int pipe = -1;
   Clock::time_point begin;
-  ChildResult result;
+  JobResult result;
 };
 
-bool write_all(int file, const std::string& text) {
-  std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t wrote = ::write(file, text.data() + done, text.size() - done);
-    if (wrote < 0 && errno == EINTR) continue;
-    if (wrote <= 0) return false;
-    done += static_cast<std::size_t>(wrote);
-  }
-  return true;
-}
-
-/// In the child; never returns, and runs no destructor or exit handler of the parent's.
-[[noreturn]] void live_as_child(std::size_t index, const std::function<std::string(std::size_t)>& job, int out) {
+/// Runs in the child. Never returns, and runs no destructor or exit handler of the parent's.
+[[noreturn]] void run_in_child(std::size_t index, const std::function<std::string(std::size_t)>& job, int out) {
   ::setpgid(0, 0);
   const rlimit no_core = {0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
@@ -58,22 +51,20 @@ bool write_all(int file, const std::string& text) {
   int status = 0;
   try {
     const std::string output = job(index) + kFinished;
-    if (!write_all(out, output)) status = kThrew;
+    if (!write_all(out, output.data(), output.size())) status = kThrew;
   } catch (const std::exception&) {
     status = kThrew;
   }
   ::_exit(status);
 }
 
-std::string signal_name(int number) {
-  const char* name = ::sigabbrev_np(number);
-  return name == nullptr ? "signal " + std::to_string(number) : "SIG" + std::string(name);
-}
-
+/// Children hand over their results through pipes. A child writes kFinished after its output, so that a child that dies
+/// in the middle of a write is told from one that is done: an exit status of 0 alone would not do, for a job can call
+/// exit() itself. Each child leads a process group, so that programs it started end with it.
 class Pool {
  public:
   Pool(const std::function<std::string(std::size_t)>& job,
-       const std::function<void(std::size_t, const ChildResult&)>& done, const PoolOptions& options)
+       const std::function<void(std::size_t, const JobResult&)>& done, const PoolOptions& options)
       : job_(job), done_(done), options_(options) {}
 
   bool run(std::size_t count) {
@@ -100,7 +91,7 @@ class Pool {
       child.pid = ::fork();
       if (child.pid == 0) {
         ::close(ends[0]);
-        live_as_child(index, job_, ends[1]);
+        run_in_child(index, job_, ends[1]);
       }
       ::close(ends[1]);
       child.pipe = ends[0];
@@ -143,41 +134,34 @@ class Pool {
   }
 
   void finish(Child& child, bool late) const {
-    // The child leads a group of its own: what it started goes with it.
-    if (late) ::kill(-child.pid, SIGKILL);
+    if (late) signal_group(child.pid, SIGKILL);
     ::close(child.pipe);
-    siginfo_t info = {};
-    while (::waitid(P_PID, static_cast<id_t>(child.pid), &info, WEXITED | WNOWAIT) < 0 && errno == EINTR) {
-    }
-    ::kill(-child.pid, SIGKILL);  // before it is reaped: nobody else can have its number yet
-    int status = 0;
-    ::waitpid(child.pid, &status, 0);
-    ChildResult& result = child.result;
+    const ChildEnd end = wait_for_group(child.pid);
+    JobResult& result = child.result;
     result.seconds = std::chrono::duration<double>(Clock::now() - child.begin).count();
     const bool whole = result.output.ends_with(kFinished);
     if (whole) result.output.pop_back();
     if (late) {
       result.failure = "took longer than " + std::to_string(static_cast<long>(options_.timeout_s)) + " s";
-    } else if (WIFSIGNALED(status)) {
-      result.failure = "ended by " + signal_name(WTERMSIG(status));
-    } else if (WEXITSTATUS(status) != 0 || !whole) {
-      result.failure = "ended with status " + std::to_string(WEXITSTATUS(status)) + " before it was done";
+    } else if (end.signal != 0) {
+      result.failure = "ended by " + signal_name(end.signal);
+    } else if (!end.well() || !whole) {
+      result.failure = "ended with status " + std::to_string(end.exit) + " before it was done";
     }
     if (!result.failure.empty()) result.output.clear();
   }
 
   void end_all() {
-    for (Child& child : children_) {
-      ::kill(-child.pid, SIGKILL);
+    for (const Child& child : children_) {
+      signal_group(child.pid, SIGKILL);
       ::close(child.pipe);
-      int status = 0;
-      ::waitpid(child.pid, &status, 0);
+      wait_for(child.pid);
     }
     children_.clear();
   }
 
   const std::function<std::string(std::size_t)>& job_;
-  const std::function<void(std::size_t, const ChildResult&)>& done_;
+  const std::function<void(std::size_t, const JobResult&)>& done_;
   const PoolOptions& options_;
   std::vector<Child> children_;
 };
@@ -185,8 +169,9 @@ class Pool {
 }  // namespace
 
 bool run_jobs(std::size_t count, const std::function<std::string(std::size_t)>& job,
-              const std::function<void(std::size_t, const ChildResult&)>& done, const PoolOptions& options) {
+              const std::function<void(std::size_t, const JobResult&)>& done, const PoolOptions& options) {
+  SIM_CHECK(job && done);
   return Pool(job, done, options).run(count);
 }
 
-}  // namespace tumble::golden
+}  // namespace tumble::process

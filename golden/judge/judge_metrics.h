@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "golden/judge/case_result.h"
+#include "golden/suite/case_rules.h"
+
+namespace tumble::golden {
+
+/// Judges metrics by their bounds. same_bits: no bit of the session moved, so that no value may have either. values:
+/// one a rule. Precondition: as many values as rules.
+Verdict judge_metrics(const CaseRules& rules, const std::vector<std::optional<double>>& values, bool same_bits,
+                      std::vector<MetricResult>& out);
+
+}  // namespace tumble::golden

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "golden/suite/suite.h"
+
+namespace tumble::golden {
+
+/// Puts cases with the most body-steps first: a long case that starts last would keep one processor busy alone.
+std::vector<CaseFolder> longest_first(std::vector<CaseFolder> folders);
+
+}  // namespace tumble::golden

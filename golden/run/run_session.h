@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "replay/log/byte_memory.h"
+#include "replay/log/log_reader.h"
+#include "src/base/hash.h"
+#include "src/base/result.h"
+#include "src/model/scene.h"
+
+namespace tumble::golden {
+
+/// A recorded session in memory.
+struct Session {
+  replay::MemoryFile log;
+  Hash128 continuation;  ///< of the last state; zero where it is not known (another engine's)
+  std::string failure;   ///< why it ended early; empty: it did not
+};
+
+/// Runs a scene with this build. Errors: a world that cannot be made.
+Result<Session> run_session(const sim::SceneDef& scene, const std::string& scene_text);
+
+/// Opens the session as a log. name: for messages.
+Result<replay::LogReader> open_session(const Session& session, const std::string& name);
+
+}  // namespace tumble::golden

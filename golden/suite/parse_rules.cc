@@ -1,0 +1,204 @@
+#include "golden/suite/parse_rules.h"
+
+#include <cmath>
+#include <limits>
+#include <new>
+
+#include "golden/suite/metric_values.h"
+#include "golden/suite/text_files.h"
+#include "src/base/check.h"
+#include "src/model/limits.h"
+#include "src/render/renderer.h"
+#include "src/scenes/parse_toml.h"
+#include "src/scenes/table_reader.h"
+
+namespace tumble::golden {
+namespace {
+
+using scenes::Problem;
+using scenes::TableReader;
+
+constexpr scenes::NumberRule kAnyNumber = {"a number", -std::numeric_limits<double>::max(),
+                                           std::numeric_limits<double>::max(), ""};
+constexpr scenes::IntegerRule kStepRule = {"a step", 0, sim::kStepsMax};
+constexpr scenes::IntegerRule kEdgeRule = {"pixels", render::kSizeMin, render::kSizeMax};
+constexpr scenes::IntegerRule kPixelRule = {"a number of pixels", 0,
+                                            std::uint64_t{render::kSizeMax} * render::kSizeMax};
+constexpr std::size_t kTextLengthMax = 1000;
+constexpr std::array<const char*, 2> kAxes = {"x", "y"};
+
+std::optional<double> optional_number(TableReader& reader, std::string_view key) {
+  const bool has = reader.has(key);
+  const double value = reader.number(key, 0, kAnyNumber);
+  return has ? std::optional<double>(value) : std::nullopt;
+}
+
+/// A text, or a list of ids, which becomes one.
+std::string read_bodies(TableReader& reader, const toml::table& table) {
+  const toml::array* list = reader.has("bodies") ? table["bodies"].as_array() : nullptr;
+  if (list == nullptr) return reader.text("bodies", "all", kTextLengthMax);
+  std::string text;
+  for (const toml::node& node : *list) {
+    const auto id = node.value<std::int64_t>();
+    if (!id || *id < 1) {
+      reader.fail("bodies", "a text, or a list of ids");
+      return "all";
+    }
+    text += (text.empty() ? "" : ",") + std::to_string(*id);
+  }
+  if (text.empty()) reader.fail("bodies", "at least one id");
+  return text;
+}
+
+MetricRule read_metric(TableReader& reader, const toml::table& table) {
+  MetricRule rule;
+  const std::vector<const char*> names = metric_names();
+  const std::size_t chosen = reader.choice("name", names.size(), names);
+  if (chosen < names.size()) {
+    rule.name = names[chosen];
+  } else {
+    reader.fail("name", "the name of a metric of docs/metrics.md");
+  }
+  rule.min = optional_number(reader, "min");
+  rule.max = optional_number(reader, "max");
+  if (!rule.min && !rule.max) reader.fail("max", "a bound: max, min or both");
+  if (rule.min && rule.max && *rule.min > *rule.max) reader.fail("min", "a number no larger than max");
+  rule.value = optional_number(reader, "value");
+  rule.why = reader.text("why", "", kTextLengthMax);
+  if (rule.why.find_first_not_of(' ') == std::string::npos) reader.fail("why", "the reason for the bound");
+  rule.may_be_null = reader.flag("may_be_null", false);
+  rule.bodies = read_bodies(reader, table);
+  rule.axis = kAxes[reader.choice("axis", 0, kAxes)];
+  rule.from_step = reader.integer("from_step", 0, kStepRule);
+  if (const Status selection = check_selection(rule); !selection.ok()) {
+    reader.problem().report(reader.place("bodies"), reader.label() + ": " + selection.error().message);
+  }
+  if (const toml::node* node = table.get("name")) rule.line = node->source().begin.line;
+  if (const toml::node* node = table.get("value")) rule.value_line = node->source().begin.line;
+  reader.finish();
+  return rule;
+}
+
+PictureRule read_picture(TableReader& reader) {
+  PictureRule rule;
+  rule.step = reader.integer("step", 0, kStepRule);
+  rule.width = static_cast<int>(reader.integer("width", 320, kEdgeRule));
+  rule.height = static_cast<int>(reader.integer("height", 240, kEdgeRule));
+  rule.freezing = reader.flag("freezing", false);
+  rule.far_off_max = reader.integer("far_off_max", 0, kPixelRule);
+  rule.why = reader.text("why", "", kTextLengthMax);
+  if (rule.why.find_first_not_of(' ') == std::string::npos) reader.fail("why", "the reason for the bound");
+  reader.finish();
+  return rule;
+}
+
+std::vector<VerdictKind> read_require(TableReader& top, const toml::table& root) {
+  std::vector<VerdictKind> require = CaseRules().require;
+  if (!top.has("require")) return require;
+  require.clear();
+  const toml::array* list = root["require"].as_array();
+  for (std::size_t i = 0; list != nullptr && i < list->size(); ++i) {
+    const Result<VerdictKind> kind = parse_verdict(list->get(i)->value_or(std::string_view()));
+    if (!kind.ok()) break;
+    require.push_back(*kind);
+  }
+  if (list == nullptr || list->empty() || require.size() != list->size()) {
+    top.fail("require", R"(a list of "exact", "behaviour" and "image", not empty)");
+  }
+  return require;
+}
+
+std::string read_command(TableReader& top) {
+  const toml::table* table = top.table("command");
+  if (table == nullptr) return "";
+  TableReader reader(*table, "[command]", top.problem());
+  std::string run = reader.text("run", "", kTextLengthMax);
+  for (const char* part : {"{scene}", "{log}"}) {
+    if (run.find(part) == std::string::npos) reader.fail("run", "a command line with {scene} and {log} in it");
+  }
+  reader.finish();
+  return run;
+}
+
+Result<CaseRules> parse(std::string_view text, std::string_view file_name) {
+  Problem problem(file_name);
+  const std::optional<toml::table> root = scenes::parse_toml(text, "", problem);
+  if (!root) return problem.error();
+  TableReader top(*root, "", problem);
+  CaseRules rules;
+  rules.require = read_require(top, *root);
+  rules.command = read_command(top);
+  if (const toml::array* metrics = top.array_of_tables("metric")) {
+    for (const toml::node& node : *metrics) {
+      TableReader reader(*node.as_table(), "[[metric]]", problem);
+      rules.metrics.push_back(read_metric(reader, *node.as_table()));
+    }
+  }
+  if (const toml::array* pictures = top.array_of_tables("picture")) {
+    for (const toml::node& node : *pictures) {
+      TableReader reader(*node.as_table(), "[[picture]]", problem);
+      rules.pictures.push_back(read_picture(reader));
+    }
+  }
+  if (rules.metrics.empty()) top.fail("metric", "at least one [[metric]]: a case that measures nothing proves nothing");
+  top.finish();
+  if (problem.found()) return problem.error();
+  return rules;
+}
+
+/// "value = 0.5  # comment" with another value; empty if the line is not of that form.
+std::string replaced_value(const std::string& line, const std::string& value) {
+  const std::size_t equals = line.find('=');
+  const std::size_t key = line.find_first_not_of(' ');
+  if (equals == std::string::npos || line.compare(key, 5, "value") != 0) return "";
+  const std::size_t from = line.find_first_not_of(' ', equals + 1);
+  if (from == std::string::npos) return "";
+  const std::size_t to = std::min(line.find_first_of(" #", from), line.size());
+  return line.substr(0, from) + value + line.substr(to);
+}
+
+}  // namespace
+
+Result<CaseRules> parse_rules(std::string_view text, std::string_view file_name) {
+  try {
+    return parse(text, file_name);
+  } catch (const std::bad_alloc&) {
+    return cannot_finish(std::string(file_name) + ": not enough memory");
+  }
+}
+
+Result<std::string> with_values(const std::string& text, const std::string& file_name, const CaseRules& rules,
+                                const std::vector<std::optional<double>>& values) {
+  SIM_CHECK(values.size() == rules.metrics.size(), values.size(), rules.metrics.size());
+  std::vector<std::string> lines = lines_of(text);
+  // Goes from the last metric to the first: an inserted line leaves the line numbers above it right.
+  for (std::size_t k = rules.metrics.size(); k-- > 0;) {
+    const MetricRule& rule = rules.metrics[k];
+    const std::string number = values[k] ? number_text(*values[k]) : "";
+    const std::size_t at = rule.value_line > 0 ? rule.value_line : rule.line;
+    if (at == 0 || at > lines.size()) return bad_input(file_name + ": no line " + std::to_string(at));
+    std::string& line = lines[at - 1];
+    if (rule.value_line == 0) {
+      if (line.starts_with("name")) {
+        if (values[k]) lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(at), "value = " + number);
+        continue;
+      }
+    } else if (!values[k]) {
+      lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(at - 1));
+      continue;
+    } else if (std::string replaced = replaced_value(line, number); !replaced.empty()) {
+      line = std::move(replaced);
+      continue;
+    }
+    return bad_input(
+        file_name + ":" + std::to_string(at) + ": found " + in_quotes(line) +
+        ", wanted each key of [[metric]] at the start of a line of its own, so that values can be written");
+  }
+  std::string out;
+  for (const std::string& line : lines) out += line + '\n';
+  const Result<CaseRules> again = parse_rules(out, file_name);
+  if (!again.ok()) return again.error();
+  return out;
+}
+
+}  // namespace tumble::golden

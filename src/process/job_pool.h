@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace tumble::process {
+
+/// The end of one job.
+struct JobResult {
+  std::string output;   ///< returned by the job; empty if it failed
+  std::string failure;  ///< "ended by SIGSEGV", "took longer than 600 s", …; empty: it finished
+  double seconds = 0;   ///< of wall time
+};
+
+struct PoolOptions {
+  std::size_t jobs = 1;          ///< children at a time
+  double timeout_s = 600;        ///< of each child; then it and all it started are killed
+  std::function<bool()> cancel;  ///< asked a few times a second; true ends all children; may be empty
+};
+
+/// Runs jobs 0 … count − 1, each in a forked child of its own, started in that order: a job that crashes or hangs harms
+/// no other. Calls `done` in this process as each of them ends, in the order in which they end. Returns false if
+/// cancelled. Precondition: the caller has no other threads, for fork() copies one alone.
+bool run_jobs(std::size_t count, const std::function<std::string(std::size_t)>& job,
+              const std::function<void(std::size_t, const JobResult&)>& done, const PoolOptions& options);
+
+}  // namespace tumble::process

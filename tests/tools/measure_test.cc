@@ -1,0 +1,84 @@
+// `tumble measure` as docs/commands.md describes it: its keys, its choice of bodies and steps, plots, mirrored pairs.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "replay/measure/metric_list.h"
+#include "tests/support/program.h"
+#include "tests/tools/json_output.h"
+
+namespace tumble::test {
+namespace {
+
+using nlohmann::ordered_json;
+
+TEST(Program, MeasureKeepsItsContract) {
+  const Workshop shop;
+  shop.record_small("s");
+  const ordered_json json = parsed(shop.run({"measure", "s.tumble", "--json", "--series", "s.csv"}));
+  using Keys = std::vector<std::string>;
+  EXPECT_EQ(keys_of(json), (Keys{"log", "bodies", "steps", "symmetry", "energy", "stacking", "final_hash"}));
+  std::map<std::string, Keys> wanted;
+  for (const replay::MetricRow& metric : replay::metric_list()) wanted[metric.group].emplace_back(metric.name);
+  for (const auto& [group, keys] : wanted) EXPECT_EQ(keys_of(json[group]), keys);
+  EXPECT_EQ(json["bodies"], 3);
+  EXPECT_EQ(json["steps"], 40);
+  EXPECT_TRUE(json["symmetry"]["column_spread"].is_null());
+  EXPECT_TRUE(json["stacking"]["lost"].is_number_unsigned()) << "a count, not 0.0";
+  std::istringstream rows(shop.read("s.csv"));
+  std::string line;
+  std::size_t count = 0;
+  while (std::getline(rows, line)) ++count;
+  EXPECT_EQ(count, 42U) << "a header, state 0 and 40 steps";
+}
+
+TEST(Program, MeasuresSomeBodiesFromAStepOn) {
+  const Workshop shop;
+  shop.record_small("s");
+  const ordered_json all = parsed(shop.run({"measure", "s.tumble", "--json"}));
+  const ordered_json some = parsed(shop.run({"measure", "s.tumble", "--json", "--bodies", "2", "--from-step", "40"}));
+  EXPECT_GT(all["stacking"]["top_drop_max"], 0.0);
+  EXPECT_EQ(some["stacking"]["top_drop_max"], 0.0) << "nothing has moved since the last step";
+  EXPECT_EQ(shop.run({"measure", "s.tumble", "--bodies", "77"}).exit, 2);
+  EXPECT_EQ(shop.run({"measure", "s.tumble", "--from-step", "41"}).exit, 2);
+  EXPECT_EQ(shop.run({"measure", "s.tumble", "--axis", "z"}).exit, 2);
+}
+
+TEST(Program, MeasureDrawsPlots) {
+  const Workshop shop;
+  shop.record_small("s");
+  ASSERT_EQ(shop.run({"measure", "s.tumble", "--plot", "it's 1.svg"}).exit, 0);
+  const std::string svg = shop.read("it's 1.svg");
+  EXPECT_TRUE(svg.starts_with("<?xml")) << svg.substr(0, 80);
+  for (const char* label : {"three boxes", "kinetic", "highest", "deepest overlap"}) {
+    EXPECT_NE(svg.find(label), std::string::npos) << label;
+  }
+  ASSERT_EQ(shop.run({"measure", "s.tumble", "--plot", "s.png"}).exit, 0);
+  EXPECT_EQ(shop.read("s.png").substr(1, 3), "PNG");
+  EXPECT_EQ(shop.run({"measure", "s.tumble", "--plot", "s.gif"}).exit, 2);
+  const Outcome nowhere = shop.run({"measure", "s.tumble", "--plot", "no/such/folder.svg"});
+  EXPECT_EQ(nowhere.exit, 4);
+  EXPECT_NE(nowhere.err.find("no/such/folder.svg: gnuplot could not write it"), std::string::npos) << nowhere.err;
+}
+
+TEST(Program, ATwinIsRecordedAndMeasured) {
+  const Workshop shop;
+  shop.record_small("a");
+  shop.record_small("b", {"--mirror", "x", "--permute", "3", "--shift", "16,-0.5"});
+  const ordered_json json = parsed(shop.run({"measure", "a.tumble", "--with", "b.tumble", "--json"}));
+  for (const char* key : {"mirror_error", "order_error", "shift_error"}) EXPECT_EQ(json["symmetry"][key], 0.0) << key;
+  EXPECT_NE(shop.run({"info", "b.tumble"}).out.find("mirror x, shift 16,-0.5, permute 3"), std::string::npos);
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "b.tumble"}).exit, 1) << "they are not the same session";
+  shop.record_small("c", {"--mirror", "x", "--steps", "39"});
+  EXPECT_EQ(shop.run({"measure", "a.tumble", "--with", "c.tumble"}).exit, 2);
+  for (const char* bad : {"--mirror=z", "--shift=0.1,0", "--shift=1"}) {
+    EXPECT_EQ(shop.run({"record", "s.toml", bad}).exit, 2) << bad;
+  }
+}
+
+}  // namespace
+}  // namespace tumble::test

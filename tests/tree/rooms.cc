@@ -1,0 +1,157 @@
+#include "tests/tree/rooms.h"
+
+#include <algorithm>
+#include <initializer_list>
+
+namespace tumble::test {
+namespace {
+
+using Folders = std::vector<std::string_view>;
+
+Folders operator+(Folders left, const Folders& right) {
+  left.insert(left.end(), right.begin(), right.end());
+  return left;
+}
+
+// The state and all that it is made of.
+const Folders kModel = {"src/base", "src/math", "src/model"};
+const Folders kWorld = kModel + Folders{"src/kernels", "src/world"};
+const Folders kSim = kWorld + Folders{"src/step"};
+
+std::vector<Room> simulation() {
+  const Folders find = kWorld + Folders{"src/collide"};
+  const Folders order = find + Folders{"src/layered/find"};
+  const Folders solve = order + Folders{"src/layered/order"};
+  return {
+      {"src/base", {}},
+      {"src/math", {"src/base"}},
+      {"src/model", {"src/base", "src/math"}},
+      {"src/kernels", kModel},
+      {"src/world", kModel + Folders{"src/kernels"}},
+      {"src/collide", kWorld},
+      {"src/thesis", find},
+      {"src/layered/find", find},
+      {"src/layered/order", order},
+      {"src/layered/solve", solve},
+      {"src/step", solve + Folders{"src/layered/solve", "src/thesis"}},
+      {"src/threads", {"src/base"}},
+      {"src/process", {"src/base"}},
+      {"src/scenes", kModel},
+  };
+}
+
+std::vector<Room> pictures() {
+  const Folders scene = kModel + Folders{"src/render/gl", "src/render/picture"};
+  return {
+      {"src/render/gl", {"src/base"}},
+      {"src/render/picture", {"src/base", "src/render/gl"}},
+      {"src/render/scene", scene},
+      {"src/render/passes", scene + Folders{"src/render/scene"}},
+      {"src/render", scene + Folders{"src/render/scene", "src/render/passes"}},
+  };
+}
+
+std::vector<Room> logs() {
+  const Folders codec = kSim + Folders{"schema", "replay/format"};
+  const Folders log = codec + Folders{"replay/codec"};
+  const Folders session = log + Folders{"replay/log"};
+  const Folders above = session + Folders{"replay/session"};
+  return {
+      {"schema", {}},
+      {"replay/format", kSim},
+      {"replay/codec", codec},
+      {"replay/log", log},
+      {"replay/session", session + Folders{"src/threads"}},
+      {"replay/measure", above},
+      {"replay/recover", above},
+      {"replay/import", session},
+      {"replay/picture", above + Folders{"src/render", "src/render/picture", "src/render/scene"}},
+      {"replay/diff", above + Folders{"replay/measure", "replay/recover", "replay/picture"}},
+  };
+}
+
+std::vector<Room> suite() {
+  const Folders logs = kSim + Folders{"src/scenes",     "src/threads",    "schema",         "replay/format",
+                                      "replay/codec",   "replay/log",     "replay/session", "replay/measure",
+                                      "replay/recover", "replay/picture", "replay/diff"};
+  const Folders parts = logs + Folders{"src/render", "src/render/picture", "golden/suite", "golden/expected"};
+  const Folders run = parts + Folders{"golden/judge"};
+  const Folders above = run + Folders{"golden/run"};
+  return {
+      {"golden/suite", logs + Folders{"src/render"}},
+      {"golden/expected", logs},
+      {"golden/judge", parts},
+      {"golden/run", run + Folders{"src/process"}},
+      {"golden/canaries", above},
+      {"golden/report/page", {}},
+      {"golden/report", above + Folders{"golden/report/page"}},
+      {"golden/bless", above},
+      {"golden", above + Folders{"golden/canaries", "golden/report", "golden/bless"}},
+  };
+}
+
+std::vector<Room> program() {
+  const Folders below =
+      kSim + Folders{"src/scenes",    "src/threads",    "src/render",      "src/render/picture", "replay/format",
+                     "replay/codec",  "replay/log",     "replay/session",  "replay/measure",     "replay/recover",
+                     "replay/import", "replay/picture", "replay/diff",     "golden/suite",       "golden/expected",
+                     "golden/judge",  "golden/run",     "golden/canaries", "golden/report",      "golden/bless",
+                     "golden",        "src/process"};
+  const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
+  return {
+      {"tools/output", below},
+      {"tools/files", below},
+      {"tools/arguments", below + Folders{"tools/output", "tools/files"}},
+      {"tools/bisect", above},
+      {"tools/bench", above},
+      {"tools/commands", above + Folders{"tools/bisect", "tools/bench"}},
+      {"tools", above + Folders{"tools/commands"}},
+  };
+}
+
+// Nothing but tests includes tests, so their rows need no list.
+std::vector<Room> tests() {
+  std::vector<Room> rows;
+  for (const char* folder : {"tests/support", "tests/fuzz", "tests/tree", "tests/process", "tests/sim", "tests/scenes",
+                             "tests/render", "tests/replay", "tests/replay/measure", "tests/golden", "tests/tools",
+                             "tests/trial", "tests/determinism", "bench", "bench/peers"}) {
+    rows.push_back({folder, {"*"}});
+  }
+  return rows;
+}
+
+std::vector<Room> all_rooms() {
+  std::vector<Room> all;
+  for (const std::vector<Room>& rows : {simulation(), pictures(), logs(), suite(), program(), tests()}) {
+    all.insert(all.end(), rows.begin(), rows.end());
+  }
+  return all;
+}
+
+}  // namespace
+
+const std::vector<Room>& rooms() {
+  static const std::vector<Room> kRooms = all_rooms();
+  return kRooms;
+}
+
+std::string folder_of(const std::string& path) {
+  const std::size_t end = path.find_last_of('/');
+  return end == std::string::npos ? "" : path.substr(0, end);
+}
+
+const Room* room_of(const std::string& path) {
+  const auto found = std::ranges::find(rooms(), folder_of(path), &Room::folder);
+  return found == rooms().end() ? nullptr : &*found;
+}
+
+bool may_include(const Room& room, std::string_view folder) {
+  if (folder == room.folder) return true;
+  if (std::ranges::find(room.may_include, folder) != room.may_include.end()) return true;
+  if (std::ranges::find(room.may_include, "*") == room.may_include.end()) return false;
+  const auto wanted = std::ranges::find(rooms(), folder, &Room::folder);
+  const auto own = std::ranges::find(rooms(), room.folder, &Room::folder);
+  return wanted != rooms().end() && wanted < own;
+}
+
+}  // namespace tumble::test
