@@ -198,7 +198,7 @@ Action declare_diff(Arguments& arguments) {
       "Examples:\n"
       "  tumble diff before.tumble after.tumble\n"
       "  tumble diff before.tumble after.tumble --step 120\n"
-      "  tumble diff before.tumble after.tumble --plot gap.svg\n"
+      "  tumble diff before.tumble after.tumble --plot separation.svg\n"
       "  tumble diff before.tumble after.tumble --tolerance position=1e-6 --tolerance velocity=1e-4 --json");
   return [options] { return diff(*options); };
 }
