@@ -19,10 +19,11 @@
 
 #include "src/base/rng.h"
 #include "src/kernels/box_pair.h"
-#include "src/kernels/box_tests.h"
+#include "src/kernels/kernels_by_width.h"
 #include "src/scenes/scene_file.h"
 #include "src/step/step.h"
 #include "src/threads/worker_threads.h"
+#include "src/world/scratch.h"
 
 namespace {
 
@@ -68,7 +69,7 @@ const sim::World& warm_world(sim::Method method, int rows, int columns) {
   };
   const Result<sim::SceneDef> scene = scenes::parse_scene(text, "tilted_grid.toml", changes);
   if (!scene.ok()) fail(scene.error());
-  Result<sim::World> world = sim::World::create(*scene);
+  Result<sim::World> world = sim::create_world(*scene);
   if (!world.ok()) fail(world.error());
   for (std::uint64_t k = 0; k < kWarmSteps; ++k) {
     if (const Result<sim::StepCounters> done = sim::step(*world); !done.ok()) fail(done.error());
@@ -139,7 +140,7 @@ void run_box_tests(benchmark::State& state, bool turned, sim::LaneWidth width) {
   const sim::World& world = warm_world(sim::Method::kLayered, 80, 80);
   const sim::PairTable& pairs = world.state().pairs;
   const std::vector<sim::BoxFrame> frames = box_frames(world, turned);
-  const sim::BoxTestKernels& kernels = *sim::box_test_kernels(width);
+  const sim::BoxTestKernels& kernels = sim::kernels(width).box_tests;
   sim::BoxTests tests;
   tests.frames = frames.data();
   for (auto _ : state) {
@@ -164,7 +165,7 @@ void add_box_tests(bool turned) {
     run_box_pair(state, turned);
   })->Unit(benchmark::kMicrosecond);
   for (const sim::LaneWidth width : {sim::LaneWidth::kTwo, sim::LaneWidth::kFour, sim::LaneWidth::kEight}) {
-    if (sim::box_test_kernels(width) == nullptr) continue;
+    if (!sim::runs_lanes(width)) continue;
     const std::string name = prefix + sim::name_of(width) + "_lanes";
     benchmark::RegisterBenchmark(name.c_str(), [=](benchmark::State& state) {
       run_box_tests(state, turned, width);

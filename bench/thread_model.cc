@@ -161,7 +161,7 @@ sim::WorldState warm_state(const Trial& trial) {
   const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   const Result<sim::SceneDef> scene = scenes::parse_scene(text, path, trial.warm);
   if (!scene.ok()) fail(scene.error().message);
-  Result<sim::World> world = sim::World::create(*scene);
+  Result<sim::World> world = sim::create_world(*scene);
   if (!world.ok()) fail(world.error().message);
   for (int k = 0; k < kWarmSteps; ++k) make_step(*world);
   sim::WorldState state = world->state();

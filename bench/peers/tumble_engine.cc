@@ -18,13 +18,13 @@ class TumbleEngine : public Engine {
   Status add(const sim::BoxDef& box) override {
     sim::BoxDef renamed = box;
     renamed.id = ++count_;
-    if (world_) return world_->apply(sim::Throw{renamed});
+    if (world_) return sim::apply(*world_, sim::Throw{renamed});
     start_.boxes.push_back(renamed);
     return {};
   }
 
   Status ready() override {
-    Result<sim::World> world = sim::World::create(start_);
+    Result<sim::World> world = sim::create_world(start_);
     if (!world.ok()) return world.error();
     world_ = *std::move(world);
     return {};
@@ -32,7 +32,7 @@ class TumbleEngine : public Engine {
 
   Status step(double dt_s) override {
     if (dt_s != world_->state().def.dt) {
-      if (Status ok = world_->apply(sim::SetDt{dt_s}); !ok.ok()) return ok;
+      if (Status ok = sim::apply(*world_, sim::SetDt{dt_s}); !ok.ok()) return ok;
     }
     const Result<sim::StepCounters> done = sim::step(*world_);
     if (!done.ok()) return done.error();

@@ -23,7 +23,7 @@ namespace {
 using replay::LogReader;
 using replay::MemoryFile;
 
-constexpr std::uint64_t kSteps = 13;  // two full chunks, and one of a single step
+constexpr std::uint64_t kLogSteps = 13;  // two full chunks, and one of a single step
 constexpr std::uint64_t kChunk = 6;
 
 /// Stacked boxes, one of them frozen. Inputs push them, throw another one at them and take one away.
@@ -31,7 +31,7 @@ sim::SceneDef session_scene(sim::Method method) {
   sim::SceneDef scene;
   scene.name = "canary";
   scene.world.method = method;
-  scene.steps = kSteps;
+  scene.steps = kLogSteps;
   for (std::uint64_t i = 0; i < 4; ++i) {
     sim::BoxDef box;
     box.id = 10 + i;
@@ -50,7 +50,7 @@ sim::SceneDef session_scene(sim::Method method) {
                   {4, sim::SetDt{1.0 / 100}},
                   {8, sim::Remove{13}},
                   {9, sim::SetGravity{{0.5, 0, -8}}},
-                  {kSteps, sim::SetVelocity{12, {0, 1, 3}, {1, 2, 3}}}};
+                  {kLogSteps, sim::SetVelocity{12, {0, 1, 3}, {1, 2, 3}}}};
   return scene;
 }
 
@@ -115,16 +115,16 @@ bool nothing_is_found(sim::Method method) {
   const Result<MemoryFile> file = record(session_scene(method));
   if (!is_same(replayed(file)) || !is_same(differing(file, file))) return false;
   Result<LogReader> log = open(*file);
-  if (!log.ok() || log->step_count() != kSteps || !log->condition().whole()) return false;
+  if (!log.ok() || log->step_count() != kLogSteps || !log->condition().whole()) return false;
   const replay::VerifyReport report = replay::verify(*log);
-  return report.condition.whole() && report.states_checked == kSteps;
+  return report.condition.whole() && report.states_checked == kLogSteps;
 }
 
 /// Every field of a body, in the last step, by one unit in the last place.
 bool fields_are_named(sim::Method method) {
   const Result<MemoryFile> truth = record(session_scene(method));
   for (std::size_t c = 0; c < replay::kColumnCount; ++c) {
-    const Result<MemoryFile> lying = record(session_scene(method), kSteps, [c](sim::WorldState& state, auto&) {
+    const Result<MemoryFile> lying = record(session_scene(method), kLogSteps, [c](sim::WorldState& state, auto&) {
       replay::BodyStates states;
       replay::copy_visible(state.bodies, states);
       double& value = (*replay::columns_of(states)[c])[1];
@@ -134,8 +134,8 @@ bool fields_are_named(sim::Method method) {
       state.bodies.velocity = states.velocity;
       state.bodies.spin = states.spin;
     });
-    if (!is_at(replayed(lying), kSteps, replay::kColumnNames[c])) return false;
-    if (!is_at(differing(truth, lying), kSteps, replay::kColumnNames[c])) return false;
+    if (!is_at(replayed(lying), kLogSteps, replay::kColumnNames[c])) return false;
+    if (!is_at(differing(truth, lying), kLogSteps, replay::kColumnNames[c])) return false;
   }
   return true;
 }
@@ -148,7 +148,7 @@ bool counters_are_compared(sim::Method method) {
       {"removed_energy", &sim::StepCounters::removed}};
   return std::ranges::all_of(counters, [&](const auto& counter) {
     const Lie lie = [&](sim::WorldState&, sim::StepCounters& of) { of.*counter.second += 1; };
-    return is_at(replayed(record(session_scene(method), kSteps, lie)), kSteps, counter.first);
+    return is_at(replayed(record(session_scene(method), kLogSteps, lie)), kLogSteps, counter.first);
   });
 }
 
@@ -169,13 +169,13 @@ bool start_is_compared(sim::Method method) {
 bool tolerances_hold(sim::Method method) {
   const Result<MemoryFile> truth = record(session_scene(method));
   const auto moved_by = [&](double distance) {
-    return record(session_scene(method), kSteps,
+    return record(session_scene(method), kLogSteps,
                   [=](sim::WorldState& state, auto&) { state.bodies.position.x[1] += distance; });
   };
   replay::Tolerances tolerances;
   tolerances.position = 1e-6;
   return is_same(differing(truth, moved_by(0.5e-6), tolerances)) &&
-         is_at(differing(truth, moved_by(1.5e-6), tolerances), kSteps, "position.x");
+         is_at(differing(truth, moved_by(1.5e-6), tolerances), kLogSteps, "position.x");
 }
 
 /// A log cut at the end of a record: only the missing footer shows it.
@@ -186,7 +186,7 @@ bool torn_end_is_seen(sim::Method method) {
   if (!log.ok() || log->chunks().empty()) return false;
   (*file)->resize(log->chunks().back().offset + log->chunks().back().length);
   Result<LogReader> torn = open(*file);
-  return torn.ok() && torn->condition().torn && torn->step_count() == kSteps;
+  return torn.ok() && torn->condition().torn && torn->step_count() == kLogSteps;
 }
 
 /// The second chunk from a session that was the same up to its first step.
@@ -212,14 +212,14 @@ bool goes_on(sim::Method method) {
   if (!file.ok()) return false;
   Result<LogReader> log = open(*file);
   if (!log.ok()) return false;
-  Result<replay::Player> player = replay::Player::at(*log, kSteps);
+  Result<replay::Player> player = replay::Player::at(*log, kLogSteps);
   if (!player.ok()) return false;
   const Hash128 wanted = sim::continuation_hash(player->world().state());
-  for (std::uint64_t k = 0; k < kSteps; ++k) {
+  for (std::uint64_t k = 0; k < kLogSteps; ++k) {
     auto sink = std::make_unique<replay::MemoryByteSink>(std::make_shared<std::vector<std::byte>>(), "gone on");
     auto recorder = replay::Recorder::go_on(std::move(sink), *log, k, {});
     if (!recorder.ok()) return false;
-    for (std::uint64_t step = k; step < kSteps; ++step) {
+    for (std::uint64_t step = k; step < kLogSteps; ++step) {
       if (!(*recorder)->step().ok()) return false;
     }
     if (sim::continuation_hash((*recorder)->world().state()) != wanted) return false;
@@ -231,7 +231,7 @@ bool goes_on(sim::Method method) {
 Result<replay::MessageBytes> made_up_chunk() {
   sim::SceneDef scene = session_scene(sim::Method::kLayered);
   for (sim::BoxDef& box : scene.boxes) box.position[2] += 8;
-  const Result<sim::World> world = sim::World::create(scene);
+  const Result<sim::World> world = sim::create_world(scene);
   if (!world.ok()) return world.error();
   replay::Keyframe keyframe = {world->state(), {1, 2}};
   keyframe.state.pairs = {{0, 1}, {1, 3}, {5, 6}};

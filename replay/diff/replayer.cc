@@ -23,7 +23,7 @@ Divergence failed_at(std::uint64_t step, const char* phase, const Error& error) 
 Result<std::optional<Divergence>> compare_start(LogReader& log) {
   Result<const StepRecord*> expected = log.read_step(0);
   if (!expected.ok()) return expected.error();
-  Result<sim::World> world = sim::World::create(log.header().scene);
+  Result<sim::World> world = sim::create_world(log.header().scene);
   if (!world.ok()) return std::optional(failed_at(0, "start", world.error()));
   BodyStates actual;
   copy_visible(world->bodies(), actual);

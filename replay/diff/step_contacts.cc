@@ -5,6 +5,7 @@
 
 #include "replay/format/chain.h"
 #include "replay/session/player.h"
+#include "src/world/scratch.h"
 
 namespace tumble::replay {
 namespace {

@@ -6,6 +6,7 @@
 #include "replay/format/limits.h"
 #include "src/base/check.h"
 #include "src/model/limits.h"
+#include "src/step/step.h"
 #include "src/world/body_check.h"
 #include "src/world/edit_bodies.h"
 
@@ -103,10 +104,10 @@ Status EngineLog::input(const sim::Command& command) {
   if (thrown != nullptr) {
     sim::Throw awake = *thrown;  // the other engine decides what rests; no contacts are searched
     awake.box.frozen = false;
-    applied = world_.apply(awake);
+    applied = sim::apply(world_, awake);
     if (applied.ok()) put(world_.mutable_state().bodies, thrown->box);
   } else {
-    applied = world_.apply(command);
+    applied = sim::apply(world_, command);
   }
   if (!applied.ok()) return at_step(applied.error().message);
   inputs_.push_back(command);

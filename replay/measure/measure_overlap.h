@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "src/world/scratch.h"
+#include "src/kernels/box_frame.h"
 
 namespace tumble::replay {
 

@@ -18,8 +18,6 @@ using sim::BoxFrame;
 using sim::Quat;
 using sim::Vec3;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 // The angle, degrees, between the world's up and the direction to which the body's turn since the start carries up. A
 // turn about the vertical is no tilt. For a unit quaternion (w, x, y, z) the cosine of that angle is 1 − 2(x² + y²), so
 // sin(angle / 2) = √(x² + y²). The arcsine keeps small angles exact, and equal orientations give exactly 0; an

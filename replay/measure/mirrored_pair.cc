@@ -8,6 +8,7 @@
 #include "replay/codec/state_keys.h"
 #include "replay/session/session.h"
 #include "replay/session/state_source.h"
+#include "src/step/step.h"
 
 namespace tumble::replay {
 namespace {

@@ -1,14 +1,8 @@
 #include "replay/measure/reasonable_space.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace tumble::replay {
-namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
 
 ReasonableSpace::ReasonableSpace(bool ground)
     : ground_(ground),

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <limits>
+
 #include "src/model/scene.h"
 
 namespace tumble::replay {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The space in which the bodies of a session belong; a body outside is lost. The space is the block that the start and
 /// the boxes thrown in fill, widened by kReasonableDistance, and cut off at the floor. The floor is the ground or,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "src/world/scratch.h"
+
 namespace tumble::replay {
 namespace {
 

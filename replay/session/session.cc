@@ -8,7 +8,7 @@ namespace tumble::replay {
 Session::Session(sim::SceneDef scene, sim::World world) : scene_(std::move(scene)), world_(std::move(world)) {}
 
 Result<Session> Session::start(sim::SceneDef scene) {
-  Result<sim::World> world = sim::World::create(scene);
+  Result<sim::World> world = sim::create_world(scene);
   if (!world.ok()) return world.error();
   return Session(std::move(scene), *std::move(world));
 }
@@ -20,9 +20,8 @@ Result<Session> Session::resume(sim::WorldState state, sim::SceneDef scene) {
 }
 
 // Order decides bits: a push before a throw meets another world than one after it. The scene's inputs come first
-// because their steps are fixed before the session begins; live ones follow in the order in which they were made. `<=`
-// and not
-// `==`, so that an input for a step that has passed (a scene that is resumed) is applied and not stuck in front.
+// because their steps are fixed before the session begins; live ones follow in the order in which they were made. The
+// comparison is `<=` and not `==`: an input for a step that has passed is applied late and does not block those behind.
 Status Session::apply_inputs(std::span<const sim::Command> live) {
   const std::uint64_t step = world_.state().step + 1;
   applied_.clear();
@@ -32,7 +31,7 @@ Status Session::apply_inputs(std::span<const sim::Command> live) {
   }
   applied_.insert(applied_.end(), live.begin(), live.end());
   for (const sim::Command& command : applied_) {
-    if (Status ok = world_.apply(command); !ok.ok()) {
+    if (Status ok = sim::apply(world_, command); !ok.ok()) {
       return Error{ok.error().kind, "input \"" + std::string(sim::name_of(command)) + "\" before step " +
                                         std::to_string(step) + ": " + ok.error().message};
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "src/kernels/kernels_by_width.h"
 #include "src/math/grid.h"
 #include "src/world/body_columns.h"
 
@@ -176,13 +177,12 @@ BoxColumns box_columns_of(Scratch& scratch, std::size_t n) {
   return columns;
 }
 
-void update_frames(World& world) {
-  Scratch& scratch = world.mutable_scratch();
-  const std::size_t n = world.bodies().size();
-  const BodyColumns bodies = columns_of(world.mutable_state().bodies);
+void update_frames(Bodies& bodies, Scratch& scratch) {
+  const std::size_t n = bodies.size();
+  const BodyColumns columns = columns_of(bodies);
   const BoxColumns boxes = box_columns_of(scratch, n);
   for_ranges(scratch.workers, n, kWorthBodies, [&](std::size_t begin, std::size_t end) {
-    body_kernels(scratch.lanes)->put_boxes(bodies, {begin, end}, boxes);
+    kernels(scratch.lanes).bodies.put_boxes(columns, {begin, end}, boxes);
   });
 }
 

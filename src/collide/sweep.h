@@ -3,13 +3,14 @@
 #include "src/base/hash.h"
 #include "src/base/result.h"
 #include "src/kernels/body_kernels.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
 /// Puts every body's box and its AABB where the body is now. The extents are rounded outwards to the position grid, so
 /// that a shifted scene has the same overlaps.
-void update_frames(World& world);
+void update_frames(Bodies& bodies, Scratch& scratch);
 
 /// Where the boxes of n bodies are written, with room for them.
 BoxColumns box_columns_of(Scratch& scratch, std::size_t n);

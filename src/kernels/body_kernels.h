@@ -3,8 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "src/kernels/lane_width.h"
-
 namespace tumble::sim {
 
 /// Where the columns of Bodies lie.
@@ -48,21 +46,12 @@ struct ReachColumns {
 struct BodyKernels {
   /// Free flight of every body that moves, is not `in_contact` (null: none is) and whose moments of inertia are equal.
   /// Tells whether others are left that should fly.
-  bool (*fly)(const BodyColumns& bodies, Rows rows, const std::uint8_t* in_contact, const Air& air);
+  bool (*integrate_free)(const BodyColumns& bodies, Rows rows, const std::uint8_t* in_contact, const Air& air);
   /// Puts boxes and AABBs where the bodies are, but for the framed ones; tells whether all are in their rooms.
   bool (*put_boxes)(const BodyColumns& bodies, Rows rows, const BoxColumns& boxes);
-  void (*reach_out)(const BodyColumns& bodies, Rows rows, const ReachColumns& reach);
+  void (*expand_aabbs)(const BodyColumns& bodies, Rows rows, const ReachColumns& reach);
   /// Whether all are finite and within limits: false where check_body would object to one.
   bool (*check)(const BodyColumns& bodies, Rows rows);
 };
-
-/// Null where this machine or this build does not run the width.
-const BodyKernels* body_kernels(LaneWidth width);
-
-// Each is defined where the compiler makes that width, and null elsewhere.
-const BodyKernels* body_kernels_one();
-const BodyKernels* body_kernels_two();
-const BodyKernels* body_kernels_four();
-const BodyKernels* body_kernels_eight();
 
 }  // namespace tumble::sim

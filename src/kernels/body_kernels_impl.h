@@ -12,8 +12,6 @@
 namespace tumble::sim {
 namespace {
 
-constexpr unsigned kFrameDoubles = 15;  // of a BoxFrame: position, three axes, half extents
-
 template <class V>
 V on_grid(V x, double magic) {
   return ((x + magic) - magic) + 0.0;
@@ -98,7 +96,7 @@ void for_rows(Rows rows, Visit visit) {
 
 // Tells whether a body is left that should fly.
 template <class V>
-bool fly_at(const BodyColumns& b, const std::uint8_t* in_contact, const Air& air, std::size_t at) {
+bool integrate_free_at(const BodyColumns& b, const std::uint8_t* in_contact, const Air& air, std::size_t at) {
   const auto all = flying<V>(b, in_contact, at);
   if (!any(all)) return false;
   const Space<V> inertia = load_space<V>(b.inertia, at);
@@ -124,9 +122,10 @@ bool fly_at(const BodyColumns& b, const std::uint8_t* in_contact, const Air& air
 }
 
 template <int kWidth>
-[[gnu::flatten]] bool fly(const BodyColumns& b, Rows rows, const std::uint8_t* in_contact, const Air& air) {
+[[gnu::flatten]] bool integrate_free(const BodyColumns& b, Rows rows, const std::uint8_t* in_contact, const Air& air) {
   bool left = false;
-  for_rows<kWidth>(rows, [&](auto v, std::size_t at) { left |= fly_at<decltype(v)>(b, in_contact, air, at); });
+  for_rows<kWidth>(rows,
+                   [&](auto v, std::size_t at) { left |= integrate_free_at<decltype(v)>(b, in_contact, air, at); });
   return left;
 }
 
@@ -185,7 +184,7 @@ template <int kWidth>
 }
 
 template <class V>
-void reach_out_at(const BodyColumns& b, const ReachColumns& reach, std::size_t at) {
+void expand_aabbs_at(const BodyColumns& b, const ReachColumns& reach, std::size_t at) {
   const Space<V> spin = load_space<V>(b.spin, at), half = load_space<V>(b.half_extent, at);
   const V turning = square_root(dot(spin, spin)) * square_root(dot(half, half)) * reach.dt_s;
   const V margin = on_grid(reach.around + turning, kPlaceMagic) + kPlaceStep, zero = V{};
@@ -201,8 +200,8 @@ void reach_out_at(const BodyColumns& b, const ReachColumns& reach, std::size_t a
 }
 
 template <int kWidth>
-[[gnu::flatten]] void reach_out(const BodyColumns& b, Rows rows, const ReachColumns& reach) {
-  for_rows<kWidth>(rows, [&](auto v, std::size_t at) { reach_out_at<decltype(v)>(b, reach, at); });
+[[gnu::flatten]] void expand_aabbs(const BodyColumns& b, Rows rows, const ReachColumns& reach) {
+  for_rows<kWidth>(rows, [&](auto v, std::size_t at) { expand_aabbs_at<decltype(v)>(b, reach, at); });
 }
 
 // NaN fails every comparison, so the test is for what is wanted.
@@ -230,7 +229,7 @@ template <int kWidth>
 
 template <int kWidth>
 constexpr BodyKernels body_kernels_of() {
-  return {fly<kWidth>, put_boxes<kWidth>, reach_out<kWidth>, check<kWidth>};
+  return {integrate_free<kWidth>, put_boxes<kWidth>, expand_aabbs<kWidth>, check<kWidth>};
 }
 
 }  // namespace

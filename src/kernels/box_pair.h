@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "src/world/scratch.h"
+#include "src/kernels/box_frame.h"
 
 namespace tumble::sim {
 

@@ -3,8 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "src/kernels/lane_width.h"
-
 namespace tumble::sim {
 
 struct BoxFrame;
@@ -33,13 +31,8 @@ struct BoxTestKernels {
   void (*find_edges)(BoxTests& tests);  ///< fills edges
 };
 
-/// Null where this machine or this build does not run the width.
-const BoxTestKernels* box_test_kernels(LaneWidth width);
-
-// Each is defined where the compiler makes that width, and null elsewhere.
-const BoxTestKernels* box_test_kernels_one();
-const BoxTestKernels* box_test_kernels_two();
-const BoxTestKernels* box_test_kernels_four();
-const BoxTestKernels* box_test_kernels_eight();
+// One lane: BoxPair pair by pair.
+void find_faces_singly(BoxTests& tests);
+void find_edges_singly(BoxTests& tests);
 
 }  // namespace tumble::sim

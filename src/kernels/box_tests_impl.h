@@ -10,7 +10,6 @@
 namespace tumble::sim {
 namespace {
 
-constexpr unsigned kFrameDoubles = 15;  // of a BoxFrame: position, three axes, half extents
 constexpr unsigned kFrameAxes = 3;
 constexpr double kNoDirection = -__builtin_inf();  // as the separation along an axis to be skipped
 
@@ -113,6 +112,7 @@ void find_edges(BoxTests& tests) {
 
 template <int kWidth>
 constexpr BoxTestKernels box_test_kernels_of() {
+  if constexpr (kWidth == 1) return {find_faces_singly, find_edges_singly};
   return {find_faces<kWidth>, find_edges<kWidth>};
 }
 

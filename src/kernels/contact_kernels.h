@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "src/kernels/contact_batch.h"
-#include "src/kernels/lane_width.h"
 
 namespace tumble::sim {
 
@@ -44,17 +43,5 @@ struct ContactKernels {
   /// Fits masses and responses of slender batches to bodies that have turned.
   void (*renew)(const ContactWork& work);
 };
-
-/// Whether this machine and this build run a width.
-bool runs_lanes(LaneWidth width);
-
-/// The kernels of a width. Precondition: runs_lanes(width).
-const ContactKernels& contact_kernels(LaneWidth width);
-
-// Each is defined where the compiler makes that width, and null elsewhere.
-const ContactKernels* contact_kernels_one();
-const ContactKernels* contact_kernels_two();
-const ContactKernels* contact_kernels_four();
-const ContactKernels* contact_kernels_eight();
 
 }  // namespace tumble::sim

@@ -53,7 +53,7 @@ template <int kWidth>
 }
 
 template <int kWidth>
-constexpr ContactKernels kernels_of() {
+constexpr ContactKernels contact_kernels_of() {
   return {prepare_all<kWidth>,    solve_all<kWidth>,
           warm_start_all<kWidth>, apply_outcomes<typename VectorOf<kWidth>::Type>,
           move_on_all<kWidth>,    renew_all<kWidth>};

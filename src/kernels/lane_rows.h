@@ -10,6 +10,8 @@
 namespace tumble::sim {
 namespace {
 
+constexpr unsigned kFrameDoubles = 15;  // of a BoxFrame: position, three axes, half extents
+
 using Two = VectorOf<2>::Type;
 
 // Four numbers from `at` on of each row, as four lanes of each number.

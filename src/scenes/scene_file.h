@@ -22,7 +22,7 @@ namespace tumble::scenes {
 /// Errors: bad_input, "<file>:<line>:<column>: <table> key <key>: found <x>, wanted <y>", or `--set <argument>` in
 /// front where the value came from there; cannot_finish if memory runs out.
 ///
-/// The result may still be refused by World::create, which knows what the simulation can do.
+/// The result may still be refused by create_world, which knows what the simulation can do.
 Result<sim::SceneDef> parse_scene(std::string_view toml_text, std::string_view file_name,
                                   std::span<const std::string> overrides = {});
 

@@ -1,13 +1,12 @@
-// World::apply belongs to the world, but a body that is thrown in frozen must find what it rests upon, which takes the
-// phases; so it is defined on the layer that may use them.
 #include <cmath>
 #include <string>
 
 #include "src/math/grid.h"
 #include "src/model/limits.h"
 #include "src/step/first_contacts.h"
+#include "src/step/step.h"
 #include "src/world/edit_bodies.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
 
 namespace tumble::sim {
 namespace {
@@ -126,15 +125,16 @@ class Applier {
 
 }  // namespace
 
-Status World::apply(const Command& command) {
-  const Energy before = total_energy(state_);
-  scratch_.still_steps = 0;
-  if (Status ok = std::visit(Applier(state_), command); !ok.ok()) return ok;
+Status apply(World& world, const Command& command) {
+  WorldState& state = world.mutable_state();
+  const Energy before = total_energy(state);
+  world.mutable_scratch().still_steps = 0;
+  if (Status ok = std::visit(Applier(state), command); !ok.ok()) return ok;
   if (const auto* thrown = std::get_if<Throw>(&command); thrown != nullptr && thrown->box.frozen) {
-    find_first_contacts(*this, state_.bodies.find(thrown->box.id));
+    find_first_contacts(state, state.bodies.find(thrown->box.id));
   }
-  const Energy after = total_energy(state_);
-  input_energy_ += (after.kinetic + after.potential) - (before.kinetic + before.potential);
+  const Energy after = total_energy(state);
+  world.add_input_energy((after.kinetic + after.potential) - (before.kinetic + before.potential));
   return {};
 }
 

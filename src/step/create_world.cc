@@ -1,16 +1,15 @@
-// World::create belongs to the world, but a start with frozen bodies needs the phases to find what they touch; so it is
-// defined on the layer that may use them.
 #include <optional>
 #include <string>
 
 #include "src/model/limits.h"
 #include "src/step/first_contacts.h"
+#include "src/step/step.h"
 #include "src/world/body_check.h"
 #include "src/world/edit_bodies.h"
-#include "src/world/world.h"
 
 namespace tumble::sim {
-Result<World> World::create(const SceneDef& scene) {
+
+Result<World> create_world(const SceneDef& scene) {
   if (Status ok = check_def(scene.world); !ok.ok()) return ok.error();
   if (scene.boxes.size() > kBodiesMax) return bad_input("scene: more than " + std::to_string(kBodiesMax) + " bodies");
   WorldState state;
@@ -23,9 +22,9 @@ Result<World> World::create(const SceneDef& scene) {
     }
     insert_body(state, box);
   }
-  Result<World> world = restore(std::move(state));
+  Result<World> world = World::restore(std::move(state));
   if (!world.ok()) return world;
-  find_first_contacts(*world, std::nullopt);
+  find_first_contacts(world->mutable_state(), std::nullopt);
   return world;
 }
 

@@ -12,6 +12,7 @@
 #include "src/model/limits.h"
 #include "src/thesis/contact_objects.h"
 #include "src/thesis/find_pairs.h"
+#include "src/world/scratch.h"
 
 namespace tumble::sim {
 namespace {
@@ -20,9 +21,9 @@ constexpr double kTouchGap = 1e-3;  // m
 constexpr double kSameWay = 0.99;   // cosine between normals that are one direction
 
 // Boxes grown by half the gap on every side overlap exactly where the real ones touch.
-World grown(const World& world) {
-  World copy = world;
-  Bodies& bodies = copy.mutable_state().bodies;
+WorldState grown(const WorldState& state) {
+  WorldState copy = state;
+  Bodies& bodies = copy.bodies;
   const Vec3 growth = Vec3::Constant(kTouchGap / 2);
   for (std::size_t i = 0; i < bodies.size(); ++i) bodies.half_extent.set(i, bodies.half_extent[i] + growth);
   return copy;
@@ -43,29 +44,30 @@ std::optional<Vec3> touch_normal(const BoxPair& pair) {
   return normal;
 }
 
-Contacts touching_contacts(World& copy) {
-  (void)find_pairs(copy, 0);
+Contacts touching_contacts(WorldState& copy) {
+  Scratch scratch;
+  (void)find_pairs(copy, scratch, 0);
   Contacts contacts;
   const auto add = [&](BodyIndex a, BodyIndex b, const Vec3& normal) {
     contacts.a.push_back(a);
     contacts.b.push_back(b);
     contacts.normal.push_back(normal);
   };
-  const PairTable& pairs = copy.state().pairs;
-  const std::vector<BoxFrame>& frames = copy.scratch().frames;
+  const PairTable& pairs = copy.pairs;
+  const std::vector<BoxFrame>& frames = scratch.frames;
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto normal = touch_normal(BoxPair(frames[pairs.a[k]], frames[pairs.b[k]]));
     if (normal) add(pairs.a[k], pairs.b[k], *normal);
   }
-  const bool ground = copy.state().def.ground;
+  const bool ground = copy.def.ground;
   for (BodyIndex i = 0; ground && i < frames.size(); ++i) {
     if (reach_along(frames[i], 2) > frames[i].position.z()) add(i, kGround, Vec3(0, 0, -1));
   }
   return contacts;
 }
 
-void find_objects(World& world, const std::vector<std::uint8_t>& wanted) {
-  World copy = grown(world);
+void find_objects(WorldState& state, const std::vector<std::uint8_t>& wanted) {
+  WorldState copy = grown(state);
   const Contacts contacts = touching_contacts(copy);
   FreezeScratch freezing;
   for (const std::uint8_t ready : wanted) {
@@ -73,7 +75,7 @@ void find_objects(World& world, const std::vector<std::uint8_t>& wanted) {
   }
   collect_contact_objects(copy, contacts, freezing);
   const ContactObjects& found = freezing.found;
-  ContactObjects& objects = world.mutable_state().contact_objects;
+  ContactObjects& objects = state.contact_objects;
   ContactObjects merged;
   std::size_t k = 0;
   for (std::size_t j = 0; j <= found.size(); ++j) {
@@ -85,13 +87,13 @@ void find_objects(World& world, const std::vector<std::uint8_t>& wanted) {
 }
 
 // With everything awake in a copy, the manifolds at rest are found like any other; their impulses start at nothing.
-void find_memory(World& world, const std::vector<std::uint8_t>& wanted) {
-  const Bodies& bodies = world.bodies();
-  World awake = world;
-  std::fill(awake.mutable_state().bodies.frozen.begin(), awake.mutable_state().bodies.frozen.end(), std::uint8_t{0});
-  (void)find_near_pairs(awake, kDtMin);
-  (void)find_manifolds(awake, kDtMin);
-  Scratch& scratch = awake.mutable_scratch();
+void find_memory(WorldState& state, const std::vector<std::uint8_t>& wanted) {
+  const Bodies& bodies = state.bodies;
+  WorldState awake = state;
+  std::fill(awake.bodies.frozen.begin(), awake.bodies.frozen.end(), std::uint8_t{0});
+  Scratch scratch;
+  (void)find_near_pairs(awake, scratch, kDtMin);
+  (void)find_manifolds(awake, scratch, kDtMin);
   const auto is_wanted = [&](BodyIndex i) { return i != kGround && wanted[i] != 0; };
   const auto rests = [&](BodyIndex i) { return i == kGround || !bodies.moves(i); };
   std::erase_if(scratch.manifolds, [&](const Manifold& m) {
@@ -102,21 +104,21 @@ void find_memory(World& world, const std::vector<std::uint8_t>& wanted) {
   });
   ContactMemory found;
   remember_contacts(scratch, found);
-  merge_contacts(world.mutable_state().contact_memory, found);
+  merge_contacts(state.contact_memory, found);
 }
 
 }  // namespace
 
-void find_first_contacts(World& world, std::optional<BodyIndex> body) {
-  const Bodies& bodies = world.bodies();
+void find_first_contacts(WorldState& state, std::optional<BodyIndex> body) {
+  const Bodies& bodies = state.bodies;
   std::vector<std::uint8_t> wanted(bodies.size(), 0);
   for (BodyIndex i = 0; i < bodies.size(); ++i)
     wanted[i] = body ? static_cast<std::uint8_t>(i == *body) : bodies.frozen[i];
   if (std::find(wanted.begin(), wanted.end(), 1) == wanted.end()) return;
-  if (world.state().def.method == Method::kThesis) {
-    find_objects(world, wanted);
+  if (state.def.method == Method::kThesis) {
+    find_objects(state, wanted);
   } else {
-    find_memory(world, wanted);
+    find_memory(state, wanted);
   }
 }
 

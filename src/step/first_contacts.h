@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "src/world/world.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
@@ -11,6 +11,6 @@ namespace tumble::sim {
 /// as islands). Touching is within a millimetre; meeting only at an edge or a corner does not carry. A body that
 /// touches nothing stays frozen until it is hit. body: one that was thrown in frozen; without it, all frozen bodies of
 /// a new world.
-void find_first_contacts(World& world, std::optional<BodyIndex> body);
+void find_first_contacts(WorldState& state, std::optional<BodyIndex> body);
 
 }  // namespace tumble::sim

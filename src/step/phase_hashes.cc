@@ -11,7 +11,7 @@ void PhaseHashes::phase_done(std::uint32_t substep, std::size_t phase, const Wor
   std::uint64_t& word = words_[row * phases.size() + phase];
   hasher_.reset();
   if (word != 0) hasher_.add(word);  // the last row: fold into what is there
-  phases[phase].hash(world, hasher_);
+  phases[phase].hash(world.state(), world.scratch(), hasher_);
   word = hasher_.digest().low;
 }
 

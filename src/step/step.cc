@@ -27,6 +27,8 @@
 #include "src/thesis/integrate.h"
 #include "src/thesis/recheck_planes.h"
 #include "src/thesis/update_freezing.h"
+#include "src/world/free_flight.h"
+#include "src/world/scratch.h"
 
 namespace tumble::sim {
 namespace {
@@ -168,7 +170,7 @@ class StepRun {
   }
 
   Status run(std::size_t phase, double dt_s) {
-    Status status = table_.phases[phase].run(world_, dt_s);
+    Status status = table_.phases[phase].run(world_.mutable_state(), world_.mutable_scratch(), dt_s);
     if (status.ok()) return status;
     return Error{status.error().kind, "step " + std::to_string(world_.state().step + 1) + ", phase " +
                                           table_.phases[phase].name + ": " + status.error().message};

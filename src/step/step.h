@@ -6,6 +6,7 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
+#include "src/model/scene.h"
 #include "src/world/world.h"
 
 namespace tumble::sim {
@@ -14,9 +15,9 @@ namespace tumble::sim {
 /// this table, the phase's file, docs/step.md, the log and the tests.
 struct Phase {
   const char* name;
-  /// Advances the world by its part of a sub-step of dt_s. Errors name the phase and the body.
-  Status (*run)(World& world, double dt_s);
-  void (*hash)(const World& world, Hasher& hasher);
+  /// Advances the state by its part of a sub-step of dt_s. Errors name the phase and the body.
+  Status (*run)(WorldState& state, Scratch& scratch, double dt_s);
+  void (*hash)(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 };
 
 /// The phases of a method, in the order they run: those before `substeps_begin` once a step, then those up to
@@ -50,6 +51,15 @@ class Observer {
   virtual ~Observer() = default;
   virtual void phase_done(std::uint32_t substep, std::size_t phase, const World& world) = 0;
 };
+
+/// A world at the resolved start, state 0: positions and velocities rounded to their grids, frozen bodies given the
+/// bodies they touch as contact objects. Errors: limits.h exceeded, ids not ascending, a floating-point environment
+/// that does not round to nearest or flushes subnormals.
+Result<World> create_world(const SceneDef& scene);
+
+/// Applies one input between two steps. Errors: an unknown or taken id, a value out of limits; the world is then
+/// unchanged.
+Status apply(World& world, const Command& command);
 
 /// Takes the world from state k to state k + 1 with its current dt.
 Result<StepCounters> step(World& world, Observer* observer = nullptr);

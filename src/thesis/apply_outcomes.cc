@@ -32,10 +32,9 @@ LiftCost pay_for_lift(const Vec3& velocity, const Vec3& displacement, const Vec3
   return pay_for(velocity, displacement, Gravity(gravity));
 }
 
-Status apply_outcomes(World& world, double /*dt_s*/) {
-  Bodies& bodies = world.mutable_state().bodies;
-  Scratch& scratch = world.mutable_scratch();
-  const Gravity gravity(world.state().def.gravity);
+Status apply_outcomes(WorldState& state, Scratch& scratch, double /*dt_s*/) {
+  Bodies& bodies = state.bodies;
+  const Gravity gravity(state.def.gravity);
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
     if (scratch.touched[i] == 0 || bodies.is_static[i] != 0) continue;
     Vec3 velocity = plus_zero(bodies.velocity[i] + scratch.velocity_gain[i]), position = bodies.position[i];
@@ -56,9 +55,9 @@ Status apply_outcomes(World& world, double /*dt_s*/) {
   return {};
 }
 
-void hash_apply_outcomes(const World& world, Hasher& hasher) {
-  hash_motion(world, hasher);
-  hasher.add(world.scratch().removed_energy);
+void hash_apply_outcomes(const WorldState& state, const Scratch& scratch, Hasher& hasher) {
+  hash_motion(state.bodies, hasher);
+  hasher.add(scratch.removed_energy);
 }
 
 }  // namespace tumble::sim

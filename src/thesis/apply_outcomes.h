@@ -2,7 +2,8 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
@@ -14,8 +15,8 @@ namespace tumble::sim {
 /// Errors: a body that is not finite or beyond limits.h
 /// Source: thesis III.E: the potential energy of the displacement is removed from the vertical part of the kinetic
 ///         energy, as far as there is any. "Vertical" is along gravity.
-Status apply_outcomes(World& world, double dt_s);
-void hash_apply_outcomes(const World& world, Hasher& hasher);
+Status apply_outcomes(WorldState& state, Scratch& scratch, double dt_s);
+void hash_apply_outcomes(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
 /// The velocity left when a body is lifted by `displacement` at its own expense; and the energy that took, J/kg.
 struct LiftCost {

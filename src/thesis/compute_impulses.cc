@@ -31,16 +31,16 @@ double yield(const ContactBody& a, const ContactBody& b, const Vec3& direction) 
   return (a.inverse_mass + b.inverse_mass) + (yield_of_rotation(a, direction) + yield_of_rotation(b, direction));
 }
 
-ContactBody contact_body(const World& world, BodyIndex i, const Vec3& r) {
+ContactBody contact_body(const WorldState& state, const Scratch& scratch, BodyIndex i, const Vec3& r) {
   if (i == kGround) return {};
-  const Bodies& bodies = world.bodies();
-  const BoxFrame& frame = world.scratch().frames[i];
+  const Bodies& bodies = state.bodies;
+  const BoxFrame& frame = scratch.frames[i];
   return {bodies.velocity[i], bodies.spin[i], bodies.inverse_mass[i], bodies.inverse_inertia[i], frame.axes, r};
 }
 
-PairMaterial pair_material(const World& world, BodyIndex a, BodyIndex b) {
-  const Bodies& bodies = world.bodies();
-  const WorldDef& def = world.state().def;
+PairMaterial pair_material(const WorldState& state, BodyIndex a, BodyIndex b) {
+  const Bodies& bodies = state.bodies;
+  const WorldDef& def = state.def;
   const bool ground = b == kGround;
   const Material& under = def.ground_material;
   const double friction = ground ? under.friction : bodies.friction[b];
@@ -51,13 +51,12 @@ PairMaterial pair_material(const World& world, BodyIndex a, BodyIndex b) {
 }
 
 // Adds what the impulse does to body i. The impulse on a is the negative of that on b, to the bit.
-Status add_gain(World& world, BodyIndex i, const ContactBody& body, const Vec3& impulse) {
-  Scratch& scratch = world.mutable_scratch();
+Status add_gain(WorldState& state, Scratch& scratch, BodyIndex i, const ContactBody& body, const Vec3& impulse) {
   scratch.touched[i] = 1;
   if (body.inverse_mass == 0) return {};
   const Vec3 velocity = VelocityGrid::round(Vec3(impulse * body.inverse_mass));
   const Vec3 spin = VelocityGrid::round(spin_gain_of(body, impulse));
-  if (Status ok = check_gain(world.bodies(), i, velocity, spin); !ok.ok()) return ok;
+  if (Status ok = check_gain(state.bodies, i, velocity, spin); !ok.ok()) return ok;
   scratch.velocity_gain.add(i, velocity);
   scratch.spin_gain.add(i, spin);
   return {};
@@ -90,34 +89,33 @@ Vec3 collision_impulse(const ContactBody& a, const ContactBody& b, const Vec3& n
   return gained > spent ? Vec3(impulse * (spent / gained)) : impulse;
 }
 
-Status compute_impulses(World& world, double /*dt_s*/) {
-  Scratch& scratch = world.mutable_scratch();
+Status compute_impulses(WorldState& state, Scratch& scratch, double /*dt_s*/) {
   Contacts& contacts = scratch.contacts;
-  const std::size_t n = world.bodies().size();
+  const std::size_t n = state.bodies.size();
   scratch.velocity_gain.assign(n, Vec3::Zero());
   scratch.spin_gain.assign(n, Vec3::Zero());
   scratch.touched.assign(n, 0);
   contacts.impulse.resize(contacts.size());
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const BodyIndex a = contacts.a[k], b = contacts.b[k];
-    const ContactBody on_a = contact_body(world, a, contacts.r_a[k]);
-    const ContactBody on_b = contact_body(world, b, contacts.r_b[k]);
-    const Vec3 impulse = collision_impulse(on_a, on_b, contacts.normal[k], pair_material(world, a, b));
+    const ContactBody on_a = contact_body(state, scratch, a, contacts.r_a[k]);
+    const ContactBody on_b = contact_body(state, scratch, b, contacts.r_b[k]);
+    const Vec3 impulse = collision_impulse(on_a, on_b, contacts.normal[k], pair_material(state, a, b));
     contacts.impulse.set(k, impulse);
-    if (Status ok = add_gain(world, a, on_a, -impulse); !ok.ok()) return ok;
+    if (Status ok = add_gain(state, scratch, a, on_a, -impulse); !ok.ok()) return ok;
     if (b == kGround) continue;
-    if (Status ok = add_gain(world, b, on_b, impulse); !ok.ok()) return ok;
+    if (Status ok = add_gain(state, scratch, b, on_b, impulse); !ok.ok()) return ok;
   }
   return {};
 }
 
-void hash_compute_impulses(const World& world, Hasher& hasher) {
-  const Vec3Column& impulse = world.scratch().contacts.impulse;
+void hash_compute_impulses(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
+  const Vec3Column& impulse = scratch.contacts.impulse;
   for (const auto* column : {&impulse.x, &impulse.y, &impulse.z}) hasher.add(std::span<const double>(*column));
-  for (const auto* gain : {&world.scratch().velocity_gain, &world.scratch().spin_gain}) {
+  for (const auto* gain : {&scratch.velocity_gain, &scratch.spin_gain}) {
     for (const auto* column : {&gain->x, &gain->y, &gain->z}) hasher.add(std::span<const double>(*column));
   }
-  hasher.add(std::span<const std::uint8_t>(world.scratch().touched));
+  hasher.add(std::span<const std::uint8_t>(scratch.touched));
 }
 
 }  // namespace tumble::sim

@@ -2,7 +2,8 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
@@ -15,8 +16,8 @@ namespace tumble::sim {
 ///         round; ours are Baraff and Witkin's (docs/thesis.md). No impulse when parting.
 ///         Where restitution and friction together would gain energy, the impulse is shortened until they do not
 ///         (III.E).
-Status compute_impulses(World& world, double dt_s);
-void hash_compute_impulses(const World& world, Hasher& hasher);
+Status compute_impulses(WorldState& state, Scratch& scratch, double dt_s);
+void hash_compute_impulses(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
 /// One side of a contact: an immovable body has zeroes.
 struct ContactBody {

@@ -26,9 +26,8 @@ double give_way(const Bodies& bodies, BodyIndex i) {
 
 }  // namespace
 
-Status compute_separation(World& world, double /*dt_s*/) {
-  const Bodies& bodies = world.bodies();
-  Scratch& scratch = world.mutable_scratch();
+Status compute_separation(WorldState& state, Scratch& scratch, double /*dt_s*/) {
+  const Bodies& bodies = state.bodies;
   const Contacts& contacts = scratch.contacts;
   const std::size_t n = bodies.size();
   scratch.displacement.assign(n, Vec3::Zero());
@@ -50,8 +49,8 @@ Status compute_separation(World& world, double /*dt_s*/) {
   return {};
 }
 
-void hash_compute_separation(const World& world, Hasher& hasher) {
-  const Vec3Column& displacement = world.scratch().displacement;
+void hash_compute_separation(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
+  const Vec3Column& displacement = scratch.displacement;
   for (const auto* column : {&displacement.x, &displacement.y, &displacement.z}) {
     hasher.add(std::span<const double>(*column));
   }

@@ -2,7 +2,8 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
@@ -14,7 +15,7 @@ namespace tumble::sim {
 ///         max(0, largest) + min(0, smallest) means the same (same way: the larger one; opposite ways: added) and has
 ///         no first. Frozen and static bodies do not give way.
 /// Order:  largest and smallest of grid doubles; any order
-Status compute_separation(World& world, double dt_s);
-void hash_compute_separation(const World& world, Hasher& hasher);
+Status compute_separation(WorldState& state, Scratch& scratch, double dt_s);
+void hash_compute_separation(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
 }  // namespace tumble::sim

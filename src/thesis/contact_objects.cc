@@ -13,10 +13,10 @@ struct Support {
   bool carries = false;
   double height = 0;
 };
-Support support_of(const World& world, BodyIndex body, BodyIndex object, const Vec3& push) {
-  const Vec3& gravity = world.state().def.gravity;
+Support support_of(const WorldState& state, BodyIndex body, BodyIndex object, const Vec3& push) {
+  const Vec3& gravity = state.def.gravity;
   if (object == kGround) return {gravity.z() < 0, kGroundHeight};
-  const Bodies& bodies = world.bodies();
+  const Bodies& bodies = state.bodies;
   const double height = -dot(gravity, bodies.position[object] - bodies.position[body]);
   const bool ramp = bodies.is_static[object] != 0 && dot(gravity, push) < 0;
   return {height < 0 || ramp, height};
@@ -35,18 +35,18 @@ void for_each_touch(const Contacts& contacts, Visit visit) {
 
 }  // namespace
 
-void collect_contact_objects(const World& world, const Contacts& contacts, FreezeScratch& freezing) {
+void collect_contact_objects(const WorldState& state, const Contacts& contacts, FreezeScratch& freezing) {
   std::vector<FreezeCandidate>& candidates = freezing.candidates;
   for_each_touch(contacts, [&](BodyIndex body, BodyIndex object, const Vec3& push) {
     if (!candidates[body].ready) return;
-    const Support support = support_of(world, body, object, push);
+    const Support support = support_of(state, body, object, push);
     if (support.carries) candidates[body].lowest = std::min(candidates[body].lowest, support.height);
   });
   std::vector<std::pair<BodyIndex, BodyIndex>>& carriers = freezing.carriers;
   carriers.clear();
   for_each_touch(contacts, [&](BodyIndex body, BodyIndex object, const Vec3& push) {
     if (!candidates[body].ready) return;
-    const Support support = support_of(world, body, object, push);
+    const Support support = support_of(state, body, object, push);
     if (support.carries && support.height == candidates[body].lowest) carriers.emplace_back(body, object);
   });
   std::sort(carriers.begin(), carriers.end());

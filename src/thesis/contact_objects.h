@@ -1,6 +1,7 @@
 #pragma once
 
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
@@ -8,6 +9,6 @@ namespace tumble::sim {
 /// `contacts` that may carry it and lie lowest, ties included. Only lower bodies carry, and static ones that press from
 /// below wherever their centre is: a ramp's may be high. Takes freezing.candidates, whose `lowest` must be +infinity
 /// on entry, and gives freezing.found, ascending and unique.
-void collect_contact_objects(const World& world, const Contacts& contacts, FreezeScratch& freezing);
+void collect_contact_objects(const WorldState& state, const Contacts& contacts, FreezeScratch& freezing);
 
 }  // namespace tumble::sim

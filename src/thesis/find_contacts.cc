@@ -130,8 +130,7 @@ std::optional<Contact> ground_contact(const BoxFrame& frame) {
 
 }  // namespace
 
-Status find_contacts(World& world, double /*dt_s*/) {
-  Scratch& scratch = world.mutable_scratch();
+Status find_contacts(WorldState& /*state*/, Scratch& scratch, double /*dt_s*/) {
   Contacts& contacts = scratch.contacts;
   contacts.normal.clear();
   contacts.depth.clear();
@@ -161,8 +160,8 @@ Status find_contacts(World& world, double /*dt_s*/) {
   return {};
 }
 
-void hash_find_contacts(const World& world, Hasher& hasher) {
-  const Contacts& contacts = world.scratch().contacts;
+void hash_find_contacts(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
+  const Contacts& contacts = scratch.contacts;
   hasher.add(std::span<const BodyIndex>(contacts.a));
   hasher.add(std::span<const BodyIndex>(contacts.b));
   hasher.add(std::span<const std::uint16_t>(contacts.planes));

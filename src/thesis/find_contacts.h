@@ -2,7 +2,8 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
@@ -15,7 +16,7 @@ namespace tumble::sim {
 ///         at all and part vertically, the larger box downwards (two equal boxes in one place stay together, for no
 ///         rule that ignores ids could tell them apart).
 /// Order:  every sum is of grid doubles, so no order of corners or planes shows
-Status find_contacts(World& world, double dt_s);
-void hash_find_contacts(const World& world, Hasher& hasher);
+Status find_contacts(WorldState& state, Scratch& scratch, double dt_s);
+void hash_find_contacts(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
 }  // namespace tumble::sim

@@ -2,7 +2,8 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
@@ -15,7 +16,7 @@ namespace tumble::sim {
 ///         the fewest overlaps is kept sorted and swept, the other two are compared directly, and pairs are looked for
 ///         among neighbours for as long as they last, which gives the same set; the extents are rounded outwards to the
 ///         position grid, so that a shifted scene finds the same pairs.
-Status find_pairs(World& world, double dt_s);
-void hash_find_pairs(const World& world, Hasher& hasher);
+Status find_pairs(WorldState& state, Scratch& scratch, double dt_s);
+void hash_find_pairs(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
 }  // namespace tumble::sim

@@ -73,26 +73,25 @@ void add_collision(Contacts& contacts, BodyIndex a, BodyIndex b, AxisSet planes)
 }
 
 // The ground is its own separating plane.
-void find_grounded(const World& world, Contacts& contacts) {
-  const Bodies& bodies = world.bodies();
+void find_grounded(const WorldState& state, const Scratch& scratch, Contacts& contacts) {
+  const Bodies& bodies = state.bodies;
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
-    if (world.scratch().aabb_low.z[i] >= 0 || !bodies.moves(i)) continue;
-    if (reaches_ground(world.scratch().frames[i])) add_collision(contacts, i, kGround, 0);
+    if (scratch.aabb_low.z[i] >= 0 || !bodies.moves(i)) continue;
+    if (reaches_ground(scratch.frames[i])) add_collision(contacts, i, kGround, 0);
   }
 }
 
 }  // namespace
 
-Status find_planes(World& world, double /*dt_s*/) {
-  PairTable& pairs = world.mutable_state().pairs;
-  Scratch& scratch = world.mutable_scratch();
+Status find_planes(WorldState& state, Scratch& scratch, double /*dt_s*/) {
+  PairTable& pairs = state.pairs;
   Contacts& contacts = scratch.contacts;
   contacts.a.clear();
   contacts.b.clear();
   contacts.planes.clear();
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const BodyIndex a = pairs.a[k], b = pairs.b[k];
-    if (!world.bodies().moves(a) && !world.bodies().moves(b)) continue;
+    if (!state.bodies.moves(a) && !state.bodies.moves(b)) continue;
     const AxisSet old = pairs.planes[k];
     pairs.planes[k] = separating(scratch.frames[a], scratch.frames[b], old);
     if (pairs.planes[k] != 0) continue;
@@ -101,13 +100,13 @@ Status find_planes(World& world, double /*dt_s*/) {
     if (pairs.planes[k] != 0 || pair.apart_along_facelike_edges()) continue;
     add_collision(contacts, a, b, collision_planes(pair, old));
   }
-  if (world.state().def.ground) find_grounded(world, contacts);
+  if (state.def.ground) find_grounded(state, scratch, contacts);
   return {};
 }
 
-void hash_find_planes(const World& world, Hasher& hasher) {
-  hasher.add(std::span<const std::uint16_t>(world.state().pairs.planes));
-  const Contacts& contacts = world.scratch().contacts;
+void hash_find_planes(const WorldState& state, const Scratch& scratch, Hasher& hasher) {
+  hasher.add(std::span<const std::uint16_t>(state.pairs.planes));
+  const Contacts& contacts = scratch.contacts;
   hasher.add(std::span<const BodyIndex>(contacts.a));
   hasher.add(std::span<const BodyIndex>(contacts.b));
   hasher.add(std::span<const std::uint16_t>(contacts.planes));

@@ -2,7 +2,8 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
@@ -14,7 +15,7 @@ namespace tumble::sim {
 ///         after an edge or nothing the faces, those of the larger box first). A pair in collision collides on its old
 ///         plane, and without one on the plane of least overlap. Differs: among planes of a kind the best one is taken
 ///         and exact ties are kept together, for "the first found" depends on order; see docs/thesis.md.
-Status find_planes(World& world, double dt_s);
-void hash_find_planes(const World& world, Hasher& hasher);
+Status find_planes(WorldState& state, Scratch& scratch, double dt_s);
+void hash_find_planes(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
 }  // namespace tumble::sim

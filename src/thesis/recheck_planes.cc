@@ -4,10 +4,9 @@
 
 namespace tumble::sim {
 
-Status recheck_planes(World& world, double /*dt_s*/) {
-  const Bodies& bodies = world.bodies();
-  PairTable& pairs = world.mutable_state().pairs;
-  Scratch& scratch = world.mutable_scratch();
+Status recheck_planes(WorldState& state, Scratch& scratch, double /*dt_s*/) {
+  const Bodies& bodies = state.bodies;
+  PairTable& pairs = state.pairs;
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
     if (scratch.touched[i] != 0) scratch.frames[i].position = bodies.position[i];
   }
@@ -20,8 +19,8 @@ Status recheck_planes(World& world, double /*dt_s*/) {
   return {};
 }
 
-void hash_recheck_planes(const World& world, Hasher& hasher) {
-  hasher.add(std::span<const std::uint16_t>(world.state().pairs.planes));
+void hash_recheck_planes(const WorldState& state, const Scratch& /*scratch*/, Hasher& hasher) {
+  hasher.add(std::span<const std::uint16_t>(state.pairs.planes));
 }
 
 }  // namespace tumble::sim

@@ -2,7 +2,8 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
@@ -11,7 +12,7 @@ namespace tumble::sim {
 /// Reads:  position, touched; pairs
 /// Writes: frames' positions; pairs.planes
 /// Source: thesis III.A.2 and III.C.1: "the existing SP is re-checked to be sure that it is still separating"
-Status recheck_planes(World& world, double dt_s);
-void hash_recheck_planes(const World& world, Hasher& hasher);
+Status recheck_planes(WorldState& state, Scratch& scratch, double dt_s);
+void hash_recheck_planes(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
 }  // namespace tumble::sim

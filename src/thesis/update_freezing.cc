@@ -32,12 +32,12 @@ void escape_or_halt(Bodies& bodies, double escape_energy, BodyIndex i) {
 }
 
 // Moving bodies: count the time at low energy; true when that and a collision make one a candidate.
-bool count_rest(World& world, BodyIndex i, double dt_s) {
-  const WorldDef& def = world.state().def;
-  Bodies& bodies = world.mutable_state().bodies;
+bool count_rest(WorldState& state, Scratch& scratch, BodyIndex i, double dt_s) {
+  const WorldDef& def = state.def;
+  Bodies& bodies = state.bodies;
   const bool low = energy_per_mass(bodies, i) < def.freeze_energy;
   bodies.low_energy_time[i] = low ? bodies.low_energy_time[i] + dt_s : 0;
-  return def.freezing && low && bodies.low_energy_time[i] >= def.freeze_time && world.scratch().touched[i] != 0;
+  return def.freezing && low && bodies.low_energy_time[i] >= def.freeze_time && scratch.touched[i] != 0;
 }
 
 void mark_candidates(FreezeScratch& freezing, std::size_t bodies) {
@@ -46,10 +46,10 @@ void mark_candidates(FreezeScratch& freezing, std::size_t bodies) {
 }
 
 // A frozen body wakes when any of its contact objects moves.
-void wake_unsupported(World& world) {
-  Bodies& bodies = world.mutable_state().bodies;
-  const std::vector<std::uint8_t>& before = world.scratch().freezing.frozen_before;
-  const ContactObjects& objects = world.state().contact_objects;
+void wake_unsupported(WorldState& state, Scratch& scratch) {
+  Bodies& bodies = state.bodies;
+  const std::vector<std::uint8_t>& before = scratch.freezing.frozen_before;
+  const ContactObjects& objects = state.contact_objects;
   for (std::size_t k = 0; k < objects.size(); ++k) {
     const BodyIndex i = objects.body[k];
     if (bodies.frozen[i] != 0 && !immovable(bodies, before, objects.object[k])) {
@@ -60,9 +60,9 @@ void wake_unsupported(World& world) {
 }
 
 // Freezes each candidate all of whose contact objects were immovable.
-void freeze_supported(World& world, const ContactObjects& found) {
-  Bodies& bodies = world.mutable_state().bodies;
-  const std::vector<std::uint8_t>& before = world.scratch().freezing.frozen_before;
+void freeze_supported(WorldState& state, Scratch& scratch, const ContactObjects& found) {
+  Bodies& bodies = state.bodies;
+  const std::vector<std::uint8_t>& before = scratch.freezing.frozen_before;
   for (std::size_t begin = 0, end = 0; begin < found.size(); begin = end) {
     const BodyIndex i = found.body[begin];
     bool supported = true;
@@ -77,11 +77,11 @@ void freeze_supported(World& world, const ContactObjects& found) {
 }
 
 // Keeps the contact objects of bodies that stayed frozen and adds those of the newly frozen: both lists are sorted.
-void merge_contact_objects(World& world, const ContactObjects& found) {
-  const Bodies& bodies = world.bodies();
-  const std::vector<std::uint8_t>& before = world.scratch().freezing.frozen_before;
-  ContactObjects& merged = world.mutable_scratch().freezing.merged;
-  ContactObjects& old = world.mutable_state().contact_objects;
+void merge_contact_objects(WorldState& state, Scratch& scratch, const ContactObjects& found) {
+  const Bodies& bodies = state.bodies;
+  const std::vector<std::uint8_t>& before = scratch.freezing.frozen_before;
+  ContactObjects& merged = scratch.freezing.merged;
+  ContactObjects& old = state.contact_objects;
   merged.clear();
   std::size_t j = 0;
   const auto add_found_below = [&](BodyIndex limit) {
@@ -100,40 +100,39 @@ void merge_contact_objects(World& world, const ContactObjects& found) {
 
 }  // namespace
 
-Status update_freezing(World& world, double dt_s) {
-  const WorldDef& def = world.state().def;
-  Bodies& bodies = world.mutable_state().bodies;
-  Scratch& scratch = world.mutable_scratch();
+Status update_freezing(WorldState& state, Scratch& scratch, double dt_s) {
+  const WorldDef& def = state.def;
+  Bodies& bodies = state.bodies;
   scratch.freezing.frozen_before = bodies.frozen;
   scratch.freezing.ready.clear();
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
     if (bodies.is_static[i] != 0) continue;
     if (bodies.frozen[i] != 0) {
       if (scratch.touched[i] != 0) escape_or_halt(bodies, kEscapeFactor * def.freeze_energy, i);
-    } else if (count_rest(world, i, dt_s)) {
+    } else if (count_rest(state, scratch, i, dt_s)) {
       scratch.freezing.ready.push_back(i);
     }
   }
-  wake_unsupported(world);
+  wake_unsupported(state, scratch);
   const ContactObjects& found = scratch.freezing.found;
   const bool any = !scratch.freezing.ready.empty();
   scratch.freezing.found.clear();
   if (any) {
     mark_candidates(scratch.freezing, bodies.size());
-    collect_contact_objects(world, scratch.contacts, scratch.freezing);
-    freeze_supported(world, found);
+    collect_contact_objects(state, scratch.contacts, scratch.freezing);
+    freeze_supported(state, scratch, found);
   }
-  if (any || bodies.frozen != scratch.freezing.frozen_before) merge_contact_objects(world, found);
+  if (any || bodies.frozen != scratch.freezing.frozen_before) merge_contact_objects(state, scratch, found);
   return {};
 }
 
-void hash_update_freezing(const World& world, Hasher& hasher) {
-  const Bodies& bodies = world.bodies();
+void hash_update_freezing(const WorldState& state, const Scratch& /*scratch*/, Hasher& hasher) {
+  const Bodies& bodies = state.bodies;
   hasher.add(std::span<const std::uint8_t>(bodies.frozen));
   hasher.add(std::span<const double>(bodies.low_energy_time));
-  hash_velocities(world, hasher);
-  hasher.add(std::span<const BodyIndex>(world.state().contact_objects.body));
-  hasher.add(std::span<const BodyIndex>(world.state().contact_objects.object));
+  hash_velocities(state.bodies, hasher);
+  hasher.add(std::span<const BodyIndex>(state.contact_objects.body));
+  hasher.add(std::span<const BodyIndex>(state.contact_objects.object));
 }
 
 }  // namespace tumble::sim

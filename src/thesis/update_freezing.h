@@ -2,7 +2,8 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
@@ -15,7 +16,7 @@ namespace tumble::sim {
 ///         body escapes when an impulse would give it more than twice that energy (then it has it), and wakes, at rest,
 ///         when one of its contact objects moves. Both read the old flags, so waking and freezing climb one level a
 ///         sub-step whatever the order of bodies. "Low" is along gravity; without gravity nothing freezes.
-Status update_freezing(World& world, double dt_s);
-void hash_update_freezing(const World& world, Hasher& hasher);
+Status update_freezing(WorldState& state, Scratch& scratch, double dt_s);
+void hash_update_freezing(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
 }  // namespace tumble::sim

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "src/base/text.h"
+#include "src/kernels/kernels_by_width.h"
 #include "src/model/limits.h"
 #include "src/world/body_columns.h"
 
@@ -31,10 +32,8 @@ Status check_body_closely(const Bodies& bodies, BodyIndex i) {
                        std::to_string(squared_length(q)) + ", wanted 1");
 }
 
-Status check_moving(World& world) {
-  const Bodies& bodies = world.bodies();
-  if (body_kernels(world.scratch().lanes)->check(columns_of(world.mutable_state().bodies), {0, bodies.size()}))
-    return {};
+Status check_moving(Bodies& bodies, LaneWidth lanes) {
+  if (kernels(lanes).bodies.check(columns_of(bodies), {0, bodies.size()})) return {};
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
     if (!bodies.moves(i)) continue;
     if (Status ok = check_body(bodies, i); !ok.ok()) return ok;
@@ -67,25 +66,23 @@ Status check_gain_closely(const Bodies& bodies, BodyIndex i, const Vec3& velocit
   return {};
 }
 
-void hash_places(const World& world, Hasher& hasher) {
-  const Bodies& bodies = world.bodies();
+void hash_places(const Bodies& bodies, Hasher& hasher) {
   for (const auto* column : {&bodies.position.x, &bodies.position.y, &bodies.position.z, &bodies.orientation.w,
                              &bodies.orientation.x, &bodies.orientation.y, &bodies.orientation.z}) {
     hasher.add(std::span<const double>(*column));
   }
 }
 
-void hash_velocities(const World& world, Hasher& hasher) {
-  const Bodies& bodies = world.bodies();
+void hash_velocities(const Bodies& bodies, Hasher& hasher) {
   for (const auto* column :
        {&bodies.velocity.x, &bodies.velocity.y, &bodies.velocity.z, &bodies.spin.x, &bodies.spin.y, &bodies.spin.z}) {
     hasher.add(std::span<const double>(*column));
   }
 }
 
-void hash_motion(const World& world, Hasher& hasher) {
-  hash_places(world, hasher);
-  hash_velocities(world, hasher);
+void hash_motion(const Bodies& bodies, Hasher& hasher) {
+  hash_places(bodies, hasher);
+  hash_velocities(bodies, hasher);
 }
 
 }  // namespace tumble::sim

@@ -2,9 +2,11 @@
 
 #include <cmath>
 
+#include "src/base/hash.h"
 #include "src/base/result.h"
+#include "src/kernels/lane_width.h"
 #include "src/model/limits.h"
-#include "src/world/world.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
@@ -35,8 +37,9 @@ inline Status check_body(const Bodies& bodies, BodyIndex i) {
   return check_body_closely(bodies, i);
 }
 
-/// The same for all bodies that move: the first that is wrong.
-Status check_moving(World& world);
+/// check_body for every body that moves; the error is that of the first wrong one. The columns are only read: the
+/// kernels take pointers that others write through.
+Status check_moving(Bodies& bodies, LaneWidth lanes);
 
 /// Errors when a parameter of the stepper is out of range.
 Status check_def(const WorldDef& def);
@@ -52,12 +55,12 @@ inline Status check_gain(const Bodies& bodies, BodyIndex i, const Vec3& velocity
 }
 
 /// Adds position and orientation of all bodies.
-void hash_places(const World& world, Hasher& hasher);
+void hash_places(const Bodies& bodies, Hasher& hasher);
 
 /// Adds velocity and spin of all bodies.
-void hash_velocities(const World& world, Hasher& hasher);
+void hash_velocities(const Bodies& bodies, Hasher& hasher);
 
 /// Adds both: what the phases that move bodies have written.
-void hash_motion(const World& world, Hasher& hasher);
+void hash_motion(const Bodies& bodies, Hasher& hasher);
 
 }  // namespace tumble::sim

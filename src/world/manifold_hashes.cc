@@ -21,15 +21,15 @@ void add_fields(const ManifoldPoint& point, Hasher& hasher) {
   hasher.add(std::uint64_t{point.feature});
 }
 
-void hash_manifold_points(const World& world, Hasher& hasher) {
-  hasher.add_rows(std::span<const ManifoldPoint>(world.scratch().manifold_points),
+void hash_manifold_points(const Scratch& scratch, Hasher& hasher) {
+  hasher.add_rows(std::span<const ManifoldPoint>(scratch.manifold_points),
                   [](const ManifoldPoint& point, Hasher& to) { add_fields(point, to); });
 }
 
-void hash_manifolds(const World& world, Hasher& hasher) {
-  hasher.add_rows(std::span<const Manifold>(world.scratch().manifolds),
+void hash_manifolds(const Scratch& scratch, Hasher& hasher) {
+  hasher.add_rows(std::span<const Manifold>(scratch.manifolds),
                   [](const Manifold& m, Hasher& to) { add_fields(m, to); });
-  hash_manifold_points(world, hasher);
+  hash_manifold_points(scratch, hasher);
 }
 
 }  // namespace tumble::sim

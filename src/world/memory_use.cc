@@ -1,5 +1,7 @@
 #include "src/world/memory_use.h"
 
+#include "src/world/scratch.h"
+
 namespace tumble::sim {
 namespace {
 

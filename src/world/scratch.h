@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <span>
 #include <utility>
@@ -8,6 +7,7 @@
 
 #include "src/base/ids.h"
 #include "src/base/workers.h"
+#include "src/kernels/box_frame.h"
 #include "src/kernels/contact_batch.h"
 #include "src/kernels/lane_width.h"
 #include "src/math/rotation.h"
@@ -17,28 +17,6 @@
 #include "src/world/world_state.h"
 
 namespace tumble::sim {
-
-/// A body's box where it stands: derived from the state at the start of each sub-step's pair search.
-struct BoxFrame {
-  Vec3 position;     ///< m, world
-  Axes axes;         ///< world directions of the box's own axes
-  Vec3 half_extent;  ///< m, along them
-};
-
-/// How far a box reaches from its centre along a world axis (0, 1, 2), m.
-inline double reach_along(const BoxFrame& frame, int axis) {
-  const Vec3& h = frame.half_extent;
-  return (h.x() * std::fabs(frame.axes[0][axis]) + h.y() * std::fabs(frame.axes[1][axis])) +
-         h.z() * std::fabs(frame.axes[2][axis]);
-}
-
-/// Whether its lowest corner is in the ground.
-inline bool reaches_ground(const BoxFrame& frame) { return reach_along(frame, 2) > frame.position.z(); }
-
-/// An eighth of the volume, m³: enough to tell which box is larger.
-inline double volume_measure(const BoxFrame& frame) {
-  return (frame.half_extent.x() * frame.half_extent.y()) * frame.half_extent.z();
-}
 
 /// Collisions found and what follows from each: the Real Collision List (thesis III.A.2), structure of arrays. Pairs
 /// come first, ascending by (a, b), then bodies in the ground, ascending, with b = kGround. Points are offsets from

@@ -1,10 +1,12 @@
 #include "src/world/world.h"
 
 #include <string>
+#include <utility>
 
 #include "src/model/limits.h"
 #include "src/world/body_check.h"
 #include "src/world/float_environment.h"
+#include "src/world/scratch.h"
 
 namespace tumble::sim {
 namespace {
@@ -121,9 +123,21 @@ Result<World> World::restore(WorldState state) {
     if (Status ok = check_body(state.bodies, i); !ok.ok()) return bad_input("snapshot: " + ok.error().message);
     if (Status ok = check_constants(state.bodies, i); !ok.ok()) return ok.error();
   }
-  World world;
-  world.state_ = std::move(state);
-  return world;
+  return World(std::move(state));
 }
+
+World::World(WorldState state) : state_(std::move(state)), scratch_(std::make_unique<Scratch>()) {}
+World::World(const World& other)
+    : state_(other.state_), scratch_(std::make_unique<Scratch>(*other.scratch_)), input_energy_(other.input_energy_) {}
+World::World(World&& other) noexcept = default;
+World& World::operator=(World&& other) noexcept = default;
+World::~World() = default;
+
+World& World::operator=(const World& other) {
+  if (this != &other) *this = World(other);
+  return *this;
+}
+
+void World::use(Workers* workers) { scratch_->workers = workers; }
 
 }  // namespace tumble::sim

@@ -15,10 +15,11 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/kernels/contact_kernels.h"
+#include "src/kernels/kernels_by_width.h"
 #include "src/scenes/scene_file.h"
 #include "src/step/step.h"
 #include "src/threads/worker_threads.h"
+#include "src/world/scratch.h"
 #include "src/world/world.h"
 
 namespace tumble {
@@ -30,7 +31,7 @@ Status step_to(sim::World& world, const sim::SceneDef& scene, std::uint64_t last
   for (std::uint64_t k = world.state().step + 1; k <= last; ++k) {
     for (const auto& input : scene.inputs) {
       if (input.step != k) continue;
-      if (Status applied = world.apply(input.command); !applied) return applied;
+      if (Status applied = sim::apply(world, input.command); !applied) return applied;
     }
     if (Result<sim::StepCounters> counters = sim::step(world); !counters) return counters.error();
   }
@@ -39,7 +40,7 @@ Status step_to(sim::World& world, const sim::SceneDef& scene, std::uint64_t last
 
 Result<sim::World> world_at(const sim::SceneDef& scene, std::uint64_t step, sim::LaneWidth lanes,
                             Workers* workers = nullptr) {
-  Result<sim::World> world = sim::World::create(scene);
+  Result<sim::World> world = sim::create_world(scene);
   if (!world) return world;
   world->mutable_scratch().lanes = lanes;
   world->use(workers);

@@ -2,6 +2,7 @@
 #include <string_view>
 
 #include "src/scenes/scene_file.h"
+#include "src/step/step.h"
 #include "src/world/world.h"
 #include "tests/fuzz/target.h"
 
@@ -9,6 +10,6 @@ extern "C" int test_one_input(const std::uint8_t* data, std::size_t size) {
   constexpr std::size_t kBodiesMax = 20'000;  // a generator makes many of few bytes; the rest is more of the same
   const tumble::Result<tumble::sim::SceneDef> scene =
       tumble::scenes::parse_scene({reinterpret_cast<const char*>(data), size}, "fuzzed.toml");
-  if (scene.ok() && scene->boxes.size() <= kBodiesMax) (void)tumble::sim::World::create(*scene).ok();
+  if (scene.ok() && scene->boxes.size() <= kBodiesMax) (void)tumble::sim::create_world(*scene).ok();
   return 0;
 }

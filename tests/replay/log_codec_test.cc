@@ -10,13 +10,15 @@
 #include "replay/codec/chunk_codec.h"
 #include "replay/codec/state_keys.h"
 #include "replay/format/body_states.h"
+#include "replay/format/columns.h"
+#include "src/step/step.h"
 #include "tests/support/log_memory.h"
 
 namespace tumble::replay {
 namespace {
 
 sim::WorldState start_of(const sim::SceneDef& scene) {
-  Result<sim::World> world = sim::World::create(scene);
+  Result<sim::World> world = sim::create_world(scene);
   EXPECT_TRUE(world.ok());
   return world->state();
 }

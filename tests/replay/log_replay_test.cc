@@ -94,7 +94,7 @@ TEST(Replay, ASceneThatResolvesToAnotherStartIsFound) {
   sim::SceneDef moved = scene;
   moved.boxes[2].position.x() += 0.125;
   const auto disk = std::make_shared<Disk>();
-  const Result<sim::World> world = sim::World::create(scene);
+  const Result<sim::World> world = sim::create_world(scene);
   auto writer = LogWriter::create(std::make_unique<MemorySink>(disk), header_for(moved), world->state());
   ASSERT_TRUE((*writer)->finish().ok());
   const ReplayReport report = replay_of(disk->bytes);

@@ -10,6 +10,7 @@
 #include "replay/diff/locate_divergence.h"
 #include "replay/format/limits.h"
 #include "replay/measure/metric_bound.h"
+#include "src/step/step.h"
 #include "tests/support/log_memory.h"
 
 namespace tumble::replay {
@@ -195,7 +196,7 @@ TEST(BrokenLog, EqualHashesWithUnequalStatesAreNotCalledTheSame) {
 
 TEST(BrokenLog, EqualStatesWithUnequalHashesAreNotCalledDifferent) {
   StepRecord record;
-  copy_visible(sim::World::create(small_scene())->bodies(), record.states);
+  copy_visible(sim::create_world(small_scene())->bodies(), record.states);
   record.has_states = true;
   record.state_hash = state_hash(record.states);
   StepRecord liar = record;

@@ -8,6 +8,7 @@
 #include "replay/format/limits.h"
 #include "replay/log/record_writer.h"
 #include "replay/log/verify.h"
+#include "src/step/step.h"
 #include "tests/support/sample_log.h"
 
 namespace tumble::replay {
@@ -44,8 +45,8 @@ Bytes write_session() {
     later.boxes.push_back(thrown_box(i));
     throws.emplace_back(sim::Throw{later.boxes.back()});
   }
-  const Result<sim::World> before = sim::World::create(scene);
-  const Result<sim::World> after = sim::World::create(later);
+  const Result<sim::World> before = sim::create_world(scene);
+  const Result<sim::World> after = sim::create_world(later);
   EXPECT_TRUE(before.ok() && after.ok());
   const auto disk = std::make_shared<Disk>();
   RecordWriter writer(std::make_unique<MemorySink>(disk));
@@ -143,7 +144,7 @@ TEST(ThrownBodies, AreWrittenSoThatTheyCanBeReadWhateverToldOfThem) {
   sim::SceneDef many = small_scene(1);
   many.boxes.clear();
   for (std::uint64_t i = 0; i < kThrown; ++i) many.boxes.push_back(thrown_box(i));
-  const Result<sim::World> world = sim::World::create(many);
+  const Result<sim::World> world = sim::create_world(many);
   ASSERT_TRUE(world.ok());
   const auto disk = std::make_shared<Disk>();
   RecordWriter writer(std::make_unique<MemorySink>(disk));
@@ -159,7 +160,7 @@ TEST(ThrownBodies, AHeaderThatWouldBeTakenForABombIsNotWritten) {
   LogHeader header = header_for(small_scene(1));
   header.scene_text.assign(2 * kHeaderEasyBytes, '#');
   RecordWriter writer(std::make_unique<MemorySink>(std::make_shared<Disk>()));
-  const Status written = writer.write_header(header, sim::World::create(header.scene)->state());
+  const Status written = writer.write_header(header, sim::create_world(header.scene)->state());
   ASSERT_FALSE(written.ok());
   EXPECT_NE(written.error().message.find("so few that no program would read it again"), std::string::npos)
       << written.error().message;

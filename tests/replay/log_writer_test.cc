@@ -169,7 +169,7 @@ TEST(LogWriter, TheSystemsFullDeviceIsReported) {
 /// A writer whose log begins with state 0 of the small scene.
 std::unique_ptr<LogWriter> writer_in_memory(sim::WorldState& state) {
   const sim::SceneDef scene = small_scene();
-  state = sim::World::create(scene)->state();
+  state = sim::create_world(scene)->state();
   return *LogWriter::create(std::make_unique<MemorySink>(std::make_shared<Disk>()), header_for(scene), state);
 }
 

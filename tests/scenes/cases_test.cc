@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "src/scenes/scene_file.h"
+#include "src/step/step.h"
 #include "src/world/world.h"
 
 namespace tumble::scenes {
@@ -49,7 +50,7 @@ TEST(Cases, EachReadsAndStarts) {
     EXPECT_NE(text.find("\ncategory = "), std::string::npos) << "a case says its category";
     EXPECT_NE(text.find("\nmethod = "), std::string::npos) << "a case says its method";
     EXPECT_EQ(text.front(), '#') << "a case begins with what to watch for";
-    const Result<sim::World> world = sim::World::create(*scene);
+    const Result<sim::World> world = sim::create_world(*scene);
     EXPECT_TRUE(world.ok()) << world.error().message;
   }
 }

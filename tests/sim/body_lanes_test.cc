@@ -6,12 +6,13 @@
 #include <cmath>
 #include <string>
 
-#include "src/kernels/body_kernels.h"
+#include "src/kernels/kernels_by_width.h"
 #include "src/layered/find/find_near_pairs.h"
 #include "src/math/grid.h"
 #include "src/step/step.h"
 #include "src/thesis/integrate.h"
 #include "src/world/body_check.h"
+#include "src/world/scratch.h"
 #include "tests/support/sim_scenes.h"
 
 namespace tumble::sim {
@@ -42,7 +43,7 @@ SceneDef mixed_bodies(std::uint64_t seed) {
 }
 
 World world_in(const SceneDef& scene, LaneWidth width) {
-  World world = *World::create(scene);
+  World world = *create_world(scene);
   world.mutable_scratch().lanes = width;
   Bodies& bodies = world.mutable_state().bodies;
   for (BodyIndex i = 0; i < bodies.size(); i += 5) bodies.frozen[i] = bodies.is_static[i] == 0 ? 1 : 0;
@@ -52,7 +53,7 @@ World world_in(const SceneDef& scene, LaneWidth width) {
 TEST(BodyLanes, FlyAsOneBodyDoes) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     for (const LaneWidth width : kWidths) {
-      if (body_kernels(width) == nullptr) continue;
+      if (!runs_lanes(width)) continue;
       World world = world_in(mixed_bodies(seed), width);
       Bodies expected = world.bodies();
       for (BodyIndex i = 0; i < expected.size(); ++i) {
@@ -64,7 +65,7 @@ TEST(BodyLanes, FlyAsOneBodyDoes) {
         expected.spin.set(i, flight.spin);
       }
       ASSERT_NE(world.bodies(), expected);
-      ASSERT_TRUE(integrate(world, kDt).ok());
+      ASSERT_TRUE(test::run_phase(integrate, world, kDt).ok());
       ASSERT_EQ(world.bodies(), expected) << name_of(width) << " lanes, seed " << seed;
     }
   }
@@ -93,10 +94,10 @@ void expect_reach(const World& world, BodyIndex i) {
 TEST(BodyLanes, AreFramedAndReachOutAsOneBodyDoes) {
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
     for (const LaneWidth width : kWidths) {
-      if (body_kernels(width) == nullptr) continue;
+      if (!runs_lanes(width)) continue;
       SCOPED_TRACE(std::string(name_of(width)) + " lanes, seed " + std::to_string(seed));
       World world = world_in(mixed_bodies(seed), width);
-      ASSERT_TRUE(find_near_pairs(world, kDt).ok());
+      ASSERT_TRUE(test::run_phase(find_near_pairs, world, kDt).ok());
       for (BodyIndex i = 0; i < world.bodies().size(); ++i) expect_reach(world, i);
       ASSERT_FALSE(testing::Test::HasFailure());
     }
@@ -117,10 +118,10 @@ TEST(BodyLanes, NameTheFirstBodyThatIsWrong) {
     const Status expected = one.bodies().moves(i) ? check_body(one.bodies(), i) : Status();
     ASSERT_EQ(expected.ok(), !one.bodies().moves(i));
     for (const LaneWidth width : kWidths) {
-      if (body_kernels(width) == nullptr) continue;
+      if (!runs_lanes(width)) continue;
       World other = world_in(scene, width);
       break_number(other.mutable_state().bodies, i, static_cast<int>(i % 4));
-      const Status found = check_moving(other);
+      const Status found = check_moving(other.mutable_state().bodies, other.scratch().lanes);
       ASSERT_EQ(expected.ok(), found.ok()) << name_of(width) << " lanes, row " << i;
       if (found.ok()) continue;
       ASSERT_EQ(expected.error().message, found.error().message) << name_of(width);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "src/kernels/box_pair.h"
+#include "src/kernels/kernels_by_width.h"
 #include "tests/support/sim_scenes.h"
 
 namespace tumble::sim {
@@ -110,12 +111,12 @@ bool same(const BestAxes& best, const BoxTests::Best& found, std::size_t k) {
 TEST(BoxTests, EveryWidthGivesTheBitsOfBoxPair) {
   for (const LaneWidth width :
        {LaneWidth::kOne, LaneWidth::kTwo, LaneWidth::kFour, LaneWidth::kEight, LaneWidth::kWidest}) {
-    const BoxTestKernels* kernels = box_test_kernels(width);
-    if (kernels == nullptr) continue;
+    if (!runs_lanes(width)) continue;
+    const BoxTestKernels& box_tests = kernels(width).box_tests;
     for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
       Pairs pairs(seed, 1 + seed % BoxTests::kMost);
-      kernels->find_faces(pairs.tests);
-      kernels->find_edges(pairs.tests);
+      box_tests.find_faces(pairs.tests);
+      box_tests.find_edges(pairs.tests);
       for (std::size_t k = 0; k < pairs.tests.count; ++k) {
         const BoxPair pair = pairs.reference(k);
         ASSERT_TRUE(same(pair.best(kFacesOfA), pairs.tests.faces_of_a, k)) << name_of(width) << ", seed " << seed;

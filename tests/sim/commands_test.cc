@@ -197,7 +197,7 @@ TEST(Commands, RefusedOnesNameTheCauseAndChangeNothing) {
   };
   const WorldState before = world.state();
   for (const auto& [command, word] : refused) {
-    const Status status = world.apply(command);
+    const Status status = sim::apply(world, command);
     ASSERT_FALSE(status.ok()) << name_of(command) << ' ' << word;
     EXPECT_EQ(status.error().kind, ErrorKind::kBadInput);
     EXPECT_NE(status.error().message.find(word), std::string::npos) << status.error().message;

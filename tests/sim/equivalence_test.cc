@@ -1,6 +1,7 @@
 // Ways of running that must not matter: again, continued from any step, watched or not, with any mix of steps.
 #include <gtest/gtest.h>
 
+#include "src/world/scratch.h"
 #include "tests/support/sim_scenes.h"
 
 namespace tumble::test {

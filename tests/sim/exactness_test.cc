@@ -194,7 +194,7 @@ TEST(ExactnessCanary, OneGridStepReachesOtherBodiesWithinTheRun) {
   }
 }
 
-// World::create takes ascending ids only; bodies thrown in before the first step arrive in any order.
+// create_world takes ascending ids only; bodies thrown in before the first step arrive in any order.
 TEST(InsertionOrder, ShowsInNothing) {
   for (const SceneDef& scene :
        {with(jittered(pile(4), 0.02), 60, 1.0 / 60, 4), with(tumble_of_boxes(4, 9), 60, 0.02, 2)}) {

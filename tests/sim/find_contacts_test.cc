@@ -8,6 +8,7 @@
 #include "src/kernels/box_pair.h"
 #include "src/thesis/find_pairs.h"
 #include "src/thesis/find_planes.h"
+#include "src/world/scratch.h"
 #include "tests/support/sim_scenes.h"
 
 namespace tumble::test {
@@ -33,9 +34,9 @@ World in_the_ground(const BoxDef& body) {
   SceneDef scene = on_ground();
   scene.boxes = {body};
   World world = made(scene);
-  EXPECT_TRUE(find_pairs(world, 0).ok());
-  EXPECT_TRUE(find_planes(world, 0).ok());
-  EXPECT_TRUE(find_contacts(world, 0).ok());
+  EXPECT_TRUE(test::run_phase(find_pairs, world, 0).ok());
+  EXPECT_TRUE(test::run_phase(find_planes, world, 0).ok());
+  EXPECT_TRUE(test::run_phase(find_contacts, world, 0).ok());
   return world;
 }
 
@@ -44,10 +45,10 @@ World colliding(const BoxDef& a, const BoxDef& b, AxisSet planes = 0) {
   SceneDef scene = empty_space();
   scene.boxes = {a, b};
   World world = made(scene);
-  EXPECT_TRUE(find_pairs(world, 0).ok());
-  EXPECT_TRUE(find_planes(world, 0).ok());
+  EXPECT_TRUE(test::run_phase(find_pairs, world, 0).ok());
+  EXPECT_TRUE(test::run_phase(find_planes, world, 0).ok());
   if (planes != 0) world.mutable_scratch().contacts.planes = {planes};
-  EXPECT_TRUE(find_contacts(world, 0).ok());
+  EXPECT_TRUE(test::run_phase(find_contacts, world, 0).ok());
   return world;
 }
 

@@ -10,6 +10,7 @@
 
 #include "src/collide/sweep.h"
 #include "src/math/grid.h"
+#include "src/world/scratch.h"
 #include "tests/support/sim_scenes.h"
 
 namespace tumble::test {
@@ -31,7 +32,7 @@ World two_cubes(const Vec3& second) {
 }
 
 std::size_t pair_count(World& world) {
-  EXPECT_TRUE(find_pairs(world, 0).ok());
+  EXPECT_TRUE(test::run_phase(find_pairs, world, 0).ok());
   return world.state().pairs.size();
 }
 
@@ -53,7 +54,7 @@ TEST(FindPairs, AabbGrowsWhenTheBoxTurns) {
   scene.boxes = {box(1, {2, 1, 1}, {3, -2, 5}), box(2, {2, 1, 1}, {-3, 2, 5})};
   scene.boxes[1].orientation = turn({0, 0, 1}, kHalfRoot, kHalfRoot);
   World world = made(scene);
-  update_frames(world);
+  update_frames(world.mutable_state().bodies, world.mutable_scratch());
   expect_reach(world, 0, {1, 0.5, 0.5});
   expect_reach(world, 1, {1.5 * kHalfRoot, 1.5 * kHalfRoot, 0.5});
 }
@@ -66,7 +67,7 @@ TEST(FindPairs, AabbIsTheTightestAroundTheCornersAtEveryStep) {
   World world = made(scene);
   for (int step = 0; step < 20; ++step) {
     advance(world);
-    update_frames(world);
+    update_frames(world.mutable_state().bodies, world.mutable_scratch());
     for (BodyIndex i = 0; i < world.bodies().size(); ++i) {
       const sim::Quat q = world.bodies().orientation[i];
       const Vec3 u(q.x, q.y, q.z), h = world.bodies().half_extent[i];
@@ -116,7 +117,7 @@ TEST(FindPairs, SweepFindsWhatComparingAllPairsFinds) {
     std::size_t seen = 0;
     for (int step = 0; step < 30; ++step) {
       advance(world);  // on ground-less space: moves all and keeps the last swept order
-      ASSERT_TRUE(find_pairs(world, 0).ok());
+      ASSERT_TRUE(test::run_phase(find_pairs, world, 0).ok());
       std::set<std::pair<BodyIndex, BodyIndex>> wanted;
       const auto& low = world.scratch().aabb_low;
       const auto& high = world.scratch().aabb_high;

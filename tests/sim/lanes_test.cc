@@ -6,7 +6,7 @@
 #include <cstring>
 #include <vector>
 
-#include "src/kernels/contact_kernels.h"
+#include "src/kernels/kernels_by_width.h"
 #include "src/math/grid_magic.h"
 #include "src/step/step.h"
 #include "src/world/scratch.h"
@@ -110,16 +110,16 @@ bool same_bits(const std::vector<T>& x, const std::vector<T>& y) {
 }
 
 void run_kernels(RandomContacts& contacts, LaneWidth width) {
-  const ContactKernels& kernels = contact_kernels(width);
-  kernels.prepare(contacts.work());
-  const auto apply = [&] { kernels.apply_outcomes(contacts.work(), contacts.touched.data(), contacts.touched.size()); };
-  kernels.warm_start(contacts.work());
+  const ContactKernels& contact = kernels(width).contacts;
+  contact.prepare(contacts.work());
+  const auto apply = [&] { contact.apply_outcomes(contacts.work(), contacts.touched.data(), contacts.touched.size()); };
+  contact.warm_start(contacts.work());
   apply();
   for (const Sweep sweep : {Sweep::kPush, Sweep::kRelax, Sweep::kRestitution}) {
-    kernels.solve(contacts.work(), sweep);
+    contact.solve(contacts.work(), sweep);
     apply();
   }
-  kernels.move_on(contacts.work());
+  contact.move_on(contacts.work());
 }
 
 TEST(Lanes, KernelsOfEveryWidthGiveTheBitsOfOneLane) {
@@ -142,7 +142,7 @@ TEST(Lanes, KernelsOfEveryWidthGiveTheBitsOfOneLane) {
 }
 
 std::vector<std::uint64_t> hashes_of(const SceneDef& scene, LaneWidth width, int steps) {
-  Result<World> world = World::create(scene);
+  Result<World> world = create_world(scene);
   EXPECT_TRUE(world.ok());
   world->mutable_scratch().lanes = width;
   return test::phase_words_of(*world, steps);

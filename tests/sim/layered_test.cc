@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "src/world/scratch.h"
 #include "tests/support/sim_scenes.h"
 #include "tests/support/transforms.h"
 

@@ -8,6 +8,7 @@
 
 #include "src/step/step.h"
 #include "src/world/manifold_hashes.h"
+#include "src/world/scratch.h"
 #include "tests/support/sim_scenes.h"
 
 namespace tumble::sim {
@@ -159,7 +160,7 @@ TEST(PhaseHashes, RowsOfManifoldsAreTheirFields) {
   World world = test::made(scene);
   advance(world);
   Hasher rows, fields;
-  hash_manifolds(world, rows);
+  hash_manifolds(world.scratch(), rows);
   for (const Manifold& m : world.scratch().manifolds) add_fields(m, fields);
   for (const ManifoldPoint& point : world.scratch().manifold_points) add_fields(point, fields);
   EXPECT_EQ(rows.digest(), fields.digest());

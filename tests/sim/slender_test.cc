@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "src/world/scratch.h"
 #include "tests/support/sim_scenes.h"
 
 namespace tumble::test {

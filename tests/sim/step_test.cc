@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "src/world/scratch.h"
 #include "tests/support/sim_scenes.h"
 
 namespace tumble::test {

@@ -47,7 +47,7 @@ TEST(WorkerThreads, SmallWorkIsNotSplit) {
 }
 
 std::vector<std::uint64_t> hashes_of(const SceneDef& scene, Workers* workers, int steps) {
-  Result<World> world = World::create(scene);
+  Result<World> world = create_world(scene);
   EXPECT_TRUE(world.ok());
   world->use(workers);
   std::vector<std::uint64_t> all = test::phase_words_of(*world, steps);

@@ -78,7 +78,7 @@ TEST(WorldCreate, RefusesBoxesBeyondTheLimits) {
     SceneDef scene = on_ground();
     scene.boxes = {cube(7, {0, 0, 5}), cube(42, {3, 0, 5})};
     spoil(scene.boxes[1]);
-    const auto world = World::create(scene);
+    const auto world = create_world(scene);
     ASSERT_FALSE(world.ok()) << word;
     EXPECT_EQ(world.error().kind, ErrorKind::kBadInput);
     EXPECT_NE(world.error().message.find("body 42"), std::string::npos) << world.error().message;
@@ -90,13 +90,13 @@ TEST(WorldCreate, RefusesIdsThatDoNotAscend) {
   for (const sim::BodyId second : {7U, 6U, 0U}) {
     SceneDef scene = on_ground();
     scene.boxes = {cube(7, {0, 0, 5}), cube(second, {3, 0, 5})};
-    EXPECT_FALSE(World::create(scene).ok()) << second;
+    EXPECT_FALSE(create_world(scene).ok()) << second;
   }
   SceneDef scene = on_ground();
   scene.boxes = {cube(sim::kBodyIdMax + 1, {0, 0, 5})};
-  EXPECT_FALSE(World::create(scene).ok());
+  EXPECT_FALSE(create_world(scene).ok());
   scene.boxes[0].id = sim::kBodyIdMax;
-  EXPECT_TRUE(World::create(scene).ok());
+  EXPECT_TRUE(create_world(scene).ok());
 }
 
 TEST(WorldCreate, RefusesParametersBeyondTheLimits) {
@@ -121,7 +121,7 @@ TEST(WorldCreate, RefusesParametersBeyondTheLimits) {
   for (const auto& spoil : faults) {
     SceneDef scene = on_ground();
     spoil(scene.world);
-    EXPECT_FALSE(World::create(scene).ok()) << "fault " << k;
+    EXPECT_FALSE(create_world(scene).ok()) << "fault " << k;
     ++k;
   }
 }
@@ -346,12 +346,12 @@ TEST(FloatEnvironment, OtherRoundingModesAreRefused) {
   const SceneDef scene = tower(2);
   for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
     const Rounding rounding(mode);
-    const auto world = World::create(scene);
+    const auto world = create_world(scene);
     ASSERT_FALSE(world.ok()) << mode;
     EXPECT_EQ(world.error().kind, ErrorKind::kCannotFinish);
     EXPECT_NE(world.error().message.find("round"), std::string::npos) << world.error().message;
   }
-  EXPECT_TRUE(World::create(scene).ok()) << "restored";
+  EXPECT_TRUE(create_world(scene).ok()) << "restored";
   const WorldState state = made(scene).state();
   const Rounding rounding(FE_UPWARD);
   EXPECT_FALSE(World::restore(state).ok());
@@ -363,12 +363,12 @@ TEST(FloatEnvironment, FlushedSubnormalsAreRefused) {
   const unsigned old = _mm_getcsr();
   for (const unsigned flag : {0x8000U, 0x0040U, 0x8040U}) {  // FTZ, DAZ, both
     _mm_setcsr(old | flag);
-    const auto world = World::create(scene);
+    const auto world = create_world(scene);
     _mm_setcsr(old);
     ASSERT_FALSE(world.ok()) << flag;
     EXPECT_NE(world.error().message.find("subnormal"), std::string::npos) << world.error().message;
   }
-  EXPECT_TRUE(World::create(scene).ok()) << "restored";
+  EXPECT_TRUE(create_world(scene).ok()) << "restored";
 }
 #endif
 

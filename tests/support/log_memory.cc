@@ -91,14 +91,14 @@ Bytes record_to_memory(const sim::SceneDef& scene, const RecordOptions& options,
 Result<LogReader> open_memory(Bytes bytes) { return LogReader::open(std::make_unique<MemorySource>(std::move(bytes))); }
 
 std::vector<BodyStates> simulate(const sim::SceneDef& scene) {
-  Result<sim::World> world = sim::World::create(scene);
+  Result<sim::World> world = sim::create_world(scene);
   EXPECT_TRUE(world.ok());
   std::vector<BodyStates> states(scene.steps + 1);
   copy_visible(world->bodies(), states[0]);
   std::size_t next = 0;
   for (std::uint64_t k = 1; k <= scene.steps; ++k) {
     for (; next < scene.inputs.size() && scene.inputs[next].step == k; ++next) {
-      EXPECT_TRUE(world->apply(scene.inputs[next].command).ok());
+      EXPECT_TRUE(sim::apply(*world, scene.inputs[next].command).ok());
     }
     EXPECT_TRUE(sim::step(*world).ok());
     copy_visible(world->bodies(), states[k]);

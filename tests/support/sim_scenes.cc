@@ -209,7 +209,7 @@ void add_thrown_cube(SceneDef& scene) {
 }
 
 sim::World made(const SceneDef& scene) {
-  Result<sim::World> world = sim::World::create(scene);
+  Result<sim::World> world = sim::create_world(scene);
   if (!world.ok()) throw std::runtime_error(world.error().message);
   return *std::move(world);
 }
@@ -221,7 +221,7 @@ sim::StepCounters advance(sim::World& world, sim::Observer* observer) {
 }
 
 void give(sim::World& world, const sim::Command& command) {
-  if (const Status status = world.apply(command); !status.ok()) throw std::runtime_error(status.error().message);
+  if (const Status status = sim::apply(world, command); !status.ok()) throw std::runtime_error(status.error().message);
 }
 
 std::vector<std::uint64_t> phase_words_of(sim::World& world, int steps) {

@@ -67,7 +67,12 @@ void freeze_all(sim::SceneDef& scene);
 /// A 2 m cube of 20 kg thrown at what stands around the origin; its id is one above the others.
 void add_thrown_cube(sim::SceneDef& scene);
 
-/// World::create, step() and apply(); each throws std::runtime_error with the message when there is an error.
+/// Runs one phase on a world.
+inline Status run_phase(Status (*phase)(sim::WorldState&, sim::Scratch&, double), sim::World& world, double dt_s) {
+  return phase(world.mutable_state(), world.mutable_scratch(), dt_s);
+}
+
+/// create_world, step() and apply(); each throws std::runtime_error with the message when there is an error.
 sim::World made(const sim::SceneDef& scene);
 sim::StepCounters advance(sim::World& world, sim::Observer* observer = nullptr);
 void give(sim::World& world, const sim::Command& command);

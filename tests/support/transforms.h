@@ -16,7 +16,7 @@ using sim::Transform;
 /// Mirrored in x, in y, x and y swapped, shifted by (1024, −512.5, 0), ids permuted; and all of it at once.
 const std::vector<Transform>& all_transforms();
 
-/// The scene with the values that World::create and the inputs would round, rounded: state 0 is then what it says.
+/// The scene with the values that create_world and the inputs would round, rounded: state 0 is then what it says.
 sim::SceneDef resolved(const sim::SceneDef& scene);
 
 /// How many bodies of `image` are not, in every bit of position, orientation, velocity, spin, frozen and time at low

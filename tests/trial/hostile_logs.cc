@@ -38,7 +38,7 @@ class HostileLog {
  public:
   explicit HostileLog(const sim::SceneDef& scene) : HostileLog(replay::header_for(scene)) {}
   explicit HostileLog(replay::LogHeader header) : header_(std::move(header)) {
-    const Result<sim::World> world = sim::World::create(header_.scene);
+    const Result<sim::World> world = sim::create_world(header_.scene);
     if (world.ok()) keyframe_.state = world->state();
   }
 
@@ -96,7 +96,7 @@ replay::StepRecord step_record(std::uint64_t step) {
 
 /// Bodies that take the least from a message: all alike but for id and place.
 void fill_bodies(sim::Bodies& bodies, std::size_t count) {
-  const Result<sim::World> one = sim::World::create(scene_of(1));
+  const Result<sim::World> one = sim::create_world(scene_of(1));
   bodies = one->bodies();
   const auto spread = [count](auto& column) { column.resize(count, column.front()); };
   for (auto* column : {&bodies.position, &bodies.velocity, &bodies.spin, &bodies.half_extent, &bodies.inertia,

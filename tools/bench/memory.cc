@@ -6,6 +6,7 @@
 #include "replay/session/session.h"
 #include "src/scenes/scene_file.h"
 #include "src/world/memory_use.h"
+#include "src/world/scratch.h"
 #include "tools/bench/bench.h"
 #include "tools/files/scene_files.h"
 

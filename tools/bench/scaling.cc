@@ -34,7 +34,7 @@ Result<double> run(const Point& point, const std::string& method) {
       "tilted_grid", {"world.method=" + method, "world.dt=0.03333333333333333", "world.substeps=4",
                       "grid.rows=" + std::to_string(point.rows), "grid.cols=" + std::to_string(point.columns)});
   if (!scene.ok()) return scene.error();
-  Result<sim::World> world = sim::World::create(*scene);
+  Result<sim::World> world = sim::create_world(*scene);
   if (!world.ok()) return world.error();
   const double begin = cpu_seconds();
   for (std::uint64_t k = 1; k <= scene->steps; ++k) {

@@ -55,7 +55,7 @@ Result<sim::SceneDef> scene_of(const Cell& cell, const std::string& method) {
 
 /// Steps the scene; time is that of the steps alone, the figures are of the first and the last state.
 Status run(const sim::SceneDef& scene, Cell& cell) {
-  Result<sim::World> world = sim::World::create(scene);
+  Result<sim::World> world = sim::create_world(scene);
   if (!world.ok()) return world.error();
   const auto record = [&](const sim::StepCounters& counters) {
     replay::StepRecord step;

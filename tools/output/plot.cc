@@ -9,7 +9,7 @@ namespace tumble::tools {
 namespace {
 
 // Colours that stay apart without colour vision.
-constexpr const char* kStyle = R"(
+constexpr const char* kSeriesStyle = R"(
 set multiplot layout 3,1 title title_text noenhanced font ',14'
 set format y '%.4g'
 set key outside top center horizontal maxrows 1
@@ -67,7 +67,7 @@ Status Plot::draw(const std::string& title) const {
   const double first = points_.front().time, last = points_.back().time;
   return run_gnuplot(path_, 900, 1000,
                      "title_text = " + gnuplot_quoted(title) + "\nfirst = " + exact(first) +
-                         "\nlast = " + exact(last > first ? last : first + 1) + '\n' + data() + kStyle);
+                         "\nlast = " + exact(last > first ? last : first + 1) + '\n' + data() + kSeriesStyle);
 }
 
 }  // namespace tumble::tools

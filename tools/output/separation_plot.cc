@@ -7,7 +7,7 @@ namespace tumble::tools {
 namespace {
 
 // Colours that stay apart without colour vision. A separation of 0 has no place on a logarithmic scale.
-constexpr const char* kStyle = R"(
+constexpr const char* kSeparationStyle = R"(
 set multiplot layout 2,1 title title_text noenhanced font ',14'
 set key off
 set linetype 1 linecolor rgb '#0072b2' linewidth 1.5 pointtype 7 pointsize 0.3
@@ -47,7 +47,7 @@ Status draw_separation(const std::string& path, const std::string& title, const 
   return run_gnuplot(path, 900, 700,
                      "title_text = " + gnuplot_quoted(title) + "\nfirst = " + std::to_string(first) +
                          "\nlast = " + std::to_string(last > first ? last : first + 1) + "\nlow = " + exact(low / 2) +
-                         '\n' + rows + "EOD\n" + kStyle);
+                         '\n' + rows + "EOD\n" + kSeparationStyle);
 }
 
 }  // namespace tumble::tools

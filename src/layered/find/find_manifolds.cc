@@ -24,9 +24,9 @@ std::size_t pairs_before(const PairTable& pairs, BodyIndex i) {
 }
 
 // The body that a part begins with, so that parts have as many pairs and bodies as each other.
-BodyIndex first_body(const World& world, unsigned part, unsigned parts) {
-  const PairTable& pairs = world.state().pairs;
-  const std::size_t n = world.bodies().size(), wanted = (pairs.size() + n) * part / parts;
+BodyIndex first_body(const WorldState& state, unsigned part, unsigned parts) {
+  const PairTable& pairs = state.pairs;
+  const std::size_t n = state.bodies.size(), wanted = (pairs.size() + n) * part / parts;
   BodyIndex low = 0, high = static_cast<BodyIndex>(n);
   while (low < high) {
     const BodyIndex middle = low + (high - low) / 2;
@@ -75,29 +75,30 @@ constexpr std::size_t manifolds_max(std::size_t bodies) { return 32768 + 16 * bo
 class Builder {
  public:
   // Of bodies [first, end).
-  Builder(const World& world, double dt_s, BodyIndex first, BodyIndex end, ManifoldList& out)
-      : world_(world),
-        bodies_(world.bodies()),
-        scratch_(world.scratch()),
+  Builder(const WorldState& state, const Scratch& scratch, double dt_s, BodyIndex first, BodyIndex end,
+          ManifoldList& out)
+      : state_(state),
+        bodies_(state.bodies),
+        scratch_(scratch),
         out_(out),
         first_(first),
         end_(end),
         dt_(dt_s),
-        fall_(falling_reach(world.state().def, dt_s)),
-        tests_(world, dt_s, pairs_before(world.state().pairs, first), pairs_before(world.state().pairs, end)),
-        recall_(world.state().contact_memory, first) {
+        fall_(falling_reach(state.def, dt_s)),
+        tests_(state, scratch, dt_s, pairs_before(state.pairs, first), pairs_before(state.pairs, end)),
+        recall_(state.contact_memory, first) {
     out_.manifolds.clear();
     out_.points.clear();
   }
 
   // With bodies of higher rows and with the ground.
   void build() {
-    const PairTable& pairs = world_.state().pairs;
+    const PairTable& pairs = state_.pairs;
     std::size_t k = pairs_before(pairs, first_);
     const std::size_t most = manifolds_max(bodies_.size());
     for (BodyIndex i = first_; i < end_ && out_.manifolds.size() <= most; ++i) {
       for (; k < pairs.size() && pairs.a[k] == i; ++k) pair(i, pairs.b[k]);
-      if (world_.state().def.ground && bodies_.is_static[i] == 0) ground(i);
+      if (state_.def.ground && bodies_.is_static[i] == 0) ground(i);
     }
   }
 
@@ -206,7 +207,7 @@ class Builder {
     Manifold& m = out_.manifolds.back();
     m.a = reference;
     m.b = incident;
-    const WorldDef& def = world_.state().def;
+    const WorldDef& def = state_.def;
     const bool ground = reference == kGround;
     const double f = ground ? def.ground_material.friction : bodies_.friction[reference];
     const double fd = ground ? def.ground_material.friction_dynamic : bodies_.friction_dynamic[reference];
@@ -240,7 +241,7 @@ class Builder {
     recall_.warm_start(m, points_of(out_, m));
   }
 
-  const World& world_;
+  const WorldState& state_;
   const Bodies& bodies_;
   const Scratch& scratch_;
   ManifoldList& out_;
@@ -255,19 +256,19 @@ class Builder {
 
 }  // namespace
 
-Status find_manifolds(World& world, double dt_s) {
-  Scratch& scratch = world.mutable_scratch();
-  const std::size_t work = world.state().pairs.size() + world.bodies().size();
+Status find_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
+  const std::size_t work = state.pairs.size() + state.bodies.size();
   const unsigned parts = part_count(scratch.workers, work, kWorthPairs);
   if (scratch.manifolds_by.size() < parts) scratch.manifolds_by.resize(parts);
   swap_first(scratch);
   for_parts(scratch.workers, parts, [&](unsigned part) {
-    Builder(world, dt_s, first_body(world, part, parts), first_body(world, part + 1, parts), scratch.manifolds_by[part])
+    Builder(state, scratch, dt_s, first_body(state, part, parts), first_body(state, part + 1, parts),
+            scratch.manifolds_by[part])
         .build();
   });
   std::size_t found = 0;
   for (unsigned part = 0; part < parts; ++part) found += scratch.manifolds_by[part].manifolds.size();
-  const std::size_t n = world.bodies().size(), most = manifolds_max(n);
+  const std::size_t n = state.bodies.size(), most = manifolds_max(n);
   if (found > most) {
     return cannot_finish("found more than " + std::to_string(most) + " contacts of " + std::to_string(n) +
                          " bodies; so many stand inside one another: set them farther apart");
@@ -276,6 +277,8 @@ Status find_manifolds(World& world, double dt_s) {
   return {};
 }
 
-void hash_find_manifolds(const World& world, Hasher& hasher) { hash_manifolds(world, hasher); }
+void hash_find_manifolds(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
+  hash_manifolds(scratch, hasher);
+}
 
 }  // namespace tumble::sim

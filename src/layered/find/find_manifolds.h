@@ -2,7 +2,8 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
@@ -12,7 +13,7 @@ namespace tumble::sim {
 /// Writes: manifolds, manifold_points
 /// Source: separating axes by Gottschalk (1996). An edge pair must beat the best face by 1 % of the smallest half
 ///         extent; the reference is the larger box, then the lower one, and both on an exact tie.
-Status find_manifolds(World& world, double dt_s);
-void hash_find_manifolds(const World& world, Hasher& hasher);
+Status find_manifolds(WorldState& state, Scratch& scratch, double dt_s);
+void hash_find_manifolds(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
 }  // namespace tumble::sim

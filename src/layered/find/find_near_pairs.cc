@@ -2,6 +2,7 @@
 
 #include "src/collide/strips.h"
 #include "src/collide/sweep.h"
+#include "src/kernels/kernels_by_width.h"
 #include "src/world/body_columns.h"
 
 namespace tumble::sim {
@@ -13,29 +14,28 @@ constexpr std::size_t kWorthBodies = 32768;  // for a thread more
 
 double falling_reach(const WorldDef& def, double dt_s) { return length(def.gravity) * dt_s * dt_s; }
 
-Status find_near_pairs(World& world, double dt_s) {
-  const std::size_t n = world.bodies().size();
-  Scratch& scratch = world.mutable_scratch();
-  update_frames(world);
+Status find_near_pairs(WorldState& state, Scratch& scratch, double dt_s) {
+  const std::size_t n = state.bodies.size();
+  update_frames(state.bodies, scratch);
   scratch.turning.resize(n);
-  const BodyColumns bodies = columns_of(world.mutable_state().bodies);
-  ReachColumns reach = {kContactSlack + falling_reach(world.state().def, dt_s), dt_s, scratch.turning.data(), {}, {}};
+  const BodyColumns bodies = columns_of(state.bodies);
+  ReachColumns reach = {kContactSlack + falling_reach(state.def, dt_s), dt_s, scratch.turning.data(), {}, {}};
   put_pointers(scratch.aabb_low, reach.low);
   put_pointers(scratch.aabb_high, reach.high);
   for_ranges(scratch.workers, n, kWorthBodies, [&](std::size_t begin, std::size_t end) {
-    body_kernels(scratch.lanes)->reach_out(bodies, {begin, end}, reach);
+    kernels(scratch.lanes).bodies.expand_aabbs(bodies, {begin, end}, reach);
   });
-  find_overlaps_in_strips(scratch, world.mutable_state().pairs);
+  find_overlaps_in_strips(scratch, state.pairs);
   return check_crowd(scratch);
 }
 
-void hash_find_near_pairs(const World& world, Hasher& hasher) {
-  const PairTable& pairs = world.state().pairs;
+void hash_find_near_pairs(const WorldState& state, const Scratch& scratch, Hasher& hasher) {
+  const PairTable& pairs = state.pairs;
   hasher.add(std::span<const BodyIndex>(pairs.a));
   hasher.add(std::span<const BodyIndex>(pairs.b));
   hasher.add(std::span<const std::uint16_t>(pairs.planes));
-  hasher.add(std::span<const double>(world.scratch().turning));
-  hash_frames(world.scratch(), hasher);
+  hasher.add(std::span<const double>(scratch.turning));
+  hash_frames(scratch, hasher);
 }
 
 }  // namespace tumble::sim

@@ -2,15 +2,16 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
 /// Broad phase of method layered: the pairs that touch or may touch within the step.
 /// Reads:  position, orientation, velocity, spin, half_extent; gravity
 /// Writes: frames, aabb_low, aabb_high (swept by the motion of the step), turning; pairs, ascending by (a, b)
-Status find_near_pairs(World& world, double dt_s);
-void hash_find_near_pairs(const World& world, Hasher& hasher);
+Status find_near_pairs(WorldState& state, Scratch& scratch, double dt_s);
+void hash_find_near_pairs(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
 /// Contact points this far apart, m, take part in a step, or this part of the smallest half extent if that is less.
 inline constexpr double kContactSlack = 0.01;

@@ -2,6 +2,7 @@
 
 #include <type_traits>
 
+#include "src/kernels/kernels_by_width.h"
 #include "src/layered/find/meeting_time.h"
 
 namespace tumble::sim {
@@ -30,14 +31,15 @@ void copy(BoxTests::Best& best, std::size_t from, std::size_t to) {
 
 }  // namespace
 
-PairTests::PairTests(const World& world, double dt_s, std::size_t first, std::size_t last)
-    : world_(world),
-      kernels_(*box_test_kernels(world.scratch().lanes)),
+PairTests::PairTests(const WorldState& state, const Scratch& scratch, double dt_s, std::size_t first, std::size_t last)
+    : state_(state),
+      scratch_(scratch),
+      kernels_(kernels(scratch.lanes).box_tests),
       dt_(dt_s),
-      fall_(falling_reach(world.state().def, dt_s)),
+      fall_(falling_reach(state.def, dt_s)),
       pair_(first),
       last_(last) {
-  tests_.frames = world.scratch().frames.data();
+  tests_.frames = scratch.frames.data();
 }
 
 const TestedPair* PairTests::next() {
@@ -53,8 +55,8 @@ const TestedPair* PairTests::next() {
 }
 
 void PairTests::refill() {
-  const PairTable& pairs = world_.state().pairs;
-  const Bodies& bodies = world_.bodies();
+  const PairTable& pairs = state_.pairs;
+  const Bodies& bodies = state_.bodies;
   tests_.count = asked_ = taken_ = 0;
   for (; pair_ < last_ && tests_.count < BoxTests::kMost; ++pair_) {
     const BodyIndex a = pairs.a[pair_], b = pairs.b[pair_];
@@ -67,8 +69,8 @@ void PairTests::refill() {
 }
 
 void PairTests::add(BodyIndex a, BodyIndex b) {
-  const Scratch& scratch = world_.scratch();
-  const Bodies& bodies = world_.bodies();
+  const Scratch& scratch = scratch_;
+  const Bodies& bodies = state_.bodies;
   const BoxFrame& frame_a = scratch.frames[a];
   const BoxFrame& frame_b = scratch.frames[b];
   const Vec3 approach = bodies.velocity[b] - bodies.velocity[a];
@@ -88,7 +90,7 @@ void PairTests::add(BodyIndex a, BodyIndex b) {
 // they will meet.
 double PairTests::meeting(BodyIndex a, BodyIndex b, const Vec3& approach, double thinnest) const {
   if (dot(approach, approach) * (dt_ * dt_) <= thinnest * thinnest) return 0;
-  const Scratch& scratch = world_.scratch();
+  const Scratch& scratch = scratch_;
   const double time = meeting_time(scratch.frames[a], scratch.frames[b], approach, dt_);
   return time < dt_ ? time : 0;
 }

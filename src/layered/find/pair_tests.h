@@ -6,7 +6,8 @@
 #include "src/kernels/box_pair.h"
 #include "src/kernels/box_tests.h"
 #include "src/layered/find/find_near_pairs.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
@@ -32,7 +33,7 @@ struct TestedPair {
 class PairTests {
  public:
   /// For the pairs [first, last).
-  PairTests(const World& world, double dt_s, std::size_t first, std::size_t last);
+  PairTests(const WorldState& state, const Scratch& scratch, double dt_s, std::size_t first, std::size_t last);
 
   /// Of the next pair of which a body moves, until the next call; null where the boxes are so far apart along a face
   /// that no point of whatever is chosen is kept.
@@ -44,7 +45,8 @@ class PairTests {
   double meeting(BodyIndex a, BodyIndex b, const Vec3& approach, double thinnest) const;
   void keep_near();
 
-  const World& world_;
+  const WorldState& state_;
+  const Scratch& scratch_;
   const BoxTestKernels& kernels_;
   double dt_, fall_;
   std::size_t pair_, last_;

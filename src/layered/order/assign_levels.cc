@@ -18,9 +18,8 @@ constexpr int kSlenderSweeps = 20;  // it turns about one end when the other is 
 bool at_rest(const Bodies& bodies, BodyIndex i) { return i == kGround || !bodies.moves(i); }
 
 // For each body the others that it touches.
-void find_neighbours(const World& world, LevelScratch& own) {
-  const Scratch& scratch = world.scratch();
-  const std::size_t n = world.bodies().size();
+void find_neighbours(const WorldState& state, const Scratch& scratch, LevelScratch& own) {
+  const std::size_t n = state.bodies.size();
   own.start.assign(n + 1, 0);
   own.touching.clear();
   for (std::uint32_t k = 0; k < scratch.manifolds.size(); ++k) {
@@ -40,11 +39,10 @@ void find_neighbours(const World& world, LevelScratch& own) {
   }
 }
 
-void measure_levels(World& world) {
-  Scratch& scratch = world.mutable_scratch();
-  const Bodies& bodies = world.bodies();
+void measure_levels(WorldState& state, Scratch& scratch) {
+  const Bodies& bodies = state.bodies;
   LevelScratch& own = scratch.levels;
-  find_neighbours(world, own);
+  find_neighbours(state, scratch, own);
   std::vector<std::uint32_t>& level = scratch.level;
   level.assign(bodies.size(), kUnreached);
   std::vector<BodyIndex>&front = own.front, &next = own.reached;
@@ -75,19 +73,19 @@ bool is_slender(const Bodies& bodies, BodyIndex i) {
 }
 
 // For each body whether a slender one can be reached from it through contacts; empty if there is none at all.
-std::span<const std::uint8_t> find_slender_islands(World& world) {
-  const Bodies& bodies = world.bodies();
-  LevelScratch& own = world.mutable_scratch().levels;
+std::span<const std::uint8_t> find_slender_islands(WorldState& state, Scratch& scratch) {
+  const Bodies& bodies = state.bodies;
+  LevelScratch& own = scratch.levels;
   std::vector<BodyIndex>& slender = own.slender;
   slender.clear();
-  for (const Manifold& m : world.scratch().manifolds) {
+  for (const Manifold& m : scratch.manifolds) {
     if (m.asleep) continue;
     if (is_slender(bodies, m.a)) slender.push_back(m.a);
     if (is_slender(bodies, m.b)) slender.push_back(m.b);
   }
   if (slender.empty()) return {};
-  Islands islands(world.mutable_scratch().island_links, bodies.size());
-  for (const Manifold& m : world.scratch().manifolds) {
+  Islands islands(scratch.island_links, bodies.size());
+  for (const Manifold& m : scratch.manifolds) {
     if (!at_rest(bodies, m.a) && !at_rest(bodies, m.b)) islands.join(m.a, m.b);
   }
   own.marked.assign(bodies.size(), 0);
@@ -98,8 +96,8 @@ std::span<const std::uint8_t> find_slender_islands(World& world) {
 }
 
 // Layer 2 l holds what joins level l to l + 1, layer 2 l + 1 what joins bodies of one level.
-std::uint32_t layer_for(const World& world, const Manifold& m) {
-  const auto level = [&](BodyIndex i) { return at_rest(world.bodies(), i) ? 0U : world.scratch().level[i]; };
+std::uint32_t layer_for(const WorldState& state, const Scratch& scratch, const Manifold& m) {
+  const auto level = [&](BodyIndex i) { return at_rest(state.bodies, i) ? 0U : scratch.level[i]; };
   const std::uint32_t a = level(m.a), b = level(m.b);
   if (a == kUnreached && b == kUnreached) return kUnreached;
   return 2 * std::min(a, b) + (a == b ? 1U : 0U);
@@ -113,13 +111,12 @@ int sweeps_for(std::uint32_t layers, bool slender) {
 
 // Gives the manifolds for which belongs(manifold) layers after those there are.
 template <class Belongs>
-void add_group(World& world, bool slender, Belongs belongs) {
-  Scratch& scratch = world.mutable_scratch();
+void add_group(WorldState& state, Scratch& scratch, bool slender, Belongs belongs) {
   const std::uint32_t begin = scratch.sweep_groups.empty() ? 0 : scratch.sweep_groups.back().end;
   std::uint32_t highest = 0;
   for (Manifold& m : scratch.manifolds) {
     if (m.asleep || !belongs(m)) continue;
-    m.layer = layer_for(world, m);
+    m.layer = layer_for(state, scratch, m);
     if (m.layer != kUnreached) highest = std::max(highest, m.layer);
   }
   const std::uint32_t layers = highest + 2;  // the last one: what hangs in the air
@@ -146,22 +143,21 @@ void sort_by_layer(Scratch& scratch) {
 
 }  // namespace
 
-Status assign_levels(World& world, double /*dt_s*/) {
-  measure_levels(world);
-  const std::span<const std::uint8_t> near_slender = find_slender_islands(world);
+Status assign_levels(WorldState& state, Scratch& scratch, double /*dt_s*/) {
+  measure_levels(state, scratch);
+  const std::span<const std::uint8_t> near_slender = find_slender_islands(state, scratch);
   const auto in_slender = [&](const Manifold& m) {
     if (near_slender.empty()) return false;
-    return near_slender[at_rest(world.bodies(), m.b) ? m.a : m.b] != 0;
+    return near_slender[at_rest(state.bodies, m.b) ? m.a : m.b] != 0;
   };
-  world.mutable_scratch().sweep_groups.clear();
-  add_group(world, false, [&](const Manifold& m) { return !in_slender(m); });
-  if (!near_slender.empty()) add_group(world, true, in_slender);
-  sort_by_layer(world.mutable_scratch());
+  scratch.sweep_groups.clear();
+  add_group(state, scratch, false, [&](const Manifold& m) { return !in_slender(m); });
+  if (!near_slender.empty()) add_group(state, scratch, true, in_slender);
+  sort_by_layer(scratch);
   return {};
 }
 
-void hash_assign_levels(const World& world, Hasher& hasher) {
-  const Scratch& scratch = world.scratch();
+void hash_assign_levels(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
   hasher.add(std::span<const std::uint32_t>(scratch.level));
   hasher.add(std::span<const std::uint32_t>(scratch.layer_start));
   hasher.add(std::span<const std::uint32_t>(scratch.layered));

@@ -2,7 +2,8 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
@@ -14,7 +15,7 @@ namespace tumble::sim {
 /// Order:  a breadth-first distance is the same whatever the order of visits, and so is an island
 /// Source: thesis VI, "shock propagation", after Guendelman, Bridson and Fedkiw (2003). Differs: no body is pinned
 ///         while the next layer is solved; sweeps alternate up and down instead.
-Status assign_levels(World& world, double dt_s);
-void hash_assign_levels(const World& world, Hasher& hasher);
+Status assign_levels(WorldState& state, Scratch& scratch, double dt_s);
+void hash_assign_levels(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
 }  // namespace tumble::sim

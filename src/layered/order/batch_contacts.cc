@@ -81,11 +81,11 @@ void set(Lanes* lanes, unsigned lane, const Vec3& v) {
 // Copies manifolds into the lanes of their batch; what no manifold has is zero.
 class Filling {
  public:
-  explicit Filling(World& world)
-      : bodies_(world.bodies()),
-        gravity_(world.state().def.gravity),
-        scratch_(world.scratch()),
-        all_(world.mutable_scratch().contact_batches),
+  explicit Filling(WorldState& state, Scratch& scratch)
+      : bodies_(state.bodies),
+        gravity_(state.def.gravity),
+        scratch_(scratch),
+        all_(scratch.contact_batches),
         ground_(static_cast<std::uint32_t>(scratch_.solver_bodies.size() - 1)) {}
 
   void fill(ContactBatch& batch) {
@@ -162,7 +162,7 @@ class Filling {
 // solved at the same time, so each sees only its share of a body's mass.
 class Sharing {
  public:
-  explicit Sharing(World& world) : bodies_(world.bodies()), all_(world.mutable_scratch().contact_batches) {
+  explicit Sharing(WorldState& state, Scratch& scratch) : bodies_(state.bodies), all_(scratch.contact_batches) {
     all_.touched.clear();
     all_.touched_start.assign(1, 0);
     all_.entries.resize(2 * all_.order.size());
@@ -215,15 +215,14 @@ class Sharing {
 
 }  // namespace
 
-void batch_contacts(World& world) {
-  Scratch& scratch = world.mutable_scratch();
+void batch_contacts(WorldState& state, Scratch& scratch) {
   ContactBatches& all = scratch.contact_batches;
   Grouping(scratch).run();
   for_ranges(scratch.workers, all.batches.size(), kWorthBatches, [&](std::size_t begin, std::size_t end) {
-    Filling filling(world);
+    Filling filling(state, scratch);
     for (std::size_t k = begin; k < end; ++k) filling.fill(all.batches[k]);
   });
-  Sharing sharing(world);
+  Sharing sharing(state, scratch);
   for (std::size_t layer = 0; layer + 1 < all.layer_start.size(); ++layer) sharing.add_layer(layer);
 }
 

@@ -30,10 +30,10 @@ struct Footing {
 
 class Walk {
  public:
-  explicit Walk(World& world, double substep_s)
-      : bodies_(world.bodies()),
-        scratch_(world.mutable_scratch()),
-        gravity_(world.state().def.gravity),
+  explicit Walk(WorldState& state, Scratch& scratch, double substep_s)
+      : bodies_(state.bodies),
+        scratch_(scratch),
+        gravity_(state.def.gravity),
         substep_(substep_s),
         magic_(rounding_for(bodies_)),
         own_(scratch_.weights) {
@@ -208,14 +208,14 @@ class Walk {
 
 }  // namespace
 
-Status carry_weights(World& world, double dt_s) {
-  Walk(world, dt_s / world.state().def.substeps).run();
+Status carry_weights(WorldState& state, Scratch& scratch, double dt_s) {
+  Walk(state, scratch, dt_s / state.def.substeps).run();
   return {};
 }
 
-void hash_carry_weights(const World& world, Hasher& hasher) {
-  hasher.add(std::span<const double>(world.scratch().solver_mass));
-  hash_manifold_points(world, hasher);
+void hash_carry_weights(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
+  hasher.add(std::span<const double>(scratch.solver_mass));
+  hash_manifold_points(scratch, hasher);
 }
 
 }  // namespace tumble::sim

@@ -2,7 +2,8 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
@@ -17,7 +18,7 @@ namespace tumble::sim {
 ///         substitute for them.
 /// Loads are shared by lever arms only where gravity points along z, else evenly. Nothing is handed down through bodies
 /// that rest on each other in a ring, nor from what lies below them.
-Status carry_weights(World& world, double dt_s);
-void hash_carry_weights(const World& world, Hasher& hasher);
+Status carry_weights(WorldState& state, Scratch& scratch, double dt_s);
+void hash_carry_weights(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
 }  // namespace tumble::sim

@@ -2,7 +2,8 @@
 
 #include <vector>
 
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 

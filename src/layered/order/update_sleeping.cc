@@ -6,9 +6,8 @@
 namespace tumble::sim {
 namespace {
 
-Islands join_touching(World& world) {
-  const Bodies& bodies = world.bodies();
-  Scratch& scratch = world.mutable_scratch();
+Islands join_touching(WorldState& state, Scratch& scratch) {
+  const Bodies& bodies = state.bodies;
   std::vector<std::uint8_t>& touching = scratch.sleeping.touching;
   touching.assign(bodies.size(), 0);
   Islands islands(scratch.island_links, bodies.size());
@@ -24,12 +23,12 @@ Islands join_touching(World& world) {
 
 }  // namespace
 
-Status update_sleeping(World& world, double dt_s) {
-  const WorldDef& def = world.state().def;
-  Bodies& bodies = world.mutable_state().bodies;
-  Islands islands = join_touching(world);
-  const std::vector<std::uint8_t>& touching = world.scratch().sleeping.touching;
-  std::vector<std::uint8_t>& restless = world.mutable_scratch().sleeping.restless;
+Status update_sleeping(WorldState& state, Scratch& scratch, double dt_s) {
+  const WorldDef& def = state.def;
+  Bodies& bodies = state.bodies;
+  Islands islands = join_touching(state, scratch);
+  const std::vector<std::uint8_t>& touching = scratch.sleeping.touching;
+  std::vector<std::uint8_t>& restless = scratch.sleeping.restless;
   restless.assign(bodies.size(), 0);
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
     if (!bodies.moves(i)) continue;
@@ -47,11 +46,11 @@ Status update_sleeping(World& world, double dt_s) {
   return {};
 }
 
-void hash_update_sleeping(const World& world, Hasher& hasher) {
-  const Bodies& bodies = world.bodies();
+void hash_update_sleeping(const WorldState& state, const Scratch& /*scratch*/, Hasher& hasher) {
+  const Bodies& bodies = state.bodies;
   hasher.add(std::span<const std::uint8_t>(bodies.frozen));
   hasher.add(std::span<const double>(bodies.low_energy_time));
-  hash_velocities(world, hasher);
+  hash_velocities(state.bodies, hasher);
 }
 
 }  // namespace tumble::sim

@@ -2,7 +2,8 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
@@ -11,7 +12,7 @@ namespace tumble::sim {
 /// Reads:  velocity, spin; manifolds
 /// Writes: low_energy_time, frozen; velocity and spin of bodies that fall asleep (0)
 /// Source: thesis III.D made for islands: a stack sleeps as a whole, so none of it can sag under a sleeping part.
-Status update_sleeping(World& world, double dt_s);
-void hash_update_sleeping(const World& world, Hasher& hasher);
+Status update_sleeping(WorldState& state, Scratch& scratch, double dt_s);
+void hash_update_sleeping(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
 }  // namespace tumble::sim

@@ -2,7 +2,8 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
@@ -10,7 +11,7 @@ namespace tumble::sim {
 /// before the contact is solved: it must give way like a body, not bounce the visitor off like a wall.
 /// Reads:  manifolds, velocity, spin, frozen
 /// Writes: frozen, low_energy_time; manifolds and points again when anything woke
-Status wake_islands(World& world, double dt_s);
-void hash_wake_islands(const World& world, Hasher& hasher);
+Status wake_islands(WorldState& state, Scratch& scratch, double dt_s);
+void hash_wake_islands(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
 }  // namespace tumble::sim

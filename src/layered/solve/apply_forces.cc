@@ -11,20 +11,21 @@ constexpr std::size_t kWorthBodies = 32768;  // for a thread more
 
 }  // namespace
 
-Status apply_forces(World& world, double substep_s) {
-  Scratch& scratch = world.mutable_scratch();
-  const Vec3 fall = world.state().def.gravity * substep_s;
-  for_ranges(scratch.workers, world.bodies().size(), kWorthBodies, [&](std::size_t begin, std::size_t end) {
+Status apply_forces(WorldState& state, Scratch& scratch, double substep_s) {
+  const Vec3 fall = state.def.gravity * substep_s;
+  for_ranges(scratch.workers, state.bodies.size(), kWorthBodies, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (scratch.in_contact[i] == 0) continue;
       SolverBody& body = scratch.solver_bodies[i];
       body.velocity += VelocityGrid::round(Vec3(fall * body.weight));
     }
   });
-  warm_start_layers(world, substep_s);
+  warm_start_layers(scratch, substep_s);
   return {};
 }
 
-void hash_apply_forces(const World& world, Hasher& hasher) { hash_solver_bodies(world, hasher); }
+void hash_apply_forces(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
+  hash_solver_bodies(scratch, hasher);
+}
 
 }  // namespace tumble::sim

@@ -2,7 +2,8 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
@@ -10,7 +11,7 @@ namespace tumble::sim {
 /// Reads:  manifolds, points; gravity
 /// Writes: solver_bodies' velocity and spin
 /// Bodies without a manifold are left to finish_motion, which moves them exactly.
-Status apply_forces(World& world, double substep_s);
-void hash_apply_forces(const World& world, Hasher& hasher);
+Status apply_forces(WorldState& state, Scratch& scratch, double substep_s);
+void hash_apply_forces(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
 }  // namespace tumble::sim

@@ -7,15 +7,15 @@
 
 namespace tumble::sim {
 
-Status bounce_contacts(World& world, double dt_s) {
-  sweep_layers(world, Sweep::kRestitution, Direction::kUp, dt_s);
-  store_contacts(world.mutable_scratch());
+Status bounce_contacts(WorldState& /*state*/, Scratch& scratch, double dt_s) {
+  sweep_layers(scratch, Sweep::kRestitution, Direction::kUp, dt_s);
+  store_contacts(scratch);
   return {};
 }
 
-void hash_bounce_contacts(const World& world, Hasher& hasher) {
-  hash_solver_bodies(world, hasher);
-  hash_manifolds(world, hasher);
+void hash_bounce_contacts(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
+  hash_solver_bodies(scratch, hasher);
+  hash_manifolds(scratch, hasher);
 }
 
 }  // namespace tumble::sim

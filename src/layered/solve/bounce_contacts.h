@@ -2,13 +2,14 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
 /// Restitution, once a step: points that were hit leave with e times the speed at which they met.
 /// Reads and writes: impulses in contact_batches; solver_bodies' velocity and spin
-Status bounce_contacts(World& world, double dt_s);
-void hash_bounce_contacts(const World& world, Hasher& hasher);
+Status bounce_contacts(WorldState& state, Scratch& scratch, double dt_s);
+void hash_bounce_contacts(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
 }  // namespace tumble::sim

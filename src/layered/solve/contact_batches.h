@@ -1,7 +1,8 @@
 #pragma once
 
 #include "src/kernels/contact_kernels.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 

@@ -2,42 +2,40 @@
 
 #include "src/layered/find/contact_memory.h"
 #include "src/math/grid.h"
-#include "src/thesis/integrate.h"
 #include "src/world/body_check.h"
+#include "src/world/free_flight.h"
 
 namespace tumble::sim {
 namespace {
 
 constexpr std::size_t kWorthBodies = 32768;  // for a thread more
 
-void leave_contact(World& world, BodyIndex i, double dt_s) {
-  Bodies& bodies = world.mutable_state().bodies;
-  const Scratch& scratch = world.scratch();
+void leave_contact(WorldState& state, Scratch& scratch, BodyIndex i, double dt_s) {
+  Bodies& bodies = state.bodies;
   const SolverBody& body = scratch.solver_bodies[i];
-  const double slower = 1 + world.state().def.air_drag * dt_s;
+  const double slower = 1 + state.def.air_drag * dt_s;
   bodies.velocity.set(i, plus_zero(slower > 1 ? VelocityGrid::round(Vec3(body.velocity / slower)) : body.velocity));
   bodies.spin.set(i, plus_zero(slower > 1 ? VelocityGrid::round(Vec3(body.spin / slower)) : body.spin));
 }
 
 }  // namespace
 
-Status finish_motion(World& world, double dt_s) {
-  const Bodies& bodies = world.bodies();
-  const Scratch& scratch = world.scratch();
+Status finish_motion(WorldState& state, Scratch& scratch, double dt_s) {
+  const Bodies& bodies = state.bodies;
   for_ranges(scratch.workers, bodies.size(), kWorthBodies, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
-      if (scratch.in_contact[i] != 0) leave_contact(world, i, dt_s);
+      if (scratch.in_contact[i] != 0) leave_contact(state, scratch, i, dt_s);
     }
-    fly_freely(world, {begin, end}, scratch.in_contact.data(), dt_s);
+    integrate_free(state, scratch.lanes, {begin, end}, scratch.in_contact.data(), dt_s);
   });
-  if (Status ok = check_moving(world); !ok.ok()) return ok;
-  remember_contacts(world.scratch(), world.mutable_state().contact_memory);
+  if (Status ok = check_moving(state.bodies, scratch.lanes); !ok.ok()) return ok;
+  remember_contacts(scratch, state.contact_memory);
   return {};
 }
 
-void hash_finish_motion(const World& world, Hasher& hasher) {
-  hash_motion(world, hasher);
-  const ContactMemory& memory = world.state().contact_memory;
+void hash_finish_motion(const WorldState& state, const Scratch& /*scratch*/, Hasher& hasher) {
+  hash_motion(state.bodies, hasher);
+  const ContactMemory& memory = state.contact_memory;
   for (const auto* column : {&memory.a, &memory.b, &memory.count, &memory.feature}) {
     hasher.add(std::span<const std::uint32_t>(*column));
   }

@@ -2,7 +2,8 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
@@ -11,7 +12,7 @@ namespace tumble::sim {
 /// Reads:  solver_bodies, manifolds, in_contact
 /// Writes: velocity, spin; position and orientation of flying bodies; contact_memory
 /// Errors: a body that is not finite or beyond limits.h
-Status finish_motion(World& world, double dt_s);
-void hash_finish_motion(const World& world, Hasher& hasher);
+Status finish_motion(WorldState& state, Scratch& scratch, double dt_s);
+void hash_finish_motion(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
 }  // namespace tumble::sim

@@ -1,12 +1,13 @@
 #include "src/layered/solve/integrate_positions.h"
 
+#include "src/kernels/kernels_by_width.h"
 #include "src/layered/order/solver_body.h"
 #include "src/layered/solve/contact_batches.h"
 #include "src/layered/solve/solver_hashes.h"
 #include "src/layered/solve/sweep_layers.h"
 #include "src/math/grid.h"
-#include "src/thesis/integrate.h"
 #include "src/world/body_check.h"
+#include "src/world/free_flight.h"
 
 namespace tumble::sim {
 namespace {
@@ -37,9 +38,8 @@ void move_body(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) 
 
 }  // namespace
 
-Status integrate_positions(World& world, double substep_s) {
-  Bodies& bodies = world.mutable_state().bodies;
-  Scratch& scratch = world.mutable_scratch();
+Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s) {
+  Bodies& bodies = state.bodies;
   for_ranges(scratch.workers, bodies.size(), kWorthBodies, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (scratch.in_contact[i] != 0) move_body(bodies, scratch, static_cast<BodyIndex>(i), substep_s);
@@ -50,16 +50,16 @@ Status integrate_positions(World& world, double substep_s) {
   const bool renews = has_slender(scratch);
   const ContactWork work = all_contacts(scratch, substep_s);
   for_ranges(scratch.workers, work.count, kWorthBatches, [&](std::size_t begin, std::size_t end) {
-    contact_kernels(scratch.lanes).move_on(part_of(work, begin, end));
-    if (renews) contact_kernels(scratch.lanes).renew(part_of(work, begin, end));
+    kernels(scratch.lanes).contacts.move_on(part_of(work, begin, end));
+    if (renews) kernels(scratch.lanes).contacts.renew(part_of(work, begin, end));
   });
   return {};
 }
 
-void hash_integrate_positions(const World& world, Hasher& hasher) {
-  hash_places(world, hasher);
-  hash_moved(world, hasher);
-  if (has_slender(world.scratch())) hash_prepared(world, hasher);
+void hash_integrate_positions(const WorldState& state, const Scratch& scratch, Hasher& hasher) {
+  hash_places(state.bodies, hasher);
+  hash_moved(state.bodies, scratch, hasher);
+  if (has_slender(scratch)) hash_prepared(scratch, hasher);
 }
 
 }  // namespace tumble::sim

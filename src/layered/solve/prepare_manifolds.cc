@@ -1,5 +1,6 @@
 #include "src/layered/solve/prepare_manifolds.h"
 
+#include "src/kernels/kernels_by_width.h"
 #include "src/layered/order/batch_contacts.h"
 #include "src/layered/order/solver_body.h"
 #include "src/layered/solve/contact_batches.h"
@@ -23,9 +24,8 @@ SolverBody solver_body(const Bodies& bodies, const Scratch& scratch, BodyIndex i
   return body;
 }
 
-void prepare_bodies(World& world) {
-  const Bodies& bodies = world.bodies();
-  Scratch& scratch = world.mutable_scratch();
+void prepare_bodies(WorldState& state, Scratch& scratch) {
+  const Bodies& bodies = state.bodies;
   const std::size_t n = bodies.size();
   scratch.solver_bodies.resize(n + 1);
   scratch.solver_bodies[n] = {};
@@ -36,9 +36,8 @@ void prepare_bodies(World& world) {
   });
 }
 
-void find_in_contact(World& world) {
-  const Bodies& bodies = world.bodies();
-  Scratch& scratch = world.mutable_scratch();
+void find_in_contact(WorldState& state, Scratch& scratch) {
+  const Bodies& bodies = state.bodies;
   scratch.in_contact.assign(bodies.size(), 0);
   for (const std::uint32_t k : scratch.layered) {
     const Manifold& m = scratch.manifolds[k];
@@ -49,20 +48,21 @@ void find_in_contact(World& world) {
 
 }  // namespace
 
-Status prepare_manifolds(World& world, double dt_s) {
-  prepare_bodies(world);
-  find_in_contact(world);
-  batch_contacts(world);
-  Scratch& scratch = world.mutable_scratch();
+Status prepare_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
+  prepare_bodies(state, scratch);
+  find_in_contact(state, scratch);
+  batch_contacts(state, scratch);
   const ContactWork work = all_contacts(scratch, dt_s);
   for_ranges(scratch.workers, work.count, kWorthBatches, [&](std::size_t begin, std::size_t end) {
     const ContactWork part = part_of(work, begin, end);
-    contact_kernels(scratch.lanes).prepare(part);
+    kernels(scratch.lanes).contacts.prepare(part);
     mark_bounces(part);
   });
   return {};
 }
 
-void hash_prepare_manifolds(const World& world, Hasher& hasher) { hash_prepared(world, hasher); }
+void hash_prepare_manifolds(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
+  hash_prepared(scratch, hasher);
+}
 
 }  // namespace tumble::sim

@@ -2,7 +2,8 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
@@ -12,7 +13,7 @@ namespace tumble::sim {
 /// Writes: solver_bodies, in_contact, contact_batches
 /// Source: mass splitting by Tonge, Benevolenski and Voroshilov (2012): within a layer a body in k manifolds lends each
 ///         of them a k-th of its mass, so that solving them all at the same time does not overshoot.
-Status prepare_manifolds(World& world, double dt_s);
-void hash_prepare_manifolds(const World& world, Hasher& hasher);
+Status prepare_manifolds(WorldState& state, Scratch& scratch, double dt_s);
+void hash_prepare_manifolds(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
 }  // namespace tumble::sim

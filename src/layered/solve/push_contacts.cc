@@ -5,11 +5,13 @@
 
 namespace tumble::sim {
 
-Status push_contacts(World& world, double substep_s) {
-  sweep_layers(world, Sweep::kPush, Direction::kDown, substep_s);
+Status push_contacts(WorldState& /*state*/, Scratch& scratch, double substep_s) {
+  sweep_layers(scratch, Sweep::kPush, Direction::kDown, substep_s);
   return {};
 }
 
-void hash_push_contacts(const World& world, Hasher& hasher) { hash_solution(world, hasher); }
+void hash_push_contacts(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
+  hash_solution(scratch, hasher);
+}
 
 }  // namespace tumble::sim

@@ -2,14 +2,15 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
 /// The main sweeps of a sub-step: contacts hold, slide, and push overlaps apart a little (bias).
 /// Reads and writes: impulses in contact_batches; solver_bodies' velocity and spin
 /// Order:  sweeps go down and up the levels in turn
-Status push_contacts(World& world, double substep_s);
-void hash_push_contacts(const World& world, Hasher& hasher);
+Status push_contacts(WorldState& state, Scratch& scratch, double substep_s);
+void hash_push_contacts(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
 }  // namespace tumble::sim

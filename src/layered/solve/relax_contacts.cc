@@ -5,11 +5,13 @@
 
 namespace tumble::sim {
 
-Status relax_contacts(World& world, double substep_s) {
-  sweep_layers(world, Sweep::kRelax, Direction::kUp, substep_s);
+Status relax_contacts(WorldState& /*state*/, Scratch& scratch, double substep_s) {
+  sweep_layers(scratch, Sweep::kRelax, Direction::kUp, substep_s);
   return {};
 }
 
-void hash_relax_contacts(const World& world, Hasher& hasher) { hash_solution(world, hasher); }
+void hash_relax_contacts(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
+  hash_solution(scratch, hasher);
+}
 
 }  // namespace tumble::sim

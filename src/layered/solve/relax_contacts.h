@@ -2,14 +2,15 @@
 
 #include "src/base/hash.h"
 #include "src/base/result.h"
-#include "src/world/world.h"
+#include "src/world/scratch.h"
+#include "src/world/world_state.h"
 
 namespace tumble::sim {
 
 /// Sweeps without the push, after the positions have moved: takes the velocity that pushing gave out again.
 /// Reads and writes: impulses in contact_batches; solver_bodies' velocity and spin
 /// Order:  sweeps go down and up the levels in turn
-Status relax_contacts(World& world, double substep_s);
-void hash_relax_contacts(const World& world, Hasher& hasher);
+Status relax_contacts(WorldState& state, Scratch& scratch, double substep_s);
+void hash_relax_contacts(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
 }  // namespace tumble::sim

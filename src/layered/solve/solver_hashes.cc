@@ -37,30 +37,28 @@ void add_parts(const std::vector<Row>& rows, Hasher& hasher) {
 
 }  // namespace
 
-void hash_solver_bodies(const World& world, Hasher& hasher) { hasher.add(doubles_of(world.scratch().solver_bodies)); }
+void hash_solver_bodies(const Scratch& scratch, Hasher& hasher) { hasher.add(doubles_of(scratch.solver_bodies)); }
 
-void hash_prepared(const World& world, Hasher& hasher) {
-  const Scratch& scratch = world.scratch();
-  hash_solver_bodies(world, hasher);
+void hash_prepared(const Scratch& scratch, Hasher& hasher) {
+  hash_solver_bodies(scratch, hasher);
   hasher.add(std::span<const std::uint8_t>(scratch.in_contact));
   hasher.add(std::span<const std::uint32_t>(scratch.contact_batches.order));
   hasher.add(doubles_of(scratch.contact_batches.points));
   add_parts<offsetof(ContactBatch, friction), sizeof(ContactBatch)>(scratch.contact_batches.batches, hasher);
 }
 
-void hash_solution(const World& world, Hasher& hasher) {
-  hash_solver_bodies(world, hasher);
-  const ContactBatches& all = world.scratch().contact_batches;
+void hash_solution(const Scratch& scratch, Hasher& hasher) {
+  hash_solver_bodies(scratch, hasher);
+  const ContactBatches& all = scratch.contact_batches;
   add_parts<offsetof(ContactBatch, force1), offsetof(ContactBatch, split_a)>(all.batches, hasher);
   add_parts<offsetof(PointBatch, impulse), offsetof(PointBatch, mass)>(all.points, hasher);
 }
 
-void hash_moved(const World& world, Hasher& hasher) {
-  const Vec3Column& inertia = world.bodies().inertia;
+void hash_moved(const Bodies& bodies, const Scratch& scratch, Hasher& hasher) {
+  const Vec3Column& inertia = bodies.inertia;
   const bool all_even = same_bytes(inertia.x, inertia.y) && same_bytes(inertia.y, inertia.z);
-  if (!all_even) hash_solver_bodies(world, hasher);
-  add_parts<offsetof(PointBatch, separation), offsetof(PointBatch, impulse)>(world.scratch().contact_batches.points,
-                                                                             hasher);
+  if (!all_even) hash_solver_bodies(scratch, hasher);
+  add_parts<offsetof(PointBatch, separation), offsetof(PointBatch, impulse)>(scratch.contact_batches.points, hasher);
 }
 
 }  // namespace tumble::sim

@@ -1,5 +1,6 @@
 #include "src/layered/solve/sweep_layers.h"
 
+#include "src/kernels/kernels_by_width.h"
 #include "src/layered/solve/contact_batches.h"
 
 namespace tumble::sim {
@@ -29,25 +30,23 @@ void solve_layer(Scratch& scratch, const ContactKernels& kernels, std::size_t la
 Direction opposite(Direction direction) { return direction == Direction::kUp ? Direction::kDown : Direction::kUp; }
 
 void sweep_once(Scratch& scratch, const SweepGroup& group, Sweep sweep, Direction direction, double substep_s) {
-  const ContactKernels& kernels = contact_kernels(scratch.lanes);
+  const ContactKernels& contacts = kernels(scratch.lanes).contacts;
   for (std::uint32_t k = group.begin; k < group.end; ++k) {
     const std::uint32_t layer = direction == Direction::kUp ? k : group.end - 1 - (k - group.begin);
-    solve_layer(scratch, kernels, layer, substep_s, [&](const ContactWork& work) { kernels.solve(work, sweep); });
+    solve_layer(scratch, contacts, layer, substep_s, [&](const ContactWork& work) { contacts.solve(work, sweep); });
   }
 }
 
 }  // namespace
 
-void warm_start_layers(World& world, double substep_s) {
-  Scratch& scratch = world.mutable_scratch();
-  const ContactKernels& kernels = contact_kernels(scratch.lanes);
+void warm_start_layers(Scratch& scratch, double substep_s) {
+  const ContactKernels& contacts = kernels(scratch.lanes).contacts;
   for (std::size_t layer = 0; layer + 1 < scratch.layer_start.size(); ++layer) {
-    solve_layer(scratch, kernels, layer, substep_s, kernels.warm_start);
+    solve_layer(scratch, contacts, layer, substep_s, contacts.warm_start);
   }
 }
 
-void sweep_layers(World& world, Sweep sweep, Direction first, double substep_s) {
-  Scratch& scratch = world.mutable_scratch();
+void sweep_layers(Scratch& scratch, Sweep sweep, Direction first, double substep_s) {
   for (const SweepGroup& group : scratch.sweep_groups) {
     const int sweeps = sweep == Sweep::kRestitution ? 1 : group.sweeps;
     for (int k = 0; k < sweeps; ++k) sweep_once(scratch, group, sweep, k % 2 == 0 ? first : opposite(first), substep_s);

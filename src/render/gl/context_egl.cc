@@ -11,7 +11,7 @@
 namespace tumble::render {
 namespace {
 
-constexpr std::array kNames = {"libEGL.so.1", "libEGL.so"};
+constexpr std::array kEglNames = {"libEGL.so.1", "libEGL.so"};
 
 constexpr std::array<EGLint, 5> kConfigAttributes = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE,
                                                      EGL_OPENGL_BIT, EGL_NONE};
@@ -95,7 +95,7 @@ class EglContext : public Context {
 }  // namespace
 
 Result<std::unique_ptr<Context>> open_egl() {
-  const Result<SharedLibrary> library = SharedLibrary::load(kNames);
+  const Result<SharedLibrary> library = SharedLibrary::load(kEglNames);
   if (!library.ok()) return cannot_finish("EGL: " + library.error().message);
   auto context = std::make_unique<EglContext>(*library);
   const Status started = context->start();

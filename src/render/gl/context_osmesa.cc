@@ -7,7 +7,7 @@
 namespace tumble::render {
 namespace {
 
-constexpr std::array kNames = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
+constexpr std::array kOsMesaNames = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
 
 // Never shown: every pass draws into framebuffers of its own.
 constexpr int kDummySize = 16;
@@ -61,7 +61,7 @@ class OsmesaContext : public Context {
 }  // namespace
 
 Result<std::unique_ptr<Context>> open_osmesa() {
-  const Result<SharedLibrary> library = SharedLibrary::load(kNames);
+  const Result<SharedLibrary> library = SharedLibrary::load(kOsMesaNames);
   if (!library.ok()) return cannot_finish("OSMesa: " + library.error().message);
   auto context = std::make_unique<OsmesaContext>();
   const Status started = context->start(*library);

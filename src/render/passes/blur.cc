@@ -5,7 +5,7 @@
 namespace tumble::render {
 namespace {
 
-const char* const kFragments = R"(
+const char* const kBlurFragments = R"(
 uniform sampler2D from;
 uniform ivec2 direction, last;
 uniform int radius, small_radius;   // texels to where the kernels reach zero
@@ -33,7 +33,7 @@ int colour_radius(int width) { return std::max((width + 40) / 64 + 1, 2); }
 
 Result<BlurPass> BlurPass::create(const Gl& gl, int width, int height) {
   BlurPass pass;
-  Result<ShaderProgram> program = ShaderProgram::create(gl, "the blur passes", kFullScreenVertices, kFragments);
+  Result<ShaderProgram> program = ShaderProgram::create(gl, "the blur passes", kFullScreenVertices, kBlurFragments);
   if (!program.ok()) return program.error();
   pass.program_ = std::move(*program);
   Result<RenderTarget> image = RenderTarget::create(gl, width, height, RenderTarget::Format::kFloats);

@@ -3,7 +3,7 @@
 namespace tumble::render {
 namespace {
 
-const char* const kFragments = R"(
+const char* const kCompositeFragments = R"(
 uniform usampler2D base;
 uniform sampler2D blurred;
 uniform vec2 covered;   // pixels that the blurred image covers
@@ -32,7 +32,8 @@ constexpr float kGlow = 0.75F;
 Result<CompositePass> CompositePass::create(const Gl& gl, int width, int height, int samples) {
   CompositePass pass;
   pass.samples_ = samples;
-  Result<ShaderProgram> program = ShaderProgram::create(gl, "the composite pass", kFullScreenVertices, kFragments);
+  Result<ShaderProgram> program =
+      ShaderProgram::create(gl, "the composite pass", kFullScreenVertices, kCompositeFragments);
   if (!program.ok()) return program.error();
   pass.program_ = std::move(*program);
   Result<RenderTarget> image = RenderTarget::create(gl, width, height, RenderTarget::Format::kBytes);

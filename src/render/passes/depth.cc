@@ -12,14 +12,14 @@ void main() {
 }
 )";
 
-const char* const kFragments = "void main() {}\n";
+const char* const kDepthFragments = "void main() {}\n";
 
 }  // namespace
 
 Result<DepthPass> DepthPass::create(const Gl& gl, int size) {
   DepthPass pass;
   Result<ShaderProgram> program =
-      ShaderProgram::create(gl, "the depth pass", std::string(kBoxAttributes) + kVertices, kFragments);
+      ShaderProgram::create(gl, "the depth pass", std::string(kBoxAttributes) + kVertices, kDepthFragments);
   if (!program.ok()) return program.error();
   pass.program_ = std::move(*program);
   Result<RenderTarget> map = RenderTarget::create(gl, size, size, RenderTarget::Format::kDepthOnly);

@@ -3,7 +3,7 @@
 namespace tumble::render {
 namespace {
 
-const char* const kFragments = R"(
+const char* const kShrinkFragments = R"(
 uniform usampler2D base;
 uniform ivec2 last;   // texel of the base image
 uniform int block;    // texels of it along one edge of a texel here
@@ -34,7 +34,7 @@ void main() {
 Result<ShrinkPass> ShrinkPass::create(const Gl& gl, int width, int height, int samples) {
   ShrinkPass pass;
   pass.samples_ = samples;
-  Result<ShaderProgram> program = ShaderProgram::create(gl, "the shrink pass", kFullScreenVertices, kFragments);
+  Result<ShaderProgram> program = ShaderProgram::create(gl, "the shrink pass", kFullScreenVertices, kShrinkFragments);
   if (!program.ok()) return program.error();
   pass.program_ = std::move(*program);
   Result<RenderTarget> image =

@@ -85,7 +85,7 @@ TEST(MeasureKeeping, FreeSpinKeepsItsAngularMomentum) {
   sim::SceneDef scene = scene_of({plate});
   scene.world.ground = scene.world.freezing = false;
   scene.world.gravity = Vec3::Zero();
-  Result<sim::World> world = sim::World::create(scene);
+  Result<sim::World> world = sim::create_world(scene);
   ASSERT_TRUE(world.ok());
   BodyStates states;
   copy_visible(world->bodies(), states);

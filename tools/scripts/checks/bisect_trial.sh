@@ -27,7 +27,7 @@ git config user.email trial@example.org
 
 commits=64 fault=41 broken=(32 33)
 # Files to which harmless commits add a constant that nothing uses: building them is work, and no bit moves.
-harmless=(src/thesis/integrate.cc src/thesis/find_pairs.cc replay/format/chain.cc tools/output/progress.cc golden/suite/text_files.cc)
+harmless=(src/world/free_flight.cc src/thesis/find_pairs.cc replay/format/chain.cc tools/output/progress.cc golden/suite/text_files.cc)
 
 replace() { # file text new-text; the text must be there
   local content
@@ -41,13 +41,13 @@ make_commit() { # number
   if (($1 == fault)); then
     subject="solve: a harmless clean-up"
     # Bodies drift along x by a nanometre a sub-step, some more than others.
-    replace src/thesis/integrate.cc "Vec3((before + after) * (0.5 * dt_s))" \
+    replace src/world/free_flight.cc "Vec3((before + after) * (0.5 * dt_s))" \
       "Vec3((before + after) * (0.5 * dt_s) + Vec3((i % 7) * 1e-9, 0, 0))"
     replace golden/cases/brick_wall/scene.toml "position = [20.0, -30.0, 14.0]" "position = [20.0, -30.0, 12.0]"
   elif (($1 == ${broken[0]})); then
-    printf '#error "not finished"\n' >>src/thesis/integrate.cc
+    printf '#error "not finished"\n' >>src/world/free_flight.cc
   elif (($1 == ${broken[1]} + 1)); then
-    sed -i '/^#error/d' src/thesis/integrate.cc
+    sed -i '/^#error/d' src/world/free_flight.cc
   fi
   git commit --quiet --all --message "$subject"
 }

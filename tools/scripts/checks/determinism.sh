@@ -129,7 +129,13 @@ add_units() { # name, file...
 rm -rf "$out/units" && mkdir "$out/units"
 printf '%s\n' tests/determinism/main.cc src/threads/worker_threads.cc >"$out/sources" # not physics, these two
 add_units small src/{base,math,model,step}/*.cc # one unit, for most of its time goes into the headers
-for folder in kernels world collide thesis layered/find layered/order layered/solve scenes; do
+shopt -s extglob
+add_units kernels src/kernels/!(kernels).cc
+for lanes in 1 2 4 8; do # of widths for which a row's flags allow no instructions nothing is left
+  printf '#define TUMBLE_LANES %d\n#include "src/kernels/kernels.cc"\n' "$lanes" >"$out/units/kernels_$lanes.cc"
+  printf '%s\n' "$out/units/kernels_$lanes.cc" >>"$out/sources"
+done
+for folder in world collide thesis layered/find layered/order layered/solve scenes; do
   add_units "${folder//\//_}" src/"$folder"/*.cc
 done
 for folder in src/*/ src/*/*/; do # a folder that came since would be missed without a word
