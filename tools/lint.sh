@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Layout and habits of the code, judged by clang-format (part of the tests) and clang-tidy; prints what to change.
-# Usage: tools/lint.sh [--since REVISION | --all] [--minutes N] [--build FOLDER]     clang-tidy with the checks of .clang-tidy
+# Usage: tools/lint.sh [--since REVISION | --all] [--minutes N]     clang-tidy with the checks of .clang-tidy
 #          over the .cc files that changed since the revision and those of changed headers; without --since, since the
 #          last tag, else since this branch left main, else over all. --minutes: files not begun by then are listed
-#          and not read (60). --build: the build folder with the compiler's flags (build/release)
+#          and not read (60)
 #        tools/lint.sh format     layout of every .h and .cc (.clang-format)
 #        tools/lint.sh fix        puts the layout right
 # A file that was found clean is not looked at again until it, a header it includes or the checks change; what is
@@ -109,37 +109,39 @@ changed_since() { # revision
     done | sort -u
 }
 
-# One entry a file of the build's list of commands: clang-tidy would read a file as often as programs are built with it.
-# It cannot read precompiled headers of g++; files include what they use without them.
-write_commands() { # build
+# The commands that compile the files one by one and without precompiled headers, as clang-tidy reads them, in a build
+# folder of its own. Code that the build generates is generated. One entry a file: clang-tidy would read a file as often
+# as programs are built with it.
+write_commands() {
+  local build=build/lint
+  { cmake -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DTUMBLE_UNITY=OFF -DTUMBLE_PRECOMPILED=OFF &&
+    ninja -C $build generated/schema/log.capnp.h generated/schema/golden.capnp.h; } >"$work/configured" 2>&1 ||
+    { cat "$work/configured" >&2; fail "the tree cannot be configured"; }
   awk '/^{/ { entry = ""; file = "" } { entry = entry $0 "\n" } /"file":/ { file = $0 }
     /^}/ && !(file in seen) { seen[file] = 1; sub(/,\n$/, "\n", entry); printf "%s%s", n++ ? "," : "[", entry }
-    END { print "]" }' "$1/compile_commands.json" |
-    sed -E 's/ -Winvalid-pch//; s/ -include [^ "]*cmake_pch\.hxx//' >"$work/compile_commands.json"
+    END { print "]" }' $build/compile_commands.json >"$work/compile_commands.json"
 }
 
 tidy() {
-  local build=build/release minutes=60 since="" all=false cache checked unread=0
+  local minutes=60 since="" all=false cache checked unread=0
   while (($#)); do
     case "$1" in
       --all) all=true; shift; continue ;;
       --since) since=${2:?--since needs a revision} ;;
       --minutes) minutes=${2:?--minutes needs a number} ;;
-      --build) build=${2:?--build needs a folder} ;;
       *) usage ;;
     esac
     shift 2
   done
   [[ $minutes =~ ^[0-9]+$ ]] || usage
   need clang-tidy
-  [[ -f $build/compile_commands.json ]] || fail "$build/compile_commands.json is missing; configure and build first"
-  cache=${TUMBLE_LINT_CACHE:-${XDG_CACHE_HOME:-${HOME:-$build}/.cache}/tumble/clang-tidy}
+  cache=${TUMBLE_LINT_CACHE:-${XDG_CACHE_HOME:-${HOME:-build}/.cache}/tumble/clang-tidy}
   mkdir -p "$cache"
   find "$cache" -type f -mtime +30 -delete
   work=$(mktemp -d)
   trap 'rm -rf "$work"' EXIT
   keys >"$work/keys"
-  write_commands "$build"
+  write_commands
   grep -o '"file": "[^"]*"' "$work/compile_commands.json" | sed "s|.*\"$PWD/||; s|\"||" | sort -u >"$work/built"
   "$all" || [[ -n $since ]] || since=$(base_revision)
   if [[ -n $since ]]; then
@@ -153,7 +155,7 @@ tidy() {
     [[ -f $cache/$key ]] || printf '%s\0%s\0' "$file" "$key"
   done >"$work/todo"
   checked=$(join "$work/wanted" "$work/keys" | wc -l)
-  [[ -n $since ]] || ((checked > 0)) || fail "no file of this tree is in $build/compile_commands.json"
+  [[ -n $since ]] || ((checked > 0)) || fail "the build knows no file of this tree"
   : >"$work/unread"
   export -f tidy_one
   xargs -0 -r -n 2 -P "$(nproc)" bash -c 'tidy_one "$@"' tidy_one "$work" "$cache" $(($(date +%s) + 60 * minutes)) \

@@ -59,9 +59,7 @@ class Artist {
   }
 
   /// "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6, AVX-512"; empty before the first picture.
-  [[nodiscard]] std::string driver() const {
-    return renderer_ ? renderer_->context().driver() + ", " + processor_class() : "";
-  }
+  [[nodiscard]] std::string driver() const { return renderer_ ? renderer_->driver() + ", " + processor_class() : ""; }
 
  private:
   replay::LogReader& log_;

@@ -22,12 +22,14 @@ constexpr std::size_t kBuffers = 3;  // one is filled while one is written and o
 constexpr std::size_t kManyBodies = std::size_t{1} << 19U;  // a buffer holds a state, 0.5 kB of each: one must do
 constexpr std::chrono::seconds kChunkAgeMax(1);
 
+}  // namespace
+
 /// The steps of one chunk, filled by the caller and written by the thread.
 ///
 /// Buffers circulate between the two threads and keep their memory: allocating the pages of a chunk costs more than
 /// filling them. With three of them the caller fills one while the thread writes another, and the third covers the time
 /// until a buffer comes back.
-struct Buffer {
+struct LogWriter::Buffer {
   Keyframe keyframe;
   std::vector<StepRecord> steps;  // of which `used` are filled
   std::size_t used = 0;
@@ -70,8 +72,6 @@ struct Buffer {
            bytes >= kChunkStateBytes || Clock::now() - begun >= kChunkAgeMax;
   }
 };
-
-}  // namespace
 
 struct LogWriter::Shared {
   Shared(std::unique_ptr<ByteSink> sink, std::size_t bodies)

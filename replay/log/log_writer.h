@@ -66,6 +66,7 @@ class LogWriter {
   Result<LogSummary> finish();
 
  private:
+  struct Buffer;
   struct Shared;
   explicit LogWriter(std::unique_ptr<Shared> shared);
 

@@ -23,6 +23,9 @@ class Workers {
   virtual void run(unsigned parts, void (*task)(void* context, unsigned part), void* context) = 0;
 };
 
+/// Items that a part must have for a split to pay, as measured on two cores: bodies, and batches of eight manifolds.
+inline constexpr std::size_t kBodiesAPart = 32768, kBatchesAPart = 2048;
+
 /// How many parts n items are split into, when a part should have `least` items for the split to pay.
 inline unsigned part_count(const Workers* workers, std::size_t n, std::size_t least) {
   if (workers == nullptr) return 1;

@@ -11,11 +11,10 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kWorthBodies = 32768;  // for a thread more
-constexpr std::size_t kSamples = 64;         // bodies that judge an axis
-constexpr int kAxisLifetime = 64;            // sweeps until the axes are judged again
-constexpr double kRoom = 0.1;                // of its extent, that a box is widened by for the list of neighbours
-constexpr double kRoomSubsteps = 4;          // and so many sub-steps of its motion
+constexpr std::size_t kSamples = 64;  // bodies that judge an axis
+constexpr int kAxisLifetime = 64;     // sweeps until the axes are judged again
+constexpr double kRoom = 0.1;         // of its extent, that a box is widened by for the list of neighbours
+constexpr double kRoomSubsteps = 4;   // and so many sub-steps of its motion
 
 void sort_by_low(std::vector<BodyIndex>& order, const std::vector<double>& low) {
   const std::size_t n = low.size();
@@ -158,7 +157,7 @@ void sort_pairs(Scratch& scratch) {
   sweep.partner.resize(sweep.found.size());
   sweep.next.assign(sweep.start.begin(), sweep.start.end() - 1);
   for (const auto& pair : sweep.found) sweep.partner[sweep.next[pair.first]++] = pair.second;
-  for_ranges(scratch.workers, n, kWorthBodies, [&](std::size_t begin, std::size_t end) {
+  for_ranges(scratch.workers, n, kBodiesAPart, [&](std::size_t begin, std::size_t end) {
     for (std::size_t a = begin; a < end; ++a) {
       std::sort(sweep.partner.begin() + sweep.start[a], sweep.partner.begin() + sweep.start[a + 1]);
     }
@@ -181,7 +180,7 @@ void update_frames(Bodies& bodies, Scratch& scratch) {
   const std::size_t n = bodies.size();
   const BodyColumns columns = columns_of(bodies);
   const BoxColumns boxes = box_columns_of(scratch, n);
-  for_ranges(scratch.workers, n, kWorthBodies, [&](std::size_t begin, std::size_t end) {
+  for_ranges(scratch.workers, n, kBodiesAPart, [&](std::size_t begin, std::size_t end) {
     kernels(scratch.lanes).bodies.put_boxes(columns, {begin, end}, boxes);
   });
 }

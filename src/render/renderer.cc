@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "src/render/gl/context.h"
 #include "src/render/passes/base.h"
 #include "src/render/passes/blur.h"
 #include "src/render/passes/composite.h"
@@ -119,7 +120,9 @@ void Renderer::Parts::draw(const Snapshot& snapshot) {
 Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
 Renderer::~Renderer() = default;
 
-const Context& Renderer::context() const { return *parts_->context; }
+const char* Renderer::backend_name() const { return parts_->context->backend_name(); }
+
+std::string Renderer::driver() const { return parts_->context->driver(); }
 void Renderer::measure_passes(bool on) { parts_->measures = on; }
 const std::array<double, 6>& Renderer::pass_seconds() const { return parts_->seconds; }
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "src/base/result.h"
-#include "src/render/gl/context.h"
+#include "src/render/gl/backend.h"
 #include "src/render/passes/effects.h"
 #include "src/render/picture/image.h"
 #include "src/render/scene/snapshot.h"
@@ -41,7 +41,8 @@ Result<Stage> parse_stage(const std::string& word);
 /// every process, with either backend and any number of drawing threads. Not for use by two threads at once.
 class Renderer {
  public:
-  /// Errors. kBadInput: a size beyond the limits or beyond the driver. Others: as Context::open().
+  /// Errors. kBadInput: a size beyond the limits or beyond the driver. kCannotFinish: the machine has no library that
+  /// gives an OpenGL context; the message names the package to install.
   static Result<std::unique_ptr<Renderer>> create(const Settings& settings, Backend backend = Backend::kAuto);
   ~Renderer();
   Renderer(const Renderer&) = delete;
@@ -50,7 +51,9 @@ class Renderer {
   /// Errors (kCannotFinish): the driver reports one.
   Result<Image> draw(const Snapshot& snapshot, Stage stage = Stage::kFinal);
 
-  [[nodiscard]] const Context& context() const;
+  [[nodiscard]] const char* backend_name() const;  ///< "OSMesa" or "EGL"
+  /// Driver and machine class, for reports: "llvmpipe (LLVM 15.0.6, 256 bits), 3.3 (Core Profile) Mesa 22.3.6".
+  [[nodiscard]] std::string driver() const;
 
   /// Switches the measurement of passes on or off. Measuring waits for the end of each pass, which costs time.
   /// pass_seconds(): processor time in s of each pass of the last draw(), summed over all drawing threads.

@@ -9,12 +9,12 @@
 
 namespace tumble::scenes {
 
-/// Who gets which id. First every id that the scene gives is reserved, whether it stands before or after; then the
-/// bodies without one take the next free number, from 1, in the order they ask.
+/// Gives bodies their ids. All ids that the scene states are reserved first, wherever they stand in the file. Bodies
+/// without an id then take the next free numbers, from 1, in the order of the calls of next().
 class BodyIds {
  public:
-  /// Numbers first … first + count − 1 are taken. what: for messages, "[[box]] key \"id\"". Reports a range that leaves
-  /// the ids that exist.
+  /// Takes the numbers first … first + count − 1. what: for messages, "[[box]] key \"id\"". Reports a range beyond the
+  /// largest id.
   void reserve(sim::BodyId first, std::uint64_t count, const Place& place, const std::string& what, Problem& problem);
 
   /// Call once after the last reserve(): reports numbers that are taken twice.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "src/base/check.h"
 #include "src/base/rng.h"
 #include "src/math/trig.h"
 #include "src/model/limits.h"
@@ -151,6 +152,7 @@ std::optional<std::uint64_t> body_count(const Shape& shape) {
 }
 
 std::vector<sim::BoxDef> generate(const Generator& generator) {
+  SIM_CHECK(body_count(generator.shape).has_value(), generator.shape.index());
   return std::visit([&](const auto& shape) { return boxes_of(shape, generator); }, generator.shape);
 }
 

@@ -65,11 +65,11 @@ struct Generator {
   std::optional<sim::BodyId> first_id;
 };
 
-/// How many bodies a shape has, or nothing if there are more than kBodiesMax. Each count of the shape must be at most
+/// The number of bodies of a shape, or nothing above kBodiesMax. Each count of the shape must be at most
 /// kBodiesMax itself.
 std::optional<std::uint64_t> body_count(const Shape& shape);
 
-/// The bodies, row by row, ids still 0. Precondition: body_count() is known.
+/// The bodies, row by row, with ids 0. Precondition (SIM_CHECK): body_count() has a value.
 std::vector<sim::BoxDef> generate(const Generator& generator);
 
 }  // namespace tumble::scenes

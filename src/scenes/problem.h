@@ -11,13 +11,13 @@
 
 namespace tumble::scenes {
 
-/// A value or key of the scene as the person who wrote it finds it: "file:line:column", or the `--set` argument.
+/// The place of a value or key for messages: "file:line:column", or the `--set` argument.
 class Place {
  public:
   Place() = default;
   explicit Place(const toml::source_region& region) : region_(region) {}
 
-  /// Of a value that came from `--set`: its region carries the argument's text as its path.
+  /// Whether the value came from `--set`; the path of its region is then the argument's text.
   [[nodiscard]] bool is_override() const { return region_.path != nullptr; }
   [[nodiscard]] std::string text(std::string_view file_name) const;
 
@@ -25,8 +25,8 @@ class Place {
   toml::source_region region_;
 };
 
-/// The first error met while a scene is read. Readers go on with defaults after one, so that they need no early exits;
-/// whoever is about to allocate by a number that was read asks found() first.
+/// The first error in a scene. After an error, readers continue with defaults, so that they need no early exits. Code
+/// that allocates by a number from the scene calls found() first.
 class Problem {
  public:
   explicit Problem(std::string_view file_name) : file_name_(file_name) {}

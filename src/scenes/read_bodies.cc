@@ -9,7 +9,7 @@ namespace tumble::scenes {
 namespace {
 
 constexpr std::array<const char*, 5> kTextures = {"crate", "brick", "wood", "concrete", "white"};
-constexpr double kDirectionLengthMin = 1e-6;  // shorter axes and quaternions have no direction worth the name
+constexpr double kDirectionLengthMin = 1e-6;  // shorter axes and quaternions have no reliable direction
 
 double read_mass(TableReader& reader, const sim::Vec3& size) {
   if (reader.has("mass") && reader.has("density")) {

@@ -85,7 +85,7 @@ std::uint64_t read_step(TableReader& reader, const InputClock& clock, bool& late
   return step;
 }
 
-// The life of each body of the inputs; bodies of the scene are looked up where they are.
+// The bodies that exist as the inputs are applied one by one: those of the scene and those thrown in.
 class Census {
  public:
   explicit Census(const std::vector<sim::BoxDef>& boxes) : boxes_(boxes) {}
@@ -118,7 +118,7 @@ class Census {
   std::map<sim::BodyId, std::uint64_t> removed_;
 };
 
-// Follows one input through the census; what is wrong with it, or nothing.
+// Applies one input to the list of living bodies. Returns the reason why the input is wrong, or nothing.
 struct Follow {
   Census& census;
   std::uint64_t step;

@@ -7,8 +7,8 @@
 
 namespace tumble::scenes {
 
-/// When inputs may come: `time` is counted in steps of the scene's own dt. `steps_overridden`: the length of the
-/// session was given by --set, which makes a scene shorter without a complaint about the inputs that fall off its end.
+/// The steps that inputs may have. An input's `time` is counted in steps of the scene's own dt. `steps_overridden`:
+/// --set gave the length of the session, and inputs after its end are left out instead of being errors.
 struct InputClock {
   double dt = 0;
   std::uint64_t steps = 0;

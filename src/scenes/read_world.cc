@@ -19,7 +19,7 @@ bool is_name_character(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
 }
 
-// Names become file names: no folders, no hidden files, no surprises for a shell.
+// Names become file names, so characters that a shell or a file system treats specially are refused.
 bool is_name(std::string_view text) {
   return !text.empty() && text.size() <= kNameLengthMax && text[0] != '.' && text[0] != '-' &&
          std::all_of(text.begin(), text.end(), is_name_character);

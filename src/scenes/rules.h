@@ -4,8 +4,8 @@
 #include "src/model/limits.h"
 #include "src/scenes/table_reader.h"
 
-/// The ranges of the scene format, each where a message takes its words from. Limits of the simulation come from
-/// src/model/limits.h; the others only keep slips of the keyboard out.
+/// The ranges of the scene format, with the words of messages about them. Limits of the simulation come from
+/// src/model/limits.h; the other limits only catch typing errors.
 namespace tumble::scenes {
 
 inline constexpr NumberRule kSizeRule = {"three edge lengths", sim::kSizeMin, sim::kSizeMax, "m"};

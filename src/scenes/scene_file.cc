@@ -19,7 +19,7 @@
 namespace tumble::scenes {
 namespace {
 
-// What the body tables of a scene say, before ids are given and generators expanded.
+// The body tables of a scene as read, before ids are given and generators expanded.
 struct BodyTables {
   std::vector<sim::BoxDef> boxes;
   std::vector<Generator> generators;

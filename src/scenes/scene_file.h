@@ -18,11 +18,11 @@ namespace tumble::scenes {
 /// rest: "grid.rows=7", "grid.2.rows=7", "world.dt=0.01". Where one of them sets world.steps or world.seconds, inputs
 /// after the new end are left out.
 ///
-/// Any bytes whatsoever give a scene or an error, in bounded time and memory (16 MiB of text, sim::kBodiesMax bodies).
+/// Any bytes give a scene or an error, in bounded time and memory (16 MiB of text, sim::kBodiesMax bodies).
 /// Errors: bad_input, "<file>:<line>:<column>: <table> key <key>: found <x>, wanted <y>", or `--set <argument>` in
 /// front where the value came from there; cannot_finish if memory runs out.
 ///
-/// The result may still be refused by create_world, which knows what the simulation can do.
+/// create_world() may still refuse the result.
 Result<sim::SceneDef> parse_scene(std::string_view toml_text, std::string_view file_name,
                                   std::span<const std::string> overrides = {});
 

@@ -11,7 +11,7 @@
 
 namespace tumble::scenes {
 
-/// What a number must be, and how a message says so: "a mass from 1e-09 to 1000000000000.0 kg". Bounds are inclusive.
+/// The range of a number and its words in messages: "a mass from 1e-09 to 1000000000000.0 kg". Bounds are inclusive.
 struct NumberRule {
   const char* noun;
   double low;
@@ -22,7 +22,7 @@ struct NumberRule {
   [[nodiscard]] std::string text() const;
 };
 
-/// Likewise for whole numbers.
+/// The range of a whole number and its words in messages.
 struct IntegerRule {
   const char* noun;
   std::uint64_t low;
@@ -32,9 +32,9 @@ struct IntegerRule {
   [[nodiscard]] std::string text() const;
 };
 
-/// One table of a scene, read key by key. Each getter checks type and range, reports what is wrong to `problem` and
-/// gives the fallback if the key is missing or wrong; finish() reports every key that no getter asked for. The table
-/// and the problem must outlive the reader.
+/// One table of a scene, read key by key. Each getter checks type and range. For a wrong key it reports to `problem`
+/// and returns the fallback, for a missing key it returns the fallback. finish() reports every key that no getter read.
+/// The table and the problem must outlive the reader.
 class TableReader {
  public:
   /// label: as messages name the table, "[[box]]". prefix: of keys inside a key's own table, "material.".
@@ -56,12 +56,12 @@ class TableReader {
   /// The tables [[key]], or null.
   const toml::array* array_of_tables(std::string_view key);
 
-  /// Reports a key whose value is wrong in a way the getters cannot know. A missing key waits for finish(): where a
-  /// key is missing, another is often misspelt, and that is what a person wants to hear.
+  /// Reports a key whose value is wrong in a way the getters cannot know. A missing key is reported by finish(), after
+  /// unknown keys: a missing key is often a misspelt one, and the message about the misspelling helps more.
   void fail(std::string_view key, std::string_view wanted);
   void finish();
 
-  /// Of the key's value, or of the table if the key is missing.
+  /// The place of the key's value, or of the table if the key is missing.
   [[nodiscard]] Place place(std::string_view key) const;
   [[nodiscard]] Place place() const { return Place(table_.source()); }
   [[nodiscard]] const std::string& label() const { return label_; }

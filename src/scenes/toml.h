@@ -1,9 +1,9 @@
 #pragma once
 
-// toml++ as the scene reader wants it; the only place that includes it. Errors are values; numbers are read by
-// std::from_chars, which no locale can change; nesting is bounded far above what a scene needs (three levels), because
-// a table's destructor recurses. A file that also includes toml++ in another way would have two parsers in one program:
-// include this header instead.
+// toml++ with the settings of the scene reader; no other file includes the library. Errors are values; numbers are read
+// by std::from_chars, which no locale can change; nesting is bounded far above what a scene needs (three levels),
+// because a table's destructor recurses. A file that included toml++ with other settings would put two parsers into one
+// program.
 #ifndef TOML_HEADER_ONLY
 #define TOML_HEADER_ONLY 1
 #endif
@@ -15,8 +15,9 @@
 
 namespace tumble::scenes {
 
-/// Malformed text such as "[&" breaks what the parser of version 3.3 asserts about it: an abort in a debug build, and
-/// under clang an assumption to optimise by, which is worse. Here it ends the parse: parse_toml() catches it.
+/// Malformed text such as "[&" breaks assertions of the parser in version 3.3. A debug build would abort, and clang
+/// would optimise by the broken assumption. Here a broken assertion ends the parse: parse_toml() catches this
+/// exception.
 struct BrokenAssertion {};
 
 constexpr void toml_assert(bool holds) {
@@ -30,8 +31,8 @@ constexpr void toml_assert(bool holds) {
 #define TOML_ASSERT(expr) ::tumble::scenes::toml_assert(static_cast<bool>(expr))
 #define TOML_ASSERT_ASSUME(expr) TOML_ASSERT(expr)
 
-// Its test for white space calls "unreachable" what every letter from U+00A1 to U+0499 outside a text reaches. All
-// functions of this header answer yes or no; they are to answer no there.
+// The parser's test for white space marks a branch "unreachable" that every letter from U+00A1 to U+0499 outside a text
+// reaches. All functions with such a branch return a bool, and false is right there.
 #pragma push_macro("TOML_UNREACHABLE")
 #undef TOML_UNREACHABLE
 #define TOML_UNREACHABLE return false

@@ -76,7 +76,7 @@ std::vector<Room> suite() {
                                       "replay/recover", "replay/picture", "replay/diff"};
   const Folders parts = logs + Folders{"src/render", "src/render/picture", "golden/suite", "golden/expected"};
   const Folders run = parts + Folders{"golden/judge"};
-  const Folders above = run + Folders{"golden/run"};
+  const Folders above = run + Folders{"golden/run", "src/process"};
   return {
       {"golden/suite", logs + Folders{"src/render"}},
       {"golden/expected", logs},
@@ -100,7 +100,7 @@ std::vector<Room> program() {
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
       {"tools/output", below},
-      {"tools/files", below},
+      {"tools/files", below + Folders{"tools/output"}},
       {"tools/arguments", below + Folders{"tools/output", "tools/files"}},
       {"tools/bisect", above},
       {"tools/bench", above},

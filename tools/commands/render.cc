@@ -74,8 +74,8 @@ class Drawing {
     if (!renderer.ok()) return renderer.error();
     renderer_ = *std::move(renderer);
     if (Status ok = prepare_output(plan_, movie_); !ok.ok()) return ok.error();
-    summary_.driver = renderer_->context().driver();
-    summary_.backend = renderer_->context().backend_name();
+    summary_.driver = renderer_->driver();
+    summary_.backend = renderer_->backend_name();
     ProgressBar bar("drawing");
     const process::InterruptGuard guard;
     for (std::size_t i = 0; i < plan_.frames.size() && !process::InterruptGuard::interrupted(); ++i) {

@@ -6,11 +6,7 @@
 #include "src/world/body_columns.h"
 
 namespace tumble::sim {
-namespace {
-
-constexpr std::size_t kWorthBodies = 32768;  // for a thread more
-
-}  // namespace
+namespace {}  // namespace
 
 double falling_reach(const WorldDef& def, double dt_s) { return length(def.gravity) * dt_s * dt_s; }
 
@@ -22,7 +18,7 @@ Status find_near_pairs(WorldState& state, Scratch& scratch, double dt_s) {
   ReachColumns reach = {kContactSlack + falling_reach(state.def, dt_s), dt_s, scratch.turning.data(), {}, {}};
   put_pointers(scratch.aabb_low, reach.low);
   put_pointers(scratch.aabb_high, reach.high);
-  for_ranges(scratch.workers, n, kWorthBodies, [&](std::size_t begin, std::size_t end) {
+  for_ranges(scratch.workers, n, kBodiesAPart, [&](std::size_t begin, std::size_t end) {
     kernels(scratch.lanes).bodies.expand_aabbs(bodies, {begin, end}, reach);
   });
   find_overlaps_in_strips(scratch, state.pairs);

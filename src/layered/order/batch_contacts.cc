@@ -10,8 +10,6 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kWorthBatches = 2048;  // for a thread more
-
 // Which manifolds are solved side by side: those of one layer with as many points.
 class Grouping {
  public:
@@ -218,7 +216,7 @@ class Sharing {
 void batch_contacts(WorldState& state, Scratch& scratch) {
   ContactBatches& all = scratch.contact_batches;
   Grouping(scratch).run();
-  for_ranges(scratch.workers, all.batches.size(), kWorthBatches, [&](std::size_t begin, std::size_t end) {
+  for_ranges(scratch.workers, all.batches.size(), kBatchesAPart, [&](std::size_t begin, std::size_t end) {
     Filling filling(state, scratch);
     for (std::size_t k = begin; k < end; ++k) filling.fill(all.batches[k]);
   });

@@ -5,15 +5,11 @@
 #include "src/math/grid.h"
 
 namespace tumble::sim {
-namespace {
-
-constexpr std::size_t kWorthBodies = 32768;  // for a thread more
-
-}  // namespace
+namespace {}  // namespace
 
 Status apply_forces(WorldState& state, Scratch& scratch, double substep_s) {
   const Vec3 fall = state.def.gravity * substep_s;
-  for_ranges(scratch.workers, state.bodies.size(), kWorthBodies, [&](std::size_t begin, std::size_t end) {
+  for_ranges(scratch.workers, state.bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (scratch.in_contact[i] == 0) continue;
       SolverBody& body = scratch.solver_bodies[i];

@@ -8,8 +8,6 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kWorthBodies = 32768;  // for a thread more
-
 void leave_contact(WorldState& state, Scratch& scratch, BodyIndex i, double dt_s) {
   Bodies& bodies = state.bodies;
   const SolverBody& body = scratch.solver_bodies[i];
@@ -22,7 +20,7 @@ void leave_contact(WorldState& state, Scratch& scratch, BodyIndex i, double dt_s
 
 Status finish_motion(WorldState& state, Scratch& scratch, double dt_s) {
   const Bodies& bodies = state.bodies;
-  for_ranges(scratch.workers, bodies.size(), kWorthBodies, [&](std::size_t begin, std::size_t end) {
+  for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
       if (scratch.in_contact[i] != 0) leave_contact(state, scratch, i, dt_s);
     }

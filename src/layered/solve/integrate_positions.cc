@@ -12,7 +12,6 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kWorthBodies = 32768, kWorthBatches = 2048;  // for a thread more
 constexpr double kStiff = 0.002;  // rad in a sub-step up to which a body's inertia is left as it was
 
 // Turned as in free flight, which keeps angular momentum and energy: held against the world, the spin of a fast bar
@@ -40,7 +39,7 @@ void move_body(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) 
 
 Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s) {
   Bodies& bodies = state.bodies;
-  for_ranges(scratch.workers, bodies.size(), kWorthBodies, [&](std::size_t begin, std::size_t end) {
+  for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (scratch.in_contact[i] != 0) move_body(bodies, scratch, static_cast<BodyIndex>(i), substep_s);
     }
@@ -49,7 +48,7 @@ Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s
   // times too large, and sweeps would only make it worse.
   const bool renews = has_slender(scratch);
   const ContactWork work = all_contacts(scratch, substep_s);
-  for_ranges(scratch.workers, work.count, kWorthBatches, [&](std::size_t begin, std::size_t end) {
+  for_ranges(scratch.workers, work.count, kBatchesAPart, [&](std::size_t begin, std::size_t end) {
     kernels(scratch.lanes).contacts.move_on(part_of(work, begin, end));
     if (renews) kernels(scratch.lanes).contacts.renew(part_of(work, begin, end));
   });

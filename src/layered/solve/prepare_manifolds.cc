@@ -9,8 +9,6 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kWorthBodies = 32768, kWorthBatches = 2048;  // for a thread more
-
 SolverBody solver_body(const Bodies& bodies, const Scratch& scratch, BodyIndex i) {
   SolverBody body;
   if (!bodies.moves(i)) return body;
@@ -29,7 +27,7 @@ void prepare_bodies(WorldState& state, Scratch& scratch) {
   const std::size_t n = bodies.size();
   scratch.solver_bodies.resize(n + 1);
   scratch.solver_bodies[n] = {};
-  for_ranges(scratch.workers, n, kWorthBodies, [&](std::size_t begin, std::size_t end) {
+  for_ranges(scratch.workers, n, kBodiesAPart, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       scratch.solver_bodies[i] = solver_body(bodies, scratch, static_cast<BodyIndex>(i));
     }
@@ -53,7 +51,7 @@ Status prepare_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
   find_in_contact(state, scratch);
   batch_contacts(state, scratch);
   const ContactWork work = all_contacts(scratch, dt_s);
-  for_ranges(scratch.workers, work.count, kWorthBatches, [&](std::size_t begin, std::size_t end) {
+  for_ranges(scratch.workers, work.count, kBatchesAPart, [&](std::size_t begin, std::size_t end) {
     const ContactWork part = part_of(work, begin, end);
     kernels(scratch.lanes).contacts.prepare(part);
     mark_bounces(part);

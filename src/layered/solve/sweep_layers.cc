@@ -6,8 +6,8 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kWorthBatches = 512;  // for a thread more; measured
-constexpr std::size_t kWorthBodies = 8192;
+constexpr std::size_t kSweepBatches = 512;  // for a thread more; measured
+constexpr std::size_t kSweepBodies = 8192;
 
 // Lets the manifolds of a layer find what they do, then the bodies take it up.
 template <class Solve>
@@ -21,9 +21,9 @@ void solve_layer(Scratch& scratch, const ContactKernels& kernels, std::size_t la
     kernels.apply_outcomes(work, touched, count);
     return;
   }
-  for_ranges(scratch.workers, work.count, kWorthBatches,
+  for_ranges(scratch.workers, work.count, kSweepBatches,
              [&](std::size_t begin, std::size_t end) { solve(part_of(work, begin, end)); });
-  for_ranges(scratch.workers, count, kWorthBodies,
+  for_ranges(scratch.workers, count, kSweepBodies,
              [&](std::size_t begin, std::size_t end) { kernels.apply_outcomes(work, touched + begin, end - begin); });
 }
 

@@ -2,13 +2,6 @@
 
 namespace tumble::render {
 
-Result<Backend> parse_backend(const std::string& word) {
-  if (word == "auto") return Backend::kAuto;
-  if (word == "osmesa") return Backend::kOsmesa;
-  if (word == "egl") return Backend::kEgl;
-  return bad_input("--gl: found \"" + word + "\", wanted auto, osmesa or egl");
-}
-
 Result<std::unique_ptr<Context>> Context::open(Backend backend) {
   if (backend == Backend::kOsmesa) return open_osmesa();
   if (backend == Backend::kEgl) return open_egl();

@@ -4,15 +4,10 @@
 #include <string>
 
 #include "src/base/result.h"
+#include "src/render/gl/backend.h"
 #include "src/render/gl/table.h"
 
 namespace tumble::render {
-
-/// The library that makes the off-screen context. Both give equal pixels.
-enum class Backend { kAuto, kOsmesa, kEgl };
-
-/// "auto", "osmesa" or "egl". Errors (kBadInput): anything else.
-Result<Backend> parse_backend(const std::string& word);
 
 /// An OpenGL 3.3 core context without window or display, current on the thread that opened it. Use one backend per
 /// process: two drivers in one process share symbol names.
