@@ -4,8 +4,6 @@
 
 #include "replay/diff/divergence.h"
 #include "replay/format/body_states.h"
-#include "replay/format/little_endian.h"
-#include "replay/measure/metric_list.h"
 #include "src/base/check.h"
 #include "src/math/vec.h"
 

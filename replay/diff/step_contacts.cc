@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "replay/diff/replayer.h"
-#include "replay/format/body_states.h"
 #include "replay/format/chain.h"
-#include "replay/format/little_endian.h"
 #include "replay/session/player.h"
 #include "src/world/scratch.h"
 

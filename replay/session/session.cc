@@ -20,9 +20,8 @@ Result<Session> Session::resume(sim::WorldState state, sim::SceneDef scene) {
 }
 
 // Order decides bits: a push before a throw meets another world than one after it. The scene's inputs come first
-// because their steps are fixed before the session begins; live ones follow in the order in which they were made.
-// `<=` and not `==`, so that an input for a step that has passed (a scene that is resumed) is applied and not stuck in
-// front.
+// because their steps are fixed before the session begins; live ones follow in the order in which they were made. The
+// comparison is `<=` and not `==`: an input for a step that has passed is applied late and does not block those behind.
 Status Session::apply_inputs(std::span<const sim::Command> live) {
   const std::uint64_t step = world_.state().step + 1;
   applied_.clear();

@@ -23,7 +23,7 @@ struct TakenStep {
 /// inputs does it here, so all of them apply inputs at one time and in one order.
 class Session {
  public:
-  /// Begins with state 0 of the scene. Errors: World::create's.
+  /// Begins with state 0 of the scene. Errors: create_world's.
   static Result<Session> start(sim::SceneDef scene);
 
   /// Resumes at `state`. scene.inputs holds the inputs still to come; without a scene the caller passes all inputs to

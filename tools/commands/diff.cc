@@ -107,14 +107,9 @@ Result<Difference> look_closer(replay::LogReader& a, replay::LogReader& b, const
 }
 
 Result<Exit> show_step(const Options& options, replay::LogReader& a, replay::LogReader& b) {
-  const Result<SideBySide> step = step_side_by_side(a, b, *options.step);
-  if (!step.ok()) return step.error();
-  if (options.json) {
-    print_json(step->json);
-  } else {
-    print_side_by_side(*step);
-  }
-  return step->same ? Exit::kSame : Exit::kDifference;
+  const Result<bool> same = print_side_by_side(a, b, *options.step, options.json);
+  if (!same.ok()) return same.error();
+  return *same ? Exit::kSame : Exit::kDifference;
 }
 
 Status draw(const Options& options, const Difference& difference) {
@@ -198,7 +193,7 @@ Action declare_diff(Arguments& arguments) {
       "Examples:\n"
       "  tumble diff before.tumble after.tumble\n"
       "  tumble diff before.tumble after.tumble --step 120\n"
-      "  tumble diff before.tumble after.tumble --plot gap.svg\n"
+      "  tumble diff before.tumble after.tumble --plot separation.svg\n"
       "  tumble diff before.tumble after.tumble --tolerance position=1e-6 --tolerance velocity=1e-4 --json");
   return [options] { return diff(*options); };
 }

@@ -97,7 +97,7 @@ Action declare_replay(Arguments& arguments) {
   auto options = std::make_shared<Options>();
   arguments.positional("LOG", options->log, "The log to replay").required();
   arguments.threads(options->threads);
-  arguments.flag("--brief", options->brief, "Stop at the first difference; do not look what it leads to");
+  arguments.flag("--brief", options->brief, "Stop at the first difference; do not follow its growth");
   arguments.json(options->json);
   arguments.footer(
       "Exit status: 0 identical, 1 a difference, 3 the log is damaged or torn (its whole part is replayed).\n\n"

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "replay/diff/difference_report.h"
 #include "tools/output/text.h"
 

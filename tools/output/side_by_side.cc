@@ -13,6 +13,7 @@
 #include "replay/format/body_states.h"
 #include "replay/session/state_source.h"
 #include "tools/output/divergence_output.h"
+#include "tools/output/text.h"
 
 namespace tumble::tools {
 namespace {
@@ -149,7 +150,11 @@ void print_fields(const Json& body, Table& table) {
   }
 }
 
-}  // namespace
+/// One step of two logs.
+struct SideBySide {
+  bool same = false;  ///< in every bit that both logs hold of it
+  Json json;
+};
 
 Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b, std::uint64_t k) {
   replay::StateSource source_a(a), source_b(b);
@@ -184,7 +189,7 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
   return step;
 }
 
-void print_side_by_side(const SideBySide& step) {
+void print_text(const SideBySide& step) {
   const Json& json = step.json;
   std::cout << "step " << json["step"].dump() << ": " << (step.same ? "the same" : "different") << "\n\n";
   const auto verdict = [](const Json& row) { return row["same"].get<bool>() ? "same" : "DIFFERENT"; };
@@ -225,6 +230,19 @@ void print_side_by_side(const SideBySide& step) {
   if (contacts["first"].is_null()) return;
   std::cout << "  first contact that differs\n    A  " << cell(contacts["first"]["a"]) << "\n    B  "
             << cell(contacts["first"]["b"]) << '\n';
+}
+
+}  // namespace
+
+Result<bool> print_side_by_side(replay::LogReader& a, replay::LogReader& b, std::uint64_t k, bool as_json) {
+  const Result<SideBySide> step = step_side_by_side(a, b, k);
+  if (!step.ok()) return step.error();
+  if (as_json) {
+    print_json(step->json);
+  } else {
+    print_text(*step);
+  }
+  return step->same;
 }
 
 }  // namespace tumble::tools

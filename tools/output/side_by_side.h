@@ -1,22 +1,16 @@
 #pragma once
 
+#include <cstdint>
+
 #include "replay/log/log_reader.h"
 #include "src/base/result.h"
-#include "tools/output/text.h"
 
 /// `diff --step K`: one step of two logs side by side, phase by phase.
 namespace tumble::tools {
 
-struct SideBySide {
-  bool same = false;  ///< in every bit that both logs hold of it
-  Json json;          ///< for `--json`
-};
-
-/// Compares step k of both. For a log that begins at k, only its first state is compared. Errors: as
+/// Compares step k of both and prints the comparison, for people or as JSON. For a log that begins at k, only its first
+/// state is compared. Returns whether every bit that both logs hold of the step is equal. Errors: as
 /// LogReader::read_step().
-Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b, std::uint64_t k);
-
-/// Prints the comparison for people.
-void print_side_by_side(const SideBySide& step);
+Result<bool> print_side_by_side(replay::LogReader& a, replay::LogReader& b, std::uint64_t k, bool as_json);
 
 }  // namespace tumble::tools
