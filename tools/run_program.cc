@@ -21,18 +21,18 @@ namespace {
 constexpr std::array kCommands = {
     Command{"record", "run a scene and write every input and step to a log", declare_record},
     Command{"replay", "run a log through the physics and compare every step", declare_replay},
-    Command{"recover", "make a whole log of what is left in a damaged one", declare_recover},
+    Command{"recover", "make a whole log of the intact parts of a damaged one", declare_recover},
     Command{"diff", "find the first difference between two logs", declare_diff},
-    Command{"info", "what a log holds, and whether every byte of it is as written", declare_info},
-    Command{"measure", "symmetry, energy and stacking of a recorded session", declare_measure},
-    Command{"dump", "the bodies at one step or over many, to the last bit", declare_dump},
-    Command{"render", "pictures and movies of a recorded session", declare_render},
-    Command{"check", "run the golden suite and say what changed", declare_check},
-    Command{"bisect", "find the commit after which a session is another one", declare_bisect},
-    Command{"bless", "accept what cases do now as their goldens", declare_bless},
-    Command{"import", "another engine's states, from a table to a log", declare_import},
-    Command{"bench", "how fast, how right beside other engines, how it grows", declare_bench},
-    Command{"scenes", "the scenes that can be recorded by name", declare_scenes},
+    Command{"info", "show what a log holds, and check every byte of it", declare_info},
+    Command{"measure", "measure symmetry, energy and stacking of a session", declare_measure},
+    Command{"dump", "print bodies at one step or over many, to the last bit", declare_dump},
+    Command{"render", "draw pictures and movies of a recorded session", declare_render},
+    Command{"check", "run the golden suite and report changes", declare_check},
+    Command{"bisect", "find the commit that changed a session", declare_bisect},
+    Command{"bless", "accept the present results of cases as goldens", declare_bless},
+    Command{"import", "make a log of another engine's states in a table", declare_import},
+    Command{"bench", "measure speed and growth, compare with other engines", declare_bench},
+    Command{"scenes", "list the scenes that can be recorded by name", declare_scenes},
 };
 
 const Command* find_command(std::string_view name) {
@@ -48,7 +48,7 @@ std::string overview() {
       "Usage: tumble COMMAND [OPTIONS]\n\nCommands:\n";
   for (const Command& command : kCommands) text += "  " + padded(command.name, 10) + command.summary + '\n';
   return text +
-         "\ntumble help COMMAND explains one, with examples; tumble --version tells the version.\n\n"
+         "\ntumble help COMMAND explains a command, with examples; tumble --version prints the version.\n\n"
          "Exit status: 0 same or done, 1 difference found, 2 bad usage or input, 3 file damaged or torn,\n"
          "             4 could not finish\n\n"
          "Example: tumble record brick_wall && tumble replay brick_wall.tumble\n";

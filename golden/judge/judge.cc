@@ -80,8 +80,8 @@ class Pass {
     if (!same_words) {
       result.problems.push_back("stale: blessed with phase hashes of version " + number(expected.phase_hash_version) +
                                 ", run with version " + number(log_.header().phase_hash_version) +
-                                ", which cover different fields: states and metrics were compared, what led from state "
-                                "to state was not; bless the case if nothing else is wrong with it");
+                                ", which cover different fields: states and metrics were compared, phase "
+                                "hashes were not; bless the case if it has no other fault");
     }
     result.notes = comparer_->notes();
     result.difference = comparer_->finish(reference_.continuation);

@@ -120,7 +120,7 @@ std::string case_body(const CaseResult& result, const std::string& suite, Report
   std::string out = "<div class=\"inside\">\n";
   out += "<p class=\"soft\">" + escaped(result.title) + " · " + std::to_string(result.bodies) + " bodies, " +
          std::to_string(result.steps) + " steps, " + fixed(result.seconds, 2) + " s" + "</p>\n";
-  if (!result.problems.empty()) out += element("h3", "What is wrong with the case") + list_of(result.problems);
+  if (!result.problems.empty()) out += element("h3", "Problems of the case") + list_of(result.problems);
   std::vector<std::string> verdicts;
   for (std::size_t k = 0; k < kVerdictNames.size(); ++k) {
     const Verdict& verdict = result.verdicts[k];
@@ -174,8 +174,8 @@ std::string tiles(const SuiteResult& result) {
 std::string canary_list(const SuiteResult& result) {
   std::string out = std::string("<details") + (result.canaries_caught() ? ">" : " class=\"fail\" open>") +
                     "<summary><h3>Canaries</h3><span>comparisons that must fail, made in every run</span></summary>\n"
-                    "<div class=\"inside\"><div class=\"scroll\"><table><thead><tr><th>Caught</th><th>What is wrong on "
-                    "purpose</th><th>What the judge said</th></tr></thead><tbody>\n";
+                    "<div class=\"inside\"><div class=\"scroll\"><table><thead><tr><th>Caught</th><th>Fault made "
+                    "on purpose</th><th>Finding of the judge</th></tr></thead><tbody>\n";
   for (const CanaryResult& canary : result.canaries) {
     out += std::string("<tr class=\"") + (canary.caught ? "pass" : "fail") + "\"><td class=\"mark\">" +
            (canary.caught ? "✓ caught" : "✕ not caught") + "</td><td>" + escaped(canary.name) + "</td><td>" +

@@ -107,7 +107,7 @@ void declare_arguments(Arguments& arguments, RenderArguments& target) {
   arguments.option("--steps", "A:B", target.steps, "From the state after step A to that after B (default: all)")
       .excludes(step);
   arguments.option("-o,--output", "PATH", target.output,
-                   "Where to write: FILE.png; FILE.mp4 or FILE.webm for a movie; else a folder for numbered pictures");
+                   "The output: FILE.png; FILE.mp4 or FILE.webm for a movie; else a folder for numbered pictures");
   arguments.option("--size", "WxH", target.size, "Width and height in pixels (default: 640x480)");
   arguments.whole("--samples", "N", target.samples, 1, render::kSamplesMax,
                   "Samples of a pixel along each edge: 1 is quick, 2 (default) has smooth edges");
@@ -116,7 +116,8 @@ void declare_arguments(Arguments& arguments, RenderArguments& target) {
   arguments.option("--pass", "NAME", target.pass,
                    "The image to write: depth, base, masks, shrunk, hdr, blur_x, blurred, glow, final (default)");
   arguments.option("--show", "LIST", target.show, "Some of bounds,contacts,freezing,velocities");
-  arguments.option("--compare", "OTHER", target.compare, "Lay OTHER over it: what differs is orange, OTHER's is blue");
+  arguments.option("--compare", "OTHER", target.compare,
+                   "Draw OTHER over LOG: bodies that differ are orange, OTHER's are blue");
   arguments.positive("--speed", "X", target.speed, kSpeedMax, "Simulated seconds a second shows; 0.1 is slow motion")
       .excludes(step)
       .excludes(every);

@@ -32,12 +32,12 @@ Result<sim::Vec3> parse_shift(const std::string& text) {
 void add_transform(Arguments& arguments, TransformArguments& target, Argument excluded) {
   arguments
       .option("--mirror", "AXIS", target.mirror,
-              "Record the scene's mirror image: x (x becomes -x), y, or diagonal (x and y change places)")
+              "Mirror the scene: x (x becomes -x), y, or diagonal (x and y change places)")
       .excludes(excluded);
-  arguments.option("--shift", "X,Y", target.shift, "Record the scene moved by so many metres").excludes(excluded);
+  arguments.option("--shift", "X,Y", target.shift, "Move the scene by X and Y metres").excludes(excluded);
   arguments
       .whole("--permute", "SEED", target.permute, 0, std::numeric_limits<std::int64_t>::max(),
-             "Record the scene with the bodies' ids exchanged among them, by this seed")
+             "Exchange the bodies' ids among them, by this seed")
       .excludes(excluded);
 }
 

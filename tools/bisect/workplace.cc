@@ -73,7 +73,7 @@ Result<Workplace> Workplace::open(const std::string& folder, const std::string& 
   place.lock_ = ::open(place.file(kLockFile).c_str(), O_RDWR | O_CREAT, 0600);  // NOLINT(android-cloexec-open)
   if (place.lock_ < 0) return cannot_finish(place.root_ + ": cannot be written to");
   if (flock(place.lock_, LOCK_EX | LOCK_NB) != 0) {
-    return cannot_finish(place.root_ + ": another bisection, or what it started, is still at work there");
+    return cannot_finish(place.root_ + ": another bisection, or a program that it started, still works there");
   }
   if (resume && !fs::exists(place.state(), error)) {
     return bad_input("--resume: found no interrupted bisection of this question in " + place.root_ +

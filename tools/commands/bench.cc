@@ -50,9 +50,9 @@ Action declare_bench(Arguments& arguments) {
   arguments.json(options->json);
   arguments.footer(
       "peers    our scenes through Bullet, ODE and MuJoCo, where they are installed, in turn with ours\n"
-      "table1   the thesis's Table I beside its own and Havok's columns\n"
-      "scaling  the exponent with which time grows with the number of bodies\n"
-      "memory   bytes a body and a contact that the simulation holds\n"
+      "table1   our times of the thesis's Table I beside its own and Havok's\n"
+      "scaling  the exponent of time over the number of bodies\n"
+      "memory   the simulation's bytes by body and by contact\n"
       "phases, threads, record, render   the programs step_bench, thread_model, log_bench and render_bench (of "
       "brick_wall.tumble) of the build\n\n"
       "Times are CPU seconds of one thread. docs/performance.md explains the figures.\n\n"

@@ -71,7 +71,7 @@ Result<Exit> locate_in_logs(const Options& options) {
     print_location(located->location);
     std::cout << "  opened      " << located->chunks_opened << " chunks of " << chunks << '\n';
   } else {
-    std::cout << (report.identical() ? "identical: " : "different in length; the same: ")
+    std::cout << (report.identical() ? "identical: " : "different in length; identical: ")
               << count_text(report.steps, "step") << '\n';
   }
   return judge("bisect", *b, judge("bisect", *a, report.identical() ? Exit::kSame : Exit::kDifference));
@@ -164,7 +164,8 @@ Result<Exit> find_commit(const Options& options) {
   const Result<bisect::Finding> finding = search(*settings, *place, options.json);
   if (!finding.ok()) {
     if (!process::InterruptGuard::interrupted()) return finding.error();
-    return cannot_finish(finding.error().message + "; what is known is kept: the same command with --resume goes on");
+    return cannot_finish(finding.error().message +
+                         "; the answers are kept: repeat the command with --resume to continue");
   }
   const bisect::Comparison comparison = bisect::compare_sessions(*finding, *place);
   if (options.json) {
@@ -188,19 +189,19 @@ void declare_question(Arguments& arguments, Options& options) {
 
 void declare_building(Arguments& arguments, Options& options) {
   arguments.option("--repo", "DIR", options.repository, "A folder in the clone; the current one if not given");
-  arguments.flag("--first-parent", options.first_parent, "Ask only along first parents: which merge it was");
+  arguments.flag("--first-parent", options.first_parent, "Follow first parents only, to find a merge");
   arguments.option(
       "--build", "COMMAND", options.build,
       "A command that builds a revision, run in its folder; may be repeated. The release preset's build of "
       "tumble if not given");
-  arguments.option("--program", "PATH", options.program, "The program it makes, a path from that folder");
+  arguments.option("--program", "PATH", options.program, "The program that the build makes, a path from that folder");
   arguments.option("--run", "COMMAND", options.run,
                    "Instead of the program: a command of any engine that makes the log {log} of the scene {scene}");
   constexpr double kTimeoutMax = 1e6;
   arguments.positive("--timeout", "S", options.timeout, kTimeoutMax, "Skip a revision whose program takes longer");
   arguments.option("--work", "DIR", options.work,
                    "Work in this folder; one under the folder for temporary files if not given");
-  arguments.flag("--resume", options.resume, "Go on with an interrupted bisection: the same arguments and --resume");
+  arguments.flag("--resume", options.resume, "Continue an interrupted bisection: its arguments and --resume");
   arguments.flag("--keep", options.keep, "Keep the folder with the clone, the last build and the sessions");
 }
 
@@ -209,8 +210,8 @@ void declare_building(Arguments& arguments, Options& options) {
 Action declare_bisect(Arguments& arguments) {
   auto options = std::make_shared<Options>();
   arguments.positionals("LOG", options->logs, "Two logs; or, with --good and --bad, the session to ask about", 2);
-  const Argument good = arguments.option("--good", "REV", options->good, "A revision that is as it should be");
-  const Argument bad = arguments.option("--bad", "REV", options->bad, "A later revision that is not");
+  const Argument good = arguments.option("--good", "REV", options->good, "A good revision");
+  const Argument bad = arguments.option("--bad", "REV", options->bad, "A later, bad revision");
   good.needs(bad);
   bad.needs(good);
   declare_question(arguments, *options);
@@ -219,8 +220,8 @@ Action declare_bisect(Arguments& arguments) {
   arguments.footer(
       "docs/bisecting.md explains it. Revisions that do not build or cannot read the log are skipped. The clone's own\n"
       "files, index and branches are not touched.\n\n"
-      "Exit status: 0 two logs are the same, 1 they differ, or the commit was found, 4 interrupted, or what is left\n"
-      "could not be asked.\n\n"
+      "Exit status: 0 two logs are identical, 1 they differ, or the commit was found, 4 interrupted, or the\n"
+      "remaining commits could not be asked.\n\n"
       "Examples:\n"
       "  tumble bisect before.tumble after.tumble\n"
       "  tumble bisect --good v0.1 --bad main wall.tumble\n"

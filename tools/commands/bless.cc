@@ -64,16 +64,17 @@ Action declare_bless(Arguments& arguments) {
   auto options = std::make_shared<Options>();
   arguments.positionals("CASE", options->cases, "The cases to bless, or the name of a new one with --from");
   arguments.flag("--all", options->all, "Every case of the suite");
-  arguments.option("--reason", "TEXT", options->reason, "Why the goldens move: one line for HISTORY.md").required();
+  arguments.option("--reason", "TEXT", options->reason, "The reason of the change: one line for HISTORY.md").required();
   arguments.option("--from", "LOG", options->log, "Make a new case of this recorded session");
-  arguments.flag("--dry-run", options->dry_run, "Say what would change, and change nothing");
+  arguments.flag("--dry-run", options->dry_run, "Print the changes and write nothing");
   arguments.option("--suite", "DIR", options->suite,
                    "The suite: a folder with cases/ in it; the nearest golden/ if not given");
   arguments.whole("--jobs", "N", options->jobs, 1, 1024, "Cases at a time; as many as processors if not given");
   arguments.json(options->json);
   arguments.footer(
       "Replaces expected.tumble and the values in metrics.toml; bounds stay. A metric out of its bounds is refused:\n"
-      "change the bound, and its reason, in metrics.toml first. HISTORY.md gets what moved, by how much and why.\n\n"
+      "change the bound, and its reason, in metrics.toml first. HISTORY.md records each change\n"
+      "with its size and its reason.\n\n"
       "Examples:\n"
       "  tumble bless brick_wall --reason \"contacts are found before planes are cached\" --dry-run\n"
       "  tumble bless --all --reason \"method thesis, version 2\"\n"

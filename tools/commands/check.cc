@@ -115,9 +115,9 @@ Action declare_check(Arguments& arguments) {
                    "The suite: a folder with cases/ in it; the nearest golden/ if not given");
   arguments.option("--category", "NAME", options->category, "Only cases of this category");
   arguments.option("--require", "VERDICT", options->require,
-                   "Which verdict decides, instead of what each case says: exact, behaviour or image; may be repeated");
+                   "A verdict that decides, instead of each case's own: exact, behaviour or image; may be repeated");
   arguments.option("--report", "DIR", options->report,
-                   "Where to write index.html, junit.xml, report.json and the logs of failed "
+                   "The folder for index.html, junit.xml, report.json and the logs of failed "
                    "cases; report if not given");
   arguments.option("--junit", "FILE", options->junit, "Write junit.xml to this file instead");
   arguments.option("--shard", "K/N", options->shard, "Only the K-th of N parts of the suite");

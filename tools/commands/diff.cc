@@ -175,7 +175,7 @@ Action declare_diff(Arguments& arguments) {
   arguments.positional("B", options->b, "The log to compare with it").required();
   arguments.option("--tolerance", "FIELD=V", options->tolerances,
                    "Call states equal where each component of FIELD (position, orientation, velocity, spin: angular "
-                   "velocity) is at most V apart; then states decide and hashes do not. May be repeated");
+                   "velocity) is at most V apart; states then decide, not hashes. May be repeated");
   const Argument step = arguments.whole("--step", "K", options->step, 0, sim::kStepsMax,
                                         "Show step K of both side by side, phase by phase, and the bodies that differ");
   const Argument plot =
@@ -188,8 +188,8 @@ Action declare_diff(Arguments& arguments) {
       .excludes(plot);
   arguments.json(options->json);
   arguments.footer(
-      "Exit status: 0 the same, 1 a difference, 3 a log is damaged or torn (the whole parts are compared), or broken:\n"
-      "its states do not match its hashes.\n\n"
+      "Exit status: 0 the same, 1 a difference, 3 a log is damaged or torn (the intact parts are compared),\n"
+      "or broken: its states do not match its hashes.\n\n"
       "Examples:\n"
       "  tumble diff before.tumble after.tumble\n"
       "  tumble diff before.tumble after.tumble --step 120\n"

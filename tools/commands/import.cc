@@ -114,11 +114,12 @@ Action declare_import(Arguments& arguments) {
   arguments.option("--header", "LINE", options->settings,
                    "A line of the header, \"key: value\", that wins over the table's: \"up: y\", \"dt: 0.01\"");
   arguments.option("--like", "LOG", options->like,
-                   "Sizes, masses, gravity, dt and camera, where the table does not say them, as in this log");
+                   "Take sizes, masses, gravity, dt and camera from this log where the table lacks them");
   arguments.json(options->json);
   arguments.footer(
-      "Columns: step or time, id, position.x …, orientation.w …, velocity.x …, spin.x …, and any of frozen, size.x …,\n"
-      "mass, static, friction, restitution, row, column. Lines \"# key: value\" before them: engine, version, scene,\n"
+      "Columns: step or time, id, position.x …, orientation.w …, velocity.x …, spin.x … (angular velocity),\n"
+      "and any of frozen, size.x …, mass, static, friction, restitution, row, column.\n"
+      "Lines \"# key: value\" before them: engine, version, scene,\n"
       "precision, up, handed, length, dt, gravity, ground, size, mass, friction, restitution.\n"
       "docs/other_engines.md explains each. The log can be compared, measured and drawn, but not replayed.\n\n"
       "Examples:\n"

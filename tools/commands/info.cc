@@ -166,11 +166,11 @@ Result<Exit> info(const Options& options) {
 
 Action declare_info(Arguments& arguments) {
   auto options = std::make_shared<Options>();
-  arguments.positional("LOG", options->log, "The log to look at").required();
+  arguments.positional("LOG", options->log, "The log to read").required();
   arguments.json(options->json);
   arguments.footer(
-      "Reads every byte and checks every hash. Exit status: 0 whole, 3 damaged or torn; what can be read is "
-      "printed.\n\n"
+      "Reads every byte and checks every hash. Exit status: 0 whole, 3 damaged or torn; the intact\n"
+      "part is printed.\n\n"
       "Examples:\n"
       "  tumble info brick_wall.tumble\n"
       "  tumble info brick_wall.tumble --json");

@@ -256,18 +256,16 @@ Action declare_record(Arguments& arguments) {
       .excludes(from);
   add_transform(arguments, options->transform, from);
   arguments.threads(options->threads);
-  const Argument realtime =
-      arguments.flag("--realtime", options->realtime.on,
-                     "Step with the time that passes on the clock, a frame every dt of the scene; "
-                     "the steps are in the log as inputs, so it replays like any other");
+  const Argument realtime = arguments.flag("--realtime", options->realtime.on,
+                                           "Step with the clock, a frame every dt of the scene; "
+                                           "step lengths are inputs in the log, so it replays like any other");
   arguments
       .positive("--longest-step", "S", options->realtime.longest_step, sim::kDtMax,
-                "With --realtime: no step is longer, s; four times dt if not given")
+                "With --realtime: the longest step, s; four times dt if not given")
       .needs(realtime);
-  arguments.option(
-      "--states", "MODE", options->states,
-      "Which states the log holds: all (if not given), every:N (one step in N) or hashes (none); the others "
-      "can be simulated again");
+  arguments.option("--states", "MODE", options->states,
+                   "States in the log: all (if not given), every:N (one step in N) or hashes (none); the others "
+                   "can be simulated again");
   arguments.json(options->json);
   arguments.flag("--quiet", options->quiet, "Print nothing but errors");
   arguments.footer(

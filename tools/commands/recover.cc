@@ -45,11 +45,11 @@ Status verify_written(const std::string& path, const RecoverReport& report) {
   if (!log.ok()) return log.error();
   const replay::VerifyReport verified = replay::verify(*log);
   if (!verified.condition.sound()) {
-    return cannot_finish(path + ": what was written does not read back: " +
-                         verified.condition.summary(log->last_step()) + "; the damaged log was not touched");
+    return cannot_finish(path + ": the new log does not read back: " + verified.condition.summary(log->last_step()) +
+                         "; the damaged log was not touched");
   }
   if (verified.steps_checked == report.steps && log->last_step() == report.last_step) return {};
-  return cannot_finish(path + ": found " + std::to_string(verified.steps_checked) + " steps in what was written, " +
+  return cannot_finish(path + ": found " + std::to_string(verified.steps_checked) + " steps in the new log, " +
                        "wanted " + std::to_string(report.steps) + "; the damaged log was not touched");
 }
 
@@ -141,9 +141,9 @@ Action declare_recover(Arguments& arguments) {
   arguments.option("-o,--output", "LOG", options->log, "The log to write").required();
   arguments.json(options->json);
   arguments.footer(
-      "Keeps every chunk that is whole, wherever it lies in the file, also behind damage, and reads what it wrote\n"
-      "from end to end before it says so. Exit status: 0 nothing was lost, 3 something was, which it names; 2 the\n"
-      "file was never a log; 4 the new log could not be written.\n\n"
+      "Keeps every intact chunk, wherever it lies in the file, also behind damage, and reads the new log from end to\n"
+      "end before it reports success. Exit status: 0 nothing was lost, 3 something was, and is named; 2 the file was\n"
+      "never a log; 4 the new log could not be written.\n\n"
       "Examples:\n"
       "  tumble recover torn.tumble -o saved.tumble\n"
       "  tumble recover torn.tumble -o saved.tumble --json");
