@@ -10,7 +10,6 @@
 #include "replay/codec/chunk_codec.h"
 #include "replay/codec/state_keys.h"
 #include "replay/format/body_states.h"
-#include "replay/format/columns.h"
 #include "src/step/step.h"
 #include "tests/support/log_memory.h"
 

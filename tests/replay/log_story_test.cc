@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "replay/codec/chunk_codec.h"
 #include "replay/codec/zstd_frame.h"
 #include "replay/diff/difference_report.h"
 #include "replay/diff/locate_divergence.h"

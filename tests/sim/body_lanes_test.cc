@@ -12,6 +12,7 @@
 #include "src/step/step.h"
 #include "src/thesis/integrate.h"
 #include "src/world/body_check.h"
+#include "src/world/free_flight.h"
 #include "src/world/scratch.h"
 #include "tests/support/sim_scenes.h"
 
@@ -65,7 +66,7 @@ TEST(BodyLanes, FlyAsOneBodyDoes) {
         expected.spin.set(i, flight.spin);
       }
       ASSERT_NE(world.bodies(), expected);
-      ASSERT_TRUE(test::run_phase(integrate, world, kDt).ok());
+      ASSERT_TRUE(test::run_phase(sim::integrate, world, kDt).ok());
       ASSERT_EQ(world.bodies(), expected) << name_of(width) << " lanes, seed " << seed;
     }
   }
@@ -97,7 +98,7 @@ TEST(BodyLanes, AreFramedAndReachOutAsOneBodyDoes) {
       if (!runs_lanes(width)) continue;
       SCOPED_TRACE(std::string(name_of(width)) + " lanes, seed " + std::to_string(seed));
       World world = world_in(mixed_bodies(seed), width);
-      ASSERT_TRUE(test::run_phase(find_near_pairs, world, kDt).ok());
+      ASSERT_TRUE(test::run_phase(sim::find_near_pairs, world, kDt).ok());
       for (BodyIndex i = 0; i < world.bodies().size(); ++i) expect_reach(world, i);
       ASSERT_FALSE(testing::Test::HasFailure());
     }

@@ -220,10 +220,10 @@ World crash() {
   scene.boxes[1].spin = {1, 2, -1};
   for (BoxDef& b : scene.boxes) b.material = {0.8, 0.5, 0.7};
   World world = made(scene);
-  EXPECT_TRUE(test::run_phase(find_pairs, world, 0).ok());
-  EXPECT_TRUE(test::run_phase(find_planes, world, 0).ok());
-  EXPECT_TRUE(test::run_phase(find_contacts, world, 0).ok());
-  EXPECT_TRUE(test::run_phase(compute_impulses, world, 0).ok());
+  EXPECT_TRUE(test::run_phase(sim::find_pairs, world, 0).ok());
+  EXPECT_TRUE(test::run_phase(sim::find_planes, world, 0).ok());
+  EXPECT_TRUE(test::run_phase(sim::find_contacts, world, 0).ok());
+  EXPECT_TRUE(test::run_phase(sim::compute_impulses, world, 0).ok());
   EXPECT_EQ(world.scratch().contacts.size(), 1U);
   return world;
 }
@@ -297,10 +297,10 @@ TEST(ComputeImpulses, OutcomesAreComputedBeforeAnyIsApplied) {
   scene.boxes[2].velocity = {-2, 0, 0};
   for (BoxDef& b : scene.boxes) b.material = {0, 0, 0};
   World world = made(scene);
-  ASSERT_TRUE(test::run_phase(find_pairs, world, 0).ok());
-  ASSERT_TRUE(test::run_phase(find_planes, world, 0).ok());
-  ASSERT_TRUE(test::run_phase(find_contacts, world, 0).ok());
-  ASSERT_TRUE(test::run_phase(compute_impulses, world, 0).ok());
+  ASSERT_TRUE(test::run_phase(sim::find_pairs, world, 0).ok());
+  ASSERT_TRUE(test::run_phase(sim::find_planes, world, 0).ok());
+  ASSERT_TRUE(test::run_phase(sim::find_contacts, world, 0).ok());
+  ASSERT_TRUE(test::run_phase(sim::compute_impulses, world, 0).ok());
   ASSERT_EQ(world.scratch().contacts.size(), 2U);
   const Vec3 left = world.scratch().contacts.impulse[0], right = world.scratch().contacts.impulse[1];
   EXPECT_GT(left.x(), 0.5);

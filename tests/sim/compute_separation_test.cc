@@ -46,7 +46,7 @@ World separated(const std::vector<BoxDef>& boxes, const std::vector<Overlap>& ov
     contacts.normal.push_back(o.normal);
     contacts.depth.push_back(o.depth);
   }
-  EXPECT_TRUE(test::run_phase(compute_separation, world, 0).ok());
+  EXPECT_TRUE(test::run_phase(sim::compute_separation, world, 0).ok());
   return world;
 }
 
@@ -168,7 +168,7 @@ TEST(ApplyOutcomes, AppliesGainsAndDisplacementToMovingBodiesOnly) {
   scratch.spin_gain.assign(3, {4, 5, 6});
   scratch.displacement.assign(3, {0.5, 0.25, 0.125});
   scratch.touched = {1, 1, 1};
-  ASSERT_TRUE(test::run_phase(apply_outcomes, world, 0).ok());
+  ASSERT_TRUE(test::run_phase(sim::apply_outcomes, world, 0).ok());
   const sim::Bodies& bodies = world.bodies();
   EXPECT_EQ(bodies.position[0], Vec3(0.5, 0.25, 0.125));
   EXPECT_EQ(bodies.position[1], Vec3(10, 0, 0));

@@ -34,9 +34,9 @@ World in_the_ground(const BoxDef& body) {
   SceneDef scene = on_ground();
   scene.boxes = {body};
   World world = made(scene);
-  EXPECT_TRUE(test::run_phase(find_pairs, world, 0).ok());
-  EXPECT_TRUE(test::run_phase(find_planes, world, 0).ok());
-  EXPECT_TRUE(test::run_phase(find_contacts, world, 0).ok());
+  EXPECT_TRUE(test::run_phase(sim::find_pairs, world, 0).ok());
+  EXPECT_TRUE(test::run_phase(sim::find_planes, world, 0).ok());
+  EXPECT_TRUE(test::run_phase(sim::find_contacts, world, 0).ok());
   return world;
 }
 
@@ -45,10 +45,10 @@ World colliding(const BoxDef& a, const BoxDef& b, AxisSet planes = 0) {
   SceneDef scene = empty_space();
   scene.boxes = {a, b};
   World world = made(scene);
-  EXPECT_TRUE(test::run_phase(find_pairs, world, 0).ok());
-  EXPECT_TRUE(test::run_phase(find_planes, world, 0).ok());
+  EXPECT_TRUE(test::run_phase(sim::find_pairs, world, 0).ok());
+  EXPECT_TRUE(test::run_phase(sim::find_planes, world, 0).ok());
   if (planes != 0) world.mutable_scratch().contacts.planes = {planes};
-  EXPECT_TRUE(test::run_phase(find_contacts, world, 0).ok());
+  EXPECT_TRUE(test::run_phase(sim::find_contacts, world, 0).ok());
   return world;
 }
 

@@ -35,7 +35,7 @@ Pairs all_overlaps(const sim::Scratch& scratch) {
 void expect_all_found(SceneDef scene) {
   scene.world.method = sim::Method::kLayered;
   World world = made(scene);
-  ASSERT_TRUE(test::run_phase(find_near_pairs, world, 1.0 / 60).ok());
+  ASSERT_TRUE(test::run_phase(sim::find_near_pairs, world, 1.0 / 60).ok());
   const sim::PairTable& table = world.state().pairs;
   Pairs found;
   for (std::size_t k = 0; k < table.size(); ++k) found.emplace_back(table.a[k], table.b[k]);

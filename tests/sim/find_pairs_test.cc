@@ -32,7 +32,7 @@ World two_cubes(const Vec3& second) {
 }
 
 std::size_t pair_count(World& world) {
-  EXPECT_TRUE(test::run_phase(find_pairs, world, 0).ok());
+  EXPECT_TRUE(test::run_phase(sim::find_pairs, world, 0).ok());
   return world.state().pairs.size();
 }
 
@@ -117,7 +117,7 @@ TEST(FindPairs, SweepFindsWhatComparingAllPairsFinds) {
     std::size_t seen = 0;
     for (int step = 0; step < 30; ++step) {
       advance(world);  // on ground-less space: moves all and keeps the last swept order
-      ASSERT_TRUE(test::run_phase(find_pairs, world, 0).ok());
+      ASSERT_TRUE(test::run_phase(sim::find_pairs, world, 0).ok());
       std::set<std::pair<BodyIndex, BodyIndex>> wanted;
       const auto& low = world.scratch().aabb_low;
       const auto& high = world.scratch().aabb_high;

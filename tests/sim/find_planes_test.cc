@@ -41,14 +41,14 @@ World paired(const BoxDef& a, const BoxDef& b, AxisSet old) {
 
 AxisSet plane_after(const BoxDef& a, const BoxDef& b, AxisSet old) {
   World world = paired(a, b, old);
-  EXPECT_TRUE(test::run_phase(find_planes, world, 0).ok());
+  EXPECT_TRUE(test::run_phase(sim::find_planes, world, 0).ok());
   return world.state().pairs.planes[0];
 }
 
 // The planes of the collision, or 0 when there is none.
 AxisSet collision_after(const BoxDef& a, const BoxDef& b, AxisSet old) {
   World world = paired(a, b, old);
-  EXPECT_TRUE(test::run_phase(find_planes, world, 0).ok());
+  EXPECT_TRUE(test::run_phase(sim::find_planes, world, 0).ok());
   const sim::Contacts& contacts = world.scratch().contacts;
   EXPECT_FALSE(world.state().pairs.planes[0] != 0 && !contacts.a.empty()) << "a plane or a collision, never both";
   return contacts.a.empty() ? AxisSet{0} : contacts.planes[0];
@@ -185,7 +185,7 @@ TEST(FindPlanes, PairsThatCannotMoveAreLeftAlone) {
   a.is_static = true;
   b.frozen = true;
   World world = paired(a, b, only(5));
-  ASSERT_TRUE(test::run_phase(find_planes, world, 0).ok());
+  ASSERT_TRUE(test::run_phase(sim::find_planes, world, 0).ok());
   EXPECT_TRUE(world.scratch().contacts.a.empty());
   EXPECT_EQ(world.state().pairs.planes[0], only(5));
 }
@@ -197,13 +197,13 @@ TEST(FindPlanes, GroundCollidesWithWhatReachesBelowIt) {
   scene.boxes[2].frozen = true;
   scene.boxes[3].is_static = true;
   World world = made(scene);
-  ASSERT_TRUE(test::run_phase(find_pairs, world, 0).ok());
-  ASSERT_TRUE(test::run_phase(find_planes, world, 0).ok());
+  ASSERT_TRUE(test::run_phase(sim::find_pairs, world, 0).ok());
+  ASSERT_TRUE(test::run_phase(sim::find_planes, world, 0).ok());
   EXPECT_EQ(world.scratch().contacts.a, (std::vector<sim::BodyIndex>{1}));
   EXPECT_EQ(world.scratch().contacts.b, (std::vector<sim::BodyIndex>{kGround}));
 
   world.mutable_state().def.ground = false;
-  ASSERT_TRUE(test::run_phase(find_planes, world, 0).ok());
+  ASSERT_TRUE(test::run_phase(sim::find_planes, world, 0).ok());
   EXPECT_TRUE(world.scratch().contacts.a.empty());
 }
 
@@ -240,15 +240,15 @@ TEST(FindPlanes, FacesAloneSeparateAsInABoxPair) {
 TEST(RecheckPlanes, PlaneThatDisplacementMadeFalseIsForgotten) {
   World world = paired(cube(1, {0, 0, 0}), cube(2, {1.25, 1.25, 0}), only(0) | only(1));
   world.mutable_scratch().touched = {0, 1};
-  ASSERT_TRUE(test::run_phase(recheck_planes, world, 0).ok());
+  ASSERT_TRUE(test::run_phase(sim::recheck_planes, world, 0).ok());
   EXPECT_EQ(world.state().pairs.planes[0], only(0) | only(1)) << "nothing has moved";
 
   world.mutable_state().bodies.position.set(1, {0.875, 1.25, 0});
-  ASSERT_TRUE(test::run_phase(recheck_planes, world, 0).ok());
+  ASSERT_TRUE(test::run_phase(sim::recheck_planes, world, 0).ok());
   EXPECT_EQ(world.state().pairs.planes[0], only(1));
 
   world.mutable_state().bodies.position.set(1, {0.875, 0.875, 0});
-  ASSERT_TRUE(test::run_phase(recheck_planes, world, 0).ok());
+  ASSERT_TRUE(test::run_phase(sim::recheck_planes, world, 0).ok());
   EXPECT_EQ(world.state().pairs.planes[0], 0);
 }
 

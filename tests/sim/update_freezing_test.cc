@@ -40,7 +40,7 @@ void update(World& world, const std::vector<Touch>& touches, double dt = kDt) {
     scratch.touched[t.a] = 1;
     if (t.b != kGround) scratch.touched[t.b] = 1;
   }
-  ASSERT_TRUE(test::run_phase(update_freezing, world, dt).ok());
+  ASSERT_TRUE(test::run_phase(sim::update_freezing, world, dt).ok());
 }
 
 SceneDef cubes_at(const std::vector<Vec3>& positions) {
