@@ -22,8 +22,8 @@ struct Hash128 {
 std::string to_string(const Hash128& hash);
 
 /// XXH3-128 over a sequence of typed fields. Each field is hashed as its little-endian bytes, so a digest is the same
-/// on every machine; raw structs are never hashed, for padding would be. Doubles must be free of −0.0 (the stepper
-/// normalises it away), or mirrored states would compare equal and hash different.
+/// on every machine. Structs with padding are never hashed, since padding has no defined value. Doubles must be free of
+/// −0.0, which the stepper turns into +0.0: mirrored states would otherwise compare equal and hash differently.
 class Hasher {
  public:
   Hasher();
@@ -43,8 +43,8 @@ class Hasher {
   void add(std::span<const std::uint16_t> column);
   void add(std::span<const std::uint8_t> column);
 
-  /// Rows that are numbers without a gap, as they lie in memory. add_fields(row, *this) adds the same bytes field by
-  /// field, for machines that keep them the other way round.
+  /// Adds rows of numbers without padding as the bytes in memory. A big-endian machine calls add_fields(row, *this)
+  /// instead, which must add every field of the row in order.
   template <class Row, class AddFields>
   void add_rows(std::span<const Row> rows, AddFields add_fields) {
     if constexpr (std::endian::native == std::endian::little) {
@@ -63,14 +63,14 @@ class Hasher {
   void* state_;  // XXH3_state_t, kept out of this header
 };
 
-/// Rows of nothing but doubles, one after the other.
+/// A view of rows that consist of doubles alone, as one sequence of doubles.
 template <class Row>
 std::span<const double> doubles_of(const std::vector<Row>& rows) {
   static_assert(sizeof(Row) % sizeof(double) == 0);
   return {reinterpret_cast<const double*>(rows.data()), rows.size() * (sizeof(Row) / sizeof(double))};
 }
 
-/// XXH3-128 of plain bytes: what a file stores, never what a struct holds.
+/// XXH3-128 of bytes as a file stores them. Never pass the memory of a struct, which may have padding.
 Hash128 hash_bytes(std::span<const std::byte> bytes);
 
 }  // namespace tumble

@@ -4,10 +4,10 @@
 
 namespace tumble {
 
-/// Adds bytes to an XXH3_state_t. The digest is the same whatever instructions it is done with.
+/// Adds bytes to an XXH3_state_t. Every implementation gives the same digest.
 using HashUpdate = void (*)(void* state, const void* bytes, std::size_t count);
 
-/// With AVX2, which this machine may lack; null where the compiler had none.
+/// The implementation with AVX2; null where the compiler was not allowed AVX2. Ask the processor before calling.
 HashUpdate hash_update_avx2();
 
 }  // namespace tumble

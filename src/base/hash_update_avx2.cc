@@ -1,5 +1,5 @@
-// No header of the project that has functions may be included: one compiled for a wide machine must never be the one
-// that the linker keeps for all.
+// Compiled with AVX2. No header of the project that has functions may be included: the linker keeps one copy of an
+// inline function for the whole program, and a copy with AVX2 would crash on machines without it.
 #include "src/base/hash_update.h"
 
 #ifdef __AVX2__

@@ -4,8 +4,8 @@
 
 namespace tumble::sim {
 
-/// The name of a body in scenes, inputs, logs and reports: unique, never reused, 1 … kBodyIdMax. An id is only a
-/// name; no result of the simulation depends on it.
+/// The name of a body in scenes, inputs, logs and reports: unique, never reused, 1 … kBodyIdMax. No result of the
+/// simulation depends on an id.
 using BodyId = std::uint64_t;
 inline constexpr BodyId kBodyIdMax = (BodyId{1} << 53) - 1;  ///< exact in JSON and in a double
 

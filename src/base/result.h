@@ -7,14 +7,14 @@
 
 namespace tumble {
 
-/// What went wrong, in the classes that the command line's exit status tells apart.
+/// The kinds of errors that the exit status of the command line tells apart.
 enum class ErrorKind {
-  kBadInput,      ///< exit 2: the user's file or arguments are wrong
-  kDamaged,       ///< exit 3: a file that was once right is not any more
+  kBadInput,      ///< exit 2: a file or an argument is wrong
+  kDamaged,       ///< exit 3: a file was valid once and is no longer
   kCannotFinish,  ///< exit 4: disk, memory, a non-finite state, an internal check
 };
 
-/// A message a person can act on: the file, the place, what was found, what was wanted, what to do.
+/// An error and its message. The message names the file, the place, what was found, what was wanted, and what to do.
 struct Error {
   ErrorKind kind = ErrorKind::kBadInput;
   std::string message;

@@ -4,10 +4,10 @@
 
 namespace tumble {
 
-/// Random numbers without a state: each is a function of what it is for. A counter-based generator gives a body the
-/// same jitter whatever was generated before it, and the same on every platform.
+/// A random number without a generator's state: a function of seed, counter and draw. A body gets one jitter, however
+/// many numbers were drawn before, on every platform.
 ///
-/// The function is SplitMix64's output mix (Steele, Lea, Flood: Fast Splittable Pseudorandom Number Generators, 2014;
+/// Source: SplitMix64's output mix (Steele, Lea, Flood: Fast Splittable Pseudorandom Number Generators, 2014;
 /// constants of Stafford's variant 13), chained over the three words.
 inline std::uint64_t random_bits(std::uint64_t seed, std::uint64_t counter, std::uint64_t draw) {
   constexpr std::uint64_t kGolden = 0x9e3779b97f4a7c15U;  // 2⁶⁴ / golden ratio, odd

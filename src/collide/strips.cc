@@ -12,11 +12,11 @@ namespace {
 constexpr double kStripWidth = 2;             // mean extents
 constexpr double kBinWidth = 0.125;           // mean extents
 constexpr double kBinReach = 1.01;            // bins; the product that finds one is rounded
-constexpr double kCrowd = 8;                  // boxes side by side in a strip from which on the third axis pays too
-constexpr std::size_t kFewBodies = 48;        // one strip will do
-constexpr std::size_t kWorthEntries = 49152;  // for a thread more
+constexpr double kCrowd = 8;                  // boxes side by side in a strip, from which on the third axis pays
+constexpr std::size_t kFewBodies = 48;        // for which one strip is enough
+constexpr std::size_t kWorthEntries = 49152;  // that pay for one more worker
 
-// How the bodies lie along an axis.
+// The spread of the bodies along an axis.
 struct Spread {
   int axis = 0;
   double low = 0, range = 0, extent = 0;  // m; extent: the mean
@@ -58,7 +58,7 @@ struct Strips {
   }
 };
 
-// How many entries the boxes make: one for each strip that each reaches.
+// The number of entries: one for each strip that each box reaches.
 std::size_t entries_in(const Strips& strips, const std::vector<double>& low, const std::vector<double>& high) {
   std::size_t entries = 0;
   for (std::size_t i = 0; i < low.size(); ++i) entries += strips.of(high[i]) - strips.of(low[i]) + 1;
@@ -71,7 +71,7 @@ Strips strips_of_width(const Spread& spread, double width) {
 
 Strips one_strip(const Spread& spread) { return strips_of_width(spread, 2 * spread.range + 1); }
 
-// At most so many, and as narrow as it pays: large bodies among small ones would lie in very many.
+// Strips across an axis, at most `most`. Narrow strips pay until large bodies among small ones lie in too many of them.
 Strips lay_strips(const Scratch& scratch, const Spread& spread, double most) {
   const std::size_t n = scratch.frames.size();
   const std::vector<double>& low = column_of(scratch.aabb_low, spread.axis);
@@ -82,7 +82,7 @@ Strips lay_strips(const Scratch& scratch, const Spread& spread, double most) {
   return strips_of_width(spread, width);
 }
 
-// Bodies by where they begin along the first axis, to within a bin: enough for a sweep, and linear in their number.
+// Sorts the bodies by their low ends along the first axis, to within a bin: enough for a sweep, in linear time.
 void sort_into_bins(SweepScratch& sweep, const std::vector<double>& low, const Strips& bins) {
   sweep.start.assign(bins.count + 1, 0);
   for (const double x : low) ++sweep.start[bins.of(x) + 1];
@@ -91,14 +91,14 @@ void sort_into_bins(SweepScratch& sweep, const std::vector<double>& low, const S
   for (BodyIndex i = 0; i < low.size(); ++i) sweep.order[sweep.start[bins.of(low[i])]++] = i;
 }
 
-// Cells: where a strip across the second axis crosses one across the third.
+// Cells: crossings of a strip across the second axis with a strip across the third.
 struct Cells {
   Strips second, third;
 
   [[nodiscard]] std::uint32_t count() const { return second.count * third.count; }
 };
 
-// The cells that a body reaches: visit(cell) for each.
+// Calls visit(cell) for each cell that a box reaches.
 template <class Visit>
 void for_cells(const Cells& cells, const SweepScratch::Box& box, Visit visit) {
   const std::uint32_t end2 = cells.second.of(box.high2), begin3 = cells.third.of(box.low3);
@@ -122,7 +122,8 @@ void fill_cells(SweepScratch& sweep, const Cells& cells) {
   }
 }
 
-// Entries are in order to within `bin`, m, so it looks that much farther and asks for overlap along the first axis too.
+// Finds the pairs of one cell. Entries are sorted to within `bin`, m, so the sweep looks that much farther, and tests
+// the first axis too.
 void sweep_cell(const SweepScratch& sweep, const Cells& cells, std::uint32_t cell, double bin, FoundPairs& found) {
   const std::size_t most = near_pairs_max(sweep.order.size());
   const SweepScratch::Entry* const end = sweep.entries.data() + sweep.cell_start[cell + 1];
@@ -132,12 +133,12 @@ void sweep_cell(const SweepScratch& sweep, const Cells& cells, std::uint32_t cel
     const double limit = p.high1 + bin;
     for (const SweepScratch::Entry* j = i + 1; j != end && j->box.low1 <= limit; ++j) {
       const SweepScratch::Box& q = j->box;
-      // One branch that is nearly always false, rather than six that nobody can guess.
+      // One branch, nearly always taken, instead of six unpredictable ones.
       const bool apart = static_cast<unsigned>(q.low1 > p.high1) | static_cast<unsigned>(p.low1 > q.high1) |
                          static_cast<unsigned>(q.low2 > p.high2) | static_cast<unsigned>(p.low2 > q.high2) |
                          static_cast<unsigned>(q.low3 > p.high3) | static_cast<unsigned>(p.low3 > q.high3);
       if (apart) continue;
-      // In several cells together, it counts in the first.
+      // A pair that shares several cells counts in the first.
       const std::uint32_t s = cells.second.of(std::max(p.low2, q.low2)), t = cells.third.of(std::max(p.low3, q.low3));
       if (s * cells.third.count + t == cell) found.push_back(std::minmax(i->body, j->body));
     }
@@ -156,7 +157,7 @@ void gather_boxes(Scratch& scratch, int first, int second, int third) {
   }
 }
 
-// Each thread takes cells that hold as many entries as the others'.
+// Gives each worker cells with about one number of entries.
 void sweep_cells(Scratch& scratch, const Cells& cells, double bin) {
   SweepScratch& sweep = scratch.sweep;
   const unsigned parts = part_count(scratch.workers, sweep.entries.size(), kWorthEntries);

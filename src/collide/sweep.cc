@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "src/base/check.h"
 #include "src/kernels/kernels_by_width.h"
 #include "src/math/grid.h"
 #include "src/world/body_columns.h"
@@ -13,8 +14,8 @@ namespace {
 
 constexpr std::size_t kSamples = 64;  // bodies that judge an axis
 constexpr int kAxisLifetime = 64;     // sweeps until the axes are judged again
-constexpr double kRoom = 0.1;         // of its extent, that a box is widened by for the list of neighbours
-constexpr double kRoomSubsteps = 4;   // and so many sub-steps of its motion
+constexpr double kFatPart = 0.1;      // of the extent, margin of a fat AABB
+constexpr double kFatSubsteps = 4;    // of the motion, margin ahead
 
 void sort_by_low(std::vector<BodyIndex>& order, const std::vector<double>& low) {
   const std::size_t n = low.size();
@@ -23,7 +24,7 @@ void sort_by_low(std::vector<BodyIndex>& order, const std::vector<double>& low) 
   std::sort(order.begin(), order.end(), [&](BodyIndex i, BodyIndex j) { return low[i] < low[j]; });
 }
 
-// Starts from the order of the last sub-step: bodies move little, so insertion sort is nearly linear.
+// Starts from the order of the last substep: bodies move little, so insertion sort is nearly linear.
 void sort_again(std::vector<BodyIndex>& order, const std::vector<double>& low) {
   for (std::size_t i = 1; i < order.size(); ++i) {
     const BodyIndex body = order[i];
@@ -33,7 +34,7 @@ void sort_again(std::vector<BodyIndex>& order, const std::vector<double>& low) {
   }
 }
 
-// How many bodies a sweep along this axis would meet, judged from a few of them.
+// The number of bodies that a sweep along this axis would meet, estimated from a sample.
 std::size_t overlaps_met(const std::vector<BodyIndex>& order, const std::vector<double>& low,
                          const std::vector<double>& high) {
   const std::size_t n = order.size(), stride = std::max<std::size_t>(1, n / kSamples);
@@ -47,19 +48,19 @@ std::size_t overlaps_met(const std::vector<BodyIndex>& order, const std::vector<
   return met;
 }
 
-// Sorts the boxes along the axis whose sweep meets the fewest. Which one that is changes slowly and shows in nothing
-// but time, so it is asked now and then.
+// Sorts the boxes along the axis whose sweep meets the fewest others. That axis changes slowly, and the choice changes
+// nothing but time, so the axes are judged only now and then.
 void sort_boxes(SweepScratch& sweep) {
-  const std::size_t n = sweep.low.size();
+  const std::size_t n = sweep.fat_low.size();
   if (sweep.order.size() == n && ++sweep.age < kAxisLifetime) {
-    return sort_again(sweep.order, column_of(sweep.low, sweep.axis));
+    return sort_again(sweep.order, column_of(sweep.fat_low, sweep.axis));
   }
   std::vector<BodyIndex>& order = sweep.judged;
   std::size_t fewest = 0;
   for (int axis = 0; axis < 3; ++axis) {
-    const std::vector<double>& low = column_of(sweep.low, axis);
+    const std::vector<double>& low = column_of(sweep.fat_low, axis);
     sort_by_low(order, low);
-    const std::size_t met = overlaps_met(order, low, column_of(sweep.high, axis));
+    const std::size_t met = overlaps_met(order, low, column_of(sweep.fat_high, axis));
     if (axis > 0 && met >= fewest) continue;
     fewest = met;
     sweep.axis = axis;
@@ -74,19 +75,19 @@ void gather(SweepScratch& sweep) {
   const std::size_t n = order.size();
   sweep.boxes.resize(n);
   const int first = sweep.axis, second = (first + 1) % 3, third = (first + 2) % 3;
-  const auto& low1 = column_of(sweep.low, first);
-  const auto& low2 = column_of(sweep.low, second);
-  const auto& low3 = column_of(sweep.low, third);
-  const auto& high1 = column_of(sweep.high, first);
-  const auto& high2 = column_of(sweep.high, second);
-  const auto& high3 = column_of(sweep.high, third);
+  const auto& low1 = column_of(sweep.fat_low, first);
+  const auto& low2 = column_of(sweep.fat_low, second);
+  const auto& low3 = column_of(sweep.fat_low, third);
+  const auto& high1 = column_of(sweep.fat_high, first);
+  const auto& high2 = column_of(sweep.fat_high, second);
+  const auto& high3 = column_of(sweep.fat_high, third);
   for (std::size_t k = 0; k < n; ++k) {
     const BodyIndex i = order[k];
     sweep.boxes[k] = {low1[i], high1[i], low2[i], high2[i], low3[i], high3[i]};
   }
 }
 
-// Every overlapping pair once, smaller index first, in swept order.
+// Finds every overlapping pair once, smaller index first, in swept order.
 void sweep_pairs(SweepScratch& sweep) {
   sweep.found.clear();
   const std::vector<BodyIndex>& order = sweep.order;
@@ -95,7 +96,7 @@ void sweep_pairs(SweepScratch& sweep) {
     const SweepScratch::Box& p = sweep.boxes[i];
     for (std::size_t j = i + 1; j < n && sweep.boxes[j].low1 <= p.high1; ++j) {
       const SweepScratch::Box& q = sweep.boxes[j];
-      // One branch that is nearly always false, rather than four that nobody can guess.
+      // One branch, nearly always taken, instead of four unpredictable ones.
       const bool apart = static_cast<unsigned>(q.low2 > p.high2) | static_cast<unsigned>(p.low2 > q.high2) |
                          static_cast<unsigned>(q.low3 > p.high3) | static_cast<unsigned>(p.low3 > q.high3);
       if (!apart) {
@@ -105,17 +106,17 @@ void sweep_pairs(SweepScratch& sweep) {
   }
 }
 
-// Gives each box room around it and ahead of it.
-void make_room(Scratch& scratch, const Vec3Column& velocity, double room, double ahead_s) {
+// Writes the fat AABBs: a part of the extent on every side, and the way of ahead_s seconds in front.
+void widen_boxes(Scratch& scratch, const Vec3Column& velocity, double part, double ahead_s) {
   SweepScratch& sweep = scratch.sweep;
   const std::size_t n = scratch.frames.size();
-  sweep.low.resize(n);
-  sweep.high.resize(n);
+  sweep.fat_low.resize(n);
+  sweep.fat_high.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     const Vec3 low = scratch.aabb_low[i], high = scratch.aabb_high[i], path = velocity[i] * ahead_s;
-    const Vec3 around = (high - low) * room;
-    sweep.low.set(i, low - around + path.cwiseMin(Vec3::Zero()));
-    sweep.high.set(i, high + around + path.cwiseMax(Vec3::Zero()));
+    const Vec3 around = (high - low) * part;
+    sweep.fat_low.set(i, low - around + path.cwiseMin(Vec3::Zero()));
+    sweep.fat_high.set(i, high + around + path.cwiseMax(Vec3::Zero()));
   }
 }
 
@@ -126,10 +127,19 @@ void find_neighbours(Scratch& scratch) {
   sweep_pairs(sweep);
   sort_pairs(scratch);
   sweep.neighbours.clear();
-  for (BodyIndex a = 0; a < sweep.low.size(); ++a) {
+  for (BodyIndex a = 0; a < sweep.fat_low.size(); ++a) {
     for (std::uint32_t k = sweep.start[a]; k < sweep.start[a + 1]; ++k)
       sweep.neighbours.emplace_back(a, sweep.partner[k]);
   }
+}
+
+[[maybe_unused]] bool all_in_fat_aabbs(const Scratch& scratch) {
+  const SweepScratch& sweep = scratch.sweep;
+  for (std::size_t i = 0; i < scratch.frames.size(); ++i) {
+    const Vec3 below = scratch.aabb_low[i] - sweep.fat_low[i], above = sweep.fat_high[i] - scratch.aabb_high[i];
+    if (below.minCoeff() < 0 || above.minCoeff() < 0) return false;
+  }
+  return true;
 }
 
 bool overlap(const Vec3Column& low, const Vec3Column& high, BodyIndex a, BodyIndex b) {
@@ -188,14 +198,15 @@ void update_frames(Bodies& bodies, Scratch& scratch) {
 void hash_frames(const Scratch& scratch, Hasher& hasher) { hasher.add(doubles_of(scratch.frames)); }
 
 void renew_neighbours(const Vec3Column& velocity, double dt_s, Scratch& scratch) {
-  make_room(scratch, velocity, kRoom, kRoomSubsteps * dt_s);
+  widen_boxes(scratch, velocity, kFatPart, kFatSubsteps * dt_s);
   find_neighbours(scratch);
   if (check_crowd(scratch).ok()) return;
-  make_room(scratch, velocity, 0, 0);  // there are fewer without
+  widen_boxes(scratch, velocity, 0, 0);  // thin AABBs have fewer overlaps
   find_neighbours(scratch);
 }
 
 void find_overlaps(Scratch& scratch, PairTable& pairs) {
+  SIM_DCHECK(all_in_fat_aabbs(scratch));
   SweepScratch& sweep = scratch.sweep;
   PairTable& merged = sweep.merged;
   merged.clear();

@@ -5,7 +5,7 @@
 
 namespace tumble::sim {
 
-/// Where the columns of Bodies lie.
+/// Pointers to the columns of Bodies.
 struct BodyColumns {
   const std::uint8_t *frozen = nullptr, *is_static = nullptr;
   double *position[3] = {}, *orientation[4] = {}, *velocity[3] = {}, *spin[3] = {};
@@ -17,40 +17,43 @@ struct Rows {
   std::size_t begin = 0, end = 0;
 };
 
-/// What gravity and the air do in a flight, to all bodies alike.
+/// Gravity and air drag in a free flight, one value for all bodies.
 struct Air {
   double dt_s = 0;
   double gain[3] = {};  ///< m/s, on the velocity grid
   bool drags = false;
-  double slower = 1;  ///< what velocities are divided by where it drags
+  double slower = 1;  ///< divisor of velocities where the air drags
 };
 
-/// Where the boxes of bodies are written. Without `framed` all are; without rooms all are taken to have left them.
+/// Where put_boxes() writes the boxes of bodies. Without `framed` it writes all boxes; without fat AABBs every box
+/// counts as outside.
 struct BoxColumns {
-  double* frames = nullptr;            ///< rows of BoxFrame
-  double *low[3] = {}, *high[3] = {};  ///< of the AABBs
-  std::uint8_t* framed = nullptr;      ///< Scratch::framed
-  bool rooms = false;
-  const double *room_low[3] = {}, *room_high[3] = {};  ///< SweepScratch::low and high
+  double* frames = nullptr;                          ///< rows of BoxFrame
+  double *low[3] = {}, *high[3] = {};                ///< of the AABBs
+  std::uint8_t* framed = nullptr;                    ///< Scratch::framed
+  bool fat = false;                                  ///< whether fat_low and fat_high hold anything
+  const double *fat_low[3] = {}, *fat_high[3] = {};  ///< SweepScratch::fat_low and fat_high
 };
 
-/// AABBs that are to be widened to where the boxes may come within a step.
+/// AABBs that expand_aabbs() widens to hold the boxes throughout a step.
 struct ReachColumns {
-  double around = 0;  ///< m, what all of them reach beyond their motion
+  double around = 0;  ///< m, margin of every AABB beyond the motion of its box
   double dt_s = 0;
-  double* turning = nullptr;           ///< written: m, how far corners may come by turning
+  double* turning = nullptr;           ///< written: m, the way of corners by turning, at most
   double *low[3] = {}, *high[3] = {};  ///< read and written
 };
 
-/// What is done to each body by itself, compiled once for each lane width.
+/// Functions that treat each body by itself.
 struct BodyKernels {
-  /// Free flight of every body that moves, is not `in_contact` (null: none is) and whose moments of inertia are equal.
-  /// Tells whether others are left that should fly.
+  /// Moves the bodies in free flight that are neither frozen, static nor `in_contact` (null: none is) and have equal
+  /// moments of inertia. Returns whether bodies with different moments are left to move.
   bool (*integrate_free)(const BodyColumns& bodies, Rows rows, const std::uint8_t* in_contact, const Air& air);
-  /// Puts boxes and AABBs where the bodies are, but for the framed ones; tells whether all are in their rooms.
+  /// Writes boxes and AABBs at the places of the bodies, except the framed ones. Returns whether every AABB written
+  /// lies in its fat AABB.
   bool (*put_boxes)(const BodyColumns& bodies, Rows rows, const BoxColumns& boxes);
+  /// Widens the AABBs by the motion of a step and by the margin.
   void (*expand_aabbs)(const BodyColumns& bodies, Rows rows, const ReachColumns& reach);
-  /// Whether all are finite and within limits: false where check_body would object to one.
+  /// Whether every body is finite and within limits; false where check_body would refuse one.
   bool (*check)(const BodyColumns& bodies, Rows rows);
 };
 

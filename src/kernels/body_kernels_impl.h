@@ -1,7 +1,7 @@
 #pragma once
 
-// What is done to bodies by themselves, for any number of lanes: the operations of free_flight, axes_of, reach_along
-// and check_body in the same order; see src/kernels/lane_vector.h for who may include this.
+// Functions of single bodies for any number of lanes: the operations of free_flight, axes_of, reach_along and
+// check_body in the order of those. lane_vector.h says who may include this.
 
 #include "src/kernels/body_kernels.h"
 #include "src/kernels/lane_rows.h"
@@ -53,7 +53,7 @@ template <class V>
 V squared_length(const Turn<V>& q) {
   return q.w * q.w + ((q.x * q.x + q.y * q.y) + q.z * q.z);
 }
-// rotated_by_half.
+// rotated_by_half() of src/math/rotation.h.
 template <class V>
 Turn<V> turned(const Turn<V>& q, const Space<V>& h) {
   const Turn<V> p = {q.w - ((h.x * q.x + h.y * q.y) + h.z * q.z), (q.x + h.x * q.w) + (h.y * q.z - h.z * q.y),
@@ -74,7 +74,7 @@ auto bytes_at(const std::uint8_t* column, std::size_t at) {
   return bytes;
 }
 
-// Of each lane, whether its body flies.
+// For each lane, whether its body moves in free flight.
 template <class V>
 auto flying(const BodyColumns& b, const std::uint8_t* in_contact, std::size_t at) {
   if constexpr (sizeof(V) == sizeof(double)) {
@@ -94,7 +94,7 @@ void for_rows(Rows rows, Visit visit) {
   if constexpr (kWidth > 1) for_rows<kWidth / 2>({at, rows.end}, visit);
 }
 
-// Tells whether a body is left that should fly.
+// Returns whether a body with different moments of inertia is left to move.
 template <class V>
 bool integrate_free_at(const BodyColumns& b, const std::uint8_t* in_contact, const Air& air, std::size_t at) {
   const auto all = flying<V>(b, in_contact, at);
@@ -129,7 +129,8 @@ template <int kWidth>
   return left;
 }
 
-// The axes of the boxes as of axes_of, and then what follows. Tells whether all are in their rooms.
+// Writes frames and AABBs of as many bodies as V has lanes; axes as in axes_of. Returns whether all are in their fat
+// AABBs.
 template <class V>
 bool put_boxes_at(const BodyColumns& b, const BoxColumns& boxes, std::size_t at) {
   const Space<V> position = load_space<V>(b.position, at), half = load_space<V>(b.half_extent, at);
@@ -154,14 +155,15 @@ bool put_boxes_at(const BodyColumns& b, const BoxColumns& boxes, std::size_t at)
   constexpr unsigned kFirst[] = {0, 4, 8, 11};  // the last four overlap the four before
   for (const unsigned first : kFirst) scatter4(rows + first, kFrameDoubles, row + first);
 
-  if (!boxes.rooms) return false;
-  const Space<V> room_low = load_space<V>(boxes.room_low, at), room_high = load_space<V>(boxes.room_high, at);
-  const auto inside = (room_low.x <= low.x) & (high.x <= room_high.x) & (room_low.y <= low.y) &
-                      (high.y <= room_high.y) & (room_low.z <= low.z) & (high.z <= room_high.z);
+  if (!boxes.fat) return false;
+  const Space<V> fat_low = load_space<V>(boxes.fat_low, at), fat_high = load_space<V>(boxes.fat_high, at);
+  const auto inside = (fat_low.x <= low.x) & (high.x <= fat_high.x) & (fat_low.y <= low.y) & (high.y <= fat_high.y) &
+                      (fat_low.z <= low.z) & (high.z <= fat_high.z);
   return !any(inside == 0);
 }
 
-// Whether some boxes are where they belong, since their bodies could not move meanwhile; marks those that will be.
+// Whether the boxes of all rows are up to date, because their bodies could not move since. Marks the rows whose boxes
+// will be up to date from now on.
 bool all_framed(const BodyColumns& b, const BoxColumns& boxes, Rows rows) {
   if (boxes.framed == nullptr) return false;
   bool all = true;
@@ -175,12 +177,12 @@ bool all_framed(const BodyColumns& b, const BoxColumns& boxes, Rows rows) {
 
 template <int kWidth>
 [[gnu::flatten]] bool put_boxes(const BodyColumns& b, Rows rows, const BoxColumns& boxes) {
-  bool in_room = boxes.rooms;
+  bool inside = boxes.fat;
   for_rows<kWidth>(rows, [&](auto v, std::size_t at) {
     if (all_framed(b, boxes, {at, at + sizeof(v) / sizeof(double)})) return;
-    in_room &= put_boxes_at<decltype(v)>(b, boxes, at);
+    inside &= put_boxes_at<decltype(v)>(b, boxes, at);
   });
-  return in_room;
+  return inside;
 }
 
 template <class V>
@@ -204,7 +206,7 @@ template <int kWidth>
   for_rows<kWidth>(rows, [&](auto v, std::size_t at) { expand_aabbs_at<decltype(v)>(b, reach, at); });
 }
 
-// NaN fails every comparison, so the test is for what is wanted.
+// NaN fails every comparison, so the test asks for the good case.
 template <class V>
 auto within(const Space<V>& v, double limit) {
   const auto x = absolute(v.x) <= limit, y = absolute(v.y) <= limit, z = absolute(v.z) <= limit;

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 
+#include "src/base/check.h"
 #include "src/kernels/box_tests.h"
 
 namespace tumble::sim {
@@ -11,7 +12,7 @@ namespace {
 constexpr int kNext[3] = {1, 2, 0};
 constexpr int kAfterNext[3] = {2, 0, 1};
 
-// BoxPair::along of a face of `box`, without the products of the others.
+// BoxPair::along for one face of `box`, without the products of the other axes.
 bool apart_along_face(const BoxFrame& box, int face, const BoxFrame& other, const Vec3& offset) {
   const Vec3 &normal = box.axes[face], &h = other.half_extent;
   const double distance = dot(offset, normal);
@@ -67,14 +68,13 @@ bool BoxPair::facelike(const Edges& edges) const {
          product_[i][kAfterNext[j]] > limit;
 }
 
-// Along the cross product of a's edge i and b's edge j, a's other axes reach as far as b's edge does along them: for
-// unit edges the cosines are |product| over the sine between the edges.
+// The reach of each box along the cross product of a's edge i and b's edge j. Both edges are perpendicular to the cross
+// product and reach nothing. The cosine of a's axis m to the cross product is that of b's edge to the remaining axis of
+// a, divided by the sine between the edges; so the products that the faces need are enough.
 BoxPair::Separation BoxPair::along_edge(const Edges& edges) const {
   if (edges.squared < kParallelSquared) return {};
   const int i = edges.i, j = edges.j;
   const double scale = 1 / edges.length;
-  // The edge's own axes span the plane of the other two: a's axis m along the cross product is b's edge along the
-  // remaining axis of a.
   const int ia = kNext[i], ib = kAfterNext[i], ja = kNext[j], jb = kAfterNext[j];
   const double along_ia = product_[ib][j] * scale, along_ib = product_[ia][j] * scale;
   const double along_ja = product_[i][jb] * scale, along_jb = product_[i][ja] * scale;
@@ -123,6 +123,7 @@ BestAxes BoxPair::best(AxisSet candidates) const {
 }
 
 Vec3 BoxPair::normal(int axis) const {
+  SIM_DCHECK(along(axis).has_direction, axis);
   if (axis < 3) return offset_a_[axis] < 0 ? Vec3(-a_->axes[axis]) : a_->axes[axis];
   if (axis < 6) return offset_b_[axis - 3] < 0 ? Vec3(-b_->axes[axis - 3]) : b_->axes[axis - 3];
   const Vec3 edge = cross(a_->axes[(axis - 6) / 3], b_->axes[(axis - 6) % 3]);

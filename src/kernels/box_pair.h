@@ -18,39 +18,39 @@ inline constexpr AxisSet kFaces = kFacesOfA | kFacesOfB;
 inline constexpr AxisSet kEdges = 0b111111111000000;
 constexpr AxisSet only(int axis) { return static_cast<AxisSet>(1U << static_cast<unsigned>(axis)); }
 
-/// The best of a set of axes: those with the largest separation, all of them when several tie exactly. `axes` is 0
-/// when no axis of the set has a direction.
+/// The best axes of a set: those with the largest separation, all of them on an exact tie. `axes` is 0 when no axis of
+/// the set has a direction.
 struct BestAxes {
   AxisSet axes = 0;
   double separation = 0;  ///< m, negative when the boxes overlap along the axis
 };
 
-/// The larger separation of two sets, as far as either has an axis.
+/// The larger separation of two results; a result without axes does not count.
 inline double larger_separation(const BestAxes& x, const BestAxes& y) {
   if (x.axes == 0) return y.separation;
   if (y.axes == 0) return x.separation;
   return std::max(x.separation, y.separation);
 }
 
-/// Two boxes and the products of their axes that every separation needs. All of it follows from d = x_b − x_a, which is
-/// exact on the position grid, so it does not change when the pair is shifted; and every sum is arranged so that
-/// exchanging a and b, mirroring, or swapping x and y gives the same bits.
+/// Two boxes and the products of their axes that every separation needs. Every result follows from d = x_b − x_a, which
+/// is exact on the position grid, so a shift of the pair changes no bit. Sums are arranged so that exchanging a and b,
+/// mirroring, and swapping x and y change no bit either.
 ///
-/// An axis has no direction, and is skipped, when d has no part along it (zero offset: either sign would be a choice),
-/// or when it is the cross product of edges that are nearly parallel to each other or to a face normal: such an axis
-/// repeats a face, and taking it for an edge contact puts the collision on one arbitrary edge (the lateral error of
-/// the thesis's Fig. 22).
+/// An axis has no direction, and is skipped, in two cases. First, d has no part along the axis: either sign would be an
+/// arbitrary choice. Second, the axis is the cross product of edges that are nearly parallel to each other or to a face
+/// normal: such an axis repeats a face, and an edge contact in its place would put the collision on one arbitrary edge
+/// (the lateral error of the thesis's Fig. 22).
 class BoxPair {
  public:
   BoxPair(const BoxFrame& a, const BoxFrame& b) : BoxPair(a, b, b.position - a.position) {}
-  /// With b so far from a, wherever the frames are.
+  /// With b at `offset` (m, world axes) from a, whatever positions the frames have.
   BoxPair(const BoxFrame& a, const BoxFrame& b, const Vec3& offset);
 
   /// The axes of `candidates` along which the boxes are apart or just touch.
   [[nodiscard]] AxisSet separating(AxisSet candidates) const;
 
-  /// Whether one of the edge axes that repeat a face shows the boxes apart. Such an axis is no plane to collide on, but
-  /// what it separates does not touch: without it crossed bars would collide across a gap.
+  /// Whether one of the edge axes that repeat a face separates the boxes. Such an axis is no plane to collide on, but
+  /// boxes that it separates do not touch: without this test crossed bars would collide at a distance.
   [[nodiscard]] bool apart_along_facelike_edges() const;
 
   /// The largest separation among `candidates`.
@@ -93,7 +93,7 @@ class BoxPair {
   double offset_b_[3];
 };
 
-/// BoxPair(a, b).separating(candidates), quicker where these are faces.
+/// BoxPair(a, b).separating(candidates); faster where the candidates are faces.
 AxisSet separating(const BoxFrame& a, const BoxFrame& b, AxisSet candidates);
 
 }  // namespace tumble::sim

@@ -10,8 +10,8 @@ struct BoxFrame;
 inline constexpr double kParallelSquared = 1e-6;  ///< |edge × edge|² below this: the edges are parallel
 inline constexpr double kFaceLike = 0.999;        ///< |axis · face normal| above this: the axis repeats a face
 
-/// Pairs of boxes that are tested side by side, and the best axes of each (BestAxes), numbered and skipped as by
-/// BoxPair. A set of axes is a sum of powers of two, so that lanes can hold it.
+/// Pairs of boxes that are tested in lanes, and the best axes of each pair (BestAxes), numbered and skipped as in
+/// BoxPair. A set of axes is a sum of powers of two, so that a lane can hold the set as a double.
 struct BoxTests {
   static constexpr std::size_t kMost = 64;  ///< a multiple of every width
   struct alignas(64) Best {
@@ -19,19 +19,19 @@ struct BoxTests {
   };
 
   const BoxFrame* frames = nullptr;
-  std::size_t count = 0;                       ///< the kernels may look at rows up to the next multiple of their width,
-  std::uint32_t a[kMost] = {}, b[kMost] = {};  ///< so all of `a` and `b` must be rows of frames
+  std::size_t count = 0;  ///< pairs; kernels also read those up to the next multiple of the lane width
+  std::uint32_t a[kMost] = {}, b[kMost] = {};  ///< rows of frames; all kMost must exist
   alignas(64) double offset[3][kMost] = {};    ///< x_b − x_a, m
   Best faces_of_a, faces_of_b, edges;
 };
 
-/// The box test over pairs, compiled once for each lane width; one lane is BoxPair itself.
+/// The box test for many pairs. One lane calls BoxPair.
 struct BoxTestKernels {
   void (*find_faces)(BoxTests& tests);  ///< fills faces_of_a, faces_of_b
   void (*find_edges)(BoxTests& tests);  ///< fills edges
 };
 
-// One lane: BoxPair pair by pair.
+// The kernels of one lane: BoxPair for one pair after the other.
 void find_faces_singly(BoxTests& tests);
 void find_edges_singly(BoxTests& tests);
 

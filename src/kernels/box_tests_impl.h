@@ -1,7 +1,6 @@
 #pragma once
 
-// BoxPair's test for any number of lanes, the same operations in the same order; see src/kernels/lane_vector.h for who
-// may include this.
+// The test of BoxPair for any number of lanes: its operations in its order. lane_vector.h says who may include this.
 
 #include "src/kernels/box_tests.h"
 #include "src/kernels/lane_rows.h"
@@ -11,7 +10,7 @@ namespace tumble::sim {
 namespace {
 
 constexpr unsigned kFrameAxes = 3;
-constexpr double kNoDirection = -__builtin_inf();  // as the separation along an axis to be skipped
+constexpr double kNoDirection = -__builtin_inf();  // the separation along an axis that is skipped
 
 template <class V>
 struct LaneBoxes {
@@ -44,7 +43,7 @@ struct LanePairs {
   }
 };
 
-// The largest of some separations and the axes that have it, of which the first is `bit`.
+// Stores the largest separation and the axes that have it; `bit` stands for the first axis.
 template <class V, std::size_t kCount>
 void store_best(const V (&separation)[kCount], double bit, BoxTests::Best& best, std::size_t at) {
   V most = separation[0];

@@ -1,6 +1,6 @@
 #pragma once
 
-// The kernels of one lane width; see lane_vector.h for who may include this.
+// The table of contact kernels of one lane width. lane_vector.h says who may include this.
 
 #include "src/kernels/contact_prepare_impl.h"
 #include "src/kernels/contact_solve_impl.h"
@@ -8,8 +8,8 @@
 namespace tumble::sim {
 namespace {
 
-// Calls visit.template operator()<V>(batch, at) for kWidth lanes at a time; the last ones of a batch go to the
-// narrowest vector that holds them, since one manifold in eight lanes takes longer than on its own.
+// Calls visit(V{}, batch, lane) for kWidth lanes at a time. The last lanes of a batch go to the narrowest vector that
+// holds them: one manifold takes longer in eight lanes than in one.
 template <int kWidth, class Visit>
 void for_packs(const ContactWork& work, Visit visit) {
   for (std::size_t k = 0; k < work.count; ++k) {

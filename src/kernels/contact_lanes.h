@@ -1,10 +1,10 @@
 #pragma once
 
-// Manifolds in lanes, and what a wrench on one does to its bodies; see lane_vector.h for who may include this.
+// Manifolds in lanes, and the effect of a wrench on the bodies. lane_vector.h says who may include this.
 //
-// A manifold's points lie in a plane, so what the normal impulses λ of its points do to the bodies depends only on
-// three sums, S = Σλ, Sq = Σλq, Sp = Σλp, and what the bodies do to the points only on three numbers: the normal
-// velocity u at b's centre and the parts W1, W2 of the relative spin, v(p, q) = u + W1 q − W2 p.
+// The points of a manifold lie in a plane. So the effect of their normal impulses λ on the bodies depends on three sums
+// alone, S = Σλ, Sq = Σλq, Sp = Σλp; and the velocities of the points depend on three numbers alone, the normal
+// velocity u at b's centre and the parts W1, W2 of the relative spin: v(p, q) = u + W1 q − W2 p.
 
 #include "src/kernels/contact_kernels.h"
 #include "src/kernels/lane_rows.h"
@@ -41,7 +41,7 @@ Space<V> spin_of(const Body<V>& body, Space<V> t) {
           (i[2] * t.x + i[4] * t.y) + i[5] * t.z};
 }
 
-// As many manifolds of a batch as the width takes, from lane `at` on.
+// Manifolds of a batch, as many as V has lanes, from lane `at` on.
 template <class V>
 struct Manifolds {
   ContactBatch* batch;
@@ -66,7 +66,7 @@ struct Manifolds {
   Space<V> space(const Lanes* lanes) const { return {get(lanes[0]), get(lanes[1]), get(lanes[2])}; }
 };
 
-// Motion of b against a. u: of b's centre in a's (moving) frame; w: relative spin.
+// Motion of b relative to a. u: velocity of b's centre in a's (moving) frame; w: relative spin.
 template <class V>
 struct Motion {
   Space<V> u, w;
@@ -76,7 +76,7 @@ Motion<V> relative_motion(const Manifolds<V>& m) {
   return {(m.b.velocity - m.a.velocity) - cross(m.a.spin, m.d), m.b.spin - m.a.spin};
 }
 
-// An impulse on b: a force through b's centre and a torque. a receives the opposite at the same place.
+// An impulse on b: a force through b's centre and a torque. Body a receives the opposite at the same place.
 template <class V>
 struct Wrench {
   Space<V> force, torque;
@@ -113,7 +113,8 @@ void write_outcomes(const ContactWork& work, const Manifolds<V>& m, const Wrench
   write_side(row + kOutcomeDoubles, m.b, wrench.force, wrench.torque);
 }
 
-// Impulses are rounded to a power-of-two grid that is fine for the lighter body, so that their sums have no order.
+// Rounds an impulse to the grid of `magic`, fine enough for the lighter body: sums of impulses are then exact, and no
+// order of points shows (math/grid.h).
 template <class V>
 V round_impulse(V magic, V x) {
   return (x + magic) - magic;

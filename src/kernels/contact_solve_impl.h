@@ -1,7 +1,6 @@
 #pragma once
 
-// Warm start, sweeps and the motion of separations, for any number of lanes; see lane_vector.h for who may include
-// this.
+// Warm start, sweeps and the motion of separations, for any number of lanes. lane_vector.h says who may include this.
 
 #include "src/kernels/contact_lanes.h"
 
@@ -9,10 +8,10 @@ namespace tumble::sim {
 namespace {
 
 constexpr int kInner = 2;              // Jacobi passes over a manifold's points in one visit
-constexpr int kInnerRestitution = 12;  // visited once a step, and what it misses is energy lost
-constexpr double kPushPart = 0.05;     // of an overlap removed in a sub-step
-constexpr double kSkin = 0.0001;       // m of air that counts as touching; see bias_of
-constexpr double kSlop = 0.0005;       // m of overlap that is left alone
+constexpr int kInnerRestitution = 12;  // one visit a step; an impulse that falls short loses energy
+constexpr double kPushPart = 0.05;     // of an overlap, removed in a substep
+constexpr double kSkin = 0.0001;       // m apart that counts as touching; see bias_of
+constexpr double kSlop = 0.0005;       // m of overlap that is not removed
 constexpr double kPushMax = 1;         // m/s
 
 // The friction impulse that stops the slip, cut to what the normal impulses allow; returns the change as a wrench.
@@ -45,25 +44,25 @@ Wrench<V> solve_friction(const Manifolds<V>& m, const Motion<V>& motion) {
   return friction_wrench(m, d1, d2, (twist - twist_before) + (p * d2 - q * d1));
 }
 
-// The normal velocity a point should have, negated: what is added to its velocity before it is driven to zero. Between
-// skin and slop a point is simply held. Were the gap closed down to zero, a resting box would rock: corners that are a
-// nanometre apart carry nothing for a sub-step, and tall stacks sway themselves apart on it.
+// The normal velocity that a point should have, negated: added to the velocity that the impulse drives to zero. Between
+// kSkin apart and kSlop of overlap a point is held as it is. If separations were closed down to zero, a resting box
+// would rock: corners a nanometre apart carry nothing for a substep, and tall stacks sway apart.
 template <Sweep kSweep, class V>
 V bias_of(V separation, double h) {
-  const V gap = separation / h, zero = V{};
-  if constexpr (kSweep == Sweep::kRelax) return separation > kSkin ? gap : zero;
+  const V closing = separation / h, zero = V{};
+  if constexpr (kSweep == Sweep::kRelax) return separation > kSkin ? closing : zero;
   const V push = larger(V{} - kPushMax, (kPushPart / h) * smaller(zero, separation + kSlop));
-  return separation > kSkin ? gap : push;
+  return separation > kSkin ? closing : push;
 }
 
-// e times the speed of impact, less what the way from the contact to here has cost since.
+// The speed after a bounce: e times the speed of impact, less the speed that gravity has taken since the impact.
 template <class V>
 V rebound(const Manifolds<V>& m, V approach, V separation) {
   const V speed = m.get(m.batch->restitution) * approach, zero = V{};
   return square_root(larger(zero, speed * speed + 2.0 * m.get(m.batch->acceleration) * separation));
 }
 
-// What a point's velocity is to be, negated; the passes over the points do not change it.
+// The velocity that a point should have, negated; constant during the passes over the points.
 template <Sweep kSweep, class V>
 V unwanted_speed(const Manifolds<V>& m, const PointBatch& point, double h) {
   const V separation = m.get(point.separation);
@@ -162,7 +161,7 @@ void warm_start(const ContactWork& work, ContactBatch& batch, unsigned at) {
   write_outcomes(work, m, {normal.force + friction.force, normal.torque + friction.torque});
 }
 
-// Every body of a layer, its outcomes one after the other; exact sums have no order.
+// Adds to every body of a layer its outcomes. Outcomes are grid doubles, so the sums are exact in any order.
 template <class V>
 void apply_outcomes(const ContactWork& work, const BodyOutcomes* of, std::size_t count) {
   constexpr std::size_t kAtOnce = sizeof(V) / sizeof(double);

@@ -1,6 +1,7 @@
 #pragma once
 
-// Rows of bodies turned into lanes and back: lane k gets the row of its own body. For the files of lane_vector.h.
+// Transposes rows of bodies into lanes and back: lane k holds the row of its own body. lane_vector.h says who may
+// include this.
 
 #include <cstddef>
 #include <cstdint>
@@ -14,7 +15,7 @@ constexpr unsigned kFrameDoubles = 15;  // of a BoxFrame: position, three axes, 
 
 using Two = VectorOf<2>::Type;
 
-// Four numbers from `at` on of each row, as four lanes of each number.
+// Gathers four numbers of each row, from `at` on: out[k] holds number at + k of every lane's row.
 inline void gather4(const double* rows, unsigned stride, const std::uint32_t* row, unsigned at, double* out) {
   for (unsigned k = 0; k < 4; ++k) out[k] = rows[row[0] * stride + at + k];
 }

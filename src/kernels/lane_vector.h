@@ -1,8 +1,9 @@
 #pragma once
 
-// Numbers in lanes, for the files that are compiled for one instruction set each. Everything is in an unnamed namespace
-// and no other header of the project that has functions is included there: a function compiled for a wide machine must
-// never be the one that the linker keeps for all.
+// Numbers in lanes, for kernels.cc, which is compiled once for each lane width with the instructions of that width. The
+// linker keeps one copy of an inline function for the whole program; a copy with wide instructions would crash on
+// machines without them. So everything here is in an unnamed namespace, and kernels.cc includes no header of the
+// project that has functions elsewhere.
 
 #include <cstdint>
 
@@ -51,7 +52,7 @@ inline void store(double* to, V v) {
   __builtin_memcpy(to, &v, sizeof v);
 }
 
-// std::max and std::min of two numbers, to the sign of zero; a processor's own differ in it.
+// std::max and std::min of two numbers, with the sign of zero as well, in which the instructions of processors differ.
 template <class V>
 inline V larger(V a, V b) {
   return a < b ? b : a;
@@ -66,7 +67,7 @@ inline V magnitude(V a) {
   return a < 0.0 ? -a : a;
 }
 
-// std::fabs, to the sign of zero.
+// std::fabs, with the sign of zero as well.
 inline double absolute(double a) { return __builtin_fabs(a); }
 template <class V>
 inline V absolute(V a) {

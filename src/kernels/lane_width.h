@@ -4,7 +4,8 @@
 
 namespace tumble::sim {
 
-/// How many lanes an instruction takes. All give the same bits: lanes never mix. kWidest: as many as this machine can.
+/// The number of lanes of an instruction. Every width gives the same bits, since lanes never mix. kWidest: the widest
+/// that build and machine run.
 enum class LaneWidth : std::uint8_t { kWidest, kOne, kTwo, kFour, kEight };
 
 /// "widest", "one", "two", "four", "eight".

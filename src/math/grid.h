@@ -9,11 +9,15 @@
 
 namespace tumble::sim {
 
-/// Grid doubles: values that are whole multiples of a power of two, small enough that sums of them are exact. Exact
-/// sums are associative and commutative, so no order of bodies, pairs or threads can show in a result.
+/// Grid doubles: whole multiples of one power of two (the step), small enough that sums of them are exact. Exact sums
+/// are associative and commutative, so no result depends on the order of bodies, pairs or threads.
 ///
-/// Adding and subtracting 1.5·2⁵²·grid rounds to the grid, to nearest even, and is odd-symmetric: −x gives the
-/// negated result, which mirror symmetry needs. Valid for |x| < 2⁵¹·grid.
+/// round(x) adds the magic number 1.5·2⁵²·step and subtracts it again. Doubles near the magic number lie exactly one
+/// step apart, so the addition itself rounds x to a multiple of the step, to nearest even, and the subtraction is
+/// exact. The factor 1.5 keeps x + magic between 2⁵² and 2⁵³ steps for either sign of x, which makes round(−x) =
+/// −round(x); mirror symmetry needs that. Precondition: |x| < 2⁵¹ steps. Source: ExtractScalar of Rump, Ogita and Oishi
+/// (2008), Accurate floating-point summation; sums that no order changes
+///         as in Demmel and Nguyen (2013), Fast reproducible floating-point summation.
 template <int kExponent>
 struct Grid {
   static constexpr double kStep = 1.0 / static_cast<double>(1ULL << kExponent);
@@ -30,7 +34,8 @@ using UnitGrid = Grid<48>;      ///< parts of unit vectors and weights, within �
 static_assert(PositionGrid::kMagic == kPlaceMagic && PositionGrid::kStep == kPlaceStep);
 static_assert(VelocityGrid::kMagic == kMotionMagic);
 
-/// The largest power of two not above x > 0, by its exponent bits: to make a grid that fits a range.
+/// The largest power of two not above x, read from the exponent bits. Scales a grid to a range.
+/// 0 for 0. Precondition: x >= 0, not subnormal.
 inline double power_of_two(double x) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & 0x7ff0000000000000ULL);
 }

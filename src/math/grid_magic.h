@@ -2,7 +2,7 @@
 
 namespace tumble::sim {
 
-// Of grid.h, for the files of lane_vector.h, which see no header with functions of its own.
+// The constants of grid.h for the files of src/kernels/lane_vector.h, which may include no header with functions.
 inline constexpr double kMotionMagic = 6755399441055744.0 / 274877906944.0;  ///< VelocityGrid::kMagic
 inline constexpr double kPlaceMagic = 6755399441055744.0 / 68719476736.0;    ///< PositionGrid::kMagic
 inline constexpr double kPlaceStep = 1.0 / 68719476736.0;                    ///< PositionGrid::kStep, m

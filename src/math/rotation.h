@@ -7,7 +7,7 @@
 
 namespace tumble::sim {
 
-/// A unit quaternion, scalar first. It takes a body's own axes to the world's: v_W = q v_B q*.
+/// A unit quaternion, scalar first, that turns vectors from a body's axes to the world's: v_W = q v_B q*.
 struct Quat {
   double w = 1, x = 0, y = 0, z = 0;
   friend bool operator==(const Quat&, const Quat&) = default;
@@ -60,7 +60,7 @@ inline Axes axes_of(const Quat& q) {
            Vec3(2 * (q.x * q.z + q.w * q.y), 2 * (q.y * q.z - q.w * q.x), 1 - 2 * (q.x * q.x + q.y * q.y))}};
 }
 
-/// A world vector in the body's axes, and back.
+/// A world vector expressed in the body's axes, and back.
 inline Vec3 to_body(const Axes& axes, const Vec3& v) { return {dot(axes[0], v), dot(axes[1], v), dot(axes[2], v)}; }
 inline Vec3 to_world(const Axes& axes, const Vec3& v) { return (axes[0] * v.x() + axes[1] * v.y()) + axes[2] * v.z(); }
 
@@ -72,14 +72,15 @@ inline Quat normalised(const Quat& q) {
   return {plus_zero(q.w / n), plus_zero(q.x / n), plus_zero(q.y / n), plus_zero(q.z / n)};
 }
 
-/// a then, in a's own frame, b: the Hamilton product a b, each component summed so that mirrored and swapped
-/// arguments give the mirrored and swapped product to the bit.
+/// The Hamilton product a b: rotation a, then rotation b in a's own frame. Each component is summed in an order that
+/// gives mirrored arguments the mirrored product, and swapped axes the swapped product, to the bit.
 inline Quat product(const Quat& a, const Quat& b) {
   return {a.w * b.w - ((a.x * b.x + a.y * b.y) + a.z * b.z), (a.w * b.x + a.x * b.w) + (a.y * b.z - a.z * b.y),
           (a.w * b.y + a.y * b.w) + (a.z * b.x - a.x * b.z), (a.w * b.z + a.z * b.w) + (a.x * b.y - a.y * b.x)};
 }
 
-/// The rotation by a half-turn vector h (axis times tan of half the angle), a Cayley map: no trigonometry.
+/// q turned about a world axis by the Cayley map. h_W: the axis times the tangent of half the angle; the map needs no
+/// trigonometry.
 inline Quat rotated_by_half(const Quat& q, const Vec3& h_W) {
   return normalised(product({1, h_W.x(), h_W.y(), h_W.z()}, q));
 }

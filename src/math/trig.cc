@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "src/base/check.h"
+
 namespace tumble::sim {
 namespace {
 
@@ -43,6 +45,7 @@ SinCos sin_cos_first_octant(double degrees) {
 }  // namespace
 
 SinCos sin_cos_degrees(double degrees) {
+  SIM_DCHECK(std::isfinite(degrees), degrees);
   const double turn = std::fmod(std::fabs(degrees), 360.0);  // exact
   const double quarters = std::floor(turn / 90.0);
   double rest = turn - 90.0 * quarters;  // exact, 0 … 90

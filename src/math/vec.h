@@ -6,9 +6,10 @@
 
 namespace tumble::sim {
 
-/// Eigen stores vectors and adds them coefficient by coefficient. Products that sum are written out below, in one
-/// fixed, parenthesised order: Eigen's own reductions change with the vector width. (x + y) + z also keeps its bits
-/// when x and y are swapped or any component is negated, which mirror and swap symmetry rest on.
+/// A vector of three coefficients. Eigen stores vectors and adds them coefficient by coefficient; dot and cross
+/// products are written out below in one parenthesised order, since the order of Eigen's own reductions depends on the
+/// vector width. The sum (x + y) + z keeps its bits when x and y are exchanged, and negating every component negates
+/// the sum: mirror and swap symmetry rest on both.
 using Vec3 = Eigen::Vector3d;
 
 inline double dot(const Vec3& a, const Vec3& b) { return (a.x() * b.x() + a.y() * b.y()) + a.z() * b.z(); }
@@ -19,11 +20,11 @@ inline Vec3 cross(const Vec3& a, const Vec3& b) {
 
 inline double length(const Vec3& a) { return std::sqrt(dot(a, a)); }
 
-/// −0.0 becomes +0.0; every other value stays. Mirrored motion produces −0.0, which would hash differently.
+/// Turns −0.0 into +0.0 and keeps every other value. Mirrored motion produces −0.0, whose bits hash differently.
 inline double plus_zero(double a) { return a + 0.0; }
 inline Vec3 plus_zero(const Vec3& a) { return {a.x() + 0.0, a.y() + 0.0, a.z() + 0.0}; }
 
-/// A column of vectors as three columns of doubles, so that hashing, logging and lanes see contiguous memory.
+/// A column of vectors as three columns of doubles: hashing, logging and lanes read contiguous memory.
 struct Vec3Column {
   std::vector<double> x, y, z;
 

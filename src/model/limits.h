@@ -4,7 +4,7 @@
 
 namespace tumble::sim {
 
-// Named limits, checked where a value enters. Positions and speeds are what the grids of math/grid.h can hold.
+// Named limits, checked where a value enters. The grids of math/grid.h set those of positions and speeds.
 inline constexpr double kPositionMax = 32768;   ///< m, each coordinate
 inline constexpr double kSpeedMax = 8192;       ///< m/s and rad/s, each component
 inline constexpr double kNormTolerance = 1e-9;  ///< of an orientation's squared length from 1

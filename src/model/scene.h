@@ -10,14 +10,14 @@
 #include "src/math/rotation.h"
 #include "src/math/vec.h"
 
-/// What a session is made of, as plain data: the whole input of a run. SI units; world axes are right-handed with z
-/// up; orientations are unit quaternions (w, x, y, z); spins are in rad/s about world axes.
+/// The scene and the inputs of a session as plain data: the whole input of a run. SI units; world axes are right-handed
+/// with z up; orientations are unit quaternions (w, x, y, z); spins are in rad/s about world axes.
 namespace tumble::sim {
 
-/// How a step is computed. `kThesis` is chapter III of the thesis; `kLayered` is the solver for standing stacks.
+/// The method of a step. `kThesis`: chapter III of the thesis. `kLayered`: the solver for standing stacks.
 enum class Method : std::uint8_t { kThesis = 0, kLayered = 1 };
 
-/// Look only; the simulation never reads it.
+/// The picture of a surface; the simulation never reads a texture.
 enum class Texture : std::uint8_t { kCrate = 0, kBrick = 1, kWood = 2, kConcrete = 3, kWhite = 4 };
 
 struct Material {
@@ -28,7 +28,7 @@ struct Material {
   friend bool operator==(const Material&, const Material&) = default;
 };
 
-/// Which table of the scene made a body, and where in it: reports and metrics speak of rows and columns.
+/// The table of the scene that made a body, and the place in the table. Reports and metrics name rows and columns.
 struct Origin {
   enum class Kind : std::uint8_t { kBox = 0, kGrid = 1, kTower = 2, kPyramid = 3, kWall = 4, kPile = 5, kInput = 6 };
   Kind kind = Kind::kBox;
@@ -53,14 +53,15 @@ struct BoxDef {
   friend bool operator==(const BoxDef&, const BoxDef&) = default;
 };
 
-// The inputs of a session. A body is changed between steps only through one of these, and each is logged.
+// The inputs of a session. Nothing else changes a body between steps, and every input is logged.
 
-/// A new body appears.
+/// Adds a body.
 struct Throw {
   BoxDef box;
   friend bool operator==(const Throw&, const Throw&) = default;
 };
-/// An impulse (N·s) at a world point, or at the centre of mass. A frozen body escapes only by the thesis's threshold.
+/// Gives a body an impulse (N·s) at a world point or at the centre of mass. A frozen body ignores an impulse below the
+/// thesis's threshold of escape.
 struct Push {
   BodyId id = 0;
   Vec3 impulse = {0, 0, 0};
@@ -68,28 +69,29 @@ struct Push {
   Vec3 at = {0, 0, 0};  ///< world point; read only when !at_centre
   friend bool operator==(const Push&, const Push&) = default;
 };
-/// The body vanishes; what rested on it wakes.
+/// Removes a body and wakes the bodies that rested on the removed one.
 struct Remove {
   BodyId id = 0;
   friend bool operator==(const Remove&, const Remove&) = default;
 };
+/// Wakes a frozen body, at rest.
 struct Wake {
   BodyId id = 0;
   friend bool operator==(const Wake&, const Wake&) = default;
 };
-/// Replaces both velocities and wakes the body.
+/// Replaces velocity (m/s) and spin (rad/s) and wakes the body.
 struct SetVelocity {
   BodyId id = 0;
   Vec3 velocity = {0, 0, 0};
   Vec3 spin = {0, 0, 0};
   friend bool operator==(const SetVelocity&, const SetVelocity&) = default;
 };
-/// m/s²; wakes every body.
+/// Replaces gravity (m/s²) and wakes every body.
 struct SetGravity {
   Vec3 gravity = {0, 0, -9.81};
   friend bool operator==(const SetGravity&, const SetGravity&) = default;
 };
-/// s, > 0, from the coming step on.
+/// Replaces dt (s, > 0) from the coming step on.
 struct SetDt {
   double dt = 1.0 / 60;
   friend bool operator==(const SetDt&, const SetDt&) = default;
@@ -105,14 +107,14 @@ static_assert(kCommandNames.back() != nullptr);
 /// The scene format's word for a command: "throw", "push", …
 inline const char* name_of(const Command& command) { return kCommandNames[command.index()]; }
 
-/// Applied before step `step` (1 … N); inputs of one step keep their order.
+/// A command that is applied before step `step` (1 … N); inputs of one step keep their order.
 struct TimedCommand {
   std::uint64_t step = 1;
   Command command;
   friend bool operator==(const TimedCommand&, const TimedCommand&) = default;
 };
 
-/// The parameters of the stepper. Thresholds are per kilogram, so no scene needs them changed for its sizes.
+/// The parameters of the stepper. Energy thresholds are per kilogram and fit scenes of any size.
 struct WorldDef {
   Method method = Method::kLayered;
   double dt = 1.0 / 60;                ///< s
@@ -129,7 +131,7 @@ struct WorldDef {
   friend bool operator==(const WorldDef&, const WorldDef&) = default;
 };
 
-// How to look at the scene; the simulation never reads these.
+// Camera and light, for pictures; the simulation reads neither.
 
 struct Camera {
   Vec3 position = {12, -16, 8};

@@ -7,8 +7,8 @@
 
 #include "src/model/scene.h"
 
-/// Symmetries of the simulation: what they do to a scene and to a state. They are exact: a reflection only changes
-/// signs, a shift by whole grid steps only adds, and names mean nothing.
+/// Symmetries of the simulation, applied to scenes and states. Each is exact: a reflection changes only signs, a shift
+/// by whole grid steps adds exactly, and no result depends on the names of bodies.
 namespace tumble::sim {
 
 /// A reflection, a horizontal shift and new names for the bodies, in this order.
@@ -25,9 +25,9 @@ struct Transform {
   [[nodiscard]] Quat orientation(const Quat& q) const;
   [[nodiscard]] Vec3 extents(const Vec3& size) const;  ///< edge lengths
 
-  /// An odd number of mirrors.
+  /// Whether the number of mirrors is odd.
   [[nodiscard]] bool reflects() const { return mirror_x ^ mirror_y ^ swap_xy; }
-  /// Changes nothing.
+  /// Whether the transform changes nothing.
   [[nodiscard]] bool identity() const;
   friend bool operator==(const Transform&, const Transform&) = default;
 };
@@ -35,21 +35,21 @@ struct Transform {
 /// "mirror x, shift 1024,-512.5, permute 7"; "identity" for none.
 std::string to_string(const Transform& transform);
 
-/// Old name to new name for every body of a scene, those that its inputs throw in included. The set of names stays.
+/// Old id to new id for every body of a scene, thrown bodies included. The set of ids stays.
 using IdMap = std::map<BodyId, BodyId>;
 IdMap ids_under(const SceneDef& scene, const Transform& transform);
 
-/// The new name of a body; one that the map does not know keeps its own.
+/// The new id of a body; an id that the map lacks stays.
 BodyId image_of(BodyId id, const IdMap& ids);
 BoxDef image_of(const BoxDef& box, const Transform& transform, const IdMap& ids);
 Command image_of(const Command& command, const Transform& transform, const IdMap& ids);
 
-/// The transformed scene. Positions and velocities are rounded to their grids first, as state 0 has them, so a world
-/// made of the image starts as the exact image of the world made of the scene.
+/// The transformed scene. Positions and velocities are rounded to the grids first, as in state 0, so that transforming
+/// a scene and making a world gives the bits of making a world and transforming the state.
 SceneDef image_of(const SceneDef& scene, const Transform& transform, const IdMap& ids);
 
-/// The scene with the values that a world and its inputs would round, rounded. Orientations are left: normalising
-/// commutes with every transform, but not with itself.
+/// The scene with positions and velocities rounded as create_world() and the inputs round them. Orientations stay as
+/// they are: normalising commutes with every transform, but normalising twice is not normalising once.
 SceneDef on_grids(const SceneDef& scene);
 
 }  // namespace tumble::sim

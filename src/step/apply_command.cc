@@ -28,7 +28,7 @@ Status check_vector(const char* input, const char* what, const Vec3& v, double l
                    std::to_string(limit) + ", wanted one within");
 }
 
-/// Applies one input to a world whose state may be changed; each overload checks before it writes.
+// Applies one input to a state; each overload checks before it writes.
 class Applier {
  public:
   explicit Applier(WorldState& state) : state_(state), bodies_(state.bodies) {}
@@ -93,8 +93,8 @@ class Applier {
   }
 
  private:
-  // The same outcome as a collision's impulse; a frozen body keeps it only when that takes it past the escape
-  // threshold.
+  // Changes velocity and spin as the impulse of a collision would. A frozen body keeps the change only if it takes the
+  // body past the escape threshold.
   Status push(BodyIndex i, const Push& input) {
     if (bodies_.is_static[i] != 0) return bad_input("push: body " + id_text(input.id) + " is static");
     const Axes axes = axes_of(bodies_.orientation[i]);

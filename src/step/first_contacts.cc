@@ -17,20 +17,20 @@
 namespace tumble::sim {
 namespace {
 
-constexpr double kTouchGap = 1e-3;  // m
-constexpr double kSameWay = 0.99;   // cosine between normals that are one direction
+constexpr double kFirstTouch = 1e-3;  // m apart
+constexpr double kOneWay = 0.99;      // cosine between normals that count as one direction
 
-// Boxes grown by half the gap on every side overlap exactly where the real ones touch.
+// The state with boxes grown by half of kFirstTouch on every side: the copies overlap where the originals touch.
 WorldState grown(const WorldState& state) {
   WorldState copy = state;
   Bodies& bodies = copy.bodies;
-  const Vec3 growth = Vec3::Constant(kTouchGap / 2);
+  const Vec3 growth = Vec3::Constant(kFirstTouch / 2);
   for (std::size_t i = 0; i < bodies.size(); ++i) bodies.half_extent.set(i, bodies.half_extent[i] + growth);
   return copy;
 }
 
-// The direction in which two grown boxes touch, unless they only meet at an edge or a corner: they then barely overlap
-// in more than one direction.
+// The direction in which two grown boxes touch; none if they meet only at an edge or a corner, where they barely
+// overlap in more than one direction.
 std::optional<Vec3> touch_normal(const BoxPair& pair) {
   if (pair.separating(kFaces | kEdges) != 0) return std::nullopt;
   const BestAxes best = pair.best(kFaces);
@@ -38,8 +38,8 @@ std::optional<Vec3> touch_normal(const BoxPair& pair) {
   const Vec3 normal = pair.normal(std::countr_zero(best.axes));
   for (int axis = 0; axis < 6; ++axis) {
     const BestAxes other = pair.best(only(axis));
-    const bool barely = other.axes != 0 && other.separation > -2 * kTouchGap;
-    if (barely && std::fabs(dot(pair.normal(axis), normal)) < kSameWay) return std::nullopt;
+    const bool barely = other.axes != 0 && other.separation > -2 * kFirstTouch;
+    if (barely && std::fabs(dot(pair.normal(axis), normal)) < kOneWay) return std::nullopt;
   }
   return normal;
 }
@@ -86,7 +86,7 @@ void find_objects(WorldState& state, const std::vector<std::uint8_t>& wanted) {
   objects = merged;
 }
 
-// With everything awake in a copy, the manifolds at rest are found like any other; their impulses start at nothing.
+// Finds the contacts in a copy of the state in which all bodies are awake; the impulses start at zero.
 void find_memory(WorldState& state, const std::vector<std::uint8_t>& wanted) {
   const Bodies& bodies = state.bodies;
   WorldState awake = state;
@@ -99,7 +99,7 @@ void find_memory(WorldState& state, const std::vector<std::uint8_t>& wanted) {
   std::erase_if(scratch.manifolds, [&](const Manifold& m) {
     const auto points = points_of(std::as_const(scratch), m);
     const bool close = std::any_of(points.begin(), points.end(),
-                                   [](const ManifoldPoint& point) { return point.separation < kTouchGap; });
+                                   [](const ManifoldPoint& point) { return point.separation < kFirstTouch; });
     return !close || !((is_wanted(m.a) && rests(m.b)) || (is_wanted(m.b) && rests(m.a)));
   });
   ContactMemory found;

@@ -33,12 +33,12 @@
 namespace tumble::sim {
 namespace {
 
-// The thesis's chapter III, in the order it runs. Each phase is the file of its name.
+// Chapter III of the thesis, in order. Each phase has a file of its name.
 constexpr Phase kThesisPhases[] = {
     {"integrate", integrate, hash_integrate},
     {"find_pairs", find_pairs, hash_find_pairs},
     {"find_planes", find_planes, hash_find_planes},
-    // --- a sub-step that met too many collisions is taken back and halved here ---
+    // --- here a substep with too many collisions is undone and halved ---
     {"find_contacts", find_contacts, hash_find_contacts},
     {"compute_impulses", compute_impulses, hash_compute_impulses},
     {"compute_separation", compute_separation, hash_compute_separation},
@@ -48,7 +48,7 @@ constexpr Phase kThesisPhases[] = {
 };
 constexpr PhaseTable kThesis = {kThesisPhases, 0, std::size(kThesisPhases), 3};
 
-// Contacts are found once a step; gravity, contacts and motion alternate in sub-steps.
+// Contacts are found once a step; gravity, contacts and motion alternate in substeps.
 constexpr Phase kLayeredPhases[] = {
     {"find_near_pairs", find_near_pairs, hash_find_near_pairs},
     {"find_manifolds", find_manifolds, hash_find_manifolds},
@@ -56,23 +56,23 @@ constexpr Phase kLayeredPhases[] = {
     {"assign_levels", assign_levels, hash_assign_levels},
     {"carry_weights", carry_weights, hash_carry_weights},
     {"prepare_manifolds", prepare_manifolds, hash_prepare_manifolds},
-    // --- every sub-step ---
+    // --- in every substep ---
     {"apply_forces", apply_forces, hash_apply_forces},
     {"push_contacts", push_contacts, hash_push_contacts},
     {"integrate_positions", integrate_positions, hash_integrate_positions},
     {"relax_contacts", relax_contacts, hash_relax_contacts},
-    // --- once again ---
+    // --- once a step ---
     {"bounce_contacts", bounce_contacts, hash_bounce_contacts},
     {"finish_motion", finish_motion, hash_finish_motion},
     {"update_sleeping", update_sleeping, hash_update_sleeping},
 };
 constexpr PhaseTable kLayered = {kLayeredPhases, 6, 10, 0};
 
-// floor(log2(substeps)): how often a step may be halved.
+// floor(log2(substeps)): the number of times that a step may be halved.
 unsigned recursion_depth(const WorldDef& def) { return static_cast<unsigned>(std::bit_width(def.substeps)) - 1U; }
 
-// So many steps in which nothing could move leave a world as they find it, and so does every further one: the first may
-// still drop contacts of bodies that have come to rest apart.
+// Steps without a moving body, after which further steps change nothing: the first such step may still drop contacts of
+// bodies that have come to rest apart, so one step is not enough.
 constexpr std::uint32_t kStillSteps = 2;
 
 bool nothing_moves(const WorldState& state) {
@@ -82,14 +82,15 @@ bool nothing_moves(const WorldState& state) {
   return state.def.method == Method::kLayered;
 }
 
-// Method layered: the points of the manifolds that were solved.
+// Method layered: the number of points of the manifolds that were solved.
 std::uint32_t solved_points(const Scratch& scratch) {
   std::uint32_t count = 0;
   for (const std::uint32_t k : scratch.layered) count += scratch.manifolds[k].count;
   return count;
 }
 
-// Whether more than `most` bodies fly into the ground within dt_s, as the trial phases of method thesis would find.
+// Whether more than `most` bodies fall into the ground within dt_s; the trial phases of method thesis would find them
+// too, but later.
 bool grounds_more_than(std::size_t most, const WorldState& state, double dt_s) {
   const Bodies& bodies = state.bodies;
   const double fall = falling_reach(state.def, dt_s);
@@ -104,7 +105,7 @@ bool grounds_more_than(std::size_t most, const WorldState& state, double dt_s) {
   return found > most;
 }
 
-// One call of step(): the sub-steps of a step, counted.
+// One call of step(): runs the substeps and counts.
 class StepRun {
  public:
   StepRun(World& world, Observer* observer)
@@ -122,11 +123,12 @@ class StepRun {
         if (Status ok = accept(def.dt / def.substeps); !ok.ok()) return ok;
       }
     }
-    --substep_;  // what follows belongs to the last one
+    --substep_;  // the phases that follow count to the last substep
     return run_range(table_.substeps_end, table_.phases.size(), def.dt);
   }
 
-  /// The same for a world that is still: every phase would write what its scratch holds already.
+  /// The calls of run_all() to the observer without running a phase, for a world without moving bodies: every phase
+  /// would write the values that the scratch holds already.
   void look_at_all() {
     const std::uint32_t substeps = world_.state().def.substeps;
     for (std::size_t k = 0; k < table_.substeps_begin; ++k) notify(k);
@@ -143,7 +145,7 @@ class StepRun {
   /// Advances by dt_s, halving as often as `depth` allows when there are too many collisions (thesis V.A).
   Status advance(double dt_s, unsigned depth) {
     const std::size_t most = world_.state().def.split_collisions;
-    // What falls into the ground is seen without trying, and mostly is enough.
+    // Counting the bodies that fall into the ground is cheap and usually saves the trial.
     if (depth > 0 && grounds_more_than(most, world_.state(), dt_s)) return halve(dt_s, depth);
     if (depth > 0) save(depth);
     for (std::size_t k = 0; k < table_.trial_count; ++k) {
@@ -176,7 +178,7 @@ class StepRun {
                                           table_.phases[phase].name + ": " + status.error().message};
   }
 
-  // Only accepted sub-steps are seen. What the trial phases wrote is still there to be looked at.
+  // Observers see only accepted substeps. The scratch still holds the values that the trial phases wrote.
   Status accept(double dt_s) {
     const std::size_t tried = table_.substeps_begin + table_.trial_count;
     for (std::size_t k = table_.substeps_begin; k < tried; ++k) notify(k);

@@ -11,8 +11,8 @@
 
 namespace tumble::sim {
 
-/// One phase of a step: a name, the function that does it and the hash of what it wrote. The name is the same word in
-/// this table, the phase's file, docs/step.md, the log and the tests.
+/// One phase of a step: a name, the function, and the hash of everything that the function wrote. One name serves this
+/// table, the phase's file, docs/step.md, the log and the tests.
 struct Phase {
   const char* name;
   /// Advances the state by its part of a sub-step of dt_s. Errors name the phase and the body.
@@ -20,9 +20,9 @@ struct Phase {
   void (*hash)(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 };
 
-/// The phases of a method, in the order they run: those before `substeps_begin` once a step, then those up to
-/// `substeps_end` in every sub-step, then the rest once. `trial_count` first ones of a sub-step may be undone: the
-/// sub-step is accepted, or halved and begun again, after them.
+/// The phases of a method in their order: those before `substeps_begin` run once a step, those up to `substeps_end` in
+/// every substep, the rest once a step. The first `trial_count` phases of a substep are a trial: after them the substep
+/// is accepted, or undone and taken again in two halves.
 struct PhaseTable {
   std::span<const Phase> phases;
   std::size_t substeps_begin;
@@ -31,7 +31,7 @@ struct PhaseTable {
 };
 PhaseTable phase_table(Method method);
 
-/// What a step did, in numbers. Energies in J.
+/// Counts and energies of a step. Energies in J.
 struct StepCounters {
   std::uint32_t pairs = 0;     ///< in the Active Collision List after the last sub-step
   std::uint32_t contacts = 0;  ///< thesis: collisions resolved, all sub-steps; layered: contact points solved
@@ -39,13 +39,13 @@ struct StepCounters {
   double kinetic = 0;          ///< after the step
   double potential = 0;        ///< after the step
   double inputs = 0;           ///< put in by the inputs before the step
-  double removed = 0;          ///< taken out because separation had pumped it in
+  double removed = 0;          ///< dissipated, because separation had added it
   friend bool operator==(const StepCounters&, const StepCounters&) = default;
 };
 
-/// Watches a step without the step knowing what for. Called after each phase of each accepted sub-step, in order (what
-/// runs once a step counts to the first or the last sub-step); the world and its scratch still hold what the phase
-/// wrote. References last for the call.
+/// Observes a step; the step knows nothing of the purpose. phase_done() is called after each phase of each accepted
+/// substep, in order; a phase that runs once a step counts to the first or the last substep. World and scratch still
+/// hold the values that the phase wrote. References last for the call.
 class Observer {
  public:
   virtual ~Observer() = default;
@@ -61,19 +61,20 @@ Result<World> create_world(const SceneDef& scene);
 /// unchanged.
 Status apply(World& world, const Command& command);
 
-/// Takes the world from state k to state k + 1 with its current dt.
+/// Takes the world from state k to state k + 1 with its current dt. Errors: kCannotFinish with step and phase when a
+/// body leaves the limits or too many bodies crowd; the world must not be used on. `observer` may be null.
 Result<StepCounters> step(World& world, Observer* observer = nullptr);
 
-/// Collects a step's phase hashes: one 64-bit word (the low half of XXH3-128) a phase and sub-step, sub-step by
-/// sub-step; 0 where a phase did not run in that sub-step. Sub-steps from kRowsMax on are folded into the last row, so
-/// a log stays small at any sub-step count.
+/// Collects a step's phase hashes: one 64-bit word (the low half of XXH3-128) for each phase and substep, substep by
+/// substep; 0 where a phase did not run in that substep. Substeps from kRowsMax on are folded into the last row, so
+/// that a log stays small at any number of substeps.
 class PhaseHashes : public Observer {
  public:
   static constexpr std::uint32_t kRowsMax = 16;
-  /// Of what the phases' hashes cover and StepCounters count: raised whenever either changes while no state does, since
-  /// words of two versions say nothing of each other. 1: some of what a phase wrote was left out, and method layered
-  /// counted no contacts. 2: all that a phase writes and the future depends on. 3: the same, less some that
-  /// a phase leaves as it was or only copies, in the order in which it lies in memory.
+  /// The version of the phase hashes' coverage and of StepCounters; raised when either changes while no state does,
+  /// since words of different versions cannot be compared. 1: left out some fields that a phase wrote; method layered
+  /// counted no contacts. 2: covers every field that a phase writes and the future depends on. 3: leaves out some
+  /// fields that a phase leaves unchanged or only copies, and hashes in the order of memory.
   static constexpr std::uint32_t kVersion = 3;
 
   void phase_done(std::uint32_t substep, std::size_t phase, const World& world) override;

@@ -10,7 +10,7 @@ namespace tumble::sim {
 
 namespace {
 
-// Gravity, and the way up: of no direction where there is no gravity, and then not asked for.
+// Gravity and the upward direction. Without gravity `up` is not a number; nothing reads it then.
 struct Gravity {
   explicit Gravity(const Vec3& g) : gravity(g), up(g / -length(g)) {}
   Vec3 gravity, up;

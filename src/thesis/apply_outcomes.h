@@ -7,9 +7,9 @@
 
 namespace tumble::sim {
 
-/// All stored outcomes, applied at the same time (thesis III.C): impulses to the velocities of all bodies, frozen ones
-/// included (update_freezing decides whether they escape), displacements to the positions of those that move. Height
-/// that separation gave is taken back out of the vertical speed.
+/// Applies all stored outcomes at one time (thesis III.C). Impulses change the velocities of all bodies, frozen ones
+/// included (update_freezing decides whether these escape); displacements change the positions of bodies that move. A
+/// body that a displacement lifts loses vertical speed for the height.
 /// Reads:  velocity_gain, spin_gain, displacement, touched; gravity
 /// Writes: velocity, spin, position; removed_energy
 /// Errors: a body that is not finite or beyond limits.h
@@ -18,7 +18,7 @@ namespace tumble::sim {
 Status apply_outcomes(WorldState& state, Scratch& scratch, double dt_s);
 void hash_apply_outcomes(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
-/// The velocity left when a body is lifted by `displacement` at its own expense; and the energy that took, J/kg.
+/// The velocity of a body after it has paid for a lift by `displacement`, and the energy dissipated, J/kg.
 struct LiftCost {
   Vec3 velocity;
   double removed = 0;

@@ -14,14 +14,15 @@ constexpr double kSlipMin = 1e-12;
 
 Vec3 point_velocity(const ContactBody& body) { return body.velocity + cross(body.spin, body.r); }
 
-// The speed that a unit impulse at r gives the point along `direction`: n · ((I⁻¹ (r × n)) × r), as a square.
+// The speed that a unit impulse along n at r gives the point along n by rotation: n · ((I⁻¹ (r × n)) × r), written as a
+// sum of squares, so that the result is never negative.
 double yield_of_rotation(const ContactBody& body, const Vec3& direction) {
   const Vec3 lever = to_body(body.axes, cross(body.r, direction));
   const Vec3& i = body.inverse_inertia;
   return (lever.x() * lever.x() * i.x() + lever.y() * lever.y() * i.y()) + lever.z() * lever.z() * i.z();
 }
 
-// How fast the points move apart along what an impulse pushes them by, times the impulse: J · K J, in J.
+// J · K J in J: the impulse times the relative velocity that the impulse gives the points.
 double stiffness_work(const ContactBody& a, const ContactBody& b, const Vec3& impulse) {
   return dot(impulse, impulse) * (a.inverse_mass + b.inverse_mass) +
          (yield_of_rotation(a, impulse) + yield_of_rotation(b, impulse));
@@ -50,7 +51,7 @@ PairMaterial pair_material(const WorldState& state, BodyIndex a, BodyIndex b) {
           std::max(bodies.restitution[a], restitution), def.slip_speed};
 }
 
-// Adds what the impulse does to body i. The impulse on a is the negative of that on b, to the bit.
+// Adds the outcome of an impulse to the gains of body i. The impulse on a is the negative of that on b, to the bit.
 Status add_gain(WorldState& state, Scratch& scratch, BodyIndex i, const ContactBody& body, const Vec3& impulse) {
   scratch.touched[i] = 1;
   if (body.inverse_mass == 0) return {};
@@ -83,8 +84,9 @@ Vec3 collision_impulse(const ContactBody& a, const ContactBody& b, const Vec3& n
     const double friction = slip_speed < material.slip_speed ? material.friction : material.friction_dynamic;
     impulse -= tangent * std::min(to_stop, friction * along_normal);
   }
-  // The collision changes the kinetic energy by J·u + ½ J·KJ, which 3.1 keeps below zero, but not together with
-  // friction that was found on its own: off centre, each changes the other's speed.
+  // The collision changes the kinetic energy by J·u + ½ J·KJ. Equation 3.1 alone keeps the sum negative, but friction
+  // is computed on its own, and off centre each of the two impulses changes the speed that the other has to stop.
+  // Scaling J by −2 J·u / J·KJ brings the sum back to zero.
   const double spent = -2 * dot(impulse, relative), gained = stiffness_work(a, b, impulse);
   return gained > spent ? Vec3(impulse * (spent / gained)) : impulse;
 }

@@ -7,19 +7,18 @@
 
 namespace tumble::sim {
 
-/// The outcome of every collision, from the velocities before any of them: nothing is applied yet (thesis III.C).
+/// Computes the impulse of every collision from the velocities before all collisions; applies none (thesis III.C).
 /// Reads:  contacts; velocity, spin, orientation (through frames), masses, material
 /// Writes: contacts.impulse; velocity_gain, spin_gain, touched
 /// Errors: a gain that is not finite or beyond limits.h
 /// Order:  each gain is rounded to the velocity grid, so their sums are exact in any order
-/// Source: thesis III.B, eq. 3.1 and Coulomb friction. Differs: 3.1 as printed has the sign of B's rotation turned
-///         round; ours are Baraff and Witkin's (docs/thesis.md). No impulse when parting.
-///         Where restitution and friction together would gain energy, the impulse is shortened until they do not
-///         (III.E).
+/// Source: thesis III.B, eq. 3.1 and Coulomb friction. Differs: 3.1 as printed has the wrong sign for B's rotation; the
+///         signs here are those of Baraff and Witkin (docs/thesis.md). Parting bodies get no impulse. An impulse that
+///         would add energy, by restitution and friction together, is shortened until it adds none (III.E).
 Status compute_impulses(WorldState& state, Scratch& scratch, double dt_s);
 void hash_compute_impulses(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
-/// One side of a contact: an immovable body has zeroes.
+/// One body of a contact; an immovable body has zeros.
 struct ContactBody {
   Vec3 velocity = Vec3::Zero();  ///< m/s
   Vec3 spin = Vec3::Zero();      ///< rad/s
@@ -37,7 +36,7 @@ struct PairMaterial {
 /// Equation 3.1 with friction: the impulse (N·s) on b; a receives the opposite. normal: unit, from a to b.
 Vec3 collision_impulse(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material);
 
-/// The change of spin that an impulse at r makes.
+/// The change of spin by an impulse at r, rad/s.
 Vec3 spin_gain_of(const ContactBody& body, const Vec3& impulse);
 
 }  // namespace tumble::sim

@@ -7,14 +7,15 @@
 namespace tumble::sim {
 namespace {
 
-// While merging, `displacement` holds the largest positive and `displacement_low` the largest negative parts.
+// During the merge `displacement` holds the largest positive part of each axis, `displacement_low` the largest
+// negative.
 void merge(Scratch& scratch, BodyIndex i, const Vec3& displacement) {
   const Vec3 d = PositionGrid::round(displacement);
   scratch.displacement.set(i, scratch.displacement[i].cwiseMax(d));
   scratch.displacement_low.set(i, scratch.displacement_low[i].cwiseMin(d));
 }
 
-// Once: the second time there is nothing left to add.
+// Adds the negative parts and sets them to zero, so that a second call for a body adds nothing.
 void add_low(Scratch& scratch, BodyIndex i) {
   scratch.displacement.add(i, scratch.displacement_low[i]);
   scratch.displacement_low.set(i, Vec3::Zero());

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <limits>
 
+#include "src/base/check.h"
+
 namespace tumble::sim {
 namespace {
 
 constexpr double kGroundHeight = -std::numeric_limits<double>::infinity();
 
-// Whether `object` may carry `body`, and how high its centre lies over the body's. push: direction from object to body.
+// Whether `object` may carry `body`, and the height of its centre over the body's, times gravity. push: direction from
+// object to body.
 struct Support {
   bool carries = false;
   double height = 0;
@@ -37,6 +40,7 @@ void for_each_touch(const Contacts& contacts, Visit visit) {
 
 void collect_contact_objects(const WorldState& state, const Contacts& contacts, FreezeScratch& freezing) {
   std::vector<FreezeCandidate>& candidates = freezing.candidates;
+  SIM_CHECK(candidates.size() == state.bodies.size(), candidates.size(), state.bodies.size());
   for_each_touch(contacts, [&](BodyIndex body, BodyIndex object, const Vec3& push) {
     if (!candidates[body].ready) return;
     const Support support = support_of(state, body, object, push);

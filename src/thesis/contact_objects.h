@@ -5,10 +5,10 @@
 
 namespace tumble::sim {
 
-/// The contact objects of all candidates that are ready (thesis III.D): for each, those among the things it touches in
-/// `contacts` that may carry it and lie lowest, ties included. Only lower bodies carry, and static ones that press from
-/// below wherever their centre is: a ramp's may be high. Takes freezing.candidates, whose `lowest` must be +infinity
-/// on entry, and gives freezing.found, ascending and unique.
+/// Collects the contact objects of all candidates that are ready (thesis III.D): for each candidate the lowest of the
+/// objects that it touches in `contacts` and that may carry it, ties included. A body carries if it lies lower; a
+/// static body also if it presses from below, since the centre of a ramp may lie high. Reads:  freezing.candidates
+/// Writes: freezing.found, ascending and unique; candidates' `lowest`. Precondition: `lowest` is +infinity.
 void collect_contact_objects(const WorldState& state, const Contacts& contacts, FreezeScratch& freezing);
 
 }  // namespace tumble::sim

@@ -30,8 +30,8 @@ std::array<Vec3, 8> corners(const BoxFrame& frame, const Vec3& centre) {
   return all;
 }
 
-// The corners behind a plane, merged to one point by the depth of each (thesis Fig. 6). The plane is given by its
-// normal and its distance from the origin that the corners are relative to.
+// The corners behind a plane, merged to one point with their depths as weights (thesis Fig. 6). distance: of the plane
+// from the origin of the corners, along the normal.
 std::optional<Vec3> point_behind(const std::array<Vec3, 8>& corners, const Vec3& normal, double distance) {
   std::array<double, 8> depth;
   double deepest = 0;
@@ -121,7 +121,7 @@ std::optional<Contact> pair_contact(const BoxPair& pair, AxisSet planes) {
 }
 
 std::optional<Contact> ground_contact(const BoxFrame& frame) {
-  // Corners are taken from the body's centre, so that x and y do not enter; the plane lies z below it.
+  // Corners relative to the body's centre: x and y of the body do not enter, and the ground lies `height` below.
   const double height = frame.position.z();
   const auto point = point_behind(corners(frame, Vec3::Zero()), Vec3(0, 0, 1), -height);
   if (!point) return std::nullopt;

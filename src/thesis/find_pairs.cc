@@ -7,15 +7,15 @@
 namespace tumble::sim {
 namespace {
 
-// Puts the boxes where their bodies are now, but for those that could not move since they were put there in this step.
-// Tells whether all are still in the room in which they keep their neighbours.
+// Writes the boxes of the bodies, except of those that could not move since their boxes were written in this step.
+// Returns whether all AABBs lie in their fat AABBs, so that the list of neighbours still holds.
 bool update_boxes(WorldState& state, Scratch& scratch) {
   const std::size_t n = state.bodies.size();
   BoxColumns boxes = box_columns_of(scratch, n);
   if (scratch.framed.size() == n) boxes.framed = scratch.framed.data();
-  boxes.rooms = scratch.sweep.low.size() == n;
-  put_pointers(scratch.sweep.low, boxes.room_low);
-  put_pointers(scratch.sweep.high, boxes.room_high);
+  boxes.fat = scratch.sweep.fat_low.size() == n;
+  put_pointers(scratch.sweep.fat_low, boxes.fat_low);
+  put_pointers(scratch.sweep.fat_high, boxes.fat_high);
   return kernels(scratch.lanes).bodies.put_boxes(columns_of(state.bodies), {0, n}, boxes);
 }
 
@@ -28,7 +28,7 @@ Status find_pairs(WorldState& state, Scratch& scratch, double dt_s) {
   return check_crowd(scratch);
 }
 
-// The pairs' own planes are find_planes's by the time that trial phases are hashed.
+// When trial phases are hashed, find_planes has already replaced the planes of the pairs; hence old_planes.
 void hash_find_pairs(const WorldState& state, const Scratch& scratch, Hasher& hasher) {
   const PairTable& pairs = state.pairs;
   hasher.add(std::span<const BodyIndex>(pairs.a));

@@ -7,15 +7,19 @@
 namespace tumble::sim {
 namespace {
 
-// A face is preferred to another box's face, and any face to an edge, unless the latter's overlap is smaller by this
+// The first box's faces are preferred to the other box's, and faces to edges, unless the latter overlap less by this
 // part of the smallest half extent: nearly equal axes would otherwise alternate from step to step.
 constexpr double kPreference = 0.01;
-// An old plane is believed until its overlap is deeper than this part of the smallest half extent; the boxes have then
-// turned past it.
+// A collision keeps its old plane until the overlap is deeper than this part of the smallest half extent; the boxes
+// have then turned past the plane.
 constexpr double kOldPlaneDepth = 0.5;
 
-// The faces to look at first: those of the larger box (thesis Fig. 5), then of the lower one; never decided by index,
-// so on an exact tie those of both.
+// Tied planes are kept as sets (AxisSet) through the whole narrow phase. Two axes with bit-equal separations are
+// common: stacked boxes are symmetric. Taking one of them would break the tie by loop order, so a scene with two bodies
+// renamed or an axis mirrored would take the other plane and go another way. A set has no order; find_contacts takes
+// the mean over the set, which respects every symmetry of the pair.
+
+// The faces to test first: those of the larger box (thesis Fig. 5), then of the lower one, and of both on an exact tie.
 AxisSet first_faces(const BoxPair& pair) {
   const double a = volume_measure(pair.a()), b = volume_measure(pair.b());
   if (a != b) return a > b ? kFacesOfA : kFacesOfB;
@@ -39,7 +43,7 @@ AxisSet separating_faces(const BoxPair& pair) {
   return found != 0 ? found : best_separating(pair, static_cast<AxisSet>(kFaces & ~first));
 }
 
-// Where the old planes have failed.
+// The planes that separate a pair whose old planes no longer do.
 AxisSet find_separating(const BoxPair& pair, AxisSet old) {
   if ((old & kFaces) != 0) {
     const AxisSet edges = best_separating(pair, kEdges);
@@ -72,7 +76,7 @@ void add_collision(Contacts& contacts, BodyIndex a, BodyIndex b, AxisSet planes)
   contacts.planes.push_back(planes);
 }
 
-// The ground is its own separating plane.
+// Adds the bodies in the ground, which is its own separating plane.
 void find_grounded(const WorldState& state, const Scratch& scratch, Contacts& contacts) {
   const Bodies& bodies = state.bodies;
   for (BodyIndex i = 0; i < bodies.size(); ++i) {

@@ -7,8 +7,8 @@
 
 namespace tumble::sim {
 
-/// Forgets the planes that displacement has made false, so that the next step does not take one for the plane of a
-/// collision.
+/// Forgets planes that no longer separate their pairs after displacements, so that the next step does not take one for
+/// the plane of a collision.
 /// Reads:  position, touched; pairs
 /// Writes: frames' positions; pairs.planes
 /// Source: thesis III.A.2 and III.C.1: "the existing SP is re-checked to be sure that it is still separating"

@@ -21,7 +21,7 @@ void halt(Bodies& bodies, BodyIndex i) {
   bodies.spin.set(i, Vec3::Zero());
 }
 
-// Frozen bodies: escape, or take back what the impulses tried to give.
+// A frozen body that was hit: it escapes, or loses the velocity that the impulse gave.
 void escape_or_halt(Bodies& bodies, double escape_energy, BodyIndex i) {
   if (energy_per_mass(bodies, i) > escape_energy) {
     bodies.frozen[i] = 0;
@@ -31,7 +31,7 @@ void escape_or_halt(Bodies& bodies, double escape_energy, BodyIndex i) {
   }
 }
 
-// Moving bodies: count the time at low energy; true when that and a collision make one a candidate.
+// A moving body: counts the time at low energy. Returns whether that time and a collision make it a candidate.
 bool count_rest(WorldState& state, Scratch& scratch, BodyIndex i, double dt_s) {
   const WorldDef& def = state.def;
   Bodies& bodies = state.bodies;

@@ -2,12 +2,14 @@
 
 #include <system_error>
 
+#include "src/base/check.h"
+
 namespace tumble {
 namespace {
 
-constexpr int kLooks = 4000;  // some 50 µs, longer than most of what is done between two splits
+constexpr int kPolls = 4000;  // some 50 µs: longer than most work between two splits
 
-void rest_a_moment() {
+void pause_processor() {
 #if defined(__x86_64__) || defined(__i386__)
   __builtin_ia32_pause();
 #endif
@@ -15,14 +17,15 @@ void rest_a_moment() {
 
 }  // namespace
 
-// With more threads than processors, one that looks keeps another from working.
+// With more threads than processors a polling thread would take the time of a working one.
 WorkerThreads::WorkerThreads(unsigned count, Split split)
-    : split_(split), looks_(count <= std::thread::hardware_concurrency() ? kLooks : 0) {
+    : split_(split), polls_(count <= std::thread::hardware_concurrency() ? kPolls : 0) {
+  SIM_CHECK(count >= 1, count);
   threads_.reserve(count - 1);
   try {
-    for (unsigned hand = 1; hand < count; ++hand) threads_.emplace_back([this, hand] { work(hand); });
+    for (unsigned worker = 1; worker < count; ++worker) threads_.emplace_back([this, worker] { work(worker); });
   } catch (const std::system_error&) {
-    return;  // those that there are will do
+    return;  // with the threads that there are
   }
 }
 
@@ -34,6 +37,7 @@ WorkerThreads::~WorkerThreads() {
 }
 
 void WorkerThreads::run(unsigned parts, void (*task)(void* context, unsigned part), void* context) {
+  SIM_CHECK(parts <= this->count(), parts, this->count());
   task_ = task;
   context_ = context;
   parts_ = parts;
@@ -41,16 +45,16 @@ void WorkerThreads::run(unsigned parts, void (*task)(void* context, unsigned par
   round_.fetch_add(1, std::memory_order_release);
   round_.notify_all();
   task(context, 0);
-  for (int k = 0; k < looks_ && busy_.load(std::memory_order_acquire) != 0; ++k) rest_a_moment();
+  for (int k = 0; k < polls_ && busy_.load(std::memory_order_acquire) != 0; ++k) pause_processor();
   for (unsigned busy = 0; (busy = busy_.load(std::memory_order_acquire)) != 0;) busy_.wait(busy);
 }
 
-void WorkerThreads::work(unsigned hand) {
+void WorkerThreads::work(unsigned worker) {
   for (std::uint32_t seen = 0;; ++seen) {
-    for (int k = 0; k < looks_ && round_.load(std::memory_order_acquire) == seen; ++k) rest_a_moment();
+    for (int k = 0; k < polls_ && round_.load(std::memory_order_acquire) == seen; ++k) pause_processor();
     round_.wait(seen, std::memory_order_acquire);
     if (stop_) return;
-    if (hand < parts_) task_(context_, hand);
+    if (worker < parts_) task_(context_, worker);
     if (busy_.fetch_sub(1, std::memory_order_acq_rel) == 1) busy_.notify_one();
   }
 }

@@ -10,15 +10,14 @@
 
 namespace tumble {
 
-/// What to split: what is large enough for it to pay, or everything (so that tests need no large scenes).
+/// Which work is split: work that is large enough to gain by a split, or all of it (tests then need no large scenes).
 enum class Split { kWhatPays, kEverything };
 
-/// A fixed number of threads that wait for work. One caller at a time. Work is handed over through two counters and no
-/// lock: a thread looks for it busily for a few microseconds, as phases follow each other closely, then sleeps.
+/// A fixed number of threads that wait for work. One caller at a time. Two counters hand over the work, without a lock:
+/// a thread polls its counter for some microseconds, since phases follow each other closely, and sleeps after that.
 class WorkerThreads : public Workers {
  public:
-  /// The calling thread is one of them. Precondition: count >= 1. Where the system gives no more threads, there are
-  /// fewer.
+  /// The calling thread counts as one. Where the system refuses a thread, there are fewer. Precondition: count >= 1.
   explicit WorkerThreads(unsigned count, Split split = Split::kWhatPays);
   ~WorkerThreads() override;
   WorkerThreads(const WorkerThreads&) = delete;
@@ -32,8 +31,8 @@ class WorkerThreads : public Workers {
   void work(unsigned hand);
 
   Split split_;
-  int looks_;  // for work or its end before sleeping
-  // What is to be done; written before `round_` counts up, read after.
+  int polls_;  // of a counter before sleeping
+  // The work of the round; written before `round_` counts up, read after.
   void (*task_)(void*, unsigned) = nullptr;
   void* context_ = nullptr;
   unsigned parts_ = 0;
@@ -43,7 +42,7 @@ class WorkerThreads : public Workers {
   std::vector<std::thread> threads_;
 };
 
-/// Threads to step with: null for 1, as the simulation needs none then.
+/// Workers for a number of threads; null for fewer than 2, when the calling thread does all.
 std::unique_ptr<WorkerThreads> worker_threads(std::uint64_t count);
 
 }  // namespace tumble

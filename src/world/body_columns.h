@@ -5,7 +5,7 @@
 
 namespace tumble::sim {
 
-/// The three columns of a vector.
+/// Points `to` at the three columns of `from`.
 template <class Double>
 void put_pointers(Vec3Column& from, Double* (&to)[3]) {
   to[0] = from.x.data();
@@ -13,6 +13,7 @@ void put_pointers(Vec3Column& from, Double* (&to)[3]) {
   to[2] = from.z.data();
 }
 
+/// Pointers to the columns of bodies; valid until a column is resized.
 inline BodyColumns columns_of(Bodies& b) {
   return {b.frozen.data(),
           b.is_static.data(),

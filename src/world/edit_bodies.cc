@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "src/base/check.h"
 #include "src/math/grid.h"
 #include "src/model/limits.h"
 #include "src/model/mass.h"
@@ -128,6 +129,8 @@ Status check_box(const BoxDef& box) {
 void insert_body(WorldState& state, const BoxDef& box) {
   Bodies& b = state.bodies;
   const auto i = static_cast<BodyIndex>(std::lower_bound(b.id.begin(), b.id.end(), box.id) - b.id.begin());
+  SIM_CHECK(i == b.size() || b.id[i] != box.id, box.id);
+  SIM_DCHECK(check_box(box).ok(), box.id);
   const bool rests = box.is_static || box.frozen;
   const Vec3 inertia = box_inertia(box.mass, box.size);
   shift_all(state, i, 1);
@@ -150,6 +153,7 @@ void insert_body(WorldState& state, const BoxDef& box) {
 }
 
 void erase_body(WorldState& state, BodyIndex i) {
+  SIM_CHECK(i < state.bodies.size(), i, state.bodies.size());
   std::vector<BodyIndex> resting = forget_contacts(state.contact_memory, i);
   for (std::size_t k = 0; k < state.contact_objects.size(); ++k) {
     if (state.contact_objects.object[k] == i) resting.push_back(state.contact_objects.body[k]);
@@ -176,6 +180,7 @@ void erase_body(WorldState& state, BodyIndex i) {
 }
 
 void wake_body(WorldState& state, BodyIndex i) {
+  SIM_CHECK(i < state.bodies.size(), i, state.bodies.size());
   if (state.bodies.frozen[i] == 0) return;
   state.bodies.frozen[i] = 0;
   state.bodies.low_energy_time[i] = 0;

@@ -4,8 +4,8 @@
 
 namespace tumble::sim {
 
-/// Errors unless doubles round to nearest even and subnormals survive: a library built with -ffast-math that is loaded
-/// later can switch on flush-to-zero for the whole process, and every bit would change from there.
+/// Errors unless doubles round to nearest even and subnormal numbers survive. A library built with -ffast-math that is
+/// loaded later can switch on flush-to-zero for the whole process, and every bit would change from there on.
 Status check_float_environment();
 
 }  // namespace tumble::sim

@@ -14,8 +14,9 @@ constexpr double kConverged = 1e-15;  // relative
 
 Vec3 scaled(const Vec3& a, const Vec3& b) { return a.cwiseProduct(b); }
 
-// The change of spin that takes what is off of I w + h w × I w, to first order. z is eliminated first: its row and
-// column are the only ones that differ from each other's mirror image under an exchange of x and y.
+// Newton's step for I w + h w × I w: the change of spin that removes the residual `off` to first order. The matrix is 3
+// × 3. z is eliminated first, since exchanging x and y then exchanges the remaining two rows and columns and no bit of
+// the result depends on which of the two axes is called x.
 Vec3 newton_step(const Vec3& inertia, const Vec3& spin, double h, const Vec3& off) {
   const double ix = inertia.z() - inertia.y(), iy = inertia.x() - inertia.z(), iz = inertia.y() - inertia.x();
   const Vec3 w = spin * h;
@@ -28,9 +29,10 @@ Vec3 newton_step(const Vec3& inertia, const Vec3& spin, double h, const Vec3& of
   return {step_x, step_y, (off.z() - (zx * step_x + zy * step_y)) * part};
 }
 
-// The angular velocity, body frame, that carries angular momentum L through one turn of length dt so that both ends
-// and the middle agree: w = I⁻¹ (L + L') / 2 with L' = L seen from the turned frame, which under a Cayley map is
-// I w + dt/2 w × I w = L. By Newton: repeated substitution diverges where a bar turns fast across its length.
+// The angular velocity w, body frame, in the middle of a turn of length dt. Angular momentum L stays fixed in the
+// world, so from the frame before and after the turn it is seen as L and L'; the midpoint rule asks for w = I⁻¹ (L +
+// L') / 2. Under a Cayley map that is the equation I w + dt/2 w × I w = L. Newton's method solves the equation;
+// repeated substitution diverges where a long bar turns fast across its length.
 Vec3 midpoint_spin(const Vec3& momentum, const Vec3& inertia, const Vec3& inverse_inertia, double dt_s) {
   const double h = 0.5 * dt_s;
   Vec3 w = scaled(inverse_inertia, momentum);

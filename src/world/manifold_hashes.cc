@@ -2,7 +2,7 @@
 
 namespace tumble::sim {
 
-// Rows in memory without a gap, whatever the machine.
+// No padding, on any machine.
 static_assert(sizeof(Manifold) == 22 * sizeof(double));
 static_assert(sizeof(ManifoldPoint) == 6 * sizeof(double));
 

@@ -5,13 +5,13 @@
 
 namespace tumble::sim {
 
-/// Manifolds and their points.
+/// Adds the manifolds and their points to the hash.
 void hash_manifolds(const Scratch& scratch, Hasher& hasher);
 
-/// The points alone.
+/// Adds the points alone.
 void hash_manifold_points(const Scratch& scratch, Hasher& hasher);
 
-/// The fields of a row, as hash_manifolds() has them.
+/// Adds the fields of a row in the order in which they lie in memory.
 void add_fields(const Manifold& m, Hasher& hasher);
 void add_fields(const ManifoldPoint& point, Hasher& hasher);
 

@@ -5,7 +5,7 @@
 namespace tumble::sim {
 namespace {
 
-// Bytes that something made of vectors has room for.
+// Capacity in bytes of everything that is made of vectors.
 std::size_t held(const Bodies& b);
 std::size_t held(const ContactMemory& m);
 std::size_t held(const Contacts& c);
@@ -59,8 +59,8 @@ void add_search(const Scratch& s, std::vector<MemoryPart>& parts) {
   const SweepScratch& sweep = s.sweep;
   parts.push_back({"boxes", GrowsWith::kBodies, held_by(s.frames, s.aabb_low, s.aabb_high, s.turning, s.framed)});
   parts.push_back({"sweep: order and cells", GrowsWith::kBodies,
-                   held_by(sweep.order, sweep.judged, sweep.low, sweep.high, sweep.boxes, sweep.start, sweep.next,
-                           sweep.entries, sweep.cell_start)});
+                   held_by(sweep.order, sweep.judged, sweep.fat_low, sweep.fat_high, sweep.boxes, sweep.start,
+                           sweep.next, sweep.entries, sweep.cell_start)});
   parts.push_back({"sweep: pairs", GrowsWith::kPairs,
                    held_by(sweep.neighbours, sweep.found, sweep.partner, sweep.merged, s.old_planes) +
                        held_inside(sweep.found_by)});
@@ -73,7 +73,7 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
       {"manifolds", GrowsWith::kContacts, held_by(s.manifolds, s.manifold_points) + held_inside(s.manifolds_by)});
   parts.push_back(
       {"layers", GrowsWith::kContacts, held_by(s.layered, s.layer_start, s.sweep_groups, l.touching, l.neighbours)});
-  parts.push_back({"weights", GrowsWith::kContacts, held_by(w.found, w.supports, w.bearings)});
+  parts.push_back({"weights", GrowsWith::kContacts, held_by(w.found, w.supports, w.points)});
   parts.push_back({"batches", GrowsWith::kContacts, held(s.contact_batches)});
   parts.push_back({"solver's bodies", GrowsWith::kBodies,
                    held_by(s.solver_bodies, s.solver_mass, s.in_contact, s.contact_batches.uses)});

@@ -7,16 +7,16 @@
 
 namespace tumble::sim {
 
-/// What the size of a part of a world's memory follows.
+/// The number that the size of a part of a world's memory grows with.
 enum class GrowsWith { kBodies, kPairs, kContacts };
 
 struct MemoryPart {
   const char* name;
   GrowsWith with;
-  std::size_t bytes;  ///< that its vectors have room for
+  std::size_t bytes;  ///< capacity of its vectors
 };
 
-/// All memory that a world's state and scratch hold; what a step needs beyond it is a few words on the stack.
+/// The memory of a world's state and scratch, part by part. A step needs only a few words on the stack besides.
 std::vector<MemoryPart> memory_use(const World& world);
 
 }  // namespace tumble::sim

@@ -54,14 +54,14 @@ struct Bodies {
   [[nodiscard]] std::size_t size() const { return id.size(); }
   /// The row of a body, if it exists.
   [[nodiscard]] std::optional<BodyIndex> find(BodyId wanted) const;
-  /// A body that the step moves: neither static nor frozen.
+  /// Whether the step moves a body: neither static nor frozen.
   [[nodiscard]] bool moves(BodyIndex i) const { return frozen[i] == 0 && is_static[i] == 0; }
   friend bool operator==(const Bodies&, const Bodies&) = default;
 };
 
-/// The Active Collision List: pairs whose AABBs overlap, ascending by (a, b), a < b, with the planes found to
-/// separate them last (thesis III.A). `planes` is a set of axes: bits 0–2 faces of a, 3–5 faces of b, 6 + 3i + j the
-/// edges i of a and j of b; more than one bit means an exact tie; 0 means that no plane is known.
+/// The Active Collision List: pairs whose AABBs overlap, ascending by (a, b), a < b, with the planes that separated
+/// them last (thesis III.A). `planes` is a set of axes: bits 0–2 faces of a, 3–5 faces of b, 6 + 3i + j the edges i of
+/// a and j of b. Several bits: an exact tie. 0: no plane is known.
 struct PairTable {
   std::vector<BodyIndex> a;
   std::vector<BodyIndex> b;
@@ -76,8 +76,8 @@ struct PairTable {
   friend bool operator==(const PairTable&, const PairTable&) = default;
 };
 
-/// The contact objects of frozen bodies (thesis III.D): for each, the set of lowest things it touched when it froze.
-/// Ascending by (body, object); an object may be kGround.
+/// The contact objects of frozen bodies (thesis III.D): for each body the set of lowest objects that it touched when it
+/// froze. Ascending by (body, object); an object may be kGround.
 struct ContactObjects {
   std::vector<BodyIndex> body;
   std::vector<BodyIndex> object;
@@ -94,8 +94,8 @@ struct ContactObjects {
   friend bool operator==(const ContactObjects&, const ContactObjects&) = default;
 };
 
-/// Everything the future of a session depends on, and nothing else. A copy is a snapshot: a world made of it goes on
-/// to the bit as if it had never stopped.
+/// Everything that the future of a session depends on, and nothing else. A copy is a snapshot: a world restored from
+/// the copy takes the steps of the original, to the bit.
 struct WorldState {
   std::uint64_t step = 0;  ///< steps taken
   WorldDef def;            ///< with the current dt and gravity
@@ -106,14 +106,14 @@ struct WorldState {
   friend bool operator==(const WorldState&, const WorldState&) = default;
 };
 
-/// The hash of what a body visibly is: id, position, orientation, velocity, spin, frozen, of all bodies. These fields
-/// and their order stay as they are for ever.
+/// The hash of the visible state: id, position, orientation, velocity, spin and frozen of all bodies. Fields and order
+/// never change.
 Hash128 state_hash(const Bodies& bodies);
 
-/// The hash of everything in a WorldState, with the version of the method that gives it meaning.
+/// The hash of everything in a WorldState, and of the method's version.
 Hash128 continuation_hash(const WorldState& state);
 
-/// The version of a method's arithmetic: raised by every change that moves a bit.
+/// The version of a method's arithmetic. Every change that moves a bit raises it.
 std::uint32_t method_version(Method method);
 
 /// Kinetic energy in J of body i, linear and rotational.

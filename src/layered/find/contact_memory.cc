@@ -6,14 +6,14 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kWorthManifolds = 32768;  // for a thread more
+constexpr std::size_t kWorthManifolds = 32768;  // that pay for one more worker
 
 std::pair<BodyIndex, BodyIndex> key_of(const ContactMemory& memory, std::size_t k) {
   const BodyIndex a = memory.a[k], b = memory.b[k];
   return a == kGround ? std::make_pair(b, kGround) : std::make_pair(std::min(a, b), std::max(a, b));
 }
 
-// A reader that walks a memory contact by contact, with the points that belong to each.
+// A cursor over the contacts of a memory and their points.
 struct Cursor {
   const ContactMemory& memory;
   std::size_t at = 0, point = 0;

@@ -41,7 +41,7 @@ ContactRecall::ContactRecall(const ContactMemory& memory, BodyIndex first) : mem
   for (std::size_t k = 0; k < cursor_; ++k) point_ += memory.count[k];
 }
 
-// A tied pair has several entries.
+// The entries of a pair: several where reference bodies or faces tie.
 std::pair<std::size_t, std::size_t> ContactRecall::entries(BodyIndex lo, BodyIndex hi) {
   const Pair wanted(lo, hi);
   while (cursor_ < memory_.size() && pair_of(memory_.a[cursor_], memory_.b[cursor_]) < wanted) {
@@ -60,7 +60,7 @@ void ContactRecall::warm_start(Manifold& m, std::span<ManifoldPoint> points) {
   for (std::size_t k = begin; k < end; ++k) own += memory_.a[k] == m.a ? 1U : 0U;
   std::size_t point = point_;
   for (std::size_t k = begin; k < end; point += memory_.count[k], ++k) {
-    // Where the reference has changed, the other's memory serves, turned round; else one's own.
+    // An entry with the other reference body serves only where no entry has this one; its friction is then reversed.
     const bool turned = memory_.a[k] != m.a;
     if (turned && own > 0) continue;
     take_impulses(points, memory_, point, memory_.count[k]);
@@ -78,7 +78,7 @@ void ContactRecall::keep(BodyIndex lo, BodyIndex hi, ManifoldList& to) {
     m.asleep = true;
     m.first = static_cast<std::uint32_t>(to.points.size());
     m.count = memory_.count[k];
-    m.d = memory_.friction[k];  // kept here until the memory is written again
+    m.d = memory_.friction[k];  // until the memory is written again
     m.twist = memory_.twist[k];
     for (std::uint32_t i = 0; i < m.count; ++i, ++point) {
       ManifoldPoint& p = to.points.emplace_back();

@@ -7,18 +7,17 @@
 
 namespace tumble::sim {
 
-/// Hands out what the contacts of the last step have left, pair by pair. The memory is sorted as the pairs are visited,
-/// so a cursor walks along: ask in ascending order of (lower row, higher row), kGround last. The memory must stay as it
-/// is meanwhile.
+/// Reads the contact memory pair by pair. Memory and pairs have one order, so a cursor advances with the calls: ask in
+/// ascending order of (lower row, higher row), kGround last. The memory must outlive the object and must not change.
 class ContactRecall {
  public:
-  /// For pairs whose lower row is `first` or higher.
+  /// Starts at the pairs whose lower row is `first` or higher.
   explicit ContactRecall(const ContactMemory& memory, BodyIndex first);
 
-  /// Gives a new manifold the impulses that points of the same features had, and the friction.
+  /// Gives a new manifold the remembered impulses of points with equal features, and the remembered friction.
   void warm_start(Manifold& manifold, std::span<ManifoldPoint> points);
 
-  /// Of two resting bodies: appends what they remember as manifolds that are asleep. hi may be kGround.
+  /// Appends the remembered contacts of two resting bodies as manifolds that are asleep. hi may be kGround.
   void keep(BodyIndex lo, BodyIndex hi, ManifoldList& to);
 
  private:

@@ -16,14 +16,14 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kWorthPairs = 16384;  // and bodies, for a thread more
+constexpr std::size_t kWorthPairs = 16384;  // and bodies, that pay for one more worker
 
-// How many pairs come before those of a body.
+// The number of pairs before those of a body.
 std::size_t pairs_before(const PairTable& pairs, BodyIndex i) {
   return static_cast<std::size_t>(std::ranges::lower_bound(pairs.a, i) - pairs.a.begin());
 }
 
-// The body that a part begins with, so that parts have as many pairs and bodies as each other.
+// The first body of a part; all parts get about one number of pairs and bodies.
 BodyIndex first_body(const WorldState& state, unsigned part, unsigned parts) {
   const PairTable& pairs = state.pairs;
   const std::size_t n = state.bodies.size(), wanted = (pairs.size() + n) * part / parts;
@@ -39,13 +39,13 @@ BodyIndex first_body(const WorldState& state, unsigned part, unsigned parts) {
   return low;
 }
 
-// The first thread's lists are the scratch's own, before and after.
+// Exchanges the lists of the scratch with those of the first worker, who then finds into the former without a copy.
 void swap_first(Scratch& scratch) {
   std::swap(scratch.manifolds, scratch.manifolds_by[0].manifolds);
   std::swap(scratch.manifold_points, scratch.manifolds_by[0].points);
 }
 
-// Puts together what the threads have found: the lists of all but the first are copied.
+// Joins the lists of all workers in order of bodies; copies those of all but the first.
 void join(Scratch& scratch, unsigned parts) {
   swap_first(scratch);
   if (parts == 1) return;
@@ -68,13 +68,13 @@ void join(Scratch& scratch, unsigned parts) {
   });
 }
 
-// A contact takes 2 kB, and n bodies in one place would have n² of them.
+// The limit of manifolds. A manifold takes 2 kB, and n bodies in one place would make n² of them.
 constexpr std::size_t manifolds_max(std::size_t bodies) { return 32768 + 16 * bodies; }
 
-// What the builder of one step's manifolds looks at and writes to.
+// Builds the manifolds of a range of bodies.
 class Builder {
  public:
-  // Of bodies [first, end).
+  // For the bodies [first, end).
   Builder(const WorldState& state, const Scratch& scratch, double dt_s, BodyIndex first, BodyIndex end,
           ManifoldList& out)
       : state_(state),
@@ -91,7 +91,7 @@ class Builder {
     out_.points.clear();
   }
 
-  // With bodies of higher rows and with the ground.
+  // Builds the manifolds of each body with bodies of higher rows and with the ground.
   void build() {
     const PairTable& pairs = state_.pairs;
     std::size_t k = pairs_before(pairs, first_);
@@ -144,7 +144,7 @@ class Builder {
     }
   }
 
-  // > 0: a is the reference, < 0: b, 0: a tie.
+  // Which box is the reference: > 0: a, < 0: b, 0: a tie.
   static int canonical(const BoxFrame& box_a, const BoxFrame& box_b, const Vec3& offset) {
     const double a = volume_measure(box_a), b = volume_measure(box_b);
     if (a != b) return a > b ? 1 : -1;
@@ -183,7 +183,7 @@ class Builder {
     finish(m);
   }
 
-  // The points are where they will meet; their separations are those of now.
+  // The points lie where the boxes will meet; the separations become those of now.
   void separate_as_now(const Manifold& m) {
     if (pair_->later == 0) return;
     const double opening = dot(Vec3(bodies_.velocity[m.b] - bodies_.velocity[m.a]), m.n);
@@ -201,7 +201,8 @@ class Builder {
     finish(m);
   }
 
-  // Begins a manifold where it will stay: a copy would wait for what was just written.
+  // Appends an empty manifold with the material of the pair. Building in place saves a copy, which would stall on the
+  // values just written.
   Manifold& fresh(BodyIndex reference, BodyIndex incident) {
     out_.manifolds.push_back(empty_);
     Manifold& m = out_.manifolds.back();
@@ -218,7 +219,7 @@ class Builder {
     return m;
   }
 
-  // Leaves out the points that cannot meet within the step, and takes over the last step's impulses.
+  // Removes points that cannot meet within the step, and recalls the impulses of the last step.
   void finish(Manifold& m) {
     std::vector<ManifoldPoint>& points = out_.points;
     const Vec3 va = m.a == kGround ? Vec3(Vec3::Zero()) : bodies_.velocity[m.a];
@@ -232,7 +233,7 @@ class Builder {
     for (std::size_t k = m.first; k < points.size(); ++k) {
       const double speed = un + (w1 * points[k].q - w2 * points[k].p);
       if (points[k].separation + std::min(0.0, speed) * dt_ > reach) continue;
-      if (kept != k) points[kept] = points[k];  // copying a point just written over itself would wait for it
+      if (kept != k) points[kept] = points[k];  // a copy onto itself would stall
       ++kept;
     }
     points.resize(kept);
@@ -247,11 +248,11 @@ class Builder {
   ManifoldList& out_;
   BodyIndex first_, end_;
   double dt_;
-  double fall_;  // m, how far gravity may take a body beyond its speed
+  double fall_;  // m, way that gravity may add within the step
   PairTests tests_;
   const TestedPair* pair_ = nullptr;
   ContactRecall recall_;
-  const Manifold empty_{};  // copied faster than made
+  const Manifold empty_{};  // copying one is faster than making one
 };
 
 }  // namespace

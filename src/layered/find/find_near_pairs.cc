@@ -6,7 +6,6 @@
 #include "src/world/body_columns.h"
 
 namespace tumble::sim {
-namespace {}  // namespace
 
 double falling_reach(const WorldDef& def, double dt_s) { return length(def.gravity) * dt_s * dt_s; }
 

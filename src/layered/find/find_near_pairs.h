@@ -7,17 +7,18 @@
 
 namespace tumble::sim {
 
-/// Broad phase of method layered: the pairs that touch or may touch within the step.
+/// Broad phase of method layered: finds the pairs that touch or may touch within the step.
 /// Reads:  position, orientation, velocity, spin, half_extent; gravity
 /// Writes: frames, aabb_low, aabb_high (swept by the motion of the step), turning; pairs, ascending by (a, b)
 Status find_near_pairs(WorldState& state, Scratch& scratch, double dt_s);
 void hash_find_near_pairs(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
-/// Contact points this far apart, m, take part in a step, or this part of the smallest half extent if that is less.
+/// The slack: points that may come this close within a step become contact points. m; and a part of the smallest half
+/// extent, if that is less.
 inline constexpr double kContactSlack = 0.01;
 inline constexpr double kContactSlackPart = 0.05;
 
-/// How far gravity may take a body beyond its speed within the step, m.
+/// The way that gravity may add to a body's motion within the step, m.
 double falling_reach(const WorldDef& def, double dt_s);
 
 }  // namespace tumble::sim

@@ -11,12 +11,12 @@ constexpr double kParallel = 1e-12;
 
 unsigned bit(double sign, int at) { return sign > 0 ? 1U << static_cast<unsigned>(at) : 0U; }
 
-// A corner by the sides it lies on along `axis` and the two axes after it.
+// The number of a corner, from its sides along `axis` and the two axes after it.
 unsigned corner_of(int axis, double side, double side1, double side2) {
   return bit(side, axis) | bit(side1, (axis + 1) % 3) | bit(side2, (axis + 2) % 3);
 }
 
-// An edge along `axis` by the sides it lies on along the two axes after it.
+// The number of an edge along `axis`, from its sides along the two axes after it.
 unsigned edge_of(int axis, double side1, double side2) {
   return 4U * static_cast<unsigned>(axis) + bit(side1, 0) + bit(side2, 1);
 }
@@ -26,7 +26,13 @@ struct InFace {
   double u, v, w;
 };
 
-// The reference face and one incident face over it.
+// The reference face and an incident face over it, in the frame of the reference face.
+//
+// Textbooks clip the incident face with the sides of the reference face in turn (Sutherland and Hodgman 1974). The
+// result depends on the order of the sides where corners lie on sides, and a corner that moves by one bit may become
+// another kind of point. Here the three kinds of vertices of the intersection of two rectangles are found
+// independently, with a tolerance that makes a corner near a side count as one kind only: incident corners first, and
+// near those neither a reference corner nor a crossing.
 class FacePair {
  public:
   FacePair(const ManifoldSide& side, int axis, const Manifold& m)
@@ -94,8 +100,8 @@ class FacePair {
     return inside;
   }
 
-  // A corner of the reference face, in units of the incident face's half edges; inside it, but not where an incident
-  // corner has been counted already.
+  // Adds the corners of the reference face inside the incident face, except those at an incident corner. s, t: place of
+  // the corner in units of the incident face's half edges.
   void add_reference_corners(std::vector<ManifoldPoint>& points) const {
     const double det = e1_.u * e2_.v - e1_.v * e2_.u;
     if (std::fabs(det) <= kParallel) return;
@@ -120,8 +126,8 @@ class FacePair {
     }
   }
 
-  // The incident edge that starts from the face's centre, goes `s` half edges across and runs along `along`, against
-  // the four sides of the reference face.
+  // Adds the crossings of one incident edge with the four sides of the reference face. The edge lies `s` half edges
+  // `across` from the face's centre and runs along `along`.
   void add_edge_crossings(const InFace& c, const InFace& across, double s, const InFace& along, double half,
                           unsigned incident_edge, std::vector<ManifoldPoint>& points) const {
     const InFace base = {c.u + s * across.u, c.v + s * across.v, c.w + s * across.w};
@@ -212,7 +218,7 @@ void edge_manifold(const ManifoldSide& side, const BoxPair& pair, int axis, doub
   const double s = std::clamp((du - uw * dw) / squared_sine, -a.half_extent[i], a.half_extent[i]);
   const double t = std::clamp((uw * du - dw) / squared_sine, -b.half_extent[j], b.half_extent[j]);
   const Vec3 from_b = ((on_a + u * s) - side.d + (on_b + w * t)) * 0.5;
-  // The tangent frame must not depend on which box is called a: horizontal across the normal, else a's edge.
+  // The tangent frame must not depend on which box is the reference: horizontal across the normal, else along a's edge.
   const double horizontal = std::sqrt(m.n.x() * m.n.x() + m.n.y() * m.n.y());
   m.t1 = horizontal > 0 ? Vec3(m.n.y() / horizontal, -m.n.x() / horizontal, 0) : u;
   m.t2 = cross(m.n, m.t1);

@@ -2,24 +2,25 @@
 
 #include <type_traits>
 
+#include "src/base/check.h"
 #include "src/kernels/kernels_by_width.h"
 #include "src/layered/find/meeting_time.h"
 
 namespace tumble::sim {
 namespace {
 
-// What the kernels take for granted.
+// The kernels read a frame as 15 doubles in this order.
 static_assert(std::is_standard_layout_v<BoxFrame> && sizeof(BoxFrame) == 15 * sizeof(double) &&
               offsetof(BoxFrame, axes) == 3 * sizeof(double) && offsetof(BoxFrame, half_extent) == 12 * sizeof(double));
 
-constexpr double kFarPart = 0.02;  // of the smallest half extent: both preferences and the tolerance of points at edges
+constexpr double kFarPart = 0.02;  // of the smallest half extent; above both preferences and the tolerance of points
 static_assert(kFarPart > kEdgePreference + kFacePreference);
 
 BestAxes best_of(const BoxTests::Best& best, std::size_t k) {
   return {static_cast<AxisSet>(best.axes[k]), best.separation[k]};
 }
 
-// Of faces of both boxes.
+// The largest separation along faces of both boxes.
 double face_separation(const BoxTests& tests, std::size_t k) {
   return larger_separation(best_of(tests.faces_of_a, k), best_of(tests.faces_of_b, k));
 }
@@ -44,6 +45,7 @@ PairTests::PairTests(const WorldState& state, const Scratch& scratch, double dt_
 
 const TestedPair* PairTests::next() {
   if (asked_ == added_) refill();
+  SIM_DCHECK(asked_ < added_, pair_, last_);
   if (!near_[asked_++]) return nullptr;
   const std::size_t k = taken_++;
   tested_.face_a = best_of(tests_.faces_of_a, k);
@@ -86,8 +88,8 @@ void PairTests::add(BodyIndex a, BodyIndex b) {
   reach_[k] = length(approach) * dt_ + (turn + fall_) + slack_of(smallest) + kFarPart * smallest;
 }
 
-// Where two bodies move on by more than the thinner one's half thickness in a step, what faces what is seen only where
-// they will meet.
+// The time until the meeting, or 0. Two bodies that move by more than the thinner one's half thickness in a step may
+// face each other differently when they meet than they do now, so such a pair is tested at the meeting.
 double PairTests::meeting(BodyIndex a, BodyIndex b, const Vec3& approach, double thinnest) const {
   if (dot(approach, approach) * (dt_ * dt_) <= thinnest * thinnest) return 0;
   const Scratch& scratch = scratch_;
@@ -95,7 +97,7 @@ double PairTests::meeting(BodyIndex a, BodyIndex b, const Vec3& approach, double
   return time < dt_ ? time : 0;
 }
 
-// Leaves the pairs that need more than their faces.
+// Keeps the pairs that are near along their faces, and removes the others before the test of edges.
 void PairTests::keep_near() {
   std::size_t kept = 0;
   for (std::size_t k = 0; k < added_; ++k) {

@@ -14,29 +14,29 @@ namespace tumble::sim {
 inline double smallest_half_extent(const BoxFrame& a, const BoxFrame& b) {
   return std::min(a.half_extent.minCoeff(), b.half_extent.minCoeff());
 }
-/// kContactSlack for boxes of this smallest half extent.
+/// The slack (kContactSlack) of boxes with this smallest half extent, m.
 inline double slack_of(double smallest) { return std::min(kContactSlack, kContactSlackPart * smallest); }
 
-/// Parts of the smallest half extent by which an axis must be better than a face to be taken instead.
-inline constexpr double kEdgePreference = 0.01;   ///< an edge pair
-inline constexpr double kFacePreference = 0.001;  ///< the other box's face
+/// Parts of the smallest half extent by which an axis must be better than a face to replace the face.
+inline constexpr double kEdgePreference = 0.01;   ///< for an edge pair
+inline constexpr double kFacePreference = 0.001;  ///< for a face of the other box
 
-/// What the box test says of a pair that may touch within the step; a is the lower row.
+/// The result of the box test for a pair that may touch within the step; a is the lower row.
 struct TestedPair {
   BestAxes face_a, face_b, edge;
-  Vec3 offset;   ///< x_b − x_a, m, where they meet
-  double later;  ///< s from now, when that is: 0 unless they move on by more than the thinner one's half thickness
+  Vec3 offset;   ///< x_b − x_a, m, at the meeting
+  double later;  ///< s until the meeting; 0 unless the pair is fast for its thickness
 };
 
-/// The box test over the pairs of a step in ascending order, many at a time in lanes; see box_tests.h. The world must
-/// stay as it is meanwhile.
+/// Runs the box test over the pairs of a step in ascending order, many at a time in lanes (src/kernels/box_tests.h).
+/// State and scratch must outlive the object and must not change.
 class PairTests {
  public:
   /// For the pairs [first, last).
   PairTests(const WorldState& state, const Scratch& scratch, double dt_s, std::size_t first, std::size_t last);
 
-  /// Of the next pair of which a body moves, until the next call; null where the boxes are so far apart along a face
-  /// that no point of whatever is chosen is kept.
+  /// The result for the next pair with a body that moves; valid until the next call. Null where the boxes are so far
+  /// apart along a face that no contact point would be kept, on whichever axis. Precondition: such a pair is left.
   const TestedPair* next();
 
  private:
@@ -52,11 +52,11 @@ class PairTests {
   std::size_t pair_, last_;
   BoxTests tests_;
   TestedPair tested_{};
-  double reach_[BoxTests::kMost];  // m, farther apart along a face is too far
+  double reach_[BoxTests::kMost];  // m, largest separation along a face at which points may be kept
   double later_[BoxTests::kMost];
-  bool near_[BoxTests::kMost];         // of the pairs that were added, in their order
-  std::size_t asked_ = 0, added_ = 0;  // of those
-  std::size_t taken_ = 0;              // of the near ones
+  bool near_[BoxTests::kMost];         // by pair, in the order added
+  std::size_t asked_ = 0, added_ = 0;  // pairs
+  std::size_t taken_ = 0;              // near pairs
 };
 
 }  // namespace tumble::sim

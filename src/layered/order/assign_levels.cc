@@ -9,15 +9,15 @@ namespace {
 
 constexpr std::uint32_t kUnreached = 0xffffffffU;
 
-// Impulses must find their way through the height of a stack.
+// Sweeps grow with the levels: an impulse passes a limited number of levels in one sweep.
 constexpr int kLevelsPerSweep = 5;  // measured: columns of 8 that sway after a fall come to rest with two, not with one
 constexpr int kSweepsMax = 10;
 constexpr double kSlender = 16;     // largest moment of inertia over the smallest, from which a body is slender
-constexpr int kSlenderSweeps = 20;  // it turns about one end when the other is pressed, and passes little on
+constexpr int kSlenderSweeps = 20;  // a bar that is pressed at one end turns and passes little on
 
 bool at_rest(const Bodies& bodies, BodyIndex i) { return i == kGround || !bodies.moves(i); }
 
-// For each body the others that it touches.
+// Lists for each body the bodies that it touches.
 void find_neighbours(const WorldState& state, const Scratch& scratch, LevelScratch& own) {
   const std::size_t n = state.bodies.size();
   own.start.assign(n + 1, 0);
@@ -72,7 +72,7 @@ bool is_slender(const Bodies& bodies, BodyIndex i) {
   return inertia.maxCoeff() > kSlender * inertia.minCoeff();
 }
 
-// For each body whether a slender one can be reached from it through contacts; empty if there is none at all.
+// For each body whether its island has a slender body; empty if no body is slender.
 std::span<const std::uint8_t> find_slender_islands(WorldState& state, Scratch& scratch) {
   const Bodies& bodies = state.bodies;
   LevelScratch& own = scratch.levels;
@@ -95,7 +95,7 @@ std::span<const std::uint8_t> find_slender_islands(WorldState& state, Scratch& s
   return own.in_slender;
 }
 
-// Layer 2 l holds what joins level l to l + 1, layer 2 l + 1 what joins bodies of one level.
+// Layer 2 l holds the manifolds between levels l and l + 1, layer 2 l + 1 those within level l.
 std::uint32_t layer_for(const WorldState& state, const Scratch& scratch, const Manifold& m) {
   const auto level = [&](BodyIndex i) { return at_rest(state.bodies, i) ? 0U : scratch.level[i]; };
   const std::uint32_t a = level(m.a), b = level(m.b);
@@ -109,7 +109,7 @@ int sweeps_for(std::uint32_t layers, bool slender) {
   return slender ? std::max(kSlenderSweeps, sweeps) : sweeps;
 }
 
-// Gives the manifolds for which belongs(manifold) layers after those there are.
+// Assigns layers, behind those of earlier groups, to the manifolds with belongs(manifold).
 template <class Belongs>
 void add_group(WorldState& state, Scratch& scratch, bool slender, Belongs belongs) {
   const std::uint32_t begin = scratch.sweep_groups.empty() ? 0 : scratch.sweep_groups.back().end;
@@ -119,7 +119,7 @@ void add_group(WorldState& state, Scratch& scratch, bool slender, Belongs belong
     m.layer = layer_for(state, scratch, m);
     if (m.layer != kUnreached) highest = std::max(highest, m.layer);
   }
-  const std::uint32_t layers = highest + 2;  // the last one: what hangs in the air
+  const std::uint32_t layers = highest + 2;  // the last layer: islands that touch nothing at rest
   for (Manifold& m : scratch.manifolds) {
     if (!m.asleep && belongs(m)) m.layer = begin + std::min(m.layer, layers - 1);
   }

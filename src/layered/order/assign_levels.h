@@ -7,14 +7,13 @@
 
 namespace tumble::sim {
 
-/// Orders the manifolds: how many contacts each body is away from what does not move, and from that the layers in which
-/// manifolds are solved together, outward from the ground, and how often. Islands with a bar come last and are swept
-/// more often.
-/// Reads:  manifolds, frozen, is_static, inertia
-/// Writes: level; manifolds' layer; layer_start, layered, sweep_groups
-/// Order:  a breadth-first distance is the same whatever the order of visits, and so is an island
-/// Source: thesis VI, "shock propagation", after Guendelman, Bridson and Fedkiw (2003). Differs: no body is pinned
-///         while the next layer is solved; sweeps alternate up and down instead.
+/// Sorts the manifolds into layers. The level of a body is its distance from bodies at rest, counted in contacts.
+/// Manifolds between equal levels form a layer, which is solved together; layers go outward from the ground. The phase
+/// also sets the number of sweeps. Islands with a slender body (a bar) form a group of their own, which comes last and
+/// is swept more often. Reads:  manifolds, frozen, is_static, inertia Writes: level; manifolds' layer; layer_start,
+/// layered, sweep_groups Order:  a breadth-first distance does not depend on the order of visits, nor does an island
+/// Source: thesis VI, "shock propagation", after Guendelman, Bridson and Fedkiw (2003). Differs: no body is held fixed
+///         while the next layer is solved; sweeps go up and down in turn instead.
 Status assign_levels(WorldState& state, Scratch& scratch, double dt_s);
 void hash_assign_levels(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 

@@ -4,13 +4,15 @@
 #include <array>
 #include <limits>
 
+#include "src/base/check.h"
 #include "src/layered/order/solver_body.h"
 #include "src/math/grid.h"
 
 namespace tumble::sim {
 namespace {
 
-// Which manifolds are solved side by side: those of one layer with as many points.
+// Groups the manifolds of a layer into batches by their number of points: lanes of a batch take as long as the one with
+// the most points.
 class Grouping {
  public:
   explicit Grouping(Scratch& scratch) : scratch_(scratch), all_(scratch.contact_batches) {
@@ -33,7 +35,7 @@ class Grouping {
   }
 
  private:
-  static constexpr std::uint32_t kManyPoints = 15;  // more are all alike
+  static constexpr std::uint32_t kManyPoints = 15;  // manifolds with more points are grouped together
 
   void add_layer(std::uint32_t layer, bool slender) {
     const std::span<const std::uint32_t> members = layer_of(scratch_, layer);
@@ -63,6 +65,7 @@ class Grouping {
       batch.count = std::max(batch.count, scratch_.manifolds[k].count);
       all_.place[k] = batches_ * kLanes + lane;
     }
+    SIM_CHECK(batch.count <= kPointsMax, batch.count, kPointsMax);  // the kernels have room for so many
     points_ += batch.count;
     ++batches_;
   }
@@ -76,7 +79,7 @@ void set(Lanes* lanes, unsigned lane, const Vec3& v) {
   for (int k = 0; k < 3; ++k) lanes[k].of[lane] = v[k];
 }
 
-// Copies manifolds into the lanes of their batch; what no manifold has is zero.
+// Copies manifolds into the lanes of their batches; unused lanes and points are zero.
 class Filling {
  public:
   explicit Filling(WorldState& state, Scratch& scratch)
@@ -99,7 +102,7 @@ class Filling {
   }
 
  private:
-  // All that lanes without a manifold show.
+  // Zeros the batch, with the ground for bodies.
   void clear(ContactBatch& batch) const {
     ContactBatch empty;
     empty.used = batch.used;
@@ -156,8 +159,10 @@ class Filling {
   std::uint32_t ground_;
 };
 
-// Lists for each layer the moving bodies that it touches and the outcomes that are theirs. Manifolds of one layer are
-// solved at the same time, so each sees only its share of a body's mass.
+// Lists for each layer its moving bodies with their outcomes, and sets the split of masses. All manifolds of a layer
+// start from one velocity of a body and correct it fully, so k manifolds together would overshoot by k times. Mass
+// splitting gives each manifold a body of 1/k of the mass; the k outcomes then add up to one correction (Tonge,
+// Benevolenski and Voroshilov 2012, Mass splitting for jitter-free parallel rigid body simulation).
 class Sharing {
  public:
   explicit Sharing(WorldState& state, Scratch& scratch) : bodies_(state.bodies), all_(scratch.contact_batches) {
@@ -191,7 +196,8 @@ class Sharing {
   }
 
  private:
-  // Calls visit(body, its split, lane, its row of outcomes) for the moving bodies of batches [begin, end).
+  // Calls visit(body, split, lane, row of outcomes) for both bodies of every manifold of batches [begin, end), if they
+  // move.
   template <class Visit>
   void for_sides(std::uint32_t begin, std::uint32_t end, Visit visit) {
     for (std::uint32_t k = begin; k < end; ++k) {

@@ -9,19 +9,28 @@
 namespace tumble::sim {
 namespace {
 
-constexpr double kBearing = 0.001;   // m; a point that is farther away bears nothing
-constexpr double kSteepest = 0.5;    // a contact that takes less than this part of gravity along its normal leans
-constexpr double kLendingSpeed = 1;  // m/s; inertia lent to a faster body would be energy out of nothing
+// Weights are passed down a graph: bodies are nodes, and an edge leads from a body to each body or ground that supports
+// it. A body is treated when all supports above have been treated, so its load is complete (a topological order, after
+// Kahn 1962). Then its load is divided among the points under it, and each point's share is added to the body below,
+// together with its moment. The order among ready bodies does not show: shares are rounded to one grid (magic_), so the
+// sums that they enter are exact in any order (src/math/grid.h).
+//
+// More than three points under a body leave the loads open: many sets of loads balance the weight. The sweeps would
+// settle on one of them slowly. Least squares picks the set in which the load is a linear function of the place, as in
+// a rigid plate on equal springs (the foundation of Winkler 1867). For a tower that set is exact.
+constexpr double kBearing = 0.001;   // m; a point farther apart bears nothing
+constexpr double kSteepest = 0.5;    // a contact supports if its normal takes this part of gravity or more
+constexpr double kLendingSpeed = 1;  // m/s; lending inertia to a faster body would add energy
 
 using Support = WeightScratch::Support;
-using Bearing = WeightScratch::Bearing;
+using SupportPoint = WeightScratch::SupportPoint;
 
-// The bearing points under a body, seen from its centre, and the load on each as a linear function of its place: of all
-// loads that balance the weight, those of least squares.
-struct Footing {
-  double count = 0, x = 0, y = 0;             // number of points, mean place
-  double xx = 0, xy = 0, yy = 0;              // products about the mean, summed
-  double even = 0, along_x = 0, along_y = 0;  // kg, kg/m
+// The load on each point under a body as a linear function of the point's place: the least-squares solution among all
+// loads that balance weight and moments.
+struct LoadFit {
+  double count = 0, x = 0, y = 0;             // number of points; m, mean place
+  double xx = 0, xy = 0, yy = 0;              // m², sums of products about the mean
+  double even = 0, along_x = 0, along_y = 0;  // kg, kg/m: load = even + along · (place − mean)
 
   [[nodiscard]] double load_at(double at_x, double at_y) const {
     return std::max(0.0, even + (along_x * (at_x - x) + along_y * (at_y - y)));
@@ -51,21 +60,21 @@ class Walk {
     for (BodyIndex i = 0; i < bodies_.size(); ++i) {
       if (own_.waiting_for[i] == 0 && own_.start[i] < own_.start[i + 1]) ready.push_back(i);
     }
-    // A body hands its load down when all that rests on it has; bodies that rest on each other in a ring never do.
+    // Bodies that rest on each other in a ring never become ready; the sweeps alone carry them.
     while (!ready.empty()) {
       const BodyIndex i = ready.back();
       ready.pop_back();
-      find_bearings(i);
-      const double scale = load_bearings(i);
+      find_points(i);
+      const double scale = load_points(i);
       for (const Support& s : supports_of(i)) {
-        hand_down(s, scale);
+        pass_down(s, scale);
         if (s.lower != kGround && --own_.waiting_for[s.lower] == 0) ready.push_back(s.lower);
       }
     }
   }
 
  private:
-  // Sums of n masses times lever arms are exact on this grid.
+  // The magic number of a grid on which sums of n masses times lever arms are exact.
   static double rounding_for(const Bodies& bodies) {
     double heaviest = 0, squared_reach = 1;
     for (BodyIndex i = 0; i < bodies.size(); ++i) {
@@ -119,43 +128,43 @@ class Walk {
     return std::span(own_.supports).subspan(own_.start[i], own_.start[i + 1] - own_.start[i]);
   }
 
-  void find_bearings(BodyIndex i) {
-    own_.bearings.clear();
+  void find_points(BodyIndex i) {
+    own_.points.clear();
     for (Support& s : supports_of(i)) {
       const Manifold& m = scratch_.manifolds[s.manifold];
-      s.first_bearing = static_cast<std::uint32_t>(own_.bearings.size());
+      s.first_point = static_cast<std::uint32_t>(own_.points.size());
       for (ManifoldPoint& p : points_of(scratch_, m)) {
         if (p.separation >= kBearing) continue;
         const Vec3 r = s.origin + ((m.t1 * p.p + m.t2 * p.q) + m.n * m.offset);
-        own_.bearings.push_back({&p, r.x(), r.y()});
+        own_.points.push_back({&p, r.x(), r.y()});
       }
-      s.end_bearing = static_cast<std::uint32_t>(own_.bearings.size());
+      s.end_point = static_cast<std::uint32_t>(own_.points.size());
     }
   }
 
-  // Returns what loads have to be multiplied by to make up the body's weight.
-  double load_bearings(BodyIndex i) {
-    const Footing f = footing_of(i);
-    double total = 0;  // kg, with what would have to pull left out
-    for (Bearing& bearing : own_.bearings) {
-      bearing.load = f.load_at(bearing.x, bearing.y);
-      total += rounded(bearing.load);
+  // Sets the loads of the points. Returns the factor that makes the loads add up to the weight carried.
+  double load_points(BodyIndex i) {
+    const LoadFit f = fit_loads(i);
+    double total = 0;  // kg; a point cannot pull, so negative loads are cut to 0
+    for (SupportPoint& point : own_.points) {
+      point.load = f.load_at(point.x, point.y);
+      total += rounded(point.load);
     }
     return total > 0 ? own_.carried[i] / total : 0;
   }
 
-  Footing footing_of(BodyIndex i) const {
-    Footing f;
-    if (own_.bearings.empty()) return f;
-    f.count = static_cast<double>(own_.bearings.size());
-    for (const Bearing& bearing : own_.bearings) {
-      f.x += VelocityGrid::round(bearing.x);
-      f.y += VelocityGrid::round(bearing.y);
+  LoadFit fit_loads(BodyIndex i) const {
+    LoadFit f;
+    if (own_.points.empty()) return f;
+    f.count = static_cast<double>(own_.points.size());
+    for (const SupportPoint& point : own_.points) {
+      f.x += VelocityGrid::round(point.x);
+      f.y += VelocityGrid::round(point.y);
     }
     f.x /= f.count;
     f.y /= f.count;
-    for (const Bearing& bearing : own_.bearings) {
-      const double x = bearing.x - f.x, y = bearing.y - f.y;
+    for (const SupportPoint& point : own_.points) {
+      const double x = point.x - f.x, y = point.y - f.y;
       f.xx += VelocityGrid::round(x * x);
       f.xy += VelocityGrid::round(x * y);
       f.yy += VelocityGrid::round(y * y);
@@ -164,12 +173,12 @@ class Walk {
     return f;
   }
 
-  // Moments are taken about x and y, so with a tilted gravity the load is spread evenly.
-  void balance(BodyIndex i, Footing& f) const {
+  // Solves for the slopes from the moments about x and y. With a tilted gravity the loads stay even.
+  void balance(BodyIndex i, LoadFit& f) const {
     f.even = own_.carried[i] / f.count;
     if (gravity_.x() != 0 || gravity_.y() != 0) return;
     const double turn_x = own_.moment_x[i] - own_.carried[i] * f.x, turn_y = own_.moment_y[i] - own_.carried[i] * f.y;
-    const double little = 1e-6 * (f.xx + f.yy);  // points in a row leave one slope open
+    const double little = 1e-6 * (f.xx + f.yy);  // points in a row leave one slope undetermined
     const double xx = f.xx + little, yy = f.yy + little;
     const double determinant = xx * yy - f.xy * f.xy;
     if (determinant <= 0) return;
@@ -177,21 +186,21 @@ class Walk {
     f.along_y = (xx * turn_y - f.xy * turn_x) / determinant;
   }
 
-  void hand_down(const Support& s, double scale) {
+  void pass_down(const Support& s, double scale) {
     const bool starts = is_new(scratch_.manifolds[s.manifold]) && rests(scratch_.manifolds[s.manifold]);
-    const bool hands_on = s.lower != kGround;
-    const Vec3 apart = hands_on ? Vec3(bodies_.position[s.upper] - bodies_.position[s.lower]) : Vec3(Vec3::Zero());
-    for (std::size_t k = s.first_bearing; k < s.end_bearing; ++k) {
-      const Bearing& bearing = own_.bearings[k];
-      const double load = bearing.load * scale;
-      bearing.point->load = load * s.pull * substep_;
-      if (starts) bearing.point->impulse = bearing.point->load;
-      if (!hands_on) continue;
+    const bool passes_on = s.lower != kGround;
+    const Vec3 apart = passes_on ? Vec3(bodies_.position[s.upper] - bodies_.position[s.lower]) : Vec3(Vec3::Zero());
+    for (std::size_t k = s.first_point; k < s.end_point; ++k) {
+      const SupportPoint& point = own_.points[k];
+      const double load = point.load * scale;
+      point.point->load = load * s.pull * substep_;
+      if (starts) point.point->impulse = point.point->load;
+      if (!passes_on) continue;
       own_.carried[s.lower] += rounded(load);
-      own_.moment_x[s.lower] += rounded(load * (bearing.x + apart.x()));
-      own_.moment_y[s.lower] += rounded(load * (bearing.y + apart.y()));
+      own_.moment_x[s.lower] += rounded(load * (point.x + apart.x()));
+      own_.moment_y[s.lower] += rounded(load * (point.y + apart.y()));
     }
-    if (!hands_on) return;
+    if (!passes_on) return;
     const Vec3 velocity = bodies_.velocity[s.lower];
     if (dot(velocity, velocity) > kLendingSpeed * kLendingSpeed) return;
     double& mass = scratch_.solver_mass[s.lower];

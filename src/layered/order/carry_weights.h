@@ -7,17 +7,17 @@
 
 namespace tumble::sim {
 
-/// Walks down the levels with the weight that each body carries, for two ends. A contact without a past starts from the
-/// impulse that its share of that weight needs, so that a stack stands from the first step on instead of sagging until
-/// the sweeps have found out. And a light body that carries a heavy one is given inertia (never weight) by the solver:
-/// impulses find their way through a contact in about as many sweeps as the heavy body outweighs the light one.
-/// Reads:  mass, velocity, spin, position; gravity; layered, manifolds and their points
-/// Writes: solver_mass; load of points; impulses of resting manifolds that have none
-/// Order:  sums of shares are of grid doubles, the rest are maxima
-/// Source: the thesis's "impact passed through the stack" (VI) as a starting point of the sweeps instead of a
-///         substitute for them.
-/// Loads are shared by lever arms only where gravity points along z, else evenly. Nothing is handed down through bodies
-/// that rest on each other in a ring, nor from what lies below them.
+/// Passes the weight of every body down to the bodies that support it. The result serves two ends. First, a new contact
+/// starts from the impulse that carries its share of the weight, so that a stack stands from the first step on;
+/// otherwise the stack sags until the sweeps have found that impulse. Second, a light body that carries a heavy one
+/// gets the heavy one's inertia (never its weight) in the solver, since the number of sweeps until an impulse has
+/// passed a contact is about the ratio of the two masses. Reads:  mass, velocity, spin, position; gravity; layered,
+/// manifolds and their points Writes: solver_mass; load of points; impulses of resting manifolds that have none Order:
+/// sums of shares are of grid doubles, the rest are maxima Source: the thesis's "impact passed through the stack" (VI),
+/// as a start for the sweeps instead of a substitute for
+///         them.
+/// Limits: loads follow lever arms only where gravity points along z; otherwise they are even. Bodies that rest on each
+/// other in a ring pass nothing on, nor do the bodies below the ring.
 Status carry_weights(WorldState& state, Scratch& scratch, double dt_s);
 void hash_carry_weights(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 

@@ -7,24 +7,27 @@
 
 namespace tumble::sim {
 
-/// Bodies that hang together through contacts: a partition into sets. Which member stands for a set depends on the
-/// order of joining; which bodies share a set does not, and nothing else may be asked.
+/// Islands: the partition of bodies into sets that contacts connect (union-find with path halving, Tarjan and van
+/// Leeuwen 1984). Which
+/// member stands for a set depends on the order of joining, and no result may depend on it; which bodies share a set
+/// does not.
 class Islands {
  public:
-  /// Every body by itself. `links` is the memory for it: a set lasts until the next is made of the same.
+  /// Starts with one set for every body. `links` is the memory: it must outlive the object and serves one at a time.
   Islands(std::vector<BodyIndex>& links, std::size_t bodies);
+  /// Joins the sets of two bodies.
   void join(BodyIndex a, BodyIndex b);
-  /// Equal for two bodies exactly when they are in one set.
+  /// The body that stands for the set of i: equal for two bodies exactly if they share a set.
   [[nodiscard]] BodyIndex of(BodyIndex i);
 
  private:
   std::vector<BodyIndex>& up_;
 };
 
-/// Manifolds closer than this, m, are contacts that carry.
+/// Separation below which a point counts as touching, m.
 inline constexpr double kTouching = 0.02;
 
-/// Whether a manifold has a point that close, or joins two resting bodies.
+/// Whether a manifold has a point that touches, or is asleep.
 bool touches(const Scratch& scratch, const Manifold& manifold);
 
 }  // namespace tumble::sim

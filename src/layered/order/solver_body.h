@@ -4,12 +4,12 @@
 
 namespace tumble::sim {
 
-/// The row of a body of the solver; the ground has the last one.
+/// The row of a body in solver_bodies; the ground has the last row.
 inline BodyIndex solver_row(const Scratch& scratch, BodyIndex i) {
   return i == kGround ? static_cast<BodyIndex>(scratch.solver_bodies.size() - 1) : i;
 }
 
-/// Fills the world inverse inertia of a body from its principal one, each sum in the order x, y, z.
+/// Sets the world inverse inertia from the principal one: R diag(principal) Rᵀ, each sum in the order x, y, z.
 inline void set_inverse_inertia(SolverBody& body, const Axes& axes, const Vec3& principal) {
   const auto entry = [&](int row, int column) {
     const auto part = [&](int k) { return axes[k][row] * axes[k][column] * principal[k]; };

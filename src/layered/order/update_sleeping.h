@@ -11,7 +11,8 @@ namespace tumble::sim {
 /// touching something.
 /// Reads:  velocity, spin; manifolds
 /// Writes: low_energy_time, frozen; velocity and spin of bodies that fall asleep (0)
-/// Source: thesis III.D made for islands: a stack sleeps as a whole, so none of it can sag under a sleeping part.
+/// Source: thesis III.D, applied to islands: a stack falls asleep as a whole, so no awake part can sag under a sleeping
+///         one.
 Status update_sleeping(WorldState& state, Scratch& scratch, double dt_s);
 void hash_update_sleeping(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 

@@ -5,7 +5,6 @@
 #include "src/math/grid.h"
 
 namespace tumble::sim {
-namespace {}  // namespace
 
 Status apply_forces(WorldState& state, Scratch& scratch, double substep_s) {
   const Vec3 fall = state.def.gravity * substep_s;

@@ -13,7 +13,7 @@ static_assert(offsetof(SolverBody, inverse_mass) == 6 * sizeof(double));
 static_assert(offsetof(SolverBody, inverse_inertia) == 8 * sizeof(double));
 static_assert(sizeof(Outcome) == kOutcomeDoubles * sizeof(double));
 
-constexpr std::size_t kWorthManifolds = 32768;  // for a thread more
+constexpr std::size_t kWorthManifolds = 32768;  // that pay for one more worker
 
 bool bounces(const ContactWork& work, const ContactBatch& batch) {
   for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {

@@ -6,13 +6,13 @@
 
 namespace tumble::sim {
 
-/// Finds the batches in which a point will bounce, once their approaches are known.
+/// Marks the batches in which a point met fast enough to bounce. Reads the approaches.
 void mark_bounces(const ContactWork& work);
 
-/// Takes impulses and separations back from the batches into manifolds and points.
+/// Copies impulses, friction and separations from the batches back to manifolds and points.
 void store_contacts(Scratch& scratch);
 
-/// The work of one layer, of all, and of some of its batches.
+/// The data for the kernels: of one layer, of all layers, and of the batches [begin, end) of `work`.
 ContactWork contacts_of_layer(Scratch& scratch, std::size_t layer, double substep_s);
 ContactWork all_contacts(Scratch& scratch, double substep_s);
 ContactWork part_of(const ContactWork& work, std::size_t begin, std::size_t end);

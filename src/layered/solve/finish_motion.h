@@ -7,8 +7,8 @@
 
 namespace tumble::sim {
 
-/// Ends the motion of a step: bodies in contact take over their solved velocities, all others fly freely and exactly
-/// for the whole step, and the contacts' impulses are remembered for the next one.
+/// Ends the motion of a step: bodies in contact get the solved velocities, all other bodies move in free flight for the
+/// whole step, and the contact memory gets the impulses for the next step.
 /// Reads:  solver_bodies, manifolds, in_contact
 /// Writes: velocity, spin; position and orientation of flying bodies; contact_memory
 /// Errors: a body that is not finite or beyond limits.h

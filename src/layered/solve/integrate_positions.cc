@@ -12,10 +12,10 @@
 namespace tumble::sim {
 namespace {
 
-constexpr double kStiff = 0.002;  // rad in a sub-step up to which a body's inertia is left as it was
+constexpr double kStiff = 0.002;  // rad in a substep; below, the inverse inertia is not computed anew
 
-// Turned as in free flight, which keeps angular momentum and energy: held against the world, the spin of a fast bar
-// would gain both.
+// Turns a body as in free flight, which keeps angular momentum and energy. With a constant spin in world axes instead,
+// a fast bar would gain both.
 void turn(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) {
   SolverBody& body = scratch.solver_bodies[i];
   const Vec3 inertia = bodies.inertia[i], inverse = bodies.inverse_inertia[i];
@@ -44,8 +44,8 @@ Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s
       if (scratch.in_contact[i] != 0) move_body(bodies, scratch, static_cast<BodyIndex>(i), substep_s);
     }
   });
-  // A bar is thousands of times as easy to turn about its length: a degree later, an impulse that was right is several
-  // times too large, and sweeps would only make it worse.
+  // A bar is thousands of times as easy to turn about its length as across it. After a turn by a degree the right
+  // impulse is several times smaller, and sweeps with the old response would diverge.
   const bool renews = has_slender(scratch);
   const ContactWork work = all_contacts(scratch, substep_s);
   for_ranges(scratch.workers, work.count, kBatchesAPart, [&](std::size_t begin, std::size_t end) {

@@ -7,10 +7,10 @@
 
 namespace tumble::sim {
 
-/// Moves every body that is in contact by one sub-step, and the separations of its points with it.
+/// Moves every body in contact by one substep, and the separations of its points with the body.
 /// Reads:  solver_bodies' velocity and spin; contact_batches
-/// Writes: position, orientation; points' separation; of uneven bodies the solver's spin and, where they have
-///         turned noticeably, inverse inertia
+/// Writes: position, orientation; points' separation; the solver's spin of bodies with
+///         different moments of inertia, and their inverse inertia if they have turned noticeably
 Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s);
 void hash_integrate_positions(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 

@@ -7,7 +7,7 @@
 namespace tumble::sim {
 namespace {
 
-// Rows in memory without a gap, whatever the machine.
+// No padding, on any machine.
 static_assert(sizeof(SolverBody) == 16 * sizeof(double));
 static_assert(sizeof(PointBatch) == 8 * sizeof(Lanes));
 static_assert(sizeof(ContactBatch) - offsetof(ContactBatch, friction) == 26 * sizeof(Lanes));
@@ -16,8 +16,8 @@ bool same_bytes(const std::vector<double>& a, const std::vector<double>& b) {
   return a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-// The same part of every row, rows far apart: each is fetched before its turn, since waiting for it takes longer than
-// hashing it, and hashed with others in a block that stays in the nearest cache.
+// Adds bytes [kBegin, kEnd) of every row. The rows lie far apart, and waiting for memory would take longer than
+// hashing. So each part is prefetched before its turn and copied into a block that stays in the nearest cache.
 template <std::size_t kBegin, std::size_t kEnd, class Row>
 void add_parts(const std::vector<Row>& rows, Hasher& hasher) {
   static_assert(kBegin % sizeof(Lanes) == 0 && kEnd % sizeof(Lanes) == 0 && kEnd <= sizeof(Row));

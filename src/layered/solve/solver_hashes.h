@@ -4,20 +4,21 @@
 #include "src/world/scratch.h"
 #include "src/world/world_state.h"
 
-/// What the phases of method layered write to memory of the solver's own, for their hashes. Contacts are taken as they
-/// lie in their batches, which are alike for every lane width; only those that are awake.
+/// Hashes of the solver's memory, for the phases of method layered. Contacts are hashed as they lie in the batches,
+/// which are alike for every lane width; sleeping contacts are in no batch.
 namespace tumble::sim {
 
-/// All that prepare_manifolds makes of bodies and contacts. Of what it only copies: points, friction and restitution.
+/// Adds everything that prepare_manifolds computes, and of the fields that it copies points, friction and restitution.
 void hash_prepared(const Scratch& scratch, Hasher& hasher);
 
-/// The solver's bodies: their velocities, and what these are found with.
+/// Adds the solver's bodies: velocities, masses and inertias.
 void hash_solver_bodies(const Scratch& scratch, Hasher& hasher);
 
-/// Impulses and the velocities that they have led to: what the phases that sweep write.
+/// Adds the results of a sweep: impulses and the velocities of the solver's bodies.
 void hash_solution(const Scratch& scratch, Hasher& hasher);
 
-/// How far points are apart, and the solver's bodies where there are any whose spin changes as they turn.
+/// Adds the separations of points, and the solver's bodies if any has different moments of inertia: its spin changes as
+/// it turns.
 void hash_moved(const Bodies& bodies, const Scratch& scratch, Hasher& hasher);
 
 }  // namespace tumble::sim

@@ -1,22 +1,23 @@
 #include "src/layered/solve/sweep_layers.h"
 
+#include "src/base/check.h"
 #include "src/kernels/kernels_by_width.h"
 #include "src/layered/solve/contact_batches.h"
 
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kSweepBatches = 512;  // for a thread more; measured
+constexpr std::size_t kSweepBatches = 512;  // that pay for one more worker; measured
 constexpr std::size_t kSweepBodies = 8192;
 
-// Lets the manifolds of a layer find what they do, then the bodies take it up.
+// Solves the manifolds of a layer, then adds the outcomes to the bodies.
 template <class Solve>
 void solve_layer(Scratch& scratch, const ContactKernels& kernels, std::size_t layer, double substep_s, Solve solve) {
   const ContactBatches& all = scratch.contact_batches;
   const ContactWork work = contacts_of_layer(scratch, layer, substep_s);
   const BodyOutcomes* touched = all.touched.data() + all.touched_start[layer];
   const std::size_t count = all.touched_start[layer + 1] - all.touched_start[layer];
-  if (scratch.workers == nullptr) {  // a tower has as many layers as bodies
+  if (scratch.workers == nullptr) {  // a tower has as many layers as bodies: each call counts
     solve(work);
     kernels.apply_outcomes(work, touched, count);
     return;
@@ -53,6 +54,9 @@ void sweep_layers(Scratch& scratch, Sweep sweep, Direction first, double substep
   }
 }
 
-bool has_slender(const Scratch& scratch) { return scratch.sweep_groups.back().slender; }
+bool has_slender(const Scratch& scratch) {
+  SIM_CHECK(!scratch.sweep_groups.empty());
+  return scratch.sweep_groups.back().slender;
+}
 
 }  // namespace tumble::sim

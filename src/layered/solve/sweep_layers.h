@@ -6,17 +6,18 @@
 
 namespace tumble::sim {
 
+/// The direction of a sweep through the layers: kUp starts at the ground.
 enum class Direction { kUp, kDown };
 
-/// Visits every manifold as often as its group says (once for restitution), layer by layer, the first time in this
-/// direction, then to and fro. The manifolds of a layer all see the velocities from before it and their outcomes are
-/// added up as grid doubles, so no order within the layer shows.
+/// Solves all layers as often as their group says (once for restitution), in turn in direction `first` and opposite to
+/// it. The manifolds of a layer read the velocities from before the layer, and their outcomes are added up as grid
+/// doubles, so the order within a layer does not show.
 void sweep_layers(Scratch& scratch, Sweep sweep, Direction first, double substep_s);
 
-/// Gives bodies the impulses that their contacts have from before.
+/// Applies the impulses that the contacts already have.
 void warm_start_layers(Scratch& scratch, double substep_s);
 
-/// Whether an island with a slender body is to be solved.
+/// Whether one of the awake islands has a slender body.
 bool has_slender(const Scratch& scratch);
 
 }  // namespace tumble::sim
