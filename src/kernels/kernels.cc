@@ -5,7 +5,8 @@
 
 #include "src/kernels/body_kernels_impl.h"
 #include "src/kernels/box_tests_impl.h"
-#include "src/kernels/contact_kernels_impl.h"
+#include "src/kernels/contact_prepare_impl.h"
+#include "src/kernels/contact_solve_impl.h"
 
 #ifndef TUMBLE_LANES
 #error "TUMBLE_LANES must be 1, 2, 4 or 8"
@@ -21,6 +22,61 @@ const Kernels* compiled_kernels<TUMBLE_LANES>() {
 }
 
 #else
+
+namespace {
+
+// Calls visit(V{}, batch, lane) for kWidth lanes at a time. The last lanes of a batch go to the narrowest vector that
+// holds them: one manifold takes longer in eight lanes than in one.
+template <int kWidth, class Visit>
+void for_packs(const ContactWork& work, Visit visit) {
+  for (std::size_t k = 0; k < work.count; ++k) {
+    ContactBatch& batch = work.batches[k];
+    for (unsigned at = 0; at < batch.used; at += kWidth) {
+      const unsigned left = batch.used - at;
+      if (kWidth == 1 || left == 1) {
+        visit(VectorOf<1>::Type{}, batch, at);
+      } else if (kWidth == 2 || left == 2) {
+        visit(typename VectorOf < kWidth < 2 ? 1 : 2 > ::Type{}, batch, at);
+      } else if (kWidth == 4 || left <= 4) {
+        visit(typename VectorOf < kWidth < 4 ? 1 : 4 > ::Type{}, batch, at);
+      } else {
+        visit(typename VectorOf<kWidth>::Type{}, batch, at);
+      }
+    }
+  }
+}
+
+template <int kWidth>
+[[gnu::flatten]] void prepare_all(const ContactWork& work) {
+  for_packs<kWidth>(work, [&](auto v, ContactBatch& batch, unsigned at) { prepare<decltype(v)>(work, batch, at); });
+}
+template <int kWidth>
+[[gnu::flatten]] void solve_all(const ContactWork& work, Sweep sweep) {
+  for_packs<kWidth>(work,
+                    [&](auto v, ContactBatch& batch, unsigned at) { solve<decltype(v)>(work, batch, at, sweep); });
+}
+template <int kWidth>
+[[gnu::flatten]] void warm_start_all(const ContactWork& work) {
+  for_packs<kWidth>(work, [&](auto v, ContactBatch& batch, unsigned at) { warm_start<decltype(v)>(work, batch, at); });
+}
+template <int kWidth>
+[[gnu::flatten]] void move_on_all(const ContactWork& work) {
+  for_packs<kWidth>(work, [&](auto v, ContactBatch& batch, unsigned at) { move_on<decltype(v)>(work, batch, at); });
+}
+
+template <int kWidth>
+[[gnu::flatten]] void renew_all(const ContactWork& work) {
+  for_packs<kWidth>(work, [&](auto v, ContactBatch& batch, unsigned at) { renew<decltype(v)>(work, batch, at); });
+}
+
+template <int kWidth>
+constexpr ContactKernels contact_kernels_of() {
+  return {prepare_all<kWidth>,    solve_all<kWidth>,
+          warm_start_all<kWidth>, apply_outcomes<typename VectorOf<kWidth>::Type>,
+          move_on_all<kWidth>,    renew_all<kWidth>};
+}
+
+}  // namespace
 
 template <>
 const Kernels* compiled_kernels<TUMBLE_LANES>() {
