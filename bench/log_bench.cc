@@ -11,14 +11,14 @@
 
 #include "replay/codec/chunk_codec.h"
 #include "replay/codec/zstd_frame.h"
-#include "replay/diff/compare.h"
-#include "replay/diff/replayer.h"
 #include "replay/diff/separation.h"
 #include "replay/format/limits.h"
-#include "replay/log/log_reader.h"
 #include "replay/log/verify.h"
-#include "replay/session/player.h"
-#include "replay/session/recorder.h"
+#include "tumble/replay/compare.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/replay/player.h"
+#include "tumble/replay/recorder.h"
+#include "tumble/replay/replayer.h"
 
 namespace tumble::replay {
 namespace {

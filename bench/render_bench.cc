@@ -7,7 +7,7 @@
 #include <ctime>
 
 #include "replay/picture/picture_source.h"
-#include "src/render/renderer.h"
+#include "tumble/render/renderer.h"
 
 namespace {
 

@@ -20,10 +20,10 @@
 #include "src/base/rng.h"
 #include "src/kernels/box_pair.h"
 #include "src/kernels/kernels_by_width.h"
-#include "src/scenes/scene_file.h"
-#include "src/step/step.h"
-#include "src/threads/worker_threads.h"
 #include "src/world/scratch.h"
+#include "tumble/scenes/scene_file.h"
+#include "tumble/sim/step.h"
+#include "tumble/threads/worker_threads.h"
 
 namespace {
 

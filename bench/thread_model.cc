@@ -17,9 +17,9 @@
 #include <utility>
 #include <vector>
 
-#include "src/scenes/scene_file.h"
-#include "src/step/step.h"
-#include "src/threads/worker_threads.h"
+#include "tumble/scenes/scene_file.h"
+#include "tumble/sim/step.h"
+#include "tumble/threads/worker_threads.h"
 
 namespace {
 

@@ -9,8 +9,8 @@
 #include "golden/judge/judge.h"
 #include "golden/judge/suite_result.h"
 #include "golden/suite/suite.h"
-#include "src/base/result.h"
 #include "src/process/job_pool.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::golden {
 

@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <memory>
 
-#include "replay/format/step_record.h"
-#include "src/base/result.h"
-#include "src/model/scene.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/scene.h"
 
 /// Other engines behind one interface, so that they run our scenes. Each is a program of its
 /// own (peer_main.cc with one bullet_engine.cc, ode_engine.cc, …): `tumble` links none of them.

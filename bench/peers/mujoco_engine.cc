@@ -9,7 +9,7 @@
 
 #include "bench/peers/engine.h"
 #include "src/base/text.h"
-#include "src/math/rotation.h"
+#include "tumble/sim/rotation.h"
 
 namespace tumble::peers {
 namespace {

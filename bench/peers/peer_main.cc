@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "bench/peers/engine.h"
-#include "replay/import/engine_log.h"
 #include "src/base/rng.h"
-#include "src/scenes/scene_file.h"
+#include "tumble/replay/engine_log.h"
+#include "tumble/scenes/scene_file.h"
 
 namespace tumble::peers {
 namespace {

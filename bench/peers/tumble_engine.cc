@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "bench/peers/engine.h"
-#include "replay/format/step_record.h"
-#include "src/step/step.h"
-#include "src/world/world.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/step.h"
+#include "tumble/sim/world.h"
 
 namespace tumble::peers {
 namespace {

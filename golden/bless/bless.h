@@ -6,8 +6,8 @@
 
 #include "golden/bless/history.h"
 #include "golden/suite/suite.h"
-#include "src/base/result.h"
 #include "src/process/job_pool.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::golden {
 

@@ -14,9 +14,9 @@
 #include "golden/suite/parse_rules.h"
 #include "golden/suite/scene_hash.h"
 #include "golden/suite/text_files.h"
-#include "replay/diff/compare.h"
 #include "src/scenes/problem.h"
-#include "src/scenes/scene_file.h"
+#include "tumble/replay/compare.h"
+#include "tumble/scenes/scene_file.h"
 
 namespace tumble::golden {
 namespace {

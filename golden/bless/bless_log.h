@@ -4,7 +4,7 @@
 #include <string>
 
 #include "golden/bless/bless.h"
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::golden {
 

@@ -6,7 +6,7 @@
 
 #include "golden/expected/expected.h"
 #include "golden/judge/case_result.h"
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 /// HISTORY.md: every blessing, the size of its changes, and its reason.
 namespace tumble::golden {

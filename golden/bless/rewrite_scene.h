@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::golden {
 

@@ -7,15 +7,15 @@
 
 #include "replay/codec/chunk_codec.h"
 #include "replay/codec/state_keys.h"
-#include "replay/diff/compare.h"
-#include "replay/diff/replayer.h"
 #include "replay/log/byte_memory.h"
-#include "replay/log/log_writer.h"
 #include "replay/log/verify.h"
-#include "replay/session/player.h"
-#include "replay/session/recorder.h"
-#include "replay/session/session.h"
-#include "src/step/step.h"
+#include "tumble/replay/compare.h"
+#include "tumble/replay/log_writer.h"
+#include "tumble/replay/player.h"
+#include "tumble/replay/recorder.h"
+#include "tumble/replay/replayer.h"
+#include "tumble/replay/session.h"
+#include "tumble/sim/step.h"
 
 namespace tumble::golden {
 namespace {

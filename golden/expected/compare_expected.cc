@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "replay/diff/divergence.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
+#include "tumble/replay/divergence.h"
 
 namespace tumble::golden {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "golden/expected/expected.h"
-#include "replay/format/step_record.h"
+#include "tumble/replay/step_record.h"
 
 namespace tumble::golden {
 

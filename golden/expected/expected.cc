@@ -5,9 +5,9 @@
 #include <limits>
 #include <utility>
 
-#include "replay/format/body_states.h"
 #include "replay/format/chain.h"
 #include "src/base/check.h"
+#include "tumble/replay/body_states.h"
 
 namespace tumble::golden {
 namespace {

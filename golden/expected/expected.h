@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "replay/format/step_record.h"
-#include "src/base/hash.h"
-#include "src/base/result.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/hash.h"
+#include "tumble/sim/result.h"
 
 /// The golden of a session as plain data: hashes of all steps, some states, a coarse track.
 namespace tumble::golden {

@@ -5,9 +5,9 @@
 
 #include "replay/codec/blob.h"
 #include "replay/codec/message.h"
-#include "replay/format/body_states.h"
 #include "schema/golden.capnp.h"
-#include "src/model/limits.h"
+#include "tumble/replay/body_states.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::golden {
 namespace {

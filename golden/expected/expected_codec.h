@@ -2,7 +2,7 @@
 
 #include "golden/expected/expected.h"
 #include "replay/codec/zstd_frame.h"
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::golden {
 

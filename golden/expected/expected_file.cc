@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "golden/expected/expected_codec.h"
-#include "replay/format/prelude.h"
 #include "src/base/check.h"
+#include "tumble/replay/prelude.h"
 
 namespace tumble::golden {
 namespace {

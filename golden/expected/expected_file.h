@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "golden/expected/expected.h"
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::golden {
 

@@ -2,8 +2,8 @@
 
 #include "golden/expected/expected.h"
 #include "golden/judge/case_result.h"
-#include "replay/log/log_reader.h"
-#include "src/base/result.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::golden {
 

@@ -7,8 +7,8 @@
 
 #include "replay/picture/picture_source.h"
 #include "src/render/picture/image_difference.h"
-#include "src/render/picture/png.h"
-#include "src/render/renderer.h"
+#include "tumble/render/png.h"
+#include "tumble/render/renderer.h"
 
 namespace tumble::golden {
 namespace {

@@ -7,9 +7,9 @@
 #include "golden/judge/case_result.h"
 #include "golden/suite/case_rules.h"
 #include "golden/suite/suite.h"
-#include "replay/log/log_reader.h"
-#include "src/base/result.h"
-#include "src/render/picture/image.h"
+#include "tumble/render/image.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/sim/result.h"
 
 /// The third verdict: pictures of a session, drawn as `tumble render` draws them, against the golden ones.
 namespace tumble::golden {

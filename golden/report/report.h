@@ -4,7 +4,7 @@
 #include <string>
 
 #include "golden/judge/suite_result.h"
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 /// A check's results as files: report.json for programs, junit.xml for CI, index.html for people.
 namespace tumble::golden {

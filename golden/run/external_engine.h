@@ -4,7 +4,7 @@
 #include <string>
 
 #include "golden/run/run_session.h"
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 /// External engines: a command of a case reads a scene and writes a log.
 namespace tumble::golden {

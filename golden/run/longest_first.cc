@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "golden/suite/text_files.h"
-#include "src/scenes/scene_file.h"
+#include "tumble/scenes/scene_file.h"
 
 namespace tumble::golden {
 namespace {

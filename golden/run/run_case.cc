@@ -12,7 +12,7 @@
 #include "golden/suite/parse_rules.h"
 #include "golden/suite/scene_hash.h"
 #include "golden/suite/text_files.h"
-#include "src/scenes/scene_file.h"
+#include "tumble/scenes/scene_file.h"
 
 namespace tumble::golden {
 namespace {

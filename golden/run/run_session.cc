@@ -3,7 +3,7 @@
 #include <memory>
 #include <utility>
 
-#include "replay/session/recorder.h"
+#include "tumble/replay/recorder.h"
 
 namespace tumble::golden {
 

@@ -3,10 +3,10 @@
 #include <string>
 
 #include "replay/log/byte_memory.h"
-#include "replay/log/log_reader.h"
-#include "src/base/hash.h"
-#include "src/base/result.h"
-#include "src/model/scene.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/sim/hash.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/scene.h"
 
 namespace tumble::golden {
 

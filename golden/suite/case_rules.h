@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 /// The rules of a case, as metrics.toml gives them.
 namespace tumble::golden {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "golden/suite/case_rules.h"
-#include "replay/format/step_record.h"
 #include "replay/measure/measure.h"
+#include "tumble/replay/step_record.h"
 
 /// The metrics of replay/measure/metric_list.h for the rules of a case.
 namespace tumble::golden {

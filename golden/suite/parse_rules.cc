@@ -7,10 +7,10 @@
 #include "golden/suite/metric_values.h"
 #include "golden/suite/text_files.h"
 #include "src/base/check.h"
-#include "src/model/limits.h"
-#include "src/render/renderer.h"
 #include "src/scenes/parse_toml.h"
 #include "src/scenes/table_reader.h"
+#include "tumble/render/renderer.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::golden {
 namespace {

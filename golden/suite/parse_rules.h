@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "golden/suite/case_rules.h"
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 /// metrics.toml as text: read, and written again with other values.
 namespace tumble::golden {

@@ -3,7 +3,7 @@
 #include <variant>
 
 #include "replay/format/chain.h"
-#include "replay/format/step_record.h"
+#include "tumble/replay/step_record.h"
 
 namespace tumble::golden {
 namespace {

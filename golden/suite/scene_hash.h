@@ -1,7 +1,7 @@
 #pragma once
 
-#include "src/base/hash.h"
-#include "src/model/scene.h"
+#include "tumble/sim/hash.h"
+#include "tumble/sim/scene.h"
 
 namespace tumble::golden {
 

@@ -9,7 +9,7 @@
 #include "golden/suite/text_files.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
-#include "src/scenes/scene_file.h"
+#include "tumble/scenes/scene_file.h"
 
 namespace tumble::golden {
 namespace {

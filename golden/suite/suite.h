@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 /// A suite on disk: a folder with `cases/<name>/` in it. docs/goldens.md describes the files.
 namespace tumble::golden {

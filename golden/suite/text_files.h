@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 /// Small files, whole.
 namespace tumble::golden {

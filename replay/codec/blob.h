@@ -11,7 +11,7 @@
 #include "replay/codec/byte_planes.h"
 #include "replay/format/little_endian.h"
 #include "src/base/check.h"
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 /// Writes and reads columns of numbers in Data fields of Cap'n Proto. Included by codecs only.
 namespace tumble::replay {

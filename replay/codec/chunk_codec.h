@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "replay/codec/zstd_frame.h"
-#include "replay/format/chunk.h"
 #include "src/base/check.h"
-#include "src/base/result.h"
+#include "tumble/replay/chunk.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::replay {
 

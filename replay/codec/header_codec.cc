@@ -3,7 +3,7 @@
 #include "replay/codec/message.h"
 #include "replay/codec/scene_codec.h"
 #include "replay/format/limits.h"
-#include "src/model/limits.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::replay {
 namespace {

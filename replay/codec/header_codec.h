@@ -1,8 +1,8 @@
 #pragma once
 
 #include "replay/codec/zstd_frame.h"
-#include "replay/format/step_record.h"
-#include "src/base/result.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::replay {
 

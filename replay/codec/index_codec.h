@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "replay/codec/zstd_frame.h"
-#include "replay/format/chunk.h"
-#include "src/base/result.h"
+#include "tumble/replay/chunk.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::replay {
 

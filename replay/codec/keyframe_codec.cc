@@ -5,7 +5,7 @@
 #include "replay/codec/blob.h"
 #include "replay/codec/scene_codec.h"
 #include "replay/format/limits.h"
-#include "src/model/limits.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::replay {
 namespace {

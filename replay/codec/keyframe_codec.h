@@ -1,10 +1,10 @@
 #pragma once
 
-#include "replay/format/chunk.h"
 #include "schema/log.capnp.h"
-#include "src/base/hash.h"
-#include "src/base/result.h"
-#include "src/world/world_state.h"
+#include "tumble/replay/chunk.h"
+#include "tumble/sim/hash.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/world_state.h"
 
 /// Converts a complete WorldState to the schema and back. Included by codecs only.
 namespace tumble::replay {

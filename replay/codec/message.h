@@ -10,7 +10,7 @@
 
 #include "replay/codec/zstd_frame.h"
 #include "replay/format/limits.h"
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 /// Converts Cap'n Proto messages to bytes and back, and its exceptions to Errors. Included by codecs only.
 namespace tumble::replay {

@@ -5,7 +5,7 @@
 
 #include "replay/format/limits.h"
 #include "src/model/command_fields.h"
-#include "src/model/limits.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::replay {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <vector>
 
-#include "replay/format/step_record.h"
 #include "schema/log.capnp.h"
-#include "src/base/result.h"
-#include "src/model/scene.h"
-#include "src/model/transform.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/scene.h"
+#include "tumble/sim/transform.h"
 
 /// Converts scenes, worlds and inputs to the structs of the schema and back. Decoding throws kj::Exception on bad
 /// pointers, so callers stay inside read_message(). Included by codecs only.

@@ -5,10 +5,10 @@
 
 #include "replay/codec/state_keys.h"
 #include "replay/codec/state_rows.h"
-#include "replay/format/body_states.h"
-#include "replay/format/step_record.h"
 #include "schema/log.capnp.h"
-#include "src/base/result.h"
+#include "tumble/replay/body_states.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/result.h"
 
 /// Codec 1 of docs/log_format.md: stores the states of a chunk, column by column, as differences from the prediction of
 /// codec1_predictor.h. Lossless for all doubles: a column with a value off its grid stores differences of bit patterns.

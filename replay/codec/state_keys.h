@@ -6,8 +6,8 @@
 
 #include "replay/codec/codec1_predictor.h"
 #include "replay/codec/state_rows.h"
-#include "replay/format/body_states.h"
 #include "replay/format/little_endian.h"
+#include "tumble/replay/body_states.h"
 
 /// The integers that codec 1 stores differences of, computed from doubles.
 namespace tumble::replay::codec1 {

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "replay/format/step_record.h"
-#include "src/base/result.h"
-#include "src/world/world_state.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/world_state.h"
 
 namespace tumble::replay {
 

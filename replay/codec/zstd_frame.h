@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "src/base/check.h"
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 struct ZSTD_CCtx_s;
 struct ZSTD_DCtx_s;

@@ -1,12 +1,12 @@
-#include "replay/diff/compare.h"
+#include "tumble/replay/compare.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "replay/format/body_states.h"
 #include "replay/format/chain.h"
 #include "replay/format/little_endian.h"
+#include "tumble/replay/body_states.h"
 
 namespace tumble::replay {
 namespace {

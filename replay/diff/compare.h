@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "replay/diff/divergence.h"
-#include "replay/format/progress.h"
-#include "replay/log/log_reader.h"
-#include "src/base/result.h"
+#include "tumble/replay/divergence.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/replay/progress.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::replay {
 

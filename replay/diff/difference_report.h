@@ -3,12 +3,12 @@
 #include <optional>
 #include <string>
 
-#include "replay/diff/divergence.h"
 #include "replay/diff/divergence_growth.h"
 #include "replay/diff/locate_divergence.h"
-#include "replay/format/progress.h"
-#include "replay/log/log_reader.h"
-#include "src/base/result.h"
+#include "tumble/replay/divergence.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/replay/progress.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::replay {
 

@@ -1,12 +1,12 @@
-#include "replay/diff/divergence.h"
+#include "tumble/replay/divergence.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
 #include "replay/diff/input_difference.h"
-#include "replay/format/body_states.h"
 #include "replay/format/little_endian.h"
+#include "tumble/replay/body_states.h"
 
 namespace tumble::replay {
 namespace {

@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "replay/diff/field_value.h"
-#include "replay/format/body_states.h"
-#include "replay/format/step_record.h"
+#include "tumble/replay/body_states.h"
+#include "tumble/replay/field_value.h"
+#include "tumble/replay/step_record.h"
 
 namespace tumble::replay {
 

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "replay/measure/metric_list.h"
-#include "replay/session/player.h"
 #include "replay/session/state_source.h"
 #include "src/base/check.h"
+#include "tumble/replay/player.h"
 
 namespace tumble::replay {
 namespace {

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "replay/diff/separation.h"
-#include "replay/format/progress.h"
-#include "replay/log/log_reader.h"
 #include "replay/measure/measure.h"
-#include "src/base/result.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/replay/progress.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::replay {
 

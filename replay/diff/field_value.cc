@@ -1,4 +1,4 @@
-#include "replay/diff/field_value.h"
+#include "tumble/replay/field_value.h"
 
 #include <array>
 #include <bit>

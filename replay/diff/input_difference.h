@@ -4,8 +4,8 @@
 #include <span>
 #include <string>
 
-#include "replay/diff/field_value.h"
-#include "src/model/scene.h"
+#include "tumble/replay/field_value.h"
+#include "tumble/sim/scene.h"
 
 namespace tumble::replay {
 

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "replay/diff/compare.h"
-#include "replay/diff/divergence.h"
 #include "replay/diff/step_contacts.h"
-#include "replay/format/progress.h"
-#include "replay/log/log_reader.h"
+#include "tumble/replay/compare.h"
+#include "tumble/replay/divergence.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/replay/progress.h"
 
 namespace tumble::replay {
 

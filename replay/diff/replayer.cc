@@ -1,10 +1,10 @@
-#include "replay/diff/replayer.h"
+#include "tumble/replay/replayer.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "replay/session/player.h"
-#include "src/step/step.h"
+#include "tumble/replay/player.h"
+#include "tumble/sim/step.h"
 
 namespace tumble::replay {
 namespace {

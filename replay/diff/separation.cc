@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "replay/diff/divergence.h"
-#include "replay/format/body_states.h"
 #include "src/base/check.h"
-#include "src/math/vec.h"
+#include "tumble/replay/body_states.h"
+#include "tumble/replay/divergence.h"
+#include "tumble/sim/vec.h"
 
 namespace tumble::replay {
 namespace {

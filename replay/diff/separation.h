@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "replay/format/progress.h"
-#include "replay/format/step_record.h"
-#include "replay/log/log_reader.h"
-#include "src/base/ids.h"
-#include "src/base/result.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/replay/progress.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/ids.h"
+#include "tumble/sim/result.h"
 
 /// The distance between two sessions after their first difference, step by step.
 namespace tumble::replay {

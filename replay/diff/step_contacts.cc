@@ -4,8 +4,8 @@
 #include <set>
 
 #include "replay/format/chain.h"
-#include "replay/session/player.h"
 #include "src/world/scratch.h"
+#include "tumble/replay/player.h"
 
 namespace tumble::replay {
 namespace {

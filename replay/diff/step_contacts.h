@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "replay/diff/divergence.h"
-#include "replay/log/log_reader.h"
-#include "src/math/vec.h"
-#include "src/step/step.h"
+#include "tumble/replay/divergence.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/sim/step.h"
+#include "tumble/sim/vec.h"
 
 /// Contacts of a step. No log holds them; this build computes them by taking the step again.
 namespace tumble::replay {

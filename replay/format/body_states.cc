@@ -1,4 +1,4 @@
-#include "replay/format/body_states.h"
+#include "tumble/replay/body_states.h"
 
 #include <cstring>
 

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "src/base/hash.h"
-#include "src/world/world_state.h"
+#include "tumble/sim/hash.h"
+#include "tumble/sim/world_state.h"
 
 namespace tumble::replay {
 

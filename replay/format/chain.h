@@ -1,7 +1,7 @@
 #pragma once
 
-#include "replay/format/step_record.h"
-#include "src/base/hash.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/hash.h"
 
 namespace tumble::replay {
 

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "replay/format/step_record.h"
-#include "src/base/hash.h"
-#include "src/world/world_state.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/hash.h"
+#include "tumble/sim/world_state.h"
 
 namespace tumble::replay {
 

@@ -1,4 +1,4 @@
-#include "replay/format/prelude.h"
+#include "tumble/replay/prelude.h"
 
 #include <algorithm>
 

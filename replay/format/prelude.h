@@ -7,8 +7,8 @@
 #include <span>
 #include <string>
 
-#include "src/base/hash.h"
-#include "src/base/result.h"
+#include "tumble/sim/hash.h"
+#include "tumble/sim/result.h"
 
 /// The prelude (the fixed bytes before the payload of each record) and the footer. docs/log_format.md has the same
 /// tables.

@@ -1,10 +1,10 @@
-#include "replay/format/step_record.h"
+#include "tumble/replay/step_record.h"
 
 #include <algorithm>
 #include <charconv>
 
 #include "replay/format/limits.h"
-#include "replay/format/prelude.h"
+#include "tumble/replay/prelude.h"
 
 #ifndef TUMBLE_VERSION
 #error "TUMBLE_VERSION comes from replay/CMakeLists.txt"

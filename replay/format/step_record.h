@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "replay/format/body_states.h"
-#include "src/base/hash.h"
-#include "src/base/result.h"
-#include "src/model/scene.h"
-#include "src/model/transform.h"
-#include "src/step/step.h"
+#include "tumble/replay/body_states.h"
+#include "tumble/sim/hash.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/scene.h"
+#include "tumble/sim/step.h"
+#include "tumble/sim/transform.h"
 
 /// The content of a log, as plain data.
 namespace tumble::replay {

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "replay/format/step_record.h"
 #include "replay/import/csv_reader.h"
-#include "src/base/result.h"
-#include "src/model/scene.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/scene.h"
 
 /// The meaning of the lines "# key: value" and of the columns of an imported table. docs/other_engines.md specifies the
 /// format.

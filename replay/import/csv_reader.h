@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::replay {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "src/base/text.h"
-#include "src/model/limits.h"
 #include "src/world/edit_bodies.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::replay {
 namespace {

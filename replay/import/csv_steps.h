@@ -12,9 +12,9 @@
 
 #include "replay/import/csv_format.h"
 #include "replay/import/csv_reader.h"
-#include "replay/import/engine_log.h"
-#include "src/base/result.h"
-#include "src/model/scene.h"
+#include "tumble/replay/engine_log.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/scene.h"
 
 /// The rows of an imported table, gathered step by step.
 namespace tumble::replay {

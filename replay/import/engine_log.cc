@@ -1,14 +1,14 @@
-#include "replay/import/engine_log.h"
+#include "tumble/replay/engine_log.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "replay/format/limits.h"
 #include "src/base/check.h"
-#include "src/model/limits.h"
-#include "src/step/step.h"
 #include "src/world/body_check.h"
 #include "src/world/edit_bodies.h"
+#include "tumble/sim/limits.h"
+#include "tumble/sim/step.h"
 
 namespace tumble::replay {
 namespace {

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "replay/format/step_record.h"
-#include "replay/log/byte_io.h"
-#include "replay/log/log_writer.h"
-#include "src/base/result.h"
-#include "src/world/world.h"
+#include "tumble/replay/byte_io.h"
+#include "tumble/replay/log_writer.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/world.h"
 
 /// Writes the session of another physics engine as a log that diff, measure, dump, render, check and bisect read.
 /// docs/other_engines.md has a tutorial. engine_log_c.h is the interface for C.

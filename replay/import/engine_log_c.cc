@@ -1,4 +1,4 @@
-#include "replay/import/engine_log_c.h"
+#include "tumble/replay/engine_log_c.h"
 
 #include <algorithm>
 #include <exception>
@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "replay/import/engine_log.h"
+#include "tumble/replay/engine_log.h"
 
 using tumble::Error;
 using tumble::ErrorKind;

@@ -4,9 +4,9 @@
 #include <utility>
 
 #include "replay/import/csv_steps.h"
-#include "replay/import/engine_log.h"
 #include "src/base/text.h"
-#include "src/model/limits.h"
+#include "tumble/replay/engine_log.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::replay {
 namespace {

@@ -7,12 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "replay/format/progress.h"
 #include "replay/import/csv_steps.h"
-#include "replay/log/byte_io.h"
-#include "replay/log/log_reader.h"
-#include "replay/log/log_writer.h"
-#include "src/base/result.h"
+#include "tumble/replay/byte_io.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/replay/log_writer.h"
+#include "tumble/replay/progress.h"
+#include "tumble/sim/result.h"
 
 /// Converts a table of states, as any engine can print one, to a log. The log can be compared, measured and drawn.
 /// docs/other_engines.md specifies the format.

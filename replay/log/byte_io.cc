@@ -1,4 +1,4 @@
-#include "replay/log/byte_io.h"
+#include "tumble/replay/byte_io.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -11,7 +11,7 @@
 #include <cstring>
 #include <utility>
 
-#include "replay/format/prelude.h"
+#include "tumble/replay/prelude.h"
 
 namespace tumble::replay {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 /// The destination and the origin of a log's bytes: files in the program, memory and planted faults in tests.
 namespace tumble::replay {

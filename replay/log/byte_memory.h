@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "replay/log/byte_io.h"
+#include "tumble/replay/byte_io.h"
 
 namespace tumble::replay {
 

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "replay/codec/chunk_codec.h"
-#include "replay/format/chunk.h"
 #include "replay/log/record_reader.h"
-#include "src/base/result.h"
+#include "tumble/replay/chunk.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::replay {
 

@@ -1,4 +1,4 @@
-#include "replay/log/log_condition.h"
+#include "tumble/replay/log_condition.h"
 
 namespace tumble::replay {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "replay/format/prelude.h"
-#include "replay/format/step_record.h"
+#include "tumble/replay/prelude.h"
+#include "tumble/replay/step_record.h"
 
 namespace tumble::replay {
 

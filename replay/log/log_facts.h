@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "replay/format/progress.h"
-#include "replay/log/log_reader.h"
-#include "src/base/hash.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/replay/progress.h"
+#include "tumble/sim/hash.h"
 
 namespace tumble::replay {
 

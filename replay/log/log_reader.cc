@@ -1,4 +1,4 @@
-#include "replay/log/log_reader.h"
+#include "tumble/replay/log_reader.h"
 
 #include <algorithm>
 #include <optional>

@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "replay/format/chunk.h"
-#include "replay/format/prelude.h"
-#include "replay/format/step_record.h"
-#include "replay/log/byte_io.h"
-#include "replay/log/log_condition.h"
-#include "src/base/hash.h"
-#include "src/base/result.h"
+#include "tumble/replay/byte_io.h"
+#include "tumble/replay/chunk.h"
+#include "tumble/replay/log_condition.h"
+#include "tumble/replay/prelude.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/hash.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::replay {
 

@@ -1,4 +1,4 @@
-#include "replay/log/log_writer.h"
+#include "tumble/replay/log_writer.h"
 
 #include <algorithm>
 #include <chrono>

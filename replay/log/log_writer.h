@@ -5,10 +5,10 @@
 #include <span>
 #include <string>
 
-#include "replay/format/step_record.h"
-#include "replay/log/byte_io.h"
-#include "src/base/result.h"
-#include "src/world/world_state.h"
+#include "tumble/replay/byte_io.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/world_state.h"
 
 namespace tumble::replay {
 

@@ -9,7 +9,7 @@
 #include "replay/format/chain.h"
 #include "replay/format/limits.h"
 #include "src/base/check.h"
-#include "src/model/limits.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::replay {
 

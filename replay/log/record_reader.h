@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "replay/codec/chunk_codec.h"
-#include "replay/format/chunk.h"
-#include "replay/format/prelude.h"
-#include "replay/format/step_record.h"
-#include "replay/log/byte_io.h"
-#include "src/base/result.h"
+#include "tumble/replay/byte_io.h"
+#include "tumble/replay/chunk.h"
+#include "tumble/replay/prelude.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::replay {
 

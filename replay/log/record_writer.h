@@ -7,10 +7,10 @@
 
 #include "replay/codec/chunk_codec.h"
 #include "replay/codec/zstd_frame.h"
-#include "replay/format/chunk.h"
-#include "replay/format/prelude.h"
-#include "replay/format/step_record.h"
-#include "replay/log/byte_io.h"
+#include "tumble/replay/byte_io.h"
+#include "tumble/replay/chunk.h"
+#include "tumble/replay/prelude.h"
+#include "tumble/replay/step_record.h"
 
 namespace tumble::replay {
 

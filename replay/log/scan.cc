@@ -6,7 +6,7 @@
 
 #include "replay/format/limits.h"
 #include "replay/log/record_reader.h"
-#include "src/model/limits.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::replay {
 namespace {

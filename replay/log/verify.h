@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "replay/log/log_reader.h"
+#include "tumble/replay/log_reader.h"
 
 namespace tumble::replay {
 

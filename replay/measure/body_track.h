@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "src/math/vec.h"
+#include "tumble/sim/vec.h"
 
 namespace tumble::replay {
 

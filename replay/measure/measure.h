@@ -3,12 +3,12 @@
 #include <cstdint>
 #include <optional>
 
-#include "replay/format/step_record.h"
 #include "replay/log/session_clock.h"
 #include "replay/measure/measure_options.h"
 #include "replay/measure/measure_state.h"
-#include "src/base/hash.h"
-#include "src/base/result.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/hash.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::replay {
 

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "src/base/ids.h"
-#include "src/base/result.h"
-#include "src/model/scene.h"
+#include "tumble/sim/ids.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/scene.h"
 
 namespace tumble::replay {
 

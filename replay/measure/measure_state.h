@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "replay/format/step_record.h"
 #include "replay/measure/body_track.h"
 #include "replay/measure/measure_options.h"
 #include "replay/measure/reasonable_space.h"
-#include "src/model/scene.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/scene.h"
 
 namespace tumble::replay {
 

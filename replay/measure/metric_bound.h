@@ -4,7 +4,7 @@
 #include <string>
 
 #include "replay/measure/metric_list.h"
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::replay {
 

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "replay/codec/state_keys.h"
-#include "replay/session/session.h"
 #include "replay/session/state_source.h"
-#include "src/step/step.h"
+#include "tumble/replay/session.h"
+#include "tumble/sim/step.h"
 
 namespace tumble::replay {
 namespace {

@@ -4,12 +4,12 @@
 #include <optional>
 #include <set>
 
-#include "replay/format/progress.h"
-#include "replay/format/step_record.h"
-#include "replay/log/log_reader.h"
 #include "replay/measure/measure.h"
-#include "src/base/result.h"
-#include "src/model/transform.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/replay/progress.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/transform.h"
 
 /// A mirrored pair: the session of a scene, and the session of the same scene after a transform (a mirror, a shift,
 /// other ids). The second session must be the transform of the first in every state.

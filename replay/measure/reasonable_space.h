@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "src/model/scene.h"
+#include "tumble/sim/scene.h"
 
 namespace tumble::replay {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "src/render/scene/snapshot.h"
-#include "src/world/world.h"
+#include "tumble/render/snapshot.h"
+#include "tumble/sim/world.h"
 
 /// Markers drawn over a picture: velocities, contacts, AABBs.
 namespace tumble::replay {

@@ -4,13 +4,13 @@
 #include <map>
 #include <optional>
 
-#include "replay/log/log_reader.h"
-#include "replay/session/player.h"
 #include "replay/session/state_source.h"
-#include "src/base/hash.h"
-#include "src/base/result.h"
-#include "src/model/scene.h"
-#include "src/render/scene/snapshot.h"
+#include "tumble/render/snapshot.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/replay/player.h"
+#include "tumble/sim/hash.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/scene.h"
 
 namespace tumble::replay {
 

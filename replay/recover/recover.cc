@@ -12,7 +12,7 @@
 #include "replay/log/record_writer.h"
 #include "replay/recover/salvage.h"
 #include "replay/session/boxes_at.h"
-#include "src/model/limits.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::replay {
 namespace {

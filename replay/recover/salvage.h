@@ -4,11 +4,11 @@
 #include <optional>
 #include <vector>
 
-#include "replay/format/step_record.h"
-#include "replay/log/byte_io.h"
-#include "replay/log/log_condition.h"
 #include "replay/recover/salvage_choice.h"
-#include "src/base/result.h"
+#include "tumble/replay/byte_io.h"
+#include "tumble/replay/log_condition.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::replay {
 

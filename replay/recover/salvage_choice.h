@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "replay/format/prelude.h"
-#include "src/base/hash.h"
+#include "tumble/replay/prelude.h"
+#include "tumble/sim/hash.h"
 
 namespace tumble::replay {
 

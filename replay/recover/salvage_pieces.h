@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "replay/format/prelude.h"
-#include "replay/log/byte_io.h"
+#include "tumble/replay/byte_io.h"
+#include "tumble/replay/prelude.h"
 
 namespace tumble::replay {
 

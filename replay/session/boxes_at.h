@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "src/model/scene.h"
-#include "src/world/world_state.h"
+#include "tumble/sim/scene.h"
+#include "tumble/sim/world_state.h"
 
 namespace tumble::replay {
 

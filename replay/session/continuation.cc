@@ -1,4 +1,4 @@
-#include "replay/session/continuation.h"
+#include "tumble/replay/continuation.h"
 
 #include <cmath>
 #include <string>
@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "replay/session/boxes_at.h"
-#include "replay/session/player.h"
-#include "src/model/limits.h"
+#include "tumble/replay/player.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::replay {
 namespace {

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "replay/format/step_record.h"
-#include "replay/log/log_reader.h"
-#include "src/base/result.h"
-#include "src/world/world_state.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/world_state.h"
 
 namespace tumble::replay {
 

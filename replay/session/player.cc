@@ -1,4 +1,4 @@
-#include "replay/session/player.h"
+#include "tumble/replay/player.h"
 
 #include <string>
 #include <utility>

@@ -3,12 +3,12 @@
 #include <cstdint>
 #include <memory>
 
-#include "replay/format/step_record.h"
-#include "replay/log/log_reader.h"
-#include "replay/session/session.h"
-#include "src/base/result.h"
-#include "src/step/step.h"
-#include "src/world/world.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/replay/session.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/step.h"
+#include "tumble/sim/world.h"
 
 namespace tumble::replay {
 

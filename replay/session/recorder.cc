@@ -1,4 +1,4 @@
-#include "replay/session/recorder.h"
+#include "tumble/replay/recorder.h"
 
 #include <utility>
 

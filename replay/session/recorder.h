@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "replay/format/progress.h"
-#include "replay/format/step_record.h"
-#include "replay/log/log_reader.h"
-#include "replay/log/log_writer.h"
-#include "replay/session/continuation.h"
-#include "replay/session/session.h"
-#include "src/base/result.h"
-#include "src/step/step.h"
-#include "src/world/world.h"
+#include "tumble/replay/continuation.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/replay/log_writer.h"
+#include "tumble/replay/progress.h"
+#include "tumble/replay/session.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/step.h"
+#include "tumble/sim/world.h"
 
 namespace tumble::replay {
 

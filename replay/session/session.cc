@@ -1,4 +1,4 @@
-#include "replay/session/session.h"
+#include "tumble/replay/session.h"
 
 #include <string>
 #include <utility>

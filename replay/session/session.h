@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "src/base/result.h"
-#include "src/model/scene.h"
-#include "src/step/step.h"
-#include "src/world/world.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/scene.h"
+#include "tumble/sim/step.h"
+#include "tumble/sim/world.h"
 
 namespace tumble::replay {
 

@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "replay/format/step_record.h"
-#include "replay/log/log_reader.h"
-#include "replay/session/player.h"
-#include "src/base/result.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/replay/player.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::replay {
 

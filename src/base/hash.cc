@@ -1,4 +1,4 @@
-#include "src/base/hash.h"
+#include "tumble/sim/hash.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "src/base/hash.h"
-#include "src/base/result.h"
 #include "src/kernels/body_kernels.h"
 #include "src/world/scratch.h"
-#include "src/world/world_state.h"
+#include "tumble/sim/hash.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/world_state.h"
 
 namespace tumble::sim {
 

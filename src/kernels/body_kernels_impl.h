@@ -7,7 +7,7 @@
 #include "src/kernels/lane_rows.h"
 #include "src/kernels/lane_vector.h"
 #include "src/math/grid_magic.h"
-#include "src/model/limits.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::sim {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "src/math/rotation.h"
-#include "src/math/vec.h"
+#include "tumble/sim/rotation.h"
+#include "tumble/sim/vec.h"
 
 namespace tumble::sim {
 

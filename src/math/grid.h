@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "src/math/grid_magic.h"
-#include "src/math/vec.h"
+#include "tumble/sim/vec.h"
 
 namespace tumble::sim {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "src/math/vec.h"
+#include "tumble/sim/vec.h"
 
 namespace tumble::sim {
 

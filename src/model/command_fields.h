@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "src/model/scene.h"
+#include "tumble/sim/scene.h"
 
 /// The one list of the fields of every input. Hash, log, comparison and transform walk this list, so none of them can
 /// miss a field: a member added to a struct of scene.h no longer compiles here, and a field added here no longer

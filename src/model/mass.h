@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/math/vec.h"
+#include "tumble/sim/vec.h"
 
 namespace tumble::sim {
 

@@ -6,9 +6,9 @@
 #include <variant>
 #include <vector>
 
-#include "src/base/ids.h"
-#include "src/math/rotation.h"
-#include "src/math/vec.h"
+#include "tumble/sim/ids.h"
+#include "tumble/sim/rotation.h"
+#include "tumble/sim/vec.h"
 
 /// The scene and the inputs of a session as plain data: the whole input of a run. SI units; world axes are right-handed
 /// with z up; orientations are unit quaternions (w, x, y, z); spins are in rad/s about world axes.

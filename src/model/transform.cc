@@ -1,4 +1,4 @@
-#include "src/model/transform.h"
+#include "tumble/sim/transform.h"
 
 #include <algorithm>
 #include <utility>

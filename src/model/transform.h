@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "src/model/scene.h"
+#include "tumble/sim/scene.h"
 
 /// Symmetries of the simulation, applied to scenes and states. Each is exact: a reflection changes only signs, a shift
 /// by whole grid steps adds exactly, and no result depends on the names of bodies.

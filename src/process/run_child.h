@@ -2,8 +2,8 @@
 
 #include <functional>
 
-#include "src/base/result.h"
 #include "src/process/child.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::process {
 

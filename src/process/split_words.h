@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::process {
 

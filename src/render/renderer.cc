@@ -1,4 +1,4 @@
-#include "src/render/renderer.h"
+#include "tumble/render/renderer.h"
 
 #include <algorithm>
 #include <ctime>

@@ -4,11 +4,11 @@
 #include <memory>
 #include <string>
 
-#include "src/base/result.h"
-#include "src/render/gl/backend.h"
-#include "src/render/passes/effects.h"
-#include "src/render/picture/image.h"
-#include "src/render/scene/snapshot.h"
+#include "tumble/render/backend.h"
+#include "tumble/render/effects.h"
+#include "tumble/render/image.h"
+#include "tumble/render/snapshot.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::render {
 

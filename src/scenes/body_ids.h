@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "src/base/ids.h"
 #include "src/scenes/problem.h"
+#include "tumble/sim/ids.h"
 
 namespace tumble::scenes {
 

@@ -5,7 +5,7 @@
 #include "src/base/check.h"
 #include "src/base/rng.h"
 #include "src/math/trig.h"
-#include "src/model/limits.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::scenes {
 namespace {

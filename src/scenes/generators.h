@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "src/model/scene.h"
 #include "src/scenes/read_bodies.h"
+#include "tumble/sim/scene.h"
 
 namespace tumble::scenes {
 

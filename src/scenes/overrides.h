@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-#include "src/base/result.h"
 #include "src/scenes/toml.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::scenes {
 

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "src/base/result.h"
 #include "src/base/text.h"
 #include "src/scenes/toml.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::scenes {
 

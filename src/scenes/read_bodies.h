@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "src/model/scene.h"
 #include "src/scenes/table_reader.h"
+#include "tumble/sim/scene.h"
 
 namespace tumble::scenes {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "src/model/scene.h"
 #include "src/scenes/read_inputs.h"
 #include "src/scenes/table_reader.h"
+#include "tumble/sim/scene.h"
 
 namespace tumble::scenes {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "src/base/ids.h"
-#include "src/model/limits.h"
 #include "src/scenes/table_reader.h"
+#include "tumble/sim/ids.h"
+#include "tumble/sim/limits.h"
 
 /// The ranges of the scene format, with the words of messages about them. Limits of the simulation come from
 /// src/model/limits.h; the other limits only catch typing errors.

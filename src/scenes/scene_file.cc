@@ -1,4 +1,4 @@
-#include "src/scenes/scene_file.h"
+#include "tumble/scenes/scene_file.h"
 
 #include <algorithm>
 #include <array>

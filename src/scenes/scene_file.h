@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "src/base/result.h"
-#include "src/model/scene.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/scene.h"
 
 namespace tumble::scenes {
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "src/math/vec.h"
 #include "src/scenes/problem.h"
+#include "tumble/sim/vec.h"
 
 namespace tumble::scenes {
 

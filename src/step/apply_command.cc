@@ -2,11 +2,11 @@
 #include <string>
 
 #include "src/math/grid.h"
-#include "src/model/limits.h"
 #include "src/step/first_contacts.h"
-#include "src/step/step.h"
 #include "src/world/edit_bodies.h"
 #include "src/world/scratch.h"
+#include "tumble/sim/limits.h"
+#include "tumble/sim/step.h"
 
 namespace tumble::sim {
 namespace {

@@ -1,11 +1,11 @@
 #include <optional>
 #include <string>
 
-#include "src/model/limits.h"
 #include "src/step/first_contacts.h"
-#include "src/step/step.h"
 #include "src/world/body_check.h"
 #include "src/world/edit_bodies.h"
+#include "tumble/sim/limits.h"
+#include "tumble/sim/step.h"
 
 namespace tumble::sim {
 

@@ -9,10 +9,10 @@
 #include "src/layered/find/contact_memory.h"
 #include "src/layered/find/find_manifolds.h"
 #include "src/layered/find/find_near_pairs.h"
-#include "src/model/limits.h"
 #include "src/thesis/contact_objects.h"
 #include "src/thesis/find_pairs.h"
 #include "src/world/scratch.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::sim {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "src/world/world_state.h"
+#include "tumble/sim/world_state.h"
 
 namespace tumble::sim {
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "src/step/step.h"
+#include "tumble/sim/step.h"
 
 namespace tumble::sim {
 

@@ -1,4 +1,4 @@
-#include "src/step/step.h"
+#include "tumble/sim/step.h"
 
 #include <bit>
 #include <cmath>

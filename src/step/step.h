@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
-#include "src/base/hash.h"
-#include "src/base/result.h"
-#include "src/model/scene.h"
-#include "src/world/world.h"
+#include "tumble/sim/hash.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/scene.h"
+#include "tumble/sim/world.h"
 
 namespace tumble::sim {
 

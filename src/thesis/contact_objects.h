@@ -1,7 +1,7 @@
 #pragma once
 
 #include "src/world/scratch.h"
-#include "src/world/world_state.h"
+#include "tumble/sim/world_state.h"
 
 namespace tumble::sim {
 

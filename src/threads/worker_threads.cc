@@ -1,4 +1,4 @@
-#include "src/threads/worker_threads.h"
+#include "tumble/threads/worker_threads.h"
 
 #include <system_error>
 

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "src/base/workers.h"
+#include "tumble/sim/workers.h"
 
 namespace tumble {
 

@@ -5,8 +5,8 @@
 
 #include "src/base/text.h"
 #include "src/kernels/kernels_by_width.h"
-#include "src/model/limits.h"
 #include "src/world/body_columns.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::sim {
 namespace {

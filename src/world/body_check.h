@@ -2,11 +2,11 @@
 
 #include <cmath>
 
-#include "src/base/hash.h"
-#include "src/base/result.h"
 #include "src/kernels/lane_width.h"
-#include "src/model/limits.h"
-#include "src/world/world_state.h"
+#include "tumble/sim/hash.h"
+#include "tumble/sim/limits.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/world_state.h"
 
 namespace tumble::sim {
 

@@ -6,9 +6,9 @@
 
 #include "src/base/check.h"
 #include "src/math/grid.h"
-#include "src/model/limits.h"
 #include "src/model/mass.h"
 #include "src/world/body_check.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::sim {
 namespace {

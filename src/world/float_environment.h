@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::sim {
 

@@ -4,7 +4,7 @@
 
 #include "src/kernels/body_kernels.h"
 #include "src/kernels/lane_width.h"
-#include "src/world/world_state.h"
+#include "tumble/sim/world_state.h"
 
 namespace tumble::sim {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "src/base/ids.h"
-#include "src/math/vec.h"
+#include "tumble/sim/ids.h"
+#include "tumble/sim/vec.h"
 
 namespace tumble::sim {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "src/base/hash.h"
 #include "src/world/scratch.h"
+#include "tumble/sim/hash.h"
 
 namespace tumble::sim {
 

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "src/world/world.h"
+#include "tumble/sim/world.h"
 
 namespace tumble::sim {
 

@@ -4,10 +4,10 @@
 #include <utility>
 #include <vector>
 
-#include "src/base/ids.h"
-#include "src/math/vec.h"
-#include "src/world/manifold.h"
-#include "src/world/world_state.h"
+#include "tumble/sim/ids.h"
+#include "tumble/sim/manifold.h"
+#include "tumble/sim/vec.h"
+#include "tumble/sim/world_state.h"
 
 /// Private memory of single phases while they run; parts of Scratch, so that a warm step does not allocate. No phase
 /// may read the memory of another one.

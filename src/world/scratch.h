@@ -5,16 +5,16 @@
 #include <utility>
 #include <vector>
 
-#include "src/base/ids.h"
-#include "src/base/workers.h"
 #include "src/kernels/box_frame.h"
 #include "src/kernels/contact_batch.h"
 #include "src/kernels/lane_width.h"
-#include "src/math/rotation.h"
-#include "src/math/vec.h"
-#include "src/world/manifold.h"
 #include "src/world/phase_scratch.h"
-#include "src/world/world_state.h"
+#include "tumble/sim/ids.h"
+#include "tumble/sim/manifold.h"
+#include "tumble/sim/rotation.h"
+#include "tumble/sim/vec.h"
+#include "tumble/sim/workers.h"
+#include "tumble/sim/world_state.h"
 
 namespace tumble::sim {
 

@@ -1,12 +1,12 @@
-#include "src/world/world.h"
+#include "tumble/sim/world.h"
 
 #include <string>
 #include <utility>
 
-#include "src/model/limits.h"
 #include "src/world/body_check.h"
 #include "src/world/float_environment.h"
 #include "src/world/scratch.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::sim {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "src/base/result.h"
-#include "src/world/world_state.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/world_state.h"
 
 namespace tumble {
 class Workers;

@@ -1,4 +1,4 @@
-#include "src/world/world_state.h"
+#include "tumble/sim/world_state.h"
 
 #include <algorithm>
 

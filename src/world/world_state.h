@@ -4,12 +4,12 @@
 #include <optional>
 #include <vector>
 
-#include "src/base/hash.h"
-#include "src/base/ids.h"
-#include "src/math/rotation.h"
-#include "src/math/vec.h"
-#include "src/model/scene.h"
-#include "src/world/manifold.h"
+#include "tumble/sim/hash.h"
+#include "tumble/sim/ids.h"
+#include "tumble/sim/manifold.h"
+#include "tumble/sim/rotation.h"
+#include "tumble/sim/scene.h"
+#include "tumble/sim/vec.h"
 
 namespace tumble::sim {
 

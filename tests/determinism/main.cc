@@ -13,14 +13,14 @@
 #include <string>
 #include <string_view>
 
-#include "src/base/hash.h"
-#include "src/base/result.h"
 #include "src/kernels/kernels_by_width.h"
-#include "src/scenes/scene_file.h"
-#include "src/step/step.h"
-#include "src/threads/worker_threads.h"
 #include "src/world/scratch.h"
-#include "src/world/world.h"
+#include "tumble/scenes/scene_file.h"
+#include "tumble/sim/hash.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/step.h"
+#include "tumble/sim/world.h"
+#include "tumble/threads/worker_threads.h"
 
 namespace tumble {
 namespace {

@@ -4,12 +4,12 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "replay/log/log_reader.h"
 #include "replay/log/verify.h"
 #include "tests/fuzz/mend.h"
 #include "tests/fuzz/program_place.h"
 #include "tests/fuzz/target.h"
 #include "tests/fuzz/use_log.h"
+#include "tumble/replay/log_reader.h"
 
 namespace tumble::fuzz {
 namespace {

@@ -8,7 +8,7 @@
 #include "replay/codec/zstd_frame.h"
 #include "replay/format/chain.h"
 #include "replay/format/little_endian.h"
-#include "replay/format/prelude.h"
+#include "tumble/replay/prelude.h"
 
 namespace tumble::fuzz {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "golden/expected/expected_codec.h"
-#include "replay/format/prelude.h"
-#include "replay/log/log_reader.h"
 #include "tests/fuzz/mend.h"
 #include "tests/support/log_memory.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/replay/prelude.h"
 
 namespace tumble::fuzz {
 namespace {

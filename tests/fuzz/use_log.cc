@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "replay/diff/replayer.h"
 #include "replay/log/log_facts.h"
 #include "replay/log/verify.h"
 #include "replay/measure/measure_log.h"
 #include "replay/recover/recover.h"
+#include "tumble/replay/replayer.h"
 
 namespace tumble::fuzz {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "replay/log/byte_memory.h"
-#include "replay/log/log_reader.h"
+#include "tumble/replay/log_reader.h"
 
 namespace tumble::fuzz {
 

@@ -6,9 +6,9 @@
 #include "golden/bless/bless_log.h"
 #include "golden/suite/parse_rules.h"
 #include "golden/suite/text_files.h"
-#include "replay/session/recorder.h"
-#include "src/scenes/scene_file.h"
 #include "tests/support/golden_suite.h"
+#include "tumble/replay/recorder.h"
+#include "tumble/scenes/scene_file.h"
 
 namespace tumble::golden {
 namespace {

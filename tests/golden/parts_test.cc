@@ -10,8 +10,8 @@
 #include "golden/run/run_case.h"
 #include "golden/suite/scene_hash.h"
 #include "src/base/rng.h"
-#include "src/scenes/scene_file.h"
 #include "tests/support/golden_suite.h"
+#include "tumble/scenes/scene_file.h"
 
 namespace tumble::golden {
 namespace {

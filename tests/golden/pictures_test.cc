@@ -6,8 +6,8 @@
 #include <string>
 
 #include "golden/suite/suite.h"
-#include "src/render/picture/png.h"
 #include "tests/support/golden_suite.h"
+#include "tumble/render/png.h"
 
 namespace tumble::golden {
 namespace {

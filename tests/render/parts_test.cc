@@ -10,14 +10,14 @@
 
 #include "src/render/gl/context.h"
 #include "src/render/gl/shared_library.h"
-#include "src/render/passes/effects.h"
 #include "src/render/picture/image_difference.h"
-#include "src/render/picture/png.h"
-#include "src/render/renderer.h"
 #include "src/render/scene/material_texels.h"
 #include "src/render/scene/materials.h"
 #include "src/render/scene/view.h"
 #include "tests/support/pictures.h"
+#include "tumble/render/effects.h"
+#include "tumble/render/png.h"
+#include "tumble/render/renderer.h"
 
 namespace tumble::test {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "replay/import/engine_log_c.h"
+#include "tumble/replay/engine_log_c.h"
 
 static TumbleLogBody cube(uint64_t id, double height) {
   TumbleLogBody body;

@@ -1,6 +1,6 @@
 // Logs of other engines: what is told is what is read, to the bit; what is forgotten or cannot be is said; and nobody
 // takes such a log for one that can be replayed.
-#include "replay/import/engine_log.h"
+#include "tumble/replay/engine_log.h"
 
 #include <gtest/gtest.h>
 
@@ -9,14 +9,14 @@
 #include <cstdio>
 #include <limits>
 
-#include "replay/diff/compare.h"
-#include "replay/diff/replayer.h"
 #include "replay/log/byte_memory.h"
 #include "replay/log/verify.h"
 #include "replay/measure/measure_log.h"
-#include "replay/session/player.h"
 #include "tests/support/engine_log_in_c.h"
 #include "tests/support/log_memory.h"
+#include "tumble/replay/compare.h"
+#include "tumble/replay/player.h"
+#include "tumble/replay/replayer.h"
 
 namespace tumble::replay {
 namespace {

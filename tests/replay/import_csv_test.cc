@@ -5,9 +5,9 @@
 
 #include <cstdlib>
 
-#include "replay/diff/compare.h"
 #include "replay/log/byte_memory.h"
 #include "tests/support/log_memory.h"
+#include "tumble/replay/compare.h"
 
 namespace tumble::replay {
 namespace {

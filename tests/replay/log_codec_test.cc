@@ -9,9 +9,9 @@
 #include "replay/codec/byte_planes.h"
 #include "replay/codec/chunk_codec.h"
 #include "replay/codec/state_keys.h"
-#include "replay/format/body_states.h"
-#include "src/step/step.h"
 #include "tests/support/log_memory.h"
+#include "tumble/replay/body_states.h"
+#include "tumble/sim/step.h"
 
 namespace tumble::replay {
 namespace {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <span>
 
-#include "replay/diff/compare.h"
 #include "replay/diff/input_difference.h"
 #include "tests/replay/lying_log.h"
 #include "tests/support/log_memory.h"
+#include "tumble/replay/compare.h"
 
 namespace tumble::replay {
 namespace {

@@ -10,12 +10,12 @@
 
 #include "replay/codec/header_codec.h"
 #include "replay/codec/message.h"
-#include "replay/diff/compare.h"
-#include "replay/diff/replayer.h"
 #include "replay/log/verify.h"
 #include "replay/measure/measure_log.h"
 #include "tests/fuzz/mend.h"
 #include "tests/support/log_memory.h"
+#include "tumble/replay/compare.h"
+#include "tumble/replay/replayer.h"
 
 namespace tumble::replay {
 namespace {

@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "replay/diff/compare.h"
-#include "replay/diff/replayer.h"
 #include "replay/log/log_facts.h"
 #include "replay/log/verify.h"
 #include "replay/measure/measure_log.h"
-#include "replay/session/player.h"
 #include "replay/session/state_source.h"
 #include "tests/support/log_memory.h"
 #include "tests/support/sim_scenes.h"
+#include "tumble/replay/compare.h"
+#include "tumble/replay/player.h"
+#include "tumble/replay/replayer.h"
 
 namespace tumble::replay {
 namespace {

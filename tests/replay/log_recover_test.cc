@@ -3,11 +3,11 @@
 
 #include <algorithm>
 
-#include "replay/diff/compare.h"
-#include "replay/diff/replayer.h"
 #include "replay/log/verify.h"
 #include "replay/measure/measure_log.h"
 #include "tests/support/sample_log.h"
+#include "tumble/replay/compare.h"
+#include "tumble/replay/replayer.h"
 
 namespace tumble::replay {
 namespace {

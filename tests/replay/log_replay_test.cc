@@ -1,11 +1,11 @@
 // Replay: a session that is replayed is identical, and one changed value anywhere is found.
 #include <gtest/gtest.h>
 
-#include "replay/diff/replayer.h"
 #include "replay/format/limits.h"
-#include "replay/session/player.h"
 #include "tests/replay/lying_log.h"
 #include "tests/support/log_memory.h"
+#include "tumble/replay/player.h"
+#include "tumble/replay/replayer.h"
 
 namespace tumble::replay {
 namespace {

@@ -11,8 +11,8 @@
 #include "replay/diff/locate_divergence.h"
 #include "replay/format/limits.h"
 #include "replay/measure/metric_bound.h"
-#include "src/step/step.h"
 #include "tests/support/log_memory.h"
+#include "tumble/sim/step.h"
 
 namespace tumble::replay {
 namespace {

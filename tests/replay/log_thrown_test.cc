@@ -8,8 +8,8 @@
 #include "replay/format/limits.h"
 #include "replay/log/record_writer.h"
 #include "replay/log/verify.h"
-#include "src/step/step.h"
 #include "tests/support/sample_log.h"
+#include "tumble/sim/step.h"
 
 namespace tumble::replay {
 namespace {

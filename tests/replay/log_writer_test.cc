@@ -1,5 +1,5 @@
 // Writing: full disks, short writes, a writer that never finishes, files that must not be lost.
-#include "replay/log/log_writer.h"
+#include "tumble/replay/log_writer.h"
 
 #include <gtest/gtest.h>
 

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "replay/log/log_writer.h"
-#include "replay/session/session.h"
 #include "tests/support/log_memory.h"
+#include "tumble/replay/log_writer.h"
+#include "tumble/replay/session.h"
 
 namespace tumble::replay {
 

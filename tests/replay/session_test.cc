@@ -1,5 +1,5 @@
 // Session: inputs come before their step, in order; a session resumes where it was.
-#include "replay/session/session.h"
+#include "tumble/replay/session.h"
 
 #include <gtest/gtest.h>
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "src/scenes/scene_file.h"
-#include "src/step/step.h"
-#include "src/world/world.h"
+#include "tumble/scenes/scene_file.h"
+#include "tumble/sim/step.h"
+#include "tumble/sim/world.h"
 
 namespace tumble::scenes {
 namespace {

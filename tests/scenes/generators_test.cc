@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "src/base/rng.h"
-#include "src/scenes/scene_file.h"
+#include "tumble/scenes/scene_file.h"
 
 namespace tumble::scenes {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "src/base/rng.h"
-#include "src/scenes/scene_file.h"
+#include "tumble/scenes/scene_file.h"
 
 namespace tumble::scenes {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "src/scenes/scene_file.h"
+#include "tumble/scenes/scene_file.h"
 
 namespace tumble::scenes {
 namespace {

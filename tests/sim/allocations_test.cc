@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "src/step/step.h"
-#include "src/threads/worker_threads.h"
 #include "src/world/memory_use.h"
 #include "tests/support/sim_scenes.h"
+#include "tumble/sim/step.h"
+#include "tumble/threads/worker_threads.h"
 
 namespace tumble::sim {
 namespace {

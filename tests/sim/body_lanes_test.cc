@@ -9,12 +9,12 @@
 #include "src/kernels/kernels_by_width.h"
 #include "src/layered/find/find_near_pairs.h"
 #include "src/math/grid.h"
-#include "src/step/step.h"
 #include "src/thesis/integrate.h"
 #include "src/world/body_check.h"
 #include "src/world/free_flight.h"
 #include "src/world/scratch.h"
 #include "tests/support/sim_scenes.h"
+#include "tumble/sim/step.h"
 
 namespace tumble::sim {
 namespace {

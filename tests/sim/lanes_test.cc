@@ -8,9 +8,9 @@
 
 #include "src/kernels/kernels_by_width.h"
 #include "src/math/grid_magic.h"
-#include "src/step/step.h"
 #include "src/world/scratch.h"
 #include "tests/support/sim_scenes.h"
+#include "tumble/sim/step.h"
 
 namespace tumble::sim {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "src/step/step.h"
 #include "src/world/manifold_hashes.h"
 #include "src/world/scratch.h"
 #include "tests/support/sim_scenes.h"
+#include "tumble/sim/step.h"
 
 namespace tumble::sim {
 namespace {

@@ -1,5 +1,5 @@
 // The step: phases, sub-step recursion (thesis V.A), observers, and the errors that stop it.
-#include "src/step/step.h"
+#include "tumble/sim/step.h"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "src/step/step.h"
-#include "src/threads/worker_threads.h"
 #include "tests/support/sim_scenes.h"
+#include "tumble/sim/step.h"
+#include "tumble/threads/worker_threads.h"
 
 namespace tumble::sim {
 namespace {

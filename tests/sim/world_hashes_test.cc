@@ -6,9 +6,9 @@
 #include <limits>
 
 #include "src/math/grid.h"
-#include "src/world/world.h"
-#include "src/world/world_state.h"
 #include "tests/support/sim_scenes.h"
+#include "tumble/sim/world.h"
+#include "tumble/sim/world_state.h"
 
 namespace tumble::test {
 namespace {

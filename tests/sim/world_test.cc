@@ -1,5 +1,5 @@
 // World: creation, the floating-point environment, energy.
-#include "src/world/world.h"
+#include "tumble/sim/world.h"
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@
 #endif
 
 #include "src/math/grid.h"
-#include "src/world/world_state.h"
 #include "tests/support/sim_scenes.h"
+#include "tumble/sim/world_state.h"
 
 namespace tumble::test {
 namespace {

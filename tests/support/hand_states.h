@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "replay/format/step_record.h"
+#include "tumble/replay/step_record.h"
 
 /// States and steps written by hand, whose measures are known.
 namespace tumble::replay {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "src/step/step.h"
+#include "tumble/sim/step.h"
 
 namespace tumble::replay {
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "replay/log/byte_io.h"
-#include "replay/log/log_reader.h"
-#include "replay/session/recorder.h"
-#include "src/model/scene.h"
+#include "tumble/replay/byte_io.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/replay/recorder.h"
+#include "tumble/sim/scene.h"
 
 /// Logs in memory, with the faults that a file can have.
 namespace tumble::replay {

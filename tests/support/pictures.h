@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <functional>
 
-#include "src/render/picture/image.h"
-#include "src/render/renderer.h"
-#include "src/render/scene/snapshot.h"
+#include "tumble/render/image.h"
+#include "tumble/render/renderer.h"
+#include "tumble/render/snapshot.h"
 
 /// Small scenes to draw, and pictures compared.
 namespace tumble::test {

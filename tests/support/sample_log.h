@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "replay/log/log_reader.h"
 #include "replay/recover/recover.h"
 #include "tests/support/log_memory.h"
+#include "tumble/replay/log_reader.h"
 
 /// A small finished log to do damage to, and what belongs in it.
 namespace tumble::replay {

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "src/step/step.h"
-#include "src/world/world.h"
+#include "tumble/sim/step.h"
+#include "tumble/sim/world.h"
 
 /// Scenes for the tests of the simulation, built in code so that those tests need no files, and short-hands to run
 /// them. SI units, z up; ids ascend from 1.

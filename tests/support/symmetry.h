@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "src/model/scene.h"
+#include "tumble/sim/scene.h"
 
 namespace tumble::test {
 

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "src/model/transform.h"
-#include "src/world/world.h"
+#include "tumble/sim/transform.h"
+#include "tumble/sim/world.h"
 
 namespace tumble::test {
 

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "replay/log/log_reader.h"
 #include "tests/support/program.h"
 #include "tests/tools/json_output.h"
+#include "tumble/replay/log_reader.h"
 
 namespace tumble::test {
 namespace {

@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "src/render/picture/png.h"
 #include "tests/support/pictures.h"
 #include "tests/support/program.h"
+#include "tumble/render/png.h"
 
 namespace tumble::test {
 namespace {

@@ -9,10 +9,10 @@
 #include "replay/codec/index_codec.h"
 #include "replay/format/chain.h"
 #include "replay/format/limits.h"
-#include "replay/format/prelude.h"
-#include "replay/session/recorder.h"
-#include "src/step/step.h"
-#include "src/world/world.h"
+#include "tumble/replay/prelude.h"
+#include "tumble/replay/recorder.h"
+#include "tumble/sim/step.h"
+#include "tumble/sim/world.h"
 
 namespace tumble::trial {
 namespace {

@@ -10,10 +10,10 @@
 #include <thread>
 
 #include "replay/log/byte_memory.h"
-#include "replay/log/log_reader.h"
 #include "replay/log/verify.h"
 #include "replay/recover/recover.h"
 #include "tests/trial/trial.h"
+#include "tumble/replay/log_reader.h"
 
 namespace tumble::trial {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 /// Damage done to logs by the hundred thousand: what tools/scripts/checks/damage.sh runs, and in small the tests.
 namespace tumble::trial {

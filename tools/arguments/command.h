@@ -2,9 +2,9 @@
 
 #include <functional>
 
-#include "src/base/result.h"
 #include "tools/arguments/arguments.h"
 #include "tools/output/exit.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::tools {
 

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "src/base/text.h"
-#include "src/model/limits.h"
 #include "tools/arguments/arguments.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::tools {
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "replay/measure/measure_options.h"
-#include "src/base/result.h"
 #include "tools/arguments/arguments.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::tools {
 

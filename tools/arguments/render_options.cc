@@ -4,10 +4,10 @@
 #include <utility>
 
 #include "src/base/text.h"
-#include "src/model/limits.h"
 #include "tools/arguments/numbers.h"
 #include "tools/arguments/step_range.h"
 #include "tools/output/movie.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::tools {
 namespace {

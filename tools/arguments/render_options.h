@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "replay/log/log_reader.h"
 #include "replay/picture/picture_source.h"
-#include "src/base/result.h"
-#include "src/render/renderer.h"
 #include "tools/arguments/arguments.h"
 #include "tools/output/frames.h"
+#include "tumble/render/renderer.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::tools {
 

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string>
 
-#include "replay/log/log_reader.h"
-#include "src/base/result.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::tools {
 

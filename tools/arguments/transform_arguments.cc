@@ -5,9 +5,9 @@
 
 #include "src/base/text.h"
 #include "src/math/grid.h"
-#include "src/model/limits.h"
 #include "tools/arguments/numbers.h"
 #include "tools/output/text.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::tools {
 namespace {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <string>
 
-#include "src/base/result.h"
-#include "src/model/transform.h"
 #include "tools/arguments/arguments.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/transform.h"
 
 /// The arguments of `record` that transform a scene.
 namespace tumble::tools {

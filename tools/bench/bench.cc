@@ -14,11 +14,11 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "replay/format/step_record.h"
 #include "src/base/check.h"
 #include "src/process/run_child.h"
-#include "src/scenes/scene_file.h"
 #include "tools/files/scene_files.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/scenes/scene_file.h"
 
 namespace tumble::tools {
 namespace {

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "src/base/result.h"
-#include "src/model/scene.h"
 #include "tools/output/exit.h"
 #include "tools/output/text.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/scene.h"
 
 /// Shared by the parts of `tumble bench`. docs/performance.md explains the figures.
 namespace tumble::tools {

@@ -3,12 +3,12 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "replay/session/session.h"
-#include "src/scenes/scene_file.h"
 #include "src/world/memory_use.h"
 #include "src/world/scratch.h"
 #include "tools/bench/bench.h"
 #include "tools/files/scene_files.h"
+#include "tumble/replay/session.h"
+#include "tumble/scenes/scene_file.h"
 
 namespace tumble::tools {
 namespace {

@@ -8,10 +8,10 @@
 
 #include "golden/suite/temporary_folder.h"
 #include "golden/suite/text_files.h"
-#include "replay/log/log_reader.h"
 #include "replay/measure/measure_log.h"
 #include "src/process/run_child.h"
 #include "tools/bench/bench.h"
+#include "tumble/replay/log_reader.h"
 
 namespace tumble::tools {
 namespace {

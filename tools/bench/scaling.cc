@@ -3,10 +3,10 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "src/step/step.h"
-#include "src/world/world.h"
 #include "tools/bench/bench.h"
 #include "tools/output/gnuplot.h"
+#include "tumble/sim/step.h"
+#include "tumble/sim/world.h"
 
 namespace tumble::tools {
 namespace {

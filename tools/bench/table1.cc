@@ -8,10 +8,10 @@
 #include <tuple>
 
 #include "replay/measure/measure.h"
-#include "src/step/step.h"
-#include "src/world/world.h"
 #include "tools/bench/bench.h"
 #include "tools/bench/thesis_table1.h"
+#include "tumble/sim/step.h"
+#include "tumble/sim/world.h"
 
 namespace tumble::tools {
 namespace {

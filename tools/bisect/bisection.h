@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "src/base/result.h"
 #include "tools/bisect/git.h"
 #include "tools/bisect/revision.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::tools::bisect {
 

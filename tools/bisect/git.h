@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "src/base/result.h"
 #include "tools/bisect/plan.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::tools::bisect {
 

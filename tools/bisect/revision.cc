@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "golden/suite/text_files.h"
-#include "replay/diff/compare.h"
 #include "replay/measure/measure_log.h"
 #include "src/process/run_child.h"
 #include "src/process/split_words.h"
 #include "src/scenes/problem.h"
 #include "tools/files/log_files.h"
 #include "tools/output/text.h"
+#include "tumble/replay/compare.h"
 
 namespace tumble::tools::bisect {
 namespace {

@@ -4,11 +4,11 @@
 #include <optional>
 #include <string>
 
-#include "src/base/result.h"
 #include "tools/bisect/build_progress.h"
 #include "tools/bisect/git.h"
 #include "tools/bisect/settings.h"
 #include "tools/bisect/workplace.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::tools::bisect {
 

@@ -3,10 +3,10 @@
 #include <optional>
 #include <string>
 
-#include "replay/diff/compare.h"
 #include "replay/diff/difference_report.h"
 #include "tools/bisect/bisection.h"
 #include "tools/output/text.h"
+#include "tumble/replay/compare.h"
 
 namespace tumble::tools::bisect {
 

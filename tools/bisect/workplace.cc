@@ -11,7 +11,7 @@
 #include <system_error>
 #include <utility>
 
-#include "src/base/hash.h"
+#include "tumble/sim/hash.h"
 
 namespace tumble::tools::bisect {
 namespace {

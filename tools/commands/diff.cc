@@ -7,12 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "replay/diff/compare.h"
 #include "replay/diff/difference_report.h"
 #include "replay/diff/separation.h"
-#include "replay/log/log_reader.h"
 #include "src/base/text.h"
-#include "src/model/limits.h"
 #include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
@@ -25,6 +22,9 @@
 #include "tools/output/separation_plot.h"
 #include "tools/output/side_by_side.h"
 #include "tools/output/text.h"
+#include "tumble/replay/compare.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::tools {
 namespace {

@@ -8,15 +8,15 @@
 #include <string>
 #include <utility>
 
-#include "replay/log/log_reader.h"
 #include "replay/session/state_source.h"
-#include "src/base/ids.h"
-#include "src/model/limits.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/arguments/step_range.h"
 #include "tools/files/log_files.h"
 #include "tools/output/text.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/sim/ids.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::tools {
 namespace {

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "replay/import/import_csv.h"
-#include "replay/log/log_reader.h"
 #include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/files/log_files.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
+#include "tumble/replay/log_reader.h"
 
 namespace tumble::tools {
 namespace {

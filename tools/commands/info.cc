@@ -5,12 +5,12 @@
 #include <string>
 
 #include "replay/log/log_facts.h"
-#include "replay/log/log_reader.h"
 #include "replay/log/verify.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
+#include "tumble/replay/log_reader.h"
 
 namespace tumble::tools {
 namespace {

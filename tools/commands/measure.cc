@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "replay/log/log_reader.h"
 #include "replay/measure/measure_log.h"
 #include "replay/measure/metric_bound.h"
 #include "replay/measure/mirrored_pair.h"
@@ -19,6 +18,7 @@
 #include "tools/output/plot.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
+#include "tumble/replay/log_reader.h"
 
 namespace tumble::tools {
 namespace {

@@ -9,15 +9,10 @@
 #include <system_error>
 #include <vector>
 
-#include "replay/log/log_reader.h"
 #include "replay/log/session_clock.h"
 #include "replay/session/frame_clock.h"
-#include "replay/session/recorder.h"
-#include "src/model/limits.h"
 #include "src/process/interrupt.h"
 #include "src/scenes/problem.h"
-#include "src/scenes/scene_file.h"
-#include "src/threads/worker_threads.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/arguments/numbers.h"
@@ -27,6 +22,11 @@
 #include "tools/files/scene_files.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/replay/recorder.h"
+#include "tumble/scenes/scene_file.h"
+#include "tumble/sim/limits.h"
+#include "tumble/threads/worker_threads.h"
 
 namespace tumble::tools {
 namespace {

@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "replay/log/byte_io.h"
-#include "replay/log/log_reader.h"
 #include "replay/log/verify.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/output/text.h"
+#include "tumble/replay/byte_io.h"
+#include "tumble/replay/log_reader.h"
 
 namespace tumble::tools {
 namespace {

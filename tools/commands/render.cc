@@ -7,7 +7,6 @@
 #include <string>
 
 #include "src/process/interrupt.h"
-#include "src/render/picture/png.h"
 #include "tools/arguments/command.h"
 #include "tools/arguments/render_options.h"
 #include "tools/arguments/step_range.h"
@@ -15,6 +14,7 @@
 #include "tools/output/movie.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
+#include "tumble/render/png.h"
 
 namespace tumble::tools {
 namespace {

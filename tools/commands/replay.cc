@@ -8,10 +8,7 @@
 #include <vector>
 
 #include "replay/diff/difference_report.h"
-#include "replay/diff/replayer.h"
-#include "replay/log/log_reader.h"
 #include "src/process/interrupt.h"
-#include "src/threads/worker_threads.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/files/log_files.h"
@@ -19,6 +16,9 @@
 #include "tools/output/divergence_output.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/replay/replayer.h"
+#include "tumble/threads/worker_threads.h"
 
 namespace tumble::tools {
 namespace {

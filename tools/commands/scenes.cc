@@ -5,11 +5,11 @@
 #include <string>
 #include <variant>
 
-#include "src/scenes/scene_file.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/files/scene_files.h"
 #include "tools/output/text.h"
+#include "tumble/scenes/scene_file.h"
 
 namespace tumble::tools {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 #include <thread>
 
-#include "src/model/limits.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::tools {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "replay/session/frame_clock.h"
-#include "replay/session/recorder.h"
-#include "src/base/result.h"
+#include "tumble/replay/recorder.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::tools {
 

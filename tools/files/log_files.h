@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "replay/log/log_reader.h"
-#include "src/base/result.h"
 #include "tools/output/exit.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::tools {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "replay/diff/divergence.h"
 #include "tools/output/text.h"
+#include "tumble/replay/divergence.h"
 
 namespace tumble::tools {
 

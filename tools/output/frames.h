@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "replay/picture/picture_source.h"
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 /// The moments of a session that are drawn, and their pictures.
 namespace tumble::tools {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string>
 
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 /// Plots for `--plot`, drawn by gnuplot.
 namespace tumble::tools {

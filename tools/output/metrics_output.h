@@ -4,8 +4,8 @@
 #include <string>
 
 #include "replay/measure/measure.h"
-#include "src/base/result.h"
 #include "tools/output/text.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::tools {
 

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "src/base/result.h"
 #include "src/process/child_pipe.h"
-#include "src/render/picture/image.h"
+#include "tumble/render/image.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::tools {
 

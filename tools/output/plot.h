@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "replay/measure/measure.h"
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::tools {
 

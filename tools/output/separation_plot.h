@@ -3,7 +3,7 @@
 #include <string>
 
 #include "replay/diff/separation.h"
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::tools {
 

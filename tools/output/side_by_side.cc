@@ -6,14 +6,14 @@
 #include <span>
 #include <string>
 
-#include "replay/diff/divergence.h"
 #include "replay/diff/input_difference.h"
 #include "replay/diff/locate_divergence.h"
 #include "replay/diff/step_contacts.h"
-#include "replay/format/body_states.h"
 #include "replay/session/state_source.h"
 #include "tools/output/divergence_output.h"
 #include "tools/output/text.h"
+#include "tumble/replay/body_states.h"
+#include "tumble/replay/divergence.h"
 
 namespace tumble::tools {
 namespace {

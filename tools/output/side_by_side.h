@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-#include "replay/log/log_reader.h"
-#include "src/base/result.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/sim/result.h"
 
 /// `diff --step K`: one step of two logs side by side, phase by phase.
 namespace tumble::tools {

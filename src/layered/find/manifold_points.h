@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "src/kernels/box_pair.h"
-#include "src/world/manifold.h"
+#include "tumble/sim/manifold.h"
 
 namespace tumble::sim {
 

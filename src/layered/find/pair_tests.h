@@ -7,7 +7,7 @@
 #include "src/kernels/box_tests.h"
 #include "src/layered/find/find_near_pairs.h"
 #include "src/world/scratch.h"
-#include "src/world/world_state.h"
+#include "tumble/sim/world_state.h"
 
 namespace tumble::sim {
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "src/world/scratch.h"
-#include "src/world/world_state.h"
+#include "tumble/sim/world_state.h"
 
 namespace tumble::sim {
 

@@ -2,7 +2,7 @@
 
 #include "src/kernels/contact_kernels.h"
 #include "src/world/scratch.h"
-#include "src/world/world_state.h"
+#include "tumble/sim/world_state.h"
 
 namespace tumble::sim {
 

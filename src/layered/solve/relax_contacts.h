@@ -1,9 +1,9 @@
 #pragma once
 
-#include "src/base/hash.h"
-#include "src/base/result.h"
 #include "src/world/scratch.h"
-#include "src/world/world_state.h"
+#include "tumble/sim/hash.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/world_state.h"
 
 namespace tumble::sim {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "src/base/hash.h"
 #include "src/world/scratch.h"
-#include "src/world/world_state.h"
+#include "tumble/sim/hash.h"
+#include "tumble/sim/world_state.h"
 
 /// Hashes of the solver's memory, for the phases of method layered. Contacts are hashed as they lie in the batches,
 /// which are alike for every lane width; sleeping contacts are in no batch.

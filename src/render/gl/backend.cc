@@ -1,4 +1,4 @@
-#include "src/render/gl/backend.h"
+#include "tumble/render/backend.h"
 
 namespace tumble::render {
 

@@ -3,9 +3,9 @@
 #include <memory>
 #include <string>
 
-#include "src/base/result.h"
-#include "src/render/gl/backend.h"
 #include "src/render/gl/table.h"
+#include "tumble/render/backend.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::render {
 

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "src/base/result.h"
 #include "src/render/gl/table.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::render {
 

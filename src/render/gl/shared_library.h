@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::render {
 

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 /// The functions of OpenGL 3.3 core that the passes use. No GL library is linked; a context fills the table.
 #define TUMBLE_GL_FUNCTIONS(X)                                 \

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "src/base/result.h"
 #include "src/render/passes/depth.h"
-#include "src/render/passes/effects.h"
 #include "src/render/passes/shader_program.h"
 #include "src/render/scene/box_mesh.h"
 #include "src/render/scene/materials.h"
 #include "src/render/scene/view.h"
+#include "tumble/render/effects.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::render {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "src/base/result.h"
 #include "src/render/passes/shader_program.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::render {
 

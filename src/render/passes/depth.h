@@ -1,9 +1,9 @@
 #pragma once
 
-#include "src/base/result.h"
 #include "src/render/passes/shader_program.h"
 #include "src/render/scene/box_mesh.h"
 #include "src/render/scene/view.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::render {
 

@@ -1,4 +1,4 @@
-#include "src/render/passes/effects.h"
+#include "tumble/render/effects.h"
 
 #include <array>
 #include <utility>

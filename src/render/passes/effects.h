@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "src/base/result.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::render {
 

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "src/base/result.h"
 #include "src/render/gl/objects.h"
 #include "src/render/scene/view.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::render {
 

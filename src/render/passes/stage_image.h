@@ -1,8 +1,8 @@
 #pragma once
 
 #include "src/render/gl/objects.h"
-#include "src/render/picture/image.h"
 #include "src/render/scene/view.h"
+#include "tumble/render/image.h"
 
 /// Reads the result of a pass as an image for people. Waits until the pass is finished.
 namespace tumble::render {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "src/render/picture/image.h"
+#include "tumble/render/image.h"
 
 namespace tumble::render {
 

@@ -1,4 +1,4 @@
-#include "src/render/picture/png.h"
+#include "tumble/render/png.h"
 
 #include <png.h>
 

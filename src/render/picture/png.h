@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "src/base/result.h"
-#include "src/render/picture/image.h"
+#include "tumble/render/image.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::render {
 

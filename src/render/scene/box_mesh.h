@@ -3,10 +3,10 @@
 #include <span>
 #include <vector>
 
-#include "src/base/result.h"
 #include "src/render/gl/objects.h"
-#include "src/render/scene/snapshot.h"
 #include "src/render/scene/view.h"
+#include "tumble/render/snapshot.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::render {
 

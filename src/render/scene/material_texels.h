@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "src/model/scene.h"
+#include "tumble/sim/scene.h"
 
 /// Computes the textures of the materials. Reads no files and uses + − × ÷, sqrt and floor only, so that the texels are
 /// equal on all machines.

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "src/base/result.h"
 #include "src/render/gl/objects.h"
-#include "src/render/scene/snapshot.h"
+#include "tumble/render/snapshot.h"
+#include "tumble/sim/result.h"
 
 namespace tumble::render {
 

@@ -1,4 +1,4 @@
-#include "src/render/scene/snapshot.h"
+#include "tumble/render/snapshot.h"
 
 namespace tumble::render {
 namespace {

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "src/math/rotation.h"
-#include "src/math/vec.h"
-#include "src/model/scene.h"
+#include "tumble/sim/rotation.h"
+#include "tumble/sim/scene.h"
+#include "tumble/sim/vec.h"
 
 /// The content of a picture as plain data. The renderer reads nothing else of a simulation.
 namespace tumble::render {

@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "src/math/vec.h"
-#include "src/render/scene/snapshot.h"
+#include "tumble/render/snapshot.h"
+#include "tumble/sim/vec.h"
 
 /// The views of camera and light, computed in doubles. The simulation reads none of them.
 namespace tumble::render {

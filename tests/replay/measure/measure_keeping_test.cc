@@ -6,8 +6,8 @@
 #include "replay/measure/body_track.h"
 #include "replay/measure/measure.h"
 #include "replay/measure/reasonable_space.h"
-#include "src/step/step.h"
 #include "tests/support/hand_states.h"
+#include "tumble/sim/step.h"
 
 namespace tumble::replay {
 namespace {

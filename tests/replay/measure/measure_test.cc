@@ -10,8 +10,8 @@
 
 #include "replay/measure/measure_overlap.h"
 #include "replay/measure/measure_state.h"
-#include "src/math/rotation.h"
 #include "tests/support/hand_states.h"
+#include "tumble/sim/rotation.h"
 
 namespace tumble::replay {
 namespace {
