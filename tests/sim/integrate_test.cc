@@ -9,6 +9,7 @@
 
 #include "src/math/grid.h"
 #include "src/model/mass.h"
+#include "src/world/free_flight.h"
 #include "tests/support/sim_scenes.h"
 
 namespace tumble::test {

@@ -131,7 +131,7 @@ class Changer : public Observer {
  private:
   static Hash128 hash(const Phase& phase, const World& world) {
     Hasher hasher;
-    phase.hash(world, hasher);
+    phase.hash(world.state(), world.scratch(), hasher);
     return hasher.digest();
   }
 
