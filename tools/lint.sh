@@ -135,7 +135,6 @@ tidy() {
   done
   [[ $minutes =~ ^[0-9]+$ ]] || usage
   need clang-tidy
-  mkdir -p "$build"
   cache=${TUMBLE_LINT_CACHE:-${XDG_CACHE_HOME:-${HOME:-build}/.cache}/tumble/clang-tidy}
   mkdir -p "$cache"
   find "$cache" -type f -mtime +30 -delete
