@@ -58,7 +58,7 @@ struct PutFields {
   void operator()(field::At, const sim::Vec3& p) { encode(p, out.initAt()); }
 };
 
-/// The mirror of PutFields: the same lines, read.
+/// The inverse of PutFields: reads each field that PutFields writes.
 template <class Reader>
 struct GetFields {
   Reader in;

@@ -9,20 +9,21 @@
 
 namespace tumble::replay {
 
-/// A complete state with its hidden parts. A session can continue from it.
+/// A complete state with its hidden parts, from which a session can continue.
 struct Keyframe {
   sim::WorldState state;
   Hash128 continuation_hash;  ///< sim::continuation_hash of `state`, by the build that wrote the log
 };
 
-/// Consecutive steps, and the state before the first step and its inputs.
+/// Consecutive steps, and a keyframe: the state before the inputs of the first step are applied.
 struct Chunk {
   Keyframe keyframe;
   std::uint64_t first_step = 1;
   std::vector<StepRecord> steps;
 };
 
-/// The place and the content of a chunk record: one row of the index. The prelude of the chunk has the same values.
+/// The place and the content of a chunk record: one row of the index. The prelude of the chunk holds all
+/// these values but the offset.
 struct ChunkPlace {
   std::uint64_t offset = 0;      ///< of the record's prelude
   std::uint64_t length = 0;      ///< of the record, prelude included

@@ -11,15 +11,15 @@ inline constexpr std::uint64_t kChunkBytesMax = 1ULL << 30;  ///< any decoded me
 /// zstd compresses a block of 128 KiB to 4 bytes at best, so a frame that claims more is damaged.
 inline constexpr std::uint64_t kZstdExpansionMax = 32768;
 inline constexpr std::uint64_t kEasyBytes = 10 << 20;  ///< a chunk or an index up to this size may come from few bytes
-inline constexpr std::uint64_t kLargeExpansionMax = 256;  ///< a larger one is at most this many times its stored size
+inline constexpr std::uint64_t kLargeExpansionMax = 256;  ///< for a larger one: see message_bytes_max()
 /// The smallest window of zstd: blocks of 1 KiB, each stored in 4 bytes or more, so that no message exceeds
 /// kLargeExpansionMax.
 inline constexpr int kNarrowWindowLog = 10;
 inline constexpr std::uint64_t kHeaderEasyBytes = 4 << 20;  ///< a header up to this size may come from few bytes
-inline constexpr std::uint64_t kHeaderExpansionMax = 64;    ///< a larger header; its boxes and inputs all differ
+inline constexpr std::uint64_t kHeaderExpansionMax = 64;    ///< for a larger one: see header_bytes_max()
 inline constexpr std::uint64_t kOverridesMax = 1 << 16;     ///< in a header, a few bytes each
-inline constexpr std::uint64_t kBoxBytesMin = 192;   ///< bytes of a message per box of its scene; a list may claim more
-inline constexpr std::uint64_t kInputBytesMin = 48;  ///< bytes of a message per input
+inline constexpr std::uint64_t kBoxBytesMin = 192;   ///< bytes of a message per box, at least; a list may claim more
+inline constexpr std::uint64_t kInputBytesMin = 48;  ///< bytes of a message per input, at least
 
 // When the writer closes a chunk. Frozen bodies take almost no space, so chunks at rest may have more steps and need
 // fewer keyframes. Both limits bound the time to reach a step inside a chunk.
@@ -38,25 +38,27 @@ inline constexpr std::uint64_t kPairsMax = 1ULL << 28;
 inline constexpr std::uint64_t kChunksMax = 1 << 22;
 inline constexpr std::uint64_t kRowMovesMax = 1ULL << 32;  ///< rows that the throws and removes of a chunk may move
 inline constexpr std::uint64_t kSalvageWork = 8;  ///< recovery reads at most this many times the size of the file
-inline constexpr std::uint64_t kScrapBytesMax =
-    1ULL << 28;  ///< the longest run of damaged bytes that is searched for frames
+/// The longest run of damaged bytes that recovery searches for frames.
+inline constexpr std::uint64_t kScrapBytesMax = 1ULL << 28;
 
 // The most bytes that a stored message may decompress to, so that a small file cannot fill the memory. A program that
-// steps a message of 10 MiB needs less than 256 MB (tests/trial/hostile_memory.cc).
+// reads a message of 10 MiB and steps its scene needs less than 256 MB (tests/trial/hostile_memory.cc).
 constexpr std::uint64_t expanded_max(std::uint64_t bytes, std::uint64_t times, std::uint64_t easy) {
   const std::uint64_t packed = bytes < kChunkBytesMax ? bytes * times : kChunkBytesMax;
   const std::uint64_t larger = easy > packed ? easy : packed;
   return larger < kChunkBytesMax ? larger : kChunkBytesMax;
 }
 
-/// The most bytes of a header message. Real headers compress to a thirtieth at best, because ids and places differ.
+/// The most bytes of a header message: kHeaderExpansionMax times the stored bytes, or kHeaderEasyBytes if that
+/// is more. Real headers compress to a thirtieth at best, because ids and places differ.
 constexpr std::uint64_t header_bytes_max(std::uint64_t stored_bytes) {
   return expanded_max(stored_bytes, kHeaderExpansionMax, kHeaderEasyBytes);
 }
 
-/// The most bytes of a chunk or index message whose record ends at byte `end_byte` of the file. All bytes before count,
-/// because bodies in regular rows compress to almost nothing in a chunk, while the header or an earlier input holds
-/// each of them. RecordWriter compresses a message less where it would exceed this limit.
+/// The most bytes of a chunk or index message whose record ends at byte `end_byte` of the file: kLargeExpansionMax
+/// times end_byte, or kEasyBytes if that is more. All bytes before count, because bodies in regular rows compress to
+/// almost nothing in a chunk, while the header or an earlier input holds each of them. RecordWriter compresses a
+/// message less where it would exceed this limit.
 constexpr std::uint64_t message_bytes_max(std::uint64_t end_byte) {
   return expanded_max(end_byte, kLargeExpansionMax, kEasyBytes);
 }

@@ -47,9 +47,11 @@ struct GoesOn {
   friend bool operator==(const GoesOn&, const GoesOn&) = default;
 };
 
-/// The physics engine whose steps a log holds (engine_log.h).
+/// Bits of the significand of a number.
 inline constexpr std::uint32_t kBinary32Bits = 24;
 inline constexpr std::uint32_t kBinary64Bits = 53;
+
+/// The physics engine whose steps a log holds (engine_log.h).
 struct EngineName {
   std::string name;                              ///< not empty
   std::string version;                           ///< empty if unknown
@@ -78,8 +80,8 @@ std::uint64_t step_after(std::uint64_t end, const std::vector<MissingSteps>& mis
 /// The losses of a log that was recovered from a damaged one.
 struct Recovered {
   std::string log;  ///< path of the damaged log, as the user gave it
-  bool header_lost =
-      false;  ///< the header was rebuilt from the first keyframe, without names, looks, camera and scene text
+  /// The header was rebuilt from the first keyframe, without names, looks, camera and scene text.
+  bool header_lost = false;
   std::vector<MissingSteps> missing;  ///< ascending; chunks stand before and after each run
   friend bool operator==(const Recovered&, const Recovered&) = default;
 };
@@ -95,7 +97,7 @@ struct LogHeader {
   std::string float_format = "binary64, little-endian";
   std::vector<std::string> phases;       ///< names, in the order in which the phases run
   std::uint32_t phase_rows_max = 0;      ///< sim::PhaseHashes::kRowsMax of the writer
-  std::uint32_t phase_hash_version = 1;  ///< sim::PhaseHashes::kVersion of the writer; 1 for another engine's
+  std::uint32_t phase_hash_version = 1;  ///< sim::PhaseHashes::kVersion of the writer; 1 in another engine's log
   sim::SceneDef scene;                   ///< resolved; of a continued session: at its first state
   std::string scene_text;                ///< the TOML file, byte for byte; empty without one
   std::vector<std::string> overrides;    ///< "world.dt=0.01", in order

@@ -8,7 +8,7 @@
 
 #include "tumble/sim/result.h"
 
-/// The destination and the origin of a log's bytes: files in the program, memory and planted faults in tests.
+/// The destination and the origin of a log's bytes: files, memory (byte_memory.h), and planted faults in tests.
 namespace tumble::replay {
 
 /// A destination that bytes are appended to.
@@ -37,8 +37,8 @@ class ByteSource {
 
   [[nodiscard]] virtual std::uint64_t size() const = 0;
 
-  /// Fills `bytes` with the bytes from `offset` on. Errors. kDamaged: the source ends before, as a file does that
-  /// shrinks while it is read. kCannotFinish: the system cannot read.
+  /// Fills `bytes` with the bytes from `offset` on. Errors. kDamaged: the source ends before the last of them, as
+  /// a file does that shrinks while it is read. kCannotFinish: the system cannot read.
   virtual Status read(std::uint64_t offset, std::span<std::byte> bytes) const = 0;
 
   /// For messages: the path.

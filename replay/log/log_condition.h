@@ -30,7 +30,8 @@ struct LogCondition {
   /// Sound, and no step is missing.
   [[nodiscard]] bool whole() const { return sound() && missing.empty(); }
 
-  /// One line for people: "whole", "torn at byte 8123 …", "2 records damaged, the first …". last_step: of the reader.
+  /// One line for people: "whole", "torn at byte 8123 …", "2 records damaged, the first …". last_step: as
+  /// LogReader::last_step() returns it.
   [[nodiscard]] std::string summary(std::uint64_t last_step) const;
 };
 

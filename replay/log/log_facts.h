@@ -26,7 +26,7 @@ struct LogFacts {
   [[nodiscard]] std::optional<double> bytes_per_moving_body_step(std::uint64_t file_bytes) const;
 };
 
-/// Reads a log from end to end and leaves out steps that cannot be read. verify() names those.
+/// Reads a log from end to end and leaves out the steps that cannot be read; verify() names the damage.
 LogFacts collect_facts(LogReader& log, const Progress& progress = {});
 
 }  // namespace tumble::replay

@@ -61,8 +61,8 @@ class LogReader {
   /// Step k with inputs, hashes and counters only, at a fraction of the cost of read_step(). `states` is unspecified.
   Result<const StepRecord*> read_hashes(std::uint64_t k);
 
-  /// The latest complete state at or before state k: its state.step <= k. To reach state k, pass it to
-  /// World::restore(), then apply the inputs of steps state.step + 1 … k and step.
+  /// The latest complete state at or before state k: its state.step <= k. To reach state k, pass
+  /// Keyframe::state to World::restore(), then take each of the steps state.step + 1 … k after applying its inputs.
   ///
   /// The pointer is valid until the next call of a non-const member. Errors: as read_step().
   Result<const Keyframe*> keyframe_at_or_before(std::uint64_t k);

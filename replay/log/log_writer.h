@@ -39,12 +39,13 @@ struct StepInfo {
 /// - after kChunkBusySteps steps in which all bodies move; resting bodies count nothing, up to kChunkStepsMax steps
 /// - at kChunkStateBytes of states
 /// - in the first append() that comes a second or more after the chunk was begun
+///
 /// A crash of the process loses the chunks that are not in the file yet. Call flush() before a pause.
 ///
 /// Not for use by two threads at once.
 class LogWriter {
  public:
-  /// Creates the log and writes its header. header: as header_for() makes it. initial: state 0, or the state that
+  /// Creates the log and writes its header. header: made by header_for(). initial: state 0, or the state that
   /// LogHeader::goes_on names. Errors. kBadInput: open_file_sink() refuses the path. kCannotFinish: writing fails.
   static Result<std::unique_ptr<LogWriter>> create(const std::string& path, const LogHeader& header,
                                                    const sim::WorldState& initial);

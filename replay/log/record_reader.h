@@ -27,7 +27,7 @@ struct ChunkRules {
   std::size_t phase_count = 0;  ///< each row of phase words has this length; 0: any length
 };
 
-/// Reads single records and checks each against its prelude: the mirror of RecordWriter. LogReader and scan_records()
+/// Reads single records and checks each against its prelude: the inverse of RecordWriter. LogReader and scan_records()
 /// check the order of the records, by the index and by the preludes.
 ///
 /// Errors name path, record and byte. kDamaged: the bytes changed after they were written. kBadInput: the file is no

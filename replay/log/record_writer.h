@@ -14,8 +14,8 @@
 
 namespace tumble::replay {
 
-/// Writes the records of a log, one after the other, into a sink: the mirror of RecordReader. Computes preludes, chain,
-/// index and footer. LogWriter calls it from its writing thread.
+/// Writes the records of a log, one after the other, into a sink: the inverse of RecordReader. Computes preludes,
+/// chain, index and footer. LogWriter calls it from its writing thread.
 ///
 /// Errors (kCannotFinish): writing fails. The sink is then cut back to the last complete record, and every further call
 /// returns the same error.
@@ -30,8 +30,8 @@ class RecordWriter {
   /// step must have states. The first step follows the last step of the chunk before.
   Status write_chunk(Keyframe& keyframe, std::span<StepRecord> steps);
 
-  /// Copies a record of another log. Its stored bytes stay; number and tag of the record change. A chunk that is too
-  /// small for its content at the new place (message_bytes_max()) is compressed again. before: the prelude of the
+  /// Copies a record of another log: keeps the stored bytes, and changes number and tag. Compresses a chunk again where
+  /// its message would exceed message_bytes_max() at the new place. before: the prelude of the
   /// record in the other log. final_hash: state hash after the last step of the chunk. Steps may be missing before a
   /// chunk.
   Status copy_header(const Prelude& before, std::span<const std::byte> stored);
@@ -52,7 +52,8 @@ class RecordWriter {
     return chunks_.empty() ? first_state_ + 1 : chunks_.back().end_step();
   }
   Status write_record(Prelude& prelude, const MessageBytes& message);
-  /// Compresses into stored_ with a small window, for a message that is smaller than readers accept.
+  /// Compresses into stored_ with a small window, for a message that the default compresses to fewer bytes than readers
+  /// accept (message_bytes_max()).
   Status pack_worse(Prelude& prelude, std::span<const std::byte> message);
   Status write_stored(Prelude& prelude, std::span<const std::byte> stored);
   Status write_all(std::span<const std::byte> bytes);

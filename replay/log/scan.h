@@ -14,7 +14,7 @@ namespace tumble::replay {
 
 /// The records of a log, found by following the preludes instead of the index.
 struct Scan {
-  std::vector<ChunkPlace> chunks;  ///< of full length; their bytes are not hashed yet
+  std::vector<ChunkPlace> chunks;  ///< the file holds all their bytes, which are not hashed yet
   std::optional<ChunkPlace> index;
   std::optional<Footer> footer;
   std::uint64_t footer_offset = 0;

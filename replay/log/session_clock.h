@@ -19,9 +19,9 @@ class SessionClock {
   [[nodiscard]] double now() const { return begin_ + static_cast<double>(steps_) * dt_; }
 
  private:
-  double dt_ = 0;            // of the current run of equal steps
-  double begin_ = 0;         // of that run
-  std::uint64_t steps_ = 0;  // in it
+  double dt_ = 0;            // s, each step of the current run of equal steps
+  double begin_ = 0;         // s, time at which that run began
+  std::uint64_t steps_ = 0;  // taken in that run
 };
 
 }  // namespace tumble::replay

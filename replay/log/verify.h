@@ -15,9 +15,8 @@ struct VerifyReport {
 /// Reads every byte of a log and checks:
 /// - the stored hash of each record, the chain, and that no step is missing
 /// - states against their state hashes
-/// - each keyframe against the step before it, and against its continuation hash if this build has the method version
-/// of
-///   the log
+/// - each keyframe against the step before it, and against its continuation hash if this build has the log's method
+///   version
 /// - the index against the file, the footer, and that no byte lies outside a record
 VerifyReport verify(LogReader& log);
 

@@ -49,8 +49,7 @@ bool is_final(const Error& error) { return error.kind != ErrorKind::kDamaged; }
 /// 2. zstd frames between the records (salvage_frames.h). A frame has its own checksum, so a chunk survives the loss of
 ///    its prelude; what only the prelude held, the chain, is computed again from the chunk before.
 /// 3. The header decides which session is saved: a file may hold parts of several. Chunks of a session name their
-/// header
-///    by its tag, so the header with the most steps behind it wins.
+///    header by its tag, so the header with the most steps behind it wins.
 /// 4. choose_chunks() takes the set of candidates with the most steps that fits together.
 class Salvager {
  public:

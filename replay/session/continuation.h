@@ -10,18 +10,18 @@
 
 namespace tumble::replay {
 
-/// How a new session continues another one from one of its states.
+/// Options for a session that continues another one from one of its states.
 struct GoOnOptions {
   StatesMode states;
-  std::optional<std::uint64_t> steps = std::nullopt;  ///< to plan after that state; none: to the other's planned end
-  std::optional<double> seconds = std::nullopt;       ///< likewise, in s of the dt in force at that state
+  std::optional<std::uint64_t> steps = std::nullopt;  ///< planned after that state; none: up to the other's planned end
+  std::optional<double> seconds = std::nullopt;       ///< `steps` given as s, at the dt in force at that state
   bool keep_inputs = true;  ///< apply the inputs that the other log and its scene have after that state
 };
 
 /// The start of a session that continues another one.
 struct Continuation {
   LogHeader header;       ///< of the new log; its scene has the bodies of `state` and the inputs still to come
-  sim::WorldState state;  ///< of the old log, to the bit
+  sim::WorldState state;  ///< the state of the other log, to the bit
 };
 
 /// Reads state k of a log and makes the header of a log that continues from it. Errors: Recorder::go_on's.

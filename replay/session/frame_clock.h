@@ -15,13 +15,13 @@ struct Frames {
   double longest_s = 0;       ///< the longest time that a frame took to compute
 };
 
-/// Turns time on a clock into steps, as the thesis's demonstration does. A frame is due every period, and its step is
-/// the time since the frame before began. A slow frame makes the next step longer, and a longer step may be slower
-/// still. Steps therefore have a bound, at which the session falls behind the clock. The caller reads the clock and
-/// passes the times, s, from any origin.
+/// Turns time on a clock into steps, as the thesis's demonstration does. A frame is due every period. Its step is the
+/// time from the start of the frame before to its own start. A slow frame makes the next step longer, and a longer
+/// step may take longer to compute. Steps therefore have a longest length; beyond it the session falls behind the
+/// clock. The caller reads the clock and passes the times, s, from any origin.
 class FrameClock {
  public:
-  /// Begins the first frame. period_s and longest_step_s must be positive.
+  /// The first frame is due at now_s. period_s and longest_step_s must be positive.
   FrameClock(double period_s, double longest_step_s, double now_s)
       : period_(period_s), longest_step_(longest_step_s), due_(now_s), began_(now_s - period_s) {
     SIM_CHECK(period_s > 0 && longest_step_s > 0, period_s, longest_step_s);
@@ -30,7 +30,7 @@ class FrameClock {
   /// The time at which the next frame is due. The caller waits until then.
   [[nodiscard]] double due() const { return due_; }
 
-  /// Begins a frame. Returns its step, s.
+  /// Begins a frame. Returns its step, s: at least half a period, at most the longest step.
   double begin(double now_s) {
     const double passed = now_s - began_;
     if (passed > longest_step_) ++frames_.bounded;

@@ -12,7 +12,8 @@
 
 namespace tumble::replay {
 
-/// Errors (kBadInput): another engine wrote the log; this build cannot compute its steps.
+/// Success for a log that this project wrote. Errors (kBadInput): another engine wrote the log, so this build cannot
+/// compute the steps.
 Status must_be_ours(const LogReader& log);
 
 /// Steps this build's physics with the inputs of a log, from one of its keyframes on.

@@ -29,18 +29,18 @@ struct RecordOptions {
 /// Runs a session and writes its log, one step at a time.
 class Recorder {
  public:
-  /// Makes the world (state 0) and begins the log. No file is touched before the world stands. Errors:
+  /// Makes the world (state 0) and begins the log. Creates the file only after the world. Errors:
   /// Session::start's, LogWriter::create's.
   static Result<std::unique_ptr<Recorder>> start(const std::string& path, const sim::SceneDef& scene,
                                                  const RecordOptions& options);
   static Result<std::unique_ptr<Recorder>> start(std::unique_ptr<ByteSink> sink, const sim::SceneDef& scene,
                                                  const RecordOptions& options);
 
-  /// Begins a log that continues from state k of another log, to the bit as if that session had not stopped. Steps are
-  /// counted on from k. Inputs that the other log has after k are applied again, then those of its scene that it did
-  /// not reach, unless options.keep_inputs is false. scene() is the scene in the new header. Errors: the log's; a k
-  /// that the log does not have; a log of another method version, or a state k that this build computes differently
-  /// (kCannotFinish).
+  /// Begins a log that continues from state k of another log, to the bit as if that session had not stopped. Counts
+  /// steps on from k. Applies again the inputs that the other log has after k, then the inputs of its scene that the
+  /// other session did not reach; neither if options.keep_inputs is false. scene() is the scene in the new header.
+  /// Errors: the log's; a k that the log does not have; a log of another method version, or a state k that this build
+  /// computes differently (kCannotFinish).
   static Result<std::unique_ptr<Recorder>> go_on(const std::string& path, LogReader& from, std::uint64_t k,
                                                  const GoOnOptions& options);
   static Result<std::unique_ptr<Recorder>> go_on(std::unique_ptr<ByteSink> sink, LogReader& from, std::uint64_t k,

@@ -20,7 +20,7 @@ struct TakenStep {
 };
 
 /// A running session: a scene, its world, and the scene's input that comes next. Every program that steps a scene with
-/// inputs does it here, so all of them apply inputs at one time and in one order.
+/// inputs uses this class, so all of them apply inputs at the same time and in the same order.
 class Session {
  public:
   /// Begins with state 0 of the scene. Errors: create_world's.
@@ -49,7 +49,7 @@ class Session {
 
   sim::SceneDef scene_;
   sim::World world_;
-  std::size_t next_input_ = 0;         // of scene_.inputs
+  std::size_t next_input_ = 0;         // index in scene_.inputs
   std::vector<sim::Command> applied_;  // before the current step; a member to keep its memory
 };
 

@@ -10,8 +10,8 @@
 
 namespace tumble::replay {
 
-/// Reads every state of a log, including those that the log does not hold (`--states every:N` and `hashes`). A missing
-/// state is simulated again from the keyframe before; its hash must be the log's. Quick where steps are read in
+/// Reads every state of a log, including those that the log does not hold (`--states every:N` and `hashes`). Simulates
+/// a missing state again from the keyframe before, and compares its hash with the log's. Quick where steps are read in
 /// ascending order.
 class StateSource {
  public:

@@ -12,7 +12,7 @@ namespace tumble {
 /// The shortest decimal that reads back to the same double, with an exponent where that is shorter: "1e-07".
 std::string exact(double value);
 
-/// The same without an exponent from 1e-5 to 1e9, as a person writes it: "0.00001".
+/// As exact(), but without an exponent from 1e-5 to 1e9, as a person writes numbers: "0.00001".
 std::string number_text(double value);
 
 /// `digits` decimals: fixed(2.5, 3) is "2.500".
@@ -28,7 +28,7 @@ std::string bytes_text(std::uint64_t bytes);               ///< "812 bytes", "4.
 std::string count_text(std::uint64_t n, const char* one);  ///< "1 body", "222 bodies", "12 steps"
 std::string seconds_text(double seconds);                  ///< "5.00 s", "12 ms"
 
-/// "found X, wanted Y", the heart of every error message.
+/// "found X, wanted Y", a part of every error message about a value.
 std::string found_wanted(std::string_view found, std::string_view wanted);
 
 /// Control characters as '?': text from a file must not drive the terminal.

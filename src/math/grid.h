@@ -15,8 +15,8 @@ namespace tumble::sim {
 /// round(x) adds the magic number 1.5·2⁵²·step and subtracts it again. Doubles near the magic number lie exactly one
 /// step apart, so the addition itself rounds x to a multiple of the step, to nearest even, and the subtraction is
 /// exact. The factor 1.5 keeps x + magic between 2⁵² and 2⁵³ steps for either sign of x, which makes round(−x) =
-/// −round(x); mirror symmetry needs that. Precondition: |x| < 2⁵¹ steps. Source: ExtractScalar of Rump, Ogita and Oishi
-/// (2008), Accurate floating-point summation; sums that no order changes
+/// −round(x); mirror symmetry needs that. Precondition: |x| < 2⁵¹ steps.
+/// Source: ExtractScalar of Rump, Ogita and Oishi (2008), Accurate floating-point summation; sums that no order changes
 ///         as in Demmel and Nguyen (2013), Fast reproducible floating-point summation.
 template <int kExponent>
 struct Grid {

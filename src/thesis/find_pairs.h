@@ -10,8 +10,7 @@ namespace tumble::sim {
 /// Broad phase: fills the Active Collision List with the pairs whose AABBs overlap on all three axes (touching counts).
 /// Reads:  position, orientation, half_extent; velocity, frozen (for time alone)
 /// Writes: frames, aabb_low, aabb_high; pairs, ascending by (a, b). A pair that was in the list keeps its planes; a
-/// pair
-///         that leaves the list loses its planes.
+///         pair that leaves the list loses its planes.
 /// Order:  the list is a set; no choice of axis changes it
 /// Source: thesis III.A.1, dynamically sized AABBs, sorted along x, y and z independently. Differs: only the axis with
 ///         the fewest overlaps is kept sorted and swept; the other two are compared directly. While the list of

@@ -2,8 +2,7 @@
 // lane width that the build and the machine have, and all split over threads: 3 all the way, 2, 4, 7 and 16 for the
 // last steps, as an emulator takes long to wake so many so often. Needs only the simulation and the scene reader, so
 // that it builds for machines on which the log's libraries are not installed (tools/scripts/checks/determinism.sh).
-// Usage: determinism
-// [--one-lane] SCENE.toml:STEPS...   --one-lane: compare nothing
+// Usage: determinism [--one-lane] SCENE.toml:STEPS...   --one-lane: compare nothing
 #include <algorithm>
 #include <charconv>
 #include <cstdint>

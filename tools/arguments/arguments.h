@@ -29,7 +29,7 @@ class Argument {
   CLI::Option* option_;
 };
 
-/// What came of reading a command line.
+/// The outcome of reading a command line.
 struct Reading {
   enum class Kind { kRun, kHelp, kWrong };
   Kind kind = Kind::kRun;
@@ -72,7 +72,7 @@ class Arguments {
   Argument json(bool& target);                             ///< --json
   Argument threads(std::optional<std::uint64_t>& target);  ///< --threads, 1 … 256; results do not depend on it
 
-  /// What help says after the list of arguments: examples, exit statuses.
+  /// Sets the text that help prints after the list of arguments: examples, exit statuses.
   void footer(const std::string& text);
 
   /// words: those after the command's name, in their order. May be called once.

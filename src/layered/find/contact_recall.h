@@ -7,8 +7,9 @@
 
 namespace tumble::sim {
 
-/// Reads the contact memory pair by pair. Memory and pairs have one order, so a cursor advances with the calls: ask in
-/// ascending order of (lower row, higher row), kGround last. The memory must outlive the object and must not change.
+/// Reads the contact memory pair by pair. Memory and pairs have the same order, and each call continues where the call
+/// before ended: call in ascending order of (lower row, higher row), kGround last. The memory must outlive the object
+/// and must not change.
 class ContactRecall {
  public:
   /// Starts at the pairs whose lower row is `first` or higher.

@@ -13,12 +13,12 @@ namespace tumble::sim {
 Status find_near_pairs(WorldState& state, Scratch& scratch, double dt_s);
 void hash_find_near_pairs(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
-/// The slack: points that may come this close within a step become contact points. m; and a part of the smallest half
-/// extent, if that is less.
+/// The slack: points that may come this close within a step become contact points. The slack is kContactSlack (m), or
+/// kContactSlackPart of the smallest half extent of the two boxes where that is less.
 inline constexpr double kContactSlack = 0.01;
 inline constexpr double kContactSlackPart = 0.05;
 
-/// The way that gravity may add to a body's motion within the step, m.
+/// The distance that gravity may add to a body's motion within dt_s, m.
 double falling_reach(const WorldDef& def, double dt_s);
 
 }  // namespace tumble::sim

@@ -7,12 +7,12 @@
 
 namespace tumble::sim {
 
-/// Two boxes as seen from the reference, whose face or edge the manifold is built on.
+/// Two boxes of a manifold. The manifold is built on a face or an edge of the reference box.
 struct ManifoldSide {
   const BoxFrame* reference;
   const BoxFrame* incident;
   Vec3 d;                       ///< m, from the reference's centre to the incident's
-  bool reference_is_lower_row;  ///< the names of features depend on it
+  bool reference_is_lower_row;  ///< decides the names of features
   double margin;                ///< m; points farther apart are left out
 };
 

@@ -25,18 +25,19 @@ inline constexpr double kFacePreference = 0.001;  ///< for a face of the other b
 struct TestedPair {
   BestAxes face_a, face_b, edge;
   Vec3 offset;   ///< x_b − x_a, m, at the meeting
-  double later;  ///< s until the meeting; 0 unless the pair is fast for its thickness
+  double later;  ///< s until the meeting; 0 unless the boxes are fast for their thickness
 };
 
 /// Runs the box test over the pairs of a step in ascending order, many at a time in lanes (src/kernels/box_tests.h).
 /// State and scratch must outlive the object and must not change.
 class PairTests {
  public:
-  /// For the pairs [first, last).
+  /// Tests the pairs [first, last) of the state.
   PairTests(const WorldState& state, const Scratch& scratch, double dt_s, std::size_t first, std::size_t last);
 
   /// The result for the next pair with a body that moves; valid until the next call. Null where the boxes are so far
-  /// apart along a face that no contact point would be kept, on whichever axis. Precondition: such a pair is left.
+  /// apart along a face normal that no axis would keep a contact point. Precondition: a pair with a body that moves is
+  /// left.
   const TestedPair* next();
 
  private:

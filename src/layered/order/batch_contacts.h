@@ -5,8 +5,8 @@
 
 namespace tumble::sim {
 
-/// Copies the awake manifolds into batches, layer by layer, and lists for each layer the outcomes of each body. The
-/// choice of manifolds that share a batch changes nothing but time.
+/// Copies the awake manifolds into batches, layer by layer, and lists, for each layer and body, the outcomes
+/// that the body gets. The choice of manifolds that share a batch changes nothing but time.
 void batch_contacts(WorldState& state, Scratch& scratch);
 
 }  // namespace tumble::sim

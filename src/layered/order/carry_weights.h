@@ -7,17 +7,18 @@
 
 namespace tumble::sim {
 
-/// Passes the weight of every body down to the bodies that support it. The result serves two ends. First, a new contact
-/// starts from the impulse that carries its share of the weight, so that a stack stands from the first step on;
-/// otherwise the stack sags until the sweeps have found that impulse. Second, a light body that carries a heavy one
-/// gets the heavy one's inertia (never its weight) in the solver, since the number of sweeps until an impulse has
-/// passed a contact is about the ratio of the two masses. Reads:  mass, velocity, spin, position; gravity; layered,
-/// manifolds and their points Writes: solver_mass; load of points; impulses of resting manifolds that have none Order:
-/// sums of shares are of grid doubles, the rest are maxima Source: the thesis's "impact passed through the stack" (VI),
-/// as a start for the sweeps instead of a substitute for
+/// Passes the weight of every body down to the bodies that support it. The phases use the result twice:
+/// - A new contact starts from the impulse that carries its share of the weight, so that a stack stands from the first
+///   step on. Otherwise the stack sags until the sweeps have found that impulse.
+/// - A light body that carries a heavy one gets the heavy one's inertia (never its weight) in the solver, since the
+///   number of sweeps until an impulse has passed a contact is about the ratio of the two masses.
+/// Reads:  mass, velocity, spin, position; gravity; layered, manifolds and their points
+/// Writes: solver_mass; load of points; impulses of resting manifolds that have none
+/// Order:  sums of shares are of grid doubles, the rest are maxima
+/// Source: the thesis's "impact passed through the stack" (VI), as a start for the sweeps instead of a substitute for
 ///         them.
 /// Limits: loads follow lever arms only where gravity points along z; otherwise they are even. Bodies that rest on each
-/// other in a ring pass nothing on, nor do the bodies below the ring.
+///         other in a ring pass nothing on, nor do the bodies below the ring.
 Status carry_weights(WorldState& state, Scratch& scratch, double dt_s);
 void hash_carry_weights(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 

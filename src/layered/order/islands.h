@@ -8,12 +8,12 @@
 namespace tumble::sim {
 
 /// Islands: the partition of bodies into sets that contacts connect (union-find with path halving, Tarjan and van
-/// Leeuwen 1984). Which
-/// member stands for a set depends on the order of joining, and no result may depend on it; which bodies share a set
-/// does not.
+/// Leeuwen 1984). The member that stands for a set depends on the order of joining, so no result may depend on that
+/// member. The sets themselves do not depend on the order.
 class Islands {
  public:
-  /// Starts with one set for every body. `links` is the memory: it must outlive the object and serves one at a time.
+  /// Starts with one set for every body. `links` is the memory of the sets. It must outlive the object; two objects
+  /// must not use the same links at a time.
   Islands(std::vector<BodyIndex>& links, std::size_t bodies);
   /// Joins the sets of two bodies.
   void join(BodyIndex a, BodyIndex b);

@@ -6,7 +6,7 @@
 
 namespace tumble::sim {
 
-/// Marks the batches in which a point met fast enough to bounce. Reads the approaches.
+/// Marks the batches in which a point met fast enough to bounce. Reads each point's `approach`.
 void mark_bounces(const ContactWork& work);
 
 /// Copies impulses, friction and separations from the batches back to manifolds and points.

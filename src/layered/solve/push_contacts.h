@@ -8,8 +8,9 @@
 namespace tumble::sim {
 
 /// The main sweeps of a substep: finds the impulses with which contacts hold or slide, and pushes overlaps apart a
-/// little. Reads and writes: impulses in contact_batches; solver_bodies' velocity and spin Order:  sweeps go down and
-/// up the levels in turn
+/// little.
+/// Reads and writes: impulses in contact_batches; solver_bodies' velocity and spin
+/// Order:  sweeps go down and up the levels in turn
 Status push_contacts(WorldState& state, Scratch& scratch, double substep_s);
 void hash_push_contacts(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 

@@ -8,7 +8,7 @@
 /// which are alike for every lane width; sleeping contacts are in no batch.
 namespace tumble::sim {
 
-/// Adds everything that prepare_manifolds computes, and of the fields that it copies points, friction and restitution.
+/// Adds every field that prepare_manifolds computes, and three that it copies: points, friction and restitution.
 void hash_prepared(const Scratch& scratch, Hasher& hasher);
 
 /// Adds the solver's bodies: velocities, masses and inertias.
@@ -17,8 +17,8 @@ void hash_solver_bodies(const Scratch& scratch, Hasher& hasher);
 /// Adds the results of a sweep: impulses and the velocities of the solver's bodies.
 void hash_solution(const Scratch& scratch, Hasher& hasher);
 
-/// Adds the separations of points, and the solver's bodies if any has different moments of inertia: its spin changes as
-/// it turns.
+/// Adds the separations of points, and the solver's bodies if any of them has different moments of inertia: the spin of
+/// such a body changes while the body turns.
 void hash_moved(const Bodies& bodies, const Scratch& scratch, Hasher& hasher);
 
 }  // namespace tumble::sim

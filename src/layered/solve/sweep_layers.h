@@ -9,9 +9,9 @@ namespace tumble::sim {
 /// The direction of a sweep through the layers: kUp starts at the ground.
 enum class Direction { kUp, kDown };
 
-/// Solves all layers as often as their group says (once for restitution), in turn in direction `first` and opposite to
-/// it. The manifolds of a layer read the velocities from before the layer, and their outcomes are added up as grid
-/// doubles, so the order within a layer does not show.
+/// Solves all layers as often as their group says (once for restitution). The first sweep goes in direction `first`,
+/// the next in the opposite direction, and so on. The manifolds of a layer read the velocities from before the layer,
+/// and the layer adds up their outcomes as grid doubles, so the result does not depend on the order within a layer.
 void sweep_layers(Scratch& scratch, Sweep sweep, Direction first, double substep_s);
 
 /// Applies the impulses that the contacts already have.
