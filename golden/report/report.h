@@ -17,6 +17,5 @@ Status write_reports(const SuiteResult& result, const std::filesystem::path& fol
                      const std::filesystem::path& junit);
 
 /// "3 of 45 cases failed: exact 2, behaviour 1" or "45 cases passed".
-std::string headline(const SuiteResult& result);
 
 }  // namespace tumble::golden

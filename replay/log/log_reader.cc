@@ -215,10 +215,6 @@ Result<LogReader> LogReader::open(std::unique_ptr<ByteSource> source) {
   if (!header.ok()) return header.error();
   state->header = *std::move(header);
   state->find_chunks();
-  const std::vector<ChunkPlace>& chunks = state->chunks;
-  for (std::size_t i = 1; i < chunks.size(); ++i) {
-    SIM_CHECK(chunks[i].first_step >= chunks[i - 1].end_step(), i, chunks[i].first_step, chunks[i - 1].end_step());
-  }
   return LogReader(std::move(state));
 }
 

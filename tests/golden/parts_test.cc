@@ -2,12 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <pugixml.hpp>
 
 #include "golden/canaries/canaries.h"
 #include "golden/expected/expected_file.h"
+#include "golden/report/junit.h"
 #include "golden/report/report.h"
-#include "golden/run/run_case.h"
+#include "golden/run/run_session.h"
 #include "golden/suite/scene_hash.h"
 #include "src/base/rng.h"
 #include "tests/support/golden_suite.h"

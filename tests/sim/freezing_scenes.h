@@ -61,4 +61,14 @@ inline bool is_frozen_after(World& world, int updates, const std::vector<Touch>&
   return world.bodies().frozen[0] != 0;
 }
 
+// The contact objects of a body.
+inline std::vector<BodyIndex> objects_of(const World& world, BodyIndex body) {
+  std::vector<BodyIndex> objects;
+  const ContactObjects& all = world.state().contact_objects;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (all.body[k] == body) objects.push_back(all.object[k]);
+  }
+  return objects;
+}
+
 }  // namespace tumble::test

@@ -101,15 +101,6 @@ World candidate_with(const std::vector<Vec3>& others, const std::vector<Touch>& 
   return world;
 }
 
-std::vector<BodyIndex> objects_of(const World& world, BodyIndex body) {
-  std::vector<BodyIndex> objects;
-  const ContactObjects& all = world.state().contact_objects;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    if (all.body[k] == body) objects.push_back(all.object[k]);
-  }
-  return objects;
-}
-
 // "If the object A has multiple collisions, the colliding object that has the lowest z position is the CO."
 TEST(ContactObject, IsTheLowestBodyTouched) {
   for (const bool lowest_first : {true, false}) {
