@@ -15,7 +15,7 @@ namespace tumble::sim {
 /// table, the phase's file, docs/step.md, the log and the tests.
 struct Phase {
   const char* name;
-  /// Advances the state by its part of a sub-step of dt_s. Errors name the phase and the body.
+  /// Advances the state by its part of a substep of dt_s. Errors name the phase and the body.
   Status (*run)(WorldState& state, Scratch& scratch, double dt_s);
   void (*hash)(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 };
@@ -33,8 +33,8 @@ PhaseTable phase_table(Method method);
 
 /// Counts and energies of a step. Energies in J.
 struct StepCounters {
-  std::uint32_t pairs = 0;     ///< in the Active Collision List after the last sub-step
-  std::uint32_t contacts = 0;  ///< thesis: collisions resolved, all sub-steps; layered: contact points solved
+  std::uint32_t pairs = 0;     ///< in the Active Collision List after the last substep
+  std::uint32_t contacts = 0;  ///< thesis: collisions resolved, all substeps; layered: contact points solved
   std::uint32_t substeps = 0;  ///< accepted
   double kinetic = 0;          ///< after the step
   double potential = 0;        ///< after the step
