@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 
 #include "golden/judge/case_series.h"
 #include "golden/report/commands.h"
 #include "golden/report/files.h"
+#include "golden/report/html.h"
 #include "golden/report/page/script.h"
 #include "tests/support/golden_suite.h"
 
