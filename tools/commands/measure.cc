@@ -1,6 +1,7 @@
 // tumble measure: symmetry, energy and stacking of a recorded session, in numbers.
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
