@@ -1,5 +1,5 @@
-# Headers that nearly every file includes, parsed once instead of some 200 times: half of the time of a build without
-# them. Files include what they use all the same; -DTUMBLE_PRECOMPILED=OFF builds without.
+# Headers that nearly every file includes, parsed once for each kind of target. Files include what they use all the same:
+# -DTUMBLE_PRECOMPILED=OFF builds without.
 option(TUMBLE_PRECOMPILED "Precompile the standard library's headers and Eigen" ON)
 
 # tumble_precompile(TARGET [HEADERS <gtest/gtest.h> ...]): the common headers and these.
