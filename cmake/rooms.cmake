@@ -1,7 +1,6 @@
 # The files of a folder are compiled as one unit: headers, inline functions and templates are then paid for once a folder
-# instead of once a file, and a build from nothing takes a third of the time. -DTUMBLE_UNITY=OFF, and the preset `dev`,
-# compile every file by itself: better for those who change one file again and again. Files must stand alone in either
-# case; tools/lint.sh reads each by itself.
+# instead of once a file. -DTUMBLE_UNITY=OFF, and the preset `dev`, compile every file by itself: better for those who
+# change one file again and again. Files must stand alone in either case; tools/lint.sh reads each by itself.
 option(TUMBLE_UNITY "Compile the files of a folder as one unit" ON)
 
 # tumble_room(TARGET a.cc b.cc ...): the files of this folder, as a part of TARGET. Files with flags of their own stay

@@ -16,6 +16,4 @@ Json report_json(const SuiteResult& result);
 Status write_reports(const SuiteResult& result, const std::filesystem::path& folder,
                      const std::filesystem::path& junit);
 
-/// "3 of 45 cases failed: exact 2, behaviour 1" or "45 cases passed".
-
 }  // namespace tumble::golden

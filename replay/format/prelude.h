@@ -54,8 +54,7 @@ struct Prelude {
 };
 
 inline constexpr std::size_t kPreludeBytes = 128;
-inline constexpr std::size_t kMagicEnd = 16;    ///< the bytes before this offset show that a file is a log
-inline constexpr std::size_t kVersionEnd = 20;  ///< the bytes before this offset hold the format version
+inline constexpr std::size_t kMagicEnd = 16;  ///< the bytes before this offset show that a file is a log
 
 /// The end of a finished log: a prelude of kind footer without payload, then the bytes below, in one write.
 ///

@@ -10,7 +10,6 @@
 #include "replay/log/chunk_ahead.h"
 #include "replay/log/record_reader.h"
 #include "replay/log/scan.h"
-#include "src/base/check.h"
 
 namespace tumble::replay {
 namespace {

@@ -6,21 +6,14 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "src/thesis/find_contacts.h"
-#include "src/thesis/find_pairs.h"
-#include "src/thesis/find_planes.h"
-#include "src/world/scratch.h"
 #include "tests/support/sim_scenes.h"
 
 namespace tumble::test {
 namespace {
 
-using sim::BoxDef;
 using sim::ContactBody;
 using sim::PairMaterial;
-using sim::SceneDef;
 using sim::Vec3;
-using sim::World;
 
 void expect_near(const Vec3& found, const Vec3& wanted, double tolerance = 1e-12) {
   EXPECT_LT((found - wanted).cwiseAbs().maxCoeff(), tolerance)
