@@ -18,7 +18,7 @@ class Fields {
 
   void operator()(sim::field::Id tag, sim::BodyId id) {
     body_ = id;
-    add(tag.kName, id);
+    add(decltype(tag)::kName, id);
   }
   void operator()(auto tag, double value) { add(tag.kName, value); }
   void operator()(auto tag, bool value) { add(tag.kName, std::uint64_t{value}); }

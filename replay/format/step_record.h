@@ -71,7 +71,7 @@ struct MissingSteps {
 };
 
 /// "step 7", "steps 7 to 12".
-std::string to_string(const MissingSteps& gap);
+std::string to_string(const MissingSteps& run);
 
 /// The next step that the log holds from step `end` on: `end` itself, or the step behind the missing run that begins
 /// there.

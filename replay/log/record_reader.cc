@@ -29,7 +29,7 @@ ChunkPlace place_of(const Prelude& prelude, std::uint64_t offset) {
 Result<Prelude> RecordReader::read_prelude(std::uint64_t offset) const {
   const auto bytes = read_bytes<kPreludeBytes>(offset);
   if (!bytes.ok()) return bytes.error();
-  const Result<Prelude> prelude = decode_prelude(*bytes);
+  Result<Prelude> prelude = decode_prelude(*bytes);
   if (!prelude.ok()) return error_at(source_, "record", offset, prelude.error());
   return prelude;
 }
@@ -69,7 +69,7 @@ Result<Prelude> RecordReader::read_header_prelude() const {
     return damaged(source_.name() + ": torn at byte " + std::to_string(size) +
                    ", inside the header; nothing can be saved");
   }
-  const Result<Prelude> prelude = decode_prelude(bytes);
+  Result<Prelude> prelude = decode_prelude(bytes);
   if (!prelude.ok()) return error_at(source_, "header", 0, prelude.error());
   if (prelude->kind != RecordKind::kHeader || prelude->sequence != 0) {
     return damaged(source_.name() + ": begins with a " + name_of(prelude->kind) +

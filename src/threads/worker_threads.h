@@ -28,7 +28,7 @@ class WorkerThreads : public Workers {
   void run(unsigned parts, void (*task)(void* context, unsigned part), void* context) override;
 
  private:
-  void work(unsigned hand);
+  void work(unsigned worker);
 
   Split split_;
   int polls_;  // of a counter before sleeping

@@ -15,8 +15,6 @@ namespace tumble::test {
 namespace {
 
 using sim::BoxDef;
-using sim::ContactBody;
-using sim::PairMaterial;
 using sim::SceneDef;
 using sim::Vec3;
 using sim::World;

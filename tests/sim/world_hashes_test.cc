@@ -13,13 +13,11 @@
 namespace tumble::test {
 namespace {
 
-using sim::BoxDef;
 using sim::PositionGrid;
 using sim::SceneDef;
 using sim::Vec3;
 using sim::VelocityGrid;
 using sim::World;
-using sim::WorldDef;
 using sim::WorldState;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
