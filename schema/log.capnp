@@ -134,7 +134,10 @@ struct Header {
   chunkBytesMax @12 :UInt64;    # bytes of states at which the writer closes a chunk; for people
   transform @13 :Transform;     # applied to the scene of the file before the session began
   goesOn @14 :GoesOn;           # null: the session begins with step 1 of its scene
-  engine @15 :Engine;           # null: Tumble computed the steps; else methodVersion is 0 and replay is refused
+  union {                       # no field: Tumble computed the steps; else methodVersion is 0 and replay is refused
+    engine @15 :Engine;
+    imported @18 :Imported;     # begins like Engine, so that a reader without this member reads the engine
+  }
   recovered @16 :Recovered;     # null: the log was not recovered
   phaseHashVersion @17 :UInt32 = 1;  # version of phase words and of `contacts`; 1 for another engine
 }
@@ -144,6 +147,17 @@ struct Engine {
   name @0 :Text;                # not empty
   version @1 :Text;             # empty if unknown
   precisionBits @2 :UInt8 = 53; # of the engine's numbers: 24 (binary32) or 53 (binary64)
+}
+
+# The engine of an imported table, and the facts about the table that the states do not show.
+struct Imported {
+  name @0 :Text;                # as in Engine
+  version @1 :Text;
+  precisionBits @2 :UInt8 = 53;
+  up @3 :UInt8 = 2;             # the table's axis that points up: 0 x, 1 y, 2 z; states are stored with z up
+  leftHanded @4 :Bool;
+  metres @5 :Float64 = 1;       # per unit of length of the table; states are stored in m
+  passedOver @6 :List(Text);    # names of the columns that the import did not read
 }
 
 # The losses of a log that was recovered from a damaged one.

@@ -88,7 +88,7 @@ std::string obstacle(const Handed& handed) {
     return handed.result.problems.empty() ? "did not run to its end" : handed.result.problems.front();
   }
   for (const std::string& problem : handed.result.problems) {
-    if (problem.starts_with("unreferenced")) return problem;
+    if (problem.starts_with("unreferenced") || problem.starts_with("not finite")) return problem;
   }
   for (std::size_t k = 0; k < handed.pictures.size(); ++k) {
     if (handed.pictures[k].empty())

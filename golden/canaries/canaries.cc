@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "golden/canaries/log_canaries.h"
+#include "golden/canaries/lying_log.h"
 #include "golden/canaries/suite_canaries.h"
 #include "golden/expected/expected_file.h"
 #include "golden/run/run_session.h"
@@ -68,6 +69,9 @@ bool only_behaviour(const CaseResult& r) {
 }
 bool bits_moved(const CaseResult& r) { return failed(r, VerdictKind::kExact); }
 bool has_problem(const CaseResult& r) { return !r.problems.empty(); }
+bool body_is_lost(const CaseResult& r) {
+  return passed(r, VerdictKind::kExact) && failed(r, VerdictKind::kBehaviour) && has_problem(r);
+}
 bool nothing_to_compare(const CaseResult& r) { return !passed(r, VerdictKind::kExact); }
 bool no_picture(const CaseResult& r) { return r.verdict(VerdictKind::kImage).outcome != Outcome::kPass; }
 
@@ -78,6 +82,20 @@ struct Canary {
 };
 
 void flip(Hash128& hash) { hash.low ^= 1; }
+
+/// The session as an engine would log it that loses a body in one step. The golden holds the same bits, so that only
+/// the metrics can tell.
+void lose_body(Fixture& f, std::uint64_t step, std::vector<double>& (*column_of)(sim::Bodies& bodies)) {
+  const auto lie = [&](sim::WorldState& state, sim::StepCounters&) {
+    column_of(state.bodies)[1] = std::numeric_limits<double>::quiet_NaN();
+  };
+  Result<replay::MemoryFile> log = record_lying(f.scene, kSteps, step, lie);
+  if (!log.ok()) return;
+  f.session.log = *std::move(log);
+  Result<replay::LogReader> reader = open_session(f.session, "the canary's log");
+  if (!reader.ok()) return;
+  f.expected = judge(*reader, {f.rules, nullptr, scene_hash(f.scene), f.session.continuation}).actual;
+}
 
 const std::vector<Canary>& canaries() {
   static const std::vector<Canary> kCanaries = {
@@ -130,6 +148,16 @@ const std::vector<Canary>& canaries() {
       {"there is no metric", [](Fixture& f) { f.rules.metrics.clear(); }, only_behaviour},
       {"a picture is required and there is none", [](Fixture& f) { f.rules.require = {VerdictKind::kImage}; },
        no_picture},
+      {"a spin is not a number in one step",
+       [](Fixture& f) {
+         lose_body(f, kSteps / 2, [](sim::Bodies& bodies) -> std::vector<double>& { return bodies.spin.x; });
+       },
+       body_is_lost},
+      {"a position is not a number at the end",
+       [](Fixture& f) {
+         lose_body(f, kSteps, [](sim::Bodies& bodies) -> std::vector<double>& { return bodies.position.z; });
+       },
+       body_is_lost},
       {"the log is damaged", [](Fixture& f) { (*f.session.log)[f.session.log->size() / 2] ^= std::byte{1}; },
        has_problem},
       {"the log is torn", [](Fixture& f) { f.session.log->resize(f.session.log->size() - 1); }, has_problem},

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 
+#include "golden/canaries/lying_log.h"
 #include "replay/codec/chunk_codec.h"
 #include "replay/codec/state_keys.h"
 #include "replay/log/byte_memory.h"
@@ -54,30 +54,8 @@ sim::SceneDef session_scene(sim::Method method) {
   return scene;
 }
 
-using Lie = std::function<void(sim::WorldState& state, sim::StepCounters& counters)>;
-
-/// Records a session whose log lies in one step, if it lies: what is written is altered, not what happens.
 Result<MemoryFile> record(const sim::SceneDef& scene, std::uint64_t lie_step = 0, const Lie& lie = {}) {
-  auto file = std::make_shared<std::vector<std::byte>>();
-  Result<replay::Session> session = replay::Session::start(scene);
-  if (!session.ok()) return session.error();
-  auto writer = replay::LogWriter::create(std::make_unique<replay::MemoryByteSink>(file, "the canary's log"),
-                                          replay::header_for(scene), session->world().state());
-  if (!writer.ok()) return writer.error();
-  sim::PhaseHashes hashes;
-  for (std::uint64_t k = 1; k <= scene.steps; ++k) {
-    hashes.clear();
-    Result<replay::TakenStep> taken = session->step({}, &hashes);
-    if (!taken.ok()) return taken.error();
-    sim::WorldState state = session->world().state();
-    if (k == lie_step) lie(state, taken->counters);
-    Status ok = (*writer)->append({taken->dt, taken->inputs, hashes.words(), taken->counters}, state);
-    if (ok.ok() && k % kChunk == 0) ok = (*writer)->flush(state);
-    if (!ok.ok()) return ok.error();
-  }
-  const Result<replay::LogSummary> summary = (*writer)->finish();
-  if (!summary.ok()) return summary.error();
-  return file;
+  return record_lying(scene, kChunk, lie_step, lie);
 }
 
 Result<LogReader> open(const MemoryFile& file) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "src/base/check.h"
 #include "src/base/text.h"
@@ -139,7 +140,8 @@ void ExpectedComparer::follow_track(const replay::StepRecord& record) {
     const double dx = states.position.x[row] - point->x[i] / 1000.0;
     const double dy = states.position.y[row] - point->y[i] / 1000.0;
     const double dz = states.position.z[row] - point->z[i] / 1000.0;
-    const double distance = std::sqrt(dx * dx + dy * dy + dz * dz);
+    const double root = std::sqrt(dx * dx + dy * dy + dz * dz);
+    const double distance = std::isnan(root) ? std::numeric_limits<double>::infinity() : root;
     if (!(distance > apart_)) continue;
     apart_ = distance;
     apart_step_ = record.step;

@@ -2,6 +2,7 @@
 
 #include "golden/judge/judge_metrics.h"
 #include "golden/suite/metric_values.h"
+#include "replay/format/not_finite.h"
 #include "replay/session/state_source.h"
 
 namespace tumble::golden {
@@ -31,6 +32,7 @@ class Pass {
       return judged;
     }
     if (!log_.condition().whole()) result.problems.push_back("its log is " + log_.condition().summary(result.steps));
+    if (lost_) result.problems.push_back("not finite: " + to_string(*lost_));
     result.bodies = bodies_;
     result.final_hash = to_string(final_hash_);
     judged.actual = builder_.finish(reference_.continuation);
@@ -50,6 +52,7 @@ class Pass {
         return damaged("step " + number(k) + ": the states do not match their hashes");
       }
       if (comparer_) comparer_->add(step);
+      find_lost(step);
       metrics_.add(step);
       builder_.add(step);
       final_hash_ = step.state_hash;
@@ -58,6 +61,16 @@ class Pass {
       if (k == log_.step_count()) last_ = step.states;
     }
     return {};
+  }
+
+  void find_lost(const replay::StepRecord& step) {
+    if (lost_ || replay::all_finite(step.states)) return;
+    std::uint64_t bodies = 0;
+    for (std::size_t row = 0; row < step.states.size(); ++row) {
+      const std::optional<replay::NotFinite> found = replay::not_finite(step.states, row, step.step);
+      if (found && bodies++ == 0) lost_ = found;
+    }
+    lost_->bodies = bodies;
   }
 
   void judge_exact(CaseResult& result) {
@@ -112,6 +125,7 @@ class Pass {
   MetricSet metrics_;
   ExpectedBuilder builder_;
   replay::BodyStates last_;
+  std::optional<replay::NotFinite> lost_;  // of the first state in which a body is not finite
   Hash128 final_hash_;
   std::uint64_t bodies_ = 0;
 };

@@ -26,7 +26,7 @@ std::string fault_of(const MetricRule& rule, const std::optional<double>& value,
     if (rule.may_be_null) return "";
     return "null: the question makes no sense for this session (may_be_null = true allows that)";
   }
-  if (*value != *value) return "not a number";
+  if (!std::isfinite(*value)) return *value != *value ? "not a number" : "infinite";
   if (rule.max && !(*value <= *rule.max)) return beyond("above", *value, *rule.max, unit);
   if (rule.min && !(*value >= *rule.min)) return beyond("below", *value, *rule.min, unit);
   if (!rule.value && !rule.may_be_null) return "no value yet: bless the case";
@@ -36,7 +36,7 @@ std::string fault_of(const MetricRule& rule, const std::optional<double>& value,
 }
 
 std::string movement_of(const MetricRule& rule, const std::optional<double>& value, const std::string& unit) {
-  if (!value || !rule.value || is_same(*value, *rule.value)) return "";
+  if (!value || !std::isfinite(*value) || !rule.value || is_same(*value, *rule.value)) return "";
   return "moved by " + rounded(*value - *rule.value, unit);
 }
 

@@ -1,8 +1,11 @@
 #include "replay/codec/header_codec.h"
 
+#include <cmath>
+
 #include "replay/codec/message.h"
 #include "replay/codec/scene_codec.h"
 #include "replay/format/limits.h"
+#include "src/base/check.h"
 #include "tumble/sim/limits.h"
 
 namespace tumble::replay {
@@ -47,6 +50,40 @@ Result<Recovered> decode_recovered(schema::Recovered::Reader in) {
   return recovered;
 }
 
+// Engine and Imported begin with the same fields.
+template <class Builder>
+void encode_engine(const EngineName& engine, Builder out) {
+  out.setName(engine.name);
+  out.setVersion(engine.version);
+  out.setPrecisionBits(static_cast<std::uint8_t>(engine.precision_bits));
+}
+
+template <class Reader>
+EngineName engine_name(Reader in) {
+  return {in.getName().cStr(), in.getVersion().cStr(), in.getPrecisionBits()};
+}
+
+void encode_table(const ImportedTable& table, schema::Imported::Builder out) {
+  out.setUp(static_cast<std::uint8_t>(table.axes.up));
+  out.setLeftHanded(table.axes.left_handed);
+  out.setMetres(table.axes.metres);
+  encode_texts(table.passed_over, out.initPassedOver(static_cast<unsigned>(table.passed_over.size())));
+}
+
+Result<ImportedTable> decode_table(schema::Imported::Reader in) {
+  constexpr int kAxes = 3;
+  const auto passed_over = in.getPassedOver();
+  if (in.getUp() >= kAxes || !(in.getMetres() > 0) || !std::isfinite(in.getMetres())) {
+    return damaged("found an imported table with axis " + std::to_string(in.getUp()) + " up and " +
+                   std::to_string(in.getMetres()) + " m per unit, wanted axis 0, 1 or 2 and a length above 0");
+  }
+  if (passed_over.size() > kTableColumnsMax) {
+    return damaged("found " + std::to_string(passed_over.size()) + " columns passed over, wanted at most " +
+                   std::to_string(kTableColumnsMax));
+  }
+  return ImportedTable{{in.getUp(), in.getLeftHanded(), in.getMetres()}, decode_texts(passed_over)};
+}
+
 Result<LogHeader> decode_root(schema::Header::Reader in, std::uint64_t message_bytes) {
   LogHeader header;
   header.tool_version = in.getToolVersion().cStr();
@@ -75,9 +112,12 @@ Result<LogHeader> decode_root(schema::Header::Reader in, std::uint64_t message_b
     const Hash128 hash = {before.getContinuationHigh(), before.getContinuationLow()};
     header.goes_on = {before.getStep(), before.getLog().cStr(), hash, {}};
   }
-  if (in.hasEngine()) {
-    const schema::Engine::Reader engine = in.getEngine();
-    header.engine = {engine.getName().cStr(), engine.getVersion().cStr(), engine.getPrecisionBits()};
+  if (in.isEngine() && in.hasEngine()) header.engine = engine_name(in.getEngine());
+  if (in.isImported()) {
+    header.engine = engine_name(in.getImported());
+    Result<ImportedTable> table = decode_table(in.getImported());
+    if (!table.ok()) return table.error();
+    header.table = *std::move(table);
   }
   if (in.hasRecovered()) {
     Result<Recovered> recovered = decode_recovered(in.getRecovered());
@@ -114,11 +154,13 @@ Result<MessageBytes> encode_header(const LogHeader& header) {
       before.setContinuationLow(header.goes_on->continuation_hash.low);
       before.setContinuationHigh(header.goes_on->continuation_hash.high);
     }
-    if (header.engine) {
-      schema::Engine::Builder engine = out.initEngine();
-      engine.setName(header.engine->name);
-      engine.setVersion(header.engine->version);
-      engine.setPrecisionBits(static_cast<std::uint8_t>(header.engine->precision_bits));
+    SIM_CHECK(header.engine || !header.table);
+    if (header.table) {
+      schema::Imported::Builder imported = out.initImported();
+      encode_engine(*header.engine, imported);
+      encode_table(*header.table, imported);
+    } else if (header.engine) {
+      encode_engine(*header.engine, out.initEngine());
     }
     if (header.recovered) encode_recovered(*header.recovered, out.initRecovered());
     out.setStatesEvery(header.states.every);

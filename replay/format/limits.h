@@ -18,6 +18,8 @@ inline constexpr int kNarrowWindowLog = 10;
 inline constexpr std::uint64_t kHeaderEasyBytes = 4 << 20;  ///< a header up to this size may come from few bytes
 inline constexpr std::uint64_t kHeaderExpansionMax = 64;    ///< for a larger one: see header_bytes_max()
 inline constexpr std::uint64_t kOverridesMax = 1 << 16;     ///< in a header, a few bytes each
+inline constexpr std::uint64_t kTableColumnsMax = 1000;     ///< of an imported table
+inline constexpr std::uint64_t kColumnNameBytesMax = 200;   ///< of such a column
 inline constexpr std::uint64_t kBoxBytesMin = 192;   ///< bytes of a message per box, at least; a list may claim more
 inline constexpr std::uint64_t kInputBytesMin = 48;  ///< bytes of a message per input, at least
 

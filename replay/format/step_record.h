@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tumble/replay/body_states.h"
+#include "tumble/replay/imported_table.h"
 #include "tumble/sim/hash.h"
 #include "tumble/sim/result.h"
 #include "tumble/sim/scene.h"
@@ -104,11 +105,13 @@ struct LogHeader {
   sim::Transform transform;              ///< applied to the scene of the text; `scene` is the result
   std::optional<GoesOn> goes_on;         ///< none: the log begins with state 0
   std::optional<EngineName> engine;      ///< none: the steps were computed by this project
+  std::optional<ImportedTable> table;    ///< none: no table was imported, or it had our axes and no column too many
   std::optional<Recovered> recovered;    ///< none: the log was not recovered
   StatesMode states;
   std::uint32_t chunk_steps_max = 0;
   std::uint64_t chunk_bytes_max = 0;
 
+  [[nodiscard]] EngineAxes axes() const { return table ? table->axes : EngineAxes{}; }  ///< of the session's source
   [[nodiscard]] const std::vector<MissingSteps>& missing() const;  ///< steps that the log lacks between others
 };
 

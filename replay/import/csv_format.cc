@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <map>
+#include <set>
 #include <utility>
+
+#include "replay/format/limits.h"
 
 namespace tumble::replay {
 namespace {
@@ -133,6 +137,11 @@ Error unknown_column(const CsvReader& table, std::size_t column, const Places& p
                               "; the name of a column that is to be passed over begins with _");
 }
 
+Error long_name(const CsvReader& table, std::size_t column) {
+  return table.at(column, "found a name of " + std::to_string(table.columns()[column].size()) +
+                              " bytes, wanted at most " + std::to_string(kColumnNameBytesMax));
+}
+
 template <std::size_t N>
 void add_vector(Places& places, const std::string& name, const char* letters, std::array<std::size_t, N>& out) {
   out.fill(CsvColumns::kNone);
@@ -151,51 +160,31 @@ Status check_vector(const CsvReader& table, const char* name, const std::array<s
 
 }  // namespace
 
-// A left-handed engine is reflected in its xy plane first. Then the axes are permuted cyclically until "up" is z, which
-// keeps the handedness; y up needs one sign besides. No value is rounded.
-sim::Vec3 CsvAxes::direction(const sim::Vec3& v) const {
-  sim::Vec3 right = left_handed ? sim::Vec3(v.x(), v.y(), -v.z()) : v;
-  if (up == 0) return {right.y(), right.z(), right.x()};
-  if (up == 1) return {right.x(), -right.z(), right.y()};
-  return right;
-}
-
-sim::Vec3 CsvAxes::length(const sim::Vec3& v) const {
-  const sim::Vec3 turned = direction(v);
-  return {turned.x() * metres, turned.y() * metres, turned.z() * metres};
-}
-
-sim::Vec3 CsvAxes::axial(const sim::Vec3& w) const {  // a reflection reverses axial vectors
-  return left_handed ? direction({-w.x(), -w.y(), -w.z()}) : direction(w);
-}
-
-sim::Quat CsvAxes::turn(const sim::Quat& q) const {
-  const sim::Vec3 axis = axial({q.x, q.y, q.z});
-  return {q.w, axis.x(), axis.y(), axis.z()};
-}
-
-sim::Vec3 CsvAxes::extents(const sim::Vec3& size) const {
-  const sim::Vec3 turned = length(size);
-  return {std::fabs(turned.x()), std::fabs(turned.y()), std::fabs(turned.z())};
-}
-
 Result<CsvSettings> read_settings(const CsvReader& table, std::span<const std::string> more, CsvSettings start) {
   const sim::Vec3 gravity = start.scene.world.gravity;
   bool given = false;  // gravity and size in the engine's axes and units
   bool sized = false;
+  std::map<std::string, std::uint64_t> lines;  // by key
   for (const CsvSetting& setting : table.settings()) {
+    const auto [first, is_new] = lines.emplace(setting.key, setting.line);
+    if (!is_new) {
+      return table.at_line(setting.line, setting.key + ": found a second time, first in line " +
+                                             std::to_string(first->second) + "; wanted one line for each key");
+    }
     if (const std::string wrong = take(setting.key, setting.value, start); !wrong.empty()) {
       return table.at_line(setting.line, wrong);
     }
     given = given || setting.key == "gravity";
     sized = sized || setting.key == "size";
   }
+  std::set<std::string> keys;
   for (const std::string& setting : more) {
     const std::size_t colon = std::min(setting.find(':'), setting.size());
     const std::string key = setting.substr(0, colon);
     const std::size_t value = setting.find_first_not_of(' ', std::min(colon + 1, setting.size()));
     const std::string wrong = take(key, value == std::string::npos ? "" : setting.substr(value), start);
     if (!wrong.empty()) return wrong_argument(setting, wrong);
+    if (!keys.insert(key).second) return wrong_argument(setting, key + ": found a second time, wanted it once");
     given = given || key == "gravity";
     sized = sized || key == "size";
   }
@@ -223,7 +212,11 @@ Result<CsvColumns> find_columns(const CsvReader& table) {
   add_vector(places, "size", "xyz", columns.size);
   for (std::size_t k = 0; k < table.columns().size(); ++k) {
     const std::string& name = table.columns()[k];
-    if (name.starts_with('_')) continue;
+    if (name.starts_with('_')) {
+      if (name.size() > kColumnNameBytesMax) return long_name(table, k);
+      columns.passed_over.push_back(name);
+      continue;
+    }
     const auto place = std::ranges::find(places, name, &Places::value_type::first);
     if (place == places.end()) {
       return unknown_column(table, k, places);

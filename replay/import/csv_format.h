@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "replay/import/csv_reader.h"
+#include "tumble/replay/imported_table.h"
 #include "tumble/replay/step_record.h"
 #include "tumble/sim/result.h"
 #include "tumble/sim/scene.h"
@@ -16,31 +17,17 @@
 /// format.
 namespace tumble::replay {
 
-/// Converts the vectors of an engine to SI units, z up, right-handed. Changes signs and axes, which is exact to the
-/// bit; the unit of length multiplies.
-struct CsvAxes {
-  int up = 2;  ///< the engine's axis that points up: 0 x, 1 y, 2 z
-  bool left_handed = false;
-  double metres = 1;  ///< per unit of length of the engine
-
-  [[nodiscard]] sim::Vec3 direction(const sim::Vec3& v) const;  ///< without the unit
-  [[nodiscard]] sim::Vec3 length(const sim::Vec3& v) const;     ///< positions, velocities, gravity
-  [[nodiscard]] sim::Vec3 axial(const sim::Vec3& w) const;      ///< spins
-  [[nodiscard]] sim::Quat turn(const sim::Quat& q) const;
-  [[nodiscard]] sim::Vec3 extents(const sim::Vec3& size) const;
-};
-
 struct CsvSettings {
   EngineName engine = {"CSV", "", kBinary64Bits};
-  CsvAxes axes;
+  EngineAxes axes;
   std::optional<double> dt;  ///< s, of one step of the engine
   sim::SceneDef scene;       ///< name, gravity, ground
   sim::BoxDef box;           ///< size, mass and material of a body without such columns
 };
 
 /// Reads the settings of a table, then `more` ("key: value", from the command line), which override the table. start:
-/// the values of keys that neither has. Errors (kBadInput): an unknown key, an impossible value. The message names file
-/// and line, or the argument.
+/// the values of keys that neither has. Errors (kBadInput): an unknown key, a repeated one, an impossible value. The
+/// message names file and line, or the argument.
 Result<CsvSettings> read_settings(const CsvReader& table, std::span<const std::string> more, CsvSettings start);
 
 /// The number of each column in the table; kNone for an absent column.
@@ -51,9 +38,11 @@ struct CsvColumns {
   std::array<std::size_t, 3> position = {}, velocity = {}, spin = {},
                              size = {};  ///< all components of a vector or none
   std::array<std::size_t, 4> orientation = {};
+  std::vector<std::string> passed_over;  ///< names that begin with _, in their order
 };
 
-/// Finds the columns. Errors (kBadInput): a column is missing, given twice or unknown, or a vector lacks components.
+/// Finds the columns. Errors (kBadInput): a column is missing, given twice or unknown, a vector lacks components, or a
+/// name is too long.
 Result<CsvColumns> find_columns(const CsvReader& table);
 
 }  // namespace tumble::replay

@@ -4,10 +4,12 @@
 #include <charconv>
 #include <utility>
 
+#include "replay/format/limits.h"
+#include "src/base/text.h"
+
 namespace tumble::replay {
 namespace {
 
-constexpr std::size_t kColumnsMax = 1000;
 constexpr std::size_t kShown = 40;  // bytes of a cell in a message
 
 std::string_view trimmed(std::string_view text) {
@@ -20,7 +22,9 @@ std::string_view trimmed(std::string_view text) {
 
 bool CsvReader::next_line() {
   if (begin_ >= text_.size()) return false;
-  const std::size_t end = std::min(text_.find('\n', begin_), text_.size());
+  const std::size_t found = text_.find('\n', begin_);
+  has_end_ = found != std::string_view::npos;
+  const std::size_t end = has_end_ ? found : text_.size();
   current_ = text_.substr(begin_, end - begin_);
   begin_ = end + 1;
   ++line_;
@@ -51,9 +55,9 @@ Result<CsvReader> CsvReader::open(std::string_view text, std::string name) {
       continue;
     }
     reader.split();
-    if (reader.cells_.size() > kColumnsMax) {
+    if (reader.cells_.size() > kTableColumnsMax) {
       return reader.at_line(reader.line_, "found " + std::to_string(reader.cells_.size()) +
-                                              " columns, wanted at most " + std::to_string(kColumnsMax));
+                                              " columns, wanted at most " + std::to_string(kTableColumnsMax));
     }
     reader.columns_.assign(reader.cells_.begin(), reader.cells_.end());
     return reader;
@@ -72,9 +76,13 @@ Result<bool> CsvReader::next() {
     const std::string_view line = trimmed(current_);
     if (line.empty() || line.front() == '#') continue;
     split();
-    if (cells_.size() == columns_.size()) return true;
-    return at_line(line_, "found " + std::to_string(cells_.size()) + " cells, wanted " +
-                              std::to_string(columns_.size()) + ", one for each column");
+    const bool whole = cells_.size() == columns_.size();
+    if (whole && has_end_) return true;
+    std::string found = "found " + std::to_string(cells_.size()) + " cells, wanted " + std::to_string(columns_.size()) +
+                        ", one for each column";
+    if (whole) found = "found no line end behind this row, wanted one";
+    if (!has_end_) found += "; the table may have been cut here; if nothing is missing, end its last line";
+    return at_line(line_, found);
   }
   return false;
 }
@@ -90,9 +98,16 @@ Result<Number> CsvReader::parse(std::size_t column, const char* wanted) const {
                         (error == std::errc::result_out_of_range ? "a number that its type holds" : wanted));
 }
 
-Result<double> CsvReader::number(std::size_t column) const { return parse<double>(column, "a number"); }
+// exact_bits() writes "nan(0x…)", whose bits std::from_chars would not read.
+Result<double> CsvReader::number(std::size_t column) const {
+  if (cells_[column].ends_with(')')) {
+    if (const std::optional<double> bits = parse_exact(cells_[column])) return *bits;
+  }
+  return parse<double>(column, "a number");
+}
 
 Result<double> CsvReader::single(std::size_t column) const {
+  if (cells_[column].ends_with(')')) return number(column);
   const Result<float> value = parse<float>(column, "a number");
   if (!value.ok()) return value.error();
   return static_cast<double>(*value);

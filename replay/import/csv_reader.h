@@ -19,8 +19,8 @@ struct CsvSetting {
 
 /// Reads a table of numbers: lines "# key: value", a line with the names of the columns, then one row per line. Commas
 /// separate the cells; quotes are not used. The reader ignores blanks around cells, empty lines, and lines below the
-/// names that begin with #. Lines may end in CR LF. Errors (kBadInput) begin with "<name>:<line>:<column>: "; line and
-/// column count from 1, the column in bytes.
+/// names that begin with #. Lines may end in CR LF; the last row ends so too. Errors (kBadInput) begin with
+/// "<name>:<line>:<column>: "; line and column count from 1, the column in bytes.
 class CsvReader {
  public:
   /// Reads up to the names of the columns. `text` must outlive the reader.
@@ -30,10 +30,12 @@ class CsvReader {
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
   [[nodiscard]] std::optional<std::size_t> find(std::string_view column) const;
 
-  /// Moves to the next row; false at the end. Errors: the row has not as many cells as columns.
+  /// Moves to the next row; false at the end. Errors: the row has not as many cells as columns, or is the end of the
+  /// text without a line end, because a number that was cut may still be a number.
   Result<bool> next();
 
   // A cell of the row, by the number of its column. Errors: no number, or one that the type does not hold.
+  /// Also texts of exact_bits(), to the bit.
   [[nodiscard]] Result<double> number(std::size_t column) const;
   /// Rounded once, to float, which gives the value that a program with floats printed.
   [[nodiscard]] Result<double> single(std::size_t column) const;
@@ -56,6 +58,7 @@ class CsvReader {
   std::size_t begin_ = 0;     // of the next line
   std::string_view current_;  // the line
   std::uint64_t line_ = 0;    // its number
+  bool has_end_ = true;       // a line end stands behind it
   std::vector<CsvSetting> settings_;
   std::vector<std::string> columns_;
   std::vector<std::string_view> cells_;

@@ -1,6 +1,7 @@
 #include "replay/import/csv_steps.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "src/base/text.h"
 #include "src/world/edit_bodies.h"
@@ -10,6 +11,10 @@ namespace tumble::replay {
 namespace {
 
 constexpr std::size_t kNone = CsvColumns::kNone;
+
+// Deviations of the length of a quaternion from 1: of seven digits or fewer, and of a number that is no rotation.
+constexpr double kRoughRotation = 1e-5;
+constexpr double kNoRotation = 1e-2;
 
 sim::Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
@@ -38,6 +43,12 @@ Result<CsvSteps> CsvSteps::open(std::string_view text, const std::string& name, 
   }
   if (const Result<bool> more = steps.next_row(); !more.ok()) return more.error();
   return steps;
+}
+
+std::optional<ImportedTable> CsvSteps::facts() const {
+  ImportedTable facts = {settings_.axes, columns_.passed_over};
+  if (facts == ImportedTable{}) return std::nullopt;
+  return facts;
 }
 
 Result<bool> CsvSteps::next(TableStep& step) {
@@ -123,14 +134,42 @@ Status CsvSteps::take_row(TableStep& step) {
   if (Status ok = read_numbers(columns_.orientation, q); !ok.ok()) return ok;
   if (Status ok = read_numbers(columns_.velocity, v); !ok.ok()) return ok;
   if (Status ok = read_numbers(columns_.spin, w); !ok.ok()) return ok;
+  if (Status ok = check_state(*id, q); !ok.ok()) return ok;
+  look_for_lost(*id, columns_.position, x);
+  look_for_lost(*id, columns_.orientation, q);
+  look_for_lost(*id, columns_.velocity, v);
+  look_for_lost(*id, columns_.spin, w);
   const Result<bool> frozen = flag(columns_.frozen, false);
   if (!frozen.ok()) return frozen.error();
-  const CsvAxes& axes = settings_.axes;
+  const EngineAxes& axes = settings_.axes;
   const EngineState state = {axes.length(vector_of(x)), axes.turn({q[0], q[1], q[2], q[3]}), axes.length(vector_of(v)),
                              axes.axial(vector_of(w)), *frozen};
   if (Status ok = meet(*id, state); !ok.ok()) return ok;
   step.rows.emplace_back(*id, state);
   return {};
+}
+
+/// An orientation that is far from a rotation would be measured and drawn wrongly. One that is not finite is left to
+/// look_for_lost().
+Status CsvSteps::check_state(sim::BodyId id, const std::array<double, 4>& q) {
+  const double length = std::sqrt(sim::squared_length({q[0], q[1], q[2], q[3]}));
+  if (std::ranges::any_of(q, [](double number) { return !std::isfinite(number); })) return {};
+  const double off = std::fabs(length - 1);
+  const std::size_t column = columns_.orientation[0];
+  if (off > kNoRotation) {
+    return table_.at(column, "orientation: found a quaternion of length " + significant(length, 9) +
+                                 ", wanted 1; divide its numbers by the length");
+  }
+  if (off > kRoughRotation) notes_.rough_rotation(table_.at(column, "").message, id, steps_, length);
+  return {};
+}
+
+void CsvSteps::look_for_lost(sim::BodyId id, std::span<const std::size_t> columns, std::span<const double> numbers) {
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    if (std::isfinite(numbers[k])) continue;
+    notes_.lost(table_.at(columns[k], "").message, id, steps_, table_.columns()[columns[k]], numbers[k]);
+    return;
+  }
 }
 
 /// Makes the box of a new body. Refuses a body that returns after steps without it.

@@ -12,7 +12,9 @@
 
 #include "replay/import/csv_format.h"
 #include "replay/import/csv_reader.h"
+#include "replay/import/table_notes.h"
 #include "tumble/replay/engine_log.h"
+#include "tumble/replay/imported_table.h"
 #include "tumble/sim/result.h"
 #include "tumble/sim/scene.h"
 
@@ -44,19 +46,24 @@ class CsvSteps {
   Result<bool> next(TableStep& step);
 
   [[nodiscard]] const CsvSettings& settings() const { return settings_; }
+  /// The facts about the table that the states do not show; none where there are none.
+  [[nodiscard]] std::optional<ImportedTable> facts() const;
   /// A body with its values from the step in which it first appears.
   [[nodiscard]] const sim::BoxDef& box(sim::BodyId id) const { return boxes_.at(id); }
+  [[nodiscard]] const TableNotes& notes() const { return notes_; }  ///< on the steps read so far
   [[nodiscard]] Error at_line(std::uint64_t line, const std::string& message) const {
     return table_.at_line(line, message);
   }
 
  private:
-  CsvSteps(CsvReader table, CsvSettings settings, const CsvColumns& columns)
-      : table_(std::move(table)), settings_(std::move(settings)), columns_(columns) {}
+  CsvSteps(CsvReader table, CsvSettings settings, CsvColumns columns)
+      : table_(std::move(table)), settings_(std::move(settings)), columns_(std::move(columns)) {}
   Result<bool> next_row();
   Result<double> begin_step();
   Status take_row(TableStep& step);
   Status meet(sim::BodyId id, const EngineState& state);
+  Status check_state(sim::BodyId id, const std::array<double, 4>& q);
+  void look_for_lost(sim::BodyId id, std::span<const std::size_t> columns, std::span<const double> numbers);
   Status read_box(sim::BoxDef& box) const;
   Status read_origin(sim::Origin& origin) const;
   template <std::size_t N>
@@ -71,6 +78,7 @@ class CsvSteps {
   std::map<sim::BodyId, std::uint64_t> last_seen_;  // the step, counted from 0
   std::uint64_t steps_ = 0;                         // read so far
   bool has_row_ = false;
+  TableNotes notes_;
   double cell_key_ = 0, cell_time_ = 0;  // of the row that comes next
   double key_ = 0, time_ = 0;            // of the step that is read
   double stride_ = 1;

@@ -63,6 +63,7 @@ Status check_engine(const EngineDef& def) {
 LogHeader header_of(const EngineDef& def, const sim::SceneDef& start) {
   LogHeader header = header_for(start);
   header.engine = def.engine;
+  header.table = def.table;
   header.method = "engine";
   header.method_version = 0;  // no build has this version, so none takes the steps for its own
   header.phases = def.phases;

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "tumble/replay/byte_io.h"
+#include "tumble/replay/imported_table.h"
 #include "tumble/replay/log_writer.h"
 #include "tumble/replay/step_record.h"
 #include "tumble/sim/result.h"
@@ -20,6 +22,7 @@ struct EngineDef {
   EngineName engine;
   /// Names of the phases for set_phase_hashes(), in the order in which they run. Empty: steps have no phase hashes.
   std::vector<std::string> phases = {};
+  std::optional<ImportedTable> table = {};  ///< of an import; states are given in SI units, z up, all the same
 };
 
 /// The state of one body after a step. SI units, z up, angular velocity about world axes. Every double is kept to the

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "replay/import/csv_steps.h"
+#include "replay/import/table_notes.h"
 #include "src/base/text.h"
 #include "tumble/replay/engine_log.h"
 #include "tumble/sim/limits.h"
@@ -17,15 +18,32 @@ struct Survey {
   double first_dt = 0;  ///< of step 1; 0 without one
 };
 
+/// Notes bodies that a step lacks though the step before has them. In the last step a cut table looks so.
+TableNotes note_missing(const CsvSteps& reader, const TableStep& before, const TableStep& step) {
+  TableNotes notes;
+  std::size_t missing = 0;
+  sim::BodyId first = 0;
+  for (const auto& [id, state] : before.rows) {
+    if (std::ranges::binary_search(step.rows, id, {}, &TableStep::Row::first)) continue;
+    if (missing++ == 0) first = id;
+  }
+  if (missing == 0) return notes;
+  notes.short_end(reader.at_line(step.line, "").message, before.rows.size() - missing, before.rows.size(), first);
+  return notes;
+}
+
 Result<Survey> survey(std::string_view text, const std::string& name, const ImportOptions& options) {
   Result<CsvSteps> reader = CsvSteps::open(text, name, options.settings, options.like);
   if (!reader.ok()) return reader.error();
   Survey found;
-  TableStep step;
+  TableStep step, before;
+  TableNotes end;
   for (;;) {
+    std::swap(step, before);
     const Result<bool> more = reader->next(step);
     if (!more.ok()) return more.error();
     if (!*more) break;
+    end = note_missing(*reader, before, step);
     if (found.states > 0 && !(step.dt >= sim::kDtMin && step.dt <= sim::kDtMax)) {
       return reader->at_line(step.line, "found a step of " + significant(step.dt, 17) + " s, wanted 1e-7 … 1 s");
     }
@@ -33,6 +51,9 @@ Result<Survey> survey(std::string_view text, const std::string& name, const Impo
     ++found.states;
   }
   if (found.states == 0) return reader->at_line(1, "found no row, wanted at least those of one step");
+  if (options.warn) {
+    for (const TableNotes& notes : {reader->notes(), end}) std::ranges::for_each(notes.texts(), options.warn);
+  }
   return found;
 }
 
@@ -46,7 +67,7 @@ Result<std::unique_ptr<EngineLog>> begin(const CsvSteps& reader, const TableStep
   for (const auto& [id, state] : first.rows) start.boxes.push_back(reader.box(id));
   Result<std::unique_ptr<ByteSink>> sink = make_sink();
   if (!sink.ok()) return sink.error();
-  return EngineLog::create(*std::move(sink), {reader.settings().engine}, start);
+  return EngineLog::create(*std::move(sink), {reader.settings().engine, {}, reader.facts()}, start);
 }
 
 /// Adds inputs for the bodies that disappeared and appeared since the last step.

@@ -1,7 +1,8 @@
 #include "replay/measure/body_track.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "replay/format/not_finite.h"
 
 namespace tumble::replay {
 namespace {
@@ -18,9 +19,9 @@ double top_of_flight(const BodyMotion& motion, double pull) {
 void BodyTrack::add(const BodyMotion& now, double pull) {
   if (!started_) start(now, pull);
   const sim::Vec3 change = now.spin_momentum - first_momentum_;
-  momentum_change_ = std::max(momentum_change_, std::sqrt(sim::dot(change, change)));
-  least_spin_energy_ = std::min(least_spin_energy_, now.spin_energy);
-  spin_gain_ = std::max(spin_gain_, now.spin_energy - least_spin_energy_);
+  momentum_change_ = largest(momentum_change_, std::sqrt(sim::dot(change, change)));
+  least_spin_energy_ = least(least_spin_energy_, now.spin_energy);
+  spin_gain_ = largest(spin_gain_, now.spin_energy - least_spin_energy_);
   look_for_top(now, pull);
   last_rise_ = now.rise;
 }
@@ -31,7 +32,7 @@ void BodyTrack::start(const BodyMotion& now, double pull) {
   first_momentum_length_ = std::sqrt(sim::dot(first_momentum_, first_momentum_));
   first_spin_energy_ = least_spin_energy_ = now.spin_energy;
   starts_rising_ = now.rise > 0;
-  if (pull > 0) first_top_ = std::max(0.0, top_of_flight(now, pull));
+  if (pull > 0) first_top_ = largest(0.0, top_of_flight(now, pull));
 }
 
 // A top is a sign change of the vertical speed from up to not up. The first one of a body that starts on its way up
@@ -44,7 +45,7 @@ void BodyTrack::look_for_top(const BodyMotion& now, double pull) {
     return;
   }
   ++bounces_;
-  height_change_ = std::max(height_change_, std::fabs(top_of_flight(now, pull) - first_top_));
+  height_change_ = largest(height_change_, std::fabs(top_of_flight(now, pull) - first_top_));
 }
 
 // Ratios to the first value. Without a first value there is no ratio, and a metric without a value passes no bound.

@@ -5,9 +5,33 @@
 #include <utility>
 #include <variant>
 
+#include "replay/format/not_finite.h"
 #include "src/base/check.h"
 
 namespace tumble::replay {
+namespace {
+
+/// The energies of the whole world, to which a lost body belongs.
+void spoil(EnergyMetrics& energy) {
+  for (double* value : {&energy.initial, &energy.final, &energy.gain_max, &energy.removed, &energy.inputs}) {
+    *value = kNotANumber;
+  }
+  energy.gain_ratio = kNotANumber;
+}
+
+}  // namespace
+
+SeriesRow in_unit_of(const EngineAxes& axes, SeriesRow row) {
+  StateMeasures& state = row.state;
+  for (double* length : {&state.lateral_max, &state.lateral_rms, &state.drift_max, &state.top_drop_max,
+                         &state.ground_penetration_max, &state.height_max, &state.height_min, &state.height_mean}) {
+    *length = axes.their_metres(*length);
+  }
+  for (std::optional<double>* length : {&state.column_spread, &row.overlap}) {
+    if (*length) *length = axes.their_metres(**length);
+  }
+  return row;
+}
 
 Measurer::Measurer(const LogHeader& header, const MeasureOptions& options) : scene_(header.scene), options_(options) {}
 
@@ -34,9 +58,9 @@ void Measurer::add(const StepRecord& record) {
   // Energy put in by inputs is no gain of the solver's, so it is subtracted before the minimum is taken. The minimum
   // runs along with the session: a gain after a loss counts, even if the total stays below that of the start.
   const double own = row_.kinetic + row_.potential - row_.inputs;
-  lowest_energy_ = std::min(lowest_energy_, own);
+  lowest_energy_ = least(lowest_energy_, own);
   row_.gain = own - lowest_energy_;
-  metrics_.energy.gain_max = std::max(metrics_.energy.gain_max, row_.gain);
+  metrics_.energy.gain_max = largest(metrics_.energy.gain_max, row_.gain);
   measure_state(record);
 }
 
@@ -66,7 +90,7 @@ void Measurer::start(const StepRecord& record) {
 }
 
 void Measurer::measure_state(const StepRecord& record) {
-  row_.state = meter_->measure(record.states);
+  row_.state = meter_->measure(record.states, record.step);
   row_.lost = meter_->lost();
   bodies_seen_ = std::max(bodies_seen_, row_.state.bodies);
   row_.overlap.reset();
@@ -74,8 +98,8 @@ void Measurer::measure_state(const StepRecord& record) {
     row_.overlap = meter_->overlap_max(record.states);
   }
   StackingMetrics& stacking = metrics_.stacking;
-  stacking.overlap_peak = std::max(stacking.overlap_peak, row_.overlap.value_or(0));
-  stacking.ground_penetration_peak = std::max(stacking.ground_penetration_peak, row_.state.ground_penetration_max);
+  stacking.overlap_peak = largest(stacking.overlap_peak, row_.overlap.value_or(0));
+  stacking.ground_penetration_peak = largest(stacking.ground_penetration_peak, row_.state.ground_penetration_max);
   if (!row_.state.at_rest) {
     rest_since_.reset();
   } else if (!rest_since_) {
@@ -108,7 +132,7 @@ Result<Metrics> Measurer::finish(const BodyStates& last) {
   energy.spin_energy_gain = keeping.spin_energy_gain;
   if (energy.gain_max == 0) {
     energy.gain_ratio = 0;
-  } else if (start_energy_.above_rest > 0) {
+  } else if (!(start_energy_.above_rest <= 0)) {
     energy.gain_ratio = energy.gain_max / start_energy_.above_rest;
   }
   StackingMetrics& stacking = metrics_.stacking;
@@ -117,12 +141,14 @@ Result<Metrics> Measurer::finish(const BodyStates& last) {
   stacking.top_drop_max = end.top_drop_max;
   stacking.lost = row_.lost;
   stacking.overlap_max = meter_->overlap_max(last);
-  stacking.overlap_peak = std::max(stacking.overlap_peak, stacking.overlap_max);
+  stacking.overlap_peak = largest(stacking.overlap_peak, stacking.overlap_max);
   stacking.ground_penetration_max = end.ground_penetration_max;
   stacking.kinetic_linear_end = end.kinetic_linear;
   stacking.kinetic_rotational_end = end.kinetic_rotational;
   stacking.frozen_fraction = end.frozen_fraction;
   stacking.rest_time = rest_since_;
+  metrics_.not_finite = meter_->not_finite();
+  if (metrics_.not_finite.any) spoil(energy);
   return metrics_;
 }
 

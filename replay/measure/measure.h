@@ -6,6 +6,7 @@
 #include "replay/log/session_clock.h"
 #include "replay/measure/measure_options.h"
 #include "replay/measure/measure_state.h"
+#include "tumble/replay/imported_table.h"
 #include "tumble/replay/step_record.h"
 #include "tumble/sim/hash.h"
 #include "tumble/sim/result.h"
@@ -51,15 +52,17 @@ struct StackingMetrics {
   [[nodiscard]] double kinetic_end() const { return kinetic_linear_end + kinetic_rotational_end; }
 };
 
-/// The metrics of a session, computed from its log alone. docs/metrics.md has each formula, unit and meaning;
-/// metric_list.h has the table of names.
+/// The metrics of a session, computed from its log alone. A number that is none, in a state or in a counter, is never
+/// dropped: the value is NaN then. MetricRow::value() also answers so for counts. docs/metrics.md has each formula,
+/// unit and meaning; metric_list.h has the table of names.
 struct Metrics {
   std::uint64_t bodies = 0;  ///< of the start and thrown in later, chosen or not
   std::uint64_t steps = 0;   ///< the number of the last one
   SymmetryMetrics symmetry;
   EnergyMetrics energy;
   StackingMetrics stacking;
-  Hash128 final_hash;  ///< the state hash after the last step
+  Hash128 final_hash;     ///< the state hash after the last step
+  LostBodies not_finite;  ///< bodies that were not finite in a measured state
 };
 
 /// One row of `measure --series`: the measures after one step. Energies in J, of all bodies; "since the start" means
@@ -76,6 +79,9 @@ struct SeriesRow {
   std::optional<double> overlap;  ///< m, in the steps that MeasureOptions::overlap_every asks for
   StateMeasures state;
 };
+
+/// A row with its lengths in the unit of the session's table.
+SeriesRow in_unit_of(const EngineAxes& axes, SeriesRow row);
 
 /// Measures a session step by step.
 class Measurer {

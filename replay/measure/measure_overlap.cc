@@ -8,6 +8,7 @@
 #include <numeric>
 #include <vector>
 
+#include "replay/format/not_finite.h"
 #include "src/base/check.h"
 
 namespace tumble::replay {
@@ -46,6 +47,10 @@ Extents extents_of(const BoxFrame& box) {
   return extents;
 }
 
+bool finite(const Extents& extents) {
+  return std::ranges::all_of(extents, [](const Interval& along) { return std::isfinite(along.high - along.low); });
+}
+
 // An upper bound of the overlap: the least overlap of the AABBs along the world's axes, negative when they are apart.
 double most_depth(const Extents& a, const Extents& b) {
   double least = std::numeric_limits<double>::infinity();
@@ -76,16 +81,16 @@ std::size_t widest_axis(std::span<const BoxFrame> boxes) {
 double overlap_depth(const BoxFrame& a, const BoxFrame& b) {
   double distance = -std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
-    distance = std::max({distance, distance_along(a, b, a.axes[i]), distance_along(a, b, b.axes[i])});
+    distance = largest(largest(distance, distance_along(a, b, a.axes[i])), distance_along(a, b, b.axes[i]));
   }
   for (int i = 0; i < 3 && distance < 0; ++i) {
     for (int j = 0; j < 3; ++j) {
       const Vec3 edge = sim::cross(a.axes[i], b.axes[j]);
       const double squared = sim::dot(edge, edge);
-      if (squared >= kParallelSquared) distance = std::max(distance, distance_along(a, b, edge / std::sqrt(squared)));
+      if (squared >= kParallelSquared) distance = largest(distance, distance_along(a, b, edge / std::sqrt(squared)));
     }
   }
-  return std::max(0.0, -distance);
+  return largest(0.0, -distance);
 }
 
 // A sweep along the widest axis: sorted by their low end, only boxes whose intervals overlap by more than the deepest
@@ -97,7 +102,10 @@ double deepest_overlap(std::span<const BoxFrame> boxes, std::span<const std::uin
   const std::size_t axis = widest_axis(boxes);
   std::vector<Extents> extents;
   extents.reserve(boxes.size());
-  for (const BoxFrame& box : boxes) extents.push_back(extents_of(box));
+  for (const BoxFrame& box : boxes) {
+    extents.push_back(extents_of(box));
+    if (!finite(extents.back())) return kNotANumber;  // NaN has no place in an order
+  }
   std::vector<std::size_t> order(boxes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, {}, [&](std::size_t i) { return extents[i][axis].low; });
@@ -109,12 +117,12 @@ double deepest_overlap(std::span<const BoxFrame> boxes, std::span<const std::uin
       const std::size_t j = order[second];
       if (extents[i][axis].high - extents[j][axis].low <= deepest) break;
       if ((left_out[i] != 0 && left_out[j] != 0) || most_depth(extents[i], extents[j]) <= deepest) continue;
-      deepest = std::max(deepest, overlap_depth(boxes[i], boxes[j]));
+      deepest = largest(deepest, overlap_depth(boxes[i], boxes[j]));
     }
   }
   return deepest;
 }
 
-double ground_penetration(const BoxFrame& box) { return std::max(0.0, sim::reach_along(box, 2) - box.position.z()); }
+double ground_penetration(const BoxFrame& box) { return largest(0.0, sim::reach_along(box, 2) - box.position.z()); }
 
 }  // namespace tumble::replay

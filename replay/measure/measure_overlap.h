@@ -12,8 +12,9 @@ namespace tumble::replay {
 /// see. Source: Gottschalk, Lin, Manocha, "OBBTree", 1996, section 5.
 double overlap_depth(const sim::BoxFrame& a, const sim::BoxFrame& b);
 
-/// The deepest overlap of any two boxes, m; 0 if none. boxes and left_out have one entry a body; a pair with both boxes
-/// left out (static, not chosen) does not count. A settled heap of thousands takes milliseconds.
+/// The deepest overlap of any two boxes, m; 0 if none; NaN where a box has no finite extent. boxes and left_out have
+/// one entry a body; a pair with both boxes left out (static, not chosen) does not count. A settled heap of thousands
+/// takes milliseconds.
 double deepest_overlap(std::span<const sim::BoxFrame> boxes, std::span<const std::uint8_t> left_out);
 
 /// The depth of the lowest corner under z = 0, m; 0 above.

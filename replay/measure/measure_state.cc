@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <numbers>
-#include <span>
 #include <utility>
 
 #include "replay/measure/measure_overlap.h"
@@ -24,7 +22,7 @@ using sim::Vec3;
 // arccosine near 1 would give 1e-8.
 double tilt_between(const Quat& start, const Quat& now) {
   const Quat turn = sim::product(now, {start.w, -start.x, -start.y, -start.z});
-  const double half = std::min(1.0, std::sqrt(turn.x * turn.x + turn.y * turn.y));  // sine of half the angle
+  const double half = least(1.0, std::sqrt(turn.x * turn.x + turn.y * turn.y));  // sine of half the angle
   return 2 * std::asin(half) * 180 / std::numbers::pi;
 }
 
@@ -44,6 +42,18 @@ double kinetic_of(const sim::BoxDef& box, const Vec3& inertia, const BodyStates&
 
 BoxFrame frame_of(const sim::BoxDef& box, const BodyStates& s, std::size_t row) {
   return {s.position[row], sim::axes_of(s.orientation[row]), box.size / 2};
+}
+
+/// Leaves no measure that a bound could hold for.
+void spoil(StateMeasures& measures) {
+  for (double* value :
+       {&measures.lateral_max, &measures.lateral_rms, &measures.drift_max, &measures.tilt_max, &measures.top_drop_max,
+        &measures.ground_penetration_max, &measures.kinetic_linear, &measures.kinetic_rotational,
+        &measures.frozen_fraction, &measures.height_max, &measures.height_min, &measures.height_mean}) {
+    *value = kNotANumber;
+  }
+  if (measures.column_spread) measures.column_spread = kNotANumber;
+  measures.at_rest = false;
 }
 
 }  // namespace
@@ -126,8 +136,28 @@ void StateMeter::find_rows(const BodyStates& now) {
   }
 }
 
-StateMeasures StateMeter::measure(const BodyStates& now) {
+// The one place where a body is found to be lost for a number that is none: every measure below leaves the body out,
+// and spoil() then takes the value from every measure that should have included it.
+void StateMeter::find_not_finite(const BodyStates& now, std::uint64_t step) {
+  const auto note = [](std::optional<NotFinite>& first, const NotFinite& found) {
+    if (first) ++first->bodies;
+    if (!first) first = found;
+  };
+  for (std::size_t row = 0; row < now.size(); ++row) {
+    const std::optional<NotFinite> found = replay::not_finite(now, row, step);
+    if (!found) continue;
+    Body* body = body_of_row_[row] == kNone ? nullptr : &bodies_[body_of_row_[row]];
+    if (body != nullptr && std::exchange(body->not_finite, true)) continue;
+    note(not_finite_.any, *found);
+    if (body == nullptr || !(body->measured || body->box.is_static)) continue;
+    note(not_finite_.chosen, *found);
+    lose(*body);
+  }
+}
+
+StateMeasures StateMeter::measure(const BodyStates& now, std::uint64_t step) {
   find_rows(now);
+  if (!all_finite(now)) find_not_finite(now, step);
   std::ranges::fill(grid_rows_, GridRow{kInfinity, -kInfinity, kInfinity, -kInfinity});
   StateMeasures out;
   std::size_t from_start = 0, frozen = 0;
@@ -138,6 +168,7 @@ StateMeasures StateMeter::measure(const BodyStates& now) {
     Body& body = bodies_[body_of_row_[row]];
     if (!body.measured) continue;
     ++out.bodies;
+    if (body.not_finite) continue;
     frozen += now.frozen[row];
     measure_motion(body, now, row, out);
     measure_place(body, now, row, out);
@@ -150,10 +181,11 @@ StateMeasures StateMeter::measure(const BodyStates& now) {
   out.column_spread = column_spread();
   if (out.bodies == 0) {
     out.height_max = out.height_min = 0;
-    return out;
+  } else {
+    out.frozen_fraction = static_cast<double>(frozen) / static_cast<double>(out.bodies);
+    out.height_mean /= static_cast<double>(out.bodies);
   }
-  out.frozen_fraction = static_cast<double>(frozen) / static_cast<double>(out.bodies);
-  out.height_mean /= static_cast<double>(out.bodies);
+  if (not_finite_.chosen) spoil(out);
   return out;
 }
 
@@ -178,10 +210,10 @@ void StateMeter::measure_place(Body& body, const BodyStates& now, std::size_t ro
   const Vec3 centre = now.position[row];
   if (!space_.holds(centre)) lose(body);
   if (ground_) {
-    out.ground_penetration_max = std::max(out.ground_penetration_max, ground_penetration(frame_of(body.box, now, row)));
+    out.ground_penetration_max = largest(out.ground_penetration_max, ground_penetration(frame_of(body.box, now, row)));
   }
-  out.height_max = std::max(out.height_max, centre.z());
-  out.height_min = std::min(out.height_min, centre.z());
+  out.height_max = largest(out.height_max, centre.z());
+  out.height_min = least(out.height_min, centre.z());
   out.height_mean += centre.z();  // the sum; measure() finishes it
 }
 
@@ -189,21 +221,21 @@ void StateMeter::compare_with_start(const Body& body, const BodyStates& now, std
                                     StateMeasures& out) const {
   const Vec3 moved = now.position[row] - start_.position[body.start_row];
   const double lateral = options_.lateral == LateralAxis::kX ? moved.x() : moved.y();
-  out.lateral_max = std::max(out.lateral_max, std::fabs(lateral));
+  out.lateral_max = largest(out.lateral_max, std::fabs(lateral));
   out.lateral_rms += lateral * lateral;  // the sum; measure() finishes it
-  out.drift_max = std::max(out.drift_max, std::sqrt(moved.x() * moved.x() + moved.y() * moved.y()));
-  out.top_drop_max = std::max(out.top_drop_max, -moved.z());
-  out.tilt_max = std::max(out.tilt_max, tilt_between(start_.orientation[body.start_row], now.orientation[row]));
+  out.drift_max = largest(out.drift_max, std::sqrt(moved.x() * moved.x() + moved.y() * moved.y()));
+  out.top_drop_max = largest(out.top_drop_max, -moved.z());
+  out.tilt_max = largest(out.tilt_max, tilt_between(start_.orientation[body.start_row], now.orientation[row]));
 }
 
 void StateMeter::widen_grid_row(const Body& body, const Vec3& position) {
   if (body.grid_row == kNone) return;
   GridRow& span = grid_rows_[body.grid_row];
   const double across = options_.lateral == LateralAxis::kX ? position.y() : position.x();
-  span.across_low = std::min(span.across_low, across);
-  span.across_high = std::max(span.across_high, across);
-  span.z_low = std::min(span.z_low, position.z());
-  span.z_high = std::max(span.z_high, position.z());
+  span.across_low = least(span.across_low, across);
+  span.across_high = largest(span.across_high, across);
+  span.z_low = least(span.z_low, position.z());
+  span.z_high = largest(span.z_high, position.z());
 }
 
 // In a tilted grid the bodies of one row start at one height and one place across; an exact solver keeps them so.
@@ -211,12 +243,13 @@ std::optional<double> StateMeter::column_spread() const {
   if (grid_rows_.empty()) return std::nullopt;
   double widest = 0;  // a row whose bodies were all removed is −infinity wide
   for (const GridRow& row : grid_rows_) {
-    widest = std::max({widest, row.across_high - row.across_low, row.z_high - row.z_low});
+    widest = largest(largest(widest, row.across_high - row.across_low), row.z_high - row.z_low);
   }
   return widest;
 }
 
 double StateMeter::overlap_max(const BodyStates& now) {
+  if (not_finite_.any) return kNotANumber;
   find_rows(now);
   std::vector<BoxFrame> boxes;
   std::vector<std::uint8_t> left_out;
@@ -235,7 +268,7 @@ StateMeter::Keeping StateMeter::keeping() const {
   Keeping worst;
   std::optional<std::uint64_t> bounces;
   const auto take = [](std::optional<double>& most, const std::optional<double>& value) {
-    if (value && (!most || *value > *most)) most = value;
+    if (value) most = most ? largest(*most, *value) : *value;
   };
   for (const Body& body : bodies_) {
     if (!body.measured) continue;
@@ -259,7 +292,7 @@ StateMeter::StartEnergy StateMeter::start_energy() const {
     potential -= body.box.mass * sim::dot(start_gravity_, position);
     if (!ground_ || start_gravity_.z() >= 0) continue;
     const double rest = body.box.size.minCoeff() / 2;
-    above_rest += body.box.mass * -start_gravity_.z() * std::max(0.0, position.z() - rest);
+    above_rest += body.box.mass * -start_gravity_.z() * largest(0.0, position.z() - rest);
   }
   return {kinetic, potential, kinetic + above_rest};
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "replay/format/not_finite.h"
 #include "replay/measure/body_track.h"
 #include "replay/measure/measure_options.h"
 #include "replay/measure/reasonable_space.h"
@@ -37,6 +38,12 @@ struct StateMeasures {
   double height_mean = 0;               ///< m
 };
 
+/// The first body of a session that is not finite in a state, of two sets of bodies.
+struct LostBodies {
+  std::optional<NotFinite> chosen;  ///< of the bodies measured and the static ones, which they are measured against
+  std::optional<NotFinite> any;     ///< of all bodies
+};
+
 /// Measures the states of one session, in order, against its start. Uses only what a log holds: the scene's boxes, the
 /// states and the inputs.
 class StateMeter {
@@ -48,14 +55,19 @@ class StateMeter {
   /// Takes an input. Call it before measuring the state that follows.
   void apply(const sim::Command& input);
 
-  /// Measures a state. Bodies that are defined neither by the scene nor by a throw are left out.
-  StateMeasures measure(const BodyStates& now);
+  /// Measures a state, the one after `step`. Bodies that are defined neither by the scene nor by a throw are left out.
+  /// From the first state on in which a chosen or static body is not finite, every measure is NaN.
+  StateMeasures measure(const BodyStates& now, std::uint64_t step = 0);
 
-  /// The deepest overlap of two boxes in a state, at least one of them chosen, m. Slower than all of measure().
+  /// The deepest overlap of two boxes in a state, at least one of them chosen, m; NaN once any body was not finite.
+  /// Slower than all of measure().
   double overlap_max(const BodyStates& now);
 
   /// Chosen bodies that were lost in any state measured so far.
   [[nodiscard]] std::uint64_t lost() const { return lost_; }
+
+  /// The bodies that were not finite in any state measured so far.
+  [[nodiscard]] const LostBodies& not_finite() const { return not_finite_; }
 
   /// The results of BodyTrack over the steps so far: the worst of any chosen body; bounces: the fewest.
   struct Keeping {
@@ -85,6 +97,7 @@ class StateMeter {
     bool in_start = false;
     bool removed = false;
     bool lost = false;
+    bool not_finite = false;  // in this state or an earlier one
     std::size_t start_row = 0;
     std::size_t grid_row = kNone;  // index into grid_rows_
   };
@@ -97,6 +110,7 @@ class StateMeter {
   [[nodiscard]] Body body_of(const sim::BoxDef& box) const;
   void number_grid_rows();
   void find_rows(const BodyStates& now);
+  void find_not_finite(const BodyStates& now, std::uint64_t step);
   void measure_place(Body& body, const BodyStates& now, std::size_t row, StateMeasures& out);
   void measure_motion(Body& body, const BodyStates& now, std::size_t row, StateMeasures& out);
   void lose(Body& body);
@@ -112,6 +126,7 @@ class StateMeter {
   ReasonableSpace space_;
   std::vector<Body> bodies_;  // ascending id; every one is in each state until it is removed
   std::uint64_t lost_ = 0;
+  LostBodies not_finite_;
   std::vector<GridRow> grid_rows_;
   std::vector<std::size_t> body_of_row_;  // of the rows of row_ids_: index into bodies_, or kNone
   std::vector<sim::BodyId> row_ids_;

@@ -1,6 +1,7 @@
 #include "replay/measure/metric_bound.h"
 
 #include <charconv>
+#include <cmath>
 
 namespace tumble::replay {
 namespace {
@@ -18,7 +19,7 @@ Error not_understood(const std::string& text) {
 }  // namespace
 
 bool MetricBound::holds(const std::optional<double>& value) const {
-  if (!value) return false;
+  if (!value || !std::isfinite(*value)) return false;
   switch (comparison) {
     case Comparison::kBelow:
       return *value < bound;

@@ -17,7 +17,7 @@ struct MetricBound {
   double bound = 0;
   std::string text;  ///< as it was written
 
-  /// A metric without a value, or with NaN, is within no bound.
+  /// A metric without a value, or with one that is not finite, is within no bound.
   [[nodiscard]] bool holds(const std::optional<double>& value) const;
 };
 

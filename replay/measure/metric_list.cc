@@ -15,19 +15,19 @@ constexpr MetricRow kMetrics[] = {
     {"column_spread", "column spread", "m", "symmetry", "no grid",
      [](const Metrics& m) { return m.symmetry.column_spread; }},
     {"mirror_error", "mirror error", "m", "symmetry", "no mirrored pair",
-     [](const Metrics& m) { return m.symmetry.mirror_error; }},
+     [](const Metrics& m) { return m.symmetry.mirror_error; }, true},
     {"order_error", "order error", "m", "symmetry", "no mirrored pair",
-     [](const Metrics& m) { return m.symmetry.order_error; }},
+     [](const Metrics& m) { return m.symmetry.order_error; }, true},
     {"shift_error", "shift error", "m", "symmetry", "no mirrored pair",
-     [](const Metrics& m) { return m.symmetry.shift_error; }},
+     [](const Metrics& m) { return m.symmetry.shift_error; }, true},
 
-    {"initial", "at the start", "J", "energy", "", [](const Metrics& m) -> Value { return m.energy.initial; }},
-    {"final", "at the end", "J", "energy", "", [](const Metrics& m) -> Value { return m.energy.final; }},
-    {"gain_max", "largest gain", "J", "energy", "", [](const Metrics& m) -> Value { return m.energy.gain_max; }},
+    {"initial", "at the start", "J", "energy", "", [](const Metrics& m) -> Value { return m.energy.initial; }, true},
+    {"final", "at the end", "J", "energy", "", [](const Metrics& m) -> Value { return m.energy.final; }, true},
+    {"gain_max", "largest gain", "J", "energy", "", [](const Metrics& m) -> Value { return m.energy.gain_max; }, true},
     {"gain_ratio", "largest gain, of the start's", "", "energy", "gained from nothing",
-     [](const Metrics& m) { return m.energy.gain_ratio; }},
-    {"removed", "removed", "J", "energy", "", [](const Metrics& m) -> Value { return m.energy.removed; }},
-    {"inputs", "put in by inputs", "J", "energy", "", [](const Metrics& m) -> Value { return m.energy.inputs; }},
+     [](const Metrics& m) { return m.energy.gain_ratio; }, true},
+    {"removed", "removed", "J", "energy", "", [](const Metrics& m) -> Value { return m.energy.removed; }, true},
+    {"inputs", "put in by inputs", "J", "energy", "", [](const Metrics& m) -> Value { return m.energy.inputs; }, true},
     {"bounce_height_loss", "change of bounce height", "", "energy", "no bounce",
      [](const Metrics& m) { return m.energy.bounce_height_loss; }},
     {"bounces", "bounces", "bounces", "energy", "",
@@ -46,9 +46,9 @@ constexpr MetricRow kMetrics[] = {
     {"lost", "bodies lost", "bodies", "stacking", "",
      [](const Metrics& m) -> Value { return static_cast<double>(m.stacking.lost); }},
     {"overlap_max", "deepest overlap at the end", "m", "stacking", "",
-     [](const Metrics& m) -> Value { return m.stacking.overlap_max; }},
+     [](const Metrics& m) -> Value { return m.stacking.overlap_max; }, true},
     {"overlap_peak", "deepest overlap", "m", "stacking", "",
-     [](const Metrics& m) -> Value { return m.stacking.overlap_peak; }},
+     [](const Metrics& m) -> Value { return m.stacking.overlap_peak; }, true},
     {"ground_penetration_max", "in the ground at the end", "m", "stacking", "",
      [](const Metrics& m) -> Value { return m.stacking.ground_penetration_max; }},
     {"ground_penetration_peak", "deepest in the ground", "m", "stacking", "",
@@ -65,6 +65,15 @@ constexpr MetricRow kMetrics[] = {
 };
 
 }  // namespace
+
+std::optional<double> MetricRow::value(const Metrics& metrics) const {
+  return spoiled_by(metrics) ? kNotANumber : counted(metrics);
+}
+
+std::optional<double> MetricRow::value_in(const EngineAxes& axes, const Metrics& metrics) const {
+  const std::optional<double> metres = value(metrics);
+  return metres && is_length() ? axes.their_metres(*metres) : metres;
+}
 
 std::span<const MetricRow> metric_list() { return kMetrics; }
 

@@ -2,9 +2,12 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
+#include "replay/format/not_finite.h"
 #include "replay/measure/measure.h"
+#include "tumble/replay/imported_table.h"
 
 namespace tumble::replay {
 
@@ -16,8 +19,20 @@ struct MetricRow {
   const char* unit;     ///< "m", "J", "s", "degrees", "bodies", "bounces"; "" for ratios
   const char* group;    ///< "symmetry", "energy", "stacking"
   const char* nothing;  ///< shown to people in place of a missing value
-  std::optional<double> (*value)(const Metrics& metrics);
+  std::optional<double> (*counted)(const Metrics& metrics);  ///< over the bodies that are finite
+  bool over_all = false;                                     ///< over all bodies of the world, chosen or not
 
+  /// The value. NaN where a body that belongs to the metric is lost because it is not finite.
+  [[nodiscard]] std::optional<double> value(const Metrics& metrics) const;
+  /// value() in the unit of length of the session's table, and the name of that unit.
+  [[nodiscard]] std::optional<double> value_in(const EngineAxes& axes, const Metrics& metrics) const;
+  [[nodiscard]] std::string unit_in(const EngineAxes& axes) const { return is_length() ? axes.unit() : unit; }
+  /// The lost body that takes the value from this metric; none: it has its value.
+  [[nodiscard]] const std::optional<NotFinite>& spoiled_by(const Metrics& metrics) const {
+    return over_all ? metrics.not_finite.any : metrics.not_finite.chosen;
+  }
+
+  [[nodiscard]] bool is_length() const { return unit == std::string_view("m"); }
   /// Whether the metric is a count, written without a decimal point.
   [[nodiscard]] bool counts() const {
     return unit == std::string_view("bodies") || unit == std::string_view("bounces");

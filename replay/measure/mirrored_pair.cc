@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "replay/codec/state_keys.h"
+#include "replay/format/not_finite.h"
 #include "replay/session/state_source.h"
 #include "tumble/replay/session.h"
 #include "tumble/sim/step.h"
@@ -44,7 +45,7 @@ std::string not_the_transform(const sim::SceneDef& original, const sim::SceneDef
 
 void PairMeter::differs(std::uint64_t step, sim::BodyId id, double distance) {
   if (!report_.first_step) report_.first_step = step;
-  report_.error = std::max(report_.error, distance);
+  report_.error = largest(report_.error, distance);
   if (differing_.insert(id).second) ++report_.differing;
 }
 
@@ -67,9 +68,10 @@ void PairMeter::add(std::uint64_t step, const BodyStates& original, const BodySt
                        same(transform_.orientation(original.orientation[i]), transformed.orientation[j]) &&
                        same(transform_.vector(original.velocity[i]), transformed.velocity[j]) &&
                        same(transform_.axial_vector(original.spin[i]), transformed.spin[j]);
-    if (exact) continue;
+    if (exact && is_finite(original, i)) continue;
     const sim::Vec3 apart = transformed.position[j] - wanted;
-    differs(step, original.id[i], std::sqrt(sim::dot(apart, apart)));
+    const bool finite = is_finite(original, i) && is_finite(transformed, j);
+    differs(step, original.id[i], finite ? std::sqrt(sim::dot(apart, apart)) : kNotANumber);
   }
   if (matched < transformed.size()) differs(step, sim::kBodyIdMax, kNoPartner);
 }

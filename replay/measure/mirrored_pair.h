@@ -18,7 +18,7 @@ namespace tumble::replay {
 struct PairReport {
   std::uint64_t steps = 0;  ///< compared, beside the start
   /// m: the largest distance of a body from its expected place, over all states; kNoPartner where a body has no
-  /// partner.
+  /// partner; NaN where a body is not finite.
   double error = 0;
   std::uint64_t differing = 0;  ///< bodies that in any state differed in any bit from the transformed original
   std::optional<std::uint64_t> first_step;  ///< after which a body differed; none: all states are exact

@@ -16,6 +16,7 @@ void ReasonableSpace::add(const sim::BoxDef& box) {
   const sim::Vec3 half = box.size / 2;
   const sim::Vec3 reach =
       (axes[0].cwiseAbs() * half.x() + axes[1].cwiseAbs() * half.y()) + axes[2].cwiseAbs() * half.z();
+  if (!box.position.allFinite() || !reach.allFinite()) return;  // a lost body widens nothing
   low_ = low_.cwiseMin(box.position - reach);
   high_ = high_.cwiseMax(box.position + reach);
   if (ground_ || !box.is_static) return;
@@ -24,9 +25,9 @@ void ReasonableSpace::add(const sim::BoxDef& box) {
 }
 
 bool ReasonableSpace::holds(const sim::Vec3& centre) const {
-  if (centre.z() < floor_) return false;
+  if (!(centre.z() >= floor_)) return false;  // false for NaN
   for (int k = 0; k < 3; ++k) {
-    if (centre[k] < low_[k] - kReasonableDistance || centre[k] > high_[k] + kReasonableDistance) return false;
+    if (!(centre[k] >= low_[k] - kReasonableDistance && centre[k] <= high_[k] + kReasonableDistance)) return false;
   }
   return true;
 }

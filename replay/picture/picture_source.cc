@@ -84,6 +84,12 @@ Result<Picture> PictureSource::read(std::uint64_t k, const PictureOptions& optio
   for (std::size_t row = 0; row < record.states.size(); ++row) {
     const Result<const sim::BoxDef*> box = find_box(record.states.id[row], k);
     if (!box.ok()) return box.error();
+    if (const std::optional<NotFinite> lost = not_finite(record.states, row, k)) {
+      const std::uint64_t others = picture.not_finite ? picture.not_finite->bodies : 0;
+      if (!picture.not_finite) picture.not_finite = lost;
+      picture.not_finite->bodies = others + 1;
+      continue;
+    }
     snapshot.boxes.push_back(look_of(record.states, row, **box, options));
   }
   if (options.bounds) add_bounds_markers(snapshot);

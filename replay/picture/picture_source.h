@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "replay/format/not_finite.h"
 #include "replay/session/state_source.h"
 #include "tumble/render/snapshot.h"
 #include "tumble/replay/log_reader.h"
@@ -27,7 +28,8 @@ inline constexpr double kArrowSeconds = 0.2;
 struct Picture {
   std::uint64_t step = 0;
   Hash128 state_hash;
-  double dt = 0;  ///< s, of the step that led to it; 0 for state 0
+  double dt = 0;                        ///< s, of the step that led to it; 0 for state 0
+  std::optional<NotFinite> not_finite;  ///< a body that has no place, and how many; they are not drawn
   render::Snapshot snapshot;
 };
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 
@@ -41,6 +42,30 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string exact(double value) { return shortest(value); }
+
+std::string exact_bits(double value) {
+  if (std::isfinite(value)) return exact(value);
+  const char* word = std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
+  return fmt::format("{}(0x{:016x})", word, std::bit_cast<std::uint64_t>(value));
+}
+
+std::optional<double> parse_exact(std::string_view text) {
+  constexpr int kHex = 16;
+  const std::size_t open = text.find("(0x");
+  if (open != std::string_view::npos) {
+    std::uint64_t bits = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data() + open + 3, end, bits, kHex);
+    const double value = std::bit_cast<double>(bits);
+    const bool whole = error == std::errc() && stop + 1 == end && *stop == ')';
+    return whole && exact_bits(value) == text ? std::optional(value) : std::nullopt;
+  }
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = error == std::errc() && stop == text.data() + text.size() && !text.empty();
+  return whole ? std::optional(value) : std::nullopt;
+}
 
 std::string number_text(double value) {
   const double size = std::fabs(value);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,14 @@ namespace tumble {
 
 /// The shortest decimal that reads back to the same double, with an exponent where that is shorter: "1e-07".
 std::string exact(double value);
+
+/// As exact(), for a number that is finite; else a text with all 64 bits, for formats that have no such number:
+/// "nan(0x7ff8000000000000)", "-inf(0xfff0000000000000)". parse_exact() reads both.
+std::string exact_bits(double value);
+
+/// A number as a table may write it: as std::from_chars reads it, with "+" before it or not, or as exact_bits() writes
+/// it. None for any other text.
+std::optional<double> parse_exact(std::string_view text);
 
 /// As exact(), but without an exponent from 1e-5 to 1e9, as a person writes numbers: "0.00001".
 std::string number_text(double value);

@@ -133,11 +133,14 @@ struct Header {
   chunkBytesMax @12 :UInt64;    # likewise
   transform @13 :Transform;     # what was made of the scene file before the session began
   goesOn @14 :GoesOn;           # null: the session begins with step 1 of its scene
-  engine @15 :Engine;           # null: Tumble computed the steps
+  union {                       # no field: Tumble computed the steps
+    engine @15 :Engine;
+    imported @18 :Engine;
+  }
   recovered @16 :Recovered;     # null: the log is as it was recorded
   phaseHashVersion @17 :UInt32 = 1;
-  wind @18 :Float64;            # m/s, of the future
-  weather @19 :Text;            # of the future
+  wind @19 :Float64;            # m/s, of the future
+  weather @20 :Text;            # of the future
 }
 
 struct Engine {

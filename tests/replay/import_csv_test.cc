@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cstdlib>
 
 #include "replay/log/byte_memory.h"
@@ -54,7 +55,7 @@ TEST(ImportCsv, ReadsWhatTheTableSays) {
 }
 
 TEST(ImportCsv, AxesAndUnitsBecomeOurs) {
-  const std::string row = "0,1,100,200,-300,0.5,0.1,0.2,0.3,1,2,3,4,5,6\n";
+  const std::string row = "0,1,100,200,-300,0.4,0.2,0.4,0.8,1,2,3,4,5,6\n";
   Result<LogReader> up =
       import(table("# dt: 0.1\n# up: y\n# length: cm\n# gravity: 0 -981 0\n# size: 100 200 300\n", row));
   ASSERT_TRUE(up.ok()) << up.error().message;
@@ -62,7 +63,7 @@ TEST(ImportCsv, AxesAndUnitsBecomeOurs) {
   EXPECT_NEAR(up->header().scene.world.gravity.z(), -9.81, 1e-12);
   EXPECT_EQ(up->header().scene.boxes[0].size, sim::Vec3(1, 3, 2));
   const BodyStates states = (*up->read_step(0))->states;
-  EXPECT_EQ(states.orientation[0], (sim::Quat{0.5, 0.1, -0.3, 0.2}));
+  EXPECT_EQ(states.orientation[0], (sim::Quat{0.4, 0.2, -0.8, 0.4}));
   EXPECT_EQ(states.spin[0], sim::Vec3(4, -6, 5)) << "spins have no length";
   Result<LogReader> left = import(table("# dt: 0.1\n# up: y\n# handed: left\n", row));
   ASSERT_TRUE(left.ok()) << left.error().message;
@@ -70,6 +71,42 @@ TEST(ImportCsv, AxesAndUnitsBecomeOurs) {
   EXPECT_EQ((*left->read_step(0))->states.spin[0], sim::Vec3(-4, -6, -5)) << "a mirror turns spins round";
   Result<LogReader> x = import(table("# dt: 0.1\n# up: x\n", row));
   EXPECT_EQ(position(*x, 0), sim::Vec3(200, -300, 100));
+}
+
+TEST(ImportCsv, TheLogKeepsAxesUnitAndColumnsPassedOver) {
+  const std::string columns = "_joint," + kColumns + ",_heat\n";
+  Result<LogReader> log =
+      import("# dt: 0.1\n# up: y\n# handed: left\n# length: cm\n" + columns + "7,0,1,0,1,0,1,0,0,0,0,0,0,0,0,0,300\n");
+  ASSERT_TRUE(log.ok()) << log.error().message;
+  ASSERT_TRUE(log->header().table);
+  EXPECT_EQ(log->header().table->passed_over, (std::vector<std::string>{"_joint", "_heat"}));
+  EXPECT_EQ(log->header().axes(), (EngineAxes{1, true, 0.01}));
+  EXPECT_EQ(to_string(log->header().axes()), "y up, left-handed, cm");
+  EXPECT_EQ(to_string(*log->header().engine), "CSV");
+  Result<LogReader> plain = import(table("# dt: 0.1\n", "0,1,0,1,0,1,0,0,0,0,0,0,0,0,0\n"));
+  ASSERT_TRUE(plain.ok()) << plain.error().message;
+  EXPECT_FALSE(plain->header().table) << "a table in our axes says nothing more, and its log keeps its bytes";
+}
+
+TEST(ImportCsv, AxesConvertBackToTheBit) {
+  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+  const sim::Vec3 v = {0.1, -0.0, -0.3};
+  for (const bool left : {false, true}) {
+    for (const int up : {0, 1, 2}) {
+      const EngineAxes axes = {up, left, 1};
+      const sim::Vec3 there = axes.their_length(axes.length(v)), spun = axes.their_axial(axes.axial(v));
+      const sim::Quat q = axes.their_turn(axes.turn({0.5, v.x(), v.y(), v.z()}));
+      for (int k = 0; k < 3; ++k) {
+        EXPECT_EQ(bits(there[k]), bits(v[k])) << to_string(axes);
+        EXPECT_EQ(bits(spun[k]), bits(v[k])) << to_string(axes);
+        const EngineAxis axis = axes.along(k);
+        EXPECT_EQ(axes.length(v)[k], axis.sign * v[axis.letter - 'x']) << to_string(axes);
+        const EngineAxis about = axes.axial_along(k);
+        EXPECT_EQ(axes.axial(v)[k], about.sign * v[about.letter - 'x']) << to_string(axes);
+      }
+      EXPECT_EQ(bits(q.x), bits(v.x())) << to_string(axes);
+    }
+  }
 }
 
 TEST(ImportCsv, Float32IsReadAsFloat) {

@@ -44,9 +44,35 @@ class ToolsRender : public testing::Test {
     return read.ok() ? *read : render::PngFile{};
   }
 
+  /// Step 1 of an imported session; rows: those of its two steps.
+  render::Image drawn_table(const std::string& name, const std::string& rows, std::string& said) {
+    shop_.write(name + ".csv",
+                "# dt: 0.1\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,"
+                "orientation.z,velocity.x,velocity.y,velocity.z,spin.x,spin.y,spin.z\n" +
+                    rows);
+    EXPECT_EQ(shop_.run({"import", name + ".csv"}).exit, 0);
+    const Outcome outcome =
+        shop_.run({"render", name + ".tumble", "--step", "1", "--size", size_, "--samples", "1", "-o", name + ".png"});
+    EXPECT_EQ(outcome.exit, 0) << outcome.err;
+    said = outcome.err;
+    return render::read_png(shop_.path(name + ".png"))->image;
+  }
+
   std::string size_ = "96x64";
   Workshop shop_;
 };
+
+TEST_F(ToolsRender, ABodyWithoutANumberIsNotDrawnAndNamed) {
+  const std::string start = "0,1,0,0,0.5,1,0,0,0,0,0,0,0,0,0\n0,2,2,0,0.5,1,0,0,0,0,0,0,0,0,0\n";
+  const std::string rest = "1,1,0,0,0.5,1,0,0,0,0,0,0,0,0,0\n";
+  std::string said;
+  const render::Image without = drawn_table("without", start + rest, said);
+  EXPECT_EQ(said, "");
+  const render::Image spins = drawn_table("spins", start + rest + "1,2,2,0,0.5,1,0,0,0,0,0,0,0,nan,0\n", said);
+  EXPECT_NE(said.find("step 1: body 2 is not drawn, because its spin.y is nan"), std::string::npos) << said;
+  EXPECT_EQ(spins, without);
+  EXPECT_EQ(drawn_table("far", start + rest + "1,2,2,0,inf,1,0,0,0,0,0,0,0,0,0\n", said), without);
+}
 
 TEST_F(ToolsRender, SaysInThePictureWhatItShows) {
   const render::PngFile file = drawn({"--step", "12", "--effects", "-bloom"});

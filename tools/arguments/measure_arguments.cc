@@ -1,5 +1,7 @@
 #include "tools/arguments/measure_arguments.h"
 
+#include <algorithm>
+#include <string>
 #include <utility>
 
 #include "src/base/text.h"
@@ -12,20 +14,25 @@ void add_measure(Arguments& arguments, MeasureArguments& target) {
   arguments.option(
       "--bodies", "LIST", target.bodies,
       "Measure these: ids (7), ranges (3-9), tables of the scene (grid, tower:1, input), joined by commas");
-  arguments.option("--axis", "AXIS", target.axis, "The axis along which nothing should move: x (if not given) or y");
+  arguments.option(
+      "--axis", "AXIS", target.axis,
+      "The axis along which nothing should move: x (if not given) or y; in an imported session, one of its own");
   arguments.whole("--from-step", "K", target.from_step, 0, sim::kStepsMax,
                   "Measure from the state after step K on, as if it were the start");
 }
 
-Result<replay::MeasureOptions> parse_measure(const MeasureArguments& arguments) {
+Result<replay::MeasureOptions> parse_measure(const MeasureArguments& arguments, const replay::EngineAxes& axes) {
   replay::MeasureOptions how;
   Result<replay::BodyChoice> bodies = replay::parse_bodies(arguments.bodies);
   if (!bodies.ok()) return bad_input("--" + bodies.error().message);
   how.bodies = *std::move(bodies);
-  if (arguments.axis != "x" && arguments.axis != "y") {
-    return bad_input("--axis: found " + in_quotes(arguments.axis) + ", wanted x or y");
+  const std::string first(1, axes.along(0).letter), second(1, axes.along(1).letter);
+  if (!arguments.axis.empty() && arguments.axis != first && arguments.axis != second) {
+    const std::string up(1, axes.along(2).letter);
+    return bad_input("--axis: found " + in_quotes(arguments.axis) + ", wanted " + std::min(first, second) + " or " +
+                     std::max(first, second) + "; " + up + " points up");
   }
-  how.lateral = arguments.axis == "x" ? replay::LateralAxis::kX : replay::LateralAxis::kY;
+  how.lateral = arguments.axis == second ? replay::LateralAxis::kY : replay::LateralAxis::kX;
   how.from_step = arguments.from_step.value_or(0);
   return how;
 }

@@ -6,6 +6,7 @@
 
 #include "replay/measure/measure_options.h"
 #include "tools/arguments/arguments.h"
+#include "tumble/replay/imported_table.h"
 #include "tumble/sim/result.h"
 
 namespace tumble::tools {
@@ -13,14 +14,14 @@ namespace tumble::tools {
 /// The choice of bodies, axis and start, for `measure` and `bisect --metric`.
 struct MeasureArguments {
   std::string bodies = "all";
-  std::string axis = "x";
+  std::string axis;  ///< empty: not given
   std::optional<std::uint64_t> from_step;
 };
 
 /// Declares --bodies, --axis and --from-step.
 void add_measure(Arguments& arguments, MeasureArguments& target);
 
-/// Errors (kBadInput): unknown words, bodies or axes.
-Result<replay::MeasureOptions> parse_measure(const MeasureArguments& arguments);
+/// axes: those of the session, whose horizontal axes --axis names. Errors (kBadInput): unknown words, bodies or axes.
+Result<replay::MeasureOptions> parse_measure(const MeasureArguments& arguments, const replay::EngineAxes& axes = {});
 
 }  // namespace tumble::tools

@@ -8,6 +8,7 @@
 
 #include "golden/suite/temporary_folder.h"
 #include "golden/suite/text_files.h"
+#include "replay/format/not_finite.h"
 #include "replay/measure/measure_log.h"
 #include "src/process/run_child.h"
 #include "tools/bench/bench.h"
@@ -138,10 +139,11 @@ class SceneRun {
     if (!a.ok() || !b.ok()) return a.ok() ? b.error() : a.error();
     const replay::BodyStates &x = (*a)->states, &y = (*b)->states;
     double apart = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      apart = std::max(apart, sim::length(sim::Vec3(x.position[i] - y.position[i])));
+    for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i) {
+      apart = replay::largest(apart, sim::length(sim::Vec3(x.position[i] - y.position[i])));
     }
-    score.order_error = apart;
+    const bool comparable = x.id == y.id && replay::all_finite(x) && replay::all_finite(y);
+    score.order_error = comparable ? apart : replay::kNotANumber;
     return {};
   }
 
@@ -186,19 +188,19 @@ void print(const PeerScene& scene, const sim::SceneDef& def, const std::vector<S
 Json to_json(const PeerScene& scene, const sim::SceneDef& def, const std::vector<Score>& scores) {
   Json out = {{"scene", scene.name}, {"bodies", def.boxes.size()}, {"steps", def.steps}, {"dt", def.world.dt}};
   out["engines"] = Json::array();
-  const auto optional = [](const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); };
+  const auto optional = [](const std::optional<double>& value) { return value ? number_json(*value) : Json(nullptr); };
   for (const Score& score : scores) {
     Json row = {{"engine", score.engine}, {"failure", score.failure}};
     if (score.failure.empty()) {
       const replay::Metrics& m = *score.metrics;
       row["cpu_s"] = median(score.seconds);
       row["cpu_s_runs"] = score.seconds;
-      row["lateral_max"] = m.symmetry.lateral_max;
+      row["lateral_max"] = number_json(m.symmetry.lateral_max);
       row["column_spread"] = optional(m.symmetry.column_spread);
       row["order_error"] = optional(score.order_error);
-      row["overlap_max"] = m.stacking.overlap_max;
-      row["ground_penetration_max"] = m.stacking.ground_penetration_max;
-      row["drift_max"] = m.stacking.drift_max;
+      row["overlap_max"] = number_json(m.stacking.overlap_max);
+      row["ground_penetration_max"] = number_json(m.stacking.ground_penetration_max);
+      row["drift_max"] = number_json(m.stacking.drift_max);
       row["gain_ratio"] = optional(m.energy.gain_ratio);
       row["lost"] = m.stacking.lost;
     }

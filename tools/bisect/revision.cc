@@ -230,10 +230,10 @@ Result<Answer> Asker::ask_session(const std::string& commit) {
   const replay::MetricRow& row = *settings_.metric->metric;
   Answer answer;
   answer.asked = true;
-  answer.metric = row.value(*metrics);
+  answer.metric = row.value_in(log->header().axes(), *metrics);
   answer.yes = settings_.metric->holds(answer.metric);
   answer.message = std::string(row.name) + " is " + (answer.metric ? exact(*answer.metric) : "none") +
-                   (*row.unit != '\0' && answer.metric ? ' ' + std::string(row.unit) : "");
+                   (*row.unit != '\0' && answer.metric ? ' ' + row.unit_in(log->header().axes()) : "");
   return answer;
 }
 

@@ -1,7 +1,10 @@
 // tumble dump: bodies at one step, or one body over many.
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cmath>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,6 +16,7 @@
 #include "tools/arguments/command.h"
 #include "tools/arguments/step_range.h"
 #include "tools/files/log_files.h"
+#include "tools/output/axes_output.h"
 #include "tools/output/text.h"
 #include "tumble/replay/log_reader.h"
 #include "tumble/sim/ids.h"
@@ -33,15 +37,24 @@ struct Options {
 };
 
 // The numbers of a body, in the order of the columns: position, orientation, velocity, angular velocity.
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kNumbers = 13;
 constexpr std::array<const char*, kNumbers> kNames = {
     "position.x", "position.y", "position.z", "orientation.w", "orientation.x", "orientation.y", "orientation.z",
     "velocity.x", "velocity.y", "velocity.z", "spin.x",        "spin.y",        "spin.z"};
 
-std::array<double, kNumbers> numbers_of(const BodyStates& s, std::size_t i) {
-  return {s.position.x[i],    s.position.y[i],    s.position.z[i], s.orientation.w[i], s.orientation.x[i],
-          s.orientation.y[i], s.orientation.z[i], s.velocity.x[i], s.velocity.y[i],    s.velocity.z[i],
-          s.spin.x[i],        s.spin.y[i],        s.spin.z[i]};
+/// In the axes and units of the session's table.
+std::array<double, kNumbers> numbers_of(const replay::EngineAxes& axes, const BodyStates& s, std::size_t i) {
+  const sim::Vec3 x = axes.their_length(s.position[i]), v = axes.their_length(s.velocity[i]);
+  const sim::Vec3 w = axes.their_axial(s.spin[i]);
+  const sim::Quat q = axes.their_turn(s.orientation[i]);
+  return {x.x(), x.y(), x.z(), q.w, q.x, q.y, q.z, v.x(), v.y(), v.z(), w.x(), w.y(), w.z()};
+}
+
+/// A cell that reads back to the same bits. Readers of tables know "inf" and the usual "nan".
+std::string cell_of(double number) {
+  const bool plain = !std::isnan(number) || std::bit_cast<std::uint64_t>(number) == std::bit_cast<std::uint64_t>(kNaN);
+  return plain ? exact(number) : exact_bits(number);
 }
 
 // Prints the rows of a dump in one of the three forms.
@@ -56,36 +69,41 @@ class Output {
 
 class CsvOutput : public Output {
  public:
-  CsvOutput() {
+  explicit CsvOutput(const replay::EngineAxes& axes) : axes_(axes) {
     std::cout << "step,id";
     for (const char* name : kNames) std::cout << ',' << name;
     std::cout << ",frozen\n";
   }
   void add(std::uint64_t step, const BodyStates& states, std::size_t row) override {
     std::string line = std::to_string(step) + ',' + std::to_string(states.id[row]);
-    for (const double number : numbers_of(states, row)) line += ',' + exact(number);
+    for (const double number : numbers_of(axes_, states, row)) line += ',' + cell_of(number);
     std::cout << line << (states.frozen[row] != 0 ? ",1\n" : ",0\n");
   }
+
+ private:
+  replay::EngineAxes axes_;
 };
 
 // One object for --step, a list of them for --steps; a line a body, so that text tools can look at it too.
 class JsonOutput : public Output {
  public:
-  explicit JsonOutput(bool is_list) : is_list_(is_list) {
+  JsonOutput(bool is_list, const replay::EngineAxes& axes) : is_list_(is_list), axes_(axes) {
     if (is_list_) std::cout << "[\n";
   }
   void begin_step(std::uint64_t step) override {
-    std::cout << (first_step_ ? "" : ",\n") << "{\"step\":" << step << ",\"bodies\":[";
+    std::cout << (first_step_ ? "" : ",\n") << "{\"step\":" << step << ",\"axes\":" << axes_json(axes_).dump()
+              << ",\"bodies\":[";
     first_step_ = false;
     first_body_ = true;
   }
   void add(std::uint64_t /*step*/, const BodyStates& s, std::size_t i) override {
     Json body;
     body["id"] = s.id[i];
-    body["position"] = {s.position.x[i], s.position.y[i], s.position.z[i]};
-    body["orientation"] = {s.orientation.w[i], s.orientation.x[i], s.orientation.y[i], s.orientation.z[i]};
-    body["velocity"] = {s.velocity.x[i], s.velocity.y[i], s.velocity.z[i]};
-    body["spin"] = {s.spin.x[i], s.spin.y[i], s.spin.z[i]};
+    const std::array<double, kNumbers> numbers = numbers_of(axes_, s, i);
+    for (std::size_t k = 0; k < kNumbers; ++k) {
+      const std::string name = kNames[k];
+      body[name.substr(0, name.find('.'))].push_back(number_json(numbers[k]));
+    }
     body["frozen"] = s.frozen[i] != 0;
     std::cout << (first_body_ ? "\n" : ",\n") << body.dump();
     first_body_ = false;
@@ -95,6 +113,7 @@ class JsonOutput : public Output {
 
  private:
   bool is_list_;
+  replay::EngineAxes axes_;
   bool first_step_ = true;
   bool first_body_ = true;
 };
@@ -102,11 +121,9 @@ class JsonOutput : public Output {
 // Rounded, to be read by eye.
 class TextOutput : public Output {
  public:
-  TextOutput()
-      : table_({">step", ">body", ">x m", ">y m", ">z m", ">vx m/s", ">vy m/s", ">vz m/s", ">wx rad/s", ">wy rad/s",
-                ">wz rad/s", ">qw", ">qx", ">qy", ">qz", "frozen"}) {}
+  explicit TextOutput(const replay::EngineAxes& axes) : axes_(axes), table_(header_of(axes.unit())) {}
   void add(std::uint64_t step, const BodyStates& states, std::size_t row) override {
-    const std::array<double, kNumbers> n = numbers_of(states, row);
+    const std::array<double, kNumbers> n = numbers_of(axes_, states, row);
     std::vector<std::string> cells = {std::to_string(step), std::to_string(states.id[row])};
     for (const std::size_t k : {0U, 1U, 2U, 7U, 8U, 9U, 10U, 11U, 12U, 3U, 4U, 5U, 6U}) cells.push_back(fixed(n[k], 6));
     cells.emplace_back(states.frozen[row] != 0 ? "frozen" : "");
@@ -114,17 +131,27 @@ class TextOutput : public Output {
   }
   void end() override {
     table_.print();
+    if (!axes_.ours()) std::cout << "In the axes and units of the table: " << to_string(axes_) << ".\n";
     std::cout << "Rounded; --csv and --json print every bit.\n";
   }
 
  private:
+  static std::vector<std::string> header_of(const std::string& unit) {
+    std::vector<std::string> names = {">step", ">body"};
+    for (const char* axis : {"x", "y", "z"}) names.push_back(std::string(">") + axis + " " + unit);
+    for (const char* axis : {"vx", "vy", "vz"}) names.push_back(std::string(">") + axis + " " + unit + "/s");
+    names.insert(names.end(), {">wx rad/s", ">wy rad/s", ">wz rad/s", ">qw", ">qx", ">qy", ">qz", "frozen"});
+    return names;
+  }
+
+  replay::EngineAxes axes_;
   Table table_;
 };
 
-std::unique_ptr<Output> make_output(const Options& options) {
-  if (options.csv) return std::make_unique<CsvOutput>();
-  if (options.json) return std::make_unique<JsonOutput>(!options.step);
-  return std::make_unique<TextOutput>();
+std::unique_ptr<Output> make_output(const Options& options, const replay::EngineAxes& axes) {
+  if (options.csv) return std::make_unique<CsvOutput>(axes);
+  if (options.json) return std::make_unique<JsonOutput>(!options.step, axes);
+  return std::make_unique<TextOutput>(axes);
 }
 
 Result<StepRange> range_of(const Options& options, const replay::LogReader& log) {
@@ -171,7 +198,7 @@ Result<Exit> dump(const Options& options) {
     if (!exists.ok()) return exists.error();
     if (!*exists) return no_such_body(options, *log, *range);
   }
-  const std::unique_ptr<Output> output = make_output(options);
+  const std::unique_ptr<Output> output = make_output(options, log->header().axes());
   for (std::uint64_t k = range->first; k <= range->last && std::cout; ++k) {
     const Result<const replay::StepRecord*> record = source.read(k);
     if (!record.ok()) return record.error();
@@ -193,7 +220,9 @@ Action declare_dump(Arguments& arguments) {
   const Argument csv = arguments.flag("--csv", options->csv, "Print a table of comma-separated values");
   arguments.json(options->json).excludes(csv);
   arguments.footer(
-      "Numbers of --csv and --json read back to the same bits; the table for people is rounded.\n\n"
+      "Numbers of --csv and --json read back to the same bits; the table for people is rounded. JSON has no NaN\n"
+      "and no infinity: the value is a text with the 64 bits then, \"nan(0x7ff8000000000000)\".\n"
+      "An imported session is printed in the axes and the unit of its table.\n\n"
       "Examples:\n"
       "  tumble dump brick_wall.tumble --step 0\n"
       "  tumble dump brick_wall.tumble --steps 0:300 --body 222 --csv");

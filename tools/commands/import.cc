@@ -11,6 +11,7 @@
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/files/log_files.h"
+#include "tools/output/axes_output.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
 #include "tumble/replay/log_reader.h"
@@ -57,7 +58,7 @@ Result<replay::LogSummary> import_to(const Options& options, const std::string& 
 }
 
 void print_result(const Options& options, const std::string& output, const replay::LogSummary& summary,
-                  const replay::LogHeader& header) {
+                  const replay::LogHeader& header, const std::vector<std::string>& warnings) {
   if (options.json) {
     Json json;
     json["log"] = output;
@@ -66,11 +67,20 @@ void print_result(const Options& options, const std::string& output, const repla
     json["steps"] = summary.steps;
     json["bytes"] = summary.bytes;
     json["final_hash"] = to_string(summary.final_hash);
+    json["axes"] = axes_json(header.axes());
+    json["passed_over"] = header.table ? Json(header.table->passed_over) : Json::array();
+    json["warnings"] = warnings;
     print_json(json);
     return;
   }
   Listing listing;
   listing.add("engine", printable(to_string(*header.engine)));
+  listing.add("axes", to_string(header.axes()));
+  if (header.table && !header.table->passed_over.empty()) {
+    std::string names;
+    for (const std::string& name : header.table->passed_over) names += (names.empty() ? "" : ", ") + name;
+    listing.add("passed over", "columns " + printable(names));
+  }
   listing.add("bodies", std::to_string(header.scene.boxes.size()) + " at the start");
   listing.add("steps", std::to_string(summary.steps));
   listing.add("log", output);
@@ -84,6 +94,8 @@ Result<Exit> import_command(const Options& options) {
   if (!text.ok()) return text.error();
   replay::ImportOptions how;
   how.settings = options.settings;
+  std::vector<std::string> warnings;
+  how.warn = [&warnings](const std::string& warning) { warnings.push_back(warning); };
   if (!options.like.empty()) {
     Result<replay::LogReader> log = open_log(options.like);
     if (!log.ok()) return log.error();
@@ -100,7 +112,8 @@ Result<Exit> import_command(const Options& options) {
   if (!summary.ok()) return summary.error();
   const Result<replay::LogReader> log = replay::LogReader::open(output);
   if (!log.ok()) return log.error();
-  print_result(options, output, *summary, log->header());
+  for (const std::string& warning : warnings) std::cerr << "tumble import: warning: " << printable(warning) << '\n';
+  print_result(options, output, *summary, log->header(), warnings);
   return Exit::kSame;
 }
 

@@ -8,6 +8,7 @@
 #include "replay/log/verify.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
+#include "tools/output/axes_output.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
 #include "tumble/replay/log_reader.h"
@@ -56,6 +57,10 @@ void add_header(Listing& listing, const LogHeader& header) {
   if (header.engine) {
     const char* numbers = header.engine->precision_bits == replay::kBinary32Bits ? ", computes in binary32" : "";
     listing.add("engine", printable(to_string(*header.engine)) + numbers);
+    listing.add("axes", to_string(header.axes()));
+    if (header.table && !header.table->passed_over.empty()) {
+      listing.add("passed over", "columns " + printable(joined(header.table->passed_over, ", ")) + " of the table");
+    }
   } else {
     listing.add("method", printable(header.method) + ", version " + std::to_string(header.method_version));
   }
@@ -95,6 +100,8 @@ void put_header(Json& json, const LogHeader& header) {
                       {"version", header.engine->version},
                       {"precision_bits", header.engine->precision_bits}};
   }
+  json["axes"] = axes_json(header.axes());
+  json["passed_over"] = header.table ? Json(header.table->passed_over) : Json::array();
   json["method"] = header.method;
   json["method_version"] = header.method_version;
   json["float_format"] = header.float_format;

@@ -45,15 +45,25 @@ Result<std::vector<replay::MetricBound>> parse_bounds(const std::vector<std::str
 }
 
 // Prints the broken bounds to stderr.
-Exit judge_bounds(const std::vector<replay::MetricBound>& bounds, const replay::Metrics& metrics) {
+Exit judge_bounds(const std::vector<replay::MetricBound>& bounds, const replay::EngineAxes& axes,
+                  const replay::Metrics& metrics) {
   Exit verdict = Exit::kSame;
   for (const replay::MetricBound& bound : bounds) {
-    const std::optional<double> value = bound.metric->value(metrics);
+    const std::optional<double> value = bound.metric->value_in(axes, metrics);
     if (bound.holds(value)) continue;
-    std::cerr << "tumble measure: " << bound.text << ": found " << (value ? exact(*value) : "no value") << '\n';
+    const std::string unit = bound.metric->unit_in(axes);
+    std::string found = value ? exact(*value) + (unit.empty() ? "" : " ") + unit : "no value";
+    if (const auto& lost = bound.metric->spoiled_by(metrics)) found = "no number: " + to_string(*lost);
+    std::cerr << "tumble measure: " << bound.text << ": found " << found << '\n';
     verdict = Exit::kDifference;
   }
   return verdict;
+}
+
+void warn_of_lost_bodies(const Options& options, const replay::Metrics& metrics) {
+  if (!metrics.not_finite.any) return;
+  std::cerr << "tumble measure: " << options.log << ": " << to_string(*metrics.not_finite.any)
+            << "; no metric over this body holds for any bound\n";
 }
 
 replay::Progress progress_on(ProgressBar& bar) {
@@ -74,15 +84,16 @@ Result<replay::Metrics> measure_rows(replay::LogReader& log, const replay::Measu
   }
   std::optional<Plot> plot;
   if (!options.plot.empty()) {
-    Result<Plot> begun = Plot::for_file(options.plot);
+    Result<Plot> begun = Plot::for_file(options.plot, log.header().axes().unit());
     if (!begun.ok()) return begun.error();
     plot = *std::move(begun);
   }
   Result<replay::Metrics> metrics = replay::measure_log(
       log, how,
       [&](const replay::SeriesRow& row) {
-        if (series) series->add(row);
-        if (plot) plot->add(row);
+        const replay::SeriesRow shown = in_unit_of(log.header().axes(), row);
+        if (series) series->add(shown);
+        if (plot) plot->add(shown);
       },
       progress_on(bar));
   bar.finish();
@@ -108,12 +119,13 @@ Status compare_pair(replay::LogReader& log, replay::LogReader& pair, replay::Met
 }
 
 Result<Exit> measure(const Options& options) {
-  const Result<replay::MeasureOptions> how = parse_measure(options.over);
-  if (!how.ok()) return how.error();
   const Result<std::vector<replay::MetricBound>> bounds = parse_bounds(options.require);
   if (!bounds.ok()) return bounds.error();
   Result<replay::LogReader> log = open_log(options.log);
   if (!log.ok()) return log.error();
+  const replay::EngineAxes axes = log->header().axes();
+  const Result<replay::MeasureOptions> how = parse_measure(options.over, axes);
+  if (!how.ok()) return how.error();
   std::optional<replay::LogReader> pair;
   if (!options.pair.empty()) {
     Result<replay::LogReader> opened = open_log(options.pair);
@@ -126,11 +138,12 @@ Result<Exit> measure(const Options& options) {
     if (Status ok = compare_pair(*log, *pair, *metrics); !ok.ok()) return ok.error();
   }
   if (options.json) {
-    print_json(metrics_json(options.log, *metrics));
+    print_json(metrics_json(options.log, axes, *metrics));
   } else {
-    print_metrics(options.log, *metrics);
+    print_metrics(options.log, axes, *metrics);
   }
-  const Exit verdict = judge("measure", *log, judge_bounds(*bounds, *metrics));
+  warn_of_lost_bodies(options, *metrics);
+  const Exit verdict = judge("measure", *log, judge_bounds(*bounds, axes, *metrics));
   return pair ? judge("measure", *pair, verdict) : verdict;
 }
 

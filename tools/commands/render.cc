@@ -24,6 +24,7 @@ struct Summary {
   std::uint64_t pictures = 0;
   std::string first_hash, last_hash;  // state hashes
   std::string driver, backend;
+  std::optional<replay::NotFinite> missing;  // of the first picture that lacks a body
 };
 
 // "12" for a state, "11.25" for a moment between two.
@@ -96,6 +97,7 @@ class Drawing {
     const Frame& frame = plan_.frames[index];
     const Result<replay::Picture> picture = frames_.make(frame);
     if (!picture.ok()) return picture.error();
+    if (!summary_.missing) summary_.missing = picture->not_finite;
     const Result<render::Image> image = renderer_->draw(picture->snapshot, plan_.stage);
     if (!image.ok()) return image.error();
     summary_.last_hash = to_string(picture->state_hash);
@@ -170,6 +172,13 @@ Result<Exit> render_command(const RenderArguments& arguments) {
     print_json_summary(arguments.log, *plan, *summary);
   } else {
     print_text(*plan, *summary);
+  }
+  if (summary->missing) {
+    const replay::NotFinite& lost = *summary->missing;
+    std::cerr << "tumble render: step " << lost.step << ": body " << lost.body << " is not drawn, because its "
+              << lost.field << " is " << exact(lost.value);
+    if (lost.bodies > 1) std::cerr << "; " << count_text(lost.bodies - 1, "body") << " more likewise";
+    std::cerr << '\n';
   }
   return judge("render", *log, Exit::kSame);
 }

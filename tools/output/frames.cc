@@ -73,6 +73,7 @@ Result<Picture> FrameMaker::make(const Frame& frame) {
   const Result<Picture> other = make_of(*theirs_, frame);
   if (!other.ok()) return other.error();
   picture->snapshot = replay::overlay(picture->snapshot, other->snapshot);
+  if (!picture->not_finite) picture->not_finite = other->not_finite;
   return picture;
 }
 

@@ -1,55 +1,76 @@
 #include "tools/output/metrics_output.h"
 
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
 
 #include "replay/measure/metric_list.h"
+#include "tools/output/axes_output.h"
 
 namespace tumble::tools {
 namespace {
 
-Json value_json(const replay::MetricRow& metric, const replay::Metrics& metrics) {
-  const std::optional<double> value = metric.value(metrics);
+// `lost` counts bodies that are not finite, so the count is told although it is within no bound.
+bool is_told(const replay::MetricRow& metric) { return metric.name == std::string_view("lost"); }
+
+Json value_json(const replay::MetricRow& metric, const replay::EngineAxes& axes, const replay::Metrics& metrics) {
+  const std::optional<double> value = is_told(metric) ? metric.counted(metrics) : metric.value_in(axes, metrics);
   if (!value) return nullptr;
-  return metric.counts() ? Json(static_cast<std::uint64_t>(*value)) : Json(*value);
+  if (std::isfinite(*value) && metric.counts()) return static_cast<std::uint64_t>(*value);
+  return number_json(*value);
 }
 
-std::string value_text(const replay::MetricRow& metric, const replay::Metrics& metrics) {
-  const std::optional<double> value = metric.value(metrics);
+std::string value_text(const replay::MetricRow& metric, const replay::EngineAxes& axes,
+                       const replay::Metrics& metrics) {
+  const std::optional<double> value = is_told(metric) ? metric.counted(metrics) : metric.value_in(axes, metrics);
   if (!value) return metric.nothing;
+  if (!std::isfinite(*value)) return std::isnan(*value) ? "not a number" : exact(*value);
   if (metric.counts()) return std::to_string(static_cast<std::uint64_t>(*value));
-  return metric.unit == std::string_view("s") ? seconds_text(*value) : rounded(*value, metric.unit);
+  return metric.unit == std::string_view("s") ? seconds_text(*value) : rounded(*value, metric.unit_in(axes));
+}
+
+Json not_finite_json(const std::optional<replay::NotFinite>& lost) {
+  if (!lost) return nullptr;
+  return {{"body", lost->body},
+          {"step", lost->step},
+          {"field", lost->field},
+          {"value", number_json(lost->value)},
+          {"bodies", lost->bodies}};
 }
 
 }  // namespace
 
-Json metrics_json(const std::string& log, const replay::Metrics& metrics) {
+Json metrics_json(const std::string& log, const replay::EngineAxes& axes, const replay::Metrics& metrics) {
   Json json;
   json["log"] = log;
   json["bodies"] = metrics.bodies;
   json["steps"] = metrics.steps;
   for (const replay::MetricRow& metric : replay::metric_list()) {
-    json[metric.group][metric.name] = value_json(metric, metrics);
+    json[metric.group][metric.name] = value_json(metric, axes, metrics);
   }
   json["final_hash"] = to_string(metrics.final_hash);
+  json["axes"] = axes_json(axes);
+  json["not_finite"] = not_finite_json(metrics.not_finite.any);
   return json;
 }
 
-void print_metrics(const std::string& log, const replay::Metrics& metrics) {
+void print_metrics(const std::string& log, const replay::EngineAxes& axes, const replay::Metrics& metrics) {
   Listing out;
   out.add("log", log);
+  if (!axes.ours()) out.add("axes", to_string(axes));
   out.add("bodies", std::to_string(metrics.bodies));
   out.add("steps", std::to_string(metrics.steps));
   std::string_view group;
   for (const replay::MetricRow& metric : replay::metric_list()) {
     if (group != metric.group) out.section(metric.group);
     group = metric.group;
-    out.add(std::string("  ") + metric.label, value_text(metric, metrics));
+    out.add(std::string("  ") + metric.label, value_text(metric, axes, metrics));
   }
   out.section("");
+  if (metrics.not_finite.any) out.add("not finite", to_string(*metrics.not_finite.any));
   out.add("final hash", to_string(metrics.final_hash));
   out.print();
 }

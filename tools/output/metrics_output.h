@@ -5,15 +5,16 @@
 
 #include "replay/measure/measure.h"
 #include "tools/output/text.h"
+#include "tumble/replay/imported_table.h"
 #include "tumble/sim/result.h"
 
 namespace tumble::tools {
 
-/// `measure --json`: the keys of docs/metrics.md. log: its path.
-Json metrics_json(const std::string& log, const replay::Metrics& metrics);
+/// `measure --json`: the keys of docs/metrics.md. log: its path; axes: those of the session, whose unit lengths get.
+Json metrics_json(const std::string& log, const replay::EngineAxes& axes, const replay::Metrics& metrics);
 
 /// Prints the metrics for people, with units.
-void print_metrics(const std::string& log, const replay::Metrics& metrics);
+void print_metrics(const std::string& log, const replay::EngineAxes& axes, const replay::Metrics& metrics);
 
 /// `measure --series`: a CSV file with one row a step.
 class SeriesFile {

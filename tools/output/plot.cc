@@ -23,11 +23,11 @@ set ylabel 'energy, J'
 plot $rows using 1:2 title 'kinetic' linetype 1, \
      $rows using 1:3 title 'potential' linetype 2, \
      $rows using 1:4 title 'total less inputs' linetype 3
-set ylabel 'height of centres, m'
+set ylabel 'height of centres, '.unit
 plot $rows using 1:5 title 'highest' linetype 1, \
      $rows using 1:6 title 'mean' linetype 3, \
      $rows using 1:7 title 'lowest' linetype 2
-set ylabel 'depth, m'
+set ylabel 'depth, '.unit
 set yrange [0:*]
 set xlabel 'time, s'
 plot $rows using 1:8 title 'in the ground' linetype 2, \
@@ -37,9 +37,9 @@ unset multiplot
 
 }  // namespace
 
-Result<Plot> Plot::for_file(const std::string& path) {
+Result<Plot> Plot::for_file(const std::string& path, const std::string& unit) {
   if (Status ok = check_plot_path(path); !ok.ok()) return ok.error();
-  return Plot(path);
+  return Plot(path, unit);
 }
 
 void Plot::add(const replay::SeriesRow& row) {
@@ -66,8 +66,9 @@ std::string Plot::data() const {
 Status Plot::draw(const std::string& title) const {
   const double first = points_.front().time, last = points_.back().time;
   return run_gnuplot(path_, 900, 1000,
-                     "title_text = " + gnuplot_quoted(title) + "\nfirst = " + exact(first) +
-                         "\nlast = " + exact(last > first ? last : first + 1) + '\n' + data() + kSeriesStyle);
+                     "title_text = " + gnuplot_quoted(title) + "\nunit = " + gnuplot_quoted(unit_) +
+                         "\nfirst = " + exact(first) + "\nlast = " + exact(last > first ? last : first + 1) + '\n' +
+                         data() + kSeriesStyle);
 }
 
 }  // namespace tumble::tools

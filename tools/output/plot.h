@@ -12,8 +12,8 @@ namespace tumble::tools {
 /// `measure --plot`: energies, heights and overlap over time, drawn by gnuplot.
 class Plot {
  public:
-  /// path: ends with .svg or .png. Errors (kBadInput): another ending.
-  static Result<Plot> for_file(const std::string& path);
+  /// path: ends with .svg or .png; unit: of the lengths. Errors (kBadInput): another ending.
+  static Result<Plot> for_file(const std::string& path, const std::string& unit);
 
   void add(const replay::SeriesRow& row);
 
@@ -23,15 +23,16 @@ class Plot {
  private:
   struct Point {
     double time, kinetic, potential, own;  // s, J; own: the total without the work of inputs
-    double highest, mean, lowest;          // m
-    double penetration;                    // m
-    std::optional<double> overlap;         // m
+    double highest, mean, lowest;          // in unit_
+    double penetration;
+    std::optional<double> overlap;
   };
 
-  explicit Plot(std::string path) : path_(std::move(path)) {}
+  Plot(std::string path, std::string unit) : path_(std::move(path)), unit_(std::move(unit)) {}
   [[nodiscard]] std::string data() const;
 
   std::string path_;
+  std::string unit_;
   std::vector<Point> points_;
 };
 

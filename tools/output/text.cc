@@ -1,13 +1,17 @@
 #include "tools/output/text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "src/base/check.h"
 
 namespace tumble::tools {
+
 void print_json(const Json& json) { std::cout << json.dump(2, ' ', false, Json::error_handler_t::replace) << '\n'; }
+
+Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(exact_bits(value)); }
 
 void Listing::print() const {
   std::size_t width = 0;

@@ -17,6 +17,9 @@ using Json = nlohmann::ordered_json;
 /// gets replacement characters.
 void print_json(const Json& json);
 
+/// A number, or, where JSON has none for it, the text of exact_bits(): "nan(0x7ff8000000000000)".
+Json number_json(double value);
+
 /// Lines of "label  value", values aligned.
 class Listing {
  public:

@@ -1,0 +1,89 @@
+#include "tumble/replay/imported_table.h"
+
+#include <cmath>
+
+#include "src/base/text.h"
+
+namespace tumble::replay {
+namespace {
+
+using sim::Vec3;
+
+constexpr double kCentimetre = 0.01;
+constexpr double kMillimetre = 0.001;
+
+EngineAxis axis_of(const Vec3& theirs) {
+  int k = 0;
+  while (k < 2 && theirs[k] == 0) ++k;
+  return {static_cast<char>('x' + k), theirs[k] < 0 ? -1.0 : 1.0};
+}
+
+Vec3 unit_vector(int k) { return {k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0}; }
+
+}  // namespace
+
+// A left-handed engine is reflected in its xy plane first. Then the axes are permuted cyclically until "up" is z, which
+// keeps the handedness; y up needs one sign besides. No value is rounded.
+Vec3 EngineAxes::direction(const Vec3& v) const {
+  const Vec3 right = left_handed ? Vec3(v.x(), v.y(), -v.z()) : v;
+  if (up == 0) return {right.y(), right.z(), right.x()};
+  if (up == 1) return {right.x(), -right.z(), right.y()};
+  return right;
+}
+
+Vec3 EngineAxes::their_direction(const Vec3& v) const {
+  Vec3 right = v;
+  if (up == 0) right = {v.z(), v.x(), v.y()};
+  if (up == 1) right = {v.x(), v.z(), -v.y()};
+  return left_handed ? Vec3(right.x(), right.y(), -right.z()) : right;
+}
+
+Vec3 EngineAxes::length(const Vec3& v) const {
+  const Vec3 turned = direction(v);
+  return {turned.x() * metres, turned.y() * metres, turned.z() * metres};
+}
+
+Vec3 EngineAxes::their_length(const Vec3& v) const {
+  const Vec3 turned = their_direction(v);
+  return {their_metres(turned.x()), their_metres(turned.y()), their_metres(turned.z())};
+}
+
+Vec3 EngineAxes::axial(const Vec3& w) const {  // a reflection reverses axial vectors
+  return left_handed ? direction({-w.x(), -w.y(), -w.z()}) : direction(w);
+}
+
+Vec3 EngineAxes::their_axial(const Vec3& w) const {
+  return left_handed ? their_direction({-w.x(), -w.y(), -w.z()}) : their_direction(w);
+}
+
+sim::Quat EngineAxes::turn(const sim::Quat& q) const {
+  const Vec3 axis = axial({q.x, q.y, q.z});
+  return {q.w, axis.x(), axis.y(), axis.z()};
+}
+
+sim::Quat EngineAxes::their_turn(const sim::Quat& q) const {
+  const Vec3 axis = their_axial({q.x, q.y, q.z});
+  return {q.w, axis.x(), axis.y(), axis.z()};
+}
+
+Vec3 EngineAxes::extents(const Vec3& size) const {
+  const Vec3 turned = length(size);
+  return {std::fabs(turned.x()), std::fabs(turned.y()), std::fabs(turned.z())};
+}
+
+EngineAxis EngineAxes::along(int k) const { return axis_of(their_direction(unit_vector(k))); }
+EngineAxis EngineAxes::axial_along(int k) const { return axis_of(their_axial(unit_vector(k))); }
+
+std::string EngineAxes::unit() const {
+  if (metres == 1) return "m";
+  if (metres == kCentimetre) return "cm";
+  if (metres == kMillimetre) return "mm";
+  return "[" + exact(metres) + " m]";
+}
+
+std::string to_string(const EngineAxes& axes) {
+  std::string text(1, static_cast<char>('x' + axes.up));
+  return text.append(" up, ").append(axes.left_handed ? "left" : "right").append("-handed, ").append(axes.unit());
+}
+
+}  // namespace tumble::replay

@@ -1,0 +1,58 @@
+#include "replay/format/not_finite.h"
+
+#include <array>
+
+#include "src/base/text.h"
+
+namespace tumble::replay {
+namespace {
+
+// For people, places come before speeds.
+constexpr std::array<std::size_t, kColumnCount> kOrder = {
+    kPosition, kPosition + 1, kPosition + 2, kOrientation, kOrientation + 1, kOrientation + 2, kOrientation + 3,
+    kVelocity, kVelocity + 1, kVelocity + 2, kSpin,        kSpin + 1,        kSpin + 2};
+
+/// x · 0 is 0 for a finite x of either sign, and NaN for all others; a sum of zeros stays 0.
+bool all_finite(const std::vector<double>& column) {
+  constexpr std::size_t kLanes = 4;  // sums that do not wait for one another
+  std::array<double, kLanes> sums = {};
+  const std::size_t whole = column.size() - column.size() % kLanes;
+  for (std::size_t i = 0; i < whole; i += kLanes) {
+    for (std::size_t k = 0; k < kLanes; ++k) sums[k] += column[i + k] * 0.0;
+  }
+  for (std::size_t i = whole; i < column.size(); ++i) sums[0] += column[i] * 0.0;
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]) == 0;
+}
+
+}  // namespace
+
+std::string to_string(const NotFinite& lost) {
+  std::string text = "body " + std::to_string(lost.body) + " is lost from step " + std::to_string(lost.step) +
+                     " on: " + lost.field + " is " + exact(lost.value);
+  if (lost.bodies > 1) text += ", and " + count_text(lost.bodies - 1, "body") + " more likewise";
+  return text;
+}
+
+bool all_finite(const BodyStates& states) {
+  for (const std::vector<double>* column : columns_of(states)) {
+    if (!all_finite(*column)) return false;
+  }
+  return true;
+}
+
+bool is_finite(const BodyStates& states, std::size_t row) {
+  double sum = 0;
+  for (const std::vector<double>* column : columns_of(states)) sum += (*column)[row] * 0.0;
+  return sum == 0;
+}
+
+std::optional<NotFinite> not_finite(const BodyStates& states, std::size_t row, std::uint64_t step) {
+  const ConstColumns columns = columns_of(states);
+  for (const std::size_t k : kOrder) {
+    const double value = (*columns[k])[row];
+    if (!std::isfinite(value)) return NotFinite{states.id[row], step, kColumnNames[k], value, 1};
+  }
+  return std::nullopt;
+}
+
+}  // namespace tumble::replay

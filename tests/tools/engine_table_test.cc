@@ -1,0 +1,208 @@
+// Imported tables as their owner meets them again: in the axes and units of the table, with the bodies named that are
+// lost because a number is none, and with every oddness of the table told.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/support/program.h"
+#include "tests/tools/json_output.h"
+
+namespace tumble::test {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr const char* kColumns =
+    "step,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z,"
+    "velocity.x,velocity.y,velocity.z,spin.x,spin.y,spin.z,frozen\n";
+
+/// Two bodies, four steps, z up. In step 2 the spin of body 2 begins with `spin`.
+std::string table(const std::string& spin = "0") {
+  std::string text = std::string("# engine: toy\n# dt: 0.1\n") + kColumns;
+  for (int k = 0; k < 5; ++k) {
+    const std::string step = std::to_string(k);
+    text += step + ",1,0,0,0.5,1,0,0,0,0,0,0,0,0,0,0\n";
+    text += step + ",2,3,0,0." + std::to_string(5 + k) + ",1,0,0,0,0,0,1," + (k == 2 ? spin : "0") + ",0,0,0\n";
+  }
+  return text;
+}
+
+Outcome import(const Workshop& shop, const std::string& text, const std::vector<std::string>& more = {}) {
+  shop.write("t.csv", text);
+  std::vector<std::string> arguments = {"import", "t.csv", "-o", "t.tumble"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return shop.run(arguments);
+}
+
+bool says(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
+
+TEST(EngineTable, ABodyWithoutANumberIsLostInEveryCommand) {
+  const Workshop shop;
+  const Outcome imported = import(shop, table("nan"));
+  ASSERT_EQ(imported.exit, 0) << imported.err;
+  EXPECT_TRUE(says(imported.err, "t.csv:9:27: body 2 is lost from step 2 on: spin.x is nan")) << imported.err;
+  const Outcome measured = shop.run({"measure", "t.tumble", "--json"});
+  EXPECT_EQ(measured.exit, 0);
+  EXPECT_TRUE(says(measured.err, "body 2 is lost from step 2 on: spin.x is nan")) << measured.err;
+  const ordered_json json = parsed(measured);
+  EXPECT_EQ(json["stacking"]["lost"], 1);
+  EXPECT_TRUE(says(json["stacking"]["drift_max"].get<std::string>(), "nan(0x"));
+  EXPECT_EQ(json["not_finite"]["body"], 2);
+  EXPECT_EQ(json["not_finite"]["step"], 2);
+  EXPECT_EQ(json["not_finite"]["field"], "spin.x");
+  EXPECT_TRUE(says(shop.run({"measure", "t.tumble"}).out, "not a number"));
+  for (const char* bound : {"lost<=0", "lost<=9", "drift_max<=0", "drift_max>=0", "gain_ratio<=1e9", "lateral_max<=0",
+                            "bounces>=0", "tilt_max<=180", "frozen_fraction<=1", "kinetic_end>=0"}) {
+    const Outcome judged = shop.run({"measure", "t.tumble", "--require", bound});
+    EXPECT_EQ(judged.exit, 1) << bound;
+    EXPECT_TRUE(says(judged.err, std::string(bound) + ": found no number: body 2 is lost from step 2 on"))
+        << judged.err;
+  }
+  EXPECT_EQ(shop.run({"measure", "t.tumble", "--bodies", "1", "--require", "drift_max<=0"}).exit, 0);
+  EXPECT_EQ(shop.run({"measure", "t.tumble", "--bodies", "1", "--require", "gain_max<=9"}).exit, 1);
+}
+
+TEST(EngineTable, NumbersThatJsonLacksReadBackToTheSameBits) {
+  const Workshop shop;
+  const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+  const std::vector<std::pair<std::string, std::string>> cells = {
+      {"nan", "nan(0x7ff8000000000000)"},
+      {"-inf", "-inf(0xfff0000000000000)"},
+      {"nan(0x7ff800000000beef)", "nan(0x7ff800000000beef)"},
+      {"nan(0xfff8000000000001)", "nan(0xfff8000000000001)"}};
+  for (const auto& [cell, text] : cells) {
+    ASSERT_EQ(import(shop, table(cell)).exit, 0) << cell;
+    const ordered_json step = parsed(shop.run({"dump", "t.tumble", "--step", "2", "--json"}));
+    EXPECT_EQ(step["bodies"][1]["spin"][0], text);
+    const std::string again = shop.run({"dump", "t.tumble", "--steps", "0:4", "--csv"}).out;
+    EXPECT_TRUE(says(again, "," + cell + ",0")) << again;
+    shop.write("again.csv", "# engine: toy\n# dt: 0.1\n" + again);
+    ASSERT_EQ(shop.run({"import", "again.csv"}).exit, 0);
+    EXPECT_EQ(parsed(shop.run({"info", "again.tumble", "--json"}))["final_hash"],
+              parsed(shop.run({"info", "t.tumble", "--json"}))["final_hash"]);
+    EXPECT_EQ(parsed(shop.run({"dump", "again.tumble", "--step", "2", "--json"}))["bodies"], step["bodies"]);
+  }
+  EXPECT_NE(bits(0.0), bits(-0.0));
+}
+
+TEST(EngineTable, ACaseWithALostBodyFailsAndCannotBeBlessed) {
+  const Workshop shop;
+  shop.write("s/cases/one/scene.toml", kSmallScene);
+  shop.write("s/cases/one/metrics.toml", std::string("require = [\"behaviour\"]\n[command]\nrun = \"") +
+                                             TUMBLE_PROGRAM +
+                                             " import ../t.csv -o {log} # {scene}\"\n[[metric]]\nname = \"drift_max\"\n"
+                                             "max = 1.0\nwhy = \"they stay\"\n");
+  shop.write("t.csv", table());
+  ASSERT_EQ(shop.run({"bless", "one", "--suite", "s", "--reason", "a test"}).exit, 0);
+  EXPECT_EQ(shop.run({"check", "--suite", "s", "--report", "r"}).exit, 0);
+  shop.write("t.csv", table("nan"));
+  const Outcome checked = shop.run({"check", "--suite", "s", "--report", "r"});
+  EXPECT_EQ(checked.exit, 1);
+  const char* lost = "body 2 is lost from step 2 on: spin.x is nan";
+  EXPECT_TRUE(says(checked.out, lost)) << checked.out;
+  EXPECT_TRUE(says(shop.read("r/index.html"), lost));
+  EXPECT_TRUE(says(shop.read("r/report.json"), lost));
+  const Outcome blessed = shop.run({"bless", "one", "--suite", "s", "--reason", "a test"});
+  EXPECT_EQ(blessed.exit, 2);
+  EXPECT_TRUE(says(blessed.err, lost)) << blessed.err;
+}
+
+TEST(EngineTable, ResultsComeBackInItsAxesAndUnit) {
+  const Workshop shop;
+  const std::string rows =
+      "0,4,10,50,-30,0.2,0.2,0.4,0.8717797887081347,1,2,-0,4,5,-6,0\n"
+      "1,4,12,51,-37,0.2,0.2,0.4,0.8717797887081347,1,2,-0,4,5,-6,0\n";
+  for (const char* handed : {"right", "left"}) {
+    const Outcome imported =
+        import(shop, std::string("# dt: 0.1\n# up: y\n# length: cm\n# handed: ") + handed + "\n" + kColumns + rows,
+               {"--json"});
+    ASSERT_EQ(imported.exit, 0) << imported.err;
+    EXPECT_EQ(parsed(imported)["axes"]["up"], "y");
+    EXPECT_EQ(parsed(imported)["axes"]["length"], "cm");
+    EXPECT_EQ(parsed(imported)["axes"]["handed"], handed);
+    EXPECT_EQ(shop.run({"dump", "t.tumble", "--steps", "0:1", "--csv"}).out, kColumns + rows) << handed;
+    const ordered_json step = parsed(shop.run({"dump", "t.tumble", "--step", "1", "--json"}));
+    EXPECT_EQ(step["axes"]["up"], "y");
+    EXPECT_EQ(step["bodies"][0]["position"], ordered_json::parse("[12.0, 51.0, -37.0]"));
+    EXPECT_TRUE(says(shop.run({"dump", "t.tumble", "--step", "1"}).out, "y cm"));
+    const ordered_json along_z = parsed(shop.run({"measure", "t.tumble", "--axis", "z", "--json"}));
+    EXPECT_EQ(along_z["axes"], step["axes"]);
+    EXPECT_NEAR(along_z["symmetry"]["lateral_max"].get<double>(), 7, 1e-12);
+    const ordered_json along_x = parsed(shop.run({"measure", "t.tumble", "--axis", "x", "--json"}));
+    EXPECT_NEAR(along_x["symmetry"]["lateral_max"].get<double>(), 2, 1e-12);
+    EXPECT_NEAR(along_x["stacking"]["top_drop_max"].get<double>(), 0, 1e-12) << "it rose by 1 cm along y";
+    const Outcome up = shop.run({"measure", "t.tumble", "--axis", "y"});
+    EXPECT_EQ(up.exit, 2);
+    EXPECT_TRUE(says(up.err, "wanted x or z; y points up")) << up.err;
+    EXPECT_TRUE(says(shop.run({"measure", "t.tumble"}).out, "2 cm"));
+    EXPECT_EQ(shop.run({"measure", "t.tumble", "--require", "lateral_max<=2.001"}).exit, 0);
+    const Outcome beyond = shop.run({"measure", "t.tumble", "--require", "lateral_max<=1.9"});
+    EXPECT_EQ(beyond.exit, 1);
+    EXPECT_TRUE(says(beyond.err, " cm")) << beyond.err;
+  }
+}
+
+TEST(EngineTable, ACutTableIsFoundAsFarAsItCanBe) {
+  const Workshop shop;
+  const std::string whole = table();
+  for (std::size_t cut = 1; cut < 50; ++cut) {  // anywhere in the last row
+    const Outcome outcome = import(shop, whole.substr(0, whole.size() - cut));
+    if (whole[whole.size() - cut - 1] == '\n') {
+      EXPECT_EQ(outcome.exit, 0) << outcome.err;
+      EXPECT_TRUE(says(outcome.err, "the last step has 1 of the 2 bodies of the step before")) << outcome.err;
+    } else {
+      EXPECT_EQ(outcome.exit, 2) << cut;
+      EXPECT_TRUE(says(outcome.err, "the table may have been cut here")) << outcome.err;
+    }
+  }
+  EXPECT_EQ(import(shop, whole).err, "");
+}
+
+TEST(EngineTable, RepeatedKeysAndOrientationsThatAreNoneAreErrors) {
+  const Workshop shop;
+  const Outcome twice = import(shop, "# dt: 0.1\n" + table());
+  EXPECT_EQ(twice.exit, 2);
+  EXPECT_TRUE(says(twice.err, "t.csv:3:1: dt: found a second time, first in line 1")) << twice.err;
+  EXPECT_EQ(import(shop, table(), {"--header", "up: z", "--header", "up: y"}).exit, 2);
+  EXPECT_EQ(import(shop, table(), {"--header", "dt: 0.2"}).exit, 0) << "the command line wins over the table";
+  for (const std::size_t line : {std::size_t{0}, std::size_t{3}}) {
+    for (const char* wrong : {"2,0,0,0", "0,0,0,0", "0.9,0.1,0,0"}) {
+      std::string text = table();
+      const std::string row = "\n" + std::to_string(line) + ",1,0,0,0.5,";
+      text.replace(text.find(row) + row.size(), 7, wrong);
+      const Outcome outcome = import(shop, text);
+      EXPECT_EQ(outcome.exit, 2) << wrong;
+      EXPECT_TRUE(says(outcome.err, "orientation: found a quaternion of length")) << outcome.err;
+    }
+  }
+}
+
+TEST(EngineTable, ARoughOrientationIsAWarningWithItsPlace) {
+  const Workshop shop;
+  std::string text = table();
+  const std::string row = "\n3,1,0,0,0.5,";
+  text.replace(text.find(row) + row.size(), 1, "1.001");
+  const Outcome outcome = import(shop, text, {"--json"});
+  EXPECT_EQ(outcome.exit, 0) << outcome.err;
+  EXPECT_TRUE(
+      says(outcome.err, "warning: t.csv:10:13: body 1, step 3: the orientation is a quaternion of length 1.001"))
+      << outcome.err;
+  EXPECT_EQ(parsed(outcome)["warnings"].size(), 1U);
+}
+
+TEST(EngineTable, ColumnsPassedOverAreNamed) {
+  const Workshop shop;
+  std::string text = table();
+  text.replace(text.find("frozen\n"), 6, "_sleep");
+  const Outcome outcome = import(shop, text);
+  EXPECT_TRUE(says(outcome.out, "columns _sleep")) << outcome.out;
+  EXPECT_TRUE(says(shop.run({"info", "t.tumble"}).out, "columns _sleep of the table"));
+  EXPECT_EQ(parsed(shop.run({"info", "t.tumble", "--json"}))["passed_over"], ordered_json::parse(R"(["_sleep"])"));
+}
+
+}  // namespace
+}  // namespace tumble::test
