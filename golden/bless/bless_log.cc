@@ -10,8 +10,6 @@
 #include "golden/expected/expected_file.h"
 #include "golden/judge/judge.h"
 #include "golden/run/run_session.h"
-#include "golden/suite/metric_values.h"
-#include "golden/suite/parse_rules.h"
 #include "golden/suite/scene_hash.h"
 #include "golden/suite/text_files.h"
 #include "src/scenes/problem.h"

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "golden/expected/expected.h"
 #include "golden/judge/case_result.h"
 #include "tumble/sim/result.h"
 

@@ -9,7 +9,7 @@
 #include "src/base/check.h"
 #include "src/scenes/parse_toml.h"
 #include "src/scenes/table_reader.h"
-#include "tumble/render/renderer.h"
+#include "tumble/render/image.h"
 #include "tumble/sim/limits.h"
 
 namespace tumble::golden {

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "replay/format/chain.h"
-#include "replay/format/little_endian.h"
 #include "tumble/replay/body_states.h"
 
 namespace tumble::replay {

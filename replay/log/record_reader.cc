@@ -7,7 +7,6 @@
 #include "replay/codec/header_codec.h"
 #include "replay/codec/index_codec.h"
 #include "replay/format/chain.h"
-#include "replay/format/limits.h"
 #include "src/base/check.h"
 #include "tumble/sim/limits.h"
 

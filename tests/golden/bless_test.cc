@@ -5,7 +5,6 @@
 
 #include "golden/bless/bless_log.h"
 #include "golden/suite/parse_rules.h"
-#include "golden/suite/text_files.h"
 #include "tests/support/golden_suite.h"
 #include "tumble/replay/recorder.h"
 #include "tumble/scenes/scene_file.h"

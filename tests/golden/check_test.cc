@@ -8,7 +8,6 @@
 
 #include "golden/bless/bless.h"
 #include "golden/expected/expected_file.h"
-#include "golden/suite/text_files.h"
 #include "tests/support/golden_suite.h"
 
 namespace tumble::golden {

@@ -1,7 +1,6 @@
 // Replay: a session that is replayed is identical, and one changed value anywhere is found.
 #include <gtest/gtest.h>
 
-#include "replay/format/limits.h"
 #include "tests/replay/lying_log.h"
 #include "tests/support/log_memory.h"
 #include "tumble/replay/player.h"

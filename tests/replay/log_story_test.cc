@@ -9,7 +9,6 @@
 #include "replay/codec/zstd_frame.h"
 #include "replay/diff/difference_report.h"
 #include "replay/diff/locate_divergence.h"
-#include "replay/format/limits.h"
 #include "replay/measure/metric_bound.h"
 #include "tests/support/log_memory.h"
 #include "tumble/sim/step.h"

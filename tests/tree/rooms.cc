@@ -78,7 +78,7 @@ std::vector<Room> suite() {
   const Folders run = parts + Folders{"golden/judge"};
   const Folders above = run + Folders{"golden/run", "src/process"};
   return {
-      {"golden/suite", logs + Folders{"src/render"}},
+      {"golden/suite", logs + Folders{"src/render/picture"}},
       {"golden/expected", logs},
       {"golden/judge", parts},
       {"golden/run", run + Folders{"src/process"}},

@@ -5,7 +5,6 @@
 
 #include "src/base/text.h"
 #include "src/process/child_pipe.h"
-#include "tools/output/text.h"
 
 namespace tumble::tools {
 namespace {

@@ -1,7 +1,6 @@
 #include "tools/output/separation_plot.h"
 
 #include "tools/output/gnuplot.h"
-#include "tools/output/text.h"
 
 namespace tumble::tools {
 namespace {

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "replay/diff/input_difference.h"
-#include "replay/diff/locate_divergence.h"
 #include "replay/diff/step_contacts.h"
 #include "replay/session/state_source.h"
 #include "tools/output/divergence_output.h"
