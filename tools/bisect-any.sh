@@ -59,6 +59,6 @@ judge() { # command...
     *) skip "its log cannot be judged" ;;
   esac
 }
-[[ -z $log ]] || judge diff --brief ${tolerances[@]+"${tolerances[@]}"} "$log" "$TUMBLE_LOG"
+[[ -z $log ]] || judge diff ${tolerances[@]+"${tolerances[@]}"} "$log" "$TUMBLE_LOG"
 ((${#bounds[@]} == 0)) || judge measure "${bounds[@]}" "$TUMBLE_LOG"
 exit "$verdict"

@@ -1,67 +1,15 @@
 #include "tumble/replay/compare.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "replay/diff/world_difference.h"
 #include "replay/format/chain.h"
+#include "replay/log/checked_log.h"
 #include "tumble/replay/body_states.h"
 
 namespace tumble::replay {
 namespace {
-
-double tolerance_of(const Tolerances& tolerances, std::size_t column) {
-  if (column >= kOrientation) return tolerances.orientation;
-  if (column >= kPosition) return tolerances.position;
-  return column >= kSpin ? tolerances.spin : tolerances.velocity;
-}
-
-/// Copies into `actual` every value of `expected` within tolerance, so that an exact comparison finds it equal.
-void forgive(const BodyStates& expected, BodyStates& actual, const Tolerances& tolerances) {
-  if (expected.id != actual.id) return;
-  const ConstColumns wanted = columns_of(expected);
-  const Columns found = columns_of(actual);
-  for (std::size_t c = 0; c < kColumnCount; ++c) {
-    const double tolerance = tolerance_of(tolerances, c);
-    if (tolerance == 0) continue;
-    for (std::size_t i = 0; i < actual.size(); ++i) {
-      if (std::fabs((*found[c])[i] - (*wanted[c])[i]) <= tolerance) (*found[c])[i] = (*wanted[c])[i];
-    }
-  }
-}
-
-/// Differences of the headers, for people. Steps decide whether two sessions are equal; two logs of one session may
-/// well have other headers (another tool, another --states).
-std::vector<std::string> different_headers(const LogHeader& a, const LogHeader& b) {
-  std::vector<std::string> lines;
-  const auto check = [&](const char* what, const std::string& value_a, const std::string& value_b) {
-    if (value_a != value_b) lines.push_back(std::string(what) + ": " + value_a + " and " + value_b);
-  };
-  const auto engine = [](const LogHeader& header) { return header.engine ? to_string(*header.engine) : "tumble"; };
-  check("engine", engine(a), engine(b));
-  check("method", a.method, b.method);
-  check("method version", std::to_string(a.method_version), std::to_string(b.method_version));
-  check("scene", a.scene.name, b.scene.name);
-  check("transform", to_string(a.transform), to_string(b.transform));
-  const auto start = [](const LogHeader& header) {
-    return header.goes_on ? "step " + std::to_string(header.goes_on->step) + " of another session" : "state 0";
-  };
-  check("begins with", start(a), start(b));
-  check("planned steps", std::to_string(a.scene.steps), std::to_string(b.scene.steps));
-  check("states", to_string(a.states), to_string(b.states));
-  check("written by", a.tool_version + ", " + a.tool_build, b.tool_version + ", " + b.tool_build);
-  if (a.phases != b.phases) {
-    lines.emplace_back("phases: not the same names, so only states are compared");
-  } else if (std::string note = phase_hash_note(a, b); !note.empty()) {
-    lines.push_back(std::move(note));
-  }
-  if (a.goes_on != b.goes_on) return lines;  // the two scenes are those of different steps
-  check("bodies at the start", std::to_string(a.scene.boxes.size()), std::to_string(b.scene.boxes.size()));
-  if (!(a.scene.world == b.scene.world)) lines.emplace_back("world: not the same parameters");
-  if (a.scene.boxes != b.scene.boxes) lines.emplace_back("boxes: not the same at the start");
-  if (a.scene.inputs != b.scene.inputs) lines.emplace_back("inputs: not the same script");
-  return lines;
-}
 
 /// One comparison of two logs, A and B.
 ///
@@ -70,24 +18,28 @@ std::vector<std::string> different_headers(const LogHeader& a, const LogHeader& 
 /// phases, counters and the inputs they know.
 class Diff {
  public:
-  Diff(LogReader& a, LogReader& b, const Tolerances& tolerances) : a_(a), b_(b), tolerances_(tolerances) {
+  Diff(LogReader& a, LogReader& b, const Tolerances& tolerances, Reading reading)
+      : a_(a), b_(b), tolerances_(tolerances), reading_(reading) {
     same_words_ = same_phase_words(a.header(), b.header());
     if (same_words_ && tolerances.exact()) phases_ = a.header().phases;
     const auto engine = [](const LogHeader& header) { return header.engine.value_or(EngineName()).name; };
     states_only_ = engine(a.header()) != engine(b.header());
+    imported_ = a.header().engine || b.header().engine;
     chains_say_all_ = same_words_ && !states_only_;
   }
 
   Result<DiffReport> run(const Progress& progress) {
+    if (Status ok = check_both(progress); !ok.ok()) return ok.error();
     report_.last_a = a_.last_step();
     report_.last_b = b_.last_step();
     const std::uint64_t from = report_.from = std::max(a_.first_state(), b_.first_state());
     const std::uint64_t last = std::min(report_.last_a, report_.last_b);
     if (from > last) return no_common_step();
     report_.steps = last - from;
-    report_.headers = different_headers(a_.header(), b_.header());
+    report_.headers = header_differences(a_.header(), b_.header(), tolerances_);
+    if (Status ok = compare_worlds(from, last); !ok.ok()) return ok.error();
     if (Status ok = compare_start(from); !ok.ok()) return ok.error();
-    if (report_.first) return std::move(report_);
+    if (report_.first) return finished();
     Result<std::uint64_t> same = last_known_same(from, last);
     if (!same.ok()) return same.error();
     for (std::uint64_t k = *same + 1; k <= last && !report_.first; ++k) {
@@ -96,9 +48,10 @@ class Diff {
         continue;
       }
       if (Status ok = compare_step(k); !ok.ok()) return ok.error();
-      if (progress && !progress(k - from, report_.steps)) break;
+      if (progress && !progress(k - from, report_.steps)) return cannot_finish("interrupted");
     }
-    return std::move(report_);
+    if (!report_.first && keyframe_differs_) report_.first = std::move(keyframe_differs_);
+    return finished();
   }
 
  private:
@@ -108,6 +61,70 @@ class Diff {
              std::to_string(log.last_step());
     };
     return bad_input("found no step in common: " + range(a_) + ", " + range(b_));
+  }
+
+  /// Reads every byte of both logs: an answer speaks of nothing that was not read.
+  Status check_both(const Progress& progress) {
+    if (reading_ == Reading::kHashes) return {};
+    Result<VerifyReport> in_a = check_log(a_, progress);
+    if (!in_a.ok()) return in_a.error();
+    Result<VerifyReport> in_b = check_log(b_, progress);
+    if (!in_b.ok()) return in_b.error();
+    if (in_a->lost) report_.notes.push_back(a_.name() + ": " + to_string(*in_a->lost));
+    if (in_b->lost) report_.notes.push_back(b_.name() + ": " + to_string(*in_b->lost));
+    keyframes_a_ = std::move(in_a->keyframes);
+    keyframes_b_ = std::move(in_b->keyframes);
+    return {};
+  }
+
+  /// Compares the complete states that both logs hold, where scene and method are equal: then every part of them must
+  /// be. A difference of the world that was built from the scene is the cause of all that follows.
+  Status compare_worlds(std::uint64_t from, std::uint64_t last) {
+    one_scene_ = std::ranges::none_of(report_.headers, &HeaderDifference::acts);
+    if (imported_ || !one_scene_) return {};
+    for (auto one = keyframes_a_.begin(), other = keyframes_b_.begin();
+         one != keyframes_a_.end() && other != keyframes_b_.end();) {
+      if (one->step != other->step) {
+        ++(one->step < other->step ? one : other);
+        continue;
+      }
+      const KeyframeHash& in_a = *one++;
+      const KeyframeHash& in_b = *other++;
+      if (in_a.step < from || in_a.step > last) continue;
+      ++worlds_;
+      if (keyframe_differs_ || in_a.continuation_hash == in_b.continuation_hash) continue;
+      if (Status ok = name_property(in_a, in_b, from); !ok.ok()) return ok;
+    }
+    return {};
+  }
+
+  Status name_property(const KeyframeHash& in_a, const KeyframeHash& in_b, std::uint64_t from) {
+    Result<const Keyframe*> a = a_.keyframe_at_or_before(in_a.step);
+    if (!a.ok()) return a.error();
+    const sim::WorldState expected = (*a)->state;
+    Result<const Keyframe*> b = b_.keyframe_at_or_before(in_b.step);
+    if (!b.ok()) return b.error();
+    if (in_a.step == from) report_.built = world_difference(expected, (*b)->state, {true, false, false});
+    if (!tolerances_.exact()) return {};
+    keyframe_differs_ = world_difference(expected, (*b)->state);
+    if (!keyframe_differs_) return {};
+    if (in_a.step > from) keyframe_differs_->phase = "step";
+    return {};
+  }
+
+  /// Adds to the report what it speaks of.
+  Result<DiffReport> finished() {
+    const DiffFacts facts = {report_.from,
+                             std::min(report_.last_a, report_.last_b),
+                             reading_ == Reading::kHashes,
+                             states_only_,
+                             same_words_,
+                             imported_,
+                             one_scene_,
+                             worlds_,
+                             zeros_};
+    report_.scope = scope_of(a_, b_, tolerances_, facts);
+    return std::move(report_);
   }
 
   /// The last step up to which the chains of both logs agree, among the steps at which log A ends a chunk. A chain
@@ -201,13 +218,30 @@ class Diff {
   /// Finds the first difference. Fields that this kind of comparison leaves out are first made equal in `actual`.
   void judge(const StepRecord& expected, StepRecord& actual) {
     if (!same_words_) leave_out_phase_words(expected, actual);
-    if (!tolerances_.exact()) tolerate(expected, actual);
+    if (imported_) forgive_signs(expected, actual);
+    if (!tolerances_.exact()) {
+      forgive_states(expected.states, actual.states, tolerances_);
+      forgive_inputs(expected, actual, tolerances_);
+      actual.counters = expected.counters;  // they differ as soon as one bit does
+    }
     if (states_only_) {
       actual.counters = expected.counters;
       actual.inputs = expected.inputs;
     }
+    const bool by_states = imported_ || !tolerances_.exact();
+    const bool have_states = expected.has_states && actual.has_states;
+    if (by_states && have_states && same_bits(expected.states, actual.states)) actual.state_hash = expected.state_hash;
     report_.first = first_difference(expected, actual, phases_);
     if (report_.first && in_binary32()) count_in_binary32(*report_.first);
+  }
+
+  /// A change of axes turns 0.0 into −0.0, which is the same number in another engine's states and energies.
+  void forgive_signs(const StepRecord& expected, StepRecord& actual) {
+    zeros_ += forgive_zeros(expected.states, actual.states);
+    for (const auto energy : {&sim::StepCounters::kinetic, &sim::StepCounters::potential, &sim::StepCounters::inputs,
+                              &sim::StepCounters::removed}) {
+      if (expected.counters.*energy == actual.counters.*energy) actual.counters.*energy = expected.counters.*energy;
+    }
   }
 
   [[nodiscard]] bool in_binary32() const {
@@ -217,45 +251,28 @@ class Diff {
     return is_single(a_) && is_single(b_);
   }
 
-  /// With tolerances only the visible states decide: hashes and counters differ as soon as one bit does.
-  void tolerate(const StepRecord& expected, StepRecord& actual) const {
-    forgive(expected.states, actual.states, tolerances_);
-    actual.counters = expected.counters;
-    if (same_bits(expected.states, actual.states)) actual.state_hash = expected.state_hash;
-  }
-
   LogReader& a_;
   LogReader& b_;
   Tolerances tolerances_;
+  Reading reading_;
   std::vector<std::string> phases_;
   bool same_words_ = false;
   bool chains_say_all_ = false;
   bool states_only_ = false;  // of two engines, whose phases and counters cannot be compared
+  bool imported_ = false;     // a log, or both, by another engine
+  std::uint64_t zeros_ = 0;   // whose sign alone differs
+  std::vector<KeyframeHash> keyframes_a_, keyframes_b_;
+  bool one_scene_ = false;                      // no value that a step depends on differs between the headers
+  std::uint64_t worlds_ = 0;                    // complete states compared
+  std::optional<Divergence> keyframe_differs_;  // the first of them that differs
   DiffReport report_;
 };
 
 }  // namespace
 
-Status set_tolerance(Tolerances& tolerances, const std::string& field, double value) {
-  if (!(value >= 0) || std::isinf(value)) {
-    return bad_input("tolerance " + field + ": found " + to_string(FieldValue(value)) + ", wanted a number from 0 on");
-  }
-  if (field == "position") {
-    tolerances.position = value;
-  } else if (field == "orientation") {
-    tolerances.orientation = value;
-  } else if (field == "velocity") {
-    tolerances.velocity = value;
-  } else if (field == "spin") {
-    tolerances.spin = value;
-  } else {
-    return bad_input("tolerance: found field \"" + field + "\", wanted position, orientation, velocity or spin");
-  }
-  return {};
-}
-
-Result<DiffReport> diff_logs(LogReader& a, LogReader& b, const Tolerances& tolerances, const Progress& progress) {
-  return Diff(a, b, tolerances).run(progress);
+Result<DiffReport> diff_logs(LogReader& a, LogReader& b, const Tolerances& tolerances, const Progress& progress,
+                             Reading reading) {
+  return Diff(a, b, tolerances, reading).run(progress);
 }
 
 }  // namespace tumble::replay

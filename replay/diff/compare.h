@@ -5,42 +5,46 @@
 #include <string>
 #include <vector>
 
+#include "tumble/replay/comparison_scope.h"
 #include "tumble/replay/divergence.h"
+#include "tumble/replay/header_difference.h"
 #include "tumble/replay/log_reader.h"
 #include "tumble/replay/progress.h"
+#include "tumble/replay/tolerance.h"
 #include "tumble/sim/result.h"
 
 namespace tumble::replay {
 
-/// The largest differences at which two values count as equal, for each component by itself. 0 is exact, to the bit.
-struct Tolerances {
-  double position = 0;     ///< m
-  double orientation = 0;  ///< of a quaternion's components; q and −q differ here, though they are one turn
-  double velocity = 0;     ///< m/s
-  double spin = 0;         ///< rad/s, angular velocity
-  [[nodiscard]] bool exact() const { return position == 0 && orientation == 0 && velocity == 0 && spin == 0; }
+/// The part of two logs that a comparison reads.
+enum class Reading : std::uint8_t {
+  kAll,     ///< every byte of both
+  kHashes,  ///< the chains of hashes, and the chunks where they part: damage of other chunks is not seen
 };
 
-/// Sets the tolerance of a field by its name. Errors (kBadInput): an unknown field; a value that is negative or NaN.
-Status set_tolerance(Tolerances& tolerances, const std::string& field, double value);
-
 struct DiffReport {
-  std::uint64_t from = 0;            ///< the first state that both logs have
-  std::uint64_t steps = 0;           ///< after it, that both logs have; compared, or equal by their chains
-  std::optional<Divergence> first;   ///< none: all those steps are equal
-  std::vector<std::string> headers;  ///< differences of the headers, a line each; they decide nothing
-  std::uint64_t last_a = 0;          ///< last step
+  std::uint64_t from = 0;                 ///< the first state that both logs have
+  std::uint64_t steps = 0;                ///< after it, that both logs have; compared, or equal by their chains
+  std::optional<Divergence> first;        ///< none: all those steps are equal
+  std::optional<Divergence> built;        ///< of worlds that differ although the scenes do not: the first property
+  std::vector<HeaderDifference> headers;  ///< differences of the headers; they decide nothing
+  ComparisonScope scope;
+  std::vector<std::string> notes;  ///< for people: bodies whose values are no numbers
+  std::uint64_t last_a = 0;        ///< last step
   std::uint64_t last_b = 0;
   /// No difference in any step, and the same last step.
   [[nodiscard]] bool identical() const { return !first.has_value() && last_a == last_b; }
 };
 
-/// Compares two logs: the first state that both have, then every step. Exact comparison uses the chains of whole chunks
-/// and decodes only the chunk with the first difference. With tolerances, steps whose hashes differ are compared by
-/// their states, and fields without a tolerance exactly. Logs of two engines are compared by dt and states alone; ULPs
-/// are counted in binary32 where both engines compute in it. Errors: a log that cannot be read; no step in common
-/// (kBadInput); tolerances where a log has no states for a step that differs (kBadInput).
+/// Compares two logs: the first state that both have, then every step, then the hidden parts of the keyframes that both
+/// have where the scenes are equal. Exact comparison finds the place by the chains of whole chunks and decodes only the
+/// chunk with the first difference; before, it reads both logs from end to end and compares their states with their
+/// hashes, unless only hashes are to be read. With tolerances, steps whose hashes differ are compared by their states,
+/// and fields without a tolerance exactly. Logs of two engines are compared by dt and states alone; ULPs are counted in
+/// binary32 where both engines compute in it. In another engine's log, −0.0 and 0.0 are one number: a change of axes
+/// turns one into the other. Errors: a log that cannot be read; damage (kDamaged), before any other answer; no step in
+/// common (kBadInput); tolerances where a log has no states for a step that differs (kBadInput); kCannotFinish where
+/// `progress` stops.
 Result<DiffReport> diff_logs(LogReader& a, LogReader& b, const Tolerances& tolerances = {},
-                             const Progress& progress = {});
+                             const Progress& progress = {}, Reading reading = Reading::kAll);
 
 }  // namespace tumble::replay

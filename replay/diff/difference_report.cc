@@ -1,13 +1,65 @@
 #include "replay/diff/difference_report.h"
 
+#include <algorithm>
 #include <utility>
 
-namespace tumble::replay {
+#include "replay/session/state_source.h"
+#include "src/base/check.h"
 
-Result<DifferenceReport> report_difference(LogReader& a, LogReader& b, Divergence first, const Progress& progress) {
+namespace tumble::replay {
+namespace {
+
+std::string values_text(const Divergence& d) {
+  const HeaderDifference shown = {d.field, d.expected, d.actual, true, false};
+  return (d.body ? "body " + std::to_string(*d.body) + ' ' : "") + describe(shown);
+}
+
+/// The first step whose states differ, at or after `first`: a changed input or counter may show later. None where both
+/// sessions end before, or where a state cannot be had.
+std::optional<Divergence> effect_of(LogReader& a, LogReader& b, const Divergence& first) {
+  if (is_in_state(first) || first.field == "error") return first;
+  const bool same_words = same_phase_words(a.header(), b.header());
+  const std::vector<std::string> phases = same_words ? a.header().phases : std::vector<std::string>();
+  StateSource in_a(a), in_b(b);
+  for (std::uint64_t k = first.step; k <= std::min(a.last_step(), b.last_step()); ++k) {
+    const Result<const StepRecord*> one = in_a.read(k), other = in_b.read(k);
+    if (!one.ok() || !other.ok()) return std::nullopt;
+    if (!(*one)->has_states || !(*other)->has_states || same_bits((*one)->states, (*other)->states)) continue;
+    StepRecord actual = **other;  // what led into the step is the cause, and not asked for here
+    actual.dt = (*one)->dt;
+    actual.inputs = (*one)->inputs;
+    std::optional<Divergence> found = first_difference(**one, actual, phases);
+    if (found && found->step == a.first_state()) found->phase = "start";
+    return found;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+// A parameter explains an input that differs (a material of the scene is also that of a thrown box), and not the other
+// way round.
+std::string cause_of(const DiffReport& found, const Divergence& first) {
+  if (found.built) return "one scene, but two worlds built from it: " + values_text(*found.built);
+  const HeaderDifference* cause = first_cause(found.headers);
+  const bool is_parameter = cause != nullptr && !cause->key.starts_with("input");
+  if (is_parameter) return describe(*cause);
+  if (first.phase == "inputs") return "before step " + std::to_string(first.step) + ", " + values_text(first);
+  if (cause != nullptr) return describe(*cause);
+  const auto excused = std::ranges::find_if(found.headers, &HeaderDifference::excused);
+  if (excused != found.headers.end()) return describe(*excused);
+  if (first.phase == "start" || first.field == "steps") return "not in the headers: " + values_text(first);
+  return "scene and inputs are equal; phase " + first.phase + " was computed otherwise";
+}
+
+Result<DifferenceReport> report_difference(LogReader& a, LogReader& b, const DiffReport& found,
+                                           const Progress& progress) {
+  SIM_CHECK(found.first.has_value(), found.steps);
   DifferenceReport report;
-  report.location = locate_divergence(a, b, first);
-  report.first = std::move(first);
+  report.first = *found.first;
+  report.location = locate_divergence(a, b, report.first);
+  report.cause = cause_of(found, report.first);
+  report.effect = effect_of(a, b, report.first);
   Result<DivergenceGrowth> growth = growth_between(a, b, report.first.step, progress);
   if (growth.ok()) {
     report.growth = *std::move(growth);
@@ -25,6 +77,11 @@ DifferenceReport report_replay_difference(LogReader& log, LogReader* again, Dive
   DifferenceReport report;
   const bool has_step = first.step > log.first_state() && first.field != "error";
   if (has_step) report.location = locate_in_replay(log, first);
+  report.cause = first.phase == "start" ? "this build makes another world of the scene: " + values_text(first)
+                 : first.phase == "step" || first.phase == "inputs"
+                     ? values_text(first)
+                     : "this build computes phase " + first.phase + " otherwise";
+  if (is_in_state(first)) report.effect = first;
   report.first = std::move(first);
   if (!has_step || again == nullptr) return report;
   Result<DivergenceGrowth> growth = growth_in_replay(log, *again, report.first.step, progress);

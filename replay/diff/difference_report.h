@@ -15,14 +15,24 @@ namespace tumble::replay {
 /// Everything known of the first difference between two sessions: `diff`, `replay` and `bisect` print this report.
 struct DifferenceReport {
   Divergence first;  ///< with body, field and pair, where they could be found
+  /// For people: the first input, parameter or property that differs, "material.friction: 0.4 → 0.400001"; else the
+  /// phase that two builds compute otherwise.
+  std::string cause;
+  /// The first difference in the state of a body: `first` itself, or what followed from it. None: in no state.
+  std::optional<Divergence> effect;
   DivergenceLocation location;
   std::optional<DivergenceGrowth> growth;
   std::string growth_unknown;  ///< the reason why there is no growth; may be empty for a replay
 };
 
-/// Reports the first difference that diff_logs() found between two logs. Errors (kDamaged): states of a whole log that
-/// do not match its hashes. Other failures leave their part of the report out and give the reason in it.
-Result<DifferenceReport> report_difference(LogReader& a, LogReader& b, Divergence first, const Progress& progress = {});
+/// Reports the first difference that diff_logs() found between two logs; found.first must be there. Errors (kDamaged):
+/// states of a whole log that do not match its hashes. Other failures leave their part of the report out and give the
+/// reason in it.
+Result<DifferenceReport> report_difference(LogReader& a, LogReader& b, const DiffReport& found,
+                                           const Progress& progress = {});
+
+/// The cause of a first difference between two logs, for people.
+std::string cause_of(const DiffReport& found, const Divergence& first);
 
 /// Reports the first difference that replay_log() found. `again` is the same log opened a second time; null leaves
 /// growth out.

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "replay/diff/input_difference.h"
 #include "replay/format/little_endian.h"
+#include "src/base/text.h"
 #include "tumble/replay/body_states.h"
+#include "tumble/replay/tolerance.h"
 
 namespace tumble::replay {
 namespace {
@@ -84,6 +87,24 @@ std::optional<Divergence> different_counter(const StepRecord& expected, const St
   return energy("removed_energy", &sim::StepCounters::removed);
 }
 
+/// What the two values hide from a reader: other signs of one rotation, the angle of two, zeros.
+std::string note_of(const BodyStates& expected, const BodyStates& actual, std::size_t i, std::size_t column) {
+  if (column >= kOrientation) {
+    const sim::Quat a = expected.orientation[i], b = actual.orientation[i];
+    if (same_rotation(a, b)) return a == b ? "zeros of other sign" : "same rotation, other sign";
+    const double angle = angle_between(a, b);
+    return std::isfinite(angle) ? "the rotations are " + rounded(angle, "rad") + " apart" : "no rotation";
+  }
+  const double a = (*columns_of(expected)[column])[i], b = (*columns_of(actual)[column])[i];
+  return a == b ? "zeros of other sign" : "";
+}
+
+const char* unit_of(const std::string& field) {
+  if (field.starts_with("position.")) return "m";
+  if (field.starts_with("velocity.")) return "m/s";
+  return field.starts_with("spin.") ? "rad/s" : "";
+}
+
 std::optional<Divergence> different_body(const BodyStates& expected, const BodyStates& actual, std::size_t i) {
   const ConstColumns a = columns_of(expected);
   const ConstColumns b = columns_of(actual);
@@ -93,6 +114,7 @@ std::optional<Divergence> different_body(const BodyStates& expected, const BodyS
     const double value_b = (*b[c])[i];
     if (bits_of(value_a) == bits_of(value_b)) continue;
     found = make(0, "step", kColumnNames[c], value_a, value_b);
+    found->note = note_of(expected, actual, i, c);
     break;
   }
   if (!found && expected.frozen[i] != actual.frozen[i]) {
@@ -127,6 +149,21 @@ void count_in_binary32(Divergence& divergence) {
   if (a != nullptr && b != nullptr) divergence.ulps = ulps32_between(*a, *b);
 }
 
+bool is_in_state(const Divergence& divergence) {
+  if (!divergence.body) return false;
+  return divergence.field == "frozen" || divergence.field == "id" ||
+         std::ranges::find(kColumnNames, divergence.field) != kColumnNames.end();
+}
+
+std::string magnitude(const Divergence& divergence) {
+  const auto* a = std::get_if<double>(&divergence.expected);
+  const auto* b = std::get_if<double>(&divergence.actual);
+  if (a == nullptr || b == nullptr || !is_in_state(divergence)) return "";
+  const double apart = std::fabs(*a - *b);
+  if (!std::isfinite(apart)) return "infinite";
+  return rounded(apart, unit_of(divergence.field));
+}
+
 std::string describe(const Divergence& d) {
   std::string text = "step " + std::to_string(d.step);
   if (d.substep) text += ", substep " + std::to_string(*d.substep);
@@ -135,6 +172,7 @@ std::string describe(const Divergence& d) {
   if (d.pair) text += ", pair " + std::to_string(d.pair->first) + " and " + std::to_string(d.pair->second);
   text += ", " + d.field + ": expected " + to_string(d.expected) + ", actual " + to_string(d.actual);
   if (d.ulps) text += " (" + std::to_string(*d.ulps) + (*d.ulps == 1 ? " ulp)" : " ulps)");
+  if (!d.note.empty()) text += "; " + d.note;
   return text;
 }
 

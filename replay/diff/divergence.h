@@ -22,17 +22,28 @@ struct Divergence {
   std::optional<sim::BodyId> body;  ///< the first one, by id, whose state differs
   std::optional<std::pair<sim::BodyId, sim::BodyId>> pair;
   /// "position.x", "orientation.w", "velocity.y", "spin.z", "frozen", "id"; "dt", "inputs" (other kinds of them),
-  /// "throw.velocity.y" (a field of an input, see input_difference.h), "phase_hash", "state_hash", "continuation_hash"
-  /// (the hidden part of a state), "pairs", "contacts", "substeps", "kinetic", "potential", "input_energy",
+  /// "throw.velocity.y" (a field of an input, see input_difference.h), "phase_hash", "state_hash", "mass", "inertia.x",
+  /// "world.gravity.z", "low_energy_time" (parts of a complete state, see world_difference.h), "continuation_hash"
+  /// (such a part that cannot be named), "pairs", "contacts", "substeps", "kinetic", "potential", "input_energy",
   /// "removed_energy", "error".
   std::string field;
   FieldValue expected;  ///< in the log, or in the first of two
   FieldValue actual;
   std::optional<std::uint64_t> ulps;  ///< ulps_between() the two; none where one is NaN or no double
+  /// For people: "same rotation, other sign" where an orientation is another's negative; the angle between two others;
+  /// "zeros of other sign". May be empty.
+  std::string note;
 };
 
 /// Counts the ULPs of a difference in floats: for values that were computed in floats.
 void count_in_binary32(Divergence& divergence);
+
+/// The distance of the two values with its unit: "3e-12 m/s"; "infinite" where one is no finite number. Empty where
+/// they are no numbers of a state.
+std::string magnitude(const Divergence& divergence);
+
+/// Whether the difference is one of a body's visible state.
+bool is_in_state(const Divergence& divergence);
 
 /// One line: "step 12, phase integrate, body 7, position.x: expected …, actual … (3 ulps)".
 std::string describe(const Divergence& divergence);

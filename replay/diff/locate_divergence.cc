@@ -16,7 +16,9 @@ std::optional<BodyStates> states_after(LogReader& log, std::uint64_t k, const st
   return std::nullopt;
 }
 
+/// None of another engine's log: no build of ours takes that engine's steps, which is no news.
 std::optional<RetakenStep> retake(LogReader& log, std::uint64_t k, std::string& why_not) {
+  if (log.header().engine) return std::nullopt;
   Result<RetakenStep> taken = retake_step(log, k);
   if (taken.ok()) return *std::move(taken);
   if (why_not.empty()) why_not = taken.error().message;
@@ -55,6 +57,7 @@ DivergenceLocation locate_divergence(LogReader& a, LogReader& b, Divergence& fir
   const std::uint64_t k = first.step;
   const std::optional<RetakenStep> in_a = retake(a, k, location.not_taken);
   const std::optional<RetakenStep> in_b = retake(b, k, location.not_taken);
+  location.taken = in_a || in_b;
   location.as_a = in_a && in_a->same;
   location.as_b = in_b && in_b->same;
   const std::optional<BodyStates> after_a = states_after(a, k, in_a);
@@ -76,6 +79,7 @@ DivergenceLocation locate_in_replay(LogReader& log, Divergence& first) {
   const std::optional<RetakenStep> taken = retake(log, first.step, location.not_taken);
   const Result<const StepRecord*> logged = log.read_step(first.step);
   if (!taken || !logged.ok() || !(*logged)->has_states) return location;
+  location.taken = true;
   location.as_a = taken->same;
   location.bodies = differing_bodies((*logged)->states, taken->record.states);
   if (first.phase == "inputs") return location;

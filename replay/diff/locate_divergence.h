@@ -14,10 +14,12 @@ namespace tumble::replay {
 
 /// The first different step of two sessions, taken again by this build from the state before it.
 struct DivergenceLocation {
+  /// This build took the step again, from one log at least. Never of another engine's step or of a first state.
+  bool taken = false;
   // Whether this build's step matches the log.
   bool as_a = false;
   bool as_b = false;
-  /// The reason why the step could not be taken again; empty: it was, or the difference is in a log's first state.
+  /// The reason why the step could not be taken again; empty: it was, or there was nothing to take.
   std::string not_taken;
   /// The contacts of the first different body in that step, as this build computes them from the log that it matches
   /// (from the first log if it matches both or neither).

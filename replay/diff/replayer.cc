@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "replay/diff/world_difference.h"
+#include "src/base/text.h"
 #include "tumble/replay/player.h"
 #include "tumble/sim/step.h"
 
@@ -19,17 +21,25 @@ Divergence failed_at(std::uint64_t step, const char* phase, const Error& error) 
   return divergence;
 }
 
-/// Compares the state 0 that the log's scene resolves to now with the log's own.
+bool is_our_version(const LogReader& log) {
+  return log.header().method_version == sim::method_version(log.header().scene.world.method);
+}
+
+/// The parts of the first keyframe that the scene of a log tells. A continued scene holds places and velocities as
+/// numbers to read, from which a world is made anew: their last bits and the hidden state are the keyframe's alone.
+WorldParts parts_of_scene(const LogReader& log) {
+  const bool continued = log.header().goes_on.has_value();
+  return {true, !continued, !continued && is_our_version(log)};
+}
+
+/// Compares the world that this build makes of the log's scene with the log's first keyframe.
 Result<std::optional<Divergence>> compare_start(LogReader& log) {
-  Result<const StepRecord*> expected = log.read_step(0);
-  if (!expected.ok()) return expected.error();
+  const std::uint64_t first = log.first_state();
+  Result<const Keyframe*> keyframe = log.keyframe_at_or_before(first);
+  if (!keyframe.ok()) return keyframe.error();
   Result<sim::World> world = sim::create_world(log.header().scene);
-  if (!world.ok()) return std::optional(failed_at(0, "start", world.error()));
-  BodyStates actual;
-  copy_visible(world->bodies(), actual);
-  std::optional<Divergence> found = first_difference((*expected)->states, actual);
-  if (found) found->phase = "start";
-  return found;
+  if (!world.ok()) return std::optional(failed_at(first, "start", world.error()));
+  return world_difference((*keyframe)->state, world->state(), parts_of_scene(log));
 }
 
 /// Reasons why a difference may be expected, or why less than everything was compared.
@@ -68,39 +78,77 @@ Result<std::optional<Divergence>> compare_step(LogReader& log, const StepRecord&
   return first_difference(expected, player.add_states(), phases);
 }
 
-/// After the last step of a chunk, compares the hidden state with that of the next keyframe. Hidden state (solver
-/// memory, rest times) shows in no visible column until steps later; this finds a difference within a chunk.
-Result<std::optional<Divergence>> compare_hidden(LogReader& log, const sim::WorldState& state) {
+/// After the last step of a chunk, compares the world with the next keyframe. Hidden state (solver memory, rest times)
+/// shows in no visible column until steps later; this finds a difference within a chunk.
+Result<std::optional<Divergence>> compare_keyframe(LogReader& log, const sim::WorldState& state) {
   const auto& chunks = log.chunks();
   const auto next = std::partition_point(chunks.begin(), chunks.end(),
                                          [&](const ChunkPlace& place) { return place.first_step <= state.step; });
-  const bool comes = next != chunks.end() && next->first_step == state.step + 1;
-  const bool same_version = log.header().method_version == sim::method_version(state.def.method);
-  if (!comes || !same_version) return std::optional<Divergence>();
+  if (next == chunks.end() || next->first_step != state.step + 1) return std::optional<Divergence>();
   Result<const Keyframe*> keyframe = log.keyframe_at_or_before(state.step);
   if (!keyframe.ok()) return keyframe.error();
-  const Hash128 actual = sim::continuation_hash(state);
-  if ((*keyframe)->continuation_hash == actual) return std::optional<Divergence>();
-  Divergence divergence;
-  divergence.step = state.step;
-  divergence.phase = "step";
-  divergence.field = "continuation_hash";
-  divergence.expected = to_string((*keyframe)->continuation_hash);
-  divergence.actual = to_string(actual);
-  return std::optional(divergence);
+  const bool our_version = is_our_version(log);
+  std::optional<Divergence> found = world_difference((*keyframe)->state, state, {true, true, our_version});
+  if (!found && our_version) {
+    const Hash128 actual = sim::continuation_hash(state);
+    if ((*keyframe)->continuation_hash == actual) return found;
+    found.emplace();
+    found->step = state.step;
+    found->field = "continuation_hash";
+    found->expected = to_string((*keyframe)->continuation_hash);
+    found->actual = to_string(actual);
+  }
+  if (found) found->phase = "step";
+  return found;
+}
+
+/// The parts that a replay without a difference speaks of.
+ComparisonScope scope_of_replay(const LogReader& log, const LogHeader& ours_now, bool start, std::uint64_t from) {
+  const LogHeader& header = log.header();
+  ComparisonScope scope;
+  scope.compared = {"step lengths", "inputs", "counters", "state hashes"};
+  const auto leave_out = [&](std::string part) { scope.not_compared.push_back(std::move(part)); };
+  if (same_phase_words(header, ours_now)) {
+    scope.compared.emplace_back("phase hashes");
+  } else {
+    leave_out("phase hashes and contact counts: their names or versions differ");
+  }
+  const bool our_version = is_our_version(log);
+  std::uint64_t keyframes = 0;
+  for (const ChunkPlace& place : log.chunks()) keyframes += place.first_step > from + 1 ? 1 : 0;
+  if (start) {
+    scope.compared.emplace_back("the world made of the scene (parameters, sizes, masses, inertias, materials" +
+                                std::string(header.goes_on ? ")" : ", states)"));
+  } else if (header.recovered && header.recovered->header_lost) {
+    leave_out("the world made of the scene: the header was lost, and its scene is made of the first keyframe");
+  } else {
+    leave_out("the world made of the scene: the replay begins with a later step");
+  }
+  if (start && header.goes_on) {
+    leave_out("the first state, visible and hidden: a continued log has it in its keyframe alone");
+  }
+  if (keyframes > 0) scope.compared.push_back("complete states of " + count_text(keyframes, "later keyframe"));
+  if (!our_version) leave_out("hidden states of keyframes: another version of the method keeps others");
+  leave_out("stored states: their bytes are as written, and 'tumble info' compares them with their hashes");
+  for (const MissingSteps& run : header.missing()) leave_out(to_string(run) + ": lost before the log was recovered");
+  leave_out(never_compared());
+  return scope;
 }
 
 /// replay_log() for a log of ours. Steps that a recovered log lacks are jumped over: the replay starts again from the
 /// keyframe behind them, since the inputs in between are lost.
 Result<ReplayReport> replay_steps(LogReader& log, const ReplayOptions& options, const Progress& progress) {
   const LogHeader& header = log.header();
-  const std::uint64_t from = std::max(options.from_step, log.first_state());
+  const std::uint64_t first = log.first_state();
+  const std::uint64_t from = std::max(options.from_step, first);
   const std::uint64_t last = log.last_step();
   const LogHeader ours_now = header_for(header.scene);
   ReplayReport report;
   report.notes = notes_of(log, ours_now);
   const bool has_scene = !header.recovered || !header.recovered->header_lost;  // and not one made of state 0
-  if (from == 0 && has_scene) {
+  const bool compare_scene = from == first && has_scene;
+  report.scope = scope_of_replay(log, ours_now, compare_scene, from);
+  if (compare_scene) {
     Result<std::optional<Divergence>> start = compare_start(log);
     if (!start.ok()) return start.error();
     report.first = *std::move(start);
@@ -124,7 +172,7 @@ Result<ReplayReport> replay_steps(LogReader& log, const ReplayOptions& options, 
     Result<const StepRecord*> actual = player->step_hashes();
     if (actual.ok()) {
       Result<std::optional<Divergence>> found = compare_step(log, **actual, *player, phases);
-      if (found.ok() && !*found) found = compare_hidden(log, player->world().state());
+      if (found.ok() && !*found) found = compare_keyframe(log, player->world().state());
       if (!found.ok()) return unreadable(found.error());
       report.first = *std::move(found);
     } else {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tumble/replay/comparison_scope.h"
 #include "tumble/replay/divergence.h"
 #include "tumble/replay/log_reader.h"
 #include "tumble/replay/progress.h"
@@ -26,16 +27,19 @@ struct ReplayReport {
   Hash128 final_hash;               ///< state hash of the last state that this build computed
   std::vector<std::string>
       notes;  ///< for people: another method version, phases that cannot be compared, a log that is not whole
+  ComparisonScope scope;
   [[nodiscard]] bool identical() const { return !first.has_value(); }
 };
 
 /// Replays a log and compares every step with this build's, up to and including the last: dt and inputs, phase words,
-/// state hash, counters. Where they differ, the states give body and field. At the end of a chunk the hidden state is
-/// compared too, by the continuation hash of the next keyframe, if this build has the log's method version. A replay
-/// from state 0 first compares state 0 itself, which the scene must still resolve to; a continued log is replayed from
-/// its first keyframe. Stops at the first difference. (verify() checks that the states of a log match their hashes.)
-/// Errors: must_be_ours(); a log that cannot be read on (kDamaged; the message names the steps compared before). A step
-/// that this build cannot take is a Divergence with the field "error".
+/// state hash, counters. Where they differ, the states give body and field. Before, the world that this build makes of
+/// the log's scene is compared with the log's first keyframe, property by property: parameters, sizes, masses,
+/// inertias, materials, states, hidden state. At the end of a chunk the replayed world is compared with the next
+/// keyframe likewise. Hidden state is compared only if this build has the log's method version; the scene of a
+/// continued log has no hidden and no visible state to compare. The report's scope says so. Stops at the first
+/// difference. (verify() checks that the states of a log match their hashes.) Errors: must_be_ours(); a log that cannot
+/// be read on (kDamaged; the message names the steps compared before). A step that this build cannot take is a
+/// Divergence with the field "error".
 Result<ReplayReport> replay_log(LogReader& log, const ReplayOptions& options = {}, const Progress& progress = {});
 
 }  // namespace tumble::replay

@@ -1,6 +1,8 @@
 #include "replay/diff/separation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "src/base/check.h"
 #include "tumble/replay/body_states.h"
@@ -51,6 +53,9 @@ class SeparationMeter {
     for (const auto count : counts) {
       if (in_a.counters.*count != in_b.counters.*count) note(separation_.contacts_from);
     }
+    for (const sim::StepCounters& counters : {in_a.counters, in_b.counters}) {
+      separation_.had_contacts = separation_.had_contacts || counters.pairs > 0 || counters.contacts > 0;
+    }
     compare(in_a.states, in_b.states);
     // States and hashes are stored apart, so a log can lie in one of them. Equal states need equal hashes, and the
     // reverse.
@@ -74,12 +79,26 @@ class SeparationMeter {
         continue;
       }
       const bool same_frozen = a.frozen[i] == b.frozen[j];
+      separation_.had_frozen = separation_.had_frozen || a.frozen[i] != 0 || b.frozen[j] != 0;
       if (!same_frozen) note(separation_.freezing_from);
       const bool same = same_frozen && same_columns(in_a, i, in_b, j);
-      if (!same) differs(a.id[i], sim::length(a.position[i] - b.position[j]));
+      if (!same) {
+        const bool lost = lose(a.id[i], in_a, i, true) || lose(a.id[i], in_b, j, false);
+        differs(a.id[i], lost ? std::numeric_limits<double>::infinity() : sim::length(a.position[i] - b.position[j]));
+      }
       ++i;
       ++j;
     }
+  }
+
+  /// Whether a body has a value that is no finite number; notes the first.
+  bool lose(sim::BodyId id, const ConstColumns& columns, std::size_t i, bool in_a) {
+    for (std::size_t c = 0; c < kColumnCount; ++c) {
+      if (std::isfinite((*columns[c])[i])) continue;
+      if (!separation_.lost) separation_.lost = LostBody{row_.step, id, kColumnNames[c], in_a};
+      return true;
+    }
+    return false;
   }
 
   void differs(sim::BodyId id, double distance) {
@@ -113,23 +132,6 @@ class SeparationMeter {
 Result<Separation> measure_separation(const SessionSteps& a, const SessionSteps& b, std::uint64_t from,
                                       std::uint64_t last, const Progress& progress) {
   return SeparationMeter(a, b).run(from, last, progress);
-}
-
-Status confirm_states(LogReader& a, LogReader& b, std::uint64_t from, std::uint64_t last, const Progress& progress) {
-  for (std::uint64_t k = from; k <= last; ++k) {
-    const Result<const StepRecord*> in_a = a.read_step(k);
-    if (!in_a.ok()) return in_a.error();
-    const Result<const StepRecord*> in_b = b.read_step(k);
-    if (!in_b.ok()) return in_b.error();
-    const StepRecord& one = **in_a;
-    const StepRecord& other = **in_b;
-    const bool can_tell = one.has_states && other.has_states;
-    if (can_tell && same_bits(one.states, other.states) != (one.state_hash == other.state_hash)) {
-      return broken(a.name(), one, b.name(), other);
-    }
-    if (progress && !progress(k - from, last - from)) return cannot_finish("interrupted");
-  }
-  return {};
 }
 
 }  // namespace tumble::replay

@@ -26,8 +26,9 @@ struct SessionSteps {
 /// Two sessions after one step.
 struct SeparationRow {
   std::uint64_t step = 0;
-  std::uint64_t bodies = 0;         ///< whose visible states differ in any bit, or that exist on one side only
-  double separation = 0;            ///< m: largest distance of a body's centre in one from its centre in the other
+  std::uint64_t bodies = 0;  ///< whose visible states differ in any bit, or that exist on one side only
+  double separation = 0;     ///< m: largest distance of a body's centre in one from its centre in the other; infinite
+                             ///< where a body that differs has a value that is no finite number
   std::optional<sim::BodyId> body;  ///< the body at that distance; none at 0
 };
 
@@ -41,10 +42,22 @@ struct SeparationMark {
   sim::BodyId body = 0;
 };
 
+/// A body that differs and has a value that is infinite or not a number.
+struct LostBody {
+  std::uint64_t step = 0;
+  sim::BodyId body = 0;
+  std::string field;  ///< "velocity.x"
+  bool in_a = false;  ///< the session that has the value; b otherwise
+};
+
 struct Separation {
   std::vector<SeparationRow> rows;    ///< one a step, beginning with the first difference
   std::vector<SeparationMark> marks;  ///< those that were exceeded
   SeparationRow largest;              ///< the row with the largest separation
+  std::optional<LostBody> lost;       ///< the first one
+  // What there was to compare in any step of either session.
+  bool had_contacts = false;  ///< pairs or contacts; another engine's log has none
+  bool had_frozen = false;
   // The first step in which the sessions differ in kind; none: in no step.
   std::optional<std::uint64_t> contacts_from;  ///< in the number of pairs, contacts or substeps
   std::optional<std::uint64_t> freezing_from;  ///< a body is frozen in one only
@@ -55,10 +68,5 @@ struct Separation {
 /// do not match its state hash; kCannotFinish where `progress` stops.
 Result<Separation> measure_separation(const SessionSteps& a, const SessionSteps& b, std::uint64_t from,
                                       std::uint64_t last, const Progress& progress = {});
-
-/// Checks that in steps from … last the states of two logs are equal exactly where their hashes are. Skips steps whose
-/// states one log does not hold. diff_logs() trusts the hashes; this call proves them. Errors: as measure_separation().
-Status confirm_states(LogReader& a, LogReader& b, std::uint64_t from, std::uint64_t last,
-                      const Progress& progress = {});
 
 }  // namespace tumble::replay

@@ -6,20 +6,37 @@
 #include "replay/format/chain.h"
 #include "replay/log/record_reader.h"
 #include "replay/log/scan.h"
+#include "tumble/replay/body_states.h"
 
 namespace tumble::replay {
 namespace {
 
+/// The first body, by id, that is lost in a state.
+std::optional<NotFinite> find_lost(const BodyStates& states, std::uint64_t step) {
+  if (all_finite(states)) return std::nullopt;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    if (auto lost = not_finite(states, i, step)) return lost;
+  }
+  return std::nullopt;
+}
+
 class Verifier {
  public:
-  explicit Verifier(LogReader& log)
-      : log_(log), scan_(scan_records(log.source(), log.header_prelude(), log.header().missing())) {}
+  Verifier(LogReader& log, const Progress& progress)
+      : log_(log),
+        progress_(progress),
+        scan_(scan_records(log.source(), log.header_prelude(), log.header().missing())) {}
 
   VerifyReport run() {
     report_.condition = scan_.condition;
     for (const Damage& damage : log_.condition().damages) add(damage);
     previous_ = log_.header_prelude().chain_after;
-    for (const ChunkPlace& place : scan_.chunks) check_chunk(place);
+    for (const ChunkPlace& place : scan_.chunks) {
+      check_chunk(place);
+      if (!progress_ || progress_(place.end_step() - 1 - log_.first_state(), log_.step_count())) continue;
+      report_.complete = false;
+      return std::move(report_);
+    }
     check_index();
     check_footer();
     std::vector<Damage>& damages = report_.condition.damages;
@@ -63,6 +80,8 @@ class Verifier {
   /// A keyframe repeats the state after the step before.
   Status check_keyframe(const Keyframe& keyframe, const ChunkPlace& place) {
     const Hash128 found = sim::state_hash(keyframe.state.bodies);
+    report_.keyframes.push_back({keyframe.state.step, keyframe.continuation_hash});
+    if (place.first_step == log_.first_state() + 1) look_at_start(keyframe);
     if (place.first_step == log_.first_state() + 1 && !is_start(keyframe, found)) {
       return damaged("the first keyframe is not the state that the header tells of");
     }
@@ -78,6 +97,12 @@ class Verifier {
                    to_string(keyframe.continuation_hash));
   }
 
+  void look_at_start(const Keyframe& keyframe) {
+    BodyStates start;
+    copy_visible(keyframe.state.bodies, start);
+    report_.lost = find_lost(start, log_.first_state());
+  }
+
   /// Whether the keyframe is the state that the log begins with. The chain starts from the hash of state 0; the header
   /// of a continued log names the complete state instead.
   [[nodiscard]] bool is_start(const Keyframe& keyframe, const Hash128& state) const {
@@ -91,6 +116,7 @@ class Verifier {
     previous_ = step.state_hash;
     if (!step.has_states) return {};
     ++report_.states_checked;
+    if (!report_.lost) report_.lost = find_lost(step.states, step.step);
     const Hash128 found = state_hash(step.states);
     if (found == step.state_hash) return {};
     return damaged("step " + std::to_string(step.step) + " has states with hash " + to_string(found) +
@@ -147,6 +173,7 @@ class Verifier {
   }
 
   LogReader& log_;
+  const Progress& progress_;
   Scan scan_;
   VerifyReport report_;
   Hash128 previous_;              // state hash of the step checked last
@@ -156,6 +183,6 @@ class Verifier {
 
 }  // namespace
 
-VerifyReport verify(LogReader& log) { return Verifier(log).run(); }
+VerifyReport verify(LogReader& log, const Progress& progress) { return Verifier(log, progress).run(); }
 
 }  // namespace tumble::replay

@@ -85,7 +85,8 @@ TEST(Replay, HiddenStateOfAKeyframeIsCompared) {
   const ReplayReport report = replay_of(bytes);
   ASSERT_FALSE(report.identical());
   EXPECT_EQ(report.first->step, end);
-  EXPECT_EQ(report.first->field, "continuation_hash");
+  EXPECT_EQ(report.first->field, "low_energy_time");
+  EXPECT_EQ(report.first->body, 12U);
 }
 
 TEST(Replay, ASceneThatResolvesToAnotherStartIsFound) {

@@ -123,14 +123,14 @@ TEST(Program, DiffNamesTheFirstDifference) {
   shop.record_small("b", {"--set", "input.1.velocity=[0.0, 6.000000001, 0.0]"});
   const Outcome text = shop.run({"diff", "a.tumble", "b.tumble"});
   EXPECT_EQ(text.exit, 1);
-  EXPECT_NE(text.out.find("inputs: not the same script"), std::string::npos) << text.out;
+  EXPECT_NE(text.out.find("header: input 1 throw.velocity.y: 6 → 6.000000001"), std::string::npos) << text.out;
   const Outcome outcome = shop.run({"diff", "a.tumble", "b.tumble", "--json"});
   EXPECT_EQ(outcome.exit, 1);
   const ordered_json json = parsed(outcome);
   EXPECT_EQ(json["identical"], false);
   EXPECT_EQ(keys_of(json["first"]),
             (std::vector<std::string>{"step", "substep", "phase", "body", "pair", "field", "expected", "actual", "ulps",
-                                      "expected_hex", "actual_hex"}));
+                                      "expected_hex", "actual_hex", "note"}));
   EXPECT_EQ(json["first"]["step"], 5);
 }
 

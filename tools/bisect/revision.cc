@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "golden/suite/text_files.h"
+#include "replay/log/checked_log.h"
 #include "replay/measure/measure_log.h"
 #include "src/process/run_child.h"
 #include "src/process/split_words.h"
@@ -96,6 +97,7 @@ Status Asker::prepare() {
 Status Asker::write_scene() {
   Result<replay::LogReader> log = open_log(settings_.log);
   if (!log.ok()) return log.error();
+  if (const Result<replay::VerifyReport> checked = replay::check_log(*log); !checked.ok()) return checked.error();
   const replay::LogHeader& header = log->header();
   const std::string steps = std::to_string(log->step_count());
   if (header.goes_on || header.scene_text.empty()) {
@@ -234,6 +236,7 @@ Result<Answer> Asker::ask_session(const std::string& commit) {
   answer.yes = settings_.metric->holds(answer.metric);
   answer.message = std::string(row.name) + " is " + (answer.metric ? exact(*answer.metric) : "none") +
                    (*row.unit != '\0' && answer.metric ? ' ' + row.unit_in(log->header().axes()) : "");
+  if (const auto& lost = metrics->not_finite.chosen) answer.message += ", within no bound: " + to_string(*lost);
   return answer;
 }
 

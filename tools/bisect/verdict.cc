@@ -14,7 +14,7 @@ Json facts_json(const CommitFacts& facts) {
   return {{"commit", facts.commit}, {"subject", facts.subject}, {"author", facts.author}, {"author_date", facts.date}};
 }
 
-Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+Json number(const std::optional<double>& value) { return value ? number_json(*value) : Json(nullptr); }
 
 void print_commit(const CommitFacts& facts) {
   Listing listing;
@@ -38,10 +38,11 @@ void print_comparison(const Comparison& comparison) {
     std::cout << "\nthe sessions before and after have " << report.last_a << " and " << report.last_b << " steps\n";
     return;
   }
-  std::cout << "\nbefore (expected) and after (actual) it\n";
-  print_divergence(*report.first);
+  std::cout << "\nthe sessions before and after it\n";
+  const Sides sides = {"before", "after"};
+  print_divergence(*report.first, sides);
   const std::optional<replay::DifferenceReport>& difference = comparison.difference;
-  if (difference && difference->growth) print_growth(*difference->growth, "before", "after");
+  if (difference && difference->growth) print_growth(*difference->growth, sides);
 }
 
 }  // namespace
@@ -62,8 +63,11 @@ Comparison compare_sessions(const Finding& finding, const Workplace& place) {
   }
   comparison.report = *std::move(report);
   if (!comparison.report.first) return comparison;
-  Result<replay::DifferenceReport> difference = replay::report_difference(*before, *after, *comparison.report.first);
-  if (!difference.ok()) return comparison;
+  Result<replay::DifferenceReport> difference = replay::report_difference(*before, *after, comparison.report);
+  if (!difference.ok()) {
+    comparison.not_compared = difference.error().message;
+    return comparison;
+  }
   comparison.report.first = difference->first;
   comparison.difference = *std::move(difference);
   return comparison;

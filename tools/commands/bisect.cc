@@ -8,6 +8,7 @@
 #include <system_error>
 #include <vector>
 
+#include "replay/diff/difference_report.h"
 #include "replay/diff/locate_divergence.h"
 #include "src/process/interrupt.h"
 #include "src/process/split_words.h"
@@ -59,22 +60,35 @@ Result<Exit> locate_in_logs(const Options& options) {
   if (process::InterruptGuard::interrupted()) return cannot_finish("interrupted");
   const replay::DiffReport& report = located->report;
   const std::size_t chunks = a->chunks().size() + b->chunks().size();
+  const auto judge_both = [&] {
+    return judge("bisect", *b, judge("bisect", *a, report.identical() ? Exit::kSame : Exit::kDifference));
+  };
   if (options.json) {
     Json json = comparison_json(report.identical(), report.steps, report.first);
+    json["read"] = "every byte of both logs";
+    add_scope(report.scope, json);
+    json["notes"] = report.notes;
+    json["cause"] = report.first ? Json(replay::cause_of(report, *report.first)) : Json(nullptr);
     json["narrowed"] = report.first ? location_json(located->location) : Json(nullptr);
     json["chunks_opened"] = located->chunks_opened;
     json["chunks"] = chunks;
     print_json(json);
-  } else if (report.first) {
+    return judge_both();
+  }
+  for (const std::string& note : report.notes) std::cout << "note: " << printable(note) << '\n';
+  if (report.first) {
     std::cout << "different from step " << report.first->step << " on\n";
-    print_divergence(*report.first);
-    print_location(located->location);
+    std::cout << "cause   " << printable(replay::cause_of(report, *report.first)) << '\n';
+    const Sides sides = sides_of(options.logs[0], options.logs[1]);
+    print_divergence(*report.first, sides);
+    print_location(located->location, sides);
     std::cout << "  opened      " << located->chunks_opened << " chunks of " << chunks << '\n';
   } else {
     std::cout << (report.identical() ? "identical: " : "different in length; identical: ")
               << count_text(report.steps, "step") << '\n';
+    print_scope(report.scope);
   }
-  return judge("bisect", *b, judge("bisect", *a, report.identical() ? Exit::kSame : Exit::kDifference));
+  return judge_both();
 }
 
 // --- commits ---

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "replay/diff/difference_report.h"
-#include "replay/diff/separation.h"
 #include "src/base/text.h"
 #include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
@@ -50,7 +49,7 @@ Result<replay::Tolerances> parse_tolerances(const std::vector<std::string>& argu
                        ", wanted FIELD=V with a number V, as in position=1e-9");
     }
     const Status set = replay::set_tolerance(tolerances, argument.substr(0, equals), *value);
-    if (!set.ok()) return bad_input("--tolerance " + argument + ": " + set.error().message);
+    if (!set.ok()) return bad_input("--tolerance " + printable(argument) + ": " + set.error().message);
   }
   return tolerances;
 }
@@ -67,18 +66,34 @@ std::optional<replay::Divergence> first_of(const replay::DiffReport& report) {
   return end;
 }
 
-void print_text(const replay::DiffReport& report, bool exact_bits) {
-  for (const std::string& line : report.headers) std::cout << "header: " << printable(line) << '\n';
+constexpr std::size_t kHeadersShown = 20;
+
+/// The first word of the verdict, and what was read for it.
+std::string same_text(const Options& options, bool exact_bits, const std::string& steps) {
+  const std::string words = exact_bits ? "identical: " + steps : "same within tolerances: " + steps;
+  if (options.brief) return words + ", by hashes; payloads not read";
+  return words + (exact_bits ? ", every bit" : "");
+}
+
+void print_text(const Options& options, const replay::DiffReport& report, bool exact_bits) {
+  for (std::size_t i = 0; i < std::min(kHeadersShown, report.headers.size()); ++i) {
+    std::cout << "header: " << printable(describe(report.headers[i])) << '\n';
+  }
+  if (report.headers.size() > kHeadersShown) {
+    std::cout << "header: " << report.headers.size() - kHeadersShown << " more differences (all with --json)\n";
+  }
+  for (const std::string& note : report.notes) std::cout << "note: " << printable(note) << '\n';
   if (report.from > 0) std::cout << "compared from step " << report.from << " on, which both logs have\n";
   const std::string steps = count_text(report.steps, "step");
   if (report.identical()) {
-    std::cout << (exact_bits ? "identical: " + steps + ", every bit\n" : "same within tolerances: " + steps + '\n');
+    std::cout << same_text(options, exact_bits, steps) << '\n';
   } else if (report.first) {
     std::cout << "different from step " << report.first->step << " on\n";
   } else {
     std::cout << "different in length: the first ends with step " << report.last_a << ", the second with step "
               << report.last_b << "; the " << steps << " of both are the same\n";
   }
+  if (!report.first) print_scope(report.scope);
 }
 
 replay::Progress progress_on(ProgressBar& bar) {
@@ -90,18 +105,11 @@ replay::Progress progress_on(ProgressBar& bar) {
 
 using Difference = std::optional<replay::DifferenceReport>;
 
-// Explains the first difference. Where there is none, compares all states of the two logs, whose hashes are the same.
-// Errors: a log whose states do not match its hashes.
-Result<Difference> look_closer(replay::LogReader& a, replay::LogReader& b, const replay::DiffReport& report,
-                               bool exact_bits) {
+// Explains the first difference, if there is one. Errors: a log whose states do not match its hashes.
+Result<Difference> look_closer(replay::LogReader& a, replay::LogReader& b, const replay::DiffReport& report) {
+  if (!report.first) return Difference();
   ProgressBar bar("looking closer");
-  const std::uint64_t last = std::min(report.last_a, report.last_b);
-  if (!report.first) {
-    if (!exact_bits) return Difference();
-    if (Status ok = replay::confirm_states(a, b, report.from, last, progress_on(bar)); !ok.ok()) return ok.error();
-    return Difference();
-  }
-  Result<replay::DifferenceReport> found = replay::report_difference(a, b, *report.first, progress_on(bar));
+  Result<replay::DifferenceReport> found = replay::report_difference(a, b, report, progress_on(bar));
   if (!found.ok()) return found.error();
   return Difference(*std::move(found));
 }
@@ -110,6 +118,43 @@ Result<Exit> show_step(const Options& options, replay::LogReader& a, replay::Log
   const Result<bool> same = print_side_by_side(a, b, *options.step, options.json);
   if (!same.ok()) return same.error();
   return *same ? Exit::kSame : Exit::kDifference;
+}
+
+Json headers_json(const std::vector<replay::HeaderDifference>& headers) {
+  Json rows = Json::array();
+  for (const replay::HeaderDifference& difference : headers) {
+    rows.push_back({{"key", difference.key},
+                    {"expected", value_json(difference.a)},
+                    {"actual", value_json(difference.b)},
+                    {"acts", difference.acts},
+                    {"excused", difference.excused}});
+  }
+  return rows;
+}
+
+void print_result(const Options& options, const replay::DiffReport& report, const Difference& difference,
+                  bool exact_bits) {
+  if (options.json) {
+    Json json = comparison_json(report.identical(), report.steps, first_of(report));
+    json["read"] = options.brief ? "hashes; payloads not read" : "every byte of both logs";
+    add_scope(report.scope, json);
+    json["notes"] = report.notes;
+    json["headers"] = Json::array();
+    for (const replay::HeaderDifference& header : report.headers) json["headers"].push_back(describe(header));
+    json["header_differences"] = headers_json(report.headers);
+    if (difference) add_difference(*difference, Compared::kTwoLogs, json);
+    print_json(json);
+    return;
+  }
+  print_text(options, report, exact_bits);
+  const Sides sides = sides_of(options.a, options.b);
+  if (difference) {
+    print_difference(*difference, Compared::kTwoLogs, sides);
+  } else if (report.first) {
+    std::cout << "cause   " << printable(replay::cause_of(report, *report.first)) << '\n';
+    print_divergence(*report.first, sides);
+    if (options.brief) std::cout << "  read        hashes; payloads not read, so damage in them is not seen\n";
+  }
 }
 
 Status draw(const Options& options, const Difference& difference) {
@@ -125,30 +170,19 @@ Result<Exit> compare(const Options& options, replay::LogReader& a, replay::LogRe
   const Result<replay::Tolerances> tolerances = parse_tolerances(options.tolerances);
   if (!tolerances.ok()) return tolerances.error();
   ProgressBar bar("comparing");
-  Result<replay::DiffReport> report = replay::diff_logs(a, b, *tolerances, progress_on(bar));
+  const replay::Reading reading = options.brief ? replay::Reading::kHashes : replay::Reading::kAll;
+  Result<replay::DiffReport> report = replay::diff_logs(a, b, *tolerances, progress_on(bar), reading);
   bar.finish();
   if (!report.ok()) return report.error();
   Difference difference;
   if (!options.brief && !process::InterruptGuard::interrupted()) {
-    Result<Difference> closer = look_closer(a, b, *report, tolerances->exact());
+    Result<Difference> closer = look_closer(a, b, *report);
     if (!closer.ok()) return closer.error();
     difference = *std::move(closer);
     if (difference) report->first = difference->first;
   }
   if (process::InterruptGuard::interrupted()) return cannot_finish("interrupted");
-  if (options.json) {
-    Json json = comparison_json(report->identical(), report->steps, first_of(*report));
-    json["headers"] = report->headers;
-    if (difference) add_difference(*difference, Compared::kTwoLogs, json);
-    print_json(json);
-  } else {
-    print_text(*report, tolerances->exact());
-    if (difference) {
-      print_difference(*difference, Compared::kTwoLogs);
-    } else if (report->first) {
-      print_divergence(*report->first);
-    }
-  }
+  print_result(options, *report, difference, tolerances->exact());
   if (Status ok = draw(options, difference); !ok.ok()) return ok.error();
   return report->identical() ? Exit::kSame : Exit::kDifference;
 }
@@ -173,9 +207,11 @@ Action declare_diff(Arguments& arguments) {
   auto options = std::make_shared<Options>();
   arguments.positional("A", options->a, "The log with the expected values").required();
   arguments.positional("B", options->b, "The log to compare with it").required();
-  arguments.option("--tolerance", "FIELD=V", options->tolerances,
-                   "Call states equal where each component of FIELD (position, orientation, velocity, spin: angular "
-                   "velocity) is at most V apart; states then decide, not hashes. May be repeated");
+  arguments.option(
+      "--tolerance", "FIELD=V", options->tolerances,
+      "Call states equal where each component of FIELD (position, velocity, spin: angular velocity), or "
+      "the angle of FIELD orientation (rad), is at most V apart; states then decide, not hashes. FIELD may "
+      "also be a number of an input or a parameter (throw.velocity.y, dt, world.gravity). May be repeated");
   const Argument step = arguments.whole("--step", "K", options->step, 0, sim::kStepsMax,
                                         "Show step K of both side by side, phase by phase, and the bodies that differ");
   const Argument plot =
@@ -183,13 +219,15 @@ Action declare_diff(Arguments& arguments) {
           .option("--plot", "FILE.svg|png", options->plot,
                   "Also draw the separation of the two over the steps, on a logarithmic scale, with gnuplot")
           .excludes(step);
-  arguments.flag("--brief", options->brief, "Only find the first difference, by the hashes; do not follow its growth")
+  arguments
+      .flag("--brief", options->brief,
+            "Only find the first difference, by the hashes: payloads are not read, damage in them is not seen")
       .excludes(step)
       .excludes(plot);
   arguments.json(options->json);
   arguments.footer(
-      "Exit status: 0 the same, 1 a difference, 3 a log is damaged or torn (the intact parts are compared),\n"
-      "or broken: its states do not match its hashes.\n\n"
+      "Exit status: 0 the same, 1 a difference, 3 a log is torn (the intact part is compared), damaged, or broken:\n"
+      "its states do not match its hashes. Both logs are read from end to end first, unless --brief is given.\n\n"
       "Examples:\n"
       "  tumble diff before.tumble after.tumble\n"
       "  tumble diff before.tumble after.tumble --step 120\n"

@@ -1,4 +1,5 @@
 // tumble replay: runs a log's inputs through this build's physics and compares every step.
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "replay/diff/difference_report.h"
+#include "replay/log/checked_log.h"
 #include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
@@ -47,15 +49,27 @@ void print_text(const replay::ReplayReport& report, const replay::LogReader& log
   if (report.identical()) {
     std::cout << "identical: " << count_text(report.steps, "step") << " of " << printable(log.header().scene.name)
               << " replayed, every bit as recorded\nfinal hash  " << to_string(report.final_hash) << '\n';
+    print_scope(report.scope);
     return;
   }
   std::cout << "different: the first of " << count_text(log.step_count(), "step") << " that differs is step "
             << report.first->step << '\n';
+  const Sides sides = {printable(std::filesystem::path(log.name()).filename().string()), "this build"};
   if (difference) {
-    print_difference(*difference, Compared::kReplay);
+    print_difference(*difference, Compared::kReplay, sides);
   } else {
-    print_divergence(*report.first);
+    print_divergence(*report.first, sides);
   }
+}
+
+// Damage goes before a difference, and a replay stops at the first one: the rest of the log is read here.
+Status check_rest(replay::LogReader& log) {
+  ProgressBar bar("reading the rest");
+  const Result<replay::VerifyReport> checked = replay::check_log(log, [&](std::uint64_t done, std::uint64_t total) {
+    bar.show(done, total);
+    return !process::InterruptGuard::interrupted();
+  });
+  return checked.ok() ? Status() : Status(checked.error());
 }
 
 Result<Exit> replay_command(const Options& options) {
@@ -76,13 +90,19 @@ Result<Exit> replay_command(const Options& options) {
     return cannot_finish("interrupted; identical so far: " + count_text(report->steps, "step"));
   }
   std::optional<replay::DifferenceReport> difference;
+  if (report->first && options.brief) {
+    report->scope.not_compared.push_back("all behind step " + std::to_string(report->first->step) +
+                                         ": not read, so damage there is not seen");
+  }
   if (report->first && !options.brief) {
+    if (Status ok = check_rest(*log); !ok.ok()) return ok.error();
     difference = look_closer(*log, *report->first);
     report->first = difference->first;
   }
   if (options.json) {
     Json json = comparison_json(report->identical(), report->steps, report->first);
     json["notes"] = report->notes;
+    add_scope(report->scope, json);
     if (difference) add_difference(*difference, Compared::kReplay, json);
     print_json(json);
   } else {
@@ -97,7 +117,8 @@ Action declare_replay(Arguments& arguments) {
   auto options = std::make_shared<Options>();
   arguments.positional("LOG", options->log, "The log to replay").required();
   arguments.threads(options->threads);
-  arguments.flag("--brief", options->brief, "Stop at the first difference; do not follow its growth");
+  arguments.flag("--brief", options->brief,
+                 "Stop at the first difference: do not follow its growth, and do not read the rest of the log");
   arguments.json(options->json);
   arguments.footer(
       "Exit status: 0 identical, 1 a difference, 3 the log is damaged or torn (its whole part is replayed).\n\n"

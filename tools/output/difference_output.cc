@@ -1,12 +1,11 @@
 #include "tools/output/difference_output.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
-
-#include "tools/output/divergence_output.h"
 
 namespace tumble::tools {
 namespace {
@@ -22,12 +21,17 @@ const char* kind_of(const replay::Separation& separation) {
   return "numbers";
 }
 
-std::string since(const std::optional<std::uint64_t>& step) {
-  return step ? "differ from step " + std::to_string(*step) + " on" : "the same";
+std::string since(const std::optional<std::uint64_t>& step, bool had_any) {
+  if (step) return "differ from step " + std::to_string(*step) + " on";
+  return had_any ? "the same" : "none in either";
+}
+
+std::string distance_text(double distance, const char* unit) {
+  return std::isfinite(distance) ? rounded(distance, unit) : "infinite";
 }
 
 std::string separation_text(const replay::SeparationRow& row) {
-  std::string text = rounded(row.separation, "m");
+  std::string text = distance_text(row.separation, "m");
   if (row.body) text += ", body " + std::to_string(*row.body);
   return text;
 }
@@ -50,11 +54,11 @@ std::pair<std::string, std::string> values_apart(const std::optional<double>& a,
 Json row_json(const replay::SeparationRow& row) {
   return {{"step", row.step},
           {"bodies", row.bodies},
-          {"gap", row.separation},
+          {"gap", number_json(row.separation)},
           {"body", row.body ? Json(*row.body) : Json(nullptr)}};
 }
 
-Json number(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+Json number(const std::optional<double>& value) { return value ? number_json(*value) : Json(nullptr); }
 Json step_or_null(const std::optional<std::uint64_t>& step) { return step ? Json(*step) : Json(nullptr); }
 
 const char* follows(const replay::DivergenceLocation& location) {
@@ -63,18 +67,46 @@ const char* follows(const replay::DivergenceLocation& location) {
 }
 
 /// For people: the logs that this build's step matches.
-std::string match_text(const replay::DivergenceLocation& location) {
+std::string match_text(const replay::DivergenceLocation& location, const Sides& sides) {
   if (location.as_a && location.as_b) return "matches both logs in that step";
-  if (location.as_a || location.as_b) return std::string("matches log ") + follows(location) + " in that step";
+  if (location.as_a || location.as_b) {
+    return "matches " + (location.as_a ? sides.expected : sides.actual) + " in that step";
+  }
   return "matches neither log in that step";
+}
+
+Json lost_json(const std::optional<replay::LostBody>& lost) {
+  if (!lost) return nullptr;
+  return {{"step", lost->step}, {"body", lost->body}, {"field", lost->field}, {"in", lost->in_a ? "A" : "B"}};
+}
+
+void print_headlines(const replay::DifferenceReport& report) {
+  Listing listing;
+  if (!report.cause.empty()) listing.add("cause", printable(report.cause));
+  if (report.effect) {
+    const replay::Divergence& effect = *report.effect;
+    const std::string size = replay::magnitude(effect);
+    listing.add("effect", "step " + std::to_string(effect.step) + ", phase " + effect.phase +
+                              (effect.body ? ", body " + std::to_string(*effect.body) : "") + ", " + effect.field +
+                              (size.empty() ? "" : ", " + size + " apart") +
+                              (effect.note.empty() ? "" : "; " + effect.note));
+  } else if (!report.first.field.empty() && report.first.field != "error") {
+    listing.add("effect", "in no state");
+  }
+  listing.print();
 }
 
 }  // namespace
 
-void print_growth(const replay::DivergenceGrowth& growth, const char* a, const char* b) {
+void print_growth(const replay::DivergenceGrowth& growth, const Sides& sides) {
   const replay::Separation& separation = growth.separation;
   Listing listing;
   listing.section("growth of the difference");
+  if (separation.lost) {
+    listing.add("  lost", "body " + std::to_string(separation.lost->body) + ", step " +
+                              std::to_string(separation.lost->step) + ": " + separation.lost->field +
+                              " is no finite number in " + (separation.lost->in_a ? sides.expected : sides.actual));
+  }
   for (const replay::SeparationMark& mark : separation.marks) {
     listing.add("  separation above " + rounded(mark.above, "m"),
                 "from step " + std::to_string(mark.step) + ", body " + std::to_string(mark.body));
@@ -82,8 +114,8 @@ void print_growth(const replay::DivergenceGrowth& growth, const char* a, const c
   listing.add("  largest separation",
               separation_text(separation.largest) + ", step " + std::to_string(separation.largest.step));
   listing.add("  separation at the end", separation_text(separation.rows.back()));
-  listing.add("  contacts", since(separation.contacts_from));
-  listing.add("  freezing", since(separation.freezing_from));
+  listing.add("  contacts", since(separation.contacts_from, separation.had_contacts));
+  listing.add("  freezing", since(separation.freezing_from, separation.had_frozen));
   if (separation.bodies_from)
     listing.add("  bodies", "not the same ones from step " + std::to_string(*separation.bodies_from) + " on");
   listing.print();
@@ -91,7 +123,7 @@ void print_growth(const replay::DivergenceGrowth& growth, const char* a, const c
   std::cout << '\n';
   Table steps({">  step", ">bodies that differ", ">separation, m"});
   for (const replay::SeparationRow* row : chosen_rows(separation)) {
-    steps.add({std::to_string(row->step), std::to_string(row->bodies), rounded(row->separation, "")});
+    steps.add({std::to_string(row->step), std::to_string(row->bodies), distance_text(row->separation, "")});
   }
   steps.print();
   std::cout << '\n';
@@ -100,7 +132,7 @@ void print_growth(const replay::DivergenceGrowth& growth, const char* a, const c
   } else if (growth.metrics.empty()) {
     std::cout << "no metric moved\n";
   } else {
-    Table metrics({"  metric that moved", std::string(">") + a, std::string(">") + b, "unit"});
+    Table metrics({"  metric that moved", ">" + sides.expected, ">" + sides.actual, "unit"});
     for (const replay::MovedMetric& m : growth.metrics) {
       const auto [in_a, in_b] = values_apart(m.a, m.b);
       metrics.add({"  " + m.name, in_a, in_b, m.unit});
@@ -115,6 +147,7 @@ Json growth_json(const replay::DivergenceGrowth& growth) {
   for (const replay::SeparationMark& mark : separation.marks) {
     json["marks"].push_back({{"above", mark.above}, {"step", mark.step}, {"body", mark.body}});
   }
+  json["lost"] = lost_json(separation.lost);
   json["contacts_from"] = step_or_null(separation.contacts_from);
   json["freezing_from"] = step_or_null(separation.freezing_from);
   json["bodies_from"] = step_or_null(separation.bodies_from);
@@ -131,13 +164,13 @@ Json growth_json(const replay::DivergenceGrowth& growth) {
   return json;
 }
 
-void print_location(const replay::DivergenceLocation& location) {
+void print_location(const replay::DivergenceLocation& location, const Sides& sides) {
   if (!location.not_taken.empty()) {
     std::cout << "  the step could not be taken again: " << printable(location.not_taken) << '\n';
     return;
   }
   Listing listing;
-  listing.add("  this build", match_text(location));
+  if (location.taken) listing.add("  this build", match_text(location, sides));
   if (!location.bodies.empty()) {
     listing.add("  after it", count_text(location.bodies.size(), "body") + " in another state");
   }
@@ -149,7 +182,7 @@ void print_location(const replay::DivergenceLocation& location) {
 
 Json location_json(const replay::DivergenceLocation& location) {
   Json json;
-  json["this_build_follows"] = location.not_taken.empty() ? Json(follows(location)) : Json(nullptr);
+  json["this_build_follows"] = location.taken ? Json(follows(location)) : Json(nullptr);
   json["bodies"] = location.bodies;
   json["contacts"] = Json::array();
   for (const replay::StepContact& contact : location.contacts) {
@@ -162,10 +195,11 @@ Json location_json(const replay::DivergenceLocation& location) {
   return json;
 }
 
-void print_difference(const replay::DifferenceReport& report, Compared compared) {
-  print_divergence(report.first);
+void print_difference(const replay::DifferenceReport& report, Compared compared, const Sides& sides) {
+  print_headlines(report);
+  print_divergence(report.first, sides);
   if (compared == Compared::kTwoLogs) {
-    print_location(report.location);
+    print_location(report.location, sides);
   } else {
     Listing contacts;
     for (const replay::StepContact& contact : report.location.contacts) {
@@ -174,14 +208,15 @@ void print_difference(const replay::DifferenceReport& report, Compared compared)
     contacts.print();
   }
   if (report.growth) {
-    compared == Compared::kTwoLogs ? print_growth(*report.growth, "A", "B")
-                                   : print_growth(*report.growth, "log", "this build");
+    print_growth(*report.growth, sides);
   } else if (compared == Compared::kTwoLogs) {
     std::cout << "the growth of the difference is not known: " << printable(report.growth_unknown) << '\n';
   }
 }
 
 void add_difference(const replay::DifferenceReport& report, Compared compared, Json& json) {
+  json["cause"] = report.cause;
+  json["effect"] = report.effect ? divergence_json(*report.effect) : Json(nullptr);
   if (compared == Compared::kTwoLogs) json["narrowed"] = location_json(report.location);
   if (report.growth) json["aftermath"] = growth_json(*report.growth);
 }

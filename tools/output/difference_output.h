@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "replay/diff/difference_report.h"
+#include "tools/output/divergence_output.h"
 #include "tools/output/text.h"
 
 namespace tumble::tools {
@@ -13,21 +14,20 @@ enum class Compared : std::uint8_t {
   kReplay,   ///< a log, and this build's replay of it
 };
 
-/// Prints a report for people: the first difference, its location, its growth.
-void print_difference(const replay::DifferenceReport& report, Compared compared);
+/// Prints a report for people: cause and first effect, the first difference, its location, its growth.
+void print_difference(const replay::DifferenceReport& report, Compared compared, const Sides& sides);
 
-/// Adds the location ("narrowed", of two logs) and the growth ("aftermath", where it is known) to the JSON that
-/// comparison_json() began.
+/// Adds "cause", "effect", the location ("narrowed", of two logs) and the growth ("aftermath", where it is known) to
+/// the JSON that comparison_json() began.
 void add_difference(const replay::DifferenceReport& report, Compared compared, Json& json);
 
 /// Parts of the two above.
-/// a, b: names of the two sessions at the head of a table.
-void print_growth(const replay::DivergenceGrowth& growth, const char* a, const char* b);
-/// {"kind":…, "marks":[…], "contacts_from":…, "freezing_from":…, "bodies_from":…, "largest":{…}, "last":{…},
+void print_growth(const replay::DivergenceGrowth& growth, const Sides& sides);
+/// {"kind":…, "marks":[…], "lost":…, "contacts_from":…, "freezing_from":…, "bodies_from":…, "largest":{…}, "last":{…},
 /// "metrics":[…], "steps":[…]}.
 Json growth_json(const replay::DivergenceGrowth& growth);
 /// The log whose first different step this build takes alike, and the contacts of the first body in that step.
-void print_location(const replay::DivergenceLocation& location);
+void print_location(const replay::DivergenceLocation& location, const Sides& sides);
 /// {"this_build_follows":…, "bodies":[…], "contacts":[…]}.
 Json location_json(const replay::DivergenceLocation& location);
 

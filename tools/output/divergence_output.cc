@@ -1,6 +1,7 @@
 #include "tools/output/divergence_output.h"
 
 #include <bit>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <variant>
@@ -25,31 +26,44 @@ std::string value_text(const replay::FieldValue& value) {
   return text;
 }
 
-Json value_json(const replay::FieldValue& value) {
-  return std::visit([](const auto& held) { return Json(held); }, value);
-}
-
 }  // namespace
+
+Json value_json(const replay::FieldValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr ? number_json(*number) : std::visit([](const auto& held) { return Json(held); }, value);
+}
 
 Json comparison_json(bool identical, std::uint64_t steps, const std::optional<replay::Divergence>& first) {
   Json json;
   json["identical"] = identical;
   json["steps"] = steps;
-  json["first"] = nullptr;
-  if (!first) return json;
-  Json& out = json["first"] = Json::object();
-  out["step"] = first->step;
-  out["substep"] = or_null(first->substep);
-  out["phase"] = first->phase;
-  out["body"] = or_null(first->body);
-  out["pair"] = first->pair ? Json{first->pair->first, first->pair->second} : Json(nullptr);
-  out["field"] = first->field;
-  out["expected"] = value_json(first->expected);
-  out["actual"] = value_json(first->actual);
-  out["ulps"] = or_null(first->ulps);
-  out["expected_hex"] = hex_json(first->expected);
-  out["actual_hex"] = hex_json(first->actual);
+  json["first"] = first ? divergence_json(*first) : Json(nullptr);
   return json;
+}
+
+Json divergence_json(const replay::Divergence& first) {
+  Json out = Json::object();
+  out["step"] = first.step;
+  out["substep"] = or_null(first.substep);
+  out["phase"] = first.phase;
+  out["body"] = or_null(first.body);
+  out["pair"] = first.pair ? Json{first.pair->first, first.pair->second} : Json(nullptr);
+  out["field"] = first.field;
+  out["expected"] = value_json(first.expected);
+  out["actual"] = value_json(first.actual);
+  out["ulps"] = or_null(first.ulps);
+  out["expected_hex"] = hex_json(first.expected);
+  out["actual_hex"] = hex_json(first.actual);
+  out["note"] = first.note;
+  return out;
+}
+
+Sides sides_of(const std::string& a, const std::string& b) {
+  const std::string name_a = std::filesystem::path(a).filename().string();
+  const std::string name_b = std::filesystem::path(b).filename().string();
+  if (name_a != name_b) return {printable(name_a), printable(name_b)};
+  if (a != b) return {printable(a), printable(b)};
+  return {printable(a) + " (A)", printable(b) + " (B)"};
 }
 
 std::string hex_text(double value) { return hex_text(std::bit_cast<std::uint64_t>(value)); }
@@ -61,7 +75,7 @@ std::string hex_text(std::uint64_t word) {
   return text;
 }
 
-void print_divergence(const replay::Divergence& first) {
+void print_divergence(const replay::Divergence& first, const Sides& sides) {
   Listing listing;
   listing.add("  step", std::to_string(first.step));
   if (first.substep) listing.add("  substep", std::to_string(*first.substep));
@@ -71,10 +85,29 @@ void print_divergence(const replay::Divergence& first) {
     listing.add("  pair", std::to_string(first.pair->first) + " and " + std::to_string(first.pair->second));
   }
   listing.add("  field", first.field);
-  listing.add("  expected", value_text(first.expected));
-  listing.add("  actual", value_text(first.actual));
-  if (first.ulps) listing.add("  apart", std::to_string(*first.ulps) + " ULPs");
+  listing.add("  " + sides.expected, value_text(first.expected));
+  listing.add("  " + sides.actual, value_text(first.actual));
+  const std::string size = replay::magnitude(first);
+  const std::string ulps = first.ulps ? std::to_string(*first.ulps) + " ULPs" : "";
+  if (!size.empty() || !ulps.empty()) listing.add("  apart", size + (size.empty() || ulps.empty() ? "" : ", ") + ulps);
+  if (!first.note.empty()) listing.add("  note", first.note);
   listing.print();
+}
+
+void print_scope(const replay::ComparisonScope& scope) {
+  std::string compared;
+  for (const std::string& part : scope.compared) compared += (compared.empty() ? "" : ", ") + part;
+  Listing listing;
+  listing.add("  compared", printable(compared));
+  for (std::size_t i = 0; i < scope.not_compared.size(); ++i) {
+    listing.add(i == 0 ? "  not compared" : "", printable(scope.not_compared[i]));
+  }
+  listing.print();
+}
+
+void add_scope(const replay::ComparisonScope& scope, Json& json) {
+  json["compared"] = scope.compared;
+  json["not_compared"] = scope.not_compared;
 }
 
 }  // namespace tumble::tools

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tools/output/text.h"
+#include "tumble/replay/comparison_scope.h"
 #include "tumble/replay/divergence.h"
 
 namespace tumble::tools {
@@ -16,7 +17,25 @@ Json comparison_json(bool identical, std::uint64_t steps, const std::optional<re
 std::string hex_text(double value);
 std::string hex_text(std::uint64_t word);
 
+Json value_json(const replay::FieldValue& value);
+/// The members of "first" in that JSON.
+Json divergence_json(const replay::Divergence& first);
+
+/// What columns and values of two sessions are labelled by.
+struct Sides {
+  std::string expected = "expected";
+  std::string actual = "actual";
+};
+
+/// The names of two files; their paths where the names are the same.
+Sides sides_of(const std::string& a, const std::string& b);
+
 /// Prints the first difference for people, in a few aligned lines.
-void print_divergence(const replay::Divergence& first);
+void print_divergence(const replay::Divergence& first, const Sides& sides);
+
+/// Prints what an answer speaks of and what it does not.
+void print_scope(const replay::ComparisonScope& scope);
+/// Adds "compared" and "not_compared", lists of texts.
+void add_scope(const replay::ComparisonScope& scope, Json& json);
 
 }  // namespace tumble::tools

@@ -13,6 +13,7 @@
 #include "tools/output/text.h"
 #include "tumble/replay/body_states.h"
 #include "tumble/replay/divergence.h"
+#include "tumble/replay/tolerance.h"
 
 namespace tumble::tools {
 namespace {
@@ -44,7 +45,13 @@ Json phases_json(const replay::StepRecord& a, const replay::StepRecord& b, const
   return rows;
 }
 
-Json values_json(const replay::StepRecord& a, const replay::StepRecord& b, bool same_words) {
+/// The kind of the two logs, which decides what can be compared.
+struct Kind {
+  bool same_words = false;  ///< phase words and contacts mean the same
+  bool imported = false;    ///< by another engine, which counts neither pairs nor contacts
+};
+
+Json values_json(const replay::StepRecord& a, const replay::StepRecord& b, const Kind& kind) {
   Json rows = Json::array();
   const auto add = [&](const char* name, const Json& in_a, const Json& in_b, bool same) {
     rows.push_back({{"name", name}, {"a", in_a}, {"b", in_b}, {"same", same}});
@@ -57,9 +64,11 @@ Json values_json(const replay::StepRecord& a, const replay::StepRecord& b, bool 
   const auto count = [&](const char* name, std::uint32_t in_a, std::uint32_t in_b) {
     add(name, in_a, in_b, in_a == in_b);
   };
-  count("substeps", a.counters.substeps, b.counters.substeps);
-  count("pairs", a.counters.pairs, b.counters.pairs);
-  if (same_words) count("contacts", a.counters.contacts, b.counters.contacts);
+  if (!kind.imported) {
+    count("substeps", a.counters.substeps, b.counters.substeps);
+    count("pairs", a.counters.pairs, b.counters.pairs);
+  }
+  if (kind.same_words && !kind.imported) count("contacts", a.counters.contacts, b.counters.contacts);
   number("kinetic", a.counters.kinetic, b.counters.kinetic);
   number("potential", a.counters.potential, b.counters.potential);
   number("input_energy", a.counters.inputs, b.counters.inputs);
@@ -149,6 +158,19 @@ void print_fields(const Json& body, Table& table) {
   }
 }
 
+/// An answer about states needs states that are those of the log's own hash.
+Status check_states(const replay::LogReader& log, const replay::StepRecord& record) {
+  if (!record.has_states || replay::state_hash(record.states) == record.state_hash) return {};
+  return damaged(log.name() + ": the log is broken: the states of step " + std::to_string(record.step) +
+                 " do not match their state hash");
+}
+
+/// A change of axes turns 0.0 into −0.0, which is the same number in another engine's states.
+void forgive_zeros(const replay::StepRecord& in_a, replay::StepRecord& in_b) {
+  const bool any = replay::forgive_zeros(in_a.states, in_b.states) > 0;
+  if (any && replay::same_bits(in_a.states, in_b.states)) in_b.state_hash = in_a.state_hash;
+}
+
 /// One step of two logs.
 struct SideBySide {
   bool same = false;  ///< in every bit that both logs hold of it
@@ -167,16 +189,19 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
   const Result<const replay::StepRecord*> read_b = record_of(b, source_b);
   if (!read_b.ok()) return read_b.error();
   const replay::StepRecord& in_a = **read_a;
-  const replay::StepRecord& in_b = **read_b;
-  const bool same_words = replay::same_phase_words(a.header(), b.header());
+  replay::StepRecord in_b = **read_b;
+  if (Status ok = check_states(a, in_a); !ok.ok()) return ok.error();
+  if (Status ok = check_states(b, in_b); !ok.ok()) return ok.error();
+  const Kind kind = {replay::same_phase_words(a.header(), b.header()), a.header().engine || b.header().engine};
+  if (kind.imported) forgive_zeros(in_a, in_b);
 
   SideBySide step;
   Json& json = step.json;
   json["step"] = k;
   json["same"] = false;
   json["note"] = replay::phase_hash_note(a.header(), b.header());
-  json["values"] = values_json(in_a, in_b, same_words);
-  json["phases"] = phases_json(in_a, in_b, same_words ? a.header().phases : std::vector<std::string>());
+  json["values"] = values_json(in_a, in_b, kind);
+  json["phases"] = phases_json(in_a, in_b, kind.same_words ? a.header().phases : std::vector<std::string>());
   const bool have_states = in_a.has_states && in_b.has_states;
   json["bodies"] = have_states ? bodies_json(in_a.states, in_b.states) : Json(nullptr);
   const auto same_rows = [](const Json& rows) {
@@ -184,15 +209,19 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
   };
   step.same = same_rows(json["values"]) && same_rows(json["phases"]) && (!have_states || json["bodies"].empty());
   json["same"] = step.same;
+  json["read"] = "the chunks with this step; not the rest of the logs";
+  json["states"] = have_states;
   json["contacts"] = contacts_json(a, b, k);
   return step;
 }
 
-void print_text(const SideBySide& step) {
+void print_text(const SideBySide& step, const Sides& sides) {
   const Json& json = step.json;
-  std::cout << "step " << json["step"].dump() << ": " << (step.same ? "the same" : "different") << "\n\n";
+  std::cout << "step " << json["step"].dump() << ": " << (step.same ? "the same" : "different") << "\n  read  "
+            << cell(json["read"]) << (json["states"].get<bool>() ? "" : "; states not compared: a log holds none of it")
+            << "\n\n";
   const auto verdict = [](const Json& row) { return row["same"].get<bool>() ? "same" : "DIFFERENT"; };
-  Table values({"  value", "A", "B", ""});
+  Table values({"  value", sides.expected, sides.actual, ""});
   for (const Json& row : json["values"]) {
     values.add({"  " + cell(row["name"]), cell(row["a"]), cell(row["b"]), verdict(row)});
   }
@@ -201,7 +230,7 @@ void print_text(const SideBySide& step) {
   if (!json["phases"].empty()) {
     std::cout << '\n';
     std::size_t on_one_side = 0;
-    Table phases({">  substep", "phase", "hash in A", "hash in B", ""});
+    Table phases({">  substep", "phase", "hash in " + sides.expected, "hash in " + sides.actual, ""});
     for (const Json& row : json["phases"]) {
       if (row["a"] == "-" || row["b"] == "-") {
         ++on_one_side;
@@ -217,18 +246,19 @@ void print_text(const SideBySide& step) {
     std::cout << '\n' << count_text(count, "body") << " differ" << (count == 1 ? "s" : "");
     if (count > kBodiesShown) std::cout << "; the first " << kBodiesShown << " (all with --json)";
     std::cout << '\n';
-    Table bodies({"  body", "field", "A", "B", ">ULPs"});
+    Table bodies({"  body", "field", sides.expected, sides.actual, ">ULPs"});
     for (std::size_t i = 0; i < std::min(count, kBodiesShown); ++i) print_fields(json["bodies"][i], bodies);
     bodies.print();
   }
   const Json& contacts = json["contacts"];
   if (contacts.is_null()) return;
   const auto recorded = [&](const char* key) { return contacts[key].get<bool>() ? "as recorded" : "not as recorded"; };
-  std::cout << "\ntaken again by this build: A " << recorded("a_as_recorded") << ", " << contacts["a"].dump()
-            << " contacts; B " << recorded("b_as_recorded") << ", " << contacts["b"].dump() << " contacts\n";
+  std::cout << "\ntaken again by this build: " << sides.expected << ' ' << recorded("a_as_recorded") << ", "
+            << contacts["a"].dump() << " contacts; " << sides.actual << ' ' << recorded("b_as_recorded") << ", "
+            << contacts["b"].dump() << " contacts\n";
   if (contacts["first"].is_null()) return;
-  std::cout << "  first contact that differs\n    A  " << cell(contacts["first"]["a"]) << "\n    B  "
-            << cell(contacts["first"]["b"]) << '\n';
+  std::cout << "  first contact that differs\n    " << sides.expected << "  " << cell(contacts["first"]["a"])
+            << "\n    " << sides.actual << "  " << cell(contacts["first"]["b"]) << '\n';
 }
 
 }  // namespace
@@ -239,7 +269,7 @@ Result<bool> print_side_by_side(replay::LogReader& a, replay::LogReader& b, std:
   if (as_json) {
     print_json(step->json);
   } else {
-    print_text(*step);
+    print_text(*step, sides_of(a.name(), b.name()));
   }
   return step->same;
 }

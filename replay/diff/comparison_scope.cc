@@ -1,0 +1,140 @@
+#include "tumble/replay/comparison_scope.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "src/base/text.h"
+
+namespace tumble::replay {
+namespace {
+
+std::string run_text(std::uint64_t first, std::uint64_t last) {
+  return to_string(MissingSteps{first, last + 1 - first});
+}
+
+std::string columns_text(const std::vector<std::string>& names) {
+  std::string text = names.size() == 1 ? "column " : "columns ";
+  for (std::size_t i = 0; i < names.size(); ++i) text += (i == 0 ? "" : ", ") + names[i];
+  return text;
+}
+
+class Scope {
+ public:
+  Scope(const LogReader& a, const LogReader& b, const Tolerances& tolerances, const DiffFacts& facts)
+      : a_(a), b_(b), tolerances_(tolerances), facts_(facts) {}
+
+  ComparisonScope take() {
+    add_steps();
+    add_states();
+    add_tolerances();
+    add_worlds();
+    add_ends();
+    leave_out(never_compared());
+    return std::move(scope_);
+  }
+
+ private:
+  void compare(std::string part) { scope_.compared.push_back(std::move(part)); }
+  void leave_out(std::string part) { scope_.not_compared.push_back(std::move(part)); }
+
+  void add_steps() {
+    compare("step lengths");
+    const LogHeader &a = a_.header(), &b = b_.header();
+    if (facts_.states_only) {
+      leave_out("inputs, counters and phase hashes: the logs are of two engines");
+      return;
+    }
+    compare("inputs");
+    if (!tolerances_.exact()) {
+      leave_out("phase hashes and counters: they differ as soon as one bit does, so tolerances leave them out");
+      return;
+    }
+    compare("counters");
+    if (facts_.same_words) {
+      if (!facts_.imported) compare("phase hashes");
+    } else if (a.phases != b.phases) {
+      leave_out("phase hashes and contact counts: the phases have not the same names");
+    } else if (a.phase_hash_version == b.phase_hash_version) {
+      leave_out("phase hashes and contact counts: the logs keep other numbers of substeps");
+    } else {
+      leave_out(phase_hash_note(a, b));
+    }
+  }
+
+  void add_states() {
+    std::uint64_t in_both = 0, steps = 0;
+    for (std::uint64_t k = facts_.from + 1; k <= facts_.last; ++k) {
+      if (a_.lost_at(k) != nullptr || b_.lost_at(k) != nullptr) continue;
+      ++steps;
+      if (a_.header().states.holds(k) && b_.header().states.holds(k)) ++in_both;
+    }
+    compare("the state of step " + std::to_string(facts_.from));
+    compare("state hashes");
+    if (facts_.hashes_only) {
+      leave_out("the payloads of chunks with equal hashes: not read, so damage in them is not seen");
+      return;
+    }
+    if (in_both > 0) compare("states of " + count_text(in_both, "step"));
+    if (in_both < steps) {
+      leave_out("states of " + count_text(steps - in_both, "step") +
+                ", which a log does not hold: by their hashes alone");
+    }
+    if (facts_.zeros > 0) leave_out("the sign of " + count_text(facts_.zeros, "zero") + " in states of another engine");
+  }
+
+  void add_tolerances() {
+    for (const auto& [field, tolerance] : tolerances_.fields) {
+      leave_out("differences of " + field + " up to " + exact(tolerance) + ": excused");
+    }
+  }
+
+  void add_worlds() {
+    if (facts_.worlds > 0 && tolerances_.exact()) {
+      compare("complete states of " + count_text(facts_.worlds, "keyframe"));
+      return;
+    }
+    if (facts_.imported) return;
+    const char* why = facts_.hashes_only     ? "not read"
+                      : !tolerances_.exact() ? "tolerances leave them out"
+                      : facts_.one_scene     ? "the logs have no keyframe at one step"
+                                             : "scenes or method versions differ";
+    leave_out(std::string("masses, inertias, materials and hidden states of keyframes: ") + why);
+  }
+
+  void add_ends() {
+    const std::uint64_t first_a = a_.first_state(), first_b = b_.first_state();
+    if (first_a != first_b) {
+      leave_out(run_text(std::min(first_a, first_b) + 1, std::max(first_a, first_b)) + ", which only " +
+                (first_a < first_b ? a_ : b_).name() + " has");
+    }
+    const std::uint64_t last_a = a_.last_step(), last_b = b_.last_step();
+    if (last_a != last_b) {
+      leave_out(run_text(std::min(last_a, last_b) + 1, std::max(last_a, last_b)) + ", which only " +
+                (last_a > last_b ? a_ : b_).name() + " has");
+    }
+    for (const LogReader* log : {&a_, &b_}) {
+      const std::optional<ImportedTable>& table = log->header().table;
+      if (table && !table->passed_over.empty()) {
+        leave_out(columns_text(table->passed_over) + " of the table of " + log->name() +
+                  ": the import passed over them");
+      }
+      for (const MissingSteps& run : log->header().missing()) leave_out(to_string(run) + ", lost from " + log->name());
+    }
+  }
+
+  const LogReader& a_;
+  const LogReader& b_;
+  const Tolerances& tolerances_;
+  const DiffFacts& facts_;
+  ComparisonScope scope_;
+};
+
+}  // namespace
+
+ComparisonScope scope_of(const LogReader& a, const LogReader& b, const Tolerances& tolerances, const DiffFacts& facts) {
+  return Scope(a, b, tolerances, facts).take();
+}
+
+std::string never_compared() { return "names, texts, cameras, lights and looks: no step depends on them"; }
+
+}  // namespace tumble::replay

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tumble/replay/log_reader.h"
+#include "tumble/replay/tolerance.h"
+
+namespace tumble::replay {
+
+/// The parts that an answer "identical" or "the same" speaks of, for people and programs.
+struct ComparisonScope {
+  std::vector<std::string> compared;      ///< "inputs", "phase hashes", "states of 40 steps"
+  std::vector<std::string> not_compared;  ///< in the logs, and passed over; each with its reason
+};
+
+/// The way in which two logs were compared.
+struct DiffFacts {
+  std::uint64_t from = 0;    ///< the first state of both
+  std::uint64_t last = 0;    ///< the last step of both
+  bool hashes_only = false;  ///< chunks with equal chains were not read
+  bool states_only = false;  ///< two engines: dt and states alone
+  bool same_words = false;   ///< phase words mean the same in both
+  bool imported = false;     ///< one log at least is another engine's
+  bool one_scene = false;    ///< scenes and method versions are equal, so complete states were compared
+  std::uint64_t worlds = 0;  ///< complete states compared
+  std::uint64_t zeros = 0;   ///< whose sign alone differs, counted as equal
+};
+
+ComparisonScope scope_of(const LogReader& a, const LogReader& b, const Tolerances& tolerances, const DiffFacts& facts);
+
+/// The parts of any log that no comparison looks at.
+std::string never_compared();
+
+}  // namespace tumble::replay

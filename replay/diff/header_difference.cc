@@ -1,0 +1,249 @@
+#include "tumble/replay/header_difference.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+#include <utility>
+
+#include "replay/diff/parameters.h"
+#include "src/base/text.h"
+
+namespace tumble::replay {
+namespace {
+
+constexpr std::size_t kIdsNamed = 4;
+constexpr std::size_t kGroupsMax = 200;  // of bodies or inputs that differ in one way
+
+using Named = std::pair<std::string, FieldValue>;
+
+FieldValue value_of(double value) { return value; }
+FieldValue value_of(bool value) { return std::string(value ? "true" : "false"); }
+FieldValue value_of(sim::Method value) { return std::string(name_of(value)); }
+FieldValue value_of(std::uint32_t value) { return std::uint64_t{value}; }
+FieldValue value_of(std::uint64_t value) { return value; }
+
+std::vector<Named> parameters_of(const sim::WorldDef& def) {
+  std::vector<Named> list;
+  for_each_parameter(def, [&](const char* name, const auto& value) { list.emplace_back(name, value_of(value)); });
+  return list;
+}
+
+template <class Whole>
+std::vector<Named> values_of(const Whole& whole) {
+  std::vector<Named> list;
+  for_each_value(whole,
+                 [&](std::string name, const auto& value) { list.emplace_back(std::move(name), value_of(value)); });
+  return list;
+}
+
+std::string vector_text(const sim::Vec3& v) { return exact(v.x()) + ' ' + exact(v.y()) + ' ' + exact(v.z()); }
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text.empty() ? "none" : text;
+}
+
+std::string ids_text(const std::vector<sim::BodyId>& ids) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(ids.size(), kIdsNamed); ++i)
+    text += (i == 0 ? "" : ", ") + std::to_string(ids[i]);
+  if (ids.size() > kIdsNamed) text += " and " + std::to_string(ids.size() - kIdsNamed) + " more";
+  return text.empty() ? "none" : text;
+}
+
+class Differences {
+ public:
+  explicit Differences(const Tolerances& tolerances) : tolerances_(tolerances) {}
+
+  void add(std::string key, FieldValue a, FieldValue b, bool acts) {
+    if (same_bits(a, b)) return;
+    list_.push_back({std::move(key), std::move(a), std::move(b), acts, false});
+  }
+  void look(const char* key, const std::string& a, const std::string& b) { add(key, a, b, false); }
+
+  /// field: the name that a tolerance has, where the key has another one.
+  void add_field(const std::string& key, const std::string& field, const FieldValue& a, const FieldValue& b) {
+    const std::size_t before = list_.size();
+    add(key, a, b, true);
+    const auto* in_a = std::get_if<double>(&a);
+    const auto* in_b = std::get_if<double>(&b);
+    if (list_.size() == before || in_a == nullptr || in_b == nullptr) return;
+    list_.back().excused = tolerances_.excuses(field, *in_a, *in_b);
+  }
+
+  std::vector<HeaderDifference> take() {
+    (void)std::ranges::stable_partition(list_, [](const HeaderDifference& d) { return !d.acts; });
+    return std::move(list_);
+  }
+
+ private:
+  const Tolerances& tolerances_;
+  std::vector<HeaderDifference> list_;
+};
+
+/// Bodies that differ in one field by the same two values stand in one line: a material of the scene is that of all.
+struct Group {
+  std::string field;
+  FieldValue a;
+  FieldValue b;
+  std::vector<sim::BodyId> ids;
+};
+
+void add_to(std::vector<Group>& groups, const std::string& field, const FieldValue& a, const FieldValue& b,
+            sim::BodyId id) {
+  const auto known = std::ranges::find_if(groups, [&](const Group& group) {
+    return group.field == field && same_bits(group.a, a) && same_bits(group.b, b);
+  });
+  if (known != groups.end()) {
+    known->ids.push_back(id);
+  } else if (groups.size() < kGroupsMax) {
+    groups.push_back({field, a, b, {id}});
+  } else {
+    groups.back().ids.push_back(id);
+    groups.back().field = "further values";
+    groups.back().a = groups.back().b = std::string("not listed");
+  }
+}
+
+void add_bodies(const sim::SceneDef& a, const sim::SceneDef& b, Differences& found) {
+  std::vector<sim::BodyId> only_a, only_b;
+  std::vector<Group> groups;
+  for (std::size_t i = 0, j = 0; i < a.boxes.size() || j < b.boxes.size();) {
+    const bool in_a = i < a.boxes.size() && (j == b.boxes.size() || a.boxes[i].id <= b.boxes[j].id);
+    const bool in_b = j < b.boxes.size() && (i == a.boxes.size() || b.boxes[j].id <= a.boxes[i].id);
+    if (in_a && in_b && !(a.boxes[i] == b.boxes[j])) {
+      const std::vector<Named> one = values_of(a.boxes[i]), other = values_of(b.boxes[j]);
+      for (std::size_t k = 0; k < one.size(); ++k) {
+        if (!same_bits(one[k].second, other[k].second)) {
+          add_to(groups, one[k].first, one[k].second, other[k].second, a.boxes[i].id);
+        }
+      }
+    }
+    if (in_a != in_b) (in_a ? only_a : only_b).push_back(in_a ? a.boxes[i].id : b.boxes[j].id);
+    if (in_a) ++i;
+    if (in_b) ++j;
+  }
+  found.add("bodies at the start", std::uint64_t{a.boxes.size()}, std::uint64_t{b.boxes.size()}, true);
+  if (!only_a.empty() || !only_b.empty())
+    found.add("bodies on one side only", ids_text(only_a), ids_text(only_b), true);
+  for (const Group& group : groups) {
+    const std::string key = group.ids.size() == 1 ? "body " + std::to_string(group.ids[0]) + ' ' + group.field
+                                                  : group.field + " of bodies " + ids_text(group.ids);
+    found.add(key, group.a, group.b, true);
+  }
+}
+
+std::string when(const sim::TimedCommand& input) {
+  return std::string(sim::name_of(input.command)) + " before step " + std::to_string(input.step);
+}
+
+void add_inputs(const sim::SceneDef& a, const sim::SceneDef& b, Differences& found) {
+  found.add("inputs", std::uint64_t{a.inputs.size()}, std::uint64_t{b.inputs.size()}, true);
+  std::size_t shown = 0;
+  for (std::size_t i = 0; i < std::min(a.inputs.size(), b.inputs.size()) && shown < kGroupsMax; ++i) {
+    const std::string key = "input " + std::to_string(i + 1);
+    if (a.inputs[i] == b.inputs[i]) continue;
+    ++shown;
+    if (when(a.inputs[i]) != when(b.inputs[i])) {
+      found.add(key, when(a.inputs[i]), when(b.inputs[i]), true);
+      continue;
+    }
+    const std::vector<Named> one = values_of(a.inputs[i].command), other = values_of(b.inputs[i].command);
+    for (std::size_t k = 0; k < std::min(one.size(), other.size()); ++k) {
+      const std::string field = std::string(sim::name_of(a.inputs[i].command)) + '.' + one[k].first;
+      found.add_field(key + ' ' + field, field, one[k].second, other[k].second);
+    }
+  }
+}
+
+void add_looks(const sim::SceneDef& a, const sim::SceneDef& b, Differences& found) {
+  found.look("title", a.title, b.title);
+  found.look("category", a.category, b.category);
+  found.look("camera.position", vector_text(a.camera.position), vector_text(b.camera.position));
+  found.look("camera.target", vector_text(a.camera.target), vector_text(b.camera.target));
+  found.add("camera.fov", a.camera.fov, b.camera.fov, false);
+  found.add("camera.focus", a.camera.focus, b.camera.focus, false);
+  found.add("camera.blur", a.camera.blur, b.camera.blur, false);
+  found.look("light.position", vector_text(a.light.position), vector_text(b.light.position));
+  found.look("light.target", vector_text(a.light.target), vector_text(b.light.target));
+}
+
+void add_scene(const sim::SceneDef& a, const sim::SceneDef& b, Differences& found) {
+  add_looks(a, b, found);
+  const std::vector<Named> one = parameters_of(a.world), other = parameters_of(b.world);
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    found.add_field(one[k].first, one[k].first, one[k].second, other[k].second);
+  }
+  add_bodies(a, b, found);
+  add_inputs(a, b, found);
+}
+
+std::string text_of(const FieldValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr ? exact(*number) : to_string(value);
+}
+
+std::string start_of(const LogHeader& header) {
+  return header.goes_on ? "step " + std::to_string(header.goes_on->step) + " of another session" : "state 0";
+}
+
+std::vector<std::string> passed_over(const LogHeader& header) {
+  return header.table ? header.table->passed_over : std::vector<std::string>();
+}
+
+std::string engine_of(const LogHeader& header) { return header.engine ? to_string(*header.engine) : "tumble"; }
+
+std::uint64_t bits_of_engine(const LogHeader& header) {
+  return header.engine ? header.engine->precision_bits : kBinary64Bits;
+}
+
+}  // namespace
+
+std::string describe(const HeaderDifference& difference) {
+  return difference.key + ": " + text_of(difference.a) + " → " + text_of(difference.b) +
+         (difference.excused ? " (excused)" : "");
+}
+
+std::vector<HeaderDifference> scene_differences(const sim::SceneDef& a, const sim::SceneDef& b,
+                                                const Tolerances& tolerances) {
+  Differences found(tolerances);
+  add_scene(a, b, found);
+  return found.take();
+}
+
+// Steps decide whether two sessions are equal; two logs of one session may well have other headers (another tool,
+// another --states). The list tells people and programs where to look for the cause of a difference.
+std::vector<HeaderDifference> header_differences(const LogHeader& a, const LogHeader& b, const Tolerances& tolerances) {
+  Differences found(tolerances);
+  found.look("engine", engine_of(a), engine_of(b));
+  found.add("precision", bits_of_engine(a), bits_of_engine(b), false);
+  if (a.scene.world.method == b.scene.world.method) found.add("method", a.method, b.method, true);
+  found.add("method version", std::uint64_t{a.method_version}, std::uint64_t{b.method_version}, true);
+  found.look("scene", a.scene.name, b.scene.name);
+  found.look("transform", to_string(a.transform), to_string(b.transform));
+  found.look("set", joined(a.overrides), joined(b.overrides));
+  found.look("begins with", start_of(a), start_of(b));
+  found.add("planned steps", a.scene.steps, b.scene.steps, false);
+  found.look("states", to_string(a.states), to_string(b.states));
+  found.look("written by", a.tool_version + ", " + a.tool_build, b.tool_version + ", " + b.tool_build);
+  found.look("axes", to_string(a.axes()), to_string(b.axes()));
+  found.look("columns passed over", joined(passed_over(a)), joined(passed_over(b)));
+  found.look("numbers", a.float_format, b.float_format);
+  if (a.phases != b.phases) {
+    found.look("phases", joined(a.phases), joined(b.phases));
+  } else {
+    found.add("phase hashes", std::uint64_t{a.phase_hash_version}, std::uint64_t{b.phase_hash_version}, false);
+  }
+  const bool one_start = (a.goes_on ? a.goes_on->step : 0) == (b.goes_on ? b.goes_on->step : 0);
+  if (one_start) add_scene(a.scene, b.scene, found);  // else the two scenes are those of different steps
+  return found.take();
+}
+
+const HeaderDifference* first_cause(const std::vector<HeaderDifference>& differences) {
+  const auto first = std::ranges::find_if(differences, [](const HeaderDifference& d) { return d.acts && !d.excused; });
+  return first == differences.end() ? nullptr : &*first;
+}
+
+}  // namespace tumble::replay

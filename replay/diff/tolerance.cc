@@ -1,0 +1,176 @@
+#include "tumble/replay/tolerance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "replay/diff/parameters.h"
+#include "replay/format/little_endian.h"
+#include "src/base/text.h"
+#include "tumble/replay/field_value.h"
+
+namespace tumble::replay {
+namespace {
+
+double tolerance_of(const Tolerances& tolerances, std::size_t column) {
+  if (column >= kPosition) return tolerances.position;
+  return column >= kSpin ? tolerances.spin : tolerances.velocity;
+}
+
+void forgive_orientation(const BodyStates& expected, BodyStates& actual, std::size_t i, double tolerance) {
+  const sim::Quat wanted = expected.orientation[i], found = actual.orientation[i];
+  if (same_rotation(wanted, found) || (tolerance > 0 && angle_between(wanted, found) <= tolerance)) {
+    actual.orientation.set(i, wanted);
+  }
+}
+
+/// The numbers of an input by name, "throw.velocity.y", in order. Number: double or const double.
+template <class Number, class Command>
+std::vector<std::pair<std::string, Number*>> numbers_of(Command& command) {
+  const std::string kind = sim::name_of(command);
+  std::vector<std::pair<std::string, Number*>> numbers;
+  for_each_value(command, [&](const std::string& name, auto& value) {
+    using Value = std::remove_const_t<std::remove_reference_t<decltype(value)>>;
+    if constexpr (std::is_same_v<Value, double>) numbers.emplace_back(kind + '.' + name, &value);
+  });
+  return numbers;
+}
+
+/// "throw.velocity.y" belongs to "throw.velocity"; empty for a name without components.
+std::string whole_of(const std::string& field) {
+  const std::size_t dot = field.rfind('.');
+  const bool component = dot != std::string::npos && dot + 2 == field.size();
+  return component ? field.substr(0, dot) : "";
+}
+
+template <class Input>
+void add_names(std::vector<std::string>& names) {
+  const sim::Command command = Input();
+  for (const auto& [name, value] : numbers_of<const double>(command)) names.push_back(name);
+  if constexpr (std::is_same_v<Input, sim::Push>) names.insert(names.end(), {"push.at.x", "push.at.y", "push.at.z"});
+}
+
+/// The fields of inputs and parameters that can have a tolerance.
+std::vector<std::string> known_fields() {
+  std::vector<std::string> names = {"dt"};
+  std::apply([&](auto... input) { (add_names<decltype(input)>(names), ...); },
+             std::tuple<sim::Throw, sim::Push, sim::SetVelocity, sim::SetGravity, sim::SetDt>());
+  const sim::WorldDef def;
+  for_each_parameter(def, [&](const char* name, const auto& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, double>) names.emplace_back(name);
+  });
+  const std::size_t count = names.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string whole = whole_of(names[i]);
+    if (!whole.empty() && std::ranges::find(names, whole) == names.end()) names.push_back(whole);
+  }
+  return names;
+}
+
+Error unknown_field(const std::string& field, const std::vector<std::string>& known) {
+  std::vector<std::string_view> candidates = {"position", "orientation", "velocity", "spin"};
+  candidates.insert(candidates.end(), known.begin(), known.end());
+  const std::string_view near = nearest_word(field, candidates);
+  return bad_input("found field " + in_quotes(field) +
+                   ", wanted position, orientation, velocity or spin, or a number of an input or a parameter, as in "
+                   "throw.velocity.y, dt or world.gravity" +
+                   (near.empty() ? "" : "; is " + std::string(near) + " meant?"));
+}
+
+}  // namespace
+
+bool Tolerances::excuses(const std::string& field, double expected, double actual) const {
+  for (const std::string& name : {field, whole_of(field)}) {
+    const auto known = fields.find(name);
+    if (known != fields.end() && std::fabs(actual - expected) <= known->second) return true;
+  }
+  return false;
+}
+
+Status set_tolerance(Tolerances& tolerances, const std::string& field, double value) {
+  if (!(value >= 0) || std::isinf(value)) {
+    return bad_input("tolerance " + field + ": found " + to_string(FieldValue(value)) + ", wanted a number from 0 on");
+  }
+  if (field == "position") {
+    tolerances.position = value;
+  } else if (field == "orientation") {
+    tolerances.orientation = value;
+  } else if (field == "velocity") {
+    tolerances.velocity = value;
+  } else if (field == "spin") {
+    tolerances.spin = value;
+  } else {
+    const std::vector<std::string> known = known_fields();
+    if (std::ranges::find(known, field) == known.end()) return unknown_field(field, known);
+    tolerances.fields[field] = value;
+  }
+  return {};
+}
+
+// atan2 of the two parts of conj(a)·b keeps all digits of a small angle, which acos of their product would lose.
+double angle_between(const sim::Quat& a, const sim::Quat& b) {
+  const double w = a.w * b.w + ((a.x * b.x + a.y * b.y) + a.z * b.z);
+  const sim::Vec3 va = {a.x, a.y, a.z}, vb = {b.x, b.y, b.z};
+  const sim::Vec3 turn = vb * a.w - va * b.w - sim::cross(va, vb);
+  const double sine = sim::length(turn);
+  if (sine == 0 && w == 0) return std::nan("");
+  return 2 * std::atan2(sine, std::fabs(w));
+}
+
+bool same_rotation(const sim::Quat& a, const sim::Quat& b) {
+  return a == b || (a.w == -b.w && a.x == -b.x && a.y == -b.y && a.z == -b.z);
+}
+
+void forgive_states(const BodyStates& expected, BodyStates& actual, const Tolerances& tolerances) {
+  if (expected.id != actual.id || tolerances.exact()) return;
+  const ConstColumns wanted = columns_of(expected);
+  const Columns found = columns_of(actual);
+  for (std::size_t c = 0; c < kOrientation; ++c) {
+    const double tolerance = tolerance_of(tolerances, c);
+    if (tolerance == 0) continue;
+    for (std::size_t i = 0; i < actual.size(); ++i) {
+      if (std::fabs((*found[c])[i] - (*wanted[c])[i]) <= tolerance) (*found[c])[i] = (*wanted[c])[i];
+    }
+  }
+  for (std::size_t i = 0; i < actual.size(); ++i) forgive_orientation(expected, actual, i, tolerances.orientation);
+}
+
+void forgive_inputs(const StepRecord& expected, StepRecord& actual, const Tolerances& tolerances) {
+  if (tolerances.fields.empty()) return;
+  for (const char* name : {"dt", "world.dt", "set_dt.dt"}) {
+    if (tolerances.excuses(name, expected.dt, actual.dt)) actual.dt = expected.dt;
+  }
+  if (!std::ranges::equal(expected.inputs, actual.inputs, {}, &sim::Command::index, &sim::Command::index)) return;
+  for (std::size_t i = 0; i < expected.inputs.size(); ++i) {
+    const auto wanted = numbers_of<const double>(expected.inputs[i]);
+    const auto found = numbers_of<double>(actual.inputs[i]);
+    for (std::size_t k = 0; k < std::min(wanted.size(), found.size()); ++k) {
+      const auto& [name, value] = wanted[k];
+      if (name == found[k].first && tolerances.excuses(name, *value, *found[k].second)) *found[k].second = *value;
+    }
+  }
+}
+
+std::uint64_t forgive_zeros(const BodyStates& expected, BodyStates& actual) {
+  if (expected.id != actual.id) return 0;
+  const ConstColumns wanted = columns_of(expected);
+  const Columns found = columns_of(actual);
+  std::uint64_t count = 0;
+  for (std::size_t c = 0; c < kColumnCount; ++c) {
+    for (std::size_t i = 0; i < actual.size(); ++i) {
+      const double a = (*wanted[c])[i];
+      double& b = (*found[c])[i];
+      if (a != 0 || b != 0 || bits_of(a) == bits_of(b)) continue;
+      b = a;
+      ++count;
+    }
+  }
+  return count;
+}
+
+}  // namespace tumble::replay

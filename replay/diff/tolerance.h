@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "tumble/replay/body_states.h"
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/result.h"
+
+namespace tumble::replay {
+
+/// The largest differences at which two values count as equal. 0 is exact.
+struct Tolerances {
+  double position = 0;     ///< m, of each component
+  double orientation = 0;  ///< rad: the angle of the turn from one orientation to the other; q and −q are one
+  double velocity = 0;     ///< m/s, of each component
+  double spin = 0;         ///< rad/s, angular velocity, of each component
+  /// Of inputs and parameters, by name: "dt", "throw.velocity", "throw.velocity.y", "world.gravity.z".
+  std::map<std::string, double> fields;
+  [[nodiscard]] bool exact() const {
+    return position == 0 && orientation == 0 && velocity == 0 && spin == 0 && fields.empty();
+  }
+  /// Whether a difference of an input's or a parameter's field is within its tolerance.
+  [[nodiscard]] bool excuses(const std::string& field, double expected, double actual) const;
+};
+
+/// Sets the tolerance of a field by its name. Errors (kBadInput): an unknown field; a value that is negative or NaN.
+Status set_tolerance(Tolerances& tolerances, const std::string& field, double value);
+
+/// The angle in rad, 0 … π, of the turn from one orientation to the other; NaN where one has no direction.
+double angle_between(const sim::Quat& a, const sim::Quat& b);
+
+/// Whether every component of one is the other's, or its negative: the same turn, written with other signs or not.
+bool same_rotation(const sim::Quat& a, const sim::Quat& b);
+
+/// Copies into `actual` every value of `expected` within tolerance, so that an exact comparison finds it equal. With
+/// tolerances, an orientation of the opposite sign is equal too.
+void forgive_states(const BodyStates& expected, BodyStates& actual, const Tolerances& tolerances);
+
+/// Likewise for dt and for the fields of inputs of equal kinds.
+void forgive_inputs(const StepRecord& expected, StepRecord& actual, const Tolerances& tolerances);
+
+/// Copies zeros whose sign alone differs. Returns their number.
+std::uint64_t forgive_zeros(const BodyStates& expected, BodyStates& actual);
+
+}  // namespace tumble::replay

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+#include "tumble/replay/divergence.h"
+#include "tumble/sim/world_state.h"
+
+namespace tumble::replay {
+
+/// The parts of a complete state that are compared.
+struct WorldParts {
+  bool built = true;    ///< parameters of the world; sizes, masses, inertias and materials of bodies
+  bool visible = true;  ///< the columns of the state hash
+  bool hidden = true;   ///< rest times, near pairs, contacts remembered; another version of a method may keep others
+};
+
+/// The first property of a world, or of a body by ascending id, in which two complete states differ to the bit:
+/// "world.gravity.z", "inertia.x", "low_energy_time", "contact_memory.impulse". Causes stand before effects. The phase
+/// is "start".
+std::optional<Divergence> world_difference(const sim::WorldState& expected, const sim::WorldState& actual,
+                                           const WorldParts& parts = {});
+
+}  // namespace tumble::replay

@@ -1,0 +1,145 @@
+// Commands that say "same" have read what they speak of: damage goes before every other status, and answers say what
+// they looked at.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/program.h"
+#include "tests/tools/json_output.h"
+
+namespace tumble::test {
+namespace {
+
+using nlohmann::ordered_json;
+
+bool says(const Outcome& outcome, const std::string& words) { return outcome.out.find(words) != std::string::npos; }
+
+TEST(SameCommand, DamageGoesBeforeEveryOtherStatus) {
+  const Workshop shop;
+  const std::vector<std::string> long_one = {"--steps", "200", "--set", "world.freezing=false"};  // of several chunks
+  std::vector<std::string> other = long_one;
+  other.insert(other.end(), {"--set", "input.1.velocity=[0.0, 6.5, 0.0]"});
+  shop.record_small("a", long_one);
+  shop.record_small("c", other);
+  for (const char* name : {"a", "c"}) {
+    const std::string whole = shop.read(std::string(name) + ".tumble");
+    const std::size_t header = 3000;  // bytes that hold the header; what follows is the chunk, index and footer
+    ASSERT_GT(whole.size(), 2 * header);
+    for (std::size_t at = header; at < whole.size(); at += (whole.size() - header) / 5) {
+      std::string bytes = whole;
+      bytes[at] = static_cast<char>(bytes[at] ^ 16);
+      shop.write("b.tumble", bytes);
+      for (const std::vector<std::string>& words :
+           {std::vector<std::string>{"diff", "a.tumble", "b.tumble"},
+            {"diff", "b.tumble", "a.tumble", "--tolerance", "position=10", "--json"},
+            {"bisect", "a.tumble", "b.tumble"},
+            {"replay", "b.tumble"}}) {
+        const Outcome outcome = shop.run(words);
+        EXPECT_EQ(outcome.exit, 3) << words[0] << ' ' << name << " byte " << at << ": " << outcome.out << outcome.err;
+        EXPECT_NE(outcome.err.find("b.tumble"), std::string::npos) << outcome.err;
+      }
+    }
+  }
+}
+
+TEST(SameCommand, BriefSaysThatPayloadsWereNotRead) {
+  const Workshop shop;
+  shop.record_small("a");
+  shop.record_small("b");
+  shop.record_small("c", {"--set", "input.1.velocity=[0.0, 6.5, 0.0]"});
+  const Outcome same = shop.run({"diff", "a.tumble", "b.tumble", "--brief"});
+  EXPECT_EQ(same.exit, 0);
+  EXPECT_TRUE(says(same, "identical: 40 steps, by hashes; payloads not read")) << same.out;
+  EXPECT_TRUE(says(shop.run({"diff", "a.tumble", "c.tumble", "--brief"}), "payloads not read"));
+  const ordered_json json = ordered_json::parse(shop.run({"diff", "a.tumble", "b.tumble", "--brief", "--json"}).out);
+  EXPECT_EQ(json["read"], "hashes; payloads not read");
+  const ordered_json all = ordered_json::parse(shop.run({"diff", "a.tumble", "b.tumble", "--json"}).out);
+  EXPECT_EQ(all["read"], "every byte of both logs");
+}
+
+TEST(SameCommand, IdenticalListsWhatWasCompared) {
+  const Workshop shop;
+  shop.record_small("a");
+  shop.record_small("b", {"--states", "hashes"});
+  for (const std::vector<std::string>& words : {std::vector<std::string>{"diff", "a.tumble", "b.tumble"},
+                                                {"bisect", "a.tumble", "b.tumble"},
+                                                {"replay", "b.tumble"}}) {
+    const Outcome outcome = shop.run(words);
+    EXPECT_EQ(outcome.exit, 0) << outcome.err;
+    EXPECT_TRUE(says(outcome, "\n  compared ")) << outcome.out;
+    EXPECT_TRUE(says(outcome, "\n  not compared ")) << outcome.out;
+    std::vector<std::string> with_json = words;
+    with_json.emplace_back("--json");
+    const ordered_json json = ordered_json::parse(shop.run(with_json).out);
+    EXPECT_FALSE(json["compared"].empty());
+    EXPECT_FALSE(json["not_compared"].empty());
+  }
+}
+
+TEST(SameCommand, AStepSideBySideSaysThatTheRestWasNotRead) {
+  const Workshop shop;
+  shop.record_small("a");
+  shop.record_small("b");
+  const Outcome outcome = shop.run({"diff", "a.tumble", "b.tumble", "--step", "7"});
+  EXPECT_EQ(outcome.exit, 0);
+  EXPECT_TRUE(says(outcome, "not the rest of the logs")) << outcome.out;
+}
+
+TEST(SameCommand, ADifferenceHasACauseAnEffectAndTheFilesNames) {
+  const Workshop shop;
+  shop.record_small("before");
+  shop.record_small("after", {"--set", "material.friction=0.400001"});
+  const Outcome outcome = shop.run({"diff", "before.tumble", "after.tumble"});
+  ASSERT_EQ(outcome.exit, 1) << outcome.err;
+  for (const char* words : {"header: material.friction: 0.4 → 0.400001", "cause   material.friction: 0.4 → 0.400001",
+                            "effect  step ", "  before.tumble  ", "  after.tumble  ", " apart"}) {
+    EXPECT_TRUE(says(outcome, words)) << words << "\n" << outcome.out;
+  }
+  const ordered_json json = ordered_json::parse(shop.run({"diff", "before.tumble", "after.tumble", "--json"}).out);
+  EXPECT_EQ(json["cause"], "material.friction: 0.4 → 0.400001");
+  EXPECT_TRUE(json["effect"].is_object());
+  const auto& rows = json["header_differences"];
+  EXPECT_TRUE(std::ranges::any_of(rows, [](const ordered_json& row) {
+    return row["key"] == "material.friction" && row["expected"] == 0.4 && row["actual"] == 0.400001;
+  })) << rows.dump();
+}
+
+constexpr const char* kTable = R"(# engine: toy
+# dt: 0.1
+# up: UP
+step,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z,velocity.x,velocity.y,velocity.z,spin.x,spin.y,spin.z
+)";
+
+void import_rows(const Workshop& shop, const std::string& name, const std::string& up, const std::string& rows) {
+  std::string table = kTable;
+  table.replace(table.find("UP"), 2, up);
+  shop.write(name + ".csv", table + rows);
+  const Outcome outcome = shop.run({"import", name + ".csv"});
+  ASSERT_EQ(outcome.exit, 0) << outcome.err;
+}
+
+TEST(SameCommand, NothingIsSaidOfContactsThatAnotherEngineDoesNotRecord) {
+  const Workshop shop;
+  import_rows(shop, "a", "z", "0,1,0,0,1,1,0,0,0,0,0,0,0,0,0\n1,1,0,0,1,1,0,0,0,0,0,0,0,0,0\n");
+  import_rows(shop, "b", "z", "0,1,0,0,1,1,0,0,0,0,0,0,0,0,0\n1,1,0,0,1.5,1,0,0,0,0,0,0,0,0,0\n");
+  const Outcome outcome = shop.run({"diff", "a.tumble", "b.tumble"});
+  EXPECT_EQ(outcome.exit, 1) << outcome.err;
+  for (const char* words : {"matches neither", "taken again", "the same"}) {
+    EXPECT_FALSE(says(outcome, words)) << words << "\n" << outcome.out;
+  }
+  const ordered_json json = ordered_json::parse(shop.run({"diff", "a.tumble", "b.tumble", "--json"}).out);
+  EXPECT_TRUE(json["narrowed"]["this_build_follows"].is_null());
+}
+
+TEST(SameCommand, AnotherAxisThatPointsUpIsNoDifference) {
+  const Workshop shop;
+  import_rows(shop, "z", "z", "0,1,1,2,3,1,0,0,0,0,0,0,0,0,0\n1,1,1,2,3,1,0,0,0,0,0,-1,0,0,0\n");
+  import_rows(shop, "y", "y", "0,1,1,3,-2,1,0,0,0,0,0,0,0,0,0\n1,1,1,3,-2,1,0,0,0,0,-1,0,0,0,0\n");
+  const Outcome outcome = shop.run({"diff", "z.tumble", "y.tumble"});
+  EXPECT_EQ(outcome.exit, 0) << outcome.out << outcome.err;
+  EXPECT_EQ(shop.run({"diff", "z.tumble", "y.tumble", "--step", "1"}).exit, 0);
+}
+
+}  // namespace
+}  // namespace tumble::test
