@@ -141,5 +141,22 @@ TEST(SameCommand, AnotherAxisThatPointsUpIsNoDifference) {
   EXPECT_EQ(shop.run({"diff", "z.tumble", "y.tumble", "--step", "1"}).exit, 0);
 }
 
+TEST(SameCommand, ColumnsThatTheImportPassedOverAreNamed) {
+  const Workshop shop;
+  std::string head = kTable;
+  head.replace(head.find("UP"), 2, "z");
+  head.insert(head.size() - 1, ",_joint");
+  for (const std::string name : {"a", "b"}) {
+    const std::string joint = name == "a" ? ",0.2\n" : ",0.3\n";
+    const std::string row = ",1,0,0,1,1,0,0,0,0,0,0,0,0,0" + joint;
+    shop.write(name + ".csv", head + "0" + row + "1" + row);
+    const Outcome imported = shop.run({"import", name + ".csv"});
+    ASSERT_EQ(imported.exit, 0) << imported.err;
+  }
+  const Outcome outcome = shop.run({"diff", "a.tumble", "b.tumble"});
+  EXPECT_EQ(outcome.exit, 0) << outcome.out << outcome.err;
+  EXPECT_TRUE(says(outcome, "column _joint of the table of b.tumble: the import passed over")) << outcome.out;
+}
+
 }  // namespace
 }  // namespace tumble::test
