@@ -146,6 +146,21 @@ TEST(EngineTable, ResultsComeBackInItsAxesAndUnit) {
   }
 }
 
+TEST(EngineTable, DiffNamesFieldsByItsAxes) {
+  const Workshop shop;
+  const std::string start = std::string("# dt: 0.1\n# up: y\n") + kColumns + "0,4,1,2,3,1,0,0,0,0,0,0,0,0,0,0\n";
+  shop.write("a.csv", start + "1,4,1,2,3,1,0,0,0,0,0,0,0,0,0,0\n");
+  shop.write("b.csv", start + "1,4,1,2,3.5,1,0,0,0,0,0,0,0,0,0,0\n");
+  for (const char* name : {"a.csv", "b.csv"}) ASSERT_EQ(shop.run({"import", name}).exit, 0);
+  const Outcome outcome = shop.run({"diff", "a.tumble", "b.tumble", "--json"});
+  EXPECT_EQ(outcome.exit, 1);
+  const ordered_json first = parsed(outcome)["first"];
+  EXPECT_EQ(first["field"], "position.z") << "our y points along its -z";
+  EXPECT_EQ(first["expected"], 3.0);
+  EXPECT_EQ(first["actual"], 3.5);
+  EXPECT_TRUE(says(shop.run({"diff", "a.tumble", "b.tumble"}).out, "y up, right-handed, m"));
+}
+
 TEST(EngineTable, ACutTableIsFoundAsFarAsItCanBe) {
   const Workshop shop;
   const std::string whole = table();

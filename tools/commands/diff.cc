@@ -14,6 +14,7 @@
 #include "tools/arguments/command.h"
 #include "tools/arguments/numbers.h"
 #include "tools/files/log_files.h"
+#include "tools/output/axes_output.h"
 #include "tools/output/difference_output.h"
 #include "tools/output/divergence_output.h"
 #include "tools/output/gnuplot.h"
@@ -114,6 +115,19 @@ Result<Difference> look_closer(replay::LogReader& a, replay::LogReader& b, const
   return Difference(*std::move(found));
 }
 
+// Names the fields by the table's axes where both logs have the same. Lengths stay in m, as --tolerance takes them.
+void name_by_table(const replay::LogHeader& a, const replay::LogHeader& b, replay::DiffReport& report,
+                   Difference& difference) {
+  const replay::EngineAxes axes = {a.axes().up, a.axes().left_handed, 1},
+                           other = {b.axes().up, b.axes().left_handed, 1};
+  if (axes.ours() || axes != other) return;
+  report.notes.push_back("fields are named by the axes of the tables: " + to_string(axes));
+  if (report.first) report.first = in_axes(axes, *report.first);
+  if (!difference) return;
+  difference->first = in_axes(axes, difference->first);
+  if (difference->effect) difference->effect = in_axes(axes, *difference->effect);
+}
+
 Result<Exit> show_step(const Options& options, replay::LogReader& a, replay::LogReader& b) {
   const Result<bool> same = print_side_by_side(a, b, *options.step, options.json);
   if (!same.ok()) return same.error();
@@ -182,6 +196,7 @@ Result<Exit> compare(const Options& options, replay::LogReader& a, replay::LogRe
     if (difference) report->first = difference->first;
   }
   if (process::InterruptGuard::interrupted()) return cannot_finish("interrupted");
+  name_by_table(a.header(), b.header(), *report, difference);
   print_result(options, *report, difference, tolerances->exact());
   if (Status ok = draw(options, difference); !ok.ok()) return ok.error();
   return report->identical() ? Exit::kSame : Exit::kDifference;
