@@ -8,6 +8,7 @@
 
 #include "golden/canaries/canaries.h"
 #include "golden/judge/case_series.h"
+#include "golden/report/report_place.h"
 #include "golden/run/longest_first.h"
 #include "golden/run/run_case.h"
 
@@ -67,7 +68,10 @@ Result<SuiteResult> check_suite(const CheckOptions& options) {
   result.canaries = run_canaries(options.canary_judge);
 
   const std::vector<CaseFolder> folders = longest_first(*std::move(selected));
-  if (!options.report.empty()) remove_old_files(options.report, folders);
+  if (!options.report.empty()) {
+    if (Status ok = prepare_report(options.suite, options.report, options.junit); !ok.ok()) return ok.error();
+    remove_old_files(options.report, folders);
+  }
   const RunOptions run = {options.suite, options.require, options.report};
   const bool finished = process::run_jobs(
       folders.size(),

@@ -19,6 +19,7 @@ struct CheckOptions {
   Selection selection;
   std::optional<std::vector<VerdictKind>> require;  ///< overrides each case's own list
   std::filesystem::path report;                     ///< folder for the files of failed cases; empty: none
+  std::filesystem::path junit;                      ///< JUnit's report; empty: junit.xml in that folder
   process::PoolOptions pool;
   Judge canary_judge = judge;  ///< judges the canaries: the judge of the cases, except in a test
   /// Called as each case ends; may be empty.
@@ -26,7 +27,7 @@ struct CheckOptions {
 };
 
 /// Runs the canaries, then the cases, each in a process of its own, the longest first. Errors: open_suite's and
-/// select_cases'; kCannotFinish if cancelled.
+/// select_cases'; kBadInput for a report among the cases; kCannotFinish if cancelled.
 Result<SuiteResult> check_suite(const CheckOptions& options);
 
 }  // namespace tumble::golden

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "src/base/text.h"
+#include "src/process/own_limits.h"
+#include "src/world/float_environment.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/output/exit.h"
@@ -70,6 +72,12 @@ Exit unknown_command(const std::string& name) {
               Exit::kBadInput);
 }
 
+// The surroundings in which every command can do its work, and its arithmetic has the bits that it promises.
+Status check_surroundings() {
+  if (Status ok = process::check_own_limits(); !ok.ok()) return ok;
+  return sim::check_float_environment();
+}
+
 Exit run_command(const Command& command, const std::vector<std::string>& words) {
   const std::string who = std::string("tumble ") + command.name;
   Arguments arguments(who, command.summary);
@@ -82,6 +90,7 @@ Exit run_command(const Command& command, const std::vector<std::string>& words) 
   if (reading.kind == Reading::Kind::kWrong) {
     return fail(who, reading.text + "\n'" + who + " --help' explains the arguments.", Exit::kBadInput);
   }
+  if (const Status ok = check_surroundings(); !ok.ok()) return fail(who, ok.error().message, exit_for(ok.error()));
   const Result<Exit> result = action();
   if (!result.ok()) return fail(who, result.error().message, exit_for(result.error()));
   return *result;

@@ -4,6 +4,7 @@
 
 #include "golden/report/html.h"
 #include "golden/report/junit.h"
+#include "golden/report/report_place.h"
 #include "golden/suite/text_files.h"
 
 namespace tumble::golden {
@@ -35,7 +36,7 @@ Status write_reports(const SuiteResult& result, const std::filesystem::path& fol
                      const std::filesystem::path& junit) {
   const std::string json = report_json(result).dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
   if (Status ok = write_file(folder / "report.json", std::string_view(json)); !ok.ok()) return ok;
-  const std::filesystem::path junit_path = junit.empty() ? folder / "junit.xml" : junit;
+  const std::filesystem::path junit_path = junit_file(folder, junit);
   if (Status ok = write_file(junit_path, std::string_view(report_junit(result))); !ok.ok()) return ok;
   return write_file(folder / "index.html", std::string_view(report_html(result, folder)));
 }

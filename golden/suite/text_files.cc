@@ -5,6 +5,8 @@
 #include <fstream>
 #include <system_error>
 
+#include "src/files/output_file.h"
+
 namespace tumble::golden {
 namespace {
 
@@ -36,15 +38,8 @@ Result<std::vector<std::byte>> read_bytes(const fs::path& path) { return read<st
 Status write_file(const fs::path& path, std::string_view content) {
   std::error_code error;
   fs::create_directories(path.parent_path().empty() ? "." : path.parent_path(), error);
-  const fs::path beside = path.string() + ".new";
-  errno = 0;
-  std::ofstream file(beside, std::ios::binary | std::ios::trunc);
-  file.write(content.data(), static_cast<std::streamsize>(content.size()));
-  file.close();
-  if (!file) return cannot_finish(path.string() + ": cannot be written: " + std::strerror(errno));
-  fs::rename(beside, path, error);
-  if (error) return cannot_finish(path.string() + ": cannot be written: " + error.message());
-  return {};
+  const Status written = files::write_whole_file(path.string(), content);
+  return written.ok() ? written : Status(cannot_finish(written.error().message));
 }
 
 Status write_file(const fs::path& path, std::span<const std::byte> content) {

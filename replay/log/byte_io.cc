@@ -1,6 +1,7 @@
 #include "tumble/replay/byte_io.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -9,8 +10,11 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <utility>
 
+#include "src/base/text.h"
 #include "tumble/replay/prelude.h"
 
 namespace tumble::replay {
@@ -35,6 +39,42 @@ class File {
  private:
   int descriptor_;
 };
+
+/// Locks a log against other writers until the file is closed, at the latest by the end of the process. True where the
+/// file system knows no locks.
+bool lock(int file) {
+  if (::flock(file, LOCK_EX | LOCK_NB) != 0) return errno != EWOULDBLOCK;
+  // A second lock, which excludes nobody, holds the number of this process for locked().
+  struct flock owner = {};
+  owner.l_type = F_WRLCK;
+  owner.l_whence = SEEK_SET;
+  static_cast<void>(::fcntl(file, F_SETLK, &owner));
+  return true;
+}
+
+/// "tumble record tower -o x.tumble": a process's command line; empty where the system does not show it.
+std::string command_of(pid_t process) {
+  constexpr std::size_t kTextMax = 200;
+  std::ifstream file("/proc/" + std::to_string(process) + "/cmdline", std::ios::binary);
+  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  while (!text.empty() && text.back() == '\0') text.pop_back();
+  std::ranges::replace(text, '\0', ' ');
+  if (text.size() > kTextMax) text = text.substr(0, kTextMax) + "…";
+  return printable(text);
+}
+
+/// The error for a log that another writer has locked.
+Status locked(const std::string& path, int file) {
+  struct flock owner = {};
+  owner.l_type = F_WRLCK;
+  owner.l_whence = SEEK_SET;
+  std::string who = "another recorder";
+  if (::fcntl(file, F_GETLK, &owner) == 0 && owner.l_type != F_UNLCK && owner.l_pid > 0) {
+    const std::string command = command_of(owner.l_pid);
+    who = "process " + std::to_string(owner.l_pid) + (command.empty() ? "" : " (" + command + ")");
+  }
+  return bad_input(path + ": is being written by " + who + "; wait until it ends, or name another file");
+}
 
 class FileSink : public ByteSink {
  public:
@@ -95,17 +135,24 @@ class FileSource : public ByteSource {
 
 }  // namespace
 
-/// Protects files that are no logs: a slip of the command line must not replace a scene.
+/// Protects files that are no logs: a slip of the command line must not replace a scene or a golden.
 Status may_replace(const std::string& path) {
   struct stat info = {};
   if (::stat(path.c_str(), &info) != 0) return {};
   if (S_ISDIR(info.st_mode)) return bad_input(path + ": is a folder; name a file to write the log to");
-  if (!S_ISREG(info.st_mode) || info.st_size == 0) return {};
+  if (!S_ISREG(info.st_mode)) return {};
   const File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-  std::array<std::byte, kMagicEnd> start = {};
+  if (file.ok() && !lock(file.get())) return locked(path, file.get());
+  if (info.st_size == 0) return {};
+  std::array<std::byte, kPreludeBytes> start = {};
   const ssize_t got = file.ok() ? ::pread(file.get(), start.data(), start.size(), 0) : 0;
-  if (got > 0 && starts_like_log(std::span(start).first(static_cast<std::size_t>(got)))) return {};
-  return bad_input(path + ": exists and is not a log; choose another name or remove it first");
+  const std::span<const std::byte> found = std::span(start).first(static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+  if (found.empty() || !starts_like_log(found.first(std::min(found.size(), kMagicEnd)))) {
+    return bad_input(path + ": exists and is not a log; choose another name or remove it first");
+  }
+  const Result<Prelude> prelude = decode_prelude(start);
+  if (!prelude.ok() || prelude->kind != RecordKind::kGolden) return {};
+  return bad_input(path + ": is a golden, which nothing but bless replaces; choose another name");
 }
 
 Status rename_file(const std::string& from, const std::string& to) {
@@ -115,11 +162,18 @@ Status rename_file(const std::string& from, const std::string& to) {
 
 Result<std::unique_ptr<ByteSink>> open_file_sink(const std::string& path) {
   if (Status ok = may_replace(path); !ok.ok()) return ok.error();
-  File file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  // Emptied once it is locked: until then it may be the log of another process.
+  File file(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
   if (!file.ok()) {
     const bool is_systems = errno == EROFS || errno == ENOSPC || errno == EDQUOT || errno == EIO || errno == EMFILE;
     const std::string message = path + ": cannot be written: " + reason();
     return is_systems ? cannot_finish(message) : bad_input(message);
+  }
+  struct stat info = {};
+  if (::fstat(file.get(), &info) == 0 && S_ISREG(info.st_mode)) {
+    if (!lock(file.get())) return locked(path, file.get()).error();
+    if (info.st_size > 0 && ::ftruncate(file.get(), 0) != 0)
+      return cannot_finish(path + ": cannot be emptied: " + reason());
   }
   return std::unique_ptr<ByteSink>(std::make_unique<FileSink>(std::move(file), path));
 }

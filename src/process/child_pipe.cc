@@ -13,7 +13,8 @@
 
 namespace tumble::process {
 
-Status ChildPipe::start(std::vector<std::string> words, const std::string& purpose, const std::string& package) {
+Status ChildPipe::start(std::vector<std::string> words, const std::string& purpose, const std::string& package,
+                        const std::string& errors) {
   SIM_CHECK(!running());
   int ends[2];
   Program program;
@@ -21,6 +22,7 @@ Status ChildPipe::start(std::vector<std::string> words, const std::string& purpo
   const std::string& name = program.words.front();
   if (::pipe2(ends, O_CLOEXEC) != 0) return cannot_finish("no pipe to " + name + ": " + std::strerror(errno));
   program.in = ends[0];
+  program.err = errors;
   const int error = process::start(program, child_);
   ::close(ends[0]);
   pipe_ = ends[1];

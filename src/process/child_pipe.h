@@ -20,8 +20,10 @@ class ChildPipe {
   ChildPipe& operator=(const ChildPipe&) = delete;
 
   /// Starts words[0] with the other words as its arguments; it is looked for in PATH. Errors (kCannotFinish): it is not
-  /// installed (purpose says what needs it, package how to get it), or does not start. Precondition: it does not run.
-  Status start(std::vector<std::string> words, const std::string& purpose, const std::string& package);
+  /// installed (purpose says what needs it, package how to get it), or does not start. errors: a file that its standard
+  /// error is added to; empty: ours. Precondition: it does not run.
+  Status start(std::vector<std::string> words, const std::string& purpose, const std::string& package,
+               const std::string& errors = "");
 
   [[nodiscard]] bool running() const { return child_ > 0; }
 

@@ -1,7 +1,5 @@
 #include "src/process/interrupt.h"
 
-#include <csignal>
-
 namespace tumble::process {
 namespace {
 
@@ -13,13 +11,17 @@ void note_signal(int /*number*/) { signal_came = 1; }
 
 InterruptGuard::InterruptGuard() {
   signal_came = 0;
-  std::signal(SIGINT, note_signal);
-  std::signal(SIGTERM, note_signal);
+  struct sigaction note = {};
+  note.sa_handler = note_signal;
+  note.sa_flags = SA_RESTART;
+  for (std::size_t i = 0; i < kSignals.size(); ++i) {
+    ::sigaction(kSignals[i], nullptr, &before_[i]);
+    if (before_[i].sa_handler != SIG_IGN) ::sigaction(kSignals[i], &note, nullptr);
+  }
 }
 
 InterruptGuard::~InterruptGuard() {
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  for (std::size_t i = 0; i < kSignals.size(); ++i) ::sigaction(kSignals[i], &before_[i], nullptr);
 }
 
 bool InterruptGuard::interrupted() { return signal_came != 0; }

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <array>
+#include <csignal>
+
 namespace tumble::process {
 
-/// While a guard exists, Ctrl-C and SIGTERM set a flag instead of ending the program, so that a log can be completed.
+/// While a guard exists, Ctrl-C, SIGTERM and SIGHUP set a flag instead of ending the program, so that a log can be
+/// completed. A signal that the caller ignores stays ignored (nohup, a shell's background job).
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -11,6 +15,10 @@ class InterruptGuard {
   InterruptGuard& operator=(const InterruptGuard&) = delete;
 
   [[nodiscard]] static bool interrupted();
+
+ private:
+  static constexpr std::array kSignals = {SIGINT, SIGTERM, SIGHUP};
+  std::array<struct sigaction, kSignals.size()> before_ = {};
 };
 
 }  // namespace tumble::process

@@ -16,13 +16,13 @@ Status check_float_environment() {
   if (!tie_down || !tie_up || !negative) {
     return cannot_finish(
         "floating-point environment: doubles do not round to nearest even; restore the default rounding mode "
-        "(fesetround(FE_TONEAREST)) before making a world");
+        "(fesetround(FE_TONEAREST)) first");
   }
   volatile double subnormal = smallest * 0.5;
   if (subnormal == 0 || subnormal * 2 != smallest) {
     return cannot_finish(
         "floating-point environment: subnormal numbers are flushed to zero, which some library built with -ffast-math "
-        "has switched on; unload it or clear FTZ and DAZ in MXCSR before making a world");
+        "has switched on; unload it or clear FTZ and DAZ in MXCSR first");
   }
   return {};
 }

@@ -54,7 +54,7 @@ class Commands {
     const Outcome outcome =
         run({"recover", "-o", place_.path(kOutput)}, {Exit::kSame, Exit::kBadInput, Exit::kDamaged});
     require(info.exit != Exit::kSame || outcome.exit == Exit::kSame, "wanted a whole log to be recovered", outcome);
-    require(!place_.has(std::string(kOutput) + ".partial"), "wanted no partial log left behind", outcome);
+    require(!place_.has_part_of(kOutput), "wanted no partial log left behind", outcome);
     require(outcome.exit != Exit::kSame || place_.has(kOutput), "wanted a new log", outcome);
     require(outcome.exit != Exit::kBadInput || !place_.has(kOutput), "wanted no log of what is none", outcome);
     if (!place_.has(kOutput)) return;

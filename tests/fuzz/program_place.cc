@@ -43,6 +43,13 @@ ProgramPlace::~ProgramPlace() {
   fs::remove_all(folder_, ignored);
 }
 
+bool ProgramPlace::has_part_of(const std::string& name) const {
+  for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+    if (entry.path().filename().string().starts_with(name + ".part")) return true;
+  }
+  return false;
+}
+
 void ProgramPlace::write(const std::string& name, std::span<const std::byte> bytes) const {
   std::ofstream file(path(name), std::ios::binary);
   file.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));

@@ -29,6 +29,8 @@ class ProgramPlace {
 
   [[nodiscard]] std::string path(const std::string& name) const { return folder_ / name; }
   [[nodiscard]] bool has(const std::string& name) const { return std::filesystem::exists(path(name)); }
+  /// Whether an output was begun beside this file and neither finished nor removed.
+  [[nodiscard]] bool has_part_of(const std::string& name) const;
   void write(const std::string& name, std::span<const std::byte> bytes) const;
   [[nodiscard]] std::vector<std::byte> read(const std::string& name) const;
   void remove(const std::string& name) const { std::filesystem::remove(path(name)); }

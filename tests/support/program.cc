@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -21,12 +22,10 @@ std::string content_of(const std::string& path) {
 }
 
 // In the child process; never returns.
-[[noreturn]] void become_program(const std::string& folder, const std::vector<std::string>& arguments,
-                                 const std::string& out, const std::string& err) {
+[[noreturn]] void become(const std::string& folder, std::vector<std::string> words, const std::string& out,
+                         const std::string& err) {
   const int out_file = open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
   const int err_file = open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
-  std::vector<std::string> words = {TUMBLE_PROGRAM};
-  words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
@@ -35,6 +34,15 @@ std::string content_of(const std::string& path) {
       dup2(out_file, STDOUT_FILENO) >= 0 && dup2(err_file, STDERR_FILENO) >= 0 && chdir(folder.c_str()) == 0;
   if (ready) execv(argv[0], argv.data());
   _exit(127);
+}
+
+Outcome outcome_of(const std::string& folder, const std::vector<std::string>& words) {
+  const std::string out = folder + "/.out", err = folder + "/.err";
+  const pid_t child = fork();
+  if (child == 0) become(folder, words, out, err);
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) != child) return {};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
 }
 
 }  // namespace
@@ -74,13 +82,26 @@ void Workshop::write(const std::string& name, const std::string& content) const 
 
 std::string Workshop::read(const std::string& name) const { return content_of(path(name)); }
 
+std::vector<std::string> Workshop::names_with(const std::string& part) const {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder_)) {
+    const std::string name = entry.path().filename().string();
+    if (name.find(part) != std::string::npos) names.push_back(name);
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
 Outcome Workshop::run(const std::vector<std::string>& arguments) const {
-  const std::string out = path(".out"), err = path(".err");
-  const pid_t child = fork();
-  if (child == 0) become_program(folder_, arguments, out, err);
-  int status = 0;
-  if (child < 0 || waitpid(child, &status, 0) != child) return {};
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content_of(out), content_of(err)};
+  std::vector<std::string> words = {TUMBLE_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return outcome_of(folder_, words);
+}
+
+Outcome Workshop::run_after(const std::string& before, const std::vector<std::string>& arguments) const {
+  std::vector<std::string> words = {"/bin/sh", "-c", before + "exec \"$0\" \"$@\"", TUMBLE_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  return outcome_of(folder_, words);
 }
 
 void Workshop::record_small(const std::string& name, const std::vector<std::string>& more) const {

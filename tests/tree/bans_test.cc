@@ -17,10 +17,10 @@ struct Ban {
   std::string reason;
 };
 
-// Whether a file's code decides bits: threads and child processes do not, and a failed check ends the process.
+// Whether a file's code decides bits: threads, files and child processes do not, and a failed check ends the process.
 bool decides_bits(const SourceFile& file) {
   return file.is_code() && file.is_under("src/") && !file.is_under("src/threads/") && !file.is_under("src/process/") &&
-         file.path != "src/base/check.cc";
+         !file.is_under("src/files/") && file.path != "src/base/check.cc";
 }
 
 // Looks through the code of src that decides bits, without one folder: by default the one that draws.

@@ -35,6 +35,7 @@ std::vector<Room> simulation() {
       {"src/layered/solve", solve},
       {"src/step", solve + Folders{"src/layered/solve", "src/thesis"}},
       {"src/threads", {"src/base"}},
+      {"src/files", {"src/base"}},
       {"src/process", {"src/base"}},
       {"src/scenes", kModel},
   };
@@ -44,7 +45,7 @@ std::vector<Room> pictures() {
   const Folders scene = kModel + Folders{"src/render/gl", "src/render/picture"};
   return {
       {"src/render/gl", {"src/base"}},
-      {"src/render/picture", {"src/base", "src/render/gl"}},
+      {"src/render/picture", {"src/base", "src/files", "src/render/gl"}},
       {"src/render/scene", scene},
       {"src/render/passes", scene + Folders{"src/render/scene"}},
       {"src/render", scene + Folders{"src/render/scene", "src/render/passes"}},
@@ -71,9 +72,9 @@ std::vector<Room> logs() {
 }
 
 std::vector<Room> suite() {
-  const Folders logs = kSim + Folders{"src/scenes",     "src/threads",    "schema",         "replay/format",
-                                      "replay/codec",   "replay/log",     "replay/session", "replay/measure",
-                                      "replay/recover", "replay/picture", "replay/diff"};
+  const Folders logs = kSim + Folders{"src/files",      "src/scenes",     "src/threads",    "schema",
+                                      "replay/format",  "replay/codec",   "replay/log",     "replay/session",
+                                      "replay/measure", "replay/recover", "replay/picture", "replay/diff"};
   const Folders parts = logs + Folders{"src/render", "src/render/picture", "golden/suite", "golden/expected"};
   const Folders run = parts + Folders{"golden/judge"};
   const Folders above = run + Folders{"golden/run", "src/process"};
@@ -96,7 +97,7 @@ std::vector<Room> program() {
                      "replay/codec",  "replay/log",     "replay/session",  "replay/measure",     "replay/recover",
                      "replay/import", "replay/picture", "replay/diff",     "golden/suite",       "golden/expected",
                      "golden/judge",  "golden/run",     "golden/canaries", "golden/report",      "golden/bless",
-                     "golden",        "src/process"};
+                     "golden",        "src/files",      "src/process"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
       {"tools/output", below},
@@ -112,9 +113,10 @@ std::vector<Room> program() {
 // Nothing but tests includes tests, so their rows need no list.
 std::vector<Room> tests() {
   std::vector<Room> rows;
-  for (const char* folder : {"tests/support", "tests/fuzz", "tests/tree", "tests/process", "tests/sim", "tests/scenes",
-                             "tests/render", "tests/replay", "tests/replay/measure", "tests/golden", "tests/tools",
-                             "tests/trial", "tests/determinism", "bench", "bench/peers"}) {
+  for (const char* folder :
+       {"tests/support", "tests/fuzz", "tests/tree", "tests/files", "tests/process", "tests/sim", "tests/scenes",
+        "tests/render", "tests/replay", "tests/replay/measure", "tests/golden", "tests/tools", "tests/outputs",
+        "tests/trial", "tests/determinism", "bench", "bench/peers"}) {
     rows.push_back({folder, {"*"}});
   }
   return rows;

@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "src/base/check.h"
+#include "src/files/output_file.h"
 #include "src/process/run_child.h"
 #include "tools/files/scene_files.h"
 #include "tumble/replay/step_record.h"
@@ -105,11 +106,7 @@ std::string machine_text(const Json& machine) {
 Status give_results(const BenchOptions& options, const Json& results) {
   if (options.json) print_json(results);
   if (options.save.empty()) return {};
-  std::ofstream file(options.save);
-  file << results.dump(1) << '\n';
-  file.close();
-  if (file.fail()) return cannot_finish(options.save + ": cannot be written");
-  return {};
+  return files::write_whole_file(options.save, results.dump(1) + '\n');
 }
 
 double cpu_seconds() {

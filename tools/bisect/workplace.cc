@@ -58,10 +58,12 @@ Workplace::~Workplace() {
   if (lock_ >= 0) close(lock_);
 }
 
-Result<Workplace> Workplace::open(const std::string& folder, const std::string& fingerprint, bool resume) {
+Result<Workplace> Workplace::open(const std::string& folder, const std::string& fingerprint, bool resume,
+                                  files::OutputGuard& guard) {
   Result<std::string> root = folder.empty() ? default_folder(fingerprint) : Result<std::string>(folder);
   if (!root.ok()) return root.error();
   if (Status ok = make_private(*root); !ok.ok()) return ok.error();
+  if (Status ok = guard.claim_folder("--work", *root); !ok.ok()) return ok.error();
   Workplace place;
   place.root_ = *root;
   std::error_code error;

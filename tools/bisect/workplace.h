@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "src/files/output_guard.h"
 #include "tumble/sim/result.h"
 
 namespace tumble::tools::bisect {
@@ -16,9 +17,11 @@ class Workplace {
 
   /// Opens `folder`, or one for this question under the system's folder for temporary files, and locks it; processes
   /// that an earlier bisection left behind hold the lock too. Without `resume` its contents are removed
-  /// first. Errors: kBadInput for a folder of another user or one that holds other things, and with `resume` if there
-  /// is nothing to resume; kCannotFinish if it cannot be made or is in use.
-  static Result<Workplace> open(const std::string& folder, const std::string& fingerprint, bool resume);
+  /// first; guard: knows the files that must not be in it. Errors: kBadInput for a folder of another user or one that
+  /// holds other things, and with `resume` if there is nothing to resume; kCannotFinish if it cannot be made or is in
+  /// use.
+  static Result<Workplace> open(const std::string& folder, const std::string& fingerprint, bool resume,
+                                files::OutputGuard& guard);
 
   [[nodiscard]] const std::string& root() const { return root_; }
   [[nodiscard]] std::string source() const { return root_ + "/source"; }

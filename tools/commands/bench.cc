@@ -5,8 +5,11 @@
 #include <string>
 
 #include "src/base/text.h"
+#include "src/files/output_guard.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
+#include "tools/files/scene_files.h"
+#include "tools/output/gnuplot.h"
 
 namespace tumble::tools {
 namespace {
@@ -14,6 +17,18 @@ namespace {
 Result<Exit> bench(const BenchOptions& options) {
   if (!options.method.empty() && options.method != "thesis" && options.method != "layered") {
     return bad_input("--method: found " + in_quotes(options.method) + ", wanted thesis or layered");
+  }
+  files::OutputGuard guard;
+  for (const std::string& scene : options.scenes) {
+    const Result<SceneFile> file = find_scene(scene);
+    guard.keep(file.ok() ? file->path : bench_scene_path(scene), "a scene that is read");
+  }
+  if (!options.plot.empty()) {
+    if (Status ok = check_plot_path(options.plot); !ok.ok()) return ok.error();
+    if (Status ok = guard.claim("--plot", options.plot); !ok.ok()) return ok.error();
+  }
+  if (!options.save.empty()) {
+    if (Status ok = guard.claim("--save", options.save); !ok.ok()) return ok.error();
   }
   if (options.what == "peers") return bench_peers(options);
   if (options.what == "table1") return bench_table1(options);

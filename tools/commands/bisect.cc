@@ -10,6 +10,7 @@
 
 #include "replay/diff/difference_report.h"
 #include "replay/diff/locate_divergence.h"
+#include "src/files/output_guard.h"
 #include "src/process/interrupt.h"
 #include "src/process/split_words.h"
 #include "tools/arguments/arguments.h"
@@ -172,8 +173,10 @@ Result<Exit> find_commit(const Options& options) {
   const Result<bisect::Settings> settings = settings_of(options);
   if (!settings.ok()) return settings.error();
   const process::InterruptGuard guard;
+  files::OutputGuard outputs;
+  outputs.keep(settings->log, "the session to ask about");
   Result<bisect::Workplace> place =
-      bisect::Workplace::open(absolute(options.work), settings->fingerprint(), options.resume);
+      bisect::Workplace::open(absolute(options.work), settings->fingerprint(), options.resume, outputs);
   if (!place.ok()) return place.error();
   const Result<bisect::Finding> finding = search(*settings, *place, options.json);
   if (!finding.ok()) {

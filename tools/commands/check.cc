@@ -69,6 +69,7 @@ Result<golden::CheckOptions> check_options(const Options& options) {
     out.require->push_back(*kind);
   }
   out.report = options.report;
+  out.junit = options.junit;
   out.pool.jobs = options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
   out.pool.timeout_s = options.timeout.value_or(kTimeout);
   out.pool.cancel = process::InterruptGuard::interrupted;

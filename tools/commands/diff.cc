@@ -9,6 +9,7 @@
 
 #include "replay/diff/difference_report.h"
 #include "src/base/text.h"
+#include "src/files/output_guard.h"
 #include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
@@ -205,6 +206,9 @@ Result<Exit> compare(const Options& options, replay::LogReader& a, replay::LogRe
 Result<Exit> diff(const Options& options) {
   if (!options.plot.empty()) {
     if (Status ok = check_plot_path(options.plot); !ok.ok()) return ok.error();
+    files::OutputGuard guard;
+    for (const std::string& log : {options.a, options.b}) guard.keep(log, "a log that is compared");
+    if (Status ok = guard.claim("--plot", options.plot); !ok.ok()) return ok.error();
   }
   Result<replay::LogReader> a = open_log(options.a);
   if (!a.ok()) return a.error();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "replay/import/import_csv.h"
+#include "src/files/output_guard.h"
 #include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
@@ -108,6 +109,10 @@ Result<Exit> import_command(const Options& options) {
     const std::size_t name = options.table.find_last_of('/') + 1;  // 0 without one
     output = options.table.substr(name, options.table.find_last_of('.') - name) + ".tumble";
   }
+  files::OutputGuard guard;
+  guard.keep(options.table, "the table");
+  guard.keep(options.like, "the log of --like");
+  if (Status ok = guard.claim("-o", output); !ok.ok()) return ok.error();
   const Result<replay::LogSummary> summary = import_to(options, output, *text, how);
   if (!summary.ok()) return summary.error();
   const Result<replay::LogReader> log = replay::LogReader::open(output);

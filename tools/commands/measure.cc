@@ -10,11 +10,13 @@
 #include "replay/measure/measure_log.h"
 #include "replay/measure/metric_bound.h"
 #include "replay/measure/mirrored_pair.h"
+#include "src/files/output_guard.h"
 #include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/arguments/measure_arguments.h"
 #include "tools/files/log_files.h"
+#include "tools/output/gnuplot.h"
 #include "tools/output/metrics_output.h"
 #include "tools/output/plot.h"
 #include "tools/output/progress.h"
@@ -64,6 +66,17 @@ void warn_of_lost_bodies(const Options& options, const replay::Metrics& metrics)
   if (!metrics.not_finite.any) return;
   std::cerr << "tumble measure: " << options.log << ": " << to_string(*metrics.not_finite.any)
             << "; no metric over this body holds for any bound\n";
+}
+
+Status check_outputs(const Options& options) {
+  files::OutputGuard guard;
+  guard.keep(options.log, "the log that is measured");
+  guard.keep(options.pair, "the log of --with");
+  if (!options.plot.empty()) {
+    if (Status ok = check_plot_path(options.plot); !ok.ok()) return ok;
+    if (Status ok = guard.claim("--plot", options.plot); !ok.ok()) return ok;
+  }
+  return options.series.empty() ? Status() : guard.claim("--series", options.series);
 }
 
 replay::Progress progress_on(ProgressBar& bar) {
@@ -121,6 +134,7 @@ Status compare_pair(replay::LogReader& log, replay::LogReader& pair, replay::Met
 Result<Exit> measure(const Options& options) {
   const Result<std::vector<replay::MetricBound>> bounds = parse_bounds(options.require);
   if (!bounds.ok()) return bounds.error();
+  if (Status ok = check_outputs(options); !ok.ok()) return ok.error();
   Result<replay::LogReader> log = open_log(options.log);
   if (!log.ok()) return log.error();
   const replay::EngineAxes axes = log->header().axes();

@@ -1,13 +1,14 @@
 // tumble recover: makes a whole log of the intact parts of a damaged one.
 #include "replay/recover/recover.h"
 
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "replay/log/verify.h"
+#include "src/files/output_file.h"
+#include "src/files/output_guard.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/output/text.h"
@@ -17,7 +18,6 @@
 namespace tumble::tools {
 namespace {
 
-namespace fs = std::filesystem;
 using replay::RecoverReport;
 
 constexpr std::size_t kDamagesShown = 12;
@@ -28,14 +28,10 @@ struct Options {
   bool json = false;
 };
 
-/// The new log has this name until it has been read again.
-std::string partial_name(const std::string& log) { return log + ".partial"; }
-
 Status check_names(const Options& options) {
-  std::error_code ignored;
-  if (fs::equivalent(options.damaged, options.log, ignored)) {
-    return bad_input(options.log + ": is the damaged log itself, which is kept as it is; choose another name");
-  }
+  files::OutputGuard guard;
+  guard.keep(options.damaged, "the damaged log");
+  if (Status ok = guard.claim("-o", options.log); !ok.ok()) return ok;
   return replay::may_replace(options.log);
 }
 
@@ -114,15 +110,13 @@ Result<Exit> recover(const Options& options) {
   Result<std::unique_ptr<replay::ByteSource>> source = replay::open_file_source(options.damaged);
   if (!source.ok()) return source.error();
   if (Status ok = check_names(options); !ok.ok()) return ok.error();
-  const std::string partial = partial_name(options.log);
-  const Result<RecoverReport> report = write_partial(**source, partial);
-  const Status verified = report.ok() ? verify_written(partial, *report) : Status(report.error());
-  if (!verified.ok()) {
-    std::error_code ignored;
-    fs::remove(partial, ignored);
-    return verified.error();
-  }
-  if (Status ok = replay::rename_file(partial, options.log); !ok.ok()) return ok.error();
+  Result<files::OutputFile> file =
+      files::OutputFile::create(options.log);  // the old log stays until the new one is read
+  if (!file.ok()) return file.error();
+  const Result<RecoverReport> report = write_partial(**source, file->part());
+  if (!report.ok()) return report.error();
+  if (Status ok = verify_written(file->part(), *report); !ok.ok()) return ok.error();
+  if (Status ok = file->commit(); !ok.ok()) return ok.error();
   if (options.json) {
     print_as_json(options, *report);
   } else {

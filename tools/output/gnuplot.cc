@@ -1,9 +1,12 @@
 #include "tools/output/gnuplot.h"
 
-#include <cstdio>
+#include <fstream>
+#include <iterator>
 #include <span>
 
+#include "golden/suite/temporary_folder.h"
 #include "src/base/text.h"
+#include "src/files/output_file.h"
 #include "src/process/child_pipe.h"
 
 namespace tumble::tools {
@@ -20,9 +23,24 @@ set datafile missing '?'
 set style data lines
 )";
 
+std::string content_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+// gnuplot ends with status 0 also where the disk took only a part of its file.
+bool is_complete(const std::string& picture, bool is_svg) {
+  const std::size_t end = picture.rfind(is_svg ? "</svg>" : "IEND");
+  constexpr std::size_t kTail = 16;  // the last checksum, or a newline
+  return end != std::string::npos && picture.size() - end <= kTail;
+}
+
 }  // namespace
 
 Status check_plot_path(const std::string& path) {
+  if (printable(path) != path) {
+    return bad_input("--plot: found " + in_quotes(path) + ", wanted a name without control characters");
+  }
   if (path.ends_with(".svg") || path.ends_with(".png")) return {};
   return bad_input("--plot: found " + in_quotes(path) + ", wanted a name that ends with .svg or .png");
 }
@@ -34,18 +52,26 @@ std::string gnuplot_quoted(const std::string& text) {
 }
 
 Status run_gnuplot(const std::string& path, int width, int height, const std::string& script) {
-  const std::string part = path + ".part";
+  Result<files::OutputFile> file = files::OutputFile::create(path);
+  if (!file.ok()) return Error{file.error().kind, "--plot: " + file.error().message};
+  if (file->is_device()) return bad_input("--plot: " + path + ": found a device or a pipe, wanted a file");
+  const bool is_svg = path.ends_with(".svg");
   const std::string size = std::to_string(width) + ',' + std::to_string(height);
-  const std::string terminal =
-      path.ends_with(".svg") ? "svg size " + size + " background 'white'" : "pngcairo size " + size;
+  const std::string terminal = is_svg ? "svg size " + size + " background 'white'" : "pngcairo size " + size;
   const std::string text =
-      "set terminal " + terminal + " font 'sans,11'\nset output " + gnuplot_quoted(part) + kStyle + script;
+      "set terminal " + terminal + " font 'sans,11'\nset output " + gnuplot_quoted(file->part()) + kStyle + script;
+  // Warnings of gnuplot's, as about an axis without extent, tell a user nothing; an error of gnuplot's is passed on.
+  const golden::TemporaryFolder folder("tumble-plot");
+  const std::string errors = folder.path().empty() ? "/dev/null" : (folder.path() / "errors").string();
   process::ChildPipe gnuplot;
-  if (Status ok = gnuplot.start({"gnuplot", "--default-settings", "-"}, "plots", "gnuplot-nox"); !ok.ok()) return ok;
+  if (Status ok = gnuplot.start({"gnuplot", "--default-settings", "-"}, "plots", "gnuplot-nox", errors); !ok.ok()) {
+    return ok;
+  }
   const bool written = gnuplot.write(std::as_bytes(std::span(text)));
-  if (gnuplot.finish() && written && std::rename(part.c_str(), path.c_str()) == 0) return {};
-  std::remove(part.c_str());
-  return cannot_finish("--plot: " + path + ": gnuplot could not write it; its message is above");
+  if (gnuplot.finish() && written && is_complete(content_of(file->part()), is_svg)) return file->commit();
+  const std::string said = shortened(content_of(errors));
+  return cannot_finish("--plot: " + path + ": gnuplot could not write it (full disk?)" +
+                       (said.empty() ? "" : "; gnuplot said " + said));
 }
 
 }  // namespace tumble::tools

@@ -18,7 +18,7 @@ Status check_plot_path(const std::string& path);
 std::string gnuplot_quoted(const std::string& text);
 
 /// Runs a script of gnuplot with terminal and output set, width × height pixels. The file appears whole or not at all.
-/// Errors (kCannotFinish): no gnuplot, a file that cannot be written.
+/// Errors. kCannotFinish: no gnuplot, a disk that is full. kBadInput: a path that cannot be written to.
 Status run_gnuplot(const std::string& path, int width, int height, const std::string& script);
 
 }  // namespace tumble::tools

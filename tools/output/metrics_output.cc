@@ -1,8 +1,7 @@
 #include "tools/output/metrics_output.h"
 
-#include <cerrno>
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
@@ -64,10 +63,14 @@ void print_metrics(const std::string& log, const replay::EngineAxes& axes, const
   out.add("bodies", std::to_string(metrics.bodies));
   out.add("steps", std::to_string(metrics.steps));
   std::string_view group;
+  std::size_t width = 0;
+  for (const replay::MetricRow& metric : replay::metric_list()) {
+    width = std::max(width, columns(value_text(metric, axes, metrics)));
+  }
   for (const replay::MetricRow& metric : replay::metric_list()) {
     if (group != metric.group) out.section(metric.group);
     group = metric.group;
-    out.add(std::string("  ") + metric.label, value_text(metric, axes, metrics));
+    out.add(std::string("  ") + metric.label, padded(value_text(metric, axes, metrics), width + 2) + metric.name);
   }
   out.section("");
   if (metrics.not_finite.any) out.add("not finite", to_string(*metrics.not_finite.any));
@@ -76,13 +79,12 @@ void print_metrics(const std::string& log, const replay::EngineAxes& axes, const
 }
 
 Status SeriesFile::open(const std::string& path) {
-  path_ = path;
-  errno = 0;
-  file_.open(path, std::ios::binary | std::ios::trunc);
-  if (!file_) return bad_input("--series: " + path + ": cannot be written: " + std::strerror(errno));
-  file_ << "step,time,kinetic,potential,inputs,removed,gain,lateral_max,lateral_rms,column_spread,drift_max,tilt_max,"
-           "top_drop_max,lost,ground_penetration_max,frozen_fraction\n";
-  return {};
+  Result<files::OutputFile> file = files::OutputFile::create(path);
+  if (!file.ok()) return Error{file.error().kind, "--series: " + file.error().message};
+  file_ = *std::move(file);
+  return file_->write(
+      "step,time,kinetic,potential,inputs,removed,gain,lateral_max,lateral_rms,column_spread,drift_max,tilt_max,"
+      "top_drop_max,lost,ground_penetration_max,frozen_fraction\n");
 }
 
 void SeriesFile::add(const replay::SeriesRow& row) {
@@ -96,13 +98,12 @@ void SeriesFile::add(const replay::SeriesRow& row) {
   for (const double value : {state.drift_max, state.tilt_max, state.top_drop_max}) line += ',' + exact(value);
   line += ',' + std::to_string(row.lost) + ',' + exact(state.ground_penetration_max) + ',' +
           exact(state.frozen_fraction) + '\n';
-  file_ << line;
+  if (written_.ok()) written_ = file_->write(line);
 }
 
 Status SeriesFile::close() {
-  file_.close();
-  if (file_) return {};
-  return cannot_finish("--series: " + path_ + ": could not be written to its end (full disk?)");
+  if (written_.ok()) written_ = file_->commit();
+  return written_.ok() ? written_ : Status(Error{written_.error().kind, "--series: " + written_.error().message});
 }
 
 }  // namespace tumble::tools

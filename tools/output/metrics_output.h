@@ -1,9 +1,10 @@
 #pragma once
 
-#include <fstream>
+#include <optional>
 #include <string>
 
 #include "replay/measure/measure.h"
+#include "src/files/output_file.h"
 #include "tools/output/text.h"
 #include "tumble/replay/imported_table.h"
 #include "tumble/sim/result.h"
@@ -16,18 +17,18 @@ Json metrics_json(const std::string& log, const replay::EngineAxes& axes, const 
 /// Prints the metrics for people, with units.
 void print_metrics(const std::string& log, const replay::EngineAxes& axes, const replay::Metrics& metrics);
 
-/// `measure --series`: a CSV file with one row a step.
+/// `measure --series`: a CSV file with one row a step. Until close() the file that was there before stays.
 class SeriesFile {
  public:
-  /// Opens the file and writes the header. Errors (kBadInput): a path that cannot be written to.
+  /// Begins the file with its header. Errors: OutputFile's.
   Status open(const std::string& path);
   void add(const replay::SeriesRow& row);
   /// Errors (kCannotFinish): any write since open() that failed.
   Status close();
 
  private:
-  std::string path_;
-  std::ofstream file_;
+  std::optional<files::OutputFile> file_;
+  Status written_;  // the first error
 };
 
 }  // namespace tumble::tools

@@ -1,6 +1,5 @@
 #include "tools/output/movie.h"
 
-#include <cstdio>
 #include <span>
 #include <utility>
 #include <vector>
@@ -26,7 +25,9 @@ Status Movie::start(const std::string& path, int width, int height, double frame
                      ", wanted an even width and height for a movie");
   }
   path_ = path;
-  part_ = path + ".part";
+  Result<files::OutputFile> file = files::OutputFile::create(path);
+  if (!file.ok()) return file.error();
+  file_ = *std::move(file);
   std::vector<std::string> words = {"ffmpeg",   "-v",
                                     "error",    "-y",
                                     "-f",       "rawvideo",
@@ -37,7 +38,7 @@ Status Movie::start(const std::string& path, int width, int height, double frame
                                     "-an"};
   const std::vector<std::string>& format = path.ends_with(".webm") ? kWebm : kMp4;
   words.insert(words.end(), format.begin(), format.end());
-  words.push_back("file:" + part_);
+  words.push_back("file:" + file_->part());
   return ffmpeg_.start(std::move(words), "movies", "ffmpeg");
 }
 
@@ -49,15 +50,8 @@ Status Movie::add(const render::Image& image) {
 }
 
 Status Movie::finish() {
-  if (ffmpeg_.finish() && std::rename(part_.c_str(), path_.c_str()) == 0) return {};
-  std::remove(part_.c_str());
-  return failed();
-}
-
-Movie::~Movie() {
-  if (!ffmpeg_.running()) return;
-  ffmpeg_.abandon();
-  std::remove(part_.c_str());
+  if (!ffmpeg_.finish()) return failed();
+  return file_->commit();
 }
 
 }  // namespace tumble::tools

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "src/files/output_file.h"
 #include "src/process/child_pipe.h"
 #include "tumble/render/image.h"
 #include "tumble/sim/result.h"
@@ -12,12 +14,12 @@ namespace tumble::tools {
 class Movie {
  public:
   Movie() = default;
-  ~Movie();  ///< discards a movie that was not finished
+  ~Movie() = default;  ///< discards a movie that was not finished
   Movie(const Movie&) = delete;
   Movie& operator=(const Movie&) = delete;
 
   /// Starts ffmpeg. path: ends with .mp4 (H.264) or .webm (VP9). Errors: an odd width or height, which the formats'
-  /// colours do not allow (kBadInput); no ffmpeg (kCannotFinish).
+  /// colours do not allow (kBadInput); no ffmpeg (kCannotFinish); OutputFile's.
   Status start(const std::string& path, int width, int height, double frames_per_second);
   Status add(const render::Image& image);
   /// Waits until ffmpeg is done. Errors (kCannotFinish): it failed; its own message is on stderr.
@@ -28,8 +30,9 @@ class Movie {
  private:
   [[nodiscard]] Error failed() const;
 
-  std::string path_, part_;
-  process::ChildPipe ffmpeg_;
+  std::string path_;
+  std::optional<files::OutputFile> file_;
+  process::ChildPipe ffmpeg_;  // ends before its file is discarded
 };
 
 }  // namespace tumble::tools

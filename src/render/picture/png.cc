@@ -9,6 +9,8 @@
 #include <cstring>
 #include <memory>
 
+#include "src/files/output_file.h"
+
 namespace tumble::render {
 namespace {
 
@@ -122,15 +124,7 @@ Result<std::vector<std::byte>> encode_png(const Image& image, const PngText& tex
 Status write_png(const std::string& path, const Image& image, const PngText& text) {
   const Result<std::vector<std::byte>> bytes = encode_png(image, text);
   if (!bytes.ok()) return bytes.error();
-  const std::string part = path + ".part";
-  File file(std::fopen(part.c_str(), "wb"));
-  if (file == nullptr) return bad_input(path + ": cannot be written: " + std::strerror(errno));
-  const bool written = std::fwrite(bytes->data(), 1, bytes->size(), file.get()) == bytes->size();
-  const bool closed = std::fclose(file.release()) == 0;
-  if (written && closed && std::rename(part.c_str(), path.c_str()) == 0) return {};
-  const std::string why = std::strerror(errno);
-  std::remove(part.c_str());
-  return cannot_finish(path + ": could not be written: " + why);
+  return files::write_whole_file(path, {reinterpret_cast<const char*>(bytes->data()), bytes->size()});
 }
 
 Result<PngFile> read_png(const std::string& path) {

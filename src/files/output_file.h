@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "tumble/sim/result.h"
+
+namespace tumble::files {
+
+/// Writes a file under a name of its own in the same folder and renames it when it is complete. A full disk, a failure
+/// or a crash leaves the old file as it was. A path that leads through symbolic links replaces the file they lead to.
+/// Only regular files are replaced: a device or a pipe is written to as it is.
+///
+/// Errors. kBadInput: no such folder, a folder, no permission. kCannotFinish: the disk.
+class OutputFile {
+ public:
+  static Result<OutputFile> create(const std::string& path);
+  OutputFile(OutputFile&& other) noexcept;
+  OutputFile& operator=(OutputFile&& other) noexcept;
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  ~OutputFile();  ///< without commit(): discards what was written
+
+  /// The file that is there until commit(), for a program that writes to a file by its name.
+  [[nodiscard]] const std::string& part() const { return part_; }
+
+  /// True for a device or a pipe, which cannot be read back.
+  [[nodiscard]] bool is_device() const { return in_place_; }
+
+  Status write(std::string_view bytes);
+
+  /// Gives the file its name. Call once, as the last call.
+  Status commit();
+
+ private:
+  OutputFile() = default;
+  [[nodiscard]] Error failed() const;
+  Status flush();
+  void discard();
+
+  std::string path_;   // as the user named it
+  std::string place_;  // behind symbolic links
+  std::string part_;
+  std::string buffer_;
+  int file_ = -1;
+  bool in_place_ = false;  // a device or a pipe
+};
+
+/// A small file at once.
+Status write_whole_file(const std::string& path, std::string_view content);
+
+}  // namespace tumble::files

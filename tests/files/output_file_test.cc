@@ -1,0 +1,83 @@
+// A file is replaced as a whole or not at all.
+#include "src/files/output_file.h"
+
+#include <sys/stat.h>
+
+#include "tests/files/temporary_place.h"
+
+namespace tumble::files {
+namespace {
+
+namespace fs = std::filesystem;
+using OutputFiles = TemporaryPlace;
+
+TEST_F(OutputFiles, TheOldFileStaysUntilTheNewOneIsComplete) {
+  write("x", "old");
+  Result<OutputFile> file = OutputFile::create(path("x"));
+  ASSERT_TRUE(file.ok()) << file.error().message;
+  ASSERT_TRUE(file->write("new").ok());
+  EXPECT_EQ(read("x"), "old");
+  ASSERT_TRUE(file->commit().ok());
+  EXPECT_EQ(read("x"), "new");
+  EXPECT_EQ(count(), 1U) << "nothing else stays";
+}
+
+TEST_F(OutputFiles, WhatIsNotCommittedIsDiscarded) {
+  write("x", "old");
+  {
+    Result<OutputFile> file = OutputFile::create(path("x"));
+    ASSERT_TRUE(file.ok());
+    ASSERT_TRUE(file->write(std::string(1 << 20, 'n')).ok());
+    OutputFile moved = *std::move(file);
+    EXPECT_EQ(count(), 2U);
+  }
+  EXPECT_EQ(read("x"), "old");
+  EXPECT_EQ(count(), 1U);
+}
+
+TEST_F(OutputFiles, AFileOfAnotherNameIsNeverInTheWay) {
+  write("x.part", "another's");
+  write("x", "old");
+  ASSERT_TRUE(write_whole_file(path("x"), "new").ok());
+  EXPECT_EQ(read("x.part"), "another's");
+}
+
+TEST_F(OutputFiles, ALinkStaysALink) {
+  write("x", "old");
+  fs::create_symlink("x", path("link"));
+  fs::create_symlink("later", path("to_nothing"));
+  ASSERT_TRUE(write_whole_file(path("link"), "new").ok());
+  ASSERT_TRUE(write_whole_file(path("to_nothing"), "new").ok());
+  EXPECT_TRUE(fs::is_symlink(path("link")));
+  EXPECT_EQ(read("x"), "new");
+  EXPECT_EQ(read("later"), "new");
+}
+
+TEST_F(OutputFiles, ModesStay) {
+  write("x", "old");
+  ASSERT_EQ(::chmod(path("x").c_str(), 0640), 0);
+  ASSERT_TRUE(write_whole_file(path("x"), "new").ok());
+  struct stat info = {};
+  ASSERT_EQ(::stat(path("x").c_str(), &info), 0);
+  EXPECT_EQ(info.st_mode & 07777, 0640U);
+}
+
+TEST_F(OutputFiles, OnlyRegularFilesAreReplaced) {
+  fs::create_symlink("/dev/null", path("null"));
+  ASSERT_TRUE(write_whole_file(path("null"), "gone").ok());
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  fs::create_symlink("/dev/full", path("full"));
+  const Status full = write_whole_file(path("full"), "no room");
+  ASSERT_FALSE(full.ok());
+  EXPECT_EQ(full.error().kind, ErrorKind::kCannotFinish);
+  EXPECT_NE(full.error().message.find("No space left"), std::string::npos) << full.error().message;
+  const Status folder = write_whole_file(folder_.string(), "x");
+  ASSERT_FALSE(folder.ok());
+  EXPECT_EQ(folder.error().kind, ErrorKind::kBadInput);
+  const Status nowhere = write_whole_file(path("none/x"), "x");
+  ASSERT_FALSE(nowhere.ok());
+  EXPECT_EQ(nowhere.error().kind, ErrorKind::kBadInput);
+}
+
+}  // namespace
+}  // namespace tumble::files
