@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "replay/format/limits.h"
@@ -106,14 +107,20 @@ constexpr std::array kKeys = {
         [](const std::string& v, CsvSettings& out) { return take_number(v, out.box.material.restitution); }},
 };
 
+constexpr std::string_view kCameraKeys = "camera.";
+
 std::string all_keys() {
   std::string text;
   for (const Key& key : kKeys) text += (text.empty() ? "" : ", ") + std::string(key.name);
-  return text;
+  return text + ", camera.position, camera.target, camera.fov, camera.focus, camera.blur";
 }
 
 /// Stores a setting. Returns "" or the error.
 std::string take(const std::string& name, const std::string& value, CsvSettings& out) {
+  if (name.starts_with(kCameraKeys)) {
+    const Status set = out.camera.set(name.substr(kCameraKeys.size()), value);
+    return set.ok() ? "" : set.error().message;
+  }
   for (const Key& key : kKeys) {
     if (name != key.name) continue;
     if (key.take(value, out)) return "";
@@ -190,6 +197,13 @@ Result<CsvSettings> read_settings(const CsvReader& table, std::span<const std::s
   }
   start.scene.world.gravity = given ? start.axes.length(start.scene.world.gravity) : gravity;
   if (sized) start.box.size = start.axes.extents(start.box.size);
+  for (std::optional<sim::Vec3>* place : {&start.camera.position, &start.camera.target}) {
+    if (*place) *place = start.axes.length(**place);
+  }
+  if (start.camera.focus) *start.camera.focus *= start.axes.metres;
+  const Result<sim::Camera> camera = start.camera.applied_to(start.scene.camera);
+  if (!camera.ok()) return table.at_line(1, camera.error().message);
+  start.scene.camera = *camera;
   return start;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "replay/import/camera_change.h"
 #include "replay/import/csv_reader.h"
 #include "tumble/replay/imported_table.h"
 #include "tumble/replay/step_record.h"
@@ -23,6 +24,7 @@ struct CsvSettings {
   std::optional<double> dt;  ///< s, of one step of the engine
   sim::SceneDef scene;       ///< name, gravity, ground
   sim::BoxDef box;           ///< size, mass and material of a body without such columns
+  CameraChange camera;       ///< in the engine's axes and units until all settings are read
 };
 
 /// Reads the settings of a table, then `more` ("key: value", from the command line), which override the table. start:

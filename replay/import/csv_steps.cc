@@ -30,6 +30,7 @@ Result<CsvSteps> CsvSteps::open(std::string_view text, const std::string& name, 
   if (!columns.ok()) return columns.error();
   CsvSettings start;
   start.scene.name = "session";
+  start.scene.camera.focus = sim::length(start.scene.camera.target - start.scene.camera.position);
   if (like) start.scene = like->scene;
   if (like && columns->time == kNone) start.dt = like->scene.world.dt;
   Result<CsvSettings> read = read_settings(*table, settings, std::move(start));

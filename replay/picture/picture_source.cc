@@ -79,7 +79,7 @@ Result<Picture> PictureSource::read(std::uint64_t k, const PictureOptions& optio
   Snapshot& snapshot = picture.snapshot;
   const sim::SceneDef& scene = log_->header().scene;
   snapshot.ground = scene.world.ground;
-  snapshot.camera = scene.camera;
+  snapshot.camera = options.camera.value_or(scene.camera);
   snapshot.light = scene.light;
   for (std::size_t row = 0; row < record.states.size(); ++row) {
     const Result<const sim::BoxDef*> box = find_box(record.states.id[row], k);

@@ -21,6 +21,7 @@ struct PictureOptions {
   bool velocities = false;  ///< an arrow from each moving body, as long as the body moves in kArrowSeconds
   bool bounds = false;      ///< the bodies' AABBs (the thesis's Fig. 4)
   bool contacts = false;    ///< the contact points of the step, with an arrow along each normal
+  std::optional<sim::Camera> camera = {};  ///< instead of the scene's
 };
 inline constexpr double kArrowSeconds = 0.2;
 

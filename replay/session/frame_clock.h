@@ -13,6 +13,7 @@ struct Frames {
   std::uint64_t missed = 0;   ///< finished later
   std::uint64_t bounded = 0;  ///< steps shortened to the longest one allowed
   double longest_s = 0;       ///< the longest time that a frame took to compute
+  double behind_s = 0;        ///< time on the clock that those steps left out
 };
 
 /// Turns time on a clock into steps, as the thesis's demonstration does. A frame is due every period. Its step is the
@@ -33,7 +34,10 @@ class FrameClock {
   /// Begins a frame. Returns its step, s: at least half a period, at most the longest step.
   double begin(double now_s) {
     const double passed = now_s - began_;
-    if (passed > longest_step_) ++frames_.bounded;
+    if (passed > longest_step_) {
+      ++frames_.bounded;
+      frames_.behind_s += passed - longest_step_;
+    }
     began_ = now_s;
     due_ = now_s + period_;
     return std::clamp(passed, std::min(period_ / 2, longest_step_), longest_step_);

@@ -29,7 +29,10 @@ TEST(SceneKeys, EveryKeyHasItsDefault) {
   EXPECT_EQ(scene.category, "session");
   EXPECT_EQ(scene.world, sim::WorldDef());
   EXPECT_EQ(scene.steps, 300U);
-  EXPECT_EQ(scene.camera, sim::Camera());
+  sim::Camera camera;
+  camera.focus = sim::length(camera.target - camera.position);
+  EXPECT_EQ(scene.camera, camera);
+  EXPECT_EQ(parse("[[box]]\n[camera]\nposition = [3, 0, 6]\ntarget = [0, 0, 2]\n").camera.focus, 5);
   EXPECT_EQ(scene.light, sim::Light());
   ASSERT_EQ(scene.boxes.size(), 1U);
   sim::BoxDef box;

@@ -129,7 +129,7 @@ TEST_F(ToolsRender, MakesMoviesOfBothKindsAndSlowMotion) {
   ASSERT_EQ(webm.exit, 0) << webm.err;
   EXPECT_EQ(nlohmann::json::parse(webm.out)["pictures"], 9) << "every other frame lies between two states";
   EXPECT_EQ(shop_.read("s.webm").substr(0, 4), "\x1A\x45\xDF\xA3");
-  EXPECT_FALSE(std::filesystem::exists(shop_.path("s.mp4.part")));
+  EXPECT_TRUE(shop_.names_with(".part").empty());
 }
 
 TEST_F(ToolsRender, SaysThatMoviesNeedFfmpeg) {
@@ -141,7 +141,7 @@ TEST_F(ToolsRender, SaysThatMoviesNeedFfmpeg) {
 
 TEST_F(ToolsRender, ReportsAMovieThatCannotBeWritten) {
   const Outcome outcome = shop_.run({"render", "s.tumble", "-o", "no/such/folder/s.mp4", "--size", "64x48"});
-  EXPECT_EQ(outcome.exit, 4);
+  EXPECT_EQ(outcome.exit, 2);
   EXPECT_NE(outcome.err.find("s.mp4"), std::string::npos) << outcome.err;
 }
 
@@ -172,6 +172,49 @@ TEST_F(ToolsRender, ShowsBoundsContactsVelocitiesAndFreezing) {
   EXPECT_GT(difference(plain, drawn({"--step", "30", "--show", "freezing"}).image).far_off, 50U);
 }
 
+TEST_F(ToolsRender, TakesAnotherCamera) {
+  const render::Image scenes = drawn({"--step", "12"}).image;
+  EXPECT_EQ(drawn({"--step", "12", "--camera", "position=12,-16,8", "--camera", "target=0,0,2"}).image, scenes)
+      << "the camera of a scene without one";
+  const render::Image near = drawn({"--step", "12", "--camera", "position=3,-6,3"}).image;
+  EXPECT_GT(difference(near, scenes).far_off, 500U);
+  EXPECT_EQ(drawn({"--step", "12", "--camera", "position=3,-6,3", "--camera", "focus=6.782329983125268"}).image, near)
+      << "the distance to the target is in focus";
+  EXPECT_NE(drawn({"--step", "12", "--camera", "position=3,-6,3", "--camera", "focus=40"}).image, near);
+}
+
+TEST_F(ToolsRender, TakesTheCameraOfAnImportedTable) {
+  shop_.write("t.csv",
+              "# dt: 0.01\n# up: y\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,"
+              "orientation.z,velocity.x,velocity.y,velocity.z,spin.x,spin.y,spin.z\n0,1,0,0.5,0,1,0,0,0,0,0,0,0,0,0\n");
+  const auto make_log = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"import", "t.csv", "-o", "s.tumble"};
+    words.insert(words.end(), more.begin(), more.end());
+    return shop_.run(words);
+  };
+  ASSERT_EQ(make_log({}).exit, 0);
+  const render::Image moved = drawn({"--camera", "position=3,-6,3", "--camera", "target=0,0,1"}).image;
+  EXPECT_NE(drawn({}).image, moved);
+  const Outcome outcome = make_log({"--header", "camera.position: 3 3 6", "--header", "camera.target: 0 1 0"});
+  ASSERT_EQ(outcome.exit, 0) << outcome.err;
+  EXPECT_EQ(drawn({}).image, moved) << "in the table's axes";
+  const Outcome wrong = make_log({"--header", "camera.fov: 500"});
+  EXPECT_EQ(wrong.exit, 2);
+  EXPECT_NE(wrong.err.find("camera fov: found \"500\", wanted a number from 1 to 170"), std::string::npos) << wrong.err;
+}
+
+TEST_F(ToolsRender, IsSharpWhereTheCameraLooksUnlessTheSceneSaysMore) {
+  const std::vector<std::string> close = {"--set", "camera.position=[3, -6, 3]", "--set", "camera.target=[0, 0, 1]"};
+  const auto picture = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), close.begin(), close.end());
+    shop_.record_small("s", more);
+    return drawn({"--step", "0"}).image;
+  };
+  const render::Image sharp = picture({"--set", "camera.blur=0"});
+  EXPECT_EQ(picture({}), picture({"--set", "camera.focus=7"}));
+  EXPECT_LT(difference(picture({}), sharp).far_off, difference(picture({"--set", "camera.focus=18"}), sharp).far_off);
+}
+
 TEST_F(ToolsRender, RefusesWhatItCannotDo) {
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
       {{"--step", "41"}, "holds steps 0 to 40"},
@@ -191,6 +234,14 @@ TEST_F(ToolsRender, RefusesWhatItCannotDo) {
       {{"--size", "65x48", "-o", "s.mp4"}, "even width and height"},
       {{"--compare", "missing.tumble"}, "missing.tumble"},
       {{"-o", "s.tumble"}, "cannot be made a folder"},
+      {{"-o", "s.toml"}, "cannot be made a folder"},
+      {{"-o", "x.gif"}, "FILE.mp4 or FILE.webm"},
+      {{"-o", "x.JPG"}, "wanted FILE.png for a picture"},
+      {{"-o", "x.PNG"}, "wanted FILE.png for a picture"},
+      {{"--camera", "zoom=2"}, "position, target, fov, focus or blur"},
+      {{"--camera", "position"}, "wanted KEY=VALUE"},
+      {{"--camera", "position=1,2"}, "three coordinates"},
+      {{"--camera", "position=0,0,2", "--camera", "target=0,0,2"}, "no direction to look in"},
       {{"-o", "no/such/x.png"}, "cannot be written"},
   };
   for (const auto& [more, phrase] : cases) {

@@ -1,7 +1,9 @@
 #include "tools/arguments/arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <sstream>
+#include <string_view>
 
 #include "src/base/text.h"
 #include "tools/arguments/numbers.h"
@@ -44,6 +46,22 @@ class HelpFormat : public CLI::Formatter {
     return text;
   }
 };
+
+// "; did you mean --seconds?" where a word begins like an option and is none.
+std::string suggestion(const CLI::App& app, const std::vector<std::string>& words) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  const std::vector<std::string_view> candidates(names.begin(), names.end());
+  for (const std::string& word : words) {
+    const std::string name = word.substr(0, word.find('='));
+    if (!name.starts_with("--") || name == "--" || std::ranges::find(names, name) != names.end()) continue;
+    const std::string_view nearest = nearest_word(name, candidates);
+    if (!nearest.empty()) return "; did you mean " + std::string(nearest) + "?";
+  }
+  return "";
+}
 
 CLI::ValidationError wrong(const std::string& name, const std::string& found, const std::string& wanted) {
   return CLI::ValidationError(name, found_wanted(in_quotes(found), wanted));
@@ -134,7 +152,7 @@ Reading Arguments::read(const std::vector<std::string>& words) {
   } catch (const CLI::CallForHelp&) {  // CLI11 reports through exceptions; they end here
     return {Reading::Kind::kHelp, app_->help()};
   } catch (const CLI::ParseError& error) {
-    return {Reading::Kind::kWrong, error.what()};
+    return {Reading::Kind::kWrong, error.what() + suggestion(*app_, words)};
   }
 }
 

@@ -1,8 +1,14 @@
 #include "tools/arguments/render_options.h"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <filesystem>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
+#include "replay/import/camera_change.h"
 #include "src/base/text.h"
 #include "tools/arguments/numbers.h"
 #include "tools/arguments/step_range.h"
@@ -71,9 +77,36 @@ Status read_look(const RenderArguments& arguments, RenderPlan& plan) {
   return read_show(arguments.show, plan.show);
 }
 
-OutputKind kind_of(const std::string& output) {
+Status read_camera(const std::vector<std::string>& settings, const sim::Camera& scene, replay::PictureOptions& show) {
+  replay::CameraChange change;
+  for (const std::string& setting : settings) {
+    const std::size_t equals = setting.find('=');
+    if (equals == std::string::npos) return wrong("--camera", setting, "KEY=VALUE, as in position=3,-8,4");
+    if (Status ok = change.set(setting.substr(0, equals), setting.substr(equals + 1)); !ok.ok()) {
+      return Error{ok.error().kind, "--camera: " + ok.error().message};
+    }
+  }
+  const Result<sim::Camera> camera = change.applied_to(scene);
+  if (!camera.ok()) return Error{camera.error().kind, "--camera: " + camera.error().message};
+  show.camera = *camera;
+  return {};
+}
+
+// Endings of pictures, movies and drawings: a folder of such a name is hardly meant.
+constexpr std::array<std::string_view, 27> kOtherEndings = {".png", ".mp4",  ".webm", ".gif", ".jpg",  ".jpeg", ".bmp",
+                                                            ".tif", ".tiff", ".tga",  ".ppm", ".webp", ".apng", ".svg",
+                                                            ".pdf", ".eps",  ".avi",  ".mov", ".mkv",  ".mpg",  ".mpeg",
+                                                            ".m4v", ".ogv",  ".wmv",  ".flv", ".exr",  ".heic"};
+
+Result<OutputKind> kind_of(const std::string& output) {
   if (Movie::is_movie(output)) return OutputKind::kMovie;
-  return output.ends_with(".png") ? OutputKind::kPicture : OutputKind::kFolder;
+  if (output.ends_with(".png")) return OutputKind::kPicture;
+  std::string ending = std::filesystem::path(output).extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::error_code ignored;
+  const bool is_folder = std::filesystem::is_directory(output, ignored);
+  if (is_folder || std::ranges::find(kOtherEndings, ending) == kOtherEndings.end()) return OutputKind::kFolder;
+  return wrong("-o", output, "FILE.png for a picture, FILE.mp4 or FILE.webm for a movie, or a folder for pictures");
 }
 
 // "brick_wall_0120.png" in the current folder.
@@ -116,6 +149,9 @@ void declare_arguments(Arguments& arguments, RenderArguments& target) {
   arguments.option("--pass", "NAME", target.pass,
                    "The image to write: depth, base, masks, shrunk, hdr, blur_x, blurred, glow, final (default)");
   arguments.option("--show", "LIST", target.show, "Some of bounds,contacts,freezing,velocities");
+  arguments.option("--camera", "KEY=VALUE", target.camera,
+                   "Another camera: position=X,Y,Z, target=X,Y,Z (m), fov=DEGREES, focus=M (the distance to the target "
+                   "if not given), blur=B; may be repeated");
   arguments.option("--compare", "OTHER", target.compare,
                    "Draw OTHER over LOG: bodies that differ are orange, OTHER's are blue");
   arguments.positive("--speed", "X", target.speed, kSpeedMax, "Simulated seconds a second shows; 0.1 is slow motion")
@@ -137,7 +173,10 @@ Result<RenderPlan> plan_of(const RenderArguments& arguments, replay::LogReader& 
     if (many) return bad_input("wanted -o PATH: a movie (.mp4, .webm) or a folder for many pictures");
     plan.output = default_output(arguments, arguments.step.value_or(last));
   }
-  plan.kind = kind_of(plan.output);
+  const Result<OutputKind> kind = kind_of(plan.output);
+  if (!kind.ok()) return kind.error();
+  plan.kind = *kind;
+  if (Status ok = read_camera(arguments.camera, log.header().scene.camera, plan.show); !ok.ok()) return ok.error();
   if (plan.kind == OutputKind::kPicture && many) {
     return wrong("-o", plan.output, "a movie (.mp4, .webm) or a folder: one .png holds one picture");
   }

@@ -19,6 +19,7 @@ struct RenderArguments {
   std::string log, compare, output;
   std::optional<std::uint64_t> step, every, samples;
   std::optional<double> speed, fps;
+  std::vector<std::string> camera;
   std::string steps, size = "640x480", effects = "all", pass = "final", show, gl = "auto";
   bool json = false;
 };

@@ -1,16 +1,16 @@
 // tumble record: runs a scene and writes a log.
-#include <chrono>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "replay/log/session_clock.h"
+#include "replay/measure/start_warnings.h"
 #include "replay/session/frame_clock.h"
+#include "src/files/output_guard.h"
 #include "src/process/interrupt.h"
 #include "src/scenes/problem.h"
 #include "tools/arguments/arguments.h"
@@ -102,6 +102,19 @@ Result<Recorded> run_session(const std::string& path, replay::Recorder& recorder
   return session;
 }
 
+std::optional<double> bytes_each(const Recorded& session) {
+  if (session.moving_body_steps == 0) return std::nullopt;
+  return static_cast<double>(session.log.bytes) / static_cast<double>(session.moving_body_steps);
+}
+
+// Whether the session followed the clock. Frames can be computed in time and yet begin late, on a busy machine.
+std::string clock_text(const replay::Frames& frames) {
+  if (frames.bounded == 0) return "followed: each step is as long as the time since the step before";
+  const std::string why = frames.missed > 0 ? "" : "; the machine began frames late, though each was quick to compute";
+  return seconds_text(frames.behind_s) + " behind: " + count_text(frames.bounded, "step") +
+         " reached the longest step allowed" + why;
+}
+
 void print_text(const std::string& path, const sim::SceneDef& scene, const Recorded& session) {
   Listing listing;
   listing.add("scene", printable(scene.name) + (scene.title.empty() ? "" : ": " + printable(scene.title)));
@@ -111,22 +124,20 @@ void print_text(const std::string& path, const sim::SceneDef& scene, const Recor
   listing.add("elapsed", seconds_text(session.elapsed_s));
   if (session.frames) {
     const replay::Frames& frames = *session.frames;
-    std::string text = std::to_string(frames.met) + " in time, " + std::to_string(frames.missed) + " late";
-    if (frames.bounded > 0) text += ", " + std::to_string(frames.bounded) + " steps cut short of the clock";
-    listing.add("frames", text + "; the longest took " + rounded(frames.longest_s * 1000, "ms"));
+    listing.add("frames", std::to_string(frames.met) + " computed in time, " + std::to_string(frames.missed) +
+                              " late; the longest took " + rounded(frames.longest_s * 1000, "ms"));
+    listing.add("clock", clock_text(frames));
   }
   listing.add("log", path);
   std::string size = bytes_text(session.log.bytes);
-  if (session.moving_body_steps > 0) {
-    const double each = static_cast<double>(session.log.bytes) / static_cast<double>(session.moving_body_steps);
-    size += ", " + rounded(each, "bytes per moving body-step");
-  }
+  if (const auto each = bytes_each(session)) size += ", " + rounded(*each, "bytes per moving body-step");
   listing.add("size", size);
   listing.add("final hash", to_string(session.log.final_hash));
   listing.print();
 }
 
-void print_as_json(const std::string& path, const sim::SceneDef& scene, const Recorded& session) {
+void print_as_json(const std::string& path, const sim::SceneDef& scene, const Recorded& session,
+                   const std::vector<std::string>& warnings) {
   Json json;
   json["log"] = path;
   json["scene"] = scene.name;
@@ -139,16 +150,15 @@ void print_as_json(const std::string& path, const sim::SceneDef& scene, const Re
     json["frames"] = {{"met", session.frames->met},
                       {"missed", session.frames->missed},
                       {"bounded", session.frames->bounded},
-                      {"longest", session.frames->longest_s}};
+                      {"longest", session.frames->longest_s},
+                      {"behind", session.frames->behind_s}};
   }
   json["bytes"] = session.log.bytes;
   json["moving_body_steps"] = session.moving_body_steps;
   json["bytes_per_moving_body_step"] = nullptr;
-  if (session.moving_body_steps > 0) {
-    json["bytes_per_moving_body_step"] =
-        static_cast<double>(session.log.bytes) / static_cast<double>(session.moving_body_steps);
-  }
+  if (const auto each = bytes_each(session)) json["bytes_per_moving_body_step"] = *each;
   json["final_hash"] = to_string(session.log.final_hash);
+  json["warnings"] = warnings;
   print_json(json);
 }
 
@@ -173,6 +183,9 @@ Started start_scene(const Options& options, const replay::StatesMode& states, st
   const Result<sim::SceneDef> scene = scenes::parse_scene(how.scene_text, file->path, how.overrides);
   if (!scene.ok()) return scene.error();
   if (path.empty()) path = file->name + ".tumble";
+  files::OutputGuard guard;
+  guard.keep(file->path, "the scene");
+  if (Status ok = guard.claim("-o", path); !ok.ok()) return ok.error();
   return replay::Recorder::start(path, *scene, how);
 }
 
@@ -197,10 +210,9 @@ Started start_from_log(const Options& options, const replay::StatesMode& states,
   if (path.empty()) {
     path = std::filesystem::path(place->log).stem().string() + "_from_" + std::to_string(place->step) + ".tumble";
   }
-  std::error_code error;
-  if (std::filesystem::equivalent(path, place->log, error)) {
-    return bad_input("--output: " + path + " is the log to continue; name another file");
-  }
+  files::OutputGuard guard;
+  guard.keep(place->log, "the log to continue");
+  if (Status ok = guard.claim("-o", path); !ok.ok()) return ok.error();
   Result<replay::LogReader> log = open_log(place->log);
   if (!log.ok()) return log.error();
   replay::GoOnOptions how;
@@ -222,12 +234,17 @@ Result<Exit> record(const Options& options) {
   const Started recorder =
       options.from.empty() ? start_scene(options, *states, path) : start_from_log(options, *states, path);
   if (!recorder.ok()) return recorder.error();
+  std::vector<std::string> warnings;
+  if (options.from.empty()) warnings = replay::start_warnings((*recorder)->world().state());
+  for (const std::string& warning : warnings) {
+    if (!options.quiet) std::cerr << "tumble record: warning: " << warning << '\n';
+  }
   const std::unique_ptr<WorkerThreads> threads = worker_threads(options.threads.value_or(1));
   (*recorder)->use(threads.get());
   const Result<Recorded> session = run_session(path, **recorder, options);
   if (!session.ok()) return session.error();
   if (options.json) {
-    print_as_json(path, (*recorder)->scene(), *session);
+    print_as_json(path, (*recorder)->scene(), *session, warnings);
   } else if (!options.quiet) {
     print_text(path, (*recorder)->scene(), *session);
   }

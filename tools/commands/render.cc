@@ -1,11 +1,15 @@
 // tumble render: pictures and movies of recorded states.
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
+#include <system_error>
 
+#include "src/files/output_guard.h"
 #include "src/process/interrupt.h"
 #include "tools/arguments/command.h"
 #include "tools/arguments/render_options.h"
@@ -25,6 +29,7 @@ struct Summary {
   std::string first_hash, last_hash;  // state hashes
   std::string driver, backend;
   std::optional<replay::NotFinite> missing;  // of the first picture that lacks a body
+  std::uint64_t older = 0;                   // pictures of an earlier run in the folder
 };
 
 // "12" for a state, "11.25" for a moment between two.
@@ -51,6 +56,39 @@ std::string picture_path(const RenderPlan& plan, std::size_t index, bool only_st
   return plan.output + "/frame_" + number + ".png";
 }
 
+bool has_only_states(const RenderPlan& plan) {
+  return std::ranges::all_of(plan.frames, [](const Frame& frame) { return frame.is_state(); });
+}
+
+Status check_outputs(const RenderArguments& arguments, const RenderPlan& plan) {
+  files::OutputGuard guard;
+  guard.keep(arguments.log, "the log that is drawn");
+  guard.keep(arguments.compare, "the log of --compare");
+  if (plan.kind != OutputKind::kFolder) return guard.claim("-o", plan.output);
+  const bool only_states = has_only_states(plan);
+  for (std::size_t i = 0; i < plan.frames.size(); ++i) {
+    if (Status ok = guard.claim("-o", picture_path(plan, i, only_states)); !ok.ok()) return ok;
+  }
+  return {};
+}
+
+// Pictures in the folder that this run does not replace: they could be mistaken for this run's.
+std::uint64_t count_older(const RenderPlan& plan) {
+  if (plan.kind != OutputKind::kFolder) return 0;
+  const bool only_states = has_only_states(plan);
+  std::set<std::string> ours;
+  for (std::size_t i = 0; i < plan.frames.size(); ++i) {
+    ours.insert(std::filesystem::path(picture_path(plan, i, only_states)).filename().string());
+  }
+  std::uint64_t older = 0;
+  std::error_code error;
+  for (std::filesystem::directory_iterator at(plan.output, error), end; !error && at != end; at.increment(error)) {
+    const std::string name = at->path().filename().string();
+    if (name.starts_with("frame_") && name.ends_with(".png") && !ours.contains(name)) ++older;
+  }
+  return older;
+}
+
 Status prepare_output(const RenderPlan& plan, Movie& movie) {
   if (plan.kind == OutputKind::kMovie) {
     return movie.start(plan.output, plan.settings.width, plan.settings.height, plan.fps);
@@ -66,15 +104,14 @@ Status prepare_output(const RenderPlan& plan, Movie& movie) {
 class Drawing {
  public:
   Drawing(const RenderPlan& plan, replay::LogReader& log, replay::LogReader* other)
-      : plan_(plan), log_(log), frames_(log, other, plan.show) {
-    for (const Frame& frame : plan.frames) only_states_ = only_states_ && frame.is_state();
-  }
+      : plan_(plan), log_(log), frames_(log, other, plan.show), only_states_(has_only_states(plan)) {}
 
   Result<Summary> run() {
     Result<std::unique_ptr<render::Renderer>> renderer = render::Renderer::create(plan_.settings, plan_.backend);
     if (!renderer.ok()) return renderer.error();
     renderer_ = *std::move(renderer);
     if (Status ok = prepare_output(plan_, movie_); !ok.ok()) return ok.error();
+    summary_.older = count_older(plan_);
     summary_.driver = renderer_->driver();
     summary_.backend = renderer_->backend_name();
     ProgressBar bar("drawing");
@@ -114,7 +151,7 @@ class Drawing {
   std::unique_ptr<render::Renderer> renderer_;
   Movie movie_;
   Summary summary_;
-  bool only_states_ = true;
+  bool only_states_;
 };
 
 void print_text(const RenderPlan& plan, const Summary& summary) {
@@ -129,6 +166,7 @@ void print_text(const RenderPlan& plan, const Summary& summary) {
     listing.add("steps", first + " to " + last + " in " + count_text(summary.pictures, "picture"));
   }
   listing.add("size", std::to_string(plan.settings.width) + " x " + std::to_string(plan.settings.height));
+  if (summary.older > 0) listing.add("also there", count_text(summary.older, "picture") + " of an earlier run");
   listing.add("drawn with", summary.backend + ": " + printable(summary.driver));
   listing.print();
 }
@@ -138,6 +176,7 @@ void print_json_summary(const std::string& log, const RenderPlan& plan, const Su
   json["log"] = log;
   json["output"] = plan.output;
   json["pictures"] = summary.pictures;
+  json["older_pictures"] = summary.older;
   json["first_step"] = static_cast<double>(plan.frames.front().step) - 1 + plan.frames.front().part;
   json["last_step"] = static_cast<double>(plan.frames.back().step) - 1 + plan.frames.back().part;
   json["first_state_hash"] = summary.first_hash;
@@ -162,6 +201,7 @@ Result<Exit> render_command(const RenderArguments& arguments) {
   }
   const Result<RenderPlan> plan = plan_of(arguments, *log);
   if (!plan.ok()) return plan.error();
+  if (Status ok = check_outputs(arguments, *plan); !ok.ok()) return ok.error();
   if (other) {
     const std::uint64_t last = plan->frames.back().step;
     if (const Result<StepRange> range = check_range({last, last}, *other); !range.ok()) return range.error();
@@ -194,7 +234,8 @@ Action declare_render(Arguments& arguments) {
       "  tumble render brick_wall.tumble --step 60 -o wall.png --size 1280x720\n"
       "  tumble render brick_wall.tumble -o wall.mp4 --speed 0.25\n"
       "  tumble render pyramid.tumble --every 60 -o frames --show freezing\n"
-      "  tumble render a.tumble --compare b.tumble --step 300");
+      "  tumble render a.tumble --compare b.tumble --step 300\n"
+      "  tumble render wall.tumble --camera position=3,-8,4 --camera target=0,0,1");
   return [given] { return render_command(*given); };
 }
 

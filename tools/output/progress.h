@@ -25,7 +25,7 @@ class ProgressBar {
   std::string label_;
   bool enabled_;
   bool shown_ = false;
-  Clock::time_point next_;
+  Clock::time_point begin_, next_;
 };
 
 }  // namespace tumble::tools

@@ -1,0 +1,145 @@
+#include "replay/measure/start_warnings.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+#include "replay/measure/measure_overlap.h"
+#include "src/base/text.h"
+
+namespace tumble::replay {
+namespace {
+
+using sim::BoxFrame;
+
+constexpr double kDeep = 0.1;                  // of the shortest edge: much more than any stack needs
+constexpr double kTouching = 0.01;             // m
+constexpr std::size_t kShown = 3;              // of a kind; the others are counted
+constexpr std::size_t kTestsMax = 10'000'000;  // a fraction of a second
+
+struct Overlap {
+  std::size_t a, b;
+  double depth;
+  bool same_place;
+};
+
+double shortest_edge(const BoxFrame& box) { return 2 * box.half_extent.minCoeff(); }
+
+class Start {
+ public:
+  explicit Start(const sim::WorldState& start) : bodies_(start.bodies), world_(start.def), group_(bodies_.size()) {
+    std::iota(group_.begin(), group_.end(), std::size_t{0});
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      boxes_.push_back({bodies_.position[i], sim::axes_of(bodies_.orientation[i]), bodies_.half_extent[i]});
+    }
+    look_at_pairs();
+  }
+
+  [[nodiscard]] std::vector<std::string> warnings() {
+    std::vector<std::string> out;
+    add_overlaps(out);
+    add_sunk(out);
+    if (complete_) add_floating(out);
+    return out;
+  }
+
+ private:
+  [[nodiscard]] double low(std::size_t i, int axis) const {
+    return boxes_[i].position[axis] - sim::reach_along(boxes_[i], axis);
+  }
+  [[nodiscard]] double high(std::size_t i, int axis) const {
+    return boxes_[i].position[axis] + sim::reach_along(boxes_[i], axis);
+  }
+  [[nodiscard]] std::string name(std::size_t i) const { return std::to_string(bodies_.id[i]); }
+
+  std::size_t group_of(std::size_t i) {
+    while (group_[i] != i) i = group_[i] = group_[group_[i]];
+    return i;
+  }
+
+  // A sweep along x: boxes whose intervals are apart by more than kTouching do not meet.
+  void look_at_pairs() {
+    std::vector<std::size_t> order(boxes_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, {}, [&](std::size_t i) { return low(i, 0); });
+    std::size_t tests = 0;
+    for (std::size_t first = 0; first < order.size() && complete_; ++first) {
+      const double end = high(order[first], 0) + kTouching;
+      for (std::size_t second = first + 1; second < order.size() && low(order[second], 0) <= end; ++second) {
+        complete_ = ++tests <= kTestsMax;
+        if (!complete_) break;
+        look_at(order[first], order[second]);
+      }
+    }
+  }
+
+  void look_at(std::size_t i, std::size_t j) {
+    for (const int axis : {1, 2}) {
+      if (low(i, axis) > high(j, axis) + kTouching || low(j, axis) > high(i, axis) + kTouching) return;
+    }
+    group_[group_of(i)] = group_of(j);
+    if (bodies_.is_static[i] != 0 && bodies_.is_static[j] != 0) return;
+    const double depth = overlap_depth(boxes_[i], boxes_[j]);
+    if (depth <= kDeep * std::min(shortest_edge(boxes_[i]), shortest_edge(boxes_[j]))) return;
+    overlaps_.push_back({std::min(i, j), std::max(i, j), depth, boxes_[i].position == boxes_[j].position});
+  }
+
+  void add_overlaps(std::vector<std::string>& out) {
+    std::ranges::sort(overlaps_, [](const Overlap& x, const Overlap& y) {
+      return x.depth != y.depth ? x.depth > y.depth : std::pair(x.a, x.b) < std::pair(y.a, y.b);
+    });
+    for (std::size_t k = 0; k < overlaps_.size() && k < kShown; ++k) {
+      const Overlap& pair = overlaps_[k];
+      const std::string both = "bodies " + name(pair.a) + " and " + name(pair.b);
+      const std::string depth = rounded(pair.depth, "m");
+      out.push_back(pair.same_place ? both + " are in one place and overlap by " + depth + " at the start"
+                                    : both + " overlap by " + depth + " at the start and will be pushed apart");
+    }
+    if (overlaps_.size() > kShown) {
+      out.push_back("and " + count_text(overlaps_.size() - kShown, "more pair") + " overlap deeply at the start");
+    }
+  }
+
+  void add_sunk(std::vector<std::string>& out) const {
+    if (!world_.ground) return;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      const double depth = ground_penetration(boxes_[i]);
+      if (bodies_.is_static[i] != 0 || depth <= kDeep * shortest_edge(boxes_[i])) continue;
+      if (++count > kShown) continue;
+      out.push_back("body " + name(i) + " is " + rounded(depth, "m") + " deep in the ground at the start");
+    }
+    if (count > kShown) out.push_back("and " + count_text(count - kShown, "more body") + " deep in the ground");
+  }
+
+  // A group of bodies that touch is held where one of them is static or touches the ground.
+  void add_floating(std::vector<std::string>& out) {
+    if (world_.gravity == sim::Vec3(0, 0, 0)) return;
+    std::vector<std::uint8_t> held(boxes_.size(), 0);
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      if (bodies_.is_static[i] != 0 || (world_.ground && low(i, 2) <= kTouching)) held[group_of(i)] = 1;
+    }
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < boxes_.size(); ++i) {
+      if (bodies_.frozen[i] == 0 || bodies_.is_static[i] != 0 || held[group_of(i)] != 0) continue;
+      if (++count > kShown) continue;
+      out.push_back("body " + name(i) + " is frozen in mid-air, where it stays until something touches it");
+    }
+    if (count > kShown) out.push_back("and " + std::to_string(count - kShown) + " more are frozen in mid-air");
+  }
+
+  const sim::Bodies& bodies_;
+  const sim::WorldDef& world_;
+  std::vector<BoxFrame> boxes_;
+  std::vector<std::size_t> group_;  // of bodies that touch, each pointing towards its group's first
+  std::vector<Overlap> overlaps_;
+  bool complete_ = true;
+};
+
+}  // namespace
+
+std::vector<std::string> start_warnings(const sim::WorldState& start) { return Start(start).warnings(); }
+
+}  // namespace tumble::replay
