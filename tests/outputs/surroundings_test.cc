@@ -14,7 +14,7 @@ using Words = std::vector<std::string>;
 
 void expect_reason(const Outcome& outcome, const std::string& part) {
   EXPECT_EQ(outcome.exit, 4) << outcome.out << outcome.err;
-  EXPECT_TRUE(outcome.err.starts_with("tumble ")) << outcome.err;
+  EXPECT_TRUE(outcome.err.starts_with("tumble")) << outcome.err;
   EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.err.find("internal error"), std::string::npos) << outcome.err;
 }

@@ -1,5 +1,7 @@
 #include "tools/output/movie.h"
 
+#include <fstream>
+#include <iterator>
 #include <span>
 #include <utility>
 #include <vector>
@@ -39,10 +41,20 @@ Status Movie::start(const std::string& path, int width, int height, double frame
   const std::vector<std::string>& format = path.ends_with(".webm") ? kWebm : kMp4;
   words.insert(words.end(), format.begin(), format.end());
   words.push_back("file:" + file_->part());
-  return ffmpeg_.start(std::move(words), "movies", "ffmpeg");
+  const std::string errors = folder_.path().empty() ? "" : (folder_.path() / "errors").string();
+  return ffmpeg_.start(std::move(words), "movies", "ffmpeg", errors);
 }
 
-Error Movie::failed() const { return cannot_finish(path_ + ": ffmpeg could not write it; its message is above"); }
+std::string Movie::said() const {
+  std::ifstream file(folder_.path() / "errors", std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+Error Movie::failed() const {
+  const std::string words = printable(said());
+  return cannot_finish(path_ + ": ffmpeg could not write it (full disk?)" +
+                       (words.empty() ? "" : "; it said " + words));
+}
 
 Status Movie::add(const render::Image& image) {
   if (ffmpeg_.write(std::as_bytes(std::span(image.rgb)))) return {};
@@ -50,7 +62,8 @@ Status Movie::add(const render::Image& image) {
 }
 
 Status Movie::finish() {
-  if (!ffmpeg_.finish()) return failed();
+  // ffmpeg ends with status 0 also where the disk took only a part of its file; with -v error it prints errors alone.
+  if (!ffmpeg_.finish() || !said().empty()) return failed();
   return file_->commit();
 }
 

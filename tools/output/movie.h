@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "golden/suite/temporary_folder.h"
 #include "src/files/output_file.h"
 #include "src/process/child_pipe.h"
 #include "tumble/render/image.h"
@@ -22,15 +23,17 @@ class Movie {
   /// colours do not allow (kBadInput); no ffmpeg (kCannotFinish); OutputFile's.
   Status start(const std::string& path, int width, int height, double frames_per_second);
   Status add(const render::Image& image);
-  /// Waits until ffmpeg is done. Errors (kCannotFinish): it failed; its own message is on stderr.
+  /// Waits until ffmpeg is done. Errors (kCannotFinish): it failed; the message has its own.
   Status finish();
 
   [[nodiscard]] static bool is_movie(const std::string& path);
 
  private:
   [[nodiscard]] Error failed() const;
+  [[nodiscard]] std::string said() const;
 
   std::string path_;
+  golden::TemporaryFolder folder_{"tumble-movie"};  // of ffmpeg's errors
   std::optional<files::OutputFile> file_;
   process::ChildPipe ffmpeg_;  // ends before its file is discarded
 };
