@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "golden/canaries/canaries.h"
+#include "golden/judge/case_json.h"
 #include "golden/judge/case_series.h"
 #include "golden/report/report_place.h"
 #include "golden/run/longest_first.h"
@@ -23,6 +24,7 @@ CaseResult result_of(const CaseFolder& folder, const CheckOptions& options, cons
     if (result.ok()) return *std::move(result);
     CaseResult broken;
     broken.problems.push_back(result.error().message);
+    broken.bless_refused = broken.problems.front();
     broken.name = folder.name;
     return broken;
   }
@@ -30,8 +32,9 @@ CaseResult result_of(const CaseFolder& folder, const CheckOptions& options, cons
   CaseResult result;
   result.name = folder.name;
   result.problems.push_back("its process " + child.failure);
+  result.bless_refused = result.problems.front();
   result.require = options.require.value_or(CaseRules().require);
-  result.reproduce = "tumble record " + folder.file(kSceneFile).string() + " -o " + folder.name + ".tumble";
+  result.reproduce = reproduce_command(folder);
   return result;
 }
 
@@ -59,8 +62,14 @@ Result<SuiteResult> check_suite(const CheckOptions& options) {
   if (!suite.ok()) return suite.error();
   Result<std::vector<CaseFolder>> selected = select_cases(*suite, options.selection);
   if (!selected.ok()) return selected.error();
+  Selection whole = options.selection;
+  whole.shard = whole.shards = 1;
+  const Result<std::vector<CaseFolder>> all = select_cases(*suite, whole);
+  if (!all.ok()) return all.error();
   SuiteResult result;
+  result.selected = all->size();
   result.suite = options.suite.string();
+  result.run = this_program();
   result.shard = options.selection.shard;
   result.shards = options.selection.shards;
   result.problems = suite->problems;
@@ -72,7 +81,7 @@ Result<SuiteResult> check_suite(const CheckOptions& options) {
     if (Status ok = prepare_report(options.suite, options.report, options.junit); !ok.ok()) return ok.error();
     remove_old_files(options.report, folders);
   }
-  const RunOptions run = {options.suite, options.require, options.report};
+  const RunOptions run = {options.suite, options.require, options.report, {}};
   const bool finished = process::run_jobs(
       folders.size(),
       [&](std::size_t i) {
@@ -88,6 +97,7 @@ Result<SuiteResult> check_suite(const CheckOptions& options) {
   if (result.cases.size() != folders.size()) return cannot_finish("a case was lost: fewer results than cases");
   std::ranges::sort(result.cases, {}, &CaseResult::name);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.run.seconds = result.seconds;
   return result;
 }
 

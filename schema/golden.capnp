@@ -25,6 +25,19 @@ struct Expected {
   states @15 :List(State);
   track @16 :List(TrackPoint);
   phaseHashVersion @17 :UInt32 = 1;  # as in the header of a log
+  sceneText @18 :Text;          # scene.toml when it was blessed, for people: names the lines that change
+  provenance @19 :Provenance;   # null: blessed before goldens had one
+}
+
+# Where a golden comes from: for people, decides nothing. Empty texts are not known.
+struct Provenance {
+  commit @0 :Text;
+  tree @1 :Text;                # "clean" or "changed"
+  compiler @2 :Text;
+  flags @3 :Text;
+  machine @4 :Text;
+  date @5 :Text;                # UTC, ISO 8601
+  seconds @6 :Float64;          # that the session took
 }
 
 # Which bodies differ at a step: a hash of the visible state of each.

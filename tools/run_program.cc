@@ -14,6 +14,7 @@
 #include "src/world/float_environment.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
+#include "tools/output/clean_streams.h"
 #include "tools/output/exit.h"
 #include "tools/output/text.h"
 
@@ -121,6 +122,8 @@ Exit run(std::vector<std::string> arguments) {
 }  // namespace
 
 Exit run_program(std::vector<std::string> arguments) {
+  const CleanStream out(std::cout);
+  const CleanStream err(std::cerr);
   try {
     const Exit exit = run(std::move(arguments));
     std::cout.flush();

@@ -6,7 +6,9 @@
 #include <numeric>
 #include <system_error>
 
+#include "golden/bless/from_report.h"
 #include "golden/expected/expected_file.h"
+#include "golden/judge/case_json.h"
 #include "golden/run/longest_first.h"
 #include "golden/run/run_case.h"
 #include "golden/suite/parse_rules.h"
@@ -24,14 +26,12 @@ std::string hand_over(const CaseRun& run) {
   std::string golden;
   std::string pictures;
   Json json = to_json(run.result);
-  json["complete"] = run.complete;
   if (run.complete) {
     const Result<std::vector<std::byte>> bytes = pack(run.actual);
     if (bytes.ok()) {
       golden.assign(reinterpret_cast<const char*>(bytes->data()), bytes->size());
     } else {
-      json["complete"] = false;
-      json["problems"].push_back(bytes.error().message);
+      json["bless_refused"] = bytes.error().message;
     }
   }
   json["picture_bytes"] = Json::array();
@@ -49,28 +49,26 @@ std::string hand_over(const CaseRun& run) {
 struct Handed {
   CaseFolder folder;
   CaseResult result;
-  bool complete = false;
   std::string golden;
   std::vector<std::string> pictures;  // one a [[picture]]; empty where it could not be drawn
   std::string rules_text;             // of the new metrics.toml
 };
 
 Handed take_over(const CaseFolder& folder, const process::JobResult& child) {
-  Handed handed{.folder = folder, .result = {}, .complete = false, .golden = {}, .pictures = {}, .rules_text = {}};
+  Handed handed{.folder = folder, .result = {}, .golden = {}, .pictures = {}, .rules_text = {}};
   if (!child.failure.empty()) {
-    handed.result.problems.push_back("its process " + child.failure);
+    handed.result.bless_refused = "its process " + child.failure;
     return handed;
   }
   const std::size_t length = std::stoul(child.output.substr(0, kLengthDigits));
   const std::string text = child.output.substr(kLengthDigits, length);
   Result<CaseResult> result = case_from_json(text);
   if (!result.ok()) {
-    handed.result.problems.push_back(result.error().message);
+    handed.result.bless_refused = result.error().message;
     return handed;
   }
   handed.result = *std::move(result);
   const Json json = Json::parse(text);
-  handed.complete = json.at("complete");
   const std::vector<std::size_t> sizes = json.at("picture_bytes");
   const std::size_t end = child.output.size() - std::accumulate(sizes.begin(), sizes.end(), std::size_t{0});
   std::size_t picture = end;
@@ -80,34 +78,6 @@ Handed take_over(const CaseFolder& folder, const process::JobResult& child) {
   }
   handed.golden = child.output.substr(kLengthDigits + length, end - kLengthDigits - length);
   return handed;
-}
-
-/// The reason why a case cannot be blessed; empty if it can.
-std::string obstacle(const Handed& handed) {
-  if (!handed.complete) {
-    return handed.result.problems.empty() ? "did not run to its end" : handed.result.problems.front();
-  }
-  for (const std::string& problem : handed.result.problems) {
-    if (problem.starts_with("unreferenced") || problem.starts_with("not finite")) return problem;
-  }
-  for (std::size_t k = 0; k < handed.pictures.size(); ++k) {
-    if (handed.pictures[k].empty())
-      return handed.result.pictures[k].rule.file() + " " + handed.result.pictures[k].message;
-  }
-  for (const MetricResult& metric : handed.result.metrics) {
-    const MetricRule& rule = metric.rule;
-    const bool above = metric.value && rule.max && !(*metric.value <= *rule.max);
-    const bool below = metric.value && rule.min && !(*metric.value >= *rule.min);
-    const bool null = !metric.value && !metric.pass;
-    if (!above && !below && !null) continue;
-    const std::string bound = above   ? ", above its max of " + rounded(*rule.max, metric.unit)
-                              : below ? ", below its min of " + rounded(*rule.min, metric.unit)
-                                      : "";
-    return rule.name + " is " + (metric.value ? rounded(*metric.value, metric.unit) : "null") + bound +
-           "; if that is right, change the bound and its reason in " + handed.folder.file(kRulesFile).string() +
-           " first";
-  }
-  return "";
 }
 
 Blessing blessing_of(const CaseResult& result, bool is_new) {
@@ -152,9 +122,10 @@ Result<std::string> new_rules(const Handed& handed, std::string& old_text) {
   return with_values(*text, path, *rules, values);
 }
 
-Result<std::vector<Handed>> run_all(const BlessOptions& options, const std::vector<CaseFolder>& folders) {
+Result<std::vector<Handed>> run_all(const BlessOptions& options, const std::vector<CaseFolder>& folders,
+                                    const RecordedCases& recorded) {
   std::vector<Handed> handed;
-  const RunOptions run = {options.suite, {}, {}};
+  const RunOptions run = {options.suite, {}, {}, recorded};
   const bool finished = process::run_jobs(
       folders.size(), [&](std::size_t i) { return hand_over(run_case(folders[i], run)); },
       [&](std::size_t i, const process::JobResult& child) { handed.push_back(take_over(folders[i], child)); },
@@ -162,7 +133,7 @@ Result<std::vector<Handed>> run_all(const BlessOptions& options, const std::vect
   if (!finished) return cannot_finish("interrupted; nothing was blessed");
   std::ranges::sort(handed, {}, [](const Handed& h) { return h.folder.name; });
   for (const Handed& one : handed) {
-    const std::string why = obstacle(one);
+    const std::string& why = one.result.bless_refused;
     if (!why.empty()) return bad_input(one.folder.name + ": " + why + "; nothing was blessed");
   }
   return handed;
@@ -185,11 +156,21 @@ Result<BlessReport> bless_cases(const BlessOptions& options) {
   if (Status ok = check_reason(options.reason); !ok.ok()) return ok.error();
   const Result<Suite> suite = open_suite(options.suite);
   if (!suite.ok()) return suite.error();
+  RecordedCases recorded;
   Selection chosen;
   chosen.names = options.names;
+  if (!options.report.empty()) {
+    Result<RecordedCases> opened = open_report(options.report, options.suite);
+    if (!opened.ok()) return opened.error();
+    recorded = *std::move(opened);
+    // All of a report are the cases that failed there.
+    for (const auto& [name, one] : recorded) {
+      if (options.names.empty()) chosen.names.push_back(name);
+    }
+  }
   Result<std::vector<CaseFolder>> folders = select_cases(*suite, chosen);
   if (!folders.ok()) return folders.error();
-  Result<std::vector<Handed>> handed = run_all(options, longest_first(*std::move(folders)));
+  Result<std::vector<Handed>> handed = run_all(options, longest_first(*std::move(folders)), recorded);
   if (!handed.ok()) return handed.error();
 
   BlessReport report;

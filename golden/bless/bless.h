@@ -17,6 +17,8 @@ struct BlessOptions {
   std::string reason;              ///< one line
   bool dry_run = false;            ///< reports the changes and writes nothing
   process::PoolOptions pool;
+  std::filesystem::path report =
+      {};  ///< of a check elsewhere, whose sessions are accepted instead; empty: cases are run
 };
 
 struct BlessReport {

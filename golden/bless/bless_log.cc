@@ -118,6 +118,11 @@ Result<BlessReport> bless_log(const NewCase& options) {
   const CaseRules rules = first_rules();
   Judged judged = judge(*log, {rules, nullptr, scene_hash(*scene), session->continuation});
   if (!judged.result.problems.empty()) return bad_input(options.log + ": " + judged.result.problems.front());
+  if (std::ranges::none_of(judged.values, [](const std::optional<double>& value) { return value.has_value(); })) {
+    return bad_input(options.log + ": every metric of a new case reads null, so that nothing would be judged");
+  }
+  judged.actual.scene_text = *text;
+  judged.actual.provenance = this_program();
   const Result<std::vector<std::byte>> golden = pack(judged.actual);
   if (!golden.ok()) return golden.error();
 

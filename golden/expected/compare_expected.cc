@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <variant>
 
 #include "src/base/check.h"
 #include "src/base/text.h"
@@ -16,6 +16,12 @@ constexpr double kTrackGrain = 0.001;  // m: rounding alone can make half of thi
 std::string number(std::uint64_t value) { return std::to_string(value); }
 
 std::string length_text(double metres) { return significant(metres, 3) + " m"; }
+
+std::string unit_of(const std::string& field) {
+  if (field.starts_with("position")) return "m";
+  if (field.starts_with("velocity")) return "m/s";
+  return field.starts_with("spin") ? "rad/s" : "";
+}
 
 /// The entry of a step in a list that ascends, or null.
 template <class T>
@@ -45,6 +51,11 @@ std::string different_bodies(const BodyHashes& expected, const BodyHashes& actua
 
 }  // namespace
 
+std::string describe(const Apart& apart) {
+  const std::string where = " (body " + number(apart.body) + ", step " + number(apart.step) + ")";
+  return (std::isfinite(apart.metres) ? length_text(apart.metres) + " apart" : "not a number") + where;
+}
+
 std::string describe(const FirstDifference& difference) {
   std::string text = "step " + number(difference.step);
   if (difference.substep) text += ", substep " + number(*difference.substep);
@@ -68,7 +79,8 @@ ExpectedComparer::ExpectedComparer(const Expected& expected, const replay::LogHe
 
 void ExpectedComparer::note_first(std::uint64_t step, const std::string& phase, std::optional<std::uint32_t> substep) {
   if (!first_)
-    first_ = FirstDifference{.step = step, .substep = substep, .phase = phase, .states_from = {}, .details = {}};
+    first_ = FirstDifference{
+        .step = step, .substep = substep, .phase = phase, .states_from = {}, .details = {}, .apart = {}};
 }
 
 void ExpectedComparer::add(const replay::StepRecord& record) {
@@ -86,6 +98,7 @@ void ExpectedComparer::add(const replay::StepRecord& record) {
     if (!first_->states_from) first_->states_from = record.step;
   }
   if (first_ && first_->states_from) look_closer(record);
+  follow_state(record);
   follow_track(record);
 }
 
@@ -121,10 +134,35 @@ void ExpectedComparer::look_closer(const replay::StepRecord& record) {
   if (wanted == nullptr) return;
   std::optional<replay::Divergence> divergence = replay::first_difference(wanted->states, record.states);
   if (!divergence) return;
+  const double* wanted_number = std::get_if<double>(&divergence->expected);
+  const double* found_number = std::get_if<double>(&divergence->actual);
+  std::string size;  // comes first: how much says more than how many ULPs
+  if (wanted_number != nullptr && found_number != nullptr) {
+    size = ", " + rounded(std::fabs(*found_number - *wanted_number), unit_of(divergence->field));
+  }
   const std::string body = divergence->body ? "body " + number(*divergence->body) + ", " : "";
-  field_detail_ = "at step " + number(record.step) + ", " + body + divergence->field + ": expected " +
+  field_detail_ = "at step " + number(record.step) + ", " + body + divergence->field + size + ": expected " +
                   replay::to_string(divergence->expected) + ", actual " + replay::to_string(divergence->actual);
   if (divergence->ulps) field_detail_ += " (" + number(*divergence->ulps) + " ULPs apart)";
+}
+
+void ExpectedComparer::note_apart(double metres, std::uint64_t step, sim::BodyId body) {
+  const double known = std::isnan(metres) ? INFINITY : metres;  // no number is further away than any
+  if (known > apart_.metres) apart_ = {known, step, body};
+}
+
+/// The full states that a golden keeps tell the size of a difference below the millimetres of the track.
+void ExpectedComparer::follow_state(const replay::StepRecord& record) {
+  const KeyState* wanted = first_ ? at_step(expected_.states, record.step) : nullptr;
+  if (wanted == nullptr) return;
+  const replay::BodyStates& states = record.states;
+  std::size_t row = 0;
+  for (std::size_t i = 0; i < wanted->states.size(); ++i) {
+    const sim::BodyId id = wanted->states.id[i];
+    while (row < states.size() && states.id[row] < id) ++row;
+    if (row == states.size() || states.id[row] != id) continue;
+    note_apart(sim::length(states.position[row] - wanted->states.position[i]), record.step, id);
+  }
 }
 
 /// Positions are kept to the millimetre and decide nothing: the track tells a person whether a difference of bits has
@@ -140,12 +178,8 @@ void ExpectedComparer::follow_track(const replay::StepRecord& record) {
     const double dx = states.position.x[row] - point->x[i] / 1000.0;
     const double dy = states.position.y[row] - point->y[i] / 1000.0;
     const double dz = states.position.z[row] - point->z[i] / 1000.0;
-    const double root = std::sqrt(dx * dx + dy * dy + dz * dz);
-    const double distance = std::isnan(root) ? std::numeric_limits<double>::infinity() : root;
-    if (!(distance > apart_)) continue;
-    apart_ = distance;
-    apart_step_ = record.step;
-    apart_body_ = point->id[i];
+    const double distance = std::sqrt(dx * dx + dy * dy + dz * dz);
+    if (!(distance <= 2 * kTrackGrain)) note_apart(distance, record.step, point->id[i]);
   }
 }
 
@@ -161,9 +195,10 @@ std::optional<FirstDifference> ExpectedComparer::finish(const Hash128& continuat
   for (const std::string& detail : {bodies_detail_, field_detail_}) {
     if (!detail.empty()) first_->details.push_back(detail);
   }
-  if (apart_ > 2 * kTrackGrain) {
-    first_->details.push_back("largest distance from an expected position: body " + number(apart_body_) + ", " +
-                              length_text(apart_) + " at step " + number(apart_step_) + " (coarse track)");
+  if (apart_.metres > 0) {
+    first_->apart = apart_;
+    first_->details.insert(first_->details.begin(),
+                           "largest distance from an expected position: " + describe(apart_) + ", of the steps kept");
   }
   return first_;
 }

@@ -10,6 +10,17 @@
 
 namespace tumble::golden {
 
+/// The largest distance found between a body and its expected position.
+struct Apart {
+  double metres = 0;  ///< infinite where a position is not a number
+  std::uint64_t step = 0;
+  sim::BodyId body = 0;
+  friend bool operator==(const Apart&, const Apart&) = default;
+};
+
+/// "2.4 m apart (body 71, step 300)", "not a number (body 71, step 300)".
+std::string describe(const Apart& apart);
+
 /// The first difference between a session and its golden, for people and programs.
 struct FirstDifference {
   std::uint64_t step = 0;
@@ -17,6 +28,8 @@ struct FirstDifference {
   std::string phase;  ///< "find_contacts", …; "start", "inputs or counters", "step", "hidden state"
   std::optional<std::uint64_t> states_from;  ///< the first step whose state differs; none: no state does
   std::vector<std::string> details;  ///< sentences: bodies and fields at the nearest stored state, how far apart
+  std::optional<Apart>
+      apart;  ///< none: no position that the golden keeps differs, to the millimetre between its states
 };
 
 /// One sentence: "step 12, phase find_contacts; states differ from step 13".
@@ -41,6 +54,8 @@ class ExpectedComparer {
   void compare_words(const replay::StepRecord& record);
   void look_closer(const replay::StepRecord& record);
   void follow_track(const replay::StepRecord& record);
+  void follow_state(const replay::StepRecord& record);
+  void note_apart(double metres, std::uint64_t step, sim::BodyId body);
   void note_first(std::uint64_t step, const std::string& phase, std::optional<std::uint32_t> substep = {});
 
   const Expected& expected_;
@@ -52,9 +67,7 @@ class ExpectedComparer {
   std::string bodies_detail_;
   std::string field_detail_;
   std::vector<std::string> notes_;
-  double apart_ = 0;  // along the track, m
-  std::uint64_t apart_step_ = 0;
-  sim::BodyId apart_body_ = 0;
+  Apart apart_;
 };
 
 }  // namespace tumble::golden

@@ -114,7 +114,7 @@ Milestones choose_milestones(std::uint64_t steps, std::size_t bodies) {
 
 ExpectedBuilder::ExpectedBuilder(const replay::LogHeader& header, std::uint64_t steps, const Hash128& scene)
     : milestones_(choose_milestones(steps, header.scene.boxes.size())) {
-  expected_.tool_version = TUMBLE_VERSION;
+  expected_.provenance.version = TUMBLE_VERSION;
   expected_.method = header.method;
   expected_.method_version = header.method_version;
   expected_.scene = scene;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "golden/expected/provenance.h"
 #include "tumble/replay/step_record.h"
 #include "tumble/sim/hash.h"
 #include "tumble/sim/result.h"
@@ -36,7 +37,6 @@ struct TrackPoint {
 enum class PhaseDetail : std::uint8_t { kNone = 0, kStep = 1, kSubstep = 2 };
 
 struct Expected {
-  std::string tool_version;
   std::string method;
   std::uint32_t method_version = 0;
   Hash128 scene;                          ///< scene_hash()
@@ -50,6 +50,8 @@ struct Expected {
   std::vector<BodyHashes> body_hashes;  ///< ascending step
   std::vector<KeyState> states;         ///< ascending step
   std::vector<TrackPoint> track;        ///< ascending step
+  std::string scene_text;               ///< scene.toml when it was blessed; empty: not kept
+  Provenance provenance;                ///< of the run that was blessed; an old golden has a version alone
 
   [[nodiscard]] std::uint64_t steps() const { return state_hashes.empty() ? 0 : state_hashes.size() - 1; }
   friend bool operator==(const Expected&, const Expected&) = default;

@@ -74,8 +74,20 @@ void encode_track(const TrackPoint& point, schema::TrackPoint::Builder out) {
   encode_coordinate(point.z, out.initZ(bytes_for(point.z.size(), 4)));
 }
 
+void encode_provenance(const Provenance& from, schema::Provenance::Builder out) {
+  out.setCommit(from.commit);
+  out.setTree(from.tree);
+  out.setCompiler(from.compiler);
+  out.setFlags(from.flags);
+  out.setMachine(from.machine);
+  out.setDate(from.date);
+  out.setSeconds(from.seconds);
+}
+
 void encode_root(const Expected& expected, schema::Expected::Builder out) {
-  out.setToolVersion(expected.tool_version);
+  out.setToolVersion(expected.provenance.version);
+  out.setSceneText(expected.scene_text);
+  if (!expected.provenance.date.empty()) encode_provenance(expected.provenance, out.initProvenance());
   out.setMethod(expected.method);
   out.setMethodVersion(expected.method_version);
   out.setSceneLow(expected.scene.low);
@@ -184,9 +196,23 @@ Status decode_list(const char* what, List in, std::uint64_t steps, std::vector<T
   return {};
 }
 
+Provenance decode_provenance(schema::Provenance::Reader in) {
+  Provenance out;
+  out.commit = in.getCommit().cStr();
+  out.tree = in.getTree().cStr();
+  out.compiler = in.getCompiler().cStr();
+  out.flags = in.getFlags().cStr();
+  out.machine = in.getMachine().cStr();
+  out.date = in.getDate().cStr();
+  out.seconds = in.getSeconds();
+  return out;
+}
+
 Result<Expected> decode_root(schema::Expected::Reader in) {
   Expected out;
-  out.tool_version = in.getToolVersion().cStr();
+  out.scene_text = in.getSceneText().cStr();
+  if (in.hasProvenance()) out.provenance = decode_provenance(in.getProvenance());
+  out.provenance.version = in.getToolVersion().cStr();
   out.method = in.getMethod().cStr();
   out.method_version = in.getMethodVersion();
   out.phase_hash_version = in.getPhaseHashVersion();

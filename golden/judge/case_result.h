@@ -2,19 +2,17 @@
 
 #include <array>
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "golden/expected/compare_expected.h"
+#include "golden/expected/provenance.h"
 #include "golden/suite/case_rules.h"
+#include "golden/suite/scene_changes.h"
 
 /// The result of judging one case: plain data, as report.json has it.
 namespace tumble::golden {
-
-/// Keys stay in the order in which they are set.
-using Json = nlohmann::ordered_json;
 
 enum class Outcome : std::uint8_t {
   kNone = 0,  ///< nothing to judge yet; a failure where it is required
@@ -57,22 +55,19 @@ struct CaseResult {
   std::vector<MetricResult> metrics;
   std::vector<PictureResult> pictures;
   std::optional<FirstDifference> difference;
+  std::vector<SceneChange> scene_changes;  ///< of scene.toml since it was blessed; empty where the golden has no text
+  std::optional<Provenance> blessed_by;    ///< none: there is no golden
+  std::string continuation;            ///< hash of the hidden state after the last step; zeros where it is not known
   std::string final_hash;              ///< of the session judged; empty if there was none
   std::vector<std::string> artifacts;  ///< files left for a person, relative to the report folder
   std::string reproduce;               ///< the command line that records the session
-  std::string bless;                   ///< the command line that accepts it
+  std::string bless;                   ///< the command line that accepts it; empty if bless would refuse
+  std::string bless_refused;           ///< why bless would refuse; empty if it would not
 
   [[nodiscard]] const Verdict& verdict(VerdictKind kind) const { return verdicts[static_cast<std::size_t>(kind)]; }
   Verdict& verdict(VerdictKind kind) { return verdicts[static_cast<std::size_t>(kind)]; }
   /// No problem, and every required verdict passed.
   [[nodiscard]] bool passed() const;
 };
-
-/// The case in a few words: "same bits, same behaviour"; "bits moved, behaviour same"; "crashed: SIGSEGV".
-std::string summary(const CaseResult& result);
-
-Json to_json(const CaseResult& result);
-/// Errors (kCannotFinish): text that to_json() did not make.
-Result<CaseResult> case_from_json(const std::string& text);
 
 }  // namespace tumble::golden

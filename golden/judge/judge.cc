@@ -1,5 +1,7 @@
 #include "golden/judge/judge.h"
 
+#include <algorithm>
+
 #include "golden/judge/judge_metrics.h"
 #include "golden/suite/metric_values.h"
 #include "replay/format/not_finite.h"
@@ -9,6 +11,8 @@ namespace tumble::golden {
 namespace {
 
 constexpr const char* kExactValues = "exact values: record a full log with the command below and compare it by diff";
+
+constexpr std::size_t kLinesNamed = 4;  // of a scene, in a message; JSON and page have all
 
 std::string number(std::uint64_t value) { return std::to_string(value); }
 
@@ -35,6 +39,8 @@ class Pass {
     if (lost_) result.problems.push_back("not finite: " + to_string(*lost_));
     result.bodies = bodies_;
     result.final_hash = to_string(final_hash_);
+    result.continuation = to_string(reference_.continuation);
+    if (reference_.expected != nullptr) result.blessed_by = reference_.expected->provenance;
     judged.actual = builder_.finish(reference_.continuation);
     judge_exact(result);
     judge_behaviour(judged);
@@ -86,8 +92,7 @@ class Pass {
       return;
     }
     if (expected.scene != reference_.scene) {
-      result.problems.emplace_back(
-          "stale: scene.toml is not the scene that was blessed; bless the case if the change is meant, else undo it");
+      judge_scene(result, expected);
     }
     const bool same_words = expected.phase_hash_version == log_.header().phase_hash_version;
     if (!same_words) {
@@ -105,6 +110,25 @@ class Pass {
     }
     exact = {Outcome::kFail, "first difference: " + describe(*result.difference)};
     result.difference->details.emplace_back(kExactValues);
+  }
+
+  /// Names the lines of scene.toml that changed since.
+  void judge_scene(CaseResult& result, const Expected& expected) {
+    std::string words = "stale: scene.toml is not the scene that was blessed";
+    if (expected.scene_text.empty()) {
+      words += " (its golden is older than the goldens that keep the scene's text: git's history of scene.toml has it)";
+    } else if (!reference_.scene_text.empty()) {
+      result.scene_changes = scene_changes(expected.scene_text, reference_.scene_text);
+      for (std::size_t k = 0; k < std::min(result.scene_changes.size(), kLinesNamed); ++k) {
+        words += (k == 0 ? ": " : ", ") + describe(result.scene_changes[k]);
+      }
+      if (result.scene_changes.size() > kLinesNamed) {
+        words += ", and " + number(result.scene_changes.size() - kLinesNamed) + " more lines";
+      }
+      if (result.scene_changes.empty())
+        words += ", and yet no line of it that counts changed: scenes are read otherwise";
+    }
+    result.problems.push_back(words + "; bless the case if the change is meant, else undo it");
   }
 
   void judge_behaviour(Judged& judged) {

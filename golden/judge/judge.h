@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "golden/expected/expected.h"
 #include "golden/judge/case_result.h"
@@ -16,6 +17,7 @@ struct Reference {
   const Expected* expected = nullptr;  ///< null: there is none, which fails
   Hash128 scene;                       ///< scene_hash() of scene.toml as it is now
   Hash128 continuation;                ///< of the last state; zero where it is not known
+  std::string_view scene_text = {};    ///< of scene.toml as it is now: names the lines that changed
 };
 
 /// A judged session.

@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "golden/judge/change.h"
 #include "golden/suite/metric_values.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
 
 namespace tumble::golden {
 namespace {
-
-/// Metrics use the C library's trigonometry, whose last bits vary from machine to machine.
-constexpr double kSameValue = 1e-9;
-
-bool is_same(double a, double b) { return std::fabs(a - b) <= kSameValue * std::max(std::fabs(a), std::fabs(b)); }
 
 std::string beyond(const char* side, double value, double bound, const std::string& unit) {
   return std::string(side) + " the bound by " + rounded(std::fabs(value - bound), unit);
@@ -23,6 +19,7 @@ std::string beyond(const char* side, double value, double bound, const std::stri
 std::string fault_of(const MetricRule& rule, const std::optional<double>& value, const std::string& unit,
                      bool same_bits) {
   if (!value) {
+    if (rule.value && same_bits) return "null although no bit moved: the measuring changed";
     if (rule.may_be_null) return "";
     return "null: the question makes no sense for this session (may_be_null = true allows that)";
   }
@@ -30,14 +27,28 @@ std::string fault_of(const MetricRule& rule, const std::optional<double>& value,
   if (rule.max && !(*value <= *rule.max)) return beyond("above", *value, *rule.max, unit);
   if (rule.min && !(*value >= *rule.min)) return beyond("below", *value, *rule.min, unit);
   if (!rule.value && !rule.may_be_null) return "no value yet: bless the case";
-  const bool same = rule.value && is_same(*value, *rule.value);
+  const bool same = rule.value && is_same_value(*value, *rule.value);
   if (same_bits && !same) return "another value although no bit moved: the measuring changed";
   return "";
 }
 
-std::string movement_of(const MetricRule& rule, const std::optional<double>& value, const std::string& unit) {
-  if (!value || !std::isfinite(*value) || !rule.value || is_same(*value, *rule.value)) return "";
-  return "moved by " + rounded(*value - *rule.value, unit);
+std::string movement_of(const MetricResult& metric) {
+  if (!has_moved(metric)) return "";
+  if (!metric.value || !metric.rule.value) return "moved: " + movement_text(metric);
+  return "moved by " + rounded(*metric.value - *metric.rule.value, metric.unit);
+}
+
+/// The words for metrics that all passed. A metric that reads null was allowed to and judged nothing.
+Verdict passed(const std::vector<MetricResult>& metrics) {
+  const auto null = std::ranges::count_if(metrics, [](const MetricResult& m) { return !m.value; });
+  const auto moved = std::ranges::count_if(metrics, has_moved);
+  const auto total = std::ssize(metrics);
+  if (null == total) return {Outcome::kFail, "nothing was judged: every metric reads null"};
+  std::string words = count_text(static_cast<std::uint64_t>(total - null), "metric") + " within bounds";
+  if (null > 0) words += ", " + std::to_string(null) + " more null and not judged";
+  const MetricResult* most = most_moved(metrics);
+  if (most == nullptr) return {Outcome::kPass, words + ", none moved"};
+  return {Outcome::kPass, words + ", " + std::to_string(moved) + " moved, most: " + movement_text(*most)};
 }
 
 }  // namespace
@@ -45,27 +56,20 @@ std::string movement_of(const MetricRule& rule, const std::optional<double>& val
 Verdict judge_metrics(const CaseRules& rules, const std::vector<std::optional<double>>& values, bool same_bits,
                       std::vector<MetricResult>& out) {
   SIM_CHECK(values.size() == rules.metrics.size(), values.size(), rules.metrics.size());
-  std::size_t failed = 0;
-  std::size_t moved = 0;
   for (std::size_t k = 0; k < rules.metrics.size(); ++k) {
     MetricResult metric;
     metric.rule = rules.metrics[k];
     metric.unit = metric_unit(metric.rule.name);
     metric.value = values[k];
     const std::string fault = fault_of(metric.rule, metric.value, metric.unit, same_bits);
-    const std::string movement = movement_of(metric.rule, metric.value, metric.unit);
     metric.pass = fault.empty();
-    metric.message = metric.pass ? movement : fault;
-    failed += metric.pass ? 0U : 1U;
-    moved += movement.empty() ? 0U : 1U;
+    metric.message = metric.pass ? movement_of(metric) : fault;
     out.push_back(std::move(metric));
   }
-  const std::string total = std::to_string(rules.metrics.size());
   if (rules.metrics.empty()) return {Outcome::kFail, "no metric: nothing to compare"};
-  if (failed > 0) return {Outcome::kFail, std::to_string(failed) + " of " + total + " metrics failed"};
-  std::string words = "all " + total + " metrics within bounds";
-  if (moved > 0) words += ", " + std::to_string(moved) + " moved";
-  return {Outcome::kPass, words};
+  const auto failed = std::ranges::count_if(out, [](const MetricResult& m) { return !m.pass; });
+  if (failed == 0) return passed(out);
+  return {Outcome::kFail, std::to_string(failed) + " of " + std::to_string(rules.metrics.size()) + " metrics failed"};
 }
 
 }  // namespace tumble::golden

@@ -3,6 +3,19 @@
 #include <algorithm>
 
 namespace tumble::golden {
+namespace {
+
+/// "43 unchanged, 2 moved within bounds". A case may pass with more than that where it requires one verdict alone.
+std::string changes_text(const SuiteResult& result) {
+  std::string text;
+  for (const Change change : {Change::kNone, Change::kWithinBounds, Change::kOutOfBounds, Change::kNotJudged}) {
+    const std::size_t n = result.with(change);
+    if (n > 0) text += (text.empty() ? "" : ", ") + std::to_string(n) + ' ' + to_string(change);
+  }
+  return text;
+}
+
+}  // namespace
 
 bool SuiteResult::canaries_caught() const {
   return !canaries.empty() && std::ranges::all_of(canaries, &CanaryResult::caught);
@@ -19,10 +32,19 @@ std::size_t SuiteResult::failed(VerdictKind kind) const {
       std::ranges::count_if(cases, [&](const CaseResult& c) { return c.verdict(kind).outcome == Outcome::kFail; }));
 }
 
+std::size_t SuiteResult::with(Change change) const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(cases, [&](const CaseResult& c) { return change_of(c) == change; }));
+}
+
 std::string headline(const SuiteResult& result) {
   const std::string total = std::to_string(result.cases.size()) + (result.cases.size() == 1 ? " case" : " cases");
   if (!result.canaries_caught()) return "a canary was not caught: no verdict of this check can be trusted";
-  if (result.passed()) return total + " passed";
+  if (result.is_empty_shard()) {
+    return "nothing was judged: shard " + std::to_string(result.shard) + " of " + std::to_string(result.shards) +
+           " has no case, of " + std::to_string(result.selected) + " in all";
+  }
+  if (result.passed()) return total + " passed: " + changes_text(result);
   std::string text = std::to_string(result.failed_cases()) + " of " + total + " failed";
   std::string verdicts;
   for (std::size_t k = 0; k < kVerdictNames.size(); ++k) {

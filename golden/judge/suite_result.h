@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "golden/judge/case_result.h"
+#include "golden/judge/change.h"
 
 /// The results of one check: its cases and its canaries.
 namespace tumble::golden {
@@ -22,20 +23,27 @@ struct SuiteResult {
   std::string suite;  ///< its folder
   std::size_t shard = 1;
   std::size_t shards = 1;
+  std::size_t selected = 0;           ///< cases of all shards together
+  Provenance run;                     ///< of this check
   double seconds = 0;                 ///< of wall time
   std::vector<CaseResult> cases;      ///< by name
   std::vector<std::string> problems;  ///< of the suite itself; each fails the check
   std::vector<CanaryResult> canaries;
 
   [[nodiscard]] bool canaries_caught() const;
-  /// Every case passed, the suite has no problem and every canary was caught.
+  /// A shard that no case fell to: nothing failed, and nothing was judged either.
+  [[nodiscard]] bool is_empty_shard() const { return cases.empty() && problems.empty() && shards > 1; }
+  /// Every case passed, the suite has no problem and every canary was caught. True for an empty shard.
   [[nodiscard]] bool passed() const;
   [[nodiscard]] std::size_t failed_cases() const;
   /// Cases whose verdict failed, required or not.
   [[nodiscard]] std::size_t failed(VerdictKind kind) const;
+  /// Cases with this change, passed or not.
+  [[nodiscard]] std::size_t with(Change change) const;
 };
 
-/// "3 of 45 cases failed: exact 2, behaviour 1" or "45 cases passed".
+/// "3 of 45 cases failed; verdicts failed: exact 2", "45 cases passed: 43 unchanged, 2 moved within bounds" or
+/// "nothing was judged: shard 5 of 5 has no case".
 std::string headline(const SuiteResult& result);
 
 }  // namespace tumble::golden

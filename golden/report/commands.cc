@@ -1,5 +1,8 @@
 #include "golden/report/commands.h"
 
+#include <filesystem>
+#include <system_error>
+
 #include "golden/run/external_engine.h"
 
 namespace tumble::golden {
@@ -12,10 +15,15 @@ std::string bisect_command(const CaseResult& result, const std::string& suite) {
   for (const VerdictKind kind : {VerdictKind::kExact, VerdictKind::kBehaviour}) {
     is_only_image = is_only_image && result.verdict(kind).outcome != Outcome::kFail;
   }
-  return "tumble bisect --good REV --bad HEAD --case " + result.name + (is_only_image ? " --image" : "");
+  return "tumble bisect --good REV --bad HEAD --case " + shell_quoted(result.name) + (is_only_image ? " --image" : "");
 }
 
 }  // namespace
+
+std::string current_folder() {
+  std::error_code error;
+  return std::filesystem::current_path(error).string();
+}
 
 std::vector<NextCommand> next_commands(const CaseResult& result, const std::string& suite) {
   const std::string where = suite == "golden" ? "" : " --suite " + shell_quoted(suite);
@@ -24,7 +32,7 @@ std::vector<NextCommand> next_commands(const CaseResult& result, const std::stri
     if (!line.empty()) commands.push_back({purpose, line});
   };
   add("To reproduce", result.reproduce);
-  add("To judge it again", "tumble check " + result.name + where);
+  add("To judge it again", "tumble check " + shell_quoted(result.name) + where);
   add("To accept it, if it is right", result.bless);
   add("To find the commit, REV being one that passed", bisect_command(result, suite));
   return commands;

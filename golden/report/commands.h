@@ -17,4 +17,7 @@ struct NextCommand {
 /// bless it; only the folder `golden` of a clone can be bisected. suite: the folder, as given to the check.
 std::vector<NextCommand> next_commands(const CaseResult& result, const std::string& suite);
 
+/// The folder that commands of a report work from: the one that the check ran in.
+std::string current_folder();
+
 }  // namespace tumble::golden

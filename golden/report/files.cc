@@ -6,24 +6,22 @@
 #include "golden/judge/case_series.h"
 #include "golden/report/page/script.h"
 #include "golden/suite/text_files.h"
+#include "replay/measure/metric_list.h"
 
 namespace tumble::golden {
 namespace {
 
-std::string base64(std::string_view bytes) {
-  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string out;
-  out.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](std::size_t k) {
-      return k < bytes.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[k])) : 0U;
-    };
-    const std::uint32_t word = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
-    for (const std::uint32_t shift : {18U, 12U, 6U, 0U}) out += kDigits[word >> shift & 63U];
+/// The groups of the metrics that a case judges, "energy stacking": the page draws their plots and no other.
+std::string groups_of(const CaseResult& result) {
+  std::string groups;
+  for (const char* group : {"energy", "symmetry", "stacking"}) {
+    const bool is_judged = std::ranges::any_of(result.metrics, [&](const MetricResult& metric) {
+      const replay::MetricRow* row = replay::find_metric(metric.rule.name);
+      return row != nullptr && std::string_view(row->group) == group;
+    });
+    if (is_judged) groups += (groups.empty() ? "" : " ") + std::string(group);
   }
-  const std::size_t missing = (3 - bytes.size() % 3) % 3;
-  out.replace(out.size() - missing, missing, missing, '=');
-  return out;
+  return groups;
 }
 
 }  // namespace
@@ -39,42 +37,32 @@ std::string ReportFiles::take(const std::string& path) {
   return *text;
 }
 
-std::string ReportFiles::image_source(const std::string& path) {
+Html ReportFiles::image_source(const std::string& path) {
   const std::string bytes = take(path);
-  return bytes.empty() ? path : "data:image/png;base64," + base64(bytes);
+  return bytes.empty() ? golden::path(path) : Html("data:image/png;base64,") << base64_text(bytes);
 }
 
-std::string ReportFiles::json(const std::string& path) {
-  std::string text = take(path);
-  std::string safe;
-  for (const char c : text) {
-    if (c == '<') {
-      safe += "\\u003c";  // no </script> can come of it
-    } else {
-      safe += c;
-    }
-  }
-  return safe;
-}
+Html ReportFiles::json(const std::string& path) { return json_text(take(path)); }
 
-std::string drawing_section(const CaseResult& result, ReportFiles& files) {
+Html drawing_section(const CaseResult& result, ReportFiles& files) {
   const std::string path = "cases/" + result.name + "/" + kSeriesFile;
-  if (std::ranges::find(result.artifacts, path) == result.artifacts.end()) return "";
-  const std::string json = files.json(path);
+  if (std::ranges::find(result.artifacts, path) == result.artifacts.end()) return {};
+  const Html json = files.json(path);
   if (json.empty()) {
-    return "<p class=\"soft\">Its plots are not in this page, which has enough of them; check the case alone.</p>\n";
+    return Html(
+        "<p class=\"soft\">Its plots are not in this page, which has enough of them; check the case alone.</p>\n");
   }
-  const std::string first = result.difference ? " data-first=\"" + std::to_string(result.difference->step) + "\"" : "";
-  return "<div class=\"drawing\"" + first +
-         "><p class=\"soft\">Plots and trajectories need JavaScript.</p>"
-         "<script type=\"application/json\">" +
-         json + "</script></div>\n";
+  Html out("<div class=\"drawing\"");
+  if (result.difference) out << " data-first=\"" << text(std::to_string(result.difference->step)) << "\"";
+  return out << " data-groups=\"" << text(groups_of(result)) << "\">"
+             << "<p class=\"soft\">Plots and trajectories need JavaScript.</p><script type=\"application/json\">"
+             << json << "</script></div>\n";
 }
 
-std::string script_section() {
-  std::string out = "<script>\n";
-  for (const std::string_view piece : report_script_pieces()) out += piece;
-  return out + "</script>\n";
+Html script_section() {
+  Html out("<script>");
+  for (const std::string_view piece : report_script_pieces()) out << script_of_this_program(piece);
+  return out << "</script>\n";
 }
 
 }  // namespace tumble::golden

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "golden/judge/case_result.h"
+#include "golden/report/html_text.h"
 
 namespace tumble::golden {
 
@@ -17,10 +18,10 @@ class ReportFiles {
   explicit ReportFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
   /// The source of an <img>: the picture itself, or past the limit its path. path: relative to the folder.
-  std::string image_source(const std::string& path);
+  Html image_source(const std::string& path);
 
-  /// JSON that is safe within a page's <script>; empty past the limit, or if there is none.
-  std::string json(const std::string& path);
+  /// JSON for the page's <script>; empty past the limit, or if there is none.
+  Html json(const std::string& path);
 
   /// True if anything was embedded: then the page needs its script.
   [[nodiscard]] bool is_drawn() const { return is_drawn_; }
@@ -34,9 +35,9 @@ class ReportFiles {
 };
 
 /// The place for plots and trajectories of a failed case, and the numbers for them. Empty if there are none.
-std::string drawing_section(const CaseResult& result, ReportFiles& files);
+Html drawing_section(const CaseResult& result, ReportFiles& files);
 
 /// The script element at the page's end.
-std::string script_section();
+Html script_section();
 
 }  // namespace tumble::golden

@@ -4,17 +4,12 @@
 #include <pugixml.hpp>
 #include <sstream>
 
+#include "golden/judge/change.h"
+#include "golden/report/html_text.h"
 #include "src/base/text.h"
 
 namespace tumble::golden {
 namespace {
-
-/// XML has no way to write control characters.
-std::string xml_text(std::string text) {
-  std::ranges::replace_if(
-      text, [](unsigned char c) { return c < 0x20 && c != '\n' && c != '\t'; }, '?');
-  return text;
-}
 
 std::string failure_text(const CaseResult& result) {
   std::string text;
@@ -31,19 +26,98 @@ std::string failure_text(const CaseResult& result) {
   }
   if (!result.reproduce.empty()) text += "reproduce: " + result.reproduce + '\n';
   if (!result.bless.empty()) text += "bless: " + result.bless + '\n';
-  return xml_text(text);
+  if (!result.bless_refused.empty()) text += "bless would refuse it: " + result.bless_refused + '\n';
+  return text;
 }
 
-void add_case(pugi::xml_node suite, const std::string& group, const std::string& name, double seconds,
-              const std::string& failure, const std::string& text) {
+/// One <testcase>. failure, skipped: the reason, if it failed or judged nothing; text: the details of the failure;
+/// said: what a reader of a case that passed should know.
+struct TestCase {
+  std::string group;
+  std::string name;
+  double seconds = 0;
+  std::string failure;
+  std::string text;
+  std::string skipped;
+  std::string said;
+};
+
+void add_case(pugi::xml_node suite, const TestCase& one) {
   pugi::xml_node node = suite.append_child("testcase");
-  node.append_attribute("classname") = group.c_str();
-  node.append_attribute("name") = xml_text(name).c_str();
-  node.append_attribute("time") = fixed(seconds, 3).c_str();
-  if (failure.empty()) return;
-  pugi::xml_node child = node.append_child("failure");
-  child.append_attribute("message") = xml_text(failure).c_str();
-  child.text().set(text.c_str());
+  node.append_attribute("classname") = clean_text(one.group).c_str();
+  node.append_attribute("name") = clean_text(one.name).c_str();
+  node.append_attribute("time") = fixed(one.seconds, 3).c_str();
+  if (!one.skipped.empty()) node.append_child("skipped").append_attribute("message") = clean_text(one.skipped).c_str();
+  if (!one.failure.empty()) {
+    pugi::xml_node child = node.append_child("failure");
+    child.append_attribute("message") = clean_text(one.failure).c_str();
+    child.text().set(clean_text(one.text).c_str());
+  }
+  if (!one.said.empty()) node.append_child("system-out").text().set(clean_text(one.said).c_str());
+}
+
+TestCase test_case(const CaseResult& result) {
+  TestCase one{.group = "tumble." + (result.category.empty() ? "unknown" : result.category),
+               .name = result.name,
+               .seconds = result.seconds,
+               .failure = {},
+               .text = {},
+               .skipped = {},
+               .said = {}};
+  if (!result.passed()) {
+    one.failure = summary(result);
+    one.text = failure_text(result);
+  } else if (change_of(result) != Change::kNone) {
+    one.said = std::string(to_string(change_of(result))) + ": " + summary(result);
+  }
+  return one;
+}
+
+TestCase canary_case(const SuiteResult& result) {
+  TestCase one{.group = "tumble.canaries",
+               .name = "comparisons that must fail",
+               .seconds = 0,
+               .failure = {},
+               .text = {},
+               .skipped = {},
+               .said = {}};
+  std::size_t missed = 0;
+  for (const CanaryResult& canary : result.canaries) {
+    if (canary.caught) continue;
+    ++missed;
+    one.text += canary.name + ": " + canary.message + '\n';
+  }
+  if (!result.canaries_caught()) one.failure = std::to_string(missed) + " canaries were not caught";
+  return one;
+}
+
+/// What is wrong with the suite, or that this shard of it has no case.
+TestCase suite_case(const SuiteResult& result) {
+  TestCase one{.group = "tumble.suite",
+               .name = "the suite itself",
+               .seconds = 0,
+               .failure = {},
+               .text = {},
+               .skipped = {},
+               .said = {}};
+  for (const std::string& problem : result.problems) one.text += problem + '\n';
+  if (!result.problems.empty()) one.failure = result.problems.front();
+  if (result.is_empty_shard()) one.skipped = headline(result);
+  return one;
+}
+
+/// Where this run comes from, and where the golden of each case does.
+void add_properties(pugi::xml_node suite, const SuiteResult& result) {
+  pugi::xml_node properties = suite.append_child("properties");
+  const auto add = [&](const std::string& name, const std::string& value) {
+    pugi::xml_node property = properties.append_child("property");
+    property.append_attribute("name") = clean_text(name).c_str();
+    property.append_attribute("value") = clean_text(value).c_str();
+  };
+  add("run", describe(result.run));
+  for (const CaseResult& one : result.cases) {
+    if (one.blessed_by) add("blessed " + one.name, describe(*one.blessed_by));
+  }
 }
 
 }  // namespace
@@ -53,30 +127,20 @@ std::string report_junit(const SuiteResult& result) {
   pugi::xml_node declaration = document.append_child(pugi::node_declaration);
   declaration.append_attribute("version") = "1.0";
   declaration.append_attribute("encoding") = "UTF-8";
+  std::vector<TestCase> cases;
+  for (const CaseResult& one : result.cases) cases.push_back(test_case(one));
+  cases.push_back(canary_case(result));
+  if (!result.problems.empty() || result.is_empty_shard()) cases.push_back(suite_case(result));
   pugi::xml_node suite = document.append_child("testsuites").append_child("testsuite");
   suite.append_attribute("name") = "tumble";
-  const auto missed = static_cast<std::size_t>(
-      std::ranges::count_if(result.canaries, [](const CanaryResult& canary) { return !canary.caught; }));
-  const std::size_t extra = result.problems.empty() ? 1 : 2;  // the canaries, and what is wrong with the suite itself
-  suite.append_attribute("tests") = result.cases.size() + extra;
+  suite.append_attribute("tests") = cases.size();
   suite.append_attribute("failures") =
-      result.failed_cases() + (result.canaries_caught() ? 0U : 1U) + (result.problems.empty() ? 0U : 1U);
+      std::ranges::count_if(cases, [](const TestCase& one) { return !one.failure.empty(); });
+  suite.append_attribute("skipped") =
+      std::ranges::count_if(cases, [](const TestCase& one) { return !one.skipped.empty(); });
   suite.append_attribute("time") = fixed(result.seconds, 3).c_str();
-  for (const CaseResult& one : result.cases) {
-    const std::string group = "tumble." + (one.category.empty() ? "unknown" : one.category);
-    add_case(suite, group, one.name, one.seconds, one.passed() ? "" : summary(one), failure_text(one));
-  }
-  std::string words;
-  for (const CanaryResult& canary : result.canaries) {
-    if (!canary.caught) words += canary.name + ": " + canary.message + '\n';
-  }
-  const std::string failure = result.canaries_caught() ? "" : std::to_string(missed) + " canaries were not caught";
-  add_case(suite, "tumble.canaries", "comparisons that must fail", 0, failure, xml_text(words));
-  if (!result.problems.empty()) {
-    std::string text;
-    for (const std::string& problem : result.problems) text += problem + '\n';
-    add_case(suite, "tumble.suite", "the suite itself", 0, result.problems.front(), xml_text(text));
-  }
+  add_properties(suite, result);
+  for (const TestCase& one : cases) add_case(suite, one);
   std::ostringstream out;
   document.save(out, "  ");
   return out.str();

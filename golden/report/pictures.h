@@ -1,14 +1,13 @@
 #pragma once
 
-#include <string>
-
 #include "golden/judge/case_result.h"
 #include "golden/report/files.h"
+#include "golden/report/html_text.h"
 
 namespace tumble::golden {
 
-/// The pictures of a case for index.html: their number, and for each that is not as blessed its difference, with
-/// expected, actual and difference beside each other. The page's script turns them into one picture with a slider.
-std::string picture_section(const CaseResult& result, ReportFiles& files);
+/// The pictures of a case: verdicts in words, and for each that moved expected, actual and difference. Empty if the
+/// case names none.
+Html picture_section(const CaseResult& result, ReportFiles& files);
 
 }  // namespace tumble::golden

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "golden/judge/case_json.h"
 #include "golden/judge/suite_result.h"
 #include "tumble/sim/result.h"
 

@@ -41,6 +41,13 @@ std::string engine_command(const std::string& command, const std::string& scene,
   return replaced(replaced(command, "{scene}", shell_quoted(scene)), "{log}", shell_quoted(log));
 }
 
+std::string engine_line(const std::string& command, const fs::path& suite, const std::string& name) {
+  const std::string scene = "cases/" + name + "/scene.toml";
+  const std::string log = "\"$OLDPWD\"/" + shell_quoted(name + ".tumble");
+  return "(cd " + shell_quoted(suite.string()) + " && " +
+         replaced(replaced(command, "{scene}", shell_quoted(scene)), "{log}", log) + ")";
+}
+
 Result<Session> run_engine(const std::string& command, const fs::path& suite, const std::string& scene) {
   const TemporaryFolder folder("tumble-engine");
   if (folder.path().empty()) return cannot_finish("no temporary folder for an engine's log");

@@ -15,6 +15,10 @@ std::string shell_quoted(const std::string& word);
 /// The command line with {scene} and {log} filled in.
 std::string engine_command(const std::string& command, const std::string& scene, const std::string& log);
 
+/// A line for the folder that the check ran in: the command, in the suite's folder as it runs there, for a case. Its
+/// log is left beside.
+std::string engine_line(const std::string& command, const std::filesystem::path& suite, const std::string& name);
+
 /// Runs the command by sh in the suite's folder and reads the log that it writes. Errors (kCannotFinish): a status
 /// other than 0, no log; the message has the end of its output.
 Result<Session> run_engine(const std::string& command, const std::filesystem::path& suite, const std::string& scene);

@@ -1,13 +1,16 @@
 #include "golden/run/run_case.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "golden/expected/expected_file.h"
 #include "golden/judge/case_series.h"
+#include "golden/judge/judge.h"
 #include "golden/run/external_engine.h"
+#include "golden/run/obstacle.h"
 #include "golden/run/run_session.h"
 #include "golden/suite/parse_rules.h"
 #include "golden/suite/scene_hash.h"
@@ -31,6 +34,13 @@ std::string track_csv(const Expected& expected) {
   return text;
 }
 
+constexpr std::size_t kSceneTextMax = 100'000;  // bytes: git keeps every version of every golden
+
+std::string bless_command(const CaseFolder& folder, const fs::path& suite) {
+  const std::string where = suite == "golden" ? "" : " --suite " + shell_quoted(suite.string());
+  return "tumble bless " + shell_quoted(folder.name) + where + " --reason \"…\"";
+}
+
 class CaseRunner {
  public:
   CaseRunner(const CaseFolder& folder, const RunOptions& options) : folder_(folder), options_(options) {
@@ -38,10 +48,7 @@ class CaseRunner {
     result.name = folder.name;
     result.problems = folder_problems(folder);
     result.require = options.require.value_or(CaseRules().require);
-    result.reproduce = "tumble record " + shell_quoted(scene_path()) + " -o " + folder.name + ".tumble";
-    const std::string suite = shell_quoted(options.suite.string());
-    const std::string where = suite == "golden" ? "" : " --suite " + suite;
-    result.bless = "tumble bless " + folder.name + where + " --reason \"…\"";
+    result.reproduce = reproduce_command(folder);
   }
 
   CaseRun run() {
@@ -49,6 +56,9 @@ class CaseRunner {
       read_expected();
       judge_session();
     }
+    CaseResult& result = run_.result;
+    result.bless_refused = obstacle_to_bless(run_, folder_.file(kRulesFile));
+    if (result.bless_refused.empty()) result.bless = bless_command(folder_, options_.suite);
     return std::move(run_);
   }
 
@@ -103,10 +113,11 @@ class CaseRunner {
   }
 
   void judge_session() {
+    const auto begin = std::chrono::steady_clock::now();
     const bool is_external = !run_.rules.command.empty();
-    const Result<Session> session =
-        is_external ? run_engine(run_.rules.command, options_.suite, scene_path()) : run_session(scene_, scene_text_);
-    if (is_external) run_.result.reproduce = engine_command(run_.rules.command, scene_path(), folder_.name + ".tumble");
+    const Result<Session> session = this_session(is_external);
+    provenance_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (is_external) run_.result.reproduce = engine_line(run_.rules.command, options_.suite, folder_.name);
     if (!session.ok()) {
       fail(session.error());
       return;
@@ -117,14 +128,40 @@ class CaseRunner {
       return;
     }
     const Reference reference = {run_.rules, expected_ ? &*expected_ : nullptr, scene_hash(scene_),
-                                 session->continuation};
+                                 session->continuation, scene_text_};
     Judged judged = judge(*log, reference);
     const bool measured = judged.result.problems.empty() || !judged.values.empty();
     take(std::move(judged));
+    const auto recorded = options_.recorded.find(folder_.name);
+    if (recorded != options_.recorded.end() && recorded->second.final_hash != run_.result.final_hash) {
+      run_.result.problems.emplace_back("the report's session does not end as the report says");
+      return;
+    }
     take(judge_pictures(*log, run_.rules.pictures, folder_));
     if (!session->failure.empty()) run_.result.problems.push_back(session->failure);
     run_.complete = measured && session->failure.empty() && log->condition().whole();
     if (!run_.result.passed()) leave_files(*session, *log);
+  }
+
+  /// Runs the case, or reads its session from the report of a check elsewhere.
+  Result<Session> this_session(bool is_external) {
+    const auto found = options_.recorded.find(folder_.name);
+    if (found == options_.recorded.end()) {
+      if (!options_.recorded.empty())
+        return bad_input("the report has no session of it: it passed there, or was not run");
+      return is_external ? run_engine(run_.rules.command, options_.suite, scene_path())
+                         : run_session(scene_, scene_text_);
+    }
+    provenance_ = found->second.run;
+    Result<std::vector<std::byte>> bytes = read_bytes(found->second.folder / "actual.tumble");
+    if (!bytes.ok()) return bytes.error();
+    Session session{std::make_shared<std::vector<std::byte>>(*std::move(bytes)), found->second.continuation, {}};
+    Result<replay::LogReader> log = open_session(session, folder_.name + "'s log in the report");
+    if (!log.ok()) return log.error();
+    if (!is_external && scene_hash(log->header().scene) != scene_hash(scene_)) {
+      return bad_input("the report's session is of another scene than " + scene_path());
+    }
+    return session;
   }
 
   void take(Judged&& judged) {
@@ -138,7 +175,12 @@ class CaseRunner {
     result.metrics = std::move(from.metrics);
     result.difference = std::move(from.difference);
     result.final_hash = std::move(from.final_hash);
+    result.continuation = std::move(from.continuation);
+    result.scene_changes = std::move(from.scene_changes);
+    result.blessed_by = std::move(from.blessed_by);
     run_.actual = std::move(judged.actual);
+    run_.actual.scene_text = scene_text_.size() <= kSceneTextMax ? scene_text_ : "";
+    run_.actual.provenance = provenance_;
     run_.values = std::move(judged.values);
   }
 
@@ -149,6 +191,13 @@ class CaseRunner {
     result.problems.insert(result.problems.end(), judged.problems.begin(), judged.problems.end());
     result.notes.insert(result.notes.end(), judged.notes.begin(), judged.notes.end());
     run_.pictures = std::move(judged.drawn);
+    const auto found = options_.recorded.find(folder_.name);
+    if (found == options_.recorded.end()) return;
+    for (DrawnPicture& picture : run_.pictures) {  // as the other machine drew them, where they moved there
+      const std::string stem = picture.file.substr(0, picture.file.rfind('.'));
+      Result<std::vector<std::byte>> png = read_bytes(found->second.folder / (stem + ".actual.png"));
+      if (png.ok()) picture.png = *std::move(png);
+    }
   }
 
   void leave_files(const Session& session, replay::LogReader& log) {
@@ -183,9 +232,15 @@ class CaseRunner {
   std::string scene_text_;
   sim::SceneDef scene_;
   std::optional<Expected> expected_;
+  Provenance provenance_ = this_program();
 };
 
 }  // namespace
+
+std::string reproduce_command(const CaseFolder& folder) {
+  return "tumble record " + shell_quoted(folder.file(kSceneFile).string()) + " -o " +
+         shell_quoted(folder.name + ".tumble");
+}
 
 CaseRun run_case(const CaseFolder& folder, const RunOptions& options) { return CaseRunner(folder, options).run(); }
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "golden/judge/judge.h"
-#include "golden/judge/judge_pictures.h"
+#include "golden/run/case_run.h"
+#include "golden/run/recorded_case.h"
 #include "golden/suite/suite.h"
 
 namespace tumble::golden {
@@ -15,20 +15,14 @@ struct RunOptions {
   std::filesystem::path suite;                      ///< its root
   std::optional<std::vector<VerdictKind>> require;  ///< overrides the case's own list
   std::filesystem::path report;                     ///< folder for the files of a failed case; empty: none
-};
-
-/// A case, run and judged.
-struct CaseRun {
-  CaseResult result;
-  CaseRules rules;
-  Expected actual;
-  std::vector<std::optional<double>> values;
-  std::vector<DrawnPicture> pictures;
-  bool complete = false;  ///< the session ran to its end and was measured: it could be blessed
+  RecordedCases recorded = {};  ///< sessions to judge instead of running their cases; empty: every case is run
 };
 
 /// Reads a case's files, runs its scene (or the external engine that it names) and judges the session. Every failure
 /// becomes a problem of the result.
 CaseRun run_case(const CaseFolder& folder, const RunOptions& options);
+
+/// The command line that records a case's session.
+std::string reproduce_command(const CaseFolder& folder);
 
 }  // namespace tumble::golden

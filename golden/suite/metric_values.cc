@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "replay/measure/metric_bound.h"
 #include "replay/measure/metric_list.h"
 #include "replay/measure/mirrored_pair.h"
 #include "src/base/check.h"
@@ -91,6 +92,7 @@ Result<std::vector<std::optional<double>>> MetricSet::finish(const replay::BodyS
   for (replay::Measurer& measurer : measurers_) {
     const Result<replay::Metrics> measured = measurer.finish(last);
     if (!measured.ok()) return measured.error();
+    if (Status ok = replay::check_measured(*measured); !ok.ok()) return ok.error();
     metrics.push_back(*measured);
   }
   std::vector<std::optional<double>> values;

@@ -6,6 +6,7 @@
 
 #include "golden/suite/metric_values.h"
 #include "golden/suite/text_files.h"
+#include "replay/measure/metric_bound.h"
 #include "src/base/check.h"
 #include "src/scenes/parse_toml.h"
 #include "src/scenes/table_reader.h"
@@ -63,6 +64,9 @@ MetricRule read_metric(TableReader& reader, const toml::table& table) {
   rule.max = optional_number(reader, "max");
   if (!rule.min && !rule.max) reader.fail("max", "a bound: max, min or both");
   if (rule.min && rule.max && *rule.min > *rule.max) reader.fail("min", "a number no larger than max");
+  if (replay::judges_nothing(rule.name, rule.min, rule.max)) {
+    reader.fail(rule.max ? "max" : "min", "a bound that can fail: this one holds for every session and judges nothing");
+  }
   rule.value = optional_number(reader, "value");
   rule.why = reader.text("why", "", kTextLengthMax);
   if (rule.why.find_first_not_of(' ') == std::string::npos) reader.fail("why", "the reason for the bound");
@@ -86,6 +90,9 @@ PictureRule read_picture(TableReader& reader) {
   rule.height = static_cast<int>(reader.integer("height", 240, kEdgeRule));
   rule.freezing = reader.flag("freezing", false);
   rule.far_off_max = reader.integer("far_off_max", 0, kPixelRule);
+  if (rule.far_off_max >= static_cast<std::uint64_t>(rule.width) * static_cast<std::uint64_t>(rule.height)) {
+    reader.fail("far_off_max", "fewer pixels than the picture has: this bound holds for every picture");
+  }
   rule.why = reader.text("why", "", kTextLengthMax);
   if (rule.why.find_first_not_of(' ') == std::string::npos) reader.fail("why", "the reason for the bound");
   reader.finish();

@@ -19,12 +19,14 @@ namespace fs = std::filesystem;
 constexpr std::array<const char*, 3> kCaseFiles = {kSceneFile, kRulesFile, kExpectedFile};
 constexpr std::size_t kNameLengthMax = 100;
 
-std::vector<fs::path> entries_of(const fs::path& folder) {
+/// problems: gets a sentence where the folder could not be listed to its end, so that no case is left out unseen.
+std::vector<fs::path> entries_of(const fs::path& folder, std::vector<std::string>& problems) {
   std::vector<fs::path> entries;
   std::error_code error;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
     entries.push_back(at->path());
   }
+  if (error) problems.push_back(folder.string() + ": cannot be listed: " + error.message());
   std::ranges::sort(entries);
   return entries;
 }
@@ -54,13 +56,14 @@ Result<Suite> open_suite(const fs::path& root) {
     return bad_input(root.string() + ": found no folder \"cases\" in it, wanted a suite");
   }
   Suite suite{.root = root, .cases = {}, .problems = {}};
-  for (const fs::path& entry : entries_of(cases)) {
+  for (const fs::path& entry : entries_of(cases, suite.problems)) {
     if (fs::is_directory(entry, error)) {
       suite.cases.push_back({entry.filename().string(), entry});
     } else {
       suite.problems.push_back(entry.string() + ": belongs to no case; remove it or give it a folder");
     }
   }
+  if (suite.cases.empty() && !suite.problems.empty()) return bad_input(suite.problems.front());
   if (suite.cases.empty()) return bad_input(cases.string() + ": found no case, wanted a folder for each");
   return suite;
 }
@@ -81,7 +84,7 @@ std::vector<std::string> folder_problems(const CaseFolder& folder) {
     const bool by_bless = std::string_view(wanted) == kExpectedFile;
     problems.push_back(std::string("no ") + wanted + (by_bless ? ": bless the case" : ": a case needs one"));
   }
-  for (const fs::path& entry : entries_of(folder.path)) {
+  for (const fs::path& entry : entries_of(folder.path, problems)) {
     const std::string name = entry.filename().string();
     if (std::ranges::find(kCaseFiles, name) != kCaseFiles.end() || is_picture_name(name)) continue;  // judged with them
     problems.push_back("unreferenced: nothing reads " + name + "; remove it");

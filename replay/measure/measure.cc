@@ -81,6 +81,7 @@ void Measurer::start(const StepRecord& record) {
   start_energy_ = meter_->start_energy();
   lowest_energy_ = start_energy_.total();
   metrics_.bodies = record.states.size();
+  begin_ = record.step;
   metrics_.energy.initial = start_energy_.total();
   row_.step = record.step;
   row_.time = clock_.now();
@@ -116,6 +117,8 @@ Result<Metrics> Measurer::finish(const BodyStates& last) {
     return bad_input("bodies: found none of \"" + to_string(options_.bodies) +
                      "\" that is not static, wanted some to measure");
   }
+  metrics_.measured_steps = metrics_.steps - begin_;
+  metrics_.measured_bodies = bodies_seen_;
   const StateMeasures& end = row_.state;
   SymmetryMetrics& symmetry = metrics_.symmetry;
   symmetry.lateral_max = end.lateral_max;

@@ -56,8 +56,10 @@ struct StackingMetrics {
 /// dropped: the value is NaN then. MetricRow::value() also answers so for counts. docs/metrics.md has each formula,
 /// unit and meaning; metric_list.h has the table of names.
 struct Metrics {
-  std::uint64_t bodies = 0;  ///< of the start and thrown in later, chosen or not
-  std::uint64_t steps = 0;   ///< the number of the last one
+  std::uint64_t bodies = 0;           ///< of the start and thrown in later, chosen or not
+  std::uint64_t steps = 0;            ///< the number of the last one
+  std::uint64_t measured_steps = 0;   ///< after the state with which the measuring begins
+  std::uint64_t measured_bodies = 0;  ///< the most that a state showed of those chosen, static ones left out
   SymmetryMetrics symmetry;
   EnergyMetrics energy;
   StackingMetrics stacking;
@@ -115,6 +117,7 @@ class Measurer {
   SeriesRow row_;  // of the step added last
   SessionClock clock_;
   std::uint64_t records_ = 0;
+  std::uint64_t begin_ = 0;           // the step whose state is the start
   double lowest_energy_ = 0;          // running minimum of the energy less the work of inputs, J
   std::optional<double> rest_since_;  // s
   std::size_t bodies_seen_ = 0;       // the most that a state showed of those chosen

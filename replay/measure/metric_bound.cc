@@ -1,5 +1,7 @@
 #include "replay/measure/metric_bound.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -10,6 +12,46 @@ std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(' ');
   if (first == std::string::npos) return "";
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
+/// The smallest and the largest value that a metric can have; metrics without such limits are not in the list.
+struct Range {
+  std::string_view name;
+  double low = 0;
+  double high = INFINITY;
+};
+constexpr std::array kRanges = {
+    Range{"lateral_max"},
+    Range{"lateral_rms"},
+    Range{"column_spread"},
+    Range{"mirror_error"},
+    Range{"order_error"},
+    Range{"shift_error"},
+    Range{"gain_max"},
+    Range{"bounces"},
+    Range{"drift_max"},
+    Range{"tilt_max", 0, 180},
+    Range{"lost"},
+    Range{"overlap_max"},
+    Range{"overlap_peak"},
+    Range{"ground_penetration_max"},
+    Range{"kinetic_end"},
+    Range{"ground_penetration_peak"},
+    Range{"kinetic_linear_end"},
+    Range{"kinetic_rotational_end"},
+    Range{"frozen_fraction", 0, 1},
+    Range{"rest_time"},
+};
+
+bool is_always_true(const MetricBound& bound) {
+  const bool is_upper =
+      bound.comparison == MetricBound::Comparison::kAtMost || bound.comparison == MetricBound::Comparison::kBelow;
+  const bool is_strict =
+      bound.comparison == MetricBound::Comparison::kAbove || bound.comparison == MetricBound::Comparison::kBelow;
+  // "> -1" is as empty as ">= 0"; "> 0" is not.
+  const double inclusive = is_strict ? std::nextafter(bound.bound, is_upper ? -INFINITY : INFINITY) : bound.bound;
+  const std::optional<double> value(inclusive);
+  return judges_nothing(bound.metric->name, is_upper ? std::nullopt : value, is_upper ? value : std::nullopt);
 }
 
 Error not_understood(const std::string& text) {
@@ -48,12 +90,31 @@ Result<MetricBound> parse_metric_bound(const std::string& text) {
   }
   const char* end = number.data() + number.size();
   const auto [rest, error] = std::from_chars(number.data(), end, bound.bound);
-  if (number.empty() || error != std::errc() || rest != end || bound.bound != bound.bound) return not_understood(text);
+  if (number.empty() || error != std::errc() || rest != end || !std::isfinite(bound.bound)) return not_understood(text);
   bound.metric = find_metric(name);
   if (bound.metric == nullptr) {
     return bad_input("found no metric \"" + name + "\"; 'tumble measure --json' and docs/metrics.md have the names");
   }
+  if (is_always_true(bound)) {
+    return bad_input("found \"" + text +
+                     "\", which holds for every session and judges nothing; wanted a bound that can fail");
+  }
   return bound;
+}
+
+bool judges_nothing(std::string_view name, const std::optional<double>& min, const std::optional<double>& max) {
+  const auto* const range = std::ranges::find(kRanges, name, &Range::name);
+  if (range == kRanges.end() || (!min && !max)) return false;
+  return (!min || *min <= range->low) && (!max || *max >= range->high);
+}
+
+Status check_measured(const Metrics& metrics) {
+  if (metrics.measured_steps == 0) {
+    return bad_input("found no step to judge: the measuring begins with the last state, that of step " +
+                     std::to_string(metrics.steps));
+  }
+  if (metrics.measured_bodies == 0) return bad_input("found no body to judge: every body is static, or there is none");
+  return {};
 }
 
 }  // namespace tumble::replay

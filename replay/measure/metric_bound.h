@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "replay/measure/metric_list.h"
 #include "tumble/sim/result.h"
@@ -21,8 +22,16 @@ struct MetricBound {
   [[nodiscard]] bool holds(const std::optional<double>& value) const;
 };
 
-/// Reads NAME, one of < <= > >=, and a number, with or without spaces between. Errors (kBadInput): any other text; a
-/// name that no metric has.
+/// Reads NAME, one of < <= > >=, and a finite number, with or without spaces between. Errors (kBadInput): any other
+/// text; a name that no metric has; a bound that judges nothing.
 Result<MetricBound> parse_metric_bound(const std::string& text);
+
+/// Whether a metric of that name is within these inclusive bounds whatever happens: "lost at least 0", "frozen_fraction
+/// at most 1". Such a bound judges nothing. A name that no metric has gives false.
+bool judges_nothing(std::string_view name, const std::optional<double>& min, const std::optional<double>& max);
+
+/// Bounds judge a session of at least one step with at least one body that can move. Errors (kBadInput): the session
+/// measured has less.
+Status check_measured(const Metrics& metrics);
 
 }  // namespace tumble::replay

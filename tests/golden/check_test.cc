@@ -34,7 +34,9 @@ TEST_F(OneCase, PassesAsBlessed) {
   const SuiteResult result = suite_.check();
   EXPECT_TRUE(result.passed());
   ASSERT_EQ(result.cases.size(), 1U);
-  EXPECT_EQ(summary(result.cases[0]), "same bits, behaviour same");
+  EXPECT_EQ(summary(result.cases[0]), "same bits, 2 metrics unmoved");
+  EXPECT_EQ(change_of(result.cases[0]), Change::kNone);
+  EXPECT_EQ(headline(result), "1 case passed: 1 unchanged");
   EXPECT_EQ(result.cases[0].steps, 30U);
   EXPECT_EQ(result.cases[0].bodies, 2U);
   EXPECT_FALSE(std::filesystem::exists(suite_.root() / "report" / "cases" / "fall"));
@@ -46,13 +48,19 @@ TEST_F(OneCase, BitsThatMoveWithoutBehaviourReadAsThat) {
   EXPECT_FALSE(result.passed());
   EXPECT_EQ(exact_of(result), Outcome::kFail);
   EXPECT_EQ(behaviour_of(result), Outcome::kPass);
-  EXPECT_TRUE(summary(result).starts_with("bits moved, behaviour same")) << summary(result);
+  for (const char* words :
+       {"e-09 m apart (body ", "), bits moved from step 0; 1 of 2 metrics moved within bounds, most: drift_max "}) {
+    EXPECT_NE(summary(result).find(words), std::string::npos) << summary(result);
+  }
+  EXPECT_TRUE(summary(result).ends_with("; stale")) << summary(result);
+  EXPECT_EQ(change_of(result), Change::kWithinBounds);
   EXPECT_TRUE(has_problem(result, "stale"));
   ASSERT_TRUE(result.difference);
   EXPECT_EQ(result.difference->step, 0U);
   EXPECT_EQ(result.difference->phase, "start");
   const std::string details = testing::PrintToString(result.difference->details);
-  EXPECT_NE(details.find("body 2, position.z: expected 2, actual 2.0000000010"), std::string::npos) << details;
+  EXPECT_NE(details.find("body 2, position.z, 1.004e-09 m: expected 2, actual 2.0000000010"), std::string::npos)
+      << details;
   EXPECT_TRUE(std::filesystem::exists(suite_.root() / "report" / "cases" / "fall" / "actual.tumble"));
 }
 
@@ -93,7 +101,8 @@ TEST_F(OneCase, BoundsDecideBehaviour) {
   EXPECT_FALSE(result.passed());
   EXPECT_EQ(exact_of(result), Outcome::kPass);
   EXPECT_EQ(behaviour_of(result), Outcome::kFail);
-  EXPECT_EQ(summary(result), "same bits, behaviour changed");
+  EXPECT_TRUE(summary(result).starts_with("1 of 2 metrics failed: drift_max ")) << summary(result);
+  EXPECT_TRUE(summary(result).ends_with("; same bits")) << summary(result);
   EXPECT_NE(result.metrics[0].message.find("above the bound by"), std::string::npos) << result.metrics[0].message;
 }
 

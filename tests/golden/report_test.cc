@@ -71,7 +71,7 @@ TEST_F(ChangedScene, SeriesHoldNoWords) {
 
 TEST_F(ChangedScene, PageOfAFailureHasTheScriptAndItsNumbers) {
   const std::string page = this->page();
-  EXPECT_EQ(count(page, "<div class=\"drawing\" data-first=\"0\">"), 1U);
+  EXPECT_EQ(count(page, "<div class=\"drawing\" data-first=\"0\" data-groups=\"stacking\">"), 1U);
   EXPECT_NE(page.find("\"expected_mm\""), std::string::npos);
   EXPECT_NE(page.find(report_script_pieces().front()), std::string::npos);
 }
@@ -121,9 +121,10 @@ TEST(ReportFiles, JsonCannotEndItsElementAndPicturesAreTakenIn) {
   suite.write(suite.root() / "cases/a.png", "\x89PNG");
   ReportFiles files(suite.root());
   EXPECT_FALSE(files.is_drawn());
-  EXPECT_EQ(files.json("cases/a.json"), R"({"a":"\u003c/script>"})");
-  EXPECT_EQ(files.image_source("cases/a.png"), "data:image/png;base64,iVBORw==");
-  EXPECT_EQ(files.image_source("cases/b.png"), "cases/b.png");
+  EXPECT_EQ(files.json("cases/a.json").bytes(), R"({"a":"\u003c/script>"})");
+  EXPECT_EQ(files.image_source("cases/a.png").bytes(), "data:image/png;base64,iVBORw==");
+  EXPECT_EQ(files.image_source("cases/b.png").bytes(), "cases/b.png");
+  EXPECT_EQ(files.image_source("cases/\"#?<.png").bytes(), "cases/%22%23%3F%3C.png");
   EXPECT_TRUE(files.is_drawn());
 }
 

@@ -6,8 +6,11 @@ import { join } from "node:path";
 /// What no page may take for anything but text.
 export const kHostile = `</script><script>window.hacked = 1</script><img src="http://127.0.0.1:9/a" onerror="hacked = 2">`;
 
-const scene = (title, thrown) => `title = '''${title}'''
-category = "impact"
+/// A case's folder: its name goes into attributes, addresses and commands.
+export const kHostileFolder = `a" onmouseover="hacked=1' <b>`;
+
+const scene = (title, thrown, category = "impact") => `title = '''${title}'''
+category = "${category}"
 [world]
 method = "layered"
 dt = 0.016666666666666666
@@ -38,7 +41,7 @@ max = ${max}
 why = '''${kHostile}'''
 ${picture ? '[[picture]]\nstep = 30\nfar_off_max = 10\nwhy = "a brick out of place"\n' : ""}`;
 
-/// program: tumble. Ten cases; "moved" (a picture, other bits) and "loose" (out of a bound) fail. Returns the page's path.
+/// program: tumble. Eleven cases; "moved" (a picture, other bits), "loose" (out of a bound) and the hostile folder (other bits) fail. Returns the page's path.
 export function make_report(program, folder) {
   const file = (name, which) => join(folder, "suite", "cases", name, which);
   const add = (name, picture) => {
@@ -47,10 +50,11 @@ export function make_report(program, folder) {
     writeFileSync(file(name, "metrics.toml"), rules(1000, picture));
   };
   const passing = Array.from({ length: 8 }, (_, i) => `passes_${i}`);
-  for (const name of ["moved", "loose", ...passing]) add(name, name === "moved");
+  for (const name of ["moved", "loose", kHostileFolder, ...passing]) add(name, name === "moved");
   execFileSync(program, ["bless", "--all", "--suite", "suite", "--reason", "a test"], { cwd: folder, stdio: "pipe" });
   writeFileSync(file("moved", "scene.toml"), scene("a cube meets a wall", "1.5"));
-  writeFileSync(file("loose", "scene.toml"), scene(kHostile, "0.0"));
+  writeFileSync(file("loose", "scene.toml"), scene(kHostile, "0.0", "energy"));
+  writeFileSync(file(kHostileFolder, "scene.toml"), scene("a cube meets a wall", "0.001"));
   const bounds = readFileSync(file("loose", "metrics.toml"), "utf8");
   writeFileSync(file("loose", "metrics.toml"), bounds.replace(/^max = .*$/m, "max = 0.001"));
   try {

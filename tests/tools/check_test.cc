@@ -41,7 +41,7 @@ TEST_F(SmallSuite, PassesWithStatusZeroAndLeavesAReport) {
   const Outcome outcome = check();
   EXPECT_EQ(outcome.exit, 0) << outcome.out << outcome.err;
   EXPECT_NE(outcome.out.find("3 cases passed"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("same bits, behaviour same"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("same bits, 1 metric unmoved"), std::string::npos) << outcome.out;
   const ordered_json report = ordered_json::parse(shop_.read("r/report.json"));
   EXPECT_EQ(report["passed"], true);
   EXPECT_EQ(report["canaries_caught"], true);
@@ -60,7 +60,7 @@ TEST_F(SmallSuite, AFailureIsStatusOneAndNamesVerdictMarginAndCommands) {
   shop_.write("s/cases/two/metrics.toml", rules);
   const Outcome outcome = check({"--junit", "elsewhere.xml"});
   EXPECT_EQ(outcome.exit, 1);
-  for (const char* words : {"FAILED  two", "same bits, behaviour changed", "above the bound by",
+  for (const char* words : {"FAILED  two", "1 of 1 metric failed: drift_max ", "above the bound by",
                             "why: they fall and topple", "tumble record s/cases/two/scene.toml -o two.tumble",
                             "tumble bless two --suite s --reason", "1 of 3 cases failed"}) {
     EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
@@ -101,6 +101,37 @@ TEST_F(SmallSuite, AnotherEngineIsJudgedByTheLogItWrites) {
   const Outcome outcome = check();
   EXPECT_EQ(outcome.exit, 1);
   EXPECT_NE(outcome.out.find("bits moved"), std::string::npos) << outcome.out;
+}
+
+// "Same" is said of bits alone: metrics within their bounds may have moved, and the words say which and by how much.
+TEST_F(SmallSuite, ACaseWithinItsBoundsIsToldFromOneThatIsUnchanged) {
+  const std::string run = std::string("[command]\nrun = \"") + TUMBLE_PROGRAM + " record {scene} -o {log} --quiet";
+  shop_.write("s/cases/two/metrics.toml", run + "\"\n" + kRules);
+  ASSERT_EQ(shop_.run({"bless", "two", "--suite", "s", "--reason", "its own engine"}).exit, 0);
+  std::string rules = shop_.read("s/cases/two/metrics.toml");
+  rules.replace(rules.find("--quiet"), 7, "--quiet --set 'world.gravity=[1.5, 0, -9.8]'");
+  shop_.write("s/cases/two/metrics.toml", rules);
+  const Outcome outcome = check({"--require", "behaviour"});
+  EXPECT_EQ(outcome.exit, 0) << outcome.out;
+  for (const char* words :
+       {" apart (body ", "bits moved from step ", "1 of 1 metric moved within bounds, most: drift_max ", " → ",
+        "3 cases passed: 2 unchanged, 1 moved within bounds"}) {
+    EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;
+  }
+  EXPECT_EQ(outcome.out.find("behaviour same"), std::string::npos) << outcome.out;
+  const ordered_json report = ordered_json::parse(shop_.read("r/report.json"));
+  EXPECT_EQ(report["changes"]["within_bounds"], 1);
+  EXPECT_EQ(report["changes"]["unchanged"], 2);
+  EXPECT_EQ(report["cases"][0]["change"], "unchanged");
+  const ordered_json& two = report["cases"][2];
+  EXPECT_EQ(two["change"], "within_bounds");
+  EXPECT_GT(two["magnitude"]["apart"]["metres"].get<double>(), 0.1);
+  EXPECT_EQ(two["magnitude"]["most"]["name"], "drift_max");
+  EXPECT_EQ(two["magnitude"]["metrics_moved"], 1);
+  EXPECT_NE(shop_.read("r/junit.xml").find("<system-out>moved within bounds: "), std::string::npos);
+  const std::string page = shop_.read("r/index.html");
+  EXPECT_NE(page.find("data-verdict=\"within_bounds\""), std::string::npos);
+  EXPECT_NE(page.find("1 of 1 metric moved within bounds"), std::string::npos);
 }
 
 TEST_F(SmallSuite, ShardsCoverTheSuiteOnce) {

@@ -54,7 +54,7 @@ std::string elapsed_text(std::chrono::seconds elapsed) {
 
 BuildProgress::Display BuildProgress::on_stderr() {
   const bool is_terminal = ::isatty(STDERR_FILENO) != 0;
-  return {std::cerr, is_terminal, is_terminal ? Clock::duration(kOnTerminal) : Clock::duration(kElsewhere)};
+  return {std::clog, is_terminal, is_terminal ? Clock::duration(kOnTerminal) : Clock::duration(kElsewhere)};
 }
 
 BuildProgress::BuildProgress(std::string log, const Display& display)

@@ -25,6 +25,7 @@ struct Options {
   std::string suite;
   std::string reason;
   std::string log;
+  std::string report;
   bool all = false;
   bool dry_run = false;
   std::optional<std::uint64_t> jobs;
@@ -37,11 +38,16 @@ Result<golden::BlessReport> run(const Options& options) {
     if (options.cases.size() != 1 || options.all) return bad_input("--from: wanted the name of one new case beside it");
     return golden::bless_log({suite, options.cases.front(), options.log, options.reason, options.dry_run});
   }
-  if (options.cases.empty() != options.all) {
+  if (options.cases.empty() != options.all && (options.report.empty() || options.all)) {
     return bad_input(options.all ? "found cases and --all, wanted one of the two"
                                  : "which cases? Give their names, or --all");
   }
-  golden::BlessOptions how{suite, options.cases, options.reason, options.dry_run, {}};
+  golden::BlessOptions how;
+  how.suite = suite;
+  how.names = options.cases;
+  how.reason = options.reason;
+  how.dry_run = options.dry_run;
+  how.report = options.report;
   how.pool.jobs = options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
   how.pool.cancel = process::InterruptGuard::interrupted;
   return golden::bless_cases(how);
@@ -67,6 +73,10 @@ Action declare_bless(Arguments& arguments) {
   arguments.flag("--all", options->all, "Every case of the suite");
   arguments.option("--reason", "TEXT", options->reason, "The reason of the change: one line for HISTORY.md").required();
   arguments.option("--from", "LOG", options->log, "Make a new case of this recorded session");
+  arguments.option(
+      "--from-report", "DIR", options->report,
+      "Accept the sessions of failed cases that the report of a check elsewhere holds, without running them; it "
+      "must be of the commit that the suite's clone is at");
   arguments.flag("--dry-run", options->dry_run, "Print the changes and write nothing");
   arguments.option("--suite", "DIR", options->suite,
                    "The suite: a folder with cases/ in it; the nearest golden/ if not given");

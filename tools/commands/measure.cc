@@ -148,6 +148,11 @@ Result<Exit> measure(const Options& options) {
   }
   Result<replay::Metrics> metrics = measure_rows(*log, *how, options);
   if (!metrics.ok()) return metrics.error();
+  if (!bounds->empty()) {
+    if (Status ok = replay::check_measured(*metrics); !ok.ok()) {
+      return bad_input("--require: " + options.log + ": " + ok.error().message);
+    }
+  }
   if (pair) {
     if (Status ok = compare_pair(*log, *pair, *metrics); !ok.ok()) return ok.error();
   }

@@ -3,6 +3,8 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "golden/judge/across_cases.h"
+#include "golden/judge/change.h"
 #include "golden/report/report.h"
 #include "tools/output/text.h"
 
@@ -41,18 +43,21 @@ void print_failure(const golden::CaseResult& result) {
   for (const std::string& note : result.notes) print_line("note", note);
   if (!result.reproduce.empty()) print_line("reproduce", result.reproduce);
   if (!result.bless.empty()) print_line("bless", result.bless);
+  if (!result.bless_refused.empty()) print_line("no bless", "bless would refuse it: " + result.bless_refused);
 }
 
 }  // namespace
 
 void print_case(const golden::CaseResult& result) {
-  std::cout << (result.passed() ? "passed  " : "FAILED  ") << padded(result.name, kNameColumns) << ' '
+  std::cout << (result.passed() ? "passed  " : "FAILED  ") << padded(printable(result.name), kNameColumns) << ' '
             << padded(printable(golden::summary(result)), 34) << ' ' << seconds_text(result.seconds) << '\n';
   if (!result.passed()) print_failure(result);
 }
 
 void print_sum(const golden::SuiteResult& result, const std::string& report) {
   for (const std::string& problem : result.problems) std::cout << "FAILED  " << printable(problem) << '\n';
+  for (const std::string& sentence : golden::across_cases(result.cases))
+    std::cout << "across  " << printable(sentence) << '\n';
   std::size_t caught = 0;
   for (const golden::CanaryResult& canary : result.canaries) {
     caught += canary.caught ? 1U : 0U;
@@ -70,7 +75,7 @@ void print_sum(const golden::SuiteResult& result, const std::string& report) {
 
 void print_blessings(const golden::BlessReport& report, bool dry_run) {
   for (const golden::Blessing& blessing : report.blessed) {
-    std::cout << (dry_run ? "would bless  " : "blessed  ") << padded(blessing.name, kNameColumns) << ' '
+    std::cout << (dry_run ? "would bless  " : "blessed  ") << padded(printable(blessing.name), kNameColumns) << ' '
               << printable(blessing.bits) << '\n';
     for (const std::string& detail : blessing.details) print_line("", detail);
     for (const golden::MetricResult& metric : blessing.metrics) {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "golden/bless/bless.h"
+#include "golden/judge/case_json.h"
 #include "golden/judge/suite_result.h"
 
 namespace tumble::tools {

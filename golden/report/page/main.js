@@ -4,6 +4,7 @@ import uplot_style from "uplot/dist/uPlot.min.css";
 import style from "./style.css";
 import { draw_plots } from "./plots.js";
 import { make_picture_viewer } from "./pictures.js";
+import { make_overview } from "./table.js";
 import { make_trajectories } from "./trajectories.js";
 import { watch_theme } from "./theme.js";
 
@@ -11,7 +12,8 @@ function draw_case(place) {
   const data = JSON.parse(place.querySelector("script").textContent);
   place.replaceChildren();
   const first = place.dataset.first === undefined ? null : Number(place.dataset.first);
-  const plots = draw_plots(place, data, first);
+  const groups = (place.dataset.groups ?? "").split(" ");
+  const plots = draw_plots(place, data, { first, groups });
   const trajectories = make_trajectories(place, data, plots.show_step);
   watch_theme(() => {
     plots.redraw();
@@ -50,5 +52,6 @@ function guarded(action) {
 const sheet = document.createElement("style");
 sheet.textContent = uplot_style + style;
 document.head.append(sheet);
+for (const table of document.querySelectorAll("table.glance")) guarded(make_overview)(table);
 for (const place of document.querySelectorAll(".drawing")) once_visible(place, guarded(draw_case));
 for (const place of document.querySelectorAll(".pictures")) guarded(make_picture_viewer)(place);

@@ -5,18 +5,19 @@ import { colours, element, joules, metres } from "./theme.js";
 
 const kHeight = 210;
 
-// Each plot's lines: a column of `actual`, and the column of `expected` that it should run through.
+// Each plot's lines: a column of `actual`, and the column of `expected` that it should run through. group: of the metrics
+// that it explains.
 const kPlots = [
-  { title: "Energy", unit: joules, lines: [
+  { title: "Energy", group: "energy", unit: joules, lines: [
     { label: "total", column: "total", source: "states" },
     { label: "potential", column: "potential", source: "track", dash: [7, 4] },
     { label: "kinetic", column: "kinetic", source: "states", dash: [2, 3] },
   ] },
-  { title: "Symmetry", unit: metres, lines: [
+  { title: "Symmetry", group: "symmetry", unit: metres, lines: [
     { label: "lateral error", column: "lateral_max", source: "track" },
     { label: "column spread", column: "column_spread", source: "track", dash: [7, 4] },
   ] },
-  { title: "Heights", unit: metres, lines: [
+  { title: "Heights", group: "stacking", unit: metres, lines: [
     { label: "highest", column: "height_max", source: "track" },
     { label: "mean", column: "height_mean", source: "track", dash: [7, 4] },
   ] },
@@ -112,26 +113,29 @@ function words_of(plot, data) {
   return `${plot.title} over steps: ${parts.join("; ")}`;
 }
 
-/// Draws all plots into a case's section. first: the step from which bits differ, or null.
-export function draw_plots(section, data, first) {
+/// Draws the plots of the groups of metrics that the case judges. first: the step from which bits differ, or null.
+export function draw_plots(section, data, { first, groups }) {
+  const plots = kPlots.filter((plot) => groups.includes(plot.group));
   const note = "Lines: this run. Rings: expected, where the golden keeps it (positions to the millimetre)." +
     (first === null ? "" : ` Dashed upright line: first difference, step ${first}.`) +
     " Drag across a plot to zoom, double-click to zoom out.";
   const grid = element("div", { className: "plots" });
-  const places = kPlots.map((plot) => {
+  const places = plots.map((plot) => {
     const place = element("div", { className: "plot" });
     place.setAttribute("role", "img");
     place.setAttribute("aria-label", words_of(plot, data));
     grid.append(element("figure", {}, element("figcaption", { textContent: plot.title }), place));
     return place;
   });
-  section.append(element("h3", { textContent: "Over the steps" }), element("p", { className: "soft", textContent: note }),
-    grid);
+  if (plots.length > 0) {
+    section.append(element("h3", { textContent: "Over the steps" }), element("p", { className: "soft", textContent: note }),
+      grid);
+  }
 
   let charts = [];
   const redraw = () => {
     for (const chart of charts) chart?.destroy();
-    charts = kPlots.map((plot, i) => make_chart(plot, places[i], data, first));
+    charts = plots.map((plot, i) => make_chart(plot, places[i], data, first));
     charts.forEach((chart, i) => { places[i].parentElement.hidden = chart === null; });
   };
   redraw();

@@ -18,6 +18,7 @@ p, ul { margin: .3rem 0; }
 .soft { color: var(--soft); }
 .banner { padding: 1rem 1.25rem; border-radius: .5rem; border-left: .5rem solid; }
 .banner.pass { background: var(--good-panel); border-color: var(--good); }
+.banner.none { background: var(--panel); border-color: var(--soft); }
 .banner.fail { background: var(--bad-panel); border-color: var(--bad); }
 .tiles { display: grid; grid-template-columns: repeat(auto-fit, minmax(11rem, 1fr)); gap: .75rem; margin: 1rem 0; padding: 0;
   list-style: none; }
@@ -42,6 +43,11 @@ a { color: inherit; overflow-wrap: anywhere; }
 .pictures { display: flex; flex-wrap: wrap; gap: .75rem; }
 .pictures figure { margin: 0; }
 .pictures img { max-width: 100%; height: auto; }
+.filters { display: flex; flex-wrap: wrap; gap: .5rem 1rem; align-items: baseline; margin: .5rem 0; }
+.filters label { display: inline-flex; gap: .4rem; align-items: baseline; }
+.filters select, .filters input, th button { padding: .2rem .5rem; border: 1px solid var(--soft); border-radius: .4rem;
+  background: var(--panel); color: var(--ink); font: inherit; }
+th button { border: 0; padding: 0; background: none; font-weight: 600; cursor: pointer; text-align: left; }
 .chip.none { color: var(--soft); }
 .scroll { overflow-x: auto; }
 table { width: 100%; border-collapse: collapse; font-size: .92rem; }

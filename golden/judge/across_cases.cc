@@ -1,0 +1,61 @@
+#include "golden/judge/across_cases.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
+#include <utility>
+
+namespace tumble::golden {
+namespace {
+
+constexpr std::size_t kSentencesMax = 3;
+
+struct Group {
+  std::string place;
+  std::size_t cases = 0;
+};
+
+std::string decimal(std::uint64_t value) { return std::to_string(value); }
+
+/// The cases of one phase: as one group where most of them share a step, else with the range of their steps.
+std::vector<Group> groups_of_phase(const std::string& phase, const std::vector<std::uint64_t>& steps) {
+  std::map<std::uint64_t, std::size_t> counts;
+  for (const std::uint64_t step : steps) ++counts[step];
+  std::vector<Group> groups;
+  std::size_t alone = 0;
+  for (const auto& [step, count] : counts) {
+    if (count > 1) groups.push_back({"step " + decimal(step) + ", phase " + phase, count});
+    alone += count == 1 ? 1U : 0U;
+  }
+  if (alone > 0 && steps.size() > 1) {
+    groups.push_back(
+        {"phase " + phase + ", in steps " + decimal(counts.begin()->first) + " to " + decimal(counts.rbegin()->first),
+         steps.size()});
+  }
+  return groups;
+}
+
+}  // namespace
+
+std::vector<std::string> across_cases(const std::vector<CaseResult>& cases) {
+  std::map<std::string, std::vector<std::uint64_t>> steps_of_phase;
+  std::size_t moved = 0;
+  for (const CaseResult& one : cases) {
+    if (!one.difference) continue;
+    ++moved;
+    steps_of_phase[one.difference->phase].push_back(one.difference->step);
+  }
+  std::vector<Group> groups;
+  for (const auto& [phase, steps] : steps_of_phase) {
+    for (Group& group : groups_of_phase(phase, steps)) groups.push_back(std::move(group));
+  }
+  std::ranges::stable_sort(groups, std::ranges::greater(), &Group::cases);
+  std::vector<std::string> sentences;
+  for (const Group& group : groups) {
+    if (sentences.size() == kSentencesMax) break;
+    sentences.push_back(decimal(group.cases) + " of " + decimal(moved) + " first differ in " + group.place);
+  }
+  return sentences;
+}
+
+}  // namespace tumble::golden

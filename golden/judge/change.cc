@@ -1,0 +1,146 @@
+#include "golden/judge/change.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "src/base/text.h"
+
+namespace tumble::golden {
+namespace {
+
+/// Metrics use the C library's trigonometry, whose last bits vary from machine to machine.
+constexpr double kSameValue = 1e-9;
+constexpr int kDigits = 4;
+constexpr int kDigitsMax = 17;
+
+/// How far a metric moved, as a part of the largest number that it is judged by. Infinite where a value came or went.
+double relative_movement(const MetricResult& metric) {
+  if (!has_moved(metric)) return 0;
+  if (!metric.value || !metric.rule.value) return INFINITY;
+  double scale = std::max(std::fabs(*metric.value), std::fabs(*metric.rule.value));
+  for (const std::optional<double>& bound : {metric.rule.min, metric.rule.max}) {
+    if (bound) scale = std::max(scale, std::fabs(*bound));
+  }
+  const double moved = std::fabs(*metric.value - *metric.rule.value) / scale;
+  return std::isnan(moved) ? INFINITY : moved;
+}
+
+std::string with_unit(const std::optional<double>& value, int digits, const std::string& unit) {
+  if (!value) return "null";
+  return significant(*value, digits) + (unit.empty() || unit == "bodies" || unit == "bounces" ? "" : " " + unit);
+}
+
+/// A problem without its advice.
+std::string short_problem(const CaseResult& result) {
+  const std::string& problem = result.problems.front();
+  return problem.starts_with("stale") || problem.starts_with("no ") ? problem.substr(0, problem.find(':')) : problem;
+}
+
+std::string bits_text(const CaseResult& result) {
+  const Outcome exact = result.verdict(VerdictKind::kExact).outcome;
+  if (exact == Outcome::kPass) return "same bits";
+  if (exact == Outcome::kNone) return "bits not judged";
+  if (!result.difference) return "bits moved";
+  const FirstDifference& difference = *result.difference;
+  const std::string size = difference.apart ? describe(*difference.apart) + ", " : "";
+  return size + "bits moved from step " + std::to_string(difference.step);
+}
+
+std::string metrics_text(const CaseResult& result) {
+  const std::string total = count_text(result.metrics.size(), "metric");
+  const auto failed = std::ranges::count_if(result.metrics, [](const MetricResult& m) { return !m.pass; });
+  const Verdict& behaviour = result.verdict(VerdictKind::kBehaviour);
+  if (behaviour.outcome == Outcome::kNone) return "metrics not judged";
+  if (behaviour.outcome == Outcome::kFail && failed == 0) return behaviour.message;
+  if (failed > 0) {
+    const auto first = std::ranges::find(result.metrics, false, &MetricResult::pass);
+    return std::to_string(failed) + " of " + total + " failed: " + movement_text(*first) + ", " + first->message;
+  }
+  const MetricResult* most = most_moved(result.metrics);
+  if (most == nullptr) return total + " unmoved";
+  return std::to_string(moved_metrics(result)) + " of " + total + " moved within bounds, most: " + movement_text(*most);
+}
+
+std::string pictures_text(const CaseResult& result) {
+  const Outcome image = result.verdict(VerdictKind::kImage).outcome;
+  if (image == Outcome::kNone) return "";
+  const auto moved =
+      std::ranges::count_if(result.pictures, [](const PictureResult& p) { return !p.pass || p.pixels > 0; });
+  if (image == Outcome::kFail) return "pictures changed";
+  return moved == 0
+             ? "same pictures"
+             : std::to_string(moved) + " of " + count_text(result.pictures.size(), "picture") + " moved within bounds";
+}
+
+}  // namespace
+
+const char* to_string(Change change) {
+  constexpr std::array kWords = {"unchanged", "moved within bounds", "out of bounds", "not judged"};
+  return kWords[static_cast<std::size_t>(change)];
+}
+
+const char* key_of(Change change) {
+  constexpr std::array kKeys = {"unchanged", "within_bounds", "out_of_bounds", "not_judged"};
+  return kKeys[static_cast<std::size_t>(change)];
+}
+
+bool is_same_value(double a, double b) { return std::fabs(a - b) <= kSameValue * std::max(std::fabs(a), std::fabs(b)); }
+
+bool has_moved(const MetricResult& metric) {
+  if (!metric.value || !metric.rule.value) return metric.value.has_value() != metric.rule.value.has_value();
+  return !is_same_value(*metric.value, *metric.rule.value);
+}
+
+std::size_t moved_metrics(const CaseResult& result) {
+  return static_cast<std::size_t>(std::ranges::count_if(result.metrics, has_moved));
+}
+
+const MetricResult* most_moved(const std::vector<MetricResult>& metrics) {
+  const MetricResult* most = nullptr;
+  for (const MetricResult& metric : metrics) {
+    if (!has_moved(metric)) continue;
+    if (most == nullptr || relative_movement(metric) > relative_movement(*most)) most = &metric;
+  }
+  return most;
+}
+
+std::string movement_text(const MetricResult& metric) {
+  const auto text = [&](int digits) {
+    return std::pair(with_unit(metric.rule.value, digits, metric.unit), with_unit(metric.value, digits, metric.unit));
+  };
+  if (!has_moved(metric)) return metric.rule.name + ' ' + text(kDigits).second;
+  int digits = kDigits;
+  while (digits < kDigitsMax && text(digits).first == text(digits).second) ++digits;
+  const auto [before, after] = text(digits);
+  return metric.rule.name + ' ' + before + " → " + after;
+}
+
+Change change_of(const CaseResult& result) {
+  const Outcome exact = result.verdict(VerdictKind::kExact).outcome;
+  const Outcome behaviour = result.verdict(VerdictKind::kBehaviour).outcome;
+  const Outcome image = result.verdict(VerdictKind::kImage).outcome;
+  if (behaviour == Outcome::kFail || image == Outcome::kFail) return Change::kOutOfBounds;
+  if (exact == Outcome::kNone || behaviour == Outcome::kNone) return Change::kNotJudged;
+  const bool pixels = std::ranges::any_of(result.pictures, [](const PictureResult& p) { return p.pixels > 0; });
+  const bool moved = exact == Outcome::kFail || moved_metrics(result) > 0 || pixels;
+  return moved ? Change::kWithinBounds : Change::kNone;
+}
+
+std::string summary(const CaseResult& result) {
+  const Outcome exact = result.verdict(VerdictKind::kExact).outcome;
+  const Outcome behaviour = result.verdict(VerdictKind::kBehaviour).outcome;
+  if (exact == Outcome::kNone && behaviour == Outcome::kNone) {
+    return result.problems.empty() ? "nothing was judged" : result.problems.front();
+  }
+  // Of two parts that say little ("same bits") the failed one comes first.
+  const bool bits_last = exact != Outcome::kFail && behaviour == Outcome::kFail;
+  std::string text = bits_last ? metrics_text(result) : bits_text(result);
+  text +=
+      (exact == Outcome::kPass && !bits_last ? ", " : "; ") + (bits_last ? bits_text(result) : metrics_text(result));
+  if (const std::string pictures = pictures_text(result); !pictures.empty()) text += ", " + pictures;
+  if (!result.problems.empty()) text += "; " + short_problem(result);
+  return text;
+}
+
+}  // namespace tumble::golden

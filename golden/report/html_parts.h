@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "golden/judge/case_result.h"
+#include "golden/report/html_text.h"
+
+/// Small parts that every section of the page is made of.
+namespace tumble::golden {
+
+/// Words between two tags: element("<h3>", words, "</h3>\n").
+Html element(Html::Markup open, std::string_view words, Html::Markup close);
+
+/// A list, a sentence an item; empty for none.
+Html list_of(const std::vector<std::string>& sentences);
+
+/// "✓ exact passed", with its colour.
+Html chip(const char* name, Outcome outcome);
+
+/// A cell of a table. name: its column's, which narrow screens show beside it.
+Html cell(std::string_view name, std::string_view words, bool is_number = false);
+
+/// "0.1 m", "null".
+std::string value_text(const std::optional<double>& value, const std::string& unit);
+
+/// The classes and words of an outcome.
+const char* class_of(Outcome outcome);  ///< "none", "pass", "fail"
+const char* mark_of(bool passed);       ///< "✓ ", "✕ "
+std::string words_of(Outcome outcome);  ///< "✓ passed"
+
+}  // namespace tumble::golden

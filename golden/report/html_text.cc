@@ -1,0 +1,133 @@
+#include "golden/report/html_text.h"
+
+#include <array>
+#include <cstdint>
+
+namespace tumble::golden {
+namespace {
+
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
+
+/// The character that begins at `at`, and its length in bytes; a length of 0 where no valid one does.
+struct Character {
+  std::uint32_t code = 0;
+  std::size_t length = 0;
+};
+
+Character character_at(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };
+  const std::uint32_t first = byte(at);
+  if (first < 0x80U) return {first, 1};
+  constexpr std::array<std::uint32_t, 5> kLeast = {0, 0, 0x80, 0x800,
+                                                   0x10000};  // by length: no longer form than needed
+  const std::size_t length = first >= 0xF0U ? 4 : first >= 0xE0U ? 3 : 2;
+  if (first < 0xC2U || first > 0xF4U || at + length > text.size()) return {};
+  std::uint32_t code = first & (0xFFU >> (length + 1));
+  for (std::size_t i = at + 1; i < at + length; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80U) return {};
+    code = code << 6U | (byte(i) & 0x3FU);
+  }
+  const bool is_surrogate = code >= 0xD800U && code <= 0xDFFFU;
+  if (code < kLeast[length] || code > 0x10FFFFU || is_surrogate) return {};
+  return {code, length};
+}
+
+bool is_shown_as_read(std::uint32_t code) {
+  if (code < 0x20U) return code == '\n' || code == '\t';
+  const bool is_control = code >= 0x7FU && code <= 0x9FU;
+  const bool turns_direction = (code >= 0x202AU && code <= 0x202EU) || (code >= 0x2066U && code <= 0x2069U) ||
+                               code == 0x200EU || code == 0x200FU;
+  return !is_control && !turns_direction && code != 0xFFFEU && code != 0xFFFFU;
+}
+
+}  // namespace
+
+std::string clean_text(std::string_view text) {
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t at = 0; at < text.size();) {
+    const auto [code, length] = character_at(text, at);
+    const bool is_good = length > 0 && is_shown_as_read(code);
+    out += is_good ? text.substr(at, length) : kReplacement;
+    at += length > 0 ? length : 1;
+  }
+  return out;
+}
+
+Html text(std::string_view text) {
+  Html out;
+  for (const char c : clean_text(text)) {
+    switch (c) {
+      case '&':
+        out.bytes_ += "&amp;";
+        break;
+      case '<':
+        out.bytes_ += "&lt;";
+        break;
+      case '>':
+        out.bytes_ += "&gt;";
+        break;
+      case '"':
+        out.bytes_ += "&quot;";
+        break;
+      case '\'':
+        out.bytes_ += "&#39;";
+        break;
+      default:
+        out.bytes_ += c;
+    }
+  }
+  return out;
+}
+
+Html path(std::string_view path) {
+  constexpr std::string_view kPlain = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_./";
+  constexpr std::string_view kDigits = "0123456789ABCDEF";
+  Html out;
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (kPlain.find(c) != std::string_view::npos) {
+      out.bytes_ += c;
+    } else {
+      out.bytes_ += {'%', kDigits[byte >> 4U], kDigits[byte & 15U]};
+    }
+  }
+  return out;
+}
+
+Html script_of_this_program(std::string_view script) {
+  Html out;
+  out.bytes_ = script;
+  return out;
+}
+
+Html base64_text(std::string_view bytes) {
+  constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  Html out;
+  std::string& text = out.bytes_;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const auto byte = [&](std::size_t k) {
+      return k < bytes.size() ? static_cast<std::uint32_t>(static_cast<unsigned char>(bytes[k])) : 0U;
+    };
+    const std::uint32_t word = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
+    for (const std::uint32_t shift : {18U, 12U, 6U, 0U}) text += kDigits[word >> shift & 63U];
+  }
+  const std::size_t missing = (3 - bytes.size() % 3) % 3;
+  text.replace(text.size() - missing, missing, missing, '=');
+  return out;
+}
+
+Html json_text(std::string_view json) {
+  Html out;
+  for (const char c : json) {
+    if (c == '<') {
+      out.bytes_ += "\\u003c";
+    } else {
+      out.bytes_ += c;
+    }
+  }
+  return out;
+}
+
+}  // namespace tumble::golden

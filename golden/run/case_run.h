@@ -1,0 +1,22 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "golden/expected/expected.h"
+#include "golden/judge/case_result.h"
+#include "golden/judge/judge_pictures.h"
+
+namespace tumble::golden {
+
+/// A case, run and judged.
+struct CaseRun {
+  CaseResult result;
+  CaseRules rules;
+  Expected actual;
+  std::vector<std::optional<double>> values;
+  std::vector<DrawnPicture> pictures;
+  bool complete = false;  ///< the session ran to its end and was measured: it could be blessed
+};
+
+}  // namespace tumble::golden
