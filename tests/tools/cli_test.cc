@@ -40,7 +40,12 @@ TEST(Program, RecordsAndReplaysToTheBit) {
   EXPECT_EQ(replayed.exit, 0) << replayed.err;
   EXPECT_NE(replayed.out.find("identical: 40 steps"), std::string::npos) << replayed.out;
   const ordered_json json = parsed(shop.run({"replay", "s.tumble", "--json"}));
-  EXPECT_EQ(json, ordered_json::parse(R"({"identical":true,"steps":40,"first":null,"notes":[]})"));
+  using Keys = std::vector<std::string>;
+  EXPECT_EQ(keys_of(json), (Keys{"identical", "steps", "first", "notes", "compared", "not_compared"}));
+  EXPECT_EQ(json["identical"], true);
+  EXPECT_EQ(json["steps"], 40);
+  EXPECT_TRUE(json["first"].is_null());
+  EXPECT_TRUE(json["notes"].empty());
 }
 
 TEST(Program, ASessionInRealTimeReplaysToTheBit) {
