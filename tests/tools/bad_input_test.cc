@@ -76,7 +76,7 @@ TEST(BadOutput, IsNamedAndNothingElseIsTouched) {
   shop.write("s.toml", kSmallScene);
   expect_error(shop.run({"record", "s.toml", "-o", "none/x.tumble"}), 2, "tumble record", {"none/x.tumble"});
   expect_error(shop.run({"record", "s.toml", "-o", "."}), 2, "tumble record", {"folder"});
-  expect_error(shop.run({"record", "s.toml", "-o", "s.toml"}), 2, "tumble record", {"s.toml", "not a log"});
+  expect_error(shop.run({"record", "s.toml", "-o", "s.toml"}), 2, "tumble record", {"s.toml", "is the scene itself"});
   EXPECT_EQ(shop.read("s.toml"), kSmallScene) << "the scene must not be overwritten";
   expect_error(shop.run({"record", "s.toml", "-o", "/dev/full"}), 4, "tumble record", {"No space left"});
   shop.record_small("r");

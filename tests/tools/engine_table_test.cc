@@ -55,8 +55,8 @@ TEST(EngineTable, ABodyWithoutANumberIsLostInEveryCommand) {
   EXPECT_EQ(json["not_finite"]["step"], 2);
   EXPECT_EQ(json["not_finite"]["field"], "spin.x");
   EXPECT_TRUE(says(shop.run({"measure", "t.tumble"}).out, "not a number"));
-  for (const char* bound : {"lost<=0", "lost<=9", "drift_max<=0", "drift_max>=0", "gain_ratio<=1e9", "lateral_max<=0",
-                            "bounces>=0", "tilt_max<=180", "frozen_fraction<=1", "kinetic_end>=0"}) {
+  for (const char* bound : {"lost<=0", "lost<=9", "drift_max<=0", "drift_max>0", "gain_ratio<=1e9", "lateral_max<=0",
+                            "bounces<1e9", "tilt_max<=179", "frozen_fraction<=0.9", "kinetic_end>0"}) {
     const Outcome judged = shop.run({"measure", "t.tumble", "--require", bound});
     EXPECT_EQ(judged.exit, 1) << bound;
     EXPECT_TRUE(says(judged.err, std::string(bound) + ": found no number: body 2 is lost from step 2 on"))
