@@ -74,7 +74,7 @@ class Differences {
   }
 
   std::vector<HeaderDifference> take() {
-    (void)std::ranges::stable_partition(list_, [](const HeaderDifference& d) { return !d.acts; });
+    std::stable_partition(list_.begin(), list_.end(), [](const HeaderDifference& d) { return !d.acts; });
     return std::move(list_);
   }
 
@@ -152,7 +152,8 @@ void add_inputs(const sim::SceneDef& a, const sim::SceneDef& b, Differences& fou
     }
     const std::vector<Named> one = values_of(a.inputs[i].command), other = values_of(b.inputs[i].command);
     for (std::size_t k = 0; k < std::min(one.size(), other.size()); ++k) {
-      const std::string field = std::string(sim::name_of(a.inputs[i].command)) + '.' + one[k].first;
+      std::string field = sim::name_of(a.inputs[i].command);
+      field.append(".").append(one[k].first);
       found.add_field(key + ' ' + field, field, one[k].second, other[k].second);
     }
   }

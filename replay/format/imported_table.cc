@@ -25,7 +25,7 @@ Vec3 unit_vector(int k) { return {k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2
 // A left-handed engine is reflected in its xy plane first. Then the axes are permuted cyclically until "up" is z, which
 // keeps the handedness; y up needs one sign besides. No value is rounded.
 Vec3 EngineAxes::direction(const Vec3& v) const {
-  const Vec3 right = left_handed ? Vec3(v.x(), v.y(), -v.z()) : v;
+  Vec3 right = left_handed ? Vec3(v.x(), v.y(), -v.z()) : v;
   if (up == 0) return {right.y(), right.z(), right.x()};
   if (up == 1) return {right.x(), -right.z(), right.y()};
   return right;

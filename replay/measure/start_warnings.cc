@@ -92,10 +92,11 @@ class Start {
     });
     for (std::size_t k = 0; k < overlaps_.size() && k < kShown; ++k) {
       const Overlap& pair = overlaps_[k];
-      const std::string both = "bodies " + name(pair.a) + " and " + name(pair.b);
-      const std::string depth = rounded(pair.depth, "m");
-      out.push_back(pair.same_place ? both + " are in one place and overlap by " + depth + " at the start"
-                                    : both + " overlap by " + depth + " at the start and will be pushed apart");
+      std::string& line = out.emplace_back("bodies ");
+      line.append(name(pair.a)).append(" and ").append(name(pair.b));
+      line.append(pair.same_place ? " are in one place and overlap by " : " overlap by ");
+      line.append(rounded(pair.depth, "m")).append(" at the start");
+      if (!pair.same_place) line.append(" and will be pushed apart");
     }
     if (overlaps_.size() > kShown) {
       out.push_back("and " + count_text(overlaps_.size() - kShown, "more pair") + " overlap deeply at the start");

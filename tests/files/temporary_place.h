@@ -12,15 +12,19 @@ namespace tumble::files {
 
 /// A folder for one test, removed at its end.
 class TemporaryPlace : public testing::Test {
+ public:
+  ~TemporaryPlace() override {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  TemporaryPlace(const TemporaryPlace&) = delete;
+  TemporaryPlace& operator=(const TemporaryPlace&) = delete;
+
  protected:
   TemporaryPlace() {
     std::string pattern = testing::TempDir() + "tumble-files-XXXXXX";
     EXPECT_NE(mkdtemp(pattern.data()), nullptr);
     folder_ = pattern;
-  }
-  ~TemporaryPlace() override {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
   }
   [[nodiscard]] std::string path(const std::string& name) const { return (folder_ / name).string(); }
   void write(const std::string& name, const std::string& content) const {

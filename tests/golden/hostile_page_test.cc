@@ -20,8 +20,7 @@ const std::vector<std::string> kHostile = {
     "\"><img src=x onerror=hacked(2)>",
     "' onmouseover='hacked(3)",
     "<b>&amp;</b>javascript:hacked(4)",
-    "]]><!-- \x1b[31mred\x07 \xff\xfe \xc2\x9b"
-    "31m \xe2\x80\xae",
+    "]]><!-- \x1b[31mred\x07 \xff\xfe \302\23331m \xe2\x80\xae",
 };
 
 /// A check in which every text is hostile.

@@ -197,6 +197,7 @@ TEST(HeaderDifferences, NameEachKeyWithBothValues) {
   other.inputs[1].command = sim::Push{11, {1, 0, 3}, true, {0, 0, 0}};
   std::vector<std::string> lines;
   const auto found = scene_differences(scene_with_inputs(), other);
+  lines.reserve(found.size());
   for (const HeaderDifference& difference : found) lines.push_back(describe(difference));
   for (const char* line :
        {"title:  → another", "world.dt: 0.016666666666666666 → 0.01", "material.friction: 0.4 → 0.400001",

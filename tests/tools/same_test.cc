@@ -149,7 +149,9 @@ TEST(SameCommand, ColumnsThatTheImportPassedOverAreNamed) {
   for (const std::string name : {"a", "b"}) {
     const std::string joint = name == "a" ? ",0.2\n" : ",0.3\n";
     const std::string row = ",1,0,0,1,1,0,0,0,0,0,0,0,0,0" + joint;
-    shop.write(name + ".csv", head + "0" + row + "1" + row);
+    std::string table = head;
+    table.append("0").append(row).append("1").append(row);
+    shop.write(name + ".csv", table);
     const Outcome imported = shop.run({"import", name + ".csv"});
     ASSERT_EQ(imported.exit, 0) << imported.err;
   }
