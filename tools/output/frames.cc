@@ -36,7 +36,7 @@ Result<std::vector<Frame>> frames_in_time(replay::LogReader& log, std::uint64_t 
 }
 
 FrameMaker::FrameMaker(replay::LogReader& log, replay::LogReader* other, replay::PictureOptions options)
-    : options_(options), ours_(log) {
+    : options_(std::move(options)), ours_(log) {
   if (other != nullptr) theirs_.emplace(*other);
 }
 
