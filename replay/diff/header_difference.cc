@@ -154,7 +154,9 @@ void add_inputs(const sim::SceneDef& a, const sim::SceneDef& b, Differences& fou
     for (std::size_t k = 0; k < std::min(one.size(), other.size()); ++k) {
       std::string field = sim::name_of(a.inputs[i].command);
       field.append(".").append(one[k].first);
-      found.add_field(key + ' ' + field, field, one[k].second, other[k].second);
+      std::string name = key;
+      name.append(" ").append(field);
+      found.add_field(name, field, one[k].second, other[k].second);
     }
   }
 }

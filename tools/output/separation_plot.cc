@@ -1,5 +1,6 @@
 #include "tools/output/separation_plot.h"
 
+#include "src/base/text.h"
 #include "tools/output/gnuplot.h"
 
 namespace tumble::tools {
