@@ -28,7 +28,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Options {
+struct BisectCommand {
   std::vector<std::string> logs;
   std::string good, bad;
   std::string repository = ".";
@@ -49,7 +49,7 @@ struct Options {
 
 // --- two logs ---
 
-Result<Exit> locate_in_logs(const Options& options) {
+Result<Exit> locate_in_logs(const BisectCommand& options) {
   Result<replay::LogReader> a = open_log(options.logs[0]);
   if (!a.ok()) return a.error();
   Result<replay::LogReader> b = open_log(options.logs[1]);
@@ -99,7 +99,7 @@ std::string absolute(const std::string& path) {
   return path.empty() ? "" : fs::absolute(path, error).lexically_normal().string();
 }
 
-Status check_arguments(const Options& options) {
+Status check_arguments(const BisectCommand& options) {
   if (options.good.empty() || options.bad.empty()) {
     return bad_input("wanted two logs, or --good REV and --bad REV\n'tumble bisect --help' explains the arguments.");
   }
@@ -118,7 +118,7 @@ Status check_arguments(const Options& options) {
   return {};
 }
 
-Result<bisect::Settings> settings_of(const Options& options) {
+Result<bisect::Settings> settings_of(const BisectCommand& options) {
   if (Status ok = check_arguments(options); !ok.ok()) return ok.error();
   bisect::Settings settings;
   settings.repository = absolute(options.repository);
@@ -169,7 +169,7 @@ Result<bisect::Finding> search(const bisect::Settings& settings, const bisect::W
       });
 }
 
-Result<Exit> find_commit(const Options& options) {
+Result<Exit> find_commit(const BisectCommand& options) {
   const Result<bisect::Settings> settings = settings_of(options);
   if (!settings.ok()) return settings.error();
   const process::InterruptGuard guard;
@@ -194,7 +194,7 @@ Result<Exit> find_commit(const Options& options) {
   return finding->found() ? Exit::kDifference : Exit::kCannotFinish;
 }
 
-void declare_question(Arguments& arguments, Options& options) {
+void declare_question(Arguments& arguments, BisectCommand& options) {
   arguments.option(
       "--metric", "EXPR", options.metric,
       "Ask whether the session, recorded anew by each revision, is within a bound, as in 'lateral_max<=0'");
@@ -204,7 +204,7 @@ void declare_question(Arguments& arguments, Options& options) {
   arguments.flag("--image", options.image, "With --case: ask for the image verdict alone");
 }
 
-void declare_building(Arguments& arguments, Options& options) {
+void declare_building(Arguments& arguments, BisectCommand& options) {
   arguments.option("--repo", "DIR", options.repository, "A folder in the clone; the current one if not given");
   arguments.flag("--first-parent", options.first_parent, "Follow first parents only, to find a merge");
   arguments.option(
@@ -225,7 +225,7 @@ void declare_building(Arguments& arguments, Options& options) {
 }  // namespace
 
 Action declare_bisect(Arguments& arguments) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BisectCommand>();
   arguments.positionals("LOG", options->logs, "Two logs; or, with --good and --bad, the session to ask about", 2);
   const Argument good = arguments.option("--good", "REV", options->good, "A good revision");
   const Argument bad = arguments.option("--bad", "REV", options->bad, "A later, bad revision");

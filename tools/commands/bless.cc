@@ -20,7 +20,7 @@
 namespace tumble::tools {
 namespace {
 
-struct Options {
+struct BlessCommand {
   std::vector<std::string> cases;
   std::string suite;
   std::string reason;
@@ -32,7 +32,7 @@ struct Options {
   bool json = false;
 };
 
-Result<golden::BlessReport> run(const Options& options) {
+Result<golden::BlessReport> run(const BlessCommand& options) {
   const std::string suite = options.suite.empty() ? find_suite() : options.suite;
   if (!options.log.empty()) {
     if (options.cases.size() != 1 || options.all) return bad_input("--from: wanted the name of one new case beside it");
@@ -53,7 +53,7 @@ Result<golden::BlessReport> run(const Options& options) {
   return golden::bless_cases(how);
 }
 
-Result<Exit> bless(const Options& options) {
+Result<Exit> bless(const BlessCommand& options) {
   const process::InterruptGuard guard;
   const Result<golden::BlessReport> report = run(options);
   if (!report.ok()) return report.error();
@@ -68,7 +68,7 @@ Result<Exit> bless(const Options& options) {
 }  // namespace
 
 Action declare_bless(Arguments& arguments) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BlessCommand>();
   arguments.positionals("CASE", options->cases, "The cases to bless, or the name of a new one with --from");
   arguments.flag("--all", options->all, "Every case of the suite");
   arguments.option("--reason", "TEXT", options->reason, "The reason of the change: one line for HISTORY.md").required();

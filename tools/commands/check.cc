@@ -28,7 +28,7 @@ constexpr std::uint64_t kShardsMax = 10'000;
 constexpr double kTimeoutMax = 1e6;
 constexpr double kTimeout = 600;  // s: many times what the longest case takes in the slowest build
 
-struct Options {
+struct CheckCommand {
   std::vector<std::string> cases;
   std::string suite;
   std::vector<std::string> require;
@@ -56,7 +56,7 @@ Status read_shard(const std::string& text, golden::Selection& selection) {
   return {};
 }
 
-Result<golden::CheckOptions> check_options(const Options& options) {
+Result<golden::CheckOptions> check_options(const CheckCommand& options) {
   golden::CheckOptions out;
   out.suite = options.suite.empty() ? find_suite() : options.suite;
   out.selection.names = options.cases;
@@ -81,7 +81,7 @@ Exit verdict_of(const golden::SuiteResult& result) {
   return result.passed() ? Exit::kSame : Exit::kDifference;
 }
 
-Result<Exit> check(const Options& options) {
+Result<Exit> check(const CheckCommand& options) {
   Result<golden::CheckOptions> how = check_options(options);
   if (!how.ok()) return how.error();
   const process::InterruptGuard guard;
@@ -111,7 +111,7 @@ Result<Exit> check(const Options& options) {
 }  // namespace
 
 Action declare_check(Arguments& arguments) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CheckCommand>();
   arguments.positionals("CASE", options->cases, "Cases to run; all if none is given");
   arguments.option("--suite", "DIR", options->suite,
                    "The suite: a folder with cases/ in it; the nearest golden/ if not given");

@@ -30,7 +30,7 @@
 namespace tumble::tools {
 namespace {
 
-struct Options {
+struct DiffCommand {
   std::string a;
   std::string b;
   std::vector<std::string> tolerances;
@@ -71,13 +71,13 @@ std::optional<replay::Divergence> first_of(const replay::DiffReport& report) {
 constexpr std::size_t kHeadersShown = 20;
 
 /// The first word of the verdict, and what was read for it.
-std::string same_text(const Options& options, bool exact_bits, const std::string& steps) {
+std::string same_text(const DiffCommand& options, bool exact_bits, const std::string& steps) {
   const std::string words = exact_bits ? "identical: " + steps : "same within tolerances: " + steps;
   if (options.brief) return words + ", by hashes; payloads not read";
   return words + (exact_bits ? ", every bit" : "");
 }
 
-void print_text(const Options& options, const replay::DiffReport& report, bool exact_bits) {
+void print_text(const DiffCommand& options, const replay::DiffReport& report, bool exact_bits) {
   for (std::size_t i = 0; i < std::min(kHeadersShown, report.headers.size()); ++i) {
     std::cout << "header: " << printable(describe(report.headers[i])) << '\n';
   }
@@ -98,20 +98,13 @@ void print_text(const Options& options, const replay::DiffReport& report, bool e
   if (!report.first) print_scope(report.scope);
 }
 
-replay::Progress progress_on(ProgressBar& bar) {
-  return [&bar](std::uint64_t done, std::uint64_t total) {
-    bar.show(done, total);
-    return !process::InterruptGuard::interrupted();
-  };
-}
-
 using Difference = std::optional<replay::DifferenceReport>;
 
 // Explains the first difference, if there is one. Errors: a log whose states do not match its hashes.
 Result<Difference> look_closer(replay::LogReader& a, replay::LogReader& b, const replay::DiffReport& report) {
   if (!report.first) return Difference();
   ProgressBar bar("looking closer");
-  Result<replay::DifferenceReport> found = replay::report_difference(a, b, report, progress_on(bar));
+  Result<replay::DifferenceReport> found = replay::report_difference(a, b, report, bar.progress());
   if (!found.ok()) return found.error();
   return Difference(*std::move(found));
 }
@@ -129,7 +122,7 @@ void name_by_table(const replay::LogHeader& a, const replay::LogHeader& b, repla
   if (difference->effect) difference->effect = in_axes(axes, *difference->effect);
 }
 
-Result<Exit> show_step(const Options& options, replay::LogReader& a, replay::LogReader& b) {
+Result<Exit> show_step(const DiffCommand& options, replay::LogReader& a, replay::LogReader& b) {
   const Result<bool> same = print_side_by_side(a, b, *options.step, options.json);
   if (!same.ok()) return same.error();
   return *same ? Exit::kSame : Exit::kDifference;
@@ -147,7 +140,7 @@ Json headers_json(const std::vector<replay::HeaderDifference>& headers) {
   return rows;
 }
 
-void print_result(const Options& options, const replay::DiffReport& report, const Difference& difference,
+void print_result(const DiffCommand& options, const replay::DiffReport& report, const Difference& difference,
                   bool exact_bits) {
   if (options.json) {
     Json json = comparison_json(report.identical(), report.steps, first_of(report));
@@ -172,7 +165,7 @@ void print_result(const Options& options, const replay::DiffReport& report, cons
   }
 }
 
-Status draw(const Options& options, const Difference& difference) {
+Status draw(const DiffCommand& options, const Difference& difference) {
   if (options.plot.empty()) return {};
   if (difference && difference->growth) {
     return draw_separation(options.plot, options.a + " and " + options.b, difference->growth->separation);
@@ -181,12 +174,12 @@ Status draw(const Options& options, const Difference& difference) {
   return cannot_finish("--plot: there is no separation to draw: " + (why.empty() ? "no step differs" : why));
 }
 
-Result<Exit> compare(const Options& options, replay::LogReader& a, replay::LogReader& b) {
+Result<Exit> compare(const DiffCommand& options, replay::LogReader& a, replay::LogReader& b) {
   const Result<replay::Tolerances> tolerances = parse_tolerances(options.tolerances);
   if (!tolerances.ok()) return tolerances.error();
   ProgressBar bar("comparing");
   const replay::Reading reading = options.brief ? replay::Reading::kHashes : replay::Reading::kAll;
-  Result<replay::DiffReport> report = replay::diff_logs(a, b, *tolerances, progress_on(bar), reading);
+  Result<replay::DiffReport> report = replay::diff_logs(a, b, *tolerances, bar.progress(), reading);
   bar.finish();
   if (!report.ok()) return report.error();
   Difference difference;
@@ -203,7 +196,7 @@ Result<Exit> compare(const Options& options, replay::LogReader& a, replay::LogRe
   return report->identical() ? Exit::kSame : Exit::kDifference;
 }
 
-Result<Exit> diff(const Options& options) {
+Result<Exit> diff(const DiffCommand& options) {
   if (!options.plot.empty()) {
     if (Status ok = check_plot_path(options.plot); !ok.ok()) return ok.error();
     files::OutputGuard guard;
@@ -223,7 +216,7 @@ Result<Exit> diff(const Options& options) {
 }  // namespace
 
 Action declare_diff(Arguments& arguments) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DiffCommand>();
   arguments.positional("A", options->a, "The log with the expected values").required();
   arguments.positional("B", options->b, "The log to compare with it").required();
   arguments.option(

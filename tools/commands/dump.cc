@@ -27,7 +27,7 @@ namespace {
 
 using replay::BodyStates;
 
-struct Options {
+struct DumpCommand {
   std::string log;
   std::optional<std::uint64_t> step;
   std::string steps;
@@ -148,13 +148,13 @@ class TextOutput : public Output {
   Table table_;
 };
 
-std::unique_ptr<Output> make_output(const Options& options, const replay::EngineAxes& axes) {
+std::unique_ptr<Output> make_output(const DumpCommand& options, const replay::EngineAxes& axes) {
   if (options.csv) return std::make_unique<CsvOutput>(axes);
   if (options.json) return std::make_unique<JsonOutput>(!options.step, axes);
   return std::make_unique<TextOutput>(axes);
 }
 
-Result<StepRange> range_of(const Options& options, const replay::LogReader& log) {
+Result<StepRange> range_of(const DumpCommand& options, const replay::LogReader& log) {
   if (!options.step && options.steps.empty()) return bad_input("wanted --step K or --steps A:B: which steps to print");
   return options.step ? check_range({*options.step, *options.step}, log) : parse_range(options.steps, log);
 }
@@ -179,7 +179,7 @@ Result<bool> body_exists(replay::StateSource& source, const StepRange& range, st
   return false;
 }
 
-Error no_such_body(const Options& options, const replay::LogReader& log, const StepRange& range) {
+Error no_such_body(const DumpCommand& options, const replay::LogReader& log, const StepRange& range) {
   const std::string where = range.first == range.last
                                 ? "at step " + std::to_string(range.first)
                                 : "in steps " + std::to_string(range.first) + " to " + std::to_string(range.last);
@@ -187,7 +187,7 @@ Error no_such_body(const Options& options, const replay::LogReader& log, const S
                    "; 'tumble dump' without --body lists those there are");
 }
 
-Result<Exit> dump(const Options& options) {
+Result<Exit> dump(const DumpCommand& options) {
   Result<replay::LogReader> log = open_log(options.log);
   if (!log.ok()) return log.error();
   const Result<StepRange> range = range_of(options, *log);
@@ -211,7 +211,7 @@ Result<Exit> dump(const Options& options) {
 }  // namespace
 
 Action declare_dump(Arguments& arguments) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DumpCommand>();
   arguments.positional("LOG", options->log, "The log to read").required();
   const Argument step =
       arguments.whole("--step", "K", options->step, 0, sim::kStepsMax, "The state after step K; 0 is the start");

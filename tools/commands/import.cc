@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t kTableBytesMax = std::size_t{4} << 30;
 
-struct Options {
+struct ImportCommand {
   std::string table;
   std::string output;
   std::string like;
@@ -44,21 +44,17 @@ Result<std::string> read_table(const std::string& path) {
   return text;
 }
 
-Result<replay::LogSummary> import_to(const Options& options, const std::string& output, const std::string& text,
+Result<replay::LogSummary> import_to(const ImportCommand& options, const std::string& output, const std::string& text,
                                      const replay::ImportOptions& how) {
   ProgressBar bar("importing");
   const process::InterruptGuard guard;
   Result<replay::LogSummary> summary = replay::import_csv(
-      text, options.table, [&] { return replay::open_file_sink(output); }, how,
-      [&](std::uint64_t done, std::uint64_t total) {
-        bar.show(done, total);
-        return !process::InterruptGuard::interrupted();
-      });
+      text, options.table, [&] { return replay::open_file_sink(output); }, how, bar.progress());
   bar.finish();
   return summary;
 }
 
-void print_result(const Options& options, const std::string& output, const replay::LogSummary& summary,
+void print_result(const ImportCommand& options, const std::string& output, const replay::LogSummary& summary,
                   const replay::LogHeader& header, const std::vector<std::string>& warnings) {
   if (options.json) {
     Json json;
@@ -90,7 +86,7 @@ void print_result(const Options& options, const std::string& output, const repla
   listing.print();
 }
 
-Result<Exit> import_command(const Options& options) {
+Result<Exit> import_command(const ImportCommand& options) {
   const Result<std::string> text = read_table(options.table);
   if (!text.ok()) return text.error();
   replay::ImportOptions how;
@@ -125,7 +121,7 @@ Result<Exit> import_command(const Options& options) {
 }  // namespace
 
 Action declare_import(Arguments& arguments) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ImportCommand>();
   arguments.positional("FILE.csv", options->table, "The table: a row a body and step").required();
   arguments.option("-o,--output", "LOG", options->output,
                    "The log to write (if not given: FILE.tumble in this folder)");

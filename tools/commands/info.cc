@@ -21,7 +21,7 @@ using replay::LogFacts;
 using replay::LogHeader;
 using replay::LogReader;
 
-struct Options {
+struct InfoCommand {
   std::string log;
   bool json = false;
 };
@@ -149,15 +149,12 @@ void print_as_json(const LogReader& log, const LogFacts& facts, const LogConditi
   print_json(json);
 }
 
-Result<Exit> info(const Options& options) {
+Result<Exit> info(const InfoCommand& options) {
   Result<LogReader> log = LogReader::open(options.log);
   if (!log.ok()) return log.error();
   ProgressBar bar("reading");
   const replay::VerifyReport report = replay::verify(*log);
-  const LogFacts facts = replay::collect_facts(*log, [&](std::uint64_t done, std::uint64_t total) {
-    bar.show(done, total);
-    return true;
-  });
+  const LogFacts facts = replay::collect_facts(*log, bar.progress());
   bar.finish();
   if (options.json) {
     print_as_json(*log, facts, report.condition);
@@ -172,7 +169,7 @@ Result<Exit> info(const Options& options) {
 }  // namespace
 
 Action declare_info(Arguments& arguments) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<InfoCommand>();
   arguments.positional("LOG", options->log, "The log to read").required();
   arguments.json(options->json);
   arguments.footer(

@@ -26,7 +26,7 @@
 namespace tumble::tools {
 namespace {
 
-struct Options {
+struct MeasureCommand {
   std::string log;
   std::string series;
   std::string plot;
@@ -62,13 +62,13 @@ Exit judge_bounds(const std::vector<replay::MetricBound>& bounds, const replay::
   return verdict;
 }
 
-void warn_of_lost_bodies(const Options& options, const replay::Metrics& metrics) {
+void warn_of_lost_bodies(const MeasureCommand& options, const replay::Metrics& metrics) {
   if (!metrics.not_finite.any) return;
   std::cerr << "tumble measure: " << options.log << ": " << to_string(*metrics.not_finite.any)
             << "; no metric over this body holds for any bound\n";
 }
 
-Status check_outputs(const Options& options) {
+Status check_outputs(const MeasureCommand& options) {
   files::OutputGuard guard;
   guard.keep(options.log, "the log that is measured");
   guard.keep(options.pair, "the log of --with");
@@ -79,16 +79,9 @@ Status check_outputs(const Options& options) {
   return options.series.empty() ? Status() : guard.claim("--series", options.series);
 }
 
-replay::Progress progress_on(ProgressBar& bar) {
-  return [&bar](std::uint64_t done, std::uint64_t total) {
-    bar.show(done, total);
-    return !process::InterruptGuard::interrupted();
-  };
-}
-
 /// Measures, and writes every row to the files of --series and --plot.
 Result<replay::Metrics> measure_rows(replay::LogReader& log, const replay::MeasureOptions& how,
-                                     const Options& options) {
+                                     const MeasureCommand& options) {
   const process::InterruptGuard guard;
   ProgressBar bar("measuring");
   std::optional<SeriesFile> series;
@@ -108,7 +101,7 @@ Result<replay::Metrics> measure_rows(replay::LogReader& log, const replay::Measu
         if (series) series->add(shown);
         if (plot) plot->add(shown);
       },
-      progress_on(bar));
+      bar.progress());
   bar.finish();
   if (series) {
     if (Status ok = series->close(); !ok.ok()) return ok.error();
@@ -125,13 +118,13 @@ Result<replay::Metrics> measure_rows(replay::LogReader& log, const replay::Measu
 Status compare_pair(replay::LogReader& log, replay::LogReader& pair, replay::Metrics& metrics) {
   const process::InterruptGuard guard;
   ProgressBar bar("comparing");
-  const Result<replay::PairReport> report = replay::compare_mirrored_pair(log, pair, progress_on(bar));
+  const Result<replay::PairReport> report = replay::compare_mirrored_pair(log, pair, bar.progress());
   if (!report.ok()) return report.error();
   replay::set_pair_error(pair.header().transform, *report, metrics.symmetry);
   return {};
 }
 
-Result<Exit> measure(const Options& options) {
+Result<Exit> measure(const MeasureCommand& options) {
   const Result<std::vector<replay::MetricBound>> bounds = parse_bounds(options.require);
   if (!bounds.ok()) return bounds.error();
   if (Status ok = check_outputs(options); !ok.ok()) return ok.error();
@@ -169,7 +162,7 @@ Result<Exit> measure(const Options& options) {
 }  // namespace
 
 Action declare_measure(Arguments& arguments) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MeasureCommand>();
   arguments.positional("LOG", options->log, "The log to measure").required();
   arguments.option("--series", "FILE.csv", options->series, "Also write the metrics of every step to this CSV file");
   arguments.option("--plot", "FILE.svg|png", options->plot,

@@ -33,7 +33,7 @@ namespace {
 
 constexpr double kSecondsMax = 1e9;
 
-struct Options {
+struct RecordCommand {
   std::string scene;
   std::string from;
   bool no_inputs = false;
@@ -73,7 +73,7 @@ std::uint64_t count_bodies(const sim::SceneDef& scene, std::uint64_t last_step) 
   return count;
 }
 
-Result<Recorded> run_session(const std::string& path, replay::Recorder& recorder, const Options& options) {
+Result<Recorded> run_session(const std::string& path, replay::Recorder& recorder, const RecordCommand& options) {
   SessionStepper stepper(recorder, options.realtime);
   const sim::SceneDef& scene = recorder.scene();
   const std::uint64_t first = recorder.world().state().step;
@@ -165,7 +165,7 @@ void print_as_json(const std::string& path, const sim::SceneDef& scene, const Re
 using Started = Result<std::unique_ptr<replay::Recorder>>;
 
 // Starts a session of a scene from state 0. path: the log; empty: named after the scene.
-Started start_scene(const Options& options, const replay::StatesMode& states, std::string& path) {
+Started start_scene(const RecordCommand& options, const replay::StatesMode& states, std::string& path) {
   replay::RecordOptions how;
   how.states = states;
   const Result<sim::Transform> transform = parse_transform(options.transform);
@@ -204,7 +204,7 @@ Result<Place> parse_place(const std::string& text) {
 }
 
 // Starts a session that continues from a state of another one.
-Started start_from_log(const Options& options, const replay::StatesMode& states, std::string& path) {
+Started start_from_log(const RecordCommand& options, const replay::StatesMode& states, std::string& path) {
   const Result<Place> place = parse_place(options.from);
   if (!place.ok()) return place.error();
   if (path.empty()) {
@@ -223,7 +223,7 @@ Started start_from_log(const Options& options, const replay::StatesMode& states,
   return replay::Recorder::go_on(path, *log, place->step, how);
 }
 
-Result<Exit> record(const Options& options) {
+Result<Exit> record(const RecordCommand& options) {
   if (options.scene.empty() == options.from.empty()) {
     return bad_input(
         "SCENE is required, or --from LOG:STEP in its place\n'tumble record --help' explains the arguments.");
@@ -254,7 +254,7 @@ Result<Exit> record(const Options& options) {
 }  // namespace
 
 Action declare_record(Arguments& arguments) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RecordCommand>();
   const Argument scene = arguments.positional(
       "SCENE", options->scene, "A scene file (.toml), or the name of a golden case ('tumble scenes' lists them)");
   arguments.option("-o,--output", "LOG", options->log, "The log; <scene>.tumble in the current folder if not given");

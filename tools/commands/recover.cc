@@ -22,13 +22,13 @@ using replay::RecoverReport;
 
 constexpr std::size_t kDamagesShown = 12;
 
-struct Options {
+struct RecoverCommand {
   std::string damaged;
   std::string log;
   bool json = false;
 };
 
-Status check_names(const Options& options) {
+Status check_names(const RecoverCommand& options) {
   files::OutputGuard guard;
   guard.keep(options.damaged, "the damaged log");
   if (Status ok = guard.claim("-o", options.log); !ok.ok()) return ok;
@@ -61,7 +61,7 @@ std::string lost_text(const RecoverReport& report) {
   return text.empty() ? "nothing" : text;
 }
 
-void print_text(const Options& options, const RecoverReport& report) {
+void print_text(const RecoverCommand& options, const RecoverReport& report) {
   Listing listing;
   listing.add("recovered", options.log + ", " + bytes_text(report.bytes));
   listing.add("steps", count_text(report.steps, "step") + " in " + count_text(report.chunks, "chunk") + ", states " +
@@ -77,7 +77,7 @@ void print_text(const Options& options, const RecoverReport& report) {
   }
 }
 
-void print_as_json(const Options& options, const RecoverReport& report) {
+void print_as_json(const RecoverCommand& options, const RecoverReport& report) {
   Json json;
   json["damaged"] = options.damaged;
   json["log"] = options.log;
@@ -106,7 +106,7 @@ Result<RecoverReport> write_partial(const replay::ByteSource& source, const std:
   return replay::recover_log(source, *std::move(sink));
 }
 
-Result<Exit> recover(const Options& options) {
+Result<Exit> recover(const RecoverCommand& options) {
   Result<std::unique_ptr<replay::ByteSource>> source = replay::open_file_source(options.damaged);
   if (!source.ok()) return source.error();
   if (Status ok = check_names(options); !ok.ok()) return ok.error();
@@ -130,7 +130,7 @@ Result<Exit> recover(const Options& options) {
 }  // namespace
 
 Action declare_recover(Arguments& arguments) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RecoverCommand>();
   arguments.positional("DAMAGED", options->damaged, "The log to recover; it is only read").required();
   arguments.option("-o,--output", "LOG", options->log, "The log to write").required();
   arguments.json(options->json);

@@ -25,7 +25,7 @@
 namespace tumble::tools {
 namespace {
 
-struct Options {
+struct ReplayCommand {
   std::string log;
   std::optional<std::uint64_t> threads;
   bool brief = false;
@@ -36,11 +36,7 @@ struct Options {
 replay::DifferenceReport look_closer(replay::LogReader& log, const replay::Divergence& first) {
   Result<replay::LogReader> again = open_log(log.name());
   ProgressBar bar("looking closer");
-  return replay::report_replay_difference(log, again.ok() ? &*again : nullptr, first,
-                                          [&](std::uint64_t done, std::uint64_t total) {
-                                            bar.show(done, total);
-                                            return !process::InterruptGuard::interrupted();
-                                          });
+  return replay::report_replay_difference(log, again.ok() ? &*again : nullptr, first, bar.progress());
 }
 
 void print_text(const replay::ReplayReport& report, const replay::LogReader& log,
@@ -65,14 +61,11 @@ void print_text(const replay::ReplayReport& report, const replay::LogReader& log
 // Damage goes before a difference, and a replay stops at the first one: the rest of the log is read here.
 Status check_rest(replay::LogReader& log) {
   ProgressBar bar("reading the rest");
-  const Result<replay::VerifyReport> checked = replay::check_log(log, [&](std::uint64_t done, std::uint64_t total) {
-    bar.show(done, total);
-    return !process::InterruptGuard::interrupted();
-  });
+  const Result<replay::VerifyReport> checked = replay::check_log(log, bar.progress());
   return checked.ok() ? Status() : Status(checked.error());
 }
 
-Result<Exit> replay_command(const Options& options) {
+Result<Exit> replay_command(const ReplayCommand& options) {
   Result<replay::LogReader> log = open_log(options.log);
   if (!log.ok()) return log.error();
   ProgressBar bar("replaying");
@@ -80,10 +73,7 @@ Result<Exit> replay_command(const Options& options) {
   const std::unique_ptr<WorkerThreads> threads = worker_threads(options.threads.value_or(1));
   replay::ReplayOptions how;
   how.workers = threads.get();
-  Result<replay::ReplayReport> report = replay::replay_log(*log, how, [&](std::uint64_t done, std::uint64_t total) {
-    bar.show(done, total);
-    return !process::InterruptGuard::interrupted();
-  });
+  Result<replay::ReplayReport> report = replay::replay_log(*log, how, bar.progress());
   bar.finish();
   if (!report.ok()) return report.error();
   if (process::InterruptGuard::interrupted()) {
@@ -114,7 +104,7 @@ Result<Exit> replay_command(const Options& options) {
 }  // namespace
 
 Action declare_replay(Arguments& arguments) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReplayCommand>();
   arguments.positional("LOG", options->log, "The log to replay").required();
   arguments.threads(options->threads);
   arguments.flag("--brief", options->brief,

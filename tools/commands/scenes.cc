@@ -14,7 +14,7 @@
 namespace tumble::tools {
 namespace {
 
-struct Options {
+struct ScenesCommand {
   bool json = false;
 };
 
@@ -31,7 +31,7 @@ std::uint64_t count_bodies(const sim::SceneDef& scene) {
   return count;
 }
 
-Result<Exit> list_scenes(const Options& options) {
+Result<Exit> list_scenes(const ScenesCommand& options) {
   const std::vector<SceneFile> cases = find_cases();
   if (cases.empty()) {
     return bad_input("found no folder golden/cases from here upwards; go to the source folder, or give record a file");
@@ -67,7 +67,7 @@ Result<Exit> list_scenes(const Options& options) {
 }  // namespace
 
 Action declare_scenes(Arguments& arguments) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ScenesCommand>();
   arguments.json(options->json);
   arguments.footer(
       "The golden cases: golden/cases/NAME/scene.toml of the nearest folder from here upwards, else of the source "

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "src/process/interrupt.h"
+
 namespace tumble::tools {
 namespace {
 
@@ -39,6 +41,8 @@ void ProgressBar::finish() {
 void ProgressBar::show(std::uint64_t done, std::uint64_t total) {
   if (!enabled_ || total == 0) return;
   const Clock::time_point now = Clock::now();
+  if (done < done_) begin_ = now;
+  done_ = done;
   if (now < next_) return;
   next_ = now + kInterval;
   shown_ = true;
@@ -53,6 +57,13 @@ void ProgressBar::show(std::uint64_t done, std::uint64_t total) {
   std::fprintf(stderr, "\r%s [%s] %3.0f %%  step %llu of %llu%s\033[K", label_.c_str(), bar.c_str(), part * 100,
                static_cast<unsigned long long>(done), static_cast<unsigned long long>(total), left.c_str());
   std::fflush(stderr);
+}
+
+replay::Progress ProgressBar::progress() {
+  return [this](std::uint64_t done, std::uint64_t total) {
+    show(done, total);
+    return !process::InterruptGuard::interrupted();
+  };
 }
 
 }  // namespace tumble::tools
