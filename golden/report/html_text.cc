@@ -1,44 +1,13 @@
 #include "golden/report/html_text.h"
 
-#include <array>
 #include <cstdint>
+
+#include "src/base/utf8.h"
 
 namespace tumble::golden {
 namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
-
-/// The character that begins at `at`, and its length in bytes; a length of 0 where no valid one does.
-struct Character {
-  std::uint32_t code = 0;
-  std::size_t length = 0;
-};
-
-Character character_at(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };
-  const std::uint32_t first = byte(at);
-  if (first < 0x80U) return {first, 1};
-  constexpr std::array<std::uint32_t, 5> kLeast = {0, 0, 0x80, 0x800,
-                                                   0x10000};  // by length: no longer form than needed
-  const std::size_t length = first >= 0xF0U ? 4 : first >= 0xE0U ? 3 : 2;
-  if (first < 0xC2U || first > 0xF4U || at + length > text.size()) return {};
-  std::uint32_t code = first & (0xFFU >> (length + 1));
-  for (std::size_t i = at + 1; i < at + length; ++i) {
-    if ((byte(i) & 0xC0U) != 0x80U) return {};
-    code = code << 6U | (byte(i) & 0x3FU);
-  }
-  const bool is_surrogate = code >= 0xD800U && code <= 0xDFFFU;
-  if (code < kLeast[length] || code > 0x10FFFFU || is_surrogate) return {};
-  return {code, length};
-}
-
-bool is_shown_as_read(std::uint32_t code) {
-  if (code < 0x20U) return code == '\n' || code == '\t';
-  const bool is_control = code >= 0x7FU && code <= 0x9FU;
-  const bool turns_direction = (code >= 0x202AU && code <= 0x202EU) || (code >= 0x2066U && code <= 0x2069U) ||
-                               code == 0x200EU || code == 0x200FU;
-  return !is_control && !turns_direction && code != 0xFFFEU && code != 0xFFFFU;
-}
 
 }  // namespace
 
@@ -46,7 +15,7 @@ std::string clean_text(std::string_view text) {
   std::string out;
   out.reserve(text.size());
   for (std::size_t at = 0; at < text.size();) {
-    const auto [code, length] = character_at(text, at);
+    const auto [code, length] = utf8_at(text, at);
     const bool is_good = length > 0 && is_shown_as_read(code);
     out += is_good ? text.substr(at, length) : kReplacement;
     at += length > 0 ? length : 1;

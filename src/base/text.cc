@@ -9,6 +9,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "src/base/utf8.h"
+
 namespace tumble {
 namespace {
 
@@ -110,9 +112,14 @@ std::string found_wanted(std::string_view found, std::string_view wanted) {
 }
 
 std::string printable(std::string_view text) {
-  std::string out(text);
-  std::ranges::replace_if(
-      out, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+  std::string out;
+  out.reserve(text.size());
+  for (std::size_t at = 0; at < text.size();) {
+    const auto [code, length] = utf8_at(text, at);
+    const bool is_good = length > 0 && code >= 0x20 && is_shown_as_read(code);
+    out += is_good ? text.substr(at, length) : "?";
+    at += std::max<std::size_t>(length, 1);
+  }
   return out;
 }
 

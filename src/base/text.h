@@ -40,7 +40,8 @@ std::string seconds_text(double seconds);                  ///< "5.00 s", "12 ms
 /// "found X, wanted Y", a part of every error message about a value.
 std::string found_wanted(std::string_view found, std::string_view wanted);
 
-/// Control characters as '?': text from a file must not drive the terminal.
+/// '?' for each control character, each byte that is no part of a character, and each character that turns the
+/// direction of writing: text from a file must not drive the terminal.
 std::string printable(std::string_view text);
 
 /// The first 60 bytes, with '?' for control characters and for everything beyond ASCII.

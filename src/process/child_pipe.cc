@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "src/base/check.h"
+#include "src/base/text.h"
 #include "src/process/child.h"
 
 namespace tumble::process {
@@ -54,6 +55,13 @@ bool ChildPipe::finish() {
 void ChildPipe::abandon() {
   if (child_ > 0) signal_group(child_, SIGTERM);
   static_cast<void>(finish());
+}
+
+std::string last_words(std::string_view said) {
+  const std::size_t end = said.find_last_not_of(" \r\n");
+  if (end == std::string_view::npos) return ", and it said nothing; is the disk full?";
+  said = said.substr(0, end + 1);
+  return ": " + printable(said.substr(said.find_last_of('\n') + 1));
 }
 
 }  // namespace tumble::process

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tumble/sim/result.h"
@@ -30,7 +31,7 @@ class ChildPipe {
   /// False when the program reads no more.
   [[nodiscard]] bool write(std::span<const std::byte> bytes) const;
 
-  /// Closes the pipe and waits. True if the program ended well; otherwise its own message is on stderr.
+  /// Closes the pipe and waits. True if the program ended well.
   bool finish();
 
   /// Ends the program, if it runs.
@@ -40,5 +41,9 @@ class ChildPipe {
   pid_t child_ = -1;
   int pipe_ = -1;
 };
+
+/// The last line that a program which failed wrote to its standard error, for the end of a message: ": out of memory",
+/// or the likeliest cause where it wrote none.
+std::string last_words(std::string_view said);
 
 }  // namespace tumble::process

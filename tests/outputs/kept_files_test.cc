@@ -119,6 +119,11 @@ TEST_F(KeptFiles, NoCommandButBlessWritesGoldens) {
   const fs::path stray = shop_.path("moved.tumble");  // outside a case the file itself says what it is
   fs::copy_file(shop_.path("s/cases/one/expected.tumble"), stray);
   expect_refused(shop_, {{"record", "a.toml", "-o", "moved.tumble"}}, "is a golden");
+  expect_refused(shop_,
+                 {{"measure", "a.tumble", "--series", "moved.tumble"},
+                  {"measure", "a.tumble", "--series", "b.tumble"},
+                  {"bench", "memory", "--scene", "a.toml", "--save", "b.tumble"}},
+                 "is a log or a golden");
 }
 
 TEST_F(KeptFiles, AReportKeepsOffTheSuite) {

@@ -46,6 +46,9 @@ TEST(Program, RecordsAndReplaysToTheBit) {
   EXPECT_EQ(json["steps"], 40);
   EXPECT_TRUE(json["first"].is_null());
   EXPECT_TRUE(json["notes"].empty());
+  for (const char* part : {"inputs", "state hashes", "phase hashes"}) {
+    EXPECT_EQ(std::ranges::count(json["compared"], part), 1) << json["compared"];
+  }
 }
 
 TEST(Program, ASessionInRealTimeReplaysToTheBit) {

@@ -89,6 +89,7 @@ TEST(DiffCommand, ShowsAStepSideBySide) {
   EXPECT_NE(text.out.find("DIFFERENT"), std::string::npos);
   EXPECT_EQ(shop.run({"diff", "a.tumble", "b.tumble", "--step", "41"}).exit, 2);
   EXPECT_EQ(shop.run({"diff", "a.tumble", "b.tumble", "--step", "4", "--brief"}).exit, 2);
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "b.tumble", "--step", "4", "--tolerance", "position=1"}).exit, 2);
 }
 
 TEST(DiffCommand, DrawsTheGap) {

@@ -71,13 +71,16 @@ TEST(RecoverCommand, WhereNothingCanBeSavedNothingIsWritten) {
   EXPECT_EQ(shop.run({"recover", "scene.toml", "-o", "saved.tumble"}).exit, 2);
 }
 
-TEST(RecoverCommand, AFullDiskIsSaidAndNothingIsPutInPlace) {
+TEST(RecoverCommand, AFullDiskIsSaidAndADeviceIsRefused) {
   const Workshop shop;
   shop.record_small("whole");
   std::filesystem::create_symlink("/dev/full", shop.path("saved.tumble"));
   const Outcome outcome = shop.run({"recover", "whole.tumble", "-o", "saved.tumble"});
   EXPECT_EQ(outcome.exit, 4);
   EXPECT_NE(outcome.err.find("No space left"), std::string::npos) << outcome.err;
+  const Outcome device = shop.run({"recover", "whole.tumble", "-o", "/dev/null"});
+  EXPECT_EQ(device.exit, 2);
+  EXPECT_NE(device.err.find("found a device"), std::string::npos) << device.err;
 }
 
 }  // namespace

@@ -92,21 +92,14 @@ Status read_camera(const std::vector<std::string>& settings, const sim::Camera& 
   return {};
 }
 
-// Endings of pictures, movies and drawings: a folder of such a name is hardly meant.
-constexpr std::array<std::string_view, 27> kOtherEndings = {".png", ".mp4",  ".webm", ".gif", ".jpg",  ".jpeg", ".bmp",
-                                                            ".tif", ".tiff", ".tga",  ".ppm", ".webp", ".apng", ".svg",
-                                                            ".pdf", ".eps",  ".avi",  ".mov", ".mkv",  ".mpg",  ".mpeg",
-                                                            ".m4v", ".ogv",  ".wmv",  ".flv", ".exr",  ".heic"};
-
 Result<OutputKind> kind_of(const std::string& output) {
   if (Movie::is_movie(output)) return OutputKind::kMovie;
   if (output.ends_with(".png")) return OutputKind::kPicture;
-  std::string ending = std::filesystem::path(output).extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::filesystem::path path = output;
   std::error_code ignored;
-  const bool is_folder = std::filesystem::is_directory(output, ignored);
-  if (is_folder || std::ranges::find(kOtherEndings, ending) == kOtherEndings.end()) return OutputKind::kFolder;
-  return wrong("-o", output, "FILE.png for a picture, FILE.mp4 or FILE.webm for a movie, or a folder for pictures");
+  const bool is_folder = std::filesystem::is_directory(path, ignored) || path.filename().empty();
+  if (is_folder || path.extension().empty()) return OutputKind::kFolder;
+  return wrong("-o", output, "FILE.png for a picture, FILE.mp4 or FILE.webm for a movie, or FOLDER/ for pictures");
 }
 
 // "brick_wall_0120.png" in the current folder.

@@ -18,7 +18,7 @@ Json answer_json(const std::string& commit, const Answer& answer, double seconds
           {"asked", answer.asked},
           {"yes", answer.yes},
           {"words", answer.message},
-          {"metric", answer.metric ? Json(*answer.metric) : Json(nullptr)},
+          {"metric", answer.metric ? number_json(*answer.metric) : Json(nullptr)},
           {"seconds", seconds}};
 }
 
@@ -47,7 +47,7 @@ class State {
       known.answer.asked = row.value("asked", false);
       known.answer.yes = row.value("yes", false);
       known.answer.message = row.value("words", "");
-      if (row.contains("metric") && row["metric"].is_number()) known.answer.metric = row["metric"].get<double>();
+      known.answer.metric = number_of(row.value("metric", Json()));
       known.seconds = row.value("seconds", 0.0);
       known_[row.value("commit", "")] = known;
     }

@@ -8,6 +8,7 @@
 #include "src/files/output_guard.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
+#include "tools/files/log_files.h"
 #include "tools/files/scene_files.h"
 #include "tools/output/gnuplot.h"
 
@@ -25,10 +26,10 @@ Result<Exit> bench(const BenchOptions& options) {
   }
   if (!options.plot.empty()) {
     if (Status ok = check_plot_path(options.plot); !ok.ok()) return ok.error();
-    if (Status ok = guard.claim("--plot", options.plot); !ok.ok()) return ok.error();
+    if (Status ok = claim_output(guard, "--plot", options.plot); !ok.ok()) return ok.error();
   }
   if (!options.save.empty()) {
-    if (Status ok = guard.claim("--save", options.save); !ok.ok()) return ok.error();
+    if (Status ok = claim_output(guard, "--save", options.save); !ok.ok()) return ok.error();
   }
   if (options.what == "peers") return bench_peers(options);
   if (options.what == "table1") return bench_table1(options);

@@ -131,7 +131,13 @@ Result<bisect::Settings> settings_of(const BisectCommand& options) {
     if (!bound.ok()) return bad_input("--metric: " + bound.error().message);
     settings.metric = *std::move(bound);
   }
-  Result<replay::MeasureOptions> measure = parse_measure(options.measure);
+  replay::EngineAxes axes;
+  if (!options.logs.empty()) {
+    const Result<replay::LogReader> log = open_log(options.logs[0]);
+    if (!log.ok()) return log.error();
+    axes = log->header().axes();
+  }
+  Result<replay::MeasureOptions> measure = parse_measure(options.measure, axes);
   if (!measure.ok()) return measure.error();
   settings.measure = *std::move(measure);
   settings.case_name = options.case_name;

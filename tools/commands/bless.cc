@@ -72,11 +72,13 @@ Action declare_bless(Arguments& arguments) {
   arguments.positionals("CASE", options->cases, "The cases to bless, or the name of a new one with --from");
   arguments.flag("--all", options->all, "Every case of the suite");
   arguments.option("--reason", "TEXT", options->reason, "The reason of the change: one line for HISTORY.md").required();
-  arguments.option("--from", "LOG", options->log, "Make a new case of this recorded session");
-  arguments.option(
-      "--from-report", "DIR", options->report,
-      "Accept the sessions of failed cases that the report of a check elsewhere holds, without running them; it "
-      "must be of the commit that the suite's clone is at");
+  const Argument from = arguments.option("--from", "LOG", options->log, "Make a new case of this recorded session");
+  arguments
+      .option(
+          "--from-report", "DIR", options->report,
+          "Accept the sessions of failed cases that the report of a check elsewhere holds, without running them; it "
+          "must be of the commit that the suite's clone is at")
+      .excludes(from);
   arguments.flag("--dry-run", options->dry_run, "Print the changes and write nothing");
   arguments.option("--suite", "DIR", options->suite,
                    "The suite: a folder with cases/ in it; the nearest golden/ if not given");

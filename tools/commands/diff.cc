@@ -112,9 +112,8 @@ Result<Difference> look_closer(replay::LogReader& a, replay::LogReader& b, const
 // Names the fields by the table's axes where both logs have the same. Lengths stay in m, as --tolerance takes them.
 void name_by_table(const replay::LogHeader& a, const replay::LogHeader& b, replay::DiffReport& report,
                    Difference& difference) {
-  const replay::EngineAxes axes = {a.axes().up, a.axes().left_handed, 1},
-                           other = {b.axes().up, b.axes().left_handed, 1};
-  if (axes.ours() || axes != other) return;
+  const replay::EngineAxes axes = common_axes(a, b);
+  if (axes.ours()) return;
   report.notes.push_back("fields are named by the axes of the tables: " + to_string(axes));
   if (report.first) report.first = in_axes(axes, *report.first);
   if (!difference) return;
@@ -201,7 +200,7 @@ Result<Exit> diff(const DiffCommand& options) {
     if (Status ok = check_plot_path(options.plot); !ok.ok()) return ok.error();
     files::OutputGuard guard;
     for (const std::string& log : {options.a, options.b}) guard.keep(log, "a log that is compared");
-    if (Status ok = guard.claim("--plot", options.plot); !ok.ok()) return ok.error();
+    if (Status ok = claim_output(guard, "--plot", options.plot); !ok.ok()) return ok.error();
   }
   Result<replay::LogReader> a = open_log(options.a);
   if (!a.ok()) return a.error();
@@ -219,13 +218,16 @@ Action declare_diff(Arguments& arguments) {
   auto options = std::make_shared<DiffCommand>();
   arguments.positional("A", options->a, "The log with the expected values").required();
   arguments.positional("B", options->b, "The log to compare with it").required();
-  arguments.option(
+  const Argument tolerance = arguments.option(
       "--tolerance", "FIELD=V", options->tolerances,
       "Call states equal where each component of FIELD (position, velocity, spin: angular velocity), or "
       "the angle of FIELD orientation (rad), is at most V apart; states then decide, not hashes. FIELD may "
       "also be a number of an input or a parameter (throw.velocity.y, dt, world.gravity). May be repeated");
-  const Argument step = arguments.whole("--step", "K", options->step, 0, sim::kStepsMax,
-                                        "Show step K of both side by side, phase by phase, and the bodies that differ");
+  const Argument step =
+      arguments
+          .whole("--step", "K", options->step, 0, sim::kStepsMax,
+                 "Show step K of both side by side, phase by phase, and the bodies that differ, in every bit")
+          .excludes(tolerance);
   const Argument plot =
       arguments
           .option("--plot", "FILE.svg|png", options->plot,

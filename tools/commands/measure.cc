@@ -74,9 +74,9 @@ Status check_outputs(const MeasureCommand& options) {
   guard.keep(options.pair, "the log of --with");
   if (!options.plot.empty()) {
     if (Status ok = check_plot_path(options.plot); !ok.ok()) return ok;
-    if (Status ok = guard.claim("--plot", options.plot); !ok.ok()) return ok;
+    if (Status ok = claim_output(guard, "--plot", options.plot); !ok.ok()) return ok;
   }
-  return options.series.empty() ? Status() : guard.claim("--series", options.series);
+  return options.series.empty() ? Status() : claim_output(guard, "--series", options.series);
 }
 
 /// Measures, and writes every row to the files of --series and --plot.

@@ -115,6 +115,8 @@ Result<Exit> recover(const RecoverCommand& options) {
   if (!file.ok()) return file.error();
   const Result<RecoverReport> report = write_partial(**source, file->part());
   if (!report.ok()) return report.error();
+  if (file->is_device())
+    return bad_input("-o: " + options.log + ": found a device or a pipe, wanted a file to read back");
   if (Status ok = verify_written(file->part(), *report); !ok.ok()) return ok.error();
   if (Status ok = file->commit(); !ok.ok()) return ok.error();
   if (options.json) {

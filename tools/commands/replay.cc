@@ -55,6 +55,7 @@ void print_text(const replay::ReplayReport& report, const replay::LogReader& log
     print_difference(*difference, Compared::kReplay, sides);
   } else {
     print_divergence(*report.first, sides);
+    print_scope(report.scope);
   }
 }
 

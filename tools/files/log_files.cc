@@ -1,6 +1,14 @@
 #include "tools/files/log_files.h"
 
+#include <array>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <span>
+#include <system_error>
+
+#include "src/base/text.h"
+#include "tumble/replay/prelude.h"
 
 namespace tumble::tools {
 
@@ -10,6 +18,18 @@ Result<replay::LogReader> open_log(const std::string& path) {
     return damaged(path + ": not one complete chunk to read; " + log->condition().summary(0));
   }
   return log;
+}
+
+Status claim_output(files::OutputGuard& guard, const std::string& option, const std::string& path) {
+  if (Status ok = guard.claim(option, path); !ok.ok()) return ok;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return {};
+  std::array<char, replay::kMagicEnd> start = {};
+  std::ifstream file(path, std::ios::binary);
+  file.read(start.data(), start.size());
+  const auto found = std::as_bytes(std::span(start)).first(static_cast<std::size_t>(file.gcount()));
+  if (found.empty() || !replay::starts_like_log(found)) return {};
+  return bad_input(option + ": " + printable(path) + " is a log or a golden; name another file, or remove it first");
 }
 
 Exit judge(const char* command, const replay::LogReader& log, Exit verdict) {

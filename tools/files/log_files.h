@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "src/files/output_guard.h"
 #include "tools/output/exit.h"
 #include "tumble/replay/log_reader.h"
 #include "tumble/sim/result.h"
@@ -10,6 +11,9 @@ namespace tumble::tools {
 
 /// Opens a log that holds state 0 at least. Errors: LogReader::open's; kDamaged for a log torn before its first chunk.
 Result<replay::LogReader> open_log(const std::string& path);
+
+/// For an output that is no log: guard.claim(), which also refuses a path where a log or a golden lies.
+Status claim_output(files::OutputGuard& guard, const std::string& option, const std::string& path);
 
 /// The exit status of a command that has read the intact part of `log`: `verdict` for a whole log; kDamaged, and a line
 /// on stderr with the damage, for one that is torn or damaged.

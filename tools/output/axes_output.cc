@@ -14,6 +14,12 @@ Json axes_json(const replay::EngineAxes& axes) {
           {"metres", axes.metres}};
 }
 
+replay::EngineAxes common_axes(const replay::LogHeader& a, const replay::LogHeader& b) {
+  replay::EngineAxes in_a = a.axes(), in_b = b.axes();
+  in_a.metres = in_b.metres = 1;
+  return in_a == in_b ? in_a : replay::EngineAxes();
+}
+
 replay::Divergence in_axes(const replay::EngineAxes& axes, replay::Divergence difference) {
   const auto* const column = std::ranges::find(replay::kColumnNames, difference.field);
   if (axes.ours() || column == replay::kColumnNames.end() || difference.field == "orientation.w") return difference;

@@ -9,12 +9,12 @@
 /// Names in files are anybody's: written as they are, their escape sequences would drive the terminal.
 namespace tumble::tools {
 
-/// Passes text on to another buffer. Each control character but newline and tab, each byte that is no part of a UTF-8
+/// Passes text on to another buffer. Each control character but newline and tab, each broken UTF-8
 /// character, and each character that turns the direction of writing becomes '?'.
 class CleanBuffer : public std::streambuf {
  public:
   explicit CleanBuffer(std::streambuf* target) : target_(target) {}
-  ~CleanBuffer() override { release(); }
+  ~CleanBuffer() override { end_character(); }
   CleanBuffer(const CleanBuffer&) = delete;
   CleanBuffer& operator=(const CleanBuffer&) = delete;
 
@@ -26,13 +26,11 @@ class CleanBuffer : public std::streambuf {
  private:
   bool put(char c);
   bool put_text(std::string_view text);
-  bool put_character(unsigned char c);
-  bool release();
+  bool end_character();  ///< which was cut short
 
   std::streambuf* target_;
-  std::array<char, 2> held_ = {};  // the begin of a character that may turn out to be a control character
+  std::array<char, 4> held_ = {};  // the begin of a character
   std::size_t held_size_ = 0;
-  unsigned rest_ = 0;  // bytes that the present character still has
 };
 
 /// While it lives, a stream writes through a CleanBuffer. What a program writes to a terminal on purpose, such as a

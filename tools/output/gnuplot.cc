@@ -69,9 +69,7 @@ Status run_gnuplot(const std::string& path, int width, int height, const std::st
   }
   const bool written = gnuplot.write(std::as_bytes(std::span(text)));
   if (gnuplot.finish() && written && is_complete(content_of(file->part()), is_svg)) return file->commit();
-  const std::string said = shortened(content_of(errors));
-  return cannot_finish("--plot: " + path + ": gnuplot could not write it (full disk?)" +
-                       (said.empty() ? "" : "; gnuplot said " + said));
+  return cannot_finish("--plot: " + path + ": gnuplot could not write it" + process::last_words(content_of(errors)));
 }
 
 }  // namespace tumble::tools

@@ -51,9 +51,7 @@ std::string Movie::said() const {
 }
 
 Error Movie::failed() const {
-  const std::string words = printable(said());
-  return cannot_finish(path_ + ": ffmpeg could not write it (full disk?)" +
-                       (words.empty() ? "" : "; it said " + words));
+  return cannot_finish(path_ + ": ffmpeg could not write it" + process::last_words(said()));
 }
 
 Status Movie::add(const render::Image& image) {

@@ -1,5 +1,9 @@
 #include "tools/output/separation_plot.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "src/base/text.h"
 #include "tools/output/gnuplot.h"
 
@@ -27,23 +31,27 @@ plot $rows using 1:3 with steps linetype 2
 unset multiplot
 )";
 
+// A place on a logarithmic scale of finite length: neither 0 nor the distance of a lost body has one.
+bool has_place(double separation) { return separation > 0 && std::isfinite(separation); }
+
 }  // namespace
 
 Status draw_separation(const std::string& path, const std::string& title, const replay::Separation& separation) {
   std::string rows = "$rows << EOD\n";
   const std::size_t stride = separation.rows.size() / kPlotPointsMax + 1;
-  double low = separation.largest.separation > 0 ? separation.largest.separation : 1;
+  double low = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < separation.rows.size(); ++i) {
     const replay::SeparationRow& row = separation.rows[i];
-    if (row.separation > 0 && row.separation < low) low = row.separation;
+    if (has_place(row.separation)) low = std::min(low, row.separation);
     if (i % stride != 0 && i + 1 != separation.rows.size()) continue;
-    rows += std::to_string(row.step) + ' ' + (row.separation > 0 ? exact(row.separation) : "?") + ' ' +
+    rows += std::to_string(row.step) + ' ' + (has_place(row.separation) ? exact(row.separation) : "?") + ' ' +
             std::to_string(row.bodies) + '\n';
   }
   const std::uint64_t first = separation.rows.front().step, last = separation.rows.back().step;
-  // Where no separation exceeds 0, one point gives the axis its scale.
-  if (separation.largest.separation == 0)
-    rows += std::to_string(first) + " 1e-16 " + std::to_string(separation.rows.front().bodies) + '\n';
+  if (!std::isfinite(low)) {  // one point gives the axis its scale
+    low = 1e-16;
+    rows += std::to_string(first) + ' ' + exact(low) + ' ' + std::to_string(separation.rows.front().bodies) + '\n';
+  }
   return run_gnuplot(path, 900, 700,
                      "title_text = " + gnuplot_quoted(title) + "\nfirst = " + std::to_string(first) +
                          "\nlast = " + std::to_string(last > first ? last : first + 1) + "\nlow = " + exact(low / 2) +

@@ -1,18 +1,24 @@
 #include "tools/output/side_by_side.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <utility>
+#include <variant>
 
 #include "replay/diff/input_difference.h"
 #include "replay/diff/step_contacts.h"
 #include "replay/session/state_source.h"
+#include "tools/output/axes_output.h"
 #include "tools/output/divergence_output.h"
 #include "tools/output/text.h"
 #include "tumble/replay/body_states.h"
 #include "tumble/replay/divergence.h"
+#include "tumble/replay/imported_table.h"
 #include "tumble/replay/tolerance.h"
 
 namespace tumble::tools {
@@ -51,13 +57,15 @@ struct Kind {
   bool imported = false;    ///< by another engine, which counts neither pairs nor contacts
 };
 
+std::uint64_t bits_of(double value) { return std::bit_cast<std::uint64_t>(value); }
+
 Json values_json(const replay::StepRecord& a, const replay::StepRecord& b, const Kind& kind) {
   Json rows = Json::array();
   const auto add = [&](const char* name, const Json& in_a, const Json& in_b, bool same) {
     rows.push_back({{"name", name}, {"a", in_a}, {"b", in_b}, {"same", same}});
   };
   const auto number = [&](const char* name, double in_a, double in_b) {
-    add(name, in_a, in_b, replay::ulps_between(in_a, in_b) == 0U);
+    add(name, number_json(in_a), number_json(in_b), bits_of(in_a) == bits_of(in_b));
   };
   number("dt", a.dt, b.dt);
   add("inputs", inputs_json(a), inputs_json(b), !replay::first_difference(std::span(a.inputs), std::span(b.inputs)));
@@ -77,30 +85,35 @@ Json values_json(const replay::StepRecord& a, const replay::StepRecord& b, const
   return rows;
 }
 
-/// The fields of a body that differ.
-Json fields_json(const replay::BodyStates& a, std::size_t i, const replay::BodyStates& b, std::size_t j) {
+/// The fields that differ, of body i of a and body j of b.
+Json fields_json(const replay::BodyStates& a, std::size_t i, const replay::BodyStates& b, std::size_t j,
+                 const replay::EngineAxes& axes) {
   Json fields = Json::array();
   const replay::ConstColumns in_a = replay::columns_of(a), in_b = replay::columns_of(b);
   for (std::size_t c = 0; c < replay::kColumnCount; ++c) {
     const double one = (*in_a[c])[i], other = (*in_b[c])[j];
-    const std::string bits = hex_text(one);
-    if (bits == hex_text(other)) continue;
+    if (bits_of(one) == bits_of(other)) continue;
+    replay::Divergence shown;
+    shown.field = replay::kColumnNames[c];
+    shown.expected = one;
+    shown.actual = other;
+    shown = in_axes(axes, std::move(shown));
+    const double shown_a = std::get<double>(shown.expected), shown_b = std::get<double>(shown.actual);
     const std::optional<std::uint64_t> ulps = replay::ulps_between(one, other);
-    fields.push_back({{"field", replay::kColumnNames[c]},
-                      {"a", one},
-                      {"b", other},
-                      {"a_hex", bits},
-                      {"b_hex", hex_text(other)},
+    fields.push_back({{"field", shown.field},
+                      {"a", number_json(shown_a)},
+                      {"b", number_json(shown_b)},
+                      {"a_hex", hex_text(shown_a)},
+                      {"b_hex", hex_text(shown_b)},
                       {"ulps", ulps ? Json(*ulps) : Json(nullptr)}});
   }
-  if (a.frozen[i] != b.frozen[j]) {
-    fields.push_back({{"field", "frozen"}, {"a", a.frozen[i] != 0}, {"b", b.frozen[j] != 0}});
-  }
+  const bool sleeps_in_a = a.frozen[i] != 0, sleeps_in_b = b.frozen[j] != 0;
+  if (sleeps_in_a != sleeps_in_b) fields.push_back({{"field", "frozen"}, {"a", sleeps_in_a}, {"b", sleeps_in_b}});
   return fields;
 }
 
 /// Bodies that differ, or that one of the two lacks.
-Json bodies_json(const replay::BodyStates& a, const replay::BodyStates& b) {
+Json bodies_json(const replay::BodyStates& a, const replay::BodyStates& b, const replay::EngineAxes& axes) {
   Json bodies = Json::array();
   std::size_t i = 0, j = 0;
   while (i < a.size() || j < b.size()) {
@@ -108,7 +121,7 @@ Json bodies_json(const replay::BodyStates& a, const replay::BodyStates& b) {
     const bool only_b = !only_a && (i == a.size() || b.id[j] < a.id[i]);
     if (only_a || only_b) {
       bodies.push_back({{"id", only_a ? a.id[i] : b.id[j]}, {"only_in", only_a ? "a" : "b"}});
-    } else if (Json fields = fields_json(a, i, b, j); !fields.empty()) {
+    } else if (Json fields = fields_json(a, i, b, j, axes); !fields.empty()) {
       bodies.push_back({{"id", a.id[i]}, {"fields", std::move(fields)}});
     }
     if (!only_b) ++i;
@@ -139,7 +152,10 @@ Json contacts_json(replay::LogReader& a, replay::LogReader& b, std::uint64_t k) 
   return json;
 }
 
-std::string cell(const Json& value) { return value.is_string() ? printable(value.get<std::string>()) : value.dump(); }
+std::string cell(const Json& value) {
+  if (value.is_string()) return printable(value.get<std::string>());
+  return value.is_number_float() ? exact(value.get<double>()) : value.dump();
+}
 
 void print_fields(const Json& body, Table& table) {
   const std::string id = body["id"].dump();
@@ -153,7 +169,8 @@ void print_fields(const Json& body, Table& table) {
       table.add({"  " + id, name, cell(field["a"]), cell(field["b"]), ""});
       continue;
     }
-    table.add({"  " + id, name, exact(field["a"]), exact(field["b"]), field["ulps"].dump()});
+    table.add(
+        {"  " + id, name, cell(field["a"]), cell(field["b"]), field["ulps"].is_null() ? "" : field["ulps"].dump()});
     table.add({"", "", cell(field["a_hex"]), cell(field["b_hex"]), ""});
   }
 }
@@ -203,7 +220,9 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
   json["values"] = values_json(in_a, in_b, kind);
   json["phases"] = phases_json(in_a, in_b, kind.same_words ? a.header().phases : std::vector<std::string>());
   const bool have_states = in_a.has_states && in_b.has_states;
-  json["bodies"] = have_states ? bodies_json(in_a.states, in_b.states) : Json(nullptr);
+  const replay::EngineAxes axes = common_axes(a.header(), b.header());
+  json["bodies"] = have_states ? bodies_json(in_a.states, in_b.states, axes) : Json(nullptr);
+  json["axes"] = axes.ours() ? Json(nullptr) : axes_json(axes);
   const auto same_rows = [](const Json& rows) {
     return std::ranges::all_of(rows, [](const Json& row) { return row["same"].get<bool>(); });
   };
@@ -241,6 +260,7 @@ void print_text(const SideBySide& step, const Sides& sides) {
     phases.print();
     if (on_one_side > 0) std::cout << "  (substeps that only one of them has are left out)\n";
   }
+  if (!json["axes"].is_null()) std::cout << "\nfields are named by the axes of the tables\n";
   if (!json["bodies"].is_null() && !json["bodies"].empty()) {
     const std::size_t count = json["bodies"].size();
     std::cout << '\n' << count_text(count, "body") << " differ" << (count == 1 ? "s" : "");

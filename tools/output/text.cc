@@ -7,41 +7,26 @@
 #include <string_view>
 
 #include "src/base/check.h"
+#include "src/base/utf8.h"
 
 namespace tumble::tools {
 namespace {
 
-/// JSON escapes a control character below U+0020 itself. Others, which would drive a terminal all the same, are escaped
-/// here, so that they come through as they were: U+007F to U+009F, and those that turn the direction of writing.
+/// JSON escapes control characters below U+0020 itself. Others that no reader sees as they are would drive a terminal
+/// all the same, and are escaped here, so that they come through as they were.
 std::string escape_harmful(const std::string& json) {
   std::string out;
   out.reserve(json.size());
-  const auto byte = [&](std::size_t i) { return i < json.size() ? static_cast<unsigned char>(json[i]) : 0U; };
   for (std::size_t at = 0; at < json.size();) {
-    const unsigned first = byte(at), second = byte(at + 1), third = byte(at + 2);
-    std::size_t length = 0;
-    unsigned code = 0;
-    if (first == 0x7FU) {
-      length = 1;
-      code = first;
-    } else if (first == 0xC2U && second >= 0x80U && second <= 0x9FU) {
-      length = 2;
-      code = second;
-    } else if (first == 0xE2U && second == 0x80U &&
-               (third == 0x8EU || third == 0x8FU || (third >= 0xAAU && third <= 0xAEU))) {
-      length = 3;
-      code = 0x2000U + (third & 0x3FU);
-    } else if (first == 0xE2U && second == 0x81U && third >= 0xA6U && third <= 0xA9U) {
-      length = 3;
-      code = 0x2040U + (third & 0x3FU);
+    const auto [code, length] = utf8_at(json, at);
+    SIM_CHECK(length > 0, at);
+    if (is_shown_as_read(code)) {
+      out.append(json, at, length);
+    } else {
+      constexpr std::string_view kDigits = "0123456789abcdef";
+      out += "\\u";
+      for (const unsigned shift : {12U, 8U, 4U, 0U}) out += kDigits[code >> shift & 15U];
     }
-    if (length == 0) {
-      out += json[at++];
-      continue;
-    }
-    constexpr std::string_view kDigits = "0123456789abcdef";
-    out += "\\u";
-    for (const unsigned shift : {12U, 8U, 4U, 0U}) out += kDigits[code >> shift & 15U];
     at += length;
   }
   return out;
@@ -54,6 +39,11 @@ void print_json(const Json& json) {
 }
 
 Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(exact_bits(value)); }
+
+std::optional<double> number_of(const Json& json) {
+  if (json.is_number()) return json.get<double>();
+  return json.is_string() ? parse_exact(json.get<std::string>()) : std::nullopt;
+}
 
 void Listing::print() const {
   std::size_t width = 0;

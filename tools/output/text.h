@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,9 @@ void print_json(const Json& json);
 
 /// A number, or, where JSON has none for it, the text of exact_bits(): "nan(0x7ff8000000000000)".
 Json number_json(double value);
+
+/// The number that number_json() wrote; none for other values.
+std::optional<double> number_of(const Json& json);
 
 /// Lines of "label  value", values aligned.
 class Listing {
