@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -31,6 +32,18 @@ using replay::LogReader;
 constexpr std::size_t kSessions = 200;  // made once; every pair begins with one of them
 constexpr std::size_t kFailuresShown = 10;
 
+/// A session, and its whole logs by the length of a chunk, written when they are first asked for.
+struct Recorded {
+  RandomSession session;
+  std::map<std::uint64_t, std::vector<std::byte>> logs;
+
+  const std::vector<std::byte>& log(std::uint64_t chunk) {
+    std::vector<std::byte>& bytes = logs[chunk];
+    if (bytes.empty()) bytes = log_of(session, chunk, {});
+    return bytes;
+  }
+};
+
 struct Pair {
   const RandomSession* a = nullptr;
   RandomSession b;
@@ -41,9 +54,10 @@ struct Pair {
   std::string what;
 };
 
-Pair pair_of_logs(const std::vector<RandomSession>& sessions, Dice& dice) {
+Pair pair_of_logs(std::vector<Recorded>& sessions, Dice& dice) {
   Pair pair;
-  pair.a = &sessions[dice.below(sessions.size())];
+  Recorded& recorded = sessions[dice.below(sessions.size())];
+  pair.a = &recorded.session;
   pair.b = *pair.a;
   pair.what = "nothing";
   if (dice.below(3) != 0) pair.what = change(pair.b, dice);
@@ -52,8 +66,9 @@ Pair pair_of_logs(const std::vector<RandomSession>& sessions, Dice& dice) {
   const std::array<std::uint32_t, 4> every = {1, 1, 1, static_cast<std::uint32_t>(2 + dice.below(4))};
   const std::uint32_t states = every[dice.below(every.size())];
   pair.all_states = states == 1;
-  pair.log_a = log_of(*pair.a, pair.chunk_a, {});
-  pair.log_b = log_of(pair.b, pair.chunk_b, {states});
+  pair.log_a = recorded.log(pair.chunk_a);
+  const bool is_known = pair.what == "nothing" && pair.all_states;
+  pair.log_b = is_known ? recorded.log(pair.chunk_b) : log_of(pair.b, pair.chunk_b, {states});
   pair.damaged = dice.below(4) == 0;
   if (!pair.damaged) return pair;
   std::vector<std::byte>& bytes = dice.below(2) == 0 ? pair.log_a : pair.log_b;
@@ -148,18 +163,24 @@ std::string judge_replay(const Pair& pair, LogReader& b) {
   return same || report->first->field.empty() ? "replay: different, and nothing is" : "";
 }
 
-std::string judge_pair(const Pair& pair) {
+/// One of the answers about the pair, chosen at random.
+std::string judge_pair(const Pair& pair, Dice& dice) {
   Result<LogReader> a = open(pair.log_a), b = open(pair.log_b);
   for (const Result<LogReader>* log : {&a, &b}) {
     if (log->ok()) continue;
     const bool in_header = pair.damaged && log->error().kind != ErrorKind::kCannotFinish;
     return in_header ? "" : "not opened: " + log->error().message;
   }
-  for (const replay::Reading reading : {replay::Reading::kAll, replay::Reading::kHashes}) {
-    if (std::string wrong = judge_diff(pair, *a, *b, reading); !wrong.empty()) return wrong;
+  switch (dice.below(6)) {
+    case 0:
+      return judge_tolerances(pair, *a, *b);
+    case 1:
+      return judge_replay(pair, *b);
+    case 2:
+      return judge_diff(pair, *a, *b, replay::Reading::kHashes);
+    default:  // behind diff and bisect
+      return judge_diff(pair, *a, *b, replay::Reading::kAll);
   }
-  if (std::string wrong = judge_tolerances(pair, *a, *b); !wrong.empty()) return wrong;
-  return judge_replay(pair, *b);
 }
 
 /// The program's answer about two files: exit status and JSON.
@@ -233,14 +254,16 @@ int run(const std::vector<std::string>& words) {
     program.emplace(words[3], std::filesystem::absolute(words[4]).string());
   }
   Dice dice(*seed);
-  std::vector<RandomSession> sessions;
-  for (std::size_t i = 0; i < std::min<std::size_t>(kSessions, *pairs + 1); ++i) sessions.push_back(make_session(dice));
+  std::vector<Recorded> sessions;
+  for (std::size_t i = 0; i < std::min<std::size_t>(kSessions, *pairs + 1); ++i) {
+    sessions.push_back({make_session(dice), {}});
+  }
   std::uint64_t wrong = 0, damaged = 0, changed = 0;
   for (std::uint64_t i = 0; i < *pairs; ++i) {
     const Pair pair = pair_of_logs(sessions, dice);
     if (pair.damaged) ++damaged;
     if (!is_equal(pair)) ++changed;
-    const std::string answer = program ? program->judge_pair(pair, dice) : judge_pair(pair);
+    const std::string answer = program ? program->judge_pair(pair, dice) : judge_pair(pair, dice);
     if (answer.empty()) continue;
     if (++wrong <= kFailuresShown)
       std::cerr << "same_trial: pair " << i << ": " << answer << "; changed: " << pair.what << '\n';
