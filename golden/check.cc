@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
-#include <system_error>
 #include <utility>
 
 #include "golden/canaries/canaries.h"
 #include "golden/judge/case_json.h"
-#include "golden/judge/case_series.h"
 #include "golden/report/report_place.h"
 #include "golden/run/longest_first.h"
 #include "golden/run/run_case.h"
@@ -16,42 +14,21 @@
 namespace tumble::golden {
 namespace {
 
-namespace fs = std::filesystem;
-
 CaseResult result_of(const CaseFolder& folder, const CheckOptions& options, const process::JobResult& child) {
+  std::string failure = "its process " + child.failure;
   if (child.failure.empty()) {
     Result<CaseResult> result = case_from_json(child.output);
     if (result.ok()) return *std::move(result);
-    CaseResult broken;
-    broken.problems.push_back(result.error().message);
-    broken.bless_refused = broken.problems.front();
-    broken.name = folder.name;
-    return broken;
+    failure = result.error().message;
   }
   // The case is not run here: a crash that ended the child would end this process too.
   CaseResult result;
   result.name = folder.name;
-  result.problems.push_back("its process " + child.failure);
-  result.bless_refused = result.problems.front();
+  result.problems.push_back(failure);
+  result.bless_refused = failure;
   result.require = options.require.value_or(CaseRules().require);
   result.reproduce = reproduce_command(folder);
   return result;
-}
-
-/// Removes the files of an earlier check, which could be mistaken for this one's.
-void remove_old_files(const fs::path& report, const std::vector<CaseFolder>& folders) {
-  std::error_code ignored;
-  for (const CaseFolder& folder : folders) {
-    const fs::path old = report / "cases" / folder.name;
-    for (const char* name : {"actual.tumble", "expected_track.csv", kSeriesFile}) fs::remove(old / name, ignored);
-    std::vector<fs::path> pictures;
-    for (fs::directory_iterator at(old, ignored); !ignored && at != fs::directory_iterator(); at.increment(ignored)) {
-      const std::string name = at->path().filename().string();
-      if (name.starts_with("frame_") && name.ends_with(".png")) pictures.push_back(at->path());
-    }
-    for (const fs::path& picture : pictures) fs::remove(picture, ignored);
-    fs::remove(old, ignored);
-  }
 }
 
 }  // namespace
@@ -60,12 +37,9 @@ Result<SuiteResult> check_suite(const CheckOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
   const Result<Suite> suite = open_suite(options.suite);
   if (!suite.ok()) return suite.error();
-  Result<std::vector<CaseFolder>> selected = select_cases(*suite, options.selection);
-  if (!selected.ok()) return selected.error();
-  Selection whole = options.selection;
-  whole.shard = whole.shards = 1;
-  const Result<std::vector<CaseFolder>> all = select_cases(*suite, whole);
+  const Result<std::vector<CaseFolder>> all = select_cases(*suite, options.selection);
   if (!all.ok()) return all.error();
+  std::vector<CaseFolder> selected = shard_of(*all, options.selection);
   SuiteResult result;
   result.selected = all->size();
   result.suite = options.suite.string();
@@ -73,13 +47,12 @@ Result<SuiteResult> check_suite(const CheckOptions& options) {
   result.shard = options.selection.shard;
   result.shards = options.selection.shards;
   result.problems = suite->problems;
-  if (selected->empty() && result.shards == 1) result.problems.emplace_back("no case was run");
+  if (selected.empty() && result.shards == 1) result.problems.emplace_back("no case was run");
   result.canaries = run_canaries(options.canary_judge);
 
-  const std::vector<CaseFolder> folders = longest_first(*std::move(selected));
+  const std::vector<CaseFolder> folders = longest_first(std::move(selected));
   if (!options.report.empty()) {
     if (Status ok = prepare_report(options.suite, options.report, options.junit); !ok.ok()) return ok.error();
-    remove_old_files(options.report, folders);
   }
   const RunOptions run = {options.suite, options.require, options.report, {}};
   const bool finished = process::run_jobs(

@@ -26,7 +26,7 @@ std::string hand_over(const CaseRun& run) {
   std::string golden;
   std::string pictures;
   Json json = to_json(run.result);
-  if (run.complete) {
+  if (run.incomplete.empty()) {
     const Result<std::vector<std::byte>> bytes = pack(run.actual);
     if (bytes.ok()) {
       golden.assign(reinterpret_cast<const char*>(bytes->data()), bytes->size());
@@ -160,7 +160,7 @@ Result<BlessReport> bless_cases(const BlessOptions& options) {
   Selection chosen;
   chosen.names = options.names;
   if (!options.report.empty()) {
-    Result<RecordedCases> opened = open_report(options.report, options.suite);
+    Result<RecordedCases> opened = open_report(options.report);
     if (!opened.ok()) return opened.error();
     recorded = *std::move(opened);
     // All of a report are the cases that failed there.
@@ -193,7 +193,7 @@ Result<BlessReport> bless_cases(const BlessOptions& options) {
   for (const Handed* one : changed) {
     if (Status ok = write_case(*one); !ok.ok()) return ok.error();
   }
-  const std::string entry = history_entry(today(), options.reason, report.blessed);
+  const std::string entry = history_entry(options.reason, report.blessed);
   if (Status ok = add_to_history(options.suite, entry); !ok.ok()) return ok.error();
   return report;
 }

@@ -123,6 +123,7 @@ Result<BlessReport> bless_log(const NewCase& options) {
   }
   judged.actual.scene_text = *text;
   judged.actual.provenance = this_program();
+  judged.actual.provenance.seconds = session->seconds;
   const Result<std::vector<std::byte>> golden = pack(judged.actual);
   if (!golden.ok()) return golden.error();
 
@@ -135,7 +136,7 @@ Result<BlessReport> bless_log(const NewCase& options) {
   Status ok = write_file(folder.file(kSceneFile), std::string_view(*text));
   if (ok.ok()) ok = write_file(folder.file(kRulesFile), rules_text(rules, judged.values, options.reason));
   if (ok.ok()) ok = write_file(folder.file(kExpectedFile), std::span<const std::byte>(*golden));
-  if (ok.ok()) ok = add_to_history(options.suite, history_entry(today(), options.reason, report.blessed));
+  if (ok.ok()) ok = add_to_history(options.suite, history_entry(options.reason, report.blessed));
   if (!ok.ok()) return ok.error();
   return report;
 }

@@ -1,13 +1,13 @@
 #include "golden/bless/history.h"
 
-#include <array>
-#include <ctime>
+#include <string_view>
 #include <system_error>
 
+#include "golden/expected/provenance.h"
 #include "golden/judge/case_result.h"
+#include "golden/judge/change.h"
 #include "golden/suite/suite.h"
 #include "golden/suite/text_files.h"
-#include "src/base/text.h"
 
 namespace tumble::golden {
 namespace {
@@ -15,22 +15,16 @@ namespace {
 constexpr const char* kHeading =
     "# History of the goldens\n\nWritten by `tumble bless`, newest first: what moved, by how much, why.\n";
 
-std::string value_text(const std::optional<double>& value, const std::string& unit) {
-  return value ? rounded(*value, unit) : "null";
-}
-
 /// "drift_max 0.1 m → 0.2 m"; empty for a value that did not move.
 std::string metric_line(const MetricResult& metric, bool is_new) {
-  const std::string after = value_text(metric.value, metric.unit);
-  if (is_new) return metric.rule.name + ' ' + after;
-  if (metric.value == metric.rule.value) return "";
-  return metric.rule.name + ' ' + value_text(metric.rule.value, metric.unit) + " → " + after;
+  if (is_new) return metric.rule.name + ' ' + value_text(metric.value, metric.unit);
+  return has_moved(metric) ? movement_text(metric) : "";
 }
 
 }  // namespace
 
-std::string history_entry(const std::string& date, const std::string& reason, const std::vector<Blessing>& blessings) {
-  std::string text = "\n## " + date + ": " + reason + "\n\n";
+std::string history_entry(const std::string& reason, const std::vector<Blessing>& blessings) {
+  std::string text = "\n## " + utc_now().substr(0, std::string_view("2026-11-22").size()) + ": " + reason + "\n\n";
   for (const Blessing& blessing : blessings) {
     text += "- **" + blessing.name + "**: " + blessing.bits;
     for (const std::string& detail : blessing.details) text += "; " + detail;
@@ -57,15 +51,6 @@ Status add_to_history(const std::filesystem::path& suite, const std::string& ent
   const std::string heading = old.empty() ? kHeading : old.substr(0, entries);
   const std::string rest = entries == std::string::npos ? "" : old.substr(entries);
   return write_file(path, std::string_view(heading + entry + rest));
-}
-
-std::string today() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc = {};
-  ::gmtime_r(&now, &utc);
-  std::array<char, 16> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%d", &utc);
-  return text.data();
 }
 
 }  // namespace tumble::golden

@@ -19,14 +19,11 @@ struct Blessing {
   std::vector<MetricResult> metrics;  ///< value: after; rule.value: before
 };
 
-/// An entry: heading with date and reason, a table of cases.
-std::string history_entry(const std::string& date, const std::string& reason, const std::vector<Blessing>& blessings);
+/// An entry: heading with the date of today (UTC) and the reason, a list of cases.
+std::string history_entry(const std::string& reason, const std::vector<Blessing>& blessings);
 
 /// Adds an entry at the top, under the file's heading, which is made where there is no file. Errors (kCannotFinish,
 /// kBadInput): reading, writing.
 Status add_to_history(const std::filesystem::path& suite, const std::string& entry);
-
-/// Today, as YYYY-MM-DD in UTC.
-std::string today();
 
 }  // namespace tumble::golden

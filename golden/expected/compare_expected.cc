@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 #include "src/base/check.h"
 #include "src/base/text.h"
@@ -16,12 +15,6 @@ constexpr double kTrackGrain = 0.001;  // m: rounding alone can make half of thi
 std::string number(std::uint64_t value) { return std::to_string(value); }
 
 std::string length_text(double metres) { return significant(metres, 3) + " m"; }
-
-std::string unit_of(const std::string& field) {
-  if (field.starts_with("position")) return "m";
-  if (field.starts_with("velocity")) return "m/s";
-  return field.starts_with("spin") ? "rad/s" : "";
-}
 
 /// The entry of a step in a list that ascends, or null.
 template <class T>
@@ -134,12 +127,8 @@ void ExpectedComparer::look_closer(const replay::StepRecord& record) {
   if (wanted == nullptr) return;
   std::optional<replay::Divergence> divergence = replay::first_difference(wanted->states, record.states);
   if (!divergence) return;
-  const double* wanted_number = std::get_if<double>(&divergence->expected);
-  const double* found_number = std::get_if<double>(&divergence->actual);
-  std::string size;  // comes first: how much says more than how many ULPs
-  if (wanted_number != nullptr && found_number != nullptr) {
-    size = ", " + rounded(std::fabs(*found_number - *wanted_number), unit_of(divergence->field));
-  }
+  std::string size = replay::magnitude(*divergence);  // comes first: how much says more than how many ULPs
+  if (!size.empty()) size.insert(0, ", ");
   const std::string body = divergence->body ? "body " + number(*divergence->body) + ", " : "";
   field_detail_ = "at step " + number(record.step) + ", " + body + divergence->field + size + ": expected " +
                   replay::to_string(divergence->expected) + ", actual " + replay::to_string(divergence->actual);

@@ -68,6 +68,7 @@ Result<Expected> unpack_unnamed(std::span<const std::byte> file) {
 
 Result<std::vector<std::byte>> pack(Expected expected) {
   check_shape(expected);
+  if (expected.scene_text.size() > kSceneTextMax) expected.scene_text.clear();
   Result<std::vector<std::byte>> file = pack_once(expected);
   for (const PhaseDetail detail : {PhaseDetail::kStep, PhaseDetail::kNone}) {
     if (!file.ok() || file->size() <= kGoldenBytesWanted) break;

@@ -15,6 +15,9 @@ inline constexpr std::size_t kGoldenBytesWanted = 300'000;
 /// No golden decodes to more than this, bytes.
 inline constexpr std::size_t kGoldenBytesMax = std::size_t{256} << 20;
 
+/// A longer text of a scene is not kept, bytes: for the same reason.
+inline constexpr std::size_t kSceneTextMax = 100'000;
+
 /// expected.tumble: one record of docs/log_format.md, of kind golden, and nothing else. Errors: memory.
 Result<std::vector<std::byte>> pack(Expected expected);
 

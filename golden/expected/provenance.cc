@@ -17,28 +17,11 @@ extern "C" [[gnu::weak]] const char* tumble_build_flags() { return ""; }
 namespace tumble::golden {
 namespace {
 
-/// The class of processor, on which the speed and a software driver's last bits may depend.
 std::string machine_class() {
-#if defined(__x86_64__) || defined(__i386__)
-  const char* lanes = __builtin_cpu_supports("avx512f") != 0 ? "AVX-512"
-                      : __builtin_cpu_supports("avx2") != 0  ? "AVX2"
-                                                             : "SSE2";
-  std::string machine = std::string("x86 with ") + lanes;
-#else
-  std::string machine = "not x86";
-#endif
+  std::string machine = processor_class();
   utsname system = {};
   if (::uname(&system) == 0) machine += std::string(", ") + system.sysname + ' ' + system.machine;
   return machine;
-}
-
-std::string now() {
-  const std::time_t time = std::time(nullptr);
-  std::tm utc = {};
-  ::gmtime_r(&time, &utc);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text.data();
 }
 
 std::string commit_text(const Provenance& provenance) {
@@ -60,6 +43,24 @@ std::string describe(const Provenance& provenance) {
   return text + ", " + seconds_text(provenance.seconds);
 }
 
+std::string processor_class() {
+#if defined(__x86_64__) || defined(__i386__)
+  if (__builtin_cpu_supports("avx512f") != 0) return "x86 with AVX-512";
+  return __builtin_cpu_supports("avx2") != 0 ? "x86 with AVX2" : "x86 with SSE2";
+#else
+  return "not x86";
+#endif
+}
+
+std::string utc_now() {
+  const std::time_t time = std::time(nullptr);
+  std::tm utc = {};
+  ::gmtime_r(&time, &utc);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text.data();
+}
+
 Provenance this_program() {
   Provenance here;
   here.version = TUMBLE_VERSION;
@@ -70,7 +71,7 @@ Provenance this_program() {
   here.compiler = replay::header_for({}).tool_build;
   here.flags = tumble_build_flags();
   here.machine = machine_class();
-  here.date = now();
+  here.date = utc_now();
   return here;
 }
 

@@ -17,9 +17,16 @@ struct Provenance {
   friend bool operator==(const Provenance&, const Provenance&) = default;
 };
 
-/// "tumble 0.1.0, commit 1234abcd (sources changed since), g++ 12.2.0, -O3, x86-64 with AVX-512, Linux, 2026-11-22T…,
-/// 0.35 s". Says "not known" of a commit that is not known. A golden of a program that wrote no provenance says so.
+/// "tumble 0.1.0, commit 1234abcd5678 (sources changed since), g++ 12.2.0, -O3, x86 with AVX-512, Linux x86_64,
+/// 2026-11-22T15:04:05Z, 0.35 s". Says "not known" of a commit that is not known. A golden of a program that wrote no
+/// provenance says so.
 std::string describe(const Provenance& provenance);
+
+/// The class of this processor, on which the speed and a software driver's last bits may depend: "x86 with AVX-512".
+std::string processor_class();
+
+/// UTC, "2026-11-22T15:04:05Z".
+std::string utc_now();
 
 /// This program, here and now.
 Provenance this_program();

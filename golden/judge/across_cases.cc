@@ -17,22 +17,15 @@ struct Group {
 
 std::string decimal(std::uint64_t value) { return std::to_string(value); }
 
-/// The cases of one phase: as one group where most of them share a step, else with the range of their steps.
-std::vector<Group> groups_of_phase(const std::string& phase, const std::vector<std::uint64_t>& steps) {
+/// The cases of one phase: those that share a step where they are more than half, else all with the range of steps.
+Group group_of_phase(const std::string& phase, const std::vector<std::uint64_t>& steps) {
   std::map<std::uint64_t, std::size_t> counts;
   for (const std::uint64_t step : steps) ++counts[step];
-  std::vector<Group> groups;
-  std::size_t alone = 0;
-  for (const auto& [step, count] : counts) {
-    if (count > 1) groups.push_back({"step " + decimal(step) + ", phase " + phase, count});
-    alone += count == 1 ? 1U : 0U;
-  }
-  if (alone > 0 && steps.size() > 1) {
-    groups.push_back(
-        {"phase " + phase + ", in steps " + decimal(counts.begin()->first) + " to " + decimal(counts.rbegin()->first),
-         steps.size()});
-  }
-  return groups;
+  const auto [step, count] =
+      *std::ranges::max_element(counts, {}, &std::pair<const std::uint64_t, std::size_t>::second);
+  if (2 * count > steps.size()) return {"step " + decimal(step) + ", phase " + phase, count};
+  return {"phase " + phase + ", in steps " + decimal(counts.begin()->first) + " to " + decimal(counts.rbegin()->first),
+          steps.size()};
 }
 
 }  // namespace
@@ -47,7 +40,7 @@ std::vector<std::string> across_cases(const std::vector<CaseResult>& cases) {
   }
   std::vector<Group> groups;
   for (const auto& [phase, steps] : steps_of_phase) {
-    for (Group& group : groups_of_phase(phase, steps)) groups.push_back(std::move(group));
+    if (steps.size() > 1) groups.push_back(group_of_phase(phase, steps));
   }
   std::ranges::stable_sort(groups, std::ranges::greater(), &Group::cases);
   std::vector<std::string> sentences;

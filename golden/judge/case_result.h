@@ -62,7 +62,7 @@ struct CaseResult {
   std::vector<std::string> artifacts;  ///< files left for a person, relative to the report folder
   std::string reproduce;               ///< the command line that records the session
   std::string bless;                   ///< the command line that accepts it; empty if bless would refuse
-  std::string bless_refused;           ///< why bless would refuse; empty if it would not
+  std::string bless_refused;           ///< why bless would refuse, or how its process ended; empty if neither
 
   [[nodiscard]] const Verdict& verdict(VerdictKind kind) const { return verdicts[static_cast<std::size_t>(kind)]; }
   Verdict& verdict(VerdictKind kind) { return verdicts[static_cast<std::size_t>(kind)]; }

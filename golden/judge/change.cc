@@ -4,13 +4,12 @@
 #include <array>
 #include <cmath>
 
+#include "replay/measure/metric_list.h"
 #include "src/base/text.h"
 
 namespace tumble::golden {
 namespace {
 
-/// Metrics use the C library's trigonometry, whose last bits vary from machine to machine.
-constexpr double kSameValue = 1e-9;
 constexpr int kDigits = 4;
 constexpr int kDigitsMax = 17;
 
@@ -85,12 +84,7 @@ const char* key_of(Change change) {
   return kKeys[static_cast<std::size_t>(change)];
 }
 
-bool is_same_value(double a, double b) { return std::fabs(a - b) <= kSameValue * std::max(std::fabs(a), std::fabs(b)); }
-
-bool has_moved(const MetricResult& metric) {
-  if (!metric.value || !metric.rule.value) return metric.value.has_value() != metric.rule.value.has_value();
-  return !is_same_value(*metric.value, *metric.rule.value);
-}
+bool has_moved(const MetricResult& metric) { return !replay::same_value(metric.value, metric.rule.value); }
 
 std::size_t moved_metrics(const CaseResult& result) {
   return static_cast<std::size_t>(std::ranges::count_if(result.metrics, has_moved));
@@ -103,6 +97,10 @@ const MetricResult* most_moved(const std::vector<MetricResult>& metrics) {
     if (most == nullptr || relative_movement(metric) > relative_movement(*most)) most = &metric;
   }
   return most;
+}
+
+std::string value_text(const std::optional<double>& value, const std::string& unit) {
+  return value ? rounded(*value, unit) : "null";
 }
 
 std::string movement_text(const MetricResult& metric) {

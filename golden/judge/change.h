@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "golden/judge/case_result.h"
 
@@ -21,15 +23,15 @@ Change change_of(const CaseResult& result);
 const char* to_string(Change change);  ///< "unchanged", "moved within bounds", "out of bounds", "not judged"
 const char* key_of(Change change);     ///< in JSON: "unchanged", "within_bounds", "out_of_bounds", "not_judged"
 
-/// Whether two values are equal to 1e-9 of the larger one: the C library's trigonometry varies below that.
-bool is_same_value(double a, double b);
-
 /// Whether a metric has another value than when it was blessed, or a value where there was none.
 bool has_moved(const MetricResult& metric);
 std::size_t moved_metrics(const CaseResult& result);
 
 /// The metric that moved by the largest part of its bound or its value; null if none moved.
 const MetricResult* most_moved(const std::vector<MetricResult>& metrics);
+
+/// "0.1 m", "null".
+std::string value_text(const std::optional<double>& value, const std::string& unit);
 
 /// "bounces 15 → 14", "drift_max 0.1 m → 2.4 m", in as many digits as tell the two apart.
 std::string movement_text(const MetricResult& metric);

@@ -116,7 +116,7 @@ class Pass {
   void judge_scene(CaseResult& result, const Expected& expected) {
     std::string words = "stale: scene.toml is not the scene that was blessed";
     if (expected.scene_text.empty()) {
-      words += " (its golden is older than the goldens that keep the scene's text: git's history of scene.toml has it)";
+      words += " (its golden does not keep the scene's text: git's history of scene.toml has it)";
     } else if (!reference_.scene_text.empty()) {
       result.scene_changes = scene_changes(expected.scene_text, reference_.scene_text);
       for (std::size_t k = 0; k < std::min(result.scene_changes.size(), kLinesNamed); ++k) {

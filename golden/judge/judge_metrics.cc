@@ -5,6 +5,7 @@
 
 #include "golden/judge/change.h"
 #include "golden/suite/metric_values.h"
+#include "replay/measure/metric_list.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
 
@@ -15,19 +16,13 @@ std::string beyond(const char* side, double value, double bound, const std::stri
   return std::string(side) + " the bound by " + rounded(std::fabs(value - bound), unit);
 }
 
-/// The fault of a value; empty if it has none.
+/// The fault of a value, compared with the blessed one as well; empty if it has none.
 std::string fault_of(const MetricRule& rule, const std::optional<double>& value, const std::string& unit,
                      bool same_bits) {
-  if (!value) {
-    if (rule.value && same_bits) return "null although no bit moved: the measuring changed";
-    if (rule.may_be_null) return "";
-    return "null: the question makes no sense for this session (may_be_null = true allows that)";
-  }
-  if (!std::isfinite(*value)) return *value != *value ? "not a number" : "infinite";
-  if (rule.max && !(*value <= *rule.max)) return beyond("above", *value, *rule.max, unit);
-  if (rule.min && !(*value >= *rule.min)) return beyond("below", *value, *rule.min, unit);
+  if (!value && rule.value && same_bits) return "null although no bit moved: the measuring changed";
+  if (std::string fault = fault_of_value(rule, value, unit); !fault.empty() || !value) return fault;
   if (!rule.value && !rule.may_be_null) return "no value yet: bless the case";
-  const bool same = rule.value && is_same_value(*value, *rule.value);
+  const bool same = replay::same_value(value, rule.value);
   if (same_bits && !same) return "another value although no bit moved: the measuring changed";
   return "";
 }
@@ -52,6 +47,17 @@ Verdict passed(const std::vector<MetricResult>& metrics) {
 }
 
 }  // namespace
+
+std::string fault_of_value(const MetricRule& rule, const std::optional<double>& value, const std::string& unit) {
+  if (!value) {
+    if (rule.may_be_null) return "";
+    return "null: the question makes no sense for this session (may_be_null = true allows that)";
+  }
+  if (!std::isfinite(*value)) return *value != *value ? "not a number" : "infinite";
+  if (rule.max && !(*value <= *rule.max)) return beyond("above", *value, *rule.max, unit);
+  if (rule.min && !(*value >= *rule.min)) return beyond("below", *value, *rule.min, unit);
+  return "";
+}
 
 Verdict judge_metrics(const CaseRules& rules, const std::vector<std::optional<double>>& values, bool same_bits,
                       std::vector<MetricResult>& out) {

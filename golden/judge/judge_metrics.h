@@ -1,12 +1,17 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "golden/judge/case_result.h"
 #include "golden/suite/case_rules.h"
 
 namespace tumble::golden {
+
+/// The fault of a value by itself, whatever was blessed: null where that is not allowed, infinite or not a number, out
+/// of its bounds. Empty: none.
+std::string fault_of_value(const MetricRule& rule, const std::optional<double>& value, const std::string& unit);
 
 /// Judges metrics by their bounds. same_bits: no bit of the session moved, so that no value may have either. values:
 /// one a rule. Precondition: as many values as rules.

@@ -5,6 +5,8 @@
 #include <system_error>
 #include <utility>
 
+#include "golden/expected/provenance.h"
+#include "golden/suite/text_files.h"
 #include "replay/picture/picture_source.h"
 #include "src/render/picture/image_difference.h"
 #include "tumble/render/png.h"
@@ -16,16 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kSamples = 2;
-
-// The class of processor, on which a software driver's last bits may depend.
-std::string processor_class() {
-#if defined(__x86_64__) || defined(__i386__)
-  if (__builtin_cpu_supports("avx512f") != 0) return "AVX-512";
-  return __builtin_cpu_supports("fma") != 0 ? "x86 with FMA" : "x86 without FMA";
-#else
-  return "not x86";
-#endif
-}
 
 std::string pixels_text(std::uint64_t n) { return std::to_string(n) + (n == 1 ? " pixel" : " pixels"); }
 
@@ -55,22 +47,53 @@ class Artist {
                                   {"Driver", driver()}};
     Result<std::vector<std::byte>> png = render::encode_png(*image, text);
     if (!png.ok()) return png.error();
-    return DrawnPicture{rule.file(), *std::move(png), *std::move(image), {}};
+    return DrawnPicture{rule.file(), *std::move(png), *std::move(image), {}, driver()};
   }
 
-  /// "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6, AVX-512"; empty before the first picture.
-  [[nodiscard]] std::string driver() const { return renderer_ ? renderer_->driver() + ", " + processor_class() : ""; }
-
  private:
+  /// "llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Core Profile) Mesa 22.3.6, x86 with AVX-512".
+  [[nodiscard]] std::string driver() const { return renderer_->driver() + ", " + processor_class(); }
+
   replay::LogReader& log_;
   replay::PictureSource pictures_;
   std::unique_ptr<render::Renderer> renderer_;
   int width_ = 0, height_ = 0;
 };
 
-std::string driver_of(const render::PngFile& golden) {
-  const auto found = std::ranges::find(golden.text, std::string("Driver"), &std::pair<std::string, std::string>::first);
-  return found == golden.text.end() ? "an unknown driver" : found->second;
+std::string driver_of(const render::PngFile& png) {
+  const auto found = std::ranges::find(png.text, std::string("Driver"), &std::pair<std::string, std::string>::first);
+  return found == png.text.end() ? "an unknown driver" : found->second;
+}
+
+std::string stem_of(const std::string& file) { return file.substr(0, file.rfind('.')); }
+
+bool is_of_size(const render::Image& image, const PictureRule& rule) {
+  return image.width == rule.width && image.height == rule.height;
+}
+
+std::string size_text(const render::Image& image) {
+  return std::to_string(image.width) + " x " + std::to_string(image.height) + " pixels";
+}
+
+// The picture as the other machine drew it. A report leaves out a picture that did not move: it is the golden.
+Result<DrawnPicture> recorded_picture(const RecordedPictures& recorded, const PictureRule& rule,
+                                      const CaseFolder& folder) {
+  const auto there = std::ranges::find_if(recorded.results, [&](const PictureResult& result) {
+    return result.rule.file() == rule.file() && result.rule.freezing == rule.freezing;
+  });
+  if (there == recorded.results.end()) return bad_input("was not drawn by the check of the report");
+  const bool moved = !there->message.empty();
+  const fs::path path = moved ? recorded.folder / (stem_of(rule.file()) + ".actual.png") : folder.path / rule.file();
+  std::error_code error;
+  if (moved && !fs::exists(path, error)) return bad_input("is not in the report, which says: " + there->message);
+  Result<render::PngFile> png = render::read_png(path.string());
+  if (!png.ok()) return png.error();
+  if (!is_of_size(png->image, rule)) {
+    return bad_input(path.string() + ": found " + size_text(png->image) + ", not as large as its [[picture]]");
+  }
+  Result<std::vector<std::byte>> bytes = read_bytes(path);
+  if (!bytes.ok()) return bytes.error();
+  return DrawnPicture{rule.file(), *std::move(bytes), std::move(png->image), {}, driver_of(*png)};
 }
 
 // Every picture in the folder must belong to a rule: any other would never be judged.
@@ -89,13 +112,11 @@ void find_unreferenced(const std::vector<PictureRule>& rules, const CaseFolder& 
   }
 }
 
-void compare(const render::PngFile& golden, DrawnPicture& drawn, const std::string& driver, PictureResult& result,
-             JudgedPictures& judged) {
+void compare(const render::PngFile& golden, DrawnPicture& drawn, PictureResult& result, JudgedPictures& judged) {
   const PictureRule& rule = result.rule;
-  if (golden.image.width != rule.width || golden.image.height != rule.height) {
-    judged.problems.push_back("stale: " + drawn.file + " is " + std::to_string(golden.image.width) + " x " +
-                              std::to_string(golden.image.height) +
-                              " pixels, not as large as its [[picture]]; bless it");
+  if (!is_of_size(golden.image, rule)) {
+    judged.problems.push_back("stale: " + drawn.file + " is " + size_text(golden.image) +
+                              ", not as large as its [[picture]]; bless it");
     return;
   }
   drawn.expected = golden.image;
@@ -108,7 +129,7 @@ void compare(const render::PngFile& golden, DrawnPicture& drawn, const std::stri
                    " of them by more than " + std::to_string(render::kFarOffLevels) +
                    " levels (bound: " + std::to_string(rule.far_off_max) + "), the worst by " +
                    std::to_string(found.largest);
-  judged.notes.push_back(drawn.file + ": drawn with " + driver + "; the golden with " + driver_of(golden));
+  judged.notes.push_back(drawn.file + ": drawn with " + drawn.driver + "; the golden with " + driver_of(golden));
 }
 
 Verdict verdict_of(const std::vector<PictureResult>& results) {
@@ -127,23 +148,24 @@ Verdict verdict_of(const std::vector<PictureResult>& results) {
 
 }  // namespace
 
-JudgedPictures judge_pictures(replay::LogReader& log, const std::vector<PictureRule>& rules, const CaseFolder& folder) {
+JudgedPictures judge_pictures(replay::LogReader& log, const std::vector<PictureRule>& rules, const CaseFolder& folder,
+                              const RecordedPictures* recorded) {
   JudgedPictures judged;
   judged.verdict = {Outcome::kNone, "none: the case names no picture"};
   find_unreferenced(rules, folder, judged.problems);
   Artist artist(log);
   for (const PictureRule& rule : rules) {
     PictureResult result{.rule = rule, .pixels = 0, .far_off = 0, .pass = false, .message = {}};
-    Result<DrawnPicture> drawn = artist.draw(rule);
+    Result<DrawnPicture> drawn = recorded != nullptr ? recorded_picture(*recorded, rule, folder) : artist.draw(rule);
     if (!drawn.ok()) {
-      result.message = "cannot be drawn: " + drawn.error().message;
-      judged.drawn.push_back({rule.file(), {}, {}, {}});
+      result.message = (recorded != nullptr ? "" : "cannot be drawn: ") + drawn.error().message;
+      judged.drawn.push_back({rule.file(), {}, {}, {}, {}});
     } else {
       std::error_code error;
       const fs::path path = folder.path / rule.file();
       const Result<render::PngFile> golden = render::read_png(path.string());
       if (golden.ok()) {
-        compare(*golden, *drawn, artist.driver(), result, judged);
+        compare(*golden, *drawn, result, judged);
       } else if (fs::exists(path, error)) {
         judged.problems.push_back(golden.error().message);
       } else {
@@ -159,7 +181,7 @@ JudgedPictures judge_pictures(replay::LogReader& log, const std::vector<PictureR
 }
 
 std::vector<PictureFile> explaining_files(const DrawnPicture& picture) {
-  const std::string stem = picture.file.substr(0, picture.file.rfind('.'));
+  const std::string stem = stem_of(picture.file);
   std::vector<PictureFile> files = {{stem + ".actual.png", picture.png}};
   if (picture.expected.rgb.empty()) return files;
   Result<std::vector<std::byte>> expected = render::encode_png(picture.expected);

@@ -26,13 +26,12 @@ std::string current_folder() {
 }
 
 std::vector<NextCommand> next_commands(const CaseResult& result, const std::string& suite) {
-  const std::string where = suite == "golden" ? "" : " --suite " + shell_quoted(suite);
   std::vector<NextCommand> commands;
   const auto add = [&](const char* purpose, const std::string& line) {
     if (!line.empty()) commands.push_back({purpose, line});
   };
   add("To reproduce", result.reproduce);
-  add("To judge it again", "tumble check " + shell_quoted(result.name) + where);
+  add("To judge it again", "tumble check " + shell_quoted(result.name) + suite_option(suite));
   add("To accept it, if it is right", result.bless);
   add("To find the commit, REV being one that passed", bisect_command(result, suite));
   return commands;

@@ -2,8 +2,6 @@
 
 #include <array>
 
-#include "src/base/text.h"
-
 namespace tumble::golden {
 
 Html element(Html::Markup open, std::string_view words, Html::Markup close) {
@@ -41,10 +39,6 @@ Html cell(std::string_view name, std::string_view words, bool is_number) {
   Html out("<td");
   if (is_number) out << " class=\"number\"";
   return out << " data-name=\"" << text(name) << "\">" << text(words) << "</td>";
-}
-
-std::string value_text(const std::optional<double>& value, const std::string& unit) {
-  return value ? rounded(*value, unit) : "null";
 }
 
 }  // namespace tumble::golden

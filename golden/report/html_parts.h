@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,9 +21,6 @@ Html chip(const char* name, Outcome outcome);
 
 /// A cell of a table. name: its column's, which narrow screens show beside it.
 Html cell(std::string_view name, std::string_view words, bool is_number = false);
-
-/// "0.1 m", "null".
-std::string value_text(const std::optional<double>& value, const std::string& unit);
 
 /// The classes and words of an outcome.
 const char* class_of(Outcome outcome);  ///< "none", "pass", "fail"

@@ -1,13 +1,14 @@
 #include "golden/report/report_place.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <array>
 #include <string>
 #include <system_error>
 #include <vector>
 
+#include "golden/judge/case_series.h"
+#include "golden/run/run_case.h"
 #include "golden/suite/suite.h"
-#include "golden/suite/text_files.h"
 #include "src/files/output_guard.h"
 
 namespace tumble::golden {
@@ -27,34 +28,39 @@ files::OutputGuard guard_of(const fs::path& suite) {
   return guard;
 }
 
-/// "cases/NAME/FILE" and nothing that leads elsewhere: a report may come from another machine.
-bool is_in_cases(const fs::path& artifact) {
-  return artifact.is_relative() && *artifact.begin() == kCases &&
-         std::ranges::none_of(artifact, [](const fs::path& part) { return part == ".."; });
+/// Whether run_case() leaves a file of that name in a report. The pictures of a golden have other names.
+bool is_left_of_a_case(const std::string& name) {
+  if (name == kLogFile || name == kTrackFile || name == kSeriesFile) return true;
+  return name.starts_with("frame_") &&
+         std::ranges::any_of(std::array{".actual.png", ".expected.png", ".difference.png"},
+                             [&](const char* end) { return name.ends_with(end); });
 }
 
-std::vector<fs::path> files_of_earlier_report(const fs::path& folder) {
-  std::vector<fs::path> files;
-  const Result<std::string> text = read_text(folder / kJson);
-  const nlohmann::json old = nlohmann::json::parse(text.ok() ? *text : "", nullptr, false);
-  if (!old.is_object() || !old.contains(kCases) || !old[kCases].is_array()) return files;
-  for (const nlohmann::json& one : old[kCases]) {
-    if (!one.is_object() || !one.contains("artifacts") || !one["artifacts"].is_array()) continue;
-    for (const nlohmann::json& artifact : one["artifacts"]) {
-      if (artifact.is_string() && is_in_cases(artifact.get<std::string>())) {
-        files.push_back(folder / artifact.get<std::string>());
-      }
-    }
+std::vector<fs::path> entries_of(const fs::path& folder) {
+  std::vector<fs::path> entries;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    entries.push_back(at->path());
   }
-  return files;
+  return entries;
+}
+
+/// A folder that a link leads to is not the report's.
+void remove_files_of_cases(const fs::path& cases) {
+  std::error_code ignored;
+  if (!fs::is_directory(fs::symlink_status(cases, ignored))) return;
+  for (const fs::path& folder : entries_of(cases)) {
+    if (!fs::is_directory(fs::symlink_status(folder, ignored))) continue;
+    for (const fs::path& file : entries_of(folder)) {
+      if (is_left_of_a_case(file.filename().string())) fs::remove(file, ignored);
+    }
+    fs::remove(folder, ignored);  // once it is empty
+  }
 }
 
 void remove_earlier_report(const fs::path& folder, const fs::path& junit) {
   std::error_code ignored;
-  for (const fs::path& file : files_of_earlier_report(folder)) {
-    fs::remove(file, ignored);
-    fs::remove(file.parent_path(), ignored);  // once it is empty
-  }
+  remove_files_of_cases(folder / kCases);
   for (const fs::path& file : {folder / kJson, folder / kPage, folder / kJunit, junit_file(folder, junit)}) {
     if (fs::is_regular_file(file, ignored)) fs::remove(file, ignored);
   }

@@ -9,8 +9,8 @@ namespace tumble::golden {
 /// The file that write_reports() writes JUnit's report to.
 std::filesystem::path junit_file(const std::filesystem::path& folder, const std::filesystem::path& junit);
 
-/// Makes a report's place ready, before a check begins. Removes what an earlier check left there, as its report.json
-/// names it: a check that ends early must not leave an old verdict behind. folder, junit: as write_reports() gets them.
+/// Makes a report's place ready, before a check begins. Removes what an earlier check left there: a check that
+/// ends early must not leave an old verdict behind. folder, junit: as write_reports() gets them.
 /// Errors (kBadInput): a file of the report would replace a file of the suite or lie among the cases.
 Status prepare_report(const std::filesystem::path& suite, const std::filesystem::path& folder,
                       const std::filesystem::path& junit);

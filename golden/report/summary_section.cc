@@ -21,23 +21,6 @@ double distance_of(const CaseResult& result) {
   return std::isfinite(metres) ? metres : std::numeric_limits<double>::max();
 }
 
-/// The case's own problem, or how far it went and the metric that failed or moved most.
-std::string magnitude_of(const CaseResult& result) {
-  std::string words;
-  const auto add = [&](const std::string& more) { words += (words.empty() ? "" : "; ") + more; };
-  if (result.difference && result.difference->apart) add(describe(*result.difference->apart));
-  for (const MetricResult& metric : result.metrics) {
-    if (!metric.pass) add(movement_text(metric) + ", " + metric.message);
-  }
-  const MetricResult* most = most_moved(result.metrics);
-  if (most != nullptr && most->pass) add(movement_text(*most) + ", within its bounds");
-  for (const PictureResult& picture : result.pictures) {
-    if (picture.pixels > 0) add(picture.rule.file() + ": " + std::to_string(picture.pixels) + " pixels differ");
-  }
-  if (!result.problems.empty()) add(result.problems.front().substr(0, result.problems.front().find(';')));
-  return words.empty() ? "no position that the golden keeps differs" : words;
-}
-
 std::string first_difference_of(const CaseResult& result) {
   if (!result.difference) return "–";
   return "step " + std::to_string(result.difference->step) + ", phase " + result.difference->phase;
@@ -57,7 +40,7 @@ Html overview_row(const CaseResult& one) {
   out << text(one.passed() ? key_of(change_of(one)) : "failed") << "\" data-category=\"" << text(one.category)
       << "\" data-magnitude=\"" << text(exact(distance_of(one))) << "\" data-name=\"" << text(one.name)
       << "\"><td><a href=\"#" << path(one.name) << "\">" << text(one.name) << "</a></td>" << verdict_cell(one)
-      << cell("by how much", magnitude_of(one)) << cell("first difference", first_difference_of(one))
+      << cell("by how much", summary(one)) << cell("first difference", first_difference_of(one))
       << cell("category", one.category) << "<td><code tabindex=\"0\">" << text(one.reproduce) << "</code></td></tr>\n";
   return out;
 }

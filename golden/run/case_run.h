@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "golden/expected/expected.h"
@@ -16,7 +17,7 @@ struct CaseRun {
   Expected actual;
   std::vector<std::optional<double>> values;
   std::vector<DrawnPicture> pictures;
-  bool complete = false;  ///< the session ran to its end and was measured: it could be blessed
+  std::string incomplete = "it was not run";  ///< why the run stopped; empty: it ran to its end and was measured
 };
 
 }  // namespace tumble::golden

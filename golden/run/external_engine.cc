@@ -1,6 +1,7 @@
 #include "golden/run/external_engine.h"
 
 #include <algorithm>
+#include <chrono>
 #include <memory>
 #include <system_error>
 
@@ -22,6 +23,11 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
+/// The command line with the shell's words for {scene} and {log} in it.
+std::string filled(const std::string& command, const std::string& scene, const std::string& log) {
+  return replaced(replaced(command, "{scene}", scene), "{log}", log);
+}
+
 std::string end_of(const fs::path& file) {
   const Result<std::string> text = read_text(file);
   if (!text.ok() || text->empty()) return "";
@@ -37,15 +43,14 @@ std::string shell_quoted(const std::string& word) {
   return plain ? word : "'" + replaced(word, "'", "'\\''") + "'";
 }
 
-std::string engine_command(const std::string& command, const std::string& scene, const std::string& log) {
-  return replaced(replaced(command, "{scene}", shell_quoted(scene)), "{log}", shell_quoted(log));
+std::string suite_option(const fs::path& suite) {
+  return suite == "golden" ? "" : " --suite " + shell_quoted(suite.string());
 }
 
-std::string engine_line(const std::string& command, const fs::path& suite, const std::string& name) {
-  const std::string scene = "cases/" + name + "/scene.toml";
-  const std::string log = "\"$OLDPWD\"/" + shell_quoted(name + ".tumble");
-  return "(cd " + shell_quoted(suite.string()) + " && " +
-         replaced(replaced(command, "{scene}", shell_quoted(scene)), "{log}", log) + ")";
+std::string engine_line(const std::string& command, const fs::path& suite, const CaseFolder& folder) {
+  const fs::path scene = folder.file(kSceneFile).lexically_relative(suite);
+  const std::string log = "\"$OLDPWD\"/" + shell_quoted(folder.name + ".tumble");
+  return "(cd " + shell_quoted(suite.string()) + " && " + filled(command, shell_quoted(scene.string()), log) + ")";
 }
 
 Result<Session> run_engine(const std::string& command, const fs::path& suite, const std::string& scene) {
@@ -55,17 +60,20 @@ Result<Session> run_engine(const std::string& command, const fs::path& suite, co
   const fs::path output = folder.path() / "output.txt";
   std::error_code error;
   process::Program shell;
-  shell.words = {"sh", "-c", engine_command(command, fs::absolute(scene, error).string(), log.string())};
+  shell.words = {"sh", "-c",
+                 filled(command, shell_quoted(fs::absolute(scene, error).string()), shell_quoted(log.string()))};
   shell.folder = suite.string();
   shell.out = shell.err = output.string();
   shell.own_group = false;  // a case that takes too long is ended as a group, and the engine with it
   const std::string who = "the engine's command \"" + command + "\" ";
+  const auto begin = std::chrono::steady_clock::now();
   const Result<process::ChildEnd> end = process::run_child(shell);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   if (!end.ok()) return cannot_finish(who + "was not run: " + end.error().message);
   if (!end->well()) return cannot_finish(who + process::behind_shell(*end).text() + end_of(output));
   Result<std::vector<std::byte>> bytes = read_bytes(log);
   if (!bytes.ok()) return cannot_finish(who + "wrote no log" + end_of(output));
-  return Session{std::make_shared<std::vector<std::byte>>(*std::move(bytes)), {}, {}};
+  return Session{std::make_shared<std::vector<std::byte>>(*std::move(bytes)), {}, {}, seconds};
 }
 
 }  // namespace tumble::golden

@@ -1,8 +1,5 @@
 #include "golden/run/run_case.h"
 
-#include <algorithm>
-#include <chrono>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -34,16 +31,15 @@ std::string track_csv(const Expected& expected) {
   return text;
 }
 
-constexpr std::size_t kSceneTextMax = 100'000;  // bytes: git keeps every version of every golden
-
 std::string bless_command(const CaseFolder& folder, const fs::path& suite) {
-  const std::string where = suite == "golden" ? "" : " --suite " + shell_quoted(suite.string());
-  return "tumble bless " + shell_quoted(folder.name) + where + " --reason \"…\"";
+  return "tumble bless " + shell_quoted(folder.name) + suite_option(suite) + " --reason \"…\"";
 }
 
 class CaseRunner {
  public:
   CaseRunner(const CaseFolder& folder, const RunOptions& options) : folder_(folder), options_(options) {
+    const auto recorded = options.recorded.find(folder.name);
+    if (recorded != options.recorded.end()) recorded_ = &recorded->second;
     CaseResult& result = run_.result;
     result.name = folder.name;
     result.problems = folder_problems(folder);
@@ -65,18 +61,29 @@ class CaseRunner {
  private:
   [[nodiscard]] std::string scene_path() const { return folder_.file(kSceneFile).string(); }
 
-  bool fail(const Error& error) {
-    run_.result.problems.push_back(error.message);
+  void fail(const Error& error) { run_.result.problems.push_back(error.message); }
+
+  /// A problem that ends the run.
+  bool stop(const Error& error) {
+    run_.incomplete = error.message;
+    fail(error);
+    return false;
+  }
+
+  /// A file without which nothing is run. folder_problems() has named it among the problems.
+  bool has(const char* name) {
+    std::error_code ignored;
+    if (fs::exists(folder_.file(name), ignored)) return true;
+    run_.incomplete = std::string("it has no ") + name;
     return false;
   }
 
   bool read_scene() {
-    std::error_code ignored;
-    if (!fs::exists(folder_.file(kSceneFile), ignored)) return false;  // is a problem already
+    if (!has(kSceneFile)) return false;
     Result<std::string> text = read_text(folder_.file(kSceneFile));
-    if (!text.ok()) return fail(text.error());
+    if (!text.ok()) return stop(text.error());
     Result<sim::SceneDef> scene = scenes::parse_scene(*text, scene_path());
-    if (!scene.ok()) return fail(scene.error());
+    if (!scene.ok()) return stop(scene.error());
     scene_text_ = *std::move(text);
     scene_ = *std::move(scene);
     run_.result.title = scene_.title;
@@ -85,12 +92,11 @@ class CaseRunner {
   }
 
   bool read_rules() {
-    std::error_code ignored;
-    if (!fs::exists(folder_.file(kRulesFile), ignored)) return false;
+    if (!has(kRulesFile)) return false;
     const Result<std::string> text = read_text(folder_.file(kRulesFile));
-    if (!text.ok()) return fail(text.error());
+    if (!text.ok()) return stop(text.error());
     Result<CaseRules> rules = parse_rules(*text, folder_.file(kRulesFile).string());
-    if (!rules.ok()) return fail(rules.error());
+    if (!rules.ok()) return stop(rules.error());
     run_.rules = *std::move(rules);
     if (!options_.require) run_.result.require = run_.rules.require;
     return true;
@@ -113,49 +119,59 @@ class CaseRunner {
   }
 
   void judge_session() {
-    const auto begin = std::chrono::steady_clock::now();
     const bool is_external = !run_.rules.command.empty();
     const Result<Session> session = this_session(is_external);
-    provenance_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    if (is_external) run_.result.reproduce = engine_line(run_.rules.command, options_.suite, folder_.name);
+    if (is_external) run_.result.reproduce = engine_line(run_.rules.command, options_.suite, folder_);
     if (!session.ok()) {
-      fail(session.error());
+      stop(session.error());
       return;
     }
     Result<replay::LogReader> log = open_session(*session, folder_.name + "'s log");
     if (!log.ok()) {
-      fail(log.error());
+      stop(log.error());
       return;
     }
     const Reference reference = {run_.rules, expected_ ? &*expected_ : nullptr, scene_hash(scene_),
                                  session->continuation, scene_text_};
     Judged judged = judge(*log, reference);
-    const bool measured = judged.result.problems.empty() || !judged.values.empty();
+    run_.incomplete = reason_to_stop(*session, *log, judged);
     take(std::move(judged));
-    const auto recorded = options_.recorded.find(folder_.name);
-    if (recorded != options_.recorded.end() && recorded->second.final_hash != run_.result.final_hash) {
-      run_.result.problems.emplace_back("the report's session does not end as the report says");
+    if (recorded_ != nullptr && run_.incomplete.empty() && recorded_->final_hash != run_.result.final_hash) {
+      stop(bad_input("the report's session does not end as the report says"));
       return;
     }
-    take(judge_pictures(*log, run_.rules.pictures, folder_));
+    take_pictures(*log);
     if (!session->failure.empty()) run_.result.problems.push_back(session->failure);
-    run_.complete = measured && session->failure.empty() && log->condition().whole();
     if (!run_.result.passed()) leave_files(*session, *log);
+  }
+
+  /// Why a session that was judged may not become a golden; empty: it may.
+  static std::string reason_to_stop(const Session& session, const replay::LogReader& log, const Judged& judged) {
+    if (!session.failure.empty()) return session.failure;
+    // A session that cannot be read or measured to its end has that problem last.
+    if (judged.values.empty() && !judged.result.problems.empty()) return judged.result.problems.back();
+    return log.condition().whole() ? "" : "its log is " + log.condition().summary(judged.result.steps);
   }
 
   /// Runs the case, or reads its session from the report of a check elsewhere.
   Result<Session> this_session(bool is_external) {
-    const auto found = options_.recorded.find(folder_.name);
-    if (found == options_.recorded.end()) {
-      if (!options_.recorded.empty())
-        return bad_input("the report has no session of it: it passed there, or was not run");
-      return is_external ? run_engine(run_.rules.command, options_.suite, scene_path())
-                         : run_session(scene_, scene_text_);
+    if (recorded_ != nullptr) return recorded_session(is_external);
+    if (!options_.recorded.empty())
+      return bad_input("the report has no session of it: it passed there, or was not run");
+    Result<Session> session =
+        is_external ? run_engine(run_.rules.command, options_.suite, scene_path()) : run_session(scene_, scene_text_);
+    if (session.ok()) provenance_.seconds = session->seconds;
+    return session;
+  }
+
+  Result<Session> recorded_session(bool is_external) {
+    provenance_ = recorded_->run;
+    if (!is_external && recorded_->continuation == Hash128{}) {
+      return bad_input("the report does not say the hash of the hidden state that its session ends with");
     }
-    provenance_ = found->second.run;
-    Result<std::vector<std::byte>> bytes = read_bytes(found->second.folder / "actual.tumble");
+    Result<std::vector<std::byte>> bytes = read_bytes(recorded_->folder / kLogFile);
     if (!bytes.ok()) return bytes.error();
-    Session session{std::make_shared<std::vector<std::byte>>(*std::move(bytes)), found->second.continuation, {}};
+    Session session{std::make_shared<std::vector<std::byte>>(*std::move(bytes)), recorded_->continuation, {}, 0};
     Result<replay::LogReader> log = open_session(session, folder_.name + "'s log in the report");
     if (!log.ok()) return log.error();
     if (!is_external && scene_hash(log->header().scene) != scene_hash(scene_)) {
@@ -179,25 +195,21 @@ class CaseRunner {
     result.scene_changes = std::move(from.scene_changes);
     result.blessed_by = std::move(from.blessed_by);
     run_.actual = std::move(judged.actual);
-    run_.actual.scene_text = scene_text_.size() <= kSceneTextMax ? scene_text_ : "";
+    run_.actual.scene_text = scene_text_;
     run_.actual.provenance = provenance_;
     run_.values = std::move(judged.values);
   }
 
-  void take(JudgedPictures&& judged) {
+  void take_pictures(replay::LogReader& log) {
+    std::optional<RecordedPictures> recorded;
+    if (recorded_ != nullptr) recorded.emplace(RecordedPictures{recorded_->folder, recorded_->pictures});
+    JudgedPictures judged = judge_pictures(log, run_.rules.pictures, folder_, recorded ? &*recorded : nullptr);
     CaseResult& result = run_.result;
     result.verdict(VerdictKind::kImage) = std::move(judged.verdict);
     result.pictures = std::move(judged.results);
     result.problems.insert(result.problems.end(), judged.problems.begin(), judged.problems.end());
     result.notes.insert(result.notes.end(), judged.notes.begin(), judged.notes.end());
     run_.pictures = std::move(judged.drawn);
-    const auto found = options_.recorded.find(folder_.name);
-    if (found == options_.recorded.end()) return;
-    for (DrawnPicture& picture : run_.pictures) {  // as the other machine drew them, where they moved there
-      const std::string stem = picture.file.substr(0, picture.file.rfind('.'));
-      Result<std::vector<std::byte>> png = read_bytes(found->second.folder / (stem + ".actual.png"));
-      if (png.ok()) picture.png = *std::move(png);
-    }
   }
 
   void leave_files(const Session& session, replay::LogReader& log) {
@@ -210,14 +222,14 @@ class CaseRunner {
         run_.result.artifacts.push_back(folder + name);
       }
     };
-    leave("actual.tumble", std::span<const std::byte>(*session.log));
+    leave(kLogFile, std::span<const std::byte>(*session.log));
     for (std::size_t k = 0; k < run_.pictures.size(); ++k) {
       if (run_.result.pictures[k].message.empty() || run_.pictures[k].png.empty()) continue;
       for (const PictureFile& file : explaining_files(run_.pictures[k])) {
         leave(file.name, std::span<const std::byte>(file.bytes));
       }
     }
-    if (expected_ && !expected_->track.empty()) leave("expected_track.csv", std::string_view(track_csv(*expected_)));
+    if (expected_ && !expected_->track.empty()) leave(kTrackFile, std::string_view(track_csv(*expected_)));
     const Result<Json> series = case_series(log, expected_ ? &*expected_ : nullptr);
     if (series.ok()) {
       leave(kSeriesFile, std::string_view(series->dump()));
@@ -228,6 +240,7 @@ class CaseRunner {
 
   const CaseFolder& folder_;
   const RunOptions& options_;
+  const RecordedCase* recorded_ = nullptr;  // null: the case is run
   CaseRun run_;
   std::string scene_text_;
   sim::SceneDef scene_;

@@ -18,6 +18,10 @@ struct RunOptions {
   RecordedCases recorded = {};  ///< sessions to judge instead of running their cases; empty: every case is run
 };
 
+/// Files of a failed case in a report, beside pictures and series.json.
+inline constexpr const char* kLogFile = "actual.tumble";
+inline constexpr const char* kTrackFile = "expected_track.csv";
+
 /// Reads a case's files, runs its scene (or the external engine that it names) and judges the session. Every failure
 /// becomes a problem of the result.
 CaseRun run_case(const CaseFolder& folder, const RunOptions& options);

@@ -1,5 +1,6 @@
 #include "golden/run/run_session.h"
 
+#include <chrono>
 #include <memory>
 #include <utility>
 
@@ -8,6 +9,7 @@
 namespace tumble::golden {
 
 Result<Session> run_session(const sim::SceneDef& scene, const std::string& scene_text) {
+  const auto begin = std::chrono::steady_clock::now();
   Session session{.log = std::make_shared<std::vector<std::byte>>(), .continuation = {}, .failure = {}};
   replay::RecordOptions options;
   options.scene_text = scene_text;
@@ -18,6 +20,7 @@ Result<Session> run_session(const sim::SceneDef& scene, const std::string& scene
   session.continuation = sim::continuation_hash((*recorder)->world().state());
   const Result<replay::LogSummary> summary = (*recorder)->finish();
   if (!summary.ok() && session.failure.empty()) return summary.error();
+  session.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return session;
 }
 

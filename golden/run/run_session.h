@@ -15,6 +15,7 @@ struct Session {
   replay::MemoryFile log;
   Hash128 continuation;  ///< of the last state; zero where it is not known (another engine's)
   std::string failure;   ///< why it ended early; empty: it did not
+  double seconds = 0;    ///< of wall time that it took
 };
 
 /// Runs a scene with this build. Errors: a world that cannot be made.

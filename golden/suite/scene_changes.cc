@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdint>
 
 #include "golden/suite/text_files.h"
@@ -9,49 +10,73 @@
 namespace tumble::golden {
 namespace {
 
-/// More pairs of lines than this are not compared for the longest common sequence; lines then pair in their order.
+/// More pairs of lines than this are not compared for the longest common sequence; those between the first difference
+/// and the last then pair in their order.
 constexpr std::size_t kPairsMax = 4'000'000;
 
 struct Line {
   std::size_t number = 0;
   std::string table;
+  std::string key;  ///< of a text over several lines: the key that it belongs to
   std::string text;
-  [[nodiscard]] std::string key() const { return text.substr(0, text.find_first_of(" =")); }
   friend bool operator==(const Line& a, const Line& b) { return a.table == b.table && a.text == b.text; }
 };
 
-/// Without a comment and without blanks around it.
-std::string content_of(const std::string& line) {
-  char quote = 0;
+/// Without a comment and without blanks around it. open: the quotes of a text that goes on from the line before, and of
+/// one that goes on in the next line; else empty.
+std::string content_of(std::string_view line, std::string_view& open) {
+  constexpr std::array<std::string_view, 4> kQuotes = {"\"\"\"", "'''", "\"", "'"};
   std::size_t end = 0;
   for (; end < line.size(); ++end) {
-    const char c = line[end];
-    if (quote == 0 && c == '#') break;
-    if (c == '"' || c == '\'') quote = quote == 0 ? c : quote == c ? '\0' : quote;
+    const std::string_view rest = line.substr(end);
+    if (!open.empty()) {
+      if (rest.starts_with(open)) {
+        end += open.size() - 1;
+        open = {};
+      } else if (rest.front() == '\\' && open.front() == '"') {
+        ++end;
+      }
+      continue;
+    }
+    if (rest.front() == '#') break;
+    const auto* const quote = std::ranges::find_if(kQuotes, [&](std::string_view q) { return rest.starts_with(q); });
+    if (quote == kQuotes.end()) continue;
+    open = *quote;
+    end += open.size() - 1;
   }
+  if (open.size() == 1) open = {};
+  line = line.substr(0, end);
   const std::size_t from = line.find_first_not_of(" \t");
-  if (from == std::string::npos || from >= end) return "";
-  const std::size_t to = line.find_last_not_of(" \t", end - 1);
-  return line.substr(from, to - from + 1);
+  return from == std::string_view::npos ? "" : std::string(line.substr(from, line.find_last_not_of(" \t") - from + 1));
+}
+
+bool is_table(const std::string& text) {
+  const std::size_t name = text.find_first_not_of('[');
+  return text.front() == '[' && text.back() == ']' && text.find('=') == std::string::npos &&
+         name != std::string::npos && std::isalpha(static_cast<unsigned char>(text[name])) != 0;
 }
 
 /// Words and looks, which no session depends on.
 bool is_only_looks(const Line& line) {
-  constexpr std::array<std::string_view, 5> kWords = {"title", "name", "category", "description", "figure"};
-  if (line.table.empty() && std::ranges::find(kWords, line.key()) != kWords.end()) return true;
-  return line.table.starts_with("[camera") || line.table.starts_with("[light") || line.table.starts_with("[[light");
+  constexpr std::array<std::string_view, 3> kWords = {"title", "name", "category"};
+  if (line.table.empty() && std::ranges::find(kWords, line.key) != kWords.end()) return true;
+  return line.key == "texture" || line.table.starts_with("[camera") || line.table.starts_with("[light") ||
+         line.table.starts_with("[[light");
 }
 
 std::vector<Line> lines_that_count(std::string_view scene) {
   std::vector<Line> lines;
-  std::string table;
+  std::string table, key;
+  std::string_view open;
   std::size_t number = 0;
   for (const std::string& whole : lines_of(scene)) {
     ++number;
-    std::string text = content_of(whole);
+    const bool goes_on = !open.empty();
+    std::string text = content_of(whole, open);
     if (text.empty()) continue;
-    if (text.front() == '[' && text.back() == ']' && text.find('=') == std::string::npos) table = text;
-    Line line{number, table, std::move(text)};
+    if (!goes_on) key = text.substr(0, text.find_first_of(" ="));
+    if (!goes_on && is_table(text)) table = text;
+    Line line{number, table, key, std::move(text)};
     if (!is_only_looks(line)) lines.push_back(std::move(line));
   }
   return lines;
@@ -64,29 +89,41 @@ struct Common {
   std::vector<bool> a, b;
 };
 
-Common common_lines(const Lines& a, const Lines& b) {
-  Common common{std::vector<bool>(a.size()), std::vector<bool>(b.size())};
-  if (a.size() * b.size() > kPairsMax) {
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) common.a[i] = common.b[i] = a[i] == b[i];
-    return common;
+/// The longest common sequence of the lines from `from` to to_a and to_b.
+void mark_between(const Lines& a, const Lines& b, std::size_t from, std::size_t to_a, std::size_t to_b,
+                  Common& common) {
+  if ((to_a - from) * (to_b - from) > kPairsMax) {
+    for (std::size_t i = from; i < std::min(to_a, to_b); ++i) common.a[i] = common.b[i] = a[i] == b[i];
+    return;
   }
-  const std::size_t width = b.size() + 1;
-  std::vector<std::uint32_t> length((a.size() + 1) * width);  // of the longest sequence from (i, j) on
-  for (std::size_t i = a.size(); i-- > 0;) {
-    for (std::size_t j = b.size(); j-- > 0;) {
-      length[i * width + j] = a[i] == b[j] ? length[(i + 1) * width + j + 1] + 1
-                                           : std::max(length[(i + 1) * width + j], length[i * width + j + 1]);
+  const std::size_t width = to_b - from + 1;
+  std::vector<std::uint32_t> lengths((to_a - from + 1) * width);
+  const auto length = [&](std::size_t i, std::size_t j) -> std::uint32_t& {  // of the longest sequence from (i, j) on
+    return lengths[(i - from) * width + (j - from)];
+  };
+  for (std::size_t i = to_a; i-- > from;) {
+    for (std::size_t j = to_b; j-- > from;) {
+      length(i, j) = a[i] == b[j] ? length(i + 1, j + 1) + 1 : std::max(length(i + 1, j), length(i, j + 1));
     }
   }
-  for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
+  for (std::size_t i = from, j = from; i < to_a && j < to_b;) {
     if (a[i] == b[j]) {
       common.a[i++] = common.b[j++] = true;
-    } else if (length[(i + 1) * width + j] >= length[i * width + j + 1]) {
+    } else if (length(i + 1, j) >= length(i, j + 1)) {
       ++i;
     } else {
       ++j;
     }
   }
+}
+
+/// The lines before the first difference and behind the last are common; only those between are searched.
+Common common_lines(const Lines& a, const Lines& b) {
+  Common common{std::vector<bool>(a.size()), std::vector<bool>(b.size())};
+  std::size_t from = 0, to_a = a.size(), to_b = b.size();
+  for (; from < std::min(to_a, to_b) && a[from] == b[from]; ++from) common.a[from] = common.b[from] = true;
+  while (std::min(to_a, to_b) > from && a[to_a - 1] == b[to_b - 1]) common.a[--to_a] = common.b[--to_b] = true;
+  mark_between(a, b, from, to_a, to_b, common);
   return common;
 }
 
@@ -94,7 +131,7 @@ Common common_lines(const Lines& a, const Lines& b) {
 void add_stretch(Lines gone, const Lines& came, std::vector<SceneChange>& changes) {
   for (const Line& line : came) {
     const auto old = std::ranges::find_if(
-        gone, [&](const Line& other) { return other.table == line.table && other.key() == line.key(); });
+        gone, [&](const Line& other) { return other.table == line.table && other.key == line.key; });
     changes.push_back({line.number, line.table, old == gone.end() ? "" : old->text, line.text});
     if (old != gone.end()) gone.erase(old);
   }

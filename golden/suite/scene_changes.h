@@ -7,8 +7,8 @@
 
 namespace tumble::golden {
 
-/// A line of a scene that changed. Comments, blanks, titles, camera, light and texts of the kind do not count: they
-/// make no golden stale.
+/// A line of a scene that changed. Comments, blanks, title, name, category, textures, camera and light do not
+/// count: they make no golden stale.
 struct SceneChange {
   std::size_t line = 0;  ///< 1-based, in the scene as it is now; of a line that is gone, in the old one
   std::string table;     ///< "[world]", "[[box]]"; empty above the first table

@@ -93,7 +93,6 @@ std::vector<std::string> folder_problems(const CaseFolder& folder) {
 }
 
 Result<std::vector<CaseFolder>> select_cases(const Suite& suite, const Selection& selection) {
-  SIM_CHECK(selection.shard >= 1 && selection.shard <= selection.shards, selection.shard, selection.shards);
   std::vector<CaseFolder> chosen;
   for (const std::string& name : selection.names) {
     const auto found = std::ranges::find(suite.cases, name, &CaseFolder::name);
@@ -106,8 +105,13 @@ Result<std::vector<CaseFolder>> select_cases(const Suite& suite, const Selection
     if (chosen.empty()) return bad_input("found no case of category " + in_quotes(selection.category));
   }
   std::ranges::sort(chosen, {}, &CaseFolder::name);
+  return chosen;
+}
+
+std::vector<CaseFolder> shard_of(const std::vector<CaseFolder>& selected, const Selection& selection) {
+  SIM_CHECK(selection.shard >= 1 && selection.shard <= selection.shards, selection.shard, selection.shards);
   std::vector<CaseFolder> shard;
-  for (std::size_t i = selection.shard - 1; i < chosen.size(); i += selection.shards) shard.push_back(chosen[i]);
+  for (std::size_t i = selection.shard - 1; i < selected.size(); i += selection.shards) shard.push_back(selected[i]);
   return shard;
 }
 

@@ -44,8 +44,11 @@ struct Selection {
   std::size_t shards = 1;
 };
 
-/// Errors (kBadInput): a name that no case has (with the nearest), a selection without a case. A shard may be empty
-/// where there are more shards than cases; everything else that selects nothing is an error.
+/// The cases of all shards, by name. Errors (kBadInput): a name that no case has (with the nearest), a selection
+/// without a case.
 Result<std::vector<CaseFolder>> select_cases(const Suite& suite, const Selection& selection);
+
+/// Those of one shard; none where there are more shards than cases.
+std::vector<CaseFolder> shard_of(const std::vector<CaseFolder>& selected, const Selection& selection);
 
 }  // namespace tumble::golden

@@ -1,7 +1,6 @@
 #include "replay/diff/divergence_growth.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -58,14 +57,6 @@ void compare_metrics(const LogHeader& a, const SessionSteps& in_a, const LogHead
   }
 }
 
-// The bound is far above the differences between C libraries (some units in the last place) and far below any change of
-// a metric that matters.
-bool is_same(const std::optional<double>& a, const std::optional<double>& b) {
-  constexpr double kSameValue = 1e-9;
-  if (!a || !b) return a.has_value() == b.has_value();
-  return *a == *b || std::fabs(*a - *b) <= kSameValue * std::max(std::fabs(*a), std::fabs(*b));
-}
-
 }  // namespace
 
 Result<DivergenceGrowth> growth_between(LogReader& a, LogReader& b, std::uint64_t first_difference,
@@ -99,7 +90,7 @@ std::vector<MovedMetric> moved_metrics(const Metrics& a, const Metrics& b) {
   std::vector<MovedMetric> moved;
   for (const MetricRow& row : metric_list()) {
     const std::optional<double> in_a = row.value(a), in_b = row.value(b);
-    if (!is_same(in_a, in_b)) moved.push_back({row.name, row.unit, in_a, in_b});
+    if (!same_value(in_a, in_b)) moved.push_back({row.name, row.unit, in_a, in_b});
   }
   return moved;
 }

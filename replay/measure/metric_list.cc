@@ -1,6 +1,7 @@
 #include "replay/measure/metric_list.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace tumble::replay {
 namespace {
@@ -73,6 +74,13 @@ std::optional<double> MetricRow::value(const Metrics& metrics) const {
 std::optional<double> MetricRow::value_in(const EngineAxes& axes, const Metrics& metrics) const {
   const std::optional<double> metres = value(metrics);
   return metres && is_length() ? axes.their_metres(*metres) : metres;
+}
+
+bool same_value(const std::optional<double>& a, const std::optional<double>& b) {
+  constexpr double kSameValue = 1e-9;
+  if (!a || !b) return a.has_value() == b.has_value();
+  if (!std::isfinite(*a) || !std::isfinite(*b)) return *a == *b || (std::isnan(*a) && std::isnan(*b));
+  return std::fabs(*a - *b) <= kSameValue * std::max(std::fabs(*a), std::fabs(*b));
 }
 
 std::span<const MetricRow> metric_list() { return kMetrics; }

@@ -39,6 +39,10 @@ struct MetricRow {
   }
 };
 
+/// Whether two values of a metric are equal to 1e-9 of the larger one: the C library's trigonometry varies below that,
+/// and any change that matters lies far above. NaN equals NaN, and no value equals no value.
+bool same_value(const std::optional<double>& a, const std::optional<double>& b);
+
 /// All metrics, those of a group together.
 std::span<const MetricRow> metric_list();
 

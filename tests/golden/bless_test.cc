@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "golden/bless/bless_log.h"
+#include "golden/run/obstacle.h"
 #include "golden/suite/parse_rules.h"
 #include "tests/support/golden_suite.h"
 #include "tumble/replay/recorder.h"
@@ -74,6 +77,37 @@ TEST_F(Bless, RefusesAMetricOutOfItsBounds) {
   EXPECT_NE(report.error().message.find("nothing was blessed"), std::string::npos) << report.error().message;
 }
 
+// A value that is no finite number would become null on its way, and the case would never pass again.
+TEST(Obstacle, IsAValueThatIsInfiniteOrNotANumberWhateverItsBound) {
+  CaseRun run;
+  run.incomplete = "";
+  MetricResult& metric = run.result.metrics.emplace_back();
+  metric.rule.name = "kinetic_end";
+  metric.unit = "J";
+  metric.rule.min = 0;
+  metric.value = 5;
+  EXPECT_EQ(obstacle_to_bless(run, "metrics.toml"), "");
+  for (const double value : {HUGE_VAL, -HUGE_VAL, static_cast<double>(NAN)}) {
+    metric.value = value;
+    EXPECT_TRUE(obstacle_to_bless(run, "metrics.toml").starts_with("kinetic_end is ")) << value;
+  }
+  metric.value = -1;
+  EXPECT_TRUE(obstacle_to_bless(run, "metrics.toml").starts_with("kinetic_end is -1 J, below the bound by 1 J; if "));
+  metric.value.reset();
+  EXPECT_TRUE(obstacle_to_bless(run, "metrics.toml").starts_with("kinetic_end: null: "));
+}
+
+TEST(History, TellsTwoValuesApartInAsManyDigitsAsItTakes) {
+  Blessing blessing{.name = "fall", .is_new = false, .bits = "same bits", .details = {}, .metrics = {}};
+  MetricResult& metric = blessing.metrics.emplace_back();
+  metric.rule.name = "drift_max";
+  metric.unit = "m";
+  metric.rule.value = 0.1;
+  metric.value = 0.1000001;
+  EXPECT_NE(history_entry("why", {blessing}).find("drift_max 0.1 m → 0.1000001 m."), std::string::npos)
+      << history_entry("why", {blessing});
+}
+
 TEST_F(Bless, RefusesNoReasonAndUnknownCases) {
   EXPECT_FALSE(bless("  ").ok());
   EXPECT_FALSE(bless("two\nlines").ok());
@@ -101,6 +135,8 @@ TEST_F(Bless, MakesACaseOfARecordedSession) {
   const CaseResult result = suite_.check_one("from_log");
   EXPECT_TRUE(result.passed()) << summary(result);
   EXPECT_EQ(result.steps, 20U);
+  ASSERT_TRUE(result.blessed_by);
+  EXPECT_GT(result.blessed_by->seconds, 0.0) << "the session was run once more";
   EXPECT_GE(result.metrics.size(), 5U);
   EXPECT_NE(history().find("seen in the field"), std::string::npos);
   EXPECT_FALSE(bless_log(request).ok()) << "the name is taken";

@@ -8,6 +8,8 @@
 
 #include "golden/bless/bless.h"
 #include "golden/expected/expected_file.h"
+#include "golden/run/external_engine.h"
+#include "src/process/run_child.h"
 #include "tests/support/golden_suite.h"
 
 namespace tumble::golden {
@@ -224,10 +226,11 @@ TEST(Check, ShardsTogetherAreTheSuiteAndApartHaveNothingInCommon) {
     Selection selection;
     selection.shard = k;
     selection.shards = 3;
-    const Result<std::vector<CaseFolder>> part = select_cases(*open, selection);
-    ASSERT_TRUE(part.ok());
-    EXPECT_GE(part->size(), 1U);
-    for (const CaseFolder& folder : *part) seen.insert(folder.name);
+    const Result<std::vector<CaseFolder>> all = select_cases(*open, selection);
+    ASSERT_TRUE(all.ok());
+    const std::vector<CaseFolder> part = shard_of(*all, selection);
+    EXPECT_GE(part.size(), 1U);
+    for (const CaseFolder& folder : part) seen.insert(folder.name);
   }
   EXPECT_EQ(seen, (std::multiset<std::string>{"a", "b", "c", "d", "e"}));
 }
@@ -243,6 +246,23 @@ TEST(Check, TheSuitesOfAnotherEngineAreJudgedByItsLog) {
   EXPECT_TRUE(has_problem(killed, "SIGSEGV")) << testing::PrintToString(killed.problems);
   suite.edit("fall", kRulesFile, "kill -SEGV $$", "echo nothing");
   EXPECT_TRUE(has_problem(suite.check_one("fall"), "wrote no log"));
+  std::filesystem::remove(suite.file("fall", kExpectedFile));
+  const CaseResult unblessed = suite.check_one("fall");
+  EXPECT_NE(unblessed.bless_refused.find("wrote no log"), std::string::npos) << unblessed.bless_refused;
+}
+
+TEST(Check, TheLineThatRunsAnotherEngineWorksInAShell) {
+  const TemporarySuite place;
+  const std::filesystem::path suite = place.root() / "it's a suite";
+  const CaseFolder folder{"one two", suite / "cases" / "one two"};
+  place.write(folder.file(kSceneFile), "the scene");
+  const std::string line = engine_line("cat {scene} > {log}", suite, folder);
+  process::Program shell;
+  shell.words = {"sh", "-c", line};
+  shell.folder = place.root();
+  const Result<process::ChildEnd> end = process::run_child(shell);
+  ASSERT_TRUE(end.ok() && end->well()) << line;
+  EXPECT_EQ(place.read(place.root() / "one two.tumble"), "the scene") << line;
 }
 
 }  // namespace

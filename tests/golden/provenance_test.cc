@@ -1,17 +1,14 @@
-// Where results come from: this run, the run that was blessed, the scene as it was then; and results of another machine
-// that are accepted from its report.
+// Where results come from: this run, the run that was blessed, the scene as it was then.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "golden/bless/bless.h"
 #include "golden/expected/expected_file.h"
 #include "golden/report/html.h"
 #include "golden/report/junit.h"
 #include "golden/report/report.h"
 #include "golden/suite/scene_changes.h"
 #include "golden/suite/text_files.h"
-#include "src/process/run_child.h"
 #include "tests/support/golden_suite.h"
 
 namespace tumble::golden {
@@ -68,7 +65,17 @@ TEST_F(Blessed, AnOldGoldenSaysThatItKeepsNeither) {
   suite_.edit("fall", kSceneFile, "2.0]", "2.5]");
   const CaseResult stale = suite_.check_one("fall");
   ASSERT_FALSE(stale.problems.empty());
-  EXPECT_NE(stale.problems[0].find("older than the goldens that keep the scene's text"), std::string::npos);
+  EXPECT_NE(stale.problems[0].find("does not keep the scene's text"), std::string::npos) << stale.problems[0];
+}
+
+TEST_F(Blessed, AGoldenOfALongSceneSaysThatItKeepsNoText) {
+  suite_.edit("fall", kSceneFile, "title", "#" + std::string(kSceneTextMax, 'x') + "\ntitle");
+  suite_.edit("fall", kSceneFile, "2.0]", "2.25]");
+  suite_.bless();
+  suite_.edit("fall", kSceneFile, "2.25]", "2.5]");
+  const CaseResult stale = suite_.check_one("fall");
+  ASSERT_FALSE(stale.problems.empty());
+  EXPECT_NE(stale.problems[0].find("does not keep the scene's text"), std::string::npos) << stale.problems[0];
 }
 
 TEST_F(Blessed, AStaleGoldenNamesTheLinesThatChanged) {
@@ -96,94 +103,27 @@ TEST(SceneChanges, ComeGoAndMoveWithTheirTablesAndWithoutWordsAndLooks) {
   EXPECT_EQ(words("[[box]]\nmass = 1\n[[box]]\nmass = 2\n", "[[box]]\nmass = 1\n[[box]]\nfrozen = true\nmass = 3\n"),
             "line 4, [[box]]: new: frozen = true\nline 5, [[box]]: mass = 2 → 3\n");
   EXPECT_EQ(words("a = \"x # y\"\n", "a = \"x # z\"\n"), "line 1: a = \"x # y\" → \"x # z\"\n");
+  EXPECT_EQ(words("a = \"\\\" # y\"\n", "a = \"\\\" # z\"\n"), "line 1: a = \"\\\" # y\" → \"\\\" # z\"\n");
+  EXPECT_EQ(words("[material]\ntexture = \"wood\"\n", "[material]\ntexture = \"brick\"\n"), "");
 }
 
-/// A clone with a suite whose case changed, and the report of its check.
-class FromReport : public testing::Test {
- protected:
-  void SetUp() override {
-    suite_.add("fall");
-    suite_.add("rest");
-    suite_.bless();
-    git({"init", "-q"});
-    suite_.edit("fall", kSceneFile, "2.0]", "2.5]");
-    commit();
-    write_report("clean");
-  }
-  void git(std::vector<std::string> words) const {
-    words.insert(words.begin(), {"git", "-c", "user.name=a", "-c", "user.email=a@b", "-c", "commit.gpgsign=false"});
-    process::Program program;
-    program.words = words;
-    program.folder = suite_.root();
-    program.out = suite_.root() / "git.txt";
-    const Result<process::ChildEnd> end = process::run_child(program);
-    ASSERT_TRUE(end.ok() && end->well()) << words.back();
-  }
-  void commit() const {
-    git({"add", "cases", "HISTORY.md"});
-    git({"commit", "-q", "--allow-empty", "-m", "a change"});
-  }
-  [[nodiscard]] std::string head() const {
-    git({"rev-parse", "HEAD"});
-    const std::string all = suite_.read(suite_.root() / "git.txt");
-    return all.substr(all.size() - 41, 40);
-  }
-  void write_report(const std::string& tree) const {
-    SuiteResult result = suite_.check();
-    result.run.commit = head();
-    result.run.tree = tree;
-    ASSERT_TRUE(write_reports(result, suite_.root() / "report", "").ok());
-  }
-  [[nodiscard]] Result<BlessReport> bless() const {
-    BlessOptions options;
-    options.suite = suite_.root();
-    options.reason = "as the other machine ran it";
-    options.report = suite_.root() / "report";
-    return bless_cases(options);
-  }
-  void refuses(const std::string& words) const {
-    const Result<BlessReport> report = bless();
-    ASSERT_FALSE(report.ok()) << words;
-    EXPECT_NE(report.error().message.find(words), std::string::npos) << report.error().message;
-  }
-  TemporarySuite suite_;
-};
-
-TEST_F(FromReport, OfThisCommitIsAccepted) {
-  EXPECT_FALSE(suite_.check().passed());
-  write_report("clean");  // the check removed the one before
-  const Result<BlessReport> report = bless();
-  ASSERT_TRUE(report.ok()) << report.error().message;
-  ASSERT_EQ(report->blessed.size(), 1U);
-  EXPECT_EQ(report->blessed[0].name, "fall");
-  const CaseResult result = suite_.check_one("fall");
-  EXPECT_TRUE(result.passed()) << summary(result);
-  ASSERT_TRUE(result.blessed_by);
-  EXPECT_EQ(result.blessed_by->commit, head()) << "of the run that was accepted";
+TEST(SceneChanges, OfATextOverSeveralLinesAreNoTablesAndNoComments) {
+  const std::string title = "title = \"\"\"\none\n[world]\n# two\n\"\"\"\n";
+  const std::string other = "title = '''\nthree\n[camera]\n'''\n";
+  EXPECT_TRUE(scene_changes(title + "a = 1\n", other + "a = 1\n").empty());
+  const std::vector<SceneChange> changes = scene_changes(title + "a = 1\n", title + "a = 2\n");
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_EQ(describe(changes[0]), "line 6: a = 1 → 2");
 }
 
-TEST_F(FromReport, OfAnotherCommitOrTreeOrSceneIsRefused) {
-  write_report("changed");
-  refuses("with changed sources");
-  write_report("");
-  refuses("does not say which commit");
-  write_report("clean");
-  suite_.edit("fall", kSceneFile, "2.5]", "2.25]");
-  refuses("is of another scene");
-  commit();
-  refuses("check that commit out first");
-}
-
-TEST_F(FromReport, WithADamagedSessionIsRefused) {
-  const std::filesystem::path log = suite_.root() / "report/cases/fall/actual.tumble";
-  std::string bytes = suite_.read(log);
-  bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
-  suite_.write(log, bytes);
-  EXPECT_FALSE(bless().ok());
-  std::filesystem::remove(log);
-  refuses("holds no session of a failed case");
-  suite_.write(suite_.root() / "report/report.json", "{}");
-  refuses("is no report of a check");
+TEST(SceneChanges, OfALongSceneAreFewWhereOneLineCame) {
+  std::string boxes;
+  for (int i = 0; i < 2500; ++i) boxes += "[[box]]\nmass = " + std::to_string(i) + "\n";
+  std::string more = boxes;
+  more.insert(more.find("[[box]]\nmass = 9\n"), "frozen = true\n");
+  const std::vector<SceneChange> changes = scene_changes(boxes, more);
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_EQ(changes[0].after, "frozen = true");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "golden/judge/across_cases.h"
 #include "golden/judge/case_series.h"
 #include "golden/report/commands.h"
 #include "golden/report/files.h"
@@ -104,6 +105,23 @@ TEST_F(ChangedScene, TextsOfACaseStayText) {
   EXPECT_EQ(page.find("<img"), std::string::npos);
   EXPECT_NE(page.find("&lt;script&gt;alert(1)"), std::string::npos);
   EXPECT_NE(page.find("&lt;script&gt;alert(3)"), std::string::npos);
+}
+
+TEST(AcrossCases, EachCaseIsCountedInOneSentence) {
+  const auto sentences = [](std::initializer_list<std::uint64_t> steps) {
+    std::vector<CaseResult> cases;
+    for (const std::uint64_t step : steps) {
+      FirstDifference& difference = cases.emplace_back().difference.emplace();
+      difference.step = step;
+      difference.phase = "integrate";
+    }
+    return across_cases(cases);
+  };
+  using Words = std::vector<std::string>;
+  EXPECT_EQ(sentences({4}), Words{});
+  EXPECT_EQ(sentences({1, 1, 1, 9}), Words{"3 of 4 first differ in step 1, phase integrate"});
+  EXPECT_EQ(sentences({1, 1, 5, 5, 9}), Words{"5 of 5 first differ in phase integrate, in steps 1 to 9"});
+  EXPECT_EQ(sentences({4, 30}), Words{"2 of 2 first differ in phase integrate, in steps 4 to 30"});
 }
 
 TEST(ReportPage, OfAPassingRunNeedsNoScript) {

@@ -91,13 +91,27 @@ TEST_F(EarlierReport, IsGoneWhereTheCheckIsNotFinished) {
 
 TEST_F(EarlierReport, TakesItsFilesOfCasesAlong) {
   shop_.write("r/report.json",
-              R"({"cases": [{"artifacts": ["cases/gone/actual.tumble", "cases/../../s/HISTORY.md", 7]}]})");
+              R"({"cases": [{"artifacts": ["cases/gone/actual.tumble", "cases/../../s/HISTORY.md", "", 7]}]})");
   shop_.write("r/cases/gone/actual.tumble", "of a case that is no more");
   shop_.write("r/cases/mine/notes.txt", "a person's");
   ASSERT_EQ(check({}).exit, 0);
   EXPECT_FALSE(fs::exists(shop_.path("r/cases/gone")));
   EXPECT_TRUE(fs::exists(shop_.path("r/cases/mine/notes.txt"))) << "only what a report names is removed";
   EXPECT_TRUE(fs::exists(shop_.path("s/HISTORY.md")));
+}
+
+// A suite may be another's place for a report: only files that a report has are an earlier report's.
+TEST_F(EarlierReport, IsToldFromTheGoldensOfAnotherSuite) {
+  const Words goldens = {"other/cases/one/scene.toml", "other/cases/one/frame_0012.png",
+                         "other/cases/two/frame_0001.png"};
+  for (const std::string& file : goldens) shop_.write(file, kOld);
+  const Words left = {"other/cases/one/frame_0012.actual.png", "other/cases/one/series.json",
+                      "other/cases/gone/expected_track.csv"};
+  for (const std::string& file : left) shop_.write(file, kOld);
+  ASSERT_EQ(shop_.run({"check", "--suite", "s", "--report", "other"}).exit, 0);
+  for (const std::string& file : goldens) EXPECT_TRUE(fs::exists(shop_.path(file))) << file;
+  for (const std::string& file : left) EXPECT_FALSE(fs::exists(shop_.path(file))) << file;
+  EXPECT_FALSE(fs::exists(shop_.path("other/cases/gone"))) << "it is empty";
 }
 
 TEST(EarlierPictures, AreSaidWhereTheyStay) {

@@ -38,6 +38,8 @@ class SmallSuite : public testing::Test {
 };
 
 TEST_F(SmallSuite, PassesWithStatusZeroAndLeavesAReport) {
+  const ordered_json printed = ordered_json::parse(check({"--json"}).out);
+  EXPECT_EQ(ordered_json::parse(shop_.read("r/report.json")), printed);
   const Outcome outcome = check();
   EXPECT_EQ(outcome.exit, 0) << outcome.out << outcome.err;
   EXPECT_NE(outcome.out.find("3 cases passed"), std::string::npos) << outcome.out;
@@ -45,7 +47,6 @@ TEST_F(SmallSuite, PassesWithStatusZeroAndLeavesAReport) {
   const ordered_json report = ordered_json::parse(shop_.read("r/report.json"));
   EXPECT_EQ(report["passed"], true);
   EXPECT_EQ(report["canaries_caught"], true);
-  EXPECT_EQ(report, ordered_json::parse(shop_.read("r/report.json")));
   EXPECT_NE(shop_.read("r/junit.xml").find("failures=\"0\""), std::string::npos);
   const std::string page = shop_.read("r/index.html");
   EXPECT_NE(page.find("3 cases passed"), std::string::npos);

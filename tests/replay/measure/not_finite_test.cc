@@ -7,8 +7,10 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "replay/diff/divergence_growth.h"
 #include "replay/measure/measure.h"
 #include "replay/measure/measure_overlap.h"
 #include "replay/measure/metric_bound.h"
@@ -160,6 +162,23 @@ TEST(NotFinite, LargestAndLeastKeepWhatIsNoNumber) {
   EXPECT_TRUE(std::isnan(largest(kNotANumber, 0)));
   EXPECT_TRUE(std::isnan(least(0, kNotANumber)));
   EXPECT_TRUE(std::isnan(least(kNotANumber, 0)));
+}
+
+// Two sessions that lost the same body have not moved from one another.
+TEST(SameValue, IsOneForNaNAndNaNAndForNothingElseThatIsNoNumber) {
+  const double nan = std::nan("");
+  EXPECT_TRUE(same_value(nan, nan));
+  EXPECT_TRUE(same_value(kInf, kInf));
+  EXPECT_TRUE(same_value({}, {}));
+  EXPECT_TRUE(same_value(1.0, 1.0 + 1e-12));
+  for (const auto& [a, b] : {std::pair(nan, 1.0), {kInf, 1.0}, {kInf, -kInf}, {kInf, nan}, {1.0, 1.0 + 1e-6}}) {
+    EXPECT_FALSE(same_value(a, b)) << a << ' ' << b;
+    EXPECT_FALSE(same_value(b, a)) << b << ' ' << a;
+  }
+  EXPECT_FALSE(same_value(nan, {}));
+  Metrics lost;
+  lost.not_finite.any = lost.not_finite.chosen = NotFinite{};
+  EXPECT_TRUE(moved_metrics(lost, lost).empty());
 }
 
 }  // namespace
