@@ -127,7 +127,7 @@ std::string take(const std::string& name, const std::string& value, CsvSettings&
     std::string wrong = name;
     return wrong.append(": found \"").append(value).append("\", wanted ").append(key.wanted);
   }
-  return "found key \"" + name + "\", wanted one of " + all_keys() + "; a remark has no colon";
+  return "found key \"" + name + "\", wanted one of " + all_keys() + "; a remark has no colon, a key has one behind it";
 }
 
 Error wrong_argument(const std::string& setting, const std::string& wrong) {

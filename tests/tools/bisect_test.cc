@@ -124,6 +124,62 @@ TEST(BisectAny, FindsTheCommitThroughGit) {
   EXPECT_TRUE(shop.read("found").ends_with(history.commit(plan.fault) + "\n")) << shop.read("found");
 }
 
+/// A clone "project" of an engine without a build, whose second of three commits throws its body faster. Its golden
+/// case is blessed in the first.
+void make_engine_history(const Workshop& shop) {
+  shop.write("project/golden/cases/fall/scene.toml", kSmallScene);
+  shop.write(
+      "project/golden/cases/fall/metrics.toml",
+      "require = [\"behaviour\"]\n[command]\nrun = \"../engine.sh {log} {scene}\"\n[[metric]]\nname = \"drift_max\"\n"
+      "max = 2.5\nwhy = \"a test\"\n");
+  const std::string commits =
+      "cd '" + shop.path("project") +
+      R"('
+commit() {
+  cat >engine.sh <<END
+#!/bin/sh
+{ echo "# engine: toy"; echo "# dt: 0.1"; echo "step,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z,\\
+velocity.x,velocity.y,velocity.z,spin.x,spin.y,spin.z"
+  for k in 0 1 2; do echo "\$k,1,\$((k * $1)),0,1,1,0,0,0,0,0,0,0,0,0"; done; } >"\$1.csv"
+')" TUMBLE_PROGRAM R"(' import "\$1.csv" -o "\$1" --json >/dev/null
+END
+  chmod +x engine.sh && git add -A && git -c user.name=a -c user.email=a@b commit --allow-empty -qm "speed $1: $2"
+}
+git init -q -b main && commit 1 first &&
+  ')" TUMBLE_PROGRAM
+      R"(' bless fall --suite golden --reason first >/dev/null && commit 1 blessed && commit 2 faster && commit 2 last)";
+  ASSERT_EQ(std::system(("{ " + commits + "\n} >'" + shop.path("said") + "' 2>&1").c_str()), 0) << shop.read("said");
+}
+
+TEST(BisectCommand, AnEngineThatReadsNoSceneAndNeedsNoBuild) {
+  const Workshop shop;
+  make_engine_history(shop);
+  const std::vector<std::string> search = {"bisect", "--repo", "project", "--good",
+                                           "HEAD~2", "--bad",  "HEAD",    "--json"};
+  const auto ask = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = search;
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = shop.run(words);
+    EXPECT_EQ(outcome.exit, 1) << outcome.err;
+    return ordered_json::parse(outcome.out);
+  };
+  const ordered_json by_case = ask({"--case", "fall", "--build", "true", "--program", TUMBLE_PROGRAM});
+  EXPECT_EQ(by_case["commit"]["subject"], "speed 2: faster");
+  EXPECT_EQ(by_case["sessions"]["first"]["field"], "position.x") << by_case["sessions"];
+  ASSERT_EQ(std::system(("cd '" + shop.path("project") +
+                         "' && git checkout -q HEAD~2 && ./engine.sh ../wanted.tumble && git "
+                         "checkout -q main")
+                            .c_str()),
+            0);
+  const ordered_json by_bits = ask({"wanted.tumble", "--run", "./engine.sh {log}"});
+  EXPECT_EQ(by_bits["commit"]["subject"], "speed 2: faster");
+  EXPECT_EQ(shop.run({"bisect", "--repo", "project", "--good", "HEAD~2", "--bad", "HEAD", "wanted.tumble", "--run",
+                      "./engine.sh {scene} {log}"})
+                .exit,
+            2)
+      << "a table has no scene";
+}
+
 TEST(BisectCommand, ShowsHowFarABuildIsOnATerminal) {
   const Workshop shop;
   const History history(shop, {.commits = 3, .fault = 2, .broken = {}});

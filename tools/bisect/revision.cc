@@ -6,6 +6,9 @@
 #include <system_error>
 #include <utility>
 
+#include "golden/run/external_engine.h"
+#include "golden/suite/parse_rules.h"
+#include "golden/suite/suite.h"
 #include "golden/suite/text_files.h"
 #include "replay/log/checked_log.h"
 #include "replay/measure/measure_log.h"
@@ -101,8 +104,9 @@ Status Asker::write_scene() {
   const replay::LogHeader& header = log->header();
   const std::string steps = std::to_string(log->step_count());
   if (header.goes_on || header.scene_text.empty()) {
-    if (!settings_.run.empty()) {
-      return bad_input(settings_.log + ": holds no scene text that --run could be given; record it from a scene");
+    if (settings_.run.find("{scene}") != std::string::npos) {
+      return bad_input("--run: found {scene}, and " + settings_.log +
+                       " holds no scene text to put there; leave {scene} out, or record the log from a scene");
     }
     record_words_ = {"--from", settings_.log + ':' + std::to_string(log->first_state()), "--steps", steps};
     return {};
@@ -114,6 +118,8 @@ Status Asker::write_scene() {
   record_words_.insert(record_words_.end(), transform.begin(), transform.end());
   return golden::write_file(scene_, std::string_view(header.scene_text));
 }
+
+std::string Asker::suite() const { return place_.source() + "/golden"; }
 
 std::string Asker::program() const { return (fs::path(place_.source()) / settings_.program).string(); }
 
@@ -192,15 +198,23 @@ std::vector<std::string> Asker::record_words(const std::string& session) const {
   return words;
 }
 
+/// The case's own command where it has one: a session of another engine is not that of our physics.
+std::vector<std::string> Asker::case_words(const std::string& session) const {
+  const std::string folder = suite() + "/cases/" + settings_.case_name + '/';
+  const std::string scene = folder + golden::kSceneFile, rules_file = folder + golden::kRulesFile;
+  const Result<std::string> text = golden::read_text(rules_file);
+  const Result<golden::CaseRules> rules =
+      text.ok() ? golden::parse_rules(*text, rules_file) : Result<golden::CaseRules>(text.error());
+  if (!rules.ok() || rules->command.empty()) return {program(), "record", "--quiet", "-o", session, scene};
+  return {"sh", "-c",
+          "cd " + golden::shell_quoted(suite()) + " && " + golden::engine_command(rules->command, scene, session)};
+}
+
 Result<bool> Asker::record(const std::string& commit, std::string& why) {
   std::error_code error;
   const std::string session = place_.session(commit);
   fs::remove(session, error);
-  std::vector<std::string> words = record_words(session);
-  if (record_words_.empty() && !settings_.case_name.empty()) {
-    words.push_back(place_.source() + "/golden/cases/" + settings_.case_name + "/scene.toml");
-  }
-  Result<bool> recorded = run(words, "record", why);
+  Result<bool> recorded = run(settings_.case_name.empty() ? record_words(session) : case_words(session), "record", why);
   if (!recorded.ok() || !*recorded) fs::remove(session, error);
   return recorded;
 }
@@ -241,14 +255,8 @@ Result<Answer> Asker::ask_session(const std::string& commit) {
 }
 
 Result<Answer> Asker::ask_case() {
-  std::vector<std::string> words = {program(),
-                                    "check",
-                                    settings_.case_name,
-                                    "--suite",
-                                    place_.source() + "/golden",
-                                    "--report",
-                                    place_.file("report"),
-                                    "--json"};
+  std::vector<std::string> words = {program(), "check",    settings_.case_name,   "--suite",
+                                    suite(),   "--report", place_.file("report"), "--json"};
   if (settings_.image) words.insert(words.end(), {"--require", "image"});
   std::string why;
   const Result<bool> passed = run(words, "check", why);

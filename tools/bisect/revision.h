@@ -43,7 +43,9 @@ class Asker {
   [[nodiscard]] Result<bool> build_once(const std::string& log, BuildProgress& progress, std::string& why);
   [[nodiscard]] Result<bool> build(const std::string& commit, std::string& why);
   [[nodiscard]] std::string program() const;
+  [[nodiscard]] std::string suite() const;
   [[nodiscard]] std::vector<std::string> record_words(const std::string& session) const;
+  [[nodiscard]] std::vector<std::string> case_words(const std::string& session) const;
   /// Records the session; false: the revision cannot.
   [[nodiscard]] Result<bool> record(const std::string& commit, std::string& why);
   [[nodiscard]] Result<Answer> ask_replay();

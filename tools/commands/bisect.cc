@@ -143,7 +143,7 @@ Result<bisect::Settings> settings_of(const BisectCommand& options) {
   settings.case_name = options.case_name;
   settings.image = options.image;
   settings.build = options.build;
-  if (settings.build.empty()) {
+  if (settings.build.empty() && options.run.empty()) {
     settings.build = {"cmake --preset release", "cmake --build --preset release --target tumble"};
   }
   settings.program = options.program;
@@ -215,8 +215,8 @@ void declare_building(Arguments& arguments, BisectCommand& options) {
   arguments.flag("--first-parent", options.first_parent, "Follow first parents only, to find a merge");
   arguments.option(
       "--build", "COMMAND", options.build,
-      "A command that builds a revision, run in its folder; may be repeated. The release preset's build of "
-      "tumble if not given");
+      "A command that builds a revision, run in its folder; may be repeated. If not given: none with --run, else the "
+      "release preset's build of tumble");
   arguments.option("--program", "PATH", options.program, "The program that the build makes, a path from that folder");
   arguments.option("--run", "COMMAND", options.run,
                    "Instead of the program: a command of any engine that makes the log {log} of the scene {scene}");

@@ -99,7 +99,7 @@ Result<Exit> check(const CheckCommand& options) {
   if (options.json) {
     print_json(golden::report_json(*result));
   } else {
-    print_sum(*result, options.report);
+    print_sum(*result, how->suite.string(), options.report);
   }
   if (!result->canaries_caught()) {
     std::cerr << "tumble check: a comparison that must fail passed: this build of the suite sees nothing, and none of "

@@ -35,7 +35,8 @@ Status claim_output(files::OutputGuard& guard, const std::string& option, const 
 Exit judge(const char* command, const replay::LogReader& log, Exit verdict) {
   const replay::LogCondition& condition = log.condition();
   if (condition.whole()) return verdict;
-  std::cerr << "tumble " << command << ": " << log.name() << ": " << condition.summary(log.last_step()) << '\n';
+  std::cerr << "tumble " << command << ": " << log.name() << ": " << condition.summary(log.last_step())
+            << (condition.sound() ? "" : "; 'tumble recover' saves the intact part") << '\n';
   return Exit::kDamaged;
 }
 

@@ -1,5 +1,6 @@
 #include "tools/output/check_output.h"
 
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -21,8 +22,14 @@ std::string bound_text(const golden::MetricRule& rule, const std::string& unit) 
   return text;
 }
 
-void print_line(const std::string& label, const std::string& text) {
-  std::cout << kIndent << padded(label, 11) << printable(text) << '\n';
+// Text of several lines, as an engine prints it, goes on below.
+void print_line(std::string label, const std::string& text) {
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    if (at == 0 || end > at) std::cout << kIndent << padded(label, 11) << printable(text.substr(at, end - at)) << '\n';
+    label.clear();
+    at = end + 1;
+  }
 }
 
 void print_failure(const golden::CaseResult& result) {
@@ -54,7 +61,7 @@ void print_case(const golden::CaseResult& result) {
   if (!result.passed()) print_failure(result);
 }
 
-void print_sum(const golden::SuiteResult& result, const std::string& report) {
+void print_sum(const golden::SuiteResult& result, const std::string& suite, const std::string& report) {
   for (const std::string& problem : result.problems) std::cout << "FAILED  " << printable(problem) << '\n';
   for (const std::string& sentence : golden::across_cases(result.cases))
     std::cout << "across  " << printable(sentence) << '\n';
@@ -69,7 +76,7 @@ void print_sum(const golden::SuiteResult& result, const std::string& report) {
             << printable(golden::headline(result)) << "  (" << seconds_text(result.seconds) << "; " << caught << " of "
             << count_text(result.canaries.size(), "canary") << " caught";
   if (result.shards > 1) std::cout << "; shard " << result.shard << " of " << result.shards;
-  std::cout << ")\n";
+  std::cout << ")\nsuite:  " << printable(suite) << '\n';
   if (!report.empty()) std::cout << "report: " << report << "/index.html\n";
 }
 
