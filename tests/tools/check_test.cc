@@ -164,6 +164,20 @@ TEST_F(SmallSuite, BadUsageIsStatusTwo) {
   EXPECT_EQ(shop_.run({"bless", "new", "--from", "none.tumble", "--suite", "s", "--reason", "x"}).exit, 2);
 }
 
+TEST_F(SmallSuite, BlessPrintsValuesInAsManyDigitsAsTellThemApart) {
+  std::string rules = shop_.read("s/cases/one/metrics.toml");
+  const std::size_t at = rules.find("value = ") + 8;
+  const double value = std::stod(rules.substr(at));
+  rules.replace(at, rules.find('\n', at) - at, std::to_string(value + 2e-6));
+  shop_.write("s/cases/one/metrics.toml", rules);
+  const Outcome outcome = shop_.run({"bless", "one", "--suite", "s", "--reason", "x", "--dry-run"});
+  EXPECT_EQ(outcome.exit, 0) << outcome.err;
+  const std::size_t arrow = outcome.out.find(" → ");
+  ASSERT_NE(arrow, std::string::npos) << outcome.out;
+  const double before = std::stod(outcome.out.substr(outcome.out.find("drift_max ") + 10));
+  EXPECT_NE(before, std::stod(outcome.out.substr(arrow + std::string(" → ").size()))) << outcome.out;
+}
+
 TEST_F(SmallSuite, BlessFromALogMakesACaseThatPasses) {
   shop_.record_small("session", {"--set", "box.2.position=[0.1, 0.2, 2.5]"});
   const Outcome outcome =

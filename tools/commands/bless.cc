@@ -77,7 +77,7 @@ Action declare_bless(Arguments& arguments) {
       .option(
           "--from-report", "DIR", options->report,
           "Accept the sessions of failed cases that the report of a check elsewhere holds, without running them; it "
-          "must be of the commit that the suite's clone is at")
+          "must be of the commit that this program was built at")
       .excludes(from);
   arguments.flag("--dry-run", options->dry_run, "Print the changes and write nothing");
   arguments.option("--suite", "DIR", options->suite,

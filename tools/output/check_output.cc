@@ -39,7 +39,7 @@ void print_failure(const golden::CaseResult& result) {
   }
   for (const golden::MetricResult& metric : result.metrics) {
     if (metric.pass) continue;
-    const std::string value = metric.value ? rounded(*metric.value, metric.unit) : "null";
+    const std::string value = golden::value_text(metric.value, metric.unit);
     print_line("  metric", metric.rule.name + " " + value + ", wanted " + bound_text(metric.rule, metric.unit) + ": " +
                                metric.message);
     print_line("", "why: " + metric.rule.why);
@@ -86,10 +86,8 @@ void print_blessings(const golden::BlessReport& report, bool dry_run) {
               << printable(blessing.bits) << '\n';
     for (const std::string& detail : blessing.details) print_line("", detail);
     for (const golden::MetricResult& metric : blessing.metrics) {
-      if (metric.value == metric.rule.value) continue;
-      const auto text = [&](const std::optional<double>& v) { return v ? rounded(*v, metric.unit) : "none"; };
-      print_line("  metric", metric.rule.name + ": " + text(metric.rule.value) + " -> " + text(metric.value) + " (" +
-                                 bound_text(metric.rule, metric.unit) + ")");
+      if (!golden::has_moved(metric)) continue;
+      print_line("  metric", golden::movement_text(metric) + " (" + bound_text(metric.rule, metric.unit) + ")");
     }
   }
   if (report.blessed.empty()) std::cout << "nothing to bless: bits and values are those of the goldens\n";
