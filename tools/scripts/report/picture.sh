@@ -8,7 +8,8 @@ tumble=$PWD/build/release/tools/tumble
 out=$(realpath "${1:-docs/images}")
 chromium=$(command -v "${CHROMIUM:-chromium}")
 modules=$(tools/scripts/report/packages.sh)
-work=$(mktemp -d)
+work=/tmp/demo  # the page shows it
+mkdir "$work"
 trap 'rm -rf "$work"' EXIT
 
 mkdir -p "$work/golden/cases"
