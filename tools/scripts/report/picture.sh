@@ -8,7 +8,7 @@ tumble=$PWD/build/release/tools/tumble
 out=$(realpath "${1:-docs/images}")
 chromium=$(command -v "${CHROMIUM:-chromium}")
 modules=$(tools/scripts/report/packages.sh)
-work=/tmp/demo  # the page shows it
+work=$(dirname "$(mktemp --dry-run)")/demo  # short: the page shows it
 mkdir "$work"
 trap 'rm -rf "$work"' EXIT
 
