@@ -47,6 +47,10 @@ std::string suite_option(const fs::path& suite) {
   return suite == "golden" ? "" : " --suite " + shell_quoted(suite.string());
 }
 
+std::string engine_command(const std::string& command, const std::string& scene, const std::string& log) {
+  return filled(command, shell_quoted(scene), shell_quoted(log));
+}
+
 std::string engine_line(const std::string& command, const fs::path& suite, const CaseFolder& folder) {
   const fs::path scene = folder.file(kSceneFile).lexically_relative(suite);
   const std::string log = "\"$OLDPWD\"/" + shell_quoted(folder.name + ".tumble");
@@ -60,8 +64,7 @@ Result<Session> run_engine(const std::string& command, const fs::path& suite, co
   const fs::path output = folder.path() / "output.txt";
   std::error_code error;
   process::Program shell;
-  shell.words = {"sh", "-c",
-                 filled(command, shell_quoted(fs::absolute(scene, error).string()), shell_quoted(log.string()))};
+  shell.words = {"sh", "-c", engine_command(command, fs::absolute(scene, error).string(), log.string())};
   shell.folder = suite.string();
   shell.out = shell.err = output.string();
   shell.own_group = false;  // a case that takes too long is ended as a group, and the engine with it

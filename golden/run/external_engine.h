@@ -16,6 +16,9 @@ std::string shell_quoted(const std::string& word);
 /// " --suite DIR", for a command line; empty for the folder `golden`, which commands find by themselves.
 std::string suite_option(const std::filesystem::path& suite);
 
+/// The command line with the paths of a scene and a log filled in.
+std::string engine_command(const std::string& command, const std::string& scene, const std::string& log);
+
 /// A line for the folder that the check ran in: the command, in the suite's folder as it runs there, for a case. It
 /// leaves its log in that folder.
 std::string engine_line(const std::string& command, const std::filesystem::path& suite, const CaseFolder& folder);
