@@ -19,9 +19,10 @@ std::string obstacle_to_bless(const CaseRun& run, const std::filesystem::path& r
   for (const MetricResult& metric : result.metrics) {
     const std::string fault = fault_of_value(metric.rule, metric.value, metric.unit);
     if (fault.empty()) continue;
-    const std::string value = metric.value ? " is " + value_text(metric.value, metric.unit) + ", " : ": ";
-    return metric.rule.name + value + fault + "; if that is right, change the bound and its reason in " +
-           rules.string() + " first";
+    std::string words = metric.rule.name;
+    words += metric.value ? " is " + value_text(metric.value, metric.unit) + ", " : ": ";
+    words += fault + "; if that is right, change the bound and its reason in " + rules.string() + " first";
+    return words;
   }
   if (std::ranges::all_of(result.metrics, [](const MetricResult& m) { return !m.value; })) {
     return "every metric reads null, so that nothing would be judged; give " + rules.string() + " one that has a value";
