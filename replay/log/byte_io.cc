@@ -15,6 +15,9 @@
 #include <utility>
 
 #include "src/base/text.h"
+#include "src/files/file_identity.h"
+#include "src/files/output_file.h"
+#include "src/files/part_file.h"
 #include "tumble/replay/prelude.h"
 
 namespace tumble::replay {
@@ -160,20 +163,43 @@ Status rename_file(const std::string& from, const std::string& to) {
   return cannot_finish(to + ": cannot be put in place: " + reason() + "; what was to be there is in " + from);
 }
 
+namespace {
+
+/// A new, empty, locked file in the place of a log: whoever reads the old one keeps it. Where the folder takes no new
+/// file, the old one is emptied.
+Result<File> replaced(File old, const std::string& path, mode_t mode) {
+  std::string part;
+  const std::string place = files::resolved(path).string();
+  File fresh(files::open_part(place, part));
+  if (!fresh.ok()) {
+    if (::ftruncate(old.get(), 0) != 0) return cannot_finish(path + ": cannot be emptied: " + reason());
+    return old;
+  }
+  static_cast<void>(::fchmod(fresh.get(), mode));
+  if (lock(fresh.get()) && std::rename(part.c_str(), place.c_str()) == 0) return fresh;
+  const std::string why = reason();
+  ::unlink(part.c_str());
+  return cannot_finish(path + ": cannot be replaced: " + why);
+}
+
+}  // namespace
+
 Result<std::unique_ptr<ByteSink>> open_file_sink(const std::string& path) {
   if (Status ok = may_replace(path); !ok.ok()) return ok.error();
-  // Emptied once it is locked: until then it may be the log of another process.
+  // Replaced once it is locked: until then it may be the log of another process.
   File file(::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666));
-  if (!file.ok()) {
-    const bool is_systems = errno == EROFS || errno == ENOSPC || errno == EDQUOT || errno == EIO || errno == EMFILE;
-    const std::string message = path + ": cannot be written: " + reason();
-    return is_systems ? cannot_finish(message) : bad_input(message);
-  }
+  if (!file.ok()) return files::cannot_open(path, errno);
   struct stat info = {};
   if (::fstat(file.get(), &info) == 0 && S_ISREG(info.st_mode)) {
     if (!lock(file.get())) return locked(path, file.get()).error();
-    if (info.st_size > 0 && ::ftruncate(file.get(), 0) != 0)
-      return cannot_finish(path + ": cannot be emptied: " + reason());
+    if (files::identity_of(path) != files::FileIdentity{info.st_dev, info.st_ino}) {
+      return bad_input(path + ": was replaced by another process just now; try again, or name another file");
+    }
+    if (info.st_size > 0) {
+      Result<File> fresh = replaced(std::move(file), path, info.st_mode & 07777);
+      if (!fresh.ok()) return fresh.error();
+      return std::unique_ptr<ByteSink>(std::make_unique<FileSink>(*std::move(fresh), path));
+    }
   }
   return std::unique_ptr<ByteSink>(std::make_unique<FileSink>(std::move(file), path));
 }

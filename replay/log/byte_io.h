@@ -46,9 +46,9 @@ class ByteSource {
 };
 
 /// Opens a log file for writing. The file has its final name from the start, so that after a crash the written chunks
-/// are where a reader looks. Replaces a log of that name. Locks the file until the sink is destroyed or the process
-/// ends. Errors. kBadInput: a folder, no permission, a file that is no log, a log that another process writes (the
-/// message names the process). kCannotFinish: the disk.
+/// are where a reader looks. A log of that name gives way to a new file, so that whoever reads it keeps it. Locks the
+/// file until the sink is destroyed or the process ends. Errors. kBadInput: a folder, no permission, a file that is no
+/// log, a log that another process writes (the message names the process). kCannotFinish: the disk.
 Result<std::unique_ptr<ByteSink>> open_file_sink(const std::string& path);
 
 /// Success where open_file_sink() accepts the path: no file, an empty file, a log that nobody writes, or a device.

@@ -7,40 +7,24 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <optional>
 #include <utility>
 
 #include "src/files/file_identity.h"
+#include "src/files/part_file.h"
 
 namespace tumble::files {
 namespace {
 
 constexpr std::size_t kBlock = std::size_t{1} << 16;
-constexpr std::size_t kStemMax = 200;  // of a name: 255 bytes at most, and a part's name is longer
-constexpr int kTriesMax = 1000;
 
-/// An error of opening: the system's where the disk or its limits are at fault, else the user's.
+}  // namespace
+
 Error cannot_open(const std::string& path, int error) {
   const bool is_systems = error == EROFS || error == ENOSPC || error == EDQUOT || error == EIO || error == EMFILE ||
                           error == ENFILE || error == ENOMEM;
   const std::string message = path + ": cannot be written: " + std::strerror(error);
   return is_systems ? cannot_finish(message) : bad_input(message);
 }
-
-/// A new file beside `place`, with a name that no file has.
-int open_beside(const std::string& place, std::string& part) {
-  const std::filesystem::path path = place;
-  const std::string stem = (folder_of(path) / path.filename().string().substr(0, kStemMax)).string();
-  for (int k = 0; k < kTriesMax; ++k) {
-    part = stem + ".part-" + std::to_string(::getpid()) + '-' + std::to_string(k);
-    const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (file >= 0 || errno != EEXIST) return file;
-  }
-  return -1;
-}
-
-}  // namespace
 
 Result<OutputFile> OutputFile::create(const std::string& path) {
   OutputFile out;
@@ -51,14 +35,15 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
   if (exists && S_ISDIR(old.st_mode)) return bad_input(path + ": is a folder; name a file");
   if (exists && ::access(out.place_.c_str(), W_OK) != 0) return cannot_open(path, errno);
   out.in_place_ = exists && !S_ISREG(old.st_mode);
+  out.replaces_ = exists && !out.in_place_;
   if (out.in_place_) {
     out.part_ = out.place_;
     out.file_ = ::open(out.place_.c_str(), O_WRONLY | O_CLOEXEC);
   } else {
-    out.file_ = open_beside(out.place_, out.part_);
+    out.file_ = open_part(out.place_, out.part_);
   }
   if (out.file_ < 0) return cannot_open(path, errno);
-  if (exists && !out.in_place_) static_cast<void>(::fchmod(out.file_, old.st_mode & 07777));
+  if (out.replaces_) static_cast<void>(::fchmod(out.file_, old.st_mode & 07777));
   return out;
 }
 
@@ -73,6 +58,7 @@ OutputFile& OutputFile::operator=(OutputFile&& other) noexcept {
   buffer_ = std::move(other.buffer_);
   file_ = std::exchange(other.file_, -1);
   in_place_ = other.in_place_;
+  replaces_ = other.replaces_;
   return *this;
 }
 
@@ -103,8 +89,18 @@ Status OutputFile::write(std::string_view bytes) {
   return buffer_.size() < kBlock ? Status() : flush();
 }
 
+Status OutputFile::sync() const {
+  while (::fdatasync(file_) != 0) {
+    if (errno == EINVAL || errno == EROFS) return {};  // not a file on a disk
+    if (errno != EINTR) return failed();
+  }
+  return {};
+}
+
 Status OutputFile::commit() {
   if (Status ok = flush(); !ok.ok()) return ok;
+  // Else a loss of power after the renaming could leave neither the old content nor the new.
+  if (Status ok = replaces_ ? sync() : Status(); !ok.ok()) return ok;
   if (::close(std::exchange(file_, -1)) != 0) return failed();
   if (in_place_) return {};
   if (std::rename(part_.c_str(), place_.c_str()) != 0) return failed();

@@ -7,6 +7,10 @@
 
 namespace tumble::files {
 
+/// The error for a file that cannot be opened for writing, from errno: kCannotFinish where the disk or a limit of the
+/// system is at fault, else kBadInput.
+Error cannot_open(const std::string& path, int error);
+
 /// Writes a file under a name of its own in the same folder and renames it when it is complete. A full disk, a failure
 /// or a crash leaves the old file as it was. A path that leads through symbolic links replaces the file they lead to.
 /// Only regular files are replaced: a device or a pipe is written to as it is.
@@ -36,6 +40,7 @@ class OutputFile {
   OutputFile() = default;
   [[nodiscard]] Error failed() const;
   Status flush();
+  [[nodiscard]] Status sync() const;
   void discard();
 
   std::string path_;   // as the user named it
@@ -44,6 +49,7 @@ class OutputFile {
   std::string buffer_;
   int file_ = -1;
   bool in_place_ = false;  // a device or a pipe
+  bool replaces_ = false;  // a regular file that is there
 };
 
 /// A small file at once.

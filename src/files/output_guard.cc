@@ -41,16 +41,14 @@ void OutputGuard::keep(const fs::path& path, const std::string& about) {
   if (identity) files_.emplace(*identity, Name{path.string(), about});
 }
 
-void OutputGuard::keep_folder(const fs::path& folder, const std::string& about) { keep_below(folder, about); }
-
-void OutputGuard::keep_below(const fs::path& folder, const std::string& about) {
+void OutputGuard::keep_folder(const fs::path& folder, const std::string& about) {
   const std::optional<FileIdentity> identity = identity_of(folder);
   if (!identity || !folders_.emplace(*identity, Name{folder.string(), about}).second) return;
   std::error_code error;
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
     std::error_code ignored;
     if (fs::is_directory(at->path(), ignored)) {
-      keep_below(at->path(), about);
+      keep_folder(at->path(), about);
     } else {
       keep(at->path(), about);
     }

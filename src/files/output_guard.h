@@ -42,7 +42,6 @@ class OutputGuard {
     [[nodiscard]] std::string text(const std::filesystem::path& found) const;
   };
   using Kept = std::map<FileIdentity, Name>;
-  void keep_below(const std::filesystem::path& folder, const std::string& about);
   [[nodiscard]] Status outside_kept_folders(const std::string& option, const std::filesystem::path& path) const;
   [[nodiscard]] Status holds_nothing_kept(const std::string& option, const std::filesystem::path& folder,
                                           std::set<FileIdentity>& seen) const;

@@ -1,7 +1,11 @@
 // A file is replaced as a whole or not at all.
 #include "src/files/output_file.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "tests/files/temporary_place.h"
 
@@ -40,6 +44,24 @@ TEST_F(OutputFiles, AFileOfAnotherNameIsNeverInTheWay) {
   write("x", "old");
   ASSERT_TRUE(write_whole_file(path("x"), "new").ok());
   EXPECT_EQ(read("x.part"), "another's");
+}
+
+TEST_F(OutputFiles, WhatAKilledWriterLeftIsRemovedByTheNext) {
+  const pid_t gone = ::fork();
+  if (gone == 0) ::_exit(0);
+  ASSERT_EQ(::waitpid(gone, nullptr, 0), gone);
+  const std::string left = "x.part-" + std::to_string(gone) + "-0";
+  const std::string alive = "x.part-" + std::to_string(::getppid()) + "-0";
+  const std::string locked = "x.part-" + std::to_string(gone) + "-1";
+  for (const std::string& name : {left, alive, locked, "y.part-" + std::to_string(gone) + "-0", left + "a"}) {
+    write(name, "part");
+  }
+  const int lock = ::open(path(locked).c_str(), O_RDONLY | O_CLOEXEC);
+  ASSERT_EQ(::flock(lock, LOCK_EX | LOCK_NB), 0);
+  ASSERT_TRUE(write_whole_file(path("x"), "new").ok());
+  ::close(lock);
+  EXPECT_FALSE(fs::exists(path(left)));
+  EXPECT_EQ(count(), 5U) << "those of other outputs, of processes that live and of files that are locked stay";
 }
 
 TEST_F(OutputFiles, ALinkStaysALink) {

@@ -11,6 +11,7 @@
 
 #include "replay/log/verify.h"
 #include "replay/recover/recover.h"
+#include "src/files/output_file.h"
 #include "tests/support/faulty_files.h"
 #include "tests/support/log_memory.h"
 
@@ -149,6 +150,34 @@ TEST_F(LogFaults, WhereNothingMayBeWrittenItSaysWhy) {
   }
 }
 
+TEST_F(LogFaults, TheLimitsOfTheSystemAreNoBadInput) {
+  for (const int error : {ENFILE, ENOMEM, EMFILE, EROFS}) {
+    FileFaults faults;
+    faults.open_error = error;
+    expect_message(record(faults), ErrorKind::kCannotFinish, {path_, strerror(error)});
+    const FaultyFiles faulty(faults);
+    expect_message(files::write_whole_file(path_, "x"), ErrorKind::kCannotFinish, {path_, strerror(error)});
+  }
+}
+
+TEST_F(LogFaults, AnOutputThatDidNotReachTheDiskReplacesNothing) {
+  ASSERT_TRUE(record({}).ok());
+  const std::string old = content();
+  FileFaults faults;
+  faults.sync_error = EIO;
+  faults.sync_fails_at = 0;
+  {
+    const FaultyFiles faulty(faults);
+    expect_message(files::write_whole_file(path_, "new"), ErrorKind::kCannotFinish, {path_, "Input/output error"});
+  }
+  EXPECT_TRUE(content() == old);
+  for (const int error : {EINVAL, EROFS}) {  // no file on a disk
+    faults.sync_error = error;
+    const FaultyFiles faulty(faults);
+    EXPECT_TRUE(files::write_whole_file(path_, "new").ok());
+  }
+}
+
 TEST_F(LogFaults, AReadThatFailsNamesFileAndByte) {
   ASSERT_TRUE(record({}).ok());
   int reads = 0;
@@ -190,6 +219,22 @@ TEST_F(LogFaults, AFileRemovedWhileItIsOpenIsReadToItsEnd) {
   ASSERT_TRUE(log.ok());
   std::filesystem::remove(path_);
   EXPECT_TRUE(verify(*log).condition.whole());
+}
+
+TEST_F(LogFaults, WhoReadsALogThatIsRecordedAgainKeepsIt) {
+  ASSERT_TRUE(record({}).ok());
+  Result<LogReader> log = LogReader::open(path_);
+  ASSERT_TRUE(log.ok());
+  {
+    auto again = Recorder::start(path_, small_scene(3), {});
+    ASSERT_TRUE(again.ok()) << again.error().message;
+    EXPECT_FALSE(open_file_sink(path_).ok()) << "the new file is locked";
+    ASSERT_TRUE((*again)->run().ok() && (*again)->finish().ok());
+  }
+  EXPECT_TRUE(verify(*log).condition.whole());
+  EXPECT_EQ(log->step_count(), 24U);
+  EXPECT_EQ(LogReader::open(path_)->step_count(), 3U);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1) << "nothing else stays";
 }
 
 TEST_F(LogFaults, RecoveryOnAFullDiskLeavesTheDamagedLogAlone) {

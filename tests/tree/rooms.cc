@@ -61,7 +61,7 @@ std::vector<Room> logs() {
       {"schema", {}},
       {"replay/format", kSim},
       {"replay/codec", codec},
-      {"replay/log", log},
+      {"replay/log", log + Folders{"src/files"}},
       {"replay/session", session + Folders{"src/threads"}},
       {"replay/measure", above},
       {"replay/recover", above},

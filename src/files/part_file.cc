@@ -1,0 +1,72 @@
+#include "src/files/part_file.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+#include <system_error>
+
+#include "src/files/file_identity.h"
+
+namespace tumble::files {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kStemMax = 200;  // of a name: 255 bytes at most, and a part's name is longer
+constexpr int kTriesMax = 1000;
+
+/// The process that a part of this stem was made by; none for another file.
+std::optional<pid_t> maker_of(std::string_view name, std::string_view stem) {
+  if (!name.starts_with(stem)) return std::nullopt;
+  name.remove_prefix(stem.size());
+  pid_t process = 0;
+  int number = 0;
+  const char* const end = name.data() + name.size();
+  const auto [dash, wrong] = std::from_chars(name.data(), end, process);
+  if (wrong != std::errc() || process <= 0 || dash == end || *dash != '-') return std::nullopt;
+  const auto [stop, error] = std::from_chars(dash + 1, end, number);
+  return error == std::errc() && stop == end ? std::optional(process) : std::nullopt;
+}
+
+bool is_unlocked(const fs::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (file < 0) return false;
+  const bool unlocked = ::flock(file, LOCK_EX | LOCK_NB) == 0;
+  ::close(file);
+  return unlocked;
+}
+
+void remove_leftovers(const fs::path& folder, const std::string& stem) {
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    const std::optional<pid_t> maker = maker_of(at->path().filename().string(), stem);
+    if (!maker || ::kill(*maker, 0) == 0 || errno != ESRCH || !is_unlocked(at->path())) continue;
+    std::error_code ignored;
+    fs::remove(at->path(), ignored);
+  }
+}
+
+}  // namespace
+
+int open_part(const std::string& place, std::string& part) {
+  const fs::path path = place;
+  const fs::path folder = folder_of(path);
+  const std::string stem = path.filename().string().substr(0, kStemMax) + ".part-";
+  remove_leftovers(folder, stem);
+  for (int k = 0; k < kTriesMax; ++k) {
+    part = (folder / (stem + std::to_string(::getpid()) + '-' + std::to_string(k))).string();
+    const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file >= 0) static_cast<void>(::flock(file, LOCK_EX | LOCK_NB));
+    if (file >= 0 || errno != EEXIST) return file;
+  }
+  return -1;
+}
+
+}  // namespace tumble::files

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+namespace tumble::files {
+
+/// Creates a file beside `place` under a name of its own, "NAME.part-PID-N", which is to be renamed to `place`, and
+/// locks it until it is closed. Returns its descriptor and the name in `part`; −1 and errno where there can be none.
+/// Removes files of such names that processes left which were killed: the process is gone and no other holds the lock.
+int open_part(const std::string& place, std::string& part);
+
+}  // namespace tumble::files
