@@ -1,7 +1,5 @@
 #include "replay/codec/header_codec.h"
 
-#include <cmath>
-
 #include "replay/codec/message.h"
 #include "replay/codec/scene_codec.h"
 #include "replay/format/limits.h"
@@ -64,6 +62,7 @@ EngineName engine_name(Reader in) {
 }
 
 void encode_table(const ImportedTable& table, schema::Imported::Builder out) {
+  SIM_CHECK(check_table(table).ok(), table.axes.up, table.axes.metres, table.passed_over.size());
   out.setUp(static_cast<std::uint8_t>(table.axes.up));
   out.setLeftHanded(table.axes.left_handed);
   out.setMetres(table.axes.metres);
@@ -71,17 +70,9 @@ void encode_table(const ImportedTable& table, schema::Imported::Builder out) {
 }
 
 Result<ImportedTable> decode_table(schema::Imported::Reader in) {
-  constexpr int kAxes = 3;
-  const auto passed_over = in.getPassedOver();
-  if (in.getUp() >= kAxes || !(in.getMetres() > 0) || !std::isfinite(in.getMetres())) {
-    return damaged("found an imported table with axis " + std::to_string(in.getUp()) + " up and " +
-                   std::to_string(in.getMetres()) + " m per unit, wanted axis 0, 1 or 2 and a length above 0");
-  }
-  if (passed_over.size() > kTableColumnsMax) {
-    return damaged("found " + std::to_string(passed_over.size()) + " columns passed over, wanted at most " +
-                   std::to_string(kTableColumnsMax));
-  }
-  return ImportedTable{{in.getUp(), in.getLeftHanded(), in.getMetres()}, decode_texts(passed_over)};
+  ImportedTable table = {{in.getUp(), in.getLeftHanded(), in.getMetres()}, decode_texts(in.getPassedOver())};
+  if (Status ok = check_table(table); !ok.ok()) return damaged(ok.error().message);
+  return table;
 }
 
 Result<LogHeader> decode_root(schema::Header::Reader in, std::uint64_t message_bytes) {

@@ -34,6 +34,9 @@ Hash128 state_hash(const BodyStates& states);
 /// Whether every bit is equal: NaNs with equal payload are, zeros of different sign are not.
 bool same_bits(const BodyStates& a, const BodyStates& b);
 
+/// Likewise for the visible columns of two complete states.
+bool same_visible_bits(const sim::Bodies& a, const sim::Bodies& b);
+
 /// The columns of doubles of BodyStates as one list, in the order of States.columns in log.capnp.
 enum ColumnIndex : std::size_t { kVelocity = 0, kSpin = 3, kPosition = 6, kOrientation = 9, kColumnCount = 13 };
 
@@ -46,7 +49,9 @@ inline Columns columns_of(BodyStates& s) {
           &s.orientation.x, &s.orientation.y, &s.orientation.z};
 }
 
-inline ConstColumns columns_of(const BodyStates& s) {
+/// Of BodyStates, or of sim::Bodies, whose visible columns have the same names.
+template <class States>
+ConstColumns columns_of(const States& s) {
   return {&s.velocity.x,    &s.velocity.y,    &s.velocity.z,   &s.spin.x,     &s.spin.y,
           &s.spin.z,        &s.position.x,    &s.position.y,   &s.position.z, &s.orientation.w,
           &s.orientation.x, &s.orientation.y, &s.orientation.z};
@@ -56,5 +61,10 @@ inline ConstColumns columns_of(const BodyStates& s) {
 inline constexpr std::array<const char*, kColumnCount> kColumnNames = {
     "velocity.x", "velocity.y", "velocity.z",    "spin.x",        "spin.y",        "spin.z",       "position.x",
     "position.y", "position.z", "orientation.w", "orientation.x", "orientation.y", "orientation.z"};
+
+/// The order in which reports look through a body's columns: position, orientation, velocity, spin.
+inline constexpr std::array<std::size_t, kColumnCount> kFieldOrder = {
+    kPosition, kPosition + 1, kPosition + 2, kOrientation, kOrientation + 1, kOrientation + 2, kOrientation + 3,
+    kVelocity, kVelocity + 1, kVelocity + 2, kSpin,        kSpin + 1,        kSpin + 2};
 
 }  // namespace tumble::replay

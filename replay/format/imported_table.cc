@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "replay/format/limits.h"
 #include "src/base/text.h"
 
 namespace tumble::replay {
@@ -84,6 +85,17 @@ std::string EngineAxes::unit() const {
 std::string to_string(const EngineAxes& axes) {
   std::string text(1, static_cast<char>('x' + axes.up));
   return text.append(" up, ").append(axes.left_handed ? "left" : "right").append("-handed, ").append(axes.unit());
+}
+
+Status check_table(const ImportedTable& table) {
+  const auto& [up, left_handed, metres] = table.axes;
+  if (up < 0 || up > 2 || !(metres > 0) || !std::isfinite(metres)) {
+    return bad_input("found an imported table with axis " + std::to_string(up) + " up and " + exact(metres) +
+                     " m per unit, wanted axis 0, 1 or 2 and a length above 0");
+  }
+  if (table.passed_over.size() <= kTableColumnsMax) return {};
+  return bad_input("found " + std::to_string(table.passed_over.size()) + " columns passed over, wanted at most " +
+                   std::to_string(kTableColumnsMax));
 }
 
 }  // namespace tumble::replay

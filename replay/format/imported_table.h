@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "tumble/sim/result.h"
 #include "tumble/sim/rotation.h"
 #include "tumble/sim/vec.h"
 
@@ -56,5 +57,8 @@ struct ImportedTable {
   std::vector<std::string> passed_over;  ///< names of the columns that the import did not read, in the table's order
   friend bool operator==(const ImportedTable&, const ImportedTable&) = default;
 };
+
+/// Errors (kBadInput): axes that are none, a unit of length that is no number above 0, more columns than a log keeps.
+Status check_table(const ImportedTable& table);
 
 }  // namespace tumble::replay

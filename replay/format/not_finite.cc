@@ -7,11 +7,6 @@
 namespace tumble::replay {
 namespace {
 
-// For people, places come before speeds.
-constexpr std::array<std::size_t, kColumnCount> kOrder = {
-    kPosition, kPosition + 1, kPosition + 2, kOrientation, kOrientation + 1, kOrientation + 2, kOrientation + 3,
-    kVelocity, kVelocity + 1, kVelocity + 2, kSpin,        kSpin + 1,        kSpin + 2};
-
 /// x · 0 is 0 for a finite x of either sign, and NaN for all others; a sum of zeros stays 0.
 bool all_finite(const std::vector<double>& column) {
   constexpr std::size_t kLanes = 4;  // sums that do not wait for one another
@@ -48,11 +43,24 @@ bool is_finite(const BodyStates& states, std::size_t row) {
 
 std::optional<NotFinite> not_finite(const BodyStates& states, std::size_t row, std::uint64_t step) {
   const ConstColumns columns = columns_of(states);
-  for (const std::size_t k : kOrder) {
+  for (const std::size_t k : kFieldOrder) {
     const double value = (*columns[k])[row];
     if (!std::isfinite(value)) return NotFinite{states.id[row], step, kColumnNames[k], value, 1};
   }
   return std::nullopt;
+}
+
+std::optional<NotFinite> first_not_finite(const BodyStates& states, std::uint64_t step) {
+  if (all_finite(states)) return std::nullopt;
+  std::optional<NotFinite> first;
+  std::uint64_t bodies = 0;
+  for (std::size_t row = 0; row < states.size(); ++row) {
+    if (is_finite(states, row)) continue;
+    ++bodies;
+    if (!first) first = not_finite(states, row, step);
+  }
+  if (first) first->bodies = bodies;
+  return first;
 }
 
 }  // namespace tumble::replay

@@ -34,6 +34,9 @@ bool is_finite(const BodyStates& states, std::size_t row);
 /// The first field of a body that is not finite, in the order position, orientation, velocity, spin; none if all are.
 std::optional<NotFinite> not_finite(const BodyStates& states, std::size_t row, std::uint64_t step);
 
+/// That of the first body, by id, that has one, with the number of all such bodies; none if every body is finite.
+std::optional<NotFinite> first_not_finite(const BodyStates& states, std::uint64_t step);
+
 inline constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 
 // std::max and std::min drop a NaN, std::min(1.0, NaN) is 1. These keep it, in either argument.

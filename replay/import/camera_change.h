@@ -15,12 +15,12 @@ struct CameraChange {
   std::optional<double> focus;                ///< m
   std::optional<double> blur;
 
-  /// key: position, target, fov, focus or blur. value: one number, or three with spaces or commas between. Errors
-  /// (kBadInput): another key, another value; the message says what was found and wanted.
+  /// key: position, target, fov, focus or blur. value: one number, or three with spaces or commas between, in the
+  /// units of the caller. Errors (kBadInput): another key, another value; the message says what was found and wanted.
   Status set(const std::string& key, const std::string& value);
 
   /// The camera with these values. Its focus is the distance to the target unless given here or, where neither position
-  /// nor target is, before. Errors (kBadInput): a camera that stands in its target.
+  /// nor target is, before. Errors (kBadInput): those of sim::check_camera(); "camera KEY: …".
   [[nodiscard]] Result<sim::Camera> applied_to(sim::Camera camera) const;
 };
 

@@ -1,36 +1,15 @@
 #include "replay/import/csv_format.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <map>
-#include <set>
 #include <string_view>
 #include <utility>
 
 #include "replay/format/limits.h"
+#include "replay/import/number_list.h"
 
 namespace tumble::replay {
 namespace {
-
-/// The numbers of "0 0 -9.81"; empty for any other text.
-std::vector<double> numbers_of(const std::string& text) {
-  std::vector<double> numbers;
-  const char* at = text.data();
-  const char* end = at + text.size();
-  while (at != end) {
-    if (*at == ' ' || *at == ',') {
-      ++at;
-      continue;
-    }
-    double value = 0;
-    const auto [stop, error] = std::from_chars(at, end, value);
-    if (error != std::errc() || !std::isfinite(value)) return {};
-    numbers.push_back(value);
-    at = stop;
-  }
-  return numbers;
-}
 
 bool take_number(const std::string& text, double& out) {
   const std::vector<double> numbers = numbers_of(text);
@@ -134,6 +113,26 @@ Error wrong_argument(const std::string& setting, const std::string& wrong) {
   return bad_input("\"" + setting + "\": " + wrong);
 }
 
+/// The error for a camera, with the place of the key that it names, or of the last key of a camera. message: begins
+/// with "camera KEY: ".
+Error wrong_camera(const CsvReader& table, const std::map<std::string, std::uint64_t>& lines,
+                   const std::map<std::string, std::string>& arguments, const std::string& message) {
+  std::string key(kCameraKeys);
+  key += message.substr(kCameraKeys.size(), message.find(':') - kCameraKeys.size());
+  if (const auto argument = arguments.find(key); argument != arguments.end()) {
+    return wrong_argument(argument->second, message);
+  }
+  if (const auto line = lines.find(key); line != lines.end()) return table.at_line(line->second, message);
+  for (const auto& [other, setting] : arguments) {
+    if (other.starts_with(kCameraKeys)) return wrong_argument(setting, message);
+  }
+  std::uint64_t last = 1;
+  for (const auto& [other, line] : lines) {
+    if (other.starts_with(kCameraKeys)) last = std::max(last, line);
+  }
+  return table.at_line(last, message);
+}
+
 /// The columns of the format: name, and destination of the number.
 using Places = std::vector<std::pair<std::string, std::size_t*>>;
 
@@ -184,14 +183,15 @@ Result<CsvSettings> read_settings(const CsvReader& table, std::span<const std::s
     given = given || setting.key == "gravity";
     sized = sized || setting.key == "size";
   }
-  std::set<std::string> keys;
+  std::map<std::string, std::string> arguments;  // by key
   for (const std::string& setting : more) {
     const std::size_t colon = std::min(setting.find(':'), setting.size());
     const std::string key = setting.substr(0, colon);
     const std::size_t value = setting.find_first_not_of(' ', std::min(colon + 1, setting.size()));
     const std::string wrong = take(key, value == std::string::npos ? "" : setting.substr(value), start);
     if (!wrong.empty()) return wrong_argument(setting, wrong);
-    if (!keys.insert(key).second) return wrong_argument(setting, key + ": found a second time, wanted it once");
+    if (!arguments.emplace(key, setting).second)
+      return wrong_argument(setting, key + ": found a second time, wanted it once");
     given = given || key == "gravity";
     sized = sized || key == "size";
   }
@@ -202,7 +202,7 @@ Result<CsvSettings> read_settings(const CsvReader& table, std::span<const std::s
   }
   if (start.camera.focus) *start.camera.focus *= start.axes.metres;
   const Result<sim::Camera> camera = start.camera.applied_to(start.scene.camera);
-  if (!camera.ok()) return table.at_line(1, camera.error().message);
+  if (!camera.ok()) return wrong_camera(table, lines, arguments, camera.error().message);
   start.scene.camera = *camera;
   return start;
 }

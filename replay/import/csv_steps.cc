@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "replay/format/not_finite.h"
 #include "src/base/text.h"
+#include "src/model/camera.h"
 #include "src/world/edit_bodies.h"
 #include "tumble/sim/limits.h"
 
@@ -12,9 +14,8 @@ namespace {
 
 constexpr std::size_t kNone = CsvColumns::kNone;
 
-// Deviations of the length of a quaternion from 1: of seven digits or fewer, and of a number that is no rotation.
+/// The deviation of the length of a quaternion from 1 that seven digits or fewer explain.
 constexpr double kRoughRotation = 1e-5;
-constexpr double kNoRotation = 1e-2;
 
 sim::Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
@@ -30,7 +31,7 @@ Result<CsvSteps> CsvSteps::open(std::string_view text, const std::string& name, 
   if (!columns.ok()) return columns.error();
   CsvSettings start;
   start.scene.name = "session";
-  start.scene.camera.focus = sim::length(start.scene.camera.target - start.scene.camera.position);
+  start.scene.camera.focus = sim::focus_on_target(start.scene.camera);
   if (like) start.scene = like->scene;
   if (like && columns->time == kNone) start.dt = like->scene.world.dt;
   Result<CsvSettings> read = read_settings(*table, settings, std::move(start));
@@ -136,10 +137,10 @@ Status CsvSteps::take_row(TableStep& step) {
   if (Status ok = read_numbers(columns_.velocity, v); !ok.ok()) return ok;
   if (Status ok = read_numbers(columns_.spin, w); !ok.ok()) return ok;
   if (Status ok = check_state(*id, q); !ok.ok()) return ok;
-  look_for_lost(*id, columns_.position, x);
-  look_for_lost(*id, columns_.orientation, q);
-  look_for_lost(*id, columns_.velocity, v);
-  look_for_lost(*id, columns_.spin, w);
+  look_for_lost(*id, kPosition, columns_.position, x);
+  look_for_lost(*id, kOrientation, columns_.orientation, q);
+  look_for_lost(*id, kVelocity, columns_.velocity, v);
+  look_for_lost(*id, kSpin, columns_.spin, w);
   const Result<bool> frozen = flag(columns_.frozen, false);
   if (!frozen.ok()) return frozen.error();
   const EngineAxes& axes = settings_.axes;
@@ -157,7 +158,7 @@ Status CsvSteps::check_state(sim::BodyId id, const std::array<double, 4>& q) {
   if (std::ranges::any_of(q, [](double number) { return !std::isfinite(number); })) return {};
   const double off = std::fabs(length - 1);
   const std::size_t column = columns_.orientation[0];
-  if (off > kNoRotation) {
+  if (off > EngineState::kLengthOffMax) {
     return table_.at(column, "orientation: found a quaternion of length " + significant(length, 9) +
                                  ", wanted 1; divide its numbers by the length");
   }
@@ -165,10 +166,12 @@ Status CsvSteps::check_state(sim::BodyId id, const std::array<double, 4>& q) {
   return {};
 }
 
-void CsvSteps::look_for_lost(sim::BodyId id, std::span<const std::size_t> columns, std::span<const double> numbers) {
+/// first: the number in kColumnNames of the first of the columns, whose names in the table are those.
+void CsvSteps::look_for_lost(sim::BodyId id, std::size_t first, std::span<const std::size_t> columns,
+                             std::span<const double> numbers) {
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     if (std::isfinite(numbers[k])) continue;
-    notes_.lost(table_.at(columns[k], "").message, id, steps_, table_.columns()[columns[k]], numbers[k]);
+    notes_.lost(table_.at(columns[k], "").message, {id, steps_, kColumnNames.at(first + k), numbers[k], 1});
     return;
   }
 }

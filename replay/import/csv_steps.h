@@ -63,7 +63,8 @@ class CsvSteps {
   Status take_row(TableStep& step);
   Status meet(sim::BodyId id, const EngineState& state);
   Status check_state(sim::BodyId id, const std::array<double, 4>& q);
-  void look_for_lost(sim::BodyId id, std::span<const std::size_t> columns, std::span<const double> numbers);
+  void look_for_lost(sim::BodyId id, std::size_t first, std::span<const std::size_t> columns,
+                     std::span<const double> numbers);
   Status read_box(sim::BoxDef& box) const;
   Status read_origin(sim::Origin& origin) const;
   template <std::size_t N>

@@ -1,10 +1,12 @@
 #include "tumble/replay/engine_log.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "replay/format/limits.h"
 #include "src/base/check.h"
+#include "src/base/text.h"
 #include "src/world/body_check.h"
 #include "src/world/edit_bodies.h"
 #include "tumble/sim/limits.h"
@@ -26,6 +28,14 @@ void put(sim::Bodies& bodies, const sim::BoxDef& box) {
   put(bodies, *bodies.find(box.id), {box.position, box.orientation, box.velocity, box.spin, box.frozen});
 }
 
+/// Errors (kBadInput): a finite orientation that is no rotation, which would be measured and drawn wrongly.
+Status check_rotation(sim::BodyId id, const sim::Quat& q) {
+  const double length = std::sqrt(sim::squared_length(q));
+  if (!(std::fabs(length - 1) > EngineState::kLengthOffMax) || !std::isfinite(length)) return {};
+  return bad_input("body " + std::to_string(id) + ": found an orientation of length " + significant(length, 9) +
+                   ", wanted 1; divide its numbers by the length");
+}
+
 Result<sim::World> world_of(const sim::SceneDef& start) {
   if (Status ok = sim::check_def(start.world); !ok.ok()) return ok.error();
   if (start.boxes.size() > sim::kBodiesMax) {
@@ -36,6 +46,7 @@ Result<sim::World> world_of(const sim::SceneDef& start) {
   sim::BodyId before = 0;
   for (const sim::BoxDef& box : start.boxes) {
     if (Status ok = sim::check_box(box); !ok.ok()) return ok.error();
+    if (Status ok = check_rotation(box.id, box.orientation); !ok.ok()) return ok.error();
     if (box.id <= before) return bad_input("body " + std::to_string(box.id) + ": ids must ascend and be unique");
     before = box.id;
     sim::insert_body(state, box);
@@ -57,7 +68,7 @@ Status check_engine(const EngineDef& def) {
     return bad_input("engine: found " + std::to_string(def.phases.size()) + " phases, wanted at most " +
                      std::to_string(kPhasesMax));
   }
-  return {};
+  return def.table ? check_table(*def.table) : Status();
 }
 
 LogHeader header_of(const EngineDef& def, const sim::SceneDef& start) {
@@ -103,6 +114,9 @@ Status EngineLog::input(const sim::Command& command) {
   const auto* thrown = std::get_if<sim::Throw>(&command);
   Status applied;
   if (thrown != nullptr) {
+    if (Status ok = check_rotation(thrown->box.id, thrown->box.orientation); !ok.ok()) {
+      return at_step(ok.error().message);
+    }
     sim::Throw awake = *thrown;  // the other engine decides what rests; no contacts are searched
     awake.box.frozen = false;
     applied = sim::apply(world_, awake);
@@ -118,6 +132,7 @@ Status EngineLog::input(const sim::Command& command) {
 Status EngineLog::set_state(sim::BodyId id, const EngineState& state) {
   const auto row = world_.bodies().find(id);
   if (!row) return at_step("found a state of body " + std::to_string(id) + ", wanted the id of a body that exists");
+  if (Status ok = check_rotation(id, state.orientation); !ok.ok()) return at_step(ok.error().message);
   if (told_.empty()) told_.assign(world_.bodies().size(), 0);
   SIM_CHECK(told_.size() == world_.bodies().size(), told_.size(), world_.bodies().size());
   told_[*row] = 1;

@@ -26,8 +26,10 @@ struct EngineDef {
 };
 
 /// The state of one body after a step. SI units, z up, angular velocity about world axes. Every double is kept to the
-/// bit, NaN included.
+/// bit, NaN included. An orientation that is finite and no rotation is refused: its length must be within kLengthOffMax
+/// of 1.
 struct EngineState {
+  static constexpr double kLengthOffMax = 1e-2;
   sim::Vec3 position = {0, 0, 0};
   sim::Quat orientation;
   sim::Vec3 velocity = {0, 0, 0};
@@ -48,7 +50,8 @@ class EngineLog {
  public:
   /// Creates the log. start: state 0, kept to the bit. Its boxes (ascending id, see sim::BoxDef), dt, gravity and
   /// ground count; `steps` is the planned number of steps, 0 if unknown; the rest is look. Errors (kBadInput): a body
-  /// or a value beyond src/model/limits.h, a missing name, an existing file that is no log.
+  /// or a value beyond src/model/limits.h, an orientation that is no rotation, a missing name, a table that no log can
+  /// keep, an existing file that is no log.
   static Result<std::unique_ptr<EngineLog>> create(const std::string& path, const EngineDef& def,
                                                    const sim::SceneDef& start);
   static Result<std::unique_ptr<EngineLog>> create(std::unique_ptr<ByteSink> sink, const EngineDef& def,
@@ -58,7 +61,7 @@ class EngineLog {
   /// (kBadInput): an unknown or taken id, a value beyond the limits, an input after a state.
   Status input(const sim::Command& command);
 
-  /// Sets the state of a body after the coming step. Errors (kBadInput): no body has this id.
+  /// Sets the state of a body after the coming step. Errors (kBadInput): no body has this id; no rotation.
   Status set_state(sim::BodyId id, const EngineState& state);
 
   /// Sets the phase hashes of the coming step: one word per phase, or one row of such words per substep. Errors

@@ -34,7 +34,7 @@ typedef enum TumbleLogStatus {
 
 typedef struct TumbleLogState {
   double position[3];    /* m, centre of mass */
-  double orientation[4]; /* unit quaternion w, x, y, z */
+  double orientation[4]; /* unit quaternion w, x, y, z; of another length by more than 0.01: an error */
   double velocity[3];    /* m/s */
   double spin[3];        /* rad/s, world axes */
   int frozen;            /* the engine lets it sleep */

@@ -37,13 +37,11 @@ Result<Survey> survey(std::string_view text, const std::string& name, const Impo
   if (!reader.ok()) return reader.error();
   Survey found;
   TableStep step, before;
-  TableNotes end;
   for (;;) {
     std::swap(step, before);
     const Result<bool> more = reader->next(step);
     if (!more.ok()) return more.error();
     if (!*more) break;
-    end = note_missing(*reader, before, step);
     if (found.states > 0 && !(step.dt >= sim::kDtMin && step.dt <= sim::kDtMax)) {
       return reader->at_line(step.line, "found a step of " + significant(step.dt, 17) + " s, wanted 1e-7 … 1 s");
     }
@@ -52,6 +50,7 @@ Result<Survey> survey(std::string_view text, const std::string& name, const Impo
   }
   if (found.states == 0) return reader->at_line(1, "found no row, wanted at least those of one step");
   if (options.warn) {
+    const TableNotes end = note_missing(*reader, step, before);  // swapped once after the last step
     for (const TableNotes& notes : {reader->notes(), end}) std::ranges::for_each(notes.texts(), options.warn);
   }
   return found;

@@ -4,11 +4,13 @@
 
 namespace tumble::replay {
 
-void TableNotes::lost(const std::string& place, sim::BodyId body, std::uint64_t step, const std::string& field,
-                      double value) {
-  if (!lost_.insert(body).second || lost_.size() > 1) return;
-  first_lost_ = place + "body " + std::to_string(body) + " is lost from step " + std::to_string(step) +
-                " on: " + field + " is " + exact(value);
+void TableNotes::lost(const std::string& place, const NotFinite& found) {
+  if (lost_.empty()) {
+    first_lost_ = found;
+    place_of_lost_ = place;
+  }
+  lost_.insert(found.body);
+  first_lost_.bodies = lost_.size();
 }
 
 void TableNotes::rough_rotation(const std::string& place, sim::BodyId body, std::uint64_t step, double length) {
@@ -26,10 +28,7 @@ void TableNotes::short_end(const std::string& place, std::size_t bodies, std::si
 
 std::vector<std::string> TableNotes::texts() const {
   std::vector<std::string> out;
-  if (!lost_.empty()) {
-    out.push_back(first_lost_);
-    if (lost_.size() > 1) out.back() += ", and " + count_text(lost_.size() - 1, "body") + " more likewise";
-  }
+  if (!lost_.empty()) out.push_back(place_of_lost_ + to_string(first_lost_));
   if (rough_ > 0) {
     out.push_back(first_rough_);
     if (rough_ > 1) out.back() += ", and " + count_text(rough_ - 1, "row") + " more likewise";

@@ -104,7 +104,7 @@ void read_view(TableReader& top, sim::SceneDef& scene) {
   TableReader camera(table_or_empty(top, "camera"), "[camera]", top.problem());
   read_look(camera, scene.camera.position, scene.camera.target);
   scene.camera.fov = camera.number("fov", scene.camera.fov, kFovRule);
-  scene.camera.focus = sim::length(scene.camera.target - scene.camera.position);
+  scene.camera.focus = sim::focus_on_target(scene.camera);
   scene.camera.focus = camera.number("focus", scene.camera.focus, kFocusRule);
   scene.camera.blur = camera.number("blur", scene.camera.blur, kBlurRule);
   camera.finish();

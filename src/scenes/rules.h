@@ -1,11 +1,12 @@
 #pragma once
 
+#include "src/model/camera.h"
 #include "src/scenes/table_reader.h"
 #include "tumble/sim/ids.h"
 #include "tumble/sim/limits.h"
 
 /// The ranges of the scene format, with the words of messages about them. Limits of the simulation come from
-/// src/model/limits.h; the other limits only catch typing errors.
+/// src/model/limits.h and camera.h; the other limits only catch typing errors.
 namespace tumble::scenes {
 
 inline constexpr NumberRule kSizeRule = {"three edge lengths", sim::kSizeMin, sim::kSizeMax, "m"};
@@ -43,10 +44,10 @@ inline constexpr NumberRule kTurnRule = {"an angle", 0, 180, "degrees"};
 inline constexpr NumberRule kTaperRule = {"a ratio", 0.01, 100, ""};
 inline constexpr IntegerRule kSeedRule = {"a whole number", 0, 9'223'372'036'854'775'807U};
 
-inline constexpr NumberRule kViewRule = {"three coordinates", -1e6, 1e6, "m"};
-inline constexpr NumberRule kFovRule = {"an angle", 1, 170, "degrees"};
-inline constexpr NumberRule kFocusRule = {"a distance", 0.001, 1e6, "m"};
-inline constexpr NumberRule kBlurRule = {"a strength", 0, 100, ""};
+inline constexpr NumberRule kViewRule = {"three coordinates", -sim::kViewMax, sim::kViewMax, "m"};
+inline constexpr NumberRule kFovRule = {"an angle", sim::kFovMin, sim::kFovMax, "degrees"};
+inline constexpr NumberRule kFocusRule = {"a distance", sim::kFocusMin, sim::kFocusMax, "m"};
+inline constexpr NumberRule kBlurRule = {"a strength", 0, sim::kBlurMax, ""};
 
 inline constexpr std::size_t kNameLengthMax = 100;
 inline constexpr std::size_t kTitleLengthMax = 200;

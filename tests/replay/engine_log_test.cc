@@ -80,7 +80,7 @@ TEST(EngineLog, KeepsWhatItIsToldToTheBit) {
   Engine engine(start_of({cube(1, 5), cube(2, 7)}));
   EngineState odd;
   odd.position = {0.1F, std::nan(""), 1e300};  // no world of ours would hold these
-  odd.orientation = {0.7F, 0.1, 0, -0.0};
+  odd.orientation = {0.999F, 0.01, 0, -0.0};
   odd.velocity = {5e-324, -0.0, std::numeric_limits<double>::infinity()};
   ASSERT_TRUE(engine.log->set_state(1, odd).ok());
   ASSERT_TRUE(engine.log->set_state(2, placed({1, 2, 3}, {0, 0, 0}, true)).ok());

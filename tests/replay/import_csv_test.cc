@@ -238,6 +238,23 @@ TEST(ImportCsv, ErrorsNameFileLineAndColumn) {
   expect(table("# dt: 0.1\n", good), "\"up: w\": up: found \"w\", wanted x, y or z", options);
 }
 
+TEST(ImportCsv, ACameraIsJudgedInMetresAndAtItsPlace) {
+  const std::string row = "0,1,0,0,1,1,0,0,0,0,0,0,0,0,0\n";
+  const Result<LogReader> far = import(table("# dt: 0.1\n# length: mm\n# camera.position: 2e7 0 0\n", row));
+  ASSERT_TRUE(far.ok()) << far.error().message;
+  EXPECT_EQ(far->header().scene.camera.position, sim::Vec3(2e4, 0, 0));
+  EXPECT_NE(error_of(table("# dt: 0.1\n# length: 1000\n# camera.position: 5e5 0 0\n", row))
+                .find("t.csv:3:1: camera position: found 5e+08, 0, 0, wanted three coordinates up to 1e6 m"),
+            std::string::npos)
+      << error_of(table("# dt: 0.1\n# length: 1000\n# camera.position: 5e5 0 0\n", row));
+  ImportOptions options;
+  options.settings = {"camera.fov: 500"};
+  EXPECT_EQ(error_of(table("# dt: 0.1\n# camera.target: 0 0 1\n", row), options),
+            "\"camera.fov: 500\": camera fov: found 500, wanted a number from 1 to 170");
+  options.settings = {"camera.target: 12 -16 8"};
+  EXPECT_TRUE(error_of(table("# dt: 0.1\n", row), options).starts_with("\"camera.target: 12 -16 8\": camera"));
+}
+
 TEST(ImportCsv, NoLogIsTouchedWhereTheTableIsWrong) {
   bool asked = false;
   const auto sink = [&]() -> Result<std::unique_ptr<ByteSink>> {

@@ -1,0 +1,84 @@
+// Logs of other engines: facts and states that no log can keep, or that no body can have, are refused when they are
+// told.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "replay/log/byte_memory.h"
+#include "tumble/replay/engine_log.h"
+#include "tumble/replay/engine_log_c.h"
+
+namespace tumble::replay {
+namespace {
+
+sim::BoxDef cube(sim::BodyId id, const sim::Quat& orientation = {}) {
+  sim::BoxDef box;
+  box.id = id;
+  box.orientation = orientation;
+  return box;
+}
+
+Result<std::unique_ptr<EngineLog>> log_of(const sim::BoxDef& box, const std::optional<ImportedTable>& table = {}) {
+  sim::SceneDef start;
+  start.name = "drop";
+  start.boxes = {box};
+  auto sink = std::make_unique<MemoryByteSink>(std::make_shared<std::vector<std::byte>>(), "toy.tumble");
+  return EngineLog::create(std::move(sink), {{"toy", "1"}, {}, table}, start);
+}
+
+TEST(EngineLogRefusal, OfATableThatNoLogCanKeep) {
+  const double nan = std::nan("");
+  const std::vector<std::string> many(2000, "_c");
+  for (const ImportedTable& table :
+       {ImportedTable{{7, false, 1}, {}}, ImportedTable{{-1, false, 1}, {}}, ImportedTable{{2, false, nan}, {}},
+        ImportedTable{{2, false, 0}, {}}, ImportedTable{{2, false, 1}, many}}) {
+    const auto log = log_of(cube(1), table);
+    ASSERT_FALSE(log.ok()) << "a whole log would be written that no reader opens";
+    EXPECT_EQ(log.error().kind, ErrorKind::kBadInput);
+  }
+}
+
+TEST(EngineLogRefusal, OfAnOrientationThatIsNoRotation) {
+  const auto made = log_of(cube(1));
+  ASSERT_TRUE(made.ok()) << made.error().message;
+  EngineLog& log = **made;
+  EngineState state;
+  for (const sim::Quat& q : {sim::Quat{0, 0, 0, 0}, sim::Quat{2, 0, 0, 0}, sim::Quat{0.98, 0, 0, 0}}) {
+    state.orientation = q;
+    const Status set = log.set_state(1, state);
+    ASSERT_FALSE(set.ok());
+    EXPECT_EQ(set.error().kind, ErrorKind::kBadInput);
+    EXPECT_NE(set.error().message.find("step 1: body 1: found an orientation of length"), std::string::npos)
+        << set.error().message;
+    EXPECT_FALSE(log.input(sim::Throw{cube(7, q)}).ok());
+    EXPECT_FALSE(log_of(cube(1, q)).ok());
+  }
+  state.orientation = {std::nan(""), 0, 0, 0};
+  EXPECT_TRUE(log.set_state(1, state).ok()) << "a body that is lost";
+  state.orientation = {1.005, 0, 0, 0};
+  EXPECT_TRUE(log.set_state(1, state).ok()) << "within the bound";
+}
+
+TEST(EngineLogRefusal, OfAnOrientationThatAProgramInCForgot) {
+  TumbleLog* log = tumble_log_new("C engine", "0.1");
+  TumbleLogBody body = {};
+  body.id = 1;
+  body.size[0] = body.size[1] = body.size[2] = body.mass = 1;
+  body.state.orientation[0] = 1;
+  TumbleLogStart start = {};
+  start.dt = 0.5;
+  start.precision_bits = kBinary32Bits;
+  tumble_log_add_body(log, &body);
+  const std::string path = ::testing::TempDir() + "engine_log_no_rotation.tumble";
+  EXPECT_EQ(tumble_log_begin(log, path.c_str(), &start), TUMBLE_OK) << tumble_log_message(log);
+  const TumbleLogState forgotten = {};
+  EXPECT_EQ(tumble_log_set_state(log, 1, &forgotten), TUMBLE_BAD_INPUT);
+  EXPECT_NE(std::string(tumble_log_message(log)).find("found an orientation of length 0"), std::string::npos);
+  tumble_log_free(log);
+  std::remove(path.c_str());
+}
+
+}  // namespace
+}  // namespace tumble::replay
