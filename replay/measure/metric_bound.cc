@@ -1,7 +1,5 @@
 #include "replay/measure/metric_bound.h"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -13,35 +11,6 @@ std::string trimmed(const std::string& text) {
   if (first == std::string::npos) return "";
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
-
-/// The smallest and the largest value that a metric can have; metrics without such limits are not in the list.
-struct Range {
-  std::string_view name;
-  double low = 0;
-  double high = INFINITY;
-};
-constexpr std::array kRanges = {
-    Range{"lateral_max"},
-    Range{"lateral_rms"},
-    Range{"column_spread"},
-    Range{"mirror_error"},
-    Range{"order_error"},
-    Range{"shift_error"},
-    Range{"gain_max"},
-    Range{"bounces"},
-    Range{"drift_max"},
-    Range{"tilt_max", 0, 180},
-    Range{"lost"},
-    Range{"overlap_max"},
-    Range{"overlap_peak"},
-    Range{"ground_penetration_max"},
-    Range{"kinetic_end"},
-    Range{"ground_penetration_peak"},
-    Range{"kinetic_linear_end"},
-    Range{"kinetic_rotational_end"},
-    Range{"frozen_fraction", 0, 1},
-    Range{"rest_time"},
-};
 
 bool is_always_true(const MetricBound& bound) {
   const bool is_upper =
@@ -103,9 +72,9 @@ Result<MetricBound> parse_metric_bound(const std::string& text) {
 }
 
 bool judges_nothing(std::string_view name, const std::optional<double>& min, const std::optional<double>& max) {
-  const auto* const range = std::ranges::find(kRanges, name, &Range::name);
-  if (range == kRanges.end() || (!min && !max)) return false;
-  return (!min || *min <= range->low) && (!max || *max >= range->high);
+  const MetricRow* const metric = find_metric(name);
+  if (metric == nullptr || metric->is_optional() || (!min && !max)) return false;
+  return (!min || *min <= metric->low) && (!max || *max >= metric->high);
 }
 
 Status check_measured(const Metrics& metrics) {

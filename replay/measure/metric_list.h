@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,6 +22,8 @@ struct MetricRow {
   const char* nothing;  ///< shown to people in place of a missing value
   std::optional<double> (*counted)(const Metrics& metrics);  ///< over the bodies that are finite
   bool over_all = false;                                     ///< over all bodies of the world, chosen or not
+  double low = -std::numeric_limits<double>::infinity();     ///< the least value that there can be
+  double high = std::numeric_limits<double>::infinity();     ///< the largest
 
   /// The value. NaN where a body that belongs to the metric is lost because it is not finite.
   [[nodiscard]] std::optional<double> value(const Metrics& metrics) const;
@@ -33,6 +36,8 @@ struct MetricRow {
   }
 
   [[nodiscard]] bool is_length() const { return unit == std::string_view("m"); }
+  /// Whether a session may have no value, which is within no bound.
+  [[nodiscard]] bool is_optional() const { return *nothing != '\0'; }
   /// Whether the metric is a count, written without a decimal point.
   [[nodiscard]] bool counts() const {
     return unit == std::string_view("bodies") || unit == std::string_view("bounces");

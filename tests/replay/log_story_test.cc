@@ -225,6 +225,12 @@ TEST(MetricBound, SaysWhetherAValueIsWithinIt) {
                             "lateral_max<=0m", "no_such<=0", "<=0"}) {
     EXPECT_FALSE(parse_metric_bound(wrong).ok()) << wrong;
   }
+  EXPECT_FALSE(parse_metric_bound("top_drop_max>=0").ok()) << "holds for every session";
+  for (const char* optional : {"rest_time>=0", "mirror_error>=0", "gain_ratio>=0"}) {
+    const Result<MetricBound> has_value = parse_metric_bound(optional);
+    ASSERT_TRUE(has_value.ok()) << has_value.error().message;
+    EXPECT_FALSE(has_value->holds(std::nullopt)) << "a session that never rests";
+  }
 }
 
 }  // namespace
