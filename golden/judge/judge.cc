@@ -58,7 +58,7 @@ class Pass {
         return damaged("step " + number(k) + ": the states do not match their hashes");
       }
       if (comparer_) comparer_->add(step);
-      find_lost(step);
+      if (!lost_) lost_ = replay::first_not_finite(step.states, step.step);
       metrics_.add(step);
       builder_.add(step);
       final_hash_ = step.state_hash;
@@ -67,16 +67,6 @@ class Pass {
       if (k == log_.step_count()) last_ = step.states;
     }
     return {};
-  }
-
-  void find_lost(const replay::StepRecord& step) {
-    if (lost_ || replay::all_finite(step.states)) return;
-    std::uint64_t bodies = 0;
-    for (std::size_t row = 0; row < step.states.size(); ++row) {
-      const std::optional<replay::NotFinite> found = replay::not_finite(step.states, row, step.step);
-      if (found && bodies++ == 0) lost_ = found;
-    }
-    lost_->bodies = bodies;
   }
 
   void judge_exact(CaseResult& result) {

@@ -20,12 +20,11 @@ class Diff {
  public:
   Diff(LogReader& a, LogReader& b, const Tolerances& tolerances, Reading reading)
       : a_(a), b_(b), tolerances_(tolerances), reading_(reading) {
-    same_words_ = same_phase_words(a.header(), b.header());
-    if (same_words_ && tolerances.exact()) phases_ = a.header().phases;
     const auto engine = [](const LogHeader& header) { return header.engine.value_or(EngineName()).name; };
     states_only_ = engine(a.header()) != engine(b.header());
+    same_words_ = !states_only_ && same_phase_words(a.header(), b.header());
+    if (same_words_ && tolerances.exact()) phases_ = a.header().phases;
     imported_ = a.header().engine || b.header().engine;
-    chains_say_all_ = same_words_ && !states_only_;
   }
 
   Result<DiffReport> run(const Progress& progress) {
@@ -50,7 +49,10 @@ class Diff {
       if (Status ok = compare_step(k); !ok.ok()) return ok.error();
       if (progress && !progress(k - from, report_.steps)) return cannot_finish("interrupted");
     }
-    if (!report_.first && keyframe_differs_) report_.first = std::move(keyframe_differs_);
+    // Hidden state shows in visible columns steps later: the keyframe that differs first is nearer to the cause.
+    if (keyframe_differs_ && (!report_.first || keyframe_differs_->step < report_.first->step)) {
+      report_.first = std::move(keyframe_differs_);
+    }
     return finished();
   }
 
@@ -99,15 +101,15 @@ class Diff {
   }
 
   Status name_property(const KeyframeHash& in_a, const KeyframeHash& in_b, std::uint64_t from) {
-    Result<const Keyframe*> a = a_.keyframe_at_or_before(in_a.step);
+    if (in_a.step != from && !tolerances_.exact()) return {};
+    const Result<const Keyframe*> a = a_.keyframe_at_or_before(in_a.step);
     if (!a.ok()) return a.error();
-    const sim::WorldState expected = (*a)->state;
-    Result<const Keyframe*> b = b_.keyframe_at_or_before(in_b.step);
+    const Result<const Keyframe*> b = b_.keyframe_at_or_before(in_b.step);
     if (!b.ok()) return b.error();
-    if (in_a.step == from) report_.built = world_difference(expected, (*b)->state, {true, false, false});
+    const sim::WorldState &expected = (*a)->state, &actual = (*b)->state;
+    if (in_a.step == from) report_.built = world_difference(expected, actual, {.visible = false, .hidden = false});
     if (!tolerances_.exact()) return {};
-    keyframe_differs_ = world_difference(expected, (*b)->state);
-    if (!keyframe_differs_) return {};
+    keyframe_differs_ = keyframe_difference(expected, in_a.continuation_hash, actual, in_b.continuation_hash);
     if (in_a.step > from) keyframe_differs_->phase = "step";
     return {};
   }
@@ -122,7 +124,7 @@ class Diff {
                              imported_,
                              one_scene_,
                              worlds_,
-                             zeros_};
+                             report_.zeros};
     report_.scope = scope_of(a_, b_, tolerances_, facts);
     return std::move(report_);
   }
@@ -131,7 +133,7 @@ class Diff {
   /// value is a hash over all steps before, so two chains that differ once never agree again: a binary search finds the
   /// place. If log B ends a chunk at that step too, the index of each log has the value, and no chunk is decoded.
   [[nodiscard]] Result<std::uint64_t> last_known_same(std::uint64_t from, std::uint64_t last) {
-    if (!chains_say_all_) return from;
+    if (!same_words_) return from;  // chains cover phase words
     const Result<Hash128> chain_a = a_.chain_at(from), chain_b = b_.chain_at(from);
     if (!chain_a.ok()) return chain_a.error();
     if (!chain_b.ok()) return chain_b.error();
@@ -237,7 +239,7 @@ class Diff {
 
   /// A change of axes turns 0.0 into −0.0, which is the same number in another engine's states and energies.
   void forgive_signs(const StepRecord& expected, StepRecord& actual) {
-    zeros_ += forgive_zeros(expected.states, actual.states);
+    report_.zeros += forgive_zeros(expected.states, actual.states);
     for (const auto energy : {&sim::StepCounters::kinetic, &sim::StepCounters::potential, &sim::StepCounters::inputs,
                               &sim::StepCounters::removed}) {
       if (expected.counters.*energy == actual.counters.*energy) actual.counters.*energy = expected.counters.*energy;
@@ -257,10 +259,8 @@ class Diff {
   Reading reading_;
   std::vector<std::string> phases_;
   bool same_words_ = false;
-  bool chains_say_all_ = false;
   bool states_only_ = false;  // of two engines, whose phases and counters cannot be compared
   bool imported_ = false;     // a log, or both, by another engine
-  std::uint64_t zeros_ = 0;   // whose sign alone differs
   std::vector<KeyframeHash> keyframes_a_, keyframes_b_;
   bool one_scene_ = false;                      // no value that a step depends on differs between the headers
   std::uint64_t worlds_ = 0;                    // complete states compared

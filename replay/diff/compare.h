@@ -27,6 +27,7 @@ struct DiffReport {
   std::optional<Divergence> first;        ///< none: all those steps are equal
   std::optional<Divergence> built;        ///< of worlds that differ although the scenes do not: the first property
   std::vector<HeaderDifference> headers;  ///< differences of the headers; they decide nothing
+  std::uint64_t zeros = 0;  ///< of states of another engine, whose sign alone differs; they count as equal
   ComparisonScope scope;
   std::vector<std::string> notes;  ///< for people: bodies whose values are no numbers
   std::uint64_t last_a = 0;        ///< last step

@@ -62,17 +62,17 @@ class Scope {
   }
 
   void add_states() {
-    std::uint64_t in_both = 0, steps = 0;
-    for (std::uint64_t k = facts_.from + 1; k <= facts_.last; ++k) {
-      if (a_.lost_at(k) != nullptr || b_.lost_at(k) != nullptr) continue;
-      ++steps;
-      if (a_.header().states.holds(k) && b_.header().states.holds(k)) ++in_both;
-    }
     compare("the state of step " + std::to_string(facts_.from));
     compare("state hashes");
     if (facts_.hashes_only) {
       leave_out("the payloads of chunks with equal hashes: not read, so damage in them is not seen");
       return;
+    }
+    std::uint64_t in_both = 0, steps = 0;
+    for (std::uint64_t k = facts_.from + 1; k <= facts_.last; ++k) {
+      if (a_.lost_at(k) != nullptr || b_.lost_at(k) != nullptr) continue;
+      ++steps;
+      if (a_.header().states.holds(k) && b_.header().states.holds(k)) ++in_both;
     }
     if (in_both > 0) compare("states of " + count_text(in_both, "step"));
     if (in_both < steps) {

@@ -14,25 +14,22 @@ std::string values_text(const Divergence& d) {
   return (d.body ? "body " + std::to_string(*d.body) + ' ' : "") + describe(shown);
 }
 
-/// The first step whose states differ, at or after `first`: a changed input or counter may show later. None where both
-/// sessions end before, or where a state cannot be had.
-std::optional<Divergence> effect_of(LogReader& a, LogReader& b, const Divergence& first) {
-  if (is_in_state(first) || first.field == "error") return first;
+/// The difference in the first of the rows in which bodies differ: a changed input or counter may show later. None
+/// where both sessions end before.
+std::optional<Divergence> effect_in(LogReader& a, LogReader& b, const std::vector<SeparationRow>& rows) {
+  const auto row = std::ranges::find_if(rows, [](const SeparationRow& one) { return one.bodies > 0; });
+  if (row == rows.end()) return std::nullopt;
   const bool same_words = same_phase_words(a.header(), b.header());
   const std::vector<std::string> phases = same_words ? a.header().phases : std::vector<std::string>();
   StateSource in_a(a), in_b(b);
-  for (std::uint64_t k = first.step; k <= std::min(a.last_step(), b.last_step()); ++k) {
-    const Result<const StepRecord*> one = in_a.read(k), other = in_b.read(k);
-    if (!one.ok() || !other.ok()) return std::nullopt;
-    if (!(*one)->has_states || !(*other)->has_states || same_bits((*one)->states, (*other)->states)) continue;
-    StepRecord actual = **other;  // what led into the step is the cause, and not asked for here
-    actual.dt = (*one)->dt;
-    actual.inputs = (*one)->inputs;
-    std::optional<Divergence> found = first_difference(**one, actual, phases);
-    if (found && found->step == a.first_state()) found->phase = "start";
-    return found;
-  }
-  return std::nullopt;
+  const Result<const StepRecord*> one = in_a.read(row->step), other = in_b.read(row->step);
+  if (!one.ok() || !other.ok()) return std::nullopt;
+  StepRecord actual = **other;  // what led into the step is the cause, and not asked for here
+  actual.dt = (*one)->dt;
+  actual.inputs = (*one)->inputs;
+  std::optional<Divergence> found = first_difference(**one, actual, phases);
+  if (found && found->step == a.first_state()) found->phase = "start";
+  return found;
 }
 
 }  // namespace
@@ -49,6 +46,7 @@ std::string cause_of(const DiffReport& found, const Divergence& first) {
   const auto excused = std::ranges::find_if(found.headers, &HeaderDifference::excused);
   if (excused != found.headers.end()) return describe(*excused);
   if (first.phase == "start" || first.field == "steps") return "not in the headers: " + values_text(first);
+  if (first.phase == "step") return "step " + std::to_string(first.step) + " came out otherwise: " + values_text(first);
   return "scene and inputs are equal; phase " + first.phase + " was computed otherwise";
 }
 
@@ -59,10 +57,11 @@ Result<DifferenceReport> report_difference(LogReader& a, LogReader& b, const Dif
   report.first = *found.first;
   report.location = locate_divergence(a, b, report.first);
   report.cause = cause_of(found, report.first);
-  report.effect = effect_of(a, b, report.first);
+  if (is_in_state(report.first) || report.first.field == "error") report.effect = report.first;
   Result<DivergenceGrowth> growth = growth_between(a, b, report.first.step, progress);
   if (growth.ok()) {
     report.growth = *std::move(growth);
+    if (!report.effect) report.effect = effect_in(a, b, report.growth->separation.rows);
     return report;
   }
   // A torn log may lack what growth needs, which is no news; a whole one must not.

@@ -1,7 +1,6 @@
 #include "tumble/replay/divergence.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -14,31 +13,14 @@
 namespace tumble::replay {
 namespace {
 
-/// The order in which a body's fields are compared and named: that of BodyStates (position, orientation, velocity,
-/// spin).
-constexpr std::array<std::size_t, kColumnCount> kFieldOrder = {6, 7, 8, 9, 10, 11, 12, 0, 1, 2, 3, 4, 5};
-
-Divergence make(std::uint64_t step, const char* phase, const char* field, FieldValue expected, FieldValue actual) {
-  Divergence divergence;
-  divergence.step = step;
-  divergence.phase = phase;
-  divergence.field = field;
-  divergence.expected = std::move(expected);
-  divergence.actual = std::move(actual);
-  const auto* a = std::get_if<double>(&divergence.expected);
-  const auto* b = std::get_if<double>(&divergence.actual);
-  if (a != nullptr && b != nullptr) divergence.ulps = ulps_between(*a, *b);
-  return divergence;
-}
-
 /// Causes before effects: a step with another dt or other inputs differs in everything after, so these come first.
 std::optional<Divergence> different_start(const StepRecord& expected, const StepRecord& actual) {
   if (bits_of(expected.dt) != bits_of(actual.dt)) {
-    return make(expected.step, "inputs", "dt", expected.dt, actual.dt);
+    return make_divergence(expected.step, "inputs", "dt", expected.dt, actual.dt);
   }
   std::optional<InputDifference> inputs = first_difference(expected.inputs, actual.inputs);
   if (!inputs) return std::nullopt;
-  Divergence found = make(expected.step, "inputs", inputs->field.c_str(), inputs->expected, inputs->actual);
+  Divergence found = make_divergence(expected.step, "inputs", inputs->field, inputs->expected, inputs->actual);
   found.body = inputs->body;
   return found;
 }
@@ -59,7 +41,7 @@ std::optional<Divergence> different_phase(const StepRecord& expected, const Step
     return word < record.phase_words.size() ? hex(record.phase_words[word]) : std::string("no such substep");
   };
   Divergence divergence =
-      make(expected.step, phases[word % phases.size()].c_str(), "phase_hash", text(expected), text(actual));
+      make_divergence(expected.step, phases[word % phases.size()], "phase_hash", text(expected), text(actual));
   divergence.substep = static_cast<std::uint32_t>(word / phases.size());
   return divergence;
 }
@@ -70,13 +52,13 @@ std::optional<Divergence> different_counter(const StepRecord& expected, const St
     const std::uint64_t a = expected.counters.*counter;
     const std::uint64_t b = actual.counters.*counter;
     if (a == b) return std::nullopt;
-    return make(expected.step, "step", field, a, b);
+    return make_divergence(expected.step, "step", field, a, b);
   };
   const auto energy = [&](const char* field, double sim::StepCounters::*counter) -> std::optional<Divergence> {
     const double a = expected.counters.*counter;
     const double b = actual.counters.*counter;
     if (bits_of(a) == bits_of(b)) return std::nullopt;
-    return make(expected.step, "step", field, a, b);
+    return make_divergence(expected.step, "step", field, a, b);
   };
   if (auto d = energy("input_energy", &sim::StepCounters::inputs)) return d;
   if (auto d = count("substeps", &sim::StepCounters::substeps)) return d;
@@ -93,6 +75,7 @@ std::string note_of(const BodyStates& expected, const BodyStates& actual, std::s
     const sim::Quat a = expected.orientation[i], b = actual.orientation[i];
     if (same_rotation(a, b)) return a == b ? "zeros of other sign" : "same rotation, other sign";
     const double angle = angle_between(a, b);
+    if (angle == 0) return "same rotation, quaternion of other length";
     return std::isfinite(angle) ? "the rotations are " + rounded(angle, "rad") + " apart" : "no rotation";
   }
   const double a = (*columns_of(expected)[column])[i], b = (*columns_of(actual)[column])[i];
@@ -113,35 +96,46 @@ std::optional<Divergence> different_body(const BodyStates& expected, const BodyS
     const double value_a = (*a[c])[i];
     const double value_b = (*b[c])[i];
     if (bits_of(value_a) == bits_of(value_b)) continue;
-    found = make(0, "step", kColumnNames[c], value_a, value_b);
+    found = make_divergence(0, "step", kColumnNames[c], value_a, value_b);
     found->note = note_of(expected, actual, i, c);
     break;
   }
   if (!found && expected.frozen[i] != actual.frozen[i]) {
-    found = make(0, "step", "frozen", std::uint64_t{expected.frozen[i]}, std::uint64_t{actual.frozen[i]});
+    found = make_divergence(0, "step", "frozen", std::uint64_t{expected.frozen[i]}, std::uint64_t{actual.frozen[i]});
   }
   if (found) found->body = expected.id[i];
   return found;
 }
 
-/// The first place at which the lists of bodies differ. Both ascend, so the smaller of the two ids there is the body
-/// that one side lacks.
-std::optional<Divergence> different_ids(const BodyStates& expected, const BodyStates& actual) {
-  const std::size_t shorter = std::min(expected.size(), actual.size());
-  std::size_t i = 0;
-  while (i < shorter && expected.id[i] == actual.id[i]) ++i;
-  if (i == shorter && expected.size() == actual.size()) return std::nullopt;
-  const auto text = [i](const BodyStates& states) {
-    return i < states.size() ? FieldValue(std::uint64_t{states.id[i]}) : FieldValue(std::string("no such body"));
-  };
-  Divergence divergence = make(0, "step", "id", text(expected), text(actual));
-  const sim::BodyId a = i < expected.size() ? expected.id[i] : sim::kBodyIdMax;
-  const sim::BodyId b = i < actual.size() ? actual.id[i] : sim::kBodyIdMax;
-  divergence.body = std::min(a, b);
+}  // namespace
+
+Divergence make_divergence(std::uint64_t step, std::string phase, std::string field, FieldValue expected,
+                           FieldValue actual) {
+  Divergence divergence;
+  divergence.step = step;
+  divergence.phase = std::move(phase);
+  divergence.field = std::move(field);
+  divergence.expected = std::move(expected);
+  divergence.actual = std::move(actual);
+  const auto* a = std::get_if<double>(&divergence.expected);
+  const auto* b = std::get_if<double>(&divergence.actual);
+  if (a != nullptr && b != nullptr) divergence.ulps = ulps_between(*a, *b);
   return divergence;
 }
 
-}  // namespace
+std::optional<Divergence> different_ids(const std::vector<sim::BodyId>& expected,
+                                        const std::vector<sim::BodyId>& actual) {
+  const auto [in_a, in_b] = std::ranges::mismatch(expected, actual);
+  if (in_a == expected.end() && in_b == actual.end()) return std::nullopt;
+  const auto at = static_cast<std::size_t>(in_a - expected.begin());
+  const auto text = [at](const std::vector<sim::BodyId>& ids) {
+    return at < ids.size() ? FieldValue(std::uint64_t{ids[at]}) : FieldValue(std::string("no such body"));
+  };
+  Divergence divergence = make_divergence(0, "step", "id", text(expected), text(actual));
+  divergence.body =
+      std::min(in_a == expected.end() ? sim::kBodyIdMax : *in_a, in_b == actual.end() ? sim::kBodyIdMax : *in_b);
+  return divergence;
+}
 
 void count_in_binary32(Divergence& divergence) {
   const auto* a = std::get_if<double>(&divergence.expected);
@@ -177,7 +171,7 @@ std::string describe(const Divergence& d) {
 }
 
 std::optional<Divergence> first_difference(const BodyStates& expected, const BodyStates& actual) {
-  std::optional<Divergence> ids = different_ids(expected, actual);
+  std::optional<Divergence> ids = different_ids(expected.id, actual.id);
   const std::size_t shorter = std::min(expected.size(), actual.size());
   for (std::size_t i = 0; i < shorter && expected.id[i] == actual.id[i]; ++i) {
     if (auto found = different_body(expected, actual, i)) return found;
@@ -217,7 +211,8 @@ std::optional<Divergence> first_difference(const StepRecord& expected, const Ste
   std::optional<Divergence> found = different_phase(expected, actual, phases);
   const bool have_states = expected.has_states && actual.has_states;
   if (!found && expected.state_hash != actual.state_hash) {
-    found = make(expected.step, "step", "state_hash", to_string(expected.state_hash), to_string(actual.state_hash));
+    found = make_divergence(expected.step, "step", "state_hash", to_string(expected.state_hash),
+                            to_string(actual.state_hash));
   }
   if (have_states && (found || !same_bits(expected.states, actual.states))) {
     if (auto body = first_difference(expected.states, actual.states)) {

@@ -35,6 +35,10 @@ struct Divergence {
   std::string note;
 };
 
+/// A difference with the ULPs between the two values.
+Divergence make_divergence(std::uint64_t step, std::string phase, std::string field, FieldValue expected,
+                           FieldValue actual);
+
 /// Counts the ULPs of a difference in floats: for values that were computed in floats.
 void count_in_binary32(Divergence& divergence);
 
@@ -56,6 +60,11 @@ std::optional<Divergence> first_difference(const StepRecord& expected, const Ste
 
 /// The first body and field in which two states differ to the bit, by ascending id.
 std::optional<Divergence> first_difference(const BodyStates& expected, const BodyStates& actual);
+
+/// The first place at which two lists of bodies differ. Both ascend, so the smaller of the two ids there is the body
+/// that one side lacks.
+std::optional<Divergence> different_ids(const std::vector<sim::BodyId>& expected,
+                                        const std::vector<sim::BodyId>& actual);
 
 /// Whether all columns of row i of `a` and row j of `b` are equal to the bit.
 bool same_columns(const ConstColumns& a, std::size_t i, const ConstColumns& b, std::size_t j);

@@ -15,26 +15,11 @@ namespace {
 constexpr std::size_t kIdsNamed = 4;
 constexpr std::size_t kGroupsMax = 200;  // of bodies or inputs that differ in one way
 
-using Named = std::pair<std::string, FieldValue>;
-
-FieldValue value_of(double value) { return value; }
-FieldValue value_of(bool value) { return std::string(value ? "true" : "false"); }
-FieldValue value_of(sim::Method value) { return std::string(name_of(value)); }
-FieldValue value_of(std::uint32_t value) { return std::uint64_t{value}; }
-FieldValue value_of(std::uint64_t value) { return value; }
-
-std::vector<Named> parameters_of(const sim::WorldDef& def) {
-  std::vector<Named> list;
-  for_each_parameter(def, [&](const char* name, const auto& value) { list.emplace_back(name, value_of(value)); });
-  return list;
-}
-
-template <class Whole>
-std::vector<Named> values_of(const Whole& whole) {
-  std::vector<Named> list;
-  for_each_value(whole,
-                 [&](std::string name, const auto& value) { list.emplace_back(std::move(name), value_of(value)); });
-  return list;
+/// Whether two values of a scene make one world: a world has one zero (plus_zero), a scene may hold two.
+bool makes_the_same(const FieldValue& a, const FieldValue& b) {
+  const auto* in_a = std::get_if<double>(&a);
+  const auto* in_b = std::get_if<double>(&b);
+  return same_bits(a, b) || (in_a != nullptr && in_b != nullptr && *in_a == *in_b);
 }
 
 std::string vector_text(const sim::Vec3& v) { return exact(v.x()) + ' ' + exact(v.y()) + ' ' + exact(v.z()); }
@@ -58,15 +43,18 @@ class Differences {
   explicit Differences(const Tolerances& tolerances) : tolerances_(tolerances) {}
 
   void add(std::string key, FieldValue a, FieldValue b, bool acts) {
-    if (same_bits(a, b)) return;
+    if (!makes_the_same(a, b)) say(std::move(key), std::move(a), std::move(b), acts);
+  }
+  void say(std::string key, FieldValue a, FieldValue b, bool acts) {
     list_.push_back({std::move(key), std::move(a), std::move(b), acts, false});
   }
   void look(const char* key, const std::string& a, const std::string& b) { add(key, a, b, false); }
 
   /// field: the name that a tolerance has, where the key has another one.
-  void add_field(const std::string& key, const std::string& field, const FieldValue& a, const FieldValue& b) {
+  void add_field(const std::string& key, const std::string& field, const FieldValue& a, const FieldValue& b,
+                 bool acts) {
     const std::size_t before = list_.size();
-    add(key, a, b, true);
+    add(key, a, b, acts);
     const auto* in_a = std::get_if<double>(&a);
     const auto* in_b = std::get_if<double>(&b);
     if (list_.size() == before || in_a == nullptr || in_b == nullptr) return;
@@ -101,9 +89,10 @@ void add_to(std::vector<Group>& groups, const std::string& field, const FieldVal
   } else if (groups.size() < kGroupsMax) {
     groups.push_back({field, a, b, {id}});
   } else {
-    groups.back().ids.push_back(id);
-    groups.back().field = "further values";
-    groups.back().a = groups.back().b = std::string("not listed");
+    const std::string unlisted = "not listed";
+    if (groups.size() == kGroupsMax) groups.push_back({"further values", unlisted, unlisted, {}});
+    std::vector<sim::BodyId>& ids = groups.back().ids;
+    if (ids.empty() || ids.back() != id) ids.push_back(id);  // ids ascend
   }
 }
 
@@ -114,9 +103,9 @@ void add_bodies(const sim::SceneDef& a, const sim::SceneDef& b, Differences& fou
     const bool in_a = i < a.boxes.size() && (j == b.boxes.size() || a.boxes[i].id <= b.boxes[j].id);
     const bool in_b = j < b.boxes.size() && (i == a.boxes.size() || b.boxes[j].id <= a.boxes[i].id);
     if (in_a && in_b && !(a.boxes[i] == b.boxes[j])) {
-      const std::vector<Named> one = values_of(a.boxes[i]), other = values_of(b.boxes[j]);
+      const NamedValues one = values_of(a.boxes[i]), other = values_of(b.boxes[j]);
       for (std::size_t k = 0; k < one.size(); ++k) {
-        if (!same_bits(one[k].second, other[k].second)) {
+        if (!makes_the_same(one[k].second, other[k].second)) {
           add_to(groups, one[k].first, one[k].second, other[k].second, a.boxes[i].id);
         }
       }
@@ -131,7 +120,7 @@ void add_bodies(const sim::SceneDef& a, const sim::SceneDef& b, Differences& fou
   for (const Group& group : groups) {
     const std::string key = group.ids.size() == 1 ? "body " + std::to_string(group.ids[0]) + ' ' + group.field
                                                   : group.field + " of bodies " + ids_text(group.ids);
-    found.add(key, group.a, group.b, true);
+    found.say(key, group.a, group.b, true);
   }
 }
 
@@ -150,13 +139,13 @@ void add_inputs(const sim::SceneDef& a, const sim::SceneDef& b, Differences& fou
       found.add(key, when(a.inputs[i]), when(b.inputs[i]), true);
       continue;
     }
-    const std::vector<Named> one = values_of(a.inputs[i].command), other = values_of(b.inputs[i].command);
+    const NamedValues one = values_of(a.inputs[i].command), other = values_of(b.inputs[i].command);
     for (std::size_t k = 0; k < std::min(one.size(), other.size()); ++k) {
       std::string field = sim::name_of(a.inputs[i].command);
       field.append(".").append(one[k].first);
       std::string name = key;
       name.append(" ").append(field);
-      found.add_field(name, field, one[k].second, other[k].second);
+      found.add_field(name, field, one[k].second, other[k].second, true);
     }
   }
 }
@@ -173,11 +162,18 @@ void add_looks(const sim::SceneDef& a, const sim::SceneDef& b, Differences& foun
   found.look("light.target", vector_text(a.light.target), vector_text(b.light.target));
 }
 
-void add_scene(const sim::SceneDef& a, const sim::SceneDef& b, Differences& found) {
+/// Whether another engine's log tells of the parameter; the others have their defaults there.
+bool is_of_any_engine(const std::string& name) {
+  return name == "world.dt" || name == "world.ground" || name.starts_with("world.gravity.");
+}
+
+/// imported: one scene at least is that of another engine's log.
+void add_scene(const sim::SceneDef& a, const sim::SceneDef& b, bool imported, Differences& found) {
   add_looks(a, b, found);
-  const std::vector<Named> one = parameters_of(a.world), other = parameters_of(b.world);
+  const NamedValues one = parameters_of(a.world), other = parameters_of(b.world);
   for (std::size_t k = 0; k < one.size(); ++k) {
-    found.add_field(one[k].first, one[k].first, one[k].second, other[k].second);
+    const std::string& name = one[k].first;
+    found.add_field(name, name, one[k].second, other[k].second, !imported || is_of_any_engine(name));
   }
   add_bodies(a, b, found);
   add_inputs(a, b, found);
@@ -212,7 +208,7 @@ std::string describe(const HeaderDifference& difference) {
 std::vector<HeaderDifference> scene_differences(const sim::SceneDef& a, const sim::SceneDef& b,
                                                 const Tolerances& tolerances) {
   Differences found(tolerances);
-  add_scene(a, b, found);
+  add_scene(a, b, false, found);
   return found.take();
 }
 
@@ -222,8 +218,9 @@ std::vector<HeaderDifference> header_differences(const LogHeader& a, const LogHe
   Differences found(tolerances);
   found.look("engine", engine_of(a), engine_of(b));
   found.add("precision", bits_of_engine(a), bits_of_engine(b), false);
-  if (a.scene.world.method == b.scene.world.method) found.add("method", a.method, b.method, true);
-  found.add("method version", std::uint64_t{a.method_version}, std::uint64_t{b.method_version}, true);
+  const bool one_engine = a.engine.has_value() == b.engine.has_value();  // other engines have no methods
+  if (a.scene.world.method == b.scene.world.method) found.add("method", a.method, b.method, one_engine);
+  found.add("method version", std::uint64_t{a.method_version}, std::uint64_t{b.method_version}, one_engine);
   found.look("scene", a.scene.name, b.scene.name);
   found.look("transform", to_string(a.transform), to_string(b.transform));
   found.look("set", joined(a.overrides), joined(b.overrides));
@@ -240,7 +237,8 @@ std::vector<HeaderDifference> header_differences(const LogHeader& a, const LogHe
     found.add("phase hashes", std::uint64_t{a.phase_hash_version}, std::uint64_t{b.phase_hash_version}, false);
   }
   const bool one_start = (a.goes_on ? a.goes_on->step : 0) == (b.goes_on ? b.goes_on->step : 0);
-  if (one_start) add_scene(a.scene, b.scene, found);  // else the two scenes are those of different steps
+  if (one_start)
+    add_scene(a.scene, b.scene, a.engine || b.engine, found);  // else the two scenes are those of different steps
   return found.take();
 }
 

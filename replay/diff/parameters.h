@@ -1,13 +1,25 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 #include "src/model/command_fields.h"
+#include "tumble/replay/field_value.h"
+#include "tumble/replay/step_record.h"
 #include "tumble/sim/scene.h"
 
 /// The parameters of a world and the values of bodies and inputs by the names that scenes and reports give them.
 namespace tumble::replay {
+
+/// A value as reports print it: a flag is "true" or "false", a method its name.
+inline FieldValue field_value(double value) { return value; }
+inline FieldValue field_value(bool value) { return std::string(value ? "true" : "false"); }
+inline FieldValue field_value(sim::Method value) { return std::string(name_of(value)); }
+template <class Whole>
+requires std::is_unsigned_v<Whole> FieldValue field_value(Whole value) { return std::uint64_t{value}; }
 
 /// Calls visit(name, value) for every parameter that a step depends on: doubles, whole numbers and flags. A member
 /// added to WorldDef no longer compiles here.
@@ -55,6 +67,26 @@ void for_each_value(Whole& whole, Visit&& visit) {
       visit(name, value);
     }
   });
+}
+
+using NamedValues = std::vector<std::pair<std::string, FieldValue>>;
+
+/// The parameters of a world, in the order of for_each_parameter(). The hash of a state does not tell the two zeros of
+/// gravity apart, so neither does this list.
+inline NamedValues parameters_of(sim::WorldDef def) {
+  def.gravity = sim::plus_zero(def.gravity);
+  NamedValues list;
+  for_each_parameter(def, [&](const char* name, const auto& value) { list.emplace_back(name, field_value(value)); });
+  return list;
+}
+
+/// The values of a Command or a BoxDef, in the order of for_each_value().
+template <class Whole>
+NamedValues values_of(const Whole& whole) {
+  NamedValues list;
+  for_each_value(whole,
+                 [&](const std::string& name, const auto& value) { list.emplace_back(name, field_value(value)); });
+  return list;
 }
 
 }  // namespace tumble::replay

@@ -29,7 +29,7 @@ bool is_our_version(const LogReader& log) {
 /// numbers to read, from which a world is made anew: their last bits and the hidden state are the keyframe's alone.
 WorldParts parts_of_scene(const LogReader& log) {
   const bool continued = log.header().goes_on.has_value();
-  return {true, !continued, !continued && is_our_version(log)};
+  return {.visible = !continued, .hidden = !continued && is_our_version(log)};
 }
 
 /// Compares the world that this build makes of the log's scene with the log's first keyframe.
@@ -88,16 +88,9 @@ Result<std::optional<Divergence>> compare_keyframe(LogReader& log, const sim::Wo
   Result<const Keyframe*> keyframe = log.keyframe_at_or_before(state.step);
   if (!keyframe.ok()) return keyframe.error();
   const bool our_version = is_our_version(log);
-  std::optional<Divergence> found = world_difference((*keyframe)->state, state, {true, true, our_version});
-  if (!found && our_version) {
-    const Hash128 actual = sim::continuation_hash(state);
-    if ((*keyframe)->continuation_hash == actual) return found;
-    found.emplace();
-    found->step = state.step;
-    found->field = "continuation_hash";
-    found->expected = to_string((*keyframe)->continuation_hash);
-    found->actual = to_string(actual);
-  }
+  std::optional<Divergence> found =
+      keyframe_difference((*keyframe)->state, (*keyframe)->continuation_hash, state,
+                          our_version ? sim::continuation_hash(state) : Hash128(), {.hidden = our_version});
   if (found) found->phase = "step";
   return found;
 }
@@ -115,7 +108,9 @@ ComparisonScope scope_of_replay(const LogReader& log, const LogHeader& ours_now,
   }
   const bool our_version = is_our_version(log);
   std::uint64_t keyframes = 0;
-  for (const ChunkPlace& place : log.chunks()) keyframes += place.first_step > from + 1 ? 1 : 0;
+  for (const ChunkPlace& place : log.chunks()) {  // the replay starts again from a keyframe behind missing steps
+    if (place.first_step > from + 1 && log.lost_at(place.first_step - 1) == nullptr) ++keyframes;
+  }
   if (start) {
     scope.compared.emplace_back("the world made of the scene (parameters, sizes, masses, inertias, materials" +
                                 std::string(header.goes_on ? ")" : ", states)"));
@@ -179,7 +174,10 @@ Result<ReplayReport> replay_steps(LogReader& log, const ReplayOptions& options, 
       report.first = failed_at(k, "step", actual.error());
     }
     ++report.steps;
-    if (report.first || (progress && !progress(k - from, last - from))) break;
+    if (report.first) break;
+    if (progress && !progress(k - from, last - from)) {
+      return cannot_finish("interrupted; identical so far: " + count_text(report.steps, "step"));
+    }
   }
   report.final_hash = sim::state_hash(player->world().bodies());
   return report;

@@ -38,8 +38,8 @@ struct ReplayReport {
 /// keyframe likewise. Hidden state is compared only if this build has the log's method version; the scene of a
 /// continued log has no hidden and no visible state to compare. The report's scope says so. Stops at the first
 /// difference. (verify() checks that the states of a log match their hashes.) Errors: must_be_ours(); a log that cannot
-/// be read on (kDamaged; the message names the steps compared before). A step that this build cannot take is a
-/// Divergence with the field "error".
+/// be read on (kDamaged; the message names the steps compared before); kCannotFinish where `progress` stops. A step
+/// that this build cannot take is a Divergence with the field "error".
 Result<ReplayReport> replay_log(LogReader& log, const ReplayOptions& options = {}, const Progress& progress = {});
 
 }  // namespace tumble::replay

@@ -1,9 +1,9 @@
 #include "replay/diff/separation.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
+#include "replay/format/not_finite.h"
 #include "src/base/check.h"
 #include "tumble/replay/body_states.h"
 #include "tumble/replay/divergence.h"
@@ -83,7 +83,7 @@ class SeparationMeter {
       if (!same_frozen) note(separation_.freezing_from);
       const bool same = same_frozen && same_columns(in_a, i, in_b, j);
       if (!same) {
-        const bool lost = lose(a.id[i], in_a, i, true) || lose(a.id[i], in_b, j, false);
+        const bool lost = lose(a, i, true) || lose(b, j, false);
         differs(a.id[i], lost ? std::numeric_limits<double>::infinity() : sim::length(a.position[i] - b.position[j]));
       }
       ++i;
@@ -92,13 +92,10 @@ class SeparationMeter {
   }
 
   /// Whether a body has a value that is no finite number; notes the first.
-  bool lose(sim::BodyId id, const ConstColumns& columns, std::size_t i, bool in_a) {
-    for (std::size_t c = 0; c < kColumnCount; ++c) {
-      if (std::isfinite((*columns[c])[i])) continue;
-      if (!separation_.lost) separation_.lost = LostBody{row_.step, id, kColumnNames[c], in_a};
-      return true;
-    }
-    return false;
+  bool lose(const BodyStates& states, std::size_t i, bool in_a) {
+    const std::optional<NotFinite> found = not_finite(states, i, row_.step);
+    if (found && !separation_.lost) separation_.lost = LostBody{found->step, found->body, found->field, in_a};
+    return found.has_value();
   }
 
   void differs(sim::BodyId id, double distance) {

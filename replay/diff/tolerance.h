@@ -13,7 +13,8 @@ namespace tumble::replay {
 /// The largest differences at which two values count as equal. 0 is exact.
 struct Tolerances {
   double position = 0;     ///< m, of each component
-  double orientation = 0;  ///< rad: the angle of the turn from one orientation to the other; q and −q are one
+  double orientation = 0;  ///< rad: the angle of the turn from one to the other, and the difference of lengths;
+                           ///< q and −q are one
   double velocity = 0;     ///< m/s, of each component
   double spin = 0;         ///< rad/s, angular velocity, of each component
   /// Of inputs and parameters, by name: "dt", "throw.velocity", "throw.velocity.y", "world.gravity.z".

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -13,14 +12,6 @@
 
 namespace tumble::replay {
 namespace {
-
-FieldValue property_value(double value) { return value; }
-FieldValue property_value(bool value) { return std::uint64_t{value}; }
-FieldValue property_value(std::uint8_t value) { return std::uint64_t{value}; }
-FieldValue property_value(std::uint16_t value) { return std::uint64_t{value}; }
-FieldValue property_value(std::uint32_t value) { return std::uint64_t{value}; }
-FieldValue property_value(std::uint64_t value) { return value; }
-FieldValue property_value(sim::Method value) { return std::string(name_of(value)); }
 
 bool equal_bits(double a, double b) { return bits_of(a) == bits_of(b); }
 template <class Value>
@@ -33,10 +24,10 @@ class WorldWalk {
   WorldWalk(const sim::WorldState& expected, const sim::WorldState& actual) : expected_(expected), actual_(actual) {}
 
   std::optional<Divergence> run(const WorldParts& parts) {
-    if (parts.built) compare_parameters();
-    if (!found_ && (parts.visible || parts.built)) compare_ids();
-    if (!found_ && expected_.bodies.id != actual_.bodies.id) return std::nullopt;  // rows cannot be matched
-    if (parts.built) compare_built();
+    compare_parameters();
+    if (!found_) set(different_ids(expected_.bodies.id, actual_.bodies.id));
+    if (expected_.bodies.id != actual_.bodies.id) return std::move(found_);  // rows cannot be matched
+    compare_built();
     if (parts.visible && !found_) compare_visible();
     if (parts.hidden) compare_hidden();
     return std::move(found_);
@@ -44,49 +35,25 @@ class WorldWalk {
 
  private:
   void set(std::string field, FieldValue expected, FieldValue actual) {
-    found_.emplace();
+    found_ = make_divergence(expected_.step, "start", std::move(field), std::move(expected), std::move(actual));
+  }
+  void set(std::optional<Divergence> found) {
+    found_ = std::move(found);
+    if (!found_) return;
     found_->step = expected_.step;
     found_->phase = "start";
-    found_->field = std::move(field);
-    found_->expected = std::move(expected);
-    found_->actual = std::move(actual);
-    const auto* a = std::get_if<double>(&found_->expected);
-    const auto* b = std::get_if<double>(&found_->actual);
-    if (a != nullptr && b != nullptr) found_->ulps = ulps_between(*a, *b);
   }
 
   template <class Value>
   void value(const char* field, Value a, Value b) {
-    if (!found_ && !equal_bits(a, b)) set(field, property_value(a), property_value(b));
+    if (!found_ && !equal_bits(a, b)) set(field, field_value(a), field_value(b));
   }
 
-  /// The hash of a state does not tell the two zeros of gravity apart, so neither does this comparison.
   void compare_parameters() {
-    sim::WorldDef a = expected_.def, b = actual_.def;
-    a.gravity = sim::plus_zero(a.gravity);
-    b.gravity = sim::plus_zero(b.gravity);
-    std::vector<FieldValue> values;
-    for_each_parameter(a, [&](const char*, const auto& v) { values.push_back(property_value(v)); });
-    std::size_t next = 0;
-    for_each_parameter(b, [&](const char* name, const auto& v) {
-      const FieldValue& wanted = values[next++];
-      if (!found_ && !same_bits(wanted, property_value(v))) set(name, wanted, property_value(v));
-    });
-  }
-
-  void compare_ids() {
-    BodyStates a, b;
-    a.id = expected_.bodies.id;
-    b.id = actual_.bodies.id;
-    if (a.id == b.id) return;
-    const std::size_t shorter = std::min(a.id.size(), b.id.size());
-    std::size_t i = 0;
-    while (i < shorter && a.id[i] == b.id[i]) ++i;
-    const auto text = [i](const std::vector<sim::BodyId>& ids) {
-      return i < ids.size() ? FieldValue(std::uint64_t{ids[i]}) : FieldValue(std::string("no such body"));
-    };
-    set("id", text(a.id), text(b.id));
-    found_->body = std::min(i < a.id.size() ? a.id[i] : sim::kBodyIdMax, i < b.id.size() ? b.id[i] : sim::kBodyIdMax);
+    const NamedValues a = parameters_of(expected_.def), b = parameters_of(actual_.def);
+    for (std::size_t k = 0; k < a.size() && !found_; ++k) {
+      if (!same_bits(a[k].second, b[k].second)) set(a[k].first, a[k].second, b[k].second);
+    }
   }
 
   /// A column with a row a body: the first row that differs.
@@ -96,7 +63,7 @@ class WorldWalk {
     const std::size_t rows = std::min({a.size(), b.size(), expected_.bodies.size()});
     for (std::size_t i = 0; i < rows; ++i) {
       if (equal_bits(a[i], b[i])) continue;
-      set(field, property_value(a[i]), property_value(b[i]));
+      set(field, field_value(a[i]), field_value(b[i]));
       found_->body = expected_.bodies.id[i];
       return;
     }
@@ -121,14 +88,11 @@ class WorldWalk {
   }
 
   void compare_visible() {
+    if (same_visible_bits(expected_.bodies, actual_.bodies)) return;
     BodyStates a, b;
     copy_visible(expected_.bodies, a);
     copy_visible(actual_.bodies, b);
-    if (same_bits(a, b)) return;
-    found_ = first_difference(a, b);
-    if (!found_) return;
-    found_->step = expected_.step;
-    found_->phase = "start";
+    set(first_difference(a, b));
   }
 
   /// A list of any length: its size, then the first entry that differs.
@@ -136,7 +100,7 @@ class WorldWalk {
   void list(const std::string& field, const std::vector<Value>& a, const std::vector<Value>& b) {
     value((field + " count").c_str(), std::uint64_t{a.size()}, std::uint64_t{b.size()});
     for (std::size_t i = 0; i < a.size() && !found_; ++i) {
-      if (!equal_bits(a[i], b[i])) set(field + ' ' + std::to_string(i), property_value(a[i]), property_value(b[i]));
+      if (!equal_bits(a[i], b[i])) set(field + ' ' + std::to_string(i), field_value(a[i]), field_value(b[i]));
     }
   }
 
@@ -170,6 +134,14 @@ class WorldWalk {
 std::optional<Divergence> world_difference(const sim::WorldState& expected, const sim::WorldState& actual,
                                            const WorldParts& parts) {
   return WorldWalk(expected, actual).run(parts);
+}
+
+std::optional<Divergence> keyframe_difference(const sim::WorldState& expected, const Hash128& expected_hash,
+                                              const sim::WorldState& actual, const Hash128& actual_hash,
+                                              const WorldParts& parts) {
+  std::optional<Divergence> found = world_difference(expected, actual, parts);
+  if (found || !parts.visible || !parts.hidden || expected_hash == actual_hash) return found;
+  return make_divergence(expected.step, "start", "continuation_hash", to_string(expected_hash), to_string(actual_hash));
 }
 
 }  // namespace tumble::replay

@@ -3,13 +3,14 @@
 #include <optional>
 
 #include "tumble/replay/divergence.h"
+#include "tumble/sim/hash.h"
 #include "tumble/sim/world_state.h"
 
 namespace tumble::replay {
 
-/// The parts of a complete state that are compared.
+/// The parts of a complete state that are compared, besides parameters of the world and sizes, masses, inertias and
+/// materials of bodies.
 struct WorldParts {
-  bool built = true;    ///< parameters of the world; sizes, masses, inertias and materials of bodies
   bool visible = true;  ///< the columns of the state hash
   bool hidden = true;   ///< rest times, near pairs, contacts remembered; another version of a method may keep others
 };
@@ -19,5 +20,11 @@ struct WorldParts {
 /// is "start".
 std::optional<Divergence> world_difference(const sim::WorldState& expected, const sim::WorldState& actual,
                                            const WorldParts& parts = {});
+
+/// Likewise for two complete states with their continuation hashes: hashes that differ although no property can be
+/// named are a difference of the field "continuation_hash". The hashes count only where all parts are compared.
+std::optional<Divergence> keyframe_difference(const sim::WorldState& expected, const Hash128& expected_hash,
+                                              const sim::WorldState& actual, const Hash128& actual_hash,
+                                              const WorldParts& parts = {});
 
 }  // namespace tumble::replay

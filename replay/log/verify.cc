@@ -11,15 +11,6 @@
 namespace tumble::replay {
 namespace {
 
-/// The first body, by id, that is lost in a state.
-std::optional<NotFinite> find_lost(const BodyStates& states, std::uint64_t step) {
-  if (all_finite(states)) return std::nullopt;
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    if (auto lost = not_finite(states, i, step)) return lost;
-  }
-  return std::nullopt;
-}
-
 class Verifier {
  public:
   Verifier(LogReader& log, const Progress& progress)
@@ -100,7 +91,7 @@ class Verifier {
   void look_at_start(const Keyframe& keyframe) {
     BodyStates start;
     copy_visible(keyframe.state.bodies, start);
-    report_.lost = find_lost(start, log_.first_state());
+    report_.lost = first_not_finite(start, log_.first_state());
   }
 
   /// Whether the keyframe is the state that the log begins with. The chain starts from the hash of state 0; the header
@@ -116,7 +107,7 @@ class Verifier {
     previous_ = step.state_hash;
     if (!step.has_states) return {};
     ++report_.states_checked;
-    if (!report_.lost) report_.lost = find_lost(step.states, step.step);
+    if (!report_.lost) report_.lost = first_not_finite(step.states, step.step);
     const Hash128 found = state_hash(step.states);
     if (found == step.state_hash) return {};
     return damaged("step " + std::to_string(step.step) + " has states with hash " + to_string(found) +

@@ -13,7 +13,7 @@ using sim::Quat;
 using sim::Vec3;
 
 // They differ in lightness too, for readers without colour vision.
-constexpr Colour kVelocity = {1.0F, 0.75F, 0.0F};
+constexpr Colour kVelocityColour = {1.0F, 0.75F, 0.0F};
 constexpr Colour kContact = {0.95F, 0.05F, 0.25F};
 constexpr Colour kNormal = {0.0F, 0.55F, 0.55F};
 constexpr Colour kBound = {0.02F, 0.12F, 0.9F};
@@ -106,7 +106,7 @@ void add_bounds_markers(render::Snapshot& snapshot) {
 
 void add_velocity_markers(render::Snapshot& snapshot, double seconds) {
   for (const render::BoxLook& box : snapshot.boxes) {
-    if (sim::length(box.velocity) > 0.05) add_arrow(snapshot, box.centre, box.velocity * seconds, kVelocity);
+    if (sim::length(box.velocity) > 0.05) add_arrow(snapshot, box.centre, box.velocity * seconds, kVelocityColour);
   }
 }
 

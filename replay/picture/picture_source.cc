@@ -81,15 +81,11 @@ Result<Picture> PictureSource::read(std::uint64_t k, const PictureOptions& optio
   snapshot.ground = scene.world.ground;
   snapshot.camera = options.camera.value_or(scene.camera);
   snapshot.light = scene.light;
+  picture.not_finite = first_not_finite(record.states, k);
   for (std::size_t row = 0; row < record.states.size(); ++row) {
     const Result<const sim::BoxDef*> box = find_box(record.states.id[row], k);
     if (!box.ok()) return box.error();
-    if (const std::optional<NotFinite> lost = not_finite(record.states, row, k)) {
-      const std::uint64_t others = picture.not_finite ? picture.not_finite->bodies : 0;
-      if (!picture.not_finite) picture.not_finite = lost;
-      picture.not_finite->bodies = others + 1;
-      continue;
-    }
+    if (picture.not_finite && !is_finite(record.states, row)) continue;
     snapshot.boxes.push_back(look_of(record.states, row, **box, options));
   }
   if (options.bounds) add_bounds_markers(snapshot);

@@ -24,7 +24,9 @@ sim::BoxDef box_of(const sim::Bodies& bodies, sim::BodyIndex i) {
 bool is_of(const sim::BoxDef& box, const sim::Bodies& bodies, sim::BodyIndex i) {
   const sim::Vec3 half = box.size * 0.5;
   return box.id == bodies.id[i] && half == bodies.half_extent[i] && box.mass == bodies.mass[i] &&
-         box.is_static == (bodies.is_static[i] != 0);
+         box.is_static == (bodies.is_static[i] != 0) && box.material.friction == bodies.friction[i] &&
+         box.material.friction_dynamic == bodies.friction_dynamic[i] &&
+         box.material.restitution == bodies.restitution[i];
 }
 
 }  // namespace

@@ -35,10 +35,20 @@ std::optional<pid_t> maker_of(std::string_view name, std::string_view stem) {
   return error == std::errc() && stop == end ? std::optional(process) : std::nullopt;
 }
 
+struct flock whole_file() {
+  struct flock lock = {};
+  lock.l_type = F_WRLCK;
+  lock.l_whence = SEEK_SET;
+  return lock;
+}
+
+/// Neither the lock of open_part() nor that of a log.
 bool is_unlocked(const fs::path& path) {
   const int file = ::open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (file < 0) return false;
-  const bool unlocked = ::flock(file, LOCK_EX | LOCK_NB) == 0;
+  struct flock other = whole_file();
+  const bool is_free = ::fcntl(file, F_GETLK, &other) == 0 && other.l_type == F_UNLCK;
+  const bool unlocked = is_free && ::flock(file, LOCK_EX | LOCK_NB) == 0;
   ::close(file);
   return unlocked;
 }
@@ -63,7 +73,8 @@ int open_part(const std::string& place, std::string& part) {
   for (int k = 0; k < kTriesMax; ++k) {
     part = (folder / (stem + std::to_string(::getpid()) + '-' + std::to_string(k))).string();
     const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (file >= 0) static_cast<void>(::flock(file, LOCK_EX | LOCK_NB));
+    struct flock own = whole_file();  // excludes no sink that this process opens for a log of that name
+    if (file >= 0) static_cast<void>(::fcntl(file, F_SETLK, &own));
     if (file >= 0 || errno != EEXIST) return file;
   }
   return -1;

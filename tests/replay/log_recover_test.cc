@@ -210,6 +210,18 @@ TEST(Recover, ADifferenceBehindAGapIsFound) {
   EXPECT_EQ(report->first->step, 20U);
 }
 
+TEST(Recover, AKeyframeBehindAGapIsNotCalledCompared) {
+  const SampleLog& s = sample_log();
+  Result<LogReader> log = open_memory(recover_memory(s.joined({0, 1, 3, 4, 5, 6}))->bytes);
+  const Result<ReplayReport> replayed = replay_log(*log);
+  ASSERT_TRUE(replayed.ok() && replayed->identical());
+  const auto says = [&](const char* words) {
+    return std::ranges::any_of(replayed->scope.compared,
+                               [&](const std::string& line) { return line.find(words) != std::string::npos; });
+  };
+  EXPECT_TRUE(says("complete states of 1 later keyframe")) << "the replay starts again from the one of step 12";
+}
+
 TEST(Recover, WithoutItsFirstChunkALogGoesOnFromAState) {
   const SampleLog& s = sample_log();
   const Result<RecoveredLog> recovered = recover_memory(s.joined({0, 2, 4, 5, 6}));

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "replay/measure/measure.h"
+#include "replay/session/boxes_at.h"
 #include "tests/support/log_memory.h"
 
 namespace tumble::replay {
@@ -60,6 +61,21 @@ TEST(MeasurerDeathTest, HasNoRowBeforeTheStart) {
   testing::FLAGS_gtest_death_test_style = "threadsafe";
   const Measurer measurer(header_for(small_scene()));
   EXPECT_EXIT((void)measurer.row(), testing::ExitedWithCode(4), "internal check failed: started");
+}
+
+TEST(BoxesAt, AReusedIdHasTheMaterialOfItsLastBody) {
+  sim::BoxDef before;
+  before.id = 5;
+  before.material = {0.25, 0.125, 0.5, sim::Texture::kBrick};
+  for (double sim::Material::*part :
+       {&sim::Material::friction, &sim::Material::friction_dynamic, &sim::Material::restitution}) {
+    sim::SceneDef scene;
+    scene.boxes = {before};
+    scene.boxes[0].material.*part += 0.25;  // thrown again, with another value
+    const Result<sim::World> world = sim::create_world(scene);
+    ASSERT_TRUE(world.ok()) << world.error().message;
+    EXPECT_EQ(boxes_at(world->bodies(), {before}).at(0).material.*part, before.material.*part + 0.25);
+  }
 }
 
 }  // namespace

@@ -78,6 +78,10 @@ TEST(Rotations, ToleranceIsTheAngle) {
     }
   }
   EXPECT_TRUE(std::isnan(angle_between({0, 0, 0, 0}, q)));
+  const sim::Quat doubled = {2 * q.w, 2 * q.x, 2 * q.y, 2 * q.z};
+  const DiffReport longer = diff_of(truth, with_orientation(scene, doubled), tolerance("orientation", 0.5));
+  ASSERT_TRUE(longer.first) << "one turn, and no rotation";
+  EXPECT_EQ(longer.first->note, "same rotation, quaternion of other length");
 }
 
 /// A body of another engine with these states after steps 1, 2, …
@@ -113,6 +117,7 @@ TEST(Zeros, OfAnotherEngineAreOneNumber) {
   ASSERT_TRUE(report.ok()) << report.error().message;
   EXPECT_TRUE(report->identical()) << describe(*report->first);
   EXPECT_TRUE(has(report->scope.not_compared, "the sign of 2 zeros"));
+  EXPECT_EQ(report->zeros, 2U);
   Result<LogReader> c = open(engine_log({at({1, -0.0, 2}), at({-0.0, 1, 3})}));
   EXPECT_EQ(diff_logs(*a, *c)->first->field, "position.z");
   const sim::SceneDef scene = small_scene(3);
@@ -121,6 +126,64 @@ TEST(Zeros, OfAnotherEngineAreOneNumber) {
   const DiffReport own = diff_of(record_to_memory(scene), ours);
   ASSERT_TRUE(own.first) << "no state of ours holds a negative zero";
   EXPECT_EQ(own.first->note, "zeros of other sign");
+}
+
+TEST(Zeros, OfAChangeOfAxesAreNoCause) {
+  LogHeader ours = header_for(small_scene(3));
+  LogHeader imported = ours;
+  imported.scene.world.gravity.y() = -0.0;
+  imported.scene.boxes[0].velocity.x() = -0.0;
+  imported.scene.boxes[0].mass = 3;
+  const std::vector<HeaderDifference> found = header_differences(ours, imported);
+  ASSERT_EQ(found.size(), 1U) << describe(found.front());
+  EXPECT_EQ(found.front().key, "body 10 mass");
+}
+
+TEST(Engines, AreComparedByTheirStatesSoNoMethodIsTheCause) {
+  const LogHeader ours = header_for(small_scene(3, sim::Method::kLayered));
+  LogHeader theirs = header_for(small_scene(3));
+  theirs.engine = {"toy", "1", kBinary64Bits};
+  theirs.method = "engine";
+  theirs.method_version = 0;
+  theirs.scene.world.substeps = ours.scene.world.substeps + 1;
+  const std::vector<HeaderDifference> found = header_differences(ours, theirs);
+  EXPECT_FALSE(found.empty());
+  const HeaderDifference* cause = first_cause(found);
+  EXPECT_EQ(cause, nullptr) << describe(*cause);
+  theirs.scene.world.gravity.z() = -1;
+  cause = first_cause(header_differences(ours, theirs));
+  ASSERT_NE(cause, nullptr);
+
+  Result<LogReader> a = open(engine_log({at({1, 0, 2}), at({0, 1, 2})}));
+  Result<LogReader> b = open(engine_log({at({1, 0, 2}), at({0, 1, 3})}, "2"));
+  const Result<DiffReport> report = diff_logs(*a, *b);
+  ASSERT_TRUE(report.ok() && report->first);
+  EXPECT_EQ(cause_of(*report, *report->first), "step 2 came out otherwise: body 1 position.z: 2 → 3");
+}
+
+TEST(Headers, ManyBodiesThatDifferAreSaidAndCountedOnce) {
+  sim::SceneDef a, b;
+  for (sim::BodyId id = 1; id <= 250; ++id) {
+    a.boxes.emplace_back().id = id;
+    b.boxes.emplace_back().id = id;
+    b.boxes.back().mass += static_cast<double>(id);
+    b.boxes.back().position.x() += static_cast<double>(id);
+  }
+  const std::string last = scene_differences(a, b).back().key;
+  EXPECT_EQ(last, "further values of bodies 101, 102, 103, 104 and 146 more");
+}
+
+TEST(LostBodies, HaveOneFieldInEveryReport) {
+  const double nan = std::nan("");
+  EngineState lost = at({0, 0, nan});
+  lost.velocity.x() = nan;
+  Result<LogReader> a = open(engine_log({at({0, 0, 1})})), b = open(engine_log({lost}));
+  const Result<DiffReport> found = diff_logs(*a, *b);
+  ASSERT_TRUE(found.ok() && found->first);
+  EXPECT_TRUE(has(found->notes, "position.z is nan"));
+  const Result<DifferenceReport> report = report_difference(*a, *b, *found);
+  ASSERT_TRUE(report.ok() && report->growth && report->growth->separation.lost);
+  EXPECT_EQ(report->growth->separation.lost->field, "position.z");
 }
 
 TEST(LostBodies, AreInfinitelyFarAwayAndNamed) {

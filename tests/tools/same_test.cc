@@ -139,6 +139,9 @@ TEST(SameCommand, AnotherAxisThatPointsUpIsNoDifference) {
   import_rows(shop, "y", "y", "0,1,1,3,-2,1,0,0,0,0,0,0,0,0,0\n1,1,1,3,-2,1,0,0,0,0,-1,0,0,0,0\n");
   const Outcome outcome = shop.run({"diff", "z.tumble", "y.tumble"});
   EXPECT_EQ(outcome.exit, 0) << outcome.out << outcome.err;
+  EXPECT_TRUE(says(outcome, "identical: 1 step, but for the sign of ")) << outcome.out;
+  EXPECT_FALSE(says(outcome, "every bit")) << outcome.out;
+  EXPECT_FALSE(says(outcome, "0 → -0")) << outcome.out;
   EXPECT_EQ(shop.run({"diff", "z.tumble", "y.tumble", "--step", "1"}).exit, 0);
 }
 

@@ -71,9 +71,10 @@ std::optional<replay::Divergence> first_of(const replay::DiffReport& report) {
 constexpr std::size_t kHeadersShown = 20;
 
 /// The first word of the verdict, and what was read for it.
-std::string same_text(const DiffCommand& options, bool exact_bits, const std::string& steps) {
+std::string same_text(const DiffCommand& options, bool exact_bits, std::uint64_t zeros, const std::string& steps) {
   const std::string words = exact_bits ? "identical: " + steps : "same within tolerances: " + steps;
   if (options.brief) return words + ", by hashes; payloads not read";
+  if (zeros > 0) return words + ", but for the sign of " + count_text(zeros, "zero");
   return words + (exact_bits ? ", every bit" : "");
 }
 
@@ -88,7 +89,7 @@ void print_text(const DiffCommand& options, const replay::DiffReport& report, bo
   if (report.from > 0) std::cout << "compared from step " << report.from << " on, which both logs have\n";
   const std::string steps = count_text(report.steps, "step");
   if (report.identical()) {
-    std::cout << same_text(options, exact_bits, steps) << '\n';
+    std::cout << same_text(options, exact_bits, report.zeros, steps) << '\n';
   } else if (report.first) {
     std::cout << "different from step " << report.first->step << " on\n";
   } else {
@@ -145,6 +146,7 @@ void print_result(const DiffCommand& options, const replay::DiffReport& report, 
     Json json = comparison_json(report.identical(), report.steps, first_of(report));
     json["read"] = options.brief ? "hashes; payloads not read" : "every byte of both logs";
     add_scope(report.scope, json);
+    json["zeros_of_other_sign"] = report.zeros;
     json["notes"] = report.notes;
     json["headers"] = Json::array();
     for (const replay::HeaderDifference& header : report.headers) json["headers"].push_back(describe(header));

@@ -77,9 +77,6 @@ Result<Exit> replay_command(const ReplayCommand& options) {
   Result<replay::ReplayReport> report = replay::replay_log(*log, how, bar.progress());
   bar.finish();
   if (!report.ok()) return report.error();
-  if (process::InterruptGuard::interrupted()) {
-    return cannot_finish("interrupted; identical so far: " + count_text(report->steps, "step"));
-  }
   std::optional<replay::DifferenceReport> difference;
   if (report->first && options.brief) {
     report->scope.not_compared.push_back("all behind step " + std::to_string(report->first->step) +
