@@ -6,6 +6,7 @@
 #include "golden/suite/metric_values.h"
 #include "replay/format/not_finite.h"
 #include "replay/session/state_source.h"
+#include "src/base/text.h"
 
 namespace tumble::golden {
 namespace {
@@ -63,7 +64,10 @@ class Pass {
       builder_.add(step);
       final_hash_ = step.state_hash;
       for (const sim::Command& input : step.inputs) bodies_ += std::holds_alternative<sim::Throw>(input) ? 1U : 0U;
-      if (k == 0) bodies_ = step.states.size();
+      if (k == 0) {
+        bodies_ = step.states.size();
+        start_ = step.states.id;
+      }
       if (k == log_.step_count()) last_ = step.states;
     }
     return {};
@@ -83,6 +87,8 @@ class Pass {
     }
     if (expected.scene != reference_.scene) {
       judge_scene(result, expected);
+    } else {
+      judge_extent(result, expected);
     }
     const bool same_words = expected.phase_hash_version == log_.header().phase_hash_version;
     if (!same_words) {
@@ -100,6 +106,18 @@ class Pass {
     }
     exact = {Outcome::kFail, "first difference: " + describe(*result.difference)};
     result.difference->details.emplace_back(kExactValues);
+  }
+
+  /// A session of another length or of other bodies is not the one that was blessed, and no bound excuses that: an
+  /// engine that ends early has less time to go wrong.
+  void judge_extent(CaseResult& result, const Expected& expected) const {
+    if (result.steps != expected.steps()) {
+      result.problems.push_back("its session has " + count_text(result.steps, "step") + ", its golden " +
+                                number(expected.steps()) + "; bless the case if that is meant");
+    }
+    if (expected.body_hashes.empty() || expected.body_hashes.front().id == start_) return;
+    result.problems.push_back("its session starts with other bodies: " + number(start_.size()) + ", its golden with " +
+                              number(expected.body_hashes.front().id.size()) + "; bless the case if that is meant");
   }
 
   /// Names the lines of scene.toml that changed since.
@@ -140,6 +158,7 @@ class Pass {
   ExpectedBuilder builder_;
   replay::BodyStates last_;
   std::optional<replay::NotFinite> lost_;  // of the first state in which a body is not finite
+  std::vector<sim::BodyId> start_;         // ids of the bodies in state 0
   Hash128 final_hash_;
   std::uint64_t bodies_ = 0;
 };

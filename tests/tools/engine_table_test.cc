@@ -108,6 +108,31 @@ TEST(EngineTable, ACaseWithALostBodyFailsAndCannotBeBlessed) {
   EXPECT_TRUE(says(blessed.err, lost)) << blessed.err;
 }
 
+TEST(EngineTable, ACaseThatEndsEarlyOrLacksABodyFailsThoughItsBoundsHold) {
+  const Workshop shop;
+  shop.write("s/cases/one/scene.toml", kSmallScene);
+  shop.write("s/cases/one/metrics.toml",
+             std::string("require = [\"behaviour\"]\n[command]\nrun = \"") + TUMBLE_PROGRAM +
+                 " import ../t.csv -o {log} # {scene}\"\n[[metric]]\nname = \"lateral_max\"\n"
+                 "max = 1.0\nwhy = \"they stay\"\n");
+  const std::string whole = table();
+  shop.write("t.csv", whole);
+  ASSERT_EQ(shop.run({"bless", "one", "--suite", "s", "--reason", "a test"}).exit, 0);
+  shop.write("t.csv", whole.substr(0, whole.find("\n4,") + 1));
+  const Outcome early = shop.run({"check", "--suite", "s", "--report", "r"});
+  EXPECT_EQ(early.exit, 1);
+  EXPECT_TRUE(says(early.out, "its session has 3 steps, its golden 4")) << early.out;
+  std::string alone = whole;
+  for (std::size_t at = 0; (at = alone.find(",2,3,0,")) != std::string::npos;) {
+    const std::size_t line = alone.rfind('\n', at) + 1;
+    alone.erase(line, alone.find('\n', at) + 1 - line);
+  }
+  shop.write("t.csv", alone);
+  const Outcome fewer = shop.run({"check", "--suite", "s", "--report", "r"});
+  EXPECT_EQ(fewer.exit, 1);
+  EXPECT_TRUE(says(fewer.out, "starts with other bodies: 1, its golden with 2")) << fewer.out;
+}
+
 TEST(EngineTable, ResultsComeBackInItsAxesAndUnit) {
   const Workshop shop;
   const std::string rows =
