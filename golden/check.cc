@@ -10,6 +10,7 @@
 #include "golden/report/report_place.h"
 #include "golden/run/longest_first.h"
 #include "golden/run/run_case.h"
+#include "golden/suite/temporary_folder.h"
 
 namespace tumble::golden {
 namespace {
@@ -27,7 +28,7 @@ CaseResult result_of(const CaseFolder& folder, const CheckOptions& options, cons
   result.problems.push_back(failure);
   result.bless_refused = failure;
   result.require = options.require.value_or(CaseRules().require);
-  result.reproduce = reproduce_command(folder);
+  result.reproduce = reproduce_command(folder, options.suite);
   return result;
 }
 
@@ -54,7 +55,8 @@ Result<SuiteResult> check_suite(const CheckOptions& options) {
   if (!options.report.empty()) {
     if (Status ok = prepare_report(options.suite, options.report, options.junit); !ok.ok()) return ok.error();
   }
-  const RunOptions run = {options.suite, options.require, options.report, {}};
+  const TemporaryFolder scratch("tumble-check");  // a case that takes too long cannot remove its own files
+  const RunOptions run = {options.suite, options.require, options.report, scratch.path(), {}};
   const bool finished = process::run_jobs(
       folders.size(),
       [&](std::size_t i) {

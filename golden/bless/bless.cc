@@ -125,7 +125,7 @@ Result<std::string> new_rules(const Handed& handed, std::string& old_text) {
 Result<std::vector<Handed>> run_all(const BlessOptions& options, const std::vector<CaseFolder>& folders,
                                     const RecordedCases& recorded) {
   std::vector<Handed> handed;
-  const RunOptions run = {options.suite, {}, {}, recorded};
+  const RunOptions run = {options.suite, {}, {}, {}, recorded};
   const bool finished = process::run_jobs(
       folders.size(), [&](std::size_t i) { return hand_over(run_case(folders[i], run)); },
       [&](std::size_t i, const process::JobResult& child) { handed.push_back(take_over(folders[i], child)); },

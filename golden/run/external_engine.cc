@@ -57,8 +57,9 @@ std::string engine_line(const std::string& command, const fs::path& suite, const
   return "(cd " + shell_quoted(suite.string()) + " && " + filled(command, shell_quoted(scene.string()), log) + ")";
 }
 
-Result<Session> run_engine(const std::string& command, const fs::path& suite, const std::string& scene) {
-  const TemporaryFolder folder("tumble-engine");
+Result<Session> run_engine(const std::string& command, const fs::path& suite, const std::string& scene,
+                           const fs::path& scratch) {
+  const TemporaryFolder folder("tumble-engine", scratch);
   if (folder.path().empty()) return cannot_finish("no temporary folder for an engine's log");
   const fs::path log = folder.path() / "session.tumble";
   const fs::path output = folder.path() / "output.txt";

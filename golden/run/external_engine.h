@@ -24,7 +24,9 @@ std::string engine_command(const std::string& command, const std::string& scene,
 std::string engine_line(const std::string& command, const std::filesystem::path& suite, const CaseFolder& folder);
 
 /// Runs the command by sh in the suite's folder and reads the log that it writes. Errors (kCannotFinish): a status
-/// other than 0, no log; the message has the end of its output.
-Result<Session> run_engine(const std::string& command, const std::filesystem::path& suite, const std::string& scene);
+/// other than 0, no log; the message has the end of its output. The log lies in a new folder in `scratch`, or where
+/// temporary files lie, until it is read.
+Result<Session> run_engine(const std::string& command, const std::filesystem::path& suite, const std::string& scene,
+                           const std::filesystem::path& scratch = {});
 
 }  // namespace tumble::golden

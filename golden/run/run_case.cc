@@ -44,7 +44,7 @@ class CaseRunner {
     result.name = folder.name;
     result.problems = folder_problems(folder);
     result.require = options.require.value_or(CaseRules().require);
-    result.reproduce = reproduce_command(folder);
+    result.reproduce = reproduce_command(folder, options.suite);
   }
 
   CaseRun run() {
@@ -121,7 +121,6 @@ class CaseRunner {
   void judge_session() {
     const bool is_external = !run_.rules.command.empty();
     const Result<Session> session = this_session(is_external);
-    if (is_external) run_.result.reproduce = engine_line(run_.rules.command, options_.suite, folder_);
     if (!session.ok()) {
       stop(session.error());
       return;
@@ -159,7 +158,7 @@ class CaseRunner {
     if (!options_.recorded.empty())
       return bad_input("the report has no session of it: it passed there, or was not run");
     Result<Session> session =
-        is_external ? run_engine(run_.rules.command, options_.suite, scene_path()) : run_session(scene_, scene_text_);
+        is_external ? run_engine(run_.rules.command, options_.suite, scene_path(), options_.scratch) : run_session(scene_, scene_text_);
     if (session.ok()) provenance_.seconds = session->seconds;
     return session;
   }
@@ -250,7 +249,13 @@ class CaseRunner {
 
 }  // namespace
 
-std::string reproduce_command(const CaseFolder& folder) {
+std::string reproduce_command(const CaseFolder& folder, const fs::path& suite) {
+  const Result<std::string> text = read_text(folder.file(kRulesFile));
+  if (text.ok()) {
+    const Result<CaseRules> rules = parse_rules(*text, kRulesFile);
+    if (!rules.ok()) return "";  // its engine is not known
+    if (!rules->command.empty()) return engine_line(rules->command, suite, folder);
+  }
   return "tumble record " + shell_quoted(folder.file(kSceneFile).string()) + " -o " +
          shell_quoted(folder.name + ".tumble");
 }

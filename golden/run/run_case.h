@@ -15,6 +15,7 @@ struct RunOptions {
   std::filesystem::path suite;                      ///< its root
   std::optional<std::vector<VerdictKind>> require;  ///< overrides the case's own list
   std::filesystem::path report;                     ///< folder for the files of a failed case; empty: none
+  std::filesystem::path scratch = {};  ///< folder for temporary files, which outlives a process that is ended; empty: none
   RecordedCases recorded = {};  ///< sessions to judge instead of running their cases; empty: every case is run
 };
 
@@ -26,7 +27,7 @@ inline constexpr const char* kTrackFile = "expected_track.csv";
 /// becomes a problem of the result.
 CaseRun run_case(const CaseFolder& folder, const RunOptions& options);
 
-/// The command line that records a case's session.
-std::string reproduce_command(const CaseFolder& folder);
+/// The command line that records a case's session, with its own engine; empty where its rules cannot be read.
+std::string reproduce_command(const CaseFolder& folder, const std::filesystem::path& suite);
 
 }  // namespace tumble::golden

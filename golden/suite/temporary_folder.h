@@ -7,13 +7,14 @@
 
 namespace tumble::golden {
 
-/// A new folder for temporary files, named PREFIX-XXXXXX, removed with this object. The path is empty if no folder
+/// A new folder for temporary files, named PREFIX-XXXXXX in `within` or the system's place for them, removed with this object. The path is empty if no folder
 /// could be made.
 class TemporaryFolder {
  public:
-  explicit TemporaryFolder(const std::string& prefix) {
+  explicit TemporaryFolder(const std::string& prefix, const std::filesystem::path& within = {}) {
     std::error_code error;
-    std::string pattern = (std::filesystem::temp_directory_path(error) / (prefix + "-XXXXXX")).string();
+    const std::filesystem::path place = within.empty() ? std::filesystem::temp_directory_path(error) : within;
+    std::string pattern = (place / (prefix + "-XXXXXX")).string();
     if (::mkdtemp(pattern.data()) != nullptr) path_ = pattern;
   }
   ~TemporaryFolder() {

@@ -7,6 +7,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
+
 #include "tests/files/temporary_place.h"
 
 namespace tumble::files {
@@ -73,6 +75,19 @@ TEST_F(OutputFiles, ALinkStaysALink) {
   EXPECT_TRUE(fs::is_symlink(path("link")));
   EXPECT_EQ(read("x"), "new");
   EXPECT_EQ(read("later"), "new");
+}
+
+TEST_F(OutputFiles, APipeThatNothingReadsIsRefusedAtOnce) {
+  ASSERT_EQ(::mkfifo(path("pipe").c_str(), 0600), 0);
+  const Status written = write_whole_file(path("pipe"), "new");
+  EXPECT_FALSE(written.ok());
+  EXPECT_NE(written.error().message.find("a pipe that nothing reads"), std::string::npos) << written.error().message;
+  const int reader = ::open(path("pipe").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  ASSERT_GE(reader, 0);
+  EXPECT_TRUE(write_whole_file(path("pipe"), "new").ok());
+  std::array<char, 8> got{};
+  EXPECT_EQ(::read(reader, got.data(), got.size()), 3);
+  ::close(reader);
 }
 
 TEST_F(OutputFiles, ModesStay) {

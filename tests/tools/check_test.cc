@@ -90,6 +90,13 @@ TEST_F(SmallSuite, ACaseThatHangsIsEnded) {
   const Outcome outcome = check({"--timeout", "0.5"});
   EXPECT_EQ(outcome.exit, 1);
   EXPECT_NE(outcome.out.find("took longer than"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("&& sleep 100"), std::string::npos) << "not this program: " << outcome.out;
+  const std::filesystem::path temporary = shop_.path("tmp");
+  std::filesystem::create_directory(temporary);
+  EXPECT_EQ(
+      shop_.run_after("export TMPDIR='" + temporary.string() + "'; ", {"check", "--suite", "s", "--timeout", "0.5"}).exit,
+      1);
+  EXPECT_TRUE(std::filesystem::is_empty(temporary)) << "an engine that is ended cannot remove its own files";
 }
 
 TEST_F(SmallSuite, AnotherEngineIsJudgedByTheLogItWrites) {
