@@ -157,8 +157,9 @@ class CaseRunner {
     if (recorded_ != nullptr) return recorded_session(is_external);
     if (!options_.recorded.empty())
       return bad_input("the report has no session of it: it passed there, or was not run");
-    Result<Session> session =
-        is_external ? run_engine(run_.rules.command, options_.suite, scene_path(), options_.scratch) : run_session(scene_, scene_text_);
+    Result<Session> session = is_external
+                                  ? run_engine(run_.rules.command, options_.suite, scene_path(), options_.scratch)
+                                  : run_session(scene_, scene_text_);
     if (session.ok()) provenance_.seconds = session->seconds;
     return session;
   }

@@ -7,8 +7,8 @@
 
 namespace tumble::golden {
 
-/// A new folder for temporary files, named PREFIX-XXXXXX in `within` or the system's place for them, removed with this object. The path is empty if no folder
-/// could be made.
+/// A new folder for temporary files, named PREFIX-XXXXXX in `within` or the system's place for them, removed with this
+/// object. The path is empty if no folder could be made.
 class TemporaryFolder {
  public:
   explicit TemporaryFolder(const std::string& prefix, const std::filesystem::path& within = {}) {

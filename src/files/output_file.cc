@@ -46,7 +46,8 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
   if (out.in_place_) {
     out.part_ = out.place_;
     out.file_ = open_in_place(out.place_, S_ISFIFO(old.st_mode));
-    if (out.file_ < 0 && errno == ENXIO) return bad_input(path + ": is a pipe that nothing reads; begin to read it first");
+    if (out.file_ < 0 && errno == ENXIO)
+      return bad_input(path + ": is a pipe that nothing reads; begin to read it first");
   } else {
     out.file_ = open_part(out.place_, out.part_);
   }

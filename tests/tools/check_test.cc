@@ -94,7 +94,8 @@ TEST_F(SmallSuite, ACaseThatHangsIsEnded) {
   const std::filesystem::path temporary = shop_.path("tmp");
   std::filesystem::create_directory(temporary);
   EXPECT_EQ(
-      shop_.run_after("export TMPDIR='" + temporary.string() + "'; ", {"check", "--suite", "s", "--timeout", "0.5"}).exit,
+      shop_.run_after("export TMPDIR='" + temporary.string() + "'; ", {"check", "--suite", "s", "--timeout", "0.5"})
+          .exit,
       1);
   EXPECT_TRUE(std::filesystem::is_empty(temporary)) << "an engine that is ended cannot remove its own files";
 }

@@ -1,4 +1,4 @@
-(()=>{var $h='.uplot, .uplot *, .uplot *::before, .uplot *::after {box-sizing: border-box;}.uplot {font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Helveti\
+(()=>{var Kh='.uplot, .uplot *, .uplot *::before, .uplot *::after {box-sizing: border-box;}.uplot {font-family: system-ui, -apple-system, "Segoe UI", Roboto, "Helveti\
 ca Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI Emoji", "Segoe UI Symbol", "Noto Color Emoji";line-height: 1.5;width: min-content;}.u-t\
 itle {text-align: center;font-size: 18px;font-weight: bold;}.u-wrap {position: relative;user-select: none;}.u-over, .u-under {position: absolute;}.u-under {over\
 flow: hidden;}.uplot canvas {display: block;position: relative;width: 100%;height: 100%;}.u-axis {position: absolute;}.u-legend {font-size: 14px;margin: auto;te\
@@ -9,7 +9,7 @@ inter;}.u-legend .u-off > * {opacity: 0.3;}.u-select {background: rgba(0,0,0,0.0
 absolute;left: 0;top: 0;pointer-events: none;will-change: transform;}.u-hz .u-cursor-x, .u-vt .u-cursor-y {height: 100%;border-right: 1px dashed #607D8B;}.u-hz \
 .u-cursor-y, .u-vt .u-cursor-x {width: 100%;border-bottom: 1px dashed #607D8B;}.u-cursor-pt {position: absolute;top: 0;left: 0;border-radius: 50%;border: 0 soli\
 d;pointer-events: none;will-change: transform;/*this has to be !important since we set inline "background" shorthand */background-clip: padding-box !important;}\
-.u-axis.u-off, .u-select.u-off, .u-cursor-x.u-off, .u-cursor-y.u-off, .u-cursor-pt.u-off {display: none;}';var Kh=':root { --actual: #1d5fbf; --actual-more: #0f7f83; --expected: #b35309; }\n@media (prefers-color-scheme: dark) { :root { --actual: #7db4ff; --actual-more\
+.u-axis.u-off, .u-select.u-off, .u-cursor-x.u-off, .u-cursor-y.u-off, .u-cursor-pt.u-off {display: none;}';var Qh=':root { --actual: #1d5fbf; --actual-more: #0f7f83; --expected: #b35309; }\n@media (prefers-color-scheme: dark) { :root { --actual: #7db4ff; --actual-more\
 : #5fd0c5; --expected: #ffb45c; } }\n.plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 20rem), 1fr)); gap: 1rem; }\n.plots figure {\
  min-width: 0; margin: 0; }\n.plots figcaption { font-weight: 600; }\n.plot { min-width: 0; }\n.u-legend { font-size: .82rem; text-align: left; }\n.uplot .u-legend \
 tr, .uplot .u-legend td, .uplot .u-legend th { padding: 0 .3rem; border: 0; }\n.uplot .u-legend tr { display: inline-block; padding: 0 .4rem 0 0; }\n.uplot .u-leg\
@@ -26,180 +26,180 @@ t); border-radius: .4rem; background: var(--panel);\n  color: var(--ink); font: 
  border: 1px solid var(--line); }\n.viewer .stack img { display: block; width: 100%; max-width: none; image-rendering: pixelated; }\n.viewer .stack .over { positi\
 on: absolute; inset: 0; }\n.viewer .stack .edge { position: absolute; top: 0; bottom: 0; width: 2px; margin-left: -1px; background: #fff;\n  box-shadow: 0 0 0 1px\
  #000; }\n.viewer .tag { position: absolute; top: .4rem; left: .4rem; padding: 0 .5rem; border-radius: .3rem; background: #000b;\n  color: #fff; font-size: .82rem\
-; }\n.viewer .tag.right { left: auto; right: .4rem; }\n.viewer .stack [hidden] { display: none; }\n';var $m="uplot",Km="u-hz",Qm="u-vt",jm="u-title",eg="u-wrap",tg="u-under",ng="u-over",ig="u-axis",Ls="u-off",sg="u-select",rg="u-cursor-x",og="u-cursor-y",ag="u-\
-cursor-pt",lg="u-legend",cg="u-live",ug="u-inline",hg="u-series",fg="u-marker",Qh="u-label",dg="u-value",jr="width",eo="height";var jh="bottom",ir="left",Ic="right",Zc="#000",ef=Zc+"0",Lc="mousemove",tf="mousedown",Dc="mouseup",nf="mouseenter",sf="mouseleave",rf="dblclick",pg="resize",mg="\
-scroll",of="change",la="dppxchange",Jc="--",ur=typeof window<"u",Bc=ur?document:null,rr=ur?window:null,gg=ur?navigator:null,Mt,sa;function zc(){let i=devicePixelRatio;
-Mt!=i&&(Mt=i,sa&&Vc(of,sa,zc),sa=matchMedia("(min-resolution: ".concat(Mt-.001,"dppx) and (max-resolution: ").concat(Mt+.001,"dppx)")),Ds(of,sa,zc),rr.dispatchEvent(
+; }\n.viewer .tag.right { left: auto; right: .4rem; }\n.viewer .stack [hidden] { display: none; }\n';var Km="uplot",Qm="u-hz",jm="u-vt",eg="u-title",tg="u-wrap",ng="u-under",ig="u-over",sg="u-axis",Ls="u-off",rg="u-select",og="u-cursor-x",ag="u-cursor-y",lg="u-\
+cursor-pt",cg="u-legend",ug="u-live",hg="u-inline",fg="u-series",dg="u-marker",jh="u-label",pg="u-value",jr="width",eo="height";var ef="bottom",ir="left",Ic="right",Zc="#000",tf=Zc+"0",Lc="mousemove",nf="mousedown",Dc="mouseup",sf="mouseenter",rf="mouseleave",of="dblclick",mg="resize",gg="\
+scroll",af="change",la="dppxchange",Jc="--",ur=typeof window<"u",Bc=ur?document:null,rr=ur?window:null,_g=ur?navigator:null,Mt,sa;function zc(){let i=devicePixelRatio;
+Mt!=i&&(Mt=i,sa&&Vc(af,sa,zc),sa=matchMedia("(min-resolution: ".concat(Mt-.001,"dppx) and (max-resolution: ").concat(Mt+.001,"dppx)")),Ds(af,sa,zc),rr.dispatchEvent(
 new CustomEvent(la)))}function Hn(i,e){if(e!=null){let t=i.classList;!t.contains(e)&&t.add(e)}}function kc(i,e){let t=i.classList;t.contains(e)&&t.remove(e)}function zt(i,e,t){
-i.style[e]=t+"px"}function ui(i,e,t,n){let s=Bc.createElement(i);return e!=null&&Hn(s,e),t?.insertBefore(s,n),s}function ti(i,e){return ui("div",i,e)}var af=new WeakMap;
-function Ci(i,e,t,n,s){let r="translate("+e+"px,"+t+"px)",o=af.get(i);r!=o&&(i.style.transform=r,af.set(i,r),e<0||t<0||e>n||t>s?Hn(i,Ls):kc(i,Ls))}var lf=new WeakMap;
-function cf(i,e,t){let n=e+t,s=lf.get(i);n!=s&&(lf.set(i,n),i.style.background=e,i.style.borderColor=t)}var uf=new WeakMap;function hf(i,e,t,n){let s=e+""+t,r=uf.
-get(i);s!=r&&(uf.set(i,s),i.style.height=t+"px",i.style.width=e+"px",i.style.marginLeft=n?-e/2+"px":0,i.style.marginTop=n?-t/2+"px":0)}var $c={passive:!0},_g={...$c,
-capture:!0};function Ds(i,e,t,n){e.addEventListener(i,t,n?_g:$c)}function Vc(i,e,t,n){e.removeEventListener(i,t,$c)}ur&&zc();function hi(i,e,t,n){let s;t=t||0,n=
-n||e.length-1;let r=n<=2147483647;for(;n-t>1;)s=r?t+n>>1:Wn((t+n)/2),e[s]<i?t=s:n=s;return i-e[t]<=e[n]-i?t:n}function zf(i){return(t,n,s)=>{let r=-1,o=-1;for(let a=n;a<=
-s;a++)if(i(t[a])){r=a;break}for(let a=s;a>=n;a--)if(i(t[a])){o=a;break}return[r,o]}}var kf=i=>i!=null,Vf=i=>i!=null&&i>0,ha=zf(kf),xg=zf(Vf);function vg(i,e,t,n=0,s=!1){
-let r=s?xg:ha,o=s?Vf:kf;[e,t]=r(i,e,t);let a=i[e],l=i[e];if(e>-1)if(n==1)a=i[e],l=i[t];else if(n==-1)a=i[t],l=i[e];else for(let c=e;c<=t;c++){let u=i[c];o(u)&&(u<
-a?a=u:u>l&&(l=u))}return[a??Lt,l??-Lt]}function fa(i,e,t,n){let s=pf(i),r=pf(e);i==e&&(s==-1?(i*=t,e/=t):(i/=t,e*=t));let o=t==10?Hi:Gf,a=s==1?Wn:ni,l=r==1?ni:Wn,
-c=a(o(un(i))),u=l(o(un(e))),f=or(t,c),h=or(t,u);return t==10&&(c<0&&(f=Dt(f,-c)),u<0&&(h=Dt(h,-u))),n||t==2?(i=f*s,e=h*r):(i=qf(i,f),e=da(e,h)),[i,e]}function Kc(i,e,t,n){
-let s=fa(i,e,t,n);return i==0&&(s[0]=0),e==0&&(s[1]=0),s}var Qc=.1,ff={mode:3,pad:Qc},no={pad:0,soft:null,mode:0},yg={min:no,max:no};function ca(i,e,t,n){return pa(
-t)?df(i,e,t):(no.pad=t,no.soft=n?0:null,no.mode=n?3:0,df(i,e,yg))}function yt(i,e){return i??e}function Sg(i,e,t){for(e=yt(e,0),t=yt(t,i.length-1);e<=t;){if(i[e]!=
-null)return!0;e++}return!1}function df(i,e,t){let n=t.min,s=t.max,r=yt(n.pad,0),o=yt(s.pad,0),a=yt(n.hard,-Lt),l=yt(s.hard,Lt),c=yt(n.soft,Lt),u=yt(s.soft,-Lt),
-f=yt(n.mode,0),h=yt(s.mode,0),d=e-i,x=Hi(d),S=Dn(un(i),un(e)),p=Hi(S),m=un(p-x);(d<1e-24||m>10)&&(d=0,(i==0||e==0)&&(d=1e-24,f==2&&c!=Lt&&(r=0),h==2&&u!=-Lt&&(o=
-0)));let v=d||S||1e3,A=Hi(v),M=or(10,Wn(A)),P=v*(d==0?i==0?.1:1:r),E=Dt(qf(i-P,M/10),24),_=i>=c&&(f==1||f==3&&E<=c||f==2&&E>=c)?c:Lt,T=Dn(a,E<_&&i>=_?_:fi(_,E)),
-O=v*(d==0?e==0?.1:1:o),D=Dt(da(e+O,M/10),24),L=e<=u&&(h==1||h==3&&D>=u||h==2&&D<=u)?u:-Lt,V=fi(l,D>L&&e<=L?L:Dn(L,D));return T==V&&T==0&&(V=100),[T,V]}var Mg=new Intl.
-NumberFormat(ur?gg.language:"en-US"),jc=i=>Mg.format(i),Xn=Math,aa=Xn.PI,un=Xn.abs,Wn=Xn.floor,cn=Xn.round,ni=Xn.ceil,fi=Xn.min,Dn=Xn.max,or=Xn.pow,pf=Xn.sign,Hi=Xn.
-log10,Gf=Xn.log2,bg=(i,e=1)=>Xn.sinh(i)*e,Nc=(i,e=1)=>Xn.asinh(i/e),Lt=1/0;function mf(i){return(Hi((i^i>>31)-(i>>31))|0)+1}function Gc(i,e,t){return fi(Dn(i,e),
-t)}function Hf(i){return typeof i=="function"}function mt(i){return Hf(i)?i:()=>i}var wg=()=>{},Wf=i=>i,Xf=(i,e)=>e,Tg=i=>null,gf=i=>!0,_f=(i,e)=>i==e,Ag=/\.\d*?(?=9{6,}|0{6,})/gm,
-Ns=i=>{if(Zf(i)||ds.has(i))return i;let e="".concat(i),t=e.match(Ag);if(t==null)return i;let n=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+"".
-concat(Ns(s),"e").concat(r)}return Dt(i,n)};function Ps(i,e){return Ns(Dt(Ns(i/e))*e)}function da(i,e){return Ns(ni(Ns(i/e))*e)}function qf(i,e){return Ns(Wn(Ns(
-i/e))*e)}function Dt(i,e=0){if(Zf(i))return i;let t=10**e,n=i*t*(1+Number.EPSILON);return cn(n)/t}var ds=new Map;function Yf(i){return((""+i).split(".")[1]||"").
-length}function so(i,e,t,n){let s=[],r=n.map(Yf);for(let o=e;o<t;o++){let a=un(o),l=Dt(or(i,o),a);for(let c=0;c<n.length;c++){let u=i==10?+"".concat(n[c],"e").concat(
-o):n[c]*l,f=(o>=0?0:a)+(o>=r[c]?0:r[c]),h=i==10?u:Dt(u,f);s.push(h),ds.set(h,f)}}return s}var io={},eu=[],ar=[null,null],fs=Array.isArray,Zf=Number.isInteger,Eg=i=>i===
-void 0;function xf(i){return typeof i=="string"}function pa(i){let e=!1;if(i!=null){let t=i.constructor;e=t==null||t==Object}return e}function Cg(i){return i!=null&&
-typeof i=="object"}var Rg=Object.getPrototypeOf(Uint8Array),Jf="__proto__";function lr(i,e=pa){let t;if(fs(i)){let n=i.find(s=>s!=null);if(fs(n)||e(n)){t=Array(
-i.length);for(let s=0;s<i.length;s++)t[s]=lr(i[s],e)}else t=i.slice()}else if(i instanceof Rg)t=i.slice();else if(e(i)){t={};for(let n in i)n!=Jf&&(t[n]=lr(i[n],
-e))}else t=i;return t}function rn(i){let e=arguments;for(let t=1;t<e.length;t++){let n=e[t];for(let s in n)s!=Jf&&(pa(i[s])?rn(i[s],lr(n[s])):i[s]=lr(n[s]))}return i}
-var Pg=0,Ig=1,Lg=2;function Dg(i,e,t){for(let n=0,s,r=-1;n<e.length;n++){let o=e[n];if(o>r){for(s=o-1;s>=0&&i[s]==null;)i[s--]=null;for(s=o+1;s<t&&i[s]==null;)i[r=
-s++]=null}}}function Ng(i,e){if(Og(i)){let o=i[0].slice();for(let a=1;a<i.length;a++)o.push(...i[a].slice(1));return Bg(o[0])||(o=Fg(o)),o}let t=new Set;for(let o=0;o<
-i.length;o++){let l=i[o][0],c=l.length;for(let u=0;u<c;u++)t.add(l[u])}let n=[Array.from(t).sort((o,a)=>o-a)],s=n[0].length,r=new Map;for(let o=0;o<s;o++)r.set(
-n[0][o],o);for(let o=0;o<i.length;o++){let a=i[o],l=a[0];for(let c=1;c<a.length;c++){let u=a[c],f=Array(s).fill(void 0),h=e?e[o][c]:Ig,d=[];for(let x=0;x<u.length;x++){
-let S=u[x],p=r.get(l[x]);S===null?h!=Pg&&(f[p]=S,h==Lg&&d.push(p)):f[p]=S}Dg(f,d,s),n.push(f)}}return n}var Ug=typeof queueMicrotask>"u"?i=>Promise.resolve().then(
-i):queueMicrotask;function Fg(i){let e=i[0],t=e.length,n=Array(t);for(let r=0;r<n.length;r++)n[r]=r;n.sort((r,o)=>e[r]-e[o]);let s=[];for(let r=0;r<i.length;r++){
-let o=i[r],a=Array(t);for(let l=0;l<t;l++)a[l]=o[n[l]];s.push(a)}return s}function Og(i){let e=i[0][0],t=e.length;for(let n=1;n<i.length;n++){let s=i[n][0];if(s.
-length!=t)return!1;if(s!=e){for(let r=0;r<t;r++)if(s[r]!=e[r])return!1}}return!0}function Bg(i,e=100){let t=i.length;if(t<=1)return!0;let n=0,s=t-1;for(;n<=s&&i[n]==
-null;)n++;for(;s>=n&&i[s]==null;)s--;if(s<=n)return!0;let r=Dn(1,Wn((s-n+1)/e));for(let o=i[n],a=n+r;a<=s;a+=r){let l=i[a];if(l!=null){if(l<=o)return!1;o=l}}return!0}
-var $f=["January","February","March","April","May","June","July","August","September","October","November","December"],Kf=["Sunday","Monday","Tuesday","Wednesda\
-y","Thursday","Friday","Saturday"];function Qf(i){return i.slice(0,3)}var zg=Kf.map(Qf),kg=$f.map(Qf),Vg={MMMM:$f,MMM:kg,WWWW:Kf,WWW:zg};function Qr(i){return(i<
-10?"0":"")+i}function Gg(i){return(i<10?"00":i<100?"0":"")+i}var Hg={YYYY:i=>i.getFullYear(),YY:i=>(i.getFullYear()+"").slice(2),MMMM:(i,e)=>e.MMMM[i.getMonth()],
+i.style[e]=t+"px"}function ui(i,e,t,n){let s=Bc.createElement(i);return e!=null&&Hn(s,e),t?.insertBefore(s,n),s}function ti(i,e){return ui("div",i,e)}var lf=new WeakMap;
+function Ci(i,e,t,n,s){let r="translate("+e+"px,"+t+"px)",o=lf.get(i);r!=o&&(i.style.transform=r,lf.set(i,r),e<0||t<0||e>n||t>s?Hn(i,Ls):kc(i,Ls))}var cf=new WeakMap;
+function uf(i,e,t){let n=e+t,s=cf.get(i);n!=s&&(cf.set(i,n),i.style.background=e,i.style.borderColor=t)}var hf=new WeakMap;function ff(i,e,t,n){let s=e+""+t,r=hf.
+get(i);s!=r&&(hf.set(i,s),i.style.height=t+"px",i.style.width=e+"px",i.style.marginLeft=n?-e/2+"px":0,i.style.marginTop=n?-t/2+"px":0)}var $c={passive:!0},xg={...$c,
+capture:!0};function Ds(i,e,t,n){e.addEventListener(i,t,n?xg:$c)}function Vc(i,e,t,n){e.removeEventListener(i,t,$c)}ur&&zc();function hi(i,e,t,n){let s;t=t||0,n=
+n||e.length-1;let r=n<=2147483647;for(;n-t>1;)s=r?t+n>>1:Wn((t+n)/2),e[s]<i?t=s:n=s;return i-e[t]<=e[n]-i?t:n}function kf(i){return(t,n,s)=>{let r=-1,o=-1;for(let a=n;a<=
+s;a++)if(i(t[a])){r=a;break}for(let a=s;a>=n;a--)if(i(t[a])){o=a;break}return[r,o]}}var Vf=i=>i!=null,Gf=i=>i!=null&&i>0,ha=kf(Vf),vg=kf(Gf);function yg(i,e,t,n=0,s=!1){
+let r=s?vg:ha,o=s?Gf:Vf;[e,t]=r(i,e,t);let a=i[e],c=i[e];if(e>-1)if(n==1)a=i[e],c=i[t];else if(n==-1)a=i[t],c=i[e];else for(let l=e;l<=t;l++){let u=i[l];o(u)&&(u<
+a?a=u:u>c&&(c=u))}return[a??Lt,c??-Lt]}function fa(i,e,t,n){let s=mf(i),r=mf(e);i==e&&(s==-1?(i*=t,e/=t):(i/=t,e*=t));let o=t==10?Hi:Hf,a=s==1?Wn:ni,c=r==1?ni:Wn,
+l=a(o(un(i))),u=c(o(un(e))),f=or(t,l),h=or(t,u);return t==10&&(l<0&&(f=Dt(f,-l)),u<0&&(h=Dt(h,-u))),n||t==2?(i=f*s,e=h*r):(i=Yf(i,f),e=da(e,h)),[i,e]}function Kc(i,e,t,n){
+let s=fa(i,e,t,n);return i==0&&(s[0]=0),e==0&&(s[1]=0),s}var Qc=.1,df={mode:3,pad:Qc},no={pad:0,soft:null,mode:0},Sg={min:no,max:no};function ca(i,e,t,n){return pa(
+t)?pf(i,e,t):(no.pad=t,no.soft=n?0:null,no.mode=n?3:0,pf(i,e,Sg))}function yt(i,e){return i??e}function Mg(i,e,t){for(e=yt(e,0),t=yt(t,i.length-1);e<=t;){if(i[e]!=
+null)return!0;e++}return!1}function pf(i,e,t){let n=t.min,s=t.max,r=yt(n.pad,0),o=yt(s.pad,0),a=yt(n.hard,-Lt),c=yt(s.hard,Lt),l=yt(n.soft,Lt),u=yt(s.soft,-Lt),
+f=yt(n.mode,0),h=yt(s.mode,0),d=e-i,x=Hi(d),S=Dn(un(i),un(e)),p=Hi(S),m=un(p-x);(d<1e-24||m>10)&&(d=0,(i==0||e==0)&&(d=1e-24,f==2&&l!=Lt&&(r=0),h==2&&u!=-Lt&&(o=
+0)));let v=d||S||1e3,A=Hi(v),M=or(10,Wn(A)),P=v*(d==0?i==0?.1:1:r),E=Dt(Yf(i-P,M/10),24),_=i>=l&&(f==1||f==3&&E<=l||f==2&&E>=l)?l:Lt,T=Dn(a,E<_&&i>=_?_:fi(_,E)),
+O=v*(d==0?e==0?.1:1:o),D=Dt(da(e+O,M/10),24),L=e<=u&&(h==1||h==3&&D>=u||h==2&&D<=u)?u:-Lt,V=fi(c,D>L&&e<=L?L:Dn(L,D));return T==V&&T==0&&(V=100),[T,V]}var bg=new Intl.
+NumberFormat(ur?_g.language:"en-US"),jc=i=>bg.format(i),Xn=Math,aa=Xn.PI,un=Xn.abs,Wn=Xn.floor,cn=Xn.round,ni=Xn.ceil,fi=Xn.min,Dn=Xn.max,or=Xn.pow,mf=Xn.sign,Hi=Xn.
+log10,Hf=Xn.log2,wg=(i,e=1)=>Xn.sinh(i)*e,Nc=(i,e=1)=>Xn.asinh(i/e),Lt=1/0;function gf(i){return(Hi((i^i>>31)-(i>>31))|0)+1}function Gc(i,e,t){return fi(Dn(i,e),
+t)}function Wf(i){return typeof i=="function"}function mt(i){return Wf(i)?i:()=>i}var Tg=()=>{},Xf=i=>i,qf=(i,e)=>e,Ag=i=>null,_f=i=>!0,xf=(i,e)=>i==e,Eg=/\.\d*?(?=9{6,}|0{6,})/gm,
+Ns=i=>{if(Jf(i)||ds.has(i))return i;let e="".concat(i),t=e.match(Eg);if(t==null)return i;let n=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+"".
+concat(Ns(s),"e").concat(r)}return Dt(i,n)};function Ps(i,e){return Ns(Dt(Ns(i/e))*e)}function da(i,e){return Ns(ni(Ns(i/e))*e)}function Yf(i,e){return Ns(Wn(Ns(
+i/e))*e)}function Dt(i,e=0){if(Jf(i))return i;let t=10**e,n=i*t*(1+Number.EPSILON);return cn(n)/t}var ds=new Map;function Zf(i){return((""+i).split(".")[1]||"").
+length}function so(i,e,t,n){let s=[],r=n.map(Zf);for(let o=e;o<t;o++){let a=un(o),c=Dt(or(i,o),a);for(let l=0;l<n.length;l++){let u=i==10?+"".concat(n[l],"e").concat(
+o):n[l]*c,f=(o>=0?0:a)+(o>=r[l]?0:r[l]),h=i==10?u:Dt(u,f);s.push(h),ds.set(h,f)}}return s}var io={},eu=[],ar=[null,null],fs=Array.isArray,Jf=Number.isInteger,Cg=i=>i===
+void 0;function vf(i){return typeof i=="string"}function pa(i){let e=!1;if(i!=null){let t=i.constructor;e=t==null||t==Object}return e}function Rg(i){return i!=null&&
+typeof i=="object"}var Pg=Object.getPrototypeOf(Uint8Array),$f="__proto__";function lr(i,e=pa){let t;if(fs(i)){let n=i.find(s=>s!=null);if(fs(n)||e(n)){t=Array(
+i.length);for(let s=0;s<i.length;s++)t[s]=lr(i[s],e)}else t=i.slice()}else if(i instanceof Pg)t=i.slice();else if(e(i)){t={};for(let n in i)n!=$f&&(t[n]=lr(i[n],
+e))}else t=i;return t}function rn(i){let e=arguments;for(let t=1;t<e.length;t++){let n=e[t];for(let s in n)s!=$f&&(pa(i[s])?rn(i[s],lr(n[s])):i[s]=lr(n[s]))}return i}
+var Ig=0,Lg=1,Dg=2;function Ng(i,e,t){for(let n=0,s,r=-1;n<e.length;n++){let o=e[n];if(o>r){for(s=o-1;s>=0&&i[s]==null;)i[s--]=null;for(s=o+1;s<t&&i[s]==null;)i[r=
+s++]=null}}}function Ug(i,e){if(Bg(i)){let o=i[0].slice();for(let a=1;a<i.length;a++)o.push(...i[a].slice(1));return zg(o[0])||(o=Og(o)),o}let t=new Set;for(let o=0;o<
+i.length;o++){let c=i[o][0],l=c.length;for(let u=0;u<l;u++)t.add(c[u])}let n=[Array.from(t).sort((o,a)=>o-a)],s=n[0].length,r=new Map;for(let o=0;o<s;o++)r.set(
+n[0][o],o);for(let o=0;o<i.length;o++){let a=i[o],c=a[0];for(let l=1;l<a.length;l++){let u=a[l],f=Array(s).fill(void 0),h=e?e[o][l]:Lg,d=[];for(let x=0;x<u.length;x++){
+let S=u[x],p=r.get(c[x]);S===null?h!=Ig&&(f[p]=S,h==Dg&&d.push(p)):f[p]=S}Ng(f,d,s),n.push(f)}}return n}var Fg=typeof queueMicrotask>"u"?i=>Promise.resolve().then(
+i):queueMicrotask;function Og(i){let e=i[0],t=e.length,n=Array(t);for(let r=0;r<n.length;r++)n[r]=r;n.sort((r,o)=>e[r]-e[o]);let s=[];for(let r=0;r<i.length;r++){
+let o=i[r],a=Array(t);for(let c=0;c<t;c++)a[c]=o[n[c]];s.push(a)}return s}function Bg(i){let e=i[0][0],t=e.length;for(let n=1;n<i.length;n++){let s=i[n][0];if(s.
+length!=t)return!1;if(s!=e){for(let r=0;r<t;r++)if(s[r]!=e[r])return!1}}return!0}function zg(i,e=100){let t=i.length;if(t<=1)return!0;let n=0,s=t-1;for(;n<=s&&i[n]==
+null;)n++;for(;s>=n&&i[s]==null;)s--;if(s<=n)return!0;let r=Dn(1,Wn((s-n+1)/e));for(let o=i[n],a=n+r;a<=s;a+=r){let c=i[a];if(c!=null){if(c<=o)return!1;o=c}}return!0}
+var Kf=["January","February","March","April","May","June","July","August","September","October","November","December"],Qf=["Sunday","Monday","Tuesday","Wednesda\
+y","Thursday","Friday","Saturday"];function jf(i){return i.slice(0,3)}var kg=Qf.map(jf),Vg=Kf.map(jf),Gg={MMMM:Kf,MMM:Vg,WWWW:Qf,WWW:kg};function Qr(i){return(i<
+10?"0":"")+i}function Hg(i){return(i<10?"00":i<100?"0":"")+i}var Wg={YYYY:i=>i.getFullYear(),YY:i=>(i.getFullYear()+"").slice(2),MMMM:(i,e)=>e.MMMM[i.getMonth()],
 MMM:(i,e)=>e.MMM[i.getMonth()],MM:i=>Qr(i.getMonth()+1),M:i=>i.getMonth()+1,DD:i=>Qr(i.getDate()),D:i=>i.getDate(),WWWW:(i,e)=>e.WWWW[i.getDay()],WWW:(i,e)=>e.WWW[i.
 getDay()],HH:i=>Qr(i.getHours()),H:i=>i.getHours(),h:i=>{let e=i.getHours();return e==0?12:e>12?e-12:e},AA:i=>i.getHours()>=12?"PM":"AM",aa:i=>i.getHours()>=12?
-"pm":"am",a:i=>i.getHours()>=12?"p":"a",mm:i=>Qr(i.getMinutes()),m:i=>i.getMinutes(),ss:i=>Qr(i.getSeconds()),s:i=>i.getSeconds(),fff:i=>Gg(i.getMilliseconds())};
-function tu(i,e){e=e||Vg;let t=[],n=/\{([a-z]+)\}|[^{]+/gi,s;for(;s=n.exec(i);)t.push(s[0][0]=="{"?Hg[s[1]]:s[0]);return r=>{let o="";for(let a=0;a<t.length;a++)
-o+=typeof t[a]=="string"?t[a]:t[a](r,e);return o}}var Wg=new Intl.DateTimeFormat().resolvedOptions().timeZone;function Xg(i,e){let t;return e=="UTC"||e=="Etc/UT\
-C"?t=new Date(+i+i.getTimezoneOffset()*6e4):e==Wg?t=i:(t=new Date(i.toLocaleString("en-US",{timeZone:e})),t.setMilliseconds(i.getMilliseconds())),t}var jf=i=>i%
-1==0,ua=[1,2,2.5,5],qg=so(10,-32,0,ua),ed=so(10,0,32,ua),Yg=ed.filter(jf),Is=qg.concat(ed),nu="\n",td="{YYYY}",vf=nu+td,nd="{M}/{D}",to=nu+nd,ra=to+"/{YY}",id="\
-{aa}",Zg="{h}:{mm}",sr=Zg+id,yf=nu+sr,Sf=":{ss}",wt=null;function sd(i){let e=i*1e3,t=e*60,n=t*60,s=n*24,r=s*30,o=s*365,l=(i==1?so(10,0,3,ua).filter(jf):so(10,-3,
+"pm":"am",a:i=>i.getHours()>=12?"p":"a",mm:i=>Qr(i.getMinutes()),m:i=>i.getMinutes(),ss:i=>Qr(i.getSeconds()),s:i=>i.getSeconds(),fff:i=>Hg(i.getMilliseconds())};
+function tu(i,e){e=e||Gg;let t=[],n=/\{([a-z]+)\}|[^{]+/gi,s;for(;s=n.exec(i);)t.push(s[0][0]=="{"?Wg[s[1]]:s[0]);return r=>{let o="";for(let a=0;a<t.length;a++)
+o+=typeof t[a]=="string"?t[a]:t[a](r,e);return o}}var Xg=new Intl.DateTimeFormat().resolvedOptions().timeZone;function qg(i,e){let t;return e=="UTC"||e=="Etc/UT\
+C"?t=new Date(+i+i.getTimezoneOffset()*6e4):e==Xg?t=i:(t=new Date(i.toLocaleString("en-US",{timeZone:e})),t.setMilliseconds(i.getMilliseconds())),t}var ed=i=>i%
+1==0,ua=[1,2,2.5,5],Yg=so(10,-32,0,ua),td=so(10,0,32,ua),Zg=td.filter(ed),Is=Yg.concat(td),nu="\n",nd="{YYYY}",yf=nu+nd,id="{M}/{D}",to=nu+id,ra=to+"/{YY}",sd="\
+{aa}",Jg="{h}:{mm}",sr=Jg+sd,Sf=nu+sr,Mf=":{ss}",wt=null;function rd(i){let e=i*1e3,t=e*60,n=t*60,s=n*24,r=s*30,o=s*365,c=(i==1?so(10,0,3,ua).filter(ed):so(10,-3,
 0,ua)).concat([e,e*5,e*10,e*15,e*30,t,t*5,t*10,t*15,t*30,n,n*2,n*3,n*4,n*6,n*8,n*12,s,s*2,s*3,s*4,s*5,s*6,s*7,s*8,s*9,s*10,s*15,r,r*2,r*3,r*4,r*6,o,o*2,o*5,o*10,
-o*25,o*50,o*100]),c=[[o,td,wt,wt,wt,wt,wt,wt,1],[s*28,"{MMM}",vf,wt,wt,wt,wt,wt,1],[s,nd,vf,wt,wt,wt,wt,wt,1],[n,"{h}"+id,ra,wt,to,wt,wt,wt,1],[t,sr,ra,wt,to,wt,
-wt,wt,1],[e,Sf,ra+" "+sr,wt,to+" "+sr,wt,yf,wt,1],[i,Sf+".{fff}",ra+" "+sr,wt,to+" "+sr,wt,yf,wt,1]];function u(f){return(h,d,x,S,p,m)=>{let v=[],A=p>=o,M=p>=r&&
+o*25,o*50,o*100]),l=[[o,nd,wt,wt,wt,wt,wt,wt,1],[s*28,"{MMM}",yf,wt,wt,wt,wt,wt,1],[s,id,yf,wt,wt,wt,wt,wt,1],[n,"{h}"+sd,ra,wt,to,wt,wt,wt,1],[t,sr,ra,wt,to,wt,
+wt,wt,1],[e,Mf,ra+" "+sr,wt,to+" "+sr,wt,Sf,wt,1],[i,Mf+".{fff}",ra+" "+sr,wt,to+" "+sr,wt,Sf,wt,1]];function u(f){return(h,d,x,S,p,m)=>{let v=[],A=p>=o,M=p>=r&&
 p<o,P=f(x),E=Dt(P*i,3),_=Uc(P.getFullYear(),A?0:P.getMonth(),M||A?1:P.getDate()),T=Dt(_*i,3);if(M||A){let O=M?p/r:0,D=A?p/o:0,L=E==T?E:Dt(Uc(_.getFullYear()+D,_.
 getMonth()+O,1)*i,3),V=new Date(cn(L/i)),H=V.getFullYear(),N=V.getMonth();for(let G=0;L<=S;G++){let J=Uc(H+D*G,N+O*G,1),k=J-f(Dt(J*i,3));L=Dt((+J+k)*i,3),L<=S&&
 v.push(L)}}else{let O=p>=s?s:p,D=Wn(x)-Wn(E),L=T+D+da(E-T,O);v.push(L);let V=f(L),H=V.getHours()+V.getMinutes()/t+V.getSeconds()/n,N=p/n,G=h.axes[d]._space,J=m/
 G;for(;L=Dt(L+p,i==1?0:3),!(L>S);)if(N>1){let k=Wn(Dt(H+N,6))%24,Q=f(L).getHours()-k;Q>1&&(Q=-1),L-=Q*n,H=(H+N)%24;let ie=v[v.length-1];Dt((L-ie)/p,3)*J>=.7&&v.
-push(L)}else v.push(L)}return v}}return[l,c,u]}var[Jg,$g,Kg]=sd(1),[Qg,jg,e0]=sd(.001);so(2,-53,53,[1]);function Mf(i,e){return i.map(t=>t.map((n,s)=>s==0||s==8||
-n==null?n:e(s==1||t[8]==0?n:t[1]+n)))}function bf(i,e){return(t,n,s,r,o)=>{let a=e.find(x=>o>=x[0])||e[e.length-1],l,c,u,f,h,d;return n.map(x=>{let S=i(x),p=S.getFullYear(),
-m=S.getMonth(),v=S.getDate(),A=S.getHours(),M=S.getMinutes(),P=S.getSeconds(),E=p!=l&&a[2]||m!=c&&a[3]||v!=u&&a[4]||A!=f&&a[5]||M!=h&&a[6]||P!=d&&a[7]||a[1];return l=
-p,c=m,u=v,f=A,h=M,d=P,E(S)})}}function t0(i,e){let t=tu(e);return(n,s,r,o,a)=>s.map(l=>t(i(l)))}function Uc(i,e,t){return new Date(i,e,t)}function wf(i,e){return e(
-i)}var n0="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function Tf(i,e){return(t,n,s,r)=>r==null?Jc:e(i(n))}function i0(i,e){let t=i.series[e];return t.width?t.stroke(i,e):t.
-points.width?t.points.stroke(i,e):null}function s0(i,e){return i.series[e].fill(i,e)}var r0={show:!0,live:!0,isolate:!1,mount:wg,markers:{show:!0,width:2,stroke:i0,
-fill:s0,dash:"solid"},idx:null,idxs:null,values:[]};function o0(i,e){let t=i.cursor.points,n=ti(),s=t.size(i,e);zt(n,jr,s),zt(n,eo,s);let r=s/-2;zt(n,"marginLef\
-t",r),zt(n,"marginTop",r);let o=t.width(i,e,s);return o&&zt(n,"borderWidth",o),n}function a0(i,e){let t=i.series[e].points;return t._fill||t._stroke}function l0(i,e){
-let t=i.series[e].points;return t._stroke||t._fill}function c0(i,e){return i.series[e].points.size}var Fc=[0,0];function u0(i,e,t){return Fc[0]=e,Fc[1]=t,Fc}function oa(i,e,t,n=!0){
-return s=>{s.button==0&&(!n||s.target==e)&&t(s)}}function Oc(i,e,t,n=!0){return s=>{(!n||s.target==e)&&t(s)}}var h0={show:!0,x:!0,y:!0,lock:!1,move:u0,points:{one:!1,
-show:o0,size:c0,width:0,stroke:l0,fill:a0},bind:{mousedown:oa,mouseup:oa,click:oa,dblclick:oa,mousemove:Oc,mouseleave:Oc,mouseenter:Oc},drag:{setScale:!0,x:!0,y:!1,
+push(L)}else v.push(L)}return v}}return[c,l,u]}var[$g,Kg,Qg]=rd(1),[jg,e0,t0]=rd(.001);so(2,-53,53,[1]);function bf(i,e){return i.map(t=>t.map((n,s)=>s==0||s==8||
+n==null?n:e(s==1||t[8]==0?n:t[1]+n)))}function wf(i,e){return(t,n,s,r,o)=>{let a=e.find(x=>o>=x[0])||e[e.length-1],c,l,u,f,h,d;return n.map(x=>{let S=i(x),p=S.getFullYear(),
+m=S.getMonth(),v=S.getDate(),A=S.getHours(),M=S.getMinutes(),P=S.getSeconds(),E=p!=c&&a[2]||m!=l&&a[3]||v!=u&&a[4]||A!=f&&a[5]||M!=h&&a[6]||P!=d&&a[7]||a[1];return c=
+p,l=m,u=v,f=A,h=M,d=P,E(S)})}}function n0(i,e){let t=tu(e);return(n,s,r,o,a)=>s.map(c=>t(i(c)))}function Uc(i,e,t){return new Date(i,e,t)}function Tf(i,e){return e(
+i)}var i0="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function Af(i,e){return(t,n,s,r)=>r==null?Jc:e(i(n))}function s0(i,e){let t=i.series[e];return t.width?t.stroke(i,e):t.
+points.width?t.points.stroke(i,e):null}function r0(i,e){return i.series[e].fill(i,e)}var o0={show:!0,live:!0,isolate:!1,mount:Tg,markers:{show:!0,width:2,stroke:s0,
+fill:r0,dash:"solid"},idx:null,idxs:null,values:[]};function a0(i,e){let t=i.cursor.points,n=ti(),s=t.size(i,e);zt(n,jr,s),zt(n,eo,s);let r=s/-2;zt(n,"marginLef\
+t",r),zt(n,"marginTop",r);let o=t.width(i,e,s);return o&&zt(n,"borderWidth",o),n}function l0(i,e){let t=i.series[e].points;return t._fill||t._stroke}function c0(i,e){
+let t=i.series[e].points;return t._stroke||t._fill}function u0(i,e){return i.series[e].points.size}var Fc=[0,0];function h0(i,e,t){return Fc[0]=e,Fc[1]=t,Fc}function oa(i,e,t,n=!0){
+return s=>{s.button==0&&(!n||s.target==e)&&t(s)}}function Oc(i,e,t,n=!0){return s=>{(!n||s.target==e)&&t(s)}}var f0={show:!0,x:!0,y:!0,lock:!1,move:h0,points:{one:!1,
+show:a0,size:u0,width:0,stroke:c0,fill:l0},bind:{mousedown:oa,mouseup:oa,click:oa,dblclick:oa,mousemove:Oc,mouseleave:Oc,mouseenter:Oc},drag:{setScale:!0,x:!0,y:!1,
 dist:0,uni:null,click:(i,e)=>{e.stopPropagation(),e.stopImmediatePropagation()},_x:!1,_y:!1},focus:{dist:(i,e,t,n,s)=>n-s,prox:-1,bias:0},hover:{skip:[void 0],prox:null,
-bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},rd={show:!0,stroke:"rgba(0,0,0,0.07)",width:2},iu=rn({},rd,{filter:Xf}),od=rn({},iu,{size:10}),
-ad=rn({},rd,{show:!1}),su='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI E\
-moji", "Segoe UI Symbol", "Noto Color Emoji"',ld="bold "+su,cd=1.5,Af={show:!0,scale:"x",stroke:Zc,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:ld,
-side:2,grid:iu,ticks:od,border:ad,font:su,lineGap:cd,rotate:0},f0="Value",d0="Time",Ef={show:!0,scale:"x",auto:!1,sorted:1,min:Lt,max:-Lt,idxs:[]};function p0(i,e,t,n,s){
-return e.map(r=>r==null?"":jc(r))}function m0(i,e,t,n,s,r,o){let a=[],l=ds.get(s)||0;t=o?t:Dt(da(t,s),l);for(let c=t;c<=n;c=Dt(c+s,l))a.push(Object.is(c,-0)?0:c);
-return a}function Hc(i,e,t,n,s,r,o){let a=[],l=i.scales[i.axes[e].scale].log,c=l==10?Hi:Gf,u=Wn(c(t));s=or(l,u),l==10&&(s=Is[hi(s,Is)]);let f=t,h=s*l;l==10&&(h=
-Is[hi(h,Is)]);do a.push(f),f=f+s,l==10&&!ds.has(f)&&(f=Dt(f,ds.get(s))),f>=h&&(s=f,h=s*l,l==10&&(h=Is[hi(h,Is)]));while(f<=n);return a}function g0(i,e,t,n,s,r,o){
-let l=i.scales[i.axes[e].scale].asinh,c=n>l?Hc(i,e,Dn(l,t),n,s):[l],u=n>=0&&t<=0?[0]:[];return(t<-l?Hc(i,e,Dn(l,-n),-t,s):[l]).reverse().map(h=>-h).concat(u,c)}
-var ud=/./,_0=/[12357]/,x0=/[125]/,Cf=/1/,Wc=(i,e,t,n)=>i.map((s,r)=>e==4&&s==0||r%n==0&&t.test(s.toExponential()[s<0?1:0])?s:null);function v0(i,e,t,n,s){let r=i.
-axes[t],o=r.scale,a=i.scales[o],l=i.valToPos,c=r._space,u=l(10,o),f=l(9,o)-u>=c?ud:l(7,o)-u>=c?_0:l(5,o)-u>=c?x0:Cf;if(f==Cf){let h=un(l(1,o)-u);if(h<c)return Wc(
-e.slice().reverse(),a.distr,f,ni(c/h)).reverse()}return Wc(e,a.distr,f,1)}function y0(i,e,t,n,s){let r=i.axes[t],o=r.scale,a=r._space,l=i.valToPos,c=un(l(1,o)-l(
-2,o));return c<a?Wc(e.slice().reverse(),3,ud,ni(a/c)).reverse():e}function S0(i,e,t,n){return n==null?Jc:e==null?"":jc(e)}var Rf={show:!0,scale:"y",stroke:Zc,space:30,
-gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:ld,side:3,grid:iu,ticks:od,border:ad,font:su,lineGap:cd,rotate:0};function M0(i,e){let t=3+(i||1)*2;return Dt(
-t*e,3)}function b0(i,e){let{scale:t,idxs:n}=i.series[0],s=i._data[0],r=i.valToPos(s[n[0]],t,!0),o=i.valToPos(s[n[1]],t,!0),a=un(o-r),l=i.series[e],c=a/(l.points.
-space*Mt);return n[1]-n[0]<=c}var Pf={scale:null,auto:!0,sorted:0,min:Lt,max:-Lt},hd=(i,e,t,n,s)=>s,If={show:!0,auto:!0,sorted:0,gaps:hd,alpha:1,facets:[rn({},Pf,
-{scale:"x"}),rn({},Pf,{scale:"y"})]},Lf={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:hd,alpha:1,points:{show:b0,filter:null},values:null,min:Lt,max:-Lt,
-idxs:[],path:null,clip:null};function w0(i,e,t,n,s){return t/10}var fd={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},T0=rn({},fd,{time:!1,
-ori:1}),Df={};function dd(i,e){let t=Df[i];return t||(t={key:i,plots:[],sub(n){t.plots.push(n)},unsub(n){t.plots=t.plots.filter(s=>s!=n)},pub(n,s,r,o,a,l,c){for(let u=0;u<
-t.plots.length;u++)t.plots[u]!=s&&t.plots[u].pub(n,s,r,o,a,l,c)}},i!=null&&(Df[i]=t)),t}var cr=1,Xc=2;function Us(i,e,t){let n=i.mode,s=i.series[e],r=n==2?i._data[e]:
-i._data,o=i.scales,a=i.bbox,l=r[0],c=n==2?r[1]:r[e],u=n==2?o[s.facets[0].scale]:o[i.series[0].scale],f=n==2?o[s.facets[1].scale]:o[s.scale],h=a.left,d=a.top,x=a.
-width,S=a.height,p=i.valToPosH,m=i.valToPosV;return u.ori==0?t(s,l,c,u,f,p,m,h,d,x,S,ga,hr,xa,md,_d):t(s,l,c,u,f,m,p,d,h,S,x,_a,fr,au,gd,xd)}function ru(i,e){let t=0,
-n=0,s=yt(i.bands,eu);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?n|=1:n|=2)}return[t,n==1?-1:n==2?1:n==3?2:0]}function A0(i,e,t,n,s){
-let r=i.mode,o=i.series[e],a=r==2?o.facets[1].scale:o.scale,l=i.scales[a];return s==-1?l.min:s==1?l.max:l.distr==3?l.dir==1?l.min:l.max:0}function Wi(i,e,t,n,s,r){
-return Us(i,e,(o,a,l,c,u,f,h,d,x,S,p)=>{let m=o.pxRound,v=c.dir*(c.ori==0?1:-1),A=c.ori==0?hr:fr,M,P;v==1?(M=t,P=n):(M=n,P=t);let E=m(f(a[M],c,S,d)),_=m(h(l[M],
-u,p,x)),T=m(f(a[P],c,S,d)),O=m(h(r==1?u.max:u.min,u,p,x)),D=new Path2D(s);return A(D,T,O),A(D,E,O),A(D,E,_),D})}function ma(i,e,t,n,s,r){let o=null;if(i.length>
-0){o=new Path2D;let a=e==0?xa:au,l=t;for(let f=0;f<i.length;f++){let h=i[f];if(h[1]>h[0]){let d=h[0]-l;d>0&&a(o,l,n,d,n+r),l=h[1]}}let c=t+s-l,u=10;c>0&&a(o,l,n-
-u/2,c,n+r+u)}return o}function E0(i,e,t){let n=i[i.length-1];n&&n[0]==e?n[1]=t:i.push([e,t])}function ou(i,e,t,n,s,r,o){let a=[],l=i.length;for(let c=s==1?t:n;c>=
-t&&c<=n;c+=s)if(e[c]===null){let f=c,h=c;if(s==1)for(;++c<=n&&e[c]===null;)h=c;else for(;--c>=t&&e[c]===null;)h=c;let d=r(i[f]),x=h==f?d:r(i[h]),S=f-s;d=o<=0&&S>=
-0&&S<l?r(i[S]):d;let m=h+s;x=o>=0&&m>=0&&m<l?r(i[m]):x,x>=d&&a.push([d,x])}return a}function Nf(i){return i==0?Wf:i==1?cn:e=>Ps(e,i)}function pd(i){let e=i==0?ga:
-_a,t=i==0?(s,r,o,a,l,c)=>{s.arcTo(r,o,a,l,c)}:(s,r,o,a,l,c)=>{s.arcTo(o,r,l,a,c)},n=i==0?(s,r,o,a,l)=>{s.rect(r,o,a,l)}:(s,r,o,a,l)=>{s.rect(o,r,l,a)};return(s,r,o,a,l,c=0,u=0)=>{
-c==0&&u==0?n(s,r,o,a,l):(c=fi(c,a/2,l/2),u=fi(u,a/2,l/2),e(s,r+c,o),t(s,r+a,o,r+a,o+l,c),t(s,r+a,o+l,r,o+l,u),t(s,r,o+l,r,o,u),t(s,r,o,r+a,o,c),s.closePath())}}
-var ga=(i,e,t)=>{i.moveTo(e,t)},_a=(i,e,t)=>{i.moveTo(t,e)},hr=(i,e,t)=>{i.lineTo(e,t)},fr=(i,e,t)=>{i.lineTo(t,e)},xa=pd(0),au=pd(1),md=(i,e,t,n,s,r)=>{i.arc(e,
-t,n,s,r)},gd=(i,e,t,n,s,r)=>{i.arc(t,e,n,s,r)},_d=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(e,t,n,s,r,o)},xd=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(t,e,s,n,o,r)};function vd(i){
-return(e,t,n,s,r)=>Us(e,t,(o,a,l,c,u,f,h,d,x,S,p)=>{let{pxRound:m,points:v}=o,A,M;c.ori==0?(A=ga,M=md):(A=_a,M=gd);let P=Dt(v.width*Mt,3),E=(v.size-v.width)/2*Mt,
-_=Dt(E*2,3),T=new Path2D,O=new Path2D,{left:D,top:L,width:V,height:H}=e.bbox;xa(O,D-_,L-_,V+_*2,H+_*2);let N=G=>{if(l[G]!=null){let J=m(f(a[G],c,S,d)),k=m(h(l[G],
-u,p,x));A(T,J+E,k),M(T,J,k,E,0,aa*2)}};if(r)r.forEach(N);else for(let G=n;G<=s;G++)N(G);return{stroke:P>0?T:null,fill:T,clip:O,flags:cr|Xc}})}function yd(i){return(e,t,n,s,r,o)=>{
-n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var C0=yd(hr),R0=yd(fr);function Sd(i){let e=yt(i?.alignGaps,0);return(t,n,s,r)=>Us(t,n,(o,a,l,c,u,f,h,d,x,S,p)=>{
-[s,r]=ha(l,s,r);let m=o.pxRound,v=H=>m(f(H,c,S,d)),A=H=>m(h(H,u,p,x)),M,P;c.ori==0?(M=hr,P=C0):(M=fr,P=R0);let E=c.dir*(c.ori==0?1:-1),_={stroke:new Path2D,fill:null,
-clip:null,band:null,gaps:null,flags:cr},T=_.stroke,O=!1;if(r-s>=S*4){let H=ue=>t.posToVal(ue,c.key,!0),N=null,G=null,J,k,le,$=v(a[E==1?s:r]),Q=v(a[s]),ie=v(a[r]),
-he=H(E==1?Q+1:ie-1);for(let ue=E==1?s:r;ue>=s&&ue<=r;ue+=E){let j=a[ue],_e=(E==1?j<he:j>he)?$:v(j),Ae=l[ue];_e==$?Ae!=null?(k=Ae,N==null?(M(T,_e,A(k)),J=N=G=k):
+bias:0},left:-10,top:-10,idx:null,dataIdx:null,idxs:null,event:null},od={show:!0,stroke:"rgba(0,0,0,0.07)",width:2},iu=rn({},od,{filter:qf}),ad=rn({},iu,{size:10}),
+ld=rn({},od,{show:!1}),su='12px system-ui, -apple-system, "Segoe UI", Roboto, "Helvetica Neue", Arial, "Noto Sans", sans-serif, "Apple Color Emoji", "Segoe UI E\
+moji", "Segoe UI Symbol", "Noto Color Emoji"',cd="bold "+su,ud=1.5,Ef={show:!0,scale:"x",stroke:Zc,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:cd,
+side:2,grid:iu,ticks:ad,border:ld,font:su,lineGap:ud,rotate:0},d0="Value",p0="Time",Cf={show:!0,scale:"x",auto:!1,sorted:1,min:Lt,max:-Lt,idxs:[]};function m0(i,e,t,n,s){
+return e.map(r=>r==null?"":jc(r))}function g0(i,e,t,n,s,r,o){let a=[],c=ds.get(s)||0;t=o?t:Dt(da(t,s),c);for(let l=t;l<=n;l=Dt(l+s,c))a.push(Object.is(l,-0)?0:l);
+return a}function Hc(i,e,t,n,s,r,o){let a=[],c=i.scales[i.axes[e].scale].log,l=c==10?Hi:Hf,u=Wn(l(t));s=or(c,u),c==10&&(s=Is[hi(s,Is)]);let f=t,h=s*c;c==10&&(h=
+Is[hi(h,Is)]);do a.push(f),f=f+s,c==10&&!ds.has(f)&&(f=Dt(f,ds.get(s))),f>=h&&(s=f,h=s*c,c==10&&(h=Is[hi(h,Is)]));while(f<=n);return a}function _0(i,e,t,n,s,r,o){
+let c=i.scales[i.axes[e].scale].asinh,l=n>c?Hc(i,e,Dn(c,t),n,s):[c],u=n>=0&&t<=0?[0]:[];return(t<-c?Hc(i,e,Dn(c,-n),-t,s):[c]).reverse().map(h=>-h).concat(u,l)}
+var hd=/./,x0=/[12357]/,v0=/[125]/,Rf=/1/,Wc=(i,e,t,n)=>i.map((s,r)=>e==4&&s==0||r%n==0&&t.test(s.toExponential()[s<0?1:0])?s:null);function y0(i,e,t,n,s){let r=i.
+axes[t],o=r.scale,a=i.scales[o],c=i.valToPos,l=r._space,u=c(10,o),f=c(9,o)-u>=l?hd:c(7,o)-u>=l?x0:c(5,o)-u>=l?v0:Rf;if(f==Rf){let h=un(c(1,o)-u);if(h<l)return Wc(
+e.slice().reverse(),a.distr,f,ni(l/h)).reverse()}return Wc(e,a.distr,f,1)}function S0(i,e,t,n,s){let r=i.axes[t],o=r.scale,a=r._space,c=i.valToPos,l=un(c(1,o)-c(
+2,o));return l<a?Wc(e.slice().reverse(),3,hd,ni(a/l)).reverse():e}function M0(i,e,t,n){return n==null?Jc:e==null?"":jc(e)}var Pf={show:!0,scale:"y",stroke:Zc,space:30,
+gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:cd,side:3,grid:iu,ticks:ad,border:ld,font:su,lineGap:ud,rotate:0};function b0(i,e){let t=3+(i||1)*2;return Dt(
+t*e,3)}function w0(i,e){let{scale:t,idxs:n}=i.series[0],s=i._data[0],r=i.valToPos(s[n[0]],t,!0),o=i.valToPos(s[n[1]],t,!0),a=un(o-r),c=i.series[e],l=a/(c.points.
+space*Mt);return n[1]-n[0]<=l}var If={scale:null,auto:!0,sorted:0,min:Lt,max:-Lt},fd=(i,e,t,n,s)=>s,Lf={show:!0,auto:!0,sorted:0,gaps:fd,alpha:1,facets:[rn({},If,
+{scale:"x"}),rn({},If,{scale:"y"})]},Df={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:fd,alpha:1,points:{show:w0,filter:null},values:null,min:Lt,max:-Lt,
+idxs:[],path:null,clip:null};function T0(i,e,t,n,s){return t/10}var dd={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},A0=rn({},dd,{time:!1,
+ori:1}),Nf={};function pd(i,e){let t=Nf[i];return t||(t={key:i,plots:[],sub(n){t.plots.push(n)},unsub(n){t.plots=t.plots.filter(s=>s!=n)},pub(n,s,r,o,a,c,l){for(let u=0;u<
+t.plots.length;u++)t.plots[u]!=s&&t.plots[u].pub(n,s,r,o,a,c,l)}},i!=null&&(Nf[i]=t)),t}var cr=1,Xc=2;function Us(i,e,t){let n=i.mode,s=i.series[e],r=n==2?i._data[e]:
+i._data,o=i.scales,a=i.bbox,c=r[0],l=n==2?r[1]:r[e],u=n==2?o[s.facets[0].scale]:o[i.series[0].scale],f=n==2?o[s.facets[1].scale]:o[s.scale],h=a.left,d=a.top,x=a.
+width,S=a.height,p=i.valToPosH,m=i.valToPosV;return u.ori==0?t(s,c,l,u,f,p,m,h,d,x,S,ga,hr,xa,gd,xd):t(s,c,l,u,f,m,p,d,h,S,x,_a,fr,au,_d,vd)}function ru(i,e){let t=0,
+n=0,s=yt(i.bands,eu);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?n|=1:n|=2)}return[t,n==1?-1:n==2?1:n==3?2:0]}function E0(i,e,t,n,s){
+let r=i.mode,o=i.series[e],a=r==2?o.facets[1].scale:o.scale,c=i.scales[a];return s==-1?c.min:s==1?c.max:c.distr==3?c.dir==1?c.min:c.max:0}function Wi(i,e,t,n,s,r){
+return Us(i,e,(o,a,c,l,u,f,h,d,x,S,p)=>{let m=o.pxRound,v=l.dir*(l.ori==0?1:-1),A=l.ori==0?hr:fr,M,P;v==1?(M=t,P=n):(M=n,P=t);let E=m(f(a[M],l,S,d)),_=m(h(c[M],
+u,p,x)),T=m(f(a[P],l,S,d)),O=m(h(r==1?u.max:u.min,u,p,x)),D=new Path2D(s);return A(D,T,O),A(D,E,O),A(D,E,_),D})}function ma(i,e,t,n,s,r){let o=null;if(i.length>
+0){o=new Path2D;let a=e==0?xa:au,c=t;for(let f=0;f<i.length;f++){let h=i[f];if(h[1]>h[0]){let d=h[0]-c;d>0&&a(o,c,n,d,n+r),c=h[1]}}let l=t+s-c,u=10;l>0&&a(o,c,n-
+u/2,l,n+r+u)}return o}function C0(i,e,t){let n=i[i.length-1];n&&n[0]==e?n[1]=t:i.push([e,t])}function ou(i,e,t,n,s,r,o){let a=[],c=i.length;for(let l=s==1?t:n;l>=
+t&&l<=n;l+=s)if(e[l]===null){let f=l,h=l;if(s==1)for(;++l<=n&&e[l]===null;)h=l;else for(;--l>=t&&e[l]===null;)h=l;let d=r(i[f]),x=h==f?d:r(i[h]),S=f-s;d=o<=0&&S>=
+0&&S<c?r(i[S]):d;let m=h+s;x=o>=0&&m>=0&&m<c?r(i[m]):x,x>=d&&a.push([d,x])}return a}function Uf(i){return i==0?Xf:i==1?cn:e=>Ps(e,i)}function md(i){let e=i==0?ga:
+_a,t=i==0?(s,r,o,a,c,l)=>{s.arcTo(r,o,a,c,l)}:(s,r,o,a,c,l)=>{s.arcTo(o,r,c,a,l)},n=i==0?(s,r,o,a,c)=>{s.rect(r,o,a,c)}:(s,r,o,a,c)=>{s.rect(o,r,c,a)};return(s,r,o,a,c,l=0,u=0)=>{
+l==0&&u==0?n(s,r,o,a,c):(l=fi(l,a/2,c/2),u=fi(u,a/2,c/2),e(s,r+l,o),t(s,r+a,o,r+a,o+c,l),t(s,r+a,o+c,r,o+c,u),t(s,r,o+c,r,o,u),t(s,r,o,r+a,o,l),s.closePath())}}
+var ga=(i,e,t)=>{i.moveTo(e,t)},_a=(i,e,t)=>{i.moveTo(t,e)},hr=(i,e,t)=>{i.lineTo(e,t)},fr=(i,e,t)=>{i.lineTo(t,e)},xa=md(0),au=md(1),gd=(i,e,t,n,s,r)=>{i.arc(e,
+t,n,s,r)},_d=(i,e,t,n,s,r)=>{i.arc(t,e,n,s,r)},xd=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(e,t,n,s,r,o)},vd=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(t,e,s,n,o,r)};function yd(i){
+return(e,t,n,s,r)=>Us(e,t,(o,a,c,l,u,f,h,d,x,S,p)=>{let{pxRound:m,points:v}=o,A,M;l.ori==0?(A=ga,M=gd):(A=_a,M=_d);let P=Dt(v.width*Mt,3),E=(v.size-v.width)/2*Mt,
+_=Dt(E*2,3),T=new Path2D,O=new Path2D,{left:D,top:L,width:V,height:H}=e.bbox;xa(O,D-_,L-_,V+_*2,H+_*2);let N=G=>{if(c[G]!=null){let J=m(f(a[G],l,S,d)),k=m(h(c[G],
+u,p,x));A(T,J+E,k),M(T,J,k,E,0,aa*2)}};if(r)r.forEach(N);else for(let G=n;G<=s;G++)N(G);return{stroke:P>0?T:null,fill:T,clip:O,flags:cr|Xc}})}function Sd(i){return(e,t,n,s,r,o)=>{
+n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var R0=Sd(hr),P0=Sd(fr);function Md(i){let e=yt(i?.alignGaps,0);return(t,n,s,r)=>Us(t,n,(o,a,c,l,u,f,h,d,x,S,p)=>{
+[s,r]=ha(c,s,r);let m=o.pxRound,v=H=>m(f(H,l,S,d)),A=H=>m(h(H,u,p,x)),M,P;l.ori==0?(M=hr,P=R0):(M=fr,P=P0);let E=l.dir*(l.ori==0?1:-1),_={stroke:new Path2D,fill:null,
+clip:null,band:null,gaps:null,flags:cr},T=_.stroke,O=!1;if(r-s>=S*4){let H=ue=>t.posToVal(ue,l.key,!0),N=null,G=null,J,k,le,$=v(a[E==1?s:r]),Q=v(a[s]),ie=v(a[r]),
+he=H(E==1?Q+1:ie-1);for(let ue=E==1?s:r;ue>=s&&ue<=r;ue+=E){let j=a[ue],_e=(E==1?j<he:j>he)?$:v(j),Ae=c[ue];_e==$?Ae!=null?(k=Ae,N==null?(M(T,_e,A(k)),J=N=G=k):
 k<N?N=k:k>G&&(G=k)):Ae===null&&(O=!0):(N!=null&&P(T,$,A(N),A(G),A(J),A(k)),Ae!=null?(k=Ae,M(T,_e,A(k)),N=G=J=k):(N=G=null,Ae===null&&(O=!0)),$=_e,he=H($+E))}N!=
-null&&N!=G&&le!=$&&P(T,$,A(N),A(G),A(J),A(k))}else for(let H=E==1?s:r;H>=s&&H<=r;H+=E){let N=l[H];N===null?O=!0:N!=null&&M(T,v(a[H]),A(N))}let[L,V]=ru(t,n);if(o.
+null&&N!=G&&le!=$&&P(T,$,A(N),A(G),A(J),A(k))}else for(let H=E==1?s:r;H>=s&&H<=r;H+=E){let N=c[H];N===null?O=!0:N!=null&&M(T,v(a[H]),A(N))}let[L,V]=ru(t,n);if(o.
 fill!=null||L!=0){let H=_.fill=new Path2D(T),N=o.fillTo(t,n,o.min,o.max,L),G=A(N),J=v(a[s]),k=v(a[r]);E==-1&&([k,J]=[J,k]),M(H,k,G),M(H,J,G)}if(!o.spanGaps){let H=[];
-O&&H.push(...ou(a,l,s,r,E,v,e)),_.gaps=H=o.gaps(t,n,s,r,H),_.clip=ma(H,c.ori,d,x,S,p)}return V!=0&&(_.band=V==2?[Wi(t,n,s,r,T,-1),Wi(t,n,s,r,T,1)]:Wi(t,n,s,r,T,
-V)),_})}function P0(i){let e=yt(i.align,1),t=yt(i.ascDesc,!1),n=yt(i.alignGaps,0),s=yt(i.extend,!1);return(r,o,a,l)=>Us(r,o,(c,u,f,h,d,x,S,p,m,v,A)=>{[a,l]=ha(f,
-a,l);let M=c.pxRound,{left:P,width:E}=r.bbox,_=Q=>M(x(Q,h,v,p)),T=Q=>M(S(Q,d,A,m)),O=h.ori==0?hr:fr,D={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,
-flags:cr},L=D.stroke,V=h.dir*(h.ori==0?1:-1),H=T(f[V==1?a:l]),N=_(u[V==1?a:l]),G=N,J=N;s&&e==-1&&(J=P,O(L,J,H)),O(L,N,H);for(let Q=V==1?a:l;Q>=a&&Q<=l;Q+=V){let ie=f[Q];
-if(ie==null)continue;let he=_(u[Q]),ue=T(ie);e==1?O(L,he,H):O(L,G,ue),O(L,he,ue),H=ue,G=he}let k=G;s&&e==1&&(k=P+E,O(L,k,H));let[le,$]=ru(r,o);if(c.fill!=null||
-le!=0){let Q=D.fill=new Path2D(L),ie=c.fillTo(r,o,c.min,c.max,le),he=T(ie);O(Q,k,he),O(Q,J,he)}if(!c.spanGaps){let Q=[];Q.push(...ou(u,f,a,l,V,_,n));let ie=c.width*
-Mt/2,he=t||e==1?ie:-ie,ue=t||e==-1?-ie:ie;Q.forEach(j=>{j[0]+=he,j[1]+=ue}),D.gaps=Q=c.gaps(r,o,a,l,Q),D.clip=ma(Q,h.ori,p,m,v,A)}return $!=0&&(D.band=$==2?[Wi(
-r,o,a,l,L,-1),Wi(r,o,a,l,L,1)]:Wi(r,o,a,l,L,$)),D})}function Uf(i,e,t,n,s,r,o=Lt){if(i.length>1){let a=null;for(let l=0,c=1/0;l<i.length;l++)if(e[l]!==void 0){if(a!=
-null){let u=un(i[l]-i[a]);u<c&&(c=u,o=un(t(i[l],n,s,r)-t(i[a],n,s,r)))}a=l}}return o}function I0(i){i=i||io;let e=yt(i.size,[.6,Lt,1]),t=i.align||0,n=i.gap||0,s=i.
-radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=mt(s),o=1-e[0],a=yt(e[1],Lt),l=yt(e[2],1),c=yt(i.disp,io),u=yt(i.each,d=>{}),{fill:f,stroke:h}=c;return(d,x,S,p)=>Us(
-d,x,(m,v,A,M,P,E,_,T,O,D,L)=>{let V=m.pxRound,H=t,N=n*Mt,G=a*Mt,J=l*Mt,k,le;M.ori==0?[k,le]=r(d,x):[le,k]=r(d,x);let $=M.dir*(M.ori==0?1:-1),Q=M.ori==0?xa:au,ie=M.
+O&&H.push(...ou(a,c,s,r,E,v,e)),_.gaps=H=o.gaps(t,n,s,r,H),_.clip=ma(H,l.ori,d,x,S,p)}return V!=0&&(_.band=V==2?[Wi(t,n,s,r,T,-1),Wi(t,n,s,r,T,1)]:Wi(t,n,s,r,T,
+V)),_})}function I0(i){let e=yt(i.align,1),t=yt(i.ascDesc,!1),n=yt(i.alignGaps,0),s=yt(i.extend,!1);return(r,o,a,c)=>Us(r,o,(l,u,f,h,d,x,S,p,m,v,A)=>{[a,c]=ha(f,
+a,c);let M=l.pxRound,{left:P,width:E}=r.bbox,_=Q=>M(x(Q,h,v,p)),T=Q=>M(S(Q,d,A,m)),O=h.ori==0?hr:fr,D={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,
+flags:cr},L=D.stroke,V=h.dir*(h.ori==0?1:-1),H=T(f[V==1?a:c]),N=_(u[V==1?a:c]),G=N,J=N;s&&e==-1&&(J=P,O(L,J,H)),O(L,N,H);for(let Q=V==1?a:c;Q>=a&&Q<=c;Q+=V){let ie=f[Q];
+if(ie==null)continue;let he=_(u[Q]),ue=T(ie);e==1?O(L,he,H):O(L,G,ue),O(L,he,ue),H=ue,G=he}let k=G;s&&e==1&&(k=P+E,O(L,k,H));let[le,$]=ru(r,o);if(l.fill!=null||
+le!=0){let Q=D.fill=new Path2D(L),ie=l.fillTo(r,o,l.min,l.max,le),he=T(ie);O(Q,k,he),O(Q,J,he)}if(!l.spanGaps){let Q=[];Q.push(...ou(u,f,a,c,V,_,n));let ie=l.width*
+Mt/2,he=t||e==1?ie:-ie,ue=t||e==-1?-ie:ie;Q.forEach(j=>{j[0]+=he,j[1]+=ue}),D.gaps=Q=l.gaps(r,o,a,c,Q),D.clip=ma(Q,h.ori,p,m,v,A)}return $!=0&&(D.band=$==2?[Wi(
+r,o,a,c,L,-1),Wi(r,o,a,c,L,1)]:Wi(r,o,a,c,L,$)),D})}function Ff(i,e,t,n,s,r,o=Lt){if(i.length>1){let a=null;for(let c=0,l=1/0;c<i.length;c++)if(e[c]!==void 0){if(a!=
+null){let u=un(i[c]-i[a]);u<l&&(l=u,o=un(t(i[c],n,s,r)-t(i[a],n,s,r)))}a=c}}return o}function L0(i){i=i||io;let e=yt(i.size,[.6,Lt,1]),t=i.align||0,n=i.gap||0,s=i.
+radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=mt(s),o=1-e[0],a=yt(e[1],Lt),c=yt(e[2],1),l=yt(i.disp,io),u=yt(i.each,d=>{}),{fill:f,stroke:h}=l;return(d,x,S,p)=>Us(
+d,x,(m,v,A,M,P,E,_,T,O,D,L)=>{let V=m.pxRound,H=t,N=n*Mt,G=a*Mt,J=c*Mt,k,le;M.ori==0?[k,le]=r(d,x):[le,k]=r(d,x);let $=M.dir*(M.ori==0?1:-1),Q=M.ori==0?xa:au,ie=M.
 ori==0?u:(Ce,Xe,nt,Me,It,ze,We)=>{u(Ce,Xe,nt,It,Me,We,ze)},he=yt(d.bands,eu).find(Ce=>Ce.series[0]==x),ue=he!=null?he.dir:0,j=m.fillTo(d,x,m.min,m.max,ue),pe=V(
 _(j,P,L,O)),_e,Ae,Se,Ge=D,tt=V(m.width*Mt),ke=!1,ct=null,rt=null,je=null,Vt=null;f!=null&&(tt==0||h!=null)&&(ke=!0,ct=f.values(d,x,S,p),rt=new Map,new Set(ct).forEach(
-Ce=>{Ce!=null&&rt.set(Ce,new Path2D)}),tt>0&&(je=h.values(d,x,S,p),Vt=new Map,new Set(je).forEach(Ce=>{Ce!=null&&Vt.set(Ce,new Path2D)})));let{x0:Nt,size:Qt}=c;
+Ce=>{Ce!=null&&rt.set(Ce,new Path2D)}),tt>0&&(je=h.values(d,x,S,p),Vt=new Map,new Set(je).forEach(Ce=>{Ce!=null&&Vt.set(Ce,new Path2D)})));let{x0:Nt,size:Qt}=l;
 if(Nt!=null&&Qt!=null){H=1,v=Nt.values(d,x,S,p),Nt.unit==2&&(v=v.map(nt=>d.posToVal(T+nt*D,M.key,!0)));let Ce=Qt.values(d,x,S,p);Qt.unit==2?Ae=Ce[0]*D:Ae=E(Ce[0],
-M,D,T)-E(0,M,D,T),Ge=Uf(v,A,E,M,D,T,Ge),Se=Ge-Ae+N}else Ge=Uf(v,A,E,M,D,T,Ge),Se=Ge*o+N,Ae=Ge-Se;Se<1&&(Se=0),tt>=Ae/2&&(tt=0),Se<5&&(V=Wf);let Rt=Se>0,mn=Ge-Se-
+M,D,T)-E(0,M,D,T),Ge=Ff(v,A,E,M,D,T,Ge),Se=Ge-Ae+N}else Ge=Ff(v,A,E,M,D,T,Ge),Se=Ge*o+N,Ae=Ge-Se;Se<1&&(Se=0),tt>=Ae/2&&(tt=0),Se<5&&(V=Xf);let Rt=Se>0,mn=Ge-Se-
 (Rt?tt:0);Ae=V(Gc(mn,J,G)),_e=(H==0?Ae/2:H==$?0:Ae)-H*$*((H==0?N/2:0)+(Rt?tt/2:0));let xt={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},an=ke?null:
-new Path2D,Xt=null;if(he!=null)Xt=d.data[he.series[1]];else{let{y0:Ce,y1:Xe}=c;Ce!=null&&Xe!=null&&(A=Xe.values(d,x,S,p),Xt=Ce.values(d,x,S,p))}let jt=k*Ae,F=le*
-Ae;for(let Ce=$==1?S:p;Ce>=S&&Ce<=p;Ce+=$){let Xe=A[Ce];if(Xe==null)continue;if(Xt!=null){let W=Xt[Ce]??0;if(Xe-W==0)continue;pe=_(W,P,L,O)}let nt=M.distr!=2||c!=
+new Path2D,Xt=null;if(he!=null)Xt=d.data[he.series[1]];else{let{y0:Ce,y1:Xe}=l;Ce!=null&&Xe!=null&&(A=Xe.values(d,x,S,p),Xt=Ce.values(d,x,S,p))}let jt=k*Ae,F=le*
+Ae;for(let Ce=$==1?S:p;Ce>=S&&Ce<=p;Ce+=$){let Xe=A[Ce];if(Xe==null)continue;if(Xt!=null){let W=Xt[Ce]??0;if(Xe-W==0)continue;pe=_(W,P,L,O)}let nt=M.distr!=2||l!=
 null?v[Ce]:Ce,Me=E(nt,M,D,T),It=_(yt(Xe,j),P,L,O),ze=V(Me-_e),We=V(Dn(It,pe)),C=V(fi(It,pe)),y=We-C;if(Xe!=null){let W=Xe<0?F:jt,ce=Xe<0?jt:F;ke?(tt>0&&je[Ce]!=
 null&&Q(Vt.get(je[Ce]),ze,C+Wn(tt/2),Ae,Dn(0,y-tt),W,ce),ct[Ce]!=null&&Q(rt.get(ct[Ce]),ze,C+Wn(tt/2),Ae,Dn(0,y-tt),W,ce)):Q(an,ze,C+Wn(tt/2),Ae,Dn(0,y-tt),W,ce),
-ie(d,x,Ce,ze-tt/2,C,Ae+tt,y)}}return tt>0?xt.stroke=ke?Vt:an:ke||(xt._fill=m.width==0?m._fill:m._stroke??m._fill,xt.width=0),xt.fill=ke?rt:an,xt})}function L0(i,e){
-let t=yt(e?.alignGaps,0);return(n,s,r,o)=>Us(n,s,(a,l,c,u,f,h,d,x,S,p,m)=>{[r,o]=ha(c,r,o);let v=a.pxRound,A=k=>v(h(k,u,p,x)),M=k=>v(d(k,f,m,S)),P,E,_;u.ori==0?
-(P=ga,_=hr,E=_d):(P=_a,_=fr,E=xd);let T=u.dir*(u.ori==0?1:-1),O=A(l[T==1?r:o]),D=O,L=[],V=[];for(let k=T==1?r:o;k>=r&&k<=o;k+=T)if(c[k]!=null){let $=l[k],Q=A($);
-L.push(D=Q),V.push(M(c[k]))}let H={stroke:i(L,V,P,_,E,v),fill:null,clip:null,band:null,gaps:null,flags:cr},N=H.stroke,[G,J]=ru(n,s);if(a.fill!=null||G!=0){let k=H.
-fill=new Path2D(N),le=a.fillTo(n,s,a.min,a.max,G),$=M(le);_(k,D,$),_(k,O,$)}if(!a.spanGaps){let k=[];k.push(...ou(l,c,r,o,T,A,t)),H.gaps=k=a.gaps(n,s,r,o,k),H.clip=
-ma(k,u.ori,x,S,p,m)}return J!=0&&(H.band=J==2?[Wi(n,s,r,o,N,-1),Wi(n,s,r,o,N,1)]:Wi(n,s,r,o,N,J)),H})}function D0(i){return L0(N0,i)}function N0(i,e,t,n,s,r){let o=i.
-length;if(o<2)return null;let a=new Path2D;if(t(a,i[0],e[0]),o==2)n(a,i[1],e[1]);else{let l=Array(o),c=Array(o-1),u=Array(o-1),f=Array(o-1);for(let h=0;h<o-1;h++)
-u[h]=e[h+1]-e[h],f[h]=i[h+1]-i[h],c[h]=u[h]/f[h];l[0]=c[0];for(let h=1;h<o-1;h++)c[h]===0||c[h-1]===0||c[h-1]>0!=c[h]>0?l[h]=0:(l[h]=3*(f[h-1]+f[h])/((2*f[h]+f[h-
-1])/c[h-1]+(f[h]+2*f[h-1])/c[h]),isFinite(l[h])||(l[h]=0));l[o-1]=c[o-2];for(let h=0;h<o-1;h++)s(a,i[h]+f[h]/3,e[h]+l[h]*f[h]/3,i[h+1]-f[h]/3,e[h+1]-l[h+1]*f[h]/
-3,i[h+1],e[h+1])}return a}var qc=new Set;function Ff(){for(let i of qc)i.syncRect(!0)}ur&&(Ds(pg,rr,Ff),Ds(mg,rr,Ff,!0),Ds(la,rr,()=>{hn.pxRatio=Mt}));var U0=Sd(),
-F0=vd();function Of(i,e,t,n){return(n?[i[0],i[1]].concat(i.slice(2)):[i[0]].concat(i.slice(1))).map((r,o)=>Yc(r,o,e,t))}function O0(i,e){return i.map((t,n)=>n==
-0?{}:rn({},e,t))}function Yc(i,e,t,n){return rn({},e==0?t:n,i)}function Md(i,e,t){return e==null?ar:[e,t]}var B0=Md;function z0(i,e,t){return e==null?ar:ca(e,t,
-Qc,!0)}function bd(i,e,t,n){return e==null?ar:fa(e,t,i.scales[n].log,!1)}var k0=bd;function wd(i,e,t,n){return e==null?ar:Kc(e,t,i.scales[n].log,!1)}var V0=wd;function G0(i,e,t,n,s){
-let r=Dn(mf(i),mf(e)),o=e-i,a=hi(s/n*o,t);do{let l=t[a],c=n*l/o;if(c>=s&&r+(l<5?ds.get(l):0)<=17)return[l,c]}while(++a<t.length);return[0,0]}function Bf(i){let e,
-t;return i=i.replace(/(\d+)px/,(n,s)=>(e=cn((t=+s)*Mt))+"px"),[i,e,t]}function H0(i){i.show&&[i.font,i.labelFont].forEach(e=>{let t=Dt(e[2]*Mt,1);e[0]=e[0].replace(
+ie(d,x,Ce,ze-tt/2,C,Ae+tt,y)}}return tt>0?xt.stroke=ke?Vt:an:ke||(xt._fill=m.width==0?m._fill:m._stroke??m._fill,xt.width=0),xt.fill=ke?rt:an,xt})}function D0(i,e){
+let t=yt(e?.alignGaps,0);return(n,s,r,o)=>Us(n,s,(a,c,l,u,f,h,d,x,S,p,m)=>{[r,o]=ha(l,r,o);let v=a.pxRound,A=k=>v(h(k,u,p,x)),M=k=>v(d(k,f,m,S)),P,E,_;u.ori==0?
+(P=ga,_=hr,E=xd):(P=_a,_=fr,E=vd);let T=u.dir*(u.ori==0?1:-1),O=A(c[T==1?r:o]),D=O,L=[],V=[];for(let k=T==1?r:o;k>=r&&k<=o;k+=T)if(l[k]!=null){let $=c[k],Q=A($);
+L.push(D=Q),V.push(M(l[k]))}let H={stroke:i(L,V,P,_,E,v),fill:null,clip:null,band:null,gaps:null,flags:cr},N=H.stroke,[G,J]=ru(n,s);if(a.fill!=null||G!=0){let k=H.
+fill=new Path2D(N),le=a.fillTo(n,s,a.min,a.max,G),$=M(le);_(k,D,$),_(k,O,$)}if(!a.spanGaps){let k=[];k.push(...ou(c,l,r,o,T,A,t)),H.gaps=k=a.gaps(n,s,r,o,k),H.clip=
+ma(k,u.ori,x,S,p,m)}return J!=0&&(H.band=J==2?[Wi(n,s,r,o,N,-1),Wi(n,s,r,o,N,1)]:Wi(n,s,r,o,N,J)),H})}function N0(i){return D0(U0,i)}function U0(i,e,t,n,s,r){let o=i.
+length;if(o<2)return null;let a=new Path2D;if(t(a,i[0],e[0]),o==2)n(a,i[1],e[1]);else{let c=Array(o),l=Array(o-1),u=Array(o-1),f=Array(o-1);for(let h=0;h<o-1;h++)
+u[h]=e[h+1]-e[h],f[h]=i[h+1]-i[h],l[h]=u[h]/f[h];c[0]=l[0];for(let h=1;h<o-1;h++)l[h]===0||l[h-1]===0||l[h-1]>0!=l[h]>0?c[h]=0:(c[h]=3*(f[h-1]+f[h])/((2*f[h]+f[h-
+1])/l[h-1]+(f[h]+2*f[h-1])/l[h]),isFinite(c[h])||(c[h]=0));c[o-1]=l[o-2];for(let h=0;h<o-1;h++)s(a,i[h]+f[h]/3,e[h]+c[h]*f[h]/3,i[h+1]-f[h]/3,e[h+1]-c[h+1]*f[h]/
+3,i[h+1],e[h+1])}return a}var qc=new Set;function Of(){for(let i of qc)i.syncRect(!0)}ur&&(Ds(mg,rr,Of),Ds(gg,rr,Of,!0),Ds(la,rr,()=>{hn.pxRatio=Mt}));var F0=Md(),
+O0=yd();function Bf(i,e,t,n){return(n?[i[0],i[1]].concat(i.slice(2)):[i[0]].concat(i.slice(1))).map((r,o)=>Yc(r,o,e,t))}function B0(i,e){return i.map((t,n)=>n==
+0?{}:rn({},e,t))}function Yc(i,e,t,n){return rn({},e==0?t:n,i)}function bd(i,e,t){return e==null?ar:[e,t]}var z0=bd;function k0(i,e,t){return e==null?ar:ca(e,t,
+Qc,!0)}function wd(i,e,t,n){return e==null?ar:fa(e,t,i.scales[n].log,!1)}var V0=wd;function Td(i,e,t,n){return e==null?ar:Kc(e,t,i.scales[n].log,!1)}var G0=Td;function H0(i,e,t,n,s){
+let r=Dn(gf(i),gf(e)),o=e-i,a=hi(s/n*o,t);do{let c=t[a],l=n*c/o;if(l>=s&&r+(c<5?ds.get(c):0)<=17)return[c,l]}while(++a<t.length);return[0,0]}function zf(i){let e,
+t;return i=i.replace(/(\d+)px/,(n,s)=>(e=cn((t=+s)*Mt))+"px"),[i,e,t]}function W0(i){i.show&&[i.font,i.labelFont].forEach(e=>{let t=Dt(e[2]*Mt,1);e[0]=e[0].replace(
 /[0-9.]+px/,t+"px"),e[1]=t})}function hn(i,e,t){let n={mode:yt(i.mode,1)},s=n.mode;function r(g,b,R,I){let z=b.valToPct(g);return I+R*(b.dir==-1?1-z:z)}function o(g,b,R,I){
-let z=b.valToPct(g);return I+R*(b.dir==-1?z:1-z)}function a(g,b,R,I){return b.ori==0?r(g,b,R,I):o(g,b,R,I)}n.valToPosH=r,n.valToPosV=o;let l=!1;n.status=0;let c=n.
-root=ti($m);if(i.id!=null&&(c.id=i.id),Hn(c,i.class),i.title){let g=ti(jm,c);g.textContent=i.title}let u=ui("canvas"),f=n.ctx=u.getContext("2d"),h=ti(eg,c);Ds("\
-click",h,g=>{g.target===x&&(Ft!=Qs||Gt!=js)&&Mn.click(n,g)},!0);let d=n.under=ti(tg,h);h.appendChild(u);let x=n.over=ti(ng,h);i=lr(i);let S=+yt(i.pxAlign,1),p=Nf(
-S);(i.plugins||[]).forEach(g=>{g.opts&&(i=g.opts(n,i)||i)});let m=i.ms||.001,v=n.series=s==1?Of(i.series||[],Ef,Lf,!1):O0(i.series||[null],If),A=n.axes=Of(i.axes||
-[],Af,Rf,!0),M=n.scales={},P=n.bands=i.bands||[];P.forEach(g=>{g.fill=mt(g.fill||null),g.dir=yt(g.dir,-1)});let E=s==2?v[1].facets[0].scale:v[0].scale,_={axes:Vi,
+let z=b.valToPct(g);return I+R*(b.dir==-1?z:1-z)}function a(g,b,R,I){return b.ori==0?r(g,b,R,I):o(g,b,R,I)}n.valToPosH=r,n.valToPosV=o;let c=!1;n.status=0;let l=n.
+root=ti(Km);if(i.id!=null&&(l.id=i.id),Hn(l,i.class),i.title){let g=ti(eg,l);g.textContent=i.title}let u=ui("canvas"),f=n.ctx=u.getContext("2d"),h=ti(tg,l);Ds("\
+click",h,g=>{g.target===x&&(Ft!=Qs||Gt!=js)&&Mn.click(n,g)},!0);let d=n.under=ti(ng,h);h.appendChild(u);let x=n.over=ti(ig,h);i=lr(i);let S=+yt(i.pxAlign,1),p=Uf(
+S);(i.plugins||[]).forEach(g=>{g.opts&&(i=g.opts(n,i)||i)});let m=i.ms||.001,v=n.series=s==1?Bf(i.series||[],Cf,Df,!1):B0(i.series||[null],Lf),A=n.axes=Bf(i.axes||
+[],Ef,Pf,!0),M=n.scales={},P=n.bands=i.bands||[];P.forEach(g=>{g.fill=mt(g.fill||null),g.dir=yt(g.dir,-1)});let E=s==2?v[1].facets[0].scale:v[0].scale,_={axes:Vi,
 series:ht},T=(i.drawOrder||["axes","series"]).map(g=>_[g]);function O(g){let b=g.distr==3?R=>Hi(R>0?R:g.clamp(n,R,g.min,g.max,g.key)):g.distr==4?R=>Nc(R,g.asinh):
 g.distr==100?R=>g.fwd(R):R=>R;return R=>{let I=b(R),{_min:z,_max:Z}=g,oe=Z-z;return(I-z)/oe}}function D(g){let b=M[g];if(b==null){let R=(i.scales||io)[g]||io;if(R.
-from!=null){D(R.from);let I=rn({},M[R.from],R,{key:g});I.valToPct=O(I),M[g]=I}else{b=M[g]=rn({},g==E?fd:T0,R),b.key=g;let I=b.time,z=b.range,Z=fs(z);if((g!=E||s==
-2&&!I)&&(Z&&(z[0]==null||z[1]==null)&&(z={min:z[0]==null?ff:{mode:1,hard:z[0],soft:z[0]},max:z[1]==null?ff:{mode:1,hard:z[1],soft:z[1]}},Z=!1),!Z&&pa(z))){let oe=z;
-z=(fe,ve,Le)=>ve==null?ar:ca(ve,Le,oe)}b.range=mt(z||(I?B0:g==E?b.distr==3?k0:b.distr==4?V0:Md:b.distr==3?bd:b.distr==4?wd:z0)),b.auto=mt(Z?!1:b.auto),b.clamp=mt(
-b.clamp||w0),b._min=b._max=null,b.valToPct=O(b)}}}D("x"),D("y"),s==1&&v.forEach(g=>{D(g.scale)}),A.forEach(g=>{D(g.scale)});for(let g in i.scales)D(g);let L=M[E],
-V=L.distr,H,N;L.ori==0?(Hn(c,Km),H=r,N=o):(Hn(c,Qm),H=o,N=r);let G={};for(let g in M){let b=M[g];(b.min!=null||b.max!=null)&&(G[g]={min:b.min,max:b.max},b.min=b.
-max=null)}let J=i.tzDate||(g=>new Date(cn(g/m))),k=i.fmtDate||tu,le=m==1?Kg(J):e0(J),$=bf(J,Mf(m==1?$g:jg,k)),Q=Tf(J,wf(n0,k)),ie=[],he=n.legend=rn({},r0,i.legend),
-ue=n.cursor=rn({},h0,{drag:{y:s==2}},i.cursor),j=he.show,pe=ue.show,_e=he.markers;he.idxs=ie,_e.width=mt(_e.width),_e.dash=mt(_e.dash),_e.stroke=mt(_e.stroke),_e.
+from!=null){D(R.from);let I=rn({},M[R.from],R,{key:g});I.valToPct=O(I),M[g]=I}else{b=M[g]=rn({},g==E?dd:A0,R),b.key=g;let I=b.time,z=b.range,Z=fs(z);if((g!=E||s==
+2&&!I)&&(Z&&(z[0]==null||z[1]==null)&&(z={min:z[0]==null?df:{mode:1,hard:z[0],soft:z[0]},max:z[1]==null?df:{mode:1,hard:z[1],soft:z[1]}},Z=!1),!Z&&pa(z))){let oe=z;
+z=(fe,ve,Le)=>ve==null?ar:ca(ve,Le,oe)}b.range=mt(z||(I?z0:g==E?b.distr==3?V0:b.distr==4?G0:bd:b.distr==3?wd:b.distr==4?Td:k0)),b.auto=mt(Z?!1:b.auto),b.clamp=mt(
+b.clamp||T0),b._min=b._max=null,b.valToPct=O(b)}}}D("x"),D("y"),s==1&&v.forEach(g=>{D(g.scale)}),A.forEach(g=>{D(g.scale)});for(let g in i.scales)D(g);let L=M[E],
+V=L.distr,H,N;L.ori==0?(Hn(l,Qm),H=r,N=o):(Hn(l,jm),H=o,N=r);let G={};for(let g in M){let b=M[g];(b.min!=null||b.max!=null)&&(G[g]={min:b.min,max:b.max},b.min=b.
+max=null)}let J=i.tzDate||(g=>new Date(cn(g/m))),k=i.fmtDate||tu,le=m==1?Qg(J):t0(J),$=wf(J,bf(m==1?Kg:e0,k)),Q=Af(J,Tf(i0,k)),ie=[],he=n.legend=rn({},o0,i.legend),
+ue=n.cursor=rn({},f0,{drag:{y:s==2}},i.cursor),j=he.show,pe=ue.show,_e=he.markers;he.idxs=ie,_e.width=mt(_e.width),_e.dash=mt(_e.dash),_e.stroke=mt(_e.stroke),_e.
 fill=mt(_e.fill);let Ae,Se,Ge,tt=[],ke=[],ct,rt=!1,je={};if(he.live){let g=v[1]?v[1].values:null;rt=g!=null,ct=rt?g(n,1,0):{_:0};for(let b in ct)je[b]=Jc}if(j)if(Ae=
-ui("table",lg,c),Ge=ui("tbody",null,Ae),he.mount(n,Ae),rt){Se=ui("thead",null,Ae,Ge);let g=ui("tr",null,Se);ui("th",null,g);for(var Vt in ct)ui("th",Qh,g).textContent=
-Vt}else Hn(Ae,ug),he.live&&Hn(Ae,cg);let Nt={show:!0},Qt={show:!1};function Rt(g,b){if(b==0&&(rt||!he.live||s==2))return ar;let R=[],I=ui("tr",hg,Ge,Ge.childNodes[b]);
-Hn(I,g.class),g.show||Hn(I,Ls);let z=ui("th",null,I);if(_e.show){let fe=ti(fg,z);if(b>0){let ve=_e.width(n,b);ve&&(fe.style.border=ve+"px "+_e.dash(n,b)+" "+_e.
-stroke(n,b)),fe.style.background=_e.fill(n,b)}}let Z=ti(Qh,z);g.label instanceof HTMLElement?Z.appendChild(g.label):Z.textContent=g.label,b>0&&(_e.show||(Z.style.
+ui("table",cg,l),Ge=ui("tbody",null,Ae),he.mount(n,Ae),rt){Se=ui("thead",null,Ae,Ge);let g=ui("tr",null,Se);ui("th",null,g);for(var Vt in ct)ui("th",jh,g).textContent=
+Vt}else Hn(Ae,hg),he.live&&Hn(Ae,ug);let Nt={show:!0},Qt={show:!1};function Rt(g,b){if(b==0&&(rt||!he.live||s==2))return ar;let R=[],I=ui("tr",fg,Ge,Ge.childNodes[b]);
+Hn(I,g.class),g.show||Hn(I,Ls);let z=ui("th",null,I);if(_e.show){let fe=ti(dg,z);if(b>0){let ve=_e.width(n,b);ve&&(fe.style.border=ve+"px "+_e.dash(n,b)+" "+_e.
+stroke(n,b)),fe.style.background=_e.fill(n,b)}}let Z=ti(jh,z);g.label instanceof HTMLElement?Z.appendChild(g.label):Z.textContent=g.label,b>0&&(_e.show||(Z.style.
 color=g.width>0?_e.stroke(n,b):_e.fill(n,b)),xt("click",z,fe=>{if(ue._lock)return;Ze(fe);let ve=v.indexOf(g);if((fe.ctrlKey||fe.metaKey)!=he.isolate){let Le=v.some(
-(De,Ue)=>Ue>0&&Ue!=ve&&De.show);v.forEach((De,Ue)=>{Ue>0&&wi(Ue,Le?Ue==ve?Nt:Qt:Nt,!0,sn.setSeries)})}else wi(ve,{show:!g.show},!0,sn.setSeries)},!1),Je&&xt(nf,
-z,fe=>{ue._lock||(Ze(fe),wi(v.indexOf(g),tr,!0,sn.setSeries))},!1));for(var oe in ct){let fe=ui("td",dg,I);fe.textContent="--",R.push(fe)}return[I,R]}let mn=new Map;
+(De,Ue)=>Ue>0&&Ue!=ve&&De.show);v.forEach((De,Ue)=>{Ue>0&&wi(Ue,Le?Ue==ve?Nt:Qt:Nt,!0,sn.setSeries)})}else wi(ve,{show:!g.show},!0,sn.setSeries)},!1),Je&&xt(sf,
+z,fe=>{ue._lock||(Ze(fe),wi(v.indexOf(g),tr,!0,sn.setSeries))},!1));for(var oe in ct){let fe=ui("td",pg,I);fe.textContent="--",R.push(fe)}return[I,R]}let mn=new Map;
 function xt(g,b,R,I=!0){let z=mn.get(b)||{},Z=ue.bind[g](n,b,R,I);Z&&(Ds(g,b,z[g]=Z),mn.set(b,z))}function an(g,b,R){let I=mn.get(b)||{};for(let z in I)(g==null||
 z==g)&&(Vc(z,b,I[z]),delete I[z]);g==null&&mn.delete(b)}let Xt=0,jt=0,F=0,Ce=0,Xe=0,nt=0,Me=Xe,It=nt,ze=F,We=Ce,C=0,y=0,W=0,ce=0;n.bbox={};let re=!1,ge=!1,xe=!1,
 ee=!1,ne=!1,de=!1;function U(g,b,R){(R||g!=n.width||b!=n.height)&&se(g,b),ot(!1),xe=!0,ge=!0,bn()}function se(g,b){n.width=Xt=F=g,n.height=jt=Ce=b,Xe=nt=0,ye(),
@@ -214,32 +214,32 @@ ve=null;let dt=null,Ye=null,He;if(I==0||I==-1)for(He=oe;dt==null&&He-- >0;)b.has
 (Ye=He);if(dt!=null||Ye!=null)if(De){let Bt=dt==null?-1/0:H(St[dt],L,Ue,0),Zt=Ye==null?1/0:H(St[Ye],L,Ue,0),vn=et-Bt,Pt=Zt-et;vn<=Pt?vn<=Le&&(ve=dt):Pt<=Le&&(ve=
 Ye)}else ve=Ye==null?dt:dt==null?Ye:oe-dt<=Ye-oe?dt:Ye}else De&&un(et-H(St[oe],L,Ue,0))>Le&&(ve=null);return ve}}let Ze=g=>{ue.event=g};ue.idxs=ie,ue._lock=!1;let ae=ue.
 points;ae.show=mt(ae.show),ae.size=mt(ae.size),ae.stroke=mt(ae.stroke),ae.width=mt(ae.width),ae.fill=mt(ae.fill);let Fe=n.focus=rn({},i.focus||{alpha:.3},ue.focus),
-Je=Fe.prox>=0,Ee=Je&&ae.one,it=[],Ut=[],Cn=[];function Wr(g,b){let R=ae.show(n,b);if(R instanceof HTMLElement)return Hn(R,ag),Hn(R,g.class),Ci(R,-10,-10,F,Ce),x.
-insertBefore(R,it[b]),R}function qs(g,b){if(s==1||b>0){let R=s==1&&M[g.scale].time,I=g.value;g.value=R?xf(I)?Tf(J,wf(I,k)):I||Q:I||S0,g.label=g.label||(R?d0:f0)}
-if(Ee||b>0){g.width=g.width==null?1:g.width,g.paths=g.paths||U0||Tg,g.fillTo=mt(g.fillTo||A0),g.pxAlign=+yt(g.pxAlign,S),g.pxRound=Nf(g.pxAlign),g.stroke=mt(g.stroke||
-null),g.fill=mt(g.fill||null),g._stroke=g._fill=g._paths=g._focus=null;let R=M0(Dn(1,g.width),1),I=g.points=rn({},{size:R,width:Dn(1,R*.2),stroke:g.stroke,space:R*
-2,paths:F0,_stroke:null,_fill:null},g.points);I.show=mt(I.show),I.filter=mt(I.filter),I.fill=mt(I.fill),I.stroke=mt(I.stroke),I.paths=mt(I.paths),I.pxAlign=g.pxAlign}
+Je=Fe.prox>=0,Ee=Je&&ae.one,it=[],Ut=[],Cn=[];function Wr(g,b){let R=ae.show(n,b);if(R instanceof HTMLElement)return Hn(R,lg),Hn(R,g.class),Ci(R,-10,-10,F,Ce),x.
+insertBefore(R,it[b]),R}function qs(g,b){if(s==1||b>0){let R=s==1&&M[g.scale].time,I=g.value;g.value=R?vf(I)?Af(J,Tf(I,k)):I||Q:I||M0,g.label=g.label||(R?p0:d0)}
+if(Ee||b>0){g.width=g.width==null?1:g.width,g.paths=g.paths||F0||Ag,g.fillTo=mt(g.fillTo||E0),g.pxAlign=+yt(g.pxAlign,S),g.pxRound=Uf(g.pxAlign),g.stroke=mt(g.stroke||
+null),g.fill=mt(g.fill||null),g._stroke=g._fill=g._paths=g._focus=null;let R=b0(Dn(1,g.width),1),I=g.points=rn({},{size:R,width:Dn(1,R*.2),stroke:g.stroke,space:R*
+2,paths:O0,_stroke:null,_fill:null},g.points);I.show=mt(I.show),I.filter=mt(I.filter),I.fill=mt(I.fill),I.stroke=mt(I.stroke),I.paths=mt(I.paths),I.pxAlign=g.pxAlign}
 if(j){let R=Rt(g,b);tt.splice(b,0,R[0]),ke.splice(b,0,R[1]),he.values.push(null)}if(pe){ie.splice(b,0,null);let R=null;Ee?b==0&&(R=Wr(g,b)):b>0&&(R=Wr(g,b)),it.
-splice(b,0,R),Ut.splice(b,0,0),Cn.splice(b,0,0)}xn("addSeries",b)}function Sc(g,b){b=b??v.length,g=s==1?Yc(g,b,Ef,Lf):Yc(g,b,{},If),v.splice(b,0,g),qs(v[b],b)}n.
+splice(b,0,R),Ut.splice(b,0,0),Cn.splice(b,0,0)}xn("addSeries",b)}function Sc(g,b){b=b??v.length,g=s==1?Yc(g,b,Cf,Df):Yc(g,b,{},Lf),v.splice(b,0,g),qs(v[b],b)}n.
 addSeries=Sc;function ea(g){if(v.splice(g,1),j){he.values.splice(g,1),ke.splice(g,1);let b=tt.splice(g,1)[0];an(null,b.firstChild),b.remove()}pe&&(ie.splice(g,1),
 it.splice(g,1)[0].remove(),Ut.splice(g,1),Cn.splice(g,1)),xn("delSeries",g)}n.delSeries=ea;let Si=[!1,!1,!1,!1];function Bi(g,b){if(g._show=g.show,g.show){let R=g.
 side%2,I=M[g.scale];I==null&&(g.scale=R?v[1].scale:E,I=M[g.scale]);let z=I.time;g.size=mt(g.size),g.space=mt(g.space),g.rotate=mt(g.rotate),fs(g.incrs)&&g.incrs.
-forEach(oe=>{!ds.has(oe)&&ds.set(oe,Yf(oe))}),g.incrs=mt(g.incrs||(I.distr==2?Yg:z?m==1?Jg:Qg:Is)),g.splits=mt(g.splits||(z&&I.distr==1?le:I.distr==3?Hc:I.distr==
-4?g0:m0)),g.stroke=mt(g.stroke),g.grid.stroke=mt(g.grid.stroke),g.ticks.stroke=mt(g.ticks.stroke),g.border.stroke=mt(g.border.stroke);let Z=g.values;g.values=fs(
-Z)&&!fs(Z[0])?mt(Z):z?fs(Z)?bf(J,Mf(Z,k)):xf(Z)?t0(J,Z):Z||$:Z||p0,g.filter=mt(g.filter||(I.distr>=3&&I.log==10?v0:I.distr==3&&I.log==2?y0:Xf)),g.font=Bf(g.font),
-g.labelFont=Bf(g.labelFont),g._size=g.size(n,null,b,0),g._space=g._rotate=g._incrs=g._found=g._splits=g._values=null,g._size>0&&(Si[b]=!0,g._el=ti(ig,h))}}function zi(g,b,R,I){
-let[z,Z,oe,fe]=R,ve=b%2,Le=0;return ve==0&&(fe||Z)&&(Le=b==0&&!z||b==2&&!oe?cn(Af.size/3):0),ve==1&&(z||oe)&&(Le=b==1&&!Z||b==3&&!fe?cn(Rf.size/2):0),Le}let Xr=n.
+forEach(oe=>{!ds.has(oe)&&ds.set(oe,Zf(oe))}),g.incrs=mt(g.incrs||(I.distr==2?Zg:z?m==1?$g:jg:Is)),g.splits=mt(g.splits||(z&&I.distr==1?le:I.distr==3?Hc:I.distr==
+4?_0:g0)),g.stroke=mt(g.stroke),g.grid.stroke=mt(g.grid.stroke),g.ticks.stroke=mt(g.ticks.stroke),g.border.stroke=mt(g.border.stroke);let Z=g.values;g.values=fs(
+Z)&&!fs(Z[0])?mt(Z):z?fs(Z)?wf(J,bf(Z,k)):vf(Z)?n0(J,Z):Z||$:Z||m0,g.filter=mt(g.filter||(I.distr>=3&&I.log==10?y0:I.distr==3&&I.log==2?S0:qf)),g.font=zf(g.font),
+g.labelFont=zf(g.labelFont),g._size=g.size(n,null,b,0),g._space=g._rotate=g._incrs=g._found=g._splits=g._values=null,g._size>0&&(Si[b]=!0,g._el=ti(sg,h))}}function zi(g,b,R,I){
+let[z,Z,oe,fe]=R,ve=b%2,Le=0;return ve==0&&(fe||Z)&&(Le=b==0&&!z||b==2&&!oe?cn(Ef.size/3):0),ve==1&&(z||oe)&&(Le=b==1&&!Z||b==3&&!fe?cn(Pf.size/2):0),Le}let Xr=n.
 padding=(i.padding||[zi,zi,zi,zi]).map(g=>mt(yt(g,zi))),ai=n._padding=Xr.map((g,b)=>g(n,b,Si,0)),qt,$t=null,Kt=null,Mi=s==1?v[0].idxs:null,zn=null,os=!1;function qr(g,b){
 if(e=g??[],n.data=n._data=e,s==2){qt=0;for(let R=1;R<v.length;R++)qt+=e[R][0].length}else{e.length==0&&(n.data=n._data=e=[[]]),zn=e[0],qt=zn.length;let R=e;if(V==
 2){R=e.slice();let I=R[0]=Array(qt);for(let z=0;z<qt;z++)I[z]=z}n._data=e=R}if(ot(!0),xn("setData"),V==2&&(xe=!0),b!==!1){let R=L;R.auto(n,os)?Yr():cs(E,R.min,R.
 max),ee=ee||ue.left>=0,de=!0,bn()}}n.setData=qr;function Yr(){os=!0;let g,b;s==1&&(qt>0?($t=Mi[0]=0,Kt=Mi[1]=qt-1,g=e[0][$t],b=e[0][Kt],V==2?(g=$t,b=Kt):g==b&&(V==
 3?[g,b]=fa(g,g,L.log,!1):V==4?[g,b]=Kc(g,g,L.log,!1):L.time?b=g+cn(86400/m):[g,b]=ca(g,b,Qc,!0))):($t=Mi[0]=g=null,Kt=Mi[1]=b=null)),cs(E,g,b)}let Ys,as,Zs,w,B,
-K,X,Y,we,Re;function Te(g,b,R,I,z,Z){g??=ef,R??=eu,I??="butt",z??=ef,Z??="round",g!=Ys&&(f.strokeStyle=Ys=g),z!=as&&(f.fillStyle=as=z),b!=Zs&&(f.lineWidth=Zs=b),
+K,X,Y,we,Re;function Te(g,b,R,I,z,Z){g??=tf,R??=eu,I??="butt",z??=tf,Z??="round",g!=Ys&&(f.strokeStyle=Ys=g),z!=as&&(f.fillStyle=as=z),b!=Zs&&(f.lineWidth=Zs=b),
 Z!=B&&(f.lineJoin=B=Z),I!=K&&(f.lineCap=K=I),R!=w&&f.setLineDash(w=R)}function Pe(g,b,R,I){b!=as&&(f.fillStyle=as=b),g!=X&&(f.font=X=g),R!=Y&&(f.textAlign=Y=R),
-I!=we&&(f.textBaseline=we=I)}function Be(g,b,R,I,z=0){if(I.length>0&&g.auto(n,os)&&(b==null||b.min==null)){let Z=yt($t,0),oe=yt(Kt,I.length-1),fe=R.min==null?vg(
+I!=we&&(f.textBaseline=we=I)}function Be(g,b,R,I,z=0){if(I.length>0&&g.auto(n,os)&&(b==null||b.min==null)){let Z=yt($t,0),oe=yt(Kt,I.length-1),fe=R.min==null?yg(
 I,Z,oe,z,g.distr==3):[R.min,R.max];g.min=fi(g.min,R.min=fe[0]),g.max=Dn(g.max,R.max=fe[1])}}let $e={min:null,max:null};function ut(){for(let I in M){let z=M[I];
 G[I]==null&&(z.min==null||G[E]!=null&&z.auto(n,os))&&(G[I]=$e)}for(let I in M){let z=M[I];G[I]==null&&z.from!=null&&G[z.from]!=null&&(G[I]=$e)}G[E]!=null&&ot(!0);
-let g={};for(let I in G){let z=G[I];if(z!=null){let Z=g[I]=lr(M[I],Cg);if(z.min!=null)rn(Z,z);else if(I!=E||s==2)if(qt==0&&Z.from==null){let oe=Z.range(n,null,null,
+let g={};for(let I in G){let z=G[I];if(z!=null){let Z=g[I]=lr(M[I],Rg);if(z.min!=null)rn(Z,z);else if(I!=E||s==2)if(qt==0&&Z.from==null){let oe=Z.range(n,null,null,
 I);Z.min=oe[0],Z.max=oe[1]}else Z.min=Lt,Z.max=-Lt}}if(qt>0){v.forEach((I,z)=>{if(s==1){let Z=I.scale,oe=G[Z];if(oe==null)return;let fe=g[Z];if(z==0){let ve=fe.
 range(n,fe.min,fe.max,Z);fe.min=ve[0],fe.max=ve[1],$t=hi(fe.min,e[0]),Kt=hi(fe.max,e[0]),Kt-$t>1&&(e[0][$t]<fe.min&&$t++,e[0][Kt]>fe.max&&Kt--),I.min=zn[$t],I.max=
 zn[Kt]}else I.show&&I.auto&&Be(fe,oe,I,e[z],I.sorted);I.idxs[0]=$t,I.idxs[1]=Kt}else if(z>0&&I.show&&I.auto){let[Z,oe]=I.facets,fe=Z.scale,ve=oe.scale,[Le,De]=e[z],
@@ -257,12 +257,12 @@ xn("drawSeries",R)}}),g&&(f.globalAlpha=Re=1)}}function Wt(g,b){let R=b?v[g].poi
 points:v[g],{stroke:I,fill:z,clip:Z,flags:oe,_stroke:fe=R._stroke,_fill:ve=R._fill,_width:Le=R.width}=R._paths;Le=Dt(Le*Mt,3);let De=null,Ue=Le%2/2;b&&ve==null&&
 (ve=Le>0?"#fff":fe);let et=R.pxAlign==1&&Ue>0;if(et&&f.translate(Ue,Ue),!b){let St=C-Le/2,vt=y-Le/2,dt=W+Le,Ye=ce+Le;De=new Path2D,De.rect(St,vt,dt,Ye)}b?Ne(fe,
 Le,R.dash,R.cap,ve,I,z,oe,Z):Et(g,fe,Le,R.dash,R.cap,ve,I,z,oe,De,Z),et&&f.translate(-Ue,-Ue)}function Et(g,b,R,I,z,Z,oe,fe,ve,Le,De){let Ue=!1;ve!=0&&P.forEach(
-(et,St)=>{if(et.series[0]==g){let vt=v[et.series[1]],dt=e[et.series[1]],Ye=(vt._paths||io).band;fs(Ye)&&(Ye=et.dir==1?Ye[0]:Ye[1]);let He,Bt=null;vt.show&&Ye&&Sg(
+(et,St)=>{if(et.series[0]==g){let vt=v[et.series[1]],dt=e[et.series[1]],Ye=(vt._paths||io).band;fs(Ye)&&(Ye=et.dir==1?Ye[0]:Ye[1]);let He,Bt=null;vt.show&&Ye&&Mg(
 dt,$t,Kt)?(Bt=et.fill(n,St)||Z,He=vt._paths.clip):Ye=null,Ne(b,R,I,z,Bt,oe,fe,ve,Le,De,He,Ye),Ue=!0}}),Ue||Ne(b,R,I,z,Z,oe,fe,ve,Le,De)}let ln=cr|Xc;function Ne(g,b,R,I,z,Z,oe,fe,ve,Le,De,Ue){
 Te(g,b,R,I,z),(ve||Le||Ue)&&(f.save(),ve&&f.clip(ve),Le&&f.clip(Le)),Ue?(fe&ln)==ln?(f.clip(Ue),De&&f.clip(De),pt(z,oe),en(g,Z,b)):fe&Xc?(pt(z,oe),f.clip(Ue),en(
 g,Z,b)):fe&cr&&(f.save(),f.clip(Ue),De&&f.clip(De),pt(z,oe),f.restore(),en(g,Z,b)):(pt(z,oe),en(g,Z,b)),(ve||Le||Ue)&&f.restore()}function en(g,b,R){R>0&&(b instanceof
 Map?b.forEach((I,z)=>{f.strokeStyle=Ys=z,f.stroke(I)}):b!=null&&g&&f.stroke(b))}function pt(g,b){b instanceof Map?b.forEach((R,I)=>{f.fillStyle=as=I,f.fill(R)}):
-b!=null&&g&&f.fill(b)}function ki(g,b,R,I){let z=A[g],Z;if(I<=0)Z=[0,0];else{let oe=z._space=z.space(n,g,b,R,I),fe=z._incrs=z.incrs(n,g,b,R,I,oe);Z=G0(b,R,fe,I,
+b!=null&&g&&f.fill(b)}function ki(g,b,R,I){let z=A[g],Z;if(I<=0)Z=[0,0];else{let oe=z._space=z.space(n,g,b,R,I),fe=z._incrs=z.incrs(n,g,b,R,I,oe);Z=H0(b,R,fe,I,
 oe)}return z._found=Z}function tn(g,b,R,I,z,Z,oe,fe,ve,Le){let De=oe%2/2;S==1&&f.translate(De,De),Te(fe,oe,ve,Le,fe),f.beginPath();let Ue,et,St,vt,dt=z+(I==0||I==
 3?-Z:Z);R==0?(et=z,vt=dt):(Ue=z,St=dt);for(let Ye=0;Ye<g.length;Ye++)b[Ye]!=null&&(R==0?Ue=St=g[Ye]:et=vt=g[Ye],f.moveTo(Ue,et),f.lineTo(St,vt));f.stroke(),S==1&&
 f.translate(-De,-De)}function Js(g){let b=!0;return A.forEach((R,I)=>{if(!R.show)return;let z=M[R.scale];if(z.min==null){R._show&&(b=!1,R._show=!1,ot(!1));return}else
@@ -270,44 +270,44 @@ R._show||(b=!1,R._show=!0,ot(!1));let Z=R.side,oe=Z%2,{min:fe,max:ve}=z,[Le,De]=
 I,fe,ve,Le,De,Ue),St=z.distr==2?et.map(He=>zn[He]):et,vt=z.distr==2?zn[et[1]]-zn[et[0]]:Le,dt=R._values=R.values(n,R.filter(n,St,I,De,vt),I,De,vt);R._rotate=Z==
 2?R.rotate(n,dt,I,De):0;let Ye=R._size;R._size=ni(R.size(n,dt,I,g)),Ye!=null&&R._size!=Ye&&(b=!1)}),b}function bi(g){let b=!0;return Xr.forEach((R,I)=>{let z=R(
 n,I,Si,g);z!=ai[I]&&(b=!1),ai[I]=z}),b}function Vi(){for(let g=0;g<A.length;g++){let b=A[g];if(!b.show||!b._show)continue;let R=b.side,I=R%2,z,Z,oe=b.stroke(n,g),
-fe=R==0||R==3?-1:1,[ve,Le]=b._found;if(b.label!=null){let In=b.labelGap*fe,Gn=cn((b._lpos+In)*Mt);Pe(b.labelFont[0],oe,"center",R==2?"top":jh),f.save(),I==1?(z=
-Z=0,f.translate(Gn,cn(y+ce/2)),f.rotate((R==3?-aa:aa)/2)):(z=cn(C+W/2),Z=Gn);let Rs=Hf(b.label)?b.label(n,g,ve,Le):b.label;f.fillText(Rs,z,Z),f.restore()}if(Le==
+fe=R==0||R==3?-1:1,[ve,Le]=b._found;if(b.label!=null){let In=b.labelGap*fe,Gn=cn((b._lpos+In)*Mt);Pe(b.labelFont[0],oe,"center",R==2?"top":ef),f.save(),I==1?(z=
+Z=0,f.translate(Gn,cn(y+ce/2)),f.rotate((R==3?-aa:aa)/2)):(z=cn(C+W/2),Z=Gn);let Rs=Wf(b.label)?b.label(n,g,ve,Le):b.label;f.fillText(Rs,z,Z),f.restore()}if(Le==
 0)continue;let De=M[b.scale],Ue=I==0?W:ce,et=I==0?C:y,St=b._splits,vt=De.distr==2?St.map(In=>zn[In]):St,dt=De.distr==2?zn[St[1]]-zn[St[0]]:ve,Ye=b.ticks,He=b.border,
 Bt=Ye.show?Ye.size:0,Zt=cn(Bt*Mt),vn=cn((b.alignTo==2?b._size-Bt-b.gap:b.gap)*Mt),Pt=b._rotate*-aa/180,Jt=p(b._pos*Mt),kn=(Zt+vn)*fe,Pn=Jt+kn;Z=I==0?Pn:0,z=I==1?
-Pn:0;let jn=b.font[0],li=b.align==1?ir:b.align==2?Ic:Pt>0?ir:Pt<0?Ic:I==0?"center":R==3?Ic:ir,Ai=Pt||I==1?"middle":R==2?"top":jh;Pe(jn,oe,li,Ai);let Vn=b.font[1]*
+Pn:0;let jn=b.font[0],li=b.align==1?ir:b.align==2?Ic:Pt>0?ir:Pt<0?Ic:I==0?"center":R==3?Ic:ir,Ai=Pt||I==1?"middle":R==2?"top":ef;Pe(jn,oe,li,Ai);let Vn=b.font[1]*
 b.lineGap,ei=St.map(In=>p(a(In,De,Ue,et))),ci=b._values;for(let In=0;In<ci.length;In++){let Gn=ci[In];if(Gn!=null){I==0?z=ei[In]:Z=ei[In],Gn=""+Gn;let Rs=Gn.indexOf(
-"\n")==-1?[Gn]:Gn.split(/\n/gm);for(let Ln=0;Ln<Rs.length;Ln++){let Jh=Rs[Ln];Pt?(f.save(),f.translate(z,Z+Ln*Vn),f.rotate(Pt),f.fillText(Jh,0,0),f.restore()):f.
-fillText(Jh,z,Z+Ln*Vn)}}}Ye.show&&tn(ei,Ye.filter(n,vt,g,Le,dt),I,R,Jt,Zt,Dt(Ye.width*Mt,3),Ye.stroke(n,g),Ye.dash,Ye.cap);let Ei=b.grid;Ei.show&&tn(ei,Ei.filter(
+"\n")==-1?[Gn]:Gn.split(/\n/gm);for(let Ln=0;Ln<Rs.length;Ln++){let $h=Rs[Ln];Pt?(f.save(),f.translate(z,Z+Ln*Vn),f.rotate(Pt),f.fillText($h,0,0),f.restore()):f.
+fillText($h,z,Z+Ln*Vn)}}}Ye.show&&tn(ei,Ye.filter(n,vt,g,Le,dt),I,R,Jt,Zt,Dt(Ye.width*Mt,3),Ye.stroke(n,g),Ye.dash,Ye.cap);let Ei=b.grid;Ei.show&&tn(ei,Ei.filter(
 n,vt,g,Le,dt),I,I==0?2:1,I==0?y:C,I==0?ce:W,Dt(Ei.width*Mt,3),Ei.stroke(n,g),Ei.dash,Ei.cap),He.show&&tn([Jt],[1],I==0?1:0,I==0?1:2,I==1?y:C,I==1?ce:W,Dt(He.width*
 Mt,3),He.stroke(n,g),He.dash,He.cap)}xn("drawAxes")}function ot(g){v.forEach((b,R)=>{R>0&&(b._paths=null,g&&(s==1?(b.min=null,b.max=null):b.facets.forEach(I=>{I.
-min=null,I.max=null})))})}let Yt=!1,Rn=!1,Ct=[];function nn(){Rn=!1;for(let g=0;g<Ct.length;g++)xn(...Ct[g]);Ct.length=0}function bn(){Yt||(Ug(Ih),Yt=!0)}function ta(g,b=!1){
-Yt=!0,Rn=b,g(n),Ih(),b&&Ct.length>0&&queueMicrotask(nn)}n.batch=ta;function Ih(){if(re&&(ut(),re=!1),xe&&(be(),xe=!1),ge){if(zt(d,ir,Xe),zt(d,"top",nt),zt(d,jr,
+min=null,I.max=null})))})}let Yt=!1,Rn=!1,Ct=[];function nn(){Rn=!1;for(let g=0;g<Ct.length;g++)xn(...Ct[g]);Ct.length=0}function bn(){Yt||(Fg(Lh),Yt=!0)}function ta(g,b=!1){
+Yt=!0,Rn=b,g(n),Lh(),b&&Ct.length>0&&queueMicrotask(nn)}n.batch=ta;function Lh(){if(re&&(ut(),re=!1),xe&&(be(),xe=!1),ge){if(zt(d,ir,Xe),zt(d,"top",nt),zt(d,jr,
 F),zt(d,eo,Ce),zt(x,ir,Xe),zt(x,"top",nt),zt(x,jr,F),zt(x,eo,Ce),zt(h,jr,Xt),zt(h,eo,jt),u.width=cn(Xt*Mt),u.height=cn(jt*Mt),A.forEach(({_el:g,_show:b,_size:R,
 _pos:I,side:z})=>{if(g!=null)if(b){let Z=z===3||z===0?R:0,oe=z%2==1;zt(g,oe?"left":"top",I-Z),zt(g,oe?"width":"height",R),zt(g,oe?"top":"left",oe?nt:Xe),zt(g,oe?
 "height":"width",oe?Ce:F),kc(g,Ls)}else Hn(g,Ls)}),Ys=as=Zs=B=K=X=Y=we=w=null,Re=1,$r(!0),Xe!=Me||nt!=It||F!=ze||Ce!=We){ot(!1);let g=F/ze,b=Ce/We;if(pe&&!ee&&ue.
 left>=0){ue.left*=g,ue.top*=b,$s&&Ci($s,cn(ue.left),0,F,Ce),Ks&&Ci(Ks,0,cn(ue.top),F,Ce);for(let R=0;R<it.length;R++){let I=it[R];I!=null&&(Ut[R]*=g,Cn[R]*=b,Ci(
 I,ni(Ut[R]),ni(Cn[R]),F,Ce))}}if(Ot.show&&!ne&&Ot.left>=0&&Ot.width>0){Ot.left*=g,Ot.width*=g,Ot.top*=b,Ot.height*=b;for(let R in Ec)zt(er,R,Ot[R])}Me=Xe,It=nt,
 ze=F,We=Ce}xn("setSize"),ge=!1}Xt>0&&jt>0&&(f.clearRect(0,0,u.width,u.height),xn("drawClear"),T.forEach(g=>g()),xn("draw")),Ot.show&&ne&&(na(Ot),ne=!1),pe&&ee&&
-(Cs(null,!0,!1),ee=!1),he.show&&he.live&&de&&(Tc(),de=!1),l||(l=!0,n.status=1,xn("ready")),os=!1,Yt=!1}n.redraw=(g,b)=>{xe=b||!1,g!==!1?cs(E,L.min,L.max):bn()};
+(Cs(null,!0,!1),ee=!1),he.show&&he.live&&de&&(Tc(),de=!1),c||(c=!0,n.status=1,xn("ready")),os=!1,Yt=!1}n.redraw=(g,b)=>{xe=b||!1,g!==!1?cs(E,L.min,L.max):bn()};
 function Mc(g,b){let R=M[g];if(R.from==null){if(qt==0){let I=R.range(n,b.min,b.max,g);b.min=I[0],b.max=I[1]}if(b.min>b.max){let I=b.min;b.min=b.max,b.max=I}if(qt>
 1&&b.min!=null&&b.max!=null&&b.max-b.min<1e-16)return;g==E&&R.distr==2&&qt>0&&(b.min=hi(b.min,e[0]),b.max=hi(b.max,e[0]),b.min==b.max&&b.max++),G[g]=b,re=!0,bn()}}
-n.setScale=Mc;let bc,wc,$s,Ks,Lh,Dh,Qs,js,Nh,Uh,Ft,Gt,ls=!1,Mn=ue.drag,gn=Mn.x,_n=Mn.y;pe&&(ue.x&&(bc=ti(rg,x)),ue.y&&(wc=ti(og,x)),L.ori==0?($s=bc,Ks=wc):($s=wc,
-Ks=bc),Ft=ue.left,Gt=ue.top);let Ot=n.select=rn({show:!0,over:!0,left:0,width:0,top:0,height:0},i.select),er=Ot.show?ti(sg,Ot.over?x:d):null;function na(g,b){if(Ot.
-show){for(let R in g)Ot[R]=g[R],R in Ec&&zt(er,R,g[R]);b!==!1&&xn("setSelect")}}n.setSelect=na;function Fm(g){if(v[g].show)j&&kc(tt[g],Ls);else if(j&&Hn(tt[g],Ls),
-pe){let R=Ee?it[0]:it[g];R!=null&&Ci(R,-10,-10,F,Ce)}}function cs(g,b,R){Mc(g,{min:b,max:R})}function wi(g,b,R,I){b.focus!=null&&Vm(g),b.show!=null&&v.forEach((z,Z)=>{
-Z>0&&(g==Z||g==null)&&(z.show=b.show,Fm(Z),s==2?(cs(z.facets[0].scale,null,null),cs(z.facets[1].scale,null,null)):cs(z.scale,null,null),bn())}),R!==!1&&xn("setS\
-eries",g,b),I&&Kr("setSeries",n,g,b)}n.setSeries=wi;function Om(g,b){rn(P[g],b)}function Bm(g,b){g.fill=mt(g.fill||null),g.dir=yt(g.dir,-1),b=b??P.length,P.splice(
-b,0,g)}function zm(g){g==null?P.length=0:P.splice(g,1)}n.addBand=Bm,n.setBand=Om,n.delBand=zm;function km(g,b){v[g].alpha=b,pe&&it[g]!=null&&(it[g].style.opacity=
-b),j&&tt[g]&&(tt[g].style.opacity=b)}let Gi,us,Es,tr={focus:!0};function Vm(g){if(g!=Es){let b=g==null,R=Fe.alpha!=1;v.forEach((I,z)=>{if(s==1||z>0){let Z=b||z==
-0||z==g;I._focus=b?null:Z,R&&km(z,Z?1:Fe.alpha)}}),Es=g,R&&bn()}}j&&Je&&xt(sf,Ae,g=>{ue._lock||(Ze(g),Es!=null&&wi(null,tr,!0,sn.setSeries))});function Ti(g,b,R){
+n.setScale=Mc;let bc,wc,$s,Ks,Dh,Nh,Qs,js,Uh,Fh,Ft,Gt,ls=!1,Mn=ue.drag,gn=Mn.x,_n=Mn.y;pe&&(ue.x&&(bc=ti(og,x)),ue.y&&(wc=ti(ag,x)),L.ori==0?($s=bc,Ks=wc):($s=wc,
+Ks=bc),Ft=ue.left,Gt=ue.top);let Ot=n.select=rn({show:!0,over:!0,left:0,width:0,top:0,height:0},i.select),er=Ot.show?ti(rg,Ot.over?x:d):null;function na(g,b){if(Ot.
+show){for(let R in g)Ot[R]=g[R],R in Ec&&zt(er,R,g[R]);b!==!1&&xn("setSelect")}}n.setSelect=na;function Om(g){if(v[g].show)j&&kc(tt[g],Ls);else if(j&&Hn(tt[g],Ls),
+pe){let R=Ee?it[0]:it[g];R!=null&&Ci(R,-10,-10,F,Ce)}}function cs(g,b,R){Mc(g,{min:b,max:R})}function wi(g,b,R,I){b.focus!=null&&Gm(g),b.show!=null&&v.forEach((z,Z)=>{
+Z>0&&(g==Z||g==null)&&(z.show=b.show,Om(Z),s==2?(cs(z.facets[0].scale,null,null),cs(z.facets[1].scale,null,null)):cs(z.scale,null,null),bn())}),R!==!1&&xn("setS\
+eries",g,b),I&&Kr("setSeries",n,g,b)}n.setSeries=wi;function Bm(g,b){rn(P[g],b)}function zm(g,b){g.fill=mt(g.fill||null),g.dir=yt(g.dir,-1),b=b??P.length,P.splice(
+b,0,g)}function km(g){g==null?P.length=0:P.splice(g,1)}n.addBand=zm,n.setBand=Bm,n.delBand=km;function Vm(g,b){v[g].alpha=b,pe&&it[g]!=null&&(it[g].style.opacity=
+b),j&&tt[g]&&(tt[g].style.opacity=b)}let Gi,us,Es,tr={focus:!0};function Gm(g){if(g!=Es){let b=g==null,R=Fe.alpha!=1;v.forEach((I,z)=>{if(s==1||z>0){let Z=b||z==
+0||z==g;I._focus=b?null:Z,R&&Vm(z,Z?1:Fe.alpha)}}),Es=g,R&&bn()}}j&&Je&&xt(rf,Ae,g=>{ue._lock||(Ze(g),Es!=null&&wi(null,tr,!0,sn.setSeries))});function Ti(g,b,R){
 let I=M[b];R&&(g=g/Mt-(I.ori==1?nt:Xe));let z=F;I.ori==1&&(z=Ce,g=z-g),I.dir==-1&&(g=z-g);let Z=I._min,oe=I._max,fe=g/z,ve=Z+(oe-Z)*fe,Le=I.distr;return Le==3?or(
-10,ve):Le==4?bg(ve,I.asinh):Le==100?I.bwd(ve):ve}function Gm(g,b){let R=Ti(g,E,b);return hi(R,e[0],$t,Kt)}n.valToIdx=g=>hi(g,e[0]),n.posToIdx=Gm,n.posToVal=Ti,n.
-valToPos=(g,b,R)=>M[b].ori==0?r(g,M[b],R?W:F,R?C:0):o(g,M[b],R?ce:Ce,R?y:0),n.setCursor=(g,b,R)=>{Ft=g.left,Gt=g.top,Cs(null,b,R)};function Fh(g,b){zt(er,ir,Ot.
-left=g),zt(er,jr,Ot.width=b)}function Oh(g,b){zt(er,"top",Ot.top=g),zt(er,eo,Ot.height=b)}let Zr=L.ori==0?Fh:Oh,Jr=L.ori==1?Fh:Oh;function Hm(){if(j&&he.live)for(let g=s==
+10,ve):Le==4?wg(ve,I.asinh):Le==100?I.bwd(ve):ve}function Hm(g,b){let R=Ti(g,E,b);return hi(R,e[0],$t,Kt)}n.valToIdx=g=>hi(g,e[0]),n.posToIdx=Hm,n.posToVal=Ti,n.
+valToPos=(g,b,R)=>M[b].ori==0?r(g,M[b],R?W:F,R?C:0):o(g,M[b],R?ce:Ce,R?y:0),n.setCursor=(g,b,R)=>{Ft=g.left,Gt=g.top,Cs(null,b,R)};function Oh(g,b){zt(er,ir,Ot.
+left=g),zt(er,jr,Ot.width=b)}function Bh(g,b){zt(er,"top",Ot.top=g),zt(er,eo,Ot.height=b)}let Zr=L.ori==0?Oh:Bh,Jr=L.ori==1?Oh:Bh;function Wm(){if(j&&he.live)for(let g=s==
 2?1:0;g<v.length;g++){if(g==0&&rt)continue;let b=he.values[g],R=0;for(let I in b)ke[g][R++].firstChild.nodeValue=b[I]}}function Tc(g,b){if(g!=null&&(g.idxs?g.idxs.
-forEach((R,I)=>{ie[I]=R}):Eg(g.idx)||ie.fill(g.idx),he.idx=ie[0]),j&&he.live){for(let R=0;R<v.length;R++)(R>0||s==1&&!rt)&&Wm(R,ie[R]);Hm()}de=!1,b!==!1&&xn("se\
-tLegend")}n.setLegend=Tc;function Wm(g,b){let R=v[g],I=g==0&&V==2?zn:e[g],z;rt?z=R.values(n,g,b)??je:(z=R.value(n,b==null?null:I[b],g,b),z=z==null?je:{_:z}),he.
-values[g]=z}function Cs(g,b,R){Nh=Ft,Uh=Gt,[Ft,Gt]=ue.move(n,Ft,Gt),ue.left=Ft,ue.top=Gt,pe&&($s&&Ci($s,cn(Ft),0,F,Ce),Ks&&Ci(Ks,0,cn(Gt),F,Ce));let I,z=$t>Kt;Gi=
+forEach((R,I)=>{ie[I]=R}):Cg(g.idx)||ie.fill(g.idx),he.idx=ie[0]),j&&he.live){for(let R=0;R<v.length;R++)(R>0||s==1&&!rt)&&Xm(R,ie[R]);Wm()}de=!1,b!==!1&&xn("se\
+tLegend")}n.setLegend=Tc;function Xm(g,b){let R=v[g],I=g==0&&V==2?zn:e[g],z;rt?z=R.values(n,g,b)??je:(z=R.value(n,b==null?null:I[b],g,b),z=z==null?je:{_:z}),he.
+values[g]=z}function Cs(g,b,R){Uh=Ft,Fh=Gt,[Ft,Gt]=ue.move(n,Ft,Gt),ue.left=Ft,ue.top=Gt,pe&&($s&&Ci($s,cn(Ft),0,F,Ce),Ks&&Ci(Ks,0,cn(Gt),F,Ce));let I,z=$t>Kt;Gi=
 Lt,us=null;let Z=L.ori==0?F:Ce,oe=L.ori==1?F:Ce;if(Ft<0||qt==0||z){I=ue.idx=null;for(let fe=0;fe<v.length;fe++){let ve=it[fe];ve!=null&&Ci(ve,-10,-10,F,Ce)}Je&&
 wi(null,tr,!0,g==null&&sn.setSeries),he.live&&(ie.fill(I),de=!0)}else{let fe,ve,Le;s==1&&(fe=L.ori==0?Ft:Gt,ve=Ti(fe,E),I=ue.idx=hi(ve,e[0],$t,Kt),Le=H(e[0][I],
 L,Z,0));let De=-10,Ue=-10,et=0,St=0,vt=!0,dt="",Ye="";for(let He=s==2?1:0;He<v.length;He++){let Bt=v[He],Zt=ie[He],vn=Zt==null?null:s==1?e[He][Zt]:e[He][1][Zt],
@@ -316,97 +316,97 @@ e[He][0][Pt],L,Z,0),Pn=Jt==null?-10:N(Jt,s==1?M[Bt.scale]:M[Bt.facets[1].scale],
 Gi){let Ai=Fe.bias;if(Ai!=0){let Vn=Ti(jn,Bt.scale),ei=Jt>=0?1:-1,ci=Vn>=0?1:-1;ci==ei&&(ci==1?Ai==1?Jt>=Vn:Jt<=Vn:Ai==1?Jt<=Vn:Jt>=Vn)&&(Gi=li,us=He)}else Gi=li,
 us=He}}if(de||Ee){let jn,li;L.ori==0?(jn=kn,li=Pn):(jn=Pn,li=kn);let Ai,Vn,ei,ci,Ei,In,Gn=!0,Rs=ae.bbox;if(Rs!=null){Gn=!1;let Ln=Rs(n,He);ei=Ln.left,ci=Ln.top,
 Ai=Ln.width,Vn=Ln.height}else ei=jn,ci=li,Ai=Vn=ae.size(n,He);if(In=ae.fill(n,He),Ei=ae.stroke(n,He),Ee)He==us&&Gi<=Fe.prox&&(De=ei,Ue=ci,et=Ai,St=Vn,vt=Gn,dt=In,
-Ye=Ei);else{let Ln=it[He];Ln!=null&&(Ut[He]=ei,Cn[He]=ci,hf(Ln,Ai,Vn,Gn),cf(Ln,In,Ei),Ci(Ln,ni(ei),ni(ci),F,Ce))}}}}if(Ee){let He=Fe.prox,Bt=Es==null?Gi<=He:Gi>
-He||us!=Es;if(de||Bt){let Zt=it[0];Zt!=null&&(Ut[0]=De,Cn[0]=Ue,hf(Zt,et,St,vt),cf(Zt,dt,Ye),Ci(Zt,ni(De),ni(Ue),F,Ce))}}}if(Ot.show&&ls)if(g!=null){let[fe,ve]=sn.
+Ye=Ei);else{let Ln=it[He];Ln!=null&&(Ut[He]=ei,Cn[He]=ci,ff(Ln,Ai,Vn,Gn),uf(Ln,In,Ei),Ci(Ln,ni(ei),ni(ci),F,Ce))}}}}if(Ee){let He=Fe.prox,Bt=Es==null?Gi<=He:Gi>
+He||us!=Es;if(de||Bt){let Zt=it[0];Zt!=null&&(Ut[0]=De,Cn[0]=Ue,ff(Zt,et,St,vt),uf(Zt,dt,Ye),Ci(Zt,ni(De),ni(Ue),F,Ce))}}}if(Ot.show&&ls)if(g!=null){let[fe,ve]=sn.
 scales,[Le,De]=sn.match,[Ue,et]=g.cursor.sync.scales,St=g.cursor.drag;if(gn=St._x,_n=St._y,gn||_n){let{left:vt,top:dt,width:Ye,height:He}=g.select,Bt=g.scales[Ue].
 ori,Zt=g.posToVal,vn,Pt,Jt,kn,Pn,jn=fe!=null&&Le(fe,Ue),li=ve!=null&&De(ve,et);jn&&gn?(Bt==0?(vn=vt,Pt=Ye):(vn=dt,Pt=He),Jt=M[fe],kn=H(Zt(vn,Ue),Jt,Z,0),Pn=H(Zt(
 vn+Pt,Ue),Jt,Z,0),Zr(fi(kn,Pn),un(Pn-kn))):Zr(0,Z),li&&_n?(Bt==1?(vn=vt,Pt=Ye):(vn=dt,Pt=He),Jt=M[ve],kn=N(Zt(vn,et),Jt,oe,0),Pn=N(Zt(vn+Pt,et),Jt,oe,0),Jr(fi(kn,
-Pn),un(Pn-kn))):Jr(0,oe)}else Cc()}else{let fe=un(Nh-Lh),ve=un(Uh-Dh);if(L.ori==1){let et=fe;fe=ve,ve=et}gn=Mn.x&&fe>=Mn.dist,_n=Mn.y&&ve>=Mn.dist;let Le=Mn.uni;
+Pn),un(Pn-kn))):Jr(0,oe)}else Cc()}else{let fe=un(Uh-Dh),ve=un(Fh-Nh);if(L.ori==1){let et=fe;fe=ve,ve=et}gn=Mn.x&&fe>=Mn.dist,_n=Mn.y&&ve>=Mn.dist;let Le=Mn.uni;
 Le!=null?gn&&_n&&(gn=fe>=Le,_n=ve>=Le,!gn&&!_n&&(ve>fe?_n=!0:gn=!0)):Mn.x&&Mn.y&&(gn||_n)&&(gn=_n=!0);let De,Ue;gn&&(L.ori==0?(De=Qs,Ue=Ft):(De=js,Ue=Gt),Zr(fi(
 De,Ue),un(Ue-De)),_n||Jr(0,oe)),_n&&(L.ori==1?(De=Qs,Ue=Ft):(De=js,Ue=Gt),Jr(fi(De,Ue),un(Ue-De)),gn||Zr(0,Z)),!gn&&!_n&&(Zr(0,0),Jr(0,0))}if(Mn._x=gn,Mn._y=_n,
-g==null){if(R){if(Zh!=null){let[fe,ve]=sn.scales;sn.values[0]=fe!=null?Ti(L.ori==0?Ft:Gt,fe):null,sn.values[1]=ve!=null?Ti(L.ori==1?Ft:Gt,ve):null}Kr(Lc,n,Ft,Gt,
+g==null){if(R){if(Jh!=null){let[fe,ve]=sn.scales;sn.values[0]=fe!=null?Ti(L.ori==0?Ft:Gt,fe):null,sn.values[1]=ve!=null?Ti(L.ori==1?Ft:Gt,ve):null}Kr(Lc,n,Ft,Gt,
 F,Ce,I)}if(Je){let fe=R&&sn.setSeries,ve=Fe.prox;Es==null?Gi<=ve&&wi(us,tr,!0,fe):Gi>ve?wi(null,tr,!0,fe):us!=Es&&wi(us,tr,!0,fe)}}de&&(he.idx=I,Tc()),b!==!1&&xn(
 "setCursor")}let hs=null;Object.defineProperty(n,"rect",{get(){return hs==null&&$r(!1),hs}});function $r(g=!1){g?hs=null:(hs=x.getBoundingClientRect(),xn("syncR\
-ect",hs))}function Bh(g,b,R,I,z,Z,oe){ue._lock||ls&&g!=null&&g.movementX==0&&g.movementY==0||(Ac(g,b,R,I,z,Z,oe,!1,g!=null),g!=null?Cs(null,!0,!0):Cs(b,!0,!1))}
+ect",hs))}function zh(g,b,R,I,z,Z,oe){ue._lock||ls&&g!=null&&g.movementX==0&&g.movementY==0||(Ac(g,b,R,I,z,Z,oe,!1,g!=null),g!=null?Cs(null,!0,!0):Cs(b,!0,!1))}
 function Ac(g,b,R,I,z,Z,oe,fe,ve){if(hs==null&&$r(!1),Ze(g),g!=null)R=g.clientX-hs.left,I=g.clientY-hs.top;else{if(R<0||I<0){Ft=-10,Gt=-10;return}let[Le,De]=sn.
 scales,Ue=b.cursor.sync,[et,St]=Ue.values,[vt,dt]=Ue.scales,[Ye,He]=sn.match,Bt=b.axes[0].side%2==1,Zt=L.ori==0?F:Ce,vn=L.ori==1?F:Ce,Pt=Bt?Z:z,Jt=Bt?z:Z,kn=Bt?
 I:R,Pn=Bt?R:I;if(vt!=null?R=Ye(Le,vt)?a(et,M[Le],Zt,0):-10:R=Zt*(kn/Pt),dt!=null?I=He(De,dt)?a(St,M[De],vn,0):-10:I=vn*(Pn/Jt),L.ori==1){let jn=R;R=I,I=jn}}ve&&
-(b==null||b.cursor.event.type==Lc)&&((R<=1||R>=F-1)&&(R=Ps(R,F)),(I<=1||I>=Ce-1)&&(I=Ps(I,Ce))),fe?(Lh=R,Dh=I,[Qs,js]=ue.move(n,R,I)):(Ft=R,Gt=I)}let Ec={width:0,
-height:0,left:0,top:0};function Cc(){na(Ec,!1)}let zh,kh,Vh,Gh;function Hh(g,b,R,I,z,Z,oe){ls=!0,gn=_n=Mn._x=Mn._y=!1,Ac(g,b,R,I,z,Z,oe,!0,!1),g!=null&&(xt(Dc,Bc,
-Wh,!1),Kr(tf,n,Qs,js,F,Ce,null));let{left:fe,top:ve,width:Le,height:De}=Ot;zh=fe,kh=ve,Vh=Le,Gh=De}function Wh(g,b,R,I,z,Z,oe){ls=Mn._x=Mn._y=!1,Ac(g,b,R,I,z,Z,
-oe,!1,!0);let{left:fe,top:ve,width:Le,height:De}=Ot,Ue=Le>0||De>0,et=zh!=fe||kh!=ve||Vh!=Le||Gh!=De;if(Ue&&et&&na(Ot),Mn.setScale&&Ue&&et){let St=fe,vt=Le,dt=ve,
+(b==null||b.cursor.event.type==Lc)&&((R<=1||R>=F-1)&&(R=Ps(R,F)),(I<=1||I>=Ce-1)&&(I=Ps(I,Ce))),fe?(Dh=R,Nh=I,[Qs,js]=ue.move(n,R,I)):(Ft=R,Gt=I)}let Ec={width:0,
+height:0,left:0,top:0};function Cc(){na(Ec,!1)}let kh,Vh,Gh,Hh;function Wh(g,b,R,I,z,Z,oe){ls=!0,gn=_n=Mn._x=Mn._y=!1,Ac(g,b,R,I,z,Z,oe,!0,!1),g!=null&&(xt(Dc,Bc,
+Xh,!1),Kr(nf,n,Qs,js,F,Ce,null));let{left:fe,top:ve,width:Le,height:De}=Ot;kh=fe,Vh=ve,Gh=Le,Hh=De}function Xh(g,b,R,I,z,Z,oe){ls=Mn._x=Mn._y=!1,Ac(g,b,R,I,z,Z,
+oe,!1,!0);let{left:fe,top:ve,width:Le,height:De}=Ot,Ue=Le>0||De>0,et=kh!=fe||Vh!=ve||Gh!=Le||Hh!=De;if(Ue&&et&&na(Ot),Mn.setScale&&Ue&&et){let St=fe,vt=Le,dt=ve,
 Ye=De;if(L.ori==1&&(St=ve,vt=De,dt=fe,Ye=Le),gn&&cs(E,Ti(St,E),Ti(St+vt,E)),_n)for(let He in M){let Bt=M[He];He!=E&&Bt.from==null&&Bt.min!=Lt&&cs(He,Ti(dt+Ye,He),
-Ti(dt,He))}Cc()}else ue.lock&&(ue._lock=!ue._lock,Cs(b,!0,g!=null));g!=null&&(an(Dc,Bc),Kr(Dc,n,Ft,Gt,F,Ce,null))}function Xm(g,b,R,I,z,Z,oe){if(ue._lock)return;
+Ti(dt,He))}Cc()}else ue.lock&&(ue._lock=!ue._lock,Cs(b,!0,g!=null));g!=null&&(an(Dc,Bc),Kr(Dc,n,Ft,Gt,F,Ce,null))}function qm(g,b,R,I,z,Z,oe){if(ue._lock)return;
 Ze(g);let fe=ls;if(ls){let ve=!0,Le=!0,De=10,Ue,et;L.ori==0?(Ue=gn,et=_n):(Ue=_n,et=gn),Ue&&et&&(ve=Ft<=De||Ft>=F-De,Le=Gt<=De||Gt>=Ce-De),Ue&&ve&&(Ft=Ft<Qs?0:F),
-et&&Le&&(Gt=Gt<js?0:Ce),Cs(null,!0,!0),ls=!1}Ft=-10,Gt=-10,ie.fill(null),Cs(null,!0,!0),fe&&(ls=fe)}function Xh(g,b,R,I,z,Z,oe){ue._lock||(Ze(g),Yr(),Cc(),g!=null&&
-Kr(rf,n,Ft,Gt,F,Ce,null))}function qh(){A.forEach(H0),U(n.width,n.height,!0)}Ds(la,rr,qh);let nr={};nr.mousedown=Hh,nr.mousemove=Bh,nr.mouseup=Wh,nr.dblclick=Xh,
-nr.setSeries=(g,b,R,I)=>{let z=sn.match[2];R=z(n,b,R),R!=-1&&wi(R,I,!0,!1)},pe&&(xt(tf,x,Hh),xt(Lc,x,Bh),xt(nf,x,g=>{Ze(g),$r(!1)}),xt(sf,x,Xm),xt(rf,x,Xh),qc.add(
+et&&Le&&(Gt=Gt<js?0:Ce),Cs(null,!0,!0),ls=!1}Ft=-10,Gt=-10,ie.fill(null),Cs(null,!0,!0),fe&&(ls=fe)}function qh(g,b,R,I,z,Z,oe){ue._lock||(Ze(g),Yr(),Cc(),g!=null&&
+Kr(of,n,Ft,Gt,F,Ce,null))}function Yh(){A.forEach(W0),U(n.width,n.height,!0)}Ds(la,rr,Yh);let nr={};nr.mousedown=Wh,nr.mousemove=zh,nr.mouseup=Xh,nr.dblclick=qh,
+nr.setSeries=(g,b,R,I)=>{let z=sn.match[2];R=z(n,b,R),R!=-1&&wi(R,I,!0,!1)},pe&&(xt(nf,x,Wh),xt(Lc,x,zh),xt(sf,x,g=>{Ze(g),$r(!1)}),xt(rf,x,qm),xt(of,x,qh),qc.add(
 n),n.syncRect=$r);let ia=n.hooks=i.hooks||{};function xn(g,b,R){Rn?Ct.push([g,b,R]):g in ia&&ia[g].forEach(I=>{I.call(null,n,b,R)})}(i.plugins||[]).forEach(g=>{
-for(let b in g.hooks)ia[b]=(ia[b]||[]).concat(g.hooks[b])});let Yh=(g,b,R)=>R,sn=rn({key:null,setSeries:!1,filters:{pub:gf,sub:gf},scales:[E,v[1]?v[1].scale:null],
-match:[_f,_f,Yh],values:[null,null]},ue.sync);sn.match.length==2&&sn.match.push(Yh),ue.sync=sn;let Zh=sn.key,Rc=dd(Zh);function Kr(g,b,R,I,z,Z,oe){sn.filters.pub(
-g,b,R,I,z,Z,oe)&&Rc.pub(g,b,R,I,z,Z,oe)}Rc.sub(n);function qm(g,b,R,I,z,Z,oe){sn.filters.sub(g,b,R,I,z,Z,oe)&&nr[g](null,b,R,I,z,Z,oe)}n.pub=qm;function Ym(){Rc.
-unsub(n),qc.delete(n),mn.clear(),Vc(la,rr,qh),c.remove(),Ae?.remove(),xn("destroy")}n.destroy=Ym;function Pc(){xn("init",i,e),qr(e||i.data,!1),G[E]?Mc(E,G[E]):Yr(),
-ne=Ot.show&&(Ot.width>0||Ot.height>0),ee=de=!0,U(i.width,i.height)}return v.forEach(qs),A.forEach(Bi),t?t instanceof HTMLElement?(t.appendChild(c),Pc()):t(n,Pc):
-Pc(),n}hn.assign=rn;hn.fmtNum=jc;hn.rangeNum=ca;hn.rangeLog=fa;hn.rangeAsinh=Kc;hn.orient=Us;hn.pxRatio=Mt;hn.join=Ng;hn.fmtDate=tu,hn.tzDate=Xg;hn.sync=dd;{hn.
-addGap=E0,hn.clipGaps=ma;let i=hn.paths={points:vd};i.linear=Sd,i.stepped=P0,i.bars=I0,i.spline=D0}function va(){let i=getComputedStyle(document.documentElement),e=t=>i.getPropertyValue(t).trim();return{paper:e("--paper"),ink:e("--ink"),soft:e("--soft"),line:e(
-"--line"),bad:e("--bad"),actual:e("--actual"),actual_more:e("--actual-more"),expected:e("--expected")}}function Td(i){matchMedia("(prefers-color-scheme: dark)").
+for(let b in g.hooks)ia[b]=(ia[b]||[]).concat(g.hooks[b])});let Zh=(g,b,R)=>R,sn=rn({key:null,setSeries:!1,filters:{pub:_f,sub:_f},scales:[E,v[1]?v[1].scale:null],
+match:[xf,xf,Zh],values:[null,null]},ue.sync);sn.match.length==2&&sn.match.push(Zh),ue.sync=sn;let Jh=sn.key,Rc=pd(Jh);function Kr(g,b,R,I,z,Z,oe){sn.filters.pub(
+g,b,R,I,z,Z,oe)&&Rc.pub(g,b,R,I,z,Z,oe)}Rc.sub(n);function Ym(g,b,R,I,z,Z,oe){sn.filters.sub(g,b,R,I,z,Z,oe)&&nr[g](null,b,R,I,z,Z,oe)}n.pub=Ym;function Zm(){Rc.
+unsub(n),qc.delete(n),mn.clear(),Vc(la,rr,Yh),l.remove(),Ae?.remove(),xn("destroy")}n.destroy=Zm;function Pc(){xn("init",i,e),qr(e||i.data,!1),G[E]?Mc(E,G[E]):Yr(),
+ne=Ot.show&&(Ot.width>0||Ot.height>0),ee=de=!0,U(i.width,i.height)}return v.forEach(qs),A.forEach(Bi),t?t instanceof HTMLElement?(t.appendChild(l),Pc()):t(n,Pc):
+Pc(),n}hn.assign=rn;hn.fmtNum=jc;hn.rangeNum=ca;hn.rangeLog=fa;hn.rangeAsinh=Kc;hn.orient=Us;hn.pxRatio=Mt;hn.join=Ug;hn.fmtDate=tu,hn.tzDate=qg;hn.sync=pd;{hn.
+addGap=C0,hn.clipGaps=ma;let i=hn.paths={points:yd};i.linear=Md,i.stepped=I0,i.bars=L0,i.spline=N0}function va(){let i=getComputedStyle(document.documentElement),e=t=>i.getPropertyValue(t).trim();return{paper:e("--paper"),ink:e("--ink"),soft:e("--soft"),line:e(
+"--line"),bad:e("--bad"),actual:e("--actual"),actual_more:e("--actual-more"),expected:e("--expected")}}function Ad(i){matchMedia("(prefers-color-scheme: dark)").
 addEventListener("change",i)}function at(i,e={},...t){let n=Object.assign(document.createElement(i),e);return n.append(...t),n}function ro(i){if(i==null)return"\
 \u2013";let e=Math.abs(i);return e===0||e>=.1?"".concat(Number(i.toPrecision(4))," m"):e>=.001?"".concat(Number((i*1e3).toPrecision(4))," mm"):e>=1e-6?"".concat(
-Number((i*1e6).toPrecision(4))," \xB5m"):"".concat(i.toExponential(2)," m")}function Ad(i){return i==null?"\u2013":"".concat(Number(i.toPrecision(5))," J")}var Ed=210,W0=[{title:"Energy",group:"energy",unit:Ad,lines:[{label:"total",column:"total",source:"states"},{label:"potential",column:"potential",source:"track",
+Number((i*1e6).toPrecision(4))," \xB5m"):"".concat(i.toExponential(2)," m")}function Ed(i){return i==null?"\u2013":"".concat(Number(i.toPrecision(5))," J")}var Cd=210,X0=[{title:"Energy",group:"energy",unit:Ed,lines:[{label:"total",column:"total",source:"states"},{label:"potential",column:"potential",source:"track",
 dash:[7,4]},{label:"kinetic",column:"kinetic",source:"states",dash:[2,3]}]},{title:"Symmetry",group:"symmetry",unit:ro,lines:[{label:"lateral error",column:"lat\
 eral_max",source:"track"},{label:"column spread",column:"column_spread",source:"track",dash:[7,4]}]},{title:"Heights",group:"stacking",unit:ro,lines:[{label:"hi\
-ghest",column:"height_max",source:"track"},{label:"mean",column:"height_mean",source:"track",dash:[7,4]}]}],lu=i=>i===void 0||i.every(e=>e===null);function X0(i,e){
+ghest",column:"height_max",source:"track"},{label:"mean",column:"height_mean",source:"track",dash:[7,4]}]}],lu=i=>i===void 0||i.every(e=>e===null);function q0(i,e){
 let t=i.lines.filter(r=>!lu(e.actual?.[r.column])),n=t.length>0?[[e.actual.step,...t.map(r=>e.actual[r.column])]]:[],s=[];for(let r of t){let o=e.expected[r.source];
-!o||lu(o[r.column])||(n.push([o.step,o[r.column]]),s.push(r))}return{lines:t,rings:s,table:n.length>0?hn.join(n):null}}function q0(i,e,t,n){let s=(a,l)=>i.unit(
-l),r=[n.actual,n.actual_more,n.soft],o=a=>r[e.indexOf(a)];return[{label:"step"},...e.map(a=>({label:a.label,value:s,stroke:o(a),width:1.75,dash:a.dash,spanGaps:!0,
+!o||lu(o[r.column])||(n.push([o.step,o[r.column]]),s.push(r))}return{lines:t,rings:s,table:n.length>0?hn.join(n):null}}function Y0(i,e,t,n){let s=(a,c)=>i.unit(
+c),r=[n.actual,n.actual_more,n.soft],o=a=>r[e.indexOf(a)];return[{label:"step"},...e.map(a=>({label:a.label,value:s,stroke:o(a),width:1.75,dash:a.dash,spanGaps:!0,
 points:{show:!1}})),...t.map(a=>({label:"".concat(a.label,", expected"),value:s,stroke:n.expected,width:1.5,class:"ring",paths:()=>null,points:{show:!0,size:8,width:1.5,
-stroke:n.expected,fill:"transparent"}}))]}function Y0(i,e,t){return e===null||t===null?[0,1]:e===t?e===0?[-.001,.001]:[e-Math.abs(e)/10,t+Math.abs(t)/10]:hn.rangeNum(
-e,t,.1,!0)}function Z0(i,e){return t=>{if(i===null)return;let n=Math.round(t.valToPos(i,"x",!0)),{top:s,height:r}=t.bbox,o=t.ctx;o.save(),o.strokeStyle=e.bad,o.
-lineWidth=devicePixelRatio,o.setLineDash([3*devicePixelRatio,3*devicePixelRatio]),o.beginPath(),o.moveTo(n,s),o.lineTo(n,s+r),o.stroke(),o.restore()}}function J0(i,e){
+stroke:n.expected,fill:"transparent"}}))]}function Z0(i,e,t){return e===null||t===null?[0,1]:e===t?e===0?[-.001,.001]:[e-Math.abs(e)/10,t+Math.abs(t)/10]:hn.rangeNum(
+e,t,.1,!0)}function J0(i,e){return t=>{if(i===null)return;let n=Math.round(t.valToPos(i,"x",!0)),{top:s,height:r}=t.bbox,o=t.ctx;o.save(),o.strokeStyle=e.bad,o.
+lineWidth=devicePixelRatio,o.setLineDash([3*devicePixelRatio,3*devicePixelRatio]),o.beginPath(),o.moveTo(n,s),o.lineTo(n,s+r),o.stroke(),o.restore()}}function $0(i,e){
 let t={stroke:e.soft,grid:{stroke:e.line,width:1},ticks:{stroke:e.line,width:1}},n=(s,r)=>r.map(o=>o===null?"":i.unit(o));return[{...t,label:"step",labelSize:20,
-size:36},{...t,values:n,size:82}]}function $0(i,e,t,n){let{lines:s,rings:r,table:o}=X0(i,t);if(o===null)return null;let a=va(),l={width:e.clientWidth,height:Ed,
-scales:{x:{time:!1},y:{range:Y0}},legend:{markers:{width:2,dash:(c,u)=>c.series[u].dash?"dashed":"solid"}},axes:J0(i,a),series:q0(i,s,r,a),hooks:{draw:[Z0(n,a)]},
-cursor:{y:!1,drag:{x:!0,y:!1}}};return new hn(l,o,e)}function K0(i,e){let t=i.lines.filter(n=>!lu(e.actual?.[n.column])).map(n=>{let s=e.actual[n.column].at(-1),
+size:36},{...t,values:n,size:82}]}function K0(i,e,t,n){let{lines:s,rings:r,table:o}=q0(i,t);if(o===null)return null;let a=va(),c={width:e.clientWidth,height:Cd,
+scales:{x:{time:!1},y:{range:Z0}},legend:{markers:{width:2,dash:(l,u)=>l.series[u].dash?"dashed":"solid"}},axes:$0(i,a),series:Y0(i,s,r,a),hooks:{draw:[J0(n,a)]},
+cursor:{y:!1,drag:{x:!0,y:!1}}};return new hn(c,o,e)}function Q0(i,e){let t=i.lines.filter(n=>!lu(e.actual?.[n.column])).map(n=>{let s=e.actual[n.column].at(-1),
 r=e.expected[n.source]?.[n.column]?.at(-1);return"".concat(n.label," at the end ").concat(i.unit(s),", expected ").concat(i.unit(r))});return"".concat(i.title,"\
- over steps: ").concat(t.join("; "))}function Cd(i,e,{first:t,groups:n}){let s=W0.filter(u=>n.includes(u.group)),r="Lines: this run. Rings: expected, where the \
+ over steps: ").concat(t.join("; "))}function Rd(i,e,{first:t,groups:n}){let s=X0.filter(u=>n.includes(u.group)),r="Lines: this run. Rings: expected, where the \
 golden keeps it (positions to the millimetre)."+(t===null?"":" Dashed upright line: first difference, step ".concat(t,"."))+" Drag across a plot to zoom, double\
 -click to zoom out.",o=at("div",{className:"plots"}),a=s.map(u=>{let f=at("div",{className:"plot"});return f.setAttribute("role","img"),f.setAttribute("aria-lab\
-el",K0(u,e)),o.append(at("figure",{},at("figcaption",{textContent:u.title}),f)),f});s.length>0&&i.append(at("h3",{textContent:"Over the steps"}),at("p",{className:"\
-soft",textContent:r}),o);let l=[],c=()=>{for(let u of l)u?.destroy();l=s.map((u,f)=>$0(u,a[f],e,t)),l.forEach((u,f)=>{a[f].parentElement.hidden=u===null})};return c(),
-{redraw:c,resize(){l.forEach((u,f)=>{let h=a[f].clientWidth;u!==null&&h>0&&h!==u.width&&u.setSize({width:h,height:Ed})})},show_step(u){for(let f of l)f?.setCursor(
-{left:f.valToPos(u,"x"),top:0})}}}var Q0=700,cu=(i,e)=>at("img",{src:i.querySelector("img").src,alt:"".concat(e," picture")});function Rd(i){let e=A=>i.querySelector('figure[data-kind="'.concat(
+el",Q0(u,e)),o.append(at("figure",{},at("figcaption",{textContent:u.title}),f)),f});s.length>0&&i.append(at("h3",{textContent:"Over the steps"}),at("p",{className:"\
+soft",textContent:r}),o);let c=[],l=()=>{for(let u of c)u?.destroy();c=s.map((u,f)=>K0(u,a[f],e,t)),c.forEach((u,f)=>{a[f].parentElement.hidden=u===null})};return l(),
+{redraw:l,resize(){c.forEach((u,f)=>{let h=a[f].clientWidth;u!==null&&h>0&&h!==u.width&&u.setSize({width:h,height:Cd})})},show_step(u){for(let f of c)f?.setCursor(
+{left:f.valToPos(u,"x"),top:0})}}}var j0=700,cu=(i,e)=>at("img",{src:i.querySelector("img").src,alt:"".concat(e," picture")});function Pd(i){let e=A=>i.querySelector('figure[data-kind="'.concat(
 A,'"]'));if(!e("expected")||!e("actual"))return;let t=cu(e("expected"),"expected"),n=cu(e("actual"),"actual"),s=e("difference")?cu(e("difference"),"difference"):
 null;n.className="over";let r=at("div",{className:"edge"}),o=at("span",{className:"tag",textContent:"expected"}),a=at("span",{className:"tag right",textContent:"\
-actual"}),l=at("div",{className:"stack"},t,n,r,o,a),c=at("input",{type:"range",min:0,max:100,value:50,className:"picture-slider"});c.setAttribute("aria-label","\
+actual"}),c=at("div",{className:"stack"},t,n,r,o,a),l=at("input",{type:"range",min:0,max:100,value:50,className:"picture-slider"});l.setAttribute("aria-label","\
 step ".concat(i.dataset.step,": expected to the left of the edge, actual to the right"));let u=at("output"),f=at("button",{type:"button",textContent:"Blink",className:"\
-picture-blink"}),h=at("button",{type:"button",textContent:"Difference"});s&&(s.className="over",l.append(s));let d=null,x=!1,S=A=>{n.style.clipPath="inset(0 0 0\
+picture-blink"}),h=at("button",{type:"button",textContent:"Difference"});s&&(s.className="over",c.append(s));let d=null,x=!1,S=A=>{n.style.clipPath="inset(0 0 0\
  ".concat(A,"%)"),r.style.left="".concat(A,"%"),r.hidden=A<=0||A>=100||x,o.hidden=A<=0||x,a.hidden=A>=100||x,s&&(s.hidden=!x),x?u.value="difference: the brighte\
 r, the further apart":A>=100?u.value="expected":A<=0?u.value="actual":u.value="left of the edge expected, right of it actual"},p=()=>{clearInterval(d),d=null,f.
-setAttribute("aria-pressed","false")},m=A=>{x=A,h.setAttribute("aria-pressed",String(A))};c.addEventListener("input",()=>{p(),m(!1),S(Number(c.value))}),f.addEventListener(
-"click",()=>{let A=d!==null;if(p(),m(!1),A)return S(Number(c.value));let M=!0;f.setAttribute("aria-pressed","true"),S(100),d=setInterval(()=>{M=!M,S(M?100:0)},Q0)}),
-h.addEventListener("click",()=>{p(),m(!x),S(Number(c.value))}),p(),m(!1),S(50);let v=at("div",{className:"controls"},c,f,...s?[h]:[],u);i.prepend(at("div",{className:"\
-viewer"},l,v))}var Ld={failed:"failed",within_bounds:"moved within bounds",unchanged:"unchanged",out_of_bounds:"out of bounds, not required",not_judged:"not judged"},Dd=Object.
-keys(Ld),Pd={name:i=>i.dataset.name,verdict:i=>Dd.indexOf(i.dataset.verdict),magnitude:i=>-Number(i.dataset.magnitude),category:i=>i.dataset.category},j0=(i,e)=>i<
-e?-1:i>e?1:0;function e_(i,e,t){let n=[...i.rows].sort((s,r)=>(t?-1:1)*j0(Pd[e](s),Pd[e](r)));i.append(...n)}function t_(i){let e=[...i.querySelectorAll("th[dat\
+setAttribute("aria-pressed","false")},m=A=>{x=A,h.setAttribute("aria-pressed",String(A))};l.addEventListener("input",()=>{p(),m(!1),S(Number(l.value))}),f.addEventListener(
+"click",()=>{let A=d!==null;if(p(),m(!1),A)return S(Number(l.value));let M=!0;f.setAttribute("aria-pressed","true"),S(100),d=setInterval(()=>{M=!M,S(M?100:0)},j0)}),
+h.addEventListener("click",()=>{p(),m(!x),S(Number(l.value))}),p(),m(!1),S(50);let v=at("div",{className:"controls"},l,f,...s?[h]:[],u);i.prepend(at("div",{className:"\
+viewer"},c,v))}var Dd={failed:"failed",within_bounds:"moved within bounds",unchanged:"unchanged",out_of_bounds:"out of bounds, not required",not_judged:"not judged"},Nd=Object.
+keys(Dd),Id={name:i=>i.dataset.name,verdict:i=>Nd.indexOf(i.dataset.verdict),magnitude:i=>-Number(i.dataset.magnitude),category:i=>i.dataset.category},e_=(i,e)=>i<
+e?-1:i>e?1:0;function t_(i,e,t){let n=[...i.rows].sort((s,r)=>(t?-1:1)*e_(Id[e](s),Id[e](r)));i.append(...n)}function n_(i){let e=[...i.querySelectorAll("th[dat\
 a-sort]")];for(let t of e){let n=at("button",{type:"button",textContent:t.textContent});t.replaceChildren(n),n.addEventListener("click",()=>{let s=t.getAttribute(
-"aria-sort")==="ascending";for(let r of e)r.removeAttribute("aria-sort");t.setAttribute("aria-sort",s?"descending":"ascending"),e_(i.tBodies[0],t.dataset.sort,s)})}}
-function Id(i,e,t){let n=at("select",{},at("option",{value:"",textContent:"all"}),...e.map(s=>at("option",{value:s,textContent:t(s)})));return{select:n,place:at(
-"label",{},i,n)}}function Nd(i){t_(i);let e=[...i.tBodies[0].rows,...document.querySelectorAll("details[data-verdict]")],t=l=>[...new Set(e.map(c=>c.dataset[l]))],
-n=Id("Verdict",Dd.filter(l=>t("verdict").includes(l)),l=>Ld[l]),s=Id("Category",t("category").sort(),l=>l),r=at("input",{type:"search"}),o=at("output"),a=()=>{let l=0;
-for(let c of e){let u=c instanceof HTMLTableRowElement,f=u?c.dataset.name:c.querySelector("h3").id;c.hidden=n.select.value!==""&&c.dataset.verdict!==n.select.value||
-s.select.value!==""&&c.dataset.category!==s.select.value||!f.includes(r.value),u&&!c.hidden&&++l}o.value="".concat(l," of ").concat(i.tBodies[0].rows.length," f\
-ailed or moved cases")};for(let l of[n.select,s.select,r])l.addEventListener("input",a);a(),i.parentElement.before(at("div",{className:"filters"},n.place,s.place,
-at("label",{},"Name",r),o))}var up=0,ku=1,hp=2;var Vo=1,fp=2,Or=3,Ts=0,Fn=1,Ni=2,Vs=0,Br=1,Vu=2,Gu=3,Hu=4,dp=5;var Gs=100,pp=101,mp=102,gp=103,_p=104,xp=200,vp=201,yp=202,Sp=203,Wu=204,Xu=205,Mp=206,bp=207,wp=208,Tp=209,Ap=210,Ep=211,Cp=212,Rp=213,Pp=214,Xa=0,qa=1,Ya=2,Cr=3,
-Za=4,Ja=5,$a=6,Ka=7,Tl=0,Ip=1,Lp=2,Ui=0,qu=1,Yu=2,Zu=3,Ju=4,$u=5,Ku=6,Qu=7;var ju=300,Hs=301,zr=302,Al=303,El=304,Qa=1e3,Pi=1001,ja=1002,Sn=1003,Dp=1004;var Go=1005;var Un=1006,Cl=1007;var is=1008;var Bn=1009,eh=1010,th=1011,kr=1012,Rl=1013,xi=1014,oi=1015,vi=1016,Pl=1017,Il=1018,Ws=1020,nh=35902,ih=35899,sh=1021,rh=1022,yi=1023,Ki=1026,ss=1027,Ll=1028,Dl=1029,
+"aria-sort")==="ascending";for(let r of e)r.removeAttribute("aria-sort");t.setAttribute("aria-sort",s?"descending":"ascending"),t_(i.tBodies[0],t.dataset.sort,s)})}}
+function Ld(i,e,t){let n=at("select",{},at("option",{value:"",textContent:"all"}),...e.map(s=>at("option",{value:s,textContent:t(s)})));return{select:n,place:at(
+"label",{},i,n)}}function Ud(i){n_(i);let e=[...i.tBodies[0].rows,...document.querySelectorAll("details[data-verdict]")],t=c=>[...new Set(e.map(l=>l.dataset[c]))],
+n=Ld("Verdict",Nd.filter(c=>t("verdict").includes(c)),c=>Dd[c]),s=Ld("Category",t("category").sort(),c=>c),r=at("input",{type:"search"}),o=at("output"),a=()=>{let c=0;
+for(let l of e){let u=l instanceof HTMLTableRowElement,f=u?l.dataset.name:l.querySelector("h3").id;l.hidden=n.select.value!==""&&l.dataset.verdict!==n.select.value||
+s.select.value!==""&&l.dataset.category!==s.select.value||!f.includes(r.value),u&&!l.hidden&&++c}o.value="".concat(c," of ").concat(i.tBodies[0].rows.length," f\
+ailed or moved cases")};for(let c of[n.select,s.select,r])c.addEventListener("input",a);a(),i.parentElement.before(at("div",{className:"filters"},n.place,s.place,
+at("label",{},"Name",r),o))}var hp=0,ku=1,fp=2;var Vo=1,dp=2,Or=3,Ts=0,Fn=1,Ni=2,Vs=0,Br=1,Vu=2,Gu=3,Hu=4,pp=5;var Gs=100,mp=101,gp=102,_p=103,xp=104,vp=200,yp=201,Sp=202,Mp=203,Wu=204,Xu=205,bp=206,wp=207,Tp=208,Ap=209,Ep=210,Cp=211,Rp=212,Pp=213,Ip=214,Xa=0,qa=1,Ya=2,Cr=3,
+Za=4,Ja=5,$a=6,Ka=7,Tl=0,Lp=1,Dp=2,Ui=0,qu=1,Yu=2,Zu=3,Ju=4,$u=5,Ku=6,Qu=7;var ju=300,Hs=301,zr=302,Al=303,El=304,Qa=1e3,Pi=1001,ja=1002,Sn=1003,Np=1004;var Go=1005;var Un=1006,Cl=1007;var is=1008;var Bn=1009,eh=1010,th=1011,kr=1012,Rl=1013,xi=1014,oi=1015,vi=1016,Pl=1017,Il=1018,Ws=1020,nh=35902,ih=35899,sh=1021,rh=1022,yi=1023,Ki=1026,ss=1027,Ll=1028,Dl=1029,
 As=1030,Nl=1031;var Ul=1033,Ho=33776,Wo=33777,Xo=33778,qo=33779,Fl=35840,Ol=35841,Bl=35842,zl=35843,kl=36196,Vl=37492,Gl=37496,Hl=37488,Wl=37489,Yo=37490,Xl=37491,ql=37808,Yl=37809,
 Zl=37810,Jl=37811,$l=37812,Kl=37813,Ql=37814,jl=37815,ec=37816,tc=37817,nc=37818,ic=37819,sc=37820,rc=37821,oc=36492,ac=36494,lc=36495,cc=36283,uc=36284,Zo=36285,
-hc=36286;var mo=2300,el=2301,Ha=2302,Du=2303,Nu=2400,Uu=2401,Fu=2402;var Np=3200;var fc=0,Up=1,rs="",Zn="srgb",go="srgb-linear",_o="linear",Tt="srgb";var Wa=7680;var Fp=519,Op=512,Bp=513,zp=514,oh=515,kp=516,Vp=517,ah=518,lh=519,Gp=35044;var ch="300 es",si=2e3,Rr=2001;function n_(i){for(let e=i.length-1;e>=0;--e)if(i[e]>=65535)return!0;return!1}function i_(i){return ArrayBuffer.isView(i)&&!(i instanceof DataView)}function xo(i){return document.createElementNS("http://www.w3.org/1999/xhtml",i)}function Hp(){
-let i=xo("canvas");return i.style.display="block",i}var Ud={},Pr=null;function uh(...i){let e="THREE."+i.shift();Pr?Pr("log",e,...i):console.log(e,...i)}function Wp(i){let e=i[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=i[1];
+hc=36286;var mo=2300,el=2301,Ha=2302,Du=2303,Nu=2400,Uu=2401,Fu=2402;var Up=3200;var fc=0,Fp=1,rs="",Zn="srgb",go="srgb-linear",_o="linear",Tt="srgb";var Wa=7680;var Op=519,Bp=512,zp=513,kp=514,oh=515,Vp=516,Gp=517,ah=518,lh=519,Hp=35044;var ch="300 es",si=2e3,Rr=2001;function i_(i){for(let e=i.length-1;e>=0;--e)if(i[e]>=65535)return!0;return!1}function s_(i){return ArrayBuffer.isView(i)&&!(i instanceof DataView)}function xo(i){return document.createElementNS("http://www.w3.org/1999/xhtml",i)}function Wp(){
+let i=xo("canvas");return i.style.display="block",i}var Fd={},Pr=null;function uh(...i){let e="THREE."+i.shift();Pr?Pr("log",e,...i):console.log(e,...i)}function Xp(i){let e=i[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=i[1];
 t&&t.isStackTrace?i[0]+=" "+t.getLocation():i[1]='Stack trace not available. Enable "THREE.Node.captureStackTrace" to capture stack traces.'}return i}function qe(...i){
-i=Wp(i);let e="THREE."+i.shift();if(Pr)Pr("warn",e,...i);else{let t=i[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...i)}}function Ke(...i){i=
-Wp(i);let e="THREE."+i.shift();if(Pr)Pr("error",e,...i);else{let t=i[0];t&&t.isStackTrace?console.error(t.getError(e)):console.error(e,...i)}}function po(...i){
-let e=i.join(" ");e in Ud||(Ud[e]=!0,qe(...i))}function Xp(i,e,t){return new Promise(function(n,s){function r(){switch(i.clientWaitSync(e,i.SYNC_FLUSH_COMMANDS_BIT,0)){case i.WAIT_FAILED:s();break;case i.TIMEOUT_EXPIRED:
-setTimeout(r,t);break;default:n()}}setTimeout(r,t)})}var qp={[Xa]:Xa,[Ya]:$a,[Za]:Za,[Cr]:Ja,[qa]:qa,[$a]:Ya,[Ka]:Ka,[Ja]:Cr},Ii=class{addEventListener(e,t){this.
+i=Xp(i);let e="THREE."+i.shift();if(Pr)Pr("warn",e,...i);else{let t=i[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...i)}}function Ke(...i){i=
+Xp(i);let e="THREE."+i.shift();if(Pr)Pr("error",e,...i);else{let t=i[0];t&&t.isStackTrace?console.error(t.getError(e)):console.error(e,...i)}}function po(...i){
+let e=i.join(" ");e in Fd||(Fd[e]=!0,qe(...i))}function qp(i,e,t){return new Promise(function(n,s){function r(){switch(i.clientWaitSync(e,i.SYNC_FLUSH_COMMANDS_BIT,0)){case i.WAIT_FAILED:s();break;case i.TIMEOUT_EXPIRED:
+setTimeout(r,t);break;default:n()}}setTimeout(r,t)})}var Yp={[Xa]:Xa,[Ya]:$a,[Za]:Za,[Cr]:Ja,[qa]:qa,[$a]:Ya,[Ka]:Ka,[Ja]:Cr},Ii=class{addEventListener(e,t){this.
 _listeners===void 0&&(this._listeners={});let n=this._listeners;n[e]===void 0&&(n[e]=[]),n[e].indexOf(t)===-1&&n[e].push(t)}hasEventListener(e,t){let n=this._listeners;
 return n===void 0?!1:n[e]!==void 0&&n[e].indexOf(t)!==-1}removeEventListener(e,t){let n=this._listeners;if(n===void 0)return;let s=n[e];if(s!==void 0){let r=s.indexOf(
 t);r!==-1&&s.splice(r,1)}}dispatchEvent(e){let t=this._listeners;if(t===void 0)return;let n=t[e.type];if(n!==void 0){e.target=this;let s=n.slice(0);for(let r=0,
@@ -420,10 +420,10 @@ o=s.length;r<o;r++)s[r].call(this,e);e.target=null}}},wn=["00","01","02","03","0
 4","d5","d6","d7","d8","d9","da","db","dc","dd","de","df","e0","e1","e2","e3","e4","e5","e6","e7","e8","e9","ea","eb","ec","ed","ee","ef","f0","f1","f2","f3","f\
 4","f5","f6","f7","f8","f9","fa","fb","fc","fd","fe","ff"];var uu=Math.PI/180,tl=180/Math.PI;function Jo(){let i=Math.random()*4294967295|0,e=Math.random()*4294967295|0,t=Math.random()*4294967295|0,n=Math.random()*4294967295|
 0;return(wn[i&255]+wn[i>>8&255]+wn[i>>16&255]+wn[i>>24&255]+"-"+wn[e&255]+wn[e>>8&255]+"-"+wn[e>>16&15|64]+wn[e>>24&255]+"-"+wn[t&63|128]+wn[t>>8&255]+"-"+wn[t>>
-16&255]+wn[t>>24&255]+wn[n&255]+wn[n>>8&255]+wn[n>>16&255]+wn[n>>24&255]).toLowerCase()}function _t(i,e,t){return Math.max(e,Math.min(t,i))}function s_(i,e){return(i%
-e+e)%e}function hu(i,e,t){return(1-t)*i+t*e}function Yp(i){return Math.pow(2,Math.floor(Math.log(i)/Math.LN2))}function hh(i){switch(i.constructor){case Uint32Array:return 4294967295;case Uint16Array:return 65535;case Uint8Array:case Uint8ClampedArray:return 255;case Int32Array:
-return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function r_(i,e){if(e.constructor===Float32Array)return i;let t=hh(e);if(t===
-void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(i/t,-1)}function o_(i,e){if(e.constructor===Float32Array)return i;let t=hh(e);
+16&255]+wn[t>>24&255]+wn[n&255]+wn[n>>8&255]+wn[n>>16&255]+wn[n>>24&255]).toLowerCase()}function _t(i,e,t){return Math.max(e,Math.min(t,i))}function r_(i,e){return(i%
+e+e)%e}function hu(i,e,t){return(1-t)*i+t*e}function Zp(i){return Math.pow(2,Math.floor(Math.log(i)/Math.LN2))}function hh(i){switch(i.constructor){case Uint32Array:return 4294967295;case Uint16Array:return 65535;case Uint8Array:case Uint8ClampedArray:return 255;case Int32Array:
+return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function o_(i,e){if(e.constructor===Float32Array)return i;let t=hh(e);if(t===
+void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(i/t,-1)}function a_(i,e){if(e.constructor===Float32Array)return i;let t=hh(e);
 if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.round(i*t)}var ft=class{static{this.prototype.isVector2=!0}constructor(e=0,t=0){this.x=e,this.y=t}get width(){return this.x}set width(e){this.x=e}get height(){return this.
 y}set height(e){this.y=e}set(e,t){return this.x=e,this.y=t,this}setScalar(e){return this.x=e,this.y=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,
 this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;default:throw new Error("THREE.Vector2: index is out of range: "+e)}return this}getComponent(e){
@@ -445,23 +445,23 @@ normalize().multiplyScalar(e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e
 y-e.y)*n,this}equals(e){return e.x===this.x&&e.y===this.y}fromArray(e,t=0){return this.x=e[t],this.y=e[t+1],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.
 y,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this}rotateAround(e,t){let n=Math.cos(t),s=Math.sin(t),r=this.x-e.x,o=this.y-e.y;return this.
 x=r*n-o*s+e.x,this.y=r*s+o*n+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}},Jn=class{constructor(e=0,t=0,n=0,s=1){
-this.isQuaternion=!0,this._x=e,this._y=t,this._z=n,this._w=s}static slerpFlat(e,t,n,s,r,o,a){let l=n[s+0],c=n[s+1],u=n[s+2],f=n[s+3],h=r[o+0],d=r[o+1],x=r[o+2],
-S=r[o+3];if(f!==S||l!==h||c!==d||u!==x){let p=l*h+c*d+u*x+f*S;p<0&&(h=-h,d=-d,x=-x,S=-S,p=-p);let m=1-a;if(p<.9995){let v=Math.acos(p),A=Math.sin(v);m=Math.sin(
-m*v)/A,a=Math.sin(a*v)/A,l=l*m+h*a,c=c*m+d*a,u=u*m+x*a,f=f*m+S*a}else{l=l*m+h*a,c=c*m+d*a,u=u*m+x*a,f=f*m+S*a;let v=1/Math.sqrt(l*l+c*c+u*u+f*f);l*=v,c*=v,u*=v,
-f*=v}}e[t]=l,e[t+1]=c,e[t+2]=u,e[t+3]=f}static multiplyQuaternionsFlat(e,t,n,s,r,o){let a=n[s],l=n[s+1],c=n[s+2],u=n[s+3],f=r[o],h=r[o+1],d=r[o+2],x=r[o+3];return e[t]=
-a*x+u*f+l*d-c*h,e[t+1]=l*x+u*h+c*f-a*d,e[t+2]=c*x+u*d+a*h-l*f,e[t+3]=u*x-a*f-l*h-c*d,e}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){
+this.isQuaternion=!0,this._x=e,this._y=t,this._z=n,this._w=s}static slerpFlat(e,t,n,s,r,o,a){let c=n[s+0],l=n[s+1],u=n[s+2],f=n[s+3],h=r[o+0],d=r[o+1],x=r[o+2],
+S=r[o+3];if(f!==S||c!==h||l!==d||u!==x){let p=c*h+l*d+u*x+f*S;p<0&&(h=-h,d=-d,x=-x,S=-S,p=-p);let m=1-a;if(p<.9995){let v=Math.acos(p),A=Math.sin(v);m=Math.sin(
+m*v)/A,a=Math.sin(a*v)/A,c=c*m+h*a,l=l*m+d*a,u=u*m+x*a,f=f*m+S*a}else{c=c*m+h*a,l=l*m+d*a,u=u*m+x*a,f=f*m+S*a;let v=1/Math.sqrt(c*c+l*l+u*u+f*f);c*=v,l*=v,u*=v,
+f*=v}}e[t]=c,e[t+1]=l,e[t+2]=u,e[t+3]=f}static multiplyQuaternionsFlat(e,t,n,s,r,o){let a=n[s],c=n[s+1],l=n[s+2],u=n[s+3],f=r[o],h=r[o+1],d=r[o+2],x=r[o+3];return e[t]=
+a*x+u*f+c*d-l*h,e[t+1]=c*x+u*h+l*f-a*d,e[t+2]=l*x+u*d+a*h-c*f,e[t+3]=u*x-a*f-c*h-l*d,e}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){
 return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get w(){return this._w}set w(e){this.
 _w=e,this._onChangeCallback()}set(e,t,n,s){return this._x=e,this._y=t,this._z=n,this._w=s,this._onChangeCallback(),this}clone(){return new this.constructor(this.
 _x,this._y,this._z,this._w)}copy(e){return this._x=e.x,this._y=e.y,this._z=e.z,this._w=e.w,this._onChangeCallback(),this}setFromEuler(e,t=!0){let n=e._x,s=e._y,
-r=e._z,o=e._order,a=Math.cos,l=Math.sin,c=a(n/2),u=a(s/2),f=a(r/2),h=l(n/2),d=l(s/2),x=l(r/2);switch(o){case"XYZ":this._x=h*u*f+c*d*x,this._y=c*d*f-h*u*x,this._z=
-c*u*x+h*d*f,this._w=c*u*f-h*d*x;break;case"YXZ":this._x=h*u*f+c*d*x,this._y=c*d*f-h*u*x,this._z=c*u*x-h*d*f,this._w=c*u*f+h*d*x;break;case"ZXY":this._x=h*u*f-c*
-d*x,this._y=c*d*f+h*u*x,this._z=c*u*x+h*d*f,this._w=c*u*f-h*d*x;break;case"ZYX":this._x=h*u*f-c*d*x,this._y=c*d*f+h*u*x,this._z=c*u*x-h*d*f,this._w=c*u*f+h*d*x;
-break;case"YZX":this._x=h*u*f+c*d*x,this._y=c*d*f+h*u*x,this._z=c*u*x-h*d*f,this._w=c*u*f-h*d*x;break;case"XZY":this._x=h*u*f-c*d*x,this._y=c*d*f-h*u*x,this._z=
-c*u*x+h*d*f,this._w=c*u*f+h*d*x;break;default:qe("Quaternion: .setFromEuler() encountered an unknown order: "+o)}return t===!0&&this._onChangeCallback(),this}setFromAxisAngle(e,t){
+r=e._z,o=e._order,a=Math.cos,c=Math.sin,l=a(n/2),u=a(s/2),f=a(r/2),h=c(n/2),d=c(s/2),x=c(r/2);switch(o){case"XYZ":this._x=h*u*f+l*d*x,this._y=l*d*f-h*u*x,this._z=
+l*u*x+h*d*f,this._w=l*u*f-h*d*x;break;case"YXZ":this._x=h*u*f+l*d*x,this._y=l*d*f-h*u*x,this._z=l*u*x-h*d*f,this._w=l*u*f+h*d*x;break;case"ZXY":this._x=h*u*f-l*
+d*x,this._y=l*d*f+h*u*x,this._z=l*u*x+h*d*f,this._w=l*u*f-h*d*x;break;case"ZYX":this._x=h*u*f-l*d*x,this._y=l*d*f+h*u*x,this._z=l*u*x-h*d*f,this._w=l*u*f+h*d*x;
+break;case"YZX":this._x=h*u*f+l*d*x,this._y=l*d*f+h*u*x,this._z=l*u*x-h*d*f,this._w=l*u*f-h*d*x;break;case"XZY":this._x=h*u*f-l*d*x,this._y=l*d*f-h*u*x,this._z=
+l*u*x+h*d*f,this._w=l*u*f+h*d*x;break;default:qe("Quaternion: .setFromEuler() encountered an unknown order: "+o)}return t===!0&&this._onChangeCallback(),this}setFromAxisAngle(e,t){
 let n=t/2,s=Math.sin(n);return this._x=e.x*s,this._y=e.y*s,this._z=e.z*s,this._w=Math.cos(n),this._onChangeCallback(),this}setFromRotationMatrix(e){let t=e.elements,
-n=t[0],s=t[4],r=t[8],o=t[1],a=t[5],l=t[9],c=t[2],u=t[6],f=t[10],h=n+a+f;if(h>0){let d=.5/Math.sqrt(h+1);this._w=.25/d,this._x=(u-l)*d,this._y=(r-c)*d,this._z=(o-
-s)*d}else if(n>a&&n>f){let d=2*Math.sqrt(1+n-a-f);this._w=(u-l)/d,this._x=.25*d,this._y=(s+o)/d,this._z=(r+c)/d}else if(a>f){let d=2*Math.sqrt(1+a-n-f);this._w=
-(r-c)/d,this._x=(s+o)/d,this._y=.25*d,this._z=(l+u)/d}else{let d=2*Math.sqrt(1+f-n-a);this._w=(o-s)/d,this._x=(r+c)/d,this._y=(l+u)/d,this._z=.25*d}return this.
+n=t[0],s=t[4],r=t[8],o=t[1],a=t[5],c=t[9],l=t[2],u=t[6],f=t[10],h=n+a+f;if(h>0){let d=.5/Math.sqrt(h+1);this._w=.25/d,this._x=(u-c)*d,this._y=(r-l)*d,this._z=(o-
+s)*d}else if(n>a&&n>f){let d=2*Math.sqrt(1+n-a-f);this._w=(u-c)/d,this._x=.25*d,this._y=(s+o)/d,this._z=(r+l)/d}else if(a>f){let d=2*Math.sqrt(1+a-n-f);this._w=
+(r-l)/d,this._x=(s+o)/d,this._y=.25*d,this._z=(c+u)/d}else{let d=2*Math.sqrt(1+f-n-a);this._w=(o-s)/d,this._x=(r+l)/d,this._y=(c+u)/d,this._z=.25*d}return this.
 _onChangeCallback(),this}setFromUnitVectors(e,t){let n=e.dot(t)+1;return n<1e-8?(n=0,Math.abs(e.x)>Math.abs(e.z)?(this._x=-e.y,this._y=e.x,this._z=0,this._w=n):
 (this._x=0,this._y=-e.z,this._z=e.y,this._w=n)):(this._x=e.y*t.z-e.z*t.y,this._y=e.z*t.x-e.x*t.z,this._z=e.x*t.y-e.y*t.x,this._w=n),this.normalize()}angleTo(e){
 return 2*Math.acos(Math.abs(_t(this.dot(e),-1,1)))}rotateTowards(e,t){let n=this.angleTo(e);if(n===0)return this;let s=Math.min(1,t/n);return this.slerp(e,s),this}identity(){
@@ -469,10 +469,10 @@ return this.set(0,0,0,1)}invert(){return this.conjugate()}conjugate(){return thi
 _x*e._x+this._y*e._y+this._z*e._z+this._w*e._w}lengthSq(){return this._x*this._x+this._y*this._y+this._z*this._z+this._w*this._w}length(){return Math.sqrt(this.
 _x*this._x+this._y*this._y+this._z*this._z+this._w*this._w)}normalize(){let e=this.length();return e===0?(this._x=0,this._y=0,this._z=0,this._w=1):(e=1/e,this._x=
 this._x*e,this._y=this._y*e,this._z=this._z*e,this._w=this._w*e),this._onChangeCallback(),this}multiply(e){return this.multiplyQuaternions(this,e)}premultiply(e){
-return this.multiplyQuaternions(e,this)}multiplyQuaternions(e,t){let n=e._x,s=e._y,r=e._z,o=e._w,a=t._x,l=t._y,c=t._z,u=t._w;return this._x=n*u+o*a+s*c-r*l,this.
-_y=s*u+o*l+r*a-n*c,this._z=r*u+o*c+n*l-s*a,this._w=o*u-n*a-s*l-r*c,this._onChangeCallback(),this}slerp(e,t){let n=e._x,s=e._y,r=e._z,o=e._w,a=this.dot(e);a<0&&(n=
--n,s=-s,r=-r,o=-o,a=-a);let l=1-t;if(a<.9995){let c=Math.acos(a),u=Math.sin(c);l=Math.sin(l*c)/u,t=Math.sin(t*c)/u,this._x=this._x*l+n*t,this._y=this._y*l+s*t,this.
-_z=this._z*l+r*t,this._w=this._w*l+o*t,this._onChangeCallback()}else this._x=this._x*l+n*t,this._y=this._y*l+s*t,this._z=this._z*l+r*t,this._w=this._w*l+o*t,this.
+return this.multiplyQuaternions(e,this)}multiplyQuaternions(e,t){let n=e._x,s=e._y,r=e._z,o=e._w,a=t._x,c=t._y,l=t._z,u=t._w;return this._x=n*u+o*a+s*l-r*c,this.
+_y=s*u+o*c+r*a-n*l,this._z=r*u+o*l+n*c-s*a,this._w=o*u-n*a-s*c-r*l,this._onChangeCallback(),this}slerp(e,t){let n=e._x,s=e._y,r=e._z,o=e._w,a=this.dot(e);a<0&&(n=
+-n,s=-s,r=-r,o=-o,a=-a);let c=1-t;if(a<.9995){let l=Math.acos(a),u=Math.sin(l);c=Math.sin(c*l)/u,t=Math.sin(t*l)/u,this._x=this._x*c+n*t,this._y=this._y*c+s*t,this.
+_z=this._z*c+r*t,this._w=this._w*c+o*t,this._onChangeCallback()}else this._x=this._x*c+n*t,this._y=this._y*c+s*t,this._z=this._z*c+r*t,this._w=this._w*c+o*t,this.
 normalize();return this}slerpQuaternions(e,t,n){return this.copy(e).slerp(t,n)}random(){let e=2*Math.PI*Math.random(),t=2*Math.PI*Math.random(),n=Math.random(),
 s=Math.sqrt(1-n),r=Math.sqrt(n);return this.set(s*Math.sin(e),s*Math.cos(e),r*Math.sin(t),r*Math.cos(t))}equals(e){return e._x===this._x&&e._y===this._y&&e._z===
 this._z&&e._w===this._w}fromArray(e,t=0){return this._x=e[t],this._y=e[t+1],this._z=e[t+2],this._w=e[t+3],this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=
@@ -486,12 +486,12 @@ r3: index is out of range: "+e)}}clone(){return new this.constructor(this.x,this
 x+=e.x,this.y+=e.y,this.z+=e.z,this}addScalar(e){return this.x+=e,this.y+=e,this.z+=e,this}addVectors(e,t){return this.x=e.x+t.x,this.y=e.y+t.y,this.z=e.z+t.z,this}addScaledVector(e,t){
 return this.x+=e.x*t,this.y+=e.y*t,this.z+=e.z*t,this}sub(e){return this.x-=e.x,this.y-=e.y,this.z-=e.z,this}subScalar(e){return this.x-=e,this.y-=e,this.z-=e,this}subVectors(e,t){
 return this.x=e.x-t.x,this.y=e.y-t.y,this.z=e.z-t.z,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,this}multiplyScalar(e){return this.x*=e,this.y*=
-e,this.z*=e,this}multiplyVectors(e,t){return this.x=e.x*t.x,this.y=e.y*t.y,this.z=e.z*t.z,this}applyEuler(e){return this.applyQuaternion(Fd.setFromEuler(e))}applyAxisAngle(e,t){
-return this.applyQuaternion(Fd.setFromAxisAngle(e,t))}applyMatrix3(e){let t=this.x,n=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[3]*n+r[6]*s,this.y=r[1]*
+e,this.z*=e,this}multiplyVectors(e,t){return this.x=e.x*t.x,this.y=e.y*t.y,this.z=e.z*t.z,this}applyEuler(e){return this.applyQuaternion(Od.setFromEuler(e))}applyAxisAngle(e,t){
+return this.applyQuaternion(Od.setFromAxisAngle(e,t))}applyMatrix3(e){let t=this.x,n=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[3]*n+r[6]*s,this.y=r[1]*
 t+r[4]*n+r[7]*s,this.z=r[2]*t+r[5]*n+r[8]*s,this}applyNormalMatrix(e){return this.applyMatrix3(e).normalize()}applyMatrix4(e){let t=this.x,n=this.y,s=this.z,r=e.
 elements,o=1/(r[3]*t+r[7]*n+r[11]*s+r[15]);return this.x=(r[0]*t+r[4]*n+r[8]*s+r[12])*o,this.y=(r[1]*t+r[5]*n+r[9]*s+r[13])*o,this.z=(r[2]*t+r[6]*n+r[10]*s+r[14])*
-o,this}applyQuaternion(e){let t=this.x,n=this.y,s=this.z,r=e.x,o=e.y,a=e.z,l=e.w,c=2*(o*s-a*n),u=2*(a*t-r*s),f=2*(r*n-o*t);return this.x=t+l*c+o*f-a*u,this.y=n+
-l*u+a*c-r*f,this.z=s+l*f+r*u-o*c,this}project(e){return this.applyMatrix4(e.matrixWorldInverse).applyMatrix4(e.projectionMatrix)}unproject(e){return this.applyMatrix4(
+o,this}applyQuaternion(e){let t=this.x,n=this.y,s=this.z,r=e.x,o=e.y,a=e.z,c=e.w,l=2*(o*s-a*n),u=2*(a*t-r*s),f=2*(r*n-o*t);return this.x=t+c*l+o*f-a*u,this.y=n+
+c*u+a*l-r*f,this.z=s+c*f+r*u-o*l,this}project(e){return this.applyMatrix4(e.matrixWorldInverse).applyMatrix4(e.projectionMatrix)}unproject(e){return this.applyMatrix4(
 e.projectionMatrixInverse).applyMatrix4(e.matrixWorld)}transformDirection(e){let t=this.x,n=this.y,s=this.z,r=e.elements;return this.x=r[0]*t+r[4]*n+r[8]*s,this.
 y=r[1]*t+r[5]*n+r[9]*s,this.z=r[2]*t+r[6]*n+r[10]*s,this.normalize()}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this}divideScalar(e){return this.multiplyScalar(
 1/e)}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.min(this.z,e.z),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.
@@ -503,8 +503,8 @@ x=Math.trunc(this.x),this.y=Math.trunc(this.y),this.z=Math.trunc(this.z),this}ne
 x*e.x+this.y*e.y+this.z*e.z}lengthSq(){return this.x*this.x+this.y*this.y+this.z*this.z}length(){return Math.sqrt(this.x*this.x+this.y*this.y+this.z*this.z)}manhattanLength(){
 return Math.abs(this.x)+Math.abs(this.y)+Math.abs(this.z)}normalize(){return this.divideScalar(this.length()||1)}setLength(e){return this.normalize().multiplyScalar(
 e)}lerp(e,t){return this.x+=(e.x-this.x)*t,this.y+=(e.y-this.y)*t,this.z+=(e.z-this.z)*t,this}lerpVectors(e,t,n){return this.x=e.x+(t.x-e.x)*n,this.y=e.y+(t.y-e.
-y)*n,this.z=e.z+(t.z-e.z)*n,this}cross(e){return this.crossVectors(this,e)}crossVectors(e,t){let n=e.x,s=e.y,r=e.z,o=t.x,a=t.y,l=t.z;return this.x=s*l-r*a,this.
-y=r*o-n*l,this.z=n*a-s*o,this}projectOnVector(e){let t=e.lengthSq();if(t===0)return this.set(0,0,0);let n=e.dot(this)/t;return this.copy(e).multiplyScalar(n)}projectOnPlane(e){
+y)*n,this.z=e.z+(t.z-e.z)*n,this}cross(e){return this.crossVectors(this,e)}crossVectors(e,t){let n=e.x,s=e.y,r=e.z,o=t.x,a=t.y,c=t.z;return this.x=s*c-r*a,this.
+y=r*o-n*c,this.z=n*a-s*o,this}projectOnVector(e){let t=e.lengthSq();if(t===0)return this.set(0,0,0);let n=e.dot(this)/t;return this.copy(e).multiplyScalar(n)}projectOnPlane(e){
 return fu.copy(this).projectOnVector(e),this.sub(fu)}reflect(e){return this.sub(fu.copy(e).multiplyScalar(2*this.dot(e)))}angleTo(e){let t=Math.sqrt(this.lengthSq()*
 e.lengthSq());if(t===0)return Math.PI/2;let n=this.dot(e)/t;return Math.acos(_t(n,-1,1))}distanceTo(e){return Math.sqrt(this.distanceToSquared(e))}distanceToSquared(e){
 let t=this.x-e.x,n=this.y-e.y,s=this.z-e.z;return t*t+n*n+s*s}manhattanDistanceTo(e){return Math.abs(this.x-e.x)+Math.abs(this.y-e.y)+Math.abs(this.z-e.z)}setFromSpherical(e){
@@ -517,27 +517,27 @@ this}setFromColor(e){return this.x=e.r,this.y=e.g,this.z=e.b,this}equals(e){retu
 this.y=e[t+1],this.z=e[t+2],this}toArray(e=[],t=0){return e[t]=this.x,e[t+1]=this.y,e[t+2]=this.z,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(
 t),this.z=e.getZ(t),this}random(){return this.x=Math.random(),this.y=Math.random(),this.z=Math.random(),this}randomDirection(){let e=Math.random()*Math.PI*2,t=Math.
 random()*2-1,n=Math.sqrt(1-t*t);return this.x=n*Math.cos(e),this.y=t,this.z=n*Math.sin(e),this}*[Symbol.iterator](){yield this.x,yield this.y,yield this.z}},fu=new q,
-Fd=new Jn,Qe=class{static{this.prototype.isMatrix3=!0}constructor(e,t,n,s,r,o,a,l,c){this.elements=[1,0,0,0,1,0,0,0,1],e!==void 0&&this.set(e,t,n,s,r,o,a,l,c)}set(e,t,n,s,r,o,a,l,c){
-let u=this.elements;return u[0]=e,u[1]=s,u[2]=a,u[3]=t,u[4]=r,u[5]=l,u[6]=n,u[7]=o,u[8]=c,this}identity(){return this.set(1,0,0,0,1,0,0,0,1),this}copy(e){let t=this.
+Od=new Jn,Qe=class{static{this.prototype.isMatrix3=!0}constructor(e,t,n,s,r,o,a,c,l){this.elements=[1,0,0,0,1,0,0,0,1],e!==void 0&&this.set(e,t,n,s,r,o,a,c,l)}set(e,t,n,s,r,o,a,c,l){
+let u=this.elements;return u[0]=e,u[1]=s,u[2]=a,u[3]=t,u[4]=r,u[5]=c,u[6]=n,u[7]=o,u[8]=l,this}identity(){return this.set(1,0,0,0,1,0,0,0,1),this}copy(e){let t=this.
 elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],this}extractBasis(e,t,n){return e.setFromMatrix3Column(
 this,0),t.setFromMatrix3Column(this,1),n.setFromMatrix3Column(this,2),this}setFromMatrix4(e){let t=e.elements;return this.set(t[0],t[4],t[8],t[1],t[5],t[9],t[2],
 t[6],t[10]),this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.
-elements,r=this.elements,o=n[0],a=n[3],l=n[6],c=n[1],u=n[4],f=n[7],h=n[2],d=n[5],x=n[8],S=s[0],p=s[3],m=s[6],v=s[1],A=s[4],M=s[7],P=s[2],E=s[5],_=s[8];return r[0]=
-o*S+a*v+l*P,r[3]=o*p+a*A+l*E,r[6]=o*m+a*M+l*_,r[1]=c*S+u*v+f*P,r[4]=c*p+u*A+f*E,r[7]=c*m+u*M+f*_,r[2]=h*S+d*v+x*P,r[5]=h*p+d*A+x*E,r[8]=h*m+d*M+x*_,this}multiplyScalar(e){
+elements,r=this.elements,o=n[0],a=n[3],c=n[6],l=n[1],u=n[4],f=n[7],h=n[2],d=n[5],x=n[8],S=s[0],p=s[3],m=s[6],v=s[1],A=s[4],M=s[7],P=s[2],E=s[5],_=s[8];return r[0]=
+o*S+a*v+c*P,r[3]=o*p+a*A+c*E,r[6]=o*m+a*M+c*_,r[1]=l*S+u*v+f*P,r[4]=l*p+u*A+f*E,r[7]=l*m+u*M+f*_,r[2]=h*S+d*v+x*P,r[5]=h*p+d*A+x*E,r[8]=h*m+d*M+x*_,this}multiplyScalar(e){
 let t=this.elements;return t[0]*=e,t[3]*=e,t[6]*=e,t[1]*=e,t[4]*=e,t[7]*=e,t[2]*=e,t[5]*=e,t[8]*=e,this}determinant(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],
-o=e[4],a=e[5],l=e[6],c=e[7],u=e[8];return t*o*u-t*a*c-n*r*u+n*a*l+s*r*c-s*o*l}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],
-u=e[8],f=u*o-a*c,h=a*l-u*r,d=c*r-o*l,x=t*f+n*h+s*d;if(x===0)return this.set(0,0,0,0,0,0,0,0,0);let S=1/x;return e[0]=f*S,e[1]=(s*c-u*n)*S,e[2]=(a*n-s*o)*S,e[3]=
-h*S,e[4]=(u*t-s*l)*S,e[5]=(s*r-a*t)*S,e[6]=d*S,e[7]=(n*l-c*t)*S,e[8]=(o*t-n*r)*S,this}transpose(){let e,t=this.elements;return e=t[1],t[1]=t[3],t[3]=e,e=t[2],t[2]=
+o=e[4],a=e[5],c=e[6],l=e[7],u=e[8];return t*o*u-t*a*l-n*r*u+n*a*c+s*r*l-s*o*c}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],c=e[6],l=e[7],
+u=e[8],f=u*o-a*l,h=a*c-u*r,d=l*r-o*c,x=t*f+n*h+s*d;if(x===0)return this.set(0,0,0,0,0,0,0,0,0);let S=1/x;return e[0]=f*S,e[1]=(s*l-u*n)*S,e[2]=(a*n-s*o)*S,e[3]=
+h*S,e[4]=(u*t-s*c)*S,e[5]=(s*r-a*t)*S,e[6]=d*S,e[7]=(n*c-l*t)*S,e[8]=(o*t-n*r)*S,this}transpose(){let e,t=this.elements;return e=t[1],t[1]=t[3],t[3]=e,e=t[2],t[2]=
 t[6],t[6]=e,e=t[5],t[5]=t[7],t[7]=e,this}getNormalMatrix(e){return this.setFromMatrix4(e).invert().transpose()}transposeIntoArray(e){let t=this.elements;return e[0]=
-t[0],e[1]=t[3],e[2]=t[6],e[3]=t[1],e[4]=t[4],e[5]=t[7],e[6]=t[2],e[7]=t[5],e[8]=t[8],this}setUvTransform(e,t,n,s,r,o,a){let l=Math.cos(r),c=Math.sin(r);return this.
-set(n*l,n*c,-n*(l*o+c*a)+o+e,-s*c,s*l,-s*(-c*o+l*a)+a+t,0,0,1),this}scale(e,t){return po("Matrix3: .scale() is deprecated. Use .makeScale() instead."),this.premultiply(
+t[0],e[1]=t[3],e[2]=t[6],e[3]=t[1],e[4]=t[4],e[5]=t[7],e[6]=t[2],e[7]=t[5],e[8]=t[8],this}setUvTransform(e,t,n,s,r,o,a){let c=Math.cos(r),l=Math.sin(r);return this.
+set(n*c,n*l,-n*(c*o+l*a)+o+e,-s*l,s*c,-s*(-l*o+c*a)+a+t,0,0,1),this}scale(e,t){return po("Matrix3: .scale() is deprecated. Use .makeScale() instead."),this.premultiply(
 du.makeScale(e,t)),this}rotate(e){return po("Matrix3: .rotate() is deprecated. Use .makeRotation() instead."),this.premultiply(du.makeRotation(-e)),this}translate(e,t){
 return po("Matrix3: .translate() is deprecated. Use .makeTranslation() instead."),this.premultiply(du.makeTranslation(e,t)),this}makeTranslation(e,t){return e.isVector2?
 this.set(1,0,e.x,0,1,e.y,0,0,1):this.set(1,0,e,0,1,t,0,0,1),this}makeRotation(e){let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,n,t,0,0,0,1),this}makeScale(e,t){
 return this.set(e,0,0,0,t,0,0,0,1),this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<9;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<
 9;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+
-6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e}clone(){return new this.constructor().fromArray(this.elements)}},du=new Qe,Od=new Qe().set(.4123908,.3575843,.1804808,.212639,
-.7151687,.0721923,.0193308,.1191948,.9505322),Bd=new Qe().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function a_(){
+6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e}clone(){return new this.constructor().fromArray(this.elements)}},du=new Qe,Bd=new Qe().set(.4123908,.3575843,.1804808,.212639,
+.7151687,.0721923,.0193308,.1191948,.9505322),zd=new Qe().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function l_(){
 let i={enabled:!0,workingColorSpace:go,spaces:{},convert:function(s,r,o){return this.enabled===!1||r===o||!r||!o||(this.spaces[r].transfer===Tt&&(s.r=$i(s.r),s.
 g=$i(s.g),s.b=$i(s.b)),this.spaces[r].primaries!==this.spaces[o].primaries&&(s.applyMatrix3(this.spaces[r].toXYZ),s.applyMatrix3(this.spaces[o].fromXYZ)),this.spaces[o].
 transfer===Tt&&(s.r=Er(s.r),s.g=Er(s.g),s.b=Er(s.b))),s},workingToColorSpace:function(s,r){return this.convert(s,this.workingColorSpace,r)},colorSpaceToWorking:function(s,r){
@@ -546,8 +546,8 @@ transfer},getToneMappingMode:function(s){return this.spaces[s].outputColorSpaceC
 return s.fromArray(this.spaces[r].luminanceCoefficients)},define:function(s){Object.assign(this.spaces,s)},_getMatrix:function(s,r,o){return s.copy(this.spaces[o].
 fromXYZ).multiply(this.spaces[r].toXYZ)},_getDrawingBufferColorSpace:function(s){return this.spaces[s].outputColorSpaceConfig.drawingBufferColorSpace},_getUnpackColorSpace:function(s=this.
 workingColorSpace){return this.spaces[s].workingColorSpaceConfig.unpackColorSpace}},e=[.64,.33,.3,.6,.15,.06],t=[.2126,.7152,.0722],n=[.3127,.329];return i.define(
-{[go]:{primaries:e,whitePoint:n,transfer:_o,toXYZ:Od,fromXYZ:Bd,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:Zn},outputColorSpaceConfig:{drawingBufferColorSpace:Zn}},
-[Zn]:{primaries:e,whitePoint:n,transfer:Tt,toXYZ:Od,fromXYZ:Bd,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:Zn}}}),i}var gt=a_();function $i(i){
+{[go]:{primaries:e,whitePoint:n,transfer:_o,toXYZ:Bd,fromXYZ:zd,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:Zn},outputColorSpaceConfig:{drawingBufferColorSpace:Zn}},
+[Zn]:{primaries:e,whitePoint:n,transfer:Tt,toXYZ:Bd,fromXYZ:zd,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:Zn}}}),i}var gt=l_();function $i(i){
 return i<.04045?i*.0773993808:Math.pow(i*.9478672986+.0521327014,2.4)}function Er(i){return i<.0031308?i*12.92:1.055*Math.pow(i,.41666)-.055}var dr,nl=class{static getDataURL(e,t="\
 image/png"){if(/^data:/i.test(e.src)||typeof HTMLCanvasElement>"u")return e.src;let n;if(e instanceof HTMLCanvasElement)n=e;else{dr===void 0&&(dr=xo("canvas")),
 dr.width=e.width,dr.height=e.height;let s=dr.getContext("2d");e instanceof ImageData?s.putImageData(e,0,0):s.drawImage(e,0,0,e.width,e.height),n=dr}return n.toDataURL(
@@ -555,16 +555,16 @@ t)}static sRGBToLinear(e){if(typeof HTMLImageElement<"u"&&e instanceof HTMLImage
 "u"&&e instanceof ImageBitmap){let t=xo("canvas");t.width=e.width,t.height=e.height;let n=t.getContext("2d");n.drawImage(e,0,0,e.width,e.height);let s=n.getImageData(
 0,0,e.width,e.height),r=s.data;for(let o=0;o<r.length;o++)r[o]=$i(r[o]/255)*255;return n.putImageData(s,0,0),t}else if(e.data){let t=e.data.slice(0);for(let n=0;n<
 t.length;n++)t instanceof Uint8Array||t instanceof Uint8ClampedArray?t[n]=Math.floor($i(t[n]/255)*255):t[n]=$i(t[n]);return{data:t,width:e.width,height:e.height}}else
-return qe("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},l_=0,Ir=class{constructor(e=null){this.isTextureSource=!0,
-Object.defineProperty(this,"id",{value:l_++}),this.uuid=Jo(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<
+return qe("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},c_=0,Ir=class{constructor(e=null){this.isTextureSource=!0,
+Object.defineProperty(this,"id",{value:c_++}),this.uuid=Jo(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<
 "u"&&t instanceof HTMLVideoElement?e.set(t.videoWidth,t.videoHeight,0):typeof VideoFrame<"u"&&t instanceof VideoFrame?e.set(t.displayWidth,t.displayHeight,0):t!==
 null?e.set(t.width||0,t.height||0,t.depth||0):e.set(0,0,0),e}set needsUpdate(e){e===!0&&this.version++}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.images[this.
 uuid]!==void 0)return e.images[this.uuid];let n={uuid:this.uuid,url:""},s=this.data;if(s!==null){let r;if(Array.isArray(s)){r=[];for(let o=0,a=s.length;o<a;o++)
 s[o].isDataTexture?r.push(pu(s[o].image)):r.push(pu(s[o]))}else r=pu(s);n.url=r}return t||(e.images[this.uuid]=n),n}};function pu(i){return typeof HTMLImageElement<
 "u"&&i instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&i instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&i instanceof ImageBitmap?nl.getDataURL(
-i):i.data?{data:Array.from(i.data),width:i.width,height:i.height,type:i.data.constructor.name}:(qe("Texture: Unable to serialize Texture."),{})}var c_=0,mu=new q,On=class i extends Ii{constructor(e=i.DEFAULT_IMAGE,t=i.DEFAULT_MAPPING,n=Pi,s=Pi,r=Un,o=is,a=yi,l=Bn,c=i.DEFAULT_ANISOTROPY,u=rs){super(),this.
-isTexture=!0,Object.defineProperty(this,"id",{value:c_++}),this.uuid=Jo(),this.name="",this.source=new Ir(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.
-wrapS=n,this.wrapT=s,this.magFilter=r,this.minFilter=o,this.anisotropy=c,this.format=a,this.internalFormat=null,this.type=l,this.offset=new ft(0,0),this.repeat=
+i):i.data?{data:Array.from(i.data),width:i.width,height:i.height,type:i.data.constructor.name}:(qe("Texture: Unable to serialize Texture."),{})}var u_=0,mu=new q,On=class i extends Ii{constructor(e=i.DEFAULT_IMAGE,t=i.DEFAULT_MAPPING,n=Pi,s=Pi,r=Un,o=is,a=yi,c=Bn,l=i.DEFAULT_ANISOTROPY,u=rs){super(),this.
+isTexture=!0,Object.defineProperty(this,"id",{value:u_++}),this.uuid=Jo(),this.name="",this.source=new Ir(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.
+wrapS=n,this.wrapT=s,this.magFilter=r,this.minFilter=o,this.anisotropy=l,this.format=a,this.internalFormat=null,this.type=c,this.offset=new ft(0,0),this.repeat=
 new ft(1,1),this.center=new ft(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new Qe,this.generateMipmaps=!0,this.mipmapsAutoUpdate=!0,this.premultiplyAlpha=
 !1,this.flipY=!0,this.unpackAlignment=4,this.colorSpace=u,this.userData={},this.updateRanges=[],this.version=0,this.onUpdate=null,this.renderTarget=null,this.isRenderTargetTexture=
 !1,this.isArrayTexture=!!(e&&e.depth&&e.depth>1),this.pmremVersion=0,this.isPMREMTexture=!1,this.normalized=!1}get width(){return this.source.getSize(mu).x}get height(){
@@ -602,11 +602,11 @@ t.z,this.w=e.w-t.w,this}multiply(e){return this.x*=e.x,this.y*=e.y,this.z*=e.z,t
 this}applyMatrix4(e){let t=this.x,n=this.y,s=this.z,r=this.w,o=e.elements;return this.x=o[0]*t+o[4]*n+o[8]*s+o[12]*r,this.y=o[1]*t+o[5]*n+o[9]*s+o[13]*r,this.z=
 o[2]*t+o[6]*n+o[10]*s+o[14]*r,this.w=o[3]*t+o[7]*n+o[11]*s+o[15]*r,this}divide(e){return this.x/=e.x,this.y/=e.y,this.z/=e.z,this.w/=e.w,this}divideScalar(e){return this.
 multiplyScalar(1/e)}setAxisAngleFromQuaternion(e){this.w=2*Math.acos(e.w);let t=Math.sqrt(1-e.w*e.w);return t<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=e.x/t,this.
-y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,n,s,r,l=e.elements,c=l[0],u=l[4],f=l[8],h=l[1],d=l[5],x=l[9],S=l[2],p=l[6],m=l[10];if(Math.abs(
-u-h)<.01&&Math.abs(f-S)<.01&&Math.abs(x-p)<.01){if(Math.abs(u+h)<.1&&Math.abs(f+S)<.1&&Math.abs(x+p)<.1&&Math.abs(c+d+m-3)<.1)return this.set(1,0,0,0),this;t=Math.
-PI;let A=(c+1)/2,M=(d+1)/2,P=(m+1)/2,E=(u+h)/4,_=(f+S)/4,T=(x+p)/4;return A>M&&A>P?A<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(A),s=E/n,r=_/n):M>P?M<.01?
+y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,n,s,r,c=e.elements,l=c[0],u=c[4],f=c[8],h=c[1],d=c[5],x=c[9],S=c[2],p=c[6],m=c[10];if(Math.abs(
+u-h)<.01&&Math.abs(f-S)<.01&&Math.abs(x-p)<.01){if(Math.abs(u+h)<.1&&Math.abs(f+S)<.1&&Math.abs(x+p)<.1&&Math.abs(l+d+m-3)<.1)return this.set(1,0,0,0),this;t=Math.
+PI;let A=(l+1)/2,M=(d+1)/2,P=(m+1)/2,E=(u+h)/4,_=(f+S)/4,T=(x+p)/4;return A>M&&A>P?A<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(A),s=E/n,r=_/n):M>P?M<.01?
 (n=.707106781,s=0,r=.707106781):(s=Math.sqrt(M),n=E/s,r=T/s):P<.01?(n=.707106781,s=.707106781,r=0):(r=Math.sqrt(P),n=_/r,s=T/r),this.set(n,s,r,t),this}let v=Math.
-sqrt((p-x)*(p-x)+(f-S)*(f-S)+(h-u)*(h-u));return Math.abs(v)<.001&&(v=1),this.x=(p-x)/v,this.y=(f-S)/v,this.z=(h-u)/v,this.w=Math.acos((c+d+m-1)/2),this}setFromMatrixPosition(e){
+sqrt((p-x)*(p-x)+(f-S)*(f-S)+(h-u)*(h-u));return Math.abs(v)<.001&&(v=1),this.x=(p-x)/v,this.y=(f-S)/v,this.z=(h-u)/v,this.w=Math.acos((l+d+m-1)/2),this}setFromMatrixPosition(e){
 let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this.w=t[15],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.
 min(this.z,e.z),this.w=Math.min(this.w,e.w),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this.w=Math.max(
 this.w,e.w),this}clamp(e,t){return this.x=_t(this.x,e.x,t.x),this.y=_t(this.y,e.y,t.y),this.z=_t(this.z,e.z,t.z),this.w=_t(this.w,e.w,t.w),this}clampScalar(e,t){
@@ -650,9 +650,9 @@ e.useArrayDepthTexture,this}dispose(){this.dispatchEvent({type:"dispose"})}},$n=
 !0}},vo=class extends On{constructor(e=null,t=1,n=1,s=1){super(null),this.isDataArrayTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=Sn,this.
 minFilter=Sn,this.wrapR=Pi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1,this.layerUpdates=new Set}copy(e){return super.copy(e),this.wrapR=e.wrapR,
 this}addLayerUpdate(e){this.layerUpdates.add(e)}clearLayerUpdates(){this.layerUpdates.clear()}};var sl=class extends On{constructor(e=null,t=1,n=1,s=1){super(null),this.isData3DTexture=!0,this.image={data:e,width:t,height:n,depth:s},this.magFilter=Sn,this.
-minFilter=Sn,this.wrapR=Pi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}};var bt=class i{static{this.prototype.isMatrix4=!0}constructor(e,t,n,s,r,o,a,l,c,u,f,h,d,x,S,p){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.
-set(e,t,n,s,r,o,a,l,c,u,f,h,d,x,S,p)}set(e,t,n,s,r,o,a,l,c,u,f,h,d,x,S,p){let m=this.elements;return m[0]=e,m[4]=t,m[8]=n,m[12]=s,m[1]=r,m[5]=o,m[9]=a,m[13]=l,m[2]=
-c,m[6]=u,m[10]=f,m[14]=h,m[3]=d,m[7]=x,m[11]=S,m[15]=p,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new i().fromArray(this.
+minFilter=Sn,this.wrapR=Pi,this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}copy(e){return super.copy(e),this.wrapR=e.wrapR,this}};var bt=class i{static{this.prototype.isMatrix4=!0}constructor(e,t,n,s,r,o,a,c,l,u,f,h,d,x,S,p){this.elements=[1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1],e!==void 0&&this.
+set(e,t,n,s,r,o,a,c,l,u,f,h,d,x,S,p)}set(e,t,n,s,r,o,a,c,l,u,f,h,d,x,S,p){let m=this.elements;return m[0]=e,m[4]=t,m[8]=n,m[12]=s,m[1]=r,m[5]=o,m[9]=a,m[13]=c,m[2]=
+l,m[6]=u,m[10]=f,m[14]=h,m[3]=d,m[7]=x,m[11]=S,m[15]=p,this}identity(){return this.set(1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1),this}clone(){return new i().fromArray(this.
 elements)}copy(e){let t=this.elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],t[9]=n[9],t[10]=
 n[10],t[11]=n[11],t[12]=n[12],t[13]=n[13],t[14]=n[14],t[15]=n[15],this}copyPosition(e){let t=this.elements,n=e.elements;return t[12]=n[12],t[13]=n[13],t[14]=n[14],
 this}setFromMatrix3(e){let t=e.elements;return this.set(t[0],t[3],t[6],0,t[1],t[4],t[7],0,t[2],t[5],t[8],0,0,0,0,1),this}extractBasis(e,t,n){return this.determinantAffine()===
@@ -660,71 +660,71 @@ this}setFromMatrix3(e){let t=e.elements;return this.set(t[0],t[3],t[6],0,t[1],t[
 return this.set(e.x,t.x,n.x,0,e.y,t.y,n.y,0,e.z,t.z,n.z,0,0,0,0,1),this}extractRotation(e){if(e.determinantAffine()===0)return this.identity();let t=this.elements,
 n=e.elements,s=1/pr.setFromMatrixColumn(e,0).length(),r=1/pr.setFromMatrixColumn(e,1).length(),o=1/pr.setFromMatrixColumn(e,2).length();return t[0]=n[0]*s,t[1]=
 n[1]*s,t[2]=n[2]*s,t[3]=0,t[4]=n[4]*r,t[5]=n[5]*r,t[6]=n[6]*r,t[7]=0,t[8]=n[8]*o,t[9]=n[9]*o,t[10]=n[10]*o,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromEuler(e){
-let t=this.elements,n=e.x,s=e.y,r=e.z,o=Math.cos(n),a=Math.sin(n),l=Math.cos(s),c=Math.sin(s),u=Math.cos(r),f=Math.sin(r);if(e.order==="XYZ"){let h=o*u,d=o*f,x=a*
-u,S=a*f;t[0]=l*u,t[4]=-l*f,t[8]=c,t[1]=d+x*c,t[5]=h-S*c,t[9]=-a*l,t[2]=S-h*c,t[6]=x+d*c,t[10]=o*l}else if(e.order==="YXZ"){let h=l*u,d=l*f,x=c*u,S=c*f;t[0]=h+S*
-a,t[4]=x*a-d,t[8]=o*c,t[1]=o*f,t[5]=o*u,t[9]=-a,t[2]=d*a-x,t[6]=S+h*a,t[10]=o*l}else if(e.order==="ZXY"){let h=l*u,d=l*f,x=c*u,S=c*f;t[0]=h-S*a,t[4]=-o*f,t[8]=x+
-d*a,t[1]=d+x*a,t[5]=o*u,t[9]=S-h*a,t[2]=-o*c,t[6]=a,t[10]=o*l}else if(e.order==="ZYX"){let h=o*u,d=o*f,x=a*u,S=a*f;t[0]=l*u,t[4]=x*c-d,t[8]=h*c+S,t[1]=l*f,t[5]=
-S*c+h,t[9]=d*c-x,t[2]=-c,t[6]=a*l,t[10]=o*l}else if(e.order==="YZX"){let h=o*l,d=o*c,x=a*l,S=a*c;t[0]=l*u,t[4]=S-h*f,t[8]=x*f+d,t[1]=f,t[5]=o*u,t[9]=-a*u,t[2]=-c*
-u,t[6]=d*f+x,t[10]=h-S*f}else if(e.order==="XZY"){let h=o*l,d=o*c,x=a*l,S=a*c;t[0]=l*u,t[4]=-f,t[8]=c*u,t[1]=h*f+S,t[5]=o*u,t[9]=d*f-x,t[2]=x*f-d,t[6]=a*u,t[10]=
-S*f+h}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(u_,e,h_)}lookAt(e,t,n){let s=this.elements;
+let t=this.elements,n=e.x,s=e.y,r=e.z,o=Math.cos(n),a=Math.sin(n),c=Math.cos(s),l=Math.sin(s),u=Math.cos(r),f=Math.sin(r);if(e.order==="XYZ"){let h=o*u,d=o*f,x=a*
+u,S=a*f;t[0]=c*u,t[4]=-c*f,t[8]=l,t[1]=d+x*l,t[5]=h-S*l,t[9]=-a*c,t[2]=S-h*l,t[6]=x+d*l,t[10]=o*c}else if(e.order==="YXZ"){let h=c*u,d=c*f,x=l*u,S=l*f;t[0]=h+S*
+a,t[4]=x*a-d,t[8]=o*l,t[1]=o*f,t[5]=o*u,t[9]=-a,t[2]=d*a-x,t[6]=S+h*a,t[10]=o*c}else if(e.order==="ZXY"){let h=c*u,d=c*f,x=l*u,S=l*f;t[0]=h-S*a,t[4]=-o*f,t[8]=x+
+d*a,t[1]=d+x*a,t[5]=o*u,t[9]=S-h*a,t[2]=-o*l,t[6]=a,t[10]=o*c}else if(e.order==="ZYX"){let h=o*u,d=o*f,x=a*u,S=a*f;t[0]=c*u,t[4]=x*l-d,t[8]=h*l+S,t[1]=c*f,t[5]=
+S*l+h,t[9]=d*l-x,t[2]=-l,t[6]=a*c,t[10]=o*c}else if(e.order==="YZX"){let h=o*c,d=o*l,x=a*c,S=a*l;t[0]=c*u,t[4]=S-h*f,t[8]=x*f+d,t[1]=f,t[5]=o*u,t[9]=-a*u,t[2]=-l*
+u,t[6]=d*f+x,t[10]=h-S*f}else if(e.order==="XZY"){let h=o*c,d=o*l,x=a*c,S=a*l;t[0]=c*u,t[4]=-f,t[8]=l*u,t[1]=h*f+S,t[5]=o*u,t[9]=d*f-x,t[2]=x*f-d,t[6]=a*u,t[10]=
+S*f+h}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(h_,e,f_)}lookAt(e,t,n){let s=this.elements;
 return qn.subVectors(e,t),qn.lengthSq()===0&&(qn.z=1),qn.normalize(),ps.crossVectors(n,qn),ps.lengthSq()===0&&(Math.abs(n.z)===1?qn.x+=1e-4:qn.z+=1e-4,qn.normalize(),
 ps.crossVectors(n,qn)),ps.normalize(),ya.crossVectors(qn,ps),s[0]=ps.x,s[4]=ya.x,s[8]=qn.x,s[1]=ps.y,s[5]=ya.y,s[9]=qn.y,s[2]=ps.z,s[6]=ya.z,s[10]=qn.z,this}multiply(e){
 return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.elements,r=this.elements,o=n[0],
-a=n[4],l=n[8],c=n[12],u=n[1],f=n[5],h=n[9],d=n[13],x=n[2],S=n[6],p=n[10],m=n[14],v=n[3],A=n[7],M=n[11],P=n[15],E=s[0],_=s[4],T=s[8],O=s[12],D=s[1],L=s[5],V=s[9],
-H=s[13],N=s[2],G=s[6],J=s[10],k=s[14],le=s[3],$=s[7],Q=s[11],ie=s[15];return r[0]=o*E+a*D+l*N+c*le,r[4]=o*_+a*L+l*G+c*$,r[8]=o*T+a*V+l*J+c*Q,r[12]=o*O+a*H+l*k+c*
+a=n[4],c=n[8],l=n[12],u=n[1],f=n[5],h=n[9],d=n[13],x=n[2],S=n[6],p=n[10],m=n[14],v=n[3],A=n[7],M=n[11],P=n[15],E=s[0],_=s[4],T=s[8],O=s[12],D=s[1],L=s[5],V=s[9],
+H=s[13],N=s[2],G=s[6],J=s[10],k=s[14],le=s[3],$=s[7],Q=s[11],ie=s[15];return r[0]=o*E+a*D+c*N+l*le,r[4]=o*_+a*L+c*G+l*$,r[8]=o*T+a*V+c*J+l*Q,r[12]=o*O+a*H+c*k+l*
 ie,r[1]=u*E+f*D+h*N+d*le,r[5]=u*_+f*L+h*G+d*$,r[9]=u*T+f*V+h*J+d*Q,r[13]=u*O+f*H+h*k+d*ie,r[2]=x*E+S*D+p*N+m*le,r[6]=x*_+S*L+p*G+m*$,r[10]=x*T+S*V+p*J+m*Q,r[14]=
 x*O+S*H+p*k+m*ie,r[3]=v*E+A*D+M*N+P*le,r[7]=v*_+A*L+M*G+P*$,r[11]=v*T+A*V+M*J+P*Q,r[15]=v*O+A*H+M*k+P*ie,this}multiplyScalar(e){let t=this.elements;return t[0]*=
 e,t[4]*=e,t[8]*=e,t[12]*=e,t[1]*=e,t[5]*=e,t[9]*=e,t[13]*=e,t[2]*=e,t[6]*=e,t[10]*=e,t[14]*=e,t[3]*=e,t[7]*=e,t[11]*=e,t[15]*=e,this}determinant(){let e=this.elements,
-t=e[0],n=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],u=e[2],f=e[6],h=e[10],d=e[14],x=e[3],S=e[7],p=e[11],m=e[15],v=l*d-c*h,A=a*d-c*f,M=a*h-l*f,P=o*d-c*u,E=o*
-h-l*u,_=o*f-a*u;return t*(S*v-p*A+m*M)-n*(x*v-p*P+m*E)+s*(x*A-S*P+m*_)-r*(x*M-S*E+p*_)}determinantAffine(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[1],o=e[5],
-a=e[9],l=e[2],c=e[6],u=e[10];return t*(o*u-a*c)-n*(r*u-a*l)+s*(r*c-o*l)}transpose(){let e=this.elements,t;return t=e[1],e[1]=e[4],e[4]=t,t=e[2],e[2]=e[8],e[8]=t,
+t=e[0],n=e[4],s=e[8],r=e[12],o=e[1],a=e[5],c=e[9],l=e[13],u=e[2],f=e[6],h=e[10],d=e[14],x=e[3],S=e[7],p=e[11],m=e[15],v=c*d-l*h,A=a*d-l*f,M=a*h-c*f,P=o*d-l*u,E=o*
+h-c*u,_=o*f-a*u;return t*(S*v-p*A+m*M)-n*(x*v-p*P+m*E)+s*(x*A-S*P+m*_)-r*(x*M-S*E+p*_)}determinantAffine(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[1],o=e[5],
+a=e[9],c=e[2],l=e[6],u=e[10];return t*(o*u-a*l)-n*(r*u-a*c)+s*(r*l-o*c)}transpose(){let e=this.elements,t;return t=e[1],e[1]=e[4],e[4]=t,t=e[2],e[2]=e[8],e[8]=t,
 t=e[6],e[6]=e[9],e[9]=t,t=e[3],e[3]=e[12],e[12]=t,t=e[7],e[7]=e[13],e[13]=t,t=e[11],e[11]=e[14],e[14]=t,this}setPosition(e,t,n){let s=this.elements;return e.isVector3?
-(s[12]=e.x,s[13]=e.y,s[14]=e.z):(s[12]=e,s[13]=t,s[14]=n),this}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],u=e[8],f=e[9],
-h=e[10],d=e[11],x=e[12],S=e[13],p=e[14],m=e[15],v=t*a-n*o,A=t*l-s*o,M=t*c-r*o,P=n*l-s*a,E=n*c-r*a,_=s*c-r*l,T=u*S-f*x,O=u*p-h*x,D=u*m-d*x,L=f*p-h*S,V=f*m-d*S,H=h*
-m-d*p,N=v*H-A*V+M*L+P*D-E*O+_*T;if(N===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let G=1/N;return e[0]=(a*H-l*V+c*L)*G,e[1]=(s*V-n*H-r*L)*G,e[2]=(S*_-p*
-E+m*P)*G,e[3]=(h*E-f*_-d*P)*G,e[4]=(l*D-o*H-c*O)*G,e[5]=(t*H-s*D+r*O)*G,e[6]=(p*M-x*_-m*A)*G,e[7]=(u*_-h*M+d*A)*G,e[8]=(o*V-a*D+c*T)*G,e[9]=(n*D-t*V-r*T)*G,e[10]=
-(x*E-S*M+m*v)*G,e[11]=(f*M-u*E-d*v)*G,e[12]=(a*O-o*L-l*T)*G,e[13]=(t*L-n*O+s*T)*G,e[14]=(S*A-x*P-p*v)*G,e[15]=(u*P-f*A+h*v)*G,this}scale(e){let t=this.elements,
+(s[12]=e.x,s[13]=e.y,s[14]=e.z):(s[12]=e,s[13]=t,s[14]=n),this}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],c=e[6],l=e[7],u=e[8],f=e[9],
+h=e[10],d=e[11],x=e[12],S=e[13],p=e[14],m=e[15],v=t*a-n*o,A=t*c-s*o,M=t*l-r*o,P=n*c-s*a,E=n*l-r*a,_=s*l-r*c,T=u*S-f*x,O=u*p-h*x,D=u*m-d*x,L=f*p-h*S,V=f*m-d*S,H=h*
+m-d*p,N=v*H-A*V+M*L+P*D-E*O+_*T;if(N===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let G=1/N;return e[0]=(a*H-c*V+l*L)*G,e[1]=(s*V-n*H-r*L)*G,e[2]=(S*_-p*
+E+m*P)*G,e[3]=(h*E-f*_-d*P)*G,e[4]=(c*D-o*H-l*O)*G,e[5]=(t*H-s*D+r*O)*G,e[6]=(p*M-x*_-m*A)*G,e[7]=(u*_-h*M+d*A)*G,e[8]=(o*V-a*D+l*T)*G,e[9]=(n*D-t*V-r*T)*G,e[10]=
+(x*E-S*M+m*v)*G,e[11]=(f*M-u*E-d*v)*G,e[12]=(a*O-o*L-c*T)*G,e[13]=(t*L-n*O+s*T)*G,e[14]=(S*A-x*P-p*v)*G,e[15]=(u*P-f*A+h*v)*G,this}scale(e){let t=this.elements,
 n=e.x,s=e.y,r=e.z;return t[0]*=n,t[4]*=s,t[8]*=r,t[1]*=n,t[5]*=s,t[9]*=r,t[2]*=n,t[6]*=s,t[10]*=r,t[3]*=n,t[7]*=s,t[11]*=r,this}getMaxScaleOnAxis(){let e=this.elements,
 t=e[0]*e[0]+e[1]*e[1]+e[2]*e[2],n=e[4]*e[4]+e[5]*e[5]+e[6]*e[6],s=e[8]*e[8]+e[9]*e[9]+e[10]*e[10];return Math.sqrt(Math.max(t,n,s))}makeTranslation(e,t,n){return e.
 isVector3?this.set(1,0,0,e.x,0,1,0,e.y,0,0,1,e.z,0,0,0,1):this.set(1,0,0,e,0,1,0,t,0,0,1,n,0,0,0,1),this}makeRotationX(e){let t=Math.cos(e),n=Math.sin(e);return this.
 set(1,0,0,0,0,t,-n,0,0,n,t,0,0,0,0,1),this}makeRotationY(e){let t=Math.cos(e),n=Math.sin(e);return this.set(t,0,n,0,0,1,0,0,-n,0,t,0,0,0,0,1),this}makeRotationZ(e){
-let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,0,n,t,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(e,t){let n=Math.cos(t),s=Math.sin(t),r=1-n,o=e.x,a=e.y,l=e.
-z,c=r*o,u=r*a;return this.set(c*o+n,c*a-s*l,c*l+s*a,0,c*a+s*l,u*a+n,u*l-s*o,0,c*l-s*a,u*l+s*o,r*l*l+n,0,0,0,0,1),this}makeScale(e,t,n){return this.set(e,0,0,0,0,
+let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,0,n,t,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(e,t){let n=Math.cos(t),s=Math.sin(t),r=1-n,o=e.x,a=e.y,c=e.
+z,l=r*o,u=r*a;return this.set(l*o+n,l*a-s*c,l*c+s*a,0,l*a+s*c,u*a+n,u*c-s*o,0,l*c-s*a,u*c+s*o,r*c*c+n,0,0,0,0,1),this}makeScale(e,t,n){return this.set(e,0,0,0,0,
 t,0,0,0,0,n,0,0,0,0,1),this}makeShear(e,t,n,s,r,o){return this.set(1,n,r,0,e,1,o,0,t,s,1,0,0,0,0,1),this}compose(e,t,n){let s=this.elements,r=t._x,o=t._y,a=t._z,
-l=t._w,c=r+r,u=o+o,f=a+a,h=r*c,d=r*u,x=r*f,S=o*u,p=o*f,m=a*f,v=l*c,A=l*u,M=l*f,P=n.x,E=n.y,_=n.z;return s[0]=(1-(S+m))*P,s[1]=(d+M)*P,s[2]=(x-A)*P,s[3]=0,s[4]=(d-
+c=t._w,l=r+r,u=o+o,f=a+a,h=r*l,d=r*u,x=r*f,S=o*u,p=o*f,m=a*f,v=c*l,A=c*u,M=c*f,P=n.x,E=n.y,_=n.z;return s[0]=(1-(S+m))*P,s[1]=(d+M)*P,s[2]=(x-A)*P,s[3]=0,s[4]=(d-
 M)*E,s[5]=(1-(h+m))*E,s[6]=(p+v)*E,s[7]=0,s[8]=(x+A)*_,s[9]=(p-v)*_,s[10]=(1-(h+S))*_,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,n){let s=this.
 elements;e.x=s[12],e.y=s[13],e.z=s[14];let r=this.determinantAffine();if(r===0)return n.set(1,1,1),t.identity(),this;let o=pr.set(s[0],s[1],s[2]).length(),a=pr.
-set(s[4],s[5],s[6]).length(),l=pr.set(s[8],s[9],s[10]).length();r<0&&(o=-o),di.copy(this);let c=1/o,u=1/a,f=1/l;return di.elements[0]*=c,di.elements[1]*=c,di.elements[2]*=
-c,di.elements[4]*=u,di.elements[5]*=u,di.elements[6]*=u,di.elements[8]*=f,di.elements[9]*=f,di.elements[10]*=f,t.setFromRotationMatrix(di),n.x=o,n.y=a,n.z=l,this}makePerspective(e,t,n,s,r,o,a=si,l=!1){
-let c=this.elements,u=2*r/(t-e),f=2*r/(n-s),h=(t+e)/(t-e),d=(n+s)/(n-s),x,S;if(l)x=r/(o-r),S=o*r/(o-r);else if(a===si)x=-(o+r)/(o-r),S=-2*o*r/(o-r);else if(a===
-Rr)x=-o/(o-r),S=-o*r/(o-r);else throw new Error("THREE.Matrix4.makePerspective(): Invalid coordinate system: "+a);return c[0]=u,c[4]=0,c[8]=h,c[12]=0,c[1]=0,c[5]=
-f,c[9]=d,c[13]=0,c[2]=0,c[6]=0,c[10]=x,c[14]=S,c[3]=0,c[7]=0,c[11]=-1,c[15]=0,this}makeOrthographic(e,t,n,s,r,o,a=si,l=!1){let c=this.elements,u=2/(t-e),f=2/(n-
-s),h=-(t+e)/(t-e),d=-(n+s)/(n-s),x,S;if(l)x=1/(o-r),S=o/(o-r);else if(a===si)x=-2/(o-r),S=-(o+r)/(o-r);else if(a===Rr)x=-1/(o-r),S=-r/(o-r);else throw new Error(
-"THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+a);return c[0]=u,c[4]=0,c[8]=0,c[12]=h,c[1]=0,c[5]=f,c[9]=0,c[13]=d,c[2]=0,c[6]=0,c[10]=x,c[14]=
-S,c[3]=0,c[7]=0,c[11]=0,c[15]=1,this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<16;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<
+set(s[4],s[5],s[6]).length(),c=pr.set(s[8],s[9],s[10]).length();r<0&&(o=-o),di.copy(this);let l=1/o,u=1/a,f=1/c;return di.elements[0]*=l,di.elements[1]*=l,di.elements[2]*=
+l,di.elements[4]*=u,di.elements[5]*=u,di.elements[6]*=u,di.elements[8]*=f,di.elements[9]*=f,di.elements[10]*=f,t.setFromRotationMatrix(di),n.x=o,n.y=a,n.z=c,this}makePerspective(e,t,n,s,r,o,a=si,c=!1){
+let l=this.elements,u=2*r/(t-e),f=2*r/(n-s),h=(t+e)/(t-e),d=(n+s)/(n-s),x,S;if(c)x=r/(o-r),S=o*r/(o-r);else if(a===si)x=-(o+r)/(o-r),S=-2*o*r/(o-r);else if(a===
+Rr)x=-o/(o-r),S=-o*r/(o-r);else throw new Error("THREE.Matrix4.makePerspective(): Invalid coordinate system: "+a);return l[0]=u,l[4]=0,l[8]=h,l[12]=0,l[1]=0,l[5]=
+f,l[9]=d,l[13]=0,l[2]=0,l[6]=0,l[10]=x,l[14]=S,l[3]=0,l[7]=0,l[11]=-1,l[15]=0,this}makeOrthographic(e,t,n,s,r,o,a=si,c=!1){let l=this.elements,u=2/(t-e),f=2/(n-
+s),h=-(t+e)/(t-e),d=-(n+s)/(n-s),x,S;if(c)x=1/(o-r),S=o/(o-r);else if(a===si)x=-2/(o-r),S=-(o+r)/(o-r);else if(a===Rr)x=-1/(o-r),S=-r/(o-r);else throw new Error(
+"THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+a);return l[0]=u,l[4]=0,l[8]=0,l[12]=h,l[1]=0,l[5]=f,l[9]=0,l[13]=d,l[2]=0,l[6]=0,l[10]=x,l[14]=
+S,l[3]=0,l[7]=0,l[11]=0,l[15]=1,this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<16;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<
 16;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+
-6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e[t+9]=n[9],e[t+10]=n[10],e[t+11]=n[11],e[t+12]=n[12],e[t+13]=n[13],e[t+14]=n[14],e[t+15]=n[15],e}},pr=new q,di=new bt,u_=new q(
-0,0,0),h_=new q(1,1,1),ps=new q,ya=new q,qn=new q,zd=new bt,kd=new Jn,Qi=class i{constructor(e=0,t=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,
+6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e[t+9]=n[9],e[t+10]=n[10],e[t+11]=n[11],e[t+12]=n[12],e[t+13]=n[13],e[t+14]=n[14],e[t+15]=n[15],e}},pr=new q,di=new bt,h_=new q(
+0,0,0),f_=new q(1,1,1),ps=new q,ya=new q,qn=new q,kd=new bt,Vd=new Jn,Qi=class i{constructor(e=0,t=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,
 this._z=n,this._order=s}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){
 return this._z}set z(e){this._z=e,this._onChangeCallback()}get order(){return this._order}set order(e){this._order=e,this._onChangeCallback()}set(e,t,n,s=this._order){
 return this._x=e,this._y=t,this._z=n,this._order=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._order)}copy(e){
 return this._x=e._x,this._y=e._y,this._z=e._z,this._order=e._order,this._onChangeCallback(),this}setFromRotationMatrix(e,t=this._order,n=!0){let s=e.elements,r=s[0],
-o=s[4],a=s[8],l=s[1],c=s[5],u=s[9],f=s[2],h=s[6],d=s[10];switch(t){case"XYZ":this._y=Math.asin(_t(a,-1,1)),Math.abs(a)<.9999999?(this._x=Math.atan2(-u,d),this._z=
-Math.atan2(-o,r)):(this._x=Math.atan2(h,c),this._z=0);break;case"YXZ":this._x=Math.asin(-_t(u,-1,1)),Math.abs(u)<.9999999?(this._y=Math.atan2(a,d),this._z=Math.
-atan2(l,c)):(this._y=Math.atan2(-f,r),this._z=0);break;case"ZXY":this._x=Math.asin(_t(h,-1,1)),Math.abs(h)<.9999999?(this._y=Math.atan2(-f,d),this._z=Math.atan2(
--o,c)):(this._y=0,this._z=Math.atan2(l,r));break;case"ZYX":this._y=Math.asin(-_t(f,-1,1)),Math.abs(f)<.9999999?(this._x=Math.atan2(h,d),this._z=Math.atan2(l,r)):
-(this._x=0,this._z=Math.atan2(-o,c));break;case"YZX":this._z=Math.asin(_t(l,-1,1)),Math.abs(l)<.9999999?(this._x=Math.atan2(-u,c),this._y=Math.atan2(-f,r)):(this.
-_x=0,this._y=Math.atan2(a,d));break;case"XZY":this._z=Math.asin(-_t(o,-1,1)),Math.abs(o)<.9999999?(this._x=Math.atan2(h,c),this._y=Math.atan2(a,r)):(this._x=Math.
+o=s[4],a=s[8],c=s[1],l=s[5],u=s[9],f=s[2],h=s[6],d=s[10];switch(t){case"XYZ":this._y=Math.asin(_t(a,-1,1)),Math.abs(a)<.9999999?(this._x=Math.atan2(-u,d),this._z=
+Math.atan2(-o,r)):(this._x=Math.atan2(h,l),this._z=0);break;case"YXZ":this._x=Math.asin(-_t(u,-1,1)),Math.abs(u)<.9999999?(this._y=Math.atan2(a,d),this._z=Math.
+atan2(c,l)):(this._y=Math.atan2(-f,r),this._z=0);break;case"ZXY":this._x=Math.asin(_t(h,-1,1)),Math.abs(h)<.9999999?(this._y=Math.atan2(-f,d),this._z=Math.atan2(
+-o,l)):(this._y=0,this._z=Math.atan2(c,r));break;case"ZYX":this._y=Math.asin(-_t(f,-1,1)),Math.abs(f)<.9999999?(this._x=Math.atan2(h,d),this._z=Math.atan2(c,r)):
+(this._x=0,this._z=Math.atan2(-o,l));break;case"YZX":this._z=Math.asin(_t(c,-1,1)),Math.abs(c)<.9999999?(this._x=Math.atan2(-u,l),this._y=Math.atan2(-f,r)):(this.
+_x=0,this._y=Math.atan2(a,d));break;case"XZY":this._z=Math.asin(-_t(o,-1,1)),Math.abs(o)<.9999999?(this._x=Math.atan2(h,l),this._y=Math.atan2(a,r)):(this._x=Math.
 atan2(-u,d),this._y=0);break;default:qe("Euler: .setFromRotationMatrix() encountered an unknown order: "+t)}return this._order=t,n===!0&&this._onChangeCallback(),
-this}setFromQuaternion(e,t,n){return zd.makeRotationFromQuaternion(e),this.setFromRotationMatrix(zd,t,n)}setFromVector3(e,t=this._order){return this.set(e.x,e.y,
-e.z,t)}reorder(e){return kd.setFromEuler(this),this.setFromQuaternion(kd,e)}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._order===this._order}fromArray(e){
+this}setFromQuaternion(e,t,n){return kd.makeRotationFromQuaternion(e),this.setFromRotationMatrix(kd,t,n)}setFromVector3(e,t=this._order){return this.set(e.x,e.y,
+e.z,t)}reorder(e){return Vd.setFromEuler(this),this.setFromQuaternion(Vd,e)}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._order===this._order}fromArray(e){
 return this._x=e[0],this._y=e[1],this._z=e[2],e[3]!==void 0&&(this._order=e[3]),this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this.
 _y,e[t+2]=this._z,e[t+3]=this._order,e}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this.
 _z,yield this._order}};Qi.DEFAULT_ORDER="XYZ";var yo=class{constructor(){this.mask=1}set(e){this.mask=(1<<e|0)>>>0}enable(e){this.mask|=1<<e|0}enableAll(){this.
 mask=-1}toggle(e){this.mask^=1<<e|0}disable(e){this.mask&=~(1<<e|0)}disableAll(){this.mask=0}test(e){return(this.mask&e.mask)!==0}isEnabled(e){return(this.mask&
-(1<<e|0))!==0}},f_=0,Vd=new q,mr=new Jn,Xi=new bt,Sa=new q,oo=new q,d_=new q,p_=new Jn,Gd=new q(1,0,0),Hd=new q(0,1,0),Wd=new q(0,0,1),Xd={type:"added"},m_={type:"\
+(1<<e|0))!==0}},d_=0,Gd=new q,mr=new Jn,Xi=new bt,Sa=new q,oo=new q,p_=new q,m_=new Jn,Hd=new q(1,0,0),Wd=new q(0,1,0),Xd=new q(0,0,1),qd={type:"added"},g_={type:"\
 removed"},gr={type:"childadded",child:null},gu={type:"childremoved",child:null},An=class i extends Ii{constructor(){super(),this.isObject3D=!0,Object.defineProperty(
-this,"id",{value:f_++}),this.uuid=Jo(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=i.DEFAULT_UP.clone();let e=new q,t=new Qi,n=new Jn,
+this,"id",{value:d_++}),this.uuid=Jo(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=i.DEFAULT_UP.clone();let e=new q,t=new Qi,n=new Jn,
 s=new q(1,1,1);function r(){n.setFromEuler(t,!1)}function o(){t.setFromQuaternion(n,void 0,!1)}t._onChange(r),n._onChange(o),Object.defineProperties(this,{position:{
 configurable:!0,enumerable:!0,value:e},rotation:{configurable:!0,enumerable:!0,value:t},quaternion:{configurable:!0,enumerable:!0,value:n},scale:{configurable:!0,
 enumerable:!0,value:s},modelViewMatrix:{value:new bt},normalMatrix:{value:new Qe}}),this.matrix=new bt,this.matrixWorld=new bt,this.matrixAutoUpdate=i.DEFAULT_MATRIX_AUTO_UPDATE,
@@ -735,23 +735,23 @@ e),this.matrix.decompose(this.position,this.quaternion,this.scale),this.pivot!==
 return this.quaternion.premultiply(e),this}setRotationFromAxisAngle(e,t){this.quaternion.setFromAxisAngle(e,t)}setRotationFromEuler(e){this.quaternion.setFromEuler(
 e,!0)}setRotationFromMatrix(e){this.quaternion.setFromRotationMatrix(e)}setRotationFromQuaternion(e){this.quaternion.copy(e)}rotateOnAxis(e,t){return mr.setFromAxisAngle(
 e,t),this.quaternion.multiply(mr),this}rotateOnWorldAxis(e,t){return mr.setFromAxisAngle(e,t),this.quaternion.premultiply(mr),this}rotateX(e){return this.rotateOnAxis(
-Gd,e)}rotateY(e){return this.rotateOnAxis(Hd,e)}rotateZ(e){return this.rotateOnAxis(Wd,e)}translateOnAxis(e,t){return Vd.copy(e).applyQuaternion(this.quaternion),
-this.position.add(Vd.multiplyScalar(t)),this}translateX(e){return this.translateOnAxis(Gd,e)}translateY(e){return this.translateOnAxis(Hd,e)}translateZ(e){return this.
-translateOnAxis(Wd,e)}localToWorld(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(this.matrixWorld)}worldToLocal(e){return this.updateWorldMatrix(!0,!1),
+Hd,e)}rotateY(e){return this.rotateOnAxis(Wd,e)}rotateZ(e){return this.rotateOnAxis(Xd,e)}translateOnAxis(e,t){return Gd.copy(e).applyQuaternion(this.quaternion),
+this.position.add(Gd.multiplyScalar(t)),this}translateX(e){return this.translateOnAxis(Hd,e)}translateY(e){return this.translateOnAxis(Wd,e)}translateZ(e){return this.
+translateOnAxis(Xd,e)}localToWorld(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(this.matrixWorld)}worldToLocal(e){return this.updateWorldMatrix(!0,!1),
 e.applyMatrix4(Xi.copy(this.matrixWorld).invert())}lookAt(e,t,n){e.isVector3?Sa.copy(e):Sa.set(e,t,n);let s=this.parent;this.updateWorldMatrix(!0,!1),oo.setFromMatrixPosition(
 this.matrixWorld),this.isCamera||this.isLight?Xi.lookAt(oo,Sa,this.up):Xi.lookAt(Sa,oo,this.up),this.quaternion.setFromRotationMatrix(Xi),s&&(Xi.extractRotation(
 s.matrixWorld),mr.setFromRotationMatrix(Xi),this.quaternion.premultiply(mr.invert()))}add(e){if(arguments.length>1){for(let t=0;t<arguments.length;t++)this.add(
 arguments[t]);return this}return e===this?(Ke("Object3D.add: object can't be added as a child of itself.",e),this):(e&&e.isObject3D?(e.removeFromParent(),e.parent=
-this,this.children.push(e),e.dispatchEvent(Xd),gr.child=e,this.dispatchEvent(gr),gr.child=null):Ke("Object3D.add: object not an instance of THREE.Object3D.",e),
+this,this.children.push(e),e.dispatchEvent(qd),gr.child=e,this.dispatchEvent(gr),gr.child=null):Ke("Object3D.add: object not an instance of THREE.Object3D.",e),
 this)}remove(e){if(arguments.length>1){for(let n=0;n<arguments.length;n++)this.remove(arguments[n]);return this}let t=this.children.indexOf(e);return t!==-1&&(e.
-parent=null,this.children.splice(t,1),e.dispatchEvent(m_),gu.child=e,this.dispatchEvent(gu),gu.child=null),this}removeFromParent(){let e=this.parent;return e!==
+parent=null,this.children.splice(t,1),e.dispatchEvent(g_),gu.child=e,this.dispatchEvent(gu),gu.child=null),this}removeFromParent(){let e=this.parent;return e!==
 null&&e.remove(this),this}clear(){return this.remove(...this.children)}attach(e){return this.updateWorldMatrix(!0,!1),Xi.copy(this.matrixWorld).invert(),e.parent!==
 null&&(e.parent.updateWorldMatrix(!0,!1),Xi.multiply(e.parent.matrixWorld)),e.applyMatrix4(Xi),e.removeFromParent(),e.parent=this,this.children.push(e),e.updateWorldMatrix(
-!1,!0),e.dispatchEvent(Xd),gr.child=e,this.dispatchEvent(gr),gr.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.
+!1,!0),e.dispatchEvent(qd),gr.child=e,this.dispatchEvent(gr),gr.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.
 getObjectByProperty("name",e)}getObjectByProperty(e,t){if(this[e]===t)return this;for(let n=0,s=this.children.length;n<s;n++){let o=this.children[n].getObjectByProperty(
 e,t);if(o!==void 0)return o}}getObjectsByProperty(e,t,n=[]){this[e]===t&&n.push(this);let s=this.children;for(let r=0,o=s.length;r<o;r++)s[r].getObjectsByProperty(
 e,t,n);return n}getWorldPosition(e){return this.updateWorldMatrix(!0,!1),e.setFromMatrixPosition(this.matrixWorld)}getWorldQuaternion(e){return this.updateWorldMatrix(
-!0,!1),this.matrixWorld.decompose(oo,e,d_),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(oo,p_,e),e}getWorldDirection(e){this.
+!0,!1),this.matrixWorld.decompose(oo,e,p_),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(oo,m_,e),e}getWorldDirection(e){this.
 updateWorldMatrix(!0,!1);let t=this.matrixWorld.elements;return e.set(t[8],t[9],t[10]).normalize()}raycast(){}intersectsFrustum(){return!0}traverse(e){e(this);let t=this.
 children;for(let n=0,s=t.length;n<s;n++)t[n].traverse(e)}traverseVisible(e){if(this.visible===!1)return;e(this);let t=this.children;for(let n=0,s=t.length;n<s;n++)
 t[n].traverseVisible(e)}traverseAncestors(e){let t=this.parent;t!==null&&(e(t),t.traverseAncestors(e))}updateMatrix(){this.matrix.compose(this.position,this.quaternion,
@@ -774,25 +774,25 @@ toJSON():void 0})),s.instanceInfo=this._instanceInfo.map(a=>({...a})),s.availabl
 slice(),s.nextIndexStart=this._nextIndexStart,s.nextVertexStart=this._nextVertexStart,s.geometryCount=this._geometryCount,s.maxInstanceCount=this._maxInstanceCount,
 s.maxVertexCount=this._maxVertexCount,s.maxIndexCount=this._maxIndexCount,s.geometryInitialized=this._geometryInitialized,s.matricesTexture=this._matricesTexture.
 toJSON(e),s.indirectTexture=this._indirectTexture.toJSON(e),this._colorsTexture!==null&&(s.colorsTexture=this._colorsTexture.toJSON(e)),this.boundingSphere!==null&&
-(s.boundingSphere=this.boundingSphere.toJSON()),this.boundingBox!==null&&(s.boundingBox=this.boundingBox.toJSON()));function r(a,l){return a[l.uuid]===void 0&&(a[l.
-uuid]=l.toJSON(e)),l.uuid}if(this.isScene)this.background&&(this.background.isColor?s.background=this.background.toJSON():this.background.isTexture&&(s.background=
+(s.boundingSphere=this.boundingSphere.toJSON()),this.boundingBox!==null&&(s.boundingBox=this.boundingBox.toJSON()));function r(a,c){return a[c.uuid]===void 0&&(a[c.
+uuid]=c.toJSON(e)),c.uuid}if(this.isScene)this.background&&(this.background.isColor?s.background=this.background.toJSON():this.background.isTexture&&(s.background=
 this.background.toJSON(e).uuid)),this.environment&&this.environment.isTexture&&this.environment.isRenderTargetTexture!==!0&&(s.environment=this.environment.toJSON(
 e).uuid);else if(this.isMesh||this.isLine||this.isPoints){s.geometry=r(e.geometries,this.geometry);let a=this.geometry.parameters;if(a!==void 0&&a.shapes!==void 0){
-let l=a.shapes;if(Array.isArray(l))for(let c=0,u=l.length;c<u;c++){let f=l[c];r(e.shapes,f)}else r(e.shapes,l)}}if(this.isSkinnedMesh&&(s.bindMode=this.bindMode,
+let c=a.shapes;if(Array.isArray(c))for(let l=0,u=c.length;l<u;l++){let f=c[l];r(e.shapes,f)}else r(e.shapes,c)}}if(this.isSkinnedMesh&&(s.bindMode=this.bindMode,
 s.bindMatrix=this.bindMatrix.toArray(),this.skeleton!==void 0&&(r(e.skeletons,this.skeleton),s.skeleton=this.skeleton.uuid)),this.material!==void 0)if(Array.isArray(
-this.material)){let a=[];for(let l=0,c=this.material.length;l<c;l++)a.push(r(e.materials,this.material[l]));s.material=a}else s.material=r(e.materials,this.material);
+this.material)){let a=[];for(let c=0,l=this.material.length;c<l;c++)a.push(r(e.materials,this.material[c]));s.material=a}else s.material=r(e.materials,this.material);
 if(this.children.length>0){s.children=[];for(let a=0;a<this.children.length;a++)s.children.push(this.children[a].toJSON(e).object)}if(this.animations.length>0){
-s.animations=[];for(let a=0;a<this.animations.length;a++){let l=this.animations[a];s.animations.push(r(e.animations,l))}}if(t){let a=o(e.geometries),l=o(e.materials),
-c=o(e.textures),u=o(e.images),f=o(e.shapes),h=o(e.skeletons),d=o(e.animations),x=o(e.nodes);a.length>0&&(n.geometries=a),l.length>0&&(n.materials=l),c.length>0&&
-(n.textures=c),u.length>0&&(n.images=u),f.length>0&&(n.shapes=f),h.length>0&&(n.skeletons=h),d.length>0&&(n.animations=d),x.length>0&&(n.nodes=x)}return n.object=
-s,n;function o(a){let l=[];for(let c in a){let u=a[c];delete u.metadata,l.push(u)}return l}}clone(e){return new this.constructor().copy(this,e)}copy(e,t=!0){if(this.
+s.animations=[];for(let a=0;a<this.animations.length;a++){let c=this.animations[a];s.animations.push(r(e.animations,c))}}if(t){let a=o(e.geometries),c=o(e.materials),
+l=o(e.textures),u=o(e.images),f=o(e.shapes),h=o(e.skeletons),d=o(e.animations),x=o(e.nodes);a.length>0&&(n.geometries=a),c.length>0&&(n.materials=c),l.length>0&&
+(n.textures=l),u.length>0&&(n.images=u),f.length>0&&(n.shapes=f),h.length>0&&(n.skeletons=h),d.length>0&&(n.animations=d),x.length>0&&(n.nodes=x)}return n.object=
+s,n;function o(a){let c=[];for(let l in a){let u=a[l];delete u.metadata,c.push(u)}return c}}clone(e){return new this.constructor().copy(this,e)}copy(e,t=!0){if(this.
 name=e.name,this.up.copy(e.up),this.position.copy(e.position),this.rotation.order=e.rotation.order,this.quaternion.copy(e.quaternion),this.scale.copy(e.scale),this.
 pivot=e.pivot!==null?e.pivot.clone():null,this.matrix.copy(e.matrix),this.matrixWorld.copy(e.matrixWorld),this.matrixAutoUpdate=e.matrixAutoUpdate,this.matrixWorldAutoUpdate=
 e.matrixWorldAutoUpdate,this.matrixWorldNeedsUpdate=e.matrixWorldNeedsUpdate,this.layers.mask=e.layers.mask,this.visible=e.visible,this.castShadow=e.castShadow,
 this.receiveShadow=e.receiveShadow,this.frustumCulled=e.frustumCulled,this.renderOrder=e.renderOrder,this.static=e.static,this.animations=e.animations.slice(),this.
 userData=JSON.parse(JSON.stringify(e.userData)),t===!0)for(let n=0;n<e.children.length;n++){let s=e.children[n];this.add(s.clone())}return this}dispose(){this.dispatchEvent(
 {type:"dispose"})}};An.DEFAULT_UP=new q(0,1,0);An.DEFAULT_MATRIX_AUTO_UPDATE=!0;An.DEFAULT_MATRIX_WORLD_AUTO_UPDATE=!0;var ks=class extends An{constructor(){super(),
-this.isGroup=!0,this.type="Group"}},g_={type:"move"},Lr=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===
+this.isGroup=!0,this.type="Group"}},__={type:"move"},Lr=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===
 null&&(this._hand=new ks,this._hand.matrixAutoUpdate=!1,this._hand.visible=!1,this._hand.joints={},this._hand.inputState={pinching:!1}),this._hand}getTargetRaySpace(){
 return this._targetRay===null&&(this._targetRay=new ks,this._targetRay.matrixAutoUpdate=!1,this._targetRay.visible=!1,this._targetRay.hasLinearVelocity=!1,this.
 _targetRay.linearVelocity=new q,this._targetRay.hasAngularVelocity=!1,this._targetRay.angularVelocity=new q),this._targetRay}getGripSpace(){return this._grip===
@@ -801,18 +801,18 @@ null&&(this._grip=new ks,this._grip.matrixAutoUpdate=!1,this._grip.visible=!1,th
 _grip!==null&&this._grip.dispatchEvent(e),this._hand!==null&&this._hand.dispatchEvent(e),this}connect(e){if(e&&e.hand){let t=this._hand;if(t)for(let n of e.hand.
 values())this._getHandJoint(t,n)}return this.dispatchEvent({type:"connected",data:e}),this}disconnect(e){return this.dispatchEvent({type:"disconnected",data:e}),
 this._targetRay!==null&&(this._targetRay.visible=!1),this._grip!==null&&(this._grip.visible=!1),this._hand!==null&&(this._hand.visible=!1),this}update(e,t,n){let s=null,
-r=null,o=null,a=this._targetRay,l=this._grip,c=this._hand;if(e&&t.session.visibilityState!=="visible-blurred"){if(c&&e.hand){o=!0;for(let S of e.hand.values()){
-let p=t.getJointPose(S,n),m=this._getHandJoint(c,S);p!==null&&(m.matrix.fromArray(p.transform.matrix),m.matrix.decompose(m.position,m.quaternion,m.scale),m.matrixWorldNeedsUpdate=
-!0,m.jointRadius=p.radius),m.visible=p!==null}let u=c.joints["index-finger-tip"],f=c.joints["thumb-tip"],h=u.position.distanceTo(f.position),d=.02,x=.005;c.inputState.
-pinching&&h>d+x?(c.inputState.pinching=!1,this.dispatchEvent({type:"pinchend",handedness:e.handedness,target:this})):!c.inputState.pinching&&h<=d-x&&(c.inputState.
-pinching=!0,this.dispatchEvent({type:"pinchstart",handedness:e.handedness,target:this}))}else l!==null&&e.gripSpace&&(r=t.getPose(e.gripSpace,n),r!==null&&(l.matrix.
-fromArray(r.transform.matrix),l.matrix.decompose(l.position,l.quaternion,l.scale),l.matrixWorldNeedsUpdate=!0,r.linearVelocity?(l.hasLinearVelocity=!0,l.linearVelocity.
-copy(r.linearVelocity)):l.hasLinearVelocity=!1,r.angularVelocity?(l.hasAngularVelocity=!0,l.angularVelocity.copy(r.angularVelocity)):l.hasAngularVelocity=!1,l.eventsEnabled&&
-l.dispatchEvent({type:"gripUpdated",data:e,target:this})));a!==null&&(s=t.getPose(e.targetRaySpace,n),s===null&&r!==null&&(s=r),s!==null&&(a.matrix.fromArray(s.
+r=null,o=null,a=this._targetRay,c=this._grip,l=this._hand;if(e&&t.session.visibilityState!=="visible-blurred"){if(l&&e.hand){o=!0;for(let S of e.hand.values()){
+let p=t.getJointPose(S,n),m=this._getHandJoint(l,S);p!==null&&(m.matrix.fromArray(p.transform.matrix),m.matrix.decompose(m.position,m.quaternion,m.scale),m.matrixWorldNeedsUpdate=
+!0,m.jointRadius=p.radius),m.visible=p!==null}let u=l.joints["index-finger-tip"],f=l.joints["thumb-tip"],h=u.position.distanceTo(f.position),d=.02,x=.005;l.inputState.
+pinching&&h>d+x?(l.inputState.pinching=!1,this.dispatchEvent({type:"pinchend",handedness:e.handedness,target:this})):!l.inputState.pinching&&h<=d-x&&(l.inputState.
+pinching=!0,this.dispatchEvent({type:"pinchstart",handedness:e.handedness,target:this}))}else c!==null&&e.gripSpace&&(r=t.getPose(e.gripSpace,n),r!==null&&(c.matrix.
+fromArray(r.transform.matrix),c.matrix.decompose(c.position,c.quaternion,c.scale),c.matrixWorldNeedsUpdate=!0,r.linearVelocity?(c.hasLinearVelocity=!0,c.linearVelocity.
+copy(r.linearVelocity)):c.hasLinearVelocity=!1,r.angularVelocity?(c.hasAngularVelocity=!0,c.angularVelocity.copy(r.angularVelocity)):c.hasAngularVelocity=!1,c.eventsEnabled&&
+c.dispatchEvent({type:"gripUpdated",data:e,target:this})));a!==null&&(s=t.getPose(e.targetRaySpace,n),s===null&&r!==null&&(s=r),s!==null&&(a.matrix.fromArray(s.
 transform.matrix),a.matrix.decompose(a.position,a.quaternion,a.scale),a.matrixWorldNeedsUpdate=!0,s.linearVelocity?(a.hasLinearVelocity=!0,a.linearVelocity.copy(
 s.linearVelocity)):a.hasLinearVelocity=!1,s.angularVelocity?(a.hasAngularVelocity=!0,a.angularVelocity.copy(s.angularVelocity)):a.hasAngularVelocity=!1,this.dispatchEvent(
-g_)))}return a!==null&&(a.visible=s!==null),l!==null&&(l.visible=r!==null),c!==null&&(c.visible=o!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){
-let n=new ks;n.matrixAutoUpdate=!1,n.visible=!1,e.joints[t.jointName]=n,e.add(n)}return e.joints[t.jointName]}},Zp={aliceblue:15792383,antiquewhite:16444375,aqua:65535,
+__)))}return a!==null&&(a.visible=s!==null),c!==null&&(c.visible=r!==null),l!==null&&(l.visible=o!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){
+let n=new ks;n.matrixAutoUpdate=!1,n.visible=!1,e.joints[t.jointName]=n,e.add(n)}return e.joints[t.jointName]}},Jp={aliceblue:15792383,antiquewhite:16444375,aqua:65535,
 aquamarine:8388564,azure:15794175,beige:16119260,bisque:16770244,black:0,blanchedalmond:16772045,blue:255,blueviolet:9055202,brown:10824234,burlywood:14596231,cadetblue:6266528,
 chartreuse:8388352,chocolate:13789470,coral:16744272,cornflowerblue:6591981,cornsilk:16775388,crimson:14423100,cyan:65535,darkblue:139,darkcyan:35723,darkgoldenrod:12092939,
 darkgray:11119017,darkgreen:25600,darkgrey:11119017,darkkhaki:12433259,darkmagenta:9109643,darkolivegreen:5597999,darkorange:16747520,darkorchid:10040012,darkred:9109504,
@@ -833,7 +833,7 @@ violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:1677696
 set(e,t,n)}set(e,t,n){if(t===void 0&&n===void 0){let s=e;s&&s.isColor?this.copy(s):typeof s=="number"?this.setHex(s):typeof s=="string"&&this.setStyle(s)}else this.
 setRGB(e,t,n);return this}setScalar(e){return this.r=e,this.g=e,this.b=e,this}setHex(e,t=Zn){return e=Math.floor(e),this.r=(e>>16&255)/255,this.g=(e>>8&255)/255,
 this.b=(e&255)/255,gt.colorSpaceToWorking(this,t),this}setRGB(e,t,n,s=gt.workingColorSpace){return this.r=e,this.g=t,this.b=n,gt.colorSpaceToWorking(this,s),this}setHSL(e,t,n,s=gt.
-workingColorSpace){if(e=s_(e,1),t=_t(t,0,1),n=_t(n,0,1),t===0)this.r=this.g=this.b=n;else{let r=n<=.5?n*(1+t):n+t-n*t,o=2*n-r;this.r=_u(o,r,e+1/3),this.g=_u(o,r,
+workingColorSpace){if(e=r_(e,1),t=_t(t,0,1),n=_t(n,0,1),t===0)this.r=this.g=this.b=n;else{let r=n<=.5?n*(1+t):n+t-n*t,o=2*n-r;this.r=_u(o,r,e+1/3),this.g=_u(o,r,
 e),this.b=_u(o,r,e-1/3)}return gt.colorSpaceToWorking(this,s),this}setStyle(e,t=Zn){function n(r){r!==void 0&&parseFloat(r)<1&&qe("Color: Alpha component of "+e+
 " will be ignored.")}let s;if(s=/^(\w+)\(([^\)]*)\)/.exec(e)){let r,o=s[1],a=s[2];switch(o){case"rgb":case"rgba":if(r=/^\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.
 exec(a))return n(r[4]),this.setRGB(Math.min(255,parseInt(r[1],10))/255,Math.min(255,parseInt(r[2],10))/255,Math.min(255,parseInt(r[3],10))/255,t);if(r=/^\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.
@@ -841,14 +841,14 @@ exec(a))return n(r[4]),this.setRGB(Math.min(100,parseFloat(r[1]))/100,Math.min(1
 hsla":if(r=/^\s*([+-]?(?:\d+(?:\.\d+)?|\.\d+))\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.exec(a))return n(
 r[4]),this.setHSL(parseFloat(r[1])/360,parseFloat(r[2])/100,parseFloat(r[3])/100,t);break;default:qe("Color: Unknown color model "+e)}}else if(s=/^\#([A-Fa-f\d]+)$/.
 exec(e)){let r=s[1],o=r.length;if(o===3)return this.setRGB(parseInt(r.charAt(0),16)/15,parseInt(r.charAt(1),16)/15,parseInt(r.charAt(2),16)/15,t);if(o===6)return this.
-setHex(parseInt(r,16),t);qe("Color: Invalid hex color "+e)}else if(e&&e.length>0)return this.setColorName(e,t);return this}setColorName(e,t=Zn){let n=Zp[e.toLowerCase()];
+setHex(parseInt(r,16),t);qe("Color: Invalid hex color "+e)}else if(e&&e.length>0)return this.setColorName(e,t);return this}setColorName(e,t=Zn){let n=Jp[e.toLowerCase()];
 return n!==void 0?this.setHex(n,t):qe("Color: Unknown color "+e),this}clone(){return new this.constructor(this.r,this.g,this.b)}copy(e){return this.r=e.r,this.g=
 e.g,this.b=e.b,this}copySRGBToLinear(e){return this.r=$i(e.r),this.g=$i(e.g),this.b=$i(e.b),this}copyLinearToSRGB(e){return this.r=Er(e.r),this.g=Er(e.g),this.b=
 Er(e.b),this}convertSRGBToLinear(){return this.copySRGBToLinear(this),this}convertLinearToSRGB(){return this.copyLinearToSRGB(this),this}getHex(e=Zn){return gt.
 workingToColorSpace(Tn.copy(this),e),Math.round(_t(Tn.r*255,0,255))*65536+Math.round(_t(Tn.g*255,0,255))*256+Math.round(_t(Tn.b*255,0,255))}getHexString(e=Zn){return("\
 000000"+this.getHex(e).toString(16)).slice(-6)}getHSL(e,t=gt.workingColorSpace){gt.workingToColorSpace(Tn.copy(this),t);let n=Tn.r,s=Tn.g,r=Tn.b,o=Math.max(n,s,
-r),a=Math.min(n,s,r),l,c,u=(a+o)/2;if(a===o)l=0,c=0;else{let f=o-a;switch(c=u<=.5?f/(o+a):f/(2-o-a),o){case n:l=(s-r)/f+(s<r?6:0);break;case s:l=(r-n)/f+2;break;case r:
-l=(n-s)/f+4;break}l/=6}return e.h=l,e.s=c,e.l=u,e}getRGB(e,t=gt.workingColorSpace){return gt.workingToColorSpace(Tn.copy(this),t),e.r=Tn.r,e.g=Tn.g,e.b=Tn.b,e}getStyle(e=Zn){
+r),a=Math.min(n,s,r),c,l,u=(a+o)/2;if(a===o)c=0,l=0;else{let f=o-a;switch(l=u<=.5?f/(o+a):f/(2-o-a),o){case n:c=(s-r)/f+(s<r?6:0);break;case s:c=(r-n)/f+2;break;case r:
+c=(n-s)/f+4;break}c/=6}return e.h=c,e.s=l,e.l=u,e}getRGB(e,t=gt.workingColorSpace){return gt.workingToColorSpace(Tn.copy(this),t),e.r=Tn.r,e.g=Tn.g,e.b=Tn.b,e}getStyle(e=Zn){
 gt.workingToColorSpace(Tn.copy(this),e);let t=Tn.r,n=Tn.g,s=Tn.b;return e!==Zn?"color(".concat(e," ").concat(t.toFixed(3)," ").concat(n.toFixed(3)," ").concat(s.
 toFixed(3),")"):"rgb(".concat(Math.round(t*255),",").concat(Math.round(n*255),",").concat(Math.round(s*255),")")}offsetHSL(e,t,n){return this.getHSL(ms),this.setHSL(
 ms.h+e,ms.s+t,ms.l+n)}add(e){return this.r+=e.r,this.g+=e.g,this.b+=e.b,this}addColors(e,t){return this.r=e.r+t.r,this.g=e.g+t.g,this.b=e.b+t.b,this}addScalar(e){
@@ -859,7 +859,7 @@ ms),e.getHSL(Ma);let n=hu(ms.h,Ma.h,t),s=hu(ms.s,Ma.s,t),r=hu(ms.l,Ma.l,t);retur
 e.z,this}applyMatrix3(e){let t=this.r,n=this.g,s=this.b,r=e.elements;return this.r=r[0]*t+r[3]*n+r[6]*s,this.g=r[1]*t+r[4]*n+r[7]*s,this.b=r[2]*t+r[5]*n+r[8]*s,
 this}equals(e){return e.r===this.r&&e.g===this.g&&e.b===this.b}fromArray(e,t=0){return this.r=e[t],this.g=e[t+1],this.b=e[t+2],this}toArray(e=[],t=0){return e[t]=
 this.r,e[t+1]=this.g,e[t+2]=this.b,e}fromBufferAttribute(e,t){return this.r=e.getX(t),this.g=e.getY(t),this.b=e.getZ(t),this}toJSON(){return this.getHex()}*[Symbol.
-iterator](){yield this.r,yield this.g,yield this.b}},Tn=new st;st.NAMES=Zp;var So=class extends An{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=
+iterator](){yield this.r,yield this.g,yield this.b}},Tn=new st;st.NAMES=Jp;var So=class extends An{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=
 0,this.backgroundIntensity=1,this.backgroundRotation=new Qi,this.environmentIntensity=1,this.environmentRotation=new Qi,this.overrideMaterial=null,typeof __THREE_DEVTOOLS__<
 "u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}copy(e,t){return super.copy(e,t),this.background=e.background!==null?e.background.
 clone():null,this.environment=e.environment!==null?e.environment.clone():null,this.fog=e.fog!==null?e.fog.clone():null,this.backgroundBlurriness=e.backgroundBlurriness,
@@ -867,12 +867,12 @@ this.backgroundIntensity=e.backgroundIntensity,this.backgroundRotation.copy(e.ba
 copy(e.environmentRotation),this.overrideMaterial=e.overrideMaterial!==null?e.overrideMaterial.clone():null,this.matrixAutoUpdate=e.matrixAutoUpdate,this}toJSON(e){
 let t=super.toJSON(e);return this.fog!==null&&(t.object.fog=this.fog.toJSON()),t.object.backgroundBlurriness=this.backgroundBlurriness,t.object.backgroundIntensity=
 this.backgroundIntensity,t.object.backgroundRotation=this.backgroundRotation.toArray(),t.object.environmentIntensity=this.environmentIntensity,t.object.environmentRotation=
-this.environmentRotation.toArray(),t}},pi=new q,qi=new q,xu=new q,Yi=new q,_r=new q,xr=new q,qd=new q,vu=new q,yu=new q,Su=new q,Mu=new Ht,bu=new Ht,wu=new Ht,vs=class i{constructor(e=new q,t=new q,n=new q){
+this.environmentRotation.toArray(),t}},pi=new q,qi=new q,xu=new q,Yi=new q,_r=new q,xr=new q,Yd=new q,vu=new q,yu=new q,Su=new q,Mu=new Ht,bu=new Ht,wu=new Ht,vs=class i{constructor(e=new q,t=new q,n=new q){
 this.a=e,this.b=t,this.c=n}static getNormal(e,t,n,s){s.subVectors(n,t),pi.subVectors(e,t),s.cross(pi);let r=s.lengthSq();return r>0?s.multiplyScalar(1/Math.sqrt(
-r)):s.set(0,0,0)}static getBarycoord(e,t,n,s,r){pi.subVectors(s,t),qi.subVectors(n,t),xu.subVectors(e,t);let o=pi.dot(pi),a=pi.dot(qi),l=pi.dot(xu),c=qi.dot(qi),
-u=qi.dot(xu),f=o*c-a*a;if(f===0)return r.set(0,0,0),null;let h=1/f,d=(c*l-a*u)*h,x=(o*u-a*l)*h;return r.set(1-d-x,x,d)}static containsPoint(e,t,n,s){return this.
-getBarycoord(e,t,n,s,Yi)===null?!1:Yi.x>=0&&Yi.y>=0&&Yi.x+Yi.y<=1}static getInterpolation(e,t,n,s,r,o,a,l){return this.getBarycoord(e,t,n,s,Yi)===null?(l.x=0,l.
-y=0,"z"in l&&(l.z=0),"w"in l&&(l.w=0),null):(l.setScalar(0),l.addScaledVector(r,Yi.x),l.addScaledVector(o,Yi.y),l.addScaledVector(a,Yi.z),l)}static getInterpolatedAttribute(e,t,n,s,r,o){
+r)):s.set(0,0,0)}static getBarycoord(e,t,n,s,r){pi.subVectors(s,t),qi.subVectors(n,t),xu.subVectors(e,t);let o=pi.dot(pi),a=pi.dot(qi),c=pi.dot(xu),l=qi.dot(qi),
+u=qi.dot(xu),f=o*l-a*a;if(f===0)return r.set(0,0,0),null;let h=1/f,d=(l*c-a*u)*h,x=(o*u-a*c)*h;return r.set(1-d-x,x,d)}static containsPoint(e,t,n,s){return this.
+getBarycoord(e,t,n,s,Yi)===null?!1:Yi.x>=0&&Yi.y>=0&&Yi.x+Yi.y<=1}static getInterpolation(e,t,n,s,r,o,a,c){return this.getBarycoord(e,t,n,s,Yi)===null?(c.x=0,c.
+y=0,"z"in c&&(c.z=0),"w"in c&&(c.w=0),null):(c.setScalar(0),c.addScaledVector(r,Yi.x),c.addScaledVector(o,Yi.y),c.addScaledVector(a,Yi.z),c)}static getInterpolatedAttribute(e,t,n,s,r,o){
 return Mu.setScalar(0),bu.setScalar(0),wu.setScalar(0),Mu.fromBufferAttribute(e,t),bu.fromBufferAttribute(e,n),wu.fromBufferAttribute(e,s),o.setScalar(0),o.addScaledVector(
 Mu,r.x),o.addScaledVector(bu,r.y),o.addScaledVector(wu,r.z),o}static isFrontFacing(e,t,n,s){return pi.subVectors(n,t),qi.subVectors(e,t),pi.cross(qi).dot(s)<0}set(e,t,n){
 return this.a.copy(e),this.b.copy(t),this.c.copy(n),this}setFromPointsAndIndices(e,t,n,s){return this.a.copy(e[t]),this.b.copy(e[n]),this.c.copy(e[s]),this}setFromAttributeAndIndices(e,t,n,s){
@@ -881,11 +881,11 @@ return this.a.copy(e.a),this.b.copy(e.b),this.c.copy(e.c),this}getArea(){return 
 .5}getMidpoint(e){return e.addVectors(this.a,this.b).add(this.c).multiplyScalar(1/3)}getNormal(e){return i.getNormal(this.a,this.b,this.c,e)}getPlane(e){return e.
 setFromCoplanarPoints(this.a,this.b,this.c)}getBarycoord(e,t){return i.getBarycoord(e,this.a,this.b,this.c,t)}getInterpolation(e,t,n,s,r){return i.getInterpolation(
 e,this.a,this.b,this.c,t,n,s,r)}containsPoint(e){return i.containsPoint(e,this.a,this.b,this.c)}isFrontFacing(e){return i.isFrontFacing(this.a,this.b,this.c,e)}intersectsBox(e){
-return e.intersectsTriangle(this)}closestPointToPoint(e,t){let n=this.a,s=this.b,r=this.c,o,a;_r.subVectors(s,n),xr.subVectors(r,n),vu.subVectors(e,n);let l=_r.
-dot(vu),c=xr.dot(vu);if(l<=0&&c<=0)return t.copy(n);yu.subVectors(e,s);let u=_r.dot(yu),f=xr.dot(yu);if(u>=0&&f<=u)return t.copy(s);let h=l*f-u*c;if(h<=0&&l>=0&&
-u<=0&&l-u>0)return o=l/(l-u),t.copy(n).addScaledVector(_r,o);Su.subVectors(e,r);let d=_r.dot(Su),x=xr.dot(Su);if(x>=0&&d<=x)return t.copy(r);let S=d*c-l*x;if(S<=
-0&&c>=0&&x<=0)return a=c/(c-x),t.copy(n).addScaledVector(xr,a);let p=u*x-d*f;if(p<=0&&f-u>=0&&d-x>=0)return qd.subVectors(r,s),a=(f-u)/(f-u+(d-x)),t.copy(s).addScaledVector(
-qd,a);let m=1/(p+S+h);return o=S*m,a=h*m,t.copy(n).addScaledVector(_r,o).addScaledVector(xr,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(
+return e.intersectsTriangle(this)}closestPointToPoint(e,t){let n=this.a,s=this.b,r=this.c,o,a;_r.subVectors(s,n),xr.subVectors(r,n),vu.subVectors(e,n);let c=_r.
+dot(vu),l=xr.dot(vu);if(c<=0&&l<=0)return t.copy(n);yu.subVectors(e,s);let u=_r.dot(yu),f=xr.dot(yu);if(u>=0&&f<=u)return t.copy(s);let h=c*f-u*l;if(h<=0&&c>=0&&
+u<=0&&c-u>0)return o=c/(c-u),t.copy(n).addScaledVector(_r,o);Su.subVectors(e,r);let d=_r.dot(Su),x=xr.dot(Su);if(x>=0&&d<=x)return t.copy(r);let S=d*l-c*x;if(S<=
+0&&l>=0&&x<=0)return a=l/(l-x),t.copy(n).addScaledVector(xr,a);let p=u*x-d*f;if(p<=0&&f-u>=0&&d-x>=0)return Yd.subVectors(r,s),a=(f-u)/(f-u+(d-x)),t.copy(s).addScaledVector(
+Yd,a);let m=1/(p+S+h);return o=S*m,a=h*m,t.copy(n).addScaledVector(_r,o).addScaledVector(xr,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(
 this.c)}},Li=class{constructor(e=new q(1/0,1/0,1/0),t=new q(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=e,this.max=t}set(e,t){return this.min.copy(e),this.max.copy(
 t),this}setFromArray(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t+=3)this.expandByPoint(mi.fromArray(e,t));return this}setFromBufferAttribute(e){this.makeEmpty();
 for(let t=0,n=e.count;t<n;t++)this.expandByPoint(mi.fromBufferAttribute(e,t));return this}setFromPoints(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t++)this.
@@ -917,9 +917,9 @@ z).applyMatrix4(e),Zi[7].set(this.max.x,this.max.y,this.max.z).applyMatrix4(e),t
 this}equals(e){return e.min.equals(this.min)&&e.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(e){return this.min.
 fromArray(e.min),this.max.fromArray(e.max),this}},Zi=[new q,new q,new q,new q,new q,new q,new q,new q],mi=new q,ba=new Li,vr=new q,yr=new q,Sr=new q,gs=new q,_s=new q,
 Fs=new q,ao=new q,wa=new q,Ta=new q,Os=new q;function Tu(i,e,t,n,s){for(let r=0,o=i.length-3;r<=o;r+=3){Os.fromArray(i,r);let a=s.x*Math.abs(Os.x)+s.y*Math.abs(
-Os.y)+s.z*Math.abs(Os.z),l=e.dot(Os),c=t.dot(Os),u=n.dot(Os);if(Math.max(-Math.max(l,c,u),Math.min(l,c,u))>a)return!1}return!0}var on=new q,Aa=new ft,__=0,_i=class extends Ii{constructor(e,t,n=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a \
-Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:__++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/
-t:0,this.normalized=n,this.usage=Gp,this.updateRanges=[],this.gpuType=oi,this.version=0,this._normalizationScale=e!==void 0?hh(e):void 0}onUploadCallback(){}set needsUpdate(e){
+Os.y)+s.z*Math.abs(Os.z),c=e.dot(Os),l=t.dot(Os),u=n.dot(Os);if(Math.max(-Math.max(c,l,u),Math.min(c,l,u))>a)return!1}return!0}var on=new q,Aa=new ft,x_=0,_i=class extends Ii{constructor(e,t,n=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a \
+Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:x_++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/
+t:0,this.normalized=n,this.usage=Hp,this.updateRanges=[],this.gpuType=oi,this.version=0,this._normalizationScale=e!==void 0?hh(e):void 0}onUploadCallback(){}set needsUpdate(e){
 e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.
 length=0}copy(e){return this.name=e.name,this.array=new e.array.constructor(e.array),this.itemSize=e.itemSize,this.count=e.count,this.normalized=e.normalized,this.
 usage=e.usage,this.gpuType=e.gpuType,this._normalizationScale=e._normalizationScale,this}copyAt(e,t,n){e*=this.itemSize,n*=t.itemSize;for(let s=0,r=this.itemSize;s<
@@ -940,8 +940,8 @@ array[e+1]=n,this.array[e+2]=s,this}setXYZW(e,t,n,s,r){return e*=this.itemSize,t
 r=this._normalize(r)),this.array[e+0]=t,this.array[e+1]=n,this.array[e+2]=s,this.array[e+3]=r,this}onUpload(e){return this.onUploadCallback=e,this}clone(){return new this.
 constructor(this.array,this.itemSize).copy(this)}toJSON(){let e={itemSize:this.itemSize,type:this.array.constructor.name,array:Array.from(this.array),normalized:this.
 normalized};return e.name=this.name,e.usage=this.usage,e.gpuType=this.gpuType,e}dispose(){this.dispatchEvent({type:"dispose"})}_denormalize(e){let t=this._normalizationScale;
-return t!==void 0?Math.max(e/t,-1):r_(e,this.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):o_(e,this.array)}};var Mo=class extends _i{constructor(e,t,n){super(new Uint16Array(e),t,n)}};var bo=class extends _i{constructor(e,t,n){super(new Uint32Array(e),t,n)}};var fn=class extends _i{constructor(e,t,n){super(new Float32Array(e),t,n)}},x_=new Li,lo=new q,Au=new q,ji=class{constructor(e=new q,t=-1){this.isSphere=!0,this.
-center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){let n=this.center;t!==void 0?n.copy(t):x_.setFromPoints(e).getCenter(
+return t!==void 0?Math.max(e/t,-1):o_(e,this.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):a_(e,this.array)}};var Mo=class extends _i{constructor(e,t,n){super(new Uint16Array(e),t,n)}};var bo=class extends _i{constructor(e,t,n){super(new Uint32Array(e),t,n)}};var fn=class extends _i{constructor(e,t,n){super(new Float32Array(e),t,n)}},v_=new Li,lo=new q,Au=new q,ji=class{constructor(e=new q,t=-1){this.isSphere=!0,this.
+center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){let n=this.center;t!==void 0?n.copy(t):v_.setFromPoints(e).getCenter(
 n);let s=0;for(let r=0,o=e.length;r<o;r++)s=Math.max(s,n.distanceToSquared(e[r]));return this.radius=Math.sqrt(s),this}copy(e){return this.center.copy(e.center),
 this.radius=e.radius,this}isEmpty(){return this.radius<0}makeEmpty(){return this.center.set(0,0,0),this.radius=-1,this}containsPoint(e){return e.distanceToSquared(
 this.center)<=this.radius*this.radius}distanceToPoint(e){return e.distanceTo(this.center)-this.radius}intersectsSphere(e){let t=this.radius+e.radius;return e.center.
@@ -953,11 +953,11 @@ copy(e),this.radius=0,this;lo.subVectors(e,this.center);let t=lo.lengthSq();if(t
 lo,s/n),this.radius+=s}return this}union(e){return e.isEmpty()?this:this.isEmpty()?(this.copy(e),this):(this.center.equals(e.center)===!0?this.radius=Math.max(this.
 radius,e.radius):(Au.subVectors(e.center,this.center).setLength(e.radius),this.expandByPoint(lo.copy(e.center).add(Au)),this.expandByPoint(lo.copy(e.center).sub(
 Au))),this)}equals(e){return e.center.equals(this.center)&&e.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,
-center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},v_=0,ii=new bt,Eu=new An,Mr=new q,Yn=new Li,co=new Li,
-yn=new q,Kn=class i extends Ii{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:v_++}),this.uuid=Jo(),this.name="",this.type=
+center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},y_=0,ii=new bt,Eu=new An,Mr=new q,Yn=new Li,co=new Li,
+yn=new q,Kn=class i extends Ii{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:y_++}),this.uuid=Jo(),this.name="",this.type=
 "BufferGeometry",this.index=null,this.indirect=null,this.indirectOffset=0,this.attributes={},this.morphAttributes={},this.morphTargetsRelative=!1,this.groups=[],
 this.boundingBox=null,this.boundingSphere=null,this.drawRange={start:0,count:1/0},this.userData={},this._transformed=!1}getIndex(){return this.index}setIndex(e){
-return Array.isArray(e)?this.index=new(n_(e)?bo:Mo)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.
+return Array.isArray(e)?this.index=new(i_(e)?bo:Mo)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.
 indirect}getAttribute(e){return this.attributes[e]}setAttribute(e,t){return this.attributes[e]=t,this}deleteAttribute(e){return delete this.attributes[e],this}hasAttribute(e){
 return this.attributes[e]!==void 0}addGroup(e,t,n=0){this.groups.push({start:e,count:t,materialIndex:n})}clearGroups(){this.groups=[]}setDrawRange(e,t){this.drawRange.
 start=e,this.drawRange.count=t}applyMatrix4(e){let t=this.attributes.position;t!==void 0&&(t.applyMatrix4(e),t.needsUpdate=!0);let n=this.attributes.normal;if(n!==
@@ -980,58 +980,58 @@ let e=this.attributes.position,t=this.morphAttributes.position;if(e&&e.isGLBuffe
 es a manual bounding sphere.",this),this.boundingSphere.set(new q,1/0);return}if(e){let n=this.boundingSphere.center;if(Yn.setFromBufferAttribute(e),t)for(let r=0,
 o=t.length;r<o;r++){let a=t[r];co.setFromBufferAttribute(a),this.morphTargetsRelative?(yn.addVectors(Yn.min,co.min),Yn.expandByPoint(yn),yn.addVectors(Yn.max,co.
 max),Yn.expandByPoint(yn)):(Yn.expandByPoint(co.min),Yn.expandByPoint(co.max))}Yn.getCenter(n);let s=0;for(let r=0,o=e.count;r<o;r++)yn.fromBufferAttribute(e,r),
-s=Math.max(s,n.distanceToSquared(yn));if(t)for(let r=0,o=t.length;r<o;r++){let a=t[r],l=this.morphTargetsRelative;for(let c=0,u=a.count;c<u;c++)yn.fromBufferAttribute(
-a,c),l&&(Mr.fromBufferAttribute(e,c),yn.add(Mr)),s=Math.max(s,n.distanceToSquared(yn))}this.boundingSphere.radius=Math.sqrt(s),isNaN(this.boundingSphere.radius)&&
+s=Math.max(s,n.distanceToSquared(yn));if(t)for(let r=0,o=t.length;r<o;r++){let a=t[r],c=this.morphTargetsRelative;for(let l=0,u=a.count;l<u;l++)yn.fromBufferAttribute(
+a,l),c&&(Mr.fromBufferAttribute(e,l),yn.add(Mr)),s=Math.max(s,n.distanceToSquared(yn))}this.boundingSphere.radius=Math.sqrt(s),isNaN(this.boundingSphere.radius)&&
 Ke('BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "position" attribute is likely to have NaN values.',this)}}computeTangents(){let e=this.
 index,t=this.attributes;if(e===null||t.position===void 0||t.normal===void 0||t.uv===void 0){Ke("BufferGeometry: .computeTangents() failed. Missing required attr\
 ibutes (index, position, normal or uv)");return}let n=t.position,s=t.normal,r=t.uv,o=this.getAttribute("tangent");(o===void 0||o.count!==n.count)&&(o=new _i(new Float32Array(
-4*n.count),4),this.setAttribute("tangent",o));let a=[],l=[],c=new Uint8Array(n.count);for(let O=0;O<n.count;O++)a[O]=new q,l[O]=new q;let u=new q,f=new q,h=new q,
-d=new ft,x=new ft,S=new ft,p=new q,m=new q;function v(O,D,L){c[O]=c[D]=c[L]=1,u.fromBufferAttribute(n,O),f.fromBufferAttribute(n,D),h.fromBufferAttribute(n,L),d.
+4*n.count),4),this.setAttribute("tangent",o));let a=[],c=[],l=new Uint8Array(n.count);for(let O=0;O<n.count;O++)a[O]=new q,c[O]=new q;let u=new q,f=new q,h=new q,
+d=new ft,x=new ft,S=new ft,p=new q,m=new q;function v(O,D,L){l[O]=l[D]=l[L]=1,u.fromBufferAttribute(n,O),f.fromBufferAttribute(n,D),h.fromBufferAttribute(n,L),d.
 fromBufferAttribute(r,O),x.fromBufferAttribute(r,D),S.fromBufferAttribute(r,L),f.sub(u),h.sub(u),x.sub(d),S.sub(d);let V=1/(x.x*S.y-S.x*x.y);isFinite(V)&&(p.copy(
 f).multiplyScalar(S.y).addScaledVector(h,-x.y).multiplyScalar(V),m.copy(h).multiplyScalar(x.x).addScaledVector(f,-S.x).multiplyScalar(V),a[O].add(p),a[D].add(p),
-a[L].add(p),l[O].add(m),l[D].add(m),l[L].add(m))}let A=this.groups;A.length===0&&(A=[{start:0,count:e.count}]);for(let O=0,D=A.length;O<D;++O){let L=A[O],V=L.start,
+a[L].add(p),c[O].add(m),c[D].add(m),c[L].add(m))}let A=this.groups;A.length===0&&(A=[{start:0,count:e.count}]);for(let O=0,D=A.length;O<D;++O){let L=A[O],V=L.start,
 H=L.count;for(let N=V,G=V+H;N<G;N+=3)v(e.getX(N+0),e.getX(N+1),e.getX(N+2))}let M=new q,P=new q,E=new q,_=new q;function T(O){E.fromBufferAttribute(s,O),_.copy(
-E);let D=a[O];M.copy(D),M.sub(E.multiplyScalar(E.dot(D))).normalize(),P.crossVectors(_,D);let V=P.dot(l[O])<0?-1:1;o.setXYZW(O,M.x,M.y,M.z,V)}for(let O=0,D=n.count;O<
-D;++O)c[O]&&T(O);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let n=this.getAttribute("normal");if(n===
+E);let D=a[O];M.copy(D),M.sub(E.multiplyScalar(E.dot(D))).normalize(),P.crossVectors(_,D);let V=P.dot(c[O])<0?-1:1;o.setXYZW(O,M.x,M.y,M.z,V)}for(let O=0,D=n.count;O<
+D;++O)l[O]&&T(O);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let n=this.getAttribute("normal");if(n===
 void 0||n.count!==t.count)n=new _i(new Float32Array(t.count*3),3),this.setAttribute("normal",n);else for(let h=0,d=n.count;h<d;h++)n.setXYZ(h,0,0,0);let s=new q,
-r=new q,o=new q,a=new q,l=new q,c=new q,u=new q,f=new q;if(e)for(let h=0,d=e.count;h<d;h+=3){let x=e.getX(h+0),S=e.getX(h+1),p=e.getX(h+2);s.fromBufferAttribute(
-t,x),r.fromBufferAttribute(t,S),o.fromBufferAttribute(t,p),u.subVectors(o,r),f.subVectors(s,r),u.cross(f),a.fromBufferAttribute(n,x),l.fromBufferAttribute(n,S),
-c.fromBufferAttribute(n,p),a.add(u),l.add(u),c.add(u),n.setXYZ(x,a.x,a.y,a.z),n.setXYZ(S,l.x,l.y,l.z),n.setXYZ(p,c.x,c.y,c.z)}else for(let h=0,d=t.count;h<d;h+=
+r=new q,o=new q,a=new q,c=new q,l=new q,u=new q,f=new q;if(e)for(let h=0,d=e.count;h<d;h+=3){let x=e.getX(h+0),S=e.getX(h+1),p=e.getX(h+2);s.fromBufferAttribute(
+t,x),r.fromBufferAttribute(t,S),o.fromBufferAttribute(t,p),u.subVectors(o,r),f.subVectors(s,r),u.cross(f),a.fromBufferAttribute(n,x),c.fromBufferAttribute(n,S),
+l.fromBufferAttribute(n,p),a.add(u),c.add(u),l.add(u),n.setXYZ(x,a.x,a.y,a.z),n.setXYZ(S,c.x,c.y,c.z),n.setXYZ(p,l.x,l.y,l.z)}else for(let h=0,d=t.count;h<d;h+=
 3)s.fromBufferAttribute(t,h+0),r.fromBufferAttribute(t,h+1),o.fromBufferAttribute(t,h+2),u.subVectors(o,r),f.subVectors(s,r),u.cross(f),n.setXYZ(h+0,u.x,u.y,u.z),
 n.setXYZ(h+1,u.x,u.y,u.z),n.setXYZ(h+2,u.x,u.y,u.z);this.normalizeNormals(),n.needsUpdate=!0}}normalizeNormals(){let e=this.attributes.normal;for(let t=0,n=e.count;t<
-n;t++)yn.fromBufferAttribute(e,t),yn.normalize(),e.setXYZ(t,yn.x,yn.y,yn.z)}toNonIndexed(){function e(a,l){let c=a.array,u=a.itemSize,f=a.normalized,h=new c.constructor(
-l.length*u),d=0,x=0;for(let S=0,p=l.length;S<p;S++){a.isInterleavedBufferAttribute?d=l[S]*a.data.stride+a.offset:d=l[S]*u;for(let m=0;m<u;m++)h[x++]=c[d++]}return new _i(
+n;t++)yn.fromBufferAttribute(e,t),yn.normalize(),e.setXYZ(t,yn.x,yn.y,yn.z)}toNonIndexed(){function e(a,c){let l=a.array,u=a.itemSize,f=a.normalized,h=new l.constructor(
+c.length*u),d=0,x=0;for(let S=0,p=c.length;S<p;S++){a.isInterleavedBufferAttribute?d=c[S]*a.data.stride+a.offset:d=c[S]*u;for(let m=0;m<u;m++)h[x++]=l[d++]}return new _i(
 h,u,f)}if(this.index===null)return qe("BufferGeometry.toNonIndexed(): BufferGeometry is already non-indexed."),this;let t=new i,n=this.index.array,s=this.attributes;
-for(let a in s){let l=s[a],c=e(l,n);t.setAttribute(a,c)}let r=this.morphAttributes;for(let a in r){let l=[],c=r[a];for(let u=0,f=c.length;u<f;u++){let h=c[u],d=e(
-h,n);l.push(d)}t.morphAttributes[a]=l}t.morphTargetsRelative=this.morphTargetsRelative;let o=this.groups;for(let a=0,l=o.length;a<l;a++){let c=o[a];t.addGroup(c.
-start,c.count,c.materialIndex)}return t}toJSON(){let e={metadata:{version:4.7,type:"BufferGeometry",generator:"BufferGeometry.toJSON"}};if(e.uuid=this.uuid,e.type=
+for(let a in s){let c=s[a],l=e(c,n);t.setAttribute(a,l)}let r=this.morphAttributes;for(let a in r){let c=[],l=r[a];for(let u=0,f=l.length;u<f;u++){let h=l[u],d=e(
+h,n);c.push(d)}t.morphAttributes[a]=c}t.morphTargetsRelative=this.morphTargetsRelative;let o=this.groups;for(let a=0,c=o.length;a<c;a++){let l=o[a];t.addGroup(l.
+start,l.count,l.materialIndex)}return t}toJSON(){let e={metadata:{version:4.7,type:"BufferGeometry",generator:"BufferGeometry.toJSON"}};if(e.uuid=this.uuid,e.type=
 this.parameters!==void 0&&this._transformed===!0?"BufferGeometry":this.type,e.name=this.name,Object.keys(this.userData).length>0&&(e.userData=this.userData),this.
-parameters!==void 0&&this._transformed!==!0){let l=this.parameters;for(let c in l)l[c]!==void 0&&(e[c]=l[c]);return e}e.data={attributes:{}};let t=this.index;t!==
-null&&(e.data.index={type:t.array.constructor.name,array:Array.prototype.slice.call(t.array)});let n=this.attributes;for(let l in n){let c=n[l];e.data.attributes[l]=
-c.toJSON(e.data)}let s={},r=!1;for(let l in this.morphAttributes){let c=this.morphAttributes[l],u=[];for(let f=0,h=c.length;f<h;f++){let d=c[f];u.push(d.toJSON(
-e.data))}u.length>0&&(s[l]=u,r=!0)}r&&(e.data.morphAttributes=s,e.data.morphTargetsRelative=this.morphTargetsRelative);let o=this.groups;o.length>0&&(e.data.groups=
+parameters!==void 0&&this._transformed!==!0){let c=this.parameters;for(let l in c)c[l]!==void 0&&(e[l]=c[l]);return e}e.data={attributes:{}};let t=this.index;t!==
+null&&(e.data.index={type:t.array.constructor.name,array:Array.prototype.slice.call(t.array)});let n=this.attributes;for(let c in n){let l=n[c];e.data.attributes[c]=
+l.toJSON(e.data)}let s={},r=!1;for(let c in this.morphAttributes){let l=this.morphAttributes[c],u=[];for(let f=0,h=l.length;f<h;f++){let d=l[f];u.push(d.toJSON(
+e.data))}u.length>0&&(s[c]=u,r=!0)}r&&(e.data.morphAttributes=s,e.data.morphTargetsRelative=this.morphTargetsRelative);let o=this.groups;o.length>0&&(e.data.groups=
 JSON.parse(JSON.stringify(o)));let a=this.boundingSphere;return a!==null&&(e.data.boundingSphere=a.toJSON()),e}clone(){return new this.constructor().copy(this)}copy(e){
 this.index=null,this.attributes={},this.morphAttributes={},this.groups=[],this.boundingBox=null,this.boundingSphere=null;let t={};this.name=e.name;let n=e.index;
-n!==null&&this.setIndex(n.clone());let s=e.attributes;for(let c in s){let u=s[c];this.setAttribute(c,u.clone(t))}let r=e.morphAttributes;for(let c in r){let u=[],
-f=r[c];for(let h=0,d=f.length;h<d;h++)u.push(f[h].clone(t));this.morphAttributes[c]=u}this.morphTargetsRelative=e.morphTargetsRelative;let o=e.groups;for(let c=0,
-u=o.length;c<u;c++){let f=o[c];this.addGroup(f.start,f.count,f.materialIndex)}let a=e.boundingBox;a!==null&&(this.boundingBox=a.clone());let l=e.boundingSphere;
-return l!==null&&(this.boundingSphere=l.clone()),this.drawRange.start=e.drawRange.start,this.drawRange.count=e.drawRange.count,this.userData=e.userData,this._transformed=
-e._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}};var Cu=new q,y_=new q,S_=new Qe,gi=class{constructor(e=new q(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.
+n!==null&&this.setIndex(n.clone());let s=e.attributes;for(let l in s){let u=s[l];this.setAttribute(l,u.clone(t))}let r=e.morphAttributes;for(let l in r){let u=[],
+f=r[l];for(let h=0,d=f.length;h<d;h++)u.push(f[h].clone(t));this.morphAttributes[l]=u}this.morphTargetsRelative=e.morphTargetsRelative;let o=e.groups;for(let l=0,
+u=o.length;l<u;l++){let f=o[l];this.addGroup(f.start,f.count,f.materialIndex)}let a=e.boundingBox;a!==null&&(this.boundingBox=a.clone());let c=e.boundingSphere;
+return c!==null&&(this.boundingSphere=c.clone()),this.drawRange.start=e.drawRange.start,this.drawRange.count=e.drawRange.count,this.userData=e.userData,this._transformed=
+e._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}};var Cu=new q,S_=new q,M_=new Qe,gi=class{constructor(e=new q(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.
 constant=t,this}setComponents(e,t,n,s){return this.normal.set(e,t,n),this.constant=s,this}setFromNormalAndCoplanarPoint(e,t){return this.normal.copy(e),this.constant=
--t.dot(this.normal),this}setFromCoplanarPoints(e,t,n){let s=Cu.subVectors(n,t).cross(y_.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(s,
+-t.dot(this.normal),this}setFromCoplanarPoints(e,t,n){let s=Cu.subVectors(n,t).cross(S_.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(s,
 e),this}copy(e){return this.normal.copy(e.normal),this.constant=e.constant,this}normalize(){let e=1/this.normal.length();return this.normal.multiplyScalar(e),this.
 constant*=e,this}negate(){return this.constant*=-1,this.normal.negate(),this}distanceToPoint(e){return this.normal.dot(e)+this.constant}distanceToSphere(e){return this.
 distanceToPoint(e.center)-e.radius}projectPoint(e,t){return t.copy(e).addScaledVector(this.normal,-this.distanceToPoint(e))}intersectLine(e,t,n=!0){let s=e.delta(
 Cu),r=this.normal.dot(s);if(r===0)return this.distanceToPoint(e.start)===0?t.copy(e.start):null;let o=-(e.start.dot(this.normal)+this.constant)/r;return n===!0&&
 (o<0||o>1)?null:t.copy(e.start).addScaledVector(s,o)}intersectsLine(e){let t=this.distanceToPoint(e.start),n=this.distanceToPoint(e.end);return t<0&&n>0||n<0&&t>
 0}intersectsBox(e){return e.intersectsPlane(this)}intersectsSphere(e){return e.intersectsPlane(this)}coplanarPoint(e){return e.copy(this.normal).multiplyScalar(
--this.constant)}applyMatrix4(e,t){let n=t||S_.getNormalMatrix(e),s=this.coplanarPoint(Cu).applyMatrix4(e),r=this.normal.applyMatrix3(n).normalize();return this.
+-this.constant)}applyMatrix4(e,t){let n=t||M_.getNormalMatrix(e),s=this.coplanarPoint(Cu).applyMatrix4(e),r=this.normal.applyMatrix3(n).normalize();return this.
 constant=-s.dot(r),this}translate(e){return this.constant-=e.dot(this.normal),this}equals(e){return e.normal.equals(this.normal)&&e.constant===this.constant}clone(){
 return new this.constructor().copy(this)}toJSON(){return{normal:this.normal.toArray(),constant:this.constant}}fromJSON(e){return this.normal.fromArray(e.normal),
-this.constant=e.constant,this}},M_=0,es=class extends Ii{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:M_++}),this.uuid=Jo(),this.
+this.constant=e.constant,this}},b_=0,es=class extends Ii{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:b_++}),this.uuid=Jo(),this.
 name="",this.type="Material",this.blending=Br,this.side=Ts,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=Wu,this.blendDst=
 Xu,this.blendEquation=Gs,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new st(0,0,0),this.blendAlpha=0,this.depthFunc=
-Cr,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Fp,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=Wa,this.stencilZFail=
+Cr,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Op,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=Wa,this.stencilZFail=
 Wa,this.stencilZPass=Wa,this.stencilWrite=!1,this.clippingPlanes=null,this.clipIntersection=!1,this.clipShadows=!1,this.shadowSide=null,this.colorWrite=!0,this.
 precision=null,this.polygonOffset=!1,this.polygonOffsetFactor=0,this.polygonOffsetUnits=0,this.dithering=!1,this.alphaToCoverage=!1,this.premultipliedAlpha=!1,this.
 forceSinglePass=!1,this.allowOverride=!0,this.visible=!0,this.toneMapped=!0,this.userData={},this.version=0,this._alphaTest=0}get alphaTest(){return this._alphaTest}set alphaTest(e){
@@ -1086,7 +1086,7 @@ this.linejoin!==void 0&&(n.linejoin=this.linejoin),this.dashSize!==void 0&&(n.da
 void 0&&(n.scale=this.scale),this.wireframe!==void 0&&(n.wireframe=this.wireframe),this.wireframeLinewidth!==void 0&&(n.wireframeLinewidth=this.wireframeLinewidth),
 this.wireframeLinecap!==void 0&&(n.wireframeLinecap=this.wireframeLinecap),this.wireframeLinejoin!==void 0&&(n.wireframeLinejoin=this.wireframeLinejoin),this.flatShading!==
 void 0&&(n.flatShading=this.flatShading),this.fog!==void 0&&(n.fog=this.fog),Object.keys(this.userData).length>0&&(n.userData=this.userData);function s(r){let o=[];
-for(let a in r){let l=r[a];delete l.metadata,o.push(l)}return o}if(t){let r=s(e.textures),o=s(e.images);r.length>0&&(n.textures=r),o.length>0&&(n.images=o)}return n}fromJSON(e,t){
+for(let a in r){let c=r[a];delete c.metadata,o.push(c)}return o}if(t){let r=s(e.textures),o=s(e.images);r.length>0&&(n.textures=r),o.length>0&&(n.images=o)}return n}fromJSON(e,t){
 if(e.uuid!==void 0&&(this.uuid=e.uuid),e.name!==void 0&&(this.name=e.name),e.color!==void 0&&this.color!==void 0&&this.color.setHex(e.color),e.roughness!==void 0&&
 (this.roughness=e.roughness),e.metalness!==void 0&&(this.metalness=e.metalness),e.sheen!==void 0&&(this.sheen=e.sheen),e.sheenColor!==void 0&&(this.sheenColor=new st().
 setHex(e.sheenColor)),e.sheenRoughness!==void 0&&(this.sheenRoughness=e.sheenRoughness),e.emissive!==void 0&&this.emissive!==void 0&&this.emissive.setHex(e.emissive),
@@ -1154,22 +1154,22 @@ return this.direction.copy(e).sub(this.origin).normalize(),this}recast(e){return
 origin);let n=t.dot(this.direction);return n<0?t.copy(this.origin):t.copy(this.origin).addScaledVector(this.direction,n)}distanceToPoint(e){return Math.sqrt(this.
 distanceSqToPoint(e))}distanceSqToPoint(e){let t=Ji.subVectors(e,this.origin).dot(this.direction);return t<0?this.origin.distanceToSquared(e):(Ji.copy(this.origin).
 addScaledVector(this.direction,t),Ji.distanceToSquared(e))}distanceSqToSegment(e,t,n,s){Ru.copy(e).add(t).multiplyScalar(.5),Ea.copy(t).sub(e).normalize(),Ca.copy(
-this.origin).sub(Ru);let r=e.distanceTo(t)*.5,o=-this.direction.dot(Ea),a=Ca.dot(this.direction),l=-Ca.dot(Ea),c=Ca.lengthSq(),u=Math.abs(1-o*o),f,h,d,x;if(u>0)
-if(f=o*l-a,h=o*a-l,x=r*u,f>=0)if(h>=-x)if(h<=x){let S=1/u;f*=S,h*=S,d=f*(f+o*h+2*a)+h*(o*f+h+2*l)+c}else h=r,f=Math.max(0,-(o*h+a)),d=-f*f+h*(h+2*l)+c;else h=-r,
-f=Math.max(0,-(o*h+a)),d=-f*f+h*(h+2*l)+c;else h<=-x?(f=Math.max(0,-(-o*r+a)),h=f>0?-r:Math.min(Math.max(-r,-l),r),d=-f*f+h*(h+2*l)+c):h<=x?(f=0,h=Math.min(Math.
-max(-r,-l),r),d=h*(h+2*l)+c):(f=Math.max(0,-(o*r+a)),h=f>0?r:Math.min(Math.max(-r,-l),r),d=-f*f+h*(h+2*l)+c);else h=o>0?-r:r,f=Math.max(0,-(o*h+a)),d=-f*f+h*(h+
-2*l)+c;return n&&n.copy(this.origin).addScaledVector(this.direction,f),s&&s.copy(Ru).addScaledVector(Ea,h),d}intersectSphere(e,t){if(e.radius<0)return null;Ji.subVectors(
-e.center,this.origin);let n=Ji.dot(this.direction),s=Ji.dot(Ji)-n*n,r=e.radius*e.radius;if(s>r)return null;let o=Math.sqrt(r-s),a=n-o,l=n+o;return l<0?null:a<0?
-this.at(l,t):this.at(a,t)}intersectsSphere(e){return e.radius<0?!1:this.distanceSqToPoint(e.center)<=e.radius*e.radius}distanceToPlane(e){let t=e.normal.dot(this.
+this.origin).sub(Ru);let r=e.distanceTo(t)*.5,o=-this.direction.dot(Ea),a=Ca.dot(this.direction),c=-Ca.dot(Ea),l=Ca.lengthSq(),u=Math.abs(1-o*o),f,h,d,x;if(u>0)
+if(f=o*c-a,h=o*a-c,x=r*u,f>=0)if(h>=-x)if(h<=x){let S=1/u;f*=S,h*=S,d=f*(f+o*h+2*a)+h*(o*f+h+2*c)+l}else h=r,f=Math.max(0,-(o*h+a)),d=-f*f+h*(h+2*c)+l;else h=-r,
+f=Math.max(0,-(o*h+a)),d=-f*f+h*(h+2*c)+l;else h<=-x?(f=Math.max(0,-(-o*r+a)),h=f>0?-r:Math.min(Math.max(-r,-c),r),d=-f*f+h*(h+2*c)+l):h<=x?(f=0,h=Math.min(Math.
+max(-r,-c),r),d=h*(h+2*c)+l):(f=Math.max(0,-(o*r+a)),h=f>0?r:Math.min(Math.max(-r,-c),r),d=-f*f+h*(h+2*c)+l);else h=o>0?-r:r,f=Math.max(0,-(o*h+a)),d=-f*f+h*(h+
+2*c)+l;return n&&n.copy(this.origin).addScaledVector(this.direction,f),s&&s.copy(Ru).addScaledVector(Ea,h),d}intersectSphere(e,t){if(e.radius<0)return null;Ji.subVectors(
+e.center,this.origin);let n=Ji.dot(this.direction),s=Ji.dot(Ji)-n*n,r=e.radius*e.radius;if(s>r)return null;let o=Math.sqrt(r-s),a=n-o,c=n+o;return c<0?null:a<0?
+this.at(c,t):this.at(a,t)}intersectsSphere(e){return e.radius<0?!1:this.distanceSqToPoint(e.center)<=e.radius*e.radius}distanceToPlane(e){let t=e.normal.dot(this.
 direction);if(t===0)return e.distanceToPoint(this.origin)===0?0:null;let n=-(this.origin.dot(e.normal)+e.constant)/t;return n>=0?n:null}intersectPlane(e,t){let n=this.
 distanceToPlane(e);return n===null?null:this.at(n,t)}intersectsPlane(e){let t=e.distanceToPoint(this.origin);return t===0||e.normal.dot(this.direction)*t<0}intersectBox(e,t){
-let n,s,r,o,a,l,c=1/this.direction.x,u=1/this.direction.y,f=1/this.direction.z,h=this.origin;return c>=0?(n=(e.min.x-h.x)*c,s=(e.max.x-h.x)*c):(n=(e.max.x-h.x)*
-c,s=(e.min.x-h.x)*c),u>=0?(r=(e.min.y-h.y)*u,o=(e.max.y-h.y)*u):(r=(e.max.y-h.y)*u,o=(e.min.y-h.y)*u),n>o||r>s||((r>n||isNaN(n))&&(n=r),(o<s||isNaN(s))&&(s=o),f>=
-0?(a=(e.min.z-h.z)*f,l=(e.max.z-h.z)*f):(a=(e.max.z-h.z)*f,l=(e.min.z-h.z)*f),n>l||a>s)||((a>n||n!==n)&&(n=a),(l<s||s!==s)&&(s=l),s<0)?null:this.at(n>=0?n:s,t)}intersectsBox(e){
-return this.intersectBox(e,Ji)!==null}intersectTriangle(e,t,n,s,r){let o=this.origin,a=this.direction,l=a.x,c=a.y,u=a.z,f=e.x-o.x,h=e.y-o.y,d=e.z-o.z,x=t.x-o.x,
-S=t.y-o.y,p=t.z-o.z,m=n.x-o.x,v=n.y-o.y,A=n.z-o.z,M=Math.abs(l),P=Math.abs(c),E=Math.abs(u),_,T,O,D,L,V,H,N,G,J,k,le;if(M>=P&&M>=E?(O=l,V=f,G=x,le=m,l>=0?(_=c,T=
-u,D=h,L=d,H=S,N=p,J=v,k=A):(_=u,T=c,D=d,L=h,H=p,N=S,J=A,k=v)):P>=E?(O=c,V=h,G=S,le=v,c>=0?(_=u,T=l,D=d,L=f,H=p,N=x,J=A,k=m):(_=l,T=u,D=f,L=d,H=x,N=p,J=m,k=A)):(O=
-u,V=d,G=p,le=A,u>=0?(_=l,T=c,D=f,L=h,H=x,N=S,J=m,k=v):(_=c,T=l,D=h,L=f,H=S,N=x,J=v,k=m)),O===0)return null;let $=_/O,Q=T/O,ie=1/O,he=D-$*V,ue=L-Q*V,j=H-$*G,pe=N-
+let n,s,r,o,a,c,l=1/this.direction.x,u=1/this.direction.y,f=1/this.direction.z,h=this.origin;return l>=0?(n=(e.min.x-h.x)*l,s=(e.max.x-h.x)*l):(n=(e.max.x-h.x)*
+l,s=(e.min.x-h.x)*l),u>=0?(r=(e.min.y-h.y)*u,o=(e.max.y-h.y)*u):(r=(e.max.y-h.y)*u,o=(e.min.y-h.y)*u),n>o||r>s||((r>n||isNaN(n))&&(n=r),(o<s||isNaN(s))&&(s=o),f>=
+0?(a=(e.min.z-h.z)*f,c=(e.max.z-h.z)*f):(a=(e.max.z-h.z)*f,c=(e.min.z-h.z)*f),n>c||a>s)||((a>n||n!==n)&&(n=a),(c<s||s!==s)&&(s=c),s<0)?null:this.at(n>=0?n:s,t)}intersectsBox(e){
+return this.intersectBox(e,Ji)!==null}intersectTriangle(e,t,n,s,r){let o=this.origin,a=this.direction,c=a.x,l=a.y,u=a.z,f=e.x-o.x,h=e.y-o.y,d=e.z-o.z,x=t.x-o.x,
+S=t.y-o.y,p=t.z-o.z,m=n.x-o.x,v=n.y-o.y,A=n.z-o.z,M=Math.abs(c),P=Math.abs(l),E=Math.abs(u),_,T,O,D,L,V,H,N,G,J,k,le;if(M>=P&&M>=E?(O=c,V=f,G=x,le=m,c>=0?(_=l,T=
+u,D=h,L=d,H=S,N=p,J=v,k=A):(_=u,T=l,D=d,L=h,H=p,N=S,J=A,k=v)):P>=E?(O=l,V=h,G=S,le=v,l>=0?(_=u,T=c,D=d,L=f,H=p,N=x,J=A,k=m):(_=c,T=u,D=f,L=d,H=x,N=p,J=m,k=A)):(O=
+u,V=d,G=p,le=A,u>=0?(_=c,T=l,D=f,L=h,H=x,N=S,J=m,k=v):(_=l,T=c,D=h,L=f,H=S,N=x,J=v,k=m)),O===0)return null;let $=_/O,Q=T/O,ie=1/O,he=D-$*V,ue=L-Q*V,j=H-$*G,pe=N-
 Q*G,_e=J-$*le,Ae=k-Q*le,Se=_e*pe-Ae*j,Ge=he*Ae-ue*_e,tt=j*ue-pe*he;if(s){if(Se<0||Ge<0||tt<0)return null}else if((Se<0||Ge<0||tt<0)&&(Se>0||Ge>0||tt>0))return null;
 let ke=Se+Ge+tt;if(ke===0)return null;let ct=ie*(Se*V+Ge*G+tt*le);return(ke>0?ct<0:ct>0)?null:this.at(ct/ke,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),
 this.direction.transformDirection(e),this}equals(e){return e.origin.equals(this.origin)&&e.direction.equals(this.direction)}clone(){return new this.constructor().
@@ -1179,38 +1179,38 @@ this.combine=Tl,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,t
 ound",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,
 this.aoMap=e.aoMap,this.aoMapIntensity=e.aoMapIntensity,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(e.
 envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.refractionRatio=e.refractionRatio,this.wireframe=e.wireframe,this.wireframeLinewidth=
-e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}},Yd=new bt,Bs=new wo,Ra=new ji,Zd=new q,
-Pa=new q,Ia=new q,La=new q,Pu=new q,Da=new q,Jd=new q,Na=new q,ri=class extends An{constructor(e=new Kn,t=new Dr){super(),this.isMesh=!0,this.type="Mesh",this.geometry=
+e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}},Zd=new bt,Bs=new wo,Ra=new ji,Jd=new q,
+Pa=new q,Ia=new q,La=new q,Pu=new q,Da=new q,$d=new q,Na=new q,ri=class extends An{constructor(e=new Kn,t=new Dr){super(),this.isMesh=!0,this.type="Mesh",this.geometry=
 e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.count=1,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.
 morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.
 morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.slice():e.material,
 this.geometry=e.geometry,this}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){this.morphTargetInfluences=
 [],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=r}}}}getVertexPosition(e,t){
 let n=this.geometry,s=n.attributes.position,r=n.morphAttributes.position,o=n.morphTargetsRelative;t.fromBufferAttribute(s,e);let a=this.morphTargetInfluences;if(r&&
-a){Da.set(0,0,0);for(let l=0,c=r.length;l<c;l++){let u=a[l],f=r[l];u!==0&&(Pu.fromBufferAttribute(f,e),o?Da.addScaledVector(Pu,u):Da.addScaledVector(Pu.sub(t),u))}
+a){Da.set(0,0,0);for(let c=0,l=r.length;c<l;c++){let u=a[c],f=r[c];u!==0&&(Pu.fromBufferAttribute(f,e),o?Da.addScaledVector(Pu,u):Da.addScaledVector(Pu.sub(t),u))}
 t.add(Da)}return t}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let n=this.geometry,s=this.material,r=this.matrixWorld;s!==void 0&&(n.boundingSphere===
 null&&n.computeBoundingSphere(),Ra.copy(n.boundingSphere),Ra.applyMatrix4(r),Bs.copy(e.ray).recast(e.near),!(Ra.containsPoint(Bs.origin)===!1&&(Bs.intersectSphere(
-Ra,Zd)===null||Bs.origin.distanceToSquared(Zd)>(e.far-e.near)**2))&&(Yd.copy(r).invert(),Bs.copy(e.ray).applyMatrix4(Yd),!(n.boundingBox!==null&&Bs.intersectsBox(
-n.boundingBox)===!1)&&this._computeIntersections(e,t,Bs)))}_computeIntersections(e,t,n){let s,r=this.geometry,o=this.material,a=r.index,l=r.attributes.position,
-c=r.attributes.uv,u=r.attributes.uv1,f=r.attributes.normal,h=r.groups,d=r.drawRange;if(a!==null)if(Array.isArray(o))for(let x=0,S=h.length;x<S;x++){let p=h[x],m=o[p.
+Ra,Jd)===null||Bs.origin.distanceToSquared(Jd)>(e.far-e.near)**2))&&(Zd.copy(r).invert(),Bs.copy(e.ray).applyMatrix4(Zd),!(n.boundingBox!==null&&Bs.intersectsBox(
+n.boundingBox)===!1)&&this._computeIntersections(e,t,Bs)))}_computeIntersections(e,t,n){let s,r=this.geometry,o=this.material,a=r.index,c=r.attributes.position,
+l=r.attributes.uv,u=r.attributes.uv1,f=r.attributes.normal,h=r.groups,d=r.drawRange;if(a!==null)if(Array.isArray(o))for(let x=0,S=h.length;x<S;x++){let p=h[x],m=o[p.
 materialIndex],v=Math.max(p.start,d.start),A=Math.min(a.count,Math.min(p.start+p.count,d.start+d.count));for(let M=v,P=A;M<P;M+=3){let E=a.getX(M),_=a.getX(M+1),
-T=a.getX(M+2);s=Ua(this,m,e,n,c,u,f,E,_,T),s&&(s.faceIndex=Math.floor(M/3),s.face.materialIndex=p.materialIndex,t.push(s))}}else{let x=Math.max(0,d.start),S=Math.
-min(a.count,d.start+d.count);for(let p=x,m=S;p<m;p+=3){let v=a.getX(p),A=a.getX(p+1),M=a.getX(p+2);s=Ua(this,o,e,n,c,u,f,v,A,M),s&&(s.faceIndex=Math.floor(p/3),
-t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let x=0,S=h.length;x<S;x++){let p=h[x],m=o[p.materialIndex],v=Math.max(p.start,d.start),A=Math.min(l.count,
-Math.min(p.start+p.count,d.start+d.count));for(let M=v,P=A;M<P;M+=3){let E=M,_=M+1,T=M+2;s=Ua(this,m,e,n,c,u,f,E,_,T),s&&(s.faceIndex=Math.floor(M/3),s.face.materialIndex=
-p.materialIndex,t.push(s))}}else{let x=Math.max(0,d.start),S=Math.min(l.count,d.start+d.count);for(let p=x,m=S;p<m;p+=3){let v=p,A=p+1,M=p+2;s=Ua(this,o,e,n,c,u,
-f,v,A,M),s&&(s.faceIndex=Math.floor(p/3),t.push(s))}}}};function b_(i,e,t,n,s,r,o,a){let l;if(e.side===Fn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(
-s,r,o,e.side===Ts,a),l===null)return null;Na.copy(a),Na.applyMatrix4(i.matrixWorld);let c=t.ray.origin.distanceTo(Na);return c<t.near||c>t.far?null:{distance:c,
-point:Na.clone(),object:i}}function Ua(i,e,t,n,s,r,o,a,l,c){i.getVertexPosition(a,Pa),i.getVertexPosition(l,Ia),i.getVertexPosition(c,La);let u=b_(i,e,t,n,Pa,Ia,
-La,Jd);if(u){let f=new q;vs.getBarycoord(Jd,Pa,Ia,La,f),s&&(u.uv=vs.getInterpolatedAttribute(s,a,l,c,f,new ft)),r&&(u.uv1=vs.getInterpolatedAttribute(r,a,l,c,f,
-new ft)),o&&(u.normal=vs.getInterpolatedAttribute(o,a,l,c,f,new q),u.normal.dot(n.direction)>0&&u.normal.multiplyScalar(-1));let h={a,b:l,c,normal:new q,materialIndex:0};
-vs.getNormal(Pa,Ia,La,h.normal),u.face=h,u.barycoord=f}return u}var To=class extends On{constructor(e=null,t=1,n=1,s,r,o,a,l,c=Sn,u=Sn,f,h){super(null,o,a,l,c,u,s,r,f,h),this.isDataTexture=!0,this.image={data:e,width:t,height:n},
+T=a.getX(M+2);s=Ua(this,m,e,n,l,u,f,E,_,T),s&&(s.faceIndex=Math.floor(M/3),s.face.materialIndex=p.materialIndex,t.push(s))}}else{let x=Math.max(0,d.start),S=Math.
+min(a.count,d.start+d.count);for(let p=x,m=S;p<m;p+=3){let v=a.getX(p),A=a.getX(p+1),M=a.getX(p+2);s=Ua(this,o,e,n,l,u,f,v,A,M),s&&(s.faceIndex=Math.floor(p/3),
+t.push(s))}}else if(c!==void 0)if(Array.isArray(o))for(let x=0,S=h.length;x<S;x++){let p=h[x],m=o[p.materialIndex],v=Math.max(p.start,d.start),A=Math.min(c.count,
+Math.min(p.start+p.count,d.start+d.count));for(let M=v,P=A;M<P;M+=3){let E=M,_=M+1,T=M+2;s=Ua(this,m,e,n,l,u,f,E,_,T),s&&(s.faceIndex=Math.floor(M/3),s.face.materialIndex=
+p.materialIndex,t.push(s))}}else{let x=Math.max(0,d.start),S=Math.min(c.count,d.start+d.count);for(let p=x,m=S;p<m;p+=3){let v=p,A=p+1,M=p+2;s=Ua(this,o,e,n,l,u,
+f,v,A,M),s&&(s.faceIndex=Math.floor(p/3),t.push(s))}}}};function w_(i,e,t,n,s,r,o,a){let c;if(e.side===Fn?c=n.intersectTriangle(o,r,s,!0,a):c=n.intersectTriangle(
+s,r,o,e.side===Ts,a),c===null)return null;Na.copy(a),Na.applyMatrix4(i.matrixWorld);let l=t.ray.origin.distanceTo(Na);return l<t.near||l>t.far?null:{distance:l,
+point:Na.clone(),object:i}}function Ua(i,e,t,n,s,r,o,a,c,l){i.getVertexPosition(a,Pa),i.getVertexPosition(c,Ia),i.getVertexPosition(l,La);let u=w_(i,e,t,n,Pa,Ia,
+La,$d);if(u){let f=new q;vs.getBarycoord($d,Pa,Ia,La,f),s&&(u.uv=vs.getInterpolatedAttribute(s,a,c,l,f,new ft)),r&&(u.uv1=vs.getInterpolatedAttribute(r,a,c,l,f,
+new ft)),o&&(u.normal=vs.getInterpolatedAttribute(o,a,c,l,f,new q),u.normal.dot(n.direction)>0&&u.normal.multiplyScalar(-1));let h={a,b:c,c:l,normal:new q,materialIndex:0};
+vs.getNormal(Pa,Ia,La,h.normal),u.face=h,u.barycoord=f}return u}var To=class extends On{constructor(e=null,t=1,n=1,s,r,o,a,c,l=Sn,u=Sn,f,h){super(null,o,a,c,l,u,s,r,f,h),this.isDataTexture=!0,this.image={data:e,width:t,height:n},
 this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};var Ao=class extends _i{constructor(e,t,n,s=1){super(e,t,n),this.isInstancedBufferAttribute=!0,this.meshPerAttribute=s}copy(e){return super.copy(e),this.meshPerAttribute=
-e.meshPerAttribute,this}toJSON(){let e=super.toJSON();return e.meshPerAttribute=this.meshPerAttribute,e.isInstancedBufferAttribute=!0,e}},br=new bt,$d=new bt,Fa=[],
-Kd=new Li,w_=new bt,uo=new ri,ho=new ji,Nr=class extends ri{constructor(e,t,n){super(e,t),this.isInstancedMesh=!0,this.instanceMatrix=new Ao(new Float32Array(n*
-16),16),this.instanceColor=null,this.morphTexture=null,this.count=n,this.boundingBox=null,this.boundingSphere=null;for(let s=0;s<n;s++)this.setMatrixAt(s,w_)}computeBoundingBox(){
+e.meshPerAttribute,this}toJSON(){let e=super.toJSON();return e.meshPerAttribute=this.meshPerAttribute,e.isInstancedBufferAttribute=!0,e}},br=new bt,Kd=new bt,Fa=[],
+Qd=new Li,T_=new bt,uo=new ri,ho=new ji,Nr=class extends ri{constructor(e,t,n){super(e,t),this.isInstancedMesh=!0,this.instanceMatrix=new Ao(new Float32Array(n*
+16),16),this.instanceColor=null,this.morphTexture=null,this.count=n,this.boundingBox=null,this.boundingSphere=null;for(let s=0;s<n;s++)this.setMatrixAt(s,T_)}computeBoundingBox(){
 let e=this.geometry,t=this.count;this.boundingBox===null&&(this.boundingBox=new Li),e.boundingBox===null&&e.computeBoundingBox(),this.boundingBox.makeEmpty();for(let n=0;n<
-t;n++)this.getMatrixAt(n,br),Kd.copy(e.boundingBox).applyMatrix4(br),this.boundingBox.union(Kd)}computeBoundingSphere(){let e=this.geometry,t=this.count;this.boundingSphere===
+t;n++)this.getMatrixAt(n,br),Qd.copy(e.boundingBox).applyMatrix4(br),this.boundingBox.union(Qd)}computeBoundingSphere(){let e=this.geometry,t=this.count;this.boundingSphere===
 null&&(this.boundingSphere=new ji),e.boundingSphere===null&&e.computeBoundingSphere(),this.boundingSphere.makeEmpty();for(let n=0;n<t;n++)this.getMatrixAt(n,br),
 ho.copy(e.boundingSphere).applyMatrix4(br),this.boundingSphere.union(ho)}copy(e,t){return super.copy(e,t),this.instanceMatrix.copy(e.instanceMatrix),this.morphTexture=
 e.morphTexture!==null?e.morphTexture.clone():null,this.instanceColor=e.instanceColor!==null?e.instanceColor.clone():null,this.count=e.count,this.boundingBox=e.boundingBox!==
@@ -1218,34 +1218,34 @@ null?e.boundingBox.clone():null,this.boundingSphere=e.boundingSphere!==null?e.bo
 t.setRGB(1,1,1):t.fromArray(this.instanceColor.array,e*3)}getMatrixAt(e,t){return t.fromArray(this.instanceMatrix.array,e*16)}getMorphAt(e,t){let n=t.morphTargetInfluences,
 s=this.morphTexture.source.data.data,r=n.length+1,o=e*r+1;for(let a=0;a<n.length;a++)n[a]=s[o+a]}raycast(e,t){let n=this.matrixWorld,s=this.count;if(uo.geometry=
 this.geometry,uo.material=this.material,uo.material!==void 0&&(this.boundingSphere===null&&this.computeBoundingSphere(),ho.copy(this.boundingSphere),ho.applyMatrix4(
-n),e.ray.intersectsSphere(ho)!==!1))for(let r=0;r<s;r++){this.getMatrixAt(r,br),$d.multiplyMatrices(n,br),uo.matrixWorld=$d,uo.raycast(e,Fa);for(let o=0,a=Fa.length;o<
-a;o++){let l=Fa[o];l.instanceId=r,l.object=this,t.push(l)}Fa.length=0}}setColorAt(e,t){return this.instanceColor===null&&(this.instanceColor=new Ao(new Float32Array(
+n),e.ray.intersectsSphere(ho)!==!1))for(let r=0;r<s;r++){this.getMatrixAt(r,br),Kd.multiplyMatrices(n,br),uo.matrixWorld=Kd,uo.raycast(e,Fa);for(let o=0,a=Fa.length;o<
+a;o++){let c=Fa[o];c.instanceId=r,c.object=this,t.push(c)}Fa.length=0}}setColorAt(e,t){return this.instanceColor===null&&(this.instanceColor=new Ao(new Float32Array(
 this.instanceMatrix.count*3).fill(1),3)),t.toArray(this.instanceColor.array,e*3),this}setMatrixAt(e,t){return t.toArray(this.instanceMatrix.array,e*16),this}setMorphAt(e,t){
 let n=t.morphTargetInfluences,s=n.length+1;this.morphTexture===null&&(this.morphTexture=new To(new Float32Array(s*this.count),s,this.count,Ll,oi));let r=this.morphTexture.
-source.data.data,o=0;for(let c=0;c<n.length;c++)o+=n[c];let a=this.geometry.morphTargetsRelative?1:1-o,l=s*e;return r[l]=a,r.set(n,l+1),this}updateMorphTargets(){}dispose(){
+source.data.data,o=0;for(let l=0;l<n.length;l++)o+=n[l];let a=this.geometry.morphTargetsRelative?1:1-o,c=s*e;return r[c]=a,r.set(n,c+1),this}updateMorphTargets(){}dispose(){
 super.dispose(),this.instanceMatrix.dispose(),this.instanceColor!==null&&this.instanceColor.dispose(),this.morphTexture!==null&&(this.morphTexture.dispose(),this.
-morphTexture=null)}},zs=new ji,T_=new ft(.5,.5),Oa=new q,ys=class{constructor(e=new gi,t=new gi,n=new gi,s=new gi,r=new gi,o=new gi){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){
+morphTexture=null)}},zs=new ji,A_=new ft(.5,.5),Oa=new q,ys=class{constructor(e=new gi,t=new gi,n=new gi,s=new gi,r=new gi,o=new gi){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){
 let a=this.planes;return a[0].copy(e),a[1].copy(t),a[2].copy(n),a[3].copy(s),a[4].copy(r),a[5].copy(o),this}copy(e){let t=this.planes;for(let n=0;n<6;n++)t[n].copy(
-e.planes[n]);return this}setFromProjectionMatrix(e,t=si,n=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],l=r[2],c=r[3],u=r[4],f=r[5],h=r[6],d=r[7],x=r[8],S=r[9],
-p=r[10],m=r[11],v=r[12],A=r[13],M=r[14],P=r[15];if(s[0].setComponents(c-o,d-u,m-x,P-v).normalize(),s[1].setComponents(c+o,d+u,m+x,P+v).normalize(),s[2].setComponents(
-c+a,d+f,m+S,P+A).normalize(),s[3].setComponents(c-a,d-f,m-S,P-A).normalize(),n)s[4].setComponents(l,h,p,M).normalize(),s[5].setComponents(c-l,d-h,m-p,P-M).normalize();else if(s[4].
-setComponents(c-l,d-h,m-p,P-M).normalize(),t===si)s[5].setComponents(c+l,d+h,m+p,P+M).normalize();else if(t===Rr)s[5].setComponents(l,h,p,M).normalize();else throw new Error(
+e.planes[n]);return this}setFromProjectionMatrix(e,t=si,n=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],c=r[2],l=r[3],u=r[4],f=r[5],h=r[6],d=r[7],x=r[8],S=r[9],
+p=r[10],m=r[11],v=r[12],A=r[13],M=r[14],P=r[15];if(s[0].setComponents(l-o,d-u,m-x,P-v).normalize(),s[1].setComponents(l+o,d+u,m+x,P+v).normalize(),s[2].setComponents(
+l+a,d+f,m+S,P+A).normalize(),s[3].setComponents(l-a,d-f,m-S,P-A).normalize(),n)s[4].setComponents(c,h,p,M).normalize(),s[5].setComponents(l-c,d-h,m-p,P-M).normalize();else if(s[4].
+setComponents(l-c,d-h,m-p,P-M).normalize(),t===si)s[5].setComponents(l+c,d+h,m+p,P+M).normalize();else if(t===Rr)s[5].setComponents(c,h,p,M).normalize();else throw new Error(
 "THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&
 e.computeBoundingSphere(),zs.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),zs.copy(
-t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(zs)}intersectsSprite(e){zs.center.set(0,0,0);let t=T_.distanceTo(e.center);return zs.
+t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(zs)}intersectsSprite(e){zs.center.set(0,0,0);let t=A_.distanceTo(e.center);return zs.
 radius=.7071067811865476+t,zs.applyMatrix4(e.matrixWorld),this.intersectsSphere(zs)}intersectsSphere(e){let t=this.planes,n=e.center,s=-e.radius;for(let r=0;r<6;r++)
 if(t[r].distanceToPoint(n)<s)return!1;return!0}intersectsBox(e){let t=this.planes;for(let n=0;n<6;n++){let s=t[n];if(Oa.x=s.normal.x>0?e.max.x:e.min.x,Oa.y=s.normal.
 y>0?e.max.y:e.min.y,Oa.z=s.normal.z>0?e.max.z:e.min.z,s.distanceToPoint(Oa)<0)return!1}return!0}containsPoint(e){let t=this.planes;for(let n=0;n<6;n++)if(t[n].distanceToPoint(
-e)<0)return!1;return!0}clone(){return new this.constructor().copy(this)}},Qd=new bt,rl=class i{constructor(){this.coordinateSystem=si,this._frustums=[],this._count=
-0}setFromArrayCamera(e){let t=e.cameras,n=this._frustums;for(let s=0;s<t.length;s++){let r=t[s];Qd.multiplyMatrices(r.projectionMatrix,r.matrixWorldInverse),n[s]===
-void 0&&(n[s]=new ys),n[s].setFromProjectionMatrix(Qd,r.coordinateSystem,r.reversedDepth)}return this._count=t.length,this}getFrustum(e){return this._frustums[e]}intersectsObject(e){
+e)<0)return!1;return!0}clone(){return new this.constructor().copy(this)}},jd=new bt,rl=class i{constructor(){this.coordinateSystem=si,this._frustums=[],this._count=
+0}setFromArrayCamera(e){let t=e.cameras,n=this._frustums;for(let s=0;s<t.length;s++){let r=t[s];jd.multiplyMatrices(r.projectionMatrix,r.matrixWorldInverse),n[s]===
+void 0&&(n[s]=new ys),n[s].setFromProjectionMatrix(jd,r.coordinateSystem,r.reversedDepth)}return this._count=t.length,this}getFrustum(e){return this._frustums[e]}intersectsObject(e){
 let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsObject(e))return!0;return!1}intersectsSprite(e){let t=this._frustums;for(let n=0;n<this._count;n++)
 if(t[n].intersectsSprite(e))return!0;return!1}intersectsSphere(e){let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsSphere(e))return!0;return!1}intersectsBox(e){
 let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsBox(e))return!0;return!1}containsPoint(e){let t=this._frustums;for(let n=0;n<this._count;n++)
 if(t[n].containsPoint(e))return!0;return!1}copy(e){this.coordinateSystem=e.coordinateSystem;let t=this._frustums,n=e._frustums;for(let s=0;s<e._count;s++)t[s]===
 void 0&&(t[s]=new ys),t[s].copy(n[s]);return this._count=e._count,this}clone(){return new i().copy(this)}};var ts=class extends es{constructor(e){super(),this.isLineBasicMaterial=!0,this.type="LineBasicMaterial",this.color=new st(16777215),this.map=null,this.linewidth=
 1,this.linecap="round",this.linejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.linewidth=e.
-linewidth,this.linecap=e.linecap,this.linejoin=e.linejoin,this.fog=e.fog,this}},ol=new q,al=new q,jd=new bt,fo=new wo,Ba=new ji,Iu=new q,ep=new q,ll=class extends An{constructor(e=new Kn,t=new ts){
+linewidth,this.linecap=e.linecap,this.linejoin=e.linejoin,this.fog=e.fog,this}},ol=new q,al=new q,ep=new bt,fo=new wo,Ba=new ji,Iu=new q,tp=new q,ll=class extends An{constructor(e=new Kn,t=new ts){
 super(),this.isLine=!0,this.type="Line",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.updateMorphTargets()}copy(e,t){
 return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==
 void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.
@@ -1253,37 +1253,37 @@ slice():e.material,this.geometry=e.geometry,this}computeLineDistances(){let e=th
 count;s<r;s++)ol.fromBufferAttribute(t,s-1),al.fromBufferAttribute(t,s),n[s]=n[s-1],n[s]+=ol.distanceTo(al);e.setAttribute("lineDistance",new fn(n,1))}else qe("\
 Line.computeLineDistances(): Computation only possible with non-indexed BufferGeometry.");return this}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){
 let n=this.geometry,s=this.matrixWorld,r=e.params.Line.threshold,o=n.drawRange;if(n.boundingSphere===null&&n.computeBoundingSphere(),Ba.copy(n.boundingSphere),Ba.
-applyMatrix4(s),Ba.radius+=r,e.ray.intersectsSphere(Ba)===!1)return;jd.copy(s).invert(),fo.copy(e.ray).applyMatrix4(jd);let a=r/((this.scale.x+this.scale.y+this.
-scale.z)/3),l=a*a,c=this.isLineSegments?2:1,u=n.index,h=n.attributes.position;if(u!==null){let d=Math.max(0,o.start),x=Math.min(u.count,o.start+o.count);for(let S=d,
-p=x-1;S<p;S+=c){let m=u.getX(S),v=u.getX(S+1),A=za(this,e,fo,l,m,v,S);A&&t.push(A)}if(this.isLineLoop){let S=u.getX(x-1),p=u.getX(d),m=za(this,e,fo,l,S,p,x-1);m&&
-t.push(m)}}else{let d=Math.max(0,o.start),x=Math.min(h.count,o.start+o.count);for(let S=d,p=x-1;S<p;S+=c){let m=za(this,e,fo,l,S,S+1,S);m&&t.push(m)}if(this.isLineLoop){
-let S=za(this,e,fo,l,x-1,d,x-1);S&&t.push(S)}}}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){
+applyMatrix4(s),Ba.radius+=r,e.ray.intersectsSphere(Ba)===!1)return;ep.copy(s).invert(),fo.copy(e.ray).applyMatrix4(ep);let a=r/((this.scale.x+this.scale.y+this.
+scale.z)/3),c=a*a,l=this.isLineSegments?2:1,u=n.index,h=n.attributes.position;if(u!==null){let d=Math.max(0,o.start),x=Math.min(u.count,o.start+o.count);for(let S=d,
+p=x-1;S<p;S+=l){let m=u.getX(S),v=u.getX(S+1),A=za(this,e,fo,c,m,v,S);A&&t.push(A)}if(this.isLineLoop){let S=u.getX(x-1),p=u.getX(d),m=za(this,e,fo,c,S,p,x-1);m&&
+t.push(m)}}else{let d=Math.max(0,o.start),x=Math.min(h.count,o.start+o.count);for(let S=d,p=x-1;S<p;S+=l){let m=za(this,e,fo,c,S,S+1,S);m&&t.push(m)}if(this.isLineLoop){
+let S=za(this,e,fo,c,x-1,d,x-1);S&&t.push(S)}}}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){
 this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=
 r}}}}};function za(i,e,t,n,s,r,o){let a=i.geometry.attributes.position;if(ol.fromBufferAttribute(a,s),al.fromBufferAttribute(a,r),t.distanceSqToSegment(ol,al,Iu,
-ep)>n)return;Iu.applyMatrix4(i.matrixWorld);let c=e.ray.origin.distanceTo(Iu);if(!(c<e.near||c>e.far))return{distance:c,point:ep.clone().applyMatrix4(i.matrixWorld),
-index:o,face:null,faceIndex:null,barycoord:null,object:i}}var tp=new q,np=new q,Ur=class extends ll{constructor(e,t){super(e,t),this.isLineSegments=!0,this.type=
-"LineSegments"}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,n=[];for(let s=0,r=t.count;s<r;s+=2)tp.fromBufferAttribute(
-t,s),np.fromBufferAttribute(t,s+1),n[s]=s===0?0:n[s-1],n[s+1]=n[s]+tp.distanceTo(np);e.setAttribute("lineDistance",new fn(n,1))}else qe("LineSegments.computeLin\
-eDistances(): Computation only possible with non-indexed BufferGeometry.");return this}};var Eo=class extends On{constructor(e=[],t=Hs,n,s,r,o,a,l,c,u){super(e,t,n,s,r,o,a,l,c,u),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(e){
-this.image=e}};var ns=class extends On{constructor(e,t,n=xi,s,r,o,a=Sn,l=Sn,c,u=Ki,f=1){if(u!==Ki&&u!==ss)throw new Error("THREE.DepthTexture: format must be either THREE.Dept\
-hFormat or THREE.DepthStencilFormat");let h={width:e,height:t,depth:f};super(h,s,r,o,a,l,u,n,c),this.isDepthTexture=!0,this.flipY=!1,this.generateMipmaps=!1,this.
+tp)>n)return;Iu.applyMatrix4(i.matrixWorld);let l=e.ray.origin.distanceTo(Iu);if(!(l<e.near||l>e.far))return{distance:l,point:tp.clone().applyMatrix4(i.matrixWorld),
+index:o,face:null,faceIndex:null,barycoord:null,object:i}}var np=new q,ip=new q,Ur=class extends ll{constructor(e,t){super(e,t),this.isLineSegments=!0,this.type=
+"LineSegments"}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,n=[];for(let s=0,r=t.count;s<r;s+=2)np.fromBufferAttribute(
+t,s),ip.fromBufferAttribute(t,s+1),n[s]=s===0?0:n[s-1],n[s+1]=n[s]+np.distanceTo(ip);e.setAttribute("lineDistance",new fn(n,1))}else qe("LineSegments.computeLin\
+eDistances(): Computation only possible with non-indexed BufferGeometry.");return this}};var Eo=class extends On{constructor(e=[],t=Hs,n,s,r,o,a,c,l,u){super(e,t,n,s,r,o,a,c,l,u),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(e){
+this.image=e}};var ns=class extends On{constructor(e,t,n=xi,s,r,o,a=Sn,c=Sn,l,u=Ki,f=1){if(u!==Ki&&u!==ss)throw new Error("THREE.DepthTexture: format must be either THREE.Dept\
+hFormat or THREE.DepthStencilFormat");let h={width:e,height:t,depth:f};super(h,s,r,o,a,c,u,n,l),this.isDepthTexture=!0,this.flipY=!1,this.generateMipmaps=!1,this.
 compareFunction=null}copy(e){return super.copy(e),this.source=new Ir(Object.assign({},e.image)),this.compareFunction=e.compareFunction,this}toJSON(e){let t=super.
-toJSON(e);return t.compareFunction=this.compareFunction,t}},Co=class extends ns{constructor(e,t=xi,n=Hs,s,r,o=Sn,a=Sn,l,c=Ki){let u={width:e,height:e,depth:1},f=[
-u,u,u,u,u,u];super(e,e,t,n,s,r,o,a,l,c),this.image=f,this.isCubeDepthTexture=!0,this.isCubeTexture=!0}get images(){return this.image}set images(e){this.image=e}},
+toJSON(e);return t.compareFunction=this.compareFunction,t}},Co=class extends ns{constructor(e,t=xi,n=Hs,s,r,o=Sn,a=Sn,c,l=Ki){let u={width:e,height:e,depth:1},f=[
+u,u,u,u,u,u];super(e,e,t,n,s,r,o,a,c,l),this.image=f,this.isCubeDepthTexture=!0,this.isCubeTexture=!0}get images(){return this.image}set images(e){this.image=e}},
 Ro=class extends On{constructor(e=null){super(),this.sourceTexture=e,this.isExternalTexture=!0}copy(e){return super.copy(e),this.sourceTexture=e.sourceTexture,this}},
 Ss=class i extends Kn{constructor(e=1,t=1,n=1,s=1,r=1,o=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:n,widthSegments:s,heightSegments:r,
-depthSegments:o};let a=this;s=Math.floor(s),r=Math.floor(r),o=Math.floor(o);let l=[],c=[],u=[],f=[],h=0,d=0;x("z","y","x",-1,-1,n,t,e,o,r,0),x("z","y","x",1,-1,
-n,t,-e,o,r,1),x("x","z","y",1,1,e,n,t,s,o,2),x("x","z","y",1,-1,e,n,-t,s,o,3),x("x","y","z",1,-1,e,t,n,s,r,4),x("x","y","z",-1,-1,e,t,-n,s,r,5),this.setIndex(l),
-this.setAttribute("position",new fn(c,3)),this.setAttribute("normal",new fn(u,3)),this.setAttribute("uv",new fn(f,2));function x(S,p,m,v,A,M,P,E,_,T,O){let D=M/
-_,L=P/T,V=M/2,H=P/2,N=E/2,G=_+1,J=T+1,k=0,le=0,$=new q;for(let Q=0;Q<J;Q++){let ie=Q*L-H;for(let he=0;he<G;he++){let ue=he*D-V;$[S]=ue*v,$[p]=ie*A,$[m]=N,c.push(
+depthSegments:o};let a=this;s=Math.floor(s),r=Math.floor(r),o=Math.floor(o);let c=[],l=[],u=[],f=[],h=0,d=0;x("z","y","x",-1,-1,n,t,e,o,r,0),x("z","y","x",1,-1,
+n,t,-e,o,r,1),x("x","z","y",1,1,e,n,t,s,o,2),x("x","z","y",1,-1,e,n,-t,s,o,3),x("x","y","z",1,-1,e,t,n,s,r,4),x("x","y","z",-1,-1,e,t,-n,s,r,5),this.setIndex(c),
+this.setAttribute("position",new fn(l,3)),this.setAttribute("normal",new fn(u,3)),this.setAttribute("uv",new fn(f,2));function x(S,p,m,v,A,M,P,E,_,T,O){let D=M/
+_,L=P/T,V=M/2,H=P/2,N=E/2,G=_+1,J=T+1,k=0,le=0,$=new q;for(let Q=0;Q<J;Q++){let ie=Q*L-H;for(let he=0;he<G;he++){let ue=he*D-V;$[S]=ue*v,$[p]=ie*A,$[m]=N,l.push(
 $.x,$.y,$.z),$[S]=0,$[p]=0,$[m]=E>0?1:-1,u.push($.x,$.y,$.z),f.push(he/_),f.push(1-Q/T),k+=1}}for(let Q=0;Q<T;Q++)for(let ie=0;ie<_;ie++){let he=h+ie+G*Q,ue=h+ie+
-G*(Q+1),j=h+(ie+1)+G*(Q+1),pe=h+(ie+1)+G*Q;l.push(he,ue,pe),l.push(ue,j,pe),le+=6}a.addGroup(d,le,O),d+=le,h+=k}}copy(e){return super.copy(e),this.parameters=Object.
+G*(Q+1),j=h+(ie+1)+G*(Q+1),pe=h+(ie+1)+G*Q;c.push(he,ue,pe),c.push(ue,j,pe),le+=6}a.addGroup(d,le,O),d+=le,h+=k}}copy(e){return super.copy(e),this.parameters=Object.
 assign({},e.parameters),this}static fromJSON(e){return new i(e.width,e.height,e.depth,e.widthSegments,e.heightSegments,e.depthSegments)}};var cl=class i extends Kn{constructor(e=[],t=[],n=1,s=0){super(),this.type="PolyhedronGeometry",this.parameters={vertices:e,indices:t,radius:n,detail:s};let r=[],
-o=[];a(s),c(n),u(),this.setAttribute("position",new fn(r,3)),this.setAttribute("normal",new fn(r.slice(),3)),this.setAttribute("uv",new fn(o,2)),s===0?this.computeVertexNormals():
-this.normalizeNormals();function a(v){let A=new q,M=new q,P=new q;for(let E=0;E<t.length;E+=3)d(t[E+0],A),d(t[E+1],M),d(t[E+2],P),l(A,M,P,v)}function l(v,A,M,P){
+o=[];a(s),l(n),u(),this.setAttribute("position",new fn(r,3)),this.setAttribute("normal",new fn(r.slice(),3)),this.setAttribute("uv",new fn(o,2)),s===0?this.computeVertexNormals():
+this.normalizeNormals();function a(v){let A=new q,M=new q,P=new q;for(let E=0;E<t.length;E+=3)d(t[E+0],A),d(t[E+1],M),d(t[E+2],P),c(A,M,P,v)}function c(v,A,M,P){
 let E=P+1,_=[];for(let T=0;T<=E;T++){_[T]=[];let O=v.clone().lerp(M,T/E),D=A.clone().lerp(M,T/E),L=E-T;for(let V=0;V<=L;V++)V===0&&T===E?_[T][V]=O:_[T][V]=O.clone().
 lerp(D,V/L)}for(let T=0;T<E;T++)for(let O=0;O<2*(E-T)-1;O++){let D=Math.floor(O/2);O%2===0?(h(_[T][D+1]),h(_[T+1][D]),h(_[T][D])):(h(_[T][D+1]),h(_[T+1][D+1]),h(
-_[T+1][D]))}}function c(v){let A=new q;for(let M=0;M<r.length;M+=3)A.x=r[M+0],A.y=r[M+1],A.z=r[M+2],A.normalize().multiplyScalar(v),r[M+0]=A.x,r[M+1]=A.y,r[M+2]=
+_[T+1][D]))}}function l(v){let A=new q;for(let M=0;M<r.length;M+=3)A.x=r[M+0],A.y=r[M+1],A.z=r[M+2],A.normalize().multiplyScalar(v),r[M+0]=A.x,r[M+1]=A.y,r[M+2]=
 A.z}function u(){let v=new q;for(let A=0;A<r.length;A+=3){v.x=r[A+0],v.y=r[A+1],v.z=r[A+2];let M=p(v)/2/Math.PI+.5,P=m(v)/Math.PI+.5;o.push(M,1-P)}x(),f()}function f(){
 for(let v=0;v<o.length;v+=6){let A=o[v+0],M=o[v+2],P=o[v+4],E=Math.max(A,M,P),_=Math.min(A,M,P);E>.9&&_<.1&&(A<.2&&(o[v+0]+=1),M<.2&&(o[v+2]+=1),P<.2&&(o[v+4]+=
 1))}}function h(v){r.push(v.x,v.y,v.z)}function d(v,A){let M=v*3;A.x=e[M+0],A.y=e[M+1],A.z=e[M+2]}function x(){let v=new q,A=new q,M=new q,P=new q,E=new ft,_=new ft,
@@ -1292,21 +1292,21 @@ T=new ft;for(let O=0,D=0;O<r.length;O+=9,D+=6){v.set(r[O+0],r[O+1],r[O+2]),A.set
 v.x-1),M.x===0&&M.z===0&&(o[A]=P/2/Math.PI+.5)}function p(v){return Math.atan2(v.z,-v.x)}function m(v){return Math.atan2(-v.y,Math.sqrt(v.x*v.x+v.z*v.z))}}copy(e){
 return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.vertices,e.indices,e.radius,e.detail)}};var Po=class i extends cl{constructor(e=1,t=0){let n=[1,0,0,-1,0,0,0,1,0,0,-1,0,0,0,1,0,0,-1],s=[0,2,4,0,4,3,0,3,5,0,5,2,1,2,5,1,5,3,1,3,4,1,4,2];super(n,s,e,t),
 this.type="OctahedronGeometry",this.parameters={radius:e,detail:t}}static fromJSON(e){return new i(e.radius,e.detail)}},Io=class i extends Kn{constructor(e=1,t=1,n=1,s=1){
-super(),this.type="PlaneGeometry",this.parameters={width:e,height:t,widthSegments:n,heightSegments:s};let r=e/2,o=t/2,a=Math.floor(n),l=Math.floor(s),c=a+1,u=l+
-1,f=e/a,h=t/l,d=[],x=[],S=[],p=[];for(let m=0;m<u;m++){let v=m*h-o;for(let A=0;A<c;A++){let M=A*f-r;x.push(M,-v,0),S.push(0,0,1),p.push(A/a),p.push(1-m/l)}}for(let m=0;m<
-l;m++)for(let v=0;v<a;v++){let A=v+c*m,M=v+c*(m+1),P=v+1+c*(m+1),E=v+1+c*m;d.push(A,M,E),d.push(M,P,E)}this.setIndex(d),this.setAttribute("position",new fn(x,3)),
+super(),this.type="PlaneGeometry",this.parameters={width:e,height:t,widthSegments:n,heightSegments:s};let r=e/2,o=t/2,a=Math.floor(n),c=Math.floor(s),l=a+1,u=c+
+1,f=e/a,h=t/c,d=[],x=[],S=[],p=[];for(let m=0;m<u;m++){let v=m*h-o;for(let A=0;A<l;A++){let M=A*f-r;x.push(M,-v,0),S.push(0,0,1),p.push(A/a),p.push(1-m/c)}}for(let m=0;m<
+c;m++)for(let v=0;v<a;v++){let A=v+l*m,M=v+l*(m+1),P=v+1+l*(m+1),E=v+1+l*m;d.push(A,M,E),d.push(M,P,E)}this.setIndex(d),this.setAttribute("position",new fn(x,3)),
 this.setAttribute("normal",new fn(S,3)),this.setAttribute("uv",new fn(p,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){
-return new i(e.width,e.height,e.widthSegments,e.heightSegments)}};function Xs(i){let e={};for(let t in i){e[t]={};for(let n in i[t]){let s=i[t][n];if(ip(s))s.isRenderTargetTexture?(qe("UniformsUtils: Textures of render targets\
- cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][n]=null):e[t][n]=s.clone();else if(Array.isArray(s))if(ip(s[0])){let r=[];for(let o=0,a=s.length;o<
+return new i(e.width,e.height,e.widthSegments,e.heightSegments)}};function Xs(i){let e={};for(let t in i){e[t]={};for(let n in i[t]){let s=i[t][n];if(sp(s))s.isRenderTargetTexture?(qe("UniformsUtils: Textures of render targets\
+ cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][n]=null):e[t][n]=s.clone();else if(Array.isArray(s))if(sp(s[0])){let r=[];for(let o=0,a=s.length;o<
 a;o++)r[o]=s[o].clone();e[t][n]=r}else e[t][n]=s.slice();else e[t][n]=s}}return e}function En(i){let e={};for(let t=0;t<i.length;t++){let n=Xs(i[t]);for(let s in n)
-e[s]=n[s]}return e}function ip(i){return i&&(i.isColor||i.isMatrix3||i.isMatrix4||i.isVector2||i.isVector3||i.isVector4||i.isTexture||i.isQuaternion)}function A_(i){
+e[s]=n[s]}return e}function sp(i){return i&&(i.isColor||i.isMatrix3||i.isMatrix4||i.isVector2||i.isVector3||i.isVector4||i.isTexture||i.isQuaternion)}function E_(i){
 let e=[];for(let t=0;t<i.length;t++)e.push(i[t].clone());return e}function fh(i){let e=i.getRenderTarget();return e===null?i.outputColorSpace:e.isXRRenderTarget===
-!0?e.texture.colorSpace:gt.workingColorSpace}var Jp={clone:Xs,merge:En},E_="void main() {\n gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.\
-0 );\n}",C_="void main() {\n gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );\n}",Di=class extends es{constructor(e){super(),this.isShaderMaterial=!0,this.type="Shade\
-rMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=E_,this.fragmentShader=C_,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=
+!0?e.texture.colorSpace:gt.workingColorSpace}var $p={clone:Xs,merge:En},C_="void main() {\n gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.\
+0 );\n}",R_="void main() {\n gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );\n}",Di=class extends es{constructor(e){super(),this.isShaderMaterial=!0,this.type="Shade\
+rMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=C_,this.fragmentShader=R_,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=
 1,this.fog=!1,this.lights=!1,this.clipping=!1,this.forceSinglePass=!0,this.extensions={clipCullDistance:!1,multiDraw:!1},this.defaultAttributeValues={color:[1,1,
 1],uv:[0,0],uv1:[0,0]},this.index0AttributeName=void 0,this.uniformsNeedUpdate=!1,this.glslVersion=null,e!==void 0&&this.setValues(e)}copy(e){return super.copy(
-e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=Xs(e.uniforms),this.uniformsGroups=A_(e.uniformsGroups),this.defines=Object.
+e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=Xs(e.uniforms),this.uniformsGroups=E_(e.uniformsGroups),this.defines=Object.
 assign({},e.defines),this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.fog=e.fog,this.lights=e.lights,this.clipping=e.clipping,this.extensions=
 Object.assign({},e.extensions),this.glslVersion=e.glslVersion,this.defaultAttributeValues=Object.assign({},e.defaultAttributeValues),this.index0AttributeName=e.
 index0AttributeName,this.uniformsNeedUpdate=e.uniformsNeedUpdate,this}toJSON(e){let t=super.toJSON(e);t.glslVersion=this.glslVersion,t.uniforms={};for(let s in this.
@@ -1332,7 +1332,7 @@ e.bumpScale,this.normalMap=e.normalMap,this.normalMapType=e.normalMapType,this.n
 e.displacementScale,this.displacementBias=e.displacementBias,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(
 e.envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.envMapIntensity=e.envMapIntensity,this.refractionRatio=e.refractionRatio,this.wireframe=
 e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.flatShading=e.
-flatShading,this.fog=e.fog,this}},hl=class extends es{constructor(e){super(),this.isMeshDepthMaterial=!0,this.type="MeshDepthMaterial",this.depthPacking=Np,this.
+flatShading,this.fog=e.fog,this}},hl=class extends es{constructor(e){super(),this.isMeshDepthMaterial=!0,this.type="MeshDepthMaterial",this.depthPacking=Up,this.
 map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.wireframe=!1,this.wireframeLinewidth=1,this.setValues(
 e)}copy(e){return super.copy(e),this.depthPacking=e.depthPacking,this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=
 e.displacementScale,this.displacementBias=e.displacementBias,this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this}},fl=class extends es{constructor(e){
@@ -1343,24 +1343,24 @@ e)}copy(e){return super.copy(e),this.scale=e.scale,this.dashSize=e.dashSize,this
 BYTES_PER_ELEMENT=="number"?new e(i):Array.prototype.slice.call(i)}function ka(i){return i!==void 0&&i.inTangents!==void 0&&i.outTangents!==void 0}var Ms=class{constructor(e,t,n,s){this.parameterPositions=e,this._cachedIndex=0,this.resultBuffer=s!==void 0?s:new t.constructor(n),this.sampleValues=t,this.valueSize=
 n,this.settings=null,this.DefaultSettings_={}}evaluate(e){let t=this.parameterPositions,n=this._cachedIndex,s=t[n],r=t[n-1];n:{e:{let o;t:{i:if(!(e<s)){for(let a=n+
 2;;){if(s===void 0){if(e<r)break i;return n=t.length,this._cachedIndex=n,this.copySampleValue_(n-1)}if(n===a)break;if(r=s,s=t[++n],e<s)break e}o=t.length;break t}
-if(!(e>=r)){let a=t[1];e<a&&(n=2,r=a);for(let l=n-2;;){if(r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(n===l)break;if(s=r,r=t[--n-1],e>=r)break e}
+if(!(e>=r)){let a=t[1];e<a&&(n=2,r=a);for(let c=n-2;;){if(r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(n===c)break;if(s=r,r=t[--n-1],e>=r)break e}
 o=n,n=0;break t}break n}for(;n<o;){let a=n+o>>>1;e<t[a]?o=a:n=a+1}if(s=t[n],r=t[n-1],r===void 0)return this._cachedIndex=0,this.copySampleValue_(0);if(s===void 0)
 return n=t.length,this._cachedIndex=n,this.copySampleValue_(n-1)}this._cachedIndex=n,this.intervalChanged_(n,r,s)}return this.interpolate_(n,r,e,s)}getSettings_(){
 return this.settings||this.DefaultSettings_}copySampleValue_(e){let t=this.resultBuffer,n=this.sampleValues,s=this.valueSize,r=e*s;for(let o=0;o!==s;++o)t[o]=n[r+
 o];return t}interpolate_(){throw new Error("THREE.Interpolant: Call to abstract method.")}intervalChanged_(){}},dl=class extends Ms{constructor(e,t,n,s){super(e,
 t,n,s),this._weightPrev=-0,this._offsetPrev=-0,this._weightNext=-0,this._offsetNext=-0,this.DefaultSettings_={endingStart:Nu,endingEnd:Nu}}intervalChanged_(e,t,n){
-let s=this.parameterPositions,r=e-2,o=e+1,a=s[r],l=s[o];if(a===void 0)switch(this.getSettings_().endingStart){case Uu:r=e,a=2*t-n;break;case Fu:r=s.length-2,a=t+
-s[r]-s[r+1];break;default:r=e,a=n}if(l===void 0)switch(this.getSettings_().endingEnd){case Uu:o=e,l=2*n-t;break;case Fu:o=1,l=n+s[1]-s[0];break;default:o=e-1,l=
-t}let c=(n-t)*.5,u=this.valueSize;this._weightPrev=c/(t-a),this._weightNext=c/(l-n),this._offsetPrev=r*u,this._offsetNext=o*u}interpolate_(e,t,n,s){let r=this.resultBuffer,
-o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,u=this._offsetPrev,f=this._offsetNext,h=this._weightPrev,d=this._weightNext,x=(n-t)/(s-t),S=x*x,p=S*x,m=-h*p+2*
-h*S-h*x,v=(1+h)*p+(-1.5-2*h)*S+(-.5+h)*x+1,A=(-1-d)*p+(1.5+d)*S+.5*x,M=d*p-d*S;for(let P=0;P!==a;++P)r[P]=m*o[u+P]+v*o[c+P]+A*o[l+P]+M*o[f+P];return r}},pl=class extends Ms{constructor(e,t,n,s){
-super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,u=(n-t)/(s-t),f=1-u;for(let h=0;h!==a;++h)r[h]=o[c+
-h]*f+o[l+h]*u;return r}},ml=class extends Ms{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e){return this.copySampleValue_(e-1)}},gl=class extends Ms{interpolate_(e,t,n,s){
-let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,u=this.inTangents,f=this.outTangents;if(!u||!f){let x=(n-t)/(s-t),S=1-x;for(let p=0;p!==
-a;++p)r[p]=o[c+p]*S+o[l+p]*x;return r}let h=a*2,d=e-1;for(let x=0;x!==a;++x){let S=o[c+x],p=o[l+x],m=d*h+x*2,v=f[m],A=f[m+1],M=e*h+x*2,P=u[M],E=u[M+1],_=P_(n,t,
-v,P,s);r[x]=$p(_,S,A,E,p)}return r}};function $p(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function R_(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
-e)+6*r*i*(n-t)+3*i*i*(s-n)}function P_(i,e,t,n,s){let r=(i-e)/(s-e);for(let o=0;o<8;o++){let a=$p(r,e,t,n,s)-i;if(Math.abs(a)<1e-10)break;let l=R_(r,e,t,n,s);if(Math.
-abs(l)<1e-10)break;r=Math.max(0,Math.min(1,r-a/l))}return r}var Qn=class{constructor(e,t,n,s){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is \
+let s=this.parameterPositions,r=e-2,o=e+1,a=s[r],c=s[o];if(a===void 0)switch(this.getSettings_().endingStart){case Uu:r=e,a=2*t-n;break;case Fu:r=s.length-2,a=t+
+s[r]-s[r+1];break;default:r=e,a=n}if(c===void 0)switch(this.getSettings_().endingEnd){case Uu:o=e,c=2*n-t;break;case Fu:o=1,c=n+s[1]-s[0];break;default:o=e-1,c=
+t}let l=(n-t)*.5,u=this.valueSize;this._weightPrev=l/(t-a),this._weightNext=l/(c-n),this._offsetPrev=r*u,this._offsetNext=o*u}interpolate_(e,t,n,s){let r=this.resultBuffer,
+o=this.sampleValues,a=this.valueSize,c=e*a,l=c-a,u=this._offsetPrev,f=this._offsetNext,h=this._weightPrev,d=this._weightNext,x=(n-t)/(s-t),S=x*x,p=S*x,m=-h*p+2*
+h*S-h*x,v=(1+h)*p+(-1.5-2*h)*S+(-.5+h)*x+1,A=(-1-d)*p+(1.5+d)*S+.5*x,M=d*p-d*S;for(let P=0;P!==a;++P)r[P]=m*o[u+P]+v*o[l+P]+A*o[c+P]+M*o[f+P];return r}},pl=class extends Ms{constructor(e,t,n,s){
+super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,c=e*a,l=c-a,u=(n-t)/(s-t),f=1-u;for(let h=0;h!==a;++h)r[h]=o[l+
+h]*f+o[c+h]*u;return r}},ml=class extends Ms{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e){return this.copySampleValue_(e-1)}},gl=class extends Ms{interpolate_(e,t,n,s){
+let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,c=e*a,l=c-a,u=this.inTangents,f=this.outTangents;if(!u||!f){let x=(n-t)/(s-t),S=1-x;for(let p=0;p!==
+a;++p)r[p]=o[l+p]*S+o[c+p]*x;return r}let h=a*2,d=e-1;for(let x=0;x!==a;++x){let S=o[l+x],p=o[c+x],m=d*h+x*2,v=f[m],A=f[m+1],M=e*h+x*2,P=u[M],E=u[M+1],_=I_(n,t,
+v,P,s);r[x]=Kp(_,S,A,E,p)}return r}};function Kp(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function P_(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
+e)+6*r*i*(n-t)+3*i*i*(s-n)}function I_(i,e,t,n,s){let r=(i-e)/(s-e);for(let o=0;o<8;o++){let a=Kp(r,e,t,n,s)-i;if(Math.abs(a)<1e-10)break;let c=P_(r,e,t,n,s);if(Math.
+abs(c)<1e-10)break;r=Math.max(0,Math.min(1,r-a/c))}return r}var Qn=class{constructor(e,t,n,s){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is \
 undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=wr(t,this.TimeBufferType),
 this.values=wr(n,this.ValueBufferType),this.setInterpolation(s||this.DefaultInterpolation)}static toJSON(e){let t=e.constructor,n;if(t.toJSON!==this.toJSON)n=t.
 toJSON(e);else{n={name:e.name,times:wr(e.times,Array),values:wr(e.values,Array)};let s=e.getInterpolation();s!==e.DefaultInterpolation&&(n.interpolation=s),ka(e.
@@ -1373,47 +1373,47 @@ if(t===void 0){let n="unsupported interpolation for "+this.ValueTypeName+" keyfr
 this.setInterpolation(this.DefaultInterpolation);else throw new Error(n);return qe("KeyframeTrack:",n),this}return this.createInterpolant=t,this}getInterpolation(){
 switch(this.createInterpolant){case this.InterpolantFactoryMethodDiscrete:return mo;case this.InterpolantFactoryMethodLinear:return el;case this.InterpolantFactoryMethodSmooth:
 return Ha;case this.InterpolantFactoryMethodBezier:return Du}}getValueSize(){return this.values.length/this.times.length}shift(e){if(e!==0){let t=this.times;for(let n=0,
-s=t.length;n!==s;++n)t[n]+=e;ka(this.settings)&&(sp(this.settings.inTangents,e),sp(this.settings.outTangents,e))}return this}scale(e){if(e!==1){let t=this.times;
-for(let n=0,s=t.length;n!==s;++n)t[n]*=e;ka(this.settings)&&(rp(this.settings.inTangents,e),rp(this.settings.outTangents,e))}return this}trim(e,t){let n=this.times,
+s=t.length;n!==s;++n)t[n]+=e;ka(this.settings)&&(rp(this.settings.inTangents,e),rp(this.settings.outTangents,e))}return this}scale(e){if(e!==1){let t=this.times;
+for(let n=0,s=t.length;n!==s;++n)t[n]*=e;ka(this.settings)&&(op(this.settings.inTangents,e),op(this.settings.outTangents,e))}return this}trim(e,t){let n=this.times,
 s=n.length,r=0,o=s-1;for(;r!==s&&n[r]<e;)++r;for(;o!==-1&&n[o]>t;)--o;if(++o,r!==0||o!==s){r>=o&&(o=Math.max(o,1),r=o-1);let a=this.getValueSize();this.times=n.
 slice(r,o),this.values=this.values.slice(r*a,o*a)}return this}validate(){let e=!0,t=this.getValueSize();t-Math.floor(t)!==0&&(Ke("KeyframeTrack: Invalid value s\
-ize in track.",this),e=!1);let n=this.times,s=this.values,r=n.length;r===0&&(Ke("KeyframeTrack: Track is empty.",this),e=!1);let o=null;for(let a=0;a!==r;a++){let l=n[a];
-if(typeof l=="number"&&isNaN(l)){Ke("KeyframeTrack: Time is not a valid number.",this,a,l),e=!1;break}if(o!==null&&o>l){Ke("KeyframeTrack: Out of order keys.",this,
-a,l,o),e=!1;break}o=l}if(s!==void 0&&i_(s))for(let a=0,l=s.length;a!==l;++a){let c=s[a];if(isNaN(c)){Ke("KeyframeTrack: Value is not a valid number.",this,a,c),
+ize in track.",this),e=!1);let n=this.times,s=this.values,r=n.length;r===0&&(Ke("KeyframeTrack: Track is empty.",this),e=!1);let o=null;for(let a=0;a!==r;a++){let c=n[a];
+if(typeof c=="number"&&isNaN(c)){Ke("KeyframeTrack: Time is not a valid number.",this,a,c),e=!1;break}if(o!==null&&o>c){Ke("KeyframeTrack: Out of order keys.",this,
+a,c,o),e=!1;break}o=c}if(s!==void 0&&s_(s))for(let a=0,c=s.length;a!==c;++a){let l=s[a];if(isNaN(l)){Ke("KeyframeTrack: Value is not a valid number.",this,a,l),
 e=!1;break}}return e}optimize(){let e=this.times.slice(),t=this.values.slice(),n=this.getValueSize(),s=this.getInterpolation()===Ha,r=e.length-1,o=1;for(let a=1;a<
-r;++a){let l=!1,c=e[a],u=e[a+1];if(c!==u&&(a!==1||c!==e[0]))if(s)l=!0;else{let f=a*n,h=f-n,d=f+n;for(let x=0;x!==n;++x){let S=t[f+x];if(S!==t[h+x]||S!==t[d+x]){
-l=!0;break}}}if(l){if(a!==o){e[o]=e[a];let f=a*n,h=o*n;for(let d=0;d!==n;++d)t[h+d]=t[f+d]}++o}}if(r>0){e[o]=e[r];for(let a=r*n,l=o*n,c=0;c!==n;++c)t[l+c]=t[a+c];
+r;++a){let c=!1,l=e[a],u=e[a+1];if(l!==u&&(a!==1||l!==e[0]))if(s)c=!0;else{let f=a*n,h=f-n,d=f+n;for(let x=0;x!==n;++x){let S=t[f+x];if(S!==t[h+x]||S!==t[d+x]){
+c=!0;break}}}if(c){if(a!==o){e[o]=e[a];let f=a*n,h=o*n;for(let d=0;d!==n;++d)t[h+d]=t[f+d]}++o}}if(r>0){e[o]=e[r];for(let a=r*n,c=o*n,l=0;l!==n;++l)t[c+l]=t[a+l];
 ++o}return o!==e.length?(this.times=e.slice(0,o),this.values=t.slice(0,o*n)):(this.times=e,this.values=t),this}clone(){let e=this.times.slice(),t=this.values.slice(),
 n=this.constructor,s=new n(this.name,e,t);return s.createInterpolant=this.createInterpolant,ka(this.settings)&&(s.settings={inTangents:this.settings.inTangents.
-slice(),outTangents:this.settings.outTangents.slice()}),s}};function sp(i,e){for(let t=0,n=i.length;t!==n;t+=2)i[t]+=e}function rp(i,e){for(let t=0,n=i.length;t!==
+slice(),outTangents:this.settings.outTangents.slice()}),s}};function rp(i,e){for(let t=0,n=i.length;t!==n;t+=2)i[t]+=e}function op(i,e){for(let t=0,n=i.length;t!==
 n;t+=2)i[t]*=e}Qn.prototype.ValueTypeName="";Qn.prototype.TimeBufferType=Float32Array;Qn.prototype.ValueBufferType=Float32Array;Qn.prototype.DefaultInterpolation=
 el;var bs=class extends Qn{constructor(e,t,n){super(e,t,n)}};bs.prototype.ValueTypeName="bool";bs.prototype.ValueBufferType=Array;bs.prototype.DefaultInterpolation=
 mo;bs.prototype.InterpolantFactoryMethodLinear=void 0;bs.prototype.InterpolantFactoryMethodSmooth=void 0;var _l=class extends Qn{constructor(e,t,n,s){super(e,t,
 n,s)}};_l.prototype.ValueTypeName="color";var xl=class extends Qn{constructor(e,t,n,s){super(e,t,n,s)}};xl.prototype.ValueTypeName="number";var vl=class extends Ms{constructor(e,t,n,s){
-super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=(n-t)/(s-t),c=e*a;for(let u=c+a;c!==u;c+=4)Jn.slerpFlat(r,0,
-o,c-a,o,c,l);return r}},No=class extends Qn{constructor(e,t,n,s){super(e,t,n,s)}InterpolantFactoryMethodLinear(e){return new vl(this.times,this.values,this.getValueSize(),
+super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,c=(n-t)/(s-t),l=e*a;for(let u=l+a;l!==u;l+=4)Jn.slerpFlat(r,0,
+o,l-a,o,l,c);return r}},No=class extends Qn{constructor(e,t,n,s){super(e,t,n,s)}InterpolantFactoryMethodLinear(e){return new vl(this.times,this.values,this.getValueSize(),
 e)}};No.prototype.ValueTypeName="quaternion";No.prototype.InterpolantFactoryMethodSmooth=void 0;var ws=class extends Qn{constructor(e,t,n){super(e,t,n)}};ws.prototype.
 ValueTypeName="string";ws.prototype.ValueBufferType=Array;ws.prototype.DefaultInterpolation=mo;ws.prototype.InterpolantFactoryMethodLinear=void 0;ws.prototype.InterpolantFactoryMethodSmooth=
-void 0;var yl=class extends Qn{constructor(e,t,n,s){super(e,t,n,s)}};yl.prototype.ValueTypeName="vector";var Sl=class{constructor(e,t,n){let s=this,r=!1,o=0,a=0,l,c=[];this.onStart=void 0,this.onLoad=e,this.onProgress=t,this.onError=n,this._abortController=null,this.
+void 0;var yl=class extends Qn{constructor(e,t,n,s){super(e,t,n,s)}};yl.prototype.ValueTypeName="vector";var Sl=class{constructor(e,t,n){let s=this,r=!1,o=0,a=0,c,l=[];this.onStart=void 0,this.onLoad=e,this.onProgress=t,this.onError=n,this._abortController=null,this.
 itemStart=function(u){a++,r===!1&&s.onStart!==void 0&&s.onStart(u,o,a),r=!0},this.itemEnd=function(u){o++,s.onProgress!==void 0&&s.onProgress(u,o,a),o===a&&(r=!1,
-s.onLoad!==void 0&&s.onLoad())},this.itemError=function(u){s.onError!==void 0&&s.onError(u)},this.resolveURL=function(u){return u=u.normalize("NFC"),l?l(u):u},this.
-setURLModifier=function(u){return l=u,this},this.addHandler=function(u,f){return c.push(u,f),this},this.removeHandler=function(u){let f=c.indexOf(u);return f!==
--1&&c.splice(f,2),this},this.getHandler=function(u){for(let f=0,h=c.length;f<h;f+=2){let d=c[f],x=c[f+1];if(d.global&&(d.lastIndex=0),d.test(u))return x}return null},
+s.onLoad!==void 0&&s.onLoad())},this.itemError=function(u){s.onError!==void 0&&s.onError(u)},this.resolveURL=function(u){return u=u.normalize("NFC"),c?c(u):u},this.
+setURLModifier=function(u){return c=u,this},this.addHandler=function(u,f){return l.push(u,f),this},this.removeHandler=function(u){let f=l.indexOf(u);return f!==
+-1&&l.splice(f,2),this},this.getHandler=function(u){for(let f=0,h=l.length;f<h;f+=2){let d=l[f],x=l[f+1];if(d.global&&(d.lastIndex=0),d.test(u))return x}return null},
 this.abort=function(){return this.abortController.abort(),this._abortController=null,this}}get abortController(){return this._abortController||(this._abortController=
-new AbortController),this._abortController}},Kp=new Sl,Ml=class{constructor(e){this.manager=e!==void 0?e:Kp,this.crossOrigin="anonymous",this.withCredentials=!1,
+new AbortController),this._abortController}},Qp=new Sl,Ml=class{constructor(e){this.manager=e!==void 0?e:Qp,this.crossOrigin="anonymous",this.withCredentials=!1,
 this.path="",this.resourcePath="",this.requestHeader={},this.priority="auto",this.cache="default",typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(
 new CustomEvent("observe",{detail:this}))}load(){}loadAsync(e,t){let n=this;return new Promise(function(s,r){n.load(e,s,t,r)})}parse(){}setCrossOrigin(e){return this.
 crossOrigin=e,this}setWithCredentials(e){return this.withCredentials=e,this}setPath(e){return this.path=e,this}setResourcePath(e){return this.resourcePath=e,this}setRequestHeader(e){
 return this.requestHeader=e,this}setPriority(e){return this.priority=e,this}setCache(e){return this.cache=e,this}abort(){return this}};Ml.DEFAULT_MATERIAL_NAME=
 "__DEFAULT";var Uo=class extends An{static registerNode(e){this.prototype._lightNode=e}constructor(e,t=1){super(),this.isLight=!0,this.type="Light",this.color=new st(e),this.
 intensity=t}copy(e,t){return super.copy(e,t),this.color.copy(e.color),this.intensity=e.intensity,this}toJSON(e){let t=super.toJSON(e);return t.object.color=this.
-color.getHex(),t.object.intensity=this.intensity,t}};var Lu=new bt,op=new q,ap=new q,bl=class{constructor(e){this.camera=e,this.intensity=1,this.bias=0,this.biasNode=null,this.normalBias=0,this.radius=1,this.blurSamples=
+color.getHex(),t.object.intensity=this.intensity,t}};var Lu=new bt,ap=new q,lp=new q,bl=class{constructor(e){this.camera=e,this.intensity=1,this.bias=0,this.biasNode=null,this.normalBias=0,this.radius=1,this.blurSamples=
 8,this.mapSize=new ft(512,512),this.mapType=Bn,this.map=null,this.mapPass=null,this.matrix=new bt,this.autoUpdate=!0,this.needsUpdate=!1,this._frustum=new ys,this.
 _frameExtents=new ft(1,1),this._viewportCount=1,this._viewports=[new Ht(0,0,1,1)]}getViewportCount(){return this._viewportCount}getCamera(){return this.camera}getFrustum(){
-return this._frustum}updateMatrices(e){let t=this.camera;op.setFromMatrixPosition(e.matrixWorld),t.position.copy(op),ap.setFromMatrixPosition(e.target.matrixWorld),
-t.lookAt(ap),t.updateMatrixWorld(),this._updateMatrix(t,this.matrix,this._frustum)}_updateMatrix(e,t,n,s){Lu.multiplyMatrices(e.projectionMatrix,e.matrixWorldInverse),
-n.setFromProjectionMatrix(Lu,e.coordinateSystem,e.reversedDepth);let r=this._frameExtents,o=s?s.z/r.x:1,a=s?s.w/r.y:1,l=s?s.x/r.x:0,c=s?s.y/r.y:0;e.coordinateSystem===
-Rr||e.reversedDepth?t.set(.5*o,0,0,.5*o+l,0,.5*a,0,.5*a+c,0,0,1,0,0,0,0,1):t.set(.5*o,0,0,.5*o+l,0,.5*a,0,.5*a+c,0,0,.5,.5,0,0,0,1),t.multiply(Lu)}getViewport(e){
+return this._frustum}updateMatrices(e){let t=this.camera;ap.setFromMatrixPosition(e.matrixWorld),t.position.copy(ap),lp.setFromMatrixPosition(e.target.matrixWorld),
+t.lookAt(lp),t.updateMatrixWorld(),this._updateMatrix(t,this.matrix,this._frustum)}_updateMatrix(e,t,n,s){Lu.multiplyMatrices(e.projectionMatrix,e.matrixWorldInverse),
+n.setFromProjectionMatrix(Lu,e.coordinateSystem,e.reversedDepth);let r=this._frameExtents,o=s?s.z/r.x:1,a=s?s.w/r.y:1,c=s?s.x/r.x:0,l=s?s.y/r.y:0;e.coordinateSystem===
+Rr||e.reversedDepth?t.set(.5*o,0,0,.5*o+c,0,.5*a,0,.5*a+l,0,0,1,0,0,0,0,1):t.set(.5*o,0,0,.5*o+c,0,.5*a,0,.5*a+l,0,0,.5,.5,0,0,0,1),t.multiply(Lu)}getViewport(e){
 return this._viewports[e]}getFrameExtents(){return this._frameExtents}dispose(){this.map&&this.map.dispose(),this.mapPass&&this.mapPass.dispose()}copy(e){return this.
 camera=e.camera.clone(),this.intensity=e.intensity,this.bias=e.bias,this.radius=e.radius,this.autoUpdate=e.autoUpdate,this.needsUpdate=e.needsUpdate,this.normalBias=
 e.normalBias,this.blurSamples=e.blurSamples,this.mapSize.copy(e.mapSize),this.mapType=e.mapType,this.biasNode=e.biasNode,this}clone(){return new this.constructor().
@@ -1425,19 +1425,19 @@ projectionMatrix.copy(e.projectionMatrix),this.projectionMatrixInverse.copy(e.pr
 return super.getWorldDirection(e).negate()}updateMatrixWorld(e){super.updateMatrixWorld(e),this.matrixWorld.decompose(Va,Ga,Ri),Ri.x===1&&Ri.y===1&&Ri.z===1?this.
 matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(Va,Ga,Ri.set(1,1,1)).invert()}updateWorldMatrix(e,t,n=!1){super.updateWorldMatrix(
 e,t,n),this.matrixWorld.decompose(Va,Ga,Ri),Ri.x===1&&Ri.y===1&&Ri.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(
-Va,Ga,Ri.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}},xs=new q,lp=new ft,cp=new ft,Nn=class extends Fo{constructor(e=50,t=1,n=.1,s=2e3){
+Va,Ga,Ri.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}},xs=new q,cp=new ft,up=new ft,Nn=class extends Fo{constructor(e=50,t=1,n=.1,s=2e3){
 super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=n,this.far=s,this.focus=10,this.aspect=t,this.view=null,this.
 filmGauge=35,this.filmOffset=0,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.fov=e.fov,this.zoom=e.zoom,this.near=e.near,this.far=e.far,this.
 focus=e.focus,this.aspect=e.aspect,this.view=e.view===null?null:Object.assign({},e.view),this.filmGauge=e.filmGauge,this.filmOffset=e.filmOffset,this}setFocalLength(e){
 let t=.5*this.getFilmHeight()/e;this.fov=tl*2*Math.atan(t),this.updateProjectionMatrix()}getFocalLength(){let e=Math.tan(uu*.5*this.fov);return .5*this.getFilmHeight()/
 e}getEffectiveFOV(){return tl*2*Math.atan(Math.tan(uu*.5*this.fov)/this.zoom)}getFilmWidth(){return this.filmGauge*Math.min(this.aspect,1)}getFilmHeight(){return this.
 filmGauge/Math.max(this.aspect,1)}getViewBounds(e,t,n){xs.set(-1,-1,.5).applyMatrix4(this.projectionMatrixInverse),t.set(xs.x,xs.y).multiplyScalar(-e/xs.z),xs.set(
-1,1,.5).applyMatrix4(this.projectionMatrixInverse),n.set(xs.x,xs.y).multiplyScalar(-e/xs.z)}getViewSize(e,t){return this.getViewBounds(e,lp,cp),t.subVectors(cp,
-lp)}setViewOffset(e,t,n,s,r,o){this.aspect=e/t,this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.
+1,1,.5).applyMatrix4(this.projectionMatrixInverse),n.set(xs.x,xs.y).multiplyScalar(-e/xs.z)}getViewSize(e,t){return this.getViewBounds(e,cp,up),t.subVectors(up,
+cp)}setViewOffset(e,t,n,s,r,o){this.aspect=e/t,this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.
 enabled=!0,this.view.fullWidth=e,this.view.fullHeight=t,this.view.offsetX=n,this.view.offsetY=s,this.view.width=r,this.view.height=o,this.updateProjectionMatrix()}clearViewOffset(){
 this.view!==null&&(this.view.enabled=!1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=this.near,t=e*Math.tan(uu*.5*this.fov)/this.zoom,n=2*t,s=this.
-aspect*n,r=-.5*s,o=this.view;if(this.view!==null&&this.view.enabled){let l=o.fullWidth,c=o.fullHeight;r+=o.offsetX*s/l,t-=o.offsetY*n/c,s*=o.width/l,n*=o.height/
-c}let a=this.filmOffset;a!==0&&(r+=e*a/this.getFilmWidth()),this.projectionMatrix.makePerspective(r,r+s,t,t-n,e,this.far,this.coordinateSystem,this.reversedDepth),
+aspect*n,r=-.5*s,o=this.view;if(this.view!==null&&this.view.enabled){let c=o.fullWidth,l=o.fullHeight;r+=o.offsetX*s/c,t-=o.offsetY*n/l,s*=o.width/c,n*=o.height/
+l}let a=this.filmOffset;a!==0&&(r+=e*a/this.getFilmWidth()),this.projectionMatrix.makePerspective(r,r+s,t,t-n,e,this.far,this.coordinateSystem,this.reversedDepth),
 this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){let t=super.toJSON(e);return t.object.fov=this.fov,t.object.zoom=this.zoom,t.object.
 near=this.near,t.object.far=this.far,t.object.focus=this.focus,t.object.aspect=this.aspect,this.view!==null&&(t.object.view=Object.assign({},this.view)),t.object.
 filmGauge=this.filmGauge,t.object.filmOffset=this.filmOffset,t}};var Oo=class extends Fo{constructor(e=-1,t=1,n=1,s=-1,r=.1,o=2e3){super(),this.isOrthographicCamera=!0,this.type="OrthographicCamera",this.zoom=1,this.view=null,
@@ -1446,9 +1446,9 @@ e.right,this.top=e.top,this.bottom=e.bottom,this.near=e.near,this.far=e.far,this
 this.view===null&&(this.view={enabled:!0,fullWidth:1,fullHeight:1,offsetX:0,offsetY:0,width:1,height:1}),this.view.enabled=!0,this.view.fullWidth=e,this.view.fullHeight=
 t,this.view.offsetX=n,this.view.offsetY=s,this.view.width=r,this.view.height=o,this.updateProjectionMatrix()}clearViewOffset(){this.view!==null&&(this.view.enabled=
 !1),this.updateProjectionMatrix()}updateProjectionMatrix(){let e=(this.right-this.left)/(2*this.zoom),t=(this.top-this.bottom)/(2*this.zoom),n=(this.right+this.
-left)/2,s=(this.top+this.bottom)/2,r=n-e,o=n+e,a=s+t,l=s-t;if(this.view!==null&&this.view.enabled){let c=(this.right-this.left)/this.view.fullWidth/this.zoom,u=(this.
-top-this.bottom)/this.view.fullHeight/this.zoom;r+=c*this.view.offsetX,o=r+c*this.view.width,a-=u*this.view.offsetY,l=a-u*this.view.height}this.projectionMatrix.
-makeOrthographic(r,o,a,l,this.near,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){
+left)/2,s=(this.top+this.bottom)/2,r=n-e,o=n+e,a=s+t,c=s-t;if(this.view!==null&&this.view.enabled){let l=(this.right-this.left)/this.view.fullWidth/this.zoom,u=(this.
+top-this.bottom)/this.view.fullHeight/this.zoom;r+=l*this.view.offsetX,o=r+l*this.view.width,a-=u*this.view.offsetY,c=a-u*this.view.height}this.projectionMatrix.
+makeOrthographic(r,o,a,c,this.near,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){
 let t=super.toJSON(e);return t.object.zoom=this.zoom,t.object.left=this.left,t.object.right=this.right,t.object.top=this.top,t.object.bottom=this.bottom,t.object.
 near=this.near,t.object.far=this.far,this.view!==null&&(t.object.view=Object.assign({},this.view)),t}},Ou=class extends bl{constructor(){super(new Oo(-5,5,5,-5,
 .5,500)),this.isDirectionalLightShadow=!0}},Bo=class extends Uo{constructor(e,t){super(e,t),this.isDirectionalLight=!0,this.type="DirectionalLight",this.position.
@@ -1456,31 +1456,31 @@ copy(An.DEFAULT_UP),this.updateMatrix(),this.target=new An,this.shadow=new Ou}di
 target=e.target.clone(),this.shadow=e.shadow.clone(),this}toJSON(e){let t=super.toJSON(e);return t.object.shadow=this.shadow.toJSON(),t.object.target=this.target.
 uuid,t}},zo=class extends Uo{constructor(e,t){super(e,t),this.isAmbientLight=!0,this.type="AmbientLight"}};var Tr=-90,Ar=1,Fr=class extends An{constructor(e,t,n){super(),this.type="CubeCamera",this.renderTarget=n,this.coordinateSystem=null,this.activeMipmapLevel=0;let s=new Nn(
 Tr,Ar,e,t);s.layers=this.layers,this.add(s);let r=new Nn(Tr,Ar,e,t);r.layers=this.layers,this.add(r);let o=new Nn(Tr,Ar,e,t);o.layers=this.layers,this.add(o);let a=new Nn(
-Tr,Ar,e,t);a.layers=this.layers,this.add(a);let l=new Nn(Tr,Ar,e,t);l.layers=this.layers,this.add(l);let c=new Nn(Tr,Ar,e,t);c.layers=this.layers,this.add(c)}updateCoordinateSystem(){
-let e=this.coordinateSystem,t=this.children.concat(),[n,s,r,o,a,l]=t;for(let c of t)this.remove(c);if(e===si)n.up.set(0,1,0),n.lookAt(1,0,0),s.up.set(0,1,0),s.lookAt(
--1,0,0),r.up.set(0,0,-1),r.lookAt(0,1,0),o.up.set(0,0,1),o.lookAt(0,-1,0),a.up.set(0,1,0),a.lookAt(0,0,1),l.up.set(0,1,0),l.lookAt(0,0,-1);else if(e===Rr)n.up.set(
-0,-1,0),n.lookAt(-1,0,0),s.up.set(0,-1,0),s.lookAt(1,0,0),r.up.set(0,0,1),r.lookAt(0,1,0),o.up.set(0,0,-1),o.lookAt(0,-1,0),a.up.set(0,-1,0),a.lookAt(0,0,1),l.up.
-set(0,-1,0),l.lookAt(0,0,-1);else throw new Error("THREE.CubeCamera.updateCoordinateSystem(): Invalid coordinate system: "+e);for(let c of t)this.add(c),c.updateMatrixWorld()}update(e,t){
+Tr,Ar,e,t);a.layers=this.layers,this.add(a);let c=new Nn(Tr,Ar,e,t);c.layers=this.layers,this.add(c);let l=new Nn(Tr,Ar,e,t);l.layers=this.layers,this.add(l)}updateCoordinateSystem(){
+let e=this.coordinateSystem,t=this.children.concat(),[n,s,r,o,a,c]=t;for(let l of t)this.remove(l);if(e===si)n.up.set(0,1,0),n.lookAt(1,0,0),s.up.set(0,1,0),s.lookAt(
+-1,0,0),r.up.set(0,0,-1),r.lookAt(0,1,0),o.up.set(0,0,1),o.lookAt(0,-1,0),a.up.set(0,1,0),a.lookAt(0,0,1),c.up.set(0,1,0),c.lookAt(0,0,-1);else if(e===Rr)n.up.set(
+0,-1,0),n.lookAt(-1,0,0),s.up.set(0,-1,0),s.lookAt(1,0,0),r.up.set(0,0,1),r.lookAt(0,1,0),o.up.set(0,0,-1),o.lookAt(0,-1,0),a.up.set(0,-1,0),a.lookAt(0,0,1),c.up.
+set(0,-1,0),c.lookAt(0,0,-1);else throw new Error("THREE.CubeCamera.updateCoordinateSystem(): Invalid coordinate system: "+e);for(let l of t)this.add(l),l.updateMatrixWorld()}update(e,t){
 this.parent===null&&this.updateMatrixWorld();let{renderTarget:n,activeMipmapLevel:s}=this;this.coordinateSystem!==e.coordinateSystem&&(this.coordinateSystem=e.coordinateSystem,
-this.updateCoordinateSystem());let[r,o,a,l,c,u]=this.children,f=e.getRenderTarget(),h=e.getActiveCubeFace(),d=e.getActiveMipmapLevel(),x=e.xr.enabled;e.xr.enabled=
+this.updateCoordinateSystem());let[r,o,a,c,l,u]=this.children,f=e.getRenderTarget(),h=e.getActiveCubeFace(),d=e.getActiveMipmapLevel(),x=e.xr.enabled;e.xr.enabled=
 !1;let S=n.texture.mipmapsAutoUpdate;n.texture.mipmapsAutoUpdate=!1;let p=!1;e.isWebGLRenderer===!0?p=e.state.buffers.depth.getReversed():p=e.reversedDepthBuffer,
 e.setRenderTarget(n,0,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.setRenderTarget(n,1,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,o),e.setRenderTarget(
-n,2,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(n,3,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(n,4,s),p&&
-e.autoClear===!1&&e.clearDepth(),e.render(t,c),n.texture.mipmapsAutoUpdate=S,e.setRenderTarget(n,5,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,u),e.setRenderTarget(
+n,2,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(n,3,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,c),e.setRenderTarget(n,4,s),p&&
+e.autoClear===!1&&e.clearDepth(),e.render(t,l),n.texture.mipmapsAutoUpdate=S,e.setRenderTarget(n,5,s),p&&e.autoClear===!1&&e.clearDepth(),e.render(t,u),e.setRenderTarget(
 f,h,d),e.xr.enabled=x,n.texture.needsPMREMUpdate=!0}},wl=class extends Nn{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=
-e,this.perCameraFrustumCulled=!1}};var dh="\\[\\]\\.:\\/",I_=new RegExp("["+dh+"]","g"),ph="[^"+dh+"]",L_="[^"+dh.replace("\\.","")+"]",D_=/((?:WC+[\/:])*)/.source.replace("WC",ph),N_=/(WCOD+)?/.
-source.replace("WCOD",L_),U_=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",ph),F_=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",ph),O_=new RegExp("^"+D_+N_+U_+F_+
-"$"),B_=["material","materials","bones","map"],Bu=class{constructor(e,t,n){let s=n||kt.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,s)}getValue(e,t){
+e,this.perCameraFrustumCulled=!1}};var dh="\\[\\]\\.:\\/",L_=new RegExp("["+dh+"]","g"),ph="[^"+dh+"]",D_="[^"+dh.replace("\\.","")+"]",N_=/((?:WC+[\/:])*)/.source.replace("WC",ph),U_=/(WCOD+)?/.
+source.replace("WCOD",D_),F_=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",ph),O_=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",ph),B_=new RegExp("^"+N_+U_+F_+O_+
+"$"),z_=["material","materials","bones","map"],Bu=class{constructor(e,t,n){let s=n||kt.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,s)}getValue(e,t){
 this.bind();let n=this._targetGroup.nCachedObjects_,s=this._bindings[n];s!==void 0&&s.getValue(e,t)}setValue(e,t){let n=this._bindings;for(let s=this._targetGroup.
 nCachedObjects_,r=n.length;s!==r;++s)n[s].setValue(e,t)}bind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,n=e.length;t!==n;++t)e[t].bind()}unbind(){
 let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,n=e.length;t!==n;++t)e[t].unbind()}},kt=class i{constructor(e,t,n){this.path=t,this.parsedPath=
 n||i.parseTrackName(t),this.node=i.findNode(e,this.parsedPath.nodeName),this.rootNode=e,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}static create(e,t,n){
-return e&&e.isAnimationObjectGroup?new i.Composite(e,t,n):new i(e,t,n)}static sanitizeNodeName(e){return e.replace(/\s/g,"_").replace(I_,"")}static parseTrackName(e){
-let t=O_.exec(e);if(t===null)throw new Error("THREE.PropertyBinding: Cannot parse trackName: "+e);let n={nodeName:t[2],objectName:t[3],objectIndex:t[4],propertyName:t[5],
-propertyIndex:t[6]},s=n.nodeName&&n.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=n.nodeName.substring(s+1);B_.indexOf(r)!==-1&&(n.nodeName=n.nodeName.
+return e&&e.isAnimationObjectGroup?new i.Composite(e,t,n):new i(e,t,n)}static sanitizeNodeName(e){return e.replace(/\s/g,"_").replace(L_,"")}static parseTrackName(e){
+let t=B_.exec(e);if(t===null)throw new Error("THREE.PropertyBinding: Cannot parse trackName: "+e);let n={nodeName:t[2],objectName:t[3],objectIndex:t[4],propertyName:t[5],
+propertyIndex:t[6]},s=n.nodeName&&n.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=n.nodeName.substring(s+1);z_.indexOf(r)!==-1&&(n.nodeName=n.nodeName.
 substring(0,s),n.objectName=r)}if(n.propertyName===null||n.propertyName.length===0)throw new Error("THREE.PropertyBinding: can not parse propertyName from track\
 Name: "+e);return n}static findNode(e,t){if(t===void 0||t===""||t==="."||t===-1||t===e.name||t===e.uuid)return e;if(e.skeleton){let n=e.skeleton.getBoneByName(t);
-if(n!==void 0)return n}if(e.children){let n=function(r){for(let o=0;o<r.length;o++){let a=r[o];if(a.name===t||a.uuid===t)return a;let l=n(a.children);if(l)return l}
+if(n!==void 0)return n}if(e.children){let n=function(r){for(let o=0;o<r.length;o++){let a=r[o];if(a.name===t||a.uuid===t)return a;let c=n(a.children);if(c)return c}
 return null},s=n(e.children);if(s)return s}return null}_getValue_unavailable(){}_setValue_unavailable(){}_getValue_direct(e,t){e[t]=this.targetObject[this.propertyName]}_getValue_array(e,t){
 let n=this.resolvedProperty;for(let s=0,r=n.length;s!==r;++s)e[t++]=n[s]}_getValue_arrayElement(e,t){e[t]=this.resolvedProperty[this.propertyIndex]}_getValue_toArray(e,t){
 this.resolvedProperty.toArray(e,t)}_setValue_direct(e,t){this.targetObject[this.propertyName]=e[t]}_setValue_direct_setNeedsUpdate(e,t){this.targetObject[this.propertyName]=
@@ -1493,31 +1493,31 @@ propertyIndex]=e[t],this.targetObject.matrixWorldNeedsUpdate=!0}_setValue_fromAr
 this.resolvedProperty.fromArray(e,t),this.targetObject.needsUpdate=!0}_setValue_fromArray_setMatrixWorldNeedsUpdate(e,t){this.resolvedProperty.fromArray(e,t),this.
 targetObject.matrixWorldNeedsUpdate=!0}_getValue_unbound(e,t){this.bind(),this.getValue(e,t)}_setValue_unbound(e,t){this.bind(),this.setValue(e,t)}bind(){let e=this.
 node,t=this.parsedPath,n=t.objectName,s=t.propertyName,r=t.propertyIndex;if(e||(e=i.findNode(this.rootNode,t.nodeName),this.node=e),this.getValue=this._getValue_unavailable,
-this.setValue=this._setValue_unavailable,!e){qe("PropertyBinding: No target node found for track: "+this.path+".");return}if(n){let c=t.objectIndex;switch(n){case"\
+this.setValue=this._setValue_unavailable,!e){qe("PropertyBinding: No target node found for track: "+this.path+".");return}if(n){let l=t.objectIndex;switch(n){case"\
 materials":if(!e.material){Ke("PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!e.material.materials){Ke("PropertyB\
 inding: Can not bind to material.materials as node.material does not have a materials array.",this);return}e=e.material.materials;break;case"bones":if(!e.skeleton){
-Ke("PropertyBinding: Can not bind to bones as node does not have a skeleton.",this);return}e=e.skeleton.bones;for(let u=0;u<e.length;u++)if(e[u].name===c){c=u;break}
+Ke("PropertyBinding: Can not bind to bones as node does not have a skeleton.",this);return}e=e.skeleton.bones;for(let u=0;u<e.length;u++)if(e[u].name===l){l=u;break}
 break;case"map":if("map"in e){e=e.map;break}if(!e.material){Ke("PropertyBinding: Can not bind to material as node does not have a material.",this);return}if(!e.
 material.map){Ke("PropertyBinding: Can not bind to material.map as node.material does not have a map.",this);return}e=e.material.map;break;default:if(e[n]===void 0){
-Ke("PropertyBinding: Can not bind to objectName of node undefined.",this);return}e=e[n]}if(c!==void 0){if(e[c]===void 0){Ke("PropertyBinding: Trying to bind to \
-objectIndex of objectName, but is undefined.",this,e);return}e=e[c]}}let o=e[s];if(o===void 0){let c=t.nodeName;Ke("PropertyBinding: Trying to update property f\
-or track: "+c+"."+s+" but it wasn't found.",e);return}let a=this.Versioning.None;this.targetObject=e,e.isMaterial===!0?a=this.Versioning.NeedsUpdate:e.isObject3D===
-!0&&(a=this.Versioning.MatrixWorldNeedsUpdate);let l=this.BindingType.Direct;if(r!==void 0){if(s==="morphTargetInfluences"){if(!e.geometry){Ke("PropertyBinding:\
+Ke("PropertyBinding: Can not bind to objectName of node undefined.",this);return}e=e[n]}if(l!==void 0){if(e[l]===void 0){Ke("PropertyBinding: Trying to bind to \
+objectIndex of objectName, but is undefined.",this,e);return}e=e[l]}}let o=e[s];if(o===void 0){let l=t.nodeName;Ke("PropertyBinding: Trying to update property f\
+or track: "+l+"."+s+" but it wasn't found.",e);return}let a=this.Versioning.None;this.targetObject=e,e.isMaterial===!0?a=this.Versioning.NeedsUpdate:e.isObject3D===
+!0&&(a=this.Versioning.MatrixWorldNeedsUpdate);let c=this.BindingType.Direct;if(r!==void 0){if(s==="morphTargetInfluences"){if(!e.geometry){Ke("PropertyBinding:\
  Can not bind to morphTargetInfluences because node does not have a geometry.",this);return}if(!e.geometry.morphAttributes){Ke("PropertyBinding: Can not bind to\
  morphTargetInfluences because node does not have a geometry.morphAttributes.",this);return}e.morphTargetDictionary[r]!==void 0&&(r=e.morphTargetDictionary[r])}
-l=this.BindingType.ArrayElement,this.resolvedProperty=o,this.propertyIndex=r}else o.fromArray!==void 0&&o.toArray!==void 0?(l=this.BindingType.HasFromToArray,this.
-resolvedProperty=o):Array.isArray(o)?(l=this.BindingType.EntireArray,this.resolvedProperty=o):this.propertyName=s;this.getValue=this.GetterByBindingType[l],this.
-setValue=this.SetterByBindingTypeAndVersioning[l][a]}unbind(){this.node=null,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}};kt.Composite=
+c=this.BindingType.ArrayElement,this.resolvedProperty=o,this.propertyIndex=r}else o.fromArray!==void 0&&o.toArray!==void 0?(c=this.BindingType.HasFromToArray,this.
+resolvedProperty=o):Array.isArray(o)?(c=this.BindingType.EntireArray,this.resolvedProperty=o):this.propertyName=s;this.getValue=this.GetterByBindingType[c],this.
+setValue=this.SetterByBindingTypeAndVersioning[c][a]}unbind(){this.node=null,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}};kt.Composite=
 Bu;kt.prototype.BindingType={Direct:0,EntireArray:1,ArrayElement:2,HasFromToArray:3};kt.prototype.Versioning={None:0,NeedsUpdate:1,MatrixWorldNeedsUpdate:2};kt.
 prototype.GetterByBindingType=[kt.prototype._getValue_direct,kt.prototype._getValue_array,kt.prototype._getValue_arrayElement,kt.prototype._getValue_toArray];kt.
 prototype.SetterByBindingTypeAndVersioning=[[kt.prototype._setValue_direct,kt.prototype._setValue_direct_setNeedsUpdate,kt.prototype._setValue_direct_setMatrixWorldNeedsUpdate],
 [kt.prototype._setValue_array,kt.prototype._setValue_array_setNeedsUpdate,kt.prototype._setValue_array_setMatrixWorldNeedsUpdate],[kt.prototype._setValue_arrayElement,
 kt.prototype._setValue_arrayElement_setNeedsUpdate,kt.prototype._setValue_arrayElement_setMatrixWorldNeedsUpdate],[kt.prototype._setValue_fromArray,kt.prototype.
-_setValue_fromArray_setNeedsUpdate,kt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var $M=new Float32Array(1);var zu=class{static{this.prototype.isMatrix2=!0}constructor(e,t,n,s){this.elements=[1,0,0,1],e!==void 0&&this.set(e,t,n,s)}identity(){return this.set(1,0,0,1),this}fromArray(e,t=0){
-for(let n=0;n<4;n++)this.elements[n]=e[n+t];return this}set(e,t,n,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=n,r[3]=s,this}};var ko=class extends Ur{constructor(e=10,t=10,n=4473924,s=8947848){n=new st(n),s=new st(s);let r=t/2,o=e/t,a=e/2,l=[],c=[];for(let h=0,d=0,x=-a;h<=t;h++,x+=o){l.
-push(-a,0,x,a,0,x),l.push(x,0,-a,x,0,a);let S=h===r?n:s;S.toArray(c,d),d+=3,S.toArray(c,d),d+=3,S.toArray(c,d),d+=3,S.toArray(c,d),d+=3}let u=new Kn;u.setAttribute(
-"position",new fn(l,3)),u.setAttribute("color",new fn(c,3));let f=new ts({vertexColors:!0,toneMapped:!1});super(u,f),this.type="GridHelper"}dispose(){super.dispose(),
-this.geometry.dispose(),this.material.dispose()}};function mh(i,e,t,n){let s=z_(n);switch(t){case sh:return i*e;case Ll:return i*e/s.components*s.byteLength;case Dl:return i*e/s.components*s.byteLength;case As:
+_setValue_fromArray_setNeedsUpdate,kt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var KM=new Float32Array(1);var zu=class{static{this.prototype.isMatrix2=!0}constructor(e,t,n,s){this.elements=[1,0,0,1],e!==void 0&&this.set(e,t,n,s)}identity(){return this.set(1,0,0,1),this}fromArray(e,t=0){
+for(let n=0;n<4;n++)this.elements[n]=e[n+t];return this}set(e,t,n,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=n,r[3]=s,this}};var ko=class extends Ur{constructor(e=10,t=10,n=4473924,s=8947848){n=new st(n),s=new st(s);let r=t/2,o=e/t,a=e/2,c=[],l=[];for(let h=0,d=0,x=-a;h<=t;h++,x+=o){c.
+push(-a,0,x,a,0,x),c.push(x,0,-a,x,0,a);let S=h===r?n:s;S.toArray(l,d),d+=3,S.toArray(l,d),d+=3,S.toArray(l,d),d+=3,S.toArray(l,d),d+=3}let u=new Kn;u.setAttribute(
+"position",new fn(c,3)),u.setAttribute("color",new fn(l,3));let f=new ts({vertexColors:!0,toneMapped:!1});super(u,f),this.type="GridHelper"}dispose(){super.dispose(),
+this.geometry.dispose(),this.material.dispose()}};function mh(i,e,t,n){let s=k_(n);switch(t){case sh:return i*e;case Ll:return i*e/s.components*s.byteLength;case Dl:return i*e/s.components*s.byteLength;case As:
 return i*e*2/s.components*s.byteLength;case Nl:return i*e*2/s.components*s.byteLength;case rh:return i*e*3/s.components*s.byteLength;case yi:return i*e*4/s.components*
 s.byteLength;case Ul:return i*e*4/s.components*s.byteLength;case Ho:case Wo:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*8;case Xo:case qo:return Math.floor((i+
 3)/4)*Math.floor((e+3)/4)*16;case Ol:case zl:return Math.max(i,16)*Math.max(e,8)/4;case Fl:case Bl:return Math.max(i,8)*Math.max(e,8)/2;case kl:case Vl:case Hl:case Wl:
@@ -1528,24 +1528,24 @@ floor((i+7)/8)*Math.floor((e+5)/6)*16;case jl:return Math.floor((i+7)/8)*Math.fl
 return Math.floor((i+9)/10)*Math.floor((e+5)/6)*16;case nc:return Math.floor((i+9)/10)*Math.floor((e+7)/8)*16;case ic:return Math.floor((i+9)/10)*Math.floor((e+
 9)/10)*16;case sc:return Math.floor((i+11)/12)*Math.floor((e+9)/10)*16;case rc:return Math.floor((i+11)/12)*Math.floor((e+11)/12)*16;case oc:case ac:case lc:return Math.
 ceil(i/4)*Math.ceil(e/4)*16;case cc:case uc:return Math.ceil(i/4)*Math.ceil(e/4)*8;case Zo:case hc:return Math.ceil(i/4)*Math.ceil(e/4)*16}throw new Error("Unab\
-le to determine texture byte length for ".concat(t," format."))}function z_(i){switch(i){case Bn:case eh:return{byteLength:1,components:1};case kr:case th:case vi:
+le to determine texture byte length for ".concat(t," format."))}function k_(i){switch(i){case Bn:case eh:return{byteLength:1,components:1};case kr:case th:case vi:
 return{byteLength:2,components:1};case Pl:case Il:return{byteLength:2,components:4};case xi:case Rl:case oi:return{byteLength:4,components:1};case nh:case ih:return{
 byteLength:4,components:3}}throw new Error("THREE.TextureUtils: Unknown texture type ".concat(i,"."))}typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("register",{detail:{revision:"187"}}));typeof window<"u"&&(window.__THREE__?qe("\
-WARNING: Multiple instances of Three.js being imported."):window.__THREE__="187");function vm(){let i=null,e=!1,t=null,n=null;function s(r,o){n=i.requestAnimationFrame(s),t(r,o)}return{start:function(){e!==!0&&t!==null&&i!==null&&(n=i.requestAnimationFrame(
-s),e=!0)},stop:function(){i!==null&&i.cancelAnimationFrame(n),e=!1},setAnimationLoop:function(r){t=r},setContext:function(r){i=r}}}function V_(i){let e=new WeakMap;
-function t(a,l){let c=a.array,u=a.usage,f=c.byteLength,h=i.createBuffer();i.bindBuffer(l,h),i.bufferData(l,c,u),a.onUploadCallback();let d;if(c instanceof Float32Array)
-d=i.FLOAT;else if(typeof Float16Array<"u"&&c instanceof Float16Array)d=i.HALF_FLOAT;else if(c instanceof Uint16Array)a.isFloat16BufferAttribute?d=i.HALF_FLOAT:d=
-i.UNSIGNED_SHORT;else if(c instanceof Int16Array)d=i.SHORT;else if(c instanceof Uint32Array)d=i.UNSIGNED_INT;else if(c instanceof Int32Array)d=i.INT;else if(c instanceof
-Int8Array)d=i.BYTE;else if(c instanceof Uint8Array)d=i.UNSIGNED_BYTE;else if(c instanceof Uint8ClampedArray)d=i.UNSIGNED_BYTE;else throw new Error("THREE.WebGLA\
-ttributes: Unsupported buffer data format: "+c);return{buffer:h,type:d,bytesPerElement:c.BYTES_PER_ELEMENT,version:a.version,size:f}}function n(a,l,c){let u=l.array,
-f=l.updateRanges;if(i.bindBuffer(c,a),f.length===0)i.bufferSubData(c,0,u);else{f.sort((d,x)=>d.start-x.start);let h=0;for(let d=1;d<f.length;d++){let x=f[h],S=f[d];
+WARNING: Multiple instances of Three.js being imported."):window.__THREE__="187");function ym(){let i=null,e=!1,t=null,n=null;function s(r,o){n=i.requestAnimationFrame(s),t(r,o)}return{start:function(){e!==!0&&t!==null&&i!==null&&(n=i.requestAnimationFrame(
+s),e=!0)},stop:function(){i!==null&&i.cancelAnimationFrame(n),e=!1},setAnimationLoop:function(r){t=r},setContext:function(r){i=r}}}function G_(i){let e=new WeakMap;
+function t(a,c){let l=a.array,u=a.usage,f=l.byteLength,h=i.createBuffer();i.bindBuffer(c,h),i.bufferData(c,l,u),a.onUploadCallback();let d;if(l instanceof Float32Array)
+d=i.FLOAT;else if(typeof Float16Array<"u"&&l instanceof Float16Array)d=i.HALF_FLOAT;else if(l instanceof Uint16Array)a.isFloat16BufferAttribute?d=i.HALF_FLOAT:d=
+i.UNSIGNED_SHORT;else if(l instanceof Int16Array)d=i.SHORT;else if(l instanceof Uint32Array)d=i.UNSIGNED_INT;else if(l instanceof Int32Array)d=i.INT;else if(l instanceof
+Int8Array)d=i.BYTE;else if(l instanceof Uint8Array)d=i.UNSIGNED_BYTE;else if(l instanceof Uint8ClampedArray)d=i.UNSIGNED_BYTE;else throw new Error("THREE.WebGLA\
+ttributes: Unsupported buffer data format: "+l);return{buffer:h,type:d,bytesPerElement:l.BYTES_PER_ELEMENT,version:a.version,size:f}}function n(a,c,l){let u=c.array,
+f=c.updateRanges;if(i.bindBuffer(l,a),f.length===0)i.bufferSubData(l,0,u);else{f.sort((d,x)=>d.start-x.start);let h=0;for(let d=1;d<f.length;d++){let x=f[h],S=f[d];
 S.start<=x.start+x.count+1?x.count=Math.max(x.count,S.start+S.count-x.start):(++h,f[h]=S)}f.length=h+1;for(let d=0,x=f.length;d<x;d++){let S=f[d];i.bufferSubData(
-c,S.start*u.BYTES_PER_ELEMENT,u,S.start,S.count)}l.clearUpdateRanges()}l.onUploadCallback()}function s(a){return a.isInterleavedBufferAttribute&&(a=a.data),e.get(
-a)}function r(a){a.isInterleavedBufferAttribute&&(a=a.data);let l=e.get(a);l&&(i.deleteBuffer(l.buffer),e.delete(a))}function o(a,l){if(a.isInterleavedBufferAttribute&&
+l,S.start*u.BYTES_PER_ELEMENT,u,S.start,S.count)}c.clearUpdateRanges()}c.onUploadCallback()}function s(a){return a.isInterleavedBufferAttribute&&(a=a.data),e.get(
+a)}function r(a){a.isInterleavedBufferAttribute&&(a=a.data);let c=e.get(a);c&&(i.deleteBuffer(c.buffer),e.delete(a))}function o(a,c){if(a.isInterleavedBufferAttribute&&
 (a=a.data),a.isGLBufferAttribute){let u=e.get(a);(!u||u.version<a.version)&&e.set(a,{buffer:a.buffer,type:a.type,bytesPerElement:a.elementSize,version:a.version});
-return}let c=e.get(a);if(c===void 0)e.set(a,t(a,l));else if(c.version<a.version){if(c.size!==a.array.byteLength)throw new Error("THREE.WebGLAttributes: The size\
- of the buffer attribute's array buffer does not match the original size. Resizing buffer attributes is not supported.");n(c.buffer,a,l),c.version=a.version}}return{
-get:s,remove:r,update:o}}var G_="#ifdef USE_ALPHAHASH\n if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;\n#endif",H_="#ifdef USE_ALPHAHASH\n c\
+return}let l=e.get(a);if(l===void 0)e.set(a,t(a,c));else if(l.version<a.version){if(l.size!==a.array.byteLength)throw new Error("THREE.WebGLAttributes: The size\
+ of the buffer attribute's array buffer does not match the original size. Resizing buffer attributes is not supported.");n(l.buffer,a,c),l.version=a.version}}return{
+get:s,remove:r,update:o}}var H_="#ifdef USE_ALPHAHASH\n if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;\n#endif",W_="#ifdef USE_ALPHAHASH\n c\
 onst float ALPHA_HASH_SCALE = 0.05;\n float hash2D( vec2 value ) {\n  return fract( 1.0e4 * sin( 17.0 * value.x + 0.1 * value.y ) * ( 0.1 + abs( sin( 13.0 * value\
 .y + value.x ) ) ) );\n }\n float hash3D( vec3 value ) {\n  return hash2D( vec2( hash2D( value.xy ), value.z ) );\n }\n float getAlphaHashThreshold( vec3 position ) \
 {\n  float maxDeriv = max(\n   length( dFdx( position.xyz ) ),\n   length( dFdy( position.xyz ) )\n  );\n  float pixScale = 1.0 / ( ALPHA_HASH_SCALE * maxDeriv );\n  \
@@ -1553,28 +1553,28 @@ vec2 pixScales = vec2(\n   exp2( floor( log2( pixScale ) ) ),\n   exp2( ceil( lo
 ion.xyz ) ),\n   hash3D( floor( pixScales.y * position.xyz ) )\n  );\n  float lerpFactor = fract( log2( pixScale ) );\n  float x = ( 1.0 - lerpFactor ) * alpha.x + \
 lerpFactor * alpha.y;\n  float a = min( lerpFactor, 1.0 - lerpFactor );\n  vec3 cases = vec3(\n   x * x / ( 2.0 * a * ( 1.0 - a ) ),\n   ( x - 0.5 * a ) / ( 1.0 - a\
  ),\n   1.0 - ( ( 1.0 - x ) * ( 1.0 - x ) / ( 2.0 * a * ( 1.0 - a ) ) )\n  );\n  float threshold = ( x < ( 1.0 - a ) )\n   ? ( ( x < a ) ? cases.x : cases.y )\n   : \
-cases.z;\n  return clamp( threshold , 1.0e-6, 1.0 );\n }\n#endif",W_="#ifdef USE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;\n#endif",X_="\
-#ifdef USE_ALPHAMAP\n uniform sampler2D alphaMap;\n#endif",q_="#ifdef USE_ALPHATEST\n #ifdef ALPHA_TO_COVERAGE\n diffuseColor.a = smoothstep( alphaTest, alphaTest\
- + fwidth( diffuseColor.a ), diffuseColor.a );\n if ( diffuseColor.a == 0.0 ) discard;\n #else\n if ( diffuseColor.a < alphaTest ) discard;\n #endif\n#endif",Y_="\
-#ifdef USE_ALPHATEST\n uniform float alphaTest;\n#endif",Z_="#ifdef USE_AOMAP\n float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensit\
+cases.z;\n  return clamp( threshold , 1.0e-6, 1.0 );\n }\n#endif",X_="#ifdef USE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;\n#endif",q_="\
+#ifdef USE_ALPHAMAP\n uniform sampler2D alphaMap;\n#endif",Y_="#ifdef USE_ALPHATEST\n #ifdef ALPHA_TO_COVERAGE\n diffuseColor.a = smoothstep( alphaTest, alphaTest\
+ + fwidth( diffuseColor.a ), diffuseColor.a );\n if ( diffuseColor.a == 0.0 ) discard;\n #else\n if ( diffuseColor.a < alphaTest ) discard;\n #endif\n#endif",Z_="\
+#ifdef USE_ALPHATEST\n uniform float alphaTest;\n#endif",J_="#ifdef USE_AOMAP\n float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensit\
 y + 1.0;\n reflectedLight.indirectDiffuse *= ambientOcclusion;\n #if defined( USE_CLEARCOAT ) \n  clearcoatSpecularIndirect *= ambientOcclusion;\n #endif\n #if defin\
 ed( USE_SHEEN ) \n  sheenSpecularIndirect *= ambientOcclusion;\n #endif\n #if defined( USE_ENVMAP ) && defined( STANDARD )\n  float dotNV = saturate( dot( geometryN\
-ormal, geometryViewDir ) );\n  reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );\n #endif\n#endif",J_="\
-#ifdef USE_AOMAP\n uniform sampler2D aoMap;\n uniform float aoMapIntensity;\n#endif",$_="#ifdef USE_BATCHING\n #if ! defined( GL_ANGLE_multi_draw )\n #define gl_D\
+ormal, geometryViewDir ) );\n  reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );\n #endif\n#endif",$_="\
+#ifdef USE_AOMAP\n uniform sampler2D aoMap;\n uniform float aoMapIntensity;\n#endif",K_="#ifdef USE_BATCHING\n #if ! defined( GL_ANGLE_multi_draw )\n #define gl_D\
 rawID _gl_DrawID\n uniform int _gl_DrawID;\n #endif\n uniform highp sampler2D batchingTexture;\n uniform highp usampler2D batchingIdTexture;\n mat4 getBatchingMatrix\
 ( const in float i ) {\n  int size = textureSize( batchingTexture, 0 ).x;\n  int j = int( i ) * 4;\n  int x = j % size;\n  int y = j / size;\n  vec4 v1 = texelFetch(\
  batchingTexture, ivec2( x, y ), 0 );\n  vec4 v2 = texelFetch( batchingTexture, ivec2( x + 1, y ), 0 );\n  vec4 v3 = texelFetch( batchingTexture, ivec2( x + 2, y \
 ), 0 );\n  vec4 v4 = texelFetch( batchingTexture, ivec2( x + 3, y ), 0 );\n  return mat4( v1, v2, v3, v4 );\n }\n float getIndirectIndex( const in int i ) {\n  int s\
 ize = textureSize( batchingIdTexture, 0 ).x;\n  int x = i % size;\n  int y = i / size;\n  return float( texelFetch( batchingIdTexture, ivec2( x, y ), 0 ).r );\n }\n#\
 endif\n#ifdef USE_BATCHING_COLOR\n uniform sampler2D batchingColorTexture;\n vec4 getBatchingColor( const in float i ) {\n  int size = textureSize( batchingColorTex\
-ture, 0 ).x;\n  int j = int( i );\n  int x = j % size;\n  int y = j / size;\n  return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );\n }\n#endif",K_="#if\
-def USE_BATCHING\n mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );\n#endif",Q_="vec3 transformed = vec3( position );\n#ifdef USE_ALPHAH\
-ASH\n vPosition = vec3( position );\n#endif",j_="vec3 objectNormal = vec3( normal );\n#ifdef USE_TANGENT\n vec3 objectTangent = vec3( tangent.xyz );\n#endif",ex="\
+ture, 0 ).x;\n  int j = int( i );\n  int x = j % size;\n  int y = j / size;\n  return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );\n }\n#endif",Q_="#if\
+def USE_BATCHING\n mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );\n#endif",j_="vec3 transformed = vec3( position );\n#ifdef USE_ALPHAH\
+ASH\n vPosition = vec3( position );\n#endif",ex="vec3 objectNormal = vec3( normal );\n#ifdef USE_TANGENT\n vec3 objectTangent = vec3( tangent.xyz );\n#endif",tx="\
 float G_BlinnPhong_Implicit( ) {\n return 0.25;\n}\nfloat D_BlinnPhong( const in float shininess, const in float dotNH ) {\n return RECIPROCAL_PI * ( shininess * 0.\
 5 + 1.0 ) * pow( dotNH, shininess );\n}\nvec3 BRDF_BlinnPhong( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 specularColor, c\
 onst in float shininess ) {\n vec3 halfDir = normalize( lightDir + viewDir );\n float dotNH = saturate( dot( normal, halfDir ) );\n float dotVH = saturate( dot( vi\
 ewDir, halfDir ) );\n vec3 F = F_Schlick( specularColor, 1.0, dotVH );\n float G = G_BlinnPhong_Implicit( );\n float D = D_BlinnPhong( shininess, dotNH );\n return \
-F * ( G * D );\n} // validated",tx="#ifdef USE_IRIDESCENCE\n const mat3 XYZ_TO_REC709 = mat3(\n   3.2404542, -0.9692660,  0.0556434,\n  -1.5371385,  1.8760108, -0.\
+F * ( G * D );\n} // validated",nx="#ifdef USE_IRIDESCENCE\n const mat3 XYZ_TO_REC709 = mat3(\n   3.2404542, -0.9692660,  0.0556434,\n  -1.5371385,  1.8760108, -0.\
 2040259,\n  -0.4985314,  0.0415560,  1.0572252\n );\n vec3 Fresnel0ToIor( vec3 fresnel0 ) {\n  vec3 sqrtF0 = sqrt( fresnel0 );\n  return ( vec3( 1.0 ) + sqrtF0 ) / (\
  vec3( 1.0 ) - sqrtF0 );\n }\n vec3 IorToFresnel0( vec3 transmittedIor, float incidentIor ) {\n  return pow2( ( transmittedIor - vec3( incidentIor ) ) / ( transmit\
 tedIor + vec3( incidentIor ) ) );\n }\n float IorToFresnel0( float transmittedIor, float incidentIor ) {\n  return pow2( ( transmittedIor - incidentIor ) / ( trans\
@@ -1591,12 +1591,12 @@ seIOR = Fresnel0ToIor( clamp( baseF0, 0.0, 0.9999 ) );  vec3 R1 = IorToFresnel0(
 escenceIOR ) phi23[ 2 ] = PI;\n  float OPD = 2.0 * iridescenceIOR * thinFilmThickness * cosTheta2;\n  vec3 phi = vec3( phi21 ) + phi23;\n  vec3 R123 = clamp( R12 *\
  R23, 1e-5, 0.9999 );\n  vec3 r123 = sqrt( R123 );\n  vec3 Rs = pow2( T121 ) * R23 / ( vec3( 1.0 ) - R123 );\n  vec3 C0 = R12 + Rs;\n  I = C0;\n  vec3 Cm = Rs - T121\
 ;\n  for ( int m = 1; m <= 2; ++ m ) {\n   Cm *= r123;\n   vec3 Sm = 2.0 * evalSensitivity( float( m ) * OPD, float( m ) * phi );\n   I += Cm * Sm;\n  }\n  return max\
-( I, vec3( 0.0 ) );\n }\n#endif",nx="#ifdef USE_BUMPMAP\n uniform sampler2D bumpMap;\n uniform float bumpScale;\n vec2 dHdxy_fwd() {\n  vec2 dSTdx = dFdx( vBumpMapU\
+( I, vec3( 0.0 ) );\n }\n#endif",ix="#ifdef USE_BUMPMAP\n uniform sampler2D bumpMap;\n uniform float bumpScale;\n vec2 dHdxy_fwd() {\n  vec2 dSTdx = dFdx( vBumpMapU\
 v );\n  vec2 dSTdy = dFdy( vBumpMapUv );\n  float Hll = bumpScale * texture2D( bumpMap, vBumpMapUv ).x;\n  float dBx = bumpScale * texture2D( bumpMap, vBumpMapUv +\
  dSTdx ).x - Hll;\n  float dBy = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdy ).x - Hll;\n  return vec2( dBx, dBy );\n }\n vec3 perturbNormalArb( vec3 surf_po\
 s, vec3 surf_norm, vec2 dHdxy, float faceDirection ) {\n  vec3 vSigmaX = normalize( dFdx( surf_pos.xyz ) );\n  vec3 vSigmaY = normalize( dFdy( surf_pos.xyz ) );\n \
  vec3 vN = surf_norm;\n  vec3 R1 = cross( vSigmaY, vN );\n  vec3 R2 = cross( vN, vSigmaX );\n  float fDet = dot( vSigmaX, R1 ) * faceDirection;\n  vec3 vGrad = sign\
-( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );\n  return normalize( abs( fDet ) * surf_norm - vGrad );\n }\n#endif",ix="#if NUM_CLIPPING_PLANES > 0\n vec4 plane;\n #\
+( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );\n  return normalize( abs( fDet ) * surf_norm - vGrad );\n }\n#endif",sx="#if NUM_CLIPPING_PLANES > 0\n vec4 plane;\n #\
 ifdef ALPHA_TO_COVERAGE\n  float distanceToPlane, distanceGradient;\n  float clipOpacity = 1.0;\n  #pragma unroll_loop_start\n  for ( int i = 0; i < UNION_CLIPPING_\
 PLANES; i ++ ) {\n   plane = clippingPlanes[ i ];\n   distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;\n   distanceGradient = fwidth( distanceToPlane\
  ) / 2.0;\n   clipOpacity *= smoothstep( - distanceGradient, distanceGradient, distanceToPlane );\n   if ( clipOpacity == 0.0 ) discard;\n  }\n  #pragma unroll_loop\
@@ -1607,13 +1607,13 @@ _end\n  #if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES\n   float unionClipOpaci
 or ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {\n   plane = clippingPlanes[ i ];\n   if ( dot( vClipPosition, plane.xyz ) > plane.w ) discard;\n  }\n  #pragma u\
 nroll_loop_end\n  #if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES\n   bool clipped = true;\n   #pragma unroll_loop_start\n   for ( int i = UNION_CLIPPING_PLANES; i \
 < NUM_CLIPPING_PLANES; i ++ ) {\n    plane = clippingPlanes[ i ];\n    clipped = ( dot( vClipPosition, plane.xyz ) > plane.w ) && clipped;\n   }\n   #pragma unroll_\
-loop_end\n   if ( clipped ) discard;\n  #endif\n #endif\n#endif",sx="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n uniform vec4 clippingPlanes[ NUM_\
-CLIPPING_PLANES ];\n#endif",rx="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n#endif",ox="#if NUM_CLIPPING_PLANES > 0\n vClipPosition = - mvPosition\
-.xyz;\n#endif",ax="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )\n diffuseColor *= vColor;\n#endif",lx="#if defined( USE_COLOR ) || defined( USE_COLOR_\
-ALPHA )\n varying vec4 vColor;\n#endif",cx="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_C\
-OLOR )\n varying vec4 vColor;\n#endif",ux="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_CO\
+loop_end\n   if ( clipped ) discard;\n  #endif\n #endif\n#endif",rx="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n uniform vec4 clippingPlanes[ NUM_\
+CLIPPING_PLANES ];\n#endif",ox="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n#endif",ax="#if NUM_CLIPPING_PLANES > 0\n vClipPosition = - mvPosition\
+.xyz;\n#endif",lx="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )\n diffuseColor *= vColor;\n#endif",cx="#if defined( USE_COLOR ) || defined( USE_COLOR_\
+ALPHA )\n varying vec4 vColor;\n#endif",ux="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_C\
+OLOR )\n varying vec4 vColor;\n#endif",hx="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_CO\
 LOR )\n vColor = vec4( 1.0 );\n#endif\n#ifdef USE_COLOR_ALPHA\n vColor *= color;\n#elif defined( USE_COLOR )\n vColor.rgb *= color;\n#endif\n#ifdef USE_INSTANCING_COLOR\
-\n vColor.rgb *= instanceColor.rgb;\n#endif\n#ifdef USE_BATCHING_COLOR\n vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );\n#endif",hx="#define PI 3.\
+\n vColor.rgb *= instanceColor.rgb;\n#endif\n#ifdef USE_BATCHING_COLOR\n vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );\n#endif",fx="#define PI 3.\
 141592653589793\n#define PI2 6.283185307179586\n#define PI_HALF 1.5707963267948966\n#define RECIPROCAL_PI 0.3183098861837907\n#define RECIPROCAL_PI2 0.1591549430918\
 9535\n#define EPSILON 1e-6\n#ifndef saturate\n#define saturate( a ) clamp( a, 0.0, 1.0 )\n#endif\n#define whiteComplement( a ) ( 1.0 - saturate( a ) )\nfloat pow2( co\
 nst in float x ) { return x*x; }\nvec3 pow2( const in vec3 x ) { return x*x; }\nfloat pow3( const in float x ) { return x*x*x; }\nfloat pow4( const in float x ) { \
@@ -1629,51 +1629,51 @@ c4( dir, 0.0 ) * viewMatrix ).xyz );\n}\nbool isPerspectiveMatrix( mat4 m ) {\n 
 r.z, dir.x ) * RECIPROCAL_PI2 + 0.5;\n float v = asin( clamp( dir.y, - 1.0, 1.0 ) ) * RECIPROCAL_PI + 0.5;\n return vec2( u, v );\n}\nvec3 BRDF_Lambert( const in ve\
 c3 diffuseColor ) {\n return RECIPROCAL_PI * diffuseColor;\n}\nvec3 F_Schlick( const in vec3 f0, const in float f90, const in float dotVH ) {\n float fresnel = exp2\
 ( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );\n return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );\n}\nfloat F_Schlick( const in float f0, const in float f90, const\
- in float dotVH ) {\n float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );\n return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );\n} // validated",fx="\
+ in float dotVH ) {\n float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );\n return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );\n} // validated",dx="\
 vec3 transformedNormal = objectNormal;\n#ifdef USE_TANGENT\n vec3 transformedTangent = objectTangent;\n#endif\n#ifdef USE_BATCHING\n mat3 bm = mat3( batchingMatrix )\
 ;\n transformedNormal /= vec3( dot( bm[ 0 ], bm[ 0 ] ), dot( bm[ 1 ], bm[ 1 ] ), dot( bm[ 2 ], bm[ 2 ] ) );\n transformedNormal = bm * transformedNormal;\n #ifdef \
 USE_TANGENT\n  transformedTangent = bm * transformedTangent;\n #endif\n#endif\n#ifdef USE_INSTANCING\n mat3 im = mat3( instanceMatrix );\n transformedNormal /= vec3( \
 dot( im[ 0 ], im[ 0 ] ), dot( im[ 1 ], im[ 1 ] ), dot( im[ 2 ], im[ 2 ] ) );\n transformedNormal = im * transformedNormal;\n #ifdef USE_TANGENT\n  transformedTange\
 nt = im * transformedTangent;\n #endif\n#endif\ntransformedNormal = normalMatrix * transformedNormal;\n#ifdef FLIP_SIDED\n transformedNormal = - transformedNormal;\n#\
-endif\n#ifdef USE_TANGENT\n transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;\n#endif",dx="#ifdef USE_DISPLACEMENTMAP\n uniform sam\
-pler2D displacementMap;\n uniform float displacementScale;\n uniform float displacementBias;\n#endif",px="#ifdef USE_DISPLACEMENTMAP\n transformed += normalize( \
-objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );\n#endif",mx="#ifdef USE_EMISSIVEMAP\n vec4 emissi\
+endif\n#ifdef USE_TANGENT\n transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;\n#endif",px="#ifdef USE_DISPLACEMENTMAP\n uniform sam\
+pler2D displacementMap;\n uniform float displacementScale;\n uniform float displacementBias;\n#endif",mx="#ifdef USE_DISPLACEMENTMAP\n transformed += normalize( \
+objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );\n#endif",gx="#ifdef USE_EMISSIVEMAP\n vec4 emissi\
 veColor = texture2D( emissiveMap, vEmissiveMapUv );\n #ifdef DECODE_VIDEO_TEXTURE_EMISSIVE\n  emissiveColor = sRGBTransferEOTF( emissiveColor );\n #endif\n totalEmi\
-ssiveRadiance *= emissiveColor.rgb;\n#endif",gx="#ifdef USE_EMISSIVEMAP\n uniform sampler2D emissiveMap;\n#endif",_x="gl_FragColor = linearToOutputTexel( gl_Fra\
-gColor );",xx="vec4 LinearTransferOETF( in vec4 value ) {\n return value;\n}\nvec4 sRGBTransferEOTF( in vec4 value ) {\n return vec4( mix( pow( value.rgb * 0.947867\
+ssiveRadiance *= emissiveColor.rgb;\n#endif",_x="#ifdef USE_EMISSIVEMAP\n uniform sampler2D emissiveMap;\n#endif",xx="gl_FragColor = linearToOutputTexel( gl_Fra\
+gColor );",vx="vec4 LinearTransferOETF( in vec4 value ) {\n return value;\n}\nvec4 sRGBTransferEOTF( in vec4 value ) {\n return vec4( mix( pow( value.rgb * 0.947867\
 2986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), value.rgb * 0.0773993808, vec3( lessThanEqual( value.rgb, vec3( 0.04045 ) ) ) ), value.a );\n}\nvec4 sRGBTransferOETF(\
  in vec4 value ) {\n return vec4( mix( pow( value.rgb, vec3( 0.41666 ) ) * 1.055 - vec3( 0.055 ), value.rgb * 12.92, vec3( lessThanEqual( value.rgb, vec3( 0.0031\
-308 ) ) ) ), value.a );\n}",vx="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vec3 cameraToFrag;\n  if ( isOrthographic ) {\n   cameraToFrag = normalize( vec3( - viewM\
+308 ) ) ) ), value.a );\n}",yx="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vec3 cameraToFrag;\n  if ( isOrthographic ) {\n   cameraToFrag = normalize( vec3( - viewM\
 atrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );\n  } else {\n   cameraToFrag = normalize( vWorldPosition - cameraPosition );\n  }\n  vec3 world\
 Normal = transformNormalByInverseViewMatrix( normal, viewMatrix );\n  #ifdef ENVMAP_MODE_REFLECTION\n   vec3 reflectVec = reflect( cameraToFrag, worldNormal );\n  \
 #else\n   vec3 reflectVec = refract( cameraToFrag, worldNormal, refractionRatio );\n  #endif\n #else\n  vec3 reflectVec = vReflect;\n #endif\n #ifdef ENVMAP_TYPE_CUBE\
 \n  vec4 envColor = textureCube( envMap, envMapRotation * reflectVec );\n  #ifdef ENVMAP_BLENDING_MULTIPLY\n   outgoingLight = mix( outgoingLight, outgoingLight * \
 envColor.xyz, specularStrength * reflectivity );\n  #elif defined( ENVMAP_BLENDING_MIX )\n   outgoingLight = mix( outgoingLight, envColor.xyz, specularStrength * \
-reflectivity );\n  #elif defined( ENVMAP_BLENDING_ADD )\n   outgoingLight += envColor.xyz * specularStrength * reflectivity;\n  #endif\n #endif\n#endif",yx="#if\
+reflectivity );\n  #elif defined( ENVMAP_BLENDING_ADD )\n   outgoingLight += envColor.xyz * specularStrength * reflectivity;\n  #endif\n #endif\n#endif",Sx="#if\
 def USE_ENVMAP\n uniform float envMapIntensity;\n uniform mat3 envMapRotation;\n uniform samplerCube envMap;\n #ifdef ENVMAP_TYPE_PMREM\n  float roughnessToMip( cons\
-t in float roughness ) {\n   float r = clamp( roughness, 0.0, 1.0 );\n   return ENVMAP_MAX_LOD * r * ( 2.0 - r );\n  }\n #endif\n#endif",Sx="#ifdef USE_ENVMAP\n \
+t in float roughness ) {\n   float r = clamp( roughness, 0.0, 1.0 );\n   return ENVMAP_MAX_LOD * r * ( 2.0 - r );\n  }\n #endif\n#endif",Mx="#ifdef USE_ENVMAP\n \
 uniform float reflectivity;\n #if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )\n  #define ENV_WORLDPOS\n #endif\n #i\
-fdef ENV_WORLDPOS\n  varying vec3 vWorldPosition;\n  uniform float refractionRatio;\n #else\n  varying vec3 vReflect;\n #endif\n#endif",Mx="#ifdef USE_ENVMAP\n #\
+fdef ENV_WORLDPOS\n  varying vec3 vWorldPosition;\n  uniform float refractionRatio;\n #else\n  varying vec3 vReflect;\n #endif\n#endif",bx="#ifdef USE_ENVMAP\n #\
 if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )\n  #define ENV_WORLDPOS\n #endif\n #ifdef ENV_WORLDPOS\n  \n  varying\
- vec3 vWorldPosition;\n #else\n  varying vec3 vReflect;\n  uniform float refractionRatio;\n #endif\n#endif",bx="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vWorldP\
+ vec3 vWorldPosition;\n #else\n  varying vec3 vReflect;\n  uniform float refractionRatio;\n #endif\n#endif",wx="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vWorldP\
 osition = worldPosition.xyz;\n #else\n  vec3 cameraToVertex;\n  if ( isOrthographic ) {\n   cameraToVertex = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ \
 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );\n  } else {\n   cameraToVertex = normalize( worldPosition.xyz - cameraPosition );\n  }\n  vec3 worldNormal = transformNormalBy\
 InverseViewMatrix( transformedNormal, viewMatrix );\n  #ifdef ENVMAP_MODE_REFLECTION\n   vReflect = reflect( cameraToVertex, worldNormal );\n  #else\n   vReflect = \
-refract( cameraToVertex, worldNormal, refractionRatio );\n  #endif\n #endif\n#endif",wx="#ifdef USE_FOG\n vFogDepth = - mvPosition.z;\n#endif",Tx="#ifdef USE_FO\
-G\n varying float vFogDepth;\n#endif",Ax="#ifdef USE_FOG\n #ifdef FOG_EXP2\n  float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );\n #\
-else\n  float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );\n #endif\n gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );\n#endif",Ex="#if\
+refract( cameraToVertex, worldNormal, refractionRatio );\n  #endif\n #endif\n#endif",Tx="#ifdef USE_FOG\n vFogDepth = - mvPosition.z;\n#endif",Ax="#ifdef USE_FO\
+G\n varying float vFogDepth;\n#endif",Ex="#ifdef USE_FOG\n #ifdef FOG_EXP2\n  float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );\n #\
+else\n  float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );\n #endif\n gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );\n#endif",Cx="#if\
 def USE_FOG\n uniform vec3 fogColor;\n varying float vFogDepth;\n #ifdef FOG_EXP2\n  uniform float fogDensity;\n #else\n  uniform float fogNear;\n  uniform float fogFa\
-r;\n #endif\n#endif",Cx="#ifdef USE_GRADIENTMAP\n uniform sampler2D gradientMap;\n#endif\nvec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {\n float d\
+r;\n #endif\n#endif",Rx="#ifdef USE_GRADIENTMAP\n uniform sampler2D gradientMap;\n#endif\nvec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {\n float d\
 otNL = dot( normal, lightDirection );\n vec2 coord = vec2( dotNL * 0.5 + 0.5, 0.0 );\n #ifdef USE_GRADIENTMAP\n  return vec3( texture2D( gradientMap, coord ).r );\n\
- #else\n  vec2 fw = fwidth( coord ) * 0.5;\n  return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );\n #endif\n}",Rx="#ifdef USE\
-_LIGHTMAP\n uniform sampler2D lightMap;\n uniform float lightMapIntensity;\n#endif",Px="LambertMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmate\
-rial.specularStrength = specularStrength;",Ix="varying vec3 vViewPosition;\nstruct LambertMaterial {\n vec3 diffuseColor;\n float specularStrength;\n};\nvoid RE_Dire\
+ #else\n  vec2 fw = fwidth( coord ) * 0.5;\n  return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );\n #endif\n}",Px="#ifdef USE\
+_LIGHTMAP\n uniform sampler2D lightMap;\n uniform float lightMapIntensity;\n#endif",Ix="LambertMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmate\
+rial.specularStrength = specularStrength;",Lx="varying vec3 vViewPosition;\nstruct LambertMaterial {\n vec3 diffuseColor;\n float specularStrength;\n};\nvoid RE_Dire\
 ct_Lambert( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geome\
 tryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {\n float dotNL = saturate( dot( geometryNormal, directLight.directi\
 on ) );\n vec3 irradiance = dotNL * directLight.color;\n reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );\n}\nvoid RE_IndirectDif\
 fuse_Lambert( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClear\
 coatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {\n reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.di\
-ffuseColor );\n}\n#define RE_Direct    RE_Direct_Lambert\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Lambert",Lx="uniform bool receiveShadow;\nuniform vec3 a\
+ffuseColor );\n}\n#define RE_Direct    RE_Direct_Lambert\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Lambert",Dx="uniform bool receiveShadow;\nuniform vec3 a\
 mbientLightColor;\n#if defined( USE_LIGHT_PROBES )\n uniform vec3 lightProbe[ 9 ];\n#endif\nvec3 shGetIrradianceAt( in vec3 normal, in vec3 shCoefficients[ 9 ] ) {\n\
  float x = normal.x, y = normal.y, z = normal.z;\n vec3 result = shCoefficients[ 0 ] * 0.886227;\n result += shCoefficients[ 1 ] * 2.0 * 0.511664 * y;\n result += \
 shCoefficients[ 2 ] * 2.0 * 0.511664 * z;\n result += shCoefficients[ 3 ] * 2.0 * 0.511664 * x;\n result += shCoefficients[ 4 ] * 2.0 * 0.429043 * x * y;\n result \
@@ -1703,7 +1703,7 @@ r = vec3( 0.0 );\n   light.visible = false;\n  }\n }\n#endif\n#if NUM_RECT_AREA_
 TS > 0\n struct HemisphereLight {\n  vec3 direction;\n  vec3 skyColor;\n  vec3 groundColor;\n };\n uniform HemisphereLight hemisphereLights[ NUM_HEMI_LIGHTS ];\n vec3 \
 getHemisphereLightIrradiance( const in HemisphereLight hemiLight, const in vec3 normal ) {\n  float dotNL = dot( normal, hemiLight.direction );\n  float hemiDiffu\
 seWeight = 0.5 * dotNL + 0.5;\n  vec3 irradiance = mix( hemiLight.groundColor, hemiLight.skyColor, hemiDiffuseWeight );\n  return irradiance;\n }\n#endif\n#include <\
-lightprobes_pars_fragment>",Dx="#ifdef USE_ENVMAP\n vec3 getIBLIrradiance( const in vec3 normal ) {\n  #ifdef ENVMAP_TYPE_PMREM\n   vec3 worldNormal = transformNor\
+lightprobes_pars_fragment>",Nx="#ifdef USE_ENVMAP\n vec3 getIBLIrradiance( const in vec3 normal ) {\n  #ifdef ENVMAP_TYPE_PMREM\n   vec3 worldNormal = transformNor\
 malByInverseViewMatrix( normal, viewMatrix );\n   vec4 envMapColor = textureLod( envMap, envMapRotation * worldNormal, ENVMAP_MAX_LOD );\n   return PI * envMapCol\
 or.rgb * envMapIntensity;\n  #else\n   return vec3( 0.0 );\n  #endif\n }\n vec3 getIBLRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness\
  ) {\n  #ifdef ENVMAP_TYPE_PMREM\n   vec3 reflectVec = reflect( - viewDir, normal );\n   reflectVec = normalize( mix( reflectVec, normal, pow4( roughness ) ) );\n  \
@@ -1719,14 +1719,14 @@ TROPY\n  vec3 getIBLAnisotropyRadiance( const in vec3 viewDir, const in vec3 nor
 const in float roughness, const in vec3 bitangent, const in float anisotropy ) {\n    #ifdef ENVMAP_TYPE_PMREM\n     vec3 bentNormal = cross( bitangent, viewDir )\
 ;\n     bentNormal = normalize( cross( bentNormal, bitangent ) );\n     bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - ro\
 ughness ) ) ) ) );\n     return getIBLRetroRadiance( viewDir, bentNormal, roughness );\n    #else\n     return vec3( 0.0 );\n    #endif\n   }\n  #endif\n #endif\n#endif",
-Nx="ToonMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;",Ux="varying vec3 vViewPosition;\nstruct ToonMaterial {\n vec3 diffuseColor;\n};\nvoid RE_Dire\
+Ux="ToonMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;",Fx="varying vec3 vViewPosition;\nstruct ToonMaterial {\n vec3 diffuseColor;\n};\nvoid RE_Dire\
 ct_Toon( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometry\
 ClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {\n vec3 irradiance = getGradientIrradiance( geometryNormal, directLight.d\
 irection ) * directLight.color;\n reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );\n}\nvoid RE_IndirectDiffuse_Toon( const in ve\
 c3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in Toon\
 Material material, inout ReflectedLight reflectedLight ) {\n reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );\n}\n#define RE_D\
-irect    RE_Direct_Toon\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Toon",Fx="BlinnPhongMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmateria\
-l.specularColor = specular;\nmaterial.specularShininess = shininess;\nmaterial.specularStrength = specularStrength;",Ox="varying vec3 vViewPosition;\nstruct Blin\
+irect    RE_Direct_Toon\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Toon",Ox="BlinnPhongMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmateria\
+l.specularColor = specular;\nmaterial.specularShininess = shininess;\nmaterial.specularStrength = specularStrength;",Bx="varying vec3 vViewPosition;\nstruct Blin\
 nPhongMaterial {\n vec3 diffuseColor;\n vec3 specularColor;\n float specularShininess;\n float specularStrength;\n};\nvoid RE_Direct_BlinnPhong( const in IncidentLigh\
 t directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in Blin\
 nPhongMaterial material, inout ReflectedLight reflectedLight ) {\n float dotNL = saturate( dot( geometryNormal, directLight.direction ) );\n vec3 irradiance = dot\
@@ -1734,7 +1734,7 @@ NL * directLight.color;\n reflectedLight.directDiffuse += irradiance * BRDF_Lamb
 _BlinnPhong( directLight.direction, geometryViewDir, geometryNormal, material.specularColor, material.specularShininess ) * material.specularStrength;\n}\nvoid RE\
 _IndirectDiffuse_BlinnPhong( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec\
 3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {\n reflectedLight.indirectDiffuse += irradiance * BRDF_La\
-mbert( material.diffuseColor );\n}\n#define RE_Direct    RE_Direct_BlinnPhong\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_BlinnPhong",Bx="PhysicalMaterial m\
+mbert( material.diffuseColor );\n}\n#define RE_Direct    RE_Direct_BlinnPhong\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_BlinnPhong",zx="PhysicalMaterial m\
 aterial;\nmaterial.diffuseColor = diffuseColor.rgb;\nmaterial.diffuseContribution = diffuseColor.rgb * ( 1.0 - metalnessFactor );\nmaterial.metalness = metalnessFa\
 ctor;\nvec3 dxy = max( abs( dFdx( nonPerturbedNormal ) ), abs( dFdy( nonPerturbedNormal ) ) );\nfloat geometryRoughness = max( max( dxy.x, dxy.y ), dxy.z );\nmater\
 ial.roughness = max( roughnessFactor, 0.045 );\nmaterial.roughness += geometryRoughness;\nmaterial.roughness = min( material.roughness, 1.0 );\n#ifdef USE_DIFFUSE_\
@@ -1762,7 +1762,7 @@ exture2D( anisotropyMap, vAnisotropyMapUv ).rgb;\n  vec2 anisotropyV = anisotrop
 #else\n  vec2 anisotropyV = anisotropyVector;\n #endif\n material.anisotropy = length( anisotropyV );\n if( material.anisotropy == 0.0 ) {\n  anisotropyV = vec2( 1.0\
 , 0.0 );\n } else {\n  anisotropyV /= material.anisotropy;\n  material.anisotropy = saturate( material.anisotropy );\n }\n material.alphaT = mix( pow2( material.roug\
 hness ), 1.0, pow2( material.anisotropy ) );\n material.anisotropyT = tbn[ 0 ] * anisotropyV.x + tbn[ 1 ] * anisotropyV.y;\n material.anisotropyB = tbn[ 1 ] * ani\
-sotropyV.x - tbn[ 0 ] * anisotropyV.y;\n#endif",zx="uniform sampler2D dfgLUT;\nstruct PhysicalMaterial {\n vec3 diffuseColor;\n vec3 diffuseContribution;\n vec3 spe\
+sotropyV.x - tbn[ 0 ] * anisotropyV.y;\n#endif",kx="uniform sampler2D dfgLUT;\nstruct PhysicalMaterial {\n vec3 diffuseColor;\n vec3 diffuseContribution;\n vec3 spe\
 cularColor;\n vec3 specularColorBlended;\n float roughness;\n float metalness;\n float specularF90;\n float dispersion;\n vec2 dfg;\n vec3 multiScatteringCompensation;\
 \n #ifdef USE_DIFFUSE_ROUGHNESS\n  float diffuseRoughness;\n #endif\n #ifdef USE_RETROREFLECTION\n  float retroreflectivity;\n #endif\n #ifdef USE_CLEARCOAT\n  float cl\
 earcoat;\n  float clearcoatRoughness;\n  vec3 clearcoatF0;\n  float clearcoatF90;\n #endif\n #ifdef USE_IRIDESCENCE\n  float iridescence;\n  float iridescenceIOR;\n  fl\
@@ -1895,7 +1895,7 @@ nce;\n vec3 indirectDiffuse = diffuse * cosineWeightedIrradiance;\n #ifdef USE_S
 nergyComp;\n #endif\n reflectedLight.indirectSpecular += indirectSpecular;\n reflectedLight.indirectDiffuse += indirectDiffuse;\n}\n#define RE_Direct    RE_Direct_Ph\
 ysical\n#define RE_Direct_RectArea  RE_Direct_RectArea_Physical\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Physical\n#define RE_IndirectSpecular  RE_IndirectS\
 pecular_Physical\nfloat computeSpecularOcclusion( const in float dotNV, const in float ambientOcclusion, const in float roughness ) {\n return saturate( pow( dotN\
-V + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );\n}",kx="\nvec3 geometryPosition = - vViewPosition;\nvec3 geometryNormal = nor\
+V + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );\n}",Vx="\nvec3 geometryPosition = - vViewPosition;\nvec3 geometryNormal = nor\
 mal;\nvec3 geometryViewDir = ( isOrthographic ) ? vec3( 0, 0, 1 ) : normalize( vViewPosition );\nvec3 geometryClearcoatNormal = vec3( 0.0 );\n#ifdef USE_CLEARCOAT\n\
  geometryClearcoatNormal = clearcoatNormal;\n#endif\n#ifdef USE_IRIDESCENCE\n float dotNVi = saturate( dot( normal, geometryViewDir ) );\n if ( material.iridescence\
 Thickness == 0.0 ) {\n  material.iridescence = 0.0;\n } else {\n  material.iridescence = saturate( material.iridescence );\n }\n if ( material.iridescence > 0.0 ) {\n\
@@ -1945,7 +1945,7 @@ ion, 1.0 ) - viewMatrix[ 3 ] ) * viewMatrix ).xyz;\n  vec3 probeWorldNormal = tr
 Min[ i ], probesMax[ i ], probesResolution[ i ] ) ) probeGrid = UNROLLED_LOOP_INDEX;\n  }\n  #pragma unroll_loop_end\n  #pragma unroll_loop_start\n  for ( int i = 0\
 ; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {\n   if ( probeGrid == UNROLLED_LOOP_INDEX ) irradiance += getLightProbeGridIrradiance( probesSH[ i ], probesMin[ i ], probe\
 sMax[ i ], probesResolution[ i ], probeWorldPos, probeWorldNormal );\n  }\n  #pragma unroll_loop_end\n #endif\n#endif\n#if defined( RE_IndirectSpecular )\n vec3 radia\
-nce = vec3( 0.0 );\n vec3 clearcoatRadiance = vec3( 0.0 );\n#endif",Vx="#if defined( RE_IndirectDiffuse )\n #ifdef USE_LIGHTMAP\n  vec4 lightMapTexel = texture2D(\
+nce = vec3( 0.0 );\n vec3 clearcoatRadiance = vec3( 0.0 );\n#endif",Gx="#if defined( RE_IndirectDiffuse )\n #ifdef USE_LIGHTMAP\n  vec4 lightMapTexel = texture2D(\
  lightMap, vLightMapUv );\n  vec3 lightMapIrradiance = lightMapTexel.rgb * lightMapIntensity;\n  irradiance += lightMapIrradiance;\n #endif\n #if defined( USE_ENVMA\
 P ) && defined( ENVMAP_TYPE_PMREM )\n  #if defined( STANDARD ) || defined( LAMBERT ) || defined( PHONG )\n   iblIrradiance += getIBLIrradiance( geometryNormal );\n\
   #endif\n #endif\n#endif\n#if defined( USE_ENVMAP ) && defined( RE_IndirectSpecular )\n #ifdef USE_ANISOTROPY\n  vec3 iblRadiance = getIBLAnisotropyRadiance( geomet\
@@ -1954,10 +1954,10 @@ yNormal, material.roughness );\n #endif\n #ifdef USE_RETROREFLECTION\n  #ifdef U
 wDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );\n  #else\n   vec3 retroIBLRadiance = getIBLRetroRadiance( geometryViewDir, \
 geometryNormal, material.roughness );\n  #endif\n  iblRadiance = mix( iblRadiance, retroIBLRadiance, saturate( material.retroreflectivity ) );\n #endif\n radiance +\
 = iblRadiance;\n #ifdef USE_CLEARCOAT\n  clearcoatRadiance += getIBLRadiance( geometryViewDir, geometryClearcoatNormal, material.clearcoatRoughness );\n #endif\n#en\
-dif",Gx="#if defined( RE_IndirectDiffuse )\n #if defined( LAMBERT ) || defined( PHONG )\n  irradiance += iblIrradiance;\n #endif\n RE_IndirectDiffuse( irradiance, g\
+dif",Hx="#if defined( RE_IndirectDiffuse )\n #if defined( LAMBERT ) || defined( PHONG )\n  irradiance += iblIrradiance;\n #endif\n RE_IndirectDiffuse( irradiance, g\
 eometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );\n#endif\n#if defined( RE_IndirectSpecular )\n RE_IndirectSpe\
 cular( radiance, iblIrradiance, clearcoatRadiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );\n#endi\
-f",Hx="#if NUM_LIGHT_PROBE_GRIDS > 0\nuniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 pr\
+f",Wx="#if NUM_LIGHT_PROBE_GRIDS > 0\nuniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 pr\
 obesMax[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 probesResolution[ NUM_LIGHT_PROBE_GRIDS ];\nbool isInsideLightProbeGrid( vec3 worldPos, vec3 worldNormal, vec3 pro\
 besMin, vec3 probesMax, vec3 probesResolution ) {\n vec3 spacing = ( probesMax - probesMin ) / probesResolution;\n vec3 samplePos = worldPos + worldNormal * spaci\
 ng * 0.5;\n vec3 margin = spacing * 0.01;\n return all( greaterThanEqual( samplePos, probesMin - margin ) ) && all( lessThanEqual( samplePos, probesMax + margin )\
@@ -1973,56 +1973,56 @@ xy );\n vec3 c2 = vec3( s1.zw, s2.x );\n vec3 c3 = s2.yzw;\n vec3 c4 = s3.xyz;\n
 vec3 c8 = s6.xyz;\n float x = worldNormal.x, y = worldNormal.y, z = worldNormal.z;\n vec3 result = c0 * 0.886227;\n result += c1 * 2.0 * 0.511664 * y;\n result += c\
 2 * 2.0 * 0.511664 * z;\n result += c3 * 2.0 * 0.511664 * x;\n result += c4 * 2.0 * 0.429043 * x * y;\n result += c5 * 2.0 * 0.429043 * y * z;\n result += c6 * ( 0.\
 743125 * z * z - 0.247708 );\n result += c7 * 2.0 * 0.429043 * x * z;\n result += c8 * 0.429043 * ( x * x - y * y );\n return max( result, vec3( 0.0 ) );\n}\n#endif",
-Wx="#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;\n#endif",Xx="\
-#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n uniform float logDepthBufFC;\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",qx="#ifdef USE_L\
-OGARITHMIC_DEPTH_BUFFER\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",Yx="#ifdef USE_LOGARITHMIC_DEPTH_BUFFER\n vFragDepth = 1.0 + gl_Posi\
-tion.w;\n vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );\n#endif",Zx="#ifdef USE_MAP\n vec4 sampledDiffuseColor = texture2D( map, vMapUv );\n \
-#ifdef DECODE_VIDEO_TEXTURE\n  sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );\n #endif\n diffuseColor *= sampledDiffuseColor;\n#endif",Jx="#ifde\
-f USE_MAP\n uniform sampler2D map;\n#endif",$x="#if defined( USE_MAP ) || defined( USE_ALPHAMAP )\n #if defined( USE_POINTS_UV )\n  vec2 uv = vUv;\n #else\n  vec2 u\
+Xx="#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;\n#endif",qx="\
+#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n uniform float logDepthBufFC;\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",Yx="#ifdef USE_L\
+OGARITHMIC_DEPTH_BUFFER\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",Zx="#ifdef USE_LOGARITHMIC_DEPTH_BUFFER\n vFragDepth = 1.0 + gl_Posi\
+tion.w;\n vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );\n#endif",Jx="#ifdef USE_MAP\n vec4 sampledDiffuseColor = texture2D( map, vMapUv );\n \
+#ifdef DECODE_VIDEO_TEXTURE\n  sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );\n #endif\n diffuseColor *= sampledDiffuseColor;\n#endif",$x="#ifde\
+f USE_MAP\n uniform sampler2D map;\n#endif",Kx="#if defined( USE_MAP ) || defined( USE_ALPHAMAP )\n #if defined( USE_POINTS_UV )\n  vec2 uv = vUv;\n #else\n  vec2 u\
 v = ( uvTransform * vec3( gl_PointCoord.x, 1.0 - gl_PointCoord.y, 1 ) ).xy;\n #endif\n#endif\n#ifdef USE_MAP\n diffuseColor *= texture2D( map, uv );\n#endif\n#ifdef U\
-SE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, uv ).g;\n#endif",Kx="#if defined( USE_POINTS_UV )\n varying vec2 vUv;\n#else\n #if defined( USE_MAP ) || defin\
+SE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, uv ).g;\n#endif",Qx="#if defined( USE_POINTS_UV )\n varying vec2 vUv;\n#else\n #if defined( USE_MAP ) || defin\
 ed( USE_ALPHAMAP )\n  uniform mat3 uvTransform;\n #endif\n#endif\n#ifdef USE_MAP\n uniform sampler2D map;\n#endif\n#ifdef USE_ALPHAMAP\n uniform sampler2D alphaMap;\n#en\
-dif",Qx="float metalnessFactor = metalness;\n#ifdef USE_METALNESSMAP\n vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );\n metalnessFactor *= texel\
-Metalness.b;\n#endif",jx="#ifdef USE_METALNESSMAP\n uniform sampler2D metalnessMap;\n#endif",ev="#ifdef USE_INSTANCING_MORPH\n float morphTargetInfluences[ MORPH\
+dif",jx="float metalnessFactor = metalness;\n#ifdef USE_METALNESSMAP\n vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );\n metalnessFactor *= texel\
+Metalness.b;\n#endif",ev="#ifdef USE_METALNESSMAP\n uniform sampler2D metalnessMap;\n#endif",tv="#ifdef USE_INSTANCING_MORPH\n float morphTargetInfluences[ MORPH\
 TARGETS_COUNT ];\n float morphTargetBaseInfluence = texelFetch( morphTexture, ivec2( 0, gl_InstanceID ), 0 ).r;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) \
-{\n  morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;\n }\n#endif",tv="#if defined( USE_MORPHCOLORS )\n #if defined( U\
+{\n  morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;\n }\n#endif",nv="#if defined( USE_MORPHCOLORS )\n #if defined( U\
 SE_COLOR_ALPHA )\n  vColor *= morphTargetBaseInfluence;\n #elif defined( USE_COLOR )\n  vColor.rgb *= morphTargetBaseInfluence;\n #endif\n for ( int i = 0; i < MORPH\
 TARGETS_COUNT; i ++ ) {\n  #if defined( USE_COLOR_ALPHA )\n   if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ) * morphTargetInflue\
 nces[ i ];\n  #elif defined( USE_COLOR )\n   if ( morphTargetInfluences[ i ] != 0.0 ) vColor.rgb += getMorph( gl_VertexID, i, 2 ).rgb * morphTargetInfluences[ i ]\
-;\n  #endif\n }\n#endif",nv="#ifdef USE_MORPHNORMALS\n objectNormal *= morphTargetBaseInfluence;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {\n  if ( morphT\
-argetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",iv="#ifdef USE_MORPHTARGETS\n #ifndef \
+;\n  #endif\n }\n#endif",iv="#ifdef USE_MORPHNORMALS\n objectNormal *= morphTargetBaseInfluence;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {\n  if ( morphT\
+argetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",sv="#ifdef USE_MORPHTARGETS\n #ifndef \
 USE_INSTANCING_MORPH\n  uniform float morphTargetBaseInfluence;\n  uniform float morphTargetInfluences[ MORPHTARGETS_COUNT ];\n #endif\n uniform sampler2DArray morp\
 hTargetsTexture;\n uniform ivec2 morphTargetsTextureSize;\n vec4 getMorph( const in int vertexIndex, const in int morphTargetIndex, const in int offset ) {\n  int \
 texelIndex = vertexIndex * MORPHTARGETS_TEXTURE_STRIDE + offset;\n  int y = texelIndex / morphTargetsTextureSize.x;\n  int x = texelIndex - y * morphTargetsTextur\
-eSize.x;\n  ivec3 morphUV = ivec3( x, y, morphTargetIndex );\n  return texelFetch( morphTargetsTexture, morphUV, 0 );\n }\n#endif",sv="#ifdef USE_MORPHTARGETS\n \
+eSize.x;\n  ivec3 morphUV = ivec3( x, y, morphTargetIndex );\n  return texelFetch( morphTargetsTexture, morphUV, 0 );\n }\n#endif",rv="#ifdef USE_MORPHTARGETS\n \
 transformed *= morphTargetBaseInfluence;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {\n  if ( morphTargetInfluences[ i ] != 0.0 ) transformed += getMorph( \
-gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",rv="float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;\n#ifdef FLAT_SHADED\n vec3 fdx = dFdx( \
+gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",ov="float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;\n#ifdef FLAT_SHADED\n vec3 fdx = dFdx( \
 vViewPosition );\n vec3 fdy = dFdy( vViewPosition );\n vec3 normal = normalize( cross( fdx, fdy ) );\n#else\n vec3 normal = normalize( vNormal );\n #ifdef DOUBLE_SID\
 ED\n  normal *= faceDirection;\n #endif\n#endif\n#if defined( USE_NORMALMAP_TANGENTSPACE ) || defined( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY )\n #ifde\
 f USE_TANGENT\n  mat3 tbn = mat3( normalize( vTangent ), normalize( vBitangent ), normal );\n #else\n  mat3 tbn = getTangentFrame( - vViewPosition, normal,\n  #if d\
 efined( USE_NORMALMAP )\n   vNormalMapUv\n  #elif defined( USE_CLEARCOAT_NORMALMAP )\n   vClearcoatNormalMapUv\n  #else\n   vUv\n  #endif\n  );\n #endif\n #ifdef DOUBLE_\
 SIDED\n  tbn[0] *= faceDirection;\n  tbn[1] *= faceDirection;\n #endif\n#endif\n#ifdef USE_CLEARCOAT_NORMALMAP\n #ifdef USE_TANGENT\n  mat3 tbn2 = mat3( normalize( vTa\
 ngent ), normalize( vBitangent ), normal );\n #else\n  mat3 tbn2 = getTangentFrame( - vViewPosition, normal, vClearcoatNormalMapUv );\n #endif\n #ifdef DOUBLE_SIDED\
-\n  tbn2[0] *= faceDirection;\n  tbn2[1] *= faceDirection;\n #endif\n#endif\nvec3 nonPerturbedNormal = normal;",ov="#ifdef USE_NORMALMAP_OBJECTSPACE\n normal = t\
+\n  tbn2[0] *= faceDirection;\n  tbn2[1] *= faceDirection;\n #endif\n#endif\nvec3 nonPerturbedNormal = normal;",av="#ifdef USE_NORMALMAP_OBJECTSPACE\n normal = t\
 exture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;\n #ifdef FLIP_SIDED\n  normal = - normal;\n #endif\n #ifdef DOUBLE_SIDED\n  normal = normal * faceDirection;\n #e\
 ndif\n normal = normalize( normalMatrix * normal );\n#elif defined( USE_NORMALMAP_TANGENTSPACE )\n vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0\
 ;\n #if defined( USE_PACKED_NORMALMAP )\n  mapN = vec3( mapN.xy, sqrt( saturate( 1.0 - dot( mapN.xy, mapN.xy ) ) ) );\n #endif\n mapN.xy *= normalScale;\n normal = n\
-ormalize( tbn * mapN );\n#elif defined( USE_BUMPMAP )\n normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );\n#endif",av="#ifndef F\
-LAT_SHADED\n varying vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",lv="#ifndef FLAT_SHADED\n varying\
- vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",cv="#ifndef FLAT_SHADED\n vNormal = normalize( transf\
+ormalize( tbn * mapN );\n#elif defined( USE_BUMPMAP )\n normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );\n#endif",lv="#ifndef F\
+LAT_SHADED\n varying vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",cv="#ifndef FLAT_SHADED\n varying\
+ vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",uv="#ifndef FLAT_SHADED\n vNormal = normalize( transf\
 ormedNormal );\n #ifdef USE_TANGENT\n  vTangent = normalize( transformedTangent );\n  vBitangent = normalize( cross( vNormal, vTangent ) * tangent.w );\n  #ifdef FL\
-IP_SIDED\n   vBitangent = - vBitangent;\n  #endif\n #endif\n#endif",uv="#ifdef USE_NORMALMAP\n uniform sampler2D normalMap;\n uniform vec2 normalScale;\n#endif\n#if\
+IP_SIDED\n   vBitangent = - vBitangent;\n  #endif\n #endif\n#endif",hv="#ifdef USE_NORMALMAP\n uniform sampler2D normalMap;\n uniform vec2 normalScale;\n#endif\n#if\
 def USE_NORMALMAP_OBJECTSPACE\n uniform mat3 normalMatrix;\n#endif\n#if ! defined ( USE_TANGENT ) && ( defined ( USE_NORMALMAP_TANGENTSPACE ) || defined ( USE_CLEA\
 RCOAT_NORMALMAP ) || defined( USE_ANISOTROPY ) )\n mat3 getTangentFrame( vec3 eye_pos, vec3 surf_norm, vec2 uv ) {\n  vec3 q0 = dFdx( eye_pos.xyz );\n  vec3 q1 = d\
 Fdy( eye_pos.xyz );\n  vec2 st0 = dFdx( uv.st );\n  vec2 st1 = dFdy( uv.st );\n  vec3 N = surf_norm;\n  vec3 q1perp = cross( q1, N );\n  vec3 q0perp = cross( N, q0 )\
 ;\n  vec3 T = q1perp * st0.x + q0perp * st1.x;\n  vec3 B = q1perp * st0.y + q0perp * st1.y;\n  float det = max( dot( T, T ), dot( B, B ) );\n  float scale = ( det =\
-= 0.0 ) ? 0.0 : inversesqrt( det );\n  return mat3( T * scale, B * scale, N );\n }\n#endif",hv="#ifdef USE_CLEARCOAT\n vec3 clearcoatNormal = nonPerturbedNormal;\
-\n#endif",fv="#ifdef USE_CLEARCOAT_NORMALMAP\n vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;\n clearcoatMapN.xy *= \
-clearcoatNormalScale;\n clearcoatNormal = normalize( tbn2 * clearcoatMapN );\n#endif",dv="#ifdef USE_CLEARCOATMAP\n uniform sampler2D clearcoatMap;\n#endif\n#ifdef\
+= 0.0 ) ? 0.0 : inversesqrt( det );\n  return mat3( T * scale, B * scale, N );\n }\n#endif",fv="#ifdef USE_CLEARCOAT\n vec3 clearcoatNormal = nonPerturbedNormal;\
+\n#endif",dv="#ifdef USE_CLEARCOAT_NORMALMAP\n vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;\n clearcoatMapN.xy *= \
+clearcoatNormalScale;\n clearcoatNormal = normalize( tbn2 * clearcoatMapN );\n#endif",pv="#ifdef USE_CLEARCOATMAP\n uniform sampler2D clearcoatMap;\n#endif\n#ifdef\
  USE_CLEARCOAT_NORMALMAP\n uniform sampler2D clearcoatNormalMap;\n uniform vec2 clearcoatNormalScale;\n#endif\n#ifdef USE_CLEARCOAT_ROUGHNESSMAP\n uniform sampler2D \
-clearcoatRoughnessMap;\n#endif",pv="#ifdef USE_IRIDESCENCEMAP\n uniform sampler2D iridescenceMap;\n#endif\n#ifdef USE_IRIDESCENCE_THICKNESSMAP\n uniform sampler2D i\
-ridescenceThicknessMap;\n#endif",mv="#ifdef OPAQUE\ndiffuseColor.a = 1.0;\n#endif\n#ifdef USE_TRANSMISSION\ndiffuseColor.a *= material.transmissionAlpha;\n#endif\ngl_\
-FragColor = vec4( outgoingLight, diffuseColor.a );",gv="vec3 packNormalToRGB( const in vec3 normal ) {\n return normalize( normal ) * 0.5 + 0.5;\n}\nvec3 unpackRGB\
+clearcoatRoughnessMap;\n#endif",mv="#ifdef USE_IRIDESCENCEMAP\n uniform sampler2D iridescenceMap;\n#endif\n#ifdef USE_IRIDESCENCE_THICKNESSMAP\n uniform sampler2D i\
+ridescenceThicknessMap;\n#endif",gv="#ifdef OPAQUE\ndiffuseColor.a = 1.0;\n#endif\n#ifdef USE_TRANSMISSION\ndiffuseColor.a *= material.transmissionAlpha;\n#endif\ngl_\
+FragColor = vec4( outgoingLight, diffuseColor.a );",_v="vec3 packNormalToRGB( const in vec3 normal ) {\n return normalize( normal ) * 0.5 + 0.5;\n}\nvec3 unpackRGB\
 ToNormal( const in vec3 rgb ) {\n return 2.0 * rgb.xyz - 1.0;\n}\nconst float PackUpscale = 256. / 255.;const float UnpackDownscale = 255. / 256.;const float Shift\
 Right8 = 1. / 256.;\nconst float Inv255 = 1. / 255.;\nconst vec4 PackFactors = vec4( 1.0, 256.0, 256.0 * 256.0, 256.0 * 256.0 * 256.0 );\nconst vec2 UnpackFactors2\
  = vec2( UnpackDownscale, 1.0 / PackFactors.g );\nconst vec3 UnpackFactors3 = vec3( UnpackDownscale / PackFactors.rg, 1.0 / PackFactors.b );\nconst vec4 UnpackFac\
@@ -2040,13 +2040,13 @@ ear - far );\n}\nfloat orthographicDepthToViewZ( const in float depth, const in 
 pth * ( far - near ) - far;\n #else\n  return depth * ( near - far ) - near;\n #endif\n}\nfloat viewZToPerspectiveDepth( const in float viewZ, const in float near, c\
 onst in float far ) {\n return ( ( near + viewZ ) * far ) / ( ( far - near ) * viewZ );\n}\nfloat perspectiveDepthToViewZ( const in float depth, const in float nea\
 r, const in float far ) {\n \n #ifdef USE_REVERSED_DEPTH_BUFFER\n  return ( near * far ) / ( ( near - far ) * depth - near );\n #else\n  return ( near * far ) / ( ( \
-far - near ) * depth - far );\n #endif\n}",_v="#ifdef PREMULTIPLIED_ALPHA\n gl_FragColor.rgb *= gl_FragColor.a;\n#endif",xv="vec4 mvPosition = vec4( transformed\
+far - near ) * depth - far );\n #endif\n}",xv="#ifdef PREMULTIPLIED_ALPHA\n gl_FragColor.rgb *= gl_FragColor.a;\n#endif",vv="vec4 mvPosition = vec4( transformed\
 , 1.0 );\n#ifdef USE_BATCHING\n mvPosition = batchingMatrix * mvPosition;\n#endif\n#ifdef USE_INSTANCING\n mvPosition = instanceMatrix * mvPosition;\n#endif\nmvPositio\
-n = modelViewMatrix * mvPosition;\ngl_Position = projectionMatrix * mvPosition;",vv="#ifdef DITHERING\n gl_FragColor.rgb = dithering( gl_FragColor.rgb );\n#endif",
-yv="#ifdef DITHERING\n vec3 dithering( vec3 color ) {\n  float grid_position = rand( gl_FragCoord.xy );\n  vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.\
+n = modelViewMatrix * mvPosition;\ngl_Position = projectionMatrix * mvPosition;",yv="#ifdef DITHERING\n gl_FragColor.rgb = dithering( gl_FragColor.rgb );\n#endif",
+Sv="#ifdef DITHERING\n vec3 dithering( vec3 color ) {\n  float grid_position = rand( gl_FragCoord.xy );\n  vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.\
 0, 0.25 / 255.0 );\n  dither_shift_RGB = mix( 2.0 * dither_shift_RGB, -2.0 * dither_shift_RGB, grid_position );\n  return color + dither_shift_RGB;\n }\n#endif",
-Sv="float roughnessFactor = roughness;\n#ifdef USE_ROUGHNESSMAP\n vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );\n roughnessFactor *= texelRough\
-ness.g;\n#endif",Mv="#ifdef USE_ROUGHNESSMAP\n uniform sampler2D roughnessMap;\n#endif",bv="#if NUM_SPOT_LIGHT_COORDS > 0\n varying vec4 vSpotLightCoord[ NUM_SPO\
+Mv="float roughnessFactor = roughness;\n#ifdef USE_ROUGHNESSMAP\n vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );\n roughnessFactor *= texelRough\
+ness.g;\n#endif",bv="#ifdef USE_ROUGHNESSMAP\n uniform sampler2D roughnessMap;\n#endif",wv="#if NUM_SPOT_LIGHT_COORDS > 0\n varying vec4 vSpotLightCoord[ NUM_SPO\
 T_LIGHT_COORDS ];\n#endif\n#if NUM_SPOT_LIGHT_MAPS > 0\n uniform sampler2D spotLightMap[ NUM_SPOT_LIGHT_MAPS ];\n#endif\n#ifdef USE_SHADOWMAP\n #if NUM_SUN_LIGHT_SHAD\
 OWS > 0\n  #define SUN_LIGHT_CASCADES 2\n  #if defined( SHADOWMAP_TYPE_PCF )\n   uniform sampler2DShadow sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];\n  #else\n   uniform \
 sampler2D sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];\n  #endif\n  uniform mat4 sunShadowMatrix[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];\n  uniform vec4 sunShadow\
@@ -2110,7 +2110,7 @@ dowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 sh
 wSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {\n   float dp = ( shadowCameraFar * ( viewSpaceZ - shadowCameraNear ) ) / ( viewSpace\
 Z * ( shadowCameraFar - shadowCameraNear ) );\n   dp += shadowBias;\n   vec3 bd3D = normalize( lightToPosition );\n   float depth = textureCube( shadowMap, bd3D ).\
 r;\n   #ifdef USE_REVERSED_DEPTH_BUFFER\n    depth = 1.0 - depth;\n   #endif\n   shadow = step( dp, depth );\n  }\n  return mix( 1.0, shadow, shadowIntensity );\n }\n #\
-endif\n #endif\n#endif",wv="#if NUM_SPOT_LIGHT_COORDS > 0\n uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];\n varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_\
+endif\n #endif\n#endif",Tv="#if NUM_SPOT_LIGHT_COORDS > 0\n uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];\n varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_\
 COORDS ];\n#endif\n#ifdef USE_SHADOWMAP\n #if NUM_SUN_LIGHT_SHADOWS > 0\n  varying vec4 vSunShadowWorldPosition;\n  varying vec3 vSunShadowWorldNormal;\n #endif\n #if \
 NUM_DIR_LIGHT_SHADOWS > 0\n  uniform mat4 directionalShadowMatrix[ NUM_DIR_LIGHT_SHADOWS ];\n  varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];\n  st\
 ruct DirectionalLightShadow {\n   float shadowIntensity;\n   float shadowBias;\n   float shadowNormalBias;\n   float shadowRadius;\n   vec2 shadowMapSize;\n  };\n  uni\
@@ -2119,7 +2119,7 @@ Intensity;\n   float shadowBias;\n   float shadowNormalBias;\n   float shadowRad
 OT_LIGHT_SHADOWS ];\n #endif\n #if NUM_POINT_LIGHT_SHADOWS > 0\n  uniform mat4 pointShadowMatrix[ NUM_POINT_LIGHT_SHADOWS ];\n  varying vec4 vPointShadowCoord[ NUM_\
 POINT_LIGHT_SHADOWS ];\n  struct PointLightShadow {\n   float shadowIntensity;\n   float shadowBias;\n   float shadowNormalBias;\n   float shadowRadius;\n   vec2 shad\
 owMapSize;\n   float shadowCameraNear;\n   float shadowCameraFar;\n  };\n  uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];\n #endif\n#endif",
-Tv="#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0\
+Av="#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0\
  )\n #ifdef HAS_NORMAL\n  vec3 shadowWorldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );\n #else\n  vec3 shadowWorldNormal = vec3( 0.\
 0 );\n #endif\n vec4 shadowWorldPosition;\n#endif\n#if defined( USE_SHADOWMAP )\n #if NUM_SUN_LIGHT_SHADOWS > 0\n  vSunShadowWorldPosition = vec4( worldPosition.xyz, \
 - mvPosition.z );\n  vSunShadowWorldNormal = shadowWorldNormal;\n #endif\n #if NUM_DIR_LIGHT_SHADOWS > 0\n  #pragma unroll_loop_start\n  for ( int i = 0; i < NUM_DIR\
@@ -2129,7 +2129,7 @@ op_start\n  for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {\n   shadowWor
 owNormalBias, 0 );\n   vPointShadowCoord[ i ] = pointShadowMatrix[ i ] * shadowWorldPosition;\n  }\n  #pragma unroll_loop_end\n #endif\n#endif\n#if NUM_SPOT_LIGHT_COO\
 RDS > 0\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_SPOT_LIGHT_COORDS; i ++ ) {\n  shadowWorldPosition = worldPosition;\n  #if ( defined( USE_SHADOWMAP )\
  && UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )\n   shadowWorldPosition.xyz += shadowWorldNormal * spotLightShadows[ i ].shadowNormalBias;\n  #endif\n  vSpotLig\
-htCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;\n }\n #pragma unroll_loop_end\n#endif",Av="float getShadowMask() {\n float shadow = 1.0;\n #ifdef USE_S\
+htCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;\n }\n #pragma unroll_loop_end\n#endif",Ev="float getShadowMask() {\n float shadow = 1.0;\n #ifdef USE_S\
 HADOWMAP\n #if NUM_SUN_LIGHT_SHADOWS > 0\n SunLightShadow sunLight;\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_SUN_LIGHT_SHADOWS; i ++ ) {\n  sunLight = \
 sunLightShadows[ i ];\n  shadow *= receiveShadow ? getSunShadow( sunShadowMap[ i ], sunLight, UNROLLED_LOOP_INDEX ) : 1.0;\n }\n #pragma unroll_loop_end\n #endif\n #\
 if NUM_DIR_LIGHT_SHADOWS > 0\n DirectionalLightShadow directionalLight;\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {\n  direct\
@@ -2141,19 +2141,19 @@ ius, vSpotLightCoord[ i ] ) : 1.0;\n }\n #pragma unroll_loop_end\n #endif\n #if 
 _TYPE_BASIC ) )\n PointLightShadow pointLight;\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {\n  pointLight = pointLightShadow\
 s[ i ];\n  shadow *= receiveShadow ? getPointShadow( pointShadowMap[ i ], pointLight.shadowMapSize, pointLight.shadowIntensity, pointLight.shadowBias, pointLight\
 .shadowRadius, vPointShadowCoord[ i ], pointLight.shadowCameraNear, pointLight.shadowCameraFar ) : 1.0;\n }\n #pragma unroll_loop_end\n #endif\n #endif\n return shad\
-ow;\n}",Ev="#ifdef USE_SKINNING\n mat4 boneMatX = getBoneMatrix( skinIndex.x );\n mat4 boneMatY = getBoneMatrix( skinIndex.y );\n mat4 boneMatZ = getBoneMatrix( sk\
-inIndex.z );\n mat4 boneMatW = getBoneMatrix( skinIndex.w );\n#endif",Cv="#ifdef USE_SKINNING\n uniform mat4 bindMatrix;\n uniform mat4 bindMatrixInverse;\n unifor\
+ow;\n}",Cv="#ifdef USE_SKINNING\n mat4 boneMatX = getBoneMatrix( skinIndex.x );\n mat4 boneMatY = getBoneMatrix( skinIndex.y );\n mat4 boneMatZ = getBoneMatrix( sk\
+inIndex.z );\n mat4 boneMatW = getBoneMatrix( skinIndex.w );\n#endif",Rv="#ifdef USE_SKINNING\n uniform mat4 bindMatrix;\n uniform mat4 bindMatrixInverse;\n unifor\
 m highp sampler2D boneTexture;\n mat4 getBoneMatrix( const in float i ) {\n  int size = textureSize( boneTexture, 0 ).x;\n  int j = int( i ) * 4;\n  int x = j % siz\
 e;\n  int y = j / size;\n  vec4 v1 = texelFetch( boneTexture, ivec2( x, y ), 0 );\n  vec4 v2 = texelFetch( boneTexture, ivec2( x + 1, y ), 0 );\n  vec4 v3 = texelFe\
-tch( boneTexture, ivec2( x + 2, y ), 0 );\n  vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );\n  return mat4( v1, v2, v3, v4 );\n }\n#endif",Rv="#ifde\
+tch( boneTexture, ivec2( x + 2, y ), 0 );\n  vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );\n  return mat4( v1, v2, v3, v4 );\n }\n#endif",Pv="#ifde\
 f USE_SKINNING\n vec4 skinVertex = bindMatrix * vec4( transformed, 1.0 );\n vec4 skinned = vec4( 0.0 );\n skinned += boneMatX * skinVertex * skinWeight.x;\n skinned\
  += boneMatY * skinVertex * skinWeight.y;\n skinned += boneMatZ * skinVertex * skinWeight.z;\n skinned += boneMatW * skinVertex * skinWeight.w;\n transformed = ( b\
-indMatrixInverse * skinned ).xyz;\n#endif",Pv="#ifdef USE_SKINNING\n mat4 skinMatrix = mat4( 0.0 );\n skinMatrix += skinWeight.x * boneMatX;\n skinMatrix += skinWe\
+indMatrixInverse * skinned ).xyz;\n#endif",Iv="#ifdef USE_SKINNING\n mat4 skinMatrix = mat4( 0.0 );\n skinMatrix += skinWeight.x * boneMatX;\n skinMatrix += skinWe\
 ight.y * boneMatY;\n skinMatrix += skinWeight.z * boneMatZ;\n skinMatrix += skinWeight.w * boneMatW;\n skinMatrix = bindMatrixInverse * skinMatrix * bindMatrix;\n o\
 bjectNormal = vec4( skinMatrix * vec4( objectNormal, 0.0 ) ).xyz;\n #ifdef USE_TANGENT\n  objectTangent = vec4( skinMatrix * vec4( objectTangent, 0.0 ) ).xyz;\n #e\
-ndif\n#endif",Iv="float specularStrength;\n#ifdef USE_SPECULARMAP\n vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );\n specularStrength = texelSpecul\
-ar.r;\n#else\n specularStrength = 1.0;\n#endif",Lv="#ifdef USE_SPECULARMAP\n uniform sampler2D specularMap;\n#endif",Dv="#if defined( TONE_MAPPING )\n gl_FragCol\
-or.rgb = toneMapping( gl_FragColor.rgb );\n#endif",Nv="#ifndef saturate\n#define saturate( a ) clamp( a, 0.0, 1.0 )\n#endif\nuniform float toneMappingExposure;\nvec\
+ndif\n#endif",Lv="float specularStrength;\n#ifdef USE_SPECULARMAP\n vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );\n specularStrength = texelSpecul\
+ar.r;\n#else\n specularStrength = 1.0;\n#endif",Dv="#ifdef USE_SPECULARMAP\n uniform sampler2D specularMap;\n#endif",Nv="#if defined( TONE_MAPPING )\n gl_FragCol\
+or.rgb = toneMapping( gl_FragColor.rgb );\n#endif",Uv="#ifndef saturate\n#define saturate( a ) clamp( a, 0.0, 1.0 )\n#endif\nuniform float toneMappingExposure;\nvec\
 3 LinearToneMapping( vec3 color ) {\n return saturate( toneMappingExposure * color );\n}\nvec3 ReinhardToneMapping( vec3 color ) {\n color *= toneMappingExposure;\n \
 return saturate( color / ( vec3( 1.0 ) + color ) );\n}\nvec3 CineonToneMapping( vec3 color ) {\n color *= toneMappingExposure;\n color = max( vec3( 0.0 ), color - 0\
 .004 );\n return pow( ( color * ( 6.2 * color + 0.5 ) ) / ( color * ( 6.2 * color + 1.7 ) + 0.06 ), vec3( 2.2 ) );\n}\nvec3 RRTAndODTFit( vec3 v ) {\n vec3 a = v * \
@@ -2175,13 +2175,13 @@ ralToneMapping( vec3 color ) {\n const float StartCompression = 0.8 - 0.04;\n co
 r.r, min( color.g, color.b ) );\n float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;\n color -= offset;\n float peak = max( color.r, max( color.g, color.b ) );\n if\
  ( peak < StartCompression ) return color;\n float d = 1. - StartCompression;\n float newPeak = 1. - d * d / ( peak + d - StartCompression );\n color *= newPeak / \
 peak;\n float g = 1. - 1. / ( Desaturation * ( peak - newPeak ) + 1. );\n return mix( color, vec3( newPeak ), g );\n}\nvec3 CustomToneMapping( vec3 color ) { return\
- color; }",Uv="#ifdef USE_TRANSMISSION\n material.transmission = transmission;\n material.transmissionAlpha = 1.0;\n material.thickness = thickness;\n material.atte\
+ color; }",Fv="#ifdef USE_TRANSMISSION\n material.transmission = transmission;\n material.transmissionAlpha = 1.0;\n material.thickness = thickness;\n material.atte\
 nuationDistance = attenuationDistance;\n material.attenuationColor = attenuationColor;\n #ifdef USE_TRANSMISSIONMAP\n  material.transmission *= texture2D( transmis\
 sionMap, vTransmissionMapUv ).r;\n #endif\n #ifdef USE_THICKNESSMAP\n  material.thickness *= texture2D( thicknessMap, vThicknessMapUv ).g;\n #endif\n vec3 pos = vWor\
 ldPosition;\n vec3 v = normalize( cameraPosition - pos );\n vec3 n = transformNormalByInverseViewMatrix( normal, viewMatrix );\n vec4 transmitted = getIBLVolumeRef\
 raction(\n  n, v, material.roughness, material.diffuseContribution, material.specularColorBlended, material.specularF90,\n  pos, modelMatrix, viewMatrix, projecti\
 onMatrix, material.dispersion, material.ior, material.thickness,\n  material.attenuationColor, material.attenuationDistance );\n material.transmissionAlpha = mix(\
- material.transmissionAlpha, transmitted.a, material.transmission );\n totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );\n#endif",Fv="\
+ material.transmissionAlpha, transmitted.a, material.transmission );\n totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );\n#endif",Ov="\
 #ifdef USE_TRANSMISSION\n uniform float transmission;\n uniform float thickness;\n uniform float attenuationDistance;\n uniform vec3 attenuationColor;\n #ifdef USE_T\
 RANSMISSIONMAP\n  uniform sampler2D transmissionMap;\n #endif\n #ifdef USE_THICKNESSMAP\n  uniform sampler2D thicknessMap;\n #endif\n uniform vec2 transmissionSampler\
 Size;\n uniform sampler2D transmissionSamplerMap;\n uniform mat4 modelMatrix;\n uniform mat4 projectionMatrix;\n varying vec3 vWorldPosition;\n float w0( float a ) {\
@@ -2218,7 +2218,7 @@ Ray;\n   vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );\
 efractionCoords /= 2.0;\n   transmittedLight = getTransmissionSample( refractionCoords, roughness, ior );\n   transmittance = diffuseColor * volumeAttenuation( le\
 ngth( transmissionRay ), attenuationColor, attenuationDistance );\n  #endif\n  vec3 attenuatedColor = transmittance * transmittedLight.rgb;\n  vec3 F = Environment\
 BRDF( n, v, specularColor, specularF90, roughness );\n  float transmittanceFactor = ( transmittance.r + transmittance.g + transmittance.b ) / 3.0;\n  return vec4(\
- ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );\n }\n#endif",Ov="#if defined( USE_UV ) || defined( USE_ANISOTROPY )\n\
+ ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );\n }\n#endif",Bv="#if defined( USE_UV ) || defined( USE_ANISOTROPY )\n\
  varying vec2 vUv;\n#endif\n#ifdef USE_MAP\n varying vec2 vMapUv;\n#endif\n#ifdef USE_ALPHAMAP\n varying vec2 vAlphaMapUv;\n#endif\n#ifdef USE_LIGHTMAP\n varying vec2 vL\
 ightMapUv;\n#endif\n#ifdef USE_AOMAP\n varying vec2 vAoMapUv;\n#endif\n#ifdef USE_BUMPMAP\n varying vec2 vBumpMapUv;\n#endif\n#ifdef USE_NORMALMAP\n varying vec2 vNormal\
 MapUv;\n#endif\n#ifdef USE_EMISSIVEMAP\n varying vec2 vEmissiveMapUv;\n#endif\n#ifdef USE_METALNESSMAP\n varying vec2 vMetalnessMapUv;\n#endif\n#ifdef USE_ROUGHNESSMAP\n\
@@ -2228,7 +2228,7 @@ ef USE_CLEARCOAT_ROUGHNESSMAP\n varying vec2 vClearcoatRoughnessMapUv;\n#endif\n
 CENCE_THICKNESSMAP\n varying vec2 vIridescenceThicknessMapUv;\n#endif\n#ifdef USE_SHEEN_COLORMAP\n varying vec2 vSheenColorMapUv;\n#endif\n#ifdef USE_SHEEN_ROUGHNESSM\
 AP\n varying vec2 vSheenRoughnessMapUv;\n#endif\n#ifdef USE_SPECULARMAP\n varying vec2 vSpecularMapUv;\n#endif\n#ifdef USE_SPECULAR_COLORMAP\n varying vec2 vSpecularCo\
 lorMapUv;\n#endif\n#ifdef USE_SPECULAR_INTENSITYMAP\n varying vec2 vSpecularIntensityMapUv;\n#endif\n#ifdef USE_TRANSMISSIONMAP\n uniform mat3 transmissionMapTransfor\
-m;\n varying vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",Bv="#if de\
+m;\n varying vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",zv="#if de\
 fined( USE_UV ) || defined( USE_ANISOTROPY )\n varying vec2 vUv;\n#endif\n#ifdef USE_MAP\n uniform mat3 mapTransform;\n varying vec2 vMapUv;\n#endif\n#ifdef USE_ALPHAM\
 AP\n uniform mat3 alphaMapTransform;\n varying vec2 vAlphaMapUv;\n#endif\n#ifdef USE_LIGHTMAP\n uniform mat3 lightMapTransform;\n varying vec2 vLightMapUv;\n#endif\n#if\
 def USE_AOMAP\n uniform mat3 aoMapTransform;\n varying vec2 vAoMapUv;\n#endif\n#ifdef USE_BUMPMAP\n uniform mat3 bumpMapTransform;\n varying vec2 vBumpMapUv;\n#endif\n#\
@@ -2244,7 +2244,7 @@ ef USE_IRIDESCENCEMAP\n uniform mat3 iridescenceMapTransform;\n varying vec2 vIr
 ceThicknessMapTransform;\n varying vec2 vIridescenceThicknessMapUv;\n#endif\n#ifdef USE_SPECULARMAP\n uniform mat3 specularMapTransform;\n varying vec2 vSpecularMapU\
 v;\n#endif\n#ifdef USE_SPECULAR_COLORMAP\n uniform mat3 specularColorMapTransform;\n varying vec2 vSpecularColorMapUv;\n#endif\n#ifdef USE_SPECULAR_INTENSITYMAP\n unif\
 orm mat3 specularIntensityMapTransform;\n varying vec2 vSpecularIntensityMapUv;\n#endif\n#ifdef USE_TRANSMISSIONMAP\n uniform mat3 transmissionMapTransform;\n varyin\
-g vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",zv="#if defined( USE_\
+g vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",kv="#if defined( USE_\
 UV ) || defined( USE_ANISOTROPY )\n vUv = vec3( uv, 1 ).xy;\n#endif\n#ifdef USE_MAP\n vMapUv = ( mapTransform * vec3( MAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_ALPHAMAP\n \
 vAlphaMapUv = ( alphaMapTransform * vec3( ALPHAMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_LIGHTMAP\n vLightMapUv = ( lightMapTransform * vec3( LIGHTMAP_UV, 1 ) ).xy;\n#e\
 ndif\n#ifdef USE_AOMAP\n vAoMapUv = ( aoMapTransform * vec3( AOMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_BUMPMAP\n vBumpMapUv = ( bumpMapTransform * vec3( BUMPMAP_UV, 1 \
@@ -2262,27 +2262,27 @@ EN_ROUGHNESSMAP\n vSheenRoughnessMapUv = ( sheenRoughnessMapTransform * vec3( SH
 specularMapTransform * vec3( SPECULARMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_SPECULAR_COLORMAP\n vSpecularColorMapUv = ( specularColorMapTransform * vec3( SPECULAR_C\
 OLORMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_SPECULAR_INTENSITYMAP\n vSpecularIntensityMapUv = ( specularIntensityMapTransform * vec3( SPECULAR_INTENSITYMAP_UV, 1 ) )\
 .xy;\n#endif\n#ifdef USE_TRANSMISSIONMAP\n vTransmissionMapUv = ( transmissionMapTransform * vec3( TRANSMISSIONMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_THICKNESSMAP\n vT\
-hicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;\n#endif",kv="#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOW\
+hicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;\n#endif",Vv="#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOW\
 MAP ) || defined ( USE_TRANSMISSION ) || NUM_SPOT_LIGHT_COORDS > 0\n vec4 worldPosition = vec4( transformed, 1.0 );\n #ifdef USE_BATCHING\n  worldPosition = batchi\
 ngMatrix * worldPosition;\n #endif\n #ifdef USE_INSTANCING\n  worldPosition = instanceMatrix * worldPosition;\n #endif\n worldPosition = modelMatrix * worldPosition;\
-\n#endif",Vv="varying vec2 vUv;\nuniform mat3 uvTransform;\nvoid main() {\n vUv = ( uvTransform * vec3( uv, 1 ) ).xy;\n gl_Position = vec4( position.xy, 1.0, 1.0 );\
-\n}",Gv="uniform sampler2D t2D;\nuniform float backgroundIntensity;\nvarying vec2 vUv;\nvoid main() {\n vec4 texColor = texture2D( t2D, vUv );\n #ifdef DECODE_VIDEO_\
+\n#endif",Gv="varying vec2 vUv;\nuniform mat3 uvTransform;\nvoid main() {\n vUv = ( uvTransform * vec3( uv, 1 ) ).xy;\n gl_Position = vec4( position.xy, 1.0, 1.0 );\
+\n}",Hv="uniform sampler2D t2D;\nuniform float backgroundIntensity;\nvarying vec2 vUv;\nvoid main() {\n vec4 texColor = texture2D( t2D, vUv );\n #ifdef DECODE_VIDEO_\
 TEXTURE\n  texColor = vec4( mix( pow( texColor.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), texColor.rgb * 0.0773993808, vec3( lessThanEqual( texCol\
 or.rgb, vec3( 0.04045 ) ) ) ), texColor.w );\n #endif\n texColor.rgb *= backgroundIntensity;\n gl_FragColor = texColor;\n #include <tonemapping_fragment>\n #include \
-<colorspace_fragment>\n}",Hv="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #in\
-clude <begin_vertex>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",Wv="uniform float backgroundBlurriness;\nuniform float backgroundIntensity;\
+<colorspace_fragment>\n}",Wv="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #in\
+clude <begin_vertex>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",Xv="uniform float backgroundBlurriness;\nuniform float backgroundIntensity;\
 \nuniform mat3 backgroundRotation;\nvarying vec3 vWorldDirection;\n#include <envmap_common_pars_fragment>\nvoid main() {\n #ifdef ENVMAP_TYPE_PMREM\n  vec4 texColor =\
  textureLod( envMap, backgroundRotation * vWorldDirection, roughnessToMip( backgroundBlurriness ) );\n #else\n  vec4 texColor = textureCube( envMap, backgroundRot\
 ation * vWorldDirection );\n #endif\n texColor.rgb *= backgroundIntensity;\n gl_FragColor = texColor;\n #include <tonemapping_fragment>\n #include <colorspace_fragme\
-nt>\n}",Xv="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_verte\
-x>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",qv="uniform samplerCube tCube;\nuniform float tFlip;\nuniform float opacity;\nvarying vec3 vWor\
+nt>\n}",qv="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_verte\
+x>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",Yv="uniform samplerCube tCube;\nuniform float tFlip;\nuniform float opacity;\nvarying vec3 vWor\
 ldDirection;\nvoid main() {\n vec4 texColor = textureCube( tCube, vec3( tFlip * vWorldDirection.x, vWorldDirection.yz ) );\n gl_FragColor = texColor;\n gl_FragColor\
-.a *= opacity;\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",Yv="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_ve\
+.a *= opacity;\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",Zv="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_ve\
 rtex>\n#include <displacementmap_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <cli\
 pping_planes_pars_vertex>\nvarying vec2 vHighPrecisionZW;\nvoid main() {\n #include <uv_vertex>\n #include <batching_vertex>\n #include <skinbase_vertex>\n #include <\
 morphinstance_vertex>\n #ifdef USE_DISPLACEMENTMAP\n  #include <beginnormal_vertex>\n  #include <morphnormal_vertex>\n  #include <skinnormal_vertex>\n #endif\n #inclu\
 de <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbu\
-f_vertex>\n #include <clipping_planes_vertex>\n vHighPrecisionZW = gl_Position.zw;\n}",Zv="#if DEPTH_PACKING == 3200\n uniform float opacity;\n#endif\n#include <co\
+f_vertex>\n #include <clipping_planes_vertex>\n vHighPrecisionZW = gl_Position.zw;\n}",Jv="#if DEPTH_PACKING == 3200\n uniform float opacity;\n#endif\n#include <co\
 mmon>\n#include <packing>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include \
 <alphahash_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nvarying vec2 vHighPrecisionZW;\nvoid main() {\n vec4 diffu\
 seColor = vec4( 1.0 );\n #include <clipping_planes_fragment>\n #if DEPTH_PACKING == 3200\n  diffuseColor.a = opacity;\n #endif\n #include <map_fragment>\n #include <a\
@@ -2290,34 +2290,34 @@ lphamap_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragment
 oordZ = vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ];\n #else\n  float fragCoordZ = 0.5 * vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ] + 0.5;\n #endif\n #if DEPTH\
 _PACKING == 3200\n  gl_FragColor = vec4( vec3( 1.0 - fragCoordZ ), opacity );\n #elif DEPTH_PACKING == 3201\n  gl_FragColor = packDepthToRGBA( fragCoordZ );\n #elif\
  DEPTH_PACKING == 3202\n  gl_FragColor = vec4( packDepthToRGB( fragCoordZ ), 1.0 );\n #elif DEPTH_PACKING == 3203\n  gl_FragColor = vec4( packDepthToRG( fragCoordZ\
- ), 0.0, 1.0 );\n #endif\n}",Jv="#define DISTANCE\nvarying vec3 vWorldPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#incl\
+ ), 0.0, 1.0 );\n #endif\n}",$v="#define DISTANCE\nvarying vec3 vWorldPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#incl\
 ude <displacementmap_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #incl\
 ude <uv_vertex>\n #include <batching_vertex>\n #include <skinbase_vertex>\n #include <morphinstance_vertex>\n #ifdef USE_DISPLACEMENTMAP\n  #include <beginnormal_ver\
 tex>\n  #include <morphnormal_vertex>\n  #include <skinnormal_vertex>\n #endif\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n\
  #include <displacementmap_vertex>\n #include <project_vertex>\n #include <worldpos_vertex>\n #include <clipping_planes_vertex>\n vWorldPosition = worldPosition.xyz\
-;\n}",$v="#define DISTANCE\nuniform vec3 referencePosition;\nuniform float nearDistance;\nuniform float farDistance;\nvarying vec3 vWorldPosition;\n#include <common>\
+;\n}",Kv="#define DISTANCE\nuniform vec3 referencePosition;\nuniform float nearDistance;\nuniform float farDistance;\nvarying vec3 vWorldPosition;\n#include <common>\
 \n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment\
 >\n#include <clipping_planes_pars_fragment>\nvoid main() {\n vec4 diffuseColor = vec4( 1.0 );\n #include <clipping_planes_fragment>\n #include <map_fragment>\n #inclu\
 de <alphamap_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragment>\n float dist = length( vWorldPosition - referencePosition );\n dist = ( dist \
-- nearDistance ) / ( farDistance - nearDistance );\n dist = saturate( dist );\n gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );\n}",Kv="varying vec3 vWorldDirection\
-;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_vertex>\n #include <project_vertex>\n}",Qv="\
+- nearDistance ) / ( farDistance - nearDistance );\n dist = saturate( dist );\n gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );\n}",Qv="varying vec3 vWorldDirection\
+;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_vertex>\n #include <project_vertex>\n}",jv="\
 uniform sampler2D tEquirect;\nvarying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vec3 direction = normalize( vWorldDirection );\n vec2 sampleUV = equi\
-rectUv( direction );\n gl_FragColor = texture2D( tEquirect, sampleUV );\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",jv="uniform float\
+rectUv( direction );\n gl_FragColor = texture2D( tEquirect, sampleUV );\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",ey="uniform float\
  scale;\nattribute float lineDistance;\nvarying float vLineDistance;\n#include <common>\n#include <uv_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_v\
 ertex>\n#include <morphtarget_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n vLineDistance = scale * lineD\
 istance;\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <begin_vertex>\n #include <morph\
-target_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n}",ey="uniform vec3 diff\
+target_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n}",ty="uniform vec3 diff\
 use;\nuniform float opacity;\nuniform float dashSize;\nuniform float totalSize;\nvarying float vLineDistance;\n#include <common>\n#include <color_pars_fragment>\n#incl\
 ude <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <fog_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nv\
 oid main() {\n vec4 diffuseColor = vec4( diffuse, opacity );\n #include <clipping_planes_fragment>\n if ( mod( vLineDistance, totalSize ) > dashSize ) {\n  discard;\
 \n }\n vec3 outgoingLight = vec3( 0.0 );\n #include <logdepthbuf_fragment>\n #include <map_fragment>\n #include <color_fragment>\n outgoingLight = diffuseColor.rgb;\n \
 #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n}",
-ty="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_ve\
+ny="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_ve\
 rtex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\
 \n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #if defined ( USE_EN\
 VMAP ) || defined ( USE_SKINNING )\n  #include <beginnormal_vertex>\n  #include <morphnormal_vertex>\n  #include <skinbase_vertex>\n  #include <skinnormal_vertex>\n \
  #include <defaultnormal_vertex>\n #endif\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <project_vertex>\n #includ\
-e <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #include <fog_vertex>\n}",ny="uniform vec3 \
+e <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #include <fog_vertex>\n}",iy="uniform vec3 \
 diffuse;\nuniform float opacity;\n#ifndef FLAT_SHADED\n varying vec3 vNormal;\n#endif\n#include <common>\n#include <dithering_pars_fragment>\n#include <color_pars_frag\
 ment>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fra\
 gment>\n#include <aomap_pars_fragment>\n#include <lightmap_pars_fragment>\n#include <envmap_common_pars_fragment>\n#include <envmap_pars_fragment>\n#include <fog_par\
@@ -2328,14 +2328,14 @@ ht( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );\n #ifdef USE_LIGHTMAP\
 ectDiffuse += lightMapTexel.rgb * lightMapIntensity * RECIPROCAL_PI;\n #else\n  reflectedLight.indirectDiffuse += vec3( 1.0 );\n #endif\n #include <aomap_fragment>\n\
  reflectedLight.indirectDiffuse *= diffuseColor.rgb;\n vec3 outgoingLight = reflectedLight.indirectDiffuse;\n #include <envmap_fragment>\n #include <opaque_fragmen\
 t>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragm\
-ent>\n}",iy="#define LAMBERT\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_p\
+ent>\n}",sy="#define LAMBERT\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_p\
 ars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex>\n#include <normal_pars_vertex>\n#include <morphtarget_pars_verte\
 x>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #in\
 clude <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #include <beginnormal_ver\
 tex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <normal_vertex>\n #inclu\
 de <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbu\
 f_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #include <shadowmap_verte\
-x>\n #include <fog_vertex>\n}",sy="#define LAMBERT\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#include <common>\n#include <dithering_par\
+x>\n #include <fog_vertex>\n}",ry="#define LAMBERT\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#include <common>\n#include <dithering_par\
 s_fragment>\n#include <color_pars_fragment>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_f\
 ragment>\n#include <alphahash_pars_fragment>\n#include <aomap_pars_fragment>\n#include <lightmap_pars_fragment>\n#include <emissivemap_pars_fragment>\n#include <envm\
 ap_common_pars_fragment>\n#include <envmap_pars_fragment>\n#include <envmap_physical_pars_fragment>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights\
@@ -2347,13 +2347,13 @@ alphamap_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragmen
 ormal_fragment_maps>\n #include <emissivemap_fragment>\n #include <lights_lambert_fragment>\n #include <lights_fragment_begin>\n #include <lights_fragment_maps>\n #i\
 nclude <lights_fragment_end>\n #include <aomap_fragment>\n vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadia\
 nce;\n #include <envmap_fragment>\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include\
- <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",ry="#define MATCAP\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_ver\
+ <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",oy="#define MATCAP\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_ver\
 tex>\n#include <uv_pars_vertex>\n#include <color_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <fog_pars_vertex>\n#include <normal_pars_vertex>\n#inc\
 lude <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include\
  <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n\
  #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <normal_vertex>\n #include <b\
 egin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbuf_ver\
-tex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n vViewPosition = - mvPosition.xyz;\n}",oy="#define MATCAP\nuniform vec3 diffuse;\nuniform float \
+tex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n vViewPosition = - mvPosition.xyz;\n}",ay="#define MATCAP\nuniform vec3 diffuse;\nuniform float \
 opacity;\nuniform sampler2D matcap;\nvarying vec3 vViewPosition;\n#include <common>\n#include <dithering_pars_fragment>\n#include <color_pars_fragment>\n#include <uv_\
 pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <fo\
 g_pars_fragment>\n#include <normal_pars_fragment>\n#include <bumpmap_pars_fragment>\n#include <normalmap_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#inclu\
@@ -2363,25 +2363,25 @@ ment>\n #include <map_fragment>\n #include <color_fragment>\n #include <alphamap
 \n vec3 y = cross( viewDir, x );\n vec2 uv = vec2( dot( x, normal ), dot( y, normal ) ) * 0.495 + 0.5;\n #ifdef USE_MATCAP\n  vec4 matcapColor = texture2D( matcap, \
 uv );\n #else\n  vec4 matcapColor = vec4( vec3( mix( 0.2, 0.8, uv.y ) ), 1.0 );\n #endif\n vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;\n #include <opaqu\
 e_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dither\
-ing_fragment>\n}",ay="#define NORMAL\n#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n varying vec3 vViewPosition;\n\
+ing_fragment>\n}",ly="#define NORMAL\n#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n varying vec3 vViewPosition;\n\
 #endif\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <normal_pars_vertex>\n#include\
  <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv\
 _vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphinstance_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n\
  #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <normal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skin\
 ning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n#if defined( FLAT_S\
-HADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n vViewPosition = - mvPosition.xyz;\n#endif\n}",ly="#define NORMAL\nuniform float opac\
+HADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n vViewPosition = - mvPosition.xyz;\n#endif\n}",cy="#define NORMAL\nuniform float opac\
 ity;\n#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n varying vec3 vViewPosition;\n#endif\n#include <uv_pars_fragmen\
 t>\n#include <normal_pars_fragment>\n#include <bumpmap_pars_fragment>\n#include <normalmap_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_p\
 lanes_pars_fragment>\nvoid main() {\n vec4 diffuseColor = vec4( 0.0, 0.0, 0.0, opacity );\n #include <clipping_planes_fragment>\n #include <logdepthbuf_fragment>\n #\
 include <normal_fragment_begin>\n #include <normal_fragment_maps>\n gl_FragColor = vec4( normalize( normal ) * 0.5 + 0.5, diffuseColor.a );\n #ifdef OPAQUE\n  gl_Fr\
-agColor.a = 1.0;\n #endif\n}",cy="#define PHONG\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include\
+agColor.a = 1.0;\n #endif\n}",uy="#define PHONG\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include\
  <displacementmap_pars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex>\n#include <normal_pars_vertex>\n#include <mor\
 phtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\
 \nvoid main() {\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include\
  <morphinstance_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <nor\
 mal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #\
 include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #inclu\
-de <shadowmap_vertex>\n #include <fog_vertex>\n}",uy="#define PHONG\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform vec3 specular;\nuniform float shininess;\
+de <shadowmap_vertex>\n #include <fog_vertex>\n}",hy="#define PHONG\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform vec3 specular;\nuniform float shininess;\
 \nuniform float opacity;\n#include <common>\n#include <dithering_pars_fragment>\n#include <color_pars_fragment>\n#include <uv_pars_fragment>\n#include <map_pars_fragm\
 ent>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <aomap_pars_fragment>\n#include <lightmap_p\
 ars_fragment>\n#include <emissivemap_pars_fragment>\n#include <envmap_common_pars_fragment>\n#include <envmap_pars_fragment>\n#include <envmap_physical_pars_fragmen\
@@ -2394,14 +2394,14 @@ larmap_fragment>\n #include <normal_fragment_begin>\n #include <normal_fragment_
  <lights_fragment_begin>\n #include <lights_fragment_maps>\n #include <lights_fragment_end>\n #include <aomap_fragment>\n vec3 outgoingLight = reflectedLight.direct\
 Diffuse + reflectedLight.indirectDiffuse + reflectedLight.directSpecular + reflectedLight.indirectSpecular + totalEmissiveRadiance;\n #include <envmap_fragment>\n\
  #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n \
-#include <dithering_fragment>\n}",hy="#define STANDARD\nvarying vec3 vViewPosition;\n#ifdef USE_TRANSMISSION\n varying vec3 vWorldPosition;\n#endif\n#include <common\
+#include <dithering_fragment>\n}",fy="#define STANDARD\nvarying vec3 vViewPosition;\n#ifdef USE_TRANSMISSION\n varying vec3 vWorldPosition;\n#endif\n#include <common\
 >\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex>\n#incl\
 ude <normal_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n\
 #include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_verte\
 x>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include\
  <defaultnormal_vertex>\n #include <normal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap\
 _vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <worldpos_ver\
-tex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n#ifdef USE_TRANSMISSION\n vWorldPosition = worldPosition.xyz;\n#endif\n}",fy="#define STANDARD\n#ifde\
+tex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n#ifdef USE_TRANSMISSION\n vWorldPosition = worldPosition.xyz;\n#endif\n}",dy="#define STANDARD\n#ifde\
 f PHYSICAL\n #define IOR\n #define USE_SPECULAR\n#endif\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float roughness;\nuniform float metalness;\nuniform floa\
 t opacity;\n#ifdef IOR\n uniform float ior;\n#endif\n#ifdef USE_SPECULAR\n uniform float specularIntensity;\n uniform vec3 specularColor;\n #ifdef USE_SPECULAR_COLORMA\
 P\n  uniform sampler2D specularColorMap;\n #endif\n #ifdef USE_SPECULAR_INTENSITYMAP\n  uniform sampler2D specularIntensityMap;\n #endif\n#endif\n#ifdef USE_CLEARCOAT\n\
@@ -2427,14 +2427,14 @@ cal_fragment>\n #include <lights_fragment_begin>\n #include <lights_fragment_map
 SpecularDirect + sheenSpecularIndirect;\n \n  #endif\n #ifdef USE_CLEARCOAT\n  float dotNVcc = saturate( dot( geometryClearcoatNormal, geometryViewDir ) );\n  vec3 F\
 cc = F_Schlick( material.clearcoatF0, material.clearcoatF90, dotNVcc );\n  outgoingLight = outgoingLight * ( 1.0 - material.clearcoat * Fcc ) + ( clearcoatSpecul\
 arDirect + clearcoatSpecularIndirect ) * material.clearcoat;\n #endif\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment\
->\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",dy="#define TOON\nvarying vec3 vViewPosition;\n#include \
+>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",py="#define TOON\nvarying vec3 vViewPosition;\n#include \
 <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex\
 >\n#include <normal_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_v\
 ertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolo\
 r_vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #\
 include <defaultnormal_vertex>\n #include <normal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displace\
 mentmap_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <world\
-pos_vertex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n}",py="#define TOON\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#incl\
+pos_vertex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n}",my="#define TOON\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#incl\
 ude <common>\n#include <dithering_pars_fragment>\n#include <color_pars_fragment>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_\
 fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <aomap_pars_fragment>\n#include <lightmap_pars_fragment>\n#include <emiss\
 ivemap_pars_fragment>\n#include <gradientmap_pars_fragment>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights_pars_begin>\n#include <normal_pars_frag\
@@ -2445,54 +2445,54 @@ epthbuf_fragment>\n #include <map_fragment>\n #include <color_fragment>\n #inclu
 >\n #include <normal_fragment_begin>\n #include <normal_fragment_maps>\n #include <emissivemap_fragment>\n #include <lights_toon_fragment>\n #include <lights_fragmen\
 t_begin>\n #include <lights_fragment_maps>\n #include <lights_fragment_end>\n #include <aomap_fragment>\n vec3 outgoingLight = reflectedLight.directDiffuse + reflec\
 tedLight.indirectDiffuse + totalEmissiveRadiance;\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fr\
-agment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",my="uniform float size;\nuniform float scale;\n#include <common>\n#include <c\
+agment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",gy="uniform float size;\nuniform float scale;\n#include <common>\n#include <c\
 olor_pars_vertex>\n#include <fog_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\n#ifdef\
  USE_POINTS_UV\n varying vec2 vUv;\n uniform mat3 uvTransform;\n#endif\nvoid main() {\n #ifdef USE_POINTS_UV\n  vUv = ( uvTransform * vec3( uv, 1 ) ).xy;\n #endif\n #in\
 clude <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <project_v\
 ertex>\n gl_PointSize = size;\n #ifdef USE_SIZEATTENUATION\n  bool isPerspective = isPerspectiveMatrix( projectionMatrix );\n  if ( isPerspective ) gl_PointSize *= \
 ( scale / - mvPosition.z );\n #endif\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <worldpos_vertex>\n #include <fog_vertex>\n}",
-gy="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <color_pars_fragment>\n#include <map_particle_pars_fragment>\n#include <alphatest_pars\
+_y="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <color_pars_fragment>\n#include <map_particle_pars_fragment>\n#include <alphatest_pars\
 _fragment>\n#include <alphahash_pars_fragment>\n#include <fog_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nvoid ma\
 in() {\n vec4 diffuseColor = vec4( diffuse, opacity );\n #include <clipping_planes_fragment>\n vec3 outgoingLight = vec3( 0.0 );\n #include <logdepthbuf_fragment>\n \
 #include <map_particle_fragment>\n #include <color_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragment>\n outgoingLight = diffuseColor.rgb;\n #i\
 nclude <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n}",
-_y="#include <common>\n#include <batching_pars_vertex>\n#include <fog_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <lo\
+xy="#include <common>\n#include <batching_pars_vertex>\n#include <fog_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <lo\
 gdepthbuf_pars_vertex>\n#include <shadowmap_pars_vertex>\nvoid main() {\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphinstance_vertex\
 >\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <begin_vertex>\n #include <\
 morphtarget_vertex>\n #include <skinning_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <worldpos_vertex>\n #include <shadowmap_verte\
-x>\n #include <fog_vertex>\n}",xy="uniform vec3 color;\nuniform float opacity;\n#include <common>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights_p\
+x>\n #include <fog_vertex>\n}",vy="uniform vec3 color;\nuniform float opacity;\n#include <common>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights_p\
 ars_begin>\n#include <logdepthbuf_pars_fragment>\n#include <shadowmap_pars_fragment>\n#include <shadowmask_pars_fragment>\nvoid main() {\n #include <logdepthbuf_frag\
 ment>\n gl_FragColor = vec4( color, opacity * ( 1.0 - getShadowMask() ) );\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragme\
-nt>\n #include <premultiplied_alpha_fragment>\n}",vy="uniform float rotation;\nuniform vec2 center;\n#include <common>\n#include <uv_pars_vertex>\n#include <fog_par\
+nt>\n #include <premultiplied_alpha_fragment>\n}",yy="uniform float rotation;\nuniform vec2 center;\n#include <common>\n#include <uv_pars_vertex>\n#include <fog_par\
 s_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv_vertex>\n vec4 mvPosition = modelViewMatrix[ 3 ];\
 \n vec2 scale = vec2( length( modelMatrix[ 0 ].xyz ), length( modelMatrix[ 1 ].xyz ) );\n #ifndef USE_SIZEATTENUATION\n  bool isPerspective = isPerspectiveMatrix( \
 projectionMatrix );\n  if ( isPerspective ) scale *= - mvPosition.z;\n #endif\n vec2 alignedPosition = ( position.xy - ( center - vec2( 0.5 ) ) ) * scale;\n vec2 ro\
 tatedPosition;\n rotatedPosition.x = cos( rotation ) * alignedPosition.x - sin( rotation ) * alignedPosition.y;\n rotatedPosition.y = sin( rotation ) * alignedPos\
 ition.x + cos( rotation ) * alignedPosition.y;\n mvPosition.xy += rotatedPosition;\n gl_Position = projectionMatrix * mvPosition;\n #include <logdepthbuf_vertex>\n \
-#include <clipping_planes_vertex>\n #include <fog_vertex>\n}",yy="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <uv_pars_fragment>\n#in\
+#include <clipping_planes_vertex>\n #include <fog_vertex>\n}",Sy="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <uv_pars_fragment>\n#in\
 clude <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <fog_pars_fragment>\n#\
 include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nvoid main() {\n vec4 diffuseColor = vec4( diffuse, opacity );\n #include <clipping_pl\
 anes_fragment>\n vec3 outgoingLight = vec3( 0.0 );\n #include <logdepthbuf_fragment>\n #include <map_fragment>\n #include <alphamap_fragment>\n #include <alphatest_f\
 ragment>\n #include <alphahash_fragment>\n outgoingLight = diffuseColor.rgb;\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fr\
-agment>\n #include <fog_fragment>\n}",lt={alphahash_fragment:G_,alphahash_pars_fragment:H_,alphamap_fragment:W_,alphamap_pars_fragment:X_,alphatest_fragment:q_,
-alphatest_pars_fragment:Y_,aomap_fragment:Z_,aomap_pars_fragment:J_,batching_pars_vertex:$_,batching_vertex:K_,begin_vertex:Q_,beginnormal_vertex:j_,bsdfs:ex,iridescence_fragment:tx,
-bumpmap_pars_fragment:nx,clipping_planes_fragment:ix,clipping_planes_pars_fragment:sx,clipping_planes_pars_vertex:rx,clipping_planes_vertex:ox,color_fragment:ax,
-color_pars_fragment:lx,color_pars_vertex:cx,color_vertex:ux,common:hx,defaultnormal_vertex:fx,displacementmap_pars_vertex:dx,displacementmap_vertex:px,emissivemap_fragment:mx,
-emissivemap_pars_fragment:gx,colorspace_fragment:_x,colorspace_pars_fragment:xx,envmap_fragment:vx,envmap_common_pars_fragment:yx,envmap_pars_fragment:Sx,envmap_pars_vertex:Mx,
-envmap_physical_pars_fragment:Dx,envmap_vertex:bx,fog_vertex:wx,fog_pars_vertex:Tx,fog_fragment:Ax,fog_pars_fragment:Ex,gradientmap_pars_fragment:Cx,lightmap_pars_fragment:Rx,
-lights_lambert_fragment:Px,lights_lambert_pars_fragment:Ix,lights_pars_begin:Lx,lights_toon_fragment:Nx,lights_toon_pars_fragment:Ux,lights_phong_fragment:Fx,lights_phong_pars_fragment:Ox,
-lights_physical_fragment:Bx,lights_physical_pars_fragment:zx,lights_fragment_begin:kx,lights_fragment_maps:Vx,lights_fragment_end:Gx,lightprobes_pars_fragment:Hx,
-logdepthbuf_fragment:Wx,logdepthbuf_pars_fragment:Xx,logdepthbuf_pars_vertex:qx,logdepthbuf_vertex:Yx,map_fragment:Zx,map_pars_fragment:Jx,map_particle_fragment:$x,
-map_particle_pars_fragment:Kx,metalnessmap_fragment:Qx,metalnessmap_pars_fragment:jx,morphinstance_vertex:ev,morphcolor_vertex:tv,morphnormal_vertex:nv,morphtarget_pars_vertex:iv,
-morphtarget_vertex:sv,normal_fragment_begin:rv,normal_fragment_maps:ov,normal_pars_fragment:av,normal_pars_vertex:lv,normal_vertex:cv,normalmap_pars_fragment:uv,
-clearcoat_normal_fragment_begin:hv,clearcoat_normal_fragment_maps:fv,clearcoat_pars_fragment:dv,iridescence_pars_fragment:pv,opaque_fragment:mv,packing:gv,premultiplied_alpha_fragment:_v,
-project_vertex:xv,dithering_fragment:vv,dithering_pars_fragment:yv,roughnessmap_fragment:Sv,roughnessmap_pars_fragment:Mv,shadowmap_pars_fragment:bv,shadowmap_pars_vertex:wv,
-shadowmap_vertex:Tv,shadowmask_pars_fragment:Av,skinbase_vertex:Ev,skinning_pars_vertex:Cv,skinning_vertex:Rv,skinnormal_vertex:Pv,specularmap_fragment:Iv,specularmap_pars_fragment:Lv,
-tonemapping_fragment:Dv,tonemapping_pars_fragment:Nv,transmission_fragment:Uv,transmission_pars_fragment:Fv,uv_pars_fragment:Ov,uv_pars_vertex:Bv,uv_vertex:zv,worldpos_vertex:kv,
-background_vert:Vv,background_frag:Gv,backgroundCube_vert:Hv,backgroundCube_frag:Wv,cube_vert:Xv,cube_frag:qv,depth_vert:Yv,depth_frag:Zv,distance_vert:Jv,distance_frag:$v,
-equirect_vert:Kv,equirect_frag:Qv,linedashed_vert:jv,linedashed_frag:ey,meshbasic_vert:ty,meshbasic_frag:ny,meshlambert_vert:iy,meshlambert_frag:sy,meshmatcap_vert:ry,
-meshmatcap_frag:oy,meshnormal_vert:ay,meshnormal_frag:ly,meshphong_vert:cy,meshphong_frag:uy,meshphysical_vert:hy,meshphysical_frag:fy,meshtoon_vert:dy,meshtoon_frag:py,
-points_vert:my,points_frag:gy,shadow_vert:_y,shadow_frag:xy,sprite_vert:vy,sprite_frag:yy},Ie={common:{diffuse:{value:new st(16777215)},opacity:{value:1},map:{value:null},
+agment>\n #include <fog_fragment>\n}",lt={alphahash_fragment:H_,alphahash_pars_fragment:W_,alphamap_fragment:X_,alphamap_pars_fragment:q_,alphatest_fragment:Y_,
+alphatest_pars_fragment:Z_,aomap_fragment:J_,aomap_pars_fragment:$_,batching_pars_vertex:K_,batching_vertex:Q_,begin_vertex:j_,beginnormal_vertex:ex,bsdfs:tx,iridescence_fragment:nx,
+bumpmap_pars_fragment:ix,clipping_planes_fragment:sx,clipping_planes_pars_fragment:rx,clipping_planes_pars_vertex:ox,clipping_planes_vertex:ax,color_fragment:lx,
+color_pars_fragment:cx,color_pars_vertex:ux,color_vertex:hx,common:fx,defaultnormal_vertex:dx,displacementmap_pars_vertex:px,displacementmap_vertex:mx,emissivemap_fragment:gx,
+emissivemap_pars_fragment:_x,colorspace_fragment:xx,colorspace_pars_fragment:vx,envmap_fragment:yx,envmap_common_pars_fragment:Sx,envmap_pars_fragment:Mx,envmap_pars_vertex:bx,
+envmap_physical_pars_fragment:Nx,envmap_vertex:wx,fog_vertex:Tx,fog_pars_vertex:Ax,fog_fragment:Ex,fog_pars_fragment:Cx,gradientmap_pars_fragment:Rx,lightmap_pars_fragment:Px,
+lights_lambert_fragment:Ix,lights_lambert_pars_fragment:Lx,lights_pars_begin:Dx,lights_toon_fragment:Ux,lights_toon_pars_fragment:Fx,lights_phong_fragment:Ox,lights_phong_pars_fragment:Bx,
+lights_physical_fragment:zx,lights_physical_pars_fragment:kx,lights_fragment_begin:Vx,lights_fragment_maps:Gx,lights_fragment_end:Hx,lightprobes_pars_fragment:Wx,
+logdepthbuf_fragment:Xx,logdepthbuf_pars_fragment:qx,logdepthbuf_pars_vertex:Yx,logdepthbuf_vertex:Zx,map_fragment:Jx,map_pars_fragment:$x,map_particle_fragment:Kx,
+map_particle_pars_fragment:Qx,metalnessmap_fragment:jx,metalnessmap_pars_fragment:ev,morphinstance_vertex:tv,morphcolor_vertex:nv,morphnormal_vertex:iv,morphtarget_pars_vertex:sv,
+morphtarget_vertex:rv,normal_fragment_begin:ov,normal_fragment_maps:av,normal_pars_fragment:lv,normal_pars_vertex:cv,normal_vertex:uv,normalmap_pars_fragment:hv,
+clearcoat_normal_fragment_begin:fv,clearcoat_normal_fragment_maps:dv,clearcoat_pars_fragment:pv,iridescence_pars_fragment:mv,opaque_fragment:gv,packing:_v,premultiplied_alpha_fragment:xv,
+project_vertex:vv,dithering_fragment:yv,dithering_pars_fragment:Sv,roughnessmap_fragment:Mv,roughnessmap_pars_fragment:bv,shadowmap_pars_fragment:wv,shadowmap_pars_vertex:Tv,
+shadowmap_vertex:Av,shadowmask_pars_fragment:Ev,skinbase_vertex:Cv,skinning_pars_vertex:Rv,skinning_vertex:Pv,skinnormal_vertex:Iv,specularmap_fragment:Lv,specularmap_pars_fragment:Dv,
+tonemapping_fragment:Nv,tonemapping_pars_fragment:Uv,transmission_fragment:Fv,transmission_pars_fragment:Ov,uv_pars_fragment:Bv,uv_pars_vertex:zv,uv_vertex:kv,worldpos_vertex:Vv,
+background_vert:Gv,background_frag:Hv,backgroundCube_vert:Wv,backgroundCube_frag:Xv,cube_vert:qv,cube_frag:Yv,depth_vert:Zv,depth_frag:Jv,distance_vert:$v,distance_frag:Kv,
+equirect_vert:Qv,equirect_frag:jv,linedashed_vert:ey,linedashed_frag:ty,meshbasic_vert:ny,meshbasic_frag:iy,meshlambert_vert:sy,meshlambert_frag:ry,meshmatcap_vert:oy,
+meshmatcap_frag:ay,meshnormal_vert:ly,meshnormal_frag:cy,meshphong_vert:uy,meshphong_frag:hy,meshphysical_vert:fy,meshphysical_frag:dy,meshtoon_vert:py,meshtoon_frag:my,
+points_vert:gy,points_frag:_y,shadow_vert:xy,shadow_frag:vy,sprite_vert:yy,sprite_frag:Sy},Ie={common:{diffuse:{value:new st(16777215)},opacity:{value:1},map:{value:null},
 mapTransform:{value:new Qe},alphaMap:{value:null},alphaMapTransform:{value:new Qe},alphaTest:{value:0}},specularmap:{specularMap:{value:null},specularMapTransform:{
 value:new Qe}},envmap:{envMap:{value:null},envMapRotation:{value:new Qe},reflectivity:{value:1},ior:{value:1.5},refractionRatio:{value:.98},dfgLUT:{value:null}},
 aomap:{aoMap:{value:null},aoMapIntensity:{value:1},aoMapTransform:{value:new Qe}},lightmap:{lightMap:{value:null},lightMapIntensity:{value:1},lightMapTransform:{
@@ -2539,30 +2539,30 @@ sheenRoughness:{value:1},sheenRoughnessMap:{value:null},sheenRoughnessMapTransfo
 value:new Qe},transmissionSamplerSize:{value:new ft},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new Qe},
 attenuationDistance:{value:0},attenuationColor:{value:new st(0)},specularColor:{value:new st(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new Qe},
 specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new Qe},anisotropyVector:{value:new ft},anisotropyMap:{value:null},
-anisotropyMapTransform:{value:new Qe}}]),vertexShader:lt.meshphysical_vert,fragmentShader:lt.meshphysical_frag};var dc={r:0,b:0,g:0},Sy=new bt,ym=new Qe;ym.set(
--1,0,0,0,1,0,0,0,1);function My(i,e,t,n,s,r){let o=new st(0),a=s===!0?0:1,l,c,u=null,f=0,h=null;function d(v){let A=v.isScene===!0?v.background:null;if(A&&A.isTexture){
+anisotropyMapTransform:{value:new Qe}}]),vertexShader:lt.meshphysical_vert,fragmentShader:lt.meshphysical_frag};var dc={r:0,b:0,g:0},My=new bt,Sm=new Qe;Sm.set(
+-1,0,0,0,1,0,0,0,1);function by(i,e,t,n,s,r){let o=new st(0),a=s===!0?0:1,c,l,u=null,f=0,h=null;function d(v){let A=v.isScene===!0?v.background:null;if(A&&A.isTexture){
 let M=v.backgroundBlurriness>0;A=e.get(A,M)}return A}function x(v){let A=!1,M=d(v);M===null?p(o,a):M&&M.isColor&&(p(M,1),A=!0);let P=i.xr.getEnvironmentBlendMode();
 P==="additive"?t.buffers.color.setClear(0,0,0,1,r):P==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(i.autoClear||A)&&(t.buffers.depth.setTest(!0),t.buffers.
-depth.setMask(!0),t.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function S(v,A){let M=d(A);M&&M.isCubeTexture?(c===
-void 0&&(c=new ri(new Ss(1,1,1),new Di({name:"BackgroundCubeMaterial",uniforms:Xs(Oi.backgroundCube.uniforms),vertexShader:Oi.backgroundCube.vertexShader,fragmentShader:Oi.
-backgroundCube.fragmentShader,side:Fn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),
-c.onBeforeRender=function(P,E,_){this.matrixWorld.copyPosition(_.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.
-value}}),n.update(c)),c.material.uniforms.envMap.value=M,c.material.uniforms.backgroundBlurriness.value=A.backgroundBlurriness,c.material.uniforms.backgroundIntensity.
-value=A.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(Sy.makeRotationFromEuler(A.backgroundRotation)).transpose(),M.isRenderTargetTexture===
-!1&&c.material.uniforms.backgroundRotation.value.premultiply(ym),c.material.toneMapped=gt.getTransfer(M.colorSpace)!==Tt,(u!==M||f!==M.version||h!==i.toneMapping)&&
-(c.material.needsUpdate=!0,u=M,f=M.version,h=i.toneMapping),c.layers.enableAll(),v.unshift(c,c.geometry,c.material,0,0,null)):M&&M.isTexture&&(l===void 0&&(l=new ri(
+depth.setMask(!0),t.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function S(v,A){let M=d(A);M&&M.isCubeTexture?(l===
+void 0&&(l=new ri(new Ss(1,1,1),new Di({name:"BackgroundCubeMaterial",uniforms:Xs(Oi.backgroundCube.uniforms),vertexShader:Oi.backgroundCube.vertexShader,fragmentShader:Oi.
+backgroundCube.fragmentShader,side:Fn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),l.geometry.deleteAttribute("uv"),
+l.onBeforeRender=function(P,E,_){this.matrixWorld.copyPosition(_.matrixWorld)},Object.defineProperty(l.material,"envMap",{get:function(){return this.uniforms.envMap.
+value}}),n.update(l)),l.material.uniforms.envMap.value=M,l.material.uniforms.backgroundBlurriness.value=A.backgroundBlurriness,l.material.uniforms.backgroundIntensity.
+value=A.backgroundIntensity,l.material.uniforms.backgroundRotation.value.setFromMatrix4(My.makeRotationFromEuler(A.backgroundRotation)).transpose(),M.isRenderTargetTexture===
+!1&&l.material.uniforms.backgroundRotation.value.premultiply(Sm),l.material.toneMapped=gt.getTransfer(M.colorSpace)!==Tt,(u!==M||f!==M.version||h!==i.toneMapping)&&
+(l.material.needsUpdate=!0,u=M,f=M.version,h=i.toneMapping),l.layers.enableAll(),v.unshift(l,l.geometry,l.material,0,0,null)):M&&M.isTexture&&(c===void 0&&(c=new ri(
 new Io(2,2),new Di({name:"BackgroundMaterial",uniforms:Xs(Oi.background.uniforms),vertexShader:Oi.background.vertexShader,fragmentShader:Oi.background.fragmentShader,
-side:Ts,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.
-uniforms.t2D.value}}),n.update(l)),l.material.uniforms.t2D.value=M,l.material.uniforms.backgroundIntensity.value=A.backgroundIntensity,l.material.toneMapped=gt.
-getTransfer(M.colorSpace)!==Tt,M.matrixAutoUpdate===!0&&M.updateMatrix(),l.material.uniforms.uvTransform.value.copy(M.matrix),(u!==M||f!==M.version||h!==i.toneMapping)&&
-(l.material.needsUpdate=!0,u=M,f=M.version,h=i.toneMapping),l.layers.enableAll(),v.unshift(l,l.geometry,l.material,0,0,null))}function p(v,A){v.getRGB(dc,fh(i)),
-t.buffers.color.setClear(dc.r,dc.g,dc.b,A,r)}function m(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.
-dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(v,A=1){o.set(v),a=A,p(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(v){
-a=v,p(o,a)},render:x,addToRenderList:S,dispose:m}}function by(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=h(null),r=s,o=!1;function a(L,V,H,N,G){let J=!1,
-k=f(L,N,H,V);r!==k&&(r=k,c(r.object)),J=d(L,N,H,G),J&&x(L,N,H,G),G!==null&&e.update(G,i.ELEMENT_ARRAY_BUFFER),(J||o)&&(o=!1,M(L,V,H,N),G!==null&&i.bindBuffer(i.
-ELEMENT_ARRAY_BUFFER,e.get(G).buffer))}function l(){return i.createVertexArray()}function c(L){return i.bindVertexArray(L)}function u(L){return i.deleteVertexArray(
+side:Ts,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),Object.defineProperty(c.material,"map",{get:function(){return this.
+uniforms.t2D.value}}),n.update(c)),c.material.uniforms.t2D.value=M,c.material.uniforms.backgroundIntensity.value=A.backgroundIntensity,c.material.toneMapped=gt.
+getTransfer(M.colorSpace)!==Tt,M.matrixAutoUpdate===!0&&M.updateMatrix(),c.material.uniforms.uvTransform.value.copy(M.matrix),(u!==M||f!==M.version||h!==i.toneMapping)&&
+(c.material.needsUpdate=!0,u=M,f=M.version,h=i.toneMapping),c.layers.enableAll(),v.unshift(c,c.geometry,c.material,0,0,null))}function p(v,A){v.getRGB(dc,fh(i)),
+t.buffers.color.setClear(dc.r,dc.g,dc.b,A,r)}function m(){l!==void 0&&(l.geometry.dispose(),l.material.dispose(),l=void 0),c!==void 0&&(c.geometry.dispose(),c.material.
+dispose(),c=void 0)}return{getClearColor:function(){return o},setClearColor:function(v,A=1){o.set(v),a=A,p(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(v){
+a=v,p(o,a)},render:x,addToRenderList:S,dispose:m}}function wy(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=h(null),r=s,o=!1;function a(L,V,H,N,G){let J=!1,
+k=f(L,N,H,V);r!==k&&(r=k,l(r.object)),J=d(L,N,H,G),J&&x(L,N,H,G),G!==null&&e.update(G,i.ELEMENT_ARRAY_BUFFER),(J||o)&&(o=!1,M(L,V,H,N),G!==null&&i.bindBuffer(i.
+ELEMENT_ARRAY_BUFFER,e.get(G).buffer))}function c(){return i.createVertexArray()}function l(L){return i.bindVertexArray(L)}function u(L){return i.deleteVertexArray(
 L)}function f(L,V,H,N){let G=N.wireframe===!0,J=n[V.id];J===void 0&&(J={},n[V.id]=J);let k=L.isInstancedMesh===!0?L.id:0,le=J[k];le===void 0&&(le={},J[k]=le);let $=le[H.
-id];$===void 0&&($={},le[H.id]=$);let Q=$[G];return Q===void 0&&(Q=h(l()),$[G]=Q),Q}function h(L){let V=[],H=[],N=[];for(let G=0;G<t;G++)V[G]=0,H[G]=0,N[G]=0;return{
+id];$===void 0&&($={},le[H.id]=$);let Q=$[G];return Q===void 0&&(Q=h(c()),$[G]=Q),Q}function h(L){let V=[],H=[],N=[];for(let G=0;G<t;G++)V[G]=0,H[G]=0,N[G]=0;return{
 geometry:null,program:null,wireframe:!1,newAttributes:V,enabledAttributes:H,attributeDivisors:N,object:L,attributes:{},index:null}}function d(L,V,H,N){let G=r.attributes,
 J=V.attributes,k=0,le=H.getAttributes();for(let $ in le)if(le[$].location>=0){let ie=G[$],he=J[$];if(he===void 0&&($==="instanceMatrix"&&L.instanceMatrix&&(he=L.
 instanceMatrix),$==="instanceColor"&&L.instanceColor&&(he=L.instanceColor)),ie===void 0||ie.attribute!==he||he&&ie.data!==he.data)return!0;k++}return r.attributesNum!==
@@ -2586,31 +2586,31 @@ let N=V[H];for(let G in N){let J=N[G];for(let k in J)u(J[k].object),delete J[k];
 for(let H in V){let N=V[H];for(let G in N){let J=N[G];for(let k in J)u(J[k].object),delete J[k];delete N[G]}}delete n[L.id]}function _(L){for(let V in n){let H=n[V];
 for(let N in H){let G=H[N];if(G[L.id]===void 0)continue;let J=G[L.id];for(let k in J)u(J[k].object),delete J[k];delete G[L.id]}}}function T(L){for(let V in n){let H=n[V],
 N=L.isInstancedMesh===!0?L.id:0,G=H[N];if(G!==void 0){for(let J in G){let k=G[J];for(let le in k)u(k[le].object),delete k[le];delete G[J]}delete H[N],Object.keys(
-H).length===0&&delete n[V]}}}function O(){D(),o=!0,r!==s&&(r=s,c(r.object))}function D(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:O,resetDefaultState:D,
-dispose:P,releaseStatesOfGeometry:E,releaseStatesOfObject:T,releaseStatesOfProgram:_,initAttributes:S,enableAttribute:p,disableUnusedAttributes:v}}function wy(i,e,t){
-let n;function s(l){n=l}function r(l,c){i.drawArrays(n,l,c),t.update(c,n,1)}function o(l,c,u){u!==0&&(i.drawArraysInstanced(n,l,c,u),t.update(c,n,u))}function a(l,c,u){
-if(u===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(n,l,0,c,0,u);let h=0;for(let d=0;d<u;d++)h+=c[d];t.update(h,n,1)}this.setMode=s,this.render=r,this.
-renderInstances=o,this.renderMultiDraw=a}function Ty(i,e,t,n){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let _=e.
+H).length===0&&delete n[V]}}}function O(){D(),o=!0,r!==s&&(r=s,l(r.object))}function D(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:O,resetDefaultState:D,
+dispose:P,releaseStatesOfGeometry:E,releaseStatesOfObject:T,releaseStatesOfProgram:_,initAttributes:S,enableAttribute:p,disableUnusedAttributes:v}}function Ty(i,e,t){
+let n;function s(c){n=c}function r(c,l){i.drawArrays(n,c,l),t.update(l,n,1)}function o(c,l,u){u!==0&&(i.drawArraysInstanced(n,c,l,u),t.update(l,n,u))}function a(c,l,u){
+if(u===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(n,c,0,l,0,u);let h=0;for(let d=0;d<u;d++)h+=l[d];t.update(h,n,1)}this.setMode=s,this.render=r,this.
+renderInstances=o,this.renderMultiDraw=a}function Ay(i,e,t,n){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let _=e.
 get("EXT_texture_filter_anisotropic");s=i.getParameter(_.MAX_TEXTURE_MAX_ANISOTROPY_EXT)}else s=0;return s}function o(_){return!(_!==yi&&n.convert(_)!==i.getParameter(
 i.IMPLEMENTATION_COLOR_READ_FORMAT))}function a(_){let T=_===vi&&(e.has("EXT_color_buffer_half_float")||e.has("EXT_color_buffer_float"));return!(_!==Bn&&_!==oi&&
-!T&&n.convert(_)!==i.getParameter(i.IMPLEMENTATION_COLOR_READ_TYPE))}function l(_){if(_==="highp"){if(i.getShaderPrecisionFormat(i.VERTEX_SHADER,i.HIGH_FLOAT).precision>
+!T&&n.convert(_)!==i.getParameter(i.IMPLEMENTATION_COLOR_READ_TYPE))}function c(_){if(_==="highp"){if(i.getShaderPrecisionFormat(i.VERTEX_SHADER,i.HIGH_FLOAT).precision>
 0&&i.getShaderPrecisionFormat(i.FRAGMENT_SHADER,i.HIGH_FLOAT).precision>0)return"highp";_="mediump"}return _==="mediump"&&i.getShaderPrecisionFormat(i.VERTEX_SHADER,
-i.MEDIUM_FLOAT).precision>0&&i.getShaderPrecisionFormat(i.FRAGMENT_SHADER,i.MEDIUM_FLOAT).precision>0?"mediump":"lowp"}let c=t.precision!==void 0?t.precision:"h\
-ighp",u=l(c);u!==c&&(qe("WebGLRenderer:",c,"not supported, using",u,"instead."),c=u);let f=t.reversedDepthBuffer===!0&&e.has("EXT_clip_control"),h=t.logarithmicDepthBuffer===
+i.MEDIUM_FLOAT).precision>0&&i.getShaderPrecisionFormat(i.FRAGMENT_SHADER,i.MEDIUM_FLOAT).precision>0?"mediump":"lowp"}let l=t.precision!==void 0?t.precision:"h\
+ighp",u=c(l);u!==l&&(qe("WebGLRenderer:",l,"not supported, using",u,"instead."),l=u);let f=t.reversedDepthBuffer===!0&&e.has("EXT_clip_control"),h=t.logarithmicDepthBuffer===
 !0&&f===!1;t.reversedDepthBuffer===!0&&f===!1&&qe("WebGLRenderer: Unable to use reversed depth buffer due to missing EXT_clip_control extension. Fallback to def\
 ault depth buffer."),t.logarithmicDepthBuffer===!0&&f===!0&&qe("WebGLRenderer: Logarithmic depth buffer is ignored when reversed depth buffer is enabled.");let d=i.
 getParameter(i.MAX_TEXTURE_IMAGE_UNITS),x=i.getParameter(i.MAX_VERTEX_TEXTURE_IMAGE_UNITS),S=i.getParameter(i.MAX_TEXTURE_SIZE),p=i.getParameter(i.MAX_CUBE_MAP_TEXTURE_SIZE),
 m=i.getParameter(i.MAX_VERTEX_ATTRIBS),v=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),A=i.getParameter(i.MAX_VARYING_VECTORS),M=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),
-P=i.getParameter(i.MAX_SAMPLES),E=i.getParameter(i.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:l,textureFormatReadable:o,textureTypeReadable:a,
-precision:c,logarithmicDepthBuffer:h,reversedDepthBuffer:f,maxTextures:d,maxVertexTextures:x,maxTextureSize:S,maxCubemapSize:p,maxAttributes:m,maxVertexUniforms:v,
-maxVaryings:A,maxFragmentUniforms:M,maxSamples:P,samples:E}}function Ay(i){let e=this,t=null,n=0,s=!1,r=!1,o=new gi,a=new Qe,l={value:null,needsUpdate:!1};this.
-uniform=l,this.numPlanes=0,this.numIntersection=0,this.init=function(f,h){let d=f.length!==0||h||n!==0||s;return s=h,n=f.length,d},this.beginShadows=function(){
+P=i.getParameter(i.MAX_SAMPLES),E=i.getParameter(i.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:c,textureFormatReadable:o,textureTypeReadable:a,
+precision:l,logarithmicDepthBuffer:h,reversedDepthBuffer:f,maxTextures:d,maxVertexTextures:x,maxTextureSize:S,maxCubemapSize:p,maxAttributes:m,maxVertexUniforms:v,
+maxVaryings:A,maxFragmentUniforms:M,maxSamples:P,samples:E}}function Ey(i){let e=this,t=null,n=0,s=!1,r=!1,o=new gi,a=new Qe,c={value:null,needsUpdate:!1};this.
+uniform=c,this.numPlanes=0,this.numIntersection=0,this.init=function(f,h){let d=f.length!==0||h||n!==0||s;return s=h,n=f.length,d},this.beginShadows=function(){
 r=!0,u(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(f,h){t=u(f,h,0)},this.setState=function(f,h,d){let x=f.clippingPlanes,S=f.clipIntersection,
-p=f.clipShadows,m=i.get(f);if(!s||x===null||x.length===0||r&&!p)r?u(null):c();else{let v=r?0:n,A=v*4,M=m.clippingState||null;l.value=M,M=u(x,h,A,d);for(let P=0;P!==
-A;++P)M[P]=t[P];m.clippingState=M,this.numIntersection=S?this.numPlanes:0,this.numPlanes+=v}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=n>0),e.numPlanes=
-n,e.numIntersection=0}function u(f,h,d,x){let S=f!==null?f.length:0,p=null;if(S!==0){if(p=l.value,x!==!0||p===null){let m=d+S*4,v=h.matrixWorldInverse;a.getNormalMatrix(
-v),(p===null||p.length<m)&&(p=new Float32Array(m));for(let A=0,M=d;A!==S;++A,M+=4)o.copy(f[A]).applyMatrix4(v,a),o.normal.toArray(p,M),p[M+3]=o.constant}l.value=
-p,l.needsUpdate=!0}return e.numPlanes=S,e.numIntersection=0,p}}var Qo=class extends $n{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let n={
+p=f.clipShadows,m=i.get(f);if(!s||x===null||x.length===0||r&&!p)r?u(null):l();else{let v=r?0:n,A=v*4,M=m.clippingState||null;c.value=M,M=u(x,h,A,d);for(let P=0;P!==
+A;++P)M[P]=t[P];m.clippingState=M,this.numIntersection=S?this.numPlanes:0,this.numPlanes+=v}};function l(){c.value!==t&&(c.value=t,c.needsUpdate=n>0),e.numPlanes=
+n,e.numIntersection=0}function u(f,h,d,x){let S=f!==null?f.length:0,p=null;if(S!==0){if(p=c.value,x!==!0||p===null){let m=d+S*4,v=h.matrixWorldInverse;a.getNormalMatrix(
+v),(p===null||p.length<m)&&(p=new Float32Array(m));for(let A=0,M=d;A!==S;++A,M+=4)o.copy(f[A]).applyMatrix4(v,a),o.normal.toArray(p,M),p[M+3]=o.constant}c.value=
+p,c.needsUpdate=!0}return e.numPlanes=S,e.numIntersection=0,p}}var Qo=class extends $n{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let n={
 width:e,height:e,depth:1},s=[n,n,n,n,n,n];this.texture=new Eo(s),this._setTextureOptions(t),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(e,t){
 this.texture.type=t.type,this.texture.colorSpace=t.colorSpace,this.texture.generateMipmaps=t.generateMipmaps,this.texture.minFilter=t.minFilter,this.texture.magFilter=
 t.magFilter;let n={uniforms:{tEquirect:{value:null}},vertexShader:"\n\n    varying vec3 vWorldDirection;\n\n    vec3 transformDirection( in vec3 dir, in mat4 matrix\
@@ -2620,34 +2620,34 @@ tion;\n\n    #include <common>\n\n    void main() {\n\n     vec3 direction = nor
 gColor = texture2D( tEquirect, sampleUV );\n\n    }\n   "},s=new Ss(5,5,5),r=new Di({name:"CubemapFromEquirect",uniforms:Xs(n.uniforms),vertexShader:n.vertexShader,
 fragmentShader:n.fragmentShader,side:Fn,blending:Vs});r.uniforms.tEquirect.value=t;let o=new ri(s,r),a=t.minFilter;return t.minFilter===is&&(t.minFilter=Un),new Fr(
 1,10,this).update(e,o),t.minFilter=a,o.geometry.dispose(),o.material.dispose(),this}clear(e,t=!0,n=!0,s=!0){let r=e.getRenderTarget();for(let o=0;o<6;o++)e.setRenderTarget(
-this,o),e.clear(t,n,s);e.setRenderTarget(r)}},Qp=256,Ey=3,Cy=20,Sm=256,Mm=16,Ry=3,Py=new q,Iy=new st,mc=class i{constructor(e){this._renderer=e,this._cubeSize=0,
+this,o),e.clear(t,n,s);e.setRenderTarget(r)}},jp=256,Cy=3,Ry=20,Mm=256,bm=16,Py=3,Iy=new q,Ly=new st,mc=class i{constructor(e){this._renderer=e,this._cubeSize=0,
 this._sourceTarget=null,this._cubeCamera=new Fr(1,10,null),this._boxMesh=new ri(new Ss(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this.
-_blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,n=.1,s=100,r={}){let{size:o=256,position:a=Py}=r,l=this._renderer;this.
-_setSize(o);let c=this._allocateTarget(),u=this._getSourceTarget(!0);t>0&&(u.texture.mipmapsAutoUpdate=!1);let f=l.autoClear,h=l.autoClearColor,d=l.autoClearDepth,
-x=l.autoClearStencil,S=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,S===null&&(e.background=l.getClearColor(Iy));let p=new Fr(
-n,s,u);return p.position.copy(a),p.update(l,e),l.autoClear=f,l.autoClearColor=h,l.autoClearDepth=d,l.autoClearStencil=x,e.background=S,t>0&&(u.texture.mipmapsAutoUpdate=
-!0,this._blur(c,t)),this._applyPMREM(c),c}fromEquirectangular(e,t=null){return this._fromTexture(e,t)}fromCubemap(e,t=null){return this._fromTexture(e,t)}compileCubemapShader(){
-this._cubemapMaterial===null&&(this._cubemapMaterial=tm(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===
-null&&(this._equirectMaterial=em(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==
+_blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,n=.1,s=100,r={}){let{size:o=256,position:a=Iy}=r,c=this._renderer;this.
+_setSize(o);let l=this._allocateTarget(),u=this._getSourceTarget(!0);t>0&&(u.texture.mipmapsAutoUpdate=!1);let f=c.autoClear,h=c.autoClearColor,d=c.autoClearDepth,
+x=c.autoClearStencil,S=e.background;c.autoClear=!0,c.autoClearColor=!0,c.autoClearDepth=!0,c.autoClearStencil=!0,S===null&&(e.background=c.getClearColor(Ly));let p=new Fr(
+n,s,u);return p.position.copy(a),p.update(c,e),c.autoClear=f,c.autoClearColor=h,c.autoClearDepth=d,c.autoClearStencil=x,e.background=S,t>0&&(u.texture.mipmapsAutoUpdate=
+!0,this._blur(l,t)),this._applyPMREM(l),l}fromEquirectangular(e,t=null){return this._fromTexture(e,t)}fromCubemap(e,t=null){return this._fromTexture(e,t)}compileCubemapShader(){
+this._cubemapMaterial===null&&(this._cubemapMaterial=nm(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===
+null&&(this._equirectMaterial=tm(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==
 null&&this._cubemapMaterial.dispose(),this._equirectMaterial!==null&&this._equirectMaterial.dispose(),this._blurMaterial!==null&&this._blurMaterial.dispose(),this.
 _ggxMaterial!==null&&this._ggxMaterial.dispose(),this._integrationMaterial!==null&&this._integrationMaterial.dispose(),this._boxMesh.geometry.dispose()}static lodToRoughness(e,t){
-return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(Qp,Yp(e))}_fromTexture(e,t){e.mapping===Hs||e.mapping===zr?this._setSize(e.image.length===0?
-Qp:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4);let n=t||this._allocateTarget();return this._textureToCubemap(e),this._applyPMREM(n),
-n}_allocateTarget(){let e=this._cubeSize,t=jp(e,!1,!1),n=Math.log2(e)-Ey;for(let s=0;s<=n;s++)t.texture.mipmaps.push({width:e>>s,height:e>>s});return t.texture.
+return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(jp,Zp(e))}_fromTexture(e,t){e.mapping===Hs||e.mapping===zr?this._setSize(e.image.length===0?
+jp:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4);let n=t||this._allocateTarget();return this._textureToCubemap(e),this._applyPMREM(n),
+n}_allocateTarget(){let e=this._cubeSize,t=em(e,!1,!1),n=Math.log2(e)-Cy;for(let s=0;s<=n;s++)t.texture.mipmaps.push({width:e>>s,height:e>>s});return t.texture.
 name="PMREM",t.texture.isPMREMTexture=!0,t}_getSourceTarget(e=!1){let t=this._cubeSize,n=this._sourceTarget;return(n===null||n.width!==t||e&&n.depthBuffer===!1)&&
-(n!==null&&n.dispose(),this._sourceTarget=jp(t,!0,e)),this._sourceTarget}_compileMaterial(e){this._boxMesh.material=e,this._renderer.compile(this._boxMesh,this.
+(n!==null&&n.dispose(),this._sourceTarget=em(t,!0,e)),this._sourceTarget}_compileMaterial(e){this._boxMesh.material=e,this._renderer.compile(this._boxMesh,this.
 _cubeCamera.children[0])}_renderCube(e,t,n){let s=this._boxMesh,r=this._cubeCamera;s.material=n,r.renderTarget=e,r.activeMipmapLevel=t;let o=e.width>>t;e.viewport.
 set(0,0,o,o),r.update(this._renderer,s),e.viewport.set(0,0,e.width,e.height)}_textureToCubemap(e){let t;e.mapping===Hs||e.mapping===zr?(this._cubemapMaterial===
-null&&(this._cubemapMaterial=tm()),t=this._cubemapMaterial,t.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):(this._equirectMaterial===null&&(this.
-_equirectMaterial=em()),t=this._equirectMaterial),t.uniforms.envMap.value=e,this._renderCube(this._getSourceTarget(),0,t)}_applyPMREM(e){this._ggxMaterial===null&&
-(this._ggxMaterial=Ly(),this._integrationMaterial=Dy());let t=this._cubeSize,n=e.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.
-texture;let r=this._integrationMaterial.uniforms;r.envMap.value=this._sourceTarget.texture,r.sourceLod.value=Math.log2(t/Mm);for(let o=0;o<=n;o++){let a=i.lodToRoughness(
-o,n);if(o>n-Ry)r.roughness.value=a,this._renderCube(e,o,this._integrationMaterial);else{let l=a>0?Math.log2(t)+.5*Math.log2(6/(Sm*Math.pow(a,4)))+.5:0;s.roughness.
-value=a,s.lodBias.value=l,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=Ny());let n=this._blurMaterial,s=n.
+null&&(this._cubemapMaterial=nm()),t=this._cubemapMaterial,t.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):(this._equirectMaterial===null&&(this.
+_equirectMaterial=tm()),t=this._equirectMaterial),t.uniforms.envMap.value=e,this._renderCube(this._getSourceTarget(),0,t)}_applyPMREM(e){this._ggxMaterial===null&&
+(this._ggxMaterial=Dy(),this._integrationMaterial=Ny());let t=this._cubeSize,n=e.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.
+texture;let r=this._integrationMaterial.uniforms;r.envMap.value=this._sourceTarget.texture,r.sourceLod.value=Math.log2(t/bm);for(let o=0;o<=n;o++){let a=i.lodToRoughness(
+o,n);if(o>n-Py)r.roughness.value=a,this._renderCube(e,o,this._integrationMaterial);else{let c=a>0?Math.log2(t)+.5*Math.log2(6/(Mm*Math.pow(a,4)))+.5:0;s.roughness.
+value=a,s.lodBias.value=c,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=Uy());let n=this._blurMaterial,s=n.
 uniforms,r=this._sourceTarget;s.sigma.value=Math.min(t,Math.PI)/Math.SQRT2,s.envMap.value=r.texture,this._renderCube(e,0,n),s.envMap.value=e.texture,this._renderCube(
-r,0,n)}};function jp(i,e,t){return new Qo(i,{minFilter:is,generateMipmaps:e,type:vi,colorSpace:go,depthBuffer:t})}function jo(i,e,t){return new Di({name:i,uniforms:e,
-vertexShader:lt.cube_vert,fragmentShader:t,side:Fn,blending:Vs,depthTest:!1,depthWrite:!1})}function Ly(){return jo("PMREMGGXConvolution",{envMap:{value:null},roughness:{
-value:0},lodBias:{value:0}},"\n\n  #define GGX_SAMPLES ".concat(Sm,"u\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float roughness;\
+r,0,n)}};function em(i,e,t){return new Qo(i,{minFilter:is,generateMipmaps:e,type:vi,colorSpace:go,depthBuffer:t})}function jo(i,e,t){return new Di({name:i,uniforms:e,
+vertexShader:lt.cube_vert,fragmentShader:t,side:Fn,blending:Vs,depthTest:!1,depthWrite:!1})}function Dy(){return jo("PMREMGGXConvolution",{envMap:{value:null},roughness:{
+value:0},lodBias:{value:0}},"\n\n  #define GGX_SAMPLES ".concat(Mm,"u\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float roughness;\
 \n  uniform float lodBias;\n\n  #include <common>\n\n  // Van der Corput radical inverse\n  float radicalInverse_VdC( uint bits ) {\n\n   bits = ( bits << 16u ) | ( bit\
 s >> 16u );\n   bits = ( ( bits & 0x55555555u ) << 1u ) | ( ( bits & 0xAAAAAAAAu ) >> 1u );\n   bits = ( ( bits & 0x33333333u ) << 2u ) | ( ( bits & 0xCCCCCCCCu )\
  >> 2u );\n   bits = ( ( bits & 0x0F0F0F0Fu ) << 4u ) | ( ( bits & 0xF0F0F0F0u ) >> 4u );\n   bits = ( ( bits & 0x00FF00FFu ) << 8u ) | ( ( bits & 0xFF00FF00u ) >\
@@ -2662,7 +2662,7 @@ at phi = 2.0 * PI * Xi.y;\n     float sinTheta = 2.0 * alpha * sqrt( Xi.x * ( 1.
  * sin( phi ) ) * sinTheta;\n\n     // Match the source mip to the sample's solid angle. The terms\n     // independent of the sample are precomputed in lodBias.\n \
     float d = alpha2 * invQ;\n     float lod = max( log2( d ) + lodBias, 0.0 );\n\n     // Weight by NdotL for the split-sum approximation\n     prefilteredColor +=\
  textureLod( envMap, L, lod ).rgb * NdotL;\n     totalWeight += NdotL;\n\n    }\n\n   }\n\n   gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );\n\n  }\n "))}
-function Dy(){return jo("PMREMGGXIntegration",{envMap:{value:null},roughness:{value:0},sourceLod:{value:0},sourceSize:{value:Mm}},"\n\n  varying vec3 vWorldDirect\
+function Ny(){return jo("PMREMGGXIntegration",{envMap:{value:null},roughness:{value:0},sourceLod:{value:0},sourceSize:{value:bm}},"\n\n  varying vec3 vWorldDirect\
 ion;\n\n  uniform samplerCube envMap;\n  uniform float roughness;\n  uniform float sourceLod;\n  uniform int sourceSize;\n\n  void main() {\n\n   vec3 N = normalize( vWo\
 rldDirection );\n\n   float alpha = roughness * roughness;\n   float alpha2 = alpha * alpha;\n\n   float texelSize = 2.0 / float( sourceSize );\n\n   vec3 prefilteredC\
 olor = vec3( 0.0 );\n   float totalWeight = 0.0;\n\n   // Pair opposite texels: only the one in N's hemisphere contributes.\n   for ( int face = 0; face < 3; face +\
@@ -2672,7 +2672,7 @@ olor = vec3( 0.0 );\n   float totalWeight = 0.0;\n\n   // Pair opposite texels: 
       // With V = N, NdotH squared is ( 1 + NdotL ) / 2. Common factors\n      // in the GGX distribution and texel solid angle cancel when normalized.\n      flo\
 at d = 1.0 + alpha2 + ( alpha2 - 1.0 ) * NdotL;\n      float weight = NdotL * invDistance * invDistance * invDistance / ( d * d );\n\n      prefilteredColor += tex\
 tureLod( envMap, texelDirection, sourceLod ).rgb * weight;\n      totalWeight += weight;\n\n     }\n\n    }\n\n   }\n\n   gl_FragColor = vec4( prefilteredColor / totalWe\
-ight, 1.0 );\n\n  }\n ")}function Ny(){return jo("PMREMSphericalGaussianBlur",{envMap:{value:null},sigma:{value:0}},"\n\n  #define SAMPLES ".concat(Cy,"\n  #defi\
+ight, 1.0 );\n\n  }\n ")}function Uy(){return jo("PMREMSphericalGaussianBlur",{envMap:{value:null},sigma:{value:0}},"\n\n  #define SAMPLES ".concat(Ry,"\n  #defi\
 ne GOLDEN_ANGLE 2.39996322973\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float sigma;\n\n  #include <common>\n\n  void main() {\n\n   v\
 ec3 outputDirection = normalize( vWorldDirection );\n\n   vec3 up = abs( outputDirection.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );\n   vec3 tang\
 ent = normalize( cross( up, outputDirection ) );\n   vec3 bitangent = cross( outputDirection, tangent );\n\n   // Truncate the kernel at three standard deviations \
@@ -2681,58 +2681,58 @@ umColor = vec3( 0.0 );\n   float accumWeight = 0.0;\n\n   for ( int i = 0; i < S
  a golden-angle spiral.\n    float stratum = ( float( i ) + 0.5 ) / float( SAMPLES );\n    float theta = sigma * sqrt( - 2.0 * log( 1.0 - stratum * truncation ) )\
 ;\n    float phi = float( i ) * GOLDEN_ANGLE;\n\n    vec3 offset = cos( phi ) * tangent + sin( phi ) * bitangent;\n    vec3 sampleDirection = cos( theta ) * outputD\
 irection + sin( theta ) * offset;\n\n    // Correct the planar sample density to solid angle.\n    float weight = sin( theta ) / theta;\n\n    accumColor += weight *\
- textureLod( envMap, sampleDirection, 0.0 ).rgb;\n    accumWeight += weight;\n\n   }\n\n   gl_FragColor = vec4( accumColor / accumWeight, 1.0 );\n\n  }\n "))}function em(){
+ textureLod( envMap, sampleDirection, 0.0 ).rgb;\n    accumWeight += weight;\n\n   }\n\n   gl_FragColor = vec4( accumColor / accumWeight, 1.0 );\n\n  }\n "))}function tm(){
 return jo("PMREMEquirectangularToCubemap",{envMap:{value:null}},"\n\n  varying vec3 vWorldDirection;\n\n  uniform sampler2D envMap;\n\n  #include <common>\n\n  void mai\
 n() {\n\n   // Average four subpixel samples to preserve small, bright features.\n   vec3 direction = normalize( vWorldDirection );\n   vec3 dx = dFdx( direction ) \
 * 0.25;\n   vec3 dy = dFdy( direction ) * 0.25;\n\n   vec3 color = textureLod( envMap, equirectUv( normalize( direction - dx - dy ) ), 0.0 ).rgb;\n   color += textu\
 reLod( envMap, equirectUv( normalize( direction + dx - dy ) ), 0.0 ).rgb;\n   color += textureLod( envMap, equirectUv( normalize( direction - dx + dy ) ), 0.0 ).\
-rgb;\n   color += textureLod( envMap, equirectUv( normalize( direction + dx + dy ) ), 0.0 ).rgb;\n   gl_FragColor = vec4( color * 0.25, 1.0 );\n\n  }\n ")}function tm(){
+rgb;\n   color += textureLod( envMap, equirectUv( normalize( direction + dx + dy ) ), 0.0 ).rgb;\n   gl_FragColor = vec4( color * 0.25, 1.0 );\n\n  }\n ")}function nm(){
 return jo("PMREMCubemapToCubemap",{envMap:{value:null},flipEnvMap:{value:-1}},"\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float \
 flipEnvMap;\n\n  void main() {\n\n   gl_FragColor = vec4( textureCube( envMap, vec3( flipEnvMap * vWorldDirection.x, vWorldDirection.yz ) ).rgb, 1.0 );\n\n  }\n ")}
-function Uy(i){let e=new WeakMap,t=new WeakMap,n=null;function s(h,d=!1){return h==null?null:d?o(h):r(h)}function r(h){if(h&&h.isTexture){let d=h.mapping;if(d===
+function Fy(i){let e=new WeakMap,t=new WeakMap,n=null;function s(h,d=!1){return h==null?null:d?o(h):r(h)}function r(h){if(h&&h.isTexture){let d=h.mapping;if(d===
 Al||d===El)if(e.has(h)){let x=e.get(h).texture;return a(x,h.mapping)}else{let x=h.image;if(x&&x.height>0){let S=new Qo(x.height);return S.fromEquirectangularTexture(
-i,h),e.set(h,S),h.addEventListener("dispose",c),a(S.texture,h.mapping)}else return null}}return h}function o(h){if(h&&h.isTexture&&h.isPMREMTexture!==!0){let d=h.
+i,h),e.set(h,S),h.addEventListener("dispose",l),a(S.texture,h.mapping)}else return null}}return h}function o(h){if(h&&h.isTexture&&h.isPMREMTexture!==!0){let d=h.
 mapping,x=d===Al||d===El,S=d===Hs||d===zr;if(x||S){let p=t.get(h),m=p!==void 0?p.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==m)return n===
 null&&(n=new mc(i)),p=x?n.fromEquirectangular(h,p):n.fromCubemap(h,p),p.texture.pmremVersion=h.pmremVersion,t.set(h,p),p.texture;if(p!==void 0)return p.texture;
-{let v=h.image;return x&&v&&v.height>0||S&&v&&l(v)?(n===null&&(n=new mc(i)),p=x?n.fromEquirectangular(h):n.fromCubemap(h),p.texture.pmremVersion=h.pmremVersion,
-t.set(h,p),h.addEventListener("dispose",u),p.texture):null}}}return h}function a(h,d){return d===Al?h.mapping=Hs:d===El&&(h.mapping=zr),h}function l(h){let d=0,
-x=6;for(let S=0;S<x;S++)h[S]!==void 0&&d++;return d===x}function c(h){let d=h.target;d.removeEventListener("dispose",c);let x=e.get(d);x!==void 0&&(e.delete(d),
+{let v=h.image;return x&&v&&v.height>0||S&&v&&c(v)?(n===null&&(n=new mc(i)),p=x?n.fromEquirectangular(h):n.fromCubemap(h),p.texture.pmremVersion=h.pmremVersion,
+t.set(h,p),h.addEventListener("dispose",u),p.texture):null}}}return h}function a(h,d){return d===Al?h.mapping=Hs:d===El&&(h.mapping=zr),h}function c(h){let d=0,
+x=6;for(let S=0;S<x;S++)h[S]!==void 0&&d++;return d===x}function l(h){let d=h.target;d.removeEventListener("dispose",l);let x=e.get(d);x!==void 0&&(e.delete(d),
 x.dispose())}function u(h){let d=h.target;d.removeEventListener("dispose",u);let x=t.get(d);x!==void 0&&(t.delete(d),x.dispose())}function f(){e=new WeakMap,t=new WeakMap,
-n!==null&&(n.dispose(),n=null)}return{get:s,dispose:f}}function Fy(i){let e={};function t(n){if(e[n]!==void 0)return e[n];let s=i.getExtension(n);return e[n]=s,
+n!==null&&(n.dispose(),n=null)}return{get:s,dispose:f}}function Oy(i){let e={};function t(n){if(e[n]!==void 0)return e[n];let s=i.getExtension(n);return e[n]=s,
 s}return{has:function(n){return t(n)!==null},init:function(){t("EXT_color_buffer_float"),t("WEBGL_clip_cull_distance"),t("OES_texture_float_linear"),t("EXT_colo\
 r_buffer_half_float"),t("WEBGL_multisampled_render_to_texture"),t("WEBGL_render_shared_exponent")},get:function(n){let s=t(n);return s===null&&po("WebGLRenderer\
-: "+n+" extension not supported."),s}}}function Oy(i,e,t,n){let s={},r=new WeakMap,o=new FinalizationRegistry(x=>delete s[x]);function a(x){l(x.target)}function l(x){
+: "+n+" extension not supported."),s}}}function By(i,e,t,n){let s={},r=new WeakMap,o=new FinalizationRegistry(x=>delete s[x]);function a(x){c(x.target)}function c(x){
 x.index!==null&&e.remove(x.index);for(let p in x.attributes)e.remove(x.attributes[p]);x.removeEventListener("dispose",a),delete s[x.id],o.unregister(x);let S=r.
-get(x);S&&(e.remove(S),r.delete(x)),n.releaseStatesOfGeometry(x),x.isInstancedBufferGeometry===!0&&delete x._maxInstanceCount,t.memory.geometries--}function c(x,S){
+get(x);S&&(e.remove(S),r.delete(x)),n.releaseStatesOfGeometry(x),x.isInstancedBufferGeometry===!0&&delete x._maxInstanceCount,t.memory.geometries--}function l(x,S){
 return s[S.id]!==void 0||(S.addEventListener("dispose",a),s[S.id]=new WeakRef(S),o.register(S,S.id,S),t.memory.geometries++),S}function u(x){let S=x.attributes;
 for(let p in S)e.update(S[p],i.ARRAY_BUFFER)}function f(x){let S=x.index,p=x.attributes.position,m=0;if(p===void 0)return;let v=S!==null?S.array.length:p.array.
 length/3-1,A=p.count>=65535?bo:Mo,M=new A(Math.ceil(v/3)*6,1),P=M.array;if(S!==null){let _=S.array;m=S.version;for(let T=0,O=0;T<v;T+=3){let D=_[T+0],L=_[T+1],V=_[T+
 2];P[O++]=D,P[O++]=L,P[O++]=L,P[O++]=V,P[O++]=V,P[O++]=D}}else{m=p.version;for(let _=0,T=0;_<v;_+=3){let O=_+0,D=_+1,L=_+2;P[T++]=O,P[T++]=D,P[T++]=D,P[T++]=L,P[T++]=
 L,P[T++]=O}}M.version=m;let E=r.get(x);E&&e.remove(E),r.set(x,M)}function h(x){let S=r.get(x);if(S){let p=x.index;p!==null&&S.version<p.version&&f(x)}else f(x);
-return r.get(x)}function d(){for(let x in s){let S=s[x].deref();S!==void 0&&l(S)}}return{get:c,update:u,getWireframeAttribute:h,dispose:d}}function By(i,e,t){let n;
-function s(f){n=f}let r,o;function a(f){r=f.type,o=f.bytesPerElement}function l(f,h){i.drawElements(n,h,r,f*o),t.update(h,n,1)}function c(f,h,d){d!==0&&(i.drawElementsInstanced(
+return r.get(x)}function d(){for(let x in s){let S=s[x].deref();S!==void 0&&c(S)}}return{get:l,update:u,getWireframeAttribute:h,dispose:d}}function zy(i,e,t){let n;
+function s(f){n=f}let r,o;function a(f){r=f.type,o=f.bytesPerElement}function c(f,h){i.drawElements(n,h,r,f*o),t.update(h,n,1)}function l(f,h,d){d!==0&&(i.drawElementsInstanced(
 n,h,r,f*o,d),t.update(h,n,d))}function u(f,h,d){if(d===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(n,h,0,r,f,0,d);let S=0;for(let p=0;p<d;p++)S+=h[p];
-t.update(S,n,1)}this.setMode=s,this.setIndex=a,this.render=l,this.renderInstances=c,this.renderMultiDraw=u}function zy(i){let e={geometries:0,textures:0},t={frame:0,
+t.update(S,n,1)}this.setMode=s,this.setIndex=a,this.render=c,this.renderInstances=l,this.renderMultiDraw=u}function ky(i){let e={geometries:0,textures:0},t={frame:0,
 calls:0,triangles:0,points:0,lines:0};function n(r,o,a){switch(t.calls++,o){case i.TRIANGLES:t.triangles+=a*(r/3);break;case i.LINES:t.lines+=a*(r/2);break;case i.
 LINE_STRIP:t.lines+=a*(r-1);break;case i.LINE_LOOP:t.lines+=a*r;break;case i.POINTS:t.points+=a*r;break;default:Ke("WebGLInfo: Unknown draw mode:",o);break}}function s(){
-t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:n}}function ky(i,e,t){let n=new WeakMap,s=new Ht;
-function r(o,a,l){let c=o.morphTargetInfluences,u=a.morphAttributes.position||a.morphAttributes.normal||a.morphAttributes.color,f=u!==void 0?u.length:0,h=n.get(
+t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:n}}function Vy(i,e,t){let n=new WeakMap,s=new Ht;
+function r(o,a,c){let l=o.morphTargetInfluences,u=a.morphAttributes.position||a.morphAttributes.normal||a.morphAttributes.color,f=u!==void 0?u.length:0,h=n.get(
 a);if(h===void 0||h.count!==f){let O=function(){_.dispose(),n.delete(a),a.removeEventListener("dispose",O)};h!==void 0&&h.texture.dispose();let d=a.morphAttributes.
 position!==void 0,x=a.morphAttributes.normal!==void 0,S=a.morphAttributes.color!==void 0,p=a.morphAttributes.position||[],m=a.morphAttributes.normal||[],v=a.morphAttributes.
 color||[],A=0;d===!0&&(A=1),x===!0&&(A=2),S===!0&&(A=3);let M=a.attributes.position.count*A,P=1;M>e.maxTextureSize&&(P=Math.ceil(M/e.maxTextureSize),M=e.maxTextureSize);
 let E=new Float32Array(M*P*4*f),_=new vo(E,M,P,f);_.type=oi,_.needsUpdate=!0;let T=A*4;for(let D=0;D<f;D++){let L=p[D],V=m[D],H=v[D],N=M*P*4*D;for(let G=0;G<L.count;G++){
 let J=G*T;d===!0&&(s.fromBufferAttribute(L,G),E[N+J+0]=s.x,E[N+J+1]=s.y,E[N+J+2]=s.z,E[N+J+3]=0),x===!0&&(s.fromBufferAttribute(V,G),E[N+J+4]=s.x,E[N+J+5]=s.y,E[N+
 J+6]=s.z,E[N+J+7]=0),S===!0&&(s.fromBufferAttribute(H,G),E[N+J+8]=s.x,E[N+J+9]=s.y,E[N+J+10]=s.z,E[N+J+11]=H.itemSize===4?s.w:1)}}h={count:f,texture:_,size:new ft(
-M,P)},n.set(a,h),a.addEventListener("dispose",O)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)l.getUniforms().setValue(i,"morphTexture",o.morphTexture,t);else{
-let d=0;for(let S=0;S<c.length;S++)d+=c[S];let x=a.morphTargetsRelative?1:1-d;l.getUniforms().setValue(i,"morphTargetBaseInfluence",x),l.getUniforms().setValue(
-i,"morphTargetInfluences",c)}l.getUniforms().setValue(i,"morphTargetsTexture",h.texture,t),l.getUniforms().setValue(i,"morphTargetsTextureSize",h.size)}return{update:r}}
-function Vy(i,e,t,n,s){let r=new WeakMap;function o(c){let u=s.render.frame,f=c.geometry,h=e.get(c,f);if(r.get(h)!==u&&(e.update(h),r.set(h,u)),c.isInstancedMesh&&
-(c.hasEventListener("dispose",l)===!1&&c.addEventListener("dispose",l),r.get(c)!==u&&(t.update(c.instanceMatrix,i.ARRAY_BUFFER),c.instanceColor!==null&&t.update(
-c.instanceColor,i.ARRAY_BUFFER),r.set(c,u))),c.isSkinnedMesh){let d=c.skeleton;r.get(d)!==u&&(d.update(),r.set(d,u))}return h}function a(){r=new WeakMap}function l(c){
-let u=c.target;u.removeEventListener("dispose",l),n.releaseStatesOfObject(u),t.remove(u.instanceMatrix),u.instanceColor!==null&&t.remove(u.instanceColor)}return{
-update:o,dispose:a}}var Gy={[qu]:"LINEAR_TONE_MAPPING",[Yu]:"REINHARD_TONE_MAPPING",[Zu]:"CINEON_TONE_MAPPING",[Ju]:"ACES_FILMIC_TONE_MAPPING",[Ku]:"AGX_TONE_MA\
-PPING",[Qu]:"NEUTRAL_TONE_MAPPING",[$u]:"CUSTOM_TONE_MAPPING"};function Hy(i,e,t,n,s,r){let o=new $n(e,t,{type:i,depthBuffer:s,stencilBuffer:r,samples:n?4:0,storeMultisampledDepthBuffer:!1,
-storeMultisampledStencilBuffer:!1,resolveDepthBuffer:!1,resolveStencilBuffer:!1}),a=null,l=null,c=null,u=new Kn;u.setAttribute("position",new fn([-1,3,0,-1,-1,0,
+M,P)},n.set(a,h),a.addEventListener("dispose",O)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)c.getUniforms().setValue(i,"morphTexture",o.morphTexture,t);else{
+let d=0;for(let S=0;S<l.length;S++)d+=l[S];let x=a.morphTargetsRelative?1:1-d;c.getUniforms().setValue(i,"morphTargetBaseInfluence",x),c.getUniforms().setValue(
+i,"morphTargetInfluences",l)}c.getUniforms().setValue(i,"morphTargetsTexture",h.texture,t),c.getUniforms().setValue(i,"morphTargetsTextureSize",h.size)}return{update:r}}
+function Gy(i,e,t,n,s){let r=new WeakMap;function o(l){let u=s.render.frame,f=l.geometry,h=e.get(l,f);if(r.get(h)!==u&&(e.update(h),r.set(h,u)),l.isInstancedMesh&&
+(l.hasEventListener("dispose",c)===!1&&l.addEventListener("dispose",c),r.get(l)!==u&&(t.update(l.instanceMatrix,i.ARRAY_BUFFER),l.instanceColor!==null&&t.update(
+l.instanceColor,i.ARRAY_BUFFER),r.set(l,u))),l.isSkinnedMesh){let d=l.skeleton;r.get(d)!==u&&(d.update(),r.set(d,u))}return h}function a(){r=new WeakMap}function c(l){
+let u=l.target;u.removeEventListener("dispose",c),n.releaseStatesOfObject(u),t.remove(u.instanceMatrix),u.instanceColor!==null&&t.remove(u.instanceColor)}return{
+update:o,dispose:a}}var Hy={[qu]:"LINEAR_TONE_MAPPING",[Yu]:"REINHARD_TONE_MAPPING",[Zu]:"CINEON_TONE_MAPPING",[Ju]:"ACES_FILMIC_TONE_MAPPING",[Ku]:"AGX_TONE_MA\
+PPING",[Qu]:"NEUTRAL_TONE_MAPPING",[$u]:"CUSTOM_TONE_MAPPING"};function Wy(i,e,t,n,s,r){let o=new $n(e,t,{type:i,depthBuffer:s,stencilBuffer:r,samples:n?4:0,storeMultisampledDepthBuffer:!1,
+storeMultisampledStencilBuffer:!1,resolveDepthBuffer:!1,resolveStencilBuffer:!1}),a=null,c=null,l=null,u=new Kn;u.setAttribute("position",new fn([-1,3,0,-1,-1,0,
 3,-1,0],3)),u.setAttribute("uv",new fn([0,2,0,0,2,0],2));let f=new ul({uniforms:{tDiffuse:{value:null}},vertexShader:"\n   precision highp float;\n\n   uniform mat\
 4 modelViewMatrix;\n   uniform mat4 projectionMatrix;\n\n   attribute vec3 position;\n   attribute vec2 uv;\n\n   varying vec2 vUv;\n\n   void main() {\n    vUv = uv;\n  \
   gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.0 );\n   }",fragmentShader:"\n   precision highp float;\n\n   uniform sampler2D tDiffuse;\n\n \
@@ -2743,103 +2743,103 @@ f defined( ACES_FILMIC_TONE_MAPPING )\n     gl_FragColor.rgb = ACESFilmicToneMap
 .rgb = AgXToneMapping( gl_FragColor.rgb );\n    #elif defined( NEUTRAL_TONE_MAPPING )\n     gl_FragColor.rgb = NeutralToneMapping( gl_FragColor.rgb );\n    #elif d\
 efined( CUSTOM_TONE_MAPPING )\n     gl_FragColor.rgb = CustomToneMapping( gl_FragColor.rgb );\n    #endif\n\n    #ifdef SRGB_TRANSFER\n     gl_FragColor = sRGBTransf\
 erOETF( gl_FragColor );\n    #endif\n   }",depthTest:!1,depthWrite:!1}),h=new ri(u,f),d=new Oo(-1,1,1,-1,0,1),x=null,S=null,p=!1,m,v=null,A=[],M=!1;this.setSize=
-function(P,E){o.setSize(P,E),a!==null&&a.setSize(P,E),l!==null&&l.setSize(P,E);for(let _=0;_<A.length;_++){let T=A[_];T.setSize&&T.setSize(P,E)}},this.setEffects=
-function(P){A=P,M=A.length>0&&A[0].isRenderPass===!0;let E=o.width,_=o.height;A.length>0&&a===null&&(a=new $n(E,_,{type:vi,depthBuffer:!1,stencilBuffer:!1}),l=new $n(
-E,_,{type:vi,depthBuffer:!1,stencilBuffer:!1}));let T=s===!0&&A.some(O=>O.needsDepthTexture===!0);T!==(o.depthTexture!==null)&&(T===!0&&c===null&&(c=new ns(E,_),
-r===!0&&(c.format=ss,c.type=Ws)),o.dispose(),o.depthTexture=T?c:null,o.resolveDepthBuffer=T,o.storeMultisampledDepthBuffer=T);for(let O=0;O<A.length;O++){let D=A[O];
-D.setSize&&D.setSize(E,_),T&&D.needsDepthTexture===!0&&D.setDepthTexture&&D.setDepthTexture(c)}},this.begin=function(P,E){if(p||P.toneMapping===Ui&&A.length===0)
+function(P,E){o.setSize(P,E),a!==null&&a.setSize(P,E),c!==null&&c.setSize(P,E);for(let _=0;_<A.length;_++){let T=A[_];T.setSize&&T.setSize(P,E)}},this.setEffects=
+function(P){A=P,M=A.length>0&&A[0].isRenderPass===!0;let E=o.width,_=o.height;A.length>0&&a===null&&(a=new $n(E,_,{type:vi,depthBuffer:!1,stencilBuffer:!1}),c=new $n(
+E,_,{type:vi,depthBuffer:!1,stencilBuffer:!1}));let T=s===!0&&A.some(O=>O.needsDepthTexture===!0);T!==(o.depthTexture!==null)&&(T===!0&&l===null&&(l=new ns(E,_),
+r===!0&&(l.format=ss,l.type=Ws)),o.dispose(),o.depthTexture=T?l:null,o.resolveDepthBuffer=T,o.storeMultisampledDepthBuffer=T);for(let O=0;O<A.length;O++){let D=A[O];
+D.setSize&&D.setSize(E,_),T&&D.needsDepthTexture===!0&&D.setDepthTexture&&D.setDepthTexture(l)}},this.begin=function(P,E){if(p||P.toneMapping===Ui&&A.length===0)
 return!1;if(v=E,E!==null){let _=E.width,T=E.height;(o.width!==_||o.height!==T)&&this.setSize(_,T)}return M===!1&&P.setRenderTarget(o),m=P.toneMapping,P.toneMapping=
 Ui,!0},this.hasRenderPass=function(){return M},this.end=function(P,E){P.toneMapping=m,p=!0;let _=o,T=a;for(let O=0;O<A.length;O++){let D=A[O];D.enabled!==!1&&(D.
-render(P,T,_,E),D.needsSwap!==!1&&(_=T,T=T===a?l:a))}if(x!==P.outputColorSpace||S!==P.toneMapping){x=P.outputColorSpace,S=P.toneMapping,f.defines={},gt.getTransfer(
-x)===Tt&&(f.defines.SRGB_TRANSFER="");let O=Gy[S];O&&(f.defines[O]=""),f.needsUpdate=!0}f.uniforms.tDiffuse.value=_.texture,P.setRenderTarget(v),P.render(h,d),v=
-null,p=!1},this.isCompositing=function(){return p},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),u.dispose(),f.dispose()}}var bm=new On,
-wm=new ns(1,1),Tm=new Co(1),Am=new vo,Em=new sl,Cm=new Eo,nm=[],im=[],sm=new Float32Array(16),rm=new Float32Array(9),om=new Float32Array(4);function Gr(i,e,t){let n=i[0];
-if(n<=0||n>0)return i;let s=e*t,r=nm[s];if(r===void 0&&(r=new Float32Array(s),nm[s]=r),e!==0){n.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,i[o].toArray(r,a)}return r}
+render(P,T,_,E),D.needsSwap!==!1&&(_=T,T=T===a?c:a))}if(x!==P.outputColorSpace||S!==P.toneMapping){x=P.outputColorSpace,S=P.toneMapping,f.defines={},gt.getTransfer(
+x)===Tt&&(f.defines.SRGB_TRANSFER="");let O=Hy[S];O&&(f.defines[O]=""),f.needsUpdate=!0}f.uniforms.tDiffuse.value=_.texture,P.setRenderTarget(v),P.render(h,d),v=
+null,p=!1},this.isCompositing=function(){return p},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),c!==null&&c.dispose(),u.dispose(),f.dispose()}}var wm=new On,
+Tm=new ns(1,1),Am=new Co(1),Em=new vo,Cm=new sl,Rm=new Eo,im=[],sm=[],rm=new Float32Array(16),om=new Float32Array(9),am=new Float32Array(4);function Gr(i,e,t){let n=i[0];
+if(n<=0||n>0)return i;let s=e*t,r=im[s];if(r===void 0&&(r=new Float32Array(s),im[s]=r),e!==0){n.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,i[o].toArray(r,a)}return r}
 function dn(i,e){if(i.length!==e.length)return!1;for(let t=0,n=i.length;t<n;t++)if(i[t]!==e[t])return!1;return!0}function pn(i,e){for(let t=0,n=e.length;t<n;t++)
-i[t]=e[t]}function _c(i,e){let t=im[e];t===void 0&&(t=new Int32Array(e),im[e]=t);for(let n=0;n!==e;++n)t[n]=i.allocateTextureUnit();return t}function Wy(i,e){let t=this.
-cache;t[0]!==e&&(i.uniform1f(this.addr,e),t[0]=e)}function Xy(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2f(this.addr,e.x,e.y),t[0]=
-e.x,t[1]=e.y);else{if(dn(t,e))return;i.uniform2fv(this.addr,e),pn(t,e)}}function qy(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&
+i[t]=e[t]}function _c(i,e){let t=sm[e];t===void 0&&(t=new Int32Array(e),sm[e]=t);for(let n=0;n!==e;++n)t[n]=i.allocateTextureUnit();return t}function Xy(i,e){let t=this.
+cache;t[0]!==e&&(i.uniform1f(this.addr,e),t[0]=e)}function qy(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2f(this.addr,e.x,e.y),t[0]=
+e.x,t[1]=e.y);else{if(dn(t,e))return;i.uniform2fv(this.addr,e),pn(t,e)}}function Yy(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&
 (i.uniform3f(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else if(e.r!==void 0)(t[0]!==e.r||t[1]!==e.g||t[2]!==e.b)&&(i.uniform3f(this.addr,e.r,e.g,e.b),t[0]=
-e.r,t[1]=e.g,t[2]=e.b);else{if(dn(t,e))return;i.uniform3fv(this.addr,e),pn(t,e)}}function Yy(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
-e.z||t[3]!==e.w)&&(i.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(dn(t,e))return;i.uniform4fv(this.addr,e),pn(t,e)}}function Zy(i,e){
-let t=this.cache,n=e.elements;if(n===void 0){if(dn(t,e))return;i.uniformMatrix2fv(this.addr,!1,e),pn(t,e)}else{if(dn(t,n))return;om.set(n),i.uniformMatrix2fv(this.
-addr,!1,om),pn(t,n)}}function Jy(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(dn(t,e))return;i.uniformMatrix3fv(this.addr,!1,e),pn(t,e)}else{if(dn(t,n))
-return;rm.set(n),i.uniformMatrix3fv(this.addr,!1,rm),pn(t,n)}}function $y(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(dn(t,e))return;i.uniformMatrix4fv(
-this.addr,!1,e),pn(t,e)}else{if(dn(t,n))return;sm.set(n),i.uniformMatrix4fv(this.addr,!1,sm),pn(t,n)}}function Ky(i,e){let t=this.cache;t[0]!==e&&(i.uniform1i(this.
-addr,e),t[0]=e)}function Qy(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(dn(t,e))return;
-i.uniform2iv(this.addr,e),pn(t,e)}}function jy(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(i.uniform3i(this.addr,e.x,e.y,e.z),t[0]=
-e.x,t[1]=e.y,t[2]=e.z);else{if(dn(t,e))return;i.uniform3iv(this.addr,e),pn(t,e)}}function eS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
-e.z||t[3]!==e.w)&&(i.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(dn(t,e))return;i.uniform4iv(this.addr,e),pn(t,e)}}function tS(i,e){
-let t=this.cache;t[0]!==e&&(i.uniform1ui(this.addr,e),t[0]=e)}function nS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2ui(this.addr,
-e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(dn(t,e))return;i.uniform2uiv(this.addr,e),pn(t,e)}}function iS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||
-t[2]!==e.z)&&(i.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(dn(t,e))return;i.uniform3uiv(this.addr,e),pn(t,e)}}function sS(i,e){let t=this.
+e.r,t[1]=e.g,t[2]=e.b);else{if(dn(t,e))return;i.uniform3fv(this.addr,e),pn(t,e)}}function Zy(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
+e.z||t[3]!==e.w)&&(i.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(dn(t,e))return;i.uniform4fv(this.addr,e),pn(t,e)}}function Jy(i,e){
+let t=this.cache,n=e.elements;if(n===void 0){if(dn(t,e))return;i.uniformMatrix2fv(this.addr,!1,e),pn(t,e)}else{if(dn(t,n))return;am.set(n),i.uniformMatrix2fv(this.
+addr,!1,am),pn(t,n)}}function $y(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(dn(t,e))return;i.uniformMatrix3fv(this.addr,!1,e),pn(t,e)}else{if(dn(t,n))
+return;om.set(n),i.uniformMatrix3fv(this.addr,!1,om),pn(t,n)}}function Ky(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(dn(t,e))return;i.uniformMatrix4fv(
+this.addr,!1,e),pn(t,e)}else{if(dn(t,n))return;rm.set(n),i.uniformMatrix4fv(this.addr,!1,rm),pn(t,n)}}function Qy(i,e){let t=this.cache;t[0]!==e&&(i.uniform1i(this.
+addr,e),t[0]=e)}function jy(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(dn(t,e))return;
+i.uniform2iv(this.addr,e),pn(t,e)}}function eS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(i.uniform3i(this.addr,e.x,e.y,e.z),t[0]=
+e.x,t[1]=e.y,t[2]=e.z);else{if(dn(t,e))return;i.uniform3iv(this.addr,e),pn(t,e)}}function tS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
+e.z||t[3]!==e.w)&&(i.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(dn(t,e))return;i.uniform4iv(this.addr,e),pn(t,e)}}function nS(i,e){
+let t=this.cache;t[0]!==e&&(i.uniform1ui(this.addr,e),t[0]=e)}function iS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2ui(this.addr,
+e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(dn(t,e))return;i.uniform2uiv(this.addr,e),pn(t,e)}}function sS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||
+t[2]!==e.z)&&(i.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(dn(t,e))return;i.uniform3uiv(this.addr,e),pn(t,e)}}function rS(i,e){let t=this.
 cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(i.uniform4ui(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(dn(
-t,e))return;i.uniform4uiv(this.addr,e),pn(t,e)}}function xc(i){return i.version===0&&(i.compareFunction=lh,i.needsUpdate=!0),i}function rS(i,e,t){let n=this.cache,
-s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_2D_SHADOW?r=xc(wm):r=bm,t.setTexture2D(e||r,s)}function oS(i,e,t){
-let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture3D(e||Em,s)}function aS(i,e,t){let n=this.cache,s=t.allocateTextureUnit();
-n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_CUBE_SHADOW?r=xc(Tm):r=Cm,t.setTextureCube(e||r,s)}function lS(i,e,t){let n=this.cache,s=t.
-allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture2DArray(e||Am,s)}function cS(i){switch(i){case 5126:return Wy;case 35664:return Xy;case 35665:
-return qy;case 35666:return Yy;case 35674:return Zy;case 35675:return Jy;case 35676:return $y;case 5124:case 35670:return Ky;case 35667:case 35671:return Qy;case 35668:case 35672:
-return jy;case 35669:case 35673:return eS;case 5125:return tS;case 36294:return nS;case 36295:return iS;case 36296:return sS;case 35678:case 36198:case 36298:case 36306:case 35682:
-return rS;case 35679:case 36299:case 36307:return oS;case 35680:case 36300:case 36308:case 36293:return aS;case 36289:case 36303:case 36311:case 36292:return lS}}
-function uS(i,e){i.uniform1fv(this.addr,e)}function hS(i,e){let t=Gr(e,this.size,2);i.uniform2fv(this.addr,t)}function fS(i,e){let t=Gr(e,this.size,3);i.uniform3fv(
-this.addr,t)}function dS(i,e){let t=Gr(e,this.size,4);i.uniform4fv(this.addr,t)}function pS(i,e){let t=Gr(e,this.size,4);i.uniformMatrix2fv(this.addr,!1,t)}function mS(i,e){
-let t=Gr(e,this.size,9);i.uniformMatrix3fv(this.addr,!1,t)}function gS(i,e){let t=Gr(e,this.size,16);i.uniformMatrix4fv(this.addr,!1,t)}function _S(i,e){i.uniform1iv(
-this.addr,e)}function xS(i,e){i.uniform2iv(this.addr,e)}function vS(i,e){i.uniform3iv(this.addr,e)}function yS(i,e){i.uniform4iv(this.addr,e)}function SS(i,e){i.
-uniform1uiv(this.addr,e)}function MS(i,e){i.uniform2uiv(this.addr,e)}function bS(i,e){i.uniform3uiv(this.addr,e)}function wS(i,e){i.uniform4uiv(this.addr,e)}function TS(i,e,t){
-let n=this.cache,s=e.length,r=_c(t,s);dn(n,r)||(i.uniform1iv(this.addr,r),pn(n,r));let o;this.type===i.SAMPLER_2D_SHADOW?o=xc(wm):o=bm;for(let a=0;a!==s;++a)t.setTexture2D(
-e[a]||o,r[a])}function AS(i,e,t){let n=this.cache,s=e.length,r=_c(t,s);dn(n,r)||(i.uniform1iv(this.addr,r),pn(n,r));for(let o=0;o!==s;++o)t.setTexture3D(e[o]||Em,
-r[o])}function ES(i,e,t){let n=this.cache,s=e.length,r=_c(t,s);dn(n,r)||(i.uniform1iv(this.addr,r),pn(n,r));let o;this.type===i.SAMPLER_CUBE_SHADOW?o=xc(Tm):o=Cm;
-for(let a=0;a!==s;++a)t.setTextureCube(e[a]||o,r[a])}function CS(i,e,t){let n=this.cache,s=e.length,r=_c(t,s);dn(n,r)||(i.uniform1iv(this.addr,r),pn(n,r));for(let o=0;o!==
-s;++o)t.setTexture2DArray(e[o]||Am,r[o])}function RS(i){switch(i){case 5126:return uS;case 35664:return hS;case 35665:return fS;case 35666:return dS;case 35674:
-return pS;case 35675:return mS;case 35676:return gS;case 5124:case 35670:return _S;case 35667:case 35671:return xS;case 35668:case 35672:return vS;case 35669:case 35673:
-return yS;case 5125:return SS;case 36294:return MS;case 36295:return bS;case 36296:return wS;case 35678:case 36198:case 36298:case 36306:case 35682:return TS;case 35679:case 36299:case 36307:
-return AS;case 35680:case 36300:case 36308:case 36293:return ES;case 36289:case 36303:case 36311:case 36292:return CS}}var xh=class{constructor(e,t,n){this.id=e,
-this.addr=n,this.cache=[],this.type=t.type,this.setValue=cS(t.type)}},vh=class{constructor(e,t,n){this.id=e,this.addr=n,this.cache=[],this.type=t.type,this.size=
-t.size,this.setValue=RS(t.type)}},yh=class{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,n){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];
-a.setValue(e,t[a.id],n)}}},gh=/(\w+)(\])?(\[|\.)?/g;function am(i,e){i.seq.push(e),i.map[e.id]=e}function PS(i,e,t){let n=i.name,s=n.length;for(gh.lastIndex=0;;){
-let r=gh.exec(n),o=gh.lastIndex,a=r[1],l=r[2]==="]",c=r[3];if(l&&(a=a|0),c===void 0||c==="["&&o+2===s){am(t,c===void 0?new xh(a,i,e):new vh(a,i,e));break}else{let f=t.
-map[a];f===void 0&&(f=new yh(a),am(t,f)),t=f}}}var Vr=class{constructor(e,t){this.seq=[],this.map={};let n=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let o=0;o<
-n;++o){let a=e.getActiveUniform(t,o),l=e.getUniformLocation(t,a.name);PS(a,l,this)}let s=[],r=[];for(let o of this.seq)o.type===e.SAMPLER_2D_SHADOW||o.type===e.
+t,e))return;i.uniform4uiv(this.addr,e),pn(t,e)}}function xc(i){return i.version===0&&(i.compareFunction=lh,i.needsUpdate=!0),i}function oS(i,e,t){let n=this.cache,
+s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_2D_SHADOW?r=xc(Tm):r=wm,t.setTexture2D(e||r,s)}function aS(i,e,t){
+let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture3D(e||Cm,s)}function lS(i,e,t){let n=this.cache,s=t.allocateTextureUnit();
+n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_CUBE_SHADOW?r=xc(Am):r=Rm,t.setTextureCube(e||r,s)}function cS(i,e,t){let n=this.cache,s=t.
+allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture2DArray(e||Em,s)}function uS(i){switch(i){case 5126:return Xy;case 35664:return qy;case 35665:
+return Yy;case 35666:return Zy;case 35674:return Jy;case 35675:return $y;case 35676:return Ky;case 5124:case 35670:return Qy;case 35667:case 35671:return jy;case 35668:case 35672:
+return eS;case 35669:case 35673:return tS;case 5125:return nS;case 36294:return iS;case 36295:return sS;case 36296:return rS;case 35678:case 36198:case 36298:case 36306:case 35682:
+return oS;case 35679:case 36299:case 36307:return aS;case 35680:case 36300:case 36308:case 36293:return lS;case 36289:case 36303:case 36311:case 36292:return cS}}
+function hS(i,e){i.uniform1fv(this.addr,e)}function fS(i,e){let t=Gr(e,this.size,2);i.uniform2fv(this.addr,t)}function dS(i,e){let t=Gr(e,this.size,3);i.uniform3fv(
+this.addr,t)}function pS(i,e){let t=Gr(e,this.size,4);i.uniform4fv(this.addr,t)}function mS(i,e){let t=Gr(e,this.size,4);i.uniformMatrix2fv(this.addr,!1,t)}function gS(i,e){
+let t=Gr(e,this.size,9);i.uniformMatrix3fv(this.addr,!1,t)}function _S(i,e){let t=Gr(e,this.size,16);i.uniformMatrix4fv(this.addr,!1,t)}function xS(i,e){i.uniform1iv(
+this.addr,e)}function vS(i,e){i.uniform2iv(this.addr,e)}function yS(i,e){i.uniform3iv(this.addr,e)}function SS(i,e){i.uniform4iv(this.addr,e)}function MS(i,e){i.
+uniform1uiv(this.addr,e)}function bS(i,e){i.uniform2uiv(this.addr,e)}function wS(i,e){i.uniform3uiv(this.addr,e)}function TS(i,e){i.uniform4uiv(this.addr,e)}function AS(i,e,t){
+let n=this.cache,s=e.length,r=_c(t,s);dn(n,r)||(i.uniform1iv(this.addr,r),pn(n,r));let o;this.type===i.SAMPLER_2D_SHADOW?o=xc(Tm):o=wm;for(let a=0;a!==s;++a)t.setTexture2D(
+e[a]||o,r[a])}function ES(i,e,t){let n=this.cache,s=e.length,r=_c(t,s);dn(n,r)||(i.uniform1iv(this.addr,r),pn(n,r));for(let o=0;o!==s;++o)t.setTexture3D(e[o]||Cm,
+r[o])}function CS(i,e,t){let n=this.cache,s=e.length,r=_c(t,s);dn(n,r)||(i.uniform1iv(this.addr,r),pn(n,r));let o;this.type===i.SAMPLER_CUBE_SHADOW?o=xc(Am):o=Rm;
+for(let a=0;a!==s;++a)t.setTextureCube(e[a]||o,r[a])}function RS(i,e,t){let n=this.cache,s=e.length,r=_c(t,s);dn(n,r)||(i.uniform1iv(this.addr,r),pn(n,r));for(let o=0;o!==
+s;++o)t.setTexture2DArray(e[o]||Em,r[o])}function PS(i){switch(i){case 5126:return hS;case 35664:return fS;case 35665:return dS;case 35666:return pS;case 35674:
+return mS;case 35675:return gS;case 35676:return _S;case 5124:case 35670:return xS;case 35667:case 35671:return vS;case 35668:case 35672:return yS;case 35669:case 35673:
+return SS;case 5125:return MS;case 36294:return bS;case 36295:return wS;case 36296:return TS;case 35678:case 36198:case 36298:case 36306:case 35682:return AS;case 35679:case 36299:case 36307:
+return ES;case 35680:case 36300:case 36308:case 36293:return CS;case 36289:case 36303:case 36311:case 36292:return RS}}var xh=class{constructor(e,t,n){this.id=e,
+this.addr=n,this.cache=[],this.type=t.type,this.setValue=uS(t.type)}},vh=class{constructor(e,t,n){this.id=e,this.addr=n,this.cache=[],this.type=t.type,this.size=
+t.size,this.setValue=PS(t.type)}},yh=class{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,n){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];
+a.setValue(e,t[a.id],n)}}},gh=/(\w+)(\])?(\[|\.)?/g;function lm(i,e){i.seq.push(e),i.map[e.id]=e}function IS(i,e,t){let n=i.name,s=n.length;for(gh.lastIndex=0;;){
+let r=gh.exec(n),o=gh.lastIndex,a=r[1],c=r[2]==="]",l=r[3];if(c&&(a=a|0),l===void 0||l==="["&&o+2===s){lm(t,l===void 0?new xh(a,i,e):new vh(a,i,e));break}else{let f=t.
+map[a];f===void 0&&(f=new yh(a),lm(t,f)),t=f}}}var Vr=class{constructor(e,t){this.seq=[],this.map={};let n=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let o=0;o<
+n;++o){let a=e.getActiveUniform(t,o),c=e.getUniformLocation(t,a.name);IS(a,c,this)}let s=[],r=[];for(let o of this.seq)o.type===e.SAMPLER_2D_SHADOW||o.type===e.
 SAMPLER_CUBE_SHADOW||o.type===e.SAMPLER_2D_ARRAY_SHADOW?s.push(o):r.push(o);s.length>0&&(this.seq=s.concat(r))}setValue(e,t,n,s){let r=this.map[t];r!==void 0&&r.
-setValue(e,n,s)}setOptional(e,t,n){let s=t[n];s!==void 0&&this.setValue(e,n,s)}static upload(e,t,n,s){for(let r=0,o=t.length;r!==o;++r){let a=t[r],l=n[a.id];l.needsUpdate!==
-!1&&a.setValue(e,l.value,s)}}static seqWithValue(e,t){let n=[];for(let s=0,r=e.length;s!==r;++s){let o=e[s];o.id in t&&n.push(o)}return n}};function lm(i,e,t){let n=i.
-createShader(e);return i.shaderSource(n,t),i.compileShader(n),n}var IS=37297,LS=0;function DS(i,e){let t=i.split("\n"),n=[],s=Math.max(e-6,0),r=Math.min(e+6,t.length);
-for(let o=s;o<r;o++){let a=o+1;n.push("".concat(a===e?">":" "," ").concat(a,": ").concat(t[o]))}return n.join("\n")}var cm=new Qe;function NS(i){gt._getMatrix(cm,
-gt.workingColorSpace,i);let e="mat3( ".concat(cm.elements.map(t=>t.toFixed(4))," )");switch(gt.getTransfer(i)){case _o:return[e,"LinearTransferOETF"];case Tt:return[
-e,"sRGBTransferOETF"];default:return qe("WebGLProgram: Unsupported color space: ",i),[e,"LinearTransferOETF"]}}function um(i,e,t){let n=i.getShaderParameter(e,i.
+setValue(e,n,s)}setOptional(e,t,n){let s=t[n];s!==void 0&&this.setValue(e,n,s)}static upload(e,t,n,s){for(let r=0,o=t.length;r!==o;++r){let a=t[r],c=n[a.id];c.needsUpdate!==
+!1&&a.setValue(e,c.value,s)}}static seqWithValue(e,t){let n=[];for(let s=0,r=e.length;s!==r;++s){let o=e[s];o.id in t&&n.push(o)}return n}};function cm(i,e,t){let n=i.
+createShader(e);return i.shaderSource(n,t),i.compileShader(n),n}var LS=37297,DS=0;function NS(i,e){let t=i.split("\n"),n=[],s=Math.max(e-6,0),r=Math.min(e+6,t.length);
+for(let o=s;o<r;o++){let a=o+1;n.push("".concat(a===e?">":" "," ").concat(a,": ").concat(t[o]))}return n.join("\n")}var um=new Qe;function US(i){gt._getMatrix(um,
+gt.workingColorSpace,i);let e="mat3( ".concat(um.elements.map(t=>t.toFixed(4))," )");switch(gt.getTransfer(i)){case _o:return[e,"LinearTransferOETF"];case Tt:return[
+e,"sRGBTransferOETF"];default:return qe("WebGLProgram: Unsupported color space: ",i),[e,"LinearTransferOETF"]}}function hm(i,e,t){let n=i.getShaderParameter(e,i.
 COMPILE_STATUS),r=(i.getShaderInfoLog(e)||"").trim();if(n&&r==="")return"";let o=/ERROR: 0:(\d+)/.exec(r);if(o){let a=parseInt(o[1]);return t.toUpperCase()+"\n\n"+
-r+"\n\n"+DS(i.getShaderSource(e),a)}else return r}function US(i,e){let t=NS(e);return["vec4 ".concat(i,"( vec4 value ) {")," return ".concat(t[1],"( vec4( ").concat(
-t[0]," * value.rgb, value.a ) );"),"}"].join("\n")}var FS={[qu]:"Linear",[Yu]:"Reinhard",[Zu]:"Cineon",[Ju]:"ACESFilmic",[Ku]:"AgX",[Qu]:"Neutral",[$u]:"Custom"};
-function OS(i,e){let t=FS[e];return t===void 0?(qe("WebGLProgram: Unsupported toneMapping:",e),"vec3 "+i+"( vec3 color ) { return LinearToneMapping( color ); }"):
-"vec3 "+i+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}var pc=new q;function BS(){gt.getLuminanceCoefficients(pc);let i=pc.x.toFixed(4),e=pc.y.toFixed(
+r+"\n\n"+NS(i.getShaderSource(e),a)}else return r}function FS(i,e){let t=US(e);return["vec4 ".concat(i,"( vec4 value ) {")," return ".concat(t[1],"( vec4( ").concat(
+t[0]," * value.rgb, value.a ) );"),"}"].join("\n")}var OS={[qu]:"Linear",[Yu]:"Reinhard",[Zu]:"Cineon",[Ju]:"ACESFilmic",[Ku]:"AgX",[Qu]:"Neutral",[$u]:"Custom"};
+function BS(i,e){let t=OS[e];return t===void 0?(qe("WebGLProgram: Unsupported toneMapping:",e),"vec3 "+i+"( vec3 color ) { return LinearToneMapping( color ); }"):
+"vec3 "+i+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}var pc=new q;function zS(){gt.getLuminanceCoefficients(pc);let i=pc.x.toFixed(4),e=pc.y.toFixed(
 4),t=pc.z.toFixed(4);return["float luminance( const in vec3 rgb ) {"," const vec3 weights = vec3( ".concat(i,", ").concat(e,", ").concat(t," );")," return dot( \
-weights, rgb );","}"].join("\n")}function zS(i){return[i.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",i.extensionMultiDraw?"#\
-extension GL_ANGLE_multi_draw : require":""].filter(Ko).join("\n")}function kS(i){let e=[];for(let t in i){let n=i[t];n!==!1&&e.push("#define "+t+" "+n)}return e.
-join("\n")}function VS(i,e){let t={},n=i.getProgramParameter(e,i.ACTIVE_ATTRIBUTES);for(let s=0;s<n;s++){let r=i.getActiveAttrib(e,s),o=r.name,a=1;r.type===i.FLOAT_MAT2&&
+weights, rgb );","}"].join("\n")}function kS(i){return[i.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",i.extensionMultiDraw?"#\
+extension GL_ANGLE_multi_draw : require":""].filter(Ko).join("\n")}function VS(i){let e=[];for(let t in i){let n=i[t];n!==!1&&e.push("#define "+t+" "+n)}return e.
+join("\n")}function GS(i,e){let t={},n=i.getProgramParameter(e,i.ACTIVE_ATTRIBUTES);for(let s=0;s<n;s++){let r=i.getActiveAttrib(e,s),o=r.name,a=1;r.type===i.FLOAT_MAT2&&
 (a=2),r.type===i.FLOAT_MAT3&&(a=3),r.type===i.FLOAT_MAT4&&(a=4),t[o]={type:r.type,location:i.getAttribLocation(e,o),locationSize:a}}return t}function Ko(i){return i!==
-""}function hm(i,e){let t=e.numSpotLightShadows+e.numSpotLightMaps-e.numSpotLightShadowsWithMaps;return i.replace(/NUM_SUN_LIGHTS/g,e.numSunLights).replace(/NUM_DIR_LIGHTS/g,
+""}function fm(i,e){let t=e.numSpotLightShadows+e.numSpotLightMaps-e.numSpotLightShadowsWithMaps;return i.replace(/NUM_SUN_LIGHTS/g,e.numSunLights).replace(/NUM_DIR_LIGHTS/g,
 e.numDirLights).replace(/NUM_SPOT_LIGHTS/g,e.numSpotLights).replace(/NUM_SPOT_LIGHT_MAPS/g,e.numSpotLightMaps).replace(/NUM_SPOT_LIGHT_COORDS/g,t).replace(/NUM_RECT_AREA_LIGHTS/g,
 e.numRectAreaLights).replace(/NUM_POINT_LIGHTS/g,e.numPointLights).replace(/NUM_HEMI_LIGHTS/g,e.numHemiLights).replace(/NUM_SUN_LIGHT_SHADOWS/g,e.numSunLightShadows).
 replace(/NUM_DIR_LIGHT_SHADOWS/g,e.numDirLightShadows).replace(/NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS/g,e.numSpotLightShadowsWithMaps).replace(/NUM_SPOT_LIGHT_SHADOWS/g,
-e.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,e.numPointLightShadows).replace(/NUM_LIGHT_PROBE_GRIDS/g,e.numLightProbeGrids)}function fm(i,e){return i.
-replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}var GS=/^[ \t]*#include +<([\w\d./]+)>/gm;
-function Sh(i){return i.replace(GS,HS)}function HS(i,e){let t=lt[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return Sh(
-t)}var WS=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function dm(i){
-return i.replace(WS,XS)}function XS(i,e,t,n){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=n.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,
-r);return s}function pm(i){let e="precision ".concat(i.precision," float;\n precision ").concat(i.precision," int;\n precision ").concat(i.precision," sampler2D\
+e.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,e.numPointLightShadows).replace(/NUM_LIGHT_PROBE_GRIDS/g,e.numLightProbeGrids)}function dm(i,e){return i.
+replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}var HS=/^[ \t]*#include +<([\w\d./]+)>/gm;
+function Sh(i){return i.replace(HS,WS)}function WS(i,e){let t=lt[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return Sh(
+t)}var XS=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function pm(i){
+return i.replace(XS,qS)}function qS(i,e,t,n){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=n.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,
+r);return s}function mm(i){let e="precision ".concat(i.precision," float;\n precision ").concat(i.precision," int;\n precision ").concat(i.precision," sampler2D\
 ;\n precision ").concat(i.precision," samplerCube;\n precision ").concat(i.precision," sampler3D;\n precision ").concat(i.precision," sampler2DArray;\n precision\
  ").concat(i.precision," sampler2DShadow;\n precision ").concat(i.precision," samplerCubeShadow;\n precision ").concat(i.precision," sampler2DArrayShadow;\n prec\
 ision ").concat(i.precision," isampler2D;\n precision ").concat(i.precision," isampler3D;\n precision ").concat(i.precision," isamplerCube;\n precision ").concat(
 i.precision," isampler2DArray;\n precision ").concat(i.precision," usampler2D;\n precision ").concat(i.precision," usampler3D;\n precision ").concat(i.precision,
 " usamplerCube;\n precision ").concat(i.precision," usampler2DArray;\n ");return i.precision==="highp"?e+="\n#define HIGH_PRECISION":i.precision==="mediump"?e+=
-"\n#define MEDIUM_PRECISION":i.precision==="lowp"&&(e+="\n#define LOW_PRECISION"),e}var qS={[Vo]:"SHADOWMAP_TYPE_PCF",[Or]:"SHADOWMAP_TYPE_VSM"};function YS(i){
-return qS[i.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var ZS={[zr]:"ENVMAP_MODE_REFRACTION"};function JS(i){return i.envMap===!1?"ENVMAP_MODE_REFLECTION":ZS[i.envMapMode]||
-"ENVMAP_MODE_REFLECTION"}var $S={[Tl]:"ENVMAP_BLENDING_MULTIPLY",[Ip]:"ENVMAP_BLENDING_MIX",[Lp]:"ENVMAP_BLENDING_ADD"};function KS(i){return i.envMap===!1?"ENV\
-MAP_BLENDING_NONE":$S[i.combine]||"ENVMAP_BLENDING_NONE"}function QS(i,e,t,n){let s=i.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,l=YS(t),c=t.envMapPMREM===
-!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",u=JS(t),f=KS(t),h=zS(t),d=kS(r),x=s.createProgram(),S,p,m=t.glslVersion?"#version "+t.glslVersion+"\n":"";t.isRawShaderMaterial?
+"\n#define MEDIUM_PRECISION":i.precision==="lowp"&&(e+="\n#define LOW_PRECISION"),e}var YS={[Vo]:"SHADOWMAP_TYPE_PCF",[Or]:"SHADOWMAP_TYPE_VSM"};function ZS(i){
+return YS[i.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var JS={[zr]:"ENVMAP_MODE_REFRACTION"};function $S(i){return i.envMap===!1?"ENVMAP_MODE_REFLECTION":JS[i.envMapMode]||
+"ENVMAP_MODE_REFLECTION"}var KS={[Tl]:"ENVMAP_BLENDING_MULTIPLY",[Lp]:"ENVMAP_BLENDING_MIX",[Dp]:"ENVMAP_BLENDING_ADD"};function QS(i){return i.envMap===!1?"ENV\
+MAP_BLENDING_NONE":KS[i.combine]||"ENVMAP_BLENDING_NONE"}function jS(i,e,t,n){let s=i.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,c=ZS(t),l=t.envMapPMREM===
+!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",u=$S(t),f=QS(t),h=kS(t),d=VS(r),x=s.createProgram(),S,p,m=t.glslVersion?"#version "+t.glslVersion+"\n":"";t.isRawShaderMaterial?
 (S=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,d].filter(Ko).join("\n"),S.length>0&&(S+="\n"),p=["#define SHADER_TYPE "+t.shaderType,
-"#define SHADER_NAME "+t.shaderName,d].filter(Ko).join("\n"),p.length>0&&(p+="\n")):(S=[pm(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,
+"#define SHADER_NAME "+t.shaderName,d].filter(Ko).join("\n"),p.length>0&&(p+="\n")):(S=[mm(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,
 d,t.extensionClipCullDistance?"#define USE_CLIP_DISTANCE":"",t.batching?"#define USE_BATCHING":"",t.batchingColor?"#define USE_BATCHING_COLOR":"",t.instancing?"\
 #define USE_INSTANCING":"",t.instancingColor?"#define USE_INSTANCING_COLOR":"",t.instancingMorph?"#define USE_INSTANCING_MORPH":"",t.useFog&&t.fog?"#define USE_\
 FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.map?"#define USE_MAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+u:"",t.lightMap?"#define USE_L\
@@ -2866,16 +2866,16 @@ define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#defi
 _UV":"",t.flatShading?"#define FLAT_SHADED":"",t.skinning?"#define USE_SKINNING":"",t.morphTargets?"#define USE_MORPHTARGETS":"",t.morphNormals&&t.flatShading===
 !1?"#define USE_MORPHNORMALS":"",t.morphColors?"#define USE_MORPHCOLORS":"",t.morphTargetsCount>0?"#define MORPHTARGETS_TEXTURE_STRIDE "+t.morphTextureStride:"",
 t.morphTargetsCount>0?"#define MORPHTARGETS_COUNT "+t.morphTargetsCount:"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SIDED":"",t.shadowMapEnabled?
-"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+l:"",t.sizeAttenuation?"#define USE_SIZEATTENUATION":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",
+"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+c:"",t.sizeAttenuation?"#define USE_SIZEATTENUATION":"",t.numLightProbes>0?"#define USE_LIGHT_PROBES":"",
 t.logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 modelMatrix;","uni\
 form mat4 modelViewMatrix;","uniform mat4 projectionMatrix;","uniform mat4 viewMatrix;","uniform mat3 normalMatrix;","uniform vec3 cameraPosition;","uniform boo\
 l isOrthographic;","#ifdef USE_INSTANCING"," attribute mat4 instanceMatrix;","#endif","#ifdef USE_INSTANCING_COLOR"," attribute vec3 instanceColor;","#endif","#\
 ifdef USE_INSTANCING_MORPH"," uniform sampler2D morphTexture;","#endif","attribute vec3 position;","attribute vec3 normal;","attribute vec2 uv;","#ifdef USE_UV1",
 " attribute vec2 uv1;","#endif","#ifdef USE_UV2"," attribute vec2 uv2;","#endif","#ifdef USE_UV3"," attribute vec2 uv3;","#endif","#ifdef USE_TANGENT"," attribu\
 te vec4 tangent;","#endif","#if defined( USE_COLOR_ALPHA )"," attribute vec4 color;","#elif defined( USE_COLOR )"," attribute vec3 color;","#endif","#ifdef USE_\
-SKINNING"," attribute vec4 skinIndex;"," attribute vec4 skinWeight;","#endif","\n"].filter(Ko).join("\n"),p=[pm(t),"#define SHADER_TYPE "+t.shaderType,"#define \
+SKINNING"," attribute vec4 skinIndex;"," attribute vec4 skinWeight;","#endif","\n"].filter(Ko).join("\n"),p=[mm(t),"#define SHADER_TYPE "+t.shaderType,"#define \
 SHADER_NAME "+t.shaderName,d,t.useFog&&t.fog?"#define USE_FOG":"",t.useFog&&t.fogExp2?"#define FOG_EXP2":"",t.alphaToCoverage?"#define ALPHA_TO_COVERAGE":"",t.map?
-"#define USE_MAP":"",t.matcap?"#define USE_MATCAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+c:"",t.envMap?"#define "+u:"",t.envMap?"#define "+f:"",
+"#define USE_MAP":"",t.matcap?"#define USE_MATCAP":"",t.envMap?"#define USE_ENVMAP":"",t.envMap?"#define "+l:"",t.envMap?"#define "+u:"",t.envMap?"#define "+f:"",
 t.envMapPMREM?"#define ENVMAP_MAX_LOD "+t.envMapMaxLod+".0":"",t.envMapPMREM?"#define ENVMAP_SIZE "+t.envMapSize+".0":"",t.lightMap?"#define USE_LIGHTMAP":"",t.
 aoMap?"#define USE_AOMAP":"",t.bumpMap?"#define USE_BUMPMAP":"",t.normalMap?"#define USE_NORMALMAP":"",t.normalMapObjectSpace?"#define USE_NORMALMAP_OBJECTSPACE":
 "",t.normalMapTangentSpace?"#define USE_NORMALMAP_TANGENTSPACE":"",t.packedNormalMap?"#define USE_PACKED_NORMALMAP":"",t.emissiveMap?"#define USE_EMISSIVEMAP":"",
@@ -2890,35 +2890,35 @@ define USE_ALPHATEST":"",t.alphaHash?"#define USE_ALPHAHASH":"",t.sheen?"#define
 THICKNESSMAP":"",t.vertexTangents&&t.flatShading===!1?"#define USE_TANGENT":"",t.vertexColors||t.instancingColor?"#define USE_COLOR":"",t.vertexAlphas||t.batchingColor?
 "#define USE_COLOR_ALPHA":"",t.vertexUv1s?"#define USE_UV1":"",t.vertexUv2s?"#define USE_UV2":"",t.vertexUv3s?"#define USE_UV3":"",t.pointsUvs?"#define USE_POIN\
 TS_UV":"",t.gradientMap?"#define USE_GRADIENTMAP":"",t.flatShading?"#define FLAT_SHADED":"",t.doubleSided?"#define DOUBLE_SIDED":"",t.flipSided?"#define FLIP_SI\
-DED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+l:"",t.premultipliedAlpha?"#define PREMULTIPLIED_ALPHA":"",t.numLightProbes>
+DED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#define "+c:"",t.premultipliedAlpha?"#define PREMULTIPLIED_ALPHA":"",t.numLightProbes>
 0?"#define USE_LIGHT_PROBES":"",t.decodeVideoTexture?"#define DECODE_VIDEO_TEXTURE":"",t.decodeVideoTextureEmissive?"#define DECODE_VIDEO_TEXTURE_EMISSIVE":"",t.
 logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 viewMatrix;","unifor\
 m vec3 cameraPosition;","uniform bool isOrthographic;",t.toneMapping!==Ui?"#define TONE_MAPPING":"",t.toneMapping!==Ui?lt.tonemapping_pars_fragment:"",t.toneMapping!==
-Ui?OS("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",lt.colorspace_pars_fragment,US("linearToOutputTexel",t.outputColorSpace),
-BS(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"","\n"].filter(Ko).join("\n")),o=Sh(o),o=hm(o,t),o=fm(o,t),a=Sh(a),a=hm(a,t),a=fm(a,t),o=dm(o),a=
-dm(a),t.isRawShaderMaterial!==!0&&(m="#version 300 es\n",S=[h,"#define attribute in","#define varying out","#define texture2D texture"].join("\n")+"\n"+S,p=["#d\
+Ui?BS("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",lt.colorspace_pars_fragment,FS("linearToOutputTexel",t.outputColorSpace),
+zS(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"","\n"].filter(Ko).join("\n")),o=Sh(o),o=fm(o,t),o=dm(o,t),a=Sh(a),a=fm(a,t),a=dm(a,t),o=pm(o),a=
+pm(a),t.isRawShaderMaterial!==!0&&(m="#version 300 es\n",S=[h,"#define attribute in","#define varying out","#define texture2D texture"].join("\n")+"\n"+S,p=["#d\
 efine varying in",t.glslVersion===ch?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===ch?"":"#define gl_FragColor pc_fragColor","#define g\
 l_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod",
 "#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEXT textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT texture\
-ProjGrad","#define textureCubeGradEXT textureGrad"].join("\n")+"\n"+p);let v=m+S+o,A=m+p+a,M=lm(s,s.VERTEX_SHADER,v),P=lm(s,s.FRAGMENT_SHADER,A);s.attachShader(
+ProjGrad","#define textureCubeGradEXT textureGrad"].join("\n")+"\n"+p);let v=m+S+o,A=m+p+a,M=cm(s,s.VERTEX_SHADER,v),P=cm(s,s.FRAGMENT_SHADER,A);s.attachShader(
 x,M),s.attachShader(x,P),t.index0AttributeName!==void 0?s.bindAttribLocation(x,0,t.index0AttributeName):t.hasPositionAttribute===!0&&s.bindAttribLocation(x,0,"p\
 osition"),s.linkProgram(x);function E(D){if(i.debug.checkShaderErrors){let L=s.getProgramInfoLog(x)||"",V=s.getShaderInfoLog(M)||"",H=s.getShaderInfoLog(P)||"",
 N=L.trim(),G=V.trim(),J=H.trim(),k=!0,le=!0;if(s.getProgramParameter(x,s.LINK_STATUS)===!1)if(k=!1,typeof i.debug.onShaderError=="function")i.debug.onShaderError(
-s,x,M,P);else{let $=um(s,M,"vertex"),Q=um(s,P,"fragment");Ke("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(x,s.VALIDATE_STATUS)+
+s,x,M,P);else{let $=hm(s,M,"vertex"),Q=hm(s,P,"fragment");Ke("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(x,s.VALIDATE_STATUS)+
 "\n\nMaterial Name: "+D.name+"\nMaterial Type: "+D.type+"\n\nProgram Info Log: "+N+"\n"+$+"\n"+Q)}else N!==""?qe("WebGLProgram: Program Info Log:",N):(G===""||J===
 "")&&(le=!1);le&&(D.diagnostics={runnable:k,programLog:N,vertexShader:{log:G,prefix:S},fragmentShader:{log:J,prefix:p}})}s.deleteShader(M),s.deleteShader(P),_=new Vr(
-s,x),T=VS(s,x)}let _;this.getUniforms=function(){return _===void 0&&E(this),_};let T;this.getAttributes=function(){return T===void 0&&E(this),T};let O=t.rendererExtensionParallelShaderCompile===
-!1;return this.isReady=function(){return O===!1&&(O=s.getProgramParameter(x,IS)),O},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(x),this.
-program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=LS++,this.cacheKey=e,this.usedTimes=1,this.program=x,this.vertexShader=M,this.fragmentShader=
-P,this}var jS=0,Mh=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,n){let s=this._getShaderCacheForMaterial(e);return s.has(t)===
+s,x),T=GS(s,x)}let _;this.getUniforms=function(){return _===void 0&&E(this),_};let T;this.getAttributes=function(){return T===void 0&&E(this),T};let O=t.rendererExtensionParallelShaderCompile===
+!1;return this.isReady=function(){return O===!1&&(O=s.getProgramParameter(x,LS)),O},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(x),this.
+program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=DS++,this.cacheKey=e,this.usedTimes=1,this.program=x,this.vertexShader=M,this.fragmentShader=
+P,this}var eM=0,Mh=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,n){let s=this._getShaderCacheForMaterial(e);return s.has(t)===
 !1&&(s.add(t),t.usedTimes++),s.has(n)===!1&&(s.add(n),n.usedTimes++),this}remove(e){let t=this.materialCache.get(e);for(let n of t)n.usedTimes--,n.usedTimes===0&&
 this.shaderCache.delete(n.code);return this.materialCache.delete(e),this}getVertexShaderStage(e){return this._getShaderStage(e.vertexShader)}getFragmentShaderStage(e){
 return this._getShaderStage(e.fragmentShader)}dispose(){this.shaderCache.clear(),this.materialCache.clear()}_getShaderCacheForMaterial(e){let t=this.materialCache,
 n=t.get(e);return n===void 0&&(n=new Set,t.set(e,n)),n}_getShaderStage(e){let t=this.shaderCache,n=t.get(e);return n===void 0&&(n=new bh(e),t.set(e,n)),n}},bh=class{constructor(e){
-this.id=jS++,this.code=e,this.usedTimes=0}};function eM(i){return i===As||i===Yo||i===Zo}function tM(i,e,t,n,s,r){let o=new yo,a=new Mh,l=new Set,c=[],u=new Map,
+this.id=eM++,this.code=e,this.usedTimes=0}};function tM(i){return i===As||i===Yo||i===Zo}function nM(i,e,t,n,s,r){let o=new yo,a=new Mh,c=new Set,l=[],u=new Map,
 f=n.logarithmicDepthBuffer,h={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distance",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"\
 lambert",MeshPhongMaterial:"phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"\
-basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function d(_){return l.add(_),_===0?"uv":"uv".concat(
+basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function d(_){return c.add(_),_===0?"uv":"uv".concat(
 _)}function x(_,T,O,D,L,V){let H=D.fog,N=L.geometry,G=_.isMeshStandardMaterial||_.isMeshLambertMaterial||_.isMeshPhongMaterial?D.environment:null,J=_.isMeshStandardMaterial||
 _.isMeshLambertMaterial&&!_.envMap||_.isMeshPhongMaterial&&!_.envMap,k=e.get(_.envMap||G,J),le=h[_.type],$=n.precision;_.precision!==null&&($=n.getMaxPrecision(
 _.precision),$!==_.precision&&qe("WebGLProgram.getParameters:",_.precision,"not supported, using",$,"instead."));let Q=N.morphAttributes.position||N.morphAttributes.
@@ -2935,8 +2935,8 @@ k.mipmaps:null,Je={shaderID:le,shaderType:_.type,shaderName:_.name,vertexShader:
 isRawShaderMaterial:_.isRawShaderMaterial===!0,glslVersion:_.glslVersion,precision:$,batching:tt,batchingColor:tt&&L._colorsTexture!==null,instancing:Ge,instancingColor:Ge&&
 L.instanceColor!==null,instancingMorph:Ge&&L.morphTexture!==null,outputColorSpace:Ae===null?i.outputColorSpace:Ae.isXRRenderTarget===!0?Ae.texture.colorSpace:gt.
 workingColorSpace,alphaToCoverage:!!_.alphaToCoverage,map:ke,matcap:ct,envMap:rt,envMapMode:rt&&k.mapping,envMapPMREM:je,envMapMaxLod:je?Fe.length-1:null,envMapSize:je?
-Fe[0].width:null,aoMap:Vt,lightMap:Nt,bumpMap:Qt,normalMap:Rt,displacementMap:mn,emissiveMap:xt,normalMapObjectSpace:Rt&&_.normalMapType===Up,normalMapTangentSpace:Rt&&
-_.normalMapType===fc,packedNormalMap:Rt&&_.normalMapType===fc&&eM(_.normalMap.format),metalnessMap:an,roughnessMap:Xt,anisotropy:jt,anisotropyMap:We,clearcoat:F,
+Fe[0].width:null,aoMap:Vt,lightMap:Nt,bumpMap:Qt,normalMap:Rt,displacementMap:mn,emissiveMap:xt,normalMapObjectSpace:Rt&&_.normalMapType===Fp,normalMapTangentSpace:Rt&&
+_.normalMapType===fc,packedNormalMap:Rt&&_.normalMapType===fc&&tM(_.normalMap.format),metalnessMap:an,roughnessMap:Xt,anisotropy:jt,anisotropyMap:We,clearcoat:F,
 clearcoatMap:C,clearcoatNormalMap:y,clearcoatRoughnessMap:W,diffuseRoughness:Ce,diffuseRoughnessMap:ce,dispersion:Xe,retroreflection:nt,iridescence:Me,iridescenceMap:re,
 iridescenceThicknessMap:ge,sheen:It,sheenColorMap:xe,sheenRoughnessMap:ee,specularMap:ne,specularColorMap:de,specularIntensityMap:U,transmission:ze,transmissionMap:se,
 thicknessMap:te,gradientMap:be,opaque:_.transparent===!1&&_.blending===Br&&_.alphaToCoverage===!1,alphaMap:me,alphaTest:ye,alphaHash:Ve,combine:_.combine,mapUv:ke&&
@@ -2960,7 +2960,7 @@ shadowMap.type,toneMapping:ae,decodeVideoTexture:ke&&_.map.isVideoTexture===!0&&
 isVideoTexture===!0&&gt.getTransfer(_.emissiveMap.colorSpace)===Tt,premultipliedAlpha:_.premultipliedAlpha,doubleSided:_.side===Ni,flipSided:_.side===Fn,useDepthPacking:_.
 depthPacking>=0,depthPacking:_.depthPacking||0,index0AttributeName:_.index0AttributeName,extensionClipCullDistance:Ze&&_.extensions.clipCullDistance===!0&&t.has(
 "WEBGL_clip_cull_distance"),extensionMultiDraw:(Ze&&_.extensions.multiDraw===!0||tt)&&t.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:t.has("KH\
-R_parallel_shader_compile"),customProgramCacheKey:_.customProgramCacheKey()};return Je.vertexUv1s=l.has(1),Je.vertexUv2s=l.has(2),Je.vertexUv3s=l.has(3),l.clear(),
+R_parallel_shader_compile"),customProgramCacheKey:_.customProgramCacheKey()};return Je.vertexUv1s=c.has(1),Je.vertexUv2s=c.has(2),Je.vertexUv3s=c.has(3),c.clear(),
 Je}function S(_){let T=[];if(_.shaderID?T.push(_.shaderID):(T.push(_.customVertexShaderID),T.push(_.customFragmentShaderID)),_.defines!==void 0)for(let O in _.defines)
 T.push(O),T.push(_.defines[O]);return _.isRawShaderMaterial===!1&&(p(T,_),m(T,_),T.push(i.outputColorSpace)),T.push(_.customProgramCacheKey),T.join()}function p(_,T){
 _.push(T.precision),_.push(T.outputColorSpace),_.push(T.envMapMode),_.push(T.envMapPMREM),_.push(T.envMapMaxLod),_.push(T.envMapSize),_.push(T.mapUv),_.push(T.alphaMapUv),
@@ -2980,35 +2980,35 @@ T.fog&&o.enable(0),T.useFog&&o.enable(1),T.flatShading&&o.enable(2),T.logarithmi
 5),T.morphTargets&&o.enable(6),T.morphNormals&&o.enable(7),T.morphColors&&o.enable(8),T.premultipliedAlpha&&o.enable(9),T.shadowMapEnabled&&o.enable(10),T.doubleSided&&
 o.enable(11),T.flipSided&&o.enable(12),T.useDepthPacking&&o.enable(13),T.dithering&&o.enable(14),T.transmission&&o.enable(15),T.sheen&&o.enable(16),T.opaque&&o.
 enable(17),T.pointsUvs&&o.enable(18),T.decodeVideoTexture&&o.enable(19),T.decodeVideoTextureEmissive&&o.enable(20),T.alphaToCoverage&&o.enable(21),T.numLightProbeGrids>
-0&&o.enable(22),T.hasPositionAttribute&&o.enable(23),_.push(o.mask)}function v(_){let T=h[_.type],O;if(T){let D=Oi[T];O=Jp.clone(D.uniforms)}else O=_.uniforms;return O}
-function A(_,T){let O=u.get(T);return O!==void 0?++O.usedTimes:(O=new QS(i,T,_,s),c.push(O),u.set(T,O)),O}function M(_){if(--_.usedTimes===0){let T=c.indexOf(_);
-c[T]=c[c.length-1],c.pop(),u.delete(_.cacheKey),_.destroy()}}function P(_){a.remove(_)}function E(){a.dispose()}return{getParameters:x,getProgramCacheKey:S,getUniforms:v,
-acquireProgram:A,releaseProgram:M,releaseShaderCache:P,programs:c,dispose:E}}function nM(){let i=new WeakMap;function e(o){return i.has(o)}function t(o){let a=i.
-get(o);return a===void 0&&(a={},i.set(o,a)),a}function n(o){i.delete(o)}function s(o,a,l){i.get(o)[a]=l}function r(){i=new WeakMap}return{has:e,get:t,remove:n,update:s,
-dispose:r}}function iM(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.material.id!==
-e.material.id?i.material.id-e.material.id:i.materialVariant!==e.materialVariant?i.materialVariant-e.materialVariant:i.z!==e.z?i.z-e.z:i.id-e.id}function mm(i,e){
-return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.z!==e.z?e.z-i.z:i.id-e.id}function gm(){
+0&&o.enable(22),T.hasPositionAttribute&&o.enable(23),_.push(o.mask)}function v(_){let T=h[_.type],O;if(T){let D=Oi[T];O=$p.clone(D.uniforms)}else O=_.uniforms;return O}
+function A(_,T){let O=u.get(T);return O!==void 0?++O.usedTimes:(O=new jS(i,T,_,s),l.push(O),u.set(T,O)),O}function M(_){if(--_.usedTimes===0){let T=l.indexOf(_);
+l[T]=l[l.length-1],l.pop(),u.delete(_.cacheKey),_.destroy()}}function P(_){a.remove(_)}function E(){a.dispose()}return{getParameters:x,getProgramCacheKey:S,getUniforms:v,
+acquireProgram:A,releaseProgram:M,releaseShaderCache:P,programs:l,dispose:E}}function iM(){let i=new WeakMap;function e(o){return i.has(o)}function t(o){let a=i.
+get(o);return a===void 0&&(a={},i.set(o,a)),a}function n(o){i.delete(o)}function s(o,a,c){i.get(o)[a]=c}function r(){i=new WeakMap}return{has:e,get:t,remove:n,update:s,
+dispose:r}}function sM(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.material.id!==
+e.material.id?i.material.id-e.material.id:i.materialVariant!==e.materialVariant?i.materialVariant-e.materialVariant:i.z!==e.z?i.z-e.z:i.id-e.id}function gm(i,e){
+return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.z!==e.z?e.z-i.z:i.id-e.id}function _m(){
 let i=[],e=0,t=[],n=[],s=[];function r(){e=0,t.length=0,n.length=0,s.length=0}function o(h){let d=0;return h.isInstancedMesh&&(d+=2),h.isSkinnedMesh&&(d+=1),d}function a(h,d,x,S,p,m){
 let v=i[e];return v===void 0?(v={id:h.id,object:h,geometry:d,material:x,materialVariant:o(h),groupOrder:S,renderOrder:h.renderOrder,z:p,group:m},i[e]=v):(v.id=h.
-id,v.object=h,v.geometry=d,v.material=x,v.materialVariant=o(h),v.groupOrder=S,v.renderOrder=h.renderOrder,v.z=p,v.group=m),e++,v}function l(h,d,x,S,p,m,v){v.reversedDepth===
-!0&&(p=-p);let A=a(h,d,x,S,p,m);x.transmission>0?n.push(A):x.transparent===!0?s.push(A):t.push(A)}function c(h,d,x,S,p,m){let v=a(h,d,x,S,p,m);x.transmission>0?
-n.unshift(v):x.transparent===!0?s.unshift(v):t.unshift(v)}function u(h,d){t.length>1&&t.sort(h||iM),n.length>1&&n.sort(d||mm),s.length>1&&s.sort(d||mm)}function f(){
+id,v.object=h,v.geometry=d,v.material=x,v.materialVariant=o(h),v.groupOrder=S,v.renderOrder=h.renderOrder,v.z=p,v.group=m),e++,v}function c(h,d,x,S,p,m,v){v.reversedDepth===
+!0&&(p=-p);let A=a(h,d,x,S,p,m);x.transmission>0?n.push(A):x.transparent===!0?s.push(A):t.push(A)}function l(h,d,x,S,p,m){let v=a(h,d,x,S,p,m);x.transmission>0?
+n.unshift(v):x.transparent===!0?s.unshift(v):t.unshift(v)}function u(h,d){t.length>1&&t.sort(h||sM),n.length>1&&n.sort(d||gm),s.length>1&&s.sort(d||gm)}function f(){
 for(let h=e,d=i.length;h<d;h++){let x=i[h];if(x.id===null)break;x.id=null,x.object=null,x.geometry=null,x.material=null,x.group=null}}return{opaque:t,transmissive:n,
-transparent:s,init:r,push:l,unshift:c,finish:f,sort:u}}function sM(){let i=new WeakMap;function e(n,s){let r=i.get(n),o;return r===void 0?(o=new gm,i.set(n,[o])):
-s>=r.length?(o=new gm,r.push(o)):o=r[s],o}function t(){i=new WeakMap}return{get:e,dispose:t}}function rM(){let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.
+transparent:s,init:r,push:c,unshift:l,finish:f,sort:u}}function rM(){let i=new WeakMap;function e(n,s){let r=i.get(n),o;return r===void 0?(o=new _m,i.set(n,[o])):
+s>=r.length?(o=new _m,r.push(o)):o=r[s],o}function t(){i=new WeakMap}return{get:e,dispose:t}}function oM(){let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.
 id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={direction:new q,color:new st};break;case"SpotLight":t={position:new q,direction:new q,color:new st,
 distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":t={position:new q,color:new st,distance:0,decay:0};break;case"HemisphereLight":t={direction:new q,
-skyColor:new st,groundColor:new st};break;case"RectAreaLight":t={color:new st,position:new q,halfWidth:new q,halfHeight:new q};break}return i[e.id]=t,t}}}function oM(){
+skyColor:new st,groundColor:new st};break;case"RectAreaLight":t={color:new st,position:new q,halfWidth:new q,halfHeight:new q};break}return i[e.id]=t,t}}}function aM(){
 let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={shadowIntensity:1,shadowBias:0,
 shadowNormalBias:0,shadowRadius:1,shadowMapSize:new ft};break;case"SpotLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new ft};
 break;case"PointLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new ft,shadowCameraNear:1,shadowCameraFar:1e3};break}return i[e.
-id]=t,t}}}var aM=0;function lM(i,e){return(e.castShadow?2:0)-(i.castShadow?2:0)+(e.map?1:0)-(i.map?1:0)}function cM(i){let e=new rM,t=oM(),n={version:0,hash:{sunLength:-1,
+id]=t,t}}}var lM=0;function cM(i,e){return(e.castShadow?2:0)-(i.castShadow?2:0)+(e.map?1:0)-(i.map?1:0)}function uM(i){let e=new oM,t=aM(),n={version:0,hash:{sunLength:-1,
 directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-1,numSunShadows:-1,numDirectionalShadows:-1,numPointShadows:-1,numSpotShadows:-1,
 numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],sun:[],sunShadow:[],sunShadowMap:[],sunShadowMatrix:[],sunShadowCascade:[],directional:[],directionalShadow:[],
 directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,
-point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let c=0;c<9;c++)n.probe.push(new q);let s=new q,
-r=new bt,o=new bt;function a(c){let u=0,f=0,h=0;for(let V=0;V<9;V++)n.probe[V].set(0,0,0);let d=0,x=0,S=0,p=0,m=0,v=0,A=0,M=0,P=0,E=0,_=0,T=0,O=0,D=0;c.sort(lM);
-for(let V=0,H=c.length;V<H;V++){let N=c[V],G=N.color,J=N.intensity,k=N.distance,le=null;if(N.shadow&&N.shadow.map&&(N.shadow.map.texture.format===As?le=N.shadow.
+point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let l=0;l<9;l++)n.probe.push(new q);let s=new q,
+r=new bt,o=new bt;function a(l){let u=0,f=0,h=0;for(let V=0;V<9;V++)n.probe[V].set(0,0,0);let d=0,x=0,S=0,p=0,m=0,v=0,A=0,M=0,P=0,E=0,_=0,T=0,O=0,D=0;l.sort(cM);
+for(let V=0,H=l.length;V<H;V++){let N=l[V],G=N.color,J=N.intensity,k=N.distance,le=null;if(N.shadow&&N.shadow.map&&(N.shadow.map.texture.format===As?le=N.shadow.
 map.texture:le=N.shadow.map.depthTexture||N.shadow.map.texture),N.isAmbientLight)u+=G.r*J,f+=G.g*J,h+=G.b*J;else if(N.isLightProbe){for(let $=0;$<9;$++)n.probe[$].
 addScaledVector(N.sh.coefficients[$],J);D++}else if(N.isSunLight){let $=e.get(N);if($.color.copy(N.color).multiplyScalar(N.intensity),N.castShadow){let Q=N.shadow,
 ie=t.get(N);ie.shadowIntensity=Q.intensity,ie.shadowBias=Q.bias,ie.shadowNormalBias=Q.normalBias,ie.shadowRadius=Q.radius,ie.shadowMapSize.copy(Q.mapSize).multiply(
@@ -3031,31 +3031,31 @@ sun.length=d,n.directional.length=p,n.spot.length=v,n.rectArea.length=A,n.point.
 length=S,n.sunShadowCascade.length=S,n.directionalShadow.length=P,n.directionalShadowMap.length=P,n.directionalShadowMatrix.length=P,n.pointShadow.length=E,n.pointShadowMap.
 length=E,n.pointShadowMatrix.length=E,n.spotShadow.length=_,n.spotShadowMap.length=_,n.spotLightMatrix.length=_+T-O,n.spotLightMap.length=T,n.numSpotLightShadowsWithMaps=
 O,n.numLightProbes=D,L.sunLength=d,L.directionalLength=p,L.pointLength=m,L.spotLength=v,L.rectAreaLength=A,L.hemiLength=M,L.numSunShadows=x,L.numDirectionalShadows=
-P,L.numPointShadows=E,L.numSpotShadows=_,L.numSpotMaps=T,L.numLightProbes=D,n.version=aM++)}function l(c,u){let f=0,h=0,d=0,x=0,S=0,p=0,m=u.matrixWorldInverse;for(let v=0,
-A=c.length;v<A;v++){let M=c[v];if(M.isSunLight){let P=n.sun[f];P.direction.setFromMatrixPosition(M.matrixWorld),P.direction.transformDirection(m),f++}else if(M.
+P,L.numPointShadows=E,L.numSpotShadows=_,L.numSpotMaps=T,L.numLightProbes=D,n.version=lM++)}function c(l,u){let f=0,h=0,d=0,x=0,S=0,p=0,m=u.matrixWorldInverse;for(let v=0,
+A=l.length;v<A;v++){let M=l[v];if(M.isSunLight){let P=n.sun[f];P.direction.setFromMatrixPosition(M.matrixWorld),P.direction.transformDirection(m),f++}else if(M.
 isDirectionalLight){let P=n.directional[h];P.direction.setFromMatrixPosition(M.matrixWorld),s.setFromMatrixPosition(M.target.matrixWorld),P.direction.sub(s),P.direction.
 transformDirection(m),h++}else if(M.isSpotLight){let P=n.spot[x];P.position.setFromMatrixPosition(M.matrixWorld),P.position.applyMatrix4(m),P.direction.setFromMatrixPosition(
 M.matrixWorld),s.setFromMatrixPosition(M.target.matrixWorld),P.direction.sub(s),P.direction.transformDirection(m),x++}else if(M.isRectAreaLight){let P=n.rectArea[S];
 P.position.setFromMatrixPosition(M.matrixWorld),P.position.applyMatrix4(m),o.identity(),r.copy(M.matrixWorld),r.premultiply(m),o.extractRotation(r),P.halfWidth.
 set(M.width*.5,0,0),P.halfHeight.set(0,M.height*.5,0),P.halfWidth.applyMatrix4(o),P.halfHeight.applyMatrix4(o),S++}else if(M.isPointLight){let P=n.point[d];P.position.
 setFromMatrixPosition(M.matrixWorld),P.position.applyMatrix4(m),d++}else if(M.isHemisphereLight){let P=n.hemi[p];P.direction.setFromMatrixPosition(M.matrixWorld),
-P.direction.transformDirection(m),p++}}}return{setup:a,setupView:l,state:n}}function _m(i){let e=new cM(i),t=[],n=[],s=[];function r(f){u.camera=f,t.length=0,n.
-length=0,s.length=0}function o(f){f.isLightProbeGrid?s.push(f):t.push(f)}function a(f){n.push(f)}function l(){e.setup(t),s.sort((f,h)=>f.priority-h.priority||f.
-id-h.id)}function c(f){e.setupView(t,f)}let u={lightsArray:t,shadowsArray:n,lightProbeGridArray:s,camera:null,lights:e,transmissionRenderTarget:{},textureUnits:0};
-return{init:r,state:u,setupLights:l,setupLightsView:c,pushLight:o,pushShadow:a}}function uM(i){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?
-(a=new _m(i),e.set(s,[a])):r>=o.length?(a=new _m(i),o.push(a)):a=o[r],a}function n(){e=new WeakMap}return{get:t,dispose:n}}var hM="void main() {\n gl_Position = \
-vec4( position, 1.0 );\n}",fM="uniform sampler2D shadow_pass;\nuniform vec2 resolution;\nuniform float radius;\nvoid main() {\n const float samples = float( VSM_SAM\
+P.direction.transformDirection(m),p++}}}return{setup:a,setupView:c,state:n}}function xm(i){let e=new uM(i),t=[],n=[],s=[];function r(f){u.camera=f,t.length=0,n.
+length=0,s.length=0}function o(f){f.isLightProbeGrid?s.push(f):t.push(f)}function a(f){n.push(f)}function c(){e.setup(t),s.sort((f,h)=>f.priority-h.priority||f.
+id-h.id)}function l(f){e.setupView(t,f)}let u={lightsArray:t,shadowsArray:n,lightProbeGridArray:s,camera:null,lights:e,transmissionRenderTarget:{},textureUnits:0};
+return{init:r,state:u,setupLights:c,setupLightsView:l,pushLight:o,pushShadow:a}}function hM(i){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?
+(a=new xm(i),e.set(s,[a])):r>=o.length?(a=new xm(i),o.push(a)):a=o[r],a}function n(){e=new WeakMap}return{get:t,dispose:n}}var fM="void main() {\n gl_Position = \
+vec4( position, 1.0 );\n}",dM="uniform sampler2D shadow_pass;\nuniform vec2 resolution;\nuniform float radius;\nvoid main() {\n const float samples = float( VSM_SAM\
 PLES );\n float mean = 0.0;\n float squared_mean = 0.0;\n float uvStride = samples <= 1.0 ? 0.0 : 2.0 / ( samples - 1.0 );\n float uvStart = samples <= 1.0 ? 0.0 : \
 - 1.0;\n for ( float i = 0.0; i < samples; i ++ ) {\n  float uvOffset = uvStart + i * uvStride;\n  #ifdef HORIZONTAL_PASS\n   vec2 distribution = texture2D( shadow_\
 pass, ( gl_FragCoord.xy + vec2( uvOffset, 0.0 ) * radius ) / resolution ).rg;\n   mean += distribution.x;\n   squared_mean += distribution.y * distribution.y + di\
 stribution.x * distribution.x;\n  #else\n   float depth = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( 0.0, uvOffset ) * radius ) / resolution ).r;\n   mean +\
 = depth;\n   squared_mean += depth * depth;\n  #endif\n }\n mean = mean / samples;\n squared_mean = squared_mean / samples;\n float std_dev = sqrt( max( 0.0, squared_\
-mean - mean * mean ) );\n gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );\n}",dM=[new q(1,0,0),new q(-1,0,0),new q(0,1,0),new q(0,-1,0),new q(0,0,1),new q(0,0,-1)],
-pM=[new q(0,-1,0),new q(0,-1,0),new q(0,0,1),new q(0,0,-1),new q(0,-1,0),new q(0,-1,0)],xm=new bt,$o=new q,_h=new q;function mM(i,e,t){let n=new ys,s=new ft,r=new ft,
-o=new Ht,a=new hl,l=new fl,c={},u=t.maxTextureSize,f={[Ts]:Fn,[Fn]:Ts,[Ni]:Ni},h=new Di({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{
-value:new ft},radius:{value:4}},vertexShader:hM,fragmentShader:fM}),d=h.clone();d.defines.HORIZONTAL_PASS=1;let x=new Kn;x.setAttribute("position",new _i(new Float32Array(
+mean - mean * mean ) );\n gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );\n}",pM=[new q(1,0,0),new q(-1,0,0),new q(0,1,0),new q(0,-1,0),new q(0,0,1),new q(0,0,-1)],
+mM=[new q(0,-1,0),new q(0,-1,0),new q(0,0,1),new q(0,0,-1),new q(0,-1,0),new q(0,-1,0)],vm=new bt,$o=new q,_h=new q;function gM(i,e,t){let n=new ys,s=new ft,r=new ft,
+o=new Ht,a=new hl,c=new fl,l={},u=t.maxTextureSize,f={[Ts]:Fn,[Fn]:Ts,[Ni]:Ni},h=new Di({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{
+value:new ft},radius:{value:4}},vertexShader:fM,fragmentShader:dM}),d=h.clone();d.defines.HORIZONTAL_PASS=1;let x=new Kn;x.setAttribute("position",new _i(new Float32Array(
 [-1,-1,.5,3,-1,.5,-1,3,.5]),3));let S=new ri(x,h),p=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=Vo;let m=this.type;this.render=function(E,_,T){
-if(p.enabled===!1||p.autoUpdate===!1&&p.needsUpdate===!1||E.length===0)return;this.type===fp&&(qe("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFS\
+if(p.enabled===!1||p.autoUpdate===!1&&p.needsUpdate===!1||E.length===0)return;this.type===dp&&(qe("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFS\
 hadowMap instead."),this.type=Vo);let O=i.getRenderTarget(),D=i.getActiveCubeFace(),L=i.getActiveMipmapLevel(),V=i.state;V.setBlending(Vs),V.buffers.depth.getReversed()===
 !0?V.buffers.color.setClear(0,0,0,0):V.buffers.color.setClear(1,1,1,1),V.buffers.depth.setTest(!0),V.setScissorTest(!1);let H=m!==this.type;H&&_.traverse(function(N){
 N.material&&(Array.isArray(N.material)?N.material.forEach(G=>G.needsUpdate=!0):N.material.needsUpdate=!0)});for(let N=0,G=E.length;N<G;N++){let J=E[N],k=J.shadow;
@@ -3071,8 +3071,8 @@ $?ah:oh,k.map.depthTexture.minFilter=Un,k.map.depthTexture.magFilter=Un):(k.map.
 magFilter=Sn);k.camera.updateProjectionMatrix()}k.map.isWebGLCubeRenderTarget!==!0&&(k.map.width!==s.x||k.map.height!==s.y)&&k.map.setSize(s.x,s.y);let Q=k.map.
 isWebGLCubeRenderTarget?6:k.getViewportCount();J.isPointLight!==!0&&k.updateMatrices(J,T);let ie=(k.camera.layers.mask&4294967294)!==0?k.camera.layers:T.layers;
 for(let he=0;he<Q;he++){let ue=k.getCamera(he);if(J.isPointLight){let j=k.camera,pe=k.matrix,_e=J.distance||j.far;_e!==j.far&&(j.far=_e,j.updateProjectionMatrix()),
-$o.setFromMatrixPosition(J.matrixWorld),j.position.copy($o),_h.copy(j.position),_h.add(dM[he]),j.up.copy(pM[he]),j.lookAt(_h),j.updateMatrixWorld(),pe.makeTranslation(
--$o.x,-$o.y,-$o.z),xm.multiplyMatrices(j.projectionMatrix,j.matrixWorldInverse),k._frustum.setFromProjectionMatrix(xm,j.coordinateSystem,j.reversedDepth)}if(k.map.
+$o.setFromMatrixPosition(J.matrixWorld),j.position.copy($o),_h.copy(j.position),_h.add(pM[he]),j.up.copy(mM[he]),j.lookAt(_h),j.updateMatrixWorld(),pe.makeTranslation(
+-$o.x,-$o.y,-$o.z),vm.multiplyMatrices(j.projectionMatrix,j.matrixWorldInverse),k._frustum.setFromProjectionMatrix(vm,j.coordinateSystem,j.reversedDepth)}if(k.map.
 isWebGLCubeRenderTarget)i.setRenderTarget(k.map,he),i.clear();else{he===0&&(i.setRenderTarget(k.map),i.clear());let j=k.getViewport(he);o.set(r.x*j.x,r.y*j.y,r.
 x*j.z,r.y*j.w),V.viewport(o)}n=k.getFrustum(he),M(_,T,ue,J,ie,this.type)}k.isPointLightShadow!==!0&&this.type===Or&&v(k,T),k.needsUpdate=!1}m=this.type,p.needsUpdate=
 !1,i.setRenderTarget(O,D,L)};function v(E,_){let T=e.update(S);h.defines.VSM_SAMPLES!==E.blurSamples&&(h.defines.VSM_SAMPLES=E.blurSamples,d.defines.VSM_SAMPLES=
@@ -3080,9 +3080,9 @@ E.blurSamples,h.needsUpdate=!0,d.needsUpdate=!0),E.mapPass===null?E.mapPass=new 
 E.map.height)&&E.mapPass.setSize(E.map.width,E.map.height),h.uniforms.shadow_pass.value=E.map.depthTexture,h.uniforms.resolution.value.set(E.map.width,E.map.height),
 h.uniforms.radius.value=E.radius,i.setRenderTarget(E.mapPass),i.clear(),i.renderBufferDirect(_,null,T,h,S,null),d.uniforms.shadow_pass.value=E.mapPass.texture,d.
 uniforms.resolution.value.set(E.map.width,E.map.height),d.uniforms.radius.value=E.radius,i.setRenderTarget(E.map),i.clear(),i.renderBufferDirect(_,null,T,d,S,null)}
-function A(E,_,T,O){let D=null,L=T.isPointLight===!0?E.customDistanceMaterial:E.customDepthMaterial;if(L!==void 0)D=L;else if(D=T.isPointLight===!0?l:a,i.localClippingEnabled&&
+function A(E,_,T,O){let D=null,L=T.isPointLight===!0?E.customDistanceMaterial:E.customDepthMaterial;if(L!==void 0)D=L;else if(D=T.isPointLight===!0?c:a,i.localClippingEnabled&&
 _.clipShadows===!0&&Array.isArray(_.clippingPlanes)&&_.clippingPlanes.length!==0||_.displacementMap&&_.displacementScale!==0||_.alphaMap&&_.alphaTest>0||_.map&&
-_.alphaTest>0||_.alphaToCoverage===!0){let V=D.uuid,H=_.uuid,N=c[V];N===void 0&&(N={},c[V]=N);let G=N[H];G===void 0&&(G=D.clone(),N[H]=G,_.addEventListener("dis\
+_.alphaTest>0||_.alphaToCoverage===!0){let V=D.uuid,H=_.uuid,N=l[V];N===void 0&&(N={},l[V]=N);let G=N[H];G===void 0&&(G=D.clone(),N[H]=G,_.addEventListener("dis\
 pose",P)),D=G}if(D.visible=_.visible,D.wireframe=_.wireframe,O===Or?D.side=_.shadowSide!==null?_.shadowSide:_.side:D.side=_.shadowSide!==null?_.shadowSide:f[_.side],
 D.alphaMap=_.alphaMap,D.alphaTest=_.alphaToCoverage===!0?.5:_.alphaTest,D.map=_.map,D.clipShadows=_.clipShadows,D.clippingPlanes=_.clippingPlanes,D.clipIntersection=
 _.clipIntersection,D.displacementMap=_.displacementMap,D.displacementScale=_.displacementScale,D.displacementBias=_.displacementBias,D.wireframeLinewidth=_.wireframeLinewidth,
@@ -3091,20 +3091,20 @@ D.linewidth=_.linewidth,T.isPointLight===!0&&D.isMeshDistanceMaterial===!0){let 
 multiplyMatrices(T.matrixWorldInverse,E.matrixWorld);let N=e.update(E),G=E.material;if(Array.isArray(G)){let J=N.groups;for(let k=0,le=J.length;k<le;k++){let $=J[k],
 Q=G[$.materialIndex];if(Q&&Q.visible){let ie=A(E,Q,O,L);E.onBeforeShadow(i,E,_,T,N,ie,$),i.renderBufferDirect(T,null,N,ie,E,$),E.onAfterShadow(i,E,_,T,N,ie,$)}}}else if(G.
 visible){let J=A(E,G,O,L);E.onBeforeShadow(i,E,_,T,N,J,null),i.renderBufferDirect(T,null,N,J,E,null),E.onAfterShadow(i,E,_,T,N,J,null)}}let H=E.children;for(let N=0,
-G=H.length;N<G;N++)M(H[N],_,T,O,D,L)}function P(E){E.target.removeEventListener("dispose",P);for(let T in c){let O=c[T],D=E.target.uuid;D in O&&(O[D].dispose(),
-delete O[D])}}}function gM(i,e){function t(){let U=!1,se=new Ht,te=null,be=new Ht(0,0,0,0);return{setMask:function(me){te!==me&&!U&&(i.colorMask(me,me,me,me),te=
+G=H.length;N<G;N++)M(H[N],_,T,O,D,L)}function P(E){E.target.removeEventListener("dispose",P);for(let T in l){let O=l[T],D=E.target.uuid;D in O&&(O[D].dispose(),
+delete O[D])}}}function _M(i,e){function t(){let U=!1,se=new Ht,te=null,be=new Ht(0,0,0,0);return{setMask:function(me){te!==me&&!U&&(i.colorMask(me,me,me,me),te=
 me)},setLocked:function(me){U=me},setClear:function(me,ye,Ve,Ze,ae){ae===!0&&(me*=Ze,ye*=Ze,Ve*=Ze),se.set(me,ye,Ve,Ze),be.equals(se)===!1&&(i.clearColor(me,ye,
 Ve,Ze),be.copy(se))},reset:function(){U=!1,te=null,be.set(-1,0,0,0)}}}function n(){let U=!1,se=!1,te=null,be=null,me=null;return{setReversed:function(ye){if(se!==
 ye){let Ve=e.get("EXT_clip_control");ye?Ve.clipControlEXT(Ve.LOWER_LEFT_EXT,Ve.ZERO_TO_ONE_EXT):Ve.clipControlEXT(Ve.LOWER_LEFT_EXT,Ve.NEGATIVE_ONE_TO_ONE_EXT),
 se=ye;let Ze=me;me=null,this.setClear(Ze)}},getReversed:function(){return se},setTest:function(ye){ye?Se(i.DEPTH_TEST):Ge(i.DEPTH_TEST)},setMask:function(ye){te!==
-ye&&!U&&(i.depthMask(ye),te=ye)},setFunc:function(ye){if(se&&(ye=qp[ye]),be!==ye){switch(ye){case Xa:i.depthFunc(i.NEVER);break;case qa:i.depthFunc(i.ALWAYS);break;case Ya:
+ye&&!U&&(i.depthMask(ye),te=ye)},setFunc:function(ye){if(se&&(ye=Yp[ye]),be!==ye){switch(ye){case Xa:i.depthFunc(i.NEVER);break;case qa:i.depthFunc(i.ALWAYS);break;case Ya:
 i.depthFunc(i.LESS);break;case Cr:i.depthFunc(i.LEQUAL);break;case Za:i.depthFunc(i.EQUAL);break;case Ja:i.depthFunc(i.GEQUAL);break;case $a:i.depthFunc(i.GREATER);
 break;case Ka:i.depthFunc(i.NOTEQUAL);break;default:i.depthFunc(i.LEQUAL)}be=ye}},setLocked:function(ye){U=ye},setClear:function(ye){me!==ye&&(me=ye,se&&(ye=1-ye),
 i.clearDepth(ye))},reset:function(){U=!1,te=null,be=null,me=null,se=!1}}}function s(){let U=!1,se=null,te=null,be=null,me=null,ye=null,Ve=null,Ze=null,ae=null;return{
 setTest:function(Fe){U||(Fe?Se(i.STENCIL_TEST):Ge(i.STENCIL_TEST))},setMask:function(Fe){se!==Fe&&!U&&(i.stencilMask(Fe),se=Fe)},setFunc:function(Fe,Je,Ee){(te!==
 Fe||be!==Je||me!==Ee)&&(i.stencilFunc(Fe,Je,Ee),te=Fe,be=Je,me=Ee)},setOp:function(Fe,Je,Ee){(ye!==Fe||Ve!==Je||Ze!==Ee)&&(i.stencilOp(Fe,Je,Ee),ye=Fe,Ve=Je,Ze=
 Ee)},setLocked:function(Fe){U=Fe},setClear:function(Fe){ae!==Fe&&(i.clearStencil(Fe),ae=Fe)},reset:function(){U=!1,se=null,te=null,be=null,me=null,ye=null,Ve=null,
-Ze=null,ae=null}}}let r=new t,o=new n,a=new s,l={},c=new WeakMap,u={},f={},h={},d=new WeakMap,x=[],S=null,p=!1,m=null,v=null,A=null,M=null,P=null,E=null,_=null,
+Ze=null,ae=null}}}let r=new t,o=new n,a=new s,c={},l=new WeakMap,u={},f={},h={},d=new WeakMap,x=[],S=null,p=!1,m=null,v=null,A=null,M=null,P=null,E=null,_=null,
 T=new st(0,0,0),O=0,D=!1,L=null,V=null,H=null,N=null,G=null,J=i.getParameter(i.MAX_COMBINED_TEXTURE_IMAGE_UNITS),k=!1,le=0,$=i.getParameter(i.VERSION);$.indexOf(
 "WebGL")!==-1?(le=parseFloat(/^WebGL (\d)/.exec($)[1]),k=le>=1):$.indexOf("OpenGL ES")!==-1&&(le=parseFloat(/^OpenGL ES (\d)/.exec($)[1]),k=le>=2);let Q=null,ie={},
 he=i.getParameter(i.SCISSOR_BOX),ue=i.getParameter(i.VIEWPORT),j=new Ht().fromArray(he),pe=new Ht().fromArray(ue);function _e(U,se,te,be){let me=new Uint8Array(
@@ -3116,10 +3116,10 @@ o.setFunc(Cr),Qt(!1),Rt(ku),Se(i.CULL_FACE),Vt(Vs);function Se(U){u[U]!==!0&&(i.
 return h[U]!==se?(i.bindFramebuffer(U,se),h[U]=se,U===i.DRAW_FRAMEBUFFER&&(h[i.FRAMEBUFFER]=se),U===i.FRAMEBUFFER&&(h[i.DRAW_FRAMEBUFFER]=se),!0):!1}function ke(U,se){
 let te=x,be=!1;if(U){te=d.get(se),te===void 0&&(te=[],d.set(se,te));let me=U.textures;if(te.length!==me.length||te[0]!==i.COLOR_ATTACHMENT0){for(let ye=0,Ve=me.
 length;ye<Ve;ye++)te[ye]=i.COLOR_ATTACHMENT0+ye;te.length=me.length,be=!0}}else te[0]!==i.BACK&&(te[0]=i.BACK,be=!0);be&&i.drawBuffers(te)}function ct(U){return S!==
-U?(i.useProgram(U),S=U,!0):!1}let rt={[Gs]:i.FUNC_ADD,[pp]:i.FUNC_SUBTRACT,[mp]:i.FUNC_REVERSE_SUBTRACT};rt[gp]=i.MIN,rt[_p]=i.MAX;let je={[xp]:i.ZERO,[vp]:i.ONE,
-[yp]:i.SRC_COLOR,[Wu]:i.SRC_ALPHA,[Ap]:i.SRC_ALPHA_SATURATE,[wp]:i.DST_COLOR,[Mp]:i.DST_ALPHA,[Sp]:i.ONE_MINUS_SRC_COLOR,[Xu]:i.ONE_MINUS_SRC_ALPHA,[Tp]:i.ONE_MINUS_DST_COLOR,
-[bp]:i.ONE_MINUS_DST_ALPHA,[Ep]:i.CONSTANT_COLOR,[Cp]:i.ONE_MINUS_CONSTANT_COLOR,[Rp]:i.CONSTANT_ALPHA,[Pp]:i.ONE_MINUS_CONSTANT_ALPHA};function Vt(U,se,te,be,me,ye,Ve,Ze,ae,Fe){
-if(U===Vs){p===!0&&(Ge(i.BLEND),p=!1);return}if(p===!1&&(Se(i.BLEND),p=!0),U!==dp){if(U!==m||Fe!==D){if((v!==Gs||P!==Gs)&&(i.blendEquation(i.FUNC_ADD),v=Gs,P=Gs),
+U?(i.useProgram(U),S=U,!0):!1}let rt={[Gs]:i.FUNC_ADD,[mp]:i.FUNC_SUBTRACT,[gp]:i.FUNC_REVERSE_SUBTRACT};rt[_p]=i.MIN,rt[xp]=i.MAX;let je={[vp]:i.ZERO,[yp]:i.ONE,
+[Sp]:i.SRC_COLOR,[Wu]:i.SRC_ALPHA,[Ep]:i.SRC_ALPHA_SATURATE,[Tp]:i.DST_COLOR,[bp]:i.DST_ALPHA,[Mp]:i.ONE_MINUS_SRC_COLOR,[Xu]:i.ONE_MINUS_SRC_ALPHA,[Ap]:i.ONE_MINUS_DST_COLOR,
+[wp]:i.ONE_MINUS_DST_ALPHA,[Cp]:i.CONSTANT_COLOR,[Rp]:i.ONE_MINUS_CONSTANT_COLOR,[Pp]:i.CONSTANT_ALPHA,[Ip]:i.ONE_MINUS_CONSTANT_ALPHA};function Vt(U,se,te,be,me,ye,Ve,Ze,ae,Fe){
+if(U===Vs){p===!0&&(Ge(i.BLEND),p=!1);return}if(p===!1&&(Se(i.BLEND),p=!0),U!==pp){if(U!==m||Fe!==D){if((v!==Gs||P!==Gs)&&(i.blendEquation(i.FUNC_ADD),v=Gs,P=Gs),
 Fe)switch(U){case Br:i.blendFuncSeparate(i.ONE,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Vu:i.blendFunc(i.ONE,i.ONE);break;case Gu:i.blendFuncSeparate(
 i.ZERO,i.ONE_MINUS_SRC_COLOR,i.ZERO,i.ONE);break;case Hu:i.blendFuncSeparate(i.DST_COLOR,i.ONE_MINUS_SRC_ALPHA,i.ZERO,i.ONE);break;default:Ke("WebGLState: Inval\
 id blending: ",U);break}else switch(U){case Br:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Vu:i.blendFuncSeparate(
@@ -3131,8 +3131,8 @@ Ni?Ge(i.CULL_FACE):Se(i.CULL_FACE);let te=U.side===Fn;se&&(te=!te),Qt(te),U.blen
 blendDst,U.blendEquationAlpha,U.blendSrcAlpha,U.blendDstAlpha,U.blendColor,U.blendAlpha,U.premultipliedAlpha),o.setFunc(U.depthFunc),o.setTest(U.depthTest),o.setMask(
 U.depthWrite),r.setMask(U.colorWrite);let be=U.stencilWrite;a.setTest(be),be&&(a.setMask(U.stencilWriteMask),a.setFunc(U.stencilFunc,U.stencilRef,U.stencilFuncMask),
 a.setOp(U.stencilFail,U.stencilZFail,U.stencilZPass)),xt(U.polygonOffset,U.polygonOffsetFactor,U.polygonOffsetUnits),U.alphaToCoverage===!0?Se(i.SAMPLE_ALPHA_TO_COVERAGE):
-Ge(i.SAMPLE_ALPHA_TO_COVERAGE)}function Qt(U){L!==U&&(U?i.frontFace(i.CW):i.frontFace(i.CCW),L=U)}function Rt(U){U!==up?(Se(i.CULL_FACE),U!==V&&(U===ku?i.cullFace(
-i.BACK):U===hp?i.cullFace(i.FRONT):i.cullFace(i.FRONT_AND_BACK))):Ge(i.CULL_FACE),V=U}function mn(U){U!==H&&(k&&i.lineWidth(U),H=U)}function xt(U,se,te){U?(Se(i.
+Ge(i.SAMPLE_ALPHA_TO_COVERAGE)}function Qt(U){L!==U&&(U?i.frontFace(i.CW):i.frontFace(i.CCW),L=U)}function Rt(U){U!==hp?(Se(i.CULL_FACE),U!==V&&(U===ku?i.cullFace(
+i.BACK):U===fp?i.cullFace(i.FRONT):i.cullFace(i.FRONT_AND_BACK))):Ge(i.CULL_FACE),V=U}function mn(U){U!==H&&(k&&i.lineWidth(U),H=U)}function xt(U,se,te){U?(Se(i.
 POLYGON_OFFSET_FILL),(N!==se||G!==te)&&(N=se,G=te,o.getReversed()&&(se=-se,te=-te),i.polygonOffset(se,te))):Ge(i.POLYGON_OFFSET_FILL)}function an(U){U?Se(i.SCISSOR_TEST):
 Ge(i.SCISSOR_TEST)}function Xt(U){U===void 0&&(U=i.TEXTURE0+J-1),Q!==U&&(i.activeTexture(U),Q=U)}function jt(U,se,te){te===void 0&&(Q===null?te=i.TEXTURE0+J-1:te=
 Q);let be=ie[te];be===void 0&&(be={type:void 0,texture:void 0},ie[te]=be),(be.type!==U||be.texture!==se)&&(Q!==te&&(i.activeTexture(te),Q=te),i.bindTexture(U,se||
@@ -3143,9 +3143,9 @@ i.compressedTexSubImage2D(...arguments)}catch(U){Ke("WebGLState:",U)}}function z
 try{i.texStorage2D(...arguments)}catch(U){Ke("WebGLState:",U)}}function C(){try{i.texStorage3D(...arguments)}catch(U){Ke("WebGLState:",U)}}function y(){try{i.texImage2D(
 ...arguments)}catch(U){Ke("WebGLState:",U)}}function W(){try{i.texImage3D(...arguments)}catch(U){Ke("WebGLState:",U)}}function ce(U){return f[U]!==void 0?f[U]:i.
 getParameter(U)}function re(U,se){f[U]!==se&&(i.pixelStorei(U,se),f[U]=se)}function ge(U){j.equals(U)===!1&&(i.scissor(U.x,U.y,U.z,U.w),j.copy(U))}function xe(U){
-pe.equals(U)===!1&&(i.viewport(U.x,U.y,U.z,U.w),pe.copy(U))}function ee(U,se){let te=c.get(se);te===void 0&&(te=new WeakMap,c.set(se,te));let be=te.get(U);be===
-void 0&&(be=i.getUniformBlockIndex(se,U.name),i.uniformBlockBinding(se,be,be),te.set(U,be))}function ne(U,se,te){let me=c.get(se).get(U);l[me]!==te&&(i.bindBufferBase(
-i.UNIFORM_BUFFER,me,te),l[me]=te)}function de(){i.disable(i.BLEND),i.disable(i.CULL_FACE),i.disable(i.DEPTH_TEST),i.disable(i.POLYGON_OFFSET_FILL),i.disable(i.SCISSOR_TEST),
+pe.equals(U)===!1&&(i.viewport(U.x,U.y,U.z,U.w),pe.copy(U))}function ee(U,se){let te=l.get(se);te===void 0&&(te=new WeakMap,l.set(se,te));let be=te.get(U);be===
+void 0&&(be=i.getUniformBlockIndex(se,U.name),i.uniformBlockBinding(se,be,be),te.set(U,be))}function ne(U,se,te){let me=l.get(se).get(U);c[me]!==te&&(i.bindBufferBase(
+i.UNIFORM_BUFFER,me,te),c[me]=te)}function de(){i.disable(i.BLEND),i.disable(i.CULL_FACE),i.disable(i.DEPTH_TEST),i.disable(i.POLYGON_OFFSET_FILL),i.disable(i.SCISSOR_TEST),
 i.disable(i.STENCIL_TEST),i.disable(i.SAMPLE_ALPHA_TO_COVERAGE),i.blendEquation(i.FUNC_ADD),i.blendFunc(i.ONE,i.ZERO),i.blendFuncSeparate(i.ONE,i.ZERO,i.ONE,i.ZERO),
 i.blendColor(0,0,0,0),i.colorMask(!0,!0,!0,!0),i.clearColor(0,0,0,0),i.depthMask(!0),i.depthFunc(i.LESS),o.setReversed(!1),i.clearDepth(1),i.stencilMask(4294967295),
 i.stencilFunc(i.ALWAYS,0,4294967295),i.stencilOp(i.KEEP,i.KEEP,i.KEEP),i.clearStencil(0),i.cullFace(i.BACK),i.frontFace(i.CCW),i.polygonOffset(0,0),i.activeTexture(
@@ -3153,14 +3153,14 @@ i.TEXTURE0),i.bindFramebuffer(i.FRAMEBUFFER,null),i.bindFramebuffer(i.DRAW_FRAME
 1),i.scissor(0,0,i.canvas.width,i.canvas.height),i.viewport(0,0,i.canvas.width,i.canvas.height),i.pixelStorei(i.PACK_ALIGNMENT,4),i.pixelStorei(i.UNPACK_ALIGNMENT,
 4),i.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,!1),i.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),i.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,i.BROWSER_DEFAULT_WEBGL),
 i.pixelStorei(i.PACK_ROW_LENGTH,0),i.pixelStorei(i.PACK_SKIP_PIXELS,0),i.pixelStorei(i.PACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_ROW_LENGTH,0),i.pixelStorei(i.UNPACK_IMAGE_HEIGHT,
-0),i.pixelStorei(i.UNPACK_SKIP_PIXELS,0),i.pixelStorei(i.UNPACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_SKIP_IMAGES,0),u={},f={},Q=null,ie={},h={},l={},d=new WeakMap,
+0),i.pixelStorei(i.UNPACK_SKIP_PIXELS,0),i.pixelStorei(i.UNPACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_SKIP_IMAGES,0),u={},f={},Q=null,ie={},h={},c={},d=new WeakMap,
 x=[],S=null,p=!1,m=null,v=null,A=null,M=null,P=null,E=null,_=null,T=new st(0,0,0),O=0,D=!1,L=null,V=null,H=null,N=null,G=null,j.set(0,0,i.canvas.width,i.canvas.
 height),pe.set(0,0,i.canvas.width,i.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:Se,disable:Ge,bindFramebuffer:tt,
 drawBuffers:ke,useProgram:ct,setBlending:Vt,setMaterial:Nt,setFlipSided:Qt,setCullFace:Rt,setLineWidth:mn,setPolygonOffset:xt,setScissorTest:an,activeTexture:Xt,
 bindTexture:jt,unbindTexture:F,compressedTexImage2D:Ce,compressedTexImage3D:Xe,texImage2D:y,texImage3D:W,pixelStorei:re,getParameter:ce,updateUBOMapping:ee,uniformBlockBinding:ne,
-texStorage2D:We,texStorage3D:C,texSubImage2D:nt,texSubImage3D:Me,compressedTexSubImage2D:It,compressedTexSubImage3D:ze,scissor:ge,viewport:xe,reset:de}}function _M(i,e,t,n,s,r,o){
-let a=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,l=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.
-userAgent),c=new ft,u=new WeakMap,f=new Set,h,d=new WeakMap,x=new Set,S=new FinalizationRegistry(C=>x.delete(C)),p=!1;try{p=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(
+texStorage2D:We,texStorage3D:C,texSubImage2D:nt,texSubImage3D:Me,compressedTexSubImage2D:It,compressedTexSubImage3D:ze,scissor:ge,viewport:xe,reset:de}}function xM(i,e,t,n,s,r,o){
+let a=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,c=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.
+userAgent),l=new ft,u=new WeakMap,f=new Set,h,d=new WeakMap,x=new Set,S=new FinalizationRegistry(C=>x.delete(C)),p=!1;try{p=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(
 1,1).getContext("2d")!==null}catch{}function m(C,y){return p?new OffscreenCanvas(C,y):xo("canvas")}function v(C,y,W){let ce=1,re=We(C);if((re.width>W||re.height>
 W)&&(ce=W/Math.max(re.width,re.height)),ce<1)if(typeof HTMLImageElement<"u"&&C instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&C instanceof HTMLCanvasElement||
 typeof ImageBitmap<"u"&&C instanceof ImageBitmap||typeof VideoFrame<"u"&&C instanceof VideoFrame){let ge=Math.floor(ce*re.width),xe=Math.floor(ce*re.height);h===
@@ -3207,8 +3207,8 @@ W.__webglTexture,i.TEXTURE0+y)}function _e(C,y){let W=n.get(C);if(C.isRenderTarg
 (W.__webglTexture=C.sourceTexture?C.sourceTexture:null);t.bindTexture(i.TEXTURE_2D_ARRAY,W.__webglTexture,i.TEXTURE0+y)}function Ae(C,y){let W=n.get(C);if(C.isRenderTargetTexture===
 !1&&C.version>0&&W.__version!==C.version){Nt(W,C,y);return}t.bindTexture(i.TEXTURE_3D,W.__webglTexture,i.TEXTURE0+y)}function Se(C,y){let W=n.get(C);if(C.version>
 0&&W.__version!==C.version){Qt(W,C,y);return}t.bindTexture(i.TEXTURE_CUBE_MAP,W.__webglTexture,i.TEXTURE0+y)}let Ge={[Qa]:i.REPEAT,[Pi]:i.CLAMP_TO_EDGE,[ja]:i.MIRRORED_REPEAT},
-tt={[Sn]:i.NEAREST,[Dp]:i.NEAREST_MIPMAP_NEAREST,[Go]:i.NEAREST_MIPMAP_LINEAR,[Un]:i.LINEAR,[Cl]:i.LINEAR_MIPMAP_NEAREST,[is]:i.LINEAR_MIPMAP_LINEAR},ke={[Op]:i.
-NEVER,[lh]:i.ALWAYS,[Bp]:i.LESS,[oh]:i.LEQUAL,[zp]:i.EQUAL,[ah]:i.GEQUAL,[kp]:i.GREATER,[Vp]:i.NOTEQUAL};function ct(C,y){if(y.type===oi&&e.has("OES_texture_flo\
+tt={[Sn]:i.NEAREST,[Np]:i.NEAREST_MIPMAP_NEAREST,[Go]:i.NEAREST_MIPMAP_LINEAR,[Un]:i.LINEAR,[Cl]:i.LINEAR_MIPMAP_NEAREST,[is]:i.LINEAR_MIPMAP_LINEAR},ke={[Bp]:i.
+NEVER,[lh]:i.ALWAYS,[zp]:i.LESS,[oh]:i.LEQUAL,[kp]:i.EQUAL,[ah]:i.GEQUAL,[Vp]:i.GREATER,[Gp]:i.NOTEQUAL};function ct(C,y){if(y.type===oi&&e.has("OES_texture_flo\
 at_linear")===!1&&(y.magFilter===Un||y.magFilter===Cl||y.magFilter===Go||y.magFilter===is||y.minFilter===Un||y.minFilter===Cl||y.minFilter===Go||y.minFilter===is)&&
 qe("WebGLRenderer: Unable to use linear filtering with floating point textures. OES_texture_float_linear not supported on this device."),i.texParameteri(C,i.TEXTURE_WRAP_S,
 Ge[y.wrapS]),i.texParameteri(C,i.TEXTURE_WRAP_T,Ge[y.wrapT]),(C===i.TEXTURE_3D||C===i.TEXTURE_2D_ARRAY)&&i.texParameteri(C,i.TEXTURE_WRAP_R,Ge[y.wrapR]),i.texParameteri(
@@ -3331,20 +3331,20 @@ de,i.TEXTURE_2D,null,0);t.bindFramebuffer(i.READ_FRAMEBUFFER,xe.__webglMultisamp
 xe.__webglFramebuffer[0]):t.bindFramebuffer(i.DRAW_FRAMEBUFFER,xe.__webglFramebuffer);for(let de=0;de<y.length;de++){if(C.resolveDepthBuffer&&(C.depthBuffer&&(re|=
 i.DEPTH_BUFFER_BIT),C.stencilBuffer&&C.resolveStencilBuffer&&(re|=i.STENCIL_BUFFER_BIT)),ee){i.framebufferRenderbuffer(i.READ_FRAMEBUFFER,i.COLOR_ATTACHMENT0,i.
 RENDERBUFFER,xe.__webglColorRenderbuffer[de]);let U=n.get(y[de]).__webglTexture;i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0,i.TEXTURE_2D,U,0)}
-i.blitFramebuffer(0,0,W,ce,0,0,W,ce,re,i.NEAREST),l===!0&&(Ce.length=0,Ce.push(i.COLOR_ATTACHMENT0+de),C.depthBuffer&&C.storeMultisampledDepthBuffer===!1&&Ce.push(
+i.blitFramebuffer(0,0,W,ce,0,0,W,ce,re,i.NEAREST),c===!0&&(Ce.length=0,Ce.push(i.COLOR_ATTACHMENT0+de),C.depthBuffer&&C.storeMultisampledDepthBuffer===!1&&Ce.push(
 ge),i.invalidateFramebuffer(i.READ_FRAMEBUFFER,Ce))}if(t.bindFramebuffer(i.READ_FRAMEBUFFER,null),t.bindFramebuffer(i.DRAW_FRAMEBUFFER,null),ee)for(let de=0;de<
 y.length;de++){t.bindFramebuffer(i.FRAMEBUFFER,xe.__webglMultisampledFramebuffer),i.framebufferRenderbuffer(i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+de,i.RENDERBUFFER,
 xe.__webglColorRenderbuffer[de]);let U=n.get(y[de]).__webglTexture;t.bindFramebuffer(i.FRAMEBUFFER,xe.__webglFramebuffer),i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,
 i.COLOR_ATTACHMENT0+de,i.TEXTURE_2D,U,0)}t.bindFramebuffer(i.DRAW_FRAMEBUFFER,xe.__webglMultisampledFramebuffer)}else if(C.depthBuffer&&C.storeMultisampledDepthBuffer===
-!1&&l){let y=C.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT;i.invalidateFramebuffer(i.DRAW_FRAMEBUFFER,[y])}}}function nt(C){return Math.min(s.maxSamples,
+!1&&c){let y=C.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT;i.invalidateFramebuffer(i.DRAW_FRAMEBUFFER,[y])}}}function nt(C){return Math.min(s.maxSamples,
 C.samples)}function Me(C){let y=n.get(C);return C.samples>0&&e.has("WEBGL_multisampled_render_to_texture")===!0&&y.__useRenderToTexture!==!1}function It(C){let y=o.
 render.frame;u.get(C)!==y&&(u.set(C,y),C.update())}function ze(C,y){let W=C.colorSpace,ce=C.format,re=C.type;return C.isCompressedTexture===!0||C.isVideoTexture===
 !0||W!==go&&W!==rs&&(gt.getTransfer(W)===Tt?(ce!==yi||re!==Bn)&&qe("WebGLTextures: sRGB encoded textures have to use RGBAFormat and UnsignedByteType."):Ke("WebG\
-LTextures: Unsupported texture color space:",W)),y}function We(C){return typeof HTMLImageElement<"u"&&C instanceof HTMLImageElement?(c.width=C.naturalWidth||C.width,
-c.height=C.naturalHeight||C.height):typeof VideoFrame<"u"&&C instanceof VideoFrame?(c.width=C.displayWidth,c.height=C.displayHeight):(c.width=C.width,c.height=C.
-height),c}this.allocateTextureUnit=ue,this.resetTextureUnits=Q,this.getTextureUnits=ie,this.setTextureUnits=he,this.setTexture2D=pe,this.setTexture2DArray=_e,this.
+LTextures: Unsupported texture color space:",W)),y}function We(C){return typeof HTMLImageElement<"u"&&C instanceof HTMLImageElement?(l.width=C.naturalWidth||C.width,
+l.height=C.naturalHeight||C.height):typeof VideoFrame<"u"&&C instanceof VideoFrame?(l.width=C.displayWidth,l.height=C.displayHeight):(l.width=C.width,l.height=C.
+height),l}this.allocateTextureUnit=ue,this.resetTextureUnits=Q,this.getTextureUnits=ie,this.setTextureUnits=he,this.setTexture2D=pe,this.setTexture2DArray=_e,this.
 setTexture3D=Ae,this.setTextureCube=Se,this.rebindTextures=Xt,this.setupRenderTarget=jt,this.updateRenderTargetMipmap=F,this.updateMultisampleRenderTarget=Xe,this.
-setupDepthRenderbuffer=an,this.setupFrameBufferTexture=Rt,this.useMultisampledRTT=Me,this.dispose=G}function xM(i,e){function t(n,s=rs){let r,o=gt.getTransfer(s);
+setupDepthRenderbuffer=an,this.setupFrameBufferTexture=Rt,this.useMultisampledRTT=Me,this.dispose=G}function vM(i,e){function t(n,s=rs){let r,o=gt.getTransfer(s);
 if(n===Bn)return i.UNSIGNED_BYTE;if(n===Pl)return i.UNSIGNED_SHORT_4_4_4_4;if(n===Il)return i.UNSIGNED_SHORT_5_5_5_1;if(n===nh)return i.UNSIGNED_INT_5_9_9_9_REV;
 if(n===ih)return i.UNSIGNED_INT_10F_11F_11F_REV;if(n===eh)return i.BYTE;if(n===th)return i.SHORT;if(n===kr)return i.UNSIGNED_SHORT;if(n===Rl)return i.INT;if(n===
 xi)return i.UNSIGNED_INT;if(n===oi)return i.FLOAT;if(n===vi)return i.HALF_FLOAT;if(n===sh)return i.ALPHA;if(n===rh)return i.RGB;if(n===yi)return i.RGBA;if(n===Ki)
@@ -3370,25 +3370,25 @@ ac||n===lc)if(r=e.get("EXT_texture_compression_bptc"),r!==null){if(n===oc)return
 if(n===ac)return r.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(n===lc)return r.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(n===cc||n===uc||n===Zo||n===
 hc)if(r=e.get("EXT_texture_compression_rgtc"),r!==null){if(n===cc)return r.COMPRESSED_RED_RGTC1_EXT;if(n===uc)return r.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(n===Zo)
 return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(n===hc)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return n===Ws?i.UNSIGNED_INT_24_8:i[n]!==void 0?
-i[n]:null}return{convert:t}}var vM="\nvoid main() {\n\n gl_Position = vec4( position, 1.0 );\n\n}",yM="\nuniform sampler2DArray depthColor;\nuniform float depthWi\
+i[n]:null}return{convert:t}}var yM="\nvoid main() {\n\n gl_Position = vec4( position, 1.0 );\n\n}",SM="\nuniform sampler2DArray depthColor;\nuniform float depthWi\
 dth;\nuniform float depthHeight;\n\nvoid main() {\n\n vec2 coord = vec2( gl_FragCoord.x / depthWidth, gl_FragCoord.y / depthHeight );\n\n if ( coord.x >= 1.0 ) {\n\n  gl\
 _FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;\n\n } else {\n\n  gl_FragDepth = texture( depthColor, vec3( coord.x, coord.y, 0 ) ).r;\n\n }\n\
 \n}",wh=class{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(e,t){if(this.texture===null){let n=new Ro(e.texture);(e.depthNear!==
 t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar=e.depthFar),this.texture=n}}getMesh(e){if(this.texture!==null&&this.mesh===null){
-let t=e.cameras[0].viewport,n=new Di({vertexShader:vM,fragmentShader:yM,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});
+let t=e.cameras[0].viewport,n=new Di({vertexShader:yM,fragmentShader:SM,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});
 this.mesh=new ri(new Io(20,20),n)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},Th=class extends Ii{constructor(e,t){
-super();let n=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,u=null,f=null,h=null,d=null,x=null,S=typeof XRWebGLBinding<"u",p=new wh,m={},v=t.getContextAttributes(),
+super();let n=this,s=null,r=1,o=null,a="local-floor",c=1,l=null,u=null,f=null,h=null,d=null,x=null,S=typeof XRWebGLBinding<"u",p=new wh,m={},v=t.getContextAttributes(),
 A=null,M=null,P=[],E=[],_=new ft,T=null,O=null,D=new Nn;D.viewport=new Ht;let L=new Nn;L.viewport=new Ht;let V=[D,L],H=new wl,N=null,G=null;this.cameraAutoUpdate=
 !0,this.enabled=!1,this.isPresenting=!1,this.getController=function(j){let pe=P[j];return pe===void 0&&(pe=new Lr,P[j]=pe),pe.getTargetRaySpace()},this.getControllerGrip=
 function(j){let pe=P[j];return pe===void 0&&(pe=new Lr,P[j]=pe),pe.getGripSpace()},this.getHand=function(j){let pe=P[j];return pe===void 0&&(pe=new Lr,P[j]=pe),
-pe.getHandSpace()};function J(j){let pe=E.indexOf(j.inputSource);if(pe===-1)return;let _e=P[pe];_e!==void 0&&(_e.update(j.inputSource,j.frame,c||o),_e.dispatchEvent(
+pe.getHandSpace()};function J(j){let pe=E.indexOf(j.inputSource);if(pe===-1)return;let _e=P[pe];_e!==void 0&&(_e.update(j.inputSource,j.frame,l||o),_e.dispatchEvent(
 {type:j.type,data:j.inputSource}))}function k(){s.removeEventListener("select",J),s.removeEventListener("selectstart",J),s.removeEventListener("selectend",J),s.
 removeEventListener("squeeze",J),s.removeEventListener("squeezestart",J),s.removeEventListener("squeezeend",J),s.removeEventListener("end",k),s.removeEventListener(
 "inputsourceschange",le);for(let j=0;j<P.length;j++){let pe=E[j];pe!==null&&(E[j]=null,P[j].disconnect(pe))}N=null,G=null,p.reset();for(let j in m)delete m[j];if(e.
 setRenderTarget(A),d=null,h=null,f=null,s=null,M=null,ue.stop(),n.isPresenting=!1,e.setPixelRatio(T),e.setSize(_.width,_.height,!1),O!==null){let j=O.camera;j.fov=
 O.fov,j.zoom=O.zoom,j.updateProjectionMatrix(),O=null}n.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(j){r=j,n.isPresenting===!0&&qe(
 "WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(j){a=j,n.isPresenting===!0&&qe("WebXRManager: Cannot cha\
-nge reference space type while presenting.")},this.getReferenceSpace=function(){return c||o},this.setReferenceSpace=function(j){c=j},this.getBaseLayer=function(){
+nge reference space type while presenting.")},this.getReferenceSpace=function(){return l||o},this.setReferenceSpace=function(j){l=j},this.getBaseLayer=function(){
 return h!==null?h:d},this.getBinding=function(){return f===null&&S&&(f=new XRWebGLBinding(s,t)),f},this.getFrame=function(){return x},this.getSession=function(){
 return s},this.setSession=async function(j){if(s=j,s!==null){if(A=e.getRenderTarget(),s.addEventListener("select",J),s.addEventListener("selectstart",J),s.addEventListener(
 "selectend",J),s.addEventListener("squeeze",J),s.addEventListener("squeezestart",J),s.addEventListener("squeezeend",J),s.addEventListener("end",k),s.addEventListener(
@@ -3401,7 +3401,7 @@ ignoreDepthValues===!1,storeMultisampledStencilBuffer:h.ignoreDepthValues===!1})
 d=new XRWebGLLayer(s,t,_e),s.updateRenderState({baseLayer:d}),e.setPixelRatio(1),e.setSize(d.framebufferWidth,d.framebufferHeight,!1),M=new $n(d.framebufferWidth,
 d.framebufferHeight,{format:yi,type:Bn,colorSpace:e.outputColorSpace,stencilBuffer:v.stencil,resolveDepthBuffer:d.ignoreDepthValues===!1,resolveStencilBuffer:d.
 ignoreDepthValues===!1,storeMultisampledDepthBuffer:d.ignoreDepthValues===!1,storeMultisampledStencilBuffer:d.ignoreDepthValues===!1})}M.isXRRenderTarget=!0,this.
-setFoveation(l),c=null,o=await s.requestReferenceSpace(a),ue.setContext(s),ue.start(),n.isPresenting=!0,n.dispatchEvent({type:"sessionstart"})}},this.getEnvironmentBlendMode=
+setFoveation(c),l=null,o=await s.requestReferenceSpace(a),ue.setContext(s),ue.start(),n.isPresenting=!0,n.dispatchEvent({type:"sessionstart"})}},this.getEnvironmentBlendMode=
 function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return p.getDepthTexture()};function le(j){for(let pe=0;pe<j.removed.length;pe++){
 let _e=j.removed[pe],Ae=E.indexOf(_e);Ae>=0&&(E[Ae]=null,P[Ae].disconnect(_e))}for(let pe=0;pe<j.added.length;pe++){let _e=j.added[pe],Ae=E.indexOf(_e);if(Ae===
 -1){for(let Ge=0;Ge<P.length;Ge++)if(Ge>=E.length){E.push(_e),Ae=Ge;break}else if(E[Ge]===null){E[Ge]=_e,Ae=Ge;break}if(Ae===-1)break}let Se=P[Ae];Se&&Se.connect(
@@ -3413,9 +3413,9 @@ copy(D.projectionMatrix),H.projectionMatrixInverse.copy(D.projectionMatrixInvers
 function Q(j,pe,_e){_e===null?j.matrix.copy(pe.matrixWorld):(j.matrix.copy(_e.matrixWorld),j.matrix.invert(),j.matrix.multiply(pe.matrixWorld)),j.matrix.decompose(
 j.position,j.quaternion,j.scale),j.updateMatrixWorld(!0),j.projectionMatrix.copy(pe.projectionMatrix),j.projectionMatrixInverse.copy(pe.projectionMatrixInverse),
 j.isPerspectiveCamera&&(j.fov=tl*2*Math.atan(1/j.projectionMatrix.elements[5]),j.zoom=1)}this.getCamera=function(){return H},this.getFoveation=function(){if(!(h===
-null&&d===null))return l},this.setFoveation=function(j){l=j,h!==null&&(h.fixedFoveation=j),d!==null&&d.fixedFoveation!==void 0&&(d.fixedFoveation=j)},this.hasDepthSensing=
+null&&d===null))return c},this.setFoveation=function(j){c=j,h!==null&&(h.fixedFoveation=j),d!==null&&d.fixedFoveation!==void 0&&(d.fixedFoveation=j)},this.hasDepthSensing=
 function(){return p.texture!==null},this.getDepthSensingMesh=function(){return p.getMesh(H)},this.getCameraTexture=function(j){return m[j]};let ie=null;function he(j,pe){
-if(u=pe.getViewerPose(c||o),x=pe,u!==null){let _e=u.views;d!==null&&(e.setRenderTargetFramebuffer(M,d.framebuffer),e.setRenderTarget(M));let Ae=!1;_e.length!==H.
+if(u=pe.getViewerPose(l||o),x=pe,u!==null){let _e=u.views;d!==null&&(e.setRenderTargetFramebuffer(M,d.framebuffer),e.setRenderTarget(M));let Ae=!1;_e.length!==H.
 cameras.length&&(H.cameras.length=0,Ae=!0);for(let ke=0;ke<_e.length;ke++){let ct=_e[ke],rt=null;if(d!==null)rt=d.getViewport(ct);else{let Vt=f.getViewSubImage(
 h,ct);rt=Vt.viewport,ke===0&&(e.setRenderTargetTextures(M,Vt.colorTexture,Vt.depthStencilTexture),e.setRenderTarget(M))}let je=V[ke];je===void 0&&(je=new Nn,je.
 layers.enable(ke),je.viewport=new Ht,V[ke]=je),je.matrix.fromArray(ct.transform.matrix),je.matrix.decompose(je.position,je.quaternion,je.scale),je.projectionMatrix.
@@ -3423,14 +3423,14 @@ fromArray(ct.projectionMatrix),je.projectionMatrixInverse.copy(je.projectionMatr
 je.matrix),H.matrix.decompose(H.position,H.quaternion,H.scale)),Ae===!0&&H.cameras.push(je)}let Se=s.enabledFeatures;if(Se&&Se.includes("depth-sensing")&&s.depthUsage==
 "gpu-optimized"&&S){f=n.getBinding();let ke=f.getDepthInformation(_e[0]);ke&&ke.isValid&&ke.texture&&p.init(ke,s.renderState)}if(Se&&Se.includes("camera-access")&&
 S){e.state.unbindTexture(),f=n.getBinding();for(let ke=0;ke<_e.length;ke++){let ct=_e[ke].camera;if(ct){let rt=m[ct];rt||(rt=new Ro,m[ct]=rt);let je=f.getCameraImage(
-ct);rt.sourceTexture=je}}}}for(let _e=0;_e<P.length;_e++){let Ae=E[_e],Se=P[_e];Ae!==null&&Se!==void 0&&Se.update(Ae,pe,c||o)}ie&&ie(j,pe),pe.detectedPlanes&&n.
-dispatchEvent({type:"planesdetected",data:pe}),x=null}let ue=new vm;ue.setAnimationLoop(he),this.setAnimationLoop=function(j){ie=j},this.dispose=function(){}}},
-SM=new bt,Rm=new Qe;Rm.set(-1,0,0,0,1,0,0,0,1);function MM(i,e){function t(p,m){p.matrixAutoUpdate===!0&&p.updateMatrix(),m.value.copy(p.matrix)}function n(p,m){
+ct);rt.sourceTexture=je}}}}for(let _e=0;_e<P.length;_e++){let Ae=E[_e],Se=P[_e];Ae!==null&&Se!==void 0&&Se.update(Ae,pe,l||o)}ie&&ie(j,pe),pe.detectedPlanes&&n.
+dispatchEvent({type:"planesdetected",data:pe}),x=null}let ue=new ym;ue.setAnimationLoop(he),this.setAnimationLoop=function(j){ie=j},this.dispose=function(){}}},
+MM=new bt,Pm=new Qe;Pm.set(-1,0,0,0,1,0,0,0,1);function bM(i,e){function t(p,m){p.matrixAutoUpdate===!0&&p.updateMatrix(),m.value.copy(p.matrix)}function n(p,m){
 m.color.getRGB(p.fogColor.value,fh(i)),m.isFog?(p.fogNear.value=m.near,p.fogFar.value=m.far):m.isFogExp2&&(p.fogDensity.value=m.density)}function s(p,m,v,A,M){m.
 isNodeMaterial?m.uniformsNeedUpdate=!1:m.isMeshBasicMaterial?r(p,m):m.isMeshLambertMaterial?(r(p,m),m.envMap&&(p.envMapIntensity.value=m.envMapIntensity)):m.isMeshToonMaterial?
 (r(p,m),f(p,m)):m.isMeshPhongMaterial?(r(p,m),u(p,m),m.envMap&&(p.envMapIntensity.value=m.envMapIntensity)):m.isMeshStandardMaterial?(r(p,m),h(p,m),m.isMeshPhysicalMaterial&&
 d(p,m,M)):m.isMeshMatcapMaterial?(r(p,m),x(p,m)):m.isMeshDepthMaterial?r(p,m):m.isMeshDistanceMaterial?(r(p,m),S(p,m)):m.isMeshNormalMaterial?r(p,m):m.isLineBasicMaterial?
-(o(p,m),m.isLineDashedMaterial&&a(p,m)):m.isPointsMaterial?l(p,m,v,A):m.isSpriteMaterial?c(p,m):m.isShadowMaterial?(p.color.value.copy(m.color),p.opacity.value=
+(o(p,m),m.isLineDashedMaterial&&a(p,m)):m.isPointsMaterial?c(p,m,v,A):m.isSpriteMaterial?l(p,m):m.isShadowMaterial?(p.color.value.copy(m.color),p.opacity.value=
 m.opacity):m.isShaderMaterial&&(m.uniformsNeedUpdate=!1)}function r(p,m){p.opacity.value=m.opacity,m.color&&p.diffuse.value.copy(m.color),m.emissive&&p.emissive.
 value.copy(m.emissive).multiplyScalar(m.emissiveIntensity),m.map&&(p.map.value=m.map,t(m.map,p.mapTransform)),m.alphaMap&&(p.alphaMap.value=m.alphaMap,t(m.alphaMap,
 p.alphaMapTransform)),m.bumpMap&&(p.bumpMap.value=m.bumpMap,t(m.bumpMap,p.bumpMapTransform),p.bumpScale.value=m.bumpScale,m.side===Fn&&(p.bumpScale.value*=-1)),
@@ -3438,13 +3438,13 @@ m.normalMap&&(p.normalMap.value=m.normalMap,t(m.normalMap,p.normalMapTransform),
 m.displacementMap&&(p.displacementMap.value=m.displacementMap,t(m.displacementMap,p.displacementMapTransform),p.displacementScale.value=m.displacementScale,p.displacementBias.
 value=m.displacementBias),m.emissiveMap&&(p.emissiveMap.value=m.emissiveMap,t(m.emissiveMap,p.emissiveMapTransform)),m.specularMap&&(p.specularMap.value=m.specularMap,
 t(m.specularMap,p.specularMapTransform)),m.alphaTest>0&&(p.alphaTest.value=m.alphaTest);let v=e.get(m),A=v.envMap,M=v.envMapRotation;A&&(p.envMap.value=A,p.envMapRotation.
-value.setFromMatrix4(SM.makeRotationFromEuler(M)).transpose(),A.isCubeTexture&&A.isRenderTargetTexture===!1&&p.envMapRotation.value.premultiply(Rm),p.reflectivity.
+value.setFromMatrix4(MM.makeRotationFromEuler(M)).transpose(),A.isCubeTexture&&A.isRenderTargetTexture===!1&&p.envMapRotation.value.premultiply(Pm),p.reflectivity.
 value=m.reflectivity,p.ior.value=m.ior,p.refractionRatio.value=m.refractionRatio),m.lightMap&&(p.lightMap.value=m.lightMap,p.lightMapIntensity.value=m.lightMapIntensity,
 t(m.lightMap,p.lightMapTransform)),m.aoMap&&(p.aoMap.value=m.aoMap,p.aoMapIntensity.value=m.aoMapIntensity,t(m.aoMap,p.aoMapTransform))}function o(p,m){p.diffuse.
 value.copy(m.color),p.opacity.value=m.opacity,m.map&&(p.map.value=m.map,t(m.map,p.mapTransform))}function a(p,m){p.dashSize.value=m.dashSize,p.totalSize.value=m.
-dashSize+m.gapSize,p.scale.value=m.scale}function l(p,m,v,A){p.diffuse.value.copy(m.color),p.opacity.value=m.opacity,p.size.value=m.size*v,p.scale.value=A*.5,m.
+dashSize+m.gapSize,p.scale.value=m.scale}function c(p,m,v,A){p.diffuse.value.copy(m.color),p.opacity.value=m.opacity,p.size.value=m.size*v,p.scale.value=A*.5,m.
 map&&(p.map.value=m.map,t(m.map,p.uvTransform)),m.alphaMap&&(p.alphaMap.value=m.alphaMap,t(m.alphaMap,p.alphaMapTransform)),m.alphaTest>0&&(p.alphaTest.value=m.
-alphaTest)}function c(p,m){p.diffuse.value.copy(m.color),p.opacity.value=m.opacity,p.rotation.value=m.rotation,m.map&&(p.map.value=m.map,t(m.map,p.mapTransform)),
+alphaTest)}function l(p,m){p.diffuse.value.copy(m.color),p.opacity.value=m.opacity,p.rotation.value=m.rotation,m.map&&(p.map.value=m.map,t(m.map,p.mapTransform)),
 m.alphaMap&&(p.alphaMap.value=m.alphaMap,t(m.alphaMap,p.alphaMapTransform)),m.alphaTest>0&&(p.alphaTest.value=m.alphaTest)}function u(p,m){p.specular.value.copy(
 m.specular),p.shininess.value=Math.max(m.shininess,1e-4)}function f(p,m){m.gradientMap&&(p.gradientMap.value=m.gradientMap)}function h(p,m){p.metalness.value=m.
 metalness,m.metalnessMap&&(p.metalnessMap.value=m.metalnessMap,t(m.metalnessMap,p.metalnessMapTransform)),p.roughness.value=m.roughness,m.roughnessMap&&(p.roughnessMap.
@@ -3466,10 +3466,10 @@ value.set(m.anisotropy*Math.cos(m.anisotropyRotation),m.anisotropy*Math.sin(m.an
 p.anisotropyMapTransform))),p.specularIntensity.value=m.specularIntensity,p.specularColor.value.copy(m.specularColor),m.specularColorMap&&(p.specularColorMap.value=
 m.specularColorMap,t(m.specularColorMap,p.specularColorMapTransform)),m.specularIntensityMap&&(p.specularIntensityMap.value=m.specularIntensityMap,t(m.specularIntensityMap,
 p.specularIntensityMapTransform))}function x(p,m){m.matcap&&(p.matcap.value=m.matcap)}function S(p,m){let v=e.get(m).light;p.referencePosition.value.setFromMatrixPosition(
-v.matrixWorld),p.nearDistance.value=v.shadow.camera.near,p.farDistance.value=v.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function bM(i,e,t,n){
-let s={},r={};function o(v,A){let M=A.program;n.uniformBlockBinding(v,M,s[v.id])}function a(v,A){let M=s[v.id];M===void 0&&(x(v),M=l(v),s[v.id]=M,v.addEventListener(
-"dispose",p));let P=A.program;n.updateUBOMapping(v,P);let E=e.render.frame;r[v.id]!==E&&(c(v),r[v.id]=E)}function l(v){let A=i.createBuffer(),M=v.__size,P=v.usage;
-return i.bindBuffer(i.UNIFORM_BUFFER,A),i.bufferData(i.UNIFORM_BUFFER,M,P),i.bindBuffer(i.UNIFORM_BUFFER,null),A}function c(v){let A=s[v.id],M=v.uniforms,P=v.__cache;
+v.matrixWorld),p.nearDistance.value=v.shadow.camera.near,p.farDistance.value=v.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function wM(i,e,t,n){
+let s={},r={};function o(v,A){let M=A.program;n.uniformBlockBinding(v,M,s[v.id])}function a(v,A){let M=s[v.id];M===void 0&&(x(v),M=c(v),s[v.id]=M,v.addEventListener(
+"dispose",p));let P=A.program;n.updateUBOMapping(v,P);let E=e.render.frame;r[v.id]!==E&&(l(v),r[v.id]=E)}function c(v){let A=i.createBuffer(),M=v.__size,P=v.usage;
+return i.bindBuffer(i.UNIFORM_BUFFER,A),i.bufferData(i.UNIFORM_BUFFER,M,P),i.bindBuffer(i.UNIFORM_BUFFER,null),A}function l(v){let A=s[v.id],M=v.uniforms,P=v.__cache;
 i.bindBuffer(i.UNIFORM_BUFFER,A);for(let E=0,_=M.length;E<_;E++){let T=M[E];if(Array.isArray(T))for(let O=0,D=T.length;O<D;O++)u(T[O],E,O,P);else u(T,E,0,P)}i.bindBuffer(
 i.UNIFORM_BUFFER,null)}function u(v,A,M,P){if(h(v,A,M,P)===!0){let E=v.__offset,_=v.value;if(Array.isArray(_)){let T=0;for(let O=0;O<_.length;O++){let D=_[O],L=S(
 D,!0);f(D,v.__data,T),T+=L.storage/Float32Array.BYTES_PER_ELEMENT}}else f(_,v.__data,0);i.bufferSubData(i.UNIFORM_BUFFER,E,v.__data)}}function f(v,A,M){typeof v==
@@ -3486,7 +3486,7 @@ storage:0};return typeof v=="number"||typeof v=="boolean"?(M.boundary=4,M.storag
 M.storage=12):v.isVector4?(M.boundary=16,M.storage=16):v.isMatrix3?(M.boundary=16,M.storage=48):v.isMatrix4?(M.boundary=16,M.storage=64):v.isTexture?qe("WebGLRe\
 nderer: Texture samplers can not be part of an uniforms group."):ArrayBuffer.isView(v)?(M.boundary=16,M.storage=v.byteLength):qe("WebGLRenderer: Unsupported uni\
 form value type.",v),A===!0&&(M.boundary=16,M.storage=Math.ceil(M.storage/16)*16),M}function p(v){let A=v.target;A.removeEventListener("dispose",p),i.deleteBuffer(
-s[A.id]),delete s[A.id],delete r[A.id]}function m(){for(let v in s)i.deleteBuffer(s[v]);s={},r={}}return{bind:o,update:a,dispose:m}}var wM=new Uint16Array([12469,
+s[A.id]),delete s[A.id],delete r[A.id]}function m(){for(let v in s)i.deleteBuffer(s[v]);s={},r={}}return{bind:o,update:a,dispose:m}}var TM=new Uint16Array([12469,
 15057,12620,14925,13266,14620,13807,14376,14323,13990,14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,
 15082,10705,15073,10495,13880,14564,13898,14542,13977,14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,
 11194,14943,10803,14921,10506,14893,10278,14858,9960,14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,
@@ -3504,9 +3504,9 @@ s[A.id]),delete s[A.id],delete r[A.id]}function m(){for(let v in s)i.deleteBuffe
 6042,15088,6094,14966,6001,14826,5796,14678,5543,14527,5287,14377,4985,14133,4586,13869,4257,15360,1563,15360,1642,15358,2076,15354,2636,15341,3350,15317,4019,15273,
 4429,15203,4732,15105,4911,14981,4932,14836,4818,14679,4621,14517,4386,14359,4156,14083,3795,13808,3437,15360,122,15360,137,15358,285,15355,636,15344,1274,15322,
 2177,15281,2765,15215,3223,15120,3451,14995,3569,14846,3567,14681,3466,14511,3305,14344,3121,14037,2800,13753,2467,15360,0,15360,1,15359,21,15355,89,15346,253,15325,
-479,15287,796,15225,1148,15133,1492,15008,1749,14856,1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),Fi=null;function TM(){return Fi===null&&(Fi=new To(
-wM,16,16,As,vi),Fi.name="DFG_LUT",Fi.minFilter=Un,Fi.magFilter=Un,Fi.wrapS=Pi,Fi.wrapT=Pi,Fi.generateMipmaps=!1,Fi.needsUpdate=!0),Fi}var gc=class{constructor(e={}){
-let{canvas:t=Hp(),context:n=null,depth:s=!0,stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:u="default",
+479,15287,796,15225,1148,15133,1492,15008,1749,14856,1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),Fi=null;function AM(){return Fi===null&&(Fi=new To(
+TM,16,16,As,vi),Fi.name="DFG_LUT",Fi.minFilter=Un,Fi.magFilter=Un,Fi.wrapS=Pi,Fi.wrapT=Pi,Fi.generateMipmaps=!1,Fi.needsUpdate=!0),Fi}var gc=class{constructor(e={}){
+let{canvas:t=Wp(),context:n=null,depth:s=!0,stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:c=!0,preserveDrawingBuffer:l=!1,powerPreference:u="default",
 failIfMajorPerformanceCaveat:f=!1,reversedDepthBuffer:h=!1,outputBufferType:d=Bn}=e;this.isWebGLRenderer=!0;let x;if(n!==null){if(typeof WebGLRenderingContext<"\
 u"&&n instanceof WebGLRenderingContext)throw new Error("THREE.WebGLRenderer: WebGL 1 is not supported since r163.");x=n.getContextAttributes().alpha}else x=o;let S=d,
 p=new Set([Ul,Nl,Dl]),m=new Set([Bn,xi,kr,Ws,Pl,Il]),v=new Uint32Array(4),A=new Int32Array(4),M={textures:[],min:[],max:[],resolution:[]},P=null,E=null,_=[],T=[],
@@ -3515,16 +3515,16 @@ O=null;this.domElement=t,this.debug={checkShaderErrors:!0,diagnostics:{keywords:
 1;let D=this,L=!1,V=null,H=null,N=null,G=null;this._outputColorSpace=Zn;let J=0,k=0,le=null,$=-1,Q=null,ie=new Ht,he=new Ht,ue=null,j=new st(0),pe=0,_e=t.width,
 Ae=t.height,Se=1,Ge=null,tt=null,ke=new Ht(0,0,_e,Ae),ct=new Ht(0,0,_e,Ae),rt=!1,je=new ys,Vt=new rl,Nt=!1,Qt=!1,Rt=new bt,mn=new q,xt=new Ht,an={background:null,
 fog:null,environment:null,overrideMaterial:null,isScene:!0},Xt=!1;function jt(){return le===null?Se:1}let F=n;function Ce(w,B){return t.getContext(w,B)}let Xe,nt,
-Me,It,ze,We,C,y,W,ce,re,ge,xe,ee,ne,de,U,se,te,be,me,ye,Ve;try{let w={alpha:!0,depth:s,stencil:r,antialias:a,premultipliedAlpha:l,preserveDrawingBuffer:c,powerPreference:u,
+Me,It,ze,We,C,y,W,ce,re,ge,xe,ee,ne,de,U,se,te,be,me,ye,Ve;try{let w={alpha:!0,depth:s,stencil:r,antialias:a,premultipliedAlpha:c,preserveDrawingBuffer:l,powerPreference:u,
 failIfMajorPerformanceCaveat:f};if("setAttribute"in t&&t.setAttribute("data-engine","three.js r".concat("187")),t.addEventListener("webglcontextlost",Fe,!1),t.addEventListener(
 "webglcontextrestored",Je,!1),t.addEventListener("webglcontextcreationerror",Ee,!1),F===null){let B="webgl2";if(F=Ce(B,w),F===null)throw Ce(B)?new Error("THREE.\
 WebGLRenderer: Error creating WebGL context with your selected attributes."):new Error("THREE.WebGLRenderer: Error creating WebGL context.")}Ze()}catch(w){throw t.
 removeEventListener("webglcontextlost",Fe,!1),t.removeEventListener("webglcontextrestored",Je,!1),t.removeEventListener("webglcontextcreationerror",Ee,!1),Ke("W\
-ebGLRenderer: "+w.message),w}function Ze(){Xe=new Fy(F),Xe.init(),me=new xM(F,Xe),nt=new Ty(F,Xe,e,me),Me=new gM(F,Xe),nt.reversedDepthBuffer&&h&&Me.buffers.depth.
-setReversed(!0),H=F.createFramebuffer(),N=F.createFramebuffer(),G=F.createFramebuffer(),It=new zy(F),ze=new nM,We=new _M(F,Xe,Me,ze,nt,me,It),C=new Uy(D),y=new V_(
-F),ye=new by(F,y),W=new Oy(F,y,It,ye),ce=new Vy(F,W,y,ye,It),se=new ky(F,nt,We),ne=new Ay(ze),re=new tM(D,C,Xe,nt,ye,ne),ge=new MM(D,ze),xe=new sM,ee=new uM(Xe),
-U=new My(D,C,Me,ce,x,l),de=new mM(D,ce,nt),Ve=new bM(F,It,nt,Me),te=new wy(F,Xe,It),be=new By(F,Xe,It),It.programs=re.programs,D.capabilities=nt,D.extensions=Xe,
-D.properties=ze,D.renderLists=xe,D.shadowMap=de,D.state=Me,D.info=It}S!==Bn&&(O=new Hy(S,t.width,t.height,a,s,r));let ae=new Th(D,F);this.xr=ae,this.getContext=
+ebGLRenderer: "+w.message),w}function Ze(){Xe=new Oy(F),Xe.init(),me=new vM(F,Xe),nt=new Ay(F,Xe,e,me),Me=new _M(F,Xe),nt.reversedDepthBuffer&&h&&Me.buffers.depth.
+setReversed(!0),H=F.createFramebuffer(),N=F.createFramebuffer(),G=F.createFramebuffer(),It=new ky(F),ze=new iM,We=new xM(F,Xe,Me,ze,nt,me,It),C=new Fy(D),y=new G_(
+F),ye=new wy(F,y),W=new By(F,y,It,ye),ce=new Gy(F,W,y,ye,It),se=new Vy(F,nt,We),ne=new Ey(ze),re=new nM(D,C,Xe,nt,ye,ne),ge=new bM(D,ze),xe=new rM,ee=new hM(Xe),
+U=new by(D,C,Me,ce,x,c),de=new gM(D,ce,nt),Ve=new wM(F,It,nt,Me),te=new Ty(F,Xe,It),be=new zy(F,Xe,It),It.programs=re.programs,D.capabilities=nt,D.extensions=Xe,
+D.properties=ze,D.renderLists=xe,D.shadowMap=de,D.state=Me,D.info=It}S!==Bn&&(O=new Wy(S,t.width,t.height,a,s,r));let ae=new Th(D,F);this.xr=ae,this.getContext=
 function(){return F},this.getContextAttributes=function(){return F.getContextAttributes()},this.forceContextLoss=function(){let w=Xe.get("WEBGL_lose_context");w&&
 w.loseContext()},this.forceContextRestore=function(){let w=Xe.get("WEBGL_lose_context");w&&w.restoreContext()},this.getPixelRatio=function(){return Se},this.setPixelRatio=
 function(w){w!==void 0&&(Se=w,this.setSize(_e,Ae,!1))},this.getSize=function(w){return w.set(_e,Ae)},this.setSize=function(w,B,K=!0){if(ae.isPresenting){qe("Web\
@@ -3567,7 +3567,7 @@ Nt=ne.init(this.clippingPlanes,Qt),Nt===!0&&ne.setGlobalState(this.clippingPlane
 function(Y){if(!(Y.isMesh||Y.isPoints||Y.isLine||Y.isSprite))return;let we=Y.material;if(we)if(Array.isArray(we))for(let Re=0;Re<we.length;Re++){let Te=we[Re];Wr(
 Te,K,B,Y),X.add(Te)}else Wr(we,K,B,Y),X.add(we)}),E=T.pop(),V!==null&&V.renderEnd(),X},this.compileAsync=function(w,B,K=null){let X=this.compile(w,B,K);return new Promise(
 Y=>{function we(){if(X.forEach(function(Re){let Pe=ze.get(Re).currentProgram;(Pe===void 0||Pe.isReady())&&X.delete(Re)}),X.size===0){Y(w);return}setTimeout(we,10)}
-Xe.get("KHR_parallel_shader_compile")!==null?we():setTimeout(we,10)})};let qs=null;function Sc(w){qs&&qs(w)}function ea(){Bi.stop()}function Si(){Bi.start()}let Bi=new vm;
+Xe.get("KHR_parallel_shader_compile")!==null?we():setTimeout(we,10)})};let qs=null;function Sc(w){qs&&qs(w)}function ea(){Bi.stop()}function Si(){Bi.start()}let Bi=new ym;
 Bi.setAnimationLoop(Sc),typeof self<"u"&&Bi.setContext(self),this.setAnimationLoop=function(w){qs=w,ae.setAnimationLoop(w),w===null?Bi.stop():Bi.start()},ae.addEventListener(
 "sessionstart",ea),ae.addEventListener("sessionend",Si),this.render=function(w,B){if(B!==void 0&&B.isCamera!==!0){Ke("WebGLRenderer.render: camera is not an ins\
 tance of THREE.Camera.");return}if(L===!0)return;V!==null&&V.renderStart(w,B);let K=ae.enabled===!0&&ae.isPresenting===!0,X=O!==null&&(le===null||K)&&O.begin(D,
@@ -3650,7 +3650,7 @@ F,Y,"bindMatrixInverse");let Ct=Y.skeleton;Ct&&(Ct.boneTexture===null&&Ct.comput
 exture",Y._indirectTexture,We),ot.setOptional(F,Y,"batchingColorTexture"),Y._colorsTexture!==null&&ot.setValue(F,"batchingColorTexture",Y._colorsTexture,We));let Rn=K.
 morphAttributes;if((Rn.position!==void 0||Rn.normal!==void 0||Rn.color!==void 0)&&se.update(Y,K,tn),(bi||Ne.receiveShadow!==Y.receiveShadow)&&(Ne.receiveShadow=
 Y.receiveShadow,ot.setValue(F,"receiveShadow",Y.receiveShadow)),(X.isMeshStandardMaterial||X.isMeshLambertMaterial||X.isMeshPhongMaterial)&&X.envMap===null&&B.environment!==
-null&&(Yt.envMapIntensity.value=B.environmentIntensity),Yt.dfgLUT!==void 0&&(Yt.dfgLUT.value=TM()),bi){if(ot.setValue(F,"toneMappingExposure",D.toneMappingExposure),
+null&&(Yt.envMapIntensity.value=B.environmentIntensity),Yt.dfgLUT!==void 0&&(Yt.dfgLUT.value=AM()),bi){if(ot.setValue(F,"toneMappingExposure",D.toneMappingExposure),
 Ne.needsLights&&Ys(Yt,Vi),we&&X.fog===!0&&ge.refreshFogUniforms(Yt,we),ge.refreshMaterialUniforms(Yt,X,Se,Ae,E.state.transmissionRenderTarget[w.id]),Ne.needsLights&&
 Ne.numLightProbeGrids>0){let Ct=M,nn=0;for(let bn of E.state.lightProbeGridArray)bn.texture!==null&&(Ct.textures[nn]=bn.texture,Ct.min[nn]=bn.boundingBox.min,Ct.
 max[nn]=bn.boundingBox.max,Ct.resolution[nn]=bn.resolution,nn++);for(let bn in Ct)Ct[bn].length=nn;Yt.probesSH.value=Ct.textures,Yt.probesMin.value=Ct.min,Yt.probesMax.
@@ -3689,7 +3689,7 @@ Pe);let Be=w.textures[Te],$e=Be.format,ut=Be.type;w.textures.length>1&&F.readBuf
 "THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in RGBA or implementation defined format.");if(Oe.__typeReadable===!1)throw new Error("THR\
 EE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in UnsignedByteType or implementation defined type.");let ht=F.createBuffer();F.bindBuffer(F.PIXEL_PACK_BUFFER,
 ht),F.bufferData(F.PIXEL_PACK_BUFFER,we.byteLength,F.STREAM_READ),F.readPixels(B,K,X,Y,me.convert($e),me.convert(ut),0),F.bindBuffer(F.PIXEL_PACK_BUFFER,null);let Wt=le!==
-null?ze.get(le).__webglFramebuffer:null;Me.bindFramebuffer(F.FRAMEBUFFER,Wt);let At=F.fenceSync(F.SYNC_GPU_COMMANDS_COMPLETE,0);return F.flush(),await Xp(F,At,4),
+null?ze.get(le).__webglFramebuffer:null;Me.bindFramebuffer(F.FRAMEBUFFER,Wt);let At=F.fenceSync(F.SYNC_GPU_COMMANDS_COMPLETE,0);return F.flush(),await qp(F,At,4),
 F.bindBuffer(F.PIXEL_PACK_BUFFER,ht),F.getBufferSubData(F.PIXEL_PACK_BUFFER,0,we),F.bindBuffer(F.PIXEL_PACK_BUFFER,null),F.deleteBuffer(ht),F.deleteSync(At),we}else
 throw new Error("THREE.WebGLRenderer.readRenderTargetPixelsAsync: requested read bounds are out of range.")},this.copyFramebufferToTexture=function(w,B=null,K=0){
 let X=Math.pow(2,-K),Y=Math.floor(w.image.width*X),we=Math.floor(w.image.height*X),Re=B!==null?B.x:0,Te=B!==null?B.y:0;We.setTexture2D(w,0),F.copyTexSubImage2D(
@@ -3719,56 +3719,59 @@ F.UNPACK_IMAGE_HEIGHT,pt),Me.pixelStorei(F.UNPACK_SKIP_PIXELS,ki),Me.pixelStorei
 w)},this.initTexture=function(w){w.isCubeTexture?We.setTextureCube(w,0):w.isData3DTexture?We.setTexture3D(w,0):w.isDataArrayTexture||w.isCompressedArrayTexture?
 We.setTexture2DArray(w,0):We.setTexture2D(w,0),Me.unbindTexture()},this.resetState=function(){J=0,k=0,le=null,Me.reset(),ye.reset()},typeof __THREE_DEVTOOLS__<"\
 u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return si}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(e){
-this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=gt._getDrawingBufferColorSpace(e),t.unpackColorSpace=gt._getUnpackColorSpace()}};var vc=2,AM=.05,EM=40,Pm=40,Hr=(i,e)=>i===null||i[3*e]===null?null:new q(i[3*e],i[3*e+1],i[3*e+2]).divideScalar(1e3);function Eh(i){let{actual_mm:e,expected_mm:t}=i.
-frames;return e.map((n,s)=>i.bodies.id.map((r,o)=>{let a=Hr(n,o),l=Hr(t[s],o);return a&&l?1e3*a.distanceTo(l):null}))}function CM(i,e){let t=Math.max(0,...e.flat());
-return i.bodies.id.map((n,s)=>{let r=1e3*Math.min(...i.bodies.size.slice(3*s,3*s+3));return Math.max(vc,AM*Math.min(t,r>0?r:t))})}function RM(i){let e=new q,t=new q,
-n=[...i.frames.actual_mm,...i.frames.expected_mm].filter(r=>r!==null);["x","y","z"].forEach((r,o)=>{let a=n.flatMap(l=>l.filter((c,u)=>u%3===o&&c!==null)).sort(
-(l,c)=>l-c);a.length!==0&&(e[r]=a[Math.floor(.05*(a.length-1))]/1e3,t[r]=a[Math.ceil(.95*(a.length-1))]/1e3)});let s=Math.max(...i.bodies.size,.1);return{centre:e.
-clone().add(t).divideScalar(2),radius:e.distanceTo(t)/2+Math.min(s,4)}}function Ah(i,e){let t=new Kn().setFromPoints(i),n=new Ur(t,e);return n.frustumCulled=!1,
-e.isLineDashedMaterial&&n.computeLineDistances(),n}function Im(i,e,t){let n=i.bodies.id.map((o,a)=>Math.max(...t.map(l=>l[a]??0))),s=n.map((o,a)=>a).sort((o,a)=>n[a]-
-n[o]).slice(0,EM),r=[];for(let o of s)for(let a=1;a<e.length;++a){let l=Hr(e[a-1],o),c=Hr(e[a],o);l&&c&&r.push(l,c)}return r}function PM(i,e,t){let n=e.bodies.id.
-length,s=new Nr(new Ss,new Lo,n);for(let o=0;o<n;++o)s.setColorAt(o,new st(t.actual).offsetHSL(0,0,.035*(o%5-2)));let r=new Nr(new Po(.5),new Dr({color:t.expected,
-wireframe:!0,depthTest:!1}),n);for(let o of[s,r])o.frustumCulled=!1;return r.renderOrder=2,i.add(s,r),{boxes:s,marks:r}}function Lm(i,e,t){let n=new gc({canvas:i,
-antialias:!0,alpha:!0});n.setPixelRatio(Math.min(devicePixelRatio,2));let{centre:s,radius:r}=RM(e),o=new So,a=new Nn(Pm,1,r/100,r*100);a.up.set(0,0,1);let l=new Bo(
-"#ffffff",2.4);l.position.set(.4,-.7,1);let c=new ko(4*r,20,t.line,t.line);c.rotation.x=Math.PI/2,c.position.set(s.x,s.y,0),o.add(new zo("#ffffff",.9),l,c);let u=Eh(
-e),f=CM(e,u),{boxes:h,marks:d}=PM(o,e,t),x=r/40;o.add(Ah(Im(e,e.frames.actual_mm,u),new ts({color:t.actual})),Ah(Im(e,e.frames.expected_mm,u),new Do({color:t.expected,
-dashSize:x,gapSize:.7*x})));let S=Ah(e.bodies.id.flatMap(()=>[new q,new q]),new ts({color:t.bad,depthTest:!1}));S.renderOrder=1,o.add(S);let p={around:-.9,up:.45,
-distance:r/Math.sin(Pm/2*Math.PI/180)},m=()=>{let v=Math.cos(p.up)*p.distance;a.position.set(s.x+v*Math.cos(p.around),s.y+v*Math.sin(p.around),s.z+p.distance*Math.
-sin(p.up)),a.lookAt(s),n.render(o,a)};return{view:p,draw:m,show(v){IM(e,{apart:u[v],limits:f},v,{boxes:h,marks:d,links:S}),m()},turn(v,A){p.around+=v,p.up=Math.
-min(1.55,Math.max(-.3,p.up+A)),m()},zoom(v){p.distance=Math.min(20*r,Math.max(r/10,p.distance*v)),m()},resize(v,A){n.setSize(v,A,!1),a.aspect=v/A,a.updateProjectionMatrix(),
-m()},dispose(){o.traverse(v=>{v.geometry?.dispose(),v.material?.dispose()}),n.dispose(),n.forceContextLoss()}}}function IM(i,{apart:e,limits:t},n,{boxes:s,marks:r,
-links:o}){let{actual_mm:a,actual_turn:l,expected_mm:c}=i.frames,u=o.geometry.getAttribute("position"),f=new bt,h=new bt().makeScale(0,0,0),d=new Jn;i.bodies.id.
-forEach((x,S)=>{let p=new q().fromArray(i.bodies.size,3*S);p.x===0&&p.setScalar(.1);let m=Hr(a[n],S),v=Hr(c[n],S),[A,M,P,E]=l[n].slice(4*S,4*S+4);s.setMatrixAt(
-S,m?f.compose(m,new Jn(M,P,E,A),p):h);let _=v&&!(e[S]!==null&&e[S]<=t[S]),T=Math.min(p.x,p.y,p.z);r.setMatrixAt(S,_?f.compose(v,d,p.setScalar(T)):h);let O=_&&m;
-u.setXYZ(2*S,...O?m:new q),u.setXYZ(2*S+1,...O?v:new q)});for(let x of[s,r])x.instanceMatrix.needsUpdate=!0;u.needsUpdate=!0}var LM=150,yc=.12,Dm=.008,Ch=(i,e)=>{let t=at("span",{className:"key"});return t.innerHTML='<svg viewBox="0 0 36 16" aria-hidden="true" fill="none" stroke-width\
-="2">'.concat(i,"</svg>"),t.append(e),t};function DM(){return at("p",{},Ch('<path d="M0 8H36" stroke="var(--actual)"/><rect x="12" y="2" width="12" height="12" \
-fill="var(--actual)"/>',"this run"),Ch('<path d="M0 8H36" stroke="var(--expected)" stroke-dasharray="5 4"/>\n      <path d="M18 1l7 7-7 7-7-7z" stroke="var(--exp\
-ected)"/>',"expected, if to be seen elsewhere"),Ch('<path d="M0 8H36" stroke="var(--bad)"/>',"from one to the other"))}function NM(i,e,t){let n=e[t].map((a,l)=>({
-value:a,id:i.bodies.id[l]})).filter(({value:a})=>a!==null),s="step ".concat(i.frames.step[t]);if(n.length===0)return"".concat(s,": the golden has no places here");
-let r=n.reduce((a,l)=>l.value>a.value?l:a),o=n.filter(({value:a})=>a>vc).length;return o===0?"".concat(s,": every body within ").concat(vc," mm of where it was \
-expected"):"".concat(s,": ").concat(o," of ").concat(n.length," bodies elsewhere, the furthest is body ").concat(r.id,", ")+"".concat(ro(r.value/1e3)," away")}function UM(i,e){
-i.addEventListener("pointerdown",n=>{i.setPointerCapture(n.pointerId),i.focus({preventScroll:!0})}),i.addEventListener("pointermove",n=>{n.buttons!==0&&e.turn(-Dm*
-n.movementX,Dm*n.movementY)}),i.addEventListener("wheel",n=>{document.activeElement===i&&(n.preventDefault(),e.zoom(Math.exp(n.deltaY/800)))},{passive:!1});let t={
-ArrowLeft:()=>e.turn(-yc,0),ArrowRight:()=>e.turn(yc,0),ArrowUp:()=>e.turn(0,yc),ArrowDown:()=>e.turn(0,-yc),"+":()=>e.zoom(.85),"=":()=>e.zoom(.85),"-":()=>e.zoom(
-1/.85)};i.addEventListener("keydown",n=>{n.key in t&&(n.preventDefault(),t[n.key]())})}var Rh=class{constructor(e,t){this.place=e,this.data=t,this.frame=0,this.
-scene=null,this.last_view=null,new IntersectionObserver(n=>{n.at(-1).isIntersecting?this.open():this.close()},{rootMargin:"100px"}).observe(e)}open(){if(this.scene)
-return;let e=at("canvas",{tabIndex:0});e.setAttribute("role","img"),e.setAttribute("aria-label","The bodies in three dimensions. Arrow keys turn the view, + and\
- - zoom."),this.place.replaceChildren(e);try{this.scene=Lm(e,this.data,va())}catch{this.place.textContent="This browser has no WebGL, so there is no view; the w\
-ords below say the same.";return}this.last_view&&Object.assign(this.scene.view,this.last_view),UM(e,this.scene),this.resize(),this.scene.show(this.frame)}close(){
-this.scene&&(this.last_view={...this.scene.view},this.scene.dispose(),this.scene=null,this.place.replaceChildren())}show(e){this.frame=e,this.scene?.show(e)}resize(){
-let{clientWidth:e,clientHeight:t}=this.place;e>0&&this.scene?.resize(e,t)}};function FM(i,e,t){let n=at("button",{type:"button",textContent:"Play",className:"pl\
-ay"}),s=null,r=()=>{clearInterval(s),s=null,n.textContent="Play"};return n.addEventListener("click",()=>{if(s!==null)return r();let o=Number(i.value)>=e?0:Number(
-i.value);n.textContent="Pause",s=setInterval(()=>{t(o),o++>=e&&r()},LM)}),{button:n,stop:r}}function Nm(i,e,t){let n=e.frames.step.length-1;if(n<0||e.bodies.id.
-length===0)return null;let s=Eh(e),r=at("div",{className:"view3d"}),o=at("input",{type:"range",min:0,max:n,value:0,className:"scrubber"});o.setAttribute("aria-l\
-abel","step shown");let a=at("output"),l=new Rh(r,e),c=d=>{let x=NM(e,s,d);o.value=d,o.setAttribute("aria-valuetext",x),a.value=x,l.show(d),t(e.frames.step[d])},
-{button:u,stop:f}=FM(o,n,c);o.addEventListener("input",()=>{f(),c(Number(o.value))}),i.append(at("h3",{textContent:"Where the bodies went"}),DM(),r,at("div",{className:"\
-controls"},u,o,a),at("p",{className:"soft",textContent:"Drag or use the arrow keys to turn, + and - to zoom. Lines: the ways of the bodies that went furthest as\
-tray."}));let h=s.map(d=>Math.max(...d.map(x=>x??0)));return c(h.indexOf(Math.max(...h))),{resize:()=>l.resize(),redraw(){l.close(),l.open()}}}function OM(i){let e=JSON.parse(i.querySelector("script").textContent);i.replaceChildren();let t=i.dataset.first===void 0?null:Number(i.dataset.first),n=(i.dataset.
-groups??"").split(" "),s=Cd(i,e,{first:t,groups:n}),r=Nm(i,e,s.show_step);Td(()=>{s.redraw(),r?.redraw()}),new ResizeObserver(()=>{s.resize(),r?.resize()}).observe(
-i)}function BM(i,e){let t=new IntersectionObserver(n=>{n.some(s=>s.isIntersecting)&&(t.disconnect(),e(i))},{rootMargin:"200px"});t.observe(i)}function Ph(i){return e=>{
-try{i(e)}catch(t){let n=document.createElement("p");throw n.textContent="This cannot be drawn: ".concat(t.message),e.append(n),t}}}var Um=document.createElement(
-"style");Um.textContent=$h+Kh;document.head.append(Um);for(let i of document.querySelectorAll("table.glance"))Ph(Nd)(i);for(let i of document.querySelectorAll("\
-.drawing"))BM(i,Ph(OM));for(let i of document.querySelectorAll(".pictures"))Ph(Rd)(i);})();
+this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=gt._getDrawingBufferColorSpace(e),t.unpackColorSpace=gt._getUnpackColorSpace()}};var vc=2,EM=.05,CM=40,Im=40,Eh=(i,e)=>{let t=i===null?[null]:i.slice(3*e,3*e+3);return t.includes(null)?null:t},Hr=(i,e)=>{let t=Eh(i,e);return t&&new q(...t).divideScalar(
+1e3)};function Ch(i){let{actual_mm:e,expected_mm:t}=i.frames;return e.map((n,s)=>i.bodies.id.map((r,o)=>{let a=Hr(n,o),c=Hr(t[s],o);return a&&c?1e3*a.distanceTo(
+c):null}))}function RM(i,e){let t=Math.max(0,...e.flat());return i.bodies.id.map((n,s)=>{let r=1e3*Math.min(...i.bodies.size.slice(3*s,3*s+3));return Math.max(vc,
+EM*Math.min(t,r>0?r:t))})}function PM(i){let e=new q,t=new q,n=[...i.frames.actual_mm,...i.frames.expected_mm].filter(r=>r!==null);["x","y","z"].forEach((r,o)=>{
+let a=n.flatMap(c=>c.filter((l,u)=>u%3===o&&l!==null)).sort((c,l)=>c-l);a.length!==0&&(e[r]=a[Math.floor(.05*(a.length-1))]/1e3,t[r]=a[Math.ceil(.95*(a.length-1))]/
+1e3)});let s=Math.max(...i.bodies.size,.1);return{centre:e.clone().add(t).divideScalar(2),radius:e.distanceTo(t)/2+Math.min(s,4)}}function Ah(i,e){let t=new Kn().
+setFromPoints(i),n=new Ur(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),n}function Lm(i,e,t){let n=i.bodies.id.map((o,a)=>Math.
+max(...t.map(c=>c[a]??0))),s=n.map((o,a)=>a).sort((o,a)=>n[a]-n[o]).slice(0,CM),r=[];for(let o of s)for(let a=1;a<e.length;++a){let c=Hr(e[a-1],o),l=Hr(e[a],o);
+c&&l&&r.push(c,l)}return r}function IM(i,e,t){let n=e.bodies.id.length,s=new Nr(new Ss,new Lo,n);for(let o=0;o<n;++o)s.setColorAt(o,new st(t.actual).offsetHSL(0,
+0,.035*(o%5-2)));let r=new Nr(new Po(.5),new Dr({color:t.expected,wireframe:!0,depthTest:!1}),n);for(let o of[s,r])o.frustumCulled=!1;return r.renderOrder=2,i.add(
+s,r),{boxes:s,marks:r}}function Dm(i,e,t){let n=new gc({canvas:i,antialias:!0,alpha:!0});n.setPixelRatio(Math.min(devicePixelRatio,2));let{centre:s,radius:r}=PM(
+e),o=new So,a=new Nn(Im,1,r/100,r*100);a.up.set(0,0,1);let c=new Bo("#ffffff",2.4);c.position.set(.4,-.7,1);let l=new ko(4*r,20,t.line,t.line);l.rotation.x=Math.
+PI/2,l.position.set(s.x,s.y,0),o.add(new zo("#ffffff",.9),c,l);let u=Ch(e),f=RM(e,u),{boxes:h,marks:d}=IM(o,e,t),x=r/40;o.add(Ah(Lm(e,e.frames.actual_mm,u),new ts(
+{color:t.actual})),Ah(Lm(e,e.frames.expected_mm,u),new Do({color:t.expected,dashSize:x,gapSize:.7*x})));let S=Ah(e.bodies.id.flatMap(()=>[new q,new q]),new ts({
+color:t.bad,depthTest:!1}));S.renderOrder=1,o.add(S);let p={around:-.9,up:.45,distance:r/Math.sin(Im/2*Math.PI/180)},m=()=>{let v=Math.cos(p.up)*p.distance;a.position.
+set(s.x+v*Math.cos(p.around),s.y+v*Math.sin(p.around),s.z+p.distance*Math.sin(p.up)),a.lookAt(s),n.render(o,a)};return{view:p,draw:m,show(v){LM(e,{apart:u[v],limits:f},
+v,{boxes:h,marks:d,links:S}),m()},turn(v,A){p.around+=v,p.up=Math.min(1.55,Math.max(-.3,p.up+A)),m()},zoom(v){p.distance=Math.min(20*r,Math.max(r/10,p.distance*
+v)),m()},resize(v,A){n.setSize(v,A,!1),a.aspect=v/A,a.updateProjectionMatrix(),m()},dispose(){o.traverse(v=>{v.geometry?.dispose(),v.material?.dispose()}),n.dispose(),
+n.forceContextLoss()}}}function LM(i,{apart:e,limits:t},n,{boxes:s,marks:r,links:o}){let{actual_mm:a,actual_turn:c,expected_mm:l}=i.frames,u=o.geometry.getAttribute(
+"position"),f=new bt,h=new bt().makeScale(0,0,0),d=new Jn;i.bodies.id.forEach((x,S)=>{let p=new q().fromArray(i.bodies.size,3*S);p.x===0&&p.setScalar(.1);let m=Hr(
+a[n],S),v=Hr(l[n],S),[A,M,P,E]=c[n].slice(4*S,4*S+4);s.setMatrixAt(S,m?f.compose(m,new Jn(M,P,E,A),p):h);let _=v&&!(e[S]!==null&&e[S]<=t[S]),T=Math.min(p.x,p.y,
+p.z);r.setMatrixAt(S,_?f.compose(v,d,p.setScalar(T)):h);let O=_&&m;u.setXYZ(2*S,...O?m:new q),u.setXYZ(2*S+1,...O?v:new q)});for(let x of[s,r])x.instanceMatrix.
+needsUpdate=!0;u.needsUpdate=!0}var DM=150,yc=.12,Nm=.008,Rh=(i,e)=>{let t=at("span",{className:"key"});return t.innerHTML='<svg viewBox="0 0 36 16" aria-hidden="true" fill="none" stroke-width\
+="2">'.concat(i,"</svg>"),t.append(e),t};function NM(){return at("p",{},Rh('<path d="M0 8H36" stroke="var(--actual)"/><rect x="12" y="2" width="12" height="12" \
+fill="var(--actual)"/>',"this run"),Rh('<path d="M0 8H36" stroke="var(--expected)" stroke-dasharray="5 4"/>\n      <path d="M18 1l7 7-7 7-7-7z" stroke="var(--exp\
+ected)"/>',"expected, if to be seen elsewhere"),Rh('<path d="M0 8H36" stroke="var(--bad)"/>',"from one to the other"))}function UM(i,e,t){let n=e[t].map((l,u)=>({
+value:l,id:i.bodies.id[u]})).filter(({value:l})=>l!==null),s="step ".concat(i.frames.step[t]),r=i.bodies.id.filter((l,u)=>!Eh(i.frames.actual_mm[t],u)),o=r.length===
+0?"":"; body ".concat(r[0]).concat(r.length>1?" and ".concat(r.length-1," more"):""," without a place (gone, or not finite)");if(n.length===0)return"".concat(s,
+": nothing to compare here").concat(o);let a=n.reduce((l,u)=>u.value>l.value?u:l),c=n.filter(({value:l})=>l>vc).length;return c===0?"".concat(s,": every body wi\
+thin ").concat(vc," mm of where it was expected").concat(o):"".concat(s,": ").concat(c," of ").concat(n.length," bodies elsewhere, the furthest is body ").concat(
+a.id,", ")+"".concat(ro(a.value/1e3)," away").concat(o)}function FM(i,e){i.addEventListener("pointerdown",n=>{i.setPointerCapture(n.pointerId),i.focus({preventScroll:!0})}),
+i.addEventListener("pointermove",n=>{n.buttons!==0&&e.turn(-Nm*n.movementX,Nm*n.movementY)}),i.addEventListener("wheel",n=>{document.activeElement===i&&(n.preventDefault(),
+e.zoom(Math.exp(n.deltaY/800)))},{passive:!1});let t={ArrowLeft:()=>e.turn(-yc,0),ArrowRight:()=>e.turn(yc,0),ArrowUp:()=>e.turn(0,yc),ArrowDown:()=>e.turn(0,-yc),
+"+":()=>e.zoom(.85),"=":()=>e.zoom(.85),"-":()=>e.zoom(1/.85)};i.addEventListener("keydown",n=>{n.key in t&&(n.preventDefault(),t[n.key]())})}var Ph=class{constructor(e,t){
+this.place=e,this.data=t,this.frame=0,this.scene=null,this.last_view=null,new IntersectionObserver(n=>{n.at(-1).isIntersecting?this.open():this.close()},{rootMargin:"\
+100px"}).observe(e)}open(){if(this.scene)return;let e=at("canvas",{tabIndex:0});e.setAttribute("role","img"),e.setAttribute("aria-label","The bodies in three di\
+mensions. Arrow keys turn the view, + and - zoom."),this.place.replaceChildren(e);try{this.scene=Dm(e,this.data,va())}catch{this.place.textContent="This browser\
+ has no WebGL, so there is no view; the words below say the same.";return}this.last_view&&Object.assign(this.scene.view,this.last_view),FM(e,this.scene),this.resize(),
+this.scene.show(this.frame)}close(){this.scene&&(this.last_view={...this.scene.view},this.scene.dispose(),this.scene=null,this.place.replaceChildren())}show(e){
+this.frame=e,this.scene?.show(e)}resize(){let{clientWidth:e,clientHeight:t}=this.place;e>0&&this.scene?.resize(e,t)}};function OM(i,e,t){let n=at("button",{type:"\
+button",textContent:"Play",className:"play"}),s=null,r=()=>{clearInterval(s),s=null,n.textContent="Play"};return n.addEventListener("click",()=>{if(s!==null)return r();
+let o=Number(i.value)>=e?0:Number(i.value);n.textContent="Pause",s=setInterval(()=>{t(o),o++>=e&&r()},DM)}),{button:n,stop:r}}function Um(i,e,t){let n=e.frames.
+step.length-1;if(n<0||e.bodies.id.length===0)return null;let s=Ch(e),r=at("div",{className:"view3d"}),o=at("input",{type:"range",min:0,max:n,value:0,className:"\
+scrubber"});o.setAttribute("aria-label","step shown");let a=at("output"),c=new Ph(r,e),l=d=>{let x=UM(e,s,d);o.value=d,o.setAttribute("aria-valuetext",x),a.value=
+x,c.show(d),t(e.frames.step[d])},{button:u,stop:f}=OM(o,n,l);o.addEventListener("input",()=>{f(),l(Number(o.value))}),i.append(at("h3",{textContent:"Where the b\
+odies went"}),NM(),r,at("div",{className:"controls"},u,o,a),at("p",{className:"soft",textContent:"Drag or use the arrow keys to turn, + and - to zoom. Lines: th\
+e ways of the bodies that went furthest astray."}));let h=s.map(d=>Math.max(...d.map(x=>x??0)));return l(h.indexOf(Math.max(...h))),{resize:()=>c.resize(),redraw(){
+c.close(),c.open()}}}function BM(i){let e=JSON.parse(i.querySelector("script").textContent);i.replaceChildren();let t=i.dataset.first===void 0?null:Number(i.dataset.first),n=(i.dataset.
+groups??"").split(" "),s=Rd(i,e,{first:t,groups:n}),r=Um(i,e,s.show_step);Ad(()=>{s.redraw(),r?.redraw()}),new ResizeObserver(()=>{s.resize(),r?.resize()}).observe(
+i)}function zM(i,e){let t=new IntersectionObserver(n=>{n.some(s=>s.isIntersecting)&&(t.disconnect(),e(i))},{rootMargin:"200px"});t.observe(i)}function Ih(i){return e=>{
+try{i(e)}catch(t){let n=document.createElement("p");throw n.textContent="This cannot be drawn: ".concat(t.message),e.append(n),t}}}var Fm=document.createElement(
+"style");Fm.textContent=Kh+Qh;document.head.append(Fm);for(let i of document.querySelectorAll("table.glance"))Ih(Ud)(i);for(let i of document.querySelectorAll("\
+.drawing"))zM(i,Ih(BM));for(let i of document.querySelectorAll(".pictures"))Ih(Pd)(i);})();
 /*! Bundled license information:
 
 three/build/three.core.js:

@@ -11,8 +11,15 @@ const kSeenShare = 0.05;    // of a body's smallest edge, or of the session's la
 const kWaysMax = 40;        // more lines hide what they show
 const kFieldOfView = 40;    // degrees
 
-const place_of = (row, i) =>
-  row === null || row[3 * i] === null ? null : new Vector3(row[3 * i], row[3 * i + 1], row[3 * i + 2]).divideScalar(1000);
+/// A row's coordinates of body i; null where any of them is unknown or not finite.
+export const numbers_of = (row, i) => {
+  const numbers = row === null ? [null] : row.slice(3 * i, 3 * i + 3);
+  return numbers.includes(null) ? null : numbers;
+};
+const place_of = (row, i) => {
+  const numbers = numbers_of(row, i);
+  return numbers && new Vector3(...numbers).divideScalar(1000);
+};
 
 /// How far each body of each frame is from where it was expected, mm; null where that is not known.
 export function distances(data) {

@@ -1,6 +1,6 @@
 // The trajectories of one case: a view in three dimensions with a scrubber over the frames that the golden's coarse
 // track has. The words under it say what the view shows.
-import { distances, kApartMm, make_scene } from "./scene3d.js";
+import { distances, kApartMm, make_scene, numbers_of } from "./scene3d.js";
 import { colours, element, metres } from "./theme.js";
 
 const kFrameMs = 150;
@@ -26,12 +26,14 @@ function keys() {
 function words_of(data, apart, frame) {
   const known = apart[frame].map((value, i) => ({ value, id: data.bodies.id[i] })).filter(({ value }) => value !== null);
   const step = `step ${data.frames.step[frame]}`;
-  if (known.length === 0) return `${step}: the golden has no places here`;
+  const lost = data.bodies.id.filter((_, i) => !numbers_of(data.frames.actual_mm[frame], i));
+  const without = lost.length === 0 ? "" : `; body ${lost[0]}${lost.length > 1 ? ` and ${lost.length - 1} more` : ""} without a place (gone, or not finite)`;
+  if (known.length === 0) return `${step}: nothing to compare here${without}`;
   const worst = known.reduce((a, b) => (b.value > a.value ? b : a));
   const astray = known.filter(({ value }) => value > kApartMm).length;
-  if (astray === 0) return `${step}: every body within ${kApartMm} mm of where it was expected`;
+  if (astray === 0) return `${step}: every body within ${kApartMm} mm of where it was expected${without}`;
   return `${step}: ${astray} of ${known.length} bodies elsewhere, the furthest is body ${worst.id}, ` +
-    `${metres(worst.value / 1000)} away`;
+    `${metres(worst.value / 1000)} away${without}`;
 }
 
 /// Turning and zooming by pointer, wheel and keys. The wheel only when the view has the focus: pages scroll.
