@@ -37,7 +37,7 @@ class Pass {
       return judged;
     }
     if (!log_.condition().whole()) result.problems.push_back("its log is " + log_.condition().summary(result.steps));
-    if (lost_) result.problems.push_back("not finite: " + to_string(*lost_));
+    if (lost_) result.problems.push_back("not finite: " + to_string(*lost_, log_.header().axes()));
     result.bodies = bodies_;
     result.final_hash = to_string(final_hash_);
     result.continuation = to_string(reference_.continuation);

@@ -72,8 +72,8 @@ class Diff {
     if (!in_a.ok()) return in_a.error();
     Result<VerifyReport> in_b = check_log(b_, progress);
     if (!in_b.ok()) return in_b.error();
-    if (in_a->lost) report_.notes.push_back(a_.name() + ": " + to_string(*in_a->lost));
-    if (in_b->lost) report_.notes.push_back(b_.name() + ": " + to_string(*in_b->lost));
+    if (in_a->lost) report_.notes.push_back(a_.name() + ": " + to_string(*in_a->lost, a_.header().axes()));
+    if (in_b->lost) report_.notes.push_back(b_.name() + ": " + to_string(*in_b->lost, b_.header().axes()));
     keyframes_a_ = std::move(in_a->keyframes);
     keyframes_b_ = std::move(in_b->keyframes);
     return {};

@@ -19,6 +19,9 @@ EngineAxis axis_of(const Vec3& theirs) {
   return {static_cast<char>('x' + k), theirs[k] < 0 ? -1.0 : 1.0};
 }
 
+/// A product would quiet a signalling NaN, whose bits a table may give.
+double scaled(double length, double metres) { return std::isnan(length) ? length : length * metres; }
+
 Vec3 unit_vector(int k) { return {k == 0 ? 1.0 : 0.0, k == 1 ? 1.0 : 0.0, k == 2 ? 1.0 : 0.0}; }
 
 }  // namespace
@@ -41,7 +44,7 @@ Vec3 EngineAxes::their_direction(const Vec3& v) const {
 
 Vec3 EngineAxes::length(const Vec3& v) const {
   const Vec3 turned = direction(v);
-  return {turned.x() * metres, turned.y() * metres, turned.z() * metres};
+  return {scaled(turned.x(), metres), scaled(turned.y(), metres), scaled(turned.z(), metres)};
 }
 
 Vec3 EngineAxes::their_length(const Vec3& v) const {

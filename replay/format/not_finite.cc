@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "replay/format/engine_column.h"
 #include "src/base/text.h"
 
 namespace tumble::replay {
@@ -21,7 +22,16 @@ bool all_finite(const std::vector<double>& column) {
 
 }  // namespace
 
-std::string to_string(const NotFinite& lost) {
+NotFinite in_axes(const EngineAxes& axes, NotFinite lost) {
+  const std::optional<EngineColumn> column = column_in(axes, lost.field);
+  if (!column) return lost;
+  lost.field = column->name;
+  if (column->sign < 0) lost.value = -lost.value;
+  return lost;
+}
+
+std::string to_string(const NotFinite& found, const EngineAxes& axes) {
+  const NotFinite lost = in_axes(axes, found);
   std::string text = "body " + std::to_string(lost.body) + " is lost from step " + std::to_string(lost.step) +
                      " on: " + lost.field + " is " + exact(lost.value);
   if (lost.bodies > 1) text += ", and " + count_text(lost.bodies - 1, "body") + " more likewise";

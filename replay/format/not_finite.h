@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tumble/replay/body_states.h"
+#include "tumble/replay/imported_table.h"
 #include "tumble/sim/ids.h"
 
 /// Bodies whose state is no state: not a number, or infinite, in any field. Every command asks here, so that no sum,
@@ -22,8 +23,12 @@ struct NotFinite {
   std::uint64_t bodies = 1;  ///< lost so by now, this one included
 };
 
-/// "body 7 is lost from step 12 on: position.x is nan", and the number of further bodies.
-std::string to_string(const NotFinite& lost);
+/// The field by its name in the table, and the value with the table's sign.
+NotFinite in_axes(const EngineAxes& axes, NotFinite lost);
+
+/// "body 7 is lost from step 12 on: position.x is nan", and the number of further bodies. axes: of the log; the field
+/// is named by them.
+std::string to_string(const NotFinite& lost, const EngineAxes& axes);
 
 /// Whether all fields of all bodies are finite. Costs a pass over 13 columns.
 bool all_finite(const BodyStates& states);

@@ -74,7 +74,11 @@ constexpr std::array kKeys = {
           out.scene.world.ground = v == "yes";
           return v == "yes" || v == "no";
         }},
-    Key{"size", "three numbers", [](const std::string& v, CsvSettings& out) { return take_vector(v, out.box.size); }},
+    Key{"size", "three numbers above 0",
+        [](const std::string& v, CsvSettings& out) {
+          sim::Vec3& size = out.box.size;
+          return take_vector(v, size) && size.x() > 0 && size.y() > 0 && size.z() > 0;
+        }},
     Key{"mass", "a number of kg", [](const std::string& v, CsvSettings& out) { return take_number(v, out.box.mass); }},
     Key{"friction", "a number",
         [](const std::string& v, CsvSettings& out) {
@@ -165,6 +169,11 @@ Status check_vector(const CsvReader& table, const char* name, const std::array<s
 }
 
 }  // namespace
+
+bool is_setting(std::string_view key) {
+  if (key.starts_with(kCameraKeys)) return true;
+  return std::ranges::any_of(kKeys, [key](const Key& known) { return known.name == key; });
+}
 
 Result<CsvSettings> read_settings(const CsvReader& table, std::span<const std::string> more, CsvSettings start) {
   const sim::Vec3 gravity = start.scene.world.gravity;

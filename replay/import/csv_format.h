@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "replay/import/camera_change.h"
@@ -31,6 +32,9 @@ struct CsvSettings {
 /// the values of keys that neither has. Errors (kBadInput): an unknown key, a repeated one, an impossible value. The
 /// message names file and line, or the argument.
 Result<CsvSettings> read_settings(const CsvReader& table, std::span<const std::string> more, CsvSettings start);
+
+/// Whether the settings of a table have a key of this name.
+bool is_setting(std::string_view key);
 
 /// The number of each column in the table; kNone for an absent column.
 struct CsvColumns {

@@ -40,6 +40,14 @@ void CsvReader::split() {
   }
 }
 
+/// Adds the setting of a line that begins with #. A line without a colon is a remark.
+void CsvReader::add_setting(std::string_view line, std::vector<CsvSetting>& settings) const {
+  const std::size_t colon = line.find(':');
+  if (colon == std::string_view::npos) return;
+  settings.push_back(
+      {std::string(trimmed(line.substr(1, colon - 1))), std::string(trimmed(line.substr(colon + 1))), line_});
+}
+
 Result<CsvReader> CsvReader::open(std::string_view text, std::string name) {
   constexpr std::string_view kMark = "\xef\xbb\xbf";  // which some editors put before UTF-8
   if (text.starts_with(kMark)) text.remove_prefix(kMark.size());
@@ -48,10 +56,7 @@ Result<CsvReader> CsvReader::open(std::string_view text, std::string name) {
     const std::string_view line = trimmed(reader.current_);
     if (line.empty()) continue;
     if (line.front() == '#') {
-      const std::size_t colon = line.find(':');
-      if (colon == std::string_view::npos) continue;  // a remark
-      reader.settings_.push_back({std::string(trimmed(line.substr(1, colon - 1))),
-                                  std::string(trimmed(line.substr(colon + 1))), reader.line_});
+      reader.add_setting(line, reader.settings_);
       continue;
     }
     reader.split();
@@ -72,9 +77,14 @@ std::optional<std::size_t> CsvReader::find(std::string_view column) const {
 }
 
 Result<bool> CsvReader::next() {
+  passed_over_.clear();
   while (next_line()) {
     const std::string_view line = trimmed(current_);
-    if (line.empty() || line.front() == '#') continue;
+    if (line.empty()) continue;
+    if (line.front() == '#') {
+      add_setting(line, passed_over_);
+      continue;
+    }
     split();
     const bool whole = cells_.size() == columns_.size();
     if (whole && has_end_) return true;
@@ -85,6 +95,13 @@ Result<bool> CsvReader::next() {
     return at_line(line_, found);
   }
   return false;
+}
+
+Result<bool> CsvReader::flag(std::size_t column) const {
+  const Result<std::uint64_t> value = whole(column);
+  if (!value.ok()) return value.error();
+  if (*value <= 1) return *value == 1;
+  return at(column, columns_[column] + ": " + found_wanted(std::to_string(*value), "0 or 1"));
 }
 
 template <class Number>
@@ -98,12 +115,15 @@ Result<Number> CsvReader::parse(std::size_t column, const char* wanted) const {
                         (error == std::errc::result_out_of_range ? "a number that its type holds" : wanted));
 }
 
-// exact_bits() writes "nan(0x…)", whose bits std::from_chars would not read.
+// exact_bits() writes "nan(0x…)", whose bits std::from_chars would pass over.
 Result<double> CsvReader::number(std::size_t column) const {
-  if (cells_[column].ends_with(')')) {
-    if (const std::optional<double> bits = parse_exact(cells_[column])) return *bits;
-  }
-  return parse<double>(column, "a number");
+  const std::string_view cell = cells_[column];
+  if (!cell.ends_with(')')) return parse<double>(column, "a number");
+  if (const std::optional<double> bits = parse_exact(cell)) return *bits;
+  return at(column, columns_[column] + ": " +
+                        found_wanted(in_quotes(cell),
+                                     "a number; nan(0x…) and inf(0x…) have the 16 hexadecimal digits "
+                                     "of such a number behind 0x"));
 }
 
 Result<double> CsvReader::single(std::size_t column) const {

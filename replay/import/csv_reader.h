@@ -33,6 +33,8 @@ class CsvReader {
   /// Moves to the next row; false at the end. Errors: the row has not as many cells as columns, or is the end of the
   /// text without a line end, because a number that was cut may still be a number.
   Result<bool> next();
+  /// Lines "# key: value" that the last next() passed over.
+  [[nodiscard]] const std::vector<CsvSetting>& passed_over() const { return passed_over_; }
 
   // A cell of the row, by the number of its column. Errors: no number, or one that the type does not hold.
   /// Also texts of exact_bits(), to the bit.
@@ -40,6 +42,9 @@ class CsvReader {
   /// Rounded once, to float, which gives the value that a program with floats printed.
   [[nodiscard]] Result<double> single(std::size_t column) const;
   [[nodiscard]] Result<std::uint64_t> whole(std::size_t column) const;
+  [[nodiscard]] Result<bool> flag(std::size_t column) const;  ///< 0 or 1
+  /// The text, without the blanks around it. Lives as long as the text of the table.
+  [[nodiscard]] std::string_view cell(std::size_t column) const { return cells_[column]; }
 
   /// "<name>:<line>:<column>: <message>" for a cell of the row, or of the line with the names before the first row.
   [[nodiscard]] Error at(std::size_t column, const std::string& message) const;
@@ -49,6 +54,7 @@ class CsvReader {
  private:
   CsvReader(std::string_view text, std::string name) : text_(text), name_(std::move(name)) {}
   bool next_line();
+  void add_setting(std::string_view line, std::vector<CsvSetting>& settings) const;
   void split();
   template <class Number>
   [[nodiscard]] Result<Number> parse(std::size_t column, const char* wanted) const;
@@ -60,6 +66,7 @@ class CsvReader {
   std::uint64_t line_ = 0;    // its number
   bool has_end_ = true;       // a line end stands behind it
   std::vector<CsvSetting> settings_;
+  std::vector<CsvSetting> passed_over_;
   std::vector<std::string> columns_;
   std::vector<std::string_view> cells_;
 };

@@ -19,8 +19,6 @@ constexpr double kRoughRotation = 1e-5;
 
 sim::Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
-std::string text_of(double value) { return significant(value, 17); }
-
 }  // namespace
 
 Result<CsvSteps> CsvSteps::open(std::string_view text, const std::string& name, std::span<const std::string> settings,
@@ -57,14 +55,14 @@ Result<bool> CsvSteps::next(TableStep& step) {
   if (!has_row_) return false;
   step.rows.clear();
   step.line = table_.line();
-  const Result<double> dt = begin_step();
+  const Result<double> dt = clock_.begin_step(table_);
   if (!dt.ok()) return dt.error();
   step.dt = *dt;
   for (bool same = true; same;) {
     if (Status ok = take_row(step); !ok.ok()) return ok.error();
     const Result<bool> more = next_row();
     if (!more.ok()) return more.error();
-    same = *more && cell_key_ == key_;
+    same = *more && clock_.in_step();
   }
   std::ranges::sort(step.rows, {}, &TableStep::Row::first);
   const auto twice = std::ranges::adjacent_find(step.rows, {}, &TableStep::Row::first);
@@ -80,40 +78,14 @@ Result<bool> CsvSteps::next_row() {
   Result<bool> more = table_.next();
   if (!more.ok()) return more;
   has_row_ = *more;
+  for (const CsvSetting& setting : table_.passed_over()) {
+    if (!is_setting(setting.key)) continue;  // a remark with a colon
+    return at_line(setting.line, "found the key \"" + setting.key +
+                                     "\" below the names of the columns, wanted it above them; move the line up");
+  }
   if (!has_row_) return false;
-  if (columns_.time != kNone) {
-    const Result<double> time = table_.number(columns_.time);
-    if (!time.ok()) return time.error();
-    cell_key_ = cell_time_ = *time;
-  }
-  if (columns_.step != kNone) {
-    const Result<std::uint64_t> step = table_.whole(columns_.step);
-    if (!step.ok()) return step.error();
-    if (*step > sim::kStepsMax) {
-      return table_.at(columns_.step, "step: found a number beyond " + std::to_string(sim::kStepsMax));
-    }
-    cell_key_ = static_cast<double>(*step);
-  }
+  if (Status ok = clock_.read_row(table_); !ok.ok()) return ok.error();
   return true;
-}
-
-/// Checks that the step follows the step before, and returns its dt.
-Result<double> CsvSteps::begin_step() {
-  const double before = std::exchange(key_, cell_key_);
-  const double time_before = std::exchange(time_, cell_time_);
-  if (steps_ == 0) return 0.0;
-  const bool by_time = columns_.step == kNone;
-  const auto wrong = [&](const std::string& wanted) {
-    return table_.at(by_time ? columns_.time : columns_.step, std::string(by_time ? "time" : "step") + ": found " +
-                                                                  text_of(key_) + " after " + text_of(before) +
-                                                                  ", wanted " + wanted);
-  };
-  const double apart = key_ - before;
-  if (!(apart > 0)) return wrong("a later one: steps in order, and all rows of a step together");
-  if (steps_ == 1) stride_ = apart;
-  if (by_time) return settings_.dt.value_or(apart);
-  if (apart != stride_) return wrong(text_of(before + stride_));
-  return settings_.dt ? *settings_.dt * stride_ : time_ - time_before;
 }
 
 template <std::size_t N>
@@ -141,7 +113,7 @@ Status CsvSteps::take_row(TableStep& step) {
   look_for_lost(*id, kOrientation, columns_.orientation, q);
   look_for_lost(*id, kVelocity, columns_.velocity, v);
   look_for_lost(*id, kSpin, columns_.spin, w);
-  const Result<bool> frozen = flag(columns_.frozen, false);
+  const Result<bool> frozen = columns_.frozen == kNone ? Result<bool>(false) : table_.flag(columns_.frozen);
   if (!frozen.ok()) return frozen.error();
   const EngineAxes& axes = settings_.axes;
   const EngineState state = {axes.length(vector_of(x)), axes.turn({q[0], q[1], q[2], q[3]}), axes.length(vector_of(v)),
@@ -178,20 +150,21 @@ void CsvSteps::look_for_lost(sim::BodyId id, std::size_t first, std::span<const 
 
 /// Makes the box of a new body. Refuses a body that returns after steps without it.
 Status CsvSteps::meet(sim::BodyId id, const EngineState& state) {
-  const auto known = last_seen_.find(id);
-  if (known != last_seen_.end()) {
-    if (known->second + 1 < steps_) {
+  const auto known = met_.find(id);
+  if (known != met_.end()) {
+    if (known->second.last_step + 1 < steps_) {
       return table_.at(columns_.id,
                        "found body " + std::to_string(id) + " again after steps without it, wanted a new id");
     }
-    known->second = steps_;
-    return {};
+    known->second.last_step = steps_;
+    return bodies_.check_later(table_, known->second.first);
   }
-  last_seen_.emplace(id, steps_);
   const auto like = like_.find(id);
   sim::BoxDef box = like != like_.end() ? like->second : settings_.box;
   box.id = id;
-  if (Status ok = read_box(box); !ok.ok()) return ok;
+  Result<CsvBodies::FirstRow> first = bodies_.read_first(table_, box);
+  if (!first.ok()) return first.error();
+  met_.emplace(id, Met{steps_, *std::move(first)});
   box.position = state.position;
   box.orientation = state.orientation;
   box.velocity = state.velocity;
@@ -200,52 +173,6 @@ Status CsvSteps::meet(sim::BodyId id, const EngineState& state) {
   if (const Status ok = sim::check_box(box); !ok.ok()) return table_.at(columns_.id, ok.error().message);
   boxes_.emplace(id, std::move(box));
   return {};
-}
-
-/// Reads the columns of a body: size, mass, material, place in a grid.
-Status CsvSteps::read_box(sim::BoxDef& box) const {
-  if (columns_.size[0] != kNone) {
-    std::array<double, 3> size{};
-    if (Status ok = read_numbers(columns_.size, size); !ok.ok()) return ok;
-    box.size = settings_.axes.extents(vector_of(size));
-  }
-  const std::array<std::pair<std::size_t, double*>, 3> plain = {{{columns_.mass, &box.mass},
-                                                                 {columns_.friction, &box.material.friction},
-                                                                 {columns_.restitution, &box.material.restitution}}};
-  for (const auto& [column, out] : plain) {
-    if (column == kNone) continue;
-    const Result<double> value = table_.number(column);
-    if (!value.ok()) return value.error();
-    *out = *value;
-  }
-  if (columns_.friction != kNone) box.material.friction_dynamic = box.material.friction;
-  const Result<bool> is_static = flag(columns_.is_static, box.is_static);
-  if (!is_static.ok()) return is_static.error();
-  box.is_static = *is_static;
-  return read_origin(box.origin);
-}
-
-/// Reads row and column. The body counts as part of a grid, because metrics know rows and columns of grids.
-Status CsvSteps::read_origin(sim::Origin& origin) const {
-  const std::array<std::pair<std::size_t, std::uint32_t*>, 2> places = {
-      {{columns_.row, &origin.row}, {columns_.column, &origin.column}}};
-  for (const auto& [column, out] : places) {
-    if (column == kNone) continue;
-    const Result<std::uint64_t> value = table_.whole(column);
-    if (!value.ok()) return value.error();
-    if (*value > sim::kBodiesMax) return table_.at(column, "found more than " + std::to_string(sim::kBodiesMax));
-    *out = static_cast<std::uint32_t>(*value);
-    origin.kind = sim::Origin::Kind::kGrid;
-  }
-  return {};
-}
-
-Result<bool> CsvSteps::flag(std::size_t column, bool otherwise) const {
-  if (column == kNone) return otherwise;
-  const Result<std::uint64_t> value = table_.whole(column);
-  if (!value.ok()) return value.error();
-  if (*value <= 1) return *value == 1;
-  return table_.at(column, table_.columns()[column] + ": found " + std::to_string(*value) + ", wanted 0 or 1");
 }
 
 }  // namespace tumble::replay

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "replay/import/csv_bodies.h"
+#include "replay/import/csv_clock.h"
 #include "replay/import/csv_format.h"
 #include "replay/import/csv_reader.h"
 #include "replay/import/table_notes.h"
@@ -56,33 +58,38 @@ class CsvSteps {
   }
 
  private:
+  /// A body that a step had.
+  struct Met {
+    std::uint64_t last_step = 0;  // counted from 0
+    CsvBodies::FirstRow first;
+  };
+
   CsvSteps(CsvReader table, CsvSettings settings, CsvColumns columns)
-      : table_(std::move(table)), settings_(std::move(settings)), columns_(std::move(columns)) {}
+      : table_(std::move(table)),
+        settings_(std::move(settings)),
+        columns_(std::move(columns)),
+        clock_(columns_, settings_.dt),
+        bodies_(columns_, settings_) {}
   Result<bool> next_row();
-  Result<double> begin_step();
   Status take_row(TableStep& step);
   Status meet(sim::BodyId id, const EngineState& state);
   Status check_state(sim::BodyId id, const std::array<double, 4>& q);
   void look_for_lost(sim::BodyId id, std::size_t first, std::span<const std::size_t> columns,
                      std::span<const double> numbers);
-  Status read_box(sim::BoxDef& box) const;
-  Status read_origin(sim::Origin& origin) const;
   template <std::size_t N>
   Status read_numbers(const std::array<std::size_t, N>& columns, std::array<double, N>& out) const;
-  [[nodiscard]] Result<bool> flag(std::size_t column, bool otherwise) const;
 
   CsvReader table_;
   CsvSettings settings_;
   CsvColumns columns_;
+  CsvClock clock_;
+  CsvBodies bodies_;
   std::map<sim::BodyId, sim::BoxDef> like_;
-  std::map<sim::BodyId, sim::BoxDef> boxes_;        // of every body met
-  std::map<sim::BodyId, std::uint64_t> last_seen_;  // the step, counted from 0
-  std::uint64_t steps_ = 0;                         // read so far
+  std::map<sim::BodyId, sim::BoxDef> boxes_;  // of every body met
+  std::map<sim::BodyId, Met> met_;
+  std::uint64_t steps_ = 0;  // read so far
   bool has_row_ = false;
   TableNotes notes_;
-  double cell_key_ = 0, cell_time_ = 0;  // of the row that comes next
-  double key_ = 0, time_ = 0;            // of the step that is read
-  double stride_ = 1;
 };
 
 }  // namespace tumble::replay

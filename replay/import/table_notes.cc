@@ -28,7 +28,7 @@ void TableNotes::short_end(const std::string& place, std::size_t bodies, std::si
 
 std::vector<std::string> TableNotes::texts() const {
   std::vector<std::string> out;
-  if (!lost_.empty()) out.push_back(place_of_lost_ + to_string(first_lost_));
+  if (!lost_.empty()) out.push_back(place_of_lost_ + to_string(first_lost_, {}));
   if (rough_ > 0) {
     out.push_back(first_rough_);
     if (rough_ > 1) out.back() += ", and " + count_text(rough_ - 1, "row") + " more likewise";

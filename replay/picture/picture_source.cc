@@ -82,6 +82,7 @@ Result<Picture> PictureSource::read(std::uint64_t k, const PictureOptions& optio
   snapshot.camera = options.camera.value_or(scene.camera);
   snapshot.light = scene.light;
   picture.not_finite = first_not_finite(record.states, k);
+  if (picture.not_finite) picture.not_finite = in_axes(log_->header().axes(), *picture.not_finite);
   for (std::size_t row = 0; row < record.states.size(); ++row) {
     const Result<const sim::BoxDef*> box = find_box(record.states.id[row], k);
     if (!box.ok()) return box.error();

@@ -30,7 +30,7 @@ struct Picture {
   std::uint64_t step = 0;
   Hash128 state_hash;
   double dt = 0;                        ///< s, of the step that led to it; 0 for state 0
-  std::optional<NotFinite> not_finite;  ///< a body that has no place, and how many; they are not drawn
+  std::optional<NotFinite> not_finite;  ///< not drawn; the field is named by the axes of the log
   render::Snapshot snapshot;
 };
 

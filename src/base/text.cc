@@ -62,6 +62,8 @@ std::optional<double> parse_exact(std::string_view text) {
     const bool whole = error == std::errc() && stop + 1 == end && *stop == ')';
     return whole && exact_bits(value) == text ? std::optional(value) : std::nullopt;
   }
+  // std::from_chars reads any word in the brackets and drops it. Windows prints "-nan(ind)" for the NaN of 0 / 0.
+  if (text.ends_with(')') && text != "nan(ind)" && text != "-nan(ind)") return std::nullopt;
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "src/base/check.h"
+#include "src/base/text.h"
 #include "src/math/grid.h"
 #include "src/model/mass.h"
 #include "src/world/body_check.h"
@@ -18,7 +19,7 @@ Error bad_box(const BoxDef& box, const std::string& what) {
 }
 
 std::string range(double low, double high, const char* unit) {
-  return std::to_string(low) + " … " + std::to_string(high) + " " + unit;
+  return number_text(low) + " … " + number_text(high) + " " + unit;
 }
 
 template <class T>
@@ -107,12 +108,11 @@ Status check_box(const BoxDef& box) {
   if (box.id == 0 || box.id > kBodyIdMax) return bad_box(box, "found this id, wanted 1 … 2^53 − 1");
   for (const double edge : {box.size.x(), box.size.y(), box.size.z()}) {
     if (!(edge >= kSizeMin && edge <= kSizeMax)) {
-      return bad_box(box, "found an edge of " + std::to_string(edge) + " m, wanted " + range(kSizeMin, kSizeMax, "m"));
+      return bad_box(box, "found an edge of " + exact(edge) + " m, wanted " + range(kSizeMin, kSizeMax, "m"));
     }
   }
   if (!(box.mass >= kMassMin && box.mass <= kMassMax)) {
-    return bad_box(box,
-                   "found a mass of " + std::to_string(box.mass) + " kg, wanted " + range(kMassMin, kMassMax, "kg"));
+    return bad_box(box, "found a mass of " + exact(box.mass) + " kg, wanted " + range(kMassMin, kMassMax, "kg"));
   }
   if (!within(box.position, kPositionMax)) return bad_box(box, "its position is not finite or beyond ±32768 m");
   if (!within(box.velocity, kSpeedMax)) return bad_box(box, "its velocity is not finite or beyond ±8192 m/s");

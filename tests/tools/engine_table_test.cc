@@ -1,5 +1,7 @@
 // Imported tables as their owner meets them again: in the axes and units of the table, with the bodies named that are
 // lost because a number is none, and with every oddness of the table told.
+#include "tests/tools/engine_table.h"
+
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -15,63 +17,14 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kColumns =
-    "step,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z,"
-    "velocity.x,velocity.y,velocity.z,spin.x,spin.y,spin.z,frozen\n";
-
-/// Two bodies, four steps, z up. In step 2 the spin of body 2 begins with `spin`.
-std::string table(const std::string& spin = "0") {
-  std::string text = std::string("# engine: toy\n# dt: 0.1\n") + kColumns;
-  for (int k = 0; k < 5; ++k) {
-    const std::string step = std::to_string(k);
-    text += step + ",1,0,0,0.5,1,0,0,0,0,0,0,0,0,0,0\n";
-    text += step + ",2,3,0,0." + std::to_string(5 + k) + ",1,0,0,0,0,0,1," + (k == 2 ? spin : "0") + ",0,0,0\n";
-  }
-  return text;
-}
-
-Outcome import(const Workshop& shop, const std::string& text, const std::vector<std::string>& more = {}) {
-  shop.write("t.csv", text);
-  std::vector<std::string> arguments = {"import", "t.csv", "-o", "t.tumble"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return shop.run(arguments);
-}
-
-bool says(const std::string& text, const std::string& words) { return text.find(words) != std::string::npos; }
-
-TEST(EngineTable, ABodyWithoutANumberIsLostInEveryCommand) {
-  const Workshop shop;
-  const Outcome imported = import(shop, table("nan"));
-  ASSERT_EQ(imported.exit, 0) << imported.err;
-  EXPECT_TRUE(says(imported.err, "t.csv:9:27: body 2 is lost from step 2 on: spin.x is nan")) << imported.err;
-  const Outcome measured = shop.run({"measure", "t.tumble", "--json"});
-  EXPECT_EQ(measured.exit, 0);
-  EXPECT_TRUE(says(measured.err, "body 2 is lost from step 2 on: spin.x is nan")) << measured.err;
-  const ordered_json json = parsed(measured);
-  EXPECT_EQ(json["stacking"]["lost"], 1);
-  EXPECT_TRUE(says(json["stacking"]["drift_max"].get<std::string>(), "nan(0x"));
-  EXPECT_EQ(json["not_finite"]["body"], 2);
-  EXPECT_EQ(json["not_finite"]["step"], 2);
-  EXPECT_EQ(json["not_finite"]["field"], "spin.x");
-  EXPECT_TRUE(says(shop.run({"measure", "t.tumble"}).out, "not a number"));
-  for (const char* bound : {"lost<=0", "lost<=9", "drift_max<=0", "drift_max>0", "gain_ratio<=1e9", "lateral_max<=0",
-                            "bounces<1e9", "tilt_max<=179", "frozen_fraction<=0.9", "kinetic_end>0"}) {
-    const Outcome judged = shop.run({"measure", "t.tumble", "--require", bound});
-    EXPECT_EQ(judged.exit, 1) << bound;
-    EXPECT_TRUE(says(judged.err, std::string(bound) + ": found no number: body 2 is lost from step 2 on"))
-        << judged.err;
-  }
-  EXPECT_EQ(shop.run({"measure", "t.tumble", "--bodies", "1", "--require", "drift_max<=0"}).exit, 0);
-  EXPECT_EQ(shop.run({"measure", "t.tumble", "--bodies", "1", "--require", "gain_max<=9"}).exit, 1);
-}
-
 TEST(EngineTable, NumbersThatJsonLacksReadBackToTheSameBits) {
   const Workshop shop;
   const std::vector<std::pair<std::string, std::string>> cells = {
       {"nan", "nan(0x7ff8000000000000)"},
       {"-inf", "-inf(0xfff0000000000000)"},
       {"nan(0x7ff800000000beef)", "nan(0x7ff800000000beef)"},
-      {"nan(0xfff8000000000001)", "nan(0xfff8000000000001)"}};
+      {"nan(0xfff8000000000001)", "nan(0xfff8000000000001)"},
+      {"nan(0x7ff0000000000001)", "nan(0x7ff0000000000001)"}};
   for (const auto& [cell, text] : cells) {
     ASSERT_EQ(import(shop, table(cell)).exit, 0) << cell;
     const ordered_json step = parsed(shop.run({"dump", "t.tumble", "--step", "2", "--json"}));
@@ -84,28 +37,6 @@ TEST(EngineTable, NumbersThatJsonLacksReadBackToTheSameBits) {
               parsed(shop.run({"info", "t.tumble", "--json"}))["final_hash"]);
     EXPECT_EQ(parsed(shop.run({"dump", "again.tumble", "--step", "2", "--json"}))["bodies"], step["bodies"]);
   }
-}
-
-TEST(EngineTable, ACaseWithALostBodyFailsAndCannotBeBlessed) {
-  const Workshop shop;
-  shop.write("s/cases/one/scene.toml", kSmallScene);
-  shop.write("s/cases/one/metrics.toml", std::string("require = [\"behaviour\"]\n[command]\nrun = \"") +
-                                             TUMBLE_PROGRAM +
-                                             " import ../t.csv -o {log} # {scene}\"\n[[metric]]\nname = \"drift_max\"\n"
-                                             "max = 1.0\nwhy = \"they stay\"\n");
-  shop.write("t.csv", table());
-  ASSERT_EQ(shop.run({"bless", "one", "--suite", "s", "--reason", "a test"}).exit, 0);
-  EXPECT_EQ(shop.run({"check", "--suite", "s", "--report", "r"}).exit, 0);
-  shop.write("t.csv", table("nan"));
-  const Outcome checked = shop.run({"check", "--suite", "s", "--report", "r"});
-  EXPECT_EQ(checked.exit, 1);
-  const char* lost = "body 2 is lost from step 2 on: spin.x is nan";
-  EXPECT_TRUE(says(checked.out, lost)) << checked.out;
-  EXPECT_TRUE(says(shop.read("r/index.html"), lost));
-  EXPECT_TRUE(says(shop.read("r/report.json"), lost));
-  const Outcome blessed = shop.run({"bless", "one", "--suite", "s", "--reason", "a test"});
-  EXPECT_EQ(blessed.exit, 2);
-  EXPECT_TRUE(says(blessed.err, lost)) << blessed.err;
 }
 
 TEST(EngineTable, ACaseThatEndsEarlyOrLacksABodyFailsThoughItsBoundsHold) {
@@ -140,13 +71,13 @@ TEST(EngineTable, ResultsComeBackInItsAxesAndUnit) {
       "1,4,12,51,-37,0.2,0.2,0.4,0.8717797887081347,1,2,-0,4,5,-6,0\n";
   for (const char* handed : {"right", "left"}) {
     const Outcome imported =
-        import(shop, std::string("# dt: 0.1\n# up: y\n# length: cm\n# handed: ") + handed + "\n" + kColumns + rows,
+        import(shop, std::string("# dt: 0.1\n# up: y\n# length: cm\n# handed: ") + handed + "\n" + kTableColumns + rows,
                {"--json"});
     ASSERT_EQ(imported.exit, 0) << imported.err;
     EXPECT_EQ(parsed(imported)["axes"]["up"], "y");
     EXPECT_EQ(parsed(imported)["axes"]["length"], "cm");
     EXPECT_EQ(parsed(imported)["axes"]["handed"], handed);
-    EXPECT_EQ(shop.run({"dump", "t.tumble", "--steps", "0:1", "--csv"}).out, kColumns + rows) << handed;
+    EXPECT_EQ(shop.run({"dump", "t.tumble", "--steps", "0:1", "--csv"}).out, kTableColumns + rows) << handed;
     const ordered_json step = parsed(shop.run({"dump", "t.tumble", "--step", "1", "--json"}));
     EXPECT_EQ(step["axes"]["up"], "y");
     EXPECT_EQ(step["bodies"][0]["position"], ordered_json::parse("[12.0, 51.0, -37.0]"));
@@ -170,7 +101,7 @@ TEST(EngineTable, ResultsComeBackInItsAxesAndUnit) {
 
 TEST(EngineTable, DiffNamesFieldsByItsAxes) {
   const Workshop shop;
-  const std::string start = std::string("# dt: 0.1\n# up: y\n") + kColumns + "0,4,1,2,3,1,0,0,0,0,0,0,0,0,0,0\n";
+  const std::string start = std::string("# dt: 0.1\n# up: y\n") + kTableColumns + "0,4,1,2,3,1,0,0,0,0,0,0,0,0,0,0\n";
   shop.write("a.csv", start + "1,4,1,2,3,1,0,0,0,0,0,0,0,0,0,0\n");
   shop.write("b.csv", start + "1,4,1,2,3.5,1,0,0,0,0,0,0,0,0,0,0\n");
   for (const char* name : {"a.csv", "b.csv"}) ASSERT_EQ(shop.run({"import", name}).exit, 0);
@@ -185,6 +116,27 @@ TEST(EngineTable, DiffNamesFieldsByItsAxes) {
       parsed(shop.run({"diff", "a.tumble", "b.tumble", "--step", "1", "--json"}))["bodies"][0]["fields"][0];
   EXPECT_EQ(field["field"], "position.z");
   EXPECT_EQ(field["b"], 3.5);
+}
+
+TEST(EngineTable, NumbersOfErrorsAreTheOnesOfTheTable) {
+  const Workshop shop;
+  const auto error = [&](const std::string& columns, const std::string& cells) {
+    shop.write("b.csv", "# dt: 0.1\n" + columns + "," + kTableColumns + cells + ",0,1,0,0,1,1,0,0,0,0,0,0,0,0,0,0\n");
+    return shop.run({"import", "b.csv"}).err;
+  };
+  EXPECT_TRUE(says(error("mass", "4.9e-324"), "found a mass of 5e-324 kg, wanted 1e-09 … 1e+12 kg"));
+  EXPECT_TRUE(says(error("size.x,size.y,size.z", "1,1e308,1"), "found an edge of 1e+308 m, wanted 0.0001 … 4096 m"));
+  EXPECT_TRUE(says(error("size.x,size.y,size.z", "1,1,-inf"), "size.z: found -inf, wanted an edge above 0"));
+}
+
+TEST(EngineTable, AFileThatIsNoTextIsAnErrorAtItsFirstByte) {
+  const Workshop shop;
+  const Outcome endless = shop.run({"import", "/dev/zero"});
+  EXPECT_EQ(endless.exit, 2);
+  EXPECT_TRUE(says(endless.err, "/dev/zero: found a byte 0 at 0, wanted a table as text")) << endless.err;
+  std::string text = table();
+  text[100] = '\0';
+  EXPECT_TRUE(says(import(shop, text).err, "t.csv: found a byte 0 at 100"));
 }
 
 TEST(EngineTable, DiffOfALostBodyGivesItsBitsAndDrawsTheRest) {

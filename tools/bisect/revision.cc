@@ -250,7 +250,8 @@ Result<Answer> Asker::ask_session(const std::string& commit) {
   answer.yes = settings_.metric->holds(answer.metric);
   answer.message = std::string(row.name) + " is " + (answer.metric ? exact(*answer.metric) : "none") +
                    (*row.unit != '\0' && answer.metric ? ' ' + row.unit_in(log->header().axes()) : "");
-  if (const auto& lost = metrics->not_finite.chosen) answer.message += ", within no bound: " + to_string(*lost);
+  if (const auto& lost = metrics->not_finite.chosen)
+    answer.message += ", within no bound: " + to_string(*lost, log->header().axes());
   return answer;
 }
 

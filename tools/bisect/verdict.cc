@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/files/log_files.h"
+#include "tools/output/axes_output.h"
 #include "tools/output/difference_output.h"
 #include "tools/output/divergence_output.h"
 
@@ -68,6 +69,7 @@ Comparison compare_sessions(const Finding& finding, const Workplace& place) {
     comparison.not_compared = difference.error().message;
     return comparison;
   }
+  difference = in_axes(common_axes(before->header(), after->header()), *std::move(difference));
   comparison.report.first = difference->first;
   comparison.difference = *std::move(difference);
   return comparison;

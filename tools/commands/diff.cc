@@ -117,9 +117,7 @@ void name_by_table(const replay::LogHeader& a, const replay::LogHeader& b, repla
   if (axes.ours()) return;
   report.notes.push_back("fields are named by the axes of the tables: " + to_string(axes));
   if (report.first) report.first = in_axes(axes, *report.first);
-  if (!difference) return;
-  difference->first = in_axes(axes, difference->first);
-  if (difference->effect) difference->effect = in_axes(axes, *difference->effect);
+  if (difference) difference = in_axes(axes, *std::move(difference));
 }
 
 Result<Exit> show_step(const DiffCommand& options, replay::LogReader& a, replay::LogReader& b) {

@@ -36,7 +36,12 @@ Result<std::string> read_table(const std::string& path) {
   std::string text;
   std::string block(1 << 20, '\0');
   while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0) {
-    text.append(block, 0, static_cast<std::size_t>(file.gcount()));
+    const auto size = static_cast<std::size_t>(file.gcount());
+    if (const std::size_t zero = block.find('\0'); zero < size) {
+      return bad_input(path + ": found a byte 0 at " + std::to_string(text.size() + zero) +
+                       ", wanted a table as text in UTF-8");
+    }
+    text.append(block, 0, size);
     if (text.size() > kTableBytesMax)
       return bad_input(path + ": found more than 4 GiB, wanted a smaller table; cut it");
   }

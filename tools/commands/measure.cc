@@ -55,16 +55,17 @@ Exit judge_bounds(const std::vector<replay::MetricBound>& bounds, const replay::
     if (bound.holds(value)) continue;
     const std::string unit = bound.metric->unit_in(axes);
     std::string found = value ? exact(*value) + (unit.empty() ? "" : " ") + unit : "no value";
-    if (const auto& lost = bound.metric->spoiled_by(metrics)) found = "no number: " + to_string(*lost);
+    if (const auto& lost = bound.metric->spoiled_by(metrics)) found = "no number: " + to_string(*lost, axes);
     std::cerr << "tumble measure: " << bound.text << ": found " << found << '\n';
     verdict = Exit::kDifference;
   }
   return verdict;
 }
 
-void warn_of_lost_bodies(const MeasureCommand& options, const replay::Metrics& metrics) {
+void warn_of_lost_bodies(const MeasureCommand& options, const replay::EngineAxes& axes,
+                         const replay::Metrics& metrics) {
   if (!metrics.not_finite.any) return;
-  std::cerr << "tumble measure: " << options.log << ": " << to_string(*metrics.not_finite.any)
+  std::cerr << "tumble measure: " << options.log << ": " << to_string(*metrics.not_finite.any, axes)
             << "; no metric over this body holds for any bound\n";
 }
 
@@ -154,7 +155,7 @@ Result<Exit> measure(const MeasureCommand& options) {
   } else {
     print_metrics(options.log, axes, *metrics);
   }
-  warn_of_lost_bodies(options, *metrics);
+  warn_of_lost_bodies(options, axes, *metrics);
   const Exit verdict = judge("measure", *log, judge_bounds(*bounds, axes, *metrics));
   return pair ? judge("measure", *pair, verdict) : verdict;
 }

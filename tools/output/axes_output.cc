@@ -1,9 +1,12 @@
 #include "tools/output/axes_output.h"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <utility>
 #include <variant>
+
+#include "replay/format/engine_column.h"
 
 namespace tumble::tools {
 
@@ -21,19 +24,24 @@ replay::EngineAxes common_axes(const replay::LogHeader& a, const replay::LogHead
 }
 
 replay::Divergence in_axes(const replay::EngineAxes& axes, replay::Divergence difference) {
-  const auto* const column = std::ranges::find(replay::kColumnNames, difference.field);
-  if (axes.ours() || column == replay::kColumnNames.end() || difference.field == "orientation.w") return difference;
-  std::string& field = difference.field;
-  const bool is_length = field.starts_with("position") || field.starts_with("velocity");
-  const int k = field.back() - 'x';
-  const replay::EngineAxis axis = is_length ? axes.along(k) : axes.axial_along(k);
-  field.back() = axis.letter;
+  const std::optional<replay::EngineColumn> column = replay::column_in(axes, difference.field);
+  if (axes.ours() || !column) return difference;
+  difference.field = column->name;
   for (replay::FieldValue* value : {&difference.expected, &difference.actual}) {
     if (auto* number = std::get_if<double>(value)) {
-      *number = axis.sign * (is_length ? axes.their_metres(*number) : *number);
+      *number = column->sign * (column->is_length ? axes.their_metres(*number) : *number);
     }
   }
   return difference;
+}
+
+replay::DifferenceReport in_axes(const replay::EngineAxes& axes, replay::DifferenceReport report) {
+  report.first = in_axes(axes, std::move(report.first));
+  if (report.effect) report.effect = in_axes(axes, *std::move(report.effect));
+  if (!report.growth || !report.growth->separation.lost) return report;
+  replay::LostBody& lost = *report.growth->separation.lost;
+  if (const auto column = replay::column_in(axes, lost.field)) lost.field = column->name;
+  return report;
 }
 
 }  // namespace tumble::tools

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "replay/diff/difference_report.h"
 #include "tools/output/text.h"
 #include "tumble/replay/divergence.h"
 #include "tumble/replay/imported_table.h"
@@ -14,5 +15,8 @@ replay::EngineAxes common_axes(const replay::LogHeader& a, const replay::LogHead
 
 /// A difference in the axes and the unit of the sessions' table: its field, and both values. Other fields stay.
 replay::Divergence in_axes(const replay::EngineAxes& axes, replay::Divergence difference);
+
+/// Likewise each difference of a report, and the field of a body that is lost.
+replay::DifferenceReport in_axes(const replay::EngineAxes& axes, replay::DifferenceReport report);
 
 }  // namespace tumble::tools

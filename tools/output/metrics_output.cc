@@ -31,13 +31,14 @@ std::string value_text(const replay::MetricRow& metric, const replay::EngineAxes
   return metric.unit == std::string_view("s") ? seconds_text(*value) : rounded(*value, metric.unit_in(axes));
 }
 
-Json not_finite_json(const std::optional<replay::NotFinite>& lost) {
-  if (!lost) return nullptr;
-  return {{"body", lost->body},
-          {"step", lost->step},
-          {"field", lost->field},
-          {"value", number_json(lost->value)},
-          {"bodies", lost->bodies}};
+Json not_finite_json(const std::optional<replay::NotFinite>& found, const replay::EngineAxes& axes) {
+  if (!found) return nullptr;
+  const replay::NotFinite lost = in_axes(axes, *found);
+  return {{"body", lost.body},
+          {"step", lost.step},
+          {"field", lost.field},
+          {"value", number_json(lost.value)},
+          {"bodies", lost.bodies}};
 }
 
 }  // namespace
@@ -52,7 +53,7 @@ Json metrics_json(const std::string& log, const replay::EngineAxes& axes, const 
   }
   json["final_hash"] = to_string(metrics.final_hash);
   json["axes"] = axes_json(axes);
-  json["not_finite"] = not_finite_json(metrics.not_finite.any);
+  json["not_finite"] = not_finite_json(metrics.not_finite.any, axes);
   return json;
 }
 
@@ -73,7 +74,7 @@ void print_metrics(const std::string& log, const replay::EngineAxes& axes, const
     out.add(std::string("  ") + metric.label, padded(value_text(metric, axes, metrics), width + 2) + metric.name);
   }
   out.section("");
-  if (metrics.not_finite.any) out.add("not finite", to_string(*metrics.not_finite.any));
+  if (metrics.not_finite.any) out.add("not finite", to_string(*metrics.not_finite.any, axes));
   out.add("final hash", to_string(metrics.final_hash));
   out.print();
 }
