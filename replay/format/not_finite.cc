@@ -30,11 +30,11 @@ NotFinite in_axes(const EngineAxes& axes, NotFinite lost) {
   return lost;
 }
 
-std::string to_string(const NotFinite& found, const EngineAxes& axes) {
-  const NotFinite lost = in_axes(axes, found);
-  std::string text = "body " + std::to_string(lost.body) + " is lost from step " + std::to_string(lost.step) +
-                     " on: " + lost.field + " is " + exact(lost.value);
-  if (lost.bodies > 1) text += ", and " + count_text(lost.bodies - 1, "body") + " more likewise";
+std::string to_string(const NotFinite& lost, const EngineAxes& axes) {
+  const NotFinite named = in_axes(axes, lost);
+  std::string text = "body " + std::to_string(named.body) + " is lost from step " + std::to_string(named.step) +
+                     " on: " + named.field + " is " + exact(named.value);
+  if (named.bodies > 1) text += ", and " + count_text(named.bodies - 1, "body") + " more likewise";
   return text;
 }
 

@@ -16,7 +16,7 @@ Result<double> read_number(const CsvReader& table, std::size_t column) { return 
 /// An edge. The length of a box loses its sign with the axes, so the sign is read here.
 template <bool kSingle>
 Result<double> read_edge(const CsvReader& table, std::size_t column) {
-  const Result<double> value = kSingle ? table.single(column) : table.number(column);
+  Result<double> value = kSingle ? table.single(column) : table.number(column);
   if (!value.ok() || !(*value <= 0)) return value;
   return table.at(column,
                   table.columns()[column] + ": " + found_wanted(shortened(table.cell(column)), "an edge above 0"));
