@@ -103,6 +103,10 @@ Result<BlessReport> bless_log(const NewCase& options) {
   if (Status ok = check_request(options); !ok.ok()) return ok.error();
   Result<replay::LogReader> recorded = replay::LogReader::open(options.log);
   if (!recorded.ok()) return recorded.error();
+  if (!recorded->condition().whole()) {
+    return damaged(options.log + ": wanted a whole log to make a case of; " +
+                   recorded->condition().summary(recorded->last_step()) + "; record the session again");
+  }
   const Result<std::string> text = scene_text(options, *recorded);
   if (!text.ok()) return text.error();
   const CaseFolder folder{options.name, options.suite / "cases" / options.name};

@@ -51,7 +51,7 @@ replay::BodyStates states_of(const TrackPoint& point) {
 }
 
 void add_places(Json& columns, const replay::StateMeasures& state) {
-  columns["lateral_max"].push_back(six_digits(state.lateral_max));
+  columns["lateral_max"].push_back(state.of_start > 0 ? Json(six_digits(state.lateral_max)) : Json());
   columns["column_spread"].push_back(number_or_null(state.column_spread));
   columns["height_max"].push_back(six_digits(state.height_max));
   columns["height_mean"].push_back(six_digits(state.height_mean));

@@ -6,6 +6,7 @@
 #include "replay/diff/world_difference.h"
 #include "replay/format/chain.h"
 #include "replay/log/checked_log.h"
+#include "src/base/text.h"
 #include "tumble/replay/body_states.h"
 
 namespace tumble::replay {
@@ -28,13 +29,21 @@ class Diff {
   }
 
   Result<DiffReport> run(const Progress& progress) {
+    for (const LogReader* log : {&a_, &b_}) {
+      if (std::string note = not_whole(*log);
+          !note.empty() && std::ranges::find(report_.notes, note) == report_.notes.end()) {
+        report_.notes.push_back(std::move(note));
+      }
+    }
     if (Status ok = check_both(progress); !ok.ok()) return ok.error();
     report_.last_a = a_.last_step();
     report_.last_b = b_.last_step();
     const std::uint64_t from = report_.from = std::max(a_.first_state(), b_.first_state());
     const std::uint64_t last = std::min(report_.last_a, report_.last_b);
     if (from > last) return no_common_step();
-    report_.steps = last - from;
+    for (std::uint64_t k = from + 1; k <= last; ++k) {
+      if (a_.holds(k) && b_.holds(k)) ++report_.steps;
+    }
     report_.headers = header_differences(a_.header(), b_.header(), tolerances_);
     if (Status ok = compare_worlds(from, last); !ok.ok()) return ok.error();
     if (Status ok = compare_start(from); !ok.ok()) return ok.error();
@@ -42,12 +51,9 @@ class Diff {
     Result<std::uint64_t> same = last_known_same(from, last);
     if (!same.ok()) return same.error();
     for (std::uint64_t k = *same + 1; k <= last && !report_.first; ++k) {
-      if (a_.lost_at(k) != nullptr || b_.lost_at(k) != nullptr) {
-        --report_.steps;
-        continue;
-      }
+      if (a_.lost_at(k) != nullptr || b_.lost_at(k) != nullptr) continue;
       if (Status ok = compare_step(k); !ok.ok()) return ok.error();
-      if (progress && !progress(k - from, report_.steps)) return cannot_finish("interrupted");
+      if (progress && !progress(k - from, last - from)) return cannot_finish("interrupted");
     }
     // Hidden state shows in visible columns steps later: the keyframe that differs first is nearer to the cause.
     if (keyframe_differs_ && (!report_.first || keyframe_differs_->step < report_.first->step)) {
@@ -269,6 +275,13 @@ class Diff {
 };
 
 }  // namespace
+
+std::string DiffReport::though() const {
+  const auto acting = std::ranges::count_if(headers, &HeaderDifference::acts);
+  if (first || acting == 0) return "";
+  return "though the headers differ in " + count_text(static_cast<std::uint64_t>(acting), "value") +
+         " that a step depends on: see the header lines";
+}
 
 Result<DiffReport> diff_logs(LogReader& a, LogReader& b, const Tolerances& tolerances, const Progress& progress,
                              Reading reading) {

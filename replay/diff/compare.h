@@ -23,15 +23,17 @@ enum class Reading : std::uint8_t {
 
 struct DiffReport {
   std::uint64_t from = 0;                 ///< the first state that both logs have
-  std::uint64_t steps = 0;                ///< after it, that both logs have; compared, or equal by their chains
+  std::uint64_t steps = 0;                ///< after it, that both logs hold; compared, or equal by their chains
   std::optional<Divergence> first;        ///< none: all those steps are equal
   std::optional<Divergence> built;        ///< of worlds that differ although the scenes do not: the first property
   std::vector<HeaderDifference> headers;  ///< differences of the headers; they decide nothing
   std::uint64_t zeros = 0;  ///< of states of another engine, whose sign alone differs; they count as equal
   ComparisonScope scope;
-  std::vector<std::string> notes;  ///< for people: bodies whose values are no numbers
+  std::vector<std::string> notes;  ///< for people: a log that is not whole, bodies whose values are no numbers
   std::uint64_t last_a = 0;        ///< last step
   std::uint64_t last_b = 0;
+  /// A sentence on equal steps of logs whose headers differ in values that a step depends on; empty without such.
+  [[nodiscard]] std::string though() const;
   /// No difference in any step, and the same last step.
   [[nodiscard]] bool identical() const { return !first.has_value() && last_a == last_b; }
 };

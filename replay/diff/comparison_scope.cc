@@ -8,6 +8,8 @@
 namespace tumble::replay {
 namespace {
 
+constexpr std::size_t kRunsShown = 4;
+
 std::string run_text(std::uint64_t first, std::uint64_t last) {
   return to_string(MissingSteps{first, last + 1 - first});
 }
@@ -35,7 +37,12 @@ class Scope {
 
  private:
   void compare(std::string part) { scope_.compared.push_back(std::move(part)); }
-  void leave_out(std::string part) { scope_.not_compared.push_back(std::move(part)); }
+  /// Each part once: a log may be compared with itself.
+  void leave_out(std::string part) {
+    if (std::ranges::find(scope_.not_compared, part) == scope_.not_compared.end()) {
+      scope_.not_compared.push_back(std::move(part));
+    }
+  }
 
   void add_steps() {
     compare("step lengths");
@@ -46,7 +53,7 @@ class Scope {
     }
     compare("inputs");
     if (!tolerances_.exact()) {
-      leave_out("phase hashes and counters: they differ as soon as one bit does, so tolerances leave them out");
+      leave_out("phase hashes, state hashes and counters: they differ with one bit, so tolerances leave them out");
       return;
     }
     compare("counters");
@@ -63,14 +70,14 @@ class Scope {
 
   void add_states() {
     compare("the state of step " + std::to_string(facts_.from));
-    compare("state hashes");
+    if (tolerances_.exact() && facts_.zeros == 0) compare("state hashes");
     if (facts_.hashes_only) {
       leave_out("the payloads of chunks with equal hashes: not read, so damage in them is not seen");
       return;
     }
     std::uint64_t in_both = 0, steps = 0;
     for (std::uint64_t k = facts_.from + 1; k <= facts_.last; ++k) {
-      if (a_.lost_at(k) != nullptr || b_.lost_at(k) != nullptr) continue;
+      if (!a_.holds(k) || !b_.holds(k)) continue;
       ++steps;
       if (a_.header().states.holds(k) && b_.header().states.holds(k)) ++in_both;
     }
@@ -118,8 +125,28 @@ class Scope {
         leave_out(columns_text(table->passed_over) + " of the table of " + log->name() +
                   ": the import passed over them");
       }
-      for (const MissingSteps& run : log->header().missing()) leave_out(to_string(run) + ", lost from " + log->name());
+      add_lost_steps(*log);
+      if (std::string part = not_intact(*log); !part.empty()) leave_out(std::move(part));
     }
+  }
+
+  /// Steps between those compared, which a recovered or damaged log does not hold.
+  void add_lost_steps(const LogReader& log) {
+    std::vector<MissingSteps> runs;
+    std::uint64_t count = 0;
+    for (std::uint64_t k = facts_.from + 1; k <= facts_.last; ++k) {
+      if (log.holds(k)) continue;
+      if (runs.empty() || runs.back().end_step() != k) runs.push_back({k, 0});
+      ++runs.back().step_count;
+      ++count;
+    }
+    if (runs.empty()) return;
+    std::string part = std::to_string(count) + " of " + count_text(facts_.last - facts_.from, "step") + ", lost from " +
+                       log.name() + ": ";
+    for (std::size_t i = 0; i < std::min(kRunsShown, runs.size()); ++i)
+      part += (i == 0 ? "" : ", ") + to_string(runs[i]);
+    if (runs.size() > kRunsShown) part += " and " + std::to_string(runs.size() - kRunsShown) + " more runs";
+    leave_out(std::move(part));
   }
 
   const LogReader& a_;
@@ -133,6 +160,19 @@ class Scope {
 
 ComparisonScope scope_of(const LogReader& a, const LogReader& b, const Tolerances& tolerances, const DiffFacts& facts) {
   return Scope(a, b, tolerances, facts).take();
+}
+
+std::string not_whole(const LogReader& log) {
+  const LogCondition& condition = log.condition();
+  return condition.whole() ? "" : log.name() + " is not whole: " + condition.summary(log.last_step());
+}
+
+std::string not_intact(const LogReader& log) {
+  const LogCondition& condition = log.condition();
+  if (condition.sound()) return "";
+  std::string bytes = "damaged records";
+  if (condition.torn) bytes = "bytes from byte " + std::to_string(condition.torn_offset) + " on";
+  return "the " + bytes + " of " + log.name() + ": " + condition.summary(log.last_step());
 }
 
 std::string never_compared() { return "names, texts, cameras, lights and looks: no step depends on them"; }

@@ -30,6 +30,12 @@ struct DiffFacts {
 
 ComparisonScope scope_of(const LogReader& a, const LogReader& b, const Tolerances& tolerances, const DiffFacts& facts);
 
+/// "torn.tumble is not whole: torn: complete up to byte 59321, …"; empty for a whole log.
+std::string not_whole(const LogReader& log);
+
+/// The bytes of a log that no intact record holds, which nothing compares; empty for a sound log.
+std::string not_intact(const LogReader& log);
+
 /// The parts of any log that no comparison looks at.
 std::string never_compared();
 

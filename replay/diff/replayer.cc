@@ -57,7 +57,7 @@ std::vector<std::string> notes_of(const LogReader& log, const LogHeader& ours_no
   } else if (!same_phase_words(header, ours_now)) {
     notes.push_back(phase_hash_note(header, ours_now));
   }
-  if (!log.condition().whole()) notes.push_back("the log is not whole: " + log.condition().summary(log.last_step()));
+  if (std::string note = not_whole(log); !note.empty()) notes.push_back(std::move(note));
   return notes;
 }
 
@@ -126,6 +126,7 @@ ComparisonScope scope_of_replay(const LogReader& log, const LogHeader& ours_now,
   if (!our_version) leave_out("hidden states of keyframes: another version of the method keeps others");
   leave_out("stored states: their bytes are as written, and 'tumble info' compares them with their hashes");
   for (const MissingSteps& run : header.missing()) leave_out(to_string(run) + ": lost before the log was recovered");
+  if (std::string part = not_intact(log); !part.empty()) leave_out(std::move(part));
   leave_out(never_compared());
   return scope;
 }

@@ -1,6 +1,7 @@
 #include "replay/diff/separation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "replay/format/not_finite.h"
@@ -12,6 +13,8 @@
 namespace tumble::replay {
 namespace {
 
+constexpr double kSquareVanishes = 1e-140;  // m
+
 /// The error for two steps of which states and hashes contradict each other: equal hashes with unequal states, or the
 /// reverse. Blames the log whose states do not match its own hash.
 Error broken(const std::string& a, const StepRecord& in_a, const std::string& b, const StepRecord& in_b) {
@@ -22,6 +25,13 @@ Error broken(const std::string& a, const StepRecord& in_a, const std::string& b,
                    " do not match their state hash; do not trust what diff says of it");
   }
   return damaged(a + " and " + b + ": " + step + ": the states do not match their hashes");
+}
+
+/// The length of a vector, also where its square overflows or vanishes.
+double distance_of(const sim::Vec3& apart) {
+  const double plain = sim::length(apart), largest = apart.cwiseAbs().maxCoeff();
+  const bool is_plain = std::isfinite(plain) && plain >= kSquareVanishes;
+  return is_plain || largest == 0 || !std::isfinite(largest) ? plain : largest * sim::length(apart / largest);
 }
 
 /// Follows two sessions through the steps after their first difference. Keeps one row a step and the first step of each
@@ -84,7 +94,7 @@ class SeparationMeter {
       const bool same = same_frozen && same_columns(in_a, i, in_b, j);
       if (!same) {
         const bool lost = lose(a, i, true) || lose(b, j, false);
-        differs(a.id[i], lost ? std::numeric_limits<double>::infinity() : sim::length(a.position[i] - b.position[j]));
+        differs(a.id[i], lost ? std::numeric_limits<double>::infinity() : distance_of(a.position[i] - b.position[j]));
       }
       ++i;
       ++j;

@@ -62,6 +62,7 @@ struct LogReader::State {
   [[nodiscard]] ChunkRules rules() const { return {header.prelude.log_tag, header.content.phases.size()}; }
   [[nodiscard]] const MissingSteps* lost_at(std::uint64_t k) const;
   [[nodiscard]] Error no_such(const char* what, std::uint64_t k) const;
+  [[nodiscard]] const ChunkPlace* chunk_at(std::uint64_t k) const;
   [[nodiscard]] Result<std::size_t> chunk_of(std::uint64_t k) const;
   Result<ChunkDecoder*> load(std::size_t chunk);
   Result<const StepRecord*> read(std::uint64_t k, bool with_states);
@@ -105,6 +106,11 @@ Error LogReader::State::no_such(const char* what, std::uint64_t k) const {
   const std::string found = source->name() + ": found no " + what + " " + std::to_string(k) + ", the log has ";
   if (chunks.empty()) return damaged(found + "not one complete chunk");
   return bad_input(found + "steps " + std::to_string(header.prelude.first_step) + " to " + std::to_string(last_step()));
+}
+
+const ChunkPlace* LogReader::State::chunk_at(std::uint64_t k) const {
+  const auto after = std::ranges::upper_bound(chunks, k, {}, &ChunkPlace::first_step);
+  return after != chunks.begin() && k < std::prev(after)->end_step() ? &*std::prev(after) : nullptr;
 }
 
 Result<std::size_t> LogReader::State::chunk_of(std::uint64_t k) const {
@@ -224,6 +230,7 @@ const LogCondition& LogReader::condition() const { return state_->condition; }
 std::uint64_t LogReader::first_state() const { return state_->header.prelude.first_step; }
 std::uint64_t LogReader::last_step() const { return state_->last_step(); }
 const MissingSteps* LogReader::lost_at(std::uint64_t k) const { return state_->lost_at(k); }
+bool LogReader::holds(std::uint64_t k) const { return k == first_state() || state_->chunk_at(k) != nullptr; }
 const std::vector<ChunkPlace>& LogReader::chunks() const { return state_->chunks; }
 std::uint64_t LogReader::chunks_opened() const { return state_->opened; }
 const ByteSource& LogReader::source() const { return *state_->source; }

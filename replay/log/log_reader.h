@@ -48,6 +48,9 @@ class LogReader {
   /// The missing steps of a recovered log that step k belongs to; null for every other step.
   [[nodiscard]] const MissingSteps* lost_at(std::uint64_t k) const;
 
+  /// Whether step k can be read: it is in an intact chunk, or is first_state().
+  [[nodiscard]] bool holds(std::uint64_t k) const;
+
   /// The intact chunks, by ascending step. A lost record leaves steps missing between two of them.
   [[nodiscard]] const std::vector<ChunkPlace>& chunks() const;
 

@@ -120,6 +120,8 @@ Result<Metrics> Measurer::finish(const BodyStates& last) {
   metrics_.measured_steps = metrics_.steps - begin_;
   metrics_.measured_bodies = bodies_seen_;
   const StateMeasures& end = row_.state;
+  metrics_.bodies_at_end = end.bodies;
+  metrics_.of_start_at_end = end.of_start;
   SymmetryMetrics& symmetry = metrics_.symmetry;
   symmetry.lateral_max = end.lateral_max;
   symmetry.lateral_rms = end.lateral_rms;

@@ -60,6 +60,8 @@ struct Metrics {
   std::uint64_t steps = 0;            ///< the number of the last one
   std::uint64_t measured_steps = 0;   ///< after the state with which the measuring begins
   std::uint64_t measured_bodies = 0;  ///< the most that a state showed of those chosen, static ones left out
+  std::uint64_t bodies_at_end = 0;    ///< of those, in the last state
+  std::uint64_t of_start_at_end = 0;  ///< of those, the bodies that the start has too
   SymmetryMetrics symmetry;
   EnergyMetrics energy;
   StackingMetrics stacking;

@@ -45,14 +45,14 @@ BoxFrame frame_of(const sim::BoxDef& box, const BodyStates& s, std::size_t row) 
 }
 
 /// Leaves no measure that a bound could hold for.
-void spoil(StateMeasures& measures) {
+void spoil(StateMeasures& measures, bool has_grid) {
   for (double* value :
        {&measures.lateral_max, &measures.lateral_rms, &measures.drift_max, &measures.tilt_max, &measures.top_drop_max,
         &measures.ground_penetration_max, &measures.kinetic_linear, &measures.kinetic_rotational,
         &measures.frozen_fraction, &measures.height_max, &measures.height_min, &measures.height_mean}) {
     *value = kNotANumber;
   }
-  if (measures.column_spread) measures.column_spread = kNotANumber;
+  if (has_grid) measures.column_spread = kNotANumber;
   measures.at_rest = false;
 }
 
@@ -160,7 +160,7 @@ StateMeasures StateMeter::measure(const BodyStates& now, std::uint64_t step) {
   if (!all_finite(now)) find_not_finite(now, step);
   std::ranges::fill(grid_rows_, GridRow{kInfinity, -kInfinity, kInfinity, -kInfinity});
   StateMeasures out;
-  std::size_t from_start = 0, frozen = 0;
+  std::size_t frozen = 0;
   out.height_max = -kInfinity;
   out.height_min = kInfinity;
   for (std::size_t row = 0; row < now.size(); ++row) {
@@ -173,11 +173,11 @@ StateMeasures StateMeter::measure(const BodyStates& now, std::uint64_t step) {
     measure_motion(body, now, row, out);
     measure_place(body, now, row, out);
     if (!body.in_start) continue;
-    ++from_start;
+    ++out.of_start;
     compare_with_start(body, now, row, out);
     widen_grid_row(body, now.position[row]);
   }
-  if (from_start > 0) out.lateral_rms = std::sqrt(out.lateral_rms / static_cast<double>(from_start));
+  if (out.of_start > 0) out.lateral_rms = std::sqrt(out.lateral_rms / static_cast<double>(out.of_start));
   out.column_spread = column_spread();
   if (out.bodies == 0) {
     out.height_max = out.height_min = 0;
@@ -185,7 +185,7 @@ StateMeasures StateMeter::measure(const BodyStates& now, std::uint64_t step) {
     out.frozen_fraction = static_cast<double>(frozen) / static_cast<double>(out.bodies);
     out.height_mean /= static_cast<double>(out.bodies);
   }
-  if (not_finite_.chosen) spoil(out);
+  if (not_finite_.chosen) spoil(out, !grid_rows_.empty());
   return out;
 }
 
@@ -240,10 +240,10 @@ void StateMeter::widen_grid_row(const Body& body, const Vec3& position) {
 
 // In a tilted grid the bodies of one row start at one height and one place across; an exact solver keeps them so.
 std::optional<double> StateMeter::column_spread() const {
-  if (grid_rows_.empty()) return std::nullopt;
-  double widest = 0;  // a row whose bodies were all removed is −infinity wide
+  std::optional<double> widest;
   for (const GridRow& row : grid_rows_) {
-    widest = largest(largest(widest, row.across_high - row.across_low), row.z_high - row.z_low);
+    const double wide = largest(row.across_high - row.across_low, row.z_high - row.z_low);
+    if (wide != -kInfinity) widest = largest(widest.value_or(0), wide);  // −infinity: its bodies were all removed
   }
   return widest;
 }

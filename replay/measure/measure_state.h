@@ -19,11 +19,12 @@ namespace tumble::replay {
 inline constexpr double kRestEnergy = 0.0032;
 
 /// The measures of one state, compared with the start; docs/metrics.md defines each. They are over the chosen dynamic
-/// bodies; lateral, drift, tilt and top_drop are over those of the start that still exist.
+/// bodies; lateral, drift, tilt and top_drop are over those of the start that still exist. A measure over no body reads
+/// 0 and has no meaning: `bodies` and `of_start` count the bodies.
 struct StateMeasures {
   double lateral_max = 0;               ///< m
   double lateral_rms = 0;               ///< m
-  std::optional<double> column_spread;  ///< m; none without a [[grid]]
+  std::optional<double> column_spread;  ///< m; none without a body of a [[grid]]
   double drift_max = 0;                 ///< m
   double tilt_max = 0;                  ///< degrees
   double top_drop_max = 0;              ///< m
@@ -33,6 +34,7 @@ struct StateMeasures {
   double frozen_fraction = 0;           ///< 0 if there are no bodies
   bool at_rest = true;                  ///< every body is frozen or below kRestEnergy
   std::size_t bodies = 0;               ///< measured
+  std::size_t of_start = 0;             ///< of those, the bodies that the start has too
   double height_max = 0;                ///< m, of the centres; 0 if there are no bodies
   double height_min = 0;                ///< m
   double height_mean = 0;               ///< m

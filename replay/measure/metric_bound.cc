@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "src/base/text.h"
+
 namespace tumble::replay {
 namespace {
 
@@ -44,6 +46,14 @@ bool MetricBound::holds(const std::optional<double>& value) const {
   return false;
 }
 
+std::string MetricBound::found_text(const EngineAxes& axes, const Metrics& metrics) const {
+  if (const std::optional<NotFinite>& lost = metric->spoiled_by(metrics)) return "no number: " + to_string(*lost, axes);
+  const std::optional<double> value = metric->value_in(axes, metrics);
+  if (!value) return std::string("no value: ") + metric->nothing;
+  const std::string unit = metric->unit_in(axes);
+  return exact(*value) + (unit.empty() ? "" : " ") + unit;
+}
+
 Result<MetricBound> parse_metric_bound(const std::string& text) {
   const std::size_t at = text.find_first_of("<>");
   if (at == std::string::npos) return not_understood(text);
@@ -73,7 +83,7 @@ Result<MetricBound> parse_metric_bound(const std::string& text) {
 
 bool judges_nothing(std::string_view name, const std::optional<double>& min, const std::optional<double>& max) {
   const MetricRow* const metric = find_metric(name);
-  if (metric == nullptr || metric->is_optional() || (!min && !max)) return false;
+  if (metric == nullptr || (!min && !max)) return false;
   return (!min || *min <= metric->low) && (!max || *max >= metric->high);
 }
 

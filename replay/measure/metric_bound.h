@@ -20,6 +20,10 @@ struct MetricBound {
 
   /// A metric without a value, or with one that is not finite, is within no bound.
   [[nodiscard]] bool holds(const std::optional<double>& value) const;
+
+  /// The value of the metric in words, in the unit of the session's table: "0.1 m", "no value: no body of the start",
+  /// "no number: body 2 is lost: …".
+  [[nodiscard]] std::string found_text(const EngineAxes& axes, const Metrics& metrics) const;
 };
 
 /// Reads NAME, one of < <= > >=, and a finite number, with or without spaces between. Errors (kBadInput): any other

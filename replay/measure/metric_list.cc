@@ -9,12 +9,19 @@ namespace {
 using Value = std::optional<double>;
 constexpr bool kOverChosen = false, kOverAll = true;  // bodies
 
+// A value over no body would read 0 and stand for bodies that nothing judged.
+Value at_end(const Metrics& m, double value) { return m.bodies_at_end > 0 ? Value(value) : std::nullopt; }
+Value of_start(const Metrics& m, double value) { return m.of_start_at_end > 0 ? Value(value) : std::nullopt; }
+
+constexpr const char* kNoBody = "no body at the end";
+constexpr const char* kNoneOfStart = "no body of the start";
+
 constexpr MetricRow kMetrics[] = {
-    {"lateral_max", "lateral error, largest", "m", "symmetry", "",
-     [](const Metrics& m) -> Value { return m.symmetry.lateral_max; }, kOverChosen, 0},
-    {"lateral_rms", "lateral error, rms", "m", "symmetry", "",
-     [](const Metrics& m) -> Value { return m.symmetry.lateral_rms; }, kOverChosen, 0},
-    {"column_spread", "column spread", "m", "symmetry", "no grid",
+    {"lateral_max", "lateral error, largest", "m", "symmetry", kNoneOfStart,
+     [](const Metrics& m) { return of_start(m, m.symmetry.lateral_max); }, kOverChosen, 0},
+    {"lateral_rms", "lateral error, rms", "m", "symmetry", kNoneOfStart,
+     [](const Metrics& m) { return of_start(m, m.symmetry.lateral_rms); }, kOverChosen, 0},
+    {"column_spread", "column spread", "m", "symmetry", "no body of a grid",
      [](const Metrics& m) { return m.symmetry.column_spread; }},
     {"mirror_error", "mirror error", "m", "symmetry", "no mirrored pair",
      [](const Metrics& m) { return m.symmetry.mirror_error; }, kOverAll},
@@ -42,31 +49,32 @@ constexpr MetricRow kMetrics[] = {
     {"spin_energy_gain", "rotational energy, gain", "", "energy", "no spin",
      [](const Metrics& m) { return m.energy.spin_energy_gain; }},
 
-    {"drift_max", "drift, largest", "m", "stacking", "", [](const Metrics& m) -> Value { return m.stacking.drift_max; },
-     kOverChosen, 0},
-    {"tilt_max", "tilt, largest", "degrees", "stacking", "",
-     [](const Metrics& m) -> Value { return m.stacking.tilt_max; }, kOverChosen, 0, 180},
-    {"top_drop_max", "drop, largest", "m", "stacking", "",
-     [](const Metrics& m) -> Value { return m.stacking.top_drop_max; }, kOverChosen, 0},
+    {"drift_max", "drift, largest", "m", "stacking", kNoneOfStart,
+     [](const Metrics& m) { return of_start(m, m.stacking.drift_max); }, kOverChosen, 0},
+    {"tilt_max", "tilt, largest", "degrees", "stacking", kNoneOfStart,
+     [](const Metrics& m) { return of_start(m, m.stacking.tilt_max); }, kOverChosen, 0, 180},
+    {"top_drop_max", "drop, largest", "m", "stacking", kNoneOfStart,
+     [](const Metrics& m) { return of_start(m, m.stacking.top_drop_max); }, kOverChosen, 0},
     {"lost", "bodies lost", "bodies", "stacking", "",
      [](const Metrics& m) -> Value { return static_cast<double>(m.stacking.lost); }, kOverChosen, 0},
-    {"overlap_max", "deepest overlap at the end", "m", "stacking", "",
-     [](const Metrics& m) -> Value { return m.stacking.overlap_max; }, kOverAll, 0},
+    {"overlap_max", "deepest overlap at the end", "m", "stacking", kNoBody,
+     [](const Metrics& m) { return at_end(m, m.stacking.overlap_max); }, kOverAll, 0},
     {"overlap_peak", "deepest overlap", "m", "stacking", "",
      [](const Metrics& m) -> Value { return m.stacking.overlap_peak; }, kOverAll, 0},
-    {"ground_penetration_max", "in the ground at the end", "m", "stacking", "",
-     [](const Metrics& m) -> Value { return m.stacking.ground_penetration_max; }, kOverChosen, 0},
+    {"ground_penetration_max", "in the ground at the end", "m", "stacking", kNoBody,
+     [](const Metrics& m) { return at_end(m, m.stacking.ground_penetration_max); }, kOverChosen, 0},
     {"ground_penetration_peak", "deepest in the ground", "m", "stacking", "",
      [](const Metrics& m) -> Value { return m.stacking.ground_penetration_peak; }, kOverChosen, 0},
-    {"kinetic_end", "kinetic energy left", "J", "stacking", "",
-     [](const Metrics& m) -> Value { return m.stacking.kinetic_end(); }, kOverChosen, 0},
-    {"kinetic_linear_end", "  linear", "J", "stacking", "",
-     [](const Metrics& m) -> Value { return m.stacking.kinetic_linear_end; }, kOverChosen, 0},
-    {"kinetic_rotational_end", "  rotational", "J", "stacking", "",
-     [](const Metrics& m) -> Value { return m.stacking.kinetic_rotational_end; }, kOverChosen, 0},
-    {"frozen_fraction", "frozen at the end, fraction", "", "stacking", "",
-     [](const Metrics& m) -> Value { return m.stacking.frozen_fraction; }, kOverChosen, 0, 1},
-    {"rest_time", "at rest from", "s", "stacking", "never", [](const Metrics& m) { return m.stacking.rest_time; }},
+    {"kinetic_end", "kinetic energy left", "J", "stacking", kNoBody,
+     [](const Metrics& m) { return at_end(m, m.stacking.kinetic_end()); }, kOverChosen, 0},
+    {"kinetic_linear_end", "  linear", "J", "stacking", kNoBody,
+     [](const Metrics& m) { return at_end(m, m.stacking.kinetic_linear_end); }, kOverChosen, 0},
+    {"kinetic_rotational_end", "  rotational", "J", "stacking", kNoBody,
+     [](const Metrics& m) { return at_end(m, m.stacking.kinetic_rotational_end); }, kOverChosen, 0},
+    {"frozen_fraction", "frozen at the end, fraction", "", "stacking", kNoBody,
+     [](const Metrics& m) { return at_end(m, m.stacking.frozen_fraction); }, kOverChosen, 0, 1},
+    {"rest_time", "at rest from", "s", "stacking", "never",
+     [](const Metrics& m) { return m.bodies_at_end > 0 ? m.stacking.rest_time : std::nullopt; }},
 };
 
 }  // namespace

@@ -19,7 +19,7 @@ struct MetricRow {
   const char* label;    ///< for people
   const char* unit;     ///< "m", "J", "s", "degrees", "bodies", "bounces"; "" for ratios
   const char* group;    ///< "symmetry", "energy", "stacking"
-  const char* nothing;  ///< shown to people in place of a missing value
+  const char* nothing;  ///< shown to people in place of a missing value; "" for a metric that always has one
   std::optional<double> (*counted)(const Metrics& metrics);  ///< over the bodies that are finite
   bool over_all = false;                                     ///< over all bodies of the world, chosen or not
   double low = -std::numeric_limits<double>::infinity();     ///< the least value that there can be
@@ -36,8 +36,6 @@ struct MetricRow {
   }
 
   [[nodiscard]] bool is_length() const { return unit == std::string_view("m"); }
-  /// Whether a session may have no value, which is within no bound.
-  [[nodiscard]] bool is_optional() const { return *nothing != '\0'; }
   /// Whether the metric is a count, written without a decimal point.
   [[nodiscard]] bool counts() const {
     return unit == std::string_view("bodies") || unit == std::string_view("bounces");

@@ -263,6 +263,16 @@ TEST(BisectCommand, SaysWhatIsWrongWithItsArguments) {
   EXPECT_NE(same.err.find("the same answer for both ends"), std::string::npos) << same.err;
 }
 
+TEST(BisectCommand, ABoundThatJudgesNoStepOrNoBodyCannotBeAsked) {
+  const Workshop shop;
+  const History history(shop, {.commits = 4, .fault = 3, .broken = {}});
+  const Outcome none = history.bisect({"session.tumble", "--metric", "drift_max<=0", "--from-step", "20"});
+  EXPECT_EQ(none.exit, 4) << none.out;
+  EXPECT_NE(none.err.find("no step to judge"), std::string::npos) << none.err;
+  const Outcome spread = history.bisect({"session.tumble", "--metric", "column_spread<=0"});
+  EXPECT_NE(spread.err.find("column_spread is no value: no body of a grid"), std::string::npos) << spread.err;
+}
+
 TEST(BisectCommand, NarrowsTwoLogs) {
   const Workshop shop;
   shop.record_small("a");

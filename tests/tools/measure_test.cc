@@ -49,6 +49,43 @@ TEST(Program, MeasuresSomeBodiesFromAStepOn) {
   EXPECT_EQ(shop.run({"measure", "s.tumble", "--axis", "z"}).exit, 2);
 }
 
+TEST(Program, ABoundOverBodiesThatAreNotInTheStartHasNoValueToHoldFor) {
+  const Workshop shop;
+  shop.record_small("s");
+  const ordered_json thrown =
+      parsed(shop.run({"measure", "s.tumble", "--json", "--bodies", "input", "--series", "t.csv"}));
+  EXPECT_GT(thrown["stacking"]["kinetic_end"], 0.0) << "the thrown body itself is there";
+  EXPECT_EQ(thrown["stacking"]["frozen_fraction"], 0.0);
+  for (const char* bound : {"lateral_max<=0", "lateral_rms<=0", "drift_max<=0", "tilt_max<=0", "top_drop_max<=0"}) {
+    const Outcome outcome = shop.run({"measure", "s.tumble", "--bodies", "input", "--require", bound});
+    EXPECT_EQ(outcome.exit, 1) << bound;
+    EXPECT_NE(outcome.err.find("found no value: no body of the start"), std::string::npos) << outcome.err;
+    const std::string name(bound, std::string_view(bound).find('<'));
+    EXPECT_TRUE(thrown[name.starts_with("lateral") ? "symmetry" : "stacking"][name].is_null()) << name;
+  }
+  const std::string rows = shop.read("t.csv");
+  EXPECT_NE(rows.find(",,,,,,0,"), std::string::npos) << "lateral_max to top_drop_max are empty\n" << rows;
+}
+
+TEST(Program, AMetricAtTheEndHasNoValueOnceItsBodiesAreRemoved) {
+  const Workshop shop;
+  shop.write("r.toml",
+             "[world]\nsteps = 20\n[[box]]\nposition = [0.0, 0.0, 0.5]\n[[box]]\nposition = [4.0, 0.0, 3.0]\n"
+             "[[input]]\nstep = 9\nkind = \"remove\"\nbody = 2\n");
+  ASSERT_EQ(shop.run({"record", "r.toml", "-o", "r.tumble", "--quiet"}).exit, 0);
+  const ordered_json gone = parsed(shop.run({"measure", "r.tumble", "--json", "--bodies", "2"}))["stacking"];
+  for (const char* name :
+       {"drift_max", "tilt_max", "top_drop_max", "overlap_max", "ground_penetration_max", "kinetic_end",
+        "kinetic_linear_end", "kinetic_rotational_end", "frozen_fraction", "rest_time"}) {
+    EXPECT_TRUE(gone[name].is_null()) << name << ' ' << gone[name];
+  }
+  EXPECT_EQ(gone["lost"], 0);
+  EXPECT_EQ(shop.run({"measure", "r.tumble", "--require", "top_drop_max<=0.01"}).exit, 0) << "body 1 is left";
+  const Outcome outcome = shop.run({"measure", "r.tumble", "--bodies", "2", "--require", "kinetic_end<=0"});
+  EXPECT_EQ(outcome.exit, 1);
+  EXPECT_NE(outcome.err.find("found no value: no body at the end"), std::string::npos) << outcome.err;
+}
+
 TEST(Program, MeasureDrawsPlots) {
   const Workshop shop;
   shop.record_small("s");

@@ -106,6 +106,84 @@ TEST(SameCommand, ADifferenceHasACauseAnEffectAndTheFilesNames) {
   })) << rows.dump();
 }
 
+/// Two logs, torn.tumble without its last bytes and flipped.tumble with a changed footer.
+void damage_two(const Workshop& shop) {
+  shop.record_small("s");
+  std::string bytes = shop.read("s.tumble");
+  shop.write("torn.tumble", bytes.substr(0, bytes.size() - 60));
+  bytes[bytes.size() - 30] = static_cast<char>(bytes[bytes.size() - 30] ^ 1);
+  shop.write("flipped.tumble", bytes);
+  shop.write("two.tumble", shop.read("s.tumble") + shop.read("s.tumble"));
+}
+
+TEST(SameCommand, PartsOfADamagedLogAreNoPartOfTheAnswer) {
+  const Workshop shop;
+  damage_two(shop);
+  for (const std::string name : {"torn.tumble", "flipped.tumble", "two.tumble"}) {
+    for (const char* command : {"diff", "bisect"}) {
+      const Outcome outcome = shop.run({command, name, name, "--json"});
+      EXPECT_EQ(outcome.exit, 3) << command << ' ' << name;
+      const ordered_json json = ordered_json::parse(outcome.out);
+      EXPECT_EQ(json["read"], "the intact part of both logs") << name;
+      ASSERT_EQ(json["notes"].size(), 1U) << json["notes"];
+      EXPECT_NE(json["notes"][0].get<std::string>().find(name + " is not whole: "), std::string::npos) << json["notes"];
+      EXPECT_NE(json["not_compared"].dump().find("of " + name + ": "), std::string::npos) << json["not_compared"];
+    }
+    const Outcome text = shop.run({"diff", name, "s.tumble"});
+    EXPECT_TRUE(says(text, "  not compared")) << text.out;
+    EXPECT_TRUE(says(text, "of " + name + ": ")) << text.out;
+    const ordered_json replayed = ordered_json::parse(shop.run({"replay", name, "--json"}).out);
+    EXPECT_NE(replayed["not_compared"].dump().find("of " + name + ": "), std::string::npos) << replayed;
+  }
+}
+
+TEST(SameCommand, NothingGoesOnOrIsBlessedFromADamagedLogUnsaid) {
+  const Workshop shop;
+  damage_two(shop);
+  for (const std::string name : {"torn.tumble", "flipped.tumble"}) {
+    const Outcome on = shop.run({"record", "--from", name + ":10", "-o", "y.tumble", "--steps", "3"});
+    EXPECT_EQ(on.exit, 3) << name << on.err;
+    EXPECT_NE(on.err.find("'tumble recover' saves the intact part"), std::string::npos) << on.err;
+    shop.write("s/cases/README", "a suite\n");
+    const Outcome bless = shop.run({"bless", "one", "--from", name, "--suite", "s", "--reason", "r", "--dry-run"});
+    EXPECT_EQ(bless.exit, 3) << name << bless.err;
+    EXPECT_NE(bless.err.find("wanted a whole log"), std::string::npos) << bless.err;
+  }
+}
+
+TEST(SameCommand, StepsThatNoLogHoldsAreNotCounted) {
+  const Workshop shop;
+  shop.record_small("s", {"--steps", "900"});
+  std::string bytes = shop.read("s.tumble");
+  char& changed = bytes[bytes.size() / 10 * 9];
+  changed = static_cast<char>(changed ^ 1);
+  shop.write("hurt.tumble", bytes);
+  ASSERT_EQ(shop.run({"recover", "hurt.tumble", "-o", "r.tumble"}).exit, 3);
+  const ordered_json json = ordered_json::parse(shop.run({"diff", "r.tumble", "r.tumble", "--json"}).out);
+  ASSERT_LT(json["steps"], 900) << json;
+  const std::string lost = std::to_string(900 - json["steps"].get<int>()) + " of 900 steps, lost from r.tumble: steps ";
+  const std::string left_out = json["not_compared"].dump();
+  EXPECT_NE(left_out.find(lost), std::string::npos) << left_out;
+  EXPECT_EQ(left_out.find(lost), left_out.rfind(lost)) << "once per log";
+  const Outcome measured = shop.run({"measure", "r.tumble"});
+  EXPECT_EQ(measured.exit, 3);
+  EXPECT_TRUE(says(measured, "note: measured up to step ")) << measured.out;
+  EXPECT_TRUE(says(measured, "r.tumble is not whole: ")) << measured.out;
+}
+
+TEST(SameCommand, EqualStepsOfUnequalParametersSaySo) {
+  const Workshop shop;
+  shop.write("q.toml", "[world]\nsteps = 3\n[[box]]\nposition = [0.0, 0.0, 9.0]\n");
+  ASSERT_EQ(shop.run({"record", "q.toml", "-o", "a.tumble", "--quiet"}).exit, 0);
+  ASSERT_EQ(shop.run({"record", "q.toml", "-o", "b.tumble", "--quiet", "--set", "world.freeze_energy=0.5"}).exit, 0);
+  const Outcome outcome = shop.run({"diff", "a.tumble", "b.tumble"});
+  EXPECT_EQ(outcome.exit, 0) << outcome.out;
+  EXPECT_TRUE(says(outcome, "though the headers differ in 1 value that a step depends on")) << outcome.out;
+  const Outcome loose = shop.run({"diff", "a.tumble", "a.tumble", "--tolerance", "position=1e-9", "--json"});
+  const std::string compared = ordered_json::parse(loose.out)["compared"].dump();
+  EXPECT_EQ(compared.find("state hashes"), std::string::npos) << compared;
+}
+
 constexpr const char* kTable = R"(# engine: toy
 # dt: 0.1
 # up: UP
@@ -131,6 +209,14 @@ TEST(SameCommand, NothingIsSaidOfContactsThatAnotherEngineDoesNotRecord) {
   }
   const ordered_json json = ordered_json::parse(shop.run({"diff", "a.tumble", "b.tumble", "--json"}).out);
   EXPECT_TRUE(json["narrowed"]["this_build_follows"].is_null());
+}
+
+TEST(SameCommand, AFiniteSeparationIsANumberHoweverLarge) {
+  const Workshop shop;
+  import_rows(shop, "a", "z", "0,1,0,0,1,1,0,0,0,0,0,0,0,0,0\n1,1,0,0,1,1,0,0,0,0,0,0,0,0,0\n");
+  import_rows(shop, "b", "z", "0,1,0,0,1,1,0,0,0,0,0,0,0,0,0\n1,1,1e308,0,1,1,0,0,0,0,0,0,0,0,0\n");
+  const ordered_json json = ordered_json::parse(shop.run({"diff", "a.tumble", "b.tumble", "--json"}).out);
+  EXPECT_EQ(json["aftermath"]["largest"]["gap"], 1e308) << json["aftermath"];
 }
 
 TEST(SameCommand, AnotherAxisThatPointsUpIsNoDifference) {

@@ -243,15 +243,14 @@ Result<Answer> Asker::ask_session(const std::string& commit) {
   }
   const Result<replay::Metrics> metrics = replay::measure_log(*log, settings_.measure);
   if (!metrics.ok()) return skipped(metrics.error().message);
-  const replay::MetricRow& row = *settings_.metric->metric;
+  if (Status ok = replay::check_measured(*metrics); !ok.ok()) return skipped(ok.error().message);
+  const replay::MetricBound& bound = *settings_.metric;
+  const replay::EngineAxes axes = log->header().axes();
   Answer answer;
   answer.asked = true;
-  answer.metric = row.value_in(log->header().axes(), *metrics);
-  answer.yes = settings_.metric->holds(answer.metric);
-  answer.message = std::string(row.name) + " is " + (answer.metric ? exact(*answer.metric) : "none") +
-                   (*row.unit != '\0' && answer.metric ? ' ' + row.unit_in(log->header().axes()) : "");
-  if (const auto& lost = metrics->not_finite.chosen)
-    answer.message += ", within no bound: " + to_string(*lost, log->header().axes());
+  answer.metric = bound.metric->value_in(axes, *metrics);
+  answer.yes = bound.holds(answer.metric);
+  answer.message = std::string(bound.metric->name) + " is " + bound.found_text(axes, *metrics);
   return answer;
 }
 

@@ -66,7 +66,7 @@ Result<Exit> locate_in_logs(const BisectCommand& options) {
   };
   if (options.json) {
     Json json = comparison_json(report.identical(), report.steps, report.first);
-    json["read"] = "every byte of both logs";
+    json["read"] = read_of(*a, *b);
     add_scope(report.scope, json);
     json["notes"] = report.notes;
     json["cause"] = report.first ? Json(replay::cause_of(report, *report.first)) : Json(nullptr);
@@ -87,6 +87,7 @@ Result<Exit> locate_in_logs(const BisectCommand& options) {
   } else {
     std::cout << (report.identical() ? "identical: " : "different in length; identical: ")
               << count_text(report.steps, "step") << '\n';
+    if (const std::string though = report.though(); !though.empty()) std::cout << "  " << though << '\n';
     print_scope(report.scope);
   }
   return judge_both();

@@ -96,6 +96,7 @@ void print_text(const DiffCommand& options, const replay::DiffReport& report, bo
     std::cout << "different in length: the first ends with step " << report.last_a << ", the second with step "
               << report.last_b << "; the " << steps << " of both are the same\n";
   }
+  if (const std::string though = report.though(); !though.empty()) std::cout << "  " << though << '\n';
   if (!report.first) print_scope(report.scope);
 }
 
@@ -138,11 +139,11 @@ Json headers_json(const std::vector<replay::HeaderDifference>& headers) {
   return rows;
 }
 
-void print_result(const DiffCommand& options, const replay::DiffReport& report, const Difference& difference,
-                  bool exact_bits) {
+void print_result(const DiffCommand& options, const std::string& read, const replay::DiffReport& report,
+                  const Difference& difference, bool exact_bits) {
   if (options.json) {
     Json json = comparison_json(report.identical(), report.steps, first_of(report));
-    json["read"] = options.brief ? "hashes; payloads not read" : "every byte of both logs";
+    json["read"] = read;
     add_scope(report.scope, json);
     json["zeros_of_other_sign"] = report.zeros;
     json["notes"] = report.notes;
@@ -160,7 +161,7 @@ void print_result(const DiffCommand& options, const replay::DiffReport& report, 
   } else if (report.first) {
     std::cout << "cause   " << printable(replay::cause_of(report, *report.first)) << '\n';
     print_divergence(*report.first, sides);
-    if (options.brief) std::cout << "  read        hashes; payloads not read, so damage in them is not seen\n";
+    if (options.brief) std::cout << "  read        " << read << ", so damage in them is not seen\n";
   }
 }
 
@@ -190,7 +191,8 @@ Result<Exit> compare(const DiffCommand& options, replay::LogReader& a, replay::L
   }
   if (process::InterruptGuard::interrupted()) return cannot_finish("interrupted");
   name_by_table(a.header(), b.header(), *report, difference);
-  print_result(options, *report, difference, tolerances->exact());
+  const std::string read = options.brief ? "hashes; payloads not read" : read_of(a, b);
+  print_result(options, read, *report, difference, tolerances->exact());
   if (Status ok = draw(options, difference); !ok.ok()) return ok.error();
   return report->identical() ? Exit::kSame : Exit::kDifference;
 }
@@ -225,8 +227,10 @@ Action declare_diff(Arguments& arguments) {
       "also be a number of an input or a parameter (throw.velocity.y, dt, world.gravity). May be repeated");
   const Argument step =
       arguments
-          .whole("--step", "K", options->step, 0, sim::kStepsMax,
-                 "Show step K of both side by side, phase by phase, and the bodies that differ, in every bit")
+          .whole(
+              "--step", "K", options->step, 0, sim::kStepsMax,
+              "Show step K of both side by side, phase by phase, and the bodies that differ, in every bit. Reads the "
+              "chunks with this step, not the rest of the logs")
           .excludes(tolerance);
   const Argument plot =
       arguments
@@ -241,7 +245,9 @@ Action declare_diff(Arguments& arguments) {
   arguments.json(options->json);
   arguments.footer(
       "Exit status: 0 the same, 1 a difference, 3 a log is torn (the intact part is compared), damaged, or broken:\n"
-      "its states do not match its hashes. Both logs are read from end to end first, unless --brief is given.\n\n"
+      "its states do not match its hashes. Both logs are read from end to end first; --brief reads hashes, and --step "
+      "K\n"
+      "the chunks with step K.\n\n"
       "Examples:\n"
       "  tumble diff before.tumble after.tumble\n"
       "  tumble diff before.tumble after.tumble --step 120\n"

@@ -21,6 +21,7 @@
 #include "tools/output/plot.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
+#include "tumble/replay/comparison_scope.h"
 #include "tumble/replay/log_reader.h"
 
 namespace tumble::tools {
@@ -51,12 +52,8 @@ Exit judge_bounds(const std::vector<replay::MetricBound>& bounds, const replay::
                   const replay::Metrics& metrics) {
   Exit verdict = Exit::kSame;
   for (const replay::MetricBound& bound : bounds) {
-    const std::optional<double> value = bound.metric->value_in(axes, metrics);
-    if (bound.holds(value)) continue;
-    const std::string unit = bound.metric->unit_in(axes);
-    std::string found = value ? exact(*value) + (unit.empty() ? "" : " ") + unit : "no value";
-    if (const auto& lost = bound.metric->spoiled_by(metrics)) found = "no number: " + to_string(*lost, axes);
-    std::cerr << "tumble measure: " << bound.text << ": found " << found << '\n';
+    if (bound.holds(bound.metric->value_in(axes, metrics))) continue;
+    std::cerr << "tumble measure: " << bound.text << ": found " << bound.found_text(axes, metrics) << '\n';
     verdict = Exit::kDifference;
   }
   return verdict;
@@ -67,6 +64,17 @@ void warn_of_lost_bodies(const MeasureCommand& options, const replay::EngineAxes
   if (!metrics.not_finite.any) return;
   std::cerr << "tumble measure: " << options.log << ": " << to_string(*metrics.not_finite.any, axes)
             << "; no metric over this body holds for any bound\n";
+}
+
+/// The parts of a log that no metric speaks of.
+std::vector<std::string> notes_of(const replay::LogReader& log, const replay::Metrics& metrics) {
+  std::vector<std::string> notes;
+  if (std::string note = replay::not_whole(log); !note.empty()) notes.push_back(std::move(note));
+  if (metrics.steps < log.last_step()) {
+    notes.push_back("measured up to step " + std::to_string(metrics.steps) + " of " + std::to_string(log.last_step()) +
+                    ": the steps behind the lost ones are not measured");
+  }
+  return notes;
 }
 
 Status check_outputs(const MeasureCommand& options) {
@@ -150,9 +158,13 @@ Result<Exit> measure(const MeasureCommand& options) {
   if (pair) {
     if (Status ok = compare_pair(*log, *pair, *metrics); !ok.ok()) return ok.error();
   }
+  const std::vector<std::string> notes = notes_of(*log, *metrics);
   if (options.json) {
-    print_json(metrics_json(options.log, axes, *metrics));
+    Json json = metrics_json(options.log, axes, *metrics);
+    json["notes"] = notes;
+    print_json(json);
   } else {
+    for (const std::string& note : notes) std::cout << "note: " << printable(note) << '\n';
     print_metrics(options.log, axes, *metrics);
   }
   warn_of_lost_bodies(options, axes, *metrics);

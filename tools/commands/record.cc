@@ -203,8 +203,9 @@ Result<Place> parse_place(const std::string& text) {
   return bad_input("--from: found " + in_quotes(text) + ", wanted LOG:STEP, as in brick_wall.tumble:120");
 }
 
-// Starts a session that continues from a state of another one.
-Started start_from_log(const RecordCommand& options, const replay::StatesMode& states, std::string& path) {
+// Starts a session that continues from a state of another one, and tells whether that log is whole.
+Started start_from_log(const RecordCommand& options, const replay::StatesMode& states, std::string& path,
+                       Exit& verdict) {
   const Result<Place> place = parse_place(options.from);
   if (!place.ok()) return place.error();
   if (path.empty()) {
@@ -215,12 +216,11 @@ Started start_from_log(const RecordCommand& options, const replay::StatesMode& s
   if (Status ok = guard.claim("-o", path); !ok.ok()) return ok.error();
   Result<replay::LogReader> log = open_log(place->log);
   if (!log.ok()) return log.error();
-  replay::GoOnOptions how;
-  how.states = states;
-  how.keep_inputs = !options.no_inputs;
-  how.steps = options.steps;
-  how.seconds = options.seconds;
-  return replay::Recorder::go_on(path, *log, place->step, how);
+  const replay::GoOnOptions how = {
+      .states = states, .steps = options.steps, .seconds = options.seconds, .keep_inputs = !options.no_inputs};
+  Started started = replay::Recorder::go_on(path, *log, place->step, how);
+  if (started.ok()) verdict = judge("record", *log, verdict);
+  return started;
 }
 
 Result<Exit> record(const RecordCommand& options) {
@@ -231,8 +231,9 @@ Result<Exit> record(const RecordCommand& options) {
   const Result<replay::StatesMode> states = replay::parse_states_mode(options.states);
   if (!states.ok()) return bad_input("--" + states.error().message);
   std::string path = options.log;
+  Exit verdict = Exit::kSame;
   const Started recorder =
-      options.from.empty() ? start_scene(options, *states, path) : start_from_log(options, *states, path);
+      options.from.empty() ? start_scene(options, *states, path) : start_from_log(options, *states, path, verdict);
   if (!recorder.ok()) return recorder.error();
   std::vector<std::string> warnings;
   if (options.from.empty()) warnings = replay::start_warnings((*recorder)->world().state());
@@ -248,7 +249,7 @@ Result<Exit> record(const RecordCommand& options) {
   } else if (!options.quiet) {
     print_text(path, (*recorder)->scene(), *session);
   }
-  return Exit::kSame;
+  return verdict;
 }
 
 }  // namespace

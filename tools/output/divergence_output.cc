@@ -94,6 +94,11 @@ void print_divergence(const replay::Divergence& first, const Sides& sides) {
   listing.print();
 }
 
+std::string read_of(const replay::LogReader& a, const replay::LogReader& b) {
+  const bool sound = a.condition().sound() && b.condition().sound();
+  return sound ? "every byte of both logs" : "the intact part of both logs";
+}
+
 void print_scope(const replay::ComparisonScope& scope) {
   std::string compared;
   for (const std::string& part : scope.compared) compared += (compared.empty() ? "" : ", ") + part;

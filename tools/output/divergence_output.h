@@ -7,6 +7,7 @@
 #include "tools/output/text.h"
 #include "tumble/replay/comparison_scope.h"
 #include "tumble/replay/divergence.h"
+#include "tumble/replay/log_reader.h"
 
 namespace tumble::tools {
 
@@ -33,6 +34,8 @@ Sides sides_of(const std::string& a, const std::string& b);
 /// Prints the first difference for people, in a few aligned lines.
 void print_divergence(const replay::Divergence& first, const Sides& sides);
 
+/// The bytes that a comparison of two logs from end to end has read.
+std::string read_of(const replay::LogReader& a, const replay::LogReader& b);
 /// Prints what an answer speaks of and what it does not.
 void print_scope(const replay::ComparisonScope& scope);
 /// Adds "compared" and "not_compared", lists of texts.

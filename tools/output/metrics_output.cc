@@ -91,14 +91,16 @@ Status SeriesFile::open(const std::string& path) {
 void SeriesFile::add(const replay::SeriesRow& row) {
   const replay::StateMeasures& state = row.state;
   std::string line = std::to_string(row.step);
-  for (const double value : {row.time, row.kinetic, row.potential, row.inputs, row.removed, row.gain, state.lateral_max,
-                             state.lateral_rms}) {
+  const auto add_over = [&line](std::size_t bodies, double value) { line += ',' + (bodies > 0 ? exact(value) : ""); };
+  for (const double value : {row.time, row.kinetic, row.potential, row.inputs, row.removed, row.gain}) {
     line += ',' + exact(value);
   }
+  for (const double value : {state.lateral_max, state.lateral_rms}) add_over(state.of_start, value);
   line += ',' + (state.column_spread ? exact(*state.column_spread) : "");
-  for (const double value : {state.drift_max, state.tilt_max, state.top_drop_max}) line += ',' + exact(value);
-  line += ',' + std::to_string(row.lost) + ',' + exact(state.ground_penetration_max) + ',' +
-          exact(state.frozen_fraction) + '\n';
+  for (const double value : {state.drift_max, state.tilt_max, state.top_drop_max}) add_over(state.of_start, value);
+  line += ',' + std::to_string(row.lost);
+  for (const double value : {state.ground_penetration_max, state.frozen_fraction}) add_over(state.bodies, value);
+  line += '\n';
   if (written_.ok()) written_ = file_->write(line);
 }
 
