@@ -21,8 +21,8 @@ TEST(Program, MeasureKeepsItsContract) {
   shop.record_small("s");
   const ordered_json json = parsed(shop.run({"measure", "s.tumble", "--json", "--series", "s.csv"}));
   using Keys = std::vector<std::string>;
-  EXPECT_EQ(keys_of(json),
-            (Keys{"log", "bodies", "steps", "symmetry", "energy", "stacking", "final_hash", "axes", "not_finite"}));
+  EXPECT_EQ(keys_of(json), (Keys{"log", "bodies", "steps", "symmetry", "energy", "stacking", "final_hash", "axes",
+                                 "not_finite", "notes"}));
   std::map<std::string, Keys> wanted;
   for (const replay::MetricRow& metric : replay::metric_list()) wanted[metric.group].emplace_back(metric.name);
   for (const auto& [group, keys] : wanted) EXPECT_EQ(keys_of(json[group]), keys);
@@ -71,7 +71,7 @@ TEST(Program, AMetricAtTheEndHasNoValueOnceItsBodiesAreRemoved) {
   const Workshop shop;
   shop.write("r.toml",
              "[world]\nsteps = 20\n[[box]]\nposition = [0.0, 0.0, 0.5]\n[[box]]\nposition = [4.0, 0.0, 3.0]\n"
-             "[[input]]\nstep = 9\nkind = \"remove\"\nbody = 2\n");
+             "[[input]]\nstep = 9\nkind = \"remove\"\nid = 2\n");
   ASSERT_EQ(shop.run({"record", "r.toml", "-o", "r.tumble", "--quiet"}).exit, 0);
   const ordered_json gone = parsed(shop.run({"measure", "r.tumble", "--json", "--bodies", "2"}))["stacking"];
   for (const char* name :
