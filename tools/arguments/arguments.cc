@@ -97,10 +97,8 @@ Argument Arguments::positional(const std::string& name, std::string& target, con
 }
 
 Argument Arguments::positionals(const std::string& name, std::vector<std::string>& target,
-                                const std::string& description, std::optional<int> most) {
-  CLI::Option* option = app_->add_option(name, target, description)->type_name("");
-  if (most) option->expected(0, *most);
-  return Argument(option);
+                                const std::string& description) {
+  return Argument(app_->add_option(name, target, description)->type_name(""));
 }
 
 Argument Arguments::option(const std::string& names, const std::string& sign, std::string& target,

@@ -47,9 +47,8 @@ class Arguments {
 
   Argument positional(const std::string& name, std::string& target, const std::string& description);
 
-  /// Takes every further word of the command line, at most `most` of them.
-  Argument positionals(const std::string& name, std::vector<std::string>& target, const std::string& description,
-                       std::optional<int> most = {});
+  /// Takes every further word of the command line.
+  Argument positionals(const std::string& name, std::vector<std::string>& target, const std::string& description);
 
   /// names: "--size", or "-o,--output"
   Argument option(const std::string& names, const std::string& sign, std::string& target,

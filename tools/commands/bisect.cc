@@ -101,10 +101,15 @@ std::string absolute(const std::string& path) {
 }
 
 Status check_arguments(const BisectCommand& options) {
+  if (options.good.empty() && options.logs.size() > 2) {
+    return bad_input("wanted two logs to compare, found " + std::to_string(options.logs.size()));
+  }
   if (options.good.empty() || options.bad.empty()) {
     return bad_input("wanted two logs, or --good REV and --bad REV\n'tumble bisect --help' explains the arguments.");
   }
-  if (options.logs.size() > 1) return bad_input("wanted one log with --good and --bad, found two");
+  if (options.logs.size() > 1) {
+    return bad_input("wanted one log with --good and --bad, found " + std::to_string(options.logs.size()));
+  }
   if (options.logs.empty() == options.case_name.empty()) {
     return bad_input("wanted LOG, the session to ask about, or --case NAME in its place");
   }
@@ -233,7 +238,7 @@ void declare_building(Arguments& arguments, BisectCommand& options) {
 
 Action declare_bisect(Arguments& arguments) {
   auto options = std::make_shared<BisectCommand>();
-  arguments.positionals("LOG", options->logs, "Two logs; or, with --good and --bad, the session to ask about", 2);
+  arguments.positionals("LOG", options->logs, "Two logs; or, with --good and --bad, the session to ask about");
   const Argument good = arguments.option("--good", "REV", options->good, "A good revision");
   const Argument bad = arguments.option("--bad", "REV", options->bad, "A later, bad revision");
   good.needs(bad);
