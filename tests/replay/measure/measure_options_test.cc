@@ -153,6 +153,8 @@ TEST(MetricList, EveryRowReadsItsOwnField) {
   m.stacking.kinetic_rotational_end = -1;
   m.stacking.frozen_fraction = peak + 3;
   m.stacking.rest_time = peak + 4;
+  EXPECT_EQ(find_metric("drift_max")->value(m), std::nullopt) << "over no body";
+  m.bodies_at_end = m.of_start_at_end = 1;
   double wanted = 1;
   for (const MetricRow& metric : metric_list()) {
     const std::string name = metric.name;
