@@ -10,6 +10,7 @@
 #include "golden/report/report_place.h"
 #include "golden/run/longest_first.h"
 #include "golden/run/run_case.h"
+#include "golden/suite/parse_rules.h"
 #include "golden/suite/temporary_folder.h"
 
 namespace tumble::golden {
@@ -28,7 +29,8 @@ CaseResult result_of(const CaseFolder& folder, const CheckOptions& options, cons
   result.problems.push_back(failure);
   result.bless_refused = failure;
   result.require = options.require.value_or(CaseRules().require);
-  result.reproduce = reproduce_command(folder, options.suite);
+  const Result<CaseRules> rules = read_rules(folder.file(kRulesFile));
+  if (rules.ok()) result.reproduce = reproduce_command(folder, options.suite, *rules);
   return result;
 }
 

@@ -44,7 +44,6 @@ class CaseRunner {
     result.name = folder.name;
     result.problems = folder_problems(folder);
     result.require = options.require.value_or(CaseRules().require);
-    result.reproduce = reproduce_command(folder, options.suite);
   }
 
   CaseRun run() {
@@ -93,11 +92,10 @@ class CaseRunner {
 
   bool read_rules() {
     if (!has(kRulesFile)) return false;
-    const Result<std::string> text = read_text(folder_.file(kRulesFile));
-    if (!text.ok()) return stop(text.error());
-    Result<CaseRules> rules = parse_rules(*text, folder_.file(kRulesFile).string());
+    Result<CaseRules> rules = golden::read_rules(folder_.file(kRulesFile));
     if (!rules.ok()) return stop(rules.error());
     run_.rules = *std::move(rules);
+    run_.result.reproduce = reproduce_command(folder_, options_.suite, run_.rules);
     if (!options_.require) run_.result.require = run_.rules.require;
     return true;
   }
@@ -250,13 +248,8 @@ class CaseRunner {
 
 }  // namespace
 
-std::string reproduce_command(const CaseFolder& folder, const fs::path& suite) {
-  const Result<std::string> text = read_text(folder.file(kRulesFile));
-  if (text.ok()) {
-    const Result<CaseRules> rules = parse_rules(*text, kRulesFile);
-    if (!rules.ok()) return "";  // its engine is not known
-    if (!rules->command.empty()) return engine_line(rules->command, suite, folder);
-  }
+std::string reproduce_command(const CaseFolder& folder, const fs::path& suite, const CaseRules& rules) {
+  if (!rules.command.empty()) return engine_line(rules.command, suite, folder);
   return "tumble record " + shell_quoted(folder.file(kSceneFile).string()) + " -o " +
          shell_quoted(folder.name + ".tumble");
 }

@@ -28,7 +28,7 @@ inline constexpr const char* kTrackFile = "expected_track.csv";
 /// becomes a problem of the result.
 CaseRun run_case(const CaseFolder& folder, const RunOptions& options);
 
-/// The command line that records a case's session, with its own engine; empty where its rules cannot be read.
-std::string reproduce_command(const CaseFolder& folder, const std::filesystem::path& suite);
+/// The command line that records a case's session, with its own engine.
+std::string reproduce_command(const CaseFolder& folder, const std::filesystem::path& suite, const CaseRules& rules);
 
 }  // namespace tumble::golden

@@ -174,6 +174,12 @@ Result<CaseRules> parse_rules(std::string_view text, std::string_view file_name)
   }
 }
 
+Result<CaseRules> read_rules(const std::filesystem::path& file) {
+  const Result<std::string> text = read_text(file);
+  if (!text.ok()) return text.error();
+  return parse_rules(*text, file.string());
+}
+
 Result<std::string> with_values(const std::string& text, const std::string& file_name, const CaseRules& rules,
                                 const std::vector<std::optional<double>>& values) {
   SIM_CHECK(values.size() == rules.metrics.size(), values.size(), rules.metrics.size());

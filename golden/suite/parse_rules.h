@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,6 +14,9 @@ namespace tumble::golden {
 
 /// Errors (kBadInput): "<file>:<line>:<column>: …" for anything unknown or out of range, as in scenes.
 Result<CaseRules> parse_rules(std::string_view text, std::string_view file_name);
+
+/// Reads and parses a file of rules. Errors: read_text's and parse_rules'.
+Result<CaseRules> read_rules(const std::filesystem::path& file);
 
 /// The text with other values; all else stays, comments included. values: one a metric, none for null.
 /// Errors (kBadInput): a layout that cannot be edited line by line.

@@ -45,7 +45,9 @@ TEST(ImportBodyColumns, ALaterRowRepeatsTheFirst) {
     EXPECT_EQ(result_of(table(name, {value, value + " ", "+" + value})), "no error") << name << ": equal values";
     for (const std::string wrong : {"abc", "", "nan(0x3ff0000000000000)", "1x"}) {
       const std::string error = result_of(table(name, {value, value, wrong}));
-      EXPECT_TRUE(says(error, "t.csv:5:5: " + name + ": found \"" + wrong + "\", wanted ")) << error;
+      const std::string wanted =
+          std::string("t.csv:5:5: ").append(name).append(": found \"").append(wrong) + "\", wanted ";
+      EXPECT_TRUE(says(error, wanted)) << error;
     }
     for (const std::string wrong : {"nan", "-5", "1", "inf"}) {
       const std::string error = result_of(table(name, {value, wrong, value}));
@@ -66,7 +68,7 @@ TEST(ImportBodyColumns, ALaterRowRepeatsTheFirst) {
 /// A table of one body with a column time. cells: "step,time" of each row.
 std::string timed(const std::vector<std::string>& cells, const std::string& header) {
   std::string text = header + "step,time,id," + kState + "\n";
-  for (const std::string& cell : cells) text += cell + ",4" + kRest;
+  for (const std::string& cell : cells) text.append(cell).append(",4").append(kRest);
   return text;
 }
 
@@ -130,11 +132,12 @@ TEST(ImportBodyColumns, AKeyBelowTheNamesIsAnError) {
 }
 
 TEST(ImportBodyColumns, ANumberInBracketsHasTheBitsOfItsWord) {
+  const std::string before = "# dt: 0.1\nstep,id," + kState + "\n0,4";
   for (const char* wrong : {"nan(0x3ff0000000000000)", "nan(0x7ff0000000000000)", "inf(0x7ff8000000000000)", "nan(x)",
                             "nan()", "nan(0x7ff8)", "-nan(0x7ff8000000000000)", "nan(snan)"}) {
     EXPECT_FALSE(parse_exact(wrong)) << wrong;
     const std::string rest = std::string(",") + wrong + kRest.substr(2);
-    const std::string error = result_of("# dt: 0.1\nstep,id," + kState + "\n0,4" + rest);
+    const std::string error = result_of(before + rest);
     EXPECT_TRUE(says(error, "t.csv:3:5: position.x: found \"" + std::string(wrong))) << error;
   }
   EXPECT_TRUE(parse_exact("-nan(ind)")) << "as Windows prints the NaN of 0 / 0";

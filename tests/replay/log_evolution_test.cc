@@ -162,9 +162,9 @@ TEST(OlderLogs, KeyframesWithOtherHashesAreDifferentThoughNoPropertyIs) {
   ASSERT_TRUE(keyframe.ok() && (*keyframe)->state.step == 4);
   const auto wanted = std::as_bytes(std::span(&(*keyframe)->continuation_hash.low, 1));
   Bytes open = fuzz::laid_open(log);
-  const auto found = std::ranges::search(open, wanted);
-  ASSERT_FALSE(found.empty());
-  found.front() ^= std::byte{1};
+  const auto found = std::search(open.begin(), open.end(), wanted.begin(), wanted.end());
+  ASSERT_NE(found, open.end());
+  *found ^= std::byte{1};
   Result<LogReader> b = open_memory(fuzz::mended(open));
   ASSERT_TRUE(b.ok()) << b.error().message;
   const Result<DiffReport> report = diff_logs(*a, *b);

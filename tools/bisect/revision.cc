@@ -199,22 +199,28 @@ std::vector<std::string> Asker::record_words(const std::string& session) const {
 }
 
 /// The case's own command where it has one: a session of another engine is not that of our physics.
-std::vector<std::string> Asker::case_words(const std::string& session) const {
+Result<std::vector<std::string>> Asker::case_words(const std::string& session) const {
   const std::string folder = suite() + "/cases/" + settings_.case_name + '/';
   const std::string scene = folder + golden::kSceneFile, rules_file = folder + golden::kRulesFile;
-  const Result<std::string> text = golden::read_text(rules_file);
-  const Result<golden::CaseRules> rules =
-      text.ok() ? golden::parse_rules(*text, rules_file) : Result<golden::CaseRules>(text.error());
-  if (!rules.ok() || rules->command.empty()) return {program(), "record", "--quiet", "-o", session, scene};
-  return {"sh", "-c",
-          "cd " + golden::shell_quoted(suite()) + " && " + golden::engine_command(rules->command, scene, session)};
+  const Result<golden::CaseRules> rules = golden::read_rules(rules_file);
+  if (!rules.ok()) return rules.error();
+  if (rules->command.empty()) return std::vector<std::string>{program(), "record", "--quiet", "-o", session, scene};
+  return std::vector<std::string>{
+      "sh", "-c",
+      "cd " + golden::shell_quoted(suite()) + " && " + golden::engine_command(rules->command, scene, session)};
 }
 
 Result<bool> Asker::record(const std::string& commit, std::string& why) {
   std::error_code error;
   const std::string session = place_.session(commit);
   fs::remove(session, error);
-  Result<bool> recorded = run(settings_.case_name.empty() ? record_words(session) : case_words(session), "record", why);
+  const Result<std::vector<std::string>> words =
+      settings_.case_name.empty() ? Result(record_words(session)) : case_words(session);
+  if (!words.ok()) {
+    why = words.error().message;
+    return false;
+  }
+  Result<bool> recorded = run(*words, "record", why);
   if (!recorded.ok() || !*recorded) fs::remove(session, error);
   return recorded;
 }

@@ -45,7 +45,7 @@ class Asker {
   [[nodiscard]] std::string program() const;
   [[nodiscard]] std::string suite() const;
   [[nodiscard]] std::vector<std::string> record_words(const std::string& session) const;
-  [[nodiscard]] std::vector<std::string> case_words(const std::string& session) const;
+  [[nodiscard]] Result<std::vector<std::string>> case_words(const std::string& session) const;
   /// Records the session; false: the revision cannot.
   [[nodiscard]] Result<bool> record(const std::string& commit, std::string& why);
   [[nodiscard]] Result<Answer> ask_replay();

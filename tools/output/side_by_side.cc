@@ -1,7 +1,6 @@
 #include "tools/output/side_by_side.h"
 
 #include <algorithm>
-#include <bit>
 #include <cstdint>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -12,6 +11,7 @@
 
 #include "replay/diff/input_difference.h"
 #include "replay/diff/step_contacts.h"
+#include "replay/format/little_endian.h"
 #include "replay/session/state_source.h"
 #include "tools/output/axes_output.h"
 #include "tools/output/divergence_output.h"
@@ -57,15 +57,13 @@ struct Kind {
   bool imported = false;    ///< by another engine, which counts neither pairs nor contacts
 };
 
-std::uint64_t bits_of(double value) { return std::bit_cast<std::uint64_t>(value); }
-
 Json values_json(const replay::StepRecord& a, const replay::StepRecord& b, const Kind& kind) {
   Json rows = Json::array();
   const auto add = [&](const char* name, const Json& in_a, const Json& in_b, bool same) {
     rows.push_back({{"name", name}, {"a", in_a}, {"b", in_b}, {"same", same}});
   };
   const auto number = [&](const char* name, double in_a, double in_b) {
-    add(name, number_json(in_a), number_json(in_b), bits_of(in_a) == bits_of(in_b));
+    add(name, number_json(in_a), number_json(in_b), replay::bits_of(in_a) == replay::bits_of(in_b));
   };
   number("dt", a.dt, b.dt);
   add("inputs", inputs_json(a), inputs_json(b), !replay::first_difference(std::span(a.inputs), std::span(b.inputs)));
@@ -92,7 +90,7 @@ Json fields_json(const replay::BodyStates& a, std::size_t i, const replay::BodyS
   const replay::ConstColumns in_a = replay::columns_of(a), in_b = replay::columns_of(b);
   for (std::size_t c = 0; c < replay::kColumnCount; ++c) {
     const double one = (*in_a[c])[i], other = (*in_b[c])[j];
-    if (bits_of(one) == bits_of(other)) continue;
+    if (replay::bits_of(one) == replay::bits_of(other)) continue;
     replay::Divergence shown;
     shown.field = replay::kColumnNames[c];
     shown.expected = one;
