@@ -7,6 +7,7 @@
 #include "src/kernels/lane_rows.h"
 #include "src/kernels/lane_vector.h"
 #include "src/math/grid_magic.h"
+#include "src/math/turn_series.h"
 #include "tumble/sim/limits.h"
 
 namespace tumble::sim {
@@ -53,11 +54,29 @@ template <class V>
 V squared_length(const Turn<V>& q) {
   return q.w * q.w + ((q.x * q.x + q.y * q.y) + q.z * q.z);
 }
-// rotated_by_half() of src/math/rotation.h.
+// half_turn() of src/math/half_turn.h.
 template <class V>
-Turn<V> turned(const Turn<V>& q, const Space<V>& h) {
-  const Turn<V> p = {q.w - ((h.x * q.x + h.y * q.y) + h.z * q.z), (q.x + h.x * q.w) + (h.y * q.z - h.z * q.y),
-                     (q.y + h.y * q.w) + (h.z * q.x - h.x * q.z), (q.z + h.z * q.w) + (h.x * q.y - h.y * q.x)};
+Turn<V> half_turn(const Space<V>& h) {
+  const V squared = dot(h, h), one = V{} + 1.0;
+  const auto fast = squared > kSlowHalfSquared;
+  if (!any(fast)) return {one, h.x, h.y, h.z};
+  const V half = square_root(squared);
+  const V turns = (half * kInversePi + kWholeMagic) - kWholeMagic;
+  const V rest = (half - turns * kPiHigh) - turns * kPiLow, x = rest * rest;
+  const double* const n = kTangentN;
+  const double* const d = kTangentD;
+  const V sine = (((n[0] * x + n[1]) * x + n[2]) * x + n[3]) * x + n[4];
+  const V cosine = ((((d[0] * x + d[1]) * x + d[2]) * x + d[3]) * x + d[4]) * x + d[5];
+  const V part = fast ? sine * (rest / half) : one;
+  return {fast ? cosine : one, h.x * part, h.y * part, h.z * part};
+}
+// turned() of src/math/half_turn.h.
+template <class V>
+Turn<V> turned(const Turn<V>& q, const Space<V>& h_W) {
+  const Turn<V> h = half_turn(h_W);
+  const Turn<V> p = {
+      h.w * q.w - ((h.x * q.x + h.y * q.y) + h.z * q.z), (h.w * q.x + h.x * q.w) + (h.y * q.z - h.z * q.y),
+      (h.w * q.y + h.y * q.w) + (h.z * q.x - h.x * q.z), (h.w * q.z + h.z * q.w) + (h.x * q.y - h.y * q.x)};
   const V n = square_root(squared_length(p));
   return {p.w / n + 0.0, p.x / n + 0.0, p.y / n + 0.0, p.z / n + 0.0};
 }

@@ -8,7 +8,7 @@ namespace tumble::sim {
 namespace {
 
 constexpr double kTurnMax = 0.25;     // rad in one rotation; faster ones are taken in equal parts
-constexpr int kPartsMax = 1024;       // 256 rad a step; beyond, the midpoint iteration may stop short
+constexpr int kPartsMax = 65536;      // 8,192 rad/s about each axis for a second
 constexpr int kIterationsMax = 8;     // of the midpoint; each doubles the digits
 constexpr double kConverged = 1e-15;  // relative
 
@@ -31,10 +31,10 @@ Vec3 newton_step(const Vec3& inertia, const Vec3& spin, double h, const Vec3& of
 
 // The angular velocity w, body frame, in the middle of a turn of length dt. Angular momentum L stays fixed in the
 // world, so from the frame before and after the turn it is seen as L and L'; the midpoint rule asks for w = I⁻¹ (L +
-// L') / 2. Under a Cayley map that is the equation I w + dt/2 w × I w = L. Newton's method solves the equation;
-// repeated substitution diverges where a long bar turns fast across its length.
-Vec3 midpoint_spin(const Vec3& momentum, const Vec3& inertia, const Vec3& inverse_inertia, double dt_s) {
-  const double h = 0.5 * dt_s;
+// L') / 2. Under a Cayley map by h w that is the equation I w + h w × I w = L, with h = dt/2 or close to it. Newton's
+// method solves the equation; repeated substitution diverges where a long bar turns fast across its length. Whatever h
+// is, L' is as long as L and the energy stays.
+Vec3 midpoint_spin(const Vec3& momentum, const Vec3& inertia, const Vec3& inverse_inertia, double h) {
   Vec3 w = scaled(inverse_inertia, momentum);
   for (int k = 0; k < kIterationsMax; ++k) {
     const Vec3 gyroscopic = {w.y() * w.z() * (inertia.z() - inertia.y()), w.z() * w.x() * (inertia.x() - inertia.z()),
@@ -46,6 +46,45 @@ Vec3 midpoint_spin(const Vec3& momentum, const Vec3& inertia, const Vec3& invers
   }
   return w;
 }
+
+// The midpoint rule of a part of dt errs by order dt²: the momentum runs along the right curve in the body's frame, but
+// too fast by dt²/12 Q, and the body falls short of the angle dt³ ρ |L| about L. With J = I⁻¹ and m = L in the body's
+// frame,
+//   Q = (J₁ − J₃)(J₂ − J₁) m₁² + (J₂ − J₁)(J₃ − J₂) m₂² + (J₃ − J₂)(J₁ − J₃) m₃²
+//   ρ = ((J₁J₂ + J₂J₃ + J₃J₁) m·Jm − 2 J₁J₂J₃ m·m) / 12, the same in all parts.
+// Both follow from the modified equation of the rule (backward error analysis) beside Magnus's series of the exact
+// turn. Hairer and Vilmart (2006), Preprocessed discrete Moser-Veselov algorithm, correct a similar rule likewise. An
+// error of order dt⁴ is left: at most 1.3e-4 of the turn for parts of a quarter radian, the most slender bars included.
+// Sums are arranged so that exchanging the first two axes changes no bit.
+class Correction {
+ public:
+  Correction(const Vec3& inverse_inertia, double part_s)
+      : j_(inverse_inertia),
+        differences_(j_.z() - j_.y(), j_.x() - j_.z(), j_.y() - j_.x()),
+        weights_(differences_.y() * differences_.z(), differences_.z() * differences_.x(),
+                 differences_.x() * differences_.y()),
+        part_(part_s) {}
+
+  // The h of midpoint_spin, from Q in the middle of the part. momentum: at its start, body frame.
+  [[nodiscard]] double half_s(const Vec3& momentum) const {
+    const Vec3& m = momentum;
+    const Vec3 rate = scaled(differences_, {m.y() * m.z(), m.z() * m.x(), m.x() * m.y()});
+    const Vec3 middle = m + rate * (0.5 * part_);
+    const double excess = dot(weights_, scaled(middle, middle));
+    return 0.5 * part_ * (1 - part_ * part_ * excess * (1.0 / 12.0));
+  }
+
+  // Half the angle of which one part falls short, divided by |L|.
+  [[nodiscard]] double half_missing(const Vec3& momentum) const {
+    const double pairs = (j_.x() * j_.z() + j_.y() * j_.z()) + j_.x() * j_.y(), product = (j_.x() * j_.y()) * j_.z();
+    const double rate = pairs * dot(momentum, scaled(j_, momentum)) - 2 * product * dot(momentum, momentum);
+    return rate * (part_ * part_ * part_) * (1.0 / 24.0);
+  }
+
+ private:
+  Vec3 j_, differences_, weights_;
+  double part_;
+};
 
 int part_count(const Vec3& spin, double dt_s) {
   const double turn_squared = dot(spin, spin) * (dt_s * dt_s);
@@ -69,15 +108,19 @@ Rotation rotate_unevenly(const Quat& orientation, const Vec3& spin, const Vec3& 
   const Vec3 momentum_W = to_world(axes, scaled(inertia, to_body(axes, spin)));
   const int parts = part_count(spin, dt_s);
   const double part_s = dt_s / parts;
-  Quat turned = orientation;
+  const bool slow = turns_slowly(spin * (0.5 * dt_s));
+  const Correction correction(inverse_inertia, part_s);
+  Quat q = orientation;
   for (int k = 0; k < parts; ++k) {
-    const Vec3 middle = midpoint_spin(to_body(axes_of(turned), momentum_W), inertia, inverse_inertia, part_s);
-    const Vec3 h = middle * (0.5 * part_s);
-    turned = normalised(product(turned, {1, h.x(), h.y(), h.z()}));
+    const Vec3 momentum = to_body(axes_of(q), momentum_W);
+    const double half_s = slow ? 0.5 * part_s : correction.half_s(momentum);
+    const Vec3 h = midpoint_spin(momentum, inertia, inverse_inertia, half_s) * half_s;
+    q = normalised(product(q, {1, h.x(), h.y(), h.z()}));
   }
-  const Axes after = axes_of(turned);
+  if (!slow) q = turned(q, momentum_W * (correction.half_missing(to_body(axes, momentum_W)) * parts));
+  const Axes after = axes_of(q);
   const Vec3 new_spin = to_world(after, scaled(inverse_inertia, to_body(after, momentum_W)));
-  return {turned, VelocityGrid::round(new_spin)};
+  return {q, VelocityGrid::round(new_spin)};
 }
 
 Flight free_flight(const WorldState& state, BodyIndex i, double dt_s) {

@@ -4,6 +4,7 @@
 
 #include "src/kernels/body_kernels.h"
 #include "src/kernels/lane_width.h"
+#include "src/math/half_turn.h"
 #include "tumble/sim/world_state.h"
 
 namespace tumble::sim {
@@ -16,9 +17,10 @@ struct Flight {
 };
 
 /// Free flight of body i for dt_s under the state's gravity and air drag.
-/// Source: ballistic rule x += ½ (v₀ + v₁) dt, exact under gravity. Rotation: implicit midpoint in the body's frame
-///         with a Cayley map (Austin, Krishnaprasad and Wang 1993). The map keeps angular momentum and kinetic energy
-///         and needs no trigonometry; Newton's method solves it, which long bars need.
+/// Source: ballistic rule x += ½ (v₀ + v₁) dt, exact under gravity. Even rotation: half_turn.h. Uneven rotation:
+///         implicit midpoint in the body's frame with a Cayley map (Austin, Krishnaprasad and Wang 1993). The map keeps
+///         angular momentum and kinetic energy and needs no trigonometry; Newton's method solves it, which long bars
+///         need. Two corrections make the map right to the fourth order (free_flight.cc).
 Flight free_flight(const WorldState& state, BodyIndex i, double dt_s);
 
 /// Moves the bodies of `rows` in free flight that are neither frozen, static nor `in_contact` (null: none is). Gives
@@ -39,7 +41,7 @@ Rotation rotate_unevenly(const Quat& orientation, const Vec3& spin, const Vec3& 
 inline Rotation rotate_freely(const Quat& orientation, const Vec3& spin, const Vec3& inertia,
                               const Vec3& inverse_inertia, double dt_s) {
   if (turns_evenly(inertia)) {
-    return {rotated_by_half(orientation, spin * (0.5 * dt_s)), spin};
+    return {turned(orientation, spin * (0.5 * dt_s)), spin};
   }
   return rotate_unevenly(orientation, spin, inertia, inverse_inertia, dt_s);
 }
