@@ -72,7 +72,7 @@ struct Body {
   [[nodiscard]] Quat turned(double dt) const { return sim::rotate_freely(q, spin, inertia, inverse, dt).orientation; }
 };
 
-// The orientation after dt, by the classical Runge-Kutta method on Euler's equations in steps of 2 mrad.
+// The orientation after dt, by the classical Runge-Kutta method on Euler's equations in steps of 5 mrad.
 Quat exact(const Body& body, double dt) {
   struct State {
     double v[7];  // w, x, y, z, angular velocity about the body's own axes
@@ -91,7 +91,7 @@ Quat exact(const Body& body, double dt) {
     for (int k = 0; k < 7; ++k) to.v[k] += h * by.v[k];
     return to;
   };
-  const int steps = 1 + static_cast<int>(body.spin.norm() * dt / 0.002);
+  const int steps = 1 + static_cast<int>(body.spin.norm() * dt / 0.005);
   const double h = dt / steps;
   for (int k = 0; k < steps; ++k) {
     const State a = rate(s), b = rate(moved(s, a, h / 2)), c = rate(moved(s, b, h / 2)), d = rate(moved(s, c, h));
@@ -136,7 +136,7 @@ TEST(FreeRotation, TurnsBySpinTimesTimeInEveryStepOfBothMethods) {
             sim::World world = made(scene);
             advance(world);
             EXPECT_LE(angle_between(world.bodies().orientation[0], about({0, 0, -1}, speed * dt)),
-                      kWithin * std::min(1.0, speed * dt));
+                      0.5 * kWithin * speed * dt);
             EXPECT_EQ(world.bodies().spin[0], Vec3(0, 0, -speed));
           }
         }
@@ -165,7 +165,7 @@ TEST(FreeRotation, FastTurnsConvergeToTheFourthOrder) {
     }
     last = error;
   }
-  EXPECT_LT(last, 1e-6);
+  EXPECT_LT(last, 1e-5);
 }
 
 // Every turn of a mirrored or swapped body is the mirrored or swapped turn, to the bit.
