@@ -18,6 +18,8 @@ using sim::Quat;
 using sim::Vec3;
 
 constexpr int kWorlds = 100, kInEach = 50;  // cases against the ground, and as many against another body
+constexpr int kHits = 5000;                 // of each kind
+constexpr double kTumbleMost = 0.5;         // rad in a substep
 constexpr double kApart = 60;               // m between cases
 
 Vec3 direction(Random& random) {
@@ -68,15 +70,18 @@ sim::SceneDef still_world(Random& random) {
 
 Vec3 place_of(int k) { return {kApart * (k % 10 - 5), kApart * (k / 10 - 5), 0}; }
 
-// Velocities that one step may not change. Spins are rounded to the grid.
+// Counts bodies that one step leaves with other velocities than those of a flight alone: without the ground, and with
+// every other body of the scene far away.
 void expect_unhit(const sim::SceneDef& scene, int& hit) {
-  sim::World world = made(scene);
-  const sim::Bodies before = world.bodies();
+  sim::SceneDef alone = scene;
+  alone.world.ground = false;
+  for (std::size_t i = 1; i < alone.boxes.size(); i += 2) alone.boxes[i].position.z() += 2000;
+  sim::World world = made(scene), flights = made(alone);
   advance(world);
-  for (sim::BodyIndex i = 0; i < before.size(); ++i) {
-    const bool same =
-        world.bodies().velocity[i] == before.velocity[i] && (world.bodies().spin[i] - before.spin[i]).norm() < 1e-9;
-    if (!same) ++hit;
+  advance(flights);
+  const sim::Bodies &met = world.bodies(), &flown = flights.bodies();
+  for (sim::BodyIndex i = 0; i < met.size(); ++i) {
+    if (met.velocity[i] != flown.velocity[i] || met.spin[i] != flown.spin[i]) ++hit;
   }
 }
 
@@ -159,35 +164,53 @@ bool make_hit(Random& random, double dt, bool ground, sim::BoxDef& a, sim::BoxDe
   return sim::BoxPair(frame_of(a), frame_of(b)).best_of_all().separation > 0.001;
 }
 
-int missed_hits(bool ground) {
-  int missed = 0;
-  for (int world = 0; world < kWorlds; ++world) {
-    Random random((ground ? 2000 : 3000) + static_cast<std::uint64_t>(world));
+// Whether a step changes the velocity of the first body. A step that finds a velocity too large has changed one.
+bool is_hit(const sim::SceneDef& scene) {
+  sim::World world = made(scene);
+  const Vec3 before = world.bodies().velocity[0];
+  if (!sim::step(world).ok()) return true;
+  return (world.bodies().velocity[0] - before).norm() >= 1e-9;
+}
+
+// Contacts are solved with the spin at the start of a substep. The spin of an uneven box is another by its end.
+bool tumbles_fast(const sim::SceneDef& scene) {
+  const double substep = scene.world.dt / scene.world.substeps;
+  return std::ranges::any_of(scene.boxes, [&](const sim::BoxDef& body) {
+    const bool even = body.size.x() == body.size.y() && body.size.y() == body.size.z();
+    return !even && body.spin.norm() * substep > kTumbleMost;
+  });
+}
+
+struct Missed {
+  int slow = 0, fast = 0;  // of boxes that do not tumble fast, and that do
+  int slow_hits = 0, fast_hits = 0;
+};
+
+Missed missed_hits(bool ground) {
+  Missed missed;
+  Random random(ground ? 2000 : 3000);
+  while (missed.slow_hits < kHits) {
     sim::SceneDef scene = still_world(random);
-    for (int k = 0; k < kInEach;) {
-      const auto id = static_cast<sim::BodyId>(2 * k + 1);
-      sim::BoxDef a = spinner(id, random), b = spinner(id + 1, random);
-      if (random.uniform(0, 1) < 0.3) a.spin = direction(random) * magnitude(random, 1, 1000);  // tumbles
-      if (!make_hit(random, scene.world.dt, ground, a, b)) continue;
-      a.position += place_of(k);
-      b.position += place_of(k);
-      scene.boxes.push_back(a);
-      if (!ground) scene.boxes.push_back(b);
-      ++k;
-    }
-    sim::World stepped = made(scene);
-    const sim::Bodies before = stepped.bodies();
-    advance(stepped);
-    const sim::Bodies& after = stepped.bodies();
-    for (sim::BodyIndex i = 0; i < before.size(); i += ground ? 1 : 2) {
-      if ((after.velocity[i] - before.velocity[i]).norm() < 1e-9) ++missed;
-    }
+    sim::BoxDef a = spinner(1, random), b = spinner(2, random);
+    if (random.uniform(0, 1) < 0.3) a.spin = direction(random) * magnitude(random, 1, 1000);  // tumbles
+    if (!make_hit(random, scene.world.dt, ground, a, b)) continue;
+    scene.boxes.push_back(a);
+    if (!ground) scene.boxes.push_back(b);
+    const bool fast = tumbles_fast(scene), hit = is_hit(scene);
+    ++(fast ? missed.fast_hits : missed.slow_hits);
+    if (!hit) ++(fast ? missed.fast : missed.slow);
   }
   return missed;
 }
 
-TEST(RealHit, OfTheGroundIsNotMissed) { EXPECT_EQ(missed_hits(true), 0) << "of " << kWorlds * kInEach; }
-TEST(RealHit, OfAnotherBodyIsNotMissed) { EXPECT_EQ(missed_hits(false), 0) << "of " << kWorlds * kInEach; }
+void expect_hits(bool ground) {
+  const Missed missed = missed_hits(ground);
+  EXPECT_EQ(missed.slow, 0) << "of " << missed.slow_hits;
+  EXPECT_LE(missed.fast, missed.fast_hits / 50) << "of " << missed.fast_hits << ": docs/step.md names the limit";
+}
+
+TEST(RealHit, OfTheGroundIsNotMissed) { expect_hits(true); }
+TEST(RealHit, OfAnotherBodyIsNotMissed) { expect_hits(false); }
 
 // The cube of the first report: corners pass 4.3 cm above the ground.
 TEST(FreePass, OfASpinningCubeKeepsItsEnergyForSeconds) {
