@@ -46,6 +46,7 @@ struct ContactBatch {
   bool slender = false;                          ///< belongs to an island with a slender body
   Lanes point_count;                             ///< of each manifold
   Lanes n[3], t1[3], t2[3], d[3], offset;
+  Lanes impulse_max;  ///< N·s: points whose impulses add up to this have exact sums with impulse_magic
   Lanes friction, friction_dynamic, restitution;
   Lanes force1, force2, twist;
   Lanes split_a, split_b;  ///< manifolds of this layer that share the body's mass

@@ -99,8 +99,7 @@ template <class V>
 void write_side(double* outcomes, const Body<V>& body, Space<V> force, Space<V> torque) {
   const Space<V> v = force * body.inverse_mass, w = spin_of(body, torque);
   const V zero = V{} + 0.0;
-  const V first[4] = {round_motion(v.x), round_motion(v.y), round_motion(v.z), round_motion(w.x)};
-  const V second[4] = {round_motion(w.y), round_motion(w.z), zero, zero};
+  const V first[4] = {v.x, v.y, v.z, w.x}, second[4] = {w.y, w.z, zero, zero};
   scatter4(outcomes, 2 * kOutcomeDoubles, first);
   scatter4(outcomes + 4, 2 * kOutcomeDoubles, second);
 }
@@ -113,11 +112,60 @@ void write_outcomes(const ContactWork& work, const Manifolds<V>& m, const Wrench
   write_side(row + kOutcomeDoubles, m.b, wrench.force, wrench.torque);
 }
 
-// Rounds an impulse to the grid of `magic`, fine enough for the lighter body: sums of impulses are then exact, and no
-// order of points shows (math/grid.h).
+// Rounds to the grid of `magic`: sums of impulses are then exact, and no order of points shows (math/grid.h).
 template <class V>
-V round_impulse(V magic, V x) {
+V to_grid(V magic, V x) {
   return (x + magic) - magic;
+}
+
+// fitting_magic of math/grid.h in each lane. The usual grid of impulses fits the lighter body, and a body ten thousand
+// times as heavy can meet the lighter one with more than that grid holds.
+template <class V>
+V fitting_magic(V usual, V magnitudes) {
+  return magnitudes <= usual ? usual : 3.0 * power_of_two(magnitudes);
+}
+
+// The sums over the points of an impulse and of its moments.
+template <class V>
+struct PointSums {
+  V s, sq, sp;
+};
+
+// The number of points, at least 4: fitting_magic wants no term larger than a quarter of all.
+template <class V>
+V terms_of(const Manifolds<V>& m) {
+  return larger(V{} + 4.0, m.get(m.batch->point_count));
+}
+
+// The sums of `impulses`, one a point, of any size: the largest term chooses each grid.
+template <class V>
+[[gnu::noinline, gnu::cold]] PointSums<V> add_up(const Manifolds<V>& m, const V* impulses) {
+  const unsigned count = m.batch->count;
+  PointSums<V> largest = {};
+  for (unsigned k = 0; k < count; ++k) {
+    const V x = impulses[k];
+    largest.s = larger(largest.s, magnitude(x));
+    largest.sq = larger(largest.sq, magnitude(x * m.get(m.points[k].q)));
+    largest.sp = larger(largest.sp, magnitude(x * m.get(m.points[k].p)));
+  }
+  const V usual = m.get(m.batch->impulse_magic), terms = terms_of(m);
+  const V magic_s = fitting_magic(usual, largest.s * terms), magic_q = fitting_magic(usual, largest.sq * terms),
+          magic_p = fitting_magic(usual, largest.sp * terms);
+  PointSums<V> sums = {};
+  for (unsigned k = 0; k < count; ++k) {
+    sums.s += to_grid(magic_s, impulses[k]);
+    sums.sq += to_grid(magic_q, impulses[k] * m.get(m.points[k].q));
+    sums.sp += to_grid(magic_p, impulses[k] * m.get(m.points[k].p));
+  }
+  return sums;
+}
+
+// The sums of the accumulated impulses.
+template <class V>
+[[gnu::noinline, gnu::cold]] PointSums<V> add_up_impulses(const Manifolds<V>& m) {
+  V impulses[kPointsMax];
+  for (unsigned k = 0; k < m.batch->count; ++k) impulses[k] = m.get(m.points[k].impulse);
+  return add_up(m, impulses);
 }
 
 }  // namespace

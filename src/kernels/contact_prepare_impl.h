@@ -14,6 +14,12 @@ namespace {
 // sum is then the eigenvalue itself, and 1.8 would overshoot by 0.8 in every pass: 1.4.
 constexpr double kOverRelaxation = 1.8, kSlenderRelaxation = 1.4;
 
+// m/s that a remembered impulse may give the lighter body; contacts that carry weights for a substep need far less.
+constexpr double kWarmSpeedMax = 16;
+
+// Sums of magnitudes on the grid of motions are exact up to here; an entry of a row is about 1 at most.
+constexpr double kRowSumMax = 16384;
+
 // The change of (u, W1, W2) by a unit of force along a direction, or of pure torque.
 template <class V>
 struct Response {
@@ -34,21 +40,34 @@ V where_present(const Manifolds<V>& m, unsigned point, V value) {
   return m.get(m.batch->point_count) > static_cast<double>(point) ? value : V{};
 }
 
+// The largest coordinate of a point, m; at least 1. Sets the impulse from which add_up has to look for a grid; half of
+// that, so that no rounding of sums shows in the comparison.
+template <class V>
+V find_reach(const Manifolds<V>& m) {
+  V reach = V{} + 1.0;
+  for (unsigned k = 0; k < m.batch->count; ++k) {
+    reach = larger(reach, larger(magnitude(m.get(m.points[k].p)), magnitude(m.get(m.points[k].q))));
+  }
+  m.set(m.batch->impulse_max, 0.5 * m.get(m.batch->impulse_magic) / (reach * terms_of(m)));
+  return reach;
+}
+
 // Friction acts at the mean of the points; the radius is the mean distance of the points from there.
 template <class V>
-void find_friction_centre(const Manifolds<V>& m) {
+void find_friction_centre(const Manifolds<V>& m, V reach) {
   ContactBatch& batch = *m.batch;
   V p = V{}, q = V{}, radius = V{};
-  for (unsigned k = 0; k < batch.count; ++k) {
-    p += round_motion(m.get(m.points[k].p));
-    q += round_motion(m.get(m.points[k].q));
-  }
   const V count = larger(V{} + 1.0, m.get(batch.point_count));
+  const V magic = fitting_magic(V{} + kMotionMagic, 4.0 * reach * count);  // no distance from the mean is larger
+  for (unsigned k = 0; k < batch.count; ++k) {
+    p += to_grid(magic, m.get(m.points[k].p));
+    q += to_grid(magic, m.get(m.points[k].q));
+  }
   p = p / count;
   q = q / count;
   for (unsigned k = 0; k < batch.count; ++k) {
     const V x = m.get(m.points[k].p) - p, y = m.get(m.points[k].q) - q;
-    radius += where_present(m, k, round_motion(square_root(x * x + y * y)));
+    radius += where_present(m, k, to_grid(magic, square_root(x * x + y * y)));
   }
   m.set(batch.centre_p, p);
   m.set(batch.centre_q, q);
@@ -149,7 +168,7 @@ V largest_row_sum(const Manifolds<V>& m, const PlaneResponse<V>& plane) {
       if (i != j) add(j, i, root);
     }
   }
-  for (unsigned row = 0; row < count; ++row) largest = larger(largest, sum[row]);
+  for (unsigned row = 0; row < count; ++row) largest = larger(largest, smaller(sum[row], V{} + kRowSumMax));
   return largest;
 }
 
@@ -163,23 +182,31 @@ void prepare_relaxation(const Manifolds<V>& m, const PlaneResponse<V>& plane) {
 }
 
 // An impulse that stopped an impact in the last step is far larger than the one that carries the weight in this step; a
-// warm start from the former would throw the bodies apart.
+// warm start from the former would throw the bodies apart. So would an impulse between heavy bodies that a light one
+// has passed on with lent inertia (carry_weights), when the light one is too fast to be lent any in this step.
 template <class V>
 void forget_impacts(const Manifolds<V>& m) {
   ContactBatch& batch = *m.batch;
-  const V magic = m.get(batch.impulse_magic);
-  V before = V{}, after = V{};
+  const V magic = m.get(batch.impulse_magic), yield = larger(m.a.inverse_mass, m.b.inverse_mass);
+  V before = V{}, after = V{}, impulses[kPointsMax];
   for (unsigned k = 0; k < batch.count; ++k) {
     PointBatch& point = m.points[k];
-    const V impulse = m.get(point.impulse);
-    const V kept = magnitude(m.get(point.approach)) > kRestingSpeed ? smaller(impulse, m.get(point.load)) : impulse;
-    before += round_impulse(magic, impulse);
-    after += round_impulse(magic, kept);
+    const V impulse = impulses[k] = m.get(point.impulse);
+    const V rests = magnitude(m.get(point.approach)) > kRestingSpeed ? smaller(impulse, m.get(point.load)) : impulse;
+    const V kept = rests * yield > kWarmSpeedMax ? V{} : rests;
+    before += to_grid(magic, impulse);
+    after += to_grid(magic, kept);
     m.set(point.impulse, kept);
   }
-  const V kept = after == before ? V{} + 1.0 : after / before;
-  m.set(batch.force1, m.get(batch.force1) * kept);
-  m.set(batch.force2, m.get(batch.force2) * kept);
+  if (any(before > m.get(batch.impulse_max))) {
+    before = add_up(m, impulses).s;
+    after = add_up_impulses(m).s;
+  }
+  const V force1 = m.get(batch.force1), force2 = m.get(batch.force2),
+          part = after == before ? V{} + 1.0 : after / before;
+  const V kept = (magnitude(force1) + magnitude(force2)) * yield > kWarmSpeedMax ? V{} : part;
+  m.set(batch.force1, force1 * kept);
+  m.set(batch.force2, force2 * kept);
   m.set(batch.twist, m.get(batch.twist) * kept);
 }
 
@@ -213,7 +240,7 @@ void renew(const ContactWork& work, ContactBatch& batch, unsigned at) {
 template <class V>
 void prepare(const ContactWork& work, ContactBatch& batch, unsigned at) {
   const Manifolds<V> m(work, batch, at);
-  find_friction_centre(m);
+  find_friction_centre(m, find_reach(m));
   prepare_responses(m);
   prepare_approaches(m);
   forget_impacts(m);

@@ -14,17 +14,23 @@ constexpr double kSkin = 0.0001;       // m apart that counts as touching; see b
 constexpr double kSlop = 0.0005;       // m of overlap that is not removed
 constexpr double kPushMax = 1;         // m/s
 
+// The sum of the points' normal impulses.
+template <class V>
+V pressure_of(const Manifolds<V>& m) {
+  const V magic = m.get(m.batch->impulse_magic);
+  V pressure = V{};
+  for (unsigned k = 0; k < m.batch->count; ++k) pressure += to_grid(magic, m.get(m.points[k].impulse));
+  return any(pressure > m.get(m.batch->impulse_max)) ? add_up_impulses(m).s : pressure;
+}
+
 // The friction impulse that stops the slip, cut to what the normal impulses allow; returns the change as a wrench.
 template <class V>
-Wrench<V> solve_friction(const Manifolds<V>& m, const Motion<V>& motion) {
+Wrench<V> solve_friction(const Manifolds<V>& m, const Motion<V>& motion, V pressure) {
   ContactBatch& batch = *m.batch;
   const V offset = m.get(batch.offset), p = m.get(batch.centre_p), q = m.get(batch.centre_q);
-  const V magic = m.get(batch.impulse_magic);
   const V w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2), wn = dot(motion.w, m.n);
   const V u1 = dot(motion.u, m.t1) + (w2 * offset - wn * q);
   const V u2 = dot(motion.u, m.t2) + (wn * p - w1 * offset);
-  V pressure = V{};
-  for (unsigned k = 0; k < batch.count; ++k) pressure += round_impulse(magic, m.get(m.points[k].impulse));
   V f[6];
   for (int k = 0; k < 6; ++k) f[k] = m.get(batch.friction_inverse[k]);
   const V before1 = m.get(batch.force1), before2 = m.get(batch.force2), twist_before = m.get(batch.twist);
@@ -82,12 +88,12 @@ V wanted_impulse(const Manifolds<V>& m, const PointBatch& point, V speed) {
 }
 
 template <Sweep kSweep, class V>
-Wrench<V> solve_normals(const Manifolds<V>& m, const Motion<V>& motion, double h) {
+Wrench<V> solve_normals(const Manifolds<V>& m, const Motion<V>& motion, V pressure, double h) {
   V u = dot(motion.u, m.n), w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2);
-  const V magic = m.get(m.batch->impulse_magic), zero = V{};
+  const V magic = m.get(m.batch->impulse_magic), impulse_max = m.get(m.batch->impulse_max), zero = V{};
   V r[6];
   for (int k = 0; k < 6; ++k) r[k] = m.get(m.batch->response[k]);
-  V unwanted[kPointsMax];
+  V unwanted[kPointsMax], changes[kPointsMax];
   for (unsigned k = 0; k < m.batch->count; ++k) unwanted[k] = unwanted_speed<kSweep>(m, m.points[k], h);
   V total_s = zero, total_sq = zero, total_sp = zero;
   constexpr int kPasses = kSweep == Sweep::kRestitution ? kInnerRestitution : kInner;
@@ -98,13 +104,21 @@ Wrench<V> solve_normals(const Manifolds<V>& m, const Motion<V>& motion, double h
       const V p = m.get(point.p), q = m.get(point.q);
       const V speed = (u + (w1 * q - w2 * p)) + unwanted[k];
       const V impulse = larger(zero, wanted_impulse<kSweep>(m, point, speed));
-      const V change = impulse - m.get(point.impulse);
+      const V change = changes[k] = impulse - m.get(point.impulse);
       m.set(point.impulse, impulse);
       m.set(point.peak, larger(m.get(point.peak), impulse));
-      s += round_impulse(magic, change);
-      sq += round_impulse(magic, change * q);
-      sp += round_impulse(magic, change * p);
+      s += to_grid(magic, change);
+      sq += to_grid(magic, change * q);
+      sp += to_grid(magic, change * p);
     }
+    // No impulse is negative, so no change is larger than the sums before and after.
+    if (any(pressure + (pressure + s) > impulse_max)) {
+      const PointSums<V> sums = add_up(m, changes);
+      s = sums.s;
+      sq = sums.sq;
+      sp = sums.sp;
+    }
+    pressure += s;
     total_s += s;
     total_sq += sq;
     total_sp += sp;
@@ -119,10 +133,11 @@ template <Sweep kSweep, class V>
 void solve_manifolds(const ContactWork& work, ContactBatch& batch, unsigned at) {
   const Manifolds<V> m(work, batch, at);
   Motion<V> motion = relative_motion(m);
+  const V pressure = pressure_of(m);
   if constexpr (kSweep == Sweep::kRestitution) {
-    write_outcomes(work, m, solve_normals<kSweep>(m, motion, work.substep_s));
+    write_outcomes(work, m, solve_normals<kSweep>(m, motion, pressure, work.substep_s));
   } else {
-    const Wrench<V> friction = solve_friction(m, motion);
+    const Wrench<V> friction = solve_friction(m, motion, pressure);
     const V split_a = m.get(batch.split_a), split_b = m.get(batch.split_b);
     const Space<V> va = friction.force * (-m.a.inverse_mass * split_a);
     const Space<V> vb = friction.force * (m.b.inverse_mass * split_b);
@@ -130,7 +145,7 @@ void solve_manifolds(const ContactWork& work, ContactBatch& batch, unsigned at) 
     const Space<V> wb = spin_of(m.b, friction.torque) * split_b;
     motion.u = motion.u + ((vb - va) - cross(wa, m.d));
     motion.w = motion.w + (wb - wa);
-    const Wrench<V> normal = solve_normals<kSweep>(m, motion, work.substep_s);
+    const Wrench<V> normal = solve_normals<kSweep>(m, motion, pressure, work.substep_s);
     write_outcomes(work, m, {friction.force + normal.force, friction.torque + normal.torque});
   }
 }
@@ -151,9 +166,15 @@ void warm_start(const ContactWork& work, ContactBatch& batch, unsigned at) {
   for (unsigned k = 0; k < batch.count; ++k) {
     const PointBatch& point = m.points[k];
     const V impulse = m.get(point.impulse);
-    s += round_impulse(magic, impulse);
-    sq += round_impulse(magic, impulse * m.get(point.q));
-    sp += round_impulse(magic, impulse * m.get(point.p));
+    s += to_grid(magic, impulse);
+    sq += to_grid(magic, impulse * m.get(point.q));
+    sp += to_grid(magic, impulse * m.get(point.p));
+  }
+  if (any(s > m.get(batch.impulse_max))) {
+    const PointSums<V> sums = add_up_impulses(m);
+    s = sums.s;
+    sq = sums.sq;
+    sp = sums.sp;
   }
   const V force1 = m.get(batch.force1), force2 = m.get(batch.force2);
   const V turn = m.get(batch.twist) + (m.get(batch.centre_p) * force2 - m.get(batch.centre_q) * force1);
@@ -161,18 +182,46 @@ void warm_start(const ContactWork& work, ContactBatch& batch, unsigned at) {
   write_outcomes(work, m, {normal.force + friction.force, normal.torque + friction.torque});
 }
 
-// Adds to every body of a layer its outcomes. Outcomes are grid doubles, so the sums are exact in any order.
+// Of the doubles that apply_outcomes takes at once; those after the motion have no limit.
+constexpr double kNone = __builtin_inf();
+alignas(64) constexpr double kSumLimits[kOutcomeDoubles] = {kMotionSumMax, kMotionSumMax, kMotionSumMax, kMotionSumMax,
+                                                            kMotionSumMax, kMotionSumMax, kNone,         kNone};
+
+// The sum of outcomes of any size, whose magnitudes add up to `magnitudes`: the largest chooses the grid.
+template <class V>
+[[gnu::noinline, gnu::cold]] V add_up_outcomes(const ContactWork& work, const BodyOutcomes& of, std::size_t part,
+                                               V magnitudes) {
+  V largest = V{}, sum = V{};
+  for (std::uint32_t e = of.begin; e < of.end; ++e) {
+    largest = larger(absolute(load<V>(work.outcomes + work.entries[e] * kOutcomeDoubles + part)), largest);
+  }
+  const double terms = of.end - of.begin < 4 ? 4.0 : static_cast<double>(of.end - of.begin);
+  const V usual = V{} + kMotionMagic, wider = fitting_magic(usual, largest * terms);
+  const V magic = magnitudes < kMotionSumMax ? usual : wider;
+  for (std::uint32_t e = of.begin; e < of.end; ++e) {
+    sum += to_grid(magic, load<V>(work.outcomes + work.entries[e] * kOutcomeDoubles + part));
+  }
+  return sum;
+}
+
+// Adds to every body of a layer its outcomes, rounded to the grid of motions: sums on a grid are exact in any order,
+// here as long as the motion before and the magnitudes of the outcomes are each less than kMotionSumMax.
 template <class V>
 void apply_outcomes(const ContactWork& work, const BodyOutcomes* of, std::size_t count) {
   constexpr std::size_t kAtOnce = sizeof(V) / sizeof(double);
+  const V magic = V{} + kMotionMagic;
   for (std::size_t k = 0; k < count; ++k) {
     double* const body = work.bodies + of[k].body * kSolverBodyDoubles;
     for (std::size_t part = 0; part < kOutcomeDoubles; part += kAtOnce) {
-      V motion = load<V>(body + part);
+      const V before = load<V>(body + part);
+      V motion = before, change = V{};
       for (std::uint32_t e = of[k].begin; e < of[k].end; ++e) {
-        motion += load<V>(work.outcomes + work.entries[e] * kOutcomeDoubles + part);
+        const V outcome = to_grid(magic, load<V>(work.outcomes + work.entries[e] * kOutcomeDoubles + part));
+        motion += outcome;
+        change += absolute(outcome);
       }
-      store(body + part, motion);
+      const bool exact = all_below(larger(change, absolute(before)), load<V>(kSumLimits + part));
+      store(body + part, exact ? motion : before + add_up_outcomes(work, of[k], part, change));
     }
   }
 }

@@ -75,6 +75,20 @@ inline V absolute(V a) {
   return reinterpret_cast<V>(reinterpret_cast<Bits>(a) & INT64_MAX);
 }
 
+// power_of_two of src/math/grid.h.
+inline double power_of_two(double a) {
+  std::uint64_t bits = 0;
+  __builtin_memcpy(&bits, &a, sizeof bits);
+  bits &= 0x7ff0000000000000ULL;
+  __builtin_memcpy(&a, &bits, sizeof a);
+  return a;
+}
+template <class V>
+inline V power_of_two(V a) {
+  typedef std::int64_t Bits __attribute__((vector_size(sizeof(V))));  // NOLINT(modernize-use-using): GCC wants it so
+  return reinterpret_cast<V>(reinterpret_cast<Bits>(a) & 0x7ff0000000000000LL);
+}
+
 // Whether a comparison holds in any lane.
 inline bool any(bool holds) { return holds; }
 inline bool any(int holds) { return holds != 0; }
@@ -90,6 +104,13 @@ inline bool any(Mask holds) {
   std::int64_t joined = 0;
   for (int k = 0; k < kWidth; ++k) joined |= holds[k];
   return joined != 0;
+}
+
+// Whether a < b in all lanes; a NaN is not.
+inline bool all_below(double a, double b) { return a < b; }
+template <class V>
+inline bool all_below(V a, V b) {
+  return !any(~(a < b));
 }
 
 // Vectors in space, a number of each lane in each coordinate; sums in the order of src/math/vec.h.

@@ -26,6 +26,10 @@ struct Grid {
 
   static double round(double x) { return plus_zero((x + kMagic) - kMagic); }
   static Vec3 round(const Vec3& v) { return {round(v.x()), round(v.y()), round(v.z())}; }
+
+  /// For |x| of any size; what is beyond the range lies on a grid with wider steps.
+  static double round_any(double x);
+  static Vec3 round_any(const Vec3& v) { return {round_any(v.x()), round_any(v.y()), round_any(v.z())}; }
 };
 
 using PositionGrid = Grid<36>;  ///< 1.5e-11 m, within ±32,768 m
@@ -38,6 +42,19 @@ static_assert(VelocityGrid::kMagic == kMotionMagic);
 /// 0 for 0. Precondition: x >= 0, not subnormal.
 inline double power_of_two(double x) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & 0x7ff0000000000000ULL);
+}
+
+/// The magic number of a grid for a sum whose terms have magnitudes of at most a third of `magnitudes`, and all
+/// together of at most `magnitudes`: `usual` wherever that grid holds such a sum, else the next that does. A sum with
+/// terms of any size is exact, and the same in any order, if its largest term chooses the grid.
+inline double fitting_magic(double usual, double magnitudes) {
+  return magnitudes <= usual ? usual : 3 * power_of_two(magnitudes);
+}
+
+template <int kExponent>
+double Grid<kExponent>::round_any(double x) {
+  const double magic = fitting_magic(kMagic, 3 * std::fabs(x));
+  return plus_zero((x + magic) - magic);
 }
 
 }  // namespace tumble::sim

@@ -58,6 +58,8 @@ Status add_gain(WorldState& state, Scratch& scratch, BodyIndex i, const ContactB
   const Vec3 velocity = VelocityGrid::round(Vec3(impulse * body.inverse_mass));
   const Vec3 spin = VelocityGrid::round(spin_gain_of(body, impulse));
   if (Status ok = check_gain(state.bodies, i, velocity, spin); !ok.ok()) return ok;
+  scratch.gain_total[i] += std::max(velocity.cwiseAbs().maxCoeff(), spin.cwiseAbs().maxCoeff());
+  if (Status ok = check_gains(state.bodies, i, scratch.gain_total[i]); !ok.ok()) return ok;
   scratch.velocity_gain.add(i, velocity);
   scratch.spin_gain.add(i, spin);
   return {};
@@ -96,6 +98,7 @@ Status compute_impulses(WorldState& state, Scratch& scratch, double /*dt_s*/) {
   const std::size_t n = state.bodies.size();
   scratch.velocity_gain.assign(n, Vec3::Zero());
   scratch.spin_gain.assign(n, Vec3::Zero());
+  scratch.gain_total.assign(n, 0);
   scratch.touched.assign(n, 0);
   contacts.impulse.resize(contacts.size());
   for (std::size_t k = 0; k < contacts.size(); ++k) {

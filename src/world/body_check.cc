@@ -11,21 +11,22 @@
 namespace tumble::sim {
 namespace {
 
-Error beyond(const Bodies& bodies, BodyIndex i, const char* what, const Vec3& found, double limit, const char* unit) {
-  const auto digits = [](double value) { return significant(value, 9); };
-  return cannot_finish("body " + std::to_string(bodies.id[i]) + ": found " + what + " (" + digits(found.x()) + ", " +
-                       digits(found.y()) + ", " + digits(found.z()) + ") " + unit + ", wanted finite and within ±" +
-                       significant(limit, 6) + ' ' + unit +
-                       "; use smaller speeds, a smaller dt or less extreme masses");
-}
+std::string named(const Bodies& bodies, BodyIndex i) { return "body " + std::to_string(bodies.id[i]); }
 
 }  // namespace
 
+Error beyond(const std::string& body, const char* quantity, const Vec3& found, double limit, const char* unit) {
+  const auto digits = [](double value) { return significant(value, 9); };
+  return cannot_finish(body + ": found " + quantity + " (" + digits(found.x()) + ", " + digits(found.y()) + ", " +
+                       digits(found.z()) + ") " + unit + ", wanted finite and within ±" + significant(limit, 6) + ' ' +
+                       unit + "; use smaller speeds, a smaller dt or less extreme masses");
+}
+
 Status check_body_closely(const Bodies& bodies, BodyIndex i) {
   const Vec3 position = bodies.position[i], velocity = bodies.velocity[i], spin = bodies.spin[i];
-  if (!within(position, kPositionMax)) return beyond(bodies, i, "position", position, kPositionMax, "m");
-  if (!within(velocity, kSpeedMax)) return beyond(bodies, i, "velocity", velocity, kSpeedMax, "m/s");
-  if (!within(spin, kSpeedMax)) return beyond(bodies, i, "spin", spin, kSpeedMax, "rad/s");
+  if (!within(position, kPositionMax)) return beyond(named(bodies, i), "position", position, kPositionMax, "m");
+  if (!within(velocity, kSpeedMax)) return beyond(named(bodies, i), "velocity", velocity, kSpeedMax, "m/s");
+  if (!within(spin, kSpeedMax)) return beyond(named(bodies, i), "spin", spin, kSpeedMax, "rad/s");
   const Quat q = bodies.orientation[i];
   if (nearly_unit(q)) return {};
   return cannot_finish("body " + std::to_string(bodies.id[i]) + ": found an orientation of squared length " +
@@ -61,9 +62,15 @@ bool material_in_range(const Material& m) {
 }
 
 Status check_gain_closely(const Bodies& bodies, BodyIndex i, const Vec3& velocity, const Vec3& spin) {
-  if (!within(velocity, kSpeedMax)) return beyond(bodies, i, "velocity gain", velocity, kSpeedMax, "m/s");
-  if (!within(spin, kSpeedMax)) return beyond(bodies, i, "spin gain", spin, kSpeedMax, "rad/s");
+  if (!within(velocity, kSpeedMax)) return beyond(named(bodies, i), "velocity gain", velocity, kSpeedMax, "m/s");
+  if (!within(spin, kSpeedMax)) return beyond(named(bodies, i), "spin gain", spin, kSpeedMax, "rad/s");
   return {};
+}
+
+Status check_gains_closely(const Bodies& bodies, BodyIndex i, double total) {
+  return cannot_finish(named(bodies, i) + ": found gains of " + significant(total, 9) +
+                       " m/s or rad/s together in one substep, wanted at most " + significant(kGainTotalMax, 6) +
+                       ", where their sum is exact; use smaller speeds, a smaller dt or less extreme masses");
 }
 
 void hash_places(const Bodies& bodies, Hasher& hasher) {

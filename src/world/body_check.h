@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <string>
 
 #include "src/kernels/lane_width.h"
 #include "tumble/sim/hash.h"
@@ -23,6 +24,9 @@ inline bool far_within_limits(const Vec3& position, const Vec3& velocity, const 
   return (magnitudes(position) + magnitudes(velocity)) + magnitudes(spin) <= kSpeedMax;
 }
 inline bool nearly_unit(const Quat& q) { return std::fabs(squared_length(q) - 1) <= kNormTolerance; }
+
+/// "<body>: found <quantity> <found>, wanted finite and within ±limit", and advice.
+Error beyond(const std::string& body, const char* quantity, const Vec3& found, double limit, const char* unit);
 
 /// The exact tests of check_body and check_gain, for bodies that are not far within the limits.
 Status check_body_closely(const Bodies& bodies, BodyIndex i);
@@ -52,6 +56,18 @@ inline Status check_gain(const Bodies& bodies, BodyIndex i, const Vec3& velocity
   if (magnitudes(velocity) + magnitudes(spin) <= kSpeedMax) [[likely]]
     return {};
   return check_gain_closely(bodies, i, velocity, spin);
+}
+
+/// m/s or rad/s. Sums of gains are exact in any order while the magnitudes of the gains add up to at most this: with a
+/// velocity of kSpeedMax that makes 2⁵³ steps of VelocityGrid.
+inline constexpr double kGainTotalMax = 3 * kSpeedMax;
+Status check_gains_closely(const Bodies& bodies, BodyIndex i, double total);
+
+/// Errors: the gains of body i, whose largest parts add up to `total`, are beyond kGainTotalMax.
+inline Status check_gains(const Bodies& bodies, BodyIndex i, double total) {
+  if (total <= kGainTotalMax) [[likely]]
+    return {};
+  return check_gains_closely(bodies, i, total);
 }
 
 /// Adds position and orientation of all bodies to the hash.

@@ -120,7 +120,7 @@ Rotation rotate_unevenly(const Quat& orientation, const Vec3& spin, const Vec3& 
   if (!slow) q = turned(q, momentum_W * (correction.half_missing(to_body(axes, momentum_W)) * parts));
   const Axes after = axes_of(q);
   const Vec3 new_spin = to_world(after, scaled(inverse_inertia, to_body(after, momentum_W)));
-  return {q, VelocityGrid::round(new_spin)};
+  return {q, VelocityGrid::round_any(new_spin)};
 }
 
 Flight free_flight(const WorldState& state, BodyIndex i, double dt_s) {

@@ -79,7 +79,7 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
                    held_by(s.solver_bodies, s.solver_mass, s.in_contact, s.held, s.contact_batches.uses)});
   parts.push_back({"levels, islands and sleep", GrowsWith::kBodies,
                    held_by(s.level, l.start, l.next, l.front, l.reached, l.slender, l.marked, l.in_slender, w.start,
-                           w.next, w.waiting_for, w.ready, w.carried, w.moment_x, w.moment_y, s.island_links,
+                           w.next, w.waiting_for, w.ready, w.borne, w.moment_x, w.moment_y, s.island_links,
                            s.waking.disturbed, s.waking.wakes, s.sleeping.touching, s.sleeping.restless)});
 }
 
@@ -87,8 +87,8 @@ void add_thesis(const Scratch& s, std::vector<MemoryPart>& parts) {
   const FreezeScratch& f = s.freezing;
   parts.push_back({"contacts", GrowsWith::kContacts, held_by(s.contacts, f.carriers, f.found)});
   parts.push_back({"outcomes and freezing", GrowsWith::kBodies,
-                   held_by(s.velocity_gain, s.spin_gain, s.displacement, s.displacement_low, s.touched, f.ready,
-                           f.candidates, f.frozen_before, f.merged)});
+                   held_by(s.velocity_gain, s.spin_gain, s.gain_total, s.displacement, s.displacement_low, s.touched,
+                           f.ready, f.candidates, f.frozen_before, f.merged)});
   parts.push_back({"put back after a trial", GrowsWith::kBodies, held_inside(s.saved)});
 }
 

@@ -67,7 +67,7 @@ struct WeightScratch {
   std::vector<SupportPoint> points;        ///< under one body at a time
   std::vector<std::uint32_t> waiting_for;  ///< by body: supports above that have not passed on their weight
   std::vector<BodyIndex> ready;            ///< bodies whose supports above have all passed on their weight
-  std::vector<double> carried;             ///< kg, the body and everything that rests on it
+  std::vector<double> borne;               ///< kg, by body, everything that rests on the body
   std::vector<double> moment_x, moment_y;  ///< kg·m about the body's centre, of everything that rests on it
 };
 

@@ -127,6 +127,7 @@ struct Scratch {
   Contacts contacts;                      ///< written by find_planes (a, b, planes), find_contacts, compute_impulses
   Vec3Column velocity_gain;               ///< by body, sum of outcomes, m/s; written by compute_impulses
   Vec3Column spin_gain;                   ///< by body, sum of outcomes, rad/s; written by compute_impulses
+  std::vector<double> gain_total;         ///< by body, sum of the largest part of each outcome, m/s or rad/s
   Vec3Column displacement;                ///< by body, merged, m; written by compute_separation
   Vec3Column displacement_low;            ///< its negative parts during the merge
   std::vector<std::uint8_t> touched;      ///< bodies in a real collision; written by compute_impulses

@@ -13,7 +13,8 @@ namespace {
 // it. A body is treated when all supports above have been treated, so its load is complete (a topological order, after
 // Kahn 1962). Then its load is divided among the points under it, and each point's share is added to the body below,
 // together with its moment. The order among ready bodies does not show: shares are rounded to one grid (magic_), so the
-// sums that they enter are exact in any order (src/math/grid.h).
+// sums that they enter are exact in any order (src/math/grid.h). Sums over the points under one body, whose terms have
+// no such bound, take their grid from the largest term.
 //
 // More than three points under a body leave the loads open: many sets of loads balance the weight. The sweeps would
 // settle on one of them slowly. Least squares picks the set in which the load is a linear function of the place, as in
@@ -44,9 +45,10 @@ class Walk {
         scratch_(scratch),
         gravity_(state.def.gravity),
         substep_(substep_s),
-        magic_(rounding_for(bodies_)),
+        reach_(farthest_reach(bodies_)),
+        magic_(rounding_for(bodies_, reach_)),
         own_(scratch_.weights) {
-    own_.carried = bodies_.mass;
+    own_.borne.assign(bodies_.size(), 0);
     own_.moment_x.assign(bodies_.size(), 0);
     own_.moment_y.assign(bodies_.size(), 0);
     own_.waiting_for.assign(bodies_.size(), 0);
@@ -74,18 +76,31 @@ class Walk {
   }
 
  private:
-  // The magic number of a grid on which sums of n masses times lever arms are exact.
-  static double rounding_for(const Bodies& bodies) {
-    double heaviest = 0, squared_reach = 1;
+  // m, from the centre of a body to its corners; at least 1.
+  static double farthest_reach(const Bodies& bodies) {
+    double squared_reach = 1;
     for (BodyIndex i = 0; i < bodies.size(); ++i) {
       if (bodies.is_static[i] != 0) continue;
-      heaviest = std::max(heaviest, bodies.mass[i]);
       squared_reach = std::max(squared_reach, dot(bodies.half_extent[i], bodies.half_extent[i]));
     }
-    const double reach = std::sqrt(squared_reach);
+    return std::sqrt(squared_reach);
+  }
+  // The magic number of a grid on which sums of n masses times lever arms of up to twice the reach are exact.
+  static double rounding_for(const Bodies& bodies, double reach) {
+    double heaviest = 0;
+    for (BodyIndex i = 0; i < bodies.size(); ++i) {
+      if (bodies.is_static[i] == 0) heaviest = std::max(heaviest, bodies.mass[i]);
+    }
     return VelocityGrid::kMagic * (power_of_two(static_cast<double>(bodies.size()) * heaviest * reach) / 2048);
   }
-  double rounded(double x) const { return (x + magic_) - magic_; }
+  double rounded(double x) const { return on_grid(magic_, x); }
+  static double on_grid(double magic, double x) { return (x + magic) - magic; }
+
+  // A point where fast bodies will meet may lie farther from where the lower one is now.
+  double lever(double x) const { return std::clamp(x, -2 * reach_, 2 * reach_); }
+
+  // kg. The mass lies on no grid, so it is added last.
+  double carried(BodyIndex i) const { return bodies_.mass[i] + own_.borne[i]; }
 
   bool moves(BodyIndex i) const { return i != kGround && bodies_.moves(i); }
   Vec3 velocity_of(BodyIndex i) const { return moves(i) ? bodies_.velocity[i] : Vec3(Vec3::Zero()); }
@@ -145,29 +160,46 @@ class Walk {
   // Sets the loads of the points. Returns the factor that makes the loads add up to the weight carried.
   double load_points(BodyIndex i) {
     const LoadFit f = fit_loads(i);
-    double total = 0;  // kg; a point cannot pull, so negative loads are cut to 0
+    double largest = 0;  // kg; a point cannot pull, so negative loads are cut to 0
     for (SupportPoint& point : own_.points) {
       point.load = f.load_at(point.x, point.y);
-      total += rounded(point.load);
+      largest = std::max(largest, point.load);
     }
-    return total > 0 ? own_.carried[i] / total : 0;
+    double total = sum_of_loads(magic_);
+    // Points almost in a row get loads far beyond the weight. A sum without negative terms tells of itself that its
+    // grid was too narrow.
+    if (total > 1.25 * magic_) total = sum_of_loads(fitting_magic(magic_, largest * terms()));
+    return total > 0 ? carried(i) / total : 0;
   }
+
+  double sum_of_loads(double magic) const {
+    double total = 0;
+    for (const SupportPoint& point : own_.points) total += on_grid(magic, point.load);
+    return total;
+  }
+
+  // For fitting_magic: the number of terms of a sum over the points.
+  double terms() const { return std::max(4.0, static_cast<double>(own_.points.size())); }
 
   LoadFit fit_loads(BodyIndex i) const {
     LoadFit f;
     if (own_.points.empty()) return f;
     f.count = static_cast<double>(own_.points.size());
+    double farthest = 0;
+    for (const SupportPoint& p : own_.points) farthest = std::max({farthest, std::fabs(p.x), std::fabs(p.y)});
+    const double magic = fitting_magic(VelocityGrid::kMagic, farthest * terms());
     for (const SupportPoint& point : own_.points) {
-      f.x += VelocityGrid::round(point.x);
-      f.y += VelocityGrid::round(point.y);
+      f.x += on_grid(magic, point.x);
+      f.y += on_grid(magic, point.y);
     }
     f.x /= f.count;
     f.y /= f.count;
+    const double squares = fitting_magic(VelocityGrid::kMagic, 4 * farthest * farthest * terms());
     for (const SupportPoint& point : own_.points) {
       const double x = point.x - f.x, y = point.y - f.y;
-      f.xx += VelocityGrid::round(x * x);
-      f.xy += VelocityGrid::round(x * y);
-      f.yy += VelocityGrid::round(y * y);
+      f.xx += on_grid(squares, x * x);
+      f.xy += on_grid(squares, x * y);
+      f.yy += on_grid(squares, y * y);
     }
     balance(i, f);
     return f;
@@ -175,9 +207,9 @@ class Walk {
 
   // Solves for the slopes from the moments about x and y. With a tilted gravity the loads stay even.
   void balance(BodyIndex i, LoadFit& f) const {
-    f.even = own_.carried[i] / f.count;
+    f.even = carried(i) / f.count;
     if (gravity_.x() != 0 || gravity_.y() != 0) return;
-    const double turn_x = own_.moment_x[i] - own_.carried[i] * f.x, turn_y = own_.moment_y[i] - own_.carried[i] * f.y;
+    const double turn_x = own_.moment_x[i] - carried(i) * f.x, turn_y = own_.moment_y[i] - carried(i) * f.y;
     const double little = 1e-6 * (f.xx + f.yy);  // points in a row leave one slope undetermined
     const double xx = f.xx + little, yy = f.yy + little;
     const double determinant = xx * yy - f.xy * f.xy;
@@ -196,9 +228,9 @@ class Walk {
       point.point->load = load * s.pull * substep_;
       if (starts) point.point->impulse = point.point->load;
       if (!passes_on) continue;
-      own_.carried[s.lower] += rounded(load);
-      own_.moment_x[s.lower] += rounded(load * (point.x + apart.x()));
-      own_.moment_y[s.lower] += rounded(load * (point.y + apart.y()));
+      own_.borne[s.lower] += rounded(load);
+      own_.moment_x[s.lower] += rounded(load * lever(point.x + apart.x()));
+      own_.moment_y[s.lower] += rounded(load * lever(point.y + apart.y()));
     }
     if (!passes_on) return;
     const Vec3 velocity = bodies_.velocity[s.lower];
@@ -211,7 +243,7 @@ class Walk {
   Scratch& scratch_;
   Vec3 gravity_;
   double substep_;
-  double magic_;
+  double reach_, magic_;
   WeightScratch& own_;
 };
 

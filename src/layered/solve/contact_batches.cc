@@ -11,6 +11,7 @@ namespace {
 static_assert(sizeof(SolverBody) == kSolverBodyDoubles * sizeof(double));
 static_assert(offsetof(SolverBody, inverse_mass) == 6 * sizeof(double));
 static_assert(offsetof(SolverBody, inverse_inertia) == 8 * sizeof(double));
+static_assert(VelocityGrid::kLimit == kMotionSumMax);
 static_assert(sizeof(Outcome) == kOutcomeDoubles * sizeof(double));
 
 constexpr std::size_t kWorthManifolds = 32768;  // that pay for one more worker

@@ -1,5 +1,9 @@
 #include "src/layered/solve/integrate_positions.h"
 
+#include <algorithm>
+#include <string>
+
+#include "src/base/text.h"
 #include "src/kernels/kernels_by_width.h"
 #include "src/layered/order/solver_body.h"
 #include "src/layered/solve/contact_batches.h"
@@ -11,6 +15,18 @@
 
 namespace tumble::sim {
 namespace {
+
+// A value of in_contact: a body whose motion the grids do not hold.
+constexpr std::uint8_t kBeyond = 2;
+
+// m/s, rad/s; between substeps. A light body between heavy ones may be faster until the next sweep stops it.
+constexpr double kSubstepSpeedMax = 16 * kSpeedMax;
+
+bool in_range(const Vec3& position, const SolverBody& body) {
+  return far_within_limits(position, body.velocity, body.spin) ||
+         (within(position, kPositionMax) && within(body.velocity, kSubstepSpeedMax) &&
+          within(body.spin, kSubstepSpeedMax));
+}
 
 constexpr double kStiff = 0.002;  // rad in a substep; below, the inverse inertia is not computed anew
 
@@ -29,10 +45,47 @@ void turn(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) {
   }
 }
 
-void move_body(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) {
-  const Vec3 path = PositionGrid::round(Vec3(scratch.solver_bodies[i].velocity * substep_s));
-  bodies.position.set(i, plus_zero(bodies.position[i] + path));
+// Returns whether place and motion were and stay in range.
+bool move_body(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) {
+  const Vec3 position = bodies.position[i];
+  const SolverBody& body = scratch.solver_bodies[i];
+  if (!in_range(position, body)) return false;
+  const Vec3 moved = plus_zero(position + PositionGrid::round_any(Vec3(body.velocity * substep_s)));
+  bodies.position.set(i, moved);
   turn(bodies, scratch, i, substep_s);
+  return in_range(moved, body);
+}
+
+// "body 7 (0.002 kg)"
+std::string named(const Bodies& bodies, BodyIndex i) {
+  return "body " + std::to_string(bodies.id[i]) + " (" + significant(bodies.mass[i], 3) + " kg)";
+}
+
+// The heaviest body that touches body i, the one of the lowest id if several are; kGround if none does.
+BodyIndex heaviest_touching(const Bodies& bodies, const Scratch& scratch, BodyIndex i) {
+  BodyIndex heaviest = kGround;
+  for (const std::uint32_t k : scratch.layered) {
+    const Manifold& m = scratch.manifolds[k];
+    if (m.a == kGround || (m.a != i && m.b != i)) continue;
+    const BodyIndex other = m.a == i ? m.b : m.a;
+    const bool heavier = heaviest == kGround || bodies.mass[other] > bodies.mass[heaviest];
+    if (heavier || (bodies.mass[other] == bodies.mass[heaviest] && other < heaviest)) heaviest = other;
+  }
+  return heaviest;
+}
+
+// Errors: the first body whose motion left the limits.
+Status check_moved(const Bodies& bodies, const Scratch& scratch) {
+  const auto found = std::find(scratch.in_contact.begin(), scratch.in_contact.end(), kBeyond);
+  if (found == scratch.in_contact.end()) [[likely]]
+    return {};
+  const auto i = static_cast<BodyIndex>(found - scratch.in_contact.begin());
+  const SolverBody& body = scratch.solver_bodies[i];
+  const BodyIndex heaviest = heaviest_touching(bodies, scratch, i);
+  const std::string both = named(bodies, i) + " on " + (heaviest == kGround ? "the ground" : named(bodies, heaviest));
+  if (!within(bodies.position[i], kPositionMax)) return beyond(both, "position", bodies.position[i], kPositionMax, "m");
+  if (!within(body.spin, kSubstepSpeedMax)) return beyond(both, "spin", body.spin, kSubstepSpeedMax, "rad/s");
+  return beyond(both, "velocity", body.velocity, kSubstepSpeedMax, "m/s");
 }
 
 }  // namespace
@@ -41,9 +94,11 @@ Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s
   Bodies& bodies = state.bodies;
   for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (scratch.in_contact[i] != 0) move_body(bodies, scratch, static_cast<BodyIndex>(i), substep_s);
+      if (scratch.in_contact[i] == 0) continue;
+      if (!move_body(bodies, scratch, static_cast<BodyIndex>(i), substep_s)) scratch.in_contact[i] = kBeyond;
     }
   });
+  if (Status ok = check_moved(bodies, scratch); !ok.ok()) return ok;
   // A bar is thousands of times as easy to turn about its length as across it. After a turn by a degree the right
   // impulse is several times smaller, and sweeps with the old response would diverge.
   const bool renews = has_slender(scratch);
