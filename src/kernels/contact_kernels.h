@@ -15,8 +15,8 @@ enum class Sweep : std::uint8_t { kPush, kRelax, kRestitution };
 inline constexpr std::size_t kSolverBodyDoubles = 16;
 /// Doubles in a row of Outcome: changes of velocity and spin, then two zeros.
 inline constexpr std::size_t kOutcomeDoubles = 8;
-/// m/s or rad/s: where the motion before and the magnitudes of all changes are below this, their sums on VelocityGrid
-/// are exact; where not, a wider grid is chosen.
+/// m/s or rad/s: changes of a motion whose magnitudes add up to less have exact sums on VelocityGrid; others need a
+/// wider grid.
 inline constexpr double kMotionSumMax = 8192;
 
 /// The data of the kernels: manifolds of one layer, and all bodies. The manifolds of a layer are solved as if at one

@@ -182,46 +182,46 @@ void warm_start(const ContactWork& work, ContactBatch& batch, unsigned at) {
   write_outcomes(work, m, {normal.force + friction.force, normal.torque + friction.torque});
 }
 
-// Of the doubles that apply_outcomes takes at once; those after the motion have no limit.
-constexpr double kNone = __builtin_inf();
-alignas(64) constexpr double kSumLimits[kOutcomeDoubles] = {kMotionSumMax, kMotionSumMax, kMotionSumMax, kMotionSumMax,
-                                                            kMotionSumMax, kMotionSumMax, kNone,         kNone};
-
-// The sum of outcomes of any size, whose magnitudes add up to `magnitudes`: the largest chooses the grid.
+// The sum of the outcomes of a body from double `at` of the rows on, of any size: where their magnitudes leave the grid
+// of motions, the largest chooses a wider one.
 template <class V>
-[[gnu::noinline, gnu::cold]] V add_up_outcomes(const ContactWork& work, const BodyOutcomes& of, std::size_t part,
-                                               V magnitudes) {
-  V largest = V{}, sum = V{};
+[[gnu::noinline, gnu::cold]] V add_up_outcomes(const ContactWork& work, const BodyOutcomes& of, std::size_t at) {
+  const auto outcome = [&](std::uint32_t e) { return load<V>(work.outcomes + work.entries[e] * kOutcomeDoubles + at); };
+  const V usual = V{} + kMotionMagic;
+  V largest = V{}, magnitudes = V{}, sum = V{};
   for (std::uint32_t e = of.begin; e < of.end; ++e) {
-    largest = larger(absolute(load<V>(work.outcomes + work.entries[e] * kOutcomeDoubles + part)), largest);
+    largest = larger(absolute(outcome(e)), largest);
+    magnitudes += absolute(to_grid(usual, outcome(e)));
   }
   const double terms = of.end - of.begin < 4 ? 4.0 : static_cast<double>(of.end - of.begin);
-  const V usual = V{} + kMotionMagic, wider = fitting_magic(usual, largest * terms);
-  const V magic = magnitudes < kMotionSumMax ? usual : wider;
-  for (std::uint32_t e = of.begin; e < of.end; ++e) {
-    sum += to_grid(magic, load<V>(work.outcomes + work.entries[e] * kOutcomeDoubles + part));
-  }
+  const V wider = fitting_magic(usual, largest * terms), magic = magnitudes < kMotionSumMax ? usual : wider;
+  for (std::uint32_t e = of.begin; e < of.end; ++e) sum += to_grid(magic, outcome(e));
   return sum;
 }
 
 // Adds to every body of a layer its outcomes, rounded to the grid of motions: sums on a grid are exact in any order,
-// here as long as the motion before and the magnitudes of the outcomes are each less than kMotionSumMax.
+// here as long as the magnitudes of the outcomes add up to less than kMotionSumMax.
 template <class V>
 void apply_outcomes(const ContactWork& work, const BodyOutcomes* of, std::size_t count) {
-  constexpr std::size_t kAtOnce = sizeof(V) / sizeof(double);
-  const V magic = V{} + kMotionMagic;
+  constexpr std::size_t kAtOnce = sizeof(V) / sizeof(double), kParts = kOutcomeDoubles / kAtOnce;
+  const V magic = V{} + kMotionMagic, limit = V{} + kMotionSumMax;
   for (std::size_t k = 0; k < count; ++k) {
     double* const body = work.bodies + of[k].body * kSolverBodyDoubles;
-    for (std::size_t part = 0; part < kOutcomeDoubles; part += kAtOnce) {
-      const V before = load<V>(body + part);
-      V motion = before, change = V{};
-      for (std::uint32_t e = of[k].begin; e < of[k].end; ++e) {
-        const V outcome = to_grid(magic, load<V>(work.outcomes + work.entries[e] * kOutcomeDoubles + part));
-        motion += outcome;
-        change += absolute(outcome);
+    V sum[kParts] = {}, magnitudes = V{};  // the latter of all parts together, which is no less than that of any
+    for (std::uint32_t e = of[k].begin; e < of[k].end; ++e) {
+      const double* const row = work.outcomes + work.entries[e] * kOutcomeDoubles;
+      for (std::size_t part = 0; part < kParts; ++part) {
+        const V outcome = to_grid(magic, load<V>(row + part * kAtOnce));
+        sum[part] += outcome;
+        magnitudes += absolute(outcome);
       }
-      const bool exact = all_below(larger(change, absolute(before)), load<V>(kSumLimits + part));
-      store(body + part, exact ? motion : before + add_up_outcomes(work, of[k], part, change));
+    }
+    if (!all_below(magnitudes, limit)) [[unlikely]] {
+      for (std::size_t part = 0; part < kParts; ++part) sum[part] = add_up_outcomes<V>(work, of[k], part * kAtOnce);
+    }
+    for (std::size_t part = 0; part < kParts; ++part) {
+      double* const motion = body + part * kAtOnce;
+      store(motion, load<V>(motion) + sum[part]);
     }
   }
 }

@@ -33,6 +33,7 @@ struct LoadFit {
   double xx = 0, xy = 0, yy = 0;              // m², sums of products about the mean
   double even = 0, along_x = 0, along_y = 0;  // kg, kg/m: load = even + along · (place − mean)
 
+  // A point cannot pull, so negative loads are cut to 0.
   [[nodiscard]] double load_at(double at_x, double at_y) const {
     return std::max(0.0, even + (along_x * (at_x - x) + along_y * (at_y - y)));
   }
@@ -160,19 +161,20 @@ class Walk {
   // Sets the loads of the points. Returns the factor that makes the loads add up to the weight carried.
   double load_points(BodyIndex i) {
     const LoadFit f = fit_loads(i);
-    double largest = 0;  // kg; a point cannot pull, so negative loads are cut to 0
-    for (SupportPoint& point : own_.points) {
-      point.load = f.load_at(point.x, point.y);
-      largest = std::max(largest, point.load);
-    }
+    for (SupportPoint& point : own_.points) point.load = f.load_at(point.x, point.y);  // kg
     double total = sum_of_loads(magic_);
     // Points almost in a row get loads far beyond the weight. A sum without negative terms tells of itself that its
     // grid was too narrow.
-    if (total > 1.25 * magic_) total = sum_of_loads(fitting_magic(magic_, largest * terms()));
+    if (total > 1.25 * magic_) total = sum_of_loads(fitting_magic(magic_, largest_load() * terms()));
     return total > 0 ? carried(i) / total : 0;
   }
 
-  double sum_of_loads(double magic) const {
+  double largest_load() const {
+    double largest = 0;
+    for (const SupportPoint& point : own_.points) largest = std::max(largest, point.load);
+    return largest;
+  }
+  double sum_of_loads(double magic) const {  // kg
     double total = 0;
     for (const SupportPoint& point : own_.points) total += on_grid(magic, point.load);
     return total;

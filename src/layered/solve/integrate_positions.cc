@@ -22,12 +22,6 @@ constexpr std::uint8_t kBeyond = 2;
 // m/s, rad/s; between substeps. A light body between heavy ones may be faster until the next sweep stops it.
 constexpr double kSubstepSpeedMax = 16 * kSpeedMax;
 
-bool in_range(const Vec3& position, const SolverBody& body) {
-  return far_within_limits(position, body.velocity, body.spin) ||
-         (within(position, kPositionMax) && within(body.velocity, kSubstepSpeedMax) &&
-          within(body.spin, kSubstepSpeedMax));
-}
-
 constexpr double kStiff = 0.002;  // rad in a substep; below, the inverse inertia is not computed anew
 
 // Turns a body as in free flight, which keeps angular momentum and energy. With a constant spin in world axes instead,
@@ -45,15 +39,17 @@ void turn(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) {
   }
 }
 
-// Returns whether place and motion were and stay in range.
+// Returns whether place and motion are in range.
 bool move_body(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) {
   const Vec3 position = bodies.position[i];
   const SolverBody& body = scratch.solver_bodies[i];
-  if (!in_range(position, body)) return false;
-  const Vec3 moved = plus_zero(position + PositionGrid::round_any(Vec3(body.velocity * substep_s)));
+  const bool slow = far_within_limits(position, body.velocity, body.spin);
+  if (!slow && !(within(body.velocity, kSubstepSpeedMax) && within(body.spin, kSubstepSpeedMax))) return false;
+  const Vec3 path = body.velocity * substep_s;
+  const Vec3 moved = plus_zero(position + (slow ? PositionGrid::round(path) : PositionGrid::round_any(path)));
   bodies.position.set(i, moved);
   turn(bodies, scratch, i, substep_s);
-  return in_range(moved, body);
+  return slow || within(moved, kPositionMax);
 }
 
 // "body 7 (0.002 kg)"
