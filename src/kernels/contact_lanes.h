@@ -139,7 +139,7 @@ V terms_of(const Manifolds<V>& m) {
 
 // The sums of `impulses`, one a point, of any size: the largest term chooses each grid.
 template <class V>
-[[gnu::noinline, gnu::cold]] PointSums<V> add_up(const Manifolds<V>& m, const V* impulses) {
+PointSums<V> add_up(const Manifolds<V>& m, const V* impulses) {
   const unsigned count = m.batch->count;
   PointSums<V> largest = {};
   for (unsigned k = 0; k < count; ++k) {
@@ -162,7 +162,7 @@ template <class V>
 
 // The sums of the accumulated impulses.
 template <class V>
-[[gnu::noinline, gnu::cold]] PointSums<V> add_up_impulses(const Manifolds<V>& m) {
+PointSums<V> add_up_impulses(const Manifolds<V>& m) {
   V impulses[kPointsMax];
   for (unsigned k = 0; k < m.batch->count; ++k) impulses[k] = m.get(m.points[k].impulse);
   return add_up(m, impulses);

@@ -112,7 +112,7 @@ Wrench<V> solve_normals(const Manifolds<V>& m, const Motion<V>& motion, V pressu
       sp += to_grid(magic, change * p);
     }
     // No impulse is negative, so no change is larger than the sums before and after.
-    if (any(pressure + (pressure + s) > impulse_max)) {
+    if (any(pressure + (pressure + s) > impulse_max)) [[unlikely]] {
       const PointSums<V> sums = add_up(m, changes);
       s = sums.s;
       sq = sums.sq;
@@ -170,7 +170,7 @@ void warm_start(const ContactWork& work, ContactBatch& batch, unsigned at) {
     sq += to_grid(magic, impulse * m.get(point.q));
     sp += to_grid(magic, impulse * m.get(point.p));
   }
-  if (any(s > m.get(batch.impulse_max))) {
+  if (any(s > m.get(batch.impulse_max))) [[unlikely]] {
     const PointSums<V> sums = add_up_impulses(m);
     s = sums.s;
     sq = sums.sq;
