@@ -14,13 +14,13 @@ namespace tumble::test {
 namespace {
 
 using sim::BoxFrame;
-using sim::Quat;
 using sim::Vec3;
 
-constexpr int kWorlds = 100, kInEach = 50;  // cases against the ground, and as many against another body
-constexpr int kHits = 5000;                 // of each kind
-constexpr double kTumbleMost = 0.5;         // rad in a substep
-constexpr double kApart = 60;               // m between cases
+constexpr int kWorlds = 100;
+constexpr sim::BodyId kInEach = 50;  // cases against the ground, and as many against another body
+constexpr int kHits = 5000;          // of each kind
+constexpr double kTumbleMost = 0.5;  // rad in a substep
+constexpr double kApart = 60;        // m between cases
 
 Vec3 direction(Random& random) {
   const Vec3 v(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
@@ -68,7 +68,10 @@ sim::SceneDef still_world(Random& random) {
   return scene;
 }
 
-Vec3 place_of(int k) { return {kApart * (k % 10 - 5), kApart * (k / 10 - 5), 0}; }
+Vec3 place_of(sim::BodyId k) {
+  const sim::BodyId row = k / 10, column = k % 10;
+  return {kApart * (static_cast<double>(column) - 5), kApart * (static_cast<double>(row) - 5), 0};
+}
 
 // Counts bodies that one step leaves with other velocities than those of a flight alone: without the ground, and with
 // every other body of the scene far away.
@@ -90,8 +93,8 @@ TEST(FreePass, OverTheGroundChangesNoVelocity) {
   for (int world = 0; world < kWorlds; ++world) {
     Random random(static_cast<std::uint64_t>(world));
     sim::SceneDef scene = still_world(random);
-    for (int k = 0; k < kInEach; ++k) {
-      sim::BoxDef body = spinner(static_cast<sim::BodyId>(k + 1), random);
+    for (sim::BodyId k = 0; k < kInEach; ++k) {
+      sim::BoxDef body = spinner(k + 1, random);
       body.position = place_of(k);
       body.position.z() = reach_in_a_round(body, {0, 0, -1}) + magnitude(random, 0.001, 1);
       body.velocity = {random.uniform(-20, 20), random.uniform(-20, 20), 0};
@@ -107,9 +110,9 @@ TEST(FreePass, OfAnotherBodyChangesNoVelocity) {
   for (int world = 0; world < kWorlds; ++world) {
     Random random(1000 + static_cast<std::uint64_t>(world));
     sim::SceneDef scene = still_world(random);
-    for (int k = 0; k < kInEach; ++k) {
-      sim::BoxDef a = spinner(static_cast<sim::BodyId>(2 * k + 1), random);
-      sim::BoxDef b = spinner(static_cast<sim::BodyId>(2 * k + 2), random);
+    for (sim::BodyId k = 0; k < kInEach; ++k) {
+      sim::BoxDef a = spinner(2 * k + 1, random);
+      sim::BoxDef b = spinner(2 * k + 2, random);
       const Vec3 n = direction(random);
       Vec3 across = direction(random);
       across -= n * across.dot(n);
