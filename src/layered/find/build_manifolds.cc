@@ -14,8 +14,6 @@
 namespace tumble::sim {
 namespace {
 
-constexpr double kBendMax = 0.0005;  // m; the slop of contact_solve_impl.h
-
 // Builds the manifolds of a range of bodies.
 class Builder {
  public:
@@ -121,14 +119,14 @@ class Builder {
   }
 
   // Whether bodies may meet in this step. Where corners leave their tangents, the free flights are followed, and what
-  // they meet is tested at the meeting. A body that is held does not fly freely: it is followed only if its corners
-  // leave the slack, and points near its path are kept as they are where nothing turns.
+  // they meet is tested at the meeting. A body that is held does not fly freely: points near its path are kept as they
+  // are where nothing turns.
   bool can_meet(BodyIndex lo, BodyIndex hi) {
     encounter_.kind = Encounter::Kind::kNear;
     low_ = lo;
-    const bool held = (lo != kGround && scratch_.held[lo] != 0) || scratch_.held[hi] != 0;
-    followed_ = paths_.bend(lo, hi) > (held ? slack_of(smallest_) : kBendMax);
+    followed_ = paths_.bend(lo, hi);
     if (!followed_) return true;
+    const bool held = (lo != kGround && scratch_.held[lo] != 0) || scratch_.held[hi] != 0;
     follow(lo, hi, held ? slack_of(smallest_) + fall_ : 0);
     return encounter_.kind != Encounter::Kind::kPassing;
   }

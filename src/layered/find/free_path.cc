@@ -11,6 +11,7 @@
 namespace tumble::sim {
 namespace {
 
+constexpr double kBendMax = 0.0005;   // m; the slop of contact_solve_impl.h
 constexpr double kTouching = 0.0001;  // m; the skin of contact_solve_impl.h
 constexpr int kFollowMax = 1 << 20;   // a pass a millimetre away at the limits of size and spin takes some 10,000
 
@@ -56,12 +57,12 @@ struct FreePaths::Flyer {
 FreePaths::FreePaths(const WorldState& state, const Scratch& scratch, double dt_s)
     : state_(state), scratch_(scratch), dt_(dt_s) {}
 
-double FreePaths::bend(BodyIndex a, BodyIndex b) const {
+bool FreePaths::bend(BodyIndex a, BodyIndex b) const {
   const auto bent = [&](BodyIndex i) {
     if (i == kGround || !state_.bodies.moves(i)) return 0.0;
     return 0.5 * scratch_.turning[i] * (length(state_.bodies.spin[i]) * dt_);
   };
-  return bent(a) + bent(b);
+  return bent(a) + bent(b) > kBendMax;
 }
 
 FreePaths::Flyer FreePaths::flyer(BodyIndex i) const {

@@ -41,8 +41,9 @@ class FreePaths {
  public:
   FreePaths(const WorldState& state, const Scratch& scratch, double dt_s);
 
-  /// How far corners leave the tangents of their paths within the step, m, at most. a may be kGround.
-  [[nodiscard]] double bend(BodyIndex a, BodyIndex b) const;
+  /// Whether corners leave the tangents of their paths within the step by more than the overlap that contacts leave
+  /// alone. Points may then not be extrapolated along tangents. a may be kGround.
+  [[nodiscard]] bool bend(BodyIndex a, BodyIndex b) const;
 
   /// Follows both bodies until they touch or the step ends. margin: m, tells kNear from kPassing; 0: finds no kNear.
   /// a may be kGround.
