@@ -53,90 +53,57 @@ class Builder {
     if (!bodies_.moves(lo) && !bodies_.moves(hi)) return recall_.keep(lo, hi, out_);
     pair_ = tests_.next();
     if (pair_ == nullptr) return;
-    smallest_ = smallest_half_extent(scratch_.frames[lo], scratch_.frames[hi]);
-    approach_ = bodies_.velocity[hi] - bodies_.velocity[lo];
-    turn_ = turning(lo) + turning(hi);
-    if (!can_meet(lo, hi)) return;
-    const std::size_t before = out_.manifolds.size();
-    add_preferred(lo, hi);
-    if (out_.manifolds.size() == before) add_at_meeting(lo, hi);
-  }
-
-  // For a pair of which no point closes, or lies in both boxes, as it faces now. Where the boxes meet, the axes that
-  // keep them apart until then have points that close.
-  void add_at_meeting(BodyIndex lo, BodyIndex hi) {
-    if (!followed_) {
-      const double face = larger_separation(pair_->face_a, pair_->face_b);
-      const double apart = pair_->edge.axes != 0 ? std::max(face, pair_->edge.separation) : face;
-      if (pair_->later == 0 && apart > length(approach_) * dt_ + turn_) return;
-      follow(lo, hi, 0);
-    }
-    if (encounter_.kind != Encounter::Kind::kMeeting) return;
-    const BestAxes last = BoxPair(encounter_.a.frame, encounter_.b.frame).best_of_all();
-    add_faces(lo, hi, static_cast<AxisSet>(last.axes & kFacesOfA));
-    add_faces(hi, lo, static_cast<AxisSet>((last.axes & kFacesOfB) >> 3U));
-    add_edges(lo, hi, {static_cast<AxisSet>(last.axes & kEdges), last.separation});
-  }
-
-  // Contact normals as resting boxes need them: faces are preferred to edges, and one box's faces to the other's.
-  void add_preferred(BodyIndex lo, BodyIndex hi) {
+    const double smallest = smallest_half_extent(scratch_.frames[lo], scratch_.frames[hi]);
+    if (!can_meet(lo, hi, smallest)) return;
+    const BoxFrame &a = frame_of(lo), &b = frame_of(hi);
+    const Vec3 approach = bodies_.velocity[hi] - bodies_.velocity[lo];
+    const double turn = turning(lo) + turning(hi);
+    const auto margin_of = [&](const Vec3& n) {
+      if (encounter_.kind == Encounter::Kind::kMeeting) return slack_of(smallest);
+      return std::max(0.0, -dot(approach, n)) * dt_ + (turn + fall_) + slack_of(smallest);
+    };
     const BestAxes &face_lo = pair_->face_a, &face_hi = pair_->face_b, &edge = pair_->edge;
+    const Vec3& offset = pair_->offset;
     const double face = larger_separation(face_lo, face_hi);
-    const int order = canonical(frame_of(lo), frame_of(hi), pair_->offset);
-    const bool lo_first = order >= 0, hi_first = order <= 0;
-    if (edge.axes != 0 && edge.separation > face + kEdgePreference * smallest_) return add_edges(lo, hi, edge);
-    const double prefer = kFacePreference * smallest_;
+    const bool lo_first = canonical(a, b, offset) >= 0, hi_first = canonical(a, b, offset) <= 0;
+    if (edge.axes != 0 && edge.separation > face + kEdgePreference * smallest) {
+      for_each_axis(edge.axes, [&](int axis) {
+        const double margin = margin_of(BoxPair(a, b, offset).normal(axis));
+        if (edge.separation > margin) return;
+        if (lo_first) add_edge(lo, hi, axis, margin);
+        if (hi_first) add_edge(hi, lo, axis, margin);
+      });
+      return;
+    }
+    const double prefer = kFacePreference * smallest;
     const bool on_lo = face_lo.axes != 0 && (lo_first ? face_lo.separation >= face - prefer
                                                       : face_lo.separation > face_hi.separation + prefer);
     const bool on_hi = face_hi.axes != 0 && (hi_first ? face_hi.separation >= face - prefer
                                                       : face_hi.separation > face_lo.separation + prefer);
-    if (on_lo) add_faces(lo, hi, face_lo.axes);
-    if (on_hi) add_faces(hi, lo, static_cast<AxisSet>(face_hi.axes >> 3U));
-  }
-
-  // The separation, m, up to which points are kept. n: from the lower row to the higher.
-  double margin_of(const Vec3& n) const {
-    if (encounter_.kind == Encounter::Kind::kMeeting) return slack_of(smallest_);
-    return std::max(0.0, -dot(approach_, n)) * dt_ + (turn_ + fall_) + slack_of(smallest_);
-  }
-
-  // axes: faces of the reference, from bit 0 on.
-  void add_faces(BodyIndex reference, BodyIndex incident, AxisSet axes) {
-    const Vec3& offset = pair_->offset;
-    for_each_axis(axes, [&](int axis) {
-      add_face(reference, incident, axis, margin_of(towards(offset, frame_of(reference).axes[axis])));
-    });
-  }
-
-  void add_edges(BodyIndex lo, BodyIndex hi, const BestAxes& edge) {
-    const int order = canonical(frame_of(lo), frame_of(hi), pair_->offset);
-    for_each_axis(edge.axes, [&](int axis) {
-      const double margin = margin_of(BoxPair(frame_of(lo), frame_of(hi), pair_->offset).normal(axis));
-      if (edge.separation > margin) return;
-      if (order >= 0) add_edge(lo, hi, axis, edge.separation, margin);
-      if (order <= 0) add_edge(hi, lo, axis, edge.separation, margin);
-    });
+    if (on_lo) {
+      for_each_axis(face_lo.axes, [&](int axis) { add_face(lo, hi, axis, margin_of(towards(offset, a.axes[axis]))); });
+    }
+    if (on_hi) {
+      for_each_axis(face_hi.axes,
+                    [&](int axis) { add_face(hi, lo, axis - 3, margin_of(towards(offset, b.axes[axis - 3]))); });
+    }
   }
 
   // Whether bodies may meet in this step. Where corners leave their tangents, the free flights are followed, and what
   // they meet is tested at the meeting. A body that is held does not fly freely: points near its path are kept as they
   // are where nothing turns.
-  bool can_meet(BodyIndex lo, BodyIndex hi) {
+  bool can_meet(BodyIndex lo, BodyIndex hi, double smallest) {
     encounter_.kind = Encounter::Kind::kNear;
     low_ = lo;
-    followed_ = paths_.bend(lo, hi);
-    if (!followed_) return true;
+    if (!paths_.bend(lo, hi)) return true;
     const bool held = (lo != kGround && scratch_.held[lo] != 0) || scratch_.held[hi] != 0;
-    follow(lo, hi, held ? slack_of(smallest_) + fall_ : 0);
+    encounter_ = paths_.follow(lo, hi, held ? slack_of(smallest) + fall_ : 0);
+    if (encounter_.kind == Encounter::Kind::kMeeting && lo != kGround) {
+      const BoxPair boxes(encounter_.a.frame, encounter_.b.frame);
+      at_meeting_ = {boxes.best(kFacesOfA), boxes.best(kFacesOfB), boxes.best(kEdges), boxes.offset(), 0};
+      pair_ = &at_meeting_;
+    }
     return encounter_.kind != Encounter::Kind::kPassing;
-  }
-
-  void follow(BodyIndex lo, BodyIndex hi, double margin) {
-    encounter_ = paths_.follow(lo, hi, margin);
-    if (encounter_.kind != Encounter::Kind::kMeeting || lo == kGround) return;
-    const BoxPair boxes(encounter_.a.frame, encounter_.b.frame);
-    at_meeting_ = {boxes.best(kFacesOfA), boxes.best(kFacesOfB), boxes.best(kEdges), boxes.offset(), 0};
-    pair_ = &at_meeting_;
   }
 
   // The frame at the meeting, where there is one, of a body of the pair last given to can_meet.
@@ -173,13 +140,13 @@ class Builder {
   }
 
   // axis: of (lower row, higher row).
-  void add_edge(BodyIndex reference, BodyIndex incident, int axis, double separation, double margin) {
+  void add_edge(BodyIndex reference, BodyIndex incident, int axis, double margin) {
     Manifold& m = fresh(reference, incident);
     const ManifoldSide side = side_of(reference, incident, margin);
     const int i = (axis - 6) / 3, j = (axis - 6) % 3;
     const int own_axis = reference < incident ? axis : 6 + 3 * j + i;
     const BoxPair boxes(*side.reference, *side.incident, side.d);
-    edge_manifold(side, boxes, own_axis, separation, m, out_.points);
+    edge_manifold(side, boxes, own_axis, pair_->edge.separation, m, out_.points);
     separate_as_now(m);
     finish(m);
   }
@@ -197,10 +164,9 @@ class Builder {
   void ground(BodyIndex i) {
     if (!bodies_.moves(i)) return recall_.keep(i, kGround, out_);
     const BoxFrame& now = scratch_.frames[i];
-    smallest_ = now.half_extent.minCoeff();
-    const double slack = slack_of(smallest_);
+    const double smallest = now.half_extent.minCoeff(), slack = slack_of(smallest);
     const double reach = std::max(0.0, -bodies_.velocity.z[i]) * dt_ + (turning(i) + fall_) + slack;
-    if (now.position.z() - reach_along(now, 2) > reach || !can_meet(kGround, i)) return;
+    if (now.position.z() - reach_along(now, 2) > reach || !can_meet(kGround, i, smallest)) return;
     Manifold& m = fresh(kGround, i);
     const bool meets = encounter_.kind == Encounter::Kind::kMeeting;
     ground_manifold(frame_of(i), meets ? slack : reach, m, out_.points);
@@ -261,9 +227,6 @@ class Builder {
   FreePaths paths_;
   Encounter encounter_;  // of the pair at hand; kNear: tested as it lies now
   BodyIndex low_ = 0;    // lower row of that pair
-  bool followed_ = false;
-  double smallest_ = 0, turn_ = 0;  // m, of that pair: smallest half extent, way of corners by turning
-  Vec3 approach_ = Vec3::Zero();    // m/s, of the higher row against the lower
   TestedPair at_meeting_{};
   const TestedPair* pair_ = nullptr;
   ContactRecall recall_;
