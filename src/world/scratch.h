@@ -132,7 +132,6 @@ struct Scratch {
   Vec3Column displacement_low;            ///< its negative parts during the merge
   std::vector<std::uint8_t> touched;      ///< bodies in a real collision; written by compute_impulses
   // Method layered.
-  std::vector<std::uint8_t> held;   ///< bodies that a contact pressed at the end of the last step; by find_manifolds
   std::vector<double> turning;      ///< m, way of corners by turning; written by find_near_pairs
   std::vector<Manifold> manifolds;  ///< in the order of the pairs; written by find_manifolds
   std::vector<ManifoldPoint> manifold_points;
