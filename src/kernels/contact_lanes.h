@@ -15,11 +15,6 @@ namespace tumble::sim {
 namespace {
 
 template <class V>
-V round_motion(V x) {
-  return ((x + kMotionMagic) - kMotionMagic) + 0.0;
-}
-
-template <class V>
 struct Body {
   Space<V> velocity, spin;
   V inverse_mass;

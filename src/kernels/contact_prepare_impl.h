@@ -156,7 +156,7 @@ V largest_row_sum(const Manifolds<V>& m, const PlaneResponse<V>& plane) {
   const auto add = [&](unsigned row, unsigned column, V root) {
     const PointBatch& at = m.points[row];
     const Response<V>& r = unit[column];
-    sum[row] += round_motion(magnitude(r.u + (m.get(at.q) * r.w1 - m.get(at.p) * r.w2)) * root);
+    sum[row] += to_grid(V{} + kMotionMagic, magnitude(r.u + (m.get(at.q) * r.w1 - m.get(at.p) * r.w2)) * root);
   };
   for (unsigned i = 0; i < count; ++i) {
     const PointBatch& point = m.points[i];

@@ -98,7 +98,7 @@ Wrench<V> solve_normals(const Manifolds<V>& m, const Motion<V>& motion, V pressu
   V total_s = zero, total_sq = zero, total_sp = zero;
   constexpr int kPasses = kSweep == Sweep::kRestitution ? kInnerRestitution : kInner;
   for (int pass = 0; pass < kPasses; ++pass) {
-    V s = zero, sq = zero, sp = zero;
+    PointSums<V> sums = {};
     for (unsigned k = 0; k < m.batch->count; ++k) {
       PointBatch& point = m.points[k];
       const V p = m.get(point.p), q = m.get(point.q);
@@ -107,24 +107,20 @@ Wrench<V> solve_normals(const Manifolds<V>& m, const Motion<V>& motion, V pressu
       const V change = changes[k] = impulse - m.get(point.impulse);
       m.set(point.impulse, impulse);
       m.set(point.peak, larger(m.get(point.peak), impulse));
-      s += to_grid(magic, change);
-      sq += to_grid(magic, change * q);
-      sp += to_grid(magic, change * p);
+      sums.s += to_grid(magic, change);
+      sums.sq += to_grid(magic, change * q);
+      sums.sp += to_grid(magic, change * p);
     }
     // No impulse is negative, so no change is larger than the sums before and after.
-    if (any(pressure + (pressure + s) > impulse_max)) [[unlikely]] {
-      const PointSums<V> sums = add_up(m, changes);
-      s = sums.s;
-      sq = sums.sq;
-      sp = sums.sp;
-    }
-    pressure += s;
-    total_s += s;
-    total_sq += sq;
-    total_sp += sp;
-    u += r[0] * s + (r[1] * sq + r[2] * sp);
-    w1 += r[1] * s + (r[3] * sq + r[4] * sp);
-    w2 += -r[2] * s + (-r[4] * sq + r[5] * sp);
+    if (any(pressure + (pressure + sums.s) > impulse_max)) [[unlikely]]
+      sums = add_up(m, changes);
+    pressure += sums.s;
+    total_s += sums.s;
+    total_sq += sums.sq;
+    total_sp += sums.sp;
+    u += r[0] * sums.s + (r[1] * sums.sq + r[2] * sums.sp);
+    w1 += r[1] * sums.s + (r[3] * sums.sq + r[4] * sums.sp);
+    w2 += -r[2] * sums.s + (-r[4] * sums.sq + r[5] * sums.sp);
   }
   return normal_wrench(m, total_s, total_sq, total_sp);
 }
@@ -162,23 +158,20 @@ template <class V>
 void warm_start(const ContactWork& work, ContactBatch& batch, unsigned at) {
   const Manifolds<V> m(work, batch, at);
   const V magic = m.get(batch.impulse_magic);
-  V s = V{}, sq = V{}, sp = V{};
+  PointSums<V> sums = {};
   for (unsigned k = 0; k < batch.count; ++k) {
     const PointBatch& point = m.points[k];
     const V impulse = m.get(point.impulse);
-    s += to_grid(magic, impulse);
-    sq += to_grid(magic, impulse * m.get(point.q));
-    sp += to_grid(magic, impulse * m.get(point.p));
+    sums.s += to_grid(magic, impulse);
+    sums.sq += to_grid(magic, impulse * m.get(point.q));
+    sums.sp += to_grid(magic, impulse * m.get(point.p));
   }
-  if (any(s > m.get(batch.impulse_max))) [[unlikely]] {
-    const PointSums<V> sums = add_up_impulses(m);
-    s = sums.s;
-    sq = sums.sq;
-    sp = sums.sp;
-  }
+  if (any(sums.s > m.get(batch.impulse_max))) [[unlikely]]
+    sums = add_up_impulses(m);
   const V force1 = m.get(batch.force1), force2 = m.get(batch.force2);
   const V turn = m.get(batch.twist) + (m.get(batch.centre_p) * force2 - m.get(batch.centre_q) * force1);
-  const Wrench<V> normal = normal_wrench(m, s, sq, sp), friction = friction_wrench(m, force1, force2, turn);
+  const Wrench<V> normal = normal_wrench(m, sums.s, sums.sq, sums.sp),
+                  friction = friction_wrench(m, force1, force2, turn);
   write_outcomes(work, m, {normal.force + friction.force, normal.torque + friction.torque});
 }
 

@@ -44,6 +44,9 @@ inline double power_of_two(double x) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) & 0x7ff0000000000000ULL);
 }
 
+/// x rounded to the grid of a magic number.
+inline double to_grid(double magic, double x) { return (x + magic) - magic; }
+
 /// The magic number of a grid for a sum whose terms have magnitudes of at most a third of `magnitudes`, and all
 /// together of at most `magnitudes`: `usual` wherever that grid holds such a sum, else the next that does. A sum with
 /// terms of any size is exact, and the same in any order, if its largest term chooses the grid.
@@ -54,7 +57,7 @@ inline double fitting_magic(double usual, double magnitudes) {
 template <int kExponent>
 double Grid<kExponent>::round_any(double x) {
   const double magic = fitting_magic(kMagic, 3 * std::fabs(x));
-  return plus_zero((x + magic) - magic);
+  return plus_zero(to_grid(magic, x));
 }
 
 }  // namespace tumble::sim

@@ -79,10 +79,4 @@ inline Quat product(const Quat& a, const Quat& b) {
           (a.w * b.y + a.y * b.w) + (a.z * b.x - a.x * b.z), (a.w * b.z + a.z * b.w) + (a.x * b.y - a.y * b.x)};
 }
 
-/// q turned about a world axis by the Cayley map. h_W: the axis times the tangent of half the angle; the map needs no
-/// trigonometry.
-inline Quat rotated_by_half(const Quat& q, const Vec3& h_W) {
-  return normalised(product({1, h_W.x(), h_W.y(), h_W.z()}, q));
-}
-
 }  // namespace tumble::sim

@@ -5,8 +5,13 @@
 namespace tumble::sim {
 
 // Named limits, checked where a value enters. The grids of math/grid.h set those of positions and speeds.
-inline constexpr double kPositionMax = 32768;   ///< m, each coordinate
-inline constexpr double kSpeedMax = 8192;       ///< m/s and rad/s, each component
+inline constexpr double kPositionMax = 32768;  ///< m, each coordinate
+inline constexpr double kSpeedMax = 8192;      ///< m/s and rad/s, each component
+/// m/s and rad/s, between substeps. A light body between heavy ones may be faster until the next sweep stops it.
+inline constexpr double kSubstepSpeedMax = 16 * kSpeedMax;
+/// m/s or rad/s. Sums of gains are exact in any order while the magnitudes of the gains add up to at most this: with a
+/// velocity of kSpeedMax that makes 2⁵³ steps of VelocityGrid.
+inline constexpr double kGainTotalMax = 3 * kSpeedMax;
 inline constexpr double kNormTolerance = 1e-9;  ///< of an orientation's squared length from 1
 inline constexpr double kSizeMin = 1e-4;        ///< m, an edge
 inline constexpr double kSizeMax = 4096;        ///< m, an edge

@@ -40,7 +40,7 @@ Status apply_outcomes(WorldState& state, Scratch& scratch, double /*dt_s*/) {
     Vec3 velocity = plus_zero(bodies.velocity[i] + scratch.velocity_gain[i]), position = bodies.position[i];
     const Vec3 spin = plus_zero(bodies.spin[i] + scratch.spin_gain[i]);
     if (bodies.moves(i)) {
-      if (!(magnitudes(velocity) <= kSpeedMax) && !within(velocity, kSpeedMax)) {  // the grid of the lift ends there
+      if (!within(velocity, kSpeedMax)) {  // the grid of the lift ends there
         bodies.velocity.set(i, velocity);
         return check_body_closely(bodies, i);
       }

@@ -58,9 +58,6 @@ inline Status check_gain(const Bodies& bodies, BodyIndex i, const Vec3& velocity
   return check_gain_closely(bodies, i, velocity, spin);
 }
 
-/// m/s or rad/s. Sums of gains are exact in any order while the magnitudes of the gains add up to at most this: with a
-/// velocity of kSpeedMax that makes 2⁵³ steps of VelocityGrid.
-inline constexpr double kGainTotalMax = 3 * kSpeedMax;
 Status check_gains_closely(const Bodies& bodies, BodyIndex i, double total);
 
 /// Errors: the gains of body i, whose largest parts add up to `total`, are beyond kGainTotalMax.

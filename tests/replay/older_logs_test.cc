@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "replay/log/verify.h"
 #include "replay/measure/measure_log.h"
@@ -54,58 +56,52 @@ TEST(OlderLogs, OpenVerifyAndMeasure) {
   }
 }
 
+/// Replays a frozen log, which must be the same in every bit, and returns what was noted.
+std::vector<std::string> notes_of_same_replay(const std::string& name) {
+  Result<LogReader> log = LogReader::open(frozen(name));
+  const Result<ReplayReport> report = replay_log(*log);
+  EXPECT_TRUE(report.ok() && report->identical()) << name;
+  return report.ok() ? report->notes : std::vector<std::string>();
+}
+
+std::string method_version_note(int version) {
+  return "the log was recorded with version " + std::to_string(version) + " of method";
+}
+
 TEST(OlderLogs, ReplayTheSameWhereThePhysicsIsTheSame) {
   for (const char* name : {"format_1.0_thesis", "format_1.1_thesis", "format_1.2_thesis", "format_1.2_layered"}) {
-    SCOPED_TRACE(name);
+    const std::vector<std::string> notes = notes_of_same_replay(name);
+    ASSERT_EQ(notes.size(), 2U) << name;
+    EXPECT_TRUE(notes.front().starts_with(method_version_note(1))) << notes.front();
+    EXPECT_TRUE(notes.back().starts_with(versions_of_phase_hashes(1))) << notes.back();
     Result<LogReader> log = LogReader::open(frozen(name));
-    const Result<ReplayReport> report = replay_log(*log);
-    ASSERT_TRUE(report.ok()) << report.error().message;
-    EXPECT_TRUE(report->identical()) << describe(*report->first);
-    EXPECT_EQ(to_string(report->final_hash), log->header().method == "thesis" ? "966fb0034b87403fc1e9eb5e9db91c05"
-                                                                              : "f8ef00dda2a0ab6a4fa38407b9b3ccba");
-    ASSERT_EQ(report->notes.size(), 2U);
-    EXPECT_TRUE(report->notes.front().starts_with("the log was recorded with version 1 of method"))
-        << report->notes.front();
-    EXPECT_TRUE(report->notes.back().starts_with(versions_of_phase_hashes(1))) << report->notes.back();
+    EXPECT_EQ(to_string(replay_log(*log)->final_hash), log->header().method == "thesis"
+                                                           ? "966fb0034b87403fc1e9eb5e9db91c05"
+                                                           : "f8ef00dda2a0ab6a4fa38407b9b3ccba");
   }
 }
 
 TEST(OlderLogs, OfOtherPhaseHashesReplayTheSame) {
   for (const char* name : {"format_1.3_thesis", "format_1.3_layered"}) {
-    SCOPED_TRACE(name);
-    Result<LogReader> log = LogReader::open(frozen(name));
-    const Result<ReplayReport> report = replay_log(*log);
-    ASSERT_TRUE(report.ok()) << report.error().message;
-    EXPECT_TRUE(report->identical());
-    ASSERT_EQ(report->notes.size(), 2U);
-    EXPECT_TRUE(report->notes.front().starts_with("the log was recorded with version 2 of method"))
-        << report->notes.front();
-    EXPECT_TRUE(report->notes.back().starts_with(versions_of_phase_hashes(2))) << report->notes.back();
+    const std::vector<std::string> notes = notes_of_same_replay(name);
+    ASSERT_EQ(notes.size(), 2U) << name;
+    EXPECT_TRUE(notes.front().starts_with(method_version_note(2))) << notes.front();
+    EXPECT_TRUE(notes.back().starts_with(versions_of_phase_hashes(2))) << notes.back();
   }
 }
 
 // Turns of at most 1/16 rad in a step kept their bits in version 3 of the methods.
 TEST(OlderLogs, OfVersion2OfTheMethodsReplayTheSameWhereNothingTurnsFast) {
   for (const char* name : {"format_1.3_hashes_3_thesis", "format_1.3_hashes_3_layered"}) {
-    SCOPED_TRACE(name);
-    Result<LogReader> log = LogReader::open(frozen(name));
-    const Result<ReplayReport> report = replay_log(*log);
-    ASSERT_TRUE(report.ok()) << report.error().message;
-    EXPECT_TRUE(report->identical());
-    ASSERT_EQ(report->notes.size(), 1U);
-    EXPECT_TRUE(report->notes.front().starts_with("the log was recorded with version 2 of method"))
-        << report->notes.front();
+    const std::vector<std::string> notes = notes_of_same_replay(name);
+    ASSERT_EQ(notes.size(), 1U) << name;
+    EXPECT_TRUE(notes.front().starts_with(method_version_note(2))) << notes.front();
   }
 }
 
 TEST(OlderLogs, OfTodayReplayWithNothingToSay) {
   for (const char* name : {"format_1.3_methods_3_thesis", "format_1.3_methods_3_layered"}) {
-    SCOPED_TRACE(name);
-    Result<LogReader> log = LogReader::open(frozen(name));
-    const Result<ReplayReport> report = replay_log(*log);
-    ASSERT_TRUE(report.ok()) << report.error().message;
-    EXPECT_TRUE(report->identical());
-    EXPECT_TRUE(report->notes.empty()) << report->notes.front();
+    EXPECT_EQ(notes_of_same_replay(name), std::vector<std::string>()) << name;
   }
 }
 

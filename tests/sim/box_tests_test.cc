@@ -14,6 +14,7 @@
 
 #include "src/kernels/box_pair.h"
 #include "src/kernels/kernels_by_width.h"
+#include "src/math/half_turn.h"
 #include "tests/support/sim_scenes.h"
 
 namespace tumble::sim {
@@ -47,8 +48,8 @@ BoxFrame lattice_box(test::Random& random) {
 std::pair<BoxFrame, BoxFrame> nearly_parallel(test::Random& random, double turn) {
   const Quat q = normalised(random.rotation());
   const BoxFrame a = box_at(vector_in(random, -1, 1), vector_in(random, 0.1, 1), q);
-  const Quat turned = rotated_by_half(q, vector_in(random, -turn, turn));
-  return {a, box_at(vector_in(random, -1, 1), vector_in(random, 0.1, 1), turned)};
+  const Quat other = turned(q, vector_in(random, -turn, turn));
+  return {a, box_at(vector_in(random, -1, 1), vector_in(random, 0.1, 1), other)};
 }
 
 // Nothing changes when x and y are exchanged, so edges tie.

@@ -32,11 +32,6 @@ SceneDef with_method(sim::Method method) {
 
 double power_of_ten(double exponent) { return std::pow(10.0, exponent); }
 
-Vec3 random_vector(Random& random, double limit) {
-  const double x = random.uniform(-limit, limit), y = random.uniform(-limit, limit);
-  return {x, y, random.uniform(-limit, limit)};
-}
-
 // A box with edges of 5 cm to 1.2 m; its mass is a random part of the ratio times the lightest.
 BoxDef random_box(Random& random, sim::BodyId id, double lightest_kg, double part_of_ratio, double ratio) {
   BoxDef box = cube(id, {0, 0, 0});

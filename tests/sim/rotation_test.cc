@@ -33,7 +33,7 @@ Quat about(const Vec3& axis, double angle) {
 }
 
 Vec3 direction(Random& random) {
-  const Vec3 v(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+  const Vec3 v = random_vector(random, 1);
   return v / v.norm();
 }
 

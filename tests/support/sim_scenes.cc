@@ -17,13 +17,6 @@ BodyId next_id(const SceneDef& scene) { return scene.boxes.empty() ? 1 : scene.b
 
 void add_cube(SceneDef& scene, const Vec3& position) { scene.boxes.push_back(cube(next_id(scene), position)); }
 
-Vec3 random_vector(Random& random, double limit) {
-  const double x = random.uniform(-limit, limit);
-  const double y = random.uniform(-limit, limit);
-  const double z = random.uniform(-limit, limit);
-  return {x, y, z};
-}
-
 }  // namespace
 
 std::uint64_t Random::next() {
@@ -36,6 +29,13 @@ std::uint64_t Random::next() {
 
 double Random::uniform(double low, double high) {
   return low + (high - low) * (static_cast<double>(next() >> 11U) * 0x1p-53);
+}
+
+Vec3 random_vector(Random& random, double limit) {
+  const double x = random.uniform(-limit, limit);
+  const double y = random.uniform(-limit, limit);
+  const double z = random.uniform(-limit, limit);
+  return {x, y, z};
 }
 
 Quat Random::rotation() {

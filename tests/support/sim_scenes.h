@@ -24,6 +24,9 @@ class Random {
   std::uint64_t state_;
 };
 
+/// Each coordinate in [−limit, limit).
+sim::Vec3 random_vector(Random& random, double limit);
+
 /// Fisher-Yates.
 template <class T>
 void shuffle(std::vector<T>& items, Random& random) {

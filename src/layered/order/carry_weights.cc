@@ -94,8 +94,7 @@ class Walk {
     }
     return VelocityGrid::kMagic * (power_of_two(static_cast<double>(bodies.size()) * heaviest * reach) / 2048);
   }
-  double rounded(double x) const { return on_grid(magic_, x); }
-  static double on_grid(double magic, double x) { return (x + magic) - magic; }
+  double rounded(double x) const { return to_grid(magic_, x); }
 
   // A point where fast bodies will meet may lie farther from where the lower one is now.
   double lever(double x) const { return std::clamp(x, -2 * reach_, 2 * reach_); }
@@ -176,7 +175,7 @@ class Walk {
   }
   double sum_of_loads(double magic) const {  // kg
     double total = 0;
-    for (const SupportPoint& point : own_.points) total += on_grid(magic, point.load);
+    for (const SupportPoint& point : own_.points) total += to_grid(magic, point.load);
     return total;
   }
 
@@ -191,17 +190,17 @@ class Walk {
     for (const SupportPoint& p : own_.points) farthest = std::max({farthest, std::fabs(p.x), std::fabs(p.y)});
     const double magic = fitting_magic(VelocityGrid::kMagic, farthest * terms());
     for (const SupportPoint& point : own_.points) {
-      f.x += on_grid(magic, point.x);
-      f.y += on_grid(magic, point.y);
+      f.x += to_grid(magic, point.x);
+      f.y += to_grid(magic, point.y);
     }
     f.x /= f.count;
     f.y /= f.count;
     const double squares = fitting_magic(VelocityGrid::kMagic, 4 * farthest * farthest * terms());
     for (const SupportPoint& point : own_.points) {
       const double x = point.x - f.x, y = point.y - f.y;
-      f.xx += on_grid(squares, x * x);
-      f.xy += on_grid(squares, x * y);
-      f.yy += on_grid(squares, y * y);
+      f.xx += to_grid(squares, x * x);
+      f.xy += to_grid(squares, x * y);
+      f.yy += to_grid(squares, y * y);
     }
     balance(i, f);
     return f;

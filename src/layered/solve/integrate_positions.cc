@@ -19,9 +19,6 @@ namespace {
 // A value of in_contact: a body whose motion the grids do not hold.
 constexpr std::uint8_t kBeyond = 2;
 
-// m/s, rad/s; between substeps. A light body between heavy ones may be faster until the next sweep stops it.
-constexpr double kSubstepSpeedMax = 16 * kSpeedMax;
-
 constexpr double kStiff = 0.002;  // rad in a substep; below, the inverse inertia is not computed anew
 
 // Turns a body as in free flight, which keeps angular momentum and energy. With a constant spin in world axes instead,
@@ -65,7 +62,9 @@ BodyIndex heaviest_touching(const Bodies& bodies, const Scratch& scratch, BodyIn
     if (m.a == kGround || (m.a != i && m.b != i)) continue;
     const BodyIndex other = m.a == i ? m.b : m.a;
     const bool heavier = heaviest == kGround || bodies.mass[other] > bodies.mass[heaviest];
-    if (heavier || (bodies.mass[other] == bodies.mass[heaviest] && other < heaviest)) heaviest = other;
+    if (heavier || (bodies.mass[other] == bodies.mass[heaviest] && bodies.id[other] < bodies.id[heaviest])) {
+      heaviest = other;
+    }
   }
   return heaviest;
 }
