@@ -9,6 +9,9 @@
 namespace tumble::sim {
 namespace {
 
+// |edge × edge|² below which best_of_all takes edges for parallel: their cross product is then mostly rounding.
+constexpr double kHardlyParallelSquared = 1e-16;
+
 constexpr int kNext[3] = {1, 2, 0};
 constexpr int kAfterNext[3] = {2, 0, 1};
 
@@ -58,7 +61,7 @@ BoxPair::Separation BoxPair::along(int axis) const {
   }
   const Edges edges((axis - 6) / 3, (axis - 6) % 3, *a_, *b_);
   if (facelike(edges)) return {};
-  return along_edge(edges);
+  return along_edge(edges, kParallelSquared);
 }
 
 bool BoxPair::facelike(const Edges& edges) const {
@@ -71,8 +74,8 @@ bool BoxPair::facelike(const Edges& edges) const {
 // The reach of each box along the cross product of a's edge i and b's edge j. Both edges are perpendicular to the cross
 // product and reach nothing. The cosine of a's axis m to the cross product is that of b's edge to the remaining axis of
 // a, divided by the sine between the edges; so the products that the faces need are enough.
-BoxPair::Separation BoxPair::along_edge(const Edges& edges) const {
-  if (edges.squared < kParallelSquared) return {};
+BoxPair::Separation BoxPair::along_edge(const Edges& edges, double least_squared) const {
+  if (edges.squared < least_squared) return {};
   const int i = edges.i, j = edges.j;
   const double scale = 1 / edges.length;
   const int ia = kNext[i], ib = kAfterNext[i], ja = kNext[j], jb = kAfterNext[j];
@@ -90,7 +93,7 @@ bool BoxPair::apart_along_facelike_edges() const {
     for (int j = 0; j < 3; ++j) {
       const Edges edges(i, j, *a_, *b_);
       if (!facelike(edges)) continue;
-      const Separation s = along_edge(edges);
+      const Separation s = along_edge(edges, kParallelSquared);
       if (s.has_direction && s.value >= 0) return true;
     }
   }
@@ -107,23 +110,34 @@ AxisSet BoxPair::separating(AxisSet candidates) const {
   return apart;
 }
 
+void BoxPair::better(int axis, const Separation& s, BestAxes& best) {
+  if (!s.has_direction) return;
+  if (best.axes == 0 || s.value > best.separation) {
+    best = {only(axis), s.value};
+  } else if (s.value == best.separation) {
+    best.axes |= only(axis);
+  }
+}
+
 BestAxes BoxPair::best(AxisSet candidates) const {
   BestAxes best;
   for (unsigned left = candidates; left != 0; left &= left - 1) {
     const int axis = std::countr_zero(left);
-    const Separation s = along(axis);
-    if (!s.has_direction) continue;
-    if (best.axes == 0 || s.value > best.separation) {
-      best = {only(axis), s.value};
-    } else if (s.value == best.separation) {
-      best.axes |= only(axis);
-    }
+    better(axis, along(axis), best);
+  }
+  return best;
+}
+
+BestAxes BoxPair::best_of_all() const {
+  BestAxes best = this->best(kFaces);
+  for (int axis = 6; axis < kAxisCount; ++axis) {
+    better(axis, along_edge(Edges((axis - 6) / 3, (axis - 6) % 3, *a_, *b_), kHardlyParallelSquared), best);
   }
   return best;
 }
 
 Vec3 BoxPair::normal(int axis) const {
-  SIM_DCHECK(along(axis).has_direction, axis);
+  SIM_DCHECK(axis >= 6 || along(axis).has_direction, axis);
   if (axis < 3) return offset_a_[axis] < 0 ? Vec3(-a_->axes[axis]) : a_->axes[axis];
   if (axis < 6) return offset_b_[axis - 3] < 0 ? Vec3(-b_->axes[axis - 3]) : b_->axes[axis - 3];
   const Vec3 edge = cross(a_->axes[(axis - 6) / 3], b_->axes[(axis - 6) % 3]);

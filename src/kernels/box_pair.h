@@ -56,6 +56,10 @@ class BoxPair {
   /// The largest separation among `candidates`.
   [[nodiscard]] BestAxes best(AxisSet candidates) const;
 
+  /// The largest separation among all fifteen axes, edge axes that repeat a face included: positive where the boxes do
+  /// not touch, whatever keeps them apart.
+  [[nodiscard]] BestAxes best_of_all() const;
+
   /// The direction of an axis, unit length, from a to b. Precondition: the axis has a direction.
   [[nodiscard]] Vec3 normal(int axis) const;
 
@@ -82,8 +86,10 @@ class BoxPair {
           length(std::sqrt(squared)) {}
   };
   [[nodiscard]] Separation along(int axis) const;
-  [[nodiscard]] Separation along_edge(const Edges& edges) const;  // has_direction even where the axis repeats a face
+  [[nodiscard]] Separation along_edge(const Edges& edges,
+                                      double least_squared) const;  // has_direction even where the axis repeats a face
   [[nodiscard]] bool facelike(const Edges& edges) const;
+  static void better(int axis, const Separation& s, BestAxes& best);
 
   const BoxFrame* a_;
   const BoxFrame* b_;

@@ -103,7 +103,7 @@ void find_memory(WorldState& state, const std::vector<std::uint8_t>& wanted) {
     return !close || !((is_wanted(m.a) && rests(m.b)) || (is_wanted(m.b) && rests(m.a)));
   });
   ContactMemory found;
-  remember_contacts(scratch, found);
+  remember_contacts(scratch.manifolds, scratch.manifold_points, nullptr, found);
   merge_contacts(state.contact_memory, found);
 }
 

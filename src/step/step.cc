@@ -13,6 +13,8 @@
 #include "src/layered/order/wake_islands.h"
 #include "src/layered/solve/apply_forces.h"
 #include "src/layered/solve/bounce_contacts.h"
+#include "src/layered/solve/bounce_fast_contacts.h"
+#include "src/layered/solve/find_fast_contacts.h"
 #include "src/layered/solve/finish_motion.h"
 #include "src/layered/solve/integrate_positions.h"
 #include "src/layered/solve/prepare_manifolds.h"
@@ -57,16 +59,18 @@ constexpr Phase kLayeredPhases[] = {
     {"carry_weights", carry_weights, hash_carry_weights},
     {"prepare_manifolds", prepare_manifolds, hash_prepare_manifolds},
     // --- in every substep ---
+    {"find_fast_contacts", find_fast_contacts, hash_find_fast_contacts},
     {"apply_forces", apply_forces, hash_apply_forces},
     {"push_contacts", push_contacts, hash_push_contacts},
     {"integrate_positions", integrate_positions, hash_integrate_positions},
     {"relax_contacts", relax_contacts, hash_relax_contacts},
+    {"bounce_fast_contacts", bounce_fast_contacts, hash_bounce_fast_contacts},
     // --- once a step ---
     {"bounce_contacts", bounce_contacts, hash_bounce_contacts},
     {"finish_motion", finish_motion, hash_finish_motion},
     {"update_sleeping", update_sleeping, hash_update_sleeping},
 };
-constexpr PhaseTable kLayered = {kLayeredPhases, 6, 10, 0};
+constexpr PhaseTable kLayered = {kLayeredPhases, 6, 12, 0};
 
 // floor(log2(substeps)): the number of times that a step may be halved.
 unsigned recursion_depth(const WorldDef& def) { return static_cast<unsigned>(std::bit_width(def.substeps)) - 1U; }

@@ -100,11 +100,41 @@ struct SweepGroup {
   bool slender = false;  ///< islands with a slender body
 };
 
+/// A pair of bodies (lower row, higher row), or a body and kGround.
+using ContactPair = std::pair<BodyIndex, BodyIndex>;
+
 /// Manifolds and their points, as one worker finds them.
 struct ManifoldList {
   std::vector<Manifold> manifolds;
   std::vector<ManifoldPoint> points;
+  std::vector<ContactPair> fast_pairs;                  ///< ascending; see FastContacts
   std::size_t manifolds_before = 0, points_before = 0;  ///< counts of the workers before
+};
+
+/// A value of in_contact: a body with no contact but those of fast pairs. 1: a body with others.
+inline constexpr std::uint8_t kInFastPair = 3;
+
+/// A body of a fast pair, as the step found it.
+struct FastBody {
+  BodyIndex row = 0;
+  bool pressed = false;  ///< a contact of a fast pair pressed it in this step
+  bool flying = false;   ///< the solver moves it, but no contact presses it in this substep
+  Vec3 position = Vec3::Zero(), velocity = Vec3::Zero(), spin = Vec3::Zero();
+  Quat orientation;
+};
+
+/// Contacts of fast pairs: corners of one of the two bodies leave the tangents of their paths within the step, so
+/// contacts found at its start would hit what passes. They are found in every substep and make a layer of their own.
+struct FastContacts {
+  std::vector<ContactPair> pairs;    ///< ascending; written by find_manifolds
+  std::vector<FastBody> bodies;      ///< ascending; listed by prepare_manifolds
+  std::vector<std::uint32_t> place;  ///< by row, in `bodies`; only rows of `bodies` are written
+  ManifoldList found;                ///< in this substep, ascending; written by find_fast_contacts
+  ContactMemory memory;              ///< of the last substep, or of the last step at first
+  ContactBatches batches;            ///< of one layer
+  std::vector<std::uint32_t> members;  ///< of the layer
+
+  [[nodiscard]] bool none() const { return pairs.empty(); }
 };
 
 /// Copies of the columns that the trial phases write; a rejected substep puts them back.
@@ -132,6 +162,7 @@ struct Scratch {
   Vec3Column displacement_low;            ///< its negative parts during the merge
   std::vector<std::uint8_t> touched;      ///< bodies in a real collision; written by compute_impulses
   // Method layered.
+  std::vector<std::uint8_t> held;   ///< bodies that a contact pressed at the end of the last step; by find_manifolds
   std::vector<double> turning;      ///< m, way of corners by turning; written by find_near_pairs
   std::vector<Manifold> manifolds;  ///< in the order of the pairs; written by find_manifolds
   std::vector<ManifoldPoint> manifold_points;
@@ -145,6 +176,7 @@ struct Scratch {
   std::vector<std::uint8_t> in_contact;    ///< moving bodies that have a manifold; written by prepare_manifolds
   std::vector<SolverBody> solver_bodies;   ///< written by prepare_manifolds and every sweep; last: ground
   ContactBatches contact_batches;
+  FastContacts fast;
   LaneWidth lanes = LaneWidth::kWidest;  ///< changes nothing but time
   Workers* workers = nullptr;            ///< changes nothing but time; not owned
 

@@ -33,12 +33,13 @@ struct Cursor {
   }
 };
 
-void remember(const Scratch& scratch, const Manifold& m, ContactMemory& memory, std::size_t at, std::size_t point) {
+void remember(const Manifold& m, std::span<const ManifoldPoint> points, ContactMemory& memory, std::size_t at,
+              std::size_t point) {
   memory.a[at] = m.a;
   memory.b[at] = m.b;
   memory.friction.set(at, plus_zero(m.asleep ? m.d : Vec3(m.t1 * m.force1 + m.t2 * m.force2)));
   memory.twist[at] = plus_zero(m.twist);
-  for (const ManifoldPoint& p : points_of(scratch, m)) {
+  for (const ManifoldPoint& p : points.subspan(m.first, m.count)) {
     memory.feature[point] = p.feature;
     memory.impulse[point] = plus_zero(p.impulse);
     ++point;
@@ -47,22 +48,22 @@ void remember(const Scratch& scratch, const Manifold& m, ContactMemory& memory, 
 
 }  // namespace
 
-void remember_contacts(const Scratch& scratch, ContactMemory& memory) {
-  const std::vector<Manifold>& manifolds = scratch.manifolds;
-  std::size_t points = 0;
+void remember_contacts(std::span<const Manifold> manifolds, std::span<const ManifoldPoint> points, Workers* workers,
+                       ContactMemory& memory) {
+  std::size_t total = 0;
   memory.count.resize(manifolds.size());
-  for (std::size_t k = 0; k < manifolds.size(); ++k) points += memory.count[k] = manifolds[k].count;
+  for (std::size_t k = 0; k < manifolds.size(); ++k) total += memory.count[k] = manifolds[k].count;
   memory.a.resize(manifolds.size());
   memory.b.resize(manifolds.size());
   memory.friction.resize(manifolds.size());
   memory.twist.resize(manifolds.size());
-  memory.feature.resize(points);
-  memory.impulse.resize(points);
-  for_ranges(scratch.workers, manifolds.size(), kWorthManifolds, [&](std::size_t begin, std::size_t end) {
+  memory.feature.resize(total);
+  memory.impulse.resize(total);
+  for_ranges(workers, manifolds.size(), kWorthManifolds, [&](std::size_t begin, std::size_t end) {
     std::size_t point = 0;
     for (std::size_t k = 0; k < begin; ++k) point += memory.count[k];
     for (std::size_t k = begin; k < end; ++k) {
-      remember(scratch, manifolds[k], memory, k, point);
+      remember(manifolds[k], points, memory, k, point);
       point += memory.count[k];
     }
   });

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "src/layered/order/islands.h"
+#include "src/layered/order/solver_body.h"
 
 namespace tumble::sim {
 namespace {
@@ -12,7 +13,6 @@ constexpr std::uint32_t kUnreached = 0xffffffffU;
 // Sweeps grow with the levels: an impulse passes a limited number of levels in one sweep.
 constexpr int kLevelsPerSweep = 5;  // measured: columns of 8 that sway after a fall come to rest with two, not with one
 constexpr int kSweepsMax = 10;
-constexpr double kSlender = 16;     // largest moment of inertia over the smallest, from which a body is slender
 constexpr int kSlenderSweeps = 20;  // a bar that is pressed at one end turns and passes little on
 
 bool at_rest(const Bodies& bodies, BodyIndex i) { return i == kGround || !bodies.moves(i); }
@@ -66,11 +66,7 @@ void measure_levels(WorldState& state, Scratch& scratch) {
   }
 }
 
-bool is_slender(const Bodies& bodies, BodyIndex i) {
-  if (at_rest(bodies, i)) return false;
-  const Vec3 inertia = bodies.inertia[i];
-  return inertia.maxCoeff() > kSlender * inertia.minCoeff();
-}
+bool slender_mover(const Bodies& bodies, BodyIndex i) { return !at_rest(bodies, i) && is_slender(bodies.inertia[i]); }
 
 // For each body whether its island has a slender body; empty if no body is slender.
 std::span<const std::uint8_t> find_slender_islands(WorldState& state, Scratch& scratch) {
@@ -80,8 +76,8 @@ std::span<const std::uint8_t> find_slender_islands(WorldState& state, Scratch& s
   slender.clear();
   for (const Manifold& m : scratch.manifolds) {
     if (m.asleep) continue;
-    if (is_slender(bodies, m.a)) slender.push_back(m.a);
-    if (is_slender(bodies, m.b)) slender.push_back(m.b);
+    if (slender_mover(bodies, m.a)) slender.push_back(m.a);
+    if (slender_mover(bodies, m.b)) slender.push_back(m.b);
   }
   if (slender.empty()) return {};
   Islands islands(scratch.island_links, bodies.size());

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
+#include <span>
 
 #include "src/base/check.h"
-#include "src/layered/order/solver_body.h"
 #include "src/math/grid.h"
 
 namespace tumble::sim {
@@ -15,42 +16,37 @@ namespace {
 // the most points.
 class Grouping {
  public:
-  explicit Grouping(Scratch& scratch) : scratch_(scratch), all_(scratch.contact_batches) {
+  Grouping(std::span<const Manifold> manifolds, ContactBatches& all) : manifolds_(manifolds), all_(all) {
     all_.layer_start.assign(1, 0);
-    all_.place.resize(scratch.manifolds.size());
-    all_.order.resize(scratch.layered.size());
+    all_.place.resize(manifolds.size());
+    all_.order.resize(manifolds.size());
   }
 
-  void run() {
-    std::uint32_t widest = 0;
-    for (const SweepGroup& group : scratch_.sweep_groups) {
-      for (std::uint32_t layer = group.begin; layer < group.end; ++layer) {
-        add_layer(layer, group.slender);
-        widest = std::max(widest, all_.layer_start[layer + 1] - all_.layer_start[layer]);
-      }
-    }
-    all_.batches.resize(batches_);
-    all_.points.resize(points_);
-    all_.outcomes.resize(std::size_t{widest} * kLanes * 2);
-  }
-
- private:
-  static constexpr std::uint32_t kManyPoints = 15;  // manifolds with more points are grouped together
-
-  void add_layer(std::uint32_t layer, bool slender) {
-    const std::span<const std::uint32_t> members = layer_of(scratch_, layer);
-    const std::uint32_t begin = scratch_.layer_start[layer];
-    const auto points_of_member = [&](std::uint32_t k) { return std::min(kManyPoints, scratch_.manifolds[k].count); };
+  // Adds a layer behind those before.
+  void add_layer(std::span<const std::uint32_t> members, bool slender) {
+    const std::uint32_t begin = members_, batches_before = batches_;
+    members_ += static_cast<std::uint32_t>(members.size());
+    const auto points_of_member = [&](std::uint32_t k) { return std::min(kManyPoints, manifolds_[k].count); };
     std::array<std::uint32_t, kManyPoints + 2> start{};
     for (const std::uint32_t k : members) ++start[points_of_member(k) + 1];
     for (std::size_t k = 1; k < start.size(); ++k) start[k] += start[k - 1];
     for (const std::uint32_t k : members) all_.order[begin + start[points_of_member(k)]++] = k;
-    const auto end = begin + static_cast<std::uint32_t>(members.size());
-    for (std::uint32_t k = begin; k < end; k += kLanes) {
-      add_batch(k, std::min<std::uint32_t>(kLanes, end - k), slender);
+    for (std::uint32_t k = begin; k < members_; k += kLanes) {
+      add_batch(k, std::min<std::uint32_t>(kLanes, members_ - k), slender);
     }
     all_.layer_start.push_back(batches_);
+    widest_ = std::max(widest_, batches_ - batches_before);
   }
+
+  void finish() {
+    all_.order.resize(members_);
+    all_.batches.resize(batches_);
+    all_.points.resize(points_);
+    all_.outcomes.resize(std::size_t{widest_} * kLanes * 2);
+  }
+
+ private:
+  static constexpr std::uint32_t kManyPoints = 15;  // manifolds with more points are grouped together
 
   void add_batch(std::uint32_t members, std::uint32_t used, bool slender) {
     if (all_.batches.size() == batches_) all_.batches.emplace_back();
@@ -62,7 +58,7 @@ class Grouping {
     batch.count = 0;
     for (unsigned lane = 0; lane < used; ++lane) {
       const std::uint32_t k = all_.order[members + lane];
-      batch.count = std::max(batch.count, scratch_.manifolds[k].count);
+      batch.count = std::max(batch.count, manifolds_[k].count);
       all_.place[k] = batches_ * kLanes + lane;
     }
     SIM_CHECK(batch.count <= kPointsMax, batch.count, kPointsMax);  // the kernels have room for so many
@@ -70,9 +66,9 @@ class Grouping {
     ++batches_;
   }
 
-  Scratch& scratch_;
+  std::span<const Manifold> manifolds_;
   ContactBatches& all_;
-  std::uint32_t batches_ = 0, points_ = 0;
+  std::uint32_t members_ = 0, batches_ = 0, points_ = 0, widest_ = 0;
 };
 
 void set(Lanes* lanes, unsigned lane, const Vec3& v) {
@@ -82,21 +78,23 @@ void set(Lanes* lanes, unsigned lane, const Vec3& v) {
 // Copies manifolds into the lanes of their batches; unused lanes and points are zero.
 class Filling {
  public:
-  explicit Filling(WorldState& state, Scratch& scratch)
+  Filling(const WorldState& state, std::span<const Manifold> manifolds, std::span<const ManifoldPoint> points,
+          ContactBatches& all)
       : bodies_(state.bodies),
         gravity_(state.def.gravity),
-        scratch_(scratch),
-        all_(scratch.contact_batches),
-        ground_(static_cast<std::uint32_t>(scratch_.solver_bodies.size() - 1)) {}
+        manifolds_(manifolds),
+        points_(points),
+        all_(all),
+        ground_(static_cast<std::uint32_t>(bodies_.size())) {}
 
   void fill(ContactBatch& batch) {
     if (batch.used < kLanes) clear(batch);
     for (unsigned lane = 0; lane < batch.used; ++lane) {
-      const Manifold& m = scratch_.manifolds[all_.order[batch.members + lane]];
+      const Manifold& m = manifolds_[all_.order[batch.members + lane]];
       fill_geometry(batch, lane, m);
       fill_bodies(batch, lane, m);
       PointBatch* to = all_.points.data() + batch.first;
-      for (const ManifoldPoint& point : points_of(scratch_, m)) fill_point(*to++, lane, point);
+      for (const ManifoldPoint& point : points_.subspan(m.first, m.count)) fill_point(*to++, lane, point);
       for (std::uint32_t k = m.count; k < batch.count; ++k) fill_point(*to++, lane, {});
     }
   }
@@ -141,7 +139,7 @@ class Filling {
     batch.load.of[lane] = point.load;
   }
   void fill_bodies(ContactBatch& batch, unsigned lane, const Manifold& m) const {
-    batch.a[lane] = solver_row(scratch_, m.a);
+    batch.a[lane] = m.a == kGround ? ground_ : m.a;
     batch.b[lane] = m.b;
     const double lighter = std::min(mass_of(m.a), mass_of(m.b));
     batch.impulse_magic.of[lane] = VelocityGrid::kMagic * power_of_two(lighter);
@@ -154,9 +152,10 @@ class Filling {
 
   const Bodies& bodies_;
   const Vec3& gravity_;
-  const Scratch& scratch_;
+  std::span<const Manifold> manifolds_;
+  std::span<const ManifoldPoint> points_;
   ContactBatches& all_;
-  std::uint32_t ground_;
+  std::uint32_t ground_;  // its row in solver_bodies
 };
 
 // Lists for each layer its moving bodies with their outcomes, and sets the split of masses. All manifolds of a layer
@@ -165,7 +164,7 @@ class Filling {
 // Benevolenski and Voroshilov 2012, Mass splitting for jitter-free parallel rigid body simulation).
 class Sharing {
  public:
-  explicit Sharing(WorldState& state, Scratch& scratch) : bodies_(state.bodies), all_(scratch.contact_batches) {
+  Sharing(const WorldState& state, ContactBatches& all) : bodies_(state.bodies), all_(all) {
     all_.touched.clear();
     all_.touched_start.assign(1, 0);
     all_.entries.resize(2 * all_.order.size());
@@ -219,15 +218,35 @@ class Sharing {
 
 }  // namespace
 
-void batch_contacts(WorldState& state, Scratch& scratch) {
+void batch_contacts(const WorldState& state, Scratch& scratch) {
   ContactBatches& all = scratch.contact_batches;
-  Grouping(scratch).run();
+  Grouping grouping(scratch.manifolds, all);
+  for (const SweepGroup& group : scratch.sweep_groups) {
+    for (std::uint32_t layer = group.begin; layer < group.end; ++layer) {
+      grouping.add_layer(layer_of(scratch, layer), group.slender);
+    }
+  }
+  grouping.finish();
   for_ranges(scratch.workers, all.batches.size(), kBatchesAPart, [&](std::size_t begin, std::size_t end) {
-    Filling filling(state, scratch);
+    Filling filling(state, scratch.manifolds, scratch.manifold_points, all);
     for (std::size_t k = begin; k < end; ++k) filling.fill(all.batches[k]);
   });
-  Sharing sharing(state, scratch);
+  Sharing sharing(state, all);
   for (std::size_t layer = 0; layer + 1 < all.layer_start.size(); ++layer) sharing.add_layer(layer);
+}
+
+void batch_fast_contacts(const WorldState& state, Scratch& scratch, bool slender) {
+  const ManifoldList& found = scratch.fast.found;
+  ContactBatches& all = scratch.fast.batches;
+  std::vector<std::uint32_t>& members = scratch.fast.members;
+  members.resize(found.manifolds.size());
+  std::iota(members.begin(), members.end(), 0U);
+  Grouping grouping(found.manifolds, all);
+  grouping.add_layer(members, slender);
+  grouping.finish();
+  Filling filling(state, found.manifolds, found.points, all);
+  for (ContactBatch& batch : all.batches) filling.fill(batch);
+  Sharing(state, all).add_layer(0);
 }
 
 }  // namespace tumble::sim

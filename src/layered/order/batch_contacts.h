@@ -7,6 +7,9 @@ namespace tumble::sim {
 
 /// Copies the awake manifolds into batches, layer by layer, and lists, for each layer and body, the outcomes
 /// that the body gets. The choice of manifolds that share a batch changes nothing but time.
-void batch_contacts(WorldState& state, Scratch& scratch);
+void batch_contacts(const WorldState& state, Scratch& scratch);
+
+/// The like for the contacts of fast pairs, in one layer. slender: whether one of their bodies is.
+void batch_fast_contacts(const WorldState& state, Scratch& scratch, bool slender);
 
 }  // namespace tumble::sim

@@ -9,6 +9,9 @@ inline BodyIndex solver_row(const Scratch& scratch, BodyIndex i) {
   return i == kGround ? static_cast<BodyIndex>(scratch.solver_bodies.size() - 1) : i;
 }
 
+/// Whether the largest of a body's moments of inertia is so much larger than the smallest that the body is slender.
+inline bool is_slender(const Vec3& inertia) { return inertia.maxCoeff() > 16 * inertia.minCoeff(); }
+
 /// Sets the world inverse inertia from the principal one: R diag(principal) Rᵀ, each sum in the order x, y, z.
 inline void set_inverse_inertia(SolverBody& body, const Axes& axes, const Vec3& principal) {
   const auto entry = [&](int row, int column) {

@@ -24,20 +24,28 @@ bool bounces(const ContactWork& work, const ContactBatch& batch) {
   return false;
 }
 
-void store_contact(Scratch& scratch, std::uint32_t manifold) {
-  const ContactBatches& all = scratch.contact_batches;
-  Manifold& m = scratch.manifolds[manifold];
-  const ContactBatch& batch = all.batches[all.place[manifold] / kLanes];
-  const unsigned lane = all.place[manifold] % kLanes;
+void store_contact(const ContactBatches& all, std::uint32_t place, Manifold& m, std::span<ManifoldPoint> points) {
+  const ContactBatch& batch = all.batches[place / kLanes];
+  const unsigned lane = place % kLanes;
   m.force1 = batch.force1.of[lane];
   m.force2 = batch.force2.of[lane];
   m.twist = batch.twist.of[lane];
   std::size_t at = batch.first;
-  for (ManifoldPoint& point : points_of(scratch, m)) {
+  for (ManifoldPoint& point : points) {
     point.impulse = all.points[at].impulse.of[lane];
     point.separation = all.points[at].separation.of[lane];
     ++at;
   }
+}
+
+ContactWork work_on(ContactBatches& all, Scratch& scratch, double substep_s) {
+  return {all.batches.data(),
+          all.batches.size(),
+          all.points.data(),
+          reinterpret_cast<double*>(scratch.solver_bodies.data()),
+          reinterpret_cast<double*>(all.outcomes.data()),
+          all.entries.data(),
+          substep_s};
 }
 
 }  // namespace
@@ -47,20 +55,28 @@ void mark_bounces(const ContactWork& work) {
 }
 
 void store_contacts(Scratch& scratch) {
+  const ContactBatches& all = scratch.contact_batches;
   for_ranges(scratch.workers, scratch.layered.size(), kWorthManifolds, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t k = begin; k < end; ++k) store_contact(scratch, scratch.layered[k]);
+    for (std::size_t k = begin; k < end; ++k) {
+      Manifold& m = scratch.manifolds[scratch.layered[k]];
+      store_contact(all, all.place[scratch.layered[k]], m, points_of(scratch, m));
+    }
   });
 }
 
+void store_fast_contacts(Scratch& scratch) {
+  FastContacts& fast = scratch.fast;
+  for (std::size_t k = 0; k < fast.found.manifolds.size(); ++k) {
+    Manifold& m = fast.found.manifolds[k];
+    store_contact(fast.batches, fast.batches.place[k], m, points_of(fast.found, m));
+  }
+}
+
 ContactWork all_contacts(Scratch& scratch, double substep_s) {
-  ContactBatches& all = scratch.contact_batches;
-  return {all.batches.data(),
-          all.batches.size(),
-          all.points.data(),
-          reinterpret_cast<double*>(scratch.solver_bodies.data()),
-          reinterpret_cast<double*>(all.outcomes.data()),
-          all.entries.data(),
-          substep_s};
+  return work_on(scratch.contact_batches, scratch, substep_s);
+}
+ContactWork fast_contacts(Scratch& scratch, double substep_s) {
+  return work_on(scratch.fast.batches, scratch, substep_s);
 }
 
 ContactWork part_of(const ContactWork& work, std::size_t begin, std::size_t end) {

@@ -11,10 +11,12 @@ void mark_bounces(const ContactWork& work);
 
 /// Copies impulses, friction and separations from the batches back to manifolds and points.
 void store_contacts(Scratch& scratch);
+void store_fast_contacts(Scratch& scratch);
 
 /// The data for the kernels: of one layer, of all layers, and of the batches [begin, end) of `work`.
 ContactWork contacts_of_layer(Scratch& scratch, std::size_t layer, double substep_s);
 ContactWork all_contacts(Scratch& scratch, double substep_s);
+ContactWork fast_contacts(Scratch& scratch, double substep_s);
 ContactWork part_of(const ContactWork& work, std::size_t begin, std::size_t end);
 
 }  // namespace tumble::sim

@@ -1,6 +1,7 @@
 #include "src/layered/solve/finish_motion.h"
 
 #include "src/layered/find/contact_memory.h"
+#include "src/layered/solve/fast_bodies.h"
 #include "src/math/grid.h"
 #include "src/world/body_check.h"
 #include "src/world/free_flight.h"
@@ -16,9 +17,24 @@ void leave_contact(WorldState& state, Scratch& scratch, BodyIndex i, double dt_s
   bodies.spin.set(i, plus_zero(slower > 1 ? VelocityGrid::round(Vec3(body.spin / slower)) : body.spin));
 }
 
+// Adds the contacts of fast pairs, as the last substep left them, to those that the step found.
+void add_fast_contacts(Scratch& scratch, ContactMemory& memory) {
+  const FastContacts& fast = scratch.fast;
+  if (fast.none()) return;
+  merge_contacts(memory, fast.memory);
+  const auto points = static_cast<std::uint32_t>(scratch.manifold_points.size());
+  for (const Manifold& m : fast.found.manifolds) {
+    scratch.layered.push_back(static_cast<std::uint32_t>(scratch.manifolds.size()));
+    scratch.manifolds.push_back(m);
+    scratch.manifolds.back().first += points;
+  }
+  scratch.manifold_points.insert(scratch.manifold_points.end(), fast.found.points.begin(), fast.found.points.end());
+}
+
 }  // namespace
 
 Status finish_motion(WorldState& state, Scratch& scratch, double dt_s) {
+  release_untouched(state, scratch);
   const Bodies& bodies = state.bodies;
   for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
@@ -27,7 +43,8 @@ Status finish_motion(WorldState& state, Scratch& scratch, double dt_s) {
     integrate_free(state, scratch.lanes, {begin, end}, scratch.in_contact.data(), dt_s);
   });
   if (Status ok = check_moving(state.bodies, scratch.lanes); !ok.ok()) return ok;
-  remember_contacts(scratch, state.contact_memory);
+  remember_contacts(scratch.manifolds, scratch.manifold_points, scratch.workers, state.contact_memory);
+  add_fast_contacts(scratch, state.contact_memory);
   return {};
 }
 

@@ -7,6 +7,7 @@
 #include "src/kernels/kernels_by_width.h"
 #include "src/layered/order/solver_body.h"
 #include "src/layered/solve/contact_batches.h"
+#include "src/layered/solve/fast_bodies.h"
 #include "src/layered/solve/solver_hashes.h"
 #include "src/layered/solve/sweep_layers.h"
 #include "src/math/grid.h"
@@ -37,12 +38,13 @@ void turn(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) {
 }
 
 // Returns whether place and motion are in range.
-bool move_body(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) {
+// A body that flies moves at the mean of its velocities before and after this substep's gravity, as a flight does.
+bool move_body(Bodies& bodies, Scratch& scratch, BodyIndex i, const Vec3& fall, double substep_s) {
   const Vec3 position = bodies.position[i];
   const SolverBody& body = scratch.solver_bodies[i];
   const bool slow = far_within_limits(position, body.velocity, body.spin);
   if (!slow && !(within(body.velocity, kSubstepSpeedMax) && within(body.spin, kSubstepSpeedMax))) return false;
-  const Vec3 path = body.velocity * substep_s;
+  const Vec3 path = (is_flying(scratch, i) ? Vec3(body.velocity - fall * 0.5) : body.velocity) * substep_s;
   const Vec3 moved = plus_zero(position + (slow ? PositionGrid::round(path) : PositionGrid::round_any(path)));
   bodies.position.set(i, moved);
   turn(bodies, scratch, i, substep_s);
@@ -57,15 +59,16 @@ std::string named(const Bodies& bodies, BodyIndex i) {
 // The heaviest body that touches body i, the one of the lowest id if several are; kGround if none does.
 BodyIndex heaviest_touching(const Bodies& bodies, const Scratch& scratch, BodyIndex i) {
   BodyIndex heaviest = kGround;
-  for (const std::uint32_t k : scratch.layered) {
-    const Manifold& m = scratch.manifolds[k];
-    if (m.a == kGround || (m.a != i && m.b != i)) continue;
+  const auto look_at = [&](const Manifold& m) {
+    if (m.a == kGround || (m.a != i && m.b != i)) return;
     const BodyIndex other = m.a == i ? m.b : m.a;
     const bool heavier = heaviest == kGround || bodies.mass[other] > bodies.mass[heaviest];
     if (heavier || (bodies.mass[other] == bodies.mass[heaviest] && bodies.id[other] < bodies.id[heaviest])) {
       heaviest = other;
     }
-  }
+  };
+  for (const std::uint32_t k : scratch.layered) look_at(scratch.manifolds[k]);
+  if (!scratch.fast.none()) std::ranges::for_each(scratch.fast.found.manifolds, look_at);
   return heaviest;
 }
 
@@ -87,10 +90,12 @@ Status check_moved(const Bodies& bodies, const Scratch& scratch) {
 
 Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s) {
   Bodies& bodies = state.bodies;
+  if (!scratch.fast.none()) find_flying(scratch);
+  const Vec3 fall = state.def.gravity * substep_s;
   for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (scratch.in_contact[i] == 0) continue;
-      if (!move_body(bodies, scratch, static_cast<BodyIndex>(i), substep_s)) scratch.in_contact[i] = kBeyond;
+      if (!move_body(bodies, scratch, static_cast<BodyIndex>(i), fall, substep_s)) scratch.in_contact[i] = kBeyond;
     }
   });
   if (Status ok = check_moved(bodies, scratch); !ok.ok()) return ok;
@@ -102,6 +107,9 @@ Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s
     kernels(scratch.lanes).contacts.move_on(part_of(work, begin, end));
     if (renews) kernels(scratch.lanes).contacts.renew(part_of(work, begin, end));
   });
+  if (scratch.fast.none()) return {};
+  kernels(scratch.lanes).contacts.move_on(fast_contacts(scratch, substep_s));
+  kernels(scratch.lanes).contacts.renew(fast_contacts(scratch, substep_s));
   return {};
 }
 

@@ -4,6 +4,7 @@
 #include "src/layered/order/batch_contacts.h"
 #include "src/layered/order/solver_body.h"
 #include "src/layered/solve/contact_batches.h"
+#include "src/layered/solve/fast_bodies.h"
 #include "src/layered/solve/solver_hashes.h"
 
 namespace tumble::sim {
@@ -49,6 +50,7 @@ void find_in_contact(WorldState& state, Scratch& scratch) {
 Status prepare_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
   prepare_bodies(state, scratch);
   find_in_contact(state, scratch);
+  list_fast_bodies(state, scratch);
   batch_contacts(state, scratch);
   const ContactWork work = all_contacts(scratch, dt_s);
   for_ranges(scratch.workers, work.count, kBatchesAPart, [&](std::size_t begin, std::size_t end) {

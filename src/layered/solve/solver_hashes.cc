@@ -42,9 +42,13 @@ void hash_solver_bodies(const Scratch& scratch, Hasher& hasher) { hasher.add(dou
 void hash_prepared(const Scratch& scratch, Hasher& hasher) {
   hash_solver_bodies(scratch, hasher);
   hasher.add(std::span<const std::uint8_t>(scratch.in_contact));
-  hasher.add(std::span<const std::uint32_t>(scratch.contact_batches.order));
-  hasher.add(doubles_of(scratch.contact_batches.points));
-  add_parts<offsetof(ContactBatch, friction), sizeof(ContactBatch)>(scratch.contact_batches.batches, hasher);
+  hash_batches(scratch.contact_batches, hasher);
+}
+
+void hash_batches(const ContactBatches& all, Hasher& hasher) {
+  hasher.add(std::span<const std::uint32_t>(all.order));
+  hasher.add(doubles_of(all.points));
+  add_parts<offsetof(ContactBatch, friction), sizeof(ContactBatch)>(all.batches, hasher);
 }
 
 void hash_solution(const Scratch& scratch, Hasher& hasher) {

@@ -19,6 +19,8 @@ void hash_solution(const Scratch& scratch, Hasher& hasher);
 
 /// Adds the separations of points, and the solver's bodies if any of them has different moments of inertia: the spin of
 /// such a body changes while the body turns.
+/// The batches of a step or substep.
+void hash_batches(const ContactBatches& all, Hasher& hasher);
 void hash_moved(const Bodies& bodies, const Scratch& scratch, Hasher& hasher);
 
 }  // namespace tumble::sim

@@ -1,5 +1,7 @@
 #include "src/layered/solve/sweep_layers.h"
 
+#include <algorithm>
+
 #include "src/base/check.h"
 #include "src/kernels/kernels_by_width.h"
 #include "src/layered/solve/contact_batches.h"
@@ -10,11 +12,12 @@ namespace {
 constexpr std::size_t kSweepBatches = 512;  // that pay for one more worker; measured
 constexpr std::size_t kSweepBodies = 8192;
 
+constexpr int kFastVisits = 4;  // of the contacts of fast pairs after a sweep; impacts have one substep to be solved
+
 // Solves the manifolds of a layer, then adds the outcomes to the bodies.
 template <class Solve>
-void solve_layer(Scratch& scratch, const ContactKernels& kernels, std::size_t layer, double substep_s, Solve solve) {
-  const ContactBatches& all = scratch.contact_batches;
-  const ContactWork work = contacts_of_layer(scratch, layer, substep_s);
+void solve_layer(const Scratch& scratch, const ContactKernels& kernels, const ContactBatches& all, std::size_t layer,
+                 const ContactWork& work, Solve solve) {
   const BodyOutcomes* touched = all.touched.data() + all.touched_start[layer];
   const std::size_t count = all.touched_start[layer + 1] - all.touched_start[layer];
   if (scratch.workers == nullptr) {  // a tower has as many layers as bodies: each call counts
@@ -34,7 +37,8 @@ void sweep_once(Scratch& scratch, const SweepGroup& group, Sweep sweep, Directio
   const ContactKernels& contacts = kernels(scratch.lanes).contacts;
   for (std::uint32_t k = group.begin; k < group.end; ++k) {
     const std::uint32_t layer = direction == Direction::kUp ? k : group.end - 1 - (k - group.begin);
-    solve_layer(scratch, contacts, layer, substep_s, [&](const ContactWork& work) { contacts.solve(work, sweep); });
+    solve_layer(scratch, contacts, scratch.contact_batches, layer, contacts_of_layer(scratch, layer, substep_s),
+                [&](const ContactWork& work) { contacts.solve(work, sweep); });
   }
 }
 
@@ -43,15 +47,33 @@ void sweep_once(Scratch& scratch, const SweepGroup& group, Sweep sweep, Directio
 void warm_start_layers(Scratch& scratch, double substep_s) {
   const ContactKernels& contacts = kernels(scratch.lanes).contacts;
   for (std::size_t layer = 0; layer + 1 < scratch.layer_start.size(); ++layer) {
-    solve_layer(scratch, contacts, layer, substep_s, contacts.warm_start);
+    solve_layer(scratch, contacts, scratch.contact_batches, layer, contacts_of_layer(scratch, layer, substep_s),
+                contacts.warm_start);
   }
+  if (scratch.fast.none()) return;
+  solve_layer(scratch, contacts, scratch.fast.batches, 0, fast_contacts(scratch, substep_s), contacts.warm_start);
 }
 
 void sweep_layers(Scratch& scratch, Sweep sweep, Direction first, double substep_s) {
+  int most = 0;
   for (const SweepGroup& group : scratch.sweep_groups) {
-    const int sweeps = sweep == Sweep::kRestitution ? 1 : group.sweeps;
-    for (int k = 0; k < sweeps; ++k) sweep_once(scratch, group, sweep, k % 2 == 0 ? first : opposite(first), substep_s);
+    most = std::max(most, sweep == Sweep::kRestitution ? 1 : group.sweeps);
   }
+  for (int k = 0; k < most; ++k) {
+    for (const SweepGroup& group : scratch.sweep_groups) {
+      if (k >= (sweep == Sweep::kRestitution ? 1 : group.sweeps)) continue;
+      sweep_once(scratch, group, sweep, k % 2 == 0 ? first : opposite(first), substep_s);
+    }
+    if (sweep == Sweep::kRestitution) continue;
+    for (int visit = 0; visit < kFastVisits; ++visit) solve_fast_layer(scratch, sweep, substep_s);
+  }
+}
+
+void solve_fast_layer(Scratch& scratch, Sweep sweep, double substep_s) {
+  if (scratch.fast.none()) return;
+  const ContactKernels& contacts = kernels(scratch.lanes).contacts;
+  solve_layer(scratch, contacts, scratch.fast.batches, 0, fast_contacts(scratch, substep_s),
+              [&](const ContactWork& work) { contacts.solve(work, sweep); });
 }
 
 bool has_slender(const Scratch& scratch) {

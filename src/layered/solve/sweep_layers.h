@@ -17,6 +17,9 @@ void sweep_layers(Scratch& scratch, Sweep sweep, Direction first, double substep
 /// Applies the impulses that the contacts already have.
 void warm_start_layers(Scratch& scratch, double substep_s);
 
+/// Solves the contacts of fast pairs; sweep_layers does so after every sweep, but not for restitution.
+void solve_fast_layer(Scratch& scratch, Sweep sweep, double substep_s);
+
 /// Whether one of the awake islands has a slender body.
 bool has_slender(const Scratch& scratch);
 

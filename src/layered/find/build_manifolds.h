@@ -1,0 +1,22 @@
+#pragma once
+
+#include "src/world/scratch.h"
+#include "tumble/sim/world_state.h"
+
+namespace tumble::sim {
+
+/// The limit of manifolds. A manifold takes 2 kB, and n bodies in one place would make n² of them.
+constexpr std::size_t manifolds_max(std::size_t bodies) { return 32768 + 16 * bodies; }
+
+/// The number of pairs before those of a body.
+std::size_t pairs_before(const PairTable& pairs, BodyIndex i);
+
+/// Builds the manifolds of the bodies [first, end), each with bodies of higher rows and with the ground, and lists fast
+/// pairs (FastContacts). Stops early beyond manifolds_max.
+void build_manifolds(const WorldState& state, const Scratch& scratch, double dt_s, BodyIndex first, BodyIndex end,
+                     ManifoldList& out);
+
+/// Builds the manifolds of scratch.fast.pairs from velocities and frames as they are.
+void build_fast_manifolds(const WorldState& state, const Scratch& scratch, double substep_s, ManifoldList& out);
+
+}  // namespace tumble::sim

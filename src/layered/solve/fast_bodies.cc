@@ -1,0 +1,83 @@
+#include "src/layered/solve/fast_bodies.h"
+
+#include <algorithm>
+
+namespace tumble::sim {
+namespace {
+
+void list_rows(const WorldState& state, FastContacts& fast) {
+  fast.bodies.clear();
+  fast.place.resize(state.bodies.size());
+  std::vector<BodyIndex>& rows = fast.members;
+  rows.clear();
+  for (const auto& [a, b] : fast.pairs) {
+    rows.push_back(a);
+    if (b != kGround) rows.push_back(b);
+  }
+  std::ranges::sort(rows);
+  const auto [end, last] = std::ranges::unique(rows);
+  rows.erase(end, last);
+}
+
+// Calls visit(batch, lane) for the contacts with an impulse.
+template <class Visit>
+void for_pressing(const ContactBatches& all, Visit visit) {
+  for (const ContactBatch& batch : all.batches) {
+    for (unsigned lane = 0; lane < batch.used; ++lane) {
+      bool presses = false;
+      for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
+        presses |= all.points[k].peak.of[lane] > 0;
+      }
+      if (presses) visit(batch, lane);
+    }
+  }
+}
+
+}  // namespace
+
+void list_fast_bodies(const WorldState& state, Scratch& scratch) {
+  FastContacts& fast = scratch.fast;
+  if (fast.none()) return;
+  const Bodies& bodies = state.bodies;
+  list_rows(state, fast);
+  for (const BodyIndex i : fast.members) {
+    fast.place[i] = static_cast<std::uint32_t>(fast.bodies.size());
+    FastBody& body = fast.bodies.emplace_back();
+    body.row = i;
+    body.position = bodies.position[i];
+    body.orientation = bodies.orientation[i];
+    body.velocity = bodies.velocity[i];
+    body.spin = bodies.spin[i];
+    if (bodies.moves(i) && scratch.in_contact[i] == 0) scratch.in_contact[i] = kInFastPair;
+  }
+  fast.memory = state.contact_memory;
+}
+
+void find_flying(Scratch& scratch) {
+  FastContacts& fast = scratch.fast;
+  for (FastBody& body : fast.bodies) body.flying = scratch.in_contact[body.row] == kInFastPair;
+  const auto press = [&](std::uint32_t row) {
+    if (row >= fast.place.size()) return;  // the ground
+    FastBody& body = fast.bodies[fast.place[row]];
+    body.pressed = true;
+    body.flying = false;
+  };
+  for_pressing(fast.batches, [&](const ContactBatch& batch, unsigned lane) {
+    press(batch.a[lane]);
+    press(batch.b[lane]);
+  });
+}
+
+void release_untouched(WorldState& state, Scratch& scratch) {
+  Bodies& bodies = state.bodies;
+  for (const FastBody& body : scratch.fast.bodies) {
+    if (body.pressed || scratch.in_contact[body.row] != kInFastPair) continue;
+    scratch.in_contact[body.row] = 0;
+    bodies.position.set(body.row, body.position);
+    bodies.orientation.set(body.row, body.orientation);
+    bodies.velocity.set(body.row, body.velocity);
+    bodies.spin.set(body.row, body.spin);
+  }
+}
+
+}  // namespace tumble::sim
