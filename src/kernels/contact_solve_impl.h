@@ -61,11 +61,14 @@ V bias_of(V separation, double h) {
   return separation > kSkin ? closing : push;
 }
 
-// The speed after a bounce: e times the speed of impact, less the speed that gravity has taken since the impact.
+// The speed after a bounce: e times the speed of impact, less the speed that gravity has taken since the impact, or will
+// take in the rest of the substep.
 template <class V>
 V rebound(const Manifolds<V>& m, V approach, V separation) {
   const V speed = m.get(m.batch->restitution) * approach, zero = V{};
-  return square_root(larger(zero, speed * speed + 2.0 * m.get(m.batch->acceleration) * separation));
+  const V acceleration = m.get(m.batch->acceleration);
+  const V since = square_root(larger(zero, speed * speed + 2.0 * acceleration * separation));
+  return larger(zero, since + acceleration * m.get(m.batch->rest_s));
 }
 
 // The velocity that a point should have, negated; constant during the passes over the points.

@@ -118,9 +118,22 @@ inline constexpr std::uint8_t kInFastPair = 3;
 struct FastBody {
   BodyIndex row = 0;
   bool pressed = false;  ///< a contact of a fast pair pressed it in this step
-  bool flying = false;   ///< the solver moves it, but no contact presses it in this substep
+  bool flying = false;   ///< in this substep no contact presses it, or it bounces
+  double flown_s = 0;    ///< of this substep, before its contacts are solved
   Vec3 position = Vec3::Zero(), velocity = Vec3::Zero(), spin = Vec3::Zero();
   Quat orientation;
+};
+
+/// How two bodies, or a body and the ground, come together within a time as long as nothing changes their free flights.
+struct Approach {
+  enum class Kind : std::uint8_t {
+    kTouching,  ///< touch now
+    kPassing,   ///< never touch, and stay farther apart than the margin
+    kNear,      ///< never touch, but come within the margin
+    kMeeting,   ///< touch later
+  };
+  Kind kind = Kind::kPassing;
+  double time_s = 0;  ///< until a meeting
 };
 
 /// Contacts of fast pairs: corners of one of the two bodies leave the tangents of their paths within the step, so
@@ -129,6 +142,7 @@ struct FastContacts {
   std::vector<ContactPair> pairs;    ///< ascending; written by find_manifolds
   std::vector<FastBody> bodies;      ///< ascending; listed by prepare_manifolds
   std::vector<std::uint32_t> place;  ///< by row, in `bodies`; only rows of `bodies` are written
+  std::vector<Approach> approaches;  ///< of the pairs, in this substep; written by find_fast_contacts
   ManifoldList found;                ///< in this substep, ascending; written by find_fast_contacts
   ContactMemory memory;              ///< of the last substep, or of the last step at first
   ContactBatches batches;            ///< of one layer

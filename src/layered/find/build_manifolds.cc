@@ -7,14 +7,13 @@
 #include "src/kernels/box_pair.h"
 #include "src/layered/find/contact_recall.h"
 #include "src/layered/find/find_near_pairs.h"
+#include "src/layered/find/fast_pairs.h"
 #include "src/layered/find/free_path.h"
 #include "src/layered/find/manifold_points.h"
 #include "src/layered/find/pair_tests.h"
 
 namespace tumble::sim {
 namespace {
-
-constexpr double kBendMax = 0.0005;  // m; the slop of contact_solve_impl.h
 
 // Builds the manifolds of one pair after the other.
 class Builder {
@@ -35,8 +34,8 @@ class Builder {
     out_.fast_pairs.clear();
   }
 
-  // Builds the manifolds of the bodies [first, end), each with bodies of higher rows and with the ground. Fast pairs
-  // are listed instead, unless one of the two bodies sleeps and may have to wake.
+  // Builds the manifolds of the bodies [first, end), each with bodies of higher rows and with the ground, and lists
+  // fast pairs instead.
   void build(BodyIndex first, BodyIndex end) {
     const PairTable& pairs = state_.pairs;
     std::size_t k = pairs_before(pairs, first);
@@ -47,9 +46,8 @@ class Builder {
         const BodyIndex j = pairs.b[k];
         if (!bodies_.moves(i) && !bodies_.moves(j)) {
           recall_.keep(i, j, out_);
-        } else if (const TestedPair* tested = tests.next(); tested != nullptr && !listed_as_fast(i, j)) {
-          pair_ = tested;
-          pair(i, j);
+        } else if (pair_ = tests.next(); pair_ != nullptr && !listed_as_fast(i, j) && !pair(i, j)) {
+          list_if_meeting(i, j);
         }
       }
       if (!state_.def.ground || bodies_.is_static[i] != 0) continue;
@@ -61,70 +59,54 @@ class Builder {
     }
   }
 
-  // Builds the manifolds of fast pairs.
-  void build_fast(std::span<const ContactPair> pairs) {
-    for (const auto& [i, j] : pairs) {
+  // Builds the manifolds of those fast pairs that come together in the substep.
+  void build_fast(std::span<const ContactPair> pairs, std::span<const Approach> approaches) {
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      const auto [i, j] = pairs[k];
+      if (approaches[k].kind == Approach::Kind::kPassing) continue;
       if (j == kGround) {
         ground(i);
-      } else if (near(i, j)) {
-        const BoxPair boxes(scratch_.frames[i], scratch_.frames[j]);
-        tested_ = {boxes.best(kFacesOfA), boxes.best(kFacesOfB), boxes.best(kEdges), boxes.offset(), 0};
-        pair_ = &tested_;
-        pair(i, j);
+        continue;
       }
+      const BoxPair boxes(scratch_.frames[i], scratch_.frames[j]);
+      tested_ = {boxes.best(kFacesOfA), boxes.best(kFacesOfB), boxes.best(kEdges), boxes.offset(), 0};
+      pair_ = &tested_;
+      if (!pair(i, j) && approaches[k].kind == Approach::Kind::kMeeting) add_last(i, j);
     }
   }
 
  private:
   double turning(BodyIndex i) const { return scratch_.turning[i]; }
-  bool held(BodyIndex lo, BodyIndex hi) const {
-    return (lo != kGround && scratch_.held[lo] != 0) || scratch_.held[hi] != 0;
-  }
-
-  // hi may be kGround.
+  // Whether corners leave their tangents by more than contacts allow: by more than the slop, or where a contact holds a
+  // body by more than the slack. hi may be kGround.
   bool listed_as_fast(BodyIndex lo, BodyIndex hi) {
-    const bool ground = hi == kGround;
-    if (bodies_.frozen[lo] != 0 || (!ground && bodies_.frozen[hi] != 0)) return false;
-    const BoxFrame& a = scratch_.frames[lo];
-    const double smallest = ground ? a.half_extent.minCoeff() : smallest_half_extent(a, scratch_.frames[hi]);
-    const bool holds = ground ? scratch_.held[lo] != 0 : held(lo, hi);
-    const double bend = ground ? paths_.bend(kGround, lo) : paths_.bend(lo, hi);
-    if (bend <= (holds ? slack_of(smallest) : kBendMax)) return false;
+    if (!bends(scratch_, paths_, lo, hi)) return false;
     out_.fast_pairs.emplace_back(lo, hi);
     return true;
   }
 
-  // Whether the spheres around two boxes may come within the slack.
-  bool near(BodyIndex lo, BodyIndex hi) const {
-    const BoxFrame &a = scratch_.frames[lo], &b = scratch_.frames[hi];
-    const double reach = (length(a.half_extent) + length(b.half_extent)) +
-                         (length(Vec3(bodies_.velocity[hi] - bodies_.velocity[lo])) * dt_ + fall_) + kContactSlack;
-    const Vec3 offset = b.position - a.position;
-    return dot(offset, offset) <= reach * reach;
-  }
-
-  // pair_ is the result of the box test.
-  void pair(BodyIndex lo, BodyIndex hi) {
+  // pair_ is the result of the box test. Returns whether the pair has a manifold.
+  bool pair(BodyIndex lo, BodyIndex hi) {
     smallest_ = smallest_half_extent(scratch_.frames[lo], scratch_.frames[hi]);
     approach_ = bodies_.velocity[hi] - bodies_.velocity[lo];
     turn_ = turning(lo) + turning(hi);
-    if (!can_meet(lo, hi)) return;
     const std::size_t before = out_.manifolds.size();
     add_preferred(lo, hi);
-    if (out_.manifolds.size() == before) add_at_meeting(lo, hi);
+    return out_.manifolds.size() > before;
   }
 
-  // For a pair of which no point closes, or lies in both boxes, as it faces now. Where the boxes meet, the axes that
-  // keep them apart until then have points that close.
-  void add_at_meeting(BodyIndex lo, BodyIndex hi) {
-    if (!followed_) {
-      const double face = larger_separation(pair_->face_a, pair_->face_b);
-      const double apart = pair_->edge.axes != 0 ? std::max(face, pair_->edge.separation) : face;
-      if (pair_->later == 0 && apart > length(approach_) * dt_ + turn_) return;
-      follow(lo, hi, 0);
-    }
-    if (encounter_.kind != Encounter::Kind::kMeeting) return;
-    const BestAxes last = BoxPair(encounter_.a.frame, encounter_.b.frame).best_of_all();
+  // Where a pair meets although no point closes, or lies in both boxes, as it faces now: its contacts are found when it
+  // meets.
+  void list_if_meeting(BodyIndex lo, BodyIndex hi) {
+    const double face = larger_separation(pair_->face_a, pair_->face_b);
+    const double apart = pair_->edge.axes != 0 ? std::max(face, pair_->edge.separation) : face;
+    if (pair_->later == 0 && apart > length(approach_) * dt_ + turn_) return;
+    if (paths_.follow(lo, hi, 0).kind == Approach::Kind::kMeeting) out_.fast_pairs.emplace_back(lo, hi);
+  }
+
+  // The axes that kept two boxes apart until they met.
+  void add_last(BodyIndex lo, BodyIndex hi) {
+    const BestAxes last = BoxPair(scratch_.frames[lo], scratch_.frames[hi]).best_of_all();
     add_faces(lo, hi, static_cast<AxisSet>(last.axes & kFacesOfA));
     add_faces(hi, lo, static_cast<AxisSet>((last.axes & kFacesOfB) >> 3U));
     add_edges(lo, hi, {static_cast<AxisSet>(last.axes & kEdges), last.separation});
@@ -134,7 +116,7 @@ class Builder {
   void add_preferred(BodyIndex lo, BodyIndex hi) {
     const BestAxes &face_lo = pair_->face_a, &face_hi = pair_->face_b, &edge = pair_->edge;
     const double face = larger_separation(face_lo, face_hi);
-    const int order = canonical(frame_of(lo), frame_of(hi), pair_->offset);
+    const int order = canonical(scratch_.frames[lo], scratch_.frames[hi], pair_->offset);
     const bool lo_first = order >= 0, hi_first = order <= 0;
     if (edge.axes != 0 && edge.separation > face + kEdgePreference * smallest_) return add_edges(lo, hi, edge);
     const double prefer = kFacePreference * smallest_;
@@ -148,54 +130,25 @@ class Builder {
 
   // The separation, m, up to which points are kept. n: from the lower row to the higher.
   double margin_of(const Vec3& n) const {
-    return left_ * (std::max(0.0, -dot(approach_, n)) * dt_ + (turn_ + fall_)) + slack_of(smallest_);
+    return std::max(0.0, -dot(approach_, n)) * dt_ + (turn_ + fall_) + slack_of(smallest_);
   }
 
   // axes: faces of the reference, from bit 0 on.
   void add_faces(BodyIndex reference, BodyIndex incident, AxisSet axes) {
     const Vec3& offset = pair_->offset;
     for_each_axis(axes, [&](int axis) {
-      add_face(reference, incident, axis, margin_of(towards(offset, frame_of(reference).axes[axis])));
+      add_face(reference, incident, axis, margin_of(towards(offset, scratch_.frames[reference].axes[axis])));
     });
   }
 
   void add_edges(BodyIndex lo, BodyIndex hi, const BestAxes& edge) {
-    const int order = canonical(frame_of(lo), frame_of(hi), pair_->offset);
+    const int order = canonical(scratch_.frames[lo], scratch_.frames[hi], pair_->offset);
     for_each_axis(edge.axes, [&](int axis) {
-      const double margin = margin_of(BoxPair(frame_of(lo), frame_of(hi), pair_->offset).normal(axis));
+      const double margin = margin_of(BoxPair(scratch_.frames[lo], scratch_.frames[hi], pair_->offset).normal(axis));
       if (edge.separation > margin) return;
       if (order >= 0) add_edge(lo, hi, axis, edge.separation, margin);
       if (order <= 0) add_edge(hi, lo, axis, edge.separation, margin);
     });
-  }
-
-  // Whether bodies may meet in this step. Where corners leave their tangents, the free flights are followed, and what
-  // they meet is tested at the meeting. A body that is held does not fly freely: it is followed only if its corners
-  // leave the slack, and points near its path are kept as they are where nothing turns.
-  bool can_meet(BodyIndex lo, BodyIndex hi) {
-    encounter_.kind = Encounter::Kind::kNear;
-    left_ = 1;
-    low_ = lo;
-    const bool holds = held(lo, hi);
-    followed_ = paths_.bend(lo, hi) > (holds ? slack_of(smallest_) : kBendMax);
-    if (!followed_) return true;
-    follow(lo, hi, holds ? slack_of(smallest_) + fall_ : 0);
-    return encounter_.kind != Encounter::Kind::kPassing;
-  }
-
-  void follow(BodyIndex lo, BodyIndex hi, double margin) {
-    encounter_ = paths_.follow(lo, hi, margin);
-    if (encounter_.kind == Encounter::Kind::kMeeting) left_ = 1 - encounter_.time_s / dt_;
-    if (encounter_.kind != Encounter::Kind::kMeeting || lo == kGround) return;
-    const BoxPair boxes(encounter_.a.frame, encounter_.b.frame);
-    at_meeting_ = {boxes.best(kFacesOfA), boxes.best(kFacesOfB), boxes.best(kEdges), boxes.offset(), 0};
-    pair_ = &at_meeting_;
-  }
-
-  // The frame at the meeting, where there is one, of a body of the pair last given to can_meet.
-  const BoxFrame& frame_of(BodyIndex i) const {
-    if (encounter_.kind != Encounter::Kind::kMeeting) return scratch_.frames[i];
-    return i == low_ ? encounter_.a.frame : encounter_.b.frame;
   }
 
   // Which box is the reference: > 0: a, < 0: b, 0: a tie.
@@ -215,7 +168,7 @@ class Builder {
 
   ManifoldSide side_of(BodyIndex reference, BodyIndex incident, double margin) const {
     const Vec3 d = reference < incident ? pair_->offset : plus_zero(Vec3(-pair_->offset));
-    return {&frame_of(reference), &frame_of(incident), d, reference < incident, margin};
+    return {&scratch_.frames[reference], &scratch_.frames[incident], d, reference < incident, margin};
   }
 
   void add_face(BodyIndex reference, BodyIndex incident, int axis, double margin) {
@@ -239,9 +192,6 @@ class Builder {
 
   // The points lie where the boxes will meet; the separations become those of now.
   void separate_as_now(const Manifold& m) {
-    if (encounter_.kind == Encounter::Kind::kMeeting) {
-      return encounter_.separate_as_now(m, m.a != low_, left_ * dt_, slack_of(smallest_) + fall_, points_of(out_, m));
-    }
     if (pair_->later == 0) return;
     const double opening = dot(Vec3(bodies_.velocity[m.b] - bodies_.velocity[m.a]), m.n);
     for (ManifoldPoint& point : points_of(out_, m)) point.separation -= pair_->later * opening;
@@ -259,13 +209,8 @@ class Builder {
 
   void ground(BodyIndex i) {
     if (!reaches(i)) return;
-    smallest_ = scratch_.frames[i].half_extent.minCoeff();
-    const double slack = slack_of(smallest_), reach = reach_of(i);
-    if (!can_meet(kGround, i)) return;
     Manifold& m = fresh(kGround, i);
-    const bool meets = encounter_.kind == Encounter::Kind::kMeeting;
-    ground_manifold(frame_of(i), reach, m, out_.points);
-    if (meets) encounter_.separate_as_now(m, false, left_ * dt_, slack + fall_, points_of(out_, m));
+    ground_manifold(scratch_.frames[i], reach_of(i), m, out_.points);
     finish(m);
   }
 
@@ -300,8 +245,7 @@ class Builder {
     std::size_t kept = m.first;
     for (std::size_t k = m.first; k < points.size(); ++k) {
       const double speed = un + (w1 * points[k].q - w2 * points[k].p);
-      const bool meets = encounter_.kind == Encounter::Kind::kMeeting && points[k].separation < kNever;
-      if (!meets && points[k].separation + std::min(0.0, speed) * dt_ > reach) continue;
+      if (points[k].separation + std::min(0.0, speed) * dt_ > reach) continue;
       if (kept != k) points[kept] = points[k];  // a copy onto itself would stall
       ++kept;
     }
@@ -318,13 +262,9 @@ class Builder {
   double dt_;
   double fall_;  // m, way that gravity may add within the step
   FreePaths paths_;
-  Encounter encounter_;  // of the pair at hand; kNear: tested as it lies now
-  BodyIndex low_ = 0;    // lower row of that pair
-  bool followed_ = false;
-  double left_ = 1;                 // part of the step after the meeting
-  double smallest_ = 0, turn_ = 0;  // m, of that pair: smallest half extent, way of corners by turning
+  double smallest_ = 0, turn_ = 0;  // m, of the pair at hand: smallest half extent, way of corners by turning
   Vec3 approach_ = Vec3::Zero();    // m/s, of the higher row against the lower
-  TestedPair tested_{}, at_meeting_{};
+  TestedPair tested_{};
   const TestedPair* pair_ = nullptr;
   ContactRecall recall_;
   const Manifold empty_{};  // copying one is faster than making one
@@ -341,8 +281,9 @@ void build_manifolds(const WorldState& state, const Scratch& scratch, double dt_
   Builder(state, scratch, dt_s, state.contact_memory, first, out).build(first, end);
 }
 
-void build_fast_manifolds(const WorldState& state, const Scratch& scratch, double substep_s, ManifoldList& out) {
-  Builder(state, scratch, substep_s, scratch.fast.memory, 0, out).build_fast(scratch.fast.pairs);
+void build_fast_manifolds(const WorldState& state, const Scratch& scratch, double substep_s,
+                          std::span<const Approach> approaches, ManifoldList& out) {
+  Builder(state, scratch, substep_s, scratch.fast.memory, 0, out).build_fast(scratch.fast.pairs, approaches);
 }
 
 }  // namespace tumble::sim

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "src/kernels/box_pair.h"
 #include "src/math/grid.h"
@@ -17,31 +18,7 @@ constexpr int kFollowMax = 1 << 20;   // a pass a millimetre away at the limits 
 // The spin of a box with different moments stays below the square root of 3 times its spin at any other time.
 constexpr double kSpinGrowth = 1.75;
 
-// The velocity of a point of the manifold along the normal, b's against a's.
-struct Opening {
-  double un, w1, w2;
-  Opening(const Manifold& m, const Vec3& velocity_a, const Vec3& spin_a, const Vec3& velocity_b, const Vec3& spin_b) {
-    const Vec3 u = (velocity_b - velocity_a) - cross(spin_a, m.d), w = spin_b - spin_a;
-    un = dot(u, m.n);
-    w1 = dot(w, m.t1);
-    w2 = dot(w, m.t2);
-  }
-  [[nodiscard]] double at(const ManifoldPoint& point) const { return un + (w1 * point.q - w2 * point.p); }
-};
-
 }  // namespace
-
-void Encounter::separate_as_now(const Manifold& m, bool reversed, double rest_s, double reach,
-                                std::span<ManifoldPoint> points) const {
-  const Side &ref = reversed ? b : a, &other = reversed ? a : b;
-  const Opening there(m, ref.velocity, ref.spin, other.velocity, other.spin);
-  const Opening mean(m, ref.mean_velocity, ref.mean_spin, other.mean_velocity, other.mean_spin);
-  for (ManifoldPoint& point : points) {
-    const double speed = there.at(point), way = time_s * std::min(0.0, mean.at(point));
-    const bool meets = speed < 0 && point.separation + rest_s * speed <= reach;
-    point.separation = meets ? point.separation - way : kNever;
-  }
-}
 
 // A body on its way. One that does not move has no velocity and no spin.
 struct FreePaths::Flyer {
@@ -123,47 +100,20 @@ double FreePaths::wait(const Flyer& a, const Flyer& b, double& separation) const
   return longest;
 }
 
-Encounter::Side FreePaths::side(const Flyer& flyer, double time_s) const {
-  Encounter::Side side;
-  side.frame = flyer.frame;
-  side.velocity = flyer.velocity + flyer.gain * (time_s / dt_);
-  side.spin = flyer.spin;
-  side.mean_velocity = flyer.velocity + flyer.gain * (0.5 * time_s / dt_);
-  side.mean_spin = flyer.moves ? state_.bodies.spin[flyer.row] : Vec3(Vec3::Zero());
-  return side;
-}
-
-// The solver knows the spin at the start. That of an uneven body is another one at the meeting, so points of such a
-// body are taken to meet at once.
-Encounter FreePaths::meeting(const Flyer& a, const Flyer& b, double time_s) const {
-  Encounter encounter;
-  encounter.kind = Encounter::Kind::kMeeting;
-  encounter.time_s = a.evenly && b.evenly ? time_s : 0;
-  encounter.a = side(a, time_s);
-  encounter.b = side(b, time_s);
-  return encounter;
-}
-
-Encounter FreePaths::follow(BodyIndex a, BodyIndex b, double margin) const {
+Approach FreePaths::follow(BodyIndex a, BodyIndex b, double margin) const {
   Flyer flyer_a = flyer(a), flyer_b = flyer(b);
-  Encounter encounter;
-  double time = 0, nearest = kNever;
+  double time = 0, nearest = std::numeric_limits<double>::infinity();
   for (int k = 0; k < kFollowMax; ++k) {
     double separation = 0;
     const double next = wait(flyer_a, flyer_b, separation);
-    if (separation <= kTouching) {
-      if (k > 0) return meeting(flyer_a, flyer_b, time);
-      encounter.kind = Encounter::Kind::kTouching;
-      return encounter;
-    }
+    if (separation <= kTouching) return {k > 0 ? Approach::Kind::kMeeting : Approach::Kind::kTouching, time};
     nearest = std::min(nearest, separation);
     if (time + next >= dt_) break;
     advance(flyer_a, time, next);
     advance(flyer_b, time, next);
     time += next;
   }
-  if (nearest <= margin) encounter.kind = Encounter::Kind::kNear;
-  return encounter;
+  return {nearest <= margin ? Approach::Kind::kNear : Approach::Kind::kPassing, 0};
 }
 
 }  // namespace tumble::sim

@@ -1,6 +1,7 @@
 #include "src/layered/order/wake_islands.h"
 
 #include "src/layered/find/find_manifolds.h"
+#include "src/layered/find/free_path.h"
 #include "src/layered/order/islands.h"
 #include "src/world/edit_bodies.h"
 
@@ -12,7 +13,7 @@ bool lively(const WorldState& state, BodyIndex i) {
   return bodies.moves(i) && kinetic_energy(bodies, i) / bodies.mass[i] > kEscapeFactor * state.def.freeze_energy;
 }
 
-void find_disturbed(WorldState& state, Scratch& scratch) {
+void find_disturbed(WorldState& state, Scratch& scratch, double dt_s) {
   const std::vector<std::uint8_t>& frozen = state.bodies.frozen;
   std::vector<BodyIndex>& disturbed = scratch.waking.disturbed;
   disturbed.clear();
@@ -21,12 +22,18 @@ void find_disturbed(WorldState& state, Scratch& scratch) {
     if (frozen[m.a] != 0 && lively(state, m.b)) disturbed.push_back(m.a);
     if (frozen[m.b] != 0 && lively(state, m.a)) disturbed.push_back(m.b);
   }
+  const FreePaths paths(state, scratch, dt_s);
+  for (const auto& [a, b] : scratch.fast.pairs) {
+    if (b == kGround || (frozen[a] == 0 && frozen[b] == 0)) continue;
+    if (!lively(state, frozen[a] != 0 ? b : a)) continue;
+    if (paths.follow(a, b, 0).kind != Approach::Kind::kPassing) disturbed.push_back(frozen[a] != 0 ? a : b);
+  }
 }
 
 }  // namespace
 
 Status wake_islands(WorldState& state, Scratch& scratch, double dt_s) {
-  find_disturbed(state, scratch);
+  find_disturbed(state, scratch, dt_s);
   const std::vector<BodyIndex>& disturbed = scratch.waking.disturbed;
   scratch.found_again = !disturbed.empty();
   if (disturbed.empty()) return {};

@@ -15,6 +15,10 @@ Status apply_forces(WorldState& state, Scratch& scratch, double substep_s) {
       body.velocity += VelocityGrid::round(Vec3(fall * body.weight));
     }
   });
+  for (const FastBody& body : scratch.fast.none() ? std::span<const FastBody>() : scratch.fast.bodies) {
+    if (body.flown_s == 0) continue;  // the flight to a meeting has brought a part of it
+    scratch.solver_bodies[body.row].velocity -= VelocityGrid::round(Vec3(state.def.gravity * body.flown_s));
+  }
   warm_start_layers(scratch, substep_s);
   return {};
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "src/kernels/contact_kernels.h"
+
 namespace tumble::sim {
 namespace {
 
@@ -19,18 +21,31 @@ void list_rows(const WorldState& state, FastContacts& fast) {
   rows.erase(end, last);
 }
 
-// Calls visit(batch, lane) for the contacts with an impulse.
+// A contact that presses, and whether it bounces.
+struct Pressing {
+  std::uint32_t a, b;
+  bool bounces;
+};
+
+// Calls visit(Pressing) for the contacts with an impulse.
 template <class Visit>
 void for_pressing(const ContactBatches& all, Visit visit) {
   for (const ContactBatch& batch : all.batches) {
     for (unsigned lane = 0; lane < batch.used; ++lane) {
-      bool presses = false;
+      bool presses = false, fast = false;
       for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
-        presses |= all.points[k].peak.of[lane] > 0;
+        const PointBatch& point = all.points[k];
+        if (point.peak.of[lane] == 0) continue;
+        presses = true;
+        fast |= point.approach.of[lane] <= -kBounceMin;
       }
-      if (presses) visit(batch, lane);
+      if (presses) visit(Pressing{batch.a[lane], batch.b[lane], fast && batch.restitution.of[lane] > 0});
     }
   }
+}
+
+FastBody* body_of(FastContacts& fast, std::uint32_t row) {
+  return row < fast.place.size() ? &fast.bodies[fast.place[row]] : nullptr;  // the ground is the row after the last
 }
 
 }  // namespace
@@ -53,19 +68,24 @@ void list_fast_bodies(const WorldState& state, Scratch& scratch) {
   fast.memory = state.contact_memory;
 }
 
+void mark_pressed(Scratch& scratch) {
+  FastContacts& fast = scratch.fast;
+  for_pressing(fast.batches, [&](const Pressing& contact) {
+    for (FastBody* body : {body_of(fast, contact.a), body_of(fast, contact.b)}) {
+      if (body != nullptr) body->pressed = true;
+    }
+  });
+}
+
 void find_flying(Scratch& scratch) {
   FastContacts& fast = scratch.fast;
   for (FastBody& body : fast.bodies) body.flying = scratch.in_contact[body.row] == kInFastPair;
-  const auto press = [&](std::uint32_t row) {
-    if (row >= fast.place.size()) return;  // the ground
-    FastBody& body = fast.bodies[fast.place[row]];
-    body.pressed = true;
-    body.flying = false;
-  };
-  for_pressing(fast.batches, [&](const ContactBatch& batch, unsigned lane) {
-    press(batch.a[lane]);
-    press(batch.b[lane]);
+  for_pressing(fast.batches, [&](const Pressing& contact) {
+    for (FastBody* body : {body_of(fast, contact.a), body_of(fast, contact.b)}) {
+      if (body != nullptr && !contact.bounces) body->flying = false;
+    }
   });
+  mark_pressed(scratch);
 }
 
 void release_untouched(WorldState& state, Scratch& scratch) {

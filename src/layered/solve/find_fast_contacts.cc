@@ -4,27 +4,74 @@
 
 #include "src/kernels/kernels_by_width.h"
 #include "src/layered/find/build_manifolds.h"
+#include "src/layered/find/fast_pairs.h"
 #include "src/layered/order/batch_contacts.h"
 #include "src/layered/order/solver_body.h"
 #include "src/layered/solve/contact_batches.h"
 #include "src/layered/solve/solver_hashes.h"
+#include "src/math/grid.h"
+#include "src/world/free_flight.h"
 
 namespace tumble::sim {
 namespace {
 
-// Frames and velocities as they are in this substep, of all bodies of fast pairs.
-void renew_bodies(WorldState& state, Scratch& scratch, double substep_s) {
+// Gives a body's columns and its frame the motion and the place of now.
+void renew_body(WorldState& state, Scratch& scratch, BodyIndex i, double substep_s) {
   Bodies& bodies = state.bodies;
-  for (const FastBody& body : scratch.fast.bodies) {
-    const BodyIndex i = body.row;
-    if (scratch.in_contact[i] == 0) continue;
-    const SolverBody& now = scratch.solver_bodies[i];
-    bodies.velocity.set(i, plus_zero(now.velocity));
-    bodies.spin.set(i, plus_zero(now.spin));
-    BoxFrame& frame = scratch.frames[i];
-    frame.position = bodies.position[i];
-    frame.axes = axes_of(bodies.orientation[i]);
-    scratch.turning[i] = length(now.spin) * length(frame.half_extent) * substep_s;
+  const SolverBody& now = scratch.solver_bodies[i];
+  bodies.velocity.set(i, plus_zero(now.velocity));
+  bodies.spin.set(i, plus_zero(now.spin));
+  BoxFrame& frame = scratch.frames[i];
+  frame.position = bodies.position[i];
+  frame.axes = axes_of(bodies.orientation[i]);
+  scratch.turning[i] = length(now.spin) * length(frame.half_extent) * substep_s;
+}
+
+// Finds for each body the time of its first meeting, s; 0 for a body that touches another one of a fast pair.
+void find_meetings(Scratch& scratch, double substep_s) {
+  FastContacts& fast = scratch.fast;
+  for (FastBody& body : fast.bodies) body.flown_s = substep_s;
+  const auto meets = [&](BodyIndex i, double time_s) {
+    if (i == kGround) return;
+    double& flown_s = fast.bodies[fast.place[i]].flown_s;
+    flown_s = std::min(flown_s, time_s);
+  };
+  for (std::size_t k = 0; k < fast.pairs.size(); ++k) {
+    const Approach& approach = fast.approaches[k];
+    if (approach.kind != Approach::Kind::kMeeting && approach.kind != Approach::Kind::kTouching) continue;
+    meets(fast.pairs[k].first, approach.time_s);
+    meets(fast.pairs[k].second, approach.time_s);
+  }
+  for (FastBody& body : fast.bodies) {
+    const bool free = scratch.in_contact[body.row] == kInFastPair && body.flown_s < substep_s;
+    if (!free) body.flown_s = 0;
+  }
+}
+
+// Moves a body in free flight to its first meeting.
+void fly(WorldState& state, Scratch& scratch, const FastBody& body) {
+  Bodies& bodies = state.bodies;
+  const BodyIndex i = body.row;
+  SolverBody& now = scratch.solver_bodies[i];
+  const Vec3 fall = state.def.gravity * body.flown_s;
+  bodies.position.set(i, plus_zero(bodies.position[i] +
+                                   PositionGrid::round_any(Vec3((now.velocity + fall * 0.5) * body.flown_s))));
+  now.velocity += VelocityGrid::round(fall);
+  const Vec3 inverse = bodies.inverse_inertia[i];
+  const Rotation turn = rotate_freely(bodies.orientation[i], now.spin, bodies.inertia[i], inverse, body.flown_s);
+  bodies.orientation.set(i, turn.orientation);
+  now.spin = turn.spin;
+  set_inverse_inertia(now, axes_of(turn.orientation), inverse);
+}
+
+// The time that each batch's falling bodies have left in the substep.
+void set_rest(const Scratch& scratch, ContactBatches& all, double substep_s) {
+  const FastContacts& fast = scratch.fast;
+  const auto flown = [&](std::uint32_t row) { return row < fast.place.size() ? fast.bodies[fast.place[row]].flown_s : 0.0; };
+  for (ContactBatch& batch : all.batches) {
+    for (unsigned lane = 0; lane < batch.used; ++lane) {
+      batch.rest_s.of[lane] = substep_s - std::max(flown(batch.a[lane]), flown(batch.b[lane]));
+    }
   }
 }
 
@@ -38,9 +85,22 @@ bool any_slender(const Bodies& bodies, const FastContacts& fast) {
 
 Status find_fast_contacts(WorldState& state, Scratch& scratch, double substep_s) {
   if (scratch.fast.none()) return {};
-  renew_bodies(state, scratch, substep_s);
-  build_fast_manifolds(state, scratch, substep_s, scratch.fast.found);
+  FastContacts& fast = scratch.fast;
+  const auto renew_bodies = [&] {
+    for (const FastBody& body : fast.bodies) {
+      if (scratch.in_contact[body.row] != 0) renew_body(state, scratch, body.row, substep_s);
+    }
+  };
+  renew_bodies();
+  find_approaches(state, scratch, substep_s, fast.approaches);
+  find_meetings(scratch, substep_s);
+  for (const FastBody& body : fast.bodies) {
+    if (body.flown_s > 0) fly(state, scratch, body);
+  }
+  renew_bodies();
+  build_fast_manifolds(state, scratch, substep_s, fast.approaches, fast.found);
   batch_fast_contacts(state, scratch, any_slender(state.bodies, scratch.fast));
+  set_rest(scratch, fast.batches, substep_s);
   const ContactWork work = fast_contacts(scratch, substep_s);
   kernels(scratch.lanes).contacts.prepare(work);
   mark_bounces(work);

@@ -7,12 +7,12 @@
 
 namespace tumble::sim {
 
-/// Finds the contacts of fast pairs (FastContacts) anew, where the bodies are in this substep, and prepares them for
-/// the solver. A step without fast pairs does nothing here.
+/// Finds the contacts of fast pairs (FastContacts) anew in each substep, and prepares them for the solver. Bodies that
+/// meet within the substep are moved to the meeting first, so that they are hit where they are and as they are turned.
+/// A step without fast pairs does nothing here.
 /// Reads:  fast.pairs; position, orientation; solver_bodies
-/// Writes: velocity, spin and frames of the bodies of fast pairs; fast.found, fast.batches
-/// Source: the free path of the substep is followed where corners leave their tangents by more than the slop
-///         (free_path.h).
+/// Writes: position, orientation, velocity, spin and frames of the bodies of fast pairs; solver_bodies; fast.found,
+///         fast.batches
 Status find_fast_contacts(WorldState& state, Scratch& scratch, double substep_s);
 void hash_find_fast_contacts(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 

@@ -39,12 +39,13 @@ void turn(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) {
 
 // Returns whether place and motion are in range.
 // A body that flies moves at the mean of its velocities before and after this substep's gravity, as a flight does.
-bool move_body(Bodies& bodies, Scratch& scratch, BodyIndex i, const Vec3& fall, double substep_s) {
+bool move_body(Bodies& bodies, Scratch& scratch, BodyIndex i, const Vec3& gravity, double substep_s) {
   const Vec3 position = bodies.position[i];
   const SolverBody& body = scratch.solver_bodies[i];
   const bool slow = far_within_limits(position, body.velocity, body.spin);
   if (!slow && !(within(body.velocity, kSubstepSpeedMax) && within(body.spin, kSubstepSpeedMax))) return false;
-  const Vec3 path = (is_flying(scratch, i) ? Vec3(body.velocity - fall * 0.5) : body.velocity) * substep_s;
+  const Vec3 mean = is_flying(scratch, i) ? Vec3(body.velocity - gravity * (0.5 * substep_s)) : body.velocity;
+  const Vec3 path = mean * substep_s;
   const Vec3 moved = plus_zero(position + (slow ? PositionGrid::round(path) : PositionGrid::round_any(path)));
   bodies.position.set(i, moved);
   turn(bodies, scratch, i, substep_s);
@@ -90,12 +91,10 @@ Status check_moved(const Bodies& bodies, const Scratch& scratch) {
 
 Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s) {
   Bodies& bodies = state.bodies;
-  if (!scratch.fast.none()) find_flying(scratch);
-  const Vec3 fall = state.def.gravity * substep_s;
   for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (scratch.in_contact[i] == 0) continue;
-      if (!move_body(bodies, scratch, static_cast<BodyIndex>(i), fall, substep_s)) scratch.in_contact[i] = kBeyond;
+      if (!move_body(bodies, scratch, static_cast<BodyIndex>(i), state.def.gravity, substep_s - flown_s(scratch, i))) scratch.in_contact[i] = kBeyond;
     }
   });
   if (Status ok = check_moved(bodies, scratch); !ok.ok()) return ok;

@@ -1,0 +1,53 @@
+#include "src/layered/find/fast_pairs.h"
+
+#include "src/layered/find/find_near_pairs.h"
+#include "src/layered/find/pair_tests.h"
+
+namespace tumble::sim {
+namespace {
+
+constexpr double kBendMax = 0.0005;  // m; the slop of contact_solve_impl.h
+
+bool holds(const Scratch& scratch, BodyIndex lo, BodyIndex hi) {
+  return scratch.held[lo] != 0 || (hi != kGround && scratch.held[hi] != 0);
+}
+
+double slack(const Scratch& scratch, BodyIndex lo, BodyIndex hi) {
+  const BoxFrame& a = scratch.frames[lo];
+  return slack_of(hi == kGround ? a.half_extent.minCoeff() : smallest_half_extent(a, scratch.frames[hi]));
+}
+
+// Whether a sphere around a body can reach the ground, or that around another body, within the slack.
+bool near(const WorldState& state, const Scratch& scratch, BodyIndex lo, BodyIndex hi, double time_s) {
+  const Bodies& bodies = state.bodies;
+  const BoxFrame& a = scratch.frames[lo];
+  const double around = length(a.half_extent) + (kContactSlack + falling_reach(state.def, time_s));
+  if (hi == kGround) return a.position.z() + std::min(0.0, bodies.velocity.z[lo]) * time_s <= around;
+  const BoxFrame& b = scratch.frames[hi];
+  const Vec3 offset = b.position - a.position, velocity = bodies.velocity[hi] - bodies.velocity[lo];
+  const double reach = (around + length(b.half_extent)) + length(velocity) * time_s;
+  return dot(offset, offset) <= reach * reach;
+}
+
+}  // namespace
+
+bool bends(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyIndex hi) {
+  const double bend = hi == kGround ? paths.bend(kGround, lo) : paths.bend(lo, hi);
+  return bend > kBendMax && (bend > slack(scratch, lo, hi) || !holds(scratch, lo, hi));
+}
+
+void find_approaches(const WorldState& state, const Scratch& scratch, double substep_s, std::vector<Approach>& out) {
+  const FreePaths paths(state, scratch, substep_s);
+  const double fall = falling_reach(state.def, substep_s);
+  out.clear();
+  for (const auto& [lo, hi] : scratch.fast.pairs) {
+    Approach& approach = out.emplace_back();
+    if (!near(state, scratch, lo, hi, substep_s)) continue;
+    const double margin = holds(scratch, lo, hi) ? slack(scratch, lo, hi) + fall : 0;
+    approach = hi == kGround ? paths.follow(kGround, lo, margin) : paths.follow(lo, hi, margin);
+    // Where tangents are good enough, points near the path are kept, so that resting bodies do not rock.
+    if (approach.kind == Approach::Kind::kPassing && !bends(scratch, paths, lo, hi)) approach.kind = Approach::Kind::kNear;
+  }
+}
+
+}  // namespace tumble::sim

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "src/layered/find/free_path.h"
+#include "src/world/scratch.h"
+#include "tumble/sim/world_state.h"
+
+namespace tumble::sim {
+
+/// Whether corners of a pair leave their tangents by more than the slop, or, where a contact holds one of the bodies, by
+/// more than the slack. hi may be kGround.
+bool bends(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyIndex hi);
+
+/// How the fast pairs approach within a substep, in their order, from velocities and frames as they are.
+void find_approaches(const WorldState& state, const Scratch& scratch, double substep_s, std::vector<Approach>& out);
+
+}  // namespace tumble::sim
