@@ -51,13 +51,13 @@ struct ContactBatch {
   Lanes force1, force2, twist;
   Lanes split_a, split_b;  ///< manifolds of this layer that share the body's mass
   Lanes acceleration;      ///< m/s², of b against a along n, by gravity alone
-  Lanes rest_s;            ///< s that gravity acts after a bounce in this substep; 0 unless set by find_fast_contacts
   Lanes impulse_magic;     ///< magic number (math/grid.h) of a grid that fits the lighter body
   // Computed by `prepare`, once a step.
   Lanes centre_p, centre_q, radius;  ///< m, where friction acts; m, mean distance of the points from there
   Lanes friction_inverse[6];         ///< of the 3 × 3 matrix of (t1, t2, twist): 11, 12, 13, 22, 23, 33
   Lanes response[6];                 ///< of (u, W1, W2) to the sums (S, Sq, Sp)
   Lanes relaxation;
+  Lanes absorbed;  ///< J taken by normal impulses of sweeps in this step; a bounce gives no more back than its part
 };
 
 }  // namespace tumble::sim

@@ -245,6 +245,7 @@ void prepare(const ContactWork& work, ContactBatch& batch, unsigned at) {
   prepare_approaches(m);
   forget_impacts(m);
   foresee_impact(m);
+  m.set(batch.absorbed, V{});
 }
 
 }  // namespace

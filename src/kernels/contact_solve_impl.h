@@ -61,14 +61,11 @@ V bias_of(V separation, double h) {
   return separation > kSkin ? closing : push;
 }
 
-// The speed after a bounce: e times the speed of impact, less the speed that gravity has taken since the impact, or will
-// take in the rest of the substep.
+// The speed after a bounce: e times the speed of impact, less the speed that gravity has taken since the impact.
 template <class V>
 V rebound(const Manifolds<V>& m, V approach, V separation) {
   const V speed = m.get(m.batch->restitution) * approach, zero = V{};
-  const V acceleration = m.get(m.batch->acceleration);
-  const V since = square_root(larger(zero, speed * speed + 2.0 * acceleration * separation));
-  return larger(zero, since + acceleration * m.get(m.batch->rest_s));
+  return square_root(larger(zero, speed * speed + 2.0 * m.get(m.batch->acceleration) * separation));
 }
 
 // The velocity that a point should have, negated; constant during the passes over the points.
@@ -90,6 +87,17 @@ V wanted_impulse(const Manifolds<V>& m, const PointBatch& point, V speed) {
   return wanted;
 }
 
+// The part of a bounce that gives back e² of the absorbed energy, where all of it would give back more. Newton's law of
+// restitution alone adds energy where friction turns the body during the impact (Stronge 1990). initial: J, the work of
+// the bounce at the velocities before it; gained: J, what its own change of velocity adds.
+template <class V>
+V part_of_bounce(const Manifolds<V>& m, V initial, V gained) {
+  const V e = m.get(m.batch->restitution), limit = e * e * larger(V{}, m.get(m.batch->absorbed)), one = V{} + 1.0;
+  const V root = square_root(larger(V{}, initial * initial + 4.0 * gained * limit));
+  const V part = smaller(one, larger(V{}, (root - initial) / (2.0 * gained)));
+  return initial + gained > limit ? part : one;
+}
+
 template <Sweep kSweep, class V>
 Wrench<V> solve_normals(const Manifolds<V>& m, const Motion<V>& motion, V pressure, double h) {
   V u = dot(motion.u, m.n), w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2);
@@ -98,6 +106,7 @@ Wrench<V> solve_normals(const Manifolds<V>& m, const Motion<V>& motion, V pressu
   for (int k = 0; k < 6; ++k) r[k] = m.get(m.batch->response[k]);
   V unwanted[kPointsMax], changes[kPointsMax];
   for (unsigned k = 0; k < m.batch->count; ++k) unwanted[k] = unwanted_speed<kSweep>(m, m.points[k], h);
+  const V u_before = u, w1_before = w1, w2_before = w2;
   V total_s = zero, total_sq = zero, total_sp = zero;
   constexpr int kPasses = kSweep == Sweep::kRestitution ? kInnerRestitution : kInner;
   for (int pass = 0; pass < kPasses; ++pass) {
@@ -125,6 +134,14 @@ Wrench<V> solve_normals(const Manifolds<V>& m, const Motion<V>& motion, V pressu
     w1 += r[1] * sums.s + (r[3] * sums.sq + r[4] * sums.sp);
     w2 += -r[2] * sums.s + (-r[4] * sums.sq + r[5] * sums.sp);
   }
+  const V initial = u_before * total_s + (w1_before * total_sq - w2_before * total_sp);
+  const V gained =
+      0.5 * ((u - u_before) * total_s + ((w1 - w1_before) * total_sq - (w2 - w2_before) * total_sp));
+  if constexpr (kSweep == Sweep::kRestitution) {
+    const V part = part_of_bounce(m, initial, gained);
+    return normal_wrench(m, part * total_s, part * total_sq, part * total_sp);
+  }
+  m.set(m.batch->absorbed, m.get(m.batch->absorbed) - (initial + gained));
   return normal_wrench(m, total_s, total_sq, total_sp);
 }
 

@@ -62,9 +62,9 @@ constexpr Phase kLayeredPhases[] = {
     {"find_fast_contacts", find_fast_contacts, hash_find_fast_contacts},
     {"apply_forces", apply_forces, hash_apply_forces},
     {"push_contacts", push_contacts, hash_push_contacts},
-    {"bounce_fast_contacts", bounce_fast_contacts, hash_bounce_fast_contacts},
     {"integrate_positions", integrate_positions, hash_integrate_positions},
     {"relax_contacts", relax_contacts, hash_relax_contacts},
+    {"bounce_fast_contacts", bounce_fast_contacts, hash_bounce_fast_contacts},
     // --- once a step ---
     {"bounce_contacts", bounce_contacts, hash_bounce_contacts},
     {"finish_motion", finish_motion, hash_finish_motion},

@@ -118,7 +118,8 @@ inline constexpr std::uint8_t kInFastPair = 3;
 struct FastBody {
   BodyIndex row = 0;
   bool pressed = false;  ///< a contact of a fast pair pressed it in this step
-  bool flying = false;   ///< in this substep no contact presses it, or it bounces
+  bool flying = false;   ///< the solver moves it, but no contact presses it in this substep
+  bool waits = false;    ///< has met a body within this substep from which it bounces
   double flown_s = 0;    ///< of this substep, before its contacts are solved
   Vec3 position = Vec3::Zero(), velocity = Vec3::Zero(), spin = Vec3::Zero();
   Quat orientation;

@@ -130,7 +130,6 @@ class Filling {
     put(batch.twist, m.twist);
     put(batch.split_a, 0);
     put(batch.split_b, 0);
-    put(batch.rest_s, 0);
   }
   static void fill_point(PointBatch& batch, unsigned lane, const ManifoldPoint& point) {
     batch.p.of[lane] = point.p;

@@ -1,5 +1,7 @@
 #include "src/layered/solve/bounce_fast_contacts.h"
 
+#include "src/layered/find/contact_memory.h"
+#include "src/layered/solve/contact_batches.h"
 #include "src/layered/solve/fast_bodies.h"
 #include "src/layered/solve/solver_hashes.h"
 #include "src/layered/solve/sweep_layers.h"
@@ -9,7 +11,10 @@ namespace tumble::sim {
 Status bounce_fast_contacts(WorldState& /*state*/, Scratch& scratch, double substep_s) {
   if (scratch.fast.none()) return {};
   solve_fast_layer(scratch, Sweep::kRestitution, substep_s);
-  find_flying(scratch);
+  mark_pressed(scratch);
+  store_fast_contacts(scratch);
+  const ManifoldList& found = scratch.fast.found;
+  remember_contacts(found.manifolds, found.points, nullptr, scratch.fast.memory);
   return {};
 }
 

@@ -7,10 +7,11 @@
 
 namespace tumble::sim {
 
-/// Applies restitution to the contacts of fast pairs, in the substep in which they were hit and before the bodies move:
-/// once they have turned, an impulse would add energy or take some. Tells which bodies fly for the rest of the substep.
+/// Applies restitution to the contacts of fast pairs, in the substep in which they were hit: by the end of the step the
+/// bodies have turned, and an impulse there would add energy or take some. Remembers their impulses for the next
+/// substep.
 /// Reads and writes: impulses in fast.batches; solver_bodies' velocity and spin
-/// Writes: fast.bodies
+/// Writes: fast.found, fast.memory
 Status bounce_fast_contacts(WorldState& state, Scratch& scratch, double substep_s);
 void hash_bounce_fast_contacts(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 

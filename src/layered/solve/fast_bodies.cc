@@ -79,13 +79,17 @@ void mark_pressed(Scratch& scratch) {
 
 void find_flying(Scratch& scratch) {
   FastContacts& fast = scratch.fast;
-  for (FastBody& body : fast.bodies) body.flying = scratch.in_contact[body.row] == kInFastPair;
+  for (FastBody& body : fast.bodies) {
+    body.flying = true;
+    body.waits = false;
+  }
   for_pressing(fast.batches, [&](const Pressing& contact) {
     for (FastBody* body : {body_of(fast, contact.a), body_of(fast, contact.b)}) {
-      if (body != nullptr && !contact.bounces) body->flying = false;
+      if (body == nullptr) continue;
+      body->flying = false;
+      body->waits |= contact.bounces && body->flown_s > 0;
     }
   });
-  mark_pressed(scratch);
 }
 
 void release_untouched(WorldState& state, Scratch& scratch) {

@@ -12,18 +12,14 @@ void list_fast_bodies(const WorldState& state, Scratch& scratch);
 /// Marks the bodies that a contact of a fast pair has pressed in this substep.
 void mark_pressed(Scratch& scratch);
 
-/// Tells which bodies fly for the rest of this substep: those that no contact presses, or that bounce.
+/// Tells which bodies fly in this substep, since no contact presses them; and which wait for the rest of it where they
+/// met, so that they bounce as they were turned when they were hit.
 void find_flying(Scratch& scratch);
 
-/// Whether body i flies in this substep, though the solver moves it.
-inline bool is_flying(const Scratch& scratch, BodyIndex i) {
-  return !scratch.fast.none() && scratch.in_contact[i] == kInFastPair && scratch.fast.bodies[scratch.fast.place[i]].flying;
-}
-
-/// The part of this substep that body i has flown before its contacts were solved, s.
-inline double flown_s(const Scratch& scratch, std::size_t i) {
-  if (scratch.fast.none() || scratch.in_contact[i] != kInFastPair) return 0;
-  return scratch.fast.bodies[scratch.fast.place[i]].flown_s;
+/// The body if the solver moves it for contacts of fast pairs alone, else null.
+inline const FastBody* fast_body(const Scratch& scratch, std::size_t i) {
+  if (scratch.fast.none() || scratch.in_contact[i] != kInFastPair) return nullptr;
+  return &scratch.fast.bodies[scratch.fast.place[i]];
 }
 
 /// Takes the bodies that nothing has pressed out of the solver, with the state that they had at the start of the step:

@@ -64,17 +64,6 @@ void fly(WorldState& state, Scratch& scratch, const FastBody& body) {
   set_inverse_inertia(now, axes_of(turn.orientation), inverse);
 }
 
-// The time that each batch's falling bodies have left in the substep.
-void set_rest(const Scratch& scratch, ContactBatches& all, double substep_s) {
-  const FastContacts& fast = scratch.fast;
-  const auto flown = [&](std::uint32_t row) { return row < fast.place.size() ? fast.bodies[fast.place[row]].flown_s : 0.0; };
-  for (ContactBatch& batch : all.batches) {
-    for (unsigned lane = 0; lane < batch.used; ++lane) {
-      batch.rest_s.of[lane] = substep_s - std::max(flown(batch.a[lane]), flown(batch.b[lane]));
-    }
-  }
-}
-
 bool any_slender(const Bodies& bodies, const FastContacts& fast) {
   return std::ranges::any_of(fast.bodies, [&](const FastBody& body) {
     return bodies.moves(body.row) && is_slender(bodies.inertia[body.row]);
@@ -100,7 +89,6 @@ Status find_fast_contacts(WorldState& state, Scratch& scratch, double substep_s)
   renew_bodies();
   build_fast_manifolds(state, scratch, substep_s, fast.approaches, fast.found);
   batch_fast_contacts(state, scratch, any_slender(state.bodies, scratch.fast));
-  set_rest(scratch, fast.batches, substep_s);
   const ContactWork work = fast_contacts(scratch, substep_s);
   kernels(scratch.lanes).contacts.prepare(work);
   mark_bounces(work);

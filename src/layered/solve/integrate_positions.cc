@@ -38,18 +38,28 @@ void turn(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) {
 }
 
 // Returns whether place and motion are in range.
-// A body that flies moves at the mean of its velocities before and after this substep's gravity, as a flight does.
-bool move_body(Bodies& bodies, Scratch& scratch, BodyIndex i, const Vec3& gravity, double substep_s) {
+bool move_body(Bodies& bodies, Scratch& scratch, BodyIndex i, const Vec3& fall, double substep_s) {
   const Vec3 position = bodies.position[i];
   const SolverBody& body = scratch.solver_bodies[i];
   const bool slow = far_within_limits(position, body.velocity, body.spin);
   if (!slow && !(within(body.velocity, kSubstepSpeedMax) && within(body.spin, kSubstepSpeedMax))) return false;
-  const Vec3 mean = is_flying(scratch, i) ? Vec3(body.velocity - gravity * (0.5 * substep_s)) : body.velocity;
-  const Vec3 path = mean * substep_s;
+  const Vec3 path = (body.velocity - fall) * substep_s;
   const Vec3 moved = plus_zero(position + (slow ? PositionGrid::round(path) : PositionGrid::round_any(path)));
   bodies.position.set(i, moved);
   turn(bodies, scratch, i, substep_s);
   return slow || within(moved, kPositionMax);
+}
+
+// Returns whether place and motion are in range. A body that flies moves at the mean of its velocities before and after
+// gravity, as in free flight.
+bool move(WorldState& state, Scratch& scratch, BodyIndex i, double substep_s) {
+  const FastBody* const fast = fast_body(scratch, i);
+  if (fast == nullptr) return move_body(state.bodies, scratch, i, Vec3::Zero(), substep_s);
+  const double left_s = substep_s - fast->flown_s;
+  const Vec3 fall = state.def.gravity * left_s;
+  if (!fast->waits) return move_body(state.bodies, scratch, i, fast->flying ? Vec3(fall * 0.5) : Vec3(Vec3::Zero()), left_s);
+  scratch.solver_bodies[i].velocity -= VelocityGrid::round(fall);
+  return true;
 }
 
 // "body 7 (0.002 kg)"
@@ -90,11 +100,12 @@ Status check_moved(const Bodies& bodies, const Scratch& scratch) {
 }  // namespace
 
 Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s) {
-  Bodies& bodies = state.bodies;
+  const Bodies& bodies = state.bodies;
+  if (!scratch.fast.none()) find_flying(scratch);
   for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (scratch.in_contact[i] == 0) continue;
-      if (!move_body(bodies, scratch, static_cast<BodyIndex>(i), state.def.gravity, substep_s - flown_s(scratch, i))) scratch.in_contact[i] = kBeyond;
+      if (!move(state, scratch, static_cast<BodyIndex>(i), substep_s)) scratch.in_contact[i] = kBeyond;
     }
   });
   if (Status ok = check_moved(bodies, scratch); !ok.ok()) return ok;

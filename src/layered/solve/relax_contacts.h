@@ -8,8 +8,7 @@
 namespace tumble::sim {
 
 /// Sweeps without the push, after the positions have moved: removes the velocity that the push has added.
-/// Reads and writes: impulses in contact_batches and fast.batches; solver_bodies' velocity and spin
-/// Writes: fast.found, fast.memory
+/// Reads and writes: impulses in contact_batches; solver_bodies' velocity and spin
 /// Order:  sweeps go down and up the levels in turn
 Status relax_contacts(WorldState& state, Scratch& scratch, double substep_s);
 void hash_relax_contacts(const WorldState& state, const Scratch& scratch, Hasher& hasher);
