@@ -23,6 +23,48 @@ V pressure_of(const Manifolds<V>& m) {
   return any(pressure > m.get(m.batch->impulse_max)) ? add_up_impulses(m).s : pressure;
 }
 
+template <class V>
+V clamped(V x, V limit) {
+  return x < -limit ? -limit : (limit < x ? limit : x);
+}
+
+// Accumulated friction along t1 and t2, and about n.
+template <class V>
+struct Friction {
+  V force1, force2, twist;
+};
+
+// Cuts the force to the cone of friction.
+template <class V>
+void cut_force(const Manifolds<V>& m, V pressure, Friction<V>& f) {
+  const V limit = m.get(m.batch->friction) * pressure, squared = f.force1 * f.force1 + f.force2 * f.force2;
+  const V scale = m.get(m.batch->friction_dynamic) * pressure / square_root(squared);
+  const auto slips = squared > limit * limit;
+  f.force1 = slips ? f.force1 * scale : f.force1;
+  f.force2 = slips ? f.force2 * scale : f.force2;
+}
+
+// Force and twist within their limits, from those that together would stop slip and spin. Where one is cut, the other
+// takes what is best with that: a force that counts on a twist which a single point cannot give would push along the
+// slip. inverse: of the matrix of (t1, t2, twist), as friction_inverse.
+template <class V>
+Friction<V> within_limits(const Manifolds<V>& m, V pressure, const Friction<V>& stop, const V inverse[6]) {
+  const V twist_limit = m.get(m.batch->friction) * pressure * m.get(m.batch->radius), zero = V{};
+  Friction<V> f = stop;
+  f.twist = clamped(stop.twist, twist_limit);
+  const V missing = f.twist == stop.twist ? zero : (f.twist - stop.twist) / inverse[5];
+  f.force1 = stop.force1 + inverse[2] * missing;
+  f.force2 = stop.force2 + inverse[4] * missing;
+  cut_force(m, pressure, f);
+  const V scale = 1.0 / (inverse[0] * inverse[3] - inverse[1] * inverse[1]);
+  const V along1 = (inverse[3] * inverse[2] - inverse[1] * inverse[4]) * scale;
+  const V along2 = (inverse[0] * inverse[4] - inverse[1] * inverse[2]) * scale;
+  const V twist = stop.twist + (along1 * (f.force1 - stop.force1) + along2 * (f.force2 - stop.force2));
+  const V moved = magnitude(f.force1 - stop.force1) + magnitude(f.force2 - stop.force2);
+  f.twist = moved == 0.0 ? f.twist : clamped(twist, twist_limit);
+  return f;
+}
+
 // The friction impulse that stops the slip, cut to what the normal impulses allow; returns the change as a wrench.
 template <class V>
 Wrench<V> solve_friction(const Manifolds<V>& m, const Motion<V>& motion, V pressure) {
@@ -34,20 +76,15 @@ Wrench<V> solve_friction(const Manifolds<V>& m, const Motion<V>& motion, V press
   V f[6];
   for (int k = 0; k < 6; ++k) f[k] = m.get(batch.friction_inverse[k]);
   const V before1 = m.get(batch.force1), before2 = m.get(batch.force2), twist_before = m.get(batch.twist);
-  const V stop1 = before1 - ((f[0] * u1 + f[1] * u2) + f[2] * wn);
-  const V stop2 = before2 - ((f[1] * u1 + f[3] * u2) + f[4] * wn);
-  const V limit = m.get(batch.friction) * pressure, squared = stop1 * stop1 + stop2 * stop2;
-  const V scale = m.get(batch.friction_dynamic) * pressure / square_root(squared);
-  const auto slips = squared > limit * limit;
-  const V force1 = slips ? stop1 * scale : stop1, force2 = slips ? stop2 * scale : stop2;
-  const V twist_limit = limit * m.get(batch.radius);
-  const V twist_stop = twist_before - ((f[2] * u1 + f[4] * u2) + f[5] * wn);
-  const V twist = twist_stop < -twist_limit ? -twist_limit : (twist_limit < twist_stop ? twist_limit : twist_stop);
-  const V d1 = force1 - before1, d2 = force2 - before2;
-  m.set(batch.force1, force1);
-  m.set(batch.force2, force2);
-  m.set(batch.twist, twist);
-  return friction_wrench(m, d1, d2, (twist - twist_before) + (p * d2 - q * d1));
+  const Friction<V> stop = {before1 - ((f[0] * u1 + f[1] * u2) + f[2] * wn),
+                            before2 - ((f[1] * u1 + f[3] * u2) + f[4] * wn),
+                            twist_before - ((f[2] * u1 + f[4] * u2) + f[5] * wn)};
+  const Friction<V> now = within_limits(m, pressure, stop, f);
+  const V d1 = now.force1 - before1, d2 = now.force2 - before2;
+  m.set(batch.force1, now.force1);
+  m.set(batch.force2, now.force2);
+  m.set(batch.twist, now.twist);
+  return friction_wrench(m, d1, d2, (now.twist - twist_before) + (p * d2 - q * d1));
 }
 
 // The normal velocity that a point should have, negated: added to the velocity that the impulse drives to zero. Between
