@@ -38,6 +38,18 @@ void store_contact(const ContactBatches& all, std::uint32_t place, Manifold& m, 
   }
 }
 
+// An impulse that stopped an impact carries nothing: the next substep must not start from it.
+void forget_impact(const ContactBatches& all, std::uint32_t place, Manifold& m, std::span<ManifoldPoint> points) {
+  const PointBatch* batch = all.points.data() + all.batches[place / kLanes].first;
+  bool met = false;
+  for (ManifoldPoint& point : points) {
+    if (batch++->approach.of[place % kLanes] >= -kRestingSpeed) continue;
+    point.impulse = 0;
+    met = true;
+  }
+  if (met) m.force1 = m.force2 = m.twist = 0;
+}
+
 ContactWork work_on(ContactBatches& all, Scratch& scratch, double substep_s) {
   return {all.batches.data(),
           all.batches.size(),
@@ -69,6 +81,7 @@ void store_fast_contacts(Scratch& scratch) {
   for (std::size_t k = 0; k < fast.found.manifolds.size(); ++k) {
     Manifold& m = fast.found.manifolds[k];
     store_contact(fast.batches, fast.batches.place[k], m, points_of(fast.found, m));
+    forget_impact(fast.batches, fast.batches.place[k], m, points_of(fast.found, m));
   }
 }
 
