@@ -80,7 +80,7 @@ class Builder {
   // Whether corners leave their tangents by more than contacts allow: by more than the slop, or where a contact holds a
   // body by more than the slack. hi may be kGround.
   bool listed_as_fast(BodyIndex lo, BodyIndex hi) {
-    if (!bends(scratch_, paths_, lo, hi)) return false;
+    if (!bends(scratch_, paths_, lo, hi) && !may_bounce(state_, scratch_, lo, hi, dt_)) return false;
     out_.fast_pairs.emplace_back(lo, hi);
     return true;
   }

@@ -1,5 +1,8 @@
 #include "src/layered/find/fast_pairs.h"
 
+#include <algorithm>
+
+#include "src/kernels/contact_kernels.h"
 #include "src/layered/find/find_near_pairs.h"
 #include "src/layered/find/pair_tests.h"
 
@@ -34,6 +37,16 @@ bool near(const WorldState& state, const Scratch& scratch, BodyIndex lo, BodyInd
 bool bends(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyIndex hi) {
   const double bend = hi == kGround ? paths.bend(kGround, lo) : paths.bend(lo, hi);
   return bend > kBendMax && (bend > slack(scratch, lo, hi) || !holds(scratch, lo, hi));
+}
+
+bool may_bounce(const WorldState& state, const Scratch& scratch, BodyIndex lo, BodyIndex hi, double dt_s) {
+  const Bodies& bodies = state.bodies;
+  const bool ground = hi == kGround;
+  const double e = std::max(bodies.restitution[lo], ground ? state.def.ground_material.restitution : bodies.restitution[hi]);
+  if (e == 0 || holds(scratch, lo, hi)) return false;
+  const Vec3 velocity = ground ? Vec3(bodies.velocity[lo]) : Vec3(bodies.velocity[hi] - bodies.velocity[lo]);
+  const double turning = scratch.turning[lo] + (ground ? 0 : scratch.turning[hi]);
+  return (length(velocity) + length(state.def.gravity) * dt_s) * dt_s + turning > kBounceMin * dt_s;
 }
 
 void find_approaches(const WorldState& state, const Scratch& scratch, double substep_s, std::vector<Approach>& out) {

@@ -12,6 +12,9 @@ namespace tumble::sim {
 /// more than the slack. hi may be kGround.
 bool bends(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyIndex hi);
 
+/// Whether a pair that no contact holds may meet fast enough to bounce. hi may be kGround.
+bool may_bounce(const WorldState& state, const Scratch& scratch, BodyIndex lo, BodyIndex hi, double dt_s);
+
 /// How the fast pairs approach within a substep, in their order, from velocities and frames as they are.
 void find_approaches(const WorldState& state, const Scratch& scratch, double substep_s, std::vector<Approach>& out);
 
