@@ -175,7 +175,9 @@ Wrench<V> solve_normals(const Manifolds<V>& m, const Motion<V>& motion, V pressu
   const V gained =
       0.5 * ((u - u_before) * total_s + ((w1 - w1_before) * total_sq - (w2 - w2_before) * total_sp));
   if constexpr (kSweep == Sweep::kRestitution) {
-    const V part = part_of_bounce(m, initial, gained);
+    const V part = part_of_bounce(m, initial, gained), e = m.get(m.batch->restitution);
+    const V given = part * (initial + part * gained);
+    m.set(m.batch->absorbed, m.get(m.batch->absorbed) - (given == 0.0 ? zero : given / (e * e)));
     return normal_wrench(m, part * total_s, part * total_sq, part * total_sp);
   }
   m.set(m.batch->absorbed, m.get(m.batch->absorbed) - (initial + gained));

@@ -7,10 +7,15 @@
 #include "src/layered/solve/sweep_layers.h"
 
 namespace tumble::sim {
+namespace {
+
+constexpr int kVisits = 8;  // an impulse that falls short loses energy
+
+}  // namespace
 
 Status bounce_fast_contacts(WorldState& /*state*/, Scratch& scratch, double substep_s) {
   if (scratch.fast.none()) return {};
-  solve_fast_layer(scratch, Sweep::kRestitution, substep_s);
+  for (int visit = 0; visit < kVisits; ++visit) solve_fast_layer(scratch, Sweep::kRestitution, substep_s);
   mark_pressed(scratch);
   store_fast_contacts(scratch);
   const ManifoldList& found = scratch.fast.found;

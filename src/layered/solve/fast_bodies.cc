@@ -87,7 +87,7 @@ void find_flying(Scratch& scratch) {
     for (FastBody* body : {body_of(fast, contact.a), body_of(fast, contact.b)}) {
       if (body == nullptr) continue;
       body->flying = false;
-      body->waits |= contact.bounces && body->flown_s > 0;
+      body->waits |= contact.bounces;
     }
   });
 }
