@@ -27,15 +27,19 @@ struct Pressing {
   bool bounces;
 };
 
-// Calls visit(Pressing) for the contacts with an impulse.
+// Calls visit(Pressing) for the contacts with an impulse. A point without one does not bounce in this substep, even if
+// the bodies' turn brings it closer: it is found again in the next one.
 template <class Visit>
-void for_pressing(const ContactBatches& all, Visit visit) {
+void for_pressing(ContactBatches& all, Visit visit) {
   for (const ContactBatch& batch : all.batches) {
     for (unsigned lane = 0; lane < batch.used; ++lane) {
       bool presses = false, fast = false;
       for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
-        const PointBatch& point = all.points[k];
-        if (point.peak.of[lane] == 0) continue;
+        PointBatch& point = all.points[k];
+        if (point.peak.of[lane] == 0) {
+          point.approach.of[lane] = 0;
+          continue;
+        }
         presses = true;
         fast |= point.approach.of[lane] <= -kBounceMin;
       }
