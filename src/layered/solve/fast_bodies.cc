@@ -27,23 +27,27 @@ struct Pressing {
   bool bounces;
 };
 
-// Calls visit(Pressing) for the contacts with an impulse. A point without one does not bounce in this substep, even if
-// the bodies' turn brings it closer: it is found again in the next one.
+// A contact that does not bounce from its push does not bounce in this substep, even if the bodies' turn brings points
+// closer: it is found again in the next one.
+void forget_approaches(ContactBatches& all, const ContactBatch& batch, unsigned lane) {
+  for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) all.points[k].approach.of[lane] = 0;
+}
+
+// Calls visit(Pressing) for the contacts with an impulse.
 template <class Visit>
 void for_pressing(ContactBatches& all, Visit visit) {
   for (const ContactBatch& batch : all.batches) {
     for (unsigned lane = 0; lane < batch.used; ++lane) {
       bool presses = false, fast = false;
       for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
-        PointBatch& point = all.points[k];
-        if (point.peak.of[lane] == 0) {
-          point.approach.of[lane] = 0;
-          continue;
-        }
+        const PointBatch& point = all.points[k];
+        if (point.peak.of[lane] == 0) continue;
         presses = true;
         fast |= point.approach.of[lane] <= -kBounceMin;
       }
-      if (presses) visit(Pressing{batch.a[lane], batch.b[lane], fast && batch.restitution.of[lane] > 0});
+      const bool bounces = fast && batch.restitution.of[lane] > 0;
+      if (!bounces) forget_approaches(all, batch, lane);
+      if (presses) visit(Pressing{batch.a[lane], batch.b[lane], bounces});
     }
   }
 }

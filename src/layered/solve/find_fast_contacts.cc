@@ -15,6 +15,8 @@
 namespace tumble::sim {
 namespace {
 
+constexpr double kMet = 0.0002;  // m; free flights are followed to half of that
+
 // Gives a body's columns and its frame the motion and the place of now.
 void renew_body(WorldState& state, Scratch& scratch, BodyIndex i, double substep_s) {
   Bodies& bodies = state.bodies;
@@ -64,6 +66,23 @@ void fly(WorldState& state, Scratch& scratch, const FastBody& body) {
   set_inverse_inertia(now, axes_of(turn.orientation), inverse);
 }
 
+// Leaves those points alone in a bounce that touch: by the time that others would, the body has left.
+void separate_bounces(ContactBatches& all) {
+  for (const ContactBatch& batch : all.batches) {
+    for (unsigned lane = 0; lane < batch.used; ++lane) {
+      if (batch.restitution.of[lane] == 0) continue;
+      const std::span<PointBatch> points = std::span(all.points).subspan(batch.first, batch.count);
+      const bool bounces = std::ranges::any_of(points, [&](const PointBatch& point) {
+        return point.separation.of[lane] <= kMet && point.approach.of[lane] <= -kBounceMin;
+      });
+      if (!bounces) continue;
+      for (PointBatch& point : points) {
+        if (point.separation.of[lane] > kMet) point.mass.of[lane] = 0;
+      }
+    }
+  }
+}
+
 bool any_slender(const Bodies& bodies, const FastContacts& fast) {
   return std::ranges::any_of(fast.bodies, [&](const FastBody& body) {
     return bodies.moves(body.row) && is_slender(bodies.inertia[body.row]);
@@ -92,6 +111,7 @@ Status find_fast_contacts(WorldState& state, Scratch& scratch, double substep_s)
   const ContactWork work = fast_contacts(scratch, substep_s);
   kernels(scratch.lanes).contacts.prepare(work);
   mark_bounces(work);
+  separate_bounces(fast.batches);
   return {};
 }
 
