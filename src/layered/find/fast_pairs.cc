@@ -58,6 +58,8 @@ void find_approaches(const WorldState& state, const Scratch& scratch, double sub
     if (!near(state, scratch, lo, hi, substep_s)) continue;
     const double margin = holds(scratch, lo, hi) ? slack(scratch, lo, hi) + fall : 0;
     approach = hi == kGround ? paths.follow(kGround, lo, margin) : paths.follow(lo, hi, margin);
+    // Where tangents are good enough, points near the path are kept, so that resting bodies do not rock.
+    if (approach.kind == Approach::Kind::kPassing && !bends(scratch, paths, lo, hi)) approach.kind = Approach::Kind::kNear;
   }
 }
 

@@ -1,6 +1,8 @@
 #include "src/layered/solve/find_fast_contacts.h"
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 
 #include "src/kernels/kernels_by_width.h"
 #include "src/layered/find/build_manifolds.h"
@@ -66,8 +68,10 @@ void fly(WorldState& state, Scratch& scratch, const FastBody& body) {
   set_inverse_inertia(now, axes_of(turn.orientation), inverse);
 }
 
-// Leaves those points alone in a bounce that touch: by the time that others would, the body has left.
-void separate_bounces(ContactBatches& all) {
+// In a bounce leaves out the points that do not touch yet: by the time that they would, the body has left. Where the
+// points that touch do not bounce, one that meets fast later in the substep bounces at once, where it is, and one that
+// does not meet waits for the next substep: a push that stops it in part would be no bounce.
+void separate_bounces(ContactBatches& all, double substep_s) {
   for (const ContactBatch& batch : all.batches) {
     for (unsigned lane = 0; lane < batch.used; ++lane) {
       if (batch.restitution.of[lane] == 0) continue;
@@ -75,9 +79,15 @@ void separate_bounces(ContactBatches& all) {
       const bool bounces = std::ranges::any_of(points, [&](const PointBatch& point) {
         return point.separation.of[lane] <= kMet && point.approach.of[lane] <= -kBounceMin;
       });
-      if (!bounces) continue;
       for (PointBatch& point : points) {
-        if (point.separation.of[lane] > kMet) point.mass.of[lane] = 0;
+        double &separation = point.separation.of[lane], &approach = point.approach.of[lane];
+        if (separation <= kMet || (!bounces && approach > -kBounceMin)) continue;
+        if (bounces || separation + approach * substep_s >= 0) {
+          point.mass.of[lane] = 0;
+        } else {
+          approach = -std::sqrt(std::max(0.0, approach * approach + 2 * batch.acceleration.of[lane] * separation));
+          separation = 0;
+        }
       }
     }
   }
@@ -111,7 +121,7 @@ Status find_fast_contacts(WorldState& state, Scratch& scratch, double substep_s)
   const ContactWork work = fast_contacts(scratch, substep_s);
   kernels(scratch.lanes).contacts.prepare(work);
   mark_bounces(work);
-  separate_bounces(fast.batches);
+  separate_bounces(fast.batches, substep_s);
   return {};
 }
 
