@@ -11,10 +11,20 @@ namespace {
 
 constexpr int kVisits = 8;  // an impulse that falls short loses energy
 
+// Bodies that bounce have waited where they met, though their velocities moved the separations on.
+void put_back(ContactBatches& all) {
+  for (PointBatch& point : all.points) {
+    for (int lane = 0; lane < kLanes; ++lane) {
+      if (point.approach.of[lane] <= -kBounceMin) point.separation.of[lane] = 0;
+    }
+  }
+}
+
 }  // namespace
 
 Status bounce_fast_contacts(WorldState& /*state*/, Scratch& scratch, double substep_s) {
   if (scratch.fast.none()) return {};
+  put_back(scratch.fast.batches);
   for (int visit = 0; visit < kVisits; ++visit) solve_fast_layer(scratch, Sweep::kRestitution, substep_s);
   mark_pressed(scratch);
   store_fast_contacts(scratch);

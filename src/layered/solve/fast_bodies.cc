@@ -29,8 +29,11 @@ struct Pressing {
 
 // A contact that does not bounce from its push does not bounce in this substep, even if the bodies' turn brings points
 // closer: it is found again in the next one.
-void forget_approaches(ContactBatches& all, const ContactBatch& batch, unsigned lane) {
-  for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) all.points[k].approach.of[lane] = 0;
+void slow_approaches(ContactBatches& all, const ContactBatch& batch, unsigned lane) {
+  for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
+    double& approach = all.points[k].approach.of[lane];
+    approach = std::max(approach, -0.9 * kBounceMin);
+  }
 }
 
 // Calls visit(Pressing) for the contacts with an impulse.
@@ -46,7 +49,7 @@ void for_pressing(ContactBatches& all, Visit visit) {
         fast |= point.approach.of[lane] <= -kBounceMin;
       }
       const bool bounces = fast && batch.restitution.of[lane] > 0;
-      if (!bounces) forget_approaches(all, batch, lane);
+      if (!bounces) slow_approaches(all, batch, lane);
       if (presses) visit(Pressing{batch.a[lane], batch.b[lane], bounces});
     }
   }

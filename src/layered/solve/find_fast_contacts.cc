@@ -81,10 +81,10 @@ void separate_bounces(ContactBatches& all, double substep_s) {
       });
       for (PointBatch& point : points) {
         double &separation = point.separation.of[lane], &approach = point.approach.of[lane];
-        if (separation <= kMet || (!bounces && approach > -kBounceMin)) continue;
-        if (bounces || separation + approach * substep_s >= 0) {
+        const bool fast = approach <= -kBounceMin, touches = separation <= kMet;
+        if (!touches && (bounces || (fast && separation + approach * substep_s >= 0))) {
           point.mass.of[lane] = 0;
-        } else {
+        } else if (fast && separation > 0) {  // foresee_impact has added what gravity would do until the impact
           approach = -std::sqrt(std::max(0.0, approach * approach + 2 * batch.acceleration.of[lane] * separation));
           separation = 0;
         }
