@@ -15,6 +15,9 @@ inline constexpr unsigned kPointsMax = 60;
 /// Bodies that move no faster than this along a contact's normal, m/s, rest on each other; faster bodies meet or part.
 inline constexpr double kRestingSpeed = 0.1;
 
+/// Slower impacts do not bounce, m/s. A contact of a fast pair rests on nothing yet, so it may bounce at less.
+inline constexpr double kBounceMin = 0.5, kFastBounceMin = 1.5 * kRestingSpeed;
+
 /// One number for each of eight manifolds.
 struct alignas(64) Lanes {
   double of[kLanes] = {};
@@ -44,6 +47,7 @@ struct ContactBatch {
   std::uint32_t first = 0, count = 0;            ///< its points
   bool bounces = false;                          ///< one of its points met fast enough to bounce
   bool slender = false;                          ///< belongs to an island with a slender body
+  double bounce_min = kBounceMin;                ///< m/s; slower impacts do not bounce
   Lanes point_count;                             ///< of each manifold
   Lanes n[3], t1[3], t2[3], d[3], offset;
   Lanes impulse_max;  ///< N·s: points whose impulses add up to this have exact sums with impulse_magic

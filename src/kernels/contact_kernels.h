@@ -7,8 +7,6 @@
 
 namespace tumble::sim {
 
-inline constexpr double kBounceMin = 0.5;  ///< m/s; slower impacts do not bounce
-
 enum class Sweep : std::uint8_t { kPush, kRelax, kRestitution };
 
 /// Doubles in a row of SolverBody, as the kernels read it.

@@ -118,7 +118,7 @@ V wanted_impulse(const Manifolds<V>& m, const PointBatch& point, V speed) {
   const V impulse = m.get(point.impulse);
   const V wanted = impulse - m.get(m.batch->relaxation) * (m.get(point.mass) * speed);
   if constexpr (kSweep == Sweep::kRestitution) {
-    const V met = m.get(point.approach) > -kBounceMin ? impulse : wanted;
+    const V met = m.get(point.approach) > -m.batch->bounce_min ? impulse : wanted;
     return m.get(point.peak) == 0.0 ? impulse : met;
   }
   return wanted;

@@ -23,7 +23,7 @@ class Grouping {
   }
 
   // Adds a layer behind those before.
-  void add_layer(std::span<const std::uint32_t> members, bool slender) {
+  void add_layer(std::span<const std::uint32_t> members, bool slender, double bounce_min) {
     const std::uint32_t begin = members_, batches_before = batches_;
     members_ += static_cast<std::uint32_t>(members.size());
     const auto points_of_member = [&](std::uint32_t k) { return std::min(kManyPoints, manifolds_[k].count); };
@@ -32,7 +32,9 @@ class Grouping {
     for (std::size_t k = 1; k < start.size(); ++k) start[k] += start[k - 1];
     for (const std::uint32_t k : members) all_.order[begin + start[points_of_member(k)]++] = k;
     for (std::uint32_t k = begin; k < members_; k += kLanes) {
-      add_batch(k, std::min<std::uint32_t>(kLanes, members_ - k), slender);
+      ContactBatch& batch = add_batch(k, std::min<std::uint32_t>(kLanes, members_ - k));
+      batch.slender = slender;
+      batch.bounce_min = bounce_min;
     }
     all_.layer_start.push_back(batches_);
     widest_ = std::max(widest_, batches_ - batches_before);
@@ -48,11 +50,10 @@ class Grouping {
  private:
   static constexpr std::uint32_t kManyPoints = 15;  // manifolds with more points are grouped together
 
-  void add_batch(std::uint32_t members, std::uint32_t used, bool slender) {
+  ContactBatch& add_batch(std::uint32_t members, std::uint32_t used) {
     if (all_.batches.size() == batches_) all_.batches.emplace_back();
     ContactBatch& batch = all_.batches[batches_];
     batch.used = used;
-    batch.slender = slender;
     batch.members = members;
     batch.first = points_;
     batch.count = 0;
@@ -64,6 +65,7 @@ class Grouping {
     SIM_CHECK(batch.count <= kPointsMax, batch.count, kPointsMax);  // the kernels have room for so many
     points_ += batch.count;
     ++batches_;
+    return batch;
   }
 
   std::span<const Manifold> manifolds_;
@@ -105,6 +107,7 @@ class Filling {
     ContactBatch empty;
     empty.used = batch.used;
     empty.slender = batch.slender;
+    empty.bounce_min = batch.bounce_min;
     empty.members = batch.members;
     empty.first = batch.first;
     empty.count = batch.count;
@@ -223,7 +226,7 @@ void batch_contacts(const WorldState& state, Scratch& scratch) {
   Grouping grouping(scratch.manifolds, all);
   for (const SweepGroup& group : scratch.sweep_groups) {
     for (std::uint32_t layer = group.begin; layer < group.end; ++layer) {
-      grouping.add_layer(layer_of(scratch, layer), group.slender);
+      grouping.add_layer(layer_of(scratch, layer), group.slender, kBounceMin);
     }
   }
   grouping.finish();
@@ -242,7 +245,7 @@ void batch_fast_contacts(const WorldState& state, Scratch& scratch, bool slender
   members.resize(found.manifolds.size());
   std::iota(members.begin(), members.end(), 0U);
   Grouping grouping(found.manifolds, all);
-  grouping.add_layer(members, slender);
+  grouping.add_layer(members, slender, kFastBounceMin);
   grouping.finish();
   Filling filling(state, found.manifolds, found.points, all);
   for (ContactBatch& batch : all.batches) filling.fill(batch);

@@ -15,7 +15,7 @@ constexpr int kVisits = 8;  // an impulse that falls short loses energy
 void put_back(ContactBatches& all) {
   for (PointBatch& point : all.points) {
     for (int lane = 0; lane < kLanes; ++lane) {
-      if (point.approach.of[lane] <= -kBounceMin) point.separation.of[lane] = 0;
+      if (point.approach.of[lane] <= -kFastBounceMin) point.separation.of[lane] = 0;
     }
   }
 }

@@ -19,7 +19,7 @@ constexpr std::size_t kWorthManifolds = 32768;  // that pay for one more worker
 bool bounces(const ContactWork& work, const ContactBatch& batch) {
   for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
     const Lanes& approach = work.points[k].approach;
-    if (std::any_of(approach.of, approach.of + kLanes, [](double v) { return v <= -kBounceMin; })) return true;
+    if (std::any_of(approach.of, approach.of + kLanes, [&](double v) { return v <= -batch.bounce_min; })) return true;
   }
   return false;
 }

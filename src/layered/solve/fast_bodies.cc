@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "src/kernels/contact_kernels.h"
+#include "src/kernels/contact_batch.h"
 
 namespace tumble::sim {
 namespace {
@@ -32,7 +32,7 @@ struct Pressing {
 void slow_approaches(ContactBatches& all, const ContactBatch& batch, unsigned lane) {
   for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
     double& approach = all.points[k].approach.of[lane];
-    approach = std::max(approach, -0.9 * kBounceMin);
+    approach = std::max(approach, -0.5 * (kRestingSpeed + kFastBounceMin));
   }
 }
 
@@ -46,7 +46,7 @@ void for_pressing(ContactBatches& all, Visit visit) {
         const PointBatch& point = all.points[k];
         if (point.peak.of[lane] == 0) continue;
         presses = true;
-        fast |= point.approach.of[lane] <= -kBounceMin;
+        fast |= point.approach.of[lane] <= -kFastBounceMin;
       }
       const bool bounces = fast && batch.restitution.of[lane] > 0;
       if (!bounces) slow_approaches(all, batch, lane);

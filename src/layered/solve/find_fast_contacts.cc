@@ -77,11 +77,11 @@ void separate_bounces(ContactBatches& all, double substep_s) {
       if (batch.restitution.of[lane] == 0) continue;
       const std::span<PointBatch> points = std::span(all.points).subspan(batch.first, batch.count);
       const bool bounces = std::ranges::any_of(points, [&](const PointBatch& point) {
-        return point.separation.of[lane] <= kMet && point.approach.of[lane] <= -kBounceMin;
+        return point.separation.of[lane] <= kMet && point.approach.of[lane] <= -kFastBounceMin;
       });
       for (PointBatch& point : points) {
         double &separation = point.separation.of[lane], &approach = point.approach.of[lane];
-        const bool fast = approach <= -kBounceMin, touches = separation <= kMet;
+        const bool fast = approach <= -kFastBounceMin, touches = separation <= kMet;
         if (!touches && (bounces || (fast && separation + approach * substep_s >= 0))) {
           point.mass.of[lane] = 0;
         } else if (fast && separation > 0) {  // foresee_impact has added what gravity would do until the impact
