@@ -46,7 +46,7 @@ bool may_bounce(const WorldState& state, const Scratch& scratch, BodyIndex lo, B
   if (e == 0 || holds(scratch, lo, hi)) return false;
   const Vec3 velocity = ground ? Vec3(bodies.velocity[lo]) : Vec3(bodies.velocity[hi] - bodies.velocity[lo]);
   const double turning = scratch.turning[lo] + (ground ? 0 : scratch.turning[hi]);
-  return (length(velocity) + length(state.def.gravity) * dt_s) * dt_s + turning > kFastBounceMin * dt_s;
+  return length(velocity) * dt_s + turning > kFastBounceMin * dt_s;
 }
 
 void find_approaches(const WorldState& state, const Scratch& scratch, double substep_s, std::vector<Approach>& out) {

@@ -1,6 +1,7 @@
 #include "src/layered/order/wake_islands.h"
 
 #include "src/layered/find/find_manifolds.h"
+#include "src/layered/find/find_near_pairs.h"
 #include "src/layered/find/free_path.h"
 #include "src/layered/order/islands.h"
 #include "src/world/edit_bodies.h"
@@ -26,7 +27,7 @@ void find_disturbed(WorldState& state, Scratch& scratch, double dt_s) {
   for (const auto& [a, b] : scratch.fast.pairs) {
     if (b == kGround || (frozen[a] == 0 && frozen[b] == 0)) continue;
     if (!lively(state, frozen[a] != 0 ? b : a)) continue;
-    if (paths.follow(a, b, 0).kind != Approach::Kind::kPassing) disturbed.push_back(frozen[a] != 0 ? a : b);
+    if (paths.follow(a, b, kContactSlack).kind != Approach::Kind::kPassing) disturbed.push_back(frozen[a] != 0 ? a : b);
   }
 }
 

@@ -37,12 +37,16 @@ void turn(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) {
   }
 }
 
+bool in_substep_range(const SolverBody& body) {
+  return within(body.velocity, kSubstepSpeedMax) && within(body.spin, kSubstepSpeedMax);
+}
+
 // Returns whether place and motion are in range.
 bool move_body(Bodies& bodies, Scratch& scratch, BodyIndex i, const Vec3& fall, double substep_s) {
   const Vec3 position = bodies.position[i];
   const SolverBody& body = scratch.solver_bodies[i];
   const bool slow = far_within_limits(position, body.velocity, body.spin);
-  if (!slow && !(within(body.velocity, kSubstepSpeedMax) && within(body.spin, kSubstepSpeedMax))) return false;
+  if (!slow && !in_substep_range(body)) return false;
   const Vec3 path = (body.velocity - fall) * substep_s;
   const Vec3 moved = plus_zero(position + (slow ? PositionGrid::round(path) : PositionGrid::round_any(path)));
   bodies.position.set(i, moved);
@@ -58,7 +62,9 @@ bool move(WorldState& state, Scratch& scratch, BodyIndex i, double substep_s) {
   const double left_s = substep_s - fast->flown_s;
   const Vec3 fall = state.def.gravity * left_s;
   if (!fast->waits) return move_body(state.bodies, scratch, i, fast->flying ? Vec3(fall * 0.5) : Vec3(Vec3::Zero()), left_s);
-  scratch.solver_bodies[i].velocity -= VelocityGrid::round(fall);
+  SolverBody& body = scratch.solver_bodies[i];
+  if (!in_substep_range(body)) return false;
+  body.velocity -= VelocityGrid::round(fall);
   return true;
 }
 
