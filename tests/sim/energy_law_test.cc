@@ -1,0 +1,119 @@
+// Method layered: bounces and friction keep to the law of energy, whatever turns.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/support/sim_scenes.h"
+#include "tumble/sim/world_state.h"
+
+namespace tumble::test {
+namespace {
+
+using sim::Vec3;
+
+constexpr int kBoxes = 20;      // that bounce for a minute each
+constexpr int kMinute = 3600;   // steps
+constexpr int kScenes = 100;    // that start apart
+constexpr int kSeconds4 = 240;  // steps
+
+double energy_of(const sim::World& world) {
+  const sim::Energy energy = sim::total_energy(world.state());
+  return energy.kinetic + energy.potential;
+}
+
+Vec3 random_size(Random& random, double low, double high) {
+  const double x = random.uniform(low, high), y = random.uniform(low, high);
+  return {x, y, random.uniform(low, high)};
+}
+
+sim::SceneDef layered_scene(double friction, double restitution) {
+  sim::SceneDef scene = on_ground();
+  scene.world.method = sim::Method::kLayered;
+  scene.world.freezing = false;
+  scene.world.ground_material.friction = scene.world.ground_material.friction_dynamic = friction;
+  scene.world.ground_material.restitution = restitution;
+  return scene;
+}
+
+sim::BoxDef body_of(sim::BodyId id, const Vec3& size, const Vec3& position, double friction, double restitution) {
+  sim::BoxDef body = box(id, size, position);
+  body.material.friction = body.material.friction_dynamic = friction;
+  body.material.restitution = restitution;
+  return body;
+}
+
+TEST(EnergyLaw, ABoxThatBouncesFullyKeepsItsEnergyForAMinute) {
+  for (std::uint64_t seed = 0; seed < kBoxes; ++seed) {
+    Random random(seed);
+    sim::SceneDef scene = layered_scene(0, 1);
+    const Vec3 size = seed % 3 == 0 ? Vec3(1, 1, 1) : random_size(random, 0.3, 1.5);
+    sim::BoxDef body = body_of(1, size, {0, 0, random.uniform(2, 4)}, 0, 1);
+    body.orientation = sim::normalised(random.rotation());
+    body.spin = random_vector(random, 5);
+    scene.boxes = {body};
+    sim::World world = made(scene);
+    const double start = energy_of(world);
+    double most = 0, least = 0;
+    for (int k = 0; k < kMinute; ++k) {
+      advance(world);
+      most = std::max(most, energy_of(world) / start - 1);
+      least = std::min(least, energy_of(world) / start - 1);
+    }
+    EXPECT_LE(most, 1e-4) << "seed " << seed;
+    EXPECT_GE(least, -1e-3) << "seed " << seed;
+  }
+}
+
+// A spinning cube on its corner slides: friction at one point can stop no spin, and must not push along the slip.
+TEST(EnergyLaw, FrictionUnderASpinningCornerOnlyTakesEnergy) {
+  for (const double friction : {0.05, 0.2, 0.4, 0.8}) {
+    sim::SceneDef scene = layered_scene(friction, 0);
+    sim::BoxDef cube = body_of(1, Vec3::Constant(1.11), {0, 0, 0.774}, friction, 0);
+    cube.orientation = sim::normalised({0.0259, -0.0867, 0.5917, 0.8011});
+    cube.velocity = {-0.95, -0.57, -0.05};
+    cube.spin = {0.9, 0.9, 14.8};
+    scene.boxes = {cube};
+    sim::World world = made(scene);
+    const double start = energy_of(world);
+    double before = start, gained = 0;
+    for (int k = 0; k < 60; ++k) {
+      advance(world);
+      gained += std::max(0.0, energy_of(world) - before);
+      before = energy_of(world);
+    }
+    EXPECT_LE(gained, 1e-4 * start) << "friction " << friction;
+    EXPECT_LT(before, 0.99 * start) << "friction " << friction;
+  }
+}
+
+void add_bodies(sim::SceneDef& scene, Random& random, double friction, double restitution, double speed, double spin) {
+  for (sim::BodyId id = 1; id <= 6; ++id) {
+    const Vec3 place(2.5 * static_cast<double>(id % 3), 2.5 * static_cast<double>(id % 2), 1.1 + static_cast<double>(id));
+    sim::BoxDef body = body_of(id, random_size(random, 0.2, 1.2), place, friction, restitution);
+    body.orientation = sim::normalised(random.rotation());
+    body.velocity = random_vector(random, speed);
+    body.spin = random_vector(random, spin);
+    scene.boxes.push_back(body);
+  }
+}
+
+TEST(EnergyLaw, ScenesThatStartApartGainNothing) {
+  for (std::uint64_t seed = 0; seed < kScenes; ++seed) {
+    Random random(500 + seed);
+    const double friction = 0.4 * static_cast<double>(seed % 3), restitution = 0.3 * static_cast<double>(seed % 4 % 3);
+    sim::SceneDef scene = layered_scene(friction, restitution);
+    add_bodies(scene, random, friction, restitution, seed % 2 == 0 ? 2 : 10, seed % 5 == 0 ? 30 : 3);
+    sim::World world = made(scene);
+    const double start = energy_of(world);
+    double most = 0;
+    for (int k = 0; k < kSeconds4; ++k) {
+      advance(world);
+      most = std::max(most, energy_of(world) / start - 1);
+    }
+    EXPECT_LE(most, 1e-3) << "seed " << seed;
+  }
+}
+
+}  // namespace
+}  // namespace tumble::test
