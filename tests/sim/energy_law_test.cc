@@ -31,6 +31,7 @@ sim::SceneDef layered_scene(double friction, double restitution) {
   sim::SceneDef scene = on_ground();
   scene.world.method = sim::Method::kLayered;
   scene.world.freezing = false;
+  scene.world.substeps = 8;
   scene.world.ground_material.friction = scene.world.ground_material.friction_dynamic = friction;
   scene.world.ground_material.restitution = restitution;
   return scene;

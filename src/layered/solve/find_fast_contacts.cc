@@ -68,27 +68,53 @@ void fly(WorldState& state, Scratch& scratch, const FastBody& body) {
   set_inverse_inertia(now, axes_of(turn.orientation), inverse);
 }
 
-// In a bounce leaves out the points that do not touch yet: by the time that they would, the body has left. Where the
-// points that touch do not bounce, one that meets fast later in the substep bounces at once, where it is, and one that
-// does not meet waits for the next substep: a push that stops it in part would be no bounce.
+// The points of one manifold of a batch.
+class PointsOfLane {
+ public:
+  PointsOfLane(ContactBatches& all, const ContactBatch& batch, unsigned lane)
+      : points_(std::span(all.points).subspan(batch.first, batch.count)),
+        lane_(lane),
+        acceleration_(batch.acceleration.of[lane]) {}
+
+  // In a bounce leaves out the points that do not touch yet: by the time that they would, the body has left. Where the
+  // points that touch do not bounce, those that meet fast later in the substep bounce at once, where they are; one that
+  // does not meet waits for the next substep, since a push that stops it in part would be no bounce.
+  void separate_bounce(double substep_s) {
+    const auto touches = [&](const PointBatch& point) { return point.separation.of[lane_] <= kMet; };
+    const auto meets = [&](const PointBatch& point) {
+      return point.separation.of[lane_] + point.approach.of[lane_] * substep_s < 0;
+    };
+    const bool now = std::ranges::any_of(points_, [&](const PointBatch& p) { return fast(p) && touches(p); });
+    const bool later = !now && std::ranges::any_of(points_, [&](const PointBatch& p) { return fast(p) && meets(p); });
+    for (PointBatch& point : points_) {
+      if (touches(point) || (later && fast(point) && meets(point))) {
+        if (fast(point)) meet_here(point);
+      } else if (now || later || fast(point)) {
+        point.mass.of[lane_] = 0;
+      }
+    }
+  }
+
+ private:
+  bool fast(const PointBatch& point) const { return point.approach.of[lane_] <= -kFastBounceMin; }
+
+  // Takes back the speed that foresee_impact has added for a meeting after a fall.
+  void meet_here(PointBatch& point) const {
+    double &separation = point.separation.of[lane_], &approach = point.approach.of[lane_];
+    if (separation <= 0) return;
+    approach = -std::sqrt(std::max(0.0, approach * approach + 2 * acceleration_ * separation));
+    separation = 0;
+  }
+
+  std::span<PointBatch> points_;
+  unsigned lane_;
+  double acceleration_;
+};
+
 void separate_bounces(ContactBatches& all, double substep_s) {
   for (const ContactBatch& batch : all.batches) {
     for (unsigned lane = 0; lane < batch.used; ++lane) {
-      if (batch.restitution.of[lane] == 0) continue;
-      const std::span<PointBatch> points = std::span(all.points).subspan(batch.first, batch.count);
-      const bool bounces = std::ranges::any_of(points, [&](const PointBatch& point) {
-        return point.separation.of[lane] <= kMet && point.approach.of[lane] <= -kFastBounceMin;
-      });
-      for (PointBatch& point : points) {
-        double &separation = point.separation.of[lane], &approach = point.approach.of[lane];
-        const bool fast = approach <= -kFastBounceMin, touches = separation <= kMet;
-        if (!touches && (bounces || (fast && separation + approach * substep_s >= 0))) {
-          point.mass.of[lane] = 0;
-        } else if (fast && separation > 0) {  // foresee_impact has added what gravity would do until the impact
-          approach = -std::sqrt(std::max(0.0, approach * approach + 2 * batch.acceleration.of[lane] * separation));
-          separation = 0;
-        }
-      }
+      if (batch.restitution.of[lane] > 0) PointsOfLane(all, batch, lane).separate_bounce(substep_s);
     }
   }
 }
