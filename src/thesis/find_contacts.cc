@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include "src/kernels/box_pair.h"
@@ -88,16 +89,24 @@ Vec3 edge_point(const BoxPair& pair, int axis) {
   return (on_a + (pair.offset() + on_b)) * 0.5;
 }
 
-std::optional<Contact> coincident_contact(const BoxPair& pair) {
-  const double a = volume_measure(pair.a()), b = volume_measure(pair.b());
-  if (a == b) return std::nullopt;
-  const double depth = reach_along(pair.a(), 2) + reach_along(pair.b(), 2);
-  return Contact{Vec3(0, 0, a > b ? 1 : -1), depth, Vec3::Zero()};
+// The distance that a box reaches from its centre along a direction, m.
+double reach(const BoxFrame& frame, const Vec3& direction) {
+  const auto along = [&](int k) { return frame.half_extent[k] * std::fabs(dot(frame.axes[k], direction)); };
+  return (along(0) + along(1)) + along(2);
 }
 
-std::optional<Contact> pair_contact(const BoxPair& pair, AxisSet planes) {
+// Boxes in one place part along gravity; without gravity along z, the normal of the ground.
+std::optional<Contact> coincident_contact(const BoxPair& pair, const Vec3& gravity) {
+  const double a = volume_measure(pair.a()), b = volume_measure(pair.b());
+  if (a == b) return std::nullopt;
+  const double pull = length(gravity);
+  const Vec3 up = pull > 0 ? plus_zero(Vec3(gravity / -pull)) : Vec3(0, 0, 1);
+  return Contact{a > b ? up : plus_zero(Vec3(-up)), reach(pair.a(), up) + reach(pair.b(), up), Vec3::Zero()};
+}
+
+std::optional<Contact> pair_contact(const BoxPair& pair, AxisSet planes, const Vec3& gravity) {
   const BestAxes best = pair.best(planes);
-  if (best.axes == 0) return coincident_contact(pair);
+  if (best.axes == 0) return coincident_contact(pair, gravity);
   Vec3 normals = Vec3::Zero(), points = Vec3::Zero();
   Contact contact;
   int count = 0;
@@ -130,7 +139,7 @@ std::optional<Contact> ground_contact(const BoxFrame& frame) {
 
 }  // namespace
 
-Status find_contacts(WorldState& /*state*/, Scratch& scratch, double /*dt_s*/) {
+Status find_contacts(WorldState& state, Scratch& scratch, double /*dt_s*/) {
   Contacts& contacts = scratch.contacts;
   contacts.normal.clear();
   contacts.depth.clear();
@@ -142,7 +151,8 @@ Status find_contacts(WorldState& /*state*/, Scratch& scratch, double /*dt_s*/) {
     const std::uint16_t planes = contacts.planes[k];
     const BoxFrame& frame = scratch.frames[a];
     const bool ground = b == kGround;
-    const auto contact = ground ? ground_contact(frame) : pair_contact(BoxPair(frame, scratch.frames[b]), planes);
+    const auto contact =
+        ground ? ground_contact(frame) : pair_contact(BoxPair(frame, scratch.frames[b]), planes, state.def.gravity);
     if (!contact) continue;
     contacts.a[kept] = a;
     contacts.b[kept] = b;
