@@ -13,6 +13,19 @@
 /// may read the memory of another one.
 namespace tumble::sim {
 
+/// What one contact asks of a body: to move out of the other body.
+struct Displacement {
+  Vec3 direction;       ///< unit length
+  double distance = 0;  ///< m, >= 0
+  bool shared = false;  ///< whether the other body gives way too
+};
+
+/// Memory of compute_separation.
+struct SeparationScratch {
+  std::vector<std::uint32_t> start;  ///< by body, in `wanted`; one more at the end
+  std::vector<Displacement> wanted;  ///< body by body
+};
+
 /// A body that may freeze in this substep, and the height of the lowest object that it touches.
 struct FreezeCandidate {
   bool ready = false;

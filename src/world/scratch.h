@@ -129,7 +129,6 @@ struct Scratch {
   Vec3Column spin_gain;                   ///< by body, sum of outcomes, rad/s; written by compute_impulses
   std::vector<double> gain_total;         ///< by body, sum of the largest part of each outcome, m/s or rad/s
   Vec3Column displacement;                ///< by body, merged, m; written by compute_separation
-  Vec3Column displacement_low;            ///< its negative parts during the merge
   std::vector<std::uint8_t> touched;      ///< bodies in a real collision; written by compute_impulses
   // Method layered.
   std::vector<double> turning;      ///< m, way of corners by turning; written by find_near_pairs
@@ -154,6 +153,7 @@ struct Scratch {
   std::vector<SavedMotion> saved;       ///< by depth of halving; written by step
   std::vector<BodyIndex> island_links;  ///< memory of Islands
   // Private memory of single phases.
+  SeparationScratch separation;
   FreezeScratch freezing;
   WakeScratch waking;
   LevelScratch levels;
