@@ -29,7 +29,7 @@ Vec3 any_direction(Random& random) {
 enum class Kind { kAny, kCone, kHalfSpace, kLattice, kNearlyParallel };
 
 Vec3 direction_of(Kind kind, const Vec3& middle, Random& random) {
-  const Vec3 n = any_direction(random);
+  Vec3 n = any_direction(random);
   const double side = random.next() % 2 == 0 ? 1 : -1;
   switch (kind) {
     case Kind::kAny:
