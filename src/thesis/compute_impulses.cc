@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "src/math/grid.h"
+#include "src/thesis/split_mass.h"
 #include "src/world/body_check.h"
 
 namespace tumble::sim {
@@ -32,11 +33,17 @@ double yield(const ContactBody& a, const ContactBody& b, const Vec3& direction) 
   return (a.inverse_mass + b.inverse_mass) + (yield_of_rotation(a, direction) + yield_of_rotation(b, direction));
 }
 
+// One part of a body, as a collision meets it.
 ContactBody contact_body(const WorldState& state, const Scratch& scratch, BodyIndex i, const Vec3& r) {
   if (i == kGround) return {};
   const Bodies& bodies = state.bodies;
-  const BoxFrame& frame = scratch.frames[i];
-  return {bodies.velocity[i], bodies.spin[i], bodies.inverse_mass[i], bodies.inverse_inertia[i], frame.axes, r};
+  const double parts = scratch.split.parts[i];
+  return {bodies.velocity[i],
+          bodies.spin[i],
+          parts * bodies.inverse_mass[i],
+          bodies.inverse_inertia[i] * parts,
+          scratch.frames[i].axes,
+          r};
 }
 
 PairMaterial pair_material(const WorldState& state, BodyIndex a, BodyIndex b) {
@@ -51,18 +58,59 @@ PairMaterial pair_material(const WorldState& state, BodyIndex a, BodyIndex b) {
           std::max(bodies.restitution[a], restitution), def.slip_speed};
 }
 
-// Adds the outcome of an impulse to the gains of body i. The impulse on a is the negative of that on b, to the bit.
-Status add_gain(WorldState& state, Scratch& scratch, BodyIndex i, const ContactBody& body, const Vec3& impulse) {
+// Adds the outcome of an impulse at r to the gains of body i. The impulse on a is the negative of that on b, to the
+// bit. energy: of the gain (split_mass.h).
+Status add_gain(WorldState& state, Scratch& scratch, BodyIndex i, const Vec3& r, const Vec3& impulse, double& energy) {
+  const Bodies& bodies = state.bodies;
   scratch.touched[i] = 1;
-  if (body.inverse_mass == 0) return {};
-  const Vec3 velocity = VelocityGrid::round(Vec3(impulse * body.inverse_mass));
-  const Vec3 spin = VelocityGrid::round(spin_gain_of(body, impulse));
-  if (Status ok = check_gain(state.bodies, i, velocity, spin); !ok.ok()) return ok;
+  energy = 0;
+  if (bodies.inverse_mass[i] == 0) return {};
+  const BoxFrame& frame = scratch.frames[i];
+  const ContactBody whole = {
+      Vec3::Zero(), Vec3::Zero(), bodies.inverse_mass[i], bodies.inverse_inertia[i], frame.axes, r};
+  const Vec3 velocity = VelocityGrid::round(Vec3(impulse * whole.inverse_mass));
+  const Vec3 spin = VelocityGrid::round(spin_gain_of(whole, impulse));
+  if (Status ok = check_gain(bodies, i, velocity, spin); !ok.ok()) return ok;
   scratch.gain_total[i] += std::max(velocity.cwiseAbs().maxCoeff(), spin.cwiseAbs().maxCoeff());
-  if (Status ok = check_gains(state.bodies, i, scratch.gain_total[i]); !ok.ok()) return ok;
+  if (Status ok = check_gains(bodies, i, scratch.gain_total[i]); !ok.ok()) return ok;
   scratch.velocity_gain.add(i, velocity);
   scratch.spin_gain.add(i, spin);
+  energy = gain_energy(bodies, frame, i, velocity, spin);
   return {};
+}
+
+// Sums the gains of all bodies, from the impulses.
+Status add_gains(WorldState& state, Scratch& scratch) {
+  const Contacts& contacts = scratch.contacts;
+  const std::size_t n = state.bodies.size();
+  scratch.velocity_gain.assign(n, Vec3::Zero());
+  scratch.spin_gain.assign(n, Vec3::Zero());
+  scratch.gain_total.assign(n, 0);
+  std::vector<double>& energy = scratch.split.energy;
+  energy.assign(2 * contacts.size(), 0);
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const Vec3 impulse = contacts.impulse[k];
+    if (Status ok = add_gain(state, scratch, contacts.a[k], contacts.r_a[k], -impulse, energy[2 * k]); !ok.ok())
+      return ok;
+    if (contacts.b[k] == kGround) continue;
+    if (Status ok = add_gain(state, scratch, contacts.b[k], contacts.r_b[k], impulse, energy[2 * k + 1]); !ok.ok()) {
+      return ok;
+    }
+  }
+  return {};
+}
+
+// Computes the impulse of every collision; in later rounds only of bodies that were divided into more parts.
+void find_impulses(const WorldState& state, Scratch& scratch, int round) {
+  Contacts& contacts = scratch.contacts;
+  const std::vector<std::uint8_t>& raised = scratch.split.raised;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const BodyIndex a = contacts.a[k], b = contacts.b[k];
+    if (round > 0 && raised[a] == 0 && (b == kGround || raised[b] == 0)) continue;
+    const ContactBody on_a = contact_body(state, scratch, a, contacts.r_a[k]);
+    const ContactBody on_b = contact_body(state, scratch, b, contacts.r_b[k]);
+    contacts.impulse.set(k, collision_impulse(on_a, on_b, contacts.normal[k], pair_material(state, a, b)));
+  }
 }
 
 }  // namespace
@@ -94,23 +142,14 @@ Vec3 collision_impulse(const ContactBody& a, const ContactBody& b, const Vec3& n
 }
 
 Status compute_impulses(WorldState& state, Scratch& scratch, double /*dt_s*/) {
-  Contacts& contacts = scratch.contacts;
-  const std::size_t n = state.bodies.size();
-  scratch.velocity_gain.assign(n, Vec3::Zero());
-  scratch.spin_gain.assign(n, Vec3::Zero());
-  scratch.gain_total.assign(n, 0);
-  scratch.touched.assign(n, 0);
-  contacts.impulse.resize(contacts.size());
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const BodyIndex a = contacts.a[k], b = contacts.b[k];
-    const ContactBody on_a = contact_body(state, scratch, a, contacts.r_a[k]);
-    const ContactBody on_b = contact_body(state, scratch, b, contacts.r_b[k]);
-    const Vec3 impulse = collision_impulse(on_a, on_b, contacts.normal[k], pair_material(state, a, b));
-    contacts.impulse.set(k, impulse);
-    if (Status ok = add_gain(state, scratch, a, on_a, -impulse); !ok.ok()) return ok;
-    if (b == kGround) continue;
-    if (Status ok = add_gain(state, scratch, b, on_b, impulse); !ok.ok()) return ok;
-  }
+  scratch.touched.assign(state.bodies.size(), 0);
+  scratch.contacts.impulse.resize(scratch.contacts.size());
+  reset_parts(scratch.split, state.bodies.size());
+  int round = 0;
+  do {
+    find_impulses(state, scratch, round);
+    if (Status ok = add_gains(state, scratch); !ok.ok()) return ok;
+  } while (raise_parts(state, scratch, round++));
   return {};
 }
 

@@ -9,12 +9,13 @@ namespace tumble::sim {
 
 /// Computes the impulse of every collision from the velocities before all collisions; applies none (thesis III.C).
 /// Reads:  contacts; velocity, spin, orientation (through frames), masses, material
-/// Writes: contacts.impulse; velocity_gain, spin_gain, touched
+/// Writes: contacts.impulse; velocity_gain, spin_gain, gain_total, touched
 /// Errors: a gain that is not finite or beyond limits.h; gains of a body that together are beyond kGainTotalMax
 /// Order:  each gain is rounded to the velocity grid, so their sums are exact in any order
 /// Source: thesis III.B, eq. 3.1 and Coulomb friction. Differs: 3.1 as printed has the wrong sign for B's rotation; the
 ///         signs here are those of Baraff and Witkin (docs/thesis.md). Parting bodies get no impulse. An impulse that
-///         would add energy, by restitution and friction together, is shortened until it adds none (III.E).
+///         would add energy, by restitution and friction together, is shortened until it adds none (III.E). Where
+///         several collisions of a body would push too far together, each meets a part of its mass (split_mass.h).
 Status compute_impulses(WorldState& state, Scratch& scratch, double dt_s);
 void hash_compute_impulses(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 

@@ -26,6 +26,15 @@ struct SeparationScratch {
   std::vector<Displacement> wanted;  ///< body by body
 };
 
+/// Memory of compute_impulses (split_mass.h).
+struct SplitScratch {
+  std::vector<double> parts;         ///< by body, >= 1: its mass is divided by this
+  std::vector<std::uint8_t> raised;  ///< by body, whether the last round raised the number of parts
+  std::vector<std::uint32_t> count;  ///< by body, collisions with an impulse
+  std::vector<double> largest, sum;  ///< by body, of `energy`
+  std::vector<double> energy;        ///< by contact, of a's gain and of b's, m²/s²; 0 for what does not move
+};
+
 /// A body that may freeze in this substep, and the height of the lowest object that it touches.
 struct FreezeCandidate {
   bool ready = false;

@@ -153,6 +153,7 @@ struct Scratch {
   std::vector<SavedMotion> saved;       ///< by depth of halving; written by step
   std::vector<BodyIndex> island_links;  ///< memory of Islands
   // Private memory of single phases.
+  SplitScratch split;
   SeparationScratch separation;
   FreezeScratch freezing;
   WakeScratch waking;
