@@ -36,10 +36,14 @@ Wrench<V> solve_friction(const Manifolds<V>& m, const Motion<V>& motion, V press
   const V before1 = m.get(batch.force1), before2 = m.get(batch.force2), twist_before = m.get(batch.twist);
   const V stop1 = before1 - ((f[0] * u1 + f[1] * u2) + f[2] * wn);
   const V stop2 = before2 - ((f[1] * u1 + f[3] * u2) + f[4] * wn);
-  const V limit = m.get(batch.friction) * pressure, squared = stop1 * stop1 + stop2 * stop2;
-  const V scale = m.get(batch.friction_dynamic) * pressure / square_root(squared);
-  const auto slips = squared > limit * limit;
-  const V force1 = slips ? stop1 * scale : stop1, force2 = slips ? stop2 * scale : stop2;
+  const V limit = m.get(batch.friction) * pressure;
+  const auto slips = stop1 * stop1 + stop2 * stop2 > limit * limit;
+  // A body answers the two tangents differently, so the impulse that stops the slip does not lie along the slip.
+  // Sliding friction does: steps of one mass for both tangents end only where friction opposes the slip.
+  const V mass = 0.5 * (f[0] + f[3]), along1 = before1 - mass * u1, along2 = before2 - mass * u2;
+  const V length = square_root(larger(V{} + 1e-300, along1 * along1 + along2 * along2));
+  const V scale = m.get(batch.friction_dynamic) * pressure / length;
+  const V force1 = slips ? along1 * scale : stop1, force2 = slips ? along2 * scale : stop2;
   const V twist_limit = limit * m.get(batch.radius);
   const V twist_stop = twist_before - ((f[2] * u1 + f[4] * u2) + f[5] * wn);
   const V twist = twist_stop < -twist_limit ? -twist_limit : (twist_limit < twist_stop ? twist_limit : twist_stop);
