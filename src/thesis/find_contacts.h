@@ -9,7 +9,8 @@ namespace tumble::sim {
 
 /// Narrow phase, second goal: finds one collision point for each entry of the Real Collision List.
 /// Reads:  frames, gravity; contacts.a, b, planes
-/// Writes: contacts.normal, depth, r_a, r_b; drops an entry whose boxes only touch (no corner behind the plane)
+/// Writes: contacts.normal, depth, r_a, r_b, patch, patch_end; drops an entry whose boxes only touch (no corner behind
+///         the plane)
 /// Source: thesis III.A.2, Figs. 5 and 6. Face to vertex: the corners behind the plane, weighted by how deep they are,
 ///         become one point. Edge to edge: the middle of the shortest line between the two edges. Differs: each of
 ///         several planes that tie exactly gives a point and a normal, and their means are used. Coincident centres

@@ -26,13 +26,23 @@ struct SeparationScratch {
   std::vector<Displacement> wanted;  ///< body by body
 };
 
+/// The impulse of a collision, on b; a receives the opposite.
+struct Collision {
+  Vec3 impulse = Vec3::Zero();   ///< N·s
+  Vec3 friction = Vec3::Zero();  ///< N·s, the part of the impulse along the plane
+  Vec3 twist = Vec3::Zero();     ///< N·m·s, an angular impulse besides, by friction
+  Vec3 shift = Vec3::Zero();     ///< m, on PositionGrid: where the impulse acts, from the collision point
+  bool resting = false;          ///< of a patch that approaches by at most twice what gravity added
+};
+
 /// Memory of compute_impulses (split_mass.h).
 struct SplitScratch {
-  std::vector<double> parts;         ///< by body, >= 1: its mass is divided by this
-  std::vector<std::uint8_t> raised;  ///< by body, whether the last round raised the number of parts
-  std::vector<std::uint32_t> count;  ///< by body, collisions with an impulse
-  std::vector<double> largest, sum;  ///< by body, of `energy`
-  std::vector<double> energy;        ///< by contact, of a's gain and of b's, m²/s²; 0 for what does not move
+  std::vector<Collision> collisions;  ///< by contact
+  std::vector<double> parts;          ///< by body, >= 1: its mass is divided by this
+  std::vector<std::uint8_t> raised;   ///< by body, whether the last round raised the number of parts
+  std::vector<std::uint32_t> count;   ///< by body, collisions with an impulse
+  std::vector<double> largest, sum;   ///< by body, of `energy`
+  std::vector<double> energy;         ///< by contact, of a's gain and of b's, m²/s²; 0 for what does not move
 };
 
 /// A body that may freeze in this substep, and the height of the lowest object that it touches.
