@@ -41,25 +41,8 @@ PairMaterial pair_material(const WorldState& state, BodyIndex a, BodyIndex b) {
           std::max(bodies.restitution[a], restitution), def.slip_speed};
 }
 
-// Counts, for each body, the bodies near it (the Active Collision List) and the ground it is in.
-void count_neighbours(const WorldState& state, Scratch& scratch) {
-  scratch.neighbours.assign(state.bodies.size(), 0);
-  for (const std::vector<BodyIndex>* side : {&state.pairs.a, &state.pairs.b}) {
-    for (const BodyIndex i : *side) ++scratch.neighbours[i];
-  }
-  const Contacts& contacts = scratch.contacts;
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    if (contacts.b[k] == kGround) ++scratch.neighbours[contacts.a[k]];
-  }
-}
-
-// The corners that touch in contact k, from the collision point. None for a body among others: each collision would end
-// its tilting, and all together would turn it round.
-std::span<const Vec3> patch_of(const WorldState& state, const Scratch& scratch, std::size_t k) {
-  const Contacts& contacts = scratch.contacts;
-  for (const BodyIndex i : {contacts.a[k], contacts.b[k]}) {
-    if (i != kGround && state.bodies.moves(i) && scratch.neighbours[i] > 1) return {};
-  }
+// The corners that touch in contact k, from the collision point.
+std::span<const Vec3> patch_of(const Contacts& contacts, std::size_t k) {
   const std::uint32_t begin = k == 0 ? 0 : contacts.patch_end[k - 1];
   return std::span(contacts.patch).subspan(begin, contacts.patch_end[k] - begin);
 }
@@ -75,7 +58,7 @@ void find_collisions(const WorldState& state, Scratch& scratch, int round, doubl
     const ContactBody on_a = contact_body(state, scratch, a, contacts.r_a[k], gravity_gain);
     const ContactBody on_b = contact_body(state, scratch, b, contacts.r_b[k], gravity_gain);
     scratch.split.collisions[k] =
-        collide(on_a, on_b, contacts.normal[k], pair_material(state, a, b), patch_of(state, scratch, k));
+        collide(on_a, on_b, contacts.normal[k], pair_material(state, a, b), patch_of(contacts, k));
   }
 }
 
@@ -135,7 +118,6 @@ Status compute_impulses(WorldState& state, Scratch& scratch, double dt_s) {
   const std::size_t n = state.bodies.size(), count = scratch.contacts.size();
   scratch.touched.assign(n, 0);
   scratch.hit.assign(n, 0);
-  count_neighbours(state, scratch);
   scratch.split.collisions.resize(count);
   reset_parts(scratch.split, n);
   int round = 0;

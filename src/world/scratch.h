@@ -132,7 +132,6 @@ struct Scratch {
   std::vector<double> gain_total;         ///< by body, sum of the largest part of each outcome, m/s or rad/s
   Vec3Column way_back;                    ///< by body, sum, m, that friction takes back; written by compute_impulses
   Vec3Column displacement;                ///< by body, merged, m; written by compute_separation
-  std::vector<std::uint32_t> neighbours;  ///< by body, bodies near it and the ground; written by compute_impulses
   std::vector<std::uint8_t> hit;          ///< bodies in a collision that is no resting; written by compute_impulses
   std::vector<std::uint8_t> touched;      ///< bodies in a real collision; written by compute_impulses
   // Method layered.

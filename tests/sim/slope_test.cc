@@ -142,6 +142,30 @@ TEST(Slope, ThesisOnATiltedBox) { expect_coulomb_on_grid(Method::kThesis, true);
 TEST(Slope, LayeredOnTiltedGround) { expect_coulomb_on_grid(Method::kLayered, false); }
 TEST(Slope, LayeredOnATiltedBox) { expect_coulomb_on_grid(Method::kLayered, true); }
 
+// Crates that touch one another rest as each would alone.
+TEST(Slope, ThesisRowOfCratesStaysAndFreezes) {
+  for (const double gap : {0.0, 1e-4, 0.05}) {
+    for (const double dt : {1.0 / 30, 1.0 / 60, 1.0 / 240}) {
+      Slope s;
+      s.dt = dt;
+      s.size = {1, 0.8, 0.4};
+      SceneDef scene = scene_of(s);
+      scene.boxes.resize(1);
+      for (const int k : {1, 2}) {
+        scene.boxes.push_back(scene.boxes[0]);
+        scene.boxes.back().id += static_cast<sim::BodyId>(k);
+        scene.boxes.back().position.x() += k * (s.size.x() + gap);
+      }
+      World world = made(scene);
+      for (int k = 0; k * dt < kSeconds; ++k) advance(world);
+      for (sim::BodyIndex i = 0; i < 3; ++i) {
+        EXPECT_LT((world.bodies().position[i] - scene.boxes[i].position).norm(), 0.001) << "gap " << gap << ", " << s;
+        EXPECT_NE(world.bodies().frozen[i], 0) << "gap " << gap << ", " << s;
+      }
+    }
+  }
+}
+
 TEST(Slope, FinestSubsteps) {
   for (const Method method : {Method::kThesis, Method::kLayered}) {
     for (const double degrees : {20.0, 40.0}) expect_coulomb({method, degrees, 0.6, 0.2, 1.0 / 1000, 64});
