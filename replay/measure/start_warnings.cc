@@ -123,14 +123,14 @@ class Start {
     if (world_.method != sim::Method::kThesis || (!world_.ground && bodies_.size() + inputs.size() < 2)) return;
     std::size_t count = 0;
     const auto look_at_way = [&](sim::BodyId id, const sim::Vec3& velocity, const sim::Vec3& size) {
-      const double way = (length(velocity) + 0.5 * length(world_.gravity) * world_.dt) * world_.dt;
+      const double way = (sim::length(velocity) + 0.5 * sim::length(world_.gravity) * world_.dt) * world_.dt;
       if (way <= size.minCoeff() || ++count > kShown) return;
       std::string& line = out.emplace_back("body ");
       line.append(std::to_string(id)).append(" moves by ").append(rounded(way, "m")).append(" in a step of ");
       line.append(seconds_text(world_.dt)).append(", more than its shortest edge of ");
       line.append(rounded(size.minCoeff(), "m")).append(", and may pass through others");
     };
-    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    for (sim::BodyIndex i = 0; i < bodies_.size(); ++i) {
       if (bodies_.moves(i)) look_at_way(bodies_.id[i], bodies_.velocity[i], bodies_.half_extent[i] * 2);
     }
     for (const sim::TimedCommand& input : inputs) {

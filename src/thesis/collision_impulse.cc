@@ -1,10 +1,13 @@
 #include "src/thesis/collision_impulse.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <optional>
 #include <span>
 
+#include "src/base/check.h"
 #include "src/math/grid.h"
 
 namespace tumble::sim {
@@ -15,16 +18,22 @@ constexpr double kSlipMin = 1e-12;
 
 Vec3 point_velocity(const ContactBody& body) { return body.velocity + cross(body.spin, body.r); }
 
-// x · I⁻¹ y, axes of the world: the part along x of the spin that the angular impulse y gives.
-double yield_of_torque(const ContactBody& body, const Vec3& x_W, const Vec3& y_W) {
-  const Vec3 x = to_body(body.axes, x_W), y = to_body(body.axes, y_W);
-  const Vec3& i = body.inverse_inertia;
+// x · I⁻¹ y, axes of the body.
+double weighted(const Vec3& x, const Vec3& y, const Vec3& i) {
   return (x.x() * y.x() * i.x() + x.y() * y.y() * i.y()) + x.z() * y.z() * i.z();
+}
+
+// The spin about a direction that a unit angular impulse about the direction gives.
+double yield_of_torque(const ContactBody& body, const Vec3& direction) {
+  if (body.inverse_mass == 0) return 0;
+  const Vec3 x = to_body(body.axes, direction);
+  return weighted(x, x, body.inverse_inertia);
 }
 
 // The speed that a unit impulse along n at r gives the point along n by rotation: n · ((I⁻¹ (r × n)) × r), written as a
 // sum of squares, so that the result is never negative.
 double yield_of_rotation(const ContactBody& body, const Vec3& direction) {
+  if (body.inverse_mass == 0) return 0;
   const Vec3 lever = to_body(body.axes, cross(body.r, direction));
   const Vec3& i = body.inverse_inertia;
   return (lever.x() * lever.x() * i.x() + lever.y() * lever.y() * i.y()) + lever.z() * lever.z() * i.z();
@@ -77,12 +86,19 @@ Impulses impulses_of(const Meeting& m, const PairMaterial& material) {
 // How far the convex hull of the corners reaches along x, seen along the normal; across: normal to x. Every two corners
 // on either side of the line span a segment that cuts the line; the hull ends at the farthest cut.
 double reach_of(std::span<const Vec3> patch, const Vec3& x, const Vec3& across) {
+  constexpr std::size_t kCornersMax = 8;
+  SIM_DCHECK(patch.size() <= kCornersMax, patch.size());
+  std::array<double, kCornersMax> along, beside;
+  for (std::size_t k = 0; k < patch.size(); ++k) {
+    along[k] = dot(patch[k], x);
+    beside[k] = dot(patch[k], across);
+  }
   double reach = 0;
-  for (const Vec3& p : patch) {
-    const double px = dot(p, x), py = dot(p, across);
-    for (const Vec3& q : patch) {
-      const double qx = dot(q, x), qy = dot(q, across);
-      if (py > 0 || qy < 0) continue;
+  for (std::size_t p = 0; p < patch.size(); ++p) {
+    if (beside[p] > 0) continue;
+    for (std::size_t q = 0; q < patch.size(); ++q) {
+      const double px = along[p], py = beside[p], qx = along[q], qy = beside[q];
+      if (qy < 0) continue;
       reach = std::max(reach, py == qy ? px : (px * qy - qx * py) / (qy - py));
     }
   }
@@ -99,7 +115,14 @@ struct InPlane {
 class Tilting {
  public:
   Tilting(const ContactBody& a, const ContactBody& b, const Vec3& normal, const Vec3& tangent)
-      : a_(a), b_(b), t_(tangent), u_(cross(normal, tangent)) {
+      : a_(a),
+        b_(b),
+        t_(tangent),
+        u_(cross(normal, tangent)),
+        t_of_a_(to_body(a.axes, t_)),
+        u_of_a_(to_body(a.axes, u_)),
+        t_of_b_(to_body(b.axes, t_)),
+        u_of_b_(to_body(b.axes, u_)) {
     const InPlane of_t = gain_of(t_, t_), of_u = gain_of(u_, u_);
     tt_ = of_t.t;
     tu_ = of_t.u;
@@ -124,13 +147,19 @@ class Tilting {
 
  private:
   [[nodiscard]] InPlane gain_of(const Vec3& on_a, const Vec3& on_b) const {
-    return {yield_of_torque(a_, t_, on_a) + yield_of_torque(b_, t_, on_b),
-            yield_of_torque(a_, u_, on_a) + yield_of_torque(b_, u_, on_b)};
+    const InPlane of_a = gain_of(a_, on_a, t_of_a_, u_of_a_), of_b = gain_of(b_, on_b, t_of_b_, u_of_b_);
+    return {of_a.t + of_b.t, of_a.u + of_b.u};
+  }
+  // t, u: of the body's frame.
+  static InPlane gain_of(const ContactBody& body, const Vec3& torque, const Vec3& t, const Vec3& u) {
+    if (body.inverse_mass == 0) return {};
+    const Vec3 y = to_body(body.axes, torque);
+    return {weighted(t, y, body.inverse_inertia), weighted(u, y, body.inverse_inertia)};
   }
 
   const ContactBody& a_;
   const ContactBody& b_;
-  Vec3 t_, u_;
+  Vec3 t_, u_, t_of_a_, u_of_a_, t_of_b_, u_of_b_;
   double tt_ = 0, tu_ = 0, uu_ = 0;
 };
 
@@ -214,6 +243,7 @@ std::optional<Collision> shared_collision(Touch touch, Meeting m) {
 }  // namespace
 
 Vec3 spin_gain_of(const ContactBody& body, const Vec3& impulse, const Vec3& twist) {
+  if (body.inverse_mass == 0) return Vec3::Zero();
   const Vec3 turn = to_body(body.axes, cross(body.r, impulse) + twist);
   return to_world(body.axes, turn.cwiseProduct(body.inverse_inertia));
 }
@@ -243,7 +273,7 @@ Collision collide(const ContactBody& a, const ContactBody& b, const Vec3& normal
     shared.resting = true;
     shared.radius = patch_radius(patch, normal);
     shared.twist = dot(b.spin - a.spin, normal);
-    shared.twist_yield = yield_of_torque(a, normal, normal) + yield_of_torque(b, normal, normal);
+    shared.twist_yield = yield_of_torque(a, normal) + yield_of_torque(b, normal);
     shared.slow = m.slow && std::fabs(shared.twist) * shared.radius < material.slip_speed;
     if (auto collision = shared_collision(touch, shared)) return *collision;
   }

@@ -64,7 +64,8 @@ void find_collisions(const WorldState& state, Scratch& scratch, int round, doubl
 
 // Adds the outcome of a collision to the gains of body i. sign: +1 for b, −1 for a; the impulse on a is the negative of
 // that on b, to the bit. At rest friction acts evenly throughout the sub-step, as gravity does: half of the speed that
-// friction takes, times the sub-step, is taken from the way as well. energy: of the gain (split_mass.h).
+// friction takes, times the sub-step, is taken from the way as well. energy: of the gain, of a
+// body with several contacts (split_mass.h).
 Status add_gain(WorldState& state, Scratch& scratch, BodyIndex i, const Vec3& r, const Collision& collision,
                 double sign, double dt_s, double& energy) {
   const Bodies& bodies = state.bodies;
@@ -74,6 +75,7 @@ Status add_gain(WorldState& state, Scratch& scratch, BodyIndex i, const Vec3& r,
   if (bodies.inverse_mass[i] == 0) return {};
   const BoxFrame& frame = scratch.frames[i];
   ContactBody whole;
+  whole.inverse_mass = bodies.inverse_mass[i];
   whole.inverse_inertia = bodies.inverse_inertia[i];
   whole.axes = frame.axes;
   whole.r = r + collision.shift;
@@ -89,7 +91,7 @@ Status add_gain(WorldState& state, Scratch& scratch, BodyIndex i, const Vec3& r,
     const Vec3 slowed = VelocityGrid::round(Vec3(collision.friction * (sign * bodies.inverse_mass[i])));
     scratch.way_back.add(i, PositionGrid::round(Vec3(slowed * (0.5 * dt_s))));
   }
-  energy = gain_energy(bodies, frame, i, velocity, spin);
+  if (scratch.split.contacts[i] > 1) energy = gain_energy(bodies, frame, i, velocity, spin);
   return {};
 }
 
@@ -119,7 +121,7 @@ Status compute_impulses(WorldState& state, Scratch& scratch, double dt_s) {
   scratch.touched.assign(n, 0);
   scratch.hit.assign(n, 0);
   scratch.split.collisions.resize(count);
-  reset_parts(scratch.split, n);
+  reset_parts(scratch.contacts, n, scratch.split);
   int round = 0;
   do {
     find_collisions(state, scratch, round, dt_s);

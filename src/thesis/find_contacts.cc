@@ -169,6 +169,8 @@ Status find_contacts(WorldState& state, Scratch& scratch, double /*dt_s*/) {
         ground ? ground_contact(frame, contacts.patch)
                : pair_contact(BoxPair(frame, scratch.frames[b]), planes, state.def.gravity, contacts.patch);
     if (!contact) continue;
+    const bool on_fixed = ground || state.bodies.is_static[a] != 0 || state.bodies.is_static[b] != 0;
+    if (!on_fixed) contacts.patch.resize(contacts.patch_end.empty() ? 0 : contacts.patch_end.back());
     contacts.a[kept] = a;
     contacts.b[kept] = b;
     contacts.planes[kept] = planes;

@@ -51,13 +51,21 @@ double gain_energy(const Bodies& bodies, const BoxFrame& frame, BodyIndex i, con
           turn.z() * turn.z() * (mass / inverse.z()));
 }
 
-void reset_parts(SplitScratch& split, std::size_t bodies) {
+void reset_parts(const Contacts& contacts, std::size_t bodies, SplitScratch& split) {
   split.parts.assign(bodies, 1);
   split.raised.assign(bodies, 0);
+  split.contacts.assign(bodies, 0);
+  std::uint32_t most = 0;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    most = std::max(most, ++split.contacts[contacts.a[k]]);
+    if (contacts.b[k] != kGround) most = std::max(most, ++split.contacts[contacts.b[k]]);
+  }
+  split.several = most > 1;
 }
 
 bool raise_parts(const WorldState& state, Scratch& scratch, int round) {
   SplitScratch& split = scratch.split;
+  if (!split.several) return false;
   const std::size_t n = state.bodies.size();
   sum_energies(scratch.contacts, n, split);
   bool any = false;

@@ -18,8 +18,8 @@ namespace tumble::sim {
 /// m²/s²: twice the energy, per kilogram of the body, of a gain that would start from rest.
 double gain_energy(const Bodies& bodies, const BoxFrame& frame, BodyIndex i, const Vec3& velocity, const Vec3& spin);
 
-/// Divides no mass.
-void reset_parts(SplitScratch& split, std::size_t bodies);
+/// Divides no mass, and counts the contacts of every body.
+void reset_parts(const Contacts& contacts, std::size_t bodies, SplitScratch& split);
 
 /// Raises the number of parts of every body that needs more, and returns whether there was any: then the impulses of
 /// its collisions have to be computed again. After a few rounds the number of collisions is taken, which is always

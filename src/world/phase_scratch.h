@@ -37,12 +37,15 @@ struct Collision {
 
 /// Memory of compute_impulses (split_mass.h).
 struct SplitScratch {
-  std::vector<Collision> collisions;  ///< by contact
-  std::vector<double> parts;          ///< by body, >= 1: its mass is divided by this
-  std::vector<std::uint8_t> raised;   ///< by body, whether the last round raised the number of parts
-  std::vector<std::uint32_t> count;   ///< by body, collisions with an impulse
-  std::vector<double> largest, sum;   ///< by body, of `energy`
-  std::vector<double> energy;         ///< by contact, of a's gain and of b's, m²/s²; 0 for what does not move
+  std::vector<Collision> collisions;    ///< by contact
+  std::vector<double> parts;            ///< by body, >= 1: its mass is divided by this
+  std::vector<std::uint8_t> raised;     ///< by body, whether the last round raised the number of parts
+  std::vector<std::uint32_t> contacts;  ///< by body
+  bool several = false;                 ///< whether any body has several contacts
+  std::vector<std::uint32_t> count;     ///< by body, collisions with an impulse
+  std::vector<double> largest, sum;     ///< by body, of `energy`
+  std::vector<double> energy;           ///< by contact, of a's gain and of b's, m²/s²; 0 for what does not move
+                                        ///< and for a body with one contact
 };
 
 /// A body that may freeze in this substep, and the height of the lowest object that it touches.

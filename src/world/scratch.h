@@ -29,7 +29,8 @@ struct Contacts {
   std::vector<double> depth;  ///< m, > 0
   Vec3Column r_a;
   Vec3Column r_b;                        ///< zero for the ground
-  std::vector<Vec3> patch;               ///< the corners behind the planes, from the collision points, entry by entry
+  std::vector<Vec3> patch;               ///< the corners behind the planes, from the collision points, entry by entry;
+                                         ///< only of bodies on the ground or on static boxes
   std::vector<std::uint32_t> patch_end;  ///< by entry, in `patch`
   Vec3Column impulse;                    ///< N·s, on b; on a the opposite
 
