@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numeric>
 #include <utility>
+#include <variant>
 
 #include "replay/measure/measure_overlap.h"
 #include "src/base/text.h"
@@ -37,10 +38,11 @@ class Start {
     look_at_pairs();
   }
 
-  [[nodiscard]] std::vector<std::string> warnings() {
+  [[nodiscard]] std::vector<std::string> warnings(std::span<const sim::TimedCommand> inputs) {
     std::vector<std::string> out;
     add_overlaps(out);
     add_sunk(out);
+    add_fast(inputs, out);
     if (complete_) add_floating(out);
     return out;
   }
@@ -115,6 +117,29 @@ class Start {
     if (count > kShown) out.push_back("and " + count_text(count - kShown, "more body") + " deep in the ground");
   }
 
+  // Method thesis finds collisions where a step ends: a body that moves by less than its shortest edge in a step cannot
+  // jump over a thing. Method layered looks along the way.
+  void add_fast(std::span<const sim::TimedCommand> inputs, std::vector<std::string>& out) const {
+    if (world_.method != sim::Method::kThesis || (!world_.ground && bodies_.size() + inputs.size() < 2)) return;
+    std::size_t count = 0;
+    const auto look_at_way = [&](sim::BodyId id, const sim::Vec3& velocity, const sim::Vec3& size) {
+      const double way = (sim::length(velocity) + 0.5 * sim::length(world_.gravity) * world_.dt) * world_.dt;
+      if (way <= size.minCoeff() || ++count > kShown) return;
+      std::string& line = out.emplace_back("body ");
+      line.append(std::to_string(id)).append(" moves by ").append(rounded(way, "m")).append(" in a step of ");
+      line.append(seconds_text(world_.dt)).append(", more than its shortest edge of ");
+      line.append(rounded(size.minCoeff(), "m")).append(", and may pass through others");
+    };
+    for (sim::BodyIndex i = 0; i < bodies_.size(); ++i) {
+      if (bodies_.moves(i)) look_at_way(bodies_.id[i], bodies_.velocity[i], bodies_.half_extent[i] * 2);
+    }
+    for (const sim::TimedCommand& input : inputs) {
+      const auto* thrown = std::get_if<sim::Throw>(&input.command);
+      if (thrown != nullptr) look_at_way(thrown->box.id, thrown->box.velocity, thrown->box.size);
+    }
+    if (count > kShown) out.push_back("and " + count_text(count - kShown, "more body") + " as fast");
+  }
+
   // A group of bodies that touch is held where one of them is static or touches the ground.
   void add_floating(std::vector<std::string>& out) {
     if (world_.gravity == sim::Vec3(0, 0, 0)) return;
@@ -141,6 +166,8 @@ class Start {
 
 }  // namespace
 
-std::vector<std::string> start_warnings(const sim::WorldState& start) { return Start(start).warnings(); }
+std::vector<std::string> start_warnings(const sim::WorldState& start, std::span<const sim::TimedCommand> inputs) {
+  return Start(start).warnings(inputs);
+}
 
 }  // namespace tumble::replay

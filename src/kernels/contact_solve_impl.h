@@ -34,28 +34,32 @@ struct Friction {
   V force1, force2, twist;
 };
 
-// Cuts the force to the cone of friction.
+// Cuts the force to the cone of friction, where it slips along `slide`. A body answers the two tangents differently, so
+// the impulse that stops the slip does not lie along the slip. Sliding friction does: steps of one mass for both
+// tangents end only where friction opposes the slip.
 template <class V>
-void cut_force(const Manifolds<V>& m, V pressure, Friction<V>& f) {
-  const V limit = m.get(m.batch->friction) * pressure, squared = f.force1 * f.force1 + f.force2 * f.force2;
-  const V scale = m.get(m.batch->friction_dynamic) * pressure / square_root(squared);
-  const auto slips = squared > limit * limit;
-  f.force1 = slips ? f.force1 * scale : f.force1;
-  f.force2 = slips ? f.force2 * scale : f.force2;
+void cut_force(const Manifolds<V>& m, V pressure, const Friction<V>& slide, Friction<V>& f) {
+  const V limit = m.get(m.batch->friction) * pressure;
+  const auto slips = f.force1 * f.force1 + f.force2 * f.force2 > limit * limit;
+  const V length = square_root(larger(V{} + 1e-300, slide.force1 * slide.force1 + slide.force2 * slide.force2));
+  const V scale = m.get(m.batch->friction_dynamic) * pressure / length;
+  f.force1 = slips ? slide.force1 * scale : f.force1;
+  f.force2 = slips ? slide.force2 * scale : f.force2;
 }
 
 // Force and twist within their limits, from those that together would stop slip and spin. Where one is cut, the other
 // takes what is best with that: a force that counts on a twist which a single point cannot give would push along the
-// slip. inverse: of the matrix of (t1, t2, twist), as friction_inverse.
+// slip. slide: the direction of sliding friction; inverse: of the matrix of (t1, t2, twist), as friction_inverse.
 template <class V>
-Friction<V> within_limits(const Manifolds<V>& m, V pressure, const Friction<V>& stop, const V inverse[6]) {
+Friction<V> within_limits(const Manifolds<V>& m, V pressure, const Friction<V>& stop, const Friction<V>& slide,
+                          const V inverse[6]) {
   const V twist_limit = m.get(m.batch->friction) * pressure * m.get(m.batch->radius), zero = V{};
   Friction<V> f = stop;
   f.twist = clamped(stop.twist, twist_limit);
   const V missing = f.twist == stop.twist ? zero : (f.twist - stop.twist) / inverse[5];
   f.force1 = stop.force1 + inverse[2] * missing;
   f.force2 = stop.force2 + inverse[4] * missing;
-  cut_force(m, pressure, f);
+  cut_force(m, pressure, slide, f);
   const V scale = 1.0 / (inverse[0] * inverse[3] - inverse[1] * inverse[1]);
   const V along1 = (inverse[3] * inverse[2] - inverse[1] * inverse[4]) * scale;
   const V along2 = (inverse[0] * inverse[4] - inverse[1] * inverse[2]) * scale;
@@ -79,7 +83,9 @@ Wrench<V> solve_friction(const Manifolds<V>& m, const Motion<V>& motion, V press
   const Friction<V> stop = {before1 - ((f[0] * u1 + f[1] * u2) + f[2] * wn),
                             before2 - ((f[1] * u1 + f[3] * u2) + f[4] * wn),
                             twist_before - ((f[2] * u1 + f[4] * u2) + f[5] * wn)};
-  const Friction<V> now = within_limits(m, pressure, stop, f);
+  const V mass = 0.5 * (f[0] + f[3]);
+  const Friction<V> slide = {before1 - mass * u1, before2 - mass * u2, V{}};
+  const Friction<V> now = within_limits(m, pressure, stop, slide, f);
   const V d1 = now.force1 - before1, d2 = now.force2 - before2;
   m.set(batch.force1, now.force1);
   m.set(batch.force2, now.force2);

@@ -10,19 +10,21 @@ namespace tumble::sim {
 /// Applies all stored outcomes at one time (thesis III.C). Impulses change the velocities of all bodies, frozen ones
 /// included (update_freezing decides whether these escape); displacements change the positions of bodies that move. A
 /// body that a displacement lifts loses vertical speed for the height.
-/// Reads:  velocity_gain, spin_gain, displacement, touched; gravity
+/// Reads:  velocity_gain, spin_gain, displacement, way_back, touched, hit; gravity
 /// Writes: velocity, spin, position; removed_energy
 /// Errors: a body that is not finite or beyond limits.h
 /// Source: thesis III.E: the potential energy of the displacement is removed from the vertical part of the kinetic
-///         energy, as far as there is any. "Vertical" is along gravity.
+///         energy, as far as there is any. "Vertical" is along gravity, but along the displacement for a body that was
+///         not hit: what slides down a slope keeps its speed.
 Status apply_outcomes(WorldState& state, Scratch& scratch, double dt_s);
 void hash_apply_outcomes(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
-/// The velocity of a body after it has paid for a lift by `displacement`, and the energy dissipated, J/kg.
+/// The velocity of a body after it has paid, out of its speed along the unit vector `up`, for a lift by `displacement`;
+/// and the energy dissipated, J/kg.
 struct LiftCost {
   Vec3 velocity;
   double removed = 0;
 };
-LiftCost pay_for_lift(const Vec3& velocity, const Vec3& displacement, const Vec3& gravity);
+LiftCost pay_for_lift(const Vec3& velocity, const Vec3& displacement, const Vec3& gravity, const Vec3& up);
 
 }  // namespace tumble::sim

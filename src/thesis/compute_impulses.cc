@@ -2,41 +2,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "src/math/grid.h"
+#include "src/thesis/collision_impulse.h"
+#include "src/thesis/split_mass.h"
 #include "src/world/body_check.h"
 
 namespace tumble::sim {
 namespace {
 
-// Slower than this there is no direction of slip to oppose, m/s.
-constexpr double kSlipMin = 1e-12;
-
-Vec3 point_velocity(const ContactBody& body) { return body.velocity + cross(body.spin, body.r); }
-
-// The speed that a unit impulse along n at r gives the point along n by rotation: n · ((I⁻¹ (r × n)) × r), written as a
-// sum of squares, so that the result is never negative.
-double yield_of_rotation(const ContactBody& body, const Vec3& direction) {
-  const Vec3 lever = to_body(body.axes, cross(body.r, direction));
-  const Vec3& i = body.inverse_inertia;
-  return (lever.x() * lever.x() * i.x() + lever.y() * lever.y() * i.y()) + lever.z() * lever.z() * i.z();
-}
-
-// J · K J in J: the impulse times the relative velocity that the impulse gives the points.
-double stiffness_work(const ContactBody& a, const ContactBody& b, const Vec3& impulse) {
-  return dot(impulse, impulse) * (a.inverse_mass + b.inverse_mass) +
-         (yield_of_rotation(a, impulse) + yield_of_rotation(b, impulse));
-}
-
-double yield(const ContactBody& a, const ContactBody& b, const Vec3& direction) {
-  return (a.inverse_mass + b.inverse_mass) + (yield_of_rotation(a, direction) + yield_of_rotation(b, direction));
-}
-
-ContactBody contact_body(const WorldState& state, const Scratch& scratch, BodyIndex i, const Vec3& r) {
+// One part of a body, as a collision meets it. gravity_gain: m/s in this sub-step, of a body that moves.
+ContactBody contact_body(const WorldState& state, const Scratch& scratch, BodyIndex i, const Vec3& r,
+                         const Vec3& gravity_gain) {
   if (i == kGround) return {};
   const Bodies& bodies = state.bodies;
-  const BoxFrame& frame = scratch.frames[i];
-  return {bodies.velocity[i], bodies.spin[i], bodies.inverse_mass[i], bodies.inverse_inertia[i], frame.axes, r};
+  const double parts = scratch.split.parts[i];
+  const Vec3 gained = bodies.moves(i) ? gravity_gain : Vec3(Vec3::Zero());
+  return {bodies.velocity[i],
+          bodies.spin[i],
+          parts * bodies.inverse_mass[i],
+          bodies.inverse_inertia[i] * parts,
+          scratch.frames[i].axes,
+          r,
+          gained};
 }
 
 PairMaterial pair_material(const WorldState& state, BodyIndex a, BodyIndex b) {
@@ -51,76 +41,105 @@ PairMaterial pair_material(const WorldState& state, BodyIndex a, BodyIndex b) {
           std::max(bodies.restitution[a], restitution), def.slip_speed};
 }
 
-// Adds the outcome of an impulse to the gains of body i. The impulse on a is the negative of that on b, to the bit.
-Status add_gain(WorldState& state, Scratch& scratch, BodyIndex i, const ContactBody& body, const Vec3& impulse) {
+// The corners that touch in contact k, from the collision point.
+std::span<const Vec3> patch_of(const Contacts& contacts, std::size_t k) {
+  const std::uint32_t begin = k == 0 ? 0 : contacts.patch_end[k - 1];
+  return std::span(contacts.patch).subspan(begin, contacts.patch_end[k] - begin);
+}
+
+// Computes every collision; in later rounds only those of bodies that were divided into more parts.
+void find_collisions(const WorldState& state, Scratch& scratch, int round, double dt_s) {
+  Contacts& contacts = scratch.contacts;
+  const std::vector<std::uint8_t>& raised = scratch.split.raised;
+  const Vec3 gravity_gain = VelocityGrid::round(Vec3(state.def.gravity * dt_s));
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const BodyIndex a = contacts.a[k], b = contacts.b[k];
+    if (round > 0 && raised[a] == 0 && (b == kGround || raised[b] == 0)) continue;
+    const ContactBody on_a = contact_body(state, scratch, a, contacts.r_a[k], gravity_gain);
+    const ContactBody on_b = contact_body(state, scratch, b, contacts.r_b[k], gravity_gain);
+    scratch.split.collisions[k] =
+        collide(on_a, on_b, contacts.normal[k], pair_material(state, a, b), patch_of(contacts, k));
+  }
+}
+
+// Adds the outcome of a collision to the gains of body i. sign: +1 for b, −1 for a; the impulse on a is the negative of
+// that on b, to the bit. At rest friction acts evenly throughout the sub-step, as gravity does: half of the speed that
+// friction takes, times the sub-step, is taken from the way as well. energy: of the gain, of a
+// body with several contacts (split_mass.h).
+Status add_gain(WorldState& state, Scratch& scratch, BodyIndex i, const Vec3& r, const Collision& collision,
+                double sign, double dt_s, double& energy) {
+  const Bodies& bodies = state.bodies;
   scratch.touched[i] = 1;
-  if (body.inverse_mass == 0) return {};
-  const Vec3 velocity = VelocityGrid::round(Vec3(impulse * body.inverse_mass));
-  const Vec3 spin = VelocityGrid::round(spin_gain_of(body, impulse));
-  if (Status ok = check_gain(state.bodies, i, velocity, spin); !ok.ok()) return ok;
+  if (!collision.resting) scratch.hit[i] = 1;
+  energy = 0;
+  if (bodies.inverse_mass[i] == 0) return {};
+  const BoxFrame& frame = scratch.frames[i];
+  ContactBody whole;
+  whole.inverse_mass = bodies.inverse_mass[i];
+  whole.inverse_inertia = bodies.inverse_inertia[i];
+  whole.axes = frame.axes;
+  whole.r = r + collision.shift;
+  const Vec3 impulse = collision.impulse * sign;
+  const Vec3 velocity = VelocityGrid::round(Vec3(impulse * bodies.inverse_mass[i]));
+  const Vec3 spin = VelocityGrid::round(spin_gain_of(whole, impulse, collision.twist * sign));
+  if (Status ok = check_gain(bodies, i, velocity, spin); !ok.ok()) return ok;
   scratch.gain_total[i] += std::max(velocity.cwiseAbs().maxCoeff(), spin.cwiseAbs().maxCoeff());
-  if (Status ok = check_gains(state.bodies, i, scratch.gain_total[i]); !ok.ok()) return ok;
+  if (Status ok = check_gains(bodies, i, scratch.gain_total[i]); !ok.ok()) return ok;
   scratch.velocity_gain.add(i, velocity);
   scratch.spin_gain.add(i, spin);
+  if (collision.resting) {
+    const Vec3 slowed = VelocityGrid::round(Vec3(collision.friction * (sign * bodies.inverse_mass[i])));
+    scratch.way_back.add(i, PositionGrid::round(Vec3(slowed * (0.5 * dt_s))));
+  }
+  if (scratch.split.contacts[i] > 1) energy = gain_energy(bodies, frame, i, velocity, spin);
+  return {};
+}
+
+// Sums the gains of all bodies.
+Status add_gains(WorldState& state, Scratch& scratch, double dt_s) {
+  const Contacts& contacts = scratch.contacts;
+  const std::size_t n = state.bodies.size();
+  for (Vec3Column* sum : {&scratch.velocity_gain, &scratch.spin_gain, &scratch.way_back}) sum->assign(n, Vec3::Zero());
+  scratch.gain_total.assign(n, 0);
+  std::vector<double>& energy = scratch.split.energy;
+  energy.assign(2 * contacts.size(), 0);
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const Collision& collision = scratch.split.collisions[k];
+    Status ok = add_gain(state, scratch, contacts.a[k], contacts.r_a[k], collision, -1, dt_s, energy[2 * k]);
+    if (ok.ok() && contacts.b[k] != kGround) {
+      ok = add_gain(state, scratch, contacts.b[k], contacts.r_b[k], collision, 1, dt_s, energy[2 * k + 1]);
+    }
+    if (!ok.ok()) return ok;
+  }
   return {};
 }
 
 }  // namespace
 
-Vec3 spin_gain_of(const ContactBody& body, const Vec3& impulse) {
-  const Vec3 turn = to_body(body.axes, cross(body.r, impulse));
-  return to_world(body.axes, turn.cwiseProduct(body.inverse_inertia));
-}
-
-Vec3 collision_impulse(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material) {
-  const Vec3 relative = point_velocity(b) - point_velocity(a);
-  const double approach = dot(relative, normal);
-  if (approach >= 0) return Vec3::Zero();
-  const double along_normal = -(1 + material.restitution) * approach / yield(a, b, normal);
-  Vec3 impulse = normal * along_normal;
-  const Vec3 slip = relative - normal * approach;
-  const double slip_speed = length(slip);
-  if (slip_speed > kSlipMin) {
-    const Vec3 tangent = slip / slip_speed;
-    const double to_stop = slip_speed / yield(a, b, tangent);
-    const double friction = slip_speed < material.slip_speed ? material.friction : material.friction_dynamic;
-    impulse -= tangent * std::min(to_stop, friction * along_normal);
-  }
-  // The collision changes the kinetic energy by J·u + ½ J·KJ. Equation 3.1 alone keeps the sum negative, but friction
-  // is computed on its own, and off centre each of the two impulses changes the speed that the other has to stop.
-  // Scaling J by −2 J·u / J·KJ brings the sum back to zero.
-  const double spent = -2 * dot(impulse, relative), gained = stiffness_work(a, b, impulse);
-  return gained > spent ? Vec3(impulse * (spent / gained)) : impulse;
-}
-
-Status compute_impulses(WorldState& state, Scratch& scratch, double /*dt_s*/) {
-  Contacts& contacts = scratch.contacts;
-  const std::size_t n = state.bodies.size();
-  scratch.velocity_gain.assign(n, Vec3::Zero());
-  scratch.spin_gain.assign(n, Vec3::Zero());
-  scratch.gain_total.assign(n, 0);
+Status compute_impulses(WorldState& state, Scratch& scratch, double dt_s) {
+  const std::size_t n = state.bodies.size(), count = scratch.contacts.size();
   scratch.touched.assign(n, 0);
-  contacts.impulse.resize(contacts.size());
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const BodyIndex a = contacts.a[k], b = contacts.b[k];
-    const ContactBody on_a = contact_body(state, scratch, a, contacts.r_a[k]);
-    const ContactBody on_b = contact_body(state, scratch, b, contacts.r_b[k]);
-    const Vec3 impulse = collision_impulse(on_a, on_b, contacts.normal[k], pair_material(state, a, b));
-    contacts.impulse.set(k, impulse);
-    if (Status ok = add_gain(state, scratch, a, on_a, -impulse); !ok.ok()) return ok;
-    if (b == kGround) continue;
-    if (Status ok = add_gain(state, scratch, b, on_b, impulse); !ok.ok()) return ok;
-  }
+  scratch.hit.assign(n, 0);
+  scratch.split.collisions.resize(count);
+  reset_parts(scratch.contacts, n, scratch.split);
+  int round = 0;
+  do {
+    find_collisions(state, scratch, round, dt_s);
+    if (Status ok = add_gains(state, scratch, dt_s); !ok.ok()) return ok;
+  } while (raise_parts(state, scratch, round++));
+  scratch.contacts.impulse.resize(count);
+  for (std::size_t k = 0; k < count; ++k) scratch.contacts.impulse.set(k, scratch.split.collisions[k].impulse);
   return {};
 }
 
 void hash_compute_impulses(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
   const Vec3Column& impulse = scratch.contacts.impulse;
   for (const auto* column : {&impulse.x, &impulse.y, &impulse.z}) hasher.add(std::span<const double>(*column));
-  for (const auto* gain : {&scratch.velocity_gain, &scratch.spin_gain}) {
+  for (const auto* gain : {&scratch.velocity_gain, &scratch.spin_gain, &scratch.way_back}) {
     for (const auto* column : {&gain->x, &gain->y, &gain->z}) hasher.add(std::span<const double>(*column));
   }
   hasher.add(std::span<const std::uint8_t>(scratch.touched));
+  hasher.add(std::span<const std::uint8_t>(scratch.hit));
 }
 
 }  // namespace tumble::sim

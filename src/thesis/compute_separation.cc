@@ -1,51 +1,55 @@
 #include "src/thesis/compute_separation.h"
 
-#include <algorithm>
+#include <cstddef>
+#include <span>
 
 #include "src/math/grid.h"
+#include "src/thesis/merge_displacements.h"
 
 namespace tumble::sim {
 namespace {
-
-// During the merge `displacement` holds the largest positive part of each axis, `displacement_low` the largest
-// negative.
-void merge(Scratch& scratch, BodyIndex i, const Vec3& displacement) {
-  const Vec3 d = PositionGrid::round(displacement);
-  scratch.displacement.set(i, scratch.displacement[i].cwiseMax(d));
-  scratch.displacement_low.set(i, scratch.displacement_low[i].cwiseMin(d));
-}
-
-// Adds the negative parts and sets them to zero, so that a second call for a body adds nothing.
-void add_low(Scratch& scratch, BodyIndex i) {
-  scratch.displacement.add(i, scratch.displacement_low[i]);
-  scratch.displacement_low.set(i, Vec3::Zero());
-}
 
 double give_way(const Bodies& bodies, BodyIndex i) {
   return i != kGround && bodies.moves(i) ? bodies.inverse_mass[i] : 0;
 }
 
-}  // namespace
-
-Status compute_separation(WorldState& state, Scratch& scratch, double /*dt_s*/) {
-  const Bodies& bodies = state.bodies;
-  const Contacts& contacts = scratch.contacts;
-  const std::size_t n = bodies.size();
-  scratch.displacement.assign(n, Vec3::Zero());
-  scratch.displacement_low.assign(n, Vec3::Zero());
+// Calls visit(body, displacement) for each side of each contact that gives way.
+template <class Visit>
+void for_each_displacement(const Bodies& bodies, const Contacts& contacts, Visit visit) {
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     const BodyIndex a = contacts.a[k], b = contacts.b[k];
     const double share_a = give_way(bodies, a), share_b = give_way(bodies, b);
     const double total = share_a + share_b;
-    if (total == 0) continue;
+    const bool shared = share_a > 0 && share_b > 0;
     const Vec3 normal = contacts.normal[k];
-    if (share_a > 0) merge(scratch, a, normal * (-contacts.depth[k] * share_a / total));
-    if (share_b > 0) merge(scratch, b, normal * (contacts.depth[k] * share_b / total));
+    if (share_a > 0) visit(a, Displacement{-normal, contacts.depth[k] * share_a / total, shared});
+    if (share_b > 0) visit(b, Displacement{normal, contacts.depth[k] * share_b / total, shared});
   }
-  for (const std::vector<BodyIndex>* side : {&contacts.a, &contacts.b}) {
-    for (const BodyIndex i : *side) {
-      if (i != kGround) add_low(scratch, i);
-    }
+}
+
+// Lists the displacements body by body.
+void collect(const Bodies& bodies, const Contacts& contacts, SeparationScratch& own) {
+  own.start.assign(bodies.size() + 1, 0);
+  for_each_displacement(bodies, contacts, [&](BodyIndex i, const Displacement&) { ++own.start[i]; });
+  std::uint32_t end = 0;
+  for (std::uint32_t& start : own.start) start = end += start;
+  own.wanted.resize(end);
+  for_each_displacement(bodies, contacts,
+                        [&](BodyIndex i, const Displacement& wanted) { own.wanted[--own.start[i]] = wanted; });
+}
+
+}  // namespace
+
+Status compute_separation(WorldState& state, Scratch& scratch, double /*dt_s*/) {
+  const std::size_t n = state.bodies.size();
+  SeparationScratch& own = scratch.separation;
+  collect(state.bodies, scratch.contacts, own);
+  scratch.displacement.assign(n, Vec3::Zero());
+  for (BodyIndex i = 0; i < n; ++i) {
+    const std::size_t count = own.start[i + 1] - own.start[i];
+    if (count == 0) continue;
+    const std::span<Displacement> wanted = std::span(own.wanted).subspan(own.start[i], count);
+    scratch.displacement.set(i, PositionGrid::round(merge_displacements(wanted).displacement));
   }
   return {};
 }

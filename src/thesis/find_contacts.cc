@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "src/kernels/box_pair.h"
 #include "src/math/grid.h"
@@ -31,8 +34,9 @@ std::array<Vec3, 8> corners(const BoxFrame& frame, const Vec3& centre) {
 }
 
 // The corners behind a plane, merged to one point with their depths as weights (thesis Fig. 6). distance: of the plane
-// from the origin of the corners, along the normal.
-std::optional<Vec3> point_behind(const std::array<Vec3, 8>& corners, const Vec3& normal, double distance) {
+// from the origin of the corners, along the normal. Adds the corners to the patch, measured from the point.
+std::optional<Vec3> point_behind(const std::array<Vec3, 8>& corners, const Vec3& normal, double distance,
+                                 std::vector<Vec3>& patch) {
   std::array<double, 8> depth;
   double deepest = 0;
   for (std::size_t k = 0; k < 8; ++k) {
@@ -42,21 +46,26 @@ std::optional<Vec3> point_behind(const std::array<Vec3, 8>& corners, const Vec3&
   if (deepest <= 0) return std::nullopt;
   Vec3 sum = Vec3::Zero();
   double weights = 0;
+  const std::size_t begin = patch.size();
   for (std::size_t k = 0; k < 8; ++k) {
     if (depth[k] <= 0) continue;
     const double weight = UnitGrid::round(depth[k] / deepest);
     sum += PositionGrid::round(Vec3(corners[k] * weight));
     weights += weight;
+    patch.push_back(corners[k]);
   }
-  return PositionGrid::round(Vec3(sum / weights));
+  const Vec3 point = PositionGrid::round(Vec3(sum / weights));
+  for (std::size_t k = begin; k < patch.size(); ++k) patch[k] -= point;
+  return point;
 }
 
-// The collision point, from a's centre, on a face of a or b.
-std::optional<Vec3> face_point(const BoxPair& pair, int axis) {
+// The collision point, from a's centre, on a face of a or b. Corners are measured in the box of the face: names of the
+// two boxes exchanged, the bits stay.
+std::optional<Vec3> face_point(const BoxPair& pair, int axis, std::vector<Vec3>& patch) {
   const Vec3 normal = pair.normal(axis);
   const Vec3& d = pair.offset();
-  if (axis < 3) return point_behind(corners(pair.b(), d), normal, pair.a().half_extent[axis]);
-  const auto from_b = point_behind(corners(pair.a(), -d), -normal, pair.b().half_extent[axis - 3]);
+  if (axis < 3) return point_behind(corners(pair.b(), d), normal, pair.a().half_extent[axis], patch);
+  const auto from_b = point_behind(corners(pair.a(), -d), -normal, pair.b().half_extent[axis - 3], patch);
   if (!from_b) return std::nullopt;
   return Vec3(*from_b + d);
 }
@@ -88,22 +97,33 @@ Vec3 edge_point(const BoxPair& pair, int axis) {
   return (on_a + (pair.offset() + on_b)) * 0.5;
 }
 
-std::optional<Contact> coincident_contact(const BoxPair& pair) {
-  const double a = volume_measure(pair.a()), b = volume_measure(pair.b());
-  if (a == b) return std::nullopt;
-  const double depth = reach_along(pair.a(), 2) + reach_along(pair.b(), 2);
-  return Contact{Vec3(0, 0, a > b ? 1 : -1), depth, Vec3::Zero()};
+// The distance that a box reaches from its centre along a direction, m.
+double reach(const BoxFrame& frame, const Vec3& direction) {
+  const auto along = [&](int k) { return frame.half_extent[k] * std::fabs(dot(frame.axes[k], direction)); };
+  return (along(0) + along(1)) + along(2);
 }
 
-std::optional<Contact> pair_contact(const BoxPair& pair, AxisSet planes) {
+// Boxes in one place part along gravity; without gravity along z, the normal of the ground.
+std::optional<Contact> coincident_contact(const BoxPair& pair, const Vec3& gravity) {
+  const double a = volume_measure(pair.a()), b = volume_measure(pair.b());
+  if (a == b) return std::nullopt;
+  const double pull = length(gravity);
+  const Vec3 up = pull > 0 ? plus_zero(Vec3(gravity / -pull)) : Vec3(0, 0, 1);
+  return Contact{a > b ? up : plus_zero(Vec3(-up)), reach(pair.a(), up) + reach(pair.b(), up), Vec3::Zero()};
+}
+
+// Several planes that tie, and edges, have no patch.
+std::optional<Contact> pair_contact(const BoxPair& pair, AxisSet planes, const Vec3& gravity,
+                                    std::vector<Vec3>& patch) {
   const BestAxes best = pair.best(planes);
-  if (best.axes == 0) return coincident_contact(pair);
+  if (best.axes == 0) return coincident_contact(pair, gravity);
   Vec3 normals = Vec3::Zero(), points = Vec3::Zero();
   Contact contact;
+  const std::size_t begin = patch.size();
   int count = 0;
   for (int axis = 0; axis < kAxisCount; ++axis) {
     if ((best.axes & only(axis)) == 0) continue;
-    const std::optional<Vec3> point = axis < 6 ? face_point(pair, axis) : edge_point(pair, axis);
+    const std::optional<Vec3> point = axis < 6 ? face_point(pair, axis, patch) : edge_point(pair, axis);
     if (!point) continue;
     contact.normal = pair.normal(axis);
     contact.r_a = *point;
@@ -116,34 +136,41 @@ std::optional<Contact> pair_contact(const BoxPair& pair, AxisSet planes) {
   if (count > 1) {  // every normal has a part along x_b − x_a, so they do not cancel
     contact.normal = normals / length(normals);
     contact.r_a = PositionGrid::round(Vec3(points / count));
+    patch.resize(begin);
   }
   return contact;
 }
 
-std::optional<Contact> ground_contact(const BoxFrame& frame) {
+std::optional<Contact> ground_contact(const BoxFrame& frame, std::vector<Vec3>& patch) {
   // Corners relative to the body's centre: x and y of the body do not enter, and the ground lies `height` below.
   const double height = frame.position.z();
-  const auto point = point_behind(corners(frame, Vec3::Zero()), Vec3(0, 0, 1), -height);
+  const auto point = point_behind(corners(frame, Vec3::Zero()), Vec3(0, 0, 1), -height, patch);
   if (!point) return std::nullopt;
   return Contact{Vec3(0, 0, -1), reach_along(frame, 2) - height, *point};
 }
 
 }  // namespace
 
-Status find_contacts(WorldState& /*state*/, Scratch& scratch, double /*dt_s*/) {
+Status find_contacts(WorldState& state, Scratch& scratch, double /*dt_s*/) {
   Contacts& contacts = scratch.contacts;
   contacts.normal.clear();
   contacts.depth.clear();
   contacts.r_a.clear();
   contacts.r_b.clear();
+  contacts.patch.clear();
+  contacts.patch_end.clear();
   std::size_t kept = 0;
   for (std::size_t k = 0; k < contacts.a.size(); ++k) {
     const BodyIndex a = contacts.a[k], b = contacts.b[k];
     const std::uint16_t planes = contacts.planes[k];
     const BoxFrame& frame = scratch.frames[a];
     const bool ground = b == kGround;
-    const auto contact = ground ? ground_contact(frame) : pair_contact(BoxPair(frame, scratch.frames[b]), planes);
+    const auto contact =
+        ground ? ground_contact(frame, contacts.patch)
+               : pair_contact(BoxPair(frame, scratch.frames[b]), planes, state.def.gravity, contacts.patch);
     if (!contact) continue;
+    const bool on_fixed = ground || state.bodies.is_static[a] != 0 || state.bodies.is_static[b] != 0;
+    if (!on_fixed) contacts.patch.resize(contacts.patch_end.empty() ? 0 : contacts.patch_end.back());
     contacts.a[kept] = a;
     contacts.b[kept] = b;
     contacts.planes[kept] = planes;
@@ -153,6 +180,7 @@ Status find_contacts(WorldState& /*state*/, Scratch& scratch, double /*dt_s*/) {
     contacts.r_a.push_back(contact->r_a);
     contacts.r_b.push_back(ground ? Vec3(Vec3::Zero())
                                   : Vec3(contact->r_a - (scratch.frames[b].position - frame.position)));
+    contacts.patch_end.push_back(static_cast<std::uint32_t>(contacts.patch.size()));
   }
   contacts.a.resize(kept);
   contacts.b.resize(kept);
@@ -170,6 +198,8 @@ void hash_find_contacts(const WorldState& /*state*/, const Scratch& scratch, Has
         &contacts.r_a.z, &contacts.r_b.x, &contacts.r_b.y, &contacts.r_b.z}) {
     hasher.add(std::span<const double>(*column));
   }
+  for (const Vec3& corner : contacts.patch) hasher.add(std::span(corner.data(), 3));
+  hasher.add(std::span<const std::uint32_t>(contacts.patch_end));
 }
 
 }  // namespace tumble::sim

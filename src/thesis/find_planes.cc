@@ -19,12 +19,13 @@ constexpr double kOldPlaneDepth = 0.5;
 // renamed or an axis mirrored would take the other plane and go another way. A set has no order; find_contacts takes
 // the mean over the set, which respects every symmetry of the pair.
 
-// The faces to test first: those of the larger box (thesis Fig. 5), then of the lower one, and of both on an exact tie.
-AxisSet first_faces(const BoxPair& pair) {
+// The faces to test first: those of the larger box (thesis Fig. 5), then of the lower one along gravity, and of both on
+// an exact tie and without gravity.
+AxisSet first_faces(const BoxPair& pair, const Vec3& gravity) {
   const double a = volume_measure(pair.a()), b = volume_measure(pair.b());
   if (a != b) return a > b ? kFacesOfA : kFacesOfB;
-  const double up = pair.offset().z();
-  if (up != 0) return up > 0 ? kFacesOfA : kFacesOfB;
+  const double down = dot(gravity, pair.offset());
+  if (down != 0) return down < 0 ? kFacesOfA : kFacesOfB;
   return kFaces;
 }
 
@@ -37,25 +38,23 @@ AxisSet best_separating(const BoxPair& pair, AxisSet candidates) {
   return best.axes != 0 && best.separation >= 0 ? best.axes : AxisSet{0};
 }
 
-AxisSet separating_faces(const BoxPair& pair) {
-  const AxisSet first = first_faces(pair);
+AxisSet separating_faces(const BoxPair& pair, AxisSet first) {
   const AxisSet found = best_separating(pair, first);
   return found != 0 ? found : best_separating(pair, static_cast<AxisSet>(kFaces & ~first));
 }
 
 // The planes that separate a pair whose old planes no longer do.
-AxisSet find_separating(const BoxPair& pair, AxisSet old) {
+AxisSet find_separating(const BoxPair& pair, AxisSet old, AxisSet first) {
   if ((old & kFaces) != 0) {
     const AxisSet edges = best_separating(pair, kEdges);
-    return edges != 0 ? edges : separating_faces(pair);
+    return edges != 0 ? edges : separating_faces(pair, first);
   }
-  const AxisSet faces = separating_faces(pair);
+  const AxisSet faces = separating_faces(pair, first);
   return faces != 0 ? faces : best_separating(pair, kEdges);
 }
 
-AxisSet least_overlap(const BoxPair& pair) {
+AxisSet least_overlap(const BoxPair& pair, AxisSet first) {
   const double margin = kPreference * smallest_half_extent(pair);
-  const AxisSet first = first_faces(pair);
   BestAxes chosen = pair.best(first);
   for (const AxisSet others : {static_cast<AxisSet>(kFaces & ~first), kEdges}) {
     const BestAxes other = pair.best(others);
@@ -64,10 +63,10 @@ AxisSet least_overlap(const BoxPair& pair) {
   return chosen.axes;
 }
 
-AxisSet collision_planes(const BoxPair& pair, AxisSet old) {
+AxisSet collision_planes(const BoxPair& pair, AxisSet old, AxisSet first) {
   const BestAxes cached = pair.best(old);
   const bool believed = cached.axes != 0 && -cached.separation <= kOldPlaneDepth * smallest_half_extent(pair);
-  return believed ? cached.axes : least_overlap(pair);
+  return believed ? cached.axes : least_overlap(pair, first);
 }
 
 void add_collision(Contacts& contacts, BodyIndex a, BodyIndex b, AxisSet planes) {
@@ -100,9 +99,10 @@ Status find_planes(WorldState& state, Scratch& scratch, double /*dt_s*/) {
     pairs.planes[k] = separating(scratch.frames[a], scratch.frames[b], old);
     if (pairs.planes[k] != 0) continue;
     const BoxPair pair(scratch.frames[a], scratch.frames[b]);
-    pairs.planes[k] = find_separating(pair, old);
+    const AxisSet first = first_faces(pair, state.def.gravity);
+    pairs.planes[k] = find_separating(pair, old, first);
     if (pairs.planes[k] != 0 || pair.apart_along_facelike_edges()) continue;
-    add_collision(contacts, a, b, collision_planes(pair, old));
+    add_collision(contacts, a, b, collision_planes(pair, old, first));
   }
   if (state.def.ground) find_grounded(state, scratch, contacts);
   return {};

@@ -34,7 +34,9 @@ std::size_t held(const Bodies& b) {
 std::size_t held(const ContactMemory& m) {
   return held_by(m.a, m.b, m.count, m.friction, m.twist, m.feature, m.impulse);
 }
-std::size_t held(const Contacts& c) { return held_by(c.a, c.b, c.planes, c.normal, c.depth, c.r_a, c.r_b, c.impulse); }
+std::size_t held(const Contacts& c) {
+  return held_by(c.a, c.b, c.planes, c.normal, c.depth, c.r_a, c.r_b, c.patch, c.patch_end, c.impulse);
+}
 std::size_t held(const ManifoldList& list) { return held_by(list.manifolds, list.points); }
 std::size_t held(const ContactBatches& b) {
   return held_by(b.batches, b.points, b.layer_start, b.place, b.order, b.touched, b.touched_start, b.entries,
@@ -85,10 +87,12 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
 
 void add_thesis(const Scratch& s, std::vector<MemoryPart>& parts) {
   const FreezeScratch& f = s.freezing;
-  parts.push_back({"contacts", GrowsWith::kContacts, held_by(s.contacts, f.carriers, f.found)});
+  parts.push_back({"contacts", GrowsWith::kContacts,
+                   held_by(s.contacts, s.split.energy, s.split.collisions, s.separation.wanted, f.carriers, f.found)});
   parts.push_back({"outcomes and freezing", GrowsWith::kBodies,
-                   held_by(s.velocity_gain, s.spin_gain, s.gain_total, s.displacement, s.displacement_low, s.touched,
-                           f.ready, f.candidates, f.frozen_before, f.merged)});
+                   held_by(s.velocity_gain, s.spin_gain, s.gain_total, s.way_back, s.hit, s.displacement,
+                           s.separation.start, s.split.parts, s.split.raised, s.split.contacts, s.split.count,
+                           s.split.largest, s.split.sum, s.touched, f.ready, f.candidates, f.frozen_before, f.merged)});
   parts.push_back({"put back after a trial", GrowsWith::kBodies, held_inside(s.saved)});
 }
 

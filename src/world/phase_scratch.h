@@ -13,6 +13,41 @@
 /// may read the memory of another one.
 namespace tumble::sim {
 
+/// What one contact asks of a body: to move out of the other body.
+struct Displacement {
+  Vec3 direction;       ///< unit length
+  double distance = 0;  ///< m, >= 0
+  bool shared = false;  ///< whether the other body gives way too
+};
+
+/// Memory of compute_separation.
+struct SeparationScratch {
+  std::vector<std::uint32_t> start;  ///< by body, in `wanted`; one more at the end
+  std::vector<Displacement> wanted;  ///< body by body
+};
+
+/// The impulse of a collision, on b; a receives the opposite.
+struct Collision {
+  Vec3 impulse = Vec3::Zero();   ///< N·s
+  Vec3 friction = Vec3::Zero();  ///< N·s, the part of the impulse along the plane
+  Vec3 twist = Vec3::Zero();     ///< N·m·s, an angular impulse besides, by friction
+  Vec3 shift = Vec3::Zero();     ///< m, on PositionGrid: where the impulse acts, from the collision point
+  bool resting = false;          ///< of a patch that approaches by at most twice what gravity added
+};
+
+/// Memory of compute_impulses (split_mass.h).
+struct SplitScratch {
+  std::vector<Collision> collisions;    ///< by contact
+  std::vector<double> parts;            ///< by body, >= 1: its mass is divided by this
+  std::vector<std::uint8_t> raised;     ///< by body, whether the last round raised the number of parts
+  std::vector<std::uint32_t> contacts;  ///< by body
+  bool several = false;                 ///< whether any body has several contacts
+  std::vector<std::uint32_t> count;     ///< by body, collisions with an impulse
+  std::vector<double> largest, sum;     ///< by body, of `energy`
+  std::vector<double> energy;           ///< by contact, of a's gain and of b's, m²/s²; 0 for what does not move
+                                        ///< and for a body with one contact
+};
+
 /// A body that may freeze in this substep, and the height of the lowest object that it touches.
 struct FreezeCandidate {
   bool ready = false;

@@ -28,8 +28,11 @@ struct Contacts {
   Vec3Column normal;
   std::vector<double> depth;  ///< m, > 0
   Vec3Column r_a;
-  Vec3Column r_b;      ///< zero for the ground
-  Vec3Column impulse;  ///< N·s, on b; on a the opposite
+  Vec3Column r_b;                        ///< zero for the ground
+  std::vector<Vec3> patch;               ///< the corners behind the planes, from the collision points, entry by entry;
+                                         ///< only of bodies on the ground or on static boxes
+  std::vector<std::uint32_t> patch_end;  ///< by entry, in `patch`
+  Vec3Column impulse;                    ///< N·s, on b; on a the opposite
 
   [[nodiscard]] std::size_t size() const { return a.size(); }
 };
@@ -173,8 +176,9 @@ struct Scratch {
   Vec3Column velocity_gain;               ///< by body, sum of outcomes, m/s; written by compute_impulses
   Vec3Column spin_gain;                   ///< by body, sum of outcomes, rad/s; written by compute_impulses
   std::vector<double> gain_total;         ///< by body, sum of the largest part of each outcome, m/s or rad/s
+  Vec3Column way_back;                    ///< by body, sum, m, that friction takes back; written by compute_impulses
   Vec3Column displacement;                ///< by body, merged, m; written by compute_separation
-  Vec3Column displacement_low;            ///< its negative parts during the merge
+  std::vector<std::uint8_t> hit;          ///< bodies in a collision that is no resting; written by compute_impulses
   std::vector<std::uint8_t> touched;      ///< bodies in a real collision; written by compute_impulses
   // Method layered.
   std::vector<std::uint8_t> held;   ///< bodies that a contact pressed at the end of the last step; by find_manifolds
@@ -201,6 +205,8 @@ struct Scratch {
   std::vector<SavedMotion> saved;       ///< by depth of halving; written by step
   std::vector<BodyIndex> island_links;  ///< memory of Islands
   // Private memory of single phases.
+  SplitScratch split;
+  SeparationScratch separation;
   FreezeScratch freezing;
   WakeScratch waking;
   LevelScratch levels;

@@ -40,15 +40,15 @@ TEST(Advice, AnOptionThatIsNearlyRightIsNamed) {
 }
 
 // A scene of cubes of 1 m.
-std::string cubes(const std::vector<std::string>& boxes) {
-  std::string scene = "[world]\nsteps = 2\n";
+std::string cubes(const std::vector<std::string>& boxes, const std::string& world) {
+  std::string scene = "[world]\nsteps = 2\n" + world + "\n";
   for (const std::string& box : boxes) scene += "[[box]]\nsize = [1, 1, 1]\n" + box + "\n";
   return scene;
 }
 
-std::string warnings_of(const std::vector<std::string>& boxes) {
+std::string warnings_of(const std::vector<std::string>& boxes, const std::string& world = "") {
   const Workshop shop;
-  shop.write("w.toml", cubes(boxes));
+  shop.write("w.toml", cubes(boxes, world));
   const Outcome outcome = shop.run({"record", "w.toml", "--json"});
   EXPECT_EQ(outcome.exit, 0) << outcome.err;
   const Json json = Json::parse(outcome.out);
@@ -65,6 +65,20 @@ TEST(Advice, AStartThatIsHardlyMeantIsAWarning) {
   EXPECT_TRUE(holds(warnings_of({"position = [0, 0, 5]\nfrozen = true", "position = [0, 0, 6]\nfrozen = true"}),
                     "body 2 is frozen in mid-air"));
   EXPECT_TRUE(holds(warnings_of(std::vector<std::string>(5, "position = [0, 0, 2]")), "and 7 more pairs"));
+}
+
+// Method thesis finds collisions where a step ends, and passes a wall at 200 m/s; method layered does not.
+TEST(Advice, ABodyThatMayPassThroughOthersIsAWarning) {
+  const std::string fast = "position = [-9, 0, 2]\nvelocity = [120, 0, 0]", slow = "position = [9, 0, 2]";
+  const std::string thrown = "[[input]]\nstep = 1\nkind = \"throw\"\nposition = [0, 0, 5]\nvelocity = [0, 150, 0]";
+  const std::string said = "in a step of 16.7 ms, more than its shortest edge of 1 m, and may pass through others";
+  const std::string thesis = "method = \"thesis\"";
+  EXPECT_TRUE(holds(warnings_of({fast, slow}, thesis), "body 1 moves by 2.001 m " + said))
+      << warnings_of({fast}, thesis);
+  EXPECT_TRUE(holds(warnings_of({slow, "position = [9, 4, 2]\n" + thrown}, thesis), "moves by 2.501 m " + said));
+  EXPECT_TRUE(holds(warnings_of({slow}, thesis + "\ndt = 1.0"), "body 1 moves by 4.905 m in a step of 1.00 s"));
+  EXPECT_EQ(warnings_of({fast, slow}), "");
+  EXPECT_EQ(warnings_of({"position = [-9, 0, 2]\nvelocity = [50, 0, 0]", slow}, thesis), "");
 }
 
 TEST(Advice, AStackThatStandsIsNone) {

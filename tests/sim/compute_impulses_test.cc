@@ -1,11 +1,11 @@
 // Thesis III.B: equation 3.1 and Coulomb friction, with the numbers worked out by hand.
-#include "src/thesis/compute_impulses.h"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <vector>
 
+#include "src/thesis/collision_impulse.h"
 #include "tests/support/sim_scenes.h"
 
 namespace tumble::test {
@@ -27,6 +27,11 @@ ContactBody point_mass(double mass, const Vec3& velocity) {
   return body;
 }
 
+// Of a collision at one point.
+Vec3 impulse_of(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material) {
+  return collide(a, b, normal, material, {}).impulse;
+}
+
 PairMaterial smooth(double restitution) { return {0, 0, restitution, 0.01}; }
 
 Vec3 velocity_of_point(const ContactBody& body) { return body.velocity + body.spin.cross(body.r); }
@@ -42,7 +47,7 @@ ContactBody after(ContactBody body, const Vec3& impulse) {
 // 2 − 3.375 and −1 + 3.375/3 part at 1.5 = ε · 3.
 TEST(CollisionImpulse, CentralCollisionOfUnequalMasses) {
   const ContactBody a = point_mass(1, {2, 0, 0}), b = point_mass(3, {-1, 0, 0});
-  const Vec3 impulse = collision_impulse(a, b, {1, 0, 0}, smooth(0.5));
+  const Vec3 impulse = impulse_of(a, b, {1, 0, 0}, smooth(0.5));
   expect_near(impulse, {3.375, 0, 0});
   EXPECT_NEAR(after(b, impulse).velocity.x() - after(a, -impulse).velocity.x(), 1.5, 1e-12);
 }
@@ -67,7 +72,7 @@ ContactBody turning_b() {
 // Points: a (1, 0, 0) + (0, 0, 2) × r = (0.4, 1, 0); b (−1, 0, ½) + (0, 1, 0) × r = (−0.9, 0, 1). Approach 1.3.
 TEST(CollisionImpulse, OffCentreCollisionOfTwoTurningBodies) {
   const ContactBody a = turning_a(), b = turning_b();
-  const Vec3 impulse = collision_impulse(a, b, {1, 0, 0}, smooth(0.2));
+  const Vec3 impulse = impulse_of(a, b, {1, 0, 0}, smooth(0.2));
   expect_near(impulse, {1.2 * 1.3 / 1.855, 0, 0});
   const Vec3 parting = velocity_of_point(after(b, impulse)) - velocity_of_point(after(a, -impulse));
   EXPECT_NEAR(parting.x(), 0.2 * 1.3, 1e-12) << "ε times the approach";
@@ -75,7 +80,7 @@ TEST(CollisionImpulse, OffCentreCollisionOfTwoTurningBodies) {
 
 // With B fixed, 1/mB and its rotation drop out: 1/2 + 0.225, approach 0.4 against n = x.
 TEST(CollisionImpulse, CollisionWithAFixedBody) {
-  const Vec3 impulse = collision_impulse(turning_a(), ContactBody{}, {1, 0, 0}, smooth(0.2));
+  const Vec3 impulse = impulse_of(turning_a(), ContactBody{}, {1, 0, 0}, smooth(0.2));
   expect_near(impulse, {1.2 * 0.4 / 0.725, 0, 0});
 }
 
@@ -86,7 +91,7 @@ TEST(CollisionImpulse, InertiaTurnsWithTheBody) {
   a.r = {0, 0, 0.6};
   a.inverse_inertia = {1 / 0.3, 1 / 0.2, 1 / 0.4};
   a.axes = axes_of(sim::normalised(turn({0, 0, 1}, 0, 1)));
-  const Vec3 impulse = collision_impulse(a, ContactBody{}, {0, -1, 0}, smooth(0));
+  const Vec3 impulse = impulse_of(a, ContactBody{}, {0, -1, 0}, smooth(0));
   expect_near(impulse, {0, -1 / (0.5 + 0.36 / 0.2), 0});
   expect_near(spin_gain_of(a, {0, 1, 0}), {-0.6 / 0.2, 0, 0});
 }
@@ -106,7 +111,7 @@ TEST(CollisionImpulse, RestitutionWithFrictionGainsNoEnergy) {
     cube.inverse_inertia = {6, 6, 6};
     cube.spin = {random.uniform(-5, 5), random.uniform(-5, 5), random.uniform(-5, 5)};
     cube.r = {random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), -0.5};
-    const Vec3 impulse = collision_impulse(ContactBody{}, cube, {0, 0, 1}, {0.8, 0.8, 1, 0.01});
+    const Vec3 impulse = impulse_of(ContactBody{}, cube, {0, 0, 1}, {0.8, 0.8, 1, 0.01});
     const double before = kinetic_energy(cube), gain = kinetic_energy(after(cube, impulse)) - before;
     EXPECT_LT(gain, 1e-12 * before) << "trial " << k;
     shortened += impulse.squaredNorm() > 0 && gain > -1e-12 * before ? 1 : 0;
@@ -117,7 +122,7 @@ TEST(CollisionImpulse, RestitutionWithFrictionGainsNoEnergy) {
 TEST(CollisionImpulse, PartingBodiesGetNone) {
   for (const double speed : {0.0, 0.1, 5.0}) {
     const Vec3 impulse =
-        collision_impulse(point_mass(1, {0, 3, 0}), point_mass(1, {speed, 0, 0}), {1, 0, 0}, {0.5, 0.5, 1, 0.01});
+        impulse_of(point_mass(1, {0, 3, 0}), point_mass(1, {speed, 0, 0}), {1, 0, 0}, {0.5, 0.5, 1, 0.01});
     EXPECT_EQ(impulse, Vec3(0, 0, 0)) << speed;
   }
 }
@@ -126,7 +131,7 @@ TEST(CollisionImpulse, PartingBodiesGetNone) {
 TEST(Friction, SlidingIsBoundByTheDynamicCoefficient) {
   const ContactBody a = point_mass(1e300, {0, 0, 0});
   const ContactBody b = point_mass(1, {-1, 3, 0});
-  expect_near(collision_impulse(a, b, {1, 0, 0}, {0.5, 0.3, 0, 0.01}), {1, -0.3, 0});
+  expect_near(impulse_of(a, b, {1, 0, 0}, {0.5, 0.3, 0, 0.01}), {1, -0.3, 0});
 }
 
 // Below slip_speed the static coefficient bounds, at it the dynamic one. Approach 0.001, so the bounds are 5e-4 and
@@ -135,14 +140,58 @@ TEST(Friction, SlowSlipIsBoundByTheStaticCoefficient) {
   const ContactBody a = point_mass(1e300, {0, 0, 0});
   const PairMaterial material = {0.5, 0.3, 0, 0.01};
   const ContactBody slow = point_mass(1, {-0.001, 0.00999, 0}), quick = point_mass(1, {-0.001, 0.01, 0});
-  expect_near(collision_impulse(a, slow, {1, 0, 0}, material), {0.001, -0.0005, 0});
-  expect_near(collision_impulse(a, quick, {1, 0, 0}, material), {0.001, -0.0003, 0});
+  expect_near(impulse_of(a, slow, {1, 0, 0}, material), {0.001, -0.0005, 0});
+  expect_near(impulse_of(a, quick, {1, 0, 0}, material), {0.001, -0.0003, 0});
+}
+
+// 1 kg on a slope, put there at rest: 0.03 m/s of slip and 0.05 m/s of approach are what gravity has added in this
+// sub-step. Friction 0.7 holds the slip, although it is above slip_speed; 0.5 does not, so the dynamic coefficient
+// counts from the first sub-step on.
+TEST(Friction, StaticFrictionIsJudgedBeforeGravity) {
+  ContactBody resting = point_mass(1, {-0.05, 0.03, 0});
+  resting.gained = resting.velocity;
+  expect_near(impulse_of({}, resting, {1, 0, 0}, {0.7, 0.2, 0, 0.01}), {0.05, -0.03, 0});
+  expect_near(impulse_of({}, resting, {1, 0, 0}, {0.5, 0.2, 0, 0.01}), {0.05, -0.01, 0});
+  ContactBody sliding = resting;
+  sliding.velocity.y() = 0.08;
+  expect_near(impulse_of({}, sliding, {1, 0, 0}, {0.7, 0.2, 0, 0.01}), {0.05, -0.01, 0});
+}
+
+// At rest restitution adds to the impulse and III.E takes it back: it must not press. 0.5 · 0.05 bounds, not 0.5 ·
+// 0.09.
+TEST(Friction, RestitutionDoesNotPressAtRest) {
+  ContactBody resting = point_mass(1, {-0.05, 1, 0});
+  resting.gained = {-0.05, 0, 0};
+  const std::vector<Vec3> patch = {{0, 1, 1}, {0, -1, 1}, {0, 1, -1}, {0, -1, -1}};
+  resting.inverse_inertia = {2, 2, 2};
+  expect_near(collide({}, resting, {1, 0, 0}, {0.5, 0.5, 0.8, 0.01}, patch).impulse, {0.09, -0.025, 0});
+}
+
+// A flat crate of 1 kg rubs at its bottom, 0.5 m below the centre: its corners share the load so that it does not tilt.
+// A crate that turns on the spot is braked by 0.4 · 0.1 N·s at the mean distance of the corners, √2 m.
+TEST(Friction, ARestingFaceNeitherTiltsNorTwists) {
+  ContactBody crate = point_mass(1, {1, 0, -0.1});
+  crate.gained = {0, 0, -0.1};
+  crate.inverse_inertia = {2, 2, 2};
+  crate.r = {0, 0, -0.5};
+  const std::vector<Vec3> patch = {{1, 1, 0}, {-1, 1, 0}, {1, -1, 0}, {-1, -1, 0}};
+  const sim::Collision slides = collide(crate, {}, {0, 0, -1}, {0.4, 0.4, 0, 0.01}, patch);
+  expect_near(slides.impulse, {0.04, 0, -0.1});
+  expect_near(slides.shift, {0.2, 0, 0}, 1e-10);
+  crate.r += slides.shift;
+  expect_near(spin_gain_of(crate, -slides.impulse, -slides.twist), {0, 0, 0}, 1e-10);
+  crate.r = {0, 0, -0.5};
+  crate.velocity = {0, 0, -0.1};
+  crate.spin = {0, 0, 3};
+  const sim::Collision turns = collide(crate, {}, {0, 0, -1}, {0.4, 0.4, 0, 0.01}, patch);
+  expect_near(turns.impulse, {0, 0, -0.1});
+  expect_near(turns.twist, {0, 0, 0.04 * std::sqrt(2.0)}, 1e-10);
 }
 
 // Slip of 0.1 m/s is stopped by 0.1 N·s, less than 0.5 · 1, and not turned round.
 TEST(Friction, StopsTheSlipAndNeverReversesIt) {
   const ContactBody a = point_mass(1e300, {0, 0, 0}), b = point_mass(1, {-1, 0.1, 0});
-  const Vec3 impulse = collision_impulse(a, b, {1, 0, 0}, {0.5, 0.5, 0, 0.01});
+  const Vec3 impulse = impulse_of(a, b, {1, 0, 0}, {0.5, 0.5, 0, 0.01});
   expect_near(impulse, {1, -0.1, 0});
   expect_near(after(b, impulse).velocity, {0, 0, 0});
 }
@@ -154,15 +203,14 @@ TEST(Friction, OffCentreFrictionStopsThePointAndTurnsTheBody) {
   ContactBody a = point_mass(1, {0.2, 0, -1});
   a.r = {0, 0, -0.5};
   a.inverse_inertia = {6, 6, 6};
-  const Vec3 impulse = collision_impulse(a, ContactBody{}, {0, 0, -1}, {0.5, 0.5, 0, 0.01});
+  const Vec3 impulse = impulse_of(a, ContactBody{}, {0, 0, -1}, {0.5, 0.5, 0, 0.01});
   expect_near(impulse, {0.08, 0, -1});
   expect_near(spin_gain_of(a, -impulse), {0, 0.24, 0});
   expect_near(velocity_of_point(after(a, -impulse)), {0, 0, 0});
 }
 
 TEST(Friction, WithoutNormalImpulseThereIsNone) {
-  const Vec3 impulse =
-      collision_impulse(point_mass(1, {0, 0, 0}), point_mass(1, {0, 4, 0}), {1, 0, 0}, {0.9, 0.9, 0, 0.01});
+  const Vec3 impulse = impulse_of(point_mass(1, {0, 0, 0}), point_mass(1, {0, 4, 0}), {1, 0, 0}, {0.9, 0.9, 0, 0.01});
   EXPECT_EQ(impulse, Vec3(0, 0, 0));
 }
 
@@ -183,7 +231,7 @@ TEST(Friction, LiesInTheConeAgainstTheSlip) {
     }
     const Vec3 n = vector(1).normalized();
     const PairMaterial material = {0.6, 0.35, random.uniform(0, 1), 0.5};
-    const Vec3 impulse = collision_impulse(a, b, n, material);
+    const Vec3 impulse = impulse_of(a, b, n, material);
     const Vec3 relative = velocity_of_point(b) - velocity_of_point(a);
     if (relative.dot(n) >= 0) continue;
     ++in_contact;

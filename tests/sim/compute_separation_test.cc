@@ -91,9 +91,9 @@ TEST(ComputeSeparation, SameDirectionTakesTheLarger) {
   }
 }
 
-// Fig. 9: what is perpendicular contributes, what is opposite is added: x 0.25 and 0.125 one way, 0.0625 the other,
-// z 0.5. In any order.
-TEST(ComputeSeparation, PerpendicularContributesAndOppositeIsAdded) {
+// Fig. 9 among walls: what is perpendicular contributes, what is opposite is shared out: x 0.25 and 0.125 one way and
+// 0.0625 the other, z 0.5. The sum of squares is least at (0.25 + 0.125 − 0.0625) / 3 along x. In any order.
+TEST(ComputeSeparation, PerpendicularContributesAndOppositeIsSharedOut) {
   std::vector<Overlap> overlaps = {{0, kGround, {-1, 0, 0}, 0.25},
                                    {0, kGround, {-1, 0, 0}, 0.125},
                                    {0, kGround, {1, 0, 0}, 0.0625},
@@ -101,39 +101,50 @@ TEST(ComputeSeparation, PerpendicularContributesAndOppositeIsAdded) {
   Random random(2);
   for (int trial = 0; trial < 10; ++trial) {
     shuffle(overlaps, random);
-    EXPECT_EQ(separated(masses({1}), overlaps).scratch().displacement[0], Vec3(0.25 - 0.0625, 0, 0.5));
+    expect_near(separated(masses({1}), overlaps).scratch().displacement[0], Vec3(0.3125 / 3, 0, 0.5));
   }
+}
+
+// As in the thesis, where bodies give way: 0.25 and 0.1875 one way are half of 0.5 and 0.375, and the opposite 0.0625
+// is added. The frozen body would share it out.
+TEST(ComputeSeparation, OppositeIsAddedWhereBodiesGiveWay) {
+  const std::vector<Overlap> overlaps = {
+      {0, 1, {0, 0, -1}, 0.5}, {0, 2, {0, 0, -1}, 0.375}, {0, 3, {0, 0, 1}, 0.125}, {0, 4, {-1, 0, 0}, 0.125}};
+  std::vector<BoxDef> boxes = masses({1, 1, 1, 1, 1});
+  expect_near(separated(boxes, overlaps).scratch().displacement[0], Vec3(0.0625, 0, 0.25 - 0.0625));
+  for (std::size_t k = 1; k < boxes.size(); ++k) boxes[k].frozen = true;
+  expect_near(separated(boxes, overlaps).scratch().displacement[0], Vec3(0.125, 0, (0.5 + 0.375 - 0.125) / 3));
 }
 
 // Lifted by 0.05 m under 10 m/s²: ½ J/kg. Falling at 2 m/s there are 2 J/kg of vertical energy; √3 m/s is left of it.
 TEST(PayForLift, TakesTheExactEnergyOutOfTheVerticalSpeed) {
-  const LiftCost cost = sim::pay_for_lift({3, -1, -2}, {0.1, 0.2, 0.05}, {0, 0, -10});
+  const LiftCost cost = sim::pay_for_lift({3, -1, -2}, {0.1, 0.2, 0.05}, {0, 0, -10}, {0, 0, 1});
   expect_near(cost.velocity, {3, -1, -std::sqrt(3.0)}, 1e-11);
   EXPECT_NEAR(cost.removed, 0.5, 1e-11);
-  const LiftCost rising = sim::pay_for_lift({3, -1, 2}, {0, 0, 0.05}, {0, 0, -10});
+  const LiftCost rising = sim::pay_for_lift({3, -1, 2}, {0, 0, 0.05}, {0, 0, -10}, {0, 0, 1});
   expect_near(rising.velocity, {3, -1, std::sqrt(3.0)}, 1e-11);
 }
 
 // 0.3 m cost 3 J/kg; there are only 2, and the horizontal 5 J/kg are not touched.
 TEST(PayForLift, TakesNoMoreThanThereIs) {
-  const LiftCost cost = sim::pay_for_lift({3, -1, -2}, {0, 0, 0.3}, {0, 0, -10});
+  const LiftCost cost = sim::pay_for_lift({3, -1, -2}, {0, 0, 0.3}, {0, 0, -10}, {0, 0, 1});
   EXPECT_EQ(cost.velocity, Vec3(3, -1, 0));
   EXPECT_NEAR(cost.removed, 2, 1e-11);
 }
 
 TEST(PayForLift, SidewaysAndDownwardsIsFree) {
   for (const Vec3& displacement : {Vec3(0.5, 0.5, 0), Vec3(0, 0, -0.5), Vec3(0, 0, 0)}) {
-    const LiftCost cost = sim::pay_for_lift({3, -1, -2}, displacement, {0, 0, -10});
+    const LiftCost cost = sim::pay_for_lift({3, -1, -2}, displacement, {0, 0, -10}, {0, 0, 1});
     EXPECT_EQ(cost.velocity, Vec3(3, -1, -2));
     EXPECT_EQ(cost.removed, 0);
   }
-  EXPECT_EQ(sim::pay_for_lift({3, -1, -2}, {0, 0, 1}, {0, 0, 0}).velocity, Vec3(3, -1, -2)) << "no gravity";
+  EXPECT_EQ(sim::pay_for_lift({3, -1, -2}, {0, 0, 1}, {0, 0, 0}, {0, 0, 1}).velocity, Vec3(3, -1, -2)) << "no gravity";
 }
 
 // Up is against gravity: (0.6, 0, 0.8) here. 0.05 m up it, at 2 m/s down it, with 5 m/s across: √3 of the 2 is left.
 TEST(PayForLift, VerticalIsAlongGravity) {
   const Vec3 up(0.6, 0, 0.8), across(0.8, 0, -0.6);
-  const LiftCost cost = sim::pay_for_lift(up * -2 + across * 5, up * 0.05 + across * 0.3, up * -10);
+  const LiftCost cost = sim::pay_for_lift(up * -2 + across * 5, up * 0.05 + across * 0.3, up * -10, up);
   expect_near(cost.velocity, up * -std::sqrt(3.0) + across * 5, 1e-11);
   EXPECT_NEAR(cost.removed, 0.5, 1e-11);
 }
@@ -167,16 +178,39 @@ TEST(ApplyOutcomes, AppliesGainsAndDisplacementToMovingBodiesOnly) {
   scratch.velocity_gain.assign(3, {1, 2, 3});
   scratch.spin_gain.assign(3, {4, 5, 6});
   scratch.displacement.assign(3, {0.5, 0.25, 0.125});
+  scratch.way_back.assign(3, {-0.25, 0, 0});
   scratch.touched = {1, 1, 1};
+  scratch.hit = {1, 1, 1};
   ASSERT_TRUE(test::run_phase(sim::apply_outcomes, world, 0).ok());
   const sim::Bodies& bodies = world.bodies();
-  EXPECT_EQ(bodies.position[0], Vec3(0.5, 0.25, 0.125));
+  EXPECT_EQ(bodies.position[0], Vec3(0.25, 0.25, 0.125)) << "displaced, less the way that friction takes back";
   EXPECT_EQ(bodies.position[1], Vec3(10, 0, 0));
   EXPECT_EQ(bodies.position[2], Vec3(20, 0, 0));
   EXPECT_EQ(bodies.velocity[0], Vec3(1, 2, 3));
   EXPECT_EQ(bodies.spin[0], Vec3(4, 5, 6));
   EXPECT_EQ(bodies.velocity[1], Vec3(1, 2, 3)) << "a frozen body is tried: update_freezing decides";
   EXPECT_EQ(bodies.velocity[2], Vec3(0, 0, 0));
+}
+
+// What rests pays for a lift out of its speed along the lift, so that a crate keeps the speed at which it slides down a
+// slope; what was hit pays out of its speed along gravity.
+TEST(ApplyOutcomes, SlidingPaysNothingForALiftOffTheSlope) {
+  for (const bool hit : {false, true}) {
+    SceneDef scene = empty_space();
+    scene.world.gravity = {6, 0, -8};
+    scene.boxes = {cube(1, {0, 0, 0})};
+    scene.boxes[0].velocity = {2, 0, 0};
+    World world = made(scene);
+    sim::Scratch& scratch = world.mutable_scratch();
+    for (sim::Vec3Column* column : {&scratch.velocity_gain, &scratch.spin_gain, &scratch.way_back}) {
+      column->assign(1, Vec3::Zero());
+    }
+    scratch.displacement.assign(1, {0, 0, 0.0625});
+    scratch.touched = {1};
+    scratch.hit = {hit ? std::uint8_t{1} : std::uint8_t{0}};
+    ASSERT_TRUE(test::run_phase(sim::apply_outcomes, world, 0).ok());
+    EXPECT_EQ(world.bodies().velocity[0] == Vec3(2, 0, 0), !hit);
+  }
 }
 
 }  // namespace

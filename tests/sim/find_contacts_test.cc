@@ -41,8 +41,9 @@ World in_the_ground(const BoxDef& body) {
 }
 
 // The collision of two boxes on given planes, or (planes = 0) on those that find_planes chooses.
-World colliding(const BoxDef& a, const BoxDef& b, AxisSet planes = 0) {
+World colliding(const BoxDef& a, const BoxDef& b, AxisSet planes = 0, const Vec3& gravity = {0, 0, 0}) {
   SceneDef scene = empty_space();
+  scene.world.gravity = gravity;
   scene.boxes = {a, b};
   World world = made(scene);
   EXPECT_TRUE(test::run_phase(sim::find_pairs, world, 0).ok());
@@ -186,6 +187,17 @@ TEST(FindContacts, CoincidentBoxesPartVertically) {
   EXPECT_NEAR(world.scratch().contacts.depth[0], 1.5, 1e-10);
   const World equal = colliding(cube(1, {0, 0, 5}), cube(2, {0, 0, 5}));
   EXPECT_EQ(equal.scratch().contacts.size(), 0U);
+}
+
+// "Vertically" is along gravity. Along (0.6, 0, 0.8) the cubes reach 0.7 · 2 and 0.7 · 1. Without gravity it is z.
+TEST(FindContacts, CoincidentBoxesPartAlongGravity) {
+  const BoxDef big = box(1, {2, 2, 2}, {0, 0, 5}), small = box(2, {1, 1, 1}, {0, 0, 5});
+  const World aslant = colliding(big, small, 0, Vec3(-0.6, 0, -0.8) * 10);
+  ASSERT_EQ(aslant.scratch().contacts.size(), 1U);
+  expect_near(aslant.scratch().contacts.normal[0], {0.6, 0, 0.8});
+  EXPECT_NEAR(aslant.scratch().contacts.depth[0], 1.4 + 0.7, 1e-10);
+  const World upwards = colliding(big, small, 0, {0, 0, 10});
+  EXPECT_EQ(upwards.scratch().contacts.normal[0], Vec3(0, 0, -1));
 }
 
 }  // namespace

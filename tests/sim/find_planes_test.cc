@@ -29,9 +29,12 @@ using sim::World;
 
 const double kHalfRoot = std::sqrt(0.5);
 
+const Vec3 kDown(0, 0, -10);
+
 // A world of two boxes that are a pair with these old planes, whether or not their AABBs overlap.
-World paired(const BoxDef& a, const BoxDef& b, AxisSet old) {
+World paired(const BoxDef& a, const BoxDef& b, AxisSet old, const Vec3& gravity = kDown) {
   SceneDef scene = empty_space();
+  scene.world.gravity = gravity;
   scene.boxes = {a, b};
   World world = made(scene);
   update_frames(world.mutable_state().bodies, world.mutable_scratch());
@@ -39,8 +42,8 @@ World paired(const BoxDef& a, const BoxDef& b, AxisSet old) {
   return world;
 }
 
-AxisSet plane_after(const BoxDef& a, const BoxDef& b, AxisSet old) {
-  World world = paired(a, b, old);
+AxisSet plane_after(const BoxDef& a, const BoxDef& b, AxisSet old, const Vec3& gravity = kDown) {
+  World world = paired(a, b, old, gravity);
   EXPECT_TRUE(test::run_phase(sim::find_planes, world, 0).ok());
   return world.state().pairs.planes[0];
 }
@@ -125,6 +128,17 @@ TEST(FindPlanes, OfEqualBoxesTheLowerOnesFacesComeFirst) {
     EXPECT_NE(found, 0);
     EXPECT_EQ(found & ~wanted, 0) << "height " << height;
   }
+}
+
+// Lower is along gravity, wherever gravity points; without gravity no box is lower, and both boxes' faces are searched.
+TEST(FindPlanes, LowerIsAlongGravity) {
+  const BoxDef a = cube(1, {0, 0, 0}), b = skew(2, {2, 1.5, 0.25});
+  EXPECT_EQ(plane_after(a, b, 0, {0, 0, 10}) & ~kFacesOfB, 0);
+  EXPECT_EQ(plane_after(a, b, 0, {-3, 0, 0}) & ~kFacesOfA, 0);
+  EXPECT_EQ(plane_after(a, b, 0, {0, 4, -10}) & ~kFacesOfB, 0) << "1.5 · 4 outweighs 0.25 · 10";
+  const BoxDef level = cube(2, {1.5, 0.25, 0.125});
+  EXPECT_EQ(plane_after(cube(1, {0, 0, 0}), level, 0), only(0));
+  EXPECT_EQ(plane_after(cube(1, {0, 0, 0}), level, 0, {0, 0, 0}), only(0) | only(3));
 }
 
 // "If there is a real collision and an old SP is present, the collision happens on that SP": overlaps 0.2 along x and

@@ -235,9 +235,9 @@ Result<Exit> record(const RecordCommand& options) {
   const Started recorder =
       options.from.empty() ? start_scene(options, *states, path) : start_from_log(options, *states, path, verdict);
   if (!recorder.ok()) return recorder.error();
-  std::vector<std::string> warnings;
-  if (options.from.empty()) warnings = replay::start_warnings((*recorder)->world().state());
-  for (const std::string& warning : warnings) {
+  std::vector<std::string> advice;
+  if (options.from.empty()) advice = replay::start_warnings((*recorder)->world().state(), (*recorder)->scene().inputs);
+  for (const std::string& warning : advice) {
     if (!options.quiet) std::cerr << "tumble record: warning: " << warning << '\n';
   }
   const std::unique_ptr<WorkerThreads> threads = worker_threads(options.threads.value_or(1));
@@ -245,7 +245,7 @@ Result<Exit> record(const RecordCommand& options) {
   const Result<Recorded> session = run_session(path, **recorder, options);
   if (!session.ok()) return session.error();
   if (options.json) {
-    print_as_json(path, (*recorder)->scene(), *session, warnings);
+    print_as_json(path, (*recorder)->scene(), *session, advice);
   } else if (!options.quiet) {
     print_text(path, (*recorder)->scene(), *session);
   }

@@ -70,24 +70,49 @@ top=1.35
   panel "(c) as recorded, $(awk -v z="$z" 'BEGIN { printf "%.0f", 1000 * (z - 0.2) }') mm: apart"
 } | gnuplot
 
-# Fig. 9: 250 and 150 mm in two blocks below, 120 mm in one at the side, 100 mm in one above.
-blocks=("-0.6 -0.5 1.1 1" "0.6 -0.6 1.1 1" "-1.08 0.4 1.0 0.5" "0.5 1.05 1.1 0.8")
-scene four 0.25 "${blocks[@]}"
-read -r x z <<<"$(place_of four)"
+# Fig. 9: slanted blocks of 0.8 m thickness and 2 m depth, deeper than the box, so that their faces are the planes. A row of
+# `slanted`: name, degrees of the face's normal from up towards x, depth (m), width (m).
+z0=0.25
+slanted='1 25 0.20 1.1
+2 -20 0.12 1.1
+3 95 0.10 0.8
+4 -94 0.04 0.8'
+# For a row: normal (nx, nz) and centre (x, z) of the block. Its face lies `depth` beyond the box's deepest corner (cx, cz).
+geometry='function row_of(  t) { t = $2 * atan2(0, -1) / 180; nx = sin(t); nz = cos(t)
+  cx = (nx > 0 ? -1 : 1) * w / 2; cz = z0 + (nz > 0 ? -1 : 1) * h0 / 2
+  x = cx + nx * ($3 - 0.4); z = cz + nz * ($3 - 0.4) }'
+over_rows() { # awk program for each row
+  awk -v w=$width -v h0=$height -v z0=$z0 "$geometry { row_of() } $1" <<<"$slanted"
+}
+slanted_scene() {
+  printf '%b' "$head_of_scene" >"$work/slanted.toml"
+  box 0 $z0 $width $height >>"$work/slanted.toml"
+  over_rows '{ printf "[[box]]\nposition = [%.12f, 0, %.12f]\nsize = [%s, 2, 0.8]\naxis = [0, 1, 0]\ndegrees = %s\nstatic = true\n",
+    x, z, $4, $2 }' >>"$work/slanted.toml"
+  "$tumble" record "$work/slanted.toml" -o "$work/slanted.tumble" --quiet
+}
+blocks() { # drawn as polygons
+  over_rows '{ a = $4 / 2; b = 0.4; printf "set object polygon from %f,%f to %f,%f to %f,%f to %f,%f to %f,%f", x + a * nz + b * nx, z - a * nx + b * nz,
+    x + a * nz - b * nx, z - a * nx - b * nz, x - a * nz - b * nx, z + a * nx - b * nz, x - a * nz + b * nx, z + a * nx + b * nz,
+    x + a * nz + b * nx, z - a * nx + b * nz; print " fc rgb \"#c9ced6\" fs solid border lc rgb \"#5f6670\"" }'
+}
+slanted_scene
+read -r x z <<<"$(place_of slanted)"
+left=$(awk -v w=$width -v h0=$height -v z0=$z0 -v dx="$x" -v dz="$(awk -v z="$z" -v z0=$z0 'BEGIN { print z - z0 }')" \
+  "$geometry { row_of(); d = 1000 * (\$3 - nx * dx - nz * dz); if (d > most) most = d } END { printf \"%.0f\", most }" <<<"$slanted")
 top=1.55
 {
   start "$out/fig09_separation_complex.png" 3 370
-  statics "${blocks[@]}"; before 0.25
-  note -0.6 -0.35 '1: 250 mm up'; note 0.6 -0.35 '2: 150 mm up'; note -1.12 0.4 '3: 120 mm'; note 0.5 1.05 '4: 100 mm'
+  blocks; before $z0
+  over_rows '{ printf "set label at %f,%f center \"%s: %d mm\" tc rgb \"#202020\" front\n", x, z, $1, 1000 * $3 }'
   panel '(a) what each asks for'
-  # Three times as long as they are: the longer one up, the one down, the one sideways; then what comes of them.
-  arrow -1.0 0 0 0.75 '#8a8f98'; arrow -0.6 0 0 0.45 '#c0c4ca'; arrow -0.2 0.75 0 -0.30 '#8a8f98'; arrow 0.1 0 0.36 0 '#8a8f98'
-  note -1.0 -0.15 '1'; note -0.6 -0.15 '2'; note -0.2 0.9 '4'; note 0.28 -0.15 '3'
-  arrow 0.9 0 "$(awk -v x="$x" 'BEGIN { print 3 * x }')" "$(awk -v z="$z" 'BEGIN { print 3 * (z - 0.25) }')" '#b35309'
-  note 1.05 -0.15 'recorded'
-  note 0 -0.6 "up max(250, 150) − 100, sideways 120"
-  panel '(b) merged, axis by axis'
-  statics "${blocks[@]}"; before 0.25; after "$x" "$z"
-  panel "(c) as recorded: $(awk -v x="$x" -v z="$z" 'BEGIN { printf "%.0f mm sideways, %.0f up", 1000 * x, 1000 * (z - 0.25) }')"
+  # Four times as long as they are, from one point; then what comes of them.
+  over_rows '{ printf "set arrow from -0.6,0.1 rto %f,%f lw 2.5 lc rgb \"#8a8f98\" front filled size 0.07,22\n", 4 * $3 * nx, 4 * $3 * nz
+    printf "set label at %f,%f center \"%s\" tc rgb \"#202020\" front\n", -0.6 + (4 * $3 + 0.12) * nx, 0.1 + (4 * $3 + 0.12) * nz, $1 }'
+  arrow 0.7 0.1 "$(awk -v x="$x" 'BEGIN { print 4 * x }')" "$(awk -v z="$z" -v z0=$z0 'BEGIN { print 4 * (z - z0) }')" '#b35309'
+  note 0.75 -0.1 'recorded'
+  panel '(b) merged: the least sum of squares'
+  blocks; before $z0; after "$x" "$z"
+  panel "(c) as recorded: at most $left mm are left"
 } | gnuplot
 ls -s --block-size=1 "$out"/fig0[89]*.png

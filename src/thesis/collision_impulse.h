@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+
+#include "src/world/phase_scratch.h"
+#include "tumble/sim/rotation.h"
+#include "tumble/sim/vec.h"
+
+namespace tumble::sim {
+
+/// One body of a contact; an immovable body has zeros.
+struct ContactBody {
+  Vec3 velocity = Vec3::Zero();  ///< m/s
+  Vec3 spin = Vec3::Zero();      ///< rad/s
+  double inverse_mass = 0;       ///< 1/kg
+  Vec3 inverse_inertia = Vec3::Zero();
+  Axes axes = axes_of(Quat{});
+  Vec3 r = Vec3::Zero();       ///< collision point from the centre of mass, m
+  Vec3 gained = Vec3::Zero();  ///< m/s, the part of `velocity` that gravity added in this sub-step
+};
+
+struct PairMaterial {
+  double friction = 0, friction_dynamic = 0, restitution = 0;
+  double slip_speed = 0;  ///< m/s
+};
+
+/// Equation 3.1 with friction. normal: unit, from a to b. patch: the corners that touch, from the collision point,
+/// or none.
+/// Friction is static while the slip that the points had before gravity acted is slower than slip_speed, or turns
+/// round, and what gravity adds in one sub-step can be held; else dynamic. It presses by equation 3.1 without what the
+/// restitution throws back of gravity's own gain.
+/// A face that rubs presses harder at the corners ahead of the friction: the collision point moves along the slip, as
+/// far as the patch reaches, to where friction and pressure together turn neither body against the other.
+Collision collide(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material,
+                  std::span<const Vec3> patch);
+
+/// The change of spin by an impulse at r and an angular impulse, rad/s.
+Vec3 spin_gain_of(const ContactBody& body, const Vec3& impulse, const Vec3& twist = Vec3::Zero());
+
+}  // namespace tumble::sim
