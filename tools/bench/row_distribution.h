@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "replay/format/body_states.h"
+#include "tumble/replay/body_states.h"
 #include "tumble/sim/scene.h"
 
 namespace tumble::tools {

@@ -1,6 +1,7 @@
-# shellcheck shell=bash
+#!/usr/bin/env bash
 # What figures.sh and figures_grid.sh share; sourced by both, from the root of the project.
 # Sets: tumble, peers, out (folder of the pictures), wanted (figures), work (temporary folder), size of the next pictures.
+set -euo pipefail
 tumble=$PWD/build/release/tools/tumble
 peers=$PWD/build/release/bench/peers
 out=${1:-docs/images}
