@@ -2,8 +2,8 @@
 # Makes the pictures of the comparison scene, after the thesis's Figs. 21 to 25, with Bullet's view where the thesis has Havok's.
 # Usage: tools/scripts/figures/figures_grid.sh [FOLDER [FIGURE...]]     FOLDER: docs/images unless said; FIGURE: 21 … 25 (all unless said)
 # Needs build/release/tools/tumble, build/release/bench/peers/tumble_peer_bullet (tools/setup.sh --with peers), ffmpeg and gnuplot.
-# 200 substeps of 1/300 s take Bullet some ten minutes; all figures take about forty. Fig. 25 is a measurement of this machine, so
-# it is made only where it is named.
+# All figures take about half an hour. Bullet's 200 substeps of 1/300 s take a quarter of an hour more, and are run only with
+# FIGURES_FINEST=1. Fig. 25 is a measurement of this machine, so it is made only where it is named.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
 # shellcheck source=tools/scripts/figures/figures_lib.sh
@@ -28,6 +28,13 @@ ours() { # name, dt, substeps, more: a session of method thesis
 bullets() { # name, dt, substeps: Bullet has none, so its steps are as long as one; a state each half second
   local n=$(($(steps_of "$2") * $3))
   record_by bullet "$1" $scene --set "world.dt=$(awk -v n=$n 'BEGIN { printf "%.17g", 1 / n }')" "${grid[@]}" --every $((n / 2))
+}
+has_bullet() { # dt, substeps
+  [[ $1 != "$fine" || $2 != 200 || -n ${FIGURES_FINEST-} || -f $work/bullet-20-fine-200.tumble ]]
+}
+blank() { # picture, words; in place of a session that was not run
+  ffmpeg -v error -y -f lavfi -i "color=white:size=$size" -frames:v 1 "$work/$1.png"
+  name "$1" "$2"
 }
 last() { # picture, session, words: the last state from above
   "$tumble" render "$work/$2.tumble" -o "$work/$1.png" --size "$size" "${view[@]}" >/dev/null
@@ -54,8 +61,12 @@ if is_wanted 22; then
   for length in fine coarse; do
     for n in 1 4 10 40 200; do
       ours 20-$length-$n ${!length} $n
-      bullets bullet-20-$length-$n ${!length} $n
       last 22-$length-$n 20-$length-$n "$n"
+      if ! has_bullet ${!length} $n; then
+        blank 22-bullet-$length-$n "$n, Bullet, not run"
+        continue
+      fi
+      bullets bullet-20-$length-$n ${!length} $n
       last 22-bullet-$length-$n bullet-20-$length-$n "$n, Bullet"
     done
     row 22-$length 22-$length-{1,4,10,40,200}
@@ -70,13 +81,15 @@ if is_wanted 23; then
   [[ -f $work/clock.tumble ]] || "$tumble" record tilted_grid -o "$work/clock.tumble" --quiet --set world.dt=$coarse --set world.substeps=1 --realtime
   ours 20-coarse-200 $coarse 200
   ours 20-fine-200 $fine 200
-  ours 20-finest 0.00033333333333333335 8 --states every:3000
-  bullets bullet-20-fine-200 $fine 200
+  ours 20-finest 0.00033333333333333335 8
+  finest=40
+  ! has_bullet $fine 200 || finest=200
+  bullets bullet-20-fine-$finest $fine $finest
   last 23a clock 'real time'
   last 23b 20-coarse-200 '1/30, 200'
   last 23c 20-fine-200 '1/300, 200'
   last 23d 20-finest '1/3000, 8'
-  last 23e bullet-20-fine-200 '1/300, 200, Bullet'
+  last 23e bullet-20-fine-$finest "1/300, $finest, Bullet"
   row 23 23{a,b,c,d,e}
   publish 23 fig23_real_time
 fi
@@ -106,9 +119,6 @@ if is_wanted 24; then
   publish 24 fig24_numbers_of_cubes
 fi
 if is_named 25; then
-  for method in thesis layered; do
-    "$tumble" bench scaling --method $method --plot "$work/25-$method.png" >/dev/null
-  done
-  ffmpeg -v error -y -i "$work/25-thesis.png" -i "$work/25-layered.png" -filter_complex hstack "$work/25.png"
-  publish 25 fig25_growth
+  "$tumble" bench scaling --method thesis --plot "$work/25.png" >/dev/null
+  publish 25 fig25_growth_thesis
 fi

@@ -27,7 +27,7 @@ record_by() { # engine, name, scene file, arguments: the scene through the progr
 draw() { # picture, session, step, arguments
   "$tumble" render "$work/$2.tumble" --step "$3" -o "$work/$1.png" --size "$size" "${@:4}" >/dev/null
 }
-name() { # picture, its words, in the upper left corner
+name() { # picture, its words without a colon, in the upper left corner
   ffmpeg -v error -y -i "$work/$1.png" -vf "drawtext=font=DejaVu Sans:text='$2':x=8:y=8:fontsize=15:fontcolor=black:box=1:boxcolor=white@0.7:boxborderw=4" \
     "$work/$1-named.png"
   mv "$work/$1-named.png" "$work/$1.png"
