@@ -17,7 +17,7 @@ steps_of() { [[ $1 == "$fine" ]] && echo 300 || echo 30; } # dt: steps a second
 # The whole field of n × n cubes from above, also the rows that roll farthest.
 view_of() { # n: sets view
   local span=$((75 * $1 / 20)) middle=$((31 * $1 / 20))
-  ((span < 150)) || span=$((span * 2 / 3)) middle=$((middle * 2 / 3)) # larger fields do not spread in proportion within 5 s
+  ((span < 200)) || span=$((span * 2 / 3)) middle=$((middle * 2 / 3)) # larger fields do not spread in proportion within 5 s
   view=(--camera "position=0,$middle,$((2 * span))" --camera "target=0,$middle,0" --camera fov=28 --effects -dof,-motion,-shadow,-specular --samples 3)
 }
 grid=() # of the next sessions: sizes of the field
