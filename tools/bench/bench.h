@@ -16,9 +16,9 @@ namespace tumble::tools {
 struct BenchOptions {
   std::string what;
   std::optional<std::uint64_t> repeat;  ///< runs of which the median counts
-  std::optional<double> budget;         ///< s of CPU; runs beyond it are left out and estimated
-  std::vector<std::string> scenes;      ///< peers: only scenes whose name begins so; memory: these
-  std::vector<std::string> engines;     ///< peers: only these, besides ours
+  std::optional<double> budget;         ///< s of CPU, table1, accuracy: of each engine; runs beyond it are left out
+  std::vector<std::string> scenes;      ///< peers: only scenes whose name begins so; memory: these; accuracy: the grid
+  std::vector<std::string> engines;     ///< peers, accuracy: only these; table1: these besides ours
   bool large = false;                   ///< peers: the grids of 1600 cubes and more too
   std::string method;  ///< table1, scaling, memory; empty: table1 thesis, scaling layered, memory the scene's
   std::string plot;    ///< scaling: FILE.svg or FILE.png
@@ -28,6 +28,7 @@ struct BenchOptions {
 
 Result<Exit> bench_peers(const BenchOptions& options);
 Result<Exit> bench_table1(const BenchOptions& options);
+Result<Exit> bench_accuracy(const BenchOptions& options);
 Result<Exit> bench_scaling(const BenchOptions& options);
 Result<Exit> bench_memory(const BenchOptions& options);
 

@@ -3,15 +3,13 @@
 #include <cmath>
 #include <filesystem>
 #include <iostream>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "golden/suite/temporary_folder.h"
-#include "golden/suite/text_files.h"
 #include "replay/format/not_finite.h"
 #include "replay/measure/measure_log.h"
-#include "src/process/run_child.h"
 #include "tools/bench/bench.h"
+#include "tools/bench/peer_programs.h"
 #include "tumble/replay/log_reader.h"
 
 namespace tumble::tools {
@@ -56,40 +54,20 @@ std::vector<PeerScene> peer_scenes() {
   return scenes;
 }
 
-struct Peer {
-  std::string word;     ///< "bullet"
-  std::string program;  ///< path
-};
-
-std::vector<Peer> find_peers(const BenchOptions& options) {
-  std::vector<Peer> peers;
-  for (const char* word : {"tumble", "bullet", "ode", "mujoco"}) {
-    const bool wanted = options.engines.empty() || std::string(word) == "tumble" ||
-                        std::ranges::find(options.engines, word) != options.engines.end();
-    const std::string program = build_folder() + "/bench/peers/tumble_peer_" + word;
-    std::error_code error;
-    if (wanted && fs::exists(program, error)) peers.push_back({word, program});
+/// Ours with its default method first: the others' times are told in terms of it.
+std::vector<Peer> chosen_peers(const BenchOptions& options) {
+  std::vector<std::string> words = {"layered"};
+  for (const char* word : {"thesis", "bullet", "ode", "mujoco"}) {
+    if (options.engines.empty() || std::ranges::find(options.engines, word) != options.engines.end()) {
+      words.emplace_back(word);
+    }
   }
-  return peers;
-}
-
-/// Runs a program and reads the JSON that it prints. Errors (kCannotFinish): it failed; with its end and its message.
-Result<Json> run(std::vector<std::string> words, const fs::path& folder) {
-  process::Program task;
-  task.words = std::move(words);
-  task.out = (folder / "out.json").string();
-  task.err = (folder / "words.txt").string();
-  const Result<process::ChildEnd> end = process::run_child(task);
-  if (!end.ok()) return end.error();
-  const Result<std::string> text = golden::read_text(task.out), said = golden::read_text(task.err);
-  Json json = Json::parse(text.ok() ? *text : "", nullptr, false);
-  if (end->well() && !json.is_discarded()) return json;
-  return cannot_finish(end->text() + (said.ok() && !said->empty() ? ": " + *said : ""));
+  return built_peers(words);
 }
 
 /// The result of one engine in one scene.
 struct Score {
-  std::string engine;  ///< "Bullet 3.24"; as the program is called where it failed
+  std::string engine;  ///< "Bullet 3.24", "Tumble 0.1.0 thesis"; as the program is called where it failed
   std::string failure;
   std::vector<double> seconds;
   std::optional<replay::Metrics> metrics;
@@ -107,13 +85,14 @@ class SceneRun {
   /// One timed run. A failure is the engine's score in this scene.
   void time(const Peer& peer, Score& score) const {
     if (!score.failure.empty()) return;
-    const Result<Json> line = run(command(peer), folder_);
+    const Result<Json> line = run_for_json(command(peer), folder_);
     if (!line.ok()) {
       score.engine = peer.word;
       score.failure = line.error().message;
       return;
     }
     score.engine = (*line)["engine"];
+    if (peer.is_ours()) score.engine += ' ' + peer.word;
     score.seconds.push_back((*line)["cpu_s"]);
   }
 
@@ -125,7 +104,7 @@ class SceneRun {
       std::vector<std::string> words = command(peer);
       words.insert(words.end(), {"--every", std::to_string(every_), "--log", path});
       if (path == other) words.insert(words.end(), {"--shuffle", "1"});
-      if (const Result<Json> line = run(std::move(words), folder_); !line.ok()) return line.error();
+      if (const Result<Json> line = run_for_json(std::move(words), folder_); !line.ok()) return line.error();
     }
     Result<replay::LogReader> log = replay::LogReader::open(first);
     if (!log.ok()) return log.error();
@@ -149,9 +128,7 @@ class SceneRun {
 
  private:
   [[nodiscard]] std::vector<std::string> command(const Peer& peer) const {
-    std::vector<std::string> words = {peer.program, bench_scene_path(scene_.file)};
-    for (const std::string& change : scene_.overrides) words.insert(words.end(), {"--set", change});
-    return words;
+    return peer_command(peer, bench_scene_path(scene_.file), scene_.overrides);
   }
 
   const PeerScene& scene_;
@@ -217,8 +194,8 @@ bool chosen(const PeerScene& scene, const BenchOptions& options) {
 }  // namespace
 
 Result<Exit> bench_peers(const BenchOptions& options) {
-  const std::vector<Peer> peers = find_peers(options);
-  if (peers.empty() || peers.front().word != "tumble") {
+  const std::vector<Peer> peers = chosen_peers(options);
+  if (peers.empty() || peers.front().word != "layered") {
     return cannot_finish("found no program " + build_folder() +
                          "/bench/peers/tumble_peer_tumble; build everything first");
   }

@@ -1,5 +1,7 @@
 // tumble bench table1: the thesis's Table I with this program's method `thesis`, beside the thesis's and Havok's
-// columns.
+// columns, and beside other engines that take as many substeps as ours did.
+#include "tools/bench/table1.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -7,35 +9,22 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "golden/suite/temporary_folder.h"
 #include "replay/measure/measure.h"
 #include "tools/bench/bench.h"
-#include "tools/bench/thesis_table1.h"
+#include "tools/bench/peer_programs.h"
 #include "tumble/sim/step.h"
 #include "tumble/sim/world.h"
 
 namespace tumble::tools {
 namespace {
 
-constexpr double kCellBudget = 120;  // s
-
-/// One cell of the table, and its result here.
-struct Cell {
-  std::size_t half = 0, row = 0, column = 0;
-  double seconds = 0;
-  bool estimated = false;  ///< beyond the budget
-  double lateral = 0;      ///< m
-  std::optional<double> spread;
-  std::uint64_t lost = 0;
-
-  [[nodiscard]] double thesis() const { return *thesis_table1()[half].thesis[row][column].seconds; }
-};
-
-std::vector<Cell> all_cells() {
-  std::vector<Cell> cells;
+std::vector<Table1Cell> all_cells() {
+  std::vector<Table1Cell> cells;
   for (std::size_t half = 0; half < thesis_table1().size(); ++half) {
     for (std::size_t row = 0; row < kTableSubsteps.size(); ++row) {
       for (std::size_t column = 0; column < kTableCubes.size(); ++column) {
-        Cell cell;
+        Table1Cell cell;
         cell.half = half;
         cell.row = row;
         cell.column = column;
@@ -46,15 +35,14 @@ std::vector<Cell> all_cells() {
   return cells;
 }
 
-Result<sim::SceneDef> scene_of(const Cell& cell, const std::string& method) {
-  const int side = static_cast<int>(std::lround(std::sqrt(kTableCubes[cell.column])));
-  return bench_scene("tilted_grid", {"world.method=" + method, "world.dt=" + exact(thesis_table1()[cell.half].dt),
-                                     "world.substeps=" + std::to_string(kTableSubsteps[cell.row]),
-                                     "grid.rows=" + std::to_string(side), "grid.cols=" + std::to_string(side)});
+std::vector<std::string> overrides_of(const Table1Cell& cell, double dt_s, std::uint64_t substeps) {
+  const std::string side = std::to_string(std::lround(std::sqrt(cell.cubes())));
+  return {"world.dt=" + exact(dt_s), "world.substeps=" + std::to_string(substeps), "grid.rows=" + side,
+          "grid.cols=" + side};
 }
 
-/// Steps the scene; time is that of the steps alone, the figures are of the first and the last state.
-Status run(const sim::SceneDef& scene, Cell& cell) {
+/// Steps the scene; the time is that of the steps alone, the figures are of the first and the last state.
+Status run(const sim::SceneDef& scene, Table1Cell& cell) {
   Result<sim::World> world = sim::create_world(scene);
   if (!world.ok()) return world.error();
   const auto record = [&](const sim::StepCounters& counters) {
@@ -71,13 +59,18 @@ Status run(const sim::SceneDef& scene, Cell& cell) {
   replay::Measurer measurer(replay::header_for(scene), options);
   measurer.add(record({}));
   sim::StepCounters counters;
+  std::uint64_t substeps = 0;
+  cell.substeps_largest = 0;
   const double begin = cpu_seconds();
   for (std::uint64_t k = 1; k <= scene.steps; ++k) {
     const Result<sim::StepCounters> done = sim::step(*world);
     if (!done.ok()) return done.error();
     counters = *done;
+    substeps += counters.substeps;
+    cell.substeps_largest = std::max(cell.substeps_largest, counters.substeps);
   }
   cell.seconds = cpu_seconds() - begin;
+  cell.substeps_mean = static_cast<double>(substeps) / static_cast<double>(scene.steps);
   const replay::StepRecord last = record(counters);
   measurer.add(last);
   const Result<replay::Metrics> metrics = measurer.finish(last.states);
@@ -88,101 +81,107 @@ Status run(const sim::SceneDef& scene, Cell& cell) {
   return {};
 }
 
-std::string reference(const TableTime& time) {
-  if (!time.seconds) return "N/A";
-  return short_number(*time.seconds) + (time.failed ? " F" : "");
-}
+/// CPU seconds spent so far, and the rate of the last run: a run that would pass the budget is left out.
+struct Spent {
+  double seconds = 0;
+  std::optional<double> rate;  ///< s for a unit of work
 
-void print(const std::vector<Cell>& cells) {
-  for (std::size_t half = 0; half < thesis_table1().size(); ++half) {
-    const TableHalf& table1 = thesis_table1()[half];
-    std::cout << "\nconstant time " << table1.name << " s; seconds of computation for 5 s\n";
-    Table table({">cubes", ">substeps", ">here", ">thesis", ">thesis / here", ">Havok", ">Havok / here", ">lateral",
-                 ">column spread"});
-    for (const Cell& cell : cells) {
-      if (cell.half != half) continue;
-      const TableTime& havok = table1.havok[cell.row][cell.column];
-      const std::string mark = cell.estimated ? "~" : "";
-      table.add({std::to_string(kTableCubes[cell.column]), std::to_string(kTableSubsteps[cell.row]),
-                 mark + short_number(cell.seconds) + (cell.lost > 0 ? " F" : ""), short_number(cell.thesis()),
-                 mark + short_number(cell.thesis() / cell.seconds), reference(havok),
-                 havok.seconds ? mark + short_number(*havok.seconds / cell.seconds) : "",
-                 cell.estimated ? "" : rounded(cell.lateral, "m"),
-                 cell.estimated || !cell.spread ? "" : rounded(*cell.spread, "m")});
+  [[nodiscard]] bool has_room(double work, const BenchOptions& options) const {
+    return !options.budget || !rate || seconds + work * *rate <= *options.budget;
+  }
+  void add(double taken, double work) {
+    seconds += taken;
+    rate = taken / work;
+  }
+};
+
+class Table1Run {
+ public:
+  Table1Run(const BenchOptions& options, sim::Method method, std::filesystem::path folder)
+      : options_(options),
+        method_(method),
+        folder_(std::move(folder)),
+        peers_(built_peers(options.engines)),
+        peers_spent_(peers_.size()) {}
+
+  /// Runs a cell and its peers in turn, if the budget allows each of them.
+  Status run_cell(Table1Cell& cell) {
+    for (const Peer& peer : peers_) cell.peers.push_back({peer.word, 0, std::nullopt});
+    if (!ours_[cell.half].has_room(cell.thesis(), options_)) return {};
+    const std::string method = method_ == sim::Method::kThesis ? "thesis" : "layered";
+    std::vector<std::string> overrides = overrides_of(cell, cell.dt(), static_cast<std::uint64_t>(cell.label()));
+    overrides.push_back("world.method=" + method);
+    const Result<sim::SceneDef> scene = bench_scene("tilted_grid", overrides);
+    if (!scene.ok()) return scene.error();
+    std::vector<double> runs;
+    std::vector<std::vector<double>> peer_runs(peers_.size());
+    for (std::uint64_t r = 0; r < options_.repeat.value_or(1); ++r) {
+      if (Status ok = run(*scene, cell); !ok.ok()) return ok;
+      runs.push_back(*cell.seconds);
+      for (Spent& half : ours_) half.seconds += *cell.seconds;
+      for (std::size_t k = 0; k < peers_.size(); ++k) run_peer(cell, k, peer_runs[k]);
     }
-    table.print();
+    cell.seconds = median(runs);
+    ours_[cell.half].rate = *cell.seconds / cell.thesis();
+    for (std::size_t k = 0; k < peers_.size(); ++k) {
+      if (!peer_runs[k].empty()) cell.peers[k].seconds = median(peer_runs[k]);
+    }
+    return {};
   }
-}
 
-Json to_json(const std::vector<Cell>& cells) {
-  Json out = Json::array();
-  for (const Cell& cell : cells) {
-    const TableTime& havok = thesis_table1()[cell.half].havok[cell.row][cell.column];
-    out.push_back({{"cubes", kTableCubes[cell.column]},
-                   {"substeps", kTableSubsteps[cell.row]},
-                   {"dt", thesis_table1()[cell.half].dt},
-                   {"cpu_s", cell.seconds},
-                   {"estimated", cell.estimated},
-                   {"thesis_s", cell.thesis()},
-                   {"ratio", cell.thesis() / cell.seconds},
-                   {"havok_s", havok.seconds ? Json(*havok.seconds) : Json(nullptr)},
-                   {"havok_failed", havok.failed},
-                   {"lost", cell.lost},
-                   {"lateral_max", cell.estimated ? Json(nullptr) : Json(cell.lateral)},
-                   {"column_spread", cell.spread ? Json(*cell.spread) : Json(nullptr)}});
+ private:
+  /// An engine that fails has no time.
+  void run_peer(Table1Cell& cell, std::size_t k, std::vector<double>& runs) {
+    PeerCell& out = cell.peers[k];
+    out.substeps = std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::lround(cell.substeps_mean)));
+    const double work = static_cast<double>(cell.cubes()) * static_cast<double>(out.substeps) / cell.dt();
+    if (!peers_spent_[k].has_room(work, options_)) return;
+    const bool takes_substeps = peers_[k].is_ours();
+    const double dt_s = takes_substeps ? cell.dt() : cell.dt() / static_cast<double>(out.substeps);
+    const Result<Json> done = run_for_json(peer_command(peers_[k], bench_scene_path("tilted_grid"),
+                                                        overrides_of(cell, dt_s, takes_substeps ? out.substeps : 1)),
+                                           folder_);
+    if (!done.ok()) return;
+    out.engine = (*done)["engine"];
+    if (takes_substeps) out.engine += ' ' + peers_[k].word;
+    runs.push_back((*done)["cpu_s"]);
+    peers_spent_[k].add(runs.back(), work);
   }
-  return out;
-}
+
+  const BenchOptions& options_;
+  sim::Method method_;
+  std::filesystem::path folder_;
+  std::vector<Peer> peers_;
+  std::vector<Spent> peers_spent_;
+  std::array<Spent, 2> ours_;  // of each half; both know all that was spent
+};
 
 }  // namespace
 
 Result<Exit> bench_table1(const BenchOptions& options) {
-  const std::string method = options.method.empty() ? "thesis" : options.method;
-  const double budget = options.budget.value_or(kCellBudget);
-  std::vector<Cell> cells = all_cells();
-  std::ranges::sort(cells, {}, &Cell::thesis);  // the cheap ones first, so that they say what the others will cost
-  double spent = 0;
-  std::map<std::size_t, double> share;  // of each half: the part of the thesis's time that the last cell took
-  for (Cell& cell : cells) {
-    // The first of each half runs whatever budget is left: the estimates of the others need it.
-    const auto known = share.find(cell.half);
-    const double expected = known == share.end() ? 0 : cell.thesis() * known->second;
-    cell.estimated = known != share.end() && spent + expected > budget;
-    cell.seconds = expected;
-    if (cell.estimated) continue;
-    std::vector<double> runs;
-    const Result<sim::SceneDef> scene = scene_of(cell, method);
-    if (!scene.ok()) return scene.error();
-    for (std::uint64_t r = 0; r < options.repeat.value_or(1); ++r) {
-      if (Status ok = run(*scene, cell); !ok.ok()) return ok.error();
-      runs.push_back(cell.seconds);
-      spent += cell.seconds;
-    }
-    cell.seconds = median(runs);
-    share[cell.half] = cell.seconds / cell.thesis();
+  const sim::Method method = options.method == "layered" ? sim::Method::kLayered : sim::Method::kThesis;
+  const golden::TemporaryFolder folder("tumble-bench");
+  if (folder.path().empty()) return cannot_finish("no temporary folder for the other engines");
+  std::vector<Table1Cell> cells = all_cells();
+  std::ranges::sort(cells, {}, &Table1Cell::thesis);  // the cheap ones first: a budget then covers as many as it can
+  Table1Run runs(options, method, folder.path());
+  for (Table1Cell& cell : cells) {
+    if (Status ok = runs.run_cell(cell); !ok.ok()) return ok.error();
   }
-  std::ranges::sort(cells, {}, [](const Cell& c) { return std::tuple(c.half, c.column, c.row); });
-  double log_sum = 0, least = INFINITY, left = 0;
-  std::size_t counted = 0;
-  for (const Cell& cell : cells) {
-    if (cell.estimated) left += cell.seconds;
-    if (cell.estimated) continue;
-    ++counted;
-    log_sum += std::log(cell.thesis() / cell.seconds);
-    least = std::min(least, cell.thesis() / cell.seconds);
+  // The first cell names the engines; each engine ran in the cheapest one at least.
+  for (Table1Cell& cell : cells) {
+    for (std::size_t k = 0; k < cell.peers.size(); ++k) cell.peers[k].engine = cells.front().peers[k].engine;
   }
-  const double mean = std::exp(log_sum / static_cast<double>(std::max<std::size_t>(counted, 1)));
-  const Json results = {{"bench", "table1"},    {"machine", machine_json()}, {"method", method},
-                        {"cells_run", counted}, {"estimated_rest_s", left},  {"ratio_geometric_mean", mean},
-                        {"ratio_least", least}, {"cells", to_json(cells)}};
+  std::ranges::sort(cells, {}, [](const Table1Cell& c) { return std::tuple(c.half, c.column, c.row); });
+  Json results = {{"bench", "table1"},
+                  {"machine", machine_json()},
+                  {"method", method == sim::Method::kThesis ? "thesis" : "layered"},
+                  {"repeat", options.repeat.value_or(1)}};
+  results.update(table1_json(cells, method));
   if (!options.json) {
-    std::cout << machine_text(results["machine"]) << "\nmethod " << method << "; ~ is an estimate, beyond --budget "
-              << short_number(budget) << " s; F: bodies were lost\n";
-    print(cells);
-    std::cout << "\n"
-              << counted << " of " << cells.size() << " cells run, the others would take about " << seconds_text(left)
-              << "; faster than the thesis's figures by " << short_number(mean) << " times in the geometric mean, by "
-              << short_number(least) << " times at least\n";
+    std::cout << machine_text(results["machine"]) << "\nmethod " << results["method"].get<std::string>()
+              << "; substeps: as labelled, the most that a step may take, the mean that it took; F: bodies were lost\n";
+    print_table1(cells, method);
   }
   if (Status ok = give_results(options, results); !ok.ok()) return ok.error();
   return Exit::kSame;

@@ -33,6 +33,7 @@ Result<Exit> bench(const BenchOptions& options) {
   }
   if (options.what == "peers") return bench_peers(options);
   if (options.what == "table1") return bench_table1(options);
+  if (options.what == "accuracy") return bench_accuracy(options);
   if (options.what == "scaling") return bench_scaling(options);
   if (options.what == "memory") return bench_memory(options);
   if (options.what == "phases") return bench_program("step_bench", {});
@@ -40,23 +41,28 @@ Result<Exit> bench(const BenchOptions& options) {
   if (options.what == "record") return bench_program("log_bench", {});
   if (options.what == "render") return bench_program("render_bench", {"brick_wall.tumble", "60", "640", "480", "1"});
   return bad_input("found " + in_quotes(options.what) +
-                   ", wanted peers, table1, scaling, memory, phases, threads, record or render");
+                   ", wanted peers, table1, accuracy, scaling, memory, phases, threads, record or render");
 }
 
 }  // namespace
 
 Action declare_bench(Arguments& arguments) {
   auto options = std::make_shared<BenchOptions>();
-  arguments.positional("WHAT", options->what, "peers, table1, scaling, memory, phases, threads, record or render")
+  arguments
+      .positional("WHAT", options->what, "peers, table1, accuracy, scaling, memory, phases, threads, record or render")
       .required();
   arguments.whole("--repeat", "N", options->repeat, 1, 1000, "Runs of which the median counts (peers: 5, others: 1)");
-  arguments.positive("--budget", "S", options->budget, 1e6,
-                     "table1, scaling: CPU seconds to spend; the rest is left out and estimated (120, 300)");
+  arguments.positive(
+      "--budget", "S", options->budget, 1e6,
+      "CPU seconds to spend; runs beyond it are left out. scaling: 300; table1, accuracy: of each engine (all runs)");
   arguments.option(
       "--scene", "NAME", options->scenes,
-      "peers: only scenes whose name begins so; memory: SCENE; threads: 6400, 25600, 102400, pile; may be repeated");
-  arguments.option("--engine", "NAME", options->engines,
-                   "peers: only bullet, ode or mujoco beside ours; may be repeated");
+      "peers: only scenes whose name begins so; memory: SCENE; accuracy: grid_N (grid_20); threads: 6400, 25600, "
+      "102400, pile; may be repeated");
+  arguments.option(
+      "--engine", "NAME", options->engines,
+      "peers: only thesis, bullet, ode or mujoco beside ours; table1: these beside ours; accuracy: only thesis, "
+      "layered, bullet or ode; may be repeated");
   arguments.flag("--large", options->large, "peers: also the grids of 1600 cubes and more");
   arguments.option("--method", "NAME", options->method,
                    "table1 (thesis), scaling (layered), memory (the scene's): another method");
@@ -65,8 +71,9 @@ Action declare_bench(Arguments& arguments) {
                    "Also write the results and the machine to this file, as JSON");
   arguments.json(options->json);
   arguments.footer(
-      "peers    our scenes through Bullet, ODE and MuJoCo, where they are installed, in turn with ours\n"
+      "peers    our scenes through both our methods, Bullet, ODE and MuJoCo, where they are installed, in turn\n"
       "table1   our times of the thesis's Table I beside its own and Havok's\n"
+      "accuracy the distance of the rows of cubes from each engine's converged solution\n"
       "scaling  the exponent of time over the number of bodies\n"
       "memory   the simulation's bytes by body and by contact\n"
       "phases, threads, record, render   the programs step_bench, thread_model, log_bench and render_bench (of "
@@ -74,7 +81,8 @@ Action declare_bench(Arguments& arguments) {
       "Times are CPU seconds of one thread. docs/performance.md explains the figures.\n\n"
       "Examples:\n"
       "  tumble bench peers --scene grid_20 --scene tower\n"
-      "  tumble bench table1 --budget 60\n"
+      "  tumble bench table1 --budget 60 --engine bullet\n"
+      "  tumble bench accuracy --engine thesis --save accuracy.json\n"
       "  tumble bench scaling --plot scaling.svg --save scaling.json");
   return [options] { return bench(*options); };
 }

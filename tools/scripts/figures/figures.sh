@@ -1,47 +1,12 @@
 #!/usr/bin/env bash
 # Makes the pictures of README.md and docs/thesis.md: records the sessions, draws them, puts them side by side.
 # Usage: tools/scripts/figures/figures.sh [FOLDER [FIGURE...]]     FOLDER: docs/images unless said; FIGURE: tower, 4, 5, 7, 8, … (all unless said)
-# Needs build/release/tools/tumble, ffmpeg and gnuplot. Figs. 8 and 9 are tools/scripts/figures/figures_drawn.sh's.
+# Needs build/release/tools/tumble, ffmpeg and gnuplot. Figs. 8 and 9 are tools/scripts/figures/figures_drawn.sh's, Figs. 21 to 25
+# tools/scripts/figures/figures_grid.sh's.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
-tumble=$PWD/build/release/tools/tumble
-out=${1:-docs/images}
-(($# == 0)) || shift
-wanted=" $* "
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-mkdir -p "$out"
-
-is_wanted() { [[ $wanted == "  " || $wanted == *" $1 "* ]]; }
-record() { # name, case or scene, arguments
-  [[ -f $work/$1.tumble ]] || "$tumble" record "$2" -o "$work/$1.tumble" --quiet "${@:3}"
-}
-draw() { # picture, session, step, arguments
-  "$tumble" render "$work/$2.tumble" --step "$3" -o "$work/$1.png" --size "$size" "${@:4}" >/dev/null
-}
-row() { # figure, pictures from left to right, scaled to one height
-  local inputs=() scaled='' joined='' k=0
-  for picture in "${@:2}"; do
-    inputs+=(-i "$work/$picture.png")
-    scaled+="[$k]scale=-2:${size#*x}:flags=neighbor[s$k];"
-    joined+="[s$k]"
-    k=$((k + 1))
-  done
-  ffmpeg -v error -y "${inputs[@]}" -filter_complex "$scaled${joined}hstack=$k" "$work/$1.png"
-}
-column() { # figure, rows from top to bottom
-  local inputs=() k=0
-  for picture in "${@:2}"; do
-    inputs+=(-i "$work/$picture.png")
-    k=$((k + 1))
-  done
-  ffmpeg -v error -y "${inputs[@]}" -filter_complex "vstack=$k" "$work/$1.png"
-}
-publish() { # picture, name: few enough bytes for a document, with 256 colours
-  ffmpeg -v error -y -i "$work/$1.png" -vf "split[a][b];[a]palettegen=max_colors=256[p];[b][p]paletteuse=dither=sierra2_4a" \
-    -compression_level 9 "$out/$2.png"
-  printf '%s  %s bytes\n' "$out/$2.png" "$(stat -c %s "$out/$2.png")"
-}
+# shellcheck source=tools/scripts/figures/figures_lib.sh
+source tools/scripts/figures/figures_lib.sh
 
 if is_wanted tower; then
   size=880x496
@@ -66,30 +31,50 @@ if is_wanted 4; then
   publish 4 fig04_bounding_boxes
 fi
 
-# Two crates that meet at one point, and at several that are merged into one.
-crate_scene() { # degrees about x of the falling crate
-  printf '[world]\nmethod = "thesis"\nsteps = 60\nsubsteps = 1\n[[box]]\nposition = [0, 0, 0.5]\n[[box]]\n'
-  printf 'position = [0.3, 0.2, 2.1]\naxis = [1, 0.4, 0]\ndegrees = %s\n' "$1"
-  printf '[camera]\nposition = [2.6, -5.5, 2.6]\ntarget = [0.1, 0, 1.0]\nfov = 29\nblur = 0\n[light]\nposition = [5, -6, 12]\n'
+# Fig. 5: a crate falls on a slab that reaches far beyond it. The box of larger volume has the plane: a thin slab is
+# smaller than the crate, though it is longer, and its corners behind the crate's plane are nowhere near the crate.
+slab_scene() { # thickness of the slab, m; its mass is that of a thick one
+  printf '[world]\nmethod = "thesis"\nsteps = 60\nsubsteps = 1\nground = false\n[[box]]\nsize = [7, 2, %s]\nstatic = true\n' "$1"
+  printf 'position = [0, 0, %s]\nmaterial = { texture = "concrete" }\n' "$(awk -v t="$1" 'BEGIN { print 1 - t / 2 }')"
+  printf '[[box]]\nposition = [2.2, 0, 2.1]\n[camera]\nposition = [2.2, -9.5, 4.2]\ntarget = [0.2, 0, 1.1]\nfov = 31\nblur = 0\n'
+  printf '[light]\nposition = [5, -6, 12]\n'
+}
+# Fig. 6: a crate that meets the ground with four corners, and one that meets it with two, one of them deeper.
+drop_scene() { # degrees
+  printf '[world]\nmethod = "thesis"\nsteps = 60\nsubsteps = 1\n[[box]]\nposition = [0, 0, 1.6]\naxis = [0.08, 1, 0]\ndegrees = %s\n' "$1"
+  printf '[camera]\nposition = [2.0, -4.2, 1.5]\ntarget = [0, 0, 0.45]\nfov = 30\nblur = 0\n[light]\nposition = [5, -6, 12]\n'
+}
+first_contact() { # session: the step before the first whose state has turned the velocity upwards or stopped it
+  "$tumble" dump "$work/$1.tumble" --steps 0:60 --body "$2" --csv |
+    awk -F, 'NR > 2 && $12 > -9.81 * ($1 - 0.5) / 60 { print $1; exit }'
 }
 if is_wanted 5; then
   size=400x300
-  crate_scene 38 >"$work/point.toml"
-  crate_scene 0 >"$work/flat.toml"
-  record point "$work/point.toml"
-  record flat "$work/flat.toml"
-  draw 5a point 18 --show contacts --effects -motion
-  draw 5b flat 24 --show contacts --effects -motion
-  row 5 5a 5b
+  slab_scene 0.06 >"$work/thin.toml"
+  slab_scene 0.5 >"$work/thick.toml"
+  drop_scene 0 >"$work/flat.toml"
+  drop_scene 12 >"$work/tilted.toml"
+  for scene in thin:2 thick:2 flat:1 tilted:1; do
+    record "${scene%:*}" "$work/${scene%:*}.toml"
+    draw "5-${scene%:*}" "${scene%:*}" "$(first_contact "${scene%:*}" "${scene#*:}")" --show contacts --effects -motion
+  done
+  name 5-thin '5 a'
+  name 5-thick '5 b'
+  name 5-flat '6 a'
+  name 5-tilted '6 b'
+  row 5x 5-thin 5-thick
+  row 5y 5-flat 5-tilted
+  column 5 5x 5y
   publish 5 fig05_06_collision_points
 fi
 if is_wanted 7; then
   size=400x300
+  wide=(--camera position=10,-44,22 --camera target=2.5,-3,0.5 --camera fov=33 --effects -dof,-motion)
   record with friction_with
   record without friction_without
-  draw 7a with 0
-  draw 7b without 240
-  draw 7c with 240
+  draw 7a with 0 "${wide[@]}"
+  draw 7b without 480 "${wide[@]}"
+  draw 7c with 480 "${wide[@]}"
   row 7 7a 7b 7c
   publish 7 fig07_friction
 fi
@@ -98,9 +83,9 @@ if is_wanted 8 || is_wanted 9; then
 fi
 if is_wanted 10; then
   size=400x300
-  record freeze freeze_and_wake
-  for k in 40 110 470; do draw 10-$k freeze $k --show freezing --effects -bloom; done
-  row 10 10-40 10-110 10-470
+  record again freeze_again
+  for k in 80 220 1440; do draw 10-$k again $k --show freezing --effects -bloom,-motion; done
+  row 10 10-80 10-220 10-1440
   publish 10 fig10_freezing
 fi
 if is_wanted 11; then
@@ -114,13 +99,28 @@ fi
 # What chapter IV adds, one effect after the other.
 close=(--set 'camera.position=[-5.5, -6.5, 2.6]' --set 'camera.target=[-9.0, 0.5, 1.2]' --set camera.focus=8.5
   --set 'light.position=[-14, -12, 5]' --set 'light.target=[-9, 0, 1]')
+# A light close to a wide slab: its vertices are far from the light. The slab has the same faint gloss all over.
+plain=-shadow,-bloom,-dof,-motion
 if is_wanted 12; then
   size=400x300
-  record close stacks "${close[@]}"
-  draw 12a close 300 --effects vertex,-shadow,-bloom,-dof,-motion
-  draw 12b close 300 --effects specular
+  {
+    printf '[world]\nmethod = "thesis"\nsteps = 1\n[material]\ntexture = "wood"\n[camera]\nposition = [1.6, -6.5, 2.4]\ntarget = [0, 0, 1.0]\nfov = 36\n'
+    printf '[light]\nposition = [-0.6, -1.5, 2.0]\ntarget = [0, 0, 1]\n[[box]]\nsize = [3.6, 0.5, 2.2]\nposition = [0, 0, 1.1]\n'
+    printf '[[box]]\nposition = [1.1, -1.6, 0.5]\naxis = [0, 0, 1]\ndegrees = 25\n'
+  } >"$work/slab.toml"
+  record slab "$work/slab.toml"
+  draw 12a slab 0 --effects "vertex,$plain,-specular"
+  draw 12b slab 0 --effects specular
   row 12 12a 12b
-  publish 12 fig12_13_shading_specular
+  publish 12 fig12_shading
+fi
+if is_wanted 13; then
+  size=400x300
+  record close stacks "${close[@]}"
+  draw 13a close 300 --effects "vertex,$plain"
+  draw 13b close 300 --effects specular
+  row 13 13a 13b
+  publish 13 fig13_specular_maps
 fi
 if is_wanted 14; then
   size=400x300
@@ -150,12 +150,18 @@ if is_wanted 17; then
   row 17 17a 17b 17c
   publish 17 fig17_depth_of_field
 fi
+# A plank that turns about its middle, a crate that flies, and one at rest.
 if is_wanted 18; then
   size=400x300
-  record motion brick_tower --set 'camera.position=[18, -22, 7]' --set 'camera.target=[0.5, -4, 2.6]' --set camera.focus=24
-  draw 18a motion 51 --effects -motion,-dof
-  draw 18b motion 51 --effects -dof --pass masks
-  draw 18c motion 51 --effects -dof
+  {
+    printf '[world]\nmethod = "thesis"\nsteps = 20\n[camera]\nposition = [0.4, -10, 2.6]\ntarget = [0.4, 0, 1.8]\nfov = 38\n'
+    printf '[light]\nposition = [-5, -8, 12]\n[[box]]\nposition = [-2.6, 0, 0.5]\n[[box]]\nsize = [3.6, 0.5, 0.5]\nposition = [-0.3, 0, 2.6]\n'
+    printf 'spin = [0, 3.0, 0]\nvelocity = [0, 0, 0.8]\n[[box]]\nposition = [3.0, 0, 1.9]\nvelocity = [3, 0, 1]\n'
+  } >"$work/turning.toml"
+  record turning "$work/turning.toml"
+  draw 18a turning 10 --effects -motion,-dof
+  draw 18b turning 10 --effects -dof --pass masks
+  draw 18c turning 10 --effects -dof
   row 18 18a 18b 18c
   publish 18 fig18_motion_blur
 fi
@@ -177,67 +183,23 @@ if is_wanted 19; then
 fi
 if is_wanted 20; then
   size=400x300
-  record round brick_tower
-  record cabin thin_long
   record wall brick_wall
-  record sizes size_ratio
-  row_of() { draw "20-$1a" "$1" "$2" && draw "20-$1b" "$1" "$3" && draw "20-$1c" "$1" "$4" && row "20-$1" "20-$1"{a,b,c}; }
-  row_of round 45 75 300
-  row_of cabin 30 60 240
-  row_of wall 42 80 300
-  row_of sizes 0 90 480
-  column 20 20-round 20-cabin 20-wall 20-sizes
+  record cabin thin_long
+  record round brick_tower
+  record sizes size_ratio --set 'camera.position=[30.0, -66.0, 24.0]' --set 'camera.target=[0.0, 0.0, 20.0]' --set camera.fov=38 --set camera.focus=75
+  row_of() { # letter, session, steps
+    draw "20-$2a" "$2" "$3" && draw "20-$2b" "$2" "$4" && draw "20-$2c" "$2" "$5" && name "20-$2a" "$1" && row "20-$2" "20-$2"{a,b,c}
+  }
+  row_of a wall 42 80 300
+  row_of b cabin 30 60 240
+  row_of c round 45 75 300
+  row_of d sizes 0 90 480
+  column 20 20-wall 20-cabin 20-round 20-sizes
   publish 20 fig20_scenarios
 fi
-
-from_above=(--set 'camera.position=[0, 14, 70]' --set 'camera.target=[0, 14, 0]' --set camera.fov=36 --set camera.blur=0
-  --set 'light.position=[40, -45, 60]' --set 'light.target=[0, 12, 0]')
-if is_wanted 21; then
-  size=600x400
-  record grid tilted_grid
-  record above tilted_grid "${from_above[@]}" --set 'camera.target=[0, 8, 0]' --set 'camera.position=[0, 8, 60]'
-  draw 21a above 0
-  draw 21b grid 0
-  row 21 21a 21b
-  publish 21 fig21_comparison_scene
-fi
-coarse=(--set world.dt=0.03333333333333333)
-if is_wanted 22; then
-  size=400x400
-  for n in 1 4 10; do
-    record above-$n tilted_grid "${from_above[@]}" "${coarse[@]}" --set world.substeps=$n
-    record fine-$n tilted_grid "${from_above[@]}" --set world.substeps=$n
-    draw 22-above-$n above-$n 150
-    draw 22-fine-$n fine-$n 1500
-  done
-  row 22a 22-above-{1,4,10}
-  row 22b 22-fine-{1,4,10}
-  column 22 22a 22b
-  publish 22 fig22_400_cubes_from_above
-fi
-if is_wanted 23; then
-  size=400x400
-  record clock tilted_grid "${from_above[@]}" "${coarse[@]}" --set world.substeps=1 --realtime
-  record substeps tilted_grid "${from_above[@]}" --set world.substeps=200
-  draw 23-clock clock 150
-  draw 23-substeps substeps 1500
-  row 23 23-clock 23-substeps
-  publish 23 fig23_real_time
-fi
-if is_wanted 24; then
-  size=400x400
-  for n in 40 60 80; do
-    many=(--set "grid.rows=$n" --set "grid.cols=$n" --set world.dt=0.03333333333333333)
-    record many-$n tilted_grid "${many[@]}" --set "camera.position=[0, $((n * 17 / 40)), $((n * 7 / 2))]" \
-      --set "camera.target=[0, $((n * 17 / 40)), 0]" --set camera.fov=22 --set camera.blur=0 \
-      --set "light.position=[$((2 * n)), $((-2 * n)), $((3 * n))]" --set "light.target=[0, $((n * 6 / 10)), 0]"
-    draw 24-$n many-$n 150 --samples 4
-  done
-  row 24a 24-40 24-60 24-80
-  record aslant tilted_grid "${many[@]}" --set 'camera.position=[38, -50, 30]' --set 'camera.target=[4, 18, 6]' \
-    --set camera.fov=38 --set camera.focus=65 --set 'light.position=[120, -120, 200]' --set 'light.target=[0, 45, 0]'
-  size=1200x400
-  draw 24b aslant 75 --samples 3
-  column 24 24a 24b
-  publish 24 fig24_numbers_of_cubes
-fi
+for n in 21 22 23 24 25; do
+  if is_wanted $n; then
+    tools/scripts/figures/figures_grid.sh "$out" ${wanted# }
+    break
+  fi
+done

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "tools/output/text.h"
+#include "tumble/sim/result.h"
+
+/// The programs of bench/peers: one engine each, behind one command line.
+namespace tumble::tools {
+
+/// One engine, and what its program is given besides a scene.
+struct Peer {
+  std::string word;                    ///< "layered" and "thesis" (ours), "bullet", "ode", "mujoco"
+  std::string program;                 ///< path
+  std::vector<std::string> overrides;  ///< of the scene: the method of ours
+
+  [[nodiscard]] bool is_ours() const { return word == "layered" || word == "thesis"; }
+};
+
+/// Those of `words` that are built, in the order of the words; the methods of ours share one program.
+std::vector<Peer> built_peers(const std::vector<std::string>& words);
+
+/// The command that runs a scene file through an engine.
+std::vector<std::string> peer_command(const Peer& peer, const std::string& scene_path,
+                                      const std::vector<std::string>& overrides);
+
+/// Runs a program and reads the JSON that it prints. Errors (kCannotFinish): it failed; with its end and its message.
+Result<Json> run_for_json(std::vector<std::string> words, const std::filesystem::path& folder);
+
+}  // namespace tumble::tools
