@@ -76,9 +76,9 @@ class PointsOfLane {
         lane_(lane),
         acceleration_(batch.acceleration.of[lane]) {}
 
-  // In a bounce leaves out the points that do not touch yet: by the time that they would, the body has left. Where the
-  // points that touch do not bounce, those that meet fast later in the substep bounce at once, where they are; one that
-  // does not meet waits for the next substep, since a push that stops it in part would be no bounce.
+  // In a bounce leaves out all points but those that meet fast now: the bodies wait, and others meet in a later substep,
+  // if they still do. Where no point bounces now, those that meet fast later in the substep bounce at once, where they
+  // are. One that meets later still is left out too, since a push that stops it in part would be no bounce.
   void separate_bounce(double substep_s) {
     const auto touches = [&](const PointBatch& point) { return point.separation.of[lane_] <= kMet; };
     const auto meets = [&](const PointBatch& point) {
@@ -87,8 +87,8 @@ class PointsOfLane {
     const bool now = std::ranges::any_of(points_, [&](const PointBatch& p) { return fast(p) && touches(p); });
     const bool later = !now && std::ranges::any_of(points_, [&](const PointBatch& p) { return fast(p) && meets(p); });
     for (PointBatch& point : points_) {
-      if (touches(point) || (later && fast(point) && meets(point))) {
-        if (fast(point)) meet_here(point);
+      if (fast(point) && (touches(point) || (later && meets(point)))) {
+        meet_here(point);
       } else if (now || later || fast(point)) {
         point.mass.of[lane_] = 0;
       }
