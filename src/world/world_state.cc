@@ -61,9 +61,9 @@ std::optional<BodyIndex> Bodies::find(BodyId wanted) const {
 std::uint32_t method_version(Method method) {
   switch (method) {
     case Method::kThesis:
-      return 3;
+      return 4;
     case Method::kLayered:
-      return 3;
+      return 4;
   }
   return 0;
 }

@@ -100,7 +100,7 @@ TEST(OlderLogs, OfVersion2OfTheMethodsReplayTheSameWhereNothingTurnsFast) {
 }
 
 TEST(OlderLogs, OfTodayReplayWithNothingToSay) {
-  for (const char* name : {"format_1.3_methods_3_thesis", "format_1.3_methods_3_layered"}) {
+  for (const char* name : {"format_1.3_methods_4_thesis", "format_1.3_methods_4_layered"}) {
     EXPECT_EQ(notes_of_same_replay(name), std::vector<std::string>()) << name;
   }
 }

@@ -61,8 +61,8 @@ TEST(EnergyLaw, ABoxThatBouncesFullyKeepsItsEnergyForAMinute) {
       most = std::max(most, energy_of(world) / start - 1);
       least = std::min(least, energy_of(world) / start - 1);
     }
-    EXPECT_LE(most, 1e-4) << "seed " << seed;
-    EXPECT_GE(least, -1e-3) << "seed " << seed;
+    EXPECT_LE(most, 1e-6) << "seed " << seed;
+    EXPECT_GE(least, -1e-6) << "seed " << seed;
   }
 }
 

@@ -157,6 +157,36 @@ void try_all(Method method, const std::vector<Field>& fields) {
 TEST(PhaseHashes, CoverWhatThePhasesOfTheThesisWrite) { try_all(Method::kThesis, thesis_fields()); }
 TEST(PhaseHashes, CoverWhatThePhasesOfMethodLayeredWrite) { try_all(Method::kLayered, layered_fields()); }
 
+// A cube that spins into the ground makes a fast pair with it.
+std::vector<Field> fast_fields() {
+  const auto fast = [](World& world) -> FastContacts& { return world.mutable_scratch().fast; };
+  std::vector<Field> fields = {
+      {"find_manifolds", "fast pairs", [=](World& w) { ++fast(w).pairs[0].first; }},
+      {"find_fast_contacts", "position", [](World& w) { bodies(w).position.z[0] += 1; }},
+      {"find_fast_contacts", "orientation", [](World& w) { bodies(w).orientation.z[0] += 1; }},
+      {"find_fast_contacts", "velocity", [](World& w) { bodies(w).velocity.z[0] += 1; }},
+      {"find_fast_contacts", "spin", [](World& w) { bodies(w).spin.x[0] += 1; }},
+      {"find_fast_contacts", "approach", [=](World& w) { lane(fast(w).batches.points[0].approach) += 1; }},
+      {"bounce_fast_contacts", "velocity", [](World& w) { body(w).velocity.z() += 1; }},
+      {"bounce_fast_contacts", "impulse", [=](World& w) { lane(fast(w).batches.points[0].impulse) += 1; }},
+  };
+  for (const char* phase : {"push_contacts", "integrate_positions", "relax_contacts"}) {
+    fields.push_back({phase, "impulse", [=](World& w) { lane(fast(w).batches.points[0].impulse) += 1; }});
+  }
+  return fields;
+}
+
+TEST(PhaseHashes, CoverWhatIsWrittenOfFastPairs) {
+  SceneDef scene = test::on_ground();
+  scene.world.method = Method::kLayered;
+  scene.boxes = {test::cube(1, {0, 0, 0.6})};
+  scene.boxes[0].spin = {20, 3, 1};
+  World world = test::made(scene);
+  Changer changer(fast_fields());
+  advance(world, &changer);
+  changer.expect_all_tried();
+}
+
 // Machines of the other byte order go field by field.
 TEST(PhaseHashes, RowsOfManifoldsAreTheirFields) {
   SceneDef scene = test::tower(3);

@@ -154,9 +154,12 @@ Status find_fast_contacts(WorldState& state, Scratch& scratch, double substep_s)
 void hash_find_fast_contacts(const WorldState& state, const Scratch& scratch, Hasher& hasher) {
   if (scratch.fast.none()) return;
   for (const FastBody& body : scratch.fast.bodies) {
-    for (const Vec3& v : {state.bodies.velocity[body.row], state.bodies.spin[body.row]}) {
+    const Bodies& bodies = state.bodies;
+    for (const Vec3& v : {bodies.position[body.row], bodies.velocity[body.row], bodies.spin[body.row]}) {
       hasher.add({v.x(), v.y(), v.z()});
     }
+    const Quat q = bodies.orientation[body.row];
+    hasher.add({q.w, q.x, q.y, q.z});
   }
   hash_batches(scratch.fast.batches, hasher);
 }

@@ -56,6 +56,7 @@ void hash_solution(const Scratch& scratch, Hasher& hasher) {
   const ContactBatches& all = scratch.contact_batches;
   add_parts<offsetof(ContactBatch, force1), offsetof(ContactBatch, split_a)>(all.batches, hasher);
   add_parts<offsetof(PointBatch, impulse), offsetof(PointBatch, mass)>(all.points, hasher);
+  if (!scratch.fast.none()) hash_batches(scratch.fast.batches, hasher);
 }
 
 void hash_moved(const Bodies& bodies, const Scratch& scratch, Hasher& hasher) {
@@ -63,6 +64,9 @@ void hash_moved(const Bodies& bodies, const Scratch& scratch, Hasher& hasher) {
   const bool all_even = same_bytes(inertia.x, inertia.y) && same_bytes(inertia.y, inertia.z);
   if (!all_even) hash_solver_bodies(scratch, hasher);
   add_parts<offsetof(PointBatch, separation), offsetof(PointBatch, impulse)>(scratch.contact_batches.points, hasher);
+  if (scratch.fast.none()) return;
+  hash_solver_bodies(scratch, hasher);
+  hash_batches(scratch.fast.batches, hasher);
 }
 
 }  // namespace tumble::sim
