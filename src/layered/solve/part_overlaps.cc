@@ -61,6 +61,8 @@ Status part_overlaps(WorldState& state, Scratch& scratch, double dt_s) {
   OverlapScratch& own = scratch.overlaps;
   const double deepest = deepest_overlap(all);
   own.any = deepest > 0;
+  own.points.reserve(all.points.capacity());  // so that the first overlap of a warm world allocates nothing
+  own.bodies.reserve(scratch.solver_bodies.capacity());
   if (!own.any) return {};
   start(scratch);
   ContactWork work = all_contacts(scratch, dt_s);
