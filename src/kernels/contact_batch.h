@@ -18,6 +18,9 @@ inline constexpr double kRestingSpeed = 0.1;
 /// Slower impacts do not bounce, m/s. A contact of a fast pair rests on nothing yet, so it may bounce at less.
 inline constexpr double kBounceMin = 0.5, kFastBounceMin = 1.5 * kRestingSpeed;
 
+/// m of overlap that is not removed; of a box thinner than 5 cm, this part of its smallest half extent.
+inline constexpr double kSlop = 0.0005, kSlopOfHalfExtent = 0.02;
+
 /// One number for each of eight manifolds.
 struct alignas(64) Lanes {
   double of[kLanes] = {};
@@ -52,6 +55,7 @@ struct ContactBatch {
   Lanes n[3], t1[3], t2[3], d[3], offset;
   Lanes impulse_max;  ///< N·s: points whose impulses add up to this have exact sums with impulse_magic
   Lanes friction, friction_dynamic, restitution;
+  Lanes slop;  ///< m of overlap that is not removed
   Lanes force1, force2, twist;
   Lanes split_a, split_b;  ///< manifolds of this layer that share the body's mass
   Lanes acceleration;      ///< m/s², of b against a along n, by gravity alone

@@ -7,7 +7,12 @@
 
 namespace tumble::sim {
 
-enum class Sweep : std::uint8_t { kPush, kRelax, kRestitution };
+/// kHold holds points as they are; kPush gives overlaps a speed that ends them; kPart does only that, without friction,
+/// for bodies at rest (part_overlaps); kRestitution makes points bounce.
+enum class Sweep : std::uint8_t { kPush, kHold, kPart, kRestitution };
+
+/// Of an overlap, removed in a substep.
+inline constexpr double kPushPart = 0.05;
 
 /// Doubles in a row of SolverBody, as the kernels read it.
 inline constexpr std::size_t kSolverBodyDoubles = 16;
@@ -28,6 +33,7 @@ struct ContactWork {
   double* outcomes = nullptr;  ///< rows of kOutcomeDoubles; lane l of batch k: 2 (k kLanes + l) for a, next for b
   const std::uint32_t* entries = nullptr;  ///< rows of outcomes, body by body
   double substep_s = 0;
+  double push_part = kPushPart;  ///< of an overlap, removed in that time
 };
 
 /// The arithmetic of the solver over batches of manifolds.

@@ -9,9 +9,7 @@ namespace {
 
 constexpr int kInner = 2;              // Jacobi passes over a manifold's points in one visit
 constexpr int kInnerRestitution = 12;  // one visit a step; an impulse that falls short loses energy
-constexpr double kPushPart = 0.05;     // of an overlap, removed in a substep
 constexpr double kSkin = 0.0001;       // m apart that counts as touching; see bias_of
-constexpr double kSlop = 0.0005;       // m of overlap that is not removed
 constexpr double kPushMax = 1;         // m/s
 
 // The sum of the points' normal impulses.
@@ -94,13 +92,14 @@ Wrench<V> solve_friction(const Manifolds<V>& m, const Motion<V>& motion, V press
 }
 
 // The normal velocity that a point should have, negated: added to the velocity that the impulse drives to zero. Between
-// kSkin apart and kSlop of overlap a point is held as it is. If separations were closed down to zero, a resting box
+// kSkin apart and the slop of overlap a point is held as it is. If separations were closed down to zero, a resting box
 // would rock: corners a nanometre apart carry nothing for a substep, and tall stacks sway apart.
 template <Sweep kSweep, class V>
-V bias_of(V separation, double h) {
+V bias_of(const ContactWork& work, V separation, V slop) {
+  const double h = work.substep_s;
   const V closing = separation / h, zero = V{};
-  if constexpr (kSweep == Sweep::kRelax) return separation > kSkin ? closing : zero;
-  const V push = larger(V{} - kPushMax, (kPushPart / h) * smaller(zero, separation + kSlop));
+  if constexpr (kSweep == Sweep::kHold) return separation > kSkin ? closing : zero;
+  const V push = larger(V{} - kPushMax, (work.push_part / h) * smaller(zero, separation + slop));
   return separation > kSkin ? closing : push;
 }
 
@@ -113,10 +112,10 @@ V rebound(const Manifolds<V>& m, V approach, V separation) {
 
 // The velocity that a point should have, negated; constant during the passes over the points.
 template <Sweep kSweep, class V>
-V unwanted_speed(const Manifolds<V>& m, const PointBatch& point, double h) {
+V unwanted_speed(const ContactWork& work, const Manifolds<V>& m, const PointBatch& point) {
   const V separation = m.get(point.separation);
   if constexpr (kSweep == Sweep::kRestitution) return -rebound(m, m.get(point.approach), separation);
-  return bias_of<kSweep>(separation, h);
+  return bias_of<kSweep>(work, separation, m.get(m.batch->slop));
 }
 
 template <Sweep kSweep, class V>
@@ -142,13 +141,13 @@ V part_of_bounce(const Manifolds<V>& m, V initial, V gained) {
 }
 
 template <Sweep kSweep, class V>
-Wrench<V> solve_normals(const Manifolds<V>& m, const Motion<V>& motion, V pressure, double h) {
+Wrench<V> solve_normals(const ContactWork& work, const Manifolds<V>& m, const Motion<V>& motion, V pressure) {
   V u = dot(motion.u, m.n), w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2);
   const V magic = m.get(m.batch->impulse_magic), impulse_max = m.get(m.batch->impulse_max), zero = V{};
   V r[6];
   for (int k = 0; k < 6; ++k) r[k] = m.get(m.batch->response[k]);
   V unwanted[kPointsMax], changes[kPointsMax];
-  for (unsigned k = 0; k < m.batch->count; ++k) unwanted[k] = unwanted_speed<kSweep>(m, m.points[k], h);
+  for (unsigned k = 0; k < m.batch->count; ++k) unwanted[k] = unwanted_speed<kSweep>(work, m, m.points[k]);
   const V u_before = u, w1_before = w1, w2_before = w2;
   V total_s = zero, total_sq = zero, total_sp = zero;
   constexpr int kPasses = kSweep == Sweep::kRestitution ? kInnerRestitution : kInner;
@@ -177,9 +176,9 @@ Wrench<V> solve_normals(const Manifolds<V>& m, const Motion<V>& motion, V pressu
     w1 += r[1] * sums.s + (r[3] * sums.sq + r[4] * sums.sp);
     w2 += -r[2] * sums.s + (-r[4] * sums.sq + r[5] * sums.sp);
   }
+  if constexpr (kSweep == Sweep::kPart) return normal_wrench(m, total_s, total_sq, total_sp);
   const V initial = u_before * total_s + (w1_before * total_sq - w2_before * total_sp);
-  const V gained =
-      0.5 * ((u - u_before) * total_s + ((w1 - w1_before) * total_sq - (w2 - w2_before) * total_sp));
+  const V gained = 0.5 * ((u - u_before) * total_s + ((w1 - w1_before) * total_sq - (w2 - w2_before) * total_sp));
   if constexpr (kSweep == Sweep::kRestitution) {
     const V part = part_of_bounce(m, initial, gained), e = m.get(m.batch->restitution);
     const V given = part * (initial + part * gained);
@@ -195,8 +194,8 @@ void solve_manifolds(const ContactWork& work, ContactBatch& batch, unsigned at) 
   const Manifolds<V> m(work, batch, at);
   Motion<V> motion = relative_motion(m);
   const V pressure = pressure_of(m);
-  if constexpr (kSweep == Sweep::kRestitution) {
-    write_outcomes(work, m, solve_normals<kSweep>(m, motion, pressure, work.substep_s));
+  if constexpr (kSweep == Sweep::kRestitution || kSweep == Sweep::kPart) {
+    write_outcomes(work, m, solve_normals<kSweep>(work, m, motion, pressure));
   } else {
     const Wrench<V> friction = solve_friction(m, motion, pressure);
     const V split_a = m.get(batch.split_a), split_b = m.get(batch.split_b);
@@ -206,7 +205,7 @@ void solve_manifolds(const ContactWork& work, ContactBatch& batch, unsigned at) 
     const Space<V> wb = spin_of(m.b, friction.torque) * split_b;
     motion.u = motion.u + ((vb - va) - cross(wa, m.d));
     motion.w = motion.w + (wb - wa);
-    const Wrench<V> normal = solve_normals<kSweep>(m, motion, pressure, work.substep_s);
+    const Wrench<V> normal = solve_normals<kSweep>(work, m, motion, pressure);
     write_outcomes(work, m, {friction.force + normal.force, friction.torque + normal.torque});
   }
 }
@@ -214,7 +213,8 @@ void solve_manifolds(const ContactWork& work, ContactBatch& batch, unsigned at) 
 template <class V>
 void solve(const ContactWork& work, ContactBatch& batch, unsigned at, Sweep sweep) {
   if (sweep == Sweep::kPush) return solve_manifolds<Sweep::kPush, V>(work, batch, at);
-  if (sweep == Sweep::kRelax) return solve_manifolds<Sweep::kRelax, V>(work, batch, at);
+  if (sweep == Sweep::kHold) return solve_manifolds<Sweep::kHold, V>(work, batch, at);
+  if (sweep == Sweep::kPart) return solve_manifolds<Sweep::kPart, V>(work, batch, at);
   if (batch.bounces) return solve_manifolds<Sweep::kRestitution, V>(work, batch, at);
   write_outcomes(work, Manifolds<V>(work, batch, at), Wrench<V>{});
 }

@@ -17,6 +17,7 @@
 #include "src/layered/solve/find_fast_contacts.h"
 #include "src/layered/solve/finish_motion.h"
 #include "src/layered/solve/integrate_positions.h"
+#include "src/layered/solve/part_overlaps.h"
 #include "src/layered/solve/prepare_manifolds.h"
 #include "src/layered/solve/push_contacts.h"
 #include "src/layered/solve/relax_contacts.h"
@@ -58,6 +59,7 @@ constexpr Phase kLayeredPhases[] = {
     {"assign_levels", assign_levels, hash_assign_levels},
     {"carry_weights", carry_weights, hash_carry_weights},
     {"prepare_manifolds", prepare_manifolds, hash_prepare_manifolds},
+    {"part_overlaps", part_overlaps, hash_part_overlaps},
     // --- in every substep ---
     {"find_fast_contacts", find_fast_contacts, hash_find_fast_contacts},
     {"apply_forces", apply_forces, hash_apply_forces},
@@ -70,7 +72,7 @@ constexpr Phase kLayeredPhases[] = {
     {"finish_motion", finish_motion, hash_finish_motion},
     {"update_sleeping", update_sleeping, hash_update_sleeping},
 };
-constexpr PhaseTable kLayered = {kLayeredPhases, 6, 12, 0};
+constexpr PhaseTable kLayered = {kLayeredPhases, 7, 13, 0};
 
 // floor(log2(substeps)): the number of times that a step may be halved.
 unsigned recursion_depth(const WorldDef& def) { return static_cast<unsigned>(std::bit_width(def.substeps)) - 1U; }

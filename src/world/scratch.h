@@ -143,16 +143,24 @@ struct Approach {
 /// Contacts of fast pairs: corners of one of the two bodies leave the tangents of their paths within the step, so
 /// contacts found at its start would hit what passes. They are found in every substep and make a layer of their own.
 struct FastContacts {
-  std::vector<ContactPair> pairs;    ///< ascending; written by find_manifolds
-  std::vector<FastBody> bodies;      ///< ascending; listed by prepare_manifolds
-  std::vector<std::uint32_t> place;  ///< by row, in `bodies`; only rows of `bodies` are written
-  std::vector<Approach> approaches;  ///< of the pairs, in this substep; written by find_fast_contacts
-  ManifoldList found;                ///< in this substep, ascending; written by find_fast_contacts
-  ContactMemory memory;              ///< of the last substep, or of the last step at first
-  ContactBatches batches;            ///< of one layer
+  std::vector<ContactPair> pairs;      ///< ascending; written by find_manifolds
+  std::vector<FastBody> bodies;        ///< ascending; listed by prepare_manifolds
+  std::vector<std::uint32_t> place;    ///< by row, in `bodies`; only rows of `bodies` are written
+  std::vector<Approach> approaches;    ///< of the pairs, in this substep; written by find_fast_contacts
+  ManifoldList found;                  ///< in this substep, ascending; written by find_fast_contacts
+  ContactMemory memory;                ///< of the last substep, or of the last step at first
+  ContactBatches batches;              ///< of one layer
   std::vector<std::uint32_t> members;  ///< of the layer
+  ContactMemory merged;              ///< memory of finish_motion
 
   [[nodiscard]] bool none() const { return pairs.empty(); }
+};
+
+/// Points and bodies as part_overlaps solves them: speeds that end overlaps within the step and then are forgotten.
+struct OverlapScratch {
+  bool any = false;                ///< whether anything parts in this step; the rest is old where nothing does
+  std::vector<PointBatch> points;  ///< as in contact_batches, with the impulses that part
+  std::vector<SolverBody> bodies;  ///< as solver_bodies, with the speeds of parting
 };
 
 /// Copies of the columns that the trial phases write; a rejected substep puts them back.
@@ -195,6 +203,7 @@ struct Scratch {
   std::vector<std::uint8_t> in_contact;    ///< moving bodies that have a manifold; written by prepare_manifolds
   std::vector<SolverBody> solver_bodies;   ///< written by prepare_manifolds and every sweep; last: ground
   ContactBatches contact_batches;
+  OverlapScratch overlaps;  ///< written by part_overlaps
   FastContacts fast;
   LaneWidth lanes = LaneWidth::kWidest;  ///< changes nothing but time
   Workers* workers = nullptr;            ///< changes nothing but time; not owned

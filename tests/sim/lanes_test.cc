@@ -115,7 +115,7 @@ void run_kernels(RandomContacts& contacts, LaneWidth width) {
   const auto apply = [&] { contact.apply_outcomes(contacts.work(), contacts.touched.data(), contacts.touched.size()); };
   contact.warm_start(contacts.work());
   apply();
-  for (const Sweep sweep : {Sweep::kPush, Sweep::kRelax, Sweep::kRestitution}) {
+  for (const Sweep sweep : {Sweep::kPush, Sweep::kHold, Sweep::kPart, Sweep::kRestitution}) {
     contact.solve(contacts.work(), sweep);
     apply();
   }

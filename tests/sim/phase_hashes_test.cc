@@ -60,6 +60,7 @@ std::vector<Field> layered_fields() {
       {"prepare_manifolds", "response", [](World& w) { lane(batch(w).response[5]) += 1; }},
       {"prepare_manifolds", "impulse", [](World& w) { lane(point(w).impulse) += 1; }},
       {"prepare_manifolds", "load", [](World& w) { lane(point(w).load) += 1; }},
+      {"prepare_manifolds", "slop", [](World& w) { lane(batch(w).slop) += 1; }},
       {"integrate_positions", "separation", [](World& w) { lane(point(w).separation) += 1; }},
       {"integrate_positions", "inverse_inertia", [](World& w) { body(w).inverse_inertia[5] += 1; }},
       {"integrate_positions", "orientation", [](World& w) { bodies(w).orientation.z[0] += 1; }},

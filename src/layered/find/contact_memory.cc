@@ -46,6 +46,17 @@ void remember(const Manifold& m, std::span<const ManifoldPoint> points, ContactM
   }
 }
 
+// Clears the columns and keeps their memory.
+void empty(ContactMemory& memory) {
+  memory.a.clear();
+  memory.b.clear();
+  memory.count.clear();
+  memory.friction.clear();
+  memory.twist.clear();
+  memory.feature.clear();
+  memory.impulse.clear();
+}
+
 }  // namespace
 
 void remember_contacts(std::span<const Manifold> manifolds, std::span<const ManifoldPoint> points, Workers* workers,
@@ -69,14 +80,15 @@ void remember_contacts(std::span<const Manifold> manifolds, std::span<const Mani
   });
 }
 
-void merge_contacts(ContactMemory& memory, const ContactMemory& added) {
-  ContactMemory merged;
+void merge_contacts(ContactMemory& memory, const ContactMemory& added, ContactMemory& buffer) {
+  ContactMemory& merged = buffer;
+  empty(merged);
   Cursor old{memory}, fresh{added};
   while (!old.done() || !fresh.done()) {
     const bool take_old = fresh.done() || (!old.done() && key_of(memory, old.at) <= key_of(added, fresh.at));
     (take_old ? old : fresh).move_to(merged);
   }
-  memory = std::move(merged);
+  std::swap(memory, merged);
 }
 
 }  // namespace tumble::sim

@@ -147,10 +147,14 @@ class Filling {
     const double lighter = std::min(mass_of(m.a), mass_of(m.b));
     batch.impulse_magic.of[lane] = VelocityGrid::kMagic * power_of_two(lighter);
     const bool a_falls = m.a != kGround && bodies_.moves(m.a), b_falls = bodies_.moves(m.b);
+    batch.slop.of[lane] = std::min(kSlop, kSlopOfHalfExtent * std::min(thickness_of(m.a), thickness_of(m.b)));
     batch.acceleration.of[lane] = a_falls == b_falls ? 0 : dot(gravity_, m.n) * (b_falls ? 1 : -1);
   }
   double mass_of(BodyIndex i) const {
     return i == kGround || !bodies_.moves(i) ? std::numeric_limits<double>::max() : bodies_.mass[i];
+  }
+  double thickness_of(BodyIndex i) const {
+    return i == kGround ? std::numeric_limits<double>::max() : Vec3(bodies_.half_extent[i]).minCoeff();
   }
 
   const Bodies& bodies_;

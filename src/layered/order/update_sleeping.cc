@@ -6,6 +6,15 @@
 namespace tumble::sim {
 namespace {
 
+// J/kg, of the motion that parts a body from others; as if all of its mass turned at the distance of a corner, which is
+// a bound.
+double parting(const Scratch& scratch, BodyIndex i) {
+  if (!scratch.overlaps.any) return 0;
+  const SolverBody& body = scratch.overlaps.bodies[i];
+  const Vec3& half = scratch.frames[i].half_extent;
+  return 0.5 * (dot(body.velocity, body.velocity) + dot(body.spin, body.spin) * dot(half, half));
+}
+
 Islands join_touching(WorldState& state, Scratch& scratch) {
   const Bodies& bodies = state.bodies;
   std::vector<std::uint8_t>& touching = scratch.sleeping.touching;
@@ -32,7 +41,8 @@ Status update_sleeping(WorldState& state, Scratch& scratch, double dt_s) {
   restless.assign(bodies.size(), 0);
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
     if (!bodies.moves(i)) continue;
-    const bool low = touching[i] != 0 && kinetic_energy(bodies, i) / bodies.mass[i] < def.freeze_energy;
+    const bool low = touching[i] != 0 && kinetic_energy(bodies, i) / bodies.mass[i] < def.freeze_energy &&
+                     parting(scratch, i) < def.freeze_energy;
     bodies.low_energy_time[i] = low ? bodies.low_energy_time[i] + dt_s : 0;
     if (bodies.low_energy_time[i] < def.freeze_time) restless[islands.of(i)] = 1;
   }

@@ -100,8 +100,8 @@ ContactWork part_of(const ContactWork& work, std::size_t begin, std::size_t end)
   return part;
 }
 
-ContactWork contacts_of_layer(Scratch& scratch, std::size_t layer, double substep_s) {
-  ContactWork work = all_contacts(scratch, substep_s);
+ContactWork contacts_of_layer(const Scratch& scratch, const ContactWork& all, std::size_t layer) {
+  ContactWork work = all;
   const std::uint32_t begin = scratch.contact_batches.layer_start[layer];
   work.batches += begin;
   work.count = scratch.contact_batches.layer_start[layer + 1] - begin;

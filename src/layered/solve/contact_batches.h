@@ -13,9 +13,9 @@ void mark_bounces(const ContactWork& work);
 void store_contacts(Scratch& scratch);
 void store_fast_contacts(Scratch& scratch);
 
-/// The data for the kernels: of one layer, of all layers, and of the batches [begin, end) of `work`.
-ContactWork contacts_of_layer(Scratch& scratch, std::size_t layer, double substep_s);
+/// The data for the kernels: of all layers, of one layer of `all`, and of the batches [begin, end) of `work`.
 ContactWork all_contacts(Scratch& scratch, double substep_s);
+ContactWork contacts_of_layer(const Scratch& scratch, const ContactWork& all, std::size_t layer);
 ContactWork fast_contacts(Scratch& scratch, double substep_s);
 ContactWork part_of(const ContactWork& work, std::size_t begin, std::size_t end);
 

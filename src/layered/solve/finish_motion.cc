@@ -19,9 +19,9 @@ void leave_contact(WorldState& state, Scratch& scratch, BodyIndex i, double dt_s
 
 // Adds the contacts of fast pairs, as the last substep left them, to those that the step found.
 void add_fast_contacts(Scratch& scratch, ContactMemory& memory) {
-  const FastContacts& fast = scratch.fast;
+  FastContacts& fast = scratch.fast;
   if (fast.none()) return;
-  merge_contacts(memory, fast.memory);
+  merge_contacts(memory, fast.memory, fast.merged);
   const auto points = static_cast<std::uint32_t>(scratch.manifold_points.size());
   for (const Manifold& m : fast.found.manifolds) {
     scratch.layered.push_back(static_cast<std::uint32_t>(scratch.manifolds.size()));

@@ -7,8 +7,8 @@
 
 namespace tumble::sim {
 
-/// The main sweeps of a substep: finds the impulses with which contacts hold or slide, and pushes overlaps apart a
-/// little.
+/// The main sweeps of a substep: finds the impulses with which contacts hold or slide, and pushes fast pairs that
+/// overlap apart a little. part_overlaps parts the others.
 /// Reads and writes: impulses in contact_batches; solver_bodies' velocity and spin
 /// Order:  sweeps go down and up the levels in turn
 Status push_contacts(WorldState& state, Scratch& scratch, double substep_s);

@@ -6,7 +6,7 @@
 namespace tumble::sim {
 
 Status relax_contacts(WorldState& /*state*/, Scratch& scratch, double substep_s) {
-  sweep_layers(scratch, Sweep::kRelax, Direction::kUp, substep_s);
+  sweep_layers(scratch, Sweep::kHold, Direction::kUp, substep_s);
   return {};
 }
 

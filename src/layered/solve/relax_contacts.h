@@ -7,7 +7,7 @@
 
 namespace tumble::sim {
 
-/// Sweeps without the push, after the positions have moved: removes the velocity that the push has added.
+/// Sweeps after the positions have moved, without the push of fast pairs: removes the velocity that it has added.
 /// Reads and writes: impulses in contact_batches; solver_bodies' velocity and spin
 /// Order:  sweeps go down and up the levels in turn
 Status relax_contacts(WorldState& state, Scratch& scratch, double substep_s);

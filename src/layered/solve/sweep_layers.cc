@@ -33,11 +33,12 @@ void solve_layer(const Scratch& scratch, const ContactKernels& kernels, const Co
 
 Direction opposite(Direction direction) { return direction == Direction::kUp ? Direction::kDown : Direction::kUp; }
 
-void sweep_once(Scratch& scratch, const SweepGroup& group, Sweep sweep, Direction direction, double substep_s) {
+// all: the contacts of all layers.
+void sweep_once(Scratch& scratch, const ContactWork& all, const SweepGroup& group, Sweep sweep, Direction direction) {
   const ContactKernels& contacts = kernels(scratch.lanes).contacts;
   for (std::uint32_t k = group.begin; k < group.end; ++k) {
     const std::uint32_t layer = direction == Direction::kUp ? k : group.end - 1 - (k - group.begin);
-    solve_layer(scratch, contacts, scratch.contact_batches, layer, contacts_of_layer(scratch, layer, substep_s),
+    solve_layer(scratch, contacts, scratch.contact_batches, layer, contacts_of_layer(scratch, all, layer),
                 [&](const ContactWork& work) { contacts.solve(work, sweep); });
   }
 }
@@ -47,14 +48,16 @@ void sweep_once(Scratch& scratch, const SweepGroup& group, Sweep sweep, Directio
 void warm_start_layers(Scratch& scratch, double substep_s) {
   const ContactKernels& contacts = kernels(scratch.lanes).contacts;
   for (std::size_t layer = 0; layer + 1 < scratch.layer_start.size(); ++layer) {
-    solve_layer(scratch, contacts, scratch.contact_batches, layer, contacts_of_layer(scratch, layer, substep_s),
-                contacts.warm_start);
+    solve_layer(scratch, contacts, scratch.contact_batches, layer,
+                contacts_of_layer(scratch, all_contacts(scratch, substep_s), layer), contacts.warm_start);
   }
   if (scratch.fast.none()) return;
   solve_layer(scratch, contacts, scratch.fast.batches, 0, fast_contacts(scratch, substep_s), contacts.warm_start);
 }
 
 void sweep_layers(Scratch& scratch, Sweep sweep, Direction first, double substep_s) {
+  const ContactWork all = all_contacts(scratch, substep_s);
+  const Sweep layered = sweep == Sweep::kPush ? Sweep::kHold : sweep;  // part_overlaps has pushed these
   int most = 0;
   for (const SweepGroup& group : scratch.sweep_groups) {
     most = std::max(most, sweep == Sweep::kRestitution ? 1 : group.sweeps);
@@ -62,10 +65,18 @@ void sweep_layers(Scratch& scratch, Sweep sweep, Direction first, double substep
   for (int k = 0; k < most; ++k) {
     for (const SweepGroup& group : scratch.sweep_groups) {
       if (k >= (sweep == Sweep::kRestitution ? 1 : group.sweeps)) continue;
-      sweep_once(scratch, group, sweep, k % 2 == 0 ? first : opposite(first), substep_s);
+      sweep_once(scratch, all, group, layered, k % 2 == 0 ? first : opposite(first));
     }
     if (sweep == Sweep::kRestitution) continue;
     for (int visit = 0; visit < kFastVisits; ++visit) solve_fast_layer(scratch, sweep, substep_s);
+  }
+}
+
+void sweep_overlaps(Scratch& scratch, const ContactWork& all, int more) {
+  for (const SweepGroup& group : scratch.sweep_groups) {
+    for (int k = 0; k < group.sweeps + more; ++k) {
+      sweep_once(scratch, all, group, Sweep::kPart, k % 2 == 0 ? Direction::kDown : Direction::kUp);
+    }
   }
 }
 

@@ -9,10 +9,15 @@ namespace tumble::sim {
 /// The direction of a sweep through the layers: kUp starts at the ground.
 enum class Direction { kUp, kDown };
 
-/// Solves all layers as often as their group says (once for restitution). The first sweep goes in direction `first`,
-/// the next in the opposite direction, and so on. The manifolds of a layer read the velocities from before the layer,
-/// and the layer adds up their outcomes as grid doubles, so the result does not depend on the order within a layer.
+/// Solves all layers (kPush: the layers hold, and fast pairs push) as often as their group says (once for restitution).
+/// The first sweep goes in direction `first`, the next in the opposite direction, and so on. The manifolds of a layer
+/// read the velocities from before the layer, and the layer adds up their outcomes as grid doubles, so the result does
+/// not depend on the order within a layer.
 void sweep_layers(Scratch& scratch, Sweep sweep, Direction first, double substep_s);
+
+/// Sweeps the contacts `all`, whose work names other points and bodies than those of the step, so that overlaps part:
+/// `more` times than the groups say.
+void sweep_overlaps(Scratch& scratch, const ContactWork& all, int more);
 
 /// Applies the impulses that the contacts already have.
 void warm_start_layers(Scratch& scratch, double substep_s);

@@ -1,0 +1,86 @@
+#include "src/layered/solve/part_overlaps.h"
+
+#include <algorithm>
+
+#include "src/kernels/kernels_by_width.h"
+#include "src/layered/solve/contact_batches.h"
+#include "src/layered/solve/solver_hashes.h"
+#include "src/layered/solve/sweep_layers.h"
+#include "src/math/grid.h"
+#include "src/math/half_turn.h"
+#include "src/world/body_check.h"
+
+namespace tumble::sim {
+namespace {
+
+constexpr double kPart = 1.0 / 3;       // of an overlap, removed in a step
+constexpr double kSweepDepth = 0.0005;  // m of overlap that is worth one more sweep
+constexpr double kSweepsMost = 20;
+
+// The deepest overlap beyond the slop, m; 0 if nothing overlaps.
+double deepest_overlap(const ContactBatches& all) {
+  double deepest = 0;
+  for (const ContactBatch& batch : all.batches) {
+    for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
+      const Lanes& separation = all.points[k].separation;
+      for (int lane = 0; lane < kLanes; ++lane) {
+        deepest = std::max(deepest, -(separation.of[lane] + batch.slop.of[lane]));
+      }
+    }
+  }
+  return deepest;
+}
+
+// Sweeps beyond those of a step that is warm: boxes that lie deep in each other from the start jam if few sweeps part
+// them.
+int more_sweeps(double deepest) { return 1 + static_cast<int>(std::min(kSweepsMost, deepest / kSweepDepth)); }
+
+// Points without an impulse, and bodies at rest.
+void start(Scratch& scratch) {
+  OverlapScratch& own = scratch.overlaps;
+  own.points = scratch.contact_batches.points;
+  for (PointBatch& point : own.points) point.impulse = point.peak = {};
+  own.bodies = scratch.solver_bodies;
+  for (SolverBody& body : own.bodies) body.velocity = body.spin = Vec3::Zero();
+}
+
+void move(Bodies& bodies, BodyIndex i, const SolverBody& parting, double dt_s) {
+  if (parting.velocity != Vec3::Zero()) {
+    const Vec3 path = PositionGrid::round_any(Vec3(parting.velocity * dt_s));
+    bodies.position.set(i, plus_zero(bodies.position[i] + path));
+  }
+  if (parting.spin != Vec3::Zero()) {
+    bodies.orientation.set(i, turned(bodies.orientation[i], parting.spin * (0.5 * dt_s)));
+  }
+}
+
+}  // namespace
+
+Status part_overlaps(WorldState& state, Scratch& scratch, double dt_s) {
+  ContactBatches& all = scratch.contact_batches;
+  OverlapScratch& own = scratch.overlaps;
+  const double deepest = deepest_overlap(all);
+  own.any = deepest > 0;
+  own.points.reserve(all.points.capacity());  // so that the first overlap of a warm world allocates nothing
+  own.bodies.reserve(scratch.solver_bodies.capacity());
+  if (!own.any) return {};
+  start(scratch);
+  ContactWork work = all_contacts(scratch, dt_s);
+  work.points = own.points.data();
+  work.bodies = reinterpret_cast<double*>(own.bodies.data());
+  work.push_part = kPart;
+  sweep_overlaps(scratch, work, more_sweeps(deepest));
+  for (BodyIndex i = 0; i < state.bodies.size(); ++i) move(state.bodies, i, own.bodies[i], dt_s);
+  work.points = all.points.data();
+  kernels(scratch.lanes).contacts.move_on(work);
+  return {};
+}
+
+void hash_part_overlaps(const WorldState& state, const Scratch& scratch, Hasher& hasher) {
+  if (!scratch.overlaps.any) return;
+  hash_places(state.bodies, hasher);
+  hasher.add(doubles_of(scratch.overlaps.bodies));
+  hash_moved(state.bodies, scratch, hasher);
+}
+
+}  // namespace tumble::sim
