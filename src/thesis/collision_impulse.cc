@@ -128,8 +128,8 @@ struct Touch {
 class Tilting {
  public:
   // normals: the normal in the axes of the two bodies.
-  Tilting(const Touch& touch, const Turns& normals)
-      : a_(touch.a), b_(touch.b), t_(touch.tangent), u_(cross(touch.normal, t_)) {
+  Tilting(const Touch& touch, const Vec3& tangent, const Turns& normals)
+      : a_(touch.a), b_(touch.b), t_(tangent), u_(cross(touch.normal, t_)) {
     if (a_.inverse_mass != 0) t_of_.a = to_body(a_.axes, t_);
     if (b_.inverse_mass != 0) t_of_.b = to_body(b_.axes, t_);
     u_of_ = {cross(normals.a, t_of_.a), cross(normals.b, t_of_.b)};
@@ -206,21 +206,28 @@ Collision collision_at(const Touch& touch, const Meeting& m, const Vec3& shift, 
   return result;
 }
 
+// A collision whose corners share the load.
+struct SharedLoad {
+  Vec3 shift = Vec3::Zero();  // m, from the collision point to the middle of the load
+  Impulses impulses;
+};
+
 // The collision of bodies of which one rests on the other with three corners or more: the corners share the load so
 // that friction and pressure together leave no tilting. None where the pressure would have to act beyond the patch.
-std::optional<Collision> shared_collision(Touch touch, Meeting m) {
+std::optional<SharedLoad> share_load(const Touch& touch, Meeting m) {
   const ContactBody &a = touch.a, &b = touch.b;
   const Vec3& normal = touch.normal;
   const Vec3 spin = b.spin - a.spin;
+  Vec3 tangent = touch.tangent;
   if (m.slip == 0) {
     const Impulses found = impulses_of(m, touch.material);
     const Vec3 given = (spin_gain_of(a, normal) + spin_gain_of(b, normal)) * found.normal;
     const Vec3 tilt = along_plane(spin + given, normal);
     const double speed = length(tilt);
-    if (speed <= kSlipMin) return collision_at(touch, m, Vec3::Zero(), found);
-    touch.tangent = cross(tilt, normal) / speed;
+    if (speed <= kSlipMin) return SharedLoad{Vec3::Zero(), found};
+    tangent = cross(tilt, normal) / speed;
   }
-  const Tilting tilting(touch, m.normals);
+  const Tilting tilting(touch, tangent, m.normals);
   const InPlane by_normal = tilting.given_by(touch.by_normal);
   const InPlane end = tilting.ended_by(tilting.part_of(spin)), end_normal = tilting.ended_by(by_normal);
   InPlane end_friction;
@@ -238,7 +245,7 @@ std::optional<Collision> shared_collision(Touch touch, Meeting m) {
                           end.u + (end_normal.u * found.normal - end_friction.u * found.friction)};
   const Vec3 shift = tilting.shift_of(torque, found.normal);
   if (dot(shift, shift) > 0 && !reaches(touch.patch, shift, normal)) return std::nullopt;
-  return collision_at(touch, m, PositionGrid::round(shift), found);
+  return SharedLoad{PositionGrid::round(shift), found};
 }
 
 }  // namespace
@@ -285,7 +292,7 @@ Collision collide(const ContactBody& a, const ContactBody& b, const Vec3& normal
       shared.twist_yield = yield_of_rotation(a, b, shared.normals);
       shared.slow = m.slow && std::fabs(shared.twist) * shared.radius < material.slip_speed;
     }
-    if (auto collision = shared_collision(touch, shared)) return *collision;
+    if (const auto load = share_load(touch, shared)) return collision_at(touch, shared, load->shift, load->impulses);
   }
   return collision_at(touch, m, Vec3::Zero(), impulses_of(m, material));
 }

@@ -16,7 +16,6 @@ namespace {
 // One part of a body, as a collision meets it. gravity_gain: m/s in this sub-step, of a body that moves.
 ContactBody contact_body(const WorldState& state, const Scratch& scratch, BodyIndex i, const Vec3& r,
                          const Vec3& gravity_gain) {
-  if (i == kGround) return {};
   const Bodies& bodies = state.bodies;
   const double parts = scratch.split.parts[i];
   const Vec3 gained = bodies.moves(i) ? gravity_gain : Vec3(Vec3::Zero());
@@ -105,16 +104,17 @@ Status add_collisions(const WorldState& state, Scratch& scratch, double dt_s) {
   SplitScratch& split = scratch.split;
   const Bodies& bodies = state.bodies;
   const Vec3 gravity_gain = VelocityGrid::round(Vec3(state.def.gravity * dt_s));
-  ContactBody on_a;
+  const ContactBody on_ground;
+  ContactBody on_a, on_b;
   BodyIndex last = kGround;  // the body that on_a is of; contacts of one body follow one another
   for (const std::uint32_t k : split.again) {
     const BodyIndex a = contacts.a[k], b = contacts.b[k];
     if (a != last) on_a = contact_body(state, scratch, a, contacts.r_a[k], gravity_gain);
     last = a;
     on_a.r = contacts.r_a[k];
-    const ContactBody on_b = contact_body(state, scratch, b, contacts.r_b[k], gravity_gain);
-    const Collision collision =
-        collide(on_a, on_b, contacts.normal[k], pair_material(state, a, b), patch_of(contacts, k));
+    if (b != kGround) on_b = contact_body(state, scratch, b, contacts.r_b[k], gravity_gain);
+    const Collision collision = collide(on_a, b == kGround ? on_ground : on_b, contacts.normal[k],
+                                        pair_material(state, a, b), patch_of(contacts, k));
     contacts.impulse.set(k, collision.impulse);
     Gain& of_a = split.gains[2 * k];
     of_a = gain_of(bodies, scratch, a, collision, collision.turn_a, -1, dt_s, split.energy[2 * k]);

@@ -54,9 +54,13 @@ std::optional<Vec3> point_behind(const std::array<Vec3, 8>& corners, const Vec3&
     weights += weight;
   }
   const Vec3 point = PositionGrid::round(Vec3(sum / weights));
-  for (std::size_t k = 0; patch != nullptr && k < 8; ++k) {
-    if (depth[k] > 0) patch->push_back(corners[k] - point);
+  if (patch == nullptr) return point;
+  std::array<Vec3, 8> behind;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < 8; ++k) {
+    if (depth[k] > 0) behind[count++] = corners[k] - point;
   }
+  patch->insert(patch->end(), behind.data(), behind.data() + count);
   return point;
 }
 

@@ -1,6 +1,7 @@
 #include "src/thesis/split_mass.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -31,8 +32,9 @@ void add_energy(SplitScratch& split, BodyIndex i, double energy) {
   if (split.changed[i] == 0 || energy <= 0) return;
   const double together = split.together[i];
   ++split.count[i];
-  // 2²⁰ terms are exact on a grid of 2⁻³⁰ of the largest.
-  split.sum[i] += to_grid(power_of_two(together) * 0x1.8p22, std::min(energy, together));
+  // As many terms as contacts, each below twice the power of two, are exact on this grid.
+  const double magic = power_of_two(together) * (3.0 * static_cast<double>(std::bit_ceil(split.contacts[i])));
+  split.sum[i] += to_grid(magic, std::min(energy, together));
 }
 
 // Sums the energies of the gains one by one, for bodies that changed.
