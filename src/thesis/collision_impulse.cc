@@ -28,12 +28,12 @@ struct Turns {
   Vec3 a = Vec3::Zero(), b = Vec3::Zero();
 };
 
-Vec3 turn_of(const ContactBody& body, const Vec3& r, const Vec3& impulse) {
+inline Vec3 turn_of(const ContactBody& body, const Vec3& r, const Vec3& impulse) {
   if (body.inverse_mass == 0) return Vec3::Zero();
   return to_body(body.axes, cross(r, impulse));
 }
-Turns turns_of(const ContactBody& a, const ContactBody& b, const Vec3& shift, const Vec3& impulse) {
-  return {turn_of(a, a.r + shift, impulse), turn_of(b, b.r + shift, impulse)};
+inline Turns turns_of(const ContactBody& a, const ContactBody& b, const Vec3& impulse) {
+  return {turn_of(a, a.r, impulse), turn_of(b, b.r, impulse)};
 }
 
 // The speed that a unit impulse along n at r gives the point along n by rotation: n · ((I⁻¹ (r × n)) × r), written as a
@@ -184,7 +184,7 @@ Collision collision_at(const Touch& touch, const Meeting& m, const Vec3& shift, 
                  touch.by_normal.b * impulses.normal - touch.by_tangent.b * impulses.friction};
   if (shift != Vec3::Zero()) {
     relative += cross(b.spin - a.spin, shift);
-    turns = turns_of(a, b, shift, result.impulse);
+    turns = {turn_of(a, a.r + shift, result.impulse), turn_of(b, b.r + shift, result.impulse)};
   }
   const double spent = -2 * dot(result.impulse, relative);
   const double adding = dot(result.impulse, result.impulse) * (a.inverse_mass + b.inverse_mass) +
@@ -263,7 +263,7 @@ Collision collide(const ContactBody& a, const ContactBody& b, const Vec3& normal
   if (approach >= 0) return {};
   Meeting m;
   m.approach = approach;
-  Touch touch = {a, b, normal, Vec3::Zero(), relative, turns_of(a, b, Vec3::Zero(), normal), {}, material, patch};
+  Touch touch = {a, b, normal, Vec3::Zero(), relative, turns_of(a, b, normal), {}, material, patch};
   const double inverse_mass = a.inverse_mass + b.inverse_mass;
   m.normal_yield = inverse_mass + yield_of_rotation(a, b, touch.by_normal);
   m.tangent_yield = 1;
@@ -275,7 +275,7 @@ Collision collide(const ContactBody& a, const ContactBody& b, const Vec3& normal
     m.slow = length(slip_old) < material.slip_speed || dot(slip_old, slip) < 0;
     if (slip_speed > kSlipMin) {
       touch.tangent = slip / slip_speed;
-      touch.by_tangent = turns_of(a, b, Vec3::Zero(), touch.tangent);
+      touch.by_tangent = turns_of(a, b, touch.tangent);
       m.slip = slip_speed;
       m.tangent_yield = inverse_mass + yield_of_rotation(a, b, touch.by_tangent);
     }

@@ -52,16 +52,19 @@ std::span<const Vec3> patch_of(const Contacts& contacts, std::size_t k) {
 // the bit. At rest friction acts evenly throughout the sub-step, as gravity does: half of the speed that friction
 // takes, times the sub-step, is taken from the way as well. turn: about the centre of i.
 // energy: of a body with several contacts (split_mass.h).
-Gain gain_of(const Bodies& bodies, const Scratch& scratch, BodyIndex i, const Collision& collision, const Vec3& turn,
-             double sign, double dt_s, double& energy) {
-  Gain gain;
+void find_gain(const Bodies& bodies, const Scratch& scratch, BodyIndex i, const Collision& collision, const Vec3& turn,
+               double sign, double dt_s, Gain& gain, double& energy) {
   energy = 0;
   const double yield = sign * bodies.inverse_mass[i];
-  if (yield == 0) return gain;
+  if (yield == 0) {
+    gain = {};
+    return;
+  }
   const Vec3 turning = turn.cwiseProduct(bodies.inverse_inertia[i]);
   gain.velocity = VelocityGrid::round(Vec3(collision.impulse * yield));
   gain.spin = VelocityGrid::round(to_world(scratch.frames[i].axes, Vec3(turning * sign)));
   gain.largest = std::max(gain.velocity.cwiseAbs().maxCoeff(), gain.spin.cwiseAbs().maxCoeff());
+  gain.way_back = Vec3::Zero();
   if (collision.resting) {
     const Vec3 slowed = VelocityGrid::round(Vec3(collision.friction * yield));
     gain.way_back = PositionGrid::round(Vec3(slowed * (0.5 * dt_s)));
@@ -69,18 +72,17 @@ Gain gain_of(const Bodies& bodies, const Scratch& scratch, BodyIndex i, const Co
   if (scratch.split.contacts[i] > 1) {
     energy = bodies.mass[i] * dot(gain.velocity, gain.velocity) + dot(turn, turning);
   }
-  return gain;
 }
 
-Status add_gain(const Bodies& bodies, Scratch& scratch, BodyIndex i, const Gain& gain) {
+Status add_gain(const Bodies& bodies, Scratch& scratch, BodyIndex i, const Gain& gain, bool resting) {
   scratch.split.changed[i] = 1;
   if (Status ok = check_gain(bodies, i, gain.velocity, gain.spin); !ok.ok()) return ok;
   scratch.gain_total[i] += gain.largest;
-  if (Status ok = check_gains(bodies, i, scratch.gain_total[i]); !ok.ok()) return ok;
   scratch.velocity_gain.add(i, gain.velocity);
   scratch.spin_gain.add(i, gain.spin);
-  scratch.way_back.add(i, gain.way_back);
-  return {};
+  if (resting) scratch.way_back.add(i, gain.way_back);
+  if (!resting) scratch.hit[i] = 1;
+  return check_gains(bodies, i, scratch.gain_total[i]);
 }
 
 // Sums of grid doubles are exact: a gain taken back leaves what the other gains add up to.
@@ -88,7 +90,7 @@ void take_back(Scratch& scratch, BodyIndex i, const Gain& gain) {
   scratch.gain_total[i] -= gain.largest;
   scratch.velocity_gain.add(i, -gain.velocity);
   scratch.spin_gain.add(i, -gain.spin);
-  scratch.way_back.add(i, -gain.way_back);
+  if (gain.way_back != Vec3::Zero()) scratch.way_back.add(i, -gain.way_back);
 }
 
 void take_back_gains(Scratch& scratch) {
@@ -116,15 +118,12 @@ Status add_collisions(const WorldState& state, Scratch& scratch, double dt_s) {
     const Collision collision = collide(on_a, b == kGround ? on_ground : on_b, contacts.normal[k],
                                         pair_material(state, a, b), patch_of(contacts, k));
     contacts.impulse.set(k, collision.impulse);
-    Gain& of_a = split.gains[2 * k];
-    of_a = gain_of(bodies, scratch, a, collision, collision.turn_a, -1, dt_s, split.energy[2 * k]);
-    if (Status ok = add_gain(bodies, scratch, a, of_a); !ok.ok()) return ok;
-    if (!collision.resting) scratch.hit[a] = 1;
+    Gain &of_a = split.gains[2 * k], &of_b = split.gains[2 * k + 1];
+    find_gain(bodies, scratch, a, collision, collision.turn_a, -1, dt_s, of_a, split.energy[2 * k]);
+    if (Status ok = add_gain(bodies, scratch, a, of_a, collision.resting); !ok.ok()) return ok;
     if (b == kGround) continue;
-    Gain& of_b = split.gains[2 * k + 1];
-    of_b = gain_of(bodies, scratch, b, collision, collision.turn_b, 1, dt_s, split.energy[2 * k + 1]);
-    if (Status ok = add_gain(bodies, scratch, b, of_b); !ok.ok()) return ok;
-    if (!collision.resting) scratch.hit[b] = 1;
+    find_gain(bodies, scratch, b, collision, collision.turn_b, 1, dt_s, of_b, split.energy[2 * k + 1]);
+    if (Status ok = add_gain(bodies, scratch, b, of_b, collision.resting); !ok.ok()) return ok;
   }
   return {};
 }
