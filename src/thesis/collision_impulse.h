@@ -2,7 +2,6 @@
 
 #include <span>
 
-#include "src/world/phase_scratch.h"
 #include "tumble/sim/rotation.h"
 #include "tumble/sim/vec.h"
 
@@ -22,6 +21,17 @@ struct ContactBody {
 struct PairMaterial {
   double friction = 0, friction_dynamic = 0, restitution = 0;
   double slip_speed = 0;  ///< m/s
+};
+
+/// The impulse of a collision, on b; a receives the opposite.
+struct Collision {
+  Vec3 impulse = Vec3::Zero();   ///< N·s
+  Vec3 friction = Vec3::Zero();  ///< N·s, the part of the impulse along the plane
+  Vec3 twist = Vec3::Zero();     ///< N·m·s, an angular impulse besides, by friction
+  Vec3 shift = Vec3::Zero();     ///< m, on PositionGrid: where the impulse acts, from the collision point
+  Vec3 turn_a = Vec3::Zero();    ///< N·m·s, of impulse and twist about a's centre, axes of a; on a the opposite
+  Vec3 turn_b = Vec3::Zero();    ///< of b
+  bool resting = false;          ///< of a patch that approaches by at most twice what gravity added
 };
 
 /// Equation 3.1 with friction. normal: unit, from a to b. patch: the corners that touch, from the collision point,

@@ -16,7 +16,6 @@ namespace {
 // One part of a body, as a collision meets it. gravity_gain: m/s in this sub-step, of a body that moves.
 ContactBody contact_body(const WorldState& state, const Scratch& scratch, BodyIndex i, const Vec3& r,
                          const Vec3& gravity_gain) {
-  if (i == kGround) return {};
   const Bodies& bodies = state.bodies;
   const double parts = scratch.split.parts[i];
   const Vec3 gained = bodies.moves(i) ? gravity_gain : Vec3(Vec3::Zero());
@@ -37,7 +36,9 @@ PairMaterial pair_material(const WorldState& state, BodyIndex a, BodyIndex b) {
   const double friction = ground ? under.friction : bodies.friction[b];
   const double dynamic = ground ? under.friction_dynamic : bodies.friction_dynamic[b];
   const double restitution = ground ? under.restitution : bodies.restitution[b];
-  return {std::sqrt(bodies.friction[a] * friction), std::sqrt(bodies.friction_dynamic[a] * dynamic),
+  const double product = bodies.friction[a] * friction, product_dynamic = bodies.friction_dynamic[a] * dynamic;
+  const double mean = std::sqrt(product);
+  return {mean, product_dynamic == product ? mean : std::sqrt(product_dynamic),
           std::max(bodies.restitution[a], restitution), def.slip_speed};
 }
 
@@ -47,89 +48,113 @@ std::span<const Vec3> patch_of(const Contacts& contacts, std::size_t k) {
   return std::span(contacts.patch).subspan(begin, contacts.patch_end[k] - begin);
 }
 
-// Computes every collision; in later rounds only those of bodies that were divided into more parts.
-void find_collisions(const WorldState& state, Scratch& scratch, int round, double dt_s) {
-  Contacts& contacts = scratch.contacts;
-  const std::vector<std::uint8_t>& raised = scratch.split.raised;
-  const Vec3 gravity_gain = VelocityGrid::round(Vec3(state.def.gravity * dt_s));
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const BodyIndex a = contacts.a[k], b = contacts.b[k];
-    if (round > 0 && raised[a] == 0 && (b == kGround || raised[b] == 0)) continue;
-    const ContactBody on_a = contact_body(state, scratch, a, contacts.r_a[k], gravity_gain);
-    const ContactBody on_b = contact_body(state, scratch, b, contacts.r_b[k], gravity_gain);
-    scratch.split.collisions[k] =
-        collide(on_a, on_b, contacts.normal[k], pair_material(state, a, b), patch_of(contacts, k));
-  }
-}
-
-// Adds the outcome of a collision to the gains of body i. sign: +1 for b, −1 for a; the impulse on a is the negative of
-// that on b, to the bit. At rest friction acts evenly throughout the sub-step, as gravity does: half of the speed that
-// friction takes, times the sub-step, is taken from the way as well. energy: of the gain, of a
-// body with several contacts (split_mass.h).
-Status add_gain(WorldState& state, Scratch& scratch, BodyIndex i, const Vec3& r, const Collision& collision,
-                double sign, double dt_s, double& energy) {
-  const Bodies& bodies = state.bodies;
-  scratch.touched[i] = 1;
-  if (!collision.resting) scratch.hit[i] = 1;
+// The outcome of a collision for body i. sign: +1 for b, −1 for a; the impulse on a is the negative of that on b, to
+// the bit. At rest friction acts evenly throughout the sub-step, as gravity does: half of the speed that friction
+// takes, times the sub-step, is taken from the way as well. turn: about the centre of i.
+// energy: of a body with several contacts (split_mass.h).
+void find_gain(const Bodies& bodies, const Scratch& scratch, BodyIndex i, const Collision& collision, const Vec3& turn,
+               double sign, double dt_s, Gain& gain, double& energy) {
   energy = 0;
-  if (bodies.inverse_mass[i] == 0) return {};
-  const BoxFrame& frame = scratch.frames[i];
-  ContactBody whole;
-  whole.inverse_mass = bodies.inverse_mass[i];
-  whole.inverse_inertia = bodies.inverse_inertia[i];
-  whole.axes = frame.axes;
-  whole.r = r + collision.shift;
-  const Vec3 impulse = collision.impulse * sign;
-  const Vec3 velocity = VelocityGrid::round(Vec3(impulse * bodies.inverse_mass[i]));
-  const Vec3 spin = VelocityGrid::round(spin_gain_of(whole, impulse, collision.twist * sign));
-  if (Status ok = check_gain(bodies, i, velocity, spin); !ok.ok()) return ok;
-  scratch.gain_total[i] += std::max(velocity.cwiseAbs().maxCoeff(), spin.cwiseAbs().maxCoeff());
-  if (Status ok = check_gains(bodies, i, scratch.gain_total[i]); !ok.ok()) return ok;
-  scratch.velocity_gain.add(i, velocity);
-  scratch.spin_gain.add(i, spin);
-  if (collision.resting) {
-    const Vec3 slowed = VelocityGrid::round(Vec3(collision.friction * (sign * bodies.inverse_mass[i])));
-    scratch.way_back.add(i, PositionGrid::round(Vec3(slowed * (0.5 * dt_s))));
+  const double yield = sign * bodies.inverse_mass[i];
+  if (yield == 0) {
+    gain = {};
+    return;
   }
-  if (scratch.split.contacts[i] > 1) energy = gain_energy(bodies, frame, i, velocity, spin);
+  const Vec3 turning = turn.cwiseProduct(bodies.inverse_inertia[i]);
+  gain.velocity = VelocityGrid::round(Vec3(collision.impulse * yield));
+  gain.spin = VelocityGrid::round(to_world(scratch.frames[i].axes, Vec3(turning * sign)));
+  gain.largest = std::max(gain.velocity.cwiseAbs().maxCoeff(), gain.spin.cwiseAbs().maxCoeff());
+  gain.way_back = Vec3::Zero();
+  if (collision.resting) {
+    const Vec3 slowed = VelocityGrid::round(Vec3(collision.friction * yield));
+    gain.way_back = PositionGrid::round(Vec3(slowed * (0.5 * dt_s)));
+  }
+  if (scratch.split.contacts[i] > 1) {
+    energy = bodies.mass[i] * dot(gain.velocity, gain.velocity) + dot(turn, turning);
+  }
+}
+
+Status add_gain(const Bodies& bodies, Scratch& scratch, BodyIndex i, const Gain& gain, bool resting) {
+  scratch.split.changed[i] = 1;
+  if (Status ok = check_gain(bodies, i, gain.velocity, gain.spin); !ok.ok()) return ok;
+  scratch.gain_total[i] += gain.largest;
+  scratch.velocity_gain.add(i, gain.velocity);
+  scratch.spin_gain.add(i, gain.spin);
+  if (resting) scratch.way_back.add(i, gain.way_back);
+  if (!resting) scratch.hit[i] = 1;
+  return check_gains(bodies, i, scratch.gain_total[i]);
+}
+
+// Sums of grid doubles are exact: a gain taken back leaves what the other gains add up to.
+void take_back(Scratch& scratch, BodyIndex i, const Gain& gain) {
+  scratch.gain_total[i] -= gain.largest;
+  scratch.velocity_gain.add(i, -gain.velocity);
+  scratch.spin_gain.add(i, -gain.spin);
+  if (gain.way_back != Vec3::Zero()) scratch.way_back.add(i, -gain.way_back);
+}
+
+void take_back_gains(Scratch& scratch) {
+  for (const std::uint32_t k : scratch.split.again) {
+    take_back(scratch, scratch.contacts.a[k], scratch.split.gains[2 * k]);
+    if (scratch.contacts.b[k] != kGround) take_back(scratch, scratch.contacts.b[k], scratch.split.gains[2 * k + 1]);
+  }
+}
+
+// Computes the collisions of this round and adds their gains.
+Status add_collisions(const WorldState& state, Scratch& scratch, double dt_s) {
+  Contacts& contacts = scratch.contacts;
+  SplitScratch& split = scratch.split;
+  const Bodies& bodies = state.bodies;
+  const Vec3 gravity_gain = VelocityGrid::round(Vec3(state.def.gravity * dt_s));
+  const ContactBody on_ground;
+  ContactBody on_a, on_b;
+  BodyIndex last = kGround;  // the body that on_a is of; contacts of one body follow one another
+  for (const std::uint32_t k : split.again) {
+    const BodyIndex a = contacts.a[k], b = contacts.b[k];
+    if (a != last) on_a = contact_body(state, scratch, a, contacts.r_a[k], gravity_gain);
+    last = a;
+    on_a.r = contacts.r_a[k];
+    if (b != kGround) on_b = contact_body(state, scratch, b, contacts.r_b[k], gravity_gain);
+    const Collision collision = collide(on_a, b == kGround ? on_ground : on_b, contacts.normal[k],
+                                        pair_material(state, a, b), patch_of(contacts, k));
+    contacts.impulse.set(k, collision.impulse);
+    Gain &of_a = split.gains[2 * k], &of_b = split.gains[2 * k + 1];
+    find_gain(bodies, scratch, a, collision, collision.turn_a, -1, dt_s, of_a, split.energy[2 * k]);
+    if (Status ok = add_gain(bodies, scratch, a, of_a, collision.resting); !ok.ok()) return ok;
+    if (b == kGround) continue;
+    find_gain(bodies, scratch, b, collision, collision.turn_b, 1, dt_s, of_b, split.energy[2 * k + 1]);
+    if (Status ok = add_gain(bodies, scratch, b, of_b, collision.resting); !ok.ok()) return ok;
+  }
   return {};
 }
 
-// Sums the gains of all bodies.
-Status add_gains(WorldState& state, Scratch& scratch, double dt_s) {
+void reset_gains(Scratch& scratch, std::size_t bodies) {
   const Contacts& contacts = scratch.contacts;
-  const std::size_t n = state.bodies.size();
-  for (Vec3Column* sum : {&scratch.velocity_gain, &scratch.spin_gain, &scratch.way_back}) sum->assign(n, Vec3::Zero());
-  scratch.gain_total.assign(n, 0);
-  std::vector<double>& energy = scratch.split.energy;
-  energy.assign(2 * contacts.size(), 0);
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const Collision& collision = scratch.split.collisions[k];
-    Status ok = add_gain(state, scratch, contacts.a[k], contacts.r_a[k], collision, -1, dt_s, energy[2 * k]);
-    if (ok.ok() && contacts.b[k] != kGround) {
-      ok = add_gain(state, scratch, contacts.b[k], contacts.r_b[k], collision, 1, dt_s, energy[2 * k + 1]);
-    }
-    if (!ok.ok()) return ok;
+  for (Vec3Column* sum : {&scratch.velocity_gain, &scratch.spin_gain, &scratch.way_back}) {
+    sum->assign(bodies, Vec3::Zero());
   }
-  return {};
+  scratch.gain_total.assign(bodies, 0);
+  scratch.hit.assign(bodies, 0);
+  scratch.touched.assign(bodies, 0);
+  for (const BodyIndex i : contacts.a) scratch.touched[i] = 1;
+  for (const BodyIndex i : contacts.b) {
+    if (i != kGround) scratch.touched[i] = 1;
+  }
+  scratch.contacts.impulse.resize(contacts.size());
+  scratch.split.gains.resize(2 * contacts.size());
+  scratch.split.energy.resize(2 * contacts.size());
 }
 
 }  // namespace
 
 Status compute_impulses(WorldState& state, Scratch& scratch, double dt_s) {
-  const std::size_t n = state.bodies.size(), count = scratch.contacts.size();
-  scratch.touched.assign(n, 0);
-  scratch.hit.assign(n, 0);
-  scratch.split.collisions.resize(count);
-  reset_parts(scratch.contacts, n, scratch.split);
-  int round = 0;
-  do {
-    find_collisions(state, scratch, round, dt_s);
-    if (Status ok = add_gains(state, scratch, dt_s); !ok.ok()) return ok;
-  } while (raise_parts(state, scratch, round++));
-  scratch.contacts.impulse.resize(count);
-  for (std::size_t k = 0; k < count; ++k) scratch.contacts.impulse.set(k, scratch.split.collisions[k].impulse);
-  return {};
+  reset_gains(scratch, state.bodies.size());
+  reset_parts(scratch.contacts, state.bodies.size(), scratch.split);
+  for (int round = 0;; ++round) {
+    if (Status ok = add_collisions(state, scratch, dt_s); !ok.ok()) return ok;
+    if (!raise_parts(state, scratch, round)) return {};
+    take_back_gains(scratch);
+  }
 }
 
 void hash_compute_impulses(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {

@@ -34,9 +34,10 @@ std::array<Vec3, 8> corners(const BoxFrame& frame, const Vec3& centre) {
 }
 
 // The corners behind a plane, merged to one point with their depths as weights (thesis Fig. 6). distance: of the plane
-// from the origin of the corners, along the normal. Adds the corners to the patch, measured from the point.
+// from the origin of the corners, along the normal. Adds the corners to the patch, if there is one,
+// measured from the point.
 std::optional<Vec3> point_behind(const std::array<Vec3, 8>& corners, const Vec3& normal, double distance,
-                                 std::vector<Vec3>& patch) {
+                                 std::vector<Vec3>* patch) {
   std::array<double, 8> depth;
   double deepest = 0;
   for (std::size_t k = 0; k < 8; ++k) {
@@ -46,22 +47,26 @@ std::optional<Vec3> point_behind(const std::array<Vec3, 8>& corners, const Vec3&
   if (deepest <= 0) return std::nullopt;
   Vec3 sum = Vec3::Zero();
   double weights = 0;
-  const std::size_t begin = patch.size();
   for (std::size_t k = 0; k < 8; ++k) {
     if (depth[k] <= 0) continue;
     const double weight = UnitGrid::round(depth[k] / deepest);
     sum += PositionGrid::round(Vec3(corners[k] * weight));
     weights += weight;
-    patch.push_back(corners[k]);
   }
   const Vec3 point = PositionGrid::round(Vec3(sum / weights));
-  for (std::size_t k = begin; k < patch.size(); ++k) patch[k] -= point;
+  if (patch == nullptr) return point;
+  std::array<Vec3, 8> behind;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < 8; ++k) {
+    if (depth[k] > 0) behind[count++] = corners[k] - point;
+  }
+  patch->insert(patch->end(), behind.data(), behind.data() + count);
   return point;
 }
 
 // The collision point, from a's centre, on a face of a or b. Corners are measured in the box of the face: names of the
 // two boxes exchanged, the bits stay.
-std::optional<Vec3> face_point(const BoxPair& pair, int axis, std::vector<Vec3>& patch) {
+std::optional<Vec3> face_point(const BoxPair& pair, int axis, std::vector<Vec3>* patch) {
   const Vec3 normal = pair.normal(axis);
   const Vec3& d = pair.offset();
   if (axis < 3) return point_behind(corners(pair.b(), d), normal, pair.a().half_extent[axis], patch);
@@ -114,12 +119,12 @@ std::optional<Contact> coincident_contact(const BoxPair& pair, const Vec3& gravi
 
 // Several planes that tie, and edges, have no patch.
 std::optional<Contact> pair_contact(const BoxPair& pair, AxisSet planes, const Vec3& gravity,
-                                    std::vector<Vec3>& patch) {
+                                    std::vector<Vec3>* patch) {
   const BestAxes best = pair.best(planes);
   if (best.axes == 0) return coincident_contact(pair, gravity);
   Vec3 normals = Vec3::Zero(), points = Vec3::Zero();
   Contact contact;
-  const std::size_t begin = patch.size();
+  const std::size_t begin = patch != nullptr ? patch->size() : 0;
   int count = 0;
   for (int axis = 0; axis < kAxisCount; ++axis) {
     if ((best.axes & only(axis)) == 0) continue;
@@ -136,12 +141,12 @@ std::optional<Contact> pair_contact(const BoxPair& pair, AxisSet planes, const V
   if (count > 1) {  // every normal has a part along x_b − x_a, so they do not cancel
     contact.normal = normals / length(normals);
     contact.r_a = PositionGrid::round(Vec3(points / count));
-    patch.resize(begin);
+    if (patch != nullptr) patch->resize(begin);
   }
   return contact;
 }
 
-std::optional<Contact> ground_contact(const BoxFrame& frame, std::vector<Vec3>& patch) {
+std::optional<Contact> ground_contact(const BoxFrame& frame, std::vector<Vec3>* patch) {
   // Corners relative to the body's centre: x and y of the body do not enter, and the ground lies `height` below.
   const double height = frame.position.z();
   const auto point = point_behind(corners(frame, Vec3::Zero()), Vec3(0, 0, 1), -height, patch);
@@ -165,12 +170,11 @@ Status find_contacts(WorldState& state, Scratch& scratch, double /*dt_s*/) {
     const std::uint16_t planes = contacts.planes[k];
     const BoxFrame& frame = scratch.frames[a];
     const bool ground = b == kGround;
-    const auto contact =
-        ground ? ground_contact(frame, contacts.patch)
-               : pair_contact(BoxPair(frame, scratch.frames[b]), planes, state.def.gravity, contacts.patch);
-    if (!contact) continue;
     const bool on_fixed = ground || state.bodies.is_static[a] != 0 || state.bodies.is_static[b] != 0;
-    if (!on_fixed) contacts.patch.resize(contacts.patch_end.empty() ? 0 : contacts.patch_end.back());
+    std::vector<Vec3>* patch = on_fixed ? &contacts.patch : nullptr;
+    const auto contact = ground ? ground_contact(frame, patch)
+                                : pair_contact(BoxPair(frame, scratch.frames[b]), planes, state.def.gravity, patch);
+    if (!contact) continue;
     contacts.a[kept] = a;
     contacts.b[kept] = b;
     contacts.planes[kept] = planes;
@@ -198,7 +202,7 @@ void hash_find_contacts(const WorldState& /*state*/, const Scratch& scratch, Has
         &contacts.r_a.z, &contacts.r_b.x, &contacts.r_b.y, &contacts.r_b.z}) {
     hasher.add(std::span<const double>(*column));
   }
-  for (const Vec3& corner : contacts.patch) hasher.add(std::span(corner.data(), 3));
+  hasher.add(doubles_of(contacts.patch));
   hasher.add(std::span<const std::uint32_t>(contacts.patch_end));
 }
 

@@ -151,6 +151,7 @@ MergedDisplacement merge_one_way(std::span<const Displacement> wanted) {
 
 MergedDisplacement merge_displacements(std::span<Displacement> wanted) {
   SIM_DCHECK(!wanted.empty(), wanted.size());
+  if (wanted.size() == 1) return merge_one_way(wanted);
   Vec3 reference = Vec3::Zero();
   bool shared = false;
   for (const Displacement& w : wanted) {

@@ -1,6 +1,7 @@
 #include "src/thesis/split_mass.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -15,49 +16,64 @@ constexpr int kRounds = 4;
 // Less than this above 1 is rounding.
 constexpr double kMore = 1 + 0x1p-20;
 
-// Calls visit(body, energy) for each side of each collision with an impulse.
-template <class Visit>
-void for_each_gain(const Contacts& contacts, const SplitScratch& split, Visit visit) {
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    if (split.energy[2 * k] > 0) visit(contacts.a[k], split.energy[2 * k]);
-    if (split.energy[2 * k + 1] > 0) visit(contacts.b[k], split.energy[2 * k + 1]);
+// The energies of what bodies that changed gain together.
+void find_energies_together(const WorldState& state, Scratch& scratch) {
+  SplitScratch& split = scratch.split;
+  for (BodyIndex i = 0; i < split.changed.size(); ++i) {
+    if (split.changed[i] == 0) continue;
+    split.count[i] = 0;
+    split.sum[i] = 0;
+    split.together[i] = gain_energy(state.bodies, scratch.frames[i], i, scratch.velocity_gain[i], scratch.spin_gain[i]);
   }
 }
 
-// Sums the energies of the gains one by one, for bodies with several.
-void sum_energies(const Contacts& contacts, std::size_t bodies, SplitScratch& split) {
-  split.count.assign(bodies, 0);
-  split.largest.assign(bodies, 0);
-  split.sum.assign(bodies, 0);
-  for_each_gain(contacts, split, [&](BodyIndex i, double energy) {
-    ++split.count[i];
-    split.largest[i] = std::max(split.largest[i], energy);
-  });
-  for_each_gain(contacts, split, [&](BodyIndex i, double energy) {
-    const double magic =
-        power_of_two(split.largest[i]) * 0x1.8p22;  // 2²⁰ terms are exact on a grid of 2⁻³⁰ of the largest
-    split.sum[i] += (energy + magic) - magic;
-  });
+// Adds the energy of one gain of a body. Energies above `together` count as that much: then no body needs more parts.
+void add_energy(SplitScratch& split, BodyIndex i, double energy) {
+  if (split.changed[i] == 0 || energy <= 0) return;
+  const double together = split.together[i];
+  ++split.count[i];
+  // As many terms as contacts, each below twice the power of two, are exact on this grid.
+  const double magic = power_of_two(together) * (3.0 * static_cast<double>(std::bit_ceil(split.contacts[i])));
+  split.sum[i] += to_grid(magic, std::min(energy, together));
+}
+
+// Sums the energies of the gains one by one, for bodies that changed.
+void sum_energies(const Contacts& contacts, SplitScratch& split) {
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    add_energy(split, contacts.a[k], split.energy[2 * k]);
+    if (contacts.b[k] != kGround) add_energy(split, contacts.b[k], split.energy[2 * k + 1]);
+  }
+}
+
+void list_raised(const Contacts& contacts, SplitScratch& split) {
+  split.again.clear();
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const BodyIndex b = contacts.b[k];
+    const bool raised = split.raised[contacts.a[k]] != 0 || (b != kGround && split.raised[b] != 0);
+    if (raised) split.again.push_back(static_cast<std::uint32_t>(k));
+  }
 }
 
 }  // namespace
 
 double gain_energy(const Bodies& bodies, const BoxFrame& frame, BodyIndex i, const Vec3& velocity, const Vec3& spin) {
   const Vec3 turn = to_body(frame.axes, spin);
-  const Vec3& inverse = bodies.inverse_inertia[i];
-  const double mass = bodies.inverse_mass[i];
-  return dot(velocity, velocity) +
-         ((turn.x() * turn.x() * (mass / inverse.x()) + turn.y() * turn.y() * (mass / inverse.y())) +
-          turn.z() * turn.z() * (mass / inverse.z()));
+  return bodies.mass[i] * dot(velocity, velocity) + dot(turn, turn.cwiseProduct(bodies.inertia[i]));
 }
 
 void reset_parts(const Contacts& contacts, std::size_t bodies, SplitScratch& split) {
   split.parts.assign(bodies, 1);
   split.raised.assign(bodies, 0);
+  split.changed.assign(bodies, 0);
   split.contacts.assign(bodies, 0);
+  split.count.assign(bodies, 0);
+  split.together.resize(bodies);
+  split.sum.resize(bodies);
+  split.again.resize(contacts.size());
   std::uint32_t most = 0;
   for (std::size_t k = 0; k < contacts.size(); ++k) {
     most = std::max(most, ++split.contacts[contacts.a[k]]);
+    split.again[k] = static_cast<std::uint32_t>(k);
     if (contacts.b[k] != kGround) most = std::max(most, ++split.contacts[contacts.b[k]]);
   }
   split.several = most > 1;
@@ -66,20 +82,21 @@ void reset_parts(const Contacts& contacts, std::size_t bodies, SplitScratch& spl
 bool raise_parts(const WorldState& state, Scratch& scratch, int round) {
   SplitScratch& split = scratch.split;
   if (!split.several) return false;
-  const std::size_t n = state.bodies.size();
-  sum_energies(scratch.contacts, n, split);
+  find_energies_together(state, scratch);
+  sum_energies(scratch.contacts, split);
   bool any = false;
-  for (BodyIndex i = 0; i < n; ++i) {
+  for (BodyIndex i = 0; i < state.bodies.size(); ++i) {
     split.raised[i] = 0;
+    if (split.changed[i] == 0) continue;
+    split.changed[i] = 0;
     if (split.parts[i] >= split.count[i]) continue;  // one collision, or all that there can be
-    const double together =
-        gain_energy(state.bodies, scratch.frames[i], i, scratch.velocity_gain[i], scratch.spin_gain[i]);
-    const double needed = together / split.sum[i];
-    if (!(needed > split.parts[i] * kMore)) continue;
-    split.parts[i] = round < kRounds ? needed : split.count[i];
+    if (split.together[i] <= split.parts[i] * kMore * split.sum[i]) continue;
+    split.parts[i] =
+        round < kRounds ? std::min<double>(split.together[i] / split.sum[i], split.count[i]) : split.count[i];
     split.raised[i] = 1;
     any = true;
   }
+  if (any) list_raised(scratch.contacts, split);
   return any;
 }
 

@@ -15,16 +15,17 @@ namespace tumble::sim {
 /// simulation,
 ///         with as many parts as collisions.
 
-/// m²/s²: twice the energy, per kilogram of the body, of a gain that would start from rest.
+/// J, twice: of a gain that would start from rest.
 double gain_energy(const Bodies& bodies, const BoxFrame& frame, BodyIndex i, const Vec3& velocity, const Vec3& spin);
 
-/// Divides no mass, and counts the contacts of every body.
+/// Divides no mass, counts the contacts of every body, and lists all contacts in split.again.
 void reset_parts(const Contacts& contacts, std::size_t bodies, SplitScratch& split);
 
-/// Raises the number of parts of every body that needs more, and returns whether there was any: then the impulses of
-/// its collisions have to be computed again. After a few rounds the number of collisions is taken, which is always
-/// enough. Reads:  contacts.a, b; velocity_gain, spin_gain; split.energy; masses, frames Writes: split.parts, raised
-/// Order:  each sum of energies is exact on a grid that its largest term chooses
+/// Raises the number of parts of every body that needs more, and returns whether there was any: then split.again lists
+/// its collisions, whose impulses have to be computed again. After a few rounds the number of collisions is taken,
+/// which is always enough. Reads:  contacts.a, b; velocity_gain, spin_gain; split.energy, changed; masses, frames
+/// Writes: split.parts, raised, again
+/// Order:  each sum of energies is exact on a grid that the energy of all gains together chooses
 bool raise_parts(const WorldState& state, Scratch& scratch, int round);
 
 }  // namespace tumble::sim

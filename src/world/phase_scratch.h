@@ -26,26 +26,27 @@ struct SeparationScratch {
   std::vector<Displacement> wanted;  ///< body by body
 };
 
-/// The impulse of a collision, on b; a receives the opposite.
-struct Collision {
-  Vec3 impulse = Vec3::Zero();   ///< N·s
-  Vec3 friction = Vec3::Zero();  ///< N·s, the part of the impulse along the plane
-  Vec3 twist = Vec3::Zero();     ///< N·m·s, an angular impulse besides, by friction
-  Vec3 shift = Vec3::Zero();     ///< m, on PositionGrid: where the impulse acts, from the collision point
-  bool resting = false;          ///< of a patch that approaches by at most twice what gravity added
+/// The outcome of a collision for one of its bodies; zeros for a body that does not move.
+struct Gain {
+  Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();  ///< m/s, rad/s, on VelocityGrid
+  Vec3 way_back = Vec3::Zero();                       ///< m, on PositionGrid
+  double largest = 0;                                 ///< the largest part of velocity and spin
 };
 
 /// Memory of compute_impulses (split_mass.h).
 struct SplitScratch {
-  std::vector<Collision> collisions;    ///< by contact
+  std::vector<Gain> gains;              ///< by contact, of a and of b
+  std::vector<std::uint32_t> again;     ///< contacts that this round computes
   std::vector<double> parts;            ///< by body, >= 1: its mass is divided by this
   std::vector<std::uint8_t> raised;     ///< by body, whether the last round raised the number of parts
+  std::vector<std::uint8_t> changed;    ///< by body, whether this round computes one of its collisions
   std::vector<std::uint32_t> contacts;  ///< by body
   bool several = false;                 ///< whether any body has several contacts
-  std::vector<std::uint32_t> count;     ///< by body, collisions with an impulse
-  std::vector<double> largest, sum;     ///< by body, of `energy`
-  std::vector<double> energy;           ///< by contact, of a's gain and of b's, m²/s²; 0 for what does not move
-                                        ///< and for a body with one contact
+  std::vector<std::uint32_t> count;     ///< by body that changed, collisions with an impulse
+  std::vector<double> together;         ///< by body that changed, J, twice: of the sum of its gains
+  std::vector<double> sum;              ///< by body that changed, J, twice: of its gains one by one
+  std::vector<double> energy;           ///< by contact, of a's gain and of b's, J, twice; 0 for what does not move and
+                                        ///< for a body with one contact
 };
 
 /// A body that may freeze in this substep, and the height of the lowest object that it touches.
