@@ -11,6 +11,7 @@ std::size_t held(const ContactMemory& m);
 std::size_t held(const Contacts& c);
 std::size_t held(const ManifoldList& list);
 std::size_t held(const ContactBatches& b);
+std::size_t held(const FastContacts& f);
 std::size_t held(const SavedMotion& s);
 template <class T>
 std::size_t held(const std::vector<T>& items) {
@@ -37,10 +38,14 @@ std::size_t held(const ContactMemory& m) {
 std::size_t held(const Contacts& c) {
   return held_by(c.a, c.b, c.planes, c.normal, c.depth, c.r_a, c.r_b, c.patch, c.patch_end, c.impulse);
 }
-std::size_t held(const ManifoldList& list) { return held_by(list.manifolds, list.points); }
+std::size_t held(const ManifoldList& list) { return held_by(list.manifolds, list.points, list.fast_pairs); }
 std::size_t held(const ContactBatches& b) {
   return held_by(b.batches, b.points, b.layer_start, b.place, b.order, b.touched, b.touched_start, b.entries,
                  b.outcomes);
+}
+std::size_t held(const FastContacts& f) {
+  return held_by(f.pairs, f.bodies, f.place, f.approaches, f.found, f.memory, f.batches, f.batches.uses, f.members,
+                 f.merged);
 }
 std::size_t held(const SavedMotion& s) { return held_by(s.position, s.velocity, s.spin, s.orientation, s.pairs); }
 
@@ -76,7 +81,7 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
   parts.push_back(
       {"layers", GrowsWith::kContacts, held_by(s.layered, s.layer_start, s.sweep_groups, l.touching, l.neighbours)});
   parts.push_back({"weights", GrowsWith::kContacts, held_by(w.found, w.supports, w.points)});
-  parts.push_back({"batches", GrowsWith::kContacts, held_by(s.contact_batches, s.overlaps.points)});
+  parts.push_back({"batches", GrowsWith::kContacts, held_by(s.contact_batches, s.fast, s.overlaps.points)});
   parts.push_back(
       {"solver's bodies", GrowsWith::kBodies,
        held_by(s.solver_bodies, s.solver_mass, s.in_contact, s.held, s.contact_batches.uses, s.overlaps.bodies)});

@@ -151,7 +151,7 @@ struct FastContacts {
   ContactMemory memory;                ///< of the last substep, or of the last step at first
   ContactBatches batches;              ///< of one layer
   std::vector<std::uint32_t> members;  ///< of the layer
-  ContactMemory merged;              ///< memory of finish_motion
+  ContactMemory merged;                ///< memory of finish_motion
 
   [[nodiscard]] bool none() const { return pairs.empty(); }
 };

@@ -90,7 +90,8 @@ TEST(EnergyLaw, FrictionUnderASpinningCornerOnlyTakesEnergy) {
 
 void add_bodies(sim::SceneDef& scene, Random& random, double friction, double restitution, double speed, double spin) {
   for (sim::BodyId id = 1; id <= 6; ++id) {
-    const Vec3 place(2.5 * static_cast<double>(id % 3), 2.5 * static_cast<double>(id % 2), 1.1 + static_cast<double>(id));
+    const Vec3 place(2.5 * static_cast<double>(id % 3), 2.5 * static_cast<double>(id % 2),
+                     1.1 + static_cast<double>(id));
     sim::BoxDef body = body_of(id, random_size(random, 0.2, 1.2), place, friction, restitution);
     body.orientation = sim::normalised(random.rotation());
     body.velocity = random_vector(random, speed);

@@ -6,8 +6,8 @@
 
 #include "src/kernels/box_pair.h"
 #include "src/layered/find/contact_recall.h"
-#include "src/layered/find/find_near_pairs.h"
 #include "src/layered/find/fast_pairs.h"
+#include "src/layered/find/find_near_pairs.h"
 #include "src/layered/find/free_path.h"
 #include "src/layered/find/manifold_points.h"
 #include "src/layered/find/pair_tests.h"

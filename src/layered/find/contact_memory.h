@@ -11,7 +11,8 @@ namespace tumble::sim {
 void remember_contacts(std::span<const Manifold> manifolds, std::span<const ManifoldPoint> points, Workers* workers,
                        ContactMemory& memory);
 
-/// Adds the contacts of `added` to the memory, in order. Precondition: no pair is in both. buffer: any; its memory is used.
+/// Adds the contacts of `added` to the memory, in order. Precondition: no pair is in both. buffer: any; its memory is
+/// used.
 void merge_contacts(ContactMemory& memory, const ContactMemory& added, ContactMemory& buffer);
 
 }  // namespace tumble::sim

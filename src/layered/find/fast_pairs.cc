@@ -42,7 +42,8 @@ bool bends(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyInd
 bool may_bounce(const WorldState& state, const Scratch& scratch, BodyIndex lo, BodyIndex hi, double dt_s) {
   const Bodies& bodies = state.bodies;
   const bool ground = hi == kGround;
-  const double e = std::max(bodies.restitution[lo], ground ? state.def.ground_material.restitution : bodies.restitution[hi]);
+  const double e =
+      std::max(bodies.restitution[lo], ground ? state.def.ground_material.restitution : bodies.restitution[hi]);
   if (e == 0 || holds(scratch, lo, hi)) return false;
   const Vec3 velocity = ground ? Vec3(bodies.velocity[lo]) : Vec3(bodies.velocity[hi] - bodies.velocity[lo]);
   const double turning = scratch.turning[lo] + (ground ? 0 : scratch.turning[hi]);
@@ -59,7 +60,8 @@ void find_approaches(const WorldState& state, const Scratch& scratch, double sub
     const double margin = holds(scratch, lo, hi) ? slack(scratch, lo, hi) + fall : 0;
     approach = hi == kGround ? paths.follow(kGround, lo, margin) : paths.follow(lo, hi, margin);
     // Where tangents are good enough, points near the path are kept, so that resting bodies do not rock.
-    if (approach.kind == Approach::Kind::kPassing && !bends(scratch, paths, lo, hi)) approach.kind = Approach::Kind::kNear;
+    if (approach.kind == Approach::Kind::kPassing && !bends(scratch, paths, lo, hi))
+      approach.kind = Approach::Kind::kNear;
   }
 }
 

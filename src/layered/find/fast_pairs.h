@@ -8,8 +8,8 @@
 
 namespace tumble::sim {
 
-/// Whether corners of a pair leave their tangents by more than the slop, or, where a contact holds one of the bodies, by
-/// more than the slack. hi may be kGround.
+/// Whether corners of a pair leave their tangents by more than the slop, or, where a contact holds one of the bodies,
+/// by more than the slack. hi may be kGround.
 bool bends(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyIndex hi);
 
 /// Whether a pair that no contact holds may meet fast enough to bounce. hi may be kGround.

@@ -58,8 +58,8 @@ void fly(WorldState& state, Scratch& scratch, const FastBody& body) {
   const BodyIndex i = body.row;
   SolverBody& now = scratch.solver_bodies[i];
   const Vec3 fall = state.def.gravity * body.flown_s;
-  bodies.position.set(i, plus_zero(bodies.position[i] +
-                                   PositionGrid::round_any(Vec3((now.velocity + fall * 0.5) * body.flown_s))));
+  bodies.position.set(
+      i, plus_zero(bodies.position[i] + PositionGrid::round_any(Vec3((now.velocity + fall * 0.5) * body.flown_s))));
   now.velocity += VelocityGrid::round(fall);
   const Vec3 inverse = bodies.inverse_inertia[i];
   const Rotation turn = rotate_freely(bodies.orientation[i], now.spin, bodies.inertia[i], inverse, body.flown_s);
@@ -76,9 +76,9 @@ class PointsOfLane {
         lane_(lane),
         acceleration_(batch.acceleration.of[lane]) {}
 
-  // In a bounce leaves out all points but those that meet fast now: the bodies wait, and others meet in a later substep,
-  // if they still do. Where no point bounces now, those that meet fast later in the substep bounce at once, where they
-  // are. One that meets later still is left out too, since a push that stops it in part would be no bounce.
+  // In a bounce leaves out all points but those that meet fast now: the bodies wait, and others meet in a later
+  // substep, if they still do. Where no point bounces now, those that meet fast later in the substep bounce at once,
+  // where they are. One that meets later still is left out too, since a push that stops it in part would be no bounce.
   void separate_bounce(double substep_s) {
     const auto touches = [&](const PointBatch& point) { return point.separation.of[lane_] <= kMet; };
     const auto meets = [&](const PointBatch& point) {

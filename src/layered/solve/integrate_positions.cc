@@ -61,7 +61,8 @@ bool move(WorldState& state, Scratch& scratch, BodyIndex i, double substep_s) {
   if (fast == nullptr) return move_body(state.bodies, scratch, i, Vec3::Zero(), substep_s);
   const double left_s = substep_s - fast->flown_s;
   const Vec3 fall = state.def.gravity * left_s;
-  if (!fast->waits) return move_body(state.bodies, scratch, i, fast->flying ? Vec3(fall * 0.5) : Vec3(Vec3::Zero()), left_s);
+  if (!fast->waits)
+    return move_body(state.bodies, scratch, i, fast->flying ? Vec3(fall * 0.5) : Vec3(Vec3::Zero()), left_s);
   SolverBody& body = scratch.solver_bodies[i];
   if (!in_substep_range(body)) return false;
   body.velocity -= VelocityGrid::round(fall);
