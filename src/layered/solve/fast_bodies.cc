@@ -17,8 +17,7 @@ void list_rows(const WorldState& state, FastContacts& fast) {
     if (b != kGround) rows.push_back(b);
   }
   std::ranges::sort(rows);
-  const auto [end, last] = std::ranges::unique(rows);
-  rows.erase(end, last);
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
 }
 
 // A contact that presses, and whether it bounces.
@@ -63,6 +62,9 @@ FastBody* body_of(FastContacts& fast, std::uint32_t row) {
 
 void list_fast_bodies(const WorldState& state, Scratch& scratch) {
   FastContacts& fast = scratch.fast;
+  fast.batches.batches.clear();  // those of the last step
+  fast.batches.points.clear();
+  fast.batches.order.clear();
   if (fast.none()) return;
   const Bodies& bodies = state.bodies;
   list_rows(state, fast);
