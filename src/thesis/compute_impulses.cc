@@ -48,12 +48,24 @@ std::span<const Vec3> patch_of(const Contacts& contacts, std::size_t k) {
   return std::span(contacts.patch).subspan(begin, contacts.patch_end[k] - begin);
 }
 
-// The outcome of a collision for body i. sign: +1 for b, −1 for a; the impulse on a is the negative of that on b, to
-// the bit. At rest friction acts evenly throughout the sub-step, as gravity does: half of the speed that friction
-// takes, times the sub-step, is taken from the way as well. turn: about the centre of i.
-// energy: of a body with several contacts (split_mass.h).
-void find_gain(const Bodies& bodies, const Scratch& scratch, BodyIndex i, const Collision& collision, const Vec3& turn,
-               double sign, double dt_s, Gain& gain, double& energy) {
+// A body of a collision. row: of its gain and energy in SplitScratch; turn: about its centre; sign: +1 for b, −1 for
+// a, since the impulse on a is the negative of that on b, to the bit.
+struct Side {
+  BodyIndex body;
+  std::size_t row;
+  Vec3 turn;
+  double sign;
+};
+
+// Finds the outcome of a collision for one body, and its energy if the body has several contacts (split_mass.h). At
+// rest friction acts evenly throughout the sub-step, as gravity does: half of the speed that friction takes, times the
+// sub-step, is taken from the way as well.
+void find_gain(const Bodies& bodies, Scratch& scratch, const Side& side, const Collision& collision, double dt_s) {
+  const BodyIndex i = side.body;
+  const Vec3& turn = side.turn;
+  const double sign = side.sign;
+  Gain& gain = scratch.split.gains[side.row];
+  double& energy = scratch.split.energy[side.row];
   energy = 0;
   const double yield = sign * bodies.inverse_mass[i];
   if (yield == 0) {
@@ -118,12 +130,11 @@ Status add_collisions(const WorldState& state, Scratch& scratch, double dt_s) {
     const Collision collision = collide(on_a, b == kGround ? on_ground : on_b, contacts.normal[k],
                                         pair_material(state, a, b), patch_of(contacts, k));
     contacts.impulse.set(k, collision.impulse);
-    Gain &of_a = split.gains[2 * k], &of_b = split.gains[2 * k + 1];
-    find_gain(bodies, scratch, a, collision, collision.turn_a, -1, dt_s, of_a, split.energy[2 * k]);
-    if (Status ok = add_gain(bodies, scratch, a, of_a, collision.resting); !ok.ok()) return ok;
+    find_gain(bodies, scratch, {a, 2 * k, collision.turn_a, -1}, collision, dt_s);
+    if (Status ok = add_gain(bodies, scratch, a, split.gains[2 * k], collision.resting); !ok.ok()) return ok;
     if (b == kGround) continue;
-    find_gain(bodies, scratch, b, collision, collision.turn_b, 1, dt_s, of_b, split.energy[2 * k + 1]);
-    if (Status ok = add_gain(bodies, scratch, b, of_b, collision.resting); !ok.ok()) return ok;
+    find_gain(bodies, scratch, {b, 2 * k + 1, collision.turn_b, 1}, collision, dt_s);
+    if (Status ok = add_gain(bodies, scratch, b, split.gains[2 * k + 1], collision.resting); !ok.ok()) return ok;
   }
   return {};
 }

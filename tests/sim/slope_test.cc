@@ -55,7 +55,7 @@ SceneDef on_tilted_ground(const Slope& s, int crates) {
   const Vec3 down = downhill(s);
   scene.world.gravity = down * (kGravity * std::sin(t)) - Vec3(0, 0, kGravity * std::cos(t));
   for (int k = 0; k < crates; ++k) {
-    scene.boxes.push_back(box(static_cast<sim::BodyId>(k + 1), s.size, {0, 100.0 * k, 0.5 * s.size.z()}));
+    scene.boxes.push_back(box(static_cast<sim::BodyId>(k) + 1, s.size, {0, 100.0 * k, 0.5 * s.size.z()}));
     scene.boxes.back().velocity = down * s.speed;
   }
   return scene;

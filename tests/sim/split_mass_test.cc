@@ -40,8 +40,9 @@ SceneDef cluster(Random& random, std::size_t count) {
   scene.world.substeps = 1;
   const sim::Material material = {random.uniform(0, 1), 0.3, random.uniform(0, 1)};
   for (std::size_t k = 0; k < count; ++k) {
-    const Vec3 place(0.97 * static_cast<double>(k % 3), 0.97 * static_cast<double>(k / 3 % 3),
-                     0.97 * static_cast<double>(k / 9));
+    const std::size_t row = k / 3 % 3, layer = k / 9;
+    const Vec3 place(0.97 * static_cast<double>(k % 3), 0.97 * static_cast<double>(row),
+                     0.97 * static_cast<double>(layer));
     const Vec3 off(random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02), random.uniform(-0.02, 0.02));
     BoxDef moving = cube(k + 1, place + off);
     moving.mass = random.uniform(0.2, 5);
