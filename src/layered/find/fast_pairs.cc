@@ -9,8 +9,6 @@
 namespace tumble::sim {
 namespace {
 
-constexpr double kBendMax = 0.0005;  // m; the slop of contact_solve_impl.h
-
 bool holds(const Scratch& scratch, BodyIndex lo, BodyIndex hi) {
   return scratch.held[lo] != 0 || (hi != kGround && scratch.held[hi] != 0);
 }
@@ -36,7 +34,7 @@ bool near(const WorldState& state, const Scratch& scratch, BodyIndex lo, BodyInd
 
 bool bends(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyIndex hi) {
   const double bend = hi == kGround ? paths.bend(kGround, lo) : paths.bend(lo, hi);
-  return bend > kBendMax && (bend > slack(scratch, lo, hi) || !holds(scratch, lo, hi));
+  return bend > kSlop && (bend > slack(scratch, lo, hi) || !holds(scratch, lo, hi));
 }
 
 bool may_bounce(const WorldState& state, const Scratch& scratch, BodyIndex lo, BodyIndex hi, double dt_s) {

@@ -4,13 +4,9 @@
 
 namespace tumble::sim {
 
-/// The row of a body in solver_bodies; the ground has the last row.
-inline BodyIndex solver_row(const Scratch& scratch, BodyIndex i) {
-  return i == kGround ? static_cast<BodyIndex>(scratch.solver_bodies.size() - 1) : i;
-}
-
-/// Whether the largest of a body's moments of inertia is so much larger than the smallest that the body is slender.
-inline bool is_slender(const Vec3& inertia) { return inertia.maxCoeff() > 16 * inertia.minCoeff(); }
+/// The largest moment of inertia over the smallest, from which a body is slender.
+inline constexpr double kSlender = 16;
+inline bool is_slender(const Vec3& inertia) { return inertia.maxCoeff() > kSlender * inertia.minCoeff(); }
 
 /// Sets the world inverse inertia from the principal one: R diag(principal) Rᵀ, each sum in the order x, y, z.
 inline void set_inverse_inertia(SolverBody& body, const Axes& axes, const Vec3& principal) {

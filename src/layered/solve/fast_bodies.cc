@@ -8,7 +8,6 @@ namespace tumble::sim {
 namespace {
 
 void list_rows(const WorldState& state, FastContacts& fast) {
-  fast.bodies.clear();
   fast.place.resize(state.bodies.size());
   std::vector<BodyIndex>& rows = fast.members;
   rows.clear();
@@ -65,6 +64,7 @@ void list_fast_bodies(const WorldState& state, Scratch& scratch) {
   fast.batches.batches.clear();  // those of the last step
   fast.batches.points.clear();
   fast.batches.order.clear();
+  fast.bodies.clear();  // their rows may be gone
   if (fast.none()) return;
   const Bodies& bodies = state.bodies;
   list_rows(state, fast);
