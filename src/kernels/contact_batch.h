@@ -57,6 +57,7 @@ struct ContactBatch {
   Lanes friction, friction_dynamic, restitution;
   Lanes slop;  ///< m of overlap that is not removed
   Lanes force1, force2, twist;
+  Lanes sliding;           ///< 1: has slipped in this substep, so the dynamic coefficient holds until its end
   Lanes split_a, split_b;  ///< manifolds of this layer that share the body's mass
   Lanes acceleration;      ///< m/s², of b against a along n, by gravity alone
   Lanes impulse_magic;     ///< magic number (math/grid.h) of a grid that fits the lighter body

@@ -2,6 +2,7 @@
 
 // Warm start, sweeps and the motion of separations, for any number of lanes. lane_vector.h says who may include this.
 
+#include "src/kernels/contact_friction_impl.h"
 #include "src/kernels/contact_lanes.h"
 
 namespace tumble::sim {
@@ -19,76 +20,6 @@ V pressure_of(const Manifolds<V>& m) {
   V pressure = V{};
   for (unsigned k = 0; k < m.batch->count; ++k) pressure += to_grid(magic, m.get(m.points[k].impulse));
   return any(pressure > m.get(m.batch->impulse_max)) ? add_up_impulses(m).s : pressure;
-}
-
-template <class V>
-V clamped(V x, V limit) {
-  return x < -limit ? -limit : (limit < x ? limit : x);
-}
-
-// Accumulated friction along t1 and t2, and about n.
-template <class V>
-struct Friction {
-  V force1, force2, twist;
-};
-
-// Cuts the force to the cone of friction, where it slips along `slide`. A body answers the two tangents differently, so
-// the impulse that stops the slip does not lie along the slip. Sliding friction does: steps of one mass for both
-// tangents end only where friction opposes the slip.
-template <class V>
-void cut_force(const Manifolds<V>& m, V pressure, const Friction<V>& slide, Friction<V>& f) {
-  const V limit = m.get(m.batch->friction) * pressure;
-  const auto slips = f.force1 * f.force1 + f.force2 * f.force2 > limit * limit;
-  const V length = square_root(larger(V{} + 1e-300, slide.force1 * slide.force1 + slide.force2 * slide.force2));
-  const V scale = m.get(m.batch->friction_dynamic) * pressure / length;
-  f.force1 = slips ? slide.force1 * scale : f.force1;
-  f.force2 = slips ? slide.force2 * scale : f.force2;
-}
-
-// Force and twist within their limits, from those that together would stop slip and spin. Where one is cut, the other
-// takes what is best with that: a force that counts on a twist which a single point cannot give would push along the
-// slip. slide: the direction of sliding friction; inverse: of the matrix of (t1, t2, twist), as friction_inverse.
-template <class V>
-Friction<V> within_limits(const Manifolds<V>& m, V pressure, const Friction<V>& stop, const Friction<V>& slide,
-                          const V inverse[6]) {
-  const V twist_limit = m.get(m.batch->friction) * pressure * m.get(m.batch->radius), zero = V{};
-  Friction<V> f = stop;
-  f.twist = clamped(stop.twist, twist_limit);
-  const V missing = f.twist == stop.twist ? zero : (f.twist - stop.twist) / inverse[5];
-  f.force1 = stop.force1 + inverse[2] * missing;
-  f.force2 = stop.force2 + inverse[4] * missing;
-  cut_force(m, pressure, slide, f);
-  const V scale = 1.0 / (inverse[0] * inverse[3] - inverse[1] * inverse[1]);
-  const V along1 = (inverse[3] * inverse[2] - inverse[1] * inverse[4]) * scale;
-  const V along2 = (inverse[0] * inverse[4] - inverse[1] * inverse[2]) * scale;
-  const V twist = stop.twist + (along1 * (f.force1 - stop.force1) + along2 * (f.force2 - stop.force2));
-  const V moved = magnitude(f.force1 - stop.force1) + magnitude(f.force2 - stop.force2);
-  f.twist = moved == 0.0 ? f.twist : clamped(twist, twist_limit);
-  return f;
-}
-
-// The friction impulse that stops the slip, cut to what the normal impulses allow; returns the change as a wrench.
-template <class V>
-Wrench<V> solve_friction(const Manifolds<V>& m, const Motion<V>& motion, V pressure) {
-  ContactBatch& batch = *m.batch;
-  const V offset = m.get(batch.offset), p = m.get(batch.centre_p), q = m.get(batch.centre_q);
-  const V w1 = dot(motion.w, m.t1), w2 = dot(motion.w, m.t2), wn = dot(motion.w, m.n);
-  const V u1 = dot(motion.u, m.t1) + (w2 * offset - wn * q);
-  const V u2 = dot(motion.u, m.t2) + (wn * p - w1 * offset);
-  V f[6];
-  for (int k = 0; k < 6; ++k) f[k] = m.get(batch.friction_inverse[k]);
-  const V before1 = m.get(batch.force1), before2 = m.get(batch.force2), twist_before = m.get(batch.twist);
-  const Friction<V> stop = {before1 - ((f[0] * u1 + f[1] * u2) + f[2] * wn),
-                            before2 - ((f[1] * u1 + f[3] * u2) + f[4] * wn),
-                            twist_before - ((f[2] * u1 + f[4] * u2) + f[5] * wn)};
-  const V mass = 0.5 * (f[0] + f[3]);
-  const Friction<V> slide = {before1 - mass * u1, before2 - mass * u2, V{}};
-  const Friction<V> now = within_limits(m, pressure, stop, slide, f);
-  const V d1 = now.force1 - before1, d2 = now.force2 - before2;
-  m.set(batch.force1, now.force1);
-  m.set(batch.force2, now.force2);
-  m.set(batch.twist, now.twist);
-  return friction_wrench(m, d1, d2, (now.twist - twist_before) + (p * d2 - q * d1));
 }
 
 // The normal velocity that a point should have, negated: added to the velocity that the impulse drives to zero. Between
@@ -233,6 +164,7 @@ void warm_start(const ContactWork& work, ContactBatch& batch, unsigned at) {
   }
   if (any(sums.s > m.get(batch.impulse_max))) [[unlikely]]
     sums = add_up_impulses(m);
+  m.set(batch.sliding, V{});
   const V force1 = m.get(batch.force1), force2 = m.get(batch.force2);
   const V turn = m.get(batch.twist) + (m.get(batch.centre_p) * force2 - m.get(batch.centre_q) * force1);
   const Wrench<V> normal = normal_wrench(m, sums.s, sums.sq, sums.sp),

@@ -63,7 +63,7 @@ std::uint32_t method_version(Method method) {
     case Method::kThesis:
       return 4;
     case Method::kLayered:
-      return 4;
+      return 5;
   }
   return 0;
 }

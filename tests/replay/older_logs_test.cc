@@ -47,7 +47,8 @@ TEST(OlderLogs, OpenVerifyAndMeasure) {
        {"format_1.0_thesis", "format_1.0_layered", "format_1.1_thesis", "format_1.1_layered", "format_1.2_thesis",
         "format_1.2_layered", "format_1.3_thesis", "format_1.3_layered", "format_1.3_hashes_3_thesis",
         "format_1.3_hashes_3_layered", "format_1.3_methods_3_thesis", "format_1.3_methods_3_layered",
-        "format_1.3_methods_4_thesis", "format_1.3_methods_4_layered"}) {
+        "format_1.3_methods_4_thesis", "format_1.3_methods_4_layered", "format_1.3_hashes_5_thesis",
+        "format_1.3_methods_5_layered"}) {
     expect_frozen_session(name);
   }
 }
@@ -56,7 +57,7 @@ std::string method_version_note(int version) {
   return "the log was recorded with version " + std::to_string(version) + " of method";
 }
 
-// The bodies of the frozen session turn and slide: versions 3 and 4 of the methods move them otherwise.
+// The bodies of the frozen session turn and slide: later versions of the methods move them otherwise.
 TEST(OlderLogs, OfOtherVersionsOfTheMethodsAreReplayedWithANote) {
   const auto expect_note = [](const std::string& name, int version) {
     Result<LogReader> log = LogReader::open(frozen(name));
@@ -71,6 +72,7 @@ TEST(OlderLogs, OfOtherVersionsOfTheMethodsAreReplayedWithANote) {
     for (const char* format : {"format_1.3", "format_1.3_hashes_3"}) expect_note(format + method, 2);
     expect_note("format_1.3_methods_3" + method, 3);
   }
+  expect_note("format_1.3_methods_4_layered", 4);
 }
 
 /// Replays a frozen log, which must be the same in every bit, and returns what was noted.
@@ -82,9 +84,12 @@ std::vector<std::string> notes_of_same_replay(const std::string& name) {
 }
 
 TEST(OlderLogs, OfTodayReplayWithNothingToSay) {
-  for (const char* name : {"format_1.3_methods_4_thesis", "format_1.3_methods_4_layered"}) {
+  for (const char* name : {"format_1.3_hashes_5_thesis", "format_1.3_methods_5_layered"}) {
     EXPECT_EQ(notes_of_same_replay(name), std::vector<std::string>()) << name;
   }
+  const std::vector<std::string> notes = notes_of_same_replay("format_1.3_methods_4_thesis");
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_NE(notes.front().find("phase hashes"), std::string::npos) << notes.front();
 }
 
 // Up to format 1.2 phase hashes left out some of what a phase wrote.

@@ -45,6 +45,7 @@ class Walk {
       : bodies_(state.bodies),
         scratch_(scratch),
         gravity_(state.def.gravity),
+        tilt_(tilt_of(gravity_)),
         substep_(substep_s),
         reach_(farthest_reach(bodies_)),
         magic_(rounding_for(bodies_, reach_)),
@@ -77,6 +78,16 @@ class Walk {
   }
 
  private:
+  // How far, in x and in y, gravity goes aside in one metre down, negated. Beyond 60° loads stay even.
+  static Vec3 tilt_of(const Vec3& gravity) {
+    if (std::fabs(gravity.z()) < kSteepest * length(gravity) || gravity.z() == 0) return Vec3::Zero();
+    return {gravity.x() / gravity.z(), gravity.y() / gravity.z(), 1};
+  }
+  // m, a place seen along gravity; z is dropped.
+  Vec3 seen(const Vec3& place) const {
+    return {place.x() - place.z() * tilt_.x(), place.y() - place.z() * tilt_.y(), 0};
+  }
+
   // m, from the centre of a body to its corners; at least 1.
   static double farthest_reach(const Bodies& bodies) {
     double squared_reach = 1;
@@ -110,8 +121,12 @@ class Walk {
     const std::span<const ManifoldPoint> points = points_of(scratch_, m);
     return std::all_of(points.begin(), points.end(), [](const ManifoldPoint& p) { return p.impulse == 0; });
   }
+  // Speeds at the centre of body b, as if it belonged to both bodies.
+  Vec3 velocity_across(const Manifold& m) const {
+    return (velocity_of(m.b) - velocity_of(m.a)) - cross(spin_of(m.a), m.d);
+  }
   bool rests(const Manifold& m) const {
-    const Vec3 v = (velocity_of(m.b) - velocity_of(m.a)) - cross(spin_of(m.a), m.d), w = spin_of(m.b) - spin_of(m.a);
+    const Vec3 v = velocity_across(m), w = spin_of(m.b) - spin_of(m.a);
     const double u = dot(v, m.n), w1 = dot(w, m.t1), w2 = dot(w, m.t2);
     const std::span<const ManifoldPoint> points = points_of(scratch_, m);
     return std::all_of(points.begin(), points.end(), [&](const ManifoldPoint& point) {
@@ -150,7 +165,7 @@ class Walk {
       s.first_point = static_cast<std::uint32_t>(own_.points.size());
       for (ManifoldPoint& p : points_of(scratch_, m)) {
         if (p.separation >= kBearing) continue;
-        const Vec3 r = s.origin + ((m.t1 * p.p + m.t2 * p.q) + m.n * m.offset);
+        const Vec3 r = seen(s.origin + ((m.t1 * p.p + m.t2 * p.q) + m.n * m.offset));
         own_.points.push_back({&p, r.x(), r.y()});
       }
       s.end_point = static_cast<std::uint32_t>(own_.points.size());
@@ -206,10 +221,10 @@ class Walk {
     return f;
   }
 
-  // Solves for the slopes from the moments about x and y. With a tilted gravity the loads stay even.
+  // Solves for the slopes from the moments about x and y.
   void balance(BodyIndex i, LoadFit& f) const {
     f.even = carried(i) / f.count;
-    if (gravity_.x() != 0 || gravity_.y() != 0) return;
+    if (tilt_.z() == 0) return;
     const double turn_x = own_.moment_x[i] - carried(i) * f.x, turn_y = own_.moment_y[i] - carried(i) * f.y;
     const double little = 1e-6 * (f.xx + f.yy);  // points in a row leave one slope undetermined
     const double xx = f.xx + little, yy = f.yy + little;
@@ -219,13 +234,32 @@ class Walk {
     f.along_y = (xx * turn_y - f.xy * turn_x) / determinant;
   }
 
+  // Friction starts from what holds the load (kg) on a slope or, where the bodies slip, from what opposes the slip.
+  void start_friction(const Support& s, Manifold& m, double load) const {
+    const Vec3 v = velocity_across(m), w = spin_of(m.b) - spin_of(m.a);
+    const double slip1 = dot(v, m.t1) + dot(w, m.t2) * m.offset, slip2 = dot(v, m.t2) - dot(w, m.t1) * m.offset;
+    const double slip = std::sqrt(slip1 * slip1 + slip2 * slip2);
+    if (slip > kRestingSpeed) {
+      const double against = -(load * s.pull) * (m.friction_dynamic * substep_) / slip;
+      m.force1 = against * slip1;
+      m.force2 = against * slip2;
+    } else {
+      const double up = (s.upper == m.b ? -load : load) * substep_;
+      m.force1 = up * dot(gravity_, m.t1);
+      m.force2 = up * dot(gravity_, m.t2);
+    }
+  }
+
   void pass_down(const Support& s, double scale) {
-    const bool starts = is_new(scratch_.manifolds[s.manifold]) && rests(scratch_.manifolds[s.manifold]);
+    Manifold& m = scratch_.manifolds[s.manifold];
+    const bool starts = is_new(m) && rests(m);
     const bool passes_on = s.lower != kGround;
-    const Vec3 apart = passes_on ? Vec3(bodies_.position[s.upper] - bodies_.position[s.lower]) : Vec3(Vec3::Zero());
+    const Vec3 apart = passes_on ? seen(bodies_.position[s.upper] - bodies_.position[s.lower]) : Vec3(Vec3::Zero());
+    double total = 0;
     for (std::size_t k = s.first_point; k < s.end_point; ++k) {
       const SupportPoint& point = own_.points[k];
       const double load = point.load * scale;
+      total += rounded(load);
       point.point->load = load * s.pull * substep_;
       if (starts) point.point->impulse = point.point->load;
       if (!passes_on) continue;
@@ -233,6 +267,7 @@ class Walk {
       own_.moment_x[s.lower] += rounded(load * lever(point.x + apart.x()));
       own_.moment_y[s.lower] += rounded(load * lever(point.y + apart.y()));
     }
+    if (starts) start_friction(s, m, total);
     if (!passes_on) return;
     const Vec3 velocity = bodies_.velocity[s.lower];
     if (dot(velocity, velocity) > kLendingSpeed * kLendingSpeed) return;
@@ -243,6 +278,7 @@ class Walk {
   const Bodies& bodies_;
   Scratch& scratch_;
   Vec3 gravity_;
+  Vec3 tilt_;
   double substep_;
   double reach_, magic_;
   WeightScratch& own_;

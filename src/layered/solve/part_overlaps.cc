@@ -1,6 +1,7 @@
 #include "src/layered/solve/part_overlaps.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "src/kernels/kernels_by_width.h"
 #include "src/layered/solve/contact_batches.h"
@@ -44,10 +45,29 @@ void start(Scratch& scratch) {
   for (SolverBody& body : own.bodies) body.velocity = body.spin = Vec3::Zero();
 }
 
-void move(Bodies& bodies, BodyIndex i, const SolverBody& parting, double dt_s) {
+// Takes from the motion of a lifted body what the lift adds to its energy: from the speed along gravity, as if the body
+// had flown there, and what that lacks from the whole motion. lift: J/kg.
+void pay_for_lift(const WorldState& state, SolverBody& body, BodyIndex i, double lift) {
+  const Vec3& gravity = state.def.gravity;
+  const double strength = length(gravity), speed = dot(body.velocity, gravity) / strength;  // m/s², m/s
+  const double left = speed * speed - 2 * lift;
+  const double slowed = left > 0 ? std::sqrt(left) : 0;
+  const Vec3 velocity = body.velocity + gravity * (((speed < 0 ? -slowed : slowed) - speed) / strength);
+  const double kinetic =
+      kinetic_energy(state.bodies, i) - 0.5 * state.bodies.mass[i] * (speed * speed - slowed * slowed);
+  const double lacking = 0.5 * state.bodies.mass[i] * std::max(0.0, -left);
+  const double part = lacking == 0 ? 1 : lacking < kinetic ? std::sqrt(1 - lacking / kinetic) : 0;
+  body.velocity = VelocityGrid::round_any(Vec3(velocity * part));
+  body.spin = VelocityGrid::round_any(Vec3(body.spin * part));
+}
+
+void move(WorldState& state, SolverBody& body, BodyIndex i, const SolverBody& parting, double dt_s) {
+  Bodies& bodies = state.bodies;
   if (parting.velocity != Vec3::Zero()) {
     const Vec3 path = PositionGrid::round_any(Vec3(parting.velocity * dt_s));
     bodies.position.set(i, plus_zero(bodies.position[i] + path));
+    const double lift = -dot(state.def.gravity, path);
+    if (lift > 0) pay_for_lift(state, body, i, lift);
   }
   if (parting.spin != Vec3::Zero()) {
     bodies.orientation.set(i, turned(bodies.orientation[i], parting.spin * (0.5 * dt_s)));
@@ -70,7 +90,9 @@ Status part_overlaps(WorldState& state, Scratch& scratch, double dt_s) {
   work.bodies = reinterpret_cast<double*>(own.bodies.data());
   work.push_part = kPart;
   sweep_overlaps(scratch, work, more_sweeps(deepest));
-  for (BodyIndex i = 0; i < state.bodies.size(); ++i) move(state.bodies, i, own.bodies[i], dt_s);
+  for (BodyIndex i = 0; i < state.bodies.size(); ++i) {
+    move(state, scratch.solver_bodies[i], i, own.bodies[i], dt_s);
+  }
   work.points = all.points.data();
   kernels(scratch.lanes).contacts.move_on(work);
   return {};

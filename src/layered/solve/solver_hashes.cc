@@ -10,7 +10,7 @@ namespace {
 // No padding, on any machine.
 static_assert(sizeof(SolverBody) == 16 * sizeof(double));
 static_assert(sizeof(PointBatch) == 8 * sizeof(Lanes));
-static_assert(sizeof(ContactBatch) - offsetof(ContactBatch, friction) == 28 * sizeof(Lanes));
+static_assert(sizeof(ContactBatch) - offsetof(ContactBatch, friction) == 29 * sizeof(Lanes));
 
 bool same_bytes(const std::vector<double>& a, const std::vector<double>& b) {
   return a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
