@@ -13,19 +13,18 @@
 namespace tumble::sim {
 namespace {
 
-// One part of a body, as a collision meets it. gravity_gain: m/s in this sub-step, of a body that moves.
-ContactBody contact_body(const WorldState& state, const Scratch& scratch, BodyIndex i, const Vec3& r,
-                         const Vec3& gravity_gain) {
-  const Bodies& bodies = state.bodies;
+// How one part of a body answers impulses.
+Response part_response(const WorldState& state, const Scratch& scratch, BodyIndex i) {
   const double parts = scratch.split.parts[i];
+  return {parts * state.bodies.inverse_mass[i], state.bodies.inverse_inertia[i] * parts};
+}
+
+// One part of a body, as a collision meets it. gravity_gain: m/s in this sub-step, of a body that moves.
+ContactBody contact_body(const WorldState& state, const Scratch& scratch, BodyIndex i, const Vec3& gravity_gain) {
+  const Bodies& bodies = state.bodies;
   const Vec3 gained = bodies.moves(i) ? gravity_gain : Vec3(Vec3::Zero());
-  return {bodies.velocity[i],
-          bodies.spin[i],
-          parts * bodies.inverse_mass[i],
-          bodies.inverse_inertia[i] * parts,
-          scratch.frames[i].axes,
-          r,
-          gained};
+  return {part_response(state, scratch, i), bodies.velocity[i], bodies.spin[i],
+          scratch.frames[i].axes,           Vec3::Zero(),       gained};
 }
 
 PairMaterial pair_material(const WorldState& state, BodyIndex a, BodyIndex b) {
@@ -112,23 +111,73 @@ void take_back_gains(Scratch& scratch) {
   }
 }
 
+// The collisions of one round. Contacts of one body a follow one another, so on_a_ is mostly the last one's.
+class Collisions {
+ public:
+  Collisions(const WorldState& state, Scratch& scratch, double dt_s)
+      : state_(state), scratch_(scratch), gravity_gain_(VelocityGrid::round(Vec3(state.def.gravity * dt_s))) {}
+
+  // From the velocities before all collisions, with the whole mass of each body.
+  Collision first(std::size_t k) {
+    const Contacts& contacts = scratch_.contacts;
+    const BodyIndex a = contacts.a[k], b = contacts.b[k];
+    const Vec3 normal = contacts.normal[k];
+    const std::span<const Vec3> patch = patch_of(contacts, k);
+    PairMaterial& material = scratch_.split.materials[k];
+    Encounter& met = scratch_.split.encounters[k];
+    material = pair_material(state_, a, b);
+    take_bodies(k);
+    met = encounter(on_a_, b == kGround ? on_ground_ : on_b_, normal, material, patch.size());
+    if (met.approach >= 0) return {};
+    if (!met.shared) return collide_at_point(on_a_, b == kGround ? on_ground_ : on_b_, normal, material, met);
+    return collide_at_patch(on_a_, b == kGround ? on_ground_ : on_b_, normal, material, met, patch);
+  }
+
+  // With as many parts of the bodies as there are now.
+  Collision again(std::size_t k) {
+    const Contacts& contacts = scratch_.contacts;
+    const BodyIndex a = contacts.a[k], b = contacts.b[k];
+    const Vec3 normal = contacts.normal[k];
+    const PairMaterial& material = scratch_.split.materials[k];
+    const Encounter& met = scratch_.split.encounters[k];
+    if (met.approach >= 0) return {};
+    if (!met.shared) {
+      const Response on_b = b == kGround ? Response{} : part_response(state_, scratch_, b);
+      return collide_at_point(part_response(state_, scratch_, a), on_b, normal, material, met);
+    }
+    take_bodies(k);
+    return collide_at_patch(on_a_, b == kGround ? on_ground_ : on_b_, normal, material, met, patch_of(contacts, k));
+  }
+
+ private:
+  void take_bodies(std::size_t k) {
+    const Contacts& contacts = scratch_.contacts;
+    const BodyIndex a = contacts.a[k], b = contacts.b[k];
+    if (a != last_) on_a_ = contact_body(state_, scratch_, a, gravity_gain_);
+    last_ = a;
+    on_a_.r = contacts.r_a[k];
+    if (b == kGround) return;
+    on_b_ = contact_body(state_, scratch_, b, gravity_gain_);
+    on_b_.r = contacts.r_b[k];
+  }
+
+  const WorldState& state_;
+  Scratch& scratch_;
+  Vec3 gravity_gain_;
+  BodyIndex last_ = kGround;  // the body that on_a_ is of
+  ContactBody on_a_, on_b_;
+  const ContactBody on_ground_;
+};
+
 // Computes the collisions of this round and adds their gains.
-Status add_collisions(const WorldState& state, Scratch& scratch, double dt_s) {
+Status add_collisions(const WorldState& state, Scratch& scratch, int round, double dt_s) {
   Contacts& contacts = scratch.contacts;
   SplitScratch& split = scratch.split;
   const Bodies& bodies = state.bodies;
-  const Vec3 gravity_gain = VelocityGrid::round(Vec3(state.def.gravity * dt_s));
-  const ContactBody on_ground;
-  ContactBody on_a, on_b;
-  BodyIndex last = kGround;  // the body that on_a is of; contacts of one body follow one another
+  Collisions collisions(state, scratch, dt_s);
   for (const std::uint32_t k : split.again) {
     const BodyIndex a = contacts.a[k], b = contacts.b[k];
-    if (a != last) on_a = contact_body(state, scratch, a, contacts.r_a[k], gravity_gain);
-    last = a;
-    on_a.r = contacts.r_a[k];
-    if (b != kGround) on_b = contact_body(state, scratch, b, contacts.r_b[k], gravity_gain);
-    const Collision collision = collide(on_a, b == kGround ? on_ground : on_b, contacts.normal[k],
-                                        pair_material(state, a, b), patch_of(contacts, k));
+    const Collision collision = round == 0 ? collisions.first(k) : collisions.again(k);
     contacts.impulse.set(k, collision.impulse);
     find_gain(bodies, scratch, {a, 2 * k, collision.turn_a, -1}, collision, dt_s);
     if (Status ok = add_gain(bodies, scratch, a, split.gains[2 * k], collision.resting); !ok.ok()) return ok;
@@ -154,6 +203,8 @@ void reset_gains(Scratch& scratch, std::size_t bodies) {
   scratch.contacts.impulse.resize(contacts.size());
   scratch.split.gains.resize(2 * contacts.size());
   scratch.split.energy.resize(2 * contacts.size());
+  scratch.split.encounters.resize(contacts.size());
+  scratch.split.materials.resize(contacts.size());
 }
 
 }  // namespace
@@ -162,7 +213,7 @@ Status compute_impulses(WorldState& state, Scratch& scratch, double dt_s) {
   reset_gains(scratch, state.bodies.size());
   reset_parts(scratch.contacts, state.bodies.size(), scratch.split);
   for (int round = 0;; ++round) {
-    if (Status ok = add_collisions(state, scratch, dt_s); !ok.ok()) return ok;
+    if (Status ok = add_collisions(state, scratch, round, dt_s); !ok.ok()) return ok;
     if (!raise_parts(state, scratch, round)) return {};
     take_back_gains(scratch);
   }
