@@ -42,12 +42,15 @@ struct Uncovered {
 // formula with determinants would not.
 Vec3 solve(const Uncovered& m, double weight) {
   const auto times = [&](const Vec3& v) { return Vec3(m.times(v) + v * weight); };
-  const double solved = dot(m.pull, m.pull) * (kSolved * kSolved);
-  Vec3 d = Vec3::Zero();
+  Vec3 d = Vec3::Zero(), rest = m.pull;
+  double square = dot(rest, rest);
+  const double solved = square * (kSolved * kSolved);
   for (int round = 0; round < 4; ++round) {
-    Vec3 rest = m.pull - times(d);
+    if (round > 0) {
+      rest = m.pull - times(d);
+      square = dot(rest, rest);
+    }
     Vec3 direction = rest;
-    double square = dot(rest, rest);
     for (int k = 0; k < 3; ++k) {
       if (square <= solved) return d;
       const Vec3 image = times(direction);

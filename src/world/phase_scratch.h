@@ -26,11 +26,12 @@ struct SeparationScratch {
   std::vector<Displacement> wanted;  ///< body by body
 };
 
-/// The outcome of a collision for one of its bodies; zeros for a body that does not move.
+/// The outcome of a collision for one of its bodies, zeros for a body that does not move; or the sum of a body's
+/// outcomes.
 struct Gain {
   Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();  ///< m/s, rad/s, on VelocityGrid
   Vec3 way_back = Vec3::Zero();                       ///< m, on PositionGrid
-  double largest = 0;                                 ///< the largest part of velocity and spin
+  double largest = 0;  ///< the largest part of velocity and spin, m/s or rad/s; of a sum, the sum of those
 };
 
 struct PairMaterial {
@@ -61,12 +62,13 @@ struct SplitScratch {
   std::vector<Encounter> encounters;    ///< by contact
   std::vector<PairMaterial> materials;  ///< by contact
   std::vector<Gain> gains;              ///< by contact, of a and of b
+  std::vector<Gain> sums;               ///< by body
   std::vector<std::uint32_t> again;     ///< contacts that this round computes
   std::vector<double> parts;            ///< by body, >= 1: its mass is divided by this
   std::vector<std::uint8_t> raised;     ///< by body, whether the last round raised the number of parts
   std::vector<std::uint8_t> changed;    ///< by body, whether this round computes one of its collisions
   std::vector<std::uint32_t> contacts;  ///< by body
-  bool several = false;                 ///< whether any body has several contacts
+  std::vector<BodyIndex> several;       ///< bodies with several contacts, in any order
   std::vector<std::uint32_t> count;     ///< by body that changed, collisions with an impulse
   std::vector<double> together;         ///< by body that changed, J, twice: of the sum of its gains
   std::vector<double> magic;            ///< by body that changed, of the grid of `sum`

@@ -183,7 +183,6 @@ struct Scratch {
   Contacts contacts;                      ///< written by find_planes (a, b, planes), find_contacts, compute_impulses
   Vec3Column velocity_gain;               ///< by body, sum of outcomes, m/s; written by compute_impulses
   Vec3Column spin_gain;                   ///< by body, sum of outcomes, rad/s; written by compute_impulses
-  std::vector<double> gain_total;         ///< by body, sum of the largest part of each outcome, m/s or rad/s
   Vec3Column way_back;                    ///< by body, sum, m, that friction takes back; written by compute_impulses
   Vec3Column displacement;                ///< by body, merged, m; written by compute_separation
   std::vector<std::uint8_t> hit;          ///< bodies in a collision that is no resting; written by compute_impulses
