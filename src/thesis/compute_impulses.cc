@@ -54,7 +54,14 @@ struct Side {
   std::size_t row;
   Vec3 turn;
   double sign;
+  std::uint8_t hit;
 };
+
+// How a collision hits its bodies, for Scratch::hit.
+std::uint8_t hit_of(const SplitScratch& split, std::size_t k, const Collision& collision) {
+  const bool fully = split.materials[k].restitution == 1;
+  return static_cast<std::uint8_t>((collision.resting ? 0 : kHit) + (fully ? kBouncesFully : 0));
+}
 
 // Finds the outcome of a collision for one body. At rest friction acts evenly throughout the sub-step, as gravity does:
 // half of the speed that friction takes, times the sub-step, is taken from the way as well.
@@ -79,7 +86,7 @@ bool add_outcome(const Bodies& bodies, Scratch& scratch, const Side& side, const
   double& energy = split.energy[side.row];
   energy = 0;
   split.changed[i] = 1;
-  if (!collision.resting) scratch.hit[i] = 1;
+  scratch.hit[i] |= side.hit;
   if (bodies.inverse_mass[i] == 0) {
     gain = {};
     return true;
@@ -188,12 +195,13 @@ Status add_collisions(const WorldState& state, Scratch& scratch, int round, doub
     const BodyIndex a = contacts.a[k], b = contacts.b[k];
     const Collision collision = round == 0 ? collisions.first(k) : collisions.again(k);
     contacts.impulse.set(k, collision.impulse);
-    const Side side_a = {a, 2 * k, collision.turn_a, -1};
+    const std::uint8_t hit = hit_of(split, k, collision);
+    const Side side_a = {a, 2 * k, collision.turn_a, -1, hit};
     if (!add_outcome(bodies, scratch, side_a, collision, dt_s)) [[unlikely]] {
       if (Status ok = check_outcome(bodies, scratch, side_a); !ok.ok()) return ok;
     }
     if (b == kGround) continue;
-    const Side side_b = {b, 2 * k + 1, collision.turn_b, 1};
+    const Side side_b = {b, 2 * k + 1, collision.turn_b, 1, hit};
     if (!add_outcome(bodies, scratch, side_b, collision, dt_s)) [[unlikely]] {
       if (Status ok = check_outcome(bodies, scratch, side_b); !ok.ok()) return ok;
     }
