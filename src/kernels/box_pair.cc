@@ -172,4 +172,12 @@ void find_edges_singly(BoxTests& tests) {
   for (std::size_t k = 0; k < tests.count; ++k) put(tests.edges, k, pair_of(tests, k).best(kEdges));
 }
 
+void find_all_singly(BoxTests& tests) {
+  find_faces_singly(tests);
+  find_edges_singly(tests);
+  for (std::size_t k = 0; k < tests.count; ++k) {
+    tests.apart_along_facelike[k] = pair_of(tests, k).apart_along_facelike_edges() ? 1 : 0;
+  }
+}
+
 }  // namespace tumble::sim

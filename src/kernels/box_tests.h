@@ -23,16 +23,19 @@ struct BoxTests {
   std::uint32_t a[kMost] = {}, b[kMost] = {};  ///< rows of frames; all kMost must exist
   alignas(64) double offset[3][kMost] = {};    ///< x_b − x_a, m
   Best faces_of_a, faces_of_b, edges;
+  alignas(64) double apart_along_facelike[kMost];  ///< BoxPair::apart_along_facelike_edges, 1 or 0
 };
 
 /// The box test for many pairs. One lane calls BoxPair.
 struct BoxTestKernels {
   void (*find_faces)(BoxTests& tests);  ///< fills faces_of_a, faces_of_b
   void (*find_edges)(BoxTests& tests);  ///< fills edges
+  void (*find_all)(BoxTests& tests);    ///< fills all results
 };
 
 // The kernels of one lane: BoxPair for one pair after the other.
 void find_faces_singly(BoxTests& tests);
 void find_edges_singly(BoxTests& tests);
+void find_all_singly(BoxTests& tests);
 
 }  // namespace tumble::sim

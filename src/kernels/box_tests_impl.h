@@ -63,8 +63,7 @@ V along_face(const Space<V>& offset, const Space<V>& normal, V half, const V (&o
 }
 
 template <class V>
-void find_faces_at(BoxTests& tests, std::size_t at) {
-  const LanePairs<V> pairs(tests, at);
+void find_faces_of(const LanePairs<V>& pairs, BoxTests& tests, std::size_t at) {
   const auto& p = pairs.product;
   V of_a[3], of_b[3];
   for (int k = 0; k < 3; ++k) {
@@ -75,9 +74,9 @@ void find_faces_at(BoxTests& tests, std::size_t at) {
   store_best(of_b, 8, tests.faces_of_b, at);
 }
 
-// Along a's edge i crossed with b's edge j.
+// Along a's edge i crossed with b's edge j. Raises `apart` to 1 where that axis repeats a face and separates the boxes.
 template <int i, int j, class V>
-V along_edges(const LanePairs<V>& pairs) {
+V along_edges(const LanePairs<V>& pairs, V& apart) {
   constexpr int ia = (i + 1) % 3, ib = (i + 2) % 3, ja = (j + 1) % 3, jb = (j + 2) % 3;
   const auto& p = pairs.product;
   const Space<V> axis = cross(pairs.a.axes[i], pairs.b.axes[j]);
@@ -86,33 +85,52 @@ V along_edges(const LanePairs<V>& pairs) {
   const V reach = (pairs.a.half[ia] * (p[ib][j] * scale) + pairs.a.half[ib] * (p[ia][j] * scale)) +
                   (pairs.b.half[ja] * (p[i][jb] * scale) + pairs.b.half[jb] * (p[i][ja] * scale));
   const V most_along_face = larger(larger(p[ia][j], p[ib][j]), larger(p[i][ja], p[i][jb]));
-  const auto skipped = (squared < kParallelSquared) | (most_along_face > kFaceLike * length) | (offset == 0.0);
-  return skipped ? V{} + kNoDirection : absolute(offset) * scale - reach;
+  const auto undirected = (squared < kParallelSquared) | (offset == 0.0);
+  const auto facelike = most_along_face > kFaceLike * length;
+  const V separation = undirected ? V{} + kNoDirection : absolute(offset) * scale - reach;
+  const V parted = separation >= 0.0 ? V{} + 1.0 : V{} + 0.0;
+  apart = facelike ? larger(apart, parted) : apart;
+  return facelike ? V{} + kNoDirection : separation;
 }
 
 template <class V>
-void find_edges_at(BoxTests& tests, std::size_t at) {
-  const LanePairs<V> pairs(tests, at);
-  const V separation[9] = {along_edges<0, 0>(pairs), along_edges<0, 1>(pairs), along_edges<0, 2>(pairs),
-                           along_edges<1, 0>(pairs), along_edges<1, 1>(pairs), along_edges<1, 2>(pairs),
-                           along_edges<2, 0>(pairs), along_edges<2, 1>(pairs), along_edges<2, 2>(pairs)};
+void find_edges_of(const LanePairs<V>& pairs, BoxTests& tests, std::size_t at, V& apart) {
+  const V separation[9] = {
+      along_edges<0, 0>(pairs, apart), along_edges<0, 1>(pairs, apart), along_edges<0, 2>(pairs, apart),
+      along_edges<1, 0>(pairs, apart), along_edges<1, 1>(pairs, apart), along_edges<1, 2>(pairs, apart),
+      along_edges<2, 0>(pairs, apart), along_edges<2, 1>(pairs, apart), along_edges<2, 2>(pairs, apart)};
   store_best(separation, 64, tests.edges, at);
 }
 
 template <int kWidth>
 void find_faces(BoxTests& tests) {
-  for (std::size_t at = 0; at < tests.count; at += kWidth) find_faces_at<typename VectorOf<kWidth>::Type>(tests, at);
+  using V = typename VectorOf<kWidth>::Type;
+  for (std::size_t at = 0; at < tests.count; at += kWidth) find_faces_of(LanePairs<V>(tests, at), tests, at);
 }
 
 template <int kWidth>
 void find_edges(BoxTests& tests) {
-  for (std::size_t at = 0; at < tests.count; at += kWidth) find_edges_at<typename VectorOf<kWidth>::Type>(tests, at);
+  using V = typename VectorOf<kWidth>::Type;
+  V unused = V{} + 0.0;
+  for (std::size_t at = 0; at < tests.count; at += kWidth) find_edges_of(LanePairs<V>(tests, at), tests, at, unused);
+}
+
+template <int kWidth>
+void find_all(BoxTests& tests) {
+  using V = typename VectorOf<kWidth>::Type;
+  for (std::size_t at = 0; at < tests.count; at += kWidth) {
+    const LanePairs<V> pairs(tests, at);
+    V apart = V{} + 0.0;
+    find_faces_of(pairs, tests, at);
+    find_edges_of(pairs, tests, at, apart);
+    store(tests.apart_along_facelike + at, apart);
+  }
 }
 
 template <int kWidth>
 constexpr BoxTestKernels box_test_kernels_of() {
-  if constexpr (kWidth == 1) return {find_faces_singly, find_edges_singly};
-  return {find_faces<kWidth>, find_edges<kWidth>};
+  if constexpr (kWidth == 1) return {find_faces_singly, find_edges_singly, find_all_singly};
+  return {find_faces<kWidth>, find_edges<kWidth>, find_all<kWidth>};
 }
 
 }  // namespace

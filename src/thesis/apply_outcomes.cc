@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "src/math/grid.h"
+#include "src/thesis/split_mass.h"
 #include "src/world/body_check.h"
 
 namespace tumble::sim {
@@ -15,8 +16,21 @@ LiftCost pay_for_lift(const Vec3& velocity, const Vec3& displacement, const Vec3
   const double left = std::sqrt(std::max(0.0, rise * rise - 2 * pumped));
   const double new_rise = rise < 0 ? -left : left;
   const Vec3 slower = plus_zero(velocity + VelocityGrid::round(Vec3(up * (new_rise - rise))));
-  return {slower, 0.5 * (dot(velocity, velocity) - dot(slower, slower))};
+  const double unpaid = std::max(0.0, pumped - 0.5 * (rise * rise));
+  return {slower, 0.5 * (dot(velocity, velocity) - dot(slower, slower)), unpaid};
 }
+
+namespace {
+
+// Takes `unpaid`, J/kg, from the rotation of body i, as far as there is any. Returns the energy taken, J.
+double pay_by_rotation(const Bodies& bodies, const BoxFrame& frame, BodyIndex i, double unpaid, Vec3& spin) {
+  const double rotation = 0.5 * gain_energy(bodies, frame, i, Vec3::Zero(), spin), price = unpaid * bodies.mass[i];
+  if (rotation <= 0) return 0;
+  spin = plus_zero(VelocityGrid::round(Vec3(spin * std::sqrt(std::max(0.0, 1 - price / rotation)))));
+  return rotation - 0.5 * gain_energy(bodies, frame, i, Vec3::Zero(), spin);
+}
+
+}  // namespace
 
 Status apply_outcomes(WorldState& state, Scratch& scratch, double /*dt_s*/) {
   Bodies& bodies = state.bodies;
@@ -25,17 +39,20 @@ Status apply_outcomes(WorldState& state, Scratch& scratch, double /*dt_s*/) {
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
     if (scratch.touched[i] == 0 || bodies.is_static[i] != 0) continue;
     Vec3 velocity = plus_zero(bodies.velocity[i] + scratch.velocity_gain[i]), position = bodies.position[i];
-    const Vec3 spin = plus_zero(bodies.spin[i] + scratch.spin_gain[i]);
+    Vec3 spin = plus_zero(bodies.spin[i] + scratch.spin_gain[i]);
     if (bodies.moves(i)) {
       if (!within(velocity, kSpeedMax)) {  // the grid of the lift ends there
         bodies.velocity.set(i, velocity);
         return check_body_closely(bodies, i);
       }
       const Vec3 displacement = scratch.displacement[i];
-      const Vec3 up = scratch.hit[i] != 0 ? vertical : Vec3(displacement / length(displacement));
+      const Vec3 up = (scratch.hit[i] & kHit) != 0 ? vertical : Vec3(displacement / length(displacement));
       const LiftCost cost = pay_for_lift(velocity, displacement, state.def.gravity, up);
       velocity = cost.velocity;
       scratch.removed_energy += cost.removed * bodies.mass[i];
+      if ((scratch.hit[i] & kBouncesFully) != 0 && cost.unpaid > 0) {
+        scratch.removed_energy += pay_by_rotation(bodies, scratch.frames[i], i, cost.unpaid, spin);
+      }
       position = plus_zero(position + (displacement + scratch.way_back[i]));
       bodies.position.set(i, position);
     }

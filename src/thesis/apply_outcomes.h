@@ -14,7 +14,8 @@ namespace tumble::sim {
 /// Writes: velocity, spin, position; removed_energy
 /// Errors: a body that is not finite or beyond limits.h
 /// Source: thesis III.E: the potential energy of the displacement is removed from the vertical part of the kinetic
-///         energy, as far as there is any. "Vertical" is along gravity, but along the displacement for a body that was
+///         energy, as far as there is any. Differs: a body in a contact of restitution 1 pays the rest out of its
+///         rotation. "Vertical" is along gravity, but along the displacement for a body that was
 ///         not hit: what slides down a slope keeps its speed.
 Status apply_outcomes(WorldState& state, Scratch& scratch, double dt_s);
 void hash_apply_outcomes(const WorldState& state, const Scratch& scratch, Hasher& hasher);
@@ -24,6 +25,7 @@ void hash_apply_outcomes(const WorldState& state, const Scratch& scratch, Hasher
 struct LiftCost {
   Vec3 velocity;
   double removed = 0;
+  double unpaid = 0;  ///< J/kg of the lift, where that speed was too low
 };
 LiftCost pay_for_lift(const Vec3& velocity, const Vec3& displacement, const Vec3& gravity, const Vec3& up);
 

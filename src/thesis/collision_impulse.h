@@ -1,26 +1,27 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 
+#include "src/world/phase_scratch.h"
 #include "tumble/sim/rotation.h"
 #include "tumble/sim/vec.h"
 
 namespace tumble::sim {
 
-/// One body of a contact; an immovable body has zeros.
-struct ContactBody {
+/// How a body answers impulses; an immovable body has zeros.
+struct Response {
+  double inverse_mass = 0;              ///< 1/kg
+  Vec3 inverse_inertia = Vec3::Zero();  ///< 1/(kg·m²)
+};
+
+/// One body of a contact.
+struct ContactBody : Response {
   Vec3 velocity = Vec3::Zero();  ///< m/s
   Vec3 spin = Vec3::Zero();      ///< rad/s
-  double inverse_mass = 0;       ///< 1/kg
-  Vec3 inverse_inertia = Vec3::Zero();
   Axes axes = axes_of(Quat{});
   Vec3 r = Vec3::Zero();       ///< collision point from the centre of mass, m
   Vec3 gained = Vec3::Zero();  ///< m/s, the part of `velocity` that gravity added in this sub-step
-};
-
-struct PairMaterial {
-  double friction = 0, friction_dynamic = 0, restitution = 0;
-  double slip_speed = 0;  ///< m/s
 };
 
 /// The impulse of a collision, on b; a receives the opposite.
@@ -43,6 +44,16 @@ struct Collision {
 /// far as the patch reaches, to where friction and pressure together turn neither body against the other.
 Collision collide(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material,
                   std::span<const Vec3> patch);
+
+/// The same in two steps, for the same bodies with several parts of their masses (split_mass.h): `encounter` reads of
+/// the masses only whether they are finite. corners: of the patch. Of bodies that meet, one of the others follows:
+/// collide_at_patch where the encounter says that corners may share the load, collide_at_point elsewhere.
+Encounter encounter(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material,
+                    std::size_t corners);
+Collision collide_at_point(const Response& a, const Response& b, const Vec3& normal, const PairMaterial& material,
+                           const Encounter& met);
+Collision collide_at_patch(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material,
+                           const Encounter& met, std::span<const Vec3> patch);
 
 /// The change of spin by an impulse at r and an angular impulse, rad/s.
 Vec3 spin_gain_of(const ContactBody& body, const Vec3& impulse, const Vec3& twist = Vec3::Zero());

@@ -13,19 +13,18 @@
 namespace tumble::sim {
 namespace {
 
-// One part of a body, as a collision meets it. gravity_gain: m/s in this sub-step, of a body that moves.
-ContactBody contact_body(const WorldState& state, const Scratch& scratch, BodyIndex i, const Vec3& r,
-                         const Vec3& gravity_gain) {
-  const Bodies& bodies = state.bodies;
+// How one part of a body answers impulses.
+Response part_response(const WorldState& state, const Scratch& scratch, BodyIndex i) {
   const double parts = scratch.split.parts[i];
+  return {parts * state.bodies.inverse_mass[i], state.bodies.inverse_inertia[i] * parts};
+}
+
+// One part of a body, as a collision meets it. gravity_gain: m/s in this sub-step, of a body that moves.
+ContactBody contact_body(const WorldState& state, const Scratch& scratch, BodyIndex i, const Vec3& gravity_gain) {
+  const Bodies& bodies = state.bodies;
   const Vec3 gained = bodies.moves(i) ? gravity_gain : Vec3(Vec3::Zero());
-  return {bodies.velocity[i],
-          bodies.spin[i],
-          parts * bodies.inverse_mass[i],
-          bodies.inverse_inertia[i] * parts,
-          scratch.frames[i].axes,
-          r,
-          gained};
+  return {part_response(state, scratch, i), bodies.velocity[i], bodies.spin[i],
+          scratch.frames[i].axes,           Vec3::Zero(),       gained};
 }
 
 PairMaterial pair_material(const WorldState& state, BodyIndex a, BodyIndex b) {
@@ -55,96 +54,164 @@ struct Side {
   std::size_t row;
   Vec3 turn;
   double sign;
+  std::uint8_t hit;
 };
 
-// Finds the outcome of a collision for one body, and its energy if the body has several contacts (split_mass.h). At
-// rest friction acts evenly throughout the sub-step, as gravity does: half of the speed that friction takes, times the
-// sub-step, is taken from the way as well.
-void find_gain(const Bodies& bodies, Scratch& scratch, const Side& side, const Collision& collision, double dt_s) {
-  const BodyIndex i = side.body;
-  const Vec3& turn = side.turn;
-  const double sign = side.sign;
-  Gain& gain = scratch.split.gains[side.row];
-  double& energy = scratch.split.energy[side.row];
-  energy = 0;
-  const double yield = sign * bodies.inverse_mass[i];
-  if (yield == 0) {
-    gain = {};
-    return;
-  }
-  const Vec3 turning = turn.cwiseProduct(bodies.inverse_inertia[i]);
-  gain.velocity = VelocityGrid::round(Vec3(collision.impulse * yield));
-  gain.spin = VelocityGrid::round(to_world(scratch.frames[i].axes, Vec3(turning * sign)));
-  gain.largest = std::max(gain.velocity.cwiseAbs().maxCoeff(), gain.spin.cwiseAbs().maxCoeff());
-  gain.way_back = Vec3::Zero();
-  if (collision.resting) {
-    const Vec3 slowed = VelocityGrid::round(Vec3(collision.friction * yield));
-    gain.way_back = PositionGrid::round(Vec3(slowed * (0.5 * dt_s)));
-  }
-  if (scratch.split.contacts[i] > 1) {
-    energy = bodies.mass[i] * dot(gain.velocity, gain.velocity) + dot(turn, turning);
-  }
+// How a collision hits its bodies, for Scratch::hit.
+std::uint8_t hit_of(const SplitScratch& split, std::size_t k, const Collision& collision) {
+  const bool fully = split.materials[k].restitution == 1;
+  return static_cast<std::uint8_t>((collision.resting ? 0 : kHit) + (fully ? kBouncesFully : 0));
 }
 
-Status add_gain(const Bodies& bodies, Scratch& scratch, BodyIndex i, const Gain& gain, bool resting) {
-  scratch.split.changed[i] = 1;
-  if (Status ok = check_gain(bodies, i, gain.velocity, gain.spin); !ok.ok()) return ok;
-  scratch.gain_total[i] += gain.largest;
-  scratch.velocity_gain.add(i, gain.velocity);
-  scratch.spin_gain.add(i, gain.spin);
-  if (resting) scratch.way_back.add(i, gain.way_back);
-  if (!resting) scratch.hit[i] = 1;
-  return check_gains(bodies, i, scratch.gain_total[i]);
+// Finds the outcome of a collision for one body. At rest friction acts evenly throughout the sub-step, as gravity does:
+// half of the speed that friction takes, times the sub-step, is taken from the way as well.
+void find_gain(const Bodies& bodies, const BoxFrame& frame, const Side& side, const Collision& collision, double dt_s,
+               const Vec3& turning, Gain& gain) {
+  const double yield = side.sign * bodies.inverse_mass[side.body];
+  gain.velocity = VelocityGrid::round(Vec3(collision.impulse * yield));
+  gain.spin = VelocityGrid::round(to_world(frame.axes, Vec3(turning * side.sign)));
+  gain.largest = std::max(gain.velocity.cwiseAbs().maxCoeff(), gain.spin.cwiseAbs().maxCoeff());
+  gain.way_back = Vec3::Zero();
+  if (!collision.resting) return;
+  const Vec3 slowed = VelocityGrid::round(Vec3(collision.friction * yield));
+  gain.way_back = PositionGrid::round(Vec3(slowed * (0.5 * dt_s)));
+}
+
+// Finds the outcome of a collision for one body, its energy if the body has several contacts (split_mass.h), and adds
+// it to the sum of the body. Returns whether outcome and sum are small enough; beyond() tells of those that are not.
+bool add_outcome(const Bodies& bodies, Scratch& scratch, const Side& side, const Collision& collision, double dt_s) {
+  const BodyIndex i = side.body;
+  SplitScratch& split = scratch.split;
+  Gain& gain = split.gains[side.row];
+  double& energy = split.energy[side.row];
+  energy = 0;
+  split.changed[i] = 1;
+  scratch.hit[i] |= side.hit;
+  if (bodies.inverse_mass[i] == 0) {
+    gain = {};
+    return true;
+  }
+  const Vec3 turning = side.turn.cwiseProduct(bodies.inverse_inertia[i]);
+  find_gain(bodies, scratch.frames[i], side, collision, dt_s, turning, gain);
+  if (split.contacts[i] > 1) {
+    energy = bodies.mass[i] * dot(gain.velocity, gain.velocity) + dot(side.turn, turning);
+  }
+  Gain& sum = split.sums[i];
+  sum.velocity += gain.velocity;
+  sum.spin += gain.spin;
+  if (collision.resting) sum.way_back += gain.way_back;
+  sum.largest += gain.largest;
+  return magnitudes(gain.velocity) + magnitudes(gain.spin) <= kSpeedMax && sum.largest <= kGainTotalMax;
+}
+
+// The error of a gain or a sum that may be too large, if it is.
+Status check_outcome(const Bodies& bodies, const Scratch& scratch, const Side& side) {
+  const Gain& gain = scratch.split.gains[side.row];
+  if (Status ok = check_gain(bodies, side.body, gain.velocity, gain.spin); !ok.ok()) return ok;
+  return check_gains(bodies, side.body, scratch.split.sums[side.body].largest);
 }
 
 // Sums of grid doubles are exact: a gain taken back leaves what the other gains add up to.
-void take_back(Scratch& scratch, BodyIndex i, const Gain& gain) {
-  scratch.gain_total[i] -= gain.largest;
-  scratch.velocity_gain.add(i, -gain.velocity);
-  scratch.spin_gain.add(i, -gain.spin);
-  if (gain.way_back != Vec3::Zero()) scratch.way_back.add(i, -gain.way_back);
+void take_back(SplitScratch& split, BodyIndex i, const Gain& gain) {
+  Gain& sum = split.sums[i];
+  sum.velocity -= gain.velocity;
+  sum.spin -= gain.spin;
+  sum.way_back -= gain.way_back;
+  sum.largest -= gain.largest;
 }
 
-void take_back_gains(Scratch& scratch) {
-  for (const std::uint32_t k : scratch.split.again) {
-    take_back(scratch, scratch.contacts.a[k], scratch.split.gains[2 * k]);
-    if (scratch.contacts.b[k] != kGround) take_back(scratch, scratch.contacts.b[k], scratch.split.gains[2 * k + 1]);
+void take_back_gains(const Contacts& contacts, SplitScratch& split) {
+  for (const std::uint32_t k : split.again) {
+    take_back(split, contacts.a[k], split.gains[2 * k]);
+    if (contacts.b[k] != kGround) take_back(split, contacts.b[k], split.gains[2 * k + 1]);
   }
 }
 
+// The collisions of one round. Contacts of one body a follow one another, so on_a_ is mostly the last one's.
+class Collisions {
+ public:
+  Collisions(const WorldState& state, Scratch& scratch, double dt_s)
+      : state_(state), scratch_(scratch), gravity_gain_(VelocityGrid::round(Vec3(state.def.gravity * dt_s))) {}
+
+  // From the velocities before all collisions, with the whole mass of each body.
+  Collision first(std::size_t k) {
+    const Contacts& contacts = scratch_.contacts;
+    const BodyIndex a = contacts.a[k], b = contacts.b[k];
+    const Vec3 normal = contacts.normal[k];
+    const std::span<const Vec3> patch = patch_of(contacts, k);
+    PairMaterial& material = scratch_.split.materials[k];
+    Encounter& met = scratch_.split.encounters[k];
+    material = pair_material(state_, a, b);
+    take_bodies(k);
+    met = encounter(on_a_, b == kGround ? on_ground_ : on_b_, normal, material, patch.size());
+    if (met.approach >= 0) return {};
+    if (!met.shared) return collide_at_point(on_a_, b == kGround ? on_ground_ : on_b_, normal, material, met);
+    return collide_at_patch(on_a_, b == kGround ? on_ground_ : on_b_, normal, material, met, patch);
+  }
+
+  // With as many parts of the bodies as there are now.
+  Collision again(std::size_t k) {
+    const Contacts& contacts = scratch_.contacts;
+    const BodyIndex a = contacts.a[k], b = contacts.b[k];
+    const Vec3 normal = contacts.normal[k];
+    const PairMaterial& material = scratch_.split.materials[k];
+    const Encounter& met = scratch_.split.encounters[k];
+    if (met.approach >= 0) return {};
+    if (!met.shared) {
+      const Response on_b = b == kGround ? Response{} : part_response(state_, scratch_, b);
+      return collide_at_point(part_response(state_, scratch_, a), on_b, normal, material, met);
+    }
+    take_bodies(k);
+    return collide_at_patch(on_a_, b == kGround ? on_ground_ : on_b_, normal, material, met, patch_of(contacts, k));
+  }
+
+ private:
+  void take_bodies(std::size_t k) {
+    const Contacts& contacts = scratch_.contacts;
+    const BodyIndex a = contacts.a[k], b = contacts.b[k];
+    if (a != last_) on_a_ = contact_body(state_, scratch_, a, gravity_gain_);
+    last_ = a;
+    on_a_.r = contacts.r_a[k];
+    if (b == kGround) return;
+    on_b_ = contact_body(state_, scratch_, b, gravity_gain_);
+    on_b_.r = contacts.r_b[k];
+  }
+
+  const WorldState& state_;
+  Scratch& scratch_;
+  Vec3 gravity_gain_;
+  BodyIndex last_ = kGround;  // the body that on_a_ is of
+  ContactBody on_a_, on_b_;
+  const ContactBody on_ground_;
+};
+
 // Computes the collisions of this round and adds their gains.
-Status add_collisions(const WorldState& state, Scratch& scratch, double dt_s) {
+Status add_collisions(const WorldState& state, Scratch& scratch, int round, double dt_s) {
   Contacts& contacts = scratch.contacts;
   SplitScratch& split = scratch.split;
   const Bodies& bodies = state.bodies;
-  const Vec3 gravity_gain = VelocityGrid::round(Vec3(state.def.gravity * dt_s));
-  const ContactBody on_ground;
-  ContactBody on_a, on_b;
-  BodyIndex last = kGround;  // the body that on_a is of; contacts of one body follow one another
+  Collisions collisions(state, scratch, dt_s);
   for (const std::uint32_t k : split.again) {
     const BodyIndex a = contacts.a[k], b = contacts.b[k];
-    if (a != last) on_a = contact_body(state, scratch, a, contacts.r_a[k], gravity_gain);
-    last = a;
-    on_a.r = contacts.r_a[k];
-    if (b != kGround) on_b = contact_body(state, scratch, b, contacts.r_b[k], gravity_gain);
-    const Collision collision = collide(on_a, b == kGround ? on_ground : on_b, contacts.normal[k],
-                                        pair_material(state, a, b), patch_of(contacts, k));
+    const Collision collision = round == 0 ? collisions.first(k) : collisions.again(k);
     contacts.impulse.set(k, collision.impulse);
-    find_gain(bodies, scratch, {a, 2 * k, collision.turn_a, -1}, collision, dt_s);
-    if (Status ok = add_gain(bodies, scratch, a, split.gains[2 * k], collision.resting); !ok.ok()) return ok;
+    const std::uint8_t hit = hit_of(split, k, collision);
+    const Side side_a = {a, 2 * k, collision.turn_a, -1, hit};
+    if (!add_outcome(bodies, scratch, side_a, collision, dt_s)) [[unlikely]] {
+      if (Status ok = check_outcome(bodies, scratch, side_a); !ok.ok()) return ok;
+    }
     if (b == kGround) continue;
-    find_gain(bodies, scratch, {b, 2 * k + 1, collision.turn_b, 1}, collision, dt_s);
-    if (Status ok = add_gain(bodies, scratch, b, split.gains[2 * k + 1], collision.resting); !ok.ok()) return ok;
+    const Side side_b = {b, 2 * k + 1, collision.turn_b, 1, hit};
+    if (!add_outcome(bodies, scratch, side_b, collision, dt_s)) [[unlikely]] {
+      if (Status ok = check_outcome(bodies, scratch, side_b); !ok.ok()) return ok;
+    }
   }
   return {};
 }
 
 void reset_gains(Scratch& scratch, std::size_t bodies) {
   const Contacts& contacts = scratch.contacts;
-  for (Vec3Column* sum : {&scratch.velocity_gain, &scratch.spin_gain, &scratch.way_back}) {
-    sum->assign(bodies, Vec3::Zero());
-  }
-  scratch.gain_total.assign(bodies, 0);
+  scratch.split.sums.assign(bodies, Gain{});
   scratch.hit.assign(bodies, 0);
   scratch.touched.assign(bodies, 0);
   for (const BodyIndex i : contacts.a) scratch.touched[i] = 1;
@@ -154,6 +221,18 @@ void reset_gains(Scratch& scratch, std::size_t bodies) {
   scratch.contacts.impulse.resize(contacts.size());
   scratch.split.gains.resize(2 * contacts.size());
   scratch.split.energy.resize(2 * contacts.size());
+  scratch.split.encounters.resize(contacts.size());
+  scratch.split.materials.resize(contacts.size());
+}
+
+void put_sums(Scratch& scratch) {
+  const std::vector<Gain>& sums = scratch.split.sums;
+  for (Vec3Column* sum : {&scratch.velocity_gain, &scratch.spin_gain, &scratch.way_back}) sum->resize(sums.size());
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    scratch.velocity_gain.set(i, sums[i].velocity);
+    scratch.spin_gain.set(i, sums[i].spin);
+    scratch.way_back.set(i, sums[i].way_back);
+  }
 }
 
 }  // namespace
@@ -162,10 +241,12 @@ Status compute_impulses(WorldState& state, Scratch& scratch, double dt_s) {
   reset_gains(scratch, state.bodies.size());
   reset_parts(scratch.contacts, state.bodies.size(), scratch.split);
   for (int round = 0;; ++round) {
-    if (Status ok = add_collisions(state, scratch, dt_s); !ok.ok()) return ok;
-    if (!raise_parts(state, scratch, round)) return {};
-    take_back_gains(scratch);
+    if (Status ok = add_collisions(state, scratch, round, dt_s); !ok.ok()) return ok;
+    if (!raise_parts(state, scratch, round)) break;
+    take_back_gains(scratch.contacts, scratch.split);
   }
+  put_sums(scratch);
+  return {};
 }
 
 void hash_compute_impulses(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {

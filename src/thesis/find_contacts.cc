@@ -34,14 +34,15 @@ std::array<Vec3, 8> corners(const BoxFrame& frame, const Vec3& centre) {
 }
 
 // The corners behind a plane, merged to one point with their depths as weights (thesis Fig. 6). distance: of the plane
-// from the origin of the corners, along the normal. Adds the corners to the patch, if there is one,
-// measured from the point.
-std::optional<Vec3> point_behind(const std::array<Vec3, 8>& corners, const Vec3& normal, double distance,
-                                 std::vector<Vec3>* patch) {
+// from the origin of the corners; height_of: of a corner over that origin; both along the normal. Adds the corners to
+// the patch, if there is one, measured from the point.
+template <class HeightOf>
+std::optional<Vec3> point_behind(const std::array<Vec3, 8>& corners, double distance, std::vector<Vec3>* patch,
+                                 HeightOf height_of) {
   std::array<double, 8> depth;
   double deepest = 0;
   for (std::size_t k = 0; k < 8; ++k) {
-    depth[k] = distance - dot(corners[k], normal);
+    depth[k] = distance - height_of(corners[k]);
     deepest = std::max(deepest, depth[k]);
   }
   if (deepest <= 0) return std::nullopt;
@@ -55,12 +56,9 @@ std::optional<Vec3> point_behind(const std::array<Vec3, 8>& corners, const Vec3&
   }
   const Vec3 point = PositionGrid::round(Vec3(sum / weights));
   if (patch == nullptr) return point;
-  std::array<Vec3, 8> behind;
-  std::size_t count = 0;
   for (std::size_t k = 0; k < 8; ++k) {
-    if (depth[k] > 0) behind[count++] = corners[k] - point;
+    if (depth[k] > 0) patch->push_back(corners[k] - point);
   }
-  patch->insert(patch->end(), behind.data(), behind.data() + count);
   return point;
 }
 
@@ -69,8 +67,13 @@ std::optional<Vec3> point_behind(const std::array<Vec3, 8>& corners, const Vec3&
 std::optional<Vec3> face_point(const BoxPair& pair, int axis, std::vector<Vec3>* patch) {
   const Vec3 normal = pair.normal(axis);
   const Vec3& d = pair.offset();
-  if (axis < 3) return point_behind(corners(pair.b(), d), normal, pair.a().half_extent[axis], patch);
-  const auto from_b = point_behind(corners(pair.a(), -d), -normal, pair.b().half_extent[axis - 3], patch);
+  if (axis < 3) {
+    return point_behind(corners(pair.b(), d), pair.a().half_extent[axis], patch,
+                        [&](const Vec3& corner) { return dot(corner, normal); });
+  }
+  const Vec3 from_b_to_a = -normal;
+  const auto from_b = point_behind(corners(pair.a(), -d), pair.b().half_extent[axis - 3], patch,
+                                   [&](const Vec3& corner) { return dot(corner, from_b_to_a); });
   if (!from_b) return std::nullopt;
   return Vec3(*from_b + d);
 }
@@ -149,7 +152,8 @@ std::optional<Contact> pair_contact(const BoxPair& pair, AxisSet planes, const V
 std::optional<Contact> ground_contact(const BoxFrame& frame, std::vector<Vec3>* patch) {
   // Corners relative to the body's centre: x and y of the body do not enter, and the ground lies `height` below.
   const double height = frame.position.z();
-  const auto point = point_behind(corners(frame, Vec3::Zero()), Vec3(0, 0, 1), -height, patch);
+  const auto point =
+      point_behind(corners(frame, Vec3::Zero()), -height, patch, [](const Vec3& corner) { return corner.z(); });
   if (!point) return std::nullopt;
   return Contact{Vec3(0, 0, -1), reach_along(frame, 2) - height, *point};
 }

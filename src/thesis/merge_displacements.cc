@@ -42,12 +42,15 @@ struct Uncovered {
 // formula with determinants would not.
 Vec3 solve(const Uncovered& m, double weight) {
   const auto times = [&](const Vec3& v) { return Vec3(m.times(v) + v * weight); };
-  const double solved = dot(m.pull, m.pull) * (kSolved * kSolved);
-  Vec3 d = Vec3::Zero();
+  Vec3 d = Vec3::Zero(), rest = m.pull;
+  double square = dot(rest, rest);
+  const double solved = square * (kSolved * kSolved);
   for (int round = 0; round < 4; ++round) {
-    Vec3 rest = m.pull - times(d);
+    if (round > 0) {
+      rest = m.pull - times(d);
+      square = dot(rest, rest);
+    }
     Vec3 direction = rest;
-    double square = dot(rest, rest);
     for (int k = 0; k < 3; ++k) {
       if (square <= solved) return d;
       const Vec3 image = times(direction);
@@ -72,7 +75,8 @@ class Merge {
     for (const Displacement& w : wanted) longest = std::max(longest, w.distance);
     // Distances are divided by a power of two, so that the longest lies in [1, 2).
     unit_ = longest > 0x1p-100 ? power_of_two(longest) : 1;
-    longest_ = longest / unit_;
+    per_unit_ = 1 / unit_;
+    longest_ = longest * per_unit_;
     const double count = static_cast<double>(std::bit_ceil(std::max<std::uint64_t>(wanted.size(), 8)));
     magic_ = 1.5 * count;  // grid.h: sums of so many terms below 2 are exact on a grid of 2⁻⁵² of the count
   }
@@ -91,7 +95,7 @@ class Merge {
     Uncovered sum;
     for (const Displacement& w : wanted_) {
       const Vec3& n = w.direction;
-      const double p = w.distance / unit_;
+      const double p = w.distance * per_unit_;
       if (p - dot(d, n) <= 0) continue;
       sum.xx += rounded(n.x() * n.x());
       sum.yy += rounded(n.y() * n.y());
@@ -138,7 +142,7 @@ class Merge {
   }
 
   std::span<const Displacement> wanted_;
-  double unit_, longest_, magic_;
+  double unit_, per_unit_, longest_, magic_;
   int sweeps_ = 0;
 };
 

@@ -19,22 +19,21 @@ constexpr double kMore = 1 + 0x1p-20;
 // The energies of what bodies that changed gain together.
 void find_energies_together(const WorldState& state, Scratch& scratch) {
   SplitScratch& split = scratch.split;
-  for (BodyIndex i = 0; i < split.changed.size(); ++i) {
+  for (const BodyIndex i : split.several) {
     if (split.changed[i] == 0) continue;
     split.count[i] = 0;
     split.sum[i] = 0;
-    split.together[i] = gain_energy(state.bodies, scratch.frames[i], i, scratch.velocity_gain[i], scratch.spin_gain[i]);
+    split.together[i] = gain_energy(state.bodies, scratch.frames[i], i, split.sums[i].velocity, split.sums[i].spin);
+    // As many terms as contacts, each below twice the power of two, are exact on this grid.
+    split.magic[i] = power_of_two(split.together[i]) * (3.0 * static_cast<double>(std::bit_ceil(split.contacts[i])));
   }
 }
 
 // Adds the energy of one gain of a body. Energies above `together` count as that much: then no body needs more parts.
 void add_energy(SplitScratch& split, BodyIndex i, double energy) {
   if (split.changed[i] == 0 || energy <= 0) return;
-  const double together = split.together[i];
   ++split.count[i];
-  // As many terms as contacts, each below twice the power of two, are exact on this grid.
-  const double magic = power_of_two(together) * (3.0 * static_cast<double>(std::bit_ceil(split.contacts[i])));
-  split.sum[i] += to_grid(magic, std::min(energy, together));
+  split.sum[i] += to_grid(split.magic[i], std::min(energy, split.together[i]));
 }
 
 // Sums the energies of the gains one by one, for bodies that changed.
@@ -69,23 +68,26 @@ void reset_parts(const Contacts& contacts, std::size_t bodies, SplitScratch& spl
   split.count.assign(bodies, 0);
   split.together.resize(bodies);
   split.sum.resize(bodies);
+  split.magic.resize(bodies);
   split.again.resize(contacts.size());
-  std::uint32_t most = 0;
+  split.several.clear();
+  const auto count = [&](BodyIndex i) {
+    if (++split.contacts[i] == 2) split.several.push_back(i);
+  };
   for (std::size_t k = 0; k < contacts.size(); ++k) {
-    most = std::max(most, ++split.contacts[contacts.a[k]]);
     split.again[k] = static_cast<std::uint32_t>(k);
-    if (contacts.b[k] != kGround) most = std::max(most, ++split.contacts[contacts.b[k]]);
+    count(contacts.a[k]);
+    if (contacts.b[k] != kGround) count(contacts.b[k]);
   }
-  split.several = most > 1;
 }
 
 bool raise_parts(const WorldState& state, Scratch& scratch, int round) {
   SplitScratch& split = scratch.split;
-  if (!split.several) return false;
+  if (split.several.empty()) return false;
   find_energies_together(state, scratch);
   sum_energies(scratch.contacts, split);
   bool any = false;
-  for (BodyIndex i = 0; i < state.bodies.size(); ++i) {
+  for (const BodyIndex i : split.several) {
     split.raised[i] = 0;
     if (split.changed[i] == 0) continue;
     split.changed[i] = 0;

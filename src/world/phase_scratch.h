@@ -26,24 +26,52 @@ struct SeparationScratch {
   std::vector<Displacement> wanted;  ///< body by body
 };
 
-/// The outcome of a collision for one of its bodies; zeros for a body that does not move.
+/// The outcome of a collision for one of its bodies, zeros for a body that does not move; or the sum of a body's
+/// outcomes.
 struct Gain {
   Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();  ///< m/s, rad/s, on VelocityGrid
   Vec3 way_back = Vec3::Zero();                       ///< m, on PositionGrid
-  double largest = 0;                                 ///< the largest part of velocity and spin
+  double largest = 0;  ///< the largest part of velocity and spin, m/s or rad/s; of a sum, the sum of those
+};
+
+struct PairMaterial {
+  double friction = 0, friction_dynamic = 0, restitution = 0;
+  double slip_speed = 0;  ///< m/s
+};
+
+/// An impulse's angular impulses about the centres of two bodies, N·m·s, axes of each body.
+struct Turns {
+  Vec3 a = Vec3::Zero(), b = Vec3::Zero();
+};
+
+/// How two bodies move at their collision point before all collisions, whatever parts of their masses collide.
+struct Encounter {
+  Vec3 relative = Vec3::Zero();  ///< m/s, of b's point
+  Vec3 tangent = Vec3::Zero();   ///< unit, along the slip; zero without slip
+  Turns by_normal, by_tangent;   ///< of unit impulses
+  double approach = 0;           ///< m/s along the normal; the bodies part where it is not negative
+  double slip = 0;               ///< m/s along the tangent, >= 0
+  double pull = 0;               ///< m/s of slip that gravity adds in one sub-step
+  bool rough = false;            ///< whether there is friction
+  bool slow = false;             ///< whether the slip was slow before gravity acted, or turned round
+  bool shared = false;           ///< whether the corners may share the load
 };
 
 /// Memory of compute_impulses (split_mass.h).
 struct SplitScratch {
+  std::vector<Encounter> encounters;    ///< by contact
+  std::vector<PairMaterial> materials;  ///< by contact
   std::vector<Gain> gains;              ///< by contact, of a and of b
+  std::vector<Gain> sums;               ///< by body
   std::vector<std::uint32_t> again;     ///< contacts that this round computes
   std::vector<double> parts;            ///< by body, >= 1: its mass is divided by this
   std::vector<std::uint8_t> raised;     ///< by body, whether the last round raised the number of parts
   std::vector<std::uint8_t> changed;    ///< by body, whether this round computes one of its collisions
   std::vector<std::uint32_t> contacts;  ///< by body
-  bool several = false;                 ///< whether any body has several contacts
+  std::vector<BodyIndex> several;       ///< bodies with several contacts, in any order
   std::vector<std::uint32_t> count;     ///< by body that changed, collisions with an impulse
   std::vector<double> together;         ///< by body that changed, J, twice: of the sum of its gains
+  std::vector<double> magic;            ///< by body that changed, of the grid of `sum`
   std::vector<double> sum;              ///< by body that changed, J, twice: of its gains one by one
   std::vector<double> energy;           ///< by contact, of a's gain and of b's, J, twice; 0 for what does not move and
                                         ///< for a body with one contact

@@ -170,6 +170,9 @@ struct SavedMotion {
   PairTable pairs;
 };
 
+/// Of a body in collisions: whether one of them is no resting, and whether one has restitution 1. Sums of both.
+inline constexpr std::uint8_t kHit = 1, kBouncesFully = 2;
+
 /// Memory that the phases of a step pass on to each other. The future does not depend on it: an empty Scratch before
 /// every step gives the bits of a kept one. It is kept only so that a warm step does not allocate and searches start
 /// quickly.
@@ -183,10 +186,9 @@ struct Scratch {
   Contacts contacts;                      ///< written by find_planes (a, b, planes), find_contacts, compute_impulses
   Vec3Column velocity_gain;               ///< by body, sum of outcomes, m/s; written by compute_impulses
   Vec3Column spin_gain;                   ///< by body, sum of outcomes, rad/s; written by compute_impulses
-  std::vector<double> gain_total;         ///< by body, sum of the largest part of each outcome, m/s or rad/s
   Vec3Column way_back;                    ///< by body, sum, m, that friction takes back; written by compute_impulses
   Vec3Column displacement;                ///< by body, merged, m; written by compute_separation
-  std::vector<std::uint8_t> hit;          ///< bodies in a collision that is no resting; written by compute_impulses
+  std::vector<std::uint8_t> hit;          ///< by body, kHit and kBouncesFully; written by compute_impulses
   std::vector<std::uint8_t> touched;      ///< bodies in a real collision; written by compute_impulses
   // Method layered.
   std::vector<std::uint8_t> held;   ///< bodies that a contact pressed at the end of the last step; by find_manifolds

@@ -104,9 +104,28 @@ struct Pairs {
   }
 };
 
+bool same(const BoxTests::Best& x, const BoxTests::Best& y, std::size_t k) {
+  return x.axes[k] == y.axes[k] &&
+         std::bit_cast<std::uint64_t>(x.separation[k]) == std::bit_cast<std::uint64_t>(y.separation[k]);
+}
+
 bool same(const BestAxes& best, const BoxTests::Best& found, std::size_t k) {
   return best.axes == found.axes[k] &&
          std::bit_cast<std::uint64_t>(best.separation) == std::bit_cast<std::uint64_t>(found.separation[k]);
+}
+
+// find_all against the kernels of single kinds, and BoxPair::apart_along_facelike_edges.
+void expect_all_together(const BoxTestKernels& box_tests, const Pairs& pairs, const char* width) {
+  const BoxTests& single = pairs.tests;
+  BoxTests all = pairs.tests;
+  all.faces_of_a = all.faces_of_b = all.edges = {};
+  box_tests.find_all(all);
+  for (std::size_t k = 0; k < all.count; ++k) {
+    EXPECT_TRUE(same(single.faces_of_a, all.faces_of_a, k)) << width;
+    EXPECT_TRUE(same(single.faces_of_b, all.faces_of_b, k)) << width;
+    EXPECT_TRUE(same(single.edges, all.edges, k)) << width;
+    EXPECT_EQ(all.apart_along_facelike[k], pairs.reference(k).apart_along_facelike_edges() ? 1 : 0) << width;
+  }
 }
 
 TEST(BoxTests, EveryWidthGivesTheBitsOfBoxPair) {
@@ -124,6 +143,7 @@ TEST(BoxTests, EveryWidthGivesTheBitsOfBoxPair) {
         ASSERT_TRUE(same(pair.best(kFacesOfB), pairs.tests.faces_of_b, k)) << name_of(width) << ", seed " << seed;
         ASSERT_TRUE(same(pair.best(kEdges), pairs.tests.edges, k)) << name_of(width) << ", seed " << seed;
       }
+      expect_all_together(box_tests, pairs, name_of(width));
     }
   }
 }
@@ -131,7 +151,7 @@ TEST(BoxTests, EveryWidthGivesTheBitsOfBoxPair) {
 // Otherwise the test above would prove less than it says.
 TEST(BoxTests, InputHasEveryKindOfAnswer) {
   std::array<int, 3> without{}, single{}, tied{};
-  int edges_win = 0;
+  int edges_win = 0, facelike_part = 0;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const Pairs pairs(seed, BoxTests::kMost);
     for (std::size_t k = 0; k < BoxTests::kMost; ++k) {
@@ -142,6 +162,7 @@ TEST(BoxTests, InputHasEveryKindOfAnswer) {
         ++(axes == 0 ? without : axes == 1 ? single : tied)[set];
       }
       if (best[2].axes != 0 && best[2].separation > larger_separation(best[0], best[1])) ++edges_win;
+      if (pair.apart_along_facelike_edges()) ++facelike_part;
     }
   }
   for (std::size_t set = 0; set < 3; ++set) {
@@ -150,6 +171,7 @@ TEST(BoxTests, InputHasEveryKindOfAnswer) {
     EXPECT_GT(tied[set], 10) << set;
   }
   EXPECT_GT(edges_win, 100);
+  EXPECT_GT(facelike_part, 100);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Method layered: bounces and friction keep to the law of energy, whatever turns.
+// Bounces and friction keep to the law of energy, whatever turns.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,14 +28,18 @@ Vec3 random_size(Random& random, double low, double high) {
   return {x, y, random.uniform(low, high)};
 }
 
-sim::SceneDef layered_scene(double friction, double restitution) {
+sim::SceneDef scene_of(sim::Method method, double friction, double restitution) {
   sim::SceneDef scene = on_ground();
-  scene.world.method = sim::Method::kLayered;
+  scene.world.method = method;
   scene.world.freezing = false;
   scene.world.substeps = 8;
   scene.world.ground_material.friction = scene.world.ground_material.friction_dynamic = friction;
   scene.world.ground_material.restitution = restitution;
   return scene;
+}
+
+sim::SceneDef layered_scene(double friction, double restitution) {
+  return scene_of(sim::Method::kLayered, friction, restitution);
 }
 
 sim::BoxDef body_of(sim::BodyId id, const Vec3& size, const Vec3& position, double friction, double restitution) {
@@ -45,10 +49,10 @@ sim::BoxDef body_of(sim::BodyId id, const Vec3& size, const Vec3& position, doub
   return body;
 }
 
-TEST(EnergyLaw, ABoxThatBouncesFullyKeepsItsEnergyForAMinute) {
+void expect_full_bounces_to_keep_energy(sim::Method method) {
   for (std::uint64_t seed = 0; seed < kBoxes; ++seed) {
     Random random(seed);
-    sim::SceneDef scene = layered_scene(0, 1);
+    sim::SceneDef scene = scene_of(method, 0, 1);
     const Vec3 size = seed % 3 == 0 ? Vec3(1, 1, 1) : random_size(random, 0.3, 1.5);
     sim::BoxDef body = body_of(1, size, {0, 0, random.uniform(2, 4)}, 0, 1);
     body.orientation = sim::normalised(random.rotation());
@@ -65,6 +69,15 @@ TEST(EnergyLaw, ABoxThatBouncesFullyKeepsItsEnergyForAMinute) {
     EXPECT_LE(most, 1e-6) << "seed " << seed;
     EXPECT_GE(least, -1e-6) << "seed " << seed;
   }
+}
+
+TEST(EnergyLaw, ABoxThatBouncesFullyKeepsItsEnergyForAMinute) {
+  expect_full_bounces_to_keep_energy(sim::Method::kLayered);
+}
+
+// Where a box hits the ground as it turns, its own speed often cannot pay for the lift out of the ground.
+TEST(EnergyLaw, ABoxThatBouncesFullyByTheThesisKeepsItsEnergyForAMinute) {
+  expect_full_bounces_to_keep_energy(sim::Method::kThesis);
 }
 
 // A spinning cube on its corner slides: friction at one point can stop no spin, and must not push along the slip.
