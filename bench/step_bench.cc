@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "src/base/rng.h"
-#include "src/kernels/box_pair.h"
+#include "src/collide/box_pair.h"
 #include "src/kernels/kernels_by_width.h"
 #include "src/world/scratch.h"
 #include "tumble/scenes/scene_file.h"

@@ -1,14 +1,18 @@
 #include "replay/measure/start_warnings.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <variant>
 
 #include "replay/measure/measure_overlap.h"
 #include "src/base/text.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::replay {
 namespace {
@@ -19,6 +23,7 @@ constexpr double kDeep = 0.1;                  // of the shortest edge: much mor
 constexpr double kTouching = 0.01;             // m
 constexpr std::size_t kShown = 3;              // of a kind; the others are counted
 constexpr std::size_t kTestsMax = 10'000'000;  // a fraction of a second
+constexpr double kUsualSubsteps = 8;
 
 struct Overlap {
   std::size_t a, b;
@@ -42,7 +47,10 @@ class Start {
     std::vector<std::string> out;
     add_overlaps(out);
     add_sunk(out);
-    add_fast(inputs, out);
+    if (world_.ground || bodies_.size() + inputs.size() >= 2) {
+      add_coarse(inputs, out);
+      add_fast(inputs, out);
+    }
     if (complete_) add_floating(out);
     return out;
   }
@@ -117,26 +125,71 @@ class Start {
     if (count > kShown) out.push_back("and " + count_text(count - kShown, "more body") + " deep in the ground");
   }
 
-  // Method thesis finds collisions where a step ends: a body that moves by less than its shortest edge in a step cannot
-  // jump over a thing. Method layered looks along the way.
-  void add_fast(std::span<const sim::TimedCommand> inputs, std::vector<std::string>& out) const {
-    if (world_.method != sim::Method::kThesis || (!world_.ground && bodies_.size() + inputs.size() < 2)) return;
-    std::size_t count = 0;
-    const auto look_at_way = [&](sim::BodyId id, const sim::Vec3& velocity, const sim::Vec3& size) {
-      const double way = (sim::length(velocity) + 0.5 * sim::length(world_.gravity) * world_.dt) * world_.dt;
-      if (way <= size.minCoeff() || ++count > kShown) return;
-      std::string& line = out.emplace_back("body ");
-      line.append(std::to_string(id)).append(" moves by ").append(rounded(way, "m")).append(" in a step of ");
-      line.append(seconds_text(world_.dt)).append(", more than its shortest edge of ");
-      line.append(rounded(size.minCoeff(), "m")).append(", and may pass through others");
-    };
+  // Calls visit(id, velocity, shortest edge) for the bodies that are not static and for those thrown in.
+  template <class Visit>
+  void for_each_loose(std::span<const sim::TimedCommand> inputs, Visit visit) const {
     for (sim::BodyIndex i = 0; i < bodies_.size(); ++i) {
-      if (bodies_.moves(i)) look_at_way(bodies_.id[i], bodies_.velocity[i], bodies_.half_extent[i] * 2);
+      if (bodies_.is_static[i] == 0) visit(bodies_.id[i], sim::Vec3(bodies_.velocity[i]), shortest_edge(boxes_[i]));
     }
     for (const sim::TimedCommand& input : inputs) {
       const auto* thrown = std::get_if<sim::Throw>(&input.command);
-      if (thrown != nullptr) look_at_way(thrown->box.id, thrown->box.velocity, thrown->box.size);
+      if (thrown != nullptr) visit(thrown->box.id, thrown->box.velocity, thrown->box.size.minCoeff());
     }
+  }
+
+  [[nodiscard]] double fall() const { return 0.5 * sim::length(world_.gravity) * world_.dt * world_.dt; }
+
+  // The way that gravity may move a body in a step, by its shortest edge. Measured on heaps, towers and plates of five
+  // boxes with dt from 1/240 s to 1 s: with the usual substeps, boxes beyond one edge sink into one another or are
+  // lost. In method layered n times as many substeps bear n times the way. In method thesis, whose impulses move bodies
+  // by a substep of falling, n² times; but it finds collisions where a step ends, and misses what falls by more than an
+  // edge.
+  [[nodiscard]] double bearable_edges() const {
+    if (world_.method == sim::Method::kLayered) return world_.substeps / kUsualSubsteps;
+    const double parts = std::bit_floor(world_.substeps) / kUsualSubsteps;
+    return std::min(1.0, parts * parts);
+  }
+
+  // The substeps that bear a way of so many edges; none if there are none.
+  [[nodiscard]] std::optional<std::uint32_t> substeps_for(double edges) const {
+    const bool layered = world_.method == sim::Method::kLayered;
+    if (edges > (layered ? sim::kSubstepsMax / kUsualSubsteps : 1.0)) return std::nullopt;
+    const auto wanted = static_cast<std::uint32_t>(std::ceil(kUsualSubsteps * (layered ? edges : std::sqrt(edges))));
+    return layered ? wanted : std::bit_ceil(wanted);
+  }
+
+  // A step in which gravity alone moves bodies too far.
+  void add_coarse(std::span<const sim::TimedCommand> inputs, std::vector<std::string>& out) const {
+    std::optional<std::pair<sim::BodyId, double>> smallest;
+    for_each_loose(inputs, [&](sim::BodyId id, const sim::Vec3& /*velocity*/, double edge) {
+      if (!smallest || edge < smallest->second) smallest = {id, edge};
+    });
+    if (!smallest || fall() <= bearable_edges() * smallest->second) return;
+    const auto [id, edge] = *smallest;
+    const double dt_most = std::sqrt(2 * bearable_edges() * edge / sim::length(world_.gravity));
+    std::string& line = out.emplace_back("gravity moves a body by ");
+    line.append(rounded(fall(), "m")).append(" in a step of ").append(seconds_text(world_.dt)).append(" with ");
+    line.append(count_text(world_.substeps, "substep")).append(", too far for body ").append(std::to_string(id));
+    line.append(" with its shortest edge of ").append(rounded(edge, "m"));
+    line.append(": boxes that collide may sink into one another and pass through; take a dt of at most ");
+    line.append(significant(0.99 * dt_most, 3)).append(" s");
+    if (const auto substeps = substeps_for(fall() / edge))
+      line.append(" or substeps = ").append(std::to_string(*substeps));
+  }
+
+  // Method thesis finds collisions where a step ends: a body that moves by less than its shortest edge in a step cannot
+  // jump over a thing. Method layered looks along the way. Bodies that gravity alone moves too far are add_coarse()'s.
+  void add_fast(std::span<const sim::TimedCommand> inputs, std::vector<std::string>& out) const {
+    if (world_.method != sim::Method::kThesis) return;
+    std::size_t count = 0;
+    for_each_loose(inputs, [&](sim::BodyId id, const sim::Vec3& velocity, double edge) {
+      const double own = sim::length(velocity) * world_.dt, way = own + fall();
+      if (way <= edge || (fall() > edge && own <= edge) || ++count > kShown) return;
+      std::string& line = out.emplace_back("body ");
+      line.append(std::to_string(id)).append(" moves by ").append(rounded(way, "m")).append(" in a step of ");
+      line.append(seconds_text(world_.dt)).append(", more than its shortest edge of ");
+      line.append(rounded(edge, "m")).append(", and may pass through others");
+    });
     if (count > kShown) out.push_back("and " + count_text(count - kShown, "more body") + " as fast");
   }
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "src/kernels/box_pair.h"
+#include "src/collide/box_pair.h"
 #include "src/layered/find/contact_memory.h"
 #include "src/layered/find/find_manifolds.h"
 #include "src/layered/find/find_near_pairs.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "src/kernels/box_pair.h"
+#include "src/collide/box_pair.h"
 #include "src/math/grid.h"
 
 namespace tumble::sim {

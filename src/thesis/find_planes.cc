@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "src/kernels/box_pair.h"
+#include "src/collide/box_pair.h"
 #include "src/kernels/box_tests.h"
 #include "src/kernels/kernels_by_width.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "src/thesis/collision_impulse.h"
+#include "src/thesis/contact_body.h"
 #include "src/world/phase_scratch.h"
 #include "tumble/sim/rotation.h"
 #include "tumble/sim/vec.h"

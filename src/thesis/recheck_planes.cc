@@ -1,6 +1,6 @@
 #include "src/thesis/recheck_planes.h"
 
-#include "src/kernels/box_pair.h"
+#include "src/collide/box_pair.h"
 
 namespace tumble::sim {
 

@@ -1,5 +1,5 @@
 // The fifteen axes of two boxes: separations by hand, refused axes, and the symmetry of the arithmetic.
-#include "src/kernels/box_pair.h"
+#include "src/collide/box_pair.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "src/kernels/box_pair.h"
+#include "src/collide/box_pair.h"
 #include "src/kernels/kernels_by_width.h"
 #include "src/math/half_turn.h"
 #include "tests/support/sim_scenes.h"

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "src/kernels/box_pair.h"
+#include "src/collide/box_pair.h"
 #include "src/thesis/find_pairs.h"
 #include "src/thesis/find_planes.h"
 #include "src/world/scratch.h"

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "src/collide/box_pair.h"
 #include "src/collide/sweep.h"
-#include "src/kernels/box_pair.h"
 #include "src/thesis/find_pairs.h"
 #include "src/thesis/recheck_planes.h"
 #include "src/world/scratch.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "src/kernels/box_pair.h"
+#include "src/collide/box_pair.h"
 #include "src/model/mass.h"
 #include "src/world/free_flight.h"
 #include "tests/support/sim_scenes.h"

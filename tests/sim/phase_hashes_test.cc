@@ -168,7 +168,12 @@ std::vector<Field> fast_fields() {
       {"find_fast_contacts", "velocity", [](World& w) { bodies(w).velocity.z[0] += 1; }},
       {"find_fast_contacts", "spin", [](World& w) { bodies(w).spin.x[0] += 1; }},
       {"find_fast_contacts", "approach", [=](World& w) { lane(fast(w).batches.points[0].approach) += 1; }},
+      {"find_fast_contacts", "mass of a point", [=](World& w) { lane(fast(w).batches.points[0].mass) += 1; }},
+      {"find_fast_contacts", "restitution", [=](World& w) { lane(fast(w).batches.batches[0].restitution) += 1; }},
+      {"find_fast_contacts", "separation", [=](World& w) { lane(fast(w).batches.points[0].separation) += 1; }},
       {"bounce_fast_contacts", "velocity", [](World& w) { body(w).velocity.z() += 1; }},
+      {"bounce_fast_contacts", "spin", [](World& w) { body(w).spin.y() += 1; }},
+      {"bounce_fast_contacts", "separation", [=](World& w) { lane(fast(w).batches.points[0].separation) += 1; }},
       {"bounce_fast_contacts", "impulse", [=](World& w) { lane(fast(w).batches.points[0].impulse) += 1; }},
   };
   for (const char* phase : {"push_contacts", "integrate_positions", "relax_contacts"}) {
@@ -184,6 +189,23 @@ TEST(PhaseHashes, CoverWhatIsWrittenOfFastPairs) {
   scene.boxes[0].spin = {20, 3, 1};
   World world = test::made(scene);
   Changer changer(fast_fields());
+  advance(world, &changer);
+  changer.expect_all_tried();
+}
+
+// Boxes that overlap at the start are parted; one turns on the way, since the other lies off its middle.
+TEST(PhaseHashes, CoverWhatPartingOverlapsWrites) {
+  SceneDef scene = test::on_ground();
+  scene.world.method = Method::kLayered;
+  scene.boxes = {test::cube(1, {0, 0, 0.5}), test::cube(2, {0.75, 0.25, 1.375})};
+  World world = test::made(scene);
+  Changer changer({
+      {"part_overlaps", "position", [](World& w) { bodies(w).position.z[0] += 1; }},
+      {"part_overlaps", "orientation", [](World& w) { bodies(w).orientation.z[1] += 1; }},
+      {"part_overlaps", "parting velocity", [](World& w) { w.mutable_scratch().overlaps.bodies[0].velocity.z() += 1; }},
+      {"part_overlaps", "parting spin", [](World& w) { w.mutable_scratch().overlaps.bodies[1].spin.x() += 1; }},
+      {"part_overlaps", "separation", [](World& w) { lane(point(w).separation) += 1; }},
+  });
   advance(world, &changer);
   changer.expect_all_tried();
 }

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-#include "src/kernels/box_pair.h"
+#include "src/collide/box_pair.h"
 #include "src/layered/find/contact_recall.h"
 #include "src/layered/find/fast_pairs.h"
 #include "src/layered/find/find_near_pairs.h"

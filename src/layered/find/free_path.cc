@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "src/kernels/box_pair.h"
+#include "src/collide/box_pair.h"
 #include "src/math/grid.h"
 #include "src/world/free_flight.h"
 

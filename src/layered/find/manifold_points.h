@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "src/kernels/box_pair.h"
+#include "src/collide/box_pair.h"
 #include "tumble/sim/manifold.h"
 
 namespace tumble::sim {

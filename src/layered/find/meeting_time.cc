@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "src/kernels/box_pair.h"
+#include "src/collide/box_pair.h"
 #include "src/math/grid.h"
 
 namespace tumble::sim {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "src/kernels/box_pair.h"
+#include "src/collide/box_pair.h"
 #include "src/kernels/box_tests.h"
 #include "src/layered/find/find_near_pairs.h"
 #include "src/world/scratch.h"

@@ -1,4 +1,4 @@
-#include "src/kernels/box_pair.h"
+#include "src/collide/box_pair.h"
 
 #include <bit>
 #include <cmath>
