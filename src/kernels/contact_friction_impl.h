@@ -20,29 +20,33 @@ struct Friction {
 };
 
 // Of all forces of size `size`, the one that comes nearest to stopping the slip: the slip that it leaves has the least
-// energy (maximum dissipation), and the force opposes it. f: the force that would stop the slip, longer than `size`;
-// m11, m12, m22: the masses that the tangents see. Lagrange's (1 + μ m) force = f, with Newton's method for 1 /
-// |force|, which finds μ from below.
-template <class V>
-void cut_to_circle(V size, V m11, V m12, V m22, Friction<V>& f) {
+// energy (maximum dissipation), and the force opposes it. f: in the lanes of `slips` the force that would stop the
+// slip, longer than `size`; m11, m12, m22: the masses that the tangents see. Lagrange's (1 + μ m) force = f, with
+// Newton's method for 1 / |force|, which finds μ from below, at once where the masses are even.
+template <class V, class Mask>
+void cut_to_circle(V size, V m11, V m12, V m22, Mask slips, Friction<V>& f) {
   constexpr int kNewtonSteps = 4;
+  constexpr double kNear = 1e-6;
   const V one = V{} + 1.0, tiny = V{} + 1e-300;
   V force1 = f.force1, force2 = f.force2;
   V length = square_root(larger(tiny, force1 * force1 + force2 * force2));
   const V goal = larger(size, length * 1e-9);  // of no friction at all, the direction
-  V mu = (length / goal - one) / larger(tiny, m11 + m22);
+  const V apart = m11 - m22, heaviest = 0.5 * ((m11 + m22) + square_root(apart * apart + 4.0 * m12 * m12));
+  V mu = (length / goal - one) / larger(tiny, heaviest);
   for (int k = 0; k < kNewtonSteps; ++k) {
     const V a = one + mu * m11, b = mu * m12, d = one + mu * m22, scale = one / (a * d - b * b);
     force1 = (d * f.force1 - b * f.force2) * scale;
     force2 = (a * f.force2 - b * f.force1) * scale;
-    const V g1 = m11 * force1 + m12 * force2, g2 = m12 * force1 + m22 * force2;
-    const V fall = (force1 * (d * g1 - b * g2) + force2 * (a * g2 - b * g1)) * scale;
     const V square = force1 * force1 + force2 * force2;
     length = square_root(larger(tiny, square));
-    mu += (length / goal - one) * square / larger(tiny, fall);
+    const auto far = slips & (length > goal * (1 + kNear));
+    if (!any(far)) break;
+    const V g1 = m11 * force1 + m12 * force2, g2 = m12 * force1 + m22 * force2;
+    const V fall = (force1 * (d * g1 - b * g2) + force2 * (a * g2 - b * g1)) * scale;
+    mu = far ? mu + (length / goal - one) * square / larger(tiny, fall) : mu;
   }
-  f.force1 = force1 * (size / length);
-  f.force2 = force2 * (size / length);
+  f.force1 = slips ? force1 * (size / length) : f.force1;
+  f.force2 = slips ? force2 * (size / length) : f.force2;
 }
 
 // Cuts the force to the cone of friction. A contact that has slipped in this substep keeps the dynamic coefficient
@@ -56,10 +60,7 @@ void cut_force(const Manifolds<V>& m, V pressure, const V inverse[6], Friction<V
   const auto slips = f.force1 * f.force1 + f.force2 * f.force2 > limit * limit;
   if (!any(slips)) return;
   m.set(batch.sliding, slips ? one : sliding);
-  Friction<V> cut = f;
-  cut_to_circle(dynamic, inverse[0], inverse[1], inverse[3], cut);
-  f.force1 = slips ? cut.force1 : f.force1;
-  f.force2 = slips ? cut.force2 : f.force2;
+  cut_to_circle(dynamic, inverse[0], inverse[1], inverse[3], slips, f);
 }
 
 // Force and twist within their limits, from those that together would stop slip and spin. Where one is cut, the other
