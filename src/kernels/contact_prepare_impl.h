@@ -234,7 +234,15 @@ void prepare_responses(const Manifolds<V>& m) {
 
 template <class V>
 void renew(const ContactWork& work, ContactBatch& batch, unsigned at) {
-  if (batch.slender) prepare_responses(Manifolds<V>(work, batch, at));
+  if (!batch.slender) return;
+  const Manifolds<V> m(work, batch, at);
+  V masses[kPointsMax];
+  for (unsigned k = 0; k < batch.count; ++k) masses[k] = m.get(m.points[k].mass);
+  prepare_responses(m);
+  // A point without a mass takes no part in a bounce (find_fast_contacts).
+  for (unsigned k = 0; k < batch.count; ++k) {
+    m.set(m.points[k].mass, masses[k] == 0.0 ? V{} : m.get(m.points[k].mass));
+  }
 }
 
 template <class V>

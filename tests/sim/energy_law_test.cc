@@ -12,7 +12,7 @@ namespace {
 
 using sim::Vec3;
 
-constexpr int kBoxes = 20;      // that bounce for a minute each
+constexpr int kBoxes = 40;      // that bounce for a minute each
 constexpr int kMinute = 3600;   // steps
 constexpr int kScenes = 100;    // that start apart
 constexpr int kBars = 200;      // that hit the ground in nearly one way
@@ -53,7 +53,7 @@ void expect_full_bounces_to_keep_energy(sim::Method method) {
   for (std::uint64_t seed = 0; seed < kBoxes; ++seed) {
     Random random(seed);
     sim::SceneDef scene = scene_of(method, 0, 1);
-    const Vec3 size = seed % 3 == 0 ? Vec3(1, 1, 1) : random_size(random, 0.3, 1.5);
+    const Vec3 size = seed % 3 == 0 ? Vec3(1, 1, 1) : random_size(random, seed % 3 == 1 ? 0.3 : 0.05, 1.5);  // or a bar
     sim::BoxDef body = body_of(1, size, {0, 0, random.uniform(2, 4)}, 0, 1);
     body.orientation = sim::normalised(random.rotation());
     body.spin = random_vector(random, 5);
@@ -67,7 +67,7 @@ void expect_full_bounces_to_keep_energy(sim::Method method) {
       least = std::min(least, energy_of(world) / start - 1);
     }
     EXPECT_LE(most, 1e-6) << "seed " << seed;
-    EXPECT_GE(least, -1e-6) << "seed " << seed;
+    EXPECT_GE(least, -1e-5) << "seed " << seed;
   }
 }
 

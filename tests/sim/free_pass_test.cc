@@ -130,6 +130,40 @@ TEST(FreePass, OfAnotherBodyChangesNoVelocity) {
   EXPECT_EQ(hit, 0) << "of " << 2 * kWorlds * kInEach << " bodies";
 }
 
+// A crate that stands on the ground is no free body; beside it, too, a free body flies as if alone.
+TEST(FreePass, OfACrateAtRestChangesNoVelocity) {
+  int hit = 0;
+  for (int world = 0; world < kWorlds; ++world) {
+    Random random(4000 + static_cast<std::uint64_t>(world));
+    sim::SceneDef scene = still_world(random);
+    scene.world.gravity = {0, 0, -9.81};
+    sim::SceneDef alone = scene;
+    for (sim::BodyId k = 0; k < 20; ++k) {
+      sim::BoxDef body = box(2 * k + 1, Vec3::Constant(magnitude(random, 0.1, 5)), {0, 0, 0});
+      body.orientation = sim::normalised(random.rotation());
+      body.spin = direction(random) * magnitude(random, 1, 1000);
+      sim::BoxDef crate = box(2 * k + 2, {2, 16, 30}, place_of(k) + Vec3(0, 0, 15));
+      const double apart = 1 + reach_in_a_round(body, {-1, 0, 0}) + magnitude(random, 0.001, 0.05);
+      body.position = crate.position + Vec3(apart, 0, random.uniform(-1, 1));
+      body.velocity = {0, random.uniform(-5, 5), random.uniform(-5, 5)};
+      crate.frozen = random.uniform(0, 1) < 0.3;
+      scene.boxes.push_back(body);
+      scene.boxes.push_back(crate);
+      alone.boxes.push_back(body);
+    }
+    sim::World beside = made(scene), flights = made(alone);
+    for (int k = 0; k < 6; ++k) {
+      advance(beside);
+      advance(flights);
+    }
+    for (sim::BodyIndex i = 0; i < flights.bodies().size(); ++i) {
+      const Vec3 change = beside.bodies().velocity[2 * i] - flights.bodies().velocity[i];
+      hit += change.norm() > 1e-9 ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(hit, 0) << "of " << 20 * kWorlds;
+}
+
 BoxFrame frame_of(const sim::BoxDef& body) { return {body.position, sim::axes_of(body.orientation), body.size * 0.5}; }
 
 // The body as it flew a time ago.

@@ -77,10 +77,9 @@ class Builder {
 
  private:
   double turning(BodyIndex i) const { return scratch_.turning[i]; }
-  // Whether corners leave their tangents by more than contacts allow: by more than the slop, or where a contact holds a
-  // body by more than the slack. hi may be kGround.
+  // Whether corners leave their tangents by more than contacts allow, or the pair may bounce. hi may be kGround.
   bool listed_as_fast(BodyIndex lo, BodyIndex hi) {
-    if (!bends(scratch_, paths_, lo, hi) && !may_bounce(state_, scratch_, lo, hi, dt_)) return false;
+    if (!may_bounce(state_, scratch_, lo, hi, dt_) && !must_be_followed(scratch_, paths_, lo, hi)) return false;
     out_.fast_pairs.emplace_back(lo, hi);
     return true;
   }
@@ -106,7 +105,7 @@ class Builder {
 
   // The axes that kept two boxes apart until they met.
   void add_last(BodyIndex lo, BodyIndex hi) {
-    const BestAxes last = BoxPair(scratch_.frames[lo], scratch_.frames[hi]).best_of_all();
+    const BestAxes last = BoxPair(scratch_.frames[lo], scratch_.frames[hi]).best(kFaces | kEdges);
     add_faces(lo, hi, static_cast<AxisSet>(last.axes & kFacesOfA));
     add_faces(hi, lo, static_cast<AxisSet>((last.axes & kFacesOfB) >> 3U));
     add_edges(lo, hi, {static_cast<AxisSet>(last.axes & kEdges), last.separation});

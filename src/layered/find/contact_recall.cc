@@ -18,10 +18,11 @@ void take_friction(Manifold& m, const ContactMemory& memory, std::size_t k, doub
   m.twist = memory.twist[k];
 }
 
+// Where several entries tie and name a point, the largest impulse counts; the order of entries is that of axes.
 void take_impulses(std::span<ManifoldPoint> points, const ContactMemory& memory, std::size_t first, std::size_t count) {
   for (ManifoldPoint& point : points) {
     for (std::size_t j = first; j < first + count; ++j) {
-      if (memory.feature[j] == point.feature) point.impulse = memory.impulse[j];
+      if (memory.feature[j] == point.feature) point.impulse = std::max(point.impulse, memory.impulse[j]);
     }
   }
 }

@@ -9,8 +9,12 @@
 namespace tumble::sim {
 namespace {
 
-bool holds(const Scratch& scratch, BodyIndex lo, BodyIndex hi) {
+bool holds_one(const Scratch& scratch, BodyIndex lo, BodyIndex hi) {
   return scratch.held[lo] != 0 || (hi != kGround && scratch.held[hi] != 0);
+}
+// Bodies in contact fly on no free path, so their points are kept by tangents as far as that may be.
+bool holds_both(const Scratch& scratch, BodyIndex lo, BodyIndex hi) {
+  return scratch.held[lo] != 0 && (hi == kGround || scratch.held[hi] != 0);
 }
 
 double slack(const Scratch& scratch, BodyIndex lo, BodyIndex hi) {
@@ -30,11 +34,19 @@ bool near(const WorldState& state, const Scratch& scratch, BodyIndex lo, BodyInd
   return dot(offset, offset) <= reach * reach;
 }
 
-}  // namespace
-
+// Whether corners leave their tangents by more than contacts allow within a substep.
 bool bends(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyIndex hi) {
   const double bend = hi == kGround ? paths.bend(kGround, lo) : paths.bend(lo, hi);
-  return bend > kSlop && (bend > slack(scratch, lo, hi) || !holds(scratch, lo, hi));
+  return bend > kSlop && (bend > slack(scratch, lo, hi) || !holds_both(scratch, lo, hi));
+}
+
+}  // namespace
+
+bool must_be_followed(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyIndex hi) {
+  const double bend = hi == kGround ? paths.bend(kGround, lo) : paths.bend(lo, hi);
+  if (bend <= kSlop) return false;
+  if (bend > slack(scratch, lo, hi) || !holds_one(scratch, lo, hi)) return true;
+  return !holds_both(scratch, lo, hi) && paths.follow(lo, hi, 0).kind == Approach::Kind::kPassing;
 }
 
 bool may_bounce(const WorldState& state, const Scratch& scratch, BodyIndex lo, BodyIndex hi, double dt_s) {
@@ -42,7 +54,7 @@ bool may_bounce(const WorldState& state, const Scratch& scratch, BodyIndex lo, B
   const bool ground = hi == kGround;
   const double e =
       std::max(bodies.restitution[lo], ground ? state.def.ground_material.restitution : bodies.restitution[hi]);
-  if (e == 0 || holds(scratch, lo, hi)) return false;
+  if (e == 0 || holds_one(scratch, lo, hi)) return false;
   const Vec3 velocity = ground ? Vec3(bodies.velocity[lo]) : Vec3(bodies.velocity[hi] - bodies.velocity[lo]);
   const double turning = scratch.turning[lo] + (ground ? 0 : scratch.turning[hi]);
   return length(velocity) * dt_s + turning > kFastBounceMin * dt_s;
@@ -55,7 +67,7 @@ void find_approaches(const WorldState& state, const Scratch& scratch, double sub
   for (const auto& [lo, hi] : scratch.fast.pairs) {
     Approach& approach = out.emplace_back();
     if (!near(state, scratch, lo, hi, substep_s)) continue;
-    const double margin = holds(scratch, lo, hi) ? slack(scratch, lo, hi) + fall : 0;
+    const double margin = holds_both(scratch, lo, hi) ? slack(scratch, lo, hi) + fall : 0;
     approach = hi == kGround ? paths.follow(kGround, lo, margin) : paths.follow(lo, hi, margin);
     // Where tangents are good enough, points near the path are kept, so that resting bodies do not rock.
     if (approach.kind == Approach::Kind::kPassing && !bends(scratch, paths, lo, hi))

@@ -8,9 +8,10 @@
 
 namespace tumble::sim {
 
-/// Whether corners of a pair leave their tangents by more than the slop, or, where a contact holds one of the bodies,
-/// by more than the slack. hi may be kGround.
-bool bends(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyIndex hi);
+/// Whether the contacts of a pair must be found along its free paths: corners leave their tangents by more than the
+/// slop or, where contacts hold bodies, by more than the slack. A free body that passes one in contact is followed from
+/// the slop on too. hi may be kGround.
+bool must_be_followed(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyIndex hi);
 
 /// Whether a pair that no contact holds may meet fast enough to bounce. hi may be kGround.
 bool may_bounce(const WorldState& state, const Scratch& scratch, BodyIndex lo, BodyIndex hi, double dt_s);

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "src/layered/order/load_fit.h"
 #include "src/math/grid.h"
 #include "src/world/manifold_hashes.h"
 
@@ -20,24 +22,11 @@ namespace {
 // settle on one of them slowly. Least squares picks the set in which the load is a linear function of the place, as in
 // a rigid plate on equal springs (the foundation of Winkler 1867). For a tower that set is exact.
 constexpr double kBearing = 0.001;   // m; a point farther apart bears nothing
-constexpr double kSteepest = 0.5;    // a contact supports if its normal takes this part of gravity or more
 constexpr double kLendingSpeed = 1;  // m/s; lending inertia to a faster body would add energy
+constexpr double kSteepest = 0.5;    // a contact supports if its normal takes this part of gravity or more
 
 using Support = WeightScratch::Support;
 using SupportPoint = WeightScratch::SupportPoint;
-
-// The load on each point under a body as a linear function of the point's place: the least-squares solution among all
-// loads that balance weight and moments.
-struct LoadFit {
-  double count = 0, x = 0, y = 0;             // number of points; m, mean place
-  double xx = 0, xy = 0, yy = 0;              // m², sums of products about the mean
-  double even = 0, along_x = 0, along_y = 0;  // kg, kg/m: load = even + along · (place − mean)
-
-  // A point cannot pull, so negative loads are cut to 0.
-  [[nodiscard]] double load_at(double at_x, double at_y) const {
-    return std::max(0.0, even + (along_x * (at_x - x) + along_y * (at_y - y)));
-  }
-};
 
 class Walk {
  public:
@@ -234,19 +223,25 @@ class Walk {
     f.along_y = (xx * turn_y - f.xy * turn_x) / determinant;
   }
 
+  // m/s, of b over a along t1 and t2.
+  std::pair<double, double> slip_of(const Manifold& m) const {
+    const Vec3 v = velocity_across(m), w = spin_of(m.b) - spin_of(m.a);
+    return {dot(v, m.t1) + dot(w, m.t2) * m.offset, dot(v, m.t2) - dot(w, m.t1) * m.offset};
+  }
+  static bool slow(double x, double y) { return x * x + y * y <= kRestingSpeed * kRestingSpeed; }
+
   // Friction starts from what holds the load (kg) on a slope or, where the bodies slip, from what opposes the slip.
   void start_friction(const Support& s, Manifold& m, double load) const {
-    const Vec3 v = velocity_across(m), w = spin_of(m.b) - spin_of(m.a);
-    const double slip1 = dot(v, m.t1) + dot(w, m.t2) * m.offset, slip2 = dot(v, m.t2) - dot(w, m.t1) * m.offset;
-    const double slip = std::sqrt(slip1 * slip1 + slip2 * slip2);
-    if (slip > kRestingSpeed) {
-      const double against = -(load * s.pull) * (m.friction_dynamic * substep_) / slip;
-      m.force1 = against * slip1;
-      m.force2 = against * slip2;
-    } else {
+    const auto [slip1, slip2] = slip_of(m);
+    if (slow(slip1, slip2)) {
       const double up = (s.upper == m.b ? -load : load) * substep_;
       m.force1 = up * dot(gravity_, m.t1);
       m.force2 = up * dot(gravity_, m.t2);
+    } else {
+      const double speed = std::sqrt(slip1 * slip1 + slip2 * slip2);
+      const double against = -(load * s.pull) * (m.friction_dynamic * substep_) / speed;
+      m.force1 = against * slip1;
+      m.force2 = against * slip2;
     }
   }
 

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <algorithm>
+
+namespace tumble::sim {
+
+/// The load on each point under a body as a linear function of the point's place: the least-squares solution among all
+/// loads that balance weight and moments.
+struct LoadFit {
+  double count = 0, x = 0, y = 0;             // number of points; m, mean place
+  double xx = 0, xy = 0, yy = 0;              // m², sums of products about the mean
+  double even = 0, along_x = 0, along_y = 0;  // kg, kg/m: load = even + along · (place − mean)
+
+  // A point cannot pull, so negative loads are cut to 0.
+  [[nodiscard]] double load_at(double at_x, double at_y) const {
+    return std::max(0.0, even + (along_x * (at_x - x) + along_y * (at_y - y)));
+  }
+};
+
+}  // namespace tumble::sim
