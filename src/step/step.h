@@ -75,7 +75,8 @@ class PhaseHashes : public Observer {
   /// since words of different versions cannot be compared. 1: left out some fields that a phase wrote; method layered
   /// counted no contacts. 2: covers every field that a phase writes and the future depends on. 3: leaves out some
   /// fields that a phase leaves unchanged or only copies, and hashes in the order of memory. 4: covers the corners of
-  /// contacts, and what friction at rest does besides impulses.
+  /// contacts, and what friction at rest does besides impulses. 5: covers whether a contact of method layered has
+  /// slipped in its substep.
   static constexpr std::uint32_t kVersion = 5;
 
   void phase_done(std::uint32_t substep, std::size_t phase, const World& world) override;

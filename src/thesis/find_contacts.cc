@@ -13,6 +13,11 @@
 namespace tumble::sim {
 namespace {
 
+// For the mean of up to 15 points that lie on PositionGrid or in the middle between two of its steps: 16 times as fine,
+// so that no mean lies in the middle between two steps of this grid. There the body from which the mean is measured
+// would decide.
+using MeanGrid = Grid<40>;
+
 struct Contact {
   Vec3 normal;  // a to b
   double depth = 0;
@@ -143,7 +148,7 @@ std::optional<Contact> pair_contact(const BoxPair& pair, AxisSet planes, const V
   contact.depth = -best.separation;
   if (count > 1) {  // every normal has a part along x_b − x_a, so they do not cancel
     contact.normal = normals / length(normals);
-    contact.r_a = PositionGrid::round(Vec3(points / count));
+    contact.r_a = MeanGrid::round_any(Vec3(points / count));
     if (patch != nullptr) patch->resize(begin);
   }
   return contact;
