@@ -17,8 +17,9 @@ namespace tumble::sim {
 /// Order:  sums of shares are of grid doubles, the rest are maxima
 /// Source: the thesis's "impact passed through the stack" (VI), as a start for the sweeps instead of a substitute for
 ///         them.
-/// Limits: loads follow lever arms only where gravity points along z; otherwise they are even. Bodies that rest on each
-///         other in a ring pass nothing on, nor do the bodies below the ring.
+/// Limits: loads follow lever arms only where gravity points within 60° of z; otherwise they are even. Lent inertia
+/// does
+///         not keep momentum. Bodies that rest on each other in a ring pass nothing on, nor do the bodies below it.
 Status carry_weights(WorldState& state, Scratch& scratch, double dt_s);
 void hash_carry_weights(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
