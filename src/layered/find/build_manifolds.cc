@@ -103,12 +103,26 @@ class Builder {
     if (paths_.follow(lo, hi, 0).kind == Approach::Kind::kMeeting) out_.fast_pairs.emplace_back(lo, hi);
   }
 
-  // The axes that kept two boxes apart until they met.
+  // The axes that kept two boxes apart until they met. Edges that act like faces count where no other axis gives a
+  // contact and no two edges of a box tie farthest out.
   void add_last(BodyIndex lo, BodyIndex hi) {
-    const BestAxes last = BoxPair(scratch_.frames[lo], scratch_.frames[hi]).best(kFaces | kEdges);
-    add_faces(lo, hi, static_cast<AxisSet>(last.axes & kFacesOfA));
-    add_faces(hi, lo, static_cast<AxisSet>((last.axes & kFacesOfB) >> 3U));
-    add_edges(lo, hi, {static_cast<AxisSet>(last.axes & kEdges), last.separation});
+    const BoxFrame &a = scratch_.frames[lo], &b = scratch_.frames[hi];
+    const BoxPair boxes(a, b);
+    const std::size_t before = out_.manifolds.size();
+    add_axes(lo, hi, boxes.best(kFaces | kEdges));
+    if (out_.manifolds.size() > before) return;
+    BestAxes last = boxes.best_of_all();
+    for_each_axis(static_cast<AxisSet>(last.axes & kEdges), [&](int axis) {
+      const Vec3 n = boxes.normal(axis);
+      if (!one_farthest_edge(a, (axis - 6) / 3, n) || !one_farthest_edge(b, (axis - 6) % 3, n))
+        last.axes = static_cast<AxisSet>(last.axes & ~only(axis));
+    });
+    add_axes(lo, hi, last);
+  }
+  void add_axes(BodyIndex lo, BodyIndex hi, const BestAxes& best) {
+    add_faces(lo, hi, static_cast<AxisSet>(best.axes & kFacesOfA));
+    add_faces(hi, lo, static_cast<AxisSet>((best.axes & kFacesOfB) >> 3U));
+    add_edges(lo, hi, {static_cast<AxisSet>(best.axes & kEdges), best.separation});
   }
 
   // Contact normals as resting boxes need them: faces are preferred to edges, and one box's faces to the other's.

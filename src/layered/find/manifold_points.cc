@@ -198,6 +198,10 @@ void face_manifold(const ManifoldSide& side, int axis, Manifold& m, std::vector<
   m.offset = a.half_extent[axis] + 0.5 * lowest - dot(side.d, m.n);
 }
 
+bool one_farthest_edge(const BoxFrame& box, int edge, const Vec3& n) {
+  return dot(box.axes[(edge + 1) % 3], n) != 0 && dot(box.axes[(edge + 2) % 3], n) != 0;
+}
+
 void edge_manifold(const ManifoldSide& side, const BoxPair& pair, int axis, double separation, Manifold& m,
                    std::vector<ManifoldPoint>& points) {
   const int i = (axis - 6) / 3, j = (axis - 6) % 3;

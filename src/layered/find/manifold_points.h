@@ -22,6 +22,10 @@ struct ManifoldSide {
 /// t2, d, offset, first, count of the manifold and appends its points.
 void face_manifold(const ManifoldSide& side, int axis, Manifold& manifold, std::vector<ManifoldPoint>& points);
 
+/// Whether one edge of the box in the direction of axis `edge` lies farthest out along n; two tie where boxes lie on a
+/// lattice.
+bool one_farthest_edge(const BoxFrame& box, int edge, const Vec3& n);
+
 /// Finds the contact point of two crossing edges. axis: 6 + 3i + j as in box_pair.h, of (reference, incident).
 void edge_manifold(const ManifoldSide& side, const BoxPair& pair, int axis, double separation, Manifold& manifold,
                    std::vector<ManifoldPoint>& points);
