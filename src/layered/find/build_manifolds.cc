@@ -94,8 +94,7 @@ class Builder {
     return out_.manifolds.size() > before;
   }
 
-  // Where a pair meets although no point closes, or lies in both boxes, as it faces now: its contacts are found when it
-  // meets.
+  // Where a pair meets although no point closes, or lies in both boxes, as it faces now: is found when it meets.
   void list_if_meeting(BodyIndex lo, BodyIndex hi) {
     const double face = larger_separation(pair_->face_a, pair_->face_b);
     const double apart = pair_->edge.axes != 0 ? std::max(face, pair_->edge.separation) : face;
@@ -103,8 +102,7 @@ class Builder {
     if (paths_.follow(lo, hi, 0).kind == Approach::Kind::kMeeting) out_.fast_pairs.emplace_back(lo, hi);
   }
 
-  // The axes that kept two boxes apart until they met. Edges that act like faces count where no other axis gives a
-  // contact and no two edges of a box tie farthest out.
+  // The axes that kept two boxes apart until they met; edges like faces only if nothing else touches and no two tie.
   void add_last(BodyIndex lo, BodyIndex hi) {
     const BoxFrame &a = scratch_.frames[lo], &b = scratch_.frames[hi];
     const BoxPair boxes(a, b);
