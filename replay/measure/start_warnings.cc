@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -33,6 +35,23 @@ struct Overlap {
 
 double shortest_edge(const BoxFrame& box) { return 2 * box.half_extent.minCoeff(); }
 
+// dt and gravity from a step on.
+struct Pace {
+  std::uint64_t step = 1;
+  double dt = 0;                                                         // s
+  double gravity = 0;                                                    // m/s²
+  [[nodiscard]] double fall() const { return 0.5 * gravity * dt * dt; }  // m, in a step
+};
+
+std::string beginning_at(std::uint64_t step) { return step == 1 ? "" : "from step " + std::to_string(step) + " on "; }
+
+// A body that gets a velocity, at the start or by an input.
+struct Launch {
+  sim::BodyId id = 0;
+  std::uint64_t step = 1;
+  double speed = 0, edge = 0;  // m/s; m, the shortest
+};
+
 class Start {
  public:
   explicit Start(const sim::WorldState& start) : bodies_(start.bodies), world_(start.def), group_(bodies_.size()) {
@@ -48,8 +67,10 @@ class Start {
     add_overlaps(out);
     add_sunk(out);
     if (world_.ground || bodies_.size() + inputs.size() >= 2) {
-      add_coarse(inputs, out);
-      add_fast(inputs, out);
+      const std::vector<Launch> launches = launches_of(inputs);
+      const std::vector<Pace> paces = paces_of(inputs);
+      add_coarse(launches, paces, out);
+      add_fast(launches, paces, out);
     }
     if (complete_) add_floating(out);
     return out;
@@ -125,19 +146,43 @@ class Start {
     if (count > kShown) out.push_back("and " + count_text(count - kShown, "more body") + " deep in the ground");
   }
 
-  // Calls visit(id, velocity, shortest edge) for the bodies that are not static and for those thrown in.
-  template <class Visit>
-  void for_each_loose(std::span<const sim::TimedCommand> inputs, Visit visit) const {
+  // From step 1 on. Inputs of one step act together.
+  [[nodiscard]] std::vector<Pace> paces_of(std::span<const sim::TimedCommand> inputs) const {
+    std::vector<Pace> paces = {{1, world_.dt, sim::length(world_.gravity)}};
+    for (const sim::TimedCommand& input : inputs) {
+      const auto* dt = std::get_if<sim::SetDt>(&input.command);
+      const auto* gravity = std::get_if<sim::SetGravity>(&input.command);
+      if (dt == nullptr && gravity == nullptr) continue;
+      if (paces.back().step != input.step) paces.push_back({input.step, paces.back().dt, paces.back().gravity});
+      if (dt != nullptr) paces.back().dt = dt->dt;
+      if (gravity != nullptr) paces.back().gravity = sim::length(gravity->gravity);
+    }
+    return paces;
+  }
+
+  // Of the bodies that are not static: at the start, thrown in, and where an input sets their velocity.
+  [[nodiscard]] std::vector<Launch> launches_of(std::span<const sim::TimedCommand> inputs) const {
+    std::vector<Launch> out;
+    std::map<sim::BodyId, std::size_t> last;
+    const auto launch = [&](sim::BodyId id, std::uint64_t step, const sim::Vec3& velocity, double edge) {
+      last[id] = out.size();
+      out.push_back({id, step, sim::length(velocity), edge});
+    };
     for (sim::BodyIndex i = 0; i < bodies_.size(); ++i) {
-      if (bodies_.is_static[i] == 0) visit(bodies_.id[i], sim::Vec3(bodies_.velocity[i]), shortest_edge(boxes_[i]));
+      if (bodies_.is_static[i] == 0) launch(bodies_.id[i], 1, bodies_.velocity[i], shortest_edge(boxes_[i]));
     }
     for (const sim::TimedCommand& input : inputs) {
       const auto* thrown = std::get_if<sim::Throw>(&input.command);
-      if (thrown != nullptr) visit(thrown->box.id, thrown->box.velocity, thrown->box.size.minCoeff());
+      if (thrown != nullptr) launch(thrown->box.id, input.step, thrown->box.velocity, thrown->box.size.minCoeff());
+      const auto* set = std::get_if<sim::SetVelocity>(&input.command);
+      const auto known = set != nullptr ? last.find(set->id) : last.end();
+      if (known == last.end()) continue;
+      Launch& before = out[known->second];
+      if (before.step == input.step) before.speed = sim::length(set->velocity);
+      if (before.step != input.step) launch(set->id, input.step, set->velocity, before.edge);
     }
+    return out;
   }
-
-  [[nodiscard]] double fall() const { return 0.5 * sim::length(world_.gravity) * world_.dt * world_.dt; }
 
   // The way that gravity may move a body in a step, by its shortest edge. Measured on heaps, towers and plates of five
   // boxes with dt from 1/240 s to 1 s: with the usual substeps, boxes beyond one edge sink into one another or are
@@ -159,38 +204,43 @@ class Start {
   }
 
   // A step in which gravity alone moves bodies too far.
-  void add_coarse(std::span<const sim::TimedCommand> inputs, std::vector<std::string>& out) const {
-    std::optional<std::pair<sim::BodyId, double>> smallest;
-    for_each_loose(inputs, [&](sim::BodyId id, const sim::Vec3& /*velocity*/, double edge) {
-      if (!smallest || edge < smallest->second) smallest = {id, edge};
-    });
-    if (!smallest || fall() <= bearable_edges() * smallest->second) return;
-    const auto [id, edge] = *smallest;
-    const double dt_most = std::sqrt(2 * bearable_edges() * edge / sim::length(world_.gravity));
-    std::string& line = out.emplace_back("gravity moves a body by ");
-    line.append(rounded(fall(), "m")).append(" in a step of ").append(seconds_text(world_.dt)).append(" with ");
-    line.append(count_text(world_.substeps, "substep")).append(", too far for body ").append(std::to_string(id));
-    line.append(" with its shortest edge of ").append(rounded(edge, "m"));
+  void add_coarse(std::span<const Launch> launches, std::span<const Pace> paces, std::vector<std::string>& out) const {
+    const auto smallest = std::ranges::min_element(launches, {}, &Launch::edge);
+    const Pace& pace = *std::ranges::max_element(paces, {}, &Pace::fall);
+    const double fall = pace.fall();
+    if (smallest == launches.end() || fall <= bearable_edges() * smallest->edge) return;
+    const double edge = smallest->edge, dt_most = std::sqrt(2 * bearable_edges() * edge / pace.gravity);
+    std::string& line = out.emplace_back(beginning_at(pace.step));
+    line.append("gravity moves a body by ");
+    line.append(rounded(fall, "m")).append(" in a step of ").append(seconds_text(pace.dt)).append(" with ");
+    line.append(count_text(world_.substeps, "substep")).append(", too far for body ");
+    line.append(std::to_string(smallest->id)).append(" with its shortest edge of ").append(rounded(edge, "m"));
     line.append(": boxes that collide may sink into one another and pass through; take a dt of at most ");
     line.append(significant(0.99 * dt_most, 3)).append(" s");
-    if (const auto substeps = substeps_for(fall() / edge))
+    if (const auto substeps = substeps_for(fall / edge))
       line.append(" or substeps = ").append(std::to_string(*substeps));
   }
 
   // Method thesis finds collisions where a step ends: a body that moves by less than its shortest edge in a step cannot
   // jump over a thing. Method layered looks along the way. Bodies that gravity alone moves too far are add_coarse()'s.
-  void add_fast(std::span<const sim::TimedCommand> inputs, std::vector<std::string>& out) const {
+  void add_fast(std::span<const Launch> launches, std::span<const Pace> paces, std::vector<std::string>& out) const {
     if (world_.method != sim::Method::kThesis) return;
     std::size_t count = 0;
-    for_each_loose(inputs, [&](sim::BodyId id, const sim::Vec3& velocity, double edge) {
-      const double own = sim::length(velocity) * world_.dt, way = own + fall();
-      if (way <= edge || (fall() > edge && own <= edge) || ++count > kShown) return;
-      std::string& line = out.emplace_back("body ");
-      line.append(std::to_string(id)).append(" moves by ").append(rounded(way, "m")).append(" in a step of ");
-      line.append(seconds_text(world_.dt)).append(", more than its shortest edge of ");
+    for (const auto& [id, step, speed, edge] : launches) {
+      const Pace& pace = pace_of(paces, step);
+      const double own = speed * pace.dt, fall = pace.fall(), way = own + fall;
+      if (way <= edge || (fall > edge && own <= edge) || ++count > kShown) continue;
+      std::string& line = out.emplace_back(beginning_at(step));
+      line.append("body ").append(std::to_string(id)).append(" moves by ").append(rounded(way, "m"));
+      line.append(" in a step of ").append(seconds_text(pace.dt)).append(", more than its shortest edge of ");
       line.append(rounded(edge, "m")).append(", and may pass through others");
-    });
+    }
     if (count > kShown) out.push_back("and " + count_text(count - kShown, "more body") + " as fast");
+  }
+
+  // The pace of a step. paces: the first is that of step 1.
+  static const Pace& pace_of(std::span<const Pace> paces, std::uint64_t step) {
+    return *std::prev(std::ranges::upper_bound(paces, step, {}, &Pace::step));
   }
 
   // A group of bodies that touch is held where one of them is static or touches the ground.

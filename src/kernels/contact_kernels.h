@@ -48,7 +48,7 @@ struct ContactKernels {
   void (*apply_outcomes)(const ContactWork& work, const BodyOutcomes* of, std::size_t count);
   /// Advances the separations by one substep with the velocities of `bodies`.
   void (*move_on)(const ContactWork& work);
-  /// Computes masses and responses of slender batches anew, after their bodies have turned.
+  /// Computes masses and responses of hard batches anew, after their bodies have turned.
   void (*renew)(const ContactWork& work);
 };
 

@@ -19,13 +19,20 @@ struct Body {
   Space<V> velocity, spin;
   V inverse_mass;
   V inertia[6];  // inverse, world axes: xx, xy, xz, yy, yz, zz
+  Space<V> lent;
 };
 
 template <class V>
 Body<V> gather_body(const double* bodies, const std::uint32_t* row) {
   V c[16];
   for (unsigned at = 0; at < 16; at += 4) gather4(bodies, kSolverBodyDoubles, row, at, c + at);
-  return {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, c[6], {c[8], c[9], c[10], c[11], c[12], c[13]}};
+  return {{c[0], c[1], c[2]}, {c[3], c[4], c[5]}, c[6], {c[7], c[8], c[9], c[10], c[11], c[12]}, {c[13], c[14], c[15]}};
+}
+
+// The change of velocity by a force: M⁻¹ force.
+template <class V>
+Space<V> velocity_of(const Body<V>& body, Space<V> force) {
+  return force * body.inverse_mass - body.lent * dot(body.lent, force);
 }
 
 // I⁻¹ torque.
@@ -92,7 +99,7 @@ Wrench<V> friction_wrench(const Manifolds<V>& m, V force1, V force2, V turn) {
 
 template <class V>
 void write_side(double* outcomes, const Body<V>& body, Space<V> force, Space<V> torque) {
-  const Space<V> v = force * body.inverse_mass, w = spin_of(body, torque);
+  const Space<V> v = velocity_of(body, force), w = spin_of(body, torque);
   const V zero = V{} + 0.0;
   const V first[4] = {v.x, v.y, v.z, w.x}, second[4] = {w.y, w.z, zero, zero};
   scatter4(outcomes, 2 * kOutcomeDoubles, first);

@@ -12,10 +12,11 @@ namespace {
 // passes converge while relaxation times the largest eigenvalue stays below 2, and a row sum is a bound of the
 // eigenvalue (Gershgorin), so 1.8 is safe. The points between two bars lie so close that they act as one point; the row
 // sum is then the eigenvalue itself, and 1.8 would overshoot by 0.8 in every pass: 1.4.
-constexpr double kOverRelaxation = 1.8, kSlenderRelaxation = 1.4;
+constexpr double kOverRelaxation = 1.8, kHardRelaxation = 1.4;
 
-// m/s that a remembered impulse may give the lighter body; contacts that carry weights for a substep need far less.
-constexpr double kWarmSpeedMax = 16;
+// m/s that a remembered impulse may give the lighter body: in all, and beyond the load that it bears. Contacts that
+// carry weights for a substep need far less.
+constexpr double kWarmSpeedMax = 16, kWarmExcessMax = 4;
 
 // Sums of magnitudes on the grid of motions are exact up to here; an entry of a row is about 1 at most.
 constexpr double kRowSumMax = 16384;
@@ -28,7 +29,7 @@ struct Response {
 template <class V>
 Response<V> response_to(const Manifolds<V>& m, const Wrench<V>& wrench) {
   const V split_a = m.get(m.batch->split_a), split_b = m.get(m.batch->split_b);
-  const Space<V> va = wrench.force * (-m.a.inverse_mass * split_a), vb = wrench.force * (m.b.inverse_mass * split_b);
+  const Space<V> va = velocity_of(m.a, wrench.force) * -split_a, vb = velocity_of(m.b, wrench.force) * split_b;
   const Space<V> wa = spin_of(m.a, reaction_torque(m, wrench)) * -split_a, wb = spin_of(m.b, wrench.torque) * split_b;
   const Space<V> u = (vb - va) - cross(wa, m.d), w = wb - wa;
   return {dot(u, m.n), dot(w, m.t1), dot(w, m.t2)};
@@ -98,14 +99,20 @@ void prepare_friction(const Manifolds<V>& m) {
     turn_a[k] = spin_of(m.a, lever_a[k]);
     turn_b[k] = spin_of(m.b, lever_b[k]);
   }
-  const V linear = split_a * m.a.inverse_mass + split_b * m.b.inverse_mass;
+  const V lent_a[2] = {dot(m.a.lent, m.t1), dot(m.a.lent, m.t2)},
+          lent_b[2] = {dot(m.b.lent, m.t1), dot(m.b.lent, m.t2)};
   V k[6];
   int at = 0;
   for (int i = 0; i < 3; ++i) {
     for (int j = i; j < 3; ++j) {
       const V of_a = 0.5 * (dot(lever_a[i], turn_a[j]) + dot(lever_a[j], turn_a[i]));
       const V of_b = 0.5 * (dot(lever_b[i], turn_b[j]) + dot(lever_b[j], turn_b[i]));
-      k[at++] = (i == j && i < 2 ? linear : V{}) + (split_a * of_a + split_b * of_b);
+      V linear = V{};
+      if (j < 2) {
+        const V none = V{}, mass_a = i == j ? m.a.inverse_mass : none, mass_b = i == j ? m.b.inverse_mass : none;
+        linear = split_a * (mass_a - lent_a[i] * lent_a[j]) + split_b * (mass_b - lent_b[i] * lent_b[j]);
+      }
+      k[at++] = linear + (split_a * of_a + split_b * of_b);
     }
   }
   invert_friction(m, k);
@@ -174,34 +181,53 @@ V largest_row_sum(const Manifolds<V>& m, const PlaneResponse<V>& plane) {
 
 template <class V>
 void prepare_relaxation(const Manifolds<V>& m, const PlaneResponse<V>& plane) {
-  const double over = m.batch->slender ? kSlenderRelaxation : kOverRelaxation;
+  const double over = m.batch->hard ? kHardRelaxation : kOverRelaxation;
   m.set(m.batch->relaxation, where_present(m, 0, smaller(V{} + 1.0, over / largest_row_sum(m, plane))));
   const V response[6] = {plane.s.u,  plane.sq.u, plane.sp.u, plane.sq.w1, 0.5 * (plane.sp.w1 - plane.sq.w2),
                          plane.sp.w2};
   for (int i = 0; i < 6; ++i) m.set(m.batch->response[i], where_present(m, 0, response[i]));
 }
 
+// Of the impulses of a manifold's points and of the loads that they bear, the sums, exact in any order.
+template <class V>
+struct Borne {
+  V impulse, load;
+};
+template <class V>
+Borne<V> impulse_and_load(const Manifolds<V>& m) {
+  const ContactBatch& batch = *m.batch;
+  const V magic = m.get(batch.impulse_magic), most = m.get(batch.impulse_max);
+  V impulse = V{}, load = V{}, loads[kPointsMax];
+  for (unsigned k = 0; k < batch.count; ++k) {
+    loads[k] = m.get(m.points[k].load);
+    impulse += to_grid(magic, m.get(m.points[k].impulse));
+    load += to_grid(magic, loads[k]);
+  }
+  if (any(impulse > most) || any(load > most)) return {add_up_impulses(m).s, add_up(m, loads).s};
+  return {impulse, load};
+}
+
 // An impulse that stopped an impact in the last step is far larger than the one that carries the weight in this step; a
-// warm start from the former would throw the bodies apart. So would an impulse between heavy bodies that a light one
-// has passed on with lent inertia (carry_weights), when the light one is too fast to be lent any in this step.
+// warm start from the former would throw the bodies apart, even where they rest again: lent inertia (carry_weights)
+// hides how far the impulse could throw a light body.
 template <class V>
 void forget_impacts(const Manifolds<V>& m) {
   ContactBatch& batch = *m.batch;
-  const V magic = m.get(batch.impulse_magic), yield = larger(m.a.inverse_mass, m.b.inverse_mass);
-  V before = V{}, after = V{}, impulses[kPointsMax];
+  const V yield = larger(m.a.inverse_mass, m.b.inverse_mass);
+  const Borne<V> borne = impulse_and_load(m);
+  const V before = borne.impulse, load = borne.load;
+  const auto bears = load > 0.0;
+  const V most = bears ? V{} + kWarmExcessMax : V{} + kWarmSpeedMax;
+  const auto too_much = (before - load) * yield > most;
+  auto changes = too_much;
   for (unsigned k = 0; k < batch.count; ++k) {
     PointBatch& point = m.points[k];
-    const V impulse = impulses[k] = m.get(point.impulse);
-    const V rests = magnitude(m.get(point.approach)) > kRestingSpeed ? smaller(impulse, m.get(point.load)) : impulse;
-    const V kept = rests * yield > kWarmSpeedMax ? V{} : rests;
-    before += to_grid(magic, impulse);
-    after += to_grid(magic, kept);
-    m.set(point.impulse, kept);
+    const V impulse = m.get(point.impulse);
+    const auto stale = too_much | (magnitude(m.get(point.approach)) > kRestingSpeed);
+    m.set(point.impulse, stale ? smaller(impulse, m.get(point.load)) : impulse);
+    changes = changes | stale;
   }
-  if (any(before > m.get(batch.impulse_max))) {
-    before = add_up(m, impulses).s;
-    after = add_up_impulses(m).s;
-  }
+  const V after = any(changes) ? impulse_and_load(m).impulse : before;
   const V force1 = m.get(batch.force1), force2 = m.get(batch.force2),
           part = after == before ? V{} + 1.0 : after / before;
   const V kept = (magnitude(force1) + magnitude(force2)) * yield > kWarmSpeedMax ? V{} : part;
@@ -234,7 +260,7 @@ void prepare_responses(const Manifolds<V>& m) {
 
 template <class V>
 void renew(const ContactWork& work, ContactBatch& batch, unsigned at) {
-  if (!batch.slender) return;
+  if (!batch.hard) return;
   const Manifolds<V> m(work, batch, at);
   V masses[kPointsMax];
   for (unsigned k = 0; k < batch.count; ++k) masses[k] = m.get(m.points[k].mass);

@@ -130,8 +130,7 @@ void solve_manifolds(const ContactWork& work, ContactBatch& batch, unsigned at) 
   } else {
     const Wrench<V> friction = solve_friction(m, motion, pressure);
     const V split_a = m.get(batch.split_a), split_b = m.get(batch.split_b);
-    const Space<V> va = friction.force * (-m.a.inverse_mass * split_a);
-    const Space<V> vb = friction.force * (m.b.inverse_mass * split_b);
+    const Space<V> va = velocity_of(m.a, friction.force) * -split_a, vb = velocity_of(m.b, friction.force) * split_b;
     const Space<V> wa = spin_of(m.a, reaction_torque(m, friction)) * -split_a;
     const Space<V> wb = spin_of(m.b, friction.torque) * split_b;
     motion.u = motion.u + ((vb - va) - cross(wa, m.d));

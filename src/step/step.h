@@ -76,8 +76,9 @@ class PhaseHashes : public Observer {
   /// counted no contacts. 2: covers every field that a phase writes and the future depends on. 3: leaves out some
   /// fields that a phase leaves unchanged or only copies, and hashes in the order of memory. 4: covers the corners of
   /// contacts, and what friction at rest does besides impulses. 5: covers whether a contact of method layered has
-  /// slipped in its substep.
-  static constexpr std::uint32_t kVersion = 5;
+  /// slipped in its substep. 6: covers what `part_overlaps` takes from the motion of every body that it lifts,
+  /// and the direction of lent inertia.
+  static constexpr std::uint32_t kVersion = 6;
 
   void phase_done(std::uint32_t substep, std::size_t phase, const World& world) override;
   void clear() { words_.clear(); }

@@ -20,13 +20,4 @@ namespace tumble::sim {
 Status apply_outcomes(WorldState& state, Scratch& scratch, double dt_s);
 void hash_apply_outcomes(const WorldState& state, const Scratch& scratch, Hasher& hasher);
 
-/// The velocity of a body after it has paid, out of its speed along the unit vector `up`, for a lift by `displacement`;
-/// and the energy dissipated, J/kg.
-struct LiftCost {
-  Vec3 velocity;
-  double removed = 0;
-  double unpaid = 0;  ///< J/kg of the lift, where that speed was too low
-};
-LiftCost pay_for_lift(const Vec3& velocity, const Vec3& displacement, const Vec3& gravity, const Vec3& up);
-
 }  // namespace tumble::sim

@@ -120,6 +120,9 @@ Collision collide_at_point(const Response& a, const Response& b, const Vec3& nor
   return result;
 }
 
+namespace {
+
+// The collision of bodies whose corners may share the load.
 Collision collide_at_patch(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material,
                            const Encounter& met, std::span<const Vec3> patch) {
   Meeting m = meeting_of(met, a, b);
@@ -137,9 +140,10 @@ Collision collide_at_patch(const ContactBody& a, const ContactBody& b, const Vec
   return collide_at_point(a, b, normal, material, met);
 }
 
+}  // namespace
+
 Collision collide(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material,
-                  std::span<const Vec3> patch) {
-  const Encounter met = encounter(a, b, normal, material, patch.size());
+                  const Encounter& met, std::span<const Vec3> patch) {
   if (met.approach >= 0) return {};
   return met.shared ? collide_at_patch(a, b, normal, material, met, patch)
                     : collide_at_point(a, b, normal, material, met);

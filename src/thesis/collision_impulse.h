@@ -20,25 +20,25 @@ struct Collision {
   bool resting = false;          ///< of a patch that approaches by at most twice what gravity added
 };
 
-/// Equation 3.1 with friction. normal: unit, from a to b. patch: the corners that touch, from the collision point,
-/// or none.
+/// How two bodies meet. Reads of the masses only whether they are finite, so it holds for any parts of them
+/// (split_mass.h). normal: unit, from a to b; corners: of the patch.
+Encounter encounter(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material,
+                    std::size_t corners);
+
+/// Equation 3.1 with friction, of bodies that meet so. patch: the corners that touch, from the collision point, or
+/// none.
 /// Friction is static while the slip that the points had before gravity acted is slower than slip_speed, or turns
 /// round, and what gravity adds in one sub-step can be held; else dynamic. It presses by equation 3.1 without what the
 /// restitution throws back of gravity's own gain.
 /// A face that rubs presses harder at the corners ahead of the friction: the collision point moves along the slip, as
 /// far as the patch reaches, to where friction and pressure together turn neither body against the other.
 Collision collide(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material,
-                  std::span<const Vec3> patch);
+                  const Encounter& met, std::span<const Vec3> patch);
 
-/// The same in two steps, for the same bodies with several parts of their masses (split_mass.h): `encounter` reads of
-/// the masses only whether they are finite. corners: of the patch. Of bodies that meet, one of the others follows:
-/// collide_at_patch where the encounter says that corners may share the load, collide_at_point elsewhere.
-Encounter encounter(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material,
-                    std::size_t corners);
+/// The same for bodies that meet at one point: their motion is in the encounter. Precondition: they approach, and no
+/// corners share the load.
 Collision collide_at_point(const Response& a, const Response& b, const Vec3& normal, const PairMaterial& material,
                            const Encounter& met);
-Collision collide_at_patch(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material,
-                           const Encounter& met, std::span<const Vec3> patch);
 
 /// The change of spin by an impulse at r and an angular impulse, rad/s.
 Vec3 spin_gain_of(const ContactBody& body, const Vec3& impulse, const Vec3& twist = Vec3::Zero());

@@ -143,10 +143,9 @@ class Collisions {
     Encounter& met = scratch_.split.encounters[k];
     material = pair_material(state_, a, b);
     take_bodies(k);
-    met = encounter(on_a_, b == kGround ? on_ground_ : on_b_, normal, material, patch.size());
-    if (met.approach >= 0) return {};
-    if (!met.shared) return collide_at_point(on_a_, b == kGround ? on_ground_ : on_b_, normal, material, met);
-    return collide_at_patch(on_a_, b == kGround ? on_ground_ : on_b_, normal, material, met, patch);
+    const ContactBody& on_b = b == kGround ? on_ground_ : on_b_;
+    met = encounter(on_a_, on_b, normal, material, patch.size());
+    return collide(on_a_, on_b, normal, material, met, patch);
   }
 
   // With as many parts of the bodies as there are now.
@@ -162,7 +161,7 @@ class Collisions {
       return collide_at_point(part_response(state_, scratch_, a), on_b, normal, material, met);
     }
     take_bodies(k);
-    return collide_at_patch(on_a_, b == kGround ? on_ground_ : on_b_, normal, material, met, patch_of(contacts, k));
+    return collide(on_a_, b == kGround ? on_ground_ : on_b_, normal, material, met, patch_of(contacts, k));
   }
 
  private:

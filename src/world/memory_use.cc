@@ -82,13 +82,14 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
       {"layers", GrowsWith::kContacts, held_by(s.layered, s.layer_start, s.sweep_groups, l.touching, l.neighbours)});
   parts.push_back({"weights", GrowsWith::kContacts, held_by(w.found, w.supports, w.points)});
   parts.push_back({"batches", GrowsWith::kContacts, held_by(s.contact_batches, s.fast, s.overlaps.points)});
-  parts.push_back(
-      {"solver's bodies", GrowsWith::kBodies,
-       held_by(s.solver_bodies, s.solver_mass, s.in_contact, s.held, s.contact_batches.uses, s.overlaps.bodies)});
+  parts.push_back({"solver's bodies", GrowsWith::kBodies,
+                   held_by(s.solver_bodies, s.solver_mass, s.lent_along, s.in_contact, s.held, s.contact_batches.uses,
+                           s.overlaps.bodies)});
   parts.push_back({"levels, islands and sleep", GrowsWith::kBodies,
-                   held_by(s.level, l.start, l.next, l.front, l.reached, l.slender, l.marked, l.in_slender, w.start,
-                           w.next, w.waiting_for, w.ready, w.borne, w.moment_x, w.moment_y, s.island_links,
-                           s.waking.disturbed, s.waking.wakes, s.sleeping.touching, s.sleeping.restless)});
+                   held_by(s.level, l.start, l.next, l.front, l.reached, l.hard, l.marked, l.in_hard, w.start, w.next,
+                           w.waiting_for, w.ready, w.borne, w.moment_x, w.moment_y, w.treated, w.stands, w.held,
+                           w.settled, w.upward, w.offered, s.island_links, s.waking.disturbed, s.waking.wakes,
+                           s.sleeping.touching, s.sleeping.restless)});
 }
 
 void add_thesis(const Scratch& s, std::vector<MemoryPart>& parts) {

@@ -101,12 +101,12 @@ struct WakeScratch {
 
 /// Memory of assign_levels.
 struct LevelScratch {
-  std::vector<std::uint32_t> touching;           ///< manifolds that join two bodies
-  std::vector<std::uint32_t> start, next;        ///< by body, in `neighbours`; by layer while manifolds are sorted
-  std::vector<BodyIndex> neighbours;             ///< bodies that each body touches
-  std::vector<BodyIndex> front, reached;         ///< bodies of one level and of the next
-  std::vector<BodyIndex> slender;                ///< slender bodies, in order of manifolds
-  std::vector<std::uint8_t> marked, in_slender;  ///< by the body that stands for an island; by body
+  std::vector<std::uint32_t> touching;        ///< manifolds that join two bodies
+  std::vector<std::uint32_t> start, next;     ///< by body, in `neighbours`; by layer while manifolds are sorted
+  std::vector<BodyIndex> neighbours;          ///< bodies that each body touches
+  std::vector<BodyIndex> front, reached;      ///< bodies of one level and of the next
+  std::vector<BodyIndex> hard;                ///< bodies that make an island hard, in order of manifolds
+  std::vector<std::uint8_t> marked, in_hard;  ///< by the body that stands for an island; by body
 };
 
 /// Memory of carry_weights.
@@ -118,6 +118,9 @@ struct WeightScratch {
     Vec3 origin;      ///< m, from the upper body's centre to where p, q and offset are measured from
     double pull = 0;  ///< m/s², gravity along the normal
     std::uint32_t first_point = 0, end_point = 0;  ///< in `points`, while the upper body is treated
+    double load = 0;                               ///< kg
+    bool bears = false;                            ///< has a point that touches and does not part
+    bool starts = false;                           ///< is new and rests, so it wants first impulses
   };
   /// A contact point that bears weight.
   struct SupportPoint {
@@ -131,6 +134,12 @@ struct WeightScratch {
   std::vector<SupportPoint> points;        ///< under one body at a time
   std::vector<std::uint32_t> waiting_for;  ///< by body: supports above that have not passed on their weight
   std::vector<BodyIndex> ready;            ///< bodies whose supports above have all passed on their weight
+  std::vector<BodyIndex> treated;          ///< bodies that have passed on theirs, each after all above
+  std::vector<std::uint8_t> stands;        ///< by body: its weight and all that it bears press between its points
+  std::vector<std::uint8_t> held;          ///< by body: stands, on ground or on bodies that are held
+  std::vector<std::uint8_t> settled;       ///< by body: is held, and so is all that bears weight above
+  std::vector<Vec3> upward;                ///< kg, by body, sum of its supports' normals times their loads
+  std::vector<double> offered;             ///< kg, by body, the largest mass above
   std::vector<double> borne;               ///< kg, by body, everything that rests on the body
   std::vector<double> moment_x, moment_y;  ///< kg·m about the body's centre, of everything that rests on it
 };

@@ -72,9 +72,8 @@ struct SweepScratch {
 struct alignas(128) SolverBody {
   Vec3 velocity = Vec3::Zero(), spin = Vec3::Zero();
   double inverse_mass = 0;
-  double weight = 1;               ///< factor of gravity; below 1 for a body with lent inertia (carry_weights)
   double inverse_inertia[6] = {};  ///< world axes: xx, xy, xz, yy, yz, zz
-  double unused[2] = {};
+  Vec3 lent = Vec3::Zero();  ///< kg^−½; a force F changes the velocity by F / mass − lent (lent · F) (lend_inertia)
 };
 
 /// Changes of velocity and spin of one body by one manifold, and two zeros: a row that the kernels write and add up.
@@ -100,7 +99,7 @@ struct ContactBatches {
 struct SweepGroup {
   std::uint32_t begin = 0, end = 0;  ///< layers
   int sweeps = 1;
-  bool slender = false;  ///< islands with a slender body
+  bool hard = false;  ///< hard islands (assign_levels)
 };
 
 /// A pair of bodies (lower row, higher row), or a body and kGround.
@@ -200,8 +199,9 @@ struct Scratch {
   std::vector<std::uint32_t> level;        ///< by body: contacts away from rest; written by assign_levels
   std::vector<std::uint32_t> layered;      ///< awake manifolds, layer by layer
   std::vector<std::uint32_t> layer_start;  ///< by layer, in `layered`
-  std::vector<SweepGroup> sweep_groups;    ///< a group of islands with slender bodies comes last
-  std::vector<double> solver_mass;         ///< kg, by body, in the solver; written by carry_weights
+  std::vector<SweepGroup> sweep_groups;    ///< a group of hard islands comes last
+  std::vector<double> solver_mass;         ///< kg, by body, along `lent_along` in the solver; written by carry_weights
+  std::vector<Vec3> lent_along;            ///< by body, unit, where it has lent inertia; else zero
   std::vector<std::uint8_t> in_contact;    ///< moving bodies that have a manifold; written by prepare_manifolds
   std::vector<SolverBody> solver_bodies;   ///< written by prepare_manifolds and every sweep; last: ground
   ContactBatches contact_batches;

@@ -81,6 +81,22 @@ TEST(Advice, ABodyThatMayPassThroughOthersIsAWarning) {
   EXPECT_EQ(warnings_of({"position = [-9, 0, 2]\nvelocity = [50, 0, 0]", slow}, thesis), "");
 }
 
+TEST(Advice, WhatInputsMakeTooFastOrTooCoarseIsAWarning) {
+  const std::string box = "position = [-9, 0, 2]", other = "position = [9, 0, 2]", thesis = "method = \"thesis\"";
+  const auto with = [&](const std::string& input) {
+    return std::vector<std::string>{box, other + "\n[[input]]\nstep = 2\n" + input};
+  };
+  const std::string set = "kind = \"set_velocity\"\nid = 1\nvelocity = [0, 120, 0]";
+  const std::string said = "from step 2 on body 1 moves by 2.001 m in a step of 16.7 ms";
+  EXPECT_TRUE(holds(warnings_of(with(set), thesis), said)) << warnings_of(with(set), thesis);
+  EXPECT_EQ(warnings_of(with(set)), "");
+  EXPECT_TRUE(holds(warnings_of(with("kind = \"set_dt\"\ndt = 1.0")),
+                    "from step 2 on gravity moves a body by 4.905 m in a step of 1.00 s with 8 substeps, too far"));
+  EXPECT_TRUE(holds(warnings_of(with("kind = \"set_gravity\"\ngravity = [0, 0, -9810]")),
+                    "from step 2 on gravity moves a body by 1.363 m in a step of 16.7 ms with 8 substeps, too far"));
+  EXPECT_EQ(warnings_of(with("kind = \"set_dt\"\ndt = 0.02")), "");
+}
+
 // Five boxes of 0.2 m and more: a tower, or a heap that falls and turns.
 std::string five_boxes(bool heap) {
   constexpr const char* kHeap = R"(

@@ -27,6 +27,11 @@ ContactBody point_mass(double mass, const Vec3& velocity) {
   return body;
 }
 
+sim::Collision collide(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material,
+                       const std::vector<Vec3>& patch) {
+  return sim::collide(a, b, normal, material, sim::encounter(a, b, normal, material, patch.size()), patch);
+}
+
 // Of a collision at one point.
 Vec3 impulse_of(const ContactBody& a, const ContactBody& b, const Vec3& normal, const PairMaterial& material) {
   return collide(a, b, normal, material, {}).impulse;

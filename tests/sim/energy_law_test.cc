@@ -53,7 +53,10 @@ void expect_full_bounces_to_keep_energy(sim::Method method) {
   for (std::uint64_t seed = 0; seed < kBoxes; ++seed) {
     Random random(seed);
     sim::SceneDef scene = scene_of(method, 0, 1);
-    const Vec3 size = seed % 3 == 0 ? Vec3(1, 1, 1) : random_size(random, seed % 3 == 1 ? 0.3 : 0.05, 1.5);  // or a bar
+    const bool bar = seed >= kBoxes / 2 && seed % 2 == 0;
+    const Vec3 size = bar             ? random_size(random, 0.05, 1.5)
+                      : seed % 3 == 0 ? Vec3(1, 1, 1)
+                                      : random_size(random, 0.3, 1.5);
     sim::BoxDef body = body_of(1, size, {0, 0, random.uniform(2, 4)}, 0, 1);
     body.orientation = sim::normalised(random.rotation());
     body.spin = random_vector(random, 5);
@@ -67,7 +70,7 @@ void expect_full_bounces_to_keep_energy(sim::Method method) {
       least = std::min(least, energy_of(world) / start - 1);
     }
     EXPECT_LE(most, 1e-6) << "seed " << seed;
-    EXPECT_GE(least, -1e-5) << "seed " << seed;
+    EXPECT_GE(least, bar ? -1e-5 : -1e-6) << "seed " << seed;
   }
 }
 

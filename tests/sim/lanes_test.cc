@@ -57,8 +57,9 @@ struct RandomContacts {
   void fill_body(double* body) {
     for (int k = 0; k < 6; ++k) body[k] = number(-2, 2);
     body[6] = number(0.1, 2);
-    for (const int diagonal : {8, 11, 13}) body[diagonal] = number(1, 8);
-    for (const int other : {9, 10, 12}) body[other] = number(-0.3, 0.3);
+    for (const int diagonal : {7, 10, 12}) body[diagonal] = number(1, 8);
+    for (const int other : {8, 9, 11}) body[other] = number(-0.3, 0.3);
+    for (const int lent : {13, 14, 15}) body[lent] = number(-0.15, 0.15);
   }
 
   void add_batch(std::uint32_t used, std::size_t ground) {

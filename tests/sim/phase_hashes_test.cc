@@ -51,9 +51,10 @@ std::vector<Field> layered_fields() {
       {"carry_weights", "load", [](World& w) { manifold_point(w).load += 1; }},
       {"carry_weights", "impulse", [](World& w) { manifold_point(w).impulse += 1; }},
       {"carry_weights", "solver_mass", [](World& w) { w.mutable_scratch().solver_mass[0] += 1; }},
+      {"carry_weights", "lent_along", [](World& w) { w.mutable_scratch().lent_along[0].z() += 1; }},
       {"prepare_manifolds", "in_contact", [](World& w) { w.mutable_scratch().in_contact[0] ^= 1; }},
       {"prepare_manifolds", "inverse_mass", [](World& w) { body(w).inverse_mass += 1; }},
-      {"prepare_manifolds", "weight", [](World& w) { body(w).weight += 1; }},
+      {"prepare_manifolds", "lent", [](World& w) { body(w).lent.x() += 1; }},
       {"prepare_manifolds", "restitution", [](World& w) { lane(batch(w).restitution) += 1; }},
       {"prepare_manifolds", "force1", [](World& w) { lane(batch(w).force1) += 1; }},
       {"prepare_manifolds", "split_a", [](World& w) { lane(batch(w).split_a) += 1; }},
@@ -82,6 +83,7 @@ std::vector<Field> layered_fields() {
     fields.push_back({phase, "impulse", [](World& w) { lane(point(w).impulse) += 1; }});
     fields.push_back({phase, "peak", [](World& w) { lane(point(w).peak) += 1; }});
     fields.push_back({phase, "twist", [](World& w) { lane(batch(w).twist) += 1; }});
+    fields.push_back({phase, "sliding", [](World& w) { lane(batch(w).sliding) += 1; }});
   }
   for (const char* phase :
        {"apply_forces", "push_contacts", "integrate_positions", "relax_contacts", "bounce_contacts"}) {
@@ -204,6 +206,8 @@ TEST(PhaseHashes, CoverWhatPartingOverlapsWrites) {
       {"part_overlaps", "orientation", [](World& w) { bodies(w).orientation.z[1] += 1; }},
       {"part_overlaps", "parting velocity", [](World& w) { w.mutable_scratch().overlaps.bodies[0].velocity.z() += 1; }},
       {"part_overlaps", "parting spin", [](World& w) { w.mutable_scratch().overlaps.bodies[1].spin.x() += 1; }},
+      {"part_overlaps", "velocity", [](World& w) { body(w).velocity.z() += 1; }},
+      {"part_overlaps", "spin", [](World& w) { body(w).spin.y() += 1; }},
       {"part_overlaps", "separation", [](World& w) { lane(point(w).separation) += 1; }},
   });
   advance(world, &changer);

@@ -46,8 +46,8 @@ TEST(Slender, IslandsWithABarAreSweptMoreOftenAndNoOthers) {
   ASSERT_EQ(groups.size(), 2U);
   EXPECT_EQ(groups[0].sweeps, 1);
   EXPECT_GE(groups[1].sweeps, 20);
-  EXPECT_FALSE(groups[0].slender);
-  EXPECT_TRUE(groups[1].slender);
+  EXPECT_FALSE(groups[0].hard);
+  EXPECT_TRUE(groups[1].hard);
   EXPECT_EQ(groups[0].end, groups[1].begin);
   EXPECT_GE(members(world, groups[0]), 3U) << "the tower";
   EXPECT_GE(members(world, groups[1]), 2U) << "the bars";
@@ -65,7 +65,7 @@ TEST(Slender, NobodyElseHasSuchAGroup) {
   World world = made(layered(pile(3)));
   for (int k = 0; k < 30; ++k) advance(world);
   ASSERT_EQ(world.scratch().sweep_groups.size(), 1U);
-  EXPECT_FALSE(world.scratch().sweep_groups[0].slender);
+  EXPECT_FALSE(world.scratch().sweep_groups[0].hard);
 }
 
 // Without friction nothing calms a solver that overshoots: responses that were not fitted to bars that had turned let

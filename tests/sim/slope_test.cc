@@ -104,7 +104,8 @@ double stops_early(const Slope& s, const Way& wanted) {
   const double h = s.dt / s.substeps, t = radians(s.degrees);
   const double braking = kGravity * (s.friction_dynamic * std::cos(t) - std::sin(t));
   const double held = (s.friction * std::cos(t) - std::sin(t)) * kGravity * h;  // m/s
-  return 0.5 * s.speed * h + (wanted.rests && s.speed > 0 ? held * held / (2 * braking) : 0);
+  const bool few = s.substeps < 4;
+  return 0.5 * s.speed * h + (few && wanted.rests && s.speed > 0 ? held * held / (2 * braking) : 0);
 }
 
 void expect_coulomb(const Slope& s) {

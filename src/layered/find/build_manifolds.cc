@@ -94,7 +94,7 @@ class Builder {
     return out_.manifolds.size() > before;
   }
 
-  // Where a pair meets although no point closes, or lies in both boxes, as it faces now: is found when it meets.
+  // A pair that meets although no point closes or lies in both boxes, as it faces now, gets its contacts when it meets.
   void list_if_meeting(BodyIndex lo, BodyIndex hi) {
     const double face = larger_separation(pair_->face_a, pair_->face_b);
     const double apart = pair_->edge.axes != 0 ? std::max(face, pair_->edge.separation) : face;

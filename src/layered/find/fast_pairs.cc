@@ -34,16 +34,21 @@ bool near(const WorldState& state, const Scratch& scratch, BodyIndex lo, BodyInd
   return dot(offset, offset) <= reach * reach;
 }
 
+// FreePaths::bend(), which takes the ground first.
+double bend_of(const FreePaths& paths, BodyIndex lo, BodyIndex hi) {
+  return hi == kGround ? paths.bend(kGround, lo) : paths.bend(lo, hi);
+}
+
 // Whether corners leave their tangents by more than contacts allow within a substep.
 bool bends(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyIndex hi) {
-  const double bend = hi == kGround ? paths.bend(kGround, lo) : paths.bend(lo, hi);
+  const double bend = bend_of(paths, lo, hi);
   return bend > kSlop && (bend > slack(scratch, lo, hi) || !holds_both(scratch, lo, hi));
 }
 
 }  // namespace
 
 bool must_be_followed(const Scratch& scratch, const FreePaths& paths, BodyIndex lo, BodyIndex hi) {
-  const double bend = hi == kGround ? paths.bend(kGround, lo) : paths.bend(lo, hi);
+  const double bend = bend_of(paths, lo, hi);
   if (bend <= kSlop) return false;
   if (bend > slack(scratch, lo, hi) || !holds_one(scratch, lo, hi)) return true;
   return !holds_both(scratch, lo, hi) && paths.follow(lo, hi, 0).kind == Approach::Kind::kPassing;

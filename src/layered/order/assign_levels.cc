@@ -13,7 +13,9 @@ constexpr std::uint32_t kUnreached = 0xffffffffU;
 // Sweeps grow with the levels: an impulse passes a limited number of levels in one sweep.
 constexpr int kLevelsPerSweep = 5;  // measured: columns of 8 that sway after a fall come to rest with two, not with one
 constexpr int kSweepsMax = 10;
-constexpr int kSlenderSweeps = 20;  // a bar that is pressed at one end turns and passes little on
+constexpr int kHardSweeps = 20;      // a bar that is pressed at one end turns and passes little on
+constexpr double kMuchHeavier = 16;  // times as heavy
+constexpr double kStill = 0.01;      // m/s
 
 bool at_rest(const Bodies& bodies, BodyIndex i) { return i == kGround || !bodies.moves(i); }
 
@@ -66,29 +68,38 @@ void measure_levels(WorldState& state, Scratch& scratch) {
   }
 }
 
+// Whether bodies of very different masses touch and move: few sweeps leave over a part of the heavy one's impulse that
+// throws the light one aside. At rest the loads that a contact starts from are all that it needs.
+bool is_uneven(const Bodies& bodies, const Manifold& m) {
+  if (at_rest(bodies, m.a) || at_rest(bodies, m.b)) return false;
+  const auto [light, heavy] = std::minmax({bodies.mass[m.a], bodies.mass[m.b]});
+  const Vec3 a = bodies.velocity[m.a], b = bodies.velocity[m.b];
+  return heavy >= kMuchHeavier * light && std::max(dot(a, a), dot(b, b)) > kStill * kStill;
+}
+
 bool slender_mover(const Bodies& bodies, BodyIndex i) { return !at_rest(bodies, i) && is_slender(bodies.inertia[i]); }
 
-// For each body whether its island has a slender body; empty if no body is slender.
-std::span<const std::uint8_t> find_slender_islands(WorldState& state, Scratch& scratch) {
+// For each body whether its island is hard; empty if none is.
+std::span<const std::uint8_t> find_hard_islands(WorldState& state, Scratch& scratch) {
   const Bodies& bodies = state.bodies;
   LevelScratch& own = scratch.levels;
-  std::vector<BodyIndex>& slender = own.slender;
-  slender.clear();
+  std::vector<BodyIndex>& hard = own.hard;
+  hard.clear();
   for (const Manifold& m : scratch.manifolds) {
     if (m.asleep) continue;
-    if (slender_mover(bodies, m.a)) slender.push_back(m.a);
-    if (slender_mover(bodies, m.b)) slender.push_back(m.b);
+    if (slender_mover(bodies, m.a) || is_uneven(bodies, m)) hard.push_back(m.a);
+    if (slender_mover(bodies, m.b)) hard.push_back(m.b);
   }
-  if (slender.empty()) return {};
+  if (hard.empty()) return {};
   Islands islands(scratch.island_links, bodies.size());
   for (const Manifold& m : scratch.manifolds) {
     if (!at_rest(bodies, m.a) && !at_rest(bodies, m.b)) islands.join(m.a, m.b);
   }
   own.marked.assign(bodies.size(), 0);
-  own.in_slender.resize(bodies.size());
-  for (const BodyIndex i : slender) own.marked[islands.of(i)] = 1;
-  for (BodyIndex i = 0; i < bodies.size(); ++i) own.in_slender[i] = own.marked[islands.of(i)];
-  return own.in_slender;
+  own.in_hard.resize(bodies.size());
+  for (const BodyIndex i : hard) own.marked[islands.of(i)] = 1;
+  for (BodyIndex i = 0; i < bodies.size(); ++i) own.in_hard[i] = own.marked[islands.of(i)];
+  return own.in_hard;
 }
 
 // Layer 2 l holds the manifolds between levels l and l + 1, layer 2 l + 1 those within level l.
@@ -99,15 +110,15 @@ std::uint32_t layer_for(const WorldState& state, const Scratch& scratch, const M
   return 2 * std::min(a, b) + (a == b ? 1U : 0U);
 }
 
-int sweeps_for(std::uint32_t layers, bool slender) {
+int sweeps_for(std::uint32_t layers, bool hard) {
   const int levels = static_cast<int>(layers - 1) / 2;
   const int sweeps = std::min(kSweepsMax, 1 + levels / kLevelsPerSweep);
-  return slender ? std::max(kSlenderSweeps, sweeps) : sweeps;
+  return hard ? std::max(kHardSweeps, sweeps) : sweeps;
 }
 
 // Assigns layers, behind those of earlier groups, to the manifolds with belongs(manifold).
 template <class Belongs>
-void add_group(WorldState& state, Scratch& scratch, bool slender, Belongs belongs) {
+void add_group(WorldState& state, Scratch& scratch, bool hard, Belongs belongs) {
   const std::uint32_t begin = scratch.sweep_groups.empty() ? 0 : scratch.sweep_groups.back().end;
   std::uint32_t highest = 0;
   for (Manifold& m : scratch.manifolds) {
@@ -119,7 +130,7 @@ void add_group(WorldState& state, Scratch& scratch, bool slender, Belongs belong
   for (Manifold& m : scratch.manifolds) {
     if (!m.asleep && belongs(m)) m.layer = begin + std::min(m.layer, layers - 1);
   }
-  scratch.sweep_groups.push_back({begin, begin + layers, sweeps_for(layers, slender), slender});
+  scratch.sweep_groups.push_back({begin, begin + layers, sweeps_for(layers, hard), hard});
 }
 
 void sort_by_layer(Scratch& scratch) {
@@ -141,14 +152,14 @@ void sort_by_layer(Scratch& scratch) {
 
 Status assign_levels(WorldState& state, Scratch& scratch, double /*dt_s*/) {
   measure_levels(state, scratch);
-  const std::span<const std::uint8_t> near_slender = find_slender_islands(state, scratch);
-  const auto in_slender = [&](const Manifold& m) {
-    if (near_slender.empty()) return false;
-    return near_slender[at_rest(state.bodies, m.b) ? m.a : m.b] != 0;
+  const std::span<const std::uint8_t> near_hard = find_hard_islands(state, scratch);
+  const auto in_hard = [&](const Manifold& m) {
+    if (near_hard.empty()) return false;
+    return near_hard[at_rest(state.bodies, m.b) ? m.a : m.b] != 0;
   };
   scratch.sweep_groups.clear();
-  add_group(state, scratch, false, [&](const Manifold& m) { return !in_slender(m); });
-  if (!near_slender.empty()) add_group(state, scratch, true, in_slender);
+  add_group(state, scratch, false, [&](const Manifold& m) { return !in_hard(m); });
+  if (!near_hard.empty()) add_group(state, scratch, true, in_hard);
   sort_by_layer(scratch);
   return {};
 }

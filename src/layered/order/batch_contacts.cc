@@ -23,7 +23,7 @@ class Grouping {
   }
 
   // Adds a layer behind those before.
-  void add_layer(std::span<const std::uint32_t> members, bool slender, double bounce_min) {
+  void add_layer(std::span<const std::uint32_t> members, bool hard, double bounce_min) {
     const std::uint32_t begin = members_, batches_before = batches_;
     members_ += static_cast<std::uint32_t>(members.size());
     const auto points_of_member = [&](std::uint32_t k) { return std::min(kManyPoints, manifolds_[k].count); };
@@ -33,7 +33,7 @@ class Grouping {
     for (const std::uint32_t k : members) all_.order[begin + start[points_of_member(k)]++] = k;
     for (std::uint32_t k = begin; k < members_; k += kLanes) {
       ContactBatch& batch = add_batch(k, std::min<std::uint32_t>(kLanes, members_ - k));
-      batch.slender = slender;
+      batch.hard = hard;
       batch.bounce_min = bounce_min;
     }
     all_.layer_start.push_back(batches_);
@@ -106,7 +106,7 @@ class Filling {
   void clear(ContactBatch& batch) const {
     ContactBatch empty;
     empty.used = batch.used;
-    empty.slender = batch.slender;
+    empty.hard = batch.hard;
     empty.bounce_min = batch.bounce_min;
     empty.members = batch.members;
     empty.first = batch.first;
@@ -230,7 +230,7 @@ void batch_contacts(const WorldState& state, Scratch& scratch) {
   Grouping grouping(scratch.manifolds, all);
   for (const SweepGroup& group : scratch.sweep_groups) {
     for (std::uint32_t layer = group.begin; layer < group.end; ++layer) {
-      grouping.add_layer(layer_of(scratch, layer), group.slender, kBounceMin);
+      grouping.add_layer(layer_of(scratch, layer), group.hard, kBounceMin);
     }
   }
   grouping.finish();
@@ -242,14 +242,14 @@ void batch_contacts(const WorldState& state, Scratch& scratch) {
   for (std::size_t layer = 0; layer + 1 < all.layer_start.size(); ++layer) sharing.add_layer(layer);
 }
 
-void batch_fast_contacts(const WorldState& state, Scratch& scratch, bool slender) {
+void batch_fast_contacts(const WorldState& state, Scratch& scratch, bool hard) {
   const ManifoldList& found = scratch.fast.found;
   ContactBatches& all = scratch.fast.batches;
   std::vector<std::uint32_t>& members = scratch.fast.members;
   members.resize(found.manifolds.size());
   std::iota(members.begin(), members.end(), 0U);
   Grouping grouping(found.manifolds, all);
-  grouping.add_layer(members, slender, kFastBounceMin);
+  grouping.add_layer(members, hard, kFastBounceMin);
   grouping.finish();
   Filling filling(state, found.manifolds, found.points, all);
   for (ContactBatch& batch : all.batches) filling.fill(batch);

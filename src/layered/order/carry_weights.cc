@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "src/layered/order/lend_inertia.h"
 #include "src/layered/order/load_fit.h"
 #include "src/math/grid.h"
 #include "src/world/manifold_hashes.h"
@@ -21,9 +22,8 @@ namespace {
 // More than three points under a body leave the loads open: many sets of loads balance the weight. The sweeps would
 // settle on one of them slowly. Least squares picks the set in which the load is a linear function of the place, as in
 // a rigid plate on equal springs (the foundation of Winkler 1867). For a tower that set is exact.
-constexpr double kBearing = 0.001;   // m; a point farther apart bears nothing
-constexpr double kLendingSpeed = 1;  // m/s; lending inertia to a faster body would add energy
-constexpr double kSteepest = 0.5;    // a contact supports if its normal takes this part of gravity or more
+constexpr double kBearing = 0.001;  // m; a point farther apart, or one that parts, bears nothing
+constexpr double kSteepest = 0.5;   // a contact supports if its normal takes this part of gravity or more
 
 using Support = WeightScratch::Support;
 using SupportPoint = WeightScratch::SupportPoint;
@@ -43,13 +43,15 @@ class Walk {
     own_.moment_x.assign(bodies_.size(), 0);
     own_.moment_y.assign(bodies_.size(), 0);
     own_.waiting_for.assign(bodies_.size(), 0);
+    own_.stands.assign(bodies_.size(), 0);
+    own_.upward.assign(bodies_.size(), Vec3(Vec3::Zero()));
   }
 
   void run() {
-    scratch_.solver_mass = bodies_.mass;
     find_supports();
     std::vector<BodyIndex>& ready = own_.ready;
     ready.clear();
+    own_.treated.clear();
     for (BodyIndex i = 0; i < bodies_.size(); ++i) {
       if (own_.waiting_for[i] == 0 && own_.start[i] < own_.start[i + 1]) ready.push_back(i);
     }
@@ -57,17 +59,25 @@ class Walk {
     while (!ready.empty()) {
       const BodyIndex i = ready.back();
       ready.pop_back();
+      own_.treated.push_back(i);
       find_points(i);
+      own_.stands[i] = stands(i) ? 1 : 0;
       const double scale = load_points(i);
-      for (const Support& s : supports_of(i)) {
+      for (Support& s : supports_of(i)) {
         pass_down(s, scale);
         if (s.lower != kGround && --own_.waiting_for[s.lower] == 0) ready.push_back(s.lower);
+      }
+    }
+    find_held(scratch_);
+    for (const BodyIndex i : own_.treated) {
+      for (const Support& s : supports_of(i)) {
+        if (s.starts && may_start(own_, s)) start(s);
       }
     }
   }
 
  private:
-  // How far, in x and in y, gravity goes aside in one metre down, negated. Beyond 60° loads stay even.
+  // How far gravity goes aside, in x and in y, in one metre up; z is 1, or 0 beyond 60°, where loads stay even.
   static Vec3 tilt_of(const Vec3& gravity) {
     if (std::fabs(gravity.z()) < kSteepest * length(gravity) || gravity.z() == 0) return Vec3::Zero();
     return {gravity.x() / gravity.z(), gravity.y() / gravity.z(), 1};
@@ -114,13 +124,20 @@ class Walk {
   Vec3 velocity_across(const Manifold& m) const {
     return (velocity_of(m.b) - velocity_of(m.a)) - cross(spin_of(m.a), m.d);
   }
+  // The speeds at which points part, of a manifold: u + (w1 q − w2 p).
+  struct Parting {
+    double u, w1, w2;  // m/s; rad/s
+    [[nodiscard]] double at(const ManifoldPoint& point) const { return u + (w1 * point.q - w2 * point.p); }
+  };
+  Parting parting_of(const Manifold& m) const {
+    const Vec3 w = spin_of(m.b) - spin_of(m.a);
+    return {dot(velocity_across(m), m.n), dot(w, m.t1), dot(w, m.t2)};
+  }
   bool rests(const Manifold& m) const {
-    const Vec3 v = velocity_across(m), w = spin_of(m.b) - spin_of(m.a);
-    const double u = dot(v, m.n), w1 = dot(w, m.t1), w2 = dot(w, m.t2);
+    const Parting parting = parting_of(m);
     const std::span<const ManifoldPoint> points = points_of(scratch_, m);
-    return std::all_of(points.begin(), points.end(), [&](const ManifoldPoint& point) {
-      return std::fabs(u + (w1 * point.q - w2 * point.p)) <= kRestingSpeed;
-    });
+    return std::all_of(points.begin(), points.end(),
+                       [&](const ManifoldPoint& point) { return std::fabs(parting.at(point)) <= kRestingSpeed; });
   }
 
   void find_supports() {
@@ -152,8 +169,9 @@ class Walk {
     for (Support& s : supports_of(i)) {
       const Manifold& m = scratch_.manifolds[s.manifold];
       s.first_point = static_cast<std::uint32_t>(own_.points.size());
+      const Parting parting = parting_of(m);
       for (ManifoldPoint& p : points_of(scratch_, m)) {
-        if (p.separation >= kBearing) continue;
+        if (p.separation >= kBearing || parting.at(p) > kRestingSpeed) continue;
         const Vec3 r = seen(s.origin + ((m.t1 * p.p + m.t2 * p.q) + m.n * m.offset));
         own_.points.push_back({&p, r.x(), r.y()});
       }
@@ -163,7 +181,7 @@ class Walk {
 
   // Sets the loads of the points. Returns the factor that makes the loads add up to the weight carried.
   double load_points(BodyIndex i) {
-    const LoadFit f = fit_loads(i);
+    const LoadFit f = fit_loads(own_.points, {carried(i), own_.moment_x[i], own_.moment_y[i]}, tilt_.z() != 0);
     for (SupportPoint& point : own_.points) point.load = f.load_at(point.x, point.y);  // kg
     double total = sum_of_loads(magic_);
     // Points almost in a row get loads far beyond the weight. A sum without negative terms tells of itself that its
@@ -183,45 +201,13 @@ class Walk {
     return total;
   }
 
+  bool stands(BodyIndex i) const {
+    if (tilt_.z() == 0) return !own_.points.empty();
+    return press_between(own_.points, own_.moment_x[i] / carried(i), own_.moment_y[i] / carried(i));
+  }
+
   // For fitting_magic: the number of terms of a sum over the points.
   double terms() const { return std::max(4.0, static_cast<double>(own_.points.size())); }
-
-  LoadFit fit_loads(BodyIndex i) const {
-    LoadFit f;
-    if (own_.points.empty()) return f;
-    f.count = static_cast<double>(own_.points.size());
-    double farthest = 0;
-    for (const SupportPoint& p : own_.points) farthest = std::max({farthest, std::fabs(p.x), std::fabs(p.y)});
-    const double magic = fitting_magic(VelocityGrid::kMagic, farthest * terms());
-    for (const SupportPoint& point : own_.points) {
-      f.x += to_grid(magic, point.x);
-      f.y += to_grid(magic, point.y);
-    }
-    f.x /= f.count;
-    f.y /= f.count;
-    const double squares = fitting_magic(VelocityGrid::kMagic, 4 * farthest * farthest * terms());
-    for (const SupportPoint& point : own_.points) {
-      const double x = point.x - f.x, y = point.y - f.y;
-      f.xx += to_grid(squares, x * x);
-      f.xy += to_grid(squares, x * y);
-      f.yy += to_grid(squares, y * y);
-    }
-    balance(i, f);
-    return f;
-  }
-
-  // Solves for the slopes from the moments about x and y.
-  void balance(BodyIndex i, LoadFit& f) const {
-    f.even = carried(i) / f.count;
-    if (tilt_.z() == 0) return;
-    const double turn_x = own_.moment_x[i] - carried(i) * f.x, turn_y = own_.moment_y[i] - carried(i) * f.y;
-    const double little = 1e-6 * (f.xx + f.yy);  // points in a row leave one slope undetermined
-    const double xx = f.xx + little, yy = f.yy + little;
-    const double determinant = xx * yy - f.xy * f.xy;
-    if (determinant <= 0) return;
-    f.along_x = (yy * turn_x - f.xy * turn_y) / determinant;
-    f.along_y = (xx * turn_y - f.xy * turn_x) / determinant;
-  }
 
   // m/s, of b over a along t1 and t2.
   std::pair<double, double> slip_of(const Manifold& m) const {
@@ -230,44 +216,43 @@ class Walk {
   }
   static bool slow(double x, double y) { return x * x + y * y <= kRestingSpeed * kRestingSpeed; }
 
-  // Friction starts from what holds the load (kg) on a slope or, where the bodies slip, from what opposes the slip.
-  void start_friction(const Support& s, Manifold& m, double load) const {
+  // A new contact starts from its load, kg. Friction starts from what holds the load on a slope or, where the bodies
+  // slip, from what opposes the slip.
+  void start(const Support& s) const {
+    Manifold& m = scratch_.manifolds[s.manifold];
+    for (ManifoldPoint& point : points_of(scratch_, m)) point.impulse = point.load;
     const auto [slip1, slip2] = slip_of(m);
     if (slow(slip1, slip2)) {
-      const double up = (s.upper == m.b ? -load : load) * substep_;
+      const double up = (s.upper == m.b ? -s.load : s.load) * substep_;
       m.force1 = up * dot(gravity_, m.t1);
       m.force2 = up * dot(gravity_, m.t2);
     } else {
       const double speed = std::sqrt(slip1 * slip1 + slip2 * slip2);
-      const double against = -(load * s.pull) * (m.friction_dynamic * substep_) / speed;
+      const double against = -(s.load * s.pull) * (m.friction_dynamic * substep_) / speed;
       m.force1 = against * slip1;
       m.force2 = against * slip2;
     }
   }
 
-  void pass_down(const Support& s, double scale) {
+  void pass_down(Support& s, double scale) {
     Manifold& m = scratch_.manifolds[s.manifold];
-    const bool starts = is_new(m) && rests(m);
+    s.bears = s.first_point < s.end_point;
+    s.starts = is_new(m) && rests(m);
+    s.load = 0;
     const bool passes_on = s.lower != kGround;
     const Vec3 apart = passes_on ? seen(bodies_.position[s.upper] - bodies_.position[s.lower]) : Vec3(Vec3::Zero());
-    double total = 0;
     for (std::size_t k = s.first_point; k < s.end_point; ++k) {
       const SupportPoint& point = own_.points[k];
       const double load = point.load * scale;
-      total += rounded(load);
+      s.load += rounded(load);
       point.point->load = load * s.pull * substep_;
-      if (starts) point.point->impulse = point.point->load;
       if (!passes_on) continue;
       own_.borne[s.lower] += rounded(load);
       own_.moment_x[s.lower] += rounded(load * lever(point.x + apart.x()));
       own_.moment_y[s.lower] += rounded(load * lever(point.y + apart.y()));
     }
-    if (starts) start_friction(s, m, total);
-    if (!passes_on) return;
-    const Vec3 velocity = bodies_.velocity[s.lower];
-    if (dot(velocity, velocity) > kLendingSpeed * kLendingSpeed) return;
-    double& mass = scratch_.solver_mass[s.lower];
-    mass = std::max(mass, scratch_.solver_mass[s.upper]);
+    const double up = s.upper == m.b ? s.load : -s.load;
+    own_.upward[s.upper] += Vec3(rounded(up * m.n.x()), rounded(up * m.n.y()), rounded(up * m.n.z()));
   }
 
   const Bodies& bodies_;
@@ -283,11 +268,13 @@ class Walk {
 
 Status carry_weights(WorldState& state, Scratch& scratch, double dt_s) {
   Walk(state, scratch, dt_s / state.def.substeps).run();
+  lend_inertia(state, scratch);
   return {};
 }
 
 void hash_carry_weights(const WorldState& /*state*/, const Scratch& scratch, Hasher& hasher) {
   hasher.add(std::span<const double>(scratch.solver_mass));
+  hasher.add(doubles_of(scratch.lent_along));
   hash_manifold_points(scratch, hasher);
 }
 

@@ -1,6 +1,11 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "src/math/grid.h"
+#include "src/world/phase_scratch.h"
 
 namespace tumble::sim {
 
@@ -16,5 +21,13 @@ struct LoadFit {
     return std::max(0.0, even + (along_x * (at_x - x) + along_y * (at_y - y)));
   }
 };
+
+/// A body's mass with all that it bears, and the moments of that mass about the body's centre.
+struct Borne {
+  double mass = 0, moment_x = 0, moment_y = 0;  ///< kg; kg·m
+};
+
+/// balanced: also fits the moments; otherwise the loads are even. The order of the points does not show.
+LoadFit fit_loads(std::span<const WeightScratch::SupportPoint> points, const Borne& borne, bool balanced);
 
 }  // namespace tumble::sim

@@ -5,6 +5,14 @@
 #include "src/math/grid.h"
 
 namespace tumble::sim {
+namespace {
+
+// m/s. A body with lent inertia has its own weight.
+Vec3 gain_by(const Vec3& fall, const SolverBody& body) {
+  return body.lent == Vec3::Zero() ? fall : Vec3(fall - body.lent * (dot(body.lent, fall) / body.inverse_mass));
+}
+
+}  // namespace
 
 Status apply_forces(WorldState& state, Scratch& scratch, double substep_s) {
   const Vec3 fall = state.def.gravity * substep_s;
@@ -12,7 +20,7 @@ Status apply_forces(WorldState& state, Scratch& scratch, double substep_s) {
     for (std::size_t i = begin; i < end; ++i) {
       if (scratch.in_contact[i] == 0) continue;
       SolverBody& body = scratch.solver_bodies[i];
-      body.velocity += VelocityGrid::round(Vec3(fall * body.weight));
+      body.velocity += VelocityGrid::round(gain_by(fall, body));
     }
   });
   for (const FastBody& body : scratch.fast.none() ? std::span<const FastBody>() : scratch.fast.bodies) {

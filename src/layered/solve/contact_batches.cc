@@ -10,7 +10,8 @@ namespace {
 
 static_assert(sizeof(SolverBody) == kSolverBodyDoubles * sizeof(double));
 static_assert(offsetof(SolverBody, inverse_mass) == 6 * sizeof(double));
-static_assert(offsetof(SolverBody, inverse_inertia) == 8 * sizeof(double));
+static_assert(offsetof(SolverBody, inverse_inertia) == 7 * sizeof(double));
+static_assert(offsetof(SolverBody, lent) == 13 * sizeof(double));
 static_assert(VelocityGrid::kLimit == kMotionSumMax);
 static_assert(sizeof(Outcome) == kOutcomeDoubles * sizeof(double));
 

@@ -33,7 +33,7 @@ void turn(Bodies& bodies, Scratch& scratch, BodyIndex i, double substep_s) {
   if (inertia.x() == inertia.y() && inertia.y() == inertia.z()) return;
   body.spin = rotation.spin;
   if (turned_squared > kStiff * kStiff) {
-    set_inverse_inertia(body, axes_of(rotation.orientation), inverse * body.weight);
+    set_inertia(body, bodies, scratch, i, axes_of(rotation.orientation));
   }
 }
 
@@ -118,7 +118,7 @@ Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s
   if (Status ok = check_moved(bodies, scratch); !ok.ok()) return ok;
   // A bar is thousands of times as easy to turn about its length as across it. After a turn by a degree the right
   // impulse is several times smaller, and sweeps with the old response would diverge.
-  const bool renews = has_slender(scratch);
+  const bool renews = has_hard(scratch);
   const ContactWork work = all_contacts(scratch, substep_s);
   for_ranges(scratch.workers, work.count, kBatchesAPart, [&](std::size_t begin, std::size_t end) {
     kernels(scratch.lanes).contacts.move_on(part_of(work, begin, end));
@@ -133,7 +133,7 @@ Status integrate_positions(WorldState& state, Scratch& scratch, double substep_s
 void hash_integrate_positions(const WorldState& state, const Scratch& scratch, Hasher& hasher) {
   hash_places(state.bodies, hasher);
   hash_moved(state.bodies, scratch, hasher);
-  if (has_slender(scratch)) hash_prepared(scratch, hasher);
+  if (has_hard(scratch)) hash_prepared(scratch, hasher);
 }
 
 }  // namespace tumble::sim

@@ -10,6 +10,7 @@
 #include "src/math/grid.h"
 #include "src/math/half_turn.h"
 #include "src/world/body_check.h"
+#include "src/world/lift_cost.h"
 
 namespace tumble::sim {
 namespace {
@@ -45,19 +46,15 @@ void start(Scratch& scratch) {
   for (SolverBody& body : own.bodies) body.velocity = body.spin = Vec3::Zero();
 }
 
-// Takes from the motion of a lifted body what the lift adds to its energy: from the speed along gravity, as if the body
-// had flown there, and what that lacks from the whole motion. lift: J/kg.
-void pay_for_lift(const WorldState& state, SolverBody& body, BodyIndex i, double lift) {
+// Takes from the motion of a body that was moved along `path` what a lift adds to its energy: from the speed along
+// gravity, and what that lacks from the whole motion.
+void pay(const WorldState& state, SolverBody& body, BodyIndex i, const Vec3& path) {
   const Vec3& gravity = state.def.gravity;
-  const double strength = length(gravity), speed = dot(body.velocity, gravity) / strength;  // m/s², m/s
-  const double left = speed * speed - 2 * lift;
-  const double slowed = left > 0 ? std::sqrt(left) : 0;
-  const Vec3 velocity = body.velocity + gravity * (((speed < 0 ? -slowed : slowed) - speed) / strength);
-  const double kinetic =
-      kinetic_energy(state.bodies, i) - 0.5 * state.bodies.mass[i] * (speed * speed - slowed * slowed);
-  const double lacking = 0.5 * state.bodies.mass[i] * std::max(0.0, -left);
-  const double part = lacking == 0 ? 1 : lacking < kinetic ? std::sqrt(1 - lacking / kinetic) : 0;
-  body.velocity = VelocityGrid::round_any(Vec3(velocity * part));
+  if (dot(gravity, path) >= 0) return;
+  const LiftCost cost = pay_for_lift(body.velocity, path, gravity, gravity / -length(gravity));
+  const double left = kinetic_energy(state.bodies, i) / state.bodies.mass[i] - cost.removed;  // J/kg
+  const double part = cost.unpaid < left ? std::sqrt(1 - cost.unpaid / left) : 0;
+  body.velocity = VelocityGrid::round_any(Vec3(cost.velocity * part));
   body.spin = VelocityGrid::round_any(Vec3(body.spin * part));
 }
 
@@ -66,8 +63,7 @@ void move(WorldState& state, SolverBody& body, BodyIndex i, const SolverBody& pa
   if (parting.velocity != Vec3::Zero()) {
     const Vec3 path = PositionGrid::round_any(Vec3(parting.velocity * dt_s));
     bodies.position.set(i, plus_zero(bodies.position[i] + path));
-    const double lift = -dot(state.def.gravity, path);
-    if (lift > 0) pay_for_lift(state, body, i, lift);
+    pay(state, body, i, path);
   }
   if (parting.spin != Vec3::Zero()) {
     bodies.orientation.set(i, turned(bodies.orientation[i], parting.spin * (0.5 * dt_s)));
@@ -102,6 +98,7 @@ void hash_part_overlaps(const WorldState& state, const Scratch& scratch, Hasher&
   if (!scratch.overlaps.any) return;
   hash_places(state.bodies, hasher);
   hasher.add(doubles_of(scratch.overlaps.bodies));
+  hash_solver_bodies(scratch, hasher);
   hash_moved(state.bodies, scratch, hasher);
 }
 

@@ -15,11 +15,8 @@ SolverBody solver_body(const Bodies& bodies, const Scratch& scratch, BodyIndex i
   if (!bodies.moves(i)) return body;
   body.velocity = bodies.velocity[i];
   body.spin = bodies.spin[i];
-  const double mass = scratch.solver_mass[i];
-  const bool lent = mass != bodies.mass[i];
-  body.weight = bodies.mass[i] / mass;
-  body.inverse_mass = lent ? 1 / mass : bodies.inverse_mass[i];
-  set_inverse_inertia(body, scratch.frames[i].axes, bodies.inverse_inertia[i] * body.weight);
+  body.inverse_mass = bodies.inverse_mass[i];
+  set_inertia(body, bodies, scratch, i, scratch.frames[i].axes);
   return body;
 }
 

@@ -87,9 +87,9 @@ void solve_fast_layer(Scratch& scratch, Sweep sweep, double substep_s) {
               [&](const ContactWork& work) { contacts.solve(work, sweep); });
 }
 
-bool has_slender(const Scratch& scratch) {
+bool has_hard(const Scratch& scratch) {
   SIM_CHECK(!scratch.sweep_groups.empty());
-  return scratch.sweep_groups.back().slender;
+  return scratch.sweep_groups.back().hard;
 }
 
 }  // namespace tumble::sim

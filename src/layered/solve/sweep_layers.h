@@ -25,7 +25,7 @@ void warm_start_layers(Scratch& scratch, double substep_s);
 /// Solves the contacts of fast pairs; sweep_layers does so after every sweep, but not for restitution.
 void solve_fast_layer(Scratch& scratch, Sweep sweep, double substep_s);
 
-/// Whether one of the awake islands has a slender body.
-bool has_slender(const Scratch& scratch);
+/// Whether one of the awake islands is hard.
+bool has_hard(const Scratch& scratch);
 
 }  // namespace tumble::sim

@@ -1,0 +1,79 @@
+#include "src/layered/order/lend_inertia.h"
+
+#include <algorithm>
+#include <functional>
+#include <span>
+
+namespace tumble::sim {
+namespace {
+
+using Support = WeightScratch::Support;
+
+std::span<const Support> supports_of(const WeightScratch& own, BodyIndex i) {
+  return std::span(own.supports).subspan(own.start[i], own.start[i + 1] - own.start[i]);
+}
+
+// From the top down: the largest mass above each body.
+void offer_masses(const Bodies& bodies, WeightScratch& own) {
+  own.offered = bodies.mass;
+  for (const BodyIndex i : own.treated) {
+    for (const Support& s : supports_of(own, i)) {
+      if (s.lower != kGround) own.offered[s.lower] = std::max(own.offered[s.lower], own.offered[i]);
+    }
+  }
+}
+
+}  // namespace
+
+bool press_between(std::span<const WeightScratch::SupportPoint> points, double x, double y) {
+  constexpr int kDirections = 4;
+  const double wanted[kDirections] = {x, y, x + y, x - y};
+  bool below[kDirections] = {}, above[kDirections] = {};
+  for (const WeightScratch::SupportPoint& point : points) {
+    const double at[kDirections] = {point.x, point.y, point.x + point.y, point.x - point.y};
+    for (int k = 0; k < kDirections; ++k) {
+      below[k] |= at[k] <= wanted[k];
+      above[k] |= at[k] >= wanted[k];
+    }
+  }
+  return std::ranges::all_of(below, std::identity()) && std::ranges::all_of(above, std::identity());
+}
+
+// From the ground up, then from the top down.
+void find_held(Scratch& scratch) {
+  WeightScratch& own = scratch.weights;
+  own.held.assign(own.stands.size(), 0);
+  for (auto body = own.treated.rbegin(); body != own.treated.rend(); ++body) {
+    const BodyIndex i = *body;
+    const auto holds = [&](const Support& s) { return !s.bears || s.lower == kGround || own.held[s.lower] != 0; };
+    own.held[i] = own.stands[i] != 0 && std::ranges::all_of(supports_of(own, i), holds) ? 1 : 0;
+  }
+  own.settled = own.held;
+  for (const BodyIndex i : own.treated) {
+    if (own.settled[i] != 0 || own.borne[i] == 0) continue;
+    for (const Support& s : supports_of(own, i)) {
+      if (s.bears && s.lower != kGround) own.settled[s.lower] = 0;
+    }
+  }
+}
+
+bool may_start(const WeightScratch& own, const Support& support) {
+  const BodyIndex upper = support.upper, lower = support.lower;
+  return (lower == kGround || own.settled[lower] != 0) && (own.settled[upper] != 0 || own.borne[upper] == 0);
+}
+
+void lend_inertia(const WorldState& state, Scratch& scratch) {
+  const Bodies& bodies = state.bodies;
+  WeightScratch& own = scratch.weights;
+  offer_masses(bodies, own);
+  scratch.solver_mass = bodies.mass;
+  scratch.lent_along.assign(bodies.size(), Vec3(Vec3::Zero()));
+  for (const BodyIndex i : own.treated) {
+    const Vec3 upward = own.upward[i];
+    if (own.held[i] == 0 || own.offered[i] <= bodies.mass[i] || upward == Vec3::Zero()) continue;
+    scratch.solver_mass[i] = own.offered[i];
+    scratch.lent_along[i] = upward / length(upward);
+  }
+}
+
+}  // namespace tumble::sim
