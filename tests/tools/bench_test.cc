@@ -158,7 +158,12 @@ TEST(Bench, BadArgumentsAreStatusTwo) {
   EXPECT_EQ(shop.run({"bench", "peers", "--scene", "no_such"}).exit, 2);
   EXPECT_EQ(shop.run({"bench", "accuracy", "--scene", "tower_20"}).exit, 2);
   EXPECT_EQ(shop.run({"bench", "accuracy", "--scene", "grid_0"}).exit, 2);
-  EXPECT_EQ(shop.run({"bench", "accuracy", "--engine", "no_such"}).exit, 2);
+  EXPECT_EQ(shop.run({"bench", "peers", "--scene", "grid_6_coarse", "--scene", "no_such"}).exit, 2);
+  for (const char* what : {"accuracy", "peers", "table1"}) {
+    const Outcome outcome = shop.run({"bench", what, "--engine", "layered", "--engine", "no_such"});
+    EXPECT_EQ(outcome.exit, 2) << what;
+    EXPECT_NE(outcome.err.find("found \"no_such\", wanted"), std::string::npos) << outcome.err;
+  }
   EXPECT_EQ(shop.run({"bench", "memory", "--scene", "no_such"}).exit, 2);
   EXPECT_EQ(shop.run({"bench", "scaling", "--budget", "0.3", "--plot", "x.txt"}).exit, 2);
 }

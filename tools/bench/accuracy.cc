@@ -206,17 +206,14 @@ Json limits_json(const std::vector<EngineAccuracy>& engines) {
 Result<Exit> bench_accuracy(const BenchOptions& options) {
   const Result<std::string> side = side_of(options);
   if (!side.ok()) return side.error();
-  std::vector<std::string> words = {"thesis", "layered", "bullet", "ode"};
-  if (!options.engines.empty()) {
-    std::erase_if(words,
-                  [&](const std::string& w) { return std::ranges::find(options.engines, w) == options.engines.end(); });
-  }
-  const std::vector<Peer> peers = built_peers(words);
-  if (peers.empty()) return bad_input("--engine: found none that is built, wanted thesis, layered, bullet or ode");
+  const Result<PeerChoice> choice = choose_peers({"thesis", "layered", "bullet", "ode"}, options.engines);
+  if (!choice.ok()) return choice.error();
+  if (choice->peers.empty()) return bad_input("--engine: no engine is left to run");
   const golden::TemporaryFolder folder("tumble-bench");
   if (folder.path().empty()) return cannot_finish("no temporary folder for the logs");
   const AccuracySession session(*side, folder.path());
   Json results = {{"bench", "accuracy"}, {"machine", machine_json()}, {"scene", "grid_" + *side}};
+  results["left_out"] = choice->left_out;
   results["engines"] = Json::array();
   if (!options.json) {
     std::cout
@@ -226,7 +223,7 @@ Result<Exit> bench_accuracy(const BenchOptions& options) {
         << "guaranteed by construction: lateral and column spread of thesis and layered are 0; measured: all else\n";
   }
   std::vector<EngineAccuracy> engines;
-  for (const Peer& peer : peers) {
+  for (const Peer& peer : choice->peers) {
     engines.push_back({peer, peer.word, {}});
     if (Status ok = run_engine(session, options, engines.back()); !ok.ok()) return ok.error();
     if (!options.json) print(engines.back());

@@ -1,10 +1,13 @@
 #include "tools/bench/peer_programs.h"
 
+#include <algorithm>
+#include <iostream>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
 
 #include "golden/suite/text_files.h"
+#include "src/base/text.h"
 #include "src/process/run_child.h"
 #include "tools/bench/bench.h"
 
@@ -12,16 +15,50 @@ namespace tumble::tools {
 
 namespace fs = std::filesystem;
 
-std::vector<Peer> built_peers(const std::vector<std::string>& words) {
-  std::vector<Peer> peers;
-  for (const std::string& word : words) {
-    Peer peer{word, build_folder() + "/bench/peers/tumble_peer_", {}};
-    peer.program += peer.is_ours() ? "tumble" : word;
-    if (peer.is_ours()) peer.overrides = {"world.method=" + word};
-    std::error_code error;
-    if (fs::exists(peer.program, error)) peers.push_back(std::move(peer));
+namespace {
+
+constexpr const char* kHowToBuild = "; 'tools/setup.sh --only peers' installs what it needs, the target bench/all builds it";
+
+Peer peer_of(const std::string& word) {
+  Peer peer{word, build_folder() + "/bench/peers/tumble_peer_", {}};
+  peer.program += peer.is_ours() ? "tumble" : word;
+  if (peer.is_ours()) peer.overrides = {"world.method=" + word};
+  return peer;
+}
+
+bool has(const std::vector<std::string>& words, const std::string& word) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+Status check_words(const std::vector<std::string>& known, const std::vector<std::string>& asked) {
+  for (const std::string& word : asked) {
+    if (word == "none" || has(known, word)) continue;
+    std::string wanted;
+    for (const std::string& other : known) wanted += other + ", ";
+    return bad_input("--engine: found " + in_quotes(word) + ", wanted " + wanted + "or none");
   }
-  return peers;
+  return {};
+}
+
+}  // namespace
+
+Result<PeerChoice> choose_peers(const std::vector<std::string>& known, const std::vector<std::string>& asked) {
+  if (Status ok = check_words(known, asked); !ok.ok()) return ok.error();
+  PeerChoice choice;
+  for (const std::string& word : known) {
+    if (!asked.empty() && !has(asked, word)) continue;
+    Peer peer = peer_of(word);
+    std::error_code error;
+    if (fs::exists(peer.program, error)) {
+      choice.peers.push_back(std::move(peer));
+      continue;
+    }
+    const std::string why = word + " is not built, there is no " + peer.program + kHowToBuild;
+    if (!asked.empty()) return cannot_finish("--engine: " + why);
+    std::cerr << "tumble bench: left out: " << why << '\n';
+    choice.left_out.push_back(word);
+  }
+  return choice;
 }
 
 std::vector<std::string> peer_command(const Peer& peer, const std::string& scene_path,

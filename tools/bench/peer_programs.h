@@ -20,8 +20,16 @@ struct Peer {
   [[nodiscard]] bool is_ours() const { return word == "layered" || word == "thesis"; }
 };
 
-/// Those of `words` that are built, in the order of the words; the methods of ours share one program.
-std::vector<Peer> built_peers(const std::vector<std::string>& words);
+/// The engines that a benchmark runs, and those that it would have run if their programs were built.
+struct PeerChoice {
+  std::vector<Peer> peers;
+  std::vector<std::string> left_out;
+};
+
+/// Of the engines `known` those in `asked`, or all if it is empty, in the order of `known`; "none" asks for no engine.
+/// The methods of ours share one program. Says on stderr which of all engines are left out because they are not built.
+/// Errors: an engine that is not known (kBadInput), or asked for by name and not built (kCannotFinish).
+Result<PeerChoice> choose_peers(const std::vector<std::string>& known, const std::vector<std::string>& asked);
 
 /// The command that runs a scene file through an engine.
 std::vector<std::string> peer_command(const Peer& peer, const std::string& scene_path,

@@ -55,14 +55,10 @@ std::vector<PeerScene> peer_scenes() {
 }
 
 /// Ours with its default method first: the others' times are told in terms of it.
-std::vector<Peer> chosen_peers(const BenchOptions& options) {
-  std::vector<std::string> words = {"layered"};
-  for (const char* word : {"thesis", "bullet", "ode", "mujoco"}) {
-    if (options.engines.empty() || std::ranges::find(options.engines, word) != options.engines.end()) {
-      words.emplace_back(word);
-    }
-  }
-  return built_peers(words);
+Result<PeerChoice> chosen_peers(const BenchOptions& options) {
+  std::vector<std::string> asked = options.engines;
+  if (!asked.empty()) asked.emplace_back("layered");
+  return choose_peers({"layered", "thesis", "bullet", "ode", "mujoco"}, asked);
 }
 
 /// The result of one engine in one scene.
@@ -191,10 +187,23 @@ bool chosen(const PeerScene& scene, const BenchOptions& options) {
   return std::ranges::any_of(options.scenes, [&](const std::string& name) { return scene.name.starts_with(name); });
 }
 
+Status check_scenes(const std::vector<PeerScene>& scenes, const BenchOptions& options) {
+  for (const std::string& name : options.scenes) {
+    if (std::ranges::none_of(scenes, [&](const PeerScene& scene) { return scene.name.starts_with(name); })) {
+      return bad_input("--scene: found " + in_quotes(name) + ", and no scene of 'bench peers' begins so");
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<Exit> bench_peers(const BenchOptions& options) {
-  const std::vector<Peer> peers = chosen_peers(options);
+  const std::vector<PeerScene> scenes = peer_scenes();
+  if (Status ok = check_scenes(scenes, options); !ok.ok()) return ok.error();
+  const Result<PeerChoice> choice = chosen_peers(options);
+  if (!choice.ok()) return choice.error();
+  const std::vector<Peer>& peers = choice->peers;
   if (peers.empty() || peers.front().word != "layered") {
     return cannot_finish("found no program " + build_folder() +
                          "/bench/peers/tumble_peer_tumble; build everything first");
@@ -202,9 +211,10 @@ Result<Exit> bench_peers(const BenchOptions& options) {
   const golden::TemporaryFolder folder("tumble-bench");
   if (folder.path().empty()) return cannot_finish("no temporary folder for the logs");
   Json results = {{"bench", "peers"}, {"machine", machine_json()}, {"repeat", options.repeat.value_or(5)}};
+  results["left_out"] = choice->left_out;
   results["scenes"] = Json::array();
   if (!options.json) std::cout << machine_text(results["machine"]) << '\n';
-  for (const PeerScene& scene : peer_scenes()) {
+  for (const PeerScene& scene : scenes) {
     if (!chosen(scene, options)) continue;
     const Result<sim::SceneDef> def = bench_scene(scene.file, scene.overrides);
     if (!def.ok()) return def.error();
@@ -219,7 +229,6 @@ Result<Exit> bench_peers(const BenchOptions& options) {
     if (!options.json) print(scene, *def, scores);
     results["scenes"].push_back(to_json(scene, *def, scores));
   }
-  if (results["scenes"].empty()) return bad_input("--scene: no scene of 'bench peers' begins so");
   if (Status ok = give_results(options, results); !ok.ok()) return ok.error();
   return Exit::kSame;
 }

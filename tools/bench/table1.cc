@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <tuple>
+#include <utility>
 
 #include "golden/suite/temporary_folder.h"
 #include "replay/measure/measure.h"
@@ -97,11 +98,11 @@ struct Spent {
 
 class Table1Run {
  public:
-  Table1Run(const BenchOptions& options, sim::Method method, std::filesystem::path folder)
+  Table1Run(const BenchOptions& options, sim::Method method, std::filesystem::path folder, std::vector<Peer> peers)
       : options_(options),
         method_(method),
         folder_(std::move(folder)),
-        peers_(built_peers(options.engines)),
+        peers_(std::move(peers)),
         peers_spent_(peers_.size()) {}
 
   /// Runs a cell and its peers in turn, if the budget allows each of them.
@@ -160,11 +161,14 @@ class Table1Run {
 
 Result<Exit> bench_table1(const BenchOptions& options) {
   const sim::Method method = options.method == "layered" ? sim::Method::kLayered : sim::Method::kThesis;
+  const std::vector<std::string> asked = options.engines.empty() ? std::vector<std::string>{"none"} : options.engines;
+  Result<PeerChoice> choice = choose_peers({"thesis", "layered", "bullet", "ode", "mujoco"}, asked);
+  if (!choice.ok()) return choice.error();
   const golden::TemporaryFolder folder("tumble-bench");
   if (folder.path().empty()) return cannot_finish("no temporary folder for the other engines");
   std::vector<Table1Cell> cells = all_cells();
   std::ranges::sort(cells, {}, &Table1Cell::thesis);  // the cheap ones first: a budget then covers as many as it can
-  Table1Run runs(options, method, folder.path());
+  Table1Run runs(options, method, folder.path(), std::move(choice->peers));
   for (Table1Cell& cell : cells) {
     if (Status ok = runs.run_cell(cell); !ok.ok()) return ok.error();
   }

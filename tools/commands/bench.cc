@@ -61,8 +61,8 @@ Action declare_bench(Arguments& arguments) {
       "102400, pile; may be repeated");
   arguments.option(
       "--engine", "NAME", options->engines,
-      "peers: only thesis, bullet, ode or mujoco beside ours; table1: these beside ours; accuracy: only thesis, "
-      "layered, bullet or ode; may be repeated");
+      "peers: only thesis, bullet, ode, mujoco or none beside ours; table1: these beside ours; accuracy: only thesis, "
+      "layered, bullet or ode; may be repeated. Without it, engines that are not built are left out, and said");
   arguments.flag("--large", options->large, "peers: also the grids of 1600 cubes and more");
   arguments.option("--method", "NAME", options->method,
                    "table1 (thesis), scaling (layered), memory (the scene's): another method");
