@@ -128,6 +128,12 @@ struct WeightScratch {
     double x = 0, y = 0;  ///< m, horizontal place from the upper body's centre
     double load = 0;      ///< kg, before scaling to the weight
   };
+  /// Where a body is hit from above, along gravity.
+  struct Blow {
+    double x = 0, y = 0;     ///< m, horizontal place from the body's centre
+    std::uint32_t next = 0;  ///< in `blows`, of the same body; kNoBlow after the last
+  };
+  static constexpr std::uint32_t kNoBlow = 0xffffffffU;
   std::vector<Support> found;              ///< in the order of the layers
   std::vector<Support> supports;           ///< by upper body
   std::vector<std::uint32_t> start, next;  ///< by body, in `supports`
@@ -135,7 +141,10 @@ struct WeightScratch {
   std::vector<std::uint32_t> waiting_for;  ///< by body: supports above that have not passed on their weight
   std::vector<BodyIndex> ready;            ///< bodies whose supports above have all passed on their weight
   std::vector<BodyIndex> treated;          ///< bodies that have passed on theirs, each after all above
-  std::vector<std::uint8_t> stands;        ///< by body: its weight and all that it bears press between its points
+  std::vector<Blow> blows;
+  std::vector<std::uint32_t> first_blow;  ///< by body, in `blows`
+  std::vector<std::uint8_t> struck;       ///< by body: hit from below or from the side
+  std::vector<std::uint8_t> stands;       ///< by body: its weight, all that it bears and blows press between its points
   std::vector<std::uint8_t> held;          ///< by body: stands, on ground or on bodies that are held
   std::vector<std::uint8_t> settled;       ///< by body: is held, and so is all that bears weight above
   std::vector<Vec3> upward;                ///< kg, by body, sum of its supports' normals times their loads

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "src/layered/order/contact_motion.h"
+#include "src/layered/order/find_blows.h"
 #include "src/layered/order/lend_inertia.h"
 #include "src/layered/order/load_fit.h"
 #include "src/math/grid.h"
@@ -23,7 +25,6 @@ namespace {
 // settle on one of them slowly. Least squares picks the set in which the load is a linear function of the place, as in
 // a rigid plate on equal springs (the foundation of Winkler 1867). For a tower that set is exact.
 constexpr double kBearing = 0.001;  // m; a point farther apart, or one that parts, bears nothing
-constexpr double kSteepest = 0.5;   // a contact supports if its normal takes this part of gravity or more
 
 using Support = WeightScratch::Support;
 using SupportPoint = WeightScratch::SupportPoint;
@@ -49,6 +50,7 @@ class Walk {
 
   void run() {
     find_supports();
+    find_blows(bodies_, gravity_, scratch_);
     std::vector<BodyIndex>& ready = own_.ready;
     ready.clear();
     own_.treated.clear();
@@ -77,15 +79,7 @@ class Walk {
   }
 
  private:
-  // How far gravity goes aside, in x and in y, in one metre up; z is 1, or 0 beyond 60°, where loads stay even.
-  static Vec3 tilt_of(const Vec3& gravity) {
-    if (std::fabs(gravity.z()) < kSteepest * length(gravity) || gravity.z() == 0) return Vec3::Zero();
-    return {gravity.x() / gravity.z(), gravity.y() / gravity.z(), 1};
-  }
-  // m, a place seen along gravity; z is dropped.
-  Vec3 seen(const Vec3& place) const {
-    return {place.x() - place.z() * tilt_.x(), place.y() - place.z() * tilt_.y(), 0};
-  }
+  Vec3 seen(const Vec3& place) const { return seen_along(tilt_, place); }
 
   // m, from the centre of a body to its corners; at least 1.
   static double farthest_reach(const Bodies& bodies) {
@@ -112,29 +106,12 @@ class Walk {
   // kg. The mass lies on no grid, so it is added last.
   double carried(BodyIndex i) const { return bodies_.mass[i] + own_.borne[i]; }
 
-  bool moves(BodyIndex i) const { return i != kGround && bodies_.moves(i); }
-  Vec3 velocity_of(BodyIndex i) const { return moves(i) ? bodies_.velocity[i] : Vec3(Vec3::Zero()); }
-  Vec3 spin_of(BodyIndex i) const { return moves(i) ? bodies_.spin[i] : Vec3(Vec3::Zero()); }
-
   bool is_new(const Manifold& m) const {
     const std::span<const ManifoldPoint> points = points_of(scratch_, m);
     return std::all_of(points.begin(), points.end(), [](const ManifoldPoint& p) { return p.impulse == 0; });
   }
-  // Speeds at the centre of body b, as if it belonged to both bodies.
-  Vec3 velocity_across(const Manifold& m) const {
-    return (velocity_of(m.b) - velocity_of(m.a)) - cross(spin_of(m.a), m.d);
-  }
-  // The speeds at which points part, of a manifold: u + (w1 q − w2 p).
-  struct Parting {
-    double u, w1, w2;  // m/s; rad/s
-    [[nodiscard]] double at(const ManifoldPoint& point) const { return u + (w1 * point.q - w2 * point.p); }
-  };
-  Parting parting_of(const Manifold& m) const {
-    const Vec3 w = spin_of(m.b) - spin_of(m.a);
-    return {dot(velocity_across(m), m.n), dot(w, m.t1), dot(w, m.t2)};
-  }
   bool rests(const Manifold& m) const {
-    const Parting parting = parting_of(m);
+    const Parting parting = parting_of(bodies_, m);
     const std::span<const ManifoldPoint> points = points_of(scratch_, m);
     return std::all_of(points.begin(), points.end(),
                        [&](const ManifoldPoint& point) { return std::fabs(parting.at(point)) <= kRestingSpeed; });
@@ -146,14 +123,15 @@ class Walk {
     own_.start.assign(bodies_.size() + 1, 0);
     for (const std::uint32_t k : scratch_.layered) {
       const Manifold& m = scratch_.manifolds[k];
-      const double pull = -dot(gravity_, m.n);
-      if (std::fabs(pull) < kSteepest * length(gravity_) || pull == 0) continue;
+      const double pull = pull_along(gravity_, m);
+      if (pull == 0) continue;
       const bool b_above = pull > 0;
-      const BodyIndex upper = b_above ? m.b : m.a, lower = b_above ? m.a : m.b;
-      if (!moves(upper)) continue;
-      found.push_back({k, upper, moves(lower) ? lower : kGround, b_above ? Vec3(Vec3::Zero()) : m.d, std::fabs(pull)});
+      const BodyIndex upper = b_above ? m.b : m.a;
+      if (!moves(bodies_, upper)) continue;
+      const BodyIndex lower = moves(bodies_, b_above ? m.a : m.b) ? (b_above ? m.a : m.b) : kGround;
+      found.push_back({k, upper, lower, b_above ? Vec3(Vec3::Zero()) : m.d, std::fabs(pull)});
       ++own_.start[upper + 1];
-      if (moves(lower)) ++own_.waiting_for[lower];
+      if (lower != kGround) ++own_.waiting_for[lower];
     }
     for (std::size_t i = 0; i < bodies_.size(); ++i) own_.start[i + 1] += own_.start[i];
     own_.supports.resize(found.size());
@@ -169,7 +147,7 @@ class Walk {
     for (Support& s : supports_of(i)) {
       const Manifold& m = scratch_.manifolds[s.manifold];
       s.first_point = static_cast<std::uint32_t>(own_.points.size());
-      const Parting parting = parting_of(m);
+      const Parting parting = parting_of(bodies_, m);
       for (ManifoldPoint& p : points_of(scratch_, m)) {
         if (p.separation >= kBearing || parting.at(p) > kRestingSpeed) continue;
         const Vec3 r = seen(s.origin + ((m.t1 * p.p + m.t2 * p.q) + m.n * m.offset));
@@ -202,7 +180,11 @@ class Walk {
   }
 
   bool stands(BodyIndex i) const {
-    if (tilt_.z() == 0) return !own_.points.empty();
+    if (own_.struck[i] != 0) return false;
+    if (tilt_.z() == 0) return !own_.points.empty() && own_.first_blow[i] == WeightScratch::kNoBlow;
+    for (std::uint32_t k = own_.first_blow[i]; k != WeightScratch::kNoBlow; k = own_.blows[k].next) {
+      if (!press_between(own_.points, own_.blows[k].x, own_.blows[k].y)) return false;
+    }
     return press_between(own_.points, own_.moment_x[i] / carried(i), own_.moment_y[i] / carried(i));
   }
 
@@ -211,7 +193,7 @@ class Walk {
 
   // m/s, of b over a along t1 and t2.
   std::pair<double, double> slip_of(const Manifold& m) const {
-    const Vec3 v = velocity_across(m), w = spin_of(m.b) - spin_of(m.a);
+    const Vec3 v = velocity_across(bodies_, m), w = spin_of(bodies_, m.b) - spin_of(bodies_, m.a);
     return {dot(v, m.t1) + dot(w, m.t2) * m.offset, dot(v, m.t2) - dot(w, m.t1) * m.offset};
   }
   static bool slow(double x, double y) { return x * x + y * y <= kRestingSpeed * kRestingSpeed; }

@@ -1,6 +1,7 @@
 #include "src/layered/order/lend_inertia.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <span>
 
@@ -23,13 +24,32 @@ void offer_masses(const Bodies& bodies, WeightScratch& own) {
   }
 }
 
-}  // namespace
+using SupportPoint = WeightScratch::SupportPoint;
 
-bool press_between(std::span<const WeightScratch::SupportPoint> points, double x, double y) {
+// Whether a line through (x, y) has all points on one side of it. If so, one through a point has: all others lie
+// clockwise of it, or all lie counterclockwise.
+bool all_on_one_side(std::span<const SupportPoint> points, double x, double y) {
+  return std::ranges::any_of(points, [&](const SupportPoint& first) {
+    const double first_x = first.x - x, first_y = first.y - y;
+    bool left = true, right = true;
+    for (const SupportPoint& other : points) {
+      const double other_x = other.x - x, other_y = other.y - y;
+      const double turn = first_x * other_y - first_y * other_x;
+      if (turn == 0 && first_x * other_x + first_y * other_y <= 0) return false;  // opposite, or at the place itself
+      left &= turn >= 0;
+      right &= turn <= 0;
+      if (!left && !right) return false;
+    }
+    return true;
+  });
+}
+
+// The octagon whose edges lie along the axes and halfway between them: a cheap answer where it is no.
+bool within_octagon(std::span<const SupportPoint> points, double x, double y) {
   constexpr int kDirections = 4;
   const double wanted[kDirections] = {x, y, x + y, x - y};
   bool below[kDirections] = {}, above[kDirections] = {};
-  for (const WeightScratch::SupportPoint& point : points) {
+  for (const SupportPoint& point : points) {
     const double at[kDirections] = {point.x, point.y, point.x + point.y, point.x - point.y};
     for (int k = 0; k < kDirections; ++k) {
       below[k] |= at[k] <= wanted[k];
@@ -37,6 +57,21 @@ bool press_between(std::span<const WeightScratch::SupportPoint> points, double x
     }
   }
   return std::ranges::all_of(below, std::identity()) && std::ranges::all_of(above, std::identity());
+}
+
+constexpr double kLittle = 1;  // m/s; a push on a body that is held gives it such a speed for a moment
+
+// A body that moves along its supports' normals, or tips, is not at rest on them.
+bool moves_little(const Bodies& bodies, BodyIndex i, const Vec3& along) {
+  const Vec3 spin = bodies.spin[i], tipping = spin - along * dot(along, spin);
+  return std::fabs(dot(along, bodies.velocity[i])) <= kLittle &&
+         dot(tipping, tipping) * dot(bodies.half_extent[i], bodies.half_extent[i]) <= kLittle * kLittle;
+}
+
+}  // namespace
+
+bool press_between(std::span<const SupportPoint> points, double x, double y) {
+  return within_octagon(points, x, y) && !all_on_one_side(points, x, y);
 }
 
 // From the ground up, then from the top down.
@@ -71,8 +106,10 @@ void lend_inertia(const WorldState& state, Scratch& scratch) {
   for (const BodyIndex i : own.treated) {
     const Vec3 upward = own.upward[i];
     if (own.held[i] == 0 || own.offered[i] <= bodies.mass[i] || upward == Vec3::Zero()) continue;
+    const Vec3 along = upward / length(upward);
+    if (!moves_little(bodies, i, along)) continue;
     scratch.solver_mass[i] = own.offered[i];
-    scratch.lent_along[i] = upward / length(upward);
+    scratch.lent_along[i] = along;
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "src/math/grid.h"
 #include "src/world/scratch.h"
 
 namespace tumble::sim {
@@ -51,6 +52,14 @@ inline void lend(SolverBody& body, double part, const Vec3& along) {
   for (int i = 0; i < 3; ++i) {
     for (int j = i; j < 3; ++j) inverse[at++] = 0.5 * (sas[i][j] + sas[j][i]);
   }
+}
+
+/// Keeps the momentum that body i had before inertia was lent: what remains of its motion along `along`, and of turns
+/// about axes across, is `part` of it. Without this a push on the body would press with the inertia that it was lent.
+inline void keep_momentum(SolverBody& body, double part, const Vec3& along) {
+  const double along_v = dot(along, body.velocity), along_w = dot(along, body.spin);
+  body.velocity = VelocityGrid::round(Vec3(body.velocity - along * ((1 - part) * along_v)));
+  body.spin = VelocityGrid::round(Vec3(body.spin * part + along * ((1 - part) * along_w)));
 }
 
 /// Sets the inverse inertia of body i, and what it has been lent.

@@ -17,6 +17,8 @@ SolverBody solver_body(const Bodies& bodies, const Scratch& scratch, BodyIndex i
   body.spin = bodies.spin[i];
   body.inverse_mass = bodies.inverse_mass[i];
   set_inertia(body, bodies, scratch, i, scratch.frames[i].axes);
+  const double mass = scratch.solver_mass[i];
+  if (mass != bodies.mass[i]) keep_momentum(body, bodies.mass[i] / mass, scratch.lent_along[i]);
   return body;
 }
 

@@ -26,7 +26,8 @@ log_cases=(bounce freeze_and_wake friction_with size_ratio stacks thesis_free_sp
   thesis_inputs thesis_slide tower layered_bounce layered_bullets layered_chain_hit layered_free_hits layered_free_pass
   layered_free_spin layered_heavy_drop layered_images_pile layered_images_wide layered_inputs layered_leaning
   layered_mass_graded layered_plates layered_ramp layered_size_ratio layered_sleep layered_slide layered_slope_loose
-  layered_spinning_plates layered_still layered_support_removed layered_table layered_tower_5)
+  layered_spinning_plates layered_still layered_support_removed layered_table layered_thin_plate layered_tower_5
+  thesis_slope_rest_coarse)
 jobs=2 write=false rest=false mode=run names=()
 while (($#)); do
   case "$1" in

@@ -1,0 +1,89 @@
+#include "src/layered/order/find_blows.h"
+
+#include <algorithm>
+#include <span>
+
+#include "src/kernels/contact_batch.h"
+#include "src/layered/order/contact_motion.h"
+#include "src/math/grid.h"
+
+namespace tumble::sim {
+namespace {
+
+constexpr double kTippingLever = 0.1;  // of the smallest half extent; a hit from the side with less of it only pushes
+
+bool meets(const Bodies& bodies, const Scratch& scratch, const Manifold& m) {
+  const Parting parting = parting_of(bodies, m);
+  const std::span<const ManifoldPoint> points = points_of(scratch, m);
+  return std::ranges::any_of(points, [&](const ManifoldPoint& p) { return parting.at(p) < -kRestingSpeed; });
+}
+
+// m, the middle of a manifold's points from the centre of body b.
+Vec3 middle_of(const Scratch& scratch, const Manifold& m) {
+  Vec3 sum = Vec3::Zero();
+  const std::span<const ManifoldPoint> points = points_of(scratch, m);
+  for (const ManifoldPoint& p : points) {
+    sum += PositionGrid::round_any(Vec3((m.t1 * p.p + m.t2 * p.q) + m.n * m.offset));
+  }
+  return sum / static_cast<double>(points.size());
+}
+
+class Blows {
+ public:
+  Blows(const Bodies& bodies, const Vec3& gravity, Scratch& scratch)
+      : bodies_(bodies), gravity_(gravity), tilt_(tilt_of(gravity)), scratch_(scratch), own_(scratch.weights) {}
+
+  void add(const Manifold& m) {
+    const Vec3 from_b = middle_of(scratch_, m), from_a = m.d + from_b;
+    const double pull = pull_along(gravity_, m);
+    if (pull == 0) {
+      strike_aside(m.a, from_a, m.n);
+      strike_aside(m.b, from_b, m.n);
+      return;
+    }
+    const bool b_above = pull > 0;
+    const BodyIndex upper = b_above ? m.b : m.a, lower = b_above ? m.a : m.b;
+    if (!moves(bodies_, lower)) return;
+    const Vec3 place = b_above ? from_a : from_b;
+    const Vec3 comes = bodies_.velocity[lower] + cross(bodies_.spin[lower], place);
+    const double upwards = b_above ? dot(comes, m.n) : -dot(comes, m.n);
+    if (upwards > kRestingSpeed && moves(bodies_, upper)) own_.struck[upper] = 1;
+    strike_down(lower, seen_along(tilt_, place));
+  }
+
+ private:
+  void strike_aside(BodyIndex i, const Vec3& place, const Vec3& normal) {
+    if (!moves(bodies_, i)) return;
+    const Vec3 lever = cross(place, normal);
+    const Vec3 tipping = lever - gravity_ * (dot(lever, gravity_) / dot(gravity_, gravity_));
+    const double least = kTippingLever * bodies_.half_extent[i].minCoeff();
+    if (dot(tipping, tipping) > least * least) own_.struck[i] = 1;
+  }
+
+  void strike_down(BodyIndex i, const Vec3& place) {
+    own_.blows.push_back({place.x(), place.y(), own_.first_blow[i]});
+    own_.first_blow[i] = static_cast<std::uint32_t>(own_.blows.size() - 1);
+  }
+
+  const Bodies& bodies_;
+  Vec3 gravity_, tilt_;
+  const Scratch& scratch_;
+  WeightScratch& own_;
+};
+
+}  // namespace
+
+void find_blows(const Bodies& bodies, const Vec3& gravity, Scratch& scratch) {
+  WeightScratch& own = scratch.weights;
+  own.struck.assign(bodies.size(), 0);
+  own.blows.clear();
+  own.first_blow.assign(bodies.size(), WeightScratch::kNoBlow);
+  if (gravity == Vec3::Zero()) return;
+  Blows blows(bodies, gravity, scratch);
+  for (const std::uint32_t k : scratch.layered) {
+    const Manifold& m = scratch.manifolds[k];
+    if (meets(bodies, scratch, m)) blows.add(m);
+  }
+}
+
+}  // namespace tumble::sim
