@@ -87,9 +87,9 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
                            s.overlaps.bodies)});
   parts.push_back({"levels, islands and sleep", GrowsWith::kBodies,
                    held_by(s.level, l.start, l.next, l.front, l.reached, l.hard, l.marked, l.in_hard, w.start, w.next,
-                           w.waiting_for, w.ready, w.borne, w.moment_x, w.moment_y, w.treated, w.blows, w.first_blow, w.struck, w.stands, w.held,
-                           w.settled, w.upward, w.offered, s.island_links, s.waking.disturbed, s.waking.wakes,
-                           s.sleeping.touching, s.sleeping.restless)});
+                           w.waiting_for, w.ready, w.borne, w.moment_x, w.moment_y, w.treated, w.blows, w.first_blow,
+                           w.struck, w.stands, w.held, w.settled, w.upward, w.offered, s.island_links,
+                           s.waking.disturbed, s.waking.wakes, s.sleeping.touching, s.sleeping.restless)});
 }
 
 void add_thesis(const Scratch& s, std::vector<MemoryPart>& parts) {

@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kHowToBuild = "; 'tools/setup.sh --only peers' installs what it needs, the target bench/all builds it";
+constexpr const char* kHowToBuild =
+    "; 'tools/setup.sh --only peers' installs what it needs, the target bench/all builds it";
 
 Peer peer_of(const std::string& word) {
   Peer peer{word, build_folder() + "/bench/peers/tumble_peer_", {}};

@@ -7,8 +7,8 @@
 
 namespace tumble::sim {
 
-/// Whether a weight that presses at (x, y) does so between the points: within their convex hull or on its edge. No order
-/// of points and no image of the scene shows. m
+/// Whether a weight that presses at (x, y) does so between the points: within their convex hull or on its edge. No
+/// order of points and no image of the scene shows. m
 bool press_between(std::span<const WeightScratch::SupportPoint> points, double x, double y);
 
 /// Finds the bodies that are *held*: their weight and all that they bear press between points that touch ground, a body
