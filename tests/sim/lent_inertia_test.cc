@@ -116,6 +116,45 @@ TEST(LentInertia, APlankTopplesAsFastAsItsCratePulls) {
   EXPECT_NEAR(world.state().bodies.velocity[2].z(), -2 * spin, 0.05 * 2 * spin);
 }
 
+// A plate lies across a thin wall, with a crate beside the wall: it tips about the wall's edge, however the whole lies
+// against the axes of the world.
+TEST(LentInertia, APlateOnAWallTipsAlikeAtAnyAngle) {
+  const double moment = (16 + 0.1 * 0.1) / 12 + 2 * 0.05 * 0.05 + 10 * (0.4 * 0.4 / 6 + 0.25 * 0.25 + 0.3 * 0.3);
+  const double spin = kGravity * (10 * 0.25 - 1 * 0.05) / moment * 0.1;
+  for (int k = 0; k < 16; ++k) {
+    const double half_turn = k * 0.125, c = std::cos(2 * half_turn), s = std::sin(2 * half_turn);
+    SceneDef scene = scene_of({crate(1, 1000, {4, 0.1, 1}, {0, 0, 1.5}, 0), crate(2, 1, {4, 4, 0.1}, {0, 0, 2.05}, 0),
+                               crate(3, 10, {0.4, 0.4, 0.4}, {-0.3 * s, 0.3 * c, 2.3}, 0)},
+                              2, 2);
+    scene.boxes[0].is_static = true;
+    for (sim::BoxDef& body : scene.boxes) body.orientation = {std::cos(half_turn), 0, 0, std::sin(half_turn)};
+    const World world = after(scene, 0.1);
+    EXPECT_NEAR(sim::length(world.state().bodies.spin[1]), spin, 0.08 * spin) << "half turn " << half_turn;
+  }
+}
+
+// Pushed down at 0.1 m/s a step, a light body presses with its own mass and not with what it is lent.
+TEST(LentInertia, PushesOnALightBodyUnderAHeavyOneWeighWhatTheyAre) {
+  Random random(4);
+  for (int k = 0; k < 20; ++k) {
+    const Pair p = any_pair(random);
+    const double friction = random.uniform(0.1, 0.6), push = 0.1 * p.lower;
+    const SceneDef scene = scene_of(
+        {crate(1, p.lower, {2, 2, 0.5}, {0, 0, 0.25}, p.speed), crate(2, p.upper, {2, 2, 0.5}, {0, 0, 0.75}, p.speed)},
+        friction, 1);
+    World world = made(scene);
+    const double load = (p.lower + p.upper) * kGravity + push / scene.world.dt;
+    const double slows = friction * load / (p.lower + p.upper), way = p.speed * p.speed / (2 * slows);
+    for (int step = 0; step < std::lround((0.2 + p.speed / slows) / scene.world.dt); ++step) {
+      give(world, sim::Push{1, {0, 0, -push}});
+      advance(world);
+    }
+    const double substep_s = scene.world.dt / scene.world.substeps;
+    EXPECT_NEAR(world.state().bodies.position[0].x(), way, 0.02 * way + p.speed * substep_s + 0.001)
+        << k << ": " << p.lower << " " << p.upper / p.lower << " v " << p.speed << " mu " << friction;
+  }
+}
+
 // A light body between a heavy one and the ground is hit from the side: it takes the blow alone, as from under a cloth.
 TEST(LentInertia, ALightPlankIsKnockedOutFromUnderAHeavyCrate) {
   const World world =

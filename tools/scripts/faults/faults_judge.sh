@@ -8,13 +8,15 @@ make_probes() { # folder
   local probe
   rm -rf "$1"
   mkdir -p "$1/empty/cases"
-  for probe in bound missing stray; do
+  for probe in bound missing stray null; do
     mkdir -p "$1/$probe/cases"
     cp -r golden/cases/bounce "$1/$probe/cases/"
   done
   : >"$1/stray/cases/bounce/notes.txt"
   rm "$1/missing/cases/bounce/expected.tumble"
   sed -i '0,/^max = .*/s//max = -1/' "$1/bound/cases/bounce/metrics.toml"
+  printf '\n[[metric]]\nname = "column_spread"\nmax = 1.0\nwhy = "null: there is no grid"\n' \
+    >>"$1/null/cases/bounce/metrics.toml"
 }
 
 # The verdict words of a report: exact (bits moved), image, symmetry, energy, stacking, freezing, format, suite, stopped.
@@ -64,7 +66,7 @@ judge_build() { # program tree report patterns
     return
   fi
   [[ -z $found ]] || found=suite  # something failed and the exit status, which is what a build machine reads, says no
-  for probe in bound:1 missing:1 stray:1 empty:2; do
+  for probe in bound:1 missing:1 stray:1 null:1 empty:2; do
     status=0
     "$1" check --suite "$work/probes/${probe%:*}" --report "$3/probe" >/dev/null 2>&1 || status=$?
     ((status == ${probe#*:})) || found=suite
