@@ -24,8 +24,8 @@ slow_cases=(brick_tower brick_wall layered_brick_wall layered_cabin layered_cabi
 # Whose logs are replayed: short, and together they run every phase.
 log_cases=(bounce freeze_and_wake friction_with size_ratio stacks thesis_free_spin thesis_grid_coarse
   thesis_images_pile thesis_inputs thesis_slide tower layered_bounce layered_bullets layered_chain_hit
-  layered_free_hits layered_free_pass layered_free_spin layered_heavy_drop layered_images_pile
-  layered_images_wide layered_inputs layered_leaning layered_mass_graded layered_memory_of_ties layered_plates
+  layered_free_hits layered_free_pass layered_free_spin layered_heavy_drop layered_images_grams
+  layered_images_pile layered_images_wide layered_inputs layered_leaning layered_mass_graded layered_memory_of_ties layered_plates
   layered_ramp layered_size_ratio layered_sleep layered_slide layered_slope_loose layered_spinning_plates
   layered_still layered_support_removed layered_table layered_thin_plate layered_tower_5 thesis_images_lattice
   thesis_slope_rest_coarse)
