@@ -51,6 +51,7 @@ struct ContactBatch {
   bool bounces = false;                          ///< one of its points met fast enough to bounce
   bool hard = false;                             ///< belongs to a hard island (assign_levels)
   double bounce_min = kBounceMin;                ///< m/s; slower impacts do not bounce
+  std::uint32_t visited[kLanes] = {};            ///< number of the visit that solved each manifold last (Visit)
   Lanes point_count;                             ///< of each manifold
   Lanes n[3], t1[3], t2[3], d[3], offset;
   Lanes impulse_max;  ///< N·s: points whose impulses add up to this have exact sums with impulse_magic

@@ -22,6 +22,15 @@ inline constexpr std::size_t kOutcomeDoubles = 8;
 /// wider grid.
 inline constexpr double kMotionSumMax = 8192;
 
+/// Which manifolds a visit of a layer solves: those that these sweeps have not solved yet, and those of which a body has
+/// moved since. Another solution of the others would change nothing that counts.
+struct Visit {
+  std::uint32_t* moved = nullptr;  ///< by row of the bodies: number of the last visit that moved it
+  std::uint32_t now = 0;           ///< number of this visit; they ascend within a step
+  std::uint32_t first = 0;         ///< number with which these sweeps began
+  double still = 0;                ///< m/s or rad/s; a body moves where a number of its motion changes by more
+};
+
 /// The data of the kernels: manifolds of one layer, and all bodies. The manifolds of a layer are solved as if at one
 /// time: each writes the outcomes for its two bodies into rows of its own, and the bodies add the outcomes up when all
 /// manifolds are done.
@@ -34,22 +43,26 @@ struct ContactWork {
   const std::uint32_t* entries = nullptr;  ///< rows of outcomes, body by body
   double substep_s = 0;
   double push_part = kPushPart;  ///< of an overlap, removed in that time
+  Visit visit;
 };
 
 /// The arithmetic of the solver over batches of manifolds.
 struct ContactKernels {
   /// Fills the fields that stay fixed during a step: masses, responses and approaches of points, friction centres.
   void (*prepare)(const ContactWork& work);
-  /// Improves the impulses, given the velocities of `bodies`; writes the changes to `outcomes`.
-  void (*solve)(const ContactWork& work, Sweep sweep);
+  /// Improves the impulses of the manifolds that are due, given the velocities of `bodies`; writes the changes to
+  /// `outcomes`. False: nothing was due, and `outcomes` is old.
+  bool (*solve)(const ContactWork& work, Sweep sweep);
   /// Writes the effect of the accumulated impulses to `outcomes`.
   void (*warm_start)(const ContactWork& work);
-  /// Adds the outcomes of each body in `of` to its velocity and spin in `bodies`.
+  /// Adds the outcomes of each body in `of` to its velocity and spin in `bodies`, and notes which bodies move.
   void (*apply_outcomes)(const ContactWork& work, const BodyOutcomes* of, std::size_t count);
   /// Advances the separations by one substep with the velocities of `bodies`.
   void (*move_on)(const ContactWork& work);
   /// Computes masses and responses of hard batches anew, after their bodies have turned.
   void (*renew)(const ContactWork& work);
+  /// Marks the manifolds that do not overlap beyond the slop as visited; returns the deepest overlap beyond it, m, or 0.
+  double (*find_overlaps)(const ContactWork& work);
 };
 
 }  // namespace tumble::sim

@@ -19,7 +19,7 @@ V pressure_of(const Manifolds<V>& m) {
   const V magic = m.get(m.batch->impulse_magic);
   V pressure = V{};
   for (unsigned k = 0; k < m.batch->count; ++k) pressure += to_grid(magic, m.get(m.points[k].impulse));
-  return any(pressure > m.get(m.batch->impulse_max)) ? add_up_impulses(m).s : pressure;
+  return any_above(pressure, m.get(m.batch->impulse_max)) ? add_up_impulses(m).s : pressure;
 }
 
 // The normal velocity that a point should have, negated: added to the velocity that the impulse drives to zero. Between
@@ -97,7 +97,7 @@ Wrench<V> solve_normals(const ContactWork& work, const Manifolds<V>& m, const Mo
       sums.sp += to_grid(magic, change * p);
     }
     // No impulse is negative, so no change is larger than the sums before and after.
-    if (any(pressure + (pressure + sums.s) > impulse_max)) [[unlikely]]
+    if (any_above(pressure + (pressure + sums.s), impulse_max)) [[unlikely]]
       sums = add_up(m, changes);
     pressure += sums.s;
     total_s += sums.s;
@@ -161,7 +161,7 @@ void warm_start(const ContactWork& work, ContactBatch& batch, unsigned at) {
     sums.sq += to_grid(magic, impulse * m.get(point.q));
     sums.sp += to_grid(magic, impulse * m.get(point.p));
   }
-  if (any(sums.s > m.get(batch.impulse_max))) [[unlikely]]
+  if (any_above(sums.s, m.get(batch.impulse_max))) [[unlikely]]
     sums = add_up_impulses(m);
   m.set(batch.sliding, V{});
   const V force1 = m.get(batch.force1), force2 = m.get(batch.force2);
@@ -193,7 +193,7 @@ template <class V>
 template <class V>
 void apply_outcomes(const ContactWork& work, const BodyOutcomes* of, std::size_t count) {
   constexpr std::size_t kAtOnce = sizeof(V) / sizeof(double), kParts = kOutcomeDoubles / kAtOnce;
-  const V magic = V{} + kMotionMagic, limit = V{} + kMotionSumMax;
+  const V magic = V{} + kMotionMagic, limit = V{} + kMotionSumMax, still = V{} + work.visit.still;
   for (std::size_t k = 0; k < count; ++k) {
     double* const body = work.bodies + of[k].body * kSolverBodyDoubles;
     V sum[kParts] = {}, magnitudes = V{};  // the latter of all parts together, which is no less than that of any
@@ -208,10 +208,13 @@ void apply_outcomes(const ContactWork& work, const BodyOutcomes* of, std::size_t
     if (!all_below(magnitudes, limit)) [[unlikely]] {
       for (std::size_t part = 0; part < kParts; ++part) sum[part] = add_up_outcomes<V>(work, of[k], part * kAtOnce);
     }
+    bool moves = false;
     for (std::size_t part = 0; part < kParts; ++part) {
       double* const motion = body + part * kAtOnce;
       store(motion, load<V>(motion) + sum[part]);
+      moves |= any_above(absolute(sum[part]), still);
     }
+    if (moves) work.visit.moved[of[k].body] = work.visit.now;
   }
 }
 

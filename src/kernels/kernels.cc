@@ -7,6 +7,7 @@
 #include "src/kernels/box_tests_impl.h"
 #include "src/kernels/contact_prepare_impl.h"
 #include "src/kernels/contact_solve_impl.h"
+#include "src/kernels/contact_visits_impl.h"
 
 #ifndef TUMBLE_LANES
 #error "TUMBLE_LANES must be 1, 2, 4 or 8"
@@ -25,25 +26,27 @@ const Kernels* compiled_kernels<TUMBLE_LANES>() {
 
 namespace {
 
-// Calls visit(V{}, batch, lane) for kWidth lanes at a time. The last lanes of a batch go to the narrowest vector that
+// Calls handle(V{}, batch, lane) for kWidth lanes at a time. The last lanes of a batch go to the narrowest vector that
 // holds them: one manifold takes longer in eight lanes than in one.
-template <int kWidth, class Visit>
-void for_packs(const ContactWork& work, Visit visit) {
-  for (std::size_t k = 0; k < work.count; ++k) {
-    ContactBatch& batch = work.batches[k];
-    for (unsigned at = 0; at < batch.used; at += kWidth) {
-      const unsigned left = batch.used - at;
-      if (kWidth == 1 || left == 1) {
-        visit(VectorOf<1>::Type{}, batch, at);
-      } else if (kWidth == 2 || left == 2) {
-        visit(typename VectorOf < kWidth < 2 ? 1 : 2 > ::Type{}, batch, at);
-      } else if (kWidth == 4 || left <= 4) {
-        visit(typename VectorOf < kWidth < 4 ? 1 : 4 > ::Type{}, batch, at);
-      } else {
-        visit(typename VectorOf<kWidth>::Type{}, batch, at);
-      }
+template <int kWidth, class Handle>
+void for_packs_of(ContactBatch& batch, Handle handle) {
+  for (unsigned at = 0; at < batch.used; at += kWidth) {
+    const unsigned left = batch.used - at;
+    if (kWidth == 1 || left == 1) {
+      handle(VectorOf<1>::Type{}, batch, at);
+    } else if (kWidth == 2 || left == 2) {
+      handle(typename VectorOf < kWidth < 2 ? 1 : 2 > ::Type{}, batch, at);
+    } else if (kWidth == 4 || left <= 4) {
+      handle(typename VectorOf < kWidth < 4 ? 1 : 4 > ::Type{}, batch, at);
+    } else {
+      handle(typename VectorOf<kWidth>::Type{}, batch, at);
     }
   }
+}
+
+template <int kWidth, class Handle>
+void for_packs(const ContactWork& work, Handle handle) {
+  for (std::size_t k = 0; k < work.count; ++k) for_packs_of<kWidth>(work.batches[k], handle);
 }
 
 template <int kWidth>
@@ -51,9 +54,26 @@ template <int kWidth>
   for_packs<kWidth>(work, [&](auto v, ContactBatch& batch, unsigned at) { prepare<decltype(v)>(work, batch, at); });
 }
 template <int kWidth>
-[[gnu::flatten]] void solve_all(const ContactWork& work, Sweep sweep) {
-  for_packs<kWidth>(work,
-                    [&](auto v, ContactBatch& batch, unsigned at) { solve<decltype(v)>(work, batch, at, sweep); });
+[[gnu::flatten]] bool solve_all(const ContactWork& work, Sweep sweep) {
+  bool any_due = false;
+  for (std::size_t k = 0; k < work.count; ++k) {
+    ContactBatch& batch = work.batches[k];
+    PointBatch* const points = work.points + batch.first;
+    const unsigned due = due_lanes(work.visit, batch);
+    const bool all_due = due == used_lanes(batch);
+    KeptLanes kept;
+    if (!all_due && due != 0) kept.keep(batch, points);
+    if (due != 0) {
+      for_packs_of<kWidth>(
+          batch, [&](auto v, ContactBatch& of, unsigned at) { solve<decltype(v)>(work, of, at, sweep); });
+      note_visit(work.visit, batch, due);
+      any_due = true;
+    }
+    if (all_due) continue;
+    if (due != 0) kept.put_back(batch, points, due);
+    clear_outcomes(work.outcomes + 2 * k * kLanes * kOutcomeDoubles, batch.used, due);
+  }
+  return any_due;
 }
 template <int kWidth>
 [[gnu::flatten]] void warm_start_all(const ContactWork& work) {
@@ -70,10 +90,20 @@ template <int kWidth>
 }
 
 template <int kWidth>
+[[gnu::flatten]] double find_all_overlaps(const ContactWork& work) {
+  double deepest = 0;
+  for (std::size_t k = 0; k < work.count; ++k) {
+    deepest = larger(deepest, mark_overlaps<typename VectorOf<kWidth>::Type>(work, work.batches[k]));
+  }
+  return deepest;
+}
+
+template <int kWidth>
 constexpr ContactKernels contact_kernels_of() {
   return {prepare_all<kWidth>,    solve_all<kWidth>,
           warm_start_all<kWidth>, apply_outcomes<typename VectorOf<kWidth>::Type>,
-          move_on_all<kWidth>,    renew_all<kWidth>};
+          move_on_all<kWidth>,    renew_all<kWidth>,
+          find_all_overlaps<kWidth>};
 }
 
 }  // namespace

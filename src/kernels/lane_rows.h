@@ -68,21 +68,33 @@ inline void scatter4(double* rows, unsigned stride, const Four* v) {
 #ifdef __AVX512F__
 using Eight = VectorOf<8>::Type;
 
+// As for Four, in both halves.
+inline void transpose(Eight& r0, Eight& r1, Eight& r2, Eight& r3) {
+  const Eight t0 = __builtin_shufflevector(r0, r1, 0, 8, 2, 10, 4, 12, 6, 14);
+  const Eight t1 = __builtin_shufflevector(r0, r1, 1, 9, 3, 11, 5, 13, 7, 15);
+  const Eight t2 = __builtin_shufflevector(r2, r3, 0, 8, 2, 10, 4, 12, 6, 14);
+  const Eight t3 = __builtin_shufflevector(r2, r3, 1, 9, 3, 11, 5, 13, 7, 15);
+  r0 = __builtin_shufflevector(t0, t2, 0, 1, 8, 9, 4, 5, 12, 13);
+  r1 = __builtin_shufflevector(t1, t3, 0, 1, 8, 9, 4, 5, 12, 13);
+  r2 = __builtin_shufflevector(t0, t2, 2, 3, 10, 11, 6, 7, 14, 15);
+  r3 = __builtin_shufflevector(t1, t3, 2, 3, 10, 11, 6, 7, 14, 15);
+}
+
 inline void gather4(const double* rows, unsigned stride, const std::uint32_t* row, unsigned at, Eight* out) {
-  Four low[4], high[4];
-  gather4(rows, stride, row, at, low);
-  gather4(rows, stride, row + 4, at, high);
-  for (unsigned k = 0; k < 4; ++k) out[k] = __builtin_shufflevector(low[k], high[k], 0, 1, 2, 3, 4, 5, 6, 7);
+  for (unsigned k = 0; k < 4; ++k) {
+    const Four low = load<Four>(rows + row[k] * stride + at), high = load<Four>(rows + row[k + 4] * stride + at);
+    out[k] = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+  }
+  transpose(out[0], out[1], out[2], out[3]);
 }
 
 inline void scatter4(double* rows, unsigned stride, const Eight* v) {
-  Four low[4], high[4];
+  Eight r[4] = {v[0], v[1], v[2], v[3]};
+  transpose(r[0], r[1], r[2], r[3]);
   for (unsigned k = 0; k < 4; ++k) {
-    low[k] = __builtin_shufflevector(v[k], v[k], 0, 1, 2, 3);
-    high[k] = __builtin_shufflevector(v[k], v[k], 4, 5, 6, 7);
+    store(rows + k * stride, __builtin_shufflevector(r[k], r[k], 0, 1, 2, 3));
+    store(rows + (k + 4) * stride, __builtin_shufflevector(r[k], r[k], 4, 5, 6, 7));
   }
-  scatter4(rows, stride, low);
-  scatter4(rows + 4 * std::size_t{stride}, stride, high);
 }
 
 #endif  // __AVX512F__

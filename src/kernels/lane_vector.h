@@ -110,7 +110,20 @@ inline bool any(Mask holds) {
 inline bool all_below(double a, double b) { return a < b; }
 template <class V>
 inline bool all_below(V a, V b) {
+#ifdef __AVX512F__
+  if constexpr (sizeof(V) == 64) return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ) == 0xff;
+#endif
   return !any(~(a < b));
+}
+
+// Whether a > b in any lane; a NaN is not.
+inline bool any_above(double a, double b) { return a > b; }
+template <class V>
+inline bool any_above(V a, V b) {
+#ifdef __AVX512F__
+  if constexpr (sizeof(V) == 64) return _mm512_cmp_pd_mask(a, b, _CMP_GT_OQ) != 0;
+#endif
+  return any(a > b);
 }
 
 // Vectors in space, a number of each lane in each coordinate; sums in the order of src/math/vec.h.

@@ -155,6 +155,13 @@ struct FastContacts {
   [[nodiscard]] bool none() const { return pairs.empty(); }
 };
 
+/// Which bodies the sweeps of a step have moved; ContactWork::visit.
+struct VisitScratch {
+  std::vector<std::uint32_t> moved;    ///< by row of solver_bodies: number of the last visit that moved the body
+  std::uint32_t now = 0, first = 0;    ///< number of the last visit, and of the last one before the present sweeps
+  double still = 0;                    ///< m/s or rad/s; smaller changes do not make a contact due again
+};
+
 /// Points and bodies as part_overlaps solves them: speeds that end overlaps within the step and then are forgotten.
 struct OverlapScratch {
   bool any = false;                ///< whether anything parts in this step; the rest is old where nothing does
@@ -205,6 +212,7 @@ struct Scratch {
   std::vector<std::uint8_t> in_contact;    ///< moving bodies that have a manifold; written by prepare_manifolds
   std::vector<SolverBody> solver_bodies;   ///< written by prepare_manifolds and every sweep; last: ground
   ContactBatches contact_batches;
+  VisitScratch visits;      ///< written by prepare_manifolds and every sweep
   OverlapScratch overlaps;  ///< written by part_overlaps
   FastContacts fast;
   LaneWidth lanes = LaneWidth::kWidest;  ///< changes nothing but time

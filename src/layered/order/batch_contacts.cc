@@ -57,6 +57,7 @@ class Grouping {
     batch.members = members;
     batch.first = points_;
     batch.count = 0;
+    std::fill_n(batch.visited, kLanes, 0U);
     for (unsigned lane = 0; lane < used; ++lane) {
       const std::uint32_t k = all_.order[members + lane];
       batch.count = std::max(batch.count, manifolds_[k].count);

@@ -25,7 +25,7 @@ void put_back(ContactBatches& all) {
 Status bounce_fast_contacts(WorldState& /*state*/, Scratch& scratch, double substep_s) {
   if (scratch.fast.none()) return {};
   put_back(scratch.fast.batches);
-  for (int visit = 0; visit < kVisits; ++visit) solve_fast_layer(scratch, Sweep::kRestitution, substep_s);
+  solve_fast_layer(scratch, Sweep::kRestitution, substep_s, kVisits);
   mark_pressed(scratch);
   store_fast_contacts(scratch);
   const ManifoldList& found = scratch.fast.found;

@@ -58,7 +58,9 @@ ContactWork work_on(ContactBatches& all, Scratch& scratch, double substep_s) {
           reinterpret_cast<double*>(scratch.solver_bodies.data()),
           reinterpret_cast<double*>(all.outcomes.data()),
           all.entries.data(),
-          substep_s};
+          substep_s,
+          kPushPart,
+          {}};
 }
 
 }  // namespace

@@ -19,20 +19,6 @@ constexpr double kPart = 1.0 / 3;       // of an overlap, removed in a step
 constexpr double kSweepDepth = 0.0005;  // m of overlap that is worth one more sweep
 constexpr double kSweepsMost = 20;
 
-// The deepest overlap beyond the slop, m; 0 if nothing overlaps.
-double deepest_overlap(const ContactBatches& all) {
-  double deepest = 0;
-  for (const ContactBatch& batch : all.batches) {
-    for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
-      const Lanes& separation = all.points[k].separation;
-      for (int lane = 0; lane < kLanes; ++lane) {
-        deepest = std::max(deepest, -(separation.of[lane] + batch.slop.of[lane]));
-      }
-    }
-  }
-  return deepest;
-}
-
 // Sweeps beyond those of a step that is warm: boxes that lie deep in each other from the start jam if few sweeps part
 // them.
 int more_sweeps(double deepest) { return 1 + static_cast<int>(std::min(kSweepsMost, deepest / kSweepDepth)); }
@@ -75,7 +61,7 @@ void move(WorldState& state, SolverBody& body, BodyIndex i, const SolverBody& pa
 Status part_overlaps(WorldState& state, Scratch& scratch, double dt_s) {
   ContactBatches& all = scratch.contact_batches;
   OverlapScratch& own = scratch.overlaps;
-  const double deepest = deepest_overlap(all);
+  const double deepest = find_overlaps(scratch, all_contacts(scratch, dt_s));
   own.any = deepest > 0;
   own.points.reserve(all.points.capacity());  // so that the first overlap of a warm world allocates nothing
   own.bodies.reserve(scratch.solver_bodies.capacity());

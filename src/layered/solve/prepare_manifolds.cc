@@ -6,6 +6,7 @@
 #include "src/layered/solve/contact_batches.h"
 #include "src/layered/solve/fast_bodies.h"
 #include "src/layered/solve/solver_hashes.h"
+#include "src/layered/solve/sweep_layers.h"
 
 namespace tumble::sim {
 namespace {
@@ -27,6 +28,7 @@ void prepare_bodies(WorldState& state, Scratch& scratch) {
   const std::size_t n = bodies.size();
   scratch.solver_bodies.resize(n + 1);
   scratch.solver_bodies[n] = {};
+  scratch.visits.moved.assign(n + 1, 0);
   for_ranges(scratch.workers, n, kBodiesAPart, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       scratch.solver_bodies[i] = solver_body(bodies, scratch, static_cast<BodyIndex>(i));
@@ -47,6 +49,8 @@ void find_in_contact(WorldState& state, Scratch& scratch) {
 }  // namespace
 
 Status prepare_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
+  scratch.visits.now = 0;
+  scratch.visits.still = kStillPart * length(state.def.gravity) * dt_s;
   prepare_bodies(state, scratch);
   find_in_contact(state, scratch);
   list_fast_bodies(state, scratch);

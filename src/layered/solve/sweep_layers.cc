@@ -1,6 +1,7 @@
 #include "src/layered/solve/sweep_layers.h"
 
 #include <algorithm>
+#include <atomic>
 
 #include "src/base/check.h"
 #include "src/kernels/kernels_by_width.h"
@@ -14,77 +15,110 @@ constexpr std::size_t kSweepBodies = 8192;
 
 constexpr int kFastVisits = 4;  // of the contacts of fast pairs after a sweep; impacts have one substep to be solved
 
-// Solves the manifolds of a layer, then adds the outcomes to the bodies.
+// Solves the manifolds of a layer that are due, then adds the outcomes to the bodies. False: none was due.
+// solve(work): whether any was.
 template <class Solve>
-void solve_layer(const Scratch& scratch, const ContactKernels& kernels, const ContactBatches& all, std::size_t layer,
-                 const ContactWork& work, Solve solve) {
+bool solve_layer(Scratch& scratch, const ContactBatches& all, std::size_t layer, ContactWork work, Solve solve) {
+  const ContactKernels& contacts = kernels(scratch.lanes).contacts;
+  VisitScratch& visits = scratch.visits;
+  work.visit = {visits.moved.data(), ++visits.now, visits.first, visits.still};
   const BodyOutcomes* touched = all.touched.data() + all.touched_start[layer];
   const std::size_t count = all.touched_start[layer + 1] - all.touched_start[layer];
   if (scratch.workers == nullptr) {  // a tower has as many layers as bodies: each call counts
-    solve(work);
-    kernels.apply_outcomes(work, touched, count);
-    return;
+    if (!solve(work)) return false;
+    contacts.apply_outcomes(work, touched, count);
+    return true;
   }
-  for_ranges(scratch.workers, work.count, kSweepBatches,
-             [&](std::size_t begin, std::size_t end) { solve(part_of(work, begin, end)); });
+  std::atomic<bool> due = false;
+  for_ranges(scratch.workers, work.count, kSweepBatches, [&](std::size_t begin, std::size_t end) {
+    if (solve(part_of(work, begin, end))) due.store(true, std::memory_order_relaxed);
+  });
+  if (!due) return false;
   for_ranges(scratch.workers, count, kSweepBodies,
-             [&](std::size_t begin, std::size_t end) { kernels.apply_outcomes(work, touched + begin, end - begin); });
+             [&](std::size_t begin, std::size_t end) { contacts.apply_outcomes(work, touched + begin, end - begin); });
+  return true;
 }
+
+// Makes all contacts due.
+void begin_sweeps(Scratch& scratch) { scratch.visits.first = ++scratch.visits.now; }
 
 Direction opposite(Direction direction) { return direction == Direction::kUp ? Direction::kDown : Direction::kUp; }
 
-// all: the contacts of all layers.
-void sweep_once(Scratch& scratch, const ContactWork& all, const SweepGroup& group, Sweep sweep, Direction direction) {
+// Whether anything was due. all: the contacts of all layers.
+bool sweep_once(Scratch& scratch, const ContactWork& all, const SweepGroup& group, Sweep sweep, Direction direction) {
   const ContactKernels& contacts = kernels(scratch.lanes).contacts;
+  bool due = false;
   for (std::uint32_t k = group.begin; k < group.end; ++k) {
     const std::uint32_t layer = direction == Direction::kUp ? k : group.end - 1 - (k - group.begin);
-    solve_layer(scratch, contacts, scratch.contact_batches, layer, contacts_of_layer(scratch, all, layer),
-                [&](const ContactWork& work) { contacts.solve(work, sweep); });
+    due |= solve_layer(scratch, scratch.contact_batches, layer, contacts_of_layer(scratch, all, layer),
+                       [&](const ContactWork& work) { return contacts.solve(work, sweep); });
   }
+  return due;
 }
+
+bool visit_fast_layer(Scratch& scratch, Sweep sweep, double substep_s) {
+  const ContactKernels& contacts = kernels(scratch.lanes).contacts;
+  return solve_layer(scratch, scratch.fast.batches, 0, fast_contacts(scratch, substep_s),
+                     [&](const ContactWork& work) { return contacts.solve(work, sweep); });
+}
+
+int sweeps_of(const SweepGroup& group, Sweep sweep) { return sweep == Sweep::kRestitution ? 1 : group.sweeps; }
 
 }  // namespace
 
 void warm_start_layers(Scratch& scratch, double substep_s) {
-  const ContactKernels& contacts = kernels(scratch.lanes).contacts;
+  const auto warm_start = [&](const ContactWork& work) {
+    kernels(scratch.lanes).contacts.warm_start(work);
+    return true;
+  };
+  const ContactWork all = all_contacts(scratch, substep_s);
   for (std::size_t layer = 0; layer + 1 < scratch.layer_start.size(); ++layer) {
-    solve_layer(scratch, contacts, scratch.contact_batches, layer,
-                contacts_of_layer(scratch, all_contacts(scratch, substep_s), layer), contacts.warm_start);
+    solve_layer(scratch, scratch.contact_batches, layer, contacts_of_layer(scratch, all, layer), warm_start);
   }
   if (scratch.fast.none()) return;
-  solve_layer(scratch, contacts, scratch.fast.batches, 0, fast_contacts(scratch, substep_s), contacts.warm_start);
+  solve_layer(scratch, scratch.fast.batches, 0, fast_contacts(scratch, substep_s), warm_start);
 }
 
 void sweep_layers(Scratch& scratch, Sweep sweep, Direction first, double substep_s) {
   const ContactWork all = all_contacts(scratch, substep_s);
   const Sweep layered = sweep == Sweep::kPush ? Sweep::kHold : sweep;  // part_overlaps has pushed these
+  const int fast_visits = sweep == Sweep::kRestitution || scratch.fast.none() ? 0 : kFastVisits;
   int most = 0;
-  for (const SweepGroup& group : scratch.sweep_groups) {
-    most = std::max(most, sweep == Sweep::kRestitution ? 1 : group.sweeps);
-  }
-  for (int k = 0; k < most; ++k) {
+  for (const SweepGroup& group : scratch.sweep_groups) most = std::max(most, sweeps_of(group, sweep));
+  begin_sweeps(scratch);
+  bool due = true;
+  for (int k = 0; due && k < most; ++k) {
+    due = false;
     for (const SweepGroup& group : scratch.sweep_groups) {
-      if (k >= (sweep == Sweep::kRestitution ? 1 : group.sweeps)) continue;
-      sweep_once(scratch, all, group, layered, k % 2 == 0 ? first : opposite(first));
+      if (k >= sweeps_of(group, sweep)) continue;
+      due |= sweep_once(scratch, all, group, layered, k % 2 == 0 ? first : opposite(first));
     }
-    if (sweep == Sweep::kRestitution) continue;
-    for (int visit = 0; visit < kFastVisits; ++visit) solve_fast_layer(scratch, sweep, substep_s);
+    for (int visit = 0; visit < fast_visits; ++visit) due |= visit_fast_layer(scratch, sweep, substep_s);
   }
+}
+
+double find_overlaps(Scratch& scratch, const ContactWork& all) {
+  begin_sweeps(scratch);
+  ContactWork work = all;
+  work.visit.first = scratch.visits.first;
+  return kernels(scratch.lanes).contacts.find_overlaps(work);
 }
 
 void sweep_overlaps(Scratch& scratch, const ContactWork& all, int more) {
   for (const SweepGroup& group : scratch.sweep_groups) {
-    for (int k = 0; k < group.sweeps + more; ++k) {
-      sweep_once(scratch, all, group, Sweep::kPart, k % 2 == 0 ? Direction::kDown : Direction::kUp);
+    bool due = true;
+    for (int k = 0; due && k < group.sweeps + more; ++k) {
+      due = sweep_once(scratch, all, group, Sweep::kPart, k % 2 == 0 ? Direction::kDown : Direction::kUp);
     }
   }
 }
 
-void solve_fast_layer(Scratch& scratch, Sweep sweep, double substep_s) {
+void solve_fast_layer(Scratch& scratch, Sweep sweep, double substep_s, int visits) {
   if (scratch.fast.none()) return;
-  const ContactKernels& contacts = kernels(scratch.lanes).contacts;
-  solve_layer(scratch, contacts, scratch.fast.batches, 0, fast_contacts(scratch, substep_s),
-              [&](const ContactWork& work) { contacts.solve(work, sweep); });
+  begin_sweeps(scratch);
+  for (int k = 0; k < visits; ++k) {
+    if (!visit_fast_layer(scratch, sweep, substep_s)) return;
+  }
 }
 
 bool has_hard(const Scratch& scratch) {

@@ -6,6 +6,10 @@
 
 namespace tumble::sim {
 
+/// Of the speed that gravity adds in a step: a contact is not solved again for changes of motion no larger than this.
+/// Measured: with 1e-8 a tower of 40 that never sleeps sways by 70 micrometres in a minute, with 1e-9 by half of one.
+inline constexpr double kStillPart = 1e-9;
+
 /// The direction of a sweep through the layers: kUp starts at the ground.
 enum class Direction { kUp, kDown };
 
@@ -15,6 +19,10 @@ enum class Direction { kUp, kDown };
 /// not depend on the order within a layer.
 void sweep_layers(Scratch& scratch, Sweep sweep, Direction first, double substep_s);
 
+/// The deepest overlap beyond the slop, m; 0 if nothing overlaps. Begins sweep_overlaps: contacts that do not overlap
+/// count as solved, since they part nothing while their bodies rest.
+double find_overlaps(Scratch& scratch, const ContactWork& all);
+
 /// Sweeps the contacts `all`, whose work names other points and bodies than those of the step, so that overlaps part:
 /// `more` times than the groups say.
 void sweep_overlaps(Scratch& scratch, const ContactWork& all, int more);
@@ -22,8 +30,9 @@ void sweep_overlaps(Scratch& scratch, const ContactWork& all, int more);
 /// Applies the impulses that the contacts already have.
 void warm_start_layers(Scratch& scratch, double substep_s);
 
-/// Solves the contacts of fast pairs; sweep_layers does so after every sweep, but not for restitution.
-void solve_fast_layer(Scratch& scratch, Sweep sweep, double substep_s);
+/// Solves the contacts of fast pairs, `visits` times at most; sweep_layers does so after every sweep, but not for
+/// restitution.
+void solve_fast_layer(Scratch& scratch, Sweep sweep, double substep_s, int visits);
 
 /// Whether one of the awake islands is hard.
 bool has_hard(const Scratch& scratch);

@@ -1,0 +1,95 @@
+#pragma once
+
+// Which manifolds of a batch a visit solves, for any number of lanes. lane_vector.h says who may include this.
+
+#include "src/kernels/contact_kernels.h"
+#include "src/kernels/lane_vector.h"
+
+namespace tumble::sim {
+namespace {
+
+inline unsigned used_lanes(const ContactBatch& batch) { return (1U << batch.used) - 1U; }
+
+// The lanes whose manifold is due, a bit each.
+inline unsigned due_lanes(const Visit& visit, const ContactBatch& batch) {
+  unsigned due = 0;
+  for (unsigned lane = 0; lane < batch.used; ++lane) {
+    const std::uint32_t last = batch.visited[lane];
+    const bool settled =
+        last >= visit.first && visit.moved[batch.a[lane]] < last && visit.moved[batch.b[lane]] < last;
+    due |= static_cast<unsigned>(!settled) << lane;
+  }
+  return due;
+}
+
+inline void note_visit(const Visit& visit, ContactBatch& batch, unsigned due) {
+  for (unsigned lane = 0; lane < batch.used; ++lane) {
+    if ((due >> lane & 1U) != 0) batch.visited[lane] = visit.now;
+  }
+}
+
+// What a visit changes in a batch, so that lanes that are not due keep it: a vector cannot leave out single lanes.
+class KeptLanes {
+ public:
+  void keep(const ContactBatch& batch, const PointBatch* points) {
+    for (unsigned k = 0; k < kFields; ++k) copy(fields_[k], batch.*kField[k]);
+    for (unsigned k = 0; k < batch.count; ++k) {
+      copy(impulse_[k], points[k].impulse);
+      copy(peak_[k], points[k].peak);
+    }
+  }
+
+  // Puts back the lanes outside `due`.
+  void put_back(ContactBatch& batch, PointBatch* points, unsigned due) const {
+    for (unsigned lane = 0; lane < batch.used; ++lane) {
+      if ((due >> lane & 1U) != 0) continue;
+      for (unsigned k = 0; k < kFields; ++k) (batch.*kField[k]).of[lane] = fields_[k][lane];
+      for (unsigned k = 0; k < batch.count; ++k) {
+        points[k].impulse.of[lane] = impulse_[k][lane];
+        points[k].peak.of[lane] = peak_[k][lane];
+      }
+    }
+  }
+
+ private:
+  static constexpr unsigned kFields = 5;
+  static constexpr Lanes ContactBatch::*kField[kFields] = {&ContactBatch::force1, &ContactBatch::force2,
+                                                           &ContactBatch::twist, &ContactBatch::sliding,
+                                                           &ContactBatch::absorbed};
+  using Eight = double[kLanes];  // unlike Lanes, costs nothing where it is not used
+
+  static void copy(Eight& to, const Lanes& from) { __builtin_memcpy(to, from.of, sizeof from.of); }
+
+  Eight fields_[kFields], impulse_[kPointsMax], peak_[kPointsMax];
+};
+
+// Zeros the outcomes of the lanes outside `due`. rows: of the batch.
+inline void clear_outcomes(double* rows, unsigned used, unsigned due) {
+  constexpr std::size_t kDoubles = 2 * kOutcomeDoubles;  // of both bodies
+  for (unsigned lane = 0; lane < used; ++lane) {
+    if ((due >> lane & 1U) == 0) __builtin_memset(rows + lane * kDoubles, 0, kDoubles * sizeof(double));
+  }
+}
+
+// Marks the manifolds that do not overlap beyond the slop as visited; returns the deepest overlap beyond it, or 0.
+template <class V>
+double mark_overlaps(const ContactWork& work, ContactBatch& batch) {
+  double deepest = 0;
+  for (unsigned at = 0; at < kLanes; at += sizeof(V) / sizeof(double)) {
+    const V slop = load<V>(batch.slop.of + at);
+    V depth = V{};
+    for (unsigned k = 0; k < batch.count; ++k) {
+      depth = larger(depth, -(load<V>(work.points[batch.first + k].separation.of + at) + slop));
+    }
+    alignas(V) double depths[sizeof(V) / sizeof(double)];
+    store(depths, depth);
+    for (const double& one : depths) {
+      batch.visited[at + (&one - depths)] = one > 0 ? 0 : work.visit.first;
+      deepest = larger(deepest, one);
+    }
+  }
+  return deepest;
+}
+
+}  // namespace
+}  // namespace tumble::sim
