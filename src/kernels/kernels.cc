@@ -5,9 +5,9 @@
 
 #include "src/kernels/body_kernels_impl.h"
 #include "src/kernels/box_tests_impl.h"
-#include "src/kernels/contact_prepare_impl.h"
-#include "src/kernels/contact_solve_impl.h"
-#include "src/kernels/contact_visits_impl.h"
+#include "src/kernels/contacts/contact_prepare_impl.h"
+#include "src/kernels/contacts/contact_solve_impl.h"
+#include "src/kernels/contacts/contact_visits_impl.h"
 
 #ifndef TUMBLE_LANES
 #error "TUMBLE_LANES must be 1, 2, 4 or 8"
@@ -64,8 +64,8 @@ template <int kWidth>
     KeptLanes kept;
     if (!all_due && due != 0) kept.keep(batch, points);
     if (due != 0) {
-      for_packs_of<kWidth>(
-          batch, [&](auto v, ContactBatch& of, unsigned at) { solve<decltype(v)>(work, of, at, sweep); });
+      for_packs_of<kWidth>(batch,
+                           [&](auto v, ContactBatch& of, unsigned at) { solve<decltype(v)>(work, of, at, sweep); });
       note_visit(work.visit, batch, due);
       any_due = true;
     }
@@ -100,10 +100,9 @@ template <int kWidth>
 
 template <int kWidth>
 constexpr ContactKernels contact_kernels_of() {
-  return {prepare_all<kWidth>,    solve_all<kWidth>,
-          warm_start_all<kWidth>, apply_outcomes<typename VectorOf<kWidth>::Type>,
-          move_on_all<kWidth>,    renew_all<kWidth>,
-          find_all_overlaps<kWidth>};
+  return {
+      prepare_all<kWidth>, solve_all<kWidth>, warm_start_all<kWidth>,   apply_outcomes<typename VectorOf<kWidth>::Type>,
+      move_on_all<kWidth>, renew_all<kWidth>, find_all_overlaps<kWidth>};
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include "src/kernels/body_kernels.h"
 #include "src/kernels/box_tests.h"
-#include "src/kernels/contact_kernels.h"
+#include "src/kernels/contacts/contact_kernels.h"
 
 namespace tumble::sim {
 

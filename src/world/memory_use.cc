@@ -84,7 +84,7 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
   parts.push_back({"batches", GrowsWith::kContacts, held_by(s.contact_batches, s.fast, s.overlaps.points)});
   parts.push_back({"solver's bodies", GrowsWith::kBodies,
                    held_by(s.solver_bodies, s.solver_mass, s.lent_along, s.in_contact, s.held, s.contact_batches.uses,
-                           s.visits.moved, s.overlaps.bodies)});
+                           s.visits.moved, s.visits.due, s.overlaps.bodies)});
   parts.push_back({"levels, islands and sleep", GrowsWith::kBodies,
                    held_by(s.level, l.start, l.next, l.front, l.reached, l.hard, l.marked, l.in_hard, w.start, w.next,
                            w.waiting_for, w.ready, w.borne, w.moment_x, w.moment_y, w.treated, w.blows, w.first_blow,

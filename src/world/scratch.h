@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "src/kernels/box_frame.h"
-#include "src/kernels/contact_batch.h"
+#include "src/kernels/contacts/contact_batch.h"
 #include "src/kernels/lane_width.h"
 #include "src/world/phase_scratch.h"
 #include "tumble/sim/ids.h"
@@ -157,9 +157,10 @@ struct FastContacts {
 
 /// Which bodies the sweeps of a step have moved; ContactWork::visit.
 struct VisitScratch {
-  std::vector<std::uint32_t> moved;    ///< by row of solver_bodies: number of the last visit that moved the body
-  std::uint32_t now = 0, first = 0;    ///< number of the last visit, and of the last one before the present sweeps
-  double still = 0;                    ///< m/s or rad/s; smaller changes do not make a contact due again
+  std::vector<std::uint32_t> moved;  ///< by row of solver_bodies: number of the last visit that moved the body
+  std::vector<std::uint8_t> due;     ///< by batch of a layer, 1: its range had a contact to solve; with workers
+  std::uint32_t now = 0, first = 0;  ///< number of the last visit, and of the last one before the present sweeps
+  double still = 0;                  ///< m/s or rad/s; smaller changes do not make a contact due again
 };
 
 /// Points and bodies as part_overlaps solves them: speeds that end overlaps within the step and then are forgotten.

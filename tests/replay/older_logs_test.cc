@@ -48,7 +48,8 @@ TEST(OlderLogs, OpenVerifyAndMeasure) {
         "format_1.2_layered", "format_1.3_thesis", "format_1.3_layered", "format_1.3_hashes_3_thesis",
         "format_1.3_hashes_3_layered", "format_1.3_methods_3_thesis", "format_1.3_methods_3_layered",
         "format_1.3_methods_4_thesis", "format_1.3_methods_4_layered", "format_1.3_methods_5_thesis",
-        "format_1.3_methods_5_layered", "format_1.3_hashes_6_thesis", "format_1.3_methods_6_layered"}) {
+        "format_1.3_methods_5_layered", "format_1.3_hashes_6_thesis", "format_1.3_methods_6_layered",
+        "format_1.3_methods_7_layered"}) {
     expect_frozen_session(name);
   }
 }
@@ -83,7 +84,7 @@ std::vector<std::string> notes_of_same_replay(const std::string& name) {
 }
 
 TEST(OlderLogs, OfTodayReplayWithNothingToSay) {
-  for (const char* name : {"format_1.3_hashes_6_thesis", "format_1.3_methods_6_layered"}) {
+  for (const char* name : {"format_1.3_hashes_6_thesis", "format_1.3_methods_7_layered"}) {
     EXPECT_EQ(notes_of_same_replay(name), std::vector<std::string>()) << name;
   }
 }

@@ -53,7 +53,7 @@ struct RandomContacts {
   // The next visit; the sweeps begin anew with `begins`. Changes of less than a twentieth move nothing.
   ContactWork next_visit(bool begins) {
     if (begins) first = ++now;
-    return {batches.data(), batches.size(), points.data(),
+    return {batches.data(), batches.size(),      points.data(),
             bodies.data(),  outcomes.data()->of, entries.data(),
             0.01,           kPushPart,           {moved.data(), ++now, first, 0.05}};
   }

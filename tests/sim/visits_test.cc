@@ -1,4 +1,5 @@
-// Which contacts a visit of the sweeps solves (src/kernels/contact_visits_impl.h): through the kernels of every width.
+// Which contacts a visit of the sweeps solves (src/kernels/contacts/contact_visits_impl.h): through the kernels of
+// every width.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -68,8 +69,15 @@ class FallingBoxes {
     entries_.push_back(2 * i + 1);
   }
   ContactWork work() {
-    return {&batch_,   1,    &point_,   bodies_.data(), outcomes_[0].of, entries_.data(),
-            1.0 / 100, 1.0 / 3, {moved_.data(), now_, first_, kStill}};
+    return {&batch_,
+            1,
+            &point_,
+            bodies_.data(),
+            outcomes_[0].of,
+            entries_.data(),
+            1.0 / 100,
+            1.0 / 3,
+            {moved_.data(), now_, first_, kStill}};
   }
 
   static constexpr double kStill = 1e-3;  // m/s

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "src/kernels/contact_batch.h"
+#include "src/kernels/contacts/contact_batch.h"
 #include "src/layered/find/find_near_pairs.h"
 #include "src/layered/find/pair_tests.h"
 

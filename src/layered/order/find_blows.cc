@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "src/kernels/contact_batch.h"
+#include "src/kernels/contacts/contact_batch.h"
 #include "src/layered/order/contact_motion.h"
 #include "src/math/grid.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "src/kernels/contact_batch.h"
+#include "src/kernels/contacts/contact_batch.h"
 
 namespace tumble::sim {
 namespace {

@@ -1,7 +1,6 @@
 #include "src/layered/solve/sweep_layers.h"
 
 #include <algorithm>
-#include <atomic>
 
 #include "src/base/check.h"
 #include "src/kernels/kernels_by_width.h"
@@ -29,11 +28,11 @@ bool solve_layer(Scratch& scratch, const ContactBatches& all, std::size_t layer,
     contacts.apply_outcomes(work, touched, count);
     return true;
   }
-  std::atomic<bool> due = false;
+  visits.due.assign(work.count, 0);
   for_ranges(scratch.workers, work.count, kSweepBatches, [&](std::size_t begin, std::size_t end) {
-    if (solve(part_of(work, begin, end))) due.store(true, std::memory_order_relaxed);
+    visits.due[begin] = static_cast<std::uint8_t>(solve(part_of(work, begin, end)));
   });
-  if (!due) return false;
+  if (std::find(visits.due.begin(), visits.due.end(), 1) == visits.due.end()) return false;
   for_ranges(scratch.workers, count, kSweepBodies,
              [&](std::size_t begin, std::size_t end) { contacts.apply_outcomes(work, touched + begin, end - begin); });
   return true;

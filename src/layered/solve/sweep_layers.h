@@ -1,6 +1,6 @@
 #pragma once
 
-#include "src/kernels/contact_kernels.h"
+#include "src/kernels/contacts/contact_kernels.h"
 #include "src/world/scratch.h"
 #include "tumble/sim/world_state.h"
 

@@ -3,7 +3,7 @@
 // Friction of a manifold: a force along two tangents and a twist, for any number of lanes. lane_vector.h says who may
 // include this.
 
-#include "src/kernels/contact_lanes.h"
+#include "src/kernels/contacts/contact_lanes.h"
 
 namespace tumble::sim {
 namespace {

@@ -2,7 +2,7 @@
 
 // Which manifolds of a batch a visit solves, for any number of lanes. lane_vector.h says who may include this.
 
-#include "src/kernels/contact_kernels.h"
+#include "src/kernels/contacts/contact_kernels.h"
 #include "src/kernels/lane_vector.h"
 
 namespace tumble::sim {
@@ -15,8 +15,7 @@ inline unsigned due_lanes(const Visit& visit, const ContactBatch& batch) {
   unsigned due = 0;
   for (unsigned lane = 0; lane < batch.used; ++lane) {
     const std::uint32_t last = batch.visited[lane];
-    const bool settled =
-        last >= visit.first && visit.moved[batch.a[lane]] < last && visit.moved[batch.b[lane]] < last;
+    const bool settled = last >= visit.first && visit.moved[batch.a[lane]] < last && visit.moved[batch.b[lane]] < last;
     due |= static_cast<unsigned>(!settled) << lane;
   }
   return due;

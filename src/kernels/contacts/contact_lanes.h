@@ -6,7 +6,7 @@
 // alone, S = Σλ, Sq = Σλq, Sp = Σλp; and the velocities of the points depend on three numbers alone, the normal
 // velocity u at b's centre and the parts W1, W2 of the relative spin: v(p, q) = u + W1 q − W2 p.
 
-#include "src/kernels/contact_kernels.h"
+#include "src/kernels/contacts/contact_kernels.h"
 #include "src/kernels/lane_rows.h"
 #include "src/kernels/lane_vector.h"
 #include "src/math/grid_magic.h"

@@ -3,7 +3,7 @@
 // The fields of a manifold that stay fixed during a step, for any number of lanes. lane_vector.h says who may include
 // this.
 
-#include "src/kernels/contact_lanes.h"
+#include "src/kernels/contacts/contact_lanes.h"
 
 namespace tumble::sim {
 namespace {

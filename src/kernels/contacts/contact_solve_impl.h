@@ -2,8 +2,8 @@
 
 // Warm start, sweeps and the motion of separations, for any number of lanes. lane_vector.h says who may include this.
 
-#include "src/kernels/contact_friction_impl.h"
-#include "src/kernels/contact_lanes.h"
+#include "src/kernels/contacts/contact_friction_impl.h"
+#include "src/kernels/contacts/contact_lanes.h"
 
 namespace tumble::sim {
 namespace {

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "src/kernels/contact_batch.h"
+#include "src/kernels/contacts/contact_batch.h"
 
 namespace tumble::sim {
 
@@ -22,8 +22,8 @@ inline constexpr std::size_t kOutcomeDoubles = 8;
 /// wider grid.
 inline constexpr double kMotionSumMax = 8192;
 
-/// Which manifolds a visit of a layer solves: those that these sweeps have not solved yet, and those of which a body has
-/// moved since. Another solution of the others would change nothing that counts.
+/// Which manifolds a visit of a layer solves: those that these sweeps have not solved yet, and those of which a body
+/// has moved since. Another solution of the others would change nothing that counts.
 struct Visit {
   std::uint32_t* moved = nullptr;  ///< by row of the bodies: number of the last visit that moved it
   std::uint32_t now = 0;           ///< number of this visit; they ascend within a step
@@ -61,7 +61,8 @@ struct ContactKernels {
   void (*move_on)(const ContactWork& work);
   /// Computes masses and responses of hard batches anew, after their bodies have turned.
   void (*renew)(const ContactWork& work);
-  /// Marks the manifolds that do not overlap beyond the slop as visited; returns the deepest overlap beyond it, m, or 0.
+  /// Marks the manifolds that do not overlap beyond the slop as visited; returns the deepest overlap beyond it, m, or
+  /// 0.
   double (*find_overlaps)(const ContactWork& work);
 };
 
