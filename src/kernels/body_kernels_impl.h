@@ -4,8 +4,8 @@
 // check_body in the order of those. lane_vector.h says who may include this.
 
 #include "src/kernels/body_kernels.h"
-#include "src/kernels/lane_rows.h"
-#include "src/kernels/lane_vector.h"
+#include "src/kernels/lanes/lane_rows.h"
+#include "src/kernels/lanes/lane_vector.h"
 #include "src/math/grid_magic.h"
 #include "src/math/turn_series.h"
 #include "tumble/sim/limits.h"

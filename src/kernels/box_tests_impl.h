@@ -3,8 +3,8 @@
 // The test of BoxPair for any number of lanes: its operations in its order. lane_vector.h says who may include this.
 
 #include "src/kernels/box_tests.h"
-#include "src/kernels/lane_rows.h"
-#include "src/kernels/lane_vector.h"
+#include "src/kernels/lanes/lane_rows.h"
+#include "src/kernels/lanes/lane_vector.h"
 
 namespace tumble::sim {
 namespace {

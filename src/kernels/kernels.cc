@@ -1,6 +1,6 @@
 // Compiled once for each lane width: TUMBLE_LANES is the width, and the flags of the file are the instructions that it
 // needs. src/kernels/CMakeLists.txt and tools/scripts/checks/determinism.sh list the widths. The headers included here
-// keep every function to themselves; src/kernels/lane_vector.h says why.
+// keep every function to themselves; src/kernels/lanes/lane_vector.h says why.
 #include "src/kernels/kernels.h"
 
 #include "src/kernels/body_kernels_impl.h"

@@ -2,7 +2,8 @@
 
 namespace tumble::sim {
 
-// The constants of half_turn.h for the files of src/kernels/lane_vector.h, which may include no header with functions.
+// The constants of half_turn.h for the files of src/kernels/lanes/lane_vector.h, which may include no header with
+// functions.
 
 /// A turn by at most 1/16 rad is one Cayley turn, which falls short by at most 0.033 %. Squared half of the turn.
 inline constexpr double kSlowHalfSquared = 1.0 / 1024.0;

@@ -15,7 +15,8 @@ Folders operator+(Folders left, const Folders& right) {
 
 // The state and all that it is made of.
 const Folders kModel = {"src/base", "src/math", "src/model"};
-const Folders kWorld = kModel + Folders{"src/kernels", "src/world"};
+const Folders kKernels = kModel + Folders{"src/kernels/lanes", "src/kernels/contacts"};
+const Folders kWorld = kKernels + Folders{"src/kernels", "src/world"};
 const Folders kSim = kWorld + Folders{"src/step"};
 
 std::vector<Room> simulation() {
@@ -26,8 +27,10 @@ std::vector<Room> simulation() {
       {"src/base", {}},
       {"src/math", {"src/base"}},
       {"src/model", {"src/base", "src/math"}},
-      {"src/kernels", kModel},
-      {"src/world", kModel + Folders{"src/kernels"}},
+      {"src/kernels/lanes", kModel},
+      {"src/kernels/contacts", kModel + Folders{"src/kernels/lanes"}},
+      {"src/kernels", kKernels},
+      {"src/world", kKernels + Folders{"src/kernels"}},
       {"src/collide", kWorld},
       {"src/thesis", find},
       {"src/layered/find", find},

@@ -7,8 +7,8 @@
 // velocity u at b's centre and the parts W1, W2 of the relative spin: v(p, q) = u + W1 q − W2 p.
 
 #include "src/kernels/contacts/contact_kernels.h"
-#include "src/kernels/lane_rows.h"
-#include "src/kernels/lane_vector.h"
+#include "src/kernels/lanes/lane_rows.h"
+#include "src/kernels/lanes/lane_vector.h"
 #include "src/math/grid_magic.h"
 
 namespace tumble::sim {

@@ -3,7 +3,7 @@
 // Which manifolds of a batch a visit solves, for any number of lanes. lane_vector.h says who may include this.
 
 #include "src/kernels/contacts/contact_kernels.h"
-#include "src/kernels/lane_vector.h"
+#include "src/kernels/lanes/lane_vector.h"
 
 namespace tumble::sim {
 namespace {

@@ -28,6 +28,7 @@ bool solve_layer(Scratch& scratch, const ContactBatches& all, std::size_t layer,
     contacts.apply_outcomes(work, touched, count);
     return true;
   }
+  if (work.count == 0) return false;
   visits.due.assign(work.count, 0);
   for_ranges(scratch.workers, work.count, kSweepBatches, [&](std::size_t begin, std::size_t end) {
     visits.due[begin] = static_cast<std::uint8_t>(solve(part_of(work, begin, end)));

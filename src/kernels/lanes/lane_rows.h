@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "src/kernels/lane_vector.h"
+#include "src/kernels/lanes/lane_vector.h"
 
 namespace tumble::sim {
 namespace {
