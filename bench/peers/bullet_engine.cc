@@ -55,6 +55,12 @@ class BulletEngine : public Engine {
     return {};
   }
 
+  Status set_gravity(const sim::Vec3& gravity) override {
+    world_.setGravity(to_bullet(gravity));
+    for (btRigidBody* body : boxes_) body->activate();
+    return {};
+  }
+
   Status step(double dt_s) override {
     world_.stepSimulation(static_cast<btScalar>(dt_s), 0);
     return {};

@@ -31,6 +31,9 @@ class Engine {
   /// Called once, after the bodies of the start and before the first step. Errors (kCannotFinish): no memory for it.
   virtual Status ready() { return {}; }
 
+  /// Gravity from the next step on, m/s²; wakes every body.
+  virtual Status set_gravity(const sim::Vec3& gravity) = 0;
+
   /// One step. Errors (kCannotFinish): the engine gave up.
   virtual Status step(double dt_s) = 0;
 

@@ -80,6 +80,12 @@ class MujocoEngine : public Engine {
     return {};
   }
 
+  Status set_gravity(const sim::Vec3& gravity) override {
+    if (model_ == nullptr) return bad_input("found set_gravity before step 1, wanted it later");
+    for (int k = 0; k < 3; ++k) model_->opt.gravity[k] = gravity[k];
+    return {};
+  }
+
   Status step(double dt_s) override {
     model_->opt.timestep = dt_s;
     mj_step(model_, data_);

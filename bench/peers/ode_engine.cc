@@ -57,6 +57,12 @@ class OdeEngine : public Engine {
     return {};
   }
 
+  Status set_gravity(const sim::Vec3& gravity) override {
+    dWorldSetGravity(world_, gravity.x(), gravity.y(), gravity.z());
+    for (const dBodyID body : bodies_) dBodyEnable(body);
+    return {};
+  }
+
   Status step(double dt_s) override {
     dSpaceCollide(space_, this, collide);
     if (dWorldQuickStep(world_, dt_s) == 0) return cannot_finish("out of memory");

@@ -114,9 +114,11 @@ class Session {
         done = add(thrown->box);
       } else if (const auto* length = std::get_if<sim::SetDt>(&next_->command)) {
         dt_ = length->dt;
+      } else if (const auto* pull = std::get_if<sim::SetGravity>(&next_->command)) {
+        done = engine_->set_gravity(pull->gravity);
       } else {
         done = bad_input("step " + std::to_string(k) + ": found input \"" + sim::name_of(next_->command) +
-                         "\", wanted throw or set_dt, which every engine can do");
+                         "\", wanted throw, set_dt or set_gravity, which every engine can do");
       }
       if (done.ok() && log_) done = log_->input(next_->command);
       if (!done.ok()) return done;

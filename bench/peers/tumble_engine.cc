@@ -30,6 +30,12 @@ class TumbleEngine : public Engine {
     return {};
   }
 
+  Status set_gravity(const sim::Vec3& gravity) override {
+    if (world_) return sim::apply(*world_, sim::SetGravity{gravity});
+    start_.world.gravity = gravity;
+    return {};
+  }
+
   Status step(double dt_s) override {
     if (dt_s != world_->state().def.dt) {
       if (Status ok = sim::apply(*world_, sim::SetDt{dt_s}); !ok.ok()) return ok;

@@ -51,6 +51,7 @@ std::vector<PeerScene> peer_scenes() {
   scenes.push_back({"pile_16", "pile", {}});
   scenes.push_back(
       {"pile_16_crooked", "pile", {"pile.jitter.position=0.01", "pile.jitter.degrees=2.0", "pile.jitter.seed=1"}});
+  for (const char* name : {"large_pyramid", "many_pyramids", "tumbling_drum"}) scenes.push_back({name, name, {}, true});
   return scenes;
 }
 
