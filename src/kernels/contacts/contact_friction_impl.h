@@ -71,15 +71,15 @@ Friction<V> within_limits(const Manifolds<V>& m, V pressure, const Friction<V>& 
   const V twist_limit = m.get(m.batch->friction) * pressure * m.get(m.batch->radius);
   Friction<V> f = stop;
   f.twist = clamped(stop.twist, twist_limit);
-  const auto cut = f.twist != stop.twist;
-  if (any(cut)) {
+  if (any_differ(f.twist, stop.twist)) {
+    const auto cut = f.twist != stop.twist;
     const V missing = (f.twist - stop.twist) / inverse[5];
     f.force1 = cut ? stop.force1 + inverse[2] * missing : stop.force1;
     f.force2 = cut ? stop.force2 + inverse[4] * missing : stop.force2;
   }
   cut_force(m, pressure, inverse, f);
   const V moved = magnitude(f.force1 - stop.force1) + magnitude(f.force2 - stop.force2);
-  if (!any(moved != 0.0)) return f;
+  if (!any_above(moved, V{})) return f;
   const V scale = 1.0 / (inverse[0] * inverse[3] - inverse[1] * inverse[1]);
   const V along1 = (inverse[3] * inverse[2] - inverse[1] * inverse[4]) * scale;
   const V along2 = (inverse[0] * inverse[4] - inverse[1] * inverse[2]) * scale;

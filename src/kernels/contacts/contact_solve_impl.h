@@ -28,10 +28,13 @@ V pressure_of(const Manifolds<V>& m) {
 template <Sweep kSweep, class V>
 V bias_of(const ContactWork& work, V separation, V slop) {
   const double h = work.substep_s;
-  const V closing = separation / h, zero = V{};
-  if constexpr (kSweep == Sweep::kHold) return separation > kSkin ? closing : zero;
-  const V push = larger(V{} - kPushMax, (work.push_part / h) * smaller(zero, separation + slop));
-  return separation > kSkin ? closing : push;
+  const V zero = V{};
+  V held = zero;
+  if constexpr (kSweep != Sweep::kHold) {
+    held = larger(V{} - kPushMax, (work.push_part / h) * smaller(zero, separation + slop));
+  }
+  if (!any_above(separation, zero + kSkin)) return held;  // a division takes as long as the rest of a point
+  return separation > kSkin ? separation / h : held;
 }
 
 // The speed after a bounce: e times the speed of impact, less the speed that gravity has taken since the impact.

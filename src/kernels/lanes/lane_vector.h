@@ -126,6 +126,16 @@ inline bool any_above(V a, V b) {
   return any(a > b);
 }
 
+// Whether a and b differ in any lane.
+inline bool any_differ(double a, double b) { return a != b; }
+template <class V>
+inline bool any_differ(V a, V b) {
+#ifdef __AVX512F__
+  if constexpr (sizeof(V) == 64) return _mm512_cmp_pd_mask(a, b, _CMP_NEQ_UQ) != 0;
+#endif
+  return any(a != b);
+}
+
 // Vectors in space, a number of each lane in each coordinate; sums in the order of src/math/vec.h.
 template <class V>
 struct Space {
