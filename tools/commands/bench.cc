@@ -63,7 +63,7 @@ Action declare_bench(Arguments& arguments) {
       "--engine", "NAME", options->engines,
       "peers: only thesis, bullet, ode, mujoco or none beside ours; table1: these beside ours; accuracy: only thesis, "
       "layered, bullet or ode; may be repeated. Without it, engines that are not built are left out, and said");
-  arguments.flag("--large", options->large, "peers: also the grids of 1600 cubes and more");
+  arguments.flag("--large", options->large, "peers: also the scenes of 1600 bodies and more");
   arguments.option("--method", "NAME", options->method,
                    "table1 (thesis), scaling (layered), memory (the scene's): another method");
   arguments.option("--plot", "FILE.svg|png", options->plot, "scaling: also draw it, with gnuplot");
