@@ -40,6 +40,7 @@ enum class StreamRecordKind : std::uint8_t {
   kStates64 = 11,
   kSame = 12,
   kContact = 20,
+  kContact32 = 21,
   kPhase = 30,
   kNote = 40,
   kChannel = 50,

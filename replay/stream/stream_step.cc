@@ -44,6 +44,7 @@ class Record {
         while (in_.ok() && in_.left() > 0) state();
         return in_.ok();
       case Kind::kContact:
+      case Kind::kContact32:
         return contact();
       case Kind::kPhase:
         step_.phases.push_back({in_.number<std::uint32_t>(), in_.number<std::uint32_t>(), in_.number<std::uint64_t>()});
@@ -109,18 +110,21 @@ class Record {
     step_.states.push_back(state);
   }
 
+  /// A number of a contact.
+  double real() { return kind_ == Kind::kContact32 ? in_.float32() : in_.float64(); }
+
   bool contact() {
     StreamContact contact;
     contact.a = in_.number<std::uint64_t>();
     contact.b = in_.number<std::uint64_t>();
     contact.part = in_.number<std::uint32_t>();
-    contact.normal = vector_of(in_);
+    for (int k = 0; k < 3; ++k) contact.normal[k] = real();
     const auto count = in_.number<std::uint32_t>();
     for (std::uint32_t k = 0; k < count && in_.ok(); ++k) {
       StreamPoint point;
-      point.position = vector_of(in_);
-      point.depth = in_.float64();
-      point.impulse = in_.float64();
+      for (int i = 0; i < 3; ++i) point.position[i] = real();
+      point.depth = real();
+      point.impulse = real();
       contact.points.push_back(point);
     }
     step_.contacts.push_back(std::move(contact));

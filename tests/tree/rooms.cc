@@ -120,7 +120,7 @@ std::vector<Room> tests() {
   std::vector<Room> rows;
   for (const char* folder :
        {"tests/support", "tests/fuzz", "tests/tree", "tests/files", "tests/process", "tests/sim", "tests/scenes",
-        "tests/render", "tests/replay", "tests/replay/measure", "tests/golden", "tests/tools", "tests/outputs",
+        "tests/render", "tests/replay", "tests/replay/measure", "tests/recorder", "tests/golden", "tests/tools", "tests/outputs",
         "tests/trial", "tests/determinism", "bench", "bench/peers"}) {
     rows.push_back({folder, {"*"}});
   }
