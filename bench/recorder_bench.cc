@@ -1,6 +1,6 @@
-// recorder_bench BODIES STEPS FILE [states]: what the recorder costs Bullet. Two equal worlds of falling cubes take their steps in
-// turn, one of them recorded to FILE with all states, and contacts unless told `states`; prints both CPU times and their ratio. Run by hand;
-// docs/performance.md has results.
+// recorder_bench BODIES STEPS FILE [states]: what the recorder costs Bullet. Two equal worlds of falling cubes take
+// their steps in turn, one of them recorded to FILE with all states, and contacts unless told `states`; prints both CPU
+// times and their ratio. Run by hand; docs/performance.md has results.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -32,8 +32,8 @@ class World {
       btRigidBody::btRigidBodyConstructionInfo info(1, nullptr, &box_, inertia);
       const int layer = k / (side * side), row = k / side % side, column = k % side;
       info.m_startWorldTransform.setIdentity();
-      info.m_startWorldTransform.setOrigin({btScalar(1.2 * column + 0.1 * (layer % 3)), btScalar(1.2 * row),
-                                            btScalar(0.7 + 1.1 * layer)});
+      info.m_startWorldTransform.setOrigin(
+          {btScalar(1.2 * column + 0.1 * (layer % 3)), btScalar(1.2 * row), btScalar(0.7 + 1.1 * layer)});
       info.m_startWorldTransform.setRotation(btQuaternion({1, 0, 0}, btScalar(0.05 * (k % 7))));
       bodies.push_back(std::make_unique<btRigidBody>(info));
       bodies.back()->setActivationState(DISABLE_DEACTIVATION);  // bodies at rest cost the recorder less

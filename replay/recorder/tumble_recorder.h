@@ -104,7 +104,7 @@ typedef struct TumbleRecContact {
 /* The first difference from an earlier stream. */
 typedef struct TumbleRecDifference {
   uint64_t step;
-  const char* part; /* "state", "body", "input", "contact", "phase hash", "channel", "note", "snapshot", "order" */
+  const char* part;     /* "state", "body", "input", "contact", "phase hash", "channel", "note", "snapshot", "order" */
   uint64_t body, other; /* 0: none */
   const char* field;    /* "position.x", "impulse of point 2", or the name of a channel or phase */
   const char* earlier;  /* the value of the earlier stream, with all digits; "absent" */

@@ -21,7 +21,7 @@ inline constexpr std::uint32_t kStreamChannelsMax = 4096;
 
 enum class StreamFrameKind : std::uint32_t {
   kHeader = 1,
-  kStart = 2,   ///< all bodies as they are after a step: of the start, and of each part of a ring
+  kStart = 2,  ///< all bodies as they are after a step: of the start, and of each part of a ring
   kStep = 3,
   kHashes = 4,  ///< a step of which only hashes were kept
   kRewind = 5,

@@ -42,7 +42,8 @@ Result<StreamHeader> decode_header(std::span<const std::byte> payload, const std
   header.scene = in.text();
   const std::size_t phases = in.number<std::uint16_t>();
   for (std::size_t k = 0; k < phases && in.ok(); ++k) header.phases.push_back(in.text());
-  if (!in.ok()) return bad_input(name + ": found a header of " + std::to_string(payload.size()) + " bytes, wanted more");
+  if (!in.ok())
+    return bad_input(name + ": found a header of " + std::to_string(payload.size()) + " bytes, wanted more");
   if (up < 'x' || up > 'z') return bad_input(name + ": header: up: found another letter than x, y or z");
   return header;
 }

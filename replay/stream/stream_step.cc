@@ -180,9 +180,11 @@ Result<StreamStep> decode_stream_step(StreamFrameKind kind, std::span<const std:
     const std::span<const std::byte> bytes = in.take(head >> 8);
     if (in.ok() && Record(static_cast<Kind>(head & 255U), bytes, step).read()) continue;
     return bad_input(place + ": record at byte " + std::to_string(at) + ": found kind " + std::to_string(head & 255U) +
-                     " with " + std::to_string(head >> 8) + " bytes, wanted a record as docs/recorder_stream.md has it");
+                     " with " + std::to_string(head >> 8) +
+                     " bytes, wanted a record as docs/recorder_stream.md has it");
   }
-  if (!in.ok()) return bad_input(place + ": found a frame of " + std::to_string(payload.size()) + " bytes, wanted more");
+  if (!in.ok())
+    return bad_input(place + ": found a frame of " + std::to_string(payload.size()) + " bytes, wanted more");
   return step;
 }
 

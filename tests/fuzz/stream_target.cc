@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <memory>
 #include <string>
 
@@ -55,8 +56,7 @@ void import(const Bytes& bytes) {
     return std::unique_ptr<replay::ByteSink>(std::make_unique<replay::MemoryByteSink>(written, "log"));
   });
   if (!done.ok()) return;
-  Result<replay::LogReader> log =
-      replay::LogReader::open(std::make_unique<replay::MemoryByteSource>(written, "log"));
+  Result<replay::LogReader> log = replay::LogReader::open(std::make_unique<replay::MemoryByteSource>(written, "log"));
   if (!log.ok() || !replay::verify(*log).condition.sound()) std::abort();
 }
 
@@ -91,7 +91,8 @@ void record_against(const std::string& path) {
 }
 
 void verify_against(const Bytes& bytes) {
-  static const std::string path = "/tmp/tumble_fuzz_stream_" + std::to_string(::getpid());
+  static const std::string path =
+      (std::filesystem::temp_directory_path() / ("tumble_fuzz_stream_" + std::to_string(::getpid()))).string();
   std::FILE* file = std::fopen(path.c_str(), "wb");
   if (file == nullptr) return;
   std::fwrite(bytes.data(), 1, bytes.size(), file);

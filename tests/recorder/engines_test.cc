@@ -1,4 +1,5 @@
-// Bullet, ODE and MuJoCo with the recorder linked in: one planted change of a parameter, and the first difference named.
+// Bullet, ODE and MuJoCo with the recorder linked in: one planted change of a parameter, and the first difference
+// named.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "replay/log/byte_memory.h"
-#include "replay/stream/stream_reader.h"
 #include "replay/recorder/tumble_recorder.h"
+#include "replay/stream/stream_reader.h"
 
 /// Streams recorded to memory.
 namespace tumble::test {
@@ -51,8 +51,7 @@ inline TumbleRecState state_at(std::uint64_t id, std::uint64_t k) {
 }
 
 /// Bodies 1 … `bodies`, `steps` steps; body 2 sleeps from step 3 on. Then what `more` does, and the end.
-inline StreamBytes record(std::uint64_t bodies, std::uint64_t steps,
-                          const std::function<void(TumbleRec*)>& more = {},
+inline StreamBytes record(std::uint64_t bodies, std::uint64_t steps, const std::function<void(TumbleRec*)>& more = {},
                           const std::function<void(TumbleRecDef&)>& change = {}) {
   StreamBytes bytes;
   TumbleRecDef def = small_def(bytes);

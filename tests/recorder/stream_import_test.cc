@@ -1,11 +1,10 @@
 // Streams turned into logs: every number to the bit, in our axes, with what was passed over named.
-#include "replay/stream/import_stream.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 
+#include "replay/stream/import_stream.h"
 #include "tests/recorder/recorded.h"
 #include "tests/support/log_memory.h"
 
@@ -25,10 +24,9 @@ Result<Imported> import_bytes(StreamBytes bytes) {
   const Result<StreamReader> stream = open_stream(std::move(bytes));
   if (!stream.ok()) return stream.error();
   const auto disk = std::make_shared<replay::Disk>();
-  Result<StreamImport> done =
-      import_stream(*stream, [&]() -> Result<std::unique_ptr<replay::ByteSink>> {
-        return std::unique_ptr<replay::ByteSink>(std::make_unique<replay::MemorySink>(disk));
-      });
+  Result<StreamImport> done = import_stream(*stream, [&]() -> Result<std::unique_ptr<replay::ByteSink>> {
+    return std::unique_ptr<replay::ByteSink>(std::make_unique<replay::MemorySink>(disk));
+  });
   if (!done.ok()) return done.error();
   Result<LogReader> log = replay::open_memory(disk->bytes);
   if (!log.ok()) return log.error();
@@ -71,7 +69,8 @@ TEST(StreamImport, NumbersThatAreNoFloatsAndNanAreKept) {
   ASSERT_TRUE(read.ok());
   const sim::Vec3 position = (*read)->states.position[0];
   for (int k = 0; k < 3; ++k) {
-    EXPECT_EQ(std::bit_cast<std::uint64_t>(static_cast<double>(position[k])), std::bit_cast<std::uint64_t>(odd[k])) << k;
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(static_cast<double>(position[k])), std::bit_cast<std::uint64_t>(odd[k]))
+        << k;
   }
 }
 

@@ -50,8 +50,8 @@ void print_listing(const StreamFiles& files, const StreamReader& stream, const r
   listing.add("axes", to_string(stream.header().axes));
   if (!done.passed_over.empty()) listing.add("passed over", printable(joined(done.passed_over)));
   if (stream.rewinds() > 0) {
-    listing.add("rewinds", std::to_string(stream.rewinds()) + "; " +
-                               count_text(stream.superseded().size(), "step") + " recorded again");
+    listing.add("rewinds", std::to_string(stream.rewinds()) + "; " + count_text(stream.superseded().size(), "step") +
+                               " recorded again");
   }
   if (stream.header().hashes_only) listing.add("holds", "hashes only: no body can be compared or drawn");
   listing.add("steps", std::to_string(done.log.steps));
@@ -77,11 +77,12 @@ Result<Exit> import_stream_file(const StreamFiles& files) {
   if (!stream.ok()) return stream.error();
   ProgressBar bar("importing");
   const process::InterruptGuard guard;
-  const Result<replay::StreamImport> done =
-      replay::import_stream(*stream, [&] { return replay::open_file_sink(files.output); }, bar.progress());
+  const Result<replay::StreamImport> done = replay::import_stream(
+      *stream, [&] { return replay::open_file_sink(files.output); }, bar.progress());
   bar.finish();
   if (!done.ok()) return done.error();
-  for (const std::string& warning : done->warnings) std::cerr << "tumble import: warning: " << printable(warning) << '\n';
+  for (const std::string& warning : done->warnings)
+    std::cerr << "tumble import: warning: " << printable(warning) << '\n';
   files.json ? print_json_result(files, *stream, *done) : print_listing(files, *stream, *done);
   return stream->condition().damage ? Exit::kDamaged : Exit::kSame;
 }

@@ -13,20 +13,18 @@ class Box3dRecorder {
     copy(b3World_GetGravity(world), def.gravity), rec = tumble_rec_create(&def);
   }
   ~Box3dRecorder() { tumble_rec_close(rec); }
-
+  // Every body that moves; contacts with any other are contacts with the ground.
   void add(b3BodyId body, const char* name, b3Vec3 size, double friction) {
     bodies_.push_back(body);
     b3Body_SetUserData(body, reinterpret_cast<void*>(bodies_.size()));  // its id; 0: the ground
     TumbleRecBody out = {};
     out.id = bodies_.size(), out.name = name, out.mass = b3Body_GetMass(body), out.friction = friction;
-    out.is_static = b3Body_GetType(body) == b3_staticBody, out.state = state_of(body);
-    copy(size, out.size), tumble_rec_body(rec, &out);
+    out.state = state_of(body), copy(size, out.size), tumble_rec_body(rec, &out);
   }
   void step(float dt, int substeps) {
     tumble_rec_step_begin(rec, dt);
     b3World_Step(world_, dt, substeps);
     for (const b3BodyId body : bodies_) {
-      if (b3Body_GetType(body) == b3_staticBody) continue;
       const TumbleRecState state = state_of(body);
       tumble_rec_state(rec, id_of(body), &state);
       tell_contacts(body);
@@ -46,25 +44,25 @@ class Box3dRecorder {
   }
   void tell_contacts(b3BodyId body) {  // those in which this body is shape A's, or the other one is the ground
     std::vector<b3ContactData> all(static_cast<size_t>(b3Body_GetContactCapacity(body)));
-    const int count = b3Body_GetContactData(body, all.data(), static_cast<int>(all.size()));
-    for (int c = 0; c < count; ++c) {
-      const uint64_t a = id_of(b3Shape_GetBody(all[c].shapeIdA)), b = id_of(b3Shape_GetBody(all[c].shapeIdB));
-      if (a != id_of(body) && a != 0) continue;
-      const float sign = a == 0 ? -1.0f : 1.0f;
-      for (int m = 0; m < all[c].manifoldCount; ++m) {
-        const b3Manifold& from = all[c].manifolds[m];
-        const b3Pos centre = b3Body_GetWorldCenter(b3Shape_GetBody(all[c].shapeIdA));
-        TumbleRecPoint points[B3_MAX_MANIFOLD_POINTS] = {};
-        TumbleRecContact out = {a == 0 ? b : a, a == 0 ? 0 : b, uint32_t(m), {0, 0, 0}, points, uint32_t(from.pointCount)};
-        copy({sign * from.normal.x, sign * from.normal.y, sign * from.normal.z}, out.normal);
-        for (int k = 0; k < from.pointCount; ++k) {
-          const b3ManifoldPoint& p = from.points[k];
-          copy({float(centre.x) + p.anchorA.x, float(centre.y) + p.anchorA.y, float(centre.z) + p.anchorA.z}, points[k].position);
-          points[k].depth = -p.separation, points[k].impulse = p.totalNormalImpulse;
-        }
-        tumble_rec_contact(rec, &out);
+    all.resize(static_cast<size_t>(b3Body_GetContactData(body, all.data(), static_cast<int>(all.size()))));
+    for (const b3ContactData& contact : all) {
+      const uint64_t a = id_of(b3Shape_GetBody(contact.shapeIdA)), b = id_of(b3Shape_GetBody(contact.shapeIdB));
+      for (int m = 0; (a == id_of(body) || a == 0) && m < contact.manifoldCount; ++m) {
+        tell(contact.manifolds[m], a == 0 ? b : a, a == 0 ? 0 : b, a == 0 ? -1.0f : 1.0f, uint32_t(m));
       }
     }
+  }
+  void tell(const b3Manifold& from, uint64_t a, uint64_t b, float sign, uint32_t part) {
+    TumbleRecPoint points[B3_MAX_MANIFOLD_POINTS] = {};
+    TumbleRecContact out = {a, b, part, {0, 0, 0}, points, uint32_t(from.pointCount)};
+    copy({sign * from.normal.x, sign * from.normal.y, sign * from.normal.z}, out.normal);
+    const b3Pos at = b3Body_GetWorldCenter(bodies_[a - 1]);
+    for (int k = 0; k < from.pointCount; ++k) {
+      const b3Vec3 arm = sign < 0 ? from.points[k].anchorB : from.points[k].anchorA;
+      copy({float(at.x) + arm.x, float(at.y) + arm.y, float(at.z) + arm.z}, points[k].position);
+      points[k].depth = -from.points[k].separation, points[k].impulse = from.points[k].totalNormalImpulse;
+    }
+    tumble_rec_contact(rec, &out);
   }
   b3WorldId world_;
   std::vector<b3BodyId> bodies_;
