@@ -1,6 +1,8 @@
 // recorder_bench BODIES STEPS FILE [states]: what the recorder costs Bullet. Two equal worlds of falling cubes take
 // their steps in turn, one of them recorded to FILE with all states, and contacts unless told `states`; prints both CPU
 // times and their ratio. Run by hand; docs/performance.md has results.
+#include <tumble_bullet.h>  // of examples/engines, which are outside the rooms
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -8,8 +10,6 @@
 #include <ctime>
 #include <memory>
 #include <vector>
-
-#include "examples/engines/bullet/tumble_bullet.h"
 
 namespace {
 

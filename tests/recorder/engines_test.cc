@@ -72,7 +72,7 @@ TEST_F(Engines, AChangedParameterIsNamedByStepBodyAndField) {
     record_as_log(engine, "changed", "--friction 0.501");
     const Outcome diff = shop_.run({"diff", "one.tumble", "changed.tumble", "--json"});
     ASSERT_EQ(diff.exit, 1) << engine.name << diff.err;
-    const auto first = nlohmann::json::parse(diff.out)["divergence"];
+    const auto first = nlohmann::json::parse(diff.out)["first"];
     EXPECT_GT(first["step"], 0) << engine.name << diff.out;
     EXPECT_GT(first["body"], 0) << engine.name << diff.out;
     const std::string field = first["field"];
