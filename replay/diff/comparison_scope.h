@@ -26,6 +26,8 @@ struct DiffFacts {
   bool one_scene = false;    ///< scenes and method versions are equal, so complete states were compared
   std::uint64_t worlds = 0;  ///< complete states compared
   std::uint64_t zeros = 0;   ///< whose sign alone differs, counted as equal
+  std::vector<std::string> channels;  ///< names of those compared
+  std::vector<std::string> left_out;  ///< channels and derived values that were not compared, each with its reason
 };
 
 ComparisonScope scope_of(const LogReader& a, const LogReader& b, const Tolerances& tolerances, const DiffFacts& facts);

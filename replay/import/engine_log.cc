@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "replay/format/limits.h"
-#include "replay/import/step_values.h"
+#include "replay/format/step_values.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
 #include "src/world/body_check.h"

@@ -70,7 +70,7 @@ Status begin(TumbleLog& log, const char* path, const TumbleLogStart* start) {
   scene.world.ground = start->ground != 0;
   scene.steps = start->planned_steps;
   std::ranges::sort(scene.boxes, {}, &tumble::sim::BoxDef::id);
-  if (Status ok = declare_channels(log); !ok.ok()) return ok;
+  if (Status ok = tumble::replay::declare_channels(log); !ok.ok()) return ok;
   Result<std::unique_ptr<EngineLog>> made = EngineLog::create(path, log.def, scene);
   if (!made.ok()) return made.error();
   log.log = *std::move(made);

@@ -40,7 +40,8 @@ struct DiffCommand {
   bool json = false;
 };
 
-Result<replay::Tolerances> parse_tolerances(const std::vector<std::string>& arguments) {
+Result<replay::Tolerances> parse_tolerances(const std::vector<std::string>& arguments,
+                                             const std::vector<replay::Channel>& channels) {
   replay::Tolerances tolerances;
   for (const std::string& argument : arguments) {
     const std::size_t equals = argument.find('=');
@@ -50,7 +51,7 @@ Result<replay::Tolerances> parse_tolerances(const std::vector<std::string>& argu
       return bad_input("--tolerance: found " + in_quotes(argument) +
                        ", wanted FIELD=V with a number V, as in position=1e-9");
     }
-    const Status set = replay::set_tolerance(tolerances, argument.substr(0, equals), *value);
+    const Status set = replay::set_tolerance(tolerances, argument.substr(0, equals), *value, channels);
     if (!set.ok()) return bad_input("--tolerance " + printable(argument) + ": " + set.error().message);
   }
   return tolerances;
@@ -175,7 +176,11 @@ Status draw(const DiffCommand& options, const Difference& difference) {
 }
 
 Result<Exit> compare(const DiffCommand& options, replay::LogReader& a, replay::LogReader& b) {
-  const Result<replay::Tolerances> tolerances = parse_tolerances(options.tolerances);
+  std::vector<replay::Channel> channels = a.header().declared.channels;
+  for (const replay::Channel& channel : b.header().declared.channels) {
+    if (a.header().declared.find(channel.name) == a.header().declared.channels.size()) channels.push_back(channel);
+  }
+  const Result<replay::Tolerances> tolerances = parse_tolerances(options.tolerances, channels);
   if (!tolerances.ok()) return tolerances.error();
   ProgressBar bar("comparing");
   const replay::Reading reading = options.brief ? replay::Reading::kHashes : replay::Reading::kAll;
@@ -224,7 +229,8 @@ Action declare_diff(Arguments& arguments) {
       "--tolerance", "FIELD=V", options->tolerances,
       "Call states equal where each component of FIELD (position, velocity, spin: angular velocity), or "
       "the angle of FIELD orientation (rad), is at most V apart; states then decide, not hashes. FIELD may "
-      "also be a number of an input or a parameter (throw.velocity.y, dt, world.gravity). May be repeated");
+      "also be a channel, or a number of an input or a parameter (throw.velocity.y, dt, world.gravity). May be "
+      "repeated");
   const Argument step =
       arguments
           .whole(

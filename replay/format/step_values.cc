@@ -1,4 +1,4 @@
-#include "replay/import/step_values.h"
+#include "replay/format/step_values.h"
 
 #include <algorithm>
 #include <string>

@@ -2,7 +2,7 @@
 #include <span>
 
 #include "replay/import/engine_log_c_impl.h"
-#include "replay/import/step_values.h"
+#include "replay/format/step_values.h"
 
 using tumble::Result;
 using tumble::Status;
