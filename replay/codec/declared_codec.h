@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "schema/log.capnp.h"
-#include "tumble/replay/shape.h"
 #include "tumble/replay/extras.h"
+#include "tumble/replay/shape.h"
 #include "tumble/sim/result.h"
 
 /// Channels, names and shapes of bodies, as structs of the schema and back. Included by codecs only. Errors (kDamaged):

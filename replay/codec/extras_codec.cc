@@ -57,8 +57,7 @@ void encode_contacts(ExtrasOfSteps steps, schema::Extras::Builder out) {
   auto doubles = contacts.initDoubles(kContactColumns);
   for (unsigned c = 0; c < kContactColumns; ++c) {
     const std::vector<std::uint64_t> residuals = residuals_of(rows, std::span<const std::uint64_t>(columns[c]));
-    put_planes(std::span<const std::uint64_t>(residuals),
-               doubles.init(c, static_cast<unsigned>(residuals.size() * 8)));
+    put_planes(std::span<const std::uint64_t>(residuals), doubles.init(c, static_cast<unsigned>(residuals.size() * 8)));
   }
 }
 
@@ -113,7 +112,8 @@ Status decode_list(const char* name, List list, std::uint64_t most, std::uint64_
 
 Status decode_contacts(schema::Contacts::Reader in, std::span<Extras* const> steps, std::uint64_t& rows_left) {
   const auto doubles = in.getDoubles();
-  if (doubles.size() != kContactColumns) return damaged("contacts: found " + std::to_string(doubles.size()) + " columns");
+  if (doubles.size() != kContactColumns)
+    return damaged("contacts: found " + std::to_string(doubles.size()) + " columns");
   const RowLimits limits = {rows_left, 8, doubles[0].size(), false};
   const Result<StepRows> rows = decode(in.getRows(), ChannelScope::kPair, steps.size(), limits);
   if (!rows.ok()) return rows.error();
@@ -156,7 +156,8 @@ Result<std::vector<ChannelIndex>> decode_channels(schema::Extras::Reader in, std
                      " on");
     }
     if (type.kind > ChannelKind::kText || type.scope > ChannelScope::kPair) {
-      return bad_input("channel " + std::to_string(index) + " has values of a kind that this program does not know; "
+      return bad_input("channel " + std::to_string(index) +
+                       " has values of a kind that this program does not know; "
                        "use a newer one");
     }
     next = index + 1;
@@ -224,7 +225,8 @@ void encode(ExtrasOfSteps steps, std::uint64_t first_step, const ChannelTypes& t
         snapshot.setStep(step);
         snapshot.setBytes(data_of(bytes));
       });
-  list(&Extras::views, [&](unsigned n) { return out.initViews(n); }, put_view);
+  list(
+      &Extras::views, [&](unsigned n) { return out.initViews(n); }, put_view);
   list(
       &Extras::superseded, [&](unsigned n) { return out.initSuperseded(n); },
       [](schema::Superseded::Builder superseded, std::uint64_t step, const Superseded& before) {

@@ -19,10 +19,6 @@ FieldValue shown_value(const ChannelValue& value, ChannelKind kind) {
   return to_string(value, kind);
 }
 
-bool same_value_at(const ChannelValues& a, std::size_t i, const ChannelValues& b, std::size_t j, ChannelKind kind) {
-  return is_number(kind) ? a.bits[i] == b.bits[j] : a.bytes[i] == b.bytes[j];
-}
-
 /// One channel of one step in both logs.
 struct ComparedChannel {
   const SharedChannel& channel;
@@ -30,21 +26,28 @@ struct ComparedChannel {
   const ChannelValues& b;
 };
 
+bool same_value_at(const ComparedChannel& both, std::size_t i, std::size_t j) {
+  const ChannelKind kind = both.channel.type.kind, kind_b = both.channel.kind_b;
+  if (kind != kind_b) return to_string(both.a.value(i, kind), kind) == to_string(both.b.value(j, kind_b), kind_b);
+  return is_number(kind) ? both.a.bits[i] == both.b.bits[j] : both.a.bytes[i] == both.b.bytes[j];
+}
+
 bool excused(const ComparedChannel& both, std::size_t i, std::size_t j, const Tolerances& tolerances) {
   const ChannelKind kind = both.channel.type.kind;
   if (!is_number(kind) || tolerances.fields.empty()) return false;
   return tolerances.excuses(kChannelField + both.channel.name, number_of(both.a.value(i, kind)),
-                            number_of(both.b.value(j, kind)));
+                            number_of(both.b.value(j, both.channel.kind_b)));
 }
 
 Divergence value_difference(const ComparedChannel& both, const ChannelKey& key, const std::optional<std::size_t>& i,
                             const std::optional<std::size_t>& j) {
-  const auto& [name, type, unit, in_a, in_b] = both.channel;
-  const auto text = [&type](const ChannelValues& values, const std::optional<std::size_t>& row) {
-    return row ? shown_value(values.value(*row, type.kind), type.kind) : FieldValue(std::string("no value"));
+  const auto& [name, type, kind_b, unit, in_a, in_b] = both.channel;
+  const auto text = [](const ChannelValues& values, ChannelKind kind, const std::optional<std::size_t>& row) {
+    return row ? shown_value(values.value(*row, kind), kind) : FieldValue(std::string("no value"));
   };
-  Divergence found = make_divergence(0, "channels", kChannelField + name, text(both.a, i), text(both.b, j));
-  if (type.kind == ChannelKind::kFloat32) count_in_binary32(found);
+  Divergence found =
+      make_divergence(0, "channels", kChannelField + name, text(both.a, type.kind, i), text(both.b, kind_b, j));
+  if (type.kind == ChannelKind::kFloat32 && kind_b == type.kind) count_in_binary32(found);
   if (type.scope == ChannelScope::kBody) found.body = key.a;
   if (type.scope == ChannelScope::kPair) found.pair = {key.a, key.b};
   if (!unit.empty()) found.note = "in " + unit;
@@ -61,7 +64,7 @@ std::optional<Divergence> difference_in(const ComparedChannel& both, const Toler
     if (i == both.a.size() || both.b.keys[j] < both.a.keys[i]) {
       return value_difference(both, both.b.keys[j], std::nullopt, j);
     }
-    if (!same_value_at(both.a, i, both.b, j, both.channel.type.kind) && !excused(both, i, j, tolerances)) {
+    if (!same_value_at(both, i, j) && !excused(both, i, j, tolerances)) {
       return value_difference(both, both.a.keys[i], i, j);
     }
     ++i;
@@ -83,8 +86,7 @@ std::optional<Divergence> contact_difference(const std::vector<EngineContact>& a
     const auto in_a = contact_numbers(a[i]), in_b = contact_numbers(b[i]);
     for (std::size_t c = 0; c < in_a.size(); ++c) {
       if (bits_of(in_a[c]) == bits_of(in_b[c])) continue;
-      Divergence found =
-          make_divergence(0, "contacts", std::string("contact.") + kContactNames[c], in_a[c], in_b[c]);
+      Divergence found = make_divergence(0, "contacts", std::string("contact.") + kContactNames[c], in_a[c], in_b[c]);
       found.pair = {a[i].a, a[i].b};
       return found;
     }
@@ -104,6 +106,10 @@ void for_each_compared(const ChannelMatch& match, const StepRecord& expected, co
   for (const SharedChannel& channel : match.compared) {
     visit(ComparedChannel{channel, expected.extras.values(channel.in_a), actual.extras.values(channel.in_b)});
   }
+}
+
+bool comparable(const ChannelType& a, const ChannelType& b) {
+  return a.scope == b.scope && (a.kind == b.kind || (is_number(a.kind) && is_number(b.kind)));
 }
 
 bool compares_across_engines(const std::string& name, const Tolerances& tolerances) {
@@ -132,7 +138,7 @@ ChannelMatch match_channels(const LogHeader& a, const LogHeader& b, const Tolera
     const std::string named = "channel " + channel.name + ": ";
     if (j == in_b.channels.size()) {
       match.passed_over.push_back(named + "only the first log has it");
-    } else if (in_b.channels[j].type != channel.type) {
+    } else if (!comparable(channel.type, in_b.channels[j].type)) {
       const auto type_text = [](const ChannelType& type) {
         return std::string(name_of(type.kind)) + " of scope " + name_of(type.scope);
       };
@@ -141,8 +147,8 @@ ChannelMatch match_channels(const LogHeader& a, const LogHeader& b, const Tolera
     } else if (two_engines && !compares_across_engines(channel.name, tolerances)) {
       match.passed_over.push_back(named + "the logs are of two engines; a tolerance compares it");
     } else {
-      match.compared.push_back({channel.name, channel.type, channel.unit, i, j});
-      match.equal = match.equal && i == j;
+      match.compared.push_back({channel.name, channel.type, in_b.channels[j].type.kind, channel.unit, i, j});
+      match.equal = match.equal && i == j && channel.type == in_b.channels[j].type;
     }
   }
   for (const Channel& channel : in_b.channels) {
@@ -181,6 +187,18 @@ std::optional<Divergence> first_extra_difference(const ChannelMatch& match, cons
   }
   if (first) first->step = expected.step;
   return first;
+}
+
+std::vector<ExtraRow> extras_side_by_side(const ChannelMatch& match, const StepRecord& a, const StepRecord& b) {
+  std::vector<ExtraRow> rows;
+  for_each_compared(match, a, b, [&](const ComparedChannel& both) {
+    rows.push_back({kChannelField + both.channel.name, both.a.size(), both.b.size(), difference_in(both, {})});
+  });
+  const std::vector<EngineContact>&in_a = a.extras.contacts, &in_b = b.extras.contacts;
+  if (match.contacts && !(in_a.empty() && in_b.empty())) {
+    rows.push_back({"contacts", in_a.size(), in_b.size(), contact_difference(in_a, in_b)});
+  }
+  return rows;
 }
 
 void add_extra_difference(const ChannelMatch& match, const StepRecord& expected, const StepRecord& actual,

@@ -11,10 +11,12 @@
 /// Values of channels, and contacts of another engine, compared between two logs.
 namespace tumble::replay {
 
-/// A channel that two logs have, with values of one kind and scope.
+/// A channel that two logs have, of one scope. Kinds of numbers may differ: a table's whole numbers are integers,
+/// though another table of the channel may have others. Such values are compared by their digits.
 struct SharedChannel {
   std::string name;
-  ChannelType type;
+  ChannelType type;                            ///< in the first log
+  ChannelKind kind_b = ChannelKind::kFloat64;  ///< in the second: of numbers both, where the two differ
   std::string unit;
   std::size_t in_a = 0;  ///< index in the first log's Declared::channels
   std::size_t in_b = 0;
@@ -44,6 +46,14 @@ void leave_out_channels(const ChannelMatch& match, const StepRecord& expected, S
 /// "contacts".
 std::optional<Divergence> first_extra_difference(const ChannelMatch& match, const StepRecord& expected,
                                                  const StepRecord& actual, const Tolerances& tolerances);
+
+/// One channel, or the contacts, of a step side by side.
+struct ExtraRow {
+  std::string name;                 ///< "channel.NAME", "contacts"
+  std::size_t in_a = 0, in_b = 0;   ///< values or contacts
+  std::optional<Divergence> first;  ///< the first that differs; none: all are equal
+};
+std::vector<ExtraRow> extras_side_by_side(const ChannelMatch& match, const StepRecord& a, const StepRecord& b);
 
 /// Adds first_extra_difference() to the first difference that was found in the rest of the step. A channel that differs
 /// is nearer to the cause than an energy; where a state differs in the same step, the note names the channels that

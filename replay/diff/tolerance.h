@@ -27,9 +27,9 @@ struct Tolerances {
   [[nodiscard]] bool excuses(const std::string& field, double expected, double actual) const;
 };
 
-/// Sets the tolerance of a field by its name. channels: those of the logs; a name that no field has, or "channel." and a
-/// name, means a channel. Errors (kBadInput): an unknown field; a channel of bytes or text; a value that is negative or
-/// NaN.
+/// Sets the tolerance of a field by its name. channels: those of the logs; a name that no field has, or "channel." and
+/// a name, means a channel. Errors (kBadInput): an unknown field; a channel of bytes or text; a value that is negative
+/// or NaN.
 Status set_tolerance(Tolerances& tolerances, const std::string& field, double value,
                      const std::vector<Channel>& channels = {});
 
@@ -59,8 +59,8 @@ void forgive_derived(const DerivedValues& derived, const StepRecord& expected, S
 /// Copies zeros whose sign alone differs. Returns their number.
 std::uint64_t forgive_zeros(const BodyStates& expected, BodyStates& actual);
 
-/// Likewise of the states and energies of a step. Returns the number of zeros of the states. For steps of other engines:
-/// a change of axes turns 0.0 into −0.0, which is the same number there.
+/// Likewise of the states and energies of a step. Returns the number of zeros of the states. For steps of other
+/// engines: a change of axes turns 0.0 into −0.0, which is the same number there.
 std::uint64_t forgive_zeros(const StepRecord& expected, StepRecord& actual);
 
 }  // namespace tumble::replay

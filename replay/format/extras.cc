@@ -32,9 +32,9 @@ bool has_value(const ChannelValues& values) { return !values.empty(); }
 
 Status check_view(const View& view) {
   const sim::Camera& camera = view.camera;
-  for (const double value : {view.part, view.wall_time, camera.position.x(), camera.position.y(), camera.position.z(),
-                             camera.target.x(), camera.target.y(), camera.target.z(), camera.fov, camera.focus,
-                             camera.blur}) {
+  for (const double value :
+       {view.part, view.wall_time, camera.position.x(), camera.position.y(), camera.position.z(), camera.target.x(),
+        camera.target.y(), camera.target.z(), camera.fov, camera.focus, camera.blur}) {
     if (!std::isfinite(value)) return bad_input("view: found " + exact_bits(value) + ", wanted a finite number");
   }
   if (view.part < 0 || view.part > 1) {

@@ -12,8 +12,8 @@
 #include "tumble/sim/vec.h"
 
 /// What a log can hold of a step beyond the states: the values of channels, contacts of another engine, notes, and so
-/// on. Values and contacts are part of the chain of hashes; the rest is in no hash of a session, and no comparison looks
-/// at it.
+/// on. Values and contacts are part of the chain of hashes; the rest is in no hash of a session, and no comparison
+/// looks at it.
 namespace tumble::replay {
 
 /// A contact point of another engine. SI units, z up.
@@ -39,21 +39,21 @@ struct View {
 
 /// A step that was recorded before, taken back by a rollback, and recorded again. The log holds the last record.
 struct Superseded {
-  bool same_inputs = false;   ///< both had equal inputs and began with equal states
+  bool same_inputs = false;     ///< both had equal inputs and began with equal states
   std::string difference = {};  ///< the first difference between both, for people; empty: none
   friend bool operator==(const Superseded&, const Superseded&) = default;
 };
 
 /// Of one step.
 struct Extras {
-  std::vector<ChannelValues> channels;   ///< by index of the channel; channels behind the last one have no value
-  std::vector<EngineContact> contacts;   ///< ascending (a, b); points of a pair as the engine orders them
-  std::vector<std::string> notes;        ///< text for people
-  std::vector<std::string> snapshots;    ///< the engine's own state after the step, in its own bytes
-  std::vector<View> views;               ///< ascending wall_time
-  std::vector<Superseded> superseded;    ///< one for each earlier record of the step
-  std::vector<BodyInfo> bodies;          ///< names and shapes of bodies that appear in this step
-  std::vector<Shape> shapes;             ///< first used in this step
+  std::vector<ChannelValues> channels;  ///< by index of the channel; channels behind the last one have no value
+  std::vector<EngineContact> contacts;  ///< ascending (a, b); points of a pair as the engine orders them
+  std::vector<std::string> notes;       ///< text for people
+  std::vector<std::string> snapshots;   ///< the engine's own state after the step, in its own bytes
+  std::vector<View> views;              ///< ascending wall_time
+  std::vector<Superseded> superseded;   ///< one for each earlier record of the step
+  std::vector<BodyInfo> bodies;         ///< names and shapes of bodies that appear in this step
+  std::vector<Shape> shapes;            ///< first used in this step
 
   [[nodiscard]] bool empty() const;
   /// Whether the chain covers any of it: a value or a contact.

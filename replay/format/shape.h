@@ -16,10 +16,10 @@ namespace tumble::replay {
 struct Shape {
   enum class Kind : std::uint8_t { kSphere = 1, kCapsule = 2, kCylinder = 3, kHull = 4, kMesh = 5 };
   Kind kind = Kind::kSphere;
-  std::uint8_t axis = 2;              ///< of capsule and cylinder: 0 x, 1 y, 2 z
-  double radius = 0;                  ///< m, > 0; of sphere, capsule and cylinder
-  double half_length = 0;             ///< m, >= 0; of a capsule without its caps, > 0 of a cylinder
-  std::vector<sim::Vec3> points = {};  ///< m; a hull is the convex hull of at least 4
+  std::uint8_t axis = 2;                      ///< of capsule and cylinder: 0 x, 1 y, 2 z
+  double radius = 0;                          ///< m, > 0; of sphere, capsule and cylinder
+  double half_length = 0;                     ///< m, >= 0; of a capsule without its caps, > 0 of a cylinder
+  std::vector<sim::Vec3> points = {};         ///< m; a hull is the convex hull of at least 4
   std::vector<std::uint32_t> triangles = {};  ///< of a mesh: three indices into `points` each
   friend bool operator==(const Shape&, const Shape&) = default;
 };
@@ -39,7 +39,7 @@ sim::Vec3 size_of(const Shape& shape);
 /// The name and the shape of a body.
 struct BodyInfo {
   sim::BodyId id = 0;
-  std::string name;  ///< at most 200 bytes of text; empty: none
+  std::string name;    ///< at most 200 bytes of text; empty: none
   Hash128 shape = {};  ///< of a Shape of the log; zero: the box of the body's size
   friend bool operator==(const BodyInfo&, const BodyInfo&) = default;
 };

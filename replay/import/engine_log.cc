@@ -162,6 +162,12 @@ Status EngineLog::set_value(std::size_t channel, const ChannelValue& value, cons
   return {};
 }
 
+Status EngineLog::set_values(StepValues& values) {
+  if (values.channels() != values_->channels()) return at_step("found values of other channels than the log's");
+  std::swap(*values_, values);
+  return {};
+}
+
 Status EngineLog::add_contact(const EngineContact& contact) {
   if (contact.a == 0 || contact.a > sim::kBodyIdMax || contact.b > sim::kBodyIdMax) {
     return at_step("found a contact of bodies " + std::to_string(contact.a) + " and " + std::to_string(contact.b) +
@@ -267,7 +273,8 @@ Status EngineLog::end_step(double dt_s) {
 }
 
 Result<LogSummary> EngineLog::finish() {
-  if (!inputs_.empty() || !told_.empty() || !values_->empty() || !extras_.empty()) return at_step("was begun but not ended, wanted end_step() before finish()");
+  if (!inputs_.empty() || !told_.empty() || !values_->empty() || !extras_.empty())
+    return at_step("was begun but not ended, wanted end_step() before finish()");
   return writer_->finish();
 }
 

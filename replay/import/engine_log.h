@@ -79,6 +79,9 @@ class EngineLog {
   /// value of another kind than the channel's; bodies that do not fit its scope; a value that the step has.
   Status set_value(std::size_t channel, const ChannelValue& value, const ChannelKey& key = {});
 
+  /// Sets all values of the step at once. Errors (kBadInput): values of other channels than the log's.
+  Status set_values(StepValues& values);
+
   /// Adds a contact point, a note, a snapshot of the engine's own state or another record of the coming step. Errors
   /// (kBadInput): a body without an id, a text or a snapshot beyond limits.h.
   Status add_contact(const EngineContact& contact);
@@ -117,12 +120,12 @@ class EngineLog {
   sim::World world_;  // applies the inputs; takes no steps
   std::size_t phase_count_;
   std::unique_ptr<LogWriter> writer_;
-  std::vector<sim::Command> inputs_;        // of the coming step
-  std::vector<std::uint64_t> phase_words_;  // of the coming step
+  std::vector<sim::Command> inputs_;                          // of the coming step
+  std::vector<std::uint64_t> phase_words_;                    // of the coming step
   std::unique_ptr<StepValues> values_;                        // of the coming step
   std::set<std::pair<std::uint64_t, std::uint64_t>> shapes_;  // hashes of those that the log holds
   Extras extras_;                                             // of the coming step, but the values
-  std::vector<std::uint8_t> told_;          // one flag per row: the state was set; empty before the first
+  std::vector<std::uint8_t> told_;  // one flag per row: the state was set; empty before the first
 };
 
 }  // namespace tumble::replay

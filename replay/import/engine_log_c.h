@@ -96,10 +96,10 @@ typedef enum TumbleLogShapeKind {
 
 typedef struct TumbleLogShape {
   int kind;
-  int axis;                  /* of capsule and cylinder: 0 x, 1 y, 2 z, in the body's axes */
-  double radius;             /* m */
-  double half_length;        /* m, of a capsule without its caps */
-  const double* points;      /* m, x y z each, around the centre of mass; of hull and mesh */
+  int axis;             /* of capsule and cylinder: 0 x, 1 y, 2 z, in the body's axes */
+  double radius;        /* m */
+  double half_length;   /* m, of a capsule without its caps */
+  const double* points; /* m, x y z each, around the centre of mass; of hull and mesh */
   size_t point_count;
   const uint32_t* triangles; /* three points each; of a mesh */
   size_t triangle_count;
@@ -113,12 +113,13 @@ const char* tumble_log_message(const TumbleLog* log);
 
 TumbleLogStatus tumble_log_add_body(TumbleLog* log, const TumbleLogBody* body);
 
-/* Declares a channel, before tumble_log_begin(). unit may be NULL. Channels are numbered 0, 1, … as they are declared. */
+/* Declares a channel, before tumble_log_begin(). unit may be NULL. Channels are numbered 0, 1, … as they are declared.
+ */
 TumbleLogStatus tumble_log_add_channel(TumbleLog* log, const char* name, TumbleLogKind kind, TumbleLogScope scope,
                                        const char* unit);
 
-/* Names a body of the start (before tumble_log_begin()) or one that is thrown in the coming step. NULL: no name, a box. A
- * shape is stored once, however many bodies have it. */
+/* Names a body of the start (before tumble_log_begin()) or one that is thrown in the coming step. NULL: no name, a box.
+ * A shape is stored once, however many bodies have it. */
 TumbleLogStatus tumble_log_describe_body(TumbleLog* log, uint64_t id, const char* name, const TumbleLogShape* shape);
 
 TumbleLogStatus tumble_log_begin(TumbleLog* log, const char* path, const TumbleLogStart* start);

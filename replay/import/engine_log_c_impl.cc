@@ -1,7 +1,8 @@
+#include "replay/import/engine_log_c_impl.h"
+
 #include <algorithm>
 #include <span>
 
-#include "replay/import/engine_log_c_impl.h"
 #include "replay/format/step_values.h"
 
 using tumble::Result;
@@ -23,8 +24,8 @@ Result<Shape> shape_of(const TumbleLogShape& shape) {
     return tumble::bad_input("found a shape of kind " + std::to_string(shape.kind) + " and axis " +
                              std::to_string(shape.axis) + ", wanted a kind of TumbleLogShapeKind and 0, 1 or 2");
   }
-  const bool null = (shape.points == nullptr && shape.point_count > 0) ||
-                    (shape.triangles == nullptr && shape.triangle_count > 0);
+  const bool null =
+      (shape.points == nullptr && shape.point_count > 0) || (shape.triangles == nullptr && shape.triangle_count > 0);
   if (null) return missing("points and triangles of a shape");
   Shape made;
   made.kind = static_cast<Shape::Kind>(shape.kind);
@@ -83,10 +84,10 @@ TumbleLogStatus tumble_log_add_channel(TumbleLog* log, const char* name, TumbleL
   return guarded(log, [&]() -> Status {
     if (log->log) return tumble::bad_input("found a channel after tumble_log_begin(), wanted it before");
     if (name == nullptr) return missing("the name of a channel");
-    log->channels.push_back({name,
-                             {static_cast<tumble::replay::ChannelKind>(kind),
-                              static_cast<tumble::replay::ChannelScope>(scope)},
-                             unit != nullptr ? unit : ""});
+    log->channels.push_back(
+        {name,
+         {static_cast<tumble::replay::ChannelKind>(kind), static_cast<tumble::replay::ChannelScope>(scope)},
+         unit != nullptr ? unit : ""});
     return check_channels(log->channels);
   });
 }
@@ -147,4 +148,3 @@ TumbleLogStatus tumble_log_snapshot(TumbleLog* log, const void* bytes, size_t co
     return open.add_snapshot(std::span(static_cast<const std::byte*>(bytes), count));
   });
 }
-

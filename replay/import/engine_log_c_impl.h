@@ -28,9 +28,9 @@ struct TumbleLog {
   tumble::sim::SceneDef start;
   std::unique_ptr<tumble::replay::EngineLog> log;  // from tumble_log_begin() on
   std::vector<tumble::replay::Channel> channels;   // in the caller's order
-  std::vector<std::size_t> place;  // of each in EngineDef::declared, which is ordered by name
+  std::vector<std::size_t> place;                  // of each in EngineDef::declared, which is ordered by name
   std::vector<tumble::replay::StartValue> start_values;
-  tumble::Status status;                   // of the first call that failed
+  tumble::Status status;  // of the first call that failed
 };
 
 namespace tumble::replay {

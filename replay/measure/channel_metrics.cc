@@ -19,7 +19,8 @@ std::optional<ChannelMetricName> parse_channel_metric(std::string_view name) {
   constexpr std::string_view kPrefix = "channel.";
   const std::size_t dot = name.rfind('.');
   if (!name.starts_with(kPrefix) || dot == std::string_view::npos || dot <= kPrefix.size()) return std::nullopt;
-  const auto found = std::ranges::find(kStatisticNames, name.substr(dot + 1), [](const char* word) { return std::string_view(word); });
+  const auto found =
+      std::ranges::find(kStatisticNames, name.substr(dot + 1), [](const char* word) { return std::string_view(word); });
   if (found == kStatisticNames.end()) return std::nullopt;
   return ChannelMetricName{std::string(name.substr(kPrefix.size(), dot - kPrefix.size())),
                            static_cast<ChannelStatistic>(found - kStatisticNames.begin())};

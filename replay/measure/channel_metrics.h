@@ -13,12 +13,12 @@
 namespace tumble::replay {
 
 enum class ChannelStatistic : std::uint8_t {
-  kMin = 0,       ///< over all values of all measured states
-  kMax = 1,       ///< likewise
-  kMean = 2,      ///< likewise
-  kLast = 3,      ///< the largest of the last state that has a value
+  kMin = 0,        ///< over all values of all measured states
+  kMax = 1,        ///< likewise
+  kMean = 2,       ///< likewise
+  kLast = 3,       ///< the largest of the last state that has a value
   kChangeMax = 4,  ///< the largest change of the value of a body, a pair or the world from one state to the next
-  kChanges = 5    ///< the number of such changes
+  kChanges = 5     ///< the number of such changes
 };
 
 /// "min", "max", …

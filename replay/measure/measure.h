@@ -68,8 +68,8 @@ struct Metrics {
   EnergyMetrics energy;
   StackingMetrics stacking;
   std::vector<ChannelMetrics> channels;  ///< of the log, by ascending names
-  Hash128 final_hash;     ///< the state hash after the last step
-  LostBodies not_finite;  ///< bodies that were not finite in a measured state
+  Hash128 final_hash;                    ///< the state hash after the last step
+  LostBodies not_finite;                 ///< bodies that were not finite in a measured state
 };
 
 /// One row of `measure --series`: the measures after one step. Energies in J, of all bodies; "since the start" means

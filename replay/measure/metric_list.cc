@@ -97,9 +97,14 @@ const MetricRow* channel_metric(std::string_view name) {
   made->name = name;
   made->channel = parts->channel;
   MetricRow& row = made->row;
-  row = {made->name.c_str(), made->name.c_str(), "", "channels", "no value of this channel in the session",
+  row = {made->name.c_str(),
+         made->name.c_str(),
+         "",
+         "channels",
+         "no value of this channel in the session",
          [](const Metrics&) -> Value { return std::nullopt; }};
-  const bool counts = parts->statistic == ChannelStatistic::kChanges || parts->statistic == ChannelStatistic::kChangeMax;
+  const bool counts =
+      parts->statistic == ChannelStatistic::kChanges || parts->statistic == ChannelStatistic::kChangeMax;
   if (counts) row.low = 0;
   row.channel = made->channel.c_str();
   row.statistic = parts->statistic;
@@ -117,7 +122,8 @@ const std::optional<NotFinite>& MetricRow::spoiled_by(const Metrics& metrics) co
 std::optional<double> MetricRow::value(const Metrics& metrics) const {
   if (channel == nullptr) return spoiled_by(metrics) ? kNotANumber : counted(metrics);
   const std::string_view wanted(channel);
-  const auto found = std::ranges::find_if(metrics.channels, [wanted](const ChannelMetrics& m) { return m.channel.name == wanted; });
+  const auto found =
+      std::ranges::find_if(metrics.channels, [wanted](const ChannelMetrics& m) { return m.channel.name == wanted; });
   return found == metrics.channels.end() ? std::nullopt : found->value(statistic);
 }
 

@@ -80,7 +80,8 @@ class Recovery {
     header->recovered = {source_.name(), report_.header_lost, missing_};
     const Keyframe& keyframe = first->keyframe();
     const Hash128 chain = left_.chunks.front().prelude.chain_before;
-    const bool is_begin = report_.first_state == 0 && chain == chain_start(sim::state_hash(keyframe.state.bodies), header->declared.start);
+    const bool is_begin = report_.first_state == 0 &&
+                          chain == chain_start(sim::state_hash(keyframe.state.bodies), header->declared.start);
     if (!begins_as_it_did && !is_begin) begin_with(keyframe, chain, *header);
     return writer_.write_header(*header, keyframe.state);
   }
@@ -108,7 +109,8 @@ class Recovery {
     for (const auto& [index, type] : chunk.channels()) {
       while (declared.channels.size() <= index) {
         const std::string number = std::to_string(declared.channels.size());
-        declared.channels.push_back({"channel " + std::string(4 - std::min<std::size_t>(number.size(), 4), '0') + number, {}});
+        declared.channels.push_back(
+            {"channel " + std::string(4 - std::min<std::size_t>(number.size(), 4), '0') + number, {}});
       }
       declared.channels[index].type = type;
     }
@@ -133,7 +135,8 @@ class Recovery {
       const Keyframe& begin = decoder->keyframe();
       phases_fit = phases_fit && sim::continuation_hash(begin.state) == begin.continuation_hash;
       declare_channels(*decoder, header.declared);
-      if (chunk.prelude.major == kFormatMajor && chunk.prelude.minor < kMinorOfPhaseHashVersion) header.phase_hash_version = 1;
+      if (chunk.prelude.major == kFormatMajor && chunk.prelude.minor < kMinorOfPhaseHashVersion)
+        header.phase_hash_version = 1;
       for (std::size_t i = 0; i < decoder->step_count(); ++i) {
         const StepRecord& step = decoder->without_states(i);
         if (step.has_states) with_states = std::gcd(with_states, step.step);

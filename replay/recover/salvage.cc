@@ -168,7 +168,8 @@ class Salvager {
     }
     const std::size_t phase_count = result_.header ? result_.header->content.phases.size() : 0;
     const std::vector<Channel>* channels = result_.header ? &result_.header->content.declared.channels : nullptr;
-    Result<ChunkDecoder> decoder = RecordReader(source_).read_chunk(place_of(p, piece.offset), {*tag_, phase_count, channels});
+    Result<ChunkDecoder> decoder =
+        RecordReader(source_).read_chunk(place_of(p, piece.offset), {*tag_, phase_count, channels});
     SavedChunk chunk = {p, piece.offset + kPreludeBytes, true, {}, {}, {}};
     Status ok = decoder.ok() ? check_chunk(*decoder, result_.header, chunk) : Status(decoder.error());
     if (ok.ok()) {

@@ -41,7 +41,7 @@ struct DiffCommand {
 };
 
 Result<replay::Tolerances> parse_tolerances(const std::vector<std::string>& arguments,
-                                             const std::vector<replay::Channel>& channels) {
+                                            const std::vector<replay::Channel>& channels) {
   replay::Tolerances tolerances;
   for (const std::string& argument : arguments) {
     const std::size_t equals = argument.find('=');
@@ -122,6 +122,20 @@ void name_by_table(const replay::LogHeader& a, const replay::LogHeader& b, repla
   if (difference) difference = in_axes(axes, *std::move(difference));
 }
 
+/// Adds the names of body and pair; a body that the first log does not name may have one in the second.
+void name_bodies(replay::LogReader& a, replay::LogReader& b, replay::Divergence& found) {
+  const auto name = [&](sim::BodyId id) {
+    const std::string in_a = a.bodies().name(id);
+    return in_a.empty() ? b.bodies().name(id) : in_a;
+  };
+  if (found.pair) {
+    const std::string one = name(found.pair->first), other = name(found.pair->second);
+    if (!one.empty() || !other.empty()) found.names = one + " and " + other;
+  } else if (found.body) {
+    found.names = name(*found.body);
+  }
+}
+
 Result<Exit> show_step(const DiffCommand& options, replay::LogReader& a, replay::LogReader& b) {
   const Result<bool> same = print_side_by_side(a, b, *options.step, options.json);
   if (!same.ok()) return same.error();
@@ -195,6 +209,9 @@ Result<Exit> compare(const DiffCommand& options, replay::LogReader& a, replay::L
     if (difference) report->first = difference->first;
   }
   if (process::InterruptGuard::interrupted()) return cannot_finish("interrupted");
+  if (report->first) name_bodies(a, b, *report->first);
+  if (difference) name_bodies(a, b, difference->first);
+  if (difference && difference->effect) name_bodies(a, b, *difference->effect);
   name_by_table(a.header(), b.header(), *report, difference);
   const std::string read = options.brief ? "hashes; payloads not read" : read_of(a, b);
   print_result(options, read, *report, difference, tolerances->exact());

@@ -32,7 +32,7 @@ std::string value_text(const replay::MetricRow& metric, const replay::EngineAxes
   return metric.unit == std::string_view("s") ? seconds_text(*value) : rounded(*value, metric.unit_in(axes));
 }
 
-constexpr std::array kStatistics = {replay::ChannelStatistic::kMin,  replay::ChannelStatistic::kMax,
+constexpr std::array kStatistics = {replay::ChannelStatistic::kMin, replay::ChannelStatistic::kMax,
                                     replay::ChannelStatistic::kMean, replay::ChannelStatistic::kLast,
                                     replay::ChannelStatistic::kChangeMax};
 
