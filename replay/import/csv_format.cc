@@ -161,11 +161,6 @@ Error unknown_column(const CsvReader& table, std::size_t column, const Places& p
                   "passed over begins with _");
 }
 
-Error long_name(const CsvReader& table, std::size_t column) {
-  return table.at(column, "found a name of " + std::to_string(table.columns()[column].size()) +
-                              " bytes, wanted at most " + std::to_string(kColumnNameBytesMax));
-}
-
 template <std::size_t N>
 void add_vector(Places& places, const std::string& name, const char* letters, std::array<std::size_t, N>& out) {
   out.fill(CsvColumns::kNone);
@@ -180,6 +175,31 @@ Status check_vector(const CsvReader& table, const char* name, const std::array<s
   if (there == N || (there == 0 && !needed)) return {};
   return table.at_line(table.line(), "found " + std::to_string(there) + " columns of " + name + ", wanted " +
                                          std::to_string(N) + ": " + name + (N == 4 ? ".w, " : ".x, ") + "…");
+}
+
+/// Takes a column that is a channel; false for any other.
+bool take_channel(const std::string& name, std::size_t column, bool others_are_channels, CsvColumns& columns) {
+  const auto add = [&](std::size_t prefix, ChannelScope scope) {
+    columns.channels.push_back({column, name.substr(prefix), scope});
+    return true;
+  };
+  if (name.starts_with("channel.")) return add(8, ChannelScope::kBody);
+  if (name.starts_with("world.")) return add(6, ChannelScope::kWorld);
+  return others_are_channels && add(0, ChannelScope::kBody);
+}
+
+/// Errors (kBadInput): a needed vector is missing, or a vector lacks components.
+Status check_vectors(const CsvReader& table, const CsvColumns& columns) {
+  if (Status ok = check_vector(table, "position", columns.position, true); !ok.ok()) return ok;
+  const bool by_angles = columns.euler[0] != CsvColumns::kNone;
+  if (Status ok = check_vector(table, "orientation", columns.orientation, !by_angles); !ok.ok()) return ok;
+  if (by_angles && columns.orientation[0] != CsvColumns::kNone) {
+    return table.at(columns.euler[0], "found columns of orientation and of euler, wanted one of the two");
+  }
+  if (Status ok = check_vector(table, "euler", columns.euler, false); !ok.ok()) return ok;
+  if (Status ok = check_vector(table, "velocity", columns.velocity, false); !ok.ok()) return ok;
+  if (Status ok = check_vector(table, "spin", columns.spin, false); !ok.ok()) return ok;
+  return check_vector(table, "size", columns.size, false);
 }
 
 }  // namespace
@@ -230,35 +250,6 @@ Result<CsvSettings> read_settings(const CsvReader& table, std::span<const std::s
   return start;
 }
 
-namespace {
-
-/// Takes a column that is a channel; false for any other.
-bool take_channel(const std::string& name, std::size_t column, bool others_are_channels, CsvColumns& columns) {
-  const auto add = [&](std::size_t prefix, ChannelScope scope) {
-    columns.channels.push_back({column, name.substr(prefix), scope});
-    return true;
-  };
-  if (name.starts_with("channel.")) return add(8, ChannelScope::kBody);
-  if (name.starts_with("world.")) return add(6, ChannelScope::kWorld);
-  return others_are_channels && add(0, ChannelScope::kBody);
-}
-
-/// Errors (kBadInput): a needed vector is missing, or a vector lacks components.
-Status check_vectors(const CsvReader& table, const CsvColumns& columns) {
-  if (Status ok = check_vector(table, "position", columns.position, true); !ok.ok()) return ok;
-  const bool by_angles = columns.euler[0] != CsvColumns::kNone;
-  if (Status ok = check_vector(table, "orientation", columns.orientation, !by_angles); !ok.ok()) return ok;
-  if (by_angles && columns.orientation[0] != CsvColumns::kNone) {
-    return table.at(columns.euler[0], "found columns of orientation and of euler, wanted one of the two");
-  }
-  if (Status ok = check_vector(table, "euler", columns.euler, false); !ok.ok()) return ok;
-  if (Status ok = check_vector(table, "velocity", columns.velocity, false); !ok.ok()) return ok;
-  if (Status ok = check_vector(table, "spin", columns.spin, false); !ok.ok()) return ok;
-  return check_vector(table, "size", columns.size, false);
-}
-
-}  // namespace
-
 Result<CsvColumns> find_columns(const CsvReader& table, bool others_are_channels) {
   CsvColumns columns;
   Places places = {{"step", &columns.step},
@@ -282,7 +273,10 @@ Result<CsvColumns> find_columns(const CsvReader& table, bool others_are_channels
   for (std::size_t k = 0; k < table.columns().size(); ++k) {
     const std::string& name = table.columns()[k];
     if (name.starts_with('_')) {
-      if (name.size() > kColumnNameBytesMax) return long_name(table, k);
+      if (name.size() > kColumnNameBytesMax) {
+        return table.at(k, "found a name of " + std::to_string(name.size()) + " bytes, wanted at most " +
+                               std::to_string(kColumnNameBytesMax));
+      }
       columns.passed_over.push_back(name);
       continue;
     }

@@ -9,7 +9,7 @@
 namespace tumble::replay {
 namespace {
 
-sim::Quat product(const sim::Quat& a, const sim::Quat& b) {
+sim::Quat turn_after(const sim::Quat& a, const sim::Quat& b) {
   return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
           a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
 }
@@ -21,7 +21,7 @@ sim::Quat turn_about(int axis, double degrees) {
 
 /// The angular velocity that turns one orientation to the other in dt: the shorter way.
 sim::Vec3 spin_between(const sim::Quat& from, const sim::Quat& to, double dt) {
-  sim::Quat turn = product(to, {from.w, -from.x, -from.y, -from.z});
+  sim::Quat turn = turn_after(to, {from.w, -from.x, -from.y, -from.z});
   if (turn.w < 0) turn = {-turn.w, -turn.x, -turn.y, -turn.z};
   const sim::Vec3 axis = {turn.x, turn.y, turn.z};
   const double sine = std::sqrt(axis.x() * axis.x() + axis.y() * axis.y() + axis.z() * axis.z());
@@ -49,7 +49,7 @@ sim::Quat orientation_of(const EulerOrder& order, const std::array<double, 3>& d
   for (std::size_t k = 0; k < 3; ++k) {
     if (!std::isfinite(degrees[k])) return {kNaN, kNaN, kNaN, kNaN};
     const sim::Quat turn = turn_about(order.axes[k], degrees[k]);
-    q = order.intrinsic ? product(q, turn) : product(turn, q);
+    q = order.intrinsic ? turn_after(q, turn) : turn_after(turn, q);
   }
   return q;
 }

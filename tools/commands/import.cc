@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "replay/arrays/array_table.h"
+#include "replay/arrays/npz.h"
 #include "replay/import/import_csv.h"
 #include "src/files/output_guard.h"
 #include "src/process/interrupt.h"
@@ -29,6 +31,8 @@ struct ImportCommand {
   std::vector<std::string> settings;
   std::vector<std::string> map;
   std::string map_file;
+  std::string model;
+  bool scalar_last = false;
   bool channels = false;
   bool json = false;
 };
@@ -39,10 +43,12 @@ Result<std::string> read_table(const std::string& path) {
   std::istream& file = path == "-" ? std::cin : opened;
   if (!file) return bad_input(path + ": cannot be opened; name a table of comma-separated values");
   std::string text;
+  bool is_archive = false;
   std::string block(1 << 20, '\0');
   while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0) {
     const auto size = static_cast<std::size_t>(file.gcount());
-    if (const std::size_t zero = block.find('\0'); zero < size) {
+    if (text.empty()) is_archive = block.starts_with("PK");
+    if (const std::size_t zero = block.find('\0'); zero < size && !is_archive) {
       return bad_input(path + ": found a byte 0 at " + std::to_string(text.size() + zero) +
                        ", wanted a table as text in UTF-8");
     }
@@ -116,6 +122,34 @@ void print_result(const ImportCommand& options, const std::string& output, const
   listing.print();
 }
 
+/// The table that an archive of arrays stands for.
+Result<std::string> table_of_archive(const ImportCommand& options, const std::string& bytes) {
+  const Result<std::vector<replay::Array>> arrays = replay::read_npz(bytes, options.table);
+  if (!arrays.ok()) return arrays.error();
+  replay::ArrayOptions how;
+  how.scalar_last = options.scalar_last;
+  if (!options.model.empty()) {
+    const Result<std::string> xml = read_table(options.model);
+    if (!xml.ok()) return xml.error();
+    Result<std::vector<replay::MujocoJoint>> joints = replay::read_mujoco_joints(*xml, options.model);
+    if (!joints.ok()) return joints.error();
+    how.joints = *std::move(joints);
+  }
+  return replay::table_of_arrays(*arrays, options.table, how);
+}
+
+/// The table as text, whatever the file holds.
+Result<std::string> read_any_table(const ImportCommand& options) {
+  Result<std::string> bytes = read_table(options.table);
+  if (!bytes.ok() || !bytes->starts_with("PK")) {
+    if (bytes.ok() && (!options.model.empty() || options.scalar_last)) {
+      return bad_input("--model, --scalar-last: found a table as text, wanted an archive of arrays (.npz)");
+    }
+    return bytes;
+  }
+  return table_of_archive(options, *bytes);
+}
+
 Result<replay::TableMap> map_of(const ImportCommand& options) {
   replay::TableMap map;
   map.others_are_channels = options.channels;
@@ -131,7 +165,7 @@ Result<Exit> import_command(const ImportCommand& options) {
   if (options.table == "-" && options.output.empty()) {
     return bad_input("-: the table comes from standard input, wanted -o LOG: the log to write");
   }
-  const Result<std::string> text = read_table(options.table);
+  const Result<std::string> text = read_any_table(options);
   if (!text.ok()) return text.error();
   replay::ImportOptions how;
   how.settings = options.settings;
@@ -155,6 +189,7 @@ Result<Exit> import_command(const ImportCommand& options) {
   files::OutputGuard guard;
   if (options.table != "-") guard.keep(options.table, "the table");
   guard.keep(options.map_file, "the mapping file");
+  guard.keep(options.model, "the model");
   guard.keep(options.like, "the log of --like");
   if (Status ok = guard.claim("-o", output); !ok.ok()) return ok.error();
   const Result<replay::LogSummary> summary = import_to(options, output, *text, how);
@@ -170,7 +205,7 @@ Result<Exit> import_command(const ImportCommand& options) {
 
 Action declare_import(Arguments& arguments) {
   auto options = std::make_shared<ImportCommand>();
-  arguments.positional("FILE.csv", options->table, "The table: a row a body and step; - for standard input").required();
+  arguments.positional("FILE.csv", options->table, "The table: a row a body and step, or an archive of arrays (.npz); - for standard input").required();
   arguments.option("-o,--output", "LOG", options->output,
                    "The log to write (if not given: FILE.tumble in this folder)");
   arguments.option("--header", "LINE", options->settings,
@@ -179,6 +214,9 @@ Action declare_import(Arguments& arguments) {
                    "The table's name of a column of the format: position.x=px, channel.knee=angle, world.seed=rng; may "
                    "be repeated");
   arguments.option("--map-file", "FILE", options->map_file, "A file with such mappings, one a line");
+  arguments.option("--model", "FILE.xml", options->model,
+                   "The MuJoCo model (MJCF) whose joints name the numbers of an array qpos");
+  arguments.flag("--scalar-last", options->scalar_last, "Quaternions of an archive are x y z w, not w x y z");
   arguments.flag("--channels", options->channels, "Make a channel of every column that the format does not know");
   arguments.option("--like", "LOG", options->like,
                    "Take sizes, masses, gravity, dt and camera from this log where the table lacks them");
@@ -195,6 +233,7 @@ Action declare_import(Arguments& arguments) {
       "  tumble import mine.csv -o mine.tumble\n"
       "  tumble import mine.csv --header \"engine: mine\" --header \"up: y\" --header \"dt: 0.016666666666666666\"\n"
       "  tumble import robot.csv --map position.x=px --map channel.knee=knee_angle --map world.seed=rng\n"
+      "  tumble import rollout.npz --model robot.xml -o rollout.tumble\n"
       "  my_engine --csv | tumble import - -o mine.tumble --channels\n"
       "  tumble import mine.csv --like brick_wall.tumble && tumble diff brick_wall.tumble mine.tumble --tolerance "
       "position=0.01");
