@@ -6,8 +6,10 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "replay/log/byte_memory.h"
+#include "replay/log/record_reader.h"
 #include "replay/log/verify.h"
 #include "replay/recover/recover.h"
 #include "tests/support/log_memory.h"
@@ -191,6 +193,34 @@ TEST(Extras, RecoverKeepsThemAndTheirChannels) {
     EXPECT_EQ(log.header().declared.channels[4].name, header ? "channel 0004" : "offset");
     EXPECT_TRUE(log.header().declared.start.empty() || !header);
   }
+}
+
+/// Changes the message of a chunk as an attacker who keeps every hash right could, and decodes all of it.
+TEST(Extras, HostileMessagesAreRefusedAndNothingWorse) {
+  const MemoryFile file = session();
+  LogReader log = read(file);
+  const MemoryByteSource source(file, "extras.tumble");
+  const RecordReader records(source);
+  std::mt19937_64 random(19);
+  std::size_t refused = 0;
+  for (const std::uint64_t offset : {log.chunks()[0].offset, log.chunks()[1].offset}) {
+    const Result<Prelude> prelude = records.read_prelude(offset);
+    ASSERT_TRUE(prelude.ok());
+    for (int k = 0; k < 3000; ++k) {
+      Result<MessageBytes> message = records.read_payload(offset, *prelude);
+      ASSERT_TRUE(message.ok());
+      const std::span<std::byte> bytes = message->bytes();
+      for (int n = 0; n <= k % 3; ++n) {
+        const std::size_t at = random() % bytes.size();
+        bytes[at] = k % 2 == 0 ? static_cast<std::byte>(random()) : bytes[at] ^ std::byte{1};
+      }
+      Result<ChunkDecoder> chunk = ChunkDecoder::open(*message);
+      refused += chunk.ok() ? 0U : 1U;
+      for (std::size_t i = 0; chunk.ok() && i < chunk->step_count() && chunk->step(i).ok(); ++i) {
+      }
+    }
+  }
+  EXPECT_GT(refused, 100U);
 }
 
 TEST(Extras, AWrongValueIsAnErrorThatNamesTheChannel) {
