@@ -15,6 +15,7 @@
 #include "replay/session/state_source.h"
 #include "tools/output/axes_output.h"
 #include "tools/output/divergence_output.h"
+#include "tools/output/extras_output.h"
 #include "tools/output/text.h"
 #include "tumble/replay/body_states.h"
 #include "tumble/replay/divergence.h"
@@ -216,6 +217,7 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
   json["same"] = false;
   json["note"] = replay::phase_hash_note(a.header(), b.header());
   json["values"] = values_json(in_a, in_b, kind);
+  add_extra_differences(a, b, in_a, in_b, json["values"]);
   json["phases"] = phases_json(in_a, in_b, kind.same_words ? a.header().phases : std::vector<std::string>());
   const bool have_states = in_a.has_states && in_b.has_states;
   const replay::EngineAxes axes = common_axes(a.header(), b.header());
