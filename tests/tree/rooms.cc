@@ -70,6 +70,8 @@ std::vector<Room> logs() {
       {"replay/recover", above},
       {"replay/arrays", {"src/base"}},
       {"replay/import", session},
+      {"replay/recorder", {}},
+      {"replay/stream", session + Folders{"replay/import"}},
       {"replay/picture", above + Folders{"src/render", "src/render/picture", "src/render/scene"}},
       {"replay/diff", above + Folders{"replay/measure", "replay/recover", "replay/picture"}},
   };
@@ -97,11 +99,11 @@ std::vector<Room> suite() {
 
 std::vector<Room> program() {
   const Folders below =
-      kSim + Folders{"src/scenes",    "src/threads",    "src/render",      "src/render/picture", "replay/format",
-                     "replay/codec",  "replay/log",     "replay/session",  "replay/measure",     "replay/recover",
-                     "replay/arrays", "replay/import", "replay/picture", "replay/diff",     "golden/suite",       "golden/expected",
-                     "golden/judge",  "golden/run",     "golden/canaries", "golden/report",      "golden/bless",
-                     "golden",        "src/files",      "src/process"};
+      kSim + Folders{"src/scenes",    "src/threads",     "src/render",     "src/render/picture", "replay/format",
+                     "replay/codec",  "replay/log",      "replay/session", "replay/measure",     "replay/recover",
+                     "replay/arrays", "replay/import",   "replay/stream",  "replay/picture",     "replay/diff",
+                     "golden/suite",  "golden/expected", "golden/judge",   "golden/run",         "golden/canaries",
+                     "golden/report", "golden/bless",    "golden",         "src/files",          "src/process"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
       {"tools/output", below},
@@ -119,8 +121,8 @@ std::vector<Room> tests() {
   std::vector<Room> rows;
   for (const char* folder :
        {"tests/support", "tests/fuzz", "tests/tree", "tests/files", "tests/process", "tests/sim", "tests/scenes",
-        "tests/render", "tests/replay", "tests/replay/measure", "tests/golden", "tests/tools", "tests/outputs",
-        "tests/trial", "tests/determinism", "bench", "bench/peers"}) {
+        "tests/render", "tests/replay", "tests/replay/measure", "tests/recorder", "tests/golden", "tests/tools",
+        "tests/outputs", "tests/trial", "tests/determinism", "bench", "bench/peers"}) {
     rows.push_back({folder, {"*"}});
   }
   return rows;
