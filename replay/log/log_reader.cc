@@ -213,9 +213,11 @@ const BodyTable& LogReader::State::body_table() {
   if (bodies) return *bodies;
   bodies.emplace();
   bodies->add(header.content.declared.bodies, header.content.declared.shapes);
-  const bool may_have_more = header.prelude.major >= kExtrasMajor;
-  for (std::size_t i = 0; may_have_more && i < chunks.size(); ++i) {
-    const Result<ChunkDecoder> chunk = RecordReader(*source).read_chunk(chunks[i], rules());
+  const RecordReader records(*source);
+  for (std::size_t i = 0; header.content.engine && i < chunks.size(); ++i) {
+    const Result<Prelude> prelude = records.read_prelude(chunks[i].offset);
+    if (!prelude.ok() || prelude->major < kExtrasMajor) continue;
+    const Result<ChunkDecoder> chunk = records.read_chunk(chunks[i], rules());
     if (!chunk.ok()) continue;
     for (std::size_t k = 0; k < chunk->step_count(); ++k) {
       const Extras& extras = chunk->without_states(k).extras;

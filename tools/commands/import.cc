@@ -163,10 +163,11 @@ Result<replay::TableMap> map_of(const ImportCommand& options) {
 }
 
 Result<Exit> import_stream_command(const ImportCommand& options, const std::string& output) {
-  if (!options.settings.empty() || !options.like.empty() || !options.map.empty() || !options.map_file.empty() ||
-      !options.model.empty() || options.channels || options.scalar_last) {
+  const bool as_table = !options.settings.empty() || !options.like.empty() || !options.map.empty() ||
+                        !options.map_file.empty() || !options.model.empty() || options.channels || options.scalar_last;
+  if (as_table) {
     return bad_input(options.table +
-                     ": found an option for tables, wanted -o and --json alone: a stream says all of it");
+                     ": found an option that tells how to read a table, wanted none: a stream says all of it");
   }
   files::OutputGuard guard;
   guard.keep(options.table, "the stream");
@@ -183,7 +184,7 @@ Result<Exit> import_command(const ImportCommand& options) {
     const std::size_t name = options.table.find_last_of('/') + 1;  // 0 without one
     output = options.table.substr(name, options.table.find_last_of('.') - name) + ".tumble";
   }
-  if (options.table != "-" && is_stream_file(options.table)) return import_stream_command(options, output);
+  if (is_stream_file(options.table)) return import_stream_command(options, output);
   const Result<std::string> text = read_any_table(options);
   if (!text.ok()) return text.error();
   replay::ImportOptions how;
@@ -222,7 +223,7 @@ Action declare_import(Arguments& arguments) {
   arguments
       .positional(
           "FILE", options->table,
-          "A table, a row a body and step (- for standard input), an archive of arrays (.npz), or a recorder's stream")
+          "A table, a row a body and step (- for standard input); an archive of arrays (.npz); a recorder's stream")
       .required();
   arguments.option("-o,--output", "LOG", options->output,
                    "The log to write (if not given: FILE.tumble in this folder)");

@@ -182,7 +182,7 @@ Status check_states(const replay::LogReader& log, const replay::StepRecord& reco
 }
 
 /// A change of axes turns 0.0 into −0.0, which is the same number in another engine's states.
-void forgive_zeros(const replay::StepRecord& in_a, replay::StepRecord& in_b) {
+void forgive_signs(const replay::StepRecord& in_a, replay::StepRecord& in_b) {
   const bool any = replay::forgive_zeros(in_a.states, in_b.states) > 0;
   if (any && replay::same_bits(in_a.states, in_b.states)) in_b.state_hash = in_a.state_hash;
 }
@@ -209,7 +209,7 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
   if (Status ok = check_states(a, in_a); !ok.ok()) return ok.error();
   if (Status ok = check_states(b, in_b); !ok.ok()) return ok.error();
   const Kind kind = {replay::same_phase_words(a.header(), b.header()), a.header().engine || b.header().engine};
-  if (kind.imported) forgive_zeros(in_a, in_b);
+  if (kind.imported) forgive_signs(in_a, in_b);
 
   SideBySide step;
   Json& json = step.json;
