@@ -114,14 +114,12 @@ Status decode_contacts(schema::Contacts::Reader in, std::span<Extras* const> ste
   const auto doubles = in.getDoubles();
   if (doubles.size() != kContactColumns)
     return damaged("contacts: found " + std::to_string(doubles.size()) + " columns");
-  const capnp::Data::Reader first = doubles[0];  // each pointer is read once: the traversal limit is the message's size
-  const RowLimits limits = {rows_left, 8, first.size(), false};
+  const RowLimits limits = {rows_left, 8, doubles[0].size(), false};
   const Result<StepRows> rows = decode(in.getRows(), ChannelScope::kPair, steps.size(), limits);
   if (!rows.ok()) return rows.error();
   std::array<std::vector<std::uint64_t>, kContactColumns> columns;
   for (unsigned c = 0; c < kContactColumns; ++c) {
-    const capnp::Data::Reader planes = c == 0 ? first : doubles[c];
-    if (Status ok = get_planes("contacts: doubles", planes, rows->keys.size(), columns[c]); !ok.ok()) return ok;
+    if (Status ok = get_planes("contacts: doubles", doubles[c], rows->keys.size(), columns[c]); !ok.ok()) return ok;
     columns[c] = values_of(*rows, std::move(columns[c]));
   }
   std::size_t row = 0;
