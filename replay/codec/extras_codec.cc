@@ -7,8 +7,8 @@
 
 #include "replay/codec/blob.h"
 #include "replay/codec/channel_codec.h"
-#include "replay/codec/declared_codec.h"
 #include "replay/codec/scene_codec.h"
+#include "replay/codec/shape_codec.h"
 #include "replay/codec/state_keys.h"
 #include "replay/format/limits.h"
 #include "src/base/check.h"
@@ -114,12 +114,14 @@ Status decode_contacts(schema::Contacts::Reader in, std::span<Extras* const> ste
   const auto doubles = in.getDoubles();
   if (doubles.size() != kContactColumns)
     return damaged("contacts: found " + std::to_string(doubles.size()) + " columns");
-  const RowLimits limits = {rows_left, 8, doubles[0].size(), false};
+  std::array<capnp::Data::Reader, kContactColumns> data;  // each is got once: see read_message()
+  for (unsigned c = 0; c < kContactColumns; ++c) data[c] = doubles[c];
+  const RowLimits limits = {rows_left, 8, data[0].size(), false};
   const Result<StepRows> rows = decode(in.getRows(), ChannelScope::kPair, steps.size(), limits);
   if (!rows.ok()) return rows.error();
   std::array<std::vector<std::uint64_t>, kContactColumns> columns;
   for (unsigned c = 0; c < kContactColumns; ++c) {
-    if (Status ok = get_planes("contacts: doubles", doubles[c], rows->keys.size(), columns[c]); !ok.ok()) return ok;
+    if (Status ok = get_planes("contacts: doubles", data[c], rows->keys.size(), columns[c]); !ok.ok()) return ok;
     columns[c] = values_of(*rows, std::move(columns[c]));
   }
   std::size_t row = 0;
