@@ -2,26 +2,49 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
 
 #include "replay/import/import_csv.h"
+#include "replay/stream/import_stream.h"
+#include "replay/stream/stream_reader.h"
 #include "src/base/text.h"
 #include "tumble/replay/prelude.h"
 
 namespace tumble::golden {
 namespace {
 
-bool is_log(const std::string& path) {
-  std::array<char, replay::kMagicEnd> start = {};
+enum class FileKind : std::uint8_t { kLog, kStream, kTable };
+
+FileKind kind_of(const std::string& path) {
+  std::array<char, 64> start = {};
+  static_assert(start.size() >= replay::kMagicEnd && start.size() >= replay::kStreamMagic.size());
   std::ifstream file(path, std::ios::binary);
   file.read(start.data(), start.size());
-  return replay::starts_like_log(std::as_bytes(std::span(start)).first(static_cast<std::size_t>(file.gcount())));
+  const auto found = std::as_bytes(std::span(start)).first(static_cast<std::size_t>(file.gcount()));
+  if (replay::starts_like_log(found.first(std::min(found.size(), replay::kMagicEnd)))) return FileKind::kLog;
+  const auto magic = found.first(std::min(found.size(), replay::kStreamMagic.size()));
+  return replay::StreamReader::is_stream(magic) ? FileKind::kStream : FileKind::kTable;
+}
+
+/// Converts a recorder's stream.
+Status convert_stream(const std::string& path, const std::string& converted, std::vector<std::string>& warnings) {
+  Result<std::unique_ptr<replay::ByteSource>> source = replay::open_file_source(path);
+  if (!source.ok()) return source.error();
+  const Result<replay::StreamReader> stream = replay::StreamReader::open(*std::move(source));
+  if (!stream.ok()) return stream.error();
+  const Result<replay::StreamImport> done =
+      replay::import_stream(*stream, [&] { return replay::open_file_sink(converted); });
+  if (!done.ok()) return done.error();
+  warnings.insert(warnings.end(), done->warnings.begin(), done->warnings.end());
+  return {};
 }
 
 /// Whether a line "# key: …" stands before the names of the columns.
@@ -58,7 +81,12 @@ Result<std::string> log_of_session(const std::string& path, const std::string& c
   std::error_code error;
   if (!std::filesystem::exists(path, error)) return cannot_finish("wrote no log");
   if (std::filesystem::file_size(path, error) == 0) return cannot_finish("wrote an empty log");
-  if (is_log(path)) return path;
+  const FileKind kind = kind_of(path);
+  if (kind == FileKind::kLog) return path;
+  if (kind == FileKind::kStream) {
+    if (Status ok = convert_stream(path, converted, warnings); !ok.ok()) return ok.error();
+    return converted;
+  }
   std::ifstream file(path, std::ios::binary);
   const std::string table{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   replay::ImportOptions how;

@@ -74,11 +74,10 @@ std::vector<Include> includes_of(const std::vector<SourceFile>& files) {
       if (!line.starts_with(kStart)) continue;
       const std::string spelled = line.substr(kStart.size(), line.find('"', kStart.size()) - kStart.size());
       const auto is_public = public_headers().find(spelled);
-      std::string target = is_public == public_headers().end() ? spelled : is_public->second;
-      // A pair of files that users copy into their own tree names the other one by its name alone.
-      const bool is_beside = file.ends_with(".c") && spelled.find('/') == std::string::npos;
-      if (is_beside) target = file.path.substr(0, file.path.find_last_of('/') + 1) + spelled;
-      includes.push_back({.from = file.path, .spelled = spelled, .file = target, .line = i + 1});
+      includes.push_back({.from = file.path,
+                          .spelled = spelled,
+                          .file = is_public == public_headers().end() ? spelled : is_public->second,
+                          .line = i + 1});
     }
   }
   return includes;

@@ -69,6 +69,8 @@ std::vector<Room> logs() {
       {"replay/measure", above},
       {"replay/recover", above},
       {"replay/import", session},
+      {"replay/recorder", {}},
+      {"replay/stream", session + Folders{"replay/import"}},
       {"replay/picture", above + Folders{"src/render", "src/render/picture", "src/render/scene"}},
       {"replay/probe", above},
       {"replay/diff", above + Folders{"replay/measure", "replay/recover", "replay/picture"}},
@@ -80,7 +82,7 @@ std::vector<Room> suite() {
                                       "replay/format",  "replay/codec",   "replay/log",     "replay/session",
                                       "replay/measure", "replay/recover", "replay/picture", "replay/diff"};
   const Folders parts = logs + Folders{"src/render", "src/render/picture", "golden/suite", "golden/expected"};
-  const Folders engine = {"golden/suite", "src/process", "replay/import"};
+  const Folders engine = {"golden/suite", "src/process", "replay/import", "replay/stream"};
   const Folders run = parts + engine + Folders{"golden/judge"};
   const Folders above = run + Folders{"golden/engine", "golden/run"};
   return {
@@ -98,12 +100,13 @@ std::vector<Room> suite() {
 }
 
 std::vector<Room> program() {
-  const Folders below =
-      kSim + Folders{"src/scenes",      "src/threads",    "src/render",     "src/render/picture", "replay/format",
-                     "replay/codec",    "replay/log",     "replay/session", "replay/measure",     "replay/recover",
-                     "replay/import",   "replay/picture", "replay/probe",   "replay/diff",        "golden/suite",
-                     "golden/expected", "golden/judge",   "golden/engine",  "golden/run",         "golden/canaries",
-                     "golden/report",   "golden/bless",   "golden",         "src/files",          "src/process"};
+  const Folders below = kSim + Folders{"src/scenes",      "src/threads",    "src/render",    "src/render/picture",
+                                       "replay/format",   "replay/codec",   "replay/log",    "replay/session",
+                                       "replay/measure",  "replay/recover", "replay/import", "replay/stream",
+                                       "replay/picture",  "replay/probe",   "replay/diff",   "golden/suite",
+                                       "golden/expected", "golden/judge",   "golden/engine", "golden/run",
+                                       "golden/canaries", "golden/report",  "golden/bless",  "golden",
+                                       "src/files",       "src/process"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
       {"tools/output", below},
@@ -123,8 +126,8 @@ std::vector<Room> tests() {
   std::vector<Room> rows;
   for (const char* folder :
        {"tests/support", "tests/fuzz", "tests/tree", "tests/files", "tests/process", "tests/sim", "tests/scenes",
-        "tests/render", "tests/replay", "tests/replay/measure", "tests/golden", "tests/toy", "tests/tools",
-        "tests/outputs", "tests/trial", "tests/determinism", "bench", "bench/peers"}) {
+        "tests/render", "tests/replay", "tests/replay/measure", "tests/recorder", "tests/golden", "tests/toy",
+        "tests/tools", "tests/outputs", "tests/trial", "tests/determinism", "bench", "bench/peers"}) {
     rows.push_back({folder, {"*"}});
   }
   return rows;
