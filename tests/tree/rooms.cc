@@ -74,6 +74,7 @@ std::vector<Room> logs() {
       {"replay/picture", above + Folders{"src/render", "src/render/picture", "src/render/scene"}},
       {"replay/probe", above},
       {"replay/diff", above + Folders{"replay/measure", "replay/recover", "replay/picture"}},
+      {"replay/view", above + Folders{"replay/measure"}},
   };
 }
 
@@ -107,6 +108,12 @@ std::vector<Room> program() {
                                        "golden/expected", "golden/judge",   "golden/engine", "golden/run",
                                        "golden/canaries", "golden/report",  "golden/bless",  "golden",
                                        "src/files",       "src/process"};
+  const Folders below =
+      kSim + Folders{"src/scenes",    "src/threads",     "src/render",     "src/render/picture", "replay/format",
+                     "replay/codec",  "replay/log",      "replay/session", "replay/measure",     "replay/recover",
+                     "replay/import", "replay/stream",   "replay/picture", "replay/diff",        "replay/view",
+                     "golden/suite",  "golden/expected", "golden/judge",   "golden/run",         "golden/canaries",
+                     "golden/report", "golden/bless",    "golden",         "src/files",          "src/process"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
       {"tools/output", below},
@@ -117,6 +124,8 @@ std::vector<Room> program() {
       {"tools/engine", above},
       {"tools/compare", above + Folders{"tools/engine"}},
       {"tools/commands", above + Folders{"tools/bisect", "tools/bench", "tools/engine", "tools/compare"}},
+      {"tools/view", above + Folders{"golden/report/page"}},
+      {"tools/commands", above + Folders{"tools/bisect", "tools/bench", "tools/view"}},
       {"tools", above + Folders{"tools/commands"}},
   };
 }
