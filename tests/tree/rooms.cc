@@ -107,13 +107,7 @@ std::vector<Room> program() {
                                        "replay/picture",  "replay/probe",   "replay/diff",   "golden/suite",
                                        "golden/expected", "golden/judge",   "golden/engine", "golden/run",
                                        "golden/canaries", "golden/report",  "golden/bless",  "golden",
-                                       "src/files",       "src/process"};
-  const Folders below =
-      kSim + Folders{"src/scenes",    "src/threads",     "src/render",     "src/render/picture", "replay/format",
-                     "replay/codec",  "replay/log",      "replay/session", "replay/measure",     "replay/recover",
-                     "replay/import", "replay/stream",   "replay/picture", "replay/diff",        "replay/view",
-                     "golden/suite",  "golden/expected", "golden/judge",   "golden/run",         "golden/canaries",
-                     "golden/report", "golden/bless",    "golden",         "src/files",          "src/process"};
+                                       "src/files",       "src/process",    "replay/view"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
       {"tools/output", below},
@@ -123,9 +117,8 @@ std::vector<Room> program() {
       {"tools/bench", above},
       {"tools/engine", above},
       {"tools/compare", above + Folders{"tools/engine"}},
-      {"tools/commands", above + Folders{"tools/bisect", "tools/bench", "tools/engine", "tools/compare"}},
       {"tools/view", above + Folders{"golden/report/page"}},
-      {"tools/commands", above + Folders{"tools/bisect", "tools/bench", "tools/view"}},
+      {"tools/commands", above + Folders{"tools/bisect", "tools/bench", "tools/engine", "tools/compare", "tools/view"}},
       {"tools", above + Folders{"tools/commands"}},
   };
 }
