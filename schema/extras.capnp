@@ -5,8 +5,6 @@
 using Cxx = import "/capnp/c++.capnp";
 $Cxx.namespace("tumble::replay::schema");
 
-using Log = import "log.capnp";
-
 # What an engine declares beyond states, for the whole log. A header with it has format version 2.0.
 struct Declared {
   channels @0 :List(Channel);   # ascending names
@@ -97,7 +95,7 @@ struct View {
   step @0 :UInt64;              # the step that was shown last, or is shown in part
   part @1 :Float64;             # 0 .. 1: of the way from the state before that step to the state after it
   wallTime @2 :Float64;         # s since the session began, on the clock of the user
-  camera @3 :Log.Camera;
+  camera @3 :List(Float64);     # position x y z, target x y z (m), fov (degrees), focus (m), blur
   effects @4 :Text;             # a list as `render --effects` reads it; empty: the default
   follow @5 :UInt64;            # id of the body that the camera follows; 0: none
 }

@@ -142,7 +142,8 @@ struct Header {
   }
   recovered @16 :Recovered;     # null: the log was not recovered
   phaseHashVersion @17 :UInt32 = 1;  # version of phase words and of `contacts`; 1 for another engine
-  declared @19 :Extras.Declared;      # null: the engine declares nothing beyond states
+  phaseHashesEvery @19 :UInt32 = 1;  # 1: all steps have phase words; n: multiples of n only; 0: none
+  declared @20 :Extras.Declared;     # null: the engine declares nothing beyond states
 }
 
 # The physics engine that computed the steps. Such steps can be compared, measured and drawn, but not computed again.
