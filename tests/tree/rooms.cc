@@ -100,6 +100,16 @@ std::vector<Room> suite() {
 
 std::vector<Room> program() {
   const Folders below =
+      kSim + Folders{"src/scenes",      "src/threads",   "src/render",     "src/render/picture", "replay/format",
+                     "replay/codec",    "replay/log",    "replay/session", "replay/measure",     "replay/recover",
+                     "replay/import",   "replay/stream", "replay/picture", "replay/diff",        "golden/suite",
+                     "golden/expected", "golden/judge",  "golden/run",     "golden/canaries",    "golden/report",
+                     "golden/bless",    "golden",        "src/files",      "src/process"};
+      kSim + Folders{"src/scenes",    "src/threads",    "src/render",      "src/render/picture", "replay/format",
+                     "replay/codec",  "replay/log",     "replay/session",  "replay/measure",     "replay/recover",
+                     "replay/arrays", "replay/import", "replay/picture", "replay/diff",     "golden/suite",       "golden/expected",
+                     "golden/judge",  "golden/run",     "golden/canaries", "golden/report",      "golden/bless",
+                     "golden",        "src/files",      "src/process"};
       kSim + Folders{"src/scenes",    "src/threads",     "src/render",     "src/render/picture", "replay/format",
                      "replay/codec",  "replay/log",      "replay/session", "replay/measure",     "replay/recover",
                      "replay/import", "replay/stream",   "replay/picture", "replay/diff",        "replay/view",

@@ -39,6 +39,7 @@ void print_json_result(const StreamFiles& files, const StreamReader& stream, con
   json["hashes_only"] = stream.header().hashes_only;
   json["rewinds"] = stream.rewinds();
   json["superseded_steps"] = stream.superseded().size();
+  json["rollback_difference"] = done.rollback_difference;
   json["passed_over"] = done.passed_over;
   json["warnings"] = done.warnings;
   print_json(json);
@@ -52,6 +53,9 @@ void print_listing(const StreamFiles& files, const StreamReader& stream, const r
   if (stream.rewinds() > 0) {
     listing.add("rewinds", std::to_string(stream.rewinds()) + "; " + count_text(stream.superseded().size(), "step") +
                                " recorded again");
+  }
+  if (!done.rollback_difference.empty()) {
+    listing.add("rollback", printable(done.rollback_difference) + ", from equal inputs and an equal state");
   }
   if (stream.header().hashes_only) listing.add("holds", "hashes only: no body can be compared or drawn");
   listing.add("steps", std::to_string(done.log.steps));
