@@ -179,9 +179,9 @@ struct SavedMotion {
 
 struct Scratch;
 
-/// Observes the sweeps of method layered; they know nothing of the purpose. layer_solved() is called, by the thread that
-/// steps, when the contacts of a layer have written their outcomes and before its bodies add the outcomes up. `all` is
-/// scratch.contact_batches or the batches of fast pairs; the outcomes count from the first batch of the layer.
+/// Observes the sweeps of method layered; they know nothing of the purpose. layer_solved() is called, by the thread
+/// that steps, when the contacts of a layer have written their outcomes and before its bodies add the outcomes up.
+/// `all` is scratch.contact_batches or the batches of fast pairs; the outcomes count from the first batch of the layer.
 class LayerObserver {
  public:
   virtual ~LayerObserver() = default;

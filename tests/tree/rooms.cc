@@ -71,6 +71,7 @@ std::vector<Room> logs() {
       {"replay/import", session},
       {"replay/picture", above + Folders{"src/render", "src/render/picture", "src/render/scene"}},
       {"replay/diff", above + Folders{"replay/measure", "replay/recover", "replay/picture"}},
+      {"replay/blame", above + Folders{"replay/diff"}},
   };
 }
 
@@ -96,11 +97,11 @@ std::vector<Room> suite() {
 
 std::vector<Room> program() {
   const Folders below =
-      kSim + Folders{"src/scenes",    "src/threads",    "src/render",      "src/render/picture", "replay/format",
-                     "replay/codec",  "replay/log",     "replay/session",  "replay/measure",     "replay/recover",
-                     "replay/import", "replay/picture", "replay/diff",     "golden/suite",       "golden/expected",
-                     "golden/judge",  "golden/run",     "golden/canaries", "golden/report",      "golden/bless",
-                     "golden",        "src/files",      "src/process"};
+      kSim + Folders{"src/scenes",      "src/threads",    "src/render",     "src/render/picture", "replay/format",
+                     "replay/codec",    "replay/log",     "replay/session", "replay/measure",     "replay/recover",
+                     "replay/import",   "replay/picture", "replay/diff",    "replay/blame",       "golden/suite",
+                     "golden/expected", "golden/judge",   "golden/run",     "golden/canaries",    "golden/report",
+                     "golden/bless",    "golden",         "src/files",      "src/process"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
       {"tools/output", below},

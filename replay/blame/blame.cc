@@ -1,0 +1,321 @@
+#include "replay/blame/blame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "replay/blame/answer_of_write.h"
+#include "replay/blame/contact_making.h"
+#include "replay/blame/origin.h"
+#include "replay/blame/steps_again.h"
+#include "src/base/text.h"
+
+namespace tumble::replay {
+namespace {
+
+constexpr std::size_t kEndOfStep = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kAccountsKept = 8;
+
+/// A value that the chain asks about next.
+struct Cursor {
+  std::uint64_t step = 0;
+  sim::BodyId body = 0;
+  std::size_t field = 0;
+  std::size_t before_write = kEndOfStep;  ///< in the account of the step
+  bool began =
+      false;  ///< the value at the end of the step: where the greater part of it came from, not its last change
+};
+
+/// Follows one value back.
+class Chain {
+ public:
+  Chain(LogReader& log, const BlameQuestion& question, const Progress& progress)
+      : steps_(log, progress), question_(question), method_(log.header().scene.world.method) {}
+
+  Result<Blame> run() {
+    blame_.question = question_;
+    const std::size_t field = field_of(question_.field);
+    if (Status ok = check_question(field); !ok.ok()) return ok.error();
+    Cursor cursor{question_.step, question_.body, field};
+    while (wants_more()) {
+      Result<std::optional<Cursor>> next = explain(cursor);
+      if (!next.ok()) {
+        // What was found stands; only the first answer must not fail.
+        if (blame_.answers.empty()) return next.error();
+        blame_.ends = next.error().message;
+        return blame_;
+      }
+      if (!*next) break;
+      cursor = **next;
+    }
+    if (blame_.ends.empty()) blame_.ends = wants_more() ? "" : "as many answers as were asked for";
+    return blame_;
+  }
+
+ private:
+  LogReader& log() { return steps_.log(); }
+  [[nodiscard]] bool wants_more() const { return blame_.answers.size() < question_.answers; }
+
+  Status check_question(std::size_t field) {
+    if (field == kNoField) {
+      std::vector<std::string_view> names;
+      const std::vector<std::string> fields = blame_fields();
+      names.assign(fields.begin(), fields.end());
+      const std::string_view nearest = nearest_word(question_.field, names);
+      return bad_input("--field: " + found_wanted(in_quotes(question_.field), list_text(names)) +
+                       (nearest.empty() ? "" : "; did you mean \"" + std::string(nearest) + "\"?"));
+    }
+    LogReader& log = steps_.log();
+    if (log.header().engine) {
+      return bad_input(log.name() + ": this log was written by " + to_string(*log.header().engine) +
+                       ", whose steps this build cannot take again; 'tumble diff' and 'tumble dump' read such logs");
+    }
+    const std::uint64_t k = question_.step;
+    if (k < log.first_state() || k > log.last_step()) {
+      return bad_input(log.name() + ": found no step " + std::to_string(k) + ", wanted " +
+                       std::to_string(log.first_state()) + " to " + std::to_string(log.last_step()));
+    }
+    if (const MissingSteps* lost = log.lost_at(k); lost != nullptr) {
+      return bad_input(log.name() + ": found no step " + std::to_string(k) + ": " + to_string(*lost) +
+                       " were lost before the log was recovered");
+    }
+    const Result<std::optional<BodyMotion>> motion = steps_.after(k, question_.body);
+    if (!motion.ok()) return motion.error();
+    if (!motion->has_value()) return no_body(k);
+    blame_.value = (*motion)->of(field);
+    blame_.unit = unit_of_field(field);
+    if (!log.condition().whole())
+      blame_.notes.push_back(log.name() + " is not whole: " + log.condition().summary(log.last_step()));
+    return {};
+  }
+
+  Status no_body(std::uint64_t k) {
+    std::string text =
+        log().name() + ": found no body " + std::to_string(question_.body) + " after step " + std::to_string(k);
+    for (std::uint64_t j = k; j > log().first_state() && log().holds(j); --j) {
+      const Result<std::vector<sim::Command>> inputs = steps_.inputs(j);
+      if (!inputs.ok()) break;
+      for (const sim::Command& input : *inputs) {
+        const auto* remove = std::get_if<sim::Remove>(&input);
+        if (remove != nullptr && remove->id == question_.body) {
+          return bad_input(text + ": an input removed it before step " + std::to_string(j) + "; ask for --step " +
+                           std::to_string(j - 1) + " or less");
+        }
+      }
+    }
+    for (const sim::TimedCommand& timed : log().header().scene.inputs) {
+      const auto* made = std::get_if<sim::Throw>(&timed.command);
+      if (made != nullptr && made->box.id == question_.body) {
+        return bad_input(text + ": an input throws it in before step " + std::to_string(timed.step) +
+                         "; ask for --step " + std::to_string(timed.step) + " or more");
+      }
+    }
+    return bad_input(text + "; 'tumble dump " + log().name() + " --step " + std::to_string(k) + "' lists the bodies");
+  }
+
+  Result<const BodyAccount*> account(std::uint64_t k, sim::BodyId body) {
+    const auto key = std::pair(k, body);
+    if (const auto found = accounts_.find(key); found != accounts_.end()) return &found->second;
+    Result<BodyAccount> taken = steps_.account(k, body);
+    if (!taken.ok()) return taken.error();
+    if (accounts_.size() >= kAccountsKept) accounts_.clear();
+    return &accounts_.emplace(key, *std::move(taken)).first->second;
+  }
+
+  /// Adds the answer or answers to a cursor; the next one, or none where the chain ends.
+  Result<std::optional<Cursor>> explain(const Cursor& cursor) {
+    if (cursor.step == log().first_state()) return explain_start(cursor);
+    Cursor at = cursor;
+    if (cursor.began) {
+      Result<Cursor> found = where_it_began(cursor);
+      if (!found.ok()) return found.error();
+      at = *found;
+      if (at.step == log().first_state()) return explain_start(at);
+    }
+    Result<const BodyAccount*> found = account(at.step, at.body);
+    if (!found.ok()) return found.error();
+    const BodyAccount& own = **found;
+    const std::optional<std::size_t> write =
+        cursor.began ? largest_change(own, at.field) : last_change(own, at.field, at.before_write);
+    if (write) return explain_write(at, own, *write);
+    return explain_before(at, own);
+  }
+
+  /// The step in which the greater part of the value arose: the last one before which it was further from the value
+  /// than half of the value, or before which there was no such body.
+  Result<Cursor> where_it_began(const Cursor& cursor) {
+    Cursor at = cursor;
+    Result<std::optional<BodyMotion>> now = steps_.after(at.step, at.body);
+    if (!now.ok()) return now.error();
+    const double value = now->has_value() ? (*now)->of(at.field) : 0;
+    for (; at.step > log().first_state(); --at.step) {
+      if (!log().holds(at.step - 1)) break;
+      const Result<std::optional<BodyMotion>> before = steps_.after(at.step - 1, at.body);
+      if (!before.ok()) return before.error();
+      if (!before->has_value()) break;
+      const double then = (*before)->of(at.field);
+      const bool other = value == 0 || !std::isfinite(value) ? !same_value(then, value)
+                                                             : !(std::fabs(then - value) <= 0.5 * std::fabs(value));
+      if (other) break;
+    }
+    return at;
+  }
+
+  Result<std::optional<Cursor>> explain_write(const Cursor& at, const BodyAccount& own, std::size_t write) {
+    blame_.answers.push_back(answer_of(own, own.writes[write], at.field, method_));
+    const Source source = source_of(own, write, at.field);
+    const bool in_question = at.step == question_.step;
+    switch (source.kind) {
+      case Source::Kind::kValue:
+        return std::optional(Cursor{at.step, at.body, source.field, write_before(own, write, at.field, source.field)});
+      case Source::Kind::kContact: {
+        const ContactFacts* facts = own.contact_with(source.other);
+        if (in_question && facts != nullptr) add(making_of(own, *facts, method_));
+        return motion_behind(own, source.other, at);
+      }
+      case Source::Kind::kGravity:
+        if (in_question && own.contacts.empty() && (!own.near.empty() || own.remembered)) add(absence_of(own, method_));
+        return flight_behind(at);
+      case Source::Kind::kEnd:
+        break;
+    }
+    blame_.ends = "the phase has one cause";
+    return std::optional<Cursor>();
+  }
+
+  /// A value that the same phase wrote with another is asked for as it was before the phase; frozen flags as after it.
+  static std::size_t write_before(const BodyAccount& /*own*/, std::size_t write, std::size_t /*field*/,
+                                  std::size_t to) {
+    return to == kFrozenField ? write + 1 : write;
+  }
+
+  void add(const std::vector<BlameAnswer>& answers) {
+    for (const BlameAnswer& answer : answers) {
+      if (wants_more()) blame_.answers.push_back(answer);
+    }
+  }
+
+  /// The motion that made a contact press: of the faster of the two bodies along the normal, at the start of the step.
+  Result<std::optional<Cursor>> motion_behind(const BodyAccount& own, const std::optional<sim::BodyId>& other,
+                                              const Cursor& at) {
+    const ContactFacts* facts = own.contact_with(other);
+    const sim::Vec3 normal = facts != nullptr ? facts->normal : sim::Vec3(sim::Vec3::Zero());
+    sim::BodyId body = own.body;
+    BodyMotion motion = own.start;
+    if (other) {
+      const Result<std::optional<BodyMotion>> of_other = steps_.after(at.step - 1, *other);
+      if (!of_other.ok()) return of_other.error();
+      if (*of_other && std::fabs(sim::dot((*of_other)->vector(kVelocity), normal)) >
+                           std::fabs(sim::dot(own.start.vector(kVelocity), normal))) {
+        body = *other;
+        motion = **of_other;
+      }
+    }
+    const std::size_t field = largest_of(motion, kVelocity);
+    if (motion.of(field) == 0) {
+      blame_.complete = true;
+      blame_.ends = "both bodies of the contact are at rest: it holds them against gravity and its other contacts";
+      return std::optional<Cursor>();
+    }
+    return before_step(at.step, body, field);
+  }
+
+  Result<std::optional<Cursor>> flight_behind(const Cursor& at) { return before_step(at.step, at.body, at.field); }
+
+  /// The value of a body at the start of a step, its inputs applied.
+  Result<std::optional<Cursor>> before_step(std::uint64_t k, sim::BodyId body, std::size_t field) {
+    const Result<std::optional<BodyMotion>> before = steps_.after(k - 1, body);
+    if (!before.ok()) return before.error();
+    Result<const BodyAccount*> now = account(k, body);
+    if (!now.ok()) return now.error();
+    const bool by_input = !before->has_value() || !same_value((*before)->of(field), (*now)->start.of(field));
+    if (by_input) return std::optional(Cursor{k, body, field, 0});
+    return std::optional(Cursor{k - 1, body, field, kEndOfStep, true});
+  }
+
+  /// No phase of the step changed the value: an input before the step did, or an earlier step.
+  Result<std::optional<Cursor>> explain_before(const Cursor& at, const BodyAccount& own) {
+    const Result<std::optional<BodyMotion>> before = steps_.after(at.step - 1, at.body);
+    if (!before.ok()) return before.error();
+    const bool by_input = !before->has_value() || !same_value((*before)->of(at.field), own.start.of(at.field));
+    if (by_input) return explain_input(at, own, *before);
+    Cursor earlier{at.step - 1, at.body, at.field, kEndOfStep, false};
+    for (; earlier.step > log().first_state(); --earlier.step) {
+      if (!log().holds(earlier.step - 1)) break;
+      const Result<std::optional<BodyMotion>> then = steps_.after(earlier.step - 1, at.body);
+      if (!then.ok()) return then.error();
+      if (!then->has_value() || !same_value((*then)->of(at.field), own.start.of(at.field))) break;
+    }
+    return explain(earlier);
+  }
+
+  Result<std::optional<Cursor>> explain_input(const Cursor& at, const BodyAccount& own,
+                                              const std::optional<BodyMotion>& before) {
+    BlameAnswer answer;
+    answer.step = at.step;
+    answer.phase = "inputs";
+    answer.body = at.body;
+    answer.value = field_name(at.field);
+    answer.unit = unit_of_field(at.field);
+    if (before) answer.before = before->of(at.field);
+    answer.after = own.start.of(at.field);
+    const Result<std::vector<sim::Command>> inputs = steps_.inputs(at.step);
+    if (!inputs.ok()) return inputs.error();
+    const sim::Command* input = input_on(*inputs, at.body, at.field == kFrozenField);
+    answer.text = input != nullptr ? describe_input(*input) : "an input before this step";
+    if (input != nullptr) answer.origin = input_place(log().header(), at.step, *input);
+    blame_.answers.push_back(answer);
+    blame_.complete = true;
+    blame_.ends = "an input set this value";
+    return std::optional<Cursor>();
+  }
+
+  Result<std::optional<Cursor>> explain_start(const Cursor& at) {
+    const Result<std::optional<BodyMotion>> motion = steps_.after(at.step, at.body);
+    if (!motion.ok()) return motion.error();
+    BlameAnswer answer;
+    answer.step = at.step;
+    answer.phase = "start";
+    answer.body = at.body;
+    answer.value = field_name(at.field);
+    answer.unit = unit_of_field(at.field);
+    answer.after = motion->has_value() ? (*motion)->of(at.field) : 0.0;
+    const LogHeader& header = log().header();
+    if (header.goes_on) {
+      answer.text = "the state with which this log goes on from " + printable(header.goes_on->log);
+      blame_.ends = "what came before is in " + printable(header.goes_on->log) + ": tumble blame " +
+                    printable(header.goes_on->log) + " --body " + std::to_string(at.body) + " --field " +
+                    field_name(at.field) + " --step " + std::to_string(header.goes_on->step);
+    } else {
+      answer.text = "the scene starts with it";
+      answer.origin = body_place(header, at.body);
+      blame_.complete = true;
+      blame_.ends = "the scene sets this value";
+    }
+    blame_.answers.push_back(answer);
+    return std::optional<Cursor>();
+  }
+
+  StepsAgain steps_;
+  BlameQuestion question_;
+  sim::Method method_;
+  Blame blame_;
+  std::map<std::pair<std::uint64_t, sim::BodyId>, BodyAccount> accounts_;
+};
+
+}  // namespace
+
+std::vector<std::string> blame_fields() {
+  std::vector<std::string> fields;
+  for (const std::size_t column : kFieldOrder) fields.emplace_back(kColumnNames[column]);
+  fields.emplace_back("frozen");
+  return fields;
+}
+
+Result<Blame> blame(LogReader& log, const BlameQuestion& question, const Progress& progress) {
+  return Chain(log, question, progress).run();
+}
+
+}  // namespace tumble::replay
