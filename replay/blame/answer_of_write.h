@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "replay/blame/blame.h"
+#include "replay/blame/blame_answer.h"
 #include "replay/blame/body_account.h"
 #include "tumble/sim/scene.h"
 

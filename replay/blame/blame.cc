@@ -9,7 +9,9 @@
 #include "replay/blame/answer_of_write.h"
 #include "replay/blame/contact_making.h"
 #include "replay/blame/origin.h"
+#include "replay/blame/question.h"
 #include "replay/blame/steps_again.h"
+#include "replay/blame/value_history.h"
 #include "src/base/text.h"
 
 namespace tumble::replay {
@@ -35,9 +37,23 @@ class Chain {
       : steps_(log, progress), question_(question), method_(log.header().scene.world.method) {}
 
   Result<Blame> run() {
+    if (question_.field.empty()) {
+      if (const Result<BodyMotion> body = body_asked(steps_, question_.body, question_.step); !body.ok()) {
+        return body.error();
+      }
+      const Result<std::string> chosen = field_changed_most(steps_, question_.body, question_.step);
+      if (!chosen.ok()) return chosen.error();
+      question_.field = *chosen;
+    }
     blame_.question = question_;
     const std::size_t field = field_of(question_.field);
-    if (Status ok = check_question(field); !ok.ok()) return ok.error();
+    const Result<double> value = value_asked(steps_, question_);
+    if (!value.ok()) return value.error();
+    blame_.value = *value;
+    blame_.unit = unit_of_field(field);
+    const LogCondition& condition = log().condition();
+    if (!condition.whole())
+      blame_.notes.push_back(log().name() + " is not whole: " + condition.summary(log().last_step()));
     Cursor cursor{question_.step, question_.body, field};
     while (wants_more()) {
       Result<std::optional<Cursor>> next = explain(cursor);
@@ -58,63 +74,6 @@ class Chain {
   LogReader& log() { return steps_.log(); }
   [[nodiscard]] bool wants_more() const { return blame_.answers.size() < question_.answers; }
 
-  Status check_question(std::size_t field) {
-    if (field == kNoField) {
-      std::vector<std::string_view> names;
-      const std::vector<std::string> fields = blame_fields();
-      names.assign(fields.begin(), fields.end());
-      const std::string_view nearest = nearest_word(question_.field, names);
-      return bad_input("--field: " + found_wanted(in_quotes(question_.field), list_text(names)) +
-                       (nearest.empty() ? "" : "; did you mean \"" + std::string(nearest) + "\"?"));
-    }
-    LogReader& log = steps_.log();
-    if (log.header().engine) {
-      return bad_input(log.name() + ": this log was written by " + to_string(*log.header().engine) +
-                       ", whose steps this build cannot take again; 'tumble diff' and 'tumble dump' read such logs");
-    }
-    const std::uint64_t k = question_.step;
-    if (k < log.first_state() || k > log.last_step()) {
-      return bad_input(log.name() + ": found no step " + std::to_string(k) + ", wanted " +
-                       std::to_string(log.first_state()) + " to " + std::to_string(log.last_step()));
-    }
-    if (const MissingSteps* lost = log.lost_at(k); lost != nullptr) {
-      return bad_input(log.name() + ": found no step " + std::to_string(k) + ": " + to_string(*lost) +
-                       " were lost before the log was recovered");
-    }
-    const Result<std::optional<BodyMotion>> motion = steps_.after(k, question_.body);
-    if (!motion.ok()) return motion.error();
-    if (!motion->has_value()) return no_body(k);
-    blame_.value = (*motion)->of(field);
-    blame_.unit = unit_of_field(field);
-    if (!log.condition().whole())
-      blame_.notes.push_back(log.name() + " is not whole: " + log.condition().summary(log.last_step()));
-    return {};
-  }
-
-  Status no_body(std::uint64_t k) {
-    std::string text =
-        log().name() + ": found no body " + std::to_string(question_.body) + " after step " + std::to_string(k);
-    for (std::uint64_t j = k; j > log().first_state() && log().holds(j); --j) {
-      const Result<std::vector<sim::Command>> inputs = steps_.inputs(j);
-      if (!inputs.ok()) break;
-      for (const sim::Command& input : *inputs) {
-        const auto* remove = std::get_if<sim::Remove>(&input);
-        if (remove != nullptr && remove->id == question_.body) {
-          return bad_input(text + ": an input removed it before step " + std::to_string(j) + "; ask for --step " +
-                           std::to_string(j - 1) + " or less");
-        }
-      }
-    }
-    for (const sim::TimedCommand& timed : log().header().scene.inputs) {
-      const auto* made = std::get_if<sim::Throw>(&timed.command);
-      if (made != nullptr && made->box.id == question_.body) {
-        return bad_input(text + ": an input throws it in before step " + std::to_string(timed.step) +
-                         "; ask for --step " + std::to_string(timed.step) + " or more");
-      }
-    }
-    return bad_input(text + "; 'tumble dump " + log().name() + " --step " + std::to_string(k) + "' lists the bodies");
-  }
-
   Result<const BodyAccount*> account(std::uint64_t k, sim::BodyId body) {
     const auto key = std::pair(k, body);
     if (const auto found = accounts_.find(key); found != accounts_.end()) return &found->second;
@@ -129,9 +88,9 @@ class Chain {
     if (cursor.step == log().first_state()) return explain_start(cursor);
     Cursor at = cursor;
     if (cursor.began) {
-      Result<Cursor> found = where_it_began(cursor);
-      if (!found.ok()) return found.error();
-      at = *found;
+      const Result<std::uint64_t> step = step_it_began(steps_, at.step, at.body, at.field);
+      if (!step.ok()) return step.error();
+      at.step = *step;
       if (at.step == log().first_state()) return explain_start(at);
     }
     Result<const BodyAccount*> found = account(at.step, at.body);
@@ -143,46 +102,40 @@ class Chain {
     return explain_before(at, own);
   }
 
-  /// The step in which the greater part of the value arose: the last one before which it was further from the value
-  /// than half of the value, or before which there was no such body.
-  Result<Cursor> where_it_began(const Cursor& cursor) {
-    Cursor at = cursor;
-    Result<std::optional<BodyMotion>> now = steps_.after(at.step, at.body);
-    if (!now.ok()) return now.error();
-    const double value = now->has_value() ? (*now)->of(at.field) : 0;
-    for (; at.step > log().first_state(); --at.step) {
-      if (!log().holds(at.step - 1)) break;
-      const Result<std::optional<BodyMotion>> before = steps_.after(at.step - 1, at.body);
-      if (!before.ok()) return before.error();
-      if (!before->has_value()) break;
-      const double then = (*before)->of(at.field);
-      const bool other = value == 0 || !std::isfinite(value) ? !same_value(then, value)
-                                                             : !(std::fabs(then - value) <= 0.5 * std::fabs(value));
-      if (other) break;
-    }
-    return at;
-  }
-
   Result<std::optional<Cursor>> explain_write(const Cursor& at, const BodyAccount& own, std::size_t write) {
     blame_.answers.push_back(answer_of(own, own.writes[write], at.field, method_));
     const Source source = source_of(own, write, at.field);
     const bool in_question = at.step == question_.step;
+    const bool changes_rest = in_question && at.field != kFrozenField && own.start.frozen() != own.end.frozen() &&
+                              source.kind != Source::Kind::kValue;
+    if (changes_rest) add_rest_change(own);
     switch (source.kind) {
       case Source::Kind::kValue:
         return std::optional(Cursor{at.step, at.body, source.field, write_before(own, write, at.field, source.field)});
       case Source::Kind::kContact: {
         const ContactFacts* facts = own.contact_with(source.other);
-        if (in_question && facts != nullptr) add(making_of(own, *facts, method_));
+        if (in_question && facts != nullptr) add(making_of(own, *facts, at.field, method_));
         return motion_behind(own, source.other, at);
       }
       case Source::Kind::kGravity:
-        if (in_question && own.contacts.empty() && (!own.near.empty() || own.remembered)) add(absence_of(own, method_));
+        if (in_question && own.contacts.empty()) add(absence_of(own, method_));
+        if (in_question && !own.contacts.empty()) {
+          const auto first = std::ranges::min_element(own.contacts, {}, &ContactFacts::approach);
+          add(making_of(own, *first, at.field, method_));
+        }
         return flight_behind(at);
       case Source::Kind::kEnd:
         break;
     }
     blame_.ends = "the phase has one cause";
     return std::optional<Cursor>();
+  }
+
+  /// The body woke or fell asleep in the step: that flag decides what moves it.
+  void add_rest_change(const BodyAccount& own) {
+    if (const std::optional<std::size_t> write = last_change(own, kFrozenField, kEndOfStep); write) {
+      add({answer_of(own, own.writes[*write], kFrozenField, method_)});
+    }
   }
 
   /// A value that the same phase wrote with another is asked for as it was before the phase; frozen flags as after it.
@@ -241,14 +194,11 @@ class Chain {
     if (!before.ok()) return before.error();
     const bool by_input = !before->has_value() || !same_value((*before)->of(at.field), own.start.of(at.field));
     if (by_input) return explain_input(at, own, *before);
-    Cursor earlier{at.step - 1, at.body, at.field, kEndOfStep, false};
-    for (; earlier.step > log().first_state(); --earlier.step) {
-      if (!log().holds(earlier.step - 1)) break;
-      const Result<std::optional<BodyMotion>> then = steps_.after(earlier.step - 1, at.body);
-      if (!then.ok()) return then.error();
-      if (!then->has_value() || !same_value((*then)->of(at.field), own.start.of(at.field))) break;
-    }
-    return explain(earlier);
+    if (at.step == question_.step && own.start.frozen()) add({rest_of(own, method_)});
+    if (!wants_more()) return std::optional<Cursor>();
+    const Result<std::uint64_t> step = step_it_changed(steps_, at.step - 1, at.body, at.field);
+    if (!step.ok()) return step.error();
+    return explain({*step, at.body, at.field, kEndOfStep, false});
   }
 
   Result<std::optional<Cursor>> explain_input(const Cursor& at, const BodyAccount& own,
@@ -306,13 +256,6 @@ class Chain {
 };
 
 }  // namespace
-
-std::vector<std::string> blame_fields() {
-  std::vector<std::string> fields;
-  for (const std::size_t column : kFieldOrder) fields.emplace_back(kColumnNames[column]);
-  fields.emplace_back("frozen");
-  return fields;
-}
 
 Result<Blame> blame(LogReader& log, const BlameQuestion& question, const Progress& progress) {
   return Chain(log, question, progress).run();

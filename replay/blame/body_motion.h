@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "tumble/replay/body_states.h"
 #include "tumble/sim/rotation.h"
@@ -52,6 +53,14 @@ inline std::size_t field_of(const std::string& name) {
   return name == "frozen" ? kFrozenField : kNoField;
 }
 inline std::string field_name(std::size_t field) { return field < kColumnCount ? kColumnNames[field] : "frozen"; }
+
+/// All names, in the order in which reports look through them.
+inline std::vector<std::string> blame_fields() {
+  std::vector<std::string> fields;
+  for (const std::size_t column : kFieldOrder) fields.emplace_back(kColumnNames[column]);
+  fields.emplace_back("frozen");
+  return fields;
+}
 
 /// The first column of the field's vector: kVelocity, kSpin, kPosition, kOrientation; kFrozenField.
 inline std::size_t quantity_of(std::size_t field) {

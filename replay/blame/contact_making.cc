@@ -63,51 +63,71 @@ void near_pairs(const BodyAccount& account, const char* phase, Making& making) {
                  count_text(account.near.size(), "other body"));
 }
 
-void layered(const BodyAccount& account, const ContactFacts& facts, Making& making) {
-  if (facts.fast) {
-    making.add("find_fast_contacts", "separation", "m", facts.separation,
-               "a fast pair, whose contacts are found in every substep: " + making.found_text() + ", meeting at " +
-                   rounded(-facts.approach, "m/s"));
-    making.add("find_manifolds", "fast", "", std::string("true"), "listed as a fast pair");
-    return near_pairs(account, "find_near_pairs", making);
+constexpr double kDeep = 1e-4;  // m; shallower overlaps are touching
+
+void add_fast(const BodyAccount& account, const ContactFacts& facts, Making& making) {
+  making.add("find_fast_contacts", "separation", "m", facts.separation,
+             "a fast pair, whose contacts are found in every substep: " + making.found_text() + ", meeting at " +
+                 rounded(-facts.approach, "m/s"));
+  making.add("find_manifolds", "fast", "", std::string("true"), "listed as a fast pair");
+  near_pairs(account, "find_near_pairs", making);
+}
+
+void add_prepared(const BodyAccount& account, const ContactFacts& facts, Making& making) {
+  std::string text =
+      facts.approach < 0 ? "the bodies meet at " + rounded(-facts.approach, "m/s") : "the bodies part or rest";
+  if (facts.split > 1) {
+    text += "; " + significant(facts.split, 4) + " contacts of its layer share the mass of body " +
+            std::to_string(account.body);
   }
-  if (parted(account, facts.other)) {
-    making.add("part_overlaps", "separation", "m", facts.separation, "overlapped and was parted in this step");
+  making.add("prepare_manifolds", "approach", "m/s", facts.approach, text);
+}
+
+void add_weight(const BodyAccount& account, const ContactFacts& facts, Making& making) {
+  if (facts.load == 0 && account.lent == 0 && facts.started == 0) return;
+  std::string text = "bears " + rounded(facts.load, "N s") + " a substep at rest";
+  if (facts.started != 0) text += ", and being new starts from " + rounded(facts.started, "N s");
+  if (account.lent != 0) text += "; body " + std::to_string(account.body) + " is lent " + rounded(account.lent, "kg");
+  making.add("carry_weights", "load", "N s", facts.load, text);
+}
+
+// Contacts that rest are made by the weight that they bear, contacts that meet by their masses and speed. What happens
+// to few contacts stands first.
+void layered(const BodyAccount& account, const ContactFacts& facts, Making& making) {
+  if (facts.fast) return add_fast(account, facts, making);
+  if (facts.woke) making.add("wake_islands", "woken", "", std::string("true"), "woken in this step");
+  if (parted(account, facts.other) || facts.separation < -kDeep) {
+    making.add("part_overlaps", "separation", "m", facts.separation,
+               parted(account, facts.other) ? "overlapped and was parted in this step"
+                                            : "overlaps, and was not parted in this step");
   }
   const bool rests = facts.approach >= -sim::kRestingSpeed;
-  if (!rests) {
-    making.add("prepare_manifolds", "approach", "m/s", facts.approach,
-               "the bodies meet at " + rounded(-facts.approach, "m/s") + "; " + significant(facts.split, 4) +
-                   (facts.split == 1 ? " contact" : " contacts") + " of its layer share the mass of body " +
-                   std::to_string(account.body));
-  }
-  if (facts.hard) {
-    making.add("assign_levels", "sweeps", "", static_cast<std::uint64_t>(facts.sweeps),
-               "its island is hard (a bar, or bodies of very different masses) and is swept " +
-                   std::to_string(facts.sweeps) + " times");
-  }
-  if (facts.load != 0 || account.lent != 0 || facts.started != 0) {
-    std::string text = "bears " + rounded(facts.load, "N s") + " a substep at rest";
-    if (facts.started != 0) text += ", and being new starts from " + rounded(facts.started, "N s");
-    if (account.lent != 0) text += "; body " + std::to_string(account.body) + " is lent " + rounded(account.lent, "kg");
-    making.add("carry_weights", "load", "N s", facts.load, text);
-  }
-  if (facts.woke) making.add("wake_islands", "woken", "", std::string("true"), "woken in this step");
+  if (!rests) add_prepared(account, facts, making);
+  add_weight(account, facts, making);
   making.add(facts.found_by, "separation", "m", facts.separation,
              (facts.recalled > 0 ? "found again with " + rounded(facts.recalled, "N s") + " of the step before: "
                                  : std::string("found without an impulse of the step before: ")) +
                  making.found_text());
+  if (rests && facts.split > 1) add_prepared(account, facts, making);
+  if (facts.hard || facts.sweeps > 1) {
+    making.add("assign_levels", "sweeps", "", static_cast<std::uint64_t>(facts.sweeps),
+               (facts.hard ? "its island is hard (a bar, or bodies of very different masses) and is"
+                           : std::string("its island is")) +
+                   " swept " + std::to_string(facts.sweeps) + " times");
+  }
   near_pairs(account, "find_near_pairs", making);
 }
 
-void thesis(const BodyAccount& account, const ContactFacts& facts, Making& making) {
-  making.add("compute_impulses", "approach", "m/s", facts.approach,
-             "the bodies " + std::string(facts.approach < 0 ? "meet at " : "part at ") +
-                 rounded(std::fabs(facts.approach), "m/s") + "; each collision meets one of " +
-                 significant(facts.split, 4) + " parts of body " + std::to_string(account.body));
-  if (parted(account, facts.other) || facts.depth > 0) {
+void thesis(const BodyAccount& account, const ContactFacts& facts, bool of_place, Making& making) {
+  if (of_place) {
     making.add("compute_separation", "separation", "m", facts.separation,
                "the bodies are moved apart by " + rounded(facts.depth, "m"));
+  }
+  if (!of_place || facts.rests) {
+    making.add("compute_impulses", "approach", "m/s", facts.approach,
+               "the bodies " + std::string(facts.approach < 0 ? "meet at " : "part at ") +
+                   rounded(std::fabs(facts.approach), "m/s") + "; each collision meets one of " +
+                   significant(facts.split, 4) + " parts of body " + std::to_string(account.body));
   }
   making.add("find_contacts", "separation", "m", facts.separation, making.found_text());
   making.add("find_planes", "planes", "", std::string("none"), "no plane separates the two");
@@ -120,9 +140,14 @@ std::string contact_name(const std::optional<sim::BodyId>& other) {
   return other ? "body " + std::to_string(*other) : "the ground";
 }
 
-std::vector<BlameAnswer> making_of(const BodyAccount& account, const ContactFacts& facts, sim::Method method) {
+std::vector<BlameAnswer> making_of(const BodyAccount& account, const ContactFacts& facts, std::size_t field,
+                                   sim::Method method) {
   Making making(account, facts);
-  method == sim::Method::kThesis ? thesis(account, facts, making) : layered(account, facts, making);
+  if (method == sim::Method::kThesis) {
+    thesis(account, facts, quantity_of(field) == kPosition, making);
+  } else {
+    layered(account, facts, making);
+  }
   return std::move(making.answers);
 }
 
@@ -144,13 +169,30 @@ std::vector<BlameAnswer> absence_of(const BodyAccount& account, sim::Method meth
   };
   const std::string body = "body " + std::to_string(account.body);
   std::vector<BlameAnswer> answers;
-  answers.push_back(answer(is_thesis ? "find_planes" : "find_manifolds", "contacts", std::uint64_t{0},
-                           "found no contact of " + body +
-                               (account.remembered ? ", which had one in the step before" : "") +
-                               (near.empty() ? "" : "; near it: " + near)));
+  if (account.remembered || !account.near.empty()) {
+    answers.push_back(answer(is_thesis ? "find_planes" : "find_manifolds", "contacts", std::uint64_t{0},
+                             "found no contact of " + body +
+                                 (account.remembered ? ", which had one in the step before" : "") +
+                                 (near.empty() ? "" : "; near it: " + near)));
+  }
   answers.push_back(answer(is_thesis ? "find_pairs" : "find_near_pairs", "pairs", std::uint64_t{account.near.size()},
                            body + " is near " + count_text(account.near.size(), "other body")));
   return answers;
+}
+
+BlameAnswer rest_of(const BodyAccount& account, sim::Method method) {
+  BlameAnswer answer;
+  answer.step = account.step;
+  answer.phase = method == sim::Method::kThesis ? "update_freezing" : "wake_islands";
+  answer.body = account.body;
+  answer.value = "frozen";
+  answer.before = answer.after = 1.0;
+  answer.text = "the body is at rest, and nothing in this step woke it";
+  if (!account.contacts.empty()) {
+    answer.text += "; it touches " + contact_name(account.contacts.front().other);
+    if (account.contacts.size() > 1) answer.text += " and " + count_text(account.contacts.size() - 1, "other");
+  }
+  return answer;
 }
 
 }  // namespace tumble::replay

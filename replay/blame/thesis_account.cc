@@ -48,6 +48,7 @@ void AccountObserver::look_thesis(const std::string& phase, std::uint32_t subste
       facts.friction = scratch.split.materials[k].friction;
       facts.restitution = scratch.split.materials[k].restitution;
       facts.split = scratch.split.parts[row_];
+      facts.rests = gain.way_back != sim::Vec3::Zero();
     });
   }
   if (phase == "compute_separation" && !scratch.separation.wanted.empty()) {

@@ -75,7 +75,7 @@ void expect_exact_sums(const Blame& blame) {
 TEST(Blame, ReachesThePushThatMovedABody) {
   for (const Method method : kMethods) {
     const Blame found =
-        blame_of(floating(method, {{4, sim::Push{1, {3, 0, 0}, true, {}}}}, 20), {1, "velocity.x", 15, 5});
+        blame_of(floating(method, {{4, sim::Push{1, {3, 0, 0}, true, {0, 0, 0}}}}, 20), {1, "velocity.x", 15, 5});
     ASSERT_FALSE(found.answers.empty());
     const BlameAnswer& last = found.answers.back();
     EXPECT_EQ(last.phase, "inputs") << story(found);
@@ -89,8 +89,8 @@ TEST(Blame, ReachesThePushThatMovedABody) {
 }
 
 TEST(Blame, PositionComesFromVelocity) {
-  const Blame found =
-      blame_of(floating(Method::kLayered, {{4, sim::SetVelocity{1, {0, 2, 0}, {}}}}, 20), {1, "position.y", 15, 5});
+  const Blame found = blame_of(floating(Method::kLayered, {{4, sim::SetVelocity{1, {0, 2, 0}, {0, 0, 0}}}}, 20),
+                               {1, "position.y", 15, 5});
   ASSERT_EQ(phases_of(found), (std::vector<std::string>{"finish_motion", "inputs"})) << story(found);
   EXPECT_EQ(found.answers[0].value, "position.y");
   EXPECT_EQ(found.answers[1].value, "velocity.y");
@@ -193,7 +193,7 @@ TEST(Blame, RefusesWhatDoesNotExist) {
 
 // A log whose step 6 no build takes: a velocity was moved by hand, and the hashes follow.
 TEST(Blame, ExplainsNothingThatThisBuildDoesNotRepeat) {
-  const sim::SceneDef scene = floating(Method::kLayered, {{4, sim::Push{1, {3, 0, 0}, true, {}}}}, 10);
+  const sim::SceneDef scene = floating(Method::kLayered, {{4, sim::Push{1, {3, 0, 0}, true, {0, 0, 0}}}}, 10);
   const auto disk = std::make_shared<Disk>();
   Result<Session> session = Session::start(scene);
   ASSERT_TRUE(session.ok());

@@ -1,10 +1,14 @@
 #include "tools/output/blame_output.h"
 
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 
+#include "golden/run/external_engine.h"
 #include "tools/output/divergence_output.h"
 
 namespace tumble::tools {
@@ -28,6 +32,12 @@ std::string change_text(const replay::BlameAnswer& answer) {
   std::string text = answer.value + ' ';
   if (answer.before) text += value_text(*answer.before, "") + " -> ";
   return text + value_text(answer.after, answer.unit);
+}
+
+Json vector_json(const sim::Vec3& v) { return {number_json(v.x()), number_json(v.y()), number_json(v.z())}; }
+
+std::string vector_text(const sim::Vec3& v) {
+  return significant(v.x(), 4) + ' ' + significant(v.y(), 4) + ' ' + significant(v.z(), 4);
 }
 
 Json share_json(const replay::BlameShare& share) {
@@ -93,6 +103,78 @@ Json blame_json(const replay::Blame& blame) {
   json["complete"] = blame.complete;
   json["ends"] = blame.ends;
   json["notes"] = blame.notes;
+  return json;
+}
+
+std::string blame_command(const std::string& log, const replay::Divergence& difference) {
+  const bool of_body = difference.body && replay::is_in_state(difference) && difference.field != "id";
+  if (!of_body) return "";
+  return "tumble blame " + golden::shell_quoted(log) + " --body " + std::to_string(*difference.body) + " --field " +
+         difference.field + " --step " + std::to_string(difference.step) + " --back 5";
+}
+
+void print_contacts(const replay::BodyContacts& contacts) {
+  for (const std::string& note : contacts.notes) std::cout << "note: " << printable(note) << '\n';
+  Listing listing;
+  listing.add("body", std::to_string(contacts.body) + ", step " + std::to_string(contacts.step));
+  listing.add("mass", rounded(contacts.mass, "kg"));
+  if (contacts.borne) listing.add("bears", rounded(*contacts.borne, "kg"));
+  if (contacts.lent && *contacts.lent != 0) listing.add("is lent", rounded(*contacts.lent, "kg of inertia"));
+  constexpr std::size_t kShown = 12;
+  std::string island;
+  for (std::size_t k = 0; k < std::min(kShown, contacts.island.size()); ++k) {
+    island += (k == 0 ? "" : ", ") + std::to_string(contacts.island[k]);
+  }
+  if (contacts.island.size() > kShown) island += " and " + std::to_string(contacts.island.size() - kShown) + " more";
+  listing.add("island", count_text(contacts.island.size(), "body") + ": " + island);
+  if (contacts.contacts.empty()) listing.add("contacts", "none in this step");
+  listing.print();
+  if (contacts.contacts.empty()) return;
+  std::cout << '\n';
+  Table table({">substep", "with", "normal", ">impulse N s", ">friction N s", "point", ">depth m", ">impulse N s", ""});
+  for (const replay::BodyContact& contact : contacts.contacts) {
+    const std::string with = contact.other ? "body " + std::to_string(*contact.other) : "the ground";
+    const char* kind = contact.asleep ? "asleep" : contact.fast ? "fast pair" : "";
+    table.add({std::to_string(contact.substep), with, vector_text(contact.normal), significant(contact.impulse, 4),
+               significant(sim::length(contact.friction), 4), "", "", "", kind});
+    for (const replay::BodyContactPoint& point : contact.points) {
+      table.add(
+          {"", "", "", "", "", vector_text(point.at), significant(point.depth, 4), significant(point.impulse, 4), ""});
+    }
+  }
+  table.print();
+}
+
+Json contacts_json(const replay::BodyContacts& contacts) {
+  const auto or_null = [](const std::optional<double>& value) { return value ? number_json(*value) : Json(nullptr); };
+  Json json;
+  json["body"] = contacts.body;
+  json["step"] = contacts.step;
+  json["mass"] = contacts.mass;
+  json["island"] = contacts.island;
+  json["borne"] = or_null(contacts.borne);
+  json["lent"] = or_null(contacts.lent);
+  json["contacts"] = Json::array();
+  for (const replay::BodyContact& contact : contacts.contacts) {
+    Json one;
+    one["substep"] = contact.substep;
+    one["with"] = contact.other ? Json(*contact.other) : Json(nullptr);
+    one["normal"] = vector_json(contact.normal);
+    one["impulse"] = number_json(contact.impulse);
+    one["friction"] = vector_json(contact.friction);
+    one["twist"] = number_json(contact.twist);
+    one["asleep"] = contact.asleep;
+    one["fast"] = contact.fast;
+    one["points"] = Json::array();
+    for (const replay::BodyContactPoint& point : contact.points) {
+      one["points"].push_back({{"at", vector_json(point.at)},
+                               {"depth", number_json(point.depth)},
+                               {"impulse", number_json(point.impulse)},
+                               {"load", number_json(point.load)}});
+    }
+    json["contacts"].push_back(std::move(one));
+  }
+  json["notes"] = contacts.notes;
   return json;
 }
 
