@@ -18,7 +18,6 @@ namespace tumble::replay {
 namespace {
 
 constexpr std::size_t kEndOfStep = std::numeric_limits<std::size_t>::max();
-constexpr std::size_t kAccountsKept = 8;
 
 /// A value that the chain asks about next.
 struct Cursor {
@@ -79,7 +78,6 @@ class Chain {
     if (const auto found = accounts_.find(key); found != accounts_.end()) return &found->second;
     Result<BodyAccount> taken = steps_.account(k, body);
     if (!taken.ok()) return taken.error();
-    if (accounts_.size() >= kAccountsKept) accounts_.clear();
     return &accounts_.emplace(key, *std::move(taken)).first->second;
   }
 
@@ -98,8 +96,13 @@ class Chain {
     const BodyAccount& own = **found;
     const std::optional<std::size_t> write =
         cursor.began ? largest_change(own, at.field) : last_change(own, at.field, at.before_write);
-    if (write) return explain_write(at, own, *write);
-    return explain_before(at, own);
+    if (!write) return explain_before(at, own);
+    if (!cursor.began) return explain_write(at, own, *write);
+    const Result<std::optional<BodyMotion>> before = steps_.after(at.step - 1, at.body);
+    if (!before.ok()) return before.error();
+    const double then = before->has_value() ? (*before)->of(at.field) : 0, by_inputs = own.start.of(at.field) - then;
+    const double by_phase = own.writes[*write].after.of(at.field) - own.writes[*write].before.of(at.field);
+    return std::fabs(by_inputs) > std::fabs(by_phase) ? explain_before(at, own) : explain_write(at, own, *write);
   }
 
   Result<std::optional<Cursor>> explain_write(const Cursor& at, const BodyAccount& own, std::size_t write) {
@@ -111,24 +114,37 @@ class Chain {
     if (changes_rest) add_rest_change(own);
     switch (source.kind) {
       case Source::Kind::kValue:
-        return std::optional(Cursor{at.step, at.body, source.field, write_before(own, write, at.field, source.field)});
+        return std::optional(Cursor{at.step, at.body, source.field, write_before(write, source.field)});
       case Source::Kind::kContact: {
         const ContactFacts* facts = own.contact_with(source.other);
         if (in_question && facts != nullptr) add(making_of(own, *facts, at.field, method_));
         return motion_behind(own, source.other, at);
       }
       case Source::Kind::kGravity:
-        if (in_question && own.contacts.empty()) add(absence_of(own, method_));
-        if (in_question && !own.contacts.empty()) {
-          const auto first = std::ranges::min_element(own.contacts, {}, &ContactFacts::approach);
-          add(making_of(own, *first, at.field, method_));
-        }
-        return flight_behind(at);
+        return explain_fall(at, own);
       case Source::Kind::kEnd:
         break;
     }
     blame_.ends = "the phase has one cause";
     return std::optional<Cursor>();
+  }
+
+  /// Gravity without a contact that took part: what found none, then the value with which the fall began.
+  Result<std::optional<Cursor>> explain_fall(const Cursor& at, const BodyAccount& own) {
+    const std::size_t answer = blame_.answers.size() - 1;
+    if (at.step == question_.step && own.contacts.empty()) {
+      add(absence_of(own, method_));
+    } else if (at.step == question_.step) {
+      add(making_of(own, *std::ranges::min_element(own.contacts, {}, &ContactFacts::approach), at.field, method_));
+    }
+    const double fall = own.gravity[static_cast<int>(at.field - kVelocity)] * own.dt;
+    const Result<std::uint64_t> step = step_before_fall(steps_, at.step, at.body, at.field, fall);
+    if (!step.ok()) return step.error();
+    if (*step < at.step) blame_.answers[answer].text += "; falling so since step " + std::to_string(*step + 1);
+    if (*step == log().first_state()) return std::optional(Cursor{*step, at.body, at.field});
+    Result<std::optional<Cursor>> before = before_step(*step, at.body, at.field);
+    if (!before.ok() || (*before)->before_write == 0 || *step == at.step) return before;
+    return std::optional(Cursor{*step, at.body, at.field});
   }
 
   /// The body woke or fell asleep in the step: that flag decides what moves it.
@@ -139,10 +155,7 @@ class Chain {
   }
 
   /// A value that the same phase wrote with another is asked for as it was before the phase; frozen flags as after it.
-  static std::size_t write_before(const BodyAccount& /*own*/, std::size_t write, std::size_t /*field*/,
-                                  std::size_t to) {
-    return to == kFrozenField ? write + 1 : write;
-  }
+  static std::size_t write_before(std::size_t write, std::size_t to) { return to == kFrozenField ? write + 1 : write; }
 
   void add(const std::vector<BlameAnswer>& answers) {
     for (const BlameAnswer& answer : answers) {
@@ -175,8 +188,6 @@ class Chain {
     return before_step(at.step, body, field);
   }
 
-  Result<std::optional<Cursor>> flight_behind(const Cursor& at) { return before_step(at.step, at.body, at.field); }
-
   /// The value of a body at the start of a step, its inputs applied.
   Result<std::optional<Cursor>> before_step(std::uint64_t k, sim::BodyId body, std::size_t field) {
     const Result<std::optional<BodyMotion>> before = steps_.after(k - 1, body);
@@ -194,11 +205,19 @@ class Chain {
     if (!before.ok()) return before.error();
     const bool by_input = !before->has_value() || !same_value((*before)->of(at.field), own.start.of(at.field));
     if (by_input) return explain_input(at, own, *before);
-    if (at.step == question_.step && own.start.frozen()) add({rest_of(own, method_)});
-    if (!wants_more()) return std::optional<Cursor>();
     const Result<std::uint64_t> step = step_it_changed(steps_, at.step - 1, at.body, at.field);
     if (!step.ok()) return step.error();
-    return explain({*step, at.body, at.field, kEndOfStep, false});
+    const Result<std::optional<Cursor>> next = explain({*step, at.body, at.field, kEndOfStep, false});
+    if (next.ok() && at.step == question_.step) add_reason_of_rest(own, at.field);
+    return next;
+  }
+
+  /// No phase of the step asked about changed the value: what left the body as it was.
+  void add_reason_of_rest(const BodyAccount& own, std::size_t field) {
+    if (own.is_static) return;
+    if (own.start.frozen() && own.end.frozen()) add({rest_of(own, method_)});
+    if (own.contacts.empty()) return add(absence_of(own, method_));
+    add(making_of(own, *std::ranges::min_element(own.contacts, {}, &ContactFacts::approach), field, method_));
   }
 
   Result<std::optional<Cursor>> explain_input(const Cursor& at, const BodyAccount& own,
@@ -252,7 +271,7 @@ class Chain {
   BlameQuestion question_;
   sim::Method method_;
   Blame blame_;
-  std::map<std::pair<std::uint64_t, sim::BodyId>, BodyAccount> accounts_;
+  std::map<std::pair<std::uint64_t, sim::BodyId>, BodyAccount> accounts_;  // of all answers so far
 };
 
 }  // namespace

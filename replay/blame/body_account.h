@@ -48,6 +48,7 @@ struct ContactFacts {
   bool asleep = false;
   bool woke = false;          ///< one of its bodies was woken in this step
   double depth = 0;           ///< m, thesis: of the collision
+  bool rests = false;         ///< thesis: friction at rest takes back a part of the way
   std::uint32_t substep = 0;  ///< the last one in which it acted
 };
 

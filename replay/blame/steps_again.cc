@@ -95,15 +95,15 @@ Status StepsAgain::step_and_compare(sim::World& world, sim::Observer* also) {
 
 // From the state kept, if that lies between the keyframe and the step; else from the keyframe.
 Status StepsAgain::stand_before(std::uint64_t k) {
-  if (before_ && before_->step == k - 1) return {};
+  if (before_ && before_->state().step == k - 1) return {};
   if (const MissingSteps* lost = log_->lost_at(k); lost != nullptr) {
     return bad_input(log_->name() + ": found no step " + std::to_string(k) + ": " + to_string(*lost) +
                      " were lost before the log was recovered");
   }
   Result<const Keyframe*> keyframe = log_->keyframe_at_or_before(k - 1);
   if (!keyframe.ok()) return keyframe.error();
-  const bool goes_on = before_ && before_->step < k && before_->step > (*keyframe)->state.step;
-  Result<sim::World> world = sim::World::restore(goes_on ? *std::move(before_) : (*keyframe)->state);
+  const bool goes_on = before_ && before_->state().step < k && before_->state().step > (*keyframe)->state.step;
+  Result<sim::World> world = goes_on ? Result<sim::World>(*std::move(before_)) : sim::World::restore((*keyframe)->state);
   before_.reset();
   if (!world.ok()) return Error{world.error().kind, log_->name() + ": " + world.error().message};
   while (world->state().step + 1 < k) {
@@ -112,7 +112,7 @@ Status StepsAgain::stand_before(std::uint64_t k) {
     if (Status ok = apply_inputs(*world); !ok.ok()) return ok;
     if (Status ok = step_and_compare(*world, nullptr); !ok.ok()) return ok;
   }
-  before_ = world->state();
+  before_ = *std::move(world);
   return {};
 }
 
@@ -123,9 +123,8 @@ Result<sim::World> StepsAgain::world_before(std::uint64_t k) {
                      std::to_string(log_->first_state() + 1) + " to " + std::to_string(log_->last_step()));
   }
   if (Status ok = stand_before(k); !ok.ok()) return ok.error();
-  Result<sim::World> world = sim::World::restore(*before_);
-  if (!world.ok()) return Error{world.error().kind, log_->name() + ": " + world.error().message};
-  if (Status ok = apply_inputs(*world); !ok.ok()) return ok.error();
+  sim::World world = *before_;
+  if (Status ok = apply_inputs(world); !ok.ok()) return ok.error();
   return world;
 }
 

@@ -49,7 +49,9 @@ class StepsAgain {
   LogReader* log_;
   StateSource states_;
   Progress progress_;
-  std::optional<sim::WorldState> before_;  // the state that steps were taken from last
+  // The world that steps were taken from last. With its scratch: a build whose steps depend on it is a wrong one, and
+  // must still be seen to repeat its own log.
+  std::optional<sim::World> before_;
   StepRecord record_;                      // of the step that is being taken, by this build
   // The states of one body from `block_from_` on.
   sim::BodyId block_body_ = 0;

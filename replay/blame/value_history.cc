@@ -41,4 +41,16 @@ Result<std::uint64_t> step_it_began(StepsAgain& steps, std::uint64_t k, sim::Bod
                    [&](double then) { return !(std::fabs(then - *value) <= 0.5 * std::fabs(*value)); });
 }
 
+Result<std::uint64_t> step_before_fall(StepsAgain& steps, std::uint64_t k, sim::BodyId body, std::size_t field,
+                                       double fall) {
+  Result<double> value = value_after(steps, k, body, field);
+  if (!value.ok()) return value.error();
+  double now = *value;
+  return last_step(steps, k, body, field, [&](double then) {
+    const bool falls = std::fabs((now - then) - fall) <= 1e-9;
+    now = then;
+    return !falls;
+  });
+}
+
 }  // namespace tumble::replay

@@ -17,4 +17,8 @@ Result<std::uint64_t> step_it_changed(StepsAgain& steps, std::uint64_t k, sim::B
 /// of it, or there was no such body. Likewise else.
 Result<std::uint64_t> step_it_began(StepsAgain& steps, std::uint64_t k, sim::BodyId body, std::size_t field);
 
+/// The last step up to k in which the value did not change by `fall` alone, to a billionth; likewise else.
+Result<std::uint64_t> step_before_fall(StepsAgain& steps, std::uint64_t k, sim::BodyId body, std::size_t field,
+                                       double fall);
+
 }  // namespace tumble::replay

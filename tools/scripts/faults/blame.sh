@@ -62,7 +62,7 @@ ask() { # name slot
     return
   fi
   mkdir -p "$work/own$2"
-  timeout 600 "$tree/build/release/tests/trial/blame_trial" "$work/own$2" "$work"/good/*.tumble \
+  timeout 600 "$tree/build/release/tests/blame_trial" "$work/own$2" "$work"/good/*.tumble \
     >"$work/log/$name" 2>"$work/log/$name.errors" || printf 'failed: %s\n' "$(<"$work/log/$name.errors")" >>"$work/log/$name"
   while read -r line; do
     [[ $line == *" body "* ]] || continue
