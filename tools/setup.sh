@@ -10,6 +10,7 @@
 #   fuzz         what tools/scripts/checks/fuzz.sh uses
 #   faults       what tools/scripts/faults/faults.sh uses
 #   peers        other engines that bench/peers can run our scenes through
+#   recorder     further compilers of the recorder's check, and wine to run what one of them makes for Windows
 set -euo pipefail
 export LC_ALL=C # comm and sort must agree on the order
 
@@ -27,6 +28,7 @@ declare -A groups=(
   [fuzz]="clang-14 libclang-rt-14-dev"
   [faults]="jq"
   [peers]="libbullet-dev libode-dev libmujoco-dev"
+  [recorder]="clang gcc-mingw-w64-x86-64 wine64 wine"
 )
 for pair in node:nodejs npm:npm chromium:chromium; do
   command -v "${pair%%:*}" >/dev/null || groups[report]+=" ${pair#*:}"
@@ -37,7 +39,7 @@ fail() {
   exit 4
 }
 usage() {
-  sed -n '3,12s/^# //p' "${BASH_SOURCE[0]}"
+  sed -n '3,13s/^# //p' "${BASH_SOURCE[0]}"
 }
 
 only=() with=()

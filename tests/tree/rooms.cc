@@ -69,6 +69,8 @@ std::vector<Room> logs() {
       {"replay/measure", above},
       {"replay/recover", above},
       {"replay/import", session},
+      {"replay/recorder", {}},
+      {"replay/stream", session + Folders{"replay/import"}},
       {"replay/picture", above + Folders{"src/render", "src/render/picture", "src/render/scene"}},
       {"replay/diff", above + Folders{"replay/measure", "replay/recover", "replay/picture"}},
       {"replay/blame", above + Folders{"replay/diff"}},
@@ -102,6 +104,11 @@ std::vector<Room> program() {
                      "replay/import",   "replay/picture", "replay/diff",    "replay/blame",       "golden/suite",
                      "golden/expected", "golden/judge",   "golden/run",     "golden/canaries",    "golden/report",
                      "golden/bless",    "golden",         "src/files",      "src/process"};
+      kSim + Folders{"src/scenes",      "src/threads",   "src/render",     "src/render/picture", "replay/format",
+                     "replay/codec",    "replay/log",    "replay/session", "replay/measure",     "replay/recover",
+                     "replay/import",   "replay/stream", "replay/picture", "replay/diff",        "golden/suite",
+                     "golden/expected", "golden/judge",  "golden/run",     "golden/canaries",    "golden/report",
+                     "golden/bless",    "golden",        "src/files",      "src/process"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
       {"tools/output", below},
@@ -119,8 +126,8 @@ std::vector<Room> tests() {
   std::vector<Room> rows;
   for (const char* folder :
        {"tests/support", "tests/fuzz", "tests/tree", "tests/files", "tests/process", "tests/sim", "tests/scenes",
-        "tests/render", "tests/replay", "tests/replay/measure", "tests/golden", "tests/tools", "tests/outputs",
-        "tests/trial", "tests/determinism", "bench", "bench/peers"}) {
+        "tests/render", "tests/replay", "tests/replay/measure", "tests/recorder", "tests/golden", "tests/tools",
+        "tests/outputs", "tests/trial", "tests/determinism", "bench", "bench/peers"}) {
     rows.push_back({folder, {"*"}});
   }
   return rows;

@@ -11,6 +11,7 @@
 #include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
+#include "tools/commands/import_stream.h"
 #include "tools/files/log_files.h"
 #include "tools/output/axes_output.h"
 #include "tools/output/progress.h"
@@ -91,7 +92,23 @@ void print_result(const ImportCommand& options, const std::string& output, const
   listing.print();
 }
 
+Result<Exit> import_stream_command(const ImportCommand& options, const std::string& output) {
+  if (!options.settings.empty() || !options.like.empty()) {
+    return bad_input(options.table + ": found --header or --like, wanted neither: a stream says all of it");
+  }
+  files::OutputGuard guard;
+  guard.keep(options.table, "the stream");
+  if (Status ok = guard.claim("-o", output); !ok.ok()) return ok.error();
+  return import_stream_file({options.table, output, options.json});
+}
+
 Result<Exit> import_command(const ImportCommand& options) {
+  std::string output = options.output;
+  if (output.empty()) {
+    const std::size_t name = options.table.find_last_of('/') + 1;  // 0 without one
+    output = options.table.substr(name, options.table.find_last_of('.') - name) + ".tumble";
+  }
+  if (is_stream_file(options.table)) return import_stream_command(options, output);
   const Result<std::string> text = read_table(options.table);
   if (!text.ok()) return text.error();
   replay::ImportOptions how;
@@ -104,11 +121,6 @@ Result<Exit> import_command(const ImportCommand& options) {
     Result<replay::SessionLike> like = replay::session_like(*log);
     if (!like.ok()) return like.error();
     how.like = *std::move(like);
-  }
-  std::string output = options.output;
-  if (output.empty()) {
-    const std::size_t name = options.table.find_last_of('/') + 1;  // 0 without one
-    output = options.table.substr(name, options.table.find_last_of('.') - name) + ".tumble";
   }
   files::OutputGuard guard;
   guard.keep(options.table, "the table");
@@ -127,7 +139,7 @@ Result<Exit> import_command(const ImportCommand& options) {
 
 Action declare_import(Arguments& arguments) {
   auto options = std::make_shared<ImportCommand>();
-  arguments.positional("FILE.csv", options->table, "The table: a row a body and step").required();
+  arguments.positional("FILE", options->table, "A table, a row a body and step, or a recorder's stream").required();
   arguments.option("-o,--output", "LOG", options->output,
                    "The log to write (if not given: FILE.tumble in this folder)");
   arguments.option("--header", "LINE", options->settings,
@@ -141,8 +153,10 @@ Action declare_import(Arguments& arguments) {
       "Lines \"# key: value\" before them: engine, version, scene,\n"
       "precision, up, handed, length, dt, gravity, ground, size, mass, friction, restitution.\n"
       "docs/other_engines.md explains each. The log can be compared, measured and drawn, but not replayed.\n\n"
+      "A stream of replay/recorder/tumble_recorder.h is known by its first bytes.\n\n"
       "Examples:\n"
       "  tumble import mine.csv -o mine.tumble\n"
+      "  tumble import mine.tumblestream -o mine.tumble\n"
       "  tumble import mine.csv --header \"engine: mine\" --header \"up: y\" --header \"dt: 0.016666666666666666\"\n"
       "  tumble import mine.csv --like brick_wall.tumble && tumble diff brick_wall.tumble mine.tumble --tolerance "
       "position=0.01");

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Fuzzes everything that reads bytes from outside, with libFuzzer, AddressSanitizer and UndefinedBehaviorSanitizer.
 # Usage: tools/scripts/checks/fuzz.sh MINUTES [TARGET...]     the minutes are shared out; targets:
-#        log messages codec scene commands import
+#        log messages codec scene commands stream import
 # Needs tools/setup.sh --with fuzz (clang 14: later ones do not take Cap'n Proto 0.9 in C++20). What was tried lies in
 # build/fuzz/corpus and is gone on from; what fails lies in build/fuzz/findings.
 # Exit status: 0 nothing found, 1 a finding, 2 bad usage.
@@ -17,7 +17,7 @@ usage() {
 minutes=$1
 shift
 targets=("$@")
-((${#targets[@]} > 0)) || targets=(log messages codec scene commands import)
+((${#targets[@]} > 0)) || targets=(log messages codec scene commands stream import)
 
 cmake --preset fuzz >/dev/null
 cmake --build --preset fuzz --target "${targets[@]/#/fuzz_}" >/dev/null
@@ -26,7 +26,7 @@ trap 'rm -rf "$scratch"' EXIT
 export TMPDIR=$scratch
 
 # Bytes that an input may have: a log of a few bodies shows every path, and small ones run often.
-declare -A longest=([log]=16384 [messages]=32768 [codec]=16384 [scene]=4096 [commands]=32768 [import]=4096)
+declare -A longest=([log]=16384 [messages]=32768 [codec]=16384 [scene]=4096 [commands]=32768 [stream]=16384 [import]=4096)
 # Memory: no piece above 128 MB. The sum has room for AddressSanitizer's shadow, for freed memory that it keeps back,
 # and for libFuzzer's corpus.
 limits=(-malloc_limit_mb=128 -rss_limit_mb=640)

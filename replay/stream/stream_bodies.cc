@@ -1,0 +1,97 @@
+#include "replay/stream/stream_bodies.h"
+
+#include <algorithm>
+#include <array>
+
+#include "src/base/text.h"
+#include "tumble/sim/limits.h"
+
+namespace tumble::replay {
+namespace {
+
+// TumbleRecShape of tumble_recorder.h.
+enum Shape : std::uint8_t { kBox = 0, kSphere = 1, kCapsule = 2, kCylinder = 3 };
+
+constexpr std::array<const char*, 6> kShapeNames = {"box", "sphere", "capsule", "cylinder", "hull", "mesh"};
+
+/// Edge lengths of the box around a shape, in the engine's unit and the body's axes.
+sim::Vec3 box_around(const StreamBody& body) {
+  const double across = 2 * body.size[0];
+  switch (body.shape) {
+    case kSphere:
+      return {across, across, across};
+    case kCapsule:
+      return {across, across, across + body.size[1]};
+    case kCylinder:
+      return {across, across, body.size[1]};
+    default:
+      return body.size;
+  }
+}
+
+sim::Vec3 vector_at(const StreamNumbers& numbers, std::size_t at) {
+  return {numbers[at], numbers[at + 1], numbers[at + 2]};
+}
+
+}  // namespace
+
+EngineState StreamBodies::converted(const StreamNumbers& numbers, bool asleep) const {
+  return {axes_.length(vector_at(numbers, 0)), axes_.turn({numbers[3], numbers[4], numbers[5], numbers[6]}),
+          axes_.length(vector_at(numbers, 7)), axes_.axial(vector_at(numbers, 10)), asleep};
+}
+
+double StreamBodies::edge(std::uint64_t id, double length) {
+  const double cut = std::clamp(length, sim::kSizeMin, sim::kSizeMax);
+  if (length >= sim::kSizeMin && length <= sim::kSizeMax) return length;
+  notes_.push_back("body " + std::to_string(id) + ": an edge of " + number_text(length) + " m is logged as " +
+                   number_text(cut) + " m");
+  return cut;
+}
+
+sim::BoxDef StreamBodies::add(const StreamBody& body) {
+  const EngineState state = converted(body.numbers, body.asleep);
+  last_[body.id] = state;
+  sim::BoxDef box;
+  box.id = body.id;
+  box.size = axes_.extents(box_around(body));
+  for (int k = 0; k < 3; ++k) box.size[k] = edge(body.id, box.size[k]);
+  if (body.shape != kBox) {
+    notes_.push_back("body " + std::to_string(body.id) + ": a " + kShapeNames[body.shape] +
+                     " is logged as the box around it");
+  }
+  box.mass = body.is_static && !(body.mass > 0) ? 1 : body.mass;
+  box.is_static = body.is_static;
+  box.position = state.position;
+  box.orientation = state.orientation;
+  box.velocity = state.velocity;
+  box.spin = state.spin;
+  box.frozen = state.frozen && !body.is_static;
+  box.material.friction = box.material.friction_dynamic = body.friction;
+  box.material.restitution = body.restitution;
+  return box;
+}
+
+std::optional<sim::Command> StreamBodies::command(const StreamInput& input) {
+  if (const auto* body = std::get_if<StreamBody>(&input)) return sim::Throw{add(*body)};
+  if (const auto* removed = std::get_if<StreamRemove>(&input)) {
+    last_.erase(removed->id);
+    return sim::Remove{removed->id};
+  }
+  if (const auto* push = std::get_if<StreamPush>(&input)) return sim::Push{push->id, axes_.length(push->impulse)};
+  if (const auto* set = std::get_if<StreamSetVelocity>(&input)) {
+    return sim::SetVelocity{set->id, axes_.length(set->velocity), axes_.axial(set->spin)};
+  }
+  if (const auto* set = std::get_if<StreamSetGravity>(&input)) return sim::SetGravity{axes_.length(set->gravity)};
+  return std::nullopt;
+}
+
+Result<EngineState> StreamBodies::state(const StreamState& state) {
+  const auto last = last_.find(state.id);
+  if (last == last_.end()) {
+    return bad_input("found a state of body " + std::to_string(state.id) + ", wanted the id of a body that exists");
+  }
+  if (!state.same) last->second = converted(state.numbers, state.asleep);
+  return last->second;
+}
+
+}  // namespace tumble::replay

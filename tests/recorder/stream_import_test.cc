@@ -1,0 +1,150 @@
+// Streams turned into logs: every number to the bit, in our axes, with what was passed over named.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "replay/stream/import_stream.h"
+#include "tests/recorder/recorded.h"
+#include "tests/support/log_memory.h"
+
+namespace tumble::test {
+namespace {
+
+using replay::LogReader;
+using replay::StreamImport;
+using replay::StreamReader;
+
+struct Imported {
+  StreamImport import;
+  LogReader log;
+};
+
+Result<Imported> import_bytes(StreamBytes bytes) {
+  const Result<StreamReader> stream = open_stream(std::move(bytes));
+  if (!stream.ok()) return stream.error();
+  const auto disk = std::make_shared<replay::Disk>();
+  Result<StreamImport> done = import_stream(*stream, [&]() -> Result<std::unique_ptr<replay::ByteSink>> {
+    return std::unique_ptr<replay::ByteSink>(std::make_unique<replay::MemorySink>(disk));
+  });
+  if (!done.ok()) return done.error();
+  Result<LogReader> log = replay::open_memory(disk->bytes);
+  if (!log.ok()) return log.error();
+  return Imported{*std::move(done), *std::move(log)};
+}
+
+bool mentions(const std::vector<std::string>& texts, const std::string& part) {
+  return std::ranges::any_of(texts, [&](const std::string& text) { return text.find(part) != std::string::npos; });
+}
+
+TEST(StreamImport, StatesComeBackToTheBit) {
+  Result<Imported> got = import_bytes(record(3, 6));
+  ASSERT_TRUE(got.ok()) << got.error().message;
+  EXPECT_EQ(got->import.log.steps, 6U);
+  EXPECT_TRUE(got->import.warnings.empty());
+  EXPECT_EQ(got->log.header().engine->name, "test engine");
+  for (std::uint64_t k = 1; k <= 6; ++k) {
+    const Result<const replay::StepRecord*> step = got->log.read_step(k);
+    ASSERT_TRUE(step.ok()) << step.error().message;
+    ASSERT_EQ((*step)->states.size(), 3U);
+    EXPECT_EQ((*step)->dt, 0.0625);
+    EXPECT_EQ((*step)->states.position[0].z(), state_at(1, k).position[2]) << k;
+    EXPECT_EQ((*step)->states.position[1].z(), state_at(2, std::min<std::uint64_t>(k, 3)).position[2]) << k;
+    EXPECT_EQ((*step)->states.frozen[1] != 0, k >= 3) << k;
+  }
+}
+
+TEST(StreamImport, NumbersThatAreNoFloatsAndNanAreKept) {
+  const double odd[3] = {0.1, -0.0, std::numeric_limits<double>::quiet_NaN()};
+  const auto step = [&](TumbleRec* rec) {
+    TumbleRecState state = state_at(1, 1);
+    std::copy_n(odd, 3, state.position);
+    tumble_rec_step_begin(rec, 0.0625);
+    tumble_rec_state(rec, 1, &state);
+    ASSERT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK);
+  };
+  Result<Imported> got = import_bytes(record(1, 0, step));
+  ASSERT_TRUE(got.ok()) << got.error().message;
+  const Result<const replay::StepRecord*> read = got->log.read_step(1);
+  ASSERT_TRUE(read.ok());
+  const sim::Vec3 position = (*read)->states.position[0];
+  for (int k = 0; k < 3; ++k) {
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(static_cast<double>(position[k])), std::bit_cast<std::uint64_t>(odd[k]))
+        << k;
+  }
+}
+
+TEST(StreamImport, AxesAndUnitBecomeOurs) {
+  const auto yards = [](TumbleRecDef& def) {
+    def.up = 'y';
+    def.metres = 0.01;
+    def.gravity[1] = -981;
+    def.gravity[2] = 0;
+  };
+  Result<Imported> got = import_bytes(record(1, 1, {}, yards));
+  ASSERT_TRUE(got.ok()) << got.error().message;
+  EXPECT_NEAR(got->log.header().scene.world.gravity.z(), -9.81, 1e-12);
+  const Result<const replay::StepRecord*> step = got->log.read_step(1);
+  ASSERT_TRUE(step.ok());
+  EXPECT_DOUBLE_EQ((*step)->states.position[0].y(), -0.01 * state_at(1, 1).position[2]);
+  EXPECT_EQ(got->log.header().axes().up, 1);
+}
+
+TEST(StreamImport, BodiesComeAndGo) {
+  const auto more = [](TumbleRec* rec) {
+    const TumbleRecBody thrown = small_cube(9);
+    const TumbleRecState state = state_at(9, 3);
+    const TumbleRecState first = state_at(1, 3);
+    tumble_rec_body(rec, &thrown);
+    tumble_rec_remove(rec, 2);
+    tumble_rec_step_begin(rec, 0.0625);
+    tumble_rec_state(rec, 9, &state);
+    tumble_rec_state(rec, 1, &first);
+    ASSERT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK) << tumble_rec_message(rec);
+  };
+  Result<Imported> got = import_bytes(record(2, 2, more));
+  ASSERT_TRUE(got.ok()) << got.error().message;
+  const Result<const replay::StepRecord*> step = got->log.read_step(3);
+  ASSERT_TRUE(step.ok());
+  EXPECT_EQ((*step)->inputs.size(), 2U);
+  EXPECT_EQ((*step)->states.id, (std::vector<sim::BodyId>{1, 9}));
+}
+
+TEST(StreamImport, ShapesAreBoxesAroundThemAndSaidToBe) {
+  const auto sphere = [](TumbleRec* rec) {
+    TumbleRecBody body = small_cube(5);
+    body.shape = TUMBLE_REC_CAPSULE;
+    body.size[0] = 0.25;
+    body.size[1] = 2;
+    tumble_rec_body(rec, &body);
+  };
+  Result<Imported> got = import_bytes(record(1, 0, sphere));
+  ASSERT_TRUE(got.ok()) << got.error().message;
+  EXPECT_EQ(got->log.header().scene.boxes[1].size, (sim::Vec3{0.5, 0.5, 2.5}));
+}
+
+TEST(StreamImport, ATornStreamSaysWhereItEnds) {
+  StreamBytes bytes = record(3, 6);
+  bytes.resize(bytes.size() - 40);
+  const Result<Imported> got = import_bytes(bytes);
+  ASSERT_TRUE(got.ok()) << got.error().message;
+  EXPECT_EQ(got->import.log.steps, 5U);
+  EXPECT_TRUE(mentions(got->import.warnings, "the recorder was stopped after step 5"));
+}
+
+TEST(StreamImport, HashesAloneAreCompared) {
+  const auto hashes = [](TumbleRecDef& def) { def.hashes_only = 1; };
+  Result<Imported> one = import_bytes(record(2, 4, {}, hashes));
+  Result<Imported> other = import_bytes(record(3, 4, {}, hashes));
+  ASSERT_TRUE(one.ok()) << one.error().message;
+  ASSERT_TRUE(other.ok()) << other.error().message;
+  EXPECT_EQ(one->log.header().phases.size(), replay::kStreamClasses.size());
+  const Result<const replay::StepRecord*> a = one->log.read_step(2);
+  const Result<const replay::StepRecord*> b = other->log.read_step(2);
+  ASSERT_TRUE(a.ok() && b.ok());
+  EXPECT_EQ((*a)->phase_words[0], (*b)->phase_words[0]) << "no inputs in both";
+  EXPECT_NE((*a)->phase_words[1], (*b)->phase_words[1]) << "other states";
+}
+
+}  // namespace
+}  // namespace tumble::test

@@ -1,0 +1,90 @@
+// tumble import, of a recorder's stream.
+#include "tools/commands/import_stream.h"
+
+#include <array>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "replay/stream/import_stream.h"
+#include "src/process/interrupt.h"
+#include "tools/files/log_files.h"
+#include "tools/output/axes_output.h"
+#include "tools/output/progress.h"
+#include "tools/output/text.h"
+#include "tumble/replay/log_reader.h"
+
+namespace tumble::tools {
+namespace {
+
+using replay::StreamReader;
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
+
+void print_json_result(const StreamFiles& files, const StreamReader& stream, const replay::StreamImport& done) {
+  Json json;
+  json["log"] = files.output;
+  json["engine"] = to_string(stream.header().engine);
+  json["steps"] = done.log.steps;
+  json["bytes"] = done.log.bytes;
+  json["final_hash"] = to_string(done.log.final_hash);
+  json["axes"] = axes_json(stream.header().axes);
+  json["finished"] = stream.condition().finished;
+  json["damaged"] = stream.condition().damage.has_value();
+  json["hashes_only"] = stream.header().hashes_only;
+  json["rewinds"] = stream.rewinds();
+  json["superseded_steps"] = stream.superseded().size();
+  json["passed_over"] = done.passed_over;
+  json["warnings"] = done.warnings;
+  print_json(json);
+}
+
+void print_listing(const StreamFiles& files, const StreamReader& stream, const replay::StreamImport& done) {
+  Listing listing;
+  listing.add("engine", printable(to_string(stream.header().engine)));
+  listing.add("axes", to_string(stream.header().axes));
+  if (!done.passed_over.empty()) listing.add("passed over", printable(joined(done.passed_over)));
+  if (stream.rewinds() > 0) {
+    listing.add("rewinds", std::to_string(stream.rewinds()) + "; " + count_text(stream.superseded().size(), "step") +
+                               " recorded again");
+  }
+  if (stream.header().hashes_only) listing.add("holds", "hashes only: no body can be compared or drawn");
+  listing.add("steps", std::to_string(done.log.steps));
+  listing.add("log", files.output);
+  listing.add("size", bytes_text(done.log.bytes));
+  listing.add("final hash", to_string(done.log.final_hash));
+  listing.print();
+}
+
+}  // namespace
+
+bool is_stream_file(const std::string& path) {
+  std::array<char, replay::kStreamMagic.size()> first{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(first.data(), first.size());
+  return file.good() && StreamReader::is_stream(std::as_bytes(std::span(first)));
+}
+
+Result<Exit> import_stream_file(const StreamFiles& files) {
+  Result<std::unique_ptr<replay::ByteSource>> source = replay::open_file_source(files.stream);
+  if (!source.ok()) return source.error();
+  Result<StreamReader> stream = StreamReader::open(*std::move(source));
+  if (!stream.ok()) return stream.error();
+  ProgressBar bar("importing");
+  const process::InterruptGuard guard;
+  const Result<replay::StreamImport> done = replay::import_stream(
+      *stream, [&] { return replay::open_file_sink(files.output); }, bar.progress());
+  bar.finish();
+  if (!done.ok()) return done.error();
+  for (const std::string& warning : done->warnings)
+    std::cerr << "tumble import: warning: " << printable(warning) << '\n';
+  files.json ? print_json_result(files, *stream, *done) : print_listing(files, *stream, *done);
+  return stream->condition().damage ? Exit::kDamaged : Exit::kSame;
+}
+
+}  // namespace tumble::tools
