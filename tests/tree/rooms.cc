@@ -74,6 +74,7 @@ std::vector<Room> logs() {
       {"replay/picture", above + Folders{"src/render", "src/render/picture", "src/render/scene"}},
       {"replay/diff", above + Folders{"replay/measure", "replay/recover", "replay/picture"}},
       {"replay/view", above + Folders{"replay/measure"}},
+      {"replay/blame", above + Folders{"replay/diff"}},
   };
 }
 
@@ -102,6 +103,7 @@ std::vector<Room> program() {
       kSim + Folders{"src/scenes",    "src/threads",     "src/render",     "src/render/picture", "replay/format",
                      "replay/codec",  "replay/log",      "replay/session", "replay/measure",     "replay/recover",
                      "replay/import", "replay/stream",   "replay/picture", "replay/diff",        "replay/view",
+                     "replay/import", "replay/stream",   "replay/picture", "replay/diff",        "replay/blame",
                      "golden/suite",  "golden/expected", "golden/judge",   "golden/run",         "golden/canaries",
                      "golden/report", "golden/bless",    "golden",         "src/files",          "src/process"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
