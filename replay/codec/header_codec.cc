@@ -1,5 +1,6 @@
 #include "replay/codec/header_codec.h"
 
+#include "replay/codec/declared_codec.h"
 #include "replay/codec/message.h"
 #include "replay/codec/scene_codec.h"
 #include "replay/format/limits.h"
@@ -110,6 +111,11 @@ Result<LogHeader> decode_root(schema::Header::Reader in, std::uint64_t message_b
     if (!table.ok()) return table.error();
     header.table = *std::move(table);
   }
+  if (in.hasDeclared()) {
+    Result<Declared> declared = decode(in.getDeclared(), header.goes_on ? header.goes_on->step : 0);
+    if (!declared.ok()) return declared.error();
+    header.declared = *std::move(declared);
+  }
   if (in.hasRecovered()) {
     Result<Recovered> recovered = decode_recovered(in.getRecovered());
     if (!recovered.ok()) return recovered.error();
@@ -152,6 +158,9 @@ Result<MessageBytes> encode_header(const LogHeader& header) {
       encode_table(*header.table, imported);
     } else if (header.engine) {
       encode_engine(*header.engine, out.initEngine());
+    }
+    if (!header.declared.empty()) {
+      encode(header.declared, header.goes_on ? header.goes_on->step : 0, out.initDeclared());
     }
     if (header.recovered) encode_recovered(*header.recovered, out.initRecovered());
     out.setStatesEvery(header.states.every);

@@ -124,6 +124,7 @@ class Salvager {
     if (!header.ok() || header->phases.empty()) return {};
     Prelude prelude;
     prelude.first_step = header->goes_on ? header->goes_on->step : 0;
+    if (!header->declared.empty()) prelude.set_extras();
     prelude.raw_bytes = frame.raw_bytes;
     prelude.stored_bytes = frame.stored_bytes;
     prelude.stored_hash = frame.stored_hash;
@@ -166,7 +167,9 @@ class Salvager {
       return {};
     }
     const std::size_t phase_count = result_.header ? result_.header->content.phases.size() : 0;
-    Result<ChunkDecoder> decoder = RecordReader(source_).read_chunk(place_of(p, piece.offset), {*tag_, phase_count});
+    const std::vector<Channel>* channels = result_.header ? &result_.header->content.declared.channels : nullptr;
+    Result<ChunkDecoder> decoder =
+        RecordReader(source_).read_chunk(place_of(p, piece.offset), {*tag_, phase_count, channels});
     SavedChunk chunk = {p, piece.offset + kPreludeBytes, true, {}, {}, {}};
     Status ok = decoder.ok() ? check_chunk(*decoder, result_.header, chunk) : Status(decoder.error());
     if (ok.ok()) {
@@ -188,6 +191,7 @@ class Salvager {
     chunk.prelude.kind = RecordKind::kChunk;
     chunk.prelude.first_step = decoder->first_step();
     chunk.prelude.step_count = decoder->step_count();
+    if (decoder->has_extras()) chunk.prelude.set_extras();
     chunk.prelude.raw_bytes = frame.raw_bytes;
     chunk.prelude.stored_bytes = frame.stored_bytes;
     chunk.prelude.stored_hash = frame.stored_hash;
@@ -199,6 +203,7 @@ class Salvager {
     SessionStart start;
     if (result_.header) {
       start.first_step = result_.header->prelude.first_step + 1;
+      start.extras = result_.header->content.declared.start;
       if (!header_was_loose_) start.chain = result_.header->prelude.chain_after;
       if (const auto& before = result_.header->content.goes_on) start.continuation = before->continuation_hash;
     }

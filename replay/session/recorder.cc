@@ -94,7 +94,19 @@ Status Recorder::step(std::span<const sim::Command> live) {
   hashes_.clear();
   const Result<TakenStep> taken = session_.step(live, &hashes_);
   if (!taken.ok()) return taken.error();
-  return writer_->append({taken->dt, taken->inputs, hashes_.words(), taken->counters}, world().state());
+  const Extras* extras = extras_.views.empty() ? nullptr : &extras_;
+  const Status written =
+      writer_->append({taken->dt, taken->inputs, hashes_.words(), taken->counters, extras}, world().state());
+  extras_.views.clear();
+  return written;
+}
+
+Status Recorder::add_view(const View& view) {
+  Extras one;
+  one.views.push_back(view);
+  if (Status ok = check_extras(one); !ok.ok()) return ok;
+  extras_.views.push_back(view);
+  return {};
 }
 
 Status Recorder::run(const Progress& progress) {

@@ -51,6 +51,9 @@ class Recorder {
   /// finish() still completes it unless writing failed.
   Status step(std::span<const sim::Command> live = {});
 
+  /// Logs what is shown, with the coming step. Errors (kBadInput): a view that is none; see check_extras().
+  Status add_view(const View& view);
+
   /// Takes the planned steps that are left. `progress` may stop early. Errors: step()'s.
   Status run(const Progress& progress = {});
 
@@ -81,6 +84,7 @@ class Recorder {
   Session session_;
   std::unique_ptr<LogWriter> writer_;
   sim::PhaseHashes hashes_;
+  Extras extras_;  // of the coming step: views
 };
 
 /// Records scene.steps steps. A step that fails ends the session: the log is completed up to the step before, and the

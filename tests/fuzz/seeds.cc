@@ -7,7 +7,9 @@
 
 #include "golden/expected/expected_codec.h"
 #include "tests/fuzz/mend.h"
+#include "replay/log/byte_memory.h"
 #include "tests/support/log_memory.h"
+#include "tumble/replay/engine_log.h"
 #include "tumble/replay/log_reader.h"
 #include "tumble/replay/prelude.h"
 
@@ -59,15 +61,55 @@ void write_golden(const fs::path& folder) {
   if (message.ok()) write(folder / "golden.bin", std::span(&which, 1), message->bytes());
 }
 
+/// A log of another engine with every kind of extra.
+Bytes engine_log() {
+  const auto file = std::make_shared<Bytes>();
+  sim::SceneDef start;
+  start.name = "engine";
+  start.boxes.resize(2);
+  start.boxes[0].id = 1;
+  start.boxes[1].id = 2;
+  replay::EngineDef def = {{"toy", "1"}};
+  replay::Shape hull;
+  hull.kind = replay::Shape::Kind::kHull;
+  hull.points = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}};
+  def.declared.channels = {{"angle", {replay::ChannelKind::kFloat64, replay::ChannelScope::kBody}, "rad"},
+                           {"force", {replay::ChannelKind::kFloat32, replay::ChannelScope::kPair}, "N"},
+                           {"mode", {replay::ChannelKind::kText, replay::ChannelScope::kWorld}, ""}};
+  def.declared.shapes = {hull};
+  def.declared.bodies = {{1, "wheel", hash_of(hull)}};
+  auto log = replay::EngineLog::create(std::make_unique<replay::MemoryByteSink>(file, "seed"), def, start);
+  if (!log.ok()) return {};
+  for (int k = 1; k <= 8; ++k) {
+    for (const sim::BodyId id : {1U, 2U}) {
+      (*log)->set_value(0, 0.1 * k, {id, 0});
+      (*log)->set_state(id, {{0, 0, 1.0 * k}, {}, {}, {}, false});
+    }
+    if (k > 3) (*log)->set_value(1, 0.5F * static_cast<float>(k), {1, 2});
+    (*log)->set_value(2, std::string("walk"));
+    (*log)->add_contact({1, 2, {0, 0, 1}, {0, 0, 1}, 0.01, 0.1 * k});
+    (*log)->add_note("note");
+    (*log)->add_snapshot(std::as_bytes(std::span("state", 5)));
+    (*log)->add_superseded({true, "position.x"});
+    (*log)->end_step(0.01);
+  }
+  (*log)->finish();
+  return *file;
+}
+
+void write_seeds(const fs::path& folder, const std::string& name, const Bytes& log) {
+  const Bytes open = laid_open(log);
+  write(folder / "log" / (name + ".bin"), log);
+  write(folder / "messages" / (name + ".bin"), open);
+  write_commands(folder / "commands", name, log, open);
+  write_messages(folder / "codec", name, open);
+}
+
 void make_seeds(const fs::path& folder) {
+  write_seeds(folder, "engine", engine_log());
   for (const sim::Method method : replay::kMethods) {
     const std::string name = replay::name_of(method);
-    const Bytes log = replay::record_to_memory(replay::scene_with_inputs(12, method), {}, 5);
-    const Bytes open = laid_open(log);
-    write(folder / "log" / (name + ".bin"), log);
-    write(folder / "messages" / (name + ".bin"), open);
-    write_commands(folder / "commands", name, log, open);
-    write_messages(folder / "codec", name, open);
+    write_seeds(folder, name, replay::record_to_memory(replay::scene_with_inputs(12, method), {}, 5));
   }
   write_golden(folder / "codec");
 }

@@ -68,6 +68,7 @@ std::vector<Room> logs() {
       {"replay/session", session + Folders{"src/threads"}},
       {"replay/measure", above},
       {"replay/recover", above},
+      {"replay/arrays", {"src/base"}},
       {"replay/import", session},
       {"replay/recorder", {}},
       {"replay/stream", session + Folders{"replay/import"}},
@@ -99,13 +100,14 @@ std::vector<Room> suite() {
 }
 
 std::vector<Room> program() {
-  const Folders below =
-      kSim + Folders{"src/scenes",    "src/threads",     "src/render",     "src/render/picture", "replay/format",
-                     "replay/codec",  "replay/log",      "replay/session", "replay/measure",     "replay/recover",
-                     "replay/import", "replay/stream",   "replay/picture", "replay/diff",        "replay/view",
-                     "replay/import", "replay/stream",   "replay/picture", "replay/diff",        "replay/blame",
-                     "golden/suite",  "golden/expected", "golden/judge",   "golden/run",         "golden/canaries",
-                     "golden/report", "golden/bless",    "golden",         "src/files",          "src/process"};
+  const Folders below = kSim + Folders{"src/scenes",     "src/threads",     "src/render",      "src/render/picture",
+                                       "replay/format",  "replay/codec",    "replay/log",      "replay/session",
+                                       "replay/measure", "replay/recover",  "replay/import",   "replay/stream",
+                                       "replay/picture", "replay/diff",     "replay/view",     "replay/blame",
+                                       "replay/arrays",  "replay/import",   "replay/stream",   "replay/picture",
+                                       "replay/diff",    "golden/suite",    "golden/expected", "golden/judge",
+                                       "golden/run",     "golden/canaries", "golden/report",   "golden/bless",
+                                       "golden",         "src/files",       "src/process"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
       {"tools/output", below},

@@ -15,6 +15,7 @@
 #include "replay/session/state_source.h"
 #include "tools/output/axes_output.h"
 #include "tools/output/divergence_output.h"
+#include "tools/output/extras_output.h"
 #include "tools/output/text.h"
 #include "tumble/replay/body_states.h"
 #include "tumble/replay/divergence.h"
@@ -181,7 +182,7 @@ Status check_states(const replay::LogReader& log, const replay::StepRecord& reco
 }
 
 /// A change of axes turns 0.0 into −0.0, which is the same number in another engine's states.
-void forgive_zeros(const replay::StepRecord& in_a, replay::StepRecord& in_b) {
+void forgive_signs(const replay::StepRecord& in_a, replay::StepRecord& in_b) {
   const bool any = replay::forgive_zeros(in_a.states, in_b.states) > 0;
   if (any && replay::same_bits(in_a.states, in_b.states)) in_b.state_hash = in_a.state_hash;
 }
@@ -208,7 +209,7 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
   if (Status ok = check_states(a, in_a); !ok.ok()) return ok.error();
   if (Status ok = check_states(b, in_b); !ok.ok()) return ok.error();
   const Kind kind = {replay::same_phase_words(a.header(), b.header()), a.header().engine || b.header().engine};
-  if (kind.imported) forgive_zeros(in_a, in_b);
+  if (kind.imported) forgive_signs(in_a, in_b);
 
   SideBySide step;
   Json& json = step.json;
@@ -216,6 +217,7 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
   json["same"] = false;
   json["note"] = replay::phase_hash_note(a.header(), b.header());
   json["values"] = values_json(in_a, in_b, kind);
+  add_extra_differences(a, b, in_a, in_b, json["values"]);
   json["phases"] = phases_json(in_a, in_b, kind.same_words ? a.header().phases : std::vector<std::string>());
   const bool have_states = in_a.has_states && in_b.has_states;
   const replay::EngineAxes axes = common_axes(a.header(), b.header());
