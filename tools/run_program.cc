@@ -26,6 +26,7 @@ constexpr std::array kCommands = {
     Command{"replay", "run a log through the physics and compare every step", declare_replay},
     Command{"recover", "make a whole log of the intact parts of a damaged one", declare_recover},
     Command{"diff", "find the first difference between two logs", declare_diff},
+    Command{"blame", "find what last changed a value of a body", declare_blame},
     Command{"info", "show what a log holds, and check every byte of it", declare_info},
     Command{"measure", "measure symmetry, energy and stacking of a session", declare_measure},
     Command{"dump", "print bodies at one step or over many, to the last bit", declare_dump},

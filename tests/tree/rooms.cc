@@ -75,6 +75,7 @@ std::vector<Room> logs() {
       {"replay/picture", above + Folders{"src/render", "src/render/picture", "src/render/scene"}},
       {"replay/diff", above + Folders{"replay/measure", "replay/recover", "replay/picture"}},
       {"replay/view", above + Folders{"replay/measure"}},
+      {"replay/blame", above + Folders{"replay/diff"}},
   };
 }
 
@@ -116,6 +117,14 @@ std::vector<Room> program() {
                      "replay/arrays", "replay/import",   "replay/stream",  "replay/picture",     "replay/diff",
                      "golden/suite",  "golden/expected", "golden/judge",   "golden/run",         "golden/canaries",
                      "golden/report", "golden/bless",    "golden",         "src/files",          "src/process"};
+  const Folders below = kSim + Folders{"src/scenes",     "src/threads",     "src/render",      "src/render/picture",
+                                       "replay/format",  "replay/codec",    "replay/log",      "replay/session",
+                                       "replay/measure", "replay/recover",  "replay/import",   "replay/stream",
+                                       "replay/picture", "replay/diff",     "replay/view",     "replay/blame",
+                                       "replay/arrays",  "replay/import",   "replay/stream",   "replay/picture",
+                                       "replay/diff",    "golden/suite",    "golden/expected", "golden/judge",
+                                       "golden/run",     "golden/canaries", "golden/report",   "golden/bless",
+                                       "golden",         "src/files",       "src/process"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
       {"tools/output", below},

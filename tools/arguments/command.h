@@ -23,6 +23,7 @@ Action declare_record(Arguments& arguments);
 Action declare_replay(Arguments& arguments);
 Action declare_recover(Arguments& arguments);
 Action declare_diff(Arguments& arguments);
+Action declare_blame(Arguments& arguments);
 Action declare_info(Arguments& arguments);
 Action declare_measure(Arguments& arguments);
 Action declare_dump(Arguments& arguments);

@@ -16,6 +16,7 @@
 #include "tools/arguments/numbers.h"
 #include "tools/files/log_files.h"
 #include "tools/output/axes_output.h"
+#include "tools/output/blame_output.h"
 #include "tools/output/difference_output.h"
 #include "tools/output/divergence_output.h"
 #include "tools/output/gnuplot.h"
@@ -154,6 +155,15 @@ Json headers_json(const std::vector<replay::HeaderDifference>& headers) {
   return rows;
 }
 
+// The command that explains the first value that differs, in a log whose step this build repeats; empty where there is
+// none.
+std::string next_command(const DiffCommand& options, const Difference& difference) {
+  if (!difference || !difference->effect) return "";
+  const replay::DivergenceLocation& location = difference->location;
+  if (!location.as_a && !location.as_b) return "";
+  return blame_command(location.as_b ? options.b : options.a, *difference->effect);
+}
+
 void print_result(const DiffCommand& options, const std::string& read, const replay::DiffReport& report,
                   const Difference& difference, bool exact_bits) {
   if (options.json) {
@@ -166,6 +176,8 @@ void print_result(const DiffCommand& options, const std::string& read, const rep
     for (const replay::HeaderDifference& header : report.headers) json["headers"].push_back(describe(header));
     json["header_differences"] = headers_json(report.headers);
     if (difference) add_difference(*difference, Compared::kTwoLogs, json);
+    const std::string next = next_command(options, difference);
+    json["next"] = next.empty() ? Json(nullptr) : Json(next);
     print_json(json);
     return;
   }
@@ -173,6 +185,8 @@ void print_result(const DiffCommand& options, const std::string& read, const rep
   const Sides sides = sides_of(options.a, options.b);
   if (difference) {
     print_difference(*difference, Compared::kTwoLogs, sides);
+    const std::string next = next_command(options, difference);
+    if (!next.empty()) std::cout << "to find the cause of that value: " << printable(next) << '\n';
   } else if (report.first) {
     std::cout << "cause   " << printable(replay::cause_of(report, *report.first)) << '\n';
     print_divergence(*report.first, sides);
