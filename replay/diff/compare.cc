@@ -20,8 +20,8 @@ namespace {
 /// phases, counters and the inputs they know.
 class Diff {
  public:
-  Diff(LogReader& a, LogReader& b, const Tolerances& tolerances, Reading reading)
-      : a_(a), b_(b), tolerances_(tolerances), reading_(reading) {
+  Diff(LogReader& a, LogReader& b, const Tolerances& tolerances, Reading reading, std::uint64_t until)
+      : a_(a), b_(b), tolerances_(tolerances), reading_(reading), until_(until) {
     const auto engine = [](const LogHeader& header) { return header.engine.value_or(EngineName()).name; };
     states_only_ = engine(a.header()) != engine(b.header());
     same_words_ = !states_only_ && same_phase_words(a.header(), b.header());
@@ -39,8 +39,8 @@ class Diff {
       }
     }
     if (Status ok = check_both(progress); !ok.ok()) return ok.error();
-    report_.last_a = a_.last_step();
-    report_.last_b = b_.last_step();
+    report_.last_a = std::min(a_.last_step(), until_);
+    report_.last_b = std::min(b_.last_step(), until_);
     const std::uint64_t from = report_.from = std::max(a_.first_state(), b_.first_state());
     const std::uint64_t last = std::min(report_.last_a, report_.last_b);
     if (from > last) return no_common_step();
@@ -137,6 +137,9 @@ class Diff {
                              names_of(channels_),
                              left_out(channels_, derived_, imported_, tolerances_)};
     report_.scope = scope_of(a_, b_, tolerances_, facts);
+    if (until_ < std::max(a_.last_step(), b_.last_step())) {
+      report_.scope.not_compared.push_back("all behind step " + std::to_string(until_) + ", as asked");
+    }
     return std::move(report_);
   }
 
@@ -269,6 +272,7 @@ class Diff {
   LogReader& b_;
   Tolerances tolerances_;
   Reading reading_;
+  std::uint64_t until_;  // the last step to compare
   std::vector<std::string> phases_;
   bool same_words_ = false;
   bool states_only_ = false;  // of two engines, whose phases and counters cannot be compared
@@ -292,8 +296,8 @@ std::string DiffReport::though() const {
 }
 
 Result<DiffReport> diff_logs(LogReader& a, LogReader& b, const Tolerances& tolerances, const Progress& progress,
-                             Reading reading) {
-  return Diff(a, b, tolerances, reading).run(progress);
+                             Reading reading, std::uint64_t until) {
+  return Diff(a, b, tolerances, reading, until).run(progress);
 }
 
 }  // namespace tumble::replay

@@ -19,8 +19,6 @@ struct StreamImport {
   LogSummary log;
   std::vector<std::string> warnings;     ///< oddness that does not hinder the import
   std::vector<std::string> passed_over;  ///< what the stream holds and the log does not
-  /// The first step that was recorded twice, from equal inputs and an equal state, and came out otherwise; empty: none.
-  std::string rollback_difference;
 };
 
 /// Reads the stream twice, first to check all of it, then to write the log. make_sink: called once, in between. Steps
