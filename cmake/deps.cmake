@@ -15,6 +15,8 @@ if(TUMBLE_TESTS)
 endif()
 find_package(Threads REQUIRED)
 find_package(PNG REQUIRED)
+find_package(ZLIB REQUIRED)
+pkg_check_modules(TUMBLE_HTTPLIB IMPORTED_TARGET cpp-httplib) # optional: `tumble view` serves pages with it
 
 # toml++ from its headers: the package's own target would link the shared library, and the bits of a scene would then
 # depend on how somebody else compiled its number parser.

@@ -31,6 +31,7 @@ constexpr std::array kCommands = {
     Command{"measure", "measure symmetry, energy and stacking of a session", declare_measure},
     Command{"dump", "print bodies at one step or over many, to the last bit", declare_dump},
     Command{"render", "draw pictures and movies of a recorded session", declare_render},
+    Command{"view", "look at a session in the browser, step by step", declare_view},
     Command{"check", "run the golden suite and report changes", declare_check},
     Command{"bisect", "find the commit that changed a session", declare_bisect},
     Command{"bless", "accept the present results of cases as goldens", declare_bless},

@@ -17,7 +17,7 @@ export LC_ALL=C # comm and sort must agree on the order
 declare -A groups=(
   [program]="g++ binutils cmake ninja-build ccache pkg-config libeigen3-dev capnproto libcapnp-dev libzstd-dev
              libxxhash-dev libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libpugixml-dev
-             libpng-dev libgl-dev libegl-dev"
+             libpng-dev libgl-dev libegl-dev zlib1g-dev libcpp-httplib-dev"
   [pictures]="libosmesa6 ffmpeg gnuplot-nox"
   # clang-16: one of the compilers that must agree to the bit, also in the short form that is part of the tests
   [tests]="libgtest-dev libbenchmark-dev clang-format clang-16"

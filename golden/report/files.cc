@@ -59,6 +59,15 @@ Html drawing_section(const CaseResult& result, ReportFiles& files) {
              << json << "</script></div>\n";
 }
 
+Html script_hash() {
+  const std::string_view digits = report_script_sha256();
+  std::string bytes;
+  for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {
+    bytes += static_cast<char>(std::stoi(std::string(digits.substr(i, 2)), nullptr, 16));
+  }
+  return base64_text(bytes);
+}
+
 Html script_section() {
   Html out("<script>");
   for (const std::string_view piece : report_script_pieces()) out << script_of_this_program(piece);

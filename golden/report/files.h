@@ -40,4 +40,7 @@ Html drawing_section(const CaseResult& result, ReportFiles& files);
 /// The script element at the page's end.
 Html script_section();
 
+/// The SHA-256 of that script in base 64, by which a page's policy knows it.
+Html script_hash();
+
 }  // namespace tumble::golden

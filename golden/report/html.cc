@@ -6,7 +6,6 @@
 #include "golden/report/files.h"
 #include "golden/report/html_parts.h"
 #include "golden/report/html_text.h"
-#include "golden/report/page/script.h"
 #include "golden/report/page/style.h"
 #include "golden/report/summary_section.h"
 
@@ -21,21 +20,12 @@ Html cases_section(const SuiteResult& result, bool passed, Html::Markup heading,
   return blocks.empty() ? Html() : Html(heading) << blocks;
 }
 
-/// The bytes that a hexadecimal text spells.
-std::string bytes_of(std::string_view digits) {
-  std::string bytes;
-  for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {
-    bytes += static_cast<char>(std::stoi(std::string(digits.substr(i, 2)), nullptr, 16));
-  }
-  return bytes;
-}
-
 /// Nothing but the page's own script runs, known by its hash: no other script, no handler in an attribute, no address
 /// that begins with "javascript:". Nothing is loaded but pictures, from the page itself or its folder.
 Html policy(bool has_script) {
   Html out("<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src ");
   if (has_script) {
-    out << "'sha256-" << base64_text(bytes_of(report_script_sha256())) << "'";
+    out << "'sha256-" << script_hash() << "'";
   } else {
     out << "'none'";
   }

@@ -168,7 +168,7 @@ test("the view turns by arrow keys and by mouse, and play runs to the end", asyn
   await drawing.locator("button.play").click();
   await eventually(() => drawing.locator("output").textContent(), (words) => words.startsWith("step 60:"),
     "it should play to the last step");
-  await eventually(() => drawing.locator("button.play").textContent(), (words) => words === "Play", "and stop there");
+  await eventually(() => drawing.locator("button.play").getAttribute("aria-label"), (words) => words === "play", "and stop there");
 });
 
 test("texts of a scene stay text", async () => {

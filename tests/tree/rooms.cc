@@ -74,6 +74,7 @@ std::vector<Room> logs() {
       {"replay/picture", above + Folders{"src/render", "src/render/picture", "src/render/scene"}},
       {"replay/diff", above + Folders{"replay/measure", "replay/recover", "replay/picture"}},
       {"replay/blame", above + Folders{"replay/diff"}},
+      {"replay/view", above + Folders{"replay/measure"}},
   };
 }
 
@@ -102,6 +103,7 @@ std::vector<Room> program() {
       kSim + Folders{"src/scenes",    "src/threads",     "src/render",     "src/render/picture", "replay/format",
                      "replay/codec",  "replay/log",      "replay/session", "replay/measure",     "replay/recover",
                      "replay/import", "replay/stream",   "replay/picture", "replay/diff",        "replay/blame",
+                     "replay/import", "replay/stream",   "replay/picture", "replay/diff",        "replay/view",
                      "golden/suite",  "golden/expected", "golden/judge",   "golden/run",         "golden/canaries",
                      "golden/report", "golden/bless",    "golden",         "src/files",          "src/process"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
@@ -111,7 +113,8 @@ std::vector<Room> program() {
       {"tools/arguments", below + Folders{"tools/output", "tools/files"}},
       {"tools/bisect", above},
       {"tools/bench", above},
-      {"tools/commands", above + Folders{"tools/bisect", "tools/bench"}},
+      {"tools/view", above + Folders{"golden/report/page"}},
+      {"tools/commands", above + Folders{"tools/bisect", "tools/bench", "tools/view"}},
       {"tools", above + Folders{"tools/commands"}},
   };
 }

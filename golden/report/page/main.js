@@ -1,11 +1,14 @@
-// Makes the static page livelier: plots, trajectories and pictures of the failed cases. Without it the page still says
-// everything in words. Each case is drawn when it comes into view, and not before.
+// Makes the static page of a check livelier: plots, trajectories and pictures of the failed cases. Without it the page
+// still says everything in words. Each case is drawn when it comes into view, and not before. Draws the page of
+// `tumble view` too, by the same viewer.
 import uplot_style from "uplot/dist/uPlot.min.css";
 import style from "./style.css";
+import session_style from "./session/session.css";
 import { draw_plots } from "./plots.js";
 import { make_picture_viewer } from "./pictures.js";
 import { make_overview } from "./table.js";
 import { make_trajectories } from "./trajectories.js";
+import { open_session } from "./session/session.js";
 import { watch_theme } from "./theme.js";
 
 function draw_case(place) {
@@ -50,8 +53,10 @@ function guarded(action) {
 }
 
 const sheet = document.createElement("style");
-sheet.textContent = uplot_style + style;
+sheet.textContent = uplot_style + style + session_style;
 document.head.append(sheet);
 for (const table of document.querySelectorAll("table.glance")) guarded(make_overview)(table);
 for (const place of document.querySelectorAll(".drawing")) once_visible(place, guarded(draw_case));
 for (const place of document.querySelectorAll(".pictures")) guarded(make_picture_viewer)(place);
+const session = document.getElementById("session");
+if (session) open_session(session);

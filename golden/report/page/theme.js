@@ -12,6 +12,11 @@ export function colours() {
     actual: read("--actual"),
     actual_more: read("--actual-more"),
     expected: read("--expected"),
+    contact: read("--contact"),
+    select: read("--select"),
+    asleep: read("--asleep"),
+    way: read("--way"),
+    lanes: [read("--actual"), read("--actual-more"), read("--expected"), read("--way")],
   };
 }
 

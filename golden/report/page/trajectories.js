@@ -1,11 +1,72 @@
-// The trajectories of one case: a view in three dimensions with a scrubber over the frames that the golden's coarse
-// track has. The words under it say what the view shows.
-import { distances, kApartMm, make_scene, numbers_of } from "./scene3d.js";
+// The trajectories of one case of a check: the viewer over the frames that the golden's coarse track has, boxes where
+// this run has the bodies, diamonds where they were expected. The words under it say what the view shows.
+import { turns_of } from "./viewer/bodies.js";
+import { make_player, Steps } from "./viewer/player.js";
+import { box_around, listen } from "./viewer/pointer.js";
+import { make_stage } from "./viewer/stage.js";
 import { colours, element, metres } from "./theme.js";
 
-const kFrameMs = 150;
-const kTurn = 0.12;  // radians a key press
-const kDrag = 0.008;  // radians a pixel
+export const kApartMm = 2;  // nearer than this, millimetres alone can make the difference
+const kSeenShare = 0.05;    // of a body's smallest edge, or of the session's largest distance if that is less
+const kWaysMax = 40;        // more lines hide what they show
+const kPlay_s = 0.15;       // a frame, played at ×1
+
+/// A row's coordinates of body i, m; null where any of them is unknown or not finite.
+const place_of = (row, i) => {
+  const numbers = row === null ? [null] : row.slice(3 * i, 3 * i + 3);
+  return numbers.includes(null) ? null : numbers.map((value) => value / 1000);
+};
+
+/// How far each body of each frame is from where it was expected, mm; null where that is not known.
+function distances(data) {
+  const { actual_mm, expected_mm } = data.frames;
+  return actual_mm.map((actual, f) => data.bodies.id.map((_, i) => {
+    const a = place_of(actual, i);
+    const b = place_of(expected_mm[f], i);
+    return a && b ? 1000 * Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) : null;
+  }));
+}
+
+/// From how far apart a body gets a diamond, mm: what cannot be seen would only hide what can.
+function seen_from(data, apart) {
+  const worst = Math.max(0, ...apart.flat());
+  return data.bodies.id.map((_, i) => {
+    const edge = 1000 * Math.min(...data.bodies.size.slice(3 * i, 3 * i + 3));
+    return Math.max(kApartMm, kSeenShare * Math.min(worst, edge > 0 ? edge : worst));
+  });
+}
+
+/// One row of places and turns as the stage takes a frame.
+function frame_of(data, row, turn) {
+  const rows = data.bodies.id.length;
+  const frame = { rows, x: new Float32Array(rows), y: new Float32Array(rows), z: new Float32Array(rows),
+    mark: new Uint8Array(rows), turn: turns_of(rows, (i) => {
+      const parts = turn?.slice(4 * i, 4 * i + 4) ?? [];
+      return parts.length === 4 && !parts.includes(null) ? parts : [1, 0, 0, 0];
+    }) };
+  for (let i = 0; i < rows; ++i) {
+    const place = place_of(row, i);
+    if (!place) continue;
+    [frame.x[i], frame.y[i], frame.z[i]] = place;
+    frame.mark[i] = 1;
+  }
+  return frame;
+}
+
+/// From frame to frame, for the bodies that went furthest from where they were expected.
+function ways_of(data, rows, apart) {
+  const worst = data.bodies.id.map((_, i) => Math.max(...apart.map((frame) => frame[i] ?? 0)));
+  const chosen = worst.map((_, i) => i).sort((a, b) => worst[b] - worst[a]).slice(0, kWaysMax);
+  const points = [];
+  for (const i of chosen) {
+    for (let f = 1; f < rows.length; ++f) {
+      const from = place_of(rows[f - 1], i);
+      const to = place_of(rows[f], i);
+      if (from && to) points.push(...from, ...to);
+    }
+  }
+  return points;
+}
 
 const key = (drawing, words) => {
   const item = element("span", { className: "key" });
@@ -26,7 +87,7 @@ function keys() {
 function words_of(data, apart, frame) {
   const known = apart[frame].map((value, i) => ({ value, id: data.bodies.id[i] })).filter(({ value }) => value !== null);
   const step = `step ${data.frames.step[frame]}`;
-  const lost = data.bodies.id.filter((_, i) => !numbers_of(data.frames.actual_mm[frame], i));
+  const lost = data.bodies.id.filter((_, i) => !place_of(data.frames.actual_mm[frame], i));
   const without = lost.length === 0 ? "" : `; body ${lost[0]}${lost.length > 1 ? ` and ${lost.length - 1} more` : ""} without a place (gone, or not finite)`;
   if (known.length === 0) return `${step}: nothing to compare here${without}`;
   const worst = known.reduce((a, b) => (b.value > a.value ? b : a));
@@ -36,40 +97,22 @@ function words_of(data, apart, frame) {
     `${metres(worst.value / 1000)} away${without}`;
 }
 
-/// Turning and zooming by pointer, wheel and keys. The wheel only when the view has the focus: pages scroll.
-function listen(canvas, scene) {
-  canvas.addEventListener("pointerdown", (event) => {
-    canvas.setPointerCapture(event.pointerId);
-    canvas.focus({ preventScroll: true });
-  });
-  canvas.addEventListener("pointermove", (event) => {
-    if (event.buttons !== 0) scene.turn(-kDrag * event.movementX, kDrag * event.movementY);
-  });
-  canvas.addEventListener("wheel", (event) => {
-    if (document.activeElement !== canvas) return;
-    event.preventDefault();
-    scene.zoom(Math.exp(event.deltaY / 800));
-  }, { passive: false });
-  const actions = {
-    ArrowLeft: () => scene.turn(-kTurn, 0), ArrowRight: () => scene.turn(kTurn, 0),
-    ArrowUp: () => scene.turn(0, kTurn), ArrowDown: () => scene.turn(0, -kTurn),
-    "+": () => scene.zoom(0.85), "=": () => scene.zoom(0.85), "-": () => scene.zoom(1 / 0.85),
-  };
-  canvas.addEventListener("keydown", (event) => {
-    if (!(event.key in actions)) return;
-    event.preventDefault();
-    actions[event.key]();
-  });
+function table_of(data) {
+  return { count: data.bodies.id.length, body: (i) => ({ shape: "box", size: data.bodies.size.slice(3 * i, 3 * i + 3) }) };
+}
+
+function box_of(data) {
+  const rows = [...data.frames.actual_mm, ...data.frames.expected_mm].filter((row) => row !== null);
+  const places = [0, 1, 2].map((c) => rows.flatMap((row) => row.filter((value, k) => k % 3 === c && value !== null))
+    .map((value) => value / 1000));
+  return box_around(places, Math.max(...data.bodies.size, 0.1));
 }
 
 /// Holds the view only while it is to be seen: browsers keep but a few WebGL contexts.
 class View {
-  constructor(place, data) {
-    this.place = place;
-    this.data = data;
-    this.frame = 0;
-    this.scene = null;
-    this.last_view = null;
+  constructor(place, data, apart) {
+    Object.assign(this, { place, data, apart, frame: 0, stage: null, last_view: null });
+    this.limits = seen_from(data, apart);
     new IntersectionObserver((entries) => {
       if (entries.at(-1).isIntersecting) this.open();
       else this.close();
@@ -77,61 +120,60 @@ class View {
   }
 
   open() {
-    if (this.scene) return;
+    if (this.stage) return;
     const canvas = element("canvas", { tabIndex: 0 });
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", "The bodies in three dimensions. Arrow keys turn the view, + and - zoom.");
     this.place.replaceChildren(canvas);
+    const hue = colours();
+    const box = box_of(this.data);
     try {
-      this.scene = make_scene(canvas, this.data, colours());
+      this.stage = make_stage(canvas, { hue, box });
     } catch {
       this.place.textContent = "This browser has no WebGL, so there is no view; the words below say the same.";
       return;
     }
-    if (this.last_view) Object.assign(this.scene.view, this.last_view);
-    listen(canvas, this.scene);
+    if (this.last_view) Object.assign(this.stage.view, this.last_view);
+    this.actual = this.stage.add_session("solid", hue.actual);
+    this.expected = this.stage.add_session("marks", hue.expected);
+    for (const session of [this.actual, this.expected]) session.describe(table_of(this.data));
+    this.stage.set_lines("actual", { points: ways_of(this.data, this.data.frames.actual_mm, this.apart), colour: hue.actual });
+    this.stage.set_lines("expected", { points: ways_of(this.data, this.data.frames.expected_mm, this.apart),
+      colour: hue.expected, dash: box.radius / 40 });
+    listen(canvas, this.stage);
     this.resize();
-    this.scene.show(this.frame);
+    this.show(this.frame);
   }
 
   close() {
-    if (!this.scene) return;
-    this.last_view = { ...this.scene.view };
-    this.scene.dispose();
-    this.scene = null;
+    if (!this.stage) return;
+    this.last_view = { ...this.stage.view };
+    this.stage.dispose();
+    this.stage = null;
     this.place.replaceChildren();
   }
 
-  show(frame) {
-    this.frame = frame;
-    this.scene?.show(frame);
+  show(f) {
+    this.frame = f;
+    if (!this.stage) return;
+    const { frames, bodies } = this.data;
+    const near = (i) => this.apart[f][i] !== null && this.apart[f][i] <= this.limits[i];
+    this.actual.show(frame_of(this.data, frames.actual_mm[f], frames.actual_turn[f]),
+      { colour: (row, tone) => tone.offsetHSL(0, 0, 0.035 * (row % 5 - 2)) });
+    this.expected.show(frame_of(this.data, frames.expected_mm[f], null), { hidden: near });
+    const links = bodies.id.flatMap((_, i) => {
+      const from = place_of(frames.actual_mm[f], i);
+      const to = place_of(frames.expected_mm[f], i);
+      return from && to && !near(i) ? [...from, ...to] : [];
+    });
+    this.stage.set_lines("links", { points: links, colour: colours().bad, on_top: true });
+    this.stage.draw_now();
   }
 
   resize() {
     const { clientWidth, clientHeight } = this.place;
-    if (clientWidth > 0) this.scene?.resize(clientWidth, clientHeight);
+    if (clientWidth > 0) this.stage?.resize(clientWidth, clientHeight);
   }
-}
-
-/// A button that runs the scrubber to its end, and stops when pressed again.
-function play_button(slider, last, show) {
-  const button = element("button", { type: "button", textContent: "Play", className: "play" });
-  let timer = null;
-  const stop = () => {
-    clearInterval(timer);
-    timer = null;
-    button.textContent = "Play";
-  };
-  button.addEventListener("click", () => {
-    if (timer !== null) return stop();
-    let frame = Number(slider.value) >= last ? 0 : Number(slider.value);
-    button.textContent = "Pause";
-    timer = setInterval(() => {
-      show(frame);
-      if (frame++ >= last) stop();
-    }, kFrameMs);
-  });
-  return { button, stop };
 }
 
 /// Puts the view into a case's section. tell_step: called with the step shown. Null where there is no frame.
@@ -140,31 +182,24 @@ export function make_trajectories(section, data, tell_step) {
   if (last < 0 || data.bodies.id.length === 0) return null;
   const apart = distances(data);
   const place = element("div", { className: "view3d" });
-  const slider = element("input", { type: "range", min: 0, max: last, value: 0, className: "scrubber" });
-  slider.setAttribute("aria-label", "step shown");
   const said = element("output");
-  const view = new View(place, data);
-  const show = (frame) => {
+  const view = new View(place, data, apart);
+  const player = make_player({ steps: new Steps(0, last), dt: () => kPlay_s, full: false, show: (frame) => {
     const words = words_of(data, apart, frame);
-    slider.value = frame;
-    slider.setAttribute("aria-valuetext", words);
+    player.slider.setAttribute("aria-valuetext", words);
     said.value = words;
     view.show(frame);
     tell_step(data.frames.step[frame]);
-  };
-  const { button, stop } = play_button(slider, last, show);
-  slider.addEventListener("input", () => {
-    stop();
-    show(Number(slider.value));
-  });
+  } });
   section.append(
     element("h3", { textContent: "Where the bodies went" }), keys(), place,
-    element("div", { className: "controls" }, button, slider, said),
+    element("div", { className: "controls" }, player.bar, said),
     element("p", { className: "soft", textContent: "Drag or use the arrow keys to turn, + and - to zoom. " +
       "Lines: the ways of the bodies that went furthest astray." }));
   // Begins where there is most to see.
   const worst = apart.map((frame) => Math.max(...frame.map((value) => value ?? 0)));
-  show(worst.indexOf(Math.max(...worst)));
+  player.seek(worst.indexOf(Math.max(...worst)));
+  player.refresh();
   return {
     resize: () => view.resize(),
     redraw() {

@@ -1,0 +1,68 @@
+// The head of the session page: what the logs are, and what is missing from them or from the page.
+import { element } from "../theme.js";
+
+const chip = (words, kind = "") => element("span", { className: `chip ${kind}`, textContent: words });
+
+function facts_of(session) {
+  const { head, bodies, rows } = session;
+  const steps = head.last - head.first;
+  const chips = [chip(head.engine ?? `method ${head.method}`), chip(`${steps} step${steps === 1 ? "" : "s"}`),
+    chip(`${Number(session.time_of(head.last).toPrecision(4))} s`), chip(`${bodies.count} bodies`)];
+  if (!head.finished) chips.push(chip("not finished: followed to its last chunk", "warn"));
+  else if (!head.sound || session.gaps().length > 0) chips.push(chip("damaged", "fail"));
+  if (rows.lost.some((count) => count > 0)) chips.push(chip("bodies lost", "fail"));
+  return chips;
+}
+
+function notices_of(page) {
+  const notices = [];
+  const two = page.sessions.length === 2;
+  page.sessions.forEach((session, i) => {
+    const who = two ? `${"AB"[i]}: ` : "";
+    const { head, thin } = session;
+    if (!head.sound && head.finished) notices.push(["fail", `${who}${head.summary}`]);
+    for (const [first, last, why] of session.gaps()) notices.push(["fail", `${who}steps ${first} to ${last}: ${why}`]);
+    if (head.axes) notices.push(["", `${who}the log's table has other axes (${head.axes}); this page shows lengths in m, z up`]);
+    if (!thin) return;
+    const every = thin.every > 1;
+    const kept = every ? `is thinned: it has ${thin.steps.length} of ${head.last - head.first + 1} states (one in ${thin.every}, and those of inputs)`
+      : "has every state";
+    const contacts = !head.ours ? "" : `, with the contacts of ${thin.contact_steps} states`;
+    const rows = thin.rows_run > 1 ? `; its timeline has the largest values of ${thin.rows_run} steps each` : "";
+    notices.push([every ? "warn" : "", `${who}This page ${kept}, rounded to 0.1 mm${contacts}${rows}. Served by tumble view it has every bit.`]);
+  });
+  const why = page.sessions[0].rows.begun_why_not;
+  if (why) notices.push(["", `Contacts begun are not counted: ${why}`]);
+  return notices;
+}
+
+export function make_header(page) {
+  const title = element("h1");
+  const facts = element("div", { className: "facts" });
+  const notices = element("div", { className: "notices" });
+  const trouble = element("p", { className: "trouble", hidden: true });
+  trouble.setAttribute("role", "status");
+  const file_name = (path) => path.slice(path.lastIndexOf("/") + 1);
+  const show = () => {
+    const { sessions } = page;
+    title.replaceChildren(...sessions.flatMap(({ head }, i) => {
+      const name = element("span", { textContent: file_name(head.path), title: head.path });
+      return sessions.length === 1 ? [name] : [element("span", { className: `side side-${"ab"[i]}`, textContent: "AB"[i] }), name, " "];
+    }));
+    facts.replaceChildren(...sessions.flatMap((session, i) => [
+      ...(i > 0 ? [element("span", { className: "side side-b", textContent: "B" })] : []),
+      ...(session.head.title && i === 0 ? [element("span", { className: "soft scene", textContent: session.head.title })] : []),
+      ...facts_of(session)]));
+    notices.replaceChildren(...notices_of(page).map(([kind, words]) => element("p", { className: kind, textContent: words })));
+  };
+  show();
+  return {
+    place: element("header", {}, title, facts, notices, trouble),
+    show,
+    trouble(error) {
+      trouble.hidden = error === null;
+      trouble.textContent = error === null ? "" : `The server does not answer as it should (${error.message}). ` +
+        "If tumble view was ended, start it again.";
+    },
+  };
+}

@@ -1,0 +1,60 @@
+// The lanes of the timeline: what each shows, and how its value at a step reads.
+import { joules, metres } from "../theme.js";
+
+const count = (value) => (value === null || value === undefined ? "–" : String(value));
+const speed = (value) => (value === null || value === undefined ? "–" : `${Number(value.toPrecision(4))} m/s`);
+
+const share_text = (rows, i) => (rows.read[i] ? `${rows.sleeping[i]} of ${rows.bodies[i]}` : "–");
+
+/// kind: "line", "area", "bars"; of(rows, i): the number, or null. Lanes without a number anywhere are left out.
+export const kLanes = [
+  { name: "sleeping", kind: "area", of: (rows, i) => (rows.read[i] ? rows.sleeping[i] : null), words: share_text,
+    top: (rows) => Math.max(1, ...sampled(rows.bodies)) },
+  { name: "contacts", kind: "line", of: (rows, i) => rows.contacts[i], words: (rows, i) => count(rows.contacts[i]) },
+  { name: "contacts begun", kind: "bars", of: (rows, i) => rows.begun[i] ?? null,
+    words: (rows, i) => count(rows.begun[i]), late: true },
+  { name: "energy", kind: "line", of: (rows, i) => rows.energy(i), words: (rows, i) => joules(rows.energy(i)), fit: true },
+  { name: "kinetic energy", kind: "area", of: (rows, i) => rows.kinetic[i], words: (rows, i) => joules(rows.kinetic[i]) },
+  { name: "highest speed", kind: "line", of: (rows, i) => rows.speed[i],
+    words: (rows, i) => (rows.speed[i] > 0 ? `${speed(rows.speed[i])}, body ${rows.speed_body[i]}` : speed(rows.speed[i])) },
+  { name: "deepest overlap", kind: "line", of: (rows, i) => rows.overlap[i], words: (rows, i) => metres(rows.overlap[i]) },
+  { name: "bodies lost", kind: "bars", of: (rows, i) => rows.lost[i] || null, words: (rows, i) => count(rows.lost[i]),
+    bad: true, only_if_any: true },
+];
+
+function sampled(column) {
+  const stride = Math.ceil(column.length / 5000) || 1;
+  return column.filter((value, i) => i % stride === 0 && value !== null);
+}
+
+/// Lanes for the bounds of the command line: the value of each metric of the session up to a step.
+export const bound_lanes = (texts) => texts.map((text, b) => ({
+  name: text, kind: "line", title: `up to each step, ${text}`, broken: (rows, i) => rows.bounds[b]?.broken[i] === 1,
+  of: (rows, i) => rows.bounds[b]?.value[i] ?? null,
+  words: (rows, i) => {
+    const broken = rows.bounds[b]?.broken[i] ?? null;
+    if (broken === null) return "not judged";
+    const value = rows.bounds[b].value[i];
+    return `${value === null ? "no value" : Number(value.toPrecision(4))}, ${broken ? "✕ broken" : "✓ holds"}`;
+  },
+}));
+
+/// Lanes for the channels that a log carries besides.
+export const channel_lanes = (rows) => Object.keys(rows.channels).map((name) => ({
+  name, kind: "line", fit: true, of: (all, i) => all.channels[name][i] ?? null,
+  words: (all, i) => (all.channels[name][i] === null || all.channels[name][i] === undefined ? "–"
+    : String(Number(all.channels[name][i].toPrecision(6)))),
+}));
+
+/// The lane of the distance between two sessions; logarithmic, since it grows by powers.
+export function separation_lane(separation) {
+  const at = new Map(separation.step.map((step, i) => [step, i]));
+  return {
+    name: "separation", kind: "line", log: true,
+    of: (rows, i) => (at.has(rows.step[i]) ? separation.metres[at.get(rows.step[i])] : null),
+    words: (rows, i) => {
+      const k = at.get(rows.step[i]);
+      return k === undefined ? "none" : separation.metres[k] === null ? "infinite" : metres(separation.metres[k]);
+    },
+  };
+}

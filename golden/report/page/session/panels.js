@@ -1,0 +1,170 @@
+// The panels beside the view: the body chosen, the contacts of the state shown, the comparison of two sessions.
+import { element, metres } from "../theme.js";
+
+const kContactsShown = 12;
+
+export const say = (value) => (typeof value === "number" ? String(value) : String(value ?? "–"));
+
+const cell = (words, className = "") => element("td", { textContent: words, className });
+const row_of = (...cells) => element("tr", {}, ...cells);
+
+export function link(words, action, title = "") {
+  const made = element("button", { type: "button", className: "link", textContent: words, title });
+  made.addEventListener("click", action);
+  return made;
+}
+
+/// A panel that folds: {place, body, hide(on)}.
+export function panel(title, { open = true, id = "" } = {}) {
+  const body = element("div", { className: "inside" });
+  const place = element("details", { open, className: "panel", id }, element("summary", {}, element("h2", { textContent: title })), body);
+  return { place, body };
+}
+
+/// answers: one of body_at() a session. asked(field): null, or what is called when a value is pressed.
+export function show_body(body, { id, name, size, answers, actions, asked = null }) {
+  const heads = answers.length === 2 ? ["A", "B"] : ["value"];
+  const lost = answers.find((answer) => answer.why_not);
+  const table = element("table", { className: "numbers" });
+  table.append(element("thead", {}, row_of(element("th", { textContent: "field" }),
+    ...heads.map((head) => element("th", { textContent: head, className: "number" })))));
+  const rows = element("tbody");
+  const first = answers.find((answer) => answer.fields);
+  for (const [i, { field }] of (first?.fields ?? []).entries()) {
+    const values = answers.map((answer) => answer.fields?.[i]);
+    const bits = values.map((value) => value?.hex ?? String(value?.value));
+    const differs = bits.length === 2 && bits[0] !== bits[1];
+    const made = row_of(element("th", { scope: "row", textContent: field }), ...values.map((value) => {
+      const shown = cell("", "number");
+      if (value && asked) shown.append(link(say(value.value), () => asked(field), `${value.hex ?? ""} – where does it come from?`));
+      else shown.textContent = say(value?.value);
+      if (value?.hex) shown.title = value.hex;
+      return shown;
+    }));
+    made.classList.toggle("differs", differs);
+    rows.append(made);
+  }
+  table.append(rows);
+  const facts = [name, size[0] > 0 ? `${size.map((edge) => Number(edge.toPrecision(4))).join(" × ")} m` : "size unknown"];
+  if (first) facts.push(first.frozen ? "asleep" : "awake");
+  body.replaceChildren(element("p", {}, element("strong", { textContent: `Body ${id}` }), ` ${facts.join(" · ")}`), actions);
+  if (first) body.append(element("div", { className: "scroll" }, table));
+  if (lost) body.append(element("p", { className: "soft", textContent: `${answers.length === 2 ? `${answers.indexOf(lost) === 0 ? "A" : "B"}: ` : ""}${lost.why_not}` }));
+  if (first?.rounded) body.append(element("p", { className: "soft", textContent: "Rounded in this page; tumble dump prints every bit." }));
+}
+
+/// answer: of contacts_at(). select(id), go(step).
+export function show_contacts(body, answer, selected, select, go) {
+  if (!answer) return body.replaceChildren(element("p", { className: "soft", textContent: "…" }));
+  if (answer.why_not) {
+    body.replaceChildren(element("p", { className: "soft", textContent: answer.why_not }));
+    if (answer.near !== null && answer.near !== undefined) {
+      body.append(element("p", {}, "The nearest with contacts: ", link(`step ${answer.near}`, () => go(answer.near))));
+    }
+    return undefined;
+  }
+  const mine = answer.rows.filter(([a, b]) => selected === null || a === selected || b === selected);
+  const sorted = [...mine].sort((one, other) => (other[9] ?? 0) - (one[9] ?? 0)).slice(0, kContactsShown);
+  const count = `${mine.length} contact point${mine.length === 1 ? "" : "s"}${selected === null ? "" : ` of body ${selected}`}`;
+  const deepest = mine.reduce((most, row) => Math.max(most, row[8] ?? 0), 0);
+  body.replaceChildren(element("p", { textContent: `${count}${mine.length > 0 ? `, deepest ${metres(deepest)}` : ""}` }));
+  if (sorted.length === 0) return undefined;
+  const rows = element("tbody", {}, ...sorted.map((row) => {
+    const who = cell("");
+    who.append(link(`${row[0]}`, () => select(row[0])), " – ", row[1] === 0 ? "ground" : link(`${row[1]}`, () => select(row[1])));
+    return row_of(who, cell(`${Number((row[9] ?? 0).toPrecision(3))} N s`, "number"), cell(metres(row[8]), "number"));
+  }));
+  const table = element("table", { className: "numbers" }, element("thead", {}, row_of(element("th", { textContent: "bodies" }),
+    element("th", { textContent: "impulse", className: "number" }), element("th", { textContent: "depth", className: "number" }))), rows);
+  body.append(element("div", { className: "scroll" }, table));
+  if (mine.length > sorted.length) body.append(element("p", { className: "soft", textContent: "The strongest are listed." }));
+  return undefined;
+}
+
+/// account: blame_json() of the program, or {why_not}, or null while it is computed. go(step), select(id), again(answers).
+export function show_blame(body, account, go, select, again) {
+  if (!account) return body.replaceChildren(element("p", { className: "soft", textContent: "Taking the steps again …" }));
+  if (account.why_not) return body.replaceChildren(element("p", { className: "soft", textContent: account.why_not }));
+  const head = element("p", {}, link(`Body ${account.body}`, () => select(account.body)),
+    `, ${account.field} after step ${account.step}: ${say(account.value)} ${account.unit}`);
+  const list = element("ol", { className: "blame" }, ...account.answers.map((answer) => {
+    const where = answer.substep === null ? answer.phase : `${answer.phase}, substep ${answer.substep}`;
+    const item = element("li", {}, link(`step ${answer.step}`, () => go(answer.step)), ` · `, element("strong", { textContent: where }),
+      element("p", { textContent: answer.text }));
+    if (answer.shares.length > 0) {
+      item.append(element("ul", { className: "shares" }, ...answer.shares.map((share) => {
+        const row = element("li", {}, `${share.kind}`);
+        if (share.kind === "contact") row.append(" with ", share.with === null ? "the ground" : link(`body ${share.with}`, () => select(share.with)));
+        row.append(`: ${say(share.amount)} ${answer.unit}`);
+        return row;
+      })));
+    }
+    return item;
+  }));
+  body.replaceChildren(head, list);
+  if (account.ends) body.append(element("p", { className: "soft", textContent: account.ends }));
+  for (const note of account.notes ?? []) body.append(element("p", { className: "soft", textContent: note }));
+  if (!account.complete) {
+    const more = element("button", { type: "button", textContent: "Further back" });
+    more.addEventListener("click", () => again(account.answers.length + 5));
+    body.append(element("p", {}, more));
+  }
+  return undefined;
+}
+
+const value_text = (value, hex) => `${say(value)}${hex ? ` (${hex})` : ""}`;
+
+function phases_table(partings, go) {
+  if (partings.why_not) return element("p", { className: "soft", textContent: `Phases: ${partings.why_not}` });
+  const rows = element("tbody", {}, ...partings.rows.map((phase) => {
+    const at = cell("", "number");
+    if (phase.step === null) at.textContent = "never";
+    else at.append(link(String(phase.step), () => go(phase.step)));
+    const made = row_of(element("th", { scope: "row", textContent: phase.phase }), at,
+      cell(phase.step === null ? "" : String(phase.substep), "number"), cell(String(phase.steps), "number"));
+    made.classList.toggle("differs", phase.step === partings.from);
+    return made;
+  }));
+  const heads = ["phase", "from step", "substep", "steps"];
+  return element("div", { className: "scroll" }, element("table", { className: "numbers phases" },
+    element("caption", { textContent: `Phases in which the two part, steps ${partings.from} to ${partings.last}` }),
+    element("thead", {}, row_of(...heads.map((words, i) => element("th", { textContent: words, className: i > 0 ? "number" : "" })))), rows));
+}
+
+/// found: difference_data() of the program. go(step), select(id).
+export function show_difference(body, found, go, select) {
+  if (!found || found.state === "working") {
+    const share = found ? ` (${Math.floor(100 * found.done)} %)` : "";
+    return body.replaceChildren(element("p", { textContent: `Comparing every byte of both${share} …` }));
+  }
+  if (found.state === "failed") return body.replaceChildren(element("p", { className: "bad", textContent: found.why }));
+  const parts = [];
+  const first = found.first;
+  if (!first) {
+    const [a, b] = found.last;
+    parts.push(element("p", { className: "good", textContent: found.identical ? `Identical: ${found.steps} steps, every bit.`
+      : `The ${found.steps} steps of both are the same; A ends with step ${a}, B with step ${b}.` }));
+  } else {
+    const where = [`step ${first.step}`, `phase ${first.phase}`];
+    if (first.substep !== null) where.push(`substep ${first.substep}`);
+    parts.push(element("p", {}, element("strong", { textContent: `First difference: ${where.join(", ")}` })));
+    if (found.cause) parts.push(element("p", { textContent: `Cause: ${found.cause}` }));
+    const effect = found.effect ?? first;
+    const what = element("p", {});
+    if (effect.body !== null) what.append(link(`body ${effect.body}`, () => select(effect.body)), ", ");
+    what.append(`${effect.field}: ${value_text(effect.expected, effect.expected_hex)} → ${value_text(effect.actual, effect.actual_hex)}`);
+    if (effect.ulps !== null) what.append(`, ${effect.ulps} ULPs apart`);
+    parts.push(what);
+    const jump = element("button", { type: "button", className: "jump", textContent: `Go to the first difference` });
+    jump.addEventListener("click", () => go(first.step));
+    parts.push(element("p", {}, jump));
+    const marks = found.aftermath?.marks ?? [];
+    if (marks.length > 0) {
+      parts.push(element("ul", { className: "marks" }, ...marks.map(({ above, step, body: id }) => element("li", {},
+        `more than ${metres(above)} apart from `, link(`step ${step}`, () => go(step)), ", ", link(`body ${id}`, () => select(id))))));
+    } else if (found.growth_unknown) parts.push(element("p", { className: "soft", textContent: `Its growth is not known: ${found.growth_unknown}` }));
+    if (found.partings) parts.push(phases_table(found.partings, go));
+  }
+  for (const note of found.notes ?? []) parts.push(element("p", { className: "soft", textContent: note }));
+  return body.replaceChildren(...parts);
+}

@@ -1,0 +1,93 @@
+// The search: reads what is typed, and lists bodies or runs of steps.
+import { element, metres } from "../theme.js";
+import { find_runs, kQuantities, parse_query } from "./search.js";
+import { link } from "./panels.js";
+
+const kShown = 12;
+
+function value_text(value, unit) {
+  if (!Number.isFinite(value)) return "infinite";
+  if (unit === "m") return metres(value);
+  return `${Number(value.toPrecision(4))}${unit ? ` ${unit}` : ""}`;
+}
+
+export function make_search(page) {
+  const input = element("input", { type: "search", placeholder: "speed > 5, overlap > 1e-3, 12, wall 0", autocomplete: "off", spellcheck: false });
+  input.setAttribute("aria-label", "search for steps by a condition, or for a body by id or name");
+  const said = element("output", {});
+  const list = element("ul", { className: "hits" });
+  let query = { kind: "none" };
+  let items = [];
+
+  const show_bodies = () => {
+    const { bodies } = page.sessions[0];
+    const rows = bodies.find(query.text);
+    said.value = rows.length === 0 ? "no such body" : `${rows.length} bod${rows.length === 1 ? "y" : "ies"}`;
+    list.replaceChildren(...rows.slice(0, kShown).map((row) =>
+      element("li", {}, link(`body ${bodies.id(row)}`, () => page.select(bodies.id(row))), ` ${bodies.name(row)}`)));
+    page.set_hits([]);
+    return rows;
+  };
+  const show_runs = () => {
+    const { rows } = page.sessions[0];
+    const runs = find_runs(query, rows, (step) => page.separation_at(step));
+    const unit = kQuantities[query.quantity]?.unit ?? "";
+    const partly = page.sessions[0].timeline_done ? "" : " so far";
+    said.value = runs.length === 0 ? `in no step${partly}` : `${runs.length} run${runs.length === 1 ? "" : "s"} of steps${partly}, the first at ${runs[0].first}`;
+    items = runs.slice(0, kShown).map((run) => {
+      const where = run.first === run.last ? `step ${run.first}` : `steps ${run.first} to ${run.last}`;
+      const made = element("li", {}, link(where, () => page.player.seek(run.first)), ": up to ",
+        link(`${value_text(run.peak, unit)}`, () => page.player.seek(run.at), `at step ${run.at}`));
+      if (run.body) made.append(", ", link(`body ${run.body}`, () => page.select(run.body)));
+      return made;
+    });
+    list.replaceChildren(...items);
+    if (runs.length > kShown) list.append(element("li", { className: "soft", textContent: `and ${runs.length - kShown} more` }));
+    page.set_hits(runs);
+    return runs;
+  };
+  const run = () => {
+    items = [];
+    query = parse_query(input.value, Object.keys(page.sessions[0].rows.channels));
+    if (query.kind === "body") return show_bodies();
+    if (query.kind === "steps") return show_runs();
+    said.value = query.kind === "wrong" ? query.words : query.kind === "step" ? `Enter goes to step ${query.step}` : "";
+    list.replaceChildren();
+    page.set_hits([]);
+    return [];
+  };
+  input.addEventListener("input", run);
+  input.addEventListener("keydown", (event) => {
+    if (event.key === "Escape") input.blur();
+    if (event.key !== "Enter") return;
+    event.preventDefault();
+    if (query.kind === "step") page.player.seek(query.step);
+    else if (query.kind === "steps") page.next_hit(event.shiftKey ? -1 : 1);
+    else if (query.kind === "body") {
+      const [row] = run();
+      if (row !== undefined) page.select(page.sessions[0].bodies.id(row));
+    }
+  });
+  const button = (words, label, way) => {
+    const made = element("button", { type: "button", textContent: words, title: label });
+    made.setAttribute("aria-label", label);
+    made.addEventListener("click", () => page.next_hit(way));
+    return made;
+  };
+  return {
+    place: element("div", { className: "search" }, element("div", { className: "search-row" }, input,
+      button("‹", "the run of steps before (N)", -1), button("›", "the next run of steps (n)", 1)), said, list),
+    focus: () => input.focus(),
+    at(which) {
+      items.forEach((item, i) => item.classList.toggle("at", i === which));
+    },
+    /// The timeline has grown.
+    again() {
+      if (query.kind === "steps") {
+        const before = page.hit;
+        show_runs();
+        page.hit = before;
+      }
+    },
+  };
+}

@@ -1,0 +1,97 @@
+// The panels beside the view, and what is asked for them: the body chosen, its contacts, where a value comes from, the
+// comparison, the inputs.
+import { element } from "../theme.js";
+import { panel, show_blame, show_body, show_contacts, show_difference } from "./panels.js";
+
+export class Side {
+  constructor(page) {
+    this.page = page;
+    this.sessions = page.sessions;
+    this.body_panel = panel("Body");
+    this.blame_panel = panel("Where it comes from");
+    this.blame_panel.place.hidden = true;
+    this.contact_panel = panel("Contacts");
+    this.input_panel = panel("Inputs", { open: false });
+    this.difference_panel = panel("Comparison");
+    this.places = [...(this.sessions.length === 2 ? [this.difference_panel.place] : []), this.body_panel.place,
+      this.blame_panel.place, this.contact_panel.place, this.input_panel.place];
+  }
+
+  /// Once the step stays: contacts and the numbers of the body chosen.
+  settled(step) { return Promise.all([this.show_contacts(step), this.show_body(step)]); }
+
+  async show_contacts(step) {
+    const answer = await this.sessions[0].contacts_at(this.sessions[0].steps ? this.page.own_step(this.sessions[0], step) : step);
+    if (this.page.player.step !== step) return;
+    this.page.drawing.contacts = answer;
+    this.page.drawing.show();
+    this.draw_contacts();
+  }
+
+  draw_contacts() {
+    show_contacts(this.contact_panel.body, this.page.drawing.contacts, this.page.selected, (id) => this.page.select(id), (step) => this.page.player.seek(step));
+  }
+
+  show_selection() {
+    if (this.page.selected === null) {
+      this.body_panel.body.replaceChildren(element("p", { className: "soft",
+        textContent: "Press a body in the view, or search for its id or name." }));
+    }
+  }
+
+  async show_body(step) {
+    const id = this.page.selected;
+    if (id === null) return;
+    const answers = await Promise.all(this.sessions.map((session) =>
+      session.body_at(session.steps ? this.page.own_step(session, step) : step, id)));
+    if (this.page.selected !== id || this.page.player.step !== step) return;
+    const session = this.sessions.find((one) => one.bodies.row(id) !== undefined) ?? this.sessions[0];
+    const row = session.bodies.row(id);
+    const actions = element("p", { className: "actions" }, ...[
+      ["Follow", () => { this.page.drawing.following = !this.page.drawing.following; this.page.toolbar.show(); this.page.drawing.show(); }],
+      ["Look at", () => { const at = this.page.drawing.place_of(0, id) ?? this.page.drawing.place_of(1, id); if (at) this.page.drawing.stage?.look_at(at); }],
+      ["Let go", () => this.page.select(null)],
+    ].map(([words, action]) => {
+      const made = element("button", { type: "button", textContent: words });
+      made.addEventListener("click", action);
+      return made;
+    }));
+    show_body(this.body_panel.body, { id, name: row === undefined ? "" : session.bodies.name(row),
+      size: row === undefined ? [0, 0, 0] : session.bodies.size(row), answers, actions,
+      asked: this.sessions[0].head.blames && this.sessions[0].blame ? (field) => this.show_blame(step, id, field) : null });
+  }
+
+  /// Where a value of the body chosen comes from.
+  async show_blame(step, id, field, back = 5) {
+    this.blame_panel.place.hidden = false;
+    this.blame_panel.place.open = true;
+    const mine = this.blamed = {};
+    const fill = (account) => show_blame(this.blame_panel.body, account, (at) => this.page.player.seek(at), (other) => this.page.select(other),
+      (more) => this.show_blame(step, id, field, more));
+    fill(null);
+    try {
+      const account = await this.sessions[0].blame(step, id, field, back);
+      if (this.blamed === mine) fill(account);
+    } catch (error) {
+      if (this.blamed === mine) fill({ why_not: error.message });
+    }
+  }
+
+  show_difference() {
+    show_difference(this.difference_panel.body, this.page.difference, (step) => this.page.player.seek(step), (id) => this.page.select(id));
+  }
+
+  show_inputs() {
+    const { events } = this.sessions[0].rows;
+    if (this.inputs_shown === events.length) return;
+    this.inputs_shown = events.length;
+    const shown = events.slice(0, 200);
+    this.input_panel.body.replaceChildren(events.length === 0 ? element("p", { className: "soft", textContent: "None." })
+      : element("ol", { className: "inputs" }, ...shown.map(({ step, kind, body, text }) => {
+        const go = element("button", { type: "button", className: "link", textContent: `step ${step}` });
+        go.addEventListener("click", () => this.page.player.seek(step));
+        return element("li", {}, go, ` ${kind}${body === null ? "" : ` ${body}`} ${text}`);
+      })));
+    if (events.length > shown.length) this.input_panel.body.append(element("p", { className: "soft", textContent: `and ${events.length - shown.length} more` }));
+  }
+}

@@ -1,0 +1,63 @@
+// The numbers of each step that the timeline shows and the search reads: columns, a row a step that was read so far.
+const kColumns = ["step", "time", "read", "kinetic", "potential", "inputs", "contacts", "bodies", "sleeping", "lost",
+  "speed", "speed_body", "height", "overlap"];
+
+export class TimelineRows {
+  constructor() {
+    for (const name of kColumns) this[name] = [];
+    this.begun = [];
+    this.events = [];  // inputs: {step, kind, body, text}
+    this.begun_why_not = "";
+    this.channels = {};
+    this.bounds = [];  // {value, broken}, in the order of the head's
+  }
+
+  get count() { return this.step.length; }
+
+  /// json: timeline_json() of the program.
+  append(json) {
+    for (const name of kColumns) this[name].push(...json[name]);
+    json.bounds.forEach(({ value, broken }, b) => {
+      // Rows before the first that was judged have no entry.
+      const bound = this.bounds[b] ??= { value: new Array(this.count - value.length).fill(null), broken: new Array(this.count - value.length).fill(null) };
+      bound.value.push(...value);
+      bound.broken.push(...broken);
+    });
+    for (const [name, values] of Object.entries(json.channels ?? {})) (this.channels[name] ??= []).push(...values);
+  }
+
+  /// The row of a step, or of the last step before it; −1 before the first.
+  index(step) {
+    const { count } = this;
+    if (count === 0 || step < this.step[0]) return -1;
+    const stride = count > 1 ? this.step[1] - this.step[0] : 1;
+    let i = Math.min(count - 1, Math.max(0, Math.floor((step - this.step[0]) / stride)));
+    while (i > 0 && this.step[i] > step) --i;
+    while (i + 1 < count && this.step[i + 1] <= step) ++i;
+    return i;
+  }
+
+  /// Runs of steps that could not be read: [first, last, why].
+  unread() {
+    const runs = [];
+    for (let i = 0; i < this.count; ++i) {
+      if (this.read[i] !== 0) continue;
+      const run = runs.at(-1);
+      if (run && i > 0 && this.read[i - 1] === 0) run[1] = this.step[i];
+      else runs.push([this.step[i], this.step[i], "the record with it is damaged"]);
+    }
+    return runs;
+  }
+
+  /// The number of bounds that are broken up to row i.
+  broken(i) { return this.bounds.reduce((sum, { broken }) => sum + (broken[i] ?? 0), 0); }
+
+  /// The first step up to which a bound is broken, of each that is.
+  breaks() {
+    return this.bounds.map(({ broken }) => broken.indexOf(1)).filter((i) => i >= 0).map((i) => this.step[i]);
+  }
+
+  energy(i) {
+    return this.kinetic[i] === null || this.potential[i] === null ? null : this.kinetic[i] + this.potential[i];
+  }
+}

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/scene.h"
+
+namespace tumble::replay {
+
+/// A body as a viewer draws it.
+struct ViewedBody {
+  sim::BodyId id = 0;
+  sim::Vec3 size = {0, 0, 0};  ///< edge lengths, m; zeros where no box and no throw read so far defines the body
+  double mass = 0;             ///< kg; 0: likewise
+  bool is_static = false;
+  sim::Texture texture = sim::Texture::kWhite;
+  sim::Origin origin;
+  [[nodiscard]] bool known() const { return mass > 0; }
+};
+
+/// All bodies of a session, each with a row that it keeps: first those of the scene, then thrown ones as they are met.
+class BodyTable {
+ public:
+  explicit BodyTable(const LogHeader& header);
+
+  /// Adds the bodies that these inputs throw.
+  void add(const std::vector<sim::Command>& inputs);
+
+  /// The row of a body; a body that nothing defines yet gets one, to be described later.
+  std::size_t row_of(sim::BodyId id);
+
+  [[nodiscard]] const std::vector<ViewedBody>& bodies() const { return bodies_; }
+
+  /// Rises with every change of bodies().
+  [[nodiscard]] std::uint32_t version() const { return version_; }
+
+ private:
+  void define(const sim::BoxDef& box);
+
+  std::vector<ViewedBody> bodies_;
+  std::map<sim::BodyId, std::size_t> rows_;
+  std::uint32_t version_ = 0;
+};
+
+}  // namespace tumble::replay

@@ -1,0 +1,69 @@
+// `tumble view` as docs/commands.md describes it; tests/session_page works its pages in a browser.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/support/program.h"
+#include "tests/tools/engine_table.h"
+
+namespace tumble::test {
+namespace {
+
+TEST(View, WritesAPageThatHoldsTheSession) {
+  const Workshop shop;
+  shop.record_small("s");
+  const Outcome made = shop.run({"view", "s.tumble", "-o", "s.html"});
+  ASSERT_EQ(made.exit, 0) << made.err;
+  EXPECT_TRUE(says(made.out, "s.html: ")) << made.out;
+  EXPECT_TRUE(says(made.out, "s.tumble: every state, 41 in all")) << made.out;
+  const std::string page = shop.read("s.html");
+  EXPECT_TRUE(page.starts_with("<!doctype html>"));
+  EXPECT_TRUE(says(page, "default-src 'none'") || says(page, "default-src &#39;none&#39;"));
+  EXPECT_TRUE(says(page, "id=\"session-0-frames\""));
+  EXPECT_FALSE(says(page, "id=\"session-0-difference\""));
+}
+
+TEST(View, PutsTwoLogsAndTheirComparisonIntoOnePage) {
+  const Workshop shop;
+  shop.record_small("a");
+  shop.record_small("b", {"--set", "world.gravity=[0, 0, -9.8]"});
+  const Outcome made = shop.run({"view", "a.tumble", "b.tumble", "-o", "both.html"});
+  ASSERT_EQ(made.exit, 0) << made.err;
+  const std::string page = shop.read("both.html");
+  EXPECT_TRUE(says(page, "id=\"session-1-frames\""));
+  EXPECT_TRUE(says(page, "id=\"session-0-difference\""));
+}
+
+TEST(View, KeepsToItsSize) {
+  const Workshop shop;
+  shop.record_small("s", {"--seconds", "20"});
+  ASSERT_EQ(shop.run({"view", "s.tumble", "-o", "s.html", "--megabytes", "0.9"}).exit, 0);
+  EXPECT_LE(std::filesystem::file_size(shop.path("s.html")), 900'000U);
+}
+
+TEST(View, RefusesBadUsage) {
+  const Workshop shop;
+  shop.record_small("s");
+  EXPECT_EQ(shop.run({"view", "none.tumble", "-o", "p.html"}).exit, 2);
+  EXPECT_EQ(shop.run({"view", "s.tumble", "-o", "s.tumble"}).exit, 2);
+  EXPECT_EQ(shop.run({"view", "s.tumble", "-o", "p.html", "--port", "80"}).exit, 2);
+  EXPECT_EQ(shop.run({"view", "s.tumble", "--megabytes", "3"}).exit, 2);
+  EXPECT_EQ(shop.run({"view", "s.tumble", "--port", "70000"}).exit, 2);
+  shop.write("broken.tumble", "no log");
+  EXPECT_EQ(shop.run({"view", "broken.tumble"}).exit, 2);
+}
+
+TEST(View, ShowsTheIntactPartOfATornLog) {
+  const Workshop shop;
+  shop.record_small("s", {"--seconds", "5"});
+  const std::string bytes = shop.read("s.tumble");
+  shop.write("torn.tumble", bytes.substr(0, bytes.size() * 3 / 4));
+  const Outcome made = shop.run({"view", "torn.tumble", "-o", "torn.html"});
+  EXPECT_EQ(made.exit, 3);
+  EXPECT_TRUE(says(made.err, "torn"));
+  EXPECT_TRUE(says(shop.read("torn.html"), "session-0-frames"));
+}
+
+}  // namespace
+}  // namespace tumble::test

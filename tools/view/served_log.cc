@@ -1,0 +1,202 @@
+#include "tools/view/served_log.h"
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "replay/view/state_frame.h"
+#include "tools/view/view_json.h"
+
+namespace tumble::tools {
+namespace {
+
+using Lock = std::lock_guard<std::mutex>;
+
+constexpr auto kPause = std::chrono::milliseconds(250);  // between two looks at a log that may grow
+
+/// The same log, opened again because more of it may be there now; null where another file lies at its path, or none.
+std::optional<replay::LogReader> opened_again(const replay::LogReader& log) {
+  Result<replay::LogReader> again = replay::LogReader::open(log.name());
+  if (!again.ok() || again->header_prelude().log_tag != log.header_prelude().log_tag) return std::nullopt;
+  if (again->last_step() <= log.last_step() && again->condition().finished == log.condition().finished) {
+    return std::nullopt;
+  }
+  return std::optional(*std::move(again));
+}
+
+}  // namespace
+
+ServedLog::ServedLog(replay::LogReader reader, std::vector<replay::MetricBound> bounds)
+    : path_(reader.name()), bounds_(std::move(bounds)), log_(std::move(reader)), table_(log_.header()), thread_([this] {
+        work();
+      }) {
+  const Lock lock(reading_);
+  states_.emplace(log_);
+  contacts_.emplace(log_);
+}
+
+ServedLog::~ServedLog() {
+  stop_ = true;
+  thread_.join();
+}
+
+// Requires reading_.
+void ServedLog::refresh() {
+  if (!log_.condition().finished) {
+    if (std::optional<replay::LogReader> again = opened_again(log_)) {
+      states_.reset();
+      contacts_.reset();
+      log_ = *std::move(again);
+      states_.emplace(log_);
+      contacts_.emplace(log_);
+    }
+  }
+  const Lock lock(found_);
+  for (; inputs_seen_ < inputs_.size(); ++inputs_seen_) table_.add({inputs_[inputs_seen_].input});
+}
+
+Json ServedLog::head() {
+  const Lock lock(reading_);
+  refresh();
+  return head_json(log_);
+}
+
+Json ServedLog::bodies() {
+  const Lock lock(reading_);
+  refresh();
+  return bodies_json(table_);
+}
+
+Json ServedLog::news() {
+  const Lock lock(reading_);
+  refresh();
+  const Lock found(found_);
+  return {{"last", log_.last_step()},
+          {"finished", log_.condition().finished},
+          {"summary", printable(log_.condition().summary(log_.last_step()))},
+          {"rows", rows_.size()},
+          {"begun", begun_.size()},
+          {"version", table_.version()},
+          {"timeline_done", timeline_done_},
+          {"contacts_done", contacts_done_},
+          {"contacts_why_not", contacts_why_not_},
+          {"note", note_}};
+}
+
+Json ServedLog::timeline(std::size_t from) {
+  const Lock lock(found_);
+  const std::size_t begin = std::min(from, rows_.size());
+  const std::size_t count = std::min(kRowsMax, rows_.size() - begin);
+  Json json = timeline_json(std::span(rows_).subspan(begin, count));
+  std::vector<replay::TimelineInput> inputs;
+  if (count > 0) {
+    const std::uint64_t first = rows_[begin].step, last = rows_[begin + count - 1].step;
+    for (const replay::TimelineInput& input : inputs_) {
+      if (input.step >= first && input.step <= last) inputs.push_back(input);
+    }
+  }
+  json["more_inputs"] = inputs_json(inputs);
+  return json;
+}
+
+Json ServedLog::begun(std::size_t from) {
+  const Lock lock(found_);
+  Json counts = Json::array();
+  for (std::size_t i = from; i < std::min(begun_.size(), from + kRowsMax); ++i) counts.push_back(begun_[i]);
+  return counts;
+}
+
+std::string ServedLog::frames(std::uint64_t first, std::uint64_t count, std::uint64_t stride) {
+  const Lock lock(reading_);
+  refresh();
+  std::string out;
+  for (std::uint64_t i = 0; i < count && first <= log_.last_step() && out.size() < kFrameBytesMax; ++i) {
+    const Result<const replay::StepRecord*> record = states_->read(first);
+    if (record.ok()) {
+      // The table learns of throws from the step itself too, ahead of the second thread.
+      table_.add((*record)->inputs);
+      replay::append_frame(first, replay::FrameStatus::kShown, &(*record)->states, table_, out);
+    } else {
+      const auto status = log_.holds(first) ? replay::FrameStatus::kUnread : replay::FrameStatus::kNotHeld;
+      replay::append_frame(first, status, nullptr, table_, out);
+    }
+    if (first > log_.last_step() - std::min(stride, log_.last_step())) break;
+    first += stride;
+  }
+  return out;
+}
+
+Json ServedLog::contacts(std::uint64_t k) {
+  const Lock lock(reading_);
+  const Result<std::vector<replay::ContactPoint>> points = contacts_->read(k);
+  if (!points.ok()) return {{"step", k}, {"why_not", printable(points.error().message)}};
+  return {{"step", k}, {"rows", contact_rows_json(*points)}};
+}
+
+Json ServedLog::body(std::uint64_t k, sim::BodyId id) {
+  const Lock lock(reading_);
+  const Result<const replay::StepRecord*> record = states_->read(k);
+  if (!record.ok()) return {{"why_not", printable(record.error().message)}};
+  Json json = body_json(**record, id);
+  if (json.is_null()) return {{"why_not", "the state has no such body"}};
+  return json;
+}
+
+Json ServedLog::way(sim::BodyId id) {
+  const Lock lock(found_);
+  const BodyWays::Way way = ways_.way(id);
+  Json at = Json::array();
+  for (const float metres : way.at) at.push_back(short_json(metres));
+  return {{"id", id}, {"step", way.step}, {"at", at}};
+}
+
+// Reads the log by a reader of its own, so that a seek waits for one step at most.
+void ServedLog::work() {
+  Result<replay::LogReader> opened = replay::LogReader::open(path_);
+  if (!opened.ok()) {
+    const Lock lock(found_);
+    note_ = printable(opened.error().message);
+    timeline_done_ = contacts_done_ = true;
+    return;
+  }
+  replay::LogReader log = *std::move(opened);
+  replay::TimelineScan scan(log, bounds_);
+  std::optional<replay::ContactScan> contacts(std::in_place, log);
+  bool counts = !log.header().engine;
+  while (!stop_) {
+    if (!scan.done()) {
+      const replay::TimelineRow row = scan.next();
+      const std::vector<sim::Command> inputs = scan.inputs();
+      const Lock lock(found_);
+      rows_.push_back(row);
+      for (const sim::Command& input : inputs) inputs_.push_back({row.step, input});
+      if (scan.states() != nullptr) ways_.add(row.step, *scan.states());
+      continue;
+    }
+    if (counts && !contacts->done()) {
+      const Result<replay::ContactScan::Row> row = contacts->next();
+      const Lock lock(found_);
+      timeline_done_ = log.condition().finished;
+      if (row.ok()) {
+        if (begun_.empty()) begun_.push_back(0);  // of the first state, which no step led to
+        begun_.push_back(row->begun);
+      } else {
+        contacts_why_not_ = printable(row.error().message);
+        counts = false;
+      }
+      continue;
+    }
+    if (log.condition().finished) break;
+    std::this_thread::sleep_for(kPause);
+    if (std::optional<replay::LogReader> again = opened_again(log)) {
+      log = *std::move(again);
+      scan.follow(log);
+      contacts->follow(log);
+    }
+  }
+  const Lock lock(found_);
+  timeline_done_ = contacts_done_ = true;
+}
+
+}  // namespace tumble::tools

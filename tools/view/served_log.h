@@ -1,0 +1,82 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "replay/session/state_source.h"
+#include "replay/view/body_table.h"
+#include "replay/view/contact_points.h"
+#include "replay/view/timeline.h"
+#include "tools/output/text.h"
+#include "tools/view/body_ways.h"
+#include "tumble/replay/log_reader.h"
+
+namespace tumble::tools {
+
+/// One log that a page asks about: any step at once, while a second thread reads all of them in turn for the timeline.
+/// A log that is being recorded is followed to its last chunk. Every member may be called from any thread.
+class ServedLog {
+ public:
+  /// Starts reading. reader: of the log, which lies at its name().
+  explicit ServedLog(replay::LogReader reader, std::vector<replay::MetricBound> bounds = {});
+  ~ServedLog();
+  ServedLog(const ServedLog&) = delete;
+  ServedLog& operator=(const ServedLog&) = delete;
+
+  /// head_json(). Opens the log again where it has grown.
+  Json head();
+  /// {"last", "finished", "rows", "version", "timeline_done", "contacts_done", "contacts_why_not", "note"}.
+  Json news();
+  Json bodies();
+
+  /// Rows from the `from`-th on, kRowsMax at most: timeline_json(), and "more_inputs" of those steps.
+  Json timeline(std::size_t from);
+  /// [number of pairs that begin to touch], of the rows from the `from`-th on that are counted.
+  Json begun(std::size_t from);
+  static constexpr std::size_t kRowsMax = 4000;
+
+  /// append_frame() of each of the steps first, first + stride, …; fewer than `count` where kFrameBytesMax is reached.
+  std::string frames(std::uint64_t first, std::uint64_t count, std::uint64_t stride);
+  static constexpr std::size_t kFrameBytesMax = 8 << 20;
+
+  /// {"step", "rows": contact_rows_json()}, or {"step", "why_not"}.
+  Json contacts(std::uint64_t k);
+  /// body_json(), or {"why_not"}.
+  Json body(std::uint64_t k, sim::BodyId id);
+  /// {"id", "step", "at": [x, y, z, …]}: where the body was, as far as the timeline has been read.
+  Json way(sim::BodyId id);
+
+ private:
+  void work();  // the second thread
+  void refresh();
+
+  const std::string path_;
+  const std::vector<replay::MetricBound> bounds_;
+  std::mutex reading_;  // guards what follows
+  replay::LogReader log_;
+  std::optional<replay::StateSource> states_;
+  std::optional<replay::ContactSource> contacts_;
+  replay::BodyTable table_;
+  std::size_t inputs_seen_ = 0;  // of inputs_, in table_
+
+  std::mutex found_;  // guards what follows; locked after reading_
+  std::vector<replay::TimelineRow> rows_;
+  std::vector<replay::TimelineInput> inputs_;
+  std::vector<std::uint32_t> begun_;
+  BodyWays ways_;
+  bool timeline_done_ = false;
+  bool contacts_done_ = false;
+  std::string contacts_why_not_, note_;
+
+  std::atomic<bool> stop_ = false;
+  std::thread thread_;  // last: it uses all of the above
+};
+
+}  // namespace tumble::tools

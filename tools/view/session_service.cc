@@ -1,0 +1,152 @@
+#include "tools/view/session_service.h"
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "src/base/check.h"
+#include "tools/view/difference_data.h"
+#include "tools/view/session_page.h"
+#include "tools/view/view_json.h"
+#include "tumble/sim/limits.h"
+
+namespace tumble::tools {
+namespace {
+
+constexpr std::uint64_t kFramesMax = 512;
+
+Reply refusal(int status, const std::string& words) { return {status, "application/json", dumped({{"error", words}})}; }
+
+/// The whole numbers of a request. Notes the first that is missing or out of range.
+class Numbers {
+ public:
+  explicit Numbers(const SessionService::Parameters& parameters) : parameters_(parameters) {}
+
+  std::uint64_t take(const char* name, std::uint64_t most) {
+    const auto found = parameters_.find(name);
+    std::uint64_t number = 0;
+    const std::string text = found == parameters_.end() ? "" : found->second;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (text.empty() || error != std::errc() || end != text.data() + text.size() || number > most) {
+      if (wrong_.empty()) wrong_ = std::string(name) + ": wanted a whole number up to " + std::to_string(most);
+      return 0;
+    }
+    return number;
+  }
+  [[nodiscard]] const std::string& wrong() const { return wrong_; }
+
+ private:
+  const SessionService::Parameters& parameters_;
+  std::string wrong_;
+};
+
+using Question = std::function<Reply(ServedLog& log, Numbers& numbers)>;
+
+/// Wraps a question whose numbers are all taken before it is asked.
+Reply json_of(const Numbers& numbers, const std::function<Json()>& ask) {
+  if (!numbers.wrong().empty()) return refusal(400, numbers.wrong());
+  return {200, "application/json", dumped(ask())};
+}
+
+Reply frames_of(ServedLog& log, Numbers& numbers) {
+  const std::uint64_t first = numbers.take("first", sim::kStepsMax), count = numbers.take("count", kFramesMax);
+  const std::uint64_t stride = numbers.take("stride", sim::kStepsMax);
+  if (!numbers.wrong().empty()) return refusal(400, numbers.wrong());
+  if (stride == 0) return refusal(400, "stride: wanted at least 1");
+  return {200, "application/octet-stream", log.frames(first, count, stride)};
+}
+
+const std::map<std::string, Question>& questions() {
+  static const std::map<std::string, Question> kQuestions = {
+      {"head", [](ServedLog& log, Numbers& n) { return json_of(n, [&] { return log.head(); }); }},
+      {"news", [](ServedLog& log, Numbers& n) { return json_of(n, [&] { return log.news(); }); }},
+      {"bodies", [](ServedLog& log, Numbers& n) { return json_of(n, [&] { return log.bodies(); }); }},
+      {"timeline",
+       [](ServedLog& log, Numbers& n) {
+         const std::uint64_t from = n.take("from", sim::kStepsMax);
+         return json_of(n, [&] { return log.timeline(from); });
+       }},
+      {"begun",
+       [](ServedLog& log, Numbers& n) {
+         const std::uint64_t from = n.take("from", sim::kStepsMax);
+         return json_of(n, [&] { return log.begun(from); });
+       }},
+      {"frames", frames_of},
+      {"contacts",
+       [](ServedLog& log, Numbers& n) {
+         const std::uint64_t step = n.take("step", sim::kStepsMax);
+         return json_of(n, [&] { return log.contacts(step); });
+       }},
+      {"body",
+       [](ServedLog& log, Numbers& n) {
+         const std::uint64_t step = n.take("step", sim::kStepsMax), id = n.take("id", sim::kBodyIdMax);
+         return json_of(n, [&] { return log.body(step, id); });
+       }},
+      {"way",
+       [](ServedLog& log, Numbers& n) {
+         const std::uint64_t id = n.take("id", sim::kBodyIdMax);
+         return json_of(n, [&] { return log.way(id); });
+       }},
+  };
+  return kQuestions;
+}
+
+}  // namespace
+
+SessionService::SessionService(std::vector<replay::LogReader> logs, const std::vector<replay::MetricBound>& bounds) {
+  for (const replay::MetricBound& bound : bounds) bounds_.push_back(printable(bound.text));
+  SIM_CHECK(!logs.empty() && logs.size() <= 2, logs.size());
+  for (replay::LogReader& log : logs) {
+    paths_.push_back(log.name());
+    logs_.push_back(std::make_unique<ServedLog>(std::move(log), bounds));
+  }
+  if (logs_.size() < 2) return;
+  thread_ = std::thread([this] { compare(); });
+}
+
+SessionService::~SessionService() {
+  stop_ = true;
+  if (thread_.joinable()) thread_.join();
+}
+
+void SessionService::compare() {
+  const auto compared = [this]() -> Result<Json> {
+    Result<replay::LogReader> a = replay::LogReader::open(paths_[0]);
+    if (!a.ok()) return a.error();
+    Result<replay::LogReader> b = replay::LogReader::open(paths_[1]);
+    if (!b.ok()) return b.error();
+    return difference_data(*a, *b, [this](std::uint64_t done, std::uint64_t total) {
+      const std::lock_guard lock(found_);
+      compared_ = total == 0 ? 0.0 : static_cast<double>(done) / static_cast<double>(total);
+      return !stop_;
+    });
+  };
+  Result<Json> found = compared();
+  const std::lock_guard lock(found_);
+  difference_ = dumped(found.ok() ? *found : Json{{"state", "failed"}, {"why", printable(found.error().message)}});
+}
+
+std::string SessionService::difference() {
+  const std::lock_guard lock(found_);
+  return difference_.empty() ? dumped({{"state", "working"}, {"done", compared_}}) : difference_;
+}
+
+Reply SessionService::page() {
+  SessionPage page;
+  page.head = {{"mode", "served"}, {"bounds", bounds_}, {"logs", Json::array()}};
+  for (const auto& log : logs_) page.head["logs"].push_back(log->head());
+  return {200, "text/html; charset=utf-8", page.html()};
+}
+
+Reply SessionService::answer(const std::string& path, const Parameters& parameters) {
+  if (path.empty()) return page();
+  if (path == "difference") return {200, "application/json", difference()};
+  const auto question = questions().find(path);
+  if (question == questions().end()) return refusal(404, "there is nothing here");
+  Numbers numbers(parameters);
+  const std::uint64_t which = numbers.take("log", logs_.size() - 1);
+  if (!numbers.wrong().empty()) return refusal(400, numbers.wrong());
+  return question->second(*logs_[which], numbers);
+}
+
+}  // namespace tumble::tools

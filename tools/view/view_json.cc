@@ -1,0 +1,188 @@
+#include "tools/view/view_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <type_traits>
+#include <variant>
+
+#include "replay/view/step_gaps.h"
+#include "src/base/text.h"
+#include "tools/output/divergence_output.h"
+#include "tumble/replay/body_states.h"
+
+namespace tumble::tools {
+namespace {
+
+constexpr int kDigits = 7;
+
+Json vector_json(const sim::Vec3& v) { return {short_json(v.x()), short_json(v.y()), short_json(v.z())}; }
+
+template <class Row, class Member>
+Json column(std::span<const Row> rows, Member member) {
+  Json numbers = Json::array();
+  for (const Row& row : rows) {
+    if constexpr (std::is_floating_point_v<std::decay_t<decltype(row.*member)>>) {
+      numbers.push_back(row.read ? short_json(row.*member) : Json(nullptr));
+    } else {
+      numbers.push_back(row.*member);
+    }
+  }
+  return numbers;
+}
+
+/// By bound: its values, and 1 for each step up to which it is broken; null where it is not judged.
+Json bounds_json(std::span<const replay::TimelineRow> rows) {
+  std::size_t count = 0;
+  for (const replay::TimelineRow& row : rows) count = std::max(count, row.bounds.size());
+  Json bounds = Json::array();
+  for (std::size_t b = 0; b < count; ++b) {
+    Json values = Json::array(), broken = Json::array();
+    for (const replay::TimelineRow& row : rows) {
+      const bool judged = b < row.bounds.size();
+      values.push_back(judged && row.bounds[b].value ? short_json(*row.bounds[b].value) : Json(nullptr));
+      broken.push_back(judged ? Json(row.bounds[b].holds ? 0 : 1) : Json(nullptr));
+    }
+    bounds.push_back({{"value", values}, {"broken", broken}});
+  }
+  return bounds;
+}
+
+std::string vector_text(const sim::Vec3& v, const char* unit) {
+  return significant(v.x(), 4) + ", " + significant(v.y(), 4) + ", " + significant(v.z(), 4) + ' ' + unit;
+}
+
+std::string input_text(const sim::Command& input) {
+  if (const auto* thrown = std::get_if<sim::Throw>(&input)) {
+    return significant(thrown->box.mass, 4) + " kg at " + vector_text(thrown->box.velocity, "m/s");
+  }
+  if (const auto* push = std::get_if<sim::Push>(&input)) return vector_text(push->impulse, "N s");
+  if (const auto* set = std::get_if<sim::SetVelocity>(&input)) return vector_text(set->velocity, "m/s");
+  if (const auto* gravity = std::get_if<sim::SetGravity>(&input)) return vector_text(gravity->gravity, "m/s²");
+  if (const auto* dt = std::get_if<sim::SetDt>(&input)) return seconds_text(dt->dt);
+  return "";
+}
+
+Json input_body(const sim::Command& input) {
+  return std::visit(
+      [](const auto& one) -> Json {
+        if constexpr (requires { one.box.id; }) {
+          return one.box.id;
+        } else if constexpr (requires { one.id; }) {
+          return one.id;
+        } else {
+          return nullptr;
+        }
+      },
+      input);
+}
+
+}  // namespace
+
+std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
+Json short_json(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  return parse_exact(significant(value, kDigits)).value_or(value);
+}
+
+Json head_json(const replay::LogReader& log) {
+  const replay::LogHeader& header = log.header();
+  const sim::SceneDef& scene = header.scene;
+  const replay::LogCondition& condition = log.condition();
+  Json gaps = Json::array();
+  for (const replay::StepGap& gap : replay::step_gaps(log)) gaps.push_back({gap.first, gap.last, gap.why});
+  return {{"path", printable(log.name())},
+          {"name", printable(scene.name)},
+          {"title", printable(scene.title)},
+          {"method", header.method + ' ' + std::to_string(header.method_version)},
+          {"engine", header.engine ? Json(printable(to_string(*header.engine))) : Json(nullptr)},
+          {"ours", !header.engine},
+          {"summary", printable(condition.summary(log.last_step()))},
+          {"finished", condition.finished},
+          {"sound", condition.sound()},
+          {"first", log.first_state()},
+          {"last", log.last_step()},
+          {"dt", scene.world.dt},
+          {"ground", scene.world.ground},
+          {"camera", {{"position", vector_json(scene.camera.position)}, {"target", vector_json(scene.camera.target)}}},
+          {"axes", header.axes().ours() ? Json(nullptr) : Json(printable(to_string(header.axes())))},
+          {"gaps", gaps}};
+}
+
+Json bodies_json(const replay::BodyTable& table) {
+  Json ids = Json::array(), sizes = Json::array(), fixed = Json::array(), textures = Json::array();
+  Json origins = Json::array();
+  for (const replay::ViewedBody& body : table.bodies()) {
+    ids.push_back(body.id);
+    for (const double edge : {body.size.x(), body.size.y(), body.size.z()}) sizes.push_back(short_json(edge));
+    fixed.push_back(body.is_static ? 1 : 0);
+    textures.push_back(static_cast<int>(body.texture));
+    origins.push_back(static_cast<int>(body.origin.kind));
+    for (const std::uint32_t place : {body.origin.table, body.origin.row, body.origin.column}) origins.push_back(place);
+  }
+  return {{"version", table.version()}, {"id", ids},        {"size", sizes}, {"static", fixed},
+          {"texture", textures},        {"origin", origins}};
+}
+
+Json timeline_json(std::span<const replay::TimelineRow> rows) {
+  using Row = replay::TimelineRow;
+  Json read = Json::array();
+  for (const Row& row : rows) read.push_back(row.read ? 1 : 0);
+  return {{"step", column(rows, &Row::step)},
+          {"time", column(rows, &Row::time)},
+          {"read", read},
+          {"kinetic", column(rows, &Row::kinetic)},
+          {"potential", column(rows, &Row::potential)},
+          {"inputs", column(rows, &Row::inputs)},
+          {"contacts", column(rows, &Row::contacts)},
+          {"bodies", column(rows, &Row::bodies)},
+          {"sleeping", column(rows, &Row::frozen)},
+          {"lost", column(rows, &Row::not_finite)},
+          {"speed", column(rows, &Row::speed_max)},
+          {"speed_body", column(rows, &Row::speed_body)},
+          {"height", column(rows, &Row::height_max)},
+          {"overlap", column(rows, &Row::overlap)},
+          {"bounds", bounds_json(rows)}};
+}
+
+Json inputs_json(std::span<const replay::TimelineInput> inputs) {
+  Json rows = Json::array();
+  for (const replay::TimelineInput& one : inputs) {
+    rows.push_back({{"step", one.step},
+                    {"kind", sim::name_of(one.input)},
+                    {"body", input_body(one.input)},
+                    {"text", input_text(one.input)}});
+  }
+  return rows;
+}
+
+Json contact_rows_json(std::span<const replay::ContactPoint> points) {
+  Json rows = Json::array();
+  for (const replay::ContactPoint& point : points) {
+    Json row = {point.a, point.b.value_or(0)};
+    for (const sim::Vec3& v : {point.at, point.normal}) {
+      for (int c = 0; c < 3; ++c) row.push_back(short_json(v[c]));
+    }
+    row.push_back(short_json(point.depth));
+    row.push_back(short_json(point.impulse));
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Json body_json(const replay::StepRecord& record, sim::BodyId id) {
+  const replay::BodyStates& states = record.states;
+  const auto found = std::ranges::lower_bound(states.id, id);
+  if (found == states.id.end() || *found != id) return nullptr;
+  const auto row = static_cast<std::size_t>(found - states.id.begin());
+  const replay::ConstColumns columns = replay::columns_of(states);
+  Json fields = Json::array();
+  for (const std::size_t c : replay::kFieldOrder) {
+    const double value = (*columns[c])[row];
+    fields.push_back({{"field", replay::kColumnNames[c]}, {"value", number_json(value)}, {"hex", hex_text(value)}});
+  }
+  return {{"id", id}, {"step", record.step}, {"frozen", states.frozen[row] != 0}, {"fields", fields}};
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "replay/view/body_table.h"
+#include "replay/view/contact_points.h"
+#include "replay/view/timeline.h"
+#include "tools/output/text.h"
+#include "tumble/replay/log_reader.h"
+
+/// What the session page reads as JSON. Lengths in m, speeds in m/s, energies in J, our axes.
+namespace tumble::tools {
+
+/// {"path", "name", "title", "method", "engine", "summary", "finished", "ours", "first", "last", "dt", "ground",
+/// "camera", "gaps": [[first, last, why]], "phases"}.
+Json head_json(const replay::LogReader& log);
+
+/// {"version", "id", "size" (3 a body), "static", "texture", "origin" (4 a body: kind, table, row, column)}; size 0 0 0
+/// for a body that nothing read so far defines.
+Json bodies_json(const replay::BodyTable& table);
+
+/// Columns of numbers, one a row: {"step", "time", "read", "kinetic", …}; null where a number has no meaning.
+Json timeline_json(std::span<const replay::TimelineRow> rows);
+
+/// [{"step", "kind", "body", "text"}].
+Json inputs_json(std::span<const replay::TimelineInput> inputs);
+
+/// [[a, b or 0, x, y, z, normal x, y, z, depth, impulse]].
+Json contact_rows_json(std::span<const replay::ContactPoint> points);
+
+/// One body in one state, to the last bit: {"id", "step", "frozen", "fields": [{"field", "value", "hex"}]}; null
+/// where the state has no such body.
+Json body_json(const replay::StepRecord& record, sim::BodyId id);
+
+/// The text of JSON; bytes that are not UTF-8 become replacement characters.
+std::string dumped(const Json& json);
+
+/// Seven significant digits; null for a number that is not finite.
+Json short_json(double value);
+
+}  // namespace tumble::tools
