@@ -108,13 +108,15 @@ void layered(const BodyAccount& account, const ContactFacts& facts, Making& maki
              (facts.recalled > 0 ? "found again with " + rounded(facts.recalled, "N s") + " of the step before: "
                                  : std::string("found without an impulse of the step before: ")) +
                  making.found_text());
-  if (rests && facts.split > 1) add_prepared(account, facts, making);
-  if (facts.hard || facts.sweeps > 1) {
+  const auto add_sweeps = [&] {
     making.add("assign_levels", "sweeps", "", static_cast<std::uint64_t>(facts.sweeps),
                (facts.hard ? "its island is hard (a bar, or bodies of very different masses) and is"
                            : std::string("its island is")) +
-                   " swept " + std::to_string(facts.sweeps) + " times");
-  }
+                   " swept " + count_text(static_cast<std::uint64_t>(facts.sweeps), "time"));
+  };
+  if (facts.hard) add_sweeps();
+  if (rests) add_prepared(account, facts, making);
+  if (!facts.hard) add_sweeps();
   near_pairs(account, "find_near_pairs", making);
 }
 

@@ -103,7 +103,8 @@ Status StepsAgain::stand_before(std::uint64_t k) {
   Result<const Keyframe*> keyframe = log_->keyframe_at_or_before(k - 1);
   if (!keyframe.ok()) return keyframe.error();
   const bool goes_on = before_ && before_->state().step < k && before_->state().step > (*keyframe)->state.step;
-  Result<sim::World> world = goes_on ? Result<sim::World>(*std::move(before_)) : sim::World::restore((*keyframe)->state);
+  Result<sim::World> world =
+      goes_on ? Result<sim::World>(*std::move(before_)) : sim::World::restore((*keyframe)->state);
   before_.reset();
   if (!world.ok()) return Error{world.error().kind, log_->name() + ": " + world.error().message};
   while (world->state().step + 1 < k) {

@@ -52,7 +52,7 @@ class StepsAgain {
   // The world that steps were taken from last. With its scratch: a build whose steps depend on it is a wrong one, and
   // must still be seen to repeat its own log.
   std::optional<sim::World> before_;
-  StepRecord record_;                      // of the step that is being taken, by this build
+  StepRecord record_;  // of the step that is being taken, by this build
   // The states of one body from `block_from_` on.
   sim::BodyId block_body_ = 0;
   std::uint64_t block_from_ = 0;
