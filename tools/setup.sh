@@ -41,7 +41,7 @@ fail() {
   exit 4
 }
 usage() {
-  sed -n '3,13s/^# //p' "${BASH_SOURCE[0]}"
+  sed -n '3,14s/^# //p' "${BASH_SOURCE[0]}"
 }
 
 only=() with=()
