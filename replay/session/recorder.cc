@@ -92,7 +92,7 @@ Result<std::unique_ptr<Recorder>> Recorder::go_on(std::unique_ptr<ByteSink> sink
 // overwrites. The writer copies what it needs before append() returns, so the spans may be used again.
 Status Recorder::step(std::span<const sim::Command> live) {
   hashes_.clear();
-  const Result<TakenStep> taken = session_.step(live, &hashes_);
+  const Result<TakenStep> taken = session_.step(live, watch_ ? watch_(&hashes_) : &hashes_);
   if (!taken.ok()) return taken.error();
   const Extras* extras = extras_.views.empty() ? nullptr : &extras_;
   const Status written =

@@ -74,6 +74,7 @@ std::vector<Room> logs() {
       {"replay/stream", session + Folders{"replay/import"}},
       {"replay/picture", above + Folders{"src/render", "src/render/picture", "src/render/scene"}},
       {"replay/probe", above},
+      {"replay/live", above + Folders{"src/threads", "src/render/scene", "replay/picture"}},
       {"replay/diff", above + Folders{"replay/measure", "replay/recover", "replay/picture"}},
       {"replay/view", above + Folders{"replay/measure"}},
       {"replay/blame", above + Folders{"replay/diff"}},
@@ -147,6 +148,7 @@ std::vector<Room> program() {
       {"tools/view", above + Folders{"golden/report/page"}},
       {"tools/commands", above + Folders{"tools/bisect", "tools/bench", "tools/engine", "tools/compare", "tools/view"}},
       {"tools", above + Folders{"tools/commands"}},
+      {"tools/live", above + Folders{"src/render/gl", "src/render/scene", "replay/live", "tools"}},
   };
 }
 

@@ -28,6 +28,7 @@ Action declare_info(Arguments& arguments);
 Action declare_measure(Arguments& arguments);
 Action declare_dump(Arguments& arguments);
 Action declare_render(Arguments& arguments);
+Action declare_live(Arguments& arguments);
 Action declare_view(Arguments& arguments);
 Action declare_import(Arguments& arguments);
 Action declare_bench(Arguments& arguments);
