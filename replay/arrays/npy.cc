@@ -105,12 +105,8 @@ std::string Array::cell(const std::vector<std::size_t>& index) const {
   if (kind == Kind::kBytes) return item.substr(0, item.find('\0'));
   const std::uint64_t bits = number_at(item, 0, item.size());
   if (kind == Kind::kFloat && item.size() == 8) return exact_bits(std::bit_cast<double>(bits));
-  if (kind == Kind::kFloat) {
-    const float value = std::bit_cast<float>(static_cast<std::uint32_t>(bits));
-    if (value != value || value - value != 0) return exact_bits(value);
-    char digits[40];
-    const auto end = std::to_chars(digits, digits + sizeof digits, value);
-    return {digits, end.ptr};
+  if (kind == Kind::kFloat) {  // the double of the same value, so that its digits give the float's bits
+    return exact_bits(static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits))));
   }
   const unsigned shift = static_cast<unsigned>(64 - 8 * item.size());
   if (kind == Kind::kSigned) return std::to_string(static_cast<std::int64_t>(bits << shift) >> shift);

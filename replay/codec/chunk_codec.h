@@ -28,7 +28,11 @@ class ChunkEncoder {
   Result<MessageBytes> encode(const Keyframe& keyframe, std::span<const StepRecord> steps,
                               const std::vector<ChannelType>& types = {});
 
+  /// Takes back the memory of a message that is needed no longer, for the next one.
+  void take_back(MessageBytes message) { spare_ = std::move(message); }
+
  private:
+  MessageBytes spare_;
   std::unique_ptr<StateEncoder> states_;
 };
 

@@ -7,8 +7,7 @@
 
 #include "replay/codec/blob.h"
 #include "replay/codec/channel_codec.h"
-#include "replay/codec/declared_codec.h"
-#include "replay/codec/scene_codec.h"
+#include "replay/codec/shape_codec.h"
 #include "replay/codec/state_keys.h"
 #include "replay/format/limits.h"
 #include "src/base/check.h"
@@ -20,6 +19,7 @@ using ExtrasOfSteps = std::span<const Extras* const>;
 using ChannelIndex = std::pair<std::size_t, ChannelType>;
 
 constexpr std::size_t kContactColumns = 8;
+constexpr unsigned kCameraNumbers = 9;
 
 std::array<double, kContactColumns> numbers_of(const EngineContact& c) {
   return {c.position.x(), c.position.y(), c.position.z(), c.normal.x(), c.normal.y(), c.normal.z(), c.depth, c.impulse};
@@ -78,14 +78,26 @@ void put_view(schema::View::Builder out, std::uint64_t step, const View& view) {
   out.setStep(step);
   out.setPart(view.part);
   out.setWallTime(view.wall_time);
-  encode(view.camera, out.initCamera());
+  const sim::Camera& c = view.camera;
+  const std::array<double, kCameraNumbers> numbers = {
+      c.position.x(), c.position.y(), c.position.z(), c.target.x(), c.target.y(), c.target.z(), c.fov, c.focus, c.blur};
+  auto camera = out.initCamera(kCameraNumbers);
+  for (unsigned i = 0; i < kCameraNumbers; ++i) camera.set(i, numbers[i]);
   out.setEffects(view.effects);
   out.setFollow(view.follow);
 }
 
-View view_of(schema::View::Reader in) {
+Result<View> view_of(schema::View::Reader in) {
   const capnp::Text::Reader effects = in.getEffects();
-  return {in.getPart(), in.getWallTime(), decode(in.getCamera()), {effects.cStr(), effects.size()}, in.getFollow()};
+  const auto n = in.getCamera();
+  if (n.size() != kCameraNumbers) return damaged("views: found a camera of " + std::to_string(n.size()) + " numbers");
+  View view;
+  view.part = in.getPart();
+  view.wall_time = in.getWallTime();
+  view.camera = {{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, n[6], n[7], n[8]};
+  view.effects = {effects.cStr(), effects.size()};
+  view.follow = in.getFollow();
+  return view;
 }
 
 capnp::Data::Reader data_of(const std::string& bytes) {
@@ -114,12 +126,14 @@ Status decode_contacts(schema::Contacts::Reader in, std::span<Extras* const> ste
   const auto doubles = in.getDoubles();
   if (doubles.size() != kContactColumns)
     return damaged("contacts: found " + std::to_string(doubles.size()) + " columns");
-  const RowLimits limits = {rows_left, 8, doubles[0].size(), false};
+  std::array<capnp::Data::Reader, kContactColumns> data;  // each is got once: see read_message()
+  for (unsigned c = 0; c < kContactColumns; ++c) data[c] = doubles[c];
+  const RowLimits limits = {rows_left, 8, data[0].size(), false};
   const Result<StepRows> rows = decode(in.getRows(), ChannelScope::kPair, steps.size(), limits);
   if (!rows.ok()) return rows.error();
   std::array<std::vector<std::uint64_t>, kContactColumns> columns;
   for (unsigned c = 0; c < kContactColumns; ++c) {
-    if (Status ok = get_planes("contacts: doubles", doubles[c], rows->keys.size(), columns[c]); !ok.ok()) return ok;
+    if (Status ok = get_planes("contacts: doubles", data[c], rows->keys.size(), columns[c]); !ok.ok()) return ok;
     columns[c] = values_of(*rows, std::move(columns[c]));
   }
   std::size_t row = 0;
@@ -189,7 +203,9 @@ Status decode_lists(schema::Extras::Reader in, std::uint64_t first_step, std::sp
   });
   if (!ok.ok()) return ok;
   ok = list("views", in.getViews(), [](Extras& step, schema::View::Reader view) -> Status {
-    step.views.push_back(view_of(view));
+    Result<View> one = view_of(view);
+    if (!one.ok()) return one.error();
+    step.views.push_back(*std::move(one));
     return {};
   });
   if (!ok.ok()) return ok;

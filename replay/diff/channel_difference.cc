@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "replay/format/chain.h"
 #include "replay/format/little_endian.h"
 
 namespace tumble::replay {
@@ -174,6 +175,13 @@ void leave_out_channels(const ChannelMatch& match, const StepRecord& expected, S
   }
   actual.extras.channels = std::move(values);
   if (!match.contacts) actual.extras.contacts = expected.extras.contacts;
+}
+
+bool same_step(const ChannelMatch& match, const StepRecord& expected, const StepRecord& actual) {
+  if (match.equal) return chain_next({}, expected) == chain_next({}, actual);
+  StepRecord compared = actual;
+  leave_out_channels(match, expected, compared);
+  return chain_next({}, expected) == chain_next({}, compared);
 }
 
 std::optional<Divergence> first_extra_difference(const ChannelMatch& match, const StepRecord& expected,

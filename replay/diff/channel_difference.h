@@ -40,6 +40,9 @@ std::vector<std::string> names_of(const ChannelMatch& match);
 /// records compares the rest.
 void leave_out_channels(const ChannelMatch& match, const StepRecord& expected, StepRecord& actual);
 
+/// Whether two records of a step have equal chains from one start, channels that are not compared left out.
+bool same_step(const ChannelMatch& match, const StepRecord& expected, const StepRecord& actual);
+
 /// The first value that differs: by channel in the order of names, then by body or pair; then the first contact.
 /// Differences within their tolerance ("channel.NAME" in Tolerances::fields) count as equal. The field is
 /// "channel.NAME", "contact.depth" or the like, or "contacts" (another number of them); the phase is "channels" or

@@ -147,7 +147,8 @@ class Diff {
   /// value is a hash over all steps before, so two chains that differ once never agree again: a binary search finds the
   /// place. If log B ends a chunk at that step too, the index of each log has the value, and no chunk is decoded.
   [[nodiscard]] Result<std::uint64_t> last_known_same(std::uint64_t from, std::uint64_t last) {
-    if (!same_words_ || !channels_.equal) return from;  // chains cover phase words and channels
+    const bool one_chain = same_words_ && channels_.equal && a_.header().hashes == b_.header().hashes;
+    if (!one_chain) return from;  // chains cover phase words and channels
     const Result<Hash128> chain_a = a_.chain_at(from), chain_b = b_.chain_at(from);
     if (!chain_a.ok()) return chain_a.error();
     if (!chain_b.ok()) return chain_b.error();
@@ -203,14 +204,8 @@ class Diff {
     const bool by_states = states_only_ && channels_.compared.empty();
     if (by_states && (*a)->dt == (*b)->dt && (*a)->state_hash == (*b)->state_hash) return {};
     StepRecord actual = **b;
-    if (!same_words_) leave_out_phase_words(**a, actual);
-    if (channels_.equal) {
-      if (chain_next({}, **a) == chain_next({}, actual)) return {};
-    } else {
-      StepRecord compared = actual;
-      leave_out_channels(channels_, **a, compared);
-      if (chain_next({}, **a) == chain_next({}, compared)) return {};
-    }
+    leave_out_words(**a, actual);
+    if (same_step(channels_, **a, actual)) return {};
     return compare_states(k, **a, actual);
   }
 
@@ -241,7 +236,7 @@ class Diff {
 
   /// Finds the first difference. Fields that this kind of comparison leaves out are first made equal in `actual`.
   void judge(const StepRecord& expected, StepRecord& actual) {
-    if (!same_words_) leave_out_phase_words(expected, actual);
+    leave_out_words(expected, actual);
     if (imported_) report_.zeros += forgive_zeros(expected, actual);
     forgive_derived(derived_, expected, actual);
     if (!tolerances_.exact()) {
@@ -257,15 +252,13 @@ class Diff {
     const bool have_states = expected.has_states && actual.has_states;
     if (by_states && have_states && same_bits(expected.states, actual.states)) actual.state_hash = expected.state_hash;
     report_.first = first_difference(expected, actual, phases_);
-    if (report_.first && in_binary32()) count_in_binary32(*report_.first);
+    if (report_.first && in_binary32(a_.header(), b_.header())) count_in_binary32(*report_.first);
     add_extra_difference(channels_, expected, actual, tolerances_, report_.first);
   }
 
-  [[nodiscard]] bool in_binary32() const {
-    const auto is_single = [](const LogReader& log) {
-      return log.header().engine && log.header().engine->precision_bits == kBinary32Bits;
-    };
-    return is_single(a_) && is_single(b_);
+  void leave_out_words(const StepRecord& expected, StepRecord& actual) const {
+    if (states_only_) actual.phase_words = expected.phase_words;
+    leave_out_phase_words(a_.header(), b_.header(), expected, actual);
   }
 
   LogReader& a_;

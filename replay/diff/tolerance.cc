@@ -171,6 +171,11 @@ void forgive_inputs(const StepRecord& expected, StepRecord& actual, const Tolera
   }
 }
 
+bool in_binary32(const LogHeader& a, const LogHeader& b) {
+  const auto is_single = [](const LogHeader& log) { return log.engine && log.engine->precision_bits == kBinary32Bits; };
+  return is_single(a) && is_single(b);
+}
+
 DerivedValues derived_values(const LogHeader& a, const LogHeader& b) {
   return {a.declared.velocity_derived || b.declared.velocity_derived,
           a.declared.spin_derived || b.declared.spin_derived};

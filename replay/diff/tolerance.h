@@ -46,6 +46,9 @@ void forgive_states(const BodyStates& expected, BodyStates& actual, const Tolera
 /// Likewise for dt and for the fields of inputs of equal kinds.
 void forgive_inputs(const StepRecord& expected, StepRecord& actual, const Tolerances& tolerances);
 
+/// Whether both sessions are of engines that compute in binary32.
+bool in_binary32(const LogHeader& a, const LogHeader& b);
+
 /// Numbers of a state that an import computed from others; exact comparisons leave them out.
 struct DerivedValues {
   bool velocity = false;

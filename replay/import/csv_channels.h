@@ -40,7 +40,7 @@ class CsvChannels {
     std::string name;
     ChannelScope scope = ChannelScope::kBody;
     bool text = false, real = false, negative = false, large = false;  // seen so far
-    std::string world;  // the cell of the step, of a world channel
+    std::string world;                                                 // the cell of the step, of a world channel
     bool has_world = false;
   };
   [[nodiscard]] ChannelKind kind_of_cells(const Column& column) const;

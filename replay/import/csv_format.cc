@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "replay/format/limits.h"
-#include "replay/import/number_list.h"
 
 namespace tumble::replay {
 namespace {

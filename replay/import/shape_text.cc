@@ -28,7 +28,7 @@ Result<std::optional<Shape>> long_shape(std::string_view text, Shape::Kind kind,
   Shape shape;
   shape.kind = kind;
   shape.axis = our_axis(letter - 'x', axes);
-  shape.radius = size[(shape.axis + 1) % 3] / 2;
+  shape.radius = std::max(size[(shape.axis + 1) % 3], size[(shape.axis + 2) % 3]) / 2;
   shape.half_length = size[shape.axis] / 2 - (kind == Shape::Kind::kCapsule ? shape.radius : 0);
   if (shape.half_length >= 0) return std::optional<Shape>(shape);
   return bad_input("shape: found a capsule of length " + exact(size[shape.axis]) + " m and width " +
@@ -72,7 +72,8 @@ Result<std::optional<Shape>> shape_of_file(std::string_view name, Shape::Kind ki
     } else if (word == "f") {
       ok = add_face(words, shape);
     }
-    if (!ok.ok()) return bad_input("shape: " + path.string() + ':' + std::to_string(number) + ": " + ok.error().message);
+    if (!ok.ok())
+      return bad_input("shape: " + path.string() + ':' + std::to_string(number) + ": " + ok.error().message);
   }
   if (kind == Shape::Kind::kHull) shape.triangles.clear();
   if (Status ok = check_shape(shape); !ok.ok()) return bad_input(path.string() + ": " + ok.error().message);

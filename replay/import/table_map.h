@@ -21,7 +21,8 @@ struct TableMap {
   bool others_are_channels = false;  ///< every other column of the table becomes a channel of bodies
 };
 
-/// Reads "FIELD=COLUMN". place: for messages. Errors (kBadInput): no '=', an empty side, a field that is mapped already.
+/// Reads "FIELD=COLUMN". place: for messages. Errors (kBadInput): no '=', an empty side, a field that is mapped
+/// already.
 Status add_mapping(TableMap& map, std::string_view text, const std::string& place);
 
 /// Reads lines "FIELD = COLUMN". A line that begins with # is a remark. Errors: as add_mapping(); a file that cannot be

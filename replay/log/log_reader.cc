@@ -60,7 +60,8 @@ struct LogReader::State {
   void find_chunks();
   [[nodiscard]] std::uint64_t last_step() const;
   [[nodiscard]] ChunkRules rules() const {
-    return {header.prelude.log_tag, header.content.phases.size(), &header.content.declared.channels};
+    const LogHeader& said = header.content;
+    return {header.prelude.log_tag, said.phases.size(), said.hashes, &said.declared.channels};
   }
   [[nodiscard]] const MissingSteps* lost_at(std::uint64_t k) const;
   [[nodiscard]] Error no_such(const char* what, std::uint64_t k) const;

@@ -166,10 +166,13 @@ class Salvager {
       copies_ += kPreludeBytes + p.stored_bytes;
       return {};
     }
-    const std::size_t phase_count = result_.header ? result_.header->content.phases.size() : 0;
-    const std::vector<Channel>* channels = result_.header ? &result_.header->content.declared.channels : nullptr;
-    Result<ChunkDecoder> decoder =
-        RecordReader(source_).read_chunk(place_of(p, piece.offset), {*tag_, phase_count, channels});
+    ChunkRules rules = {.log_tag = *tag_};
+    if (result_.header) {
+      rules.phase_count = result_.header->content.phases.size();
+      rules.hashes = result_.header->content.hashes;
+      rules.channels = &result_.header->content.declared.channels;
+    }
+    Result<ChunkDecoder> decoder = RecordReader(source_).read_chunk(place_of(p, piece.offset), rules);
     SavedChunk chunk = {p, piece.offset + kPreludeBytes, true, {}, {}, {}};
     Status ok = decoder.ok() ? check_chunk(*decoder, result_.header, chunk) : Status(decoder.error());
     if (ok.ok()) {

@@ -22,6 +22,7 @@ namespace tumble::replay {
 
 struct RecordOptions {
   StatesMode states;
+  HashesMode hashes = {};
   std::string scene_text;              ///< the scene's TOML, kept in the header
   std::vector<std::string> overrides;  ///< "world.dt=0.01", kept in the header
   sim::Transform transform;            ///< applied to the scene before the session starts
@@ -61,7 +62,7 @@ class Recorder {
   /// Sets the threads to step with; see World::use.
   void use(Workers* workers) { session_.use(workers); }
 
-  /// Called before each step with the observer that hashes its phases. Returns the observer of the step, which passes
+  /// Called before each step with the observer that hashes its phases, null in a step without hashes. Returns the observer of the step, which passes
   /// every call on to that one. Null: no other observer.
   using Watch = std::function<sim::Observer*(sim::Observer* hashes)>;
   void watch(Watch watch) { watch_ = std::move(watch); }
@@ -85,10 +86,11 @@ class Recorder {
                                                       const GoOnOptions& options);
   static Result<std::unique_ptr<Recorder>> write_with(const CreateWriter& create, const LogHeader& header,
                                                       Result<Session> session);
-  Recorder(Session session, std::unique_ptr<LogWriter> writer);
+  Recorder(Session session, std::unique_ptr<LogWriter> writer, HashesMode hashes_mode);
 
   Session session_;
   std::unique_ptr<LogWriter> writer_;
+  HashesMode hashes_mode_;
   sim::PhaseHashes hashes_;
   Extras extras_;  // of the coming step: views
   Watch watch_;

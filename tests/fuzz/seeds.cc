@@ -6,8 +6,8 @@
 #include <string>
 
 #include "golden/expected/expected_codec.h"
-#include "tests/fuzz/mend.h"
 #include "replay/log/byte_memory.h"
+#include "tests/fuzz/mend.h"
 #include "tests/support/log_memory.h"
 #include "tumble/replay/engine_log.h"
 #include "tumble/replay/log_reader.h"
@@ -80,20 +80,22 @@ Bytes engine_log() {
   def.declared.bodies = {{1, "wheel", hash_of(hull)}};
   auto log = replay::EngineLog::create(std::make_unique<replay::MemoryByteSink>(file, "seed"), def, start);
   if (!log.ok()) return {};
+  bool told = true;
+  const auto tell = [&](const Status& status) { told = told && status.ok(); };
   for (int k = 1; k <= 8; ++k) {
     for (const sim::BodyId id : {1U, 2U}) {
-      (*log)->set_value(0, 0.1 * k, {id, 0});
-      (*log)->set_state(id, {{0, 0, 1.0 * k}, {}, {}, {}, false});
+      tell((*log)->set_value(0, 0.1 * k, {id, 0}));
+      tell((*log)->set_state(id, {{0, 0, 1.0 * k}, {}, {0, 0, 0}, {0, 0, 0}, false}));
     }
-    if (k > 3) (*log)->set_value(1, 0.5F * static_cast<float>(k), {1, 2});
-    (*log)->set_value(2, std::string("walk"));
-    (*log)->add_contact({1, 2, {0, 0, 1}, {0, 0, 1}, 0.01, 0.1 * k});
-    (*log)->add_note("note");
-    (*log)->add_snapshot(std::as_bytes(std::span("state", 5)));
-    (*log)->add_superseded({true, "position.x"});
-    (*log)->end_step(0.01);
+    if (k > 3) tell((*log)->set_value(1, 0.5F * static_cast<float>(k), {1, 2}));
+    tell((*log)->set_value(2, std::string("walk")));
+    tell((*log)->add_contact({1, 2, {0, 0, 1}, {0, 0, 1}, 0.01, 0.1 * k}));
+    tell((*log)->add_note("note"));
+    tell((*log)->add_snapshot(std::as_bytes(std::span("state", 5))));
+    tell((*log)->add_superseded({true, "position.x"}));
+    tell((*log)->end_step(0.01));
   }
-  (*log)->finish();
+  if (!(*log)->finish().ok() || !told) return {};
   return *file;
 }
 

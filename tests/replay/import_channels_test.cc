@@ -15,7 +15,8 @@
 namespace tumble::replay {
 namespace {
 
-constexpr const char* kPose = "position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z";
+constexpr const char* kPose =
+    "position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z";
 constexpr const char* kMotion = ",velocity.x,velocity.y,velocity.z,spin.x,spin.y,spin.z";
 
 Result<LogReader> import(const std::string& text, const ImportOptions& options = {}) {
@@ -45,7 +46,8 @@ struct Robot {
   std::string seed = "18446744073709551615";
   std::string control = "walk";
   [[nodiscard]] std::string table() const {
-    std::string text = std::string("# dt: 0.01\nstep,id,") + kPose + kMotion + ",channel.knee,world.seed,world.control\n";
+    std::string text =
+        std::string("# dt: 0.01\nstep,id,") + kPose + kMotion + ",channel.knee,world.seed,world.control\n";
     for (int k = 0; k < 70; ++k) {
       for (const int id : {1, 2}) {
         const double angle = 0.01 * k + (id == 2 && k == 40 ? knee : 0);

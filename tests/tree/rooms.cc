@@ -136,6 +136,12 @@ std::vector<Room> program() {
                                        "golden/expected", "golden/judge",   "golden/engine", "golden/run",
                                        "golden/canaries", "golden/report",  "golden/bless",  "golden",
                                        "src/files",       "src/process",    "replay/view"};
+      kSim + Folders{"src/scenes",    "src/threads",     "src/render",      "src/render/picture", "replay/format",
+                     "replay/codec",  "replay/log",      "replay/session",  "replay/measure",     "replay/recover",
+                     "replay/arrays", "replay/import",   "replay/stream",   "replay/picture",     "replay/probe",
+                     "replay/diff",   "golden/suite",    "golden/expected", "golden/judge",       "golden/engine",
+                     "golden/run",    "golden/canaries", "golden/report",   "golden/bless",       "golden",
+                     "src/files",     "src/process",     "replay/view"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
       {"tools/output", below},

@@ -181,9 +181,8 @@ Status check_states(const replay::LogReader& log, const replay::StepRecord& reco
                  " do not match their state hash");
 }
 
-/// A change of axes turns 0.0 into −0.0, which is the same number in another engine's states.
 void forgive_signs(const replay::StepRecord& in_a, replay::StepRecord& in_b) {
-  const bool any = replay::forgive_zeros(in_a.states, in_b.states) > 0;
+  const bool any = replay::forgive_zeros(in_a, in_b) > 0;
   if (any && replay::same_bits(in_a.states, in_b.states)) in_b.state_hash = in_a.state_hash;
 }
 
@@ -215,10 +214,15 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
   Json& json = step.json;
   json["step"] = k;
   json["same"] = false;
-  json["note"] = replay::phase_hash_note(a.header(), b.header());
+  std::string note = replay::phase_hash_note(a.header(), b.header());
+  const bool held = a.header().hashes.holds(k) && b.header().hashes.holds(k);
+  if (note.empty() && !held)
+    note = "phase hashes: a log holds none of step " + std::to_string(k) + ", so none compared";
+  json["note"] = note;
   json["values"] = values_json(in_a, in_b, kind);
   add_extra_differences(a, b, in_a, in_b, json["values"]);
-  json["phases"] = phases_json(in_a, in_b, kind.same_words ? a.header().phases : std::vector<std::string>());
+  const bool have_words = replay::same_phase_words(a.header(), b.header(), k);
+  json["phases"] = phases_json(in_a, in_b, have_words ? a.header().phases : std::vector<std::string>());
   const bool have_states = in_a.has_states && in_b.has_states;
   const replay::EngineAxes axes = common_axes(a.header(), b.header());
   json["bodies"] = have_states ? bodies_json(in_a.states, in_b.states, axes) : Json(nullptr);

@@ -1,11 +1,9 @@
-#include "replay/codec/declared_codec.h"
+#include "replay/codec/shape_codec.h"
 
-#include <array>
 #include <string>
 #include <utility>
 
 #include "replay/codec/blob.h"
-#include "replay/codec/extras_codec.h"
 #include "replay/format/limits.h"
 
 namespace tumble::replay {
@@ -76,62 +74,6 @@ Result<BodyInfo> decode(schema::BodyInfo::Reader in) {
   BodyInfo info = {in.getId(), text_of(in.getName()), {in.getShapeHigh(), in.getShapeLow()}};
   if (Status ok = check_body_info(info); !ok.ok()) return damaged(ok.error().message);
   return info;
-}
-
-void encode(const Declared& declared, std::uint64_t first_state, schema::Declared::Builder out) {
-  auto channels = out.initChannels(static_cast<unsigned>(declared.channels.size()));
-  ChannelTypes types;
-  for (unsigned i = 0; i < channels.size(); ++i) {
-    const Channel& channel = declared.channels[i];
-    channels[i].setName(channel.name);
-    channels[i].setKind(static_cast<std::uint8_t>(channel.type.kind));
-    channels[i].setScope(static_cast<std::uint8_t>(channel.type.scope));
-    channels[i].setUnit(channel.unit);
-    types.push_back(channel.type);
-  }
-  auto shapes = out.initShapes(static_cast<unsigned>(declared.shapes.size()));
-  for (unsigned i = 0; i < shapes.size(); ++i) encode(declared.shapes[i], shapes[i]);
-  auto bodies = out.initBodies(static_cast<unsigned>(declared.bodies.size()));
-  for (unsigned i = 0; i < bodies.size(); ++i) encode(declared.bodies[i], bodies[i]);
-  const std::array<const Extras*, 1> start = {&declared.start};
-  if (!declared.start.empty()) encode(start, first_state, types, out.initStart());
-  out.setVelocityDerived(declared.velocity_derived);
-  out.setSpinDerived(declared.spin_derived);
-}
-
-Result<Declared> decode(schema::Declared::Reader in, std::uint64_t first_state) {
-  Declared declared;
-  const auto channels = in.getChannels();
-  if (channels.size() > kChannelsMax) return damaged("found " + std::to_string(channels.size()) + " channels");
-  for (const schema::Channel::Reader channel : channels) {
-    declared.channels.push_back(
-        {text_of(channel.getName()),
-         {static_cast<ChannelKind>(channel.getKind()), static_cast<ChannelScope>(channel.getScope())},
-         text_of(channel.getUnit())});
-  }
-  for (const schema::Shape::Reader shape : in.getShapes()) {
-    Result<Shape> one = decode(shape);
-    if (!one.ok()) return one.error();
-    declared.shapes.push_back(*std::move(one));
-  }
-  for (const schema::BodyInfo::Reader body : in.getBodies()) {
-    Result<BodyInfo> info = decode(body);
-    if (!info.ok()) return info.error();
-    declared.bodies.push_back(*std::move(info));
-  }
-  if (in.hasStart()) {
-    const std::array<Extras*, 1> start = {&declared.start};
-    const auto found = decode(in.getStart(), first_state, start);
-    if (!found.ok()) return found.error();
-    for (const auto& [index, type] : *found) {
-      if (index < declared.channels.size() && declared.channels[index].type == type) continue;
-      return damaged("found a value of channel " + std::to_string(index) + " that is not declared so");
-    }
-  }
-  declared.velocity_derived = in.getVelocityDerived();
-  declared.spin_derived = in.getSpinDerived();
-  if (Status ok = check_declared(declared); !ok.ok()) return damaged(ok.error().message);
-  return declared;
 }
 
 }  // namespace tumble::replay

@@ -1,13 +1,10 @@
 #pragma once
 
-#include <vector>
-
 #include "schema/log.capnp.h"
-#include "tumble/replay/extras.h"
 #include "tumble/replay/shape.h"
 #include "tumble/sim/result.h"
 
-/// Channels, names and shapes of bodies, as structs of the schema and back. Included by codecs only. Errors (kDamaged):
+/// Names and shapes of bodies, as structs of the schema and back. Included by codecs only. Errors (kDamaged):
 /// a value that no writer produces; a shape that its hash does not name.
 namespace tumble::replay {
 
@@ -16,9 +13,5 @@ Result<Shape> decode(schema::Shape::Reader in);
 
 void encode(const BodyInfo& info, schema::BodyInfo::Builder out);
 Result<BodyInfo> decode(schema::BodyInfo::Reader in);
-
-/// first_state: the number of the state that the log begins with.
-void encode(const Declared& declared, std::uint64_t first_state, schema::Declared::Builder out);
-Result<Declared> decode(schema::Declared::Reader in, std::uint64_t first_state);
 
 }  // namespace tumble::replay

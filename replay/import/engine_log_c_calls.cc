@@ -1,5 +1,3 @@
-#include "tumble/replay/engine_log_c.h"
-
 #include <algorithm>
 #include <exception>
 #include <memory>
@@ -8,6 +6,7 @@
 #include <utility>
 
 #include "replay/import/engine_log_c_impl.h"
+#include "tumble/replay/engine_log_c.h"
 
 using tumble::Result;
 using tumble::Status;
