@@ -62,8 +62,8 @@ class Recorder {
   /// Sets the threads to step with; see World::use.
   void use(Workers* workers) { session_.use(workers); }
 
-  /// Called before each step with the observer that hashes its phases, null in a step without hashes. Returns the observer of the step, which passes
-  /// every call on to that one. Null: no other observer.
+  /// Called before each step with the observer that hashes its phases, null in a step without hashes. Returns the
+  /// observer of the step, which passes every call on to that one. Null: no other observer.
   using Watch = std::function<sim::Observer*(sim::Observer* hashes)>;
   void watch(Watch watch) { watch_ = std::move(watch); }
 

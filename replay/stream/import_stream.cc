@@ -1,16 +1,13 @@
 #include "replay/stream/import_stream.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "replay/stream/stream_bodies.h"
 #include "replay/stream/stream_cursor.h"
 #include "replay/stream/stream_extras.h"
 #include "replay/stream/stream_step.h"
-#include "replay/stream/stream_superseded.h"
 #include "src/base/text.h"
 #include "tumble/replay/engine_log.h"
 
@@ -22,23 +19,12 @@ class StreamImporter {
   StreamImporter(const StreamReader& stream, const Progress& progress)
       : stream_(stream), progress_(progress), bodies_(stream.header().axes) {}
 
-  /// Steps in the order in which they were recorded, those that a rewind took back included.
   Status survey() {
-    std::map<std::uint64_t, StreamFrame> frames;  // by place
-    std::set<std::uint64_t> taken_back, replaces;
-    for (const StreamFrame& frame : stream_.steps()) frames.emplace(frame.offset, frame);
-    for (const SupersededStep& pair : stream_.superseded()) {
-      frames.emplace(pair.before.offset, pair.before);
-      frames.emplace(pair.after.offset, pair.after);
-      taken_back.insert(pair.before.offset);
-      replaces.insert(pair.after.offset);
-    }
-    for (const auto& [offset, frame] : frames) {
+    for (const StreamFrame& frame : stream_.steps()) {
       const Result<StreamStep> step = decode(frame);
       if (!step.ok()) return step.error();
       if (first_dt_ == 0) first_dt_ = step->dt;
       extras_.survey(*step);
-      superseded_.see(*step, taken_back.contains(offset), replaces.contains(offset));
     }
     return {};
   }
@@ -59,7 +45,7 @@ class StreamImporter {
     }
     const Result<LogSummary> summary = (*log)->finish();
     if (!summary.ok()) return summary.error();
-    return StreamImport{*summary, warnings(), passed_over(), superseded_.first_difference()};
+    return StreamImport{*summary, warnings(), passed_over()};
   }
 
  private:
@@ -141,9 +127,6 @@ class StreamImporter {
     }
     if (Status ok = tell_phases(log, step); !ok.ok()) return ok;
     if (Status ok = extras_.tell(log, step, bodies_.axes()); !ok.ok()) return ok;
-    for (const Superseded& before : superseded_.of(step.step)) {
-      if (Status ok = log.add_superseded(before); !ok.ok()) return ok;
-    }
     if (Status ok = tell_snapshots(log, step.step); !ok.ok()) return ok;
     return log.end_step(step.dt);
   }
@@ -209,7 +192,6 @@ class StreamImporter {
   const Progress& progress_;
   StreamBodies bodies_;
   StreamExtras extras_;
-  SupersededSteps superseded_;
   double first_dt_ = 0;
 };
 

@@ -1,7 +1,6 @@
 #include "replay/stream/stream_step.h"
 
 #include <bit>
-#include <string_view>
 #include <utility>
 
 #include "replay/stream/stream_cursor.h"
@@ -162,15 +161,6 @@ class Record {
   StreamStep& step_;
 };
 
-/// What a step that was recorded twice is compared by, but for the states.
-void keep_bytes(Kind kind, std::span<const std::byte> bytes, StreamStep& step) {
-  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  if (kind <= Kind::kInput) step.input_bytes.append(1, static_cast<char>(kind)).append(text);
-  if (kind == Kind::kContact || kind == Kind::kContact32 || kind == Kind::kPhase || kind == Kind::kValue) {
-    step.other_bytes.append(text);
-  }
-}
-
 }  // namespace
 
 Result<StreamStep> decode_stream_step(StreamFrameKind kind, std::span<const std::byte> payload,
@@ -188,11 +178,7 @@ Result<StreamStep> decode_stream_step(StreamFrameKind kind, std::span<const std:
     const std::size_t at = in.at();
     const auto head = in.number<std::uint32_t>();
     const std::span<const std::byte> bytes = in.take(head >> 8);
-    const auto record = static_cast<Kind>(head & 255U);
-    if (in.ok() && Record(record, bytes, step).read()) {
-      keep_bytes(record, bytes, step);
-      continue;
-    }
+    if (in.ok() && Record(static_cast<Kind>(head & 255U), bytes, step).read()) continue;
     return bad_input(place + ": record at byte " + std::to_string(at) + ": found kind " + std::to_string(head & 255U) +
                      " with " + std::to_string(head >> 8) +
                      " bytes, wanted a record as docs/recorder_stream.md has it");

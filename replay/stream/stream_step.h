@@ -109,8 +109,6 @@ struct StreamStep {
   std::vector<std::string> notes;
   std::vector<StreamChannel> channels;  ///< declared in this frame
   std::vector<StreamValue> values;
-  std::string input_bytes;            ///< of the records of all inputs, to compare
-  std::string other_bytes;            ///< of those of contacts, phases and values
   std::vector<std::uint64_t> hashes;  ///< of a frame of hashes: one for each of kStreamClasses
 };
 

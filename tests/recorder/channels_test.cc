@@ -113,28 +113,5 @@ TEST_F(StreamChannels, DumpShowsNamesShapesAndValues) {
   }
 }
 
-// A rollback that computes a step otherwise, from the same inputs, is said: a sync test.
-TEST_F(StreamChannels, AStepThatCameOutOtherwiseAfterARewindIsSaid) {
-  const auto rewind = [](TumbleRec* rec) {
-    tumble_rec_rewind(rec, 3);
-    for (std::uint64_t k = 4; k <= 5; ++k) {
-      tumble_rec_step_begin(rec, 0.0625);
-      TumbleRecState state = state_at(1, k);
-      if (k == 5) state.velocity[1] = 1;
-      tumble_rec_state(rec, 1, &state);
-      tumble_rec_step_end(rec);
-    }
-  };
-  const StreamBytes bytes = record(1, 5, rewind, [](TumbleRecDef& def) { def.rollback_steps = 8; });
-  shop_.write("rewound.tumblestream", {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-  const Outcome imported = shop_.run({"import", "rewound.tumblestream", "--json"});
-  ASSERT_EQ(imported.exit, 0) << imported.err;
-  const nlohmann::json first = nlohmann::json::parse(imported.out)["rollbacks"]["first"];
-  ASSERT_TRUE(first.is_object()) << imported.out;
-  EXPECT_EQ(first["step"], 5);
-  EXPECT_EQ(first["body"], 1);
-  EXPECT_EQ(first["field"], "velocity.y");
-}
-
 }  // namespace
 }  // namespace tumble::test
