@@ -8,6 +8,7 @@
 #include "golden/canaries/canaries.h"
 #include "golden/judge/case_json.h"
 #include "golden/report/report_place.h"
+#include "golden/run/external_engine.h"
 #include "golden/run/longest_first.h"
 #include "golden/run/run_case.h"
 #include "golden/suite/parse_rules.h"
@@ -57,6 +58,7 @@ Result<SuiteResult> check_suite(const CheckOptions& options) {
   if (!options.report.empty()) {
     if (Status ok = prepare_report(options.suite, options.report, options.junit); !ok.ok()) return ok.error();
   }
+  if (Status ok = build_engine_of(folders, options.suite, options.pool.cancel); !ok.ok()) return ok.error();
   const TemporaryFolder scratch("tumble-check");  // a case that takes too long cannot remove its own files
   const RunOptions run = {options.suite, options.require, options.report, scratch.path(), {}};
   const bool finished = process::run_jobs(

@@ -9,6 +9,7 @@
 #include "golden/bless/from_report.h"
 #include "golden/expected/expected_file.h"
 #include "golden/judge/case_json.h"
+#include "golden/run/external_engine.h"
 #include "golden/run/longest_first.h"
 #include "golden/run/run_case.h"
 #include "golden/suite/parse_rules.h"
@@ -125,6 +126,9 @@ Result<std::string> new_rules(const Handed& handed, std::string& old_text) {
 Result<std::vector<Handed>> run_all(const BlessOptions& options, const std::vector<CaseFolder>& folders,
                                     const RecordedCases& recorded) {
   std::vector<Handed> handed;
+  if (recorded.empty()) {
+    if (Status ok = build_engine_of(folders, options.suite, options.pool.cancel); !ok.ok()) return ok.error();
+  }
   const RunOptions run = {options.suite, {}, {}, {}, recorded};
   const bool finished = process::run_jobs(
       folders.size(), [&](std::size_t i) { return hand_over(run_case(folders[i], run)); },

@@ -33,6 +33,7 @@ Json metric_json(const MetricResult& metric) {
           {"axis", rule.axis},
           {"from_step", rule.from_step},
           {"value", or_null(metric.value)},
+          {"spread", or_null(metric.spread)},
           {"blessed", or_null(rule.value)},
           {"min", or_null(rule.min)},
           {"max", or_null(rule.max)},
@@ -50,6 +51,7 @@ MetricResult metric_from(const Json& json) {
   metric.rule.axis = json.at("axis");
   metric.rule.from_step = json.at("from_step");
   metric.value = optional_at<double>(json, "value");
+  metric.spread = optional_at<double>(json, "spread");
   metric.rule.value = optional_at<double>(json, "blessed");
   metric.rule.min = optional_at<double>(json, "min");
   metric.rule.max = optional_at<double>(json, "max");
@@ -159,6 +161,8 @@ CaseResult result_from(const Json& json) {
   }
   result.problems = json.at("problems");
   result.notes = json.at("notes");
+  result.runs = json.at("runs");
+  result.runs_message = json.at("runs_words");
   for (const Json& metric : json.at("metrics")) result.metrics.push_back(metric_from(metric));
   for (const Json& picture : json.at("pictures")) result.pictures.push_back(picture_from(picture));
   if (!json.at("difference").is_null()) result.difference = difference_from(json.at("difference"));
@@ -210,6 +214,8 @@ Json to_json(const CaseResult& result) {
   }
   json["problems"] = result.problems;
   json["notes"] = result.notes;
+  json["runs"] = result.runs;
+  json["runs_words"] = result.runs_message;
   json["metrics"] = Json::array();
   for (const MetricResult& metric : result.metrics) json["metrics"].push_back(metric_json(metric));
   json["pictures"] = Json::array();

@@ -28,7 +28,8 @@ struct Verdict {
 struct MetricResult {
   MetricRule rule;
   std::string unit;
-  std::optional<double> value;  ///< measured now; none: null
+  std::optional<double> value;   ///< measured now; none: null
+  std::optional<double> spread;  ///< of repeated runs of an engine that differ: largest − least; value is their median
   bool pass = false;
   std::string message;  ///< why it failed, or by how much it moved; may be empty
 };
@@ -52,6 +53,8 @@ struct CaseResult {
   std::array<Verdict, 3> verdicts;    ///< by VerdictKind
   std::vector<std::string> problems;  ///< each fails the case whatever it requires: missing, stale, damaged, crashed …
   std::vector<std::string> notes;     ///< fail nothing
+  std::uint64_t runs = 1;             ///< of the engine, judged together
+  std::string runs_message;           ///< of more than one: whether they agree, or by how much they differ
   std::vector<MetricResult> metrics;
   std::vector<PictureResult> pictures;
   std::optional<FirstDifference> difference;

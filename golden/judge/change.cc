@@ -84,7 +84,12 @@ const char* key_of(Change change) {
   return kKeys[static_cast<std::size_t>(change)];
 }
 
-bool has_moved(const MetricResult& metric) { return !replay::same_value(metric.value, metric.rule.value); }
+bool has_moved(const MetricResult& metric) {
+  if (metric.spread && metric.value && metric.rule.value) {
+    return std::fabs(*metric.value - *metric.rule.value) > *metric.spread;
+  }
+  return !replay::same_value(metric.value, metric.rule.value);
+}
 
 std::size_t moved_metrics(const CaseResult& result) {
   return static_cast<std::size_t>(std::ranges::count_if(result.metrics, has_moved));
@@ -137,6 +142,7 @@ std::string summary(const CaseResult& result) {
   text +=
       (exact == Outcome::kPass && !bits_last ? ", " : "; ") + (bits_last ? bits_text(result) : metrics_text(result));
   if (const std::string pictures = pictures_text(result); !pictures.empty()) text += ", " + pictures;
+  if (!result.runs_message.empty()) text += "; " + result.runs_message;
   if (!result.problems.empty()) text += "; " + short_problem(result);
   return text;
 }

@@ -23,7 +23,8 @@ Change change_of(const CaseResult& result);
 const char* to_string(Change change);  ///< "unchanged", "moved within bounds", "out of bounds", "not judged"
 const char* key_of(Change change);     ///< in JSON: "unchanged", "within_bounds", "out_of_bounds", "not_judged"
 
-/// Whether a metric has another value than when it was blessed, or a value where there was none.
+/// Whether a metric has another value than when it was blessed, by more than the spread of repeated runs, or a value
+/// where there was none.
 bool has_moved(const MetricResult& metric);
 std::size_t moved_metrics(const CaseResult& result);
 

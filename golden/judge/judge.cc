@@ -122,7 +122,9 @@ class Pass {
 
   /// Names the lines of scene.toml that changed since.
   void judge_scene(CaseResult& result, const Expected& expected) {
-    std::string words = "stale: scene.toml is not the scene that was blessed";
+    const bool has_files = reference_.rules.engine.has_value();
+    std::string words = has_files ? "stale: the input files are not those that were blessed"
+                                  : "stale: scene.toml is not the scene that was blessed";
     if (expected.scene_text.empty()) {
       words += " (its golden does not keep the scene's text: git's history of scene.toml has it)";
     } else if (!reference_.scene_text.empty()) {
@@ -133,7 +135,7 @@ class Pass {
       if (result.scene_changes.size() > kLinesNamed) {
         words += ", and " + number(result.scene_changes.size() - kLinesNamed) + " more lines";
       }
-      if (result.scene_changes.empty())
+      if (result.scene_changes.empty() && !has_files)
         words += ", and yet no line of it that counts changed: scenes are read otherwise";
     }
     result.problems.push_back(words + "; bless the case if the change is meant, else undo it");

@@ -1,20 +1,26 @@
 #include "golden/run/external_engine.h"
 
-#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <system_error>
+#include <utility>
 
+#include "golden/engine/session_file.h"
 #include "golden/suite/temporary_folder.h"
 #include "golden/suite/text_files.h"
-#include "src/process/run_child.h"
+#include "src/base/check.h"
 
 namespace tumble::golden {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kOutputShown = 500;  // bytes
+constexpr const char* kLogMark = "\x01";  // stands for the log in a line, where no path has it
+
+std::string full_path(const fs::path& path) {
+  std::error_code error;
+  return fs::absolute(path, error).lexically_normal().string();
+}
 
 std::string replaced(std::string text, const std::string& what, const std::string& with) {
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size())) {
@@ -23,61 +29,95 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
-/// The command line with the shell's words for {scene} and {log} in it.
-std::string filled(const std::string& command, const std::string& scene, const std::string& log) {
-  return replaced(replaced(command, "{scene}", scene), "{log}", log);
-}
-
-std::string end_of(const fs::path& file) {
-  const Result<std::string> text = read_text(file);
-  if (!text.ok() || text->empty()) return "";
-  return "; it printed: " + text->substr(text->size() - std::min(text->size(), kOutputShown));
+/// A path from the engine's folder, where that is shorter.
+std::string from_folder(const std::string& path, const fs::path& folder) {
+  if (path.empty()) return path;
+  const std::string relative = fs::path(path).lexically_relative(folder).string();
+  return relative.empty() || relative.starts_with("../..") ? path : relative;
 }
 
 }  // namespace
-
-std::string shell_quoted(const std::string& word) {
-  const bool plain = !word.empty() && word.find_first_not_of(
-                                          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                          "0123456789_-./+=:,@") == std::string::npos;
-  return plain ? word : "'" + replaced(word, "'", "'\\''") + "'";
-}
 
 std::string suite_option(const fs::path& suite) {
   return suite == "golden" ? "" : " --suite " + shell_quoted(suite.string());
 }
 
-std::string engine_command(const std::string& command, const std::string& scene, const std::string& log) {
-  return filled(command, shell_quoted(scene), shell_quoted(log));
+Result<CaseEngine> engine_of_case(const CaseFolder& folder, const CaseRules& rules, const fs::path& suite) {
+  SIM_CHECK(rules.is_external());
+  CaseEngine engine;
+  if (!rules.engine) {
+    engine.project = project_of_command(rules.command, full_path(suite), true);
+    engine.files.scene = full_path(folder.file(kSceneFile));
+    return engine;
+  }
+  Result<std::optional<EngineProject>> project = find_project(suite);
+  if (!project.ok()) return project.error();
+  if (!*project) {
+    return bad_input(folder.file(kRulesFile).string() + ": [engine]: found no " + kProjectFile + " in " +
+                     full_path(suite) + " or above, wanted one that says how the engine runs");
+  }
+  engine.project = **std::move(project);
+  const auto file = [&](const std::string& name) { return name.empty() ? "" : full_path(folder.path / name); };
+  engine.files.scene = file(rules.engine->scene);
+  if (engine.files.scene.empty() && !engine.project.scene.empty()) {
+    engine.files.scene = full_path(engine.project.folder / engine.project.scene);
+  }
+  engine.files.inputs = rules.engine->inputs.empty() ? "/dev/null" : file(rules.engine->inputs);
+  engine.files.no_scene = "the case's [engine] names no scene";
+  return engine;
 }
 
-std::string engine_line(const std::string& command, const fs::path& suite, const CaseFolder& folder) {
-  const fs::path scene = folder.file(kSceneFile).lexically_relative(suite);
-  const std::string log = "\"$OLDPWD\"/" + shell_quoted(folder.name + ".tumble");
-  return "(cd " + shell_quoted(suite.string()) + " && " + filled(command, shell_quoted(scene.string()), log) + ")";
+std::string engine_line(const CaseEngine& engine, const std::string& name) {
+  const fs::path& folder = engine.project.folder;
+  RunFiles files = engine.files;
+  files.scene = from_folder(files.scene, folder);
+  files.inputs = from_folder(files.inputs, folder);
+  files.log = kLogMark;
+  const Result<std::vector<std::string>> words = engine_words(engine.project, engine.project.run, files);
+  if (!words.ok()) return "";
+  const std::string line = engine.project.shell ? words->back() : engine_words_text(*words);
+  // The mark stands in single quotes: they end before the variable and begin again behind it.
+  const std::string log = replaced(line, kLogMark, "'\"$OLDPWD\"/" + shell_quoted(name + ".tumble") + "'");
+  std::error_code error;
+  const fs::path here = fs::current_path(error);
+  const std::string place = from_folder(folder.string(), here);
+  return "(cd " + shell_quoted(place) + " && " + replaced(log, "''", "") + ")";
 }
 
-Result<Session> run_engine(const std::string& command, const fs::path& suite, const std::string& scene,
-                           const fs::path& scratch) {
+Result<Session> run_engine(const CaseEngine& engine, const fs::path& scratch) {
   const TemporaryFolder folder("tumble-engine", scratch);
   if (folder.path().empty()) return cannot_finish("no temporary folder for an engine's log");
-  const fs::path log = folder.path() / "session.tumble";
-  const fs::path output = folder.path() / "output.txt";
-  std::error_code error;
-  process::Program shell;
-  shell.words = {"sh", "-c", engine_command(command, fs::absolute(scene, error).string(), log.string())};
-  shell.folder = suite.string();
-  shell.out = shell.err = output.string();
-  shell.own_group = false;  // a case that takes too long is ended as a group, and the engine with it
-  const std::string who = "the engine's command \"" + command + "\" ";
+  RunFiles files = engine.files;
+  files.log = (folder.path() / "session.tumble").string();
+  RunPlace place;
+  place.output = folder.path() / "output.txt";
+  place.own_group = false;  // a case that takes too long is ended as a group, and the engine with it
   const auto begin = std::chrono::steady_clock::now();
-  const Result<process::ChildEnd> end = process::run_child(shell);
+  if (Status ran = run_project(engine.project, engine.project.run, files, place); !ran.ok()) return ran.error();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (!end.ok()) return cannot_finish(who + "was not run: " + end.error().message);
-  if (!end->well()) return cannot_finish(who + process::behind_shell(*end).text() + end_of(output));
-  Result<std::vector<std::byte>> bytes = read_bytes(log);
-  if (!bytes.ok()) return cannot_finish(who + "wrote no log" + end_of(output));
+  const std::string who = "the engine's command \"" + engine.project.run + "\" ";
+  std::vector<std::string> warnings;  // `import` of the same table prints them
+  const Result<std::string> log =
+      log_of_session(files.log, (folder.path() / "converted.tumble").string(), nullptr, warnings);
+  if (!log.ok()) return cannot_finish(who + log.error().message + end_of_output(place.output));
+  Result<std::vector<std::byte>> bytes = read_bytes(*log);
+  if (!bytes.ok()) return cannot_finish(who + "wrote no log that can be read: " + bytes.error().message);
   return Session{std::make_shared<std::vector<std::byte>>(*std::move(bytes)), {}, {}, seconds};
+}
+
+Status build_engine_of(const std::vector<CaseFolder>& cases, const fs::path& suite, const process::Cancel& cancel) {
+  for (const CaseFolder& folder : cases) {
+    std::optional<EngineCase> own = engine_case(folder);
+    if (!own) continue;
+    CaseRules rules;
+    rules.engine = std::move(own);
+    const Result<CaseEngine> engine = engine_of_case(folder, rules, suite);
+    if (!engine.ok()) return engine.error();
+    const TemporaryFolder place("tumble-engine");
+    if (place.path().empty()) return cannot_finish("no temporary folder for an engine's build");
+    return build_engine(engine->project, place.path() / "build.txt", cancel);
+  }
+  return {};
 }
 
 }  // namespace tumble::golden

@@ -2,31 +2,43 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "golden/engine/engine_run.h"
+#include "golden/engine/project.h"
 #include "golden/run/run_session.h"
 #include "golden/suite/suite.h"
 #include "tumble/sim/result.h"
 
-/// External engines: a command of a case reads a scene and writes a log.
+/// External engines: a case names an engine that reads its files and writes a session.
 namespace tumble::golden {
-
-/// In single quotes where the shell needs them.
-std::string shell_quoted(const std::string& word);
 
 /// " --suite DIR", for a command line; empty for the folder `golden`, which commands find by themselves.
 std::string suite_option(const std::filesystem::path& suite);
 
-/// The command line with the paths of a scene and a log filled in.
-std::string engine_command(const std::string& command, const std::string& scene, const std::string& log);
+/// The engine of a case, and the case's files for it.
+struct CaseEngine {
+  EngineProject project;
+  RunFiles files;  ///< without a log
+};
 
-/// A line for the folder that the check ran in: the command, in the suite's folder as it runs there, for a case. It
-/// leaves its log in that folder.
-std::string engine_line(const std::string& command, const std::filesystem::path& suite, const CaseFolder& folder);
+/// [engine]: the engine of the tumble.toml in the suite's folder or the nearest one above, with the case's files.
+/// [command]: that command, by sh in the suite's folder, with the case's scene. Errors (kBadInput): no tumble.toml, or
+/// a wrong one. Precondition: rules.is_external().
+Result<CaseEngine> engine_of_case(const CaseFolder& folder, const CaseRules& rules, const std::filesystem::path& suite);
 
-/// Runs the command by sh in the suite's folder and reads the log that it writes. Errors (kCannotFinish): a status
-/// other than 0, no log; the message has the end of its output. The log lies in a new folder in `scratch`, or where
-/// temporary files lie, until it is read.
-Result<Session> run_engine(const std::string& command, const std::filesystem::path& suite, const std::string& scene,
-                           const std::filesystem::path& scratch = {});
+/// A line for the folder that the check ran in: the engine's command for a case, in the folder where it runs. The line
+/// leaves NAME.tumble, or the table that the engine writes, in the folder that the check ran in.
+std::string engine_line(const CaseEngine& engine, const std::string& name);
+
+/// Runs the engine once and reads the session that it writes. Errors (kCannotFinish): a status other than 0, no
+/// session; the message has the end of its output. The session lies in a new folder in `scratch`, or where temporary
+/// files lie, until it is read.
+Result<Session> run_engine(const CaseEngine& engine, const std::filesystem::path& scratch = {});
+
+/// Builds the engine of the suite's tumble.toml, once, if one of the cases is a case of [engine]. Errors:
+/// engine_of_case()'s; kCannotFinish where a build command fails.
+Status build_engine_of(const std::vector<CaseFolder>& cases, const std::filesystem::path& suite,
+                       const process::Cancel& cancel = {});
 
 }  // namespace tumble::golden

@@ -1,13 +1,13 @@
 #include "golden/run/run_case.h"
 
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "golden/expected/expected_file.h"
-#include "golden/judge/case_series.h"
 #include "golden/judge/judge.h"
+#include "golden/run/engine_files.h"
 #include "golden/run/external_engine.h"
 #include "golden/run/obstacle.h"
+#include "golden/run/repeated_runs.h"
 #include "golden/run/run_session.h"
 #include "golden/suite/parse_rules.h"
 #include "golden/suite/scene_hash.h"
@@ -18,18 +18,6 @@ namespace tumble::golden {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string track_csv(const Expected& expected) {
-  std::string text = "step,id,x_m,y_m,z_m\n";
-  for (const TrackPoint& point : expected.track) {
-    for (std::size_t i = 0; i < point.id.size(); ++i) {
-      text += std::to_string(point.step) + ',' + std::to_string(point.id[i]);
-      for (const std::int32_t mm : {point.x[i], point.y[i], point.z[i]}) text += ',' + std::to_string(mm / 1000.0);
-      text += '\n';
-    }
-  }
-  return text;
-}
 
 std::string bless_command(const CaseFolder& folder, const fs::path& suite) {
   return "tumble bless " + shell_quoted(folder.name) + suite_option(suite) + " --reason \"…\"";
@@ -47,7 +35,10 @@ class CaseRunner {
   }
 
   CaseRun run() {
-    if (read_scene() && read_rules()) {
+    std::error_code ignored;
+    const bool has_scene = fs::exists(folder_.file(kSceneFile), ignored) && !engine_case(folder_);
+    const bool is_ready = has_scene ? read_scene() && read_rules() : read_rules() && read_engine_files();
+    if (is_ready) {
       read_expected();
       judge_session();
     }
@@ -85,8 +76,21 @@ class CaseRunner {
     if (!scene.ok()) return stop(scene.error());
     scene_text_ = *std::move(text);
     scene_ = *std::move(scene);
+    source_hash_ = scene_hash(scene_);
     run_.result.title = scene_.title;
     run_.result.category = scene_.category;
+    return true;
+  }
+
+  /// The files of an engine's case, which take the place of a scene.
+  bool read_engine_files() {
+    if (!run_.rules.engine) return has(kSceneFile) && read_scene();
+    Result<std::string> text = engine_files_text(folder_, *run_.rules.engine);
+    if (!text.ok()) return stop(text.error());
+    scene_text_ = *std::move(text);
+    source_hash_ = engine_files_hash(scene_text_);
+    run_.result.title = run_.rules.engine->title;
+    run_.result.category = run_.rules.engine->category;
     return true;
   }
 
@@ -117,7 +121,7 @@ class CaseRunner {
   }
 
   void judge_session() {
-    const bool is_external = !run_.rules.command.empty();
+    const bool is_external = run_.rules.is_external();
     const Result<Session> session = this_session(is_external);
     if (!session.ok()) {
       stop(session.error());
@@ -128,9 +132,10 @@ class CaseRunner {
       stop(log.error());
       return;
     }
-    const Reference reference = {run_.rules, expected_ ? &*expected_ : nullptr, scene_hash(scene_),
-                                 session->continuation, scene_text_};
+    const Reference reference = {run_.rules, expected_ ? &*expected_ : nullptr, source_hash_, session->continuation,
+                                 scene_text_};
     Judged judged = judge(*log, reference);
+    if (run_.rules.engine && run_.rules.engine->repeat > 1 && !judge_repeated(*log, reference, judged)) return;
     run_.incomplete = reason_to_stop(*session, *log, judged);
     take(std::move(judged));
     if (recorded_ != nullptr && run_.incomplete.empty() && recorded_->final_hash != run_.result.final_hash) {
@@ -139,7 +144,25 @@ class CaseRunner {
     }
     take_pictures(*log);
     if (!session->failure.empty()) run_.result.problems.push_back(session->failure);
-    if (!run_.result.passed()) leave_files(*session, *log);
+    if (!run_.result.passed()) leave_case_files(run_, options_.report, *session, *log, expected_);
+  }
+
+  /// Runs the engine as often as the case says, and judges all runs together.
+  bool judge_repeated(replay::LogReader& log, const Reference& reference, Judged& judged) {
+    if (recorded_ != nullptr) {
+      judged.result.notes.push_back("one run of the engine is judged: the report has no other");
+      return true;
+    }
+    RepeatedRuns runs(log, reference, judged);
+    for (std::uint64_t k = 2; k <= run_.rules.engine->repeat; ++k) {
+      const Result<Session> session = this_session(true);
+      if (!session.ok()) return stop(session.error());
+      Result<replay::LogReader> again = open_session(*session, folder_.name + "'s log of run " + std::to_string(k));
+      if (!again.ok()) return stop(again.error());
+      if (Status ok = runs.add(*again); !ok.ok()) return stop(ok.error());
+    }
+    runs.finish();
+    return true;
   }
 
   /// Why a session that was judged may not become a golden; empty: it may.
@@ -155,11 +178,15 @@ class CaseRunner {
     if (recorded_ != nullptr) return recorded_session(is_external);
     if (!options_.recorded.empty())
       return bad_input("the report has no session of it: it passed there, or was not run");
-    Result<Session> session = is_external
-                                  ? run_engine(run_.rules.command, options_.suite, scene_path(), options_.scratch)
-                                  : run_session(scene_, scene_text_);
+    Result<Session> session = is_external ? engine_session() : run_session(scene_, scene_text_);
     if (session.ok()) provenance_.seconds = session->seconds;
     return session;
+  }
+
+  Result<Session> engine_session() {
+    const Result<CaseEngine> engine = engine_of_case(folder_, run_.rules, options_.suite);
+    if (!engine.ok()) return engine.error();
+    return run_engine(*engine, options_.scratch);
   }
 
   Result<Session> recorded_session(bool is_external) {
@@ -186,6 +213,8 @@ class CaseRunner {
     result.verdicts = std::move(from.verdicts);
     result.problems.insert(result.problems.end(), from.problems.begin(), from.problems.end());
     result.notes = std::move(from.notes);
+    result.runs = from.runs;
+    result.runs_message = std::move(from.runs_message);
     result.metrics = std::move(from.metrics);
     result.difference = std::move(from.difference);
     result.final_hash = std::move(from.final_hash);
@@ -210,38 +239,13 @@ class CaseRunner {
     run_.pictures = std::move(judged.drawn);
   }
 
-  void leave_files(const Session& session, replay::LogReader& log) {
-    if (options_.report.empty()) return;
-    const std::string folder = "cases/" + folder_.name + "/";
-    const auto leave = [&](const std::string& name, const auto& content) {
-      if (Status ok = write_file(options_.report / (folder + name), content); !ok.ok()) {
-        fail(ok.error());
-      } else {
-        run_.result.artifacts.push_back(folder + name);
-      }
-    };
-    leave(kLogFile, std::span<const std::byte>(*session.log));
-    for (std::size_t k = 0; k < run_.pictures.size(); ++k) {
-      if (run_.result.pictures[k].message.empty() || run_.pictures[k].png.empty()) continue;
-      for (const PictureFile& file : explaining_files(run_.pictures[k])) {
-        leave(file.name, std::span<const std::byte>(file.bytes));
-      }
-    }
-    if (expected_ && !expected_->track.empty()) leave(kTrackFile, std::string_view(track_csv(*expected_)));
-    const Result<Json> series = case_series(log, expected_ ? &*expected_ : nullptr);
-    if (series.ok()) {
-      leave(kSeriesFile, std::string_view(series->dump()));
-    } else {
-      run_.result.notes.push_back("nothing to draw: " + series.error().message);
-    }
-  }
-
   const CaseFolder& folder_;
   const RunOptions& options_;
   const RecordedCase* recorded_ = nullptr;  // null: the case is run
   CaseRun run_;
   std::string scene_text_;
   sim::SceneDef scene_;
+  Hash128 source_hash_;  // of the scene, or of the engine's files
   std::optional<Expected> expected_;
   Provenance provenance_ = this_program();
 };
@@ -249,7 +253,10 @@ class CaseRunner {
 }  // namespace
 
 std::string reproduce_command(const CaseFolder& folder, const fs::path& suite, const CaseRules& rules) {
-  if (!rules.command.empty()) return engine_line(rules.command, suite, folder);
+  if (rules.is_external()) {
+    const Result<CaseEngine> engine = engine_of_case(folder, rules, suite);
+    return engine.ok() ? engine_line(*engine, folder.name) : "";
+  }
   return "tumble record " + shell_quoted(folder.file(kSceneFile).string()) + " -o " +
          shell_quoted(folder.name + ".tumble");
 }

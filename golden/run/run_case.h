@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "golden/run/case_run.h"
+#include "golden/run/failed_case_files.h"
 #include "golden/run/recorded_case.h"
 #include "golden/suite/suite.h"
 
@@ -19,10 +20,6 @@ struct RunOptions {
       {};                       ///< folder for temporary files, which outlives a process that is ended; empty: none
   RecordedCases recorded = {};  ///< sessions to judge instead of running their cases; empty: every case is run
 };
-
-/// Files of a failed case in a report, beside pictures and series.json.
-inline constexpr const char* kLogFile = "actual.tumble";
-inline constexpr const char* kTrackFile = "expected_track.csv";
 
 /// Reads a case's files, runs its scene (or the external engine that it names) and judges the session. Every failure
 /// becomes a problem of the result.

@@ -47,9 +47,23 @@ struct PictureRule {
 /// Whether a file of a case's folder is one that a PictureRule could name.
 bool is_picture_name(std::string_view name);
 
+/// [engine]: a case of the engine that the project's tumble.toml runs. Its files take the place of scene.toml. Paths
+/// are relative to the case's folder.
+struct EngineCase {
+  std::string title;
+  std::string category;            ///< any text
+  std::string scene;               ///< {scene}; empty: the case has none
+  std::string inputs;              ///< {inputs}; empty: the case has none
+  std::vector<std::string> files;  ///< further files that the engine reads
+  std::uint64_t repeat = 1;        ///< runs of the engine; from 2 on its own spread is measured
+  [[nodiscard]] std::vector<std::string> all_files() const;  ///< scene, inputs and files, each once
+};
+
 struct CaseRules {
   std::vector<VerdictKind> require = {VerdictKind::kExact, VerdictKind::kBehaviour};
-  std::string command;  ///< of another engine, with {scene} and {log}; empty: this one
+  std::string command;               ///< of another engine, with {scene} and {log}; empty: none
+  std::optional<EngineCase> engine;  ///< none: a case of `command`, or of this program
+  [[nodiscard]] bool is_external() const { return engine.has_value() || !command.empty(); }
   std::vector<MetricRule> metrics;
   std::vector<PictureRule> pictures;
 };

@@ -76,7 +76,7 @@ void MetricSet::add(const replay::StepRecord& record) {
 
 Result<std::optional<double>> MetricSet::pair_value(const MetricRule& rule) const {
   // Transformed scenes in this engine say nothing about another one.
-  if (!rules_.command.empty()) return std::optional<double>();
+  if (rules_.is_external()) return std::optional<double>();
   const std::optional<sim::Transform> wanted = transform_for(rule);
   SIM_CHECK(wanted.has_value(), std::string_view(rule.name));
   const sim::Transform& transform = *wanted;

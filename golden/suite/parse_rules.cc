@@ -26,6 +26,8 @@ constexpr scenes::IntegerRule kEdgeRule = {"pixels", render::kSizeMin, render::k
 constexpr scenes::IntegerRule kPixelRule = {"a number of pixels", 0,
                                             std::uint64_t{render::kSizeMax} * render::kSizeMax};
 constexpr std::size_t kTextLengthMax = 1000;
+constexpr std::size_t kFilesMax = 1000;
+constexpr scenes::IntegerRule kRepeatRule = {"a number of runs", 1, 100};
 constexpr std::array<const char*, 2> kAxes = {"x", "y"};
 
 std::optional<double> optional_number(TableReader& reader, std::string_view key) {
@@ -127,6 +129,38 @@ std::string read_command(TableReader& top) {
   return run;
 }
 
+std::vector<std::string> read_files(TableReader& reader, const toml::table& table) {
+  std::vector<std::string> files;
+  if (!reader.has("files")) return files;
+  const toml::array* list = table["files"].as_array();
+  for (std::size_t i = 0; list != nullptr && i < list->size() && i < kFilesMax; ++i) {
+    files.push_back(list->get(i)->value_or(std::string()));
+    if (files.back().empty() || !list->get(i)->is_string()) list = nullptr;
+  }
+  if (list == nullptr || list->empty() || list->size() > kFilesMax) {
+    reader.fail("files", "a list of names of files, relative to the case's folder");
+  }
+  return files;
+}
+
+std::optional<EngineCase> read_engine(TableReader& top) {
+  const toml::table* table = top.table("engine");
+  if (table == nullptr) return std::nullopt;
+  TableReader reader(*table, "[engine]", top.problem());
+  EngineCase engine;
+  engine.title = reader.text("title", "", kTextLengthMax);
+  engine.category = reader.text("category", "", kTextLengthMax);
+  engine.scene = reader.text("scene", "", kTextLengthMax);
+  engine.inputs = reader.text("inputs", "", kTextLengthMax);
+  engine.files = read_files(reader, *table);
+  engine.repeat = reader.integer("repeat", 1, kRepeatRule);
+  if (engine.all_files().empty()) {
+    reader.fail("files", "the case's input files: scene, inputs or files, so that a change of them is seen");
+  }
+  reader.finish();
+  return engine;
+}
+
 Result<CaseRules> parse(std::string_view text, std::string_view file_name) {
   Problem problem(file_name);
   const std::optional<toml::table> root = scenes::parse_toml(text, "", problem);
@@ -135,6 +169,10 @@ Result<CaseRules> parse(std::string_view text, std::string_view file_name) {
   CaseRules rules;
   rules.require = read_require(top, *root);
   rules.command = read_command(top);
+  rules.engine = read_engine(top);
+  if (rules.engine && !rules.command.empty()) {
+    top.fail("command", "either [command], which runs its own command, or [engine], which runs that of tumble.toml");
+  }
   if (const toml::array* metrics = top.array_of_tables("metric")) {
     for (const toml::node& node : *metrics) {
       TableReader reader(*node.as_table(), "[[metric]]", problem);

@@ -4,8 +4,9 @@
 #include <array>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
-#include "golden/suite/case_rules.h"
+#include "golden/suite/parse_rules.h"
 #include "golden/suite/text_files.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
@@ -39,8 +40,17 @@ Error unknown_case(const Suite& suite, const std::string& name) {
   return bad_input("no case " + in_quotes(name) + " in " + (suite.root / "cases").string() + hint);
 }
 
+/// Whether an entry of a case's folder is one of its engine's files, or a folder with some of them.
+bool belongs_to(const std::vector<std::string>& files, const std::string& entry) {
+  return std::ranges::any_of(files, [&](const std::string& file) {
+    const fs::path path = fs::path(file).lexically_normal();
+    return !path.empty() && path.begin()->string() == entry;
+  });
+}
+
 /// A case whose scene cannot be read belongs to every category: its failure must not hide.
 bool is_in_category(const CaseFolder& folder, const std::string& category) {
+  if (const std::optional<EngineCase> engine = engine_case(folder)) return engine->category == category;
   const Result<std::string> text = read_text(folder.file(kSceneFile));
   if (!text.ok()) return true;
   const Result<sim::SceneDef> scene = scenes::parse_scene(*text, folder.file(kSceneFile).string());
@@ -48,6 +58,11 @@ bool is_in_category(const CaseFolder& folder, const std::string& category) {
 }
 
 }  // namespace
+
+std::optional<EngineCase> engine_case(const CaseFolder& folder) {
+  Result<CaseRules> rules = read_rules(folder.file(kRulesFile));
+  return rules.ok() ? std::move(rules->engine) : std::nullopt;
+}
 
 Result<Suite> open_suite(const fs::path& root) {
   std::error_code error;
@@ -79,14 +94,22 @@ Status check_case_name(const std::string& name) {
 std::vector<std::string> folder_problems(const CaseFolder& folder) {
   std::vector<std::string> problems;
   std::error_code error;
+  const std::optional<EngineCase> engine = engine_case(folder);
+  // Rules that cannot be read, which the case's run reports, may be those of an engine.
+  const bool may_lack_scene =
+      engine || (fs::exists(folder.file(kRulesFile), error) && !read_rules(folder.file(kRulesFile)).ok());
+  const std::vector<std::string> own_files = engine ? engine->all_files() : std::vector<std::string>();
   for (const char* wanted : kCaseFiles) {
-    if (fs::exists(folder.file(wanted), error)) continue;
+    if (fs::exists(folder.file(wanted), error) || (may_lack_scene && std::string_view(wanted) == kSceneFile)) {
+      continue;
+    }
     const bool by_bless = std::string_view(wanted) == kExpectedFile;
     problems.push_back(std::string("no ") + wanted + (by_bless ? ": bless the case" : ": a case needs one"));
   }
   for (const fs::path& entry : entries_of(folder.path, problems)) {
     const std::string name = entry.filename().string();
     if (std::ranges::find(kCaseFiles, name) != kCaseFiles.end() || is_picture_name(name)) continue;  // judged with them
+    if (belongs_to(own_files, name)) continue;
     problems.push_back("unreferenced: nothing reads " + name + "; remove it");
   }
   return problems;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "golden/suite/case_rules.h"
 #include "tumble/sim/result.h"
 
 /// A suite on disk: a folder with `cases/<name>/` in it. docs/goldens.md describes the files.
@@ -32,6 +33,9 @@ Result<Suite> open_suite(const std::filesystem::path& root);
 
 /// A case's name as a folder: letters, digits, '_' and '-'. Errors (kBadInput).
 Status check_case_name(const std::string& name);
+
+/// [engine] of a case's rules; none where it has none or its rules cannot be read, which the case's run reports.
+std::optional<EngineCase> engine_case(const CaseFolder& folder);
 
 /// Files in a case's folder that nothing reads, and files that are missing, a sentence each.
 std::vector<std::string> folder_problems(const CaseFolder& folder);

@@ -19,8 +19,8 @@ namespace {
 /// phases, counters and the inputs they know.
 class Diff {
  public:
-  Diff(LogReader& a, LogReader& b, const Tolerances& tolerances, Reading reading)
-      : a_(a), b_(b), tolerances_(tolerances), reading_(reading) {
+  Diff(LogReader& a, LogReader& b, const Tolerances& tolerances, Reading reading, std::uint64_t until)
+      : a_(a), b_(b), tolerances_(tolerances), reading_(reading), until_(until) {
     const auto engine = [](const LogHeader& header) { return header.engine.value_or(EngineName()).name; };
     states_only_ = engine(a.header()) != engine(b.header());
     same_words_ = !states_only_ && same_phase_words(a.header(), b.header());
@@ -36,8 +36,8 @@ class Diff {
       }
     }
     if (Status ok = check_both(progress); !ok.ok()) return ok.error();
-    report_.last_a = a_.last_step();
-    report_.last_b = b_.last_step();
+    report_.last_a = std::min(a_.last_step(), until_);
+    report_.last_b = std::min(b_.last_step(), until_);
     const std::uint64_t from = report_.from = std::max(a_.first_state(), b_.first_state());
     const std::uint64_t last = std::min(report_.last_a, report_.last_b);
     if (from > last) return no_common_step();
@@ -132,6 +132,9 @@ class Diff {
                              worlds_,
                              report_.zeros};
     report_.scope = scope_of(a_, b_, tolerances_, facts);
+    if (until_ < std::max(a_.last_step(), b_.last_step())) {
+      report_.scope.not_compared.push_back("all behind step " + std::to_string(until_) + ", as asked");
+    }
     return std::move(report_);
   }
 
@@ -139,7 +142,7 @@ class Diff {
   /// value is a hash over all steps before, so two chains that differ once never agree again: a binary search finds the
   /// place. If log B ends a chunk at that step too, the index of each log has the value, and no chunk is decoded.
   [[nodiscard]] Result<std::uint64_t> last_known_same(std::uint64_t from, std::uint64_t last) {
-    if (!same_words_) return from;  // chains cover phase words
+    if (!same_words_ || a_.header().hashes != b_.header().hashes) return from;  // chains cover phase words
     const Result<Hash128> chain_a = a_.chain_at(from), chain_b = b_.chain_at(from);
     if (!chain_a.ok()) return chain_a.error();
     if (!chain_b.ok()) return chain_b.error();
@@ -193,7 +196,7 @@ class Diff {
     if (!b.ok()) return b.error();
     if (states_only_ && (*a)->dt == (*b)->dt && (*a)->state_hash == (*b)->state_hash) return {};
     StepRecord actual = **b;
-    if (!same_words_) leave_out_phase_words(**a, actual);
+    leave_out_words(**a, actual);
     if (chain_next({}, **a) == chain_next({}, actual)) return {};
     return compare_states(k, **a, actual);
   }
@@ -225,7 +228,7 @@ class Diff {
 
   /// Finds the first difference. Fields that this kind of comparison leaves out are first made equal in `actual`.
   void judge(const StepRecord& expected, StepRecord& actual) {
-    if (!same_words_) leave_out_phase_words(expected, actual);
+    leave_out_words(expected, actual);
     if (imported_) forgive_signs(expected, actual);
     if (!tolerances_.exact()) {
       forgive_states(expected.states, actual.states, tolerances_);
@@ -241,6 +244,11 @@ class Diff {
     if (by_states && have_states && same_bits(expected.states, actual.states)) actual.state_hash = expected.state_hash;
     report_.first = first_difference(expected, actual, phases_);
     if (report_.first && in_binary32()) count_in_binary32(*report_.first);
+  }
+
+  void leave_out_words(const StepRecord& expected, StepRecord& actual) const {
+    if (states_only_) actual.phase_words = expected.phase_words;
+    leave_out_phase_words(a_.header(), b_.header(), expected, actual);
   }
 
   /// A change of axes turns 0.0 into −0.0, which is the same number in another engine's states and energies.
@@ -263,6 +271,7 @@ class Diff {
   LogReader& b_;
   Tolerances tolerances_;
   Reading reading_;
+  std::uint64_t until_;  // the last step to compare
   std::vector<std::string> phases_;
   bool same_words_ = false;
   bool states_only_ = false;  // of two engines, whose phases and counters cannot be compared
@@ -284,8 +293,8 @@ std::string DiffReport::though() const {
 }
 
 Result<DiffReport> diff_logs(LogReader& a, LogReader& b, const Tolerances& tolerances, const Progress& progress,
-                             Reading reading) {
-  return Diff(a, b, tolerances, reading).run(progress);
+                             Reading reading, std::uint64_t until) {
+  return Diff(a, b, tolerances, reading, until).run(progress);
 }
 
 }  // namespace tumble::replay

@@ -21,6 +21,9 @@ enum class Reading : std::uint8_t {
   kHashes,  ///< the chains of hashes, and the chunks where they part: damage of other chunks is not seen
 };
 
+/// A comparison that ends before the logs do.
+inline constexpr std::uint64_t kNoLimit = ~std::uint64_t{0};
+
 struct DiffReport {
   std::uint64_t from = 0;                 ///< the first state that both logs have
   std::uint64_t steps = 0;                ///< after it, that both logs hold; compared, or equal by their chains
@@ -44,10 +47,11 @@ struct DiffReport {
 /// hashes, unless only hashes are to be read. With tolerances, steps whose hashes differ are compared by their states,
 /// and fields without a tolerance exactly. Logs of two engines are compared by dt and states alone; ULPs are counted in
 /// binary32 where both engines compute in it. In another engine's log, −0.0 and 0.0 are one number: a change of axes
-/// turns one into the other. Errors: a log that cannot be read; damage (kDamaged), before any other answer; no step in
-/// common (kBadInput); tolerances where a log has no states for a step that differs (kBadInput); kCannotFinish where
-/// `progress` stops.
+/// turns one into the other. Steps behind `until` are not compared, and the scope says so. Errors: a log that cannot be
+/// read; damage (kDamaged), before any other answer; no step in common (kBadInput); tolerances where a log has no
+/// states for a step that differs (kBadInput); kCannotFinish where `progress` stops.
 Result<DiffReport> diff_logs(LogReader& a, LogReader& b, const Tolerances& tolerances = {},
-                             const Progress& progress = {}, Reading reading = Reading::kAll);
+                             const Progress& progress = {}, Reading reading = Reading::kAll,
+                             std::uint64_t until = kNoLimit);
 
 }  // namespace tumble::replay

@@ -30,13 +30,15 @@ constexpr std::array kGitsOwn = {"GIT_DIR=",
                                  "GIT_NAMESPACE=",
                                  "GIT_ALTERNATE_OBJECT_DIRECTORIES="};
 
-std::vector<std::string> environment_with(const std::map<std::string, std::string>& more) {
+std::vector<std::string> environment_of(const Program& program) {
   std::vector<std::string> all;
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string text = *entry;
+    if (program.set.contains(text.substr(0, text.find('=')))) continue;
     if (std::ranges::none_of(kGitsOwn, [&](const char* name) { return text.starts_with(name); })) all.push_back(text);
   }
-  for (const auto& setting : more) {
+  for (const auto& [name, value] : program.set) all.push_back(name + '=' + value);
+  for (const auto& setting : program.more) {
     const std::string start = setting.first + '=';
     const bool has = std::ranges::any_of(all, [&](const std::string& text) { return text.starts_with(start); });
     if (!has) all.push_back(start + setting.second);
@@ -116,7 +118,7 @@ ChildEnd behind_shell(ChildEnd end) {
 int start(const Program& program, pid_t& child) {
   SIM_CHECK(!program.words.empty());
   const Surroundings surroundings(program);
-  std::vector<std::string> words = program.words, environment = environment_with(program.more);
+  std::vector<std::string> words = program.words, environment = environment_of(program);
   return posix_spawnp(&child, words[0].c_str(), surroundings.actions(), surroundings.attributes(),
                       pointers_to(words).data(), pointers_to(environment).data());
 }

@@ -33,6 +33,7 @@ struct Program {
   std::string out;                          ///< file that its standard output is added to; empty: ours
   std::string err;                          ///< the same of its standard error; may be the same file
   std::map<std::string, std::string> more;  ///< environment, unless it has them
+  std::map<std::string, std::string> set;   ///< environment, whatever it has
   bool own_group = true;  ///< a process group of its own, so that Ctrl-C is for us alone and end_group() ends all of it
 };
 

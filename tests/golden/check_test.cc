@@ -256,7 +256,11 @@ TEST(Check, TheLineThatRunsAnotherEngineWorksInAShell) {
   const std::filesystem::path suite = place.root() / "it's a suite";
   const CaseFolder folder{"one two", suite / "cases" / "one two"};
   place.write(folder.file(kSceneFile), "the scene");
-  const std::string line = engine_line("cat {scene} > {log}", suite, folder);
+  CaseRules rules;
+  rules.command = "cat {scene} > {log}";
+  const Result<CaseEngine> engine = engine_of_case(folder, rules, suite);
+  ASSERT_TRUE(engine.ok());
+  const std::string line = engine_line(*engine, folder.name);
   process::Program shell;
   shell.words = {"sh", "-c", line};
   shell.folder = place.root();

@@ -72,6 +72,7 @@ std::vector<Room> logs() {
       {"replay/recorder", {}},
       {"replay/stream", session + Folders{"replay/import"}},
       {"replay/picture", above + Folders{"src/render", "src/render/picture", "src/render/scene"}},
+      {"replay/probe", above},
       {"replay/diff", above + Folders{"replay/measure", "replay/recover", "replay/picture"}},
       {"replay/blame", above + Folders{"replay/diff"}},
       {"replay/view", above + Folders{"replay/measure"}},
@@ -83,13 +84,15 @@ std::vector<Room> suite() {
                                       "replay/format",  "replay/codec",   "replay/log",     "replay/session",
                                       "replay/measure", "replay/recover", "replay/picture", "replay/diff"};
   const Folders parts = logs + Folders{"src/render", "src/render/picture", "golden/suite", "golden/expected"};
-  const Folders run = parts + Folders{"golden/judge"};
-  const Folders above = run + Folders{"golden/run", "src/process"};
+  const Folders engine = {"golden/suite", "src/process", "replay/import", "replay/stream"};
+  const Folders run = parts + engine + Folders{"golden/judge"};
+  const Folders above = run + Folders{"golden/engine", "golden/run"};
   return {
       {"golden/suite", logs + Folders{"src/render/picture"}},
       {"golden/expected", logs},
       {"golden/judge", parts},
-      {"golden/run", run + Folders{"src/process"}},
+      {"golden/engine", logs + engine},
+      {"golden/run", run + Folders{"golden/engine"}},
       {"golden/canaries", above},
       {"golden/report/page", {}},
       {"golden/report", above + Folders{"golden/report/page"}},
@@ -106,6 +109,13 @@ std::vector<Room> program() {
                      "replay/import", "replay/stream",   "replay/picture", "replay/diff",        "replay/view",
                      "golden/suite",  "golden/expected", "golden/judge",   "golden/run",         "golden/canaries",
                      "golden/report", "golden/bless",    "golden",         "src/files",          "src/process"};
+  const Folders below = kSim + Folders{"src/scenes",      "src/threads",    "src/render",    "src/render/picture",
+                                       "replay/format",   "replay/codec",   "replay/log",    "replay/session",
+                                       "replay/measure",  "replay/recover", "replay/import", "replay/stream",
+                                       "replay/picture",  "replay/probe",   "replay/diff",   "golden/suite",
+                                       "golden/expected", "golden/judge",   "golden/engine", "golden/run",
+                                       "golden/canaries", "golden/report",  "golden/bless",  "golden",
+                                       "src/files",       "src/process",    "replay/view"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
       {"tools/output", below},
@@ -113,8 +123,10 @@ std::vector<Room> program() {
       {"tools/arguments", below + Folders{"tools/output", "tools/files"}},
       {"tools/bisect", above},
       {"tools/bench", above},
+      {"tools/engine", above},
+      {"tools/compare", above + Folders{"tools/engine"}},
       {"tools/view", above + Folders{"golden/report/page"}},
-      {"tools/commands", above + Folders{"tools/bisect", "tools/bench", "tools/view"}},
+      {"tools/commands", above + Folders{"tools/bisect", "tools/bench", "tools/engine", "tools/compare", "tools/view"}},
       {"tools", above + Folders{"tools/commands"}},
   };
 }
@@ -124,8 +136,8 @@ std::vector<Room> tests() {
   std::vector<Room> rows;
   for (const char* folder :
        {"tests/support", "tests/fuzz", "tests/tree", "tests/files", "tests/process", "tests/sim", "tests/scenes",
-        "tests/render", "tests/replay", "tests/replay/measure", "tests/recorder", "tests/golden", "tests/tools",
-        "tests/outputs", "tests/trial", "tests/determinism", "bench", "bench/peers"}) {
+        "tests/render", "tests/replay", "tests/replay/measure", "tests/recorder", "tests/golden", "tests/toy",
+        "tests/tools", "tests/outputs", "tests/trial", "tests/determinism", "bench", "bench/peers"}) {
     rows.push_back({folder, {"*"}});
   }
   return rows;

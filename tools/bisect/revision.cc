@@ -1,19 +1,13 @@
 #include "tools/bisect/revision.h"
 
-#include <cctype>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
 
-#include "golden/run/external_engine.h"
-#include "golden/suite/parse_rules.h"
-#include "golden/suite/suite.h"
 #include "golden/suite/text_files.h"
-#include "replay/log/checked_log.h"
 #include "replay/measure/measure_log.h"
 #include "src/process/run_child.h"
-#include "src/process/split_words.h"
 #include "src/scenes/problem.h"
 #include "tools/files/log_files.h"
 #include "tools/output/text.h"
@@ -55,41 +49,11 @@ std::string where(const Json& first) {
 Answer skipped(const std::string& why) { return {false, false, why, {}}; }
 Answer answered(bool yes, const std::string& words) { return {true, yes, words, {}}; }
 
-/// A name for both the file and the scene.
-std::string file_name(const std::string& scene) {
-  std::string name;
-  for (const char c : scene) name += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' ? c : '_';
-  return name.empty() ? "scene" : name;
-}
-
-/// `--mirror` and so on, as when the log was recorded.
-std::vector<std::string> transform_words(const sim::Transform& transform) {
-  std::vector<std::string> words;
-  const auto mirror = [&](bool is_so, const char* axis) {
-    if (is_so) words.insert(words.end(), {"--mirror", axis});
-  };
-  mirror(transform.mirror_x, "x");
-  mirror(transform.mirror_y, "y");
-  mirror(transform.swap_xy, "diagonal");
-  if (transform.permute) words.insert(words.end(), {"--permute", std::to_string(*transform.permute)});
-  if (transform.shift.x() != 0 || transform.shift.y() != 0) {
-    words.insert(words.end(), {"--shift", exact(transform.shift.x()) + ',' + exact(transform.shift.y())});
-  }
-  return words;
-}
-
-std::string replaced(std::string word, const std::string& what, const std::string& with) {
-  for (std::size_t at = word.find(what); at != std::string::npos; at = word.find(what, at + with.size())) {
-    word.replace(at, what.size(), with);
-  }
-  return word;
-}
-
 }  // namespace
 
 Status Asker::prepare() {
   if (!settings_.log.empty()) {
-    if (Status ok = write_scene(); !ok.ok()) return ok;
+    if (Status ok = recording_.prepare(); !ok.ok()) return ok;
   }
   std::error_code error;
   if (!fs::exists(place_.source(), error)) return git_.clone_to(place_.source());
@@ -97,37 +61,12 @@ Status Asker::prepare() {
   return {};
 }
 
-Status Asker::write_scene() {
-  Result<replay::LogReader> log = open_log(settings_.log);
-  if (!log.ok()) return log.error();
-  if (const Result<replay::VerifyReport> checked = replay::check_log(*log); !checked.ok()) return checked.error();
-  const replay::LogHeader& header = log->header();
-  const std::string steps = std::to_string(log->step_count());
-  if (header.goes_on || header.scene_text.empty()) {
-    if (settings_.run.find("{scene}") != std::string::npos) {
-      return bad_input("--run: found {scene}, and " + settings_.log +
-                       " holds no scene text to put there; leave {scene} out, or record the log from a scene");
-    }
-    record_words_ = {"--from", settings_.log + ':' + std::to_string(log->first_state()), "--steps", steps};
-    return {};
-  }
-  scene_ = place_.file("scene/" + file_name(header.scene.name) + ".toml");
-  record_words_ = {scene_, "--steps", steps};
-  for (const std::string& value : header.overrides) record_words_.insert(record_words_.end(), {"--set", value});
-  const std::vector<std::string> transform = transform_words(header.transform);
-  record_words_.insert(record_words_.end(), transform.begin(), transform.end());
-  return golden::write_file(scene_, std::string_view(header.scene_text));
-}
-
-std::string Asker::suite() const { return place_.source() + "/golden"; }
-
-std::string Asker::program() const { return (fs::path(place_.source()) / settings_.program).string(); }
-
 /// False, and the reason in `why`, if the program did not end well.
-Result<bool> Asker::run(const std::vector<std::string>& words, const std::string& name, std::string& why) {
+Result<bool> Asker::run(const Recording::Command& command, const std::string& name, std::string& why) {
+  const std::vector<std::string>& words = command.words;
   process::Program task;
   task.words = words;
-  task.folder = place_.source();
+  task.folder = command.folder;
   task.out = place_.file(name + ".out");
   task.err = place_.file(name + ".err");
   const Result<process::ChildEnd> end = process::run_child(task, settings_.timeout_s, cancel_);
@@ -149,12 +88,13 @@ Result<bool> Asker::build_once(const std::string& log, BuildProgress& progress, 
     progress.show();
     return cancel_ && cancel_();
   };
-  for (const std::string& command : settings_.build) {
-    const Result<std::vector<std::string>> words = process::split_words(command);
+  const golden::EngineProject project = recording_.engine();
+  for (const std::string& command : project.build) {
+    const Result<std::vector<std::string>> words = golden::engine_words(project, command, {});
     if (!words.ok()) return words.error();
     process::Program task;
     task.words = *words;
-    task.folder = place_.source();
+    task.folder = project.folder.string();
     task.out = task.err = log;
     // The compiler cache then finds objects that were compiled in other folders.
     task.more = {{"CCACHE_BASEDIR", place_.source()}, {"CCACHE_NOHASHDIR", "1"}};
@@ -183,51 +123,30 @@ Result<bool> Asker::build(const std::string& commit, std::string& why) {
   return build_once(log, progress, why);
 }
 
-std::vector<std::string> Asker::record_words(const std::string& session) const {
-  std::vector<std::string> words;
-  if (settings_.run.empty()) {
-    words = {program(), "record", "--quiet", "-o", session};
-    words.insert(words.end(), record_words_.begin(), record_words_.end());
-    return words;
-  }
-  const Result<std::vector<std::string>> command = process::split_words(settings_.run);
-  if (!command.ok()) return words;
-  for (const std::string& word : *command) {
-    words.push_back(replaced(replaced(word, "{scene}", scene_), "{log}", session));
-  }
-  return words;
-}
-
-/// The case's own command where it has one: a session of another engine is not that of our physics.
-Result<std::vector<std::string>> Asker::case_words(const std::string& session) const {
-  const std::string folder = suite() + "/cases/" + settings_.case_name + '/';
-  const std::string scene = folder + golden::kSceneFile, rules_file = folder + golden::kRulesFile;
-  const Result<golden::CaseRules> rules = golden::read_rules(rules_file);
-  if (!rules.ok()) return rules.error();
-  if (rules->command.empty()) return std::vector<std::string>{program(), "record", "--quiet", "-o", session, scene};
-  return std::vector<std::string>{
-      "sh", "-c",
-      "cd " + golden::shell_quoted(suite()) + " && " + golden::engine_command(rules->command, scene, session)};
-}
-
 Result<bool> Asker::record(const std::string& commit, std::string& why) {
   std::error_code error;
   const std::string session = place_.session(commit);
   fs::remove(session, error);
-  const Result<std::vector<std::string>> words =
-      settings_.case_name.empty() ? Result(record_words(session)) : case_words(session);
-  if (!words.ok()) {
-    why = words.error().message;
+  const Result<Recording::Command> command = recording_.command(session);
+  if (!command.ok()) {
+    why = command.error().message;
     return false;
   }
-  Result<bool> recorded = run(*words, "record", why);
-  if (!recorded.ok() || !*recorded) fs::remove(session, error);
+  Result<bool> recorded = run(*command, "record", why);
+  if (recorded.ok() && *recorded) {
+    const Status made = recording_.make_log(session);
+    if (made.ok()) return recorded;
+    why = fs::path(command->words.front()).filename().string() + ' ' + made.error().message;
+    recorded = false;
+  }
+  fs::remove(session, error);
   return recorded;
 }
 
 Result<Answer> Asker::ask_replay() {
   std::string why;
-  const Result<bool> same = run({program(), "replay", settings_.log, "--json"}, "replay", why);
+  const Result<bool> same =
+      run({{recording_.program(), "replay", settings_.log, "--json"}, place_.source()}, "replay", why);
   if (!same.ok()) return same.error();
   if (*same) return answered(true, "the same in every bit");
   if (last_exit_ != 1) return skipped(why);
@@ -261,11 +180,11 @@ Result<Answer> Asker::ask_session(const std::string& commit) {
 }
 
 Result<Answer> Asker::ask_case() {
-  std::vector<std::string> words = {program(), "check",    settings_.case_name,   "--suite",
-                                    suite(),   "--report", place_.file("report"), "--json"};
+  std::vector<std::string> words = {recording_.program(), "check",    settings_.case_name,   "--suite",
+                                    recording_.suite(),   "--report", place_.file("report"), "--json"};
   if (settings_.image) words.insert(words.end(), {"--require", "image"});
   std::string why;
-  const Result<bool> passed = run(words, "check", why);
+  const Result<bool> passed = run({words, place_.source()}, "check", why);
   if (!passed.ok()) return passed.error();
   if (!*passed && last_exit_ != 1) return skipped(why);
   const Json report = json_of(place_.file("check.out"));

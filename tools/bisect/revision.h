@@ -6,6 +6,7 @@
 
 #include "tools/bisect/build_progress.h"
 #include "tools/bisect/git.h"
+#include "tools/bisect/recording.h"
 #include "tools/bisect/settings.h"
 #include "tools/bisect/workplace.h"
 #include "tumble/sim/result.h"
@@ -27,7 +28,7 @@ class Asker {
 
   /// All must outlive the asker.
   Asker(const Settings& settings, const Workplace& place, const Git& git, Cancel cancel)
-      : settings_(settings), place_(place), git_(git), cancel_(std::move(cancel)) {}
+      : settings_(settings), place_(place), git_(git), cancel_(std::move(cancel)), recording_(settings, place) {}
 
   /// Makes the clone and the scene. Errors: git's; the log's; kBadInput where the session cannot be recorded anew and
   /// the question needs that.
@@ -38,14 +39,9 @@ class Asker {
   Result<Answer> ask(const std::string& commit);
 
  private:
-  [[nodiscard]] Status write_scene();
-  [[nodiscard]] Result<bool> run(const std::vector<std::string>& words, const std::string& name, std::string& why);
+  [[nodiscard]] Result<bool> run(const Recording::Command& command, const std::string& name, std::string& why);
   [[nodiscard]] Result<bool> build_once(const std::string& log, BuildProgress& progress, std::string& why);
   [[nodiscard]] Result<bool> build(const std::string& commit, std::string& why);
-  [[nodiscard]] std::string program() const;
-  [[nodiscard]] std::string suite() const;
-  [[nodiscard]] std::vector<std::string> record_words(const std::string& session) const;
-  [[nodiscard]] Result<std::vector<std::string>> case_words(const std::string& session) const;
   /// Records the session; false: the revision cannot.
   [[nodiscard]] Result<bool> record(const std::string& commit, std::string& why);
   [[nodiscard]] Result<Answer> ask_replay();
@@ -56,10 +52,9 @@ class Asker {
   const Workplace& place_;
   const Git& git_;
   Cancel cancel_;
+  Recording recording_;
   bool built_before_ = false;
-  int last_exit_ = 0;                      // of run()
-  std::vector<std::string> record_words_;  // without the program and the log to write; empty: it cannot be recorded
-  std::string scene_;
+  int last_exit_ = 0;  // of run()
 };
 
 }  // namespace tumble::tools::bisect

@@ -28,7 +28,10 @@ std::string Settings::fingerprint() const {
                {"image", image},
                {"build", build},
                {"program", program},
-               {"run", run}};
+               {"run", run},
+               {"engine_folder", engine_folder},
+               {"engine_scene", engine_scene},
+               {"shell", shell}};
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 

@@ -25,7 +25,11 @@ struct Settings {
 
   std::vector<std::string> build;  ///< command lines, run in the revision's source folder
   std::string program;             ///< that they make: a path from that folder
-  std::string run;                 ///< instead of the program: a command line that writes {log} of {scene}
+  std::string run;                 ///< instead of the program: a command line of an engine that writes {log}
+  std::string engine_folder;       ///< in which build and run work: a path from the clone's own
+  std::string engine_scene;        ///< {scene} where the log has no text of one: a path from engine_folder
+  bool shell = false;              ///< build and run are given to sh
+  bool has_project = false;        ///< build and run come from a tumble.toml
   double timeout_s = 0;            ///< of a run of the program, not of a build
 
   /// One line for people: "replay of wall.tumble in every bit".

@@ -17,6 +17,7 @@
 #include "tools/arguments/command.h"
 #include "tools/arguments/measure_arguments.h"
 #include "tools/bisect/bisection.h"
+#include "tools/bisect/engine_settings.h"
 #include "tools/bisect/verdict.h"
 #include "tools/files/log_files.h"
 #include "tools/output/difference_output.h"
@@ -28,6 +29,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kProgram = "build/release/tools/tumble";
+
 struct BisectCommand {
   std::vector<std::string> logs;
   std::string good, bad;
@@ -38,7 +41,7 @@ struct BisectCommand {
   std::string case_name;
   bool image = false;
   std::vector<std::string> build;
-  std::string program = "build/release/tools/tumble";
+  std::string program;
   std::string run;
   std::optional<double> timeout;
   std::string work;
@@ -138,10 +141,12 @@ Result<bisect::Settings> settings_of(const BisectCommand& options) {
     settings.metric = *std::move(bound);
   }
   replay::EngineAxes axes;
+  bool is_external = false;
   if (!options.logs.empty()) {
     const Result<replay::LogReader> log = open_log(options.logs[0]);
     if (!log.ok()) return log.error();
     axes = log->header().axes();
+    is_external = log->header().engine.has_value();
   }
   Result<replay::MeasureOptions> measure = parse_measure(options.measure, axes);
   if (!measure.ok()) return measure.error();
@@ -149,17 +154,26 @@ Result<bisect::Settings> settings_of(const BisectCommand& options) {
   settings.case_name = options.case_name;
   settings.image = options.image;
   settings.build = options.build;
-  if (settings.build.empty() && options.run.empty()) {
-    settings.build = {"cmake --preset release", "cmake --build --preset release --target tumble"};
-  }
   settings.program = options.program;
   settings.run = options.run;
   settings.timeout_s = options.timeout.value_or(0);
+  if (settings.run.empty() && (is_external || !settings.case_name.empty())) {
+    if (Status ok = bisect::take_project(settings.repository, settings); !ok.ok()) return ok.error();
+    if (is_external && settings.run.empty()) {
+      return bad_input(settings.log +
+                       ": is of another engine, and there is no tumble.toml that says how it runs; write " +
+                       "one (docs/other_engines.md), or give --run COMMAND");
+    }
+  }
+  if (settings.program.empty()) settings.program = kProgram;
+  if (settings.build.empty() && settings.run.empty() && !settings.has_project) {
+    settings.build = {"cmake --preset release", "cmake --build --preset release --target tumble"};
+  }
   for (const std::string& command : settings.build) {
-    if (const auto words = process::split_words(command); !words.ok())
+    if (const auto words = process::split_words(command); !settings.shell && !words.ok())
       return bad_input("--build: " + words.error().message);
   }
-  if (const auto words = process::split_words(settings.run); !settings.run.empty() && !words.ok()) {
+  if (const auto words = process::split_words(settings.run); !settings.run.empty() && !settings.shell && !words.ok()) {
     return bad_input("--run: " + words.error().message);
   }
   return settings;
@@ -222,10 +236,14 @@ void declare_building(Arguments& arguments, BisectCommand& options) {
   arguments.option(
       "--build", "COMMAND", options.build,
       "A command that builds a revision, run in its folder; may be repeated. If not given: none with --run, else the "
-      "release preset's build of tumble");
-  arguments.option("--program", "PATH", options.program, "The program that the build makes, a path from that folder");
-  arguments.option("--run", "COMMAND", options.run,
-                   "Instead of the program: a command of any engine that makes the log {log} of the scene {scene}");
+      "release preset's build of tumble; of another engine's session, that of tumble.toml");
+  arguments.option(
+      "--program", "PATH", options.program,
+      "The program that the build makes, a path from that folder; build/release/tools/tumble if not given");
+  arguments.option(
+      "--run", "COMMAND", options.run,
+      "Instead of the program and of tumble.toml: a command of any engine that makes the log {log} of the scene "
+      "{scene} and the inputs {inputs}");
   constexpr double kTimeoutMax = 1e6;
   arguments.positive("--timeout", "S", options.timeout, kTimeoutMax, "Skip a revision whose program takes longer");
   arguments.option("--work", "DIR", options.work,

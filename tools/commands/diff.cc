@@ -14,10 +14,12 @@
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/arguments/numbers.h"
+#include "tools/compare/diff_output.h"
+#include "tools/compare/log_groups.h"
+#include "tools/compare/session_time.h"
+#include "tools/engine/zoom.h"
 #include "tools/files/log_files.h"
 #include "tools/output/axes_output.h"
-#include "tools/output/blame_output.h"
-#include "tools/output/difference_output.h"
 #include "tools/output/divergence_output.h"
 #include "tools/output/gnuplot.h"
 #include "tools/output/progress.h"
@@ -34,9 +36,14 @@ namespace {
 struct DiffCommand {
   std::string a;
   std::string b;
+  std::vector<std::string> more;
   std::vector<std::string> tolerances;
+  std::optional<double> until;  // s
+  std::optional<double> apart;  // m
   std::optional<std::uint64_t> step;
   std::string plot;
+  bool zoom = false;
+  ZoomPrograms programs;
   bool brief = false;
   bool json = false;
 };
@@ -56,52 +63,6 @@ Result<replay::Tolerances> parse_tolerances(const std::vector<std::string>& argu
   }
   return tolerances;
 }
-
-// If one log is longer and equal so far, the first difference is the step that only this log has.
-std::optional<replay::Divergence> first_of(const replay::DiffReport& report) {
-  if (report.first || report.identical()) return report.first;
-  replay::Divergence end;
-  end.step = std::min(report.last_a, report.last_b) + 1;
-  end.phase = "step";
-  end.field = "steps";
-  end.expected = report.last_a;
-  end.actual = report.last_b;
-  return end;
-}
-
-constexpr std::size_t kHeadersShown = 20;
-
-/// The first word of the verdict, and what was read for it.
-std::string same_text(const DiffCommand& options, bool exact_bits, std::uint64_t zeros, const std::string& steps) {
-  const std::string words = exact_bits ? "identical: " + steps : "same within tolerances: " + steps;
-  if (options.brief) return words + ", by hashes; payloads not read";
-  if (zeros > 0) return words + ", but for the sign of " + count_text(zeros, "zero");
-  return words + (exact_bits ? ", every bit" : "");
-}
-
-void print_text(const DiffCommand& options, const replay::DiffReport& report, bool exact_bits) {
-  for (std::size_t i = 0; i < std::min(kHeadersShown, report.headers.size()); ++i) {
-    std::cout << "header: " << printable(describe(report.headers[i])) << '\n';
-  }
-  if (report.headers.size() > kHeadersShown) {
-    std::cout << "header: " << report.headers.size() - kHeadersShown << " more differences (all with --json)\n";
-  }
-  for (const std::string& note : report.notes) std::cout << "note: " << printable(note) << '\n';
-  if (report.from > 0) std::cout << "compared from step " << report.from << " on, which both logs have\n";
-  const std::string steps = count_text(report.steps, "step");
-  if (report.identical()) {
-    std::cout << same_text(options, exact_bits, report.zeros, steps) << '\n';
-  } else if (report.first) {
-    std::cout << "different from step " << report.first->step << " on\n";
-  } else {
-    std::cout << "different in length: the first ends with step " << report.last_a << ", the second with step "
-              << report.last_b << "; the " << steps << " of both are the same\n";
-  }
-  if (const std::string though = report.though(); !though.empty()) std::cout << "  " << though << '\n';
-  if (!report.first) print_scope(report.scope);
-}
-
-using Difference = std::optional<replay::DifferenceReport>;
 
 // Explains the first difference, if there is one. Errors: a log whose states do not match its hashes.
 Result<Difference> look_closer(replay::LogReader& a, replay::LogReader& b, const replay::DiffReport& report) {
@@ -128,57 +89,6 @@ Result<Exit> show_step(const DiffCommand& options, replay::LogReader& a, replay:
   return *same ? Exit::kSame : Exit::kDifference;
 }
 
-Json headers_json(const std::vector<replay::HeaderDifference>& headers) {
-  Json rows = Json::array();
-  for (const replay::HeaderDifference& difference : headers) {
-    rows.push_back({{"key", difference.key},
-                    {"expected", value_json(difference.a)},
-                    {"actual", value_json(difference.b)},
-                    {"acts", difference.acts},
-                    {"excused", difference.excused}});
-  }
-  return rows;
-}
-
-// The command that explains the first value that differs, in a log whose step this build repeats; empty where there is
-// none.
-std::string next_command(const DiffCommand& options, const Difference& difference) {
-  if (!difference || !difference->effect) return "";
-  const replay::DivergenceLocation& location = difference->location;
-  if (!location.as_a && !location.as_b) return "";
-  return blame_command(location.as_b ? options.b : options.a, *difference->effect);
-}
-
-void print_result(const DiffCommand& options, const std::string& read, const replay::DiffReport& report,
-                  const Difference& difference, bool exact_bits) {
-  if (options.json) {
-    Json json = comparison_json(report.identical(), report.steps, first_of(report));
-    json["read"] = read;
-    add_scope(report.scope, json);
-    json["zeros_of_other_sign"] = report.zeros;
-    json["notes"] = report.notes;
-    json["headers"] = Json::array();
-    for (const replay::HeaderDifference& header : report.headers) json["headers"].push_back(describe(header));
-    json["header_differences"] = headers_json(report.headers);
-    if (difference) add_difference(*difference, Compared::kTwoLogs, json);
-    const std::string next = next_command(options, difference);
-    json["next"] = next.empty() ? Json(nullptr) : Json(next);
-    print_json(json);
-    return;
-  }
-  print_text(options, report, exact_bits);
-  const Sides sides = sides_of(options.a, options.b);
-  if (difference) {
-    print_difference(*difference, Compared::kTwoLogs, sides);
-    const std::string next = next_command(options, difference);
-    if (!next.empty()) std::cout << "to find the cause of that value: " << printable(next) << '\n';
-  } else if (report.first) {
-    std::cout << "cause   " << printable(replay::cause_of(report, *report.first)) << '\n';
-    print_divergence(*report.first, sides);
-    if (options.brief) std::cout << "  read        " << read << ", so damage in them is not seen\n";
-  }
-}
-
 Status draw(const DiffCommand& options, const Difference& difference) {
   if (options.plot.empty()) return {};
   if (difference && difference->growth) {
@@ -188,12 +98,34 @@ Status draw(const DiffCommand& options, const Difference& difference) {
   return cannot_finish("--plot: there is no separation to draw: " + (why.empty() ? "no step differs" : why));
 }
 
+DiffQuestion question_of(const DiffCommand& options, bool exact_bits) {
+  return {options.a, options.b, exact_bits, options.brief, options.json, options.zoom, options.apart};
+}
+
+/// --apart: when the two were first apart by more than that.
+Result<std::optional<Parting>> parting_of(const DiffCommand& options, replay::LogReader& a,
+                                          const replay::DiffReport& report, const Difference& difference,
+                                          std::uint64_t last) {
+  if (!options.apart || !report.first) return std::optional<Parting>();
+  if (!difference || !difference->growth) {
+    return cannot_finish("--apart: the distance of the two is not known: " +
+                         (difference ? difference->growth_unknown : "the difference was not followed"));
+  }
+  return find_parting(a, difference->growth->separation, *options.apart, last);
+}
+
 Result<Exit> compare(const DiffCommand& options, replay::LogReader& a, replay::LogReader& b) {
   const Result<replay::Tolerances> tolerances = parse_tolerances(options.tolerances);
   if (!tolerances.ok()) return tolerances.error();
   ProgressBar bar("comparing");
   const replay::Reading reading = options.brief ? replay::Reading::kHashes : replay::Reading::kAll;
-  Result<replay::DiffReport> report = replay::diff_logs(a, b, *tolerances, bar.progress(), reading);
+  std::uint64_t until = replay::kNoLimit;
+  if (options.until) {
+    const Result<std::uint64_t> step = step_at(a, *options.until);
+    if (!step.ok()) return step.error();
+    until = *step;
+  }
+  Result<replay::DiffReport> report = replay::diff_logs(a, b, *tolerances, bar.progress(), reading, until);
   bar.finish();
   if (!report.ok()) return report.error();
   Difference difference;
@@ -206,12 +138,28 @@ Result<Exit> compare(const DiffCommand& options, replay::LogReader& a, replay::L
   if (process::InterruptGuard::interrupted()) return cannot_finish("interrupted");
   name_by_table(a.header(), b.header(), *report, difference);
   const std::string read = options.brief ? "hashes; payloads not read" : read_of(a, b);
-  print_result(options, read, *report, difference, tolerances->exact());
+  std::optional<Zoom> zoom;
+  if (options.zoom && report->first) {
+    Result<Zoom> found = zoom_into(a, b, report->first->step, options.programs);
+    if (!found.ok()) return found.error();
+    zoom = *std::move(found);
+  }
+  const std::uint64_t last = std::min(report->last_a, report->last_b);
+  const Result<std::optional<Parting>> parting = parting_of(options, a, *report, difference, last);
+  if (!parting.ok()) return parting.error();
+  print_result(question_of(options, tolerances->exact()), *report, difference, {read, zoom, *parting});
+  if (options.apart && !options.json) print_parting(*parting, *options.apart, last);
   if (Status ok = draw(options, difference); !ok.ok()) return ok.error();
-  return report->identical() ? Exit::kSame : Exit::kDifference;
+  const bool is_same = options.apart ? !*parting && report->last_a == report->last_b : report->identical();
+  return is_same ? Exit::kSame : Exit::kDifference;
 }
 
 Result<Exit> diff(const DiffCommand& options) {
+  if (!options.more.empty()) {
+    std::vector<std::string> paths = {options.a, options.b};
+    paths.insert(paths.end(), options.more.begin(), options.more.end());
+    return diff_many(paths, options.json);
+  }
   if (!options.plot.empty()) {
     if (Status ok = check_plot_path(options.plot); !ok.ok()) return ok.error();
     files::OutputGuard guard;
@@ -234,6 +182,8 @@ Action declare_diff(Arguments& arguments) {
   auto options = std::make_shared<DiffCommand>();
   arguments.positional("A", options->a, "The log with the expected values").required();
   arguments.positional("B", options->b, "The log to compare with it").required();
+  arguments.positionals("MORE", options->more,
+                        "Further logs of runs that should agree: groups all of them and names the odd ones");
   const Argument tolerance = arguments.option(
       "--tolerance", "FIELD=V", options->tolerances,
       "Call states equal where each component of FIELD (position, velocity, spin: angular velocity), or "
@@ -256,6 +206,27 @@ Action declare_diff(Arguments& arguments) {
             "Only find the first difference, by the hashes: payloads are not read, damage in them is not seen")
       .excludes(step)
       .excludes(plot);
+  constexpr double kTimeMax = 1e9, kLengthMax = 1e6;
+  const Argument until = arguments.positive("--until", "T", options->until, kTimeMax,
+                                            "Compare only the steps that end within T seconds of A's start");
+  const Argument apart = arguments.positive(
+      "--apart", "D", options->apart, kLengthMax,
+      "Ask when a body's centre is first more than D m from its place in the other log: status 1 if that happens, "
+      "whatever bits differ");
+  until.excludes(step);
+  apart.excludes(step);
+  const Argument zoom =
+      arguments
+          .flag("--zoom", options->zoom,
+                "Also compute the first different step again in both builds, with probes, and name the first line of "
+                "their sources with another value (docs/zoom.md)")
+          .excludes(step);
+  arguments
+      .option("--engine-a", "ENGINE", options->programs.a,
+              "The build that computed A, for --zoom: a folder with a tumble.toml, or a command line with {log}; of a "
+              "log of ours a program tumble. If not given: the nearest tumble.toml, or this program")
+      .needs(zoom);
+  arguments.option("--engine-b", "ENGINE", options->programs.b, "The build that computed B, likewise").needs(zoom);
   arguments.json(options->json);
   arguments.footer(
       "Exit status: 0 the same, 1 a difference, 3 a log is torn (the intact part is compared), damaged, or broken:\n"
@@ -266,6 +237,9 @@ Action declare_diff(Arguments& arguments) {
       "  tumble diff before.tumble after.tumble\n"
       "  tumble diff before.tumble after.tumble --step 120\n"
       "  tumble diff before.tumble after.tumble --plot separation.svg\n"
+      "  tumble diff before.tumble after.tumble --apart 0.01 --until 2\n"
+      "  tumble diff peer_1.tumble peer_2.tumble peer_3.tumble peer_4.tumble\n"
+      "  tumble diff before.tumble after.tumble --zoom --engine-a old/checkout --engine-b .\n"
       "  tumble diff before.tumble after.tumble --tolerance position=1e-6 --tolerance velocity=1e-4 --json");
   return [options] { return diff(*options); };
 }

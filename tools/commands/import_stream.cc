@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "replay/stream/import_stream.h"
+#include "replay/stream/rollback_check.h"
 #include "src/process/interrupt.h"
 #include "tools/files/log_files.h"
 #include "tools/output/axes_output.h"
@@ -26,7 +27,22 @@ std::string joined(const std::vector<std::string>& names) {
   return all;
 }
 
-void print_json_result(const StreamFiles& files, const StreamReader& stream, const replay::StreamImport& done) {
+Json rollback_json(const replay::RollbackCheck& check) {
+  Json json = {{"compared", check.compared},
+               {"not_compared", check.not_compared},
+               {"different", check.different},
+               {"first", nullptr}};
+  if (!check.first) return json;
+  json["first"] = {{"step", check.first->step},
+                   {"body", check.first->body ? Json(*check.first->body) : Json(nullptr)},
+                   {"field", check.first->field},
+                   {"before", check.first->before},
+                   {"after", check.first->after}};
+  return json;
+}
+
+void print_json_result(const StreamFiles& files, const StreamReader& stream, const replay::StreamImport& done,
+                       const replay::RollbackCheck& check) {
   Json json;
   json["log"] = files.output;
   json["engine"] = to_string(stream.header().engine);
@@ -39,12 +55,14 @@ void print_json_result(const StreamFiles& files, const StreamReader& stream, con
   json["hashes_only"] = stream.header().hashes_only;
   json["rewinds"] = stream.rewinds();
   json["superseded_steps"] = stream.superseded().size();
+  json["rollbacks"] = rollback_json(check);
   json["passed_over"] = done.passed_over;
   json["warnings"] = done.warnings;
   print_json(json);
 }
 
-void print_listing(const StreamFiles& files, const StreamReader& stream, const replay::StreamImport& done) {
+void print_listing(const StreamFiles& files, const StreamReader& stream, const replay::StreamImport& done,
+                   const replay::RollbackCheck& check) {
   Listing listing;
   listing.add("engine", printable(to_string(stream.header().engine)));
   listing.add("axes", to_string(stream.header().axes));
@@ -52,6 +70,7 @@ void print_listing(const StreamFiles& files, const StreamReader& stream, const r
   if (stream.rewinds() > 0) {
     listing.add("rewinds", std::to_string(stream.rewinds()) + "; " + count_text(stream.superseded().size(), "step") +
                                " recorded again");
+    listing.add("sync test", printable(replay::describe(check)));
   }
   if (stream.header().hashes_only) listing.add("holds", "hashes only: no body can be compared or drawn");
   listing.add("steps", std::to_string(done.log.steps));
@@ -81,9 +100,14 @@ Result<Exit> import_stream_file(const StreamFiles& files) {
       *stream, [&] { return replay::open_file_sink(files.output); }, bar.progress());
   bar.finish();
   if (!done.ok()) return done.error();
+  const Result<replay::RollbackCheck> check = replay::check_rollbacks(*stream);
+  if (!check.ok()) return check.error();
   for (const std::string& warning : done->warnings)
     std::cerr << "tumble import: warning: " << printable(warning) << '\n';
-  files.json ? print_json_result(files, *stream, *done) : print_listing(files, *stream, *done);
+  files.json ? print_json_result(files, *stream, *done, *check) : print_listing(files, *stream, *done, *check);
+  if (check->first) {
+    std::cerr << "tumble import: warning: rollback: " << printable(replay::describe(*check)) << '\n';
+  }
   return stream->condition().damage ? Exit::kDamaged : Exit::kSame;
 }
 

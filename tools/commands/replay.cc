@@ -10,9 +10,12 @@
 
 #include "replay/diff/difference_report.h"
 #include "replay/log/checked_log.h"
+#include "replay/probe/phase_probes.h"
+#include "src/files/output_guard.h"
 #include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
+#include "tools/engine/replay_engine.h"
 #include "tools/files/log_files.h"
 #include "tools/output/difference_output.h"
 #include "tools/output/divergence_output.h"
@@ -20,6 +23,7 @@
 #include "tools/output/text.h"
 #include "tumble/replay/log_reader.h"
 #include "tumble/replay/replayer.h"
+#include "tumble/sim/limits.h"
 #include "tumble/threads/worker_threads.h"
 
 namespace tumble::tools {
@@ -28,6 +32,9 @@ namespace {
 struct ReplayCommand {
   std::string log;
   std::optional<std::uint64_t> threads;
+  EngineReplay engine;
+  std::string probes;  // file for the probes of a step
+  std::optional<std::uint64_t> probe_step;
   bool brief = false;
   bool json = false;
 };
@@ -66,9 +73,29 @@ Status check_rest(replay::LogReader& log) {
   return checked.ok() ? Status() : Status(checked.error());
 }
 
+/// The probes of one step alone: what `diff --zoom` asks of each of two builds.
+Result<Exit> write_probes(const ReplayCommand& options, replay::LogReader& log) {
+  files::OutputGuard guard;
+  guard.keep(options.log, "the log");
+  if (Status ok = claim_output(guard, "--probes", options.probes); !ok.ok()) return ok.error();
+  if (Status ok = replay::write_phase_probes(log, *options.probe_step, options.probes); !ok.ok()) return ok.error();
+  return judge("replay", log, Exit::kSame);
+}
+
 Result<Exit> replay_command(const ReplayCommand& options) {
   Result<replay::LogReader> log = open_log(options.log);
   if (!log.ok()) return log.error();
+  if (log->header().engine) {
+    EngineReplay how = options.engine;
+    how.brief = options.brief;
+    how.json = options.json;
+    return replay_engine(*log, how);
+  }
+  if (options.probe_step) return write_probes(options, *log);
+  if (!options.engine.scene.empty() || !options.engine.output.empty() || options.engine.no_build) {
+    return bad_input("--scene, -o and --no-build: are for a log of another engine; " + log->name() +
+                     " is of Tumble's own physics");
+  }
   ProgressBar bar("replaying");
   const process::InterruptGuard guard;
   const std::unique_ptr<WorkerThreads> threads = worker_threads(options.threads.value_or(1));
@@ -107,8 +134,23 @@ Action declare_replay(Arguments& arguments) {
   arguments.threads(options->threads);
   arguments.flag("--brief", options->brief,
                  "Stop at the first difference: do not follow its growth, and do not read the rest of the log");
+  arguments.option("--scene", "FILE", options->engine.scene,
+                   "Another engine's log: the scene for {scene} of tumble.toml, instead of the log's text of one");
+  arguments.option("-o,--output", "LOG", options->engine.output,
+                   "Another engine's log: keep the session that the engine computes now");
+  arguments.flag("--no-build", options->engine.no_build,
+                 "Another engine's log: run the engine as it is, without the build commands of tumble.toml");
+  const Argument probes = arguments.option(
+      "--probes", "FILE", options->probes,
+      "Instead: write the probes of step --probe-step to this file, as 'tumble diff --zoom' asks of two builds");
+  const Argument step = arguments.whole("--probe-step", "K", options->probe_step, 1, sim::kStepsMax, "See --probes");
+  probes.needs(step);
+  step.needs(probes);
   arguments.json(options->json);
   arguments.footer(
+      "A log of another engine is replayed by that engine: the nearest tumble.toml, from this folder upwards, says "
+      "how\n"
+      "it is built and run (docs/other_engines.md).\n\n"
       "Exit status: 0 identical, 1 a difference, 3 the log is damaged or torn (its whole part is replayed).\n\n"
       "Examples:\n"
       "  tumble replay brick_wall.tumble\n"

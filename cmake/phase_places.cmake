@@ -1,0 +1,18 @@
+# Writes a line {"phase", "file", line}, for each file of src/thesis and src/layered that defines a function of its own
+# name: such a file is a phase. Usage: cmake -DSOURCE=<tree> -DOUTPUT=<file> -P phase_places.cmake
+file(GLOB files RELATIVE ${SOURCE} ${SOURCE}/src/thesis/*.cc ${SOURCE}/src/layered/*/*.cc)
+set(rows "")
+foreach(file IN LISTS files)
+  get_filename_component(name ${file} NAME_WE)
+  file(READ ${SOURCE}/${file} text)
+  string(FIND "${text}" "\nStatus ${name}(" at)
+  if(at LESS 0)
+    continue()
+  endif()
+  string(SUBSTRING "${text}" 0 ${at} before)
+  string(REGEX MATCHALL "\n" ends "${before}")
+  list(LENGTH ends lines)
+  math(EXPR line "${lines} + 2")
+  string(APPEND rows "{\"${name}\", \"${file}\", ${line}},\n")
+endforeach()
+file(WRITE ${OUTPUT} "${rows}")

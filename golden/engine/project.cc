@@ -1,0 +1,126 @@
+#include "golden/engine/project.h"
+
+#include <new>
+#include <system_error>
+#include <utility>
+
+#include "golden/suite/text_files.h"
+#include "src/process/split_words.h"
+#include "src/scenes/parse_toml.h"
+#include "src/scenes/table_reader.h"
+
+namespace tumble::golden {
+namespace {
+
+namespace fs = std::filesystem;
+using scenes::Problem;
+using scenes::TableReader;
+
+constexpr std::size_t kCommandLengthMax = 10'000;
+constexpr std::size_t kBuildCommandsMax = 100;
+constexpr double kTimeoutMax = 1e6;
+constexpr scenes::NumberRule kTimeoutRule = {"a time", 0, kTimeoutMax, "s"};
+
+/// Whether a command line can be split, where no shell does that.
+bool is_splittable(const std::string& command, bool shell) { return shell || process::split_words(command).ok(); }
+
+/// One command line, or a list of them.
+std::vector<std::string> read_build(TableReader& reader, const toml::table& table, bool shell) {
+  if (!reader.has("build")) return {};
+  std::vector<std::string> commands;
+  const toml::node& node = *table.get("build");
+  const auto add = [&](const toml::node& one) {
+    const auto text = one.value<std::string>();
+    if (text && one.is_string() && text->size() <= kCommandLengthMax && is_splittable(*text, shell)) {
+      commands.push_back(*text);
+      return true;
+    }
+    return false;
+  };
+  bool is_right = node.is_string() ? add(node) : node.is_array();
+  if (const toml::array* list = node.as_array()) {
+    is_right = !list->empty() && list->size() <= kBuildCommandsMax;
+    for (const toml::node& one : *list) is_right = is_right && add(one);
+  }
+  if (!is_right) reader.fail("build", "a command line or a list of them, each with its quotes closed");
+  return commands;
+}
+
+std::string read_command(TableReader& reader, const char* key, bool shell) {
+  std::string command = reader.text(key, "", kCommandLengthMax);
+  if (!command.empty() && !is_splittable(command, shell)) reader.fail(key, "a command line with its quotes closed");
+  return command;
+}
+
+EngineProject read_engine(TableReader& reader, const toml::table& table) {
+  EngineProject project;
+  project.shell = reader.flag("shell", false);
+  project.build = read_build(reader, table, project.shell);
+  project.run = read_command(reader, "run", project.shell);
+  if (project.run.find("{log}") == std::string::npos) {
+    reader.fail("run", "a command line with {log} in it, the file that the engine has to write");
+  }
+  project.scene = reader.text("scene", "", kCommandLengthMax);
+  project.timeout_s = reader.number("timeout", 0, kTimeoutRule);
+  reader.finish();
+  return project;
+}
+
+Result<EngineProject> parse(std::string_view text, const fs::path& file) {
+  Problem problem(file.string());
+  const std::optional<toml::table> root = scenes::parse_toml(text, "", problem);
+  if (!root) return problem.error();
+  TableReader top(*root, "", problem);
+  EngineProject project;
+  if (const toml::table* table = top.table("engine")) {
+    TableReader reader(*table, "[engine]", problem);
+    project = read_engine(reader, *table);
+  } else {
+    top.fail("engine", "a table [engine] with the key run");
+  }
+  top.finish();
+  if (problem.found()) return problem.error();
+  project.file = file;
+  project.folder = file.parent_path();
+  return project;
+}
+
+}  // namespace
+
+Result<EngineProject> parse_project(std::string_view text, const fs::path& file) {
+  try {
+    return parse(text, file);
+  } catch (const std::bad_alloc&) {
+    return cannot_finish(file.string() + ": not enough memory");
+  }
+}
+
+Result<EngineProject> read_project(const fs::path& file) {
+  const Result<std::string> text = read_text(file);
+  if (!text.ok()) return text.error();
+  std::error_code error;
+  return parse_project(*text, fs::absolute(file, error).lexically_normal());
+}
+
+Result<std::optional<EngineProject>> find_project(const fs::path& from) {
+  std::error_code error;
+  fs::path folder = fs::absolute(from, error).lexically_normal();
+  for (;; folder = folder.parent_path()) {
+    if (const fs::path file = folder / kProjectFile; fs::exists(file, error)) {
+      Result<EngineProject> project = read_project(file);
+      if (!project.ok()) return project.error();
+      return std::optional<EngineProject>(*std::move(project));
+    }
+    if (folder == folder.parent_path()) return std::optional<EngineProject>();
+  }
+}
+
+EngineProject project_of_command(const std::string& run, const fs::path& folder, bool shell) {
+  EngineProject project;
+  project.folder = folder;
+  project.run = run;
+  project.shell = shell;
+  return project;
+}
+
+}  // namespace tumble::golden

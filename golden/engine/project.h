@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tumble/sim/result.h"
+
+/// tumble.toml in the root of a project: how its engine is built and run. `replay`, `check`, `bisect` and `diff --zoom`
+/// use it; docs/other_engines.md describes the keys.
+namespace tumble::golden {
+
+inline constexpr const char* kProjectFile = "tumble.toml";
+
+/// [engine] of a tumble.toml.
+struct EngineProject {
+  std::filesystem::path file;      ///< absolute, for messages; empty: the command comes from elsewhere
+  std::filesystem::path folder;    ///< in which every command runs
+  std::vector<std::string> build;  ///< command lines, one after the other; may be empty
+  std::string run;                 ///< with {log}; may have {scene} and {inputs}
+  std::string scene;     ///< {scene} where neither a case nor a command line names one; a path from the folder
+  bool shell = false;    ///< commands are given to sh instead of being split into words
+  double timeout_s = 0;  ///< of a run; 0: none
+};
+
+/// Errors (kBadInput): "<file>:<line>:<column>: [engine] key "run": found …, wanted …".
+Result<EngineProject> parse_project(std::string_view text, const std::filesystem::path& file);
+Result<EngineProject> read_project(const std::filesystem::path& file);
+
+/// The tumble.toml of `from` or of the nearest folder above it; none where no folder has one. Errors: read_project's.
+Result<std::optional<EngineProject>> find_project(const std::filesystem::path& from);
+
+/// A project without a tumble.toml, made of one command line.
+EngineProject project_of_command(const std::string& run, const std::filesystem::path& folder, bool shell);
+
+}  // namespace tumble::golden

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "golden/judge/judge.h"
+#include "replay/diff/separation.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/sim/result.h"
+
+namespace tumble::golden {
+
+/// Several runs of an engine's case, judged together (`repeat`). Where they differ, the engine does not repeat itself
+/// to the bit: the exact verdict fails, every metric has to hold its bounds in every run, its value is the median, and
+/// it has moved only where the median is farther from the blessed value than the runs are from one another.
+class RepeatedRuns {
+ public:
+  /// first: the log of the first run, which `judged` is the judgement of. All must outlive this object.
+  RepeatedRuns(replay::LogReader& first, const Reference& reference, Judged& judged);
+
+  /// Adds another run. Errors: logs that cannot be compared.
+  Status add(replay::LogReader& again);
+
+  /// After the last run: completes `judged`.
+  void finish();
+
+ private:
+  Status compare(replay::LogReader& again);
+  void judge_metrics_of_all();
+
+  replay::LogReader& first_;
+  const Reference& reference_;
+  Judged& judged_;
+  std::uint64_t runs_ = 1;
+  std::vector<std::vector<std::optional<double>>> values_;  // one list a run
+  std::string difference_;                                  // of the first run that differs; empty: none does
+  std::optional<replay::SeparationRow> apart_;              // the largest separation of a run from the first
+};
+
+}  // namespace tumble::golden

@@ -1,0 +1,151 @@
+#include "replay/probe/phase_probes.h"
+
+#include <algorithm>
+#include <array>
+#include <deque>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "replay/probe/tumble_probe.h"
+#include "src/world/scratch.h"
+#include "tumble/replay/body_states.h"
+#include "tumble/replay/player.h"
+#include "tumble/sim/step.h"
+
+namespace tumble::replay {
+namespace {
+
+struct PhasePlace {
+  const char* phase;
+  const char* file;
+  std::uint32_t line;
+};
+
+/// The functions of the phases, from their files when this was built.
+constexpr PhasePlace kPlaces[] = {
+#include <phase_places.inc>  // written by cmake/phase_places.cmake
+};
+
+PhasePlace place_of(std::string_view phase) {
+  for (const PhasePlace& place : kPlaces) {
+    if (phase == place.phase) return place;
+  }
+  return {"", "src/step/step.cc", 0};
+}
+
+/// Writes probes after each phase.
+class PhaseProbes : public sim::Observer {
+ public:
+  PhaseProbes(TumbleProbes& probes, sim::Method method) : probes_(probes), phases_(sim::phase_table(method).phases) {
+    for (const sim::Phase& phase : phases_) sites_.push_back(sites_of(phase.name));
+  }
+
+  void phase_done(std::uint32_t substep, std::size_t phase, const sim::World& world) override {
+    Sites& sites = sites_[phase];
+    hasher_.reset();
+    phases_[phase].hash(world.state(), world.scratch(), hasher_);
+    const Hash128 hash = hasher_.digest();
+    tumble_probes_write(&probes_, &sites.hash, TUMBLE_PROBE_U64, substep, 0, hash.low);
+    write_bodies(sites, world.bodies());
+    // Before these phases the memory holds the contacts of the step before, of bodies that may be gone.
+    has_contacts_ = has_contacts_ || std::string_view(phases_[phase].name) == "find_manifolds" ||
+                    std::string_view(phases_[phase].name) == "find_contacts";
+    if (!has_contacts_) return;
+    if (world.state().def.method == sim::Method::kThesis) {
+      write_thesis_contacts(sites, world);
+    } else {
+      write_manifolds(sites, world);
+    }
+  }
+
+ private:
+  struct Sites {
+    TumbleProbeSite hash, depth, impulse;
+    std::array<TumbleProbeSite, kColumnCount> columns;
+  };
+
+  /// The site of one quantity after a phase. Its texts last as long as this object.
+  TumbleProbeSite site(const std::string& phase, const std::string& what) {
+    const PhasePlace place = place_of(phase);
+    names_.push_back(phase + ": " + what);
+    return {names_.back().c_str(), place.file, place.line, 0, 0};
+  }
+
+  Sites sites_of(const std::string& phase) {
+    Sites sites{site(phase, "hash of what it wrote, by substep"),
+                site(phase, "depth of a contact"),
+                site(phase, "impulse of a contact"),
+                {}};
+    for (std::size_t c = 0; c < kColumnCount; ++c) sites.columns[c] = site(phase, kColumnNames[c]);
+    return sites;
+  }
+
+  void write_bodies(Sites& sites, const sim::Bodies& bodies) {
+    const ConstColumns columns = columns_of(bodies);
+    for (sim::BodyIndex i = 0; i < bodies.size(); ++i) {
+      if (!bodies.moves(i)) continue;
+      for (const std::size_t c : kFieldOrder) {
+        tumble_probes_write(&probes_, &sites.columns[c], TUMBLE_PROBE_F64, bodies.id[i], 0,
+                            tumble_probe_bits((*columns[c])[i]));
+      }
+    }
+  }
+
+  void write_contact(Sites& sites, const sim::World& world, sim::BodyIndex a, sim::BodyIndex b, double depth,
+                     double impulse) {
+    const auto id = [&](sim::BodyIndex i) { return i == sim::kGround ? 0 : world.bodies().id[i]; };
+    const auto [low, high] = std::minmax({id(a), id(b)});
+    constexpr int kKind = TUMBLE_PROBE_F64 | TUMBLE_PROBE_OF_PAIR;
+    tumble_probes_write(&probes_, &sites.depth, kKind, low, high, tumble_probe_bits(depth));
+    tumble_probes_write(&probes_, &sites.impulse, kKind, low, high, tumble_probe_bits(impulse));
+  }
+
+  void write_thesis_contacts(Sites& sites, const sim::World& world) {
+    const sim::Contacts& contacts = world.scratch().contacts;
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+      write_contact(sites, world, contacts.a[i], contacts.b[i], contacts.depth[i],
+                    i < contacts.impulse.size() ? sim::length(contacts.impulse[i]) : 0);
+    }
+  }
+
+  void write_manifolds(Sites& sites, const sim::World& world) {
+    const sim::Scratch& scratch = world.scratch();
+    for (const sim::Manifold& manifold : scratch.manifolds) {
+      if (manifold.asleep) continue;
+      for (const sim::ManifoldPoint& point : sim::points_of(scratch, manifold)) {
+        write_contact(sites, world, manifold.a, manifold.b, -point.separation, point.impulse);
+      }
+    }
+  }
+
+  TumbleProbes& probes_;
+  std::span<const sim::Phase> phases_;
+  std::deque<std::string> names_;
+  std::vector<Sites> sites_;
+  Hasher hasher_;
+  bool has_contacts_ = false;
+};
+
+}  // namespace
+
+Status write_phase_probes(LogReader& log, std::uint64_t k, const std::string& path) {
+  if (k <= log.first_state() || k > log.last_step()) {
+    return bad_input(log.name() + ": found no step " + std::to_string(k) + " to take again");
+  }
+  Result<Player> player = Player::at(log, k - 1);
+  if (!player.ok()) return player.error();
+  TumbleProbes probes;
+  if (tumble_probes_open(&probes, path.c_str(), k) != 0) {
+    return cannot_finish(path + ": cannot be written");
+  }
+  PhaseProbes observer(probes, player->world().state().def.method);
+  tumble_probes_step(&probes, k);
+  const Result<const StepRecord*> taken = player->step(&observer);
+  const bool is_written = tumble_probes_close(&probes) == 0;
+  if (!taken.ok()) return taken.error();
+  return is_written ? Status() : Status(cannot_finish(path + ": cannot be written to its end (full disk?)"));
+}
+
+}  // namespace tumble::replay

@@ -1,0 +1,67 @@
+// A sync test: steps that a rollback took again with equal inputs have equal results, or the first other one is named.
+#include "replay/stream/rollback_check.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/recorder/recorded.h"
+
+namespace tumble::test {
+namespace {
+
+/// Steps 3 and 4 of three bodies, recorded again after a rewind; body 1 is `off` higher in step 4, and pushed before
+/// step 3 by `push`.
+StreamBytes taken_again(double off, double push) {
+  const auto again = [&](TumbleRec* rec) {
+    ASSERT_EQ(tumble_rec_rewind(rec, 2), TUMBLE_REC_OK) << tumble_rec_message(rec);
+    for (std::uint64_t k = 3; k <= 4; ++k) {
+      const double impulse[3] = {push, 0, 0};
+      if (push != 0 && k == 3) tumble_rec_push(rec, 1, impulse);
+      tumble_rec_step_begin(rec, 0.0625);
+      for (std::uint64_t id = 1; id <= 3; ++id) {
+        TumbleRecState state = state_at(id, k);
+        if (id == 2) state = state_at(id, 3), state.asleep = 1;
+        if (id == 1 && k == 4) state.position[2] += off;
+        tumble_rec_state(rec, id, &state);
+      }
+      ASSERT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK) << tumble_rec_message(rec);
+    }
+  };
+  return record(3, 4, again, [](TumbleRecDef& def) { def.rollback_steps = 4; });
+}
+
+replay::RollbackCheck check(const StreamBytes& bytes) {
+  const Result<replay::StreamReader> stream = open_stream(bytes);
+  EXPECT_TRUE(stream.ok());
+  Result<replay::RollbackCheck> found = replay::check_rollbacks(*stream);
+  EXPECT_TRUE(found.ok());
+  return *found;
+}
+
+TEST(RollbackCheck, EqualInputsAndEqualResultsPass) {
+  const replay::RollbackCheck found = check(taken_again(0, 0));
+  EXPECT_EQ(found.compared, 2U);
+  EXPECT_EQ(found.not_compared, 0U);
+  EXPECT_FALSE(found.first) << describe(found);
+  EXPECT_EQ(describe(found), "2 steps taken again with equal inputs, all with equal results");
+}
+
+TEST(RollbackCheck, NamesTheFirstStepBodyAndFieldThatCameOutOtherwise) {
+  const replay::RollbackCheck found = check(taken_again(0.5, 0));
+  ASSERT_TRUE(found.first);
+  EXPECT_EQ(found.first->step, 4U);
+  EXPECT_EQ(found.first->body, 1U);
+  EXPECT_EQ(found.first->field, "position.z");
+  EXPECT_EQ(found.first->before, "4.5");
+  EXPECT_EQ(found.first->after, "5");
+  EXPECT_EQ(found.compared, 2U);
+}
+
+TEST(RollbackCheck, OtherInputsAreNoFault) {
+  const replay::RollbackCheck found = check(taken_again(0.5, 2));
+  EXPECT_FALSE(found.first) << describe(found);
+  EXPECT_EQ(found.compared, 0U);
+  EXPECT_EQ(found.not_compared, 2U);
+}
+
+}  // namespace
+}  // namespace tumble::test

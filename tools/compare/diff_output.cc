@@ -1,0 +1,116 @@
+#include "tools/compare/diff_output.h"
+
+#include <algorithm>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "tools/output/blame_output.h"
+#include "tools/output/difference_output.h"
+#include "tools/output/divergence_output.h"
+#include "tools/output/text.h"
+
+namespace tumble::tools {
+namespace {
+
+// If one log is longer and equal so far, the first difference is the step that only this log has.
+std::optional<replay::Divergence> first_of(const replay::DiffReport& report) {
+  if (report.first || report.identical()) return report.first;
+  replay::Divergence end;
+  end.step = std::min(report.last_a, report.last_b) + 1;
+  end.phase = "step";
+  end.field = "steps";
+  end.expected = report.last_a;
+  end.actual = report.last_b;
+  return end;
+}
+
+constexpr std::size_t kHeadersShown = 20;
+
+/// The first word of the verdict, and what was read for it.
+std::string same_text(const DiffQuestion& options, std::uint64_t zeros, const std::string& steps) {
+  const std::string words = options.exact_bits ? "identical: " + steps : "same within tolerances: " + steps;
+  if (options.brief) return words + ", by hashes; payloads not read";
+  if (zeros > 0) return words + ", but for the sign of " + count_text(zeros, "zero");
+  return words + (options.exact_bits ? ", every bit" : "");
+}
+
+void print_text(const DiffQuestion& options, const replay::DiffReport& report) {
+  for (std::size_t i = 0; i < std::min(kHeadersShown, report.headers.size()); ++i) {
+    std::cout << "header: " << printable(describe(report.headers[i])) << '\n';
+  }
+  if (report.headers.size() > kHeadersShown) {
+    std::cout << "header: " << report.headers.size() - kHeadersShown << " more differences (all with --json)\n";
+  }
+  for (const std::string& note : report.notes) std::cout << "note: " << printable(note) << '\n';
+  if (report.from > 0) std::cout << "compared from step " << report.from << " on, which both logs have\n";
+  const std::string steps = count_text(report.steps, "step");
+  if (report.identical()) {
+    std::cout << same_text(options, report.zeros, steps) << '\n';
+  } else if (report.first) {
+    std::cout << "different from step " << report.first->step << " on\n";
+  } else {
+    std::cout << "different in length: the first ends with step " << report.last_a << ", the second with step "
+              << report.last_b << "; the " << steps << " of both are the same\n";
+  }
+  if (const std::string though = report.though(); !though.empty()) std::cout << "  " << though << '\n';
+  if (!report.first) print_scope(report.scope);
+}
+
+Json headers_json(const std::vector<replay::HeaderDifference>& headers) {
+  Json rows = Json::array();
+  for (const replay::HeaderDifference& difference : headers) {
+    rows.push_back({{"key", difference.key},
+                    {"expected", value_json(difference.a)},
+                    {"actual", value_json(difference.b)},
+                    {"acts", difference.acts},
+                    {"excused", difference.excused}});
+  }
+  return rows;
+}
+
+// The command that explains the first value that differs, in a log whose step this build repeats; empty where there is
+// none.
+std::string next_command(const DiffQuestion& options, const Difference& difference) {
+  if (!difference || !difference->effect) return "";
+  const replay::DivergenceLocation& location = difference->location;
+  if (!location.as_a && !location.as_b) return "";
+  return blame_command(location.as_b ? options.b : options.a, *difference->effect);
+}
+
+}  // namespace
+
+void print_result(const DiffQuestion& options, const replay::DiffReport& report, const Difference& difference,
+                  const Further& further) {
+  if (options.json) {
+    Json json = comparison_json(report.identical(), report.steps, first_of(report));
+    json["read"] = further.read;
+    add_scope(report.scope, json);
+    json["zeros_of_other_sign"] = report.zeros;
+    json["notes"] = report.notes;
+    json["headers"] = Json::array();
+    for (const replay::HeaderDifference& header : report.headers) json["headers"].push_back(describe(header));
+    json["header_differences"] = headers_json(report.headers);
+    if (difference) add_difference(*difference, Compared::kTwoLogs, json);
+    const std::string next = next_command(options, difference);
+    json["next"] = next.empty() ? Json(nullptr) : Json(next);
+    if (options.zoom) json["zoom"] = further.zoom ? zoom_json(*further.zoom) : Json(nullptr);
+    if (options.apart) json["apart"] = parting_json(further.parting, *options.apart);
+    print_json(json);
+    return;
+  }
+  print_text(options, report);
+  const Sides sides = sides_of(options.a, options.b);
+  if (difference) {
+    print_difference(*difference, Compared::kTwoLogs, sides);
+    const std::string next = next_command(options, difference);
+    if (!next.empty()) std::cout << "to find the cause of that value: " << printable(next) << '\n';
+  } else if (report.first) {
+    std::cout << "cause   " << printable(replay::cause_of(report, *report.first)) << '\n';
+    print_divergence(*report.first, sides);
+    if (options.brief) std::cout << "  read        " << further.read << ", so damage in them is not seen\n";
+  }
+  if (further.zoom) print_zoom(*further.zoom, sides);
+}
+
+}  // namespace tumble::tools

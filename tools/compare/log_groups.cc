@@ -1,0 +1,183 @@
+#include "tools/compare/log_groups.h"
+
+#include <algorithm>
+#include <functional>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <utility>
+
+#include "src/process/interrupt.h"
+#include "tools/files/log_files.h"
+#include "tools/output/difference_output.h"
+#include "tools/output/divergence_output.h"
+#include "tools/output/progress.h"
+#include "tools/output/text.h"
+
+namespace tumble::tools {
+namespace {
+
+/// Sorts logs into groups, the longest logs first: a group is known by its longest log.
+class Grouping {
+ public:
+  Grouping(std::vector<replay::LogReader>& logs, const replay::Progress& progress) : logs_(logs), progress_(progress) {}
+
+  Result<LogGroups> run() {
+    std::vector<std::size_t> order(logs_.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return logs_[i].last_step(); });
+    result_.same_length = logs_[order.front()].last_step() == logs_[order.back()].last_step();
+    for (const std::size_t log : order) {
+      if (Status ok = place(log); !ok.ok()) return ok.error();
+    }
+    for (const auto& [log, matches] : undecided_) {
+      const auto largest =
+          std::ranges::max_element(matches, {}, [&](std::size_t group) { return result_.groups[group].logs.size(); });
+      result_.groups[*largest].logs.push_back(log);
+      result_.ambiguous.push_back(log);
+    }
+    for (LogGroup& group : result_.groups) std::ranges::sort(group.logs);
+    std::ranges::sort(result_.ambiguous);
+    std::ranges::stable_sort(result_.groups, [](const LogGroup& a, const LogGroup& b) {
+      return a.logs.size() != b.logs.size() ? a.logs.size() > b.logs.size() : a.logs.front() < b.logs.front();
+    });
+    if (Status ok = explain(); !ok.ok()) return ok.error();
+    return std::move(result_);
+  }
+
+ private:
+  Status place(std::size_t log) {
+    std::vector<std::size_t> matches;
+    for (std::size_t g = 0; g < result_.groups.size(); ++g) {
+      Result<replay::DiffReport> report =
+          replay::diff_logs(logs_[result_.groups[g].longest], logs_[log], {}, progress_);
+      if (!report.ok()) return report.error();
+      if (report->first) continue;
+      matches.push_back(g);
+      result_.scope = std::move(report->scope);
+    }
+    if (matches.empty()) {
+      LogGroup group;
+      group.logs = {log};
+      group.longest = log;
+      result_.groups.push_back(std::move(group));
+    } else if (matches.size() == 1) {
+      result_.groups[matches.front()].logs.push_back(log);
+    } else {
+      undecided_.emplace_back(log, std::move(matches));
+    }
+    return {};
+  }
+
+  Status explain() {
+    for (std::size_t g = 1; g < result_.groups.size(); ++g) {
+      LogGroup& group = result_.groups[g];
+      replay::LogReader &major = logs_[result_.groups[0].longest], &odd = logs_[group.longest];
+      Result<replay::DiffReport> report = replay::diff_logs(major, odd, {}, progress_);
+      if (!report.ok()) return report.error();
+      group.against = *std::move(report);
+      if (!group.against.first) continue;
+      Result<replay::DifferenceReport> difference = replay::report_difference(major, odd, group.against, progress_);
+      if (!difference.ok()) return difference.error();
+      group.against.first = difference->first;
+      group.difference = *std::move(difference);
+    }
+    return {};
+  }
+
+  std::vector<replay::LogReader>& logs_;
+  const replay::Progress& progress_;
+  LogGroups result_;
+  std::vector<std::pair<std::size_t, std::vector<std::size_t>>> undecided_;  // and the groups that they agree with
+};
+
+std::string names_text(const std::vector<std::string>& paths, const std::vector<std::size_t>& logs) {
+  std::string text;
+  for (const std::size_t log : logs) text += (text.empty() ? "" : ", ") + printable(paths[log]);
+  return text;
+}
+
+void print_groups(const std::vector<std::string>& paths, const std::vector<replay::LogReader>& logs,
+                  const LogGroups& found) {
+  const std::string all = count_text(paths.size(), "log");
+  if (found.groups.size() == 1) {
+    std::cout << (found.same_length ? "identical: " : "different in length: ") << all
+              << ", the same in every compared bit of the steps that they share\n";
+  } else {
+    std::cout << "different: " << all << " in " << found.groups.size() << " groups";
+    std::cout << (found.has_majority() ? "\n" : "; no group is the largest, so none is the odd one\n");
+  }
+  for (std::size_t g = 0; g < found.groups.size(); ++g) {
+    const LogGroup& group = found.groups[g];
+    std::cout << (g > 0 && found.has_majority() ? "  odd      " : "  agree    ") << names_text(paths, group.logs);
+    if (group.against.first) std::cout << ": different from step " << group.against.first->step << " on";
+    std::cout << '\n';
+  }
+  const std::uint64_t longest = logs[found.groups[0].longest].last_step();
+  for (std::size_t i = 0; i < logs.size(); ++i) {
+    if (logs[i].last_step() == longest) continue;
+    std::cout << "  note     " << printable(paths[i]) << " ends with step " << logs[i].last_step() << ", another with "
+              << longest << '\n';
+  }
+  if (!found.ambiguous.empty()) {
+    std::cout << "  note     " << names_text(paths, found.ambiguous)
+              << ": too short to tell the groups apart, counted with the largest\n";
+  }
+  for (std::size_t g = 1; g < found.groups.size(); ++g) {
+    const LogGroup& group = found.groups[g];
+    if (!group.difference) continue;
+    const std::string &a = paths[found.groups[0].longest], &b = paths[group.longest];
+    std::cout << '\n' << printable(b) << " against " << printable(a) << '\n';
+    print_difference(*group.difference, Compared::kTwoLogs, sides_of(a, b));
+  }
+  if (found.groups.size() == 1) print_scope(found.scope);
+}
+
+Json groups_json(const std::vector<std::string>& paths, const LogGroups& found) {
+  Json json = {{"identical", found.identical()},
+               {"logs", paths},
+               {"has_majority", found.has_majority()},
+               {"groups", Json::array()}};
+  for (std::size_t g = 0; g < found.groups.size(); ++g) {
+    const LogGroup& group = found.groups[g];
+    Json one = {{"logs", Json::array()}, {"odd", g > 0 && found.has_majority()}};
+    for (const std::size_t log : group.logs) one["logs"].push_back(paths[log]);
+    one["first"] = group.against.first ? divergence_json(*group.against.first) : Json(nullptr);
+    if (group.difference) add_difference(*group.difference, Compared::kTwoLogs, one);
+    json["groups"].push_back(std::move(one));
+  }
+  json["too_short"] = Json::array();
+  for (const std::size_t log : found.ambiguous) json["too_short"].push_back(paths[log]);
+  add_scope(found.scope, json);
+  return json;
+}
+
+}  // namespace
+
+Result<LogGroups> group_logs(std::vector<replay::LogReader>& logs, const replay::Progress& progress) {
+  return Grouping(logs, progress).run();
+}
+
+Result<Exit> diff_many(const std::vector<std::string>& paths, bool json) {
+  std::vector<replay::LogReader> logs;
+  for (const std::string& path : paths) {
+    Result<replay::LogReader> log = open_log(path);
+    if (!log.ok()) return log.error();
+    logs.push_back(*std::move(log));
+  }
+  const process::InterruptGuard guard;
+  ProgressBar bar("comparing");
+  const Result<LogGroups> found = group_logs(logs, bar.progress());
+  bar.finish();
+  if (!found.ok()) return found.error();
+  if (json) {
+    print_json(groups_json(paths, *found));
+  } else {
+    print_groups(paths, logs, *found);
+  }
+  Exit verdict = found->identical() ? Exit::kSame : Exit::kDifference;
+  for (const replay::LogReader& log : logs) verdict = judge("diff", log, verdict);
+  return verdict;
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "replay/diff/difference_report.h"
+#include "tools/output/exit.h"
+#include "tumble/replay/compare.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/replay/progress.h"
+#include "tumble/sim/result.h"
+
+namespace tumble::tools {
+
+/// Logs of runs that should agree (the peers of a lockstep game, repeated runs), all of which agree in every step that
+/// they share.
+struct LogGroup {
+  std::vector<std::size_t> logs;  ///< indices, ascending
+  std::size_t longest = 0;        ///< the log that stands for the group
+  replay::DiffReport against;     ///< of the first group's log and this one's; empty in the first group
+  std::optional<replay::DifferenceReport> difference;  ///< likewise
+};
+
+struct LogGroups {
+  std::vector<LogGroup> groups;        ///< the largest first; of equal size, that of the earlier log
+  std::vector<std::size_t> ambiguous;  ///< logs too short to tell groups apart; each is in the largest it agrees with
+  replay::ComparisonScope scope;       ///< of one of the comparisons
+  bool same_length = false;            ///< all logs end with the same step
+  [[nodiscard]] bool identical() const { return groups.size() == 1 && same_length; }
+  [[nodiscard]] bool has_majority() const {
+    return groups.size() == 1 || groups[0].logs.size() > groups[1].logs.size();
+  }
+};
+
+/// Groups logs by their hashes, every byte of each read. Errors: diff_logs()'.
+Result<LogGroups> group_logs(std::vector<replay::LogReader>& logs, const replay::Progress& progress = {});
+
+/// `diff A B C …`: groups the logs, names the odd ones and the first difference of each.
+Result<Exit> diff_many(const std::vector<std::string>& paths, bool json);
+
+}  // namespace tumble::tools

@@ -1,0 +1,85 @@
+#include "tools/engine/engine_session.h"
+
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "golden/engine/engine_run.h"
+#include "golden/engine/inputs_file.h"
+#include "golden/engine/session_file.h"
+#include "golden/suite/text_files.h"
+#include "src/process/interrupt.h"
+#include "tools/output/text.h"
+
+namespace tumble::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string absolute(const std::string& path) {
+  std::error_code error;
+  return path.empty() ? "" : fs::absolute(path, error).lexically_normal().string();
+}
+
+/// The scene and the inputs of the log as files for the engine.
+Result<golden::RunFiles> files_for(replay::LogReader& log, const golden::EngineProject& project,
+                                   const EngineSessionOptions& options, const fs::path& folder) {
+  golden::RunFiles files;
+  files.log = (folder / "session").string();
+  files.inputs = (folder / "inputs.jsonl").string();
+  const Result<std::string> inputs = golden::inputs_text(log);
+  if (!inputs.ok()) return inputs.error();
+  if (Status ok = golden::write_file(files.inputs, std::string_view(*inputs)); !ok.ok()) return ok.error();
+  files.scene = absolute(options.scene);
+  const std::string& text = log.header().scene_text;
+  if (files.scene.empty() && !text.empty()) {
+    files.scene = (folder / "scene.toml").string();
+    if (Status ok = golden::write_file(files.scene, std::string_view(text)); !ok.ok()) return ok.error();
+  }
+  if (files.scene.empty() && !project.scene.empty()) files.scene = (project.folder / project.scene).string();
+  files.no_scene = "the log holds no scene text, [engine] has no key scene, and no --scene was given";
+  return files;
+}
+
+}  // namespace
+
+Result<golden::EngineProject> project_for(const replay::LogReader& log) {
+  Result<std::optional<golden::EngineProject>> found = golden::find_project(".");
+  if (!found.ok()) return found.error();
+  if (*found) return **std::move(found);
+  return bad_input(printable(log.name()) + ": this log was written by " + to_string(*log.header().engine) +
+                   "; it cannot be replayed, only compared (diff, measure, dump, render, check), unless a " +
+                   golden::kProjectFile +
+                   " in this folder or above says how that engine runs: [engine] with run = \"… {log}\" "
+                   "(docs/other_engines.md)");
+}
+
+Result<EngineSession> run_engine_session(replay::LogReader& log, const golden::EngineProject& project,
+                                         const EngineSessionOptions& options, const fs::path& folder) {
+  const auto interrupted = [] { return process::InterruptGuard::interrupted(); };
+  Result<golden::RunFiles> files = files_for(log, project, options, folder);
+  if (!files.ok()) return files.error();
+  if (!options.no_build) {
+    if (Status ok = golden::build_engine(project, folder / "build.txt", interrupted); !ok.ok()) return ok.error();
+  }
+  golden::RunPlace place = {folder / "output.txt", {}, true, interrupted};
+  if (options.probed) {
+    place.environment = {{"TUMBLE_PROBE_FILE", options.probed->file},
+                         {"TUMBLE_PROBE_STEP", std::to_string(options.probed->step)}};
+  }
+  if (Status ok = golden::run_project(project, project.run, *files, place); !ok.ok()) return ok.error();
+  EngineSession session;
+  const Result<std::vector<std::string>> words = golden::engine_words(project, project.run, *files);
+  if (words.ok()) session.command = golden::engine_words_text(*words);
+  Result<std::string> made =
+      golden::log_of_session(files->log, (folder / "converted.tumble").string(), &log, session.warnings);
+  if (!made.ok()) {
+    return Error{made.error().kind, (project.file.empty() ? "" : project.file.string() + ": ") +
+                                        "the engine's command \"" + project.run + "\" " + made.error().message +
+                                        golden::end_of_output(place.output)};
+  }
+  session.log = *std::move(made);
+  return session;
+}
+
+}  // namespace tumble::tools

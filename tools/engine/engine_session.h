@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "golden/engine/project.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/sim/result.h"
+
+namespace tumble::tools {
+
+/// A step whose probes the engine writes, and the file for them.
+struct ProbedStep {
+  std::uint64_t step = 0;
+  std::string file;
+};
+
+/// How an engine computes the session of a log anew.
+struct EngineSessionOptions {
+  std::string scene;                 ///< {scene}; empty: the text in the log, else that of the project
+  bool no_build = false;             ///< run the engine as it is
+  std::optional<ProbedStep> probed;  ///< none: without probes
+};
+
+/// A session that an engine computed anew.
+struct EngineSession {
+  std::string log;                    ///< its path, in the folder given
+  std::string command;                ///< as a person would type it
+  std::vector<std::string> warnings;  ///< of a table
+};
+
+/// The project of the nearest tumble.toml from the current folder upwards. log: of another engine, for the message.
+/// Errors: none there, or a wrong one.
+Result<golden::EngineProject> project_for(const replay::LogReader& log);
+
+/// Builds and runs the engine with the scene and the inputs of a log, and makes a log of what it wrote. folder: a new
+/// one, for all files. Errors: an engine that cannot be built or run, a session that is none.
+Result<EngineSession> run_engine_session(replay::LogReader& log, const golden::EngineProject& project,
+                                         const EngineSessionOptions& options, const std::filesystem::path& folder);
+
+}  // namespace tumble::tools
