@@ -157,9 +157,11 @@ class Chain {
   /// A value that the same phase wrote with another is asked for as it was before the phase; frozen flags as after it.
   static std::size_t write_before(std::size_t write, std::size_t to) { return to == kFrozenField ? write + 1 : write; }
 
+  /// Leaves out the phase that the answer before has named.
   void add(const std::vector<BlameAnswer>& answers) {
+    const std::string named = blame_.answers.empty() ? std::string() : blame_.answers.back().phase;
     for (const BlameAnswer& answer : answers) {
-      if (wants_more()) blame_.answers.push_back(answer);
+      if (wants_more() && answer.phase != named) blame_.answers.push_back(answer);
     }
   }
 

@@ -95,6 +95,11 @@ void add_weight(const BodyAccount& account, const ContactFacts& facts, Making& m
 // to few contacts stands first.
 void layered(const BodyAccount& account, const ContactFacts& facts, Making& making) {
   if (facts.fast) return add_fast(account, facts, making);
+  if (facts.asleep) {
+    making.add(facts.found_by, "asleep", "", std::string("true"),
+               "both rest, so it is kept with " + rounded(facts.recalled, "N s") + " and not solved");
+    return near_pairs(account, "find_near_pairs", making);
+  }
   if (facts.woke) making.add("wake_islands", "woken", "", std::string("true"), "woken in this step");
   if (parted(account, facts.other) || facts.separation < -kDeep) {
     making.add("part_overlaps", "separation", "m", facts.separation,
