@@ -140,6 +140,7 @@ struct Header {
   }
   recovered @16 :Recovered;     # null: the log was not recovered
   phaseHashVersion @17 :UInt32 = 1;  # version of phase words and of `contacts`; 1 for another engine
+  phaseHashesEvery @19 :UInt32 = 1;  # 1: all steps have phase words; n: multiples of n only; 0: none
 }
 
 # The physics engine that computed the steps. Such steps can be compared, measured and drawn, but not computed again.

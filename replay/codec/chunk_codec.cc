@@ -1,6 +1,7 @@
 #include "replay/codec/chunk_codec.h"
 
 #include <algorithm>
+#include <new>
 #include <string>
 
 #include "replay/codec/blob.h"
@@ -176,6 +177,18 @@ Status decode_steps(schema::Chunk::Reader in, Chunk& chunk) {
                                   [](StepRecord& step, std::uint8_t v) { step.has_states = v != 0; });
 }
 
+constexpr std::size_t kStoredBytes = kColumnCount * 8 + 1;  // of a body that touched something, in one step
+
+/// Memory for the first message and for those to come, in which more bodies may move: pages that are never used cost
+/// nothing. Empty where there is not as much: each message then takes what it needs.
+MessageBytes room_for(std::size_t bytes) {
+  try {
+    return MessageBytes(bytes / 8 * 8);
+  } catch (const std::bad_alloc&) {
+    return {};
+  }
+}
+
 Status check_counts(schema::Chunk::Reader in) {
   if (in.getStepCount() > kStepsPerChunkRead || in.getFirstStep() == 0 || in.getFirstStep() > sim::kStepsMax) {
     return damaged("chunk: found " + std::to_string(in.getStepCount()) + " steps from step " +
@@ -193,13 +206,15 @@ Result<MessageBytes> ChunkEncoder::encode(const Keyframe& keyframe, Steps steps)
   if (Status ok = states_->encode(keyframe.state, steps); !ok.ok()) return ok.error();
   std::size_t bytes = states_->bytes() + encoded_bytes(keyframe.state);
   for (const StepRecord& step : steps) bytes += 80 + step.phase_words.size() * 8 + step.inputs.size() * 400;
-  return write_message<schema::Chunk>(bytes, [&](schema::Chunk::Builder out) {
+  if (spare_.bytes().empty()) spare_ = room_for(bytes + steps.size() * keyframe.state.bodies.size() * kStoredBytes);
+  const auto fill = [&](schema::Chunk::Builder out) {
     out.setFirstStep(keyframe.state.step + 1);
     out.setStepCount(static_cast<std::uint32_t>(steps.size()));
     replay::encode(keyframe, out.initKeyframe());
     encode_steps(steps, out);
     states_->copy_to(out.initStates());
-  });
+  };
+  return write_message<schema::Chunk>(bytes, fill, std::move(spare_));
 }
 
 ChunkDecoder::ChunkDecoder() = default;

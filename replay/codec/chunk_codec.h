@@ -21,7 +21,11 @@ class ChunkEncoder {
   /// Errors (kCannotFinish): out of memory; a state has other bodies than keyframe and inputs lead to.
   Result<MessageBytes> encode(const Keyframe& keyframe, std::span<const StepRecord> steps);
 
+  /// Takes back the memory of a message that is needed no longer, for the next one.
+  void take_back(MessageBytes message) { spare_ = std::move(message); }
+
  private:
+  MessageBytes spare_;
   std::unique_ptr<StateEncoder> states_;
 };
 

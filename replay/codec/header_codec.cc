@@ -116,6 +116,7 @@ Result<LogHeader> decode_root(schema::Header::Reader in, std::uint64_t message_b
     header.recovered = *std::move(recovered);
   }
   header.states.every = in.getStatesEvery();
+  header.hashes.every = in.getPhaseHashesEvery();
   header.chunk_steps_max = in.getChunkStepsMax();
   header.chunk_bytes_max = in.getChunkBytesMax();
   return header;
@@ -155,6 +156,7 @@ Result<MessageBytes> encode_header(const LogHeader& header) {
     }
     if (header.recovered) encode_recovered(*header.recovered, out.initRecovered());
     out.setStatesEvery(header.states.every);
+    out.setPhaseHashesEvery(header.hashes.every);
     out.setChunkStepsMax(header.chunk_steps_max);
     out.setChunkBytesMax(header.chunk_bytes_max);
   });

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "src/base/check.h"
@@ -21,9 +22,22 @@ class MessageBytes {
  public:
   MessageBytes() = default;
   /// bytes: a multiple of 8.
-  explicit MessageBytes(std::size_t bytes)
-      : words_(std::make_unique_for_overwrite<std::uint64_t[]>(bytes / 8)), bytes_(bytes) {
+  explicit MessageBytes(std::size_t bytes) : MessageBytes(bytes, MessageBytes()) {}
+  /// In the memory of `spare` where that is enough: pages that were touched before cost nothing again.
+  MessageBytes(std::size_t bytes, MessageBytes spare) : MessageBytes(std::move(spare)) {
     SIM_CHECK(bytes % 8 == 0, bytes);
+    if (words_ == nullptr || bytes > capacity_) {
+      words_.reset();
+      words_ = std::make_unique_for_overwrite<std::uint64_t[]>(bytes / 8);
+      capacity_ = bytes;
+    }
+    bytes_ = bytes;
+  }
+
+  /// Keeps the first `bytes` bytes.
+  void shorten(std::size_t bytes) {
+    SIM_CHECK(bytes % 8 == 0 && bytes <= bytes_, bytes, bytes_);
+    bytes_ = bytes;
   }
 
   [[nodiscard]] std::span<std::byte> bytes() { return {reinterpret_cast<std::byte*>(words_.get()), bytes_}; }
@@ -34,6 +48,7 @@ class MessageBytes {
  private:
   std::unique_ptr<std::uint64_t[]> words_;
   std::size_t bytes_ = 0;
+  std::size_t capacity_ = 0;
 };
 
 /// Compresses a message to one zstd frame that holds the size and a checksum of the message. Logs use level 1: level 3

@@ -139,7 +139,7 @@ class Diff {
   /// value is a hash over all steps before, so two chains that differ once never agree again: a binary search finds the
   /// place. If log B ends a chunk at that step too, the index of each log has the value, and no chunk is decoded.
   [[nodiscard]] Result<std::uint64_t> last_known_same(std::uint64_t from, std::uint64_t last) {
-    if (!same_words_) return from;  // chains cover phase words
+    if (!same_words_ || a_.header().hashes != b_.header().hashes) return from;  // chains cover phase words
     const Result<Hash128> chain_a = a_.chain_at(from), chain_b = b_.chain_at(from);
     if (!chain_a.ok()) return chain_a.error();
     if (!chain_b.ok()) return chain_b.error();
@@ -193,7 +193,7 @@ class Diff {
     if (!b.ok()) return b.error();
     if (states_only_ && (*a)->dt == (*b)->dt && (*a)->state_hash == (*b)->state_hash) return {};
     StepRecord actual = **b;
-    if (!same_words_) leave_out_phase_words(**a, actual);
+    leave_out_words(**a, actual);
     if (chain_next({}, **a) == chain_next({}, actual)) return {};
     return compare_states(k, **a, actual);
   }
@@ -225,7 +225,7 @@ class Diff {
 
   /// Finds the first difference. Fields that this kind of comparison leaves out are first made equal in `actual`.
   void judge(const StepRecord& expected, StepRecord& actual) {
-    if (!same_words_) leave_out_phase_words(expected, actual);
+    leave_out_words(expected, actual);
     if (imported_) forgive_signs(expected, actual);
     if (!tolerances_.exact()) {
       forgive_states(expected.states, actual.states, tolerances_);
@@ -241,6 +241,11 @@ class Diff {
     if (by_states && have_states && same_bits(expected.states, actual.states)) actual.state_hash = expected.state_hash;
     report_.first = first_difference(expected, actual, phases_);
     if (report_.first && in_binary32()) count_in_binary32(*report_.first);
+  }
+
+  void leave_out_words(const StepRecord& expected, StepRecord& actual) const {
+    if (states_only_) actual.phase_words = expected.phase_words;
+    leave_out_phase_words(a_.header(), b_.header(), expected, actual);
   }
 
   /// A change of axes turns 0.0 into −0.0, which is the same number in another engine's states and energies.

@@ -58,7 +58,7 @@ class Scope {
     }
     compare("counters");
     if (facts_.same_words) {
-      if (!facts_.imported) compare("phase hashes");
+      if (!facts_.imported) add_phase_hashes(a_, b_, {facts_.from, facts_.last}, scope_);
     } else if (a.phases != b.phases) {
       leave_out("phase hashes and contact counts: the phases have not the same names");
     } else if (a.phase_hash_version == b.phase_hash_version) {
@@ -157,6 +157,22 @@ class Scope {
 };
 
 }  // namespace
+
+void add_phase_hashes(const LogReader& a, const LogReader& b, const StepRange& range, ComparisonScope& scope) {
+  std::uint64_t in_both = 0, steps = 0;
+  for (std::uint64_t k = range.from + 1; k <= range.last; ++k) {
+    if (!a.holds(k) || !b.holds(k)) continue;
+    ++steps;
+    if (a.header().hashes.holds(k) && b.header().hashes.holds(k)) ++in_both;
+  }
+  if (in_both == steps) {
+    scope.compared.emplace_back("phase hashes");
+    return;
+  }
+  if (in_both > 0) scope.compared.push_back("phase hashes of " + count_text(in_both, "step"));
+  scope.not_compared.push_back("phase hashes of " + count_text(steps - in_both, "step") +
+                               ", which a log does not hold");
+}
 
 ComparisonScope scope_of(const LogReader& a, const LogReader& b, const Tolerances& tolerances, const DiffFacts& facts) {
   return Scope(a, b, tolerances, facts).take();

@@ -28,6 +28,15 @@ struct DiffFacts {
   std::uint64_t zeros = 0;   ///< whose sign alone differs, counted as equal
 };
 
+/// Steps after `from`, up to `last`.
+struct StepRange {
+  std::uint64_t from = 0;
+  std::uint64_t last = 0;
+};
+
+/// Adds which steps' phase hashes are compared. a and b may be one log, which is compared with this build.
+void add_phase_hashes(const LogReader& a, const LogReader& b, const StepRange& range, ComparisonScope& scope);
+
 ComparisonScope scope_of(const LogReader& a, const LogReader& b, const Tolerances& tolerances, const DiffFacts& facts);
 
 /// "torn.tumble is not whole: torn: complete up to byte 59321, …"; empty for a whole log.

@@ -27,6 +27,7 @@ std::optional<Divergence> effect_in(LogReader& a, LogReader& b, const std::vecto
   StepRecord actual = **other;  // what led into the step is the cause, and not asked for here
   actual.dt = (*one)->dt;
   actual.inputs = (*one)->inputs;
+  leave_out_phase_words(a.header(), b.header(), **one, actual);
   std::optional<Divergence> found = first_difference(**one, actual, phases);
   if (found && found->step == a.first_state()) found->phase = "start";
   return found;

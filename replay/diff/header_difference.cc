@@ -227,6 +227,7 @@ std::vector<HeaderDifference> header_differences(const LogHeader& a, const LogHe
   found.look("begins with", start_of(a), start_of(b));
   found.add("planned steps", a.scene.steps, b.scene.steps, false);
   found.look("states", to_string(a.states), to_string(b.states));
+  found.look("hashes", to_string(a.hashes), to_string(b.hashes));
   found.look("written by", a.tool_version + ", " + a.tool_build, b.tool_version + ", " + b.tool_build);
   found.look("axes", to_string(a.axes()), to_string(b.axes()));
   found.look("columns passed over", joined(passed_over(a)), joined(passed_over(b)));

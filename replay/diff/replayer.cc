@@ -62,19 +62,21 @@ std::vector<std::string> notes_of(const LogReader& log, const LogHeader& ours_no
 }
 
 /// The difference in a step, if there is one. Compares hashes first and decodes states only where they differ, which
-/// saves most of the decoding. phases: empty where phase words cannot be compared.
+/// saves most of the decoding. ours_now: the header of a log that this build would record.
 Result<std::optional<Divergence>> compare_step(LogReader& log, const StepRecord& actual, Player& player,
-                                               const std::vector<std::string>& phases) {
+                                               const LogHeader& ours_now) {
+  static const std::vector<std::string> kNone;
+  const std::vector<std::string>& phases = same_phase_words(log.header(), ours_now) ? log.header().phases : kNone;
   Result<const StepRecord*> read = log.read_hashes(actual.step);
   if (!read.ok()) return read.error();
   StepRecord expected = **read;
-  if (phases.empty()) leave_out_phase_words(actual, expected);
+  leave_out_phase_words(log.header(), ours_now, actual, expected);
   std::optional<Divergence> found = first_difference(expected, actual, phases);
   if (!found || !(*read)->has_states) return found;
   read = log.read_step(actual.step);
   if (!read.ok()) return read.error();
   expected = **read;
-  if (phases.empty()) leave_out_phase_words(actual, expected);
+  leave_out_phase_words(log.header(), ours_now, actual, expected);
   return first_difference(expected, player.add_states(), phases);
 }
 
@@ -102,7 +104,7 @@ ComparisonScope scope_of_replay(const LogReader& log, const LogHeader& ours_now,
   scope.compared = {"step lengths", "inputs", "counters", "state hashes"};
   const auto leave_out = [&](std::string part) { scope.not_compared.push_back(std::move(part)); };
   if (same_phase_words(header, ours_now)) {
-    scope.compared.emplace_back("phase hashes");
+    add_phase_hashes(log, log, {from, log.last_step()}, scope);
   } else {
     leave_out("phase hashes and contact counts: their names or versions differ");
   }
@@ -153,8 +155,6 @@ Result<ReplayReport> replay_steps(LogReader& log, const ReplayOptions& options, 
   Result<Player> player = Player::at(log, from);
   if (!player.ok()) return player.error();
   player->use(options.workers);
-  const bool same_words = same_phase_words(header, ours_now);
-  const std::vector<std::string> phases = same_words ? header.phases : std::vector<std::string>();
   for (std::uint64_t k = from + 1; k <= last; ++k) {
     if (const MissingSteps* missing = log.lost_at(k); missing != nullptr) {
       k = missing->end_step();
@@ -167,7 +167,7 @@ Result<ReplayReport> replay_steps(LogReader& log, const ReplayOptions& options, 
     if (Result<const StepRecord*> logged = log.read_hashes(k); !logged.ok()) return unreadable(logged.error());
     Result<const StepRecord*> actual = player->step_hashes();
     if (actual.ok()) {
-      Result<std::optional<Divergence>> found = compare_step(log, **actual, *player, phases);
+      Result<std::optional<Divergence>> found = compare_step(log, **actual, *player, ours_now);
       if (found.ok() && !*found) found = compare_keyframe(log, player->world().state());
       if (!found.ok()) return unreadable(found.error());
       report.first = *std::move(found);

@@ -78,7 +78,7 @@ Result<RetakenStep> retake_step(LogReader& log, std::uint64_t k) {
   Result<const StepRecord*> logged = log.read_hashes(k);
   if (!logged.ok()) return logged.error();
   StepRecord ours = **taken;
-  if (!same_phase_words(log.header(), header_for(log.header().scene))) leave_out_phase_words(**logged, ours);
+  leave_out_phase_words(log.header(), header_for(log.header().scene), **logged, ours);
   return RetakenStep{chain_next({}, **logged) == chain_next({}, ours), **taken, collector.contacts()};
 }
 

@@ -23,25 +23,39 @@ std::string compiler() {
 #endif
 }
 
+/// "all" is 1, "every:N" is N, the word `none` is 0.
+std::optional<std::uint32_t> parse_every(const std::string& text, const char* none) {
+  if (text == "all") return 1;
+  if (text == none) return 0;
+  const std::string prefix = "every:";
+  std::uint32_t every = 0;
+  if (!text.starts_with(prefix)) return std::nullopt;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data() + prefix.size(), end, every);
+  if (error != std::errc() || stop != end || every == 0) return std::nullopt;
+  return every;
+}
+
+std::string every_text(std::uint32_t every, const char* none) {
+  if (every == 0) return none;
+  return every == 1 ? "all" : "every:" + std::to_string(every);
+}
+
 }  // namespace
 
 Result<StatesMode> parse_states_mode(const std::string& text) {
-  if (text == "all") return StatesMode{1};
-  if (text == "hashes") return StatesMode{0};
-  const std::string prefix = "every:";
-  if (text.rfind(prefix, 0) == 0) {
-    std::uint32_t every = 0;
-    const char* end = text.data() + text.size();
-    const auto [stop, error] = std::from_chars(text.data() + prefix.size(), end, every);
-    if (error == std::errc() && stop == end && every >= 1) return StatesMode{every};
-  }
+  if (const std::optional<std::uint32_t> every = parse_every(text, "hashes")) return StatesMode{*every};
   return bad_input("states: found \"" + text + "\", wanted all, every:N (N from 1) or hashes");
 }
 
-std::string to_string(const StatesMode& mode) {
-  if (mode.every == 0) return "hashes";
-  return mode.every == 1 ? "all" : "every:" + std::to_string(mode.every);
+std::string to_string(const StatesMode& mode) { return every_text(mode.every, "hashes"); }
+
+Result<HashesMode> parse_hashes_mode(const std::string& text) {
+  if (const std::optional<std::uint32_t> every = parse_every(text, "states")) return HashesMode{*every};
+  return bad_input("hashes: found \"" + text + "\", wanted all, every:N (N from 1) or states");
 }
+
+std::string to_string(const HashesMode& mode) { return every_text(mode.every, "states"); }
 
 std::string to_string(const MissingSteps& run) {
   if (run.step_count == 1) return "step " + std::to_string(run.first_step);
@@ -62,9 +76,13 @@ bool same_phase_words(const LogHeader& a, const LogHeader& b) {
   return a.phases == b.phases && a.phase_rows_max == b.phase_rows_max && a.phase_hash_version == b.phase_hash_version;
 }
 
-void leave_out_phase_words(const StepRecord& of, StepRecord& record) {
-  record.phase_words = of.phase_words;
-  record.counters.contacts = of.counters.contacts;
+bool same_phase_words(const LogHeader& a, const LogHeader& b, std::uint64_t step) {
+  return same_phase_words(a, b) && a.hashes.holds(step) && b.hashes.holds(step);
+}
+
+void leave_out_phase_words(const LogHeader& a, const LogHeader& b, const StepRecord& of, StepRecord& record) {
+  if (!same_phase_words(a, b)) record.counters.contacts = of.counters.contacts;
+  if (!same_phase_words(a, b, of.step)) record.phase_words = of.phase_words;
 }
 
 std::string phase_hash_note(const LogHeader& a, const LogHeader& b) {

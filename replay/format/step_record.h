@@ -39,6 +39,17 @@ struct StatesMode {
 Result<StatesMode> parse_states_mode(const std::string& text);
 std::string to_string(const StatesMode& mode);
 
+/// The steps whose phase words a log holds. Every step has its state hash.
+struct HashesMode {
+  std::uint32_t every = 1;  ///< 1: all steps; n: multiples of n; 0: none
+  [[nodiscard]] bool holds(std::uint64_t step) const { return every != 0 && step % every == 0; }
+  friend bool operator==(const HashesMode&, const HashesMode&) = default;
+};
+
+/// Reads "all", "every:N" (N >= 1) or "states", the words of the command line. Errors (kBadInput): other text.
+Result<HashesMode> parse_hashes_mode(const std::string& text);
+std::string to_string(const HashesMode& mode);
+
 /// The origin of a continued session: a state of another session.
 struct GoesOn {
   std::uint64_t step = 0;     ///< of that state; the continued session begins with the step after
@@ -108,6 +119,7 @@ struct LogHeader {
   std::optional<ImportedTable> table;    ///< none: no table was imported, or it had our axes and no column too many
   std::optional<Recovered> recovered;    ///< none: the log was not recovered
   StatesMode states;
+  HashesMode hashes;
   std::uint32_t chunk_steps_max = 0;
   std::uint64_t chunk_bytes_max = 0;
 
@@ -122,9 +134,13 @@ LogHeader header_for(const sim::SceneDef& scene);
 /// same fields.
 bool same_phase_words(const LogHeader& a, const LogHeader& b);
 
-/// Copies phase words and contact count of `of` into `record`, so that a comparison covers everything else. Contacts
-/// are included because sessions with phase words of different meaning may count contacts differently too.
-void leave_out_phase_words(const StepRecord& of, StepRecord& record);
+/// Likewise for one step: both sessions also hold the words of that step.
+bool same_phase_words(const LogHeader& a, const LogHeader& b, std::uint64_t step);
+
+/// Prepares a comparison of one step of sessions `a` and `b`: copies from `of` into `record` what cannot be compared.
+/// These are the phase words unless same_phase_words() of the step, and the contact count where the words mean
+/// different things, because such sessions may count contacts differently too.
+void leave_out_phase_words(const LogHeader& a, const LogHeader& b, const StepRecord& of, StepRecord& record);
 
 /// For people: the reason why phase words were not compared, "phase hashes: …". Empty where both sessions have the same
 /// version of phase hashes.

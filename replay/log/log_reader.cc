@@ -59,7 +59,9 @@ struct LogReader::State {
 
   void find_chunks();
   [[nodiscard]] std::uint64_t last_step() const;
-  [[nodiscard]] ChunkRules rules() const { return {header.prelude.log_tag, header.content.phases.size()}; }
+  [[nodiscard]] ChunkRules rules() const {
+    return {header.prelude.log_tag, header.content.phases.size(), header.content.hashes};
+  }
   [[nodiscard]] const MissingSteps* lost_at(std::uint64_t k) const;
   [[nodiscard]] Error no_such(const char* what, std::uint64_t k) const;
   [[nodiscard]] const ChunkPlace* chunk_at(std::uint64_t k) const;

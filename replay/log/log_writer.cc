@@ -22,6 +22,11 @@ constexpr std::size_t kBuffers = 3;  // one is filled while one is written and o
 constexpr std::size_t kManyBodies = std::size_t{1} << 19U;  // a buffer holds a state, 0.5 kB of each: one must do
 constexpr std::chrono::seconds kChunkAgeMax(1);
 
+/// The steps whose states fill a chunk.
+std::uint64_t steps_of_chunk(const sim::Bodies& bodies) {
+  return kChunkStateBytes / (kBodyStateBytes * std::max<std::size_t>(bodies.size(), 1)) + 1;
+}
+
 }  // namespace
 
 /// The steps of one chunk, filled by the caller and written by the thread.
@@ -39,8 +44,10 @@ struct LogWriter::Buffer {
 
   /// Allocates the memory of `count` steps and touches it.
   void reserve(const sim::Bodies& bodies, std::size_t count) {
+    const std::size_t had = steps.size();
+    if (count <= had) return;
     steps.resize(count);
-    for (StepRecord& step : steps) copy_visible(bodies, step.states);
+    for (StepRecord& step : std::span(steps).subspan(had)) copy_visible(bodies, step.states);
   }
 
   void begin(const sim::WorldState& state) {
@@ -81,11 +88,13 @@ struct LogWriter::Shared {
 
   void run();
   void reserve(const sim::Bodies& bodies, std::uint64_t planned);
+  void make_room(std::unique_lock<std::mutex>& lock, std::size_t chunks, const sim::Bodies* bodies, std::size_t steps);
   Status hand_over(const sim::WorldState& now);
   void stop();
 
   RecordWriter records;  // the thread's, while it runs
   std::size_t buffers;
+  std::uint64_t planned_end = 0;                             // the last planned step
   bool finished = false;                                     // the caller's
   std::unique_ptr<Buffer> open{std::make_unique<Buffer>()};  // the caller's
 
@@ -101,15 +110,21 @@ struct LogWriter::Shared {
 
 /// Runs first on the writing thread: allocates the free buffers that a session of `planned` steps will fill.
 void LogWriter::Shared::reserve(const sim::Bodies& bodies, std::uint64_t planned) {
-  const std::uint64_t most = kChunkStateBytes / (kBodyStateBytes * std::max<std::size_t>(bodies.size(), 1)) + 1;
-  const std::uint64_t count = std::min(most, kChunkBusySteps);
+  const std::uint64_t steps = std::min(steps_of_chunk(bodies), kChunkBusySteps);
   std::unique_lock lock(mutex);
-  const std::uint64_t chunks = std::min<std::uint64_t>(free.size(), planned / count);
-  for (std::uint64_t k = 0; k < chunks && !free.empty(); ++k) {
+  make_room(lock, std::min<std::uint64_t>(free.size(), planned / steps), &bodies, steps);
+}
+
+/// Runs on the writing thread: allocates and touches memory for `steps` steps in the free buffers, in as many as
+/// `chunks`, so that the caller need not. bodies: to take the memory for; null: those of the buffer's last chunk.
+/// Called with the lock held; gives it up in between.
+void LogWriter::Shared::make_room(std::unique_lock<std::mutex>& lock, std::size_t chunks, const sim::Bodies* bodies,
+                                  std::size_t steps) {
+  for (std::size_t k = 0; k < chunks && !free.empty(); ++k) {
     std::unique_ptr<Buffer> buffer = std::move(free.front());  // the caller takes from the back
     free.erase(free.begin());
     lock.unlock();
-    buffer->reserve(bodies, count);
+    buffer->reserve(bodies != nullptr ? *bodies : buffer->keyframe.state.bodies, steps);
     lock.lock();
     free.push_back(std::move(buffer));
     changed.notify_all();
@@ -126,10 +141,15 @@ void LogWriter::Shared::run() {
     full.pop_front();
     lock.unlock();
     Status written = records.write_chunk(buffer->keyframe, std::span(buffer->steps).first(buffer->used));
+    const std::uint64_t used = buffer->used, left = planned_end - std::min(planned_end, buffer->last_state());
+    const std::uint64_t most = std::min(kChunkStepsMax, steps_of_chunk(buffer->keyframe.state.bodies));
     lock.lock();
     if (status.ok() && !written.ok()) status = written;
     free.push_back(std::move(buffer));
     changed.notify_all();
+    // Chunks grow while ever more bodies rest. The caller would touch the pages of the next one in its own time.
+    const bool longer = used > kChunkBusySteps && left > used && full.empty();
+    if (longer) make_room(lock, free.size(), nullptr, std::min(most, 2 * used));
   }
 }
 
@@ -183,6 +203,7 @@ Result<std::unique_ptr<LogWriter>> LogWriter::create(std::unique_ptr<ByteSink> s
   // The first chunk's keyframe stays as it is until the thread itself writes it.
   const sim::Bodies& bodies = shared->open->keyframe.state.bodies;
   const std::uint64_t planned = std::max(header.scene.steps, initial.step) - initial.step;
+  shared->planned_end = header.scene.steps;
   shared->thread = std::thread([running, &bodies, planned] {
     running->reserve(bodies, planned);
     running->run();

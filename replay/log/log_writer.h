@@ -25,7 +25,7 @@ struct LogSummary {
 struct StepInfo {
   double dt = 0;                               ///< s
   std::span<const sim::Command> inputs;        ///< applied before the step, in order
-  std::span<const std::uint64_t> phase_words;  ///< sim::PhaseHashes::words(): rows × phases
+  std::span<const std::uint64_t> phase_words;  ///< sim::PhaseHashes::words(): rows × phases; none unless header.hashes
   sim::StepCounters counters;
 };
 

@@ -123,6 +123,10 @@ Result<ChunkDecoder> RecordReader::read_chunk(const ChunkPlace& place, const Chu
   for (std::size_t i = 0; i < decoder->step_count(); ++i) {
     const StepRecord& step = decoder->without_states(i);
     chain = chain_next(chain, step);
+    if (!rules.hashes.holds(step.step) && !step.phase_words.empty()) {
+      return wrong(damaged("step " + std::to_string(step.step) + " has " + std::to_string(step.phase_words.size()) +
+                           " phase words, wanted none: the header's hashes are of " + to_string(rules.hashes)));
+    }
     if (rules.phase_count > 0 && step.phase_words.size() % rules.phase_count != 0) {
       return wrong(damaged("step " + std::to_string(step.step) + " has " + std::to_string(step.phase_words.size()) +
                            " phase words, wanted a multiple of the " + std::to_string(rules.phase_count) + " phases"));

@@ -87,6 +87,7 @@ Status RecordWriter::write_header(const LogHeader& header, const sim::WorldState
   const std::vector<sim::BoxDef>& boxes = header.scene.boxes;
   for (std::size_t i = 1; i < boxes.size(); ++i) SIM_CHECK(boxes[i - 1].id < boxes[i].id, i, boxes[i].id);
   mode_ = header.states;
+  hashes_mode_ = header.hashes;
   final_hash_ = sim::state_hash(initial.bodies);
   first_state_ = initial.step;
   chain_ = header.goes_on ? header.goes_on->chain : chain_start(final_hash_);
@@ -112,6 +113,7 @@ Status RecordWriter::write_chunk(Keyframe& keyframe, std::span<StepRecord> steps
   for (StepRecord& step : steps) {
     SIM_CHECK(step.step == prelude.first_step + static_cast<std::uint64_t>(&step - steps.data()), step.step);
     SIM_CHECK(step.phase_words.size() <= kPhaseWordsMax, step.step, step.phase_words.size());
+    SIM_CHECK(step.phase_words.empty() || hashes_mode_.holds(step.step), step.step, hashes_mode_.every);
     final_hash_ = step.state_hash = state_hash(step.states);
     step.has_states = mode_.holds(step.step);
     chain_ = chain_next(chain_, step);
@@ -121,6 +123,7 @@ Status RecordWriter::write_chunk(Keyframe& keyframe, std::span<StepRecord> steps
   if (!message.ok()) return fail("chunk " + std::to_string(sequence_), message.error().message);
   const std::uint64_t offset = bytes_;
   if (Status ok = write_record(prelude, *message); !ok.ok()) return ok;
+  encoder_.take_back(*std::move(message));
   chunks_.push_back({offset, bytes_ - offset, prelude.first_step, prelude.step_count, chain_, prelude.stored_hash});
   return {};
 }

@@ -46,7 +46,7 @@ class Verifier {
   void add(RecordKind kind, std::uint64_t offset, const std::string& message) { add(Damage{kind, offset, message}); }
 
   void check_chunk(const ChunkPlace& place) {
-    const ChunkRules rules = {log_.header_prelude().log_tag, log_.header().phases.size()};
+    const ChunkRules rules = {log_.header_prelude().log_tag, log_.header().phases.size(), log_.header().hashes};
     Result<ChunkDecoder> chunk = RecordReader(log_.source()).read_chunk(place, rules);
     const auto wrong = [&](const std::string& message) {
       add(RecordKind::kChunk, place.offset,

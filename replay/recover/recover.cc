@@ -112,6 +112,7 @@ class Recovery {
     scene.steps = report_.last_step;
     scene.boxes = boxes_at(keyframe.state.bodies, {});
     std::uint64_t with_states = 0;  // the greatest common divisor of the steps with states
+    std::uint64_t with_words = 0;   // and of those with phase words
     bool phases_fit = true;
     LogHeader header = header_for(scene);
     for (const SavedChunk& chunk : left_.chunks) {
@@ -123,11 +124,13 @@ class Recovery {
       for (std::size_t i = 0; i < decoder->step_count(); ++i) {
         const StepRecord& step = decoder->without_states(i);
         if (step.has_states) with_states = std::gcd(with_states, step.step);
+        if (!step.phase_words.empty()) with_words = std::gcd(with_words, step.step);
         phases_fit = phases_fit && step.phase_words.size() % header.phases.size() == 0;
         for (const sim::Command& command : step.inputs) header.scene.inputs.push_back({step.step, command});
       }
     }
     header.states.every = with_states <= sim::kStepsMax ? static_cast<std::uint32_t>(with_states) : 0;
+    header.hashes.every = with_words <= sim::kStepsMax ? static_cast<std::uint32_t>(with_words) : 0;
     if (phases_fit) return header;
     header.phases.clear();
     header.method_version = 0;

@@ -165,8 +165,12 @@ class Salvager {
       copies_ += kPreludeBytes + p.stored_bytes;
       return {};
     }
-    const std::size_t phase_count = result_.header ? result_.header->content.phases.size() : 0;
-    Result<ChunkDecoder> decoder = RecordReader(source_).read_chunk(place_of(p, piece.offset), {*tag_, phase_count});
+    ChunkRules rules = {.log_tag = *tag_};
+    if (result_.header) {
+      rules.phase_count = result_.header->content.phases.size();
+      rules.hashes = result_.header->content.hashes;
+    }
+    Result<ChunkDecoder> decoder = RecordReader(source_).read_chunk(place_of(p, piece.offset), rules);
     SavedChunk chunk = {p, piece.offset + kPreludeBytes, true, {}, {}, {}};
     Status ok = decoder.ok() ? check_chunk(*decoder, result_.header, chunk) : Status(decoder.error());
     if (ok.ok()) {

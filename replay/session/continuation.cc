@@ -100,6 +100,7 @@ Result<Continuation> continuation_of(LogReader& log, std::uint64_t k, const GoOn
   }
   LogHeader header = header_for(scene);
   header.states = options.states;
+  header.hashes = options.hashes;
   header.scene_text = log.header().scene_text;
   header.overrides = log.header().overrides;
   header.transform = log.header().transform;

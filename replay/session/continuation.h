@@ -13,6 +13,7 @@ namespace tumble::replay {
 /// Options for a session that continues another one from one of its states.
 struct GoOnOptions {
   StatesMode states;
+  HashesMode hashes = {};
   std::optional<std::uint64_t> steps = std::nullopt;  ///< planned after that state; none: up to the other's planned end
   std::optional<double> seconds = std::nullopt;       ///< `steps` given as s, at the dt in force at that state
   bool keep_inputs = true;    ///< apply the inputs that the other log and its scene have after that state

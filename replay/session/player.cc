@@ -66,8 +66,9 @@ Result<const StepRecord*> Player::step_hashes(sim::Observer* also) {
   const Result<const StepRecord*> logged = log_->read_hashes(k);
   if (!logged.ok()) return logged.error();
   hashes_->clear();
+  sim::Observer* observer = also;
   Both both(*hashes_, also != nullptr ? *also : *hashes_);
-  sim::Observer* observer = also != nullptr ? static_cast<sim::Observer*>(&both) : hashes_.get();
+  if (log_->header().hashes.holds(k)) observer = also != nullptr ? static_cast<sim::Observer*>(&both) : hashes_.get();
   const Result<TakenStep> taken = session_.step((*logged)->inputs, observer);
   // The log's input was accepted once. That this build refuses it is no fault of the user's.
   if (!taken.ok()) return cannot_finish(taken.error().message);

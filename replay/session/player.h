@@ -25,8 +25,8 @@ class Player {
   static Result<Player> at(LogReader& log, std::uint64_t k);
 
   /// Takes the next step of the log: applies its inputs, then steps. Returns this build's record of the step, with
-  /// states; the record lasts until the next step. `also`, if given, observes the step too. Errors: the log has no
-  /// further step (kBadInput); an input is refused or the step fails (kCannotFinish).
+  /// states, and phase words if the log has them; it lasts until the next step. `also`, if given, observes it too.
+  /// Errors: the log has no further step (kBadInput); an input is refused or the step fails (kCannotFinish).
   Result<const StepRecord*> step(sim::Observer* also = nullptr);
 
   /// step() without the states. For most steps the hashes are enough; add_states() adds the states to the record.

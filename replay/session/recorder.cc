@@ -8,6 +8,7 @@ namespace {
 LogHeader header_of(const sim::SceneDef& scene, const RecordOptions& options) {
   LogHeader header = header_for(scene);
   header.states = options.states;
+  header.hashes = options.hashes;
   header.transform = options.transform;
   header.scene_text = options.scene_text;
   header.overrides = options.overrides;
@@ -42,15 +43,15 @@ auto writer_to(std::unique_ptr<ByteSink>& sink) {
 
 }  // namespace
 
-Recorder::Recorder(Session session, std::unique_ptr<LogWriter> writer)
-    : session_(std::move(session)), writer_(std::move(writer)) {}
+Recorder::Recorder(Session session, std::unique_ptr<LogWriter> writer, HashesMode hashes_mode)
+    : session_(std::move(session)), writer_(std::move(writer)), hashes_mode_(hashes_mode) {}
 
 Result<std::unique_ptr<Recorder>> Recorder::write_with(const CreateWriter& create, const LogHeader& header,
                                                        Result<Session> session) {
   if (!session.ok()) return session.error();
   auto writer = create(header, session->world().state());
   if (!writer.ok()) return writer.error();
-  return std::unique_ptr<Recorder>(new Recorder(*std::move(session), *std::move(writer)));
+  return std::unique_ptr<Recorder>(new Recorder(*std::move(session), *std::move(writer), header.hashes));
 }
 
 Result<std::unique_ptr<Recorder>> Recorder::start_with(const CreateWriter& create, const sim::SceneDef& scene,
@@ -92,7 +93,9 @@ Result<std::unique_ptr<Recorder>> Recorder::go_on(std::unique_ptr<ByteSink> sink
 // overwrites. The writer copies what it needs before append() returns, so the spans may be used again.
 Status Recorder::step(std::span<const sim::Command> live) {
   hashes_.clear();
-  const Result<TakenStep> taken = session_.step(live, watch_ ? watch_(&hashes_) : &hashes_);
+  const bool hashed = hashes_mode_.holds(session_.steps_done() + 1);
+  sim::Observer* observer = hashed ? &hashes_ : nullptr;
+  const Result<TakenStep> taken = session_.step(live, watch_ ? watch_(observer) : observer);
   if (!taken.ok()) return taken.error();
   return writer_->append({taken->dt, taken->inputs, hashes_.words(), taken->counters}, world().state());
 }

@@ -22,6 +22,7 @@ namespace tumble::replay {
 
 struct RecordOptions {
   StatesMode states;
+  HashesMode hashes = {};
   std::string scene_text;              ///< the scene's TOML, kept in the header
   std::vector<std::string> overrides;  ///< "world.dt=0.01", kept in the header
   sim::Transform transform;            ///< applied to the scene before the session starts
@@ -82,10 +83,11 @@ class Recorder {
                                                       const GoOnOptions& options);
   static Result<std::unique_ptr<Recorder>> write_with(const CreateWriter& create, const LogHeader& header,
                                                       Result<Session> session);
-  Recorder(Session session, std::unique_ptr<LogWriter> writer);
+  Recorder(Session session, std::unique_ptr<LogWriter> writer, HashesMode hashes_mode);
 
   Session session_;
   std::unique_ptr<LogWriter> writer_;
+  HashesMode hashes_mode_;
   sim::PhaseHashes hashes_;
   Watch watch_;
 };

@@ -1,6 +1,7 @@
 #include "tumble/sim/hash.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstring>
@@ -18,22 +19,58 @@
 namespace tumble {
 namespace {
 
-XXH3_state_t* as_state(void* state) { return static_cast<XXH3_state_t*>(state); }
+constexpr std::size_t kWord = sizeof(std::uint64_t);
+
+/// XXH3 takes 256 bytes at a time and is slow with fields of 8, which some phases have thousands of. These are gathered
+/// first.
+struct State {
+  static constexpr std::size_t kSmall = 256;  // longer parts are passed on as they are
+
+  XXH3_state_t xxh;
+  std::size_t gathered = 0;
+  std::array<std::byte, 16 * kSmall> bytes;
+};
+
+State& as_state(void* state) { return *static_cast<State*>(state); }
 
 void update_plain(void* state, const void* bytes, std::size_t count) {
-  XXH3_128bits_update(as_state(state), bytes, count);
+  XXH3_128bits_update(static_cast<XXH3_state_t*>(state), bytes, count);
 }
 
 HashUpdate fastest_update() {
 #if defined(__x86_64__) || defined(__i386__)
+  if (__builtin_cpu_supports("avx512f") != 0 && hash_update_avx512() != nullptr) return hash_update_avx512();
   if (__builtin_cpu_supports("avx2") != 0 && hash_update_avx2() != nullptr) return hash_update_avx2();
 #endif
   return update_plain;
 }
 
-void update(void* state, const void* bytes, std::size_t count) {
+void pass_on(State& state, const void* bytes, std::size_t count) {
   static const HashUpdate kUpdate = fastest_update();
-  kUpdate(state, bytes, count);
+  kUpdate(&state.xxh, bytes, count);
+}
+
+void pass_on_gathered(State& state) {
+  if (state.gathered > 0) pass_on(state, state.bytes.data(), state.gathered);
+  state.gathered = 0;
+}
+
+void update(State& state, const void* bytes, std::size_t count) {
+  if (count > State::kSmall) {
+    pass_on_gathered(state);
+    pass_on(state, bytes, count);
+    return;
+  }
+  if (count == 0) return;
+  if (state.gathered + count > state.bytes.size()) pass_on_gathered(state);
+  std::byte* to = state.bytes.data() + state.gathered;
+  state.gathered += count;
+  if (count % kWord != 0 || count > 4 * kWord) {
+    std::memcpy(to, bytes, count);
+    return;
+  }
+  const auto* from = static_cast<const std::byte*>(bytes);
+  for (std::size_t at = 0; at < count; at += kWord) std::memcpy(to + at, from + at, kWord);  // without a call
 }
 
 Hash128 from_xxh(XXH128_hash_t hash) { return {hash.high64, hash.low64}; }
@@ -50,21 +87,27 @@ std::string to_string(const Hash128& hash) {
   return text;
 }
 
-Hasher::Hasher() : state_(XXH3_createState()) { reset(); }
-Hasher::~Hasher() { XXH3_freeState(as_state(state_)); }
+Hasher::Hasher() : state_(new State) {
+  XXH3_INITSTATE(&as_state(state_).xxh);
+  reset();
+}
+Hasher::~Hasher() { delete &as_state(state_); }
 
-void Hasher::reset() { XXH3_128bits_reset(as_state(state_)); }
+void Hasher::reset() {
+  as_state(state_).gathered = 0;
+  XXH3_128bits_reset(&as_state(state_).xxh);
+}
 
 template <class T>
 void Hasher::add_column(std::span<const T> column) {
   if constexpr (std::endian::native == std::endian::little) {
-    update(state_, column.data(), column.size_bytes());
+    update(as_state(state_), column.data(), column.size_bytes());
   } else {
     for (const T& value : column) {
       std::array<std::byte, sizeof(T)> bytes;
       std::memcpy(bytes.data(), &value, sizeof(T));
       std::reverse(bytes.begin(), bytes.end());
-      update(state_, bytes.data(), bytes.size());
+      update(as_state(state_), bytes.data(), bytes.size());
     }
   }
 }
@@ -78,7 +121,10 @@ void Hasher::add(std::span<const std::uint32_t> column) { add_column(column); }
 void Hasher::add(std::span<const std::uint16_t> column) { add_column(column); }
 void Hasher::add(std::span<const std::uint8_t> column) { add_column(column); }
 
-Hash128 Hasher::digest() const { return from_xxh(XXH3_128bits_digest(as_state(state_))); }
+Hash128 Hasher::digest() const {
+  pass_on_gathered(as_state(state_));
+  return from_xxh(XXH3_128bits_digest(&as_state(state_).xxh));
+}
 
 Hash128 hash_bytes(std::span<const std::byte> bytes) { return from_xxh(XXH3_128bits(bytes.data(), bytes.size())); }
 

@@ -8,6 +8,7 @@
 
 #include "replay/codec/byte_planes.h"
 #include "replay/codec/chunk_codec.h"
+#include "replay/codec/header_codec.h"
 #include "replay/codec/state_keys.h"
 #include "tests/support/log_memory.h"
 #include "tumble/replay/body_states.h"
@@ -150,6 +151,37 @@ TEST(StateCodec, StatesOfSomeStepsOnlyComeBack) {
     steps[i].states.frozen.resize(2);
   }
   expect_round_trip(start, steps);
+}
+
+TEST(ChunkEncoder, AMessageInMemoryUsedBeforeHasTheSameBytes) {
+  const sim::WorldState start = start_of(small_scene());
+  std::mt19937_64 random(7);
+  const std::vector<StepRecord> steps = made_up_steps(start, 30, [&] { return double_of(random()); });
+  const std::span<const StepRecord> all = steps;
+  const auto bytes_of = [](const MessageBytes& message) {
+    return Bytes(message.bytes().begin(), message.bytes().end());
+  };
+  ChunkEncoder encoder;
+  for (const std::size_t count : {30U, 2U, 30U, 0U, 7U}) {
+    Result<MessageBytes> message = encoder.encode({start, {7, 8}}, all.first(count));
+    ASSERT_TRUE(message.ok()) << message.error().message;
+    const Result<MessageBytes> anew = ChunkEncoder().encode({start, {7, 8}}, all.first(count));
+    EXPECT_EQ(bytes_of(*message), bytes_of(*anew)) << count;
+    if (count != 7) encoder.take_back(*std::move(message));
+  }
+  EXPECT_TRUE(encoder.encode({start, {7, 8}}, all).ok()) << "without memory that came back";
+}
+
+TEST(Message, OneLongerThanExpectedComesBack) {
+  LogHeader header = header_for(small_scene());
+  header.overrides.assign(200, std::string(1000, 'x'));  // which the expected length leaves out
+  const Result<MessageBytes> message = encode_header(header);
+  ASSERT_TRUE(message.ok()) << message.error().message;
+  EXPECT_GT(load<std::uint32_t>(message->bytes().data()), 0U) << "one segment was enough";
+  const Result<LogHeader> back = decode_header(*message);
+  ASSERT_TRUE(back.ok()) << back.error().message;
+  EXPECT_EQ(back->overrides, header.overrides);
+  EXPECT_EQ(back->scene, header.scene);
 }
 
 TEST(StateCodec, BodiesThatTheInputsDoNotLeadToAreRefused) {

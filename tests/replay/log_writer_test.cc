@@ -103,6 +103,17 @@ TEST(LogWriter, DroppedWithoutFinishItsStepsCanBeRead) {
   EXPECT_TRUE(verify(*log).condition.damages.empty());
 }
 
+/// Bodies at rest, each by itself.
+sim::SceneDef quiet_scene(std::uint64_t steps) {
+  sim::SceneDef quiet = small_scene(steps);
+  for (sim::BoxDef& box : quiet.boxes) {
+    box.frozen = true;
+    box.spin = {0, 0, 0};
+    box.position = {10.0 * static_cast<double>(box.id), 0, box.size.z() / 2};
+  }
+  return quiet;
+}
+
 TEST(LogWriter, ChunksCloseByThemselves) {
   sim::SceneDef scene = small_scene(600);
   scene.world.freezing = false;
@@ -110,13 +121,7 @@ TEST(LogWriter, ChunksCloseByThemselves) {
   const Result<LogReader> busy = open_memory(record_to_memory(scene));
   ASSERT_TRUE(busy.ok());
   EXPECT_EQ(busy->chunks()[0].step_count, kChunkBusySteps);
-  sim::SceneDef quiet = small_scene(600);
-  for (sim::BoxDef& box : quiet.boxes) {
-    box.frozen = true;
-    box.spin = {0, 0, 0};
-    box.position = {10.0 * static_cast<double>(box.id), 0, box.size.z() / 2};
-  }
-  const Result<LogReader> log = open_memory(record_to_memory(quiet));
+  const Result<LogReader> log = open_memory(record_to_memory(quiet_scene(600)));
   ASSERT_TRUE(log.ok());
   EXPECT_EQ(log->chunks()[0].step_count, kChunkStepsMax);
 }
@@ -202,6 +207,21 @@ TEST(Recorder, AStepThatFailsLeavesACompleteLog) {
   EXPECT_EQ(log->step_count(), 7U);
   EXPECT_TRUE(log->condition().whole());
   std::remove(path.c_str());
+}
+
+// Between chunks the writer makes room for longer ones.
+TEST(LogWriter, LongChunksOfRestingBodiesComeBack) {
+  const sim::SceneDef scene = quiet_scene(420);
+  const std::vector<BodyStates> wanted = simulate(scene);
+  for (const std::uint64_t flush_every : {65U, 100U, 140U}) {
+    Result<LogReader> log = open_memory(record_to_memory(scene, {}, flush_every));
+    ASSERT_TRUE(log.ok()) << log.error().message;
+    EXPECT_EQ(log->chunks()[0].step_count, flush_every);
+    EXPECT_TRUE(verify(*log).condition.whole());
+    for (std::uint64_t k = 1; k <= scene.steps; ++k) {
+      ASSERT_TRUE(same_bits((*log->read_step(k))->states, wanted[k])) << "step " << k;
+    }
+  }
 }
 
 }  // namespace

@@ -43,13 +43,26 @@ void expect_frozen_session(const std::string& name) {
 }
 
 TEST(OlderLogs, OpenVerifyAndMeasure) {
-  for (const char* name :
-       {"format_1.0_thesis", "format_1.0_layered", "format_1.1_thesis", "format_1.1_layered", "format_1.2_thesis",
-        "format_1.2_layered", "format_1.3_thesis", "format_1.3_layered", "format_1.3_hashes_3_thesis",
-        "format_1.3_hashes_3_layered", "format_1.3_methods_3_thesis", "format_1.3_methods_3_layered",
-        "format_1.3_methods_4_thesis", "format_1.3_methods_4_layered", "format_1.3_methods_5_thesis",
-        "format_1.3_methods_5_layered", "format_1.3_hashes_6_thesis", "format_1.3_methods_6_layered",
-        "format_1.3_methods_7_layered"}) {
+  for (const char* name : {"format_1.0_thesis",
+                           "format_1.0_layered",
+                           "format_1.1_thesis",
+                           "format_1.1_layered",
+                           "format_1.2_thesis",
+                           "format_1.2_layered",
+                           "format_1.3_thesis",
+                           "format_1.3_layered",
+                           "format_1.3_hashes_3_thesis",
+                           "format_1.3_hashes_3_layered",
+                           "format_1.3_methods_3_thesis",
+                           "format_1.3_methods_3_layered",
+                           "format_1.3_methods_4_thesis",
+                           "format_1.3_methods_4_layered",
+                           "format_1.3_methods_5_thesis",
+                           "format_1.3_methods_5_layered",
+                           "format_1.3_hashes_6_thesis",
+                           "format_1.3_methods_6_layered",
+                           "format_1.3_methods_7_layered",
+                           "format_1.3_hashes_every_4_layered"}) {
     expect_frozen_session(name);
   }
 }

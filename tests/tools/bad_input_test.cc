@@ -47,6 +47,7 @@ TEST(BadUsage, OptionsNameWhatWasFoundAndWanted) {
   expect_error(record({"--seconds", "nan"}), 2, "tumble record", {"--seconds", "\"nan\"", "above 0"});
   expect_error(record({"--threads", "0"}), 2, "tumble record", {"--threads", "\"0\"", "1 to 256"});
   expect_error(record({"--states", "few"}), 2, "tumble record", {"--states", "\"few\"", "every:N"});
+  expect_error(record({"--hashes", "few"}), 2, "tumble record", {"--hashes", "\"few\"", "every:N"});
   expect_error(record({"--set", "grid"}), 2, "tumble record", {"--set grid", "key=value"});
   expect_error(record({"--set", "box.3.mass=1"}), 2, "tumble record", {"--set box.3.mass=1", "found number 3"});
   expect_error(record({"--set", "box.1.mass=-1"}), 2, "tumble record", {"--set box.1.mass=-1", "found -1", "a mass"});

@@ -112,6 +112,36 @@ TEST(Program, EveryStatesModeTellsTheSame) {
   }
 }
 
+TEST(Program, EveryHashesModeTellsTheSameAndWhatItLeavesOut) {
+  const Workshop shop;
+  shop.record_small("all");
+  shop.record_small("some", {"--hashes", "every:7"});
+  shop.record_small("none", {"--hashes", "states"});
+  shop.record_small("other", {"--hashes", "states", "--set", "input.1.velocity=[0.0, 6.5, 0.0]"});
+  EXPECT_LT(shop.read("none.tumble").size(), shop.read("all.tumble").size());
+  const auto left_out = [](const ordered_json& json) {
+    const auto of_phases = [](const ordered_json& part) {
+      return part.get<std::string>().starts_with("phase hashes of ");
+    };
+    return std::ranges::any_of(json["not_compared"], of_phases);
+  };
+  EXPECT_FALSE(left_out(parsed(shop.run({"replay", "all.tumble", "--json"}))));
+  for (const std::string log : {"some.tumble", "none.tumble"}) {
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"replay", log, "--json"}, {"diff", "all.tumble", log, "--json"}}) {
+      const Outcome outcome = shop.run(words);
+      EXPECT_EQ(outcome.exit, 0) << outcome.err;
+      EXPECT_TRUE(left_out(parsed(outcome))) << outcome.out;
+    }
+    EXPECT_EQ(parsed(shop.run({"info", log, "--json"}))["hashes"], log == "some.tumble" ? "every:7" : "states");
+  }
+  const ordered_json step = parsed(shop.run({"diff", "all.tumble", "some.tumble", "--step", "8", "--json"}));
+  EXPECT_TRUE(step["phases"].empty() && step["same"].get<bool>()) << step;
+  EXPECT_TRUE(step["note"].get<std::string>().starts_with("phase hashes: a log holds none of step 8")) << step;
+  const ordered_json found = parsed(shop.run({"diff", "all.tumble", "other.tumble", "--json"}));
+  EXPECT_EQ(found["first"]["phase"], "inputs");
+}
+
 TEST(Program, GoesOnFromAStepOfALog) {
   const Workshop shop;
   shop.record_small("s");

@@ -66,7 +66,11 @@ void add_header(Listing& listing, const LogHeader& header) {
   }
   listing.add("dt", exact(header.scene.world.dt) + " s");
   if (!header.phases.empty()) listing.add("phases", printable(joined(header.phases, ", ")));
-  if (!header.engine) listing.add("phase hashes", "version " + std::to_string(header.phase_hash_version));
+  if (!header.engine) {
+    const std::uint32_t every = header.hashes.every;
+    const std::string of = every == 0 ? ", of no step" : ", of one step in " + std::to_string(every);
+    listing.add("phase hashes", "version " + std::to_string(header.phase_hash_version) + (every == 1 ? "" : of));
+  }
   listing.add("states", to_string(header.states));
   listing.add("format", version_of(header) + ", " + printable(header.float_format));
   listing.add("written by", "tumble " + printable(header.tool_version) + ", " + printable(header.tool_build));
@@ -119,6 +123,7 @@ void put_header(Json& json, const LogHeader& header) {
   json["dt"] = header.scene.world.dt;
   json["planned_steps"] = header.scene.steps;
   json["states"] = to_string(header.states);
+  json["hashes"] = to_string(header.hashes);
 }
 
 void print_as_json(const LogReader& log, const LogFacts& facts, const LogCondition& condition) {

@@ -14,6 +14,7 @@
 #include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
+#include "tools/arguments/kept_arguments.h"
 #include "tools/arguments/session_start.h"
 #include "tools/arguments/transform_arguments.h"
 #include "tools/commands/session_stepper.h"
@@ -41,7 +42,7 @@ struct RecordCommand {
   std::optional<std::uint64_t> threads;
   RealTime realtime;
   TransformArguments transform;
-  std::string states = "all";
+  KeptArguments kept;
   bool json = false;
   bool quiet = false;
 };
@@ -162,9 +163,10 @@ void print_as_json(const std::string& path, const sim::SceneDef& scene, const Re
 using Started = Result<std::unique_ptr<replay::Recorder>>;
 
 // Starts a session of a scene from state 0. path: the log; empty: named after the scene.
-Started start_scene(const RecordCommand& options, const replay::StatesMode& states, std::string& path) {
+Started start_scene(const RecordCommand& options, const Kept& kept, std::string& path) {
   replay::RecordOptions how;
-  how.states = states;
+  how.states = kept.states;
+  how.hashes = kept.hashes;
   const Result<sim::Transform> transform = parse_transform(options.transform);
   if (!transform.ok()) return transform.error();
   how.transform = *transform;
@@ -182,8 +184,7 @@ Started start_scene(const RecordCommand& options, const replay::StatesMode& stat
 }
 
 // Starts a session that continues from a state of another one, and tells whether that log is whole.
-Started start_from_log(const RecordCommand& options, const replay::StatesMode& states, std::string& path,
-                       Exit& verdict) {
+Started start_from_log(const RecordCommand& options, const Kept& kept, std::string& path, Exit& verdict) {
   const Result<LogPlace> place = parse_log_place(options.from);
   if (!place.ok()) return place.error();
   if (path.empty()) path = place->name() + ".tumble";
@@ -192,8 +193,7 @@ Started start_from_log(const RecordCommand& options, const replay::StatesMode& s
   if (Status ok = guard.claim("-o", path); !ok.ok()) return ok.error();
   Result<replay::LogReader> log = open_log(place->log);
   if (!log.ok()) return log.error();
-  const replay::GoOnOptions how = {
-      .states = states, .steps = options.steps, .seconds = options.seconds, .keep_inputs = !options.no_inputs};
+  const replay::GoOnOptions how = {kept.states, kept.hashes, options.steps, options.seconds, !options.no_inputs};
   Started started = replay::Recorder::go_on(path, *log, place->step, how);
   if (started.ok()) verdict = judge("record", *log, verdict);
   return started;
@@ -204,12 +204,12 @@ Result<Exit> record(const RecordCommand& options) {
     return bad_input(
         "SCENE is required, or --from LOG:STEP in its place\n'tumble record --help' explains the arguments.");
   }
-  const Result<replay::StatesMode> states = replay::parse_states_mode(options.states);
-  if (!states.ok()) return bad_input("--" + states.error().message);
+  const Result<Kept> kept = parse_kept(options.kept);
+  if (!kept.ok()) return kept.error();
   std::string path = options.log;
   Exit verdict = Exit::kSame;
   const Started recorder =
-      options.from.empty() ? start_scene(options, *states, path) : start_from_log(options, *states, path, verdict);
+      options.from.empty() ? start_scene(options, *kept, path) : start_from_log(options, *kept, path, verdict);
   if (!recorder.ok()) return recorder.error();
   std::vector<std::string> advice;
   if (options.from.empty()) advice = replay::start_warnings((*recorder)->world().state(), (*recorder)->scene().inputs);
@@ -257,9 +257,7 @@ Action declare_record(Arguments& arguments) {
       .positive("--longest-step", "S", options->realtime.longest_step, sim::kDtMax,
                 "With --realtime: the longest step, s; four times dt if not given")
       .needs(realtime);
-  arguments.option("--states", "MODE", options->states,
-                   "States in the log: all (if not given), every:N (one step in N) or hashes (none); the others "
-                   "can be simulated again");
+  add_kept(arguments, options->kept);
   arguments.json(options->json);
   arguments.flag("--quiet", options->quiet, "Print nothing but errors");
   arguments.footer(
@@ -267,6 +265,7 @@ Action declare_record(Arguments& arguments) {
       "  tumble record brick_wall\n"
       "  tumble record tilted_grid -o small.tumble --set grid.rows=6 --set grid.cols=6 --steps 150\n"
       "  tumble record my_scene.toml --states hashes --json\n"
+      "  tumble record my_scene.toml --hashes every:10\n"
       "  tumble record tilted_grid --realtime --set world.dt=0.0333 --seconds 5\n"
       "  tumble record brick_wall -o mirrored.tumble --mirror x --permute 7\n"
       "  tumble record --from brick_wall.tumble:120 --seconds 2");

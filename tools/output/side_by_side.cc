@@ -214,9 +214,14 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
   Json& json = step.json;
   json["step"] = k;
   json["same"] = false;
-  json["note"] = replay::phase_hash_note(a.header(), b.header());
+  std::string note = replay::phase_hash_note(a.header(), b.header());
+  const bool held = a.header().hashes.holds(k) && b.header().hashes.holds(k);
+  if (note.empty() && !held)
+    note = "phase hashes: a log holds none of step " + std::to_string(k) + ", so none compared";
+  json["note"] = note;
   json["values"] = values_json(in_a, in_b, kind);
-  json["phases"] = phases_json(in_a, in_b, kind.same_words ? a.header().phases : std::vector<std::string>());
+  const bool have_words = replay::same_phase_words(a.header(), b.header(), k);
+  json["phases"] = phases_json(in_a, in_b, have_words ? a.header().phases : std::vector<std::string>());
   const bool have_states = in_a.has_states && in_b.has_states;
   const replay::EngineAxes axes = common_axes(a.header(), b.header());
   json["bodies"] = have_states ? bodies_json(in_a.states, in_b.states, axes) : Json(nullptr);
