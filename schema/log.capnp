@@ -9,6 +9,8 @@
 using Cxx = import "/capnp/c++.capnp";
 $Cxx.namespace("tumble::replay::schema");
 
+using Extras = import "extras.capnp";
+
 struct Vec3 {
   x @0 :Float64;
   y @1 :Float64;
@@ -141,6 +143,7 @@ struct Header {
   recovered @16 :Recovered;     # null: the log was not recovered
   phaseHashVersion @17 :UInt32 = 1;  # version of phase words and of `contacts`; 1 for another engine
   phaseHashesEvery @19 :UInt32 = 1;  # 1: all steps have phase words; n: multiples of n only; 0: none
+  declared @20 :Extras.Declared;     # null: the engine declares nothing beyond states
 }
 
 # The physics engine that computed the steps. Such steps can be compared, measured and drawn, but not computed again.
@@ -210,6 +213,7 @@ struct Chunk {
   removedEnergy @14 :Data;      # stepCount x Float64, J, dissipated in the step
   hasStates @15 :Data;          # stepCount x UInt8, 0 or 1
   states @16 :States;           # of the steps that have them
+  extras @17 :Extras.Extras;         # null: none of the steps has any. A chunk with it has format version 2.0
 }
 
 # The visible states of the bodies of the keyframe, changed by throw and remove inputs.

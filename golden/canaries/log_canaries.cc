@@ -227,7 +227,8 @@ Result<replay::MessageBytes> made_up_chunk() {
     states.velocity.x[2] = 8 - now;
     states.spin.y[2] = now;
     states.frozen[3] ^= 1;
-    steps[k] = {k + 1, 1.0 / 64, {}, {11, 12 + k}, {3, k}, {1, 2, 3, 4 + now, 5 + now, 6 + now, 7 + now}, true, states};
+    steps[k] = {k + 1, 1.0 / 64, {}, {11, 12 + k}, {3, k}, {1, 2, 3, 4 + now, 5 + now, 6 + now, 7 + now},
+                true,  states,   {}};
   }
   return replay::ChunkEncoder().encode(keyframe, steps);
 }

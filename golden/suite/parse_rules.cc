@@ -6,6 +6,8 @@
 
 #include "golden/suite/metric_values.h"
 #include "golden/suite/text_files.h"
+#include "replay/format/limits.h"
+#include "replay/measure/channel_metrics.h"
 #include "replay/measure/metric_bound.h"
 #include "src/base/check.h"
 #include "src/scenes/parse_toml.h"
@@ -53,11 +55,20 @@ std::string read_bodies(TableReader& reader, const toml::table& table) {
   return text;
 }
 
+/// "channel.NAME.max", where that is the name of a metric; see replay/measure/channel_metrics.h.
+std::string channel_metric_in(const toml::table& table) {
+  const std::string name = table["name"].value_or(std::string());
+  return replay::parse_channel_metric(name) ? name : "";
+}
+
 MetricRule read_metric(TableReader& reader, const toml::table& table) {
   MetricRule rule;
   const std::vector<const char*> names = metric_names();
-  const std::size_t chosen = reader.choice("name", names.size(), names);
-  if (chosen < names.size()) {
+  const std::string channel = channel_metric_in(table);
+  const std::size_t chosen = channel.empty() ? reader.choice("name", names.size(), names) : names.size();
+  if (!channel.empty()) {
+    rule.name = reader.text("name", "", 2 * replay::kColumnNameBytesMax);
+  } else if (chosen < names.size()) {
     rule.name = names[chosen];
   } else {
     reader.fail("name", "the name of a metric of docs/metrics.md");

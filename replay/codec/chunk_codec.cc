@@ -5,6 +5,7 @@
 #include <string>
 
 #include "replay/codec/blob.h"
+#include "replay/codec/extras_codec.h"
 #include "replay/codec/keyframe_codec.h"
 #include "replay/codec/message.h"
 #include "replay/codec/scene_codec.h"
@@ -177,6 +178,23 @@ Status decode_steps(schema::Chunk::Reader in, Chunk& chunk) {
                                   [](StepRecord& step, std::uint8_t v) { step.has_states = v != 0; });
 }
 
+void encode_extras(Steps steps, const ChannelTypes& types, schema::Chunk::Builder out) {
+  std::vector<const Extras*> extras;
+  for (const StepRecord& step : steps) extras.push_back(&step.extras);
+  if (!has_extras(steps)) return;
+  encode(extras, steps.front().step, types, out.initExtras());
+}
+
+Status decode_extras(schema::Chunk::Reader in, Chunk& chunk, std::vector<std::pair<std::size_t, ChannelType>>& found) {
+  if (!in.hasExtras()) return {};
+  std::vector<Extras*> extras;
+  for (StepRecord& step : chunk.steps) extras.push_back(&step.extras);
+  auto channels = decode(in.getExtras(), chunk.first_step, extras);
+  if (!channels.ok()) return channels.error();
+  found = *std::move(channels);
+  return {};
+}
+
 constexpr std::size_t kStoredBytes = kColumnCount * 8 + 1;  // of a body that touched something, in one step
 
 /// Memory for the first message and for those to come, in which more bodies may move: pages that are never used cost
@@ -199,13 +217,19 @@ Status check_counts(schema::Chunk::Reader in) {
 
 }  // namespace
 
+bool has_extras(Steps steps) {
+  return std::ranges::any_of(steps, [](const StepRecord& step) { return !step.extras.empty(); });
+}
+
 ChunkEncoder::ChunkEncoder() : states_(std::make_unique<StateEncoder>()) {}
 ChunkEncoder::~ChunkEncoder() = default;
 
-Result<MessageBytes> ChunkEncoder::encode(const Keyframe& keyframe, Steps steps) {
+Result<MessageBytes> ChunkEncoder::encode(const Keyframe& keyframe, Steps steps, const ChannelTypes& types) {
   if (Status ok = states_->encode(keyframe.state, steps); !ok.ok()) return ok.error();
   std::size_t bytes = states_->bytes() + encoded_bytes(keyframe.state);
-  for (const StepRecord& step : steps) bytes += 80 + step.phase_words.size() * 8 + step.inputs.size() * 400;
+  for (const StepRecord& step : steps) {
+    bytes += 80 + step.phase_words.size() * 8 + step.inputs.size() * 400 + bytes_of(step.extras);
+  }
   if (spare_.bytes().empty()) spare_ = room_for(bytes + steps.size() * keyframe.state.bodies.size() * kStoredBytes);
   const auto fill = [&](schema::Chunk::Builder out) {
     out.setFirstStep(keyframe.state.step + 1);
@@ -213,6 +237,7 @@ Result<MessageBytes> ChunkEncoder::encode(const Keyframe& keyframe, Steps steps)
     replay::encode(keyframe, out.initKeyframe());
     encode_steps(steps, out);
     states_->copy_to(out.initStates());
+    encode_extras(steps, types, out);
   };
   return write_message<schema::Chunk>(bytes, fill, std::move(spare_));
 }
@@ -235,6 +260,7 @@ Result<ChunkDecoder> ChunkDecoder::open(const MessageBytes& message) {
                      " before step " + std::to_string(decoder.chunk_.first_step));
     }
     if (Status ok = decode_steps(in, decoder.chunk_); !ok.ok()) return ok;
+    if (Status ok = decode_extras(in, decoder.chunk_, decoder.channels_); !ok.ok()) return ok;
     decoder.states_ = std::make_unique<StateDecoder>(decoder.chunk_.keyframe.state, in.getStates());
     return decoder.states_->check(in.getStepCount());
   };

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "replay/codec/zstd_frame.h"
 #include "src/base/check.h"
@@ -12,14 +14,19 @@ namespace tumble::replay {
 class StateEncoder;
 class StateDecoder;
 
+/// Whether any of the steps has extras, which need format version 2.0.
+bool has_extras(std::span<const StepRecord> steps);
+
 /// Encodes chunk messages. Uses its memory again for the next chunk.
 class ChunkEncoder {
  public:
   ChunkEncoder();
   ~ChunkEncoder();
 
-  /// Errors (kCannotFinish): out of memory; a state has other bodies than keyframe and inputs lead to.
-  Result<MessageBytes> encode(const Keyframe& keyframe, std::span<const StepRecord> steps);
+  /// types: of the channels of the log. Errors (kCannotFinish): out of memory; a state has other bodies than keyframe
+  /// and inputs lead to.
+  Result<MessageBytes> encode(const Keyframe& keyframe, std::span<const StepRecord> steps,
+                              const std::vector<ChannelType>& types = {});
 
   /// Takes back the memory of a message that is needed no longer, for the next one.
   void take_back(MessageBytes message) { spare_ = std::move(message); }
@@ -44,6 +51,12 @@ class ChunkDecoder {
   [[nodiscard]] std::uint64_t first_step() const { return chunk_.first_step; }
   [[nodiscard]] std::size_t step_count() const { return chunk_.steps.size(); }
 
+  /// Whether any step has extras; see has_extras().
+  [[nodiscard]] bool has_extras() const { return replay::has_extras(chunk_.steps); }
+
+  /// The channels that have values in the chunk, by index, with their types.
+  [[nodiscard]] const std::vector<std::pair<std::size_t, ChannelType>>& channels() const { return channels_; }
+
   /// Step first_step() + index. Its states are empty until step() has decoded them.
   [[nodiscard]] const StepRecord& without_states(std::size_t index) const {
     SIM_CHECK(index < chunk_.steps.size(), index, chunk_.steps.size());
@@ -57,6 +70,7 @@ class ChunkDecoder {
   ChunkDecoder();
 
   Chunk chunk_;
+  std::vector<std::pair<std::size_t, ChannelType>> channels_;
   std::unique_ptr<StateDecoder> states_;
   std::size_t decoded_ = 0;  // steps whose states are there
 };

@@ -1,7 +1,12 @@
 #include "replay/codec/header_codec.h"
 
+#include <array>
+#include <utility>
+
+#include "replay/codec/extras_codec.h"
 #include "replay/codec/message.h"
 #include "replay/codec/scene_codec.h"
+#include "replay/codec/shape_codec.h"
 #include "replay/format/limits.h"
 #include "src/base/check.h"
 #include "tumble/sim/limits.h"
@@ -75,6 +80,64 @@ Result<ImportedTable> decode_table(schema::Imported::Reader in) {
   return table;
 }
 
+/// first_state: the number of the state that the log begins with.
+void encode_declared(const Declared& declared, std::uint64_t first_state, schema::Declared::Builder out) {
+  auto channels = out.initChannels(static_cast<unsigned>(declared.channels.size()));
+  ChannelTypes types;
+  for (unsigned i = 0; i < channels.size(); ++i) {
+    const Channel& channel = declared.channels[i];
+    channels[i].setName(channel.name);
+    channels[i].setKind(static_cast<std::uint8_t>(channel.type.kind));
+    channels[i].setScope(static_cast<std::uint8_t>(channel.type.scope));
+    channels[i].setUnit(channel.unit);
+    types.push_back(channel.type);
+  }
+  auto shapes = out.initShapes(static_cast<unsigned>(declared.shapes.size()));
+  for (unsigned i = 0; i < shapes.size(); ++i) encode(declared.shapes[i], shapes[i]);
+  auto bodies = out.initBodies(static_cast<unsigned>(declared.bodies.size()));
+  for (unsigned i = 0; i < bodies.size(); ++i) encode(declared.bodies[i], bodies[i]);
+  const std::array<const Extras*, 1> start = {&declared.start};
+  if (!declared.start.empty()) encode(start, first_state, types, out.initStart());
+  out.setVelocityDerived(declared.velocity_derived);
+  out.setSpinDerived(declared.spin_derived);
+}
+
+Result<Declared> decode_declared(schema::Declared::Reader in, std::uint64_t first_state) {
+  Declared declared;
+  const auto channels = in.getChannels();
+  if (channels.size() > kChannelsMax) return damaged("found " + std::to_string(channels.size()) + " channels");
+  for (const schema::Channel::Reader channel : channels) {
+    const capnp::Text::Reader name = channel.getName(), unit = channel.getUnit();
+    declared.channels.push_back(
+        {std::string(name.cStr(), name.size()),
+         {static_cast<ChannelKind>(channel.getKind()), static_cast<ChannelScope>(channel.getScope())},
+         std::string(unit.cStr(), unit.size())});
+  }
+  for (const schema::Shape::Reader shape : in.getShapes()) {
+    Result<Shape> one = decode(shape);
+    if (!one.ok()) return one.error();
+    declared.shapes.push_back(*std::move(one));
+  }
+  for (const schema::BodyInfo::Reader body : in.getBodies()) {
+    Result<BodyInfo> info = decode(body);
+    if (!info.ok()) return info.error();
+    declared.bodies.push_back(*std::move(info));
+  }
+  if (in.hasStart()) {
+    const std::array<Extras*, 1> start = {&declared.start};
+    const auto found = decode(in.getStart(), first_state, start);
+    if (!found.ok()) return found.error();
+    for (const auto& [index, type] : *found) {
+      if (index < declared.channels.size() && declared.channels[index].type == type) continue;
+      return damaged("found a value of channel " + std::to_string(index) + " that is not declared so");
+    }
+  }
+  declared.velocity_derived = in.getVelocityDerived();
+  declared.spin_derived = in.getSpinDerived();
+  if (Status ok = check_declared(declared); !ok.ok()) return damaged(ok.error().message);
+  return declared;
+}
+
 Result<LogHeader> decode_root(schema::Header::Reader in, std::uint64_t message_bytes) {
   LogHeader header;
   header.tool_version = in.getToolVersion().cStr();
@@ -109,6 +172,11 @@ Result<LogHeader> decode_root(schema::Header::Reader in, std::uint64_t message_b
     Result<ImportedTable> table = decode_table(in.getImported());
     if (!table.ok()) return table.error();
     header.table = *std::move(table);
+  }
+  if (in.hasDeclared()) {
+    Result<Declared> declared = decode_declared(in.getDeclared(), header.goes_on ? header.goes_on->step : 0);
+    if (!declared.ok()) return declared.error();
+    header.declared = *std::move(declared);
   }
   if (in.hasRecovered()) {
     Result<Recovered> recovered = decode_recovered(in.getRecovered());
@@ -153,6 +221,9 @@ Result<MessageBytes> encode_header(const LogHeader& header) {
       encode_table(*header.table, imported);
     } else if (header.engine) {
       encode_engine(*header.engine, out.initEngine());
+    }
+    if (!header.declared.empty()) {
+      encode_declared(header.declared, header.goes_on ? header.goes_on->step : 0, out.initDeclared());
     }
     if (header.recovered) encode_recovered(*header.recovered, out.initRecovered());
     out.setStatesEvery(header.states.every);

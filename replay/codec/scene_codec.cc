@@ -130,14 +130,6 @@ Error unknown_input(schema::Input::Reader in) {
                    std::to_string(in.getStep()) + ", which this program does not know; use a newer one");
 }
 
-void encode_camera(const sim::Camera& camera, schema::Camera::Builder out) {
-  encode(camera.position, out.initPosition());
-  encode(camera.target, out.initTarget());
-  out.setFov(camera.fov);
-  out.setFocus(camera.focus);
-  out.setBlur(camera.blur);
-}
-
 }  // namespace
 
 void encode(const sim::Vec3& v, schema::Vec3::Builder out) {
@@ -147,6 +139,18 @@ void encode(const sim::Vec3& v, schema::Vec3::Builder out) {
 }
 
 sim::Vec3 decode(schema::Vec3::Reader in) { return {in.getX(), in.getY(), in.getZ()}; }
+
+void encode(const sim::Camera& camera, schema::Camera::Builder out) {
+  encode(camera.position, out.initPosition());
+  encode(camera.target, out.initTarget());
+  out.setFov(camera.fov);
+  out.setFocus(camera.focus);
+  out.setBlur(camera.blur);
+}
+
+sim::Camera decode(schema::Camera::Reader in) {
+  return {decode(in.getPosition()), decode(in.getTarget()), in.getFov(), in.getFocus(), in.getBlur()};
+}
 
 void encode(const sim::WorldDef& def, schema::WorldDef::Builder out) {
   out.setMethod(static_cast<std::uint8_t>(def.method));
@@ -221,7 +225,7 @@ void encode(const sim::SceneDef& scene, schema::Scene::Builder out) {
   for (unsigned i = 0; i < boxes.size(); ++i) put(scene.boxes[i], boxes[i]);
   auto inputs = out.initInputs(static_cast<unsigned>(scene.inputs.size()));
   for (unsigned i = 0; i < inputs.size(); ++i) encode(scene.inputs[i], inputs[i]);
-  encode_camera(scene.camera, out.initCamera());
+  encode(scene.camera, out.initCamera());
   encode(scene.light.position, out.initLight().initPosition());
   encode(scene.light.target, out.getLight().initTarget());
 }
@@ -258,9 +262,7 @@ Result<sim::SceneDef> decode(schema::Scene::Reader in, std::uint64_t message_byt
     if (!command.ok()) return command.error();
     scene.inputs.push_back(*command);
   }
-  const schema::Camera::Reader camera = in.getCamera();
-  scene.camera = {decode(camera.getPosition()), decode(camera.getTarget()), camera.getFov(), camera.getFocus(),
-                  camera.getBlur()};
+  scene.camera = decode(in.getCamera());
   const schema::Light::Reader light = in.getLight();
   scene.light = {decode(light.getPosition()), decode(light.getTarget())};
   return scene;

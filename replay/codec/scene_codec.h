@@ -19,6 +19,9 @@ void encode(const sim::WorldDef& def, schema::WorldDef::Builder out);
 /// Errors (kBadInput): the method is unknown to this build.
 Result<sim::WorldDef> decode(schema::WorldDef::Reader in);
 
+void encode(const sim::Camera& camera, schema::Camera::Builder out);
+sim::Camera decode(schema::Camera::Reader in);
+
 void encode(const sim::TimedCommand& input, schema::Input::Builder out);
 /// Errors (kBadInput): the kind of input is unknown to this build; the message names the kind.
 Result<sim::TimedCommand> decode(schema::Input::Reader in);

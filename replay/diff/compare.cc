@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "replay/diff/channel_difference.h"
 #include "replay/diff/world_difference.h"
 #include "replay/format/chain.h"
 #include "replay/log/checked_log.h"
@@ -26,6 +27,8 @@ class Diff {
     same_words_ = !states_only_ && same_phase_words(a.header(), b.header());
     if (same_words_ && tolerances.exact()) phases_ = a.header().phases;
     imported_ = a.header().engine || b.header().engine;
+    channels_ = match_channels(a.header(), b.header(), tolerances, states_only_);
+    derived_ = derived_values(a.header(), b.header());
   }
 
   Result<DiffReport> run(const Progress& progress) {
@@ -130,7 +133,9 @@ class Diff {
                              imported_,
                              one_scene_,
                              worlds_,
-                             report_.zeros};
+                             report_.zeros,
+                             names_of(channels_),
+                             left_out(channels_, derived_, imported_, tolerances_)};
     report_.scope = scope_of(a_, b_, tolerances_, facts);
     if (until_ < std::max(a_.last_step(), b_.last_step())) {
       report_.scope.not_compared.push_back("all behind step " + std::to_string(until_) + ", as asked");
@@ -142,7 +147,8 @@ class Diff {
   /// value is a hash over all steps before, so two chains that differ once never agree again: a binary search finds the
   /// place. If log B ends a chunk at that step too, the index of each log has the value, and no chunk is decoded.
   [[nodiscard]] Result<std::uint64_t> last_known_same(std::uint64_t from, std::uint64_t last) {
-    if (!same_words_ || a_.header().hashes != b_.header().hashes) return from;  // chains cover phase words
+    const bool one_chain = same_words_ && channels_.equal && a_.header().hashes == b_.header().hashes;
+    if (!one_chain) return from;  // chains cover phase words and channels
     const Result<Hash128> chain_a = a_.chain_at(from), chain_b = b_.chain_at(from);
     if (!chain_a.ok()) return chain_a.error();
     if (!chain_b.ok()) return chain_b.error();
@@ -184,6 +190,7 @@ class Diff {
     start.state_hash = (*record)->state_hash;
     start.has_states = (*record)->has_states;
     start.states = (*record)->states;
+    start.extras = (*record)->extras;
     return {};
   }
 
@@ -194,10 +201,11 @@ class Diff {
     if (!a.ok()) return a.error();
     Result<const StepRecord*> b = b_.read_hashes(k);
     if (!b.ok()) return b.error();
-    if (states_only_ && (*a)->dt == (*b)->dt && (*a)->state_hash == (*b)->state_hash) return {};
+    const bool by_states = states_only_ && channels_.compared.empty();
+    if (by_states && (*a)->dt == (*b)->dt && (*a)->state_hash == (*b)->state_hash) return {};
     StepRecord actual = **b;
     leave_out_words(**a, actual);
-    if (chain_next({}, **a) == chain_next({}, actual)) return {};
+    if (same_step(channels_, **a, actual)) return {};
     return compare_states(k, **a, actual);
   }
 
@@ -229,7 +237,8 @@ class Diff {
   /// Finds the first difference. Fields that this kind of comparison leaves out are first made equal in `actual`.
   void judge(const StepRecord& expected, StepRecord& actual) {
     leave_out_words(expected, actual);
-    if (imported_) forgive_signs(expected, actual);
+    if (imported_) report_.zeros += forgive_zeros(expected, actual);
+    forgive_derived(derived_, expected, actual);
     if (!tolerances_.exact()) {
       forgive_states(expected.states, actual.states, tolerances_);
       forgive_inputs(expected, actual, tolerances_);
@@ -243,28 +252,13 @@ class Diff {
     const bool have_states = expected.has_states && actual.has_states;
     if (by_states && have_states && same_bits(expected.states, actual.states)) actual.state_hash = expected.state_hash;
     report_.first = first_difference(expected, actual, phases_);
-    if (report_.first && in_binary32()) count_in_binary32(*report_.first);
+    if (report_.first && in_binary32(a_.header(), b_.header())) count_in_binary32(*report_.first);
+    add_extra_difference(channels_, expected, actual, tolerances_, report_.first);
   }
 
   void leave_out_words(const StepRecord& expected, StepRecord& actual) const {
     if (states_only_) actual.phase_words = expected.phase_words;
     leave_out_phase_words(a_.header(), b_.header(), expected, actual);
-  }
-
-  /// A change of axes turns 0.0 into −0.0, which is the same number in another engine's states and energies.
-  void forgive_signs(const StepRecord& expected, StepRecord& actual) {
-    report_.zeros += forgive_zeros(expected.states, actual.states);
-    for (const auto energy : {&sim::StepCounters::kinetic, &sim::StepCounters::potential, &sim::StepCounters::inputs,
-                              &sim::StepCounters::removed}) {
-      if (expected.counters.*energy == actual.counters.*energy) actual.counters.*energy = expected.counters.*energy;
-    }
-  }
-
-  [[nodiscard]] bool in_binary32() const {
-    const auto is_single = [](const LogReader& log) {
-      return log.header().engine && log.header().engine->precision_bits == kBinary32Bits;
-    };
-    return is_single(a_) && is_single(b_);
   }
 
   LogReader& a_;
@@ -280,6 +274,8 @@ class Diff {
   bool one_scene_ = false;                      // no value that a step depends on differs between the headers
   std::uint64_t worlds_ = 0;                    // complete states compared
   std::optional<Divergence> keyframe_differs_;  // the first of them that differs
+  ChannelMatch channels_;
+  DerivedValues derived_;
   DiffReport report_;
 };
 

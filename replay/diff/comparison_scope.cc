@@ -9,6 +9,7 @@ namespace tumble::replay {
 namespace {
 
 constexpr std::size_t kRunsShown = 4;
+constexpr std::size_t kChannelsShown = 12;
 
 std::string run_text(std::uint64_t first, std::uint64_t last) {
   return to_string(MissingSteps{first, last + 1 - first});
@@ -20,6 +21,12 @@ std::string columns_text(const std::vector<std::string>& names) {
   return text;
 }
 
+std::string channels_text(const std::vector<std::string>& names) {
+  std::string text = count_text(names.size(), "channel") + " (";
+  for (std::size_t i = 0; i < std::min(kChannelsShown, names.size()); ++i) text += (i == 0 ? "" : ", ") + names[i];
+  return text + (names.size() > kChannelsShown ? ", …)" : ")");
+}
+
 class Scope {
  public:
   Scope(const LogReader& a, const LogReader& b, const Tolerances& tolerances, const DiffFacts& facts)
@@ -28,6 +35,9 @@ class Scope {
   ComparisonScope take() {
     add_steps();
     add_states();
+    if (!facts_.channels.empty()) compare(channels_text(facts_.channels));
+    if (facts_.imported && !facts_.states_only && tolerances_.exact()) compare("contacts of the engine");
+    for (const std::string& part : facts_.left_out) leave_out(part);
     add_tolerances();
     add_worlds();
     add_ends();
@@ -191,6 +201,8 @@ std::string not_intact(const LogReader& log) {
   return "the " + bytes + " of " + log.name() + ": " + condition.summary(log.last_step());
 }
 
-std::string never_compared() { return "names, texts, cameras, lights and looks: no step depends on them"; }
+std::string never_compared() {
+  return "names, texts, notes, snapshots, cameras, lights and looks: no step depends on them";
+}
 
 }  // namespace tumble::replay

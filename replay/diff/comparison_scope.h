@@ -17,15 +17,17 @@ struct ComparisonScope {
 
 /// The way in which two logs were compared.
 struct DiffFacts {
-  std::uint64_t from = 0;    ///< the first state of both
-  std::uint64_t last = 0;    ///< the last step of both
-  bool hashes_only = false;  ///< chunks with equal chains were not read
-  bool states_only = false;  ///< two engines: dt and states alone
-  bool same_words = false;   ///< phase words mean the same in both
-  bool imported = false;     ///< one log at least is another engine's
-  bool one_scene = false;    ///< scenes and method versions are equal, so complete states were compared
-  std::uint64_t worlds = 0;  ///< complete states compared
-  std::uint64_t zeros = 0;   ///< whose sign alone differs, counted as equal
+  std::uint64_t from = 0;             ///< the first state of both
+  std::uint64_t last = 0;             ///< the last step of both
+  bool hashes_only = false;           ///< chunks with equal chains were not read
+  bool states_only = false;           ///< two engines: dt and states alone
+  bool same_words = false;            ///< phase words mean the same in both
+  bool imported = false;              ///< one log at least is another engine's
+  bool one_scene = false;             ///< scenes and method versions are equal, so complete states were compared
+  std::uint64_t worlds = 0;           ///< complete states compared
+  std::uint64_t zeros = 0;            ///< whose sign alone differs, counted as equal
+  std::vector<std::string> channels;  ///< names of those compared
+  std::vector<std::string> left_out;  ///< channels and derived values that were not compared, each with its reason
 };
 
 /// Steps after `from`, up to `last`.

@@ -164,6 +164,7 @@ std::string describe(const Divergence& d) {
   text += ", phase " + d.phase;
   if (d.body) text += ", body " + std::to_string(*d.body);
   if (d.pair) text += ", pair " + std::to_string(d.pair->first) + " and " + std::to_string(d.pair->second);
+  if (!d.names.empty()) text += " (" + d.names + ")";
   text += ", " + d.field + ": expected " + to_string(d.expected) + ", actual " + to_string(d.actual);
   if (d.ulps) text += " (" + std::to_string(*d.ulps) + (*d.ulps == 1 ? " ulp)" : " ulps)");
   if (!d.note.empty()) text += "; " + d.note;

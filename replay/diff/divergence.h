@@ -30,6 +30,7 @@ struct Divergence {
   FieldValue expected;  ///< in the log, or in the first of two
   FieldValue actual;
   std::optional<std::uint64_t> ulps;  ///< ulps_between() the two; none where one is NaN or no double
+  std::string names;                  ///< of body or pair, where the log has them: "wheel", "wheel and chassis"
   /// For people: "same rotation, other sign" where an orientation is another's negative; the angle between two others;
   /// "zeros of other sign". May be empty.
   std::string note;

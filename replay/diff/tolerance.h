@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "tumble/replay/body_states.h"
 #include "tumble/replay/step_record.h"
@@ -26,8 +27,11 @@ struct Tolerances {
   [[nodiscard]] bool excuses(const std::string& field, double expected, double actual) const;
 };
 
-/// Sets the tolerance of a field by its name. Errors (kBadInput): an unknown field; a value that is negative or NaN.
-Status set_tolerance(Tolerances& tolerances, const std::string& field, double value);
+/// Sets the tolerance of a field by its name. channels: those of the logs; a name that no field has, or "channel." and
+/// a name, means a channel. Errors (kBadInput): an unknown field; a channel of bytes or text; a value that is negative
+/// or NaN.
+Status set_tolerance(Tolerances& tolerances, const std::string& field, double value,
+                     const std::vector<Channel>& channels = {});
 
 /// The angle in rad, 0 … π, of the turn from one orientation to the other; NaN where one has no direction.
 double angle_between(const sim::Quat& a, const sim::Quat& b);
@@ -42,7 +46,24 @@ void forgive_states(const BodyStates& expected, BodyStates& actual, const Tolera
 /// Likewise for dt and for the fields of inputs of equal kinds.
 void forgive_inputs(const StepRecord& expected, StepRecord& actual, const Tolerances& tolerances);
 
+/// Whether both sessions are of engines that compute in binary32.
+bool in_binary32(const LogHeader& a, const LogHeader& b);
+
+/// Numbers of a state that an import computed from others; exact comparisons leave them out.
+struct DerivedValues {
+  bool velocity = false;
+  bool spin = false;
+};
+/// Those of either log.
+DerivedValues derived_values(const LogHeader& a, const LogHeader& b);
+/// Copies them, those of thrown bodies too, and the energies that follow from them.
+void forgive_derived(const DerivedValues& derived, const StepRecord& expected, StepRecord& actual);
+
 /// Copies zeros whose sign alone differs. Returns their number.
 std::uint64_t forgive_zeros(const BodyStates& expected, BodyStates& actual);
+
+/// Likewise of the states and energies of a step. Returns the number of zeros of the states. For steps of other
+/// engines: a change of axes turns 0.0 into −0.0, which is the same number there.
+std::uint64_t forgive_zeros(const StepRecord& expected, StepRecord& actual);
 
 }  // namespace tumble::replay

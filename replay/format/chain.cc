@@ -27,9 +27,10 @@ void add(Hasher& hasher, const Hash128& hash) {
 
 }  // namespace
 
-Hash128 chain_start(const Hash128& state_hash_0) {
+Hash128 chain_start(const Hash128& state_hash_0, const Extras& extras_0) {
   Hasher hasher;
   add(hasher, state_hash_0);
+  if (extras_0.in_chain()) add(hasher, hash_of(extras_0));
   return hasher.digest();
 }
 
@@ -54,6 +55,7 @@ Hash128 chain_next(const Hash128& before, const StepRecord& record) {
   hasher.add(counters.potential);
   hasher.add(counters.inputs);
   hasher.add(counters.removed);
+  if (record.extras.in_chain()) add(hasher, hash_of(record.extras));
   return hasher.digest();
 }
 

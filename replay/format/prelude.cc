@@ -88,8 +88,11 @@ Prelude fields_of(const std::byte* at) {
 bool version_is_damaged(std::span<const std::byte, kPreludeBytes> bytes) {
   std::array<std::byte, kPreludeBytes> ours;
   std::copy(bytes.begin(), bytes.end(), ours.begin());
-  store(ours.data() + 16, kFormatMajor);
-  return hash_bytes({ours.data(), kHashedPart}).low == load<std::uint64_t>(ours.data() + kHashedPart);
+  for (std::uint16_t major = kFormatMajor; major <= kExtrasMajor; ++major) {
+    store(ours.data() + 16, major);
+    if (hash_bytes({ours.data(), kHashedPart}).low == load<std::uint64_t>(ours.data() + kHashedPart)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -108,6 +111,11 @@ const char* name_of(RecordKind kind) {
       return "golden";
   }
   return "record";
+}
+
+void Prelude::set_extras() {
+  major = kExtrasMajor;
+  minor = kExtrasMinor;
 }
 
 std::array<std::byte, kPreludeBytes> encode(const Prelude& prelude) {
@@ -139,9 +147,9 @@ bool nearly_starts_like_log(std::span<const std::byte> start) {
 Result<Prelude> decode_prelude(std::span<const std::byte, kPreludeBytes> bytes) {
   if (!starts_like_log(bytes)) return damaged("found no record: the bytes are not those that every record starts with");
   const Prelude prelude = fields_of(bytes.data());
-  if (prelude.major > kFormatMajor && !version_is_damaged(bytes)) {
+  if (prelude.major > kExtrasMajor && !version_is_damaged(bytes)) {
     return bad_input("found format version " + std::to_string(prelude.major) + "." + std::to_string(prelude.minor) +
-                     ", this program reads versions up to " + std::to_string(kFormatMajor) +
+                     ", this program reads versions up to " + std::to_string(kExtrasMajor) +
                      ".x; use a program that writes or reads version " + std::to_string(prelude.major));
   }
   const std::uint64_t wanted = hash_bytes(bytes.first<kHashedPart>()).low;

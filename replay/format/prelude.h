@@ -14,8 +14,12 @@
 /// tables.
 namespace tumble::replay {
 
-inline constexpr std::uint16_t kFormatMajor = 1;  ///< readers of another major version cannot read the file
+inline constexpr std::uint16_t kFormatMajor = 1;  ///< readers of an older major version cannot read the record
 inline constexpr std::uint16_t kFormatMinor = 3;  ///< grows with every added field; older readers ignore the field
+/// Of records with declarations or extras, which older readers must not pass over. A record has the lowest version that
+/// holds its content, so a log without extras can be read by older programs.
+inline constexpr std::uint16_t kExtrasMajor = 2;
+inline constexpr std::uint16_t kExtrasMinor = 0;
 
 enum class RecordKind : std::uint16_t { kHeader = 1, kChunk = 2, kIndex = 3, kFooter = 4, kGolden = 5 };
 /// "header", "chunk", …; "record" for a value that is none of them.
@@ -50,6 +54,7 @@ struct Prelude {
   Hash128 chain_before;
   Hash128 chain_after;
   std::uint64_t log_tag = 0;
+  void set_extras();  ///< raises the version to that of extras
   friend bool operator==(const Prelude&, const Prelude&) = default;
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tumble/replay/body_states.h"
+#include "tumble/replay/extras.h"
 #include "tumble/replay/imported_table.h"
 #include "tumble/sim/hash.h"
 #include "tumble/sim/result.h"
@@ -26,6 +27,7 @@ struct StepRecord {
   sim::StepCounters counters;
   bool has_states = false;  ///< false for steps whose states the log leaves out
   BodyStates states;        ///< after the step; empty without has_states
+  Extras extras;            ///< of another engine's step, mostly; empty of ours, but for views
 };
 
 /// The steps whose states a log holds in full.
@@ -117,6 +119,7 @@ struct LogHeader {
   std::optional<GoesOn> goes_on;         ///< none: the log begins with state 0
   std::optional<EngineName> engine;      ///< none: the steps were computed by this project
   std::optional<ImportedTable> table;    ///< none: no table was imported, or it had our axes and no column too many
+  Declared declared;                     ///< empty: the source of the steps declares nothing beyond states
   std::optional<Recovered> recovered;    ///< none: the log was not recovered
   StatesMode states;
   HashesMode hashes;

@@ -1,8 +1,9 @@
 #include "replay/import/camera_change.h"
 
-#include <vector>
+#include <charconv>
+#include <cmath>
+#include <system_error>
 
-#include "replay/import/number_list.h"
 #include "src/base/text.h"
 #include "src/model/camera.h"
 
@@ -28,6 +29,24 @@ Status set_number(const std::string& key, const std::string& value, std::optiona
 }
 
 }  // namespace
+
+std::vector<double> numbers_of(const std::string& text) {
+  std::vector<double> numbers;
+  const char* at = text.data();
+  const char* end = at + text.size();
+  while (at != end) {
+    if (*at == ' ' || *at == ',') {
+      ++at;
+      continue;
+    }
+    double value = 0;
+    const auto [stop, error] = std::from_chars(at, end, value);
+    if (error != std::errc() || !std::isfinite(value)) return {};
+    numbers.push_back(value);
+    at = stop;
+  }
+  return numbers;
+}
 
 Status CameraChange::set(const std::string& key, const std::string& value) {
   if (key == "position") return set_place(key, value, position);

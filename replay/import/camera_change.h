@@ -2,11 +2,15 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "tumble/sim/result.h"
 #include "tumble/sim/scene.h"
 
 namespace tumble::replay {
+
+/// The finite numbers of "0 0 -9.81", with spaces or commas between; empty for any other text.
+std::vector<double> numbers_of(const std::string& text);
 
 /// Values that replace those of a camera, from the lines "camera.position: 3 -8 4" of a table or from arguments.
 struct CameraChange {

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "replay/format/limits.h"
-#include "replay/import/number_list.h"
 
 namespace tumble::replay {
 namespace {
@@ -64,6 +63,17 @@ constexpr std::array kKeys = {
             return true;
           }
           return take_number(v, metres) && metres > 0;
+        }},
+    Key{"euler", "three axes, as in XYZ (about the body's axes) or xyz (about the world's)",
+        [](const std::string& v, CsvSettings& out) {
+          const std::optional<EulerOrder> order = parse_euler(v);
+          out.euler = order.value_or(EulerOrder());
+          return order.has_value();
+        }},
+    Key{"angles", "degrees or radians",
+        [](const std::string& v, CsvSettings& out) {
+          out.radians = v == "radians";
+          return v == "radians" || v == "degrees";
         }},
     Key{"dt", "a number of seconds > 0",
         [](const std::string& v, CsvSettings& out) { return take_number(v, out.dt.emplace()) && *out.dt > 0; }},
@@ -143,13 +153,11 @@ using Places = std::vector<std::pair<std::string, std::size_t*>>;
 Error unknown_column(const CsvReader& table, std::size_t column, const Places& places) {
   std::string known;
   for (const auto& [word, where] : places) known += (known.empty() ? "" : ", ") + word;
-  return table.at(column, "found column \"" + table.columns()[column] + "\", wanted some of " + known +
-                              "; the name of a column that is to be passed over begins with _");
-}
-
-Error long_name(const CsvReader& table, std::size_t column) {
-  return table.at(column, "found a name of " + std::to_string(table.columns()[column].size()) +
-                              " bytes, wanted at most " + std::to_string(kColumnNameBytesMax));
+  return table.at(
+      column, "found column \"" + table.columns()[column] + "\", wanted some of " + known +
+                  "; a column channel.NAME or world.NAME becomes a channel, --channels makes channels of all others, "
+                  "--map FIELD=COLUMN gives a column its name, and the name of a column that is to be "
+                  "passed over begins with _");
 }
 
 template <std::size_t N>
@@ -166,6 +174,31 @@ Status check_vector(const CsvReader& table, const char* name, const std::array<s
   if (there == N || (there == 0 && !needed)) return {};
   return table.at_line(table.line(), "found " + std::to_string(there) + " columns of " + name + ", wanted " +
                                          std::to_string(N) + ": " + name + (N == 4 ? ".w, " : ".x, ") + "…");
+}
+
+/// Takes a column that is a channel; false for any other.
+bool take_channel(const std::string& name, std::size_t column, bool others_are_channels, CsvColumns& columns) {
+  const auto add = [&](std::size_t prefix, ChannelScope scope) {
+    columns.channels.push_back({column, name.substr(prefix), scope});
+    return true;
+  };
+  if (name.starts_with("channel.")) return add(8, ChannelScope::kBody);
+  if (name.starts_with("world.")) return add(6, ChannelScope::kWorld);
+  return others_are_channels && add(0, ChannelScope::kBody);
+}
+
+/// Errors (kBadInput): a needed vector is missing, or a vector lacks components.
+Status check_vectors(const CsvReader& table, const CsvColumns& columns) {
+  if (Status ok = check_vector(table, "position", columns.position, true); !ok.ok()) return ok;
+  const bool by_angles = columns.euler[0] != CsvColumns::kNone;
+  if (Status ok = check_vector(table, "orientation", columns.orientation, !by_angles); !ok.ok()) return ok;
+  if (by_angles && columns.orientation[0] != CsvColumns::kNone) {
+    return table.at(columns.euler[0], "found columns of orientation and of euler, wanted one of the two");
+  }
+  if (Status ok = check_vector(table, "euler", columns.euler, false); !ok.ok()) return ok;
+  if (Status ok = check_vector(table, "velocity", columns.velocity, false); !ok.ok()) return ok;
+  if (Status ok = check_vector(table, "spin", columns.spin, false); !ok.ok()) return ok;
+  return check_vector(table, "size", columns.size, false);
 }
 
 }  // namespace
@@ -216,11 +249,13 @@ Result<CsvSettings> read_settings(const CsvReader& table, std::span<const std::s
   return start;
 }
 
-Result<CsvColumns> find_columns(const CsvReader& table) {
+Result<CsvColumns> find_columns(const CsvReader& table, bool others_are_channels) {
   CsvColumns columns;
   Places places = {{"step", &columns.step},
                    {"time", &columns.time},
                    {"id", &columns.id},
+                   {"name", &columns.name},
+                   {"shape", &columns.shape},
                    {"frozen", &columns.frozen},
                    {"mass", &columns.mass},
                    {"static", &columns.is_static},
@@ -233,15 +268,20 @@ Result<CsvColumns> find_columns(const CsvReader& table) {
   add_vector(places, "velocity", "xyz", columns.velocity);
   add_vector(places, "spin", "xyz", columns.spin);
   add_vector(places, "size", "xyz", columns.size);
+  add_vector(places, "euler", "123", columns.euler);
   for (std::size_t k = 0; k < table.columns().size(); ++k) {
     const std::string& name = table.columns()[k];
     if (name.starts_with('_')) {
-      if (name.size() > kColumnNameBytesMax) return long_name(table, k);
+      if (name.size() > kColumnNameBytesMax) {
+        return table.at(k, "found a name of " + std::to_string(name.size()) + " bytes, wanted at most " +
+                               std::to_string(kColumnNameBytesMax));
+      }
       columns.passed_over.push_back(name);
       continue;
     }
     const auto place = std::ranges::find(places, name, &Places::value_type::first);
     if (place == places.end()) {
+      if (take_channel(name, k, others_are_channels, columns)) continue;
       return unknown_column(table, k, places);
     }
     if (*place->second != CsvColumns::kNone) return table.at(k, "found column \"" + name + "\" twice");
@@ -251,11 +291,7 @@ Result<CsvColumns> find_columns(const CsvReader& table) {
     return table.at_line(table.line(), "found neither a column step nor a column time, wanted one of them");
   }
   if (columns.id == CsvColumns::kNone) return table.at_line(table.line(), "found no column id, wanted one");
-  if (Status ok = check_vector(table, "position", columns.position, true); !ok.ok()) return ok.error();
-  if (Status ok = check_vector(table, "orientation", columns.orientation, true); !ok.ok()) return ok.error();
-  if (Status ok = check_vector(table, "velocity", columns.velocity, true); !ok.ok()) return ok.error();
-  if (Status ok = check_vector(table, "spin", columns.spin, true); !ok.ok()) return ok.error();
-  if (Status ok = check_vector(table, "size", columns.size, false); !ok.ok()) return ok.error();
+  if (Status ok = check_vectors(table, columns); !ok.ok()) return ok.error();
   return columns;
 }
 

@@ -10,6 +10,8 @@
 
 #include "replay/import/camera_change.h"
 #include "replay/import/csv_reader.h"
+#include "replay/import/derived_motion.h"
+#include "tumble/replay/channel.h"
 #include "tumble/replay/imported_table.h"
 #include "tumble/replay/step_record.h"
 #include "tumble/sim/result.h"
@@ -25,6 +27,8 @@ struct CsvSettings {
   std::optional<double> dt;  ///< s, of one step of the engine
   sim::SceneDef scene;       ///< name, gravity, ground
   sim::BoxDef box;           ///< size, mass and material of a body without such columns
+  EulerOrder euler;          ///< of the columns euler.1 to euler.3
+  bool radians = false;      ///< the unit of these columns; else degrees
   CameraChange camera;       ///< in the engine's axes and units until all settings are read
 };
 
@@ -41,14 +45,23 @@ struct CsvColumns {
   static constexpr std::size_t kNone = ~std::size_t{0};
   std::size_t step = kNone, time = kNone, id = kNone, frozen = kNone, mass = kNone, is_static = kNone;
   std::size_t friction = kNone, restitution = kNone, row = kNone, column = kNone;
-  std::array<std::size_t, 3> position = {}, velocity = {}, spin = {},
+  std::size_t name = kNone, shape = kNone;
+  std::array<std::size_t, 3> position = {}, velocity = {}, spin = {}, euler = {},
                              size = {};  ///< all components of a vector or none
   std::array<std::size_t, 4> orientation = {};
   std::vector<std::string> passed_over;  ///< names that begin with _, in their order
+  struct ChannelColumn {
+    std::size_t column = 0;
+    std::string name;  ///< of the channel
+    ChannelScope scope = ChannelScope::kBody;
+  };
+  std::vector<ChannelColumn> channels;  ///< "channel.NAME" of bodies, "world.NAME" of the step as a whole
+  [[nodiscard]] bool has_velocity() const { return velocity[0] != kNone; }
+  [[nodiscard]] bool has_spin() const { return spin[0] != kNone; }
 };
 
-/// Finds the columns. Errors (kBadInput): a column is missing, given twice or unknown, a vector lacks components, or a
-/// name is too long.
-Result<CsvColumns> find_columns(const CsvReader& table);
+/// Finds the columns. others_are_channels: a column that the format does not know is a channel of bodies. Errors
+/// (kBadInput): a column is missing, given twice or unknown, a vector lacks components, or a name is too long.
+Result<CsvColumns> find_columns(const CsvReader& table, bool others_are_channels = false);
 
 }  // namespace tumble::replay

@@ -76,6 +76,12 @@ std::optional<std::size_t> CsvReader::find(std::string_view column) const {
   return static_cast<std::size_t>(found - columns_.begin());
 }
 
+bool CsvReader::rename(std::string_view column, const std::string& name) {
+  const std::optional<std::size_t> found = find(column);
+  if (found) columns_[*found] = name;
+  return found.has_value();
+}
+
 Result<bool> CsvReader::next() {
   passed_over_.clear();
   while (next_line()) {

@@ -29,6 +29,9 @@ class CsvReader {
   [[nodiscard]] const std::vector<CsvSetting>& settings() const { return settings_; }
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
   [[nodiscard]] std::optional<std::size_t> find(std::string_view column) const;
+  /// Gives a column another name; false where no column has the old one.
+  bool rename(std::string_view column, const std::string& name);
+  [[nodiscard]] const std::string& name() const { return name_; }  ///< of the table
 
   /// Moves to the next row; false at the end. Errors: the row has not as many cells as columns, or is the end of the
   /// text without a line end, because a number that was cut may still be a number.

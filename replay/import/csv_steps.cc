@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "replay/format/not_finite.h"
+#include "replay/import/shape_text.h"
 #include "src/base/text.h"
 #include "src/model/camera.h"
 #include "src/world/edit_bodies.h"
@@ -21,18 +23,19 @@ sim::Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]};
 
 }  // namespace
 
-Result<CsvSteps> CsvSteps::open(std::string_view text, const std::string& name, std::span<const std::string> settings,
-                                const std::optional<SessionLike>& like) {
+Result<CsvSteps> CsvSteps::open(std::string_view text, const std::string& name, const TableOptions& options) {
+  const std::optional<SessionLike>& like = options.like;
   Result<CsvReader> table = CsvReader::open(text, name);
   if (!table.ok()) return table.error();
-  const Result<CsvColumns> columns = find_columns(*table);
+  if (Status ok = rename_columns(options.map, *table); !ok.ok()) return ok.error();
+  const Result<CsvColumns> columns = find_columns(*table, options.map.others_are_channels);
   if (!columns.ok()) return columns.error();
   CsvSettings start;
   start.scene.name = "session";
   start.scene.camera.focus = sim::focus_on_target(start.scene.camera);
   if (like) start.scene = like->scene;
   if (like && columns->time == kNone) start.dt = like->scene.world.dt;
-  Result<CsvSettings> read = read_settings(*table, settings, std::move(start));
+  Result<CsvSettings> read = read_settings(*table, options.settings, std::move(start));
   if (!read.ok()) return read.error();
   CsvSteps steps(*std::move(table), *std::move(read), *columns);
   if (columns->time == kNone && !steps.settings_.dt) {
@@ -40,6 +43,11 @@ Result<CsvSteps> CsvSteps::open(std::string_view text, const std::string& name, 
   }
   if (like) {
     for (const sim::BoxDef& box : like->boxes) steps.like_.emplace(box.id, box);
+  }
+  steps.first_reading_ = options.kinds.empty();
+  steps.channels_.set_kinds(options.kinds);
+  if (Status ok = check_channels(steps.channels_.channels()); !ok.ok()) {
+    return steps.at_line(steps.table_.line(), ok.error().message);
   }
   if (const Result<bool> more = steps.next_row(); !more.ok()) return more.error();
   return steps;
@@ -58,6 +66,8 @@ Result<bool> CsvSteps::next(TableStep& step) {
   const Result<double> dt = clock_.begin_step(table_);
   if (!dt.ok()) return dt.error();
   step.dt = *dt;
+  if (step.values.channels() != channels_.channels()) step.values = StepValues(channels_.channels());
+  channels_.begin_step();
   for (bool same = true; same;) {
     if (Status ok = take_row(step); !ok.ok()) return ok.error();
     const Result<bool> more = next_row();
@@ -99,27 +109,84 @@ Status CsvSteps::read_numbers(const std::array<std::size_t, N>& columns, std::ar
   return {};
 }
 
-Status CsvSteps::take_row(TableStep& step) {
-  const Result<std::uint64_t> id = table_.whole(columns_.id);
-  if (!id.ok()) return id.error();
+/// A body whose id is 0 or a text gets an id made of that text, the same in every table, so that two sessions can be
+/// compared whatever the order of their rows.
+Result<sim::BodyId> CsvSteps::read_id() {
+  constexpr sim::BodyId kFromText = sim::BodyId{1} << 52U;  // ids of texts lie from here on
+  const std::string_view cell = table_.cell(columns_.id);
+  if (const auto known = ids_.find(cell); known != ids_.end()) return known->second;
+  const Result<std::uint64_t> whole = table_.whole(columns_.id);
+  if (whole.ok() && *whole > 0 && *whole <= sim::kBodyIdMax) return *whole;
+  if (!whole.ok() && parse_exact(cell)) return whole.error();
+  const std::string text(cell);
+  if (text.empty()) return table_.at(columns_.id, "id: found nothing, wanted a number or a name");
+  const std::uint64_t hash = hash_bytes(std::as_bytes(std::span(cell))).low;
+  const sim::BodyId id = kFromText | (hash & (kFromText - 1));
+  const auto same = std::ranges::find(ids_, id, [](const auto& entry) { return entry.second; });
+  if (same != ids_.end()) {
+    return table_.at(columns_.id, "found ids " + in_quotes(cell) + " and " + in_quotes(same->first) +
+                                      ", which get one number; wanted other names");
+  }
+  BodyInfo info = {id, text, {}};
+  if (Status ok = check_body_info(info); !ok.ok()) return table_.at(columns_.id, ok.error().message);
+  ids_.emplace(text, id);
+  infos_.emplace(id, std::move(info));
+  return id;
+}
+
+Result<sim::Quat> CsvSteps::read_orientation() {
+  if (columns_.euler[0] == kNone) {
+    std::array<double, 4> q{};
+    if (Status ok = read_numbers(columns_.orientation, q); !ok.ok()) return ok.error();
+    return sim::Quat{q[0], q[1], q[2], q[3]};
+  }
+  constexpr double kDegrees = 57.295779513082323;  // of a radian
+  std::array<double, 3> angles{};
+  if (Status ok = read_numbers(columns_.euler, angles); !ok.ok()) return ok.error();
+  if (settings_.radians) {
+    for (double& angle : angles) angle *= kDegrees;
+  }
+  return orientation_of(settings_.euler, angles);
+}
+
+Result<EngineState> CsvSteps::read_state(sim::BodyId id, double dt) {
   std::array<double, 3> x{}, v{}, w{};
-  std::array<double, 4> q{};
-  if (Status ok = read_numbers(columns_.position, x); !ok.ok()) return ok;
-  if (Status ok = read_numbers(columns_.orientation, q); !ok.ok()) return ok;
-  if (Status ok = read_numbers(columns_.velocity, v); !ok.ok()) return ok;
-  if (Status ok = read_numbers(columns_.spin, w); !ok.ok()) return ok;
-  if (Status ok = check_state(*id, q); !ok.ok()) return ok;
-  look_for_lost(*id, kPosition, columns_.position, x);
-  look_for_lost(*id, kOrientation, columns_.orientation, q);
-  look_for_lost(*id, kVelocity, columns_.velocity, v);
-  look_for_lost(*id, kSpin, columns_.spin, w);
+  if (Status ok = read_numbers(columns_.position, x); !ok.ok()) return ok.error();
+  const Result<sim::Quat> turn = read_orientation();
+  if (!turn.ok()) return turn.error();
+  const std::array<double, 4> q = {turn->w, turn->x, turn->y, turn->z};
+  if (columns_.has_velocity()) {
+    if (Status ok = read_numbers(columns_.velocity, v); !ok.ok()) return ok.error();
+  }
+  if (columns_.has_spin()) {
+    if (Status ok = read_numbers(columns_.spin, w); !ok.ok()) return ok.error();
+  }
+  if (Status ok = check_state(id, q); !ok.ok()) return ok.error();
+  look_for_lost(id, kPosition, columns_.position, x);
+  if (columns_.euler[0] == kNone) look_for_lost(id, kOrientation, columns_.orientation, q);
+  if (columns_.has_velocity()) look_for_lost(id, kVelocity, columns_.velocity, v);
+  if (columns_.has_spin()) look_for_lost(id, kSpin, columns_.spin, w);
   const Result<bool> frozen = columns_.frozen == kNone ? Result<bool>(false) : table_.flag(columns_.frozen);
   if (!frozen.ok()) return frozen.error();
   const EngineAxes& axes = settings_.axes;
-  const EngineState state = {axes.length(vector_of(x)), axes.turn({q[0], q[1], q[2], q[3]}), axes.length(vector_of(v)),
-                             axes.axial(vector_of(w)), *frozen};
-  if (Status ok = meet(*id, state); !ok.ok()) return ok;
-  step.rows.emplace_back(*id, state);
+  EngineState state = {axes.length(vector_of(x)), axes.turn(*turn), axes.length(vector_of(v)), axes.axial(vector_of(w)),
+                       *frozen};
+  if (velocity_derived() || spin_derived()) {
+    motion_.derive(id, steps_, dt, velocity_derived(), spin_derived(), state);
+  }
+  return state;
+}
+
+Status CsvSteps::take_row(TableStep& step) {
+  const Result<sim::BodyId> id = read_id();
+  if (!id.ok()) return id.error();
+  const Result<EngineState> state = read_state(*id, step.dt);
+  if (!state.ok()) return state.error();
+  if (Status ok = meet(*id, *state); !ok.ok()) return ok;
+  notes_.motion(*id, steps_, step.dt, *state, !velocity_derived(), settings_.axes);
+  step.rows.emplace_back(*id, *state);
+  if (!first_reading_) return channels_.take(table_, *id, step.values);
+  channels_.look(table_);
   return {};
 }
 
@@ -129,7 +196,7 @@ Status CsvSteps::check_state(sim::BodyId id, const std::array<double, 4>& q) {
   const double length = std::sqrt(sim::squared_length({q[0], q[1], q[2], q[3]}));
   if (std::ranges::any_of(q, [](double number) { return !std::isfinite(number); })) return {};
   const double off = std::fabs(length - 1);
-  const std::size_t column = columns_.orientation[0];
+  const std::size_t column = columns_.orientation[0] == kNone ? columns_.euler[0] : columns_.orientation[0];
   if (off > EngineState::kLengthOffMax) {
     return table_.at(column, "orientation: found a quaternion of length " + significant(length, 9) +
                                  ", wanted 1; divide its numbers by the length");
@@ -148,14 +215,11 @@ void CsvSteps::look_for_lost(sim::BodyId id, std::size_t first, std::span<const 
   }
 }
 
-/// Makes the box of a new body. Refuses a body that returns after steps without it.
+/// Makes the box of a new body. A body may return after steps without it.
 Status CsvSteps::meet(sim::BodyId id, const EngineState& state) {
   const auto known = met_.find(id);
   if (known != met_.end()) {
-    if (known->second.last_step + 1 < steps_) {
-      return table_.at(columns_.id,
-                       "found body " + std::to_string(id) + " again after steps without it, wanted a new id");
-    }
+    if (known->second.last_step + 1 < steps_) notes_.came_back(table_.at(columns_.id, "").message, id, steps_);
     known->second.last_step = steps_;
     return bodies_.check_later(table_, known->second.first);
   }
@@ -171,8 +235,28 @@ Status CsvSteps::meet(sim::BodyId id, const EngineState& state) {
   box.spin = state.spin;
   box.frozen = state.frozen && !box.is_static;
   if (const Status ok = sim::check_box(box); !ok.ok()) return table_.at(columns_.id, ok.error().message);
+  const sim::Vec3 size = box.size;
   boxes_.emplace(id, std::move(box));
+  return describe(id, size);
+}
+
+/// Name and shape of a new body.
+Status CsvSteps::describe(sim::BodyId id, const sim::Vec3& size) {
+  BodyInfo& info = infos_.emplace(id, BodyInfo{id, "", {}}).first->second;
+  if (columns_.name != kNone) info.name = table_.cell(columns_.name);
+  if (Status ok = check_body_info(info); !ok.ok()) return table_.at(columns_.name, ok.error().message);
+  if (columns_.shape == kNone) return {};
+  Result<std::optional<Shape>> shape = parse_shape(table_.cell(columns_.shape), size, settings_.axes, table_.name());
+  if (!shape.ok()) return table_.at(columns_.shape, shape.error().message);
+  if (!*shape) return {};
+  info.shape = hash_of(**shape);
+  shapes_.emplace(id, **std::move(shape));
   return {};
+}
+
+const Shape* CsvSteps::shape(sim::BodyId id) const {
+  const auto shape = shapes_.find(id);
+  return shape == shapes_.end() ? nullptr : &shape->second;
 }
 
 }  // namespace tumble::replay

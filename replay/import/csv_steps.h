@@ -11,9 +11,12 @@
 #include <vector>
 
 #include "replay/import/csv_bodies.h"
+#include "replay/import/csv_channels.h"
 #include "replay/import/csv_clock.h"
 #include "replay/import/csv_format.h"
 #include "replay/import/csv_reader.h"
+#include "replay/import/derived_motion.h"
+#include "replay/import/table_map.h"
 #include "replay/import/table_notes.h"
 #include "tumble/replay/engine_log.h"
 #include "tumble/replay/imported_table.h"
@@ -32,17 +35,25 @@ struct SessionLike {
 /// The rows of one step.
 struct TableStep {
   using Row = std::pair<sim::BodyId, EngineState>;
-  double dt = 0;           ///< s, since the step before; 0 for the first step
-  std::uint64_t line = 0;  ///< line of the first row
-  std::vector<Row> rows;   ///< ascending id
+  double dt = 0;                              ///< s, since the step before; 0 for the first step
+  std::uint64_t line = 0;                     ///< line of the first row
+  std::vector<Row> rows;                      ///< ascending id
+  StepValues values{std::vector<Channel>{}};  ///< of channels; only in the second reading
+};
+
+/// How a table is read.
+struct TableOptions {
+  std::vector<std::string> settings = {};  ///< "key: value"; override the settings of the table
+  std::optional<SessionLike> like = {};
+  TableMap map = {};
+  std::vector<ChannelKind> kinds = {};  ///< CsvChannels::kinds() of the first reading; empty in the first
 };
 
 /// Reads a table step by step and records which bodies exist. Errors (kBadInput) name file, line and column.
 class CsvSteps {
  public:
-  /// Reads up to the first row. settings: "key: value"; override the settings of the table.
-  static Result<CsvSteps> open(std::string_view text, const std::string& name, std::span<const std::string> settings,
-                               const std::optional<SessionLike>& like);
+  /// Reads up to the first row.
+  static Result<CsvSteps> open(std::string_view text, const std::string& name, const TableOptions& options);
 
   /// The next step; false after the last one.
   Result<bool> next(TableStep& step);
@@ -52,6 +63,12 @@ class CsvSteps {
   [[nodiscard]] std::optional<ImportedTable> facts() const;
   /// A body with its values from the step in which it first appears.
   [[nodiscard]] const sim::BoxDef& box(sim::BodyId id) const { return boxes_.at(id); }
+  /// Name and shape of a body; with an empty name and no shape where the table gives none.
+  [[nodiscard]] const BodyInfo& info(sim::BodyId id) const { return infos_.at(id); }
+  [[nodiscard]] const Shape* shape(sim::BodyId id) const;
+  [[nodiscard]] const CsvChannels& channels() const { return channels_; }
+  [[nodiscard]] bool velocity_derived() const { return !columns_.has_velocity(); }
+  [[nodiscard]] bool spin_derived() const { return !columns_.has_spin(); }
   [[nodiscard]] const TableNotes& notes() const { return notes_; }  ///< on the steps read so far
   [[nodiscard]] Error at_line(std::uint64_t line, const std::string& message) const {
     return table_.at_line(line, message);
@@ -69,10 +86,15 @@ class CsvSteps {
         settings_(std::move(settings)),
         columns_(std::move(columns)),
         clock_(columns_, settings_.dt),
-        bodies_(columns_, settings_) {}
+        bodies_(columns_, settings_),
+        channels_(columns_, settings_.engine.precision_bits == kBinary32Bits) {}
   Result<bool> next_row();
   Status take_row(TableStep& step);
   Status meet(sim::BodyId id, const EngineState& state);
+  Status describe(sim::BodyId id, const sim::Vec3& size);
+  Result<sim::BodyId> read_id();
+  Result<sim::Quat> read_orientation();
+  Result<EngineState> read_state(sim::BodyId id, double dt);
   Status check_state(sim::BodyId id, const std::array<double, 4>& q);
   void look_for_lost(sim::BodyId id, std::size_t first, std::span<const std::size_t> columns,
                      std::span<const double> numbers);
@@ -84,6 +106,12 @@ class CsvSteps {
   CsvColumns columns_;
   CsvClock clock_;
   CsvBodies bodies_;
+  CsvChannels channels_;
+  DerivedMotion motion_;
+  bool first_reading_ = true;
+  std::map<std::string, sim::BodyId, std::less<>> ids_;  // of bodies with a text for an id
+  std::map<sim::BodyId, BodyInfo> infos_;
+  std::map<sim::BodyId, Shape> shapes_;
   std::map<sim::BodyId, sim::BoxDef> like_;
   std::map<sim::BodyId, sim::BoxDef> boxes_;  // of every body met
   std::map<sim::BodyId, Met> met_;

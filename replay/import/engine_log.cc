@@ -4,7 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "replay/format/chain.h"
 #include "replay/format/limits.h"
+#include "replay/format/step_values.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
 #include "src/world/body_check.h"
@@ -68,18 +70,29 @@ Status check_engine(const EngineDef& def) {
     return bad_input("engine: found " + std::to_string(def.phases.size()) + " phases, wanted at most " +
                      std::to_string(kPhasesMax));
   }
-  return def.table ? check_table(*def.table) : Status();
+  if (def.table) {
+    if (Status ok = check_table(*def.table); !ok.ok()) return ok;
+  }
+  return check_declared(def.declared);
 }
 
 LogHeader header_of(const EngineDef& def, const sim::SceneDef& start) {
   LogHeader header = header_for(start);
   header.engine = def.engine;
   header.table = def.table;
+  header.declared = def.declared;
   header.method = "engine";
   header.method_version = 0;  // no build has this version, so none takes the steps for its own
   header.phases = def.phases;
   header.phase_hash_version = 1;  // the phases are those of the engine
   return header;
+}
+
+/// A log of the last steps of a session is a continued log, whose beginning nobody kept.
+void begin_at(std::uint64_t step, LogHeader& header, sim::WorldState& state) {
+  state.step = step;
+  const Hash128 chain = chain_start(sim::state_hash(state.bodies), header.declared.start);
+  header.goes_on = {step, "steps that were not kept", sim::continuation_hash(state), chain};
 }
 
 }  // namespace
@@ -98,11 +111,25 @@ Result<std::unique_ptr<EngineLog>> EngineLog::create(std::unique_ptr<ByteSink> s
   if (Status ok = check_engine(def); !ok.ok()) return ok.error();
   Result<sim::World> world = world_of(start);
   if (!world.ok()) return world.error();
-  Result<std::unique_ptr<LogWriter>> writer = LogWriter::create(std::move(sink), header_of(def, start), world->state());
+  LogHeader header = header_of(def, start);
+  if (def.first_state > 0) begin_at(def.first_state, header, world->mutable_state());
+  Result<std::unique_ptr<LogWriter>> writer = LogWriter::create(std::move(sink), header, world->state());
   if (!writer.ok()) return writer.error();
-  std::unique_ptr<EngineLog> log(new EngineLog(*std::move(world), def.phases.size()));
+  std::unique_ptr<EngineLog> log(new EngineLog(*std::move(world), def));
   log->writer_ = *std::move(writer);
   return log;
+}
+
+EngineLog::~EngineLog() = default;
+
+EngineLog::EngineLog(sim::World world, const EngineDef& def)
+    : world_(std::move(world)),
+      phase_count_(def.phases.size()),
+      values_(std::make_unique<StepValues>(def.declared.channels)) {
+  for (const Shape& shape : def.declared.shapes) {
+    const Hash128 hash = hash_of(shape);
+    shapes_.emplace(hash.high, hash.low);
+  }
 }
 
 Error EngineLog::at_step(const std::string& message) const {
@@ -138,6 +165,67 @@ Status EngineLog::set_state(sim::BodyId id, const EngineState& state) {
   told_[*row] = 1;
   put(world_.mutable_state().bodies, *row, state);
   return {};
+}
+
+Status EngineLog::set_value(std::size_t channel, const ChannelValue& value, const ChannelKey& key) {
+  if (Status ok = values_->set(channel, value, key); !ok.ok()) return at_step(ok.error().message);
+  return {};
+}
+
+Status EngineLog::set_values(StepValues& values) {
+  if (values.channels() != values_->channels()) return at_step("found values of other channels than the log's");
+  std::swap(*values_, values);
+  return {};
+}
+
+Status EngineLog::add_contact(const EngineContact& contact) {
+  if (contact.a == 0 || contact.a > sim::kBodyIdMax || contact.b > sim::kBodyIdMax) {
+    return at_step("found a contact of bodies " + std::to_string(contact.a) + " and " + std::to_string(contact.b) +
+                   ", wanted a body first, and a body or 0 (the world) second");
+  }
+  if (extras_.contacts.size() >= kContactsPerStepMax) {
+    return at_step("found more than " + std::to_string(kContactsPerStepMax) + " contacts");
+  }
+  extras_.contacts.push_back(contact);
+  return {};
+}
+
+Status EngineLog::add_note(std::string_view text) {
+  if (text.size() > kNoteBytesMax) return at_step("found a note of " + bytes_text(text.size()));
+  extras_.notes.emplace_back(text);
+  return {};
+}
+
+Status EngineLog::add_snapshot(std::span<const std::byte> bytes) {
+  if (bytes.size() > kSnapshotBytesMax) return at_step("found a snapshot of " + bytes_text(bytes.size()));
+  extras_.snapshots.emplace_back(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  return {};
+}
+
+Status EngineLog::add_superseded(const Superseded& before) {
+  if (before.difference.size() > kNoteBytesMax) return at_step("found a text too long");
+  extras_.superseded.push_back(before);
+  return {};
+}
+
+Status EngineLog::describe_body(const BodyInfo& info, const Shape* shape) {
+  if (Status ok = check_body_info(info); !ok.ok()) return at_step(ok.error().message);
+  if (shape != nullptr) {
+    if (Status ok = check_shape(*shape); !ok.ok()) return at_step(ok.error().message);
+    const Hash128 hash = hash_of(*shape);
+    if (shapes_.emplace(hash.high, hash.low).second) extras_.shapes.push_back(*shape);
+  }
+  if (info.shape != Hash128() && !shapes_.contains({info.shape.high, info.shape.low})) {
+    return at_step("body " + std::to_string(info.id) + ": found the hash of no shape that was given");
+  }
+  extras_.bodies.push_back(info);
+  return {};
+}
+
+/// Orders the values and contacts of the step as a log has them.
+void EngineLog::close_extras() {
+  values_->move_to(extras_);
+  std::ranges::stable_sort(extras_.contacts, {}, [](const EngineContact& c) { return std::pair(c.a, c.b); });
 }
 
 Status EngineLog::set_phase_hashes(std::span<const std::uint64_t> words) {
@@ -179,12 +267,15 @@ Status EngineLog::end_step(double dt_s) {
   info.dt = dt_s;
   info.inputs = inputs_;
   info.phase_words = phase_words_;
+  close_extras();
+  info.extras = &extras_;
   info.counters.substeps = 1;
   info.counters.kinetic = energy.kinetic;
   info.counters.potential = energy.potential;
   info.counters.inputs = world_.input_energy();
   world_.forget_input_energy();
   Status written = writer_->append(info, state);
+  extras_.clear();
   inputs_.clear();
   phase_words_.clear();
   told_.clear();
@@ -192,7 +283,8 @@ Status EngineLog::end_step(double dt_s) {
 }
 
 Result<LogSummary> EngineLog::finish() {
-  if (!inputs_.empty() || !told_.empty()) return at_step("was begun but not ended, wanted end_step() before finish()");
+  if (!inputs_.empty() || !told_.empty() || !values_->empty() || !extras_.empty())
+    return at_step("was begun but not ended, wanted end_step() before finish()");
   return writer_->finish();
 }
 

@@ -3,11 +3,15 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tumble/replay/byte_io.h"
+#include "tumble/replay/extras.h"
 #include "tumble/replay/imported_table.h"
 #include "tumble/replay/log_writer.h"
 #include "tumble/replay/step_record.h"
@@ -18,11 +22,17 @@
 /// docs/other_engines.md has a tutorial. engine_log_c.h is the interface for C.
 namespace tumble::replay {
 
+class StepValues;
+
 struct EngineDef {
   EngineName engine;
   /// Names of the phases for set_phase_hashes(), in the order in which they run. Empty: steps have no phase hashes.
   std::vector<std::string> phases = {};
   std::optional<ImportedTable> table = {};  ///< of an import; states are given in SI units, z up, all the same
+  /// Channels by ascending names, shapes, names of the bodies of the start, values of state 0.
+  Declared declared = {};
+  /// The number of the state that the log begins with; above 0 if the steps before it were not kept.
+  std::uint64_t first_state = 0;
 };
 
 /// The state of one body after a step. SI units, z up, angular velocity about world axes. Every double is kept to the
@@ -48,6 +58,8 @@ struct EngineState {
 /// further call; the steps written before can be read. Not for use by two threads at once.
 class EngineLog {
  public:
+  ~EngineLog();
+
   /// Creates the log. start: state 0, kept to the bit. Its boxes (ascending id, see sim::BoxDef), dt, gravity and
   /// ground count; `steps` is the planned number of steps, 0 if unknown; the rest is look. Errors (kBadInput): a body
   /// or a value beyond src/model/limits.h, an orientation that is no rotation, a missing name, a table that no log can
@@ -63,6 +75,26 @@ class EngineLog {
 
   /// Sets the state of a body after the coming step. Errors (kBadInput): no body has this id; no rotation.
   Status set_state(sim::BodyId id, const EngineState& state);
+
+  /// Sets a value of a channel after the coming step: of a body `a`, of a pair, or of the step as a whole. channel: an
+  /// index into Declared::channels. May come before or after inputs and states. Errors (kBadInput): no such channel; a
+  /// value of another kind than the channel's; bodies that do not fit its scope; a value that the step has.
+  Status set_value(std::size_t channel, const ChannelValue& value, const ChannelKey& key = {});
+
+  /// Sets all values of the step at once. Errors (kBadInput): values of other channels than the log's.
+  Status set_values(StepValues& values);
+
+  /// Adds a contact point, a note, a snapshot of the engine's own state or another record of the coming step. Errors
+  /// (kBadInput): a body without an id, a text or a snapshot beyond limits.h.
+  Status add_contact(const EngineContact& contact);
+  Status add_note(std::string_view text);
+  Status add_snapshot(std::span<const std::byte> bytes);
+  Status add_superseded(const Superseded& before);
+
+  /// Names a body that appears in the coming step, and gives it a shape. A shape that is neither declared nor given
+  /// before goes to `shape`; BodyInfo::shape must be its hash, or zero. Errors (kBadInput): as check_body_info(),
+  /// check_shape(); a hash of no shape.
+  Status describe_body(const BodyInfo& info, const Shape* shape = nullptr);
 
   /// Sets the phase hashes of the coming step: one word per phase, or one row of such words per substep. Errors
   /// (kBadInput): another number of words, more than PhaseHashes::kRowsMax rows, a log without phases.
@@ -82,16 +114,20 @@ class EngineLog {
   [[nodiscard]] const sim::Bodies& bodies() const { return world_.bodies(); }
 
  private:
-  EngineLog(sim::World world, std::size_t phase_count) : world_(std::move(world)), phase_count_(phase_count) {}
+  EngineLog(sim::World world, const EngineDef& def);
+  void close_extras();
   [[nodiscard]] Error at_step(const std::string& message) const;
   Status check_all_told() const;
 
   sim::World world_;  // applies the inputs; takes no steps
   std::size_t phase_count_;
   std::unique_ptr<LogWriter> writer_;
-  std::vector<sim::Command> inputs_;        // of the coming step
-  std::vector<std::uint64_t> phase_words_;  // of the coming step
-  std::vector<std::uint8_t> told_;          // one flag per row: the state was set; empty before the first
+  std::vector<sim::Command> inputs_;                          // of the coming step
+  std::vector<std::uint64_t> phase_words_;                    // of the coming step
+  std::unique_ptr<StepValues> values_;                        // of the coming step
+  std::set<std::pair<std::uint64_t, std::uint64_t>> shapes_;  // hashes of those that the log holds
+  Extras extras_;                                             // of the coming step, but the values
+  std::vector<std::uint8_t> told_;  // one flag per row: the state was set; empty before the first
 };
 
 }  // namespace tumble::replay

@@ -62,6 +62,49 @@ typedef struct TumbleLogStart {
   uint64_t planned_steps; /* 0: not known */
 } TumbleLogStart;
 
+/* A named value of the engine beside the states of its bodies: a joint angle, a control, a random seed. */
+typedef enum TumbleLogKind {
+  TUMBLE_FLOAT64 = 0,
+  TUMBLE_FLOAT32 = 1,
+  TUMBLE_INT64 = 2,
+  TUMBLE_UINT64 = 3,
+  TUMBLE_BYTES = 4,
+  TUMBLE_TEXT = 5
+} TumbleLogKind;
+
+typedef enum TumbleLogScope {
+  TUMBLE_WORLD = 0, /* at most one value a step */
+  TUMBLE_BODY = 1,  /* a body and step */
+  TUMBLE_PAIR = 2   /* a pair of bodies and step */
+} TumbleLogScope;
+
+typedef struct TumbleLogContact {
+  uint64_t a, b;      /* ids; b 0: the world */
+  double position[3]; /* m, world */
+  double normal[3];   /* from a to b */
+  double depth;       /* m; above 0: the bodies overlap */
+  double impulse;     /* N s along the normal, in this step */
+} TumbleLogContact;
+
+typedef enum TumbleLogShapeKind {
+  TUMBLE_SPHERE = 1,
+  TUMBLE_CAPSULE = 2,
+  TUMBLE_CYLINDER = 3,
+  TUMBLE_HULL = 4, /* the convex hull of the points */
+  TUMBLE_MESH = 5
+} TumbleLogShapeKind;
+
+typedef struct TumbleLogShape {
+  int kind;
+  int axis;             /* of capsule and cylinder: 0 x, 1 y, 2 z, in the body's axes */
+  double radius;        /* m */
+  double half_length;   /* m, of a capsule without its caps */
+  const double* points; /* m, x y z each, around the centre of mass; of hull and mesh */
+  size_t point_count;
+  const uint32_t* triangles; /* three points each; of a mesh */
+  size_t triangle_count;
+} TumbleLogShape;
+
 /* NULL only without memory. version may be NULL. */
 TumbleLog* tumble_log_new(const char* engine, const char* version);
 
@@ -69,6 +112,16 @@ TumbleLog* tumble_log_new(const char* engine, const char* version);
 const char* tumble_log_message(const TumbleLog* log);
 
 TumbleLogStatus tumble_log_add_body(TumbleLog* log, const TumbleLogBody* body);
+
+/* Declares a channel, before tumble_log_begin(). unit may be NULL. Channels are numbered 0, 1, … as they are declared.
+ */
+TumbleLogStatus tumble_log_add_channel(TumbleLog* log, const char* name, TumbleLogKind kind, TumbleLogScope scope,
+                                       const char* unit);
+
+/* Names a body of the start (before tumble_log_begin()) or one that is thrown in the coming step. NULL: no name, a box.
+ * A shape is stored once, however many bodies have it. */
+TumbleLogStatus tumble_log_describe_body(TumbleLog* log, uint64_t id, const char* name, const TumbleLogShape* shape);
+
 TumbleLogStatus tumble_log_begin(TumbleLog* log, const char* path, const TumbleLogStart* start);
 
 /* Inputs: done to the bodies before the coming step, and before its states. */
@@ -80,6 +133,23 @@ TumbleLogStatus tumble_log_set_gravity(TumbleLog* log, const double gravity[3]);
 
 TumbleLogStatus tumble_log_set_state(TumbleLog* log, uint64_t id, const TumbleLogState* state);
 TumbleLogStatus tumble_log_set_phase_hashes(TumbleLog* log, const uint64_t* words, size_t count);
+
+/* Values of channels after the coming step; before tumble_log_begin(): of the start. a and b: 0 where the scope of the
+ * channel has none. Texts and bytes are copied. */
+TumbleLogStatus tumble_log_set_f64(TumbleLog* log, size_t channel, uint64_t a, uint64_t b, double value);
+TumbleLogStatus tumble_log_set_f32(TumbleLog* log, size_t channel, uint64_t a, uint64_t b, float value);
+TumbleLogStatus tumble_log_set_i64(TumbleLog* log, size_t channel, uint64_t a, uint64_t b, int64_t value);
+TumbleLogStatus tumble_log_set_u64(TumbleLog* log, size_t channel, uint64_t a, uint64_t b, uint64_t value);
+TumbleLogStatus tumble_log_set_bytes(TumbleLog* log, size_t channel, uint64_t a, uint64_t b, const void* bytes,
+                                     size_t count);
+TumbleLogStatus tumble_log_set_text(TumbleLog* log, size_t channel, uint64_t a, uint64_t b, const char* text);
+
+/* Of the coming step: a contact point; a note for people; the engine's own state in its own bytes, which no comparison
+ * reads. */
+TumbleLogStatus tumble_log_contact(TumbleLog* log, const TumbleLogContact* contact);
+TumbleLogStatus tumble_log_note(TumbleLog* log, const char* text);
+TumbleLogStatus tumble_log_snapshot(TumbleLog* log, const void* bytes, size_t count);
+
 TumbleLogStatus tumble_log_end_step(TumbleLog* log, double dt);
 TumbleLogStatus tumble_log_finish(TumbleLog* log);
 

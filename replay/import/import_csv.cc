@@ -16,6 +16,7 @@ namespace {
 struct Survey {
   std::uint64_t states = 0;
   double first_dt = 0;  ///< of step 1; 0 without one
+  std::vector<ChannelKind> kinds = {};
 };
 
 /// Notes bodies that a step lacks though the step before has them. In the last step a cut table looks so.
@@ -33,7 +34,7 @@ TableNotes note_missing(const CsvSteps& reader, const TableStep& before, const T
 }
 
 Result<Survey> survey(std::string_view text, const std::string& name, const ImportOptions& options) {
-  Result<CsvSteps> reader = CsvSteps::open(text, name, options.settings, options.like);
+  Result<CsvSteps> reader = CsvSteps::open(text, name, {options.settings, options.like, options.map, {}});
   if (!reader.ok()) return reader.error();
   Survey found;
   TableStep step, before;
@@ -48,6 +49,7 @@ Result<Survey> survey(std::string_view text, const std::string& name, const Impo
     if (found.states == 1) found.first_dt = step.dt;
     ++found.states;
   }
+  found.kinds = reader->channels().kinds();
   if (found.states == 0) return reader->at_line(1, "found no row, wanted at least those of one step");
   if (options.warn) {
     const TableNotes end = note_missing(*reader, step, before);  // swapped once after the last step
@@ -56,7 +58,24 @@ Result<Survey> survey(std::string_view text, const std::string& name, const Impo
   return found;
 }
 
-Result<std::unique_ptr<EngineLog>> begin(const CsvSteps& reader, const TableStep& first, const Survey& found,
+bool says_something(const BodyInfo& info) { return !info.name.empty() || info.shape != Hash128(); }
+
+Declared declared_by(const CsvSteps& reader, const TableStep& first) {
+  Declared declared;
+  declared.channels = reader.channels().channels();
+  declared.velocity_derived = reader.velocity_derived();
+  declared.spin_derived = reader.spin_derived();
+  for (const auto& [id, state] : first.rows) {
+    const BodyInfo& info = reader.info(id);
+    if (says_something(info)) declared.bodies.push_back(info);
+    const Shape* shape = reader.shape(id);
+    const auto same = [&](const Shape& other) { return hash_of(other) == info.shape; };
+    if (shape != nullptr && std::ranges::none_of(declared.shapes, same)) declared.shapes.push_back(*shape);
+  }
+  return declared;
+}
+
+Result<std::unique_ptr<EngineLog>> begin(const CsvSteps& reader, TableStep& first, const Survey& found,
                                          const MakeSink& make_sink) {
   sim::SceneDef start = reader.settings().scene;
   start.boxes.clear();
@@ -66,7 +85,9 @@ Result<std::unique_ptr<EngineLog>> begin(const CsvSteps& reader, const TableStep
   for (const auto& [id, state] : first.rows) start.boxes.push_back(reader.box(id));
   Result<std::unique_ptr<ByteSink>> sink = make_sink();
   if (!sink.ok()) return sink.error();
-  return EngineLog::create(*std::move(sink), {reader.settings().engine, {}, reader.facts()}, start);
+  EngineDef def = {reader.settings().engine, {}, reader.facts(), declared_by(reader, first)};
+  first.values.move_to(def.declared.start);
+  return EngineLog::create(*std::move(sink), def, start);
 }
 
 /// Adds inputs for the bodies that disappeared and appeared since the last step.
@@ -81,16 +102,26 @@ Status tell_of_bodies(EngineLog& log, const CsvSteps& reader, const TableStep& s
   }
   for (const auto& [id, state] : step.rows) {
     if (std::ranges::binary_search(there, id)) continue;
-    if (Status ok = log.input(sim::Throw{reader.box(id)}); !ok.ok()) return ok;
+    sim::BoxDef box = reader.box(id);  // with the state in which the body first appeared, long ago for one that returns
+    box.position = state.position;
+    box.orientation = state.orientation;
+    box.velocity = state.velocity;
+    box.spin = state.spin;
+    box.frozen = state.frozen && !box.is_static;
+    if (Status ok = log.input(sim::Throw{box}); !ok.ok()) return ok;
+    const BodyInfo& info = reader.info(id);
+    if (!says_something(info)) continue;
+    if (Status ok = log.describe_body(info, reader.shape(id)); !ok.ok()) return ok;
   }
   return {};
 }
 
-Status write_step(EngineLog& log, const CsvSteps& reader, const TableStep& step) {
+Status write_step(EngineLog& log, const CsvSteps& reader, TableStep& step) {
   if (Status ok = tell_of_bodies(log, reader, step); !ok.ok()) return ok;
   for (const auto& [id, state] : step.rows) {
     if (Status ok = log.set_state(id, state); !ok.ok()) return ok;
   }
+  if (Status ok = log.set_values(step.values); !ok.ok()) return ok;
   return log.end_step(step.dt);
 }
 
@@ -113,7 +144,7 @@ Result<LogSummary> import_csv(std::string_view text, const std::string& name, co
                               const ImportOptions& options, const Progress& progress) {
   const Result<Survey> found = survey(text, name, options);
   if (!found.ok()) return found.error();
-  Result<CsvSteps> reader = CsvSteps::open(text, name, options.settings, options.like);
+  Result<CsvSteps> reader = CsvSteps::open(text, name, {options.settings, options.like, options.map, found->kinds});
   if (!reader.ok()) return reader.error();
   TableStep step;
   if (const Result<bool> first = reader->next(step); !first.ok()) return first.error();

@@ -24,6 +24,7 @@ Result<SessionLike> session_like(LogReader& log);
 struct ImportOptions {
   std::vector<std::string> settings;  ///< "key: value"; override the settings of the table
   std::optional<SessionLike> like = {};
+  TableMap map = {};
   /// Called for each oddness of the table that does not hinder the import: "<name>:<line>:<column>: …".
   std::function<void(const std::string& warning)> warn = {};
 };

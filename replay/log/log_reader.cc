@@ -60,7 +60,8 @@ struct LogReader::State {
   void find_chunks();
   [[nodiscard]] std::uint64_t last_step() const;
   [[nodiscard]] ChunkRules rules() const {
-    return {header.prelude.log_tag, header.content.phases.size(), header.content.hashes};
+    const LogHeader& said = header.content;
+    return {header.prelude.log_tag, said.phases.size(), said.hashes, &said.declared.channels};
   }
   [[nodiscard]] const MissingSteps* lost_at(std::uint64_t k) const;
   [[nodiscard]] Error no_such(const char* what, std::uint64_t k) const;
@@ -71,8 +72,11 @@ struct LogReader::State {
   Result<const Keyframe*> keyframe_at_or_before(std::uint64_t k);
   Result<Hash128> chain_at(std::uint64_t k);
 
+  const BodyTable& body_table();
+
   std::unique_ptr<ByteSource> source;
   HeaderRecord header;
+  std::optional<BodyTable> bodies;
   LogCondition condition;
   std::vector<ChunkPlace> chunks;
   std::optional<std::size_t> loaded;  // the chunk that decoder holds
@@ -162,6 +166,7 @@ Result<const StepRecord*> LogReader::State::read(std::uint64_t k, bool with_stat
     start.has_states = true;
     start.dt = (*first)->state.def.dt;
     start.state_hash = sim::state_hash((*first)->state.bodies);
+    start.extras = header.content.declared.start;
     return &start;
   }
   Result<std::size_t> chunk = chunk_of(k);
@@ -205,6 +210,24 @@ Result<Hash128> LogReader::State::chain_at(std::uint64_t k) {
   return chain;
 }
 
+const BodyTable& LogReader::State::body_table() {
+  if (bodies) return *bodies;
+  bodies.emplace();
+  bodies->add(header.content.declared.bodies, header.content.declared.shapes);
+  const RecordReader records(*source);
+  for (std::size_t i = 0; header.content.engine && i < chunks.size(); ++i) {
+    const Result<Prelude> prelude = records.read_prelude(chunks[i].offset);
+    if (!prelude.ok() || prelude->major < kExtrasMajor) continue;
+    const Result<ChunkDecoder> chunk = records.read_chunk(chunks[i], rules());
+    if (!chunk.ok()) continue;
+    for (std::size_t k = 0; k < chunk->step_count(); ++k) {
+      const Extras& extras = chunk->without_states(k).extras;
+      bodies->add(extras.bodies, extras.shapes);
+    }
+  }
+  return *bodies;
+}
+
 LogReader::LogReader(std::unique_ptr<State> state) : state_(std::move(state)) {}
 LogReader::LogReader(LogReader&&) noexcept = default;
 LogReader& LogReader::operator=(LogReader&&) noexcept = default;
@@ -241,6 +264,7 @@ const Prelude& LogReader::header_prelude() const { return state_->header.prelude
 Result<const StepRecord*> LogReader::read_step(std::uint64_t k) { return state_->read(k, true); }
 Result<const StepRecord*> LogReader::read_hashes(std::uint64_t k) { return state_->read(k, false); }
 Result<const Keyframe*> LogReader::keyframe_at_or_before(std::uint64_t k) { return state_->keyframe_at_or_before(k); }
+const BodyTable& LogReader::bodies() { return state_->body_table(); }
 Result<Hash128> LogReader::chain_at(std::uint64_t k) { return state_->chain_at(k); }
 
 void LogReader::read_ahead(bool on) {

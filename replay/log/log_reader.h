@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tumble/replay/body_table.h"
 #include "tumble/replay/byte_io.h"
 #include "tumble/replay/chunk.h"
 #include "tumble/replay/log_condition.h"
@@ -72,6 +73,11 @@ class LogReader {
 
   /// The chain after step k of first_state() … last_step(); see chain_next(). Errors: as read_step().
   Result<Hash128> chain_at(std::uint64_t k);
+
+  /// Names and shapes of all bodies of the log, also of those that appear later: reads every intact chunk once where
+  /// the log has declarations, and keeps the result. A body that is not in it has no name and is a box. Chunks that
+  /// cannot be read are passed over.
+  const BodyTable& bodies();
 
   /// Decodes the next chunk on a second thread while one chunk is in use. Costs the memory of one more chunk. Pays off
   /// where all steps are read in ascending order.

@@ -69,6 +69,12 @@ struct LogWriter::Buffer {
     step.inputs.assign(info.inputs.begin(), info.inputs.end());
     step.phase_words.assign(info.phase_words.begin(), info.phase_words.end());
     step.counters = info.counters;
+    if (info.extras != nullptr) {
+      step.extras = *info.extras;
+      bytes += bytes_of(step.extras);
+    } else if (!step.extras.empty()) {
+      step.extras.clear();
+    }
     copy_visible(after.bodies, step.states);
     busy_rows += static_cast<std::uint64_t>(std::count(after.bodies.frozen.begin(), after.bodies.frozen.end(), 0));
     bytes += after.bodies.size() * kBodyStateBytes + info.phase_words.size() * 8;

@@ -27,6 +27,7 @@ struct StepInfo {
   std::span<const sim::Command> inputs;        ///< applied before the step, in order
   std::span<const std::uint64_t> phase_words;  ///< sim::PhaseHashes::words(): rows × phases; none unless header.hashes
   sim::StepCounters counters;
+  const Extras* extras = nullptr;  ///< of the step; null: none. Channels as LogHeader::declared has them
 };
 
 /// Writes a session to a log while the session runs.

@@ -52,6 +52,19 @@ Result<MessageBytes> RecordReader::read_payload(std::uint64_t offset, const Prel
   return message;
 }
 
+namespace {
+
+Status check_types(const ChunkDecoder& chunk, const std::vector<Channel>& channels) {
+  for (const auto& [index, type] : chunk.channels()) {
+    if (index < channels.size() && channels[index].type == type) continue;
+    return damaged("found values of channel " + std::to_string(index) + " of kind " + name_of(type.kind) +
+                   " and scope " + name_of(type.scope) + ", which the header does not declare so");
+  }
+  return {};
+}
+
+}  // namespace
+
 /// The prelude at byte 0. A file that is no log, a damaged log and a torn one get errors of their own.
 Result<Prelude> RecordReader::read_header_prelude() const {
   const std::uint64_t size = source_.size();
@@ -118,6 +131,9 @@ Result<ChunkDecoder> RecordReader::read_chunk(const ChunkPlace& place, const Chu
   if (!decoder.ok()) return wrong(decoder.error());
   if (decoder->first_step() != place.first_step || decoder->step_count() != place.step_count) {
     return wrong(damaged("the steps inside are not those that the record tells of"));
+  }
+  if (rules.channels != nullptr) {
+    if (Status ok = check_types(*decoder, *rules.channels); !ok.ok()) return wrong(ok.error());
   }
   Hash128 chain = prelude->chain_before;
   for (std::size_t i = 0; i < decoder->step_count(); ++i) {

@@ -26,6 +26,8 @@ struct ChunkRules {
   std::uint64_t log_tag = 0;
   std::size_t phase_count = 0;  ///< each row of phase words has this length; 0: any length
   HashesMode hashes = {};       ///< the steps that may have phase words
+  /// The channels that a chunk may have values of; null: any.
+  const std::vector<Channel>* channels = nullptr;
 };
 
 /// Reads single records and checks each against its prelude: the inverse of RecordWriter. LogReader and scan_records()

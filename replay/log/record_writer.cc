@@ -90,11 +90,13 @@ Status RecordWriter::write_header(const LogHeader& header, const sim::WorldState
   hashes_mode_ = header.hashes;
   final_hash_ = sim::state_hash(initial.bodies);
   first_state_ = initial.step;
-  chain_ = header.goes_on ? header.goes_on->chain : chain_start(final_hash_);
+  chain_ = header.goes_on ? header.goes_on->chain : chain_start(final_hash_, header.declared.start);
+  for (const Channel& channel : header.declared.channels) channel_types_.push_back(channel.type);
   Result<MessageBytes> message = encode_header(header);
   if (!message.ok()) return fail("header", message.error().message);
   Prelude prelude;
   prelude.kind = RecordKind::kHeader;
+  if (!header.declared.empty()) prelude.set_extras();
   prelude.first_step = first_state_;
   prelude.chain_before = prelude.chain_after = chain_;
   return write_record(prelude, *message);
@@ -119,7 +121,8 @@ Status RecordWriter::write_chunk(Keyframe& keyframe, std::span<StepRecord> steps
     chain_ = chain_next(chain_, step);
   }
   prelude.chain_after = chain_;
-  Result<MessageBytes> message = encoder_.encode(keyframe, steps);
+  if (has_extras(steps)) prelude.set_extras();
+  Result<MessageBytes> message = encoder_.encode(keyframe, steps, channel_types_);
   if (!message.ok()) return fail("chunk " + std::to_string(sequence_), message.error().message);
   const std::uint64_t offset = bytes_;
   if (Status ok = write_record(prelude, *message); !ok.ok()) return ok;

@@ -65,6 +65,7 @@ class RecordWriter {
   std::vector<std::byte> stored_;  // its memory is used again
   std::vector<ChunkPlace> chunks_;
   StatesMode mode_;
+  std::vector<ChannelType> channel_types_;
   HashesMode hashes_mode_;
   std::uint64_t first_state_ = 0;  // the state that the log begins with
   std::uint64_t bytes_ = 0;        // of complete records

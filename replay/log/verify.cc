@@ -46,7 +46,9 @@ class Verifier {
   void add(RecordKind kind, std::uint64_t offset, const std::string& message) { add(Damage{kind, offset, message}); }
 
   void check_chunk(const ChunkPlace& place) {
-    const ChunkRules rules = {log_.header_prelude().log_tag, log_.header().phases.size(), log_.header().hashes};
+    const LogHeader& header = log_.header();
+    const ChunkRules rules = {log_.header_prelude().log_tag, header.phases.size(), header.hashes,
+                              &header.declared.channels};
     Result<ChunkDecoder> chunk = RecordReader(log_.source()).read_chunk(place, rules);
     const auto wrong = [&](const std::string& message) {
       add(RecordKind::kChunk, place.offset,
@@ -99,7 +101,7 @@ class Verifier {
   [[nodiscard]] bool is_start(const Keyframe& keyframe, const Hash128& state) const {
     const std::optional<GoesOn>& before = log_.header().goes_on;
     if (before) return before->continuation_hash == keyframe.continuation_hash;
-    return chain_start(state) == log_.header_prelude().chain_after;
+    return chain_start(state, log_.header().declared.start) == log_.header_prelude().chain_after;
   }
 
   Status check_step(const StepRecord& step) {

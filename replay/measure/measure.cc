@@ -33,7 +33,8 @@ SeriesRow in_unit_of(const EngineAxes& axes, SeriesRow row) {
   return row;
 }
 
-Measurer::Measurer(const LogHeader& header, const MeasureOptions& options) : scene_(header.scene), options_(options) {}
+Measurer::Measurer(const LogHeader& header, const MeasureOptions& options)
+    : channels_(header.declared.channels), scene_(header.scene), options_(options) {}
 
 void Measurer::add(const StepRecord& record) {
   for (const sim::Command& input : record.inputs) {
@@ -92,6 +93,7 @@ void Measurer::start(const StepRecord& record) {
 
 void Measurer::measure_state(const StepRecord& record) {
   row_.state = meter_->measure(record.states, record.step);
+  channels_.add(record.extras);
   row_.lost = meter_->lost();
   bodies_seen_ = std::max(bodies_seen_, row_.state.bodies);
   row_.overlap.reset();
@@ -152,6 +154,7 @@ Result<Metrics> Measurer::finish(const BodyStates& last) {
   stacking.kinetic_rotational_end = end.kinetic_rotational;
   stacking.frozen_fraction = end.frozen_fraction;
   stacking.rest_time = rest_since_;
+  metrics_.channels = channels_.metrics();
   metrics_.not_finite = meter_->not_finite();
   if (metrics_.not_finite.any) spoil(energy);
   return metrics_;

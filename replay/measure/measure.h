@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "replay/log/session_clock.h"
+#include "replay/measure/channel_metrics.h"
 #include "replay/measure/measure_options.h"
 #include "replay/measure/measure_state.h"
 #include "tumble/replay/imported_table.h"
@@ -65,8 +67,9 @@ struct Metrics {
   SymmetryMetrics symmetry;
   EnergyMetrics energy;
   StackingMetrics stacking;
-  Hash128 final_hash;     ///< the state hash after the last step
-  LostBodies not_finite;  ///< bodies that were not finite in a measured state
+  std::vector<ChannelMetrics> channels;  ///< of the log, by ascending names
+  Hash128 final_hash;                    ///< the state hash after the last step
+  LostBodies not_finite;                 ///< bodies that were not finite in a measured state
 };
 
 /// One row of `measure --series`: the measures after one step. Energies in J, of all bodies; "since the start" means
@@ -111,6 +114,7 @@ class Measurer {
   void apply_before_start(const sim::Command& input);
   void measure_state(const StepRecord& record);
 
+  ChannelMeter channels_;
   sim::SceneDef scene_;  // as it was at the last step before the start
   MeasureOptions options_;
   std::optional<StateMeter> meter_;

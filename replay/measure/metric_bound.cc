@@ -72,7 +72,9 @@ Result<MetricBound> parse_metric_bound(const std::string& text) {
   if (number.empty() || error != std::errc() || rest != end || !std::isfinite(bound.bound)) return not_understood(text);
   bound.metric = find_metric(name);
   if (bound.metric == nullptr) {
-    return bad_input("found no metric \"" + name + "\"; 'tumble measure --json' and docs/metrics.md have the names");
+    return bad_input("found no metric \"" + name +
+                     "\"; 'tumble measure --json' and docs/metrics.md have the names, and channel.NAME.max the "
+                     "largest value of a channel");
   }
   if (is_always_true(bound)) {
     return bad_input("found \"" + text +

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
 
 namespace tumble::replay {
 namespace {
@@ -77,10 +81,50 @@ constexpr MetricRow kMetrics[] = {
      [](const Metrics& m) { return m.bodies_at_end > 0 ? m.stacking.rest_time : std::nullopt; }},
 };
 
+/// Rows of channels are made as they are asked for, and kept: callers hold on to them like to those of the table.
+const MetricRow* channel_metric(std::string_view name) {
+  const std::optional<ChannelMetricName> parts = parse_channel_metric(name);
+  if (!parts) return nullptr;
+  struct Kept {
+    std::string name, channel;
+    MetricRow row = {};
+  };
+  static std::mutex mutex;
+  static std::map<std::string, std::unique_ptr<Kept>, std::less<>> kept;
+  const std::lock_guard lock(mutex);
+  if (const auto known = kept.find(name); known != kept.end()) return &known->second->row;
+  auto made = std::make_unique<Kept>();
+  made->name = name;
+  made->channel = parts->channel;
+  MetricRow& row = made->row;
+  row = {made->name.c_str(),
+         made->name.c_str(),
+         "",
+         "channels",
+         "no value of this channel in the session",
+         [](const Metrics&) -> Value { return std::nullopt; }};
+  const bool counts =
+      parts->statistic == ChannelStatistic::kChanges || parts->statistic == ChannelStatistic::kChangeMax;
+  if (counts) row.low = 0;
+  row.channel = made->channel.c_str();
+  row.statistic = parts->statistic;
+  return &kept.emplace(std::string(name), std::move(made)).first->second->row;
+}
+
 }  // namespace
 
+const std::optional<NotFinite>& MetricRow::spoiled_by(const Metrics& metrics) const {
+  static const std::optional<NotFinite> kNone;
+  if (channel != nullptr) return kNone;
+  return over_all ? metrics.not_finite.any : metrics.not_finite.chosen;
+}
+
 std::optional<double> MetricRow::value(const Metrics& metrics) const {
-  return spoiled_by(metrics) ? kNotANumber : counted(metrics);
+  if (channel == nullptr) return spoiled_by(metrics) ? kNotANumber : counted(metrics);
+  const std::string_view wanted(channel);
+  const auto found =
+      std::ranges::find_if(metrics.channels, [wanted](const ChannelMetrics& m) { return m.channel.name == wanted; });
+  return found == metrics.channels.end() ? std::nullopt : found->value(statistic);
 }
 
 std::optional<double> MetricRow::value_in(const EngineAxes& axes, const Metrics& metrics) const {
@@ -100,7 +144,7 @@ std::span<const MetricRow> metric_list() { return kMetrics; }
 const MetricRow* find_metric(std::string_view name) {
   const auto* const row =
       std::ranges::find(kMetrics, name, [](const MetricRow& metric) { return std::string_view(metric.name); });
-  return row == std::end(kMetrics) ? nullptr : row;
+  return row == std::end(kMetrics) ? channel_metric(name) : row;
 }
 
 }  // namespace tumble::replay

@@ -24,6 +24,8 @@ struct MetricRow {
   bool over_all = false;                                     ///< over all bodies of the world, chosen or not
   double low = -std::numeric_limits<double>::infinity();     ///< the least value that there can be
   double high = std::numeric_limits<double>::infinity();     ///< the largest
+  const char* channel = nullptr;                             ///< the name of a channel, whose metric this is
+  ChannelStatistic statistic = ChannelStatistic::kMax;       ///< of that channel
 
   /// The value. NaN where a body that belongs to the metric is lost because it is not finite.
   [[nodiscard]] std::optional<double> value(const Metrics& metrics) const;
@@ -31,9 +33,7 @@ struct MetricRow {
   [[nodiscard]] std::optional<double> value_in(const EngineAxes& axes, const Metrics& metrics) const;
   [[nodiscard]] std::string unit_in(const EngineAxes& axes) const { return is_length() ? axes.unit() : unit; }
   /// The lost body that takes the value from this metric; none: it has its value.
-  [[nodiscard]] const std::optional<NotFinite>& spoiled_by(const Metrics& metrics) const {
-    return over_all ? metrics.not_finite.any : metrics.not_finite.chosen;
-  }
+  [[nodiscard]] const std::optional<NotFinite>& spoiled_by(const Metrics& metrics) const;
 
   [[nodiscard]] bool is_length() const { return unit == std::string_view("m"); }
   /// Whether the metric is a count, written without a decimal point.
@@ -49,7 +49,8 @@ bool same_value(const std::optional<double>& a, const std::optional<double>& b);
 /// All metrics, those of a group together.
 std::span<const MetricRow> metric_list();
 
-/// The metric of that name; null if there is none.
+/// The metric of that name; null if there is none. "channel.NAME.max" and the like name metrics of channels, of a log
+/// that has such a channel or of none; see channel_metrics.h.
 const MetricRow* find_metric(std::string_view name);
 
 }  // namespace tumble::replay

@@ -1,5 +1,6 @@
 #include "replay/recover/recover.h"
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 #include <string>
@@ -79,7 +80,8 @@ class Recovery {
     header->recovered = {source_.name(), report_.header_lost, missing_};
     const Keyframe& keyframe = first->keyframe();
     const Hash128 chain = left_.chunks.front().prelude.chain_before;
-    const bool is_begin = report_.first_state == 0 && chain == chain_start(sim::state_hash(keyframe.state.bodies));
+    const bool is_begin = report_.first_state == 0 &&
+                          chain == chain_start(sim::state_hash(keyframe.state.bodies), header->declared.start);
     if (!begins_as_it_did && !is_begin) begin_with(keyframe, chain, *header);
     return writer_.write_header(*header, keyframe.state);
   }
@@ -96,9 +98,22 @@ class Recovery {
   void begin_with(const Keyframe& keyframe, const Hash128& chain, LogHeader& header) const {
     header.scene.boxes = boxes_at(keyframe.state.bodies, std::move(header.scene.boxes));
     header.scene.world = keyframe.state.def;
+    header.declared.start.clear();  // values of a state that the new log does not begin with
     std::erase_if(header.scene.inputs,
                   [&](const sim::TimedCommand& input) { return input.step <= keyframe.state.step; });
     header.goes_on = {keyframe.state.step, source_.name(), keyframe.continuation_hash, chain};
+  }
+
+  /// Declares channels by their numbers: their names were in the header alone.
+  static void declare_channels(const ChunkDecoder& chunk, Declared& declared) {
+    for (const auto& [index, type] : chunk.channels()) {
+      while (declared.channels.size() <= index) {
+        const std::string number = std::to_string(declared.channels.size());
+        declared.channels.push_back(
+            {"channel " + std::string(4 - std::min<std::size_t>(number.size(), 4), '0') + number, {}});
+      }
+      declared.channels[index].type = type;
+    }
   }
 
   /// Rebuilds a lost header from the chunks: bodies, method and inputs. Phase names are in the header alone, so they
@@ -120,7 +135,9 @@ class Recovery {
       if (!decoder.ok()) return decoder.error();
       const Keyframe& begin = decoder->keyframe();
       phases_fit = phases_fit && sim::continuation_hash(begin.state) == begin.continuation_hash;
-      if (chunk.prelude.minor < kMinorOfPhaseHashVersion) header.phase_hash_version = 1;
+      declare_channels(*decoder, header.declared);
+      if (chunk.prelude.major == kFormatMajor && chunk.prelude.minor < kMinorOfPhaseHashVersion)
+        header.phase_hash_version = 1;
       for (std::size_t i = 0; i < decoder->step_count(); ++i) {
         const StepRecord& step = decoder->without_states(i);
         if (step.has_states) with_states = std::gcd(with_states, step.step);

@@ -124,6 +124,7 @@ class Salvager {
     if (!header.ok() || header->phases.empty()) return {};
     Prelude prelude;
     prelude.first_step = header->goes_on ? header->goes_on->step : 0;
+    if (!header->declared.empty()) prelude.set_extras();
     prelude.raw_bytes = frame.raw_bytes;
     prelude.stored_bytes = frame.stored_bytes;
     prelude.stored_hash = frame.stored_hash;
@@ -169,6 +170,7 @@ class Salvager {
     if (result_.header) {
       rules.phase_count = result_.header->content.phases.size();
       rules.hashes = result_.header->content.hashes;
+      rules.channels = &result_.header->content.declared.channels;
     }
     Result<ChunkDecoder> decoder = RecordReader(source_).read_chunk(place_of(p, piece.offset), rules);
     SavedChunk chunk = {p, piece.offset + kPreludeBytes, true, {}, {}, {}};
@@ -192,6 +194,7 @@ class Salvager {
     chunk.prelude.kind = RecordKind::kChunk;
     chunk.prelude.first_step = decoder->first_step();
     chunk.prelude.step_count = decoder->step_count();
+    if (decoder->has_extras()) chunk.prelude.set_extras();
     chunk.prelude.raw_bytes = frame.raw_bytes;
     chunk.prelude.stored_bytes = frame.stored_bytes;
     chunk.prelude.stored_hash = frame.stored_hash;
@@ -203,6 +206,7 @@ class Salvager {
     SessionStart start;
     if (result_.header) {
       start.first_step = result_.header->prelude.first_step + 1;
+      start.extras = result_.header->content.declared.start;
       if (!header_was_loose_) start.chain = result_.header->prelude.chain_after;
       if (const auto& before = result_.header->content.goes_on) start.continuation = before->continuation_hash;
     }

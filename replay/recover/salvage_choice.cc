@@ -90,7 +90,9 @@ class Chooser {
       const bool fits = *start_.continuation == chunk.continuation_hash && (!start_.chain || chain == start_.chain);
       return fits ? chain : std::nullopt;
     }
-    const Hash128 begin = chain_start(chunk.keyframe_hash);
+    const bool header_lost = !start_.chain && known && chunk.prelude.major >= kExtrasMajor;
+    if (header_lost) return chunk.prelude.chain_before;  // the values of the first state were in the header
+    const Hash128 begin = chain_start(chunk.keyframe_hash, start_.extras);
     const bool fits = begin == start_.chain.value_or(begin) && (!known || begin == chunk.prelude.chain_before);
     return fits ? std::optional(begin) : std::nullopt;
   }

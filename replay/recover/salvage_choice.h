@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "tumble/replay/extras.h"
 #include "tumble/replay/prelude.h"
 #include "tumble/sim/hash.h"
 
@@ -28,6 +29,7 @@ struct SessionStart {
   std::uint64_t first_step = 1;
   std::optional<Hash128> chain;         ///< before that step
   std::optional<Hash128> continuation;  ///< of the state before that step, in a continued session
+  Extras extras;                        ///< of the state before that step
 };
 
 /// Computes the chain after a chunk from the chain before it; none if the chunk cannot be read.

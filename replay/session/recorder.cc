@@ -93,10 +93,22 @@ Result<std::unique_ptr<Recorder>> Recorder::go_on(std::unique_ptr<ByteSink> sink
 // overwrites. The writer copies what it needs before append() returns, so the spans may be used again.
 Status Recorder::step(std::span<const sim::Command> live) {
   hashes_.clear();
-  const bool hashed = hashes_mode_.holds(session_.steps_done() + 1);
-  const Result<TakenStep> taken = session_.step(live, hashed ? &hashes_ : nullptr);
+  sim::Observer* const hashes = hashes_mode_.holds(session_.steps_done() + 1) ? &hashes_ : nullptr;
+  const Result<TakenStep> taken = session_.step(live, watch_ ? watch_(hashes) : hashes);
   if (!taken.ok()) return taken.error();
-  return writer_->append({taken->dt, taken->inputs, hashes_.words(), taken->counters}, world().state());
+  const Extras* extras = extras_.views.empty() ? nullptr : &extras_;
+  const Status written =
+      writer_->append({taken->dt, taken->inputs, hashes_.words(), taken->counters, extras}, world().state());
+  extras_.views.clear();
+  return written;
+}
+
+Status Recorder::add_view(const View& view) {
+  Extras one;
+  one.views.push_back(view);
+  if (Status ok = check_extras(one); !ok.ok()) return ok;
+  extras_.views.push_back(view);
+  return {};
 }
 
 Status Recorder::run(const Progress& progress) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tumble/replay/continuation.h"
@@ -52,11 +53,19 @@ class Recorder {
   /// finish() still completes it unless writing failed.
   Status step(std::span<const sim::Command> live = {});
 
+  /// Logs what is shown, with the coming step. Errors (kBadInput): a view that is none; see check_extras().
+  Status add_view(const View& view);
+
   /// Takes the planned steps that are left. `progress` may stop early. Errors: step()'s.
   Status run(const Progress& progress = {});
 
   /// Sets the threads to step with; see World::use.
   void use(Workers* workers) { session_.use(workers); }
+
+  /// Called before each step with the observer that hashes its phases, null in a step without hashes. Returns the
+  /// observer of the step, which passes every call on to that one. Null: no other observer.
+  using Watch = std::function<sim::Observer*(sim::Observer* hashes)>;
+  void watch(Watch watch) { watch_ = std::move(watch); }
 
   [[nodiscard]] const sim::World& world() const { return session_.world(); }
   /// The resolved scene; scene().steps is the number of the last planned step.
@@ -83,6 +92,8 @@ class Recorder {
   std::unique_ptr<LogWriter> writer_;
   HashesMode hashes_mode_;
   sim::PhaseHashes hashes_;
+  Extras extras_;  // of the coming step: views
+  Watch watch_;
 };
 
 /// Records scene.steps steps. A step that fails ends the session: the log is completed up to the step before, and the

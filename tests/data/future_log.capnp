@@ -140,8 +140,9 @@ struct Header {
   recovered @16 :Recovered;     # null: the log is as it was recorded
   phaseHashVersion @17 :UInt32 = 1;
   phaseHashesEvery @19 :UInt32 = 1;
-  wind @20 :Float64;            # m/s, of the future
-  weather @21 :Text;            # of the future
+  declared @20 :AnyPointer;
+  wind @21 :Float64;            # m/s, of the future
+  weather @22 :Text;            # of the future
 }
 
 struct Engine {

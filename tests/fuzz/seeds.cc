@@ -6,8 +6,10 @@
 #include <string>
 
 #include "golden/expected/expected_codec.h"
+#include "replay/log/byte_memory.h"
 #include "tests/fuzz/mend.h"
 #include "tests/support/log_memory.h"
+#include "tumble/replay/engine_log.h"
 #include "tumble/replay/log_reader.h"
 #include "tumble/replay/prelude.h"
 
@@ -59,15 +61,57 @@ void write_golden(const fs::path& folder) {
   if (message.ok()) write(folder / "golden.bin", std::span(&which, 1), message->bytes());
 }
 
+/// A log of another engine with every kind of extra.
+Bytes engine_log() {
+  const auto file = std::make_shared<Bytes>();
+  sim::SceneDef start;
+  start.name = "engine";
+  start.boxes.resize(2);
+  start.boxes[0].id = 1;
+  start.boxes[1].id = 2;
+  replay::EngineDef def = {{"toy", "1"}};
+  replay::Shape hull;
+  hull.kind = replay::Shape::Kind::kHull;
+  hull.points = {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}, {-1, -1, 0}};
+  def.declared.channels = {{"angle", {replay::ChannelKind::kFloat64, replay::ChannelScope::kBody}, "rad"},
+                           {"force", {replay::ChannelKind::kFloat32, replay::ChannelScope::kPair}, "N"},
+                           {"mode", {replay::ChannelKind::kText, replay::ChannelScope::kWorld}, ""}};
+  def.declared.shapes = {hull};
+  def.declared.bodies = {{1, "wheel", hash_of(hull)}};
+  auto log = replay::EngineLog::create(std::make_unique<replay::MemoryByteSink>(file, "seed"), def, start);
+  if (!log.ok()) return {};
+  bool told = true;
+  const auto tell = [&](const Status& status) { told = told && status.ok(); };
+  for (int k = 1; k <= 8; ++k) {
+    for (const sim::BodyId id : {1U, 2U}) {
+      tell((*log)->set_value(0, 0.1 * k, {id, 0}));
+      tell((*log)->set_state(id, {{0, 0, 1.0 * k}, {}, {0, 0, 0}, {0, 0, 0}, false}));
+    }
+    if (k > 3) tell((*log)->set_value(1, 0.5F * static_cast<float>(k), {1, 2}));
+    tell((*log)->set_value(2, std::string("walk")));
+    tell((*log)->add_contact({1, 2, {0, 0, 1}, {0, 0, 1}, 0.01, 0.1 * k}));
+    tell((*log)->add_note("note"));
+    tell((*log)->add_snapshot(std::as_bytes(std::span("state", 5))));
+    tell((*log)->add_superseded({true, "position.x"}));
+    tell((*log)->end_step(0.01));
+  }
+  if (!(*log)->finish().ok() || !told) return {};
+  return *file;
+}
+
+void write_seeds(const fs::path& folder, const std::string& name, const Bytes& log) {
+  const Bytes open = laid_open(log);
+  write(folder / "log" / (name + ".bin"), log);
+  write(folder / "messages" / (name + ".bin"), open);
+  write_commands(folder / "commands", name, log, open);
+  write_messages(folder / "codec", name, open);
+}
+
 void make_seeds(const fs::path& folder) {
+  write_seeds(folder, "engine", engine_log());
   for (const sim::Method method : replay::kMethods) {
     const std::string name = replay::name_of(method);
-    const Bytes log = replay::record_to_memory(replay::scene_with_inputs(12, method), {}, 5);
-    const Bytes open = laid_open(log);
-    write(folder / "log" / (name + ".bin"), log);
-    write(folder / "messages" / (name + ".bin"), open);
-    write_commands(folder / "commands", name, log, open);
-    write_messages(folder / "codec", name, open);
+    write_seeds(folder, name, replay::record_to_memory(replay::scene_with_inputs(12, method), {}, 5));
   }
   write_golden(folder / "codec");
 }

@@ -105,13 +105,13 @@ TEST(NewerLogs, AnInputThatThisProgramDoesNotKnowIsNamed) {
 TEST(NewerLogs, ANewerMajorVersionSaysWhichIsNeededAndIsNotRecoveredAway) {
   Bytes bytes = record_to_memory(small_scene(), {}, 6);
   Prelude prelude = *decode_prelude(std::span<const std::byte>(bytes).first<kPreludeBytes>());
-  prelude.major = 2;
+  prelude.major = 3;
   const auto encoded = encode(prelude);
   std::copy(encoded.begin(), encoded.end(), bytes.begin());
   const Result<LogReader> log = open_memory(bytes);
   ASSERT_FALSE(log.ok());
   EXPECT_EQ(log.error().kind, ErrorKind::kBadInput);
-  EXPECT_NE(log.error().message.find("writes or reads version 2"), std::string::npos) << log.error().message;
+  EXPECT_NE(log.error().message.find("writes or reads version 3"), std::string::npos) << log.error().message;
 }
 
 }  // namespace

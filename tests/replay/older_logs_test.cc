@@ -127,6 +127,20 @@ TEST(OlderLogs, AreTheSameAsLaterOnesButForPhaseHashes) {
   }
 }
 
+// tests/data/robot.npz, imported by the build that added channels.
+TEST(OlderLogs, ChannelsOfAnotherEngineComeBack) {
+  Result<LogReader> log = LogReader::open(frozen("format_2.0_engine"));
+  ASSERT_TRUE(log.ok()) << log.error().message;
+  EXPECT_EQ(log->header().format_major, 2U);
+  EXPECT_TRUE(verify(*log).condition.whole());
+  const Declared& declared = log->header().declared;
+  ASSERT_EQ(declared.channels.size(), 5U);
+  const StepRecord& step = **log->read_step(12);
+  EXPECT_EQ(step.extras.values(declared.find("seed")).bits.at(0), (1ULL << 63U) + 7);
+  EXPECT_EQ(step.extras.values(declared.find("angle")).size(), 2U);
+  EXPECT_EQ(log->bodies().name(step.states.id[0]).size() + log->bodies().name(step.states.id[1]).size(), 7U);
+}
+
 TEST(OlderLogs, AStateThatDiffersIsFoundWithoutPhaseHashes) {
   Result<LogReader> old = LogReader::open(frozen("format_1.2_layered"));
   sim::SceneDef scene = old->header().scene;

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 constexpr std::array kFolders = {".ci",    "bench",  "cmake", "docs",  "golden",
                                  "replay", "schema", "src",   "tests", "tools"};
-constexpr std::array kBinary = {".png", ".tumble", ".mp4", ".orig", ".bin"};
+constexpr std::array kBinary = {".png", ".tumble", ".mp4", ".orig", ".bin", ".npz"};
 
 SourceFile read(const fs::path& root, const fs::path& path) {
   SourceFile file;

@@ -68,7 +68,7 @@ class HostileLog {
     prelude.first_step = kind == RecordKind::kHeader ? keyframe_.state.step : keyframe_.state.step + 1;
     prelude.step_count = steps;
     prelude.raw_bytes = message.size();
-    prelude.chain_before = replay::chain_start(sim::state_hash(keyframe_.state.bodies));
+    prelude.chain_before = replay::chain_start(sim::state_hash(keyframe_.state.bodies), {});
     const auto encoded = encode(prelude);
     open_.insert(open_.end(), encoded.begin(), encoded.end());
     open_.insert(open_.end(), message.begin(), message.end());

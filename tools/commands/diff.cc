@@ -48,7 +48,8 @@ struct DiffCommand {
   bool json = false;
 };
 
-Result<replay::Tolerances> parse_tolerances(const std::vector<std::string>& arguments) {
+Result<replay::Tolerances> parse_tolerances(const std::vector<std::string>& arguments,
+                                            const std::vector<replay::Channel>& channels) {
   replay::Tolerances tolerances;
   for (const std::string& argument : arguments) {
     const std::size_t equals = argument.find('=');
@@ -58,7 +59,7 @@ Result<replay::Tolerances> parse_tolerances(const std::vector<std::string>& argu
       return bad_input("--tolerance: found " + in_quotes(argument) +
                        ", wanted FIELD=V with a number V, as in position=1e-9");
     }
-    const Status set = replay::set_tolerance(tolerances, argument.substr(0, equals), *value);
+    const Status set = replay::set_tolerance(tolerances, argument.substr(0, equals), *value, channels);
     if (!set.ok()) return bad_input("--tolerance " + printable(argument) + ": " + set.error().message);
   }
   return tolerances;
@@ -81,6 +82,20 @@ void name_by_table(const replay::LogHeader& a, const replay::LogHeader& b, repla
   report.notes.push_back("fields are named by the axes of the tables: " + to_string(axes));
   if (report.first) report.first = in_axes(axes, *report.first);
   if (difference) difference = in_axes(axes, *std::move(difference));
+}
+
+/// Adds the names of body and pair; a body that the first log does not name may have one in the second.
+void name_bodies(replay::LogReader& a, replay::LogReader& b, replay::Divergence& found) {
+  const auto name = [&](sim::BodyId id) {
+    const std::string in_a = a.bodies().name(id);
+    return in_a.empty() ? b.bodies().name(id) : in_a;
+  };
+  if (found.pair) {
+    const std::string one = name(found.pair->first), other = name(found.pair->second);
+    if (!one.empty() || !other.empty()) found.names = one + " and " + other;
+  } else if (found.body) {
+    found.names = name(*found.body);
+  }
 }
 
 Result<Exit> show_step(const DiffCommand& options, replay::LogReader& a, replay::LogReader& b) {
@@ -115,7 +130,11 @@ Result<std::optional<Parting>> parting_of(const DiffCommand& options, replay::Lo
 }
 
 Result<Exit> compare(const DiffCommand& options, replay::LogReader& a, replay::LogReader& b) {
-  const Result<replay::Tolerances> tolerances = parse_tolerances(options.tolerances);
+  std::vector<replay::Channel> channels = a.header().declared.channels;
+  for (const replay::Channel& channel : b.header().declared.channels) {
+    if (a.header().declared.find(channel.name) == a.header().declared.channels.size()) channels.push_back(channel);
+  }
+  const Result<replay::Tolerances> tolerances = parse_tolerances(options.tolerances, channels);
   if (!tolerances.ok()) return tolerances.error();
   ProgressBar bar("comparing");
   const replay::Reading reading = options.brief ? replay::Reading::kHashes : replay::Reading::kAll;
@@ -136,6 +155,9 @@ Result<Exit> compare(const DiffCommand& options, replay::LogReader& a, replay::L
     if (difference) report->first = difference->first;
   }
   if (process::InterruptGuard::interrupted()) return cannot_finish("interrupted");
+  if (report->first) name_bodies(a, b, *report->first);
+  if (difference) name_bodies(a, b, difference->first);
+  if (difference && difference->effect) name_bodies(a, b, *difference->effect);
   name_by_table(a.header(), b.header(), *report, difference);
   const std::string read = options.brief ? "hashes; payloads not read" : read_of(a, b);
   std::optional<Zoom> zoom;
@@ -188,7 +210,8 @@ Action declare_diff(Arguments& arguments) {
       "--tolerance", "FIELD=V", options->tolerances,
       "Call states equal where each component of FIELD (position, velocity, spin: angular velocity), or "
       "the angle of FIELD orientation (rad), is at most V apart; states then decide, not hashes. FIELD may "
-      "also be a number of an input or a parameter (throw.velocity.y, dt, world.gravity). May be repeated");
+      "also be a channel, or a number of an input or a parameter (throw.velocity.y, dt, world.gravity). May be "
+      "repeated");
   const Argument step =
       arguments
           .whole(

@@ -17,6 +17,7 @@
 #include "tools/arguments/step_range.h"
 #include "tools/files/log_files.h"
 #include "tools/output/axes_output.h"
+#include "tools/output/extras_output.h"
 #include "tools/output/text.h"
 #include "tumble/replay/log_reader.h"
 #include "tumble/sim/ids.h"
@@ -57,63 +58,91 @@ std::string cell_of(double number) {
   return plain ? exact(number) : exact_bits(number);
 }
 
+/// What a log says of its bodies beside their states.
+struct Told {
+  replay::EngineAxes axes;
+  replay::Declared declared;
+  replay::BodyTable bodies;
+};
+
 // Prints the rows of a dump in one of the three forms.
 class Output {
  public:
+  explicit Output(Told told) : told_(std::move(told)) {}
   virtual ~Output() = default;
-  virtual void begin_step(std::uint64_t /*step*/) {}
-  virtual void add(std::uint64_t step, const BodyStates& states, std::size_t row) = 0;
-  virtual void end_step() {}
+  virtual void begin_step(const replay::StepRecord& /*step*/) {}
+  virtual void add(const replay::StepRecord& step, std::size_t row) = 0;
+  virtual void end_step(const replay::StepRecord& /*step*/, std::uint64_t /*body*/) {}
   virtual void end() {}
+
+ protected:
+  Told told_;
 };
 
 class CsvOutput : public Output {
  public:
-  explicit CsvOutput(const replay::EngineAxes& axes) : axes_(axes) {
+  explicit CsvOutput(Told told) : Output(std::move(told)) {
     std::cout << "step,id";
     for (const char* name : kNames) std::cout << ',' << name;
-    std::cout << ",frozen\n";
+    std::cout << ",frozen";
+    for (const std::string& name : extra_columns(told_.declared, told_.bodies)) std::cout << ',' << name;
+    std::cout << '\n';
   }
-  void add(std::uint64_t step, const BodyStates& states, std::size_t row) override {
-    std::string line = std::to_string(step) + ',' + std::to_string(states.id[row]);
-    for (const double number : numbers_of(axes_, states, row)) line += ',' + cell_of(number);
-    std::cout << line << (states.frozen[row] != 0 ? ",1\n" : ",0\n");
+  void add(const replay::StepRecord& step, std::size_t row) override {
+    const BodyStates& states = step.states;
+    std::string line = std::to_string(step.step) + ',' + std::to_string(states.id[row]);
+    for (const double number : numbers_of(told_.axes, states, row)) line += ',' + cell_of(number);
+    line += states.frozen[row] != 0 ? ",1" : ",0";
+    for (const std::string& cell : extra_cells(told_.declared, told_.bodies, step.extras, states.id[row])) {
+      line += ',' + cell;
+    }
+    std::cout << line << '\n';
   }
-
- private:
-  replay::EngineAxes axes_;
 };
 
 // One object for --step, a list of them for --steps; a line a body, so that text tools can look at it too.
 class JsonOutput : public Output {
  public:
-  JsonOutput(bool is_list, const replay::EngineAxes& axes) : is_list_(is_list), axes_(axes) {
+  JsonOutput(bool is_list, Told told) : Output(std::move(told)), is_list_(is_list) {
     if (is_list_) std::cout << "[\n";
   }
-  void begin_step(std::uint64_t step) override {
-    std::cout << (first_step_ ? "" : ",\n") << "{\"step\":" << step << ",\"axes\":" << axes_json(axes_).dump()
+  void begin_step(const replay::StepRecord& step) override {
+    std::cout << (first_step_ ? "" : ",\n") << "{\"step\":" << step.step << ",\"axes\":" << axes_json(told_.axes).dump()
               << ",\"bodies\":[";
     first_step_ = false;
     first_body_ = true;
   }
-  void add(std::uint64_t /*step*/, const BodyStates& s, std::size_t i) override {
+  void add(const replay::StepRecord& step, std::size_t i) override {
+    const BodyStates& s = step.states;
     Json body;
     body["id"] = s.id[i];
-    const std::array<double, kNumbers> numbers = numbers_of(axes_, s, i);
+    const std::array<double, kNumbers> numbers = numbers_of(told_.axes, s, i);
     for (std::size_t k = 0; k < kNumbers; ++k) {
       const std::string name = kNames[k];
       body[name.substr(0, name.find('.'))].push_back(number_json(numbers[k]));
     }
     body["frozen"] = s.frozen[i] != 0;
-    std::cout << (first_body_ ? "\n" : ",\n") << body.dump();
+    add_body_extras(told_.declared, told_.bodies, step.extras, s.id[i], body);
+    std::cout << (first_body_ ? "\n" : ",\n") << text_of(body);
     first_body_ = false;
   }
-  void end_step() override { std::cout << "\n]}"; }
+  void end_step(const replay::StepRecord& step, std::uint64_t /*body*/) override {
+    Json extras = Json::object();
+    add_step_extras(told_.declared, step.extras, extras);
+    std::cout << "\n]";
+    if (!extras.empty()) {  // behind the members that there are already
+      const std::string text = text_of(extras);
+      std::cout << ',' << std::string_view(text).substr(1, text.size() - 2);
+    }
+    std::cout << '}';
+  }
   void end() override { std::cout << (is_list_ ? "\n]\n" : "\n"); }
 
  private:
+  /// On one line. A log may hold text that is not UTF-8.
+  static std::string text_of(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
+
   bool is_list_;
-  replay::EngineAxes axes_;
   bool first_step_ = true;
   bool first_body_ = true;
 };
@@ -121,17 +150,30 @@ class JsonOutput : public Output {
 // Rounded, to be read by eye.
 class TextOutput : public Output {
  public:
-  explicit TextOutput(const replay::EngineAxes& axes) : axes_(axes), table_(header_of(axes.unit())) {}
-  void add(std::uint64_t step, const BodyStates& states, std::size_t row) override {
-    const std::array<double, kNumbers> n = numbers_of(axes_, states, row);
-    std::vector<std::string> cells = {std::to_string(step), std::to_string(states.id[row])};
+  explicit TextOutput(Told told) : Output(std::move(told)), table_(header_of(told_.axes.unit())) {}
+  void add(const replay::StepRecord& step, std::size_t row) override {
+    const BodyStates& states = step.states;
+    const std::array<double, kNumbers> n = numbers_of(told_.axes, states, row);
+    const std::string name = told_.bodies.name(states.id[row]);
+    std::vector<std::string> cells = {std::to_string(step.step),
+                                      name.empty() ? std::to_string(states.id[row]) : printable(name)};
     for (const std::size_t k : {0U, 1U, 2U, 7U, 8U, 9U, 10U, 11U, 12U, 3U, 4U, 5U, 6U}) cells.push_back(fixed(n[k], 6));
     cells.emplace_back(states.frozen[row] != 0 ? "frozen" : "");
     table_.add(std::move(cells));
   }
+  void end_step(const replay::StepRecord& step, std::uint64_t body) override {
+    if (step.extras.empty()) return;
+    add_extra_rows(told_.declared, told_.bodies, step.step, step.extras, body, extras_);
+    has_extras_ = true;
+  }
   void end() override {
     table_.print();
-    if (!axes_.ours()) std::cout << "In the axes and units of the table: " << to_string(axes_) << ".\n";
+    if (has_extras_) {
+      std::cout << '\n';
+      extras_.print();
+      std::cout << '\n';
+    }
+    if (!told_.axes.ours()) std::cout << "In the axes and units of the table: " << to_string(told_.axes) << ".\n";
     std::cout << "Rounded; --csv and --json print every bit.\n";
   }
 
@@ -144,14 +186,15 @@ class TextOutput : public Output {
     return names;
   }
 
-  replay::EngineAxes axes_;
   Table table_;
+  Table extras_{{">step", "channel", "of", "value"}};
+  bool has_extras_ = false;
 };
 
-std::unique_ptr<Output> make_output(const DumpCommand& options, const replay::EngineAxes& axes) {
-  if (options.csv) return std::make_unique<CsvOutput>(axes);
-  if (options.json) return std::make_unique<JsonOutput>(!options.step, axes);
-  return std::make_unique<TextOutput>(axes);
+std::unique_ptr<Output> make_output(const DumpCommand& options, Told told) {
+  if (options.csv) return std::make_unique<CsvOutput>(std::move(told));
+  if (options.json) return std::make_unique<JsonOutput>(!options.step, std::move(told));
+  return std::make_unique<TextOutput>(std::move(told));
 }
 
 Result<StepRange> range_of(const DumpCommand& options, const replay::LogReader& log) {
@@ -161,12 +204,12 @@ Result<StepRange> range_of(const DumpCommand& options, const replay::LogReader& 
 
 void print_step(const replay::StepRecord& record, const std::optional<std::uint64_t>& body, Output& output) {
   const BodyStates& states = record.states;
-  output.begin_step(record.step);
+  output.begin_step(record);
   for (std::size_t i = 0; i < states.size(); ++i) {
     if (body && states.id[i] != *body) continue;
-    output.add(record.step, states, i);
+    output.add(record, i);
   }
-  output.end_step();
+  output.end_step(record, body.value_or(0));
 }
 
 // True if the body exists at any step of the range. Asked before anything is printed.
@@ -198,7 +241,8 @@ Result<Exit> dump(const DumpCommand& options) {
     if (!exists.ok()) return exists.error();
     if (!*exists) return no_such_body(options, *log, *range);
   }
-  const std::unique_ptr<Output> output = make_output(options, log->header().axes());
+  const std::unique_ptr<Output> output =
+      make_output(options, {log->header().axes(), log->header().declared, log->bodies()});
   for (std::uint64_t k = range->first; k <= range->last && std::cout; ++k) {
     const Result<const replay::StepRecord*> record = source.read(k);
     if (!record.ok()) return record.error();
@@ -222,7 +266,8 @@ Action declare_dump(Arguments& arguments) {
   arguments.footer(
       "Numbers of --csv and --json read back to the same bits; the table for people is rounded. JSON has no NaN\n"
       "and no infinity: the value is a text with the 64 bits then, \"nan(0x7ff8000000000000)\".\n"
-      "An imported session is printed in the axes and the unit of its table.\n\n"
+      "An imported session is printed in the axes and the unit of its table, with the names of its bodies and its\n"
+      "channels; --csv leaves out channels of pairs and contacts.\n\n"
       "Examples:\n"
       "  tumble dump brick_wall.tumble --step 0\n"
       "  tumble dump brick_wall.tumble --steps 0:300 --body 222 --csv");

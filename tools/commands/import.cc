@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "replay/arrays/array_table.h"
+#include "replay/arrays/npz.h"
 #include "replay/import/import_csv.h"
 #include "src/files/output_guard.h"
 #include "src/process/interrupt.h"
@@ -28,17 +30,26 @@ struct ImportCommand {
   std::string output;
   std::string like;
   std::vector<std::string> settings;
+  std::vector<std::string> map;
+  std::string map_file;
+  std::string model;
+  bool scalar_last = false;
+  bool channels = false;
   bool json = false;
 };
 
 Result<std::string> read_table(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
+  std::ifstream opened;
+  if (path != "-") opened.open(path, std::ios::binary);
+  std::istream& file = path == "-" ? std::cin : opened;
   if (!file) return bad_input(path + ": cannot be opened; name a table of comma-separated values");
   std::string text;
+  bool is_archive = false;
   std::string block(1 << 20, '\0');
   while (file.read(block.data(), static_cast<std::streamsize>(block.size())) || file.gcount() > 0) {
     const auto size = static_cast<std::size_t>(file.gcount());
-    if (const std::size_t zero = block.find('\0'); zero < size) {
+    if (text.empty()) is_archive = block.starts_with("PK");
+    if (const std::size_t zero = block.find('\0'); zero < size && !is_archive) {
       return bad_input(path + ": found a byte 0 at " + std::to_string(text.size() + zero) +
                        ", wanted a table as text in UTF-8");
     }
@@ -72,6 +83,11 @@ void print_result(const ImportCommand& options, const std::string& output, const
     json["final_hash"] = to_string(summary.final_hash);
     json["axes"] = axes_json(header.axes());
     json["passed_over"] = header.table ? Json(header.table->passed_over) : Json::array();
+    json["channels"] = Json::array();
+    for (const replay::Channel& channel : header.declared.channels) json["channels"].push_back(channel.name);
+    json["derived"] = Json::array();
+    if (header.declared.velocity_derived) json["derived"].push_back("velocity");
+    if (header.declared.spin_derived) json["derived"].push_back("spin");
     json["warnings"] = warnings;
     print_json(json);
     return;
@@ -84,6 +100,21 @@ void print_result(const ImportCommand& options, const std::string& output, const
     for (const std::string& name : header.table->passed_over) names += (names.empty() ? "" : ", ") + name;
     listing.add("passed over", "columns " + printable(names));
   }
+  if (!header.declared.channels.empty()) {
+    std::string names;
+    for (const replay::Channel& channel : header.declared.channels) {
+      names += (names.empty() ? "" : ", ") + channel.name + " (" + name_of(channel.type.kind) + ", " +
+               name_of(channel.type.scope) + ")";
+    }
+    listing.add("channels", printable(names));
+  }
+  if (header.declared.velocity_derived || header.declared.spin_derived) {
+    const bool both = header.declared.velocity_derived && header.declared.spin_derived;
+    listing.add("derived", std::string(both                           ? "velocity, spin"
+                                       : header.declared.spin_derived ? "spin"
+                                                                      : "velocity") +
+                               ": not in the table; exact comparisons leave them out");
+  }
   listing.add("bodies", std::to_string(header.scene.boxes.size()) + " at the start");
   listing.add("steps", std::to_string(summary.steps));
   listing.add("log", output);
@@ -92,9 +123,51 @@ void print_result(const ImportCommand& options, const std::string& output, const
   listing.print();
 }
 
+/// The table that an archive of arrays stands for.
+Result<std::string> table_of_archive(const ImportCommand& options, const std::string& bytes) {
+  const Result<std::vector<replay::Array>> arrays = replay::read_npz(bytes, options.table);
+  if (!arrays.ok()) return arrays.error();
+  replay::ArrayOptions how;
+  how.scalar_last = options.scalar_last;
+  if (!options.model.empty()) {
+    const Result<std::string> xml = read_table(options.model);
+    if (!xml.ok()) return xml.error();
+    Result<std::vector<replay::MujocoJoint>> joints = replay::read_mujoco_joints(*xml, options.model);
+    if (!joints.ok()) return joints.error();
+    how.joints = *std::move(joints);
+  }
+  return replay::table_of_arrays(*arrays, options.table, how);
+}
+
+/// The table as text, whatever the file holds.
+Result<std::string> read_any_table(const ImportCommand& options) {
+  Result<std::string> bytes = read_table(options.table);
+  if (!bytes.ok() || !bytes->starts_with("PK")) {
+    if (bytes.ok() && (!options.model.empty() || options.scalar_last)) {
+      return bad_input("--model, --scalar-last: found a table as text, wanted an archive of arrays (.npz)");
+    }
+    return bytes;
+  }
+  return table_of_archive(options, *bytes);
+}
+
+Result<replay::TableMap> map_of(const ImportCommand& options) {
+  replay::TableMap map;
+  map.others_are_channels = options.channels;
+  for (const std::string& entry : options.map) {
+    if (Status ok = replay::add_mapping(map, entry, "--map"); !ok.ok()) return ok.error();
+  }
+  if (options.map_file.empty()) return map;
+  if (Status ok = replay::read_map_file(map, options.map_file); !ok.ok()) return ok.error();
+  return map;
+}
+
 Result<Exit> import_stream_command(const ImportCommand& options, const std::string& output) {
-  if (!options.settings.empty() || !options.like.empty()) {
-    return bad_input(options.table + ": found --header or --like, wanted neither: a stream says all of it");
+  const bool as_table = !options.settings.empty() || !options.like.empty() || !options.map.empty() ||
+                        !options.map_file.empty() || !options.model.empty() || options.channels || options.scalar_last;
+  if (as_table) {
+    return bad_input(options.table +
+                     ": found an option that tells how to read a table, wanted none: a stream says all of it");
   }
   files::OutputGuard guard;
   guard.keep(options.table, "the stream");
@@ -103,16 +176,22 @@ Result<Exit> import_stream_command(const ImportCommand& options, const std::stri
 }
 
 Result<Exit> import_command(const ImportCommand& options) {
+  if (options.table == "-" && options.output.empty()) {
+    return bad_input("-: the table comes from standard input, wanted -o LOG: the log to write");
+  }
   std::string output = options.output;
   if (output.empty()) {
     const std::size_t name = options.table.find_last_of('/') + 1;  // 0 without one
     output = options.table.substr(name, options.table.find_last_of('.') - name) + ".tumble";
   }
   if (is_stream_file(options.table)) return import_stream_command(options, output);
-  const Result<std::string> text = read_table(options.table);
+  const Result<std::string> text = read_any_table(options);
   if (!text.ok()) return text.error();
   replay::ImportOptions how;
   how.settings = options.settings;
+  Result<replay::TableMap> map = map_of(options);
+  if (!map.ok()) return map.error();
+  how.map = *std::move(map);
   std::vector<std::string> warnings;
   how.warn = [&warnings](const std::string& warning) { warnings.push_back(warning); };
   if (!options.like.empty()) {
@@ -123,7 +202,9 @@ Result<Exit> import_command(const ImportCommand& options) {
     how.like = *std::move(like);
   }
   files::OutputGuard guard;
-  guard.keep(options.table, "the table");
+  if (options.table != "-") guard.keep(options.table, "the table");
+  guard.keep(options.map_file, "the mapping file");
+  guard.keep(options.model, "the model");
   guard.keep(options.like, "the log of --like");
   if (Status ok = guard.claim("-o", output); !ok.ok()) return ok.error();
   const Result<replay::LogSummary> summary = import_to(options, output, *text, how);
@@ -139,25 +220,42 @@ Result<Exit> import_command(const ImportCommand& options) {
 
 Action declare_import(Arguments& arguments) {
   auto options = std::make_shared<ImportCommand>();
-  arguments.positional("FILE", options->table, "A table, a row a body and step, or a recorder's stream").required();
+  arguments
+      .positional(
+          "FILE", options->table,
+          "A table, a row a body and step (- for standard input); an archive of arrays (.npz); a recorder's stream")
+      .required();
   arguments.option("-o,--output", "LOG", options->output,
                    "The log to write (if not given: FILE.tumble in this folder)");
   arguments.option("--header", "LINE", options->settings,
                    "A line of the header, \"key: value\", that wins over the table's: \"up: y\", \"dt: 0.01\"");
+  arguments.option("--map", "FIELD=COLUMN", options->map,
+                   "The table's name of a column of the format: position.x=px, channel.knee=angle, world.seed=rng; may "
+                   "be repeated");
+  arguments.option("--map-file", "FILE", options->map_file, "A file with such mappings, one a line");
+  arguments.option("--model", "FILE.xml", options->model,
+                   "The MuJoCo model (MJCF) whose joints name the numbers of an array qpos");
+  arguments.flag("--scalar-last", options->scalar_last, "Quaternions of an archive are x y z w, not w x y z");
+  arguments.flag("--channels", options->channels, "Make a channel of every column that the format does not know");
   arguments.option("--like", "LOG", options->like,
                    "Take sizes, masses, gravity, dt and camera from this log where the table lacks them");
   arguments.json(options->json);
   arguments.footer(
       "Columns: step or time, id, position.x …, orientation.w …, velocity.x …, spin.x … (angular velocity),\n"
-      "and any of frozen, size.x …, mass, static, friction, restitution, row, column.\n"
+      "and any of frozen, size.x …, mass, static, friction, restitution, row, column, name, shape,\n"
+      "channel.NAME (a value of the body), world.NAME (a value of the step). euler.1 … stands for orientation;\n"
+      "velocity and spin are derived where the table lacks them.\n"
       "Lines \"# key: value\" before them: engine, version, scene,\n"
-      "precision, up, handed, length, dt, gravity, ground, size, mass, friction, restitution.\n"
+      "precision, up, handed, length, dt, gravity, ground, size, mass, friction, restitution, euler, angles.\n"
       "docs/other_engines.md explains each. The log can be compared, measured and drawn, but not replayed.\n\n"
       "A stream of replay/recorder/tumble_recorder.h is known by its first bytes.\n\n"
       "Examples:\n"
       "  tumble import mine.csv -o mine.tumble\n"
       "  tumble import mine.tumblestream -o mine.tumble\n"
       "  tumble import mine.csv --header \"engine: mine\" --header \"up: y\" --header \"dt: 0.016666666666666666\"\n"
+      "  tumble import robot.csv --map position.x=px --map channel.knee=knee_angle --map world.seed=rng\n"
+      "  tumble import rollout.npz --model robot.xml -o rollout.tumble\n"
+      "  my_engine --csv | tumble import - -o mine.tumble --channels\n"
       "  tumble import mine.csv --like brick_wall.tumble && tumble diff brick_wall.tumble mine.tumble --tolerance "
       "position=0.01");
   return [options] { return import_command(*options); };

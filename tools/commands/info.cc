@@ -44,6 +44,15 @@ std::string inputs_text(const LogFacts& facts) {
   return text.empty() ? "none" : text;
 }
 
+std::string channels_text(const replay::Declared& declared) {
+  std::string text;
+  for (const replay::Channel& channel : declared.channels) {
+    text += (text.empty() ? "" : ", ") + channel.name + " (" + name_of(channel.type.kind) + " of " +
+            name_of(channel.type.scope) + ")";
+  }
+  return text;
+}
+
 void add_header(Listing& listing, const LogHeader& header) {
   listing.add("scene", printable(header.scene.name));
   if (!header.scene.title.empty()) listing.add("title", printable(header.scene.title));
@@ -61,6 +70,7 @@ void add_header(Listing& listing, const LogHeader& header) {
     if (header.table && !header.table->passed_over.empty()) {
       listing.add("passed over", "columns " + printable(joined(header.table->passed_over, ", ")) + " of the table");
     }
+    if (!header.declared.channels.empty()) listing.add("channels", printable(channels_text(header.declared)));
   } else {
     listing.add("method", printable(header.method) + ", version " + std::to_string(header.method_version));
   }
@@ -106,6 +116,13 @@ void put_header(Json& json, const LogHeader& header) {
   }
   json["axes"] = axes_json(header.axes());
   json["passed_over"] = header.table ? Json(header.table->passed_over) : Json::array();
+  json["channels"] = Json::array();
+  for (const replay::Channel& channel : header.declared.channels) {
+    json["channels"].push_back({{"name", channel.name},
+                                {"kind", name_of(channel.type.kind)},
+                                {"scope", name_of(channel.type.scope)},
+                                {"unit", channel.unit}});
+  }
   json["method"] = header.method;
   json["method_version"] = header.method_version;
   json["float_format"] = header.float_format;

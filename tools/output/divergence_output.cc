@@ -48,6 +48,7 @@ Json divergence_json(const replay::Divergence& first) {
   out["phase"] = first.phase;
   out["body"] = or_null(first.body);
   out["pair"] = first.pair ? Json{first.pair->first, first.pair->second} : Json(nullptr);
+  if (!first.names.empty()) out["names"] = first.names;
   out["field"] = first.field;
   out["expected"] = value_json(first.expected);
   out["actual"] = value_json(first.actual);
@@ -80,9 +81,10 @@ void print_divergence(const replay::Divergence& first, const Sides& sides) {
   listing.add("  step", std::to_string(first.step));
   if (first.substep) listing.add("  substep", std::to_string(*first.substep));
   listing.add("  phase", first.phase);
-  if (first.body) listing.add("  body", std::to_string(*first.body));
+  const std::string names = first.names.empty() ? "" : "  (" + printable(first.names) + ")";
+  if (first.body) listing.add("  body", std::to_string(*first.body) + (first.pair ? "" : names));
   if (first.pair) {
-    listing.add("  pair", std::to_string(first.pair->first) + " and " + std::to_string(first.pair->second));
+    listing.add("  pair", std::to_string(first.pair->first) + " and " + std::to_string(first.pair->second) + names);
   }
   listing.add("  field", first.field);
   listing.add("  " + sides.expected, value_text(first.expected));

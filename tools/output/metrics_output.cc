@@ -1,6 +1,7 @@
 #include "tools/output/metrics_output.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -31,6 +32,40 @@ std::string value_text(const replay::MetricRow& metric, const replay::EngineAxes
   return metric.unit == std::string_view("s") ? seconds_text(*value) : rounded(*value, metric.unit_in(axes));
 }
 
+constexpr std::array kStatistics = {replay::ChannelStatistic::kMin, replay::ChannelStatistic::kMax,
+                                    replay::ChannelStatistic::kMean, replay::ChannelStatistic::kLast,
+                                    replay::ChannelStatistic::kChangeMax};
+
+/// By name: kind, scope, unit, number of values and changes, and the statistics; null without a value.
+Json channels_json(const replay::Metrics& metrics) {
+  Json json = Json::object();
+  for (const replay::ChannelMetrics& channel : metrics.channels) {
+    Json& row = json[channel.channel.name];
+    row = {{"kind", name_of(channel.channel.type.kind)},
+           {"scope", name_of(channel.channel.type.scope)},
+           {"unit", channel.channel.unit},
+           {"values", channel.values},
+           {"changes", channel.changes}};
+    for (const replay::ChannelStatistic statistic : kStatistics) {
+      const std::optional<double> value = channel.value(statistic);
+      row[name_of(statistic)] = value ? number_json(*value) : Json(nullptr);
+    }
+  }
+  return json;
+}
+
+void add_channels(const replay::Metrics& metrics, Listing& out) {
+  if (!metrics.channels.empty()) out.section("channels");
+  for (const replay::ChannelMetrics& channel : metrics.channels) {
+    std::string text = count_text(channel.values, "value") + ", " + count_text(channel.changes, "change");
+    if (const auto min = channel.value(replay::ChannelStatistic::kMin)) {
+      text += ", " + exact(*min) + " to " + exact(*channel.value(replay::ChannelStatistic::kMax));
+      if (!channel.channel.unit.empty()) text += " " + printable(channel.channel.unit);
+    }
+    out.add("  " + printable(channel.channel.name), text);
+  }
+}
+
 Json not_finite_json(const std::optional<replay::NotFinite>& found, const replay::EngineAxes& axes) {
   if (!found) return nullptr;
   const replay::NotFinite lost = in_axes(axes, *found);
@@ -51,6 +86,7 @@ Json metrics_json(const std::string& log, const replay::EngineAxes& axes, const 
   for (const replay::MetricRow& metric : replay::metric_list()) {
     json[metric.group][metric.name] = value_json(metric, axes, metrics);
   }
+  json["channels"] = channels_json(metrics);
   json["final_hash"] = to_string(metrics.final_hash);
   json["axes"] = axes_json(axes);
   json["not_finite"] = not_finite_json(metrics.not_finite.any, axes);
@@ -73,6 +109,7 @@ void print_metrics(const std::string& log, const replay::EngineAxes& axes, const
     group = metric.group;
     out.add(std::string("  ") + metric.label, padded(value_text(metric, axes, metrics), width + 2) + metric.name);
   }
+  add_channels(metrics, out);
   out.section("");
   if (metrics.not_finite.any) out.add("not finite", to_string(*metrics.not_finite.any, axes));
   out.add("final hash", to_string(metrics.final_hash));

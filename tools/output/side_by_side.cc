@@ -15,6 +15,7 @@
 #include "replay/session/state_source.h"
 #include "tools/output/axes_output.h"
 #include "tools/output/divergence_output.h"
+#include "tools/output/extras_output.h"
 #include "tools/output/text.h"
 #include "tumble/replay/body_states.h"
 #include "tumble/replay/divergence.h"
@@ -180,9 +181,8 @@ Status check_states(const replay::LogReader& log, const replay::StepRecord& reco
                  " do not match their state hash");
 }
 
-/// A change of axes turns 0.0 into −0.0, which is the same number in another engine's states.
-void forgive_zeros(const replay::StepRecord& in_a, replay::StepRecord& in_b) {
-  const bool any = replay::forgive_zeros(in_a.states, in_b.states) > 0;
+void forgive_signs(const replay::StepRecord& in_a, replay::StepRecord& in_b) {
+  const bool any = replay::forgive_zeros(in_a, in_b) > 0;
   if (any && replay::same_bits(in_a.states, in_b.states)) in_b.state_hash = in_a.state_hash;
 }
 
@@ -208,7 +208,7 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
   if (Status ok = check_states(a, in_a); !ok.ok()) return ok.error();
   if (Status ok = check_states(b, in_b); !ok.ok()) return ok.error();
   const Kind kind = {replay::same_phase_words(a.header(), b.header()), a.header().engine || b.header().engine};
-  if (kind.imported) forgive_zeros(in_a, in_b);
+  if (kind.imported) forgive_signs(in_a, in_b);
 
   SideBySide step;
   Json& json = step.json;
@@ -220,6 +220,7 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
     note = "phase hashes: a log holds none of step " + std::to_string(k) + ", so none compared";
   json["note"] = note;
   json["values"] = values_json(in_a, in_b, kind);
+  add_extra_differences(a, b, in_a, in_b, json["values"]);
   const bool have_words = replay::same_phase_words(a.header(), b.header(), k);
   json["phases"] = phases_json(in_a, in_b, have_words ? a.header().phases : std::vector<std::string>());
   const bool have_states = in_a.has_states && in_b.has_states;

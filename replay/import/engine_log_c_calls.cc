@@ -1,5 +1,3 @@
-#include "tumble/replay/engine_log_c.h"
-
 #include <algorithm>
 #include <exception>
 #include <memory>
@@ -7,56 +5,20 @@
 #include <string>
 #include <utility>
 
-#include "tumble/replay/engine_log.h"
+#include "replay/import/engine_log_c_impl.h"
+#include "tumble/replay/engine_log_c.h"
 
-using tumble::Error;
-using tumble::ErrorKind;
 using tumble::Result;
 using tumble::Status;
 using tumble::replay::EngineDef;
 using tumble::replay::EngineLog;
 using tumble::replay::EngineState;
-
-// Collects the arguments of EngineLog::create, which C passes one call at a time.
-struct TumbleLog {
-  EngineDef def;
-  tumble::sim::SceneDef start;
-  std::unique_ptr<EngineLog> log;  // from tumble_log_begin() on
-  Status status;                   // of the first call that failed
-};
+using tumble::replay::guarded;
+using tumble::replay::missing;
+using tumble::replay::vector_of;
+using tumble::replay::while_open;
 
 namespace {
-
-TumbleLogStatus kind_of(const Status& status) {
-  if (status.ok()) return TUMBLE_OK;
-  return status.error().kind == ErrorKind::kBadInput ? TUMBLE_BAD_INPUT : TUMBLE_CANNOT_FINISH;
-}
-
-/// Runs a call unless an earlier one failed. Catches all exceptions, because none may reach C.
-template <class Call>
-TumbleLogStatus guarded(TumbleLog* log, Call call) {
-  if (log == nullptr) return TUMBLE_BAD_INPUT;
-  if (!log->status.ok()) return kind_of(log->status);
-  try {
-    log->status = call();
-  } catch (const std::exception& error) {
-    log->status = tumble::cannot_finish(std::string("out of memory: ") + error.what());
-  }
-  return kind_of(log->status);
-}
-
-/// As guarded(), for calls after tumble_log_begin().
-template <class Call>
-TumbleLogStatus while_open(TumbleLog* log, Call call) {
-  return guarded(log, [&]() -> Status {
-    if (!log->log) return tumble::bad_input("found a step or an input, wanted tumble_log_begin() before");
-    return call(*log->log);
-  });
-}
-
-Error missing(const char* what) { return tumble::bad_input(std::string("found NULL, wanted ") + what); }
-
-tumble::sim::Vec3 vector_of(const double* v) { return {v[0], v[1], v[2]}; }
 
 EngineState state_of(const TumbleLogState& state) {
   const double* q = state.orientation;
@@ -107,6 +69,7 @@ Status begin(TumbleLog& log, const char* path, const TumbleLogStart* start) {
   scene.world.ground = start->ground != 0;
   scene.steps = start->planned_steps;
   std::ranges::sort(scene.boxes, {}, &tumble::sim::BoxDef::id);
+  if (Status ok = tumble::replay::declare_channels(log); !ok.ok()) return ok;
   Result<std::unique_ptr<EngineLog>> made = EngineLog::create(path, log.def, scene);
   if (!made.ok()) return made.error();
   log.log = *std::move(made);

@@ -1,0 +1,106 @@
+// Channels of another engine as a user meets them: two sessions with other joint angles are never called identical, and
+// every command shows them.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/support/program.h"
+
+namespace tumble::test {
+namespace {
+
+using nlohmann::json;
+
+/// Two links, 20 steps, under the names of another engine.
+std::string table(const std::string& knee_at_12, const std::string& seed = "7") {
+  std::string text = "# engine: robot\n# dt: 0.01\nframe,link,px,py,pz,qw,qx,qy,qz,knee,rng,_note\n";
+  for (int k = 0; k < 20; ++k) {
+    for (const char* link : {"hip", "shin"}) {
+      const bool shin = link[0] == 's';
+      text += std::to_string(k) + ',' + link + (shin ? ",3" : ",0") + ",0,1,1,0,0,0," +
+              (shin && k == 12 ? knee_at_12 : "0." + std::to_string(k + 10)) + ',' + seed + ",x\n";
+    }
+  }
+  return text;
+}
+
+constexpr const char* kMap =
+    "# names of robot\nstep = frame\nid = link\nposition.x = px\nposition.y = py\nposition.z = pz\norientation.w = qw\n"
+    "orientation.x = qx\norientation.y = qy\norientation.z = qz\nworld.seed = rng\n";
+
+json import(const Workshop& shop, const std::string& name, const std::string& text) {
+  shop.write(name + ".csv", text);
+  shop.write("robot.map", kMap);
+  const Outcome run =
+      shop.run({"import", name + ".csv", "--map-file", "robot.map", "--map", "channel.knee=knee", "--json"});
+  EXPECT_EQ(run.exit, 0) << run.err;
+  return run.exit == 0 ? json::parse(run.out) : json();
+}
+
+TEST(Channels, AnotherJointAngleIsNamedWithBothValues) {
+  const Workshop shop;
+  const json imported = import(shop, "a", table("0.22"));
+  EXPECT_EQ(imported["channels"], (json{"knee", "seed"}));
+  EXPECT_EQ(imported["derived"], (json{"velocity", "spin"}));
+  import(shop, "b", table("0.2200000001"));
+  const Outcome diff = shop.run({"diff", "a.tumble", "b.tumble"});
+  EXPECT_EQ(diff.exit, 1);
+  for (const char* part : {"channel.knee", "shin", "0.22", "ULPs", "12"}) {
+    EXPECT_NE(diff.out.find(part), std::string::npos) << part << '\n' << diff.out;
+  }
+  const json found = json::parse(shop.run({"diff", "a.tumble", "b.tumble", "--json"}).out);
+  EXPECT_EQ(found["first"]["field"], "channel.knee");
+  EXPECT_EQ(found["first"]["step"], 12);
+  EXPECT_EQ(found["first"]["names"], "shin");
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "b.tumble", "--step", "12"}).exit, 1);
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "b.tumble", "--step", "11"}).exit, 0);
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "b.tumble", "--brief"}).exit, 1);
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "b.tumble", "--tolerance", "knee=1e-6"}).exit, 0);
+  const Outcome typo = shop.run({"diff", "a.tumble", "b.tumble", "--tolerance", "kneee=1e-6"});
+  EXPECT_EQ(typo.exit, 2);
+  EXPECT_NE(typo.err.find("is knee meant?"), std::string::npos) << typo.err;
+}
+
+TEST(Channels, IdenticalListsThemAndTheColumnsPassedOver) {
+  const Workshop shop;
+  import(shop, "a", table("0.22"));
+  import(shop, "b", table("0.22"));
+  const Outcome diff = shop.run({"diff", "a.tumble", "b.tumble"});
+  EXPECT_EQ(diff.exit, 0);
+  for (const char* part : {"identical", "2 channels (knee, seed)", "column _note", "velocities: the import derived"}) {
+    EXPECT_NE(diff.out.find(part), std::string::npos) << part << '\n' << diff.out;
+  }
+}
+
+TEST(Channels, MeasureBoundsThemAndDumpPrintsThem) {
+  const Workshop shop;
+  import(shop, "a", table("5"));
+  const json measured = json::parse(shop.run({"measure", "a.tumble", "--json"}).out);
+  EXPECT_EQ(measured["channels"]["knee"]["max"], 5.0);
+  EXPECT_EQ(measured["channels"]["seed"]["changes"], 0);
+  EXPECT_EQ(shop.run({"measure", "a.tumble", "--require", "channel.knee.max<=1"}).exit, 1);
+  EXPECT_EQ(shop.run({"measure", "a.tumble", "--require", "channel.knee.max<=5"}).exit, 0);
+  EXPECT_EQ(shop.run({"measure", "a.tumble", "--require", "channel.hip.max<=5"}).exit, 1) << "no such channel";
+  const json step = json::parse(shop.run({"dump", "a.tumble", "--step", "12", "--json"}).out);
+  EXPECT_EQ(step["world"]["seed"], 7);
+  std::size_t named = 0;
+  for (const json& body : step["bodies"]) {
+    if (body["name"] != "shin") continue;
+    ++named;
+    EXPECT_EQ(body["channels"]["knee"], 5.0);
+  }
+  EXPECT_EQ(named, 1U);
+  const Outcome csv = shop.run({"dump", "a.tumble", "--steps", "0:19", "--csv"});
+  shop.write("again.csv", "# engine: robot\n# dt: 0.01\n" + csv.out);
+  EXPECT_EQ(shop.run({"import", "again.csv"}).exit, 0);
+  const Outcome diff = shop.run({"diff", "a.tumble", "again.tumble"});
+  EXPECT_EQ(diff.exit, 0) << diff.out << "what dump prints, import reads";
+}
+
+TEST(Channels, TablesComeFromStandardInputToo) {
+  const Workshop shop;
+  EXPECT_EQ(shop.run({"import", "-"}).exit, 2) << "no name for the log";
+}
+
+}  // namespace
+}  // namespace tumble::test

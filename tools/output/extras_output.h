@@ -1,0 +1,43 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "tools/output/text.h"
+#include "tumble/replay/body_table.h"
+#include "tumble/replay/extras.h"
+#include "tumble/replay/log_reader.h"
+#include "tumble/replay/step_record.h"
+
+/// Prints the channels, contacts and notes of a step.
+namespace tumble::tools {
+
+/// A value of a channel as JSON: a number where JSON holds it exactly, else a text; bytes in hexadecimal.
+Json channel_json(const replay::ChannelValue& value, replay::ChannelKind kind);
+
+/// Adds name, shape and values of body channels to the JSON of a body. Adds nothing where there is nothing.
+void add_body_extras(const replay::Declared& declared, const replay::BodyTable& bodies, const replay::Extras& extras,
+                     sim::BodyId id, Json& json);
+
+/// Adds "world" (values of the step by channel), "pairs", "contacts", "notes", "superseded" and "snapshots" (bytes of
+/// each) to the JSON of a step, each where the step has any.
+void add_step_extras(const replay::Declared& declared, const replay::Extras& extras, Json& json);
+
+/// The names of the columns that dump --csv has behind those of the states: "name" where the log names bodies,
+/// "channel.NAME" of bodies, "world.NAME". `import` reads them back.
+std::vector<std::string> extra_columns(const replay::Declared& declared, const replay::BodyTable& bodies);
+/// The cells of these columns for a body; empty where it has no value. Bytes in hexadecimal.
+std::vector<std::string> extra_cells(const replay::Declared& declared, const replay::BodyTable& bodies,
+                                     const replay::Extras& extras, sim::BodyId id);
+
+/// For people: the lines "step, channel, of, value" of one step. body: only of this one; 0: all.
+void add_extra_rows(const replay::Declared& declared, const replay::BodyTable& bodies, std::uint64_t step,
+                    const replay::Extras& extras, sim::BodyId body, Table& table);
+
+/// Adds a row {name, a, b, same} a channel that both logs compare, and one for contacts: the first value that differs, or
+/// the number of values.
+void add_extra_differences(replay::LogReader& a, replay::LogReader& b, const replay::StepRecord& in_a,
+                           const replay::StepRecord& in_b, Json& rows);
+
+}  // namespace tumble::tools
