@@ -2,6 +2,7 @@
 
 #include <array>
 #include <exception>
+#include <functional>
 #include <iostream>
 #include <new>
 #include <string>
@@ -23,9 +24,11 @@ namespace {
 
 constexpr std::array kCommands = {
     Command{"record", "run a scene and write every input and step to a log", declare_record},
+    Command{"live", "play a scene by hand in a window, and log every input", declare_live},
     Command{"replay", "run a log through the physics and compare every step", declare_replay},
     Command{"recover", "make a whole log of the intact parts of a damaged one", declare_recover},
     Command{"diff", "find the first difference between two logs", declare_diff},
+    Command{"blame", "find what last changed a value of a body", declare_blame},
     Command{"info", "show what a log holds, and check every byte of it", declare_info},
     Command{"measure", "measure symmetry, energy and stacking of a session", declare_measure},
     Command{"dump", "print bodies at one step or over many, to the last bit", declare_dump},
@@ -80,7 +83,7 @@ Status check_surroundings() {
   return sim::check_float_environment();
 }
 
-Exit run_command(const Command& command, const std::vector<std::string>& words) {
+Exit run_words(const Command& command, const std::vector<std::string>& words) {
   const std::string who = std::string("tumble ") + command.name;
   Arguments arguments(who, command.summary);
   const Action action = command.declare(arguments);
@@ -117,16 +120,15 @@ Exit run(std::vector<std::string> arguments) {
   const std::string name = is_help ? arguments.front() : first;
   if (is_help) arguments = {"--help"};
   const Command* command = find_command(name);
-  return command == nullptr ? unknown_command(name) : run_command(*command, arguments);
+  return command == nullptr ? unknown_command(name) : run_words(*command, arguments);
 }
 
-}  // namespace
-
-Exit run_program(std::vector<std::string> arguments) {
+// Exceptions of libraries end here, and outputs are flushed.
+Exit run_safely(const std::function<Exit()>& run) {
   const CleanStream out(std::cout);
   const CleanStream err(std::cerr);
   try {
-    const Exit exit = run(std::move(arguments));
+    const Exit exit = run();
     std::cout.flush();
     if (!std::cout) return fail("tumble", "standard output could not be written (full disk?)", Exit::kCannotFinish);
     return exit;
@@ -135,6 +137,16 @@ Exit run_program(std::vector<std::string> arguments) {
   } catch (const std::exception& error) {
     return fail("tumble", std::string("internal error: ") + error.what(), Exit::kCannotFinish);
   }
+}
+
+}  // namespace
+
+Exit run_program(std::vector<std::string> arguments) {
+  return run_safely([&] { return run(std::move(arguments)); });
+}
+
+Exit run_command(const Command& command, const std::vector<std::string>& words) {
+  return run_safely([&] { return run_words(command, words); });
 }
 
 }  // namespace tumble::tools

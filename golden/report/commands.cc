@@ -18,6 +18,14 @@ std::string bisect_command(const CaseResult& result, const std::string& suite) {
   return "tumble bisect --good REV --bad HEAD --case " + shell_quoted(result.name) + (is_only_image ? " --image" : "");
 }
 
+// blame explains sessions of this build alone: the one that the command to reproduce records.
+std::string blame_command(const CaseResult& result) {
+  if (!result.difference || !result.difference->apart || !result.reproduce.starts_with("tumble record ")) return "";
+  const Apart& apart = *result.difference->apart;
+  return "tumble blame " + shell_quoted(result.name + ".tumble") + " --body " + std::to_string(apart.body) +
+         " --step " + std::to_string(apart.step) + " --back 5";
+}
+
 }  // namespace
 
 std::string current_folder() {
@@ -31,6 +39,7 @@ std::vector<NextCommand> next_commands(const CaseResult& result, const std::stri
     if (!line.empty()) commands.push_back({purpose, line});
   };
   add("To reproduce", result.reproduce);
+  add("Then, to go back from where a body is to the cause", blame_command(result));
   add("To judge it again", "tumble check " + shell_quoted(result.name) + suite_option(suite));
   add("To accept it, if it is right", result.bless);
   add("To find the commit, REV being one that passed", bisect_command(result, suite));

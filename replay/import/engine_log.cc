@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "replay/format/chain.h"
 #include "replay/format/limits.h"
 #include "replay/format/step_values.h"
 #include "src/base/check.h"
@@ -87,6 +88,13 @@ LogHeader header_of(const EngineDef& def, const sim::SceneDef& start) {
   return header;
 }
 
+/// A log of the last steps of a session is a continued log, whose beginning nobody kept.
+void begin_at(std::uint64_t step, LogHeader& header, sim::WorldState& state) {
+  state.step = step;
+  const Hash128 chain = chain_start(sim::state_hash(state.bodies), header.declared.start);
+  header.goes_on = {step, "steps that were not kept", sim::continuation_hash(state), chain};
+}
+
 }  // namespace
 
 Result<std::unique_ptr<EngineLog>> EngineLog::create(const std::string& path, const EngineDef& def,
@@ -103,7 +111,9 @@ Result<std::unique_ptr<EngineLog>> EngineLog::create(std::unique_ptr<ByteSink> s
   if (Status ok = check_engine(def); !ok.ok()) return ok.error();
   Result<sim::World> world = world_of(start);
   if (!world.ok()) return world.error();
-  Result<std::unique_ptr<LogWriter>> writer = LogWriter::create(std::move(sink), header_of(def, start), world->state());
+  LogHeader header = header_of(def, start);
+  if (def.first_state > 0) begin_at(def.first_state, header, world->mutable_state());
+  Result<std::unique_ptr<LogWriter>> writer = LogWriter::create(std::move(sink), header, world->state());
   if (!writer.ok()) return writer.error();
   std::unique_ptr<EngineLog> log(new EngineLog(*std::move(world), def));
   log->writer_ = *std::move(writer);

@@ -31,6 +31,8 @@ struct EngineDef {
   std::optional<ImportedTable> table = {};  ///< of an import; states are given in SI units, z up, all the same
   /// Channels by ascending names, shapes, names of the bodies of the start, values of state 0.
   Declared declared = {};
+  /// The number of the state that the log begins with; above 0 if the steps before it were not kept.
+  std::uint64_t first_state = 0;
 };
 
 /// The state of one body after a step. SI units, z up, angular velocity about world axes. Every double is kept to the

@@ -519,7 +519,7 @@ static int next_earlier(TumbleRec* rec) {
     v->kind = get32(head);
     size = get32(head + 4);
     v->frame.size = 0;
-    if (size > FRAME_MAX || !reserve(rec, &v->frame, size)) {
+    if (size > FRAME_MAX || !reserve(rec, &v->frame, (size_t)size + 1)) { /* never NULL */
       fail(rec, TUMBLE_REC_BAD_STREAM, "found a frame of %lu bytes in the earlier stream", (unsigned long)size);
       return 0;
     }
@@ -1574,6 +1574,11 @@ TumbleRecStatus tumble_rec_channel(TumbleRec* rec, const char* name, TumbleRecSc
     return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL,
                            "found a channel of a wrong scope, type or name, wanted a name of 1 to 200 bytes"));
   }
+  for (k = 0; k < length; ++k) {
+    if ((unsigned char)name[k] >= 32 && name[k] != '=' && name[k] != 127) continue;
+    return leave(
+        rec, fail(rec, TUMBLE_REC_BAD_CALL, "channel \"%s\": found a '=' or a control character, wanted none", name));
+  }
   for (k = 0; k < rec->channel_count; ++k) {
     if (strcmp(rec->channels[k].name, name) == 0)
       return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL, "found channel \"%s\" twice, wanted one of a name", name));
@@ -1634,7 +1639,7 @@ TumbleRecStatus tumble_rec_value(TumbleRec* rec, uint32_t channel, uint64_t a, u
         rec, fail(rec, TUMBLE_REC_BAD_CALL, "found a value of channel \"%s\" between steps, wanted step_begin before",
                   rec->channels[channel].name));
   scope = rec->channels[channel].scope, type = rec->channels[channel].type;
-  if ((scope == TUMBLE_REC_WORLD) != (a == 0) || (b != 0 && scope != TUMBLE_REC_OF_PAIR)) {
+  if ((scope == TUMBLE_REC_WORLD) != (a == 0) || (b != 0) != (scope == TUMBLE_REC_OF_PAIR)) {
     return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL,
                            "channel \"%s\": found bodies %" PRIu64 " and %" PRIu64 ", wanted those of its scope",
                            rec->channels[channel].name, a, b));

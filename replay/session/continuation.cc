@@ -41,6 +41,14 @@ Result<Inputs> inputs_around(LogReader& log, std::uint64_t k) {
   return inputs;
 }
 
+std::vector<sim::TimedCommand> planned_after(const LogReader& log, std::uint64_t k) {
+  std::vector<sim::TimedCommand> planned;
+  for (const sim::TimedCommand& input : log.header().scene.inputs) {
+    if (input.step > k) planned.push_back(input);
+  }
+  return planned;
+}
+
 /// State k with its hidden part (solver memory, rest times). A log stores hidden state in keyframes only, so this build
 /// simulates from the last one. Its visible hash must be the log's; a build of another method version may agree in what
 /// is visible and differ in what is hidden, and is refused before.
@@ -82,7 +90,7 @@ Result<Continuation> continuation_of(LogReader& log, std::uint64_t k, const GoOn
   scene.boxes = boxes_at(state->bodies, std::move(known));
   scene.world = state->def;
   scene.inputs.clear();
-  if (options.keep_inputs) scene.inputs = std::move(inputs->to_come);
+  if (options.keep_inputs) scene.inputs = options.planned_only ? planned_after(log, k) : std::move(inputs->to_come);
   if (options.steps) scene.steps = k + *options.steps;
   if (options.seconds) scene.steps = k + static_cast<std::uint64_t>(std::llround(*options.seconds / state->def.dt));
   if (scene.steps <= k || scene.steps > sim::kStepsMax) {

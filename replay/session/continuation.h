@@ -16,7 +16,8 @@ struct GoOnOptions {
   HashesMode hashes = {};
   std::optional<std::uint64_t> steps = std::nullopt;  ///< planned after that state; none: up to the other's planned end
   std::optional<double> seconds = std::nullopt;       ///< `steps` given as s, at the dt in force at that state
-  bool keep_inputs = true;  ///< apply the inputs that the other log and its scene have after that state
+  bool keep_inputs = true;    ///< apply the inputs that the other log and its scene have after that state
+  bool planned_only = false;  ///< of those inputs only the scene's, without the ones that were made live
 };
 
 /// The start of a session that continues another one.

@@ -93,8 +93,8 @@ Result<std::unique_ptr<Recorder>> Recorder::go_on(std::unique_ptr<ByteSink> sink
 // overwrites. The writer copies what it needs before append() returns, so the spans may be used again.
 Status Recorder::step(std::span<const sim::Command> live) {
   hashes_.clear();
-  const bool hashed = hashes_mode_.holds(session_.steps_done() + 1);
-  const Result<TakenStep> taken = session_.step(live, hashed ? &hashes_ : nullptr);
+  sim::Observer* const hashes = hashes_mode_.holds(session_.steps_done() + 1) ? &hashes_ : nullptr;
+  const Result<TakenStep> taken = session_.step(live, watch_ ? watch_(hashes) : hashes);
   if (!taken.ok()) return taken.error();
   const Extras* extras = extras_.views.empty() ? nullptr : &extras_;
   const Status written =

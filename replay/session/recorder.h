@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tumble/replay/continuation.h"
@@ -61,6 +62,11 @@ class Recorder {
   /// Sets the threads to step with; see World::use.
   void use(Workers* workers) { session_.use(workers); }
 
+  /// Called before each step with the observer that hashes its phases, null in a step without hashes. Returns the
+  /// observer of the step, which passes every call on to that one. Null: no other observer.
+  using Watch = std::function<sim::Observer*(sim::Observer* hashes)>;
+  void watch(Watch watch) { watch_ = std::move(watch); }
+
   [[nodiscard]] const sim::World& world() const { return session_.world(); }
   /// The resolved scene; scene().steps is the number of the last planned step.
   [[nodiscard]] const sim::SceneDef& scene() const { return session_.scene(); }
@@ -87,6 +93,7 @@ class Recorder {
   HashesMode hashes_mode_;
   sim::PhaseHashes hashes_;
   Extras extras_;  // of the coming step: views
+  Watch watch_;
 };
 
 /// Records scene.steps steps. A step that fails ends the session: the log is completed up to the step before, and the

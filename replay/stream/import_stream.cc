@@ -1,27 +1,18 @@
 #include "replay/stream/import_stream.h"
 
 #include <algorithm>
-#include <map>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "replay/stream/stream_bodies.h"
+#include "replay/stream/stream_cursor.h"
+#include "replay/stream/stream_extras.h"
 #include "replay/stream/stream_step.h"
 #include "src/base/text.h"
 #include "tumble/replay/engine_log.h"
 
 namespace tumble::replay {
 namespace {
-
-/// What the first reading finds.
-struct Survey {
-  double first_dt = 0;
-  std::set<std::string> named_inputs;
-  std::map<std::uint32_t, StreamChannel> channels;
-  std::uint64_t contacts = 0;
-  std::uint64_t notes = 0;
-};
 
 class StreamImporter {
  public:
@@ -32,7 +23,8 @@ class StreamImporter {
     for (const StreamFrame& frame : stream_.steps()) {
       const Result<StreamStep> step = decode(frame);
       if (!step.ok()) return step.error();
-      look_at(*step);
+      if (first_dt_ == 0) first_dt_ = step->dt;
+      extras_.survey(*step);
     }
     return {};
   }
@@ -40,7 +32,10 @@ class StreamImporter {
   Result<StreamImport> write(std::unique_ptr<ByteSink> sink) {
     const Result<StreamStep> start = decode(stream_.steps().front());
     if (!start.ok()) return start.error();
-    Result<std::unique_ptr<EngineLog>> log = EngineLog::create(std::move(sink), engine(), scene(*start));
+    const sim::SceneDef begun = scene(*start);
+    Result<EngineDef> def = engine(*start);
+    if (!def.ok()) return def.error();
+    Result<std::unique_ptr<EngineLog>> log = EngineLog::create(std::move(sink), *def, begun);
     if (!log.ok()) return log.error();
     for (std::size_t k = 1; k < stream_.steps().size(); ++k) {
       if (Status ok = write_step(**log, stream_.steps()[k]); !ok.ok()) return ok.error();
@@ -64,24 +59,32 @@ class StreamImporter {
     return decode_stream_step(frame.kind, *payload, place(stream_, frame));
   }
 
-  void look_at(const StreamStep& step) {
-    if (survey_.first_dt == 0) survey_.first_dt = step.dt;
-    for (const StreamInput& input : step.inputs) {
-      if (const auto* named = std::get_if<StreamNamedInput>(&input)) survey_.named_inputs.insert(named->name);
-    }
-    for (const StreamChannel& channel : step.channels) survey_.channels.emplace(channel.number, channel);
-    survey_.contacts += step.contacts.size();
-    survey_.notes += step.notes.size();
-  }
-
-  [[nodiscard]] EngineDef engine() const {
+  Result<EngineDef> engine(const StreamStep& start) {
     const StreamHeader& header = stream_.header();
     EngineDef def;
     def.engine = header.engine;
     def.phases = header.phases;
+    def.first_state = start.step;
     if (header.hashes_only) def.phases.assign(kStreamClasses.begin(), kStreamClasses.end());
     if (!header.axes.ours()) def.table = ImportedTable{header.axes, {}};
+    Result<Declared> declared = extras_.declare(start, bodies_);
+    if (!declared.ok()) return declared.error();
+    def.declared = *std::move(declared);
+    describe_start(start, def.declared);
     return def;
+  }
+
+  void describe_start(const StreamStep& start, Declared& declared) const {
+    for (const StreamInput& input : start.inputs) {
+      const auto* body = std::get_if<StreamBody>(&input);
+      const auto description = body != nullptr ? bodies_.describe(*body) : std::nullopt;
+      if (!description) continue;
+      declared.bodies.push_back(description->info);
+      if (description->shape && std::ranges::find(declared.shapes, *description->shape) == declared.shapes.end()) {
+        declared.shapes.push_back(*description->shape);
+      }
+    }
+    std::ranges::sort(declared.bodies, {}, &BodyInfo::id);
   }
 
   sim::SceneDef scene(const StreamStep& start) {
@@ -90,8 +93,8 @@ class StreamImporter {
     scene.name = header.scene.empty() ? "session" : header.scene;
     scene.world.gravity = header.axes.length(header.gravity);
     scene.world.ground = header.ground;
-    scene.steps = stream_.steps().size() - 1;
-    if (survey_.first_dt > 0) scene.world.dt = survey_.first_dt;
+    scene.steps = stream_.steps().back().step;
+    if (first_dt_ > 0) scene.world.dt = first_dt_;
     for (const StreamInput& input : start.inputs) {
       const std::optional<sim::Command> command = bodies_.command(input);
       if (!command) continue;
@@ -115,6 +118,7 @@ class StreamImporter {
       const std::optional<sim::Command> command = bodies_.command(input);
       if (!command) continue;
       if (Status ok = log.input(*command); !ok.ok()) return ok;
+      if (Status ok = describe(log, input); !ok.ok()) return ok;
     }
     for (const StreamState& told : step.states) {
       const Result<EngineState> state = bodies_.state(told);
@@ -122,7 +126,31 @@ class StreamImporter {
       if (Status ok = log.set_state(told.id, *state); !ok.ok()) return ok;
     }
     if (Status ok = tell_phases(log, step); !ok.ok()) return ok;
+    if (Status ok = extras_.tell(log, step, bodies_.axes()); !ok.ok()) return ok;
+    if (Status ok = tell_snapshots(log, step.step); !ok.ok()) return ok;
     return log.end_step(step.dt);
+  }
+
+  Status describe(EngineLog& log, const StreamInput& input) const {
+    const auto* body = std::get_if<StreamBody>(&input);
+    const auto description = body != nullptr ? bodies_.describe(*body) : std::nullopt;
+    if (!description) return {};
+    return log.describe_body(description->info, description->shape ? &*description->shape : nullptr);
+  }
+
+  /// A snapshot's bytes, without the number of its step and its name.
+  Status tell_snapshots(EngineLog& log, std::uint64_t k) const {
+    for (const StreamFrame& frame : stream_.snapshots()) {
+      if (frame.step != k) continue;
+      const Result<std::vector<std::byte>> payload = stream_.read(frame);
+      if (!payload.ok()) return payload.error();
+      StreamCursor in(*payload);
+      (void)in.number<std::uint64_t>();
+      (void)in.text();
+      if (!in.ok()) return bad_input("found a snapshot of " + std::to_string(payload->size()) + " bytes, wanted more");
+      if (Status ok = log.add_snapshot(in.take(in.left())); !ok.ok()) return ok;
+    }
+    return {};
   }
 
   /// A phase that did not run in a substep has the word 0.
@@ -152,20 +180,19 @@ class StreamImporter {
     return all;
   }
 
+  /// Snapshots of the state that the log begins with: a log holds those of steps.
   [[nodiscard]] std::vector<std::string> passed_over() const {
-    std::vector<std::string> all;
-    for (const std::string& name : survey_.named_inputs) all.push_back("input " + name);
-    for (const auto& [number, channel] : survey_.channels) all.push_back("channel " + channel.name);
-    if (survey_.contacts > 0) all.push_back(count_text(survey_.contacts, "contact"));
-    if (survey_.notes > 0) all.push_back(count_text(survey_.notes, "note"));
-    if (!stream_.snapshots().empty()) all.push_back(count_text(stream_.snapshots().size(), "snapshot"));
-    return all;
+    const std::uint64_t begun = stream_.steps().front().step;
+    const auto count = std::ranges::count(stream_.snapshots(), begun, &StreamFrame::step);
+    if (count == 0) return {};
+    return {count_text(static_cast<std::uint64_t>(count), "snapshot") + " of the start"};
   }
 
   const StreamReader& stream_;
   const Progress& progress_;
   StreamBodies bodies_;
-  Survey survey_;
+  StreamExtras extras_;
+  double first_dt_ = 0;
 };
 
 }  // namespace

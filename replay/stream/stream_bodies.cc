@@ -10,7 +10,7 @@ namespace tumble::replay {
 namespace {
 
 // TumbleRecShape of tumble_recorder.h.
-enum Shape : std::uint8_t { kBox = 0, kSphere = 1, kCapsule = 2, kCylinder = 3 };
+enum TheirShape : std::uint8_t { kBox = 0, kSphere = 1, kCapsule = 2, kCylinder = 3 };
 
 constexpr std::array<const char*, 6> kShapeNames = {"box", "sphere", "capsule", "cylinder", "hull", "mesh"};
 
@@ -55,7 +55,7 @@ sim::BoxDef StreamBodies::add(const StreamBody& body) {
   box.id = body.id;
   box.size = axes_.extents(box_around(body));
   for (int k = 0; k < 3; ++k) box.size[k] = edge(body.id, box.size[k]);
-  if (body.shape != kBox) {
+  if (body.shape > kCylinder) {
     notes_.push_back("body " + std::to_string(body.id) + ": a " + kShapeNames[body.shape] +
                      " is logged as the box around it");
   }
@@ -69,6 +69,27 @@ sim::BoxDef StreamBodies::add(const StreamBody& body) {
   box.material.friction = box.material.friction_dynamic = body.friction;
   box.material.restitution = body.restitution;
   return box;
+}
+
+std::optional<StreamBodies::Description> StreamBodies::describe(const StreamBody& body) const {
+  Description found;
+  found.info.id = body.id;
+  found.info.name = body.name;
+  if (body.shape == kSphere || body.shape == kCapsule || body.shape == kCylinder) {
+    Shape shape;
+    shape.kind = body.shape == kSphere    ? Shape::Kind::kSphere
+                 : body.shape == kCapsule ? Shape::Kind::kCapsule
+                                          : Shape::Kind::kCylinder;
+    shape.radius = body.size[0] * axes_.metres;
+    if (body.shape != kSphere) {
+      shape.half_length = body.size[1] * axes_.metres / 2;
+      while (axes_.along(shape.axis).letter != 'z') shape.axis = static_cast<std::uint8_t>((shape.axis + 1) % 3);
+    }
+    found.info.shape = hash_of(shape);
+    found.shape = shape;
+  }
+  if (found.info.name.empty() && !found.shape) return std::nullopt;
+  return found;
 }
 
 std::optional<sim::Command> StreamBodies::command(const StreamInput& input) {

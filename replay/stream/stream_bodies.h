@@ -9,6 +9,7 @@
 #include "replay/stream/stream_step.h"
 #include "tumble/replay/engine_log.h"
 #include "tumble/replay/imported_table.h"
+#include "tumble/replay/shape.h"
 #include "tumble/sim/result.h"
 #include "tumble/sim/scene.h"
 
@@ -26,6 +27,14 @@ class StreamBodies {
 
   /// An input for a log; none for one that only the engine understands. Bodies are added and removed here too.
   std::optional<sim::Command> command(const StreamInput& input);
+
+  /// The name and the shape of a body for a log; none for a box without a name. A hull and a mesh are known by a hash
+  /// alone, so they have no shape there.
+  struct Description {
+    BodyInfo info;
+    std::optional<Shape> shape;
+  };
+  [[nodiscard]] std::optional<Description> describe(const StreamBody& body) const;
 
   /// The state that a record tells. Errors (kBadInput): "same" of a body that had no state.
   Result<EngineState> state(const StreamState& state);

@@ -10,6 +10,7 @@
 #include "src/render/passes/blur.h"
 #include "src/render/passes/composite.h"
 #include "src/render/passes/depth.h"
+#include "src/render/passes/present.h"
 #include "src/render/passes/shrink.h"
 #include "src/render/passes/stage_image.h"
 #include "src/render/scene/box_mesh.h"
@@ -57,6 +58,7 @@ struct Renderer::Parts {
   ShrinkPass shrink;
   BlurPass blur_x, blur_y;
   CompositePass composite;
+  PresentPass present;
   bool measures = false;
   std::array<double, 6> seconds{};
 
@@ -90,6 +92,7 @@ Status Renderer::Parts::build() {
   if (status.ok()) status = keep(blur_x, BlurPass::create(gl, small_width, small_height));
   if (status.ok()) status = keep(blur_y, BlurPass::create(gl, small_width, small_height));
   if (status.ok()) status = keep(composite, CompositePass::create(gl, width, height, samples));
+  if (status.ok()) status = keep(present, PresentPass::create(gl));
   return status;
 }
 
@@ -122,11 +125,15 @@ Renderer::~Renderer() = default;
 
 const char* Renderer::backend_name() const { return parts_->context->backend_name(); }
 
+const Settings& Renderer::settings() const { return parts_->settings; }
+void Renderer::use(const Effects& effects) { parts_->settings.effects = effects; }
 std::string Renderer::driver() const { return parts_->context->driver(); }
 void Renderer::measure_passes(bool on) { parts_->measures = on; }
 const std::array<double, 6>& Renderer::pass_seconds() const { return parts_->seconds; }
 
-Result<std::unique_ptr<Renderer>> Renderer::create(const Settings& settings, Backend backend) {
+namespace {
+
+Status check_settings(const Settings& settings) {
   const auto& [width, height, samples, effects] = settings;
   if (width < kSizeMin || height < kSizeMin || width > kSizeMax || height > kSizeMax) {
     return bad_input("picture size: found " + std::to_string(width) + "x" + std::to_string(height) + ", wanted " +
@@ -135,8 +142,25 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const Settings& settings, Bac
   if (samples < 1 || samples > kSamplesMax) {
     return bad_input("samples: found " + std::to_string(samples) + ", wanted 1 to " + std::to_string(kSamplesMax));
   }
-  Result<std::unique_ptr<Context>> context = Context::open(backend);
+  return {};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Renderer>> Renderer::create(const Settings& settings, Backend backend) {
+  if (const Status ok = check_settings(settings); !ok.ok()) return ok.error();
+  return create_with(settings, Context::open(backend));
+}
+
+Result<std::unique_ptr<Renderer>> Renderer::create_in_current(const Settings& settings, FindGlFunction find) {
+  if (const Status ok = check_settings(settings); !ok.ok()) return ok.error();
+  return create_with(settings, Context::current(find));
+}
+
+Result<std::unique_ptr<Renderer>> Renderer::create_with(const Settings& settings,
+                                                        Result<std::unique_ptr<Context>> context) {
   if (!context.ok()) return context.error();
+  const auto& [width, height, samples, effects] = settings;
   auto parts = std::make_unique<Parts>();
   parts->context = std::move(*context);
   parts->settings = settings;
@@ -150,6 +174,13 @@ Result<std::unique_ptr<Renderer>> Renderer::create(const Settings& settings, Bac
   const Status built = parts->build();
   if (!built.ok()) return built.error();
   return std::unique_ptr<Renderer>(new Renderer(std::move(parts)));
+}
+
+Status Renderer::show(const Snapshot& snapshot, const Target& target) {
+  const Gl& gl = parts_->context->gl();
+  parts_->draw(snapshot);
+  parts_->present.draw(gl, parts_->composite.image(), target);
+  return check_gl(gl, "drawing");
 }
 
 Result<Image> Renderer::draw(const Snapshot& snapshot, Stage stage) {

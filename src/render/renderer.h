@@ -8,9 +8,12 @@
 #include "tumble/render/effects.h"
 #include "tumble/render/image.h"
 #include "tumble/render/snapshot.h"
+#include "tumble/render/window.h"
 #include "tumble/sim/result.h"
 
 namespace tumble::render {
+
+class Context;
 
 inline constexpr int kSamplesMax = 4;
 
@@ -44,6 +47,9 @@ class Renderer {
   /// Errors. kBadInput: a size beyond the limits or beyond the driver. kCannotFinish: the machine has no library that
   /// gives an OpenGL context; the message names the package to install.
   static Result<std::unique_ptr<Renderer>> create(const Settings& settings, Backend backend = Backend::kAuto);
+  /// Draws in the context that is current on this thread, a window's, instead of one without a window. That context
+  /// must be current in every call and when the renderer is destroyed. Errors: as create().
+  static Result<std::unique_ptr<Renderer>> create_in_current(const Settings& settings, FindGlFunction find);
   ~Renderer();
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
@@ -51,7 +57,16 @@ class Renderer {
   /// Errors (kCannotFinish): the driver reports one.
   Result<Image> draw(const Snapshot& snapshot, Stage stage = Stage::kFinal);
 
-  [[nodiscard]] const char* backend_name() const;  ///< "OSMesa" or "EGL"
+  /// Draws as draw() does and puts the picture into `target`, scaled where the sizes differ. Pixels of the picture and
+  /// of the target are equal where the sizes are. Leaves that framebuffer bound, and no depth test, for what else the
+  /// window shows. Errors (kCannotFinish): the driver reports one.
+  Status show(const Snapshot& snapshot, const Target& target);
+
+  /// Replaces the effects of the settings from the next picture on.
+  void use(const Effects& effects);
+  [[nodiscard]] const Settings& settings() const;
+
+  [[nodiscard]] const char* backend_name() const;  ///< "OSMesa", "EGL" or "window"
   /// Driver and machine class, for reports: "llvmpipe (LLVM 15.0.6, 256 bits), 3.3 (Core Profile) Mesa 22.3.6".
   [[nodiscard]] std::string driver() const;
 
@@ -63,6 +78,8 @@ class Renderer {
  private:
   struct Parts;
   explicit Renderer(std::unique_ptr<Parts> parts);
+  static Result<std::unique_ptr<Renderer>> create_with(const Settings& settings,
+                                                       Result<std::unique_ptr<Context>> context);
   std::unique_ptr<Parts> parts_;
 };
 

@@ -1,5 +1,6 @@
 #include "src/world/float_environment.h"
 
+#include <cfenv>
 #include <limits>
 
 namespace tumble::sim {
@@ -26,5 +27,7 @@ Status check_float_environment() {
   }
   return {};
 }
+
+void restore_float_environment() { std::fesetenv(FE_DFL_ENV); }
 
 }  // namespace tumble::sim

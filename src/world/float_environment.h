@@ -8,4 +8,8 @@ namespace tumble::sim {
 /// loaded later can switch on flush-to-zero for the whole process, and every bit would change from there on.
 Status check_float_environment();
 
+/// Sets the calling thread's floating-point environment back to the default: to nearest even, subnormal numbers kept,
+/// no exception trapped. For programs that load other people's drivers into their process; call between two steps.
+void restore_float_environment();
+
 }  // namespace tumble::sim

@@ -177,6 +177,17 @@ struct SavedMotion {
   PairTable pairs;
 };
 
+struct Scratch;
+
+/// Observes the sweeps of method layered; they know nothing of the purpose. layer_solved() is called, by the thread
+/// that steps, when the contacts of a layer have written their outcomes and before its bodies add the outcomes up.
+/// `all` is scratch.contact_batches or the batches of fast pairs; the outcomes count from the first batch of the layer.
+class LayerObserver {
+ public:
+  virtual ~LayerObserver() = default;
+  virtual void layer_solved(const Scratch& scratch, const ContactBatches& all, std::size_t layer) = 0;
+};
+
 /// Of a body in collisions: whether one of them is no resting, and whether one has restitution 1. Sums of both.
 inline constexpr std::uint8_t kHit = 1, kBouncesFully = 2;
 
@@ -218,6 +229,7 @@ struct Scratch {
   FastContacts fast;
   LaneWidth lanes = LaneWidth::kWidest;  ///< changes nothing but time
   Workers* workers = nullptr;            ///< changes nothing but time; not owned
+  LayerObserver* layers = nullptr;       ///< changes nothing; not owned; null: nobody looks
 
   std::uint32_t still_steps = 0;  ///< steps in a row without an input and without a body that could move
 

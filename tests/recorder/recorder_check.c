@@ -256,6 +256,12 @@ static void refuses_misuse(void) {
   tumble_rec_f64(rec, c.seed, 0, 1);
   refuses(rec, "found a value of another type");
   rec = begin(def, kNone, &c);
+  tumble_rec_channel(rec, "control", TUMBLE_REC_WORLD, TUMBLE_REC_F64, &c.seed);
+  refuses(rec, "found channel \"control\" twice");
+  rec = begin(def, kNone, &c);
+  tumble_rec_channel(rec, "a=b", TUMBLE_REC_WORLD, TUMBLE_REC_F64, &c.seed);
+  refuses(rec, "found a '=' or a control character");
+  rec = begin(def, kNone, &c);
   tumble_rec_rewind(rec, 0);
   refuses(rec, "found a rewind");
   def.path = "no folder/misuse.tumblestream";

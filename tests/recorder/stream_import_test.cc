@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "replay/log/verify.h"
 #include "replay/stream/import_stream.h"
 #include "tests/recorder/recorded.h"
 #include "tests/support/log_memory.h"
@@ -110,7 +111,7 @@ TEST(StreamImport, BodiesComeAndGo) {
   EXPECT_EQ((*step)->states.id, (std::vector<sim::BodyId>{1, 9}));
 }
 
-TEST(StreamImport, ShapesAreBoxesAroundThemAndSaidToBe) {
+TEST(StreamImport, ShapesAreKeptBesideTheBoxesAroundThem) {
   const auto sphere = [](TumbleRec* rec) {
     TumbleRecBody body = small_cube(5);
     body.shape = TUMBLE_REC_CAPSULE;
@@ -121,6 +122,9 @@ TEST(StreamImport, ShapesAreBoxesAroundThemAndSaidToBe) {
   Result<Imported> got = import_bytes(record(1, 0, sphere));
   ASSERT_TRUE(got.ok()) << got.error().message;
   EXPECT_EQ(got->log.header().scene.boxes[1].size, (sim::Vec3{0.5, 0.5, 2.5}));
+  ASSERT_EQ(got->log.header().declared.shapes.size(), 1U);
+  EXPECT_EQ(got->log.header().declared.shapes[0].radius, 0.25);
+  EXPECT_EQ(got->log.header().declared.shapes[0].half_length, 1);
 }
 
 TEST(StreamImport, ATornStreamSaysWhereItEnds) {
@@ -130,6 +134,46 @@ TEST(StreamImport, ATornStreamSaysWhereItEnds) {
   ASSERT_TRUE(got.ok()) << got.error().message;
   EXPECT_EQ(got->import.log.steps, 5U);
   EXPECT_TRUE(mentions(got->import.warnings, "the recorder was stopped after step 5"));
+}
+
+// The first step after a rewind repeats the state of the last step that was taken back, not of the one before it.
+TEST(StreamImport, AStateAfterARewindRefersToNoStepThatWasTakenBack) {
+  const auto rewind = [](TumbleRec* rec) {
+    const TumbleRecState again = state_at(1, 4);
+    tumble_rec_rewind(rec, 2);
+    tumble_rec_step_begin(rec, 0.0625);
+    tumble_rec_state(rec, 1, &again);
+    ASSERT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK) << tumble_rec_message(rec);
+  };
+  Result<Imported> got = import_bytes(record(1, 4, rewind, [](TumbleRecDef& def) { def.rollback_steps = 4; }));
+  ASSERT_TRUE(got.ok()) << got.error().message;
+  EXPECT_EQ(got->import.log.steps, 3U);
+  const Result<const replay::StepRecord*> step = got->log.read_step(3);
+  ASSERT_TRUE(step.ok());
+  EXPECT_EQ((*step)->states.position[0].z(), state_at(1, 4).position[2]);
+}
+
+// Of a ring the log has the steps that were kept, by their own numbers.
+TEST(StreamImport, ARingKeepsItsStepNumbers) {
+  StreamBytes dumped;
+  const auto dump = [&](TumbleRec* rec) {
+    ASSERT_EQ(tumble_rec_dump_to(rec, append, &dumped), TUMBLE_REC_OK) << tumble_rec_message(rec);
+  };
+  const auto ring = [](TumbleRecDef& def) {
+    def.write = nullptr;
+    def.ring_s = 1;  // 16 steps
+  };
+  (void)record(2, 100, dump, ring);
+  Result<Imported> got = import_bytes(dumped);
+  ASSERT_TRUE(got.ok()) << got.error().message;
+  EXPECT_EQ(got->log.last_step(), 100U);
+  EXPECT_GE(got->import.log.steps, 16U);
+  EXPECT_LT(got->import.log.steps, 24U);
+  EXPECT_TRUE(replay::verify(got->log).condition.sound());
+  const Result<const replay::StepRecord*> step = got->log.read_step(100);
+  ASSERT_TRUE(step.ok());
+  EXPECT_EQ((*step)->states.position[0].z(), state_at(1, 100).position[2]);
+  EXPECT_EQ((*step)->states.position[1].z(), state_at(2, 3).position[2]);
 }
 
 TEST(StreamImport, HashesAloneAreCompared) {

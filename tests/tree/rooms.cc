@@ -74,8 +74,10 @@ std::vector<Room> logs() {
       {"replay/stream", session + Folders{"replay/import"}},
       {"replay/picture", above + Folders{"src/render", "src/render/picture", "src/render/scene"}},
       {"replay/probe", above},
+      {"replay/live", above + Folders{"src/threads", "src/render/scene", "replay/picture"}},
       {"replay/diff", above + Folders{"replay/measure", "replay/recover", "replay/picture"}},
       {"replay/view", above + Folders{"replay/measure"}},
+      {"replay/blame", above + Folders{"replay/diff"}},
   };
 }
 
@@ -103,6 +105,37 @@ std::vector<Room> suite() {
 
 std::vector<Room> program() {
   const Folders below =
+      kSim + Folders{"src/scenes",      "src/threads",   "src/render",     "src/render/picture", "replay/format",
+                     "replay/codec",    "replay/log",    "replay/session", "replay/measure",     "replay/recover",
+                     "replay/import",   "replay/stream", "replay/picture", "replay/diff",        "golden/suite",
+                     "golden/expected", "golden/judge",  "golden/run",     "golden/canaries",    "golden/report",
+                     "golden/bless",    "golden",        "src/files",      "src/process"};
+      kSim + Folders{"src/scenes",    "src/threads",    "src/render",      "src/render/picture", "replay/format",
+                     "replay/codec",  "replay/log",     "replay/session",  "replay/measure",     "replay/recover",
+                     "replay/arrays", "replay/import", "replay/picture", "replay/diff",     "golden/suite",       "golden/expected",
+                     "golden/judge",  "golden/run",     "golden/canaries", "golden/report",      "golden/bless",
+                     "golden",        "src/files",      "src/process"};
+      kSim + Folders{"src/scenes",    "src/threads",     "src/render",     "src/render/picture", "replay/format",
+                     "replay/codec",  "replay/log",      "replay/session", "replay/measure",     "replay/recover",
+                     "replay/import", "replay/stream",   "replay/picture", "replay/diff",        "replay/view",
+                     "replay/arrays", "replay/import",   "replay/stream",  "replay/picture",     "replay/diff",
+                     "golden/suite",  "golden/expected", "golden/judge",   "golden/run",         "golden/canaries",
+                     "golden/report", "golden/bless",    "golden",         "src/files",          "src/process"};
+  const Folders below = kSim + Folders{"src/scenes",     "src/threads",     "src/render",      "src/render/picture",
+                                       "replay/format",  "replay/codec",    "replay/log",      "replay/session",
+                                       "replay/measure", "replay/recover",  "replay/import",   "replay/stream",
+                                       "replay/picture", "replay/diff",     "replay/view",     "replay/blame",
+                                       "replay/arrays",  "replay/import",   "replay/stream",   "replay/picture",
+                                       "replay/diff",    "golden/suite",    "golden/expected", "golden/judge",
+                                       "golden/run",     "golden/canaries", "golden/report",   "golden/bless",
+                                       "golden",         "src/files",       "src/process"};
+  const Folders below = kSim + Folders{"src/scenes",      "src/threads",    "src/render",    "src/render/picture",
+                                       "replay/format",   "replay/codec",   "replay/log",    "replay/session",
+                                       "replay/measure",  "replay/recover", "replay/import", "replay/stream",
+                                       "replay/picture",  "replay/probe",   "replay/diff",   "golden/suite",
+                                       "golden/expected", "golden/judge",   "golden/engine", "golden/run",
+                                       "golden/canaries", "golden/report",  "golden/bless",  "golden",
+                                       "src/files",       "src/process",    "replay/view"};
       kSim + Folders{"src/scenes",    "src/threads",     "src/render",      "src/render/picture", "replay/format",
                      "replay/codec",  "replay/log",      "replay/session",  "replay/measure",     "replay/recover",
                      "replay/arrays", "replay/import",   "replay/stream",   "replay/picture",     "replay/probe",
@@ -121,6 +154,7 @@ std::vector<Room> program() {
       {"tools/view", above + Folders{"golden/report/page"}},
       {"tools/commands", above + Folders{"tools/bisect", "tools/bench", "tools/engine", "tools/compare", "tools/view"}},
       {"tools", above + Folders{"tools/commands"}},
+      {"tools/live", above + Folders{"src/render/gl", "src/render/scene", "replay/live", "tools"}},
   };
 }
 

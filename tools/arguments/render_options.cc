@@ -26,21 +26,6 @@ Error wrong(const char* option, const std::string& found, const std::string& wan
   return bad_input(std::string(option) + ": found " + in_quotes(found) + ", wanted " + wanted);
 }
 
-Status read_size(const std::string& text, render::Settings& settings) {
-  const std::size_t x = text.find('x');
-  const auto width = parse_whole(text.substr(0, x));
-  const auto height = x == std::string::npos ? std::nullopt : parse_whole(text.substr(x + 1));
-  constexpr std::uint64_t kLow = render::kSizeMin, kHigh = render::kSizeMax;
-  if (!width || !height || *width < kLow || *height < kLow || *width > kHigh || *height > kHigh) {
-    return wrong(
-        "--size", text,
-        "WxH in pixels, each from " + std::to_string(kLow) + " to " + std::to_string(kHigh) + ", as in 640x480");
-  }
-  settings.width = static_cast<int>(*width);
-  settings.height = static_cast<int>(*height);
-  return {};
-}
-
 Status read_show(const std::string& list, replay::PictureOptions& show) {
   for (std::size_t begin = 0; begin < list.size();) {
     const std::size_t end = std::min(list.find(',', begin), list.size());
@@ -123,6 +108,21 @@ Result<std::vector<Frame>> frames_of(const RenderArguments& arguments, replay::L
 }
 
 }  // namespace
+
+Status read_size(const std::string& text, render::Settings& settings) {
+  const std::size_t x = text.find('x');
+  const auto width = parse_whole(text.substr(0, x));
+  const auto height = x == std::string::npos ? std::nullopt : parse_whole(text.substr(x + 1));
+  constexpr std::uint64_t kLow = render::kSizeMin, kHigh = render::kSizeMax;
+  if (!width || !height || *width < kLow || *height < kLow || *width > kHigh || *height > kHigh) {
+    return wrong(
+        "--size", text,
+        "WxH in pixels, each from " + std::to_string(kLow) + " to " + std::to_string(kHigh) + ", as in 640x480");
+  }
+  settings.width = static_cast<int>(*width);
+  settings.height = static_cast<int>(*height);
+  return {};
+}
 
 void declare_arguments(Arguments& arguments, RenderArguments& target) {
   arguments.positional("LOG", target.log, "The log to draw").required();

@@ -25,6 +25,9 @@ struct RenderArguments {
 };
 void declare_arguments(Arguments& arguments, RenderArguments& target);
 
+/// The argument --size: sets width and height of `settings`. Errors (kBadInput): not WxH within a picture's limits.
+Status read_size(const std::string& text, render::Settings& settings);
+
 /// The kind of output.
 enum class OutputKind { kPicture, kFolder, kMovie };
 

@@ -31,6 +31,7 @@ Result<Exit> bench_table1(const BenchOptions& options);
 Result<Exit> bench_accuracy(const BenchOptions& options);
 Result<Exit> bench_scaling(const BenchOptions& options);
 Result<Exit> bench_memory(const BenchOptions& options);
+Result<Exit> bench_live(const BenchOptions& options);
 
 /// Runs one of the programs of bench/ beside this one, with its output as it is.
 Result<Exit> bench_program(const std::string& name, const std::vector<std::string>& arguments);

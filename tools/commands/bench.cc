@@ -36,12 +36,13 @@ Result<Exit> bench(const BenchOptions& options) {
   if (options.what == "accuracy") return bench_accuracy(options);
   if (options.what == "scaling") return bench_scaling(options);
   if (options.what == "memory") return bench_memory(options);
+  if (options.what == "live") return bench_live(options);
   if (options.what == "phases") return bench_program("step_bench", {});
   if (options.what == "threads") return bench_program("thread_model", options.scenes);
   if (options.what == "record") return bench_program("log_bench", {});
   if (options.what == "render") return bench_program("render_bench", {"brick_wall.tumble", "60", "640", "480", "1"});
   return bad_input("found " + in_quotes(options.what) +
-                   ", wanted peers, table1, accuracy, scaling, memory, phases, threads, record or render");
+                   ", wanted peers, table1, accuracy, scaling, memory, live, phases, threads, record or render");
 }
 
 }  // namespace
@@ -49,12 +50,14 @@ Result<Exit> bench(const BenchOptions& options) {
 Action declare_bench(Arguments& arguments) {
   auto options = std::make_shared<BenchOptions>();
   arguments
-      .positional("WHAT", options->what, "peers, table1, accuracy, scaling, memory, phases, threads, record or render")
+      .positional("WHAT", options->what,
+                  "peers, table1, accuracy, scaling, memory, live, phases, threads, record or render")
       .required();
   arguments.whole("--repeat", "N", options->repeat, 1, 1000, "Runs of which the median counts (peers: 5, others: 1)");
   arguments.positive(
       "--budget", "S", options->budget, 1e6,
-      "CPU seconds to spend; runs beyond it are left out. scaling: 300; table1, accuracy: of each engine (all runs)");
+      "CPU seconds to spend; runs beyond it are left out. scaling: 300; table1, accuracy: of each engine (all runs); "
+      "live: on the wall, of each scene (10)");
   arguments.option(
       "--scene", "NAME", options->scenes,
       "peers: only scenes whose name begins so; memory: SCENE; accuracy: grid_N (grid_20); threads: 6400, 25600, "
@@ -76,6 +79,7 @@ Action declare_bench(Arguments& arguments) {
       "accuracy the distance of the rows of cubes from each engine's converged solution\n"
       "scaling  the exponent of time over the number of bodies\n"
       "memory   the simulation's bytes by body and by contact\n"
+      "live     frames a second of the window of 'tumble live', played without a person; needs a display, or xvfb-run\n"
       "phases, threads, record, render   the programs step_bench, thread_model, log_bench and render_bench (of "
       "brick_wall.tumble) of the build\n\n"
       "Times are CPU seconds of one thread. docs/performance.md explains the figures.\n\n"

@@ -1,10 +1,10 @@
 // tumble record: runs a scene and writes a log.
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "replay/log/session_clock.h"
@@ -12,20 +12,17 @@
 #include "replay/session/frame_clock.h"
 #include "src/files/output_guard.h"
 #include "src/process/interrupt.h"
-#include "src/scenes/problem.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/arguments/kept_arguments.h"
-#include "tools/arguments/numbers.h"
+#include "tools/arguments/session_start.h"
 #include "tools/arguments/transform_arguments.h"
 #include "tools/commands/session_stepper.h"
 #include "tools/files/log_files.h"
-#include "tools/files/scene_files.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
 #include "tumble/replay/log_reader.h"
 #include "tumble/replay/recorder.h"
-#include "tumble/scenes/scene_file.h"
 #include "tumble/sim/limits.h"
 #include "tumble/threads/worker_threads.h"
 
@@ -177,41 +174,20 @@ Started start_scene(const RecordCommand& options, const Kept& kept, std::string&
   if (options.steps) how.overrides.push_back("world.steps=" + std::to_string(*options.steps));
   if (options.seconds) how.overrides.push_back("world.seconds=" + exact(*options.seconds));
 
-  const Result<SceneFile> file = find_scene(options.scene);
-  if (!file.ok()) return file.error();
-  Result<std::string> text = read_scene(file->path);
-  if (!text.ok()) return text.error();
-  how.scene_text = *std::move(text);
-  const Result<sim::SceneDef> scene = scenes::parse_scene(how.scene_text, file->path, how.overrides);
-  if (!scene.ok()) return scene.error();
-  if (path.empty()) path = file->name + ".tumble";
+  const Result<SceneStart> start = read_scene_start(options.scene, std::move(how));
+  if (!start.ok()) return start.error();
+  if (path.empty()) path = start->name + ".tumble";
   files::OutputGuard guard;
-  guard.keep(file->path, "the scene");
+  guard.keep(start->path, "the scene");
   if (Status ok = guard.claim("-o", path); !ok.ok()) return ok.error();
-  return replay::Recorder::start(path, *scene, how);
-}
-
-// The argument LOG:STEP.
-struct Place {
-  std::string log;
-  std::uint64_t step = 0;
-};
-
-Result<Place> parse_place(const std::string& text) {
-  const std::size_t colon = text.rfind(':');
-  const std::optional<std::uint64_t> step =
-      colon == std::string::npos ? std::nullopt : parse_whole(text.substr(colon + 1));
-  if (step && colon > 0) return Place{text.substr(0, colon), *step};
-  return bad_input("--from: found " + in_quotes(text) + ", wanted LOG:STEP, as in brick_wall.tumble:120");
+  return replay::Recorder::start(path, start->scene, start->how);
 }
 
 // Starts a session that continues from a state of another one, and tells whether that log is whole.
 Started start_from_log(const RecordCommand& options, const Kept& kept, std::string& path, Exit& verdict) {
-  const Result<Place> place = parse_place(options.from);
+  const Result<LogPlace> place = parse_log_place(options.from);
   if (!place.ok()) return place.error();
-  if (path.empty()) {
-    path = std::filesystem::path(place->log).stem().string() + "_from_" + std::to_string(place->step) + ".tumble";
-  }
+  if (path.empty()) path = place->name() + ".tumble";
   files::OutputGuard guard;
   guard.keep(place->log, "the log to continue");
   if (Status ok = guard.claim("-o", path); !ok.ok()) return ok.error();

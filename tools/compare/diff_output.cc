@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "tools/output/blame_output.h"
 #include "tools/output/difference_output.h"
 #include "tools/output/divergence_output.h"
 #include "tools/output/text.h"
@@ -68,6 +69,15 @@ Json headers_json(const std::vector<replay::HeaderDifference>& headers) {
   return rows;
 }
 
+// The command that explains the first value that differs, in a log whose step this build repeats; empty where there is
+// none.
+std::string next_command(const DiffQuestion& options, const Difference& difference) {
+  if (!difference || !difference->effect) return "";
+  const replay::DivergenceLocation& location = difference->location;
+  if (!location.as_a && !location.as_b) return "";
+  return blame_command(location.as_b ? options.b : options.a, *difference->effect);
+}
+
 }  // namespace
 
 void print_result(const DiffQuestion& options, const replay::DiffReport& report, const Difference& difference,
@@ -82,6 +92,8 @@ void print_result(const DiffQuestion& options, const replay::DiffReport& report,
     for (const replay::HeaderDifference& header : report.headers) json["headers"].push_back(describe(header));
     json["header_differences"] = headers_json(report.headers);
     if (difference) add_difference(*difference, Compared::kTwoLogs, json);
+    const std::string next = next_command(options, difference);
+    json["next"] = next.empty() ? Json(nullptr) : Json(next);
     if (options.zoom) json["zoom"] = further.zoom ? zoom_json(*further.zoom) : Json(nullptr);
     if (options.apart) json["apart"] = parting_json(further.parting, *options.apart);
     print_json(json);
@@ -91,6 +103,8 @@ void print_result(const DiffQuestion& options, const replay::DiffReport& report,
   const Sides sides = sides_of(options.a, options.b);
   if (difference) {
     print_difference(*difference, Compared::kTwoLogs, sides);
+    const std::string next = next_command(options, difference);
+    if (!next.empty()) std::cout << "to find the cause of that value: " << printable(next) << '\n';
   } else if (report.first) {
     std::cout << "cause   " << printable(replay::cause_of(report, *report.first)) << '\n';
     print_divergence(*report.first, sides);

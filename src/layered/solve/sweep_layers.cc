@@ -25,6 +25,8 @@ bool solve_layer(Scratch& scratch, const ContactBatches& all, std::size_t layer,
   const std::size_t count = all.touched_start[layer + 1] - all.touched_start[layer];
   if (scratch.workers == nullptr) {  // a tower has as many layers as bodies: each call counts
     if (!solve(work)) return false;
+    if (scratch.layers != nullptr) [[unlikely]]
+      scratch.layers->layer_solved(scratch, all, layer);
     contacts.apply_outcomes(work, touched, count);
     return true;
   }
@@ -34,6 +36,8 @@ bool solve_layer(Scratch& scratch, const ContactBatches& all, std::size_t layer,
     visits.due[begin] = static_cast<std::uint8_t>(solve(part_of(work, begin, end)));
   });
   if (std::find(visits.due.begin(), visits.due.end(), 1) == visits.due.end()) return false;
+  if (scratch.layers != nullptr) [[unlikely]]
+    scratch.layers->layer_solved(scratch, all, layer);
   for_ranges(scratch.workers, count, kSweepBodies,
              [&](std::size_t begin, std::size_t end) { contacts.apply_outcomes(work, touched + begin, end - begin); });
   return true;

@@ -1,5 +1,7 @@
 #include "src/render/gl/context.h"
 
+#include <utility>
+
 namespace tumble::render {
 
 Result<std::unique_ptr<Context>> Context::open(Backend backend) {
@@ -13,8 +15,24 @@ Result<std::unique_ptr<Context>> Context::open(Backend backend) {
                        ". Debian has both: install libosmesa6, or libegl1 with libgl1-mesa-dri");
 }
 
-Status Context::load(GlFunction (*get_proc)(const char*)) {
-  Result<Gl> gl = load_gl(get_proc);
+namespace {
+
+class WindowContext : public Context {
+ public:
+  WindowContext() : Context("window") {}
+  Status start(FindGlFunction find) { return load(find); }
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Context>> Context::current(FindGlFunction find) {
+  auto context = std::make_unique<WindowContext>();
+  if (const Status started = context->start(find); !started.ok()) return started.error();
+  return std::unique_ptr<Context>(std::move(context));
+}
+
+Status Context::load(FindGlFunction find) {
+  Result<Gl> gl = load_gl(find);
   if (!gl.ok()) return gl.error();
   gl_ = *gl;
   return {};

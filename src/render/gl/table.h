@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "tumble/render/window.h"
 #include "tumble/sim/result.h"
 
 /// The functions of OpenGL 3.3 core that the passes use. No GL library is linked; a context fills the table.
@@ -76,8 +77,6 @@ struct Gl {
   TUMBLE_GL_FUNCTIONS(TUMBLE_GL_MEMBER)
 #undef TUMBLE_GL_MEMBER
 };
-
-using GlFunction = void (*)();
 
 /// Fills the table by the look-up function of a context. Errors (kCannotFinish): the driver lacks a function.
 Result<Gl> load_gl(const std::function<GlFunction(const char*)>& get_proc);

@@ -8,7 +8,6 @@ namespace {
 
 using sim::Vec3;
 
-constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr double kLightTangentMin = 0.05;
 constexpr double kLightTangentMax = 1.2;    // a cone of 100 degrees: beyond it the map is too coarse to be of use
 constexpr double kLightTangentStep = 1.25;  // of one width to the next

@@ -8,6 +8,8 @@
 /// The views of camera and light, computed in doubles. The simulation reads none of them.
 namespace tumble::render {
 
+inline constexpr double kDegree = 3.14159265358979323846 / 180;  ///< rad
+
 /// A 4 × 4 matrix in the column-major order of GL: clip = M · (x, y, z, 1).
 using Matrix = std::array<double, 16>;
 std::array<float, 16> to_floats(const Matrix& matrix);

@@ -97,7 +97,7 @@ make_tree() { # tree
   done <"$tree/.files"
   rm -f "$tree/.planted" "$tree/.original"
   (cd "$tree" && export CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1 &&
-    cmake --preset release && cmake --build build/release --target tumble --parallel "$jobs") \
+    cmake --preset release && cmake --build build/release --target "${faults_target:-tumble}" --parallel "$jobs") \
     >"$tree/.build" 2>&1 || fail "$tree does not build without a fault: see $tree/.build"
 }
 

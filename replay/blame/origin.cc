@@ -1,0 +1,140 @@
+#include "replay/blame/origin.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+#include <string_view>
+#include <variant>
+
+#include "src/base/text.h"
+
+namespace tumble::replay {
+namespace {
+
+std::string vector_text(const sim::Vec3& v) {
+  return '(' + significant(v.x(), 6) + ", " + significant(v.y(), 6) + ", " + significant(v.z(), 6) + ')';
+}
+
+// The bodies that an input is about; none: about all.
+std::optional<sim::BodyId> body_of(const sim::Command& input) {
+  if (const auto* made = std::get_if<sim::Throw>(&input)) return made->box.id;
+  if (const auto* push = std::get_if<sim::Push>(&input)) return push->id;
+  if (const auto* remove = std::get_if<sim::Remove>(&input)) return remove->id;
+  if (const auto* wake = std::get_if<sim::Wake>(&input)) return wake->id;
+  if (const auto* set = std::get_if<sim::SetVelocity>(&input)) return set->id;
+  return std::nullopt;
+}
+
+std::string_view trimmed(std::string_view line) {
+  const std::size_t begin = line.find_first_not_of(" \t");
+  return begin == std::string_view::npos ? std::string_view() : line.substr(begin);
+}
+
+// The numbers of the lines, from 1, that begin the tables [[name]].
+std::vector<std::size_t> table_lines(const std::string& text, std::string_view name) {
+  const std::string head = "[[" + std::string(name) + "]]";
+  std::vector<std::size_t> lines;
+  std::istringstream in(text);
+  std::string line;
+  for (std::size_t number = 1; std::getline(in, line); ++number) {
+    if (trimmed(line).starts_with(head)) lines.push_back(number);
+  }
+  return lines;
+}
+
+// The number after "key =" in the table that begins at a line, if it stands on a line of its own.
+std::optional<double> number_in_table(const std::string& text, std::size_t table_line, std::string_view key) {
+  std::istringstream in(text);
+  std::string line;
+  for (std::size_t number = 1; std::getline(in, line); ++number) {
+    if (number <= table_line) continue;
+    std::string_view rest = trimmed(line);
+    if (rest.starts_with('[')) break;
+    if (!rest.starts_with(key)) continue;
+    rest = trimmed(rest.substr(key.size()));
+    if (!rest.starts_with('=')) continue;
+    rest = trimmed(rest.substr(1));
+    return parse_exact(rest.substr(0, rest.find_first_of(" \t#\r")));
+  }
+  return std::nullopt;
+}
+
+std::string line_text(std::size_t line, std::string_view table) {
+  return "line " + std::to_string(line) + " of the scene, [[" + std::string(table) + "]]";
+}
+
+// The line of the scene's input with this index; none unless every table has its step, so that the order is sure.
+std::optional<std::size_t> input_line(const LogHeader& header, std::size_t index) {
+  const std::vector<std::size_t> lines = table_lines(header.scene_text, "input");
+  const std::vector<sim::TimedCommand>& inputs = header.scene.inputs;
+  if (lines.size() != inputs.size()) return std::nullopt;
+  std::vector<std::pair<std::uint64_t, std::size_t>> tables;
+  for (const std::size_t line : lines) {
+    const std::optional<double> step = number_in_table(header.scene_text, line, "step");
+    const std::optional<double> time = number_in_table(header.scene_text, line, "time");
+    if (!step && !time) return std::nullopt;
+    tables.emplace_back(static_cast<std::uint64_t>(step ? *step : 1 + std::round(*time / header.scene.world.dt)), line);
+  }
+  std::ranges::stable_sort(tables, {}, &std::pair<std::uint64_t, std::size_t>::first);
+  const auto same = [](const auto& table, const sim::TimedCommand& input) { return table.first == input.step; };
+  if (!std::ranges::equal(tables, inputs, same)) return std::nullopt;
+  return tables[index].second;
+}
+
+constexpr std::array<const char*, 7> kTables = {"box", "grid", "tower", "pyramid", "wall", "pile", "input"};
+
+}  // namespace
+
+const sim::Command* input_on(const std::vector<sim::Command>& inputs, sim::BodyId body, bool frozen) {
+  const sim::Command* found = nullptr;
+  for (const sim::Command& input : inputs) {
+    const bool of_all = std::holds_alternative<sim::SetGravity>(input) || std::holds_alternative<sim::Remove>(input);
+    if (body_of(input) == body || (frozen && of_all)) found = &input;
+  }
+  return found;
+}
+
+std::string describe_input(const sim::Command& input) {
+  std::string text = sim::name_of(input);
+  if (const std::optional<sim::BodyId> body = body_of(input)) text += " of body " + std::to_string(*body);
+  if (const auto* made = std::get_if<sim::Throw>(&input)) {
+    text += ", velocity " + vector_text(made->box.velocity) + " m/s, from " + vector_text(made->box.position) + " m";
+  } else if (const auto* push = std::get_if<sim::Push>(&input)) {
+    text +=
+        ", impulse " + vector_text(push->impulse) + " N s" + (push->at_centre ? "" : " at " + vector_text(push->at));
+  } else if (const auto* set = std::get_if<sim::SetVelocity>(&input)) {
+    text += ", velocity " + vector_text(set->velocity) + " m/s, spin " + vector_text(set->spin) + " rad/s";
+  } else if (const auto* gravity = std::get_if<sim::SetGravity>(&input)) {
+    text += " to " + vector_text(gravity->gravity) + " m/s2";
+  } else if (const auto* dt = std::get_if<sim::SetDt>(&input)) {
+    text += " to " + exact(dt->dt) + " s";
+  }
+  return text;
+}
+
+std::string input_place(const LogHeader& header, std::uint64_t k, const sim::Command& input) {
+  const std::vector<sim::TimedCommand>& inputs = header.scene.inputs;
+  const auto at = std::ranges::find(inputs, sim::TimedCommand{k, input});
+  if (at == inputs.end()) return "an input made while the session ran";
+  const auto index = static_cast<std::size_t>(at - inputs.begin());
+  const std::optional<std::size_t> line = input_line(header, index);
+  return line ? line_text(*line, "input") : "input " + std::to_string(index + 1) + " of the scene";
+}
+
+std::string body_place(const LogHeader& header, sim::BodyId body) {
+  const auto at = std::ranges::lower_bound(header.scene.boxes, body, {}, &sim::BoxDef::id);
+  if (at == header.scene.boxes.end() || at->id != body) return "";
+  const sim::Origin& origin = at->origin;
+  const char* table = kTables[static_cast<std::size_t>(origin.kind)];
+  const std::vector<std::size_t> lines = table_lines(header.scene_text, table);
+  std::string text = origin.table < lines.size()
+                         ? line_text(lines[origin.table], table)
+                         : "[[" + std::string(table) + "]] " + std::to_string(origin.table + 1) + " of the scene";
+  if (origin.kind != sim::Origin::Kind::kBox) {
+    text += ", row " + std::to_string(origin.row) + ", column " + std::to_string(origin.column);
+  }
+  return text;
+}
+
+}  // namespace tumble::replay

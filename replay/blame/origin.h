@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tumble/replay/step_record.h"
+#include "tumble/sim/scene.h"
+
+/// Where a value entered a session: an input, or a table of the scene.
+namespace tumble::replay {
+
+/// The last of these inputs that can have written a value of the body: its own throw, push, wake or set_velocity; for
+/// "frozen" also a removal or another gravity, which wake bodies. Null: none.
+const sim::Command* input_on(const std::vector<sim::Command>& inputs, sim::BodyId body, bool frozen);
+
+/// "push of body 7, impulse (4, 0, 0) N s".
+std::string describe_input(const sim::Command& input);
+
+/// The place of an input that is applied before step k: "line 12 of the scene, [[input]]"; "made live" where the scene
+/// has no such input. Lines are of the scene's text, if the log holds it.
+std::string input_place(const LogHeader& header, std::uint64_t k, const sim::Command& input);
+
+/// The place of a body of the scene: "line 7 of the scene, [[box]]", "line 20 of the scene, [[wall]], row 3, column 2".
+/// Empty where the scene does not define the body.
+std::string body_place(const LogHeader& header, sim::BodyId body);
+
+}  // namespace tumble::replay

@@ -1,0 +1,177 @@
+#include "replay/blame/steps_again.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "replay/format/chain.h"
+#include "tumble/replay/divergence.h"
+#include "tumble/replay/player.h"
+#include "tumble/sim/step.h"
+
+namespace tumble::replay {
+namespace {
+
+/// Passes each call on to the phase hashes and to another observer.
+class Hashing : public sim::Observer {
+ public:
+  explicit Hashing(sim::Observer* also) : also_(also) {}
+  void phase_done(std::uint32_t substep, std::size_t phase, const sim::World& world) override {
+    hashes.phase_done(substep, phase, world);
+    if (also_ != nullptr) also_->phase_done(substep, phase, world);
+  }
+  sim::PhaseHashes hashes;
+
+ private:
+  sim::Observer* also_;
+};
+
+std::string builds_text(const LogHeader& header) {
+  const LogHeader own = header_for(header.scene);
+  if (header.method_version == own.method_version) return "";
+  return ": the log has version " + std::to_string(header.method_version) + " of method " + header.method +
+         ", this build version " + std::to_string(own.method_version);
+}
+
+Error other_step(const LogReader& log, std::uint64_t k, const Divergence& first) {
+  const std::string step = std::to_string(k), before = std::to_string(k - 1);
+  const bool any_before = k - 1 > log.first_state();
+  return cannot_finish(
+      log.name() + ": this build takes step " + step + " otherwise than the log" + builds_text(log.header()) +
+      "; first difference: " + describe(first) + ". Its account of step " + step +
+      " and later ones would be of another session. " +
+      (any_before ? "Values up to --step " + before + " can be asked about; for later ones use" : std::string("Use")) +
+      " the build that wrote the log (" + log.header().tool_version + ", " + log.header().tool_build +
+      "), or record the scene with this build and ask that log; 'tumble replay' shows what differs");
+}
+
+}  // namespace
+
+StepsAgain::StepsAgain(LogReader& log, const Progress& progress) : log_(&log), states_(log), progress_(progress) {}
+
+Status StepsAgain::apply_inputs(sim::World& world) {
+  const std::uint64_t k = world.state().step + 1;
+  const Result<const StepRecord*> logged = log_->read_hashes(k);
+  if (!logged.ok()) return logged.error();
+  record_ = {};
+  record_.step = k;
+  record_.inputs = (*logged)->inputs;
+  for (const sim::Command& command : record_.inputs) {
+    if (Status ok = sim::apply(world, command); !ok.ok()) {
+      return cannot_finish(log_->name() + ": this build refuses the input \"" + sim::name_of(command) +
+                           "\" before step " + std::to_string(k) + ": " + ok.error().message);
+    }
+  }
+  record_.dt = world.state().def.dt;
+  return {};
+}
+
+// Two records are compared by chain links from one common start: equal links mean equal records.
+Status StepsAgain::step_and_compare(sim::World& world, sim::Observer* also) {
+  const std::uint64_t k = record_.step;
+  Hashing hashing(also);
+  const Result<sim::StepCounters> counters = sim::step(world, &hashing);
+  if (!counters.ok()) {
+    return cannot_finish(log_->name() + ": this build cannot take step " + std::to_string(k) + ": " +
+                         counters.error().message);
+  }
+  record_.phase_words = hashing.hashes.words();
+  record_.counters = *counters;
+  record_.state_hash = sim::state_hash(world.bodies());
+  const Result<const StepRecord*> logged = log_->read_hashes(k);
+  if (!logged.ok()) return logged.error();
+  const LogHeader own = header_for(log_->header().scene);
+  const bool words = same_phase_words(log_->header(), own, k);
+  leave_out_phase_words(log_->header(), own, **logged, record_);
+  if (chain_next({}, **logged) == chain_next({}, record_)) return {};
+  StepRecord expected = **logged;
+  expected.has_states = false;
+  const std::optional<Divergence> first =
+      first_difference(expected, record_, words ? own.phases : std::vector<std::string>());
+  return other_step(*log_, k,
+                    first.value_or(make_divergence(k, "step", "state_hash", to_string(expected.state_hash),
+                                                   to_string(record_.state_hash))));
+}
+
+// From the state kept, if that lies between the keyframe and the step; else from the keyframe.
+Status StepsAgain::stand_before(std::uint64_t k) {
+  if (before_ && before_->state().step == k - 1) return {};
+  if (const MissingSteps* lost = log_->lost_at(k); lost != nullptr) {
+    return bad_input(log_->name() + ": found no step " + std::to_string(k) + ": " + to_string(*lost) +
+                     " were lost before the log was recovered");
+  }
+  Result<const Keyframe*> keyframe = log_->keyframe_at_or_before(k - 1);
+  if (!keyframe.ok()) return keyframe.error();
+  const bool goes_on = before_ && before_->state().step < k && before_->state().step > (*keyframe)->state.step;
+  Result<sim::World> world =
+      goes_on ? Result<sim::World>(*std::move(before_)) : sim::World::restore((*keyframe)->state);
+  before_.reset();
+  if (!world.ok()) return Error{world.error().kind, log_->name() + ": " + world.error().message};
+  while (world->state().step + 1 < k) {
+    const std::uint64_t done = world->state().step;
+    if (progress_ && !progress_(done, k)) return cannot_finish("interrupted");
+    if (Status ok = apply_inputs(*world); !ok.ok()) return ok;
+    if (Status ok = step_and_compare(*world, nullptr); !ok.ok()) return ok;
+  }
+  before_ = *std::move(world);
+  return {};
+}
+
+Result<sim::World> StepsAgain::world_before(std::uint64_t k) {
+  if (Status ok = must_be_ours(*log_); !ok.ok()) return ok.error();
+  if (k <= log_->first_state() || k > log_->last_step()) {
+    return bad_input(log_->name() + ": found no step " + std::to_string(k) + " to take again, wanted " +
+                     std::to_string(log_->first_state() + 1) + " to " + std::to_string(log_->last_step()));
+  }
+  if (Status ok = stand_before(k); !ok.ok()) return ok.error();
+  sim::World world = *before_;
+  if (Status ok = apply_inputs(world); !ok.ok()) return ok.error();
+  return world;
+}
+
+Status StepsAgain::take(sim::World& world, sim::Observer& observer) { return step_and_compare(world, &observer); }
+
+Result<BodyAccount> StepsAgain::account(std::uint64_t k, sim::BodyId body) {
+  Result<sim::World> world = world_before(k);
+  if (!world.ok()) return world.error();
+  if (!world->bodies().find(body)) {
+    return bad_input(log_->name() + ": found no body " + std::to_string(body) + " in step " + std::to_string(k));
+  }
+  AccountObserver observer(*world, body);
+  world->mutable_scratch().layers = &observer;
+  if (Status ok = take(*world, observer); !ok.ok()) return ok.error();
+  return observer.take();
+}
+
+Result<std::optional<BodyMotion>> StepsAgain::after(std::uint64_t k, sim::BodyId body) {
+  const bool in_block = body == block_body_ && k >= block_from_ && k - block_from_ < block_.size();
+  if (!in_block) {
+    const Result<const Keyframe*> keyframe = log_->keyframe_at_or_before(k);
+    if (!keyframe.ok()) return keyframe.error();
+    block_body_ = body;
+    block_from_ = (*keyframe)->state.step;
+    block_.clear();
+    if (progress_ && !progress_(0, 1)) return cannot_finish("interrupted");
+    for (std::uint64_t j = block_from_; j <= k; ++j) {
+      const Result<const StepRecord*> record = states_.read(j);
+      if (!record.ok()) {
+        block_.clear();
+        return record.error();
+      }
+      const BodyStates& states = (*record)->states;
+      const auto at = std::ranges::lower_bound(states.id, body);
+      const bool found = at != states.id.end() && *at == body;
+      block_.push_back(found ? std::optional(motion_of(states, static_cast<std::size_t>(at - states.id.begin())))
+                             : std::nullopt);
+    }
+  }
+  return block_[k - block_from_];
+}
+
+Result<std::vector<sim::Command>> StepsAgain::inputs(std::uint64_t k) {
+  const Result<const StepRecord*> logged = log_->read_hashes(k);
+  if (!logged.ok()) return logged.error();
+  return (*logged)->inputs;
+}
+
+}  // namespace tumble::replay

@@ -1,0 +1,56 @@
+#include "replay/blame/value_history.h"
+
+#include <cmath>
+
+namespace tumble::replay {
+namespace {
+
+// The last step up to k before which differs(value then) holds, or there was no body.
+template <class Differs>
+Result<std::uint64_t> last_step(StepsAgain& steps, std::uint64_t k, sim::BodyId body, std::size_t field,
+                                Differs differs) {
+  const LogReader& log = steps.log();
+  for (; k > log.first_state() && log.holds(k - 1); --k) {
+    const Result<std::optional<BodyMotion>> before = steps.after(k - 1, body);
+    if (!before.ok()) return before.error();
+    if (!before->has_value() || differs((*before)->of(field))) return k;
+  }
+  return k;
+}
+
+Result<double> value_after(StepsAgain& steps, std::uint64_t k, sim::BodyId body, std::size_t field) {
+  const Result<std::optional<BodyMotion>> now = steps.after(k, body);
+  if (!now.ok()) return now.error();
+  return now->has_value() ? (*now)->of(field) : 0.0;
+}
+
+}  // namespace
+
+Result<std::uint64_t> step_it_changed(StepsAgain& steps, std::uint64_t k, sim::BodyId body, std::size_t field) {
+  const Result<double> value = value_after(steps, k, body, field);
+  if (!value.ok()) return value.error();
+  return last_step(steps, k, body, field, [&](double then) { return !same_value(then, *value); });
+}
+
+Result<std::uint64_t> step_it_began(StepsAgain& steps, std::uint64_t k, sim::BodyId body, std::size_t field) {
+  const Result<double> value = value_after(steps, k, body, field);
+  if (!value.ok()) return value.error();
+  if (*value == 0 || !std::isfinite(*value)) return step_it_changed(steps, k, body, field);
+  // A comparison that is false for NaN: a value that was none is another.
+  return last_step(steps, k, body, field,
+                   [&](double then) { return !(std::fabs(then - *value) <= 0.5 * std::fabs(*value)); });
+}
+
+Result<std::uint64_t> step_before_fall(StepsAgain& steps, std::uint64_t k, sim::BodyId body, std::size_t field,
+                                       double fall) {
+  Result<double> value = value_after(steps, k, body, field);
+  if (!value.ok()) return value.error();
+  double now = *value;
+  return last_step(steps, k, body, field, [&](double then) {
+    const bool falls = std::fabs((now - then) - fall) <= 1e-9;
+    now = then;
+    return !falls;
+  });
+}
+
+}  // namespace tumble::replay

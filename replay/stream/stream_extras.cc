@@ -1,0 +1,157 @@
+#include "replay/stream/stream_extras.h"
+
+#include <algorithm>
+#include <bit>
+#include <span>
+
+#include "replay/format/step_values.h"
+#include "replay/stream/stream_cursor.h"
+#include "src/base/text.h"
+
+namespace tumble::replay {
+namespace {
+
+// TumbleRecType of tumble_recorder.h.
+enum Type : std::uint8_t { kF32 = 0, kF64 = 1, kI32 = 2, kI64 = 3, kU32 = 4, kU64 = 5, kBytes = 6, kText = 7 };
+
+/// A value of more numbers is one of bytes, for a log has room for a thousand channels.
+constexpr std::uint32_t kCountMax = 128;
+
+ChannelKind kind_of(const StreamChannel& channel, std::uint32_t count) {
+  if (channel.type == kText) return ChannelKind::kText;
+  if (channel.type == kBytes || count > kCountMax) return ChannelKind::kBytes;
+  if (channel.type == kF32) return ChannelKind::kFloat32;
+  if (channel.type == kF64) return ChannelKind::kFloat64;
+  return channel.type == kI32 || channel.type == kI64 ? ChannelKind::kInt64 : ChannelKind::kUint64;
+}
+
+/// The channel of number k of a value: "qpos[3]", or "seed" where values have one number.
+std::string name_of_number(const std::string& name, std::uint32_t k, std::uint32_t count) {
+  return count == 1 ? name : name + '[' + std::to_string(k) + ']';
+}
+
+std::string input_name(const StreamNamedInput& input) {
+  return "input." + input.name + (input.body == 0 ? "" : " of a body");
+}
+
+ChannelValue read_number(StreamCursor& in, std::uint8_t type) {
+  switch (type) {
+    case kF32:
+      return std::bit_cast<float>(in.number<std::uint32_t>());
+    case kF64:
+      return in.float64();
+    case kI32:
+      return static_cast<std::int64_t>(static_cast<std::int32_t>(in.number<std::uint32_t>()));
+    case kI64:
+      return static_cast<std::int64_t>(in.number<std::uint64_t>());
+    case kU32:
+      return static_cast<std::uint64_t>(in.number<std::uint32_t>());
+    default:
+      return in.number<std::uint64_t>();
+  }
+}
+
+}  // namespace
+
+void StreamExtras::survey(const StreamStep& step) {
+  for (const StreamChannel& channel : step.channels) found_.try_emplace(channel.number, Found{channel, 1});
+  for (const StreamValue& value : step.values) {
+    const auto found = found_.find(value.channel);
+    if (found != found_.end() && value.type < kBytes) found->second.count = std::max(found->second.count, value.count);
+  }
+  for (const StreamInput& input : step.inputs) {
+    const auto* named = std::get_if<StreamNamedInput>(&input);
+    if (named == nullptr) continue;
+    const ChannelScope scope = named->body == 0 ? ChannelScope::kWorld : ChannelScope::kBody;
+    named_inputs_.try_emplace(input_name(*named), ChannelType{ChannelKind::kBytes, scope});
+  }
+}
+
+Status StreamExtras::add_rows(const StreamValue& value, std::vector<Row>& rows) const {
+  const auto found = found_.find(value.channel);
+  if (found == found_.end() || found->second.channel.type != value.type) {
+    return bad_input("found a value of channel " + std::to_string(value.channel) + ", which was not declared so");
+  }
+  const auto& [channel, count] = found->second;
+  const ChannelKey key = {value.a, value.b};
+  if (value.type >= kBytes || count > kCountMax) {
+    rows.push_back({channel.name, key, value.bytes});
+    return {};
+  }
+  StreamCursor in(std::as_bytes(std::span(value.bytes)));
+  for (std::uint32_t k = 0; k < value.count; ++k) {
+    rows.push_back({name_of_number(channel.name, k, count), key, read_number(in, value.type)});
+  }
+  return {};
+}
+
+/// Several inputs of one name and body in a step are one value: their bytes, one after the other.
+Result<std::vector<StreamExtras::Row>> StreamExtras::rows_of(const StreamStep& step) const {
+  std::vector<Row> rows;
+  std::map<std::pair<std::string, sim::BodyId>, std::string> inputs;
+  for (const StreamInput& input : step.inputs) {
+    const auto* named = std::get_if<StreamNamedInput>(&input);
+    if (named != nullptr) inputs[{input_name(*named), named->body}] += named->bytes;
+  }
+  for (const auto& [key, bytes] : inputs) rows.push_back({key.first, {key.second, 0}, bytes});
+  for (const StreamValue& value : step.values) {
+    if (Status ok = add_rows(value, rows); !ok.ok()) return ok.error();
+  }
+  return rows;
+}
+
+Result<Declared> StreamExtras::declare(const StreamStep& start, const StreamBodies& bodies) {
+  Declared declared;
+  for (const auto& [number, found] : found_) {
+    const auto& [channel, count] = found;
+    const ChannelType type = {kind_of(channel, count), static_cast<ChannelScope>(channel.scope)};
+    const std::uint32_t parts = is_number(type.kind) ? std::max(count, 1U) : 1;
+    for (std::uint32_t k = 0; k < parts; ++k) {
+      declared.channels.push_back({name_of_number(channel.name, k, parts), type, {}});
+    }
+  }
+  for (const auto& [name, type] : named_inputs_) declared.channels.push_back({name, type, {}});
+  std::ranges::sort(declared.channels, {}, &Channel::name);
+  for (std::size_t i = 0; i < declared.channels.size(); ++i) index_[declared.channels[i].name] = i;
+
+  StepValues values(declared.channels);
+  const Result<std::vector<Row>> rows = rows_of(start);
+  if (!rows.ok()) return rows.error();
+  for (const Row& row : *rows) {
+    if (Status ok = values.set(index_.at(row.channel), row.value, row.key); !ok.ok()) return ok.error();
+  }
+  if (!rows->empty()) values.move_to(declared.start);
+  declared.start.notes = start.notes;
+  declared.start.contacts = contacts_of(start, bodies.axes());
+  return declared;
+}
+
+Status StreamExtras::tell(EngineLog& log, const StreamStep& step, const EngineAxes& axes) const {
+  const Result<std::vector<Row>> rows = rows_of(step);
+  if (!rows.ok()) return rows.error();
+  for (const Row& row : *rows) {
+    if (Status ok = log.set_value(index_.at(row.channel), row.value, row.key); !ok.ok()) return ok;
+  }
+  for (const EngineContact& contact : contacts_of(step, axes)) {
+    if (Status ok = log.add_contact(contact); !ok.ok()) return ok;
+  }
+  for (const std::string& note : step.notes) {
+    if (Status ok = log.add_note(note); !ok.ok()) return ok;
+  }
+  return {};
+}
+
+std::vector<EngineContact> contacts_of(const StreamStep& step, const EngineAxes& axes) {
+  std::vector<EngineContact> contacts;
+  for (const StreamContact& contact : step.contacts) {
+    const sim::Vec3 normal = axes.direction(contact.normal);
+    for (const StreamPoint& point : contact.points) {
+      contacts.push_back({contact.a, contact.b, axes.length(point.position), normal, point.depth * axes.metres,
+                          point.impulse * axes.metres});
+    }
+  }
+  std::ranges::stable_sort(contacts, {}, [](const EngineContact& c) { return std::pair(c.a, c.b); });
+  return contacts;
+}
+
+}  // namespace tumble::replay

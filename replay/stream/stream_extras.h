@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "replay/stream/stream_bodies.h"
+#include "replay/stream/stream_step.h"
+#include "tumble/replay/engine_log.h"
+#include "tumble/sim/result.h"
+
+/// What a stream holds beyond states: channels, contacts, notes, names and shapes.
+namespace tumble::replay {
+
+/// Finds the channels of a log for those of a stream, which declares them as it goes and may have several numbers in a
+/// value, and tells each step's values. An input that only the engine understands is the channel "input.NAME" of bytes.
+class StreamExtras {
+ public:
+  /// Reads a step for what it declares. Call for every step before declare().
+  void survey(const StreamStep& step);
+
+  /// Channels, ascending by name, and the values of `start`. Errors (kBadInput): as EngineLog::create(); a value of a
+  /// channel that was not declared.
+  Result<Declared> declare(const StreamStep& start, const StreamBodies& bodies);
+
+  /// Tells the log what the coming step has. Errors (kBadInput): as the functions of EngineLog.
+  Status tell(EngineLog& log, const StreamStep& step, const EngineAxes& axes) const;
+
+ private:
+  /// A channel of the stream, and the most numbers that a value of it has.
+  struct Found {
+    StreamChannel channel;
+    std::uint32_t count = 1;
+  };
+  struct Row {
+    std::string channel;
+    ChannelKey key;
+    ChannelValue value;
+  };
+
+  [[nodiscard]] Result<std::vector<Row>> rows_of(const StreamStep& step) const;
+  Status add_rows(const StreamValue& value, std::vector<Row>& rows) const;
+
+  std::map<std::uint32_t, Found> found_;
+  std::map<std::string, ChannelType> named_inputs_;  // by the channel's name
+  std::map<std::string, std::size_t> index_;         // in the log
+};
+
+/// The contact points of a step in SI units, z up.
+std::vector<EngineContact> contacts_of(const StreamStep& step, const EngineAxes& axes);
+
+}  // namespace tumble::replay

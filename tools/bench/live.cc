@@ -1,0 +1,123 @@
+// tumble bench live: frames a second of the window, simulation included.
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "src/process/run_child.h"
+#include "tools/bench/bench.h"
+#include "tools/files/helper_program.h"
+
+namespace tumble::tools {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct LiveScene {
+  const char* name;
+  const char* size;
+  double goal;  // frames a second, on two idle cores without a graphics card
+  std::vector<const char*> words;
+};
+
+const std::array<LiveScene, 2>& live_scenes() {
+  static const std::array<LiveScene, 2> kScenes = {
+      {{"brick_wall", "640x480", 30, {"brick_wall"}},
+       {"6400 cubes", "320x240", 15, {"tilted_grid", "--set", "grid.rows=80", "--set", "grid.cols=80"}}}};
+  return kScenes;
+}
+constexpr double kSecondsEach = 10;
+constexpr std::uint64_t kInputFramesMost = 2;
+
+class Folder {
+ public:
+  Folder() : path_((fs::temp_directory_path() / "tumble_bench_live.XXXXXX").string()) {
+    if (::mkdtemp(path_.data()) == nullptr) path_.clear();
+  }
+  ~Folder() {
+    std::error_code error;
+    if (!path_.empty()) fs::remove_all(path_, error);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  [[nodiscard]] std::string file(const std::string& name) const { return path_ + "/" + name; }
+
+ private:
+  std::string path_;
+};
+
+std::string text_of(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+Result<Json> measure(const LiveScene& scene, double seconds) {
+  const std::string helper = helper_program("tumble-live");
+  if (helper.empty()) {
+    return cannot_finish("live: this build has no window; install libglfw3-dev and libimgui-dev and build again");
+  }
+  const Folder folder;
+  process::Program program;
+  program.words = {helper,   "--json",   "--measure", short_number(seconds),
+                   "--size", scene.size, "-o",        folder.file("played.tumble")};
+  program.words.insert(program.words.end(), scene.words.begin(), scene.words.end());
+  program.out = folder.file("out");
+  program.err = folder.file("err");
+  const Result<process::ChildEnd> end = process::run_child(program, seconds * 10 + 120);
+  if (!end.ok()) return end.error();
+  std::string complaint = text_of(program.err);
+  while (complaint.ends_with('\n')) complaint.pop_back();
+  if (!end->well())
+    return cannot_finish("live: the window " + end->text() + (complaint.empty() ? "" : ": " + complaint));
+  Json json = Json::parse(text_of(program.out), nullptr, false);
+  if (json.is_discarded() || !json.contains("measured")) return cannot_finish("live: the window reported no figures");
+  Json row = json["measured"];
+  row["scene"] = scene.name;
+  row["size"] = scene.size;
+  row["goal"] = scene.goal;
+  row["driver"] = json["driver"];
+  return row;
+}
+
+bool is_met(const Json& row) {
+  return row["frames_per_second"].get<double>() >= row["goal"].get<double>() &&
+         row["input_frames"]["most"].get<std::uint64_t>() <= kInputFramesMost;
+}
+
+std::string ms(const Json& seconds) { return short_number(seconds.get<double>() * 1e3); }
+
+}  // namespace
+
+Result<Exit> bench_live(const BenchOptions& options) {
+  Json results;
+  results["machine"] = machine_json();
+  results["rows"] = Json::array();
+  for (const LiveScene& scene : live_scenes()) {
+    const Result<Json> row = measure(scene, options.budget.value_or(kSecondsEach));
+    if (!row.ok()) return row.error();
+    results["rows"].push_back(*row);
+  }
+  if (Status ok = give_results(options, results); !ok.ok()) return ok.error();
+  if (options.json) return Exit::kSame;
+  std::cout << machine_text(results["machine"]) << '\n';
+  Table table({"scene", "size", "frames/s", "goal", "frame ms", "p95", "draw ms", "step ms", "steps/s", "sim s/s",
+               "input frames", "met"});
+  for (const Json& row : results["rows"]) {
+    table.add({row["scene"], row["size"], short_number(row["frames_per_second"]), short_number(row["goal"]),
+               ms(row["frame_seconds"]["mean"]), ms(row["frame_seconds"]["p95"]), ms(row["draw_seconds"]["mean"]),
+               ms(row["step_seconds"]["mean"]), short_number(row["steps_per_second"]),
+               short_number(row["simulated_per_second"]),
+               short_number(row["input_frames"]["mean"]) + ", at most " + row["input_frames"]["most"].dump(),
+               is_met(row) ? "yes" : "no"});
+  }
+  table.print();
+  std::cout << "drawn with " << printable(results["rows"][0]["driver"].get<std::string>()) << '\n';
+  return Exit::kSame;
+}
+
+}  // namespace tumble::tools

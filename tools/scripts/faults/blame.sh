@@ -1,0 +1,103 @@
+#!/usr/bin/env bash
+# Does blame name the phase of a planted mistake? Plants faults of tests/faults one after the other in a copy of the tree
+# and builds tests/trial/blame.cc there: it takes sessions again that were recorded without the fault, up to the first
+# value of a body that differs, and asks for five answers about that value. blame knows neither the other log nor its
+# phase hashes. A fault counts as named if, in more than half of the sessions that differ, one of the five answers is the
+# phase in which the fault lies: docs/blame.md.
+# Usage: tools/scripts/faults/blame.sh [--of N] [--jobs N] [--rest] [NAME...]
+#   --of N   N faults, spread evenly over those that lie in a phase, in the order of tests/faults; 30 unless given
+#   --rest   only those not asked since the sources of blame changed last
+# Needs build/release/tools/tumble. Exit status: 0 nine of ten were named; 1 fewer; 2 bad usage.
+set -euo pipefail
+export LC_ALL=C
+cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
+# shellcheck source=tools/scripts/faults/faults_lib.sh
+source tools/scripts/faults/faults_lib.sh
+
+# The logs that faults.sh replays: short, and together they run every phase.
+mapfile -t log_cases < <(sed -n '/^log_cases=(/,/)$/p' tools/scripts/faults/faults.sh | tr -d '()' | sed 's/log_cases=//' | xargs -n 1)
+jobs=1 of=30 rest=false names=() faults_target=blame_trial
+while (($#)); do
+  case "$1" in
+    --of) of=${2:?--of needs a number}; shift 2 ;;
+    --jobs) jobs=${2:?--jobs needs a number}; shift 2 ;;
+    --rest) rest=true; shift ;;
+    -*) sed -n '2,11s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2 ;;
+    *) names+=("$1"); shift ;;
+  esac
+done
+work=$PWD/build/faults/blame
+list=$(mktemp -d)
+trap 'rm -rf "$list"' EXIT
+export work list faults_target
+mkdir -p "$work/good" "$work/rows" "$work/log"
+
+# Those that lie in a phase of src.
+faults_in_phases() {
+  local name
+  for name in "${fault_names[@]}"; do
+    [[ -s $list/$name.phase && $(<"$list/$name.phase") != start && $(<"$list/$name.file") == src/* ]] || continue
+    printf '%s\n' "$name"
+  done
+}
+
+# Whether the answers of a line hold one of the phases of a fault.
+names_one_of() { # phases line
+  local phase
+  for phase in ${2##*:}; do
+    [[ ", $1, " != *", $phase, "* ]] || return 0
+  done
+  return 1
+}
+
+# Leaves a row: sessions that differ|sessions whose answers name the phase; then the lines of the trial.
+ask() { # name slot
+  local name=$1 tree=$work/tree$2 line phases differ=0 named=0
+  phases=$(<"$list/$name.phase")
+  put_back "$tree"
+  plant "$name" "$tree"
+  if ! (cd "$tree" && CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1 \
+    cmake --build build/release --target blame_trial --parallel 1) >"$work/log/$name.build" 2>&1; then
+    printf '%-36s does not build: %s\n' "$name" "$work/log/$name.build"
+    return
+  fi
+  mkdir -p "$work/own$2"
+  timeout 600 "$tree/build/release/tests/blame_trial" "$work/own$2" "$work"/good/*.tumble \
+    >"$work/log/$name" 2>"$work/log/$name.errors" || printf 'failed: %s\n' "$(<"$work/log/$name.errors")" >>"$work/log/$name"
+  while read -r line; do
+    [[ $line == *" body "* ]] || continue
+    differ=$((differ + 1))
+    ! names_one_of "$phases" "$line" || named=$((named + 1))
+  done <"$work/log/$name"
+  { printf '%s|%s\n' "$differ" "$named"; cat "$work/log/$name"; } >"$work/rows/$name"
+  printf '%-36s %-44s %s of %s sessions\n' "$name" "$phases" "$named" "$differ"
+}
+
+read_faults
+if ((${#names[@]} == 0)); then
+  mapfile -t all < <(faults_in_phases)
+  for ((k = 0; k < of; ++k)); do names+=("${all[k * ${#all[@]} / of]}"); done
+fi
+for case in "${log_cases[@]}"; do
+  [[ -s $work/good/$case.tumble ]] || build/release/tools/tumble record "$case" -o "$work/good/$case.tumble" --quiet >/dev/null
+done
+for ((slot = 0; slot < jobs; ++slot)); do make_tree "$work/tree$slot"; done
+left=()
+for name in "${names[@]}"; do
+  ! "$rest" || [[ ! $work/rows/$name -nt $work/tree0/build/release/replay/libtumble_replay.a ]] || continue
+  left+=("$name")
+done
+export -f ask names_one_of
+# shellcheck disable=SC2016  # the shell that xargs starts is to expand it
+((${#left[@]} == 0)) || printf '%s\n' "${left[@]}" |
+  xargs -P "$jobs" -n 1 --process-slot-var=SLOT bash -c 'ask "$1" "$SLOT"' ask
+named=0 seen=0
+for name in "${names[@]}"; do
+  [[ -s $work/rows/$name ]] || continue
+  IFS='|' read -r differ hits <"$work/rows/$name"
+  ((differ > 0)) || { printf '%s moves no value of these sessions\n' "$name"; continue; }
+  seen=$((seen + 1))
+  ((2 * hits <= differ)) || named=$((named + 1))
+done
+printf 'blame names the phase of %d of %d faults within five answers\n' "$named" "$seen"
+((10 * named >= 9 * seen))
