@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "replay/view/body_table.h"
+#include "replay/view/viewed_bodies.h"
 #include "tumble/replay/body_states.h"
 
 namespace tumble::replay {
@@ -16,7 +16,7 @@ class PackedStates {
   static constexpr double kQuantum = 1e-4;  ///< m
 
   /// Adds the state after a step; steps ascend.
-  void add(std::uint64_t step, const BodyStates& states, BodyTable& table);
+  void add(std::uint64_t step, const BodyStates& states, ViewedBodies& table);
 
   [[nodiscard]] const std::vector<std::uint64_t>& steps() const { return steps_; }
 

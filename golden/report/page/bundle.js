@@ -4004,16 +4004,16 @@ finished?(!e.sound||i.gaps().length>0)&&r.push(or("damaged","fail")):r.push(or("
 "bodies lost","fail")),r}function Ww(i){let e=[],t=i.sessions.length===2;i.sessions.forEach((s,r)=>{let o=t?"".concat("AB"[r],": "):"",{head:a,thin:l}=s;!a.sound&&
 a.finished&&e.push(["fail","".concat(o).concat(a.summary)]);for(let[f,p,v]of s.gaps())e.push(["fail","".concat(o,"steps ").concat(f," to ").concat(p,": ").concat(
 v)]);if(a.axes&&e.push(["","".concat(o,"the log's table has other axes (").concat(a.axes,"); this page shows lengths in m, z up")]),!l)return;let c=l.every>1,d=c?
-"is thinned: it has ".concat(l.steps.length," of ").concat(a.last-a.first+1," states (one in ").concat(l.every,", and those of inputs)"):"has every state",u=a.ours?
-", with the contacts of ".concat(l.contact_steps," states"):"",h=l.rows_run>1?"; its timeline has the largest values of ".concat(l.rows_run," steps each"):"";e.
-push([c?"warn":"","".concat(o,"This page ").concat(d,", rounded to 0.1 mm").concat(u).concat(h,". Served by tumble view it has every bit.")])});let n=i.sessions[0].
-rows.begun_why_not;return n&&e.push(["","Contacts begun are not counted: ".concat(n)]),e}function Yg(i){let e=X("h1"),t=X("div",{className:"facts"}),n=X("div",{
-className:"notices"}),s=X("p",{className:"trouble",hidden:!0});s.setAttribute("role","status");let r=a=>a.slice(a.lastIndexOf("/")+1),o=()=>{let{sessions:a}=i;e.
-replaceChildren(...a.flatMap(({head:l},c)=>{let d=X("span",{textContent:r(l.path),title:l.path});return a.length===1?[d]:[X("span",{className:"side side-".concat(
-"ab"[c]),textContent:"AB"[c]}),d," "]})),t.replaceChildren(...a.flatMap((l,c)=>[...c>0?[X("span",{className:"side side-b",textContent:"B"})]:[],...l.head.title&&
-c===0?[X("span",{className:"soft scene",textContent:l.head.title})]:[],...Hw(l)])),n.replaceChildren(...Ww(i).map(([l,c])=>X("p",{className:l,textContent:c})))};
-return o(),{place:X("header",{},e,t,n,s),show:o,trouble(a){s.hidden=a===null,s.textContent=a===null?"":"The server does not answer as it should (".concat(a.message,
-"). ")+"If tumble view was ended, start it again."}}}var Xw=12,wa=i=>String(typeof i=="number"?i:i??"\u2013"),Bs=(i,e="")=>X("td",{textContent:i,className:e}),ar=(...i)=>X("tr",{},...i);function Rn(i,e,t=""){let n=X(
+"is thinned: it has ".concat(l.steps.length," of ").concat(a.last-a.first+1," states (one in ").concat(l.every,", and those of inputs)"):"has every state",u=!a.
+ours&&l.contact_steps===0?"":", with the contacts of ".concat(l.contact_steps," states"),h=l.rows_run>1?"; its timeline has the largest values of ".concat(l.rows_run,
+" steps each"):"";e.push([c?"warn":"","".concat(o,"This page ").concat(d,", rounded to 0.1 mm").concat(u).concat(h,". Served by tumble view it has every bit.")])});
+let n=i.sessions[0].rows.begun_why_not;return n&&e.push(["","Contacts begun are not counted: ".concat(n)]),e}function Yg(i){let e=X("h1"),t=X("div",{className:"\
+facts"}),n=X("div",{className:"notices"}),s=X("p",{className:"trouble",hidden:!0});s.setAttribute("role","status");let r=a=>a.slice(a.lastIndexOf("/")+1),o=()=>{
+let{sessions:a}=i;e.replaceChildren(...a.flatMap(({head:l},c)=>{let d=X("span",{textContent:r(l.path),title:l.path});return a.length===1?[d]:[X("span",{className:"\
+side side-".concat("ab"[c]),textContent:"AB"[c]}),d," "]})),t.replaceChildren(...a.flatMap((l,c)=>[...c>0?[X("span",{className:"side side-b",textContent:"B"})]:
+[],...l.head.title&&c===0?[X("span",{className:"soft scene",textContent:l.head.title})]:[],...Hw(l)])),n.replaceChildren(...Ww(i).map(([l,c])=>X("p",{className:l,
+textContent:c})))};return o(),{place:X("header",{},e,t,n,s),show:o,trouble(a){s.hidden=a===null,s.textContent=a===null?"":"The server does not answer as it shou\
+ld (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var Xw=12,wa=i=>String(typeof i=="number"?i:i??"\u2013"),Bs=(i,e="")=>X("td",{textContent:i,className:e}),ar=(...i)=>X("tr",{},...i);function Rn(i,e,t=""){let n=X(
 "button",{type:"button",className:"link",textContent:i,title:t});return n.addEventListener("click",e),n}function ks(i,{open:e=!0,id:t=""}={}){let n=X("div",{className:"\
 inside"});return{place:X("details",{open:e,className:"panel",id:t},X("summary",{},X("h2",{textContent:i})),n),body:n}}function Jg(i,{id:e,name:t,size:n,answers:s,
 actions:r,asked:o=null}){let a=s.length===2?["A","B"]:["value"],l=s.find(f=>f.why_not),c=X("table",{className:"numbers"});c.append(X("thead",{},ar(X("th",{textContent:"\
@@ -4075,9 +4075,10 @@ speed[e])},{name:"deepest overlap",kind:"line",of:(i,e)=>i.overlap[e],words:(i,e
 i.lost[e]),bad:!0,only_if_any:!0}];function Zw(i){let e=Math.ceil(i.length/5e3)||1;return i.filter((t,n)=>n%e===0&&t!==null)}var s0=i=>i.map((e,t)=>({name:e,kind:"\
 line",title:"up to each step, ".concat(e),broken:(n,s)=>n.bounds[t]?.broken[s]===1,of:(n,s)=>n.bounds[t]?.value[s]??null,words:(n,s)=>{let r=n.bounds[t]?.broken[s]??
 null;if(r===null)return"not judged";let o=n.bounds[t].value[s];return"".concat(o===null?"no value":Number(o.toPrecision(4)),", ").concat(r?"\u2715 broken":"\u2713 ho\
-lds")}})),r0=i=>Object.keys(i.channels).map(e=>({name:e,kind:"line",fit:!0,of:(t,n)=>t.channels[e][n]??null,words:(t,n)=>t.channels[e][n]===null||t.channels[e][n]===
-void 0?"\u2013":String(Number(t.channels[e][n].toPrecision(6)))}));function o0(i){let e=new Map(i.step.map((t,n)=>[t,n]));return{name:"separation",kind:"line",log:!0,
-of:(t,n)=>e.has(t.step[n])?i.metres[e.get(t.step[n])]:null,words:(t,n)=>{let s=e.get(t.step[n]);return s===void 0?"none":i.metres[s]===null?"infinite":zn(i.metres[s])}}}var ih=class{constructor(e){this.page=e,this.sessions=e.sessions,this.body_panel=ks("Body"),this.blame_panel=ks("Where it comes from"),this.blame_panel.place.hidden=
+lds")}})),r0=i=>i.channel_heads.map(({name:e,unit:t})=>{let n=(r,o)=>r.channels[e]?.[o]??null,s=(r,o)=>n(r,o)===null?"\u2013":"".concat(Number(n(r,o).toPrecision(
+6))).concat(t?" ".concat(t):"");return{name:e,kind:"line",fit:!0,title:"channel ".concat(e),of:n,words:s}});function o0(i){let e=new Map(i.step.map((t,n)=>[t,n]));
+return{name:"separation",kind:"line",log:!0,of:(t,n)=>e.has(t.step[n])?i.metres[e.get(t.step[n])]:null,words:(t,n)=>{let s=e.get(t.step[n]);return s===void 0?"n\
+one":i.metres[s]===null?"infinite":zn(i.metres[s])}}}var ih=class{constructor(e){this.page=e,this.sessions=e.sessions,this.body_panel=ks("Body"),this.blame_panel=ks("Where it comes from"),this.blame_panel.place.hidden=
 !0,this.contact_panel=ks("Contacts"),this.input_panel=ks("Inputs",{open:!1}),this.difference_panel=ks("Comparison"),this.places=[...this.sessions.length===2?[this.
 difference_panel.place]:[],this.body_panel.place,this.blame_panel.place,this.contact_panel.place,this.input_panel.place]}settled(e){return Promise.all([this.show_contacts(
 e),this.show_body(e)])}async show_contacts(e){let t=await this.sessions[0].contacts_at(this.sessions[0].steps?this.page.own_step(this.sessions[0],e):e);this.page.
@@ -4128,62 +4129,62 @@ get(e)}size(e){return this.json.size.slice(3*e,3*e+3)}is_static(e){return this.j
 json.shape?.[e]??-1,n=t<0?{kind:"box"}:this.json.shapes[t];return{...n,shape:n.kind,index:t,size:this.size(e)}}name(e){let t=this.json.name?.[e];if(t)return t;let[
 n,s,r,o]=this.json.origin.slice(4*e,4*e+4),a=Qw[n]??"body";return n===0||n===6?a:"".concat(a," ").concat(s,", row ").concat(r,", column ").concat(o)}find(e){let t=e.
 trim().toLowerCase().replace(/^(body|#)\s*/,"");if(/^\d+$/.test(t)){let s=this.row(Number(t));return s===void 0?[]:[s]}let n=[];for(let s=0;s<this.count;++s)this.
-name(s).toLowerCase().includes(t)&&n.push(s);return n}};var h0=["step","time","read","kinetic","potential","inputs","contacts","bodies","sleeping","lost","speed","speed_body","height","overlap"],uo=class{constructor(){
-for(let e of h0)this[e]=[];this.begun=[],this.events=[],this.begun_why_not="",this.channels={},this.bounds=[]}get count(){return this.step.length}append(e){for(let t of h0)
-this[t].push(...e[t]);e.bounds.forEach(({value:t,broken:n},s)=>{let r=this.bounds[s]??={value:new Array(this.count-t.length).fill(null),broken:new Array(this.count-
-t.length).fill(null)};r.value.push(...t),r.broken.push(...n)});for(let[t,n]of Object.entries(e.channels??{}))(this.channels[t]??=[]).push(...n)}index(e){let{count:t}=this;
-if(t===0||e<this.step[0])return-1;let n=t>1?this.step[1]-this.step[0]:1,s=Math.min(t-1,Math.max(0,Math.floor((e-this.step[0])/n)));for(;s>0&&this.step[s]>e;)--s;
-for(;s+1<t&&this.step[s+1]<=e;)++s;return s}unread(){let e=[];for(let t=0;t<this.count;++t){if(this.read[t]!==0)continue;let n=e.at(-1);n&&t>0&&this.read[t-1]===
-0?n[1]=this.step[t]:e.push([this.step[t],this.step[t],"the record with it is damaged"])}return e}broken(e){return this.bounds.reduce((t,{broken:n})=>t+(n[e]??0),
-0)}breaks(){return this.bounds.map(({broken:e})=>e.indexOf(1)).filter(e=>e>=0).map(e=>this.step[e])}energy(e){return this.kinetic[e]===null||this.potential[e]===
-null?null:this.kinetic[e]+this.potential[e]}};var t1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function f0(i){if(!("DecompressionStream"in window))
+name(s).toLowerCase().includes(t)&&n.push(s);return n}};var h0=["step","time","read","kinetic","potential","inputs","contacts","bodies","sleeping","lost","speed","speed_body","height","overlap"],uo=class{constructor(e=[]){
+this.channel_heads=e;for(let t of h0)this[t]=[];this.begun=[],this.events=[],this.begun_why_not="",this.channels={},this.bounds=[]}get count(){return this.step.
+length}append(e){for(let t of h0)this[t].push(...e[t]);e.bounds.forEach(({value:t,broken:n},s)=>{let r=this.bounds[s]??={value:new Array(this.count-t.length).fill(
+null),broken:new Array(this.count-t.length).fill(null)};r.value.push(...t),r.broken.push(...n)}),e.channels.forEach((t,n)=>{let{name:s}=this.channel_heads[n],r=this.
+channels[s]??=[];for(;r.length<this.count-t.length;)r.push(null);r.push(...t)})}index(e){let{count:t}=this;if(t===0||e<this.step[0])return-1;let n=t>1?this.step[1]-
+this.step[0]:1,s=Math.min(t-1,Math.max(0,Math.floor((e-this.step[0])/n)));for(;s>0&&this.step[s]>e;)--s;for(;s+1<t&&this.step[s+1]<=e;)++s;return s}unread(){let e=[];
+for(let t=0;t<this.count;++t){if(this.read[t]!==0)continue;let n=e.at(-1);n&&t>0&&this.read[t-1]===0?n[1]=this.step[t]:e.push([this.step[t],this.step[t],"the re\
+cord with it is damaged"])}return e}broken(e){return this.bounds.reduce((t,{broken:n})=>t+(n[e]??0),0)}breaks(){return this.bounds.map(({broken:e})=>e.indexOf(1)).
+filter(e=>e>=0).map(e=>this.step[e])}energy(e){return this.kinetic[e]===null||this.potential[e]===null?null:this.kinetic[e]+this.potential[e]}};var t1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function f0(i){if(!("DecompressionStream"in window))
 throw new Error("this browser is too old to unpack the page (no DecompressionStream)");let e=new Blob([t1(i)]).stream().pipeThrough(new DecompressionStream("def\
 late"));return new Response(e).arrayBuffer()}var u0=async i=>JSON.parse(new TextDecoder().decode(await f0(i))),d0=i=>i>>>1^-(i&1);function n1(i,e,t,n){let s=e*t,
 r={place:[],turn:new Int16Array(4*s),mark:new Uint8Array(s)},o=0;for(let a=0;a<3;++a){let l=new Float32Array(s);for(let c=0,d=0;c<t;++c){let u=0,h=0;for(let f=0;f<
 e;++f,++d){let p=o+d,v=i[p]|i[p+s]<<8|i[p+2*s]<<16|i[p+3*s]<<24,m=d0(v)+2*u-h|0;h=u,u=m,l[f*t+c]=m*n}}r.place.push(l),o+=4*s}for(let a=0;a<4;++a){for(let l=0,c=0;l<
 t;++l){let d=0,u=0;for(let h=0;h<e;++h,++c){let f=i[o+c]|i[o+s+c]<<8,p=d0(f)+2*d-u<<16>>16;u=d,d=p,r.turn[(4*h+a)*t+l]=p}}o+=2*s}for(let a=0,l=0;a<t;++a)for(let c=0;c<
-e;++c,++l)r.mark[c*t+a]=i[o+l];return r}var wd=class{constructor(e,t,n){this.head=e,this.thin=e.thin,this.bodies=new ho(t.bodies),this.rows=new uo,this.rows.append(
-t.timeline),this.rows.events=t.inputs,this.rows.begun=t.timeline.begun.length>0?[0,...t.timeline.begun]:[],this.rows.begun_why_not=t.timeline.begun_why_not,this.
-contacts=t.contacts,this.steps=e.thin.steps,this.columns=n1(new Uint8Array(n),this.steps.length,this.bodies.count,e.thin.quantum),this.index=new Map(this.steps.
+e;++c,++l)r.mark[c*t+a]=i[o+l];return r}var wd=class{constructor(e,t,n){this.head=e,this.thin=e.thin,this.bodies=new ho(t.bodies),this.rows=new uo(e.channels),this.
+rows.append(t.timeline),this.rows.events=t.inputs,this.rows.begun=t.timeline.begun.length>0?[0,...t.timeline.begun]:[],this.rows.begun_why_not=t.timeline.begun_why_not,
+this.contacts=t.contacts,this.steps=e.thin.steps,this.columns=n1(new Uint8Array(n),this.steps.length,this.bodies.count,e.thin.quantum),this.index=new Map(this.steps.
 map((s,r)=>[s,r])),this.timeline_done=!0}gaps(){let e=this.head.gaps;return[...e,...this.rows.unread().filter(([t])=>!e.some(([n,s])=>t>=n&&t<=s))]}gap_at(e){return this.
 gaps().find(([t,n])=>e>=t&&e<=n)??null}frame(e){let t=this.index.get(e);if(t===void 0)return null;let n=this.bodies.count,s=l=>l.subarray(t*n,(t+1)*n),[r,o,a]=this.
 columns.place.map(s);return{step:e,status:0,rows:n,x:r,y:o,z:a,turn:this.columns.turn.subarray(4*t*n,4*(t+1)*n),mark:s(this.columns.mark),speed:this.speeds(t,r,
 o,a)}}speeds(e,...t){let n=this.bodies.count,s=new Float32Array(n),[r,o]=e>0?[e-1,e]:[e,e+1];if(o>=this.steps.length)return s;let a=this.time_of(this.steps[o])-
 this.time_of(this.steps[r]),l=this.columns.place.map(d=>d.subarray((e>0?r:o)*n)),c=this.columns.mark.subarray((e>0?r:o)*n);for(let d=0;d<n;++d)c[d]!==sr&&(s[d]=
 Math.hypot(...t.map((u,h)=>u[d]-l[h][d]))/Math.max(a,1e-9));return s}time_of(e){let t=this.rows.index(e);return t<0?0:this.rows.time[t]+(e-this.rows.step[t])*this.
-head.dt}async frame_soon(e){return this.frame(e)}prefetch(){}async contacts_at(e){let t=this.contacts[e];return t?{step:e,rows:t}:this.head.ours?{step:e,why_not:"\
-this page has no contacts of this state; a served page (tumble view without -o) has all",near:this.near_contacts(e)}:{step:e,why_not:"the log of another engine \
-holds no contacts"}}near_contacts(e){let t=Object.keys(this.contacts).map(Number);return t.length===0?null:t.reduce((n,s)=>Math.abs(s-e)<Math.abs(n-e)?s:n)}async way(e){
-let t=this.bodies.row(e),n=this.bodies.count,s=[],r=[];return this.steps.forEach((o,a)=>{let l=this.columns.mark[a*n+t];s.push(o);for(let c of this.columns.place)
-r.push(l===1||l===2?c[a*n+t]:null)}),{id:e,step:s,at:r}}async body_at(e,t){let n=this.bodies.row(t),s=this.frame(e);if(!s||n===void 0||s.mark[n]===sr)return{why_not:"\
-not there in this state"};if(s.mark[n]===3)return{why_not:"a value of its state is no number"};let r=32767,o=["w","x","y","z"].map((a,l)=>({field:"orientation.".
-concat(a),value:Number((s.turn[l*s.rows+n]/r).toFixed(4))}));return{id:t,step:e,frozen:s.mark[n]===2,rounded:!0,fields:[...["x","y","z"].map(a=>({field:"positio\
-n.".concat(a),value:Number(s[a][n].toFixed(4))})),...o,{field:"speed, about",value:Number(s.speed[n].toPrecision(3))}]}}};async function p0(i){let e=[];for(let[
-n,s]of i.logs.entries()){let[r,o]=await Promise.all([u0("session-".concat(n,"-details")),f0("session-".concat(n,"-frames"))]);e.push(new wd(s,r,o))}let t=document.
-getElementById("session-0-difference")?await u0("session-0-difference"):null;return{sessions:e,difference:t,served:!1,follow(){}}}var i1=16e7,Td=24,s1=700,r1=120;async function m0(i,e={}){let t=new URLSearchParams(e).toString(),n=await fetch(t?"".concat(i,"?").concat(t):i,{cache:"no-store"});
+head.dt}async frame_soon(e){return this.frame(e)}prefetch(){}async contacts_at(e){let t=this.contacts[e];return t?{step:e,rows:t}:!this.head.ours&&this.near_contacts(
+e)===null?{step:e,why_not:"the log of another engine holds no contacts"}:{step:e,why_not:"this page has no contacts of this state; a served page (tumble view wi\
+thout -o) has all",near:this.near_contacts(e)}}near_contacts(e){let t=Object.keys(this.contacts).map(Number);return t.length===0?null:t.reduce((n,s)=>Math.abs(s-
+e)<Math.abs(n-e)?s:n)}async way(e){let t=this.bodies.row(e),n=this.bodies.count,s=[],r=[];return this.steps.forEach((o,a)=>{let l=this.columns.mark[a*n+t];s.push(
+o);for(let c of this.columns.place)r.push(l===1||l===2?c[a*n+t]:null)}),{id:e,step:s,at:r}}async body_at(e,t){let n=this.bodies.row(t),s=this.frame(e);if(!s||n===
+void 0||s.mark[n]===sr)return{why_not:"not there in this state"};if(s.mark[n]===3)return{why_not:"a value of its state is no number"};let r=32767,o=["w","x","y",
+"z"].map((a,l)=>({field:"orientation.".concat(a),value:Number((s.turn[l*s.rows+n]/r).toFixed(4))}));return{id:t,step:e,frozen:s.mark[n]===2,rounded:!0,fields:[...[
+"x","y","z"].map(a=>({field:"position.".concat(a),value:Number(s[a][n].toFixed(4))})),...o,{field:"speed, about",value:Number(s.speed[n].toPrecision(3))}]}}};async function p0(i){
+let e=[];for(let[n,s]of i.logs.entries()){let[r,o]=await Promise.all([u0("session-".concat(n,"-details")),f0("session-".concat(n,"-frames"))]);e.push(new wd(s,r,
+o))}let t=document.getElementById("session-0-difference")?await u0("session-0-difference"):null;return{sessions:e,difference:t,served:!1,follow(){}}}var i1=16e7,Td=24,s1=700,r1=120;async function m0(i,e={}){let t=new URLSearchParams(e).toString(),n=await fetch(t?"".concat(i,"?").concat(t):i,{cache:"no-store"});
 if(!n.ok)throw new Error("".concat(i,": ").concat((await n.text()).slice(0,200)));return n}var Ti=async(i,e)=>(await m0(i,e)).json();function o1(i){let e=new DataView(
 i),t=[];for(let n=0;n+16<=i.byteLength;){let[s,r,o,a]=[0,4,8,12].map(v=>e.getUint32(n+v,!0));n+=16;let l=[0,1,2,3].map(v=>new Float32Array(i,n+4*v*o,o));n+=16*o;
 let c=new Int16Array(i,n,4*o);n+=8*o;let d=new Uint8Array(i,n,o);n+=o+(4-o%4)%4;let[u,h,f,p]=l;t.push({step:s,status:r,rows:o,version:a,x:u,y:h,z:f,speed:p,turn:c,
-mark:d})}return t}var Ad=class{constructor(e,t,n){this.log=e,this.head=t,this.thin=null,this.bodies=new ho(n),this.rows=new uo,this.steps=null,this.timeline_done=
-!1,this.cache=new Map,this.cache_bytes=0,this.asked=new Set,this.contact_cache=new Map}gaps(){let e=this.head.gaps;return[...e,...this.rows.unread().filter(([t])=>!e.
-some(([n,s])=>t>=n&&t<=s))]}gap_at(e){return this.gaps().find(([t,n])=>e>=t&&e<=n)??null}time_of(e){let t=this.rows.index(e);return t<0?(e-this.head.first)*this.
-head.dt:this.rows.time[t]+(e-this.rows.step[t])*this.head.dt}frame(e){return this.cache.get(e)??null}keep(e){let t=29*e.rows+64;this.cache.set(e.step,e),this.cache_bytes+=
-t;for(let[n,s]of this.cache){if(this.cache_bytes<=i1)break;this.cache.delete(n),this.cache_bytes-=29*s.rows+64}}async fetch(e,t,n){let s=await m0("frames",{log:this.
-log,first:e,count:t,stride:n}),r=o1(await s.arrayBuffer());for(let a of r)this.keep(a);Math.max(...r.map(a=>a.version))>this.bodies.version&&await this.fetch_bodies()}async fetch_bodies(){
-this.bodies.update(await Ti("bodies",{log:this.log})),this.on_bodies?.()}async frame_soon(e){return this.cache.has(e)||await this.fetch(e,1,1),this.frame(e)}prefetch(e,t){
-let n=Math.max(1,Math.round(Math.abs(t)))*Math.sign(t),s=e+n;for(let o=0;o<Td/2&&this.cache.has(s);++o)s+=n;if(this.asked.size>1)return;let r=n>0?s:Math.max(this.
-head.first,s+(Td-1)*n);r>this.head.last||r<this.head.first||this.asked.has(r)||(this.asked.add(r),this.fetch(r,Td,Math.abs(n)).catch(()=>{}).finally(()=>this.asked.
-delete(r)))}async contacts_at(e){return this.head.ours?(this.contact_cache.has(e)||(this.contact_cache.size>64&&this.contact_cache.clear(),this.contact_cache.set(
-e,await Ti("contacts",{log:this.log,step:e}))),this.contact_cache.get(e)):{step:e,why_not:"the log of another engine holds no contacts"}}way(e){return Ti("way",
-{log:this.log,id:e})}body_at(e,t){return Ti("body",{log:this.log,step:e,id:t})}blame(e,t,n,s){return Ti("blame",{log:this.log,step:e,id:t,field:n,back:s})}async take_news(){
-let e=await Ti("news",{log:this.log}),t=e.last>this.head.last||e.finished!==this.head.finished;t&&(this.head=await Ti("head",{log:this.log})),e.version>this.bodies.
-version&&await this.fetch_bodies();let n=t;for(;this.rows.count<e.rows;){let s=await Ti("timeline",{log:this.log,from:this.rows.count});if(s.step.length===0||(this.
-rows.append(s),this.rows.events.push(...s.more_inputs),n=!0,s.step.length<4e3))break}for(;this.rows.begun.length<Math.min(e.begun,this.rows.count);){let s=await Ti(
-"begun",{log:this.log,from:this.rows.begun.length});if(s.length===0)break;this.rows.begun.push(...s),n=!0}return e.contacts_why_not!==this.rows.begun_why_not&&(n=
-!0),this.rows.begun_why_not=e.contacts_why_not,this.timeline_done=e.timeline_done,this.busy=!e.timeline_done||!e.contacts_done,n}};async function g0(i){let e=await Promise.
-all(i.logs.map(async(n,s)=>new Ad(s,n,await Ti("bodies",{log:s}))));return{sessions:e,difference:null,served:!0,follow:(n,s)=>{let r=null,o=e.length<2,a=async()=>{
-let l=!1;try{for(let u of e)l=await u.take_news()||l;o||(r=await Ti("difference"),o=r.state!=="working",l=!0),s(null)}catch(u){s(u)}l&&n(r);let c=e.some(u=>!u.head.
-finished),d=!o||e.some(u=>!u.timeline_done||u.busy);(c||d)&&setTimeout(a,d&&!c?r1:s1)};a()}}}var a1=30,l1=22,_0=i=>{let e=X("canvas",{});return e.setAttribute("aria-hidden","true"),e.style.height="".concat(i,"px"),e};function x0(i){let e=Math.min(devicePixelRatio,
+mark:d})}return t}var Ad=class{constructor(e,t,n){this.log=e,this.head=t,this.thin=null,this.bodies=new ho(n),this.rows=new uo(t.channels),this.steps=null,this.
+timeline_done=!1,this.cache=new Map,this.cache_bytes=0,this.asked=new Set,this.contact_cache=new Map}gaps(){let e=this.head.gaps;return[...e,...this.rows.unread().
+filter(([t])=>!e.some(([n,s])=>t>=n&&t<=s))]}gap_at(e){return this.gaps().find(([t,n])=>e>=t&&e<=n)??null}time_of(e){let t=this.rows.index(e);return t<0?(e-this.
+head.first)*this.head.dt:this.rows.time[t]+(e-this.rows.step[t])*this.head.dt}frame(e){return this.cache.get(e)??null}keep(e){let t=29*e.rows+64;this.cache.set(
+e.step,e),this.cache_bytes+=t;for(let[n,s]of this.cache){if(this.cache_bytes<=i1)break;this.cache.delete(n),this.cache_bytes-=29*s.rows+64}}async fetch(e,t,n){let s=await m0(
+"frames",{log:this.log,first:e,count:t,stride:n}),r=o1(await s.arrayBuffer());for(let a of r)this.keep(a);Math.max(...r.map(a=>a.version))>this.bodies.version&&
+await this.fetch_bodies()}async fetch_bodies(){this.bodies.update(await Ti("bodies",{log:this.log})),this.on_bodies?.()}async frame_soon(e){return this.cache.has(
+e)||await this.fetch(e,1,1),this.frame(e)}prefetch(e,t){let n=Math.max(1,Math.round(Math.abs(t)))*Math.sign(t),s=e+n;for(let o=0;o<Td/2&&this.cache.has(s);++o)s+=
+n;if(this.asked.size>1)return;let r=n>0?s:Math.max(this.head.first,s+(Td-1)*n);r>this.head.last||r<this.head.first||this.asked.has(r)||(this.asked.add(r),this.fetch(
+r,Td,Math.abs(n)).catch(()=>{}).finally(()=>this.asked.delete(r)))}async contacts_at(e){return this.contact_cache.has(e)||(this.contact_cache.size>64&&this.contact_cache.
+clear(),this.contact_cache.set(e,await Ti("contacts",{log:this.log,step:e}))),this.contact_cache.get(e)}way(e){return Ti("way",{log:this.log,id:e})}body_at(e,t){
+return Ti("body",{log:this.log,step:e,id:t})}blame(e,t,n,s){return Ti("blame",{log:this.log,step:e,id:t,field:n,back:s})}async take_news(){let e=await Ti("news",
+{log:this.log}),t=e.last>this.head.last||e.finished!==this.head.finished;t&&(this.head=await Ti("head",{log:this.log})),e.version>this.bodies.version&&await this.
+fetch_bodies();let n=t;for(;this.rows.count<e.rows;){let s=await Ti("timeline",{log:this.log,from:this.rows.count});if(s.step.length===0||(this.rows.append(s),this.
+rows.events.push(...s.more_inputs),n=!0,s.step.length<4e3))break}for(;this.rows.begun.length<Math.min(e.begun,this.rows.count);){let s=await Ti("begun",{log:this.
+log,from:this.rows.begun.length});if(s.length===0)break;this.rows.begun.push(...s),n=!0}return e.contacts_why_not!==this.rows.begun_why_not&&(n=!0),this.rows.begun_why_not=
+e.contacts_why_not,this.timeline_done=e.timeline_done,this.busy=!e.timeline_done||!e.contacts_done,n}};async function g0(i){let e=await Promise.all(i.logs.map(async(n,s)=>new Ad(
+s,n,await Ti("bodies",{log:s}))));return{sessions:e,difference:null,served:!0,follow:(n,s)=>{let r=null,o=e.length<2,a=async()=>{let l=!1;try{for(let u of e)l=await u.
+take_news()||l;o||(r=await Ti("difference"),o=r.state!=="working",l=!0),s(null)}catch(u){s(u)}l&&n(r);let c=e.some(u=>!u.head.finished),d=!o||e.some(u=>!u.timeline_done||
+u.busy);(c||d)&&setTimeout(a,d&&!c?r1:s1)};a()}}}var a1=30,l1=22,_0=i=>{let e=X("canvas",{});return e.setAttribute("aria-hidden","true"),e.style.height="".concat(i,"px"),e};function x0(i){let e=Math.min(devicePixelRatio,
 2),t=i.clientWidth,n=i.clientHeight;(i.width!==Math.round(t*e)||i.height!==Math.round(n*e))&&(i.width=Math.round(t*e),i.height=Math.round(n*e));let s=i.getContext(
 "2d");return s.setTransform(e,0,0,e,0,0),s.clearRect(0,0,t,n),{context:s,width:t,height:n}}function c1(i,e,t,n){let s=new Float64Array(Math.ceil(n)+1).fill(1/0),
 r=new Float64Array(Math.ceil(n)+1).fill(-1/0);for(let o=0;o<i.count;++o){let a=e(i,o);if(a==null||!Number.isFinite(a))continue;let l=Math.min(s.length-1,Math.max(
