@@ -14,11 +14,10 @@ Result<PhasePartings> phase_partings(LogReader& a, LogReader& b, std::uint64_t f
   found.last = std::min(a.last_step(), b.last_step());
   for (const std::string& name : a.header().phases) found.phases.push_back({name, {}, 0, 0});
   const std::size_t count = found.phases.size();
-  if (count == 0) return bad_input("the logs hold no phase hashes");
-  bool any = false;
+  if (count == 0 || a.header().hashes.every == 0 || b.header().hashes.every == 0)
+    return bad_input("a log holds no phase hashes");
   for (std::uint64_t k = from; k <= found.last; ++k) {
     if (!a.holds(k) || !b.holds(k) || !same_phase_words(a.header(), b.header(), k)) continue;
-    any = true;
     const Result<const StepRecord*> in_a = a.read_hashes(k);
     if (!in_a.ok()) return in_a.error();
     const Result<const StepRecord*> in_b = b.read_hashes(k);
@@ -35,7 +34,6 @@ Result<PhasePartings> phase_partings(LogReader& a, LogReader& b, std::uint64_t f
     }
     if (progress && !progress(k - from, found.last - from)) return cannot_finish("interrupted");
   }
-  if (!any) return bad_input("no step of both logs has phase hashes");
   return found;
 }
 

@@ -24,9 +24,9 @@ struct PhasePartings {
   std::vector<PhaseParting> phases;  ///< in the order in which the phases run
 };
 
-/// Compares the phase hashes of steps from … the last of both, where both logs hold them. Errors: those of reading;
-/// kBadInput where phase hashes of the two mean different things, or where no step has them in both; kCannotFinish where
-/// `progress` stops.
+/// Compares the phase hashes of steps from … the last of both, where both hold them. Errors: those of reading;
+/// kBadInput where phase hashes of the two mean different things, or one holds none; kCannotFinish where `progress`
+/// stops.
 Result<PhasePartings> phase_partings(LogReader& a, LogReader& b, std::uint64_t from, const Progress& progress = {});
 
 }  // namespace tumble::replay
