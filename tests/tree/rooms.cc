@@ -105,12 +105,6 @@ std::vector<Room> suite() {
 
 std::vector<Room> program() {
   const Folders below =
-      kSim + Folders{"src/threads",     "src/files",      "src/process",     "src/scenes",    "src/render/picture",
-                     "src/render",      "replay/format",  "replay/codec",    "replay/log",    "replay/session",
-                     "replay/measure",  "replay/recover", "replay/arrays",   "replay/import", "replay/stream",
-                     "replay/picture",  "replay/probe",   "replay/diff",     "replay/view",   "replay/blame",
-                     "golden/suite",    "golden/engine",  "golden/expected", "golden/judge",  "golden/run",
-                     "golden/canaries", "golden/report",  "golden/bless",    "golden"};
       kSim + Folders{"src/scenes",    "src/threads",   "src/render",     "src/render/picture", "replay/format",
                      "replay/codec",  "replay/log",    "replay/session", "replay/measure",     "replay/recover",
                      "replay/arrays", "replay/import", "replay/stream",  "replay/picture",     "replay/probe",
