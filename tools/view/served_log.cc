@@ -7,7 +7,7 @@
 
 #include "replay/blame/blame.h"
 #include "replay/view/state_frame.h"
-#include "tools/output/blame_output.h"
+#include "tools/compare/blame_output.h"
 #include "tools/view/view_json.h"
 
 namespace tumble::tools {

@@ -5,11 +5,11 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "replay/blame/body_motion.h"
 #include "src/base/check.h"
 #include "tools/view/difference_data.h"
 #include "tools/view/session_page.h"
 #include "tools/view/view_json.h"
+#include "tumble/replay/body_states.h"
 #include "tumble/sim/limits.h"
 
 namespace tumble::tools {
@@ -66,10 +66,17 @@ Reply frames_of(ServedLog& log, Numbers& numbers) {
   return {200, "application/octet-stream", log.frames(first, count, stride)};
 }
 
+/// The values of a body that can be asked about.
+std::vector<std::string> value_names() {
+  std::vector<std::string> names(replay::kColumnNames.begin(), replay::kColumnNames.end());
+  names.emplace_back("frozen");
+  return names;
+}
+
 Reply blame_of(ServedLog& log, Numbers& numbers) {
   const std::uint64_t step = numbers.take("step", sim::kStepsMax), id = numbers.take("id", sim::kBodyIdMax);
   const std::uint64_t back = numbers.take("back", kAnswersMax);
-  const std::string field = numbers.word("field", replay::blame_fields());
+  const std::string field = numbers.word("field", value_names());
   return json_of(numbers, [&] { return log.blame(step, id, field, static_cast<std::uint32_t>(back)); });
 }
 
