@@ -111,6 +111,12 @@ std::vector<Room> program() {
                      "golden/expected", "golden/judge",  "golden/run",     "golden/canaries",    "golden/report",
                      "golden/bless",    "golden",        "src/files",      "src/process",        "replay/arrays",
                      "replay/view",     "replay/blame",  "replay/probe",   "golden/engine"};
+      kSim + Folders{"src/scenes",    "src/threads",   "src/render",     "src/render/picture", "replay/format",
+                     "replay/codec",  "replay/log",    "replay/session", "replay/measure",     "replay/recover",
+                     "replay/arrays", "replay/import", "replay/stream",  "replay/picture",     "replay/probe",
+                     "replay/diff",   "replay/view",   "replay/blame",   "golden/suite",       "golden/expected",
+                     "golden/judge",  "golden/engine", "golden/run",     "golden/canaries",    "golden/report",
+                     "golden/bless",  "golden",        "src/files",      "src/process"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
       {"tools/output", below},
