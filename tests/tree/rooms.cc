@@ -105,12 +105,6 @@ std::vector<Room> suite() {
 
 std::vector<Room> program() {
   const Folders below =
-      kSim + Folders{"src/scenes",      "src/threads",   "src/render",     "src/render/picture", "replay/format",
-                     "replay/codec",    "replay/log",    "replay/session", "replay/measure",     "replay/recover",
-                     "replay/import",   "replay/stream", "replay/picture", "replay/diff",        "golden/suite",
-                     "golden/expected", "golden/judge",  "golden/run",     "golden/canaries",    "golden/report",
-                     "golden/bless",    "golden",        "src/files",      "src/process",        "replay/arrays",
-                     "replay/view",     "replay/blame",  "replay/probe",   "golden/engine"};
       kSim + Folders{"src/scenes",    "src/threads",   "src/render",     "src/render/picture", "replay/format",
                      "replay/codec",  "replay/log",    "replay/session", "replay/measure",     "replay/recover",
                      "replay/arrays", "replay/import", "replay/stream",  "replay/picture",     "replay/probe",
