@@ -126,7 +126,7 @@ std::vector<Room> program() {
       {"tools/bench", above},
       {"tools/engine", above},
       {"tools/compare", above + Folders{"tools/engine"}},
-      {"tools/view", above + Folders{"golden/report/page"}},
+      {"tools/view", above + Folders{"golden/report/page", "tools/compare"}},
       {"tools/commands", above + Folders{"tools/bisect", "tools/bench", "tools/engine", "tools/compare", "tools/view"}},
       {"tools", above + Folders{"tools/commands"}},
       {"tools/live", above + Folders{"src/render/gl", "src/render/scene", "replay/live", "tools"}},
