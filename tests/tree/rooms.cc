@@ -105,43 +105,12 @@ std::vector<Room> suite() {
 
 std::vector<Room> program() {
   const Folders below =
-      kSim + Folders{"src/scenes",      "src/threads",   "src/render",     "src/render/picture", "replay/format",
-                     "replay/codec",    "replay/log",    "replay/session", "replay/measure",     "replay/recover",
-                     "replay/import",   "replay/stream", "replay/picture", "replay/diff",        "golden/suite",
-                     "golden/expected", "golden/judge",  "golden/run",     "golden/canaries",    "golden/report",
-                     "golden/bless",    "golden",        "src/files",      "src/process"};
-      kSim + Folders{"src/scenes",    "src/threads",    "src/render",      "src/render/picture", "replay/format",
-                     "replay/codec",  "replay/log",     "replay/session",  "replay/measure",     "replay/recover",
-                     "replay/arrays", "replay/import", "replay/picture", "replay/diff",     "golden/suite",       "golden/expected",
-                     "golden/judge",  "golden/run",     "golden/canaries", "golden/report",      "golden/bless",
-                     "golden",        "src/files",      "src/process"};
-      kSim + Folders{"src/scenes",    "src/threads",     "src/render",     "src/render/picture", "replay/format",
-                     "replay/codec",  "replay/log",      "replay/session", "replay/measure",     "replay/recover",
-                     "replay/import", "replay/stream",   "replay/picture", "replay/diff",        "replay/view",
-                     "replay/arrays", "replay/import",   "replay/stream",  "replay/picture",     "replay/diff",
-                     "golden/suite",  "golden/expected", "golden/judge",   "golden/run",         "golden/canaries",
-                     "golden/report", "golden/bless",    "golden",         "src/files",          "src/process"};
-  const Folders below = kSim + Folders{"src/scenes",     "src/threads",     "src/render",      "src/render/picture",
-                                       "replay/format",  "replay/codec",    "replay/log",      "replay/session",
-                                       "replay/measure", "replay/recover",  "replay/import",   "replay/stream",
-                                       "replay/picture", "replay/diff",     "replay/view",     "replay/blame",
-                                       "replay/arrays",  "replay/import",   "replay/stream",   "replay/picture",
-                                       "replay/diff",    "golden/suite",    "golden/expected", "golden/judge",
-                                       "golden/run",     "golden/canaries", "golden/report",   "golden/bless",
-                                       "golden",         "src/files",       "src/process"};
-  const Folders below = kSim + Folders{"src/scenes",      "src/threads",    "src/render",    "src/render/picture",
-                                       "replay/format",   "replay/codec",   "replay/log",    "replay/session",
-                                       "replay/measure",  "replay/recover", "replay/import", "replay/stream",
-                                       "replay/picture",  "replay/probe",   "replay/diff",   "golden/suite",
-                                       "golden/expected", "golden/judge",   "golden/engine", "golden/run",
-                                       "golden/canaries", "golden/report",  "golden/bless",  "golden",
-                                       "src/files",       "src/process",    "replay/view"};
-      kSim + Folders{"src/scenes",    "src/threads",     "src/render",      "src/render/picture", "replay/format",
-                     "replay/codec",  "replay/log",      "replay/session",  "replay/measure",     "replay/recover",
-                     "replay/arrays", "replay/import",   "replay/stream",   "replay/picture",     "replay/probe",
-                     "replay/diff",   "golden/suite",    "golden/expected", "golden/judge",       "golden/engine",
-                     "golden/run",    "golden/canaries", "golden/report",   "golden/bless",       "golden",
-                     "src/files",     "src/process",     "replay/view"};
+      kSim + Folders{"src/scenes",    "src/threads",   "src/render",     "src/render/picture", "replay/format",
+                     "replay/codec",  "replay/log",    "replay/session", "replay/measure",     "replay/recover",
+                     "replay/arrays", "replay/import", "replay/stream",  "replay/picture",     "replay/probe",
+                     "replay/diff",   "replay/view",   "replay/blame",   "golden/suite",       "golden/expected",
+                     "golden/judge",  "golden/engine", "golden/run",     "golden/canaries",    "golden/report",
+                     "golden/bless",  "golden",        "src/files",      "src/process"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
       {"tools/output", below},

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "tools/output/blame_output.h"
+#include "tools/compare/blame_output.h"
 #include "tools/output/difference_output.h"
 #include "tools/output/divergence_output.h"
 #include "tools/output/text.h"

@@ -73,12 +73,12 @@ void add_body_extras(const replay::Declared& declared, const replay::BodyTable& 
                      sim::BodyId id, Json& json) {
   if (const std::string name = bodies.name(id); !name.empty()) json["name"] = name;
   if (const replay::Shape* shape = bodies.shape(id)) json["shape"] = to_string(*shape);
-  for_each_channel(declared, extras, ChannelScope::kBody,
-                   [&](const replay::Channel& channel, const replay::ChannelValues& values) {
-                     const std::optional<std::size_t> row = row_of(values, id);
-                     if (!row) return;
-                     json["channels"][channel.name] = channel_json(values.value(*row, channel.type.kind), channel.type.kind);
-                   });
+  for_each_channel(
+      declared, extras, ChannelScope::kBody, [&](const replay::Channel& channel, const replay::ChannelValues& values) {
+        const std::optional<std::size_t> row = row_of(values, id);
+        if (!row) return;
+        json["channels"][channel.name] = channel_json(values.value(*row, channel.type.kind), channel.type.kind);
+      });
 }
 
 void add_step_extras(const replay::Declared& declared, const replay::Extras& extras, Json& json) {
@@ -86,15 +86,15 @@ void add_step_extras(const replay::Declared& declared, const replay::Extras& ext
                    [&](const replay::Channel& channel, const replay::ChannelValues& values) {
                      json["world"][channel.name] = channel_json(values.value(0, channel.type.kind), channel.type.kind);
                    });
-  for_each_channel(declared, extras, ChannelScope::kPair,
-                   [&](const replay::Channel& channel, const replay::ChannelValues& values) {
-                     for (std::size_t i = 0; i < values.size(); ++i) {
-                       json["pairs"].push_back({{"channel", channel.name},
-                                                {"a", values.keys[i].a},
-                                                {"b", values.keys[i].b},
-                                                {"value", channel_json(values.value(i, channel.type.kind), channel.type.kind)}});
-                     }
-                   });
+  for_each_channel(
+      declared, extras, ChannelScope::kPair, [&](const replay::Channel& channel, const replay::ChannelValues& values) {
+        for (std::size_t i = 0; i < values.size(); ++i) {
+          json["pairs"].push_back({{"channel", channel.name},
+                                   {"a", values.keys[i].a},
+                                   {"b", values.keys[i].b},
+                                   {"value", channel_json(values.value(i, channel.type.kind), channel.type.kind)}});
+        }
+      });
   for (const replay::EngineContact& contact : extras.contacts) {
     json["contacts"].push_back({{"a", contact.a},
                                 {"b", contact.b},
@@ -162,13 +162,16 @@ void add_extra_rows(const replay::Declared& declared, const replay::BodyTable& b
   }
   for (const replay::Superseded& before : extras.superseded) {
     const std::string found = before.difference.empty() ? "the same" : before.difference;
-    table.add({std::to_string(step), "superseded", before.same_inputs ? "equal inputs" : "other inputs", printable(found)});
+    table.add(
+        {std::to_string(step), "superseded", before.same_inputs ? "equal inputs" : "other inputs", printable(found)});
   }
 }
 
 void add_extra_differences(replay::LogReader& a, replay::LogReader& b, const replay::StepRecord& in_a,
                            const replay::StepRecord& in_b, Json& rows) {
-  const auto engine = [](const replay::LogReader& log) { return log.header().engine.value_or(replay::EngineName()).name; };
+  const auto engine = [](const replay::LogReader& log) {
+    return log.header().engine.value_or(replay::EngineName()).name;
+  };
   const replay::ChannelMatch match = match_channels(a.header(), b.header(), {}, engine(a) != engine(b));
   for (const replay::ExtraRow& row : extras_side_by_side(match, in_a, in_b)) {
     const auto count = [](std::size_t n) { return Json(count_text(n, "value")); };

@@ -35,8 +35,8 @@ std::vector<std::string> extra_cells(const replay::Declared& declared, const rep
 void add_extra_rows(const replay::Declared& declared, const replay::BodyTable& bodies, std::uint64_t step,
                     const replay::Extras& extras, sim::BodyId body, Table& table);
 
-/// Adds a row {name, a, b, same} a channel that both logs compare, and one for contacts: the first value that differs, or
-/// the number of values.
+/// Adds a row {name, a, b, same} a channel that both logs compare, and one for contacts: the first value that differs,
+/// or the number of values.
 void add_extra_differences(replay::LogReader& a, replay::LogReader& b, const replay::StepRecord& in_a,
                            const replay::StepRecord& in_b, Json& rows);
 

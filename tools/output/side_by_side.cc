@@ -24,7 +24,6 @@
 
 namespace tumble::tools {
 namespace {
-
 constexpr std::size_t kBodiesShown = 12;
 
 Json inputs_json(const replay::StepRecord& record) {

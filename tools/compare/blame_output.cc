@@ -1,4 +1,4 @@
-#include "tools/output/blame_output.h"
+#include "tools/compare/blame_output.h"
 
 #include <algorithm>
 #include <iostream>
