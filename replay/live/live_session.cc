@@ -32,6 +32,7 @@ struct LiveSession::Parts {
   std::condition_variable asked, handed_over;
   Requests requests;
   std::vector<sim::Command> inputs;  // for the next step
+  std::vector<View> views;           // likewise
   std::uint64_t posted = 0;
   Pace wanted;
   LiveFrame newest;
@@ -78,12 +79,14 @@ void LiveSession::Parts::apply(const Requests& taken) {
 
 void LiveSession::Parts::step() {
   std::vector<sim::Command> taken;
+  std::vector<View> seen;
   {
     const std::lock_guard held(lock);
     taken.swap(inputs);
+    seen.swap(views);
   }
   stepper.show_contacts(wants_contacts);
-  stepper.step(std::move(taken));
+  stepper.step(std::move(taken), seen);
   hand_over();
 }
 
@@ -112,6 +115,11 @@ std::uint64_t LiveSession::post(sim::Command input) {
   const std::lock_guard held(parts_->lock);
   parts_->inputs.push_back(std::move(input));
   return ++parts_->posted;
+}
+
+void LiveSession::see(const View& view) {
+  const std::lock_guard held(parts_->lock);
+  parts_->views.push_back(view);
 }
 
 void LiveSession::set(const Pace& pace) {

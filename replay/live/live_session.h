@@ -9,6 +9,7 @@
 #include "replay/live/live_logs.h"
 #include "replay/live/live_pacer.h"
 #include "replay/live/live_stepper.h"
+#include "tumble/replay/extras.h"
 #include "tumble/replay/step_record.h"
 #include "tumble/sim/result.h"
 #include "tumble/sim/scene.h"
@@ -46,6 +47,11 @@ class LiveSession {
   void back(double seconds);    ///< LiveLogs::back
   void again();                 ///< LiveLogs::again
   void show_contacts(bool on);  ///< from the next step on: markers of the contacts in the frames
+
+  /// Logs what a picture showed, with the next step: the state after the step before, from this camera. Call before the
+  /// picture is drawn. Later steps have moved on, so a view that comes late is logged a step late. Views that come
+  /// after the last step of a log are not in it.
+  void see(const View& view);
 
   /// Replaces `mine` by the newest frame if that is newer. Keeps the memory of `mine` for a later frame.
   bool take(LiveFrame& mine);

@@ -111,6 +111,12 @@ void LiveStepper::take_dt(std::vector<sim::Command>& inputs) {
   if (options_.dt != before) restart_clock();
 }
 
+void LiveStepper::add_views(const std::vector<View>& views) {
+  for (const View& view : views) {
+    if (Status ok = logs_.recorder()->add_view(view); !ok.ok()) frame_.notice = ok.error().message;
+  }
+}
+
 std::vector<sim::Command> LiveStepper::prepare(std::vector<sim::Command> given, double dt_s) {
   std::vector<std::string> refused;
   std::vector<sim::Command> accepted = checker_.check(*logs_.recorder(), std::move(given), refused);
@@ -122,7 +128,7 @@ std::vector<sim::Command> LiveStepper::prepare(std::vector<sim::Command> given, 
   return accepted;
 }
 
-void LiveStepper::step(std::vector<sim::Command> inputs) {
+void LiveStepper::step(std::vector<sim::Command> inputs, const std::vector<View>& views) {
   SIM_CHECK(can_step());
   frame_.inputs_done += inputs.size();
   if (Status ok = check_arithmetic(); !ok.ok()) return end(ok.error());
@@ -130,6 +136,7 @@ void LiveStepper::step(std::vector<sim::Command> inputs) {
   const double start = now();
   const double dt = pace_.paused ? options_.dt * (pace_.even ? 1 : pace_.speed) : pacer_.begin(start);
   inputs = prepare(std::move(inputs), dt);
+  add_views(views);
   const Status stepped = logs_.recorder()->step(inputs);
   frame_.step_seconds = now() - start;
   if (!pace_.paused) pacer_.end(now());

@@ -10,6 +10,7 @@
 #include "replay/live/live_logs.h"
 #include "replay/live/live_pacer.h"
 #include "replay/live/phase_times.h"
+#include "tumble/replay/extras.h"
 #include "tumble/replay/step_record.h"
 #include "tumble/sim/result.h"
 #include "tumble/sim/scene.h"
@@ -39,9 +40,9 @@ class LiveStepper {
   /// Call first on the session's thread.
   void begin();
 
-  /// Takes a step, with inputs made by hand. A step that fails ends the session: the frame says why. Precondition:
-  /// can_step().
-  void step(std::vector<sim::Command> inputs);
+  /// Takes a step, with inputs made by hand and the views seen since the step before. A step that fails ends the
+  /// session: the frame says why. Precondition: can_step().
+  void step(std::vector<sim::Command> inputs, const std::vector<View>& views);
   void set(const Pace& pace);
   void back(double seconds);  ///< LiveLogs::back
   void again();               ///< LiveLogs::again
@@ -66,6 +67,7 @@ class LiveStepper {
   void end(const Error& error);
   Status check_arithmetic();
   void take_dt(std::vector<sim::Command>& inputs);
+  void add_views(const std::vector<View>& views);
   std::vector<sim::Command> prepare(std::vector<sim::Command> given, double dt_s);
 
   LiveOptions options_;

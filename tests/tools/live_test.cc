@@ -160,6 +160,16 @@ TEST_F(LiveWindow, ThrowsPausesStepsSlowsDownAndTheLogReplays) {
   ASSERT_EQ(other.exit, 0) << other.err;
   EXPECT_GT(difference(image_of("other.png"), paused).far_off, 100U) << "the test tells states apart";
 
+  // The log has what was seen: the paused state from the turned camera is in the movie.
+  const Outcome seen = shop_.run(
+      {"render", "played.tumble", "--as-seen", "--fps", "2", "--size", kSize, "--samples", "1", "-o", "seen/"});
+  ASSERT_EQ(seen.exit, 0) << seen.err;
+  std::uint64_t nearest = kWidth * kHeight;
+  for (const std::string& name : shop_.names_with("frame_")) {
+    nearest = std::min(nearest, difference(image_of("seen/" + name), turned).far_off);
+  }
+  EXPECT_LE(nearest, 20U);
+
   // Its inputs, recorded again.
   const std::string steps = std::to_string(log->last_step());
   const Outcome again =

@@ -39,7 +39,8 @@ void declare_arguments(Arguments& arguments, LiveArguments& target) {
       "Examples:\n"
       "  tumble live brick_wall\n"
       "  tumble live tilted_grid -o played.tumble --set grid.rows=10 --size 1280x720\n"
-      "  tumble live --from played.tumble:600");
+      "  tumble live --from played.tumble:600\n"
+      "  tumble render played.tumble --as-seen -o played.mp4");
 }
 
 std::vector<std::string> words_of(const LiveArguments& arguments) {

@@ -96,6 +96,7 @@ std::string default_output(const RenderArguments& arguments, std::uint64_t step)
 
 Result<std::vector<Frame>> frames_of(const RenderArguments& arguments, replay::LogReader& log, const RenderPlan& plan,
                                      const StepRange& range) {
+  if (arguments.as_seen) return frames_as_seen(log, range.first, range.last, 1 / plan.fps);
   const bool in_time = arguments.speed || (plan.kind == OutputKind::kMovie && !arguments.every);
   if (!in_time) return frames_of_states(range.first, range.last, arguments.every.value_or(1));
   const double seconds_each = arguments.speed.value_or(1) / plan.fps;
@@ -147,9 +148,17 @@ void declare_arguments(Arguments& arguments, RenderArguments& target) {
                    "if not given), blur=B; may be repeated");
   arguments.option("--compare", "OTHER", target.compare,
                    "Draw OTHER over LOG: bodies that differ are orange, OTHER's are blue");
-  arguments.positive("--speed", "X", target.speed, kSpeedMax, "Simulated seconds a second shows; 0.1 is slow motion")
+  const Argument speed =
+      arguments
+          .positive("--speed", "X", target.speed, kSpeedMax, "Simulated seconds a second shows; 0.1 is slow motion")
+          .excludes(step)
+          .excludes(every);
+  arguments
+      .flag("--as-seen", target.as_seen,
+            "A movie as the one who played saw it: camera, effects, pauses and slow motion (logs of 'tumble live')")
       .excludes(step)
-      .excludes(every);
+      .excludes(every)
+      .excludes(speed);
   arguments.positive("--fps", "F", target.fps, kFpsMax, "Frames a second of a movie (default: 30)");
   arguments.option("--gl", "WHICH", target.gl, "OpenGL through: auto (default), osmesa, egl");
   arguments.json(target.json);
@@ -158,7 +167,7 @@ void declare_arguments(Arguments& arguments, RenderArguments& target) {
 Result<RenderPlan> plan_of(const RenderArguments& arguments, replay::LogReader& log) {
   RenderPlan plan;
   if (Status ok = read_look(arguments, plan); !ok.ok()) return ok.error();
-  const bool many = arguments.every || !arguments.steps.empty() || arguments.speed;
+  const bool many = arguments.every || !arguments.steps.empty() || arguments.speed || arguments.as_seen;
   const std::uint64_t last = log.last_step();
   plan.output = arguments.output;
   plan.fps = arguments.fps.value_or(plan.fps);

@@ -21,6 +21,7 @@ struct RenderArguments {
   std::optional<double> speed, fps;
   std::vector<std::string> camera;
   std::string steps, size = "640x480", effects = "all", pass = "final", show, gl = "auto";
+  bool as_seen = false;
   bool json = false;
 };
 void declare_arguments(Arguments& arguments, RenderArguments& target);

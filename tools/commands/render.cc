@@ -57,7 +57,7 @@ std::string picture_path(const RenderPlan& plan, std::size_t index, bool only_st
 }
 
 bool has_only_states(const RenderPlan& plan) {
-  return std::ranges::all_of(plan.frames, [](const Frame& frame) { return frame.is_state(); });
+  return std::ranges::all_of(plan.frames, [](const Frame& frame) { return frame.is_state() && !frame.seen; });
 }
 
 Status check_outputs(const RenderArguments& arguments, const RenderPlan& plan) {
@@ -135,6 +135,7 @@ class Drawing {
     const Result<replay::Picture> picture = frames_.make(frame);
     if (!picture.ok()) return picture.error();
     if (!summary_.missing) summary_.missing = picture->not_finite;
+    if (frame.seen) renderer_->use(frame.seen->effects);
     const Result<render::Image> image = renderer_->draw(picture->snapshot, plan_.stage);
     if (!image.ok()) return image.error();
     summary_.last_hash = to_string(picture->state_hash);
@@ -234,6 +235,7 @@ Action declare_render(Arguments& arguments) {
       "  tumble render brick_wall.tumble --step 60 -o wall.png --size 1280x720\n"
       "  tumble render brick_wall.tumble -o wall.mp4 --speed 0.25\n"
       "  tumble render pyramid.tumble --every 60 -o frames --show freezing\n"
+      "  tumble render played.tumble --as-seen -o played.mp4\n"
       "  tumble render a.tumble --compare b.tumble --step 300\n"
       "  tumble render wall.tumble --camera position=3,-8,4 --camera target=0,0,1");
   return [given] { return render_command(*given); };

@@ -61,6 +61,7 @@ class Player {
       const double now = Window::now() - began_;
       if (measurement_) measurement_->play(hand_, view_, now);
       hand_.look_at(frame_);
+      log_view(now);
       if (Status ok = draw(); !ok.ok()) return ok;
       if (measurement_) measurement_->count(frame_, screen_.seconds(), Window::now() - began_);
     }
@@ -92,6 +93,22 @@ class Player {
     session_.take(frame_);
   }
 
+  // Only what changed since the last picture: a session that rests adds nothing to its log.
+  void log_view(double now) {
+    replay::View view;
+    view.part = 0;  // the state before the step that it is logged with
+    view.wall_time = now;
+    view.camera = view_.camera;
+    view.effects = render::to_string(view_.effects);
+    view.follow = view_.follow.value_or(0);
+    const bool is_new = frame_.step != seen_step_ || view.camera != seen_.camera || view.effects != seen_.effects ||
+                        view.follow != seen_.follow;
+    if (!is_new) return;
+    seen_step_ = frame_.step;
+    seen_ = view;
+    session_.see(view);
+  }
+
   Status draw() {
     if (Status ok = screen_.draw(frame_, view_); !ok.ok()) return ok;
     window_.begin_panel();
@@ -114,6 +131,8 @@ class Player {
   Hand hand_;
   WindowFigures figures_;
   replay::LiveFrame frame_;
+  replay::View seen_;  // logged last
+  std::optional<std::uint64_t> seen_step_;
   std::optional<Measurement> measurement_;
   double began_ = 0, last_ = 0;
   std::uint64_t frames_ = 0;

@@ -35,6 +35,50 @@ Result<std::vector<Frame>> frames_in_time(replay::LogReader& log, std::uint64_t 
   return frames;
 }
 
+namespace {
+
+struct SeenAt {
+  double time = 0;  // s
+  Frame frame;
+};
+
+Result<std::vector<SeenAt>> views_of(replay::LogReader& log, std::uint64_t first, std::uint64_t last) {
+  std::vector<SeenAt> views;
+  for (std::uint64_t k = first + 1; k <= last; ++k) {
+    const Result<const replay::StepRecord*> record = log.read_hashes(k);
+    if (!record.ok()) return record.error();
+    for (const replay::View& view : (*record)->extras.views) {
+      const Result<render::Effects> effects = render::parse_effects(view.effects.empty() ? "all" : view.effects);
+      if (!effects.ok()) return damaged(log.name() + ": step " + std::to_string(k) + ": " + effects.error().message);
+      const Frame frame = view.part > 0 ? Frame{k, view.part} : Frame{k - 1, 1};
+      views.push_back({view.wall_time, {frame.step, frame.part, Seen{view.camera, *effects}}});
+    }
+  }
+  return views;
+}
+
+}  // namespace
+
+Result<std::vector<Frame>> frames_as_seen(replay::LogReader& log, std::uint64_t first, std::uint64_t last,
+                                          double seconds_each) {
+  SIM_CHECK(seconds_each > 0, seconds_each);
+  const Result<std::vector<SeenAt>> views = views_of(log, first, last);
+  if (!views.ok()) return views.error();
+  if (views->empty()) {
+    return bad_input("--as-seen: " + log.name() +
+                     " has no views; only sessions of 'tumble live' have, and only steps " +
+                     "that were taken while a window showed them");
+  }
+  std::vector<Frame> frames;
+  std::size_t at = 0;
+  const double begin = views->front().time, end = views->back().time;
+  for (double time = begin; time <= end; time = begin + static_cast<double>(frames.size()) * seconds_each) {
+    while (at + 1 < views->size() && (*views)[at + 1].time <= time) ++at;
+    frames.push_back((*views)[at].frame);
+  }
+  return frames;
+}
+
 FrameMaker::FrameMaker(replay::LogReader& log, replay::LogReader* other, replay::PictureOptions options)
     : options_(std::move(options)), ours_(log) {
   if (other != nullptr) theirs_.emplace(*other);
@@ -67,6 +111,12 @@ Result<Picture> FrameMaker::make_of(Source& source, const Frame& frame) const {
 }
 
 Result<Picture> FrameMaker::make(const Frame& frame) {
+  Result<Picture> picture = make_both(frame);
+  if (picture.ok() && frame.seen) picture->snapshot.camera = frame.seen->camera;
+  return picture;
+}
+
+Result<Picture> FrameMaker::make_both(const Frame& frame) {
   SIM_CHECK(frame.part > 0 && frame.part <= 1, frame.step, frame.part);
   Result<Picture> picture = make_of(ours_, frame);
   if (!picture.ok() || !theirs_) return picture;
