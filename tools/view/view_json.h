@@ -18,14 +18,9 @@ namespace tumble::tools {
 /// "camera", "gaps": [[first, last, why]], "channels": [{"name", "unit"}] of the timeline}.
 Json head_json(const replay::LogReader& log);
 
-<<<<<<< HEAD
 /// {"version", "id", "size" (3 a body), "static", "texture", "origin" (4 a body: kind, table, row, column), "name":
 /// {row: name}, "shape": {row: index}, "shapes": [{"kind", "axis", "radius", "half_length", "points", "triangles"}]};
 /// size 0 0 0 for a body that nothing read so far defines.
-=======
-/// {"version", "id", "size" (3 a body), "static", "texture", "origin" (4 a body: kind, table, row, column)}; size 0 0 0
-/// for a body that nothing read so far defines.
->>>>>>> main
 Json bodies_json(const replay::ViewedBodies& table);
 
 /// Columns of numbers, one a row: {"step", "time", "read", "kinetic", …}; null where a number has no meaning.
