@@ -122,6 +122,7 @@ std::vector<Room> program() {
       {"tools/output", below},
       {"tools/files", below + Folders{"tools/output"}},
       {"tools/arguments", below + Folders{"tools/output", "tools/files"}},
+      {"tools/manual", above},
       {"tools/bisect", above},
       {"tools/bench", above},
       {"tools/engine", above},
@@ -130,6 +131,8 @@ std::vector<Room> program() {
       {"tools/commands", above + Folders{"tools/bisect", "tools/bench", "tools/engine", "tools/compare", "tools/view"}},
       {"tools", above + Folders{"tools/commands"}},
       {"tools/live", above + Folders{"src/render/gl", "src/render/scene", "replay/live", "tools"}},
+      {"tools/commands", above + Folders{"tools/bisect", "tools/bench"}},
+      {"tools", above + Folders{"tools/manual", "tools/commands"}},
   };
 }
 

@@ -40,7 +40,7 @@ Result<Exit> bench_program(const std::string& name, const std::vector<std::strin
 /// The build folder of this program, which has the programs of bench/.
 std::string build_folder();
 
-/// The scene bench/scenes/<name>.toml of the source folder.
+/// The scene bench/scenes/<name>.toml of data_folder().
 std::string bench_scene_path(const std::string& name);
 Result<sim::SceneDef> bench_scene(const std::string& name, const std::vector<std::string>& overrides);
 
