@@ -10,13 +10,13 @@ namespace {
 // The top of free flight through this height and speed. Steps rarely hit the top of a bounce itself, and the highest
 // step depends on where they fall: at dt 1/60 s it may lie 0.3 mm below. Energy gives the top from any state of the
 // flight: m g h_top = m g h + ½ m v².
-double top_of_flight(const BodyMotion& motion, double pull) {
+double top_of_flight(const TrackedMotion& motion, double pull) {
   return motion.height + motion.rise * motion.rise / (2 * pull);
 }
 
 }  // namespace
 
-void BodyTrack::add(const BodyMotion& now, double pull) {
+void BodyTrack::add(const TrackedMotion& now, double pull) {
   if (!started_) start(now, pull);
   const sim::Vec3 change = now.spin_momentum - first_momentum_;
   momentum_change_ = largest(momentum_change_, std::sqrt(sim::dot(change, change)));
@@ -26,7 +26,7 @@ void BodyTrack::add(const BodyMotion& now, double pull) {
   last_rise_ = now.rise;
 }
 
-void BodyTrack::start(const BodyMotion& now, double pull) {
+void BodyTrack::start(const TrackedMotion& now, double pull) {
   started_ = true;
   first_momentum_ = now.spin_momentum;
   first_momentum_length_ = std::sqrt(sim::dot(first_momentum_, first_momentum_));
@@ -37,7 +37,7 @@ void BodyTrack::start(const BodyMotion& now, double pull) {
 
 // A top is a sign change of the vertical speed from up to not up. The first one of a body that starts on its way up
 // belongs to no bounce and is not counted.
-void BodyTrack::look_for_top(const BodyMotion& now, double pull) {
+void BodyTrack::look_for_top(const TrackedMotion& now, double pull) {
   if (!(pull > 0)) first_top_ = 0;
   if (first_top_ == 0 || !(last_rise_ > 0) || now.rise > 0) return;
   if (starts_rising_) {  // a session may begin on the way up; that first top follows no bounce

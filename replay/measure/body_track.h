@@ -8,7 +8,7 @@
 namespace tumble::replay {
 
 /// One body after one step.
-struct BodyMotion {
+struct TrackedMotion {
   double height = 0;        ///< m, of its centre above its height when it lies on its largest face
   double rise = 0;          ///< m/s, upwards
   sim::Vec3 spin_momentum;  ///< kg·m²/s, about its centre, world axes
@@ -21,7 +21,7 @@ class BodyTrack {
  public:
   /// Takes the states in order; the first is the one that later ones are compared with. pull: gravity downwards, m/s².
   /// A pull of 0 or less ends the counting of bounces.
-  void add(const BodyMotion& now, double pull);
+  void add(const TrackedMotion& now, double pull);
 
   [[nodiscard]] std::optional<double> momentum_drift() const;      ///< none without angular velocity at the start
   [[nodiscard]] std::optional<double> spin_energy_gain() const;    ///< none without angular velocity at the start
@@ -29,8 +29,8 @@ class BodyTrack {
   [[nodiscard]] std::uint64_t bounces() const { return bounces_; }
 
  private:
-  void start(const BodyMotion& now, double pull);
-  void look_for_top(const BodyMotion& now, double pull);
+  void start(const TrackedMotion& now, double pull);
+  void look_for_top(const TrackedMotion& now, double pull);
 
   bool started_ = false;
   sim::Vec3 first_momentum_ = {0, 0, 0};

@@ -1,7 +1,7 @@
 #pragma once
 
 #ifdef __FAST_MATH__
-#error "results of Tumble are exact bits: compile without -ffast-math (-Ofast), which changes the arithmetic of the whole process"
+#error "Results of Tumble are exact bits: compile without -ffast-math and without -Ofast"
 #endif
 
 #include <optional>

@@ -111,12 +111,6 @@ std::vector<Room> program() {
                      "replay/diff",   "replay/view",   "replay/blame",   "golden/suite",       "golden/expected",
                      "golden/judge",  "golden/engine", "golden/run",     "golden/canaries",    "golden/report",
                      "golden/bless",  "golden",        "src/files",      "src/process"};
-      kSim + Folders{"src/scenes",      "src/threads",   "src/render",     "src/render/picture", "replay/format",
-                     "replay/codec",    "replay/log",    "replay/session", "replay/measure",     "replay/recover",
-                     "replay/import",   "replay/stream", "replay/picture", "replay/diff",        "golden/suite",
-                     "golden/expected", "golden/judge",  "golden/run",     "golden/canaries",    "golden/report",
-                     "golden/bless",    "golden",        "src/files",      "src/process",        "replay/arrays",
-                     "replay/view",     "replay/blame",  "replay/probe",   "golden/engine"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
       {"tools/output", below},
@@ -129,20 +123,34 @@ std::vector<Room> program() {
       {"tools/compare", above + Folders{"tools/engine"}},
       {"tools/view", above + Folders{"golden/report/page", "tools/compare"}},
       {"tools/commands", above + Folders{"tools/bisect", "tools/bench", "tools/engine", "tools/compare", "tools/view"}},
-      {"tools", above + Folders{"tools/commands"}},
-      {"tools/live", above + Folders{"src/render/gl", "src/render/scene", "replay/live", "tools"}},
-      {"tools/commands", above + Folders{"tools/bisect", "tools/bench"}},
       {"tools", above + Folders{"tools/manual", "tools/commands"}},
+      {"tools/live", above + Folders{"src/render/gl", "src/render/scene", "replay/live", "tools"}},
   };
 }
 
 // Nothing but tests includes tests, so their rows need no list.
 std::vector<Room> tests() {
   std::vector<Room> rows;
-  for (const char* folder :
-       {"tests/support", "tests/fuzz", "tests/tree", "tests/files", "tests/process", "tests/sim", "tests/scenes",
-        "tests/render", "tests/replay", "tests/replay/measure", "tests/recorder", "tests/golden", "tests/toy",
-        "tests/tools", "tests/outputs", "tests/trial", "tests/determinism", "bench", "bench/peers"}) {
+  for (const char* folder : {"tests/support",
+                             "tests/fuzz",
+                             "tests/tree",
+                             "tests/files",
+                             "tests/process",
+                             "tests/sim",
+                             "tests/scenes",
+                             "tests/render",
+                             "tests/replay",
+                             "tests/replay/measure",
+                             "tests/recorder",
+                             "tests/golden",
+                             "tests/toy",
+                             "tests/tools",
+                             "tests/outputs",
+                             "tests/trial",
+                             "tests/determinism",
+                             "tests/install/consumer",
+                             "bench",
+                             "bench/peers"}) {
     rows.push_back({folder, {"*"}});
   }
   return rows;
