@@ -28,7 +28,7 @@ constexpr const char* kSize = "480x360";
 constexpr double kDt = 1.0 / 64;
 
 // A tower to throw at. The dt has few digits, so that a step of exactly that length was not measured by a clock.
-constexpr const char* kScene = R"([scene]
+constexpr const char* kScene = R"(
 name = "played"
 [world]
 dt = 0.015625
