@@ -4,24 +4,24 @@
 
 namespace tumble::replay {
 
-BodyTable::BodyTable(const LogHeader& header) {
+ViewedBodies::ViewedBodies(const LogHeader& header) {
   for (const sim::BoxDef& box : header.scene.boxes) define(box);
 }
 
-void BodyTable::define(const sim::BoxDef& box) {
+void ViewedBodies::define(const sim::BoxDef& box) {
   ViewedBody& body = bodies_[row_of(box.id)];
   if (body.known()) return;
   body = {box.id, box.size, box.mass, box.is_static, box.material.texture, box.origin};
   ++version_;
 }
 
-void BodyTable::add(const std::vector<sim::Command>& inputs) {
+void ViewedBodies::add(const std::vector<sim::Command>& inputs) {
   for (const sim::Command& input : inputs) {
     if (const auto* thrown = std::get_if<sim::Throw>(&input)) define(thrown->box);
   }
 }
 
-std::size_t BodyTable::row_of(sim::BodyId id) {
+std::size_t ViewedBodies::row_of(sim::BodyId id) {
   const auto [place, is_new] = rows_.try_emplace(id, bodies_.size());
   if (is_new) {
     bodies_.emplace_back().id = id;

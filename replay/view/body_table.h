@@ -22,9 +22,9 @@ struct ViewedBody {
 };
 
 /// All bodies of a session, each with a row that it keeps: first those of the scene, then thrown ones as they are met.
-class BodyTable {
+class ViewedBodies {
  public:
-  explicit BodyTable(const LogHeader& header);
+  explicit ViewedBodies(const LogHeader& header);
 
   /// Adds the bodies that these inputs throw.
   void add(const std::vector<sim::Command>& inputs);

@@ -35,7 +35,7 @@ struct Course {
 
 }  // namespace
 
-void PackedStates::add(std::uint64_t step, const BodyStates& states, BodyTable& table) {
+void PackedStates::add(std::uint64_t step, const BodyStates& states, ViewedBodies& table) {
   std::vector<std::size_t> row(states.size());
   for (std::size_t i = 0; i < states.size(); ++i) row[i] = table.row_of(states.id[i]);
   const std::size_t rows = table.bodies().size();

@@ -16,7 +16,7 @@ class PackedStates {
   static constexpr double kQuantum = 1e-4;  ///< m
 
   /// Adds the state after a step; steps ascend.
-  void add(std::uint64_t step, const BodyStates& states, BodyTable& table);
+  void add(std::uint64_t step, const BodyStates& states, ViewedBodies& table);
 
   [[nodiscard]] const std::vector<std::uint64_t>& steps() const { return steps_; }
 

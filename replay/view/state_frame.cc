@@ -32,7 +32,7 @@ BodyMark mark_of(const BodyStates& states, std::size_t row) {
   return states.frozen[row] != 0 ? BodyMark::kFrozen : BodyMark::kAwake;
 }
 
-void append_frame(std::uint64_t step, FrameStatus status, const BodyStates* states, BodyTable& table,
+void append_frame(std::uint64_t step, FrameStatus status, const BodyStates* states, ViewedBodies& table,
                   std::string& out) {
   const std::size_t count = states == nullptr ? 0 : states->size();
   std::vector<std::size_t> row(count);

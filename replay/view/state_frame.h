@@ -30,6 +30,7 @@ enum class FrameStatus : std::uint32_t {
 ///   f32 x, y, z (m) and speed (m/s): rows of each in turn, then i16 w, x, y, z (32767 for 1), then u8 BodyMark, padded
 ///   to a multiple of 4 bytes
 /// `states` may be null: no rows follow then.
-void append_frame(std::uint64_t step, FrameStatus status, const BodyStates* states, BodyTable& table, std::string& out);
+void append_frame(std::uint64_t step, FrameStatus status, const BodyStates* states, ViewedBodies& table,
+                  std::string& out);
 
 }  // namespace tumble::replay

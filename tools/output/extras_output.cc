@@ -47,7 +47,7 @@ std::optional<std::size_t> row_of(const replay::ChannelValues& values, sim::Body
   return static_cast<std::size_t>(at - values.keys.begin());
 }
 
-Json vector_json(const sim::Vec3& v) { return {number_json(v.x()), number_json(v.y()), number_json(v.z())}; }
+Json triple_json(const sim::Vec3& v) { return {number_json(v.x()), number_json(v.y()), number_json(v.z())}; }
 
 bool any_named(const replay::BodyTable& bodies) {
   return std::ranges::any_of(bodies.bodies(), [](const auto& entry) { return !entry.second.name.empty(); });
@@ -98,8 +98,8 @@ void add_step_extras(const replay::Declared& declared, const replay::Extras& ext
   for (const replay::EngineContact& contact : extras.contacts) {
     json["contacts"].push_back({{"a", contact.a},
                                 {"b", contact.b},
-                                {"position", vector_json(contact.position)},
-                                {"normal", vector_json(contact.normal)},
+                                {"position", triple_json(contact.position)},
+                                {"normal", triple_json(contact.normal)},
                                 {"depth", number_json(contact.depth)},
                                 {"impulse", number_json(contact.impulse)}});
   }

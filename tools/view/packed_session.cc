@@ -173,7 +173,7 @@ class Packer {
   replay::LogReader& log_;
   const PackOptions& options_;
   const replay::Progress& progress_;
-  replay::BodyTable table_;
+  replay::ViewedBodies table_;
   replay::PackedStates states_;
   std::vector<replay::TimelineRow> rows_;
   std::vector<replay::TimelineInput> inputs_;

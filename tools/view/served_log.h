@@ -63,7 +63,7 @@ class ServedLog {
   replay::LogReader log_;
   std::optional<replay::StateSource> states_;
   std::optional<replay::ContactSource> contacts_;
-  replay::BodyTable table_;
+  replay::ViewedBodies table_;
   std::size_t inputs_seen_ = 0;  // of inputs_, in table_
 
   std::mutex found_;  // guards what follows; locked after reading_

@@ -110,7 +110,7 @@ Json head_json(const replay::LogReader& log) {
           {"gaps", gaps}};
 }
 
-Json bodies_json(const replay::BodyTable& table) {
+Json bodies_json(const replay::ViewedBodies& table) {
   Json ids = Json::array(), sizes = Json::array(), fixed = Json::array(), textures = Json::array();
   Json origins = Json::array();
   for (const replay::ViewedBody& body : table.bodies()) {

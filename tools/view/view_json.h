@@ -20,7 +20,7 @@ Json head_json(const replay::LogReader& log);
 
 /// {"version", "id", "size" (3 a body), "static", "texture", "origin" (4 a body: kind, table, row, column)}; size 0 0 0
 /// for a body that nothing read so far defines.
-Json bodies_json(const replay::BodyTable& table);
+Json bodies_json(const replay::ViewedBodies& table);
 
 /// Columns of numbers, one a row: {"step", "time", "read", "kinetic", …}; null where a number has no meaning.
 Json timeline_json(std::span<const replay::TimelineRow> rows);
