@@ -27,7 +27,10 @@ struct LiveScene {
 const std::array<LiveScene, 2>& live_scenes() {
   static const std::array<LiveScene, 2> kScenes = {
       {{"brick_wall", "640x480", 30, {"brick_wall"}},
-       {"6400 cubes", "320x240", 15, {"tilted_grid", "--set", "grid.rows=80", "--set", "grid.cols=80"}}}};
+       {"6400 cubes",
+        "320x240",
+        15,
+        {"tilted_grid", "--set", "grid.rows=80", "--set", "grid.cols=80", "--set", "world.dt=0.0166666666666666"}}}};
   return kScenes;
 }
 constexpr double kSecondsEach = 10;
