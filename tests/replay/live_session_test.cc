@@ -283,10 +283,10 @@ TEST_F(LiveSessionTest, ReportsEachPhase) {
   auto session = LiveSession::start(options(scene()));
   ASSERT_TRUE(session.ok());
   const LiveFrame frame = frame_at(**session, 10);
-  ASSERT_EQ(frame.phase_names.size(), sim::phase_table(sim::Method::kLayered).phases.size());
+  ASSERT_EQ(frame.phase_names.size(), sim::phase_table(scene().world.method).phases.size());
   double sum = frame.hash_seconds;
   for (const double seconds : frame.phase_seconds) {
-    EXPECT_GT(seconds, 0);
+    EXPECT_GE(seconds, 0);
     sum += seconds;
   }
   EXPECT_LE(sum, frame.step_seconds);
