@@ -1,90 +1,37 @@
 // Estimates a step with 1 to 32 threads on a machine that has fewer processors. The step is cut into the parts that so
-// many threads would get; one thread runs the parts one after the other and times each. A round of parts then costs its
-// longest part and the time to wake the others and wait for them; all else is serial. The model leaves out that a
-// processor fetches data that another has written, that processors share caches and memory, and that they slow down
-// when all are busy. The estimate is therefore an upper bound for this way of splitting.
-// Usage: thread_model [SCENE...]   names of kScenes; all without. docs/performance.md, Threads, explains the figures.
+// many threads would get; they run one after the other, and each is timed. A round of parts then costs its longest part
+// and the time to wake the others or to meet them; all else is serial. The model leaves out that a processor fetches
+// data that another has written, that processors share caches and memory, and that they slow down when all are busy.
+// The estimate is therefore an upper bound for this way of splitting. With --measure the program measures instead
+// (thread_times.h).
+// Usage: thread_model [--measure] [SCENE...]   all scenes without. docs/performance.md, Threads, explains
+// the figures.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "tumble/scenes/scene_file.h"
+#include "bench/thread_times.h"
+#include "bench/thread_trials.h"
+#include "bench/timed_parts.h"
 #include "tumble/sim/step.h"
 #include "tumble/threads/worker_threads.h"
 
 namespace {
 
-using namespace tumble;  // NOLINT(google-build-using-namespace): a program of one file
-using Clock = std::chrono::steady_clock;
+using namespace tumble;         // NOLINT(google-build-using-namespace): a program
+using namespace tumble::bench;  // NOLINT(google-build-using-namespace)
 
-constexpr int kWarmSteps = 60, kSteps = 10;  // the latter are timed
-constexpr int kRepeats = 3;                  // of which the quickest counts
+constexpr int kSteps = 10;   // that are timed
+constexpr int kRepeats = 3;  // of which the quickest counts
 constexpr unsigned kThreads[] = {1, 2, 4, 8, 16, 32};
 constexpr unsigned kShown = 8;                // threads of the table of phases
 constexpr std::size_t kDivisors[] = {1, 16};  // of the least sizes that are split, which suit two processors
-
-/// Warmed up in few and long steps, timed in those of docs/performance.md.
-struct Trial {
-  const char* name;
-  const char* scene;
-  std::vector<std::string> warm;
-  double dt;  ///< s, of the steps that are timed
-  std::uint32_t substeps;
-};
-
-const std::vector<Trial>& trials() {
-  static const std::string long_steps = "world.dt=0.03333333333333333", four = "world.substeps=4";
-  static const std::vector<Trial> all = {
-      {"6400", "tilted_grid", {"grid.rows=80", "grid.cols=80", long_steps, four}, 1.0 / 300, 1},
-      {"25600", "tilted_grid", {"grid.rows=20", "grid.cols=1280", long_steps, four}, 1.0 / 300, 1},
-      {"102400", "tilted_grid", {"grid.rows=20", "grid.cols=5120", long_steps, four}, 1.0 / 300, 1},
-      {"pile", "pile", {"world.substeps=8"}, 1.0 / 60, 8},
-  };
-  return all;
-}
-
-[[noreturn]] void fail(const std::string& message) {
-  std::fprintf(stderr, "thread_model: %s\n", message.c_str());
-  std::exit(2);
-}
-
-double seconds_between(Clock::time_point begin, Clock::time_point end) {
-  return std::chrono::duration<double>(end - begin).count();
-}
-
-/// Workers that take turns, each of them timed.
-class TimedParts : public Workers {
- public:
-  TimedParts(unsigned count, std::size_t divisor) : count_(count), divisor_(divisor) {}
-  [[nodiscard]] unsigned count() const override { return count_; }
-  [[nodiscard]] std::size_t worth(std::size_t least) const override {
-    return std::max<std::size_t>(1, least / divisor_);
-  }
-  void run(unsigned parts, void (*task)(void*, unsigned), void* context) override {
-    std::vector<double>& round = rounds_.emplace_back();
-    for (unsigned part = 0; part < parts; ++part) {
-      const Clock::time_point begin = Clock::now();
-      task(context, part);
-      round.push_back(seconds_between(begin, Clock::now()));
-    }
-  }
-  /// The time of each part of each round since the last call, s.
-  std::vector<std::vector<double>> take() { return std::exchange(rounds_, {}); }
-
- private:
-  unsigned count_;
-  std::size_t divisor_;
-  std::vector<std::vector<double>> rounds_;
-};
 
 /// One phase of one substep: the time that is not split, and the parts of its rounds, s.
 struct Visit {
@@ -107,10 +54,9 @@ class Visits : public sim::Observer {
  public:
   explicit Visits(TimedParts& parts) : parts_(parts), before_(Clock::now()) {}
   void phase_done(std::uint32_t /*substep*/, std::size_t phase, const sim::World& /*world*/) override {
-    double serial = seconds_between(before_, Clock::now());
-    std::vector<std::vector<double>> rounds = parts_.take();
-    for (const std::vector<double>& round : rounds) serial -= std::accumulate(round.begin(), round.end(), 0.0);
-    all_.push_back({phase, serial, std::move(rounds)});
+    const double all = seconds_between(before_, Clock::now());
+    TimedParts::Rounds rounds = parts_.take();
+    all_.push_back({phase, all - rounds.inside_s, std::move(rounds.seconds)});
     before_ = Clock::now();
   }
   std::vector<Visit>& all() { return all_; }
@@ -150,37 +96,16 @@ Share share_of(const std::vector<Visit>& visits, std::optional<std::size_t> phas
   return share;
 }
 
-void make_step(sim::World& world, sim::Observer* observer = nullptr) {
-  if (const Result<sim::StepCounters> done = sim::step(world, observer); !done.ok()) fail(done.error().message);
-}
-
-/// The state from which timing starts.
-sim::WorldState warm_state(const Trial& trial) {
-  const std::string path = std::string(TUMBLE_SOURCE_DIR "/bench/scenes/") + trial.scene + ".toml";
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-  const Result<sim::SceneDef> scene = scenes::parse_scene(text, path, trial.warm);
-  if (!scene.ok()) fail(scene.error().message);
-  Result<sim::World> world = sim::create_world(*scene);
-  if (!world.ok()) fail(world.error().message);
-  for (int k = 0; k < kWarmSteps; ++k) make_step(*world);
-  sim::WorldState state = world->state();
-  state.def.dt = trial.dt;
-  state.def.substeps = trial.substeps;
-  return state;
-}
-
 std::vector<Visit> time_parts(const sim::WorldState& state, unsigned threads, std::size_t divisor) {
   std::vector<Visit> least;
   for (int repeat = 0; repeat < kRepeats; ++repeat) {
-    Result<sim::World> world = sim::World::restore(state);
-    if (!world.ok()) fail(world.error().message);
+    sim::World world = world_from(state);
     TimedParts parts(threads, divisor);
-    world->use(&parts);
-    make_step(*world);  // not timed: memory is asked for here
+    world.use(&parts);
+    make_step(world);  // not timed: memory is asked for here
     parts.take();
     Visits visits(parts);
-    for (int k = 0; k < kSteps; ++k) make_step(*world, &visits);
+    for (int k = 0; k < kSteps; ++k) make_step(world, &visits);
     if (repeat == 0) least = visits.all();
     for (std::size_t k = 0; k < least.size(); ++k) least[k].take_least(visits.all()[k]);
   }
@@ -235,16 +160,23 @@ void model(const Trial& trial, double pair_cost) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const std::vector<std::string> wanted(argv + 1, argv + argc);
+  std::vector<std::string> wanted(argv + 1, argv + argc);
+  const bool measures = std::erase(wanted, "--measure") > 0;
   for (const std::string& name : wanted) {
     if (std::ranges::none_of(trials(), [&](const Trial& trial) { return trial.name == name; })) {
-      fail("found \"" + name + "\", wanted 6400, 25600, 102400 or pile");
+      fail("found \"" + name + "\", wanted " + trial_names());
     }
   }
   const double pair_cost = cost_of_round();
   std::printf("a round of two threads with nothing in it: %.2f us; of N: N - 1 times that\n", pair_cost * 1e6);
+  if (measures) print_times_head();
   for (const Trial& trial : trials()) {
-    if (wanted.empty() || std::ranges::find(wanted, trial.name) != wanted.end()) model(trial, pair_cost);
+    if (!wanted.empty() && std::ranges::find(wanted, trial.name) == wanted.end()) continue;
+    if (measures) {
+      print_times(trial);
+    } else {
+      model(trial, pair_cost);
+    }
   }
   return 0;
 }

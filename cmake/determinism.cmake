@@ -18,3 +18,8 @@ foreach(line IN LISTS determinism_lines)
     add_compile_options(${CMAKE_MATCH_2})
   endif()
 endforeach()
+
+# Variables of inline functions as weak symbols, which cmake/localise.cmake can make local.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_compile_options(-fno-gnu-unique)
+endif()

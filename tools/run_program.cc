@@ -15,6 +15,8 @@
 #include "src/world/float_environment.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
+#include "tools/manual/completion.h"
+#include "tools/manual/man_page.h"
 #include "tools/output/clean_streams.h"
 #include "tools/output/exit.h"
 #include "tools/output/text.h"
@@ -41,6 +43,18 @@ constexpr std::array kCommands = {
     Command{"bench", "measure speed and growth, compare with other engines", declare_bench},
     Command{"scenes", "list the scenes that can be recorded by name", declare_scenes},
 };
+
+ManualEntry manual_entry(const Command& command) {
+  Arguments arguments(std::string("tumble ") + command.name, command.summary);
+  command.declare(arguments);
+  return {command.name, command.summary, arguments.listed(), arguments.footer()};
+}
+
+std::vector<ManualEntry> manual() {
+  std::vector<ManualEntry> entries;
+  for (const Command& command : kCommands) entries.push_back(manual_entry(command));
+  return entries;
+}
 
 const Command* find_command(std::string_view name) {
   for (const Command& command : kCommands) {
@@ -101,6 +115,27 @@ Exit run_words(const Command& command, const std::vector<std::string>& words) {
   return *result;
 }
 
+// `tumble help --man [COMMAND]` and `tumble help --completion SHELL`: what an installation needs, made of the arguments
+// that the commands declare.
+Exit print_manual(const std::vector<std::string>& words) {
+  const std::string who = "tumble help " + words.front();
+  if (words.front() == "--completion") {
+    const Result<std::string> script = completion(manual(), words.size() == 2 ? words[1] : "");
+    if (!script.ok()) return fail(who, script.error().message, Exit::kBadInput);
+    std::cout << *script;
+    return Exit::kSame;
+  }
+  if (words.size() > 2) return fail(who, found_wanted(in_quotes(words[2]), "one command"), Exit::kBadInput);
+  if (words.size() == 1) {
+    std::cout << man_page_of_program(manual(), TUMBLE_VERSION);
+    return Exit::kSame;
+  }
+  const Command* command = find_command(words[1]);
+  if (command == nullptr) return unknown_command(words[1]);
+  std::cout << man_page(manual_entry(*command), TUMBLE_VERSION);
+  return Exit::kSame;
+}
+
 Exit run(std::vector<std::string> arguments) {
   if (arguments.empty()) {
     std::cerr << overview();
@@ -117,6 +152,7 @@ Exit run(std::vector<std::string> arguments) {
     std::cout << overview();
     return Exit::kSame;
   }
+  if (is_help && (arguments.front() == "--man" || arguments.front() == "--completion")) return print_manual(arguments);
   const std::string name = is_help ? arguments.front() : first;
   if (is_help) arguments = {"--help"};
   const Command* command = find_command(name);

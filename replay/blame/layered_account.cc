@@ -30,7 +30,7 @@ int sweeps_of(const sim::Scratch& scratch, std::uint32_t layer, bool& hard) {
 void AccountObserver::layer_solved(const sim::Scratch& scratch, const sim::ContactBatches& all, std::size_t layer) {
   const bool fast = &all == &scratch.fast.batches;
   const std::vector<sim::Manifold>& manifolds = fast ? scratch.fast.found.manifolds : scratch.manifolds;
-  for (std::uint32_t t = all.touched_start[layer]; t < all.touched_start[layer + 1]; ++t) {
+  for (std::uint32_t t = all.touched_start[layer]; t < all.touched_end[layer]; ++t) {
     if (all.touched[t].body != row_) continue;
     for (std::uint32_t e = all.touched[t].begin; e < all.touched[t].end; ++e) {
       const std::uint32_t entry = all.entries[e], slot = entry / 2;

@@ -62,7 +62,28 @@ std::vector<ContactPoint> contact_points(const sim::World& world) {
   return world.state().def.method == sim::Method::kThesis ? thesis_points(world) : layered_points(world);
 }
 
+Result<std::vector<ContactPoint>> ContactSource::logged(std::uint64_t k) {
+  const Result<const StepRecord*> record = log_->read_step(k);
+  if (!record.ok()) return record.error();
+  const std::vector<EngineContact>& contacts = (*record)->extras.contacts;
+  if (contacts.empty()) {
+    return bad_input(log_->name() + ": the log of another engine holds no contacts of step " + std::to_string(k));
+  }
+  std::vector<ContactPoint> points;
+  for (const EngineContact& contact : contacts) {
+    ContactPoint point = {contact.a, std::nullopt, contact.position, contact.normal, contact.depth, contact.impulse};
+    if (contact.b != 0) {
+      point.b = contact.b;
+    } else {
+      point.normal = -contact.normal;  // from the world to the body
+    }
+    points.push_back(point);
+  }
+  return points;
+}
+
 Result<std::vector<ContactPoint>> ContactSource::read(std::uint64_t k) {
+  if (log_->header().engine) return logged(k);
   if (k <= log_->first_state()) return std::vector<ContactPoint>();
   if (!player_ || player_->world().state().step >= k || player_->world().state().step + kStepsOn < k) {
     player_.reset();

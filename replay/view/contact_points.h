@@ -24,17 +24,21 @@ struct ContactPoint {
 /// The contact points that the world's last step left.
 std::vector<ContactPoint> contact_points(const sim::World& world);
 
-/// Contact points of any step of a log that this build can step. No log of ours holds them: they are computed by
+/// Contact points of any step of a log. Another engine's log may hold them. No log of ours does: they are computed by
 /// stepping from the nearest keyframe, or on from the step asked for before.
 class ContactSource {
  public:
   /// `log` must outlive this object; others may read from it between two calls.
   explicit ContactSource(LogReader& log) : log_(&log) {}
 
-  /// Of step k of first_state() + 1 … last_step(); none for first_state(). Errors: Player::at's and Player::step's.
+  /// Of step k of first_state() … last_step(); none for the first state of ours. Errors: the log's; kBadInput: another
+  /// engine's log without contacts of this step; Player::at's and Player::step's; kCannotFinish where this build
+  /// computes another state than the log holds.
   Result<std::vector<ContactPoint>> read(std::uint64_t k);
 
  private:
+  Result<std::vector<ContactPoint>> logged(std::uint64_t k);
+
   LogReader* log_;
   std::optional<Player> player_;
 };

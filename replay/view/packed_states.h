@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "replay/view/body_table.h"
+#include "replay/view/viewed_bodies.h"
 #include "tumble/replay/body_states.h"
 
 namespace tumble::replay {

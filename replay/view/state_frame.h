@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "replay/view/body_table.h"
+#include "replay/view/viewed_bodies.h"
 #include "tumble/replay/body_states.h"
 
 namespace tumble::replay {

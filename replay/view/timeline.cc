@@ -45,7 +45,17 @@ std::uint32_t lacking(const Pairs& a, const Pairs& b) {
 
 }  // namespace
 
-TimelineScan::TimelineScan(LogReader& log, std::vector<MetricBound> bounds) : log_(&log), next_(log.first_state()) {
+std::vector<std::size_t> channel_columns(const LogHeader& header) {
+  std::vector<std::size_t> columns;
+  const std::vector<Channel>& channels = header.declared.channels;
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    if (channels[c].type.scope == ChannelScope::kWorld && is_number(channels[c].type.kind)) columns.push_back(c);
+  }
+  return columns;
+}
+
+TimelineScan::TimelineScan(LogReader& log, std::vector<MetricBound> bounds)
+    : log_(&log), channels_(channel_columns(log.header())), next_(log.first_state()) {
   source_.emplace(log);
   bounds_.emplace(log.header(), std::move(bounds));
 }
@@ -101,6 +111,11 @@ TimelineRow TimelineScan::next() {
   row.contacts = record_->counters.contacts;
   if (meter_) {
     for (const sim::Command& input : record_->inputs) meter_->apply(input);
+  }
+  for (const std::size_t c : channels_) {
+    const ChannelValues& values = record_->extras.values(c);
+    const ChannelKind kind = log_->header().declared.channels[c].type.kind;
+    row.channels.push_back(values.empty() ? kNotANumber : number_of(values.value(0, kind)));
   }
   measure(*record_, row);
   if (row.step == log_->first_state() && row.not_finite == 0) {  // no step led here, so nothing counted its energy

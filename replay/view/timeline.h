@@ -9,8 +9,8 @@
 
 #include "replay/measure/measure_state.h"
 #include "replay/session/state_source.h"
-#include "replay/view/body_table.h"
 #include "replay/view/bound_scan.h"
+#include "replay/view/viewed_bodies.h"
 #include "tumble/replay/log_reader.h"
 #include "tumble/replay/player.h"
 
@@ -31,9 +31,13 @@ struct TimelineRow {
   double speed_max = 0;            ///< m/s, of the bodies that are finite
   sim::BodyId speed_body = 0;      ///< that body; 0: none
   double height_max = 0;           ///< m, highest centre
+  std::vector<double> channels;    ///< by index in channel_columns(); NaN: no number in this step
   std::vector<BoundState> bounds;  ///< of BoundScan; empty: not judged
   double overlap = 0;              ///< m, deepest of two boxes, as `measure` defines overlap_max; NaN after a lost body
 };
+
+/// The channels that a timeline shows: numbers of the step as a whole. Indices in LogHeader::declared.channels.
+std::vector<std::size_t> channel_columns(const LogHeader& header);
 
 /// An input with its step.
 struct TimelineInput {
@@ -72,6 +76,7 @@ class TimelineScan {
   void measure(const StepRecord& record, TimelineRow& row);
 
   LogReader* log_;
+  std::vector<std::size_t> channels_;
   std::optional<StateSource> source_;
   std::optional<StateMeter> meter_;
   std::optional<BoundScan> bounds_;  // none after a step that could not be read: what came before is not known

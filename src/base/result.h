@@ -1,5 +1,9 @@
 #pragma once
 
+#ifdef __FAST_MATH__
+#error "results of Tumble are exact bits: compile without -ffast-math (-Ofast), which changes the arithmetic of the whole process"
+#endif
+
 #include <optional>
 #include <string>
 #include <utility>

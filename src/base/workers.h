@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <cstdint>
 
 namespace tumble {
 
@@ -21,10 +23,14 @@ class Workers {
   /// Calls task(context, part) for every part < parts at the same time and returns when all calls have returned.
   /// Precondition: parts <= count(). Tasks do not throw.
   virtual void run(unsigned parts, void (*task)(void* context, unsigned part), void* context) = 0;
+
+  /// Called by the task of a run, as often by each of its parts: returns when all parts have called, and then sees all
+  /// that they have written. Returns whether one of them passed true.
+  virtual bool meet(unsigned part, bool any) = 0;
 };
 
-/// Items that a part must have for a split to pay, as measured on two cores: bodies, and batches of eight manifolds.
-inline constexpr std::size_t kBodiesAPart = 32768, kBatchesAPart = 2048;
+/// Items that a part must have for a split to pay: bodies, batches of eight manifolds, manifolds.
+inline constexpr std::size_t kBodiesAPart = 1024, kBatchesAPart = 64, kManifoldsAPart = 512;
 
 /// The number of parts that n items are split into, so that each part has about `least` items or more.
 inline unsigned part_count(const Workers* workers, std::size_t n, std::size_t least) {
@@ -38,6 +44,93 @@ void for_parts(Workers* workers, unsigned parts, Visit visit) {
   if (parts <= 1) return visit(0U);
   workers->run(
       parts, [](void* context, unsigned part) { (*static_cast<Visit*>(context))(part); }, &visit);
+}
+
+/// Numbers that several workers read and write at a time. What else a worker has written is seen by others when they
+/// have met.
+namespace shared {
+
+template <class Number>
+Number read(Number& number) {
+  return std::atomic_ref(number).load(std::memory_order_relaxed);
+}
+template <class Number>
+void write(Number& number, Number x) {
+  std::atomic_ref(number).store(x, std::memory_order_relaxed);
+}
+/// Changes a number from `before` to `after`; false where it was another one.
+template <class Number>
+bool exchange(Number& number, Number before, Number after) {
+  return std::atomic_ref(number).compare_exchange_strong(before, after, std::memory_order_relaxed);
+}
+
+}  // namespace shared
+
+/// Sets a byte that several workers may set at a time, all to 1.
+inline void mark(std::uint8_t& byte) { shared::write(byte, std::uint8_t{1}); }
+
+/// One of the workers that do a task together and meet on the way.
+struct Worker {
+  Workers* all = nullptr;
+  unsigned part = 0, parts = 1;
+
+  /// Waits for the others; whether one of them passed true.
+  bool meet(bool any = false) const { return parts == 1 ? any : all->meet(part, any); }
+  [[nodiscard]] bool first() const { return part == 0; }
+
+  /// A range of items.
+  struct Share {
+    std::size_t begin = 0, end = 0;
+  };
+  /// This worker's range of n items; the first `of` workers have all of them.
+  [[nodiscard]] Share share(std::size_t n, unsigned of) const {
+    return part < of ? Share{n * part / of, n * (part + 1) / of} : Share{n, n};
+  }
+  [[nodiscard]] Share share(std::size_t n) const { return share(n, parts); }
+
+  /// Adds to a sum to which others add at the same time, and returns what it was. Sums of doubles must be exact.
+  template <class Number>
+  Number add(Number& sum, Number x) const {
+    if (parts > 1) return std::atomic_ref(sum).fetch_add(x, std::memory_order_relaxed);
+    const Number before = sum;
+    sum = before + x;
+    return before;
+  }
+  /// Changes a number from `before` to `after`; false where it was another one, which others may have set.
+  template <class Number>
+  bool exchange(Number& number, Number before, Number after) const {
+    if (parts > 1) return shared::exchange(number, before, after);
+    if (number != before) return false;
+    number = after;
+    return true;
+  }
+  /// Sets a number that others set at the same time, all to one value.
+  template <class Number>
+  void put(Number& number, Number x) const {
+    if (parts > 1) {
+      shared::write(number, x);
+    } else {
+      number = x;
+    }
+  }
+  /// Raises a maximum that others raise at the same time.
+  template <class Number>
+  void raise(Number& largest, Number x) const {
+    if (parts == 1) {
+      largest = std::max(largest, x);
+      return;
+    }
+    const std::atomic_ref shared(largest);
+    for (Number now = shared.load(std::memory_order_relaxed); now < x;) {
+      if (shared.compare_exchange_weak(now, x, std::memory_order_relaxed)) return;
+    }
+  }
+};
+
+/// Calls task(worker) for `parts` workers at the same time: one round, however often the workers meet.
+template <class Task>
+void work_together(Workers* workers, unsigned parts, Task task) {
+  for_parts(workers, parts, [&](unsigned part) { task(Worker{workers, part, parts}); });
 }
 
 /// Calls visit(begin, end) for consecutive ranges that make up [0, n), at the same time. A range has `least` items or

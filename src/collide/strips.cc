@@ -9,12 +9,11 @@
 namespace tumble::sim {
 namespace {
 
-constexpr double kStripWidth = 2;             // mean extents
-constexpr double kBinWidth = 0.125;           // mean extents
-constexpr double kBinReach = 1.01;            // bins; the product that finds one is rounded
-constexpr double kCrowd = 8;                  // boxes side by side in a strip, from which on the third axis pays
-constexpr std::size_t kFewBodies = 48;        // for which one strip is enough
-constexpr std::size_t kWorthEntries = 49152;  // that pay for one more worker
+constexpr double kStripWidth = 2;       // mean extents
+constexpr double kBinWidth = 0.125;     // mean extents
+constexpr double kBinReach = 1.01;      // bins; the product that finds one is rounded
+constexpr double kCrowd = 8;            // boxes side by side in a strip, from which on the third axis pays
+constexpr std::size_t kFewBodies = 48;  // for which one strip is enough
 
 // The spread of the bodies along an axis.
 struct Spread {
@@ -24,21 +23,42 @@ struct Spread {
   [[nodiscard]] double extents() const { return extent > 0 ? range / extent : 0; }
 };
 
-Spread spread_along(const Scratch& scratch, int axis) {
-  const std::vector<double>& low = column_of(scratch.aabb_low, axis);
-  const std::vector<double>& high = column_of(scratch.aabb_high, axis);
-  double lowest = low.front(), highest = high.front(), extents = 0;
-  for (std::size_t i = 0; i < low.size(); ++i) {
-    lowest = std::min(lowest, low[i]);
-    highest = std::max(highest, high[i]);
-    extents += high[i] - low[i];
+// The spreads along the three axes. Each worker looks at a range of bodies; how the sums of extents are rounded changes
+// nothing but time.
+std::array<Spread, 3> find_spreads(Scratch& scratch) {
+  const std::size_t n = scratch.frames.size();
+  const unsigned parts = part_count(scratch.workers, n, kBodiesAPart);
+  std::vector<SweepScratch::Extents>& found = scratch.sweep.extents;
+  found.resize(std::size_t{parts} * 3);
+  work_together(scratch.workers, parts, [&](const Worker& worker) {
+    const Worker::Share share = worker.share(n);
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::vector<double>& low = column_of(scratch.aabb_low, axis);
+      const std::vector<double>& high = column_of(scratch.aabb_high, axis);
+      SweepScratch::Extents of = {low[share.begin], high[share.begin], 0};
+      for (std::size_t i = share.begin; i < share.end; ++i) {
+        of.lowest = std::min(of.lowest, low[i]);
+        of.highest = std::max(of.highest, high[i]);
+        of.sum += high[i] - low[i];
+      }
+      found[worker.part * 3 + static_cast<unsigned>(axis)] = of;
+    }
+  });
+  std::array<Spread, 3> spreads;
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    SweepScratch::Extents all = found[axis];
+    for (unsigned part = 1; part < parts; ++part) {
+      const SweepScratch::Extents& of = found[part * 3 + axis];
+      all = {std::min(all.lowest, of.lowest), std::max(all.highest, of.highest), all.sum + of.sum};
+    }
+    spreads[axis] = {static_cast<int>(axis), all.lowest, all.highest - all.lowest, all.sum / static_cast<double>(n)};
   }
-  return {axis, lowest, highest - lowest, extents / static_cast<double>(low.size())};
+  return spreads;
 }
 
 // The three axes, longest first, equals in their order: std::stable_sort would allocate.
-std::array<Spread, 3> longest_first(const Scratch& scratch) {
-  std::array<Spread, 3> axes = {spread_along(scratch, 0), spread_along(scratch, 1), spread_along(scratch, 2)};
+std::array<Spread, 3> longest_first(Scratch& scratch) {
+  std::array<Spread, 3> axes = find_spreads(scratch);
   const auto put_in_order = [](Spread& x, Spread& y) {
     if (y.extents() > x.extents()) std::swap(x, y);
   };
@@ -59,9 +79,15 @@ struct Strips {
 };
 
 // The number of entries: one for each strip that each box reaches.
-std::size_t entries_in(const Strips& strips, const std::vector<double>& low, const std::vector<double>& high) {
+std::size_t entries_in(const Strips& strips, const std::vector<double>& low, const std::vector<double>& high,
+                       Workers* workers) {
   std::size_t entries = 0;
-  for (std::size_t i = 0; i < low.size(); ++i) entries += strips.of(high[i]) - strips.of(low[i]) + 1;
+  work_together(workers, part_count(workers, low.size(), kBodiesAPart), [&](const Worker& worker) {
+    const Worker::Share share = worker.share(low.size());
+    std::size_t here = 0;
+    for (std::size_t i = share.begin; i < share.end; ++i) here += strips.of(high[i]) - strips.of(low[i]) + 1;
+    worker.add(entries, here);
+  });
   return entries;
 }
 
@@ -78,17 +104,29 @@ Strips lay_strips(const Scratch& scratch, const Spread& spread, double most) {
   const std::vector<double>& high = column_of(scratch.aabb_high, spread.axis);
   if (n < kFewBodies || !(spread.extent > 0)) return one_strip(spread);
   double width = std::max(kStripWidth * spread.extent, spread.range / most);
-  while (entries_in(strips_of_width(spread, width), low, high) > 2 * n) width *= 2;
+  while (entries_in(strips_of_width(spread, width), low, high, scratch.workers) > 2 * n) width *= 2;
   return strips_of_width(spread, width);
 }
 
-// Sorts the bodies by their low ends along the first axis, to within a bin: enough for a sweep, in linear time.
-void sort_into_bins(SweepScratch& sweep, const std::vector<double>& low, const Strips& bins) {
-  sweep.start.assign(bins.count + 1, 0);
-  for (const double x : low) ++sweep.start[bins.of(x) + 1];
-  for (std::uint32_t k = 0; k < bins.count; ++k) sweep.start[k + 1] += sweep.start[k];
-  sweep.order.resize(low.size());
-  for (BodyIndex i = 0; i < low.size(); ++i) sweep.order[sweep.start[bins.of(low[i])]++] = i;
+// Sorts the bodies by their low ends along the first axis, to within a bin: enough for a sweep, in linear time. Several
+// workers fill a bin in any order.
+void sort_into_bins(SweepScratch& sweep, const std::vector<double>& low, const Strips& bins, const Worker& worker) {
+  const Worker::Share share = worker.share(low.size());
+  if (worker.first()) {
+    sweep.start.assign(bins.count + 1, 0);
+    sweep.order.resize(low.size());
+  }
+  worker.meet();
+  for (std::size_t i = share.begin; i < share.end; ++i) worker.add(sweep.start[bins.of(low[i]) + 1], 1U);
+  worker.meet();
+  if (worker.first()) {
+    for (std::uint32_t k = 0; k < bins.count; ++k) sweep.start[k + 1] += sweep.start[k];
+  }
+  worker.meet();
+  for (auto i = static_cast<BodyIndex>(share.begin); i < share.end; ++i) {
+    sweep.order[worker.add(sweep.start[bins.of(low[i])], 1U)] = i;
+  }
+  worker.meet();
 }
 
 // Cells: crossings of a strip across the second axis with a strip across the third.
@@ -108,18 +146,38 @@ void for_cells(const Cells& cells, const SweepScratch::Box& box, Visit visit) {
   }
 }
 
-// Entries cell by cell, each cell in swept order.
-void fill_cells(SweepScratch& sweep, const Cells& cells) {
-  sweep.cell_start.assign(cells.count() + 1, 0);
-  for (const SweepScratch::Box& box : sweep.boxes)
-    for_cells(cells, box, [&](std::uint32_t c) { ++sweep.cell_start[c + 1]; });
-  for (std::uint32_t c = 0; c < cells.count(); ++c) sweep.cell_start[c + 1] += sweep.cell_start[c];
-  sweep.next.assign(sweep.cell_start.begin(), sweep.cell_start.end() - 1);
-  sweep.entries.resize(sweep.cell_start.back());
-  for (std::size_t k = 0; k < sweep.boxes.size(); ++k) {
-    const SweepScratch::Box& box = sweep.boxes[k];
-    for_cells(cells, box, [&](std::uint32_t c) { sweep.entries[sweep.next[c]++] = {box, sweep.order[k]}; });
+// Entries cell by cell, each cell in swept order. Each worker counts and places those of a range of boxes.
+void fill_cells(SweepScratch& sweep, const Cells& cells, const Worker& worker) {
+  const std::size_t count = cells.count();
+  const Worker::Share share = worker.share(sweep.boxes.size());
+  if (worker.first()) {
+    sweep.cell_start.resize(count + 1);
+    sweep.next.resize(count * worker.parts);
   }
+  worker.meet();
+  std::uint32_t* const next = sweep.next.data() + worker.part * count;
+  std::fill_n(next, count, 0U);
+  for (std::size_t k = share.begin; k < share.end; ++k) {
+    for_cells(cells, sweep.boxes[k], [&](std::uint32_t c) { ++next[c]; });
+  }
+  worker.meet();
+  if (worker.first()) {
+    std::uint32_t begin = 0;
+    for (std::size_t c = 0; c < count; ++c) {
+      sweep.cell_start[c] = begin;
+      for (std::size_t part = 0; part < worker.parts; ++part) {
+        begin += std::exchange(sweep.next[part * count + c], begin);
+      }
+    }
+    sweep.cell_start[count] = begin;
+    sweep.entries.resize(begin);
+  }
+  worker.meet();
+  for (std::size_t k = share.begin; k < share.end; ++k) {
+    const SweepScratch::Box& box = sweep.boxes[k];
+    for_cells(cells, box, [&](std::uint32_t c) { sweep.entries[next[c]++] = {box, sweep.order[k]}; });
+  }
+  worker.meet();
 }
 
 // Finds the pairs of one cell. Entries are sorted to within `bin`, m, so the sweep looks that much farther, and tests
@@ -145,53 +203,55 @@ void sweep_cell(const SweepScratch& sweep, const Cells& cells, std::uint32_t cel
   }
 }
 
-void gather_boxes(Scratch& scratch, int first, int second, int third) {
+void gather_boxes(Scratch& scratch, int first, int second, int third, const Worker::Share& share) {
   SweepScratch& sweep = scratch.sweep;
   const auto &low1 = column_of(scratch.aabb_low, first), &high1 = column_of(scratch.aabb_high, first);
   const auto &low2 = column_of(scratch.aabb_low, second), &high2 = column_of(scratch.aabb_high, second);
   const auto &low3 = column_of(scratch.aabb_low, third), &high3 = column_of(scratch.aabb_high, third);
-  sweep.boxes.resize(sweep.order.size());
-  for (std::size_t k = 0; k < sweep.order.size(); ++k) {
+  for (std::size_t k = share.begin; k < share.end; ++k) {
     const BodyIndex i = sweep.order[k];
     sweep.boxes[k] = {low1[i], high1[i], low2[i], high2[i], low3[i], high3[i]};
   }
 }
 
 // Gives each worker cells with about one number of entries.
-void sweep_cells(Scratch& scratch, const Cells& cells, double bin) {
-  SweepScratch& sweep = scratch.sweep;
-  const unsigned parts = part_count(scratch.workers, sweep.entries.size(), kWorthEntries);
+void sweep_cells(SweepScratch& sweep, const Cells& cells, double bin, const Worker& worker) {
   const std::vector<std::uint32_t>& start = sweep.cell_start;
   const auto first_cell = [&](unsigned part) {
-    const std::size_t entry = sweep.entries.size() * part / parts;
+    const std::size_t entry = sweep.entries.size() * part / worker.parts;
     return static_cast<std::uint32_t>(std::lower_bound(start.begin(), start.end() - 1, entry) - start.begin());
   };
-  if (sweep.found_by.size() < parts) sweep.found_by.resize(parts);
-  for_parts(scratch.workers, parts, [&](unsigned part) {
-    FoundPairs& found = part == 0 ? sweep.found : sweep.found_by[part];
-    found.clear();
-    const std::uint32_t end = part + 1 == parts ? cells.count() : first_cell(part + 1);
-    for (std::uint32_t c = first_cell(part); c < end; ++c) sweep_cell(sweep, cells, c, bin, found);
-  });
-  for (unsigned part = 1; part < parts; ++part) {
-    sweep.found.insert(sweep.found.end(), sweep.found_by[part].begin(), sweep.found_by[part].end());
-  }
+  FoundPairs& found = sweep.found_by[worker.part];
+  found.clear();
+  const std::uint32_t end = worker.part + 1 == worker.parts ? cells.count() : first_cell(worker.part + 1);
+  for (std::uint32_t c = first_cell(worker.part); c < end; ++c) sweep_cell(sweep, cells, c, bin, found);
 }
 
 void find_in_cells(Scratch& scratch) {
   SweepScratch& sweep = scratch.sweep;
-  const auto n = static_cast<double>(scratch.frames.size());
+  const std::size_t n = scratch.frames.size();
+  const auto bodies = static_cast<double>(n);
   const std::array<Spread, 3> axes = longest_first(scratch);
   const Spread& first = axes[0];
-  const double bin = std::max(kBinWidth * first.extent, first.range / (4 * n));
+  const double bin = std::max(kBinWidth * first.extent, first.range / (4 * bodies));
   const Strips bins = strips_of_width(first, bin > 0 ? bin : 1);
-  sort_into_bins(sweep, column_of(scratch.aabb_low, first.axis), bins);
-  gather_boxes(scratch, first.axis, axes[1].axis, axes[2].axis);
-  Cells cells = {lay_strips(scratch, axes[1], n), one_strip(axes[2])};
-  const double crowd = n / (std::max(1.0, first.extents()) * cells.second.count);
-  if (crowd > kCrowd) cells.third = lay_strips(scratch, axes[2], 2 * n / cells.second.count);
-  fill_cells(sweep, cells);
-  sweep_cells(scratch, cells, kBinReach * bins.width);
+  Cells cells = {lay_strips(scratch, axes[1], bodies), one_strip(axes[2])};
+  const double crowd = bodies / (std::max(1.0, first.extents()) * cells.second.count);
+  if (crowd > kCrowd) cells.third = lay_strips(scratch, axes[2], 2 * bodies / cells.second.count);
+  sweep.boxes.resize(n);
+  const unsigned parts = part_count(scratch.workers, n, kBodiesAPart);
+  if (sweep.found_by.size() < parts) sweep.found_by.resize(parts);
+  std::swap(sweep.found, sweep.found_by[0]);
+  work_together(scratch.workers, parts, [&](const Worker& worker) {
+    sort_into_bins(sweep, column_of(scratch.aabb_low, first.axis), bins, worker);
+    gather_boxes(scratch, first.axis, axes[1].axis, axes[2].axis, worker.share(n));
+    fill_cells(sweep, cells, worker);
+    sweep_cells(sweep, cells, kBinReach * bins.width, worker);
+  });
+  std::swap(sweep.found, sweep.found_by[0]);
+  for (unsigned part = 1; part < parts; ++part) {
+    sweep.found.insert(sweep.found.end(), sweep.found_by[part].begin(), sweep.found_by[part].end());
+  }
 }
 
 }  // namespace
@@ -202,10 +262,15 @@ void find_overlaps_in_strips(Scratch& scratch, PairTable& pairs) {
   if (!scratch.frames.empty()) find_in_cells(scratch);
   sort_pairs(scratch);
   pairs.a.resize(sweep.partner.size());
-  for (BodyIndex a = 0; a + 1 < sweep.start.size(); ++a) {
-    std::fill(pairs.a.begin() + sweep.start[a], pairs.a.begin() + sweep.start[a + 1], a);
-  }
-  pairs.b = sweep.partner;
+  pairs.b.resize(sweep.partner.size());
+  for_ranges(scratch.workers, scratch.frames.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+    for (auto a = static_cast<BodyIndex>(begin); a < end; ++a) {
+      for (std::uint32_t k = sweep.start[a]; k < sweep.start[a + 1]; ++k) {
+        pairs.a[k] = a;
+        pairs.b[k] = sweep.partner[k];
+      }
+    }
+  });
   pairs.planes.assign(sweep.partner.size(), 0);
 }
 

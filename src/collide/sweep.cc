@@ -161,14 +161,23 @@ Status check_crowd(const Scratch& scratch) {
 void sort_pairs(Scratch& scratch) {
   SweepScratch& sweep = scratch.sweep;
   const std::size_t n = scratch.frames.size();
+  const std::size_t found = sweep.found.size();
   sweep.start.assign(n + 1, 0);
-  for (const auto& pair : sweep.found) ++sweep.start[pair.first + 1];
-  for (std::size_t a = 0; a < n; ++a) sweep.start[a + 1] += sweep.start[a];
-  sweep.partner.resize(sweep.found.size());
-  sweep.next.assign(sweep.start.begin(), sweep.start.end() - 1);
-  for (const auto& pair : sweep.found) sweep.partner[sweep.next[pair.first]++] = pair.second;
-  for_ranges(scratch.workers, n, kBodiesAPart, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t a = begin; a < end; ++a) {
+  sweep.partner.resize(found);
+  work_together(scratch.workers, part_count(scratch.workers, n, kBodiesAPart), [&](const Worker& worker) {
+    const Worker::Share pairs = worker.share(found), bodies = worker.share(n);
+    for (std::size_t k = pairs.begin; k < pairs.end; ++k) worker.add(sweep.start[sweep.found[k].first + 1], 1U);
+    worker.meet();
+    if (worker.first()) {
+      for (std::size_t a = 0; a < n; ++a) sweep.start[a + 1] += sweep.start[a];
+      sweep.next.assign(sweep.start.begin(), sweep.start.end() - 1);
+    }
+    worker.meet();
+    for (std::size_t k = pairs.begin; k < pairs.end; ++k) {
+      sweep.partner[worker.add(sweep.next[sweep.found[k].first], 1U)] = sweep.found[k].second;
+    }
+    worker.meet();
+    for (std::size_t a = bodies.begin; a < bodies.end; ++a) {
       std::sort(sweep.partner.begin() + sweep.start[a], sweep.partner.begin() + sweep.start[a + 1]);
     }
   });

@@ -91,8 +91,30 @@ bool nothing_moves(const WorldState& state) {
 // Method layered: the number of points of the manifolds that were solved.
 std::uint32_t solved_points(const Scratch& scratch) {
   std::uint32_t count = 0;
-  for (const std::uint32_t k : scratch.layered) count += scratch.manifolds[k].count;
+  const std::size_t n = scratch.layered.size();
+  work_together(scratch.workers, part_count(scratch.workers, n, kManifoldsAPart), [&](const Worker& worker) {
+    const Worker::Share share = worker.share(n);
+    std::uint32_t here = 0;
+    for (std::size_t k = share.begin; k < share.end; ++k) here += scratch.manifolds[scratch.layered[k]].count;
+    worker.add(count, here);
+  });
   return count;
+}
+
+// total_energy(), whose terms several workers compute; they are added in the order of rows, since this sum is rounded.
+Energy energy_at_end(const WorldState& state, Scratch& scratch) {
+  const std::size_t n = state.bodies.size();
+  if (part_count(scratch.workers, n, kBodiesAPart) == 1) return total_energy(state);
+  scratch.energies.resize(n);
+  for_ranges(scratch.workers, n, kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) scratch.energies[i] = energy_of(state, i);
+  });
+  Energy energy;
+  for (const Energy& of : scratch.energies) {
+    energy.kinetic += of.kinetic;
+    energy.potential += of.potential;
+  }
+  return energy;
 }
 
 // Whether more than `most` bodies fall into the ground within dt_s; the trial phases of method thesis would find them
@@ -247,7 +269,7 @@ Result<StepCounters> step(World& world, Observer* observer) {
 
   StepCounters counters = run.counters();
   if (world.state().def.method == Method::kLayered) counters.contacts = solved_points(world.scratch());
-  const Energy energy = total_energy(world.state());
+  const Energy energy = energy_at_end(world.state(), world.mutable_scratch());
   counters.pairs = static_cast<std::uint32_t>(world.state().pairs.size());
   counters.kinetic = energy.kinetic;
   counters.potential = energy.potential;

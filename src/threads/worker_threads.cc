@@ -1,5 +1,6 @@
 #include "tumble/threads/worker_threads.h"
 
+#include <chrono>
 #include <system_error>
 
 #include "src/base/check.h"
@@ -9,17 +10,28 @@ namespace {
 
 constexpr int kPolls = 4000;  // some 50 µs: longer than most work between two splits
 
+constexpr std::chrono::microseconds kNap(20);
+
 void pause_processor() {
 #if defined(__x86_64__) || defined(__i386__)
   __builtin_ia32_pause();
 #endif
 }
 
+// A meeting and two flags, of this meeting and of the one before, in one word. A worker may arrive at the next meeting
+// while others still read the flag of this one, but not at the one after that.
+constexpr unsigned kFlags = 2;
+constexpr std::uint32_t flag_of(std::uint32_t meeting) { return 1U << (meeting & 1U); }
+// Numbers of meetings wrap around.
+constexpr bool has_arrived(std::uint32_t at, std::uint32_t meeting) {
+  return static_cast<std::int32_t>(at - (meeting << kFlags)) >= 0;
+}
+
 }  // namespace
 
 // With more threads than processors a polling thread would take the time of a working one.
 WorkerThreads::WorkerThreads(unsigned count, Split split)
-    : split_(split), polls_(count <= std::thread::hardware_concurrency() ? kPolls : 0) {
+    : split_(split), polls_(count <= std::thread::hardware_concurrency() ? kPolls : 0), places_(count) {
   SIM_CHECK(count >= 1, count);
   threads_.reserve(count - 1);
   try {
@@ -47,6 +59,27 @@ void WorkerThreads::run(unsigned parts, void (*task)(void* context, unsigned par
   task(context, 0);
   for (int k = 0; k < polls_ && busy_.load(std::memory_order_acquire) != 0; ++k) pause_processor();
   for (unsigned busy = 0; (busy = busy_.load(std::memory_order_acquire)) != 0;) busy_.wait(busy);
+  meetings_ = places_[0].at.load(std::memory_order_relaxed) >> kFlags;
+}
+
+bool WorkerThreads::meet(unsigned part, bool any) {
+  std::atomic<std::uint32_t>& own = places_[part].at;
+  const std::uint32_t before = own.load(std::memory_order_relaxed);
+  const std::uint32_t meeting = (before >> kFlags) + 1, flag = flag_of(meeting);
+  const std::uint32_t kept = before & (flag ^ ((1U << kFlags) - 1));
+  own.store(meeting << kFlags | kept | (any ? flag : 0U), std::memory_order_release);
+  for (unsigned other = 0; other < parts_; ++other) {
+    if (other == part) continue;
+    wait_for(places_[other], meeting);
+    any |= (places_[other].at.load(std::memory_order_relaxed) & flag) != 0;
+  }
+  return any;
+}
+
+// The others are at work on the same round. A worker that waits for long has taken the processor of another one.
+void WorkerThreads::wait_for(const Place& place, std::uint32_t meeting) const {
+  for (int k = 0; k < polls_ && !has_arrived(place.at.load(std::memory_order_acquire), meeting); ++k) pause_processor();
+  while (!has_arrived(place.at.load(std::memory_order_acquire), meeting)) std::this_thread::sleep_for(kNap);
 }
 
 void WorkerThreads::work(unsigned worker) {
@@ -54,6 +87,8 @@ void WorkerThreads::work(unsigned worker) {
     for (int k = 0; k < polls_ && round_.load(std::memory_order_acquire) == seen; ++k) pause_processor();
     round_.wait(seen, std::memory_order_acquire);
     if (stop_) return;
+    // A worker that was not needed has missed meetings.
+    places_[worker].at.store(meetings_ << kFlags, std::memory_order_relaxed);
     if (worker < parts_) task_(context_, worker);
     if (busy_.fetch_sub(1, std::memory_order_acq_rel) == 1) busy_.notify_one();
   }

@@ -26,9 +26,17 @@ class WorkerThreads : public Workers {
   [[nodiscard]] unsigned count() const override { return static_cast<unsigned>(threads_.size()) + 1; }
   [[nodiscard]] std::size_t worth(std::size_t least) const override { return split_ == Split::kEverything ? 1 : least; }
   void run(unsigned parts, void (*task)(void* context, unsigned part), void* context) override;
+  bool meet(unsigned part, bool any) override;
 
  private:
+  // Where a worker has arrived: the number of its last meeting, and what it said at that one and the one before. A line
+  // of its own, which only this worker writes.
+  struct alignas(64) Place {
+    std::atomic<std::uint32_t> at = 0;
+  };
+
   void work(unsigned worker);
+  void wait_for(const Place& place, std::uint32_t meeting) const;
 
   Split split_;
   int polls_;  // of a counter before sleeping
@@ -36,9 +44,11 @@ class WorkerThreads : public Workers {
   void (*task_)(void*, unsigned) = nullptr;
   void* context_ = nullptr;
   unsigned parts_ = 0;
+  std::uint32_t meetings_ = 0;  // before the round
   bool stop_ = false;
   alignas(64) std::atomic<std::uint32_t> round_ = 0;
   alignas(64) std::atomic<unsigned> busy_ = 0;  // threads that have not finished the round
+  std::vector<Place> places_;                   // by part
   std::vector<std::thread> threads_;
 };
 

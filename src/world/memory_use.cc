@@ -40,12 +40,13 @@ std::size_t held(const Contacts& c) {
 }
 std::size_t held(const ManifoldList& list) { return held_by(list.manifolds, list.points, list.fast_pairs); }
 std::size_t held(const ContactBatches& b) {
-  return held_by(b.batches, b.points, b.layer_start, b.place, b.order, b.touched, b.touched_start, b.entries,
-                 b.outcomes);
+  std::size_t uses = held(b.uses);
+  for (const std::vector<std::uint32_t>& of_worker : b.uses) uses += held(of_worker);
+  return uses + held_by(b.batches, b.points, b.layer_start, b.place, b.order, b.touched, b.touched_start, b.touched_end,
+                        b.counts, b.entries, b.outcomes);
 }
 std::size_t held(const FastContacts& f) {
-  return held_by(f.pairs, f.bodies, f.place, f.approaches, f.found, f.memory, f.batches, f.batches.uses, f.members,
-                 f.merged);
+  return held_by(f.pairs, f.bodies, f.place, f.approaches, f.found, f.memory, f.batches, f.members, f.merged);
 }
 std::size_t held(const SavedMotion& s) { return held_by(s.position, s.velocity, s.spin, s.orientation, s.pairs); }
 
@@ -67,7 +68,7 @@ void add_search(const Scratch& s, std::vector<MemoryPart>& parts) {
   parts.push_back({"boxes", GrowsWith::kBodies, held_by(s.frames, s.aabb_low, s.aabb_high, s.turning, s.framed)});
   parts.push_back({"sweep: order and cells", GrowsWith::kBodies,
                    held_by(sweep.order, sweep.judged, sweep.fat_low, sweep.fat_high, sweep.boxes, sweep.start,
-                           sweep.next, sweep.entries, sweep.cell_start)});
+                           sweep.next, sweep.entries, sweep.cell_start, sweep.extents)});
   parts.push_back({"sweep: pairs", GrowsWith::kPairs,
                    held_by(sweep.neighbours, sweep.found, sweep.partner, sweep.merged, s.old_planes) +
                        held_inside(sweep.found_by)});
@@ -79,16 +80,16 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
   parts.push_back(
       {"manifolds", GrowsWith::kContacts, held_by(s.manifolds, s.manifold_points) + held_inside(s.manifolds_by)});
   parts.push_back(
-      {"layers", GrowsWith::kContacts, held_by(s.layered, s.layer_start, s.sweep_groups, l.touching, l.neighbours)});
-  parts.push_back({"weights", GrowsWith::kContacts, held_by(w.found, w.supports, w.points)});
+      {"layers", GrowsWith::kContacts, held_by(s.layered, s.layer_start, s.sweep_groups, s.graph.links, s.graph.ends)});
+  parts.push_back({"weights", GrowsWith::kContacts, held_by(w.supports, w.meets) + held_inside(w.points)});
   parts.push_back({"batches", GrowsWith::kContacts, held_by(s.contact_batches, s.fast, s.overlaps.points)});
   parts.push_back({"solver's bodies", GrowsWith::kBodies,
-                   held_by(s.solver_bodies, s.solver_mass, s.lent_along, s.in_contact, s.held, s.contact_batches.uses,
-                           s.visits.moved, s.visits.due, s.overlaps.bodies)});
+                   held_by(s.solver_bodies, s.solver_mass, s.lent_along, s.in_contact, s.held, s.visits.moved,
+                           s.overlaps.bodies, s.energies)});
   parts.push_back({"levels, islands and sleep", GrowsWith::kBodies,
-                   held_by(s.level, l.start, l.next, l.front, l.reached, l.hard, l.marked, l.in_hard, w.start, w.next,
-                           w.waiting_for, w.ready, w.borne, w.moment_x, w.moment_y, w.treated, w.blows, w.first_blow,
-                           w.struck, w.stands, w.held, w.settled, w.upward, w.offered, s.island_links,
+                   held_by(s.level, l.next, l.marked, l.in_hard, s.graph.start, s.graph.next, s.waves.bodies,
+                           s.waves.start, w.start, w.waiting_for, w.meeting, w.borne, w.moment_x, w.moment_y, w.blows,
+                           w.first_blow, w.struck, w.stands, w.held, w.settled, w.upward, w.offered, s.island_links,
                            s.waking.disturbed, s.waking.wakes, s.sleeping.touching, s.sleeping.restless)});
 }
 

@@ -101,12 +101,8 @@ struct WakeScratch {
 
 /// Memory of assign_levels.
 struct LevelScratch {
-  std::vector<std::uint32_t> touching;        ///< manifolds that join two bodies
-  std::vector<std::uint32_t> start, next;     ///< by body, in `neighbours`; by layer while manifolds are sorted
-  std::vector<BodyIndex> neighbours;          ///< bodies that each body touches
-  std::vector<BodyIndex> front, reached;      ///< bodies of one level and of the next
-  std::vector<BodyIndex> hard;                ///< bodies that make an island hard, in order of manifolds
   std::vector<std::uint8_t> marked, in_hard;  ///< by the body that stands for an island; by body
+  std::vector<std::uint32_t> next;            ///< by worker and layer, while manifolds are sorted by layer
 };
 
 /// Memory of carry_weights.
@@ -134,13 +130,12 @@ struct WeightScratch {
     std::uint32_t next = 0;  ///< in `blows`, of the same body; kNoBlow after the last
   };
   static constexpr std::uint32_t kNoBlow = 0xffffffffU;
-  std::vector<Support> found;              ///< in the order of the layers
-  std::vector<Support> supports;           ///< by upper body
-  std::vector<std::uint32_t> start, next;  ///< by body, in `supports`
-  std::vector<SupportPoint> points;        ///< under one body at a time
-  std::vector<std::uint32_t> waiting_for;  ///< by body: supports above that have not passed on their weight
-  std::vector<BodyIndex> ready;            ///< bodies whose supports above have all passed on their weight
-  std::vector<BodyIndex> treated;          ///< bodies that have passed on theirs, each after all above
+  std::vector<Support> supports;                  ///< by upper body
+  std::vector<std::uint32_t> start;               ///< by body, in `supports`
+  std::vector<std::vector<SupportPoint>> points;  ///< by worker: under one body at a time
+  std::vector<std::uint32_t> waiting_for;         ///< by body: supports above that have not passed on their weight
+  std::vector<std::uint8_t> meets;                ///< by manifold: one of its points approaches fast
+  std::vector<std::uint32_t> meeting;             ///< by worker: number of such manifolds
   std::vector<Blow> blows;
   std::vector<std::uint32_t> first_blow;  ///< by body, in `blows`
   std::vector<std::uint8_t> struck;       ///< by body: hit from below or from the side

@@ -54,7 +54,11 @@ struct SweepScratch {
   Vec3Column fat_low, fat_high;   ///< fat AABBs
   FoundPairs neighbours;          ///< pairs whose fat AABBs overlap, ascending
   FoundPairs found;
-  std::vector<FoundPairs> found_by;        ///< by worker, except the first
+  std::vector<FoundPairs> found_by;  ///< by worker; the first one's are `found`
+  struct Extents {
+    double lowest = 0, highest = 0, sum = 0;  ///< m; of ends, and of the extents of boxes
+  };
+  std::vector<Extents> extents;            ///< by worker and axis
   std::vector<std::uint32_t> start, next;  ///< by body a, in `partner`
   std::vector<BodyIndex> partner;
   PairTable merged;
@@ -85,14 +89,15 @@ struct alignas(64) Outcome {
 struct ContactBatches {
   std::vector<ContactBatch> batches;
   std::vector<PointBatch> points;
-  std::vector<std::uint32_t> layer_start;    ///< by layer, in `batches`
-  std::vector<std::uint32_t> place;          ///< by manifold: kLanes times batch plus lane
-  std::vector<std::uint32_t> order;          ///< the manifolds, batch by batch
-  std::vector<BodyOutcomes> touched;         ///< moving bodies in each layer, layer by layer
-  std::vector<std::uint32_t> touched_start;  ///< by layer, in `touched`
-  std::vector<std::uint32_t> entries;        ///< rows of `outcomes`, body by body
-  std::vector<std::uint32_t> uses;           ///< by body, while a layer is counted
-  std::vector<Outcome> outcomes;             ///< of one layer at a time
+  std::vector<std::uint32_t> layer_start;                 ///< by layer, in `batches`
+  std::vector<std::uint32_t> place;                       ///< by manifold: kLanes times batch plus lane
+  std::vector<std::uint32_t> order;                       ///< the manifolds, batch by batch
+  std::vector<BodyOutcomes> touched;                      ///< moving bodies in each layer, layer by layer
+  std::vector<std::uint32_t> touched_start, touched_end;  ///< by layer, in `touched`
+  std::vector<std::uint32_t> entries;                     ///< rows of `outcomes`, body by body
+  std::vector<std::vector<std::uint32_t>> uses;           ///< by worker and body, while a layer is counted
+  std::vector<std::uint32_t> counts;                      ///< by batch, points, while batches are filled
+  std::vector<Outcome> outcomes;                          ///< of one layer at a time
 };
 
 /// Layers with one number of sweeps. No moving body is in two groups. Written by assign_levels.
@@ -100,6 +105,30 @@ struct SweepGroup {
   std::uint32_t begin = 0, end = 0;  ///< layers
   int sweeps = 1;
   bool hard = false;  ///< hard islands (assign_levels)
+};
+
+/// The awake contacts of each body, found again in every step (contact_graph.h).
+struct ContactGraph {
+  /// What the order of contacts needs to know of a manifold, in few bytes.
+  struct Link {
+    BodyIndex a = kGround, b = 0;  ///< as in the manifold
+    std::uint32_t layer = 0;
+    std::uint8_t count = 0;  ///< points
+    bool awake = false;
+    bool touches = false;   ///< has a point that touches
+    std::int8_t upper = 0;  ///< which body the other one supports: 1: b, −1: a, 0: neither
+  };
+  std::vector<Link> links;           ///< by manifold
+  std::vector<std::uint32_t> start;  ///< by body, in `ends`
+  std::vector<std::uint32_t> ends;   ///< body by body, ascending: 2 · manifold + (1 where the body is b)
+  std::vector<std::uint32_t> next;   ///< by body, while `ends` is filled
+};
+
+/// Bodies in waves (waves.h).
+struct WaveScratch {
+  std::vector<BodyIndex> bodies;     ///< wave by wave
+  std::vector<std::uint32_t> start;  ///< by wave, in `bodies`; one more at the end
+  std::uint32_t pushed[3] = {};      ///< bodies of three waves that follow one another
 };
 
 /// A pair of bodies (lower row, higher row), or a body and kGround.
@@ -158,7 +187,6 @@ struct FastContacts {
 /// Which bodies the sweeps of a step have moved; ContactWork::visit.
 struct VisitScratch {
   std::vector<std::uint32_t> moved;  ///< by row of solver_bodies: number of the last visit that moved the body
-  std::vector<std::uint8_t> due;     ///< by batch of a layer, 1: its range had a contact to solve; with workers
   std::uint32_t now = 0, first = 0;  ///< number of the last visit, and of the last one before the present sweeps
   double still = 0;                  ///< m/s or rad/s; smaller changes do not make a contact due again
 };
@@ -215,6 +243,8 @@ struct Scratch {
   std::vector<ManifoldPoint> manifold_points;
   std::vector<ManifoldList> manifolds_by;  ///< by worker
   bool found_again = false;                ///< whether wake_islands found the manifolds again
+  ContactGraph graph;                      ///< written by assign_levels
+  WaveScratch waves;                       ///< written by assign_levels, then by carry_weights
   std::vector<std::uint32_t> level;        ///< by body: contacts away from rest; written by assign_levels
   std::vector<std::uint32_t> layered;      ///< awake manifolds, layer by layer
   std::vector<std::uint32_t> layer_start;  ///< by layer, in `layered`
@@ -232,6 +262,8 @@ struct Scratch {
   LayerObserver* layers = nullptr;       ///< changes nothing; not owned; null: nobody looks
 
   std::uint32_t still_steps = 0;  ///< steps in a row without an input and without a body that could move
+
+  std::vector<Energy> energies;  ///< by body, at the end of a step; with workers
 
   double removed_energy = 0;            ///< J, dissipated in this step; written by apply_outcomes
   std::vector<SavedMotion> saved;       ///< by depth of halving; written by step

@@ -104,13 +104,19 @@ Hash128 continuation_hash(const WorldState& state) {
   return hasher.digest();
 }
 
-Energy total_energy(const WorldState& state) {
+Energy energy_of(const WorldState& state, BodyIndex i) {
   const Bodies& bodies = state.bodies;
+  if (bodies.is_static[i] != 0) return {};
+  return {bodies.frozen[i] == 0 ? kinetic_energy(bodies, i) : 0,
+          -(bodies.mass[i] * dot(state.def.gravity, bodies.position[i]))};
+}
+
+Energy total_energy(const WorldState& state) {
   Energy energy;
-  for (BodyIndex i = 0; i < bodies.size(); ++i) {
-    if (bodies.is_static[i] != 0) continue;
-    if (bodies.frozen[i] == 0) energy.kinetic += kinetic_energy(bodies, i);
-    energy.potential -= bodies.mass[i] * dot(state.def.gravity, bodies.position[i]);
+  for (BodyIndex i = 0; i < state.bodies.size(); ++i) {
+    const Energy of = energy_of(state, i);
+    energy.kinetic += of.kinetic;
+    energy.potential += of.potential;
   }
   return energy;
 }

@@ -130,5 +130,7 @@ struct Energy {
   double potential = 0;
 };
 Energy total_energy(const WorldState& state);
+/// Of one body: zeros for what does not count.
+Energy energy_of(const WorldState& state, BodyIndex i);
 
 }  // namespace tumble::sim

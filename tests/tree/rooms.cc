@@ -111,19 +111,28 @@ std::vector<Room> program() {
                      "replay/diff",   "replay/view",   "replay/blame",   "golden/suite",       "golden/expected",
                      "golden/judge",  "golden/engine", "golden/run",     "golden/canaries",    "golden/report",
                      "golden/bless",  "golden",        "src/files",      "src/process"};
+      kSim + Folders{"src/scenes",      "src/threads",   "src/render",     "src/render/picture", "replay/format",
+                     "replay/codec",    "replay/log",    "replay/session", "replay/measure",     "replay/recover",
+                     "replay/import",   "replay/stream", "replay/picture", "replay/diff",        "golden/suite",
+                     "golden/expected", "golden/judge",  "golden/run",     "golden/canaries",    "golden/report",
+                     "golden/bless",    "golden",        "src/files",      "src/process",        "replay/arrays",
+                     "replay/view",     "replay/blame",  "replay/probe",   "golden/engine"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
       {"tools/output", below},
       {"tools/files", below + Folders{"tools/output"}},
       {"tools/arguments", below + Folders{"tools/output", "tools/files"}},
+      {"tools/manual", above},
       {"tools/bisect", above},
       {"tools/bench", above},
       {"tools/engine", above},
       {"tools/compare", above + Folders{"tools/engine"}},
-      {"tools/view", above + Folders{"golden/report/page"}},
+      {"tools/view", above + Folders{"golden/report/page", "tools/compare"}},
       {"tools/commands", above + Folders{"tools/bisect", "tools/bench", "tools/engine", "tools/compare", "tools/view"}},
       {"tools", above + Folders{"tools/commands"}},
       {"tools/live", above + Folders{"src/render/gl", "src/render/scene", "replay/live", "tools"}},
+      {"tools/commands", above + Folders{"tools/bisect", "tools/bench"}},
+      {"tools", above + Folders{"tools/manual", "tools/commands"}},
   };
 }
 

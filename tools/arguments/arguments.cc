@@ -143,6 +143,26 @@ Argument Arguments::threads(std::optional<std::uint64_t>& target) {
 
 void Arguments::footer(const std::string& text) { app_->footer(text); }
 
+std::vector<ArgumentText> Arguments::listed() const {
+  std::vector<ArgumentText> arguments;
+  for (const CLI::Option* option : app_->get_options()) {
+    ArgumentText text;
+    for (const std::string& name : option->get_snames()) text.names.push_back('-' + name);
+    for (const std::string& name : option->get_lnames()) text.names.push_back("--" + name);
+    if (text.names.empty()) text.names.push_back(option->get_name());
+    text.sign = option->get_type_name();
+    text.description = option->get_description();
+    text.required = option->get_required();
+    text.repeats = option->get_items_expected_max() > 1;
+    arguments.push_back(std::move(text));
+  }
+  return arguments;
+}
+
+std::string Arguments::summary() const { return app_->get_description(); }
+
+std::string Arguments::footer() const { return app_->get_footer(); }
+
 Reading Arguments::read(const std::vector<std::string>& words) {
   try {
     app_->parse(std::vector<std::string>(words.rbegin(), words.rend()));  // last word first, as CLI11 wants

@@ -36,6 +36,17 @@ struct Reading {
   std::string text;  ///< kHelp: the help; kWrong: what was found and what is wanted
 };
 
+/// One declared argument, as help, a manual page and a shell's completion name it.
+struct ArgumentText {
+  std::vector<std::string> names;  ///< "-o", "--output"; one name without dashes: a positional
+  std::string sign;                ///< what stands for the value, as in "FILE"; empty: takes none, or a positional
+  std::string description;
+  bool required = false;
+  bool repeats = false;  ///< may be given more than once
+
+  [[nodiscard]] bool positional() const { return !names.front().starts_with('-'); }
+};
+
 /// Each target gets its value when read() finds the argument, keeps its own where it is not given, and must outlive the
 /// Arguments. Help lists arguments in the order of their declaration. `sign` stands for the value in help, as in
 /// "FILE".
@@ -73,6 +84,11 @@ class Arguments {
 
   /// Sets the text that help prints after the list of arguments: examples, exit statuses.
   void footer(const std::string& text);
+
+  /// All declared arguments in their order, and the texts before and after their list in help.
+  [[nodiscard]] std::vector<ArgumentText> listed() const;
+  [[nodiscard]] std::string summary() const;
+  [[nodiscard]] std::string footer() const;
 
   /// words: those after the command's name, in their order. May be called once.
   Reading read(const std::vector<std::string>& words);

@@ -17,6 +17,7 @@
 #include "src/base/check.h"
 #include "src/files/output_file.h"
 #include "src/process/run_child.h"
+#include "tools/files/data_folder.h"
 #include "tools/files/scene_files.h"
 #include "tumble/replay/step_record.h"
 #include "tumble/scenes/scene_file.h"
@@ -54,7 +55,7 @@ std::string build_folder() {
 }
 
 std::string bench_scene_path(const std::string& name) {
-  return std::string(TUMBLE_SOURCE_DIR) + "/bench/scenes/" + name + ".toml";
+  return (data_folder() / "bench" / "scenes" / (name + ".toml")).string();
 }
 
 Result<sim::SceneDef> bench_scene(const std::string& name, const std::vector<std::string>& overrides) {

@@ -19,6 +19,7 @@ struct BenchOptions {
   std::optional<double> budget;         ///< s of CPU, table1, accuracy: of each engine; runs beyond it are left out
   std::vector<std::string> scenes;      ///< peers: only scenes whose name begins so; memory: these; accuracy: the grid
   std::vector<std::string> engines;     ///< peers, accuracy: only these; table1: these besides ours
+  bool measure = false;                 ///< threads: measure two threads instead of estimating more
   bool large = false;                   ///< peers: scenes of 1600 bodies and more too
   std::string method;  ///< table1, scaling, memory; empty: table1 thesis, scaling layered, memory the scene's
   std::string plot;    ///< scaling: FILE.svg or FILE.png
@@ -39,7 +40,7 @@ Result<Exit> bench_program(const std::string& name, const std::vector<std::strin
 /// The build folder of this program, which has the programs of bench/.
 std::string build_folder();
 
-/// The scene bench/scenes/<name>.toml of the source folder.
+/// The scene bench/scenes/<name>.toml of data_folder().
 std::string bench_scene_path(const std::string& name);
 Result<sim::SceneDef> bench_scene(const std::string& name, const std::vector<std::string>& overrides);
 

@@ -38,7 +38,11 @@ Result<Exit> bench(const BenchOptions& options) {
   if (options.what == "memory") return bench_memory(options);
   if (options.what == "live") return bench_live(options);
   if (options.what == "phases") return bench_program("step_bench", {});
-  if (options.what == "threads") return bench_program("thread_model", options.scenes);
+  if (options.what == "threads") {
+    std::vector<std::string> words = options.scenes;
+    if (options.measure) words.emplace_back("--measure");
+    return bench_program("thread_model", words);
+  }
   if (options.what == "record") return bench_program("log_bench", {});
   if (options.what == "render") return bench_program("render_bench", {"brick_wall.tumble", "60", "640", "480", "1"});
   return bad_input("found " + in_quotes(options.what) +
@@ -61,11 +65,13 @@ Action declare_bench(Arguments& arguments) {
   arguments.option(
       "--scene", "NAME", options->scenes,
       "peers: only scenes whose name begins so; memory: SCENE; accuracy: grid_N (grid_20); threads: 6400, 25600, "
-      "102400, pile; may be repeated");
+      "102400, pile, large_pyramid; may be repeated");
   arguments.option(
       "--engine", "NAME", options->engines,
       "peers: only thesis, bullet, ode, mujoco or none beside ours; table1: these beside ours; accuracy: only thesis, "
       "layered, bullet or ode; may be repeated. Without it, engines that are not built are left out, and said");
+  arguments.flag("--measure", options->measure,
+                 "threads: measure two threads beside two copies of the program side by side");
   arguments.flag("--large", options->large, "peers: also the scenes of 1600 bodies and more");
   arguments.option("--method", "NAME", options->method,
                    "table1 (thesis), scaling (layered), memory (the scene's): another method");
@@ -85,6 +91,7 @@ Action declare_bench(Arguments& arguments) {
       "Times are CPU seconds of one thread. docs/performance.md explains the figures.\n\n"
       "Examples:\n"
       "  tumble bench peers --scene grid_20 --scene tower\n"
+      "  tumble bench threads --measure --scene large_pyramid\n"
       "  tumble bench table1 --budget 60 --engine bullet\n"
       "  tumble bench accuracy --engine thesis --save accuracy.json\n"
       "  tumble bench scaling --plot scaling.svg --save scaling.json");

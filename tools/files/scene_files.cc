@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "src/base/text.h"
+#include "tools/files/data_folder.h"
 
 namespace tumble::tools {
 namespace {
@@ -25,7 +26,7 @@ fs::path suite_folder() {
     error.clear();
     if (folder == folder.parent_path()) break;
   }
-  return fs::path(TUMBLE_SOURCE_DIR) / "golden";
+  return data_folder() / "golden";
 }
 
 bool looks_like_path(const std::string& text) { return text.find('/') != std::string::npos || text.ends_with(".toml"); }

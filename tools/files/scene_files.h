@@ -14,11 +14,11 @@ struct SceneFile {
 };
 
 /// The folder of the suite: the nearest `golden` with a folder `cases` in it from the current one upwards, else that of
-/// the source folder that the program was built from. Relative to the current folder where that is shorter.
+/// data_folder(). Relative to the current folder where that is shorter.
 std::string find_suite();
 
 /// The golden cases, by name: every `golden/cases/<name>/scene.toml` of the nearest folder `golden/cases` from the
-/// current one upwards, else of the source folder that the program was built from. Empty if there is neither.
+/// current one upwards, else of data_folder(). Empty if there is neither.
 std::vector<SceneFile> find_cases();
 
 /// SCENE as the command line gives it: a file, or a case's name. Errors (kBadInput): neither, with the nearest name.

@@ -215,7 +215,8 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
   json["same"] = false;
   std::string note = replay::phase_hash_note(a.header(), b.header());
   const bool held = a.header().hashes.holds(k) && b.header().hashes.holds(k);
-  if (note.empty() && !held) note = "phase hashes: a log holds none of step " + std::to_string(k) + ", so none compared";
+  if (note.empty() && !held)
+    note = "phase hashes: a log holds none of step " + std::to_string(k) + ", so none compared";
   json["note"] = note;
   json["values"] = values_json(in_a, in_b, kind);
   add_extra_differences(a, b, in_a, in_b, json["values"]);

@@ -58,7 +58,7 @@ class Packer {
     count_contacts_begun();
     std::string details = details_of({});
     const std::uint64_t left = options_.bytes_max - std::min<std::uint64_t>(options_.bytes_max, details.size());
-    const std::uint64_t contact_bytes = log_.header().engine ? 0 : left / kContactShare;
+    const std::uint64_t contact_bytes = left / kContactShare;
     std::string frames = fit_frames(left - contact_bytes);
     const Json contacts = contacts_within(contact_bytes);
     if (!contacts.empty()) details = details_of(contacts);
@@ -84,7 +84,7 @@ class Packer {
       rows_.push_back(row);
       if (!row.read && log_.lost_at(k) == nullptr && unread_++ == 0) why_unread_ = scan.why_not();
       const std::vector<sim::Command> inputs = scan.inputs();
-      table_.add(inputs);
+      if (scan.record() != nullptr) table_.add(inputs, scan.record()->extras);
       for (const sim::Command& input : inputs) inputs_.push_back({k, input});
       const bool kept = must_keep(k) || !inputs.empty();
       if (row.read && (kept || (k - log_.first_state()) % stride_ == 0)) {
@@ -161,7 +161,7 @@ class Packer {
       const bool kept = std::ranges::find(options_.keep, ordered[i]) != options_.keep.end();
       if (!kept && i % stride != 0) continue;
       const auto points = source.read(ordered[i]);
-      if (!points.ok()) break;
+      if (!points.ok()) continue;
       Json rows = contact_rows_json(*points);
       used += deflated(dumped(rows)).size();
       if (used > bytes_max) break;

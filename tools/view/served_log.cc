@@ -5,7 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "replay/blame/blame.h"
 #include "replay/view/state_frame.h"
+#include "tools/compare/blame_output.h"
 #include "tools/view/view_json.h"
 
 namespace tumble::tools {
@@ -54,6 +56,7 @@ void ServedLog::refresh() {
   }
   const Lock lock(found_);
   for (; inputs_seen_ < inputs_.size(); ++inputs_seen_) table_.add({inputs_[inputs_seen_].input});
+  for (const replay::Extras& extras : std::exchange(extras_, {})) table_.add({}, extras);
 }
 
 Json ServedLog::head() {
@@ -115,7 +118,7 @@ std::string ServedLog::frames(std::uint64_t first, std::uint64_t count, std::uin
     const Result<const replay::StepRecord*> record = states_->read(first);
     if (record.ok()) {
       // The table learns of throws from the step itself too, ahead of the second thread.
-      table_.add((*record)->inputs);
+      table_.add((*record)->inputs, (*record)->extras);
       replay::append_frame(first, replay::FrameStatus::kShown, &(*record)->states, table_, out);
     } else {
       const auto status = log_.holds(first) ? replay::FrameStatus::kUnread : replay::FrameStatus::kNotHeld;
@@ -138,9 +141,19 @@ Json ServedLog::body(std::uint64_t k, sim::BodyId id) {
   const Lock lock(reading_);
   const Result<const replay::StepRecord*> record = states_->read(k);
   if (!record.ok()) return {{"why_not", printable(record.error().message)}};
-  Json json = body_json(**record, id);
+  Json json = body_json(**record, id, log_.header().declared.channels);
   if (json.is_null()) return {{"why_not", "the state has no such body"}};
   return json;
+}
+
+Json ServedLog::blame(std::uint64_t k, sim::BodyId id, const std::string& field, std::uint32_t answers) {
+  const Lock lock(blaming_);
+  Result<replay::LogReader> log = replay::LogReader::open(path_);
+  if (!log.ok()) return {{"why_not", printable(log.error().message)}};
+  const Result<replay::Blame> account =
+      replay::blame(*log, {id, field, k, answers}, [this](std::uint64_t, std::uint64_t) { return !stop_; });
+  if (!account.ok()) return {{"why_not", printable(account.error().message)}};
+  return blame_json(*account);
 }
 
 Json ServedLog::way(sim::BodyId id) {
@@ -171,6 +184,7 @@ void ServedLog::work() {
       const Lock lock(found_);
       rows_.push_back(row);
       for (const sim::Command& input : inputs) inputs_.push_back({row.step, input});
+      if (scan.record() != nullptr && !scan.record()->extras.bodies.empty()) extras_.push_back(scan.record()->extras);
       if (scan.states() != nullptr) ways_.add(row.step, *scan.states());
       continue;
     }

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "replay/session/state_source.h"
-#include "replay/view/body_table.h"
 #include "replay/view/contact_points.h"
 #include "replay/view/timeline.h"
+#include "replay/view/viewed_bodies.h"
 #include "tools/output/text.h"
 #include "tools/view/body_ways.h"
 #include "tumble/replay/log_reader.h"
@@ -50,6 +50,9 @@ class ServedLog {
   Json contacts(std::uint64_t k);
   /// body_json(), or {"why_not"}.
   Json body(std::uint64_t k, sim::BodyId id);
+  /// blame_json() of a value, or {"why_not"}. Takes steps again, one question at a time; other questions go on
+  /// meanwhile.
+  Json blame(std::uint64_t k, sim::BodyId id, const std::string& field, std::uint32_t answers);
   /// {"id", "step", "at": [x, y, z, …]}: where the body was, as far as the timeline has been read.
   Json way(sim::BodyId id);
 
@@ -66,9 +69,12 @@ class ServedLog {
   replay::ViewedBodies table_;
   std::size_t inputs_seen_ = 0;  // of inputs_, in table_
 
+  std::mutex blaming_;
+
   std::mutex found_;  // guards what follows; locked after reading_
   std::vector<replay::TimelineRow> rows_;
   std::vector<replay::TimelineInput> inputs_;
+  std::vector<replay::Extras> extras_;  // names and shapes that table_ does not have yet
   std::vector<std::uint32_t> begun_;
   BodyWays ways_;
   bool timeline_done_ = false;

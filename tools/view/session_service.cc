@@ -1,5 +1,6 @@
 #include "tools/view/session_service.h"
 
+#include <algorithm>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -8,16 +9,18 @@
 #include "tools/view/difference_data.h"
 #include "tools/view/session_page.h"
 #include "tools/view/view_json.h"
+#include "tumble/replay/body_states.h"
 #include "tumble/sim/limits.h"
 
 namespace tumble::tools {
 namespace {
 
 constexpr std::uint64_t kFramesMax = 512;
+constexpr std::uint64_t kAnswersMax = 100;
 
 Reply refusal(int status, const std::string& words) { return {status, "application/json", dumped({{"error", words}})}; }
 
-/// The whole numbers of a request. Notes the first that is missing or out of range.
+/// The whole numbers and words of a request. Notes the first that is missing or out of range.
 class Numbers {
  public:
   explicit Numbers(const SessionService::Parameters& parameters) : parameters_(parameters) {}
@@ -32,6 +35,13 @@ class Numbers {
       return 0;
     }
     return number;
+  }
+  /// One of some words.
+  std::string word(const char* name, const std::vector<std::string>& words) {
+    const auto found = parameters_.find(name);
+    if (found != parameters_.end() && std::ranges::find(words, found->second) != words.end()) return found->second;
+    if (wrong_.empty()) wrong_ = std::string(name) + ": wanted one of the names that a body's numbers have";
+    return "";
   }
   [[nodiscard]] const std::string& wrong() const { return wrong_; }
 
@@ -54,6 +64,20 @@ Reply frames_of(ServedLog& log, Numbers& numbers) {
   if (!numbers.wrong().empty()) return refusal(400, numbers.wrong());
   if (stride == 0) return refusal(400, "stride: wanted at least 1");
   return {200, "application/octet-stream", log.frames(first, count, stride)};
+}
+
+/// The values of a body that can be asked about.
+std::vector<std::string> value_names() {
+  std::vector<std::string> names(replay::kColumnNames.begin(), replay::kColumnNames.end());
+  names.emplace_back("frozen");
+  return names;
+}
+
+Reply blame_of(ServedLog& log, Numbers& numbers) {
+  const std::uint64_t step = numbers.take("step", sim::kStepsMax), id = numbers.take("id", sim::kBodyIdMax);
+  const std::uint64_t back = numbers.take("back", kAnswersMax);
+  const std::string field = numbers.word("field", value_names());
+  return json_of(numbers, [&] { return log.blame(step, id, field, static_cast<std::uint32_t>(back)); });
 }
 
 const std::map<std::string, Question>& questions() {
@@ -82,6 +106,7 @@ const std::map<std::string, Question>& questions() {
          const std::uint64_t step = n.take("step", sim::kStepsMax), id = n.take("id", sim::kBodyIdMax);
          return json_of(n, [&] { return log.body(step, id); });
        }},
+      {"blame", blame_of},
       {"way",
        [](ServedLog& log, Numbers& n) {
          const std::uint64_t id = n.take("id", sim::kBodyIdMax);

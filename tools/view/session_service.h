@@ -26,7 +26,7 @@ struct Reply {
 /// does a bounded amount of work for each question. May be asked from any thread.
 ///
 ///   ""            the page            news?log=L         bodies?log=L      timeline?log=L&from=ROW
-///   begun?log=L&from=ROW
+///   begun?log=L&from=ROW              blame?log=L&step=K&id=ID&field=NAME&back=ANSWERS
 ///   frames?log=L&first=K&count=N&stride=S     contacts?log=L&step=K        body?log=L&step=K&id=ID
 ///   way?log=L&id=ID                   difference         head?log=L
 class SessionService {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <type_traits>
 #include <variant>
@@ -31,6 +32,21 @@ Json column(std::span<const Row> rows, Member member) {
   return numbers;
 }
 
+/// By channel: its values.
+Json channels_json(std::span<const replay::TimelineRow> rows) {
+  std::size_t count = 0;
+  for (const replay::TimelineRow& row : rows) count = std::max(count, row.channels.size());
+  Json channels = Json::array();
+  for (std::size_t c = 0; c < count; ++c) {
+    Json values = Json::array();
+    for (const replay::TimelineRow& row : rows) {
+      values.push_back(c < row.channels.size() ? short_json(row.channels[c]) : Json(nullptr));
+    }
+    channels.push_back(std::move(values));
+  }
+  return channels;
+}
+
 /// By bound: its values, and 1 for each step up to which it is broken; null where it is not judged.
 Json bounds_json(std::span<const replay::TimelineRow> rows) {
   std::size_t count = 0;
@@ -46,6 +62,23 @@ Json bounds_json(std::span<const replay::TimelineRow> rows) {
     bounds.push_back({{"value", values}, {"broken", broken}});
   }
   return bounds;
+}
+
+Json shape_json(const replay::Shape& shape) {
+  using Kind = replay::Shape::Kind;
+  static const std::map<Kind, const char*> kNames = {{Kind::kSphere, "sphere"},
+                                                     {Kind::kCapsule, "capsule"},
+                                                     {Kind::kCylinder, "cylinder"},
+                                                     {Kind::kHull, "hull"},
+                                                     {Kind::kMesh, "mesh"}};
+  Json points = Json::array();
+  for (const sim::Vec3& point : shape.points) {
+    for (int c = 0; c < 3; ++c) points.push_back(short_json(point[c]));
+  }
+  const auto name = kNames.find(shape.kind);
+  return {
+      {"kind", name == kNames.end() ? "box" : name->second}, {"axis", shape.axis}, {"radius", short_json(shape.radius)},
+      {"half_length", short_json(shape.half_length)},        {"points", points},   {"triangles", shape.triangles}};
 }
 
 std::string vector_text(const sim::Vec3& v, const char* unit) {
@@ -92,12 +125,19 @@ Json head_json(const replay::LogReader& log) {
   const replay::LogCondition& condition = log.condition();
   Json gaps = Json::array();
   for (const replay::StepGap& gap : replay::step_gaps(log)) gaps.push_back({gap.first, gap.last, gap.why});
-  return {{"path", printable(log.name())},
+  Json channels = Json::array();
+  for (const std::size_t c : replay::channel_columns(header)) {
+    const replay::Channel& channel = header.declared.channels[c];
+    channels.push_back({{"name", printable(channel.name)}, {"unit", printable(channel.unit)}});
+  }
+  return {{"channels", channels},
+          {"path", printable(log.name())},
           {"name", printable(scene.name)},
           {"title", printable(scene.title)},
           {"method", header.method + ' ' + std::to_string(header.method_version)},
           {"engine", header.engine ? Json(printable(to_string(*header.engine))) : Json(nullptr)},
           {"ours", !header.engine},
+          {"blames", !header.engine},
           {"summary", printable(condition.summary(log.last_step()))},
           {"finished", condition.finished},
           {"sound", condition.sound()},
@@ -121,8 +161,19 @@ Json bodies_json(const replay::ViewedBodies& table) {
     origins.push_back(static_cast<int>(body.origin.kind));
     for (const std::uint32_t place : {body.origin.table, body.origin.row, body.origin.column}) origins.push_back(place);
   }
-  return {{"version", table.version()}, {"id", ids},        {"size", sizes}, {"static", fixed},
-          {"texture", textures},        {"origin", origins}};
+  Json names = Json::object(), shape_of = Json::object(), shapes = Json::array();
+  std::map<const replay::Shape*, std::size_t> known;
+  for (std::size_t row = 0; row < table.bodies().size(); ++row) {
+    const sim::BodyId id = table.bodies()[row].id;
+    if (const std::string name = table.infos().name(id); !name.empty()) names[std::to_string(row)] = printable(name);
+    const replay::Shape* shape = table.infos().shape(id);
+    if (shape == nullptr) continue;
+    const auto [place, is_new] = known.try_emplace(shape, known.size());
+    if (is_new) shapes.push_back(shape_json(*shape));
+    shape_of[std::to_string(row)] = place->second;
+  }
+  return {{"name", names}, {"shape", shape_of}, {"shapes", shapes},    {"version", table.version()}, {"id", ids},
+          {"size", sizes}, {"static", fixed},   {"texture", textures}, {"origin", origins}};
 }
 
 Json timeline_json(std::span<const replay::TimelineRow> rows) {
@@ -143,6 +194,7 @@ Json timeline_json(std::span<const replay::TimelineRow> rows) {
           {"speed_body", column(rows, &Row::speed_body)},
           {"height", column(rows, &Row::height_max)},
           {"overlap", column(rows, &Row::overlap)},
+          {"channels", channels_json(rows)},
           {"bounds", bounds_json(rows)}};
 }
 
@@ -171,7 +223,7 @@ Json contact_rows_json(std::span<const replay::ContactPoint> points) {
   return rows;
 }
 
-Json body_json(const replay::StepRecord& record, sim::BodyId id) {
+Json body_json(const replay::StepRecord& record, sim::BodyId id, const std::vector<replay::Channel>& channels) {
   const replay::BodyStates& states = record.states;
   const auto found = std::ranges::lower_bound(states.id, id);
   if (found == states.id.end() || *found != id) return nullptr;
@@ -182,7 +234,18 @@ Json body_json(const replay::StepRecord& record, sim::BodyId id) {
     const double value = (*columns[c])[row];
     fields.push_back({{"field", replay::kColumnNames[c]}, {"value", number_json(value)}, {"hex", hex_text(value)}});
   }
-  return {{"id", id}, {"step", record.step}, {"frozen", states.frozen[row] != 0}, {"fields", fields}};
+  Json own = Json::array();
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    if (channels[c].type.scope != replay::ChannelScope::kBody) continue;
+    const replay::ChannelValues& values = record.extras.values(c);
+    const auto key = std::ranges::find(values.keys, id, &replay::ChannelKey::a);
+    if (key == values.keys.end()) continue;
+    const auto at = static_cast<std::size_t>(key - values.keys.begin());
+    const std::string text = to_string(values.value(at, channels[c].type.kind), channels[c].type.kind);
+    own.push_back({{"field", printable(channels[c].name)}, {"value", printable(text + ' ' + channels[c].unit)}});
+  }
+  return {
+      {"id", id}, {"step", record.step}, {"frozen", states.frozen[row] != 0}, {"fields", fields}, {"channels", own}};
 }
 
 }  // namespace tumble::tools

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "replay/view/body_table.h"
 #include "replay/view/contact_points.h"
 #include "replay/view/timeline.h"
+#include "replay/view/viewed_bodies.h"
 #include "tools/output/text.h"
 #include "tumble/replay/log_reader.h"
 
@@ -15,11 +15,12 @@
 namespace tumble::tools {
 
 /// {"path", "name", "title", "method", "engine", "summary", "finished", "ours", "first", "last", "dt", "ground",
-/// "camera", "gaps": [[first, last, why]], "phases"}.
+/// "camera", "gaps": [[first, last, why]], "channels": [{"name", "unit"}] of the timeline}.
 Json head_json(const replay::LogReader& log);
 
-/// {"version", "id", "size" (3 a body), "static", "texture", "origin" (4 a body: kind, table, row, column)}; size 0 0 0
-/// for a body that nothing read so far defines.
+/// {"version", "id", "size" (3 a body), "static", "texture", "origin" (4 a body: kind, table, row, column), "name":
+/// {row: name}, "shape": {row: index}, "shapes": [{"kind", "axis", "radius", "half_length", "points", "triangles"}]};
+/// size 0 0 0 for a body that nothing read so far defines.
 Json bodies_json(const replay::ViewedBodies& table);
 
 /// Columns of numbers, one a row: {"step", "time", "read", "kinetic", …}; null where a number has no meaning.
@@ -31,9 +32,9 @@ Json inputs_json(std::span<const replay::TimelineInput> inputs);
 /// [[a, b or 0, x, y, z, normal x, y, z, depth, impulse]].
 Json contact_rows_json(std::span<const replay::ContactPoint> points);
 
-/// One body in one state, to the last bit: {"id", "step", "frozen", "fields": [{"field", "value", "hex"}]}; null
-/// where the state has no such body.
-Json body_json(const replay::StepRecord& record, sim::BodyId id);
+/// One body in one state, to the last bit: {"id", "step", "frozen", "fields": [{"field", "value", "hex"}]}, and
+/// "channels": [{"field", "value"}] with the values of the body's channels; null where the state has no such body.
+Json body_json(const replay::StepRecord& record, sim::BodyId id, const std::vector<replay::Channel>& channels);
 
 /// The text of JSON; bytes that are not UTF-8 become replacement characters.
 std::string dumped(const Json& json);

@@ -72,39 +72,39 @@ rid-template-columns: minmax(0, 1fr); } }\n@media (max-width: 44rem) {\n  body.s
 \n  .lane { grid-template-columns: 7.2rem minmax(0, 1fr); }\n  .session thead { position: static; } .session table { display: table; } .session tbody { display: t\
 able-row-group; }\n  .session thead { display: table-header-group; } .session tr { display: table-row; }\n  .session th, .session td, .session td.number { display\
 : table-cell; padding: .15rem .4rem .15rem 0; border-bottom: 1px solid var(--line); }\n  .session td.number { text-align: right; }\n  .player button { width: 2.6r\
-em; height: 2.5rem; }\n  .player input[type="range"] { flex-basis: 100%; order: 9; }\n}\n@media (prefers-reduced-motion: reduce) { * { scroll-behavior: auto; } }\n';var k0="uplot",z0="u-hz",V0="u-vt",G0="u-title",H0="u-wrap",W0="u-under",X0="u-over",q0="u-axis",Ws="u-off",$0="u-select",Y0="u-cursor-x",Z0="u-cursor-y",J0="u-\
-cursor-pt",K0="u-legend",j0="u-live",Q0="u-inline",e_="u-series",t_="u-marker",Kd="u-label",n_="u-value",So="width",bo="height";var jd="bottom",xr="left",mh="right",Lh="#000",Qd=Lh+"0",gh="mousemove",ef="mousedown",_h="mouseup",tf="mouseenter",nf="mouseleave",sf="dblclick",i_="resize",s_="\
-scroll",rf="change",Na="dppxchange",Nh="--",Tr=typeof window<"u",Sh=Tr?document:null,vr=Tr?window:null,r_=Tr?navigator:null,wt,Ra;function bh(){let i=devicePixelRatio;
-wt!=i&&(wt=i,Ra&&Th(rf,Ra,bh),Ra=matchMedia("(min-resolution: ".concat(wt-.001,"dppx) and (max-resolution: ").concat(wt+.001,"dppx)")),Xs(rf,Ra,bh),vr.dispatchEvent(
+em; height: 2.5rem; }\n  .player input[type="range"] { flex-basis: 100%; order: 9; }\n}\n@media (prefers-reduced-motion: reduce) { * { scroll-behavior: auto; } }\n';var k0="uplot",z0="u-hz",V0="u-vt",G0="u-title",H0="u-wrap",W0="u-under",X0="u-over",q0="u-axis",Xs="u-off",$0="u-select",Y0="u-cursor-x",Z0="u-cursor-y",J0="u-\
+cursor-pt",K0="u-legend",j0="u-live",Q0="u-inline",e_="u-series",t_="u-marker",Kd="u-label",n_="u-value",So="width",bo="height";var jd="bottom",yr="left",mh="right",Lh="#000",Qd=Lh+"0",gh="mousemove",ef="mousedown",_h="mouseup",tf="mouseenter",nf="mouseleave",sf="dblclick",i_="resize",s_="\
+scroll",rf="change",Na="dppxchange",Nh="--",Ar=typeof window<"u",Sh=Ar?document:null,Mr=Ar?window:null,r_=Ar?navigator:null,wt,Ra;function bh(){let i=devicePixelRatio;
+wt!=i&&(wt=i,Ra&&Th(rf,Ra,bh),Ra=matchMedia("(min-resolution: ".concat(wt-.001,"dppx) and (max-resolution: ").concat(wt+.001,"dppx)")),qs(rf,Ra,bh),Mr.dispatchEvent(
 new CustomEvent(Na)))}function Yn(i,e){if(e!=null){let t=i.classList;!t.contains(e)&&t.add(e)}}function wh(i,e){let t=i.classList;t.contains(e)&&t.remove(e)}function zt(i,e,t){
 i.style[e]=t+"px"}function pi(i,e,t,n){let s=Sh.createElement(i);return e!=null&&Yn(s,e),t?.insertBefore(s,n),s}function ri(i,e){return pi("div",i,e)}var of=new WeakMap;
-function Ni(i,e,t,n,s){let r="translate("+e+"px,"+t+"px)",o=of.get(i);r!=o&&(i.style.transform=r,of.set(i,r),e<0||t<0||e>n||t>s?Yn(i,Ws):wh(i,Ws))}var af=new WeakMap;
+function Ni(i,e,t,n,s){let r="translate("+e+"px,"+t+"px)",o=of.get(i);r!=o&&(i.style.transform=r,of.set(i,r),e<0||t<0||e>n||t>s?Yn(i,Xs):wh(i,Xs))}var af=new WeakMap;
 function lf(i,e,t){let n=e+t,s=af.get(i);n!=s&&(af.set(i,n),i.style.background=e,i.style.borderColor=t)}var cf=new WeakMap;function hf(i,e,t,n){let s=e+""+t,r=cf.
 get(i);s!=r&&(cf.set(i,s),i.style.height=t+"px",i.style.width=e+"px",i.style.marginLeft=n?-e/2+"px":0,i.style.marginTop=n?-t/2+"px":0)}var Dh={passive:!0},o_={...Dh,
-capture:!0};function Xs(i,e,t,n){e.addEventListener(i,t,n?o_:Dh)}function Th(i,e,t,n){e.removeEventListener(i,t,Dh)}Tr&&bh();function mi(i,e,t,n){let s;t=t||0,n=
+capture:!0};function qs(i,e,t,n){e.addEventListener(i,t,n?o_:Dh)}function Th(i,e,t,n){e.removeEventListener(i,t,Dh)}Ar&&bh();function mi(i,e,t,n){let s;t=t||0,n=
 n||e.length-1;let r=n<=2147483647;for(;n-t>1;)s=r?t+n>>1:Zn((t+n)/2),e[s]<i?t=s:n=s;return i-e[t]<=e[n]-i?t:n}function Bf(i){return(t,n,s)=>{let r=-1,o=-1;for(let a=n;a<=
 s;a++)if(i(t[a])){r=a;break}for(let a=s;a>=n;a--)if(i(t[a])){o=a;break}return[r,o]}}var kf=i=>i!=null,zf=i=>i!=null&&i>0,Fa=Bf(kf),a_=Bf(zf);function l_(i,e,t,n=0,s=!1){
 let r=s?a_:Fa,o=s?zf:kf;[e,t]=r(i,e,t);let a=i[e],l=i[e];if(e>-1)if(n==1)a=i[e],l=i[t];else if(n==-1)a=i[t],l=i[e];else for(let c=e;c<=t;c++){let d=i[c];o(d)&&(d<
 a?a=d:d>l&&(l=d))}return[a??Nt,l??-Nt]}function Oa(i,e,t,n){let s=ff(i),r=ff(e);i==e&&(s==-1?(i*=t,e/=t):(i/=t,e*=t));let o=t==10?Zi:Vf,a=s==1?Zn:oi,l=r==1?oi:Zn,
-c=a(o(dn(i))),d=l(o(dn(e))),u=Mr(t,c),h=Mr(t,d);return t==10&&(c<0&&(u=Dt(u,-c)),d<0&&(h=Dt(h,-d))),n||t==2?(i=u*s,e=h*r):(i=Xf(i,u),e=Ba(e,h)),[i,e]}function Uh(i,e,t,n){
+c=a(o(dn(i))),d=l(o(dn(e))),u=Sr(t,c),h=Sr(t,d);return t==10&&(c<0&&(u=Dt(u,-c)),d<0&&(h=Dt(h,-d))),n||t==2?(i=u*s,e=h*r):(i=Xf(i,u),e=Ba(e,h)),[i,e]}function Uh(i,e,t,n){
 let s=Oa(i,e,t,n);return i==0&&(s[0]=0),e==0&&(s[1]=0),s}var Fh=.1,uf={mode:3,pad:Fh},To={pad:0,soft:null,mode:0},c_={min:To,max:To};function Da(i,e,t,n){return ka(
 t)?df(i,e,t):(To.pad=t,To.soft=n?0:null,To.mode=n?3:0,df(i,e,c_))}function St(i,e){return i??e}function h_(i,e,t){for(e=St(e,0),t=St(t,i.length-1);e<=t;){if(i[e]!=
 null)return!0;e++}return!1}function df(i,e,t){let n=t.min,s=t.max,r=St(n.pad,0),o=St(s.pad,0),a=St(n.hard,-Nt),l=St(s.hard,Nt),c=St(n.soft,Nt),d=St(s.soft,-Nt),
 u=St(n.mode,0),h=St(s.mode,0),f=e-i,p=Zi(f),v=Un(dn(i),dn(e)),m=Zi(v),g=dn(m-p);(f<1e-24||g>10)&&(f=0,(i==0||e==0)&&(f=1e-24,u==2&&c!=Nt&&(r=0),h==2&&d!=-Nt&&(o=
-0)));let _=f||v||1e3,w=Zi(_),M=Mr(10,Zn(w)),C=_*(f==0?i==0?.1:1:r),b=Dt(Xf(i-C,M/10),24),x=i>=c&&(u==1||u==3&&b<=c||u==2&&b>=c)?c:Nt,S=Un(a,b<x&&i>=x?x:gi(x,b)),
+0)));let _=f||v||1e3,w=Zi(_),M=Sr(10,Zn(w)),C=_*(f==0?i==0?.1:1:r),b=Dt(Xf(i-C,M/10),24),x=i>=c&&(u==1||u==3&&b<=c||u==2&&b>=c)?c:Nt,S=Un(a,b<x&&i>=x?x:gi(x,b)),
 N=_*(f==0?e==0?.1:1:o),R=Dt(Ba(e+N,M/10),24),I=e<=d&&(h==1||h==3&&R>=d||h==2&&R<=d)?d:-Nt,F=gi(l,R>I&&e<=I?I:Un(I,R));return S==F&&S==0&&(F=100),[S,F]}var u_=new Intl.
-NumberFormat(Tr?r_.language:"en-US"),Oh=i=>u_.format(i),Jn=Math,La=Jn.PI,dn=Jn.abs,Zn=Jn.floor,un=Jn.round,oi=Jn.ceil,gi=Jn.min,Un=Jn.max,Mr=Jn.pow,ff=Jn.sign,Zi=Jn.
+NumberFormat(Ar?r_.language:"en-US"),Oh=i=>u_.format(i),Jn=Math,La=Jn.PI,dn=Jn.abs,Zn=Jn.floor,un=Jn.round,oi=Jn.ceil,gi=Jn.min,Un=Jn.max,Sr=Jn.pow,ff=Jn.sign,Zi=Jn.
 log10,Vf=Jn.log2,d_=(i,e=1)=>Jn.sinh(i)*e,xh=(i,e=1)=>Jn.asinh(i/e),Nt=1/0;function pf(i){return(Zi((i^i>>31)-(i>>31))|0)+1}function Ah(i,e,t){return gi(Un(i,e),
 t)}function Gf(i){return typeof i=="function"}function gt(i){return Gf(i)?i:()=>i}var f_=()=>{},Hf=i=>i,Wf=(i,e)=>e,p_=i=>null,mf=i=>!0,gf=(i,e)=>i==e,m_=/\.\d*?(?=9{6,}|0{6,})/gm,
-qs=i=>{if($f(i)||vs.has(i))return i;let e="".concat(i),t=e.match(m_);if(t==null)return i;let n=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+"".
-concat(qs(s),"e").concat(r)}return Dt(i,n)};function Gs(i,e){return qs(Dt(qs(i/e))*e)}function Ba(i,e){return qs(oi(qs(i/e))*e)}function Xf(i,e){return qs(Zn(qs(
+$s=i=>{if($f(i)||vs.has(i))return i;let e="".concat(i),t=e.match(m_);if(t==null)return i;let n=t[0].length-1;if(e.indexOf("e-")!=-1){let[s,r]=e.split("e");return+"".
+concat($s(s),"e").concat(r)}return Dt(i,n)};function Hs(i,e){return $s(Dt($s(i/e))*e)}function Ba(i,e){return $s(oi($s(i/e))*e)}function Xf(i,e){return $s(Zn($s(
 i/e))*e)}function Dt(i,e=0){if($f(i))return i;let t=10**e,n=i*t*(1+Number.EPSILON);return un(n)/t}var vs=new Map;function qf(i){return((""+i).split(".")[1]||"").
-length}function Eo(i,e,t,n){let s=[],r=n.map(qf);for(let o=e;o<t;o++){let a=dn(o),l=Dt(Mr(i,o),a);for(let c=0;c<n.length;c++){let d=i==10?+"".concat(n[c],"e").concat(
-o):n[c]*l,u=(o>=0?0:a)+(o>=r[c]?0:r[c]),h=i==10?d:Dt(d,u);s.push(h),vs.set(h,u)}}return s}var Ao={},Bh=[],Sr=[null,null],ys=Array.isArray,$f=Number.isInteger,g_=i=>i===
+length}function Eo(i,e,t,n){let s=[],r=n.map(qf);for(let o=e;o<t;o++){let a=dn(o),l=Dt(Sr(i,o),a);for(let c=0;c<n.length;c++){let d=i==10?+"".concat(n[c],"e").concat(
+o):n[c]*l,u=(o>=0?0:a)+(o>=r[c]?0:r[c]),h=i==10?d:Dt(d,u);s.push(h),vs.set(h,u)}}return s}var Ao={},Bh=[],br=[null,null],ys=Array.isArray,$f=Number.isInteger,g_=i=>i===
 void 0;function _f(i){return typeof i=="string"}function ka(i){let e=!1;if(i!=null){let t=i.constructor;e=t==null||t==Object}return e}function __(i){return i!=null&&
-typeof i=="object"}var x_=Object.getPrototypeOf(Uint8Array),Yf="__proto__";function br(i,e=ka){let t;if(ys(i)){let n=i.find(s=>s!=null);if(ys(n)||e(n)){t=Array(
-i.length);for(let s=0;s<i.length;s++)t[s]=br(i[s],e)}else t=i.slice()}else if(i instanceof x_)t=i.slice();else if(e(i)){t={};for(let n in i)n!=Yf&&(t[n]=br(i[n],
-e))}else t=i;return t}function on(i){let e=arguments;for(let t=1;t<e.length;t++){let n=e[t];for(let s in n)s!=Yf&&(ka(i[s])?on(i[s],br(n[s])):i[s]=br(n[s]))}return i}
+typeof i=="object"}var x_=Object.getPrototypeOf(Uint8Array),Yf="__proto__";function wr(i,e=ka){let t;if(ys(i)){let n=i.find(s=>s!=null);if(ys(n)||e(n)){t=Array(
+i.length);for(let s=0;s<i.length;s++)t[s]=wr(i[s],e)}else t=i.slice()}else if(i instanceof x_)t=i.slice();else if(e(i)){t={};for(let n in i)n!=Yf&&(t[n]=wr(i[n],
+e))}else t=i;return t}function on(i){let e=arguments;for(let t=1;t<e.length;t++){let n=e[t];for(let s in n)s!=Yf&&(ka(i[s])?on(i[s],wr(n[s])):i[s]=wr(n[s]))}return i}
 var y_=0,v_=1,M_=2;function S_(i,e,t){for(let n=0,s,r=-1;n<e.length;n++){let o=e[n];if(o>r){for(s=o-1;s>=0&&i[s]==null;)i[s--]=null;for(s=o+1;s<t&&i[s]==null;)i[r=
 s++]=null}}}function b_(i,e){if(A_(i)){let o=i[0].slice();for(let a=1;a<i.length;a++)o.push(...i[a].slice(1));return E_(o[0])||(o=T_(o)),o}let t=new Set;for(let o=0;o<
 i.length;o++){let l=i[o][0],c=l.length;for(let d=0;d<c;d++)t.add(l[d])}let n=[Array.from(t).sort((o,a)=>o-a)],s=n[0].length,r=new Map;for(let o=0;o<s;o++)r.set(
@@ -123,11 +123,11 @@ getDay()],HH:i=>Mo(i.getHours()),H:i=>i.getHours(),h:i=>{let e=i.getHours();retu
 function kh(i,e){e=e||P_;let t=[],n=/\{([a-z]+)\}|[^{]+/gi,s;for(;s=n.exec(i);)t.push(s[0][0]=="{"?L_[s[1]]:s[0]);return r=>{let o="";for(let a=0;a<t.length;a++)
 o+=typeof t[a]=="string"?t[a]:t[a](r,e);return o}}var N_=new Intl.DateTimeFormat().resolvedOptions().timeZone;function D_(i,e){let t;return e=="UTC"||e=="Etc/UT\
 C"?t=new Date(+i+i.getTimezoneOffset()*6e4):e==N_?t=i:(t=new Date(i.toLocaleString("en-US",{timeZone:e})),t.setMilliseconds(i.getMilliseconds())),t}var jf=i=>i%
-1==0,Ua=[1,2,2.5,5],U_=Eo(10,-32,0,Ua),Qf=Eo(10,0,32,Ua),F_=Qf.filter(jf),Hs=U_.concat(Qf),zh="\n",ep="{YYYY}",xf=zh+ep,tp="{M}/{D}",wo=zh+tp,Pa=wo+"/{YY}",np="\
-{aa}",O_="{h}:{mm}",yr=O_+np,yf=zh+yr,vf=":{ss}",Tt=null;function ip(i){let e=i*1e3,t=e*60,n=t*60,s=n*24,r=s*30,o=s*365,l=(i==1?Eo(10,0,3,Ua).filter(jf):Eo(10,-3,
+1==0,Ua=[1,2,2.5,5],U_=Eo(10,-32,0,Ua),Qf=Eo(10,0,32,Ua),F_=Qf.filter(jf),Ws=U_.concat(Qf),zh="\n",ep="{YYYY}",xf=zh+ep,tp="{M}/{D}",wo=zh+tp,Pa=wo+"/{YY}",np="\
+{aa}",O_="{h}:{mm}",vr=O_+np,yf=zh+vr,vf=":{ss}",Tt=null;function ip(i){let e=i*1e3,t=e*60,n=t*60,s=n*24,r=s*30,o=s*365,l=(i==1?Eo(10,0,3,Ua).filter(jf):Eo(10,-3,
 0,Ua)).concat([e,e*5,e*10,e*15,e*30,t,t*5,t*10,t*15,t*30,n,n*2,n*3,n*4,n*6,n*8,n*12,s,s*2,s*3,s*4,s*5,s*6,s*7,s*8,s*9,s*10,s*15,r,r*2,r*3,r*4,r*6,o,o*2,o*5,o*10,
-o*25,o*50,o*100]),c=[[o,ep,Tt,Tt,Tt,Tt,Tt,Tt,1],[s*28,"{MMM}",xf,Tt,Tt,Tt,Tt,Tt,1],[s,tp,xf,Tt,Tt,Tt,Tt,Tt,1],[n,"{h}"+np,Pa,Tt,wo,Tt,Tt,Tt,1],[t,yr,Pa,Tt,wo,Tt,
-Tt,Tt,1],[e,vf,Pa+" "+yr,Tt,wo+" "+yr,Tt,yf,Tt,1],[i,vf+".{fff}",Pa+" "+yr,Tt,wo+" "+yr,Tt,yf,Tt,1]];function d(u){return(h,f,p,v,m,g)=>{let _=[],w=m>=o,M=m>=r&&
+o*25,o*50,o*100]),c=[[o,ep,Tt,Tt,Tt,Tt,Tt,Tt,1],[s*28,"{MMM}",xf,Tt,Tt,Tt,Tt,Tt,1],[s,tp,xf,Tt,Tt,Tt,Tt,Tt,1],[n,"{h}"+np,Pa,Tt,wo,Tt,Tt,Tt,1],[t,vr,Pa,Tt,wo,Tt,
+Tt,Tt,1],[e,vf,Pa+" "+vr,Tt,wo+" "+vr,Tt,yf,Tt,1],[i,vf+".{fff}",Pa+" "+vr,Tt,wo+" "+vr,Tt,yf,Tt,1]];function d(u){return(h,f,p,v,m,g)=>{let _=[],w=m>=o,M=m>=r&&
 m<o,C=u(p),b=Dt(C*i,3),x=yh(C.getFullYear(),w?0:C.getMonth(),M||w?1:C.getDate()),S=Dt(x*i,3);if(M||w){let N=M?m/r:0,R=w?m/o:0,I=b==S?b:Dt(yh(x.getFullYear()+R,x.
 getMonth()+N,1)*i,3),F=new Date(un(I/i)),z=F.getFullYear(),D=F.getMonth();for(let W=0;I<=v;W++){let Y=yh(z+R*W,D+N*W,1),H=Y-u(Dt(Y*i,3));I=Dt((+Y+H)*i,3),I<=v&&
 _.push(I)}}else{let N=m>=s?s:m,R=Zn(p)-Zn(b),I=S+R+Ba(b-S,N);_.push(I);let F=u(I),z=F.getHours()+F.getMinutes()/t+F.getSeconds()/n,D=m/n,W=h.axes[f]._space,Y=g/
@@ -149,8 +149,8 @@ op=on({},sp,{show:!1}),Gh='12px system-ui, -apple-system, "Segoe UI", Roboto, "H
 moji", "Segoe UI Symbol", "Noto Color Emoji"',ap="bold "+Gh,lp=1.5,Tf={show:!0,scale:"x",stroke:Lh,space:50,gap:5,alignTo:1,size:50,labelGap:0,labelSize:30,labelFont:ap,
 side:2,grid:Vh,ticks:rp,border:op,font:Gh,lineGap:lp,rotate:0},tx="Value",nx="Time",Af={show:!0,scale:"x",auto:!1,sorted:1,min:Nt,max:-Nt,idxs:[]};function ix(i,e,t,n,s){
 return e.map(r=>r==null?"":Oh(r))}function sx(i,e,t,n,s,r,o){let a=[],l=vs.get(s)||0;t=o?t:Dt(Ba(t,s),l);for(let c=t;c<=n;c=Dt(c+s,l))a.push(Object.is(c,-0)?0:c);
-return a}function Eh(i,e,t,n,s,r,o){let a=[],l=i.scales[i.axes[e].scale].log,c=l==10?Zi:Vf,d=Zn(c(t));s=Mr(l,d),l==10&&(s=Hs[mi(s,Hs)]);let u=t,h=s*l;l==10&&(h=
-Hs[mi(h,Hs)]);do a.push(u),u=u+s,l==10&&!vs.has(u)&&(u=Dt(u,vs.get(s))),u>=h&&(s=u,h=s*l,l==10&&(h=Hs[mi(h,Hs)]));while(u<=n);return a}function rx(i,e,t,n,s,r,o){
+return a}function Eh(i,e,t,n,s,r,o){let a=[],l=i.scales[i.axes[e].scale].log,c=l==10?Zi:Vf,d=Zn(c(t));s=Sr(l,d),l==10&&(s=Ws[mi(s,Ws)]);let u=t,h=s*l;l==10&&(h=
+Ws[mi(h,Ws)]);do a.push(u),u=u+s,l==10&&!vs.has(u)&&(u=Dt(u,vs.get(s))),u>=h&&(s=u,h=s*l,l==10&&(h=Ws[mi(h,Ws)]));while(u<=n);return a}function rx(i,e,t,n,s,r,o){
 let l=i.scales[i.axes[e].scale].asinh,c=n>l?Eh(i,e,Un(l,t),n,s):[l],d=n>=0&&t<=0?[0]:[];return(t<-l?Eh(i,e,Un(l,-n),-t,s):[l]).reverse().map(h=>-h).concat(d,c)}
 var cp=/./,ox=/[12357]/,ax=/[125]/,Ef=/1/,Ch=(i,e,t,n)=>i.map((s,r)=>e==4&&s==0||r%n==0&&t.test(s.toExponential()[s<0?1:0])?s:null);function lx(i,e,t,n,s){let r=i.
 axes[t],o=r.scale,a=i.scales[o],l=i.valToPos,c=r._space,d=l(10,o),u=l(9,o)-d>=c?cp:l(7,o)-d>=c?ox:l(5,o)-d>=c?ax:Ef;if(u==Ef){let h=dn(l(1,o)-d);if(h<c)return Ch(
@@ -162,41 +162,41 @@ space*wt);return n[1]-n[0]<=c}var Rf={scale:null,auto:!0,sorted:0,min:Nt,max:-Nt
 {scale:"x"}),on({},Rf,{scale:"y"})]},If={scale:"y",auto:!0,sorted:0,show:!0,spanGaps:!1,gaps:hp,alpha:1,points:{show:dx,filter:null},values:null,min:Nt,max:-Nt,
 idxs:[],path:null,clip:null};function fx(i,e,t,n,s){return t/10}var up={time:!0,auto:!0,distr:1,log:10,asinh:1,min:null,max:null,dir:1,ori:0},px=on({},up,{time:!1,
 ori:1}),Lf={};function dp(i,e){let t=Lf[i];return t||(t={key:i,plots:[],sub(n){t.plots.push(n)},unsub(n){t.plots=t.plots.filter(s=>s!=n)},pub(n,s,r,o,a,l,c){for(let d=0;d<
-t.plots.length;d++)t.plots[d]!=s&&t.plots[d].pub(n,s,r,o,a,l,c)}},i!=null&&(Lf[i]=t)),t}var wr=1,Rh=2;function $s(i,e,t){let n=i.mode,s=i.series[e],r=n==2?i._data[e]:
+t.plots.length;d++)t.plots[d]!=s&&t.plots[d].pub(n,s,r,o,a,l,c)}},i!=null&&(Lf[i]=t)),t}var Tr=1,Rh=2;function Ys(i,e,t){let n=i.mode,s=i.series[e],r=n==2?i._data[e]:
 i._data,o=i.scales,a=i.bbox,l=r[0],c=n==2?r[1]:r[e],d=n==2?o[s.facets[0].scale]:o[i.series[0].scale],u=n==2?o[s.facets[1].scale]:o[s.scale],h=a.left,f=a.top,p=a.
-width,v=a.height,m=i.valToPosH,g=i.valToPosV;return d.ori==0?t(s,l,c,d,u,m,g,h,f,p,v,Va,Ar,Ha,pp,gp):t(s,l,c,d,u,g,m,f,h,v,p,Ga,Er,Xh,mp,_p)}function Hh(i,e){let t=0,
+width,v=a.height,m=i.valToPosH,g=i.valToPosV;return d.ori==0?t(s,l,c,d,u,m,g,h,f,p,v,Va,Er,Ha,pp,gp):t(s,l,c,d,u,g,m,f,h,v,p,Ga,Cr,Xh,mp,_p)}function Hh(i,e){let t=0,
 n=0,s=St(i.bands,Bh);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?n|=1:n|=2)}return[t,n==1?-1:n==2?1:n==3?2:0]}function mx(i,e,t,n,s){
 let r=i.mode,o=i.series[e],a=r==2?o.facets[1].scale:o.scale,l=i.scales[a];return s==-1?l.min:s==1?l.max:l.distr==3?l.dir==1?l.min:l.max:0}function Ji(i,e,t,n,s,r){
-return $s(i,e,(o,a,l,c,d,u,h,f,p,v,m)=>{let g=o.pxRound,_=c.dir*(c.ori==0?1:-1),w=c.ori==0?Ar:Er,M,C;_==1?(M=t,C=n):(M=n,C=t);let b=g(u(a[M],c,v,f)),x=g(h(l[M],
+return Ys(i,e,(o,a,l,c,d,u,h,f,p,v,m)=>{let g=o.pxRound,_=c.dir*(c.ori==0?1:-1),w=c.ori==0?Er:Cr,M,C;_==1?(M=t,C=n):(M=n,C=t);let b=g(u(a[M],c,v,f)),x=g(h(l[M],
 d,m,p)),S=g(u(a[C],c,v,f)),N=g(h(r==1?d.max:d.min,d,m,p)),R=new Path2D(s);return w(R,S,N),w(R,b,N),w(R,b,x),R})}function za(i,e,t,n,s,r){let o=null;if(i.length>
 0){o=new Path2D;let a=e==0?Ha:Xh,l=t;for(let u=0;u<i.length;u++){let h=i[u];if(h[1]>h[0]){let f=h[0]-l;f>0&&a(o,l,n,f,n+r),l=h[1]}}let c=t+s-l,d=10;c>0&&a(o,l,n-
 d/2,c,n+r+d)}return o}function gx(i,e,t){let n=i[i.length-1];n&&n[0]==e?n[1]=t:i.push([e,t])}function Wh(i,e,t,n,s,r,o){let a=[],l=i.length;for(let c=s==1?t:n;c>=
 t&&c<=n;c+=s)if(e[c]===null){let u=c,h=c;if(s==1)for(;++c<=n&&e[c]===null;)h=c;else for(;--c>=t&&e[c]===null;)h=c;let f=r(i[u]),p=h==u?f:r(i[h]),v=u-s;f=o<=0&&v>=
-0&&v<l?r(i[v]):f;let g=h+s;p=o>=0&&g>=0&&g<l?r(i[g]):p,p>=f&&a.push([f,p])}return a}function Nf(i){return i==0?Hf:i==1?un:e=>Gs(e,i)}function fp(i){let e=i==0?Va:
+0&&v<l?r(i[v]):f;let g=h+s;p=o>=0&&g>=0&&g<l?r(i[g]):p,p>=f&&a.push([f,p])}return a}function Nf(i){return i==0?Hf:i==1?un:e=>Hs(e,i)}function fp(i){let e=i==0?Va:
 Ga,t=i==0?(s,r,o,a,l,c)=>{s.arcTo(r,o,a,l,c)}:(s,r,o,a,l,c)=>{s.arcTo(o,r,l,a,c)},n=i==0?(s,r,o,a,l)=>{s.rect(r,o,a,l)}:(s,r,o,a,l)=>{s.rect(o,r,l,a)};return(s,r,o,a,l,c=0,d=0)=>{
 c==0&&d==0?n(s,r,o,a,l):(c=gi(c,a/2,l/2),d=gi(d,a/2,l/2),e(s,r+c,o),t(s,r+a,o,r+a,o+l,c),t(s,r+a,o+l,r,o+l,d),t(s,r,o+l,r,o,d),t(s,r,o,r+a,o,c),s.closePath())}}
-var Va=(i,e,t)=>{i.moveTo(e,t)},Ga=(i,e,t)=>{i.moveTo(t,e)},Ar=(i,e,t)=>{i.lineTo(e,t)},Er=(i,e,t)=>{i.lineTo(t,e)},Ha=fp(0),Xh=fp(1),pp=(i,e,t,n,s,r)=>{i.arc(e,
+var Va=(i,e,t)=>{i.moveTo(e,t)},Ga=(i,e,t)=>{i.moveTo(t,e)},Er=(i,e,t)=>{i.lineTo(e,t)},Cr=(i,e,t)=>{i.lineTo(t,e)},Ha=fp(0),Xh=fp(1),pp=(i,e,t,n,s,r)=>{i.arc(e,
 t,n,s,r)},mp=(i,e,t,n,s,r)=>{i.arc(t,e,n,s,r)},gp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(e,t,n,s,r,o)},_p=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(t,e,s,n,o,r)};function xp(i){
-return(e,t,n,s,r)=>$s(e,t,(o,a,l,c,d,u,h,f,p,v,m)=>{let{pxRound:g,points:_}=o,w,M;c.ori==0?(w=Va,M=pp):(w=Ga,M=mp);let C=Dt(_.width*wt,3),b=(_.size-_.width)/2*wt,
+return(e,t,n,s,r)=>Ys(e,t,(o,a,l,c,d,u,h,f,p,v,m)=>{let{pxRound:g,points:_}=o,w,M;c.ori==0?(w=Va,M=pp):(w=Ga,M=mp);let C=Dt(_.width*wt,3),b=(_.size-_.width)/2*wt,
 x=Dt(b*2,3),S=new Path2D,N=new Path2D,{left:R,top:I,width:F,height:z}=e.bbox;Ha(N,R-x,I-x,F+x*2,z+x*2);let D=W=>{if(l[W]!=null){let Y=g(u(a[W],c,v,f)),H=g(h(l[W],
-d,m,p));w(S,Y+b,H),M(S,Y,H,b,0,La*2)}};if(r)r.forEach(D);else for(let W=n;W<=s;W++)D(W);return{stroke:C>0?S:null,fill:S,clip:N,flags:wr|Rh}})}function yp(i){return(e,t,n,s,r,o)=>{
-n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var _x=yp(Ar),xx=yp(Er);function vp(i){let e=St(i?.alignGaps,0);return(t,n,s,r)=>$s(t,n,(o,a,l,c,d,u,h,f,p,v,m)=>{
-[s,r]=Fa(l,s,r);let g=o.pxRound,_=z=>g(u(z,c,v,f)),w=z=>g(h(z,d,m,p)),M,C;c.ori==0?(M=Ar,C=_x):(M=Er,C=xx);let b=c.dir*(c.ori==0?1:-1),x={stroke:new Path2D,fill:null,
-clip:null,band:null,gaps:null,flags:wr},S=x.stroke,N=!1;if(r-s>=v*4){let z=ue=>t.posToVal(ue,c.key,!0),D=null,W=null,Y,H,ce,K=_(a[b==1?s:r]),Q=_(a[s]),se=_(a[r]),
+d,m,p));w(S,Y+b,H),M(S,Y,H,b,0,La*2)}};if(r)r.forEach(D);else for(let W=n;W<=s;W++)D(W);return{stroke:C>0?S:null,fill:S,clip:N,flags:Tr|Rh}})}function yp(i){return(e,t,n,s,r,o)=>{
+n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var _x=yp(Er),xx=yp(Cr);function vp(i){let e=St(i?.alignGaps,0);return(t,n,s,r)=>Ys(t,n,(o,a,l,c,d,u,h,f,p,v,m)=>{
+[s,r]=Fa(l,s,r);let g=o.pxRound,_=z=>g(u(z,c,v,f)),w=z=>g(h(z,d,m,p)),M,C;c.ori==0?(M=Er,C=_x):(M=Cr,C=xx);let b=c.dir*(c.ori==0?1:-1),x={stroke:new Path2D,fill:null,
+clip:null,band:null,gaps:null,flags:Tr},S=x.stroke,N=!1;if(r-s>=v*4){let z=ue=>t.posToVal(ue,c.key,!0),D=null,W=null,Y,H,ce,K=_(a[b==1?s:r]),Q=_(a[s]),se=_(a[r]),
 de=z(b==1?Q+1:se-1);for(let ue=b==1?s:r;ue>=s&&ue<=r;ue+=b){let ee=a[ue],xe=(b==1?ee<de:ee>de)?K:_(ee),Ee=l[ue];xe==K?Ee!=null?(H=Ee,D==null?(M(S,xe,w(H)),Y=D=W=
 H):H<D?D=H:H>W&&(W=H)):Ee===null&&(N=!0):(D!=null&&C(S,K,w(D),w(W),w(Y),w(H)),Ee!=null?(H=Ee,M(S,xe,w(H)),D=W=Y=H):(D=W=null,Ee===null&&(N=!0)),K=xe,de=z(K+b))}
 D!=null&&D!=W&&ce!=K&&C(S,K,w(D),w(W),w(Y),w(H))}else for(let z=b==1?s:r;z>=s&&z<=r;z+=b){let D=l[z];D===null?N=!0:D!=null&&M(S,_(a[z]),w(D))}let[I,F]=Hh(t,n);if(o.
 fill!=null||I!=0){let z=x.fill=new Path2D(S),D=o.fillTo(t,n,o.min,o.max,I),W=w(D),Y=_(a[s]),H=_(a[r]);b==-1&&([H,Y]=[Y,H]),M(z,H,W),M(z,Y,W)}if(!o.spanGaps){let z=[];
 N&&z.push(...Wh(a,l,s,r,b,_,e)),x.gaps=z=o.gaps(t,n,s,r,z),x.clip=za(z,c.ori,f,p,v,m)}return F!=0&&(x.band=F==2?[Ji(t,n,s,r,S,-1),Ji(t,n,s,r,S,1)]:Ji(t,n,s,r,S,
-F)),x})}function yx(i){let e=St(i.align,1),t=St(i.ascDesc,!1),n=St(i.alignGaps,0),s=St(i.extend,!1);return(r,o,a,l)=>$s(r,o,(c,d,u,h,f,p,v,m,g,_,w)=>{[a,l]=Fa(u,
-a,l);let M=c.pxRound,{left:C,width:b}=r.bbox,x=Q=>M(p(Q,h,_,m)),S=Q=>M(v(Q,f,w,g)),N=h.ori==0?Ar:Er,R={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,
-flags:wr},I=R.stroke,F=h.dir*(h.ori==0?1:-1),z=S(u[F==1?a:l]),D=x(d[F==1?a:l]),W=D,Y=D;s&&e==-1&&(Y=C,N(I,Y,z)),N(I,D,z);for(let Q=F==1?a:l;Q>=a&&Q<=l;Q+=F){let se=u[Q];
+F)),x})}function yx(i){let e=St(i.align,1),t=St(i.ascDesc,!1),n=St(i.alignGaps,0),s=St(i.extend,!1);return(r,o,a,l)=>Ys(r,o,(c,d,u,h,f,p,v,m,g,_,w)=>{[a,l]=Fa(u,
+a,l);let M=c.pxRound,{left:C,width:b}=r.bbox,x=Q=>M(p(Q,h,_,m)),S=Q=>M(v(Q,f,w,g)),N=h.ori==0?Er:Cr,R={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,
+flags:Tr},I=R.stroke,F=h.dir*(h.ori==0?1:-1),z=S(u[F==1?a:l]),D=x(d[F==1?a:l]),W=D,Y=D;s&&e==-1&&(Y=C,N(I,Y,z)),N(I,D,z);for(let Q=F==1?a:l;Q>=a&&Q<=l;Q+=F){let se=u[Q];
 if(se==null)continue;let de=x(d[Q]),ue=S(se);e==1?N(I,de,z):N(I,W,ue),N(I,de,ue),z=ue,W=de}let H=W;s&&e==1&&(H=C+b,N(I,H,z));let[ce,K]=Hh(r,o);if(c.fill!=null||
 ce!=0){let Q=R.fill=new Path2D(I),se=c.fillTo(r,o,c.min,c.max,ce),de=S(se);N(Q,H,de),N(Q,Y,de)}if(!c.spanGaps){let Q=[];Q.push(...Wh(d,u,a,l,F,x,n));let se=c.width*
 wt/2,de=t||e==1?se:-se,ue=t||e==-1?-se:se;Q.forEach(ee=>{ee[0]+=de,ee[1]+=ue}),R.gaps=Q=c.gaps(r,o,a,l,Q),R.clip=za(Q,h.ori,m,g,_,w)}return K!=0&&(R.band=K==2?[
 Ji(r,o,a,l,I,-1),Ji(r,o,a,l,I,1)]:Ji(r,o,a,l,I,K)),R})}function Df(i,e,t,n,s,r,o=Nt){if(i.length>1){let a=null;for(let l=0,c=1/0;l<i.length;l++)if(e[l]!==void 0){
 if(a!=null){let d=dn(i[l]-i[a]);d<c&&(c=d,o=dn(t(i[l],n,s,r)-t(i[a],n,s,r)))}a=l}}return o}function vx(i){i=i||Ao;let e=St(i.size,[.6,Nt,1]),t=i.align||0,n=i.gap||
-0,s=i.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=gt(s),o=1-e[0],a=St(e[1],Nt),l=St(e[2],1),c=St(i.disp,Ao),d=St(i.each,f=>{}),{fill:u,stroke:h}=c;return(f,p,v,m)=>$s(
+0,s=i.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=gt(s),o=1-e[0],a=St(e[1],Nt),l=St(e[2],1),c=St(i.disp,Ao),d=St(i.each,f=>{}),{fill:u,stroke:h}=c;return(f,p,v,m)=>Ys(
 f,p,(g,_,w,M,C,b,x,S,N,R,I)=>{let F=g.pxRound,z=t,D=n*wt,W=a*wt,Y=l*wt,H,ce;M.ori==0?[H,ce]=r(f,p):[ce,H]=r(f,p);let K=M.dir*(M.ori==0?1:-1),Q=M.ori==0?Ha:Xh,se=M.
 ori==0?d:(Re,qe,it,be,Lt,ze,Xe)=>{d(Re,qe,it,Lt,be,Xe,ze)},de=St(f.bands,Bh).find(Re=>Re.series[0]==p),ue=de!=null?de.dir:0,ee=g.fillTo(f,p,g.min,g.max,ue),me=F(
 x(ee,C,I,N)),xe,Ee,Se,He=R,nt=F(g.width*wt),Ve=!1,ut=null,lt=null,et=null,Gt=null;u!=null&&(nt==0||h!=null)&&(Ve=!0,ut=u.values(f,p,v,m),lt=new Map,new Set(ut).
@@ -205,52 +205,52 @@ if(Ut!=null&&Qt!=null){z=1,_=Ut.values(f,p,v,m),Ut.unit==2&&(_=_.map(it=>f.posTo
 M,R,S)-b(0,M,R,S),He=Df(_,w,b,M,R,S,He),Se=He-Ee+D}else He=Df(_,w,b,M,R,S,He),Se=He*o+D,Ee=He-Se;Se<1&&(Se=0),nt>=Ee/2&&(nt=0),Se<5&&(F=Hf);let Pt=Se>0,gn=He-Se-
 (Pt?nt:0);Ee=F(Ah(gn,Y,W)),xe=(z==0?Ee/2:z==K?0:Ee)-z*K*((z==0?D/2:0)+(Pt?nt/2:0));let vt={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},cn=Ve?null:
 new Path2D,qt=null;if(de!=null)qt=f.data[de.series[1]];else{let{y0:Re,y1:qe}=c;Re!=null&&qe!=null&&(w=qe.values(f,p,v,m),qt=Re.values(f,p,v,m))}let en=H*Ee,B=ce*
-Ee;for(let Re=K==1?v:m;Re>=v&&Re<=m;Re+=K){let qe=w[Re];if(qe==null)continue;if(qt!=null){let X=qt[Re]??0;if(qe-X==0)continue;me=x(X,C,I,N)}let it=M.distr!=2||c!=
-null?_[Re]:Re,be=b(it,M,R,S),Lt=x(St(qe,ee),C,I,N),ze=F(be-xe),Xe=F(Un(Lt,me)),P=F(gi(Lt,me)),T=Xe-P;if(qe!=null){let X=qe<0?B:en,he=qe<0?en:B;Ve?(nt>0&&et[Re]!=
-null&&Q(Gt.get(et[Re]),ze,P+Zn(nt/2),Ee,Un(0,T-nt),X,he),ut[Re]!=null&&Q(lt.get(ut[Re]),ze,P+Zn(nt/2),Ee,Un(0,T-nt),X,he)):Q(cn,ze,P+Zn(nt/2),Ee,Un(0,T-nt),X,he),
+Ee;for(let Re=K==1?v:m;Re>=v&&Re<=m;Re+=K){let qe=w[Re];if(qe==null)continue;if(qt!=null){let q=qt[Re]??0;if(qe-q==0)continue;me=x(q,C,I,N)}let it=M.distr!=2||c!=
+null?_[Re]:Re,be=b(it,M,R,S),Lt=x(St(qe,ee),C,I,N),ze=F(be-xe),Xe=F(Un(Lt,me)),P=F(gi(Lt,me)),T=Xe-P;if(qe!=null){let q=qe<0?B:en,he=qe<0?en:B;Ve?(nt>0&&et[Re]!=
+null&&Q(Gt.get(et[Re]),ze,P+Zn(nt/2),Ee,Un(0,T-nt),q,he),ut[Re]!=null&&Q(lt.get(ut[Re]),ze,P+Zn(nt/2),Ee,Un(0,T-nt),q,he)):Q(cn,ze,P+Zn(nt/2),Ee,Un(0,T-nt),q,he),
 se(f,p,Re,ze-nt/2,P,Ee+nt,T)}}return nt>0?vt.stroke=Ve?Gt:cn:Ve||(vt._fill=g.width==0?g._fill:g._stroke??g._fill,vt.width=0),vt.fill=Ve?lt:cn,vt})}function Mx(i,e){
-let t=St(e?.alignGaps,0);return(n,s,r,o)=>$s(n,s,(a,l,c,d,u,h,f,p,v,m,g)=>{[r,o]=Fa(c,r,o);let _=a.pxRound,w=H=>_(h(H,d,m,p)),M=H=>_(f(H,u,g,v)),C,b,x;d.ori==0?
-(C=Va,x=Ar,b=gp):(C=Ga,x=Er,b=_p);let S=d.dir*(d.ori==0?1:-1),N=w(l[S==1?r:o]),R=N,I=[],F=[];for(let H=S==1?r:o;H>=r&&H<=o;H+=S)if(c[H]!=null){let K=l[H],Q=w(K);
-I.push(R=Q),F.push(M(c[H]))}let z={stroke:i(I,F,C,x,b,_),fill:null,clip:null,band:null,gaps:null,flags:wr},D=z.stroke,[W,Y]=Hh(n,s);if(a.fill!=null||W!=0){let H=z.
+let t=St(e?.alignGaps,0);return(n,s,r,o)=>Ys(n,s,(a,l,c,d,u,h,f,p,v,m,g)=>{[r,o]=Fa(c,r,o);let _=a.pxRound,w=H=>_(h(H,d,m,p)),M=H=>_(f(H,u,g,v)),C,b,x;d.ori==0?
+(C=Va,x=Er,b=gp):(C=Ga,x=Cr,b=_p);let S=d.dir*(d.ori==0?1:-1),N=w(l[S==1?r:o]),R=N,I=[],F=[];for(let H=S==1?r:o;H>=r&&H<=o;H+=S)if(c[H]!=null){let K=l[H],Q=w(K);
+I.push(R=Q),F.push(M(c[H]))}let z={stroke:i(I,F,C,x,b,_),fill:null,clip:null,band:null,gaps:null,flags:Tr},D=z.stroke,[W,Y]=Hh(n,s);if(a.fill!=null||W!=0){let H=z.
 fill=new Path2D(D),ce=a.fillTo(n,s,a.min,a.max,W),K=M(ce);x(H,R,K),x(H,N,K)}if(!a.spanGaps){let H=[];H.push(...Wh(l,c,r,o,S,w,t)),z.gaps=H=a.gaps(n,s,r,o,H),z.clip=
 za(H,d.ori,p,v,m,g)}return Y!=0&&(z.band=Y==2?[Ji(n,s,r,o,D,-1),Ji(n,s,r,o,D,1)]:Ji(n,s,r,o,D,Y)),z})}function Sx(i){return Mx(bx,i)}function bx(i,e,t,n,s,r){let o=i.
 length;if(o<2)return null;let a=new Path2D;if(t(a,i[0],e[0]),o==2)n(a,i[1],e[1]);else{let l=Array(o),c=Array(o-1),d=Array(o-1),u=Array(o-1);for(let h=0;h<o-1;h++)
 d[h]=e[h+1]-e[h],u[h]=i[h+1]-i[h],c[h]=d[h]/u[h];l[0]=c[0];for(let h=1;h<o-1;h++)c[h]===0||c[h-1]===0||c[h-1]>0!=c[h]>0?l[h]=0:(l[h]=3*(u[h-1]+u[h])/((2*u[h]+u[h-
 1])/c[h-1]+(u[h]+2*u[h-1])/c[h]),isFinite(l[h])||(l[h]=0));l[o-1]=c[o-2];for(let h=0;h<o-1;h++)s(a,i[h]+u[h]/3,e[h]+l[h]*u[h]/3,i[h+1]-u[h]/3,e[h+1]-l[h+1]*u[h]/
-3,i[h+1],e[h+1])}return a}var Ph=new Set;function Uf(){for(let i of Ph)i.syncRect(!0)}Tr&&(Xs(i_,vr,Uf),Xs(s_,vr,Uf,!0),Xs(Na,vr,()=>{fn.pxRatio=wt}));var wx=vp(),
+3,i[h+1],e[h+1])}return a}var Ph=new Set;function Uf(){for(let i of Ph)i.syncRect(!0)}Ar&&(qs(i_,Mr,Uf),qs(s_,Mr,Uf,!0),qs(Na,Mr,()=>{fn.pxRatio=wt}));var wx=vp(),
 Tx=xp();function Ff(i,e,t,n){return(n?[i[0],i[1]].concat(i.slice(2)):[i[0]].concat(i.slice(1))).map((r,o)=>Ih(r,o,e,t))}function Ax(i,e){return i.map((t,n)=>n==
-0?{}:on({},e,t))}function Ih(i,e,t,n){return on({},e==0?t:n,i)}function Mp(i,e,t){return e==null?Sr:[e,t]}var Ex=Mp;function Cx(i,e,t){return e==null?Sr:Da(e,t,
-Fh,!0)}function Sp(i,e,t,n){return e==null?Sr:Oa(e,t,i.scales[n].log,!1)}var Rx=Sp;function bp(i,e,t,n){return e==null?Sr:Uh(e,t,i.scales[n].log,!1)}var Px=bp;function Ix(i,e,t,n,s){
+0?{}:on({},e,t))}function Ih(i,e,t,n){return on({},e==0?t:n,i)}function Mp(i,e,t){return e==null?br:[e,t]}var Ex=Mp;function Cx(i,e,t){return e==null?br:Da(e,t,
+Fh,!0)}function Sp(i,e,t,n){return e==null?br:Oa(e,t,i.scales[n].log,!1)}var Rx=Sp;function bp(i,e,t,n){return e==null?br:Uh(e,t,i.scales[n].log,!1)}var Px=bp;function Ix(i,e,t,n,s){
 let r=Un(pf(i),pf(e)),o=e-i,a=mi(s/n*o,t);do{let l=t[a],c=n*l/o;if(c>=s&&r+(l<5?vs.get(l):0)<=17)return[l,c]}while(++a<t.length);return[0,0]}function Of(i){let e,
 t;return i=i.replace(/(\d+)px/,(n,s)=>(e=un((t=+s)*wt))+"px"),[i,e,t]}function Lx(i){i.show&&[i.font,i.labelFont].forEach(e=>{let t=Dt(e[2]*wt,1);e[0]=e[0].replace(
 /[0-9.]+px/,t+"px"),e[1]=t})}function fn(i,e,t){let n={mode:St(i.mode,1)},s=n.mode;function r(y,A,L,U){let G=A.valToPct(y);return U+L*(A.dir==-1?1-G:G)}function o(y,A,L,U){
 let G=A.valToPct(y);return U+L*(A.dir==-1?G:1-G)}function a(y,A,L,U){return A.ori==0?r(y,A,L,U):o(y,A,L,U)}n.valToPosH=r,n.valToPosV=o;let l=!1;n.status=0;let c=n.
-root=ri(k0);if(i.id!=null&&(c.id=i.id),Yn(c,i.class),i.title){let y=ri(G0,c);y.textContent=i.title}let d=pi("canvas"),u=n.ctx=d.getContext("2d"),h=ri(H0,c);Xs("\
-click",h,y=>{y.target===p&&(Ot!=fr||Ht!=pr)&&bn.click(n,y)},!0);let f=n.under=ri(W0,h);h.appendChild(d);let p=n.over=ri(X0,h);i=br(i);let v=+St(i.pxAlign,1),m=Nf(
+root=ri(k0);if(i.id!=null&&(c.id=i.id),Yn(c,i.class),i.title){let y=ri(G0,c);y.textContent=i.title}let d=pi("canvas"),u=n.ctx=d.getContext("2d"),h=ri(H0,c);qs("\
+click",h,y=>{y.target===p&&(Ot!=pr||Ht!=mr)&&bn.click(n,y)},!0);let f=n.under=ri(W0,h);h.appendChild(d);let p=n.over=ri(X0,h);i=wr(i);let v=+St(i.pxAlign,1),m=Nf(
 v);(i.plugins||[]).forEach(y=>{y.opts&&(i=y.opts(n,i)||i)});let g=i.ms||.001,_=n.series=s==1?Ff(i.series||[],Af,If,!1):Ax(i.series||[null],Pf),w=n.axes=Ff(i.axes||
 [],Tf,Cf,!0),M=n.scales={},C=n.bands=i.bands||[];C.forEach(y=>{y.fill=gt(y.fill||null),y.dir=St(y.dir,-1)});let b=s==2?_[1].facets[0].scale:_[0].scale,x={axes:$i,
 series:ft},S=(i.drawOrder||["axes","series"]).map(y=>x[y]);function N(y){let A=y.distr==3?L=>Zi(L>0?L:y.clamp(n,L,y.min,y.max,y.key)):y.distr==4?L=>xh(L,y.asinh):
 y.distr==100?L=>y.fwd(L):L=>L;return L=>{let U=A(L),{_min:G,_max:J}=y,ae=J-G;return(U-G)/ae}}function R(y){let A=M[y];if(A==null){let L=(i.scales||Ao)[y]||Ao;if(L.
 from!=null){R(L.from);let U=on({},M[L.from],L,{key:y});U.valToPct=N(U),M[y]=U}else{A=M[y]=on({},y==b?up:px,L),A.key=y;let U=A.time,G=A.range,J=ys(G);if((y!=b||s==
 2&&!U)&&(J&&(G[0]==null||G[1]==null)&&(G={min:G[0]==null?uf:{mode:1,hard:G[0],soft:G[0]},max:G[1]==null?uf:{mode:1,hard:G[1],soft:G[1]}},J=!1),!J&&ka(G))){let ae=G;
-G=(fe,ve,Ne)=>ve==null?Sr:Da(ve,Ne,ae)}A.range=gt(G||(U?Ex:y==b?A.distr==3?Rx:A.distr==4?Px:Mp:A.distr==3?Sp:A.distr==4?bp:Cx)),A.auto=gt(J?!1:A.auto),A.clamp=gt(
+G=(fe,ve,Ne)=>ve==null?br:Da(ve,Ne,ae)}A.range=gt(G||(U?Ex:y==b?A.distr==3?Rx:A.distr==4?Px:Mp:A.distr==3?Sp:A.distr==4?bp:Cx)),A.auto=gt(J?!1:A.auto),A.clamp=gt(
 A.clamp||fx),A._min=A._max=null,A.valToPct=N(A)}}}R("x"),R("y"),s==1&&_.forEach(y=>{R(y.scale)}),w.forEach(y=>{R(y.scale)});for(let y in i.scales)R(y);let I=M[b],
 F=I.distr,z,D;I.ori==0?(Yn(c,z0),z=r,D=o):(Yn(c,V0),z=o,D=r);let W={};for(let y in M){let A=M[y];(A.min!=null||A.max!=null)&&(W[y]={min:A.min,max:A.max},A.min=A.
 max=null)}let Y=i.tzDate||(y=>new Date(un(y/g))),H=i.fmtDate||kh,ce=g==1?z_(Y):H_(Y),K=Sf(Y,Mf(g==1?k_:G_,H)),Q=wf(Y,bf(X_,H)),se=[],de=n.legend=on({},Y_,i.legend),
 ue=n.cursor=on({},ex,{drag:{y:s==2}},i.cursor),ee=de.show,me=ue.show,xe=de.markers;de.idxs=se,xe.width=gt(xe.width),xe.dash=gt(xe.dash),xe.stroke=gt(xe.stroke),
 xe.fill=gt(xe.fill);let Ee,Se,He,nt=[],Ve=[],ut,lt=!1,et={};if(de.live){let y=_[1]?_[1].values:null;lt=y!=null,ut=lt?y(n,1,0):{_:0};for(let A in ut)et[A]=Nh}if(ee)
 if(Ee=pi("table",K0,c),He=pi("tbody",null,Ee),de.mount(n,Ee),lt){Se=pi("thead",null,Ee,He);let y=pi("tr",null,Se);pi("th",null,y);for(var Gt in ut)pi("th",Kd,y).
-textContent=Gt}else Yn(Ee,Q0),de.live&&Yn(Ee,j0);let Ut={show:!0},Qt={show:!1};function Pt(y,A){if(A==0&&(lt||!de.live||s==2))return Sr;let L=[],U=pi("tr",e_,He,
-He.childNodes[A]);Yn(U,y.class),y.show||Yn(U,Ws);let G=pi("th",null,U);if(xe.show){let fe=ri(t_,G);if(A>0){let ve=xe.width(n,A);ve&&(fe.style.border=ve+"px "+xe.
+textContent=Gt}else Yn(Ee,Q0),de.live&&Yn(Ee,j0);let Ut={show:!0},Qt={show:!1};function Pt(y,A){if(A==0&&(lt||!de.live||s==2))return br;let L=[],U=pi("tr",e_,He,
+He.childNodes[A]);Yn(U,y.class),y.show||Yn(U,Xs);let G=pi("th",null,U);if(xe.show){let fe=ri(t_,G);if(A>0){let ve=xe.width(n,A);ve&&(fe.style.border=ve+"px "+xe.
 dash(n,A)+" "+xe.stroke(n,A)),fe.style.background=xe.fill(n,A)}}let J=ri(Kd,G);y.label instanceof HTMLElement?J.appendChild(y.label):J.textContent=y.label,A>0&&
 (xe.show||(J.style.color=y.width>0?xe.stroke(n,A):xe.fill(n,A)),vt("click",G,fe=>{if(ue._lock)return;Ze(fe);let ve=_.indexOf(y);if((fe.ctrlKey||fe.metaKey)!=de.
 isolate){let Ne=_.some((De,Fe)=>Fe>0&&Fe!=ve&&De.show);_.forEach((De,Fe)=>{Fe>0&&Ri(Fe,Ne?Fe==ve?Ut:Qt:Ut,!0,rn.setSeries)})}else Ri(ve,{show:!y.show},!0,rn.setSeries)},
-!1),Je&&vt(tf,G,fe=>{ue._lock||(Ze(fe),Ri(_.indexOf(y),gr,!0,rn.setSeries))},!1));for(var ae in ut){let fe=pi("td",n_,U);fe.textContent="--",L.push(fe)}return[U,
-L]}let gn=new Map;function vt(y,A,L,U=!0){let G=gn.get(A)||{},J=ue.bind[y](n,A,L,U);J&&(Xs(y,A,G[y]=J),gn.set(A,G))}function cn(y,A,L){let U=gn.get(A)||{};for(let G in U)
-(y==null||G==y)&&(Th(G,A,U[G]),delete U[G]);y==null&&gn.delete(A)}let qt=0,en=0,B=0,Re=0,qe=0,it=0,be=qe,Lt=it,ze=B,Xe=Re,P=0,T=0,X=0,he=0;n.bbox={};let oe=!1,_e=!1,
+!1),Je&&vt(tf,G,fe=>{ue._lock||(Ze(fe),Ri(_.indexOf(y),_r,!0,rn.setSeries))},!1));for(var ae in ut){let fe=pi("td",n_,U);fe.textContent="--",L.push(fe)}return[U,
+L]}let gn=new Map;function vt(y,A,L,U=!0){let G=gn.get(A)||{},J=ue.bind[y](n,A,L,U);J&&(qs(y,A,G[y]=J),gn.set(A,G))}function cn(y,A,L){let U=gn.get(A)||{};for(let G in U)
+(y==null||G==y)&&(Th(G,A,U[G]),delete U[G]);y==null&&gn.delete(A)}let qt=0,en=0,B=0,Re=0,qe=0,it=0,be=qe,Lt=it,ze=B,Xe=Re,P=0,T=0,q=0,he=0;n.bbox={};let oe=!1,_e=!1,
 ye=!1,te=!1,ie=!1,pe=!1;function O(y,A,L){(L||y!=n.width||A!=n.height)&&re(y,A),ct(!1),ye=!0,_e=!0,Tn()}function re(y,A){n.width=qt=B=y,n.height=en=Re=A,qe=it=0,
-Me(),Ge();let L=n.bbox;P=L.left=Gs(qe*wt,.5),T=L.top=Gs(it*wt,.5),X=L.width=Gs(B*wt,.5),he=L.height=Gs(Re*wt,.5)}let ne=3;function we(){let y=!1,A=0;for(;!y;){A++;
-let L=hr(A),U=Ci(A);y=A==ne||L&&U,y||(re(n.width,n.height),_e=!0)}}function ge({width:y,height:A}){O(y,A)}n.setSize=ge;function Me(){let y=!1,A=!1,L=!1,U=!1;w.forEach(
+Me(),Ge();let L=n.bbox;P=L.left=Hs(qe*wt,.5),T=L.top=Hs(it*wt,.5),q=L.width=Hs(B*wt,.5),he=L.height=Hs(Re*wt,.5)}let ne=3;function we(){let y=!1,A=0;for(;!y;){A++;
+let L=ur(A),U=Ci(A);y=A==ne||L&&U,y||(re(n.width,n.height),_e=!0)}}function ge({width:y,height:A}){O(y,A)}n.setSize=ge;function Me(){let y=!1,A=!1,L=!1,U=!1;w.forEach(
 (G,J)=>{if(G.show&&G._show){let{side:ae,_size:fe}=G,ve=ae%2,Ne=G.label!=null?G.labelSize:0,De=fe+Ne;De>0&&(ve?(B-=De,ae==3?(qe+=De,U=!0):L=!0):(Re-=De,ae==0?(it+=
 De,y=!0):A=!0))}}),Ai[0]=y,Ai[1]=L,Ai[2]=A,Ai[3]=U,B-=ui[1]+ui[3],qe+=ui[3],Re-=ui[2]+ui[0],it+=ui[0]}function Ge(){let y=qe+B,A=it+Re,L=qe,U=it;function G(J,ae){
 switch(J){case 1:return y+=ae,y-ae;case 2:return A+=ae,A-ae;case 3:return L-=ae,L+ae;case 0:return U-=ae,U+ae}}w.forEach((J,ae)=>{if(J.show&&J._show){let fe=J.side;
@@ -261,16 +261,16 @@ Mt[We])||(Ye=We);if(pt!=null||Ye!=null)if(De){let kt=pt==null?-1/0:z(bt[pt],I,Fe
 Ne&&(ve=Ye)}else ve=Ye==null?pt:pt==null?Ye:ae-pt<=Ye-ae?pt:Ye}else De&&dn(tt-z(bt[ae],I,Fe,0))>Ne&&(ve=null);return ve}}let Ze=y=>{ue.event=y};ue.idxs=se,ue._lock=
 !1;let le=ue.points;le.show=gt(le.show),le.size=gt(le.size),le.stroke=gt(le.stroke),le.width=gt(le.width),le.fill=gt(le.fill);let Oe=n.focus=on({},i.focus||{alpha:.3},
 ue.focus),Je=Oe.prox>=0,Ce=Je&&le.one,rt=[],Ft=[],Pn=[];function fo(y,A){let L=le.show(n,A);if(L instanceof HTMLElement)return Yn(L,J0),Yn(L,y.class),Ni(L,-10,-10,
-B,Re),p.insertBefore(L,rt[A]),L}function ar(y,A){if(s==1||A>0){let L=s==1&&M[y.scale].time,U=y.value;y.value=L?_f(U)?wf(Y,bf(U,H)):U||Q:U||hx,y.label=y.label||(L?
+B,Re),p.insertBefore(L,rt[A]),L}function lr(y,A){if(s==1||A>0){let L=s==1&&M[y.scale].time,U=y.value;y.value=L?_f(U)?wf(Y,bf(U,H)):U||Q:U||hx,y.label=y.label||(L?
 nx:tx)}if(Ce||A>0){y.width=y.width==null?1:y.width,y.paths=y.paths||wx||p_,y.fillTo=gt(y.fillTo||mx),y.pxAlign=+St(y.pxAlign,v),y.pxRound=Nf(y.pxAlign),y.stroke=
 gt(y.stroke||null),y.fill=gt(y.fill||null),y._stroke=y._fill=y._paths=y._focus=null;let L=ux(Un(1,y.width),1),U=y.points=on({},{size:L,width:Un(1,L*.2),stroke:y.
 stroke,space:L*2,paths:Tx,_stroke:null,_fill:null},y.points);U.show=gt(U.show),U.filter=gt(U.filter),U.fill=gt(U.fill),U.stroke=gt(U.stroke),U.paths=gt(U.paths),
 U.pxAlign=y.pxAlign}if(ee){let L=Pt(y,A);nt.splice(A,0,L[0]),Ve.splice(A,0,L[1]),de.values.push(null)}if(me){se.splice(A,0,null);let L=null;Ce?A==0&&(L=fo(y,A)):
 A>0&&(L=fo(y,A)),rt.splice(A,0,L),Ft.splice(A,0,0),Pn.splice(A,0,0)}yn("addSeries",A)}function rh(y,A){A=A??_.length,y=s==1?Ih(y,A,Af,If):Ih(y,A,{},Pf),_.splice(
-A,0,y),ar(_[A],A)}n.addSeries=rh;function Ta(y){if(_.splice(y,1),ee){de.values.splice(y,1),Ve.splice(y,1);let A=nt.splice(y,1)[0];cn(null,A.firstChild),A.remove()}
+A,0,y),lr(_[A],A)}n.addSeries=rh;function Ta(y){if(_.splice(y,1),ee){de.values.splice(y,1),Ve.splice(y,1);let A=nt.splice(y,1)[0];cn(null,A.firstChild),A.remove()}
 me&&(se.splice(y,1),rt.splice(y,1)[0].remove(),Ft.splice(y,1),Pn.splice(y,1)),yn("delSeries",y)}n.delSeries=Ta;let Ai=[!1,!1,!1,!1];function Wi(y,A){if(y._show=
 y.show,y.show){let L=y.side%2,U=M[y.scale];U==null&&(y.scale=L?_[1].scale:b,U=M[y.scale]);let G=U.time;y.size=gt(y.size),y.space=gt(y.space),y.rotate=gt(y.rotate),
-ys(y.incrs)&&y.incrs.forEach(ae=>{!vs.has(ae)&&vs.set(ae,qf(ae))}),y.incrs=gt(y.incrs||(U.distr==2?F_:G?g==1?B_:V_:Hs)),y.splits=gt(y.splits||(G&&U.distr==1?ce:
+ys(y.incrs)&&y.incrs.forEach(ae=>{!vs.has(ae)&&vs.set(ae,qf(ae))}),y.incrs=gt(y.incrs||(U.distr==2?F_:G?g==1?B_:V_:Ws)),y.splits=gt(y.splits||(G&&U.distr==1?ce:
 U.distr==3?Eh:U.distr==4?rx:sx)),y.stroke=gt(y.stroke),y.grid.stroke=gt(y.grid.stroke),y.ticks.stroke=gt(y.ticks.stroke),y.border.stroke=gt(y.border.stroke);let J=y.
 values;y.values=ys(J)&&!ys(J[0])?gt(J):G?ys(J)?Sf(Y,Mf(J,H)):_f(J)?W_(Y,J):J||K:J||ix,y.filter=gt(y.filter||(U.distr>=3&&U.log==10?lx:U.distr==3&&U.log==2?cx:Wf)),
 y.font=Of(y.font),y.labelFont=Of(y.labelFont),y._size=y.size(n,null,A,0),y._space=y._rotate=y._incrs=y._found=y._splits=y._values=null,y._size>0&&(Ai[A]=!0,y._el=
@@ -280,12 +280,12 @@ idxs:null,Wn=null,fs=!1;function mo(y,A){if(e=y??[],n.data=n._data=e,s==2){$t=0;
 e=[[]]),Wn=e[0],$t=Wn.length;let L=e;if(F==2){L=e.slice();let U=L[0]=Array($t);for(let G=0;G<$t;G++)U[G]=G}n._data=e=L}if(ct(!0),yn("setData"),F==2&&(ye=!0),A!==
 !1){let L=I;L.auto(n,fs)?go():gs(b,L.min,L.max),te=te||ue.left>=0,pe=!0,Tn()}}n.setData=mo;function go(){fs=!0;let y,A;s==1&&($t>0?(Kt=Ei[0]=0,jt=Ei[1]=$t-1,y=e[0][Kt],
 A=e[0][jt],F==2?(y=Kt,A=jt):y==A&&(F==3?[y,A]=Oa(y,y,I.log,!1):F==4?[y,A]=Uh(y,y,I.log,!1):I.time?A=y+un(86400/g):[y,A]=Da(y,A,Fh,!0))):(Kt=Ei[0]=y=null,jt=Ei[1]=
-A=null)),gs(b,y,A)}let lr,ps,cr,E,k,j,$,Z,Te,Pe;function Ae(y,A,L,U,G,J){y??=Qd,L??=Bh,U??="butt",G??=Qd,J??="round",y!=lr&&(u.strokeStyle=lr=y),G!=ps&&(u.fillStyle=
-ps=G),A!=cr&&(u.lineWidth=cr=A),J!=k&&(u.lineJoin=k=J),U!=j&&(u.lineCap=j=U),L!=E&&u.setLineDash(E=L)}function Ie(y,A,L,U){A!=ps&&(u.fillStyle=ps=A),y!=$&&(u.font=
+A=null)),gs(b,y,A)}let cr,ps,hr,E,k,j,$,Z,Te,Pe;function Ae(y,A,L,U,G,J){y??=Qd,L??=Bh,U??="butt",G??=Qd,J??="round",y!=cr&&(u.strokeStyle=cr=y),G!=ps&&(u.fillStyle=
+ps=G),A!=hr&&(u.lineWidth=hr=A),J!=k&&(u.lineJoin=k=J),U!=j&&(u.lineCap=j=U),L!=E&&u.setLineDash(E=L)}function Ie(y,A,L,U){A!=ps&&(u.fillStyle=ps=A),y!=$&&(u.font=
 $=y),L!=Z&&(u.textAlign=Z=L),U!=Te&&(u.textBaseline=Te=U)}function ke(y,A,L,U,G=0){if(U.length>0&&y.auto(n,fs)&&(A==null||A.min==null)){let J=St(Kt,0),ae=St(jt,
 U.length-1),fe=L.min==null?l_(U,J,ae,G,y.distr==3):[L.min,L.max];y.min=gi(y.min,L.min=fe[0]),y.max=Un(y.max,L.max=fe[1])}}let je={min:null,max:null};function dt(){
 for(let U in M){let G=M[U];W[U]==null&&(G.min==null||W[b]!=null&&G.auto(n,fs))&&(W[U]=je)}for(let U in M){let G=M[U];W[U]==null&&G.from!=null&&W[G.from]!=null&&
-(W[U]=je)}W[b]!=null&&ct(!0);let y={};for(let U in W){let G=W[U];if(G!=null){let J=y[U]=br(M[U],__);if(G.min!=null)on(J,G);else if(U!=b||s==2)if($t==0&&J.from==
+(W[U]=je)}W[b]!=null&&ct(!0);let y={};for(let U in W){let G=W[U];if(G!=null){let J=y[U]=wr(M[U],__);if(G.min!=null)on(J,G);else if(U!=b||s==2)if($t==0&&J.from==
 null){let ae=J.range(n,null,null,U);J.min=ae[0],J.max=ae[1]}else J.min=Nt,J.max=-Nt}}if($t>0){_.forEach((U,G)=>{if(s==1){let J=U.scale,ae=W[J];if(ae==null)return;
 let fe=y[J];if(G==0){let ve=fe.range(n,fe.min,fe.max,J);fe.min=ve[0],fe.max=ve[1],Kt=mi(fe.min,e[0]),jt=mi(fe.max,e[0]),jt-Kt>1&&(e[0][Kt]<fe.min&&Kt++,e[0][jt]>
 fe.max&&jt--),U.min=Wn[Kt],U.max=Wn[jt]}else U.show&&U.auto&&ke(fe,ae,U,e[G],U.sorted);U.idxs[0]=Kt,U.idxs[1]=jt}else if(G>0&&U.show&&U.auto){let[J,ae]=U.facets,
@@ -301,103 +301,103 @@ paths(n,L,G[0],G[1]),Pe!=U&&(u.globalAlpha=Pe=U)}}),_.forEach((A,L)=>{if(L>0&&A.
 {let G=A._paths!=null?A._paths.gaps:null,J=A.points.show(n,L,Kt,jt,G),ae=A.points.filter(n,L,J,G);(J||ae)&&(A.points._paths=A.points.paths(n,L,Kt,jt,ae),Et(L,!0))}
 Pe!=U&&(u.globalAlpha=Pe=U),yn("drawSeries",L)}}),y&&(u.globalAlpha=Pe=1)}}function Xt(y,A){let L=A?_[y].points:_[y];L._stroke=L.stroke(n,y),L._fill=L.fill(n,y)}
 function Et(y,A){let L=A?_[y].points:_[y],{stroke:U,fill:G,clip:J,flags:ae,_stroke:fe=L._stroke,_fill:ve=L._fill,_width:Ne=L.width}=L._paths;Ne=Dt(Ne*wt,3);let De=null,
-Fe=Ne%2/2;A&&ve==null&&(ve=Ne>0?"#fff":fe);let tt=L.pxAlign==1&&Fe>0;if(tt&&u.translate(Fe,Fe),!A){let bt=P-Ne/2,Mt=T-Ne/2,pt=X+Ne,Ye=he+Ne;De=new Path2D,De.rect(
+Fe=Ne%2/2;A&&ve==null&&(ve=Ne>0?"#fff":fe);let tt=L.pxAlign==1&&Fe>0;if(tt&&u.translate(Fe,Fe),!A){let bt=P-Ne/2,Mt=T-Ne/2,pt=q+Ne,Ye=he+Ne;De=new Path2D,De.rect(
 bt,Mt,pt,Ye)}A?Ue(fe,Ne,L.dash,L.cap,ve,U,G,ae,J):Ct(y,fe,Ne,L.dash,L.cap,ve,U,G,ae,De,J),tt&&u.translate(-Fe,-Fe)}function Ct(y,A,L,U,G,J,ae,fe,ve,Ne,De){let Fe=!1;
 ve!=0&&C.forEach((tt,bt)=>{if(tt.series[0]==y){let Mt=_[tt.series[1]],pt=e[tt.series[1]],Ye=(Mt._paths||Ao).band;ys(Ye)&&(Ye=tt.dir==1?Ye[0]:Ye[1]);let We,kt=null;
-Mt.show&&Ye&&h_(pt,Kt,jt)?(kt=tt.fill(n,bt)||J,We=Mt._paths.clip):Ye=null,Ue(A,L,U,G,kt,ae,fe,ve,Ne,De,We,Ye),Fe=!0}}),Fe||Ue(A,L,U,G,J,ae,fe,ve,Ne,De)}let hn=wr|
+Mt.show&&Ye&&h_(pt,Kt,jt)?(kt=tt.fill(n,bt)||J,We=Mt._paths.clip):Ye=null,Ue(A,L,U,G,kt,ae,fe,ve,Ne,De,We,Ye),Fe=!0}}),Fe||Ue(A,L,U,G,J,ae,fe,ve,Ne,De)}let hn=Tr|
 Rh;function Ue(y,A,L,U,G,J,ae,fe,ve,Ne,De,Fe){Ae(y,A,L,U,G),(ve||Ne||Fe)&&(u.save(),ve&&u.clip(ve),Ne&&u.clip(Ne)),Fe?(fe&hn)==hn?(u.clip(Fe),De&&u.clip(De),mt(
-G,ae),tn(y,J,A)):fe&Rh?(mt(G,ae),u.clip(Fe),tn(y,J,A)):fe&wr&&(u.save(),u.clip(Fe),De&&u.clip(De),mt(G,ae),u.restore(),tn(y,J,A)):(mt(G,ae),tn(y,J,A)),(ve||Ne||
-Fe)&&u.restore()}function tn(y,A,L){L>0&&(A instanceof Map?A.forEach((U,G)=>{u.strokeStyle=lr=G,u.stroke(U)}):A!=null&&y&&u.stroke(A))}function mt(y,A){A instanceof
+G,ae),tn(y,J,A)):fe&Rh?(mt(G,ae),u.clip(Fe),tn(y,J,A)):fe&Tr&&(u.save(),u.clip(Fe),De&&u.clip(De),mt(G,ae),u.restore(),tn(y,J,A)):(mt(G,ae),tn(y,J,A)),(ve||Ne||
+Fe)&&u.restore()}function tn(y,A,L){L>0&&(A instanceof Map?A.forEach((U,G)=>{u.strokeStyle=cr=G,u.stroke(U)}):A!=null&&y&&u.stroke(A))}function mt(y,A){A instanceof
 Map?A.forEach((L,U)=>{u.fillStyle=ps=U,u.fill(L)}):A!=null&&y&&u.fill(A)}function qi(y,A,L,U){let G=w[y],J;if(U<=0)J=[0,0];else{let ae=G._space=G.space(n,y,A,L,
 U),fe=G._incrs=G.incrs(n,y,A,L,U,ae);J=Ix(A,L,fe,U,ae)}return G._found=J}function nn(y,A,L,U,G,J,ae,fe,ve,Ne){let De=ae%2/2;v==1&&u.translate(De,De),Ae(fe,ae,ve,
 Ne,fe),u.beginPath();let Fe,tt,bt,Mt,pt=G+(U==0||U==3?-J:J);L==0?(tt=G,Mt=pt):(Fe=G,bt=pt);for(let Ye=0;Ye<y.length;Ye++)A[Ye]!=null&&(L==0?Fe=bt=y[Ye]:tt=Mt=y[Ye],
-u.moveTo(Fe,tt),u.lineTo(bt,Mt));u.stroke(),v==1&&u.translate(-De,-De)}function hr(y){let A=!0;return w.forEach((L,U)=>{if(!L.show)return;let G=M[L.scale];if(G.
+u.moveTo(Fe,tt),u.lineTo(bt,Mt));u.stroke(),v==1&&u.translate(-De,-De)}function ur(y){let A=!0;return w.forEach((L,U)=>{if(!L.show)return;let G=M[L.scale];if(G.
 min==null){L._show&&(A=!1,L._show=!1,ct(!1));return}else L._show||(A=!1,L._show=!0,ct(!1));let J=L.side,ae=J%2,{min:fe,max:ve}=G,[Ne,De]=qi(U,fe,ve,ae==0?B:Re);
 if(De==0)return;let Fe=G.distr==2,tt=L._splits=L.splits(n,U,fe,ve,Ne,De,Fe),bt=G.distr==2?tt.map(We=>Wn[We]):tt,Mt=G.distr==2?Wn[tt[1]]-Wn[tt[0]]:Ne,pt=L._values=
 L.values(n,L.filter(n,bt,U,De,Mt),U,De,Mt);L._rotate=J==2?L.rotate(n,pt,U,De):0;let Ye=L._size;L._size=oi(L.size(n,pt,U,y)),Ye!=null&&L._size!=Ye&&(A=!1)}),A}function Ci(y){
 let A=!0;return po.forEach((L,U)=>{let G=L(n,U,Ai,y);G!=ui[U]&&(A=!1),ui[U]=G}),A}function $i(){for(let y=0;y<w.length;y++){let A=w[y];if(!A.show||!A._show)continue;
 let L=A.side,U=L%2,G,J,ae=A.stroke(n,y),fe=L==0||L==3?-1:1,[ve,Ne]=A._found;if(A.label!=null){let Nn=A.labelGap*fe,$n=un((A._lpos+Nn)*wt);Ie(A.labelFont[0],ae,"\
-center",L==2?"top":jd),u.save(),U==1?(G=J=0,u.translate($n,un(T+he/2)),u.rotate((L==3?-La:La)/2)):(G=un(P+X/2),J=$n);let Vs=Gf(A.label)?A.label(n,y,ve,Ne):A.label;
-u.fillText(Vs,G,J),u.restore()}if(Ne==0)continue;let De=M[A.scale],Fe=U==0?X:he,tt=U==0?P:T,bt=A._splits,Mt=De.distr==2?bt.map(Nn=>Wn[Nn]):bt,pt=De.distr==2?Wn[bt[1]]-
+center",L==2?"top":jd),u.save(),U==1?(G=J=0,u.translate($n,un(T+he/2)),u.rotate((L==3?-La:La)/2)):(G=un(P+q/2),J=$n);let Gs=Gf(A.label)?A.label(n,y,ve,Ne):A.label;
+u.fillText(Gs,G,J),u.restore()}if(Ne==0)continue;let De=M[A.scale],Fe=U==0?q:he,tt=U==0?P:T,bt=A._splits,Mt=De.distr==2?bt.map(Nn=>Wn[Nn]):bt,pt=De.distr==2?Wn[bt[1]]-
 Wn[bt[0]]:ve,Ye=A.ticks,We=A.border,kt=Ye.show?Ye.size:0,Zt=un(kt*wt),vn=un((A.alignTo==2?A._size-kt-A.gap:A.gap)*wt),It=A._rotate*-La/180,Jt=m(A._pos*wt),Xn=(Zt+
-vn)*fe,Ln=Jt+Xn;J=U==0?Ln:0,G=U==1?Ln:0;let ii=A.font[0],di=A.align==1?xr:A.align==2?mh:It>0?xr:It<0?mh:U==0?"center":L==3?mh:xr,Ii=It||U==1?"middle":L==2?"top":
+vn)*fe,Ln=Jt+Xn;J=U==0?Ln:0,G=U==1?Ln:0;let ii=A.font[0],di=A.align==1?yr:A.align==2?mh:It>0?yr:It<0?mh:U==0?"center":L==3?mh:yr,Ii=It||U==1?"middle":L==2?"top":
 jd;Ie(ii,ae,di,Ii);let qn=A.font[1]*A.lineGap,si=bt.map(Nn=>m(a(Nn,De,Fe,tt))),fi=A._values;for(let Nn=0;Nn<fi.length;Nn++){let $n=fi[Nn];if($n!=null){U==0?G=si[Nn]:
-J=si[Nn],$n=""+$n;let Vs=$n.indexOf("\n")==-1?[$n]:$n.split(/\n/gm);for(let Dn=0;Dn<Vs.length;Dn++){let $d=Vs[Dn];It?(u.save(),u.translate(G,J+Dn*qn),u.rotate(It),
+J=si[Nn],$n=""+$n;let Gs=$n.indexOf("\n")==-1?[$n]:$n.split(/\n/gm);for(let Dn=0;Dn<Gs.length;Dn++){let $d=Gs[Dn];It?(u.save(),u.translate(G,J+Dn*qn),u.rotate(It),
 u.fillText($d,0,0),u.restore()):u.fillText($d,G,J+Dn*qn)}}}Ye.show&&nn(si,Ye.filter(n,Mt,y,Ne,pt),U,L,Jt,Zt,Dt(Ye.width*wt,3),Ye.stroke(n,y),Ye.dash,Ye.cap);let Li=A.
-grid;Li.show&&nn(si,Li.filter(n,Mt,y,Ne,pt),U,U==0?2:1,U==0?T:P,U==0?he:X,Dt(Li.width*wt,3),Li.stroke(n,y),Li.dash,Li.cap),We.show&&nn([Jt],[1],U==0?1:0,U==0?1:
-2,U==1?T:P,U==1?he:X,Dt(We.width*wt,3),We.stroke(n,y),We.dash,We.cap)}yn("drawAxes")}function ct(y){_.forEach((A,L)=>{L>0&&(A._paths=null,y&&(s==1?(A.min=null,A.
+grid;Li.show&&nn(si,Li.filter(n,Mt,y,Ne,pt),U,U==0?2:1,U==0?T:P,U==0?he:q,Dt(Li.width*wt,3),Li.stroke(n,y),Li.dash,Li.cap),We.show&&nn([Jt],[1],U==0?1:0,U==0?1:
+2,U==1?T:P,U==1?he:q,Dt(We.width*wt,3),We.stroke(n,y),We.dash,We.cap)}yn("drawAxes")}function ct(y){_.forEach((A,L)=>{L>0&&(A._paths=null,y&&(s==1?(A.min=null,A.
 max=null):A.facets.forEach(U=>{U.min=null,U.max=null})))})}let Yt=!1,In=!1,Rt=[];function sn(){In=!1;for(let y=0;y<Rt.length;y++)yn(...Rt[y]);Rt.length=0}function Tn(){
 Yt||(w_(Rd),Yt=!0)}function Aa(y,A=!1){Yt=!0,In=A,y(n),Rd(),A&&Rt.length>0&&queueMicrotask(sn)}n.batch=Aa;function Rd(){if(oe&&(dt(),oe=!1),ye&&(we(),ye=!1),_e){
-if(zt(f,xr,qe),zt(f,"top",it),zt(f,So,B),zt(f,bo,Re),zt(p,xr,qe),zt(p,"top",it),zt(p,So,B),zt(p,bo,Re),zt(h,So,qt),zt(h,bo,en),d.width=un(qt*wt),d.height=un(en*
+if(zt(f,yr,qe),zt(f,"top",it),zt(f,So,B),zt(f,bo,Re),zt(p,yr,qe),zt(p,"top",it),zt(p,So,B),zt(p,bo,Re),zt(h,So,qt),zt(h,bo,en),d.width=un(qt*wt),d.height=un(en*
 wt),w.forEach(({_el:y,_show:A,_size:L,_pos:U,side:G})=>{if(y!=null)if(A){let J=G===3||G===0?L:0,ae=G%2==1;zt(y,ae?"left":"top",U-J),zt(y,ae?"width":"height",L),
-zt(y,ae?"top":"left",ae?it:qe),zt(y,ae?"height":"width",ae?Re:B),wh(y,Ws)}else Yn(y,Ws)}),lr=ps=cr=k=j=$=Z=Te=E=null,Pe=1,yo(!0),qe!=be||it!=Lt||B!=ze||Re!=Xe){
-ct(!1);let y=B/ze,A=Re/Xe;if(me&&!te&&ue.left>=0){ue.left*=y,ue.top*=A,ur&&Ni(ur,un(ue.left),0,B,Re),dr&&Ni(dr,0,un(ue.top),B,Re);for(let L=0;L<rt.length;L++){let U=rt[L];
+zt(y,ae?"top":"left",ae?it:qe),zt(y,ae?"height":"width",ae?Re:B),wh(y,Xs)}else Yn(y,Xs)}),cr=ps=hr=k=j=$=Z=Te=E=null,Pe=1,yo(!0),qe!=be||it!=Lt||B!=ze||Re!=Xe){
+ct(!1);let y=B/ze,A=Re/Xe;if(me&&!te&&ue.left>=0){ue.left*=y,ue.top*=A,dr&&Ni(dr,un(ue.left),0,B,Re),fr&&Ni(fr,0,un(ue.top),B,Re);for(let L=0;L<rt.length;L++){let U=rt[L];
 U!=null&&(Ft[L]*=y,Pn[L]*=A,Ni(U,oi(Ft[L]),oi(Pn[L]),B,Re))}}if(Bt.show&&!ie&&Bt.left>=0&&Bt.width>0){Bt.left*=y,Bt.width*=y,Bt.top*=A,Bt.height*=A;for(let L in uh)
-zt(mr,L,Bt[L])}be=qe,Lt=it,ze=B,Xe=Re}yn("setSize"),_e=!1}qt>0&&en>0&&(u.clearRect(0,0,d.width,d.height),yn("drawClear"),S.forEach(y=>y()),yn("draw")),Bt.show&&
-ie&&(Ea(Bt),ie=!1),me&&te&&(zs(null,!0,!1),te=!1),de.show&&de.live&&pe&&(ch(),pe=!1),l||(l=!0,n.status=1,yn("ready")),fs=!1,Yt=!1}n.redraw=(y,A)=>{ye=A||!1,y!==
+zt(gr,L,Bt[L])}be=qe,Lt=it,ze=B,Xe=Re}yn("setSize"),_e=!1}qt>0&&en>0&&(u.clearRect(0,0,d.width,d.height),yn("drawClear"),S.forEach(y=>y()),yn("draw")),Bt.show&&
+ie&&(Ea(Bt),ie=!1),me&&te&&(Vs(null,!0,!1),te=!1),de.show&&de.live&&pe&&(ch(),pe=!1),l||(l=!0,n.status=1,yn("ready")),fs=!1,Yt=!1}n.redraw=(y,A)=>{ye=A||!1,y!==
 !1?gs(b,I.min,I.max):Tn()};function oh(y,A){let L=M[y];if(L.from==null){if($t==0){let U=L.range(n,A.min,A.max,y);A.min=U[0],A.max=U[1]}if(A.min>A.max){let U=A.min;
 A.min=A.max,A.max=U}if($t>1&&A.min!=null&&A.max!=null&&A.max-A.min<1e-16)return;y==b&&L.distr==2&&$t>0&&(A.min=mi(A.min,e[0]),A.max=mi(A.max,e[0]),A.min==A.max&&
-A.max++),W[y]=A,oe=!0,Tn()}}n.setScale=oh;let ah,lh,ur,dr,Pd,Id,fr,pr,Ld,Nd,Ot,Ht,ms=!1,bn=ue.drag,_n=bn.x,xn=bn.y;me&&(ue.x&&(ah=ri(Y0,p)),ue.y&&(lh=ri(Z0,p)),
-I.ori==0?(ur=ah,dr=lh):(ur=lh,dr=ah),Ot=ue.left,Ht=ue.top);let Bt=n.select=on({show:!0,over:!0,left:0,width:0,top:0,height:0},i.select),mr=Bt.show?ri($0,Bt.over?
-p:f):null;function Ea(y,A){if(Bt.show){for(let L in y)Bt[L]=y[L],L in uh&&zt(mr,L,y[L]);A!==!1&&yn("setSelect")}}n.setSelect=Ea;function w0(y){if(_[y].show)ee&&
-wh(nt[y],Ws);else if(ee&&Yn(nt[y],Ws),me){let L=Ce?rt[0]:rt[y];L!=null&&Ni(L,-10,-10,B,Re)}}function gs(y,A,L){oh(y,{min:A,max:L})}function Ri(y,A,L,U){A.focus!=
+A.max++),W[y]=A,oe=!0,Tn()}}n.setScale=oh;let ah,lh,dr,fr,Pd,Id,pr,mr,Ld,Nd,Ot,Ht,ms=!1,bn=ue.drag,_n=bn.x,xn=bn.y;me&&(ue.x&&(ah=ri(Y0,p)),ue.y&&(lh=ri(Z0,p)),
+I.ori==0?(dr=ah,fr=lh):(dr=lh,fr=ah),Ot=ue.left,Ht=ue.top);let Bt=n.select=on({show:!0,over:!0,left:0,width:0,top:0,height:0},i.select),gr=Bt.show?ri($0,Bt.over?
+p:f):null;function Ea(y,A){if(Bt.show){for(let L in y)Bt[L]=y[L],L in uh&&zt(gr,L,y[L]);A!==!1&&yn("setSelect")}}n.setSelect=Ea;function w0(y){if(_[y].show)ee&&
+wh(nt[y],Xs);else if(ee&&Yn(nt[y],Xs),me){let L=Ce?rt[0]:rt[y];L!=null&&Ni(L,-10,-10,B,Re)}}function gs(y,A,L){oh(y,{min:A,max:L})}function Ri(y,A,L,U){A.focus!=
 null&&R0(y),A.show!=null&&_.forEach((G,J)=>{J>0&&(y==J||y==null)&&(G.show=A.show,w0(J),s==2?(gs(G.facets[0].scale,null,null),gs(G.facets[1].scale,null,null)):gs(
 G.scale,null,null),Tn())}),L!==!1&&yn("setSeries",y,A),U&&vo("setSeries",n,y,A)}n.setSeries=Ri;function T0(y,A){on(C[y],A)}function A0(y,A){y.fill=gt(y.fill||null),
 y.dir=St(y.dir,-1),A=A??C.length,C.splice(A,0,y)}function E0(y){y==null?C.length=0:C.splice(y,1)}n.addBand=A0,n.setBand=T0,n.delBand=E0;function C0(y,A){_[y].alpha=
-A,me&&rt[y]!=null&&(rt[y].style.opacity=A),ee&&nt[y]&&(nt[y].style.opacity=A)}let Yi,_s,ks,gr={focus:!0};function R0(y){if(y!=ks){let A=y==null,L=Oe.alpha!=1;_.
-forEach((U,G)=>{if(s==1||G>0){let J=A||G==0||G==y;U._focus=A?null:J,L&&C0(G,J?1:Oe.alpha)}}),ks=y,L&&Tn()}}ee&&Je&&vt(nf,Ee,y=>{ue._lock||(Ze(y),ks!=null&&Ri(null,
-gr,!0,rn.setSeries))});function Pi(y,A,L){let U=M[A];L&&(y=y/wt-(U.ori==1?it:qe));let G=B;U.ori==1&&(G=Re,y=G-y),U.dir==-1&&(y=G-y);let J=U._min,ae=U._max,fe=y/
-G,ve=J+(ae-J)*fe,Ne=U.distr;return Ne==3?Mr(10,ve):Ne==4?d_(ve,U.asinh):Ne==100?U.bwd(ve):ve}function P0(y,A){let L=Pi(y,b,A);return mi(L,e[0],Kt,jt)}n.valToIdx=
-y=>mi(y,e[0]),n.posToIdx=P0,n.posToVal=Pi,n.valToPos=(y,A,L)=>M[A].ori==0?r(y,M[A],L?X:B,L?P:0):o(y,M[A],L?he:Re,L?T:0),n.setCursor=(y,A,L)=>{Ot=y.left,Ht=y.top,
-zs(null,A,L)};function Dd(y,A){zt(mr,xr,Bt.left=y),zt(mr,So,Bt.width=A)}function Ud(y,A){zt(mr,"top",Bt.top=y),zt(mr,bo,Bt.height=A)}let _o=I.ori==0?Dd:Ud,xo=I.
+A,me&&rt[y]!=null&&(rt[y].style.opacity=A),ee&&nt[y]&&(nt[y].style.opacity=A)}let Yi,_s,zs,_r={focus:!0};function R0(y){if(y!=zs){let A=y==null,L=Oe.alpha!=1;_.
+forEach((U,G)=>{if(s==1||G>0){let J=A||G==0||G==y;U._focus=A?null:J,L&&C0(G,J?1:Oe.alpha)}}),zs=y,L&&Tn()}}ee&&Je&&vt(nf,Ee,y=>{ue._lock||(Ze(y),zs!=null&&Ri(null,
+_r,!0,rn.setSeries))});function Pi(y,A,L){let U=M[A];L&&(y=y/wt-(U.ori==1?it:qe));let G=B;U.ori==1&&(G=Re,y=G-y),U.dir==-1&&(y=G-y);let J=U._min,ae=U._max,fe=y/
+G,ve=J+(ae-J)*fe,Ne=U.distr;return Ne==3?Sr(10,ve):Ne==4?d_(ve,U.asinh):Ne==100?U.bwd(ve):ve}function P0(y,A){let L=Pi(y,b,A);return mi(L,e[0],Kt,jt)}n.valToIdx=
+y=>mi(y,e[0]),n.posToIdx=P0,n.posToVal=Pi,n.valToPos=(y,A,L)=>M[A].ori==0?r(y,M[A],L?q:B,L?P:0):o(y,M[A],L?he:Re,L?T:0),n.setCursor=(y,A,L)=>{Ot=y.left,Ht=y.top,
+Vs(null,A,L)};function Dd(y,A){zt(gr,yr,Bt.left=y),zt(gr,So,Bt.width=A)}function Ud(y,A){zt(gr,"top",Bt.top=y),zt(gr,bo,Bt.height=A)}let _o=I.ori==0?Dd:Ud,xo=I.
 ori==1?Dd:Ud;function I0(){if(ee&&de.live)for(let y=s==2?1:0;y<_.length;y++){if(y==0&&lt)continue;let A=de.values[y],L=0;for(let U in A)Ve[y][L++].firstChild.nodeValue=
 A[U]}}function ch(y,A){if(y!=null&&(y.idxs?y.idxs.forEach((L,U)=>{se[U]=L}):g_(y.idx)||se.fill(y.idx),de.idx=se[0]),ee&&de.live){for(let L=0;L<_.length;L++)(L>0||
 s==1&&!lt)&&L0(L,se[L]);I0()}pe=!1,A!==!1&&yn("setLegend")}n.setLegend=ch;function L0(y,A){let L=_[y],U=y==0&&F==2?Wn:e[y],G;lt?G=L.values(n,y,A)??et:(G=L.value(
-n,A==null?null:U[A],y,A),G=G==null?et:{_:G}),de.values[y]=G}function zs(y,A,L){Ld=Ot,Nd=Ht,[Ot,Ht]=ue.move(n,Ot,Ht),ue.left=Ot,ue.top=Ht,me&&(ur&&Ni(ur,un(Ot),0,
-B,Re),dr&&Ni(dr,0,un(Ht),B,Re));let U,G=Kt>jt;Yi=Nt,_s=null;let J=I.ori==0?B:Re,ae=I.ori==1?B:Re;if(Ot<0||$t==0||G){U=ue.idx=null;for(let fe=0;fe<_.length;fe++){
-let ve=rt[fe];ve!=null&&Ni(ve,-10,-10,B,Re)}Je&&Ri(null,gr,!0,y==null&&rn.setSeries),de.live&&(se.fill(U),pe=!0)}else{let fe,ve,Ne;s==1&&(fe=I.ori==0?Ot:Ht,ve=Pi(
+n,A==null?null:U[A],y,A),G=G==null?et:{_:G}),de.values[y]=G}function Vs(y,A,L){Ld=Ot,Nd=Ht,[Ot,Ht]=ue.move(n,Ot,Ht),ue.left=Ot,ue.top=Ht,me&&(dr&&Ni(dr,un(Ot),0,
+B,Re),fr&&Ni(fr,0,un(Ht),B,Re));let U,G=Kt>jt;Yi=Nt,_s=null;let J=I.ori==0?B:Re,ae=I.ori==1?B:Re;if(Ot<0||$t==0||G){U=ue.idx=null;for(let fe=0;fe<_.length;fe++){
+let ve=rt[fe];ve!=null&&Ni(ve,-10,-10,B,Re)}Je&&Ri(null,_r,!0,y==null&&rn.setSeries),de.live&&(se.fill(U),pe=!0)}else{let fe,ve,Ne;s==1&&(fe=I.ori==0?Ot:Ht,ve=Pi(
 fe,b),U=ue.idx=mi(ve,e[0],Kt,jt),Ne=z(e[0][U],I,J,0));let De=-10,Fe=-10,tt=0,bt=0,Mt=!0,pt="",Ye="";for(let We=s==2?1:0;We<_.length;We++){let kt=_[We],Zt=se[We],
 vn=Zt==null?null:s==1?e[We][Zt]:e[We][1][Zt],It=ue.dataIdx(n,We,U,ve),Jt=It==null?null:s==1?e[We][It]:e[We][1][It];if(pe=pe||Jt!=vn||It!=Zt,se[We]=It,We>0&&kt.show){
 let Xn=It==null?-10:It==U?Ne:z(s==1?e[0][It]:e[We][0][It],I,J,0),Ln=Jt==null?-10:D(Jt,s==1?M[kt.scale]:M[kt.facets[1].scale],ae,0);if(Je&&Jt!=null){let ii=I.ori==
 1?Ot:Ht,di=dn(Oe.dist(n,We,It,Ln,ii));if(di<Yi){let Ii=Oe.bias;if(Ii!=0){let qn=Pi(ii,kt.scale),si=Jt>=0?1:-1,fi=qn>=0?1:-1;fi==si&&(fi==1?Ii==1?Jt>=qn:Jt<=qn:Ii==
-1?Jt<=qn:Jt>=qn)&&(Yi=di,_s=We)}else Yi=di,_s=We}}if(pe||Ce){let ii,di;I.ori==0?(ii=Xn,di=Ln):(ii=Ln,di=Xn);let Ii,qn,si,fi,Li,Nn,$n=!0,Vs=le.bbox;if(Vs!=null){
-$n=!1;let Dn=Vs(n,We);si=Dn.left,fi=Dn.top,Ii=Dn.width,qn=Dn.height}else si=ii,fi=di,Ii=qn=le.size(n,We);if(Nn=le.fill(n,We),Li=le.stroke(n,We),Ce)We==_s&&Yi<=Oe.
+1?Jt<=qn:Jt>=qn)&&(Yi=di,_s=We)}else Yi=di,_s=We}}if(pe||Ce){let ii,di;I.ori==0?(ii=Xn,di=Ln):(ii=Ln,di=Xn);let Ii,qn,si,fi,Li,Nn,$n=!0,Gs=le.bbox;if(Gs!=null){
+$n=!1;let Dn=Gs(n,We);si=Dn.left,fi=Dn.top,Ii=Dn.width,qn=Dn.height}else si=ii,fi=di,Ii=qn=le.size(n,We);if(Nn=le.fill(n,We),Li=le.stroke(n,We),Ce)We==_s&&Yi<=Oe.
 prox&&(De=si,Fe=fi,tt=Ii,bt=qn,Mt=$n,pt=Nn,Ye=Li);else{let Dn=rt[We];Dn!=null&&(Ft[We]=si,Pn[We]=fi,hf(Dn,Ii,qn,$n),lf(Dn,Nn,Li),Ni(Dn,oi(si),oi(fi),B,Re))}}}}if(Ce){
-let We=Oe.prox,kt=ks==null?Yi<=We:Yi>We||_s!=ks;if(pe||kt){let Zt=rt[0];Zt!=null&&(Ft[0]=De,Pn[0]=Fe,hf(Zt,tt,bt,Mt),lf(Zt,pt,Ye),Ni(Zt,oi(De),oi(Fe),B,Re))}}}if(Bt.
+let We=Oe.prox,kt=zs==null?Yi<=We:Yi>We||_s!=zs;if(pe||kt){let Zt=rt[0];Zt!=null&&(Ft[0]=De,Pn[0]=Fe,hf(Zt,tt,bt,Mt),lf(Zt,pt,Ye),Ni(Zt,oi(De),oi(Fe),B,Re))}}}if(Bt.
 show&&ms)if(y!=null){let[fe,ve]=rn.scales,[Ne,De]=rn.match,[Fe,tt]=y.cursor.sync.scales,bt=y.cursor.drag;if(_n=bt._x,xn=bt._y,_n||xn){let{left:Mt,top:pt,width:Ye,
 height:We}=y.select,kt=y.scales[Fe].ori,Zt=y.posToVal,vn,It,Jt,Xn,Ln,ii=fe!=null&&Ne(fe,Fe),di=ve!=null&&De(ve,tt);ii&&_n?(kt==0?(vn=Mt,It=Ye):(vn=pt,It=We),Jt=
 M[fe],Xn=z(Zt(vn,Fe),Jt,J,0),Ln=z(Zt(vn+It,Fe),Jt,J,0),_o(gi(Xn,Ln),dn(Ln-Xn))):_o(0,J),di&&xn?(kt==1?(vn=Mt,It=Ye):(vn=pt,It=We),Jt=M[ve],Xn=D(Zt(vn,tt),Jt,ae,
 0),Ln=D(Zt(vn+It,tt),Jt,ae,0),xo(gi(Xn,Ln),dn(Ln-Xn))):xo(0,ae)}else dh()}else{let fe=dn(Ld-Pd),ve=dn(Nd-Id);if(I.ori==1){let tt=fe;fe=ve,ve=tt}_n=bn.x&&fe>=bn.
 dist,xn=bn.y&&ve>=bn.dist;let Ne=bn.uni;Ne!=null?_n&&xn&&(_n=fe>=Ne,xn=ve>=Ne,!_n&&!xn&&(ve>fe?xn=!0:_n=!0)):bn.x&&bn.y&&(_n||xn)&&(_n=xn=!0);let De,Fe;_n&&(I.ori==
-0?(De=fr,Fe=Ot):(De=pr,Fe=Ht),_o(gi(De,Fe),dn(Fe-De)),xn||xo(0,ae)),xn&&(I.ori==1?(De=fr,Fe=Ot):(De=pr,Fe=Ht),xo(gi(De,Fe),dn(Fe-De)),_n||_o(0,J)),!_n&&!xn&&(_o(
+0?(De=pr,Fe=Ot):(De=mr,Fe=Ht),_o(gi(De,Fe),dn(Fe-De)),xn||xo(0,ae)),xn&&(I.ori==1?(De=pr,Fe=Ot):(De=mr,Fe=Ht),xo(gi(De,Fe),dn(Fe-De)),_n||_o(0,J)),!_n&&!xn&&(_o(
 0,0),xo(0,0))}if(bn._x=_n,bn._y=xn,y==null){if(L){if(qd!=null){let[fe,ve]=rn.scales;rn.values[0]=fe!=null?Pi(I.ori==0?Ot:Ht,fe):null,rn.values[1]=ve!=null?Pi(I.
-ori==1?Ot:Ht,ve):null}vo(gh,n,Ot,Ht,B,Re,U)}if(Je){let fe=L&&rn.setSeries,ve=Oe.prox;ks==null?Yi<=ve&&Ri(_s,gr,!0,fe):Yi>ve?Ri(null,gr,!0,fe):_s!=ks&&Ri(_s,gr,!0,
+ori==1?Ot:Ht,ve):null}vo(gh,n,Ot,Ht,B,Re,U)}if(Je){let fe=L&&rn.setSeries,ve=Oe.prox;zs==null?Yi<=ve&&Ri(_s,_r,!0,fe):Yi>ve?Ri(null,_r,!0,fe):_s!=zs&&Ri(_s,_r,!0,
 fe)}}pe&&(de.idx=U,ch()),A!==!1&&yn("setCursor")}let xs=null;Object.defineProperty(n,"rect",{get(){return xs==null&&yo(!1),xs}});function yo(y=!1){y?xs=null:(xs=
 p.getBoundingClientRect(),yn("syncRect",xs))}function Fd(y,A,L,U,G,J,ae){ue._lock||ms&&y!=null&&y.movementX==0&&y.movementY==0||(hh(y,A,L,U,G,J,ae,!1,y!=null),y!=
-null?zs(null,!0,!0):zs(A,!0,!1))}function hh(y,A,L,U,G,J,ae,fe,ve){if(xs==null&&yo(!1),Ze(y),y!=null)L=y.clientX-xs.left,U=y.clientY-xs.top;else{if(L<0||U<0){Ot=
+null?Vs(null,!0,!0):Vs(A,!0,!1))}function hh(y,A,L,U,G,J,ae,fe,ve){if(xs==null&&yo(!1),Ze(y),y!=null)L=y.clientX-xs.left,U=y.clientY-xs.top;else{if(L<0||U<0){Ot=
 -10,Ht=-10;return}let[Ne,De]=rn.scales,Fe=A.cursor.sync,[tt,bt]=Fe.values,[Mt,pt]=Fe.scales,[Ye,We]=rn.match,kt=A.axes[0].side%2==1,Zt=I.ori==0?B:Re,vn=I.ori==1?
 B:Re,It=kt?J:G,Jt=kt?G:J,Xn=kt?U:L,Ln=kt?L:U;if(Mt!=null?L=Ye(Ne,Mt)?a(tt,M[Ne],Zt,0):-10:L=Zt*(Xn/It),pt!=null?U=We(De,pt)?a(bt,M[De],vn,0):-10:U=vn*(Ln/Jt),I.
-ori==1){let ii=L;L=U,U=ii}}ve&&(A==null||A.cursor.event.type==gh)&&((L<=1||L>=B-1)&&(L=Gs(L,B)),(U<=1||U>=Re-1)&&(U=Gs(U,Re))),fe?(Pd=L,Id=U,[fr,pr]=ue.move(n,L,
+ori==1){let ii=L;L=U,U=ii}}ve&&(A==null||A.cursor.event.type==gh)&&((L<=1||L>=B-1)&&(L=Hs(L,B)),(U<=1||U>=Re-1)&&(U=Hs(U,Re))),fe?(Pd=L,Id=U,[pr,mr]=ue.move(n,L,
 U)):(Ot=L,Ht=U)}let uh={width:0,height:0,left:0,top:0};function dh(){Ea(uh,!1)}let Od,Bd,kd,zd;function Vd(y,A,L,U,G,J,ae){ms=!0,_n=xn=bn._x=bn._y=!1,hh(y,A,L,U,
-G,J,ae,!0,!1),y!=null&&(vt(_h,Sh,Gd,!1),vo(ef,n,fr,pr,B,Re,null));let{left:fe,top:ve,width:Ne,height:De}=Bt;Od=fe,Bd=ve,kd=Ne,zd=De}function Gd(y,A,L,U,G,J,ae){
+G,J,ae,!0,!1),y!=null&&(vt(_h,Sh,Gd,!1),vo(ef,n,pr,mr,B,Re,null));let{left:fe,top:ve,width:Ne,height:De}=Bt;Od=fe,Bd=ve,kd=Ne,zd=De}function Gd(y,A,L,U,G,J,ae){
 ms=bn._x=bn._y=!1,hh(y,A,L,U,G,J,ae,!1,!0);let{left:fe,top:ve,width:Ne,height:De}=Bt,Fe=Ne>0||De>0,tt=Od!=fe||Bd!=ve||kd!=Ne||zd!=De;if(Fe&&tt&&Ea(Bt),bn.setScale&&
 Fe&&tt){let bt=fe,Mt=Ne,pt=ve,Ye=De;if(I.ori==1&&(bt=ve,Mt=De,pt=fe,Ye=Ne),_n&&gs(b,Pi(bt,b),Pi(bt+Mt,b)),xn)for(let We in M){let kt=M[We];We!=b&&kt.from==null&&
-kt.min!=Nt&&gs(We,Pi(pt+Ye,We),Pi(pt,We))}dh()}else ue.lock&&(ue._lock=!ue._lock,zs(A,!0,y!=null));y!=null&&(cn(_h,Sh),vo(_h,n,Ot,Ht,B,Re,null))}function N0(y,A,L,U,G,J,ae){
+kt.min!=Nt&&gs(We,Pi(pt+Ye,We),Pi(pt,We))}dh()}else ue.lock&&(ue._lock=!ue._lock,Vs(A,!0,y!=null));y!=null&&(cn(_h,Sh),vo(_h,n,Ot,Ht,B,Re,null))}function N0(y,A,L,U,G,J,ae){
 if(ue._lock)return;Ze(y);let fe=ms;if(ms){let ve=!0,Ne=!0,De=10,Fe,tt;I.ori==0?(Fe=_n,tt=xn):(Fe=xn,tt=_n),Fe&&tt&&(ve=Ot<=De||Ot>=B-De,Ne=Ht<=De||Ht>=Re-De),Fe&&
-ve&&(Ot=Ot<fr?0:B),tt&&Ne&&(Ht=Ht<pr?0:Re),zs(null,!0,!0),ms=!1}Ot=-10,Ht=-10,se.fill(null),zs(null,!0,!0),fe&&(ms=fe)}function Hd(y,A,L,U,G,J,ae){ue._lock||(Ze(
-y),go(),dh(),y!=null&&vo(sf,n,Ot,Ht,B,Re,null))}function Wd(){w.forEach(Lx),O(n.width,n.height,!0)}Xs(Na,vr,Wd);let _r={};_r.mousedown=Vd,_r.mousemove=Fd,_r.mouseup=
-Gd,_r.dblclick=Hd,_r.setSeries=(y,A,L,U)=>{let G=rn.match[2];L=G(n,A,L),L!=-1&&Ri(L,U,!0,!1)},me&&(vt(ef,p,Vd),vt(gh,p,Fd),vt(tf,p,y=>{Ze(y),yo(!1)}),vt(nf,p,N0),
+ve&&(Ot=Ot<pr?0:B),tt&&Ne&&(Ht=Ht<mr?0:Re),Vs(null,!0,!0),ms=!1}Ot=-10,Ht=-10,se.fill(null),Vs(null,!0,!0),fe&&(ms=fe)}function Hd(y,A,L,U,G,J,ae){ue._lock||(Ze(
+y),go(),dh(),y!=null&&vo(sf,n,Ot,Ht,B,Re,null))}function Wd(){w.forEach(Lx),O(n.width,n.height,!0)}qs(Na,Mr,Wd);let xr={};xr.mousedown=Vd,xr.mousemove=Fd,xr.mouseup=
+Gd,xr.dblclick=Hd,xr.setSeries=(y,A,L,U)=>{let G=rn.match[2];L=G(n,A,L),L!=-1&&Ri(L,U,!0,!1)},me&&(vt(ef,p,Vd),vt(gh,p,Fd),vt(tf,p,y=>{Ze(y),yo(!1)}),vt(nf,p,N0),
 vt(sf,p,Hd),Ph.add(n),n.syncRect=yo);let Ca=n.hooks=i.hooks||{};function yn(y,A,L){In?Rt.push([y,A,L]):y in Ca&&Ca[y].forEach(U=>{U.call(null,n,A,L)})}(i.plugins||
 []).forEach(y=>{for(let A in y.hooks)Ca[A]=(Ca[A]||[]).concat(y.hooks[A])});let Xd=(y,A,L)=>L,rn=on({key:null,setSeries:!1,filters:{pub:mf,sub:mf},scales:[b,_[1]?
 _[1].scale:null],match:[gf,gf,Xd],values:[null,null]},ue.sync);rn.match.length==2&&rn.match.push(Xd),ue.sync=rn;let qd=rn.key,fh=dp(qd);function vo(y,A,L,U,G,J,ae){
-rn.filters.pub(y,A,L,U,G,J,ae)&&fh.pub(y,A,L,U,G,J,ae)}fh.sub(n);function D0(y,A,L,U,G,J,ae){rn.filters.sub(y,A,L,U,G,J,ae)&&_r[y](null,A,L,U,G,J,ae)}n.pub=D0;function U0(){
-fh.unsub(n),Ph.delete(n),gn.clear(),Th(Na,vr,Wd),c.remove(),Ee?.remove(),yn("destroy")}n.destroy=U0;function ph(){yn("init",i,e),mo(e||i.data,!1),W[b]?oh(b,W[b]):
-go(),ie=Bt.show&&(Bt.width>0||Bt.height>0),te=pe=!0,O(i.width,i.height)}return _.forEach(ar),w.forEach(Wi),t?t instanceof HTMLElement?(t.appendChild(c),ph()):t(
-n,ph):ph(),n}fn.assign=on;fn.fmtNum=Oh;fn.rangeNum=Da;fn.rangeLog=Oa;fn.rangeAsinh=Uh;fn.orient=$s;fn.pxRatio=wt;fn.join=b_;fn.fmtDate=kh,fn.tzDate=D_;fn.sync=dp;
+rn.filters.pub(y,A,L,U,G,J,ae)&&fh.pub(y,A,L,U,G,J,ae)}fh.sub(n);function D0(y,A,L,U,G,J,ae){rn.filters.sub(y,A,L,U,G,J,ae)&&xr[y](null,A,L,U,G,J,ae)}n.pub=D0;function U0(){
+fh.unsub(n),Ph.delete(n),gn.clear(),Th(Na,Mr,Wd),c.remove(),Ee?.remove(),yn("destroy")}n.destroy=U0;function ph(){yn("init",i,e),mo(e||i.data,!1),W[b]?oh(b,W[b]):
+go(),ie=Bt.show&&(Bt.width>0||Bt.height>0),te=pe=!0,O(i.width,i.height)}return _.forEach(lr),w.forEach(Wi),t?t instanceof HTMLElement?(t.appendChild(c),ph()):t(
+n,ph):ph(),n}fn.assign=on;fn.fmtNum=Oh;fn.rangeNum=Da;fn.rangeLog=Oa;fn.rangeAsinh=Uh;fn.orient=Ys;fn.pxRatio=wt;fn.join=b_;fn.fmtDate=kh,fn.tzDate=D_;fn.sync=dp;
 {fn.addGap=gx,fn.clipGaps=za;let i=fn.paths={points:xp};i.linear=vp,i.stepped=yx,i.bars=vx,i.spline=Sx}function Ki(){let i=getComputedStyle(document.documentElement),e=t=>i.getPropertyValue(t).trim();return{paper:e("--paper"),ink:e("--ink"),soft:e("--soft"),line:e(
 "--line"),bad:e("--bad"),actual:e("--actual"),actual_more:e("--actual-more"),expected:e("--expected"),contact:e("--contact"),select:e("--select"),asleep:e("--as\
 leep"),way:e("--way"),lanes:[e("--actual"),e("--actual-more"),e("--expected"),e("--way")]}}function Wa(i){matchMedia("(prefers-color-scheme: dark)").addEventListener(
-"change",i)}function q(i,e={},...t){let n=Object.assign(document.createElement(i),e);return n.append(...t),n}function zn(i){if(i==null)return"\u2013";let e=Math.
+"change",i)}function X(i,e={},...t){let n=Object.assign(document.createElement(i),e);return n.append(...t),n}function zn(i){if(i==null)return"\u2013";let e=Math.
 abs(i);return e===0||e>=.1?"".concat(Number(i.toPrecision(4))," m"):e>=.001?"".concat(Number((i*1e3).toPrecision(4))," mm"):e>=1e-6?"".concat(Number((i*1e6).toPrecision(
 4))," \xB5m"):"".concat(i.toExponential(2)," m")}function Co(i){return i==null?"\u2013":"".concat(Number(i.toPrecision(5))," J")}var wp=210,Nx=[{title:"Energy",group:"energy",unit:Co,lines:[{label:"total",column:"total",source:"states"},{label:"potential",column:"potential",source:"track",
 dash:[7,4]},{label:"kinetic",column:"kinetic",source:"states",dash:[2,3]}]},{title:"Symmetry",group:"symmetry",unit:zn,lines:[{label:"lateral error",column:"lat\
@@ -417,43 +417,43 @@ cursor:{y:!1,drag:{x:!0,y:!1}}};return new fn(l,o,e)}function zx(i,e){let t=i.li
 r=e.expected[n.source]?.[n.column]?.at(-1);return"".concat(n.label," at the end ").concat(i.unit(s),", expected ").concat(i.unit(r))});return"".concat(i.title,"\
  over steps: ").concat(t.join("; "))}function Tp(i,e,{first:t,groups:n}){let s=Nx.filter(d=>n.includes(d.group)),r="Lines: this run. Rings: expected, where the \
 golden keeps it (positions to the millimetre)."+(t===null?"":" Dashed upright line: first difference, step ".concat(t,"."))+" Drag across a plot to zoom, double\
--click to zoom out.",o=q("div",{className:"plots"}),a=s.map(d=>{let u=q("div",{className:"plot"});return u.setAttribute("role","img"),u.setAttribute("aria-label",
-zx(d,e)),o.append(q("figure",{},q("figcaption",{textContent:d.title}),u)),u});s.length>0&&i.append(q("h3",{textContent:"Over the steps"}),q("p",{className:"soft",
+-click to zoom out.",o=X("div",{className:"plots"}),a=s.map(d=>{let u=X("div",{className:"plot"});return u.setAttribute("role","img"),u.setAttribute("aria-label",
+zx(d,e)),o.append(X("figure",{},X("figcaption",{textContent:d.title}),u)),u});s.length>0&&i.append(X("h3",{textContent:"Over the steps"}),X("p",{className:"soft",
 textContent:r}),o);let l=[],c=()=>{for(let d of l)d?.destroy();l=s.map((d,u)=>kx(d,a[u],e,t)),l.forEach((d,u)=>{a[u].parentElement.hidden=d===null})};return c(),
 {redraw:c,resize(){l.forEach((d,u)=>{let h=a[u].clientWidth;d!==null&&h>0&&h!==d.width&&d.setSize({width:h,height:wp})})},show_step(d){for(let u of l)u?.setCursor(
-{left:u.valToPos(d,"x"),top:0})}}}var Vx=700,$h=(i,e)=>q("img",{src:i.querySelector("img").src,alt:"".concat(e," picture")});function Ap(i){let e=w=>i.querySelector('figure[data-kind="'.concat(w,
+{left:u.valToPos(d,"x"),top:0})}}}var Vx=700,$h=(i,e)=>X("img",{src:i.querySelector("img").src,alt:"".concat(e," picture")});function Ap(i){let e=w=>i.querySelector('figure[data-kind="'.concat(w,
 '"]'));if(!e("expected")||!e("actual"))return;let t=$h(e("expected"),"expected"),n=$h(e("actual"),"actual"),s=e("difference")?$h(e("difference"),"difference"):null;
-n.className="over";let r=q("div",{className:"edge"}),o=q("span",{className:"tag",textContent:"expected"}),a=q("span",{className:"tag right",textContent:"actual"}),
-l=q("div",{className:"stack"},t,n,r,o,a),c=q("input",{type:"range",min:0,max:100,value:50,className:"picture-slider"});c.setAttribute("aria-label","step ".concat(
-i.dataset.step,": expected to the left of the edge, actual to the right"));let d=q("output"),u=q("button",{type:"button",textContent:"Blink",className:"picture-\
-blink"}),h=q("button",{type:"button",textContent:"Difference"});s&&(s.className="over",l.append(s));let f=null,p=!1,v=w=>{n.style.clipPath="inset(0 0 0 ".concat(
+n.className="over";let r=X("div",{className:"edge"}),o=X("span",{className:"tag",textContent:"expected"}),a=X("span",{className:"tag right",textContent:"actual"}),
+l=X("div",{className:"stack"},t,n,r,o,a),c=X("input",{type:"range",min:0,max:100,value:50,className:"picture-slider"});c.setAttribute("aria-label","step ".concat(
+i.dataset.step,": expected to the left of the edge, actual to the right"));let d=X("output"),u=X("button",{type:"button",textContent:"Blink",className:"picture-\
+blink"}),h=X("button",{type:"button",textContent:"Difference"});s&&(s.className="over",l.append(s));let f=null,p=!1,v=w=>{n.style.clipPath="inset(0 0 0 ".concat(
 w,"%)"),r.style.left="".concat(w,"%"),r.hidden=w<=0||w>=100||p,o.hidden=w<=0||p,a.hidden=w>=100||p,s&&(s.hidden=!p),p?d.value="difference: the brighter, the fur\
 ther apart":w>=100?d.value="expected":w<=0?d.value="actual":d.value="left of the edge expected, right of it actual"},m=()=>{clearInterval(f),f=null,u.setAttribute(
 "aria-pressed","false")},g=w=>{p=w,h.setAttribute("aria-pressed",String(w))};c.addEventListener("input",()=>{m(),g(!1),v(Number(c.value))}),u.addEventListener("\
 click",()=>{let w=f!==null;if(m(),g(!1),w)return v(Number(c.value));let M=!0;u.setAttribute("aria-pressed","true"),v(100),f=setInterval(()=>{M=!M,v(M?100:0)},Vx)}),
-h.addEventListener("click",()=>{m(),g(!p),v(Number(c.value))}),m(),g(!1),v(50);let _=q("div",{className:"controls"},c,u,...s?[h]:[],d);i.prepend(q("div",{className:"\
+h.addEventListener("click",()=>{m(),g(!p),v(Number(c.value))}),m(),g(!1),v(50);let _=X("div",{className:"controls"},c,u,...s?[h]:[],d);i.prepend(X("div",{className:"\
 viewer"},l,_))}var Rp={failed:"failed",within_bounds:"moved within bounds",unchanged:"unchanged",out_of_bounds:"out of bounds, not required",not_judged:"not judged"},Pp=Object.
 keys(Rp),Ep={name:i=>i.dataset.name,verdict:i=>Pp.indexOf(i.dataset.verdict),magnitude:i=>-Number(i.dataset.magnitude),category:i=>i.dataset.category},Gx=(i,e)=>i<
 e?-1:i>e?1:0;function Hx(i,e,t){let n=[...i.rows].sort((s,r)=>(t?-1:1)*Gx(Ep[e](s),Ep[e](r)));i.append(...n)}function Wx(i){let e=[...i.querySelectorAll("th[dat\
-a-sort]")];for(let t of e){let n=q("button",{type:"button",textContent:t.textContent});t.replaceChildren(n),n.addEventListener("click",()=>{let s=t.getAttribute(
+a-sort]")];for(let t of e){let n=X("button",{type:"button",textContent:t.textContent});t.replaceChildren(n),n.addEventListener("click",()=>{let s=t.getAttribute(
 "aria-sort")==="ascending";for(let r of e)r.removeAttribute("aria-sort");t.setAttribute("aria-sort",s?"descending":"ascending"),Hx(i.tBodies[0],t.dataset.sort,s)})}}
-function Cp(i,e,t){let n=q("select",{},q("option",{value:"",textContent:"all"}),...e.map(s=>q("option",{value:s,textContent:t(s)})));return{select:n,place:q("la\
+function Cp(i,e,t){let n=X("select",{},X("option",{value:"",textContent:"all"}),...e.map(s=>X("option",{value:s,textContent:t(s)})));return{select:n,place:X("la\
 bel",{},i,n)}}function Ip(i){Wx(i);let e=[...i.tBodies[0].rows,...document.querySelectorAll("details[data-verdict]")],t=l=>[...new Set(e.map(c=>c.dataset[l]))],
-n=Cp("Verdict",Pp.filter(l=>t("verdict").includes(l)),l=>Rp[l]),s=Cp("Category",t("category").sort(),l=>l),r=q("input",{type:"search"}),o=q("output"),a=()=>{let l=0;
+n=Cp("Verdict",Pp.filter(l=>t("verdict").includes(l)),l=>Rp[l]),s=Cp("Category",t("category").sort(),l=>l),r=X("input",{type:"search"}),o=X("output"),a=()=>{let l=0;
 for(let c of e){let d=c instanceof HTMLTableRowElement,u=d?c.dataset.name:c.querySelector("h3").id;c.hidden=n.select.value!==""&&c.dataset.verdict!==n.select.value||
 s.select.value!==""&&c.dataset.category!==s.select.value||!u.includes(r.value),d&&!c.hidden&&++l}o.value="".concat(l," of ").concat(i.tBodies[0].rows.length," f\
-ailed or moved cases")};for(let l of[n.select,s.select,r])l.addEventListener("input",a);a(),i.parentElement.before(q("div",{className:"filters"},n.place,s.place,
-q("label",{},"Name",r),o))}var hm=0,Au=1,um=2;var ha=1,dm=2,no=3,Ds=0,kn=1,zi=2,js=0,io=1,Eu=2,Cu=3,Ru=4,fm=5;var Qs=100,pm=101,mm=102,gm=103,_m=104,xm=200,ym=201,vm=202,Mm=203,Pu=204,Iu=205,Sm=206,bm=207,wm=208,Tm=209,Am=210,Em=211,Cm=212,Rm=213,Pm=214,_l=0,xl=1,yl=2,Xr=3,
-vl=4,Ml=5,Sl=6,bl=7,Kl=0,Im=1,Lm=2,Vi=0,Lu=1,Nu=2,Du=3,Uu=4,Fu=5,Ou=6,Bu=7;var ku=300,er=301,so=302,jl=303,Ql=304,wl=1e3,Fi=1001,Tl=1002,Sn=1003,Nm=1004;var ua=1005;var On=1006,ec=1007;var hs=1008;var Hn=1009,zu=1010,Vu=1011,ro=1012,tc=1013,Mi=1014,hi=1015,Si=1016,nc=1017,ic=1018,tr=1020,Gu=35902,Hu=35899,Wu=1021,Xu=1022,bi=1023,ss=1026,us=1027,sc=1028,rc=1029,
+ailed or moved cases")};for(let l of[n.select,s.select,r])l.addEventListener("input",a);a(),i.parentElement.before(X("div",{className:"filters"},n.place,s.place,
+X("label",{},"Name",r),o))}var hm=0,Au=1,um=2;var ha=1,dm=2,io=3,Ds=0,kn=1,zi=2,Qs=0,so=1,Eu=2,Cu=3,Ru=4,fm=5;var er=100,pm=101,mm=102,gm=103,_m=104,xm=200,ym=201,vm=202,Mm=203,Pu=204,Iu=205,Sm=206,bm=207,wm=208,Tm=209,Am=210,Em=211,Cm=212,Rm=213,Pm=214,_l=0,xl=1,yl=2,qr=3,
+vl=4,Ml=5,Sl=6,bl=7,Kl=0,Im=1,Lm=2,Vi=0,Lu=1,Nu=2,Du=3,Uu=4,Fu=5,Ou=6,Bu=7;var ku=300,tr=301,ro=302,jl=303,Ql=304,wl=1e3,Fi=1001,Tl=1002,Sn=1003,Nm=1004;var ua=1005;var On=1006,ec=1007;var hs=1008;var Hn=1009,zu=1010,Vu=1011,oo=1012,tc=1013,Mi=1014,hi=1015,Si=1016,nc=1017,ic=1018,nr=1020,Gu=35902,Hu=35899,Wu=1021,Xu=1022,bi=1023,ss=1026,us=1027,sc=1028,rc=1029,
 Us=1030,oc=1031;var ac=1033,da=33776,fa=33777,pa=33778,ma=33779,lc=35840,cc=35841,hc=35842,uc=35843,dc=36196,fc=37492,pc=37496,mc=37488,gc=37489,ga=37490,_c=37491,xc=37808,yc=37809,
 vc=37810,Mc=37811,Sc=37812,bc=37813,wc=37814,Tc=37815,Ac=37816,Ec=37817,Cc=37818,Rc=37819,Pc=37820,Ic=37821,Lc=36492,Nc=36494,Dc=36495,Uc=36283,Fc=36284,_a=36285,
-Oc=36286;var Oo=2300,Al=2301,ml=2302,xu=2303,yu=2400,vu=2401,Mu=2402;var Dm=3200;var Bc=0,Um=1,ds="",Qn="srgb",Bo="srgb-linear",ko="linear",At="srgb";var gl=7680;var Fm=519,Om=512,Bm=513,km=514,qu=515,zm=516,Vm=517,$u=518,Yu=519,Gm=35044;var Zu="300 es",li=2e3,qr=2001;function Xx(i){for(let e=i.length-1;e>=0;--e)if(i[e]>=65535)return!0;return!1}function qx(i){return ArrayBuffer.isView(i)&&!(i instanceof DataView)}function zo(i){return document.createElementNS("http://www.w3.org/1999/xhtml",i)}function Hm(){
-let i=zo("canvas");return i.style.display="block",i}var Lp={},$r=null;function Ju(...i){let e="THREE."+i.shift();$r?$r("log",e,...i):console.log(e,...i)}function Wm(i){let e=i[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=i[1];
+Oc=36286;var Oo=2300,Al=2301,ml=2302,xu=2303,yu=2400,vu=2401,Mu=2402;var Dm=3200;var Bc=0,Um=1,ds="",Qn="srgb",Bo="srgb-linear",ko="linear",At="srgb";var gl=7680;var Fm=519,Om=512,Bm=513,km=514,qu=515,zm=516,Vm=517,$u=518,Yu=519,Gm=35044;var Zu="300 es",li=2e3,$r=2001;function Xx(i){for(let e=i.length-1;e>=0;--e)if(i[e]>=65535)return!0;return!1}function qx(i){return ArrayBuffer.isView(i)&&!(i instanceof DataView)}function zo(i){return document.createElementNS("http://www.w3.org/1999/xhtml",i)}function Hm(){
+let i=zo("canvas");return i.style.display="block",i}var Lp={},Yr=null;function Ju(...i){let e="THREE."+i.shift();Yr?Yr("log",e,...i):console.log(e,...i)}function Wm(i){let e=i[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=i[1];
 t&&t.isStackTrace?i[0]+=" "+t.getLocation():i[1]='Stack trace not available. Enable "THREE.Node.captureStackTrace" to capture stack traces.'}return i}function $e(...i){
-i=Wm(i);let e="THREE."+i.shift();if($r)$r("warn",e,...i);else{let t=i[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...i)}}function Ke(...i){i=
-Wm(i);let e="THREE."+i.shift();if($r)$r("error",e,...i);else{let t=i[0];t&&t.isStackTrace?console.error(t.getError(e)):console.error(e,...i)}}function Fo(...i){
+i=Wm(i);let e="THREE."+i.shift();if(Yr)Yr("warn",e,...i);else{let t=i[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...i)}}function Ke(...i){i=
+Wm(i);let e="THREE."+i.shift();if(Yr)Yr("error",e,...i);else{let t=i[0];t&&t.isStackTrace?console.error(t.getError(e)):console.error(e,...i)}}function Fo(...i){
 let e=i.join(" ");e in Lp||(Lp[e]=!0,$e(...i))}function Xm(i,e,t){return new Promise(function(n,s){function r(){switch(i.clientWaitSync(e,i.SYNC_FLUSH_COMMANDS_BIT,0)){case i.WAIT_FAILED:s();break;case i.TIMEOUT_EXPIRED:
-setTimeout(r,t);break;default:n()}}setTimeout(r,t)})}var qm={[_l]:_l,[yl]:Sl,[vl]:vl,[Xr]:Ml,[xl]:xl,[Sl]:yl,[bl]:bl,[Ml]:Xr},Oi=class{addEventListener(e,t){this.
+setTimeout(r,t);break;default:n()}}setTimeout(r,t)})}var qm={[_l]:_l,[yl]:Sl,[vl]:vl,[qr]:Ml,[xl]:xl,[Sl]:yl,[bl]:bl,[Ml]:qr},Oi=class{addEventListener(e,t){this.
 _listeners===void 0&&(this._listeners={});let n=this._listeners;n[e]===void 0&&(n[e]=[]),n[e].indexOf(t)===-1&&n[e].push(t)}hasEventListener(e,t){let n=this._listeners;
 return n===void 0?!1:n[e]!==void 0&&n[e].indexOf(t)!==-1}removeEventListener(e,t){let n=this._listeners;if(n===void 0)return;let s=n[e];if(s!==void 0){let r=s.indexOf(
 t);r!==-1&&s.splice(r,1)}}dispatchEvent(e){let t=this._listeners;if(t===void 0)return;let n=t[e.type];if(n!==void 0){e.target=this;let s=n.slice(0);for(let r=0,
@@ -587,7 +587,7 @@ return this.set(e,0,0,0,t,0,0,0,1),this}equals(e){let t=this.elements,n=e.elemen
 .7151687,.0721923,.0193308,.1191948,.9505322),Up=new Qe().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function Jx(){
 let i={enabled:!0,workingColorSpace:Bo,spaces:{},convert:function(s,r,o){return this.enabled===!1||r===o||!r||!o||(this.spaces[r].transfer===At&&(s.r=is(s.r),s.
 g=is(s.g),s.b=is(s.b)),this.spaces[r].primaries!==this.spaces[o].primaries&&(s.applyMatrix3(this.spaces[r].toXYZ),s.applyMatrix3(this.spaces[o].fromXYZ)),this.spaces[o].
-transfer===At&&(s.r=Wr(s.r),s.g=Wr(s.g),s.b=Wr(s.b))),s},workingToColorSpace:function(s,r){return this.convert(s,this.workingColorSpace,r)},colorSpaceToWorking:function(s,r){
+transfer===At&&(s.r=Xr(s.r),s.g=Xr(s.g),s.b=Xr(s.b))),s},workingToColorSpace:function(s,r){return this.convert(s,this.workingColorSpace,r)},colorSpaceToWorking:function(s,r){
 return this.convert(s,r,this.workingColorSpace)},getPrimaries:function(s){return this.spaces[s].primaries},getTransfer:function(s){return s===ds?ko:this.spaces[s].
 transfer},getToneMappingMode:function(s){return this.spaces[s].outputColorSpaceConfig.toneMappingMode||"standard"},getLuminanceCoefficients:function(s,r=this.workingColorSpace){
 return s.fromArray(this.spaces[r].luminanceCoefficients)},define:function(s){Object.assign(this.spaces,s)},_getMatrix:function(s,r,o){return s.copy(this.spaces[o].
@@ -595,14 +595,14 @@ fromXYZ).multiply(this.spaces[r].toXYZ)},_getDrawingBufferColorSpace:function(s)
 workingColorSpace){return this.spaces[s].workingColorSpaceConfig.unpackColorSpace}},e=[.64,.33,.3,.6,.15,.06],t=[.2126,.7152,.0722],n=[.3127,.329];return i.define(
 {[Bo]:{primaries:e,whitePoint:n,transfer:ko,toXYZ:Dp,fromXYZ:Up,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:Qn},outputColorSpaceConfig:{drawingBufferColorSpace:Qn}},
 [Qn]:{primaries:e,whitePoint:n,transfer:At,toXYZ:Dp,fromXYZ:Up,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:Qn}}}),i}var _t=Jx();function is(i){
-return i<.04045?i*.0773993808:Math.pow(i*.9478672986+.0521327014,2.4)}function Wr(i){return i<.0031308?i*12.92:1.055*Math.pow(i,.41666)-.055}var Cr,Cl=class{static getDataURL(e,t="\
-image/png"){if(/^data:/i.test(e.src)||typeof HTMLCanvasElement>"u")return e.src;let n;if(e instanceof HTMLCanvasElement)n=e;else{Cr===void 0&&(Cr=zo("canvas")),
-Cr.width=e.width,Cr.height=e.height;let s=Cr.getContext("2d");e instanceof ImageData?s.putImageData(e,0,0):s.drawImage(e,0,0,e.width,e.height),n=Cr}return n.toDataURL(
+return i<.04045?i*.0773993808:Math.pow(i*.9478672986+.0521327014,2.4)}function Xr(i){return i<.0031308?i*12.92:1.055*Math.pow(i,.41666)-.055}var Rr,Cl=class{static getDataURL(e,t="\
+image/png"){if(/^data:/i.test(e.src)||typeof HTMLCanvasElement>"u")return e.src;let n;if(e instanceof HTMLCanvasElement)n=e;else{Rr===void 0&&(Rr=zo("canvas")),
+Rr.width=e.width,Rr.height=e.height;let s=Rr.getContext("2d");e instanceof ImageData?s.putImageData(e,0,0):s.drawImage(e,0,0,e.width,e.height),n=Rr}return n.toDataURL(
 t)}static sRGBToLinear(e){if(typeof HTMLImageElement<"u"&&e instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&e instanceof HTMLCanvasElement||typeof ImageBitmap<
 "u"&&e instanceof ImageBitmap){let t=zo("canvas");t.width=e.width,t.height=e.height;let n=t.getContext("2d");n.drawImage(e,0,0,e.width,e.height);let s=n.getImageData(
 0,0,e.width,e.height),r=s.data;for(let o=0;o<r.length;o++)r[o]=is(r[o]/255)*255;return n.putImageData(s,0,0),t}else if(e.data){let t=e.data.slice(0);for(let n=0;n<
 t.length;n++)t instanceof Uint8Array||t instanceof Uint8ClampedArray?t[n]=Math.floor(is(t[n]/255)*255):t[n]=is(t[n]);return{data:t,width:e.width,height:e.height}}else
-return $e("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},Kx=0,Yr=class{constructor(e=null){this.isTextureSource=!0,
+return $e("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},Kx=0,Zr=class{constructor(e=null){this.isTextureSource=!0,
 Object.defineProperty(this,"id",{value:Kx++}),this.uuid=xa(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<
 "u"&&t instanceof HTMLVideoElement?e.set(t.videoWidth,t.videoHeight,0):typeof VideoFrame<"u"&&t instanceof VideoFrame?e.set(t.displayWidth,t.displayHeight,0):t!==
 null?e.set(t.width||0,t.height||0,t.depth||0):e.set(0,0,0),e}set needsUpdate(e){e===!0&&this.version++}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.images[this.
@@ -610,7 +610,7 @@ uuid]!==void 0)return e.images[this.uuid];let n={uuid:this.uuid,url:""},s=this.d
 s[o].isDataTexture?r.push(jh(s[o].image)):r.push(jh(s[o]))}else r=jh(s);n.url=r}return t||(e.images[this.uuid]=n),n}};function jh(i){return typeof HTMLImageElement<
 "u"&&i instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&i instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&i instanceof ImageBitmap?Cl.getDataURL(
 i):i.data?{data:Array.from(i.data),width:i.width,height:i.height,type:i.data.constructor.name}:($e("Texture: Unable to serialize Texture."),{})}var jx=0,Qh=new V,Gn=class i extends Oi{constructor(e=i.DEFAULT_IMAGE,t=i.DEFAULT_MAPPING,n=Fi,s=Fi,r=On,o=hs,a=bi,l=Hn,c=i.DEFAULT_ANISOTROPY,d=ds){super(),this.
-isTexture=!0,Object.defineProperty(this,"id",{value:jx++}),this.uuid=xa(),this.name="",this.source=new Yr(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.
+isTexture=!0,Object.defineProperty(this,"id",{value:jx++}),this.uuid=xa(),this.name="",this.source=new Zr(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.
 wrapS=n,this.wrapT=s,this.magFilter=r,this.minFilter=o,this.anisotropy=c,this.format=a,this.internalFormat=null,this.type=l,this.offset=new ot(0,0),this.repeat=
 new ot(1,1),this.center=new ot(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new Qe,this.generateMipmaps=!0,this.mipmapsAutoUpdate=!0,this.premultiplyAlpha=
 !1,this.flipY=!0,this.unpackAlignment=4,this.colorSpace=d,this.userData={},this.updateRanges=[],this.version=0,this.onUpdate=null,this.renderTarget=null,this.isRenderTargetTexture=
@@ -688,7 +688,7 @@ n){this.width=e,this.height=t,this.depth=n;for(let s=0,r=this.textures.length;s<
 image.depth=n,this.textures[s].isData3DTexture!==!0&&(this.textures[s].isArrayTexture=this.textures[s].image.depth>1);this.dispose()}this.viewport.set(0,0,e,t),
 this.scissor.set(0,0,e,t)}clone(){return new this.constructor().copy(this)}copy(e){this.width=e.width,this.height=e.height,this.depth=e.depth,this.scissor.copy(
 e.scissor),this.scissorTest=e.scissorTest,this.viewport.copy(e.viewport),this.textures.length=0;for(let t=0,n=e.textures.length;t<n;t++){this.textures[t]=e.textures[t].
-clone(),this.textures[t].isRenderTargetTexture=!0,this.textures[t].renderTarget=this;let s=Object.assign({},e.textures[t].image);this.textures[t].source=new Yr(
+clone(),this.textures[t].isRenderTargetTexture=!0,this.textures[t].renderTarget=this;let s=Object.assign({},e.textures[t].image);this.textures[t].source=new Zr(
 s)}if(this.depthBuffer=e.depthBuffer,this.stencilBuffer=e.stencilBuffer,this.resolveColorBuffer=e.resolveColorBuffer,this.resolveDepthBuffer=e.resolveDepthBuffer,
 this.resolveStencilBuffer=e.resolveStencilBuffer,this.storeMultisampledColorBuffer=e.storeMultisampledColorBuffer,this.storeMultisampledDepthBuffer=e.storeMultisampledDepthBuffer,
 this.storeMultisampledStencilBuffer=e.storeMultisampledStencilBuffer,e.depthTexture!==null)if(e.depthTexture.renderTarget===e){let t=e.depthTexture.clone();t.renderTarget=
@@ -705,7 +705,7 @@ n[10],t[11]=n[11],t[12]=n[12],t[13]=n[13],t[14]=n[14],t[15]=n[15],this}copyPosit
 this}setFromMatrix3(e){let t=e.elements;return this.set(t[0],t[3],t[6],0,t[1],t[4],t[7],0,t[2],t[5],t[8],0,0,0,0,1),this}extractBasis(e,t,n){return this.determinantAffine()===
 0?(e.set(1,0,0),t.set(0,1,0),n.set(0,0,1),this):(e.setFromMatrixColumn(this,0),t.setFromMatrixColumn(this,1),n.setFromMatrixColumn(this,2),this)}makeBasis(e,t,n){
 return this.set(e.x,t.x,n.x,0,e.y,t.y,n.y,0,e.z,t.z,n.z,0,0,0,0,1),this}extractRotation(e){if(e.determinantAffine()===0)return this.identity();let t=this.elements,
-n=e.elements,s=1/Rr.setFromMatrixColumn(e,0).length(),r=1/Rr.setFromMatrixColumn(e,1).length(),o=1/Rr.setFromMatrixColumn(e,2).length();return t[0]=n[0]*s,t[1]=
+n=e.elements,s=1/Pr.setFromMatrixColumn(e,0).length(),r=1/Pr.setFromMatrixColumn(e,1).length(),o=1/Pr.setFromMatrixColumn(e,2).length();return t[0]=n[0]*s,t[1]=
 n[1]*s,t[2]=n[2]*s,t[3]=0,t[4]=n[4]*r,t[5]=n[5]*r,t[6]=n[6]*r,t[7]=0,t[8]=n[8]*o,t[9]=n[9]*o,t[10]=n[10]*o,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromEuler(e){
 let t=this.elements,n=e.x,s=e.y,r=e.z,o=Math.cos(n),a=Math.sin(n),l=Math.cos(s),c=Math.sin(s),d=Math.cos(r),u=Math.sin(r);if(e.order==="XYZ"){let h=o*d,f=o*u,p=a*
 d,v=a*u;t[0]=l*d,t[4]=-l*u,t[8]=c,t[1]=f+p*c,t[5]=h-v*c,t[9]=-a*l,t[2]=v-h*c,t[6]=p+f*c,t[10]=o*l}else if(e.order==="YXZ"){let h=l*d,f=l*u,p=c*d,v=c*u;t[0]=h+v*
@@ -740,17 +740,17 @@ z,c=r*o,d=r*a;return this.set(c*o+n,c*a-s*l,c*l+s*a,0,c*a+s*l,d*a+n,d*l-s*o,0,c*
 t,0,0,0,0,n,0,0,0,0,1),this}makeShear(e,t,n,s,r,o){return this.set(1,n,r,0,e,1,o,0,t,s,1,0,0,0,0,1),this}compose(e,t,n){let s=this.elements,r=t._x,o=t._y,a=t._z,
 l=t._w,c=r+r,d=o+o,u=a+a,h=r*c,f=r*d,p=r*u,v=o*d,m=o*u,g=a*u,_=l*c,w=l*d,M=l*u,C=n.x,b=n.y,x=n.z;return s[0]=(1-(v+g))*C,s[1]=(f+M)*C,s[2]=(p-w)*C,s[3]=0,s[4]=(f-
 M)*b,s[5]=(1-(h+g))*b,s[6]=(m+_)*b,s[7]=0,s[8]=(p+w)*x,s[9]=(m-_)*x,s[10]=(1-(h+v))*x,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,n){let s=this.
-elements;e.x=s[12],e.y=s[13],e.z=s[14];let r=this.determinantAffine();if(r===0)return n.set(1,1,1),t.identity(),this;let o=Rr.set(s[0],s[1],s[2]).length(),a=Rr.
-set(s[4],s[5],s[6]).length(),l=Rr.set(s[8],s[9],s[10]).length();r<0&&(o=-o),_i.copy(this);let c=1/o,d=1/a,u=1/l;return _i.elements[0]*=c,_i.elements[1]*=c,_i.elements[2]*=
+elements;e.x=s[12],e.y=s[13],e.z=s[14];let r=this.determinantAffine();if(r===0)return n.set(1,1,1),t.identity(),this;let o=Pr.set(s[0],s[1],s[2]).length(),a=Pr.
+set(s[4],s[5],s[6]).length(),l=Pr.set(s[8],s[9],s[10]).length();r<0&&(o=-o),_i.copy(this);let c=1/o,d=1/a,u=1/l;return _i.elements[0]*=c,_i.elements[1]*=c,_i.elements[2]*=
 c,_i.elements[4]*=d,_i.elements[5]*=d,_i.elements[6]*=d,_i.elements[8]*=u,_i.elements[9]*=u,_i.elements[10]*=u,t.setFromRotationMatrix(_i),n.x=o,n.y=a,n.z=l,this}makePerspective(e,t,n,s,r,o,a=li,l=!1){
 let c=this.elements,d=2*r/(t-e),u=2*r/(n-s),h=(t+e)/(t-e),f=(n+s)/(n-s),p,v;if(l)p=r/(o-r),v=o*r/(o-r);else if(a===li)p=-(o+r)/(o-r),v=-2*o*r/(o-r);else if(a===
-qr)p=-o/(o-r),v=-o*r/(o-r);else throw new Error("THREE.Matrix4.makePerspective(): Invalid coordinate system: "+a);return c[0]=d,c[4]=0,c[8]=h,c[12]=0,c[1]=0,c[5]=
+$r)p=-o/(o-r),v=-o*r/(o-r);else throw new Error("THREE.Matrix4.makePerspective(): Invalid coordinate system: "+a);return c[0]=d,c[4]=0,c[8]=h,c[12]=0,c[1]=0,c[5]=
 u,c[9]=f,c[13]=0,c[2]=0,c[6]=0,c[10]=p,c[14]=v,c[3]=0,c[7]=0,c[11]=-1,c[15]=0,this}makeOrthographic(e,t,n,s,r,o,a=li,l=!1){let c=this.elements,d=2/(t-e),u=2/(n-
-s),h=-(t+e)/(t-e),f=-(n+s)/(n-s),p,v;if(l)p=1/(o-r),v=o/(o-r);else if(a===li)p=-2/(o-r),v=-(o+r)/(o-r);else if(a===qr)p=-1/(o-r),v=-r/(o-r);else throw new Error(
+s),h=-(t+e)/(t-e),f=-(n+s)/(n-s),p,v;if(l)p=1/(o-r),v=o/(o-r);else if(a===li)p=-2/(o-r),v=-(o+r)/(o-r);else if(a===$r)p=-1/(o-r),v=-r/(o-r);else throw new Error(
 "THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+a);return c[0]=d,c[4]=0,c[8]=0,c[12]=h,c[1]=0,c[5]=u,c[9]=0,c[13]=f,c[2]=0,c[6]=0,c[10]=p,c[14]=
 v,c[3]=0,c[7]=0,c[11]=0,c[15]=1,this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<16;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<
 16;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+
-6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e[t+9]=n[9],e[t+10]=n[10],e[t+11]=n[11],e[t+12]=n[12],e[t+13]=n[13],e[t+14]=n[14],e[t+15]=n[15],e}},Rr=new V,_i=new xt,Qx=new V(
+6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e[t+9]=n[9],e[t+10]=n[10],e[t+11]=n[11],e[t+12]=n[12],e[t+13]=n[13],e[t+14]=n[14],e[t+15]=n[15],e}},Pr=new V,_i=new xt,Qx=new V(
 0,0,0),ey=new V(1,1,1),Ms=new V,Xa=new V,Kn=new V,Fp=new xt,Op=new Bn,rs=class i{constructor(e=0,t=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,
 this._z=n,this._order=s}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){
 return this._z}set z(e){this._z=e,this._onChangeCallback()}get order(){return this._order}set order(e){this._order=e,this._onChangeCallback()}set(e,t,n,s=this._order){
@@ -767,34 +767,34 @@ this}setFromQuaternion(e,t,n){return Fp.makeRotationFromQuaternion(e),this.setFr
 e.z,t)}reorder(e){return Op.setFromEuler(this),this.setFromQuaternion(Op,e)}equals(e){return e._x===this._x&&e._y===this._y&&e._z===this._z&&e._order===this._order}fromArray(e){
 return this._x=e[0],this._y=e[1],this._z=e[2],e[3]!==void 0&&(this._order=e[3]),this._onChangeCallback(),this}toArray(e=[],t=0){return e[t]=this._x,e[t+1]=this.
 _y,e[t+2]=this._z,e[t+3]=this._order,e}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this.
-_z,yield this._order}};rs.DEFAULT_ORDER="XYZ";var Zr=class{constructor(){this.mask=1}set(e){this.mask=(1<<e|0)>>>0}enable(e){this.mask|=1<<e|0}enableAll(){this.
+_z,yield this._order}};rs.DEFAULT_ORDER="XYZ";var Jr=class{constructor(){this.mask=1}set(e){this.mask=(1<<e|0)>>>0}enable(e){this.mask|=1<<e|0}enableAll(){this.
 mask=-1}toggle(e){this.mask^=1<<e|0}disable(e){this.mask&=~(1<<e|0)}disableAll(){this.mask=0}test(e){return(this.mask&e.mask)!==0}isEnabled(e){return(this.mask&
-(1<<e|0))!==0}},ty=0,Bp=new V,Pr=new Bn,ji=new xt,qa=new V,Ro=new V,ny=new V,iy=new Bn,kp=new V(1,0,0),zp=new V(0,1,0),Vp=new V(0,0,1),Gp={type:"added"},sy={type:"\
-removed"},Ir={type:"childadded",child:null},eu={type:"childremoved",child:null},wn=class i extends Oi{constructor(){super(),this.isObject3D=!0,Object.defineProperty(
+(1<<e|0))!==0}},ty=0,Bp=new V,Ir=new Bn,ji=new xt,qa=new V,Ro=new V,ny=new V,iy=new Bn,kp=new V(1,0,0),zp=new V(0,1,0),Vp=new V(0,0,1),Gp={type:"added"},sy={type:"\
+removed"},Lr={type:"childadded",child:null},eu={type:"childremoved",child:null},wn=class i extends Oi{constructor(){super(),this.isObject3D=!0,Object.defineProperty(
 this,"id",{value:ty++}),this.uuid=xa(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=i.DEFAULT_UP.clone();let e=new V,t=new rs,n=new Bn,
 s=new V(1,1,1);function r(){n.setFromEuler(t,!1)}function o(){t.setFromQuaternion(n,void 0,!1)}t._onChange(r),n._onChange(o),Object.defineProperties(this,{position:{
 configurable:!0,enumerable:!0,value:e},rotation:{configurable:!0,enumerable:!0,value:t},quaternion:{configurable:!0,enumerable:!0,value:n},scale:{configurable:!0,
 enumerable:!0,value:s},modelViewMatrix:{value:new xt},normalMatrix:{value:new Qe}}),this.matrix=new xt,this.matrixWorld=new xt,this.matrixAutoUpdate=i.DEFAULT_MATRIX_AUTO_UPDATE,
-this.matrixWorldAutoUpdate=i.DEFAULT_MATRIX_WORLD_AUTO_UPDATE,this.matrixWorldNeedsUpdate=!1,this.layers=new Zr,this.visible=!0,this.castShadow=!1,this.receiveShadow=
+this.matrixWorldAutoUpdate=i.DEFAULT_MATRIX_WORLD_AUTO_UPDATE,this.matrixWorldNeedsUpdate=!1,this.layers=new Jr,this.visible=!0,this.castShadow=!1,this.receiveShadow=
 !1,this.frustumCulled=!0,this.renderOrder=0,this.animations=[],this.customDepthMaterial=void 0,this.customDistanceMaterial=void 0,this.static=!1,this.userData={},
 this.pivot=null}onBeforeShadow(){}onAfterShadow(){}onBeforeRender(){}onAfterRender(){}applyMatrix4(e){this.matrixAutoUpdate&&this.updateMatrix(),this.matrix.premultiply(
 e),this.matrix.decompose(this.position,this.quaternion,this.scale),this.pivot!==null&&this.position.copy(this.pivot).applyMatrix4(this.matrix).sub(this.pivot)}applyQuaternion(e){
 return this.quaternion.premultiply(e),this}setRotationFromAxisAngle(e,t){this.quaternion.setFromAxisAngle(e,t)}setRotationFromEuler(e){this.quaternion.setFromEuler(
-e,!0)}setRotationFromMatrix(e){this.quaternion.setFromRotationMatrix(e)}setRotationFromQuaternion(e){this.quaternion.copy(e)}rotateOnAxis(e,t){return Pr.setFromAxisAngle(
-e,t),this.quaternion.multiply(Pr),this}rotateOnWorldAxis(e,t){return Pr.setFromAxisAngle(e,t),this.quaternion.premultiply(Pr),this}rotateX(e){return this.rotateOnAxis(
+e,!0)}setRotationFromMatrix(e){this.quaternion.setFromRotationMatrix(e)}setRotationFromQuaternion(e){this.quaternion.copy(e)}rotateOnAxis(e,t){return Ir.setFromAxisAngle(
+e,t),this.quaternion.multiply(Ir),this}rotateOnWorldAxis(e,t){return Ir.setFromAxisAngle(e,t),this.quaternion.premultiply(Ir),this}rotateX(e){return this.rotateOnAxis(
 kp,e)}rotateY(e){return this.rotateOnAxis(zp,e)}rotateZ(e){return this.rotateOnAxis(Vp,e)}translateOnAxis(e,t){return Bp.copy(e).applyQuaternion(this.quaternion),
 this.position.add(Bp.multiplyScalar(t)),this}translateX(e){return this.translateOnAxis(kp,e)}translateY(e){return this.translateOnAxis(zp,e)}translateZ(e){return this.
 translateOnAxis(Vp,e)}localToWorld(e){return this.updateWorldMatrix(!0,!1),e.applyMatrix4(this.matrixWorld)}worldToLocal(e){return this.updateWorldMatrix(!0,!1),
 e.applyMatrix4(ji.copy(this.matrixWorld).invert())}lookAt(e,t,n){e.isVector3?qa.copy(e):qa.set(e,t,n);let s=this.parent;this.updateWorldMatrix(!0,!1),Ro.setFromMatrixPosition(
 this.matrixWorld),this.isCamera||this.isLight?ji.lookAt(Ro,qa,this.up):ji.lookAt(qa,Ro,this.up),this.quaternion.setFromRotationMatrix(ji),s&&(ji.extractRotation(
-s.matrixWorld),Pr.setFromRotationMatrix(ji),this.quaternion.premultiply(Pr.invert()))}add(e){if(arguments.length>1){for(let t=0;t<arguments.length;t++)this.add(
+s.matrixWorld),Ir.setFromRotationMatrix(ji),this.quaternion.premultiply(Ir.invert()))}add(e){if(arguments.length>1){for(let t=0;t<arguments.length;t++)this.add(
 arguments[t]);return this}return e===this?(Ke("Object3D.add: object can't be added as a child of itself.",e),this):(e&&e.isObject3D?(e.removeFromParent(),e.parent=
-this,this.children.push(e),e.dispatchEvent(Gp),Ir.child=e,this.dispatchEvent(Ir),Ir.child=null):Ke("Object3D.add: object not an instance of THREE.Object3D.",e),
+this,this.children.push(e),e.dispatchEvent(Gp),Lr.child=e,this.dispatchEvent(Lr),Lr.child=null):Ke("Object3D.add: object not an instance of THREE.Object3D.",e),
 this)}remove(e){if(arguments.length>1){for(let n=0;n<arguments.length;n++)this.remove(arguments[n]);return this}let t=this.children.indexOf(e);return t!==-1&&(e.
 parent=null,this.children.splice(t,1),e.dispatchEvent(sy),eu.child=e,this.dispatchEvent(eu),eu.child=null),this}removeFromParent(){let e=this.parent;return e!==
 null&&e.remove(this),this}clear(){return this.remove(...this.children)}attach(e){return this.updateWorldMatrix(!0,!1),ji.copy(this.matrixWorld).invert(),e.parent!==
 null&&(e.parent.updateWorldMatrix(!0,!1),ji.multiply(e.parent.matrixWorld)),e.applyMatrix4(ji),e.removeFromParent(),e.parent=this,this.children.push(e),e.updateWorldMatrix(
-!1,!0),e.dispatchEvent(Gp),Ir.child=e,this.dispatchEvent(Ir),Ir.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.
+!1,!0),e.dispatchEvent(Gp),Lr.child=e,this.dispatchEvent(Lr),Lr.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.
 getObjectByProperty("name",e)}getObjectByProperty(e,t){if(this[e]===t)return this;for(let n=0,s=this.children.length;n<s;n++){let o=this.children[n].getObjectByProperty(
 e,t);if(o!==void 0)return o}}getObjectsByProperty(e,t,n=[]){this[e]===t&&n.push(this);let s=this.children;for(let r=0,o=s.length;r<o;r++)s[r].getObjectsByProperty(
 e,t,n);return n}getWorldPosition(e){return this.updateWorldMatrix(!0,!1),e.setFromMatrixPosition(this.matrixWorld)}getWorldQuaternion(e){return this.updateWorldMatrix(
@@ -839,7 +839,7 @@ e.matrixWorldAutoUpdate,this.matrixWorldNeedsUpdate=e.matrixWorldNeedsUpdate,thi
 this.receiveShadow=e.receiveShadow,this.frustumCulled=e.frustumCulled,this.renderOrder=e.renderOrder,this.static=e.static,this.animations=e.animations.slice(),this.
 userData=JSON.parse(JSON.stringify(e.userData)),t===!0)for(let n=0;n<e.children.length;n++){let s=e.children[n];this.add(s.clone())}return this}dispose(){this.dispatchEvent(
 {type:"dispose"})}};wn.DEFAULT_UP=new V(0,1,0);wn.DEFAULT_MATRIX_AUTO_UPDATE=!0;wn.DEFAULT_MATRIX_WORLD_AUTO_UPDATE=!0;var Vn=class extends wn{constructor(){super(),
-this.isGroup=!0,this.type="Group"}},ry={type:"move"},Jr=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===
+this.isGroup=!0,this.type="Group"}},ry={type:"move"},Kr=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===
 null&&(this._hand=new Vn,this._hand.matrixAutoUpdate=!1,this._hand.visible=!1,this._hand.joints={},this._hand.inputState={pinching:!1}),this._hand}getTargetRaySpace(){
 return this._targetRay===null&&(this._targetRay=new Vn,this._targetRay.matrixAutoUpdate=!1,this._targetRay.visible=!1,this._targetRay.hasLinearVelocity=!1,this.
 _targetRay.linearVelocity=new V,this._targetRay.hasAngularVelocity=!1,this._targetRay.angularVelocity=new V),this._targetRay}getGripSpace(){return this._grip===
@@ -890,8 +890,8 @@ r[4]),this.setHSL(parseFloat(r[1])/360,parseFloat(r[2])/100,parseFloat(r[3])/100
 exec(e)){let r=s[1],o=r.length;if(o===3)return this.setRGB(parseInt(r.charAt(0),16)/15,parseInt(r.charAt(1),16)/15,parseInt(r.charAt(2),16)/15,t);if(o===6)return this.
 setHex(parseInt(r,16),t);$e("Color: Invalid hex color "+e)}else if(e&&e.length>0)return this.setColorName(e,t);return this}setColorName(e,t=Qn){let n=Ym[e.toLowerCase()];
 return n!==void 0?this.setHex(n,t):$e("Color: Unknown color "+e),this}clone(){return new this.constructor(this.r,this.g,this.b)}copy(e){return this.r=e.r,this.g=
-e.g,this.b=e.b,this}copySRGBToLinear(e){return this.r=is(e.r),this.g=is(e.g),this.b=is(e.b),this}copyLinearToSRGB(e){return this.r=Wr(e.r),this.g=Wr(e.g),this.b=
-Wr(e.b),this}convertSRGBToLinear(){return this.copySRGBToLinear(this),this}convertLinearToSRGB(){return this.copyLinearToSRGB(this),this}getHex(e=Qn){return _t.
+e.g,this.b=e.b,this}copySRGBToLinear(e){return this.r=is(e.r),this.g=is(e.g),this.b=is(e.b),this}copyLinearToSRGB(e){return this.r=Xr(e.r),this.g=Xr(e.g),this.b=
+Xr(e.b),this}convertSRGBToLinear(){return this.copySRGBToLinear(this),this}convertLinearToSRGB(){return this.copyLinearToSRGB(this),this}getHex(e=Qn){return _t.
 workingToColorSpace(En.copy(this),e),Math.round(at(En.r*255,0,255))*65536+Math.round(at(En.g*255,0,255))*256+Math.round(at(En.b*255,0,255))}getHexString(e=Qn){return("\
 000000"+this.getHex(e).toString(16)).slice(-6)}getHSL(e,t=_t.workingColorSpace){_t.workingToColorSpace(En.copy(this),t);let n=En.r,s=En.g,r=En.b,o=Math.max(n,s,
 r),a=Math.min(n,s,r),l,c,d=(a+o)/2;if(a===o)l=0,c=0;else{let u=o-a;switch(c=d<=.5?u/(o+a):u/(2-o-a),o){case n:l=(s-r)/u+(s<r?6:0);break;case s:l=(r-n)/u+2;break;case r:
@@ -914,7 +914,7 @@ this.backgroundIntensity=e.backgroundIntensity,this.backgroundRotation.copy(e.ba
 copy(e.environmentRotation),this.overrideMaterial=e.overrideMaterial!==null?e.overrideMaterial.clone():null,this.matrixAutoUpdate=e.matrixAutoUpdate,this}toJSON(e){
 let t=super.toJSON(e);return this.fog!==null&&(t.object.fog=this.fog.toJSON()),t.object.backgroundBlurriness=this.backgroundBlurriness,t.object.backgroundIntensity=
 this.backgroundIntensity,t.object.backgroundRotation=this.backgroundRotation.toArray(),t.object.environmentIntensity=this.environmentIntensity,t.object.environmentRotation=
-this.environmentRotation.toArray(),t}},xi=new V,Qi=new V,nu=new V,es=new V,Lr=new V,Nr=new V,Hp=new V,iu=new V,su=new V,ru=new V,ou=new Wt,au=new Wt,lu=new Wt,Ui=class i{constructor(e=new V,t=new V,n=new V){
+this.environmentRotation.toArray(),t}},xi=new V,Qi=new V,nu=new V,es=new V,Nr=new V,Dr=new V,Hp=new V,iu=new V,su=new V,ru=new V,ou=new Wt,au=new Wt,lu=new Wt,Ui=class i{constructor(e=new V,t=new V,n=new V){
 this.a=e,this.b=t,this.c=n}static getNormal(e,t,n,s){s.subVectors(n,t),xi.subVectors(e,t),s.cross(xi);let r=s.lengthSq();return r>0?s.multiplyScalar(1/Math.sqrt(
 r)):s.set(0,0,0)}static getBarycoord(e,t,n,s,r){xi.subVectors(s,t),Qi.subVectors(n,t),nu.subVectors(e,t);let o=xi.dot(xi),a=xi.dot(Qi),l=xi.dot(nu),c=Qi.dot(Qi),
 d=Qi.dot(nu),u=o*c-a*a;if(u===0)return r.set(0,0,0),null;let h=1/u,f=(c*l-a*d)*h,p=(o*d-a*l)*h;return r.set(1-f-p,p,f)}static containsPoint(e,t,n,s){return this.
@@ -928,11 +928,11 @@ return this.a.copy(e.a),this.b.copy(e.b),this.c.copy(e.c),this}getArea(){return 
 .5}getMidpoint(e){return e.addVectors(this.a,this.b).add(this.c).multiplyScalar(1/3)}getNormal(e){return i.getNormal(this.a,this.b,this.c,e)}getPlane(e){return e.
 setFromCoplanarPoints(this.a,this.b,this.c)}getBarycoord(e,t){return i.getBarycoord(e,this.a,this.b,this.c,t)}getInterpolation(e,t,n,s,r){return i.getInterpolation(
 e,this.a,this.b,this.c,t,n,s,r)}containsPoint(e){return i.containsPoint(e,this.a,this.b,this.c)}isFrontFacing(e){return i.isFrontFacing(this.a,this.b,this.c,e)}intersectsBox(e){
-return e.intersectsTriangle(this)}closestPointToPoint(e,t){let n=this.a,s=this.b,r=this.c,o,a;Lr.subVectors(s,n),Nr.subVectors(r,n),iu.subVectors(e,n);let l=Lr.
-dot(iu),c=Nr.dot(iu);if(l<=0&&c<=0)return t.copy(n);su.subVectors(e,s);let d=Lr.dot(su),u=Nr.dot(su);if(d>=0&&u<=d)return t.copy(s);let h=l*u-d*c;if(h<=0&&l>=0&&
-d<=0&&l-d>0)return o=l/(l-d),t.copy(n).addScaledVector(Lr,o);ru.subVectors(e,r);let f=Lr.dot(ru),p=Nr.dot(ru);if(p>=0&&f<=p)return t.copy(r);let v=f*c-l*p;if(v<=
-0&&c>=0&&p<=0)return a=c/(c-p),t.copy(n).addScaledVector(Nr,a);let m=d*p-f*u;if(m<=0&&u-d>=0&&f-p>=0)return Hp.subVectors(r,s),a=(u-d)/(u-d+(f-p)),t.copy(s).addScaledVector(
-Hp,a);let g=1/(m+v+h);return o=v*g,a=h*g,t.copy(n).addScaledVector(Lr,o).addScaledVector(Nr,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(
+return e.intersectsTriangle(this)}closestPointToPoint(e,t){let n=this.a,s=this.b,r=this.c,o,a;Nr.subVectors(s,n),Dr.subVectors(r,n),iu.subVectors(e,n);let l=Nr.
+dot(iu),c=Dr.dot(iu);if(l<=0&&c<=0)return t.copy(n);su.subVectors(e,s);let d=Nr.dot(su),u=Dr.dot(su);if(d>=0&&u<=d)return t.copy(s);let h=l*u-d*c;if(h<=0&&l>=0&&
+d<=0&&l-d>0)return o=l/(l-d),t.copy(n).addScaledVector(Nr,o);ru.subVectors(e,r);let f=Nr.dot(ru),p=Dr.dot(ru);if(p>=0&&f<=p)return t.copy(r);let v=f*c-l*p;if(v<=
+0&&c>=0&&p<=0)return a=c/(c-p),t.copy(n).addScaledVector(Dr,a);let m=d*p-f*u;if(m<=0&&u-d>=0&&f-p>=0)return Hp.subVectors(r,s),a=(u-d)/(u-d+(f-p)),t.copy(s).addScaledVector(
+Hp,a);let g=1/(m+v+h);return o=v*g,a=h*g,t.copy(n).addScaledVector(Nr,o).addScaledVector(Dr,a)}equals(e){return e.a.equals(this.a)&&e.b.equals(this.b)&&e.c.equals(
 this.c)}},Bi=class{constructor(e=new V(1/0,1/0,1/0),t=new V(-1/0,-1/0,-1/0)){this.isBox3=!0,this.min=e,this.max=t}set(e,t){return this.min.copy(e),this.max.copy(
 t),this}setFromArray(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t+=3)this.expandByPoint(yi.fromArray(e,t));return this}setFromBufferAttribute(e){this.makeEmpty();
 for(let t=0,n=e.count;t<n;t++)this.expandByPoint(yi.fromBufferAttribute(e,t));return this}setFromPoints(e){this.makeEmpty();for(let t=0,n=e.length;t<n;t++)this.
@@ -952,9 +952,9 @@ max.x>=this.min.x&&e.min.x<=this.max.x&&e.max.y>=this.min.y&&e.min.y<=this.max.y
 e.center,yi),yi.distanceToSquared(e.center)<=e.radius*e.radius}intersectsPlane(e){let t,n;return e.normal.x>0?(t=e.normal.x*this.min.x,n=e.normal.x*this.max.x):
 (t=e.normal.x*this.max.x,n=e.normal.x*this.min.x),e.normal.y>0?(t+=e.normal.y*this.min.y,n+=e.normal.y*this.max.y):(t+=e.normal.y*this.max.y,n+=e.normal.y*this.
 min.y),e.normal.z>0?(t+=e.normal.z*this.min.z,n+=e.normal.z*this.max.z):(t+=e.normal.z*this.max.z,n+=e.normal.z*this.min.z),t<=-e.constant&&n>=-e.constant}intersectsTriangle(e){
-if(this.isEmpty())return!1;this.getCenter(Po),Za.subVectors(this.max,Po),Dr.subVectors(e.a,Po),Ur.subVectors(e.b,Po),Fr.subVectors(e.c,Po),bs.subVectors(Ur,Dr),
-ws.subVectors(Fr,Ur),Ys.subVectors(Dr,Fr);let t=[0,-bs.z,bs.y,0,-ws.z,ws.y,0,-Ys.z,Ys.y,bs.z,0,-bs.x,ws.z,0,-ws.x,Ys.z,0,-Ys.x,-bs.y,bs.x,0,-ws.y,ws.x,0,-Ys.y,Ys.
-x,0];return!cu(t,Dr,Ur,Fr,Za)||(t=[1,0,0,0,1,0,0,0,1],!cu(t,Dr,Ur,Fr,Za))?!1:(Ja.crossVectors(bs,ws),t=[Ja.x,Ja.y,Ja.z],cu(t,Dr,Ur,Fr,Za))}clampPoint(e,t){return t.
+if(this.isEmpty())return!1;this.getCenter(Po),Za.subVectors(this.max,Po),Ur.subVectors(e.a,Po),Fr.subVectors(e.b,Po),Or.subVectors(e.c,Po),bs.subVectors(Fr,Ur),
+ws.subVectors(Or,Fr),Zs.subVectors(Ur,Or);let t=[0,-bs.z,bs.y,0,-ws.z,ws.y,0,-Zs.z,Zs.y,bs.z,0,-bs.x,ws.z,0,-ws.x,Zs.z,0,-Zs.x,-bs.y,bs.x,0,-ws.y,ws.x,0,-Zs.y,Zs.
+x,0];return!cu(t,Ur,Fr,Or,Za)||(t=[1,0,0,0,1,0,0,0,1],!cu(t,Ur,Fr,Or,Za))?!1:(Ja.crossVectors(bs,ws),t=[Ja.x,Ja.y,Ja.z],cu(t,Ur,Fr,Or,Za))}clampPoint(e,t){return t.
 copy(e).clamp(this.min,this.max)}distanceToPoint(e){return this.clampPoint(e,yi).distanceTo(e)}getBoundingSphere(e){return this.isEmpty()?e.makeEmpty():(this.getCenter(
 e.center),e.radius=this.getSize(yi).length()*.5),e}intersect(e){return this.min.max(e.min),this.max.min(e.max),this.isEmpty()&&this.makeEmpty(),this}union(e){return this.
 min.min(e.min),this.max.max(e.max),this}applyMatrix4(e){return this.isEmpty()?this:(ts[0].set(this.min.x,this.min.y,this.min.z).applyMatrix4(e),ts[1].set(this.min.
@@ -962,9 +962,9 @@ x,this.min.y,this.max.z).applyMatrix4(e),ts[2].set(this.min.x,this.max.y,this.mi
 ts[4].set(this.max.x,this.min.y,this.min.z).applyMatrix4(e),ts[5].set(this.max.x,this.min.y,this.max.z).applyMatrix4(e),ts[6].set(this.max.x,this.max.y,this.min.
 z).applyMatrix4(e),ts[7].set(this.max.x,this.max.y,this.max.z).applyMatrix4(e),this.setFromPoints(ts),this)}translate(e){return this.min.add(e),this.max.add(e),
 this}equals(e){return e.min.equals(this.min)&&e.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(e){return this.min.
-fromArray(e.min),this.max.fromArray(e.max),this}},ts=[new V,new V,new V,new V,new V,new V,new V,new V],yi=new V,Ya=new Bi,Dr=new V,Ur=new V,Fr=new V,bs=new V,ws=new V,
-Ys=new V,Po=new V,Za=new V,Ja=new V,Zs=new V;function cu(i,e,t,n,s){for(let r=0,o=i.length-3;r<=o;r+=3){Zs.fromArray(i,r);let a=s.x*Math.abs(Zs.x)+s.y*Math.abs(
-Zs.y)+s.z*Math.abs(Zs.z),l=e.dot(Zs),c=t.dot(Zs),d=n.dot(Zs);if(Math.max(-Math.max(l,c,d),Math.min(l,c,d))>a)return!1}return!0}var an=new V,Ka=new ot,oy=0,vi=class extends Oi{constructor(e,t,n=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a \
+fromArray(e.min),this.max.fromArray(e.max),this}},ts=[new V,new V,new V,new V,new V,new V,new V,new V],yi=new V,Ya=new Bi,Ur=new V,Fr=new V,Or=new V,bs=new V,ws=new V,
+Zs=new V,Po=new V,Za=new V,Ja=new V,Js=new V;function cu(i,e,t,n,s){for(let r=0,o=i.length-3;r<=o;r+=3){Js.fromArray(i,r);let a=s.x*Math.abs(Js.x)+s.y*Math.abs(
+Js.y)+s.z*Math.abs(Js.z),l=e.dot(Js),c=t.dot(Js),d=n.dot(Js);if(Math.max(-Math.max(l,c,d),Math.min(l,c,d))>a)return!1}return!0}var an=new V,Ka=new ot,oy=0,vi=class extends Oi{constructor(e,t,n=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a \
 Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:oy++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/
 t:0,this.normalized=n,this.usage=Gm,this.updateRanges=[],this.gpuType=hi,this.version=0,this._normalizationScale=e!==void 0?Ku(e):void 0}onUploadCallback(){}set needsUpdate(e){
 e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.
@@ -1000,7 +1000,7 @@ copy(e),this.radius=0,this;Io.subVectors(e,this.center);let t=Io.lengthSq();if(t
 Io,s/n),this.radius+=s}return this}union(e){return e.isEmpty()?this:this.isEmpty()?(this.copy(e),this):(this.center.equals(e.center)===!0?this.radius=Math.max(this.
 radius,e.radius):(hu.subVectors(e.center,this.center).setLength(e.radius),this.expandByPoint(Io.copy(e.center).add(hu)),this.expandByPoint(Io.copy(e.center).sub(
 hu))),this)}equals(e){return e.center.equals(this.center)&&e.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,
-center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},ly=0,ai=new xt,uu=new wn,Or=new V,jn=new Bi,Lo=new Bi,
+center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},ly=0,ai=new xt,uu=new wn,Br=new V,jn=new Bi,Lo=new Bi,
 Mn=new V,ln=class i extends Oi{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:ly++}),this.uuid=xa(),this.name="",this.type=
 "BufferGeometry",this.index=null,this.indirect=null,this.indirectOffset=0,this.attributes={},this.morphAttributes={},this.morphTargetsRelative=!1,this.groups=[],
 this.boundingBox=null,this.boundingSphere=null,this.drawRange={start:0,count:1/0},this.userData={},this._transformed=!1}getIndex(){return this.index}setIndex(e){
@@ -1013,7 +1013,7 @@ void 0){let r=new Qe().getNormalMatrix(e);n.applyNormalMatrix(r),n.needsUpdate=!
 makeRotationFromQuaternion(e),this.applyMatrix4(ai),this}rotateX(e){return ai.makeRotationX(e),this.applyMatrix4(ai),this}rotateY(e){return ai.makeRotationY(e),
 this.applyMatrix4(ai),this}rotateZ(e){return ai.makeRotationZ(e),this.applyMatrix4(ai),this}translate(e,t,n){return ai.makeTranslation(e,t,n),this.applyMatrix4(
 ai),this}scale(e,t,n){return ai.makeScale(e,t,n),this.applyMatrix4(ai),this}lookAt(e){return uu.lookAt(e),uu.updateMatrix(),this.applyMatrix4(uu.matrix),this}center(){
-return this.computeBoundingBox(),this.boundingBox.getCenter(Or).negate(),this.translate(Or.x,Or.y,Or.z),this}setFromPoints(e){let t=this.getAttribute("position");
+return this.computeBoundingBox(),this.boundingBox.getCenter(Br).negate(),this.translate(Br.x,Br.y,Br.z),this}setFromPoints(e){let t=this.getAttribute("position");
 if(t===void 0){let n=[];for(let s=0,r=e.length;s<r;s++){let o=e[s];n.push(o.x,o.y,o.z||0)}this.setAttribute("position",new yt(n,3))}else{let n=Math.min(e.length,
 t.count);for(let s=0;s<n;s++){let r=e[s];t.setXYZ(s,r.x,r.y,r.z||0)}e.length>t.count&&$e("BufferGeometry: Buffer size too small for points data. Use .dispose() \
 and create a new geometry."),t.needsUpdate=!0}return this}computeBoundingBox(){this.boundingBox===null&&(this.boundingBox=new Bi);let e=this.attributes.position,
@@ -1028,7 +1028,7 @@ es a manual bounding sphere.",this),this.boundingSphere.set(new V,1/0);return}if
 o=t.length;r<o;r++){let a=t[r];Lo.setFromBufferAttribute(a),this.morphTargetsRelative?(Mn.addVectors(jn.min,Lo.min),jn.expandByPoint(Mn),Mn.addVectors(jn.max,Lo.
 max),jn.expandByPoint(Mn)):(jn.expandByPoint(Lo.min),jn.expandByPoint(Lo.max))}jn.getCenter(n);let s=0;for(let r=0,o=e.count;r<o;r++)Mn.fromBufferAttribute(e,r),
 s=Math.max(s,n.distanceToSquared(Mn));if(t)for(let r=0,o=t.length;r<o;r++){let a=t[r],l=this.morphTargetsRelative;for(let c=0,d=a.count;c<d;c++)Mn.fromBufferAttribute(
-a,c),l&&(Or.fromBufferAttribute(e,c),Mn.add(Or)),s=Math.max(s,n.distanceToSquared(Mn))}this.boundingSphere.radius=Math.sqrt(s),isNaN(this.boundingSphere.radius)&&
+a,c),l&&(Br.fromBufferAttribute(e,c),Mn.add(Br)),s=Math.max(s,n.distanceToSquared(Mn))}this.boundingSphere.radius=Math.sqrt(s),isNaN(this.boundingSphere.radius)&&
 Ke('BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "position" attribute is likely to have NaN values.',this)}}computeTangents(){let e=this.
 index,t=this.attributes;if(e===null||t.position===void 0||t.normal===void 0||t.uv===void 0){Ke("BufferGeometry: .computeTangents() failed. Missing required attr\
 ibutes (index, position, normal or uv)");return}let n=t.position,s=t.normal,r=t.uv,o=this.getAttribute("tangent");(o===void 0||o.count!==n.count)&&(o=new vi(new Float32Array(
@@ -1076,9 +1076,9 @@ du),r=this.normal.dot(s);if(r===0)return this.distanceToPoint(e.start)===0?t.cop
 constant=-s.dot(r),this}translate(e){return this.constant-=e.dot(this.normal),this}equals(e){return e.normal.equals(this.normal)&&e.constant===this.constant}clone(){
 return new this.constructor().copy(this)}toJSON(){return{normal:this.normal.toArray(),constant:this.constant}}fromJSON(e){return this.normal.fromArray(e.normal),
 this.constant=e.constant,this}},uy=0,as=class extends Oi{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:uy++}),this.uuid=xa(),this.
-name="",this.type="Material",this.blending=io,this.side=Ds,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=Pu,this.blendDst=
-Iu,this.blendEquation=Qs,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new st(0,0,0),this.blendAlpha=0,this.depthFunc=
-Xr,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Fm,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=gl,this.stencilZFail=
+name="",this.type="Material",this.blending=so,this.side=Ds,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=Pu,this.blendDst=
+Iu,this.blendEquation=er,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new st(0,0,0),this.blendAlpha=0,this.depthFunc=
+qr,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Fm,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=gl,this.stencilZFail=
 gl,this.stencilZPass=gl,this.stencilWrite=!1,this.clippingPlanes=null,this.clipIntersection=!1,this.clipShadows=!1,this.shadowSide=null,this.colorWrite=!0,this.
 precision=null,this.polygonOffset=!1,this.polygonOffsetFactor=0,this.polygonOffsetUnits=0,this.dithering=!1,this.alphaToCoverage=!1,this.premultipliedAlpha=!1,this.
 forceSinglePass=!1,this.allowOverride=!0,this.visible=!0,this.toneMapped=!0,this.userData={},this.version=0,this._alphaTest=0}get alphaTest(){return this._alphaTest}set alphaTest(e){
@@ -1195,7 +1195,7 @@ e.clipShadows,this.shadowSide=e.shadowSide,this.colorWrite=e.colorWrite,this.pre
 polygonOffsetFactor,this.polygonOffsetUnits=e.polygonOffsetUnits,this.dithering=e.dithering,this.alphaTest=e.alphaTest,this.alphaHash=e.alphaHash,this.alphaToCoverage=
 e.alphaToCoverage,this.premultipliedAlpha=e.premultipliedAlpha,this.forceSinglePass=e.forceSinglePass,this.allowOverride=e.allowOverride,this.visible=e.visible,
 this.toneMapped=e.toneMapped,this.userData=JSON.parse(JSON.stringify(e.userData)),this}dispose(){this.dispatchEvent({type:"dispose"})}set needsUpdate(e){e===!0&&
-this.version++}};var ns=new V,fu=new V,ja=new V,Qa=new V,Kr=class{constructor(e=new V,t=new V(0,0,-1)){this.origin=e,this.direction=t}set(e,t){return this.origin.copy(e),this.direction.
+this.version++}};var ns=new V,fu=new V,ja=new V,Qa=new V,jr=class{constructor(e=new V,t=new V(0,0,-1)){this.origin=e,this.direction=t}set(e,t){return this.origin.copy(e),this.direction.
 copy(t),this}copy(e){return this.origin.copy(e.origin),this.direction.copy(e.direction),this}at(e,t){return t.copy(this.origin).addScaledVector(this.direction,e)}lookAt(e){
 return this.direction.copy(e).sub(this.origin).normalize(),this}recast(e){return this.origin.copy(this.at(e,ns)),this}closestPointToPoint(e,t){t.subVectors(e,this.
 origin);let n=t.dot(this.direction);return n<0?t.copy(this.origin):t.copy(this.origin).addScaledVector(this.direction,n)}distanceToPoint(e){return Math.sqrt(this.
@@ -1226,7 +1226,7 @@ this.combine=Kl,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,t
 ound",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,
 this.aoMap=e.aoMap,this.aoMapIntensity=e.aoMapIntensity,this.specularMap=e.specularMap,this.alphaMap=e.alphaMap,this.envMap=e.envMap,this.envMapRotation.copy(e.
 envMapRotation),this.combine=e.combine,this.reflectivity=e.reflectivity,this.refractionRatio=e.refractionRatio,this.wireframe=e.wireframe,this.wireframeLinewidth=
-e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}},Wp=new xt,Js=new Kr,el=new os,Xp=new V,
+e.wireframeLinewidth,this.wireframeLinecap=e.wireframeLinecap,this.wireframeLinejoin=e.wireframeLinejoin,this.fog=e.fog,this}},Wp=new xt,Ks=new jr,el=new os,Xp=new V,
 tl=new V,nl=new V,il=new V,pu=new V,sl=new V,qp=new V,rl=new V,ci=class extends wn{constructor(e=new ln,t=new ls){super(),this.isMesh=!0,this.type="Mesh",this.geometry=
 e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.count=1,this.updateMorphTargets()}copy(e,t){return super.copy(e,t),e.
 morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==void 0?this.
@@ -1236,9 +1236,9 @@ this.geometry=e.geometry,this}updateMorphTargets(){let t=this.geometry.morphAttr
 let n=this.geometry,s=n.attributes.position,r=n.morphAttributes.position,o=n.morphTargetsRelative;t.fromBufferAttribute(s,e);let a=this.morphTargetInfluences;if(r&&
 a){sl.set(0,0,0);for(let l=0,c=r.length;l<c;l++){let d=a[l],u=r[l];d!==0&&(pu.fromBufferAttribute(u,e),o?sl.addScaledVector(pu,d):sl.addScaledVector(pu.sub(t),d))}
 t.add(sl)}return t}intersectsFrustum(e){return e.intersectsObject(this)}raycast(e,t){let n=this.geometry,s=this.material,r=this.matrixWorld;s!==void 0&&(n.boundingSphere===
-null&&n.computeBoundingSphere(),el.copy(n.boundingSphere),el.applyMatrix4(r),Js.copy(e.ray).recast(e.near),!(el.containsPoint(Js.origin)===!1&&(Js.intersectSphere(
-el,Xp)===null||Js.origin.distanceToSquared(Xp)>(e.far-e.near)**2))&&(Wp.copy(r).invert(),Js.copy(e.ray).applyMatrix4(Wp),!(n.boundingBox!==null&&Js.intersectsBox(
-n.boundingBox)===!1)&&this._computeIntersections(e,t,Js)))}_computeIntersections(e,t,n){let s,r=this.geometry,o=this.material,a=r.index,l=r.attributes.position,
+null&&n.computeBoundingSphere(),el.copy(n.boundingSphere),el.applyMatrix4(r),Ks.copy(e.ray).recast(e.near),!(el.containsPoint(Ks.origin)===!1&&(Ks.intersectSphere(
+el,Xp)===null||Ks.origin.distanceToSquared(Xp)>(e.far-e.near)**2))&&(Wp.copy(r).invert(),Ks.copy(e.ray).applyMatrix4(Wp),!(n.boundingBox!==null&&Ks.intersectsBox(
+n.boundingBox)===!1)&&this._computeIntersections(e,t,Ks)))}_computeIntersections(e,t,n){let s,r=this.geometry,o=this.material,a=r.index,l=r.attributes.position,
 c=r.attributes.uv,d=r.attributes.uv1,u=r.attributes.normal,h=r.groups,f=r.drawRange;if(a!==null)if(Array.isArray(o))for(let p=0,v=h.length;p<v;p++){let m=h[p],g=o[m.
 materialIndex],_=Math.max(m.start,f.start),w=Math.min(a.count,Math.min(m.start+m.count,f.start+f.count));for(let M=_,C=w;M<C;M+=3){let b=a.getX(M),x=a.getX(M+1),
 S=a.getX(M+2);s=ol(this,g,e,n,c,d,u,b,x,S),s&&(s.faceIndex=Math.floor(M/3),s.face.materialIndex=m.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),v=Math.
@@ -1253,34 +1253,34 @@ il,qp);if(d){let u=new V;Ui.getBarycoord(qp,tl,nl,il,u),s&&(d.uv=Ui.getInterpola
 new ot)),o&&(d.normal=Ui.getInterpolatedAttribute(o,a,l,c,u,new V),d.normal.dot(n.direction)>0&&d.normal.multiplyScalar(-1));let h={a,b:l,c,normal:new V,materialIndex:0};
 Ui.getNormal(tl,nl,il,h.normal),d.face=h,d.barycoord=u}return d}var Xo=class extends Gn{constructor(e=null,t=1,n=1,s,r,o,a,l,c=Sn,d=Sn,u,h){super(null,o,a,l,c,d,s,r,u,h),this.isDataTexture=!0,this.image={data:e,width:t,height:n},
 this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};var qo=class extends vi{constructor(e,t,n,s=1){super(e,t,n),this.isInstancedBufferAttribute=!0,this.meshPerAttribute=s}copy(e){return super.copy(e),this.meshPerAttribute=
-e.meshPerAttribute,this}toJSON(){let e=super.toJSON();return e.meshPerAttribute=this.meshPerAttribute,e.isInstancedBufferAttribute=!0,e}},Br=new xt,$p=new xt,al=[],
+e.meshPerAttribute,this}toJSON(){let e=super.toJSON();return e.meshPerAttribute=this.meshPerAttribute,e.isInstancedBufferAttribute=!0,e}},kr=new xt,$p=new xt,al=[],
 Yp=new Bi,fy=new xt,No=new ci,Do=new os,As=class extends ci{constructor(e,t,n){super(e,t),this.isInstancedMesh=!0,this.instanceMatrix=new qo(new Float32Array(n*
 16),16),this.instanceColor=null,this.morphTexture=null,this.count=n,this.boundingBox=null,this.boundingSphere=null;for(let s=0;s<n;s++)this.setMatrixAt(s,fy)}computeBoundingBox(){
 let e=this.geometry,t=this.count;this.boundingBox===null&&(this.boundingBox=new Bi),e.boundingBox===null&&e.computeBoundingBox(),this.boundingBox.makeEmpty();for(let n=0;n<
-t;n++)this.getMatrixAt(n,Br),Yp.copy(e.boundingBox).applyMatrix4(Br),this.boundingBox.union(Yp)}computeBoundingSphere(){let e=this.geometry,t=this.count;this.boundingSphere===
-null&&(this.boundingSphere=new os),e.boundingSphere===null&&e.computeBoundingSphere(),this.boundingSphere.makeEmpty();for(let n=0;n<t;n++)this.getMatrixAt(n,Br),
-Do.copy(e.boundingSphere).applyMatrix4(Br),this.boundingSphere.union(Do)}copy(e,t){return super.copy(e,t),this.instanceMatrix.copy(e.instanceMatrix),this.morphTexture=
+t;n++)this.getMatrixAt(n,kr),Yp.copy(e.boundingBox).applyMatrix4(kr),this.boundingBox.union(Yp)}computeBoundingSphere(){let e=this.geometry,t=this.count;this.boundingSphere===
+null&&(this.boundingSphere=new os),e.boundingSphere===null&&e.computeBoundingSphere(),this.boundingSphere.makeEmpty();for(let n=0;n<t;n++)this.getMatrixAt(n,kr),
+Do.copy(e.boundingSphere).applyMatrix4(kr),this.boundingSphere.union(Do)}copy(e,t){return super.copy(e,t),this.instanceMatrix.copy(e.instanceMatrix),this.morphTexture=
 e.morphTexture!==null?e.morphTexture.clone():null,this.instanceColor=e.instanceColor!==null?e.instanceColor.clone():null,this.count=e.count,this.boundingBox=e.boundingBox!==
 null?e.boundingBox.clone():null,this.boundingSphere=e.boundingSphere!==null?e.boundingSphere.clone():null,this}getColorAt(e,t){return this.instanceColor===null?
 t.setRGB(1,1,1):t.fromArray(this.instanceColor.array,e*3)}getMatrixAt(e,t){return t.fromArray(this.instanceMatrix.array,e*16)}getMorphAt(e,t){let n=t.morphTargetInfluences,
 s=this.morphTexture.source.data.data,r=n.length+1,o=e*r+1;for(let a=0;a<n.length;a++)n[a]=s[o+a]}raycast(e,t){let n=this.matrixWorld,s=this.count;if(No.geometry=
 this.geometry,No.material=this.material,No.material!==void 0&&(this.boundingSphere===null&&this.computeBoundingSphere(),Do.copy(this.boundingSphere),Do.applyMatrix4(
-n),e.ray.intersectsSphere(Do)!==!1))for(let r=0;r<s;r++){this.getMatrixAt(r,Br),$p.multiplyMatrices(n,Br),No.matrixWorld=$p,No.raycast(e,al);for(let o=0,a=al.length;o<
+n),e.ray.intersectsSphere(Do)!==!1))for(let r=0;r<s;r++){this.getMatrixAt(r,kr),$p.multiplyMatrices(n,kr),No.matrixWorld=$p,No.raycast(e,al);for(let o=0,a=al.length;o<
 a;o++){let l=al[o];l.instanceId=r,l.object=this,t.push(l)}al.length=0}}setColorAt(e,t){return this.instanceColor===null&&(this.instanceColor=new qo(new Float32Array(
 this.instanceMatrix.count*3).fill(1),3)),t.toArray(this.instanceColor.array,e*3),this}setMatrixAt(e,t){return t.toArray(this.instanceMatrix.array,e*16),this}setMorphAt(e,t){
 let n=t.morphTargetInfluences,s=n.length+1;this.morphTexture===null&&(this.morphTexture=new Xo(new Float32Array(s*this.count),s,this.count,sc,hi));let r=this.morphTexture.
 source.data.data,o=0;for(let c=0;c<n.length;c++)o+=n[c];let a=this.geometry.morphTargetsRelative?1:1-o,l=s*e;return r[l]=a,r.set(n,l+1),this}updateMorphTargets(){}dispose(){
 super.dispose(),this.instanceMatrix.dispose(),this.instanceColor!==null&&this.instanceColor.dispose(),this.morphTexture!==null&&(this.morphTexture.dispose(),this.
-morphTexture=null)}},Ks=new os,py=new ot(.5,.5),ll=new V,Es=class{constructor(e=new ei,t=new ei,n=new ei,s=new ei,r=new ei,o=new ei){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){
+morphTexture=null)}},js=new os,py=new ot(.5,.5),ll=new V,Es=class{constructor(e=new ei,t=new ei,n=new ei,s=new ei,r=new ei,o=new ei){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){
 let a=this.planes;return a[0].copy(e),a[1].copy(t),a[2].copy(n),a[3].copy(s),a[4].copy(r),a[5].copy(o),this}copy(e){let t=this.planes;for(let n=0;n<6;n++)t[n].copy(
 e.planes[n]);return this}setFromProjectionMatrix(e,t=li,n=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],l=r[2],c=r[3],d=r[4],u=r[5],h=r[6],f=r[7],p=r[8],v=r[9],
 m=r[10],g=r[11],_=r[12],w=r[13],M=r[14],C=r[15];if(s[0].setComponents(c-o,f-d,g-p,C-_).normalize(),s[1].setComponents(c+o,f+d,g+p,C+_).normalize(),s[2].setComponents(
 c+a,f+u,g+v,C+w).normalize(),s[3].setComponents(c-a,f-u,g-v,C-w).normalize(),n)s[4].setComponents(l,h,m,M).normalize(),s[5].setComponents(c-l,f-h,g-m,C-M).normalize();else if(s[4].
-setComponents(c-l,f-h,g-m,C-M).normalize(),t===li)s[5].setComponents(c+l,f+h,g+m,C+M).normalize();else if(t===qr)s[5].setComponents(l,h,m,M).normalize();else throw new Error(
+setComponents(c-l,f-h,g-m,C-M).normalize(),t===li)s[5].setComponents(c+l,f+h,g+m,C+M).normalize();else if(t===$r)s[5].setComponents(l,h,m,M).normalize();else throw new Error(
 "THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&
-e.computeBoundingSphere(),Ks.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),Ks.copy(
-t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(Ks)}intersectsSprite(e){Ks.center.set(0,0,0);let t=py.distanceTo(e.center);return Ks.
-radius=.7071067811865476+t,Ks.applyMatrix4(e.matrixWorld),this.intersectsSphere(Ks)}intersectsSphere(e){let t=this.planes,n=e.center,s=-e.radius;for(let r=0;r<6;r++)
+e.computeBoundingSphere(),js.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),js.copy(
+t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(js)}intersectsSprite(e){js.center.set(0,0,0);let t=py.distanceTo(e.center);return js.
+radius=.7071067811865476+t,js.applyMatrix4(e.matrixWorld),this.intersectsSphere(js)}intersectsSphere(e){let t=this.planes,n=e.center,s=-e.radius;for(let r=0;r<6;r++)
 if(t[r].distanceToPoint(n)<s)return!1;return!0}intersectsBox(e){let t=this.planes;for(let n=0;n<6;n++){let s=t[n];if(ll.x=s.normal.x>0?e.max.x:e.min.x,ll.y=s.normal.
 y>0?e.max.y:e.min.y,ll.z=s.normal.z>0?e.max.z:e.min.z,s.distanceToPoint(ll)<0)return!1}return!0}containsPoint(e){let t=this.planes;for(let n=0;n<6;n++)if(t[n].distanceToPoint(
 e)<0)return!1;return!0}clone(){return new this.constructor().copy(this)}},Zp=new xt,Il=class i{constructor(){this.coordinateSystem=li,this._frustums=[],this._count=
@@ -1292,7 +1292,7 @@ let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsBox(e))retu
 if(t[n].containsPoint(e))return!0;return!1}copy(e){this.coordinateSystem=e.coordinateSystem;let t=this._frustums,n=e._frustums;for(let s=0;s<e._count;s++)t[s]===
 void 0&&(t[s]=new Es),t[s].copy(n[s]);return this._count=e._count,this}clone(){return new i().copy(this)}};var Cs=class extends as{constructor(e){super(),this.isLineBasicMaterial=!0,this.type="LineBasicMaterial",this.color=new st(16777215),this.map=null,this.linewidth=
 1,this.linecap="round",this.linejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.linewidth=e.
-linewidth,this.linecap=e.linecap,this.linejoin=e.linejoin,this.fog=e.fog,this}},Ll=new V,Nl=new V,Jp=new xt,Uo=new Kr,cl=new os,mu=new V,Kp=new V,Dl=class extends wn{constructor(e=new ln,t=new Cs){
+linewidth,this.linecap=e.linecap,this.linejoin=e.linejoin,this.fog=e.fog,this}},Ll=new V,Nl=new V,Jp=new xt,Uo=new jr,cl=new os,mu=new V,Kp=new V,Dl=class extends wn{constructor(e=new ln,t=new Cs){
 super(),this.isLine=!0,this.type="Line",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.updateMorphTargets()}copy(e,t){
 return super.copy(e,t),e.morphTargetInfluences!==void 0?this.morphTargetInfluences=e.morphTargetInfluences.slice():this.morphTargetInfluences=void 0,e.morphTargetDictionary!==
 void 0?this.morphTargetDictionary=Object.assign({},e.morphTargetDictionary):this.morphTargetDictionary=void 0,this.material=Array.isArray(e.material)?e.material.
@@ -1308,14 +1308,14 @@ let v=hl(this,e,Uo,l,p-1,f,p-1);v&&t.push(v)}}}updateMorphTargets(){let t=this.g
 this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=
 r}}}}};function hl(i,e,t,n,s,r,o){let a=i.geometry.attributes.position;if(Ll.fromBufferAttribute(a,s),Nl.fromBufferAttribute(a,r),t.distanceSqToSegment(Ll,Nl,mu,
 Kp)>n)return;mu.applyMatrix4(i.matrixWorld);let c=e.ray.origin.distanceTo(mu);if(!(c<e.near||c>e.far))return{distance:c,point:Kp.clone().applyMatrix4(i.matrixWorld),
-index:o,face:null,faceIndex:null,barycoord:null,object:i}}var jp=new V,Qp=new V,jr=class extends Dl{constructor(e,t){super(e,t),this.isLineSegments=!0,this.type=
+index:o,face:null,faceIndex:null,barycoord:null,object:i}}var jp=new V,Qp=new V,Qr=class extends Dl{constructor(e,t){super(e,t),this.isLineSegments=!0,this.type=
 "LineSegments"}computeLineDistances(){let e=this.geometry;if(e.index===null){let t=e.attributes.position,n=[];for(let s=0,r=t.count;s<r;s+=2)jp.fromBufferAttribute(
 t,s),Qp.fromBufferAttribute(t,s+1),n[s]=s===0?0:n[s-1],n[s+1]=n[s]+jp.distanceTo(Qp);e.setAttribute("lineDistance",new yt(n,1))}else $e("LineSegments.computeLin\
-eDistances(): Computation only possible with non-indexed BufferGeometry.");return this}};var $o=class extends Gn{constructor(e=[],t=er,n,s,r,o,a,l,c,d){super(e,t,n,s,r,o,a,l,c,d),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(e){
+eDistances(): Computation only possible with non-indexed BufferGeometry.");return this}};var $o=class extends Gn{constructor(e=[],t=tr,n,s,r,o,a,l,c,d){super(e,t,n,s,r,o,a,l,c,d),this.isCubeTexture=!0,this.flipY=!1}get images(){return this.image}set images(e){
 this.image=e}};var cs=class extends Gn{constructor(e,t,n=Mi,s,r,o,a=Sn,l=Sn,c,d=ss,u=1){if(d!==ss&&d!==us)throw new Error("THREE.DepthTexture: format must be either THREE.Dept\
 hFormat or THREE.DepthStencilFormat");let h={width:e,height:t,depth:u};super(h,s,r,o,a,l,d,n,c),this.isDepthTexture=!0,this.flipY=!1,this.generateMipmaps=!1,this.
-compareFunction=null}copy(e){return super.copy(e),this.source=new Yr(Object.assign({},e.image)),this.compareFunction=e.compareFunction,this}toJSON(e){let t=super.
-toJSON(e);return t.compareFunction=this.compareFunction,t}},Yo=class extends cs{constructor(e,t=Mi,n=er,s,r,o=Sn,a=Sn,l,c=ss){let d={width:e,height:e,depth:1},u=[
+compareFunction=null}copy(e){return super.copy(e),this.source=new Zr(Object.assign({},e.image)),this.compareFunction=e.compareFunction,this}toJSON(e){let t=super.
+toJSON(e);return t.compareFunction=this.compareFunction,t}},Yo=class extends cs{constructor(e,t=Mi,n=tr,s,r,o=Sn,a=Sn,l,c=ss){let d={width:e,height:e,depth:1},u=[
 d,d,d,d,d,d];super(e,e,t,n,s,r,o,a,l,c),this.image=u,this.isCubeDepthTexture=!0,this.isCubeTexture=!0}get images(){return this.image}set images(e){this.image=e}},
 Zo=class extends Gn{constructor(e=null){super(),this.sourceTexture=e,this.isExternalTexture=!0}copy(e){return super.copy(e),this.sourceTexture=e.sourceTexture,this}},
 Rs=class i extends ln{constructor(e=1,t=1,n=1,s=1,r=1,o=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:n,widthSegments:s,heightSegments:r,
@@ -1358,7 +1358,7 @@ M=new V,C=new V,b=new ot,x=new ot,S=new ot;for(let N=0,R=0;N<r.length;N+=9,R+=6)
 8]),b.set(o[R+0],o[R+1]),x.set(o[R+2],o[R+3]),S.set(o[R+4],o[R+5]),C.copy(_).add(w).add(M).divideScalar(3);let I=m(C);v(b,R+0,_,I),v(x,R+2,w,I),v(S,R+4,M,I)}}function v(_,w,M,C){
 C<0&&_.x===1&&(o[w]=_.x-1),M.x===0&&M.z===0&&(o[w]=C/2/Math.PI+.5)}function m(_){return Math.atan2(_.z,-_.x)}function g(_){return Math.atan2(-_.y,Math.sqrt(_.x*
 _.x+_.z*_.z))}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.vertices,e.indices,e.radius,e.
-detail)}};var Qr=class i extends Ul{constructor(e=1,t=0){let n=[1,0,0,-1,0,0,0,1,0,0,-1,0,0,0,1,0,0,-1],s=[0,2,4,0,4,3,0,3,5,0,5,2,1,2,5,1,5,3,1,3,4,1,4,2];super(n,s,e,t),
+detail)}};var eo=class i extends Ul{constructor(e=1,t=0){let n=[1,0,0,-1,0,0,0,1,0,0,-1,0,0,0,1,0,0,-1],s=[0,2,4,0,4,3,0,3,5,0,5,2,1,2,5,1,5,3,1,3,4,1,4,2];super(n,s,e,t),
 this.type="OctahedronGeometry",this.parameters={radius:e,detail:t}}static fromJSON(e){return new i(e.radius,e.detail)}},jo=class i extends ln{constructor(e=1,t=1,n=1,s=1){
 super(),this.type="PlaneGeometry",this.parameters={width:e,height:t,widthSegments:n,heightSegments:s};let r=e/2,o=t/2,a=Math.floor(n),l=Math.floor(s),c=a+1,d=l+
 1,u=e/a,h=t/l,f=[],p=[],v=[],m=[];for(let g=0;g<d;g++){let _=g*h-o;for(let w=0;w<c;w++){let M=w*u-r;p.push(M,-_,0),v.push(0,0,1),m.push(w/a),m.push(1-g/l)}}for(let g=0;g<
@@ -1371,17 +1371,17 @@ u=new V,h=new V,f=[],p=[],v=[],m=[];for(let g=0;g<=n;g++){let _=[],w=g/n,M=o+w*a
 N+x,1-w),_.push(c++)}d.push(_)}for(let g=0;g<n;g++)for(let _=0;_<t;_++){let w=d[g][_+1],M=d[g][_],C=d[g+1][_],b=d[g+1][_+1];(g!==0||o>0)&&f.push(w,M,b),(g!==n-1||
 l<Math.PI)&&f.push(M,C,b)}this.setIndex(f),this.setAttribute("position",new yt(p,3)),this.setAttribute("normal",new yt(v,3)),this.setAttribute("uv",new yt(m,2))}copy(e){
 return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.widthSegments,e.heightSegments,e.phiStart,e.
-phiLength,e.thetaStart,e.thetaLength)}};function nr(i){let e={};for(let t in i){e[t]={};for(let n in i[t]){let s=i[t][n];if(em(s))s.isRenderTargetTexture?($e("UniformsUtils: Textures of render targets\
+phiLength,e.thetaStart,e.thetaLength)}};function ir(i){let e={};for(let t in i){e[t]={};for(let n in i[t]){let s=i[t][n];if(em(s))s.isRenderTargetTexture?($e("UniformsUtils: Textures of render targets\
  cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][n]=null):e[t][n]=s.clone();else if(Array.isArray(s))if(em(s[0])){let r=[];for(let o=0,a=s.length;o<
-a;o++)r[o]=s[o].clone();e[t][n]=r}else e[t][n]=s.slice();else e[t][n]=s}}return e}function Cn(i){let e={};for(let t=0;t<i.length;t++){let n=nr(i[t]);for(let s in n)
+a;o++)r[o]=s[o].clone();e[t][n]=r}else e[t][n]=s.slice();else e[t][n]=s}}return e}function Cn(i){let e={};for(let t=0;t<i.length;t++){let n=ir(i[t]);for(let s in n)
 e[s]=n[s]}return e}function em(i){return i&&(i.isColor||i.isMatrix3||i.isMatrix4||i.isVector2||i.isVector3||i.isVector4||i.isTexture||i.isQuaternion)}function my(i){
 let e=[];for(let t=0;t<i.length;t++)e.push(i[t].clone());return e}function ju(i){let e=i.getRenderTarget();return e===null?i.outputColorSpace:e.isXRRenderTarget===
-!0?e.texture.colorSpace:_t.workingColorSpace}var Zm={clone:nr,merge:Cn},gy="void main() {\n gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.\
+!0?e.texture.colorSpace:_t.workingColorSpace}var Zm={clone:ir,merge:Cn},gy="void main() {\n gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.\
 0 );\n}",_y="void main() {\n gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );\n}",ki=class extends as{constructor(e){super(),this.isShaderMaterial=!0,this.type="Shade\
 rMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=gy,this.fragmentShader=_y,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=
 1,this.fog=!1,this.lights=!1,this.clipping=!1,this.forceSinglePass=!0,this.extensions={clipCullDistance:!1,multiDraw:!1},this.defaultAttributeValues={color:[1,1,
 1],uv:[0,0],uv1:[0,0]},this.index0AttributeName=void 0,this.uniformsNeedUpdate=!1,this.glslVersion=null,e!==void 0&&this.setValues(e)}copy(e){return super.copy(
-e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=nr(e.uniforms),this.uniformsGroups=my(e.uniformsGroups),this.defines=Object.
+e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=ir(e.uniforms),this.uniformsGroups=my(e.uniformsGroups),this.defines=Object.
 assign({},e.defines),this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.fog=e.fog,this.lights=e.lights,this.clipping=e.clipping,this.extensions=
 Object.assign({},e.extensions),this.glslVersion=e.glslVersion,this.defaultAttributeValues=Object.assign({},e.defaultAttributeValues),this.index0AttributeName=e.
 index0AttributeName,this.uniformsNeedUpdate=e.uniformsNeedUpdate,this}toJSON(e){let t=super.toJSON(e);t.glslVersion=this.glslVersion,t.uniforms={};for(let s in this.
@@ -1414,7 +1414,7 @@ e.displacementScale,this.displacementBias=e.displacementBias,this.wireframe=e.wi
 super(),this.isMeshDistanceMaterial=!0,this.type="MeshDistanceMaterial",this.map=null,this.alphaMap=null,this.displacementMap=null,this.displacementScale=1,this.
 displacementBias=0,this.setValues(e)}copy(e){return super.copy(e),this.map=e.map,this.alphaMap=e.alphaMap,this.displacementMap=e.displacementMap,this.displacementScale=
 e.displacementScale,this.displacementBias=e.displacementBias,this}};var ta=class extends Cs{constructor(e){super(),this.isLineDashedMaterial=!0,this.type="LineDashedMaterial",this.scale=1,this.dashSize=3,this.gapSize=1,this.setValues(
-e)}copy(e){return super.copy(e),this.scale=e.scale,this.dashSize=e.dashSize,this.gapSize=e.gapSize,this}};function kr(i,e){return!i||i.constructor===e?i:typeof e.
+e)}copy(e){return super.copy(e),this.scale=e.scale,this.dashSize=e.dashSize,this.gapSize=e.gapSize,this}};function zr(i,e){return!i||i.constructor===e?i:typeof e.
 BYTES_PER_ELEMENT=="number"?new e(i):Array.prototype.slice.call(i)}function ul(i){return i!==void 0&&i.inTangents!==void 0&&i.outTangents!==void 0}var Is=class{constructor(e,t,n,s){this.parameterPositions=e,this._cachedIndex=0,this.resultBuffer=s!==void 0?s:new t.constructor(n),this.sampleValues=t,this.valueSize=
 n,this.settings=null,this.DefaultSettings_={}}evaluate(e){let t=this.parameterPositions,n=this._cachedIndex,s=t[n],r=t[n-1];n:{e:{let o;t:{i:if(!(e<s)){for(let a=n+
 2;;){if(s===void 0){if(e<r)break i;return n=t.length,this._cachedIndex=n,this.copySampleValue_(n-1)}if(n===a)break;if(r=s,s=t[++n],e<s)break e}o=t.length;break t}
@@ -1436,10 +1436,10 @@ a;++m)r[m]=o[c+m]*v+o[l+m]*p;return r}let h=a*2,f=e-1;for(let p=0;p!==a;++p){let
 _,C,s);r[p]=Jm(x,v,w,b,m)}return r}};function Jm(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function xy(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
 e)+6*r*i*(n-t)+3*i*i*(s-n)}function yy(i,e,t,n,s){let r=(i-e)/(s-e);for(let o=0;o<8;o++){let a=Jm(r,e,t,n,s)-i;if(Math.abs(a)<1e-10)break;let l=xy(r,e,t,n,s);if(Math.
 abs(l)<1e-10)break;r=Math.max(0,Math.min(1,r-a/l))}return r}var ni=class{constructor(e,t,n,s){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is \
-undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=kr(t,this.TimeBufferType),
-this.values=kr(n,this.ValueBufferType),this.setInterpolation(s||this.DefaultInterpolation)}static toJSON(e){let t=e.constructor,n;if(t.toJSON!==this.toJSON)n=t.
-toJSON(e);else{n={name:e.name,times:kr(e.times,Array),values:kr(e.values,Array)};let s=e.getInterpolation();s!==e.DefaultInterpolation&&(n.interpolation=s),ul(e.
-settings)&&(n.settings={inTangents:kr(e.settings.inTangents,Array),outTangents:kr(e.settings.outTangents,Array)})}return n.type=e.ValueTypeName,n}InterpolantFactoryMethodDiscrete(e){
+undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=zr(t,this.TimeBufferType),
+this.values=zr(n,this.ValueBufferType),this.setInterpolation(s||this.DefaultInterpolation)}static toJSON(e){let t=e.constructor,n;if(t.toJSON!==this.toJSON)n=t.
+toJSON(e);else{n={name:e.name,times:zr(e.times,Array),values:zr(e.values,Array)};let s=e.getInterpolation();s!==e.DefaultInterpolation&&(n.interpolation=s),ul(e.
+settings)&&(n.settings={inTangents:zr(e.settings.inTangents,Array),outTangents:zr(e.settings.outTangents,Array)})}return n.type=e.ValueTypeName,n}InterpolantFactoryMethodDiscrete(e){
 return new Vl(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodLinear(e){return new zl(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodSmooth(e){
 return new kl(this.times,this.values,this.getValueSize(),e)}InterpolantFactoryMethodBezier(e){let t=new Gl(this.times,this.values,this.getValueSize(),e);return this.
 settings&&(t.inTangents=this.settings.inTangents,t.outTangents=this.settings.outTangents),t}setInterpolation(e){let t;switch(e){case Oo:t=this.InterpolantFactoryMethodDiscrete;
@@ -1490,7 +1490,7 @@ this.matrix=new xt,this.autoUpdate=!0,this.needsUpdate=!1,this._frustum=new Es,t
 1,1)]}getViewportCount(){return this._viewportCount}getCamera(){return this.camera}getFrustum(){return this._frustum}updateMatrices(e){let t=this.camera;im.setFromMatrixPosition(
 e.matrixWorld),t.position.copy(im),sm.setFromMatrixPosition(e.target.matrixWorld),t.lookAt(sm),t.updateMatrixWorld(),this._updateMatrix(t,this.matrix,this._frustum)}_updateMatrix(e,t,n,s){
 gu.multiplyMatrices(e.projectionMatrix,e.matrixWorldInverse),n.setFromProjectionMatrix(gu,e.coordinateSystem,e.reversedDepth);let r=this._frameExtents,o=s?s.z/r.
-x:1,a=s?s.w/r.y:1,l=s?s.x/r.x:0,c=s?s.y/r.y:0;e.coordinateSystem===qr||e.reversedDepth?t.set(.5*o,0,0,.5*o+l,0,.5*a,0,.5*a+c,0,0,1,0,0,0,0,1):t.set(.5*o,0,0,.5*
+x:1,a=s?s.w/r.y:1,l=s?s.x/r.x:0,c=s?s.y/r.y:0;e.coordinateSystem===$r||e.reversedDepth?t.set(.5*o,0,0,.5*o+l,0,.5*a,0,.5*a+c,0,0,1,0,0,0,0,1):t.set(.5*o,0,0,.5*
 o+l,0,.5*a,0,.5*a+c,0,0,.5,.5,0,0,0,1),t.multiply(gu)}getViewport(e){return this._viewports[e]}getFrameExtents(){return this._frameExtents}dispose(){this.map&&this.
 map.dispose(),this.mapPass&&this.mapPass.dispose()}copy(e){return this.camera=e.camera.clone(),this.intensity=e.intensity,this.bias=e.bias,this.radius=e.radius,
 this.autoUpdate=e.autoUpdate,this.needsUpdate=e.needsUpdate,this.normalBias=e.normalBias,this.blurSamples=e.blurSamples,this.mapSize.copy(e.mapSize),this.mapType=
@@ -1528,14 +1528,14 @@ top-this.bottom)/this.view.fullHeight/this.zoom;r+=c*this.view.offsetX,o=r+c*thi
 makeOrthographic(r,o,a,l,this.near,this.far,this.coordinateSystem,this.reversedDepth),this.projectionMatrixInverse.copy(this.projectionMatrix).invert()}toJSON(e){
 let t=super.toJSON(e);return t.object.zoom=this.zoom,t.object.left=this.left,t.object.right=this.right,t.object.top=this.top,t.object.bottom=this.bottom,t.object.
 near=this.near,t.object.far=this.far,this.view!==null&&(t.object.view=Object.assign({},this.view)),t}},Su=class extends Zl{constructor(){super(new oa(-5,5,5,-5,
-.5,500)),this.isDirectionalLightShadow=!0}},eo=class extends ia{constructor(e,t){super(e,t),this.isDirectionalLight=!0,this.type="DirectionalLight",this.position.
+.5,500)),this.isDirectionalLightShadow=!0}},to=class extends ia{constructor(e,t){super(e,t),this.isDirectionalLight=!0,this.type="DirectionalLight",this.position.
 copy(wn.DEFAULT_UP),this.updateMatrix(),this.target=new wn,this.shadow=new Su}dispose(){super.dispose(),this.shadow.dispose()}copy(e){return super.copy(e),this.
 target=e.target.clone(),this.shadow=e.shadow.clone(),this}toJSON(e){let t=super.toJSON(e);return t.object.shadow=this.shadow.toJSON(),t.object.target=this.target.
-uuid,t}};var zr=-90,Vr=1,to=class extends wn{constructor(e,t,n){super(),this.type="CubeCamera",this.renderTarget=n,this.coordinateSystem=null,this.activeMipmapLevel=0;let s=new Fn(
-zr,Vr,e,t);s.layers=this.layers,this.add(s);let r=new Fn(zr,Vr,e,t);r.layers=this.layers,this.add(r);let o=new Fn(zr,Vr,e,t);o.layers=this.layers,this.add(o);let a=new Fn(
-zr,Vr,e,t);a.layers=this.layers,this.add(a);let l=new Fn(zr,Vr,e,t);l.layers=this.layers,this.add(l);let c=new Fn(zr,Vr,e,t);c.layers=this.layers,this.add(c)}updateCoordinateSystem(){
+uuid,t}};var Vr=-90,Gr=1,no=class extends wn{constructor(e,t,n){super(),this.type="CubeCamera",this.renderTarget=n,this.coordinateSystem=null,this.activeMipmapLevel=0;let s=new Fn(
+Vr,Gr,e,t);s.layers=this.layers,this.add(s);let r=new Fn(Vr,Gr,e,t);r.layers=this.layers,this.add(r);let o=new Fn(Vr,Gr,e,t);o.layers=this.layers,this.add(o);let a=new Fn(
+Vr,Gr,e,t);a.layers=this.layers,this.add(a);let l=new Fn(Vr,Gr,e,t);l.layers=this.layers,this.add(l);let c=new Fn(Vr,Gr,e,t);c.layers=this.layers,this.add(c)}updateCoordinateSystem(){
 let e=this.coordinateSystem,t=this.children.concat(),[n,s,r,o,a,l]=t;for(let c of t)this.remove(c);if(e===li)n.up.set(0,1,0),n.lookAt(1,0,0),s.up.set(0,1,0),s.lookAt(
--1,0,0),r.up.set(0,0,-1),r.lookAt(0,1,0),o.up.set(0,0,1),o.lookAt(0,-1,0),a.up.set(0,1,0),a.lookAt(0,0,1),l.up.set(0,1,0),l.lookAt(0,0,-1);else if(e===qr)n.up.set(
+-1,0,0),r.up.set(0,0,-1),r.lookAt(0,1,0),o.up.set(0,0,1),o.lookAt(0,-1,0),a.up.set(0,1,0),a.lookAt(0,0,1),l.up.set(0,1,0),l.lookAt(0,0,-1);else if(e===$r)n.up.set(
 0,-1,0),n.lookAt(-1,0,0),s.up.set(0,-1,0),s.lookAt(1,0,0),r.up.set(0,0,1),r.lookAt(0,1,0),o.up.set(0,0,-1),o.lookAt(0,-1,0),a.up.set(0,-1,0),a.lookAt(0,0,1),l.up.
 set(0,-1,0),l.lookAt(0,0,-1);else throw new Error("THREE.CubeCamera.updateCoordinateSystem(): Invalid coordinate system: "+e);for(let c of t)this.add(c),c.updateMatrixWorld()}update(e,t){
 this.parent===null&&this.updateMatrixWorld();let{renderTarget:n,activeMipmapLevel:s}=this;this.coordinateSystem!==e.coordinateSystem&&(this.coordinateSystem=e.coordinateSystem,
@@ -1590,7 +1590,7 @@ prototype.GetterByBindingType=[Vt.prototype._getValue_direct,Vt.prototype._getVa
 prototype.SetterByBindingTypeAndVersioning=[[Vt.prototype._setValue_direct,Vt.prototype._setValue_direct_setNeedsUpdate,Vt.prototype._setValue_direct_setMatrixWorldNeedsUpdate],
 [Vt.prototype._setValue_array,Vt.prototype._setValue_array_setNeedsUpdate,Vt.prototype._setValue_array_setMatrixWorldNeedsUpdate],[Vt.prototype._setValue_arrayElement,
 Vt.prototype._setValue_arrayElement_setNeedsUpdate,Vt.prototype._setValue_arrayElement_setMatrixWorldNeedsUpdate],[Vt.prototype._setValue_fromArray,Vt.prototype.
-_setValue_fromArray_setNeedsUpdate,Vt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var E1=new Float32Array(1);var am=new xt,aa=class{constructor(e,t,n=0,s=1/0){this.ray=new Kr(e,t),this.near=n,this.far=s,this.camera=null,this.layers=new Zr,this.params={Mesh:{},Line:{threshold:1},
+_setValue_fromArray_setNeedsUpdate,Vt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var E1=new Float32Array(1);var am=new xt,aa=class{constructor(e,t,n=0,s=1/0){this.ray=new jr(e,t),this.near=n,this.far=s,this.camera=null,this.layers=new Jr,this.params={Mesh:{},Line:{threshold:1},
 LOD:{},Points:{threshold:1},Sprite:{}}}set(e,t){this.ray.set(e,t)}setFromCamera(e,t){t.isPerspectiveCamera?(this.ray.origin.setFromMatrixPosition(t.matrixWorld),
 this.ray.direction.set(e.x,e.y,.5).unproject(t).sub(this.ray.origin).normalize(),this.camera=t):t.isOrthographicCamera?(this.ray.origin.set(e.x,e.y,t.projectionMatrix.
 elements[14]).unproject(t),this.ray.direction.set(0,0,-1).transformDirection(t.matrixWorld),this.camera=t):Ke("Raycaster: Unsupported camera type: "+t.type)}setFromXRController(e){
@@ -1598,16 +1598,16 @@ return am.identity().extractRotation(e.matrixWorld),this.ray.origin.setFromMatri
 return wu(e,this,n,t),n.sort(lm),n}intersectObjects(e,t=!0,n=[]){for(let s=0,r=e.length;s<r;s++)wu(e[s],this,n,t);return n.sort(lm),n}};function lm(i,e){return i.
 distance-e.distance}function wu(i,e,t,n){let s=!0;if(i.layers.test(e.layers)&&i.raycast(e,t)===!1&&(s=!1),s===!0&&n===!0){let r=i.children;for(let o=0,a=r.length;o<
 a;o++)wu(r[o],e,t,!0)}}var Tu=class{static{this.prototype.isMatrix2=!0}constructor(e,t,n,s){this.elements=[1,0,0,1],e!==void 0&&this.set(e,t,n,s)}identity(){return this.set(1,0,0,1),this}fromArray(e,t=0){
-for(let n=0;n<4;n++)this.elements[n]=e[n+t];return this}set(e,t,n,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=n,r[3]=s,this}};var cm=new V,pl=new V,Gr=new V,Hr=new V,_u=new V,Cy=new V,Ry=new V,la=class{constructor(e=new V,t=new V){this.start=e,this.end=t}set(e,t){return this.start.copy(
+for(let n=0;n<4;n++)this.elements[n]=e[n+t];return this}set(e,t,n,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=n,r[3]=s,this}};var cm=new V,pl=new V,Hr=new V,Wr=new V,_u=new V,Cy=new V,Ry=new V,la=class{constructor(e=new V,t=new V){this.start=e,this.end=t}set(e,t){return this.start.copy(
 e),this.end.copy(t),this}copy(e){return this.start.copy(e.start),this.end.copy(e.end),this}getCenter(e){return e.addVectors(this.start,this.end).multiplyScalar(
 .5)}delta(e){return e.subVectors(this.end,this.start)}distanceSq(){return this.start.distanceToSquared(this.end)}distance(){return this.start.distanceTo(this.end)}at(e,t){
 return this.delta(t).multiplyScalar(e).add(this.start)}closestPointToPointParameter(e,t){cm.subVectors(e,this.start),pl.subVectors(this.end,this.start);let n=pl.
 dot(pl);if(n===0)return 0;let r=pl.dot(cm)/n;return t&&(r=at(r,0,1)),r}closestPointToPoint(e,t,n){let s=this.closestPointToPointParameter(e,t);return this.delta(
-n).multiplyScalar(s).add(this.start)}distanceSqToLine3(e,t=Cy,n=Ry){let s=10000000000000001e-32,r,o,a=this.start,l=e.start,c=this.end,d=e.end;Gr.subVectors(c,a),
-Hr.subVectors(d,l),_u.subVectors(a,l);let u=Gr.dot(Gr),h=Hr.dot(Hr),f=Hr.dot(_u);if(u<=s&&h<=s)return t.copy(a),n.copy(l),t.distanceToSquared(n);if(u<=s)r=0,o=f/
-h,o=at(o,0,1);else{let p=Gr.dot(_u);if(h<=s)o=0,r=at(-p/u,0,1);else{let v=Gr.dot(Hr),m=u*h-v*v;m!==0?r=at((v*f-p*h)/m,0,1):r=0,o=(v*r+f)/h,o<0?(o=0,r=at(-p/u,0,
-1)):o>1&&(o=1,r=at((v-p)/u,0,1))}}return t.copy(a).addScaledVector(Gr,r),n.copy(l).addScaledVector(Hr,o),t.distanceToSquared(n)}applyMatrix4(e){return this.start.
-applyMatrix4(e),this.end.applyMatrix4(e),this}equals(e){return e.start.equals(this.start)&&e.end.equals(this.end)}clone(){return new this.constructor().copy(this)}};var ca=class extends jr{constructor(e=10,t=10,n=4473924,s=8947848){n=new st(n),s=new st(s);let r=t/2,o=e/t,a=e/2,l=[],c=[];for(let h=0,f=0,p=-a;h<=t;h++,p+=o){l.
+n).multiplyScalar(s).add(this.start)}distanceSqToLine3(e,t=Cy,n=Ry){let s=10000000000000001e-32,r,o,a=this.start,l=e.start,c=this.end,d=e.end;Hr.subVectors(c,a),
+Wr.subVectors(d,l),_u.subVectors(a,l);let u=Hr.dot(Hr),h=Wr.dot(Wr),f=Wr.dot(_u);if(u<=s&&h<=s)return t.copy(a),n.copy(l),t.distanceToSquared(n);if(u<=s)r=0,o=f/
+h,o=at(o,0,1);else{let p=Hr.dot(_u);if(h<=s)o=0,r=at(-p/u,0,1);else{let v=Hr.dot(Wr),m=u*h-v*v;m!==0?r=at((v*f-p*h)/m,0,1):r=0,o=(v*r+f)/h,o<0?(o=0,r=at(-p/u,0,
+1)):o>1&&(o=1,r=at((v-p)/u,0,1))}}return t.copy(a).addScaledVector(Hr,r),n.copy(l).addScaledVector(Wr,o),t.distanceToSquared(n)}applyMatrix4(e){return this.start.
+applyMatrix4(e),this.end.applyMatrix4(e),this}equals(e){return e.start.equals(this.start)&&e.end.equals(this.end)}clone(){return new this.constructor().copy(this)}};var ca=class extends Qr{constructor(e=10,t=10,n=4473924,s=8947848){n=new st(n),s=new st(s);let r=t/2,o=e/t,a=e/2,l=[],c=[];for(let h=0,f=0,p=-a;h<=t;h++,p+=o){l.
 push(-a,0,p,a,0,p),l.push(p,0,-a,p,0,a);let v=h===r?n:s;v.toArray(c,f),f+=3,v.toArray(c,f),f+=3,v.toArray(c,f),f+=3,v.toArray(c,f),f+=3}let d=new ln;d.setAttribute(
 "position",new yt(l,3)),d.setAttribute("color",new yt(c,3));let u=new Cs({vertexColors:!0,toneMapped:!1});super(d,u),this.type="GridHelper"}dispose(){super.dispose(),
 this.geometry.dispose(),this.material.dispose()}};function td(i,e,t,n){let s=Py(n);switch(t){case Wu:return i*e;case sc:return i*e/s.components*s.byteLength;case rc:return i*e/s.components*s.byteLength;case Us:
@@ -1621,7 +1621,7 @@ floor((i+7)/8)*Math.floor((e+5)/6)*16;case Tc:return Math.floor((i+7)/8)*Math.fl
 return Math.floor((i+9)/10)*Math.floor((e+5)/6)*16;case Cc:return Math.floor((i+9)/10)*Math.floor((e+7)/8)*16;case Rc:return Math.floor((i+9)/10)*Math.floor((e+
 9)/10)*16;case Pc:return Math.floor((i+11)/12)*Math.floor((e+9)/10)*16;case Ic:return Math.floor((i+11)/12)*Math.floor((e+11)/12)*16;case Lc:case Nc:case Dc:return Math.
 ceil(i/4)*Math.ceil(e/4)*16;case Uc:case Fc:return Math.ceil(i/4)*Math.ceil(e/4)*8;case _a:case Oc:return Math.ceil(i/4)*Math.ceil(e/4)*16}throw new Error("Unab\
-le to determine texture byte length for ".concat(t," format."))}function Py(i){switch(i){case Hn:case zu:return{byteLength:1,components:1};case ro:case Vu:case Si:
+le to determine texture byte length for ".concat(t," format."))}function Py(i){switch(i){case Hn:case zu:return{byteLength:1,components:1};case oo:case Vu:case Si:
 return{byteLength:2,components:1};case nc:case ic:return{byteLength:2,components:4};case Mi:case tc:case hi:return{byteLength:4,components:1};case Gu:case Hu:return{
 byteLength:4,components:3}}throw new Error("THREE.TextureUtils: Unknown texture type ".concat(i,"."))}typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("register",{detail:{revision:"187"}}));typeof window<"u"&&(window.__THREE__?$e("\
 WARNING: Multiple instances of Three.js being imported."):window.__THREE__="187");function yg(){let i=null,e=!1,t=null,n=null;function s(r,o){n=i.requestAnimationFrame(s),t(r,o)}return{start:function(){e!==!0&&t!==null&&i!==null&&(n=i.requestAnimationFrame(
@@ -2637,14 +2637,14 @@ anisotropyMapTransform:{value:new Qe}}]),vertexShader:ht.meshphysical_vert,fragm
 let M=_.backgroundBlurriness>0;w=e.get(w,M)}return w}function p(_){let w=!1,M=f(_);M===null?m(o,a):M&&M.isColor&&(m(M,1),w=!0);let C=i.xr.getEnvironmentBlendMode();
 C==="additive"?t.buffers.color.setClear(0,0,0,1,r):C==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(i.autoClear||w)&&(t.buffers.depth.setTest(!0),t.buffers.
 depth.setMask(!0),t.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function v(_,w){let M=f(w);M&&M.isCubeTexture?(c===
-void 0&&(c=new ci(new Rs(1,1,1),new ki({name:"BackgroundCubeMaterial",uniforms:nr(Hi.backgroundCube.uniforms),vertexShader:Hi.backgroundCube.vertexShader,fragmentShader:Hi.
+void 0&&(c=new ci(new Rs(1,1,1),new ki({name:"BackgroundCubeMaterial",uniforms:ir(Hi.backgroundCube.uniforms),vertexShader:Hi.backgroundCube.vertexShader,fragmentShader:Hi.
 backgroundCube.fragmentShader,side:kn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),
 c.onBeforeRender=function(C,b,x){this.matrixWorld.copyPosition(x.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.
 value}}),n.update(c)),c.material.uniforms.envMap.value=M,c.material.uniforms.backgroundBlurriness.value=w.backgroundBlurriness,c.material.uniforms.backgroundIntensity.
 value=w.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(dS.makeRotationFromEuler(w.backgroundRotation)).transpose(),M.isRenderTargetTexture===
 !1&&c.material.uniforms.backgroundRotation.value.premultiply(vg),c.material.toneMapped=_t.getTransfer(M.colorSpace)!==At,(d!==M||u!==M.version||h!==i.toneMapping)&&
 (c.material.needsUpdate=!0,d=M,u=M.version,h=i.toneMapping),c.layers.enableAll(),_.unshift(c,c.geometry,c.material,0,0,null)):M&&M.isTexture&&(l===void 0&&(l=new ci(
-new jo(2,2),new ki({name:"BackgroundMaterial",uniforms:nr(Hi.background.uniforms),vertexShader:Hi.background.vertexShader,fragmentShader:Hi.background.fragmentShader,
+new jo(2,2),new ki({name:"BackgroundMaterial",uniforms:ir(Hi.background.uniforms),vertexShader:Hi.background.vertexShader,fragmentShader:Hi.background.fragmentShader,
 side:Ds,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.
 uniforms.t2D.value}}),n.update(l)),l.material.uniforms.t2D.value=M,l.material.uniforms.backgroundIntensity.value=w.backgroundIntensity,l.material.toneMapped=_t.
 getTransfer(M.colorSpace)!==At,M.matrixAutoUpdate===!0&&M.updateMatrix(),l.material.uniforms.uvTransform.value.copy(M.matrix),(d!==M||u!==M.version||h!==i.toneMapping)&&
@@ -2710,27 +2710,27 @@ t.magFilter;let n={uniforms:{tEquirect:{value:null}},vertexShader:"\n\n    varyi
  ) {\n\n     return normalize( ( matrix * vec4( dir, 0.0 ) ).xyz );\n\n    }\n\n    void main() {\n\n     vWorldDirection = transformDirection( position, modelMatrix );\
 \n\n     #include <begin_vertex>\n     #include <project_vertex>\n\n    }\n   ",fragmentShader:"\n\n    uniform sampler2D tEquirect;\n\n    varying vec3 vWorldDirec\
 tion;\n\n    #include <common>\n\n    void main() {\n\n     vec3 direction = normalize( vWorldDirection );\n\n     vec2 sampleUV = equirectUv( direction );\n\n     gl_Fra\
-gColor = texture2D( tEquirect, sampleUV );\n\n    }\n   "},s=new Rs(5,5,5),r=new ki({name:"CubemapFromEquirect",uniforms:nr(n.uniforms),vertexShader:n.vertexShader,
-fragmentShader:n.fragmentShader,side:kn,blending:js});r.uniforms.tEquirect.value=t;let o=new ci(s,r),a=t.minFilter;return t.minFilter===hs&&(t.minFilter=On),new to(
+gColor = texture2D( tEquirect, sampleUV );\n\n    }\n   "},s=new Rs(5,5,5),r=new ki({name:"CubemapFromEquirect",uniforms:ir(n.uniforms),vertexShader:n.vertexShader,
+fragmentShader:n.fragmentShader,side:kn,blending:Qs});r.uniforms.tEquirect.value=t;let o=new ci(s,r),a=t.minFilter;return t.minFilter===hs&&(t.minFilter=On),new no(
 1,10,this).update(e,o),t.minFilter=a,o.geometry.dispose(),o.material.dispose(),this}clear(e,t=!0,n=!0,s=!0){let r=e.getRenderTarget();for(let o=0;o<6;o++)e.setRenderTarget(
 this,o),e.clear(t,n,s);e.setRenderTarget(r)}},jm=256,xS=3,yS=20,Mg=256,Sg=16,vS=3,MS=new V,SS=new st,Vc=class i{constructor(e){this._renderer=e,this._cubeSize=0,
-this._sourceTarget=null,this._cubeCamera=new to(1,10,null),this._boxMesh=new ci(new Rs(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this.
+this._sourceTarget=null,this._cubeCamera=new no(1,10,null),this._boxMesh=new ci(new Rs(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this.
 _blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,n=.1,s=100,r={}){let{size:o=256,position:a=MS}=r,l=this._renderer;this.
 _setSize(o);let c=this._allocateTarget(),d=this._getSourceTarget(!0);t>0&&(d.texture.mipmapsAutoUpdate=!1);let u=l.autoClear,h=l.autoClearColor,f=l.autoClearDepth,
-p=l.autoClearStencil,v=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,v===null&&(e.background=l.getClearColor(SS));let m=new to(
+p=l.autoClearStencil,v=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,v===null&&(e.background=l.getClearColor(SS));let m=new no(
 n,s,d);return m.position.copy(a),m.update(l,e),l.autoClear=u,l.autoClearColor=h,l.autoClearDepth=f,l.autoClearStencil=p,e.background=v,t>0&&(d.texture.mipmapsAutoUpdate=
 !0,this._blur(c,t)),this._applyPMREM(c),c}fromEquirectangular(e,t=null){return this._fromTexture(e,t)}fromCubemap(e,t=null){return this._fromTexture(e,t)}compileCubemapShader(){
 this._cubemapMaterial===null&&(this._cubemapMaterial=tg(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===
 null&&(this._equirectMaterial=eg(),this._compileMaterial(this._equirectMaterial))}dispose(){this._sourceTarget!==null&&this._sourceTarget.dispose(),this._cubemapMaterial!==
 null&&this._cubemapMaterial.dispose(),this._equirectMaterial!==null&&this._equirectMaterial.dispose(),this._blurMaterial!==null&&this._blurMaterial.dispose(),this.
 _ggxMaterial!==null&&this._ggxMaterial.dispose(),this._integrationMaterial!==null&&this._integrationMaterial.dispose(),this._boxMesh.geometry.dispose()}static lodToRoughness(e,t){
-return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(jm,$m(e))}_fromTexture(e,t){e.mapping===er||e.mapping===so?this._setSize(e.image.length===0?
+return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(jm,$m(e))}_fromTexture(e,t){e.mapping===tr||e.mapping===ro?this._setSize(e.image.length===0?
 jm:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4);let n=t||this._allocateTarget();return this._textureToCubemap(e),this._applyPMREM(n),
 n}_allocateTarget(){let e=this._cubeSize,t=Qm(e,!1,!1),n=Math.log2(e)-xS;for(let s=0;s<=n;s++)t.texture.mipmaps.push({width:e>>s,height:e>>s});return t.texture.
 name="PMREM",t.texture.isPMREMTexture=!0,t}_getSourceTarget(e=!1){let t=this._cubeSize,n=this._sourceTarget;return(n===null||n.width!==t||e&&n.depthBuffer===!1)&&
 (n!==null&&n.dispose(),this._sourceTarget=Qm(t,!0,e)),this._sourceTarget}_compileMaterial(e){this._boxMesh.material=e,this._renderer.compile(this._boxMesh,this.
 _cubeCamera.children[0])}_renderCube(e,t,n){let s=this._boxMesh,r=this._cubeCamera;s.material=n,r.renderTarget=e,r.activeMipmapLevel=t;let o=e.width>>t;e.viewport.
-set(0,0,o,o),r.update(this._renderer,s),e.viewport.set(0,0,e.width,e.height)}_textureToCubemap(e){let t;e.mapping===er||e.mapping===so?(this._cubemapMaterial===
+set(0,0,o,o),r.update(this._renderer,s),e.viewport.set(0,0,e.width,e.height)}_textureToCubemap(e){let t;e.mapping===tr||e.mapping===ro?(this._cubemapMaterial===
 null&&(this._cubemapMaterial=tg()),t=this._cubemapMaterial,t.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):(this._equirectMaterial===null&&(this.
 _equirectMaterial=eg()),t=this._equirectMaterial),t.uniforms.envMap.value=e,this._renderCube(this._getSourceTarget(),0,t)}_applyPMREM(e){this._ggxMaterial===null&&
 (this._ggxMaterial=bS(),this._integrationMaterial=wS());let t=this._cubeSize,n=e.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.
@@ -2739,7 +2739,7 @@ o,n);if(o>n-vS)r.roughness.value=a,this._renderCube(e,o,this._integrationMateria
 value=a,s.lodBias.value=l,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=TS());let n=this._blurMaterial,s=n.
 uniforms,r=this._sourceTarget;s.sigma.value=Math.min(t,Math.PI)/Math.SQRT2,s.envMap.value=r.texture,this._renderCube(e,0,n),s.envMap.value=e.texture,this._renderCube(
 r,0,n)}};function Qm(i,e,t){return new Ma(i,{minFilter:hs,generateMipmaps:e,type:Si,colorSpace:Bo,depthBuffer:t})}function Sa(i,e,t){return new ki({name:i,uniforms:e,
-vertexShader:ht.cube_vert,fragmentShader:t,side:kn,blending:js,depthTest:!1,depthWrite:!1})}function bS(){return Sa("PMREMGGXConvolution",{envMap:{value:null},roughness:{
+vertexShader:ht.cube_vert,fragmentShader:t,side:kn,blending:Qs,depthTest:!1,depthWrite:!1})}function bS(){return Sa("PMREMGGXConvolution",{envMap:{value:null},roughness:{
 value:0},lodBias:{value:0}},"\n\n  #define GGX_SAMPLES ".concat(Mg,"u\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float roughness;\
 \n  uniform float lodBias;\n\n  #include <common>\n\n  // Van der Corput radical inverse\n  float radicalInverse_VdC( uint bits ) {\n\n   bits = ( bits << 16u ) | ( bit\
 s >> 16u );\n   bits = ( ( bits & 0x55555555u ) << 1u ) | ( ( bits & 0xAAAAAAAAu ) >> 1u );\n   bits = ( ( bits & 0x33333333u ) << 2u ) | ( ( bits & 0xCCCCCCCCu )\
@@ -2785,10 +2785,10 @@ flipEnvMap;\n\n  void main() {\n\n   gl_FragColor = vec4( textureCube( envMap, v
 function AS(i){let e=new WeakMap,t=new WeakMap,n=null;function s(h,f=!1){return h==null?null:f?o(h):r(h)}function r(h){if(h&&h.isTexture){let f=h.mapping;if(f===
 jl||f===Ql)if(e.has(h)){let p=e.get(h).texture;return a(p,h.mapping)}else{let p=h.image;if(p&&p.height>0){let v=new Ma(p.height);return v.fromEquirectangularTexture(
 i,h),e.set(h,v),h.addEventListener("dispose",c),a(v.texture,h.mapping)}else return null}}return h}function o(h){if(h&&h.isTexture&&h.isPMREMTexture!==!0){let f=h.
-mapping,p=f===jl||f===Ql,v=f===er||f===so;if(p||v){let m=t.get(h),g=m!==void 0?m.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==g)return n===
+mapping,p=f===jl||f===Ql,v=f===tr||f===ro;if(p||v){let m=t.get(h),g=m!==void 0?m.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==g)return n===
 null&&(n=new Vc(i)),m=p?n.fromEquirectangular(h,m):n.fromCubemap(h,m),m.texture.pmremVersion=h.pmremVersion,t.set(h,m),m.texture;if(m!==void 0)return m.texture;
 {let _=h.image;return p&&_&&_.height>0||v&&_&&l(_)?(n===null&&(n=new Vc(i)),m=p?n.fromEquirectangular(h):n.fromCubemap(h),m.texture.pmremVersion=h.pmremVersion,
-t.set(h,m),h.addEventListener("dispose",d),m.texture):null}}}return h}function a(h,f){return f===jl?h.mapping=er:f===Ql&&(h.mapping=so),h}function l(h){let f=0,
+t.set(h,m),h.addEventListener("dispose",d),m.texture):null}}}return h}function a(h,f){return f===jl?h.mapping=tr:f===Ql&&(h.mapping=ro),h}function l(h){let f=0,
 p=6;for(let v=0;v<p;v++)h[v]!==void 0&&f++;return f===p}function c(h){let f=h.target;f.removeEventListener("dispose",c);let p=e.get(f);p!==void 0&&(e.delete(f),
 p.dispose())}function d(h){let f=h.target;f.removeEventListener("dispose",d);let p=t.get(f);p!==void 0&&(t.delete(f),p.dispose())}function u(){e=new WeakMap,t=new WeakMap,
 n!==null&&(n.dispose(),n=null)}return{get:s,dispose:u}}function ES(i){let e={};function t(n){if(e[n]!==void 0)return e[n];let s=i.getExtension(n);return e[n]=s,
@@ -2839,14 +2839,14 @@ erOETF( gl_FragColor );\n    #endif\n   }",depthTest:!1,depthWrite:!1}),h=new ci
 function(C,b){o.setSize(C,b),a!==null&&a.setSize(C,b),l!==null&&l.setSize(C,b);for(let x=0;x<w.length;x++){let S=w[x];S.setSize&&S.setSize(C,b)}},this.setEffects=
 function(C){w=C,M=w.length>0&&w[0].isRenderPass===!0;let b=o.width,x=o.height;w.length>0&&a===null&&(a=new ti(b,x,{type:Si,depthBuffer:!1,stencilBuffer:!1}),l=new ti(
 b,x,{type:Si,depthBuffer:!1,stencilBuffer:!1}));let S=s===!0&&w.some(N=>N.needsDepthTexture===!0);S!==(o.depthTexture!==null)&&(S===!0&&c===null&&(c=new cs(b,x),
-r===!0&&(c.format=us,c.type=tr)),o.dispose(),o.depthTexture=S?c:null,o.resolveDepthBuffer=S,o.storeMultisampledDepthBuffer=S);for(let N=0;N<w.length;N++){let R=w[N];
+r===!0&&(c.format=us,c.type=nr)),o.dispose(),o.depthTexture=S?c:null,o.resolveDepthBuffer=S,o.storeMultisampledDepthBuffer=S);for(let N=0;N<w.length;N++){let R=w[N];
 R.setSize&&R.setSize(b,x),S&&R.needsDepthTexture===!0&&R.setDepthTexture&&R.setDepthTexture(c)}},this.begin=function(C,b){if(m||C.toneMapping===Vi&&w.length===0)
 return!1;if(_=b,b!==null){let x=b.width,S=b.height;(o.width!==x||o.height!==S)&&this.setSize(x,S)}return M===!1&&C.setRenderTarget(o),g=C.toneMapping,C.toneMapping=
 Vi,!0},this.hasRenderPass=function(){return M},this.end=function(C,b){C.toneMapping=g,m=!0;let x=o,S=a;for(let N=0;N<w.length;N++){let R=w[N];R.enabled!==!1&&(R.
 render(C,S,x,b),R.needsSwap!==!1&&(x=S,S=S===a?l:a))}if(p!==C.outputColorSpace||v!==C.toneMapping){p=C.outputColorSpace,v=C.toneMapping,u.defines={},_t.getTransfer(
 p)===At&&(u.defines.SRGB_TRANSFER="");let N=NS[v];N&&(u.defines[N]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=x.texture,C.setRenderTarget(_),C.render(h,f),_=
 null,m=!1},this.isCompositing=function(){return m},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),d.dispose(),u.dispose()}}var bg=new Gn,
-wg=new cs(1,1),Tg=new Yo(1),Ag=new Vo,Eg=new Pl,Cg=new $o,ng=[],ig=[],sg=new Float32Array(16),rg=new Float32Array(9),og=new Float32Array(4);function ao(i,e,t){let n=i[0];
+wg=new cs(1,1),Tg=new Yo(1),Ag=new Vo,Eg=new Pl,Cg=new $o,ng=[],ig=[],sg=new Float32Array(16),rg=new Float32Array(9),og=new Float32Array(4);function lo(i,e,t){let n=i[0];
 if(n<=0||n>0)return i;let s=e*t,r=ng[s];if(r===void 0&&(r=new Float32Array(s),ng[s]=r),e!==0){n.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,i[o].toArray(r,a)}return r}
 function pn(i,e){if(i.length!==e.length)return!1;for(let t=0,n=i.length;t<n;t++)if(i[t]!==e[t])return!1;return!0}function mn(i,e){for(let t=0,n=e.length;t<n;t++)
 i[t]=e[t]}function Hc(i,e){let t=ig[e];t===void 0&&(t=new Int32Array(e),ig[e]=t);for(let n=0;n!==e;++n)t[n]=i.allocateTextureUnit();return t}function US(i,e){let t=this.
@@ -2875,9 +2875,9 @@ allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture2D
 return OS;case 35666:return BS;case 35674:return kS;case 35675:return zS;case 35676:return VS;case 5124:case 35670:return GS;case 35667:case 35671:return HS;case 35668:case 35672:
 return WS;case 35669:case 35673:return XS;case 5125:return qS;case 36294:return $S;case 36295:return YS;case 36296:return ZS;case 35678:case 36198:case 36298:case 36306:case 35682:
 return JS;case 35679:case 36299:case 36307:return KS;case 35680:case 36300:case 36308:case 36293:return jS;case 36289:case 36303:case 36311:case 36292:return QS}}
-function tb(i,e){i.uniform1fv(this.addr,e)}function nb(i,e){let t=ao(e,this.size,2);i.uniform2fv(this.addr,t)}function ib(i,e){let t=ao(e,this.size,3);i.uniform3fv(
-this.addr,t)}function sb(i,e){let t=ao(e,this.size,4);i.uniform4fv(this.addr,t)}function rb(i,e){let t=ao(e,this.size,4);i.uniformMatrix2fv(this.addr,!1,t)}function ob(i,e){
-let t=ao(e,this.size,9);i.uniformMatrix3fv(this.addr,!1,t)}function ab(i,e){let t=ao(e,this.size,16);i.uniformMatrix4fv(this.addr,!1,t)}function lb(i,e){i.uniform1iv(
+function tb(i,e){i.uniform1fv(this.addr,e)}function nb(i,e){let t=lo(e,this.size,2);i.uniform2fv(this.addr,t)}function ib(i,e){let t=lo(e,this.size,3);i.uniform3fv(
+this.addr,t)}function sb(i,e){let t=lo(e,this.size,4);i.uniform4fv(this.addr,t)}function rb(i,e){let t=lo(e,this.size,4);i.uniformMatrix2fv(this.addr,!1,t)}function ob(i,e){
+let t=lo(e,this.size,9);i.uniformMatrix3fv(this.addr,!1,t)}function ab(i,e){let t=lo(e,this.size,16);i.uniformMatrix4fv(this.addr,!1,t)}function lb(i,e){i.uniform1iv(
 this.addr,e)}function cb(i,e){i.uniform2iv(this.addr,e)}function hb(i,e){i.uniform3iv(this.addr,e)}function ub(i,e){i.uniform4iv(this.addr,e)}function db(i,e){i.
 uniform1uiv(this.addr,e)}function fb(i,e){i.uniform2uiv(this.addr,e)}function pb(i,e){i.uniform3uiv(this.addr,e)}function mb(i,e){i.uniform4uiv(this.addr,e)}function gb(i,e,t){
 let n=this.cache,s=e.length,r=Hc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));let o;this.type===i.SAMPLER_2D_SHADOW?o=Wc(wg):o=bg;for(let a=0;a!==s;++a)t.setTexture2D(
@@ -2892,7 +2892,7 @@ this.addr=n,this.cache=[],this.type=t.type,this.setValue=eb(t.type)}},rd=class{c
 t.size,this.setValue=vb(t.type)}},od=class{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,n){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];
 a.setValue(e,t[a.id],n)}}},nd=/(\w+)(\])?(\[|\.)?/g;function ag(i,e){i.seq.push(e),i.map[e.id]=e}function Mb(i,e,t){let n=i.name,s=n.length;for(nd.lastIndex=0;;){
 let r=nd.exec(n),o=nd.lastIndex,a=r[1],l=r[2]==="]",c=r[3];if(l&&(a=a|0),c===void 0||c==="["&&o+2===s){ag(t,c===void 0?new sd(a,i,e):new rd(a,i,e));break}else{let u=t.
-map[a];u===void 0&&(u=new od(a),ag(t,u)),t=u}}}var oo=class{constructor(e,t){this.seq=[],this.map={};let n=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let o=0;o<
+map[a];u===void 0&&(u=new od(a),ag(t,u)),t=u}}}var ao=class{constructor(e,t){this.seq=[],this.map={};let n=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let o=0;o<
 n;++o){let a=e.getActiveUniform(t,o),l=e.getUniformLocation(t,a.name);Mb(a,l,this)}let s=[],r=[];for(let o of this.seq)o.type===e.SAMPLER_2D_SHADOW||o.type===e.
 SAMPLER_CUBE_SHADOW||o.type===e.SAMPLER_2D_ARRAY_SHADOW?s.push(o):r.push(o);s.length>0&&(this.seq=s.concat(r))}setValue(e,t,n,s){let r=this.map[t];r!==void 0&&r.
 setValue(e,n,s)}setOptional(e,t,n){let s=t[n];s!==void 0&&this.setValue(e,n,s)}static upload(e,t,n,s){for(let r=0,o=t.length;r!==o;++r){let a=t[r],l=n[a.id];l.needsUpdate!==
@@ -2926,8 +2926,8 @@ r);return s}function pg(i){let e="precision ".concat(i.precision," float;\n prec
 ision ").concat(i.precision," isampler2D;\n precision ").concat(i.precision," isampler3D;\n precision ").concat(i.precision," isamplerCube;\n precision ").concat(
 i.precision," isampler2DArray;\n precision ").concat(i.precision," usampler2D;\n precision ").concat(i.precision," usampler3D;\n precision ").concat(i.precision,
 " usamplerCube;\n precision ").concat(i.precision," usampler2DArray;\n ");return i.precision==="highp"?e+="\n#define HIGH_PRECISION":i.precision==="mediump"?e+=
-"\n#define MEDIUM_PRECISION":i.precision==="lowp"&&(e+="\n#define LOW_PRECISION"),e}var Ob={[ha]:"SHADOWMAP_TYPE_PCF",[no]:"SHADOWMAP_TYPE_VSM"};function Bb(i){
-return Ob[i.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var kb={[so]:"ENVMAP_MODE_REFRACTION"};function zb(i){return i.envMap===!1?"ENVMAP_MODE_REFLECTION":kb[i.envMapMode]||
+"\n#define MEDIUM_PRECISION":i.precision==="lowp"&&(e+="\n#define LOW_PRECISION"),e}var Ob={[ha]:"SHADOWMAP_TYPE_PCF",[io]:"SHADOWMAP_TYPE_VSM"};function Bb(i){
+return Ob[i.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var kb={[ro]:"ENVMAP_MODE_REFRACTION"};function zb(i){return i.envMap===!1?"ENVMAP_MODE_REFLECTION":kb[i.envMapMode]||
 "ENVMAP_MODE_REFLECTION"}var Vb={[Kl]:"ENVMAP_BLENDING_MULTIPLY",[Im]:"ENVMAP_BLENDING_MIX",[Lm]:"ENVMAP_BLENDING_ADD"};function Gb(i){return i.envMap===!1?"ENV\
 MAP_BLENDING_NONE":Vb[i.combine]||"ENVMAP_BLENDING_NONE"}function Hb(i,e,t,n){let s=i.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,l=Bb(t),c=t.envMapPMREM===
 !0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",d=zb(t),u=Gb(t),h=Pb(t),f=Ib(r),p=s.createProgram(),v,m,g=t.glslVersion?"#version "+t.glslVersion+"\n":"";t.isRawShaderMaterial?
@@ -2999,7 +2999,7 @@ osition"),s.linkProgram(p);function b(R){if(i.debug.checkShaderErrors){let I=s.g
 D=I.trim(),W=F.trim(),Y=z.trim(),H=!0,ce=!0;if(s.getProgramParameter(p,s.LINK_STATUS)===!1)if(H=!1,typeof i.debug.onShaderError=="function")i.debug.onShaderError(
 s,p,M,C);else{let K=hg(s,M,"vertex"),Q=hg(s,C,"fragment");Ke("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(p,s.VALIDATE_STATUS)+
 "\n\nMaterial Name: "+R.name+"\nMaterial Type: "+R.type+"\n\nProgram Info Log: "+D+"\n"+K+"\n"+Q)}else D!==""?$e("WebGLProgram: Program Info Log:",D):(W===""||Y===
-"")&&(ce=!1);ce&&(R.diagnostics={runnable:H,programLog:D,vertexShader:{log:W,prefix:v},fragmentShader:{log:Y,prefix:m}})}s.deleteShader(M),s.deleteShader(C),x=new oo(
+"")&&(ce=!1);ce&&(R.diagnostics={runnable:H,programLog:D,vertexShader:{log:W,prefix:v},fragmentShader:{log:Y,prefix:m}})}s.deleteShader(M),s.deleteShader(C),x=new ao(
 s,p),S=Lb(s,p)}let x;this.getUniforms=function(){return x===void 0&&b(this),x};let S;this.getAttributes=function(){return S===void 0&&b(this),S};let N=t.rendererExtensionParallelShaderCompile===
 !1;return this.isReady=function(){return N===!1&&(N=s.getProgramParameter(p,Sb)),N},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(p),this.
 program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=bb++,this.cacheKey=e,this.usedTimes=1,this.program=p,this.vertexShader=M,this.fragmentShader=
@@ -3008,7 +3008,7 @@ C,this}var Wb=0,ld=class{constructor(){this.shaderCache=new Map,this.materialCac
 this.shaderCache.delete(n.code);return this.materialCache.delete(e),this}getVertexShaderStage(e){return this._getShaderStage(e.vertexShader)}getFragmentShaderStage(e){
 return this._getShaderStage(e.fragmentShader)}dispose(){this.shaderCache.clear(),this.materialCache.clear()}_getShaderCacheForMaterial(e){let t=this.materialCache,
 n=t.get(e);return n===void 0&&(n=new Set,t.set(e,n)),n}_getShaderStage(e){let t=this.shaderCache,n=t.get(e);return n===void 0&&(n=new cd(e),t.set(e,n)),n}},cd=class{constructor(e){
-this.id=Wb++,this.code=e,this.usedTimes=0}};function Xb(i){return i===Us||i===ga||i===_a}function qb(i,e,t,n,s,r){let o=new Zr,a=new ld,l=new Set,c=[],d=new Map,
+this.id=Wb++,this.code=e,this.usedTimes=0}};function Xb(i){return i===Us||i===ga||i===_a}function qb(i,e,t,n,s,r){let o=new Jr,a=new ld,l=new Set,c=[],d=new Map,
 u=n.logarithmicDepthBuffer,h={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distance",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"\
 lambert",MeshPhongMaterial:"phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"\
 basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function f(x){return l.add(x),x===0?"uv":"uv".concat(
@@ -3020,7 +3020,7 @@ color!==void 0&&(de=3);let ue,ee,me,xe;if(ce){let Ce=Hi[ce];ue=Ce.vertexShader,e
 x),rt=a.getFragmentShaderStage(x);a.update(x,Ce,rt),me=Ce.id,xe=rt.id}let Ee=i.getRenderTarget(),Se=i.state.buffers.depth.getReversed(),He=I.isInstancedMesh===!0,
 nt=I.isBatchedMesh===!0,Ve=!!x.map,ut=!!x.matcap,lt=!!H,et=lt&&H.isPMREMTexture===!0,Gt=!!x.aoMap,Ut=!!x.lightMap,Qt=!!x.bumpMap&&x.wireframe===!1,Pt=!!x.normalMap,
 gn=!!x.displacementMap,vt=!!x.emissiveMap,cn=!!x.metalnessMap,qt=!!x.roughnessMap,en=x.anisotropy>0,B=x.clearcoat>0,Re=x.diffuseRoughness>0,qe=x.dispersion>0,it=x.
-retroreflectivity>0,be=x.iridescence>0,Lt=x.sheen>0,ze=x.transmission>0,Xe=en&&!!x.anisotropyMap,P=B&&!!x.clearcoatMap,T=B&&!!x.clearcoatNormalMap,X=B&&!!x.clearcoatRoughnessMap,
+retroreflectivity>0,be=x.iridescence>0,Lt=x.sheen>0,ze=x.transmission>0,Xe=en&&!!x.anisotropyMap,P=B&&!!x.clearcoatMap,T=B&&!!x.clearcoatNormalMap,q=B&&!!x.clearcoatRoughnessMap,
 he=Re&&!!x.diffuseRoughnessMap,oe=be&&!!x.iridescenceMap,_e=be&&!!x.iridescenceThicknessMap,ye=Lt&&!!x.sheenColorMap,te=Lt&&!!x.sheenRoughnessMap,ie=!!x.specularMap,
 pe=!!x.specularColorMap,O=!!x.specularIntensityMap,re=ze&&!!x.transmissionMap,ne=ze&&!!x.thicknessMap,we=!!x.gradientMap,ge=!!x.alphaMap,Me=x.alphaTest>0,Ge=!!x.
 alphaHash,Ze=!!x.extensions,le=Vi;x.toneMapped&&(Ee===null||Ee.isXRRenderTarget===!0)&&(le=i.toneMapping);let Oe=et?H.isCompressedCubeTexture?H.image[0].mipmaps:
@@ -3030,12 +3030,12 @@ I.instanceColor!==null,instancingMorph:He&&I.morphTexture!==null,outputColorSpac
 workingColorSpace,alphaToCoverage:!!x.alphaToCoverage,map:Ve,matcap:ut,envMap:lt,envMapMode:lt&&H.mapping,envMapPMREM:et,envMapMaxLod:et?Oe.length-1:null,envMapSize:et?
 Oe[0].width:null,aoMap:Gt,lightMap:Ut,bumpMap:Qt,normalMap:Pt,displacementMap:gn,emissiveMap:vt,normalMapObjectSpace:Pt&&x.normalMapType===Um,normalMapTangentSpace:Pt&&
 x.normalMapType===Bc,packedNormalMap:Pt&&x.normalMapType===Bc&&Xb(x.normalMap.format),metalnessMap:cn,roughnessMap:qt,anisotropy:en,anisotropyMap:Xe,clearcoat:B,
-clearcoatMap:P,clearcoatNormalMap:T,clearcoatRoughnessMap:X,diffuseRoughness:Re,diffuseRoughnessMap:he,dispersion:qe,retroreflection:it,iridescence:be,iridescenceMap:oe,
+clearcoatMap:P,clearcoatNormalMap:T,clearcoatRoughnessMap:q,diffuseRoughness:Re,diffuseRoughnessMap:he,dispersion:qe,retroreflection:it,iridescence:be,iridescenceMap:oe,
 iridescenceThicknessMap:_e,sheen:Lt,sheenColorMap:ye,sheenRoughnessMap:te,specularMap:ie,specularColorMap:pe,specularIntensityMap:O,transmission:ze,transmissionMap:re,
-thicknessMap:ne,gradientMap:we,opaque:x.transparent===!1&&x.blending===io&&x.alphaToCoverage===!1,alphaMap:ge,alphaTest:Me,alphaHash:Ge,combine:x.combine,mapUv:Ve&&
+thicknessMap:ne,gradientMap:we,opaque:x.transparent===!1&&x.blending===so&&x.alphaToCoverage===!1,alphaMap:ge,alphaTest:Me,alphaHash:Ge,combine:x.combine,mapUv:Ve&&
 f(x.map.channel),aoMapUv:Gt&&f(x.aoMap.channel),lightMapUv:Ut&&f(x.lightMap.channel),bumpMapUv:Qt&&f(x.bumpMap.channel),normalMapUv:Pt&&f(x.normalMap.channel),displacementMapUv:gn&&
 f(x.displacementMap.channel),emissiveMapUv:vt&&f(x.emissiveMap.channel),metalnessMapUv:cn&&f(x.metalnessMap.channel),roughnessMapUv:qt&&f(x.roughnessMap.channel),
-anisotropyMapUv:Xe&&f(x.anisotropyMap.channel),clearcoatMapUv:P&&f(x.clearcoatMap.channel),clearcoatNormalMapUv:T&&f(x.clearcoatNormalMap.channel),clearcoatRoughnessMapUv:X&&
+anisotropyMapUv:Xe&&f(x.anisotropyMap.channel),clearcoatMapUv:P&&f(x.clearcoatMap.channel),clearcoatNormalMapUv:T&&f(x.clearcoatNormalMap.channel),clearcoatRoughnessMapUv:q&&
 f(x.clearcoatRoughnessMap.channel),diffuseRoughnessMapUv:he&&f(x.diffuseRoughnessMap.channel),iridescenceMapUv:oe&&f(x.iridescenceMap.channel),iridescenceThicknessMapUv:_e&&
 f(x.iridescenceThicknessMap.channel),sheenColorMapUv:ye&&f(x.sheenColorMap.channel),sheenRoughnessMapUv:te&&f(x.sheenRoughnessMap.channel),specularMapUv:ie&&f(x.
 specularMap.channel),specularColorMapUv:pe&&f(x.specularColorMap.channel),specularIntensityMapUv:O&&f(x.specularIntensityMap.channel),transmissionMapUv:re&&f(x.
@@ -3149,13 +3149,13 @@ o=new Wt,a=new Ol,l=new Bl,c={},d=t.maxTextureSize,u={[Ds]:kn,[kn]:Ds,[zi]:zi},h
 value:new ot},radius:{value:4}},vertexShader:nw,fragmentShader:iw}),f=h.clone();f.defines.HORIZONTAL_PASS=1;let p=new ln;p.setAttribute("position",new vi(new Float32Array(
 [-1,-1,.5,3,-1,.5,-1,3,.5]),3));let v=new ci(p,h),m=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=ha;let g=this.type;this.render=function(b,x,S){
 if(m.enabled===!1||m.autoUpdate===!1&&m.needsUpdate===!1||b.length===0)return;this.type===dm&&($e("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFS\
-hadowMap instead."),this.type=ha);let N=i.getRenderTarget(),R=i.getActiveCubeFace(),I=i.getActiveMipmapLevel(),F=i.state;F.setBlending(js),F.buffers.depth.getReversed()===
+hadowMap instead."),this.type=ha);let N=i.getRenderTarget(),R=i.getActiveCubeFace(),I=i.getActiveMipmapLevel(),F=i.state;F.setBlending(Qs),F.buffers.depth.getReversed()===
 !0?F.buffers.color.setClear(0,0,0,0):F.buffers.color.setClear(1,1,1,1),F.buffers.depth.setTest(!0),F.setScissorTest(!1);let z=g!==this.type;z&&x.traverse(function(D){
 D.material&&(Array.isArray(D.material)?D.material.forEach(W=>W.needsUpdate=!0):D.material.needsUpdate=!0)});for(let D=0,W=b.length;D<W;D++){let Y=b[D],H=Y.shadow;
 if(H===void 0){$e("WebGLShadowMap:",Y,"has no shadow.");continue}if(H.autoUpdate===!1&&H.needsUpdate===!1)continue;s.copy(H.mapSize);let ce=H.getFrameExtents();
 s.multiply(ce),r.copy(H.mapSize),(s.x>d||s.y>d)&&(s.x>d&&(r.x=Math.floor(d/ce.x),s.x=r.x*ce.x,H.mapSize.x=r.x),s.y>d&&(r.y=Math.floor(d/ce.y),s.y=r.y*ce.y,H.mapSize.
 y=r.y));let K=i.state.buffers.depth.getReversed();if(H.camera._reversedDepth=K,H.map===null||z===!0){if(H.map!==null&&(H.map.depthTexture!==null&&(H.map.depthTexture.
-dispose(),H.map.depthTexture=null),H.map.dispose()),this.type===no){if(Y.isPointLight){$e("WebGLShadowMap: VSM shadow maps are not supported for PointLights. Us\
+dispose(),H.map.depthTexture=null),H.map.dispose()),this.type===io){if(Y.isPointLight){$e("WebGLShadowMap: VSM shadow maps are not supported for PointLights. Us\
 e PCF or BasicShadowMap instead.");continue}H.map=new ti(s.x,s.y,{format:Us,type:Si,minFilter:On,magFilter:On,generateMipmaps:!1}),H.map.texture.name=Y.name+".s\
 hadowMap",H.map.depthTexture=new cs(s.x,s.y,hi),H.map.depthTexture.name=Y.name+".shadowMapDepth",H.map.depthTexture.format=ss,H.map.depthTexture.compareFunction=
 null,H.map.depthTexture.minFilter=Sn,H.map.depthTexture.magFilter=Sn}else Y.isPointLight?(H.map=new Ma(s.x),H.map.depthTexture=new Yo(s.x,Mi)):(H.map=new ti(s.x,
@@ -3167,7 +3167,7 @@ for(let de=0;de<Q;de++){let ue=H.getCamera(de);if(Y.isPointLight){let ee=H.camer
 ya.setFromMatrixPosition(Y.matrixWorld),ee.position.copy(ya),id.copy(ee.position),id.add(sw[de]),ee.up.copy(rw[de]),ee.lookAt(id),ee.updateMatrixWorld(),me.makeTranslation(
 -ya.x,-ya.y,-ya.z),xg.multiplyMatrices(ee.projectionMatrix,ee.matrixWorldInverse),H._frustum.setFromProjectionMatrix(xg,ee.coordinateSystem,ee.reversedDepth)}if(H.
 map.isWebGLCubeRenderTarget)i.setRenderTarget(H.map,de),i.clear();else{de===0&&(i.setRenderTarget(H.map),i.clear());let ee=H.getViewport(de);o.set(r.x*ee.x,r.y*
-ee.y,r.x*ee.z,r.y*ee.w),F.viewport(o)}n=H.getFrustum(de),M(x,S,ue,Y,se,this.type)}H.isPointLightShadow!==!0&&this.type===no&&_(H,S),H.needsUpdate=!1}g=this.type,
+ee.y,r.x*ee.z,r.y*ee.w),F.viewport(o)}n=H.getFrustum(de),M(x,S,ue,Y,se,this.type)}H.isPointLightShadow!==!0&&this.type===io&&_(H,S),H.needsUpdate=!1}g=this.type,
 m.needsUpdate=!1,i.setRenderTarget(N,R,I)};function _(b,x){let S=e.update(v);h.defines.VSM_SAMPLES!==b.blurSamples&&(h.defines.VSM_SAMPLES=b.blurSamples,f.defines.
 VSM_SAMPLES=b.blurSamples,h.needsUpdate=!0,f.needsUpdate=!0),b.mapPass===null?b.mapPass=new ti(s.x,s.y,{format:Us,type:Si}):(b.mapPass.width!==b.map.width||b.mapPass.
 height!==b.map.height)&&b.mapPass.setSize(b.map.width,b.map.height),h.uniforms.shadow_pass.value=b.map.depthTexture,h.uniforms.resolution.value.set(b.map.width,
@@ -3176,11 +3176,11 @@ texture,f.uniforms.resolution.value.set(b.map.width,b.map.height),f.uniforms.rad
 S,f,v,null)}function w(b,x,S,N){let R=null,I=S.isPointLight===!0?b.customDistanceMaterial:b.customDepthMaterial;if(I!==void 0)R=I;else if(R=S.isPointLight===!0?
 l:a,i.localClippingEnabled&&x.clipShadows===!0&&Array.isArray(x.clippingPlanes)&&x.clippingPlanes.length!==0||x.displacementMap&&x.displacementScale!==0||x.alphaMap&&
 x.alphaTest>0||x.map&&x.alphaTest>0||x.alphaToCoverage===!0){let F=R.uuid,z=x.uuid,D=c[F];D===void 0&&(D={},c[F]=D);let W=D[z];W===void 0&&(W=R.clone(),D[z]=W,x.
-addEventListener("dispose",C)),R=W}if(R.visible=x.visible,R.wireframe=x.wireframe,N===no?R.side=x.shadowSide!==null?x.shadowSide:x.side:R.side=x.shadowSide!==null?
+addEventListener("dispose",C)),R=W}if(R.visible=x.visible,R.wireframe=x.wireframe,N===io?R.side=x.shadowSide!==null?x.shadowSide:x.side:R.side=x.shadowSide!==null?
 x.shadowSide:u[x.side],R.alphaMap=x.alphaMap,R.alphaTest=x.alphaToCoverage===!0?.5:x.alphaTest,R.map=x.map,R.clipShadows=x.clipShadows,R.clippingPlanes=x.clippingPlanes,
 R.clipIntersection=x.clipIntersection,R.displacementMap=x.displacementMap,R.displacementScale=x.displacementScale,R.displacementBias=x.displacementBias,R.wireframeLinewidth=
 x.wireframeLinewidth,R.linewidth=x.linewidth,S.isPointLight===!0&&R.isMeshDistanceMaterial===!0){let F=i.properties.get(R);F.light=S}return R}function M(b,x,S,N,R,I){
-if(b.visible===!1)return;if(b.layers.test(R)&&(b.isMesh||b.isLine||b.isPoints)&&(b.castShadow||b.receiveShadow&&I===no)&&(!b.frustumCulled||b.intersectsFrustum(
+if(b.visible===!1)return;if(b.layers.test(R)&&(b.isMesh||b.isLine||b.isPoints)&&(b.castShadow||b.receiveShadow&&I===io)&&(!b.frustumCulled||b.intersectsFrustum(
 n))){b.modelViewMatrix.multiplyMatrices(S.matrixWorldInverse,b.matrixWorld);let D=e.update(b),W=b.material;if(Array.isArray(W)){let Y=D.groups;for(let H=0,ce=Y.
 length;H<ce;H++){let K=Y[H],Q=W[K.materialIndex];if(Q&&Q.visible){let se=w(b,Q,N,I);b.onBeforeShadow(i,b,x,S,D,se,K),i.renderBufferDirect(S,null,D,se,b,K),b.onAfterShadow(
 i,b,x,S,D,se,K)}}}else if(W.visible){let Y=w(b,W,N,I);b.onBeforeShadow(i,b,x,S,D,Y,null),i.renderBufferDirect(S,null,D,Y,b,null),b.onAfterShadow(i,b,x,S,D,Y,null)}}
@@ -3191,7 +3191,7 @@ uuid;R in N&&(N[R].dispose(),delete N[R])}}}function aw(i,e){function t(){let O=
 if(re!==Me){let Ge=e.get("EXT_clip_control");Me?Ge.clipControlEXT(Ge.LOWER_LEFT_EXT,Ge.ZERO_TO_ONE_EXT):Ge.clipControlEXT(Ge.LOWER_LEFT_EXT,Ge.NEGATIVE_ONE_TO_ONE_EXT),
 re=Me;let Ze=ge;ge=null,this.setClear(Ze)}},getReversed:function(){return re},setTest:function(Me){Me?Se(i.DEPTH_TEST):He(i.DEPTH_TEST)},setMask:function(Me){ne!==
 Me&&!O&&(i.depthMask(Me),ne=Me)},setFunc:function(Me){if(re&&(Me=qm[Me]),we!==Me){switch(Me){case _l:i.depthFunc(i.NEVER);break;case xl:i.depthFunc(i.ALWAYS);break;case yl:
-i.depthFunc(i.LESS);break;case Xr:i.depthFunc(i.LEQUAL);break;case vl:i.depthFunc(i.EQUAL);break;case Ml:i.depthFunc(i.GEQUAL);break;case Sl:i.depthFunc(i.GREATER);
+i.depthFunc(i.LESS);break;case qr:i.depthFunc(i.LEQUAL);break;case vl:i.depthFunc(i.EQUAL);break;case Ml:i.depthFunc(i.GEQUAL);break;case Sl:i.depthFunc(i.GREATER);
 break;case bl:i.depthFunc(i.NOTEQUAL);break;default:i.depthFunc(i.LEQUAL)}we=Me}},setLocked:function(Me){O=Me},setClear:function(Me){ge!==Me&&(ge=Me,re&&(Me=1-Me),
 i.clearDepth(Me))},reset:function(){O=!1,ne=null,we=null,ge=null,re=!1}}}function s(){let O=!1,re=null,ne=null,we=null,ge=null,Me=null,Ge=null,Ze=null,le=null;return{
 setTest:function(Oe){O||(Oe?Se(i.STENCIL_TEST):He(i.STENCIL_TEST))},setMask:function(Oe){re!==Oe&&!O&&(i.stencilMask(Oe),re=Oe)},setFunc:function(Oe,Je,Ce){(ne!==
@@ -3205,22 +3205,22 @@ de=i.getParameter(i.SCISSOR_BOX),ue=i.getParameter(i.VIEWPORT),ee=new Wt().fromA
 ne;Ge++)O===i.TEXTURE_3D||O===i.TEXTURE_2D_ARRAY?i.texImage3D(re,0,i.RGBA,1,1,we,0,i.RGBA,i.UNSIGNED_BYTE,ge):i.texImage2D(re+Ge,0,i.RGBA,1,1,0,i.RGBA,i.UNSIGNED_BYTE,
 ge);return Me}let Ee={};Ee[i.TEXTURE_2D]=xe(i.TEXTURE_2D,i.TEXTURE_2D,1),Ee[i.TEXTURE_CUBE_MAP]=xe(i.TEXTURE_CUBE_MAP,i.TEXTURE_CUBE_MAP_POSITIVE_X,6),Ee[i.TEXTURE_2D_ARRAY]=
 xe(i.TEXTURE_2D_ARRAY,i.TEXTURE_2D_ARRAY,1,1),Ee[i.TEXTURE_3D]=xe(i.TEXTURE_3D,i.TEXTURE_3D,1,1),r.setClear(0,0,0,1),o.setClear(1),a.setClear(0),Se(i.DEPTH_TEST),
-o.setFunc(Xr),Qt(!1),Pt(Au),Se(i.CULL_FACE),Gt(js);function Se(O){d[O]!==!0&&(i.enable(O),d[O]=!0)}function He(O){d[O]!==!1&&(i.disable(O),d[O]=!1)}function nt(O,re){
+o.setFunc(qr),Qt(!1),Pt(Au),Se(i.CULL_FACE),Gt(Qs);function Se(O){d[O]!==!0&&(i.enable(O),d[O]=!0)}function He(O){d[O]!==!1&&(i.disable(O),d[O]=!1)}function nt(O,re){
 return h[O]!==re?(i.bindFramebuffer(O,re),h[O]=re,O===i.DRAW_FRAMEBUFFER&&(h[i.FRAMEBUFFER]=re),O===i.FRAMEBUFFER&&(h[i.DRAW_FRAMEBUFFER]=re),!0):!1}function Ve(O,re){
 let ne=p,we=!1;if(O){ne=f.get(re),ne===void 0&&(ne=[],f.set(re,ne));let ge=O.textures;if(ne.length!==ge.length||ne[0]!==i.COLOR_ATTACHMENT0){for(let Me=0,Ge=ge.
 length;Me<Ge;Me++)ne[Me]=i.COLOR_ATTACHMENT0+Me;ne.length=ge.length,we=!0}}else ne[0]!==i.BACK&&(ne[0]=i.BACK,we=!0);we&&i.drawBuffers(ne)}function ut(O){return v!==
-O?(i.useProgram(O),v=O,!0):!1}let lt={[Qs]:i.FUNC_ADD,[pm]:i.FUNC_SUBTRACT,[mm]:i.FUNC_REVERSE_SUBTRACT};lt[gm]=i.MIN,lt[_m]=i.MAX;let et={[xm]:i.ZERO,[ym]:i.ONE,
+O?(i.useProgram(O),v=O,!0):!1}let lt={[er]:i.FUNC_ADD,[pm]:i.FUNC_SUBTRACT,[mm]:i.FUNC_REVERSE_SUBTRACT};lt[gm]=i.MIN,lt[_m]=i.MAX;let et={[xm]:i.ZERO,[ym]:i.ONE,
 [vm]:i.SRC_COLOR,[Pu]:i.SRC_ALPHA,[Am]:i.SRC_ALPHA_SATURATE,[wm]:i.DST_COLOR,[Sm]:i.DST_ALPHA,[Mm]:i.ONE_MINUS_SRC_COLOR,[Iu]:i.ONE_MINUS_SRC_ALPHA,[Tm]:i.ONE_MINUS_DST_COLOR,
 [bm]:i.ONE_MINUS_DST_ALPHA,[Em]:i.CONSTANT_COLOR,[Cm]:i.ONE_MINUS_CONSTANT_COLOR,[Rm]:i.CONSTANT_ALPHA,[Pm]:i.ONE_MINUS_CONSTANT_ALPHA};function Gt(O,re,ne,we,ge,Me,Ge,Ze,le,Oe){
-if(O===js){m===!0&&(He(i.BLEND),m=!1);return}if(m===!1&&(Se(i.BLEND),m=!0),O!==fm){if(O!==g||Oe!==R){if((_!==Qs||C!==Qs)&&(i.blendEquation(i.FUNC_ADD),_=Qs,C=Qs),
-Oe)switch(O){case io:i.blendFuncSeparate(i.ONE,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Eu:i.blendFunc(i.ONE,i.ONE);break;case Cu:i.blendFuncSeparate(
+if(O===Qs){m===!0&&(He(i.BLEND),m=!1);return}if(m===!1&&(Se(i.BLEND),m=!0),O!==fm){if(O!==g||Oe!==R){if((_!==er||C!==er)&&(i.blendEquation(i.FUNC_ADD),_=er,C=er),
+Oe)switch(O){case so:i.blendFuncSeparate(i.ONE,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Eu:i.blendFunc(i.ONE,i.ONE);break;case Cu:i.blendFuncSeparate(
 i.ZERO,i.ONE_MINUS_SRC_COLOR,i.ZERO,i.ONE);break;case Ru:i.blendFuncSeparate(i.DST_COLOR,i.ONE_MINUS_SRC_ALPHA,i.ZERO,i.ONE);break;default:Ke("WebGLState: Inval\
-id blending: ",O);break}else switch(O){case io:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Eu:i.blendFuncSeparate(
+id blending: ",O);break}else switch(O){case so:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Eu:i.blendFuncSeparate(
 i.SRC_ALPHA,i.ONE,i.ONE,i.ONE);break;case Cu:Ke("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case Ru:Ke("WebGLState: Mul\
 tiplyBlending requires material.premultipliedAlpha = true");break;default:Ke("WebGLState: Invalid blending: ",O);break}w=null,M=null,b=null,x=null,S.set(0,0,0),
 N=0,g=O,R=Oe}return}ge=ge||re,Me=Me||ne,Ge=Ge||we,(re!==_||ge!==C)&&(i.blendEquationSeparate(lt[re],lt[ge]),_=re,C=ge),(ne!==w||we!==M||Me!==b||Ge!==x)&&(i.blendFuncSeparate(
 et[ne],et[we],et[Me],et[Ge]),w=ne,M=we,b=Me,x=Ge),(Ze.equals(S)===!1||le!==N)&&(i.blendColor(Ze.r,Ze.g,Ze.b,le),S.copy(Ze),N=le),g=O,R=!1}function Ut(O,re){O.side===
-zi?He(i.CULL_FACE):Se(i.CULL_FACE);let ne=O.side===kn;re&&(ne=!ne),Qt(ne),O.blending===io&&O.transparent===!1?Gt(js):Gt(O.blending,O.blendEquation,O.blendSrc,O.
+zi?He(i.CULL_FACE):Se(i.CULL_FACE);let ne=O.side===kn;re&&(ne=!ne),Qt(ne),O.blending===so&&O.transparent===!1?Gt(Qs):Gt(O.blending,O.blendEquation,O.blendSrc,O.
 blendDst,O.blendEquationAlpha,O.blendSrcAlpha,O.blendDstAlpha,O.blendColor,O.blendAlpha,O.premultipliedAlpha),o.setFunc(O.depthFunc),o.setTest(O.depthTest),o.setMask(
 O.depthWrite),r.setMask(O.colorWrite);let we=O.stencilWrite;a.setTest(we),we&&(a.setMask(O.stencilWriteMask),a.setFunc(O.stencilFunc,O.stencilRef,O.stencilFuncMask),
 a.setOp(O.stencilFail,O.stencilZFail,O.stencilZPass)),vt(O.polygonOffset,O.polygonOffsetFactor,O.polygonOffsetUnits),O.alphaToCoverage===!0?Se(i.SAMPLE_ALPHA_TO_COVERAGE):
@@ -3234,7 +3234,7 @@ try{i.compressedTexImage2D(...arguments)}catch(O){Ke("WebGLState:",O)}}function 
 try{i.texSubImage2D(...arguments)}catch(O){Ke("WebGLState:",O)}}function be(){try{i.texSubImage3D(...arguments)}catch(O){Ke("WebGLState:",O)}}function Lt(){try{
 i.compressedTexSubImage2D(...arguments)}catch(O){Ke("WebGLState:",O)}}function ze(){try{i.compressedTexSubImage3D(...arguments)}catch(O){Ke("WebGLState:",O)}}function Xe(){
 try{i.texStorage2D(...arguments)}catch(O){Ke("WebGLState:",O)}}function P(){try{i.texStorage3D(...arguments)}catch(O){Ke("WebGLState:",O)}}function T(){try{i.texImage2D(
-...arguments)}catch(O){Ke("WebGLState:",O)}}function X(){try{i.texImage3D(...arguments)}catch(O){Ke("WebGLState:",O)}}function he(O){return u[O]!==void 0?u[O]:i.
+...arguments)}catch(O){Ke("WebGLState:",O)}}function q(){try{i.texImage3D(...arguments)}catch(O){Ke("WebGLState:",O)}}function he(O){return u[O]!==void 0?u[O]:i.
 getParameter(O)}function oe(O,re){u[O]!==re&&(i.pixelStorei(O,re),u[O]=re)}function _e(O){ee.equals(O)===!1&&(i.scissor(O.x,O.y,O.z,O.w),ee.copy(O))}function ye(O){
 me.equals(O)===!1&&(i.viewport(O.x,O.y,O.z,O.w),me.copy(O))}function te(O,re){let ne=c.get(re);ne===void 0&&(ne=new WeakMap,c.set(re,ne));let we=ne.get(O);we===
 void 0&&(we=i.getUniformBlockIndex(re,O.name),i.uniformBlockBinding(re,we,we),ne.set(O,we))}function ie(O,re,ne){let ge=c.get(re).get(O);l[ge]!==ne&&(i.bindBufferBase(
@@ -3250,40 +3250,40 @@ i.pixelStorei(i.PACK_ROW_LENGTH,0),i.pixelStorei(i.PACK_SKIP_PIXELS,0),i.pixelSt
 p=[],v=null,m=!1,g=null,_=null,w=null,M=null,C=null,b=null,x=null,S=new st(0,0,0),N=0,R=!1,I=null,F=null,z=null,D=null,W=null,ee.set(0,0,i.canvas.width,i.canvas.
 height),me.set(0,0,i.canvas.width,i.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:Se,disable:He,bindFramebuffer:nt,
 drawBuffers:Ve,useProgram:ut,setBlending:Gt,setMaterial:Ut,setFlipSided:Qt,setCullFace:Pt,setLineWidth:gn,setPolygonOffset:vt,setScissorTest:cn,activeTexture:qt,
-bindTexture:en,unbindTexture:B,compressedTexImage2D:Re,compressedTexImage3D:qe,texImage2D:T,texImage3D:X,pixelStorei:oe,getParameter:he,updateUBOMapping:te,uniformBlockBinding:ie,
+bindTexture:en,unbindTexture:B,compressedTexImage2D:Re,compressedTexImage3D:qe,texImage2D:T,texImage3D:q,pixelStorei:oe,getParameter:he,updateUBOMapping:te,uniformBlockBinding:ie,
 texStorage2D:Xe,texStorage3D:P,texSubImage2D:it,texSubImage3D:be,compressedTexSubImage2D:Lt,compressedTexSubImage3D:ze,scissor:_e,viewport:ye,reset:pe}}function lw(i,e,t,n,s,r,o){
 let a=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,l=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.
 userAgent),c=new ot,d=new WeakMap,u=new Set,h,f=new WeakMap,p=new Set,v=new FinalizationRegistry(P=>p.delete(P)),m=!1;try{m=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(
-1,1).getContext("2d")!==null}catch{}function g(P,T){return m?new OffscreenCanvas(P,T):zo("canvas")}function _(P,T,X){let he=1,oe=Xe(P);if((oe.width>X||oe.height>
-X)&&(he=X/Math.max(oe.width,oe.height)),he<1)if(typeof HTMLImageElement<"u"&&P instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&P instanceof HTMLCanvasElement||
+1,1).getContext("2d")!==null}catch{}function g(P,T){return m?new OffscreenCanvas(P,T):zo("canvas")}function _(P,T,q){let he=1,oe=Xe(P);if((oe.width>q||oe.height>
+q)&&(he=q/Math.max(oe.width,oe.height)),he<1)if(typeof HTMLImageElement<"u"&&P instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&P instanceof HTMLCanvasElement||
 typeof ImageBitmap<"u"&&P instanceof ImageBitmap||typeof VideoFrame<"u"&&P instanceof VideoFrame){let _e=Math.floor(he*oe.width),ye=Math.floor(he*oe.height);h===
 void 0&&(h=g(_e,ye));let te=T?g(_e,ye):h;return te.width=_e,te.height=ye,te.getContext("2d").drawImage(P,0,0,_e,ye),$e("WebGLRenderer: Texture has been resized \
 from ("+oe.width+"x"+oe.height+") to ("+_e+"x"+ye+")."),te}else return"data"in P&&$e("WebGLRenderer: Image in DataTexture is too big ("+oe.width+"x"+oe.height+"\
 )."),P;return P}function w(P){return P.generateMipmaps}function M(P){i.generateMipmap(P)}function C(P){return P.isWebGLCubeRenderTarget?i.TEXTURE_CUBE_MAP:P.isWebGL3DRenderTarget?
-i.TEXTURE_3D:P.isWebGLArrayRenderTarget||P.isCompressedArrayTexture?i.TEXTURE_2D_ARRAY:i.TEXTURE_2D}function b(P,T,X,he,oe,_e=!1){if(P!==null){if(i[P]!==void 0)
+i.TEXTURE_3D:P.isWebGLArrayRenderTarget||P.isCompressedArrayTexture?i.TEXTURE_2D_ARRAY:i.TEXTURE_2D}function b(P,T,q,he,oe,_e=!1){if(P!==null){if(i[P]!==void 0)
 return i[P];$e("WebGLRenderer: Attempt to use non-existing WebGL internal format '"+P+"'")}let ye;he&&(ye=e.get("EXT_texture_norm16"),ye||$e("WebGLRenderer: Una\
-ble to use normalized textures without EXT_texture_norm16 extension"));let te=T;if(T===i.RED&&(X===i.FLOAT&&(te=i.R32F),X===i.HALF_FLOAT&&(te=i.R16F),X===i.UNSIGNED_BYTE&&
-(te=i.R8),X===i.UNSIGNED_SHORT&&ye&&(te=ye.R16_EXT),X===i.SHORT&&ye&&(te=ye.R16_SNORM_EXT)),T===i.RED_INTEGER&&(X===i.UNSIGNED_BYTE&&(te=i.R8UI),X===i.UNSIGNED_SHORT&&
-(te=i.R16UI),X===i.UNSIGNED_INT&&(te=i.R32UI),X===i.BYTE&&(te=i.R8I),X===i.SHORT&&(te=i.R16I),X===i.INT&&(te=i.R32I)),T===i.RG&&(X===i.FLOAT&&(te=i.RG32F),X===i.
-HALF_FLOAT&&(te=i.RG16F),X===i.UNSIGNED_BYTE&&(te=i.RG8),X===i.UNSIGNED_SHORT&&ye&&(te=ye.RG16_EXT),X===i.SHORT&&ye&&(te=ye.RG16_SNORM_EXT)),T===i.RG_INTEGER&&(X===
-i.UNSIGNED_BYTE&&(te=i.RG8UI),X===i.UNSIGNED_SHORT&&(te=i.RG16UI),X===i.UNSIGNED_INT&&(te=i.RG32UI),X===i.BYTE&&(te=i.RG8I),X===i.SHORT&&(te=i.RG16I),X===i.INT&&
-(te=i.RG32I)),T===i.RGB_INTEGER&&(X===i.UNSIGNED_BYTE&&(te=i.RGB8UI),X===i.UNSIGNED_SHORT&&(te=i.RGB16UI),X===i.UNSIGNED_INT&&(te=i.RGB32UI),X===i.BYTE&&(te=i.RGB8I),
-X===i.SHORT&&(te=i.RGB16I),X===i.INT&&(te=i.RGB32I)),T===i.RGBA_INTEGER&&(X===i.UNSIGNED_BYTE&&(te=i.RGBA8UI),X===i.UNSIGNED_SHORT&&(te=i.RGBA16UI),X===i.UNSIGNED_INT&&
-(te=i.RGBA32UI),X===i.BYTE&&(te=i.RGBA8I),X===i.SHORT&&(te=i.RGBA16I),X===i.INT&&(te=i.RGBA32I)),T===i.RGB&&(X===i.UNSIGNED_SHORT&&ye&&(te=ye.RGB16_EXT),X===i.SHORT&&
-ye&&(te=ye.RGB16_SNORM_EXT),X===i.UNSIGNED_INT_5_9_9_9_REV&&(te=i.RGB9_E5),X===i.UNSIGNED_INT_10F_11F_11F_REV&&(te=i.R11F_G11F_B10F)),T===i.RGBA){let ie=_e?ko:_t.
-getTransfer(oe);X===i.FLOAT&&(te=i.RGBA32F),X===i.HALF_FLOAT&&(te=i.RGBA16F),X===i.UNSIGNED_BYTE&&(te=ie===At?i.SRGB8_ALPHA8:i.RGBA8),X===i.UNSIGNED_SHORT&&ye&&
-(te=ye.RGBA16_EXT),X===i.SHORT&&ye&&(te=ye.RGBA16_SNORM_EXT),X===i.UNSIGNED_SHORT_4_4_4_4&&(te=i.RGBA4),X===i.UNSIGNED_SHORT_5_5_5_1&&(te=i.RGB5_A1)}return(te===
-i.R16F||te===i.R32F||te===i.RG16F||te===i.RG32F||te===i.RGBA16F||te===i.RGBA32F)&&e.get("EXT_color_buffer_float"),te}function x(P,T){let X;return P?T===null||T===
-Mi||T===tr?X=i.DEPTH24_STENCIL8:T===hi?X=i.DEPTH32F_STENCIL8:T===ro&&(X=i.DEPTH24_STENCIL8,$e("DepthTexture: 16 bit depth attachment is not supported with stenc\
-il. Using 24-bit attachment.")):T===null||T===Mi||T===tr?X=i.DEPTH_COMPONENT24:T===hi?X=i.DEPTH_COMPONENT32F:T===ro&&(X=i.DEPTH_COMPONENT16),X}function S(P,T){return w(
+ble to use normalized textures without EXT_texture_norm16 extension"));let te=T;if(T===i.RED&&(q===i.FLOAT&&(te=i.R32F),q===i.HALF_FLOAT&&(te=i.R16F),q===i.UNSIGNED_BYTE&&
+(te=i.R8),q===i.UNSIGNED_SHORT&&ye&&(te=ye.R16_EXT),q===i.SHORT&&ye&&(te=ye.R16_SNORM_EXT)),T===i.RED_INTEGER&&(q===i.UNSIGNED_BYTE&&(te=i.R8UI),q===i.UNSIGNED_SHORT&&
+(te=i.R16UI),q===i.UNSIGNED_INT&&(te=i.R32UI),q===i.BYTE&&(te=i.R8I),q===i.SHORT&&(te=i.R16I),q===i.INT&&(te=i.R32I)),T===i.RG&&(q===i.FLOAT&&(te=i.RG32F),q===i.
+HALF_FLOAT&&(te=i.RG16F),q===i.UNSIGNED_BYTE&&(te=i.RG8),q===i.UNSIGNED_SHORT&&ye&&(te=ye.RG16_EXT),q===i.SHORT&&ye&&(te=ye.RG16_SNORM_EXT)),T===i.RG_INTEGER&&(q===
+i.UNSIGNED_BYTE&&(te=i.RG8UI),q===i.UNSIGNED_SHORT&&(te=i.RG16UI),q===i.UNSIGNED_INT&&(te=i.RG32UI),q===i.BYTE&&(te=i.RG8I),q===i.SHORT&&(te=i.RG16I),q===i.INT&&
+(te=i.RG32I)),T===i.RGB_INTEGER&&(q===i.UNSIGNED_BYTE&&(te=i.RGB8UI),q===i.UNSIGNED_SHORT&&(te=i.RGB16UI),q===i.UNSIGNED_INT&&(te=i.RGB32UI),q===i.BYTE&&(te=i.RGB8I),
+q===i.SHORT&&(te=i.RGB16I),q===i.INT&&(te=i.RGB32I)),T===i.RGBA_INTEGER&&(q===i.UNSIGNED_BYTE&&(te=i.RGBA8UI),q===i.UNSIGNED_SHORT&&(te=i.RGBA16UI),q===i.UNSIGNED_INT&&
+(te=i.RGBA32UI),q===i.BYTE&&(te=i.RGBA8I),q===i.SHORT&&(te=i.RGBA16I),q===i.INT&&(te=i.RGBA32I)),T===i.RGB&&(q===i.UNSIGNED_SHORT&&ye&&(te=ye.RGB16_EXT),q===i.SHORT&&
+ye&&(te=ye.RGB16_SNORM_EXT),q===i.UNSIGNED_INT_5_9_9_9_REV&&(te=i.RGB9_E5),q===i.UNSIGNED_INT_10F_11F_11F_REV&&(te=i.R11F_G11F_B10F)),T===i.RGBA){let ie=_e?ko:_t.
+getTransfer(oe);q===i.FLOAT&&(te=i.RGBA32F),q===i.HALF_FLOAT&&(te=i.RGBA16F),q===i.UNSIGNED_BYTE&&(te=ie===At?i.SRGB8_ALPHA8:i.RGBA8),q===i.UNSIGNED_SHORT&&ye&&
+(te=ye.RGBA16_EXT),q===i.SHORT&&ye&&(te=ye.RGBA16_SNORM_EXT),q===i.UNSIGNED_SHORT_4_4_4_4&&(te=i.RGBA4),q===i.UNSIGNED_SHORT_5_5_5_1&&(te=i.RGB5_A1)}return(te===
+i.R16F||te===i.R32F||te===i.RG16F||te===i.RG32F||te===i.RGBA16F||te===i.RGBA32F)&&e.get("EXT_color_buffer_float"),te}function x(P,T){let q;return P?T===null||T===
+Mi||T===nr?q=i.DEPTH24_STENCIL8:T===hi?q=i.DEPTH32F_STENCIL8:T===oo&&(q=i.DEPTH24_STENCIL8,$e("DepthTexture: 16 bit depth attachment is not supported with stenc\
+il. Using 24-bit attachment.")):T===null||T===Mi||T===nr?q=i.DEPTH_COMPONENT24:T===hi?q=i.DEPTH_COMPONENT32F:T===oo&&(q=i.DEPTH_COMPONENT16),q}function S(P,T){return w(
 P)===!0||P.isFramebufferTexture&&P.minFilter!==Sn&&P.minFilter!==On?Math.log2(Math.max(T.width,T.height))+1:P.mipmaps.length>0?P.mipmaps.length:P.isCompressedTexture&&
 Array.isArray(P.image)?T.mipmaps.length:1}function N(P){let T=new WeakRef(P);n.get(P).__ref=T,p.add(T),v.register(P,T,T)}function R(P){let T=n.get(P).__ref;T!==
 void 0&&(p.delete(T),v.unregister(T))}function I(P){z(P.target)}function F(P){D(P.target)}function z(P){P.removeEventListener("dispose",I),R(P),Y(P),P.isVideoTexture&&
 d.delete(P),P.isHTMLTexture&&u.delete(P)}function D(P){P.removeEventListener("dispose",F),R(P),ce(P)}function W(){for(let P of p){let T=P.deref();T!==void 0&&(T.
-isRenderTarget===!0?D(T):z(T))}p.clear(),u.clear()}function Y(P){let T=n.get(P);if(T.__webglInit===void 0)return;let X=P.source,he=f.get(X);if(he){let oe=he[T.__cacheKey];
-oe.usedTimes--,oe.usedTimes===0&&H(P),Object.keys(he).length===0&&f.delete(X)}n.remove(P)}function H(P){let T=n.get(P);i.deleteTexture(T.__webglTexture);let X=P.
-source,he=f.get(X);delete he[T.__cacheKey],o.memory.textures--}function ce(P){let T=n.get(P);T.__depthDisposeCallback&&T.__depthDisposeCallback();let X=P.depthTexture;
-if(X&&X.renderTarget===P&&z(X),P.isWebGLCubeRenderTarget)for(let oe=0;oe<6;oe++){if(Array.isArray(T.__webglFramebuffer[oe]))for(let _e=0;_e<T.__webglFramebuffer[oe].
+isRenderTarget===!0?D(T):z(T))}p.clear(),u.clear()}function Y(P){let T=n.get(P);if(T.__webglInit===void 0)return;let q=P.source,he=f.get(q);if(he){let oe=he[T.__cacheKey];
+oe.usedTimes--,oe.usedTimes===0&&H(P),Object.keys(he).length===0&&f.delete(q)}n.remove(P)}function H(P){let T=n.get(P);i.deleteTexture(T.__webglTexture);let q=P.
+source,he=f.get(q);delete he[T.__cacheKey],o.memory.textures--}function ce(P){let T=n.get(P);T.__depthDisposeCallback&&T.__depthDisposeCallback();let q=P.depthTexture;
+if(q&&q.renderTarget===P&&z(q),P.isWebGLCubeRenderTarget)for(let oe=0;oe<6;oe++){if(Array.isArray(T.__webglFramebuffer[oe]))for(let _e=0;_e<T.__webglFramebuffer[oe].
 length;_e++)i.deleteFramebuffer(T.__webglFramebuffer[oe][_e]);else i.deleteFramebuffer(T.__webglFramebuffer[oe]);T.__webglDepthbuffer&&i.deleteRenderbuffer(T.__webglDepthbuffer[oe])}else{
 if(Array.isArray(T.__webglFramebuffer))for(let oe=0;oe<T.__webglFramebuffer.length;oe++)i.deleteFramebuffer(T.__webglFramebuffer[oe]);else i.deleteFramebuffer(T.
 __webglFramebuffer);if(T.__webglDepthbuffer&&i.deleteRenderbuffer(T.__webglDepthbuffer),T.__webglMultisampledFramebuffer&&i.deleteFramebuffer(T.__webglMultisampledFramebuffer),
@@ -3293,13 +3293,13 @@ T.__webglDepthRenderbuffer&&i.deleteRenderbuffer(T.__webglDepthRenderbuffer)}let
 let P=K;return P>=s.maxTextures&&$e("WebGLTextures: Trying to use "+(P+1)+" texture units while this GPU supports only "+s.maxTextures),K+=1,P}function ee(P){let T=[];
 return T.push(P.wrapS),T.push(P.wrapT),T.push(P.wrapR||0),T.push(P.magFilter),T.push(P.minFilter),T.push(P.anisotropy),T.push(P.internalFormat),T.push(P.format),
 T.push(P.type),T.push(P.generateMipmaps),T.push(P.mipmapsAutoUpdate),T.push(P.premultiplyAlpha),T.push(P.flipY),T.push(P.unpackAlignment),T.push(P.colorSpace),T.
-join()}function me(P,T){let X=n.get(P);if(P.isVideoTexture&&Lt(P),P.isRenderTargetTexture===!1&&P.isExternalTexture!==!0&&P.version>0&&X.__version!==P.version){
+join()}function me(P,T){let q=n.get(P);if(P.isVideoTexture&&Lt(P),P.isRenderTargetTexture===!1&&P.isExternalTexture!==!0&&P.version>0&&q.__version!==P.version){
 let he=P.image;if(he===null)$e("WebGLRenderer: Texture marked for update but no image data found.");else if(he.complete===!1)$e("WebGLRenderer: Texture marked f\
-or update but image is incomplete");else{Ut(X,P,T);return}}else P.isExternalTexture&&(X.__webglTexture=P.sourceTexture?P.sourceTexture:null);t.bindTexture(i.TEXTURE_2D,
-X.__webglTexture,i.TEXTURE0+T)}function xe(P,T){let X=n.get(P);if(P.isRenderTargetTexture===!1&&P.version>0&&X.__version!==P.version){Ut(X,P,T);return}else P.isExternalTexture&&
-(X.__webglTexture=P.sourceTexture?P.sourceTexture:null);t.bindTexture(i.TEXTURE_2D_ARRAY,X.__webglTexture,i.TEXTURE0+T)}function Ee(P,T){let X=n.get(P);if(P.isRenderTargetTexture===
-!1&&P.version>0&&X.__version!==P.version){Ut(X,P,T);return}t.bindTexture(i.TEXTURE_3D,X.__webglTexture,i.TEXTURE0+T)}function Se(P,T){let X=n.get(P);if(P.version>
-0&&X.__version!==P.version){Qt(X,P,T);return}t.bindTexture(i.TEXTURE_CUBE_MAP,X.__webglTexture,i.TEXTURE0+T)}let He={[wl]:i.REPEAT,[Fi]:i.CLAMP_TO_EDGE,[Tl]:i.MIRRORED_REPEAT},
+or update but image is incomplete");else{Ut(q,P,T);return}}else P.isExternalTexture&&(q.__webglTexture=P.sourceTexture?P.sourceTexture:null);t.bindTexture(i.TEXTURE_2D,
+q.__webglTexture,i.TEXTURE0+T)}function xe(P,T){let q=n.get(P);if(P.isRenderTargetTexture===!1&&P.version>0&&q.__version!==P.version){Ut(q,P,T);return}else P.isExternalTexture&&
+(q.__webglTexture=P.sourceTexture?P.sourceTexture:null);t.bindTexture(i.TEXTURE_2D_ARRAY,q.__webglTexture,i.TEXTURE0+T)}function Ee(P,T){let q=n.get(P);if(P.isRenderTargetTexture===
+!1&&P.version>0&&q.__version!==P.version){Ut(q,P,T);return}t.bindTexture(i.TEXTURE_3D,q.__webglTexture,i.TEXTURE0+T)}function Se(P,T){let q=n.get(P);if(P.version>
+0&&q.__version!==P.version){Qt(q,P,T);return}t.bindTexture(i.TEXTURE_CUBE_MAP,q.__webglTexture,i.TEXTURE0+T)}let He={[wl]:i.REPEAT,[Fi]:i.CLAMP_TO_EDGE,[Tl]:i.MIRRORED_REPEAT},
 nt={[Sn]:i.NEAREST,[Nm]:i.NEAREST_MIPMAP_NEAREST,[ua]:i.NEAREST_MIPMAP_LINEAR,[On]:i.LINEAR,[ec]:i.LINEAR_MIPMAP_NEAREST,[hs]:i.LINEAR_MIPMAP_LINEAR},Ve={[Om]:i.
 NEVER,[Yu]:i.ALWAYS,[Bm]:i.LESS,[qu]:i.LEQUAL,[km]:i.EQUAL,[$u]:i.GEQUAL,[zm]:i.GREATER,[Vm]:i.NOTEQUAL};function ut(P,T){if(T.type===hi&&e.has("OES_texture_flo\
 at_linear")===!1&&(T.magFilter===On||T.magFilter===ec||T.magFilter===ua||T.magFilter===hs||T.minFilter===On||T.minFilter===ec||T.minFilter===ua||T.minFilter===hs)&&
@@ -3307,20 +3307,20 @@ $e("WebGLRenderer: Unable to use linear filtering with floating point textures. 
 He[T.wrapS]),i.texParameteri(P,i.TEXTURE_WRAP_T,He[T.wrapT]),(P===i.TEXTURE_3D||P===i.TEXTURE_2D_ARRAY)&&i.texParameteri(P,i.TEXTURE_WRAP_R,He[T.wrapR]),i.texParameteri(
 P,i.TEXTURE_MAG_FILTER,nt[T.magFilter]),i.texParameteri(P,i.TEXTURE_MIN_FILTER,nt[T.minFilter]),T.compareFunction&&(i.texParameteri(P,i.TEXTURE_COMPARE_MODE,i.COMPARE_REF_TO_TEXTURE),
 i.texParameteri(P,i.TEXTURE_COMPARE_FUNC,Ve[T.compareFunction])),e.has("EXT_texture_filter_anisotropic")===!0){if(T.magFilter===Sn||T.minFilter!==ua&&T.minFilter!==
-hs||T.type===hi&&e.has("OES_texture_float_linear")===!1)return;if(T.anisotropy>1||n.get(T).__currentAnisotropy){let X=e.get("EXT_texture_filter_anisotropic");i.
-texParameterf(P,X.TEXTURE_MAX_ANISOTROPY_EXT,Math.min(T.anisotropy,s.getMaxAnisotropy())),n.get(T).__currentAnisotropy=T.anisotropy}}}function lt(P,T){let X=!1;
+hs||T.type===hi&&e.has("OES_texture_float_linear")===!1)return;if(T.anisotropy>1||n.get(T).__currentAnisotropy){let q=e.get("EXT_texture_filter_anisotropic");i.
+texParameterf(P,q.TEXTURE_MAX_ANISOTROPY_EXT,Math.min(T.anisotropy,s.getMaxAnisotropy())),n.get(T).__currentAnisotropy=T.anisotropy}}}function lt(P,T){let q=!1;
 P.__webglInit===void 0&&(P.__webglInit=!0,T.addEventListener("dispose",I),N(T));let he=T.source,oe=f.get(he);oe===void 0&&(oe={},f.set(he,oe));let _e=ee(T);if(_e!==
-P.__cacheKey){oe[_e]===void 0&&(oe[_e]={texture:i.createTexture(),usedTimes:0},o.memory.textures++,X=!0),oe[_e].usedTimes++;let ye=oe[P.__cacheKey];ye!==void 0&&
-(oe[P.__cacheKey].usedTimes--,ye.usedTimes===0&&H(T)),P.__cacheKey=_e,P.__webglTexture=oe[_e].texture}return X}function et(P,T,X){return Math.floor(Math.floor(P/
-X)/T)}function Gt(P,T,X,he){let _e=P.updateRanges;if(_e.length===0)t.texSubImage2D(i.TEXTURE_2D,0,0,0,T.width,T.height,X,he,T.data);else{_e.sort((O,re)=>O.start-
+P.__cacheKey){oe[_e]===void 0&&(oe[_e]={texture:i.createTexture(),usedTimes:0},o.memory.textures++,q=!0),oe[_e].usedTimes++;let ye=oe[P.__cacheKey];ye!==void 0&&
+(oe[P.__cacheKey].usedTimes--,ye.usedTimes===0&&H(T)),P.__cacheKey=_e,P.__webglTexture=oe[_e].texture}return q}function et(P,T,q){return Math.floor(Math.floor(P/
+q)/T)}function Gt(P,T,q,he){let _e=P.updateRanges;if(_e.length===0)t.texSubImage2D(i.TEXTURE_2D,0,0,0,T.width,T.height,q,he,T.data);else{_e.sort((O,re)=>O.start-
 re.start);let ye=0;for(let O=1;O<_e.length;O++){let re=_e[ye],ne=_e[O],we=re.start+re.count,ge=et(ne.start,T.width,4),Me=et(re.start,T.width,4);ne.start<=we+1&&
 ge===Me&&et(ne.start+ne.count-1,T.width,4)===ge?re.count=Math.max(re.count,ne.start+ne.count-re.start):(++ye,_e[ye]=ne)}_e.length=ye+1;let te=t.getParameter(i.UNPACK_ROW_LENGTH),
 ie=t.getParameter(i.UNPACK_SKIP_PIXELS),pe=t.getParameter(i.UNPACK_SKIP_ROWS);t.pixelStorei(i.UNPACK_ROW_LENGTH,T.width);for(let O=0,re=_e.length;O<re;O++){let ne=_e[O],
 we=Math.floor(ne.start/4),ge=Math.ceil(ne.count/4),Me=we%T.width,Ge=Math.floor(we/T.width),Ze=ge,le=1;t.pixelStorei(i.UNPACK_SKIP_PIXELS,Me),t.pixelStorei(i.UNPACK_SKIP_ROWS,
-Ge),t.texSubImage2D(i.TEXTURE_2D,0,Me,Ge,Ze,le,X,he,T.data)}P.clearUpdateRanges(),t.pixelStorei(i.UNPACK_ROW_LENGTH,te),t.pixelStorei(i.UNPACK_SKIP_PIXELS,ie),t.
-pixelStorei(i.UNPACK_SKIP_ROWS,pe)}}function Ut(P,T,X){let he=i.TEXTURE_2D;(T.isDataArrayTexture||T.isCompressedArrayTexture)&&(he=i.TEXTURE_2D_ARRAY),T.isData3DTexture&&
-(he=i.TEXTURE_3D);let oe=lt(P,T),_e=T.source;t.bindTexture(he,P.__webglTexture,i.TEXTURE0+X);let ye=n.get(_e);if(_e.version!==ye.__version||oe===!0){if(t.activeTexture(
-i.TEXTURE0+X),(typeof ImageBitmap<"u"&&T.image instanceof ImageBitmap)===!1){let le=_t.getPrimaries(_t.workingColorSpace),Oe=T.colorSpace===ds?null:_t.getPrimaries(
+Ge),t.texSubImage2D(i.TEXTURE_2D,0,Me,Ge,Ze,le,q,he,T.data)}P.clearUpdateRanges(),t.pixelStorei(i.UNPACK_ROW_LENGTH,te),t.pixelStorei(i.UNPACK_SKIP_PIXELS,ie),t.
+pixelStorei(i.UNPACK_SKIP_ROWS,pe)}}function Ut(P,T,q){let he=i.TEXTURE_2D;(T.isDataArrayTexture||T.isCompressedArrayTexture)&&(he=i.TEXTURE_2D_ARRAY),T.isData3DTexture&&
+(he=i.TEXTURE_3D);let oe=lt(P,T),_e=T.source;t.bindTexture(he,P.__webglTexture,i.TEXTURE0+q);let ye=n.get(_e);if(_e.version!==ye.__version||oe===!0){if(t.activeTexture(
+i.TEXTURE0+q),(typeof ImageBitmap<"u"&&T.image instanceof ImageBitmap)===!1){let le=_t.getPrimaries(_t.workingColorSpace),Oe=T.colorSpace===ds?null:_t.getPrimaries(
 T.colorSpace),Je=T.colorSpace===ds||le===Oe?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,T.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,
 T.premultiplyAlpha),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,Je)}t.pixelStorei(i.UNPACK_ALIGNMENT,T.unpackAlignment);let ie=_(T.image,!1,s.maxTextureSize);
 ie=ze(T,ie);let pe=r.convert(T.format,T.colorSpace),O=r.convert(T.type),re=b(T.internalFormat,pe,O,T.normalized,T.colorSpace,T.isVideoTexture);ut(he,T);let ne,we=T.
@@ -3352,8 +3352,8 @@ i.texParameteri(i.TEXTURE_2D,i.TEXTURE_WRAP_S,i.CLAMP_TO_EDGE),i.texParameteri(i
 we[0]);t.texStorage2D(i.TEXTURE_2D,Ze,re,le.width,le.height)}for(let le=0,Oe=we.length;le<Oe;le++)ne=we[le],ge?Ge&&t.texSubImage2D(i.TEXTURE_2D,le,0,0,pe,O,ne):
 t.texImage2D(i.TEXTURE_2D,le,re,pe,O,ne);T.generateMipmaps=!1}else if(ge){if(Me){let le=Xe(ie);t.texStorage2D(i.TEXTURE_2D,Ze,re,le.width,le.height)}Ge&&t.texSubImage2D(
 i.TEXTURE_2D,0,0,0,pe,O,ie)}else t.texImage2D(i.TEXTURE_2D,0,re,pe,O,ie);w(T)&&T.mipmapsAutoUpdate===!0&&M(he),ye.__version=_e.version,T.onUpdate&&T.onUpdate(T)}
-P.__version=T.version}function Qt(P,T,X){if(T.image.length!==6)return;let he=lt(P,T),oe=T.source;t.bindTexture(i.TEXTURE_CUBE_MAP,P.__webglTexture,i.TEXTURE0+X);
-let _e=n.get(oe);if(oe.version!==_e.__version||he===!0){t.activeTexture(i.TEXTURE0+X);let ye=_t.getPrimaries(_t.workingColorSpace),te=T.colorSpace===ds?null:_t.
+P.__version=T.version}function Qt(P,T,q){if(T.image.length!==6)return;let he=lt(P,T),oe=T.source;t.bindTexture(i.TEXTURE_CUBE_MAP,P.__webglTexture,i.TEXTURE0+q);
+let _e=n.get(oe);if(oe.version!==_e.__version||he===!0){t.activeTexture(i.TEXTURE0+q);let ye=_t.getPrimaries(_t.workingColorSpace),te=T.colorSpace===ds?null:_t.
 getPrimaries(T.colorSpace),ie=T.colorSpace===ds||ye===te?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,T.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,
 T.premultiplyAlpha),t.pixelStorei(i.UNPACK_ALIGNMENT,T.unpackAlignment),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,ie);let pe=T.isCompressedTexture||T.image[0].
 isCompressedTexture,O=T.image[0]&&T.image[0].isDataTexture,re=[];for(let Ce=0;Ce<6;Ce++)!pe&&!O?re[Ce]=_(T.image[Ce],!0,s.maxCubemapSize):re[Ce]=O?T.image[Ce].image:
@@ -3370,76 +3370,76 @@ Ce,0,Me,re[Ce].width,re[Ce].height,0,we,ge,re[Ce].data);for(let rt=0;rt<Je.lengt
 Ce,rt+1,0,0,Pn.width,Pn.height,we,ge,Pn.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,rt+1,Me,Pn.width,Pn.height,0,we,ge,Pn.data)}}else{Ge?le&&t.texSubImage2D(
 i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,0,0,we,ge,re[Ce]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,Me,we,ge,re[Ce]);for(let rt=0;rt<Je.length;rt++){let Ft=Je[rt];
 Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,rt+1,0,0,we,ge,Ft.image[Ce]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,rt+1,Me,we,ge,Ft.image[Ce])}}}
-w(T)&&T.mipmapsAutoUpdate===!0&&M(i.TEXTURE_CUBE_MAP),_e.__version=oe.version,T.onUpdate&&T.onUpdate(T)}P.__version=T.version}function Pt(P,T,X,he,oe,_e){let ye=r.
-convert(X.format,X.colorSpace),te=r.convert(X.type),ie=b(X.internalFormat,ye,te,X.normalized,X.colorSpace),pe=n.get(T),O=n.get(X);if(O.__renderTarget=T,!pe.__hasExternalTextures){
+w(T)&&T.mipmapsAutoUpdate===!0&&M(i.TEXTURE_CUBE_MAP),_e.__version=oe.version,T.onUpdate&&T.onUpdate(T)}P.__version=T.version}function Pt(P,T,q,he,oe,_e){let ye=r.
+convert(q.format,q.colorSpace),te=r.convert(q.type),ie=b(q.internalFormat,ye,te,q.normalized,q.colorSpace),pe=n.get(T),O=n.get(q);if(O.__renderTarget=T,!pe.__hasExternalTextures){
 let re=Math.max(1,T.width>>_e),ne=Math.max(1,T.height>>_e);oe===i.TEXTURE_3D||oe===i.TEXTURE_2D_ARRAY?t.texImage3D(oe,_e,ie,re,ne,T.depth,0,ye,te,null):t.texImage2D(
 oe,_e,ie,re,ne,0,ye,te,null)}t.bindFramebuffer(i.FRAMEBUFFER,P),be(T)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,he,oe,O.__webglTexture,0,it(T)):(oe===i.
 TEXTURE_2D||oe>=i.TEXTURE_CUBE_MAP_POSITIVE_X&&oe<=i.TEXTURE_CUBE_MAP_NEGATIVE_Z)&&i.framebufferTexture2D(i.FRAMEBUFFER,he,oe,O.__webglTexture,_e),t.bindFramebuffer(
-i.FRAMEBUFFER,null)}function gn(P,T,X){if(i.bindRenderbuffer(i.RENDERBUFFER,P),T.depthBuffer){let he=T.depthTexture,oe=he&&he.isDepthTexture?he.type:null,_e=x(T.
+i.FRAMEBUFFER,null)}function gn(P,T,q){if(i.bindRenderbuffer(i.RENDERBUFFER,P),T.depthBuffer){let he=T.depthTexture,oe=he&&he.isDepthTexture?he.type:null,_e=x(T.
 stencilBuffer,oe),ye=T.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT;be(T)?a.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,it(T),_e,T.width,T.height):
-X?i.renderbufferStorageMultisample(i.RENDERBUFFER,it(T),_e,T.width,T.height):i.renderbufferStorage(i.RENDERBUFFER,_e,T.width,T.height),i.framebufferRenderbuffer(
+q?i.renderbufferStorageMultisample(i.RENDERBUFFER,it(T),_e,T.width,T.height):i.renderbufferStorage(i.RENDERBUFFER,_e,T.width,T.height),i.framebufferRenderbuffer(
 i.FRAMEBUFFER,ye,i.RENDERBUFFER,P)}else{let he=T.textures;for(let oe=0;oe<he.length;oe++){let _e=he[oe],ye=r.convert(_e.format,_e.colorSpace),te=r.convert(_e.type),
-ie=b(_e.internalFormat,ye,te,_e.normalized,_e.colorSpace);be(T)?a.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,it(T),ie,T.width,T.height):X?i.renderbufferStorageMultisample(
-i.RENDERBUFFER,it(T),ie,T.width,T.height):i.renderbufferStorage(i.RENDERBUFFER,ie,T.width,T.height)}}i.bindRenderbuffer(i.RENDERBUFFER,null)}function vt(P,T,X){
+ie=b(_e.internalFormat,ye,te,_e.normalized,_e.colorSpace);be(T)?a.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,it(T),ie,T.width,T.height):q?i.renderbufferStorageMultisample(
+i.RENDERBUFFER,it(T),ie,T.width,T.height):i.renderbufferStorage(i.RENDERBUFFER,ie,T.width,T.height)}}i.bindRenderbuffer(i.RENDERBUFFER,null)}function vt(P,T,q){
 let he=T.isWebGLCubeRenderTarget===!0;if(t.bindFramebuffer(i.FRAMEBUFFER,P),!(T.depthTexture&&T.depthTexture.isDepthTexture))throw new Error("THREE.WebGLTexture\
 s: renderTarget.depthTexture must be an instance of THREE.DepthTexture.");let oe=n.get(T.depthTexture);oe.__renderTarget=T;let _e=he?T.depthTexture.image[0]:T.depthTexture.
 image;(!oe.__webglTexture||_e.width!==T.width||_e.height!==T.height)&&(_e.width=T.width,_e.height=T.height,T.depthTexture.needsUpdate=!0),he?Se(T.depthTexture,0):
-me(T.depthTexture,0);let ye=oe.__webglTexture,te=it(T),ie=he?i.TEXTURE_CUBE_MAP_POSITIVE_X+X:i.TEXTURE_2D,pe=T.depthTexture.format===us?i.DEPTH_STENCIL_ATTACHMENT:
+me(T.depthTexture,0);let ye=oe.__webglTexture,te=it(T),ie=he?i.TEXTURE_CUBE_MAP_POSITIVE_X+q:i.TEXTURE_2D,pe=T.depthTexture.format===us?i.DEPTH_STENCIL_ATTACHMENT:
 i.DEPTH_ATTACHMENT;if(T.depthTexture.format===ss)be(T)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,pe,ie,ye,0,te):i.framebufferTexture2D(i.FRAMEBUFFER,pe,
 ie,ye,0);else if(T.depthTexture.format===us)be(T)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,pe,ie,ye,0,te):i.framebufferTexture2D(i.FRAMEBUFFER,pe,ie,ye,
-0);else throw new Error("THREE.WebGLTextures: Unknown depthTexture format.")}function cn(P){let T=n.get(P),X=P.isWebGLCubeRenderTarget===!0;if(T.__boundDepthTexture!==
+0);else throw new Error("THREE.WebGLTextures: Unknown depthTexture format.")}function cn(P){let T=n.get(P),q=P.isWebGLCubeRenderTarget===!0;if(T.__boundDepthTexture!==
 P.depthTexture){let he=P.depthTexture;if(T.__depthDisposeCallback&&T.__depthDisposeCallback(),he){let oe=()=>{delete T.__boundDepthTexture,delete T.__depthDisposeCallback,
 he.removeEventListener("dispose",oe)};he.addEventListener("dispose",oe),T.__depthDisposeCallback=oe}T.__boundDepthTexture=he}if(P.depthTexture&&!T.__autoAllocateDepthBuffer)
-if(X)for(let he=0;he<6;he++)vt(T.__webglFramebuffer[he],P,he);else P.texture.mipmaps.length>0?vt(T.__webglFramebuffer[0],P,0):vt(T.__webglFramebuffer,P,0);else if(X){
+if(q)for(let he=0;he<6;he++)vt(T.__webglFramebuffer[he],P,he);else P.texture.mipmaps.length>0?vt(T.__webglFramebuffer[0],P,0):vt(T.__webglFramebuffer,P,0);else if(q){
 T.__webglDepthbuffer=[];for(let he=0;he<6;he++)if(t.bindFramebuffer(i.FRAMEBUFFER,T.__webglFramebuffer[he]),T.__webglDepthbuffer[he]===void 0)T.__webglDepthbuffer[he]=
 i.createRenderbuffer(),gn(T.__webglDepthbuffer[he],P,!1);else{let oe=P.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,_e=T.__webglDepthbuffer[he];i.
 bindRenderbuffer(i.RENDERBUFFER,_e),i.framebufferRenderbuffer(i.FRAMEBUFFER,oe,i.RENDERBUFFER,_e)}}else if(P.texture.mipmaps.length>0?t.bindFramebuffer(i.FRAMEBUFFER,
 T.__webglFramebuffer[0]):t.bindFramebuffer(i.FRAMEBUFFER,T.__webglFramebuffer),T.__webglDepthbuffer===void 0)T.__webglDepthbuffer=i.createRenderbuffer(),gn(T.__webglDepthbuffer,
 P,!1);else{let oe=P.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,_e=T.__webglDepthbuffer;i.bindRenderbuffer(i.RENDERBUFFER,_e),i.framebufferRenderbuffer(
-i.FRAMEBUFFER,oe,i.RENDERBUFFER,_e)}t.bindFramebuffer(i.FRAMEBUFFER,null)}function qt(P,T,X){let he=n.get(P);T!==void 0&&Pt(he.__webglFramebuffer,P,P.texture,i.
-COLOR_ATTACHMENT0,i.TEXTURE_2D,0),X!==void 0&&cn(P)}function en(P){let T=P.texture,X=n.get(P),he=n.get(T);P.addEventListener("dispose",F),N(P);let oe=P.textures,
+i.FRAMEBUFFER,oe,i.RENDERBUFFER,_e)}t.bindFramebuffer(i.FRAMEBUFFER,null)}function qt(P,T,q){let he=n.get(P);T!==void 0&&Pt(he.__webglFramebuffer,P,P.texture,i.
+COLOR_ATTACHMENT0,i.TEXTURE_2D,0),q!==void 0&&cn(P)}function en(P){let T=P.texture,q=n.get(P),he=n.get(T);P.addEventListener("dispose",F),N(P);let oe=P.textures,
 _e=P.isWebGLCubeRenderTarget===!0,ye=oe.length>1;if(ye||(he.__webglTexture===void 0&&(he.__webglTexture=i.createTexture()),he.__version=T.version,o.memory.textures++),
-_e){X.__webglFramebuffer=[];for(let te=0;te<6;te++)if(T.mipmaps.length>0){X.__webglFramebuffer[te]=[];for(let ie=0;ie<T.mipmaps.length;ie++)X.__webglFramebuffer[te][ie]=
-i.createFramebuffer()}else X.__webglFramebuffer[te]=i.createFramebuffer()}else{if(T.mipmaps.length>0){X.__webglFramebuffer=[];for(let te=0;te<T.mipmaps.length;te++)
-X.__webglFramebuffer[te]=i.createFramebuffer()}else X.__webglFramebuffer=i.createFramebuffer();if(ye)for(let te=0,ie=oe.length;te<ie;te++){let pe=n.get(oe[te]);
-pe.__webglTexture===void 0&&(pe.__webglTexture=i.createTexture(),o.memory.textures++)}if(P.samples>0&&be(P)===!1){X.__webglMultisampledFramebuffer=i.createFramebuffer(),
-X.__webglColorRenderbuffer=[],t.bindFramebuffer(i.FRAMEBUFFER,X.__webglMultisampledFramebuffer);for(let te=0;te<oe.length;te++){let ie=oe[te];X.__webglColorRenderbuffer[te]=
-i.createRenderbuffer(),i.bindRenderbuffer(i.RENDERBUFFER,X.__webglColorRenderbuffer[te]);let pe=r.convert(ie.format,ie.colorSpace),O=r.convert(ie.type),re=b(ie.
+_e){q.__webglFramebuffer=[];for(let te=0;te<6;te++)if(T.mipmaps.length>0){q.__webglFramebuffer[te]=[];for(let ie=0;ie<T.mipmaps.length;ie++)q.__webglFramebuffer[te][ie]=
+i.createFramebuffer()}else q.__webglFramebuffer[te]=i.createFramebuffer()}else{if(T.mipmaps.length>0){q.__webglFramebuffer=[];for(let te=0;te<T.mipmaps.length;te++)
+q.__webglFramebuffer[te]=i.createFramebuffer()}else q.__webglFramebuffer=i.createFramebuffer();if(ye)for(let te=0,ie=oe.length;te<ie;te++){let pe=n.get(oe[te]);
+pe.__webglTexture===void 0&&(pe.__webglTexture=i.createTexture(),o.memory.textures++)}if(P.samples>0&&be(P)===!1){q.__webglMultisampledFramebuffer=i.createFramebuffer(),
+q.__webglColorRenderbuffer=[],t.bindFramebuffer(i.FRAMEBUFFER,q.__webglMultisampledFramebuffer);for(let te=0;te<oe.length;te++){let ie=oe[te];q.__webglColorRenderbuffer[te]=
+i.createRenderbuffer(),i.bindRenderbuffer(i.RENDERBUFFER,q.__webglColorRenderbuffer[te]);let pe=r.convert(ie.format,ie.colorSpace),O=r.convert(ie.type),re=b(ie.
 internalFormat,pe,O,ie.normalized,ie.colorSpace,P.isXRRenderTarget===!0),ne=it(P);i.renderbufferStorageMultisample(i.RENDERBUFFER,ne,re,P.width,P.height),i.framebufferRenderbuffer(
-i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+te,i.RENDERBUFFER,X.__webglColorRenderbuffer[te])}i.bindRenderbuffer(i.RENDERBUFFER,null),P.depthBuffer&&(X.__webglDepthRenderbuffer=
-i.createRenderbuffer(),gn(X.__webglDepthRenderbuffer,P,!0)),t.bindFramebuffer(i.FRAMEBUFFER,null)}}if(_e){t.bindTexture(i.TEXTURE_CUBE_MAP,he.__webglTexture),ut(
-i.TEXTURE_CUBE_MAP,T);for(let te=0;te<6;te++)if(T.mipmaps.length>0)for(let ie=0;ie<T.mipmaps.length;ie++)Pt(X.__webglFramebuffer[te][ie],P,T,i.COLOR_ATTACHMENT0,
-i.TEXTURE_CUBE_MAP_POSITIVE_X+te,ie);else Pt(X.__webglFramebuffer[te],P,T,i.COLOR_ATTACHMENT0,i.TEXTURE_CUBE_MAP_POSITIVE_X+te,0);w(T)?M(i.TEXTURE_CUBE_MAP):T.mipmaps.
+i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+te,i.RENDERBUFFER,q.__webglColorRenderbuffer[te])}i.bindRenderbuffer(i.RENDERBUFFER,null),P.depthBuffer&&(q.__webglDepthRenderbuffer=
+i.createRenderbuffer(),gn(q.__webglDepthRenderbuffer,P,!0)),t.bindFramebuffer(i.FRAMEBUFFER,null)}}if(_e){t.bindTexture(i.TEXTURE_CUBE_MAP,he.__webglTexture),ut(
+i.TEXTURE_CUBE_MAP,T);for(let te=0;te<6;te++)if(T.mipmaps.length>0)for(let ie=0;ie<T.mipmaps.length;ie++)Pt(q.__webglFramebuffer[te][ie],P,T,i.COLOR_ATTACHMENT0,
+i.TEXTURE_CUBE_MAP_POSITIVE_X+te,ie);else Pt(q.__webglFramebuffer[te],P,T,i.COLOR_ATTACHMENT0,i.TEXTURE_CUBE_MAP_POSITIVE_X+te,0);w(T)?M(i.TEXTURE_CUBE_MAP):T.mipmaps.
 length>0&&i.texParameteri(i.TEXTURE_CUBE_MAP,i.TEXTURE_MAX_LEVEL,T.mipmaps.length-1),t.unbindTexture()}else if(ye){for(let te=0,ie=oe.length;te<ie;te++){let pe=oe[te],
 O=n.get(pe),re=i.TEXTURE_2D;(P.isWebGL3DRenderTarget||P.isWebGLArrayRenderTarget)&&(re=P.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(re,
-O.__webglTexture),ut(re,pe),Pt(X.__webglFramebuffer,P,pe,i.COLOR_ATTACHMENT0+te,re,0),w(pe)&&M(re)}t.unbindTexture()}else{let te=i.TEXTURE_2D;if((P.isWebGL3DRenderTarget||
+O.__webglTexture),ut(re,pe),Pt(q.__webglFramebuffer,P,pe,i.COLOR_ATTACHMENT0+te,re,0),w(pe)&&M(re)}t.unbindTexture()}else{let te=i.TEXTURE_2D;if((P.isWebGL3DRenderTarget||
 P.isWebGLArrayRenderTarget)&&(te=P.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(te,he.__webglTexture),ut(te,T),T.mipmaps.length>0)for(let ie=0;ie<
-T.mipmaps.length;ie++)Pt(X.__webglFramebuffer[ie],P,T,i.COLOR_ATTACHMENT0,te,ie);else Pt(X.__webglFramebuffer,P,T,i.COLOR_ATTACHMENT0,te,0);w(T)?M(te):T.mipmaps.
-length>0&&i.texParameteri(te,i.TEXTURE_MAX_LEVEL,T.mipmaps.length-1),t.unbindTexture()}P.depthBuffer&&cn(P)}function B(P){let T=P.textures;for(let X=0,he=T.length;X<
-he;X++){let oe=T[X];if(w(oe)&&oe.mipmapsAutoUpdate===!0){let _e=C(P),ye=n.get(oe).__webglTexture;t.bindTexture(_e,ye),M(_e),t.unbindTexture()}}}let Re=[];function qe(P){
-if(P.samples>0){if(be(P)===!1){let T=P.textures,X=P.width,he=P.height,oe=i.COLOR_BUFFER_BIT,_e=P.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,ye=n.
+T.mipmaps.length;ie++)Pt(q.__webglFramebuffer[ie],P,T,i.COLOR_ATTACHMENT0,te,ie);else Pt(q.__webglFramebuffer,P,T,i.COLOR_ATTACHMENT0,te,0);w(T)?M(te):T.mipmaps.
+length>0&&i.texParameteri(te,i.TEXTURE_MAX_LEVEL,T.mipmaps.length-1),t.unbindTexture()}P.depthBuffer&&cn(P)}function B(P){let T=P.textures;for(let q=0,he=T.length;q<
+he;q++){let oe=T[q];if(w(oe)&&oe.mipmapsAutoUpdate===!0){let _e=C(P),ye=n.get(oe).__webglTexture;t.bindTexture(_e,ye),M(_e),t.unbindTexture()}}}let Re=[];function qe(P){
+if(P.samples>0){if(be(P)===!1){let T=P.textures,q=P.width,he=P.height,oe=i.COLOR_BUFFER_BIT,_e=P.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,ye=n.
 get(P),te=T.length>1;if(te)for(let pe=0;pe<T.length;pe++)t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglMultisampledFramebuffer),i.framebufferRenderbuffer(i.FRAMEBUFFER,
 i.COLOR_ATTACHMENT0+pe,i.RENDERBUFFER,null),t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglFramebuffer),i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0+
 pe,i.TEXTURE_2D,null,0);t.bindFramebuffer(i.READ_FRAMEBUFFER,ye.__webglMultisampledFramebuffer),P.texture.mipmaps.length>0?t.bindFramebuffer(i.DRAW_FRAMEBUFFER,
 ye.__webglFramebuffer[0]):t.bindFramebuffer(i.DRAW_FRAMEBUFFER,ye.__webglFramebuffer);for(let pe=0;pe<T.length;pe++){if(P.resolveDepthBuffer&&(P.depthBuffer&&(oe|=
 i.DEPTH_BUFFER_BIT),P.stencilBuffer&&P.resolveStencilBuffer&&(oe|=i.STENCIL_BUFFER_BIT)),te){i.framebufferRenderbuffer(i.READ_FRAMEBUFFER,i.COLOR_ATTACHMENT0,i.
 RENDERBUFFER,ye.__webglColorRenderbuffer[pe]);let O=n.get(T[pe]).__webglTexture;i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0,i.TEXTURE_2D,O,0)}
-i.blitFramebuffer(0,0,X,he,0,0,X,he,oe,i.NEAREST),l===!0&&(Re.length=0,Re.push(i.COLOR_ATTACHMENT0+pe),P.depthBuffer&&P.storeMultisampledDepthBuffer===!1&&Re.push(
+i.blitFramebuffer(0,0,q,he,0,0,q,he,oe,i.NEAREST),l===!0&&(Re.length=0,Re.push(i.COLOR_ATTACHMENT0+pe),P.depthBuffer&&P.storeMultisampledDepthBuffer===!1&&Re.push(
 _e),i.invalidateFramebuffer(i.READ_FRAMEBUFFER,Re))}if(t.bindFramebuffer(i.READ_FRAMEBUFFER,null),t.bindFramebuffer(i.DRAW_FRAMEBUFFER,null),te)for(let pe=0;pe<
 T.length;pe++){t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglMultisampledFramebuffer),i.framebufferRenderbuffer(i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+pe,i.RENDERBUFFER,
 ye.__webglColorRenderbuffer[pe]);let O=n.get(T[pe]).__webglTexture;t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglFramebuffer),i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,
 i.COLOR_ATTACHMENT0+pe,i.TEXTURE_2D,O,0)}t.bindFramebuffer(i.DRAW_FRAMEBUFFER,ye.__webglMultisampledFramebuffer)}else if(P.depthBuffer&&P.storeMultisampledDepthBuffer===
 !1&&l){let T=P.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT;i.invalidateFramebuffer(i.DRAW_FRAMEBUFFER,[T])}}}function it(P){return Math.min(s.maxSamples,
 P.samples)}function be(P){let T=n.get(P);return P.samples>0&&e.has("WEBGL_multisampled_render_to_texture")===!0&&T.__useRenderToTexture!==!1}function Lt(P){let T=o.
-render.frame;d.get(P)!==T&&(d.set(P,T),P.update())}function ze(P,T){let X=P.colorSpace,he=P.format,oe=P.type;return P.isCompressedTexture===!0||P.isVideoTexture===
-!0||X!==Bo&&X!==ds&&(_t.getTransfer(X)===At?(he!==bi||oe!==Hn)&&$e("WebGLTextures: sRGB encoded textures have to use RGBAFormat and UnsignedByteType."):Ke("WebG\
-LTextures: Unsupported texture color space:",X)),T}function Xe(P){return typeof HTMLImageElement<"u"&&P instanceof HTMLImageElement?(c.width=P.naturalWidth||P.width,
+render.frame;d.get(P)!==T&&(d.set(P,T),P.update())}function ze(P,T){let q=P.colorSpace,he=P.format,oe=P.type;return P.isCompressedTexture===!0||P.isVideoTexture===
+!0||q!==Bo&&q!==ds&&(_t.getTransfer(q)===At?(he!==bi||oe!==Hn)&&$e("WebGLTextures: sRGB encoded textures have to use RGBAFormat and UnsignedByteType."):Ke("WebG\
+LTextures: Unsupported texture color space:",q)),T}function Xe(P){return typeof HTMLImageElement<"u"&&P instanceof HTMLImageElement?(c.width=P.naturalWidth||P.width,
 c.height=P.naturalHeight||P.height):typeof VideoFrame<"u"&&P instanceof VideoFrame?(c.width=P.displayWidth,c.height=P.displayHeight):(c.width=P.width,c.height=P.
 height),c}this.allocateTextureUnit=ue,this.resetTextureUnits=Q,this.getTextureUnits=se,this.setTextureUnits=de,this.setTexture2D=me,this.setTexture2DArray=xe,this.
 setTexture3D=Ee,this.setTextureCube=Se,this.rebindTextures=qt,this.setupRenderTarget=en,this.updateRenderTargetMipmap=B,this.updateMultisampleRenderTarget=qe,this.
 setupDepthRenderbuffer=cn,this.setupFrameBufferTexture=Pt,this.useMultisampledRTT=be,this.dispose=W}function cw(i,e){function t(n,s=ds){let r,o=_t.getTransfer(s);
 if(n===Hn)return i.UNSIGNED_BYTE;if(n===nc)return i.UNSIGNED_SHORT_4_4_4_4;if(n===ic)return i.UNSIGNED_SHORT_5_5_5_1;if(n===Gu)return i.UNSIGNED_INT_5_9_9_9_REV;
-if(n===Hu)return i.UNSIGNED_INT_10F_11F_11F_REV;if(n===zu)return i.BYTE;if(n===Vu)return i.SHORT;if(n===ro)return i.UNSIGNED_SHORT;if(n===tc)return i.INT;if(n===
+if(n===Hu)return i.UNSIGNED_INT_10F_11F_11F_REV;if(n===zu)return i.BYTE;if(n===Vu)return i.SHORT;if(n===oo)return i.UNSIGNED_SHORT;if(n===tc)return i.INT;if(n===
 Mi)return i.UNSIGNED_INT;if(n===hi)return i.FLOAT;if(n===Si)return i.HALF_FLOAT;if(n===Wu)return i.ALPHA;if(n===Xu)return i.RGB;if(n===bi)return i.RGBA;if(n===ss)
 return i.DEPTH_COMPONENT;if(n===us)return i.DEPTH_STENCIL;if(n===sc)return i.RED;if(n===rc)return i.RED_INTEGER;if(n===Us)return i.RG;if(n===oc)return i.RG_INTEGER;
 if(n===ac)return i.RGBA_INTEGER;if(n===da||n===fa||n===pa||n===ma)if(o===At)if(r=e.get("WEBGL_compressed_texture_s3tc_srgb"),r!==null){if(n===da)return r.COMPRESSED_SRGB_S3TC_DXT1_EXT;
@@ -3462,7 +3462,7 @@ r.COMPRESSED_RGBA_ASTC_12x10_KHR;if(n===Ic)return o===At?r.COMPRESSED_SRGB8_ALPH
 Nc||n===Dc)if(r=e.get("EXT_texture_compression_bptc"),r!==null){if(n===Lc)return o===At?r.COMPRESSED_SRGB_ALPHA_BPTC_UNORM_EXT:r.COMPRESSED_RGBA_BPTC_UNORM_EXT;
 if(n===Nc)return r.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(n===Dc)return r.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(n===Uc||n===Fc||n===_a||n===
 Oc)if(r=e.get("EXT_texture_compression_rgtc"),r!==null){if(n===Uc)return r.COMPRESSED_RED_RGTC1_EXT;if(n===Fc)return r.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(n===_a)
-return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(n===Oc)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return n===tr?i.UNSIGNED_INT_24_8:i[n]!==void 0?
+return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(n===Oc)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return n===nr?i.UNSIGNED_INT_24_8:i[n]!==void 0?
 i[n]:null}return{convert:t}}var hw="\nvoid main() {\n\n gl_Position = vec4( position, 1.0 );\n\n}",uw="\nuniform sampler2DArray depthColor;\nuniform float depthWi\
 dth;\nuniform float depthHeight;\n\nvoid main() {\n\n vec2 coord = vec2( gl_FragCoord.x / depthWidth, gl_FragCoord.y / depthHeight );\n\n if ( coord.x >= 1.0 ) {\n\n  gl\
 _FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;\n\n } else {\n\n  gl_FragDepth = texture( depthColor, vec3( coord.x, coord.y, 0 ) ).r;\n\n }\n\
@@ -3472,8 +3472,8 @@ let t=e.cameras[0].viewport,n=new ki({vertexShader:hw,fragmentShader:uw,uniforms
 this.mesh=new ci(new jo(20,20),n)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},ud=class extends Oi{constructor(e,t){
 super();let n=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,d=null,u=null,h=null,f=null,p=null,v=typeof XRWebGLBinding<"u",m=new hd,g={},_=t.getContextAttributes(),
 w=null,M=null,C=[],b=[],x=new ot,S=null,N=null,R=new Fn;R.viewport=new Wt;let I=new Fn;I.viewport=new Wt;let F=[R,I],z=new Jl,D=null,W=null;this.cameraAutoUpdate=
-!0,this.enabled=!1,this.isPresenting=!1,this.getController=function(ee){let me=C[ee];return me===void 0&&(me=new Jr,C[ee]=me),me.getTargetRaySpace()},this.getControllerGrip=
-function(ee){let me=C[ee];return me===void 0&&(me=new Jr,C[ee]=me),me.getGripSpace()},this.getHand=function(ee){let me=C[ee];return me===void 0&&(me=new Jr,C[ee]=
+!0,this.enabled=!1,this.isPresenting=!1,this.getController=function(ee){let me=C[ee];return me===void 0&&(me=new Kr,C[ee]=me),me.getTargetRaySpace()},this.getControllerGrip=
+function(ee){let me=C[ee];return me===void 0&&(me=new Kr,C[ee]=me),me.getGripSpace()},this.getHand=function(ee){let me=C[ee];return me===void 0&&(me=new Kr,C[ee]=
 me),me.getHandSpace()};function Y(ee){let me=b.indexOf(ee.inputSource);if(me===-1)return;let xe=C[me];xe!==void 0&&(xe.update(ee.inputSource,ee.frame,c||o),xe.dispatchEvent(
 {type:ee.type,data:ee.inputSource}))}function H(){s.removeEventListener("select",Y),s.removeEventListener("selectstart",Y),s.removeEventListener("selectend",Y),
 s.removeEventListener("squeeze",Y),s.removeEventListener("squeezestart",Y),s.removeEventListener("squeezeend",Y),s.removeEventListener("end",H),s.removeEventListener(
@@ -3486,7 +3486,7 @@ function(){return h!==null?h:f},this.getBinding=function(){return u===null&&v&&(
 function(){return s},this.setSession=async function(ee){if(s=ee,s!==null){if(w=e.getRenderTarget(),s.addEventListener("select",Y),s.addEventListener("selectstar\
 t",Y),s.addEventListener("selectend",Y),s.addEventListener("squeeze",Y),s.addEventListener("squeezestart",Y),s.addEventListener("squeezeend",Y),s.addEventListener(
 "end",H),s.addEventListener("inputsourceschange",ce),_.xrCompatible!==!0&&await t.makeXRCompatible(),S=e.getPixelRatio(),e.getSize(x),v&&"createProjectionLayer"in
-XRWebGLBinding.prototype){let xe=null,Ee=null,Se=null;_.depth&&(Se=_.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,xe=_.stencil?us:ss,Ee=_.stencil?tr:Mi);let He={
+XRWebGLBinding.prototype){let xe=null,Ee=null,Se=null;_.depth&&(Se=_.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,xe=_.stencil?us:ss,Ee=_.stencil?nr:Mi);let He={
 colorFormat:t.RGBA8,depthFormat:Se,scaleFactor:r};u=this.getBinding(),h=u.createProjectionLayer(He),s.updateRenderState({layers:[h]}),e.setPixelRatio(1),e.setSize(
 h.textureWidth,h.textureHeight,!1),M=new ti(h.textureWidth,h.textureHeight,{format:bi,type:Hn,depthTexture:new cs(h.textureWidth,h.textureHeight,Ee,void 0,void 0,
 void 0,void 0,void 0,void 0,xe),stencilBuffer:_.stencil,colorSpace:e.outputColorSpace,samples:_.antialias?4:0,resolveDepthBuffer:h.ignoreDepthValues===!1,resolveStencilBuffer:h.
@@ -3602,21 +3602,21 @@ for(let _ in s)i.deleteBuffer(s[_]);s={},r={}}return{bind:o,update:a,dispose:g}}
 On,Gi.magFilter=On,Gi.wrapS=Fi,Gi.wrapT=Fi,Gi.generateMipmaps=!1,Gi.needsUpdate=!0),Gi}var Gc=class{constructor(e={}){let{canvas:t=Hm(),context:n=null,depth:s=!0,
 stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:d="default",failIfMajorPerformanceCaveat:u=!1,reversedDepthBuffer:h=!1,
 outputBufferType:f=Hn}=e;this.isWebGLRenderer=!0;let p;if(n!==null){if(typeof WebGLRenderingContext<"u"&&n instanceof WebGLRenderingContext)throw new Error("THR\
-EE.WebGLRenderer: WebGL 1 is not supported since r163.");p=n.getContextAttributes().alpha}else p=o;let v=f,m=new Set([ac,oc,rc]),g=new Set([Hn,Mi,ro,tr,nc,ic]),
+EE.WebGLRenderer: WebGL 1 is not supported since r163.");p=n.getContextAttributes().alpha}else p=o;let v=f,m=new Set([ac,oc,rc]),g=new Set([Hn,Mi,oo,nr,nc,ic]),
 _=new Uint32Array(4),w=new Int32Array(4),M={textures:[],min:[],max:[],resolution:[]},C=null,b=null,x=[],S=[],N=null;this.domElement=t,this.debug={checkShaderErrors:!0,
 diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.
 clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=Vi,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let R=this,I=!1,F=null,z=null,D=null,
 W=null;this._outputColorSpace=Qn;let Y=0,H=0,ce=null,K=-1,Q=null,se=new Wt,de=new Wt,ue=null,ee=new st(0),me=0,xe=t.width,Ee=t.height,Se=1,He=null,nt=null,Ve=new Wt(
 0,0,xe,Ee),ut=new Wt(0,0,xe,Ee),lt=!1,et=new Es,Gt=new Il,Ut=!1,Qt=!1,Pt=new xt,gn=new V,vt=new Wt,cn={background:null,fog:null,environment:null,overrideMaterial:null,
-isScene:!0},qt=!1;function en(){return ce===null?Se:1}let B=n;function Re(E,k){return t.getContext(E,k)}let qe,it,be,Lt,ze,Xe,P,T,X,he,oe,_e,ye,te,ie,pe,O,re,ne,
+isScene:!0},qt=!1;function en(){return ce===null?Se:1}let B=n;function Re(E,k){return t.getContext(E,k)}let qe,it,be,Lt,ze,Xe,P,T,q,he,oe,_e,ye,te,ie,pe,O,re,ne,
 we,ge,Me,Ge;try{let E={alpha:!0,depth:s,stencil:r,antialias:a,premultipliedAlpha:l,preserveDrawingBuffer:c,powerPreference:d,failIfMajorPerformanceCaveat:u};if("\
 setAttribute"in t&&t.setAttribute("data-engine","three.js r".concat("187")),t.addEventListener("webglcontextlost",Oe,!1),t.addEventListener("webglcontextrestore\
 d",Je,!1),t.addEventListener("webglcontextcreationerror",Ce,!1),B===null){let k="webgl2";if(B=Re(k,E),B===null)throw Re(k)?new Error("THREE.WebGLRenderer: Error\
  creating WebGL context with your selected attributes."):new Error("THREE.WebGLRenderer: Error creating WebGL context.")}Ze()}catch(E){throw t.removeEventListener(
 "webglcontextlost",Oe,!1),t.removeEventListener("webglcontextrestored",Je,!1),t.removeEventListener("webglcontextcreationerror",Ce,!1),Ke("WebGLRenderer: "+E.message),
 E}function Ze(){qe=new ES(B),qe.init(),ge=new cw(B,qe),it=new gS(B,qe,e,ge),be=new aw(B,qe),it.reversedDepthBuffer&&h&&be.buffers.depth.setReversed(!0),z=B.createFramebuffer(),
-D=B.createFramebuffer(),W=B.createFramebuffer(),Lt=new PS(B),ze=new $b,Xe=new lw(B,qe,be,ze,it,ge,Lt),P=new AS(R),T=new Ly(B),Me=new pS(B,T),X=new CS(B,T,Lt,Me),
-he=new LS(B,X,T,Me,Lt),re=new IS(B,it,Xe),ie=new _S(ze),oe=new qb(R,P,qe,it,Me,ie),_e=new fw(R,ze),ye=new Zb,te=new tw(qe),O=new fS(R,P,be,he,p,l),pe=new ow(R,he,
+D=B.createFramebuffer(),W=B.createFramebuffer(),Lt=new PS(B),ze=new $b,Xe=new lw(B,qe,be,ze,it,ge,Lt),P=new AS(R),T=new Ly(B),Me=new pS(B,T),q=new CS(B,T,Lt,Me),
+he=new LS(B,q,T,Me,Lt),re=new IS(B,it,Xe),ie=new _S(ze),oe=new qb(R,P,qe,it,Me,ie),_e=new fw(R,ze),ye=new Zb,te=new tw(qe),O=new fS(R,P,be,he,p,l),pe=new ow(R,he,
 it),Ge=new pw(B,Lt,it,be),ne=new mS(B,qe,Lt),we=new RS(B,qe,Lt),Lt.programs=oe.programs,R.capabilities=it,R.extensions=qe,R.properties=ze,R.renderLists=ye,R.shadowMap=
 pe,R.state=be,R.info=Lt}v!==Hn&&(N=new DS(v,t.width,t.height,a,s,r));let le=new ud(R,B);this.xr=le,this.getContext=function(){return B},this.getContextAttributes=
 function(){return B.getContextAttributes()},this.forceContextLoss=function(){let E=qe.get("WEBGL_lose_context");E&&E.loseContext()},this.forceContextRestore=function(){
@@ -3638,13 +3638,13 @@ B.COLOR,0,w))}else $|=B.COLOR_BUFFER_BIT}k&&($|=B.DEPTH_BUFFER_BIT,this.state.bu
 setMask(4294967295)),$!==0&&B.clear($)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){
 this.clear(!1,!1,!0)},this.setNodesHandler=function(E){E.setRenderer(this),F=E},this.dispose=function(){t.removeEventListener("webglcontextlost",Oe,!1),t.removeEventListener(
 "webglcontextrestored",Je,!1),t.removeEventListener("webglcontextcreationerror",Ce,!1),O.dispose(),ye.dispose(),te.dispose(),Xe.dispose(),ze.dispose(),P.dispose(),
-he.dispose(),X.dispose(),Me.dispose(),Ge.dispose(),oe.dispose(),le.dispose(),le.removeEventListener("sessionstart",Ta),le.removeEventListener("sessionend",Ai),Wi.
+he.dispose(),q.dispose(),Me.dispose(),Ge.dispose(),oe.dispose(),le.dispose(),le.removeEventListener("sessionstart",Ta),le.removeEventListener("sessionend",Ai),Wi.
 stop()};function Oe(E){E.preventDefault(),Ju("WebGLRenderer: Context Lost."),I=!0}function Je(){Ju("WebGLRenderer: Context Restored."),I=!1;let E=Lt.autoReset,k=pe.
 enabled,j=pe.autoUpdate,$=pe.needsUpdate,Z=pe.type;Ze(),Lt.autoReset=E,pe.enabled=k,pe.autoUpdate=j,pe.needsUpdate=$,pe.type=Z}function Ce(E){Ke("WebGLRenderer:\
  A WebGL context could not be created. Reason: ",E.statusMessage)}function rt(E){let k=E.target;k.removeEventListener("dispose",rt),Ft(k)}function Ft(E){Pn(E),ze.
 remove(E)}function Pn(E){let k=ze.get(E).programs;k!==void 0&&(k.forEach(function(j){oe.releaseProgram(j)}),E.isShaderMaterial&&oe.releaseShaderCache(E))}this.renderBufferDirect=
 function(E,k,j,$,Z,Te){k===null&&(k=cn);let Pe=Z.isMesh&&Z.matrixWorld.determinantAffine()<0,Ae=go(E,k,j,$,Z);be.setMaterial($,Pe);let Ie=j.index,ke=1;if($.wireframe===
-!0){if(Ie=X.getWireframeAttribute(j),Ie===void 0)return;ke=2}let je=j.drawRange,dt=j.attributes.position,Be=je.start*ke,ft=(je.start+je.count)*ke;Te!==null&&(Be=
+!0){if(Ie=q.getWireframeAttribute(j),Ie===void 0)return;ke=2}let je=j.drawRange,dt=j.attributes.position,Be=je.start*ke,ft=(je.start+je.count)*ke;Te!==null&&(Be=
 Math.max(Be,Te.start*ke),ft=Math.min(ft,(Te.start+Te.count)*ke)),Ie!==null?(Be=Math.max(Be,0),ft=Math.min(ft,Ie.count)):dt!=null&&(Be=Math.max(Be,0),ft=Math.min(
 ft,dt.count));let Xt=ft-Be;if(Xt<0||Xt===1/0)return;Me.setup(Z,$,Ae,j,Ie);let Et,Ct=ne;if(Ie!==null&&(Et=T.get(Ie),Ct=we,Ct.setIndex(Et)),Z.isMesh)$.wireframe===
 !0?(be.setLineWidth($.wireframeLinewidth*en()),Ct.setMode(B.LINES)):Ct.setMode(B.TRIANGLES);else if(Z.isLine){let hn=$.linewidth;hn===void 0&&(hn=1),be.setLineWidth(
@@ -3661,8 +3661,8 @@ Ut=ie.init(this.clippingPlanes,Qt),Ut===!0&&ie.setGlobalState(this.clippingPlane
 function(Z){if(!(Z.isMesh||Z.isPoints||Z.isLine||Z.isSprite))return;let Te=Z.material;if(Te)if(Array.isArray(Te))for(let Pe=0;Pe<Te.length;Pe++){let Ae=Te[Pe];fo(
 Ae,j,k,Z),$.add(Ae)}else fo(Te,j,k,Z),$.add(Te)}),b=S.pop(),F!==null&&F.renderEnd(),$},this.compileAsync=function(E,k,j=null){let $=this.compile(E,k,j);return new Promise(
 Z=>{function Te(){if($.forEach(function(Pe){let Ie=ze.get(Pe).currentProgram;(Ie===void 0||Ie.isReady())&&$.delete(Pe)}),$.size===0){Z(E);return}setTimeout(Te,10)}
-qe.get("KHR_parallel_shader_compile")!==null?Te():setTimeout(Te,10)})};let ar=null;function rh(E){ar&&ar(E)}function Ta(){Wi.stop()}function Ai(){Wi.start()}let Wi=new yg;
-Wi.setAnimationLoop(rh),typeof self<"u"&&Wi.setContext(self),this.setAnimationLoop=function(E){ar=E,le.setAnimationLoop(E),E===null?Wi.stop():Wi.start()},le.addEventListener(
+qe.get("KHR_parallel_shader_compile")!==null?Te():setTimeout(Te,10)})};let lr=null;function rh(E){lr&&lr(E)}function Ta(){Wi.stop()}function Ai(){Wi.start()}let Wi=new yg;
+Wi.setAnimationLoop(rh),typeof self<"u"&&Wi.setContext(self),this.setAnimationLoop=function(E){lr=E,le.setAnimationLoop(E),E===null?Wi.stop():Wi.start()},le.addEventListener(
 "sessionstart",Ta),le.addEventListener("sessionend",Ai),this.render=function(E,k){if(k!==void 0&&k.isCamera!==!0){Ke("WebGLRenderer.render: camera is not an ins\
 tance of THREE.Camera.");return}if(I===!0)return;F!==null&&F.renderStart(E,k);let j=le.enabled===!0&&le.isPresenting===!0,$=N!==null&&(ce===null||j)&&N.begin(R,
 ce);if(E.matrixWorldAutoUpdate===!0&&E.updateMatrixWorld(),k.parent===null&&k.matrixWorldAutoUpdate===!0&&k.updateMatrixWorld(),le.enabled===!0&&le.isPresenting===
@@ -3714,7 +3714,7 @@ value=Z.state.hemi,Be.sunShadowMatrix.value=Z.state.sunShadowMatrix,Be.sunShadow
 directionalShadowMatrix,Be.spotLightMatrix.value=Z.state.spotLightMatrix,Be.spotLightMap.value=Z.state.spotLightMap,Be.pointShadowMatrix.value=Z.state.pointShadowMatrix),
 $.numLightProbeGrids=jt(b.state.lightProbeGridArray),$.currentProgram=dt,$.uniformsList=null,dt}function Wn(E,k,j,$,Z){let Te=ze.get(E),Pe=Te.currentProgram.id+
 ","+$+","+Z,Ae=Te.programVariants.get(Pe);return Ae===void 0?(Ae=Ei(E,k,j),Te.programVariants.set(Pe,Ae)):(Te.currentProgram=Ae,Te.uniformsList=null,Te.outputColorSpace=
-$,Te.toneMapping=Z),Ae}function fs(E){if(E.uniformsList===null){let k=E.currentProgram.getUniforms();E.uniformsList=oo.seqWithValue(k.seq,E.uniforms)}return E.uniformsList}
+$,Te.toneMapping=Z),Ae}function fs(E){if(E.uniformsList===null){let k=E.currentProgram.getUniforms();E.uniformsList=ao.seqWithValue(k.seq,E.uniforms)}return E.uniformsList}
 function mo(E,k){let j=ze.get(E);j.outputColorSpace=k.outputColorSpace,j.batching=k.batching,j.batchingColor=k.batchingColor,j.instancing=k.instancing,j.instancingColor=
 k.instancingColor,j.instancingMorph=k.instancingMorph,j.skinning=k.skinning,j.morphTargets=k.morphTargets,j.morphNormals=k.morphNormals,j.morphColors=k.morphColors,
 j.morphTargetsCount=k.morphTargetsCount,j.numClippingPlanes=k.numClippingPlanes,j.numIntersection=k.numClipIntersection,j.vertexAlphas=k.vertexAlphas,j.vertexTangents=
@@ -3731,8 +3731,8 @@ Ue.instancingColor===!1&&Z.instanceColor!==null||Z.isInstancedMesh&&Ue.instancin
 Z.morphTexture!==null||Ue.envMap!==ke||$.fog===!0&&Ue.fog!==Te||Ue.numClippingPlanes!==void 0&&(Ue.numClippingPlanes!==ie.numPlanes||Ue.numIntersection!==ie.numIntersection)||
 Ue.vertexAlphas!==je||Ue.vertexTangents!==dt||Ue.morphTargets!==Be||Ue.morphNormals!==ft||Ue.morphColors!==Xt||Ue.morphTargetsCount!==hn||Ue.numLightProbeGrids!==
 jt(b.state.lightProbeGridArray)?mt=!0:(Ue.outputColorSpace!==Ae||Ue.toneMapping!==Et)&&(qi=!0):(mt=!0,Ue.__version=$.version);let nn=Ue.currentProgram;(mt===!0||
-qi===!0)&&(nn=qi===!0?Wn($,k,Z,Ae,Et):Ei($,k,Z),F&&$.isNodeMaterial&&F.onUpdateProgram($,nn,Ue));let hr=!1,Ci=!1,$i=!1,ct=nn.getUniforms(),Yt=Ue.uniforms;if(be.
-useProgram(nn.program)&&(hr=!0,Ci=!0,$i=!0),$.id!==K&&(K=$.id,Ci=!0),hr||Q!==E){be.buffers.depth.getReversed()&&E.reversedDepth!==!0&&(E._reversedDepth=!0,E.updateProjectionMatrix()),
+qi===!0)&&(nn=qi===!0?Wn($,k,Z,Ae,Et):Ei($,k,Z),F&&$.isNodeMaterial&&F.onUpdateProgram($,nn,Ue));let ur=!1,Ci=!1,$i=!1,ct=nn.getUniforms(),Yt=Ue.uniforms;if(be.
+useProgram(nn.program)&&(ur=!0,Ci=!0,$i=!0),$.id!==K&&(K=$.id,Ci=!0),ur||Q!==E){be.buffers.depth.getReversed()&&E.reversedDepth!==!0&&(E._reversedDepth=!0,E.updateProjectionMatrix()),
 ct.setValue(B,"projectionMatrix",E.projectionMatrix),ct.setValue(B,"viewMatrix",E.matrixWorldInverse);let sn=ct.map.cameraPosition;sn!==void 0&&sn.setValue(B,gn.
 setFromMatrixPosition(E.matrixWorld)),it.logarithmicDepthBuffer&&ct.setValue(B,"logDepthBufFC",2/(Math.log(E.far+1)/Math.LN2)),($.isMeshPhongMaterial||$.isMeshToonMaterial||
 $.isMeshLambertMaterial||$.isMeshBasicMaterial||$.isMeshStandardMaterial||$.isShaderMaterial)&&ct.setValue(B,"isOrthographic",E.isOrthographicCamera===!0),Q!==E&&
@@ -3745,13 +3745,13 @@ exture",Z._indirectTexture,Xe),ct.setOptional(B,Z,"batchingColorTexture"),Z._col
 morphAttributes;if((In.position!==void 0||In.normal!==void 0||In.color!==void 0)&&re.update(Z,j,nn),(Ci||Ue.receiveShadow!==Z.receiveShadow)&&(Ue.receiveShadow=
 Z.receiveShadow,ct.setValue(B,"receiveShadow",Z.receiveShadow)),($.isMeshStandardMaterial||$.isMeshLambertMaterial||$.isMeshPhongMaterial)&&$.envMap===null&&k.environment!==
 null&&(Yt.envMapIntensity.value=k.environmentIntensity),Yt.dfgLUT!==void 0&&(Yt.dfgLUT.value=gw()),Ci){if(ct.setValue(B,"toneMappingExposure",R.toneMappingExposure),
-Ue.needsLights&&lr(Yt,$i),Te&&$.fog===!0&&_e.refreshFogUniforms(Yt,Te),_e.refreshMaterialUniforms(Yt,$,Se,Ee,b.state.transmissionRenderTarget[E.id]),Ue.needsLights&&
+Ue.needsLights&&cr(Yt,$i),Te&&$.fog===!0&&_e.refreshFogUniforms(Yt,Te),_e.refreshMaterialUniforms(Yt,$,Se,Ee,b.state.transmissionRenderTarget[E.id]),Ue.needsLights&&
 Ue.numLightProbeGrids>0){let Rt=M,sn=0;for(let Tn of b.state.lightProbeGridArray)Tn.texture!==null&&(Rt.textures[sn]=Tn.texture,Rt.min[sn]=Tn.boundingBox.min,Rt.
 max[sn]=Tn.boundingBox.max,Rt.resolution[sn]=Tn.resolution,sn++);for(let Tn in Rt)Rt[Tn].length=sn;Yt.probesSH.value=Rt.textures,Yt.probesMin.value=Rt.min,Yt.probesMax.
-value=Rt.max,Yt.probesResolution.value=Rt.resolution}oo.upload(B,fs(Ue),Yt,Xe)}if($.isShaderMaterial&&$.uniformsNeedUpdate===!0&&(oo.upload(B,fs(Ue),Yt,Xe),$.uniformsNeedUpdate=
+value=Rt.max,Yt.probesResolution.value=Rt.resolution}ao.upload(B,fs(Ue),Yt,Xe)}if($.isShaderMaterial&&$.uniformsNeedUpdate===!0&&(ao.upload(B,fs(Ue),Yt,Xe),$.uniformsNeedUpdate=
 !1),$.isSpriteMaterial&&ct.setValue(B,"center",Z.center),ct.setValue(B,"modelViewMatrix",Z.modelViewMatrix),ct.setValue(B,"normalMatrix",Z.normalMatrix),ct.setValue(
 B,"modelMatrix",Z.matrixWorld),$.uniformsGroups!==void 0){let Rt=$.uniformsGroups;for(let sn=0,Tn=Rt.length;sn<Tn;sn++){let Aa=Rt[sn];Ge.update(Aa,nn),Ge.bind(Aa,
-nn)}}return nn}function lr(E,k){E.ambientLightColor.needsUpdate=k,E.lightProbe.needsUpdate=k,E.sunLights.needsUpdate=k,E.sunLightShadows.needsUpdate=k,E.directionalLights.
+nn)}}return nn}function cr(E,k){E.ambientLightColor.needsUpdate=k,E.lightProbe.needsUpdate=k,E.sunLights.needsUpdate=k,E.sunLightShadows.needsUpdate=k,E.directionalLights.
 needsUpdate=k,E.directionalLightShadows.needsUpdate=k,E.pointLights.needsUpdate=k,E.pointLightShadows.needsUpdate=k,E.spotLights.needsUpdate=k,E.spotLightShadows.
 needsUpdate=k,E.rectAreaLights.needsUpdate=k,E.hemisphereLights.needsUpdate=k}function ps(E){return E.isMeshLambertMaterial||E.isMeshToonMaterial||E.isMeshPhongMaterial||
 E.isMeshStandardMaterial||E.isShadowMaterial||E.isShaderMaterial&&E.lights===!0}this.getActiveCubeFace=function(){return Y},this.getActiveMipmapLevel=function(){
@@ -3769,17 +3769,17 @@ de.copy(E.scissor),ue=E.scissorTest}else se.copy(Ve).multiplyScalar(Se).floor(),
 B.FRAMEBUFFER,$)&&be.drawBuffers(E,$),be.viewport(se),be.scissor(de),be.setScissorTest(ue),Z){let Ae=ze.get(E.texture);B.framebufferTexture2D(B.FRAMEBUFFER,B.COLOR_ATTACHMENT0,
 B.TEXTURE_CUBE_MAP_POSITIVE_X+k,Ae.__webglTexture,j)}else if(Te){let Ae=k;for(let Ie=0;Ie<E.textures.length;Ie++){let ke=ze.get(E.textures[Ie]);B.framebufferTextureLayer(
 B.FRAMEBUFFER,B.COLOR_ATTACHMENT0+Ie,ke.__webglTexture,j,Ae)}}else if(E!==null&&j!==0){let Ae=ze.get(E.texture);B.framebufferTexture2D(B.FRAMEBUFFER,B.COLOR_ATTACHMENT0,
-B.TEXTURE_2D,Ae.__webglTexture,j)}K=-1};function cr(E){let k=ze.get(E);return(k.__readFormat!==E.format||k.__readType!==E.type)&&(k.__readFormat=E.format,k.__readType=
+B.TEXTURE_2D,Ae.__webglTexture,j)}K=-1};function hr(E){let k=ze.get(E);return(k.__readFormat!==E.format||k.__readType!==E.type)&&(k.__readFormat=E.format,k.__readType=
 E.type,k.__formatReadable=it.textureFormatReadable(E.format),k.__typeReadable=it.textureTypeReadable(E.type)),k}this.readRenderTargetPixels=function(E,k,j,$,Z,Te,Pe,Ae=0){
 if(!(E&&E.isWebGLRenderTarget)){Ke("WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");return}let Ie=ze.get(E).__webglFramebuffer;
 if(E.isWebGLCubeRenderTarget&&Pe!==void 0&&(Ie=Ie[Pe],Array.isArray(Ie)&&(Ie=Ie[0])),Ie){be.bindFramebuffer(B.FRAMEBUFFER,Ie);try{let ke=E.textures[Ae],je=ke.format,
-dt=ke.type;E.textures.length>1&&B.readBuffer(B.COLOR_ATTACHMENT0+Ae);let Be=cr(ke);if(Be.__formatReadable===!1){Ke("WebGLRenderer.readRenderTargetPixels: render\
+dt=ke.type;E.textures.length>1&&B.readBuffer(B.COLOR_ATTACHMENT0+Ae);let Be=hr(ke);if(Be.__formatReadable===!1){Ke("WebGLRenderer.readRenderTargetPixels: render\
 Target is not in RGBA or implementation defined format.");return}if(Be.__typeReadable===!1){Ke("WebGLRenderer.readRenderTargetPixels: renderTarget is not in Uns\
 ignedByteType or implementation defined type.");return}k>=0&&k<=E.width-$&&j>=0&&j<=E.height-Z&&B.readPixels(k,j,$,Z,ge.convert(je),ge.convert(dt),Te)}finally{let ke=ce!==
 null?ze.get(ce).__webglFramebuffer:null;be.bindFramebuffer(B.FRAMEBUFFER,ke)}}},this.readRenderTargetPixelsAsync=async function(E,k,j,$,Z,Te,Pe,Ae=0){if(!(E&&E.
 isWebGLRenderTarget))throw new Error("THREE.WebGLRenderer.readRenderTargetPixels: renderTarget is not THREE.WebGLRenderTarget.");let Ie=ze.get(E).__webglFramebuffer;
 if(E.isWebGLCubeRenderTarget&&Pe!==void 0&&(Ie=Ie[Pe],Array.isArray(Ie)&&(Ie=Ie[0])),Ie)if(k>=0&&k<=E.width-$&&j>=0&&j<=E.height-Z){be.bindFramebuffer(B.FRAMEBUFFER,
-Ie);let ke=E.textures[Ae],je=ke.format,dt=ke.type;E.textures.length>1&&B.readBuffer(B.COLOR_ATTACHMENT0+Ae);let Be=cr(ke);if(Be.__formatReadable===!1)throw new Error(
+Ie);let ke=E.textures[Ae],je=ke.format,dt=ke.type;E.textures.length>1&&B.readBuffer(B.COLOR_ATTACHMENT0+Ae);let Be=hr(ke);if(Be.__formatReadable===!1)throw new Error(
 "THREE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in RGBA or implementation defined format.");if(Be.__typeReadable===!1)throw new Error("THR\
 EE.WebGLRenderer.readRenderTargetPixelsAsync: renderTarget is not in UnsignedByteType or implementation defined type.");let ft=B.createBuffer();B.bindBuffer(B.PIXEL_PACK_BUFFER,
 ft),B.bufferData(B.PIXEL_PACK_BUFFER,Te.byteLength,B.STREAM_READ),B.readPixels(k,j,$,Z,ge.convert(je),ge.convert(dt),0),B.bindBuffer(B.PIXEL_PACK_BUFFER,null);let Xt=ce!==
@@ -3794,7 +3794,7 @@ pow(2,-Z);Pe=Math.floor(Et.width*ct),Ae=Math.floor(Et.height*ct),E.isDataArrayTe
 k.isDataArrayTexture||k.isCompressedArrayTexture?(Xe.setTexture2DArray(k,0),Ue=B.TEXTURE_2D_ARRAY):(Xe.setTexture2D(k,0),Ue=B.TEXTURE_2D),be.activeTexture(B.TEXTURE0),
 be.pixelStorei(B.UNPACK_FLIP_Y_WEBGL,k.flipY),be.pixelStorei(B.UNPACK_PREMULTIPLY_ALPHA_WEBGL,k.premultiplyAlpha),be.pixelStorei(B.UNPACK_ALIGNMENT,k.unpackAlignment);
 let tn=be.getParameter(B.UNPACK_ROW_LENGTH),mt=be.getParameter(B.UNPACK_IMAGE_HEIGHT),qi=be.getParameter(B.UNPACK_SKIP_PIXELS),nn=be.getParameter(B.UNPACK_SKIP_ROWS),
-hr=be.getParameter(B.UNPACK_SKIP_IMAGES);be.pixelStorei(B.UNPACK_ROW_LENGTH,Et.width),be.pixelStorei(B.UNPACK_IMAGE_HEIGHT,Et.height),be.pixelStorei(B.UNPACK_SKIP_PIXELS,
+ur=be.getParameter(B.UNPACK_SKIP_IMAGES);be.pixelStorei(B.UNPACK_ROW_LENGTH,Et.width),be.pixelStorei(B.UNPACK_IMAGE_HEIGHT,Et.height),be.pixelStorei(B.UNPACK_SKIP_PIXELS,
 ke),be.pixelStorei(B.UNPACK_SKIP_ROWS,je),be.pixelStorei(B.UNPACK_SKIP_IMAGES,dt);let Ci=E.isDataArrayTexture||E.isData3DTexture,$i=k.isDataArrayTexture||k.isData3DTexture;
 if(E.isDepthTexture){let ct=ze.get(E),Yt=ze.get(k),In=ze.get(ct.__renderTarget),Rt=ze.get(Yt.__renderTarget);be.bindFramebuffer(B.READ_FRAMEBUFFER,In.__webglFramebuffer),
 be.bindFramebuffer(B.DRAW_FRAMEBUFFER,Rt.__webglFramebuffer);for(let sn=0;sn<Ie;sn++)Ci&&(B.framebufferTextureLayer(B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,ze.get(
@@ -3808,7 +3808,7 @@ In,ke,je,Pe,Ae):B.copyTexSubImage2D(Ue,Te,Be,ft,ke,je,Pe,Ae);be.bindFramebuffer(
 E.isData3DTexture?B.texSubImage3D(Ue,Te,Be,ft,Xt,Pe,Ae,Ie,Ct,hn,Et.data):k.isCompressedArrayTexture?B.compressedTexSubImage3D(Ue,Te,Be,ft,Xt,Pe,Ae,Ie,Ct,Et.data):
 B.texSubImage3D(Ue,Te,Be,ft,Xt,Pe,Ae,Ie,Ct,hn,Et):E.isDataTexture?B.texSubImage2D(B.TEXTURE_2D,Te,Be,ft,Pe,Ae,Ct,hn,Et.data):E.isCompressedTexture?B.compressedTexSubImage2D(
 B.TEXTURE_2D,Te,Be,ft,Et.width,Et.height,Ct,Et.data):B.texSubImage2D(B.TEXTURE_2D,Te,Be,ft,Pe,Ae,Ct,hn,Et);be.pixelStorei(B.UNPACK_ROW_LENGTH,tn),be.pixelStorei(
-B.UNPACK_IMAGE_HEIGHT,mt),be.pixelStorei(B.UNPACK_SKIP_PIXELS,qi),be.pixelStorei(B.UNPACK_SKIP_ROWS,nn),be.pixelStorei(B.UNPACK_SKIP_IMAGES,hr),Te===0&&k.generateMipmaps===
+B.UNPACK_IMAGE_HEIGHT,mt),be.pixelStorei(B.UNPACK_SKIP_PIXELS,qi),be.pixelStorei(B.UNPACK_SKIP_ROWS,nn),be.pixelStorei(B.UNPACK_SKIP_IMAGES,ur),Te===0&&k.generateMipmaps===
 !0&&k.mipmapsAutoUpdate===!0&&B.generateMipmap(Ue),be.unbindTexture()},this.initRenderTarget=function(E){ze.get(E).__webglFramebuffer===void 0&&Xe.setupRenderTarget(
 E)},this.initTexture=function(E){E.isCubeTexture?Xe.setTextureCube(E,0):E.isData3DTexture?Xe.setTexture3D(E,0):E.isDataArrayTexture||E.isCompressedArrayTexture?
 Xe.setTexture2DArray(E,0):Xe.setTexture2D(E,0),be.unbindTexture()},this.resetState=function(){Y=0,H=0,ce=null,be.reset(),Me.reset()},typeof __THREE_DEVTOOLS__<"\
@@ -3866,39 +3866,39 @@ i,3*t));function vw({points:i,triangles:e}){let t=new ln;t.setAttribute("positio
 n}var md={box:{geometry:()=>new Rs,has_edges:!0},sphere:{geometry:({radius:i})=>new Qo(i,Jc,Jc/2)},capsule:{geometry:i=>Lg(i.axis,new Jo(i.radius,2*i.half_length,
 8,Jc))},cylinder:{geometry:i=>Lg(i.axis,new Ps(i.radius,i.radius,2*i.half_length,Jc))},hull:{geometry:({points:i})=>new Zc(yw(i))},mesh:{geometry:vw}},gd=i=>i.shape!==
 "box"&&i.shape in md,Ng=i=>gd(i)?md[i.shape]:md.box,Dg=i=>gd(i)?"".concat(i.shape," ").concat(i.index):"box",_d=i=>i.size[0]>0?i.size:[pd,pd,pd],Ug=i=>gd(i)?[1,
-1,1]:_d(i);var ir=0;var Fg=2,Kc=3,Mw=32767,Sw=new xt().makeScale(0,0,0);function bw(i){return i.defines={USE_UV:""},i.onBeforeCompile=e=>{e.fragmentShader=e.fragmentShader.replace(
+1,1]:_d(i);var sr=0;var Fg=2,Kc=3,Mw=32767,Sw=new xt().makeScale(0,0,0);function bw(i){return i.defines={USE_UV:""},i.onBeforeCompile=e=>{e.fragmentShader=e.fragmentShader.replace(
 "#include <color_fragment>",["#include <color_fragment>","vec2 toEdge = min(vUv, 1.0 - vUv) / max(fwidth(vUv), vec2(1e-6));","float flatness = clamp(3.0 * max(f\
 width(vUv).x, fwidth(vUv).y), 0.0, 1.0);","diffuseColor.rgb *= mix(mix(0.5, 1.0, flatness), 1.0, smoothstep(0.4, 1.6, min(toEdge.x, toEdge.y)));"].join("\n"))},
 i}function ww(i,e){if(i==="marks")return new ls({wireframe:!0,depthTest:!1});let t=new ea;return e?bw(t):t}function Og(i,e,t){let n=new Vn,s=new Vn,r=[],o={count:0},
 a=null,l=h=>{for(let{mesh:f}of r)f.material.transparent=h,f.material.opacity=h?.45:1,f.material.depthWrite=!h,f.material.needsUpdate=!0,f.renderOrder=h?1:0},c=()=>{
 for(let{mesh:f}of r)n.remove(f),f.geometry.dispose(),f.material.dispose(),f.dispose();let h=new Map;for(let f=0;f<o.count;++f){let p=o.body(f),v=i==="marks"?"ma\
-rks":Dg(p);h.has(v)||h.set(v,{body:p,rows:[]}),h.get(v).rows.push(f)}r=[...h.values()].map(({body:f,rows:p})=>{let v=Ng(f),m=i==="marks"?new Qr(.5):v.geometry(f),
+rks":Dg(p);h.has(v)||h.set(v,{body:p,rows:[]}),h.get(v).rows.push(f)}r=[...h.values()].map(({body:f,rows:p})=>{let v=Ng(f),m=i==="marks"?new eo(.5):v.geometry(f),
 g=new As(m,ww(i,v.has_edges),p.length);return g.frustumCulled=!1,i==="marks"&&(g.renderOrder=2),n.add(g),{mesh:g,rows:p}}),i==="ghost"&&l(!0)},d=new st(e);n.add(
 s);let u={group:n,set_ghost:l,describe(h){o=h,c(),a&&u.show(...a)},show(h,f={}){a=[h,f];let p=new xt,v=new V,m=new Bn,g=new V,_=new st;for(let{mesh:w,rows:M}of r)
-M.forEach((C,b)=>{if(!(h&&C<h.rows&&h.mark[C]!==ir&&h.mark[C]!==Kc)||f.hidden?.(C))w.setMatrixAt(b,Sw);else{let S=o.body(C),N=h.rows;v.set(h.x[C],h.y[C],h.z[C]),
+M.forEach((C,b)=>{if(!(h&&C<h.rows&&h.mark[C]!==sr&&h.mark[C]!==Kc)||f.hidden?.(C))w.setMatrixAt(b,Sw);else{let S=o.body(C),N=h.rows;v.set(h.x[C],h.y[C],h.z[C]),
 i==="marks"?(g.setScalar(Math.min(..._d(S))),m.identity()):(g.set(...Ug(S)),m.set(h.turn[N+C],h.turn[2*N+C],h.turn[3*N+C],h.turn[C]).normalize()),w.setMatrixAt(
 b,p.compose(v,m,g))}_.copy(d),f.colour?.(C,_,h),w.setColorAt(b,_)}),w.instanceMatrix.needsUpdate=!0,w.instanceColor&&(w.instanceColor.needsUpdate=!0),w.boundingSphere=
 null;u.mark_lost(f.lost??[])},mark_lost(h){for(let v of[...s.children])s.remove(v),v.geometry.dispose(),v.material.dispose();if(h.length===0)return;let f=new As(
-new Qr(.7),new ls({color:t.bad,wireframe:!0,depthTest:!1}),h.length);f.frustumCulled=!1,f.renderOrder=4;let p=new xt;h.forEach(({at:v,size:m},g)=>{f.setMatrixAt(
+new eo(.7),new ls({color:t.bad,wireframe:!0,depthTest:!1}),h.length);f.frustumCulled=!1,f.renderOrder=4;let p=new xt;h.forEach(({at:v,size:m},g)=>{f.setMatrixAt(
 g,p.compose(new V(...v),new Bn,new V().setScalar(m)))}),s.add(f)},hits(h){return r.flatMap(({mesh:f,rows:p})=>{let v=[];return f.raycast(h,v),v.map(m=>({distance:m.
 distance,row:p[m.instanceId]}))})}};return u}function Bg(i,e){let t=new Int16Array(4*i);for(let n=0;n<i;++n)e(n).forEach((s,r)=>{t[r*i+n]=Math.round(Mw*s)});return t}var kg=1e3/30,Tw=[.05,.1,.25,.5,1,2,4,8,16],Aw={first:"M5 4v12M16 4l-8 6 8 6z",back:"M15 4l-9 6 9 6z",less:"M12 5l-6 5 6 5",more:"M8 5l6 5-6 5",play:"M6 4l9 6-9\
  6z",last:"M15 4v12M4 4l8 6-8 6z",pause:"M6 4v12M13 4v12"};function zg(i){let e=document.createElement("span");return e.className="icon",e.innerHTML='<svg viewB\
 ox="0 0 20 20" aria-hidden="true" fill="none" stroke="currentColor" stroke-width="2" '+'stroke-linejoin="round" stroke-linecap="round"><path d="'.concat(Aw[i],'\
-"/></svg>'),e}function Fs(i,e,t){let n=q("button",{type:"button",className:i,title:e},zg(i));return n.setAttribute("aria-label",e),n.addEventListener("click",t),
-n}var sr=class{constructor(e,t,n=null){this.first=e,this.last=t,this.list=n}at_or_before(e){let t=Math.min(this.last,Math.max(this.first,Math.round(e)));return this.
+"/></svg>'),e}function Fs(i,e,t){let n=X("button",{type:"button",className:i,title:e},zg(i));return n.setAttribute("aria-label",e),n.addEventListener("click",t),
+n}var rr=class{constructor(e,t,n=null){this.first=e,this.last=t,this.list=n}at_or_before(e){let t=Math.min(this.last,Math.max(this.first,Math.round(e)));return this.
 list?this.list[Math.max(0,this.rank(t))]:t}rank(e){let t=0,n=this.list.length;for(;t<n;){let s=t+n>>1;this.list[s]<=e?t=s+1:n=s}return t-1}beside(e,t){return this.
 list?this.list[Math.min(this.list.length-1,Math.max(0,this.rank(e)+t))]:this.at_or_before(e+t)}};function jc({steps:i,dt:e,show:t,label:n="step shown",full:s=!0}){
-let r=i.first,o=null,a=0,l=r,c=performance.now(),d=q("input",{type:"range",className:"scrubber",min:i.first,max:i.last,value:r});d.setAttribute("aria-label",n);
-let u=q("select",{className:"speed"},...Tw.map(S=>q("option",{value:S,textContent:"\xD7".concat(S),selected:S===1})));u.setAttribute("aria-label","speed of play\
-ing");let h=q("input",{type:"number",className:"step",min:i.first,max:i.last,value:r});h.setAttribute("aria-label","step");let f=()=>{d.value=r,document.activeElement!==
+let r=i.first,o=null,a=0,l=r,c=performance.now(),d=X("input",{type:"range",className:"scrubber",min:i.first,max:i.last,value:r});d.setAttribute("aria-label",n);
+let u=X("select",{className:"speed"},...Tw.map(S=>X("option",{value:S,textContent:"\xD7".concat(S),selected:S===1})));u.setAttribute("aria-label","speed of play\
+ing");let h=X("input",{type:"number",className:"step",min:i.first,max:i.last,value:r});h.setAttribute("aria-label","step");let f=()=>{d.value=r,document.activeElement!==
 h&&(h.value=r),t(r)},p=()=>{clearInterval(o),o=null,a=0,C()},v=S=>{let N=i.at_or_before(S);if(N===r){d.value=r;return}r=N,f()},m=S=>{p(),v(S)},g=()=>{let S=performance.
 now();l+=a*Number(u.value)*Math.min(.25,(S-c)/1e3)/Math.max(e(),1e-9),c=S,v(l),(a>0?l>=i.last:l<=i.first)&&p()},_=S=>{if(a===S)return p();p(),a=S,S>0&&r>=i.at_or_before(
 i.last)&&v(i.first),S<0&&r<=i.first&&v(i.last),l=r,c=performance.now(),o=setInterval(g,kg),C()},w=Fs("play","play",()=>_(1)),M=Fs("back","play backwards",()=>_(
 -1));function C(){for(let[S,N,R,I]of[[w,1,"play","play"],[M,-1,"back","play backwards"]]){let F=a===N;S.replaceChildren(zg(F?"pause":R)),S.setAttribute("aria-la\
 bel",F?"pause":I),S.title=F?"pause":I}}let b=S=>{p(),v(i.beside(r,S))};return d.addEventListener("input",()=>m(Number(d.value))),d.addEventListener("keydown",S=>{
 let N={ArrowLeft:-1,ArrowDown:-1,ArrowRight:1,ArrowUp:1,PageUp:10,PageDown:-10}[S.key];N===void 0||S.ctrlKey||S.metaKey||S.altKey||(S.preventDefault(),S.stopPropagation(),
-b(S.shiftKey?10*N:N))}),h.addEventListener("change",()=>{m(Number(h.value)),h.value=r}),{bar:s?q("div",{className:"player"},Fs("first","first step",()=>m(i.first)),
-M,Fs("less","one step back",()=>b(-1)),Fs("more","one step on",()=>b(1)),w,Fs("last","last step",()=>m(i.last)),u,d,h):q("div",{className:"player"},M,Fs("less",
+b(S.shiftKey?10*N:N))}),h.addEventListener("change",()=>{m(Number(h.value)),h.value=r}),{bar:s?X("div",{className:"player"},Fs("first","first step",()=>m(i.first)),
+M,Fs("less","one step back",()=>b(-1)),Fs("more","one step on",()=>b(1)),w,Fs("last","last step",()=>m(i.last)),u,d,h):X("div",{className:"player"},M,Fs("less",
 "one step back",()=>b(-1)),Fs("more","one step on",()=>b(1)),w,d),slider:d,seek:m,move:b,play:_,stop:p,get step(){return r},get direction(){return a},get stride(){
 return Math.max(1,Number(u.value)*kg/1e3/Math.max(e(),1e-9))},set_last(S){let N=r===i.last;return i.last=S,d.max=h.max=S,N},refresh:f}}function Qc(i,e,t=null){let n=0,s=new Map,r=()=>{let[l,c]=[...s.values()];return Math.hypot(l.x-c.x,l.y-c.y)};i.addEventListener("pointerdown",l=>{i.setPointerCapture(
 l.pointerId),i.focus({preventScroll:!0}),s.set(l.pointerId,{x:l.clientX,y:l.clientY}),n=0}),i.addEventListener("pointermove",l=>{if(l.buttons!==0){if(n+=Math.abs(
@@ -3914,11 +3914,11 @@ centre:n,radius:Math.max(s/2+Math.min(Math.max(e,.1),4),.001)}}var Ew=.07,Cw=.25
 opacity:.9}),r=[];return{group:e,show(o,a){for(let p of r)e.remove(p),p.dispose();if(r=[],o.length===0)return;let[l,c]=r=[t,n].map(p=>new As(p,s,o.length)),d=Ew*
 a,u=Math.max(...o.map(p=>p.impulse),1e-30),h=new V(0,1,0),f=new xt;o.forEach(({at:p,normal:v,impulse:m},g)=>{let _=d*Math.max(Cw,Math.sqrt(Math.max(0,m)/u)),w=new Bn().
 setFromUnitVectors(h,new V(...v).normalize()),M=new V(...p),C=d*.05;l.setMatrixAt(g,f.compose(M,w,new V(C,_*.7,C)));let b=new V(0,_*.7,0).applyQuaternion(w).add(
-M);c.setMatrixAt(g,f.compose(b,w,new V(C*3.4,_*.3,C*3.4)))});for(let p of r)p.frustumCulled=!1,p.renderOrder=3,e.add(p)}}}var yd=40,Rw=2;function Pw(i,e){let t=new ln;t.setAttribute("position",new yt(i,3));let n=new jr(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),
+M);c.setMatrixAt(g,f.compose(b,w,new V(C*3.4,_*.3,C*3.4)))});for(let p of r)p.frustumCulled=!1,p.renderOrder=3,e.add(p)}}}var yd=40,Rw=2;function Pw(i,e){let t=new ln;t.setAttribute("position",new yt(i,3));let n=new Qr(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),
 n}function xd(i){i.traverse?.(e=>{e.geometry?.dispose(),e.material?.dispose(),e.dispose?.()}),i.removeFromParent()}function Iw(i,e){let t={around:-.9,up:.45,distance:.82*
 i/Math.sin(yd/2*Math.PI/180),centre:new V};if(e){let n=new V(...e.position).sub(new V(...e.target));t.around=Math.atan2(n.y,n.x),t.up=Math.min(1.5,Math.max(-.3,
 Math.asin(n.z/n.length())))}return t}function th(i,{hue:e,box:t,camera:n,ground:s=!0}){let r=new Gc({canvas:i,antialias:!0,alpha:!0});r.setPixelRatio(Math.min(devicePixelRatio,
-Rw));let{radius:o}=t,a=new Go,l=new Fn(yd,1,o/200,o*200);l.up.set(0,0,1);let c=new eo("#ffffff",2.2);c.position.set(.45,-.7,1);let d=new eo("#ffffff",.7);if(d.position.
+Rw));let{radius:o}=t,a=new Go,l=new Fn(yd,1,o/200,o*200);l.up.set(0,0,1);let c=new to("#ffffff",2.2);c.position.set(.45,-.7,1);let d=new to("#ffffff",.7);if(d.position.
 set(-.8,.3,.4),a.add(new sa("#ffffff","#c9d1da",1.9),c,d),s){let b=new ca(8*o,40,e.line,e.line);b.rotation.x=Math.PI/2,b.position.set(t.centre[0],t.centre[1],0),
 a.add(b)}let u=Iw(o,n);u.centre.set(...t.centre);let h=[],f=new Vn;a.add(f);let p=Vg(e);f.add(p.group);let v=!1,m=!1,g=()=>{let b=u.distance*Math.max(1,.95/l.aspect),
 x=Math.cos(u.up)*b;l.position.set(u.centre.x+x*Math.cos(u.around),u.centre.y+x*Math.sin(u.around),u.centre.z+b*Math.sin(u.up)),l.lookAt(u.centre)},_=()=>v&&h.length===
@@ -3938,8 +3938,8 @@ let t=Math.max(0,...e.flat());return i.bodies.id.map((n,s)=>{let r=1e3*Math.min(
 function Gg(i,e,t){let n=i.bodies.id.length,s={rows:n,x:new Float32Array(n),y:new Float32Array(n),z:new Float32Array(n),mark:new Uint8Array(n),turn:Bg(n,r=>{let o=t?.
 slice(4*r,4*r+4)??[];return o.length===4&&!o.includes(null)?o:[1,0,0,0]})};for(let r=0;r<n;++r){let o=Os(e,r);o&&([s.x[r],s.y[r],s.z[r]]=o,s.mark[r]=1)}return s}
 function Hg(i,e,t){let n=i.bodies.id.map((o,a)=>Math.max(...t.map(l=>l[a]??0))),s=n.map((o,a)=>a).sort((o,a)=>n[a]-n[o]).slice(0,Nw),r=[];for(let o of s)for(let a=1;a<
-e.length;++a){let l=Os(e[a-1],o),c=Os(e[a],o);l&&c&&r.push(...l,...c)}return r}var vd=(i,e)=>{let t=q("span",{className:"key"});return t.innerHTML='<svg viewBox\
-="0 0 36 16" aria-hidden="true" fill="none" stroke-width="2">'.concat(i,"</svg>"),t.append(e),t};function Ow(){return q("p",{},vd('<path d="M0 8H36" stroke="var\
+e.length;++a){let l=Os(e[a-1],o),c=Os(e[a],o);l&&c&&r.push(...l,...c)}return r}var vd=(i,e)=>{let t=X("span",{className:"key"});return t.innerHTML='<svg viewBox\
+="0 0 36 16" aria-hidden="true" fill="none" stroke-width="2">'.concat(i,"</svg>"),t.append(e),t};function Ow(){return X("p",{},vd('<path d="M0 8H36" stroke="var\
 (--actual)"/><rect x="12" y="2" width="12" height="12" fill="var(--actual)"/>',"this run"),vd('<path d="M0 8H36" stroke="var(--expected)" stroke-dasharray="5 4"\
 />\n      <path d="M18 1l7 7-7 7-7-7z" stroke="var(--expected)"/>',"expected, if to be seen elsewhere"),vd('<path d="M0 8H36" stroke="var(--bad)"/>',"from one t\
 o the other"))}function Bw(i,e,t){let n=e[t].map((c,d)=>({value:c,id:i.bodies.id[d]})).filter(({value:c})=>c!==null),s="step ".concat(i.frames.step[t]),r=i.bodies.
@@ -3950,7 +3950,7 @@ Md).length;return l===0?"".concat(s,": every body within ").concat(Md," mm of wh
 shape:"box",size:i.bodies.size.slice(3*e,3*e+3)})}}function zw(i){let e=[...i.frames.actual_mm,...i.frames.expected_mm].filter(n=>n!==null),t=[0,1,2].map(n=>e.flatMap(
 s=>s.filter((r,o)=>o%3===n&&r!==null)).map(s=>s/1e3));return eh(t,Math.max(...i.bodies.size,.1))}var Sd=class{constructor(e,t,n){Object.assign(this,{place:e,data:t,
 apart:n,frame:0,stage:null,last_view:null}),this.limits=Fw(t,n),new IntersectionObserver(s=>{s.at(-1).isIntersecting?this.open():this.close()},{rootMargin:"100p\
-x"}).observe(e)}open(){if(this.stage)return;let e=q("canvas",{tabIndex:0});e.setAttribute("role","img"),e.setAttribute("aria-label","The bodies in three dimensi\
+x"}).observe(e)}open(){if(this.stage)return;let e=X("canvas",{tabIndex:0});e.setAttribute("role","img"),e.setAttribute("aria-label","The bodies in three dimensi\
 ons. Arrow keys turn the view, + and - zoom."),this.place.replaceChildren(e);let t=Ki(),n=zw(this.data);try{this.stage=th(e,{hue:t,box:n})}catch{this.place.textContent=
 "This browser has no WebGL, so there is no view; the words below say the same.";return}this.last_view&&Object.assign(this.stage.view,this.last_view),this.actual=
 this.stage.add_session("solid",t.actual),this.expected=this.stage.add_session("marks",t.expected);for(let s of[this.actual,this.expected])s.describe(kw(this.data));
@@ -3960,16 +3960,16 @@ this.data.frames.expected_mm,this.apart),colour:t.expected,dash:n.radius/40}),Qc
 s=o=>this.apart[e][o]!==null&&this.apart[e][o]<=this.limits[o];this.actual.show(Gg(this.data,t.actual_mm[e],t.actual_turn[e]),{colour:(o,a)=>a.offsetHSL(0,0,.035*
 (o%5-2))}),this.expected.show(Gg(this.data,t.expected_mm[e],null),{hidden:s});let r=n.id.flatMap((o,a)=>{let l=Os(t.actual_mm[e],a),c=Os(t.expected_mm[e],a);return l&&
 c&&!s(a)?[...l,...c]:[]});this.stage.set_lines("links",{points:r,colour:Ki().bad,on_top:!0}),this.stage.draw_now()}resize(){let{clientWidth:e,clientHeight:t}=this.
-place;e>0&&this.stage?.resize(e,t)}};function Wg(i,e,t){let n=e.frames.step.length-1;if(n<0||e.bodies.id.length===0)return null;let s=Uw(e),r=q("div",{className:"\
-view3d"}),o=q("output"),a=new Sd(r,e,s),l=jc({steps:new sr(0,n),dt:()=>Dw,full:!1,show:d=>{let u=Bw(e,s,d);l.slider.setAttribute("aria-valuetext",u),o.value=u,a.
-show(d),t(e.frames.step[d])}});i.append(q("h3",{textContent:"Where the bodies went"}),Ow(),r,q("div",{className:"controls"},l.bar,o),q("p",{className:"soft",textContent:"\
+place;e>0&&this.stage?.resize(e,t)}};function Wg(i,e,t){let n=e.frames.step.length-1;if(n<0||e.bodies.id.length===0)return null;let s=Uw(e),r=X("div",{className:"\
+view3d"}),o=X("output"),a=new Sd(r,e,s),l=jc({steps:new rr(0,n),dt:()=>Dw,full:!1,show:d=>{let u=Bw(e,s,d);l.slider.setAttribute("aria-valuetext",u),o.value=u,a.
+show(d),t(e.frames.step[d])}});i.append(X("h3",{textContent:"Where the bodies went"}),Ow(),r,X("div",{className:"controls"},l.bar,o),X("p",{className:"soft",textContent:"\
 Drag or use the arrow keys to turn, + and - to zoom. Lines: the ways of the bodies that went furthest astray."}));let c=s.map(d=>Math.max(...d.map(u=>u??0)));return l.
 seek(c.indexOf(Math.max(...c))),l.refresh(),{resize:()=>a.resize(),redraw(){a.close(),a.open()}}}var Xg=5e-4,qg=24,Vw=50,Gw={crate:"#c99a5b",brick:"#b8573f",wood:"#b58550",concrete:"#98a2ad",white:"#dfe4e8"},$g=(i,e)=>e.setHSL(.62*(1-Math.min(1,Math.max(0,i))),
 .75,.5),nh=class{constructor(e,t,n){Object.assign(this,{place:e,sessions:t,picked:n,frames:[null,null],selected:null,paint:"material",contacts:null,with_contacts:!1,
-with_ways:!1,side_by_side:!1,following:!1,ways:new Map,lost_places:new Map,top_speed:1,focus:null}),this.open()}open(){let e=q("canvas",{tabIndex:0});e.setAttribute(
-"role","img"),e.setAttribute("aria-label","The bodies in three dimensions. Arrow keys turn the view, + and - zoom."),this.canvas=e,this.tags=this.sessions.map((t,n)=>q(
-"span",{className:"tag",hidden:this.sessions.length<2,textContent:n===0?"A":"B, ghost"})),this.over=q("p",{className:"over-view",hidden:!0}),this.place.replaceChildren(
-e,...this.tags,this.over),this.stage=null}start(){this.hue=Ki();let e=this.frames.find(a=>a&&a.rows>0),t=a=>e?Array.from(e[a]).filter((l,c)=>e.mark[c]!==ir):[],
+with_ways:!1,side_by_side:!1,following:!1,ways:new Map,lost_places:new Map,top_speed:1,focus:null}),this.open()}open(){let e=X("canvas",{tabIndex:0});e.setAttribute(
+"role","img"),e.setAttribute("aria-label","The bodies in three dimensions. Arrow keys turn the view, + and - zoom."),this.canvas=e,this.tags=this.sessions.map((t,n)=>X(
+"span",{className:"tag",hidden:this.sessions.length<2,textContent:n===0?"A":"B, ghost"})),this.over=X("p",{className:"over-view",hidden:!0}),this.place.replaceChildren(
+e,...this.tags,this.over),this.stage=null}start(){this.hue=Ki();let e=this.frames.find(a=>a&&a.rows>0),t=a=>e?Array.from(e[a]).filter((l,c)=>e.mark[c]!==sr):[],
 n=this.sessions[0].bodies,s=.1;for(let a=0;a<n.count;++a)n.is_static(a)||(s=Math.max(s,...n.size(a)));let{camera:r,ground:o}=this.sessions[0].head;this.box=eh([
 "x","y","z"].map(t),s);try{this.stage=th(this.canvas,{hue:this.hue,box:this.box,camera:r,ground:o})}catch{this.place.textContent="This browser has no WebGL, so \
 there is no view; timeline, search and numbers work.";return}this.bodies=this.sessions.map((a,l)=>{let c=this.stage.add_session(l===0?"solid":"ghost",l===0?this.
@@ -3978,7 +3978,7 @@ bodies.id(c.row):null)}),this.set_side_by_side(this.side_by_side),this.resize()}
 if(!this.stage)return;let e={...this.stage.view};this.stage.dispose(),this.open(),this.start(),this.stage&&Object.assign(this.stage.view,e),this.show()}reset_view(){
 let{stage:e}=this;e&&(e.dispose(),this.open(),this.following=!1,this.start(),this.show())}set_side_by_side(e){this.side_by_side=e,this.place.classList.toggle("h\
 alves",e),this.tags[1]&&(this.tags[1].textContent=e?"B":"B, ghost"),this.stage?.set_side_by_side(e),this.show()}place_of(e,t){let n=this.frames[e],s=this.sessions[e]?.
-bodies.row(t);return!n||s===void 0||s>=n.rows||n.mark[s]===ir||n.mark[s]===Kc?null:[n.x[s],n.y[s],n.z[s]]}apart(e){let[t,n]=[this.place_of(0,e),this.place_of(1,
+bodies.row(t);return!n||s===void 0||s>=n.rows||n.mark[s]===sr||n.mark[s]===Kc?null:[n.x[s],n.y[s],n.z[s]]}apart(e){let[t,n]=[this.place_of(0,e),this.place_of(1,
 e)];return t&&n?Math.hypot(t[0]-n[0],t[1]-n[1],t[2]-n[2]):null}colour_of(e,t){let{bodies:n}=e;return(s,r)=>{let o=n.id(s);if(o===this.selected)return r.set(this.
 hue.select);if(this.paint==="speed")return $g(t.speed[s]/this.top_speed,r);if(this.paint==="apart")return $g(Math.log10(Math.max(1e-9,this.apart(o)??0)/1e-9)/9,
 r);let a=t.mark[s]===Fg;return this.paint==="state"?r.set(n.is_static(s)?this.hue.soft:a?this.hue.asleep:this.hue.actual):(r.set(Gw[n.texture(s)]??this.hue.actual),
@@ -3998,63 +3998,65 @@ s===0)).slice(0,qg).map(o=>e.id(o))}async show_ways(){if(!this.stage)return;let 
 sessions.map(async n=>{let s=[];for(let r of e){if(n.bodies.row(r)===void 0)continue;let o=await n.way(r);for(let a=1;a<o.step.length;++a){let l=o.at.slice(3*a-
 3,3*a+3);l.includes(null)||s.push(...l)}}return s}));this.stage&&(this.stage.set_lines("ways A",{points:t[0],colour:this.hue.way,opacity:.9}),this.stage.set_lines(
 "ways B",t[1]?{points:t[1],colour:this.hue.expected,dash:this.box.radius/40}:null))}resize(){let{clientWidth:e,clientHeight:t}=this.place;e>0&&this.stage?.resize(
-e,t)}};var rr=(i,e="")=>q("span",{className:"chip ".concat(e),textContent:i});function Hw(i){let{head:e,bodies:t,rows:n}=i,s=e.last-e.first,r=[rr(e.engine??"method ".concat(
-e.method)),rr("".concat(s," step").concat(s===1?"":"s")),rr("".concat(Number(i.time_of(e.last).toPrecision(4))," s")),rr("".concat(t.count," bodies"))];return e.
-finished?(!e.sound||i.gaps().length>0)&&r.push(rr("damaged","fail")):r.push(rr("not finished: followed to its last chunk","warn")),n.lost.some(o=>o>0)&&r.push(rr(
+e,t)}};var or=(i,e="")=>X("span",{className:"chip ".concat(e),textContent:i});function Hw(i){let{head:e,bodies:t,rows:n}=i,s=e.last-e.first,r=[or(e.engine??"method ".concat(
+e.method)),or("".concat(s," step").concat(s===1?"":"s")),or("".concat(Number(i.time_of(e.last).toPrecision(4))," s")),or("".concat(t.count," bodies"))];return e.
+finished?(!e.sound||i.gaps().length>0)&&r.push(or("damaged","fail")):r.push(or("not finished: followed to its last chunk","warn")),n.lost.some(o=>o>0)&&r.push(or(
 "bodies lost","fail")),r}function Ww(i){let e=[],t=i.sessions.length===2;i.sessions.forEach((s,r)=>{let o=t?"".concat("AB"[r],": "):"",{head:a,thin:l}=s;!a.sound&&
 a.finished&&e.push(["fail","".concat(o).concat(a.summary)]);for(let[f,p,v]of s.gaps())e.push(["fail","".concat(o,"steps ").concat(f," to ").concat(p,": ").concat(
 v)]);if(a.axes&&e.push(["","".concat(o,"the log's table has other axes (").concat(a.axes,"); this page shows lengths in m, z up")]),!l)return;let c=l.every>1,d=c?
-"is thinned: it has ".concat(l.steps.length," of ").concat(a.last-a.first+1," states (one in ").concat(l.every,", and those of inputs)"):"has every state",u=a.ours?
-", with the contacts of ".concat(l.contact_steps," states"):"",h=l.rows_run>1?"; its timeline has the largest values of ".concat(l.rows_run," steps each"):"";e.
-push([c?"warn":"","".concat(o,"This page ").concat(d,", rounded to 0.1 mm").concat(u).concat(h,". Served by tumble view it has every bit.")])});let n=i.sessions[0].
-rows.begun_why_not;return n&&e.push(["","Contacts begun are not counted: ".concat(n)]),e}function Yg(i){let e=q("h1"),t=q("div",{className:"facts"}),n=q("div",{
-className:"notices"}),s=q("p",{className:"trouble",hidden:!0});s.setAttribute("role","status");let r=a=>a.slice(a.lastIndexOf("/")+1),o=()=>{let{sessions:a}=i;e.
-replaceChildren(...a.flatMap(({head:l},c)=>{let d=q("span",{textContent:r(l.path),title:l.path});return a.length===1?[d]:[q("span",{className:"side side-".concat(
-"ab"[c]),textContent:"AB"[c]}),d," "]})),t.replaceChildren(...a.flatMap((l,c)=>[...c>0?[q("span",{className:"side side-b",textContent:"B"})]:[],...l.head.title&&
-c===0?[q("span",{className:"soft scene",textContent:l.head.title})]:[],...Hw(l)])),n.replaceChildren(...Ww(i).map(([l,c])=>q("p",{className:l,textContent:c})))};
-return o(),{place:q("header",{},e,t,n,s),show:o,trouble(a){s.hidden=a===null,s.textContent=a===null?"":"The server does not answer as it should (".concat(a.message,
-"). ")+"If tumble view was ended, start it again."}}}var Xw=12,wa=i=>String(typeof i=="number"?i:i??"\u2013"),or=(i,e="")=>q("td",{textContent:i,className:e}),lo=(...i)=>q("tr",{},...i);function Rn(i,e,t=""){let n=q(
-"button",{type:"button",className:"link",textContent:i,title:t});return n.addEventListener("click",e),n}function Bs(i,{open:e=!0,id:t=""}={}){let n=q("div",{className:"\
-inside"});return{place:q("details",{open:e,className:"panel",id:t},q("summary",{},q("h2",{textContent:i})),n),body:n}}function Jg(i,{id:e,name:t,size:n,answers:s,
-actions:r,asked:o=null}){let a=s.length===2?["A","B"]:["value"],l=s.find(f=>f.why_not),c=q("table",{className:"numbers"});c.append(q("thead",{},lo(q("th",{textContent:"\
-field"}),...a.map(f=>q("th",{textContent:f,className:"number"})))));let d=q("tbody"),u=s.find(f=>f.fields);for(let[f,{field:p}]of(u?.fields??[]).entries()){let v=s.
-map(w=>w.fields?.[f]),m=v.map(w=>w?.hex??String(w?.value)),g=m.length===2&&m[0]!==m[1],_=lo(q("th",{scope:"row",textContent:p}),...v.map(w=>{let M=or("","number");
+"is thinned: it has ".concat(l.steps.length," of ").concat(a.last-a.first+1," states (one in ").concat(l.every,", and those of inputs)"):"has every state",u=!a.
+ours&&l.contact_steps===0?"":", with the contacts of ".concat(l.contact_steps," states"),h=l.rows_run>1?"; its timeline has the largest values of ".concat(l.rows_run,
+" steps each"):"";e.push([c?"warn":"","".concat(o,"This page ").concat(d,", rounded to 0.1 mm").concat(u).concat(h,". Served by tumble view it has every bit.")])});
+let n=i.sessions[0].rows.begun_why_not;return n&&e.push(["","Contacts begun are not counted: ".concat(n)]),e}function Yg(i){let e=X("h1"),t=X("div",{className:"\
+facts"}),n=X("div",{className:"notices"}),s=X("p",{className:"trouble",hidden:!0});s.setAttribute("role","status");let r=a=>a.slice(a.lastIndexOf("/")+1),o=()=>{
+let{sessions:a}=i;e.replaceChildren(...a.flatMap(({head:l},c)=>{let d=X("span",{textContent:r(l.path),title:l.path});return a.length===1?[d]:[X("span",{className:"\
+side side-".concat("ab"[c]),textContent:"AB"[c]}),d," "]})),t.replaceChildren(...a.flatMap((l,c)=>[...c>0?[X("span",{className:"side side-b",textContent:"B"})]:
+[],...l.head.title&&c===0?[X("span",{className:"soft scene",textContent:l.head.title})]:[],...Hw(l)])),n.replaceChildren(...Ww(i).map(([l,c])=>X("p",{className:l,
+textContent:c})))};return o(),{place:X("header",{},e,t,n,s),show:o,trouble(a){s.hidden=a===null,s.textContent=a===null?"":"The server does not answer as it shou\
+ld (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var Xw=12,wa=i=>String(typeof i=="number"?i:i??"\u2013"),Bs=(i,e="")=>X("td",{textContent:i,className:e}),ar=(...i)=>X("tr",{},...i);function Rn(i,e,t=""){let n=X(
+"button",{type:"button",className:"link",textContent:i,title:t});return n.addEventListener("click",e),n}function ks(i,{open:e=!0,id:t=""}={}){let n=X("div",{className:"\
+inside"});return{place:X("details",{open:e,className:"panel",id:t},X("summary",{},X("h2",{textContent:i})),n),body:n}}function Jg(i,{id:e,name:t,size:n,answers:s,
+actions:r,asked:o=null}){let a=s.length===2?["A","B"]:["value"],l=s.find(f=>f.why_not),c=X("table",{className:"numbers"});c.append(X("thead",{},ar(X("th",{textContent:"\
+field"}),...a.map(f=>X("th",{textContent:f,className:"number"})))));let d=X("tbody"),u=s.find(f=>f.fields);for(let[f,{field:p}]of(u?.fields??[]).entries()){let v=s.
+map(w=>w.fields?.[f]),m=v.map(w=>w?.hex??String(w?.value)),g=m.length===2&&m[0]!==m[1],_=ar(X("th",{scope:"row",textContent:p}),...v.map(w=>{let M=Bs("","number");
 return w&&o?M.append(Rn(wa(w.value),()=>o(p),"".concat(w.hex??""," \u2013 where does it come from?"))):M.textContent=wa(w?.value),w?.hex&&(M.title=w.hex),M}));_.
 classList.toggle("differs",g),d.append(_)}c.append(d);let h=[t,n[0]>0?"".concat(n.map(f=>Number(f.toPrecision(4))).join(" \xD7 ")," m"):"size unknown"];u&&h.push(
-u.frozen?"asleep":"awake"),i.replaceChildren(q("p",{},q("strong",{textContent:"Body ".concat(e)})," ".concat(h.join(" \xB7 "))),r),u&&i.append(q("div",{className:"\
-scroll"},c)),l&&i.append(q("p",{className:"soft",textContent:"".concat(s.length===2?"".concat(s.indexOf(l)===0?"A":"B",": "):"").concat(l.why_not)})),u?.rounded&&
-i.append(q("p",{className:"soft",textContent:"Rounded in this page; tumble dump prints every bit."}))}function Kg(i,e,t,n,s){if(!e)return i.replaceChildren(q("p",
-{className:"soft",textContent:"\u2026"}));if(e.why_not){i.replaceChildren(q("p",{className:"soft",textContent:e.why_not})),e.near!==null&&e.near!==void 0&&i.append(
-q("p",{},"The nearest with contacts: ",Rn("step ".concat(e.near),()=>s(e.near))));return}let r=e.rows.filter(([u,h])=>t===null||u===t||h===t),o=[...r].sort((u,h)=>(h[9]??
-0)-(u[9]??0)).slice(0,Xw),a="".concat(r.length," contact point").concat(r.length===1?"":"s").concat(t===null?"":" of body ".concat(t)),l=r.reduce((u,h)=>Math.max(
-u,h[8]??0),0);if(i.replaceChildren(q("p",{textContent:"".concat(a).concat(r.length>0?", deepest ".concat(zn(l)):"")})),o.length===0)return;let c=q("tbody",{},...o.
-map(u=>{let h=or("");return h.append(Rn("".concat(u[0]),()=>n(u[0]))," \u2013 ",u[1]===0?"ground":Rn("".concat(u[1]),()=>n(u[1]))),lo(h,or("".concat(Number((u[9]??
-0).toPrecision(3))," N s"),"number"),or(zn(u[8]),"number"))})),d=q("table",{className:"numbers"},q("thead",{},lo(q("th",{textContent:"bodies"}),q("th",{textContent:"\
-impulse",className:"number"}),q("th",{textContent:"depth",className:"number"}))),c);i.append(q("div",{className:"scroll"},d)),r.length>o.length&&i.append(q("p",
-{className:"soft",textContent:"The strongest are listed."}))}function jg(i,e,t,n,s){if(!e)return i.replaceChildren(q("p",{className:"soft",textContent:"Taking t\
-he steps again \u2026"}));if(e.why_not)return i.replaceChildren(q("p",{className:"soft",textContent:e.why_not}));let r=q("p",{},Rn("Body ".concat(e.body),()=>n(
-e.body)),", ".concat(e.field," after step ").concat(e.step,": ").concat(wa(e.value)," ").concat(e.unit)),o=q("ol",{className:"blame"},...e.answers.map(a=>{let l=a.
-substep===null?a.phase:"".concat(a.phase,", substep ").concat(a.substep),c=q("li",{},Rn("step ".concat(a.step),()=>t(a.step))," \xB7 ",q("strong",{textContent:l}),
-q("p",{textContent:a.text}));return a.shares.length>0&&c.append(q("ul",{className:"shares"},...a.shares.map(d=>{let u=q("li",{},"".concat(d.kind));return d.kind===
-"contact"&&u.append(" with ",d.with===null?"the ground":Rn("body ".concat(d.with),()=>n(d.with))),u.append(": ".concat(wa(d.amount)," ").concat(a.unit)),u}))),c}));
-i.replaceChildren(r,o),e.ends&&i.append(q("p",{className:"soft",textContent:e.ends}));for(let a of e.notes??[])i.append(q("p",{className:"soft",textContent:a}));
-if(!e.complete){let a=q("button",{type:"button",textContent:"Further back"});a.addEventListener("click",()=>s(e.answers.length+5)),i.append(q("p",{},a))}}var Zg=(i,e)=>"".
-concat(wa(i)).concat(e?" (".concat(e,")"):"");function qw(i,e){if(i.why_not)return q("p",{className:"soft",textContent:"Phases: ".concat(i.why_not)});let t=q("t\
-body",{},...i.rows.map(s=>{let r=or("","number");s.step===null?r.textContent="never":r.append(Rn(String(s.step),()=>e(s.step)));let o=lo(q("th",{scope:"row",textContent:s.
-phase}),r,or(s.step===null?"":String(s.substep),"number"),or(String(s.steps),"number"));return o.classList.toggle("differs",s.step===i.from),o})),n=["phase","fr\
-om step","substep","steps"];return q("div",{className:"scroll"},q("table",{className:"numbers phases"},q("caption",{textContent:"Phases in which the two part, s\
-teps ".concat(i.from," to ").concat(i.last)}),q("thead",{},lo(...n.map((s,r)=>q("th",{textContent:s,className:r>0?"number":""})))),t))}function Qg(i,e,t,n){if(!e||
-e.state==="working"){let o=e?" (".concat(Math.floor(100*e.done)," %)"):"";return i.replaceChildren(q("p",{textContent:"Comparing every byte of both".concat(o," \
-\u2026")}))}if(e.state==="failed")return i.replaceChildren(q("p",{className:"bad",textContent:e.why}));let s=[],r=e.first;if(r){let o=["step ".concat(r.step),"p\
-hase ".concat(r.phase)];r.substep!==null&&o.push("substep ".concat(r.substep)),s.push(q("p",{},q("strong",{textContent:"First difference: ".concat(o.join(", "))}))),
-e.cause&&s.push(q("p",{textContent:"Cause: ".concat(e.cause)}));let a=e.effect??r,l=q("p",{});a.body!==null&&l.append(Rn("body ".concat(a.body),()=>n(a.body)),"\
-, "),l.append("".concat(a.field,": ").concat(Zg(a.expected,a.expected_hex)," \u2192 ").concat(Zg(a.actual,a.actual_hex))),a.ulps!==null&&l.append(", ".concat(a.
-ulps," ULPs apart")),s.push(l);let c=q("button",{type:"button",className:"jump",textContent:"Go to the first difference"});c.addEventListener("click",()=>t(r.step)),
-s.push(q("p",{},c));let d=e.aftermath?.marks??[];d.length>0?s.push(q("ul",{className:"marks"},...d.map(({above:u,step:h,body:f})=>q("li",{},"more than ".concat(
-zn(u)," apart from "),Rn("step ".concat(h),()=>t(h)),", ",Rn("body ".concat(f),()=>n(f)))))):e.growth_unknown&&s.push(q("p",{className:"soft",textContent:"Its g\
-rowth is not known: ".concat(e.growth_unknown)})),e.partings&&s.push(qw(e.partings,t))}else{let[o,a]=e.last;s.push(q("p",{className:"good",textContent:e.identical?
-"Identical: ".concat(e.steps," steps, every bit."):"The ".concat(e.steps," steps of both are the same; A ends with step ").concat(o,", B with step ").concat(a,"\
-.")}))}for(let o of e.notes??[])s.push(q("p",{className:"soft",textContent:o}));return i.replaceChildren(...s)}var $w=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
+u.frozen?"asleep":"awake"),i.replaceChildren(X("p",{},X("strong",{textContent:"Body ".concat(e)})," ".concat(h.join(" \xB7 "))),r),u&&i.append(X("div",{className:"\
+scroll"},c)),u?.channels?.length>0&&i.append(X("div",{className:"scroll"},X("table",{className:"numbers"},X("caption",{textContent:"Channels"}),X("tbody",{},...u.
+channels.map(({field:f,value:p})=>ar(X("th",{scope:"row",textContent:f}),Bs(p,"number"))))))),l&&i.append(X("p",{className:"soft",textContent:"".concat(s.length===
+2?"".concat(s.indexOf(l)===0?"A":"B",": "):"").concat(l.why_not)})),u?.rounded&&i.append(X("p",{className:"soft",textContent:"Rounded in this page; tumble dump \
+prints every bit."}))}function Kg(i,e,t,n,s){if(!e)return i.replaceChildren(X("p",{className:"soft",textContent:"\u2026"}));if(e.why_not){i.replaceChildren(X("p",
+{className:"soft",textContent:e.why_not})),e.near!==null&&e.near!==void 0&&i.append(X("p",{},"The nearest with contacts: ",Rn("step ".concat(e.near),()=>s(e.near))));
+return}let r=e.rows.filter(([u,h])=>t===null||u===t||h===t),o=[...r].sort((u,h)=>(h[9]??0)-(u[9]??0)).slice(0,Xw),a="".concat(r.length," contact point").concat(
+r.length===1?"":"s").concat(t===null?"":" of body ".concat(t)),l=r.reduce((u,h)=>Math.max(u,h[8]??0),0);if(i.replaceChildren(X("p",{textContent:"".concat(a).concat(
+r.length>0?", deepest ".concat(zn(l)):"")})),o.length===0)return;let c=X("tbody",{},...o.map(u=>{let h=Bs("");return h.append(Rn("".concat(u[0]),()=>n(u[0]))," \
+\u2013 ",u[1]===0?"ground":Rn("".concat(u[1]),()=>n(u[1]))),ar(h,Bs("".concat(Number((u[9]??0).toPrecision(3))," N s"),"number"),Bs(zn(u[8]),"number"))})),d=X("\
+table",{className:"numbers"},X("thead",{},ar(X("th",{textContent:"bodies"}),X("th",{textContent:"impulse",className:"number"}),X("th",{textContent:"depth",className:"\
+number"}))),c);i.append(X("div",{className:"scroll"},d)),r.length>o.length&&i.append(X("p",{className:"soft",textContent:"The strongest are listed."}))}function jg(i,e,t,n,s){
+if(!e)return i.replaceChildren(X("p",{className:"soft",textContent:"Taking the steps again \u2026"}));if(e.why_not)return i.replaceChildren(X("p",{className:"so\
+ft",textContent:e.why_not}));let r=X("p",{},Rn("Body ".concat(e.body),()=>n(e.body)),", ".concat(e.field," after step ").concat(e.step,": ").concat(wa(e.value),
+" ").concat(e.unit)),o=X("ol",{className:"blame"},...e.answers.map(a=>{let l=a.substep===null?a.phase:"".concat(a.phase,", substep ").concat(a.substep),c=X("li",
+{},Rn("step ".concat(a.step),()=>t(a.step))," \xB7 ",X("strong",{textContent:l}),X("p",{textContent:a.text}));return a.shares.length>0&&c.append(X("ul",{className:"\
+shares"},...a.shares.map(d=>{let u=X("li",{},"".concat(d.kind));return d.kind==="contact"&&u.append(" with ",d.with===null?"the ground":Rn("body ".concat(d.with),
+()=>n(d.with))),u.append(": ".concat(wa(d.amount)," ").concat(a.unit)),u}))),c}));i.replaceChildren(r,o),e.ends&&i.append(X("p",{className:"soft",textContent:e.
+ends}));for(let a of e.notes??[])i.append(X("p",{className:"soft",textContent:a}));if(!e.complete){let a=X("button",{type:"button",textContent:"Further back"});
+a.addEventListener("click",()=>s(e.answers.length+5)),i.append(X("p",{},a))}}var Zg=(i,e)=>"".concat(wa(i)).concat(e?" (".concat(e,")"):"");function qw(i,e){if(i.
+why_not)return X("p",{className:"soft",textContent:"Phases: ".concat(i.why_not)});let t=X("tbody",{},...i.rows.map(s=>{let r=Bs("","number");s.step===null?r.textContent=
+"never":r.append(Rn(String(s.step),()=>e(s.step)));let o=ar(X("th",{scope:"row",textContent:s.phase}),r,Bs(s.step===null?"":String(s.substep),"number"),Bs(String(
+s.steps),"number"));return o.classList.toggle("differs",s.step===i.from),o})),n=["phase","from step","substep","steps"];return X("div",{className:"scroll"},X("t\
+able",{className:"numbers phases"},X("caption",{textContent:"Phases in which the two part, steps ".concat(i.from," to ").concat(i.last)}),X("thead",{},ar(...n.map(
+(s,r)=>X("th",{textContent:s,className:r>0?"number":""})))),t))}function Qg(i,e,t,n){if(!e||e.state==="working"){let o=e?" (".concat(Math.floor(100*e.done)," %)"):
+"";return i.replaceChildren(X("p",{textContent:"Comparing every byte of both".concat(o," \u2026")}))}if(e.state==="failed")return i.replaceChildren(X("p",{className:"\
+bad",textContent:e.why}));let s=[],r=e.first;if(r){let o=["step ".concat(r.step),"phase ".concat(r.phase)];r.substep!==null&&o.push("substep ".concat(r.substep)),
+s.push(X("p",{},X("strong",{textContent:"First difference: ".concat(o.join(", "))}))),e.cause&&s.push(X("p",{textContent:"Cause: ".concat(e.cause)}));let a=e.effect??
+r,l=X("p",{});a.body!==null&&l.append(Rn("body ".concat(a.body),()=>n(a.body)),", "),l.append("".concat(a.field,": ").concat(Zg(a.expected,a.expected_hex)," \u2192 ").
+concat(Zg(a.actual,a.actual_hex)));let c=a.ulps>Number.MAX_SAFE_INTEGER?"about ".concat(a.ulps.toPrecision(3)):a.ulps;c!==null&&l.append(", ".concat(c," ULPs ap\
+art")),s.push(l);let d=X("button",{type:"button",className:"jump",textContent:"Go to the first difference"});d.addEventListener("click",()=>t(r.step)),s.push(X(
+"p",{},d));let u=e.aftermath?.marks??[];u.length>0?s.push(X("ul",{className:"marks"},...u.map(({above:h,step:f,body:p})=>X("li",{},"more than ".concat(zn(h)," a\
+part from "),Rn("step ".concat(f),()=>t(f)),", ",Rn("body ".concat(p),()=>n(p)))))):e.growth_unknown&&s.push(X("p",{className:"soft",textContent:"Its growth is \
+not known: ".concat(e.growth_unknown)})),e.partings&&s.push(qw(e.partings,t))}else{let[o,a]=e.last;s.push(X("p",{className:"good",textContent:e.identical?"Ident\
+ical: ".concat(e.steps," steps, every bit."):"The ".concat(e.steps," steps of both are the same; A ends with step ").concat(o,", B with step ").concat(a,".")}))}
+for(let o of e.notes??[])s.push(X("p",{className:"soft",textContent:o}));return i.replaceChildren(...s)}var $w=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
 ["[  ]","the input, difference, gap or break of a bound before, after"],["d","the first difference"],["/","search"],["n  N","next run of steps found, the one be\
 fore"],["c  w  s  f  r","contacts, ways, side by side, follow, whole scene"],["Esc","let the body go"],["arrows, + \u2212","in the view: turn, zoom. Drag turns,\
  with Shift moves; the wheel zooms once the view has the focus"]];function e0(i,e){let{inputs:t,gaps:n,first_difference:s}=i.marks(),r=[...i.sessions[0].rows.breaks(),
@@ -4063,8 +4065,8 @@ seek(a[0])}function t0(i){let e={" ":()=>i.player.play(i.player.direction||1),j:
 player.move(s?-10:-1),ArrowRight:s=>i.player.move(s?10:1),Home:()=>i.player.seek(i.steps.first),End:()=>i.player.seek(i.steps.last),"[":()=>e0(i,-1),"]":()=>e0(
 i,1),d:()=>i.go_to_first_difference(),"/":()=>i.search.focus(),n:()=>i.next_hit(1),N:()=>i.next_hit(-1),Escape:()=>i.select(null),...i.toolbar.flip};document.addEventListener(
 "keydown",s=>{if(s.ctrlKey||s.metaKey||s.altKey||s.target.closest("input:not([type=range]), select, textarea")||s.target.closest("button, summary, a")!==null&&(s.
-key===" "||s.key==="Enter"))return;let o=e[s.key]??(s.shiftKey?null:e[s.key.toLowerCase()]);o&&(s.preventDefault(),o(s.shiftKey))});let{place:t,body:n}=Bs("Keys",
-{open:!1});return n.append(q("dl",{className:"keys"},...$w.flatMap(([s,r])=>[q("dt",{},q("kbd",{textContent:s})),q("dd",{textContent:r})]))),{place:t}}var bd=i=>i==null?"\u2013":String(i),n0=i=>i==null?"\u2013":"".concat(Number(i.toPrecision(4))," m/s"),Yw=(i,e)=>i.read[e]?"".concat(i.sleeping[e]," of ").concat(
+key===" "||s.key==="Enter"))return;let o=e[s.key]??(s.shiftKey?null:e[s.key.toLowerCase()]);o&&(s.preventDefault(),o(s.shiftKey))});let{place:t,body:n}=ks("Keys",
+{open:!1});return n.append(X("dl",{className:"keys"},...$w.flatMap(([s,r])=>[X("dt",{},X("kbd",{textContent:s})),X("dd",{textContent:r})]))),{place:t}}var bd=i=>i==null?"\u2013":String(i),n0=i=>i==null?"\u2013":"".concat(Number(i.toPrecision(4))," m/s"),Yw=(i,e)=>i.read[e]?"".concat(i.sleeping[e]," of ").concat(
 i.bodies[e]):"\u2013",i0=[{name:"sleeping",kind:"area",of:(i,e)=>i.read[e]?i.sleeping[e]:null,words:Yw,top:i=>Math.max(1,...Zw(i.bodies))},{name:"contacts",kind:"\
 line",of:(i,e)=>i.contacts[e],words:(i,e)=>bd(i.contacts[e])},{name:"contacts begun",kind:"bars",of:(i,e)=>i.begun[e]??null,words:(i,e)=>bd(i.begun[e]),late:!0},
 {name:"energy",kind:"line",of:(i,e)=>i.energy(e),words:(i,e)=>Co(i.energy(e)),fit:!0},{name:"kinetic energy",kind:"area",of:(i,e)=>i.kinetic[e],words:(i,e)=>Co(
@@ -4073,27 +4075,28 @@ speed[e])},{name:"deepest overlap",kind:"line",of:(i,e)=>i.overlap[e],words:(i,e
 i.lost[e]),bad:!0,only_if_any:!0}];function Zw(i){let e=Math.ceil(i.length/5e3)||1;return i.filter((t,n)=>n%e===0&&t!==null)}var s0=i=>i.map((e,t)=>({name:e,kind:"\
 line",title:"up to each step, ".concat(e),broken:(n,s)=>n.bounds[t]?.broken[s]===1,of:(n,s)=>n.bounds[t]?.value[s]??null,words:(n,s)=>{let r=n.bounds[t]?.broken[s]??
 null;if(r===null)return"not judged";let o=n.bounds[t].value[s];return"".concat(o===null?"no value":Number(o.toPrecision(4)),", ").concat(r?"\u2715 broken":"\u2713 ho\
-lds")}})),r0=i=>Object.keys(i.channels).map(e=>({name:e,kind:"line",fit:!0,of:(t,n)=>t.channels[e][n]??null,words:(t,n)=>t.channels[e][n]===null||t.channels[e][n]===
-void 0?"\u2013":String(Number(t.channels[e][n].toPrecision(6)))}));function o0(i){let e=new Map(i.step.map((t,n)=>[t,n]));return{name:"separation",kind:"line",log:!0,
-of:(t,n)=>e.has(t.step[n])?i.metres[e.get(t.step[n])]:null,words:(t,n)=>{let s=e.get(t.step[n]);return s===void 0?"none":i.metres[s]===null?"infinite":zn(i.metres[s])}}}var ih=class{constructor(e){this.page=e,this.sessions=e.sessions,this.body_panel=Bs("Body"),this.blame_panel=Bs("Where it comes from"),this.blame_panel.place.hidden=
-!0,this.contact_panel=Bs("Contacts"),this.input_panel=Bs("Inputs",{open:!1}),this.difference_panel=Bs("Comparison"),this.places=[...this.sessions.length===2?[this.
+lds")}})),r0=i=>i.channel_heads.map(({name:e,unit:t})=>{let n=(r,o)=>r.channels[e]?.[o]??null,s=(r,o)=>n(r,o)===null?"\u2013":"".concat(Number(n(r,o).toPrecision(
+6))).concat(t?" ".concat(t):"");return{name:e,kind:"line",fit:!0,title:"channel ".concat(e),of:n,words:s}});function o0(i){let e=new Map(i.step.map((t,n)=>[t,n]));
+return{name:"separation",kind:"line",log:!0,of:(t,n)=>e.has(t.step[n])?i.metres[e.get(t.step[n])]:null,words:(t,n)=>{let s=e.get(t.step[n]);return s===void 0?"n\
+one":i.metres[s]===null?"infinite":zn(i.metres[s])}}}var ih=class{constructor(e){this.page=e,this.sessions=e.sessions,this.body_panel=ks("Body"),this.blame_panel=ks("Where it comes from"),this.blame_panel.place.hidden=
+!0,this.contact_panel=ks("Contacts"),this.input_panel=ks("Inputs",{open:!1}),this.difference_panel=ks("Comparison"),this.places=[...this.sessions.length===2?[this.
 difference_panel.place]:[],this.body_panel.place,this.blame_panel.place,this.contact_panel.place,this.input_panel.place]}settled(e){return Promise.all([this.show_contacts(
 e),this.show_body(e)])}async show_contacts(e){let t=await this.sessions[0].contacts_at(this.sessions[0].steps?this.page.own_step(this.sessions[0],e):e);this.page.
 player.step===e&&(this.page.drawing.contacts=t,this.page.drawing.show(),this.draw_contacts())}draw_contacts(){Kg(this.contact_panel.body,this.page.drawing.contacts,
-this.page.selected,e=>this.page.select(e),e=>this.page.player.seek(e))}show_selection(){this.page.selected===null&&this.body_panel.body.replaceChildren(q("p",{className:"\
+this.page.selected,e=>this.page.select(e),e=>this.page.player.seek(e))}show_selection(){this.page.selected===null&&this.body_panel.body.replaceChildren(X("p",{className:"\
 soft",textContent:"Press a body in the view, or search for its id or name."}))}async show_body(e){let t=this.page.selected;if(t===null)return;let n=await Promise.
 all(this.sessions.map(a=>a.body_at(a.steps?this.page.own_step(a,e):e,t)));if(this.page.selected!==t||this.page.player.step!==e)return;let s=this.sessions.find(a=>a.
-bodies.row(t)!==void 0)??this.sessions[0],r=s.bodies.row(t),o=q("p",{className:"actions"},...[["Follow",()=>{this.page.drawing.following=!this.page.drawing.following,
+bodies.row(t)!==void 0)??this.sessions[0],r=s.bodies.row(t),o=X("p",{className:"actions"},...[["Follow",()=>{this.page.drawing.following=!this.page.drawing.following,
 this.page.toolbar.show(),this.page.drawing.show()}],["Look at",()=>{let a=this.page.drawing.place_of(0,t)??this.page.drawing.place_of(1,t);a&&this.page.drawing.
-stage?.look_at(a)}],["Let go",()=>this.page.select(null)]].map(([a,l])=>{let c=q("button",{type:"button",textContent:a});return c.addEventListener("click",l),c}));
+stage?.look_at(a)}],["Let go",()=>this.page.select(null)]].map(([a,l])=>{let c=X("button",{type:"button",textContent:a});return c.addEventListener("click",l),c}));
 Jg(this.body_panel.body,{id:t,name:r===void 0?"":s.bodies.name(r),size:r===void 0?[0,0,0]:s.bodies.size(r),answers:n,actions:o,asked:this.sessions[0].head.blames&&
 this.sessions[0].blame?a=>this.show_blame(e,t,a):null})}async show_blame(e,t,n,s=5){this.blame_panel.place.hidden=!1,this.blame_panel.place.open=!0;let r=this.blamed=
 {},o=a=>jg(this.blame_panel.body,a,l=>this.page.player.seek(l),l=>this.page.select(l),l=>this.show_blame(e,t,n,l));o(null);try{let a=await this.sessions[0].blame(
 e,t,n,s);this.blamed===r&&o(a)}catch(a){this.blamed===r&&o({why_not:a.message})}}show_difference(){Qg(this.difference_panel.body,this.page.difference,e=>this.page.
 player.seek(e),e=>this.page.select(e))}show_inputs(){let{events:e}=this.sessions[0].rows;if(this.inputs_shown===e.length)return;this.inputs_shown=e.length;let t=e.
-slice(0,200);this.input_panel.body.replaceChildren(e.length===0?q("p",{className:"soft",textContent:"None."}):q("ol",{className:"inputs"},...t.map(({step:n,kind:s,
-body:r,text:o})=>{let a=q("button",{type:"button",className:"link",textContent:"step ".concat(n)});return a.addEventListener("click",()=>this.page.player.seek(n)),
-q("li",{},a," ".concat(s).concat(r===null?"":" ".concat(r)," ").concat(o))}))),e.length>t.length&&this.input_panel.body.append(q("p",{className:"soft",textContent:"\
+slice(0,200);this.input_panel.body.replaceChildren(e.length===0?X("p",{className:"soft",textContent:"None."}):X("ol",{className:"inputs"},...t.map(({step:n,kind:s,
+body:r,text:o})=>{let a=X("button",{type:"button",className:"link",textContent:"step ".concat(n)});return a.addEventListener("click",()=>this.page.player.seek(n)),
+X("li",{},a," ".concat(s).concat(r===null?"":" ".concat(r)," ").concat(o))}))),e.length>t.length&&this.input_panel.body.append(X("p",{className:"soft",textContent:"\
 and ".concat(e.length-t.length," more")}))}};var co={speed:{of:(i,e)=>i.speed[e],unit:"m/s",body:(i,e)=>i.speed_body[e]},overlap:{of:(i,e)=>i.overlap[e],unit:"m"},height:{of:(i,e)=>i.height[e],unit:"m"},kinetic:{
 of:(i,e)=>i.kinetic[e],unit:"J"},potential:{of:(i,e)=>i.potential[e],unit:"J"},energy:{of:(i,e)=>i.energy(e),unit:"J"},contacts:{of:(i,e)=>i.contacts[e],unit:""},
 begun:{of:(i,e)=>i.begun[e]??null,unit:""},sleeping:{of:(i,e)=>i.sleeping[e],unit:""},bodies:{of:(i,e)=>i.bodies[e],unit:""},lost:{of:(i,e)=>i.lost[e],unit:""},
@@ -4105,20 +4108,20 @@ c)}}let a=s[3].replace(/\s*(m\/s|m|J)\s*$/,""),l=Number(a);return a===""||!Numbe
 s",quantity:o in co?o:r,comparison:Kw[s[2]]??s[2],bound:l}}function l0(i,e,t){let{of:n,body:s}=co[i.quantity]??{of:(l,c)=>e.channels[i.quantity]?.[c]??null},r=Jw[i.
 comparison],o=[],a=null;for(let l=0;l<e.count;++l){let c=n(e,l,t);if(!(c!=null&&r(c,i.bound))){a=null;continue}a||(a={first:e.step[l],last:e.step[l],peak:c,at:e.
 step[l],body:s?.(e,l)??null},o.push(a)),a.last=e.step[l],Math.abs(c-i.bound)>Math.abs(a.peak-i.bound)&&Object.assign(a,{peak:c,at:e.step[l],body:s?.(e,l)??null})}
-return o}var sh=12;function jw(i,e){return Number.isFinite(i)?e==="m"?zn(i):"".concat(Number(i.toPrecision(4))).concat(e?" ".concat(e):""):"infinite"}function c0(i){let e=q(
+return o}var sh=12;function jw(i,e){return Number.isFinite(i)?e==="m"?zn(i):"".concat(Number(i.toPrecision(4))).concat(e?" ".concat(e):""):"infinite"}function c0(i){let e=X(
 "input",{type:"search",placeholder:"speed > 5, overlap > 1e-3, 12, wall 0",autocomplete:"off",spellcheck:!1});e.setAttribute("aria-label","search for steps by a\
- condition, or for a body by id or name");let t=q("output",{}),n=q("ul",{className:"hits"}),s={kind:"none"},r=[],o=()=>{let{bodies:d}=i.sessions[0],u=d.find(s.text);
-return t.value=u.length===0?"no such body":"".concat(u.length," bod").concat(u.length===1?"y":"ies"),n.replaceChildren(...u.slice(0,sh).map(h=>q("li",{},Rn("bod\
+ condition, or for a body by id or name");let t=X("output",{}),n=X("ul",{className:"hits"}),s={kind:"none"},r=[],o=()=>{let{bodies:d}=i.sessions[0],u=d.find(s.text);
+return t.value=u.length===0?"no such body":"".concat(u.length," bod").concat(u.length===1?"y":"ies"),n.replaceChildren(...u.slice(0,sh).map(h=>X("li",{},Rn("bod\
 y ".concat(d.id(h)),()=>i.select(d.id(h)))," ".concat(d.name(h))))),i.set_hits([]),u},a=()=>{let{rows:d}=i.sessions[0],u=l0(s,d,p=>i.separation_at(p)),h=co[s.quantity]?.
 unit??"",f=i.sessions[0].timeline_done?"":" so far";return t.value=u.length===0?"in no step".concat(f):"".concat(u.length," run").concat(u.length===1?"":"s"," o\
 f steps").concat(f,", the first at ").concat(u[0].first),r=u.slice(0,sh).map(p=>{let v=p.first===p.last?"step ".concat(p.first):"steps ".concat(p.first," to ").
-concat(p.last),m=q("li",{},Rn(v,()=>i.player.seek(p.first)),": up to ",Rn("".concat(jw(p.peak,h)),()=>i.player.seek(p.at),"at step ".concat(p.at)));return p.body&&
-m.append(", ",Rn("body ".concat(p.body),()=>i.select(p.body))),m}),n.replaceChildren(...r),u.length>sh&&n.append(q("li",{className:"soft",textContent:"and ".concat(
+concat(p.last),m=X("li",{},Rn(v,()=>i.player.seek(p.first)),": up to ",Rn("".concat(jw(p.peak,h)),()=>i.player.seek(p.at),"at step ".concat(p.at)));return p.body&&
+m.append(", ",Rn("body ".concat(p.body),()=>i.select(p.body))),m}),n.replaceChildren(...r),u.length>sh&&n.append(X("li",{className:"soft",textContent:"and ".concat(
 u.length-sh," more")})),i.set_hits(u),u},l=()=>(r=[],s=a0(e.value,Object.keys(i.sessions[0].rows.channels)),s.kind==="body"?o():s.kind==="steps"?a():(t.value=s.
 kind==="wrong"?s.words:s.kind==="step"?"Enter goes to step ".concat(s.step):"",n.replaceChildren(),i.set_hits([]),[]));e.addEventListener("input",l),e.addEventListener(
 "keydown",d=>{if(d.key==="Escape"&&e.blur(),d.key==="Enter"){if(d.preventDefault(),s.kind==="step")i.player.seek(s.step);else if(s.kind==="steps")i.next_hit(d.shiftKey?
--1:1);else if(s.kind==="body"){let[u]=l();u!==void 0&&i.select(i.sessions[0].bodies.id(u))}}});let c=(d,u,h)=>{let f=q("button",{type:"button",textContent:d,title:u});
-return f.setAttribute("aria-label",u),f.addEventListener("click",()=>i.next_hit(h)),f};return{place:q("div",{className:"search"},q("div",{className:"search-row"},
+-1:1);else if(s.kind==="body"){let[u]=l();u!==void 0&&i.select(i.sessions[0].bodies.id(u))}}});let c=(d,u,h)=>{let f=X("button",{type:"button",textContent:d,title:u});
+return f.setAttribute("aria-label",u),f.addEventListener("click",()=>i.next_hit(h)),f};return{place:X("div",{className:"search"},X("div",{className:"search-row"},
 e,c("\u2039","the run of steps before (N)",-1),c("\u203A","the next run of steps (n)",1)),t,n),focus:()=>e.focus(),at(d){r.forEach((u,h)=>u.classList.toggle("at",
 h===d))},again(){if(s.kind==="steps"){let d=i.hit;a(),i.hit=d}}}}var Qw=["box","grid","tower","pyramid","wall","pile","thrown"],e1=["crate","brick","wood","concrete","white"],ho=class{constructor(e){this.update(e)}update(e){this.
 json=e,this.count=e.id.length,this.rows=new Map(e.id.map((t,n)=>[t,n]))}get version(){return this.json.version}id(e){return this.json.id[e]}row(e){return this.rows.
@@ -4126,62 +4129,62 @@ get(e)}size(e){return this.json.size.slice(3*e,3*e+3)}is_static(e){return this.j
 json.shape?.[e]??-1,n=t<0?{kind:"box"}:this.json.shapes[t];return{...n,shape:n.kind,index:t,size:this.size(e)}}name(e){let t=this.json.name?.[e];if(t)return t;let[
 n,s,r,o]=this.json.origin.slice(4*e,4*e+4),a=Qw[n]??"body";return n===0||n===6?a:"".concat(a," ").concat(s,", row ").concat(r,", column ").concat(o)}find(e){let t=e.
 trim().toLowerCase().replace(/^(body|#)\s*/,"");if(/^\d+$/.test(t)){let s=this.row(Number(t));return s===void 0?[]:[s]}let n=[];for(let s=0;s<this.count;++s)this.
-name(s).toLowerCase().includes(t)&&n.push(s);return n}};var h0=["step","time","read","kinetic","potential","inputs","contacts","bodies","sleeping","lost","speed","speed_body","height","overlap"],uo=class{constructor(){
-for(let e of h0)this[e]=[];this.begun=[],this.events=[],this.begun_why_not="",this.channels={},this.bounds=[]}get count(){return this.step.length}append(e){for(let t of h0)
-this[t].push(...e[t]);e.bounds.forEach(({value:t,broken:n},s)=>{let r=this.bounds[s]??={value:new Array(this.count-t.length).fill(null),broken:new Array(this.count-
-t.length).fill(null)};r.value.push(...t),r.broken.push(...n)});for(let[t,n]of Object.entries(e.channels??{}))(this.channels[t]??=[]).push(...n)}index(e){let{count:t}=this;
-if(t===0||e<this.step[0])return-1;let n=t>1?this.step[1]-this.step[0]:1,s=Math.min(t-1,Math.max(0,Math.floor((e-this.step[0])/n)));for(;s>0&&this.step[s]>e;)--s;
-for(;s+1<t&&this.step[s+1]<=e;)++s;return s}unread(){let e=[];for(let t=0;t<this.count;++t){if(this.read[t]!==0)continue;let n=e.at(-1);n&&t>0&&this.read[t-1]===
-0?n[1]=this.step[t]:e.push([this.step[t],this.step[t],"the record with it is damaged"])}return e}broken(e){return this.bounds.reduce((t,{broken:n})=>t+(n[e]??0),
-0)}breaks(){return this.bounds.map(({broken:e})=>e.indexOf(1)).filter(e=>e>=0).map(e=>this.step[e])}energy(e){return this.kinetic[e]===null||this.potential[e]===
-null?null:this.kinetic[e]+this.potential[e]}};var t1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function f0(i){if(!("DecompressionStream"in window))
+name(s).toLowerCase().includes(t)&&n.push(s);return n}};var h0=["step","time","read","kinetic","potential","inputs","contacts","bodies","sleeping","lost","speed","speed_body","height","overlap"],uo=class{constructor(e=[]){
+this.channel_heads=e;for(let t of h0)this[t]=[];this.begun=[],this.events=[],this.begun_why_not="",this.channels={},this.bounds=[]}get count(){return this.step.
+length}append(e){for(let t of h0)this[t].push(...e[t]);e.bounds.forEach(({value:t,broken:n},s)=>{let r=this.bounds[s]??={value:new Array(this.count-t.length).fill(
+null),broken:new Array(this.count-t.length).fill(null)};r.value.push(...t),r.broken.push(...n)}),e.channels.forEach((t,n)=>{let{name:s}=this.channel_heads[n],r=this.
+channels[s]??=[];for(;r.length<this.count-t.length;)r.push(null);r.push(...t)})}index(e){let{count:t}=this;if(t===0||e<this.step[0])return-1;let n=t>1?this.step[1]-
+this.step[0]:1,s=Math.min(t-1,Math.max(0,Math.floor((e-this.step[0])/n)));for(;s>0&&this.step[s]>e;)--s;for(;s+1<t&&this.step[s+1]<=e;)++s;return s}unread(){let e=[];
+for(let t=0;t<this.count;++t){if(this.read[t]!==0)continue;let n=e.at(-1);n&&t>0&&this.read[t-1]===0?n[1]=this.step[t]:e.push([this.step[t],this.step[t],"the re\
+cord with it is damaged"])}return e}broken(e){return this.bounds.reduce((t,{broken:n})=>t+(n[e]??0),0)}breaks(){return this.bounds.map(({broken:e})=>e.indexOf(1)).
+filter(e=>e>=0).map(e=>this.step[e])}energy(e){return this.kinetic[e]===null||this.potential[e]===null?null:this.kinetic[e]+this.potential[e]}};var t1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function f0(i){if(!("DecompressionStream"in window))
 throw new Error("this browser is too old to unpack the page (no DecompressionStream)");let e=new Blob([t1(i)]).stream().pipeThrough(new DecompressionStream("def\
 late"));return new Response(e).arrayBuffer()}var u0=async i=>JSON.parse(new TextDecoder().decode(await f0(i))),d0=i=>i>>>1^-(i&1);function n1(i,e,t,n){let s=e*t,
 r={place:[],turn:new Int16Array(4*s),mark:new Uint8Array(s)},o=0;for(let a=0;a<3;++a){let l=new Float32Array(s);for(let c=0,d=0;c<t;++c){let u=0,h=0;for(let f=0;f<
 e;++f,++d){let p=o+d,v=i[p]|i[p+s]<<8|i[p+2*s]<<16|i[p+3*s]<<24,m=d0(v)+2*u-h|0;h=u,u=m,l[f*t+c]=m*n}}r.place.push(l),o+=4*s}for(let a=0;a<4;++a){for(let l=0,c=0;l<
 t;++l){let d=0,u=0;for(let h=0;h<e;++h,++c){let f=i[o+c]|i[o+s+c]<<8,p=d0(f)+2*d-u<<16>>16;u=d,d=p,r.turn[(4*h+a)*t+l]=p}}o+=2*s}for(let a=0,l=0;a<t;++a)for(let c=0;c<
-e;++c,++l)r.mark[c*t+a]=i[o+l];return r}var wd=class{constructor(e,t,n){this.head=e,this.thin=e.thin,this.bodies=new ho(t.bodies),this.rows=new uo,this.rows.append(
-t.timeline),this.rows.events=t.inputs,this.rows.begun=t.timeline.begun.length>0?[0,...t.timeline.begun]:[],this.rows.begun_why_not=t.timeline.begun_why_not,this.
-contacts=t.contacts,this.steps=e.thin.steps,this.columns=n1(new Uint8Array(n),this.steps.length,this.bodies.count,e.thin.quantum),this.index=new Map(this.steps.
+e;++c,++l)r.mark[c*t+a]=i[o+l];return r}var wd=class{constructor(e,t,n){this.head=e,this.thin=e.thin,this.bodies=new ho(t.bodies),this.rows=new uo(e.channels),this.
+rows.append(t.timeline),this.rows.events=t.inputs,this.rows.begun=t.timeline.begun.length>0?[0,...t.timeline.begun]:[],this.rows.begun_why_not=t.timeline.begun_why_not,
+this.contacts=t.contacts,this.steps=e.thin.steps,this.columns=n1(new Uint8Array(n),this.steps.length,this.bodies.count,e.thin.quantum),this.index=new Map(this.steps.
 map((s,r)=>[s,r])),this.timeline_done=!0}gaps(){let e=this.head.gaps;return[...e,...this.rows.unread().filter(([t])=>!e.some(([n,s])=>t>=n&&t<=s))]}gap_at(e){return this.
 gaps().find(([t,n])=>e>=t&&e<=n)??null}frame(e){let t=this.index.get(e);if(t===void 0)return null;let n=this.bodies.count,s=l=>l.subarray(t*n,(t+1)*n),[r,o,a]=this.
 columns.place.map(s);return{step:e,status:0,rows:n,x:r,y:o,z:a,turn:this.columns.turn.subarray(4*t*n,4*(t+1)*n),mark:s(this.columns.mark),speed:this.speeds(t,r,
 o,a)}}speeds(e,...t){let n=this.bodies.count,s=new Float32Array(n),[r,o]=e>0?[e-1,e]:[e,e+1];if(o>=this.steps.length)return s;let a=this.time_of(this.steps[o])-
-this.time_of(this.steps[r]),l=this.columns.place.map(d=>d.subarray((e>0?r:o)*n)),c=this.columns.mark.subarray((e>0?r:o)*n);for(let d=0;d<n;++d)c[d]!==ir&&(s[d]=
+this.time_of(this.steps[r]),l=this.columns.place.map(d=>d.subarray((e>0?r:o)*n)),c=this.columns.mark.subarray((e>0?r:o)*n);for(let d=0;d<n;++d)c[d]!==sr&&(s[d]=
 Math.hypot(...t.map((u,h)=>u[d]-l[h][d]))/Math.max(a,1e-9));return s}time_of(e){let t=this.rows.index(e);return t<0?0:this.rows.time[t]+(e-this.rows.step[t])*this.
-head.dt}async frame_soon(e){return this.frame(e)}prefetch(){}async contacts_at(e){let t=this.contacts[e];return t?{step:e,rows:t}:this.head.ours?{step:e,why_not:"\
-this page has no contacts of this state; a served page (tumble view without -o) has all",near:this.near_contacts(e)}:{step:e,why_not:"the log of another engine \
-holds no contacts"}}near_contacts(e){let t=Object.keys(this.contacts).map(Number);return t.length===0?null:t.reduce((n,s)=>Math.abs(s-e)<Math.abs(n-e)?s:n)}async way(e){
-let t=this.bodies.row(e),n=this.bodies.count,s=[],r=[];return this.steps.forEach((o,a)=>{let l=this.columns.mark[a*n+t];s.push(o);for(let c of this.columns.place)
-r.push(l===1||l===2?c[a*n+t]:null)}),{id:e,step:s,at:r}}async body_at(e,t){let n=this.bodies.row(t),s=this.frame(e);if(!s||n===void 0||s.mark[n]===ir)return{why_not:"\
-not there in this state"};if(s.mark[n]===3)return{why_not:"a value of its state is no number"};let r=32767,o=["w","x","y","z"].map((a,l)=>({field:"orientation.".
-concat(a),value:Number((s.turn[l*s.rows+n]/r).toFixed(4))}));return{id:t,step:e,frozen:s.mark[n]===2,rounded:!0,fields:[...["x","y","z"].map(a=>({field:"positio\
-n.".concat(a),value:Number(s[a][n].toFixed(4))})),...o,{field:"speed, about",value:Number(s.speed[n].toPrecision(3))}]}}};async function p0(i){let e=[];for(let[
-n,s]of i.logs.entries()){let[r,o]=await Promise.all([u0("session-".concat(n,"-details")),f0("session-".concat(n,"-frames"))]);e.push(new wd(s,r,o))}let t=document.
-getElementById("session-0-difference")?await u0("session-0-difference"):null;return{sessions:e,difference:t,served:!1,follow(){}}}var i1=16e7,Td=24,s1=700,r1=120;async function m0(i,e={}){let t=new URLSearchParams(e).toString(),n=await fetch(t?"".concat(i,"?").concat(t):i,{cache:"no-store"});
+head.dt}async frame_soon(e){return this.frame(e)}prefetch(){}async contacts_at(e){let t=this.contacts[e];return t?{step:e,rows:t}:!this.head.ours&&this.near_contacts(
+e)===null?{step:e,why_not:"the log of another engine holds no contacts"}:{step:e,why_not:"this page has no contacts of this state; a served page (tumble view wi\
+thout -o) has all",near:this.near_contacts(e)}}near_contacts(e){let t=Object.keys(this.contacts).map(Number);return t.length===0?null:t.reduce((n,s)=>Math.abs(s-
+e)<Math.abs(n-e)?s:n)}async way(e){let t=this.bodies.row(e),n=this.bodies.count,s=[],r=[];return this.steps.forEach((o,a)=>{let l=this.columns.mark[a*n+t];s.push(
+o);for(let c of this.columns.place)r.push(l===1||l===2?c[a*n+t]:null)}),{id:e,step:s,at:r}}async body_at(e,t){let n=this.bodies.row(t),s=this.frame(e);if(!s||n===
+void 0||s.mark[n]===sr)return{why_not:"not there in this state"};if(s.mark[n]===3)return{why_not:"a value of its state is no number"};let r=32767,o=["w","x","y",
+"z"].map((a,l)=>({field:"orientation.".concat(a),value:Number((s.turn[l*s.rows+n]/r).toFixed(4))}));return{id:t,step:e,frozen:s.mark[n]===2,rounded:!0,fields:[...[
+"x","y","z"].map(a=>({field:"position.".concat(a),value:Number(s[a][n].toFixed(4))})),...o,{field:"speed, about",value:Number(s.speed[n].toPrecision(3))}]}}};async function p0(i){
+let e=[];for(let[n,s]of i.logs.entries()){let[r,o]=await Promise.all([u0("session-".concat(n,"-details")),f0("session-".concat(n,"-frames"))]);e.push(new wd(s,r,
+o))}let t=document.getElementById("session-0-difference")?await u0("session-0-difference"):null;return{sessions:e,difference:t,served:!1,follow(){}}}var i1=16e7,Td=24,s1=700,r1=120;async function m0(i,e={}){let t=new URLSearchParams(e).toString(),n=await fetch(t?"".concat(i,"?").concat(t):i,{cache:"no-store"});
 if(!n.ok)throw new Error("".concat(i,": ").concat((await n.text()).slice(0,200)));return n}var Ti=async(i,e)=>(await m0(i,e)).json();function o1(i){let e=new DataView(
 i),t=[];for(let n=0;n+16<=i.byteLength;){let[s,r,o,a]=[0,4,8,12].map(v=>e.getUint32(n+v,!0));n+=16;let l=[0,1,2,3].map(v=>new Float32Array(i,n+4*v*o,o));n+=16*o;
 let c=new Int16Array(i,n,4*o);n+=8*o;let d=new Uint8Array(i,n,o);n+=o+(4-o%4)%4;let[u,h,f,p]=l;t.push({step:s,status:r,rows:o,version:a,x:u,y:h,z:f,speed:p,turn:c,
-mark:d})}return t}var Ad=class{constructor(e,t,n){this.log=e,this.head=t,this.thin=null,this.bodies=new ho(n),this.rows=new uo,this.steps=null,this.timeline_done=
-!1,this.cache=new Map,this.cache_bytes=0,this.asked=new Set,this.contact_cache=new Map}gaps(){let e=this.head.gaps;return[...e,...this.rows.unread().filter(([t])=>!e.
-some(([n,s])=>t>=n&&t<=s))]}gap_at(e){return this.gaps().find(([t,n])=>e>=t&&e<=n)??null}time_of(e){let t=this.rows.index(e);return t<0?(e-this.head.first)*this.
-head.dt:this.rows.time[t]+(e-this.rows.step[t])*this.head.dt}frame(e){return this.cache.get(e)??null}keep(e){let t=29*e.rows+64;this.cache.set(e.step,e),this.cache_bytes+=
-t;for(let[n,s]of this.cache){if(this.cache_bytes<=i1)break;this.cache.delete(n),this.cache_bytes-=29*s.rows+64}}async fetch(e,t,n){let s=await m0("frames",{log:this.
-log,first:e,count:t,stride:n}),r=o1(await s.arrayBuffer());for(let a of r)this.keep(a);Math.max(...r.map(a=>a.version))>this.bodies.version&&await this.fetch_bodies()}async fetch_bodies(){
-this.bodies.update(await Ti("bodies",{log:this.log})),this.on_bodies?.()}async frame_soon(e){return this.cache.has(e)||await this.fetch(e,1,1),this.frame(e)}prefetch(e,t){
-let n=Math.max(1,Math.round(Math.abs(t)))*Math.sign(t),s=e+n;for(let o=0;o<Td/2&&this.cache.has(s);++o)s+=n;if(this.asked.size>1)return;let r=n>0?s:Math.max(this.
-head.first,s+(Td-1)*n);r>this.head.last||r<this.head.first||this.asked.has(r)||(this.asked.add(r),this.fetch(r,Td,Math.abs(n)).catch(()=>{}).finally(()=>this.asked.
-delete(r)))}async contacts_at(e){return this.head.ours?(this.contact_cache.has(e)||(this.contact_cache.size>64&&this.contact_cache.clear(),this.contact_cache.set(
-e,await Ti("contacts",{log:this.log,step:e}))),this.contact_cache.get(e)):{step:e,why_not:"the log of another engine holds no contacts"}}way(e){return Ti("way",
-{log:this.log,id:e})}body_at(e,t){return Ti("body",{log:this.log,step:e,id:t})}blame(e,t,n,s){return Ti("blame",{log:this.log,step:e,id:t,field:n,back:s})}async take_news(){
-let e=await Ti("news",{log:this.log}),t=e.last>this.head.last||e.finished!==this.head.finished;t&&(this.head=await Ti("head",{log:this.log})),e.version>this.bodies.
-version&&await this.fetch_bodies();let n=t;for(;this.rows.count<e.rows;){let s=await Ti("timeline",{log:this.log,from:this.rows.count});if(s.step.length===0||(this.
-rows.append(s),this.rows.events.push(...s.more_inputs),n=!0,s.step.length<4e3))break}for(;this.rows.begun.length<Math.min(e.begun,this.rows.count);){let s=await Ti(
-"begun",{log:this.log,from:this.rows.begun.length});if(s.length===0)break;this.rows.begun.push(...s),n=!0}return e.contacts_why_not!==this.rows.begun_why_not&&(n=
-!0),this.rows.begun_why_not=e.contacts_why_not,this.timeline_done=e.timeline_done,this.busy=!e.timeline_done||!e.contacts_done,n}};async function g0(i){let e=await Promise.
-all(i.logs.map(async(n,s)=>new Ad(s,n,await Ti("bodies",{log:s}))));return{sessions:e,difference:null,served:!0,follow:(n,s)=>{let r=null,o=e.length<2,a=async()=>{
-let l=!1;try{for(let u of e)l=await u.take_news()||l;o||(r=await Ti("difference"),o=r.state!=="working",l=!0),s(null)}catch(u){s(u)}l&&n(r);let c=e.some(u=>!u.head.
-finished),d=!o||e.some(u=>!u.timeline_done||u.busy);(c||d)&&setTimeout(a,d&&!c?r1:s1)};a()}}}var a1=30,l1=22,_0=i=>{let e=q("canvas",{});return e.setAttribute("aria-hidden","true"),e.style.height="".concat(i,"px"),e};function x0(i){let e=Math.min(devicePixelRatio,
+mark:d})}return t}var Ad=class{constructor(e,t,n){this.log=e,this.head=t,this.thin=null,this.bodies=new ho(n),this.rows=new uo(t.channels),this.steps=null,this.
+timeline_done=!1,this.cache=new Map,this.cache_bytes=0,this.asked=new Set,this.contact_cache=new Map}gaps(){let e=this.head.gaps;return[...e,...this.rows.unread().
+filter(([t])=>!e.some(([n,s])=>t>=n&&t<=s))]}gap_at(e){return this.gaps().find(([t,n])=>e>=t&&e<=n)??null}time_of(e){let t=this.rows.index(e);return t<0?(e-this.
+head.first)*this.head.dt:this.rows.time[t]+(e-this.rows.step[t])*this.head.dt}frame(e){return this.cache.get(e)??null}keep(e){let t=29*e.rows+64;this.cache.set(
+e.step,e),this.cache_bytes+=t;for(let[n,s]of this.cache){if(this.cache_bytes<=i1)break;this.cache.delete(n),this.cache_bytes-=29*s.rows+64}}async fetch(e,t,n){let s=await m0(
+"frames",{log:this.log,first:e,count:t,stride:n}),r=o1(await s.arrayBuffer());for(let a of r)this.keep(a);Math.max(...r.map(a=>a.version))>this.bodies.version&&
+await this.fetch_bodies()}async fetch_bodies(){this.bodies.update(await Ti("bodies",{log:this.log})),this.on_bodies?.()}async frame_soon(e){return this.cache.has(
+e)||await this.fetch(e,1,1),this.frame(e)}prefetch(e,t){let n=Math.max(1,Math.round(Math.abs(t)))*Math.sign(t),s=e+n;for(let o=0;o<Td/2&&this.cache.has(s);++o)s+=
+n;if(this.asked.size>1)return;let r=n>0?s:Math.max(this.head.first,s+(Td-1)*n);r>this.head.last||r<this.head.first||this.asked.has(r)||(this.asked.add(r),this.fetch(
+r,Td,Math.abs(n)).catch(()=>{}).finally(()=>this.asked.delete(r)))}async contacts_at(e){return this.contact_cache.has(e)||(this.contact_cache.size>64&&this.contact_cache.
+clear(),this.contact_cache.set(e,await Ti("contacts",{log:this.log,step:e}))),this.contact_cache.get(e)}way(e){return Ti("way",{log:this.log,id:e})}body_at(e,t){
+return Ti("body",{log:this.log,step:e,id:t})}blame(e,t,n,s){return Ti("blame",{log:this.log,step:e,id:t,field:n,back:s})}async take_news(){let e=await Ti("news",
+{log:this.log}),t=e.last>this.head.last||e.finished!==this.head.finished;t&&(this.head=await Ti("head",{log:this.log})),e.version>this.bodies.version&&await this.
+fetch_bodies();let n=t;for(;this.rows.count<e.rows;){let s=await Ti("timeline",{log:this.log,from:this.rows.count});if(s.step.length===0||(this.rows.append(s),this.
+rows.events.push(...s.more_inputs),n=!0,s.step.length<4e3))break}for(;this.rows.begun.length<Math.min(e.begun,this.rows.count);){let s=await Ti("begun",{log:this.
+log,from:this.rows.begun.length});if(s.length===0)break;this.rows.begun.push(...s),n=!0}return e.contacts_why_not!==this.rows.begun_why_not&&(n=!0),this.rows.begun_why_not=
+e.contacts_why_not,this.timeline_done=e.timeline_done,this.busy=!e.timeline_done||!e.contacts_done,n}};async function g0(i){let e=await Promise.all(i.logs.map(async(n,s)=>new Ad(
+s,n,await Ti("bodies",{log:s}))));return{sessions:e,difference:null,served:!0,follow:(n,s)=>{let r=null,o=e.length<2,a=async()=>{let l=!1;try{for(let u of e)l=await u.
+take_news()||l;o||(r=await Ti("difference"),o=r.state!=="working",l=!0),s(null)}catch(u){s(u)}l&&n(r);let c=e.some(u=>!u.head.finished),d=!o||e.some(u=>!u.timeline_done||
+u.busy);(c||d)&&setTimeout(a,d&&!c?r1:s1)};a()}}}var a1=30,l1=22,_0=i=>{let e=X("canvas",{});return e.setAttribute("aria-hidden","true"),e.style.height="".concat(i,"px"),e};function x0(i){let e=Math.min(devicePixelRatio,
 2),t=i.clientWidth,n=i.clientHeight;(i.width!==Math.round(t*e)||i.height!==Math.round(n*e))&&(i.width=Math.round(t*e),i.height=Math.round(n*e));let s=i.getContext(
 "2d");return s.setTransform(e,0,0,e,0,0),s.clearRect(0,0,t,n),{context:s,width:t,height:n}}function c1(i,e,t,n){let s=new Float64Array(Math.ceil(n)+1).fill(1/0),
 r=new Float64Array(Math.ceil(n)+1).fill(-1/0);for(let o=0;o<i.count;++o){let a=e(i,o);if(a==null||!Number.isFinite(a))continue;let l=Math.min(s.length-1,Math.max(
@@ -4192,9 +4195,9 @@ max(_,1e-18)):_=>_,[h,f]=[u(d.bottom),u(d.top)],p=_=>l-2-(l-5)*(u(_)-h)/Math.max
 t.count;++_)e.broken(t,_)&&o.fillRect(n(t.step[_]),l-4,2,4);o.fillStyle=s}if(e.kind==="bars"){for(let _=0;_<c.high.length;++_)c.high[_]>0&&o.fillRect(_,p(c.high[_]),
 1.2,l-1-p(c.high[_]));return!0}o.beginPath();let v=!1,m=0,g=0;for(let _=0;_<c.high.length;++_)c.high[_]!==-1/0&&(v||o.moveTo(g=_,p(c.high[_])),v=!0,o.lineTo(_,p(
 c.high[_])),c.low[_]!==c.high[_]&&o.lineTo(_,p(c.low[_])),m=_);return o.lineWidth=1.4,o.lineJoin="round",o.stroke(),e.kind==="area"&&(o.lineTo(m,l),o.lineTo(g,l),
-o.globalAlpha=.25,o.fill(),o.globalAlpha=1),!0}function y0({rows:i,range:e,seek:t,marks:n,hues:s}){let r=q("div",{className:"timeline"}),o=q("div",{className:"c\
-ursor"}),a=_0(l1),l=q("span",{className:"value"}),c=[],d=0,u=_=>w=>(w-e().first)/Math.max(1,e().last-e().first)*(_-1),h=(_,w,M,C="")=>q("div",{className:"lane",
-title:C},q("div",{className:"label"},q("span",{textContent:_}),w),M),f=_=>{c=_.map(w=>{let M=_0(a1),C=q("span",{className:"value"});return{lane:w,canvas:M,value:C,
+o.globalAlpha=.25,o.fill(),o.globalAlpha=1),!0}function y0({rows:i,range:e,seek:t,marks:n,hues:s}){let r=X("div",{className:"timeline"}),o=X("div",{className:"c\
+ursor"}),a=_0(l1),l=X("span",{className:"value"}),c=[],d=0,u=_=>w=>(w-e().first)/Math.max(1,e().last-e().first)*(_-1),h=(_,w,M,C="")=>X("div",{className:"lane",
+title:C},X("div",{className:"label"},X("span",{textContent:_}),w),M),f=_=>{c=_.map(w=>{let M=_0(a1),C=X("span",{className:"value"});return{lane:w,canvas:M,value:C,
 row:h(w.name,C,M,w.title??"")}}),r.replaceChildren(h("events",l,a),...c.map(({row:w})=>w),o)},p=()=>{let{context:_,width:w,height:M}=x0(a),C=s(),{gaps:b,inputs:x,
 hits:S,first_difference:N}=n(),R=u(w);_.fillStyle=C.line,_.fillRect(0,M/2-1,w,2);for(let[I,F]of b)_.fillStyle=C.bad,_.globalAlpha=.35,_.fillRect(R(I),2,Math.max(
 2,R(F)-R(I)),M-4),_.globalAlpha=1;_.fillStyle=C.select;for(let I of S)_.fillRect(R(I.first),M-7,Math.max(2,R(I.last)-R(I.first)),6);_.fillStyle=C.ink;for(let{step:I}of x){
@@ -4205,20 +4208,20 @@ inputs.length," input").concat(n().inputs.length===1?"":"s");let M=a.offsetLeft+
 clientWidth===0)return;let _=s();p(),c.forEach(({lane:w,canvas:M,row:C},b)=>{let x=u1(M,w,i,u(M.clientWidth),w.bad?_.bad:_.lanes[b%_.lanes.length],_);C.hidden=!x&&
 (w.only_if_any||w.late)}),v()},g=_=>{if(_.buttons===0)return;let w=a.getBoundingClientRect(),M=Math.min(1,Math.max(0,(_.clientX-w.left)/Math.max(1,w.width-1)));
 t(Math.round(e().first+M*(e().last-e().first)))};return r.addEventListener("pointerdown",_=>{_.target.tagName==="CANVAS"&&(r.setPointerCapture(_.pointerId),g(_))}),
-r.addEventListener("pointermove",g),new ResizeObserver(m).observe(r),{place:r,draw:m,set_lanes:f,show(_){d=_,v()}}}function v0(i){let{drawing:e}=i,t=i.sessions.length===2,n=(h,f,p,v)=>{let m=q("button",{type:"button",textContent:h,title:"".concat(h," (").concat(f,")")});return m.
-addEventListener("click",()=>{v(),u()}),{made:m,is_on:p}},s=q("select",{},...[["material","material"],["state","asleep or awake"],["speed","speed"],...t?[["apar\
-t","distance A to B"]]:[]].map(([h,f])=>q("option",{value:h,textContent:f})));s.addEventListener("change",()=>{e.paint=s.value;let{rows:h}=i.sessions[0];e.top_speed=
+r.addEventListener("pointermove",g),new ResizeObserver(m).observe(r),{place:r,draw:m,set_lanes:f,show(_){d=_,v()}}}function v0(i){let{drawing:e}=i,t=i.sessions.length===2,n=(h,f,p,v)=>{let m=X("button",{type:"button",textContent:h,title:"".concat(h," (").concat(f,")")});return m.
+addEventListener("click",()=>{v(),u()}),{made:m,is_on:p}},s=X("select",{},...[["material","material"],["state","asleep or awake"],["speed","speed"],...t?[["apar\
+t","distance A to B"]]:[]].map(([h,f])=>X("option",{value:h,textContent:f})));s.addEventListener("change",()=>{e.paint=s.value;let{rows:h}=i.sessions[0];e.top_speed=
 Math.max(.1,...h.speed.map(f=>Math.min(f??0,50)).slice(0,5e4)),e.show()});let r=()=>{e.with_contacts=!e.with_contacts,e.show()},o=()=>{e.with_ways=!e.with_ways,
 e.show_ways()},a=()=>{t&&e.set_side_by_side(!e.side_by_side)},l=()=>{i.selected!==null&&(e.following=!e.following,e.show())},c=[n("Contacts","c",()=>e.with_contacts,
-r),n("Ways","w",()=>e.with_ways,o),...t?[n("Side by side","s",()=>e.side_by_side,a)]:[],n("Follow","f",()=>e.following,l)],d=q("button",{type:"button",textContent:"\
+r),n("Ways","w",()=>e.with_ways,o),...t?[n("Side by side","s",()=>e.side_by_side,a)]:[],n("Follow","f",()=>e.following,l)],d=X("button",{type:"button",textContent:"\
 Whole scene",title:"Whole scene (r)"});d.addEventListener("click",()=>e.reset_view());function u(){for(let{made:h,is_on:f}of c)h.setAttribute("aria-pressed",String(
-f()));c.at(-1).made.disabled=i.selected===null}return u(),{place:q("div",{className:"toolbar"},q("label",{},"Colour by ",s),...c.map(({made:h})=>h),d),show:u,flip:{
-c:()=>{r(),u()},w:()=>{o(),u()},s:()=>{a(),u()},f:()=>{l(),u()},r:()=>e.reset_view()}}}var d1=60,Ed=class{constructor(e,t){Object.assign(this,t,{place:e,selected:null,hits:[],hit:-1,settle:null,asked:0});let[n]=this.sessions;this.steps=new sr(Math.
+f()));c.at(-1).made.disabled=i.selected===null}return u(),{place:X("div",{className:"toolbar"},X("label",{},"Colour by ",s),...c.map(({made:h})=>h),d),show:u,flip:{
+c:()=>{r(),u()},w:()=>{o(),u()},s:()=>{a(),u()},f:()=>{l(),u()},r:()=>e.reset_view()}}}var d1=60,Ed=class{constructor(e,t){Object.assign(this,t,{place:e,selected:null,hits:[],hit:-1,settle:null,asked:0});let[n]=this.sessions;this.steps=new rr(Math.
 min(...this.sessions.map(({head:s})=>s.first)),Math.max(...this.sessions.map(({head:s})=>s.last)),this.union_of_steps()),this.player=jc({steps:this.steps,dt:()=>n.
-head.dt,show:s=>this.show(s)}),this.header=Yg(this),this.view=q("div",{className:"view3d"}),this.said=q("output",{className:"said"}),this.drawing=new nh(this.view,
+head.dt,show:s=>this.show(s)}),this.header=Yg(this),this.view=X("div",{className:"view3d"}),this.said=X("output",{className:"said"}),this.drawing=new nh(this.view,
 this.sessions,s=>this.select(s)),this.timeline=y0({rows:n.rows,range:()=>this.steps,seek:s=>this.player.seek(s),hues:Ki,marks:()=>this.marks()}),this.search=c0(
-this),this.side=new ih(this),this.toolbar=v0(this),this.keys=t0(this),e.replaceChildren(this.header.place,q("div",{className:"work"},q("section",{className:"sho\
-wn",ariaLabel:"the state shown"},this.toolbar.place,this.view,this.said,this.player.bar,this.timeline.place),q("aside",{ariaLabel:"search and numbers"},this.search.
+this),this.side=new ih(this),this.toolbar=v0(this),this.keys=t0(this),e.replaceChildren(this.header.place,X("div",{className:"work"},X("section",{className:"sho\
+wn",ariaLabel:"the state shown"},this.toolbar.place,this.view,this.said,this.player.bar,this.timeline.place),X("aside",{ariaLabel:"search and numbers"},this.search.
 place,...this.side.places,this.keys.place))),this.set_lanes(),this.side.show_inputs(),this.side.show_selection(),this.sessions.length===2&&this.side.show_difference()}union_of_steps(){
 return this.sessions.some(e=>e.steps)?[...new Set(this.sessions.flatMap(e=>e.steps))].sort((e,t)=>e-t):null}async start(){let e=/(?:^#|&)step=(\d+)/.exec(location.
 hash),t=/(?:^#|&)body=(\d+)/.exec(location.hash),n=this.steps.at_or_before(e?Number(e[1]):this.steps.first);this.drawing.frames=await Promise.all(this.sessions.
@@ -4232,7 +4235,7 @@ head:t}=this.sessions[0],n=Math.max(...this.sessions.map(s=>s.head.last));if(e&&
 side.show_difference(),!s&&e.separation&&this.set_lanes()}n!==this.steps.last&&this.player.set_last(n)&&!t.finished&&this.player.seek(n),this.header.show(),this.
 side.show_inputs(),this.search.again(),this.timeline.draw()}show(e){this.timeline.show(e);let t=++this.asked,n=this.sessions.map(s=>s.frame(s.steps?this.own_step(
 s,e):e));if(this.player.direction!==0)for(let s of this.sessions)s.prefetch(e,this.player.direction*this.player.stride);n.every(s=>s!==null)?this.show_frames(e,
-n):this.fetch_frames(e,t),clearTimeout(this.settle),this.settle=setTimeout(()=>this.settled(e),d1)}own_step(e,t){return new sr(e.head.first,e.head.last,e.steps).
+n):this.fetch_frames(e,t),clearTimeout(this.settle),this.settle=setTimeout(()=>this.settled(e),d1)}own_step(e,t){return new rr(e.head.first,e.head.last,e.steps).
 at_or_before(t)}async fetch_frames(e,t){if(this.fetching){this.wanted=[e,t];return}this.fetching=!0;try{let s=performance.now(),r=await Promise.all(this.sessions.
 map(o=>e<o.head.first||e>o.head.last?null:o.frame_soon(o.steps?this.own_step(o,e):e)));this.seek_ms=performance.now()-s,(t===this.asked||this.player.direction!==
 0)&&this.show_frames(e,r),this.header.trouble(null)}catch(s){this.header.trouble(s)}this.fetching=!1;let{wanted:n}=this;this.wanted=null,n&&this.fetch_frames(...n)}show_frames(e,t){
@@ -4249,7 +4252,7 @@ served||await this.side.settled(e).catch(n=>this.header.trouble(n))}refresh(){th
 draw_contacts(),this.settled(this.player.step)}go_to_first_difference(){let e=this.difference?.first?.step;e!==void 0&&this.player.seek(e)}set_hits(e){this.hits=
 e,this.hit=-1,this.timeline.draw()}next_hit(e){if(this.hits.length===0)return;this.hit=(this.hit+e+this.hits.length)%this.hits.length;let t=this.hits[this.hit];
 this.player.seek(e>0||this.steps.list===null?t.first:t.at),this.search.at(this.hit)}};async function M0(i){try{let e=JSON.parse(document.getElementById("session\
--head").textContent),t=await(e.mode==="sent"?p0:g0)(e);await new Ed(i,{...t,bounds:e.bounds??[]}).start()}catch(e){throw i.append(q("p",{className:"bad",textContent:"\
+-head").textContent),t=await(e.mode==="sent"?p0:g0)(e);await new Ed(i,{...t,bounds:e.bounds??[]}).start()}catch(e){throw i.append(X("p",{className:"bad",textContent:"\
 This cannot be drawn: ".concat(e.message)})),e}}function f1(i){let e=JSON.parse(i.querySelector("script").textContent);i.replaceChildren();let t=i.dataset.first===void 0?null:Number(i.dataset.first),n=(i.dataset.
 groups??"").split(" "),s=Tp(i,e,{first:t,groups:n}),r=Wg(i,e,s.show_step);Wa(()=>{s.redraw(),r?.redraw()}),new ResizeObserver(()=>{s.resize(),r?.resize()}).observe(
 i)}function p1(i,e){let t=new IntersectionObserver(n=>{n.some(s=>s.isIntersecting)&&(t.disconnect(),e(i))},{rootMargin:"200px"});t.observe(i)}function Cd(i){return e=>{

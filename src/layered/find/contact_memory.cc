@@ -1,12 +1,11 @@
 #include "src/layered/find/contact_memory.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace tumble::sim {
 namespace {
-
-constexpr std::size_t kWorthManifolds = 32768;  // that pay for one more worker
 
 std::pair<BodyIndex, BodyIndex> key_of(const ContactMemory& memory, std::size_t k) {
   const BodyIndex a = memory.a[k], b = memory.b[k];
@@ -61,16 +60,18 @@ void empty(ContactMemory& memory) {
 
 void remember_contacts(std::span<const Manifold> manifolds, std::span<const ManifoldPoint> points, Workers* workers,
                        ContactMemory& memory) {
-  std::size_t total = 0;
   memory.count.resize(manifolds.size());
-  for (std::size_t k = 0; k < manifolds.size(); ++k) total += memory.count[k] = manifolds[k].count;
+  for_ranges(workers, manifolds.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) memory.count[k] = manifolds[k].count;
+  });
+  const std::size_t total = std::accumulate(memory.count.begin(), memory.count.end(), std::size_t{0});
   memory.a.resize(manifolds.size());
   memory.b.resize(manifolds.size());
   memory.friction.resize(manifolds.size());
   memory.twist.resize(manifolds.size());
   memory.feature.resize(total);
   memory.impulse.resize(total);
-  for_ranges(workers, manifolds.size(), kWorthManifolds, [&](std::size_t begin, std::size_t end) {
+  for_ranges(workers, manifolds.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
     std::size_t point = 0;
     for (std::size_t k = 0; k < begin; ++k) point += memory.count[k];
     for (std::size_t k = begin; k < end; ++k) {

@@ -9,6 +9,8 @@
 namespace tumble::sim {
 namespace {
 
+constexpr std::size_t kFastPairsAPart = 32;  // that pay for one more worker
+
 bool holds_one(const Scratch& scratch, BodyIndex lo, BodyIndex hi) {
   return scratch.held[lo] != 0 || (hi != kGround && scratch.held[hi] != 0);
 }
@@ -68,16 +70,20 @@ bool may_bounce(const WorldState& state, const Scratch& scratch, BodyIndex lo, B
 void find_approaches(const WorldState& state, const Scratch& scratch, double substep_s, std::vector<Approach>& out) {
   const FreePaths paths(state, scratch, substep_s);
   const double fall = falling_reach(state.def, substep_s);
-  out.clear();
-  for (const auto& [lo, hi] : scratch.fast.pairs) {
-    Approach& approach = out.emplace_back();
-    if (!near(state, scratch, lo, hi, substep_s)) continue;
+  out.resize(scratch.fast.pairs.size());
+  const auto find = [&](const ContactPair& pair) -> Approach {
+    const auto [lo, hi] = pair;
+    if (!near(state, scratch, lo, hi, substep_s)) return {};
     const double margin = holds_both(scratch, lo, hi) ? slack(scratch, lo, hi) + fall : 0;
-    approach = hi == kGround ? paths.follow(kGround, lo, margin) : paths.follow(lo, hi, margin);
+    Approach approach = hi == kGround ? paths.follow(kGround, lo, margin) : paths.follow(lo, hi, margin);
     // Where tangents are good enough, points near the path are kept, so that resting bodies do not rock.
     if (approach.kind == Approach::Kind::kPassing && !bends(scratch, paths, lo, hi))
       approach.kind = Approach::Kind::kNear;
-  }
+    return approach;
+  };
+  for_ranges(scratch.workers, out.size(), kFastPairsAPart, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) out[k] = find(scratch.fast.pairs[k]);
+  });
 }
 
 }  // namespace tumble::sim

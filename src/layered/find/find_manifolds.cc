@@ -9,7 +9,7 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kWorthPairs = 16384;  // and bodies, that pay for one more worker
+constexpr std::size_t kWorthPairs = 1024;  // and bodies, that pay for one more worker
 
 // The first body of a part; all parts get about one number of pairs and bodies.
 BodyIndex first_body(const WorldState& state, unsigned part, unsigned parts) {
@@ -35,15 +35,19 @@ void swap_first(Scratch& scratch) {
 }
 
 // Marks the bodies that a contact pressed at the end of the last step.
-void mark_held(const ContactMemory& memory, std::vector<std::uint8_t>& held) {
-  std::size_t point = 0;
-  for (std::size_t k = 0; k < memory.size(); ++k) {
-    bool pressed = false;
-    for (const std::size_t end = point + memory.count[k]; point < end; ++point) pressed |= memory.impulse[point] > 0;
-    if (!pressed) continue;
-    if (memory.a[k] != kGround) held[memory.a[k]] = 1;
-    held[memory.b[k]] = 1;
-  }
+void mark_held(const ContactMemory& memory, Workers* workers, std::vector<std::uint8_t>& held) {
+  for_ranges(workers, memory.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
+    std::size_t point = 0;
+    for (std::size_t k = 0; k < begin; ++k) point += memory.count[k];
+    for (std::size_t k = begin; k < end; ++k) {
+      bool pressed = false;
+      for (const std::size_t past = point + memory.count[k]; point < past; ++point)
+        pressed |= memory.impulse[point] > 0;
+      if (!pressed) continue;
+      if (memory.a[k] != kGround) mark(held[memory.a[k]]);
+      mark(held[memory.b[k]]);
+    }
+  });
 }
 
 // Joins the lists of all workers in order of bodies; copies those of all but the first.
@@ -81,7 +85,7 @@ Status find_manifolds(WorldState& state, Scratch& scratch, double dt_s) {
   if (scratch.manifolds_by.size() < parts) scratch.manifolds_by.resize(parts);
   swap_first(scratch);
   scratch.held.assign(state.bodies.size(), 0);
-  mark_held(state.contact_memory, scratch.held);
+  mark_held(state.contact_memory, scratch.workers, scratch.held);
   for_parts(scratch.workers, parts, [&](unsigned part) {
     build_manifolds(state, scratch, dt_s, first_body(state, part, parts), first_body(state, part + 1, parts),
                     scratch.manifolds_by[part]);

@@ -1,9 +1,13 @@
 #include "src/layered/order/assign_levels.h"
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
+#include "src/layered/order/contact_graph.h"
 #include "src/layered/order/islands.h"
 #include "src/layered/order/solver_body.h"
+#include "src/layered/order/waves.h"
 
 namespace tumble::sim {
 namespace {
@@ -17,60 +21,42 @@ constexpr int kHardSweeps = 20;      // a bar that is pressed at one end turns a
 constexpr double kMuchHeavier = 16;  // times as heavy
 constexpr double kStill = 0.01;      // m/s
 
+using Link = ContactGraph::Link;
+
 bool at_rest(const Bodies& bodies, BodyIndex i) { return i == kGround || !bodies.moves(i); }
 
-// Lists for each body the bodies that it touches.
-void find_neighbours(const WorldState& state, const Scratch& scratch, LevelScratch& own) {
-  const std::size_t n = state.bodies.size();
-  own.start.assign(n + 1, 0);
-  own.touching.clear();
-  for (std::uint32_t k = 0; k < scratch.manifolds.size(); ++k) {
-    const Manifold& m = scratch.manifolds[k];
-    if (m.asleep || m.a == kGround || !touches(scratch, m)) continue;
-    own.touching.push_back(k);
-    ++own.start[m.a + 1];
-    ++own.start[m.b + 1];
-  }
-  for (std::size_t i = 0; i < n; ++i) own.start[i + 1] += own.start[i];
-  own.neighbours.resize(own.start[n]);
-  own.next.assign(own.start.begin(), own.start.end() - 1);
-  for (const std::uint32_t k : own.touching) {
-    const Manifold& m = scratch.manifolds[k];
-    own.neighbours[own.next[m.a]++] = m.b;
-    own.neighbours[own.next[m.b]++] = m.a;
-  }
-}
-
-void measure_levels(WorldState& state, Scratch& scratch) {
+// A body of level 1 touches something at rest. From there the levels go from contact to contact, those of one level at
+// the same time.
+void measure_levels(const WorldState& state, Scratch& scratch, const Worker& worker) {
   const Bodies& bodies = state.bodies;
-  LevelScratch& own = scratch.levels;
-  find_neighbours(state, scratch, own);
+  const ContactGraph& graph = scratch.graph;
   std::vector<std::uint32_t>& level = scratch.level;
-  level.assign(bodies.size(), kUnreached);
-  std::vector<BodyIndex>&front = own.front, &next = own.reached;
-  next.clear();
+  Waves waves(scratch.waves, bodies.size(), worker);
+  const Worker::Share share = worker.share(bodies.size());
+  std::fill(level.begin() + static_cast<std::ptrdiff_t>(share.begin),
+            level.begin() + static_cast<std::ptrdiff_t>(share.end), kUnreached);
+  worker.meet();
   const auto reach = [&](BodyIndex i, std::uint32_t at) {
-    if (at_rest(bodies, i) || level[i] <= at) return;
-    level[i] = at;
-    next.push_back(i);
+    if (!at_rest(bodies, i) && worker.exchange(level[i], kUnreached, at)) waves.push(i);
   };
-  for (const Manifold& m : scratch.manifolds) {
-    if (m.asleep || !touches(scratch, m)) continue;
-    if (at_rest(bodies, m.a)) reach(m.b, 1);
-    if (at_rest(bodies, m.b)) reach(m.a, 1);
+  for (auto i = static_cast<BodyIndex>(share.begin); i < share.end; ++i) {
+    bool touches_rest = false;
+    for_ends(graph, i, [&](const ContactEnd& end) {
+      touches_rest |= graph.links[end.manifold].touches && at_rest(bodies, end.other);
+    });
+    if (touches_rest) reach(i, 1);
   }
-  for (std::uint32_t at = 2; !next.empty(); ++at) {
-    std::swap(front, next);
-    next.clear();
-    for (const BodyIndex i : front) {
-      for (std::uint32_t k = own.start[i]; k < own.start[i + 1]; ++k) reach(own.neighbours[k], at);
-    }
-  }
+  waves.walk([&](BodyIndex i) {
+    const std::uint32_t at = level[i] + 1;
+    for_ends(graph, i, [&](const ContactEnd& end) {
+      if (graph.links[end.manifold].touches) reach(end.other, at);
+    });
+  });
 }
 
 // Whether bodies of very different masses touch and move: few sweeps leave over a part of the heavy one's impulse that
 // throws the light one aside. At rest the loads that a contact starts from are all that it needs.
-bool is_uneven(const Bodies& bodies, const Manifold& m) {
+bool is_uneven(const Bodies& bodies, const Link& m) {
   if (at_rest(bodies, m.a) || at_rest(bodies, m.b)) return false;
   const auto [light, heavy] = std::minmax({bodies.mass[m.a], bodies.mass[m.b]});
   const Vec3 a = bodies.velocity[m.a], b = bodies.velocity[m.b];
@@ -79,31 +65,46 @@ bool is_uneven(const Bodies& bodies, const Manifold& m) {
 
 bool slender_mover(const Bodies& bodies, BodyIndex i) { return !at_rest(bodies, i) && is_slender(bodies.inertia[i]); }
 
+// Calls visit(link) for all awake manifolds, by several workers at a time.
+template <class Visit>
+void for_awake(const Scratch& scratch, Visit visit) {
+  const std::vector<Link>& links = scratch.graph.links;
+  for_ranges(scratch.workers, links.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      if (links[k].awake) visit(links[k]);
+    }
+  });
+}
+
 // For each body whether its island is hard; empty if none is.
-std::span<const std::uint8_t> find_hard_islands(WorldState& state, Scratch& scratch) {
+std::span<const std::uint8_t> find_hard_islands(const WorldState& state, Scratch& scratch) {
   const Bodies& bodies = state.bodies;
   LevelScratch& own = scratch.levels;
-  std::vector<BodyIndex>& hard = own.hard;
-  hard.clear();
-  for (const Manifold& m : scratch.manifolds) {
-    if (m.asleep) continue;
-    if (slender_mover(bodies, m.a) || is_uneven(bodies, m)) hard.push_back(m.a);
-    if (slender_mover(bodies, m.b)) hard.push_back(m.b);
-  }
-  if (hard.empty()) return {};
-  Islands islands(scratch.island_links, bodies.size());
-  for (const Manifold& m : scratch.manifolds) {
+  const auto makes_hard = [&](const Link& m) {
+    return slender_mover(bodies, m.a) || slender_mover(bodies, m.b) || is_uneven(bodies, m);
+  };
+  std::uint8_t any = 0;
+  for_awake(scratch, [&](const Link& m) {
+    if (makes_hard(m)) mark(any);
+  });
+  if (any == 0) return {};
+  Islands islands(scratch.island_links, bodies.size(), scratch.workers);
+  for_awake(scratch, [&](const Link& m) {
     if (!at_rest(bodies, m.a) && !at_rest(bodies, m.b)) islands.join(m.a, m.b);
-  }
+  });
   own.marked.assign(bodies.size(), 0);
   own.in_hard.resize(bodies.size());
-  for (const BodyIndex i : hard) own.marked[islands.of(i)] = 1;
-  for (BodyIndex i = 0; i < bodies.size(); ++i) own.in_hard[i] = own.marked[islands.of(i)];
+  for_awake(scratch, [&](const Link& m) {
+    if (makes_hard(m)) mark(own.marked[islands.of(at_rest(bodies, m.a) ? m.b : m.a)]);
+  });
+  for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) own.in_hard[i] = own.marked[islands.of(i)];
+  });
   return own.in_hard;
 }
 
 // Layer 2 l holds the manifolds between levels l and l + 1, layer 2 l + 1 those within level l.
-std::uint32_t layer_for(const WorldState& state, const Scratch& scratch, const Manifold& m) {
+std::uint32_t layer_for(const WorldState& state, const Scratch& scratch, const Link& m) {
   const auto level = [&](BodyIndex i) { return at_rest(state.bodies, i) ? 0U : scratch.level[i]; };
   const std::uint32_t a = level(m.a), b = level(m.b);
   if (a == kUnreached && b == kUnreached) return kUnreached;
@@ -116,51 +117,87 @@ int sweeps_for(std::uint32_t layers, bool hard) {
   return hard ? std::max(kHardSweeps, sweeps) : sweeps;
 }
 
-// Assigns layers, behind those of earlier groups, to the manifolds with belongs(manifold).
-template <class Belongs>
-void add_group(WorldState& state, Scratch& scratch, bool hard, Belongs belongs) {
-  const std::uint32_t begin = scratch.sweep_groups.empty() ? 0 : scratch.sweep_groups.back().end;
-  std::uint32_t highest = 0;
-  for (Manifold& m : scratch.manifolds) {
-    if (m.asleep || !belongs(m)) continue;
-    m.layer = layer_for(state, scratch, m);
-    if (m.layer != kUnreached) highest = std::max(highest, m.layer);
-  }
-  const std::uint32_t layers = highest + 2;  // the last layer: islands that touch nothing at rest
-  for (Manifold& m : scratch.manifolds) {
-    if (!m.asleep && belongs(m)) m.layer = begin + std::min(m.layer, layers - 1);
-  }
-  scratch.sweep_groups.push_back({begin, begin + layers, sweeps_for(layers, hard), hard});
-}
+// Sorts the awake manifolds by layer; the layers of hard islands come behind the others. Each worker sorts a range.
+class Layers {
+ public:
+  // near_hard: for each body whether its island is hard; empty if none is.
+  Layers(const WorldState& state, Scratch& scratch, std::span<const std::uint8_t> near_hard)
+      : state_(state), scratch_(scratch), near_hard_(near_hard) {}
 
-void sort_by_layer(Scratch& scratch) {
-  const std::uint32_t layers = scratch.sweep_groups.back().end;
-  scratch.layer_start.assign(layers + 1, 0);
-  for (const Manifold& m : scratch.manifolds) {
-    if (!m.asleep) ++scratch.layer_start[m.layer + 1];
+  void sort(const Worker& worker) {
+    std::vector<Link>& links = scratch_.graph.links;
+    const Worker::Share share = worker.share(links.size());
+    std::uint32_t highest[2] = {};
+    for (std::size_t k = share.begin; k < share.end; ++k) {
+      if (!links[k].awake) continue;
+      links[k].layer = layer_for(state_, scratch_, links[k]);
+      if (links[k].layer != kUnreached) raise(highest[in_hard(links[k])], links[k].layer);
+    }
+    for (int hard = 0; hard < 2; ++hard) worker.raise(highest_[hard], highest[hard]);
+    worker.meet();
+    if (worker.first()) make_groups(worker.parts);
+    worker.meet();
+    std::uint32_t* const next = scratch_.levels.next.data() + worker.part * scratch_.layer_start.size();
+    for (std::size_t k = share.begin; k < share.end; ++k) {
+      if (!links[k].awake) continue;
+      const SweepGroup& group = scratch_.sweep_groups[in_hard(links[k])];
+      links[k].layer = group.begin + std::min(links[k].layer, group.end - group.begin - 1);
+      scratch_.manifolds[k].layer = links[k].layer;
+      ++next[links[k].layer];
+    }
+    worker.meet();
+    if (worker.first()) place_layers(worker.parts);
+    worker.meet();
+    for (std::size_t k = share.begin; k < share.end; ++k) {
+      if (links[k].awake) scratch_.layered[next[links[k].layer]++] = static_cast<std::uint32_t>(k);
+    }
   }
-  for (std::uint32_t k = 0; k < layers; ++k) scratch.layer_start[k + 1] += scratch.layer_start[k];
-  scratch.layered.resize(scratch.layer_start[layers]);
-  std::vector<std::uint32_t>& next = scratch.levels.next;
-  next.assign(scratch.layer_start.begin(), scratch.layer_start.end() - 1);
-  for (std::uint32_t k = 0; k < scratch.manifolds.size(); ++k) {
-    if (!scratch.manifolds[k].asleep) scratch.layered[next[scratch.manifolds[k].layer]++] = k;
+
+ private:
+  static void raise(std::uint32_t& largest, std::uint32_t x) { largest = std::max(largest, x); }
+
+  unsigned in_hard(const Link& m) const {
+    return !near_hard_.empty() && near_hard_[at_rest(state_.bodies, m.b) ? m.a : m.b] != 0 ? 1U : 0U;
   }
-}
+  void make_groups(unsigned workers) {
+    scratch_.sweep_groups.clear();
+    std::uint32_t end = 0;
+    for (int hard = 0; hard < (near_hard_.empty() ? 1 : 2); ++hard) {
+      const std::uint32_t layers = highest_[hard] + 2;  // the last layer: islands that touch nothing at rest
+      scratch_.sweep_groups.push_back({end, end + layers, sweeps_for(layers, hard == 1), hard == 1});
+      end += layers;
+    }
+    scratch_.layer_start.resize(end + 1);
+    scratch_.levels.next.assign(workers * scratch_.layer_start.size(), 0);
+  }
+  // From the counts of each worker, where its manifolds of each layer begin.
+  void place_layers(unsigned workers) {
+    const std::size_t layers = scratch_.layer_start.size();
+    std::uint32_t begin = 0;
+    for (std::size_t layer = 0; layer < layers; ++layer) {
+      scratch_.layer_start[layer] = begin;
+      for (std::size_t worker = 0; worker < workers; ++worker) {
+        begin += std::exchange(scratch_.levels.next[worker * layers + layer], begin);
+      }
+    }
+    scratch_.layered.resize(begin);
+  }
+
+  const WorldState& state_;
+  Scratch& scratch_;
+  std::span<const std::uint8_t> near_hard_;
+  std::uint32_t highest_[2] = {};
+};
 
 }  // namespace
 
 Status assign_levels(WorldState& state, Scratch& scratch, double /*dt_s*/) {
-  measure_levels(state, scratch);
-  const std::span<const std::uint8_t> near_hard = find_hard_islands(state, scratch);
-  const auto in_hard = [&](const Manifold& m) {
-    if (near_hard.empty()) return false;
-    return near_hard[at_rest(state.bodies, m.b) ? m.a : m.b] != 0;
-  };
-  scratch.sweep_groups.clear();
-  add_group(state, scratch, false, [&](const Manifold& m) { return !in_hard(m); });
-  if (!near_hard.empty()) add_group(state, scratch, true, in_hard);
-  sort_by_layer(scratch);
+  connect_contacts(state, scratch);
+  scratch.level.resize(state.bodies.size());
+  const unsigned parts = part_count(scratch.workers, scratch.manifolds.size(), kManifoldsAPart);
+  work_together(scratch.workers, parts, [&](const Worker& worker) { measure_levels(state, scratch, worker); });
+  Layers layers(state, scratch, find_hard_islands(state, scratch));
+  work_together(scratch.workers, parts, [&](const Worker& worker) { layers.sort(worker); });
   return {};
 }
 

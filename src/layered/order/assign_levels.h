@@ -11,10 +11,11 @@ namespace tumble::sim {
 /// Manifolds whose two bodies have the same two levels form a layer and are solved together. Layers go outward from the
 /// ground. The phase also sets the number of sweeps. An island is *hard* if it has a slender body (a bar), or two
 /// bodies that touch, of which one moves and one is at least 16 times as heavy as the other. Hard islands form a group
-/// of their own, which comes last and is swept more often. Reads:  manifolds, frozen, is_static, mass, inertia,
-/// velocity Writes: level; manifolds' layer; layer_start, layered, sweep_groups Order:  a breadth-first distance does
-/// not depend on the order of visits, nor does an island Source: thesis VI, "shock propagation", after Guendelman,
-/// Bridson and Fedkiw (2003). Differs: no body is held fixed
+/// of their own, which comes last and is swept more often.
+/// Reads:  manifolds, frozen, is_static, mass, inertia, velocity
+/// Writes: level; manifolds' layer; graph, layer_start, layered, sweep_groups
+/// Order:  a breadth-first distance does not depend on the order of visits, nor does an island
+/// Source: thesis VI, "shock propagation", after Guendelman, Bridson and Fedkiw (2003). Differs: no body is held fixed
 ///         while the next layer is solved; sweeps go up and down in turn instead.
 Status assign_levels(WorldState& state, Scratch& scratch, double dt_s);
 void hash_assign_levels(const WorldState& state, const Scratch& scratch, Hasher& hasher);

@@ -5,73 +5,94 @@
 #include <limits>
 #include <numeric>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "src/base/check.h"
+#include "src/layered/order/share_layer.h"
 #include "src/math/grid.h"
 
 namespace tumble::sim {
 namespace {
 
-// Groups the manifolds of a layer into batches by their number of points: lanes of a batch take as long as the one with
-// the most points.
+// The manifolds of layers that follow one another.
+struct LayerList {
+  std::span<const std::uint32_t> members;  // layer by layer
+  std::span<const std::uint32_t> start;    // by layer, in `members`; one more at the end
+  std::uint32_t hard_from = 0;             // layers from this one on belong to hard islands
+  double bounce_min = 0;
+
+  [[nodiscard]] std::uint32_t count() const { return static_cast<std::uint32_t>(start.size() - 1); }
+};
+
+// Groups the manifolds of each layer into batches by their number of points: lanes of a batch take as long as the one
+// with the most points. Several workers group a range of layers each.
 class Grouping {
  public:
-  Grouping(std::span<const Manifold> manifolds, ContactBatches& all) : manifolds_(manifolds), all_(all) {
+  Grouping(const LayerList& layers, std::span<const Manifold> manifolds, ContactBatches& all)
+      : layers_(layers), manifolds_(manifolds), all_(all) {
     all_.layer_start.assign(1, 0);
+    std::uint32_t batches = 0, widest = 0;
+    for (std::uint32_t layer = 0; layer < layers_.count(); ++layer) {
+      const std::uint32_t here = (layers_.start[layer + 1] - layers_.start[layer] + kLanes - 1) / kLanes;
+      widest = std::max(widest, here);
+      all_.layer_start.push_back(batches += here);
+    }
     all_.place.resize(manifolds.size());
-    all_.order.resize(manifolds.size());
+    all_.order.resize(layers_.members.size());
+    all_.batches.resize(batches);
+    all_.counts.resize(batches + 1);
+    all_.outcomes.resize(std::size_t{widest} * kLanes * 2);
   }
 
-  // Adds a layer behind those before.
-  void add_layer(std::span<const std::uint32_t> members, bool hard, double bounce_min) {
-    const std::uint32_t begin = members_, batches_before = batches_;
-    members_ += static_cast<std::uint32_t>(members.size());
+  void group_layer(std::uint32_t layer) {
+    const std::uint32_t begin = layers_.start[layer], end = layers_.start[layer + 1];
     const auto points_of_member = [&](std::uint32_t k) { return std::min(kManyPoints, manifolds_[k].count); };
+    const std::span<const std::uint32_t> members = layers_.members.subspan(begin, end - begin);
     std::array<std::uint32_t, kManyPoints + 2> start{};
     for (const std::uint32_t k : members) ++start[points_of_member(k) + 1];
     for (std::size_t k = 1; k < start.size(); ++k) start[k] += start[k - 1];
     for (const std::uint32_t k : members) all_.order[begin + start[points_of_member(k)]++] = k;
-    for (std::uint32_t k = begin; k < members_; k += kLanes) {
-      ContactBatch& batch = add_batch(k, std::min<std::uint32_t>(kLanes, members_ - k));
-      batch.hard = hard;
-      batch.bounce_min = bounce_min;
-    }
-    all_.layer_start.push_back(batches_);
-    widest_ = std::max(widest_, batches_ - batches_before);
+    std::uint32_t at = all_.layer_start[layer];
+    for (std::uint32_t k = begin; k < end; k += kLanes) place_batch(at++, k, std::min<std::uint32_t>(kLanes, end - k));
   }
 
-  void finish() {
-    all_.order.resize(members_);
-    all_.batches.resize(batches_);
-    all_.points.resize(points_);
-    all_.outcomes.resize(std::size_t{widest_} * kLanes * 2);
+  // When all layers are grouped: gives each batch its points.
+  void place_points() {
+    std::uint32_t points = 0;
+    for (std::uint32_t& count : all_.counts) points += std::exchange(count, points);
+    all_.points.resize(all_.counts.back());
+  }
+
+  // When points have places: all of a batch but the lanes.
+  void begin_batch(std::uint32_t k, std::uint32_t layer) {
+    ContactBatch& batch = all_.batches[k];
+    batch.members = layers_.start[layer] + (k - all_.layer_start[layer]) * kLanes;
+    batch.used = std::min<std::uint32_t>(kLanes, layers_.start[layer + 1] - batch.members);
+    batch.first = all_.counts[k];
+    batch.count = all_.counts[k + 1] - all_.counts[k];
+    batch.hard = layer >= layers_.hard_from;
+    batch.bounce_min = layers_.bounce_min;
+    std::fill_n(batch.visited, kLanes, 0U);
   }
 
  private:
   static constexpr std::uint32_t kManyPoints = 15;  // manifolds with more points are grouped together
 
-  ContactBatch& add_batch(std::uint32_t members, std::uint32_t used) {
-    if (all_.batches.size() == batches_) all_.batches.emplace_back();
-    ContactBatch& batch = all_.batches[batches_];
-    batch.used = used;
-    batch.members = members;
-    batch.first = points_;
-    batch.count = 0;
-    std::fill_n(batch.visited, kLanes, 0U);
+  void place_batch(std::uint32_t at, std::uint32_t members, std::uint32_t used) {
+    std::uint32_t count = 0;
     for (unsigned lane = 0; lane < used; ++lane) {
       const std::uint32_t k = all_.order[members + lane];
-      batch.count = std::max(batch.count, manifolds_[k].count);
-      all_.place[k] = batches_ * kLanes + lane;
+      count = std::max(count, manifolds_[k].count);
+      all_.place[k] = at * kLanes + lane;
     }
-    SIM_CHECK(batch.count <= kPointsMax, batch.count, kPointsMax);  // the kernels have room for so many
-    points_ += batch.count;
-    ++batches_;
-    return batch;
+    SIM_CHECK(count <= kPointsMax, count, kPointsMax);  // the kernels have room for so many
+    all_.counts[at] = count;
   }
 
+  const LayerList& layers_;
   std::span<const Manifold> manifolds_;
   ContactBatches& all_;
-  std::uint32_t members_ = 0, batches_ = 0, points_ = 0, widest_ = 0;
 };
 
 void set(Lanes* lanes, unsigned lane, const Vec3& v) {
@@ -166,95 +187,63 @@ class Filling {
   std::uint32_t ground_;  // its row in solver_bodies
 };
 
-// Lists for each layer its moving bodies with their outcomes, and sets the split of masses. All manifolds of a layer
-// start from one velocity of a body and correct it fully, so k manifolds together would overshoot by k times. Mass
-// splitting gives each manifold a body of 1/k of the mass; the k outcomes then add up to one correction (Tonge,
-// Benevolenski and Voroshilov 2012, Mass splitting for jitter-free parallel rigid body simulation).
-class Sharing {
- public:
-  Sharing(const WorldState& state, ContactBatches& all) : bodies_(state.bodies), all_(all) {
-    all_.touched.clear();
-    all_.touched_start.assign(1, 0);
-    all_.entries.resize(2 * all_.order.size());
-    all_.uses.assign(bodies_.size(), 0);
-  }
+// The first layer of a worker's: all workers get about one number of batches.
+std::uint32_t first_layer(const ContactBatches& all, const Worker& worker, unsigned part) {
+  const std::size_t wanted = all.batches.size() * part / worker.parts;
+  const auto layers_end = all.layer_start.end() - 1;
+  return static_cast<std::uint32_t>(std::lower_bound(all.layer_start.begin(), layers_end, wanted) -
+                                    all.layer_start.begin());
+}
 
-  void add_layer(std::size_t layer) {
-    const std::uint32_t begin = all_.layer_start[layer], end = all_.layer_start[layer + 1];
-    for_sides(begin, end, [&](BodyIndex i, Lanes&, unsigned, std::uint32_t) {
-      if (all_.uses[i]++ == 0) all_.touched.push_back({i, 0, 0});
-    });
-    const std::span<BodyOutcomes> touched = std::span(all_.touched).subspan(all_.touched_start.back());
-    for (std::uint32_t k = 0; k < touched.size(); ++k) {
-      BodyOutcomes& of = touched[k];
-      of.begin = of.end = entries_;
-      entries_ += all_.uses[of.body];
-      all_.uses[of.body] = k;
+void batch_layers(const WorldState& state, const LayerList& layers, std::span<const Manifold> manifolds,
+                  std::span<const ManifoldPoint> points, Workers* workers, ContactBatches& all) {
+  Grouping grouping(layers, manifolds, all);
+  const unsigned parts = part_count(workers, all.batches.size(), kBatchesAPart);
+  all.touched.resize(2 * all.order.size());
+  all.entries.resize(2 * all.order.size());
+  all.touched_start.resize(layers.count());
+  all.touched_end.resize(layers.count());
+  if (all.uses.size() < parts) all.uses.resize(parts);
+  work_together(workers, parts, [&](const Worker& worker) {
+    const std::uint32_t begin = first_layer(all, worker, worker.part);
+    const std::uint32_t end = worker.part + 1 == parts ? layers.count() : first_layer(all, worker, worker.part + 1);
+    for (std::uint32_t layer = begin; layer < end; ++layer) grouping.group_layer(layer);
+    worker.meet();
+    if (worker.first()) grouping.place_points();
+    worker.meet();
+    const Worker::Share batches = worker.share(all.batches.size());
+    Filling filling(state, manifolds, points, all);
+    const auto after = std::upper_bound(all.layer_start.begin(), all.layer_start.end(), batches.begin);
+    auto layer = static_cast<std::uint32_t>(after - all.layer_start.begin()) - 1;
+    for (auto k = static_cast<std::uint32_t>(batches.begin); k < batches.end; ++k) {
+      while (k >= all.layer_start[layer + 1]) ++layer;
+      grouping.begin_batch(k, layer);
+      filling.fill(all.batches[k]);
     }
-    for_sides(begin, end, [&](BodyIndex i, Lanes&, unsigned, std::uint32_t row) {
-      all_.entries[touched[all_.uses[i]].end++] = row;
-    });
-    for_sides(begin, end, [&](BodyIndex i, Lanes& split, unsigned lane, std::uint32_t) {
-      const BodyOutcomes& of = touched[all_.uses[i]];
-      split.of[lane] = of.end - of.begin;
-    });
-    for (const BodyOutcomes& of : touched) all_.uses[of.body] = 0;
-    all_.touched_start.push_back(static_cast<std::uint32_t>(all_.touched.size()));
-  }
-
- private:
-  // Calls visit(body, split, lane, row of outcomes) for both bodies of every manifold of batches [begin, end), if they
-  // move.
-  template <class Visit>
-  void for_sides(std::uint32_t begin, std::uint32_t end, Visit visit) {
+    worker.meet();
+    all.uses[worker.part].resize(state.bodies.size());
     for (std::uint32_t k = begin; k < end; ++k) {
-      ContactBatch& batch = all_.batches[k];
-      for (unsigned lane = 0; lane < batch.used; ++lane) {
-        const std::uint32_t row = 2 * ((k - begin) * kLanes + lane);
-        if (batch.a[lane] < bodies_.size() && bodies_.moves(batch.a[lane])) {
-          visit(batch.a[lane], batch.split_a, lane, row);
-        }
-        if (bodies_.moves(batch.b[lane])) visit(batch.b[lane], batch.split_b, lane, row + 1);
-      }
+      share_layer(state.bodies, k, layers.start[k], all.uses[worker.part], all);
     }
-  }
-
-  const Bodies& bodies_;
-  ContactBatches& all_;
-  std::uint32_t entries_ = 0;
-};
+  });
+}
 
 }  // namespace
 
 void batch_contacts(const WorldState& state, Scratch& scratch) {
-  ContactBatches& all = scratch.contact_batches;
-  Grouping grouping(scratch.manifolds, all);
-  for (const SweepGroup& group : scratch.sweep_groups) {
-    for (std::uint32_t layer = group.begin; layer < group.end; ++layer) {
-      grouping.add_layer(layer_of(scratch, layer), group.hard, kBounceMin);
-    }
-  }
-  grouping.finish();
-  for_ranges(scratch.workers, all.batches.size(), kBatchesAPart, [&](std::size_t begin, std::size_t end) {
-    Filling filling(state, scratch.manifolds, scratch.manifold_points, all);
-    for (std::size_t k = begin; k < end; ++k) filling.fill(all.batches[k]);
-  });
-  Sharing sharing(state, all);
-  for (std::size_t layer = 0; layer + 1 < all.layer_start.size(); ++layer) sharing.add_layer(layer);
+  const SweepGroup& last = scratch.sweep_groups.back();
+  const LayerList layers = {scratch.layered, scratch.layer_start, last.hard ? last.begin : last.end, kBounceMin};
+  batch_layers(state, layers, scratch.manifolds, scratch.manifold_points, scratch.workers, scratch.contact_batches);
 }
 
 void batch_fast_contacts(const WorldState& state, Scratch& scratch, bool hard) {
   const ManifoldList& found = scratch.fast.found;
-  ContactBatches& all = scratch.fast.batches;
   std::vector<std::uint32_t>& members = scratch.fast.members;
   members.resize(found.manifolds.size());
   std::iota(members.begin(), members.end(), 0U);
-  Grouping grouping(found.manifolds, all);
-  grouping.add_layer(members, hard, kFastBounceMin);
-  grouping.finish();
-  Filling filling(state, found.manifolds, found.points, all);
-  for (ContactBatch& batch : all.batches) filling.fill(batch);
-  Sharing(state, all).add_layer(0);
+  const std::uint32_t start[] = {0, static_cast<std::uint32_t>(members.size())};
+  const LayerList layer = {members, start, hard ? 0U : 1U, kFastBounceMin};
+  batch_layers(state, layer, found.manifolds, found.points, nullptr, scratch.fast.batches);
 }
 
 }  // namespace tumble::sim

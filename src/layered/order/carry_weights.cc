@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "src/layered/order/contact_motion.h"
 #include "src/layered/order/find_blows.h"
+#include "src/layered/order/find_supports.h"
 #include "src/layered/order/lend_inertia.h"
 #include "src/layered/order/load_fit.h"
 #include "src/math/grid.h"
@@ -24,6 +27,8 @@ namespace {
 // More than three points under a body leave the loads open: many sets of loads balance the weight. The sweeps would
 // settle on one of them slowly. Least squares picks the set in which the load is a linear function of the place, as in
 // a rigid plate on equal springs (the foundation of Winkler 1867). For a tower that set is exact.
+constexpr std::uint32_t kOneLess = 0xffffffffU;  // added, takes one away
+
 constexpr double kBearing = 0.001;  // m; a point farther apart, or one that parts, bears nothing
 
 using Support = WeightScratch::Support;
@@ -37,66 +42,78 @@ class Walk {
         gravity_(state.def.gravity),
         tilt_(tilt_of(gravity_)),
         substep_(substep_s),
-        reach_(farthest_reach(bodies_)),
-        magic_(rounding_for(bodies_, reach_)),
         own_(scratch_.weights) {
-    own_.borne.assign(bodies_.size(), 0);
-    own_.moment_x.assign(bodies_.size(), 0);
-    own_.moment_y.assign(bodies_.size(), 0);
-    own_.waiting_for.assign(bodies_.size(), 0);
-    own_.stands.assign(bodies_.size(), 0);
-    own_.upward.assign(bodies_.size(), Vec3(Vec3::Zero()));
+    find_scale();
   }
 
-  void run() {
-    find_supports();
-    find_blows(bodies_, gravity_, scratch_);
-    std::vector<BodyIndex>& ready = own_.ready;
-    ready.clear();
-    own_.treated.clear();
-    for (BodyIndex i = 0; i < bodies_.size(); ++i) {
-      if (own_.waiting_for[i] == 0 && own_.start[i] < own_.start[i + 1]) ready.push_back(i);
+  /// What one of several workers does.
+  void run(const WorldState& state, const Worker& worker) {
+    Waves waves(scratch_.waves, bodies_.size(), worker);
+    clear(worker.share(bodies_.size()));
+    if (worker.first()) own_.meets.resize(scratch_.layered.size());
+    worker.meet();
+    find_supports(bodies_, gravity_, scratch_, worker);
+    find_blows(bodies_, gravity_, scratch_, worker);
+    const Worker::Share share = worker.share(bodies_.size());
+    for (auto i = static_cast<BodyIndex>(share.begin); i < share.end; ++i) {
+      if (own_.waiting_for[i] == 0 && own_.start[i] < own_.start[i + 1]) waves.push(i);
     }
     // Bodies that rest on each other in a ring never become ready; the sweeps alone carry them.
-    while (!ready.empty()) {
-      const BodyIndex i = ready.back();
-      ready.pop_back();
-      own_.treated.push_back(i);
-      find_points(i);
-      own_.stands[i] = stands(i) ? 1 : 0;
-      const double scale = load_points(i);
+    std::vector<SupportPoint>& points = own_.points[worker.part];
+    waves.walk([&](BodyIndex i) {
+      find_points(i, points);
+      own_.stands[i] = stands(i, points) ? 1 : 0;
+      const double scale = load_points(i, points);
       for (Support& s : supports_of(i)) {
-        pass_down(s, scale);
-        if (s.lower != kGround && --own_.waiting_for[s.lower] == 0) ready.push_back(s.lower);
+        pass_down(s, points, scale, worker);
+        if (s.lower != kGround && worker.add(own_.waiting_for[s.lower], kOneLess) == 1) waves.push(s.lower);
       }
-    }
-    find_held(scratch_);
-    for (const BodyIndex i : own_.treated) {
+    });
+    find_held(scratch_, waves);
+    waves.for_all([&](BodyIndex i) {
       for (const Support& s : supports_of(i)) {
         if (s.starts && may_start(own_, s)) start(s);
       }
-    }
+    });
+    lend_inertia(state, scratch_, waves);
   }
 
  private:
   Vec3 seen(const Vec3& place) const { return seen_along(tilt_, place); }
 
-  // m, from the centre of a body to its corners; at least 1.
-  static double farthest_reach(const Bodies& bodies) {
-    double squared_reach = 1;
-    for (BodyIndex i = 0; i < bodies.size(); ++i) {
-      if (bodies.is_static[i] != 0) continue;
-      squared_reach = std::max(squared_reach, dot(bodies.half_extent[i], bodies.half_extent[i]));
-    }
-    return std::sqrt(squared_reach);
+  // Finds reach_, m, from the centre of a body to its corners, at least 1; and the magic number of a grid on which sums
+  // of n masses times lever arms of up to twice the reach are exact.
+  void find_scale() {
+    double squared_reach = 1, heaviest = 0;
+    const unsigned parts = part_count(scratch_.workers, bodies_.size(), kBodiesAPart);
+    work_together(scratch_.workers, parts, [&](const Worker& worker) {
+      double squared = 0, heavy = 0;
+      const Worker::Share share = worker.share(bodies_.size());
+      for (std::size_t i = share.begin; i < share.end; ++i) {
+        if (bodies_.is_static[i] != 0) continue;
+        squared = std::max(squared, dot(bodies_.half_extent[i], bodies_.half_extent[i]));
+        heavy = std::max(heavy, bodies_.mass[i]);
+      }
+      worker.raise(squared_reach, squared);
+      worker.raise(heaviest, heavy);
+    });
+    reach_ = std::sqrt(squared_reach);
+    magic_ = VelocityGrid::kMagic * (power_of_two(static_cast<double>(bodies_.size()) * heaviest * reach_) / 2048);
   }
-  // The magic number of a grid on which sums of n masses times lever arms of up to twice the reach are exact.
-  static double rounding_for(const Bodies& bodies, double reach) {
-    double heaviest = 0;
-    for (BodyIndex i = 0; i < bodies.size(); ++i) {
-      if (bodies.is_static[i] == 0) heaviest = std::max(heaviest, bodies.mass[i]);
+  // Of a range of bodies.
+  void clear(const Worker::Share& share) {
+    const auto fill = [&](auto& column, const auto& value) {
+      std::fill(column.begin() + static_cast<std::ptrdiff_t>(share.begin),
+                column.begin() + static_cast<std::ptrdiff_t>(share.end), value);
+    };
+    for (std::vector<double>* column : {&own_.borne, &own_.moment_x, &own_.moment_y}) fill(*column, 0);
+    for (std::vector<std::uint8_t>* column : {&own_.stands, &own_.held, &own_.settled, &own_.struck}) fill(*column, 0);
+    fill(own_.first_blow, WeightScratch::kNoBlow);
+    fill(own_.upward, Vec3(Vec3::Zero()));
+    fill(scratch_.lent_along, Vec3(Vec3::Zero()));
+    for (std::size_t i = share.begin; i < share.end; ++i) {
+      own_.offered[i] = scratch_.solver_mass[i] = bodies_.mass[i];
     }
-    return VelocityGrid::kMagic * (power_of_two(static_cast<double>(bodies.size()) * heaviest * reach) / 2048);
   }
   double rounded(double x) const { return to_grid(magic_, x); }
 
@@ -117,79 +134,58 @@ class Walk {
                        [&](const ManifoldPoint& point) { return std::fabs(parting.at(point)) <= kRestingSpeed; });
   }
 
-  void find_supports() {
-    std::vector<Support>& found = own_.found;
-    found.clear();
-    own_.start.assign(bodies_.size() + 1, 0);
-    for (const std::uint32_t k : scratch_.layered) {
-      const Manifold& m = scratch_.manifolds[k];
-      const double pull = pull_along(gravity_, m);
-      if (pull == 0) continue;
-      const bool b_above = pull > 0;
-      const BodyIndex upper = b_above ? m.b : m.a;
-      if (!moves(bodies_, upper)) continue;
-      const BodyIndex lower = moves(bodies_, b_above ? m.a : m.b) ? (b_above ? m.a : m.b) : kGround;
-      found.push_back({k, upper, lower, b_above ? Vec3(Vec3::Zero()) : m.d, std::fabs(pull)});
-      ++own_.start[upper + 1];
-      if (lower != kGround) ++own_.waiting_for[lower];
-    }
-    for (std::size_t i = 0; i < bodies_.size(); ++i) own_.start[i + 1] += own_.start[i];
-    own_.supports.resize(found.size());
-    own_.next.assign(own_.start.begin(), own_.start.end() - 1);
-    for (const Support& s : found) own_.supports[own_.next[s.upper]++] = s;
-  }
   std::span<Support> supports_of(BodyIndex i) {
     return std::span(own_.supports).subspan(own_.start[i], own_.start[i + 1] - own_.start[i]);
   }
 
-  void find_points(BodyIndex i) {
-    own_.points.clear();
+  void find_points(BodyIndex i, std::vector<SupportPoint>& found) {
+    found.clear();
     for (Support& s : supports_of(i)) {
       const Manifold& m = scratch_.manifolds[s.manifold];
-      s.first_point = static_cast<std::uint32_t>(own_.points.size());
+      s.first_point = static_cast<std::uint32_t>(found.size());
       const Parting parting = parting_of(bodies_, m);
       for (ManifoldPoint& p : points_of(scratch_, m)) {
         if (p.separation >= kBearing || parting.at(p) > kRestingSpeed) continue;
         const Vec3 r = seen(s.origin + ((m.t1 * p.p + m.t2 * p.q) + m.n * m.offset));
-        own_.points.push_back({&p, r.x(), r.y()});
+        found.push_back({&p, r.x(), r.y()});
       }
-      s.end_point = static_cast<std::uint32_t>(own_.points.size());
+      s.end_point = static_cast<std::uint32_t>(found.size());
     }
   }
 
   // Sets the loads of the points. Returns the factor that makes the loads add up to the weight carried.
-  double load_points(BodyIndex i) {
-    const LoadFit f = fit_loads(own_.points, {carried(i), own_.moment_x[i], own_.moment_y[i]}, tilt_.z() != 0);
-    for (SupportPoint& point : own_.points) point.load = f.load_at(point.x, point.y);  // kg
-    double total = sum_of_loads(magic_);
+  double load_points(BodyIndex i, std::span<SupportPoint> points) const {
+    const LoadFit f = fit_loads(points, {carried(i), own_.moment_x[i], own_.moment_y[i]}, tilt_.z() != 0);
+    for (SupportPoint& point : points) point.load = f.load_at(point.x, point.y);  // kg
+    double total = sum_of_loads(points, magic_);
     // Points almost in a row get loads far beyond the weight. A sum without negative terms tells of itself that its
     // grid was too narrow.
-    if (total > 1.25 * magic_) total = sum_of_loads(fitting_magic(magic_, largest_load() * terms()));
+    if (total > 1.25 * magic_) {
+      const double terms = std::max(4.0, static_cast<double>(points.size()));  // as fitting_magic wants it
+      total = sum_of_loads(points, fitting_magic(magic_, largest_load(points) * terms));
+    }
     return total > 0 ? carried(i) / total : 0;
   }
 
-  double largest_load() const {
+  static double largest_load(std::span<const SupportPoint> points) {
     double largest = 0;
-    for (const SupportPoint& point : own_.points) largest = std::max(largest, point.load);
+    for (const SupportPoint& point : points) largest = std::max(largest, point.load);
     return largest;
   }
-  double sum_of_loads(double magic) const {  // kg
+  static double sum_of_loads(std::span<const SupportPoint> points, double magic) {  // kg
     double total = 0;
-    for (const SupportPoint& point : own_.points) total += to_grid(magic, point.load);
+    for (const SupportPoint& point : points) total += to_grid(magic, point.load);
     return total;
   }
 
-  bool stands(BodyIndex i) const {
+  bool stands(BodyIndex i, std::span<const SupportPoint> points) const {
     if (own_.struck[i] != 0) return false;
-    if (tilt_.z() == 0) return !own_.points.empty() && own_.first_blow[i] == WeightScratch::kNoBlow;
+    if (tilt_.z() == 0) return !points.empty() && own_.first_blow[i] == WeightScratch::kNoBlow;
     for (std::uint32_t k = own_.first_blow[i]; k != WeightScratch::kNoBlow; k = own_.blows[k].next) {
-      if (!press_between(own_.points, own_.blows[k].x, own_.blows[k].y)) return false;
+      if (!press_between(points, own_.blows[k].x, own_.blows[k].y)) return false;
     }
-    return press_between(own_.points, own_.moment_x[i] / carried(i), own_.moment_y[i] / carried(i));
+    return press_between(points, own_.moment_x[i] / carried(i), own_.moment_y[i] / carried(i));
   }
-
-  // For fitting_magic: the number of terms of a sum over the points.
-  double terms() const { return std::max(4.0, static_cast<double>(own_.points.size())); }
 
   // m/s, of b over a along t1 and t2.
   std::pair<double, double> slip_of(const Manifold& m) const {
@@ -216,22 +212,27 @@ class Walk {
     }
   }
 
-  void pass_down(Support& s, double scale) {
-    Manifold& m = scratch_.manifolds[s.manifold];
+  // Other workers add to the lower body too.
+  void pass_down(Support& s, std::span<const SupportPoint> points, double scale, const Worker& worker) {
+    const Manifold& m = scratch_.manifolds[s.manifold];
     s.bears = s.first_point < s.end_point;
     s.starts = is_new(m) && rests(m);
     s.load = 0;
     const bool passes_on = s.lower != kGround;
     const Vec3 apart = passes_on ? seen(bodies_.position[s.upper] - bodies_.position[s.lower]) : Vec3(Vec3::Zero());
-    for (std::size_t k = s.first_point; k < s.end_point; ++k) {
-      const SupportPoint& point = own_.points[k];
+    double moment_x = 0, moment_y = 0;
+    for (const SupportPoint& point : points.subspan(s.first_point, s.end_point - s.first_point)) {
       const double load = point.load * scale;
       s.load += rounded(load);
       point.point->load = load * s.pull * substep_;
       if (!passes_on) continue;
-      own_.borne[s.lower] += rounded(load);
-      own_.moment_x[s.lower] += rounded(load * lever(point.x + apart.x()));
-      own_.moment_y[s.lower] += rounded(load * lever(point.y + apart.y()));
+      moment_x += rounded(load * lever(point.x + apart.x()));
+      moment_y += rounded(load * lever(point.y + apart.y()));
+    }
+    if (passes_on && s.bears) {
+      worker.add(own_.borne[s.lower], s.load);
+      worker.add(own_.moment_x[s.lower], moment_x);
+      worker.add(own_.moment_y[s.lower], moment_y);
     }
     const double up = s.upper == m.b ? s.load : -s.load;
     own_.upward[s.upper] += Vec3(rounded(up * m.n.x()), rounded(up * m.n.y()), rounded(up * m.n.z()));
@@ -242,15 +243,33 @@ class Walk {
   Vec3 gravity_;
   Vec3 tilt_;
   double substep_;
-  double reach_, magic_;
+  double reach_ = 1, magic_ = 0;
   WeightScratch& own_;
 };
+
+// Memory for all bodies, whose values the workers write.
+void make_room(Scratch& scratch, std::size_t bodies, unsigned workers) {
+  WeightScratch& own = scratch.weights;
+  for (auto* column : {&own.borne, &own.moment_x, &own.moment_y, &own.offered, &scratch.solver_mass}) {
+    column->resize(bodies);
+  }
+  for (auto* column : {&own.stands, &own.held, &own.settled, &own.struck}) column->resize(bodies);
+  for (auto* column : {&own.upward, &scratch.lent_along}) column->resize(bodies);
+  own.waiting_for.resize(bodies);
+  own.first_blow.resize(bodies);
+  own.start.resize(bodies + 1);
+  own.meeting.assign(workers, 0);
+  if (own.points.size() < workers) own.points.resize(workers);
+  for (auto& points : own.points) points.reserve(kPointsMax);
+}
 
 }  // namespace
 
 Status carry_weights(WorldState& state, Scratch& scratch, double dt_s) {
-  Walk(state, scratch, dt_s / state.def.substeps).run();
-  lend_inertia(state, scratch);
+  const unsigned parts = part_count(scratch.workers, scratch.layered.size(), kManifoldsAPart);
+  make_room(scratch, state.bodies.size(), parts);
+  Walk walk(state, scratch, dt_s / state.def.substeps);
+  work_together(scratch.workers, parts, [&](const Worker& worker) { walk.run(state, worker); });
   return {};
 }
 

@@ -1,6 +1,7 @@
 #include "src/layered/order/find_blows.h"
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 
 #include "src/kernels/contacts/contact_batch.h"
@@ -30,8 +31,15 @@ Vec3 middle_of(const Scratch& scratch, const Manifold& m) {
 
 class Blows {
  public:
-  Blows(const Bodies& bodies, const Vec3& gravity, Scratch& scratch)
-      : bodies_(bodies), gravity_(gravity), tilt_(tilt_of(gravity)), scratch_(scratch), own_(scratch.weights) {}
+  // next: the first of the worker's places in `blows`.
+  Blows(const Bodies& bodies, const Vec3& gravity, Scratch& scratch, const Worker& worker, std::uint32_t next)
+      : bodies_(bodies),
+        gravity_(gravity),
+        tilt_(tilt_of(gravity)),
+        scratch_(scratch),
+        own_(scratch.weights),
+        worker_(worker),
+        next_(next) {}
 
   void add(const Manifold& m) {
     const Vec3 from_b = middle_of(scratch_, m), from_a = m.d + from_b;
@@ -47,7 +55,7 @@ class Blows {
     const Vec3 place = b_above ? from_a : from_b;
     const Vec3 comes = bodies_.velocity[lower] + cross(bodies_.spin[lower], place);
     const double upwards = b_above ? dot(comes, m.n) : -dot(comes, m.n);
-    if (upwards > kRestingSpeed && moves(bodies_, upper)) own_.struck[upper] = 1;
+    if (upwards > kRestingSpeed && moves(bodies_, upper)) mark(own_.struck[upper]);
     strike_down(lower, seen_along(tilt_, place));
   }
 
@@ -57,32 +65,46 @@ class Blows {
     const Vec3 lever = cross(place, normal);
     const Vec3 tipping = lever - gravity_ * (dot(lever, gravity_) / dot(gravity_, gravity_));
     const double least = kTippingLever * bodies_.half_extent[i].minCoeff();
-    if (dot(tipping, tipping) > least * least) own_.struck[i] = 1;
+    if (dot(tipping, tipping) > least * least) mark(own_.struck[i]);
   }
 
   void strike_down(BodyIndex i, const Vec3& place) {
-    own_.blows.push_back({place.x(), place.y(), own_.first_blow[i]});
-    own_.first_blow[i] = static_cast<std::uint32_t>(own_.blows.size() - 1);
+    WeightScratch::Blow& blow = own_.blows[next_];
+    blow = {place.x(), place.y(), WeightScratch::kNoBlow};
+    do {
+      blow.next = own_.first_blow[i];
+    } while (!worker_.exchange(own_.first_blow[i], blow.next, next_));
+    ++next_;
   }
 
   const Bodies& bodies_;
   Vec3 gravity_, tilt_;
   const Scratch& scratch_;
   WeightScratch& own_;
+  Worker worker_;
+  std::uint32_t next_;
 };
 
 }  // namespace
 
-void find_blows(const Bodies& bodies, const Vec3& gravity, Scratch& scratch) {
-  WeightScratch& own = scratch.weights;
-  own.struck.assign(bodies.size(), 0);
-  own.blows.clear();
-  own.first_blow.assign(bodies.size(), WeightScratch::kNoBlow);
+void find_blows(const Bodies& bodies, const Vec3& gravity, Scratch& scratch, const Worker& worker) {
   if (gravity == Vec3::Zero()) return;
-  Blows blows(bodies, gravity, scratch);
-  for (const std::uint32_t k : scratch.layered) {
-    const Manifold& m = scratch.manifolds[k];
-    if (meets(bodies, scratch, m)) blows.add(m);
+  WeightScratch& own = scratch.weights;
+  const std::span<const std::uint32_t> all = scratch.layered;
+  const Worker::Share share = worker.share(all.size());
+  std::uint32_t count = 0;
+  for (std::size_t k = share.begin; k < share.end; ++k) {
+    own.meets[k] = meets(bodies, scratch, scratch.manifolds[all[k]]) ? 1 : 0;
+    count += own.meets[k];
+  }
+  own.meeting[worker.part] = count;
+  if (!worker.meet(count > 0)) return;
+  const auto before = own.meeting.begin() + worker.part;
+  if (worker.first()) own.blows.resize(std::accumulate(own.meeting.begin(), own.meeting.end(), std::size_t{0}));
+  worker.meet();
+  Blows blows(bodies, gravity, scratch, worker, std::accumulate(own.meeting.begin(), before, 0U));
+  for (std::size_t k = share.begin; k < share.end; ++k) {
+    if (own.meets[k] != 0) blows.add(scratch.manifolds[all[k]]);
   }
 }
 

@@ -1,23 +1,35 @@
 #include "src/layered/order/islands.h"
 
-namespace tumble::sim {
+#include <utility>
 
-Islands::Islands(std::vector<BodyIndex>& links, std::size_t bodies) : up_(links) {
+namespace tumble::sim {
+Islands::Islands(std::vector<BodyIndex>& links, std::size_t bodies, Workers* workers) : up_(links) {
   up_.resize(bodies);
-  for (std::size_t i = 0; i < bodies; ++i) up_[i] = static_cast<BodyIndex>(i);
+  for_ranges(workers, bodies, kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) up_[i] = static_cast<BodyIndex>(i);
+  });
 }
 
+// Another worker may write a link at the same time; whichever is written last leads up the same tree.
 BodyIndex Islands::of(BodyIndex i) {
-  while (up_[i] != i) {
-    up_[i] = up_[up_[i]];
-    i = up_[i];
+  for (;;) {
+    const BodyIndex up = shared::read(up_[i]);
+    if (up == i) return i;
+    const BodyIndex above = shared::read(up_[up]);
+    if (above == up) return up;
+    shared::write(up_[i], above);
+    i = above;
   }
-  return i;
 }
 
 void Islands::join(BodyIndex a, BodyIndex b) {
-  const BodyIndex root_a = of(a), root_b = of(b);
-  if (root_a != root_b) up_[root_a] = root_b;
+  for (;;) {
+    BodyIndex high = of(a);
+    BodyIndex low = of(b);
+    if (high == low) return;
+    if (high < low) std::swap(high, low);
+    if (shared::exchange(up_[high], high, low)) return;
+  }
 }
 
 bool touches(const Scratch& scratch, const Manifold& manifold) {

@@ -14,16 +14,6 @@ std::span<const Support> supports_of(const WeightScratch& own, BodyIndex i) {
   return std::span(own.supports).subspan(own.start[i], own.start[i + 1] - own.start[i]);
 }
 
-// From the top down: the largest mass above each body.
-void offer_masses(const Bodies& bodies, WeightScratch& own) {
-  own.offered = bodies.mass;
-  for (const BodyIndex i : own.treated) {
-    for (const Support& s : supports_of(own, i)) {
-      if (s.lower != kGround) own.offered[s.lower] = std::max(own.offered[s.lower], own.offered[i]);
-    }
-  }
-}
-
 using SupportPoint = WeightScratch::SupportPoint;
 
 // Whether a line through (x, y) has all points on one side of it. If so, one through a point has: all others lie
@@ -74,22 +64,24 @@ bool press_between(std::span<const SupportPoint> points, double x, double y) {
   return within_octagon(points, x, y) && !all_on_one_side(points, x, y);
 }
 
-// From the ground up, then from the top down.
-void find_held(Scratch& scratch) {
+// From the ground up, then from the top down, where also the largest mass above is passed on. The caller has cleared
+// held, and set offered to the masses.
+void find_held(Scratch& scratch, const Waves& waves) {
   WeightScratch& own = scratch.weights;
-  own.held.assign(own.stands.size(), 0);
-  for (auto body = own.treated.rbegin(); body != own.treated.rend(); ++body) {
-    const BodyIndex i = *body;
+  const Worker& worker = waves.worker();
+  waves.walk_back([&](BodyIndex i) {
     const auto holds = [&](const Support& s) { return !s.bears || s.lower == kGround || own.held[s.lower] != 0; };
     own.held[i] = own.stands[i] != 0 && std::ranges::all_of(supports_of(own, i), holds) ? 1 : 0;
-  }
-  own.settled = own.held;
-  for (const BodyIndex i : own.treated) {
-    if (own.settled[i] != 0 || own.borne[i] == 0) continue;
+    own.settled[i] = own.held[i];
+  });
+  waves.walk_again([&](BodyIndex i) {
+    const bool unsettled = own.settled[i] == 0 && own.borne[i] != 0;
     for (const Support& s : supports_of(own, i)) {
-      if (s.bears && s.lower != kGround) own.settled[s.lower] = 0;
+      if (s.lower == kGround) continue;
+      worker.raise(own.offered[s.lower], own.offered[i]);
+      if (unsettled && s.bears) worker.put(own.settled[s.lower], std::uint8_t{0});
     }
-  }
+  });
 }
 
 bool may_start(const WeightScratch& own, const Support& support) {
@@ -97,20 +89,17 @@ bool may_start(const WeightScratch& own, const Support& support) {
   return (lower == kGround || own.settled[lower] != 0) && (own.settled[upper] != 0 || own.borne[upper] == 0);
 }
 
-void lend_inertia(const WorldState& state, Scratch& scratch) {
+void lend_inertia(const WorldState& state, Scratch& scratch, const Waves& waves) {
   const Bodies& bodies = state.bodies;
   WeightScratch& own = scratch.weights;
-  offer_masses(bodies, own);
-  scratch.solver_mass = bodies.mass;
-  scratch.lent_along.assign(bodies.size(), Vec3(Vec3::Zero()));
-  for (const BodyIndex i : own.treated) {
+  waves.for_all([&](BodyIndex i) {
     const Vec3 upward = own.upward[i];
-    if (own.held[i] == 0 || own.offered[i] <= bodies.mass[i] || upward == Vec3::Zero()) continue;
+    if (own.held[i] == 0 || own.offered[i] <= bodies.mass[i] || upward == Vec3::Zero()) return;
     const Vec3 along = upward / length(upward);
-    if (!moves_little(bodies, i, along)) continue;
+    if (!moves_little(bodies, i, along)) return;
     scratch.solver_mass[i] = own.offered[i];
     scratch.lent_along[i] = along;
-  }
+  });
 }
 
 }  // namespace tumble::sim

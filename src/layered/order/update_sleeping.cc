@@ -15,44 +15,79 @@ double parting(const Scratch& scratch, BodyIndex i) {
   return 0.5 * (dot(body.velocity, body.velocity) + dot(body.spin, body.spin) * dot(half, half));
 }
 
-Islands join_touching(WorldState& state, Scratch& scratch) {
-  const Bodies& bodies = state.bodies;
+// Calls visit(manifold) for all manifolds that touch, by several workers at a time.
+template <class Visit>
+void for_touching(const Scratch& scratch, Visit visit) {
+  for_ranges(scratch.workers, scratch.manifolds.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      if (touches(scratch, scratch.manifolds[k])) visit(scratch.manifolds[k]);
+    }
+  });
+}
+
+void mark_touching(const Bodies& bodies, Scratch& scratch) {
   std::vector<std::uint8_t>& touching = scratch.sleeping.touching;
   touching.assign(bodies.size(), 0);
-  Islands islands(scratch.island_links, bodies.size());
-  for (const Manifold& m : scratch.manifolds) {
-    if (!touches(scratch, m)) continue;
-    touching[m.b] = 1;
-    if (m.a == kGround) continue;
-    touching[m.a] = 1;
-    if (bodies.is_static[m.a] == 0 && bodies.is_static[m.b] == 0) islands.join(m.a, m.b);
-  }
-  return islands;
+  for_touching(scratch, [&](const Manifold& m) {
+    mark(touching[m.b]);
+    if (m.a != kGround) mark(touching[m.a]);
+  });
+}
+
+// Advances the timers. Returns whether a body has been slow for long enough.
+bool advance_timers(WorldState& state, Scratch& scratch, double dt_s) {
+  const WorldDef& def = state.def;
+  Bodies& bodies = state.bodies;
+  std::uint8_t any = 0;
+  for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
+      if (!bodies.moves(i)) continue;
+      const bool low = scratch.sleeping.touching[i] != 0 &&
+                       kinetic_energy(bodies, i) / bodies.mass[i] < def.freeze_energy &&
+                       parting(scratch, i) < def.freeze_energy;
+      bodies.low_energy_time[i] = low ? bodies.low_energy_time[i] + dt_s : 0;
+      if (bodies.low_energy_time[i] >= def.freeze_time) mark(any);
+    }
+  });
+  return any != 0;
+}
+
+void put_to_sleep(Bodies& bodies, BodyIndex i) {
+  bodies.frozen[i] = 1;
+  bodies.low_energy_time[i] = 0;
+  bodies.velocity.set(i, Vec3::Zero());
+  bodies.spin.set(i, Vec3::Zero());
+}
+
+// Puts the islands to sleep of which every body has been slow for long enough.
+void freeze_islands(WorldState& state, Scratch& scratch) {
+  Bodies& bodies = state.bodies;
+  Islands islands(scratch.island_links, bodies.size(), scratch.workers);
+  for_touching(scratch, [&](const Manifold& m) {
+    if (m.a != kGround && bodies.is_static[m.a] == 0 && bodies.is_static[m.b] == 0) islands.join(m.a, m.b);
+  });
+  std::vector<std::uint8_t>& restless = scratch.sleeping.restless;
+  restless.assign(bodies.size(), 0);
+  const auto for_moving = [&](auto visit) {
+    for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+      for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
+        if (bodies.moves(i)) visit(i);
+      }
+    });
+  };
+  for_moving([&](BodyIndex i) {
+    if (bodies.low_energy_time[i] < state.def.freeze_time) mark(restless[islands.of(i)]);
+  });
+  for_moving([&](BodyIndex i) {
+    if (restless[islands.of(i)] == 0) put_to_sleep(bodies, i);
+  });
 }
 
 }  // namespace
 
 Status update_sleeping(WorldState& state, Scratch& scratch, double dt_s) {
-  const WorldDef& def = state.def;
-  Bodies& bodies = state.bodies;
-  Islands islands = join_touching(state, scratch);
-  const std::vector<std::uint8_t>& touching = scratch.sleeping.touching;
-  std::vector<std::uint8_t>& restless = scratch.sleeping.restless;
-  restless.assign(bodies.size(), 0);
-  for (BodyIndex i = 0; i < bodies.size(); ++i) {
-    if (!bodies.moves(i)) continue;
-    const bool low = touching[i] != 0 && kinetic_energy(bodies, i) / bodies.mass[i] < def.freeze_energy &&
-                     parting(scratch, i) < def.freeze_energy;
-    bodies.low_energy_time[i] = low ? bodies.low_energy_time[i] + dt_s : 0;
-    if (bodies.low_energy_time[i] < def.freeze_time) restless[islands.of(i)] = 1;
-  }
-  for (BodyIndex i = 0; def.freezing && i < bodies.size(); ++i) {
-    if (!bodies.moves(i) || restless[islands.of(i)] != 0) continue;
-    bodies.frozen[i] = 1;
-    bodies.low_energy_time[i] = 0;
-    bodies.velocity.set(i, Vec3::Zero());
-    bodies.spin.set(i, Vec3::Zero());
-  }
+  mark_touching(state.bodies, scratch);
+  if (advance_timers(state, scratch, dt_s) && state.def.freezing) freeze_islands(state, scratch);
   return {};
 }
 

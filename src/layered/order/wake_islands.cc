@@ -1,5 +1,8 @@
 #include "src/layered/order/wake_islands.h"
 
+#include <algorithm>
+#include <span>
+
 #include "src/layered/find/find_manifolds.h"
 #include "src/layered/find/find_near_pairs.h"
 #include "src/layered/find/free_path.h"
@@ -14,11 +17,26 @@ bool lively(const WorldState& state, BodyIndex i) {
   return bodies.moves(i) && kinetic_energy(bodies, i) / bodies.mass[i] > kEscapeFactor * state.def.freeze_energy;
 }
 
+// Whether a lively body touches a sleeping one.
+bool any_disturbed(const WorldState& state, const Scratch& scratch) {
+  const std::vector<std::uint8_t>& frozen = state.bodies.frozen;
+  std::uint8_t any = 0;
+  for_ranges(scratch.workers, scratch.manifolds.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      const Manifold& m = scratch.manifolds[k];
+      if (m.asleep || m.a == kGround) continue;
+      if ((frozen[m.a] != 0 && lively(state, m.b)) || (frozen[m.b] != 0 && lively(state, m.a))) mark(any);
+    }
+  });
+  return any != 0;
+}
+
 void find_disturbed(WorldState& state, Scratch& scratch, double dt_s) {
   const std::vector<std::uint8_t>& frozen = state.bodies.frozen;
   std::vector<BodyIndex>& disturbed = scratch.waking.disturbed;
   disturbed.clear();
-  for (const Manifold& m : scratch.manifolds) {
+  if (std::ranges::find(frozen, 1) == frozen.end()) return;
+  for (const Manifold& m : any_disturbed(state, scratch) ? std::span(scratch.manifolds) : std::span<Manifold>()) {
     if (m.asleep || m.a == kGround) continue;
     if (frozen[m.a] != 0 && lively(state, m.b)) disturbed.push_back(m.a);
     if (frozen[m.b] != 0 && lively(state, m.a)) disturbed.push_back(m.b);
@@ -39,7 +57,7 @@ Status wake_islands(WorldState& state, Scratch& scratch, double dt_s) {
   scratch.found_again = !disturbed.empty();
   if (disturbed.empty()) return {};
   Bodies& bodies = state.bodies;
-  Islands islands(scratch.island_links, bodies.size());
+  Islands islands(scratch.island_links, bodies.size(), scratch.workers);
   for (const Manifold& m : scratch.manifolds) {
     if (m.asleep && m.a != kGround && bodies.is_static[m.a] == 0 && bodies.is_static[m.b] == 0) islands.join(m.a, m.b);
   }

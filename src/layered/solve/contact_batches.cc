@@ -15,8 +15,6 @@ static_assert(offsetof(SolverBody, lent) == 13 * sizeof(double));
 static_assert(VelocityGrid::kLimit == kMotionSumMax);
 static_assert(sizeof(Outcome) == kOutcomeDoubles * sizeof(double));
 
-constexpr std::size_t kWorthManifolds = 32768;  // that pay for one more worker
-
 bool bounces(const ContactWork& work, const ContactBatch& batch) {
   for (std::uint32_t k = batch.first; k < batch.first + batch.count; ++k) {
     const Lanes& approach = work.points[k].approach;
@@ -71,7 +69,7 @@ void mark_bounces(const ContactWork& work) {
 
 void store_contacts(Scratch& scratch) {
   const ContactBatches& all = scratch.contact_batches;
-  for_ranges(scratch.workers, scratch.layered.size(), kWorthManifolds, [&](std::size_t begin, std::size_t end) {
+  for_ranges(scratch.workers, scratch.layered.size(), kManifoldsAPart, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
       Manifold& m = scratch.manifolds[scratch.layered[k]];
       store_contact(all, all.place[scratch.layered[k]], m, points_of(scratch, m));

@@ -26,10 +26,22 @@ int more_sweeps(double deepest) { return 1 + static_cast<int>(std::min(kSweepsMo
 // Points without an impulse, and bodies at rest.
 void start(Scratch& scratch) {
   OverlapScratch& own = scratch.overlaps;
-  own.points = scratch.contact_batches.points;
-  for (PointBatch& point : own.points) point.impulse = point.peak = {};
-  own.bodies = scratch.solver_bodies;
-  for (SolverBody& body : own.bodies) body.velocity = body.spin = Vec3::Zero();
+  const std::vector<PointBatch>& points = scratch.contact_batches.points;
+  const std::vector<SolverBody>& bodies = scratch.solver_bodies;
+  own.points.resize(points.size());
+  own.bodies.resize(bodies.size());
+  for_ranges(scratch.workers, points.size(), kBatchesAPart, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t k = begin; k < end; ++k) {
+      own.points[k] = points[k];
+      own.points[k].impulse = own.points[k].peak = {};
+    }
+  });
+  for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      own.bodies[i] = bodies[i];
+      own.bodies[i].velocity = own.bodies[i].spin = Vec3::Zero();
+    }
+  });
 }
 
 // Takes from the motion of a body that was moved along `path` what a lift adds to its energy: from the speed along
@@ -72,11 +84,15 @@ Status part_overlaps(WorldState& state, Scratch& scratch, double dt_s) {
   work.bodies = reinterpret_cast<double*>(own.bodies.data());
   work.push_part = kPart;
   sweep_overlaps(scratch, work, more_sweeps(deepest));
-  for (BodyIndex i = 0; i < state.bodies.size(); ++i) {
-    move(state, scratch.solver_bodies[i], i, own.bodies[i], dt_s);
-  }
+  for_ranges(scratch.workers, state.bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
+      move(state, scratch.solver_bodies[i], i, own.bodies[i], dt_s);
+    }
+  });
   work.points = all.points.data();
-  kernels(scratch.lanes).contacts.move_on(work);
+  for_ranges(scratch.workers, work.count, kBatchesAPart, [&](std::size_t begin, std::size_t end) {
+    kernels(scratch.lanes).contacts.move_on(part_of(work, begin, end));
+  });
   return {};
 }
 

@@ -38,12 +38,12 @@ void prepare_bodies(WorldState& state, Scratch& scratch) {
 
 void find_in_contact(WorldState& state, Scratch& scratch) {
   const Bodies& bodies = state.bodies;
-  scratch.in_contact.assign(bodies.size(), 0);
-  for (const std::uint32_t k : scratch.layered) {
-    const Manifold& m = scratch.manifolds[k];
-    if (m.a != kGround && bodies.moves(m.a)) scratch.in_contact[m.a] = 1;
-    if (bodies.moves(m.b)) scratch.in_contact[m.b] = 1;
-  }
+  scratch.in_contact.resize(bodies.size());
+  for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
+    for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
+      scratch.in_contact[i] = bodies.moves(i) && scratch.graph.start[i] < scratch.graph.start[i + 1] ? 1 : 0;
+    }
+  });
 }
 
 }  // namespace

@@ -9,64 +9,104 @@
 namespace tumble::sim {
 namespace {
 
-constexpr std::size_t kSweepBatches = 512;  // that pay for one more worker; measured
-constexpr std::size_t kSweepBodies = 8192;
+constexpr std::size_t kSweepBatches = 96;  // of all layers, that pay for one more worker
+constexpr std::size_t kLayerBatches = 4;   // of one layer
 
 constexpr int kFastVisits = 4;  // of the contacts of fast pairs after a sweep; impacts have one substep to be solved
 
-// Solves the manifolds of a layer that are due, then adds the outcomes to the bodies. False: none was due.
-// solve(work): whether any was.
-template <class Solve>
-bool solve_layer(Scratch& scratch, const ContactBatches& all, std::size_t layer, ContactWork work, Solve solve) {
-  const ContactKernels& contacts = kernels(scratch.lanes).contacts;
-  VisitScratch& visits = scratch.visits;
-  work.visit = {visits.moved.data(), ++visits.now, visits.first, visits.still};
-  const BodyOutcomes* touched = all.touched.data() + all.touched_start[layer];
-  const std::size_t count = all.touched_start[layer + 1] - all.touched_start[layer];
-  if (scratch.workers == nullptr) {  // a tower has as many layers as bodies: each call counts
-    if (!solve(work)) return false;
-    if (scratch.layers != nullptr) [[unlikely]]
-      scratch.layers->layer_solved(scratch, all, layer);
-    contacts.apply_outcomes(work, touched, count);
-    return true;
-  }
-  if (work.count == 0) return false;
-  visits.due.assign(work.count, 0);
-  for_ranges(scratch.workers, work.count, kSweepBatches, [&](std::size_t begin, std::size_t end) {
-    visits.due[begin] = static_cast<std::uint8_t>(solve(part_of(work, begin, end)));
-  });
-  if (std::find(visits.due.begin(), visits.due.end(), 1) == visits.due.end()) return false;
-  if (scratch.layers != nullptr) [[unlikely]]
-    scratch.layers->layer_solved(scratch, all, layer);
-  for_ranges(scratch.workers, count, kSweepBodies,
-             [&](std::size_t begin, std::size_t end) { contacts.apply_outcomes(work, touched + begin, end - begin); });
-  return true;
-}
-
-// Makes all contacts due.
-void begin_sweeps(Scratch& scratch) { scratch.visits.first = ++scratch.visits.now; }
-
 Direction opposite(Direction direction) { return direction == Direction::kUp ? Direction::kDown : Direction::kUp; }
 
-// Whether anything was due. all: the contacts of all layers.
-bool sweep_once(Scratch& scratch, const ContactWork& all, const SweepGroup& group, Sweep sweep, Direction direction) {
-  const ContactKernels& contacts = kernels(scratch.lanes).contacts;
-  bool due = false;
-  for (std::uint32_t k = group.begin; k < group.end; ++k) {
-    const std::uint32_t layer = direction == Direction::kUp ? k : group.end - 1 - (k - group.begin);
-    due |= solve_layer(scratch, scratch.contact_batches, layer, contacts_of_layer(scratch, all, layer),
-                       [&](const ContactWork& work) { return contacts.solve(work, sweep); });
-  }
-  return due;
-}
-
-bool visit_fast_layer(Scratch& scratch, Sweep sweep, double substep_s) {
-  const ContactKernels& contacts = kernels(scratch.lanes).contacts;
-  return solve_layer(scratch, scratch.fast.batches, 0, fast_contacts(scratch, substep_s),
-                     [&](const ContactWork& work) { return contacts.solve(work, sweep); });
-}
-
 int sweeps_of(const SweepGroup& group, Sweep sweep) { return sweep == Sweep::kRestitution ? 1 : group.sweeps; }
+
+// What one of several workers does in sweeps. All of them visit one layer after the other; of each they solve ranges of
+// batches, meet, add the outcomes to ranges of bodies, and meet again.
+class Sweeper {
+ public:
+  // now: the number of the last visit.
+  Sweeper(Scratch& scratch, const Worker& worker, std::uint32_t now)
+      : scratch_(scratch), contacts_(kernels(scratch.lanes).contacts), worker_(worker), now_(now) {}
+
+  // Makes all contacts due.
+  void begin() { first_ = ++now_; }
+  // Takes those as solved that find_overlaps has marked.
+  void go_on() { first_ = scratch_.visits.first; }
+  // Notes the number of the last visit.
+  void finish() const {
+    if (worker_.first()) scratch_.visits.now = now_;
+  }
+
+  // Solves the manifolds of a layer that are due, then adds the outcomes to the bodies. False: none was due.
+  // solve(work): whether any was.
+  template <class Solve>
+  bool solve_layer(const ContactBatches& all, std::size_t layer, ContactWork work, Solve solve) {
+    work.visit = {scratch_.visits.moved.data(), ++now_, first_, scratch_.visits.still};
+    const BodyOutcomes* touched = all.touched.data() + all.touched_start[layer];
+    const std::size_t count = all.touched_end[layer] - all.touched_start[layer];
+    if (work.count == 0) return false;
+    const unsigned workers = workers_for(work.count);
+    if (workers == 1) {  // a tower has as many layers as bodies: each call counts
+      const bool due = worker_.first() && solve(work);
+      if (due) {
+        tell_solved(all, layer);
+        contacts_.apply_outcomes(work, touched, count);
+      }
+      return worker_.meet(due);
+    }
+    const Worker::Share batches = worker_.share(work.count, workers), bodies = worker_.share(count, workers);
+    const bool due = batches.begin < batches.end && solve(part_of(work, batches.begin, batches.end));
+    if (!worker_.meet(due)) return false;
+    if (scratch_.layers != nullptr) [[unlikely]] {
+      if (worker_.first()) tell_solved(all, layer);
+      worker_.meet();
+    }
+    contacts_.apply_outcomes(work, touched + bodies.begin, bodies.end - bodies.begin);
+    worker_.meet();
+    return true;
+  }
+
+  // Whether anything was due. all: the contacts of all layers.
+  bool sweep_once(const ContactWork& all, const SweepGroup& group, Sweep sweep, Direction direction) {
+    bool due = false;
+    for (std::uint32_t k = group.begin; k < group.end; ++k) {
+      const std::uint32_t layer = direction == Direction::kUp ? k : group.end - 1 - (k - group.begin);
+      due |= solve_layer(scratch_.contact_batches, layer, contacts_of_layer(scratch_, all, layer),
+                         [&](const ContactWork& work) { return contacts_.solve(work, sweep); });
+    }
+    return due;
+  }
+
+  bool visit_fast_layer(Sweep sweep, double substep_s) {
+    return solve_layer(scratch_.fast.batches, 0, fast_contacts(scratch_, substep_s),
+                       [&](const ContactWork& work) { return contacts_.solve(work, sweep); });
+  }
+
+ private:
+  // The outcomes are there, and no body has got any.
+  void tell_solved(const ContactBatches& all, std::size_t layer) const {
+    if (scratch_.layers != nullptr) [[unlikely]]
+      scratch_.layers->layer_solved(scratch_, all, layer);
+  }
+  [[nodiscard]] unsigned workers_for(std::size_t batches) const {
+    return worker_.parts == 1 ? 1 : std::min(worker_.parts, part_count(scratch_.workers, batches, kLayerBatches));
+  }
+
+  Scratch& scratch_;
+  const ContactKernels& contacts_;
+  Worker worker_;
+  std::uint32_t now_, first_ = 0;
+};
+
+// Calls task(sweeper) for as many workers as the contacts of all layers are worth.
+template <class Task>
+void sweep_together(Scratch& scratch, Task task) {
+  const unsigned parts = part_count(scratch.workers, scratch.contact_batches.batches.size(), kSweepBatches);
+  const std::uint32_t now = scratch.visits.now;
+  work_together(scratch.workers, parts, [&](const Worker& worker) {
+    Sweeper sweeper(scratch, worker, now);
+    task(sweeper);
+    sweeper.finish();
+  });
+}
 
 }  // namespace
 
@@ -76,11 +116,13 @@ void warm_start_layers(Scratch& scratch, double substep_s) {
     return true;
   };
   const ContactWork all = all_contacts(scratch, substep_s);
-  for (std::size_t layer = 0; layer + 1 < scratch.layer_start.size(); ++layer) {
-    solve_layer(scratch, scratch.contact_batches, layer, contacts_of_layer(scratch, all, layer), warm_start);
-  }
-  if (scratch.fast.none()) return;
-  solve_layer(scratch, scratch.fast.batches, 0, fast_contacts(scratch, substep_s), warm_start);
+  sweep_together(scratch, [&](Sweeper& sweeper) {
+    for (std::size_t layer = 0; layer + 1 < scratch.layer_start.size(); ++layer) {
+      sweeper.solve_layer(scratch.contact_batches, layer, contacts_of_layer(scratch, all, layer), warm_start);
+    }
+    if (scratch.fast.none()) return;
+    sweeper.solve_layer(scratch.fast.batches, 0, fast_contacts(scratch, substep_s), warm_start);
+  });
 }
 
 void sweep_layers(Scratch& scratch, Sweep sweep, Direction first, double substep_s) {
@@ -89,40 +131,51 @@ void sweep_layers(Scratch& scratch, Sweep sweep, Direction first, double substep
   const int fast_visits = sweep == Sweep::kRestitution || scratch.fast.none() ? 0 : kFastVisits;
   int most = 0;
   for (const SweepGroup& group : scratch.sweep_groups) most = std::max(most, sweeps_of(group, sweep));
-  begin_sweeps(scratch);
-  bool due = true;
-  for (int k = 0; due && k < most; ++k) {
-    due = false;
-    for (const SweepGroup& group : scratch.sweep_groups) {
-      if (k >= sweeps_of(group, sweep)) continue;
-      due |= sweep_once(scratch, all, group, layered, k % 2 == 0 ? first : opposite(first));
+  sweep_together(scratch, [&](Sweeper& sweeper) {
+    sweeper.begin();
+    bool due = true;
+    for (int k = 0; due && k < most; ++k) {
+      due = false;
+      for (const SweepGroup& group : scratch.sweep_groups) {
+        if (k >= sweeps_of(group, sweep)) continue;
+        due |= sweeper.sweep_once(all, group, layered, k % 2 == 0 ? first : opposite(first));
+      }
+      for (int visit = 0; visit < fast_visits; ++visit) due |= sweeper.visit_fast_layer(sweep, substep_s);
     }
-    for (int visit = 0; visit < fast_visits; ++visit) due |= visit_fast_layer(scratch, sweep, substep_s);
-  }
+  });
 }
 
 double find_overlaps(Scratch& scratch, const ContactWork& all) {
-  begin_sweeps(scratch);
+  scratch.visits.first = ++scratch.visits.now;
   ContactWork work = all;
   work.visit.first = scratch.visits.first;
-  return kernels(scratch.lanes).contacts.find_overlaps(work);
+  double deepest = 0;
+  const unsigned parts = part_count(scratch.workers, work.count, kBatchesAPart);
+  work_together(scratch.workers, parts, [&](const Worker& worker) {
+    const Worker::Share share = worker.share(work.count);
+    worker.raise(deepest, kernels(scratch.lanes).contacts.find_overlaps(part_of(work, share.begin, share.end)));
+  });
+  return deepest;
 }
 
 void sweep_overlaps(Scratch& scratch, const ContactWork& all, int more) {
-  for (const SweepGroup& group : scratch.sweep_groups) {
-    bool due = true;
-    for (int k = 0; due && k < group.sweeps + more; ++k) {
-      due = sweep_once(scratch, all, group, Sweep::kPart, k % 2 == 0 ? Direction::kDown : Direction::kUp);
+  sweep_together(scratch, [&](Sweeper& sweeper) {
+    sweeper.go_on();
+    for (const SweepGroup& group : scratch.sweep_groups) {
+      bool due = true;
+      for (int k = 0; due && k < group.sweeps + more; ++k) {
+        due = sweeper.sweep_once(all, group, Sweep::kPart, k % 2 == 0 ? Direction::kDown : Direction::kUp);
+      }
     }
-  }
+  });
 }
 
 void solve_fast_layer(Scratch& scratch, Sweep sweep, double substep_s, int visits) {
   if (scratch.fast.none()) return;
-  begin_sweeps(scratch);
-  for (int k = 0; k < visits; ++k) {
-    if (!visit_fast_layer(scratch, sweep, substep_s)) return;
-  }
+  Sweeper sweeper(scratch, Worker{}, scratch.visits.now);
+  sweeper.begin();
+  for (int k = 0; k < visits && sweeper.visit_fast_layer(sweep, substep_s); ++k) continue;
+  sweeper.finish();
 }
 
 bool has_hard(const Scratch& scratch) {

@@ -14,4 +14,9 @@ chromium=$(command -v "${CHROMIUM:-chromium}") || {
 modules=$(tools/scripts/report/packages.sh)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-TUMBLE=$tumble CHROMIUM=$chromium MODULES=$modules WORK=$work node --test tests/session_page/session.test.js
+export TUMBLE=$tumble CHROMIUM=$chromium MODULES=$modules
+# One after the other: two browsers at once would wait for each other's pictures.
+for part in session engine; do
+  mkdir "$work/$part"
+  WORK=$work/$part node --test tests/session_page/$part.test.js
+done

@@ -40,11 +40,11 @@ export const bound_lanes = (texts) => texts.map((text, b) => ({
 }));
 
 /// Lanes for the channels that a log carries besides.
-export const channel_lanes = (rows) => Object.keys(rows.channels).map((name) => ({
-  name, kind: "line", fit: true, of: (all, i) => all.channels[name][i] ?? null,
-  words: (all, i) => (all.channels[name][i] === null || all.channels[name][i] === undefined ? "–"
-    : String(Number(all.channels[name][i].toPrecision(6)))),
-}));
+export const channel_lanes = (rows) => rows.channel_heads.map(({ name, unit }) => {
+  const of = (all, i) => all.channels[name]?.[i] ?? null;
+  const words = (all, i) => (of(all, i) === null ? "–" : `${Number(of(all, i).toPrecision(6))}${unit ? ` ${unit}` : ""}`);
+  return { name, kind: "line", fit: true, title: `channel ${name}`, of, words };
+});
 
 /// The lane of the distance between two sessions; logarithmic, since it grows by powers.
 export function separation_lane(separation) {

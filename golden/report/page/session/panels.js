@@ -49,6 +49,11 @@ export function show_body(body, { id, name, size, answers, actions, asked = null
   if (first) facts.push(first.frozen ? "asleep" : "awake");
   body.replaceChildren(element("p", {}, element("strong", { textContent: `Body ${id}` }), ` ${facts.join(" · ")}`), actions);
   if (first) body.append(element("div", { className: "scroll" }, table));
+  if (first?.channels?.length > 0) {
+    body.append(element("div", { className: "scroll" }, element("table", { className: "numbers" },
+      element("caption", { textContent: "Channels" }), element("tbody", {}, ...first.channels.map(({ field, value }) =>
+        row_of(element("th", { scope: "row", textContent: field }), cell(value, "number")))))));
+  }
   if (lost) body.append(element("p", { className: "soft", textContent: `${answers.length === 2 ? `${answers.indexOf(lost) === 0 ? "A" : "B"}: ` : ""}${lost.why_not}` }));
   if (first?.rounded) body.append(element("p", { className: "soft", textContent: "Rounded in this page; tumble dump prints every bit." }));
 }
@@ -153,7 +158,9 @@ export function show_difference(body, found, go, select) {
     const what = element("p", {});
     if (effect.body !== null) what.append(link(`body ${effect.body}`, () => select(effect.body)), ", ");
     what.append(`${effect.field}: ${value_text(effect.expected, effect.expected_hex)} → ${value_text(effect.actual, effect.actual_hex)}`);
-    if (effect.ulps !== null) what.append(`, ${effect.ulps} ULPs apart`);
+    // JSON numbers here are doubles: larger counts are not exact.
+    const ulps = effect.ulps > Number.MAX_SAFE_INTEGER ? `about ${effect.ulps.toPrecision(3)}` : effect.ulps;
+    if (ulps !== null) what.append(`, ${ulps} ULPs apart`);
     parts.push(what);
     const jump = element("button", { type: "button", className: "jump", textContent: `Go to the first difference` });
     jump.addEventListener("click", () => go(first.step));

@@ -65,7 +65,7 @@ class SentSession {
     this.head = head;
     this.thin = head.thin;
     this.bodies = new BodyTable(details.bodies);
-    this.rows = new TimelineRows();
+    this.rows = new TimelineRows(head.channels);
     this.rows.append(details.timeline);
     this.rows.events = details.inputs;
     this.rows.begun = details.timeline.begun.length > 0 ? [0, ...details.timeline.begun] : [];
@@ -122,7 +122,9 @@ class SentSession {
   async contacts_at(step) {
     const rows = this.contacts[step];
     if (rows) return { step, rows };
-    if (!this.head.ours) return { step, why_not: "the log of another engine holds no contacts" };
+    if (!this.head.ours && this.near_contacts(step) === null) {
+      return { step, why_not: "the log of another engine holds no contacts" };
+    }
     return { step, why_not: "this page has no contacts of this state; a served page (tumble view without -o) has all",
       near: this.near_contacts(step) };
   }

@@ -40,7 +40,7 @@ class ServedSession {
     this.head = head;
     this.thin = null;
     this.bodies = new BodyTable(bodies);
-    this.rows = new TimelineRows();
+    this.rows = new TimelineRows(head.channels);
     this.steps = null;
     this.timeline_done = false;
     this.cache = new Map();
@@ -106,7 +106,6 @@ class ServedSession {
   }
 
   async contacts_at(step) {
-    if (!this.head.ours) return { step, why_not: "the log of another engine holds no contacts" };
     if (!this.contact_cache.has(step)) {
       if (this.contact_cache.size > 64) this.contact_cache.clear();
       this.contact_cache.set(step, await ask_json("contacts", { log: this.log, step }));

@@ -3,7 +3,9 @@ const kColumns = ["step", "time", "read", "kinetic", "potential", "inputs", "con
   "speed", "speed_body", "height", "overlap"];
 
 export class TimelineRows {
-  constructor() {
+  /// channels: those of the log's head, [{name, unit}].
+  constructor(channels = []) {
+    this.channel_heads = channels;
     for (const name of kColumns) this[name] = [];
     this.begun = [];
     this.events = [];  // inputs: {step, kind, body, text}
@@ -23,7 +25,12 @@ export class TimelineRows {
       bound.value.push(...value);
       bound.broken.push(...broken);
     });
-    for (const [name, values] of Object.entries(json.channels ?? {})) (this.channels[name] ??= []).push(...values);
+    json.channels.forEach((values, c) => {
+      const { name } = this.channel_heads[c];
+      const column = this.channels[name] ??= [];
+      while (column.length < this.count - values.length) column.push(null);
+      column.push(...values);
+    });
   }
 
   /// The row of a step, or of the last step before it; −1 before the first.

@@ -1,4 +1,4 @@
-#include "replay/view/body_table.h"
+#include "replay/view/viewed_bodies.h"
 
 #include <variant>
 
@@ -6,6 +6,7 @@ namespace tumble::replay {
 
 ViewedBodies::ViewedBodies(const LogHeader& header) {
   for (const sim::BoxDef& box : header.scene.boxes) define(box);
+  infos_.add(header.declared.bodies, header.declared.shapes);
 }
 
 void ViewedBodies::define(const sim::BoxDef& box) {
@@ -15,7 +16,11 @@ void ViewedBodies::define(const sim::BoxDef& box) {
   ++version_;
 }
 
-void ViewedBodies::add(const std::vector<sim::Command>& inputs) {
+void ViewedBodies::add(const std::vector<sim::Command>& inputs, const Extras& extras) {
+  if (!extras.bodies.empty() || !extras.shapes.empty()) {
+    infos_.add(extras.bodies, extras.shapes);
+    ++version_;
+  }
   for (const sim::Command& input : inputs) {
     if (const auto* thrown = std::get_if<sim::Throw>(&input)) define(thrown->box);
   }

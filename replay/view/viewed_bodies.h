@@ -5,6 +5,7 @@
 #include <map>
 #include <vector>
 
+#include "tumble/replay/body_table.h"
 #include "tumble/replay/step_record.h"
 #include "tumble/sim/scene.h"
 
@@ -26,13 +27,16 @@ class ViewedBodies {
  public:
   explicit ViewedBodies(const LogHeader& header);
 
-  /// Adds the bodies that these inputs throw.
-  void add(const std::vector<sim::Command>& inputs);
+  /// Adds the bodies that the inputs of a step throw, and the names and shapes that its extras give.
+  void add(const std::vector<sim::Command>& inputs, const Extras& extras = {});
 
   /// The row of a body; a body that nothing defines yet gets one, to be described later.
   std::size_t row_of(sim::BodyId id);
 
   [[nodiscard]] const std::vector<ViewedBody>& bodies() const { return bodies_; }
+
+  /// Names and shapes by id.
+  [[nodiscard]] const BodyTable& infos() const { return infos_; }
 
   /// Rises with every change of bodies().
   [[nodiscard]] std::uint32_t version() const { return version_; }
@@ -42,6 +46,7 @@ class ViewedBodies {
 
   std::vector<ViewedBody> bodies_;
   std::map<sim::BodyId, std::size_t> rows_;
+  BodyTable infos_;
   std::uint32_t version_ = 0;
 };
 

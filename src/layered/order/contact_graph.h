@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+
+#include "src/world/scratch.h"
+#include "tumble/sim/world_state.h"
+
+namespace tumble::sim {
+
+/// Lists the awake contacts of each body from the manifolds. The lists are the same for any number of workers.
+void connect_contacts(const WorldState& state, Scratch& scratch);
+
+/// One end of a contact.
+struct ContactEnd {
+  std::uint32_t manifold = 0;
+  bool is_b = false;
+  BodyIndex other = kGround;
+};
+
+/// Calls visit(end) for the awake contacts of a body.
+template <class Visit>
+void for_ends(const ContactGraph& graph, BodyIndex i, Visit visit) {
+  for (std::uint32_t k = graph.start[i]; k < graph.start[i + 1]; ++k) {
+    const std::uint32_t manifold = graph.ends[k] / 2;
+    const bool is_b = graph.ends[k] % 2 != 0;
+    const ContactGraph::Link& link = graph.links[manifold];
+    visit(ContactEnd{manifold, is_b, is_b ? link.a : link.b});
+  }
+}
+
+}  // namespace tumble::sim

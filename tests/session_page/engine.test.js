@@ -1,0 +1,105 @@
+// The session page of another engine's log, with names, shapes and channels; and the chain behind a value of our own.
+import assert from "node:assert/strict";
+import { createRequire } from "node:module";
+import { writeFileSync } from "node:fs";
+import { after, before, test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { Sessions } from "./sessions.js";
+
+const { CHROMIUM, MODULES, TUMBLE, WORK } = process.env;
+const { chromium } = createRequire(`${MODULES}/`)("playwright-core");
+const kPatienceMs = 120000;
+const sessions = new Sessions(TUMBLE, WORK);
+const errors = [];
+let browser;
+
+async function open(address) {
+  const page = await (await browser.newContext({ viewport: { width: 1280, height: 900 } })).newPage();
+  page.setDefaultTimeout(kPatienceMs);
+  page.on("pageerror", (error) => errors.push(error.message));
+  await page.goto(address);
+  await page.locator("#session[data-ready]").waitFor();
+  return page;
+}
+
+const panel_of = (page, title) => page.locator(".panel", { has: page.locator("h2", { hasText: title }) });
+const until = (page, selector, words) => page.locator(selector, { hasText: words }).first().waitFor();
+
+/// A sphere, a capsule, a cylinder, a hull and a box in a row, ten steps; a value of each step and one of the sphere.
+function import_shapes(name) {
+  writeFileSync(sessions.path("wedge.obj"), "v 0.5 0.5 -0.5\nv -0.5 0.5 -0.5\nv 0.5 -0.5 -0.5\nv -0.5 -0.5 -0.5\nv 0 0 0.5\nf 1 2 5\n");
+  const shapes = [["ball", "sphere"], ["pill", "capsule-z"], ["can", "cylinder-z"], ["wedge", "hull:wedge.obj"], ["crate", "box"]];
+  let text = "# engine: toy\n# dt: 0.1\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z,shape," +
+    "size.x,size.y,size.z,channel.heat,world.score\n";
+  for (let k = 0; k <= 10; ++k) {
+    shapes.forEach(([id, shape], i) => {
+      const size = id === "pill" ? "1,1,2" : "1,1,1";
+      text += `${k},${id},${1.5 * i},${0.1 * k},1,1,0,0,0,${shape},${size},${i === 0 ? k : ""},${k * k}\n`;
+    });
+  }
+  writeFileSync(sessions.path("shapes.csv"), text);
+  sessions.run("import", "shapes.csv", "-o", name);
+}
+
+before(async () => {
+  import_shapes("shapes.tumble");
+  sessions.record("own.tumble");
+  browser = await chromium.launch({ executablePath: CHROMIUM, timeout: kPatienceMs, args: ["--enable-unsafe-swiftshader"] });
+});
+after(async () => {
+  sessions.end();
+  await browser?.close();
+});
+
+test("names, shapes and channels of another engine, sent and served", async () => {
+  sessions.run("view", "shapes.tumble", "-o", "shapes.html");
+  const { address, child } = await sessions.serve("shapes.tumble");
+  for (const [kind, place] of [["sent", pathToFileURL(sessions.path("shapes.html")).href], ["served", address]]) {
+    const page = await open(place);
+    await until(page, ".lane", "score");
+    await page.locator("body").press("End");
+    await until(page, "output.said", "step 10 ");
+    const score = page.locator(".lane", { hasText: "score" });
+    await score.locator(".value", { hasText: "100" }).waitFor();
+    await page.locator("input[type=search]").fill("score >= 81");
+    await until(page, ".search output", "1 run of steps, the first at 9");
+    await page.locator("input[type=search]").fill("ball");
+    await page.keyboard.press("Enter");
+    await panel_of(page, "Body").locator("text=ball").first().waitFor();
+    if (kind === "served") await panel_of(page, "Body").locator("tr", { hasText: "heat" }).locator("td", { hasText: "10" }).waitFor();
+    await panel_of(page, "Contacts").locator("text=holds no contacts").waitFor();
+    await page.screenshot({ path: sessions.path(`shapes_${kind}.png`) });
+    await page.context().close();
+  }
+  child.kill("SIGINT");
+});
+
+test("a press on a number asks for the chain behind it", async () => {
+  const { address, child } = await sessions.serve("own.tumble");
+  const page = await open(`${address}#step=30&body=900`);
+  const row = panel_of(page, "Body").locator("tr", { hasText: "velocity.z" });
+  await row.locator("button").click();
+  const chain = panel_of(page, "Where it comes from");
+  await chain.locator("ol.blame > li").first().waitFor();
+  assert.match(await chain.textContent(), /Body 900, velocity\.z after step 30: -?[\d.e-]+ m\/s/);
+  const status = async (path) => (await fetch(address + path)).status;
+  assert.equal(await status("blame?log=0&step=30&id=900&field=velocity.z&back=1"), 200);
+  assert.equal(await status("blame?log=0&step=30&id=900&field=wobble&back=1"), 400);
+  assert.equal(await status("blame?log=0&step=30&id=900&field=velocity.z&back=9999"), 400);
+  await page.screenshot({ path: sessions.path("blame.png") });
+  child.kill("SIGINT");
+  await page.context().close();
+});
+
+test("a timeline judges the bounds of the command line", async () => {
+  sessions.run("view", "own.tumble", "-o", "bounds.html", "--require", "drift_max<=0.1", "--require", "lost<=0");
+  const page = await open(pathToFileURL(sessions.path("bounds.html")).href);
+  await page.locator("body").press("End");
+  await page.locator(".lane", { hasText: "drift_max<=0.1" }).locator(".value", { hasText: "✕ broken" }).waitFor();
+  await page.locator(".lane", { hasText: "lost<=0" }).locator(".value", { hasText: "✓ holds" }).waitFor();
+  await page.locator("input[type=search]").fill("broken > 0");
+  await until(page, ".search output", "1 run of steps, the first at");
+  await page.context().close();
+});
+
+test("nothing went wrong", () => assert.deepEqual(errors, []));
