@@ -58,7 +58,7 @@ std::unique_ptr<Display> Display::open(const std::string& folder, std::string& w
   display->folder_ = folder;
   process::Program server;
   const std::string screen = std::to_string(kWidth) + "x" + std::to_string(kHeight) + "x24";
-  server.words = {"Xvfb", "-displayfd", "1", "-screen", "0", screen, "-fbdir", folder, "-nolisten", "tcp"};
+  server.words = {"Xvfb", "-displayfd", "1", "-screen", "0", screen, "-fbdir", folder, "-nocursor", "-nolisten", "tcp"};
   server.out = folder + "/display";
   server.err = folder + "/display.err";
   if (process::start(server, display->server_) != 0) {

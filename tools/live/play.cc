@@ -58,7 +58,8 @@ class Player {
     while (!is_over()) {
       await();
       if (window_.width() == 0 || window_.height() == 0) continue;  // minimised
-      if (frames_ == 0) began_ = Window::now();                     // a large scene takes a while until its first state
+      // A large scene takes a while until its first state.
+      if (frames_ == 0) began_ = Window::now();
       const double now = Window::now() - began_;
       if (measurement_) measurement_->play(hand_, view_, now);
       hand_.look_at(frame_);
