@@ -53,7 +53,7 @@ endfunction()
 
 tumble_install_library(sim TARGETS tumble_sim tumble_text tumble_threads tumble_scenes)
 tumble_install_library(render TARGETS tumble_render tumble_files)
-tumble_install_library(replay TARGETS tumble_replay tumble_schema)
+tumble_install_library(replay TARGETS tumble_replay tumble_probe tumble_schema)
 
 # find_package(Tumble COMPONENTS ...), and pkg-config.
 configure_package_config_file(cmake/install/TumbleConfig.cmake.in ${install_work}/TumbleConfig.cmake
