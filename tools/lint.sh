@@ -40,7 +40,7 @@ includes() {
 # "file key" for every .cc: the key changes with the file, what it includes, directly or not, and the checks.
 keys() {
   local common
-  common=$({ clang-tidy --version; cat .clang-tidy cmake/* schema/*; } | sha256sum)
+  common=$({ clang-tidy --version; cat .clang-tidy; find cmake schema -type f | sort | xargs cat; } | sha256sum)
   sources cc h | xargs sha256sum | sed 's/^\([0-9a-f]*\)  /\1 /' >"$work/hashes"
   includes >"$work/includes"
   awk -v common="${common%% *}" '
