@@ -119,7 +119,7 @@ write_commands() {
     { cat "$work/configured" >&2; fail "the tree cannot be configured"; }
   awk '/^{/ { entry = ""; file = "" } { entry = entry $0 "\n" } /"file":/ { file = $0 }
     /^}/ && !(file in seen) { seen[file] = 1; sub(/,\n$/, "\n", entry); printf "%s%s", n++ ? "," : "[", entry }
-    END { print "]" }' $build/compile_commands.json >"$work/compile_commands.json"
+    END { print "]" }' <(sed "s/ -fno-gnu-unique//g" $build/compile_commands.json) >"$work/compile_commands.json"
 }
 
 tidy() {
