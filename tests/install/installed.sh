@@ -28,6 +28,12 @@ scene=$prefix/share/tumble/golden/cases/layered_inputs/scene.toml
 [[ $(ls "$prefix/include") == tumble ]] || fail "found $(ls "$prefix/include") in include, wanted tumble alone"
 if grep -rnE '#include "(src|replay|golden|tools)/' "$prefix/include"; then fail 'a header includes one that is not installed'; fi
 
+# Inline functions of the libraries are their own: a program's copy, compiled with other flags, must replace none.
+while read -r archive; do
+  open=$(nm -g --defined-only --format=posix "$archive" 2>/dev/null | awk '$2 ~ /^[WVuv]$/ && $1 !~ /^_ZT[VIS]N6tumble/ { print $1 }')
+  [[ -z $open ]] || fail "${archive##*/}: a program can replace $(wc -l <<<"$open") functions, such as ${open%%$'\n'*}"
+done < <(find "$prefix" -name 'libtumble_*.a')
+
 # Manual pages and completions: one page a command, without a word that troff does not know.
 for command in $("$tumble" help | sed -nE 's/^  ([a-z]+) +.*$/\1/p' | grep -v '^tumble$'); do
   [[ -s $prefix/share/man/man1/tumble-$command.1 ]] || fail "no manual page of tumble $command"
