@@ -52,6 +52,7 @@ ManualEntry manual_entry(const Command& command) {
 
 std::vector<ManualEntry> manual() {
   std::vector<ManualEntry> entries;
+  entries.reserve(kCommands.size());
   for (const Command& command : kCommands) entries.push_back(manual_entry(command));
   return entries;
 }

@@ -95,7 +95,7 @@ Status build_engine(const EngineProject& project, const fs::path& output, const 
     task.words = *words;
     task.folder = project.folder.string();
     task.out = task.err = output.string();
-    const Status built =
+    Status built =
         outcome(process::run_child(task, 0, cancel), project.shell, who(project, "the build command", command), output);
     if (!built.ok()) return built;
   }

@@ -31,8 +31,8 @@ bool once_a_step(const std::string& phase) {
 /// Collects the shares of a change.
 class Shares {
  public:
-  Shares(const BodyAccount& account, const Write& write, std::size_t field, sim::Method method)
-      : account_(account), write_(write), field_(field), method_(method) {}
+  Shares(const BodyAccount& account, const Write& write, std::size_t field)
+      : account_(account), write_(write), field_(field) {}
 
   void add_all() {
     for (const ContactPart& part : write_.parts) add("contact", part_in(part, field_), part.other);
@@ -77,7 +77,6 @@ class Shares {
   const BodyAccount& account_;
   const Write& write_;
   std::size_t field_;
-  sim::Method method_;
   bool exact_ = false;
 };
 
@@ -123,7 +122,7 @@ std::optional<std::size_t> largest_change(const BodyAccount& account, std::size_
   return found;
 }
 
-BlameAnswer answer_of(const BodyAccount& account, const Write& write, std::size_t field, sim::Method method) {
+BlameAnswer answer_of(const BodyAccount& account, const Write& write, std::size_t field) {
   BlameAnswer answer;
   answer.step = account.step;
   if (!once_a_step(write.phase)) answer.substep = write.substep;
@@ -134,7 +133,7 @@ BlameAnswer answer_of(const BodyAccount& account, const Write& write, std::size_
   answer.before = write.before.of(field);
   answer.after = write.after.of(field);
   if (field != kFrozenField) {
-    Shares shares(account, write, field, method);
+    Shares shares(account, write, field);
     shares.add_all();
     answer.shares = std::move(shares.shares);
     answer.exact = shares.exact();
@@ -146,7 +145,6 @@ BlameAnswer answer_of(const BodyAccount& account, const Write& write, std::size_
 Source source_of(const BodyAccount& account, std::size_t write, std::size_t field) {
   const Write& at = account.writes[write];
   const std::size_t quantity = quantity_of(field);
-  Source source;
   if (quantity == kFrozenField) {
     // Who wakes a body is about to touch it; who falls asleep was slow.
     const auto waker = std::ranges::min_element(account.contacts, {}, &ContactFacts::approach);

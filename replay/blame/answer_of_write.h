@@ -30,7 +30,7 @@ std::optional<std::size_t> last_change(const BodyAccount& account, std::size_t f
 std::optional<std::size_t> largest_change(const BodyAccount& account, std::size_t field);
 
 /// The answer about a field, with shares and a sentence.
-BlameAnswer answer_of(const BodyAccount& account, const Write& write, std::size_t field, sim::Method method);
+BlameAnswer answer_of(const BodyAccount& account, const Write& write, std::size_t field);
 
 /// Where to look next.
 Source source_of(const BodyAccount& account, std::size_t write, std::size_t field);

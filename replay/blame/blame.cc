@@ -106,7 +106,7 @@ class Chain {
   }
 
   Result<std::optional<Cursor>> explain_write(const Cursor& at, const BodyAccount& own, std::size_t write) {
-    blame_.answers.push_back(answer_of(own, own.writes[write], at.field, method_));
+    blame_.answers.push_back(answer_of(own, own.writes[write], at.field));
     const Source source = source_of(own, write, at.field);
     const bool in_question = at.step == question_.step;
     const bool changes_rest = in_question && at.field != kFrozenField && own.start.frozen() != own.end.frozen() &&
@@ -150,7 +150,7 @@ class Chain {
   /// The body woke or fell asleep in the step: that flag decides what moves it.
   void add_rest_change(const BodyAccount& own) {
     if (const std::optional<std::size_t> write = last_change(own, kFrozenField, kEndOfStep); write) {
-      add({answer_of(own, own.writes[*write], kFrozenField, method_)});
+      add({answer_of(own, own.writes[*write], kFrozenField)});
     }
   }
 
@@ -209,7 +209,7 @@ class Chain {
     if (by_input) return explain_input(at, own, *before);
     const Result<std::uint64_t> step = step_it_changed(steps_, at.step - 1, at.body, at.field);
     if (!step.ok()) return step.error();
-    const Result<std::optional<Cursor>> next = explain({*step, at.body, at.field, kEndOfStep, false});
+    Result<std::optional<Cursor>> next = explain({*step, at.body, at.field, kEndOfStep, false});
     if (next.ok() && at.step == question_.step) add_reason_of_rest(own, at.field);
     return next;
   }

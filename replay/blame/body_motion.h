@@ -57,6 +57,7 @@ inline std::string field_name(std::size_t field) { return field < kColumnCount ?
 /// All names, in the order in which reports look through them.
 inline std::vector<std::string> blame_fields() {
   std::vector<std::string> fields;
+  fields.reserve(kFieldOrder.size() + 1);
   for (const std::size_t column : kFieldOrder) fields.emplace_back(kColumnNames[column]);
   fields.emplace_back("frozen");
   return fields;

@@ -19,7 +19,8 @@ class Making {
  public:
   Making(const BodyAccount& account, const ContactFacts& facts) : account_(account), facts_(facts) {}
 
-  void add(const std::string& phase, const std::string& value, const char* unit, FieldValue after, std::string text) {
+  void add(const std::string& phase, const std::string& value, const char* unit, FieldValue after,
+           const std::string& text) {
     BlameAnswer answer;
     answer.step = account_.step;
     answer.phase = phase;
@@ -164,7 +165,7 @@ std::vector<BlameAnswer> absence_of(const BodyAccount& account, sim::Method meth
   for (std::size_t k = 0; k < std::min<std::size_t>(account.near.size(), 4); ++k) {
     near += (near.empty() ? "" : ", ") + std::to_string(account.near[k]);
   }
-  const auto answer = [&](const char* phase, const char* value, FieldValue after, std::string text) {
+  const auto answer = [&](const char* phase, const char* value, FieldValue after, const std::string& text) {
     BlameAnswer one;
     one.step = account.step;
     one.phase = phase;

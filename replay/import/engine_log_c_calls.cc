@@ -10,7 +10,6 @@
 
 using tumble::Result;
 using tumble::Status;
-using tumble::replay::EngineDef;
 using tumble::replay::EngineLog;
 using tumble::replay::EngineState;
 using tumble::replay::guarded;

@@ -7,13 +7,11 @@
 
 using tumble::Result;
 using tumble::Status;
-using tumble::replay::Channel;
 using tumble::replay::ChannelValue;
 using tumble::replay::EngineLog;
 using tumble::replay::guarded;
 using tumble::replay::missing;
 using tumble::replay::Shape;
-using tumble::replay::StartValue;
 using tumble::replay::vector_of;
 using tumble::replay::while_open;
 

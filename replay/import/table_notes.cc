@@ -73,7 +73,7 @@ void TableNotes::motion(sim::BodyId body, std::uint64_t step, double dt, const E
     const double rest = std::fabs(change[(axis + 1) % 3]) + std::fabs(change[(axis + 2) % 3]);
     const double size = std::fabs(change[axis]);
     if (size > 0.1 && rest < 0.02 * size && std::isfinite(size)) {
-      ++falls_[static_cast<std::size_t>(2 * axis + (change[axis] > 0 ? 1 : 0))];
+      ++falls_[2 * static_cast<std::size_t>(axis) + (change[axis] > 0 ? 1 : 0)];
       ++sizes_[static_cast<int>(std::lround(10 * std::log10(size)))];
     }
   }

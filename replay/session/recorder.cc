@@ -97,7 +97,7 @@ Status Recorder::step(std::span<const sim::Command> live) {
   const Result<TakenStep> taken = session_.step(live, watch_ ? watch_(hashes) : hashes);
   if (!taken.ok()) return taken.error();
   const Extras* extras = extras_.views.empty() ? nullptr : &extras_;
-  const Status written =
+  Status written =
       writer_->append({taken->dt, taken->inputs, hashes_.words(), taken->counters, extras}, world().state());
   extras_.views.clear();
   return written;

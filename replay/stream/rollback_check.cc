@@ -77,10 +77,10 @@ Result<StreamStep> decoded(const StreamReader& stream, const StreamFrame& frame)
 Result<std::optional<StreamState>> state_before(const StreamReader& stream, const StreamFrame& frame,
                                                 std::uint64_t id) {
   const std::vector<StreamFrame>& steps = stream.steps();
-  for (auto at = steps.rbegin(); at != steps.rend(); ++at) {
-    if (at->step >= frame.step) continue;
-    if (at->offset > frame.offset) break;
-    const Result<StreamStep> step = decoded(stream, *at);
+  for (std::size_t at = steps.size(); at-- > 0;) {
+    if (steps[at].step >= frame.step) continue;
+    if (steps[at].offset > frame.offset) break;
+    const Result<StreamStep> step = decoded(stream, steps[at]);
     if (!step.ok()) return step.error();
     for (const StreamState& state : step->states) {
       if (state.id == id && !state.same) return std::optional(state);

@@ -93,6 +93,7 @@ Result<std::vector<StreamExtras::Row>> StreamExtras::rows_of(const StreamStep& s
     const auto* named = std::get_if<StreamNamedInput>(&input);
     if (named != nullptr) inputs[{input_name(*named), named->body}] += named->bytes;
   }
+  rows.reserve(inputs.size() + step.values.size());
   for (const auto& [key, bytes] : inputs) rows.push_back({key.first, {key.second, 0}, bytes});
   for (const StreamValue& value : step.values) {
     if (Status ok = add_rows(value, rows); !ok.ok()) return ok.error();

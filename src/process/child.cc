@@ -37,7 +37,7 @@ std::vector<std::string> environment_of(const Program& program) {
     if (program.set.contains(text.substr(0, text.find('=')))) continue;
     if (std::ranges::none_of(kGitsOwn, [&](const char* name) { return text.starts_with(name); })) all.push_back(text);
   }
-  for (const auto& [name, value] : program.set) all.push_back(name + '=' + value);
+  for (const auto& [name, value] : program.set) all.push_back(std::string(name).append("=").append(value));
   for (const auto& setting : program.more) {
     const std::string start = setting.first + '=';
     const bool has = std::ranges::any_of(all, [&](const std::string& text) { return text.starts_with(start); });

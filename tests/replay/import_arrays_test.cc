@@ -119,7 +119,7 @@ TEST(ImportArrays, QposTakesTheNamesOfItsModel) {
 }
 
 TEST(ImportArrays, ErrorsNameTheArray) {
-  const auto error_of = [](std::vector<Array> arrays) {
+  const auto error_of = [](const std::vector<Array>& arrays) {
     const Result<LogReader> log = import(arrays);
     return log.ok() ? "no error" : log.error().message;
   };

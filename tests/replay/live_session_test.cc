@@ -24,14 +24,17 @@ namespace {
 namespace fs = std::filesystem;
 
 class LiveSessionTest : public testing::Test {
- protected:
+ public:
   LiveSessionTest()
       : folder_(fs::temp_directory_path() / ("tumble_live_" + std::to_string(::getpid()) + "_" + name())) {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
   }
   ~LiveSessionTest() override { fs::remove_all(folder_); }
+  LiveSessionTest(const LiveSessionTest&) = delete;
+  LiveSessionTest& operator=(const LiveSessionTest&) = delete;
 
+ protected:
   static std::string name() { return testing::UnitTest::GetInstance()->current_test_info()->name(); }
 
   // Steps as fast as the clock of 1000 steps a second allows, so that a test takes no longer than it must.

@@ -3,11 +3,11 @@ import assert from "node:assert/strict";
 import { createRequire } from "node:module";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
+import { eventually, kPatienceMs } from "./eventually.js";
 import { kHostile, kHostileFolder, make_report } from "./suite.js";
 
 const { CHROMIUM, MODULES, TUMBLE, WORK } = process.env;
 const { chromium } = createRequire(`${MODULES}/`)("playwright-core");
-const kPatienceMs = 600000;  // a busy machine draws slowly
 
 let browser;
 let page;
@@ -32,17 +32,6 @@ async function open(options = {}) {
 
 const section = (name) => page.locator("details", { has: page.locator(`#${name}`) });
 
-/// Waits for what a script will write shortly.
-async function eventually(read, wanted, words) {
-  const end = Date.now() + kPatienceMs;
-  for (;;) {
-    const found = await read();
-    if (wanted(found)) return found;
-    assert.ok(Date.now() < end, `${words}; the last value was ${found}`);
-    await page.waitForTimeout(50);
-  }
-}
-
 before(async () => {
   make_report(TUMBLE, WORK);
   browser = await chromium.launch({ executablePath: CHROMIUM, timeout: kPatienceMs, args: ["--enable-unsafe-swiftshader"] });
@@ -54,7 +43,7 @@ test("one click on a failed case of the summary leads to it", async () => {
   const link = page.locator(".glance a", { hasText: "moved" });
   await link.click();
   assert.ok(await section("moved").evaluate((place) => place.open));
-  await eventually(() => page.locator("#moved").evaluate((head) => head.getBoundingClientRect().top),
+  await eventually(page, () => page.locator("#moved").evaluate((head) => head.getBoundingClientRect().top),
     (top) => top > -1 && top < 300, "the case should be at the top of the window");
   assert.equal(await page.locator("details.fail").count(), 3);
   assert.equal(await page.locator("details.pass[open]").count(), 0, "what passed stays out of the way");
@@ -66,7 +55,7 @@ test("the keyboard leads there too", async () => {
   for (let k = 0; k < 10 && await at() !== "moved"; ++k) await fresh.keyboard.press("Tab");
   assert.equal(await at(), "moved");
   await fresh.keyboard.press("Enter");
-  await eventually(() => fresh.locator("#moved").evaluate((head) => head.getBoundingClientRect().top),
+  await eventually(page, () => fresh.locator("#moved").evaluate((head) => head.getBoundingClientRect().top),
     (top) => top > -1 && top < 300, "Enter should go to the case");
   await fresh.context().close();
 });
@@ -99,8 +88,8 @@ test("blink shows both pictures in turn until it is pressed again", async () => 
   const blink = viewer.locator("button", { hasText: "Blink" });
   await blink.click();
   assert.equal(await blink.getAttribute("aria-pressed"), "true");
-  await eventually(said, (words) => words === "actual", "blinking should come to the actual picture");
-  await eventually(said, (words) => words === "expected", "and back to the expected one");
+  await eventually(page, said, (words) => words === "actual", "blinking should come to the actual picture");
+  await eventually(page, said, (words) => words === "expected", "and back to the expected one");
   await blink.focus();
   await page.keyboard.press("Space");
   assert.equal(await blink.getAttribute("aria-pressed"), "false");
@@ -166,9 +155,9 @@ test("the view turns by arrow keys and by mouse, and play runs to the end", asyn
   await page.mouse.up();
   assert.notEqual(await picture(), turned);
   await drawing.locator("button.play").click();
-  await eventually(() => drawing.locator("output").textContent(), (words) => words.startsWith("step 60:"),
+  await eventually(page, () => drawing.locator("output").textContent(), (words) => words.startsWith("step 60:"),
     "it should play to the last step");
-  await eventually(() => drawing.locator("button.play").getAttribute("aria-label"), (words) => words === "play", "and stop there");
+  await eventually(page, () => drawing.locator("button.play").getAttribute("aria-label"), (words) => words === "play", "and stop there");
 });
 
 test("texts of a scene stay text", async () => {
@@ -200,7 +189,7 @@ test("a handler or a script that got in would not run", async () => {
     document.body.append(script);
     place.querySelector("#trap").click();
   });
-  await eventually(async () => told.filter((text) => text.includes("Content Security Policy")).length, (n) => n >= 3,
+  await eventually(page, async () => told.filter((text) => text.includes("Content Security Policy")).length, (n) => n >= 3,
     "the policy should name what it refused");
   assert.equal(await fresh.evaluate(() => window.hacked), undefined);
   errors.length = before_errors;  // its refusals are what this test wants

@@ -4,11 +4,11 @@ import { createRequire } from "node:module";
 import { statSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
+import { eventually, kPatienceMs } from "../report_page/eventually.js";
 import { kHostile, kHostileFile, Sessions } from "./sessions.js";
 
 const { CHROMIUM, MODULES, TUMBLE, WORK } = process.env;
 const { chromium } = createRequire(`${MODULES}/`)("playwright-core");
-const kPatienceMs = 120000;  // a busy machine draws slowly
 
 let browser;
 const sessions = new Sessions(TUMBLE, WORK);
@@ -35,17 +35,6 @@ const sent = (name) => pathToFileURL(sessions.path(name)).href;
 const said = (page) => page.locator("output.said").textContent();
 const panel_of = (page, title) => page.locator(".panel", { has: page.locator("h2", { hasText: title }) });
 const values = (page, lane) => page.locator(".lane", { hasText: lane }).locator(".value").first().textContent();
-
-/// Waits for what a script will write shortly.
-async function eventually(page, read, wanted, words) {
-  const end = Date.now() + kPatienceMs;
-  for (;;) {
-    const found = await read();
-    if (wanted(found)) return found;
-    assert.ok(Date.now() < end, `${words}; the last value was ${found}`);
-    await page.waitForTimeout(50);
-  }
-}
 
 before(async () => {
   sessions.record("a.tumble");

@@ -14,10 +14,8 @@
 #include "tumble/replay/log_reader.h"
 #include "tumble/replay/recorder.h"
 
+namespace tumble::replay {
 namespace {
-
-using namespace tumble;
-using namespace tumble::replay;
 
 constexpr std::uint32_t kAnswers = 5;
 
@@ -66,7 +64,8 @@ Status compare(const std::string& path, const std::string& own_path) {
 
 }  // namespace
 
-int main(int count, char** words) {
+// Compares each log of words[2] and on with this build.
+int try_blame(int count, char** words) {
   if (count < 3) {
     std::cerr << "usage: blame_trial FOLDER LOG...\n";
     return 2;
@@ -79,3 +78,7 @@ int main(int count, char** words) {
   }
   return 0;
 }
+
+}  // namespace tumble::replay
+
+int main(int count, char** words) { return tumble::replay::try_blame(count, words); }

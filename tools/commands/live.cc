@@ -26,6 +26,7 @@ Result<Exit> run_window(const LiveArguments& arguments) {
   std::vector<std::string> words = words_of(arguments);
   words.insert(words.begin(), helper);
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   ::execv(helper.c_str(), pointers.data());

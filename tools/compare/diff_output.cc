@@ -28,14 +28,14 @@ std::optional<replay::Divergence> first_of(const replay::DiffReport& report) {
 constexpr std::size_t kHeadersShown = 20;
 
 /// The first word of the verdict, and what was read for it.
-std::string same_text(const DiffQuestion& options, std::uint64_t zeros, const std::string& steps) {
-  const std::string words = options.exact_bits ? "identical: " + steps : "same within tolerances: " + steps;
-  if (options.brief) return words + ", by hashes; payloads not read";
+std::string same_text(const DiffQuestion& question, std::uint64_t zeros, const std::string& steps) {
+  const std::string words = question.exact_bits ? "identical: " + steps : "same within tolerances: " + steps;
+  if (question.brief) return words + ", by hashes; payloads not read";
   if (zeros > 0) return words + ", but for the sign of " + count_text(zeros, "zero");
-  return words + (options.exact_bits ? ", every bit" : "");
+  return words + (question.exact_bits ? ", every bit" : "");
 }
 
-void print_text(const DiffQuestion& options, const replay::DiffReport& report) {
+void print_text(const DiffQuestion& question, const replay::DiffReport& report) {
   for (std::size_t i = 0; i < std::min(kHeadersShown, report.headers.size()); ++i) {
     std::cout << "header: " << printable(describe(report.headers[i])) << '\n';
   }
@@ -46,7 +46,7 @@ void print_text(const DiffQuestion& options, const replay::DiffReport& report) {
   if (report.from > 0) std::cout << "compared from step " << report.from << " on, which both logs have\n";
   const std::string steps = count_text(report.steps, "step");
   if (report.identical()) {
-    std::cout << same_text(options, report.zeros, steps) << '\n';
+    std::cout << same_text(question, report.zeros, steps) << '\n';
   } else if (report.first) {
     std::cout << "different from step " << report.first->step << " on\n";
   } else {
@@ -71,18 +71,18 @@ Json headers_json(const std::vector<replay::HeaderDifference>& headers) {
 
 // The command that explains the first value that differs, in a log whose step this build repeats; empty where there is
 // none.
-std::string next_command(const DiffQuestion& options, const Difference& difference) {
+std::string next_command(const DiffQuestion& question, const Difference& difference) {
   if (!difference || !difference->effect) return "";
   const replay::DivergenceLocation& location = difference->location;
   if (!location.as_a && !location.as_b) return "";
-  return blame_command(location.as_b ? options.b : options.a, *difference->effect);
+  return blame_command(location.as_b ? question.b : question.a, *difference->effect);
 }
 
 }  // namespace
 
-void print_result(const DiffQuestion& options, const replay::DiffReport& report, const Difference& difference,
+void print_result(const DiffQuestion& question, const replay::DiffReport& report, const Difference& difference,
                   const Further& further) {
-  if (options.json) {
+  if (question.json) {
     Json json = comparison_json(report.identical(), report.steps, first_of(report));
     json["read"] = further.read;
     add_scope(report.scope, json);
@@ -92,23 +92,23 @@ void print_result(const DiffQuestion& options, const replay::DiffReport& report,
     for (const replay::HeaderDifference& header : report.headers) json["headers"].push_back(describe(header));
     json["header_differences"] = headers_json(report.headers);
     if (difference) add_difference(*difference, Compared::kTwoLogs, json);
-    const std::string next = next_command(options, difference);
+    const std::string next = next_command(question, difference);
     json["next"] = next.empty() ? Json(nullptr) : Json(next);
-    if (options.zoom) json["zoom"] = further.zoom ? zoom_json(*further.zoom) : Json(nullptr);
-    if (options.apart) json["apart"] = parting_json(further.parting, *options.apart);
+    if (question.zoom) json["zoom"] = further.zoom ? zoom_json(*further.zoom) : Json(nullptr);
+    if (question.apart) json["apart"] = parting_json(further.parting, *question.apart);
     print_json(json);
     return;
   }
-  print_text(options, report);
-  const Sides sides = sides_of(options.a, options.b);
+  print_text(question, report);
+  const Sides sides = sides_of(question.a, question.b);
   if (difference) {
     print_difference(*difference, Compared::kTwoLogs, sides);
-    const std::string next = next_command(options, difference);
+    const std::string next = next_command(question, difference);
     if (!next.empty()) std::cout << "to find the cause of that value: " << printable(next) << '\n';
   } else if (report.first) {
     std::cout << "cause   " << printable(replay::cause_of(report, *report.first)) << '\n';
     print_divergence(*report.first, sides);
-    if (options.brief) std::cout << "  read        " << further.read << ", so damage in them is not seen\n";
+    if (question.brief) std::cout << "  read        " << further.read << ", so damage in them is not seen\n";
   }
   if (further.zoom) print_zoom(*further.zoom, sides);
 }

@@ -46,7 +46,7 @@ Status Screen::draw(const replay::LiveFrame& frame, const ViewState& view) {
   }
   if (view.bounds) replay::add_bounds_markers(shown_);
   if (view.velocities) replay::add_velocity_markers(shown_, replay::kArrowSeconds);
-  const Status drawn = renderer_->show(shown_, {0, 0, 0, window_.width(), window_.height()});
+  Status drawn = renderer_->show(shown_, {0, 0, 0, window_.width(), window_.height()});
   seconds_ = Window::now() - start;
   return drawn;
 }

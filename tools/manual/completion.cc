@@ -67,7 +67,8 @@ std::string zsh_argument(const ArgumentText& argument) {
   const std::string value = argument.sign.empty() ? "" : ':' + single_quoted(argument.sign, true) + ":_files";
   std::string text;
   for (const std::string& name : argument.names) {
-    text += (text.empty() ? "" : " ") + ('\'' + std::string(argument.repeats ? "*" : "") + name) + help + value + '\'';
+    if (!text.empty()) text += ' ';
+    text.append(argument.repeats ? "'*" : "'").append(name).append(help).append(value).append("'");
   }
   return text;
 }

@@ -22,8 +22,8 @@ namespace {
 constexpr const char* kHost = "127.0.0.1";
 constexpr std::size_t kWorkers = 8;
 constexpr std::size_t kRequestsPerConnection = 10'000;
-constexpr int kPatience_s = 5;  // for a client that sends or reads slowly
-constexpr int kKeepOpen_s = 2;  // an idle connection holds a worker no longer
+constexpr int kPatience = 5;  // s, for a client that sends or reads slowly
+constexpr int kKeepOpen = 2;  // s; an idle connection holds a worker no longer
 constexpr auto kPause = std::chrono::milliseconds(50);
 
 /// 128 random bits in hexadecimal digits.
@@ -54,9 +54,9 @@ class Server {
       : service_(service), token_(std::move(token)), policy_(std::move(policy)) {
     server_.new_task_queue = [] { return new httplib::ThreadPool(kWorkers); };
     server_.set_keep_alive_max_count(kRequestsPerConnection);
-    server_.set_keep_alive_timeout(kKeepOpen_s);
-    server_.set_read_timeout(kPatience_s);
-    server_.set_write_timeout(kPatience_s);
+    server_.set_keep_alive_timeout(kKeepOpen);
+    server_.set_read_timeout(kPatience);
+    server_.set_write_timeout(kPatience);
     server_.set_payload_max_length(0);
     server_.set_tcp_nodelay(true);
     // SO_REUSEADDR alone: the library's own choice, SO_REUSEPORT, would let another process share the port.
@@ -69,7 +69,7 @@ class Server {
       return httplib::Server::HandlerResponse::Handled;
     });
     server_.set_exception_handler(
-        [](const httplib::Request&, httplib::Response& response, std::exception_ptr) { response.status = 500; });
+        [](const httplib::Request&, httplib::Response& response, const std::exception_ptr&) { response.status = 500; });
   }
 
   Status bind(std::optional<std::uint64_t> port) {
