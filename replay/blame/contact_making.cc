@@ -172,7 +172,7 @@ std::vector<BlameAnswer> absence_of(const BodyAccount& account, sim::Method meth
     one.body = account.body;
     one.value = value;
     one.after = std::move(after);
-    one.text = std::move(text);
+    one.text = text;
     return one;
   };
   const std::string body = "body " + std::to_string(account.body);

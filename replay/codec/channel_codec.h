@@ -18,7 +18,7 @@ struct StepRows {
   std::vector<ChannelKey> keys;       ///< of all rows
 
   /// Adds the rows of the next step.
-  void add_step(std::span<const ChannelKey> keys);
+  void add_step(std::span<const ChannelKey> next);
 };
 
 void encode(const StepRows& rows, ChannelScope scope, schema::Rows::Builder out);
