@@ -25,3 +25,10 @@ add_library(tumble_toml INTERFACE)
 add_library(tumble::toml ALIAS tumble_toml)
 target_compile_definitions(tumble_toml INTERFACE TOML_HEADER_ONLY=1)
 target_include_directories(tumble_toml SYSTEM INTERFACE ${TUMBLE_TOML_INCLUDE})
+
+# Optional: `tumble export` writes MCAP files with it.
+set(protobuf_MODULE_COMPATIBLE ON)
+find_package(Protobuf 3 QUIET MODULE)
+if(NOT Protobuf_FOUND OR NOT Protobuf_PROTOC_EXECUTABLE)
+  message(STATUS "No libprotobuf: tumble export writes no .mcap (install libprotobuf-dev and protobuf-compiler)")
+endif()

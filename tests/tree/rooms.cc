@@ -78,6 +78,11 @@ std::vector<Room> logs() {
       {"replay/diff", above + Folders{"replay/measure", "replay/recover", "replay/picture"}},
       {"replay/view", above + Folders{"replay/measure"}},
       {"replay/blame", above + Folders{"replay/diff"}},
+      {"replay/export/plan", above},
+      {"replay/export/table", above + Folders{"src/files", "replay/export/plan"}},
+      {"replay/export/scene",
+       above + Folders{"src/files", "replay/export/plan", "src/render/scene", "src/render/picture"}},
+      {"replay/export", {"src/base", "src/files", "replay/export/plan", "replay/export/table", "replay/export/scene"}},
   };
 }
 
@@ -104,13 +109,14 @@ std::vector<Room> suite() {
 }
 
 std::vector<Room> program() {
-  const Folders below =
-      kSim + Folders{"src/scenes",    "src/threads",   "src/render",     "src/render/picture", "replay/format",
-                     "replay/codec",  "replay/log",    "replay/session", "replay/measure",     "replay/recover",
-                     "replay/arrays", "replay/import", "replay/stream",  "replay/picture",     "replay/probe",
-                     "replay/diff",   "replay/view",   "replay/blame",   "golden/suite",       "golden/expected",
-                     "golden/judge",  "golden/engine", "golden/run",     "golden/canaries",    "golden/report",
-                     "golden/bless",  "golden",        "src/files",      "src/process"};
+  const Folders below = kSim + Folders{"src/scenes",     "src/threads",     "src/render",         "src/render/picture",
+                                       "replay/format",  "replay/codec",    "replay/log",         "replay/session",
+                                       "replay/measure", "replay/recover",  "replay/arrays",      "replay/import",
+                                       "replay/stream",  "replay/picture",  "replay/probe",       "replay/diff",
+                                       "replay/view",    "replay/blame",    "replay/export/plan", "replay/export",
+                                       "golden/suite",   "golden/expected", "golden/judge",       "golden/engine",
+                                       "golden/run",     "golden/canaries", "golden/report",      "golden/bless",
+                                       "golden",         "src/files",       "src/process"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
       {"tools/output", below},
@@ -145,6 +151,7 @@ std::vector<Room> tests() {
                              "tests/golden",
                              "tests/toy",
                              "tests/tools",
+                             "tests/export",
                              "tests/outputs",
                              "tests/trial",
                              "tests/determinism",
