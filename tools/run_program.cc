@@ -37,6 +37,7 @@ constexpr std::array kCommands = {
     Command{"render", "draw pictures and movies of a recorded session", declare_render},
     Command{"view", "look at a session in the browser, step by step", declare_view},
     Command{"check", "run the golden suite and report changes", declare_check},
+    Command{"hunt", "judge random scenes by relations and laws, shrink what fails", declare_hunt},
     Command{"bisect", "find the commit that changed a session", declare_bisect},
     Command{"bless", "accept the present results of cases as goldens", declare_bless},
     Command{"import", "make a log of another engine's states in a table", declare_import},

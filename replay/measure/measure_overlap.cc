@@ -72,25 +72,37 @@ std::size_t widest_axis(std::span<const BoxFrame> boxes) {
   return variance.y() >= variance.z() ? 1 : 2;
 }
 
-}  // namespace
-
-// Two convex polyhedra are apart exactly if a plane separates them that is normal to a face of one or to an edge of
-// each (Gottschalk, Lin, Manocha 1996, section 5). For two boxes that makes 3 + 3 + 9 axes. If the projections overlap
-// on all of them, the axis of the least overlap is the shortest way apart. The nine edge axes are tried only if the six
-// face axes leave a depth to shorten.
-double overlap_depth(const BoxFrame& a, const BoxFrame& b) {
+double along_faces(const BoxFrame& a, const BoxFrame& b) {
   double distance = -std::numeric_limits<double>::infinity();
   for (int i = 0; i < 3; ++i) {
     distance = largest(largest(distance, distance_along(a, b, a.axes[i])), distance_along(a, b, b.axes[i]));
   }
-  for (int i = 0; i < 3 && distance < 0; ++i) {
+  return distance;
+}
+
+// The larger of `distance` and the distances along the edges' cross products.
+double along_edges(const BoxFrame& a, const BoxFrame& b, double distance) {
+  for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       const Vec3 edge = sim::cross(a.axes[i], b.axes[j]);
       const double squared = sim::dot(edge, edge);
       if (squared >= kParallelSquared) distance = largest(distance, distance_along(a, b, edge / std::sqrt(squared)));
     }
   }
-  return largest(0.0, -distance);
+  return distance;
+}
+
+}  // namespace
+
+// Two convex polyhedra are apart exactly if a plane separates them that is normal to a face of one or to an edge of
+// each (Gottschalk, Lin, Manocha 1996, section 5). For two boxes that makes 3 + 3 + 9 axes. If the projections overlap
+// on all of them, the axis of the least overlap is the shortest way apart.
+double separation_of(const BoxFrame& a, const BoxFrame& b) { return along_edges(a, b, along_faces(a, b)); }
+
+// The nine edge axes are tried only if the six face axes leave a depth to shorten.
+double overlap_depth(const BoxFrame& a, const BoxFrame& b) {
+  const double faces = along_faces(a, b);
+  return largest(0.0, -(faces < 0 ? along_edges(a, b, faces) : faces));
 }
 
 // A sweep along the widest axis: sorted by their low end, only boxes whose intervals overlap by more than the deepest

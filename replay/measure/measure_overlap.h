@@ -7,6 +7,10 @@
 
 namespace tumble::replay {
 
+/// The largest separation of two boxes along any of the fifteen axes, m: at most their distance where it is positive;
+/// the depth to which they overlap, negative, where it is not.
+double separation_of(const sim::BoxFrame& a, const sim::BoxFrame& b);
+
 /// The depth to which two boxes overlap, m: the shortest way to push them apart along one of the fifteen separating
 /// axes; 0 when they are apart or touch. Shares no code with the solver's pair test, whose faults it must be able to
 /// see. Source: Gottschalk, Lin, Manocha, "OBBTree", 1996, section 5.

@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include "src/world/scratch.h"
+
 namespace tumble::replay {
 
 Session::Session(sim::SceneDef scene, sim::World world) : scene_(std::move(scene)), world_(std::move(world)) {}
@@ -18,6 +20,8 @@ Result<Session> Session::resume(sim::WorldState state, sim::SceneDef scene) {
   if (!world.ok()) return world.error();
   return Session(std::move(scene), *std::move(world));
 }
+
+void Session::use(sim::LaneWidth lanes) { world_.mutable_scratch().lanes = lanes; }
 
 // Order decides bits: a push before a throw meets another world than one after it. The scene's inputs come first
 // because their steps are fixed before the session begins; live ones follow in the order in which they were made. The

@@ -10,6 +10,10 @@
 #include "tumble/sim/step.h"
 #include "tumble/sim/world.h"
 
+namespace tumble::sim {
+enum class LaneWidth : std::uint8_t;
+}
+
 namespace tumble::replay {
 
 /// A step that a session took.
@@ -37,6 +41,9 @@ class Session {
 
   /// Sets the threads to step with; see World::use.
   void use(Workers* workers) { world_.use(workers); }
+
+  /// Sets the width of the lanes to step with, which shows in nothing but time.
+  void use(sim::LaneWidth lanes);
 
   [[nodiscard]] const sim::World& world() const { return world_; }
   [[nodiscard]] const sim::SceneDef& scene() const { return scene_; }

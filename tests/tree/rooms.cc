@@ -104,19 +104,26 @@ std::vector<Room> suite() {
       {"golden/report/page", {}},
       {"golden/report", above + Folders{"golden/report/page"}},
       {"golden/bless", above},
+      {"golden/hunt/scene", kModel + Folders{"src/scenes"}},
+      {"golden/hunt/judge", logs + Folders{"golden/hunt/scene"}},
+      {"golden/hunt/shrink", logs + Folders{"golden/hunt/scene", "golden/hunt/judge"}},
+      {"golden/hunt", parts + Folders{"src/process", "golden/hunt/scene", "golden/hunt/judge", "golden/hunt/shrink"}},
       {"golden", above + Folders{"golden/canaries", "golden/report", "golden/bless"}},
   };
 }
 
 std::vector<Room> program() {
-  const Folders below = kSim + Folders{"src/scenes",     "src/threads",     "src/render",         "src/render/picture",
-                                       "replay/format",  "replay/codec",    "replay/log",         "replay/session",
-                                       "replay/measure", "replay/recover",  "replay/arrays",      "replay/import",
-                                       "replay/stream",  "replay/picture",  "replay/probe",       "replay/diff",
-                                       "replay/view",    "replay/blame",    "replay/export/plan", "replay/export",
-                                       "golden/suite",   "golden/expected", "golden/judge",       "golden/engine",
-                                       "golden/run",     "golden/canaries", "golden/report",      "golden/bless",
-                                       "golden",         "src/files",       "src/process"};
+  const Folders below = kSim + Folders{"src/scenes",         "src/threads",        "src/render",
+                                       "src/render/picture", "replay/format",      "replay/codec",
+                                       "replay/log",         "replay/session",     "replay/measure",
+                                       "replay/recover",     "replay/arrays",      "replay/import",
+                                       "replay/stream",      "replay/picture",     "replay/probe",
+                                       "replay/diff",        "replay/view",        "replay/blame",
+                                       "golden/suite",       "golden/expected",    "golden/judge",
+                                       "golden/engine",      "golden/run",         "golden/canaries",
+                                       "golden/report",      "golden/bless",       "golden",
+                                       "src/files",          "src/process",        "golden/hunt/scene",
+                                       "golden/hunt/judge",  "golden/hunt/shrink", "golden/hunt"};
   const Folders above = below + Folders{"tools/output", "tools/files", "tools/arguments"};
   return {
       {"tools/output", below},
@@ -127,8 +134,10 @@ std::vector<Room> program() {
       {"tools/bench", above},
       {"tools/engine", above},
       {"tools/compare", above + Folders{"tools/engine"}},
+      {"tools/hunt", above},
       {"tools/view", above + Folders{"golden/report/page", "tools/compare"}},
-      {"tools/commands", above + Folders{"tools/bisect", "tools/bench", "tools/engine", "tools/compare", "tools/view"}},
+      {"tools/commands", above + Folders{"replay/export/plan", "replay/export", "tools/bisect", "tools/bench",
+                                         "tools/engine", "tools/compare", "tools/hunt", "tools/view"}},
       {"tools", above + Folders{"tools/manual", "tools/commands"}},
       {"tools/live", above + Folders{"src/render/gl", "src/render/scene", "replay/live", "tools"}},
   };

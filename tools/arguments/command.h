@@ -36,6 +36,7 @@ Action declare_bench(Arguments& arguments);
 Action declare_scenes(Arguments& arguments);
 Action declare_bisect(Arguments& arguments);
 Action declare_check(Arguments& arguments);
+Action declare_hunt(Arguments& arguments);
 Action declare_bless(Arguments& arguments);
 
 }  // namespace tumble::tools

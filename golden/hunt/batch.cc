@@ -1,0 +1,112 @@
+#include "golden/hunt/batch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "golden/hunt/scene/grammar.h"
+
+namespace tumble::hunt {
+namespace {
+
+void count(Tally& tally, const Judgement& one, std::uint64_t number) {
+  switch (one.outcome) {
+    case Outcome::kHeld:
+      ++tally.held;
+      break;
+    case Outcome::kBroken:
+      ++tally.broken;
+      return;
+    case Outcome::kNotApplicable:
+      ++tally.not_applicable;
+      return;
+  }
+  if (one.bound > 0 && one.value / one.bound > tally.nearest) {
+    tally.nearest = one.value / one.bound;
+    tally.nearest_number = number;
+  }
+}
+
+std::string first_word(const std::string& title) { return title.substr(0, title.find(',')); }
+
+// A large fault must not shrink to the least one that is just beyond the bound, which may be another fault.
+constexpr double kTimesKept = 10;
+double times_bound(const Judgement& one) { return std::isfinite(one.value) ? one.value / one.bound : kTimesKept; }
+
+}  // namespace
+
+Result<TextScene> drawn_scene(std::uint64_t seed, std::uint64_t number) { return settled(random_scene(seed, number)); }
+
+Batch judge_batch(const Question& question, std::uint64_t seed, std::uint64_t first, std::uint64_t scenes) {
+  Batch batch;
+  batch.tallies.resize(names_of(question).size());
+  for (std::uint64_t number = first; number < first + scenes; ++number) {
+    const Result<TextScene> scene = drawn_scene(seed, number);
+    const Judged judged = scene.ok() ? judge_scene(question, *scene) : Judged{scene.error().message, {}};
+    if (!judged.problem.empty()) ++batch.no_scenes;
+    for (std::size_t k = 0; k < judged.judgements.size(); ++k) {
+      const auto& [name, one] = judged.judgements[k];
+      count(batch.tallies[k], one, number);
+      if (one.outcome != Outcome::kBroken) continue;
+      Finding finding;
+      finding.seed = seed;
+      finding.number = number;
+      finding.relation = name;
+      finding.kind = first_word(scene->scene.title);
+      finding.judgement = one;
+      batch.findings.push_back(std::move(finding));
+    }
+  }
+  return batch;
+}
+
+std::string to_text(const Batch& batch) {
+  Json json = {{"no_scenes", batch.no_scenes}, {"tallies", Json::array()}, {"findings", Json::array()}};
+  for (const Tally& one : batch.tallies) {
+    json["tallies"].push_back({one.held, one.broken, one.not_applicable, one.nearest, one.nearest_number});
+  }
+  for (const Finding& one : batch.findings) json["findings"].push_back(to_json(one));
+  return json.dump();
+}
+
+Result<Batch> batch_from(const std::string& text) {
+  try {
+    const Json json = Json::parse(text);
+    Batch batch;
+    batch.no_scenes = json.at("no_scenes");
+    for (const Json& one : json.at("tallies")) {
+      batch.tallies.push_back({one.at(0), one.at(1), one.at(2), one.at(3), one.at(4)});
+    }
+    for (const Json& one : json.at("findings")) batch.findings.push_back(finding_from(one));
+    return batch;
+  } catch (const Json::exception& problem) {
+    return cannot_finish(std::string("what a child process found cannot be read: ") + problem.what());
+  }
+}
+
+Finding shrink_finding(const Question& question, Finding finding, std::uint64_t tries_most) {
+  const Result<TextScene> scene = drawn_scene(finding.seed, finding.number);
+  if (!scene.ok()) return finding;
+  const double wanted = std::clamp(0.5 * times_bound(finding.judgement), 1.0, kTimesKept);
+  const Test test = [&](const Trace& session, const TextScene& candidate) {
+    Judgement one = judge(question, finding.relation, session, candidate);
+    if (one.bound > 0 && times_bound(one) < wanted) one.outcome = Outcome::kHeld;
+    return one;
+  };
+  const Shrunk least = shrink(*scene, finding.judgement, test, tries_most);
+  TextScene named = least.scene;
+  finding.shrunk_judgement = least.judgement;
+  finding.bodies = named.scene.boxes.size();
+  for (const sim::TimedCommand& input : named.scene.inputs) {
+    if (std::holds_alternative<sim::Throw>(input.command)) ++finding.bodies;
+  }
+  finding.steps = named.scene.steps;
+  finding.tried = least.tried;
+  finding.least = least.least;
+  named.scene.name = name_of(finding);
+  named.scene.title = "";
+  finding.shrunk_text = scene_text(named.scene);
+  return finding;
+}
+
+}  // namespace tumble::hunt

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "golden/hunt/folder.h"
+#include "golden/hunt/judge_scene.h"
+#include "tumble/sim/result.h"
+
+namespace tumble::hunt {
+
+/// The scene of a number as it is judged. Errors (kBadInput): the draw is no scene.
+Result<TextScene> drawn_scene(std::uint64_t seed, std::uint64_t number);
+
+/// Consecutive scenes, judged in one child process.
+struct Batch {
+  std::uint64_t no_scenes = 0;
+  std::vector<Tally> tallies;  ///< by relation, in the question's order
+  std::vector<Finding> findings;
+};
+
+Batch judge_batch(const Question& question, std::uint64_t seed, std::uint64_t first, std::uint64_t scenes);
+
+/// As one process hands it to another.
+std::string to_text(const Batch& batch);
+/// Errors (kCannotFinish): text that to_text() did not make.
+Result<Batch> batch_from(const std::string& text);
+
+/// Shrinks the scene of a finding; not one that ends the program.
+Finding shrink_finding(const Question& question, Finding finding, std::uint64_t tries_most);
+
+}  // namespace tumble::hunt

@@ -1,0 +1,114 @@
+#include "golden/hunt/finding.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <tuple>
+
+#include "src/base/text.h"
+
+namespace tumble::hunt {
+namespace {
+
+Judgement judgement_from(const Json& json) {
+  Judgement out;
+  out.outcome = Outcome::kBroken;
+  out.step = json.at("step");
+  out.phase = json.at("phase");
+  out.body = json.at("body");
+  out.what = json.at("what");
+  // A value that is no number is null in JSON.
+  out.value = json.at("value").is_number() ? json.at("value").get<double>() : std::nan("");
+  out.bound = json.at("bound");
+  out.unit = json.at("unit");
+  return out;
+}
+
+}  // namespace
+
+std::string name_of(const Finding& finding) {
+  return finding.relation + "_" + std::to_string(finding.seed) + "_" + std::to_string(finding.number);
+}
+
+int decade_of(const Judgement& judgement) {
+  if (!(judgement.bound > 0) || !std::isfinite(judgement.value)) return 0;
+  const double times = judgement.value / judgement.bound;
+  return times >= 1e9 ? 9 : static_cast<int>(std::floor(std::log10(std::max(times, 1.0))));
+}
+
+std::vector<Group> grouped(const std::vector<Finding>& findings) {
+  std::map<std::tuple<std::string, std::string, int>, Group> groups;
+  for (const Finding& one : findings) {
+    const int decade = decade_of(one.judgement);
+    Group& group = groups[{one.relation, one.judgement.phase, decade}];
+    group.relation = one.relation;
+    group.phase = one.judgement.phase;
+    group.decade = decade;
+    group.findings.push_back(&one);
+  }
+  std::vector<Group> out;
+  for (auto& [key, group] : groups) {
+    std::ranges::sort(group.findings, {}, [](const Finding* one) { return std::pair(!one->shrunk(), one->number); });
+    out.push_back(std::move(group));
+  }
+  std::ranges::stable_sort(out, std::greater{}, [](const Group& group) { return group.findings.size(); });
+  return out;
+}
+
+Json to_json(const Judgement& judgement) {
+  return {{"step", judgement.step},   {"phase", judgement.phase}, {"body", judgement.body}, {"what", judgement.what},
+          {"value", judgement.value}, {"bound", judgement.bound}, {"unit", judgement.unit}};
+}
+
+Json to_json(const Finding& finding) {
+  Json json = {{"name", name_of(finding)}, {"relation", finding.relation}, {"seed", finding.seed},
+               {"number", finding.number}, {"kind", finding.kind},         {"found", to_json(finding.judgement)}};
+  json["shrunk"] = nullptr;
+  if (!finding.shrunk()) return json;
+  json["shrunk"] = {{"scene", finding.shrunk_text}, {"found", to_json(finding.shrunk_judgement)},
+                    {"bodies", finding.bodies},     {"steps", finding.steps},
+                    {"tried", finding.tried},       {"least", finding.least}};
+  return json;
+}
+
+Finding finding_from(const Json& json) {
+  Finding out;
+  out.relation = json.at("relation");
+  out.seed = json.at("seed");
+  out.number = json.at("number");
+  out.kind = json.at("kind");
+  out.judgement = judgement_from(json.at("found"));
+  const Json& shrunk = json.at("shrunk");
+  if (shrunk.is_null()) return out;
+  out.shrunk_text = shrunk.at("scene");
+  out.shrunk_judgement = judgement_from(shrunk.at("found"));
+  out.bodies = shrunk.at("bodies");
+  out.steps = shrunk.at("steps");
+  out.tried = shrunk.at("tried");
+  out.least = shrunk.at("least");
+  return out;
+}
+
+std::string describe(const Judgement& judgement) {
+  std::string text = "step " + std::to_string(judgement.step);
+  if (!judgement.phase.empty()) text += ", phase " + judgement.phase;
+  if (judgement.body != 0) text += ", body " + std::to_string(judgement.body);
+  text += ": " + judgement.what;
+  if (judgement.bound > 0) {
+    text += ": " + rounded(judgement.value, judgement.unit) + ", allowed " + rounded(judgement.bound, judgement.unit);
+  }
+  return text;
+}
+
+std::string case_rules(const Finding& finding) {
+  const Judgement& found = finding.shrunk() ? finding.shrunk_judgement : finding.judgement;
+  std::string what;
+  for (const char c : printable(describe(found))) what += c == '"' || c == '\\' ? '\'' : c;
+  return "# Found by `tumble hunt`: seed " + std::to_string(finding.seed) + ", scene " +
+         std::to_string(finding.number) + "; broke \"" + finding.relation + "\".\n# " + what +
+         "\n\n[[metric]]\nname = \"lost\"\nmax = 0.0\nwhy = \"nothing falls through the ground or through another "
+         "body\"\n";
+}
+
+}  // namespace tumble::hunt

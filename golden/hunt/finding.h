@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "golden/hunt/judge/relation.h"
+#include "golden/hunt/shrink/shrink.h"
+#include "tumble/sim/result.h"
+
+namespace tumble::hunt {
+
+using Json = nlohmann::ordered_json;
+
+/// A scene that breaks a relation. Seed, number and the program's commit name the scene.
+struct Finding {
+  std::uint64_t seed = 0, number = 0;
+  std::string relation;
+  std::string kind;  ///< the arrangement, the first word of the scene's title
+  Judgement judgement;
+  std::string shrunk_text;  ///< TOML; empty: not shrunk
+  Judgement shrunk_judgement;
+  std::size_t bodies = 0;   ///< of the shrunk scene
+  std::uint64_t steps = 0;  ///< likewise
+  std::uint64_t tried = 0;  ///< scenes judged while shrinking
+  bool least = false;       ///< nothing more could go
+  [[nodiscard]] bool shrunk() const { return !shrunk_text.empty(); }
+};
+
+/// "momentum_7_1234": the name of its case.
+std::string name_of(const Finding& finding);
+
+/// How far a value is beyond its bound, as a power of ten; 0 where nothing is allowed.
+int decade_of(const Judgement& judgement);
+
+/// Findings of one relation, phase and size.
+struct Group {
+  std::string relation, phase;
+  int decade = 0;
+  std::vector<const Finding*> findings;  ///< by number; shrunk ones first
+};
+/// The largest first. `findings` must outlive the groups.
+std::vector<Group> grouped(const std::vector<Finding>& findings);
+
+Json to_json(const Judgement& judgement);
+Json to_json(const Finding& finding);
+/// Throws Json::exception where a key is missing.
+Finding finding_from(const Json& json);
+
+/// "step 12, phase push_contacts, body 3: momentum changed: 0.02 kg m/s, allowed 1e-9"
+std::string describe(const Judgement& judgement);
+
+/// metrics.toml of the case that the finding becomes.
+std::string case_rules(const Finding& finding);
+
+}  // namespace tumble::hunt

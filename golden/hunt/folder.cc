@@ -1,0 +1,111 @@
+#include "golden/hunt/folder.h"
+
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "golden/suite/text_files.h"
+#include "src/base/text.h"
+
+namespace tumble::hunt {
+namespace {
+
+constexpr const char* kStateFile = "hunt.json";
+constexpr int kFormat = 1;
+
+Json to_json(const Tally& tally) {
+  return {{"held", tally.held},
+          {"broken", tally.broken},
+          {"not_applicable", tally.not_applicable},
+          {"nearest", tally.nearest},
+          {"nearest_number", tally.nearest_number}};
+}
+
+HuntState state_from(const Json& json) {
+  HuntState state;
+  state.seed = json.at("seed");
+  state.grammar = json.at("grammar");
+  state.program = json.at("program");
+  state.against = json.at("against");
+  state.next = json.at("scenes");
+  state.no_scenes = json.at("no_scenes");
+  for (const auto& [name, row] : json.at("relations").items()) {
+    state.relations.emplace_back(name, Tally{row.at("held"), row.at("broken"), row.at("not_applicable"),
+                                             row.at("nearest"), row.at("nearest_number")});
+  }
+  for (const Json& one : json.at("findings")) state.findings.push_back(finding_from(one));
+  return state;
+}
+
+// The first way in which a kept hunt is not the one that is asked for.
+Status same_hunt(const HuntState& kept, const HuntState& wanted, const std::string& path) {
+  const auto differs = [&](const char* what, const std::string& found, const std::string& want) -> Status {
+    if (found == want) return {};
+    return bad_input(path + ": holds a hunt of another " + what + ": " + found_wanted(found, want) +
+                     "; give another --folder, or remove this one");
+  };
+  if (Status ok = differs("seed", std::to_string(kept.seed), std::to_string(wanted.seed)); !ok.ok()) return ok;
+  if (Status ok = differs("grammar", std::to_string(kept.grammar), std::to_string(wanted.grammar)); !ok.ok()) return ok;
+  if (Status ok = differs("program", kept.program, wanted.program); !ok.ok()) return ok;
+  if (Status ok = differs("--against", kept.against, wanted.against); !ok.ok()) return ok;
+  std::string found, want;
+  for (const auto& row : kept.relations) found += (found.empty() ? "" : " ") + row.first;
+  for (const auto& row : wanted.relations) want += (want.empty() ? "" : " ") + row.first;
+  return differs("set of relations", found, want);
+}
+
+}  // namespace
+
+void Tally::add(const Tally& other) {
+  held += other.held;
+  broken += other.broken;
+  not_applicable += other.not_applicable;
+  if (other.nearest > nearest) {
+    nearest = other.nearest;
+    nearest_number = other.nearest_number;
+  }
+}
+
+Json to_json(const HuntState& state) {
+  Json json = {{"format", kFormat},           {"seed", state.seed},       {"grammar", state.grammar},
+               {"program", state.program},    {"against", state.against}, {"scenes", state.next},
+               {"no_scenes", state.no_scenes}};
+  json["relations"] = Json::object();
+  for (const auto& [name, tally] : state.relations) json["relations"][name] = to_json(tally);
+  json["findings"] = Json::array();
+  for (const Finding& one : state.findings) json["findings"].push_back(to_json(one));
+  return json;
+}
+
+Result<HuntState> Folder::open(HuntState fresh) const {
+  const std::filesystem::path file = path_ / kStateFile;
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return fresh;
+  const Result<std::string> text = golden::read_text(file);
+  if (!text.ok()) return text.error();
+  const Json json = Json::parse(*text, nullptr, false);
+  HuntState kept;
+  try {
+    if (json.is_discarded() || json.at("format") != kFormat)
+      return bad_input(file.string() + ": no hunt of this version");
+    kept = state_from(json);
+  } catch (const Json::exception& problem) {
+    return bad_input(file.string() + ": " + problem.what());
+  }
+  if (Status ok = same_hunt(kept, fresh, file.string()); !ok.ok()) return ok.error();
+  return kept;
+}
+
+Status Folder::write(const Finding& finding, const std::string& drawn) const {
+  const std::string name = name_of(finding);
+  if (Status ok = golden::write_file(path_ / "findings" / (name + ".toml"), drawn); !ok.ok()) return ok;
+  if (!finding.shrunk()) return {};
+  const std::filesystem::path folder = path_ / "cases" / name;
+  if (Status ok = golden::write_file(folder / "metrics.toml", case_rules(finding)); !ok.ok()) return ok;
+  return golden::write_file(folder / "scene.toml", finding.shrunk_text);
+}
+
+Status Folder::save(const HuntState& state) const {
+  return golden::write_file(path_ / kStateFile, to_json(state).dump(1) + "\n");
+}
+
+}  // namespace tumble::hunt

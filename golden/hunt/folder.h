@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "golden/hunt/finding.h"
+#include "tumble/sim/result.h"
+
+namespace tumble::hunt {
+
+/// How often a relation was judged. A scene that it says nothing about counts as not judged.
+struct Tally {
+  std::uint64_t held = 0, broken = 0, not_applicable = 0;
+  double nearest = 0;                ///< of the scenes that held: the largest value over bound; 0: it has none
+  std::uint64_t nearest_number = 0;  ///< that scene
+  void add(const Tally& other);
+};
+
+/// A hunt so far: scenes 0 … next − 1 of the seed are judged, all by the same relations.
+struct HuntState {
+  std::uint64_t seed = 0;
+  std::uint32_t grammar = 0;
+  std::string program;  ///< version and commit
+  std::string against;
+  std::uint64_t next = 0;
+  std::uint64_t no_scenes = 0;                           ///< drawn scenes that no world can be made of
+  std::vector<std::pair<std::string, Tally>> relations;  ///< in the order in which they are judged
+  std::vector<Finding> findings;                         ///< by number, then by relation's order
+};
+
+Json to_json(const HuntState& state);
+
+/// A folder that keeps a hunt:
+///
+///     hunt.json              the state, replaced at once after each round
+///     findings/NAME.toml     the scene as it was drawn
+///     cases/NAME/scene.toml  the shrunk scene, and metrics.toml: a case ready for `tumble bless --suite FOLDER`
+///
+/// Errors (kBadInput): a folder that holds another hunt, or a file that cannot be read; kCannotFinish: the disk.
+class Folder {
+ public:
+  explicit Folder(std::filesystem::path path) : path_(std::move(path)) {}
+
+  /// The kept hunt, or `fresh` where there is none. A hunt of another seed, grammar, program or question is an error
+  /// that names what differs.
+  [[nodiscard]] Result<HuntState> open(HuntState fresh) const;
+
+  /// Writes the files of a finding, then nothing else refers to it until save().
+  [[nodiscard]] Status write(const Finding& finding, const std::string& drawn) const;
+  [[nodiscard]] Status save(const HuntState& state) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace tumble::hunt

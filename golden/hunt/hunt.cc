@@ -1,0 +1,197 @@
+#include "golden/hunt/hunt.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "golden/expected/provenance.h"
+#include "golden/hunt/batch.h"
+#include "golden/hunt/scene/grammar.h"
+#include "src/base/check.h"
+#include "src/base/text.h"
+
+namespace tumble::hunt {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr std::uint64_t kScenesABatch = 10;
+constexpr std::uint64_t kBatchesARound = 32;
+constexpr double kBatchPatience = 120;  // s: many times what ten scenes take in a slow build
+constexpr double kScenePatience = 60;
+constexpr double kShrinkPatience = 600;
+constexpr double kUsualSeconds = 60;
+
+class Hunt {
+ public:
+  Hunt(const HuntOptions& options, HuntState state)
+      : options_(options), state_(std::move(state)), folder_(options.folder), begin_(Clock::now()) {
+    for (const Finding& one : state_.findings) {
+      if (one.shrunk()) ++shrunk_[{one.relation, one.judgement.phase}];
+    }
+  }
+
+  Result<HuntState> run() {
+    while (!over()) {
+      const std::uint64_t left = options_.count ? *options_.count - state_.next : kScenesABatch * kBatchesARound;
+      if (Status ok = round(std::min(left, kScenesABatch * kBatchesARound)); !ok.ok()) return ok.error();
+    }
+    return std::move(state_);
+  }
+
+ private:
+  [[nodiscard]] bool cancelled() const { return options_.pool.cancel && options_.pool.cancel(); }
+  [[nodiscard]] bool late() const {
+    if (options_.count && !options_.seconds) return false;
+    return std::chrono::duration<double>(Clock::now() - begin_).count() >= options_.seconds.value_or(kUsualSeconds);
+  }
+  [[nodiscard]] bool over() const {
+    return cancelled() || late() || (options_.count && state_.next >= *options_.count);
+  }
+
+  [[nodiscard]] process::PoolOptions pool(double patience, bool timed) const {
+    process::PoolOptions out = options_.pool;
+    out.timeout_s = patience;
+    out.cancel = [this, timed] { return cancelled() || (timed && late()); };
+    return out;
+  }
+
+  // Judges the next scenes and adds them to the state, up to the first batch that was not finished.
+  Status round(std::uint64_t scenes) {
+    const std::uint64_t first = state_.next;
+    const std::uint64_t batches = (scenes + kScenesABatch - 1) / kScenesABatch;
+    const auto size = [&](std::uint64_t k) { return std::min(kScenesABatch, scenes - k * kScenesABatch); };
+    std::map<std::uint64_t, process::JobResult> done;
+    process::run_jobs(
+        batches,
+        [&](std::size_t k) {
+          return to_text(judge_batch(options_.question, state_.seed, first + k * kScenesABatch, size(k)));
+        },
+        [&](std::size_t k, const process::JobResult& result) { done[k] = result; }, pool(kBatchPatience, true));
+    std::vector<Finding> fresh;
+    for (std::uint64_t k = 0; k < batches && done.contains(k); ++k) {
+      Result<Batch> batch = done[k].failure.empty() ? batch_from(done[k].output) : one_by_one(state_.next, size(k));
+      if (!batch.ok()) return batch.error();
+      if (batch->tallies.size() != state_.relations.size()) break;  // cancelled meanwhile
+      for (std::size_t i = 0; i < batch->tallies.size(); ++i) state_.relations[i].second.add(batch->tallies[i]);
+      state_.no_scenes += batch->no_scenes;
+      state_.next += size(k);
+      for (Finding& one : batch->findings) fresh.push_back(std::move(one));
+    }
+    if (Status ok = keep(std::move(fresh)); !ok.ok()) return ok;
+    if (options_.progress) options_.progress(state_);
+    return {};
+  }
+
+  // A batch whose process ended: the scene that ended it is found by judging each in a process of its own. Empty where
+  // the hunt is cancelled meanwhile.
+  Result<Batch> one_by_one(std::uint64_t first, std::uint64_t scenes) {
+    Batch sum;
+    std::map<std::uint64_t, process::JobResult> done;
+    const bool all = process::run_jobs(
+        scenes, [&](std::size_t k) { return to_text(judge_batch(options_.question, state_.seed, first + k, 1)); },
+        [&](std::size_t k, const process::JobResult& result) { done[k] = result; }, pool(kScenePatience, false));
+    if (!all) return sum;
+    sum.tallies.resize(state_.relations.size());
+    for (const auto& [k, result] : done) {
+      if (!result.failure.empty()) {
+        sum.findings.push_back(ended(first + k, result.failure));
+        for (Tally& tally : sum.tallies) ++tally.not_applicable;
+        ++sum.tallies.back().broken;
+        --sum.tallies.back().not_applicable;
+        continue;
+      }
+      Result<Batch> one = batch_from(result.output);
+      if (!one.ok()) return one.error();
+      for (std::size_t i = 0; i < one->tallies.size(); ++i) sum.tallies[i].add(one->tallies[i]);
+      sum.no_scenes += one->no_scenes;
+      for (Finding& finding : one->findings) sum.findings.push_back(std::move(finding));
+    }
+    return sum;
+  }
+
+  [[nodiscard]] Finding ended(std::uint64_t number, const std::string& failure) const {
+    Finding finding;
+    finding.seed = state_.seed;
+    finding.number = number;
+    finding.relation = kSurvives;
+    const Result<TextScene> scene = drawn_scene(state_.seed, number);
+    if (scene.ok()) finding.kind = scene->scene.title.substr(0, scene->scene.title.find(','));
+    finding.judgement = broken(0, 0, "the program " + failure);
+    return finding;
+  }
+
+  // Shrinks the first findings of each relation and phase, writes all and saves the state.
+  Status keep(std::vector<Finding> fresh) {
+    std::vector<std::size_t> chosen;
+    for (std::size_t k = 0; k < fresh.size(); ++k) {
+      std::uint64_t& seen = shrunk_[{fresh[k].relation, fresh[k].judgement.phase}];
+      if (fresh[k].relation == kSurvives || seen >= options_.shrunk_most) continue;
+      ++seen;
+      chosen.push_back(k);
+    }
+    process::run_jobs(
+        chosen.size(),
+        [&](std::size_t k) {
+          return to_json(shrink_finding(options_.question, fresh[chosen[k]], options_.tries_most)).dump();
+        },
+        [&](std::size_t k, const process::JobResult& result) {
+          if (!result.failure.empty()) return;
+          const Json json = Json::parse(result.output, nullptr, false);
+          if (!json.is_discarded()) fresh[chosen[k]] = finding_from(json);
+        },
+        pool(kShrinkPatience, false));
+    for (Finding& one : fresh) {
+      if (Status ok = write(one); !ok.ok()) return ok;
+      if (options_.found) options_.found(one);
+      state_.findings.push_back(std::move(one));
+    }
+    return options_.folder.empty() ? Status{} : folder_.save(state_);
+  }
+
+  Status write(const Finding& finding) {
+    if (options_.folder.empty()) return {};
+    const Result<TextScene> drawn = drawn_scene(finding.seed, finding.number);
+    return drawn.ok() ? folder_.write(finding, drawn->text) : Status(drawn.error());
+  }
+
+  const HuntOptions& options_;
+  HuntState state_;
+  Folder folder_;
+  Clock::time_point begin_;
+  std::map<std::pair<std::string, std::string>, std::uint64_t> shrunk_;
+};
+
+Status check_relations(const Question& question) {
+  std::vector<std::string_view> known;
+  for (const Relation& one : relations()) known.emplace_back(one.name);
+  for (const std::string& name : question.only) {
+    if (find_relation(name) != nullptr) continue;
+    const std::string_view nearest = nearest_word(name, known);
+    return bad_input("--relation: found " + in_quotes(name) + ", wanted " + list_text(known) +
+                     (nearest.empty() ? "" : "; did you mean \"" + std::string(nearest) + "\"?"));
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<HuntState> hunt_scenes(const HuntOptions& options) {
+  if (Status ok = check_relations(options.question); !ok.ok()) return ok.error();
+  const golden::Provenance program = golden::this_program();
+  HuntState fresh;
+  fresh.seed = options.seed;
+  fresh.grammar = kGrammar;
+  fresh.program = program.version + " " + (program.commit.empty() ? "commit not known" : program.commit);
+  if (program.tree == "changed") fresh.program += " (sources changed since)";
+  fresh.against = options.question.against;
+  for (const std::string& name : names_of(options.question)) fresh.relations.emplace_back(name, Tally{});
+  if (options.folder.empty()) return Hunt(options, std::move(fresh)).run();
+  Result<HuntState> kept = Folder(options.folder).open(std::move(fresh));
+  if (!kept.ok()) return kept.error();
+  return Hunt(options, *std::move(kept)).run();
+}
+
+}  // namespace tumble::hunt

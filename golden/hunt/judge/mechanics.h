@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "golden/hunt/judge/trace.h"
+#include "src/kernels/box_frame.h"
+
+/// Mechanics of a state, written again for laws that judge the engine's own. Angular momenta are about the world's
+/// origin unless said.
+namespace tumble::hunt {
+
+sim::BoxFrame frame_of(const sim::Bodies& bodies, sim::BodyIndex i);
+
+/// Moments of inertia from mass and half extents, kg·m², about own axes; not the state's.
+sim::Vec3 moments_of(const sim::Bodies& bodies, sim::BodyIndex i);
+
+sim::Vec3 spin_momentum(const sim::Bodies& bodies, sim::BodyIndex i);  ///< kg·m²/s, R I Rᵀ ω
+double spin_energy(const sim::Bodies& bodies, sim::BodyIndex i);       ///< J
+double half_diagonal(const sim::Bodies& bodies, sim::BodyIndex i);     ///< m
+
+/// Momentum and angular momentum of several bodies, and the magnitudes that errors are measured against.
+struct Momentum {
+  sim::Vec3 linear = sim::Vec3::Zero();   ///< kg·m/s
+  sim::Vec3 angular = sim::Vec3::Zero();  ///< kg·m²/s
+  sim::Vec3 first = sim::Vec3::Zero();    ///< kg·m, Σ m x
+  double mass = 0;                        ///< kg
+};
+Momentum momentum_of(const sim::Bodies& bodies, const std::vector<sim::BodyId>& ids);
+
+/// Bodies that met one another in a step, directly or through others; `fixed`: one of them met ground, a static body or
+/// a frozen one, or froze or woke.
+struct Group {
+  std::vector<sim::BodyId> bodies;  ///< ascending
+  bool fixed = false;
+};
+
+/// The moving bodies of a step in groups, those that met nobody alone.
+std::vector<Group> groups_of(const Trace& trace, std::size_t step);
+
+/// The deepest overlap in a state, m, and the two bodies; the ground counts.
+struct Overlap {
+  double depth = 0;
+  sim::BodyId a = kGroundId, b = kGroundId;
+  double thinnest = 0;  ///< m, the least edge of the two
+};
+/// The overlap that is deepest against the thinnest edge of its two boxes.
+Overlap worst_overlap(const sim::WorldState& state);
+
+/// Whether no box begins deeper than `depth` in another or in the ground, thrown ones included.
+bool begins_apart(const Trace& trace, double depth);
+
+}  // namespace tumble::hunt

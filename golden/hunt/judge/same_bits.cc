@@ -1,0 +1,201 @@
+#include "golden/hunt/judge/same_bits.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <memory>
+#include <utility>
+
+#include "replay/log/byte_memory.h"
+#include "src/base/text.h"
+#include "tumble/replay/player.h"
+#include "tumble/replay/recorder.h"
+#include "tumble/sim/step.h"
+#include "tumble/threads/worker_threads.h"
+
+namespace tumble::hunt {
+namespace {
+
+using sim::BodyIndex;
+using sim::image_of;
+using sim::Transform;
+
+constexpr std::array kFields = {"position x",    "position y",    "position z", "orientation w",   "orientation x",
+                                "orientation y", "orientation z", "velocity x", "velocity y",      "velocity z",
+                                "spin x",        "spin y",        "spin z",     "low energy time", "frozen"};
+using Values = std::array<double, kFields.size()>;
+
+Values values_of(const sim::Bodies& bodies, BodyIndex i, const Transform& t) {
+  const sim::Vec3 x = t.point(bodies.position[i]), v = t.vector(bodies.velocity[i]);
+  const sim::Vec3 w = t.axial_vector(bodies.spin[i]);
+  const sim::Quat q = t.orientation(bodies.orientation[i]);
+  return {x.x(),
+          x.y(),
+          x.z(),
+          q.w,
+          q.x,
+          q.y,
+          q.z,
+          v.x(),
+          v.y(),
+          v.z(),
+          w.x(),
+          w.y(),
+          w.z(),
+          bodies.low_energy_time[i],
+          static_cast<double>(bodies.frozen[i])};
+}
+
+constexpr unsigned kThreads = 3;
+constexpr std::size_t kThreadedSteps = 4;
+
+bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
+
+Judgement failed(std::uint64_t step, const std::string& message) {
+  return broken(step, 0, "the other session ends there: " + message);
+}
+
+// The step as its session took it, against the trace.
+Judgement compare_step(const Trace& trace, std::size_t k, const sim::WorldState& state,
+                       const std::vector<std::uint64_t>& words, const sim::StepCounters& counters) {
+  const auto difference = first_difference(trace.after(k).bodies, state.bodies, {}, {});
+  Judgement out;
+  if (difference) {
+    out = parted(k + 1, *difference);
+  } else if (words != trace.steps[k].words) {
+    out = broken(k + 1, 0, "the hash of a phase differs, though no body does");
+  } else if (!(counters == trace.steps[k].counters)) {
+    out = broken(k + 1, 0, "counts or energies of the step differ, though no body does");
+  } else if (continuation_hash(state) != continuation_hash(trace.after(k))) {
+    out = broken(k + 1, 0, "hidden state differs, though no body does");
+  }
+  if (out.outcome == Outcome::kBroken) out.phase = first_phase(trace.scene.world.method, trace.steps[k].words, words);
+  return out;
+}
+
+// Another session of the trace's scene, step by step.
+Judgement compare_session(const Trace& trace, replay::Session& session) {
+  for (std::size_t k = 0; k < trace.steps.size(); ++k) {
+    sim::PhaseHashes hashes;
+    const Result<replay::TakenStep> taken = session.step({}, &hashes);
+    if (!taken.ok()) return failed(k + 1, taken.error().message);
+    Judgement one = compare_step(trace, k, session.world().state(), hashes.words(), taken->counters);
+    if (one.outcome != Outcome::kHeld) return one;
+  }
+  return held();
+}
+
+}  // namespace
+
+std::optional<ValueDifference> first_difference(const sim::Bodies& original, const sim::Bodies& image,
+                                                const Transform& transform, const sim::IdMap& ids) {
+  for (BodyIndex i = 0; i < original.size(); ++i) {
+    const auto j = image.find(image_of(original.id[i], ids));
+    if (!j) return ValueDifference{original.id[i], "body", 1, 0};
+    const Values wanted = values_of(original, i, transform), found = values_of(image, *j, {});
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+      if (!same_bits(wanted[k], found[k])) return ValueDifference{original.id[i], kFields[k], wanted[k], found[k]};
+    }
+  }
+  if (image.size() > original.size()) return ValueDifference{0, "number of bodies", 0, 0};
+  return std::nullopt;
+}
+
+std::string first_phase(sim::Method method, const std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b) {
+  const sim::PhaseTable table = sim::phase_table(method);
+  const auto [at, other] = std::ranges::mismatch(a, b);
+  if (at == a.end() || other == b.end()) return {};
+  return table.phases[static_cast<std::size_t>(at - a.begin()) % table.phases.size()].name;
+}
+
+Judgement parted(std::uint64_t step, const ValueDifference& difference) {
+  return broken(step, difference.body,
+                difference.field + " is " + exact(difference.b) + " instead of " + exact(difference.a),
+                std::abs(difference.a - difference.b));
+}
+
+Judgement judge_image(const Trace& trace, const Transform& transform) {
+  const sim::IdMap ids = ids_under(trace.scene, transform);
+  // Orientations of the first state are normalised twice alike in both.
+  const sim::SceneDef image = image_of(trace.scene, transform, ids);
+  Result<replay::Session> session = replay::Session::start(image);
+  if (!session.ok()) return not_applicable("the image is no scene: " + session.error().message);
+  for (std::size_t k = 0; k <= trace.steps.size(); ++k) {
+    if (k > 0) {
+      const auto taken = session->step();
+      if (!taken.ok()) return failed(k, taken.error().message);
+    }
+    const auto difference = first_difference(trace.states[k].bodies, session->world().bodies(), transform, ids);
+    if (difference) return parted(k, *difference);
+  }
+  return held();
+}
+
+Judgement judge_again(const Trace& trace, sim::LaneWidth lanes) {
+  Result<replay::Session> session = replay::Session::start(trace.scene);
+  if (!session.ok()) return failed(0, session.error().message);
+  session->use(lanes);
+  return compare_session(trace, *session);
+}
+
+namespace {
+
+// Step k of the trace, taken from a snapshot of the state before.
+Judgement judge_step(const Trace& trace, std::size_t k, Workers* workers) {
+  Result<replay::Session> session = replay::Session::resume(trace.before(k));
+  if (!session.ok()) return failed(k, "its state is refused: " + session.error().message);
+  session->use(workers);
+  sim::PhaseHashes hashes;
+  const auto taken = session->step(trace.steps[k].inputs, &hashes);
+  if (!taken.ok()) return failed(k + 1, taken.error().message);
+  return compare_step(trace, k, session->world().state(), hashes.words(), taken->counters);
+}
+
+}  // namespace
+
+Judgement judge_resumed(const Trace& trace) {
+  for (std::size_t k = 0; k < trace.steps.size(); ++k) {
+    Judgement one = judge_step(trace, k, nullptr);
+    if (one.outcome != Outcome::kHeld) return one;
+  }
+  return held();
+}
+
+Judgement judge_threads(const Trace& trace) {
+  if (judge_resumed(trace).outcome == Outcome::kBroken) return not_applicable("a step from a snapshot differs already");
+  WorkerThreads workers(kThreads, Split::kEverything);
+  for (std::size_t part = 1; part <= kThreadedSteps; ++part) {
+    const std::size_t k = trace.steps.size() * part / kThreadedSteps;
+    if (k == 0) continue;
+    Judgement one = judge_step(trace, k - 1, &workers);
+    if (one.outcome != Outcome::kHeld) return one;
+  }
+  return held();
+}
+
+Judgement judge_inserted(const Trace& trace) {
+  if (trace.scene.boxes.size() < 2) return not_applicable("one body has one order");
+  for (const sim::BoxDef& box : trace.scene.boxes) {
+    if (box.frozen) return not_applicable("a body that begins frozen is told what it rests on at the start alone");
+  }
+  sim::SceneDef empty = trace.scene;
+  empty.boxes.clear();
+  Result<replay::Session> session = replay::Session::start(empty);
+  if (!session.ok()) return not_applicable("no world without bodies: " + session.error().message);
+  std::vector<sim::Command> inputs;
+  for (std::size_t k = trace.scene.boxes.size(); k > 0; --k) inputs.emplace_back(sim::Throw{trace.scene.boxes[k - 1]});
+  if (trace.steps.empty()) return held();
+  // The scene's inputs of step 1 come before live ones, and may name a body.
+  for (const sim::TimedCommand& input : trace.scene.inputs) {
+    if (input.step == 1) return not_applicable("an input before step 1 comes before the bodies");
+  }
+  for (std::size_t k = 0; k < trace.steps.size(); ++k) {
+    const auto taken = k == 0 ? session->step(inputs) : session->step();
+    if (!taken.ok()) return failed(k + 1, taken.error().message);
+    const auto difference = first_difference(trace.after(k).bodies, session->world().bodies(), {}, {});
+    if (difference) return parted(k + 1, *difference);
+  }
+  return held();
+}
+
+}  // namespace tumble::hunt

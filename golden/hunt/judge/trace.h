@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tumble/replay/session.h"
+#include "tumble/sim/ids.h"
+#include "tumble/sim/result.h"
+#include "tumble/sim/scene.h"
+#include "tumble/sim/step.h"
+#include "tumble/sim/world_state.h"
+
+namespace tumble::hunt {
+
+/// The id that stands for the ground in a Meeting; no body has it.
+inline constexpr sim::BodyId kGroundId = 0;
+
+/// Two bodies, the lower id first, or the ground and a body.
+using Meeting = std::pair<sim::BodyId, sim::BodyId>;
+
+/// The force of one contact of method thesis in one substep, as impulses.
+struct ContactForce {
+  sim::BodyId a = kGroundId, b = kGroundId;
+  double normal = 0;   ///< N·s, >= 0 where the contact pushes
+  double tangent = 0;  ///< N·s, the magnitude across the normal
+};
+
+/// A step as this build took it.
+struct TracedStep {
+  double dt = 0;                     ///< s
+  std::vector<sim::Command> inputs;  ///< before the step
+  sim::StepCounters counters;
+  std::vector<std::uint64_t> words;  ///< sim::PhaseHashes
+  std::vector<Meeting> met;          ///< ascending, each once: pairs for which the engine solved a contact, with or
+                                     ///< without force, in any substep
+  std::vector<ContactForce> forces;
+  std::optional<sim::WorldState> begun = std::nullopt;  ///< the state before with the inputs applied; none: no inputs
+};
+
+/// A session of a scene with everything that relations and laws look at.
+struct Trace {
+  sim::SceneDef scene;
+  std::vector<sim::WorldState> states;  ///< states[k] is state k; at least state 0
+  std::vector<TracedStep> steps;        ///< steps[k] led from states[k] to states[k + 1]
+  std::string failure;                  ///< of the step after the last; empty: the session ran to its end
+
+  [[nodiscard]] const sim::WorldState& after(std::size_t step) const { return states[step + 1]; }
+  [[nodiscard]] const sim::WorldState& before(std::size_t step) const { return states[step]; }
+  /// The state that the step itself began with, inputs included.
+  [[nodiscard]] const sim::WorldState& begun(std::size_t step) const {
+    return steps[step].begun ? *steps[step].begun : states[step];
+  }
+};
+
+/// Runs a scene. Errors: state 0 cannot be made, or an input is refused: the scene is none.
+Result<Trace> trace(const sim::SceneDef& scene);
+
+}  // namespace tumble::hunt

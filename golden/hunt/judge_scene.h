@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "golden/hunt/judge/relation.h"
+#include "golden/hunt/scene/scene_text.h"
+#include "golden/hunt/shrink/shrink.h"
+
+namespace tumble::hunt {
+
+/// What scenes are judged by.
+struct Question {
+  std::vector<std::string> only;  ///< names of relations; empty: all
+  std::string against;            ///< another build of tumble, whose sessions must have the same bits; empty: none
+};
+
+/// The name of the relation that `against` adds.
+inline constexpr const char* kAgainst = "against";
+
+/// The relations of a question, in order; names only.
+std::vector<std::string> names_of(const Question& question);
+
+/// The judgement of one relation of a question on a session. Precondition: the name is one of names_of().
+Judgement judge(const Question& question, const std::string& relation, const Trace& trace, const TextScene& scene);
+
+/// All judgements on a scene.
+struct Judged {
+  std::string problem;  ///< why the scene is none; empty: it was judged
+  std::vector<std::pair<std::string, Judgement>> judgements;
+};
+Judged judge_scene(const Question& question, const TextScene& scene);
+
+}  // namespace tumble::hunt

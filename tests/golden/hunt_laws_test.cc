@@ -1,0 +1,217 @@
+// Relations and laws of a hunt: each holds on a session of this build, and each sees a session that was tampered with.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "golden/hunt/judge/relation.h"
+#include "golden/hunt/judge/trace.h"
+#include "src/math/grid.h"
+#include "tumble/scenes/scene_file.h"
+
+namespace tumble::test {
+namespace {
+
+using hunt::Judgement;
+using hunt::Outcome;
+using hunt::Trace;
+
+const char* const kPair = R"(
+[world]
+steps = 40
+gravity = [0.0, 0.0, 0.0]
+ground = false
+freezing = false
+[[box]]
+id = 1
+position = [0.0, 0.0, 5.0]
+spin = [1.0, 2.0, 3.0]
+[[box]]
+id = 7
+position = [3.0, 0.1, 5.2]
+velocity = [-9.0, 0.0, 0.0]
+)";
+const char* const kCrate = R"(
+[world]
+steps = 60
+gravity = [3.0, 0.0, -9.0]
+[material]
+friction = 0.2
+[[box]]
+size = [2.0, 2.0, 0.5]
+position = [0.0, 0.0, 0.25]
+)";
+const char* const kDrop = R"(
+[world]
+steps = 60
+[material]
+restitution = 0.8
+[[box]]
+position = [0.0, 0.0, 1.5]
+)";
+const char* const kTower = R"(
+[world]
+steps = 30
+[[box]]
+position = [0.0, 0.0, 0.5]
+[[box]]
+position = [0.0, 0.0, 1.5]
+)";
+const char* const kFlight = R"(
+[world]
+steps = 30
+[[box]]
+size = [1.0, 0.5, 2.0]
+position = [0.0, 0.0, 50.0]
+velocity = [2.0, 0.0, 1.0]
+spin = [3.0, 1.0, 2.0]
+)";
+
+Trace traced(const char* text) {
+  const Result<sim::SceneDef> scene = scenes::parse_scene(text, "test.toml");
+  if (!scene.ok()) throw std::runtime_error(scene.error().message);
+  Result<Trace> session = hunt::trace(*scene);
+  if (!session.ok()) throw std::runtime_error(session.error().message);
+  return *std::move(session);
+}
+
+Judgement judge(const char* relation, const Trace& trace) { return hunt::find_relation(relation)->judge(trace); }
+
+// Changes the state after a step, and all later ones alike where `stays`.
+template <class Change>
+Trace tampered(const char* text, std::size_t step, Change change, bool stays = true) {
+  Trace trace = traced(text);
+  for (std::size_t k = step; k < (stays ? trace.states.size() : step + 1); ++k) change(trace.states[k].bodies);
+  return trace;
+}
+
+void expect_broken(const char* relation, const Trace& trace, std::uint64_t step) {
+  const Judgement found = judge(relation, trace);
+  EXPECT_EQ(found.outcome, Outcome::kBroken) << relation << ": " << found.what;
+  EXPECT_EQ(found.step, step) << relation << ": " << found.what;
+}
+
+TEST(HuntLaws, HoldOnSessionsOfThisBuild) {
+  for (const char* text : {kPair, kCrate, kDrop, kTower, kFlight}) {
+    const Trace trace = traced(text);
+    for (const hunt::Relation& one : hunt::relations()) {
+      const Judgement found = one.judge(trace);
+      EXPECT_NE(found.outcome, Outcome::kBroken) << one.name << ": " << found.what << text;
+    }
+  }
+}
+
+// A law that never applies to anything would hold for ever.
+TEST(HuntLaws, ApplyToTheSceneThatIsMadeForThem) {
+  for (const auto& [name, text] : {std::pair("momentum", kPair),
+                                   {"angular_momentum", kPair},
+                                   {"cone", kCrate},
+                                   {"overlap", kTower},
+                                   {"unmet", kFlight},
+                                   {"flight", kFlight},
+                                   {"halved", kFlight},
+                                   {"slope", kCrate},
+                                   {"bounce", kDrop},
+                                   {"standing", kTower},
+                                   {"energy", kDrop},
+                                   {"inserted", kPair}}) {
+    const Judgement found = judge(name, traced(text));
+    EXPECT_EQ(found.outcome, Outcome::kHeld) << name << ": " << found.what;
+  }
+}
+
+TEST(HuntLaws, SayWhyTheyDoNotApply) {
+  for (const auto& [name, text] :
+       {std::pair("slope", kTower), {"bounce", kCrate}, {"standing", kDrop}, {"halved", kTower}}) {
+    const Judgement found = judge(name, traced(text));
+    EXPECT_EQ(found.outcome, Outcome::kNotApplicable) << name;
+    EXPECT_FALSE(found.what.empty()) << name;
+  }
+}
+
+TEST(HuntLaws, SeeWhatIsNoNumber) {
+  expect_broken("numbers", tampered(kDrop, 9, [](sim::Bodies& b) { b.spin.y[0] = std::nan(""); }), 9);
+  expect_broken("numbers", tampered(kDrop, 9, [](sim::Bodies& b) { b.velocity.x[0] = -0.0; }), 9);
+  expect_broken("numbers", tampered(kDrop, 9, [](sim::Bodies& b) { b.position.x[0] = 1e-13; }), 9);
+  expect_broken("numbers", tampered(kDrop, 9, [](sim::Bodies& b) { b.orientation.w[0] = 1.001; }), 9);
+}
+
+TEST(HuntLaws, SeeASessionThatEndsEarly) {
+  Trace trace = traced(kDrop);
+  trace.failure = "a body left the world";
+  expect_broken("finishes", trace, trace.states.size());
+}
+
+TEST(HuntLaws, SeeEnergyThatIsGained) {
+  expect_broken("energy", tampered(kDrop, 20, [](sim::Bodies& b) { b.velocity.x[0] += 1; }), 20);
+  expect_broken("energy", tampered(kTower, 12, [](sim::Bodies& b) { b.position.z[1] += 0.05; }), 12);
+}
+
+// A wrong mass shows as momentum that two bodies do not keep together.
+TEST(HuntLaws, SeeMomentumThatIsNotKept) {
+  expect_broken("momentum", tampered(kPair, 30, [](sim::Bodies& b) { b.velocity.x[0] *= 1.01; }), 30);
+  expect_broken("angular_momentum", tampered(kPair, 30, [](sim::Bodies& b) { b.spin.z[1] += 20; }), 30);
+}
+
+TEST(HuntLaws, SeeFrictionOutsideTheCone) {
+  expect_broken("cone", tampered(kCrate, 30, [](sim::Bodies& b) { b.velocity.y[0] += 0.4; }), 30);
+}
+
+TEST(HuntLaws, SeeOverlaps) {
+  expect_broken("overlap", tampered(kTower, 10, [](sim::Bodies& b) { b.position.z[1] -= 0.4; }), 10);
+  expect_broken("overlap", tampered(kTower, 10, [](sim::Bodies& b) { b.position.z[0] = -3; }), 10);
+}
+
+TEST(HuntLaws, SeeGhostsBesideAFlight) {
+  expect_broken("unmet", tampered(kFlight, 10, [](sim::Bodies& b) { b.velocity.y[0] += 1e-6; }), 10);
+  expect_broken("unmet", tampered(kFlight, 10, [](sim::Bodies& b) { b.spin.y[0] += 1e-4; }), 10);
+  expect_broken("flight", tampered(kFlight, 10, [](sim::Bodies& b) { b.position.y[0] += 1e-6; }), 10);
+  expect_broken("halved", tampered(kFlight, 10, [](sim::Bodies& b) { b.position.y[0] += 1e-6; }), 30);
+}
+
+TEST(HuntLaws, SeeWhatDepartsFromItsFormula) {
+  expect_broken("slope", tampered(kCrate, 40, [](sim::Bodies& b) { b.position.x[0] += 0.2; }), 40);
+  expect_broken("standing", tampered(kTower, 20, [](sim::Bodies& b) { b.position.x[1] += 0.01; }), 20);
+  Trace dead = traced(kDrop);
+  for (sim::WorldState& state : dead.states) state.bodies.velocity.z[0] = std::min(state.bodies.velocity.z[0], 0.0);
+  EXPECT_EQ(judge("bounce", dead).outcome, Outcome::kBroken);
+  EXPECT_EQ(judge("bounce", tampered(kDrop, 0, [](sim::Bodies& b) { b.velocity.z[0] *= 0.5; })).outcome,
+            Outcome::kBroken);
+}
+
+// One step of the grid in one body.
+TEST(HuntRelations, SeeTheLeastBit) {
+  const Trace trace = tampered(
+      kPair, 25, [](sim::Bodies& b) { b.position.x[1] += sim::PositionGrid::kStep; }, false);
+  for (const char* name : {"ids", "mirror_x", "mirror_y", "swap_xy", "shift", "repeat", "lanes", "inserted"}) {
+    expect_broken(name, trace, 25);
+    EXPECT_EQ(judge(name, trace).body, 7U) << name;
+  }
+  expect_broken("replayed", trace, 25);
+  expect_broken("resumed", trace, 25);
+}
+
+TEST(HuntRelations, NameThePhaseThatParts) {
+  Trace trace = traced(kPair);
+  trace.steps[11].words[2] ^= 1U;
+  for (const char* name : {"repeat", "lanes", "resumed", "replayed"}) {
+    expect_broken(name, trace, 12);
+    EXPECT_EQ(judge(name, trace).phase, "wake_islands") << name;
+  }
+}
+
+TEST(HuntRelations, SeeHiddenState) {
+  Trace trace = traced(kTower);
+  trace.states[20].bodies.low_energy_time[0] += 1;
+  expect_broken("repeat", trace, 20);
+  // The last step is one of those that several threads take.
+  trace = traced(kTower);
+  trace.steps.back().counters.contacts += 1;
+  expect_broken("repeat", trace, 30);
+  EXPECT_EQ(judge("threads", trace).outcome, Outcome::kNotApplicable);
+}
+
+}  // namespace
+}  // namespace tumble::test

@@ -1,0 +1,108 @@
+// Scenes of a hunt: drawn, written, shrunk.
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "golden/hunt/finding.h"
+#include "golden/hunt/scene/grammar.h"
+#include "golden/hunt/scene/scene_text.h"
+#include "golden/hunt/shrink/shrink.h"
+#include "golden/hunt/shrink/simplify.h"
+#include "tumble/scenes/scene_file.h"
+#include "tumble/sim/hash.h"
+
+namespace tumble::test {
+namespace {
+
+using hunt::Judgement;
+using hunt::TextScene;
+
+// The scene of a seed and a number is part of every report: whoever changes the grammar raises kGrammar.
+TEST(HuntScenes, AreThoseOfTheGrammarsVersion) {
+  Hasher hasher;
+  std::set<std::string> kinds;
+  for (std::uint64_t number = 0; number < 200; ++number) {
+    const sim::SceneDef scene = hunt::random_scene(7, number);
+    const std::string text = hunt::scene_text(scene);
+    hasher.add(std::span(reinterpret_cast<const std::uint8_t*>(text.data()), text.size()));
+    kinds.insert(scene.title.substr(0, scene.title.find(',')));
+  }
+  EXPECT_EQ(hunt::kGrammar, 1U);
+  EXPECT_EQ(to_string(hasher.digest()), "4cbee636b37fbce92d7f91ac83c95fac");
+  EXPECT_EQ(kinds.size(), 12U);
+}
+
+TEST(HuntScenes, ReadBackFromTheirTextToTheLastBit) {
+  for (std::uint64_t number = 0; number < 300; ++number) {
+    const Result<TextScene> text = hunt::settled(hunt::random_scene(1, number));
+    ASSERT_TRUE(text.ok()) << number << ": " << text.error().message;
+    EXPECT_EQ(hunt::scene_text(text->scene), text->text);
+    EXPECT_LE(text->scene.boxes.size(), hunt::kBodiesMost);
+    const Result<sim::SceneDef> again = scenes::parse_scene(text->text, "again.toml");
+    ASSERT_TRUE(again.ok());
+    EXPECT_EQ(*again, text->scene) << number;
+  }
+}
+
+// Breaks where any body is wider than 2 m.
+Judgement wide(const hunt::Trace&, const TextScene& scene) {
+  for (const sim::BoxDef& box : scene.scene.boxes) {
+    if (box.size.x() > 2) return hunt::broken(1, box.id, "wide", box.size.x(), 2, "m");
+  }
+  return hunt::held();
+}
+
+TEST(HuntShrink, LeavesNothingThatCanGo) {
+  sim::SceneDef scene = hunt::random_scene(3, 4);
+  while (scene.boxes.size() < 5) {
+    scene.boxes.push_back(scene.boxes.back());
+    scene.boxes.back().id += 1;
+    scene.boxes.back().position.x() += 100;
+  }
+  scene.boxes[2].size = {2.123456789, 1.23, 4.56};
+  scene.boxes[2].orientation = sim::normalised({1, 0.2, 0.3, 0.4});
+  scene.inputs = {{3, sim::SetGravity{{1, 2, -3}}}};
+  const Result<TextScene> text = hunt::settled(scene);
+  ASSERT_TRUE(text.ok()) << text.error().message;
+  const hunt::Shrunk least = hunt::shrink(*text, wide({}, *text), wide, 5000);
+  EXPECT_TRUE(least.least);
+  EXPECT_EQ(least.scene.scene.boxes.size(), 1U);
+  EXPECT_EQ(least.scene.scene.boxes[0].id, 1U);
+  EXPECT_TRUE(least.scene.scene.inputs.empty());
+  EXPECT_EQ(least.scene.scene.steps, 1U);
+  EXPECT_EQ(least.scene.scene.boxes[0].orientation, sim::Quat{});
+  EXPECT_LE(least.scene.text.size(), 200U) << least.scene.text;
+}
+
+TEST(HuntShrink, StopsAtItsBoundAndSaysSo) {
+  sim::SceneDef scene = hunt::random_scene(3, 4);
+  scene.boxes[0].size.x() = 2.5;
+  const Result<TextScene> text = hunt::settled(scene);
+  ASSERT_TRUE(text.ok()) << text.error().message;
+  const hunt::Shrunk some = hunt::shrink(*text, wide({}, *text), wide, 3);
+  EXPECT_FALSE(some.least);
+  EXPECT_EQ(some.tried, 3U);
+}
+
+hunt::Finding finding(const char* relation, std::uint64_t number, double value) {
+  hunt::Finding out;
+  out.relation = relation;
+  out.number = number;
+  out.judgement = hunt::broken(5, 1, "found", value, 1, "m");
+  return out;
+}
+
+TEST(HuntFindings, AreGroupedByRelationPhaseAndSize) {
+  const std::vector<hunt::Finding> all = {finding("overlap", 9, 2), finding("energy", 1, 2), finding("overlap", 3, 5),
+                                          finding("overlap", 4, 5000)};
+  const std::vector<hunt::Group> groups = hunt::grouped(all);
+  ASSERT_EQ(groups.size(), 3U);
+  EXPECT_EQ(groups[0].findings.size(), 2U);
+  EXPECT_EQ(groups[0].findings[0]->number, 3U);
+  EXPECT_EQ(groups[0].decade, 0);
+  EXPECT_EQ(groups[2].decade, 3);
+}
+
+}  // namespace
+}  // namespace tumble::test

@@ -1,0 +1,120 @@
+// `tumble hunt` as docs/hunting.md describes it.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/support/program.h"
+
+namespace tumble::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool says(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+// Another build of tumble, whose gravity is weaker by a thousandth.
+std::string other_build(const Workshop& shop) {
+  shop.write("other.sh", "#!/bin/sh\nexec " TUMBLE_PROGRAM " \"$@\" --set 'world.gravity=[0,0,-9.8]'\n");
+  std::filesystem::permissions(shop.path("other.sh"), std::filesystem::perms::owner_all);
+  return shop.path("other.sh");
+}
+
+TEST(Hunt, TellsHowOftenEachRelationWasJudged) {
+  const Workshop shop;
+  const Outcome run =
+      shop.run({"hunt", "--seed", "5", "--count", "20", "--relation", "ids", "--relation", "slope", "--json"});
+  ASSERT_EQ(run.exit, 0) << run.err << run.out;
+  const Json json = Json::parse(run.out);
+  EXPECT_EQ(json.at("scenes"), 20);
+  const Json& ids = json.at("relations").at("ids");
+  EXPECT_EQ(ids.at("held").get<int>() + ids.at("not_applicable").get<int>(), 20 - json.at("no_scenes").get<int>());
+  EXPECT_GT(json.at("relations").at("slope").at("not_applicable").get<int>(), 0);
+  EXPECT_EQ(json.at("relations").size(), 2U);
+}
+
+TEST(Hunt, FindsTheSameWhateverTheNumberOfThreads) {
+  const Workshop shop;
+  const std::string other = other_build(shop);
+  std::string first;
+  for (const char* threads : {"1", "3"}) {
+    const Outcome run = shop.run({"hunt", "--seed", "2", "--count", "25", "--relation", "finishes", "--against", other,
+                                  "--threads", threads, "--json"});
+    ASSERT_EQ(run.exit, 1) << run.err;
+    if (first.empty()) first = run.out;
+    EXPECT_EQ(run.out, first);
+  }
+}
+
+TEST(Hunt, ShrinksToACaseThatCanBeBlessed) {
+  const Workshop shop;
+  const Outcome run = shop.run({"hunt", "--seed", "2", "--count", "10", "--relation", "finishes", "--against",
+                                other_build(shop), "--folder", "kept"});
+  ASSERT_EQ(run.exit, 1) << run.err;
+  EXPECT_TRUE(says(run.out, "against")) << run.out;
+  const Json json = Json::parse(shop.read("kept/hunt.json"));
+  ASSERT_FALSE(json.at("findings").empty());
+  const Json& found = json.at("findings").at(0);
+  ASSERT_TRUE(found.at("shrunk").is_object());
+  EXPECT_EQ(found.at("shrunk").at("bodies"), 1);
+  EXPECT_EQ(found.at("shrunk").at("steps"), 1);
+  const std::string name = found.at("name");
+  EXPECT_TRUE(says(shop.read("kept/findings/" + name + ".toml"), "scene "));
+  const Outcome blessed = shop.run({"bless", "--suite", "kept", "--reason", "found by a hunt", name});
+  EXPECT_EQ(blessed.exit, 0) << blessed.err << shop.read("kept/cases/" + name + "/scene.toml");
+  EXPECT_EQ(shop.run({"check", "--suite", "kept", name}).exit, 0);
+}
+
+TEST(Hunt, GoesOnWithTheHuntInItsFolder) {
+  const Workshop shop;
+  const std::vector<std::string> base = {"hunt", "--seed", "5", "--relation", "mirror_x", "--folder", "kept", "--json"};
+  const auto run = [&](const char* count) {
+    std::vector<std::string> words = base;
+    words.insert(words.end(), {"--count", count});
+    return shop.run(words);
+  };
+  ASSERT_EQ(run("13").exit, 0);
+  const Outcome on = run("30");
+  ASSERT_EQ(on.exit, 0) << on.err;
+  const Outcome at_once = shop.run({"hunt", "--seed", "5", "--relation", "mirror_x", "--json", "--count", "30"});
+  EXPECT_EQ(on.out, at_once.out);
+  // Of another seed, or by other relations, it is another hunt.
+  const Outcome seed = shop.run({"hunt", "--seed", "6", "--relation", "mirror_x", "--folder", "kept", "--count", "40"});
+  EXPECT_EQ(seed.exit, 2);
+  EXPECT_TRUE(says(seed.err, "another seed")) << seed.err;
+  const Outcome others = shop.run({"hunt", "--seed", "5", "--relation", "ids", "--folder", "kept", "--count", "40"});
+  EXPECT_EQ(others.exit, 2);
+  EXPECT_TRUE(says(others.err, "relations")) << others.err;
+  shop.write("kept/hunt.json", "{\"format\": 1}");
+  EXPECT_EQ(run("40").exit, 2);
+}
+
+TEST(Hunt, PrintsASceneThatCanBeRecorded) {
+  const Workshop shop;
+  const Outcome printed = shop.run({"hunt", "--seed", "5", "--print", "17"});
+  ASSERT_EQ(printed.exit, 0);
+  shop.write("s.toml", printed.out);
+  EXPECT_EQ(shop.run({"record", "s.toml", "-o", "s.tumble"}).exit, 0);
+}
+
+TEST(Hunt, ListsItsRelations) {
+  const Workshop shop;
+  const Outcome list = shop.run({"hunt", "--relations", "--json"});
+  ASSERT_EQ(list.exit, 0);
+  EXPECT_GE(Json::parse(list.out).size(), 20U);
+  EXPECT_TRUE(says(shop.run({"hunt", "--relations"}).out, "Coulomb"));
+}
+
+TEST(Hunt, RefusesBadUsage) {
+  const Workshop shop;
+  const Outcome unknown = shop.run({"hunt", "--count", "1", "--relation", "energi"});
+  EXPECT_EQ(unknown.exit, 2);
+  EXPECT_TRUE(says(unknown.err, "did you mean \"energy\"?")) << unknown.err;
+  EXPECT_EQ(shop.run({"hunt", "--count", "0"}).exit, 2);
+  EXPECT_EQ(shop.run({"hunt", "--time", "-3"}).exit, 2);
+  EXPECT_EQ(shop.run({"hunt", "--print", "3", "--relations"}).exit, 2);
+}
+
+}  // namespace
+}  // namespace tumble::test

@@ -1,0 +1,114 @@
+// tumble hunt: judges random scenes by relations and laws, and shrinks those that break one.
+#include "golden/hunt/hunt.h"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "golden/hunt/batch.h"
+#include "golden/hunt/judge/relation.h"
+#include "src/process/interrupt.h"
+#include "tools/arguments/arguments.h"
+#include "tools/arguments/command.h"
+#include "tools/hunt/hunt_output.h"
+#include "tools/output/progress.h"
+#include "tools/output/text.h"
+
+namespace tumble::tools {
+namespace {
+
+constexpr std::uint64_t kNumberMax = 1'000'000'000'000;
+
+struct HuntCommand {
+  std::optional<std::uint64_t> seed, count, threads, print;
+  std::optional<double> time;
+  std::vector<std::string> relations;
+  std::string against;
+  std::string folder;
+  bool list = false;
+  bool json = false;
+};
+
+Result<Exit> print_scene(const HuntCommand& options) {
+  const Result<hunt::TextScene> scene = hunt::drawn_scene(options.seed.value_or(1), *options.print);
+  if (!scene.ok()) return scene.error();
+  std::cout << scene->text;
+  return Exit::kSame;
+}
+
+hunt::HuntOptions hunt_options(const HuntCommand& options) {
+  hunt::HuntOptions out;
+  out.seed = options.seed.value_or(1);
+  out.count = options.count;
+  out.seconds = options.time;
+  out.question.only = options.relations;
+  out.question.against = options.against;
+  out.folder = options.folder;
+  out.pool.jobs = options.threads.value_or(std::max(1U, std::thread::hardware_concurrency()));
+  out.pool.cancel = process::InterruptGuard::interrupted;
+  return out;
+}
+
+Result<Exit> hunt_for(const HuntCommand& options) {
+  if (options.list) {
+    options.json ? print_json(relations_json()) : print_relations();
+    return Exit::kSame;
+  }
+  if (options.print) return print_scene(options);
+  hunt::HuntOptions how = hunt_options(options);
+  const process::InterruptGuard guard;
+  ProgressBar bar("hunting", !options.json);
+  how.progress = [&](const hunt::HuntState& state) { bar.show(state.next, options.count.value_or(0)); };
+  how.found = [&](const hunt::Finding& finding) {
+    bar.finish();
+    if (!options.json) print_finding(finding);
+    std::cout.flush();
+  };
+  const Result<hunt::HuntState> state = hunt::hunt_scenes(how);
+  bar.finish();
+  if (!state.ok()) return state.error();
+  if (options.json) {
+    print_json(hunt::to_json(*state));
+  } else {
+    print_hunt(*state, options.folder);
+  }
+  if (process::InterruptGuard::interrupted())
+    return cannot_finish("interrupted: " + std::to_string(state->next) + " scenes are judged" +
+                         (options.folder.empty() ? "" : " and kept"));
+  return state->findings.empty() ? Exit::kSame : Exit::kDifference;
+}
+
+}  // namespace
+
+Action declare_hunt(Arguments& arguments) {
+  auto options = std::make_shared<HuntCommand>();
+  arguments.whole("--seed", "S", options->seed, 0, kNumberMax, "Of the scenes; 1 if not given");
+  arguments.whole("--count", "N", options->count, 1, kNumberMax, "Judge scenes 0 to N - 1 of the seed");
+  arguments.positive("--time", "T", options->time, 1e7, "Seconds to hunt; 60 if neither this nor --count is given");
+  arguments.option("--relation", "NAME", options->relations,
+                   "Judge by this relation or law alone; may be repeated; all if not given");
+  arguments.option("--against", "PROGRAM", options->against,
+                   "Another build of tumble: every session must have the same bits there");
+  arguments.option("--folder", "DIR", options->folder,
+                   "Keep the hunt in this folder, and go on with the hunt that it holds");
+  arguments.threads(options->threads);
+  const Argument print =
+      arguments.whole("--print", "NUMBER", options->print, 0, kNumberMax, "Print the scene of this number and end");
+  arguments.flag("--relations", options->list, "List the relations and laws and end").excludes(print);
+  arguments.json(options->json);
+  arguments.footer(
+      "Exit status: 0 no scene broke a relation, 1 findings, 2 bad usage or a folder of another hunt, 4 could not\n"
+      "finish or was interrupted; the folder then holds what was judged.\n\n"
+      "Examples:\n"
+      "  tumble hunt --time 600 --folder hunt\n"
+      "  tumble hunt --seed 7 --count 1000 --relation energy --relation cone\n"
+      "  tumble hunt --seed 7 --print 123 >scene.toml");
+  return [options] { return hunt_for(*options); };
+}
+
+}  // namespace tumble::tools

@@ -1,0 +1,74 @@
+#include "tools/hunt/hunt_output.h"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "golden/hunt/judge/relation.h"
+
+namespace tumble::tools {
+namespace {
+
+constexpr std::size_t kNumbersShown = 8;
+
+std::string size_text(const hunt::Group& group) {
+  return group.decade == 0 ? "" : ", beyond its bound 10^" + std::to_string(group.decade) + " times or more";
+}
+
+void print_group(const hunt::Group& group, const std::string& folder) {
+  std::cout << "\n"
+            << group.relation << (group.phase.empty() ? "" : ", phase " + group.phase) << size_text(group) << ": "
+            << count_text(group.findings.size(), "scene") << '\n';
+  const hunt::Finding& best = *group.findings.front();
+  if (best.shrunk()) {
+    std::cout << "  smallest: " << count_text(best.bodies, "body") << ", " << count_text(best.steps, "step")
+              << (best.least ? "" : ", not yet the least") << ": " << printable(describe(best.shrunk_judgement))
+              << '\n';
+    if (!folder.empty()) std::cout << "  " << folder << "/cases/" << name_of(best) << "/scene.toml\n";
+  } else {
+    std::cout << "  " << printable(describe(best.judgement)) << '\n';
+  }
+  std::cout << "  scenes";
+  for (std::size_t k = 0; k < std::min(group.findings.size(), kNumbersShown); ++k) {
+    std::cout << ' ' << group.findings[k]->number;
+  }
+  std::cout << (group.findings.size() > kNumbersShown ? " …\n" : "\n");
+}
+
+}  // namespace
+
+void print_finding(const hunt::Finding& finding) {
+  std::cout << finding.relation << ", scene " << finding.number << " (" << finding.kind
+            << "): " << printable(describe(finding.judgement)) << '\n';
+}
+
+void print_hunt(const hunt::HuntState& state, const std::string& folder) {
+  std::cout << "\nseed " << state.seed << ", " << count_text(state.next, "scene") << ", " << state.program;
+  if (!state.against.empty()) std::cout << ", against " << state.against;
+  if (state.no_scenes > 0) std::cout << "; no world could be made of " << state.no_scenes;
+  std::cout << "\n\n";
+  Table table({"RELATION", ">HELD", ">BROKEN", ">NOT JUDGED", ">NEAREST", "SCENE"});
+  for (const auto& [name, tally] : state.relations) {
+    const bool near = tally.nearest > 0;
+    table.add({name, std::to_string(tally.held), std::to_string(tally.broken), std::to_string(tally.not_applicable),
+               near ? fixed(100 * tally.nearest, 0) + " %" : "", near ? std::to_string(tally.nearest_number) : ""});
+  }
+  table.print();
+  for (const hunt::Group& group : hunt::grouped(state.findings)) print_group(group, folder);
+  if (state.findings.empty()) std::cout << "\nno scene broke a relation that it was judged by\n";
+}
+
+void print_relations() {
+  Table table({"NAME", "CLAIM"});
+  for (const hunt::Relation& one : hunt::relations()) table.add({one.name, one.claim});
+  table.print();
+}
+
+Json relations_json() {
+  Json json = Json::array();
+  for (const hunt::Relation& one : hunt::relations()) {
+    json.push_back({{"name", one.name}, {"claim", one.claim}, {"kind", one.is_law ? "law" : "relation"}});
+  }
+  return json;
+}
+
+}  // namespace tumble::tools
