@@ -1,4 +1,4 @@
-#include "golden/check.h"
+#include "tumble/golden/check.h"
 
 #include <algorithm>
 #include <chrono>

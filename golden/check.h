@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "golden/judge/judge.h"
-#include "golden/judge/suite_result.h"
-#include "golden/suite/suite.h"
-#include "src/process/job_pool.h"
+#include "tumble/golden/judge.h"
+#include "tumble/golden/suite.h"
+#include "tumble/golden/suite_result.h"
+#include "tumble/process/job_pool.h"
 #include "tumble/sim/result.h"
 
 namespace tumble::golden {

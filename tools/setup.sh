@@ -10,9 +10,11 @@
 #   lint         clang-tidy
 #   report       what makes and tests the script of the report page; without it those tests are skipped
 #   determinism  the compilers and emulators that tools/scripts/checks/determinism.sh uses
+#   packages     what tools/package.sh and the scripts that try its packages use
 #   fuzz         what tools/scripts/checks/fuzz.sh uses
 #   faults       what tools/scripts/faults/faults.sh uses
 #   peers        other engines that bench/peers can run our scenes through
+#   python       what builds and tests the package for Python; without it that is left out
 #   recorder     further compilers of the recorder's check, and wine to run what one of them makes for Windows
 set -euo pipefail
 export LC_ALL=C # comm and sort must agree on the order
@@ -23,16 +25,19 @@ declare -A groups=(
              libpng-dev libgl-dev libegl-dev zlib1g-dev libcpp-httplib-dev"
   [pictures]="libosmesa6 ffmpeg gnuplot-nox"
   # clang-16: one of the compilers that must agree to the bit, also in the short form that is part of the tests
-  [tests]="libgtest-dev libbenchmark-dev clang-format clang-16"
+  [tests]="libgtest-dev libbenchmark-dev clang-format clang-16 python3-yaml"
   [live]="libglfw3-dev libimgui-dev libgl1-mesa-dri xvfb xauth xdotool"
   [export]="libprotobuf-dev protobuf-compiler libtinygltf-dev python3-numpy"
   [lint]="clang-tidy"
   [report]="" # commands, from wherever the machine has them, else from Debian
   [determinism]="clang-16 clang-19 qemu-user g++-aarch64-linux-gnu g++-riscv64-linux-gnu g++-s390x-linux-gnu
                  g++-arm-linux-gnueabihf g++-i686-linux-gnu"
+  [packages]="dpkg-dev file lintian debootstrap"
   [fuzz]="clang-14 libclang-rt-14-dev"
   [faults]="jq"
   [peers]="libbullet-dev libode-dev libmujoco-dev"
+  [python]="pybind11-dev python3-dev python3-numpy python3-pytest python3-setuptools python3-wheel python3-pip
+            python3-venv python3-matplotlib"
   [recorder]="clang gcc-mingw-w64-x86-64 wine64 wine"
 )
 for pair in node:nodejs npm:npm chromium:chromium; do

@@ -1,4 +1,4 @@
-#include "golden/bless/bless.h"
+#include "tumble/golden/bless.h"
 
 #include <algorithm>
 #include <cstring>

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "golden/bless/history.h"
-#include "golden/suite/suite.h"
-#include "src/process/job_pool.h"
+#include "tumble/golden/history.h"
+#include "tumble/golden/suite.h"
+#include "tumble/process/job_pool.h"
 #include "tumble/sim/result.h"
 
 namespace tumble::golden {

@@ -8,11 +8,11 @@
 
 #include "golden/bless/rewrite_scene.h"
 #include "golden/expected/expected_file.h"
-#include "golden/judge/judge.h"
 #include "golden/run/run_session.h"
 #include "golden/suite/scene_hash.h"
 #include "golden/suite/text_files.h"
 #include "src/scenes/problem.h"
+#include "tumble/golden/judge.h"
 #include "tumble/replay/compare.h"
 #include "tumble/scenes/scene_file.h"
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "golden/bless/bless.h"
+#include "tumble/golden/bless.h"
 #include "tumble/sim/result.h"
 
 namespace tumble::golden {

@@ -1,13 +1,13 @@
-#include "golden/bless/history.h"
+#include "tumble/golden/history.h"
 
 #include <string_view>
 #include <system_error>
 
-#include "golden/expected/provenance.h"
-#include "golden/judge/case_result.h"
-#include "golden/judge/change.h"
-#include "golden/suite/suite.h"
 #include "golden/suite/text_files.h"
+#include "tumble/golden/case_result.h"
+#include "tumble/golden/change.h"
+#include "tumble/golden/provenance.h"
+#include "tumble/golden/suite.h"
 
 namespace tumble::golden {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "golden/judge/case_result.h"
+#include "tumble/golden/case_result.h"
 #include "tumble/sim/result.h"
 
 /// HISTORY.md: every blessing, the size of its changes, and its reason.

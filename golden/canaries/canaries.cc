@@ -9,10 +9,10 @@
 #include "golden/canaries/lying_log.h"
 #include "golden/canaries/suite_canaries.h"
 #include "golden/expected/expected_file.h"
-#include "golden/judge/change.h"
 #include "golden/run/run_session.h"
 #include "golden/suite/scene_hash.h"
-#include "src/process/job_pool.h"
+#include "tumble/golden/change.h"
+#include "tumble/process/job_pool.h"
 
 namespace tumble::golden {
 namespace {

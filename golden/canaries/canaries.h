@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "golden/judge/judge.h"
-#include "golden/judge/suite_result.h"
+#include "tumble/golden/judge.h"
+#include "tumble/golden/suite_result.h"
 
 namespace tumble::golden {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "golden/judge/suite_result.h"
+#include "tumble/golden/suite_result.h"
 
 namespace tumble::golden {
 

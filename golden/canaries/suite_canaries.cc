@@ -5,7 +5,7 @@
 
 #include "golden/run/longest_first.h"
 #include "replay/measure/mirrored_pair.h"
-#include "src/process/job_pool.h"
+#include "tumble/process/job_pool.h"
 
 namespace tumble::golden {
 namespace {

@@ -1,4 +1,4 @@
-#include "golden/expected/compare_expected.h"
+#include "tumble/golden/compare_expected.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "golden/expected/expected.h"
+#include "tumble/golden/expected.h"
 
 #include <algorithm>
 #include <cmath>

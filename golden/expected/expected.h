@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "golden/expected/provenance.h"
+#include "tumble/golden/provenance.h"
 #include "tumble/replay/step_record.h"
 #include "tumble/sim/hash.h"
 #include "tumble/sim/result.h"

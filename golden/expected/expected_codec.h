@@ -1,7 +1,7 @@
 #pragma once
 
-#include "golden/expected/expected.h"
 #include "replay/codec/zstd_frame.h"
+#include "tumble/golden/expected.h"
 #include "tumble/sim/result.h"
 
 namespace tumble::golden {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "golden/expected/expected.h"
+#include "tumble/golden/expected.h"
 #include "tumble/sim/result.h"
 
 namespace tumble::golden {

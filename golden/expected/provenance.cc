@@ -1,4 +1,4 @@
-#include "golden/expected/provenance.h"
+#include "tumble/golden/provenance.h"
 
 #include <sys/utsname.h>
 

@@ -6,11 +6,11 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "golden/expected/provenance.h"
 #include "golden/hunt/batch.h"
 #include "golden/hunt/scene/grammar.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
+#include "tumble/golden/provenance.h"
 
 namespace tumble::hunt {
 namespace {

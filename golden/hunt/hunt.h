@@ -7,7 +7,7 @@
 
 #include "golden/hunt/folder.h"
 #include "golden/hunt/judge_scene.h"
-#include "src/process/job_pool.h"
+#include "tumble/process/job_pool.h"
 #include "tumble/sim/result.h"
 
 namespace tumble::hunt {

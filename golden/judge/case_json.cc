@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "golden/judge/change.h"
 #include "replay/measure/metric_list.h"
+#include "tumble/golden/change.h"
 
 namespace tumble::golden {
 namespace {

@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "golden/judge/case_result.h"
+#include "tumble/golden/case_result.h"
 #include "tumble/sim/result.h"
 
 namespace tumble::golden {

@@ -1,4 +1,4 @@
-#include "golden/judge/case_result.h"
+#include "tumble/golden/case_result.h"
 
 #include <algorithm>
 

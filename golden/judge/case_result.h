@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "golden/expected/compare_expected.h"
-#include "golden/expected/provenance.h"
-#include "golden/suite/case_rules.h"
-#include "golden/suite/scene_changes.h"
+#include "tumble/golden/case_rules.h"
+#include "tumble/golden/compare_expected.h"
+#include "tumble/golden/provenance.h"
+#include "tumble/golden/scene_changes.h"
 
 /// The result of judging one case: plain data, as report.json has it.
 namespace tumble::golden {

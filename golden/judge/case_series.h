@@ -1,7 +1,7 @@
 #pragma once
 
-#include "golden/expected/expected.h"
 #include "golden/judge/case_json.h"
+#include "tumble/golden/expected.h"
 #include "tumble/replay/log_reader.h"
 #include "tumble/sim/result.h"
 

@@ -1,4 +1,4 @@
-#include "golden/judge/change.h"
+#include "tumble/golden/change.h"
 
 #include <algorithm>
 #include <array>

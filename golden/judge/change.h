@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "golden/judge/case_result.h"
+#include "tumble/golden/case_result.h"
 
 /// How far a case is from what was blessed, and the words for it. Says "same" of bits alone: metrics within their
 /// bounds may have moved.

@@ -1,4 +1,4 @@
-#include "golden/judge/judge.h"
+#include "tumble/golden/judge.h"
 
 #include <algorithm>
 

@@ -3,9 +3,9 @@
 #include <optional>
 #include <string_view>
 
-#include "golden/expected/expected.h"
-#include "golden/judge/case_result.h"
-#include "golden/suite/case_rules.h"
+#include "tumble/golden/case_result.h"
+#include "tumble/golden/case_rules.h"
+#include "tumble/golden/expected.h"
 #include "tumble/replay/log_reader.h"
 #include "tumble/sim/result.h"
 

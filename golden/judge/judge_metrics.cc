@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "golden/judge/change.h"
 #include "golden/suite/metric_values.h"
 #include "replay/measure/metric_list.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
+#include "tumble/golden/change.h"
 
 namespace tumble::golden {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "golden/judge/case_result.h"
-#include "golden/suite/case_rules.h"
+#include "tumble/golden/case_result.h"
+#include "tumble/golden/case_rules.h"
 
 namespace tumble::golden {
 

@@ -5,10 +5,10 @@
 #include <system_error>
 #include <utility>
 
-#include "golden/expected/provenance.h"
 #include "golden/suite/text_files.h"
 #include "replay/picture/picture_source.h"
 #include "src/render/picture/image_difference.h"
+#include "tumble/golden/provenance.h"
 #include "tumble/render/png.h"
 #include "tumble/render/renderer.h"
 

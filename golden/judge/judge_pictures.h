@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "golden/judge/case_result.h"
-#include "golden/suite/case_rules.h"
-#include "golden/suite/suite.h"
+#include "tumble/golden/case_result.h"
+#include "tumble/golden/case_rules.h"
+#include "tumble/golden/suite.h"
 #include "tumble/render/image.h"
 #include "tumble/replay/log_reader.h"
 #include "tumble/sim/result.h"

@@ -1,4 +1,4 @@
-#include "golden/judge/suite_result.h"
+#include "tumble/golden/suite_result.h"
 
 #include <algorithm>
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "golden/judge/case_result.h"
-#include "golden/judge/change.h"
+#include "tumble/golden/case_result.h"
+#include "tumble/golden/change.h"
 
 /// The results of one check: its cases and its canaries.
 namespace tumble::golden {

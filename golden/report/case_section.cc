@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "golden/judge/change.h"
 #include "golden/report/commands.h"
 #include "golden/report/html_parts.h"
 #include "golden/report/pictures.h"
 #include "src/base/text.h"
+#include "tumble/golden/change.h"
 
 namespace tumble::golden {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "golden/judge/case_result.h"
 #include "golden/report/files.h"
 #include "golden/report/html_text.h"
+#include "tumble/golden/case_result.h"
 
 namespace tumble::golden {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "golden/judge/case_result.h"
+#include "tumble/golden/case_result.h"
 
 namespace tumble::golden {
 

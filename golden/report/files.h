@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <string>
 
-#include "golden/judge/case_result.h"
 #include "golden/report/html_text.h"
+#include "tumble/golden/case_result.h"
 
 namespace tumble::golden {
 

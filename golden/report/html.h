@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "golden/judge/suite_result.h"
+#include "tumble/golden/suite_result.h"
 
 namespace tumble::golden {
 

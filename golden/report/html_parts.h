@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "golden/judge/case_result.h"
 #include "golden/report/html_text.h"
+#include "tumble/golden/case_result.h"
 
 /// Small parts that every section of the page is made of.
 namespace tumble::golden {

@@ -4,9 +4,9 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "golden/judge/change.h"
 #include "golden/report/html_text.h"
 #include "src/base/text.h"
+#include "tumble/golden/change.h"
 
 namespace tumble::golden {
 namespace {

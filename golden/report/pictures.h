@@ -1,8 +1,8 @@
 #pragma once
 
-#include "golden/judge/case_result.h"
 #include "golden/report/files.h"
 #include "golden/report/html_text.h"
+#include "tumble/golden/case_result.h"
 
 namespace tumble::golden {
 

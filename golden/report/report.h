@@ -3,14 +3,11 @@
 #include <filesystem>
 #include <string>
 
-#include "golden/judge/case_json.h"
-#include "golden/judge/suite_result.h"
+#include "tumble/golden/suite_result.h"
 #include "tumble/sim/result.h"
 
 /// A check's results as files: report.json for programs, junit.xml for CI, index.html for people.
 namespace tumble::golden {
-
-Json report_json(const SuiteResult& result);
 
 /// Writes all three into a folder, which is made. junit: another place for junit.xml; empty: into the folder. Errors
 /// (kCannotFinish): a file that cannot be written.

@@ -8,8 +8,8 @@
 
 #include "golden/judge/case_series.h"
 #include "golden/run/run_case.h"
-#include "golden/suite/suite.h"
 #include "src/files/output_guard.h"
+#include "tumble/golden/suite.h"
 
 namespace tumble::golden {
 namespace {
@@ -20,6 +20,7 @@ constexpr const char* kCases = "cases";  // in a suite, and in a report
 constexpr const char* kJson = "report.json";
 constexpr const char* kPage = "index.html";
 constexpr const char* kJunit = "junit.xml";
+constexpr const char* kFindings = "gl-code-quality-report.json";
 
 files::OutputGuard guard_of(const fs::path& suite) {
   files::OutputGuard guard;
@@ -61,7 +62,8 @@ void remove_files_of_cases(const fs::path& cases) {
 void remove_earlier_report(const fs::path& folder, const fs::path& junit) {
   std::error_code ignored;
   remove_files_of_cases(folder / kCases);
-  for (const fs::path& file : {folder / kJson, folder / kPage, folder / kJunit, junit_file(folder, junit)}) {
+  for (const fs::path& file :
+       {folder / kJson, folder / kPage, folder / kJunit, folder / kFindings, junit_file(folder, junit)}) {
     if (fs::is_regular_file(file, ignored)) fs::remove(file, ignored);
   }
 }
@@ -70,10 +72,12 @@ void remove_earlier_report(const fs::path& folder, const fs::path& junit) {
 
 fs::path junit_file(const fs::path& folder, const fs::path& junit) { return junit.empty() ? folder / kJunit : junit; }
 
+fs::path findings_file(const fs::path& folder) { return folder / kFindings; }
+
 Status prepare_report(const fs::path& suite, const fs::path& folder, const fs::path& junit) {
   files::OutputGuard guard = guard_of(suite);
   if (Status ok = guard.claim_folder("--report", folder / kCases); !ok.ok()) return ok;
-  for (const char* name : {kJson, kPage}) {
+  for (const char* name : {kJson, kPage, kFindings}) {
     if (Status ok = guard.claim("--report", folder / name); !ok.ok()) return ok;
   }
   const char* option = junit.empty() ? "--report" : "--junit";

@@ -9,6 +9,9 @@ namespace tumble::golden {
 /// The file that write_reports() writes JUnit's report to.
 std::filesystem::path junit_file(const std::filesystem::path& folder, const std::filesystem::path& junit);
 
+/// The file of a report with GitLab's findings (annotations.h), where they are wanted.
+std::filesystem::path findings_file(const std::filesystem::path& folder);
+
 /// Makes a report's place ready, before a check begins. Removes what an earlier check left there: a check that
 /// ends early must not leave an old verdict behind. folder, junit: as write_reports() gets them.
 /// Errors (kBadInput): a file of the report would replace a file of the suite or lie among the cases.

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "golden/judge/across_cases.h"
-#include "golden/judge/change.h"
 #include "golden/report/commands.h"
 #include "golden/report/html_parts.h"
 #include "src/base/text.h"
+#include "tumble/golden/change.h"
 
 namespace tumble::golden {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "golden/judge/suite_result.h"
 #include "golden/report/html_text.h"
+#include "tumble/golden/suite_result.h"
 
 namespace tumble::golden {
 

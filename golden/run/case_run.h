@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "golden/expected/expected.h"
-#include "golden/judge/case_result.h"
 #include "golden/judge/judge_pictures.h"
+#include "tumble/golden/case_result.h"
+#include "tumble/golden/expected.h"
 
 namespace tumble::golden {
 

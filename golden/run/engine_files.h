@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "golden/suite/suite.h"
+#include "tumble/golden/suite.h"
 #include "tumble/sim/hash.h"
 #include "tumble/sim/result.h"
 

@@ -7,7 +7,7 @@
 #include "golden/engine/engine_run.h"
 #include "golden/engine/project.h"
 #include "golden/run/run_session.h"
-#include "golden/suite/suite.h"
+#include "tumble/golden/suite.h"
 #include "tumble/sim/result.h"
 
 /// External engines: a case names an engine that reads its files and writes a session.

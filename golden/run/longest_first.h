@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "golden/suite/suite.h"
+#include "tumble/golden/suite.h"
 
 namespace tumble::golden {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "golden/judge/change.h"
 #include "golden/judge/judge_metrics.h"
+#include "tumble/golden/change.h"
 
 namespace tumble::golden {
 

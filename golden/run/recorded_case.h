@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "golden/expected/provenance.h"
-#include "golden/judge/case_result.h"
+#include "tumble/golden/case_result.h"
+#include "tumble/golden/provenance.h"
 #include "tumble/sim/hash.h"
 
 namespace tumble::golden {

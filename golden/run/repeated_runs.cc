@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "golden/judge/change.h"
 #include "golden/judge/judge_metrics.h"
 #include "replay/session/state_source.h"
 #include "src/base/text.h"
+#include "tumble/golden/change.h"
 #include "tumble/replay/compare.h"
 
 namespace tumble::golden {

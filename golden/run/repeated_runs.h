@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "golden/judge/judge.h"
 #include "replay/diff/separation.h"
+#include "tumble/golden/judge.h"
 #include "tumble/replay/log_reader.h"
 #include "tumble/sim/result.h"
 

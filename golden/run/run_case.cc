@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "golden/expected/expected_file.h"
-#include "golden/judge/judge.h"
 #include "golden/run/engine_files.h"
 #include "golden/run/external_engine.h"
 #include "golden/run/obstacle.h"
@@ -12,6 +11,7 @@
 #include "golden/suite/parse_rules.h"
 #include "golden/suite/scene_hash.h"
 #include "golden/suite/text_files.h"
+#include "tumble/golden/judge.h"
 #include "tumble/scenes/scene_file.h"
 
 namespace tumble::golden {

@@ -8,7 +8,7 @@
 #include "golden/run/case_run.h"
 #include "golden/run/failed_case_files.h"
 #include "golden/run/recorded_case.h"
-#include "golden/suite/suite.h"
+#include "tumble/golden/suite.h"
 
 namespace tumble::golden {
 

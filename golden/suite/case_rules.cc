@@ -1,4 +1,4 @@
-#include "golden/suite/case_rules.h"
+#include "tumble/golden/case_rules.h"
 
 #include <algorithm>
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "golden/suite/case_rules.h"
 #include "replay/measure/measure.h"
+#include "tumble/golden/case_rules.h"
 #include "tumble/replay/step_record.h"
 
 /// The metrics of replay/measure/metric_list.h for the rules of a case.

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "golden/suite/case_rules.h"
+#include "tumble/golden/case_rules.h"
 #include "tumble/sim/result.h"
 
 /// metrics.toml as text: read, and written again with other values.

@@ -1,4 +1,4 @@
-#include "golden/suite/scene_changes.h"
+#include "tumble/golden/scene_changes.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "golden/suite/suite.h"
+#include "tumble/golden/suite.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "golden/suite/case_rules.h"
+#include "tumble/golden/case_rules.h"
 #include "tumble/sim/result.h"
 
 /// A suite on disk: a folder with `cases/<name>/` in it. docs/goldens.md describes the files.

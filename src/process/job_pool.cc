@@ -1,4 +1,4 @@
-#include "src/process/job_pool.h"
+#include "tumble/process/job_pool.h"
 
 #include <fcntl.h>
 #include <poll.h>

@@ -1,5 +1,5 @@
 // Blessing changes what it says it changes, and refuses what would hide a failure.
-#include "golden/bless/bless.h"
+#include "tumble/golden/bless.h"
 
 #include <gtest/gtest.h>
 

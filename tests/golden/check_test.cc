@@ -1,16 +1,16 @@
 // A check passes what is right and nothing else: every way in which a case can be wrong, one at a time.
-#include "golden/check.h"
+#include "tumble/golden/check.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <set>
 
-#include "golden/bless/bless.h"
 #include "golden/expected/expected_file.h"
 #include "golden/run/external_engine.h"
 #include "src/process/run_child.h"
 #include "tests/support/golden_suite.h"
+#include "tumble/golden/bless.h"
 
 namespace tumble::golden {
 namespace {

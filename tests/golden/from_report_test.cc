@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "golden/bless/bless.h"
-#include "golden/report/report.h"
 #include "tests/support/golden_suite.h"
+#include "tumble/golden/bless.h"
+#include "tumble/golden/report.h"
 #include "tumble/render/png.h"
 
 namespace {

@@ -8,9 +8,9 @@
 #include "golden/report/html.h"
 #include "golden/report/html_text.h"
 #include "golden/report/junit.h"
-#include "golden/report/report.h"
 #include "golden/suite/text_files.h"
 #include "tests/support/golden_suite.h"
+#include "tumble/golden/report.h"
 
 namespace tumble::golden {
 namespace {

@@ -8,7 +8,7 @@
 #include "golden/canaries/canaries.h"
 #include "golden/expected/expected_file.h"
 #include "golden/report/junit.h"
-#include "golden/report/report.h"
+#include "golden/report/report_json.h"
 #include "golden/run/run_session.h"
 #include "golden/suite/scene_hash.h"
 #include "src/base/rng.h"

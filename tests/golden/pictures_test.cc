@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
-#include "golden/suite/suite.h"
 #include "tests/support/golden_suite.h"
+#include "tumble/golden/suite.h"
 #include "tumble/render/png.h"
 
 namespace tumble::golden {

@@ -6,10 +6,10 @@
 #include "golden/expected/expected_file.h"
 #include "golden/report/html.h"
 #include "golden/report/junit.h"
-#include "golden/report/report.h"
-#include "golden/suite/scene_changes.h"
+#include "golden/report/report_json.h"
 #include "golden/suite/text_files.h"
 #include "tests/support/golden_suite.h"
+#include "tumble/golden/scene_changes.h"
 
 namespace tumble::golden {
 namespace {

@@ -1,5 +1,5 @@
 // The page of a check: what is drawn of failed cases, and that no text of a scene gets out of its place.
-#include "golden/report/report.h"
+#include "tumble/golden/report.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Installs a build into a folder and uses it as a stranger does: the program from another place after the installation
-# was moved, and a program of somebody else through find_package and pkg-config, built with flags that change arithmetic.
-# Usage: installed.sh BUILD SOURCE CXX       SOURCE: tests/install; exits with 1 at the first thing that is wrong
+# was moved, and programs of somebody else through find_package and pkg-config, built with flags that change arithmetic.
+# Usage: installed.sh BUILD SOURCE CC CXX       SOURCE: tests/install; exits with 1 at the first thing that is wrong
 set -euo pipefail
-build=$1 source=$2 cxx=$3
+build=$1 source=$2 cc=$3 cxx=$4
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 fail() {
@@ -49,28 +49,53 @@ found=$(bash -c 'source "$1"; COMP_WORDS=(tumble record --se); COMP_CWORD=2; _tu
   "$prefix/share/bash-completion/completions/tumble")
 [[ " $found" == *' --seconds '* ]] || fail "bash completes \"tumble record --se\" to \"$found\", wanted --seconds"
 
-consumer() { # name, flags: builds the consumer and runs it
-  cmake -S "$source/consumer" -B "$work/$1" -DCMAKE_CXX_COMPILER="$cxx" -DCMAKE_PREFIX_PATH="$prefix" \
-    -DCMAKE_CXX_FLAGS="$2" >"$work/$1.log" 2>&1 && cmake --build "$work/$1" >>"$work/$1.log" 2>&1 || return 1
-  "$work/$1/consumer" "$scene" case.tumble >"$work/$1.out" || return 1
+configure_and_build() { # name, folder, arguments of cmake: a project against the installed tree
+  local name=$1 folder=$2
+  shift 2
+  cmake -S "$source/$folder" -B "$work/$name" -DCMAKE_PREFIX_PATH="$prefix" "$@" >"$work/$name.log" 2>&1 &&
+    cmake --build "$work/$name" >>"$work/$name.log" 2>&1
 }
-same_hash() { # name
+# An engine in C: the recorder alone, on a machine without the packages of the other components.
+configure_and_build engine engine -DCMAKE_C_COMPILER="$cc" -DCMAKE_DISABLE_FIND_PACKAGE_Eigen3=ON ||
+  { cat "$work/engine.log" >&2; fail 'find_package: the component recorder alone'; }
+"$work/engine/engine" ball.tumblestream || fail 'the engine with the recorder of the installed tree'
+"$tumble" import ball.tumblestream -o ball.tumble >import.log || fail 'import of what the recorder wrote'
+if configure_and_build unknown engine -DPARTS=kitchen; then fail 'find_package found a component "kitchen"'; fi
+grep -q kitchen "$work/unknown.log" || fail 'find_package does not name the component that it lacks'
+
+consumer() { # name, flags: builds the consumers and runs them
+  configure_and_build "$1" consumer -DCMAKE_CXX_COMPILER="$cxx" -DCMAKE_CXX_FLAGS="$2" || return 1
+  "$work/$1/consumer" "$scene" case.tumble >"$work/$1.out" &&
+    "$work/$1/suite" "$prefix/share/tumble/golden" layered_inputs "$work/$1.report" >>"$work/$1.out"
+}
+same_hash() { # name: all hashes that a consumer printed are the golden's
   [[ $(sort -u "$work/$1.out") == "$expected" ]] || fail "$1: found hashes $(tr '\n' ' ' <"$work/$1.out"), wanted $expected"
 }
 native=-march=native
 [[ $("$cxx" -dumpmachine) == x86_64* ]] || native=-mcpu=native
-consumer plain '-O1' || { cat "$work/plain.log" >&2; fail 'find_package: the consumer does not build or run'; }
+consumer plain '-O1' || { cat "$work/plain.log" >&2; fail 'find_package: the consumers do not build or run'; }
 same_hash plain
 consumer fused "-O3 $native -ffp-contract=fast" || { cat "$work/fused.log" >&2; fail 'find_package, other flags'; }
 same_hash fused
+for file in index.html junit.xml report.json grey.png; do
+  [[ -s $work/fused.report/$file ]] || fail "the component golden wrote no $file"
+done
 if consumer fast '-O2 -ffast-math'; then fail 'a consumer with -ffast-math was built'; fi
 grep -q "without -ffast-math" "$work/fast.log" || fail 'the error of -ffast-math does not say what to do'
 
 if command -v pkg-config >/dev/null; then
   export PKG_CONFIG_PATH=$prefix/lib/pkgconfig:$(echo "$prefix"/lib/*/pkgconfig)
-  read -ra flags <<<"$(pkg-config --cflags --libs tumble-replay)"
-  "$cxx" -std=c++20 -O2 "$source/consumer/main.cc" "${flags[@]}" -o "$work/by_pkg_config"
-  "$work/by_pkg_config" "$scene" case.tumble >"$work/pkg.out"
+  read -ra flags <<<"$(pkg-config --cflags --libs tumble-golden)"
+  mkdir pkg
+  for program in main suite; do
+    "$cxx" -std=c++20 -O2 "$source/consumer/$program.cc" "${flags[@]}" -o "pkg/$program"
+  done
+  pkg/main "$scene" case.tumble >pkg.out
+  pkg/suite "$prefix/share/tumble/golden" layered_inputs pkg.report >>pkg.out
   same_hash pkg
+  read -ra flags <<<"$(pkg-config --cflags --libs tumble-recorder)"
+  "$cc" -std=c99 "$source/engine/main.c" "${flags[@]}" -o pkg/engine
+  pkg/engine again.tumblestream
+  cmp -s ball.tumblestream again.tumblestream || fail 'pkg-config: the recorder wrote another stream than by find_package'
 fi
 printf 'installed: program, headers, libraries, manual pages and completions work; final hash %s\n' "$expected"

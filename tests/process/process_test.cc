@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "src/process/child_pipe.h"
-#include "src/process/job_pool.h"
 #include "src/process/run_child.h"
 #include "src/process/split_words.h"
+#include "tumble/process/job_pool.h"
 
 namespace tumble::process {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cstdlib>
 
-#include "golden/bless/bless.h"
 #include "golden/suite/text_files.h"
+#include "tumble/golden/bless.h"
 
 namespace tumble::golden {
 

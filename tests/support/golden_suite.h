@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "golden/check.h"
+#include "tumble/golden/check.h"
 
 /// Suites made for a test, in a folder of its own.
 namespace tumble::golden {

@@ -63,15 +63,18 @@ TEST(Documents, RelativeLinksLeadSomewhere) {
 }
 
 TEST(Documents, EveryDocumentIsReachableFromTheReadme) {
-  const SourceFile* readme = find("README.md");
-  ASSERT_NE(readme, nullptr) << "README.md is missing";
-  const SourceFile* architecture = find("docs/architecture.md");
-  const std::string text = readme->text() + (architecture == nullptr ? "" : architecture->text());
+  std::string text;
+  for (const char* path : {"README.md", "docs/README.md"}) {
+    const SourceFile* list = find(path);
+    ASSERT_NE(list, nullptr) << path << " is missing";
+    text += list->text();
+  }
+  ASSERT_NE(find("README.md")->text().find("(docs/README.md)"), std::string::npos);
   for (const SourceFile& file : source_tree()) {
     if (!file.is_under("docs/") || !file.ends_with(".md")) continue;
     const std::string name = fs::path(file.path).filename().string();
     EXPECT_NE(text.find(name), std::string::npos)
-        << file.path << " is linked from neither README.md nor the architecture";
+        << file.path << " is linked from neither README.md nor docs/README.md";
   }
 }
 

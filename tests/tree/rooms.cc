@@ -143,6 +143,12 @@ std::vector<Room> program() {
   };
 }
 
+// The module for Python: beside the program, above the logs.
+std::vector<Room> modules() {
+  return {{"python/binding", kSim + Folders{"src/threads", "src/scenes", "replay/format", "replay/log",
+                                            "replay/session", "replay/import", "replay/view"}}};
+}
+
 // Nothing but tests includes tests, so their rows need no list.
 std::vector<Room> tests() {
   std::vector<Room> rows;
@@ -174,7 +180,7 @@ std::vector<Room> tests() {
 
 std::vector<Room> all_rooms() {
   std::vector<Room> all;
-  for (const std::vector<Room>& rows : {simulation(), pictures(), logs(), suite(), program(), tests()}) {
+  for (const std::vector<Room>& rows : {simulation(), pictures(), logs(), suite(), program(), modules(), tests()}) {
     all.insert(all.end(), rows.begin(), rows.end());
   }
   return all;

@@ -9,11 +9,11 @@
 #include "golden/engine/session_file.h"
 #include "golden/run/external_engine.h"
 #include "golden/suite/parse_rules.h"
-#include "golden/suite/suite.h"
 #include "golden/suite/text_files.h"
 #include "replay/log/checked_log.h"
 #include "tools/files/log_files.h"
 #include "tools/output/text.h"
+#include "tumble/golden/suite.h"
 
 namespace tumble::tools::bisect {
 namespace {

@@ -1,5 +1,5 @@
 // tumble bless: accepts the present results of cases as their goldens.
-#include "golden/bless/bless.h"
+#include "tumble/golden/bless.h"
 
 #include <algorithm>
 #include <memory>

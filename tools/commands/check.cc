@@ -1,5 +1,5 @@
 // tumble check: runs the golden suite with this build.
-#include "golden/check.h"
+#include "tumble/golden/check.h"
 
 #include <algorithm>
 #include <iostream>
@@ -10,7 +10,10 @@
 #include <thread>
 #include <vector>
 
-#include "golden/report/report.h"
+#include "golden/report/annotations.h"
+#include "golden/report/report_json.h"
+#include "golden/report/report_place.h"
+#include "golden/suite/text_files.h"
 #include "src/base/text.h"
 #include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
@@ -20,6 +23,7 @@
 #include "tools/output/check_output.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
+#include "tumble/golden/report.h"
 
 namespace tumble::tools {
 namespace {
@@ -34,6 +38,7 @@ struct CheckCommand {
   std::vector<std::string> require;
   std::string report = "report";
   std::string junit;
+  std::string annotate;
   std::string shard;
   std::string category;
   std::optional<std::uint64_t> jobs;
@@ -62,6 +67,9 @@ Result<golden::CheckOptions> check_options(const CheckCommand& options) {
   out.selection.names = options.cases;
   out.selection.category = options.category;
   if (Status ok = read_shard(options.shard, out.selection); !ok.ok()) return ok.error();
+  if (!options.annotate.empty() && options.annotate != "github" && options.annotate != "gitlab") {
+    return bad_input("--annotate: found " + in_quotes(options.annotate) + ", wanted github or gitlab");
+  }
   if (!options.require.empty()) out.require.emplace();
   for (const std::string& word : options.require) {
     const Result<golden::VerdictKind> kind = golden::parse_verdict(word);
@@ -81,6 +89,15 @@ Exit verdict_of(const golden::SuiteResult& result) {
   return result.passed() ? Exit::kSame : Exit::kDifference;
 }
 
+/// Shows the failures beside the change, in a CI service that knows them in this form.
+Status annotate(const CheckCommand& options, const golden::SuiteResult& result) {
+  const std::vector<golden::Annotation> failures = golden::annotations(result);
+  if (options.annotate == "github") (options.json ? std::cerr : std::cout) << golden::github_commands(failures);
+  if (options.annotate != "gitlab") return {};
+  return golden::write_file(golden::findings_file(options.report),
+                            std::string_view(golden::gitlab_findings(failures).dump(2) + '\n'));
+}
+
 Result<Exit> check(const CheckCommand& options) {
   Result<golden::CheckOptions> how = check_options(options);
   if (!how.ok()) return how.error();
@@ -96,6 +113,7 @@ Result<Exit> check(const CheckCommand& options) {
   bar.finish();
   if (!result.ok()) return result.error();
   if (Status ok = golden::write_reports(*result, how->report, options.junit); !ok.ok()) return ok.error();
+  if (Status ok = annotate(options, *result); !ok.ok()) return ok.error();
   if (options.json) {
     print_json(golden::report_json(*result));
   } else {
@@ -122,6 +140,9 @@ Action declare_check(Arguments& arguments) {
                    "The folder for index.html, junit.xml, report.json and the logs of failed "
                    "cases; report if not given");
   arguments.option("--junit", "FILE", options->junit, "Write junit.xml to this file instead");
+  arguments.option("--annotate", "SERVICE", options->annotate,
+                   "Show failures beside the change: github (workflow commands are printed) or gitlab (the report gets "
+                   "gl-code-quality-report.json)");
   arguments.option("--shard", "K/N", options->shard, "Only the K-th of N parts of the suite");
   arguments.whole("--jobs", "N", options->jobs, 1, 1024, "Cases at a time; as many as processors if not given");
   arguments.positive("--timeout", "S", options->timeout, kTimeoutMax, "Seconds a case may take; 600 if not given");
@@ -132,6 +153,7 @@ Action declare_check(Arguments& arguments) {
       "Examples:\n"
       "  tumble check\n"
       "  tumble check brick_wall tower --report build/report\n"
+      "  tumble check --junit junit.xml --annotate github\n"
       "  tumble check --suite my_engine/goldens --require behaviour --shard 1/4");
   return [options] { return check(*options); };
 }

@@ -20,7 +20,8 @@ Result<Exit> run_window(const LiveArguments& arguments) {
   const std::string helper = helper_program("tumble-live");
   if (helper.empty()) {
     return cannot_finish(
-        "this build has no window, because tumble-live is not beside tumble; install libglfw3-dev and libimgui-dev "
+        "no window, because tumble-live is not beside tumble; install the package tumble-live, or libglfw3-dev and "
+        "libimgui-dev "
         "and build again; 'tumble view LOG' shows a recorded session in a browser");
   }
   std::vector<std::string> words = words_of(arguments);

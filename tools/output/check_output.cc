@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "golden/judge/across_cases.h"
-#include "golden/judge/change.h"
-#include "golden/report/report.h"
 #include "tools/output/text.h"
+#include "tumble/golden/change.h"
+#include "tumble/golden/report.h"
 
 namespace tumble::tools {
 namespace {

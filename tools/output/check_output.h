@@ -2,9 +2,9 @@
 
 #include <string>
 
-#include "golden/bless/bless.h"
 #include "golden/judge/case_json.h"
-#include "golden/judge/suite_result.h"
+#include "tumble/golden/bless.h"
+#include "tumble/golden/suite_result.h"
 
 namespace tumble::tools {
 
