@@ -68,14 +68,15 @@ std::string name_of(const StreamInput& input) {
 std::optional<std::string> input_difference(const StreamStep& a, const StreamStep& b) {
   if (!same_bits(a.dt, b.dt)) return "dt: " + exact_bits(a.dt) + " → " + exact_bits(b.dt);
   for (std::size_t k = 0; k < std::max(a.inputs.size(), b.inputs.size()); ++k) {
-    const std::string place = "input " + std::to_string(k + 1) + ": ";
+    std::string place = "input " + std::to_string(k + 1) + ": ";
     if (k >= a.inputs.size()) return place + "none → " + name_of(b.inputs[k]);
     if (k >= b.inputs.size()) return place + name_of(a.inputs[k]) + " → none";
     if (std::visit(SameInput(), a.inputs[k], b.inputs[k])) continue;
     const std::string before = name_of(a.inputs[k]), after = name_of(b.inputs[k]);
-    std::string text = place + before;
-    text += before == after ? " has other values" : " → ";
-    return before == after ? text : text += after;
+    place += before;
+    place += before == after ? " has other values" : " → ";
+    if (before != after) place += after;
+    return place;
   }
   return std::nullopt;
 }

@@ -43,12 +43,13 @@ class Hull {
 
   /// Replaces the faces that point `p` sees.
   void add(std::uint32_t p) {
-    const auto hidden = std::ranges::partition(faces_, [&](const HullFace& face) { return !sees(p, face); });
+    const auto hidden =
+        std::partition(faces_.begin(), faces_.end(), [&](const HullFace& face) { return !sees(p, face); });
     std::set<std::pair<std::uint32_t, std::uint32_t>> edges;
-    for (const HullFace& face : hidden) {
-      for (std::size_t k = 0; k < 3; ++k) edges.emplace(face[k], face[(k + 1) % 3]);
+    for (auto face = hidden; face != faces_.end(); ++face) {
+      for (std::size_t k = 0; k < 3; ++k) edges.emplace((*face)[k], (*face)[(k + 1) % 3]);
     }
-    faces_.erase(hidden.begin(), hidden.end());
+    faces_.erase(hidden, faces_.end());
     for (const auto& [from, to] : edges) {
       if (!edges.contains({to, from})) faces_.push_back({from, to, p});  // the rim
     }
