@@ -26,7 +26,7 @@ need() {
 }
 sources() { # ending...
   for ending in "$@"; do
-    find src replay golden tools tests bench -name "*.$ending" -type f
+    find src replay golden tools python tests bench -name "*.$ending" -type f
   done | sort
 }
 

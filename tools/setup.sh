@@ -12,6 +12,7 @@
 #   fuzz         what tools/scripts/checks/fuzz.sh uses
 #   faults       what tools/scripts/faults/faults.sh uses
 #   peers        other engines that bench/peers can run our scenes through
+#   python       what builds and tests the package for Python; without it that is left out
 #   recorder     further compilers of the recorder's check, and wine to run what one of them makes for Windows
 set -euo pipefail
 export LC_ALL=C # comm and sort must agree on the order
@@ -32,6 +33,8 @@ declare -A groups=(
   [fuzz]="clang-14 libclang-rt-14-dev"
   [faults]="jq"
   [peers]="libbullet-dev libode-dev libmujoco-dev"
+  [python]="pybind11-dev python3-dev python3-numpy python3-pytest python3-setuptools python3-wheel python3-pip
+            python3-venv python3-matplotlib"
   [recorder]="clang gcc-mingw-w64-x86-64 wine64 wine"
 )
 for pair in node:nodejs npm:npm chromium:chromium; do
@@ -43,7 +46,7 @@ fail() {
   exit 4
 }
 usage() {
-  sed -n '3,15s/^# //p' "${BASH_SOURCE[0]}"
+  sed -n '3,16s/^# //p' "${BASH_SOURCE[0]}"
 }
 
 only=() with=()

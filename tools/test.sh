@@ -9,7 +9,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 targets=(all) leave_out=(-LE '^(slow|extra)$')
 if [[ ${1-} == --all ]]; then
   targets=(all bench/all) leave_out=()
-  tools/setup.sh --only packages
+  tools/setup.sh --only packages --only python
   shift
 fi
 

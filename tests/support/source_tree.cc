@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array kFolders = {".ci",    "bench",  "cmake", "docs",  "golden",
+constexpr std::array kFolders = {".ci",    "bench",  "cmake", "docs",  "golden", "python",
                                  "replay", "schema", "src",   "tests", "tools"};
 constexpr std::array kBinary = {".png", ".tumble", ".mp4", ".orig", ".bin", ".npz"};
 

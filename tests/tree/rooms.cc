@@ -86,7 +86,7 @@ std::vector<Room> suite() {
                                       "replay/format",  "replay/codec",   "replay/log",     "replay/session",
                                       "replay/measure", "replay/recover", "replay/picture", "replay/diff"};
   const Folders parts = logs + Folders{"src/render", "src/render/picture", "golden/suite", "golden/expected"};
-  const Folders engine = {"golden/suite", "src/process", "replay/import", "replay/stream"};
+  const Folders engine = {"golden/suite", "src/process", "replay/arrays", "replay/import", "replay/stream"};
   const Folders run = parts + engine + Folders{"golden/judge"};
   const Folders above = run + Folders{"golden/engine", "golden/run"};
   return {
@@ -138,6 +138,12 @@ std::vector<Room> program() {
   };
 }
 
+// The module for Python: beside the program, above the logs.
+std::vector<Room> modules() {
+  return {{"python/binding", kSim + Folders{"src/threads", "src/scenes", "replay/format", "replay/log",
+                                            "replay/session", "replay/import", "replay/view"}}};
+}
+
 // Nothing but tests includes tests, so their rows need no list.
 std::vector<Room> tests() {
   std::vector<Room> rows;
@@ -168,7 +174,7 @@ std::vector<Room> tests() {
 
 std::vector<Room> all_rooms() {
   std::vector<Room> all;
-  for (const std::vector<Room>& rows : {simulation(), pictures(), logs(), suite(), program(), tests()}) {
+  for (const std::vector<Room>& rows : {simulation(), pictures(), logs(), suite(), program(), modules(), tests()}) {
     all.insert(all.end(), rows.begin(), rows.end());
   }
   return all;

@@ -15,7 +15,7 @@ namespace {
 bool has_a_limit(const SourceFile& file) {
   if (file.path == "golden/report/page/bundle.js") return false;
   if (file.path == "replay/recorder/tumble_recorder.c") return false;  // one file, so that engines copy two
-  for (const char* ending : {".h", ".cc", ".c", ".sh", ".js", ".cmake", ".capnp", "CMakeLists.txt"}) {
+  for (const char* ending : {".h", ".cc", ".c", ".sh", ".py", ".js", ".cmake", ".capnp", "CMakeLists.txt"}) {
     if (file.ends_with(ending)) return true;
   }
   return false;
