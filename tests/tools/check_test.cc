@@ -66,7 +66,7 @@ TEST_F(SmallSuite, AnnotatesFailuresForCiServicesInOneLineEach) {
   const std::size_t begin = printed.find("::error file=s/cases/two/scene.toml,line=1,title=two::two: ");
   ASSERT_NE(begin, std::string::npos) << printed;
   const std::string line = printed.substr(begin, printed.find('\n', begin) - begin);
-  EXPECT_NE(line.find("first difference: step 1, "), std::string::npos) << line;
+  EXPECT_NE(line.find("first difference: step 0, phase start"), std::string::npos) << line;
   EXPECT_EQ(printed.find("::error", begin + 1), std::string::npos) << "one failure, one line";
   EXPECT_TRUE(ordered_json::accept(check({"--annotate", "github", "--json"}).out)) << "nothing but JSON";
 
@@ -76,7 +76,7 @@ TEST_F(SmallSuite, AnnotatesFailuresForCiServicesInOneLineEach) {
   EXPECT_EQ(findings[0]["location"]["path"], "s/cases/two/scene.toml");
   EXPECT_EQ(findings[0]["location"]["lines"]["begin"], 1);
   EXPECT_EQ(findings[0]["fingerprint"].get<std::string>().size(), 32U);
-  EXPECT_NE(findings[0]["description"].get<std::string>().find("first difference: step 1, "), std::string::npos);
+  EXPECT_NE(findings[0]["description"].get<std::string>().find("first difference: step 0, phase start"), std::string::npos);
 
   EXPECT_EQ(check().exit, 1);
   EXPECT_TRUE(shop_.names_with("gl-code-quality").empty()) << "of an earlier check";
