@@ -76,7 +76,8 @@ TEST_F(SmallSuite, AnnotatesFailuresForCiServicesInOneLineEach) {
   EXPECT_EQ(findings[0]["location"]["path"], "s/cases/two/scene.toml");
   EXPECT_EQ(findings[0]["location"]["lines"]["begin"], 1);
   EXPECT_EQ(findings[0]["fingerprint"].get<std::string>().size(), 32U);
-  EXPECT_NE(findings[0]["description"].get<std::string>().find("first difference: step 0, phase start"), std::string::npos);
+  EXPECT_NE(findings[0]["description"].get<std::string>().find("first difference: step 0, phase start"),
+            std::string::npos);
 
   EXPECT_EQ(check().exit, 1);
   EXPECT_TRUE(shop_.names_with("gl-code-quality").empty()) << "of an earlier check";
