@@ -1,12 +1,14 @@
-// recorder_bench BODIES STEPS FILE [states]: what the recorder costs Bullet. Two equal worlds of falling cubes take
-// their steps in turn, one of them recorded to FILE with all states, and contacts unless told `states`; prints both CPU
-// times and their ratio. Run by hand; docs/performance.md has results.
+// recorder_bench BODIES STEPS FILE [states] [N]: what the recorder costs Bullet. Three equal worlds of falling cubes
+// take their steps in turn; the second is recorded to FILE with all states, and contacts unless told `states`, N steps
+// a write (1). Prints CPU time (user and system) a step, and over all steps the median and quartiles of recorded /
+// plain and, as the measure's own error, of the third world / plain. Run by hand; docs/performance.md has results.
 #include <tumble_bullet.h>  // of examples/engines, which are outside the rooms
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <ctime>
 #include <memory>
 #include <vector>
@@ -63,30 +65,53 @@ class World {
 
 }  // namespace
 
+namespace {
+
+/// Of the steps' ratios to those of the plain world.
+void print(const char* what, const std::vector<double>& seconds, const std::vector<double>& plain) {
+  std::vector<double> ratios;
+  double sum = 0, plain_sum = 0;
+  for (std::size_t k = 0; k < plain.size(); ++k) {
+    ratios.push_back(seconds[k] / plain[k]);
+    sum += seconds[k], plain_sum += plain[k];
+  }
+  std::sort(ratios.begin(), ratios.end());
+  const auto at = [&](double part) { return ratios[static_cast<std::size_t>(part * double(ratios.size() - 1))]; };
+  std::printf("%-8s %8.1f us a step; over plain: median %.4f (quartiles %.4f, %.4f), of the sums %.4f\n", what,
+              1e6 * sum / double(plain.size()), at(0.5), at(0.25), at(0.75), sum / plain_sum);
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
-  if (argc < 4) return std::fprintf(stderr, "usage: recorder_bench BODIES STEPS FILE [states]\n"), 2;
-  const int count = std::atoi(argv[1]), steps = std::atoi(argv[2]);
-  World plain(count), recorded(count);
+  const int count = argc > 3 ? std::atoi(argv[1]) : 0, steps = argc > 3 ? std::atoi(argv[2]) : 0;
+  if (count < 1 || steps < 1) return std::fprintf(stderr, "usage: recorder_bench BODIES STEPS FILE [states] [N]\n"), 2;
+  World plain(count), recorded(count), control(count);
+  const bool only_states = argc > 4 && std::strcmp(argv[4], "states") == 0;
   TumbleRecDef def = {};
+  def.steps_a_write = argc > 4 + only_states ? static_cast<uint32_t>(std::atoi(argv[4 + only_states])) : 1;
   def.path = argv[3];
   def.ground = 1;
   BulletRecorder recorder(recorded.world, def);
   for (const auto& body : recorded.bodies) recorder.add(*body, nullptr);
-  recorder.contacts = argc == 4;
-  double plain_s = 0, recorded_s = 0;
-  const auto time = [](double& sum, const auto& step) {
+  recorder.contacts = !only_states;
+  std::vector<double> seconds[3];
+  for (int k = 0; k < 3 * steps; ++k) {
+    const int which = (k + k / 3) % 3;  // each goes first in turn
     const double begun = cpu_seconds();
-    step();
-    sum += cpu_seconds() - begun;
-  };
-  for (int k = 0; k < steps; ++k) {  // first one, then the other goes first
-    if (k % 2 == 0) time(plain_s, [&] { plain.world.stepSimulation(btScalar(1) / 60, 0); });
-    time(recorded_s, [&] { recorder.step(btScalar(1) / 60); });
-    if (k % 2 == 1) time(plain_s, [&] { plain.world.stepSimulation(btScalar(1) / 60, 0); });
+    if (which == 1) {
+      recorder.step(btScalar(1) / 60);
+    } else {
+      (which == 0 ? plain : control).world.stepSimulation(btScalar(1) / 60, 0);
+    }
+    seconds[which].push_back(cpu_seconds() - begun);
   }
   const TumbleRecStatus status = tumble_rec_finish(recorder.rec);
   if (status != TUMBLE_REC_OK) return std::fprintf(stderr, "%s\n", tumble_rec_message(recorder.rec)), 4;
-  std::printf("%d bodies, %d steps: %.3f s plain, %.3f s recorded, ratio %.4f\n", count, steps, plain_s, recorded_s,
-              recorded_s / plain_s);
+  std::printf("%d bodies, %d steps, %s, %u steps a write\n", count, steps,
+              only_states ? "states" : "states and contacts", def.steps_a_write);
+  print("plain", seconds[0], seconds[0]);
+  print("recorded", seconds[1], seconds[0]);
+  print("control", seconds[2], seconds[0]);
   return 0;
 }

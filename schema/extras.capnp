@@ -88,6 +88,7 @@ struct Note {
 struct Snapshot {
   step @0 :UInt64;
   bytes @1 :Data;
+  name @2 :Text;                # at most 200 bytes; empty: none
 }
 
 # What was shown at one moment of a live session.

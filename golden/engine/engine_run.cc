@@ -112,8 +112,13 @@ Status run_project(const EngineProject& project, const std::string& command, con
   task.out = task.err = place.output.string();
   task.set = place.environment;
   task.own_group = place.own_group;
-  return outcome(process::run_child(task, project.timeout_s, place.cancel), project.shell,
-                 who(project, "the engine's command", command), place.output);
+  const std::string about = who(project, "the engine's command", command);
+  Status ran = outcome(process::run_child(task, project.timeout_s, place.cancel), project.shell, about, place.output);
+  if (!ran.ok()) return ran;
+  if (Status read = rewrite_table(files.log, project.table, project.folder); !read.ok()) {
+    return Error{read.error().kind, about + "wrote a table: " + read.error().message};
+  }
+  return {};
 }
 
 }  // namespace tumble::golden

@@ -44,7 +44,8 @@ struct RunPlace {
   process::Cancel cancel = {};
 };
 
-/// Runs the engine once. Errors: engine_words()'; kCannotFinish: it does not start, a status other than 0, a signal,
+/// Runs the engine once, and rewrites a table that it wrote as the project says (rewrite_table()). Errors:
+/// engine_words()'; rewrite_table()'s; kCannotFinish: it does not start, a status other than 0, a signal,
 /// the timeout, an interruption; the message has the end of its output.
 Status run_project(const EngineProject& project, const std::string& command, const RunFiles& files,
                    const RunPlace& place);

@@ -17,33 +17,50 @@ using scenes::Problem;
 using scenes::TableReader;
 
 constexpr std::size_t kCommandLengthMax = 10'000;
-constexpr std::size_t kBuildCommandsMax = 100;
+constexpr std::size_t kTextsMax = 1000;
 constexpr double kTimeoutMax = 1e6;
 constexpr scenes::NumberRule kTimeoutRule = {"a time", 0, kTimeoutMax, "s"};
 
 /// Whether a command line can be split, where no shell does that.
 bool is_splittable(const std::string& command, bool shell) { return shell || process::split_words(command).ok(); }
 
-/// One command line, or a list of them.
-std::vector<std::string> read_build(TableReader& reader, const toml::table& table, bool shell) {
-  if (!reader.has("build")) return {};
-  std::vector<std::string> commands;
-  const toml::node& node = *table.get("build");
+/// One text, or a list of them, each of which `fits`.
+template <class Fits>
+std::vector<std::string> read_texts(TableReader& reader, const toml::table& table, const char* key, const char* wanted,
+                                    const Fits& fits) {
+  if (!reader.has(key)) return {};
+  std::vector<std::string> texts;
+  const toml::node& node = *table.get(key);
   const auto add = [&](const toml::node& one) {
     const auto text = one.value<std::string>();
-    if (text && one.is_string() && text->size() <= kCommandLengthMax && is_splittable(*text, shell)) {
-      commands.push_back(*text);
-      return true;
-    }
-    return false;
+    if (!text || !one.is_string() || text->size() > kCommandLengthMax || !fits(*text)) return false;
+    texts.push_back(*text);
+    return true;
   };
   bool is_right = node.is_string() ? add(node) : node.is_array();
   if (const toml::array* list = node.as_array()) {
-    is_right = !list->empty() && list->size() <= kBuildCommandsMax;
+    is_right = !list->empty() && list->size() <= kTextsMax;
     for (const toml::node& one : *list) is_right = is_right && add(one);
   }
-  if (!is_right) reader.fail("build", "a command line or a list of them, each with its quotes closed");
-  return commands;
+  if (!is_right) reader.fail(key, wanted);
+  return texts;
+}
+
+TableReading read_table(TableReader& engine) {
+  TableReading reading;
+  const toml::table* table = engine.table("table");
+  if (table == nullptr) return reading;
+  TableReader reader(*table, "[engine.table]", engine.problem());
+  const auto holds = [](char sign) {
+    return [sign](const std::string& text) { return text.find(sign) != std::string::npos; };
+  };
+  reading.map = read_texts(reader, *table, "map", "\"FIELD=COLUMN\" or a list of such texts", holds('='));
+  reading.header = read_texts(reader, *table, "header", "\"key: value\" or a list of such texts", holds(':'));
+  reading.map_file = reader.text("map_file", "", kCommandLengthMax);
+  reading.model = reader.text("model", "", kCommandLengthMax);
+  reading.scalar_last = reader.flag("scalar_last", false);
+  reader.finish();
+  return reading;
 }
 
 std::string read_command(TableReader& reader, const char* key, bool shell) {
@@ -55,13 +72,15 @@ std::string read_command(TableReader& reader, const char* key, bool shell) {
 EngineProject read_engine(TableReader& reader, const toml::table& table) {
   EngineProject project;
   project.shell = reader.flag("shell", false);
-  project.build = read_build(reader, table, project.shell);
+  project.build = read_texts(reader, table, "build", "a command line or a list of them, each with its quotes closed",
+                             [&](const std::string& command) { return is_splittable(command, project.shell); });
   project.run = read_command(reader, "run", project.shell);
   if (project.run.find("{log}") == std::string::npos) {
     reader.fail("run", "a command line with {log} in it, the file that the engine has to write");
   }
   project.scene = reader.text("scene", "", kCommandLengthMax);
   project.timeout_s = reader.number("timeout", 0, kTimeoutRule);
+  project.table = read_table(reader);
   reader.finish();
   return project;
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "golden/engine/table_reading.h"
 #include "tumble/sim/result.h"
 
 /// tumble.toml in the root of a project: how its engine is built and run. `replay`, `check`, `bisect` and `diff --zoom`
@@ -23,6 +24,7 @@ struct EngineProject {
   std::string scene;     ///< {scene} where neither a case nor a command line names one; a path from the folder
   bool shell = false;    ///< commands are given to sh instead of being split into words
   double timeout_s = 0;  ///< of a run; 0: none
+  TableReading table;    ///< of what the engine writes, where that is a table
 };
 
 /// Errors (kBadInput): "<file>:<line>:<column>: [engine] key "run": found …, wanted …".

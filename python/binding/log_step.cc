@@ -68,7 +68,13 @@ py::list texts_of(const std::vector<std::string>& texts) {
 
 py::list snapshots_of(const StepData& step) {
   py::list all;
-  for (const std::string& bytes : step.record.extras.snapshots) all.append(py::bytes(bytes));
+  for (const replay::EngineSnapshot& snapshot : step.record.extras.snapshots) all.append(py::bytes(snapshot.bytes));
+  return all;
+}
+
+py::list snapshot_names_of(const StepData& step) {
+  py::list all;
+  for (const replay::EngineSnapshot& snapshot : step.record.extras.snapshots) all.append(text_of_bytes(snapshot.name));
   return all;
 }
 
@@ -121,6 +127,7 @@ void add_step(py::module_& module) {
       .def("contacts", &contacts_of_engine)
       .def("notes", [](const StepData& s) { return texts_of(s.record.extras.notes); })
       .def("snapshots", &snapshots_of)
+      .def("snapshot_names", &snapshot_names_of)
       .def("superseded", &superseded_of);
 }
 

@@ -133,6 +133,11 @@ class Step:
         return tuple(self._data.snapshots())
 
     @property
+    def snapshot_names(self):
+        """Their names, in the same order; "" for one without."""
+        return tuple(self._data.snapshot_names())
+
+    @property
     def superseded(self):
         """One (same_inputs, difference) for each earlier record of the step that a rollback took back."""
         return tuple(self._data.superseded())

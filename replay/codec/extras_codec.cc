@@ -198,7 +198,9 @@ Status decode_lists(schema::Extras::Reader in, std::uint64_t first_step, std::sp
   if (!ok.ok()) return ok;
   ok = list("snapshots", in.getSnapshots(), [](Extras& step, schema::Snapshot::Reader snapshot) -> Status {
     const capnp::Data::Reader bytes = snapshot.getBytes();
-    step.snapshots.emplace_back(reinterpret_cast<const char*>(bytes.begin()), bytes.size());
+    const capnp::Text::Reader name = snapshot.getName();
+    step.snapshots.push_back(
+        {{name.cStr(), name.size()}, {reinterpret_cast<const char*>(bytes.begin()), bytes.size()}});
     return {};
   });
   if (!ok.ok()) return ok;
@@ -237,9 +239,10 @@ void encode(ExtrasOfSteps steps, std::uint64_t first_step, const ChannelTypes& t
       });
   list(
       &Extras::snapshots, [&](unsigned n) { return out.initSnapshots(n); },
-      [](schema::Snapshot::Builder snapshot, std::uint64_t step, const std::string& bytes) {
-        snapshot.setStep(step);
-        snapshot.setBytes(data_of(bytes));
+      [](schema::Snapshot::Builder out_one, std::uint64_t step, const EngineSnapshot& snapshot) {
+        out_one.setStep(step);
+        out_one.setBytes(data_of(snapshot.bytes));
+        if (!snapshot.name.empty()) out_one.setName(snapshot.name);
       });
   list(
       &Extras::views, [&](unsigned n) { return out.initViews(n); }, put_view);

@@ -114,10 +114,20 @@ std::uint64_t bytes_of(const Extras& extras) {
     for (const std::string& text : values.bytes) bytes += text.size();
   }
   for (const std::string& text : extras.notes) bytes += text.size() + 32;
-  for (const std::string& text : extras.snapshots) bytes += text.size() + 32;
+  for (const EngineSnapshot& snapshot : extras.snapshots) bytes += snapshot.bytes.size() + snapshot.name.size() + 40;
   for (const Superseded& step : extras.superseded) bytes += step.difference.size();
   for (const Shape& shape : extras.shapes) bytes += shape.points.size() * 24 + shape.triangles.size() * 4 + 96;
   return bytes;
+}
+
+Status check_snapshot(const EngineSnapshot& snapshot) {
+  if (snapshot.bytes.size() > kSnapshotBytesMax) {
+    return bad_input("snapshot: found " + bytes_text(snapshot.bytes.size()) + ", wanted at most " +
+                     bytes_text(kSnapshotBytesMax));
+  }
+  if (snapshot.name.size() <= kColumnNameBytesMax && printable(snapshot.name) == snapshot.name) return {};
+  return bad_input("snapshot: found the name " + in_quotes(snapshot.name) + ", wanted at most " +
+                   std::to_string(kColumnNameBytesMax) + " bytes of text");
 }
 
 Status check_extras(const Extras& extras) {
@@ -130,8 +140,8 @@ Status check_extras(const Extras& extras) {
   for (const std::string& text : extras.notes) {
     if (text.size() > kNoteBytesMax) return bad_input("note: found a text of " + bytes_text(text.size()));
   }
-  for (const std::string& bytes : extras.snapshots) {
-    if (bytes.size() > kSnapshotBytesMax) return bad_input("snapshot: found " + bytes_text(bytes.size()));
+  for (const EngineSnapshot& snapshot : extras.snapshots) {
+    if (Status ok = check_snapshot(snapshot); !ok.ok()) return ok;
   }
   if (Status ok = check_bodies(extras.bodies); !ok.ok()) return ok;
   return check_shapes(extras.shapes);

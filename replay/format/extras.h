@@ -27,6 +27,13 @@ struct EngineContact {
   friend bool operator==(const EngineContact&, const EngineContact&) = default;
 };
 
+/// The engine's own state after a step, in its own bytes.
+struct EngineSnapshot {
+  std::string name = {};  ///< at most 200 bytes of text; empty: none
+  std::string bytes = {};
+  friend bool operator==(const EngineSnapshot&, const EngineSnapshot&) = default;
+};
+
 /// What was shown at one moment of a live session.
 struct View {
   double part = 1;       ///< 0 … 1: of the way from the state before the step to the state after it
@@ -49,11 +56,11 @@ struct Extras {
   std::vector<ChannelValues> channels;  ///< by index of the channel; channels behind the last one have no value
   std::vector<EngineContact> contacts;  ///< ascending (a, b); points of a pair as the engine orders them
   std::vector<std::string> notes;       ///< text for people
-  std::vector<std::string> snapshots;   ///< the engine's own state after the step, in its own bytes
-  std::vector<View> views;              ///< ascending wall_time
-  std::vector<Superseded> superseded;   ///< one for each earlier record of the step
-  std::vector<BodyInfo> bodies;         ///< names and shapes of bodies that appear in this step
-  std::vector<Shape> shapes;            ///< first used in this step
+  std::vector<EngineSnapshot> snapshots;
+  std::vector<View> views;             ///< ascending wall_time
+  std::vector<Superseded> superseded;  ///< one for each earlier record of the step
+  std::vector<BodyInfo> bodies;        ///< names and shapes of bodies that appear in this step
+  std::vector<Shape> shapes;           ///< first used in this step
 
   [[nodiscard]] bool empty() const;
   /// Whether the chain covers any of it: a value or a contact.
@@ -69,6 +76,9 @@ Hash128 hash_of(const Extras& extras);
 
 /// The memory that a chunk needs for it, in bytes; about the size of its message.
 std::uint64_t bytes_of(const Extras& extras);
+
+/// Errors (kBadInput): a name or bytes that no log can keep.
+Status check_snapshot(const EngineSnapshot& snapshot);
 
 /// Errors (kBadInput): contacts out of order, a view that is none, a name, a shape or a text that no log can keep.
 /// Values of channels are checked where they are added.

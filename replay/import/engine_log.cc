@@ -196,9 +196,10 @@ Status EngineLog::add_note(std::string_view text) {
   return {};
 }
 
-Status EngineLog::add_snapshot(std::span<const std::byte> bytes) {
-  if (bytes.size() > kSnapshotBytesMax) return at_step("found a snapshot of " + bytes_text(bytes.size()));
-  extras_.snapshots.emplace_back(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+Status EngineLog::add_snapshot(std::span<const std::byte> bytes, std::string_view name) {
+  EngineSnapshot snapshot{std::string(name), {reinterpret_cast<const char*>(bytes.data()), bytes.size()}};
+  if (Status ok = check_snapshot(snapshot); !ok.ok()) return at_step(ok.error().message);
+  extras_.snapshots.push_back(std::move(snapshot));
   return {};
 }
 

@@ -88,7 +88,7 @@ class EngineLog {
   /// (kBadInput): a body without an id, a text or a snapshot beyond limits.h.
   Status add_contact(const EngineContact& contact);
   Status add_note(std::string_view text);
-  Status add_snapshot(std::span<const std::byte> bytes);
+  Status add_snapshot(std::span<const std::byte> bytes, std::string_view name = {});
   Status add_superseded(const Superseded& before);
 
   /// Names a body that appears in the coming step, and gives it a shape. A shape that is neither declared nor given

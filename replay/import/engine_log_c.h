@@ -149,6 +149,7 @@ TumbleLogStatus tumble_log_set_text(TumbleLog* log, size_t channel, uint64_t a, 
 TumbleLogStatus tumble_log_contact(TumbleLog* log, const TumbleLogContact* contact);
 TumbleLogStatus tumble_log_note(TumbleLog* log, const char* text);
 TumbleLogStatus tumble_log_snapshot(TumbleLog* log, const void* bytes, size_t count);
+TumbleLogStatus tumble_log_named_snapshot(TumbleLog* log, const char* name, const void* bytes, size_t count);
 
 TumbleLogStatus tumble_log_end_step(TumbleLog* log, double dt);
 TumbleLogStatus tumble_log_finish(TumbleLog* log);

@@ -141,8 +141,12 @@ TumbleLogStatus tumble_log_note(TumbleLog* log, const char* text) {
 }
 
 TumbleLogStatus tumble_log_snapshot(TumbleLog* log, const void* bytes, size_t count) {
+  return tumble_log_named_snapshot(log, "", bytes, count);
+}
+
+TumbleLogStatus tumble_log_named_snapshot(TumbleLog* log, const char* name, const void* bytes, size_t count) {
   return while_open(log, [&](EngineLog& open) -> Status {
     if (bytes == nullptr && count > 0) return missing("bytes of a snapshot");
-    return open.add_snapshot(std::span(static_cast<const std::byte*>(bytes), count));
+    return open.add_snapshot(std::span(static_cast<const std::byte*>(bytes), count), name == nullptr ? "" : name);
   });
 }

@@ -7,6 +7,7 @@
 
 #include "replay/picture/picture_markers.h"
 #include "src/base/check.h"
+#include "src/render/scene/solid.h"
 
 namespace tumble::replay {
 namespace {
@@ -32,7 +33,24 @@ BoxLook look_of(const BodyStates& states, std::size_t row, const sim::BoxDef& bo
 }
 
 bool same_pose(const BoxLook& a, const BoxLook& b) {
-  return a.centre == b.centre && a.orientation == b.orientation && a.half_extent == b.half_extent;
+  const bool same_shape = (a.solid == nullptr) == (b.solid == nullptr) && a.half_extent == b.half_extent;
+  return same_shape && a.centre == b.centre && a.orientation == b.orientation;
+}
+
+render::Solid solid_from(const Shape& shape) {
+  switch (shape.kind) {
+    case Shape::Kind::kSphere:
+      return render::make_capsule(2, shape.radius, 0);
+    case Shape::Kind::kCapsule:
+      return render::make_capsule(shape.axis, shape.radius, shape.half_length);
+    case Shape::Kind::kCylinder:
+      return render::make_cylinder(shape.axis, shape.radius, shape.half_length);
+    case Shape::Kind::kHull:
+      return render::make_hull(shape.points);
+    case Shape::Kind::kMesh:
+      return render::make_mesh(shape.points, shape.triangles);
+  }
+  return {};
 }
 
 BoxLook coloured(BoxLook look, const Colour& colour) {
@@ -45,10 +63,24 @@ BoxLook coloured(BoxLook look, const Colour& colour) {
 
 PictureSource::PictureSource(LogReader& log) : log_(&log), states_(log), scanned_(log.first_state()) {
   for (const sim::BoxDef& box : log.header().scene.boxes) boxes_.emplace(box.id, box);
+  infos_.add(log.header().declared.bodies, log.header().declared.shapes);
 }
 
-void PictureSource::add_throws(const std::vector<sim::Command>& inputs) {
-  for (const sim::Command& command : inputs) {
+/// Null: the body is a box, or no triangle is known of its surface.
+std::shared_ptr<const render::Solid> PictureSource::solid_of(sim::BodyId id) {
+  const Shape* shape = infos_.shape(id);
+  if (shape == nullptr) return nullptr;
+  const auto [place, is_new] = solids_.try_emplace(shape);
+  if (is_new) {
+    auto solid = std::make_shared<const render::Solid>(solid_from(*shape));
+    if (!solid->corners.empty()) place->second = std::move(solid);
+  }
+  return place->second;
+}
+
+void PictureSource::add_throws(const StepRecord& step) {
+  infos_.add(step.extras.bodies, step.extras.shapes);
+  for (const sim::Command& command : step.inputs) {
     if (const auto* thrown = std::get_if<sim::Throw>(&command)) boxes_.emplace(thrown->box.id, thrown->box);
   }
 }
@@ -61,7 +93,7 @@ Result<const sim::BoxDef*> PictureSource::find_box(sim::BodyId id, std::uint64_t
     ++scanned_;
     // Skips a step that cannot be read: it may lie in a damaged part that this picture does not need.
     const Result<const StepRecord*> record = log_->read_hashes(scanned_);
-    if (record.ok()) add_throws((*record)->inputs);
+    if (record.ok()) add_throws(**record);
   }
   if (found != boxes_.end()) return &found->second;
   return damaged(log_->name() + ": body " + std::to_string(id) + " at step " + std::to_string(k) +
@@ -88,6 +120,10 @@ Result<Picture> PictureSource::read(std::uint64_t k, const PictureOptions& optio
     if (!box.ok()) return box.error();
     if (picture.not_finite && !is_finite(record.states, row)) continue;
     snapshot.boxes.push_back(look_of(record.states, row, **box, options));
+    BoxLook& look = snapshot.boxes.back();
+    look.solid = solid_of(look.id);
+    // A crate's bands lie on the edges that a solid lacks.
+    if (look.solid && look.texture == sim::Texture::kCrate) look.texture = sim::Texture::kWood;
   }
   if (options.bounds) add_bounds_markers(snapshot);
   if (options.velocities) add_velocity_markers(snapshot, kArrowSeconds);

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <optional>
 
 #include "replay/format/not_finite.h"
 #include "replay/session/state_source.h"
 #include "tumble/render/snapshot.h"
+#include "tumble/replay/body_table.h"
 #include "tumble/replay/log_reader.h"
 #include "tumble/replay/player.h"
 #include "tumble/sim/hash.h"
@@ -41,19 +43,23 @@ class PictureSource {
   /// `log` must outlive this object. Others may read from `log` between two calls.
   explicit PictureSource(LogReader& log);
 
-  /// Reads state k of first_state() … last_step(). Quick where steps are read in ascending order. Errors:
+  /// Bodies of other engines are drawn in their shapes; a shape whose surface is not known as the box around it. Reads
+  /// state k of first_state() … last_step(). Quick where steps are read in ascending order. Errors:
   /// StateSource::read's; a body that no box and no throw of the log defines (kDamaged); with `contacts`, a step that
   /// cannot be replayed.
   Result<Picture> read(std::uint64_t k, const PictureOptions& options = {});
 
  private:
   Result<const sim::BoxDef*> find_box(sim::BodyId id, std::uint64_t k);
-  void add_throws(const std::vector<sim::Command>& inputs);
+  void add_throws(const StepRecord& step);
+  std::shared_ptr<const render::Solid> solid_of(sim::BodyId id);
   Status add_contacts(std::uint64_t k, render::Snapshot& snapshot);
 
   LogReader* log_;
   StateSource states_;
   std::map<sim::BodyId, sim::BoxDef> boxes_;
+  BodyTable infos_;                                                      // their names and shapes
+  std::map<const Shape*, std::shared_ptr<const render::Solid>> solids_;  // of the shapes of infos_
   std::uint64_t scanned_ = 0;  // the last step whose inputs were searched for throws
   std::optional<Player> player_;
 };

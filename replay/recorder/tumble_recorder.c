@@ -42,8 +42,10 @@ enum {
   kRowsMax = 16,
   kChannelsMax = 4096,
   kPointsMax = 4096,
+  kMeshMax = 100000,
   kGroupBytesMax = 1 << 20,
   kRecordMax = (1 << 24) - 1,
+  kPendingMax = 1 << 24,
   kStateDoubles = 13,
   kRingParts = 8
 };
@@ -70,7 +72,8 @@ enum RecordKind {
   kPhase = 30,
   kNote = 40,
   kChannel = 50,
-  kValue = 51
+  kValue = 51,
+  kMesh = 52
 };
 
 /* What a hash of a step covers; also what an entry is looked up by in verify mode. */
@@ -156,9 +159,9 @@ typedef struct Bytes {
 
 typedef struct Body {
   uint64_t id;
-  double last[kStateDoubles];
-  unsigned char is_static, asleep, gone, last_known;
-  uint64_t told;              /* serial of the step in which the state was last given */
+  uint64_t told; /* serial of the step in which the state was last given */
+  unsigned char is_static, asleep, gone, last_known, last_wide;
+  unsigned char last[8 * kStateDoubles]; /* as in states64 where wide, else as in states32 */
   uint64_t added, removed_at; /* steps */
   unsigned char* record;      /* ring: its record, to begin a part with */
   size_t record_size;
@@ -198,15 +201,16 @@ typedef struct Verify {
 
 struct TumbleRec {
   TumbleRecDef def;  /* its texts are not kept, only numbers and callbacks */
-  void* user_thread; /* in a call */
-  void* step_thread; /* from step_begin to step_end */
+  void* user_thread; /* in a call, and from step_begin to step_end */
   void* misused;     /* another thread called */
+  int in_call;       /* of user_thread */
   TumbleRecStatus status;
   char message[512];
   FILE* file;
   int finished, in_step, after_state, started;
   Bytes frame;  /* room for its head, then the payload of the coming step */
   size_t group; /* where the open group record begins; 0: none */
+  int group_kind;
   uint64_t frames, step, serial;
   uint64_t tag; /* hash of the header */
   uint64_t hashes[kClasses];
@@ -221,10 +225,14 @@ struct TumbleRec {
   size_t slot_count;
   size_t hint;
   size_t moving, moving_told; /* bodies that need a state in this step */
+  size_t woken, slept;        /* of those told in this step */
   Channel* channels;
   uint32_t channel_count, channel_room;
   Bytes header; /* ring: its frame */
+  Bytes meshes; /* ring: their records, to begin each part with */
   Bytes head;   /* frames that are no step's */
+  Bytes pending; /* complete frames that are not written yet */
+  uint32_t pending_steps;
   Part ring[kRingParts + 2];
   size_t ring_count;
   Verify verify;
@@ -313,23 +321,16 @@ static unsigned char* put_widened(unsigned char* at, const unsigned char* floats
   for (k = 0; k < count; ++k) at = put_double(at, get_float(floats + 4 * k));
   return at;
 }
-/* Whether doubles are floats, every bit of them. */
-static int are_floats(const unsigned char* at, size_t count) {
-  for (; count > 0; --count, at += 8) {
-    const double v = get_double(at);
-    if (bits_of((double)(float)v) != bits_of(v)) return 0;
-  }
-  return 1;
-}
-/* Writes doubles as floats; `to` may lie before `at` in one buffer. */
-static unsigned char* put_narrowed(unsigned char* to, const unsigned char* at, size_t count) {
-  for (; count > 0; --count, at += 8) {
-    const float single = (float)get_double(at);
-    uint32_t bits;
-    memcpy(&bits, &single, 4);
-    to = put32(to, bits);
-  }
-  return to;
+/* A number as a float; adds to *lost the bits that this loses. */
+static uint64_t narrowed(uint64_t wide, uint64_t* lost) {
+  double v;
+  float single;
+  uint32_t bits;
+  memcpy(&v, &wide, 8);
+  single = (float)v;
+  memcpy(&bits, &single, 4);
+  *lost |= bits_of((double)single) ^ wide;
+  return bits;
 }
 static unsigned char* put_text(unsigned char* at, const char* text, size_t size) {
   at = put16(at, (uint32_t)size);
@@ -371,31 +372,34 @@ static uint64_t hash64(const unsigned char* at, size_t size, uint64_t seed) {
 
 /* ---- Threads. ---- */
 
-/* The recorder is held here, so a misuse that another thread marked may be written down. */
+static int flush(TumbleRec* rec);
+static const char kTwoThreads[] = "found a call of a second thread, wanted one thread from step_begin to step_end";
+
+/* The recorder is held here, so a misuse that another thread marked may be written down. It stays held in a step, which
+ * saves an atomic exchange a body; not after an error, so that whoever closes it learns that error. */
 static TumbleRecStatus leave(TumbleRec* rec, TumbleRecStatus status) {
-  if (LOAD(&rec->misused) != NULL) {
-    fail(rec, TUMBLE_REC_TWO_THREADS, "found a call of a second thread during another, wanted one thread at a time");
+  if (LOAD(&rec->misused) != NULL) fail(rec, TUMBLE_REC_TWO_THREADS, kTwoThreads);
+  if (rec->status != TUMBLE_REC_OK) {
+    status = rec->status;
+    flush(rec); /* what was recorded before the error stays */
   }
-  if (rec->status != TUMBLE_REC_OK) status = rec->status;
-  STORE(&rec->user_thread, NULL);
+  rec->in_call = 0;
+  if (!rec->in_step || rec->status != TUMBLE_REC_OK) STORE(&rec->user_thread, NULL);
   return status;
 }
 
 /* 1: the call may go on, and ends with leave(). */
 static int enter(TumbleRec* rec, TumbleRecStatus* status) {
-  void* user;
   *status = TUMBLE_REC_BAD_CALL;
   if (rec == NULL) return 0;
-  user = SWAP_IF_NULL(&rec->user_thread, &thread_mark);
-  if (user == &thread_mark) return 0; /* from a callback of its own */
-  if (user != NULL) {
+  if (LOAD(&rec->user_thread) == &thread_mark) {
+    if (rec->in_call) return 0; /* from a callback of its own */
+  } else if (SWAP_IF_NULL(&rec->user_thread, &thread_mark) != NULL) {
     STORE(&rec->misused, &thread_mark);
     *status = TUMBLE_REC_TWO_THREADS;
     return 0;
   }
-  if (rec->step_thread != NULL && rec->step_thread != &thread_mark) {
-    fail(rec, TUMBLE_REC_TWO_THREADS, "found a call of a second thread, wanted one thread from step_begin to step_end");
-  }
+  rec->in_call = 1;
   if (rec->finished) fail(rec, TUMBLE_REC_BAD_CALL, "found a call after tumble_rec_finish(), wanted none");
   if (rec->status == TUMBLE_REC_OK && LOAD(&rec->misused) == NULL) return 1;
   *status = leave(rec, TUMBLE_REC_OK);
@@ -404,14 +408,15 @@ static int enter(TumbleRec* rec, TumbleRecStatus* status) {
 
 /* ---- Frames. ---- */
 
-static int write_bytes(TumbleRec* rec, const unsigned char* at, size_t size) {
-  if (rec->def.ring_s > 0) {
-    Bytes* to = &rec->ring[rec->ring_count - 1].bytes;
-    if (!reserve(rec, to, size)) return 0;
-    memcpy(to->at + to->size, at, size);
-    to->size += size;
-    return 1;
-  }
+static int append(TumbleRec* rec, Bytes* to, const unsigned char* at, size_t size) {
+  if (!reserve(rec, to, size)) return 0;
+  if (size > 0) memcpy(to->at + to->size, at, size);
+  to->size += size;
+  return 1;
+}
+
+/* A frame that is complete, to where the stream goes. */
+static int give_away(TumbleRec* rec, const unsigned char* at, size_t size) {
   if (rec->def.write != NULL && rec->def.write(rec->def.write_user, at, size) != 0) {
     fail(rec, TUMBLE_REC_CANNOT_WRITE, "found that write() did not take %lu bytes", (unsigned long)size);
     return 0;
@@ -423,6 +428,24 @@ static int write_bytes(TumbleRec* rec, const unsigned char* at, size_t size) {
   return 1;
 }
 
+static int flush(TumbleRec* rec) {
+  const size_t size = rec->pending.size;
+  rec->pending.size = 0;
+  rec->pending_steps = 0;
+  return size == 0 || give_away(rec, rec->pending.at, size);
+}
+
+/* Frames that wait for one another are given away together. */
+static int write_bytes(TumbleRec* rec, const unsigned char* at, size_t size, int is_step) {
+  if (rec->def.ring_s > 0) return append(rec, &rec->ring[rec->ring_count - 1].bytes, at, size);
+  if (rec->def.steps_a_write <= 1) return give_away(rec, at, size);
+  if (rec->pending.size > 0 && rec->pending.size + size > kPendingMax && !flush(rec)) return 0;
+  if (size > kPendingMax) return give_away(rec, at, size);
+  if (!append(rec, &rec->pending, at, size)) return 0;
+  rec->pending_steps += (uint32_t)(is_step != 0);
+  return rec->pending_steps < rec->def.steps_a_write || flush(rec);
+}
+
 /* Fills the head of a frame. Every hash depends on the header's, so frames of another stream are told apart. */
 static void seal(unsigned char* frame, size_t size, uint32_t kind, uint64_t number, uint64_t tag) {
   put64(put32(put32(frame, kind), (uint32_t)(size - kFrameBytes)), number);
@@ -431,7 +454,7 @@ static void seal(unsigned char* frame, size_t size, uint32_t kind, uint64_t numb
 
 static int write_frame(TumbleRec* rec, uint32_t kind, Bytes* frame) {
   seal(frame->at, frame->size, kind, rec->frames++, rec->tag);
-  return write_bytes(rec, frame->at, frame->size);
+  return write_bytes(rec, frame->at, frame->size, kind == kStep || kind == kHashes);
 }
 
 /* An empty frame: room for its head. */
@@ -464,11 +487,11 @@ static unsigned char* add(TumbleRec* rec, int kind, size_t size, int grouped) {
     return NULL;
   }
   if (!reserve(rec, frame, size + 4)) return NULL;
-  if (grouped && rec->group != 0 && frame->at[rec->group] == (unsigned char)kind &&
-      frame->size - rec->group < kGroupBytesMax) {
+  if (grouped && rec->group != 0 && rec->group_kind == kind && frame->size - rec->group < kGroupBytesMax) {
     at = frame->at + frame->size;
   } else {
     rec->group = grouped ? frame->size : 0;
+    rec->group_kind = kind;
     put32(frame->at + frame->size, (uint32_t)kind | (uint32_t)(grouped ? 0 : size) << 8);
     at = frame->at + frame->size + 4;
     frame->size += 4;
@@ -558,7 +581,7 @@ static int add_entry(TumbleRec* rec, Verify* v, int kind, size_t at, size_t size
 /* The key of a record that is no group. */
 static int add_record_entry(TumbleRec* rec, Verify* v, int kind, size_t at, size_t size, uint64_t* inputs) {
   const unsigned char* p = v->frame.at + at;
-  if (kind == kNote) return 1;
+  if (kind == kNote || kind == kMesh) return 1; /* not compared; the bodies' mesh hashes are */
   if (class_of(kind) == kInputs) return add_entry(rec, v, kind, at, size, (*inputs)++, 0, 0);
   if ((kind == kContact && size >= 48) || (kind == kContact32 && size >= 36)) {
     return add_entry(rec, v, kind, at, size, get64(p), get64(p + 8), get32(p + 16));
@@ -777,19 +800,24 @@ static void name_differing_value(TumbleRec* rec, const Channel* channel, const u
 
 /* ---- Entries: one thing told of a step. ---- */
 
-static void verify_state(TumbleRec* rec, const Entry* e, uint64_t id, const double* last, int last_asleep,
-                         const double* now, int asleep) {
+static double state_number(const unsigned char* packed, int wide, int k) {
+  return wide ? get_double(packed + 8 * k) : get_float(packed + 4 * k);
+}
+
+static void verify_state(TumbleRec* rec, const Entry* e, const Body* body, const unsigned char* now, int wide,
+                         int asleep) {
   const unsigned char* p = rec->verify.frame.at + e->at;
+  const uint64_t id = body->id;
   int k;
-  const int was_asleep = e->kind == kSame ? last_asleep : p[8] & 1;
+  const int was_asleep = e->kind == kSame ? body->asleep : p[8] & 1;
   for (k = 0; k < kStateDoubles; ++k) {
-    const double was = e->kind == kSame       ? last[k]
-                       : e->kind == kStates32 ? get_float(p + 9 + 4 * k)
-                                              : get_double(p + 9 + 8 * k);
-    if (bits_of(was) == bits_of(now[k])) continue;
+    const double was = e->kind == kSame ? state_number(body->last, body->last_wide, k)
+                                        : state_number(p + 9, e->kind == kStates64, k);
+    const double is = state_number(now, wide, k);
+    if (bits_of(was) == bits_of(is)) continue;
     name_field(rec, kStateFields[k], NULL, NULL);
     print_double(rec->earlier_text, sizeof rec->earlier_text, was, 17);
-    print_double(rec->now_text, sizeof rec->now_text, now[k], 17);
+    print_double(rec->now_text, sizeof rec->now_text, is, 17);
     set_difference(rec, kClassNames[kStates], id, 0);
     return;
   }
@@ -992,11 +1020,43 @@ static Body* new_body(TumbleRec* rec, uint64_t id) {
   return body;
 }
 
-static void flatten(double* to, const TumbleRecState* state) {
-  memcpy(to, state->position, 24);
-  memcpy(to + 3, state->orientation, 32);
-  memcpy(to + 7, state->velocity, 24);
-  memcpy(to + 10, state->spin, 24);
+/* The numbers of a state in the order of states64. */
+typedef char StateHasNoGaps[offsetof(TumbleRecState, asleep) == 8 * kStateDoubles ? 1 : -1];
+static uint64_t number_bits(const TumbleRecState* state, int k) {
+  uint64_t bits;
+  memcpy(&bits, (const char*)state + 8 * k, 8);
+  return bits;
+}
+
+/* The numbers of a state as of states32, two in a word, where that loses no bit. In words, so that they are compared
+ * and stored without a way through memory. */
+enum { kWords32 = 7 };
+static int pack32(uint64_t words[kWords32], const TumbleRecState* state) {
+  uint64_t lost = 0;
+  int k;
+  words[6] = narrowed(number_bits(state, 12), &lost);
+  if (lost != 0) return 0; /* most states of doubles end here */
+  for (k = 0; k < 6; ++k) {
+    words[k] = narrowed(number_bits(state, 2 * k), &lost);
+    words[k] |= narrowed(number_bits(state, 2 * k + 1), &lost) << 32;
+  }
+  return lost == 0;
+}
+static void put_words32(unsigned char* to, const uint64_t words[kWords32]) {
+  int k;
+  for (k = 0; k < 6; ++k) put64(to + 8 * k, words[k]);
+  put32(to + 48, (uint32_t)words[6]);
+}
+static int is_words32(const unsigned char* at, const uint64_t words[kWords32]) {
+  uint64_t differs = get32(at + 48) ^ words[6];
+  int k;
+  for (k = 0; k < 6; ++k) differs |= get64(at + 8 * k) ^ words[k];
+  return differs == 0;
+}
+static unsigned char* put_state64(unsigned char* to, const TumbleRecState* state) {
+  int k;
+  for (k = 0; k < kStateDoubles; ++k) to = put64(to, number_bits(state, k));
+  return to;
 }
 
 static int moves(const Body* body) { return !body->gone && !body->is_static && !body->asleep; }
@@ -1153,8 +1213,8 @@ TumbleRec* tumble_rec_create(const TumbleRecDef* def) {
     memcpy(rec->header.at, prelude, kPreludeBytes);
     memcpy(rec->header.at + kPreludeBytes, rec->head.at, rec->head.size);
     rec->header.size = kPreludeBytes + rec->head.size;
-  } else if (write_bytes(rec, prelude, kPreludeBytes)) {
-    write_bytes(rec, rec->head.at, rec->head.size);
+  } else if (give_away(rec, prelude, kPreludeBytes)) {
+    give_away(rec, rec->head.at, rec->head.size);
   }
   if (rec->status == TUMBLE_REC_OK) begin_step_frame(rec);
   return rec;
@@ -1196,6 +1256,7 @@ static int begin_part(TumbleRec* rec) {
     put_text(at, rec->channels[c].name, name);
     b->size += 12 + name;
   }
+  if (!append(rec, b, rec->meshes.at, rec->meshes.size)) return 0;
   for (k = 0; k < rec->body_count; ++k) {
     const Body* body = &rec->bodies[k];
     if (body->gone) continue;
@@ -1203,7 +1264,10 @@ static int begin_part(TumbleRec* rec) {
     at = put32(b->at + b->size, kBody | (uint32_t)body->record_size << 8);
     memcpy(at, body->record, body->record_size);
     at[8] = (unsigned char)(body->is_static | body->asleep << 1);
-    put_doubles(at + 9, body->last, kStateDoubles);
+    if (body->last_wide)
+      memcpy(at + 9, body->last, 8 * kStateDoubles);
+    else
+      put_widened(at + 9, body->last, kStateDoubles);
     b->size += 4 + body->record_size;
   }
   return write_frame(rec, kStart, b);
@@ -1268,6 +1332,7 @@ TumbleRecStatus tumble_rec_body(TumbleRec* rec, const TumbleRecBody* body) {
   unsigned char* at;
   unsigned char* begin;
   Body* kept;
+  uint64_t words[kWords32];
   size_t name, size;
   if (!enter(rec, &status)) return status;
   if (!may_input(rec, "a body")) return leave(rec, rec->status);
@@ -1291,11 +1356,15 @@ TumbleRecStatus tumble_rec_body(TumbleRec* rec, const TumbleRecBody* body) {
   kept->asleep = body->state.asleep != 0;
   kept->added = rec->started ? rec->step + 1 : 0;
   kept->last_known = 1;
-  flatten(kept->last, &body->state);
+  kept->last_wide = (unsigned char)!pack32(words, &body->state);
+  if (kept->last_wide)
+    put_state64(kept->last, &body->state);
+  else
+    put_words32(kept->last, words);
   begin = at;
   at = put64(at, body->id);
   *at++ = (unsigned char)(kept->is_static | kept->asleep << 1);
-  at = put_doubles(at, kept->last, kStateDoubles);
+  at = put_state64(at, &body->state);
   *at++ = (unsigned char)body->shape;
   at = put64(put_doubles(at, body->size, 3), body->mesh_hash);
   at = put_double(put_double(put_double(at, body->mass), body->friction), body->restitution);
@@ -1308,6 +1377,34 @@ TumbleRecStatus tumble_rec_body(TumbleRec* rec, const TumbleRecBody* body) {
   }
   rec->moving += (size_t)moves(kept);
   return leave(rec, entry_done(rec, kBody, begin, size, rec->inputs_told++, 0, 0));
+}
+
+TumbleRecStatus tumble_rec_mesh(TumbleRec* rec, uint64_t mesh_hash, const double* points, uint32_t point_count,
+                                const uint32_t* triangles, uint32_t triangle_count) {
+  TumbleRecStatus status;
+  unsigned char* at;
+  unsigned char* begin;
+  uint32_t k;
+  const uint32_t corners = triangles != NULL ? 3 * triangle_count : 0;
+  const size_t size = 16 + 24 * (size_t)point_count + 4 * (size_t)corners;
+  if (!enter(rec, &status)) return status;
+  if (points == NULL || point_count < 3 || point_count > kMeshMax || triangle_count > kMeshMax) {
+    return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL,
+                           "found a mesh of %lu points and %lu triangles, wanted 3 to 100000 points and at most 100000",
+                           (unsigned long)point_count, (unsigned long)triangle_count));
+  }
+  for (k = 0; k < corners; ++k) {
+    if (triangles[k] >= point_count)
+      return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL, "found a triangle with point %lu, wanted one of %lu",
+                             (unsigned long)triangles[k], (unsigned long)point_count));
+  }
+  if (rec->def.hashes_only) return leave(rec, TUMBLE_REC_OK);
+  begin = add(rec, kMesh, size, 0);
+  if (begin == NULL) return leave(rec, rec->status);
+  at = put_doubles(put32(put32(put64(begin, mesh_hash), point_count), corners), points, (int)(3 * point_count));
+  for (k = 0; k < corners; ++k) at = put32(at, triangles[k]);
+  if (rec->def.ring_s > 0) append(rec, &rec->meshes, begin - 4, size + 4);
+  return leave(rec, rec->status);
 }
 
 /* An input of one body and some vectors. */
@@ -1396,57 +1493,37 @@ TumbleRecStatus tumble_rec_step_begin(TumbleRec* rec, double dt_s) {
   }
   put_double(rec->frame.at + kFrameBytes + 8, dt_s);
   rec->in_step = 1;
-  rec->step_thread = &thread_mark;
-  rec->moving_told = 0;
+  rec->moving_told = rec->woken = rec->slept = 0;
   rec->hint = 0;
   ++rec->serial;
   return leave(rec, start);
 }
 
-/* The state as floats, where that loses nothing. */
-static int as_floats(unsigned char* to, const double* v) {
-  int k;
-  for (k = 0; k < kStateDoubles; ++k) {
-    const float single = (float)v[k];
-    uint32_t bits;
-    if (bits_of((double)single) != bits_of(v[k])) return 0;
-    memcpy(&bits, &single, 4);
-    to = put32(to, bits);
+static void verify_told(TumbleRec* rec, const Body* body, const unsigned char* now, int wide, int asleep, int kind) {
+  Entry key;
+  Entry* e;
+  memset(&key, 0, sizeof key);
+  key.class_ = kStates;
+  key.a = body->id;
+  e = find_entry(rec, &key);
+  if (e != NULL) {
+    e->seen = 1;
+    verify_state(rec, e, body, now, wide, asleep);
+  } else if (rec->status == TUMBLE_REC_OK && kind != kSame) {
+    name_field(rec, "state", "absent", "present");
+    set_difference(rec, kClassNames[kStates], body->id, 0);
   }
-  return 1;
 }
 
-static TumbleRecStatus state_done(TumbleRec* rec, Body* body, const double* now, int asleep, int kind,
-                                  const unsigned char* at, size_t size) {
-  const int before = rec->differs;
-  if (rec->verify.active && open_earlier(rec) && !rec->verify.by_hash) {
-    Entry key;
-    Entry* e;
-    memset(&key, 0, sizeof key);
-    key.class_ = kStates;
-    key.a = body->id;
-    e = find_entry(rec, &key);
-    if (e != NULL) {
-      e->seen = 1;
-      verify_state(rec, e, body->id, body->last, body->asleep, now, asleep);
-    } else if (rec->status == TUMBLE_REC_OK && kind != kSame) {
-      name_field(rec, "state", "absent", "present");
-      set_difference(rec, kClassNames[kStates], body->id, 0);
-    }
-  }
-  entry_done(rec, kind, at, size, body->id, 0, 0);
-  if (rec->status != TUMBLE_REC_OK) return rec->status;
-  return rec->differs != before ? TUMBLE_REC_DIFFERENT : TUMBLE_REC_OK;
-}
-
+/* A state is written as the last one, as floats or as doubles: the first that loses nothing. */
 TumbleRecStatus tumble_rec_state(TumbleRec* rec, uint64_t id, const TumbleRecState* state) {
   TumbleRecStatus status;
-  double now[kStateDoubles];
-  unsigned char packed[9 + 8 * kStateDoubles];
+  uint64_t words[kWords32];
+  unsigned char now[8 * kStateDoubles];
   unsigned char* at;
   Body* body;
-  size_t size = 8;
-  int kind = kSame, asleep;
+  size_t size;
+  int kind, asleep, wide, before;
   if (!enter(rec, &status)) return status;
   if (!rec->in_step || state == NULL) {
     return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL,
@@ -1456,46 +1533,78 @@ TumbleRecStatus tumble_rec_state(TumbleRec* rec, uint64_t id, const TumbleRecSta
   if (body == NULL) return leave(rec, rec->status);
   if (body->told == rec->serial)
     return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL, "found two states of body %" PRIu64 " in a step, wanted one", id));
-  flatten(now, state);
+  before = rec->differs;
   asleep = state->asleep != 0 && !body->is_static;
-  put64(packed, id);
-  if (rec->full || !body->last_known || asleep != body->asleep || memcmp(now, body->last, sizeof now) != 0) {
-    packed[8] = (unsigned char)asleep;
-    kind = !rec->full && as_floats(packed + 9, now) ? kStates32 : kStates64;
-    size = kind == kStates32 ? 9 + 4 * kStateDoubles : 9 + 8 * kStateDoubles;
-    if (kind == kStates64) put_doubles(packed + 9, now, kStateDoubles);
+  wide = rec->full || !pack32(words, state);
+  if (wide) put_state64(now, state);
+  kind = wide ? kStates64 : kStates32;
+  if (!rec->full && body->last_known && asleep == body->asleep && wide == body->last_wide &&
+      (wide ? memcmp(body->last, now, sizeof now) == 0 : is_words32(body->last, words))) {
+    kind = kSame;
   }
+  size = kind == kSame ? 8 : kind == kStates32 ? 9 + 4 * kStateDoubles : 9 + 8 * kStateDoubles;
   at = add(rec, kind, size, 1);
   if (at == NULL) return leave(rec, rec->status);
-  memcpy(at, packed, size);
-  status = state_done(rec, body, now, asleep, kind, packed, size);
+  put64(at, id);
+  if (kind != kSame) at[8] = (unsigned char)asleep;
+  if (kind == kStates32) put_words32(at + 9, words);
+  if (kind == kStates64) memcpy(at + 9, now, sizeof now);
+  if (rec->verify.active && open_earlier(rec) && !rec->verify.by_hash) {
+    if (!wide) put_words32(now, words);
+    verify_told(rec, body, now, wide, asleep, kind);
+  }
+  if (rec->full) entry_done(rec, kind, at, size, id, 0, 0);
   rec->moving_told += (size_t)moves(body);
+  rec->woken += (size_t)(body->asleep && !asleep), rec->slept += (size_t)(asleep && !body->asleep);
   body->told = rec->serial;
   body->asleep = (unsigned char)asleep;
   body->last_known = 1;
-  memcpy(body->last, now, sizeof now);
+  body->last_wide = (unsigned char)wide;
+  if (kind == kStates32) put_words32(body->last, words);
+  if (kind == kStates64) memcpy(body->last, now, sizeof now);
   rec->after_state = 1;
-  return leave(rec, status);
+  return leave(rec, rec->differs != before ? TUMBLE_REC_DIFFERENT : TUMBLE_REC_OK);
 }
 
-/* The last record, a contact, in half the bytes where that loses nothing. */
-static void narrow_contact(TumbleRec* rec, unsigned char* begin, size_t points) {
-  unsigned char* to = begin + 20;
-  if (!are_floats(begin + 20, 3) || !are_floats(begin + 48, 5 * points)) return;
-  to = put_narrowed(to, begin + 20, 3);
-  to = put32(to, (uint32_t)points);
-  to = put_narrowed(to, begin + 48, 5 * points);
+static unsigned char* put_floats(unsigned char* to, const double* v, int count, uint64_t* lost) {
+  int k;
+  for (k = 0; k < count; ++k) to = put32(to, (uint32_t)narrowed(bits_of(v[k]), lost));
+  return to;
+}
+
+static void put_contact64(unsigned char* to, const TumbleRecContact* contact) {
+  uint32_t k;
+  to = put32(put64(put64(to, contact->a), contact->b), contact->part);
+  to = put32(put_doubles(to, contact->normal, 3), contact->point_count);
+  for (k = 0; k < contact->point_count; ++k) {
+    to = put_doubles(to, contact->points[k].position, 3);
+    to = put_double(put_double(to, contact->points[k].depth), contact->points[k].impulse);
+  }
+}
+
+/* In half the bytes, over the room of the whole contact. 0: that would lose bits, and the room holds neither. */
+static int put_contact32(TumbleRec* rec, unsigned char* begin, const TumbleRecContact* contact) {
+  uint64_t lost = 0;
+  uint32_t k;
+  unsigned char* to = put32(put64(put64(begin, contact->a), contact->b), contact->part);
+  to = put32(put_floats(to, contact->normal, 3, &lost), contact->point_count);
+  for (k = 0; k < contact->point_count && lost == 0; ++k) {
+    const TumbleRecPoint* point = &contact->points[k];
+    to = put_floats(put_floats(put_floats(to, point->position, 3, &lost), &point->depth, 1, &lost), &point->impulse, 1,
+                    &lost);
+  }
+  if (lost != 0) return 0;
   put32(begin - 4, kContact32 | (uint32_t)(to - begin) << 8);
   rec->frame.size = (size_t)(to - rec->frame.at);
+  return 1;
 }
 
 TumbleRecStatus tumble_rec_contact(TumbleRec* rec, const TumbleRecContact* contact) {
   TumbleRecStatus status;
-  unsigned char* at;
   unsigned char* begin;
-  uint32_t k;
   size_t size;
   if (!enter(rec, &status)) return status;
+  status = TUMBLE_REC_OK;
   if (contact == NULL || (contact->points == NULL && contact->point_count > 0) || contact->point_count > kPointsMax) {
     return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL, "found a contact without points, wanted at most 4096"));
   }
@@ -1504,14 +1613,11 @@ TumbleRecStatus tumble_rec_contact(TumbleRec* rec, const TumbleRecContact* conta
   size = 48 + 40 * (size_t)contact->point_count;
   begin = add(rec, kContact, size, 0);
   if (begin == NULL) return leave(rec, rec->status);
-  at = put32(put64(put64(begin, contact->a), contact->b), contact->part);
-  at = put32(put_doubles(at, contact->normal, 3), contact->point_count);
-  for (k = 0; k < contact->point_count; ++k) {
-    at = put_doubles(at, contact->points[k].position, 3);
-    at = put_double(put_double(at, contact->points[k].depth), contact->points[k].impulse);
+  if (rec->full || rec->verify.active) {
+    put_contact64(begin, contact);
+    status = entry_done(rec, kContact, begin, size, contact->a, contact->b, contact->part);
   }
-  status = entry_done(rec, kContact, begin, size, contact->a, contact->b, contact->part);
-  if (!rec->full) narrow_contact(rec, begin, contact->point_count);
+  if (!rec->full && !put_contact32(rec, begin, contact)) put_contact64(begin, contact);
   return leave(rec, status);
 }
 
@@ -1534,7 +1640,7 @@ TumbleRecStatus tumble_rec_phase_hash(TumbleRec* rec, uint32_t phase, uint64_t h
 
 TumbleRecStatus tumble_rec_step_end(TumbleRec* rec) {
   TumbleRecStatus status;
-  size_t k, moving = 0;
+  size_t k;
   double dt;
   if (!enter(rec, &status)) return status;
   if (!rec->in_step) return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL, "found step_end without step_begin"));
@@ -1549,10 +1655,8 @@ TumbleRecStatus tumble_rec_step_end(TumbleRec* rec) {
   status = end_frame(rec, kStep);
   if (rec->status != TUMBLE_REC_OK) return leave(rec, rec->status);
   rec->in_step = 0;
-  rec->step_thread = NULL;
   ++rec->step;
-  for (k = 0; k < rec->body_count; ++k) moving += (size_t)moves(&rec->bodies[k]);
-  rec->moving = moving;
+  rec->moving = rec->moving + rec->woken - rec->slept;
   if (rec->body_count > 64 && rec->step % 256 == 0 && !drop_bodies(rec, UINT64_MAX)) return leave(rec, rec->status);
   if (rec->def.ring_s > 0 && !turn_ring(rec, dt)) return leave(rec, rec->status);
   begin_step_frame(rec);
@@ -1760,10 +1864,20 @@ TumbleRecStatus tumble_rec_rewind(TumbleRec* rec, uint64_t step) {
 uint64_t tumble_rec_step(const TumbleRec* rec) { return rec != NULL ? rec->step : 0; }
 uint64_t tumble_rec_steps_verified(const TumbleRec* rec) { return rec != NULL ? rec->verify.steps : 0; }
 const char* tumble_rec_message(const TumbleRec* rec) {
-  return rec != NULL ? rec->message : "found NULL, wanted a recorder";
+  const void* user;
+  if (rec == NULL) return "found NULL, wanted a recorder";
+  user = LOAD((void**)&rec->user_thread); /* another thread may write the message now */
+  return user == NULL || user == &thread_mark ? rec->message : kTwoThreads;
 }
 const TumbleRecDifference* tumble_rec_difference(const TumbleRec* rec) {
   return rec != NULL && rec->differs ? &rec->difference : NULL;
+}
+
+TumbleRecStatus tumble_rec_flush(TumbleRec* rec) {
+  TumbleRecStatus status;
+  if (!enter(rec, &status)) return status;
+  flush(rec);
+  return leave(rec, rec->status);
 }
 
 TumbleRecStatus tumble_rec_finish(TumbleRec* rec) {
@@ -1781,7 +1895,7 @@ TumbleRecStatus tumble_rec_finish(TumbleRec* rec) {
   if (rec->status == TUMBLE_REC_OK && rec->def.ring_s == 0 && begin_frame(rec, &rec->head, 9)) {
     *put64(rec->head.at + kFrameBytes, rec->step) = 0;
     rec->head.size += 9;
-    write_frame(rec, kEnd, &rec->head);
+    if (write_frame(rec, kEnd, &rec->head)) flush(rec);
   }
   if (rec->file != NULL && fclose(rec->file) != 0)
     fail(rec, TUMBLE_REC_CANNOT_WRITE, "found that the file cannot be closed; is the disk full?");
@@ -1800,7 +1914,7 @@ TumbleRecStatus tumble_rec_close(TumbleRec* rec) {
   for (k = 0; k < rec->body_count; ++k) free(rec->bodies[k].record);
   for (k = 0; k < kRingParts + 2; ++k) free(rec->ring[k].bytes.at);
   free(rec->bodies), free(rec->slots), free(rec->channels), free(rec->phase_names);
-  free(rec->frame.at), free(rec->head.at), free(rec->header.at);
+  free(rec->frame.at), free(rec->head.at), free(rec->header.at), free(rec->pending.at), free(rec->meshes.at);
   free(rec->verify.frame.at), free(rec->verify.wide.at), free(rec->verify.entries), free((void*)rec->verify.sorted);
   free(rec);
   return status;

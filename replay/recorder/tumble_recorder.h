@@ -50,8 +50,8 @@ typedef enum TumbleRecShape {
   TUMBLE_REC_SPHERE = 1,   /* size[0]: radius */
   TUMBLE_REC_CAPSULE = 2,  /* size[0]: radius, size[1]: length of its cylinder, along the body's z */
   TUMBLE_REC_CYLINDER = 3, /* size[0]: radius, size[1]: length, along the body's z */
-  TUMBLE_REC_HULL = 4,     /* mesh_hash: of the vertices; size: edge lengths of a box around it */
-  TUMBLE_REC_MESH = 5      /* mesh_hash: of vertices and triangles; size: edge lengths of a box around it */
+  TUMBLE_REC_HULL = 4,     /* mesh_hash: a name for the surface; size: edge lengths of a box around it */
+  TUMBLE_REC_MESH = 5      /* likewise */
 } TumbleRecShape;
 
 typedef enum TumbleRecScope { TUMBLE_REC_WORLD = 0, TUMBLE_REC_OF_BODY = 1, TUMBLE_REC_OF_PAIR = 2 } TumbleRecScope;
@@ -142,6 +142,10 @@ typedef struct TumbleRecDef {
   const char* verify;
   void (*on_difference)(void* user, const TumbleRecDifference* difference);
   void* difference_user;
+
+  /* Steps that are written together: 0 or 1: each when it ends, so that a crash costs the open step and no more; n: a
+   * crash costs up to n steps, unless its handler calls tumble_rec_flush(), and small worlds are recorded for less. */
+  uint32_t steps_a_write;
 } TumbleRecDef;
 
 /* NULL only without memory. */
@@ -149,6 +153,10 @@ TumbleRec* tumble_rec_create(const TumbleRecDef* def);
 
 /* Inputs of the coming step: between steps. A body before the first step belongs to the start. */
 TumbleRecStatus tumble_rec_body(TumbleRec* rec, const TumbleRecBody* body);
+/* The surface of the bodies with this mesh_hash, to draw them: points x y z in the body's axes around its centre of
+ * mass; triangles: three places of points each, none for a hull. Told once, at any time before or after them. */
+TumbleRecStatus tumble_rec_mesh(TumbleRec* rec, uint64_t mesh_hash, const double* points, uint32_t point_count,
+                                const uint32_t* triangles, uint32_t triangle_count);
 TumbleRecStatus tumble_rec_remove(TumbleRec* rec, uint64_t id);
 TumbleRecStatus tumble_rec_push(TumbleRec* rec, uint64_t id, const double impulse[3]); /* at the centre */
 TumbleRecStatus tumble_rec_set_velocity(TumbleRec* rec, uint64_t id, const double velocity[3], const double spin[3]);
@@ -186,6 +194,10 @@ TumbleRecStatus tumble_rec_rewind(TumbleRec* rec, uint64_t step);
  * recorded may call it with a write() that is safe there. The open step is left out. */
 TumbleRecStatus tumble_rec_dump(TumbleRec* rec, const char* path);
 TumbleRecStatus tumble_rec_dump_to(TumbleRec* rec, TumbleRecWrite write, void* user);
+
+/* Writes the steps that wait for `steps_a_write`, also within a step; a crash handler of the thread that recorded may
+ * call it where write(2) may be called. */
+TumbleRecStatus tumble_rec_flush(TumbleRec* rec);
 
 uint64_t tumble_rec_step(const TumbleRec* rec);           /* the last step that was ended; 0: none */
 uint64_t tumble_rec_steps_verified(const TumbleRec* rec); /* steps compared whole and found equal */

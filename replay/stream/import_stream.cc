@@ -19,13 +19,24 @@ class StreamImporter {
   StreamImporter(const StreamReader& stream, const Progress& progress)
       : stream_(stream), progress_(progress), bodies_(stream.header().axes) {}
 
+  /// Finds what steps declare. Those that a rewind took back come first: what they declared holds on.
   Status survey() {
+    for (const StreamFrame& frame : stream_.rewound()) {
+      const Result<StreamStep> step = decode(frame);
+      if (!step.ok()) return step.error();
+      extras_.survey_channels(*step);
+      for (const StreamMesh& mesh : step->meshes) bodies_.add(mesh);
+    }
     for (const StreamFrame& frame : stream_.steps()) {
       const Result<StreamStep> step = decode(frame);
       if (!step.ok()) return step.error();
       if (first_dt_ == 0) first_dt_ = step->dt;
       extras_.survey(*step);
+      for (const StreamMesh& mesh : step->meshes) bodies_.add(mesh);
     }
+    Result<RollbackCheck> rollbacks = check_rollbacks(stream_);
+    if (!rollbacks.ok()) return rollbacks.error();
+    rollbacks_ = *std::move(rollbacks);
     return {};
   }
 
@@ -36,7 +47,10 @@ class StreamImporter {
     Result<EngineDef> def = engine(*start);
     if (!def.ok()) return def.error();
     Result<std::unique_ptr<EngineLog>> log = EngineLog::create(std::move(sink), *def, begun);
-    if (!log.ok()) return log.error();
+    if (!log.ok()) {
+      if (log.error().kind != ErrorKind::kBadInput) return log.error();
+      return bad_input(place(stream_, stream_.steps().front()) + ": the start: " + log.error().message);
+    }
     for (std::size_t k = 1; k < stream_.steps().size(); ++k) {
       if (Status ok = write_step(**log, stream_.steps()[k]); !ok.ok()) return ok.error();
       if (progress_ && !progress_(k, stream_.steps().size() - 1)) {
@@ -45,7 +59,7 @@ class StreamImporter {
     }
     const Result<LogSummary> summary = (*log)->finish();
     if (!summary.ok()) return summary.error();
-    return StreamImport{*summary, warnings(), passed_over()};
+    return StreamImport{*summary, rollbacks_, warnings()};
   }
 
  private:
@@ -70,6 +84,9 @@ class StreamImporter {
     Result<Declared> declared = extras_.declare(start, bodies_);
     if (!declared.ok()) return declared.error();
     def.declared = *std::move(declared);
+    Result<std::vector<EngineSnapshot>> begun = snapshots(start.step);
+    if (!begun.ok()) return begun.error();
+    def.declared.start.snapshots = *std::move(begun);
     describe_start(start, def.declared);
     return def;
   }
@@ -124,10 +141,15 @@ class StreamImporter {
       const Result<EngineState> state = bodies_.state(told);
       if (!state.ok()) return state.error();
       if (Status ok = log.set_state(told.id, *state); !ok.ok()) return ok;
+      bodies_.note_not_finite(told, step.step);
     }
     if (Status ok = tell_phases(log, step); !ok.ok()) return ok;
     if (Status ok = extras_.tell(log, step, bodies_.axes()); !ok.ok()) return ok;
     if (Status ok = tell_snapshots(log, step.step); !ok.ok()) return ok;
+    for (const auto& [k, record] : rollbacks_.steps) {
+      if (k != step.step) continue;
+      if (Status ok = log.add_superseded(record); !ok.ok()) return ok;
+    }
     return log.end_step(step.dt);
   }
 
@@ -138,17 +160,30 @@ class StreamImporter {
     return log.describe_body(description->info, description->shape ? &*description->shape : nullptr);
   }
 
-  /// A snapshot's bytes, without the number of its step and its name.
-  Status tell_snapshots(EngineLog& log, std::uint64_t k) const {
+  /// The snapshots after step k: the number of the step, the name, the bytes.
+  Result<std::vector<EngineSnapshot>> snapshots(std::uint64_t k) const {
+    std::vector<EngineSnapshot> found;
     for (const StreamFrame& frame : stream_.snapshots()) {
       if (frame.step != k) continue;
       const Result<std::vector<std::byte>> payload = stream_.read(frame);
       if (!payload.ok()) return payload.error();
       StreamCursor in(*payload);
       (void)in.number<std::uint64_t>();
-      (void)in.text();
+      EngineSnapshot snapshot;
+      snapshot.name = name_for_log(in.text());
+      const std::span<const std::byte> bytes = in.take(in.left());
       if (!in.ok()) return bad_input("found a snapshot of " + std::to_string(payload->size()) + " bytes, wanted more");
-      if (Status ok = log.add_snapshot(in.take(in.left())); !ok.ok()) return ok;
+      snapshot.bytes.assign(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+      found.push_back(std::move(snapshot));
+    }
+    return found;
+  }
+
+  Status tell_snapshots(EngineLog& log, std::uint64_t k) const {
+    const Result<std::vector<EngineSnapshot>> found = snapshots(k);
+    if (!found.ok()) return found.error();
+    for (const EngineSnapshot& snapshot : *found) {
+      if (Status ok = log.add_snapshot(std::as_bytes(std::span(snapshot.bytes)), snapshot.name); !ok.ok()) return ok;
     }
     return {};
   }
@@ -180,18 +215,11 @@ class StreamImporter {
     return all;
   }
 
-  /// Snapshots of the state that the log begins with: a log holds those of steps.
-  [[nodiscard]] std::vector<std::string> passed_over() const {
-    const std::uint64_t begun = stream_.steps().front().step;
-    const auto count = std::ranges::count(stream_.snapshots(), begun, &StreamFrame::step);
-    if (count == 0) return {};
-    return {count_text(static_cast<std::uint64_t>(count), "snapshot") + " of the start"};
-  }
-
   const StreamReader& stream_;
   const Progress& progress_;
   StreamBodies bodies_;
   StreamExtras extras_;
+  RollbackCheck rollbacks_;
   double first_dt_ = 0;
 };
 

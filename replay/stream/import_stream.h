@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "replay/stream/rollback_check.h"
 #include "replay/stream/stream_reader.h"
 #include "tumble/replay/byte_io.h"
 #include "tumble/replay/log_writer.h"
@@ -17,12 +18,13 @@ namespace tumble::replay {
 
 struct StreamImport {
   LogSummary log;
-  std::vector<std::string> warnings;     ///< oddness that does not hinder the import
-  std::vector<std::string> passed_over;  ///< what the stream holds and the log does not
+  RollbackCheck rollbacks;
+  std::vector<std::string> warnings;  ///< oddness that does not hinder the import
 };
 
 /// Reads the stream twice, first to check all of it, then to write the log. make_sink: called once, in between. Steps
-/// that a rewind took back are left out in favour of those recorded after it. Errors. kBadInput: a record that cannot
+/// that a rewind took back are left out in favour of those recorded after it, which say what became of them
+/// (Extras::superseded). Errors. kBadInput: a record that cannot
 /// be, with its byte in the stream. kCannotFinish: writing fails, or `progress` stops the work.
 Result<StreamImport> import_stream(const StreamReader& stream,
                                    const std::function<Result<std::unique_ptr<ByteSink>>()>& make_sink,

@@ -15,10 +15,6 @@
 namespace tumble::replay {
 namespace {
 
-constexpr std::array kNumberNames = {"position.x",    "position.y",    "position.z", "orientation.w", "orientation.x",
-                                     "orientation.y", "orientation.z", "velocity.x", "velocity.y",    "velocity.z",
-                                     "spin.x",        "spin.y",        "spin.z"};
-
 using States = std::map<std::uint64_t, StreamState>;
 
 bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
@@ -54,10 +50,41 @@ struct SameInput {
   }
 };
 
-bool same_inputs(const StreamStep& a, const StreamStep& b) {
-  return same_bits(a.dt, b.dt) && std::ranges::equal(a.inputs, b.inputs, [](const auto& x, const auto& y) {
-           return std::visit(SameInput(), x, y);
-         });
+std::string name_of(const StreamInput& input) {
+  static constexpr std::array kKinds = {"body", "remove", "push", "set_velocity", "set_gravity"};
+  const auto* named = std::get_if<StreamNamedInput>(&input);
+  const std::string kind = named != nullptr ? in_quotes(named->name) : kKinds[input.index()];
+  const std::uint64_t id = std::visit(
+      [](const auto& one) -> std::uint64_t {
+        if constexpr (requires { one.id; }) return one.id;
+        if constexpr (requires { one.body; }) return one.body;
+        return 0;
+      },
+      input);
+  return id == 0 ? kind : kind + " of body " + std::to_string(id);
+}
+
+/// The first input in which two steps differ; none: they were asked to do the same.
+std::optional<std::string> input_difference(const StreamStep& a, const StreamStep& b) {
+  if (!same_bits(a.dt, b.dt)) return "dt: " + exact_bits(a.dt) + " → " + exact_bits(b.dt);
+  for (std::size_t k = 0; k < std::max(a.inputs.size(), b.inputs.size()); ++k) {
+    std::string place = "input " + std::to_string(k + 1) + ": ";
+    if (k >= a.inputs.size()) return place + "none → " + name_of(b.inputs[k]);
+    if (k >= b.inputs.size()) return place + name_of(a.inputs[k]) + " → none";
+    if (std::visit(SameInput(), a.inputs[k], b.inputs[k])) continue;
+    const std::string before = name_of(a.inputs[k]), after = name_of(b.inputs[k]);
+    place += before;
+    place += before == after ? " has other values" : " → ";
+    if (before != after) place += after;
+    return place;
+  }
+  return std::nullopt;
+}
+
+std::string text_of(const RollbackDifference& found) {
+  std::string text = found.body ? "body " + std::to_string(*found.body) + ' ' : "";
+  text += found.field;
+  return found.before.empty() ? text : text + ": " + found.before + " → " + found.after;
 }
 
 States states_of(const StreamStep& step) {
@@ -94,9 +121,9 @@ Result<std::optional<StreamState>> state_before(const StreamReader& stream, cons
 }
 
 std::optional<RollbackDifference> field_difference(std::uint64_t step, const StreamState& a, const StreamState& b) {
-  for (std::size_t i = 0; i < kNumberNames.size(); ++i) {
+  for (std::size_t i = 0; i < kStreamNumberNames.size(); ++i) {
     if (same_bits(a.numbers[i], b.numbers[i])) continue;
-    return RollbackDifference{step, a.id, kNumberNames[i], exact_bits(a.numbers[i]), exact_bits(b.numbers[i])};
+    return RollbackDifference{step, a.id, kStreamNumberNames[i], exact_bits(a.numbers[i]), exact_bits(b.numbers[i])};
   }
   if (a.asleep == b.asleep) return std::nullopt;
   return RollbackDifference{step, a.id, "asleep", a.asleep ? "1" : "0", b.asleep ? "1" : "0"};
@@ -177,40 +204,65 @@ Found part_difference(const StreamStep& before, const StreamStep& after) {
 
 }  // namespace
 
-Result<RollbackCheck> check_rollbacks(const StreamReader& stream) {
-  RollbackCheck check;
-  std::uint64_t next = 0;      // the step that would go on with the steps taken again after one rewind
-  bool is_comparable = false;  // nothing differed yet since the rewind
-  Rewound rewound(stream);
-  for (const SupersededStep& pair : stream.superseded()) {
-    if (pair.after.step != next) {
-      is_comparable = true;
-      rewound = Rewound(stream);
+namespace {
+
+/// One rewind's steps in turn.
+class Check {
+ public:
+  explicit Check(const StreamReader& stream) : stream_(stream), rewound_(stream) {}
+
+  Status add(const SupersededStep& pair) {
+    if (pair.after.step != next_) {  // of another rewind
+      behind_.clear();
+      rewound_ = Rewound(stream_);
     }
-    next = pair.after.step + 1;
-    if (!is_comparable) {
-      ++check.not_compared;
-      continue;
-    }
-    const Result<StreamStep> before = decoded(stream, pair.before);
+    next_ = pair.after.step + 1;
+    if (!behind_.empty()) return pass_over(pair, behind_);
+    const Result<StreamStep> before = decoded(stream_, pair.before);
     if (!before.ok()) return before.error();
-    const Result<StreamStep> after = decoded(stream, pair.after);
+    const Result<StreamStep> after = decoded(stream_, pair.after);
     if (!after.ok()) return after.error();
-    if (!same_inputs(*before, *after)) {
-      is_comparable = false;
-      ++check.not_compared;
-      continue;
+    const std::string step = "step " + std::to_string(pair.after.step);
+    if (const auto other = input_difference(*before, *after)) {
+      behind_ = "not compared: " + step + " had other inputs";
+      return pass_over(pair, *other);
     }
-    ++check.compared;
-    Result<Found> states = rewound.state_difference(pair.before, *before, *after);
+    ++found_.compared;
+    Result<Found> states = rewound_.state_difference(pair.before, *before, *after);
     if (!states.ok()) return states.error();
     Found found = *states ? *std::move(states) : part_difference(*before, *after);
-    if (!found) continue;
-    is_comparable = false;
-    ++check.different;
-    if (!check.first) check.first = std::move(found);
+    found_.steps.emplace_back(pair.after.step, Superseded{true, found ? text_of(*found) : ""});
+    if (!found) return {};
+    behind_ = "not compared: " + step + " came out otherwise";
+    ++found_.different;
+    if (!found_.first) found_.first = std::move(found);
+    return {};
   }
-  return check;
+
+  RollbackCheck take() { return std::move(found_); }
+
+ private:
+  Status pass_over(const SupersededStep& pair, const std::string& why) {
+    ++found_.not_compared;
+    found_.steps.emplace_back(pair.after.step, Superseded{false, why});
+    return {};
+  }
+
+  const StreamReader& stream_;
+  RollbackCheck found_;
+  std::uint64_t next_ = 0;  // the step that would go on with the steps taken again after one rewind
+  std::string behind_;      // why the steps of this rewind are compared no more; empty: they are
+  Rewound rewound_;
+};
+
+}  // namespace
+
+Result<RollbackCheck> check_rollbacks(const StreamReader& stream) {
+  Check check(stream);
+  for (const SupersededStep& pair : stream.superseded()) {
+    if (Status ok = check.add(pair); !ok.ok()) return ok.error();
+  }
+  return check.take();
 }
 
 std::string describe(const RollbackCheck& check) {
@@ -220,11 +272,7 @@ std::string describe(const RollbackCheck& check) {
         " (" + std::to_string(check.not_compared) + " more with or behind other inputs or a difference, not compared)";
   }
   if (!check.first) return text + (check.compared > 0 ? ", all with equal results" : "");
-  const RollbackDifference& first = *check.first;
-  text += "; step " + std::to_string(first.step) + " came out otherwise: ";
-  if (first.body) text += "body " + std::to_string(*first.body) + ' ';
-  text += first.field;
-  if (!first.before.empty()) text += ": " + first.before + " → " + first.after;
+  text += "; step " + std::to_string(check.first->step) + " came out otherwise: " + text_of(*check.first);
   if (check.different > 1) text += "; " + std::to_string(check.different) + " rewinds with a difference";
   return text;
 }

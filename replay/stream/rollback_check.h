@@ -3,8 +3,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "replay/stream/stream_reader.h"
+#include "tumble/replay/extras.h"
 #include "tumble/sim/result.h"
 
 namespace tumble::replay {
@@ -26,6 +29,9 @@ struct RollbackCheck {
   std::uint64_t not_compared = 0;
   std::uint64_t different = 0;  ///< rewinds with a difference
   std::optional<RollbackDifference> first;
+  /// Each step that was recorded before, in the stream's order, with its number: what the log keeps of it. A step with
+  /// other inputs names the first of them; a step behind one says so.
+  std::vector<std::pair<std::uint64_t, Superseded>> steps;
 };
 
 /// Errors: the stream's.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "src/base/text.h"
 #include "tumble/sim/limits.h"
@@ -10,7 +11,7 @@ namespace tumble::replay {
 namespace {
 
 // TumbleRecShape of tumble_recorder.h.
-enum TheirShape : std::uint8_t { kBox = 0, kSphere = 1, kCapsule = 2, kCylinder = 3 };
+enum TheirShape : std::uint8_t { kBox = 0, kSphere = 1, kCapsule = 2, kCylinder = 3, kHull = 4 };
 
 constexpr std::array<const char*, 6> kShapeNames = {"box", "sphere", "capsule", "cylinder", "hull", "mesh"};
 
@@ -35,6 +36,12 @@ sim::Vec3 vector_at(const StreamNumbers& numbers, std::size_t at) {
 
 }  // namespace
 
+std::string name_for_log(const std::string& name) {
+  std::string kept = printable(name);
+  while (kept.size() > kStreamNameBytesMax || printable(kept) != kept) kept.pop_back();  // never within a character
+  return kept;
+}
+
 EngineState StreamBodies::converted(const StreamNumbers& numbers, bool asleep) const {
   return {axes_.length(vector_at(numbers, 0)), axes_.turn({numbers[3], numbers[4], numbers[5], numbers[6]}),
           axes_.length(vector_at(numbers, 7)), axes_.axial(vector_at(numbers, 10)), asleep};
@@ -43,9 +50,19 @@ EngineState StreamBodies::converted(const StreamNumbers& numbers, bool asleep) c
 double StreamBodies::edge(std::uint64_t id, double length) {
   const double cut = std::clamp(length, sim::kSizeMin, sim::kSizeMax);
   if (length >= sim::kSizeMin && length <= sim::kSizeMax) return length;
-  notes_.push_back("body " + std::to_string(id) + ": an edge of " + number_text(length) + " m is logged as " +
-                   number_text(cut) + " m");
+  std::string note = "body " + std::to_string(id) + ": an edge of " + number_text(length) + " m is logged as " +
+                     number_text(cut) + " m";
+  if (notes_.empty() || notes_.back() != note) notes_.push_back(std::move(note));
   return cut;
+}
+
+void StreamBodies::note_not_finite(const StreamState& state, std::uint64_t step) {
+  const auto found = std::ranges::find_if_not(state.numbers, [](double number) { return std::isfinite(number); });
+  if (found_not_finite_ || state.same || found == state.numbers.end()) return;
+  found_not_finite_ = true;
+  const auto field = static_cast<std::size_t>(found - state.numbers.begin());
+  notes_.push_back("step " + std::to_string(step) + ": body " + std::to_string(state.id) + ": " +
+                   kStreamNumberNames[field] + " is " + exact_bits(*found) + "; the body is lost from there on");
 }
 
 sim::BoxDef StreamBodies::add(const StreamBody& body) {
@@ -55,9 +72,9 @@ sim::BoxDef StreamBodies::add(const StreamBody& body) {
   box.id = body.id;
   box.size = axes_.extents(box_around(body));
   for (int k = 0; k < 3; ++k) box.size[k] = edge(body.id, box.size[k]);
-  if (body.shape > kCylinder) {
+  if (body.shape > kCylinder && !meshes_.contains(body.mesh_hash)) {
     notes_.push_back("body " + std::to_string(body.id) + ": a " + kShapeNames[body.shape] +
-                     " is logged as the box around it");
+                     " is logged as the box around it, for the stream has no tumble_rec_mesh() of its hash");
   }
   box.mass = body.is_static && !(body.mass > 0) ? 1 : body.mass;
   box.is_static = body.is_static;
@@ -71,23 +88,47 @@ sim::BoxDef StreamBodies::add(const StreamBody& body) {
   return box;
 }
 
+void StreamBodies::add(const StreamMesh& mesh) {
+  Shape shape;
+  shape.kind = mesh.corners.empty() ? Shape::Kind::kHull : Shape::Kind::kMesh;
+  for (const sim::Vec3& point : mesh.points) shape.points.push_back(axes_.length(point));
+  shape.triangles = mesh.corners;
+  if (const Status ok = check_shape(shape); ok.ok()) {
+    meshes_.try_emplace(mesh.hash, mesh);
+  } else {
+    notes_.push_back("mesh " + std::to_string(mesh.hash) + ": " + ok.error().message + "; it is left out");
+  }
+}
+
+std::optional<Shape> StreamBodies::shape_of(const StreamBody& body) const {
+  Shape shape;
+  if (body.shape == kBox) return std::nullopt;
+  if (body.shape >= kHull) {
+    const auto mesh = meshes_.find(body.mesh_hash);
+    if (mesh == meshes_.end()) return std::nullopt;
+    const bool is_hull = body.shape == kHull || mesh->second.corners.empty();
+    shape.kind = is_hull ? Shape::Kind::kHull : Shape::Kind::kMesh;
+    for (const sim::Vec3& point : mesh->second.points) shape.points.push_back(axes_.length(point));
+    if (!is_hull) shape.triangles = mesh->second.corners;
+    return check_shape(shape).ok() ? std::optional(shape) : std::nullopt;
+  }
+  shape.kind = body.shape == kSphere    ? Shape::Kind::kSphere
+               : body.shape == kCapsule ? Shape::Kind::kCapsule
+                                        : Shape::Kind::kCylinder;
+  shape.radius = body.size[0] * axes_.metres;
+  if (body.shape != kSphere) {
+    shape.half_length = body.size[1] * axes_.metres / 2;
+    while (axes_.along(shape.axis).letter != 'z') shape.axis = static_cast<std::uint8_t>((shape.axis + 1) % 3);
+  }
+  return shape;
+}
+
 std::optional<StreamBodies::Description> StreamBodies::describe(const StreamBody& body) const {
   Description found;
   found.info.id = body.id;
-  found.info.name = body.name;
-  if (body.shape == kSphere || body.shape == kCapsule || body.shape == kCylinder) {
-    Shape shape;
-    shape.kind = body.shape == kSphere    ? Shape::Kind::kSphere
-                 : body.shape == kCapsule ? Shape::Kind::kCapsule
-                                          : Shape::Kind::kCylinder;
-    shape.radius = body.size[0] * axes_.metres;
-    if (body.shape != kSphere) {
-      shape.half_length = body.size[1] * axes_.metres / 2;
-      while (axes_.along(shape.axis).letter != 'z') shape.axis = static_cast<std::uint8_t>((shape.axis + 1) % 3);
-    }
-    found.info.shape = hash_of(shape);
-    found.shape = shape;
-  }
+  found.info.name = name_for_log(body.name);
+  found.shape = shape_of(body);
+  if (found.shape) found.info.shape = hash_of(*found.shape);
   if (found.info.name.empty() && !found.shape) return std::nullopt;
   return found;
 }

@@ -16,10 +16,17 @@
 /// The bodies of a stream in SI units, z up, as logs hold them.
 namespace tumble::replay {
 
+/// A name as a log keeps it: without control characters, of at most 200 bytes.
+std::string name_for_log(const std::string& name);
+
 /// Converts bodies, states and inputs, and keeps the last state of each body, which records of kind "same" refer to.
 class StreamBodies {
  public:
   explicit StreamBodies(const EngineAxes& axes) : axes_(axes) {}
+
+  /// Takes a surface for the bodies with its hash, before any of them. One that no log can keep is left out: notes()
+  /// tells.
+  void add(const StreamMesh& mesh);
 
   /// A body that begins or appears. A shape becomes the box around it; an edge beyond the limits of a log is cut to
   /// them, and a static body without a mass has 1 kg: notes() tells.
@@ -28,8 +35,8 @@ class StreamBodies {
   /// An input for a log; none for one that only the engine understands. Bodies are added and removed here too.
   std::optional<sim::Command> command(const StreamInput& input);
 
-  /// The name and the shape of a body for a log; none for a box without a name. A hull and a mesh are known by a hash
-  /// alone, so they have no shape there.
+  /// The name and the shape of a body for a log; none for a box without a name. A hull and a mesh whose
+  /// surface was not told have no shape there.
   struct Description {
     BodyInfo info;
     std::optional<Shape> shape;
@@ -39,16 +46,22 @@ class StreamBodies {
   /// The state that a record tells. Errors (kBadInput): "same" of a body that had no state.
   Result<EngineState> state(const StreamState& state);
 
+  /// Notes the first state with a number that is none.
+  void note_not_finite(const StreamState& state, std::uint64_t step);
+
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
   [[nodiscard]] const EngineAxes& axes() const { return axes_; }
 
  private:
   [[nodiscard]] EngineState converted(const StreamNumbers& numbers, bool asleep) const;
+  [[nodiscard]] std::optional<Shape> shape_of(const StreamBody& body) const;
   double edge(std::uint64_t id, double length);
 
   EngineAxes axes_;
   std::map<std::uint64_t, EngineState> last_;
+  std::map<std::uint64_t, StreamMesh> meshes_;  // by hash
   std::vector<std::string> notes_;
+  bool found_not_finite_ = false;
 };
 
 }  // namespace tumble::replay

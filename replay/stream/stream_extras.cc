@@ -53,8 +53,12 @@ ChannelValue read_number(StreamCursor& in, std::uint8_t type) {
 
 }  // namespace
 
-void StreamExtras::survey(const StreamStep& step) {
+void StreamExtras::survey_channels(const StreamStep& step) {
   for (const StreamChannel& channel : step.channels) found_.try_emplace(channel.number, Found{channel, 1});
+}
+
+void StreamExtras::survey(const StreamStep& step) {
+  survey_channels(step);
   for (const StreamValue& value : step.values) {
     const auto found = found_.find(value.channel);
     if (found != found_.end() && value.type < kBytes) found->second.count = std::max(found->second.count, value.count);

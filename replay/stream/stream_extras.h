@@ -20,6 +20,8 @@ class StreamExtras {
  public:
   /// Reads a step for what it declares. Call for every step before declare().
   void survey(const StreamStep& step);
+  /// Of a step that a rewind took back, only what it declares.
+  void survey_channels(const StreamStep& step);
 
   /// Channels, ascending by name, and the values of `start`. Errors (kBadInput): as EngineLog::create(); a value of a
   /// channel that was not declared.

@@ -45,6 +45,7 @@ enum class StreamRecordKind : std::uint8_t {
   kNote = 40,
   kChannel = 50,
   kValue = 51,
+  kMesh = 52,
 };
 
 /// The classes that a frame of hashes has a word for, in its order.

@@ -196,6 +196,7 @@ Status StreamReader::take_rewind(std::uint64_t step) {
   taken_back_.clear();
   while (steps_.back().step > step) {
     taken_back_.push_back(steps_.back());
+    rewound_.push_back(steps_.back());
     steps_.pop_back();
   }
   std::erase_if(snapshots_, [&](const StreamFrame& frame) { return frame.step > step; });

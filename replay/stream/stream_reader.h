@@ -65,6 +65,8 @@ class StreamReader {
   /// The start, then the steps with ascending numbers as they were recorded last. Empty: nothing whole was written.
   [[nodiscard]] const std::vector<StreamFrame>& steps() const { return steps_; }
   [[nodiscard]] const std::vector<SupersededStep>& superseded() const { return superseded_; }
+  /// Every step that a rewind took back. What it declared holds on.
+  [[nodiscard]] const std::vector<StreamFrame>& rewound() const { return rewound_; }
   [[nodiscard]] const std::vector<StreamFrame>& snapshots() const { return snapshots_; }
   [[nodiscard]] std::uint64_t rewinds() const { return rewinds_; }
 
@@ -87,6 +89,7 @@ class StreamReader {
   std::vector<StreamFrame> steps_;
   std::vector<StreamFrame> taken_back_;  // by the last rewind, not recorded again yet; descending steps
   std::vector<SupersededStep> superseded_;
+  std::vector<StreamFrame> rewound_;
   std::vector<StreamFrame> snapshots_;
   std::uint64_t rewinds_ = 0;
   std::uint64_t tag_ = 0;  // hash of the header's frame

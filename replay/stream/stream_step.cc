@@ -56,6 +56,8 @@ class Record {
         return channel();
       case Kind::kValue:
         return value();
+      case Kind::kMesh:
+        return mesh();
       default:
         return false;
     }
@@ -154,6 +156,17 @@ class Record {
     value.bytes = in_.text(in_.left());
     step_.values.push_back(std::move(value));
     return true;
+  }
+
+  bool mesh() {
+    StreamMesh mesh;
+    mesh.hash = in_.number<std::uint64_t>();
+    const std::uint64_t points = in_.number<std::uint32_t>(), corners = in_.number<std::uint32_t>();
+    if (!in_.ok() || in_.left() != 24 * points + 4 * corners) return false;
+    for (std::uint64_t k = 0; k < points; ++k) mesh.points.push_back(vector_of(in_));
+    for (std::uint64_t k = 0; k < corners; ++k) mesh.corners.push_back(in_.number<std::uint32_t>());
+    step_.meshes.push_back(std::move(mesh));
+    return done();
   }
 
   Kind kind_;

@@ -18,6 +18,10 @@ namespace tumble::replay {
 /// position x y z, orientation w x y z, velocity x y z, spin x y z.
 using StreamNumbers = std::array<double, 13>;
 
+inline constexpr std::array<const char*, 13> kStreamNumberNames = {
+    "position.x", "position.y", "position.z", "orientation.w", "orientation.x", "orientation.y", "orientation.z",
+    "velocity.x", "velocity.y", "velocity.z", "spin.x",        "spin.y",        "spin.z"};
+
 struct StreamState {
   std::uint64_t id = 0;
   bool same = false;  ///< as the body's last state; numbers and asleep are not set
@@ -99,6 +103,13 @@ struct StreamValue {
   std::string bytes;  ///< the numbers, little-endian, or the bytes
 };
 
+/// The surface of the bodies with its hash.
+struct StreamMesh {
+  std::uint64_t hash = 0;
+  std::vector<sim::Vec3> points;
+  std::vector<std::uint32_t> corners;  ///< three a triangle; none of a hull
+};
+
 struct StreamStep {
   std::uint64_t step = 0;
   double dt = 0;  ///< s; 0 at the start
@@ -109,6 +120,7 @@ struct StreamStep {
   std::vector<std::string> notes;
   std::vector<StreamChannel> channels;  ///< declared in this frame
   std::vector<StreamValue> values;
+  std::vector<StreamMesh> meshes;
   std::vector<std::uint64_t> hashes;  ///< of a frame of hashes: one for each of kStreamClasses
 };
 

@@ -15,6 +15,7 @@
 #include "src/render/passes/stage_image.h"
 #include "src/render/scene/box_mesh.h"
 #include "src/render/scene/materials.h"
+#include "src/render/scene/solid_meshes.h"
 #include "src/render/scene/view.h"
 
 namespace tumble::render {
@@ -53,6 +54,7 @@ struct Renderer::Parts {
   Settings settings;
   Materials materials;
   BoxMesh boxes, scratch;
+  SolidMeshes solids;
   DepthPass depth;
   BasePass base;
   ShrinkPass shrink;
@@ -63,7 +65,7 @@ struct Renderer::Parts {
   std::array<double, 6> seconds{};
 
   Status build();
-  void draw(const Snapshot& snapshot);
+  Status draw(const Snapshot& snapshot);
   template <class Pass>
   void timed(std::size_t pass, const Pass& run);
 };
@@ -106,18 +108,20 @@ void Renderer::Parts::timed(std::size_t pass, const Pass& run) {
   seconds[pass] = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
-void Renderer::Parts::draw(const Snapshot& snapshot) {
+Status Renderer::Parts::draw(const Snapshot& snapshot) {
   const Gl& gl = context->gl();
   const View camera = camera_view(snapshot.camera, settings.width, settings.height);
   const View light = light_view(snapshot);
   boxes.load(gl, instances_of(snapshot.boxes, camera));
-  timed(0, [&] { settings.effects.shadow ? depth.draw(gl, boxes, light) : depth.clear(gl); });
+  if (Status ok = solids.load(gl, snapshot.boxes); !ok.ok()) return ok;
+  timed(0, [&] { settings.effects.shadow ? depth.draw(gl, boxes, solids, light) : depth.clear(gl); });
   const BasePass::Scene scene = {snapshot, camera, light, depth, materials, settings.effects};
-  timed(1, [&] { base.draw(gl, scene, boxes, scratch); });
+  timed(1, [&] { base.draw(gl, scene, boxes, solids, scratch); });
   timed(2, [&] { shrink.draw(gl, base.image()); });
   timed(3, [&] { blur_x.draw(gl, shrink.image(), false); });
   timed(4, [&] { blur_y.draw(gl, blur_x.image(), true); });
   timed(5, [&] { composite.draw(gl, base.image(), blur_y.image(), settings.effects.bloom); });
+  return {};
 }
 
 Renderer::Renderer(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
@@ -178,14 +182,14 @@ Result<std::unique_ptr<Renderer>> Renderer::create_with(const Settings& settings
 
 Status Renderer::show(const Snapshot& snapshot, const Target& target) {
   const Gl& gl = parts_->context->gl();
-  parts_->draw(snapshot);
+  if (Status ok = parts_->draw(snapshot); !ok.ok()) return ok;
   parts_->present.draw(gl, parts_->composite.image(), target);
   return check_gl(gl, "drawing");
 }
 
 Result<Image> Renderer::draw(const Snapshot& snapshot, Stage stage) {
   const Gl& gl = parts_->context->gl();
-  parts_->draw(snapshot);
+  if (const Status ok = parts_->draw(snapshot); !ok.ok()) return ok.error();
   Image image;
   switch (stage) {
     case Stage::kDepth:

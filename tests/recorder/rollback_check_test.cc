@@ -63,5 +63,39 @@ TEST(RollbackCheck, OtherInputsAreNoFault) {
   EXPECT_EQ(found.not_compared, 2U);
 }
 
+TEST(RollbackCheck, KeepsWhatBecameOfEachStep) {
+  const replay::RollbackCheck same = check(taken_again(0, 0)), off = check(taken_again(0.5, 0));
+  ASSERT_EQ(same.steps.size(), 2U);
+  EXPECT_EQ(same.steps[1].first, 4U);
+  EXPECT_EQ(same.steps[1].second, (replay::Superseded{true, ""}));
+  EXPECT_EQ(off.steps[0].second, (replay::Superseded{true, ""}));
+  EXPECT_EQ(off.steps[1].second, (replay::Superseded{true, "body 1 position.z: 4.5 → 5"}));
+  const replay::RollbackCheck other = check(taken_again(0.5, 2));
+  EXPECT_EQ(other.steps[0].second, (replay::Superseded{false, "input 1: none → push of body 1"}));
+  EXPECT_EQ(other.steps[1].second, (replay::Superseded{false, "not compared: step 3 had other inputs"}));
+}
+
+// A control of the engine's own decides as well whether a step was taken again with equal inputs.
+TEST(RollbackCheck, ComparesNamedInputs) {
+  const auto taken = [](const char* first, const char* second) {
+    const auto step = [](TumbleRec* rec, const char* control) {
+      const TumbleRecState state = state_at(1, 1);
+      tumble_rec_input(rec, "throttle", 1, control, 1);
+      tumble_rec_step_begin(rec, 0.0625);
+      tumble_rec_state(rec, 1, &state);
+      ASSERT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK) << tumble_rec_message(rec);
+    };
+    const auto both = [&](TumbleRec* rec) {
+      step(rec, first);
+      ASSERT_EQ(tumble_rec_rewind(rec, 1), TUMBLE_REC_OK) << tumble_rec_message(rec);
+      step(rec, second);
+    };
+    return check(record(1, 1, both, [](TumbleRecDef& def) { def.rollback_steps = 4; }));
+  };
+  EXPECT_EQ(taken("a", "a").steps[0].second, (replay::Superseded{true, ""}));
+  EXPECT_EQ(taken("a", "b").steps[0].second,
+            (replay::Superseded{false, "input 1: \"throttle\" of body 1 has other values"}));
+}
+
 }  // namespace
 }  // namespace tumble::test

@@ -66,6 +66,7 @@ TEST(StreamImport, NumbersThatAreNoFloatsAndNanAreKept) {
   };
   Result<Imported> got = import_bytes(record(1, 0, step));
   ASSERT_TRUE(got.ok()) << got.error().message;
+  EXPECT_TRUE(mentions(got->import.warnings, "step 1: body 1: position.z is nan"));
   const Result<const replay::StepRecord*> read = got->log.read_step(1);
   ASSERT_TRUE(read.ok());
   const sim::Vec3 position = (*read)->states.position[0];
@@ -115,6 +116,7 @@ TEST(StreamImport, ShapesAreKeptBesideTheBoxesAroundThem) {
   const auto sphere = [](TumbleRec* rec) {
     TumbleRecBody body = small_cube(5);
     body.shape = TUMBLE_REC_CAPSULE;
+    body.name = "limb\n1";  // a name that no terminal shall print
     body.size[0] = 0.25;
     body.size[1] = 2;
     tumble_rec_body(rec, &body);
@@ -125,6 +127,76 @@ TEST(StreamImport, ShapesAreKeptBesideTheBoxesAroundThem) {
   ASSERT_EQ(got->log.header().declared.shapes.size(), 1U);
   EXPECT_EQ(got->log.header().declared.shapes[0].radius, 0.25);
   EXPECT_EQ(got->log.header().declared.shapes[0].half_length, 1);
+  EXPECT_EQ(got->log.header().declared.bodies[0].name, "limb?1");
+}
+
+// A hull and a mesh come with their surface where it was told, and say so where it was not.
+TEST(StreamImport, SurfacesAreKeptByTheirHash) {
+  const auto solids = [](TumbleRec* rec) {
+    const double corners[12] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+    const std::uint32_t triangles[6] = {0, 2, 1, 0, 1, 3};
+    ASSERT_EQ(tumble_rec_mesh(rec, 77, corners, 4, nullptr, 0), TUMBLE_REC_OK);
+    ASSERT_EQ(tumble_rec_mesh(rec, 78, corners, 4, triangles, 2), TUMBLE_REC_OK);
+    for (std::uint64_t id = 5; id <= 7; ++id) {
+      TumbleRecBody body = small_cube(id);
+      body.shape = id == 6 ? TUMBLE_REC_MESH : TUMBLE_REC_HULL;
+      body.mesh_hash = 72 + id;
+      tumble_rec_body(rec, &body);
+    }
+  };
+  const auto centimetres = [](TumbleRecDef& def) { def.metres = 0.01; };
+  Result<Imported> got = import_bytes(record(1, 0, solids, centimetres));
+  ASSERT_TRUE(got.ok()) << got.error().message;
+  const replay::Declared& declared = got->log.header().declared;
+  ASSERT_EQ(declared.shapes.size(), 2U);
+  EXPECT_EQ(declared.shapes[0].kind, replay::Shape::Kind::kHull);
+  EXPECT_EQ(declared.shapes[0].points[3], (sim::Vec3{0, 0, 0.01}));
+  EXPECT_EQ(declared.shapes[1].kind, replay::Shape::Kind::kMesh);
+  EXPECT_EQ(declared.shapes[1].triangles, (std::vector<std::uint32_t>{0, 2, 1, 0, 1, 3}));
+  EXPECT_TRUE(mentions(got->import.warnings, "body 7: a hull is logged as the box around it"));
+  EXPECT_FALSE(mentions(got->import.warnings, "body 5"));
+}
+
+TEST(StreamImport, SnapshotsKeepTheirNamesAndRewoundStepsSayWhatBecameOfThem) {
+  const auto rewind = [](TumbleRec* rec) {
+    const TumbleRecState again = state_at(1, 3);
+    ASSERT_EQ(tumble_rec_snapshot(rec, "solver", "abc", 3), TUMBLE_REC_OK);
+    ASSERT_EQ(tumble_rec_rewind(rec, 1), TUMBLE_REC_OK) << tumble_rec_message(rec);
+    tumble_rec_step_begin(rec, 0.0625);
+    tumble_rec_state(rec, 1, &again);
+    ASSERT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK) << tumble_rec_message(rec);
+    ASSERT_EQ(tumble_rec_snapshot(rec, "solver", "xyz", 3), TUMBLE_REC_OK);
+  };
+  Result<Imported> got = import_bytes(record(1, 2, rewind, [](TumbleRecDef& def) { def.rollback_steps = 4; }));
+  ASSERT_TRUE(got.ok()) << got.error().message;
+  const Result<const replay::StepRecord*> step = got->log.read_step(2);
+  ASSERT_TRUE(step.ok());
+  const replay::Extras& extras = (*step)->extras;
+  EXPECT_EQ(extras.snapshots.back(), (replay::EngineSnapshot{"solver", "xyz"}));
+  ASSERT_EQ(extras.superseded.size(), 1U);
+  EXPECT_TRUE(extras.superseded[0].same_inputs);
+  EXPECT_EQ(extras.superseded[0].difference, "body 1 position.z: 4.75 → 4.625");
+}
+
+TEST(StreamImport, AChannelOutlivesTheStepInWhichItWasDeclared) {
+  const auto rewind = [](TumbleRec* rec) {
+    std::uint32_t seed = 0;
+    const auto step = [&] {
+      const TumbleRecState state = state_at(1, 2);
+      tumble_rec_step_begin(rec, 0.0625);
+      tumble_rec_state(rec, 1, &state);
+      tumble_rec_i64(rec, seed, 0, 42);
+      ASSERT_EQ(tumble_rec_step_end(rec), TUMBLE_REC_OK) << tumble_rec_message(rec);
+    };
+    ASSERT_EQ(tumble_rec_channel(rec, "seed", TUMBLE_REC_WORLD, TUMBLE_REC_I64, &seed), TUMBLE_REC_OK);
+    step();
+    ASSERT_EQ(tumble_rec_rewind(rec, 1), TUMBLE_REC_OK) << tumble_rec_message(rec);
+    step();
+  };
+  Result<Imported> got = import_bytes(record(1, 1, rewind, [](TumbleRecDef& def) { def.rollback_steps = 4; }));
+  ASSERT_TRUE(got.ok()) << got.error().message;
+  EXPECT_EQ(got->log.header().declared.channels.size(), 1U);
+  EXPECT_EQ(got->import.rollbacks.steps[0].second, (replay::Superseded{true, ""}));
 }
 
 TEST(StreamImport, ATornStreamSaysWhereItEnds) {

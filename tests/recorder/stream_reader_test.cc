@@ -102,5 +102,37 @@ TEST(StreamReader, ARewindSupersedesSteps) {
   EXPECT_EQ(stream->superseded()[0].before.step, 3U);
 }
 
+// Steps that wait for one another are written by flush, by an error and at the end, and read as any.
+TEST(StreamReader, StepsOfOneWriteAreAllThere) {
+  const auto several = [](TumbleRecDef& def) { def.steps_a_write = 4; };
+  EXPECT_EQ(record(3, 10, {}, several), record(3, 10)) << "the same bytes";
+  StreamBytes bytes;
+  TumbleRecDef def = small_def(bytes);
+  def.steps_a_write = 100;
+  TumbleRec* rec = tumble_rec_create(&def);
+  const TumbleRecBody body = small_cube(1);
+  tumble_rec_body(rec, &body);
+  const auto step = [&] {
+    const TumbleRecState state = state_at(1, tumble_rec_step(rec));
+    tumble_rec_step_begin(rec, 0.0625);
+    tumble_rec_state(rec, 1, &state);
+    tumble_rec_step_end(rec);
+  };
+  step();
+  const std::size_t begun = bytes.size();
+  step();
+  EXPECT_EQ(bytes.size(), begun);
+  EXPECT_EQ(tumble_rec_flush(rec), TUMBLE_REC_OK);
+  const std::size_t flushed = bytes.size();
+  EXPECT_GT(flushed, begun);
+  step();
+  EXPECT_EQ(tumble_rec_note(rec, ""), TUMBLE_REC_BAD_CALL);
+  EXPECT_GT(bytes.size(), flushed) << "what was recorded before an error stays";
+  tumble_rec_close(rec);
+  const Result<replay::StreamReader> stream = open_stream(bytes);
+  ASSERT_TRUE(stream.ok()) << stream.error().message;
+  EXPECT_EQ(stream->steps().back().step, 3U);
+}
+
 }  // namespace
 }  // namespace tumble::test

@@ -104,7 +104,7 @@ MemoryFile session(const Change& change = {}) {
       EXPECT_TRUE((*log)->add_note(change.note).ok());
     }
     if (k == 4) {
-      EXPECT_TRUE((*log)->add_snapshot(std::as_bytes(std::span("state", 5))).ok());
+      EXPECT_TRUE((*log)->add_snapshot(std::as_bytes(std::span("state", 5)), "whole").ok());
     }
     if (k == 6) {
       EXPECT_TRUE((*log)->add_superseded({true, "position.x of body 1"}).ok());
@@ -147,7 +147,7 @@ TEST(Extras, ComeBackToTheBit) {
   }
   EXPECT_EQ((*log.read_step(3))->extras.values(1).bytes.front(), std::string("\0\x01\xff", 3));
   EXPECT_EQ((*log.read_step(3))->extras.notes.front(), "begun");
-  EXPECT_EQ((*log.read_step(4))->extras.snapshots.front(), "state");
+  EXPECT_EQ((*log.read_step(4))->extras.snapshots.front(), (EngineSnapshot{"whole", "state"}));
   EXPECT_EQ((*log.read_step(6))->extras.superseded.front().difference, "position.x of body 1");
   EXPECT_EQ((*log.read_step(0))->extras.values(5).bits.front(), 42U);
 }

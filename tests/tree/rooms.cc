@@ -91,7 +91,7 @@ std::vector<Room> suite() {
                                       "replay/format",  "replay/codec",   "replay/log",     "replay/session",
                                       "replay/measure", "replay/recover", "replay/picture", "replay/diff"};
   const Folders parts = logs + Folders{"src/render", "src/render/picture", "golden/suite", "golden/expected"};
-  const Folders engine = {"golden/suite", "src/process", "replay/import", "replay/stream"};
+  const Folders engine = {"golden/suite", "src/process", "replay/arrays", "replay/import", "replay/stream"};
   const Folders run = parts + engine + Folders{"golden/judge"};
   const Folders above = run + Folders{"golden/engine", "golden/run"};
   return {

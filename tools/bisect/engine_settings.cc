@@ -31,6 +31,7 @@ Status take_project(const fs::path& from, Settings& settings) {
     return bad_input(project.file.string() + ": lies in no clone of git, whose revisions could be asked");
   settings.engine_folder = project.folder.lexically_relative(clone).string();
   settings.engine_scene = project.scene;
+  settings.engine_table = project.table;
   settings.shell = project.shell;
   if (settings.build.empty()) settings.build = project.build;
   if (settings.case_name.empty()) settings.run = project.run;

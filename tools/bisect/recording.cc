@@ -78,6 +78,7 @@ golden::EngineProject Recording::engine() const {
   golden::EngineProject project = golden::project_of_command(settings_.run, folder, settings_.shell);
   project.build = settings_.build;
   project.scene = settings_.engine_scene;
+  project.table = settings_.engine_table;
   return project;
 }
 

@@ -134,7 +134,9 @@ Result<bool> Asker::record(const std::string& commit, std::string& why) {
   }
   Result<bool> recorded = run(*command, "record", why);
   if (recorded.ok() && *recorded) {
-    const Status made = recording_.make_log(session);
+    const golden::EngineProject engine = recording_.engine();
+    Status made = golden::rewrite_table(session, engine.table, engine.folder);
+    if (made.ok()) made = recording_.make_log(session);
     if (made.ok()) return recorded;
     why = fs::path(command->words.front()).filename().string() + ' ' + made.error().message;
     recorded = false;

@@ -31,6 +31,9 @@ std::string Settings::fingerprint() const {
                {"run", run},
                {"engine_folder", engine_folder},
                {"engine_scene", engine_scene},
+               {"engine_map", engine_table.map},
+               {"engine_map_file", engine_table.map_file},
+               {"engine_header", engine_table.header},
                {"shell", shell}};
   return json.dump(-1, ' ', true, Json::error_handler_t::replace);
 }

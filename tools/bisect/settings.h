@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "golden/engine/table_reading.h"
 #include "replay/measure/measure_options.h"
 #include "replay/measure/metric_bound.h"
 
@@ -23,14 +24,15 @@ struct Settings {
   std::string case_name;                      ///< whether the revision's own check of this golden case passes
   bool image = false;                         ///< of the case: the image verdict alone
 
-  std::vector<std::string> build;  ///< command lines, run in the revision's source folder
-  std::string program;             ///< that they make: a path from that folder
-  std::string run;                 ///< instead of the program: a command line of an engine that writes {log}
-  std::string engine_folder;       ///< in which build and run work: a path from the clone's own
-  std::string engine_scene;        ///< {scene} where the log has no text of one: a path from engine_folder
-  bool shell = false;              ///< build and run are given to sh
-  bool has_project = false;        ///< build and run come from a tumble.toml
-  double timeout_s = 0;            ///< of a run of the program, not of a build
+  std::vector<std::string> build;     ///< command lines, run in the revision's source folder
+  std::string program;                ///< that they make: a path from that folder
+  std::string run;                    ///< instead of the program: a command line of an engine that writes {log}
+  std::string engine_folder;          ///< in which build and run work: a path from the clone's own
+  std::string engine_scene;           ///< {scene} where the log has no text of one: a path from engine_folder
+  golden::TableReading engine_table;  ///< of what the engine writes
+  bool shell = false;                 ///< build and run are given to sh
+  bool has_project = false;           ///< build and run come from a tumble.toml
+  double timeout_s = 0;               ///< of a run of the program, not of a build
 
   /// One line for people: "replay of wall.tumble in every bit".
   [[nodiscard]] std::string question() const;

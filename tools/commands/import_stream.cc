@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "replay/stream/import_stream.h"
-#include "replay/stream/rollback_check.h"
 #include "src/process/interrupt.h"
 #include "tools/files/log_files.h"
 #include "tools/output/axes_output.h"
@@ -20,12 +19,6 @@ namespace tumble::tools {
 namespace {
 
 using replay::StreamReader;
-
-std::string joined(const std::vector<std::string>& names) {
-  std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  return all;
-}
 
 Json rollback_json(const replay::RollbackCheck& check) {
   Json json = {{"compared", check.compared},
@@ -41,8 +34,7 @@ Json rollback_json(const replay::RollbackCheck& check) {
   return json;
 }
 
-void print_json_result(const StreamFiles& files, const StreamReader& stream, const replay::StreamImport& done,
-                       const replay::RollbackCheck& check) {
+void print_json_result(const StreamFiles& files, const StreamReader& stream, const replay::StreamImport& done) {
   Json json;
   json["log"] = files.output;
   json["engine"] = to_string(stream.header().engine);
@@ -55,22 +47,20 @@ void print_json_result(const StreamFiles& files, const StreamReader& stream, con
   json["hashes_only"] = stream.header().hashes_only;
   json["rewinds"] = stream.rewinds();
   json["superseded_steps"] = stream.superseded().size();
-  json["rollbacks"] = rollback_json(check);
-  json["passed_over"] = done.passed_over;
+  json["rollbacks"] = rollback_json(done.rollbacks);
+  json["passed_over"] = Json::array();  // of a stream the log keeps all
   json["warnings"] = done.warnings;
   print_json(json);
 }
 
-void print_listing(const StreamFiles& files, const StreamReader& stream, const replay::StreamImport& done,
-                   const replay::RollbackCheck& check) {
+void print_listing(const StreamFiles& files, const StreamReader& stream, const replay::StreamImport& done) {
   Listing listing;
   listing.add("engine", printable(to_string(stream.header().engine)));
   listing.add("axes", to_string(stream.header().axes));
-  if (!done.passed_over.empty()) listing.add("passed over", printable(joined(done.passed_over)));
   if (stream.rewinds() > 0) {
     listing.add("rewinds", std::to_string(stream.rewinds()) + "; " + count_text(stream.superseded().size(), "step") +
                                " recorded again");
-    listing.add("sync test", printable(replay::describe(check)));
+    listing.add("sync test", printable(replay::describe(done.rollbacks)));
   }
   if (stream.header().hashes_only) listing.add("holds", "hashes only: no body can be compared or drawn");
   listing.add("steps", std::to_string(done.log.steps));
@@ -100,13 +90,11 @@ Result<Exit> import_stream_file(const StreamFiles& files) {
       *stream, [&] { return replay::open_file_sink(files.output); }, bar.progress());
   bar.finish();
   if (!done.ok()) return done.error();
-  const Result<replay::RollbackCheck> check = replay::check_rollbacks(*stream);
-  if (!check.ok()) return check.error();
   for (const std::string& warning : done->warnings)
     std::cerr << "tumble import: warning: " << printable(warning) << '\n';
-  files.json ? print_json_result(files, *stream, *done, *check) : print_listing(files, *stream, *done, *check);
-  if (check->first) {
-    std::cerr << "tumble import: warning: rollback: " << printable(replay::describe(*check)) << '\n';
+  files.json ? print_json_result(files, *stream, *done) : print_listing(files, *stream, *done);
+  if (done->rollbacks.first) {
+    std::cerr << "tumble import: warning: rollback: " << printable(replay::describe(done->rollbacks)) << '\n';
   }
   return stream->condition().damage ? Exit::kDamaged : Exit::kSame;
 }

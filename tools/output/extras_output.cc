@@ -104,7 +104,10 @@ void add_step_extras(const replay::Declared& declared, const replay::Extras& ext
                                 {"impulse", number_json(contact.impulse)}});
   }
   for (const std::string& note : extras.notes) json["notes"].push_back(note);
-  for (const std::string& bytes : extras.snapshots) json["snapshots"].push_back(bytes.size());
+  for (const replay::EngineSnapshot& snapshot : extras.snapshots) {
+    json["snapshots"].push_back(snapshot.bytes.size());
+    json["snapshot_names"].push_back(snapshot.name);
+  }
   for (const replay::Superseded& before : extras.superseded) {
     json["superseded"].push_back({{"same_inputs", before.same_inputs}, {"difference", before.difference}});
   }
@@ -157,8 +160,8 @@ void add_extra_rows(const replay::Declared& declared, const replay::BodyTable& b
   }
   if (body != 0) return;
   for (const std::string& note : extras.notes) table.add({std::to_string(step), "note", "", printable(note)});
-  for (const std::string& bytes : extras.snapshots) {
-    table.add({std::to_string(step), "snapshot", "", bytes_text(bytes.size())});
+  for (const replay::EngineSnapshot& snapshot : extras.snapshots) {
+    table.add({std::to_string(step), "snapshot", printable(snapshot.name), bytes_text(snapshot.bytes.size())});
   }
   for (const replay::Superseded& before : extras.superseded) {
     const std::string found = before.difference.empty() ? "the same" : before.difference;

@@ -27,7 +27,7 @@ class Def(c.Structure):
                 ("ground", c.c_int), ("phases", c.c_char_p), ("path", c.c_char_p), ("write", c.c_void_p),
                 ("write_user", c.c_void_p), ("ring_s", c.c_double), ("hashes_only", c.c_int),
                 ("rollback_steps", c.c_uint32), ("verify", c.c_char_p), ("on_difference", c.c_void_p),
-                ("difference_user", c.c_void_p)]
+                ("difference_user", c.c_void_p), ("steps_a_write", c.c_uint32)]
 
 
 class Recorder:

@@ -36,6 +36,11 @@ Result<BasePass> BasePass::create(const Gl& gl, int width, int height) {
                                                       std::string(kBaseOutput) + kBaseFragments);
   if (!boxes.ok()) return boxes.error();
   pass.boxes_ = std::move(*boxes);
+  const std::string solid = "#define SOLID\n";
+  Result<ShaderProgram> solids = ShaderProgram::create(
+      gl, "the base pass of solids", solid + kBoxAttributes + kBaseVertices, solid + kBaseOutput + kBaseFragments);
+  if (!solids.ok()) return solids.error();
+  pass.solids_ = std::move(*solids);
   Result<ShaderProgram> background =
       ShaderProgram::create(gl, "the background", kFullScreenVertices, std::string(kBaseOutput) + kBackgroundFragments);
   if (!background.ok()) return background.error();
@@ -47,11 +52,11 @@ Result<BasePass> BasePass::create(const Gl& gl, int width, int height) {
   return pass;
 }
 
-void BasePass::set_uniforms(const Gl& gl, const Scene& scene) const {
+void BasePass::set_uniforms(const Gl& gl, const Scene& scene, const ShaderProgram& program) const {
   const auto& [snapshot, camera, light, depth, materials, effects] = scene;
   const double distance = sim::length(snapshot.light.target - snapshot.light.position);
   const double map_texel = 2 * light.tangent_x * distance / depth.map().width();
-  const auto set = [&](const char* name, auto value) { boxes_.set(gl, name, value); };
+  const auto set = [&](const char* name, auto value) { program.set(gl, name, value); };
   set("clip_from_world", camera.clip_from_world);
   set("light_from_world", light.clip_from_world);
   set("eye", camera.eye);
@@ -90,7 +95,8 @@ void BasePass::draw_background(const Gl& gl, const Scene& scene) const {
   draw_full_screen(gl, empty_);
 }
 
-void BasePass::draw(const Gl& gl, const Scene& scene, const BoxMesh& boxes, BoxMesh& scratch) const {
+void BasePass::draw(const Gl& gl, const Scene& scene, const BoxMesh& boxes, const SolidMeshes& solids,
+                    BoxMesh& scratch) const {
   image_.bind(gl);
   const float farthest = 1;
   gl.Enable(GL_DEPTH_TEST);
@@ -102,12 +108,17 @@ void BasePass::draw(const Gl& gl, const Scene& scene, const BoxMesh& boxes, BoxM
   scene.materials.bind_texture(gl, kMaterialsUnit);
   scene.depth.map().bind_texture(gl, kDepthMapUnit);
   boxes_.use(gl);
-  set_uniforms(gl, scene);
+  set_uniforms(gl, scene, boxes_);
   boxes.draw(gl);
   if (scene.snapshot.ground) {
     const BoxInstance ground = ground_instance(scene.camera.eye, sight(scene.snapshot) * kGroundExtent);
     scratch.load(gl, std::span(&ground, 1));
     scratch.draw(gl);
+  }
+  if (!solids.empty()) {
+    solids_.use(gl);
+    set_uniforms(gl, scene, solids_);
+    solids.draw(gl);
   }
   draw_background(gl, scene);
   if (scene.snapshot.markers.empty()) return;

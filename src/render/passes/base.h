@@ -4,6 +4,7 @@
 #include "src/render/passes/shader_program.h"
 #include "src/render/scene/box_mesh.h"
 #include "src/render/scene/materials.h"
+#include "src/render/scene/solid_meshes.h"
 #include "src/render/scene/view.h"
 #include "tumble/render/effects.h"
 #include "tumble/sim/result.h"
@@ -29,16 +30,17 @@ class BasePass {
     const Materials& materials;
     const Effects& effects;
   };
-  /// boxes: a mesh with the instances of the boxes of the snapshot, nearest first. scratch: any other mesh.
-  void draw(const Gl& gl, const Scene& scene, const BoxMesh& boxes, BoxMesh& scratch) const;
+  /// boxes: a mesh with the instances of the boxes of the snapshot, nearest first. solids: with those of its other
+  /// bodies. scratch: any other mesh.
+  void draw(const Gl& gl, const Scene& scene, const BoxMesh& boxes, const SolidMeshes& solids, BoxMesh& scratch) const;
 
   [[nodiscard]] const RenderTarget& image() const { return image_; }
 
  private:
-  void set_uniforms(const Gl& gl, const Scene& scene) const;
+  void set_uniforms(const Gl& gl, const Scene& scene, const ShaderProgram& program) const;
   void draw_background(const Gl& gl, const Scene& scene) const;
 
-  ShaderProgram boxes_, background_;
+  ShaderProgram boxes_, solids_, background_;
   RenderTarget image_;
   GlObject empty_;
 };

@@ -30,7 +30,13 @@ uniform float shadow_offset;  // m along the normal, so that a surface does not 
 uniform float shadow_radius;  // m, half the width of a shadow's soft edge
 uniform float motion;         // picture heights in a unit of tangent; 0 without motion blur
 
+#ifdef SOLID                  // a round surface: its normal varies over a triangle
+out vec3 round_normal;
+vec3 normal;
+flat out vec3 tangent, tint;
+#else
 flat out vec3 normal, tangent, tint;
+#endif
 flat out vec4 look_f;         // layer, plain, half extents of the face in m
 flat out vec4 light_u, light_v;
 out vec4 light_clip;
@@ -45,10 +51,17 @@ void main() {
   at = centre + arm;
   gl_Position = clip_from_world * vec4(at, 1.0);
   normal = axis_x * normal_B.x + axis_y * normal_B.y + axis_z * normal_B.z;
+#ifdef SOLID
+  round_normal = normal;
+  tangent = normalize(cross(abs(normal.z) < 0.7 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0), normal));
+  vec3 bitangent = cross(normal, tangent);
+  on_face = vec2(0.0);
+  look_f = vec4(look.x, look.w, 1e6, 1e6);  // no edges
+  uv = tangent_B.xy * vec2(0.45, 0.55) + look.yz;
+#else
   vec3 bitangent_B = abs(cross(normal_B, tangent_B));
   tangent = axis_x * tangent_B.x + axis_y * tangent_B.y + axis_z * tangent_B.z;
   vec3 bitangent = axis_x * bitangent_B.x + axis_y * bitangent_B.y + axis_z * bitangent_B.z;
-  tint = tint_in;
 
   vec2 half_face = vec2(dot(tangent_B, half_extent), dot(bitangent_B, half_extent));
   on_face = vec2(dot(corner, tangent_B), dot(corner, bitangent_B)) * half_face;
@@ -61,6 +74,8 @@ void main() {
     vec2 along = half_face.x >= half_face.y ? on_face : on_face.yx;  // grain runs along
     uv = along * vec2(0.45, 0.55) + look.yz;
   }
+#endif
+  tint = tint_in;
 
   light_clip = light_from_world * vec4(at + normal * shadow_offset, 1.0);
   light_u = light_from_world * vec4(tangent * shadow_radius, 0.0);
@@ -83,7 +98,13 @@ uniform vec3 light_at;
 uniform float texel_angle;     // tangent of a picture's pixel
 uniform bool with_shadow, with_specular, per_vertex;
 
+#ifdef SOLID
+in vec3 round_normal;
+vec3 normal;
+flat in vec3 tangent, tint;
+#else
 flat in vec3 normal, tangent, tint;
+#endif
 flat in vec4 look_f;
 flat in vec4 light_u, light_v;
 in vec4 light_clip;
@@ -139,6 +160,9 @@ float edge_shade(float depth) {
 }
 
 void main() {
+#ifdef SOLID
+  normal = normalize(round_normal);
+#endif
   float depth = dot(at - eye, forward);
   if (look_f.y > 0.5) {
     finish(tint, 0.0);

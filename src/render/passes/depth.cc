@@ -35,7 +35,7 @@ void DepthPass::clear(const Gl& gl) const {
   gl.ClearBufferfv(GL_DEPTH, 0, &farthest);
 }
 
-void DepthPass::draw(const Gl& gl, const BoxMesh& mesh, const View& light) const {
+void DepthPass::draw(const Gl& gl, const BoxMesh& boxes, const SolidMeshes& solids, const View& light) const {
   clear(gl);
   gl.Enable(GL_DEPTH_TEST);
   gl.DepthFunc(GL_LESS);
@@ -43,7 +43,8 @@ void DepthPass::draw(const Gl& gl, const BoxMesh& mesh, const View& light) const
   gl.CullFace(GL_BACK);
   program_.use(gl);
   program_.set(gl, "clip_from_world", light.clip_from_world);
-  mesh.draw(gl);
+  boxes.draw(gl);
+  solids.draw(gl);
 }
 
 }  // namespace tumble::render

@@ -4,9 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <numeric>
+#include <vector>
 
 #include "src/render/scene/material_texels.h"
 #include "src/render/scene/materials.h"
+#include "src/render/scene/solid.h"
 
 namespace tumble::render {
 namespace {
@@ -37,11 +39,11 @@ std::array<Vertex, kVertexCount> cube_vertices() {
   return vertices;
 }
 
-std::array<std::uint16_t, kIndexCount> cube_indices() {
-  std::array<std::uint16_t, kIndexCount> indices{};
-  constexpr std::array<std::uint16_t, 6> kCorners = {0, 1, 2, 0, 2, 3};
+std::array<std::uint32_t, kIndexCount> cube_indices() {
+  std::array<std::uint32_t, kIndexCount> indices{};
+  constexpr std::array<std::uint32_t, 6> kCorners = {0, 1, 2, 0, 2, 3};
   for (std::size_t i = 0; i < kIndexCount; ++i) {
-    indices[i] = static_cast<std::uint16_t>(i / 6 * 4 + kCorners[i % 6]);
+    indices[i] = static_cast<std::uint32_t>(i / 6 * 4 + kCorners[i % 6]);
   }
   return indices;
 }
@@ -108,8 +110,16 @@ std::vector<BoxInstance> instances_of(const std::vector<BoxLook>& boxes, const V
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return depths[i]; });
   std::vector<BoxInstance> instances;
   instances.reserve(boxes.size());
-  for (const std::size_t i : order) instances.push_back(instance_of(boxes[i]));
+  for (const std::size_t i : order) {
+    if (boxes[i].solid == nullptr) instances.push_back(instance_of(boxes[i]));
+  }
   return instances;
+}
+
+BoxInstance solid_instance(const BoxLook& body) {
+  BoxInstance instance = instance_of(body);
+  put(instance.half_extent, {1, 1, 1});
+  return instance;
 }
 
 std::vector<BoxInstance> instances_of(const std::vector<Marker>& markers) {
@@ -134,29 +144,41 @@ BoxInstance ground_instance(const Vec3& around, double half_extent) {
 }
 
 Result<BoxMesh> BoxMesh::create(const Gl& gl) {
+  const auto vertices = cube_vertices();
+  return create(gl, std::as_bytes(std::span(vertices)), cube_indices());
+}
+
+Result<BoxMesh> BoxMesh::create(const Gl& gl, const Solid& solid) {
+  static_assert(sizeof(SolidVertex) == sizeof(Vertex), "of the same attributes");
+  std::vector<std::uint32_t> indices(solid.corners.size());
+  std::iota(indices.begin(), indices.end(), 0U);
+  return create(gl, std::as_bytes(std::span(solid.corners)), indices);
+}
+
+Result<BoxMesh> BoxMesh::create(const Gl& gl, std::span<const std::byte> vertices,
+                                std::span<const std::uint32_t> indices) {
   static_assert(sizeof(BoxInstance) == 28 * sizeof(float), "kInstanceWidths describes it");
   BoxMesh mesh;
+  mesh.index_count_ = static_cast<GLsizei>(indices.size());
   mesh.array_ = GlObject::make(gl, GlObject::Kind::kVertexArray);
   mesh.vertices_ = GlObject::make(gl, GlObject::Kind::kBuffer);
   mesh.indices_ = GlObject::make(gl, GlObject::Kind::kBuffer);
   mesh.instances_ = GlObject::make(gl, GlObject::Kind::kBuffer);
   gl.BindVertexArray(mesh.array_.id());
-  const auto vertices = cube_vertices();
   gl.BindBuffer(GL_ARRAY_BUFFER, mesh.vertices_.id());
-  gl.BufferData(GL_ARRAY_BUFFER, sizeof vertices, vertices.data(), GL_STATIC_DRAW);
+  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size()), vertices.data(), GL_STATIC_DRAW);
   for (GLuint location = 0; location < 3; ++location) {
     describe(gl, location, 3, sizeof(Vertex), location * 3 * sizeof(float), 0);
   }
-  const auto indices = cube_indices();
   gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh.indices_.id());
-  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof indices, indices.data(), GL_STATIC_DRAW);
+  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, static_cast<GLsizeiptr>(indices.size_bytes()), indices.data(), GL_STATIC_DRAW);
   gl.BindBuffer(GL_ARRAY_BUFFER, mesh.instances_.id());
   std::size_t offset = 0;
   for (GLuint k = 0; k < kInstanceWidths.size(); ++k) {
     describe(gl, 3 + k, kInstanceWidths[k], sizeof(BoxInstance), offset, 1);
     offset += static_cast<std::size_t>(kInstanceWidths[k]) * sizeof(float);
   }
-  const Status made = check_gl(gl, "making the cube");
+  const Status made = check_gl(gl, "making a mesh");
   if (!made.ok()) return made.error();
   return mesh;
 }
@@ -170,7 +192,7 @@ void BoxMesh::load(const Gl& gl, std::span<const BoxInstance> instances) {
 void BoxMesh::draw(const Gl& gl) const {
   if (count_ == 0) return;
   gl.BindVertexArray(array_.id());
-  gl.DrawElementsInstanced(GL_TRIANGLES, kIndexCount, GL_UNSIGNED_SHORT, nullptr, count_);
+  gl.DrawElementsInstanced(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr, count_);
 }
 
 }  // namespace tumble::render

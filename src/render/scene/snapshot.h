@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "tumble/sim/rotation.h"
@@ -15,14 +16,17 @@ struct Colour {
   float r = 1, g = 1, b = 1;
 };
 
-/// The look of one box.
+struct Solid;  // src/render/scene/solid.h
+
+/// The look of one body: a box, or another solid.
 struct BoxLook {
-  std::uint64_t id = 0;               ///< selects the variation of the material; nothing else
-  sim::Vec3 centre = {0, 0, 0};       ///< m, world
-  sim::Quat orientation;              ///< unit length
-  sim::Vec3 half_extent = {1, 1, 1};  ///< m, own axes
-  sim::Vec3 velocity = {0, 0, 0};     ///< m/s; motion blur only
-  sim::Vec3 spin = {0, 0, 0};         ///< rad/s, world axes; motion blur only
+  std::uint64_t id = 0;                          ///< selects the variation of the material; nothing else
+  sim::Vec3 centre = {0, 0, 0};                  ///< m, world
+  sim::Quat orientation;                         ///< unit length
+  sim::Vec3 half_extent = {1, 1, 1};             ///< m, own axes; of the box around a solid
+  std::shared_ptr<const Solid> solid = nullptr;  ///< null: the box. Bodies of one shape share it
+  sim::Vec3 velocity = {0, 0, 0};                ///< m/s; motion blur only
+  sim::Vec3 spin = {0, 0, 0};                    ///< rad/s, world axes; motion blur only
   sim::Texture texture = sim::Texture::kCrate;
   Colour tint;  ///< multiplies the texture
 };

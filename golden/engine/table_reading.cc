@@ -1,0 +1,97 @@
+#include "golden/engine/table_reading.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+#include "golden/suite/text_files.h"
+#include "replay/arrays/array_table.h"
+#include "replay/arrays/npz.h"
+#include "replay/import/table_map.h"
+
+namespace tumble::golden {
+namespace {
+
+Result<std::string> table_of_archive(const std::string& bytes, const TableReading& reading,
+                                     const std::filesystem::path& folder) {
+  const Result<std::vector<replay::Array>> arrays = replay::read_npz(bytes, "its archive");
+  if (!arrays.ok()) return arrays.error();
+  replay::ArrayOptions how;
+  how.scalar_last = reading.scalar_last;
+  if (!reading.model.empty()) {
+    const std::string model = (folder / reading.model).string();
+    const Result<std::string> xml = read_text(model);
+    if (!xml.ok()) return xml.error();
+    Result<std::vector<replay::MujocoJoint>> joints = replay::read_mujoco_joints(*xml, model);
+    if (!joints.ok()) return joints.error();
+    how.joints = *std::move(joints);
+  }
+  return replay::table_of_arrays(*arrays, "its archive", how);
+}
+
+/// "up" of "# up: y" or "up: y".
+std::string_view key_of(std::string_view line) {
+  line.remove_prefix(std::min(line.find_first_not_of("# \t"), line.size()));
+  return line.substr(0, line.find(':'));
+}
+
+/// The header lines of `reading`, then those of the table whose keys are others.
+std::string head_of(std::string_view head, const TableReading& reading) {
+  std::string lines;
+  for (const std::string& line : reading.header) lines += "# " + line + '\n';
+  while (!head.empty()) {
+    const std::string_view line = head.substr(0, head.find('\n') + 1);
+    const auto is_key = [&](const std::string& own) { return key_of(own) == key_of(line); };
+    if (std::ranges::none_of(reading.header, is_key)) lines += line;
+    head.remove_prefix(line.size());
+  }
+  return lines;
+}
+
+Result<std::string> changed(const std::string& table, const TableReading& reading,
+                            const std::filesystem::path& folder) {
+  replay::TableMap map;
+  for (const std::string& entry : reading.map) {
+    if (Status ok = replay::add_mapping(map, entry, "[engine.table] map"); !ok.ok()) return ok.error();
+  }
+  if (!reading.map_file.empty()) {
+    if (Status ok = replay::read_map_file(map, (folder / reading.map_file).string()); !ok.ok()) return ok.error();
+  }
+  std::size_t names = 0;  // where the line with the names of the columns begins
+  while (table.compare(names, 1, "#") == 0) names = std::min(table.find('\n', names), table.size() - 1) + 1;
+  Result<replay::CsvReader> reader = replay::CsvReader::open(table, "its table");
+  if (!reader.ok()) return reader.error();
+  if (Status ok = replay::rename_columns(map, *reader); !ok.ok()) return ok.error();
+  std::string columns;
+  for (const std::string& column : reader->columns()) columns += (columns.empty() ? "" : ",") + column;
+  const std::size_t rows = std::min(table.find('\n', names), table.size());
+  return head_of(std::string_view(table).substr(0, names), reading) + columns + table.substr(rows);
+}
+
+}  // namespace
+
+Status rewrite_table(const std::string& path, const TableReading& reading, const std::filesystem::path& folder) {
+  std::ifstream file(path, std::ios::binary);
+  char first[2] = {};
+  file.read(first, sizeof first);
+  const bool is_archive = file.gcount() == 2 && first[0] == 'P' && first[1] == 'K';
+  const bool is_text = file.gcount() > 0 && (static_cast<unsigned char>(first[0]) < 0x80);  // logs and streams: 0x89
+  const bool has_names = !reading.map.empty() || !reading.map_file.empty() || !reading.header.empty();
+  if (!is_archive && (!is_text || !has_names)) return {};
+  file.seekg(0);
+  std::string table{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  if (is_archive) {
+    Result<std::string> made = table_of_archive(table, reading, folder);
+    if (!made.ok()) return made.error();
+    table = *std::move(made);
+  }
+  if (has_names) {
+    Result<std::string> made = changed(table, reading, folder);
+    if (!made.ok()) return made.error();
+    table = *std::move(made);
+  }
+  return write_file(path, std::string_view(table));
+}
+
+}  // namespace tumble::golden
