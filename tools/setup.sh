@@ -27,7 +27,7 @@ declare -A groups=(
   # clang-16: one of the compilers that must agree to the bit, also in the short form that is part of the tests
   [tests]="libgtest-dev libbenchmark-dev clang-format clang-16 python3-yaml"
   [live]="libglfw3-dev libimgui-dev libgl1-mesa-dri xvfb xauth xdotool"
-  [export]="libprotobuf-dev protobuf-compiler libtinygltf-dev python3-numpy"
+  [export]="libprotobuf-dev protobuf-compiler libtinygltf-dev python3-numpy python3-jsonschema"
   [lint]="clang-tidy"
   [report]="" # commands, from wherever the machine has them, else from Debian
   [determinism]="clang-16 clang-19 qemu-user g++-aarch64-linux-gnu g++-riscv64-linux-gnu g++-s390x-linux-gnu
