@@ -53,3 +53,12 @@ tumble_library(xxhash PkgConfig::XXHASH xxhash)
 tumble_library(pugixml pugixml::pugixml pugixml)
 tumble_library(png PNG::PNG png16 z)
 tumble_library(zlib ZLIB::ZLIB z)
+
+# Optional: `tumble export` writes MCAP files with it.
+set(protobuf_MODULE_COMPATIBLE ON)
+find_package(Protobuf 3 QUIET MODULE)
+if(Protobuf_FOUND AND Protobuf_PROTOC_EXECUTABLE)
+  tumble_library(protobuf protobuf::libprotobuf protobuf)
+else()
+  message(STATUS "No libprotobuf: tumble export writes no .mcap (install libprotobuf-dev and protobuf-compiler)")
+endif()

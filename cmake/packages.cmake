@@ -59,8 +59,16 @@ tumble_deb(development libtumble-dev libdevel "flight recorder for physics engin
   TEXT ${about} "." "This package has static libraries, headers, and files for CMake and"
        "pkg-config: simulation, logs, pictures, suites, and the recorder in C99 that"
        "engines link or copy.")
+# The module of C++ is for one version of Python; the scripts compile the others and remove them.
+get_property(python GLOBAL PROPERTY tumble_python_executable)
+if(python)
+  execute_process(COMMAND ${python} -c "import sys; a, b = sys.version_info[:2]; print(f'python3 (>= {a}.{b}), python3 (<< {a}.{b + 1})')"
+                  OUTPUT_VARIABLE python_versions OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+endif()
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/package/python/postinst
+                                              ${PROJECT_SOURCE_DIR}/cmake/package/python/prerm)
 tumble_deb(python python3-tumble python "flight recorder for physics engines: Python module"
-  DEPENDS python3 python3-numpy "tumble ${same_version}" SUGGESTS python3-matplotlib
+  DEPENDS "${python_versions}" python3-numpy "tumble ${same_version}" SUGGESTS python3-matplotlib
   TEXT ${about} "." "This package has the module `tumble` for Python 3.")
 
 set(CPACK_TUMBLE_ARCHIVE tumble-${PROJECT_VERSION}-linux-${CMAKE_SYSTEM_PROCESSOR})

@@ -16,7 +16,7 @@ folder=$(cd "$folder" && pwd)
 umask 022
 export LC_ALL=C TZ=UTC SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct)}
 
-tools/setup.sh --only program --only live --only packages
+tools/setup.sh --only program --only live --only python --only packages
 cmake --preset package
 cmake --build --preset package --parallel "${TUMBLE_JOBS:-$(nproc)}" --target all tumble-portable
 work=$(mktemp -d)

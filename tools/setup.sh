@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # Installs Debian packages, only those that are missing.
-# Usage: tools/setup.sh [--only GROUP]... [--with GROUP]...     without --only: program, pictures, live, tests and lint
+# Usage: tools/setup.sh [--only GROUP]... [--with GROUP]...     without --only: program, pictures, live,
+#        tests, export and lint
 #   program      what builds and runs the program
 #   pictures     OpenGL in software, movies and plots
 #   tests        what builds and runs the tests
 #   live         the window of `tumble live`, and what plays it in tests; without it both are left out
+#   export       what `tumble export` writes MCAP files with, and what its tests read files with; left out without it
 #   lint         clang-tidy
 #   report       what makes and tests the script of the report page; without it those tests are skipped
 #   determinism  the compilers and emulators that tools/scripts/checks/determinism.sh uses
@@ -25,6 +27,7 @@ declare -A groups=(
   # clang-16: one of the compilers that must agree to the bit, also in the short form that is part of the tests
   [tests]="libgtest-dev libbenchmark-dev clang-format clang-16 python3-yaml"
   [live]="libglfw3-dev libimgui-dev libgl1-mesa-dri xvfb xauth xdotool"
+  [export]="libprotobuf-dev protobuf-compiler libtinygltf-dev python3-numpy"
   [lint]="clang-tidy"
   [report]="" # commands, from wherever the machine has them, else from Debian
   [determinism]="clang-16 clang-19 qemu-user g++-aarch64-linux-gnu g++-riscv64-linux-gnu g++-s390x-linux-gnu
@@ -60,7 +63,7 @@ while (($#)); do
   if [[ $1 == --only ]]; then only+=("$2"); else with+=("$2"); fi
   shift 2
 done
-((${#only[@]})) || only=(program pictures live tests lint)
+((${#only[@]})) || only=(program pictures live tests export lint)
 packages=()
 for group in "${only[@]}" ${with[@]+"${with[@]}"}; do
   read -r -d '' -a more <<<"${groups[$group]}" || true

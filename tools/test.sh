@@ -13,7 +13,7 @@ if [[ ${1-} == --all ]]; then
   shift
 fi
 
-tools/setup.sh --only program --only pictures --only live --only tests --only report
+tools/setup.sh --only program --only pictures --only live --only tests --only export --only report
 cmake --preset release
 cmake --build --preset release --parallel "$(nproc)" --target "${targets[@]}"
 built=$SECONDS

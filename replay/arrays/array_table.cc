@@ -7,17 +7,12 @@
 #include <string_view>
 #include <utility>
 
+#include "replay/arrays/array_rows.h"
 #include "replay/arrays/known_arrays.h"
 #include "src/base/text.h"
 
 namespace tumble::replay {
 namespace {
-
-/// A column of the table: its name, and the cell of a step and a body.
-struct TableColumn {
-  std::string name;
-  std::function<std::string(std::size_t step, std::size_t body)> cell;
-};
 
 class ArrayTable {
  public:
@@ -27,6 +22,7 @@ class ArrayTable {
   Result<std::string> text() {
     if (Status ok = find_sizes(); !ok.ok()) return ok.error();
     if (Status ok = add_clock(); !ok.ok()) return ok.error();
+    if (Status ok = find_present(); !ok.ok()) return ok.error();
     add_ids();
     for (const KnownArray& known : kMoving) {
       if (Status ok = add_moving(known); !ok.ok()) return ok.error();
@@ -38,23 +34,20 @@ class ArrayTable {
     for (const Array& array : arrays_) {
       if (Status ok = add_rest(array); !ok.ok()) return ok.error();
     }
-    return printed();
+    header_ += kinds_line(columns_, kinds_);
+    return print_rows(header_, columns_, steps_, bodies_, present_);
   }
 
  private:
   [[nodiscard]] Error wrong(const std::string& message) const { return bad_input(name_ + ": " + message); }
-
-  static std::string shape_text(const std::vector<std::size_t>& shape) {
-    std::string text = "(";
-    for (const std::size_t n : shape) text += (text.size() == 1 ? "" : ", ") + std::to_string(n);
-    return text + ")";
+  [[nodiscard]] Error wrong_shape(const Array& array, const std::string& wanted) const {
+    return wrong("array " + array.name + ": found the shape " + shape_text(array.shape) + ", wanted " + wanted);
   }
 
   const Array* find(const ArrayNames& names) const {
     for (const std::string_view name : names) {
       if (name.empty()) break;
-      const auto found = std::ranges::find(arrays_, name, &Array::name);
-      if (found != arrays_.end()) return &*found;
+      if (const Array* found = find_array(arrays_, name); found != nullptr) return found;
     }
     return nullptr;
   }
@@ -67,8 +60,7 @@ class ArrayTable {
     if (position != nullptr) {
       const std::vector<std::size_t>& shape = position->shape;
       if (shape.size() < 2 || shape.size() > 3 || shape.back() != 3 || !position->is_number()) {
-        return wrong("array " + position->name + ": found the shape " + shape_text(position->shape) +
-                     ", wanted (steps, bodies, 3), or (steps, 3) of one body");
+        return wrong_shape(*position, "(steps, bodies, 3), or (steps, 3) of one body");
       }
       steps_ = shape[0];
       bodies_ = shape.size() == 3 ? shape[1] : 1;
@@ -91,15 +83,16 @@ class ArrayTable {
   Status add_clock() {
     const Array* step = find({"step", "steps"});
     const Array* time = find({"time", "times", "t"});
-    for (const Array* array : {step, time}) {
+    const Array* dt = find({"dt"});
+    if (dt != nullptr && dt->shape.empty()) dt = nullptr;  // a line of the header
+    for (const Array* array : {step, time, dt}) {
       if (array == nullptr) continue;
       if (array->shape != std::vector<std::size_t>{steps_}) {
-        return wrong("array " + array->name + ": found the shape " + shape_text(array->shape) + ", wanted (" +
-                     std::to_string(steps_) + "), one number a step");
+        return wrong_shape(*array, "(" + std::to_string(steps_) + "), one number a step");
       }
       use(*array);
-      columns_.push_back(
-          {array == step ? "step" : "time", [array](std::size_t k, std::size_t) { return array->cell({k}); }});
+      const char* name = array == step ? "step" : (array == time ? "time" : "dt");
+      columns_.push_back({name, [array](std::size_t k, std::size_t) { return array->cell({k}); }});
     }
     if (step == nullptr && time == nullptr) {
       columns_.push_back({"step", [](std::size_t k, std::size_t) { return std::to_string(k); }});
@@ -143,8 +136,7 @@ class ArrayTable {
     if (!known.letters.empty()) of_one.push_back(known.letters.size());
     const bool one = bodies_ == 1 && array->shape == of_one;
     if (array->shape != wanted && !one) {
-      return wrong("array " + array->name + ": found the shape " + shape_text(array->shape) + ", wanted " +
-                   shape_text(wanted));
+      return wrong_shape(*array, shape_text(wanted));
     }
     use(*array);
     const auto index = [one](std::size_t k, std::size_t body) {
@@ -196,9 +188,8 @@ class ArrayTable {
       std::size_t numbers = 0;
       for (const MujocoJoint& joint : options_.joints) numbers += (joint.*count)();
       if (array->shape != std::vector<std::size_t>{steps_, numbers}) {
-        return wrong("array " + array->name + ": found the shape " + shape_text(array->shape) + ", wanted (" +
-                     std::to_string(steps_) + ", " + std::to_string(numbers) +
-                     "), as the joints of --model give; is it the model of this session?");
+        return wrong_shape(*array, shape_text({steps_, numbers}) +
+                                       ", as the joints of --model give; is it the model of this session?");
       }
       use(*array);
       std::size_t at = 0;
@@ -237,47 +228,53 @@ class ArrayTable {
       return {};
     }
     if (shape.empty() || shape[0] != steps_ || shape.size() > 3) {
-      return wrong("array " + array.name + ": found the shape " + shape_text(array.shape) + ", wanted " +
-                   std::to_string(steps_) +
-                   " steps first; an array that is to be passed over has a name that begins with _");
+      return wrong_shape(array, std::to_string(steps_) +
+                                    " steps first; an array that is to be passed over has a name that begins with _");
     }
-    const bool of_bodies = shape.size() >= 2 && shape[1] == bodies_ && (shape.size() == 3 || bodies_ > 1);
+    const bool of_step = array.name.starts_with("world.");
+    const bool of_bodies = !of_step && shape.size() >= 2 && shape[1] == bodies_ &&
+                           (shape.size() == 3 || bodies_ > 1 || array.name.starts_with("channel."));
     const std::size_t fixed = of_bodies ? 2 : 1;
     if (shape.size() > fixed + 1) {
-      return wrong("array " + array.name + ": found the shape " + shape_text(array.shape) + ", wanted (" +
-                   std::to_string(steps_) + ", " + std::to_string(bodies_) + ", …)");
+      return wrong_shape(array, "(" + std::to_string(steps_) + ", " + std::to_string(bodies_) + ", …)");
     }
-    const bool many = shape.size() > fixed;
-    for (std::size_t c = 0; c < (many ? shape[fixed] : 1); ++c) {
-      const std::string name =
-          (of_bodies ? "channel." : "world.") + array.name + (many ? '.' + std::to_string(c) : std::string());
-      columns_.push_back({name, [&array, of_bodies, many, c](std::size_t k, std::size_t body) {
-                            std::vector<std::size_t> at = {k};
-                            if (of_bodies) at.push_back(body);
-                            if (many) at.push_back(c);
-                            return array.cell(at);
-                          }});
+    ChannelPart channel = {
+        &array, find_exact("present." + array.name), find_exact("texts." + array.name), of_bodies, shape.size() > fixed,
+        0};
+    if (channel.present != nullptr && (channel.many || channel.present->shape != shape)) {
+      return wrong_shape(*channel.present, "that of " + array.name + ", " + shape_text(shape));
+    }
+    if (channel.texts != nullptr && (channel.texts->shape.size() != 1 || !array.is_number())) {
+      return wrong_shape(*channel.texts, "(texts), and numbers of its rows in " + array.name);
+    }
+    const std::string prefix = of_bodies ? "channel." : "world.";
+    const std::string name = array.name.starts_with(prefix) ? array.name : prefix + array.name;
+    for (std::size_t c = 0; c < (channel.many ? shape[fixed] : 1); ++c) {
+      channel.part = c;
+      columns_.push_back({name + (channel.many ? '.' + std::to_string(c) : std::string()),
+                          [channel](std::size_t k, std::size_t body) { return channel.cell(k, body); }});
+      if (array.name.starts_with(prefix)) kinds_.emplace_back(channel.kind());
     }
     return {};
   }
 
-  [[nodiscard]] std::string printed() const {
-    std::string text = header_;
-    for (std::size_t i = 0; i < columns_.size(); ++i) text += (i == 0 ? "" : ",") + columns_[i].name;
-    text += '\n';
-    for (std::size_t k = 0; k < steps_; ++k) {
-      for (std::size_t body = 0; body < bodies_; ++body) {
-        for (std::size_t i = 0; i < columns_.size(); ++i) {
-          if (i > 0) text += ',';
-          std::string cell = columns_[i].cell(k, body);
-          std::ranges::replace(cell, ',', ';');  // cells have no quotes
-          std::ranges::replace(cell, '\n', ' ');
-          text += cell;
-        }
-        text += '\n';
+  const Array* find_exact(const std::string& name) const { return find_array(arrays_, name); }
+
+  /// The bodies that a step has, and what belongs to other arrays.
+  Status find_present() {
+    for (const Array& array : arrays_) {
+      for (const std::string_view prefix : {"present.", "texts."}) {
+        if (array.name.starts_with(prefix) && find_exact(array.name.substr(prefix.size())) != nullptr) use(array);
       }
     }
-    return text;
+    const Array* present = find_exact("present");
+    if (present == nullptr) return {};
+    if (present->shape != std::vector<std::size_t>{steps_, bodies_}) {
+      return wrong_shape(*present, shape_text({steps_, bodies_}));
+    }
+    use(*present);
+    present_ = present;
+    return {};
   }
 
   const std::vector<Array>& arrays_;
@@ -288,6 +285,8 @@ class ArrayTable {
   std::vector<const Array*> used_;                         // arrays that were read
   std::vector<TableColumn> columns_;
   std::string header_;
+  std::vector<std::string> kinds_;  // of channels
+  const Array* present_ = nullptr;
 };
 
 }  // namespace

@@ -22,9 +22,13 @@ inline constexpr std::array kMoving = {
     KnownArray{"velocity", {"velocity", "velocities", "vel", "linear_velocity"}, "xyz"},
     KnownArray{"spin", {"spin", "spins", "angular_velocity", "omega"}, "xyz"},
     KnownArray{"frozen", {"frozen", "asleep", "sleeping"}, ""}};
-inline constexpr std::array kSteady = {
-    KnownArray{"size", {"size", "sizes"}, "xyz"},      KnownArray{"mass", {"mass", "masses"}, ""},
-    KnownArray{"static", {"static", "is_static"}, ""}, KnownArray{"friction", {"friction"}, ""},
-    KnownArray{"restitution", {"restitution"}, ""},    KnownArray{"shape", {"shape", "shapes"}, ""}};
+inline constexpr std::array kSteady = {KnownArray{"size", {"size", "sizes"}, "xyz"},
+                                       KnownArray{"mass", {"mass", "masses"}, ""},
+                                       KnownArray{"static", {"static", "is_static"}, ""},
+                                       KnownArray{"friction", {"friction"}, ""},
+                                       KnownArray{"restitution", {"restitution"}, ""},
+                                       KnownArray{"shape", {"shape", "shapes"}, ""},
+                                       KnownArray{"texture", {"texture"}, ""},
+                                       KnownArray{"friction_dynamic", {"friction_dynamic"}, ""}};
 
 }  // namespace tumble::replay

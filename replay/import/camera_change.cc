@@ -69,4 +69,18 @@ Result<sim::Camera> CameraChange::applied_to(sim::Camera camera) const {
   return camera;
 }
 
+bool take_number(const std::string& text, double& out) {
+  const std::vector<double> numbers = numbers_of(text);
+  if (numbers.size() != 1) return false;
+  out = numbers[0];
+  return true;
+}
+
+bool take_vector(const std::string& text, sim::Vec3& out) {
+  const std::vector<double> numbers = numbers_of(text);
+  if (numbers.size() != 3) return false;
+  out = {numbers[0], numbers[1], numbers[2]};
+  return true;
+}
+
 }  // namespace tumble::replay

@@ -11,6 +11,9 @@ namespace tumble::replay {
 
 /// The finite numbers of "0 0 -9.81", with spaces or commas between; empty for any other text.
 std::vector<double> numbers_of(const std::string& text);
+/// One number; three. False for any other text.
+bool take_number(const std::string& text, double& out);
+bool take_vector(const std::string& text, sim::Vec3& out);
 
 /// Values that replace those of a camera, from the lines "camera.position: 3 -8 4" of a table or from arguments.
 struct CameraChange {

@@ -1,5 +1,7 @@
 #include "replay/import/csv_bodies.h"
 
+#include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <string>
 
@@ -10,6 +12,8 @@ namespace tumble::replay {
 namespace {
 
 using sim::BoxDef;
+
+constexpr double kNoPlace = -1;
 
 Result<double> read_number(const CsvReader& table, std::size_t column) { return table.number(column); }
 
@@ -28,8 +32,18 @@ Result<double> read_flag(const CsvReader& table, std::size_t column) {
   return *value ? 1.0 : 0.0;
 }
 
-/// Row or column of a grid.
+/// The number of a texture in sim::Texture.
+Result<double> read_texture(const CsvReader& table, std::size_t column) {
+  constexpr std::array<std::string_view, 5> kTextures = {"crate", "brick", "wood", "concrete", "white"};
+  const auto* const found = std::ranges::find(kTextures, table.cell(column));
+  if (found != kTextures.end()) return static_cast<double>(found - kTextures.begin());
+  return table.at(column,
+                  "texture: " + found_wanted(in_quotes(table.cell(column)), "crate, brick, wood, concrete or white"));
+}
+
+/// Row or column of a grid. An empty cell: the body is in none.
 Result<double> read_place(const CsvReader& table, std::size_t column) {
+  if (table.cell(column).empty()) return kNoPlace;
   const Result<std::uint64_t> value = table.whole(column);
   if (!value.ok()) return value.error();
   if (*value <= sim::kBodiesMax) return static_cast<double>(*value);
@@ -39,11 +53,13 @@ Result<double> read_place(const CsvReader& table, std::size_t column) {
 
 // A body with a row or a column counts as part of a grid, because metrics know rows and columns of grids.
 void set_row(BoxDef& box, double value) {
+  if (value == kNoPlace) return;
   box.origin.row = static_cast<std::uint32_t>(value);
   box.origin.kind = sim::Origin::Kind::kGrid;
 }
 
 void set_column(BoxDef& box, double value) {
+  if (value == kNoPlace) return;
   box.origin.column = static_cast<std::uint32_t>(value);
   box.origin.kind = sim::Origin::Kind::kGrid;
 }
@@ -57,13 +73,17 @@ void set_friction(BoxDef& box, double value) {
 
 CsvBodies::CsvBodies(const CsvColumns& columns, const CsvSettings& settings)
     : axes_(settings.axes), has_size_(columns.size[0] != CsvColumns::kNone) {
-  const auto read_length = settings.engine.precision_bits == kBinary32Bits ? read_edge<true> : read_edge<false>;
+  const auto read_length =
+      settings.engine.precision_bits == kBinary32Bits && !settings.wide_cells ? read_edge<true> : read_edge<false>;
   const std::initializer_list<Column> all = {
       {columns.size[0], read_length, [](BoxDef& box, double value) { box.size.x() = value; }},
       {columns.size[1], read_length, [](BoxDef& box, double value) { box.size.y() = value; }},
       {columns.size[2], read_length, [](BoxDef& box, double value) { box.size.z() = value; }},
       {columns.mass, read_number, [](BoxDef& box, double value) { box.mass = value; }},
       {columns.friction, read_number, set_friction},
+      {columns.friction_dynamic, read_number, [](BoxDef& box, double value) { box.material.friction_dynamic = value; }},
+      {columns.texture, read_texture,
+       [](BoxDef& box, double value) { box.material.texture = static_cast<sim::Texture>(value); }},
       {columns.restitution, read_number, [](BoxDef& box, double value) { box.material.restitution = value; }},
       {columns.is_static, read_flag, [](BoxDef& box, double value) { box.is_static = value != 0; }},
       {columns.row, read_place, set_row},

@@ -11,7 +11,8 @@
 
 namespace tumble::replay {
 
-/// Reads the columns that describe a body, not its state: size, mass, static, friction, restitution, row, column. The
+/// Reads the columns that describe a body, not its state: size, mass, static, friction,
+/// friction_dynamic, restitution, texture, row, column. The
 /// row in which a body first appears gives the values. Every later row of the body must repeat them, so that no change
 /// is passed over. Errors (kBadInput) name file, line and column.
 class CsvBodies {

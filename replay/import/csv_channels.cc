@@ -17,12 +17,14 @@ bool is_whole(std::string_view cell) {
 
 }  // namespace
 
-CsvChannels::CsvChannels(const CsvColumns& columns, bool single) : single_(single) {
+CsvChannels::CsvChannels(const CsvColumns& columns, const std::vector<ChannelKind>& kinds, bool single)
+    : single_(single) {
   for (const CsvColumns::ChannelColumn& column : columns.channels) {
     columns_.emplace_back();
     columns_.back().column = column.column;
     columns_.back().name = column.name;
     columns_.back().scope = column.scope;
+    if (columns_.size() <= kinds.size()) columns_.back().kind = kinds[columns_.size() - 1];
   }
   std::ranges::sort(columns_, {}, &Column::name);
   for (const Column& column : columns_) channels_.push_back({column.name, {ChannelKind::kFloat64, column.scope}, ""});
@@ -42,6 +44,7 @@ void CsvChannels::look(const CsvReader& table) {
 }
 
 ChannelKind CsvChannels::kind_of_cells(const Column& column) const {
+  if (column.kind) return *column.kind;
   if (column.text) return ChannelKind::kText;
   if (column.real || (column.negative && column.large)) return single_ ? ChannelKind::kFloat32 : ChannelKind::kFloat64;
   return column.large ? ChannelKind::kUint64 : ChannelKind::kInt64;

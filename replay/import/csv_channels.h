@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,8 @@ namespace tumble::replay {
 /// second reading takes the values. An empty cell is no value. Errors (kBadInput) name file, line and column.
 class CsvChannels {
  public:
-  CsvChannels(const CsvColumns& columns, bool single);
+  /// kinds: in the order of the columns in the table; empty: as the cells look.
+  CsvChannels(const CsvColumns& columns, const std::vector<ChannelKind>& kinds, bool single);
 
   /// First reading: looks at the cells of the row.
   void look(const CsvReader& table);
@@ -39,6 +41,7 @@ class CsvChannels {
     std::size_t column = 0;  // in the table
     std::string name;
     ChannelScope scope = ChannelScope::kBody;
+    std::optional<ChannelKind> kind = {};                              // given by the table
     bool text = false, real = false, negative = false, large = false;  // seen so far
     std::string world;                                                 // the cell of the step, of a world channel
     bool has_world = false;

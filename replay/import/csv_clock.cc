@@ -66,6 +66,7 @@ Result<double> CsvClock::begin_step(const CsvReader& table) {
   if (by_time) stride_ = 1;
   if (!by_time && steps_ == 2) stride_ = apart;
   if (!by_time && apart != stride_) return wrong(text_of(before + stride_));
+  if (!dt_ && dt_column_ != kNone) return table.number(dt_column_);
   if (!dt_) return time_ - time_before;
   const double dt = *dt_ * stride_;
   if (time_column_ == kNone) return dt;

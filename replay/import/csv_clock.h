@@ -10,13 +10,14 @@
 
 namespace tumble::replay {
 
-/// Reads the columns step and time of a table. Says where a step begins and how long each step takes. Errors
+/// Reads the columns step, time and dt of a table. Says where a step begins and how long each step takes. Errors
 /// (kBadInput) name file, line and column.
 class CsvClock {
  public:
-  /// dt: s, of one step of the engine; none: the differences of the column time.
+  /// dt: s, of one step of the engine; none: the column dt (s, since the step before), else the differences of the
+  /// column time.
   CsvClock(const CsvColumns& columns, std::optional<double> dt)
-      : step_column_(columns.step), time_column_(columns.time), dt_(dt) {}
+      : step_column_(columns.step), time_column_(columns.time), dt_column_(columns.dt), dt_(dt) {}
 
   /// Reads the cells of the table's row. Errors: no number, a time that is infinite or NaN, another time than the first
   /// row of the same step has.
@@ -35,7 +36,7 @@ class CsvClock {
   [[nodiscard]] double last_place() const;
   [[nodiscard]] Status check_time(const CsvReader& table, double time_before, double dt) const;
 
-  std::size_t step_column_, time_column_;
+  std::size_t step_column_, time_column_, dt_column_;
   std::optional<double> dt_;
   double row_key_ = 0, row_time_ = 0;  // of the row; the key is the step number, or the time without such a column
   double key_ = 0, time_ = 0;          // of the step that began last

@@ -6,23 +6,10 @@
 #include <utility>
 
 #include "replay/format/limits.h"
+#include "replay/import/shape_text.h"
 
 namespace tumble::replay {
 namespace {
-
-bool take_number(const std::string& text, double& out) {
-  const std::vector<double> numbers = numbers_of(text);
-  if (numbers.size() != 1) return false;
-  out = numbers[0];
-  return true;
-}
-
-bool take_vector(const std::string& text, sim::Vec3& out) {
-  const std::vector<double> numbers = numbers_of(text);
-  if (numbers.size() != 3) return false;
-  out = {numbers[0], numbers[1], numbers[2]};
-  return true;
-}
 
 /// A key, the values that it accepts, and the function that stores a value.
 struct Key {
@@ -75,6 +62,15 @@ constexpr std::array kKeys = {
           out.radians = v == "radians";
           return v == "radians" || v == "degrees";
         }},
+    Key{"cells", "float64", [](const std::string& v, CsvSettings& out) { return out.wide_cells = v == "float64"; }},
+    Key{"derived", "velocity, spin or both",
+        [](const std::string& v, CsvSettings& out) {
+          out.velocity_derived = v == "velocity spin" || v == "velocity";
+          out.spin_derived = v == "velocity spin" || v == "spin";
+          return out.velocity_derived || out.spin_derived;
+        }},
+    Key{"kinds", "float64, float32, int64, uint64 or text for each channel, in the order of their columns",
+        [](const std::string& v, CsvSettings& out) { return !(out.kinds = parse_kinds(v)).empty(); }},
     Key{"dt", "a number of seconds > 0",
         [](const std::string& v, CsvSettings& out) { return take_number(v, out.dt.emplace()) && *out.dt > 0; }},
     Key{"gravity", "three numbers",
@@ -256,6 +252,9 @@ Result<CsvColumns> find_columns(const CsvReader& table, bool others_are_channels
                    {"id", &columns.id},
                    {"name", &columns.name},
                    {"shape", &columns.shape},
+                   {"dt", &columns.dt},
+                   {"friction_dynamic", &columns.friction_dynamic},
+                   {"texture", &columns.texture},
                    {"frozen", &columns.frozen},
                    {"mass", &columns.mass},
                    {"static", &columns.is_static},

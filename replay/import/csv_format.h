@@ -29,7 +29,10 @@ struct CsvSettings {
   sim::BoxDef box;           ///< size, mass and material of a body without such columns
   EulerOrder euler;          ///< of the columns euler.1 to euler.3
   bool radians = false;      ///< the unit of these columns; else degrees
-  CameraChange camera;       ///< in the engine's axes and units until all settings are read
+  bool wide_cells = false;   ///< cells are doubles, also of an engine that computes with floats
+  bool velocity_derived = false, spin_derived = false;  ///< the columns, where there are any, hold derived values
+  std::vector<ChannelKind> kinds;  ///< of the channels, in the order of their columns; empty: as the cells look
+  CameraChange camera;             ///< in the engine's axes and units until all settings are read
 };
 
 /// Reads the settings of a table, then `more` ("key: value", from the command line), which override the table. start:
@@ -45,7 +48,7 @@ struct CsvColumns {
   static constexpr std::size_t kNone = ~std::size_t{0};
   std::size_t step = kNone, time = kNone, id = kNone, frozen = kNone, mass = kNone, is_static = kNone;
   std::size_t friction = kNone, restitution = kNone, row = kNone, column = kNone;
-  std::size_t name = kNone, shape = kNone;
+  std::size_t name = kNone, shape = kNone, dt = kNone, friction_dynamic = kNone, texture = kNone;
   std::array<std::size_t, 3> position = {}, velocity = {}, spin = {}, euler = {},
                              size = {};  ///< all components of a vector or none
   std::array<std::size_t, 4> orientation = {};

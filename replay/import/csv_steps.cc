@@ -38,8 +38,14 @@ Result<CsvSteps> CsvSteps::open(std::string_view text, const std::string& name, 
   Result<CsvSettings> read = read_settings(*table, options.settings, std::move(start));
   if (!read.ok()) return read.error();
   CsvSteps steps(*std::move(table), *std::move(read), *columns);
-  if (columns->time == kNone && !steps.settings_.dt) {
+  if (columns->time == kNone && columns->dt == kNone && !steps.settings_.dt) {
     return steps.at_line(steps.table_.line(), "found neither a column time nor a line \"# dt: …\"; wanted one");
+  }
+  if (const std::size_t kinds = steps.settings_.kinds.size(); kinds > 0 && kinds != columns->channels.size()) {
+    return steps.at_line(
+        steps.table_.line(),
+        "kinds: " + found_wanted(count_text(kinds, "kind"), count_text(columns->channels.size(), "kind") +
+                                                                ", one for each column channel.NAME and world.NAME"));
   }
   if (like) {
     for (const sim::BoxDef& box : like->boxes) steps.like_.emplace(box.id, box);
@@ -100,7 +106,7 @@ Result<bool> CsvSteps::next_row() {
 
 template <std::size_t N>
 Status CsvSteps::read_numbers(const std::array<std::size_t, N>& columns, std::array<double, N>& out) const {
-  const bool is_single = settings_.engine.precision_bits == kBinary32Bits;
+  const bool is_single = single();
   for (std::size_t k = 0; k < N; ++k) {
     const Result<double> value = is_single ? table_.single(columns[k]) : table_.number(columns[k]);
     if (!value.ok()) return value.error();
@@ -171,9 +177,8 @@ Result<EngineState> CsvSteps::read_state(sim::BodyId id, double dt) {
   const EngineAxes& axes = settings_.axes;
   EngineState state = {axes.length(vector_of(x)), axes.turn(*turn), axes.length(vector_of(v)), axes.axial(vector_of(w)),
                        *frozen};
-  if (velocity_derived() || spin_derived()) {
-    motion_.derive(id, steps_, dt, velocity_derived(), spin_derived(), state);
-  }
+  const bool without_velocity = !columns_.has_velocity(), without_spin = !columns_.has_spin();
+  if (without_velocity || without_spin) motion_.derive(id, steps_, dt, without_velocity, without_spin, state);
   return state;
 }
 

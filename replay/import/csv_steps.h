@@ -67,8 +67,9 @@ class CsvSteps {
   [[nodiscard]] const BodyInfo& info(sim::BodyId id) const { return infos_.at(id); }
   [[nodiscard]] const Shape* shape(sim::BodyId id) const;
   [[nodiscard]] const CsvChannels& channels() const { return channels_; }
-  [[nodiscard]] bool velocity_derived() const { return !columns_.has_velocity(); }
-  [[nodiscard]] bool spin_derived() const { return !columns_.has_spin(); }
+  /// By the engine that made the table, as the table says.
+  [[nodiscard]] bool velocity_derived() const { return !columns_.has_velocity() || settings_.velocity_derived; }
+  [[nodiscard]] bool spin_derived() const { return !columns_.has_spin() || settings_.spin_derived; }
   [[nodiscard]] const TableNotes& notes() const { return notes_; }  ///< on the steps read so far
   [[nodiscard]] Error at_line(std::uint64_t line, const std::string& message) const {
     return table_.at_line(line, message);
@@ -87,7 +88,11 @@ class CsvSteps {
         columns_(std::move(columns)),
         clock_(columns_, settings_.dt),
         bodies_(columns_, settings_),
-        channels_(columns_, settings_.engine.precision_bits == kBinary32Bits) {}
+        channels_(columns_, settings_.kinds, single()) {}
+  /// Cells are floats.
+  [[nodiscard]] bool single() const {
+    return settings_.engine.precision_bits == kBinary32Bits && !settings_.wide_cells;
+  }
   Result<bool> next_row();
   Status take_row(TableStep& step);
   Status meet(sim::BodyId id, const EngineState& state);

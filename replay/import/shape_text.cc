@@ -1,6 +1,7 @@
 #include "replay/import/shape_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -95,6 +96,21 @@ Result<std::optional<Shape>> parse_shape(std::string_view text, const sim::Vec3&
   if (text.starts_with("hull:")) return shape_of_file(text.substr(5), Shape::Kind::kHull, axes, table_path);
   if (text.starts_with("mesh:")) return shape_of_file(text.substr(5), Shape::Kind::kMesh, axes, table_path);
   return no_shape(text);
+}
+
+std::vector<ChannelKind> parse_kinds(std::string_view text) {
+  constexpr std::array kKinds = {ChannelKind::kFloat64, ChannelKind::kFloat32, ChannelKind::kInt64,
+                                 ChannelKind::kUint64, ChannelKind::kText};
+  std::vector<ChannelKind> kinds;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    const std::string_view word = text.substr(begin, end - begin);
+    const auto* const kind = std::ranges::find_if(kKinds, [&](ChannelKind k) { return word == name_of(k); });
+    if (kind == kKinds.end()) return {};
+    kinds.push_back(*kind);
+    begin = end + 1;
+  }
+  return kinds;
 }
 
 }  // namespace tumble::replay

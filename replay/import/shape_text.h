@@ -3,7 +3,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "tumble/replay/channel.h"
 #include "tumble/replay/imported_table.h"
 #include "tumble/replay/shape.h"
 #include "tumble/sim/result.h"
@@ -16,5 +18,9 @@ namespace tumble::replay {
 /// Errors (kBadInput): another word; a capsule shorter than its caps; a file that holds no such shape.
 Result<std::optional<Shape>> parse_shape(std::string_view text, const sim::Vec3& size, const EngineAxes& axes,
                                          const std::string& table_path);
+
+/// Reads "float64 int64 text", kinds of channels joined by blanks. Empty for any other text, and where a word is
+/// "bytes", which no table holds.
+std::vector<ChannelKind> parse_kinds(std::string_view text);
 
 }  // namespace tumble::replay

@@ -9,6 +9,7 @@
 #include <cstring>
 #include <utility>
 
+#include "src/base/check.h"
 #include "src/files/file_identity.h"
 #include "src/files/part_file.h"
 
@@ -96,6 +97,18 @@ Status OutputFile::flush() {
 Status OutputFile::write(std::string_view bytes) {
   buffer_ += bytes;
   return buffer_.size() < kBlock ? Status() : flush();
+}
+
+Status OutputFile::write_at(std::uint64_t place, std::string_view bytes) {
+  SIM_CHECK(!in_place_);
+  while (!bytes.empty()) {
+    const ssize_t written = ::pwrite(file_, bytes.data(), bytes.size(), static_cast<off_t>(place));
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return failed();
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+    place += static_cast<std::uint64_t>(written);
+  }
+  return {};
 }
 
 Status OutputFile::sync() const {

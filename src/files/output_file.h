@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -32,6 +33,9 @@ class OutputFile {
   [[nodiscard]] bool is_device() const { return in_place_; }
 
   Status write(std::string_view bytes);
+
+  /// Writes at a place of its own, behind which the file may still have holes. Precondition (SIM_CHECK): no device.
+  Status write_at(std::uint64_t place, std::string_view bytes);
 
   /// Gives the file its name. Call once, as the last call.
   Status commit();

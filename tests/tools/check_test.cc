@@ -57,29 +57,30 @@ TEST_F(SmallSuite, PassesWithStatusZeroAndLeavesAReport) {
 
 TEST_F(SmallSuite, AnnotatesFailuresForCiServicesInOneLineEach) {
   EXPECT_EQ(check({"--annotate", "github"}).out.find("::error"), std::string::npos);
-  check({"--annotate", "gitlab"});
+  EXPECT_EQ(check({"--annotate", "gitlab"}).exit, 0);
   EXPECT_EQ(ordered_json::parse(shop_.read("r/gl-code-quality-report.json")), ordered_json::array());
 
   std::string scene = shop_.read("s/cases/two/scene.toml");
-  shop_.write("s/cases/two/scene.toml", scene.replace(scene.find("dt = 0.01"), 9, "dt = 0.02"));
+  shop_.write("s/cases/two/scene.toml", scene.replace(scene.find("[0.0, 0.0, 0.7]"), 15, "[0.0, 0.0, 0.8]"));
   const std::string printed = check({"--annotate", "github"}).out;
   const std::size_t begin = printed.find("::error file=s/cases/two/scene.toml,line=1,title=two::two: ");
   ASSERT_NE(begin, std::string::npos) << printed;
   const std::string line = printed.substr(begin, printed.find('\n', begin) - begin);
-  EXPECT_NE(line.find("first difference: step 1, "), std::string::npos) << line;
+  EXPECT_NE(line.find("first difference: step 0, phase start"), std::string::npos) << line;
   EXPECT_EQ(printed.find("::error", begin + 1), std::string::npos) << "one failure, one line";
-  ordered_json::parse(check({"--annotate", "github", "--json"}).out);  // nothing but JSON
+  EXPECT_TRUE(ordered_json::accept(check({"--annotate", "github", "--json"}).out)) << "nothing but JSON";
 
-  check({"--annotate", "gitlab"});
+  EXPECT_EQ(check({"--annotate", "gitlab"}).exit, 1);
   const ordered_json findings = ordered_json::parse(shop_.read("r/gl-code-quality-report.json"));
   ASSERT_EQ(findings.size(), 1U);
   EXPECT_EQ(findings[0]["location"]["path"], "s/cases/two/scene.toml");
   EXPECT_EQ(findings[0]["location"]["lines"]["begin"], 1);
   EXPECT_EQ(findings[0]["fingerprint"].get<std::string>().size(), 32U);
-  EXPECT_NE(findings[0]["description"].get<std::string>().find("first difference: step 1, "), std::string::npos);
+  EXPECT_NE(findings[0]["description"].get<std::string>().find("first difference: step 0, phase start"),
+            std::string::npos);
 
-  check();
-  EXPECT_FALSE(std::filesystem::exists(shop_.path() / "r" / "gl-code-quality-report.json")) << "of an earlier check";
+  EXPECT_EQ(check().exit, 1);
+  EXPECT_TRUE(shop_.names_with("gl-code-quality").empty()) << "of an earlier check";
   EXPECT_EQ(check({"--annotate", "elsewhere"}).exit, 2);
 }
 

@@ -78,6 +78,11 @@ std::vector<Room> logs() {
       {"replay/diff", above + Folders{"replay/measure", "replay/recover", "replay/picture"}},
       {"replay/view", above + Folders{"replay/measure"}},
       {"replay/blame", above + Folders{"replay/diff"}},
+      {"replay/export/plan", above},
+      {"replay/export/table", above + Folders{"src/files", "replay/export/plan"}},
+      {"replay/export/scene",
+       above + Folders{"src/files", "replay/export/plan", "src/render/scene", "src/render/picture"}},
+      {"replay/export", {"src/base", "src/files", "replay/export/plan", "replay/export/table", "replay/export/scene"}},
   };
 }
 
@@ -131,8 +136,8 @@ std::vector<Room> program() {
       {"tools/compare", above + Folders{"tools/engine"}},
       {"tools/hunt", above},
       {"tools/view", above + Folders{"golden/report/page", "tools/compare"}},
-      {"tools/commands",
-       above + Folders{"tools/bisect", "tools/bench", "tools/engine", "tools/compare", "tools/hunt", "tools/view"}},
+      {"tools/commands", above + Folders{"replay/export/plan", "replay/export", "tools/bisect", "tools/bench",
+                                         "tools/engine", "tools/compare", "tools/hunt", "tools/view"}},
       {"tools", above + Folders{"tools/manual", "tools/commands"}},
       {"tools/live", above + Folders{"src/render/gl", "src/render/scene", "replay/live", "tools"}},
   };
@@ -161,6 +166,7 @@ std::vector<Room> tests() {
                              "tests/golden",
                              "tests/toy",
                              "tests/tools",
+                             "tests/export",
                              "tests/outputs",
                              "tests/trial",
                              "tests/determinism",

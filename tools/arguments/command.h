@@ -30,6 +30,7 @@ Action declare_dump(Arguments& arguments);
 Action declare_render(Arguments& arguments);
 Action declare_live(Arguments& arguments);
 Action declare_view(Arguments& arguments);
+Action declare_export(Arguments& arguments);
 Action declare_import(Arguments& arguments);
 Action declare_bench(Arguments& arguments);
 Action declare_scenes(Arguments& arguments);

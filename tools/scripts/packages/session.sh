@@ -35,7 +35,9 @@ fi
 timed 'record' "$tumble" record brick_wall -o wall.tumble --quiet
 timed 'replay' "$tumble" replay wall.tumble
 so_far 'to a replayed session'
-timed 'check' "$tumble" check --suite "$data/golden" --report report
+require=() # of the archive, which brings no OpenGL; another Mesa may draw other pixels
+[[ $1 == deb ]] || require=(--require exact --require behaviour)
+timed 'check' "$tumble" check --suite "$data/golden" --report report ${require[@]+"${require[@]}"}
 so_far 'to a checked suite'
 [[ -s report/index.html && -s report/junit.xml ]] || fail 'check wrote no report'
 if [[ $1 == archive ]]; then
@@ -58,7 +60,7 @@ e/engine ball.tumblestream && tumble import ball.tumblestream -o ball.tumble >im
 read -ra flags <<<"$(pkg-config --cflags --libs tumble-replay)"
 g++ -std=c++20 consumer/main.cc "${flags[@]}" -o by_pkg_config || fail 'a program by pkg-config'
 if [[ -e /usr/share/doc/python3-tumble ]]; then
-  timed 'import tumble' python3 -c 'import tumble; assert tumble.open("wall.tumble") is not None'
+  timed 'import tumble' python3 -c 'import tumble; print(tumble.Log("wall.tumble").steps[120].position[0])'
 fi
 names=$(cd /packages && printf '%s ' *.deb | sed -E 's/_[^ ]*//g')
 read -ra names <<<"$names"

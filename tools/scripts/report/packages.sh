@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the locked npm packages of golden/report and prints the folder they are in (its node_modules).
-# Usage: tools/scripts/report/packages.sh      status 77 and the reason on stderr where they cannot be had
+# Installs the locked npm packages of a folder and prints the folder they are in (its node_modules).
+# Usage: tools/scripts/report/packages.sh [FOLDER]      golden/report/page unless said; status 77 and the reason on stderr where they cannot be had
 # They go to TUMBLE_NPM (by default under ~/.cache), never into the tree. Needs node and npm.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
@@ -10,8 +10,8 @@ skip() {
   exit 77
 }
 
-sources=golden/report/page
-(($# == 0)) || { sed -n '2,4s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2; }
+sources=${1:-golden/report/page}
+(($# <= 1)) || { sed -n '2,4s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2; }
 for command in node npm; do
   command -v $command >/dev/null || skip "$command is missing; run tools/setup.sh --with report"
 done

@@ -1,0 +1,75 @@
+#include "replay/arrays/array_rows.h"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+namespace tumble::replay {
+namespace {
+
+/// numpy's bool, or a number.
+bool is_true(const std::string& cell) { return !cell.empty() && cell != "0"; }
+
+}  // namespace
+
+std::string shape_text(const std::vector<std::size_t>& shape) {
+  std::string text = "(";
+  for (const std::size_t n : shape) text += (text.size() == 1 ? "" : ", ") + std::to_string(n);
+  return text + ")";
+}
+
+const Array* find_array(const std::vector<Array>& arrays, std::string_view name) {
+  const auto found = std::ranges::find(arrays, name, &Array::name);
+  return found == arrays.end() ? nullptr : &*found;
+}
+
+std::string ChannelPart::cell(std::size_t step, std::size_t body) const {
+  std::vector<std::size_t> at = {step};
+  if (of_bodies) at.push_back(body);
+  if (present != nullptr && !is_true(present->cell(at))) return {};
+  if (many) at.push_back(part);
+  std::string cell = values->cell(at);
+  if (texts == nullptr) return cell;
+  std::size_t row = 0;
+  std::from_chars(cell.data(), cell.data() + cell.size(), row);
+  return row < texts->size() ? texts->cell({row}) : std::string();
+}
+
+const char* ChannelPart::kind() const {
+  if (texts != nullptr || !values->is_number()) return "text";
+  if (values->kind == Array::Kind::kFloat) return values->item_bytes == 4 ? "float32" : "float64";
+  return values->kind == Array::Kind::kUnsigned && values->item_bytes == 8 ? "uint64" : "int64";
+}
+
+std::string kinds_line(const std::vector<TableColumn>& columns, const std::vector<std::string>& kinds) {
+  const auto channels = std::ranges::count_if(columns, [](const TableColumn& column) {
+    return column.name.starts_with("channel.") || column.name.starts_with("world.");
+  });
+  if (kinds.empty() || std::cmp_not_equal(channels, kinds.size())) return {};
+  std::string line = "# kinds:";
+  for (const std::string& kind : kinds) line += ' ' + kind;
+  return line + '\n';
+}
+
+std::string print_rows(const std::string& header, const std::vector<TableColumn>& columns, std::size_t steps,
+                       std::size_t bodies, const Array* present) {
+  std::string text = header;
+  for (std::size_t i = 0; i < columns.size(); ++i) text += (i == 0 ? "" : ",") + columns[i].name;
+  text += '\n';
+  for (std::size_t k = 0; k < steps; ++k) {
+    for (std::size_t body = 0; body < bodies; ++body) {
+      if (present != nullptr && !is_true(present->cell({k, body}))) continue;
+      for (std::size_t i = 0; i < columns.size(); ++i) {
+        if (i > 0) text += ',';
+        std::string cell = columns[i].cell(k, body);
+        std::ranges::replace(cell, ',', ';');  // cells have no quotes
+        std::ranges::replace(cell, '\n', ' ');
+        text += cell;
+      }
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+}  // namespace tumble::replay

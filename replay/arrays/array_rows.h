@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "replay/arrays/npy.h"
+
+/// Arrays as the text of a table.
+namespace tumble::replay {
+
+/// "(40, 3)".
+std::string shape_text(const std::vector<std::size_t>& shape);
+
+/// Null where no array has this name.
+const Array* find_array(const std::vector<Array>& arrays, std::string_view name);
+
+/// A column of the table: its name, and the cell of a step and a body.
+struct TableColumn {
+  std::string name;
+  std::function<std::string(std::size_t step, std::size_t body)> cell;
+};
+
+/// A part of an array as a column: of (steps), (steps, n), (steps, bodies) or (steps, bodies, n).
+struct ChannelPart {
+  const Array* values = nullptr;
+  const Array* present = nullptr;  ///< likewise true where there is a value; null: everywhere
+  const Array* texts = nullptr;    ///< the values are numbers of its rows; null: they are values
+  bool of_bodies = false;
+  bool many = false;
+  std::size_t part = 0;
+
+  [[nodiscard]] std::string cell(std::size_t step, std::size_t body) const;
+  /// The word for `import`: "float64", "float32", "int64", "uint64", "text".
+  [[nodiscard]] const char* kind() const;
+};
+
+/// "# kinds: float64 text" and a line end; empty where some channel among the columns has no kind.
+std::string kinds_line(const std::vector<TableColumn>& columns, const std::vector<std::string>& kinds);
+
+/// The lines of the table: `header`, the names, a row a step and body. present: (steps, bodies), false where the table
+/// has no row; null: rows everywhere.
+std::string print_rows(const std::string& header, const std::vector<TableColumn>& columns, std::size_t steps,
+                       std::size_t bodies, const Array* present);
+
+}  // namespace tumble::replay

@@ -1,0 +1,202 @@
+#include "replay/export/table/csv_writer.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "replay/export/table/table_frame.h"
+#include "replay/format/not_finite.h"
+#include "src/base/text.h"
+
+namespace tumble::replay {
+namespace {
+
+/// Reads back to the same bits. Readers of tables know "inf" and the usual "nan".
+void append(double number, std::string& row) {
+  const bool plain =
+      !std::isnan(number) || std::bit_cast<std::uint64_t>(number) == std::bit_cast<std::uint64_t>(kNotANumber);
+  row += plain ? exact(number) : exact_bits(number);
+}
+
+void append_comma(double number, std::string& row) {
+  row += ',';
+  append(number, row);
+}
+
+bool fits_cell(const std::string& text) {
+  const auto wrong = [](char c) { return c == ',' || static_cast<unsigned char>(c) < ' '; };
+  return !text.empty() && text.front() != ' ' && text.back() != ' ' && std::ranges::none_of(text, wrong);
+}
+
+class CsvWriter : public ExportWriter {
+ public:
+  explicit CsvWriter(files::OutputFile& file) : file_(file), frame_(EngineAxes{}) {}
+
+  Status begin(const ExportPlan& plan) override {
+    plan_ = &plan;
+    frame_ = TableFrame(table_axes(plan.header));
+    channels_ = table_channels(plan.header.declared);
+    left_out_ = left_out_of_tables(plan);
+    named_ = plan.named();
+    shaped_ = std::ranges::any_of(plan.bodies, [](const ExportBody& body) { return body.shape != nullptr; });
+    gridded_ = std::ranges::any_of(
+        plan.bodies, [](const ExportBody& body) { return body.box.origin.kind == sim::Origin::Kind::kGrid; });
+    for (const std::size_t i : channels_) {
+      const std::string& name = plan.header.declared.channels[i].name;
+      if (!fits_cell(name)) {
+        return bad_input("channel " + in_quotes(name) +
+                         ": found a name that a table without quotes cannot hold (a comma, a blank at an end); export "
+                         "to .npz or .mcap");
+      }
+    }
+    for (const ExportBody& body : plan.bodies) describe(body);
+    return write_head();
+  }
+
+  Status add(const ExportStep& step) override {
+    if (Status ok = write_world(step); !ok.ok()) return ok;
+    const BodyStates& states = frame_.states(step.record.states);
+    std::string front = std::to_string(step.record.step);
+    append_comma(step.time, front);
+    if (!plan_->dt) append_comma(plan_->dts[step.index], front);
+    std::vector<std::size_t> from(channels_.size(), 0);
+    for (std::size_t i = 0; i < plan_->bodies.size(); ++i) {
+      if (step.rows[i] == ExportStep::kAbsent) continue;
+      rows_ += front;
+      write_state(states, step.rows[i], plan_->bodies[i]);
+      rows_ += about_[i];
+      if (Status ok = write_values(step, i, from); !ok.ok()) return ok;
+      rows_ += '\n';
+    }
+    empty_steps_ += rows_.empty() ? 1U : 0U;
+    const Status ok = file_.write(rows_);
+    rows_.clear();
+    return ok;
+  }
+
+  Status finish() override {
+    if (empty_steps_ > 0) left_out_.push_back(count_text(empty_steps_, "step") + " without a body: a table has no row");
+    return {};
+  }
+
+ private:
+  Status write_head() {
+    std::string head;
+    for (const auto& [key, value] : table_settings(*plan_)) head += "# " + key + ": " + value + '\n';
+    const std::vector<Channel>& all = plan_->header.declared.channels;
+    if (!channels_.empty()) {
+      head += "# kinds:";
+      for (const std::size_t i : channels_) head += std::string(" ") + name_of(table_kind(all[i].type.kind));
+      head += '\n';
+    }
+    head += plan_->dt ? "step,time,id" : "step,time,dt,id";
+    if (named_) head += ",name";
+    for (const std::size_t k : kFieldOrder) head += std::string(",") + kColumnNames[k];
+    head += ",frozen,size.x,size.y,size.z,mass,static,friction,friction_dynamic,restitution,texture";
+    if (gridded_) head += ",row,column";
+    if (shaped_) head += ",shape";
+    for (const std::size_t i : channels_) {
+      head += (all[i].type.scope == ChannelScope::kWorld ? ",world." : ",channel.") + all[i].name;
+    }
+    return file_.write(head + '\n');
+  }
+
+  static ChannelKind table_kind(ChannelKind kind) { return kind == ChannelKind::kBytes ? ChannelKind::kText : kind; }
+
+  /// The cells that all rows of a body share.
+  void describe(const ExportBody& body) {
+    std::string cells;
+    const sim::BoxDef& box = body.box;
+    const sim::Vec3 size = frame_.extents(box.size);
+    for (const double edge : {size.x(), size.y(), size.z(), box.mass}) append_comma(edge, cells);
+    cells += box.is_static ? ",1" : ",0";
+    for (const double number : {box.material.friction, box.material.friction_dynamic, box.material.restitution}) {
+      append_comma(number, cells);
+    }
+    cells += ',';
+    cells += texture_word(box.material.texture);
+    if (gridded_) {
+      const bool in_grid = box.origin.kind == sim::Origin::Kind::kGrid;
+      cells += in_grid ? ',' + std::to_string(box.origin.row) + ',' + std::to_string(box.origin.column) : ",,";
+    }
+    if (shaped_) cells += ',' + shape_word(body, frame_.axes());
+    about_.push_back(std::move(cells));
+    std::string name = printable(body.name);
+    std::ranges::replace(name, ',', ';');
+    if (name != body.name) left_out_.push_back("the commas of a name: " + name);
+    names_.push_back(',' + std::to_string(box.id) + (named_ ? ',' + name : ""));
+  }
+
+  void write_state(const BodyStates& states, std::size_t row, const ExportBody& body) {
+    rows_ += names_[static_cast<std::size_t>(&body - plan_->bodies.data())];
+    const ConstColumns columns = columns_of(states);
+    for (const std::size_t k : kFieldOrder) append_comma((*columns[k])[row], rows_);
+    rows_ += states.frozen[row] != 0 ? ",1" : ",0";
+  }
+
+  Status append_value(const ExportStep& step, std::size_t channel, std::size_t row, const std::string& of,
+                      std::string& out) {
+    const Channel& about = plan_->header.declared.channels[channel];
+    const ChannelValue value = step.record.extras.values(channel).value(row, about.type.kind);
+    const auto* text = std::get_if<std::string>(&value);
+    std::string cell;
+    if (text == nullptr) {
+      cell = to_string(value, about.type.kind);
+    } else {
+      cell = about.type.kind == ChannelKind::kBytes ? hex_cell(*text) : *text;
+    }
+    if (text != nullptr && !fits_cell(cell)) {
+      return bad_input("channel " + in_quotes(about.name) + " of " + of + ": found the text " + in_quotes(cell) +
+                       ", which a table without quotes cannot hold (nothing, a comma, a line end, a blank at an end); "
+                       "export to .npz or .mcap");
+    }
+    out += cell;
+    return {};
+  }
+
+  /// The values of the step as a whole, which every row repeats.
+  Status write_world(const ExportStep& step) {
+    world_.assign(channels_.size(), "");
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+      const Channel& channel = plan_->header.declared.channels[channels_[c]];
+      if (channel.type.scope != ChannelScope::kWorld || step.record.extras.values(channels_[c]).empty()) continue;
+      const std::string of = "step " + std::to_string(step.record.step);
+      if (Status ok = append_value(step, channels_[c], 0, of, world_[c]); !ok.ok()) return ok;
+    }
+    return {};
+  }
+
+  Status write_values(const ExportStep& step, std::size_t body, std::vector<std::size_t>& from) {
+    for (std::size_t c = 0; c < channels_.size(); ++c) {
+      rows_ += ',';
+      if (plan_->header.declared.channels[channels_[c]].type.scope == ChannelScope::kWorld) {
+        rows_ += world_[c];
+        continue;
+      }
+      const ChannelValues& values = step.record.extras.values(channels_[c]);
+      const std::size_t row = value_row(values, plan_->bodies[body].box.id, from[c]);
+      if (row == values.size()) continue;
+      const std::string of = plan_->place(body, step.record.step);
+      if (Status ok = append_value(step, channels_[c], row, of, rows_); !ok.ok()) return ok;
+    }
+    return {};
+  }
+
+  files::OutputFile& file_;
+  const ExportPlan* plan_ = nullptr;
+  TableFrame frame_;
+  std::vector<std::size_t> channels_;
+  bool named_ = false, shaped_ = false, gridded_ = false;
+  std::vector<std::string> about_, names_;  // cells of each body
+  std::vector<std::string> world_;          // cells of the step
+  std::string rows_;
+  std::uint64_t empty_steps_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<ExportWriter> make_csv_writer(files::OutputFile& file) { return std::make_unique<CsvWriter>(file); }
+
+}  // namespace tumble::replay

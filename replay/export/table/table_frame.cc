@@ -1,0 +1,139 @@
+#include "replay/export/table/table_frame.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "src/base/text.h"
+
+namespace tumble::replay {
+namespace {
+
+constexpr std::array<const char*, 5> kTextures = {"crate", "brick", "wood", "concrete", "white"};
+
+std::string triple(const sim::Vec3& v) { return exact(v.x()) + ' ' + exact(v.y()) + ' ' + exact(v.z()); }
+
+/// A value on one line.
+std::string line_text(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return text;
+}
+
+}  // namespace
+
+EngineAxes table_axes(const LogHeader& header) {
+  EngineAxes axes = header.axes();
+  axes.metres = 1;
+  return axes;
+}
+
+std::vector<std::pair<std::string, std::string>> table_settings(const ExportPlan& plan) {
+  const LogHeader& header = plan.header;
+  const EngineAxes axes = table_axes(header);
+  const sim::Camera& camera = header.scene.camera;
+  std::vector<std::pair<std::string, std::string>> lines;
+  const auto add = [&](const char* key, std::string value) { lines.emplace_back(key, line_text(std::move(value))); };
+  const bool ours = !header.engine;
+  add("engine", ours ? "Tumble" : header.engine->name);
+  const std::string version = ours ? header.tool_version : header.engine->version;
+  if (!version.empty()) add("version", version);
+  if (!header.scene.name.empty()) add("scene", header.scene.name);
+  add("up", std::string(1, static_cast<char>('x' + axes.up)));
+  add("handed", axes.left_handed ? "left" : "right");
+  if (!ours && header.engine->precision_bits == kBinary32Bits) {
+    add("precision", "float32");
+    add("cells", "float64");
+  }
+  if (plan.dt) add("dt", exact(*plan.dt));
+  add("gravity", triple(axes.their_length(header.scene.world.gravity)));
+  add("ground", header.scene.world.ground ? "yes" : "no");
+  add("camera.position", triple(axes.their_length(camera.position)));
+  add("camera.target", triple(axes.their_length(camera.target)));
+  add("camera.fov", exact(camera.fov));
+  add("camera.focus", exact(camera.focus));
+  add("camera.blur", exact(camera.blur));
+  const Declared& declared = header.declared;
+  if (declared.velocity_derived || declared.spin_derived) {
+    add("derived", std::string(declared.velocity_derived ? "velocity" : "") +
+                       (declared.velocity_derived && declared.spin_derived ? " " : "") +
+                       (declared.spin_derived ? "spin" : ""));
+  }
+  return lines;
+}
+
+const BodyStates& TableFrame::states(const BodyStates& ours) {
+  if (ours_) return ours;
+  theirs_ = ours;
+  for (std::size_t i = 0; i < ours.size(); ++i) {
+    theirs_.position.set(i, axes_.their_length(ours.position[i]));
+    theirs_.velocity.set(i, axes_.their_length(ours.velocity[i]));
+    theirs_.spin.set(i, axes_.their_axial(ours.spin[i]));
+    const sim::Quat q = axes_.their_turn(ours.orientation[i]);
+    theirs_.orientation.w[i] = q.w;
+    theirs_.orientation.x[i] = q.x;
+    theirs_.orientation.y[i] = q.y;
+    theirs_.orientation.z[i] = q.z;
+  }
+  return theirs_;
+}
+
+sim::Vec3 TableFrame::extents(const sim::Vec3& size) const {
+  const sim::Vec3 turned = axes_.their_direction(size);
+  return {std::fabs(turned.x()), std::fabs(turned.y()), std::fabs(turned.z())};
+}
+
+std::string shape_word(const ExportBody& body, const EngineAxes& axes) {
+  if (body.shape == nullptr || body.shape->kind >= Shape::Kind::kHull) return "box";
+  if (body.shape->kind == Shape::Kind::kSphere) return "sphere";
+  const char* word = body.shape->kind == Shape::Kind::kCapsule ? "capsule-" : "cylinder-";
+  return word + std::string(1, axes.along(body.shape->axis).letter);
+}
+
+std::vector<std::size_t> table_channels(const Declared& declared) {
+  std::vector<std::size_t> channels;
+  for (std::size_t i = 0; i < declared.channels.size(); ++i) {
+    if (declared.channels[i].type.scope != ChannelScope::kPair) channels.push_back(i);
+  }
+  return channels;
+}
+
+std::vector<std::string> left_out_of_tables(const ExportPlan& plan) {
+  std::vector<std::string> left_out;
+  const EngineAxes axes = plan.header.axes();
+  if (axes.metres != 1) left_out.push_back("the unit of length " + axes.unit() + ": lengths are in m");
+  for (const Channel& channel : plan.header.declared.channels) {
+    if (channel.type.scope == ChannelScope::kPair) {
+      left_out.push_back("channel " + channel.name + ": its values belong to pairs of bodies");
+    } else if (channel.type.kind == ChannelKind::kBytes) {
+      left_out.push_back("the kind of channel " + channel.name + ": its bytes are text in hexadecimal");
+    }
+  }
+  if (std::ranges::any_of(plan.bodies, [](const ExportBody& body) {
+        return body.shape != nullptr && body.shape->kind >= Shape::Kind::kHull;
+      })) {
+    left_out.emplace_back("hulls and meshes: a table has the boxes around them");
+  }
+  left_out.emplace_back("inputs, phase hashes, counters, contacts, notes and snapshots");
+  return left_out;
+}
+
+const char* texture_word(sim::Texture texture) { return kTextures.at(static_cast<std::size_t>(texture)); }
+
+std::string hex_cell(const std::string& bytes) {
+  constexpr const char* kDigits = "0123456789abcdef";
+  std::string text;
+  for (const char c : bytes) {
+    const auto byte = static_cast<unsigned char>(c);
+    text += kDigits[byte >> 4U];
+    text += kDigits[byte & 15U];
+  }
+  return text;
+}
+
+std::size_t value_row(const ChannelValues& values, sim::BodyId id, std::size_t& from) {
+  while (from < values.size() && values.keys[from].a < id) ++from;
+  return from < values.size() && values.keys[from].a == id ? from : values.size();
+}
+
+}  // namespace tumble::replay

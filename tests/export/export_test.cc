@@ -1,0 +1,119 @@
+// tumble export as a user meets it.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/support/program.h"
+
+namespace tumble::test {
+namespace {
+
+void expect_error(const Outcome& run, int exit, const std::string& part) {
+  EXPECT_EQ(run.exit, exit) << run.err;
+  EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
+  EXPECT_TRUE(run.out.empty()) << run.out;
+}
+
+TEST(Export, ChoosesStepsBodiesAndEvery) {
+  const Workshop shop;
+  shop.record_small("a");
+  const Outcome run =
+      shop.run({"export", "a.tumble", "-o", "a.csv", "--steps", "3:20", "--every", "4", "--bodies", "1", "--json"});
+  ASSERT_EQ(run.exit, 0) << run.err;
+  const nlohmann::json json = nlohmann::json::parse(run.out);
+  EXPECT_EQ(json["states"], 5);
+  EXPECT_EQ(json["bodies"], 1);
+  EXPECT_EQ(json["first_step"], 3);
+  EXPECT_EQ(json["last_step"], 19);
+  std::istringstream lines(shop.read("a.csv"));
+  std::size_t rows = 0;
+  for (std::string line; std::getline(lines, line);)
+    rows += std::isdigit(static_cast<unsigned char>(line[0])) ? 1U : 0U;
+  EXPECT_EQ(rows, 5U);
+}
+
+TEST(Export, SaysWhatIsWrongAndLeavesNoFile) {
+  const Workshop shop;
+  shop.record_small("a");
+  expect_error(shop.run({"export", "a.tumble", "-o", "a.xyz"}), 2, "wanted .csv");
+  expect_error(shop.run({"export", "a.tumble", "-o", "a"}), 2, "the ending names the format");
+  expect_error(shop.run({"export", "a.tumble", "-o", "a.csv", "--bodies", "99"}), 2, "none of these bodies");
+  expect_error(shop.run({"export", "a.tumble", "-o", "a.csv", "--bodies", "wheel"}), 2, "\"wheel\"");
+  expect_error(shop.run({"export", "a.tumble", "-o", "a.csv", "--steps", "0:900"}), 2, "no step 900");
+  expect_error(shop.run({"export", "a.tumble", "-o", "a.csv", "--every", "0"}), 2, "--every");
+  expect_error(shop.run({"export", "a.tumble", "-o", "a.tumble"}), 2, "");
+  expect_error(shop.run({"export", "a.tumble", "-o", "no/folder/a.csv"}), 2, "No such file");
+  std::filesystem::create_symlink("/dev/null", shop.path("null.npz"));
+  expect_error(shop.run({"export", "a.tumble", "-o", "null.npz"}), 2, "is a device or a pipe");
+  EXPECT_TRUE(shop.names_with("a.csv").empty());
+}
+
+TEST(Export, AFullDiskEndsWithFour) {
+  const Workshop shop;
+  shop.record_small("a");
+  for (const char* file : {"a.csv", "a.npz"}) {
+    const Outcome run = shop.run_after("ulimit -f 8; trap '' XFSZ; ", {"export", "a.tumble", "-o", file});
+    EXPECT_EQ(run.exit, 4) << file << run.err;
+  }
+  EXPECT_TRUE(shop.names_with("a.csv").empty());
+  EXPECT_TRUE(shop.names_with("a.npz").empty());
+}
+
+TEST(Export, ATornLogIsExportedAsFarAsItGoes) {
+  const Workshop shop;
+  shop.record_small("a");
+  const std::string log = shop.read("a.tumble");
+  shop.write("torn.tumble", log.substr(0, log.size() - 40));
+  const Outcome run = shop.run({"export", "torn.tumble", "-o", "torn.csv"});
+  EXPECT_EQ(run.exit, 3) << run.err;
+  EXPECT_FALSE(shop.names_with("torn.csv").empty());
+}
+
+TEST(Export, ALogWithoutStepsHasOneState) {
+  const Workshop shop;
+  shop.write("a.in.csv",
+             "# dt: 0.01\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,"
+             "orientation.z\n0,1,0,0,1,1,0,0,0\n");
+  ASSERT_EQ(shop.run({"import", "a.in.csv", "-o", "a.tumble"}).exit, 0);
+  for (const char* file : {"a.csv", "a.npz"}) {
+    const Outcome run = shop.run({"export", "a.tumble", "-o", file, "--json"});
+    ASSERT_EQ(run.exit, 0) << run.err;
+    EXPECT_EQ(nlohmann::json::parse(run.out)["states"], 1);
+  }
+}
+
+TEST(Export, BodiesAreChosenByName) {
+  const Workshop shop;
+  shop.write("m.csv",
+             "# dt: 0.01\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,"
+             "orientation.z\n0,hip,0,0,1,1,0,0,0\n0,knee,1,0,1,1,0,0,0\n1,hip,0,0,1,1,0,0,0\n1,knee,1,0,1,1,0,0,0\n");
+  ASSERT_EQ(shop.run({"import", "m.csv", "-o", "m.tumble"}).exit, 0);
+  const Outcome run = shop.run({"export", "m.tumble", "-o", "k.csv", "--bodies", "knee", "--json"});
+  ASSERT_EQ(run.exit, 0) << run.err;
+  EXPECT_EQ(nlohmann::json::parse(run.out)["bodies"], 1);
+  EXPECT_NE(shop.read("k.csv").find(",knee,1,"), std::string::npos);
+  expect_error(shop.run({"export", "m.tumble", "-o", "x.csv", "--bodies", "kne"}), 2, "names of bodies");
+}
+
+/// numpy alone reads the archive; every number is the one of `dump`, to the bit.
+TEST(Export, NumpyReadsTheArchive) {
+  if (std::system("/usr/bin/python3 -c 'import numpy' 2>/dev/null") != 0) {
+    GTEST_SKIP() << "python3-numpy is missing; run tools/setup.sh --with export";
+  }
+  const Workshop shop;
+  shop.record_small("a");
+  ASSERT_EQ(shop.run({"export", "a.tumble", "-o", "a.npz"}).exit, 0);
+  const Outcome dump = shop.run({"dump", "a.tumble", "--steps", "0:40", "--csv"});
+  ASSERT_EQ(dump.exit, 0);
+  shop.write("a.dump.csv", dump.out);
+  const std::string script = TUMBLE_SOURCE_DIR "/tests/export/read_npz.py";
+  const std::string command = "/usr/bin/python3 " + script + ' ' + shop.path("a.npz") + ' ' + shop.path("a.dump.csv");
+  EXPECT_EQ(std::system(command.c_str()), 0);
+}
+
+}  // namespace
+}  // namespace tumble::test
