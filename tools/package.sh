@@ -14,7 +14,8 @@ folder=${1:-build/packages}
 mkdir -p "$folder"
 folder=$(cd "$folder" && pwd)
 umask 022
-export LC_ALL=C TZ=UTC SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct)}
+commit_date=$(git log -1 --format=%ct 2>/dev/null || stat -c %Y CHANGES.md) # a source archive has no commits
+export LC_ALL=C TZ=UTC SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$commit_date}
 
 tools/setup.sh --only program --only live --only python --only packages
 cmake --preset package

@@ -542,12 +542,16 @@ static int next_earlier(TumbleRec* rec) {
     v->kind = get32(head);
     size = get32(head + 4);
     v->frame.size = 0;
-    if (size > FRAME_MAX || !reserve(rec, &v->frame, (size_t)size + 1)) { /* never NULL */
+    if (size > FRAME_MAX) {
       fail(rec, TUMBLE_REC_BAD_STREAM, "found a frame of %lu bytes in the earlier stream", (unsigned long)size);
       return 0;
     }
-    if (fread(v->frame.at, 1, size, v->file) != size) return 0; /* torn */
-    v->frame.size = size;
+    do { /* in blocks, so that a length that is a lie costs no memory; never NULL */
+      const size_t left = size - v->frame.size, block = left < (size_t)1 << 20 ? left : (size_t)1 << 20;
+      if (!reserve(rec, &v->frame, block + 1)) return 0;
+      if (fread(v->frame.at + v->frame.size, 1, block, v->file) != block) return 0; /* torn */
+      v->frame.size += block;
+    } while (v->frame.size < size);
     if (hash64(v->frame.at, size, hash64(head, 16, v->kind == kHeader ? 0 : v->tag)) != get64(head + 16)) {
       fail(rec, TUMBLE_REC_BAD_STREAM, "found a damaged frame %" PRIu64 " in the earlier stream", get64(head + 8));
       return 0;
@@ -789,7 +793,11 @@ static void name_differing_value(TumbleRec* rec, const Channel* channel, const u
     return;
   }
   if (channel->type != TUMBLE_REC_TEXT) {
-    while (memcmp(x + head + k * each, y + head + k * each, each) == 0) ++k;
+    while (head + (k + 1) * each <= y_size && memcmp(x + head + k * each, y + head + k * each, each) == 0) ++k;
+  }
+  if (channel->type != TUMBLE_REC_TEXT && head + (k + 1) * each > y_size) { /* equal numbers */
+    name_field(rec, channel->name, "a value of another type", "this type");
+    return;
   }
   if (k > 0 || y_size > head + each)
     snprintf(rec->field_text, sizeof rec->field_text, "%s[%lu]", channel->name, (unsigned long)k);
@@ -1464,9 +1472,10 @@ TumbleRecStatus tumble_rec_input(TumbleRec* rec, const char* name, uint64_t body
   if (!enter(rec, &status)) return status;
   if (!may_input(rec, "an input") || (body != 0 && living(rec, body, "an input") == NULL))
     return leave(rec, rec->status);
-  if (length == 0 || length > kNameMax || (bytes == NULL && size > 0)) {
-    return leave(
-        rec, fail(rec, TUMBLE_REC_BAD_CALL, "found an input without a name or bytes, wanted a name of 1 to 200 bytes"));
+  if (length == 0 || length > kNameMax || (bytes == NULL && size > 0) || size > kRecordMax) {
+    return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL,
+                           "found an input without a name or bytes or of more than 16 MiB, wanted a name of 1 to 200 "
+                           "bytes"));
   }
   at = add(rec, kInput, 10 + length + size, 0);
   if (at == NULL) return leave(rec, rec->status);
@@ -1803,9 +1812,10 @@ TumbleRecStatus tumble_rec_snapshot(TumbleRec* rec, const char* name, const void
   const size_t length = name != NULL ? strlen(name) : 0;
   Bytes* b;
   if (!enter(rec, &status)) return status;
-  if (rec->in_step || !rec->started || length > kNameMax || (bytes == NULL && size > 0)) {
-    return leave(
-        rec, fail(rec, TUMBLE_REC_BAD_CALL, "found a snapshot in a step or before the first, wanted it between steps"));
+  if (rec->in_step || !rec->started || length > kNameMax || (bytes == NULL && size > 0) || size > FRAME_MAX) {
+    return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL,
+                           "found a snapshot in a step, before the first or of more than 256 MiB, wanted it between "
+                           "steps"));
   }
   b = &rec->head;
   if (rec->def.hashes_only) return leave(rec, TUMBLE_REC_OK);
