@@ -1,11 +1,13 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "replay/measure/measure.h"
+#include "replay/measure/parting.h"
 #include "tumble/golden/case_rules.h"
 #include "tumble/replay/step_record.h"
 
@@ -36,11 +38,21 @@ class MetricSet {
 
  private:
   [[nodiscard]] Result<std::optional<double>> pair_value(const MetricRule& rule) const;
+  Status open_others();
+  [[nodiscard]] std::optional<double> value_of(const MetricRule& rule, const replay::Metrics& metrics) const;
+
+  /// Another session, and the meters of the rules that compare with it.
+  struct Other {
+    std::unique_ptr<replay::LogReader> log;
+    std::unique_ptr<replay::PartingMeter> meter;
+  };
 
   const replay::LogHeader& header_;
   const CaseRules& rules_;
   std::vector<replay::Measurer> measurers_;  // one for each choice of bodies, axis and step
   std::vector<std::size_t> of_rule_;         // index into measurers_
+  std::map<std::string, Other> others_;      // by path
+  Status others_read_;                       // the first error of theirs
 };
 
 }  // namespace tumble::golden

@@ -69,7 +69,7 @@ std::vector<Room> logs() {
       {"replay/measure", above},
       {"replay/recover", above},
       {"replay/arrays", {"src/base"}},
-      {"replay/import", session},
+      {"replay/import", session + Folders{"replay/arrays"}},
       {"replay/recorder", {}},
       {"replay/stream", session + Folders{"replay/import"}},
       {"replay/picture", above + Folders{"src/render", "src/render/picture", "src/render/scene"}},

@@ -73,6 +73,9 @@ Result<Bounds> parse_bounds(const ViewCommand& options) {
   Bounds bounds;
   for (const std::string& text : options.require) {
     Result<replay::MetricBound> bound = replay::parse_metric_bound(text);
+    if (bound.ok() && bound->metric->needs_other_session()) {
+      bound = bad_input("found " + in_quotes(text) + ", wanted a metric of this session alone");
+    }
     if (!bound.ok()) return bad_input("--require: " + bound.error().message);
     bounds.push_back(*std::move(bound));
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -96,6 +97,26 @@ void print_headlines(const replay::DifferenceReport& report) {
   listing.print();
 }
 
+/// "differs from step 12 on, by up to 1e-07 rad (step 12)".
+std::string channel_text(const replay::ChannelSeparation& channel) {
+  std::string text = "differs from step " + std::to_string(channel.from) + " on";
+  if (!channel.is_number)
+    return text + ", in up to " + count_text(static_cast<std::uint64_t>(channel.largest), "value");
+  text += channel.largest <= std::numeric_limits<double>::denorm_min()
+              ? ", in bits alone"
+              : ", by up to " + distance_text(channel.largest, channel.unit.c_str());
+  return text + " (step " + std::to_string(channel.largest_step) + ")";
+}
+
+Json channel_separation_json(const replay::ChannelSeparation& channel) {
+  return {{"name", channel.name},
+          {"unit", channel.unit},
+          {"from", channel.from},
+          {"largest", number_json(channel.largest)},
+          {"largest_step", channel.largest_step},
+          {"last", number_json(channel.distance.back())}};
+}
+
 }  // namespace
 
 void print_growth(const replay::DivergenceGrowth& growth, const Sides& sides) {
@@ -118,6 +139,9 @@ void print_growth(const replay::DivergenceGrowth& growth, const Sides& sides) {
   listing.add("  freezing", since(separation.freezing_from, separation.had_frozen));
   if (separation.bodies_from)
     listing.add("  bodies", "not the same ones from step " + std::to_string(*separation.bodies_from) + " on");
+  for (const replay::ChannelSeparation& channel : separation.channels) {
+    listing.add("  channel " + printable(channel.name), printable(channel_text(channel)));
+  }
   listing.print();
 
   std::cout << '\n';
@@ -151,6 +175,10 @@ Json growth_json(const replay::DivergenceGrowth& growth) {
   json["contacts_from"] = step_or_null(separation.contacts_from);
   json["freezing_from"] = step_or_null(separation.freezing_from);
   json["bodies_from"] = step_or_null(separation.bodies_from);
+  json["channels"] = Json::array();
+  for (const replay::ChannelSeparation& channel : separation.channels) {
+    json["channels"].push_back(channel_separation_json(channel));
+  }
   json["largest"] = row_json(separation.largest);
   json["last"] = row_json(separation.rows.back());
   json["metrics"] = growth.not_measured.empty() ? Json::array() : Json(nullptr);

@@ -402,26 +402,28 @@ abs(i);return e===0||e>=.1?"".concat(Number(i.toPrecision(4))," m"):e>=.001?"".c
 4))," \xB5m"):"".concat(i.toExponential(2)," m")}function Co(i){return i==null?"\u2013":"".concat(Number(i.toPrecision(5))," J")}var wp=210,Nx=[{title:"Energy",group:"energy",unit:Co,lines:[{label:"total",column:"total",source:"states"},{label:"potential",column:"potential",source:"track",
 dash:[7,4]},{label:"kinetic",column:"kinetic",source:"states",dash:[2,3]}]},{title:"Symmetry",group:"symmetry",unit:zn,lines:[{label:"lateral error",column:"lat\
 eral_max",source:"track"},{label:"column spread",column:"column_spread",source:"track",dash:[7,4]}]},{title:"Heights",group:"stacking",unit:zn,lines:[{label:"hi\
-ghest",column:"height_max",source:"track"},{label:"mean",column:"height_mean",source:"track",dash:[7,4]}]}],qh=i=>i===void 0||i.every(e=>e===null);function Dx(i,e){
-let t=i.lines.filter(r=>!qh(e.actual?.[r.column])),n=t.length>0?[[e.actual.step,...t.map(r=>e.actual[r.column])]]:[],s=[];for(let r of t){let o=e.expected[r.source];
-!o||qh(o[r.column])||(n.push([o.step,o[r.column]]),s.push(r))}return{lines:t,rings:s,table:n.length>0?fn.join(n):null}}function Ux(i,e,t,n){let s=(a,l)=>i.unit(
-l),r=[n.actual,n.actual_more,n.soft],o=a=>r[e.indexOf(a)];return[{label:"step"},...e.map(a=>({label:a.label,value:s,stroke:o(a),width:1.75,dash:a.dash,spanGaps:!0,
-points:{show:!1}})),...t.map(a=>({label:"".concat(a.label,", expected"),value:s,stroke:n.expected,width:1.5,class:"ring",paths:()=>null,points:{show:!0,size:8,width:1.5,
-stroke:n.expected,fill:"transparent"}}))]}function Fx(i,e,t){return e===null||t===null?[0,1]:e===t?e===0?[-.001,.001]:[e-Math.abs(e)/10,t+Math.abs(t)/10]:fn.rangeNum(
-e,t,.1,!0)}function Ox(i,e){return t=>{if(i===null)return;let n=Math.round(t.valToPos(i,"x",!0)),{top:s,height:r}=t.bbox,o=t.ctx;o.save(),o.strokeStyle=e.bad,o.
-lineWidth=devicePixelRatio,o.setLineDash([3*devicePixelRatio,3*devicePixelRatio]),o.beginPath(),o.moveTo(n,s),o.lineTo(n,s+r),o.stroke(),o.restore()}}function Bx(i,e){
-let t={stroke:e.soft,grid:{stroke:e.line,width:1},ticks:{stroke:e.line,width:1}},n=(s,r)=>r.map(o=>o===null?"":i.unit(o));return[{...t,label:"step",labelSize:20,
-size:36},{...t,values:n,size:82}]}function kx(i,e,t,n){let{lines:s,rings:r,table:o}=Dx(i,t);if(o===null)return null;let a=Ki(),l={width:e.clientWidth,height:wp,
-scales:{x:{time:!1},y:{range:Fx}},legend:{markers:{width:2,dash:(c,d)=>c.series[d].dash?"dashed":"solid"}},axes:Bx(i,a),series:Ux(i,s,r,a),hooks:{draw:[Ox(n,a)]},
-cursor:{y:!1,drag:{x:!0,y:!1}}};return new fn(l,o,e)}function zx(i,e){let t=i.lines.filter(n=>!qh(e.actual?.[n.column])).map(n=>{let s=e.actual[n.column].at(-1),
-r=e.expected[n.source]?.[n.column]?.at(-1);return"".concat(n.label," at the end ").concat(i.unit(s),", expected ").concat(i.unit(r))});return"".concat(i.title,"\
- over steps: ").concat(t.join("; "))}function Tp(i,e,{first:t,groups:n}){let s=Nx.filter(d=>n.includes(d.group)),r="Lines: this run. Rings: expected, where the \
-golden keeps it (positions to the millimetre)."+(t===null?"":" Dashed upright line: first difference, step ".concat(t,"."))+" Drag across a plot to zoom, double\
--click to zoom out.",o=X("div",{className:"plots"}),a=s.map(d=>{let u=X("div",{className:"plot"});return u.setAttribute("role","img"),u.setAttribute("aria-label",
-zx(d,e)),o.append(X("figure",{},X("figcaption",{textContent:d.title}),u)),u});s.length>0&&i.append(X("h3",{textContent:"Over the steps"}),X("p",{className:"soft",
-textContent:r}),o);let l=[],c=()=>{for(let d of l)d?.destroy();l=s.map((d,u)=>kx(d,a[u],e,t)),l.forEach((d,u)=>{a[u].parentElement.hidden=d===null})};return c(),
-{redraw:c,resize(){l.forEach((d,u)=>{let h=a[u].clientWidth;d!==null&&h>0&&h!==d.width&&d.setSize({width:h,height:wp})})},show_step(d){for(let u of l)u?.setCursor(
-{left:u.valToPos(d,"x"),top:0})}}}var Vx=700,$h=(i,e)=>X("img",{src:i.querySelector("img").src,alt:"".concat(e," picture")});function Ap(i){let e=w=>i.querySelector('figure[data-kind="'.concat(w,
+ghest",column:"height_max",source:"track"},{label:"mean",column:"height_mean",source:"track",dash:[7,4]}]}];function Dx(i){return(i.channels??[]).map(({key:e,name:t,
+unit:n,one:s})=>{let r=o=>({label:s?"value":o,column:"".concat(e," ").concat(o),source:e});return{title:"Channel ".concat(t),unit:o=>o==null?"\u2013":"".concat(
+Number(o.toPrecision(6))).concat(n===""?"":" ".concat(n)),lines:s?[r("largest")]:[r("largest"),{...r("least"),dash:[7,4]}]}})}var qh=i=>i===void 0||i.every(e=>e===
+null);function Ux(i,e){let t=i.lines.filter(r=>!qh(e.actual?.[r.column])),n=t.length>0?[[e.actual.step,...t.map(r=>e.actual[r.column])]]:[],s=[];for(let r of t){
+let o=e.expected[r.source];!o||qh(o[r.column])||(n.push([o.step,o[r.column]]),s.push(r))}return{lines:t,rings:s,table:n.length>0?fn.join(n):null}}function Fx(i,e,t,n){
+let s=(a,l)=>i.unit(l),r=[n.actual,n.actual_more,n.soft],o=a=>r[e.indexOf(a)];return[{label:"step"},...e.map(a=>({label:a.label,value:s,stroke:o(a),width:1.75,dash:a.
+dash,spanGaps:!0,points:{show:!1}})),...t.map(a=>({label:"".concat(a.label,", expected"),value:s,stroke:n.expected,width:1.5,class:"ring",paths:()=>null,points:{
+show:!0,size:8,width:1.5,stroke:n.expected,fill:"transparent"}}))]}function Ox(i,e,t){return e===null||t===null?[0,1]:e===t?e===0?[-.001,.001]:[e-Math.abs(e)/10,
+t+Math.abs(t)/10]:fn.rangeNum(e,t,.1,!0)}function Bx(i,e){return t=>{if(i===null)return;let n=Math.round(t.valToPos(i,"x",!0)),{top:s,height:r}=t.bbox,o=t.ctx;o.
+save(),o.strokeStyle=e.bad,o.lineWidth=devicePixelRatio,o.setLineDash([3*devicePixelRatio,3*devicePixelRatio]),o.beginPath(),o.moveTo(n,s),o.lineTo(n,s+r),o.stroke(),
+o.restore()}}function kx(i,e){let t={stroke:e.soft,grid:{stroke:e.line,width:1},ticks:{stroke:e.line,width:1}},n=(s,r)=>r.map(o=>o===null?"":i.unit(o));return[{
+...t,label:"step",labelSize:20,size:36},{...t,values:n,size:82}]}function zx(i,e,t,n){let{lines:s,rings:r,table:o}=Ux(i,t);if(o===null)return null;let a=Ki(),l={
+width:e.clientWidth,height:wp,scales:{x:{time:!1},y:{range:Ox}},legend:{markers:{width:2,dash:(c,d)=>c.series[d].dash?"dashed":"solid"}},axes:kx(i,a),series:Fx(
+i,s,r,a),hooks:{draw:[Bx(n,a)]},cursor:{y:!1,drag:{x:!0,y:!1}}};return new fn(l,o,e)}function Vx(i,e){let t=i.lines.filter(n=>!qh(e.actual?.[n.column])).map(n=>{
+let s=e.actual[n.column].at(-1),r=e.expected[n.source]?.[n.column]?.at(-1);return"".concat(n.label," at the end ").concat(i.unit(s),", expected ").concat(i.unit(
+r))});return"".concat(i.title," over steps: ").concat(t.join("; "))}function Tp(i,e,{first:t,groups:n}){let s=[...Nx.filter(d=>n.includes(d.group)),...Dx(e)],r="\
+Lines: this run. Rings: expected, where the golden keeps it (positions to the millimetre)."+(t===null?"":" Dashed upright line: first difference, step ".concat(
+t,"."))+" Drag across a plot to zoom, double-click to zoom out.",o=X("div",{className:"plots"}),a=s.map(d=>{let u=X("div",{className:"plot"});return u.setAttribute(
+"role","img"),u.setAttribute("aria-label",Vx(d,e)),o.append(X("figure",{},X("figcaption",{textContent:d.title}),u)),u});s.length>0&&i.append(X("h3",{textContent:"\
+Over the steps"}),X("p",{className:"soft",textContent:r}),o);let l=[],c=()=>{for(let d of l)d?.destroy();l=s.map((d,u)=>zx(d,a[u],e,t)),l.forEach((d,u)=>{a[u].parentElement.
+hidden=d===null})};return c(),{redraw:c,resize(){l.forEach((d,u)=>{let h=a[u].clientWidth;d!==null&&h>0&&h!==d.width&&d.setSize({width:h,height:wp})})},show_step(d){
+for(let u of l)u?.setCursor({left:u.valToPos(d,"x"),top:0})}}}var Gx=700,$h=(i,e)=>X("img",{src:i.querySelector("img").src,alt:"".concat(e," picture")});function Ap(i){let e=w=>i.querySelector('figure[data-kind="'.concat(w,
 '"]'));if(!e("expected")||!e("actual"))return;let t=$h(e("expected"),"expected"),n=$h(e("actual"),"actual"),s=e("difference")?$h(e("difference"),"difference"):null;
 n.className="over";let r=X("div",{className:"edge"}),o=X("span",{className:"tag",textContent:"expected"}),a=X("span",{className:"tag right",textContent:"actual"}),
 l=X("div",{className:"stack"},t,n,r,o,a),c=X("input",{type:"range",min:0,max:100,value:50,className:"picture-slider"});c.setAttribute("aria-label","step ".concat(
@@ -430,15 +432,15 @@ blink"}),h=X("button",{type:"button",textContent:"Difference"});s&&(s.className=
 w,"%)"),r.style.left="".concat(w,"%"),r.hidden=w<=0||w>=100||p,o.hidden=w<=0||p,a.hidden=w>=100||p,s&&(s.hidden=!p),p?d.value="difference: the brighter, the fur\
 ther apart":w>=100?d.value="expected":w<=0?d.value="actual":d.value="left of the edge expected, right of it actual"},m=()=>{clearInterval(f),f=null,u.setAttribute(
 "aria-pressed","false")},g=w=>{p=w,h.setAttribute("aria-pressed",String(w))};c.addEventListener("input",()=>{m(),g(!1),v(Number(c.value))}),u.addEventListener("\
-click",()=>{let w=f!==null;if(m(),g(!1),w)return v(Number(c.value));let M=!0;u.setAttribute("aria-pressed","true"),v(100),f=setInterval(()=>{M=!M,v(M?100:0)},Vx)}),
+click",()=>{let w=f!==null;if(m(),g(!1),w)return v(Number(c.value));let M=!0;u.setAttribute("aria-pressed","true"),v(100),f=setInterval(()=>{M=!M,v(M?100:0)},Gx)}),
 h.addEventListener("click",()=>{m(),g(!p),v(Number(c.value))}),m(),g(!1),v(50);let _=X("div",{className:"controls"},c,u,...s?[h]:[],d);i.prepend(X("div",{className:"\
 viewer"},l,_))}var Rp={failed:"failed",within_bounds:"moved within bounds",unchanged:"unchanged",out_of_bounds:"out of bounds, not required",not_judged:"not judged"},Pp=Object.
-keys(Rp),Ep={name:i=>i.dataset.name,verdict:i=>Pp.indexOf(i.dataset.verdict),magnitude:i=>-Number(i.dataset.magnitude),category:i=>i.dataset.category},Gx=(i,e)=>i<
-e?-1:i>e?1:0;function Hx(i,e,t){let n=[...i.rows].sort((s,r)=>(t?-1:1)*Gx(Ep[e](s),Ep[e](r)));i.append(...n)}function Wx(i){let e=[...i.querySelectorAll("th[dat\
+keys(Rp),Ep={name:i=>i.dataset.name,verdict:i=>Pp.indexOf(i.dataset.verdict),magnitude:i=>-Number(i.dataset.magnitude),category:i=>i.dataset.category},Hx=(i,e)=>i<
+e?-1:i>e?1:0;function Wx(i,e,t){let n=[...i.rows].sort((s,r)=>(t?-1:1)*Hx(Ep[e](s),Ep[e](r)));i.append(...n)}function Xx(i){let e=[...i.querySelectorAll("th[dat\
 a-sort]")];for(let t of e){let n=X("button",{type:"button",textContent:t.textContent});t.replaceChildren(n),n.addEventListener("click",()=>{let s=t.getAttribute(
-"aria-sort")==="ascending";for(let r of e)r.removeAttribute("aria-sort");t.setAttribute("aria-sort",s?"descending":"ascending"),Hx(i.tBodies[0],t.dataset.sort,s)})}}
+"aria-sort")==="ascending";for(let r of e)r.removeAttribute("aria-sort");t.setAttribute("aria-sort",s?"descending":"ascending"),Wx(i.tBodies[0],t.dataset.sort,s)})}}
 function Cp(i,e,t){let n=X("select",{},X("option",{value:"",textContent:"all"}),...e.map(s=>X("option",{value:s,textContent:t(s)})));return{select:n,place:X("la\
-bel",{},i,n)}}function Ip(i){Wx(i);let e=[...i.tBodies[0].rows,...document.querySelectorAll("details[data-verdict]")],t=l=>[...new Set(e.map(c=>c.dataset[l]))],
+bel",{},i,n)}}function Ip(i){Xx(i);let e=[...i.tBodies[0].rows,...document.querySelectorAll("details[data-verdict]")],t=l=>[...new Set(e.map(c=>c.dataset[l]))],
 n=Cp("Verdict",Pp.filter(l=>t("verdict").includes(l)),l=>Rp[l]),s=Cp("Category",t("category").sort(),l=>l),r=X("input",{type:"search"}),o=X("output"),a=()=>{let l=0;
 for(let c of e){let d=c instanceof HTMLTableRowElement,u=d?c.dataset.name:c.querySelector("h3").id;c.hidden=n.select.value!==""&&c.dataset.verdict!==n.select.value||
 s.select.value!==""&&c.dataset.category!==s.select.value||!u.includes(r.value),d&&!c.hidden&&++l}o.value="".concat(l," of ").concat(i.tBodies[0].rows.length," f\
@@ -447,7 +449,7 @@ X("label",{},"Name",r),o))}var hm=0,Au=1,um=2;var ha=1,dm=2,io=3,Ds=0,kn=1,zi=2,
 vl=4,Ml=5,Sl=6,bl=7,Kl=0,Im=1,Lm=2,Vi=0,Lu=1,Nu=2,Du=3,Uu=4,Fu=5,Ou=6,Bu=7;var ku=300,tr=301,ro=302,jl=303,Ql=304,wl=1e3,Fi=1001,Tl=1002,Sn=1003,Nm=1004;var ua=1005;var On=1006,ec=1007;var hs=1008;var Hn=1009,zu=1010,Vu=1011,oo=1012,tc=1013,Mi=1014,hi=1015,Si=1016,nc=1017,ic=1018,nr=1020,Gu=35902,Hu=35899,Wu=1021,Xu=1022,bi=1023,ss=1026,us=1027,sc=1028,rc=1029,
 Us=1030,oc=1031;var ac=1033,da=33776,fa=33777,pa=33778,ma=33779,lc=35840,cc=35841,hc=35842,uc=35843,dc=36196,fc=37492,pc=37496,mc=37488,gc=37489,ga=37490,_c=37491,xc=37808,yc=37809,
 vc=37810,Mc=37811,Sc=37812,bc=37813,wc=37814,Tc=37815,Ac=37816,Ec=37817,Cc=37818,Rc=37819,Pc=37820,Ic=37821,Lc=36492,Nc=36494,Dc=36495,Uc=36283,Fc=36284,_a=36285,
-Oc=36286;var Oo=2300,Al=2301,ml=2302,xu=2303,yu=2400,vu=2401,Mu=2402;var Dm=3200;var Bc=0,Um=1,ds="",Qn="srgb",Bo="srgb-linear",ko="linear",At="srgb";var gl=7680;var Fm=519,Om=512,Bm=513,km=514,qu=515,zm=516,Vm=517,$u=518,Yu=519,Gm=35044;var Zu="300 es",li=2e3,$r=2001;function Xx(i){for(let e=i.length-1;e>=0;--e)if(i[e]>=65535)return!0;return!1}function qx(i){return ArrayBuffer.isView(i)&&!(i instanceof DataView)}function zo(i){return document.createElementNS("http://www.w3.org/1999/xhtml",i)}function Hm(){
+Oc=36286;var Oo=2300,Al=2301,ml=2302,xu=2303,yu=2400,vu=2401,Mu=2402;var Dm=3200;var Bc=0,Um=1,ds="",Qn="srgb",Bo="srgb-linear",ko="linear",At="srgb";var gl=7680;var Fm=519,Om=512,Bm=513,km=514,qu=515,zm=516,Vm=517,$u=518,Yu=519,Gm=35044;var Zu="300 es",li=2e3,$r=2001;function qx(i){for(let e=i.length-1;e>=0;--e)if(i[e]>=65535)return!0;return!1}function $x(i){return ArrayBuffer.isView(i)&&!(i instanceof DataView)}function zo(i){return document.createElementNS("http://www.w3.org/1999/xhtml",i)}function Hm(){
 let i=zo("canvas");return i.style.display="block",i}var Lp={},Yr=null;function Ju(...i){let e="THREE."+i.shift();Yr?Yr("log",e,...i):console.log(e,...i)}function Wm(i){let e=i[0];if(typeof e=="string"&&e.startsWith("TSL:")){let t=i[1];
 t&&t.isStackTrace?i[0]+=" "+t.getLocation():i[1]='Stack trace not available. Enable "THREE.Node.captureStackTrace" to capture stack traces.'}return i}function $e(...i){
 i=Wm(i);let e="THREE."+i.shift();if(Yr)Yr("warn",e,...i);else{let t=i[0];t&&t.isStackTrace?console.warn(t.getError(e)):console.warn(e,...i)}}function Ke(...i){i=
@@ -467,10 +469,10 @@ o=s.length;r<o;r++)s[r].call(this,e);e.target=null}}},An=["00","01","02","03","0
 4","d5","d6","d7","d8","d9","da","db","dc","dd","de","df","e0","e1","e2","e3","e4","e5","e6","e7","e8","e9","ea","eb","ec","ed","ee","ef","f0","f1","f2","f3","f\
 4","f5","f6","f7","f8","f9","fa","fb","fc","fd","fe","ff"];var Yh=Math.PI/180,El=180/Math.PI;function xa(){let i=Math.random()*4294967295|0,e=Math.random()*4294967295|0,t=Math.random()*4294967295|0,n=Math.random()*4294967295|
 0;return(An[i&255]+An[i>>8&255]+An[i>>16&255]+An[i>>24&255]+"-"+An[e&255]+An[e>>8&255]+"-"+An[e>>16&15|64]+An[e>>24&255]+"-"+An[t&63|128]+An[t>>8&255]+"-"+An[t>>
-16&255]+An[t>>24&255]+An[n&255]+An[n>>8&255]+An[n>>16&255]+An[n>>24&255]).toLowerCase()}function at(i,e,t){return Math.max(e,Math.min(t,i))}function $x(i,e){return(i%
+16&255]+An[t>>24&255]+An[n&255]+An[n>>8&255]+An[n>>16&255]+An[n>>24&255]).toLowerCase()}function at(i,e,t){return Math.max(e,Math.min(t,i))}function Yx(i,e){return(i%
 e+e)%e}function Zh(i,e,t){return(1-t)*i+t*e}function $m(i){return Math.pow(2,Math.floor(Math.log(i)/Math.LN2))}function Ku(i){switch(i.constructor){case Uint32Array:return 4294967295;case Uint16Array:return 65535;case Uint8Array:case Uint8ClampedArray:return 255;case Int32Array:
-return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function Yx(i,e){if(e.constructor===Float32Array)return i;let t=Ku(e);if(t===
-void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(i/t,-1)}function Zx(i,e){if(e.constructor===Float32Array)return i;let t=Ku(e);
+return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function Zx(i,e){if(e.constructor===Float32Array)return i;let t=Ku(e);if(t===
+void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(i/t,-1)}function Jx(i,e){if(e.constructor===Float32Array)return i;let t=Ku(e);
 if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.round(i*t)}var ot=class{static{this.prototype.isVector2=!0}constructor(e=0,t=0){this.x=e,this.y=t}get width(){return this.x}set width(e){this.x=e}get height(){return this.
 y}set height(e){this.y=e}set(e,t){return this.x=e,this.y=t,this}setScalar(e){return this.x=e,this.y=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,
 this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;default:throw new Error("THREE.Vector2: index is out of range: "+e)}return this}getComponent(e){
@@ -584,7 +586,7 @@ this.set(1,0,e.x,0,1,e.y,0,0,1):this.set(1,0,e,0,1,t,0,0,1),this}makeRotation(e)
 return this.set(e,0,0,0,t,0,0,0,1),this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<9;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<
 9;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+
 6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e}clone(){return new this.constructor().fromArray(this.elements)}},Kh=new Qe,Dp=new Qe().set(.4123908,.3575843,.1804808,.212639,
-.7151687,.0721923,.0193308,.1191948,.9505322),Up=new Qe().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function Jx(){
+.7151687,.0721923,.0193308,.1191948,.9505322),Up=new Qe().set(3.2409699,-1.5373832,-.4986108,-.9692436,1.8759675,.0415551,.0556301,-.203977,1.0569715);function Kx(){
 let i={enabled:!0,workingColorSpace:Bo,spaces:{},convert:function(s,r,o){return this.enabled===!1||r===o||!r||!o||(this.spaces[r].transfer===At&&(s.r=is(s.r),s.
 g=is(s.g),s.b=is(s.b)),this.spaces[r].primaries!==this.spaces[o].primaries&&(s.applyMatrix3(this.spaces[r].toXYZ),s.applyMatrix3(this.spaces[o].fromXYZ)),this.spaces[o].
 transfer===At&&(s.r=Xr(s.r),s.g=Xr(s.g),s.b=Xr(s.b))),s},workingToColorSpace:function(s,r){return this.convert(s,this.workingColorSpace,r)},colorSpaceToWorking:function(s,r){
@@ -594,7 +596,7 @@ return s.fromArray(this.spaces[r].luminanceCoefficients)},define:function(s){Obj
 fromXYZ).multiply(this.spaces[r].toXYZ)},_getDrawingBufferColorSpace:function(s){return this.spaces[s].outputColorSpaceConfig.drawingBufferColorSpace},_getUnpackColorSpace:function(s=this.
 workingColorSpace){return this.spaces[s].workingColorSpaceConfig.unpackColorSpace}},e=[.64,.33,.3,.6,.15,.06],t=[.2126,.7152,.0722],n=[.3127,.329];return i.define(
 {[Bo]:{primaries:e,whitePoint:n,transfer:ko,toXYZ:Dp,fromXYZ:Up,luminanceCoefficients:t,workingColorSpaceConfig:{unpackColorSpace:Qn},outputColorSpaceConfig:{drawingBufferColorSpace:Qn}},
-[Qn]:{primaries:e,whitePoint:n,transfer:At,toXYZ:Dp,fromXYZ:Up,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:Qn}}}),i}var _t=Jx();function is(i){
+[Qn]:{primaries:e,whitePoint:n,transfer:At,toXYZ:Dp,fromXYZ:Up,luminanceCoefficients:t,outputColorSpaceConfig:{drawingBufferColorSpace:Qn}}}),i}var _t=Kx();function is(i){
 return i<.04045?i*.0773993808:Math.pow(i*.9478672986+.0521327014,2.4)}function Xr(i){return i<.0031308?i*12.92:1.055*Math.pow(i,.41666)-.055}var Rr,Cl=class{static getDataURL(e,t="\
 image/png"){if(/^data:/i.test(e.src)||typeof HTMLCanvasElement>"u")return e.src;let n;if(e instanceof HTMLCanvasElement)n=e;else{Rr===void 0&&(Rr=zo("canvas")),
 Rr.width=e.width,Rr.height=e.height;let s=Rr.getContext("2d");e instanceof ImageData?s.putImageData(e,0,0):s.drawImage(e,0,0,e.width,e.height),n=Rr}return n.toDataURL(
@@ -602,15 +604,15 @@ t)}static sRGBToLinear(e){if(typeof HTMLImageElement<"u"&&e instanceof HTMLImage
 "u"&&e instanceof ImageBitmap){let t=zo("canvas");t.width=e.width,t.height=e.height;let n=t.getContext("2d");n.drawImage(e,0,0,e.width,e.height);let s=n.getImageData(
 0,0,e.width,e.height),r=s.data;for(let o=0;o<r.length;o++)r[o]=is(r[o]/255)*255;return n.putImageData(s,0,0),t}else if(e.data){let t=e.data.slice(0);for(let n=0;n<
 t.length;n++)t instanceof Uint8Array||t instanceof Uint8ClampedArray?t[n]=Math.floor(is(t[n]/255)*255):t[n]=is(t[n]);return{data:t,width:e.width,height:e.height}}else
-return $e("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},Kx=0,Zr=class{constructor(e=null){this.isTextureSource=!0,
-Object.defineProperty(this,"id",{value:Kx++}),this.uuid=xa(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<
+return $e("ImageUtils.sRGBToLinear(): Unsupported image type. No color space conversion applied."),e}},jx=0,Zr=class{constructor(e=null){this.isTextureSource=!0,
+Object.defineProperty(this,"id",{value:jx++}),this.uuid=xa(),this.data=e,this.dataReady=!0,this.version=0}getSize(e){let t=this.data;return typeof HTMLVideoElement<
 "u"&&t instanceof HTMLVideoElement?e.set(t.videoWidth,t.videoHeight,0):typeof VideoFrame<"u"&&t instanceof VideoFrame?e.set(t.displayWidth,t.displayHeight,0):t!==
 null?e.set(t.width||0,t.height||0,t.depth||0):e.set(0,0,0),e}set needsUpdate(e){e===!0&&this.version++}toJSON(e){let t=e===void 0||typeof e=="string";if(!t&&e.images[this.
 uuid]!==void 0)return e.images[this.uuid];let n={uuid:this.uuid,url:""},s=this.data;if(s!==null){let r;if(Array.isArray(s)){r=[];for(let o=0,a=s.length;o<a;o++)
 s[o].isDataTexture?r.push(jh(s[o].image)):r.push(jh(s[o]))}else r=jh(s);n.url=r}return t||(e.images[this.uuid]=n),n}};function jh(i){return typeof HTMLImageElement<
 "u"&&i instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&i instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&i instanceof ImageBitmap?Cl.getDataURL(
-i):i.data?{data:Array.from(i.data),width:i.width,height:i.height,type:i.data.constructor.name}:($e("Texture: Unable to serialize Texture."),{})}var jx=0,Qh=new V,Gn=class i extends Oi{constructor(e=i.DEFAULT_IMAGE,t=i.DEFAULT_MAPPING,n=Fi,s=Fi,r=On,o=hs,a=bi,l=Hn,c=i.DEFAULT_ANISOTROPY,d=ds){super(),this.
-isTexture=!0,Object.defineProperty(this,"id",{value:jx++}),this.uuid=xa(),this.name="",this.source=new Zr(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.
+i):i.data?{data:Array.from(i.data),width:i.width,height:i.height,type:i.data.constructor.name}:($e("Texture: Unable to serialize Texture."),{})}var Qx=0,Qh=new V,Gn=class i extends Oi{constructor(e=i.DEFAULT_IMAGE,t=i.DEFAULT_MAPPING,n=Fi,s=Fi,r=On,o=hs,a=bi,l=Hn,c=i.DEFAULT_ANISOTROPY,d=ds){super(),this.
+isTexture=!0,Object.defineProperty(this,"id",{value:Qx++}),this.uuid=xa(),this.name="",this.source=new Zr(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.
 wrapS=n,this.wrapT=s,this.magFilter=r,this.minFilter=o,this.anisotropy=c,this.format=a,this.internalFormat=null,this.type=l,this.offset=new ot(0,0),this.repeat=
 new ot(1,1),this.center=new ot(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new Qe,this.generateMipmaps=!0,this.mipmapsAutoUpdate=!0,this.premultiplyAlpha=
 !1,this.flipY=!0,this.unpackAlignment=4,this.colorSpace=d,this.userData={},this.updateRanges=[],this.version=0,this.onUpdate=null,this.renderTarget=null,this.isRenderTargetTexture=
@@ -713,7 +715,7 @@ a,t[4]=p*a-f,t[8]=o*c,t[1]=o*u,t[5]=o*d,t[9]=-a,t[2]=f*a-p,t[6]=v+h*a,t[10]=o*l}
 f*a,t[1]=f+p*a,t[5]=o*d,t[9]=v-h*a,t[2]=-o*c,t[6]=a,t[10]=o*l}else if(e.order==="ZYX"){let h=o*d,f=o*u,p=a*d,v=a*u;t[0]=l*d,t[4]=p*c-f,t[8]=h*c+v,t[1]=l*u,t[5]=
 v*c+h,t[9]=f*c-p,t[2]=-c,t[6]=a*l,t[10]=o*l}else if(e.order==="YZX"){let h=o*l,f=o*c,p=a*l,v=a*c;t[0]=l*d,t[4]=v-h*u,t[8]=p*u+f,t[1]=u,t[5]=o*d,t[9]=-a*d,t[2]=-c*
 d,t[6]=f*u+p,t[10]=h-v*u}else if(e.order==="XZY"){let h=o*l,f=o*c,p=a*l,v=a*c;t[0]=l*d,t[4]=-u,t[8]=c*d,t[1]=h*u+v,t[5]=o*d,t[9]=f*u-p,t[2]=p*u-f,t[6]=a*d,t[10]=
-v*u+h}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(Qx,e,ey)}lookAt(e,t,n){let s=this.elements;
+v*u+h}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRotationFromQuaternion(e){return this.compose(ey,e,ty)}lookAt(e,t,n){let s=this.elements;
 return Kn.subVectors(e,t),Kn.lengthSq()===0&&(Kn.z=1),Kn.normalize(),Ms.crossVectors(n,Kn),Ms.lengthSq()===0&&(Math.abs(n.z)===1?Kn.x+=1e-4:Kn.z+=1e-4,Kn.normalize(),
 Ms.crossVectors(n,Kn)),Ms.normalize(),Xa.crossVectors(Kn,Ms),s[0]=Ms.x,s[4]=Xa.x,s[8]=Kn.x,s[1]=Ms.y,s[5]=Xa.y,s[9]=Kn.y,s[2]=Ms.z,s[6]=Xa.z,s[10]=Kn.z,this}multiply(e){
 return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.elements,r=this.elements,o=n[0],
@@ -750,8 +752,8 @@ s),h=-(t+e)/(t-e),f=-(n+s)/(n-s),p,v;if(l)p=1/(o-r),v=o/(o-r);else if(a===li)p=-
 "THREE.Matrix4.makeOrthographic(): Invalid coordinate system: "+a);return c[0]=d,c[4]=0,c[8]=0,c[12]=h,c[1]=0,c[5]=u,c[9]=0,c[13]=f,c[2]=0,c[6]=0,c[10]=p,c[14]=
 v,c[3]=0,c[7]=0,c[11]=0,c[15]=1,this}equals(e){let t=this.elements,n=e.elements;for(let s=0;s<16;s++)if(t[s]!==n[s])return!1;return!0}fromArray(e,t=0){for(let n=0;n<
 16;n++)this.elements[n]=e[n+t];return this}toArray(e=[],t=0){let n=this.elements;return e[t]=n[0],e[t+1]=n[1],e[t+2]=n[2],e[t+3]=n[3],e[t+4]=n[4],e[t+5]=n[5],e[t+
-6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e[t+9]=n[9],e[t+10]=n[10],e[t+11]=n[11],e[t+12]=n[12],e[t+13]=n[13],e[t+14]=n[14],e[t+15]=n[15],e}},Pr=new V,_i=new xt,Qx=new V(
-0,0,0),ey=new V(1,1,1),Ms=new V,Xa=new V,Kn=new V,Fp=new xt,Op=new Bn,rs=class i{constructor(e=0,t=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,
+6]=n[6],e[t+7]=n[7],e[t+8]=n[8],e[t+9]=n[9],e[t+10]=n[10],e[t+11]=n[11],e[t+12]=n[12],e[t+13]=n[13],e[t+14]=n[14],e[t+15]=n[15],e}},Pr=new V,_i=new xt,ey=new V(
+0,0,0),ty=new V(1,1,1),Ms=new V,Xa=new V,Kn=new V,Fp=new xt,Op=new Bn,rs=class i{constructor(e=0,t=0,n=0,s=i.DEFAULT_ORDER){this.isEuler=!0,this._x=e,this._y=t,
 this._z=n,this._order=s}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){
 return this._z}set z(e){this._z=e,this._onChangeCallback()}get order(){return this._order}set order(e){this._order=e,this._onChangeCallback()}set(e,t,n,s=this._order){
 return this._x=e,this._y=t,this._z=n,this._order=s,this._onChangeCallback(),this}clone(){return new this.constructor(this._x,this._y,this._z,this._order)}copy(e){
@@ -769,9 +771,9 @@ return this._x=e[0],this._y=e[1],this._z=e[2],e[3]!==void 0&&(this._order=e[3]),
 _y,e[t+2]=this._z,e[t+3]=this._order,e}_onChange(e){return this._onChangeCallback=e,this}_onChangeCallback(){}*[Symbol.iterator](){yield this._x,yield this._y,yield this.
 _z,yield this._order}};rs.DEFAULT_ORDER="XYZ";var Jr=class{constructor(){this.mask=1}set(e){this.mask=(1<<e|0)>>>0}enable(e){this.mask|=1<<e|0}enableAll(){this.
 mask=-1}toggle(e){this.mask^=1<<e|0}disable(e){this.mask&=~(1<<e|0)}disableAll(){this.mask=0}test(e){return(this.mask&e.mask)!==0}isEnabled(e){return(this.mask&
-(1<<e|0))!==0}},ty=0,Bp=new V,Ir=new Bn,ji=new xt,qa=new V,Ro=new V,ny=new V,iy=new Bn,kp=new V(1,0,0),zp=new V(0,1,0),Vp=new V(0,0,1),Gp={type:"added"},sy={type:"\
+(1<<e|0))!==0}},ny=0,Bp=new V,Ir=new Bn,ji=new xt,qa=new V,Ro=new V,iy=new V,sy=new Bn,kp=new V(1,0,0),zp=new V(0,1,0),Vp=new V(0,0,1),Gp={type:"added"},ry={type:"\
 removed"},Lr={type:"childadded",child:null},eu={type:"childremoved",child:null},wn=class i extends Oi{constructor(){super(),this.isObject3D=!0,Object.defineProperty(
-this,"id",{value:ty++}),this.uuid=xa(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=i.DEFAULT_UP.clone();let e=new V,t=new rs,n=new Bn,
+this,"id",{value:ny++}),this.uuid=xa(),this.name="",this.type="Object3D",this.parent=null,this.children=[],this.up=i.DEFAULT_UP.clone();let e=new V,t=new rs,n=new Bn,
 s=new V(1,1,1);function r(){n.setFromEuler(t,!1)}function o(){t.setFromQuaternion(n,void 0,!1)}t._onChange(r),n._onChange(o),Object.defineProperties(this,{position:{
 configurable:!0,enumerable:!0,value:e},rotation:{configurable:!0,enumerable:!0,value:t},quaternion:{configurable:!0,enumerable:!0,value:n},scale:{configurable:!0,
 enumerable:!0,value:s},modelViewMatrix:{value:new xt},normalMatrix:{value:new Qe}}),this.matrix=new xt,this.matrixWorld=new xt,this.matrixAutoUpdate=i.DEFAULT_MATRIX_AUTO_UPDATE,
@@ -791,14 +793,14 @@ s.matrixWorld),Ir.setFromRotationMatrix(ji),this.quaternion.premultiply(Ir.inver
 arguments[t]);return this}return e===this?(Ke("Object3D.add: object can't be added as a child of itself.",e),this):(e&&e.isObject3D?(e.removeFromParent(),e.parent=
 this,this.children.push(e),e.dispatchEvent(Gp),Lr.child=e,this.dispatchEvent(Lr),Lr.child=null):Ke("Object3D.add: object not an instance of THREE.Object3D.",e),
 this)}remove(e){if(arguments.length>1){for(let n=0;n<arguments.length;n++)this.remove(arguments[n]);return this}let t=this.children.indexOf(e);return t!==-1&&(e.
-parent=null,this.children.splice(t,1),e.dispatchEvent(sy),eu.child=e,this.dispatchEvent(eu),eu.child=null),this}removeFromParent(){let e=this.parent;return e!==
+parent=null,this.children.splice(t,1),e.dispatchEvent(ry),eu.child=e,this.dispatchEvent(eu),eu.child=null),this}removeFromParent(){let e=this.parent;return e!==
 null&&e.remove(this),this}clear(){return this.remove(...this.children)}attach(e){return this.updateWorldMatrix(!0,!1),ji.copy(this.matrixWorld).invert(),e.parent!==
 null&&(e.parent.updateWorldMatrix(!0,!1),ji.multiply(e.parent.matrixWorld)),e.applyMatrix4(ji),e.removeFromParent(),e.parent=this,this.children.push(e),e.updateWorldMatrix(
 !1,!0),e.dispatchEvent(Gp),Lr.child=e,this.dispatchEvent(Lr),Lr.child=null,this}getObjectById(e){return this.getObjectByProperty("id",e)}getObjectByName(e){return this.
 getObjectByProperty("name",e)}getObjectByProperty(e,t){if(this[e]===t)return this;for(let n=0,s=this.children.length;n<s;n++){let o=this.children[n].getObjectByProperty(
 e,t);if(o!==void 0)return o}}getObjectsByProperty(e,t,n=[]){this[e]===t&&n.push(this);let s=this.children;for(let r=0,o=s.length;r<o;r++)s[r].getObjectsByProperty(
 e,t,n);return n}getWorldPosition(e){return this.updateWorldMatrix(!0,!1),e.setFromMatrixPosition(this.matrixWorld)}getWorldQuaternion(e){return this.updateWorldMatrix(
-!0,!1),this.matrixWorld.decompose(Ro,e,ny),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(Ro,iy,e),e}getWorldDirection(e){this.
+!0,!1),this.matrixWorld.decompose(Ro,e,iy),e}getWorldScale(e){return this.updateWorldMatrix(!0,!1),this.matrixWorld.decompose(Ro,sy,e),e}getWorldDirection(e){this.
 updateWorldMatrix(!0,!1);let t=this.matrixWorld.elements;return e.set(t[8],t[9],t[10]).normalize()}raycast(){}intersectsFrustum(){return!0}traverse(e){e(this);let t=this.
 children;for(let n=0,s=t.length;n<s;n++)t[n].traverse(e)}traverseVisible(e){if(this.visible===!1)return;e(this);let t=this.children;for(let n=0,s=t.length;n<s;n++)
 t[n].traverseVisible(e)}traverseAncestors(e){let t=this.parent;t!==null&&(e(t),t.traverseAncestors(e))}updateMatrix(){this.matrix.compose(this.position,this.quaternion,
@@ -839,7 +841,7 @@ e.matrixWorldAutoUpdate,this.matrixWorldNeedsUpdate=e.matrixWorldNeedsUpdate,thi
 this.receiveShadow=e.receiveShadow,this.frustumCulled=e.frustumCulled,this.renderOrder=e.renderOrder,this.static=e.static,this.animations=e.animations.slice(),this.
 userData=JSON.parse(JSON.stringify(e.userData)),t===!0)for(let n=0;n<e.children.length;n++){let s=e.children[n];this.add(s.clone())}return this}dispose(){this.dispatchEvent(
 {type:"dispose"})}};wn.DEFAULT_UP=new V(0,1,0);wn.DEFAULT_MATRIX_AUTO_UPDATE=!0;wn.DEFAULT_MATRIX_WORLD_AUTO_UPDATE=!0;var Vn=class extends wn{constructor(){super(),
-this.isGroup=!0,this.type="Group"}},ry={type:"move"},Kr=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===
+this.isGroup=!0,this.type="Group"}},oy={type:"move"},Kr=class{constructor(){this._targetRay=null,this._grip=null,this._hand=null}getHandSpace(){return this._hand===
 null&&(this._hand=new Vn,this._hand.matrixAutoUpdate=!1,this._hand.visible=!1,this._hand.joints={},this._hand.inputState={pinching:!1}),this._hand}getTargetRaySpace(){
 return this._targetRay===null&&(this._targetRay=new Vn,this._targetRay.matrixAutoUpdate=!1,this._targetRay.visible=!1,this._targetRay.hasLinearVelocity=!1,this.
 _targetRay.linearVelocity=new V,this._targetRay.hasAngularVelocity=!1,this._targetRay.angularVelocity=new V),this._targetRay}getGripSpace(){return this._grip===
@@ -858,7 +860,7 @@ copy(r.linearVelocity)):l.hasLinearVelocity=!1,r.angularVelocity?(l.hasAngularVe
 l.dispatchEvent({type:"gripUpdated",data:e,target:this})));a!==null&&(s=t.getPose(e.targetRaySpace,n),s===null&&r!==null&&(s=r),s!==null&&(a.matrix.fromArray(s.
 transform.matrix),a.matrix.decompose(a.position,a.quaternion,a.scale),a.matrixWorldNeedsUpdate=!0,s.linearVelocity?(a.hasLinearVelocity=!0,a.linearVelocity.copy(
 s.linearVelocity)):a.hasLinearVelocity=!1,s.angularVelocity?(a.hasAngularVelocity=!0,a.angularVelocity.copy(s.angularVelocity)):a.hasAngularVelocity=!1,this.dispatchEvent(
-ry)))}return a!==null&&(a.visible=s!==null),l!==null&&(l.visible=r!==null),c!==null&&(c.visible=o!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){
+oy)))}return a!==null&&(a.visible=s!==null),l!==null&&(l.visible=r!==null),c!==null&&(c.visible=o!==null),this}_getHandJoint(e,t){if(e.joints[t.jointName]===void 0){
 let n=new Vn;n.matrixAutoUpdate=!1,n.visible=!1,e.joints[t.jointName]=n,e.add(n)}return e.joints[t.jointName]}},Ym={aliceblue:15792383,antiquewhite:16444375,aqua:65535,
 aquamarine:8388564,azure:15794175,beige:16119260,bisque:16770244,black:0,blanchedalmond:16772045,blue:255,blueviolet:9055202,brown:10824234,burlywood:14596231,cadetblue:6266528,
 chartreuse:8388352,chocolate:13789470,coral:16744272,cornflowerblue:6591981,cornsilk:16775388,crimson:14423100,cyan:65535,darkblue:139,darkcyan:35723,darkgoldenrod:12092939,
@@ -880,7 +882,7 @@ violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:1677696
 set(e,t,n)}set(e,t,n){if(t===void 0&&n===void 0){let s=e;s&&s.isColor?this.copy(s):typeof s=="number"?this.setHex(s):typeof s=="string"&&this.setStyle(s)}else this.
 setRGB(e,t,n);return this}setScalar(e){return this.r=e,this.g=e,this.b=e,this}setHex(e,t=Qn){return e=Math.floor(e),this.r=(e>>16&255)/255,this.g=(e>>8&255)/255,
 this.b=(e&255)/255,_t.colorSpaceToWorking(this,t),this}setRGB(e,t,n,s=_t.workingColorSpace){return this.r=e,this.g=t,this.b=n,_t.colorSpaceToWorking(this,s),this}setHSL(e,t,n,s=_t.
-workingColorSpace){if(e=$x(e,1),t=at(t,0,1),n=at(n,0,1),t===0)this.r=this.g=this.b=n;else{let r=n<=.5?n*(1+t):n+t-n*t,o=2*n-r;this.r=tu(o,r,e+1/3),this.g=tu(o,r,
+workingColorSpace){if(e=Yx(e,1),t=at(t,0,1),n=at(n,0,1),t===0)this.r=this.g=this.b=n;else{let r=n<=.5?n*(1+t):n+t-n*t,o=2*n-r;this.r=tu(o,r,e+1/3),this.g=tu(o,r,
 e),this.b=tu(o,r,e-1/3)}return _t.colorSpaceToWorking(this,s),this}setStyle(e,t=Qn){function n(r){r!==void 0&&parseFloat(r)<1&&$e("Color: Alpha component of "+e+
 " will be ignored.")}let s;if(s=/^(\w+)\(([^\)]*)\)/.exec(e)){let r,o=s[1],a=s[2];switch(o){case"rgb":case"rgba":if(r=/^\s*(\d+)\s*,\s*(\d+)\s*,\s*(\d+)\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.
 exec(a))return n(r[4]),this.setRGB(Math.min(255,parseInt(r[1],10))/255,Math.min(255,parseInt(r[2],10))/255,Math.min(255,parseInt(r[3],10))/255,t);if(r=/^\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*,\s*(\d+(?:\.\d+)?|\.\d+)\%\s*(?:,\s*(\d+(?:\.\d+)?|\.\d+)\s*)?$/.
@@ -964,8 +966,8 @@ z).applyMatrix4(e),ts[7].set(this.max.x,this.max.y,this.max.z).applyMatrix4(e),t
 this}equals(e){return e.min.equals(this.min)&&e.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(e){return this.min.
 fromArray(e.min),this.max.fromArray(e.max),this}},ts=[new V,new V,new V,new V,new V,new V,new V,new V],yi=new V,Ya=new Bi,Ur=new V,Fr=new V,Or=new V,bs=new V,ws=new V,
 Zs=new V,Po=new V,Za=new V,Ja=new V,Js=new V;function cu(i,e,t,n,s){for(let r=0,o=i.length-3;r<=o;r+=3){Js.fromArray(i,r);let a=s.x*Math.abs(Js.x)+s.y*Math.abs(
-Js.y)+s.z*Math.abs(Js.z),l=e.dot(Js),c=t.dot(Js),d=n.dot(Js);if(Math.max(-Math.max(l,c,d),Math.min(l,c,d))>a)return!1}return!0}var an=new V,Ka=new ot,oy=0,vi=class extends Oi{constructor(e,t,n=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a \
-Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:oy++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/
+Js.y)+s.z*Math.abs(Js.z),l=e.dot(Js),c=t.dot(Js),d=n.dot(Js);if(Math.max(-Math.max(l,c,d),Math.min(l,c,d))>a)return!1}return!0}var an=new V,Ka=new ot,ay=0,vi=class extends Oi{constructor(e,t,n=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a \
+Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:ay++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/
 t:0,this.normalized=n,this.usage=Gm,this.updateRanges=[],this.gpuType=hi,this.version=0,this._normalizationScale=e!==void 0?Ku(e):void 0}onUploadCallback(){}set needsUpdate(e){
 e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.
 length=0}copy(e){return this.name=e.name,this.array=new e.array.constructor(e.array),this.itemSize=e.itemSize,this.count=e.count,this.normalized=e.normalized,this.
@@ -987,8 +989,8 @@ array[e+1]=n,this.array[e+2]=s,this}setXYZW(e,t,n,s,r){return e*=this.itemSize,t
 r=this._normalize(r)),this.array[e+0]=t,this.array[e+1]=n,this.array[e+2]=s,this.array[e+3]=r,this}onUpload(e){return this.onUploadCallback=e,this}clone(){return new this.
 constructor(this.array,this.itemSize).copy(this)}toJSON(){let e={itemSize:this.itemSize,type:this.array.constructor.name,array:Array.from(this.array),normalized:this.
 normalized};return e.name=this.name,e.usage=this.usage,e.gpuType=this.gpuType,e}dispose(){this.dispatchEvent({type:"dispose"})}_denormalize(e){let t=this._normalizationScale;
-return t!==void 0?Math.max(e/t,-1):Yx(e,this.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):Zx(e,this.array)}};var Ho=class extends vi{constructor(e,t,n){super(new Uint16Array(e),t,n)}};var Wo=class extends vi{constructor(e,t,n){super(new Uint32Array(e),t,n)}};var yt=class extends vi{constructor(e,t,n){super(new Float32Array(e),t,n)}},ay=new Bi,Io=new V,hu=new V,os=class{constructor(e=new V,t=-1){this.isSphere=!0,this.
-center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){let n=this.center;t!==void 0?n.copy(t):ay.setFromPoints(e).getCenter(
+return t!==void 0?Math.max(e/t,-1):Zx(e,this.array)}_normalize(e){let t=this._normalizationScale;return t!==void 0?Math.round(e*t):Jx(e,this.array)}};var Ho=class extends vi{constructor(e,t,n){super(new Uint16Array(e),t,n)}};var Wo=class extends vi{constructor(e,t,n){super(new Uint32Array(e),t,n)}};var yt=class extends vi{constructor(e,t,n){super(new Float32Array(e),t,n)}},ly=new Bi,Io=new V,hu=new V,os=class{constructor(e=new V,t=-1){this.isSphere=!0,this.
+center=e,this.radius=t}set(e,t){return this.center.copy(e),this.radius=t,this}setFromPoints(e,t){let n=this.center;t!==void 0?n.copy(t):ly.setFromPoints(e).getCenter(
 n);let s=0;for(let r=0,o=e.length;r<o;r++)s=Math.max(s,n.distanceToSquared(e[r]));return this.radius=Math.sqrt(s),this}copy(e){return this.center.copy(e.center),
 this.radius=e.radius,this}isEmpty(){return this.radius<0}makeEmpty(){return this.center.set(0,0,0),this.radius=-1,this}containsPoint(e){return e.distanceToSquared(
 this.center)<=this.radius*this.radius}distanceToPoint(e){return e.distanceTo(this.center)-this.radius}intersectsSphere(e){let t=this.radius+e.radius;return e.center.
@@ -1000,11 +1002,11 @@ copy(e),this.radius=0,this;Io.subVectors(e,this.center);let t=Io.lengthSq();if(t
 Io,s/n),this.radius+=s}return this}union(e){return e.isEmpty()?this:this.isEmpty()?(this.copy(e),this):(this.center.equals(e.center)===!0?this.radius=Math.max(this.
 radius,e.radius):(hu.subVectors(e.center,this.center).setLength(e.radius),this.expandByPoint(Io.copy(e.center).add(hu)),this.expandByPoint(Io.copy(e.center).sub(
 hu))),this)}equals(e){return e.center.equals(this.center)&&e.radius===this.radius}clone(){return new this.constructor().copy(this)}toJSON(){return{radius:this.radius,
-center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},ly=0,ai=new xt,uu=new wn,Br=new V,jn=new Bi,Lo=new Bi,
-Mn=new V,ln=class i extends Oi{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:ly++}),this.uuid=xa(),this.name="",this.type=
+center:this.center.toArray()}}fromJSON(e){return this.radius=e.radius,this.center.fromArray(e.center),this}},cy=0,ai=new xt,uu=new wn,Br=new V,jn=new Bi,Lo=new Bi,
+Mn=new V,ln=class i extends Oi{constructor(){super(),this.isBufferGeometry=!0,Object.defineProperty(this,"id",{value:cy++}),this.uuid=xa(),this.name="",this.type=
 "BufferGeometry",this.index=null,this.indirect=null,this.indirectOffset=0,this.attributes={},this.morphAttributes={},this.morphTargetsRelative=!1,this.groups=[],
 this.boundingBox=null,this.boundingSphere=null,this.drawRange={start:0,count:1/0},this.userData={},this._transformed=!1}getIndex(){return this.index}setIndex(e){
-return Array.isArray(e)?this.index=new(Xx(e)?Wo:Ho)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.
+return Array.isArray(e)?this.index=new(qx(e)?Wo:Ho)(e,1):this.index=e,this}setIndirect(e,t=0){return this.indirect=e,this.indirectOffset=t,this}getIndirect(){return this.
 indirect}getAttribute(e){return this.attributes[e]}setAttribute(e,t){return this.attributes[e]=t,this}deleteAttribute(e){return delete this.attributes[e],this}hasAttribute(e){
 return this.attributes[e]!==void 0}addGroup(e,t,n=0){this.groups.push({start:e,count:t,materialIndex:n})}clearGroups(){this.groups=[]}setDrawRange(e,t){this.drawRange.
 start=e,this.drawRange.count=t}applyMatrix4(e){let t=this.attributes.position;t!==void 0&&(t.applyMatrix4(e),t.needsUpdate=!0);let n=this.attributes.normal;if(n!==
@@ -1063,19 +1065,19 @@ n!==null&&this.setIndex(n.clone());let s=e.attributes;for(let c in s){let d=s[c]
 u=r[c];for(let h=0,f=u.length;h<f;h++)d.push(u[h].clone(t));this.morphAttributes[c]=d}this.morphTargetsRelative=e.morphTargetsRelative;let o=e.groups;for(let c=0,
 d=o.length;c<d;c++){let u=o[c];this.addGroup(u.start,u.count,u.materialIndex)}let a=e.boundingBox;a!==null&&(this.boundingBox=a.clone());let l=e.boundingSphere;
 return l!==null&&(this.boundingSphere=l.clone()),this.drawRange.start=e.drawRange.start,this.drawRange.count=e.drawRange.count,this.userData=e.userData,this._transformed=
-e._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}};var du=new V,cy=new V,hy=new Qe,ei=class{constructor(e=new V(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.
+e._transformed,this}dispose(){this.dispatchEvent({type:"dispose"})}};var du=new V,hy=new V,uy=new Qe,ei=class{constructor(e=new V(1,0,0),t=0){this.isPlane=!0,this.normal=e,this.constant=t}set(e,t){return this.normal.copy(e),this.
 constant=t,this}setComponents(e,t,n,s){return this.normal.set(e,t,n),this.constant=s,this}setFromNormalAndCoplanarPoint(e,t){return this.normal.copy(e),this.constant=
--t.dot(this.normal),this}setFromCoplanarPoints(e,t,n){let s=du.subVectors(n,t).cross(cy.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(s,
+-t.dot(this.normal),this}setFromCoplanarPoints(e,t,n){let s=du.subVectors(n,t).cross(hy.subVectors(e,t)).normalize();return this.setFromNormalAndCoplanarPoint(s,
 e),this}copy(e){return this.normal.copy(e.normal),this.constant=e.constant,this}normalize(){let e=1/this.normal.length();return this.normal.multiplyScalar(e),this.
 constant*=e,this}negate(){return this.constant*=-1,this.normal.negate(),this}distanceToPoint(e){return this.normal.dot(e)+this.constant}distanceToSphere(e){return this.
 distanceToPoint(e.center)-e.radius}projectPoint(e,t){return t.copy(e).addScaledVector(this.normal,-this.distanceToPoint(e))}intersectLine(e,t,n=!0){let s=e.delta(
 du),r=this.normal.dot(s);if(r===0)return this.distanceToPoint(e.start)===0?t.copy(e.start):null;let o=-(e.start.dot(this.normal)+this.constant)/r;return n===!0&&
 (o<0||o>1)?null:t.copy(e.start).addScaledVector(s,o)}intersectsLine(e){let t=this.distanceToPoint(e.start),n=this.distanceToPoint(e.end);return t<0&&n>0||n<0&&t>
 0}intersectsBox(e){return e.intersectsPlane(this)}intersectsSphere(e){return e.intersectsPlane(this)}coplanarPoint(e){return e.copy(this.normal).multiplyScalar(
--this.constant)}applyMatrix4(e,t){let n=t||hy.getNormalMatrix(e),s=this.coplanarPoint(du).applyMatrix4(e),r=this.normal.applyMatrix3(n).normalize();return this.
+-this.constant)}applyMatrix4(e,t){let n=t||uy.getNormalMatrix(e),s=this.coplanarPoint(du).applyMatrix4(e),r=this.normal.applyMatrix3(n).normalize();return this.
 constant=-s.dot(r),this}translate(e){return this.constant-=e.dot(this.normal),this}equals(e){return e.normal.equals(this.normal)&&e.constant===this.constant}clone(){
 return new this.constructor().copy(this)}toJSON(){return{normal:this.normal.toArray(),constant:this.constant}}fromJSON(e){return this.normal.fromArray(e.normal),
-this.constant=e.constant,this}},uy=0,as=class extends Oi{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:uy++}),this.uuid=xa(),this.
+this.constant=e.constant,this}},dy=0,as=class extends Oi{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:dy++}),this.uuid=xa(),this.
 name="",this.type="Material",this.blending=so,this.side=Ds,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=Pu,this.blendDst=
 Iu,this.blendEquation=er,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new st(0,0,0),this.blendAlpha=0,this.depthFunc=
 qr,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Fm,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=gl,this.stencilZFail=
@@ -1246,16 +1248,16 @@ min(a.count,f.start+f.count);for(let m=p,g=v;m<g;m+=3){let _=a.getX(m),w=a.getX(
 t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let p=0,v=h.length;p<v;p++){let m=h[p],g=o[m.materialIndex],_=Math.max(m.start,f.start),w=Math.min(l.count,
 Math.min(m.start+m.count,f.start+f.count));for(let M=_,C=w;M<C;M+=3){let b=M,x=M+1,S=M+2;s=ol(this,g,e,n,c,d,u,b,x,S),s&&(s.faceIndex=Math.floor(M/3),s.face.materialIndex=
 m.materialIndex,t.push(s))}}else{let p=Math.max(0,f.start),v=Math.min(l.count,f.start+f.count);for(let m=p,g=v;m<g;m+=3){let _=m,w=m+1,M=m+2;s=ol(this,o,e,n,c,d,
-u,_,w,M),s&&(s.faceIndex=Math.floor(m/3),t.push(s))}}}};function dy(i,e,t,n,s,r,o,a){let l;if(e.side===kn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(
+u,_,w,M),s&&(s.faceIndex=Math.floor(m/3),t.push(s))}}}};function fy(i,e,t,n,s,r,o,a){let l;if(e.side===kn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(
 s,r,o,e.side===Ds,a),l===null)return null;rl.copy(a),rl.applyMatrix4(i.matrixWorld);let c=t.ray.origin.distanceTo(rl);return c<t.near||c>t.far?null:{distance:c,
-point:rl.clone(),object:i}}function ol(i,e,t,n,s,r,o,a,l,c){i.getVertexPosition(a,tl),i.getVertexPosition(l,nl),i.getVertexPosition(c,il);let d=dy(i,e,t,n,tl,nl,
+point:rl.clone(),object:i}}function ol(i,e,t,n,s,r,o,a,l,c){i.getVertexPosition(a,tl),i.getVertexPosition(l,nl),i.getVertexPosition(c,il);let d=fy(i,e,t,n,tl,nl,
 il,qp);if(d){let u=new V;Ui.getBarycoord(qp,tl,nl,il,u),s&&(d.uv=Ui.getInterpolatedAttribute(s,a,l,c,u,new ot)),r&&(d.uv1=Ui.getInterpolatedAttribute(r,a,l,c,u,
 new ot)),o&&(d.normal=Ui.getInterpolatedAttribute(o,a,l,c,u,new V),d.normal.dot(n.direction)>0&&d.normal.multiplyScalar(-1));let h={a,b:l,c,normal:new V,materialIndex:0};
 Ui.getNormal(tl,nl,il,h.normal),d.face=h,d.barycoord=u}return d}var Xo=class extends Gn{constructor(e=null,t=1,n=1,s,r,o,a,l,c=Sn,d=Sn,u,h){super(null,o,a,l,c,d,s,r,u,h),this.isDataTexture=!0,this.image={data:e,width:t,height:n},
 this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};var qo=class extends vi{constructor(e,t,n,s=1){super(e,t,n),this.isInstancedBufferAttribute=!0,this.meshPerAttribute=s}copy(e){return super.copy(e),this.meshPerAttribute=
 e.meshPerAttribute,this}toJSON(){let e=super.toJSON();return e.meshPerAttribute=this.meshPerAttribute,e.isInstancedBufferAttribute=!0,e}},kr=new xt,$p=new xt,al=[],
-Yp=new Bi,fy=new xt,No=new ci,Do=new os,As=class extends ci{constructor(e,t,n){super(e,t),this.isInstancedMesh=!0,this.instanceMatrix=new qo(new Float32Array(n*
-16),16),this.instanceColor=null,this.morphTexture=null,this.count=n,this.boundingBox=null,this.boundingSphere=null;for(let s=0;s<n;s++)this.setMatrixAt(s,fy)}computeBoundingBox(){
+Yp=new Bi,py=new xt,No=new ci,Do=new os,As=class extends ci{constructor(e,t,n){super(e,t),this.isInstancedMesh=!0,this.instanceMatrix=new qo(new Float32Array(n*
+16),16),this.instanceColor=null,this.morphTexture=null,this.count=n,this.boundingBox=null,this.boundingSphere=null;for(let s=0;s<n;s++)this.setMatrixAt(s,py)}computeBoundingBox(){
 let e=this.geometry,t=this.count;this.boundingBox===null&&(this.boundingBox=new Bi),e.boundingBox===null&&e.computeBoundingBox(),this.boundingBox.makeEmpty();for(let n=0;n<
 t;n++)this.getMatrixAt(n,kr),Yp.copy(e.boundingBox).applyMatrix4(kr),this.boundingBox.union(Yp)}computeBoundingSphere(){let e=this.geometry,t=this.count;this.boundingSphere===
 null&&(this.boundingSphere=new os),e.boundingSphere===null&&e.computeBoundingSphere(),this.boundingSphere.makeEmpty();for(let n=0;n<t;n++)this.getMatrixAt(n,kr),
@@ -1271,7 +1273,7 @@ this.instanceMatrix.count*3).fill(1),3)),t.toArray(this.instanceColor.array,e*3)
 let n=t.morphTargetInfluences,s=n.length+1;this.morphTexture===null&&(this.morphTexture=new Xo(new Float32Array(s*this.count),s,this.count,sc,hi));let r=this.morphTexture.
 source.data.data,o=0;for(let c=0;c<n.length;c++)o+=n[c];let a=this.geometry.morphTargetsRelative?1:1-o,l=s*e;return r[l]=a,r.set(n,l+1),this}updateMorphTargets(){}dispose(){
 super.dispose(),this.instanceMatrix.dispose(),this.instanceColor!==null&&this.instanceColor.dispose(),this.morphTexture!==null&&(this.morphTexture.dispose(),this.
-morphTexture=null)}},js=new os,py=new ot(.5,.5),ll=new V,Es=class{constructor(e=new ei,t=new ei,n=new ei,s=new ei,r=new ei,o=new ei){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){
+morphTexture=null)}},js=new os,my=new ot(.5,.5),ll=new V,Es=class{constructor(e=new ei,t=new ei,n=new ei,s=new ei,r=new ei,o=new ei){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){
 let a=this.planes;return a[0].copy(e),a[1].copy(t),a[2].copy(n),a[3].copy(s),a[4].copy(r),a[5].copy(o),this}copy(e){let t=this.planes;for(let n=0;n<6;n++)t[n].copy(
 e.planes[n]);return this}setFromProjectionMatrix(e,t=li,n=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],l=r[2],c=r[3],d=r[4],u=r[5],h=r[6],f=r[7],p=r[8],v=r[9],
 m=r[10],g=r[11],_=r[12],w=r[13],M=r[14],C=r[15];if(s[0].setComponents(c-o,f-d,g-p,C-_).normalize(),s[1].setComponents(c+o,f+d,g+p,C+_).normalize(),s[2].setComponents(
@@ -1279,7 +1281,7 @@ c+a,f+u,g+v,C+w).normalize(),s[3].setComponents(c-a,f-u,g-v,C-w).normalize(),n)s
 setComponents(c-l,f-h,g-m,C-M).normalize(),t===li)s[5].setComponents(c+l,f+h,g+m,C+M).normalize();else if(t===$r)s[5].setComponents(l,h,m,M).normalize();else throw new Error(
 "THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&
 e.computeBoundingSphere(),js.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),js.copy(
-t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(js)}intersectsSprite(e){js.center.set(0,0,0);let t=py.distanceTo(e.center);return js.
+t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(js)}intersectsSprite(e){js.center.set(0,0,0);let t=my.distanceTo(e.center);return js.
 radius=.7071067811865476+t,js.applyMatrix4(e.matrixWorld),this.intersectsSphere(js)}intersectsSphere(e){let t=this.planes,n=e.center,s=-e.radius;for(let r=0;r<6;r++)
 if(t[r].distanceToPoint(n)<s)return!1;return!0}intersectsBox(e){let t=this.planes;for(let n=0;n<6;n++){let s=t[n];if(ll.x=s.normal.x>0?e.max.x:e.min.x,ll.y=s.normal.
 y>0?e.max.y:e.min.y,ll.z=s.normal.z>0?e.max.z:e.min.z,s.distanceToPoint(ll)<0)return!1}return!0}containsPoint(e){let t=this.planes;for(let n=0;n<6;n++)if(t[n].distanceToPoint(
@@ -1374,14 +1376,14 @@ return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static 
 phiLength,e.thetaStart,e.thetaLength)}};function ir(i){let e={};for(let t in i){e[t]={};for(let n in i[t]){let s=i[t][n];if(em(s))s.isRenderTargetTexture?($e("UniformsUtils: Textures of render targets\
  cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][n]=null):e[t][n]=s.clone();else if(Array.isArray(s))if(em(s[0])){let r=[];for(let o=0,a=s.length;o<
 a;o++)r[o]=s[o].clone();e[t][n]=r}else e[t][n]=s.slice();else e[t][n]=s}}return e}function Cn(i){let e={};for(let t=0;t<i.length;t++){let n=ir(i[t]);for(let s in n)
-e[s]=n[s]}return e}function em(i){return i&&(i.isColor||i.isMatrix3||i.isMatrix4||i.isVector2||i.isVector3||i.isVector4||i.isTexture||i.isQuaternion)}function my(i){
+e[s]=n[s]}return e}function em(i){return i&&(i.isColor||i.isMatrix3||i.isMatrix4||i.isVector2||i.isVector3||i.isVector4||i.isTexture||i.isQuaternion)}function gy(i){
 let e=[];for(let t=0;t<i.length;t++)e.push(i[t].clone());return e}function ju(i){let e=i.getRenderTarget();return e===null?i.outputColorSpace:e.isXRRenderTarget===
-!0?e.texture.colorSpace:_t.workingColorSpace}var Zm={clone:ir,merge:Cn},gy="void main() {\n gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.\
-0 );\n}",_y="void main() {\n gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );\n}",ki=class extends as{constructor(e){super(),this.isShaderMaterial=!0,this.type="Shade\
-rMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=gy,this.fragmentShader=_y,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=
+!0?e.texture.colorSpace:_t.workingColorSpace}var Zm={clone:ir,merge:Cn},_y="void main() {\n gl_Position = projectionMatrix * modelViewMatrix * vec4( position, 1.\
+0 );\n}",xy="void main() {\n gl_FragColor = vec4( 1.0, 0.0, 0.0, 1.0 );\n}",ki=class extends as{constructor(e){super(),this.isShaderMaterial=!0,this.type="Shade\
+rMaterial",this.defines={},this.uniforms={},this.uniformsGroups=[],this.vertexShader=_y,this.fragmentShader=xy,this.linewidth=1,this.wireframe=!1,this.wireframeLinewidth=
 1,this.fog=!1,this.lights=!1,this.clipping=!1,this.forceSinglePass=!0,this.extensions={clipCullDistance:!1,multiDraw:!1},this.defaultAttributeValues={color:[1,1,
 1],uv:[0,0],uv1:[0,0]},this.index0AttributeName=void 0,this.uniformsNeedUpdate=!1,this.glslVersion=null,e!==void 0&&this.setValues(e)}copy(e){return super.copy(
-e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=ir(e.uniforms),this.uniformsGroups=my(e.uniformsGroups),this.defines=Object.
+e),this.fragmentShader=e.fragmentShader,this.vertexShader=e.vertexShader,this.uniforms=ir(e.uniforms),this.uniformsGroups=gy(e.uniformsGroups),this.defines=Object.
 assign({},e.defines),this.wireframe=e.wireframe,this.wireframeLinewidth=e.wireframeLinewidth,this.fog=e.fog,this.lights=e.lights,this.clipping=e.clipping,this.extensions=
 Object.assign({},e.extensions),this.glslVersion=e.glslVersion,this.defaultAttributeValues=Object.assign({},e.defaultAttributeValues),this.index0AttributeName=e.
 index0AttributeName,this.uniformsNeedUpdate=e.uniformsNeedUpdate,this}toJSON(e){let t=super.toJSON(e);t.glslVersion=this.glslVersion,t.uniforms={};for(let s in this.
@@ -1432,9 +1434,9 @@ h*v-h*p,_=(1+h)*m+(-1.5-2*h)*v+(-.5+h)*p+1,w=(-1-f)*m+(1.5+f)*v+.5*p,M=f*m-f*v;f
 super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=(n-t)/(s-t),u=1-d;for(let h=0;h!==a;++h)r[h]=o[c+
 h]*u+o[l+h]*d;return r}},Vl=class extends Is{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e){return this.copySampleValue_(e-1)}},Gl=class extends Is{interpolate_(e,t,n,s){
 let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this.inTangents,u=this.outTangents;if(!d||!u){let p=(n-t)/(s-t),v=1-p;for(let m=0;m!==
-a;++m)r[m]=o[c+m]*v+o[l+m]*p;return r}let h=a*2,f=e-1;for(let p=0;p!==a;++p){let v=o[c+p],m=o[l+p],g=f*h+p*2,_=u[g],w=u[g+1],M=e*h+p*2,C=d[M],b=d[M+1],x=yy(n,t,
-_,C,s);r[p]=Jm(x,v,w,b,m)}return r}};function Jm(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function xy(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
-e)+6*r*i*(n-t)+3*i*i*(s-n)}function yy(i,e,t,n,s){let r=(i-e)/(s-e);for(let o=0;o<8;o++){let a=Jm(r,e,t,n,s)-i;if(Math.abs(a)<1e-10)break;let l=xy(r,e,t,n,s);if(Math.
+a;++m)r[m]=o[c+m]*v+o[l+m]*p;return r}let h=a*2,f=e-1;for(let p=0;p!==a;++p){let v=o[c+p],m=o[l+p],g=f*h+p*2,_=u[g],w=u[g+1],M=e*h+p*2,C=d[M],b=d[M+1],x=vy(n,t,
+_,C,s);r[p]=Jm(x,v,w,b,m)}return r}};function Jm(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function yy(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
+e)+6*r*i*(n-t)+3*i*i*(s-n)}function vy(i,e,t,n,s){let r=(i-e)/(s-e);for(let o=0;o<8;o++){let a=Jm(r,e,t,n,s)-i;if(Math.abs(a)<1e-10)break;let l=yy(r,e,t,n,s);if(Math.
 abs(l)<1e-10)break;r=Math.max(0,Math.min(1,r-a/l))}return r}var ni=class{constructor(e,t,n,s){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is \
 undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=zr(t,this.TimeBufferType),
 this.values=zr(n,this.ValueBufferType),this.setInterpolation(s||this.DefaultInterpolation)}static toJSON(e){let t=e.constructor,n;if(t.toJSON!==this.toJSON)n=t.
@@ -1454,7 +1456,7 @@ s=n.length,r=0,o=s-1;for(;r!==s&&n[r]<e;)++r;for(;o!==-1&&n[o]>t;)--o;if(++o,r!=
 slice(r,o),this.values=this.values.slice(r*a,o*a)}return this}validate(){let e=!0,t=this.getValueSize();t-Math.floor(t)!==0&&(Ke("KeyframeTrack: Invalid value s\
 ize in track.",this),e=!1);let n=this.times,s=this.values,r=n.length;r===0&&(Ke("KeyframeTrack: Track is empty.",this),e=!1);let o=null;for(let a=0;a!==r;a++){let l=n[a];
 if(typeof l=="number"&&isNaN(l)){Ke("KeyframeTrack: Time is not a valid number.",this,a,l),e=!1;break}if(o!==null&&o>l){Ke("KeyframeTrack: Out of order keys.",this,
-a,l,o),e=!1;break}o=l}if(s!==void 0&&qx(s))for(let a=0,l=s.length;a!==l;++a){let c=s[a];if(isNaN(c)){Ke("KeyframeTrack: Value is not a valid number.",this,a,c),
+a,l,o),e=!1;break}o=l}if(s!==void 0&&$x(s))for(let a=0,l=s.length;a!==l;++a){let c=s[a];if(isNaN(c)){Ke("KeyframeTrack: Value is not a valid number.",this,a,c),
 e=!1;break}}return e}optimize(){let e=this.times.slice(),t=this.values.slice(),n=this.getValueSize(),s=this.getInterpolation()===ml,r=e.length-1,o=1;for(let a=1;a<
 r;++a){let l=!1,c=e[a],d=e[a+1];if(c!==d&&(a!==1||c!==e[0]))if(s)l=!0;else{let u=a*n,h=u-n,f=u+n;for(let p=0;p!==n;++p){let v=t[u+p];if(v!==t[h+p]||v!==t[f+p]){
 l=!0;break}}}if(l){if(a!==o){e[o]=e[a];let u=a*n,h=o*n;for(let f=0;f!==n;++f)t[h+f]=t[u+f]}++o}}if(r>0){e[o]=e[r];for(let a=r*n,l=o*n,c=0;c!==n;++c)t[l+c]=t[a+c];
@@ -1545,16 +1547,16 @@ e.setRenderTarget(n,0,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,r),e.set
 n,2,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,a),e.setRenderTarget(n,3,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,l),e.setRenderTarget(n,4,s),m&&
 e.autoClear===!1&&e.clearDepth(),e.render(t,c),n.texture.mipmapsAutoUpdate=v,e.setRenderTarget(n,5,s),m&&e.autoClear===!1&&e.clearDepth(),e.render(t,d),e.setRenderTarget(
 u,h,f),e.xr.enabled=p,n.texture.needsPMREMUpdate=!0}},Jl=class extends Fn{constructor(e=[]){super(),this.isArrayCamera=!0,this.isMultiViewCamera=!1,this.cameras=
-e,this.perCameraFrustumCulled=!1}};var Qu="\\[\\]\\.:\\/",vy=new RegExp("["+Qu+"]","g"),ed="[^"+Qu+"]",My="[^"+Qu.replace("\\.","")+"]",Sy=/((?:WC+[\/:])*)/.source.replace("WC",ed),by=/(WCOD+)?/.
-source.replace("WCOD",My),wy=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",ed),Ty=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",ed),Ay=new RegExp("^"+Sy+by+wy+Ty+
-"$"),Ey=["material","materials","bones","map"],bu=class{constructor(e,t,n){let s=n||Vt.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,s)}getValue(e,t){
+e,this.perCameraFrustumCulled=!1}};var Qu="\\[\\]\\.:\\/",My=new RegExp("["+Qu+"]","g"),ed="[^"+Qu+"]",Sy="[^"+Qu.replace("\\.","")+"]",by=/((?:WC+[\/:])*)/.source.replace("WC",ed),wy=/(WCOD+)?/.
+source.replace("WCOD",Sy),Ty=/(?:\.(WC+)(?:\[(.+)\])?)?/.source.replace("WC",ed),Ay=/\.(WC+)(?:\[(.+)\])?/.source.replace("WC",ed),Ey=new RegExp("^"+by+wy+Ty+Ay+
+"$"),Cy=["material","materials","bones","map"],bu=class{constructor(e,t,n){let s=n||Vt.parseTrackName(t);this._targetGroup=e,this._bindings=e.subscribe_(t,s)}getValue(e,t){
 this.bind();let n=this._targetGroup.nCachedObjects_,s=this._bindings[n];s!==void 0&&s.getValue(e,t)}setValue(e,t){let n=this._bindings;for(let s=this._targetGroup.
 nCachedObjects_,r=n.length;s!==r;++s)n[s].setValue(e,t)}bind(){let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,n=e.length;t!==n;++t)e[t].bind()}unbind(){
 let e=this._bindings;for(let t=this._targetGroup.nCachedObjects_,n=e.length;t!==n;++t)e[t].unbind()}},Vt=class i{constructor(e,t,n){this.path=t,this.parsedPath=
 n||i.parseTrackName(t),this.node=i.findNode(e,this.parsedPath.nodeName),this.rootNode=e,this.getValue=this._getValue_unbound,this.setValue=this._setValue_unbound}static create(e,t,n){
-return e&&e.isAnimationObjectGroup?new i.Composite(e,t,n):new i(e,t,n)}static sanitizeNodeName(e){return e.replace(/\s/g,"_").replace(vy,"")}static parseTrackName(e){
-let t=Ay.exec(e);if(t===null)throw new Error("THREE.PropertyBinding: Cannot parse trackName: "+e);let n={nodeName:t[2],objectName:t[3],objectIndex:t[4],propertyName:t[5],
-propertyIndex:t[6]},s=n.nodeName&&n.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=n.nodeName.substring(s+1);Ey.indexOf(r)!==-1&&(n.nodeName=n.nodeName.
+return e&&e.isAnimationObjectGroup?new i.Composite(e,t,n):new i(e,t,n)}static sanitizeNodeName(e){return e.replace(/\s/g,"_").replace(My,"")}static parseTrackName(e){
+let t=Ey.exec(e);if(t===null)throw new Error("THREE.PropertyBinding: Cannot parse trackName: "+e);let n={nodeName:t[2],objectName:t[3],objectIndex:t[4],propertyName:t[5],
+propertyIndex:t[6]},s=n.nodeName&&n.nodeName.lastIndexOf(".");if(s!==void 0&&s!==-1){let r=n.nodeName.substring(s+1);Cy.indexOf(r)!==-1&&(n.nodeName=n.nodeName.
 substring(0,s),n.objectName=r)}if(n.propertyName===null||n.propertyName.length===0)throw new Error("THREE.PropertyBinding: can not parse propertyName from track\
 Name: "+e);return n}static findNode(e,t){if(t===void 0||t===""||t==="."||t===-1||t===e.name||t===e.uuid)return e;if(e.skeleton){let n=e.skeleton.getBoneByName(t);
 if(n!==void 0)return n}if(e.children){let n=function(r){for(let o=0;o<r.length;o++){let a=r[o];if(a.name===t||a.uuid===t)return a;let l=n(a.children);if(l)return l}
@@ -1590,7 +1592,7 @@ prototype.GetterByBindingType=[Vt.prototype._getValue_direct,Vt.prototype._getVa
 prototype.SetterByBindingTypeAndVersioning=[[Vt.prototype._setValue_direct,Vt.prototype._setValue_direct_setNeedsUpdate,Vt.prototype._setValue_direct_setMatrixWorldNeedsUpdate],
 [Vt.prototype._setValue_array,Vt.prototype._setValue_array_setNeedsUpdate,Vt.prototype._setValue_array_setMatrixWorldNeedsUpdate],[Vt.prototype._setValue_arrayElement,
 Vt.prototype._setValue_arrayElement_setNeedsUpdate,Vt.prototype._setValue_arrayElement_setMatrixWorldNeedsUpdate],[Vt.prototype._setValue_fromArray,Vt.prototype.
-_setValue_fromArray_setNeedsUpdate,Vt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var E1=new Float32Array(1);var am=new xt,aa=class{constructor(e,t,n=0,s=1/0){this.ray=new jr(e,t),this.near=n,this.far=s,this.camera=null,this.layers=new Jr,this.params={Mesh:{},Line:{threshold:1},
+_setValue_fromArray_setNeedsUpdate,Vt.prototype._setValue_fromArray_setMatrixWorldNeedsUpdate]];var C1=new Float32Array(1);var am=new xt,aa=class{constructor(e,t,n=0,s=1/0){this.ray=new jr(e,t),this.near=n,this.far=s,this.camera=null,this.layers=new Jr,this.params={Mesh:{},Line:{threshold:1},
 LOD:{},Points:{threshold:1},Sprite:{}}}set(e,t){this.ray.set(e,t)}setFromCamera(e,t){t.isPerspectiveCamera?(this.ray.origin.setFromMatrixPosition(t.matrixWorld),
 this.ray.direction.set(e.x,e.y,.5).unproject(t).sub(this.ray.origin).normalize(),this.camera=t):t.isOrthographicCamera?(this.ray.origin.set(e.x,e.y,t.projectionMatrix.
 elements[14]).unproject(t),this.ray.direction.set(0,0,-1).transformDirection(t.matrixWorld),this.camera=t):Ke("Raycaster: Unsupported camera type: "+t.type)}setFromXRController(e){
@@ -1598,19 +1600,19 @@ return am.identity().extractRotation(e.matrixWorld),this.ray.origin.setFromMatri
 return wu(e,this,n,t),n.sort(lm),n}intersectObjects(e,t=!0,n=[]){for(let s=0,r=e.length;s<r;s++)wu(e[s],this,n,t);return n.sort(lm),n}};function lm(i,e){return i.
 distance-e.distance}function wu(i,e,t,n){let s=!0;if(i.layers.test(e.layers)&&i.raycast(e,t)===!1&&(s=!1),s===!0&&n===!0){let r=i.children;for(let o=0,a=r.length;o<
 a;o++)wu(r[o],e,t,!0)}}var Tu=class{static{this.prototype.isMatrix2=!0}constructor(e,t,n,s){this.elements=[1,0,0,1],e!==void 0&&this.set(e,t,n,s)}identity(){return this.set(1,0,0,1),this}fromArray(e,t=0){
-for(let n=0;n<4;n++)this.elements[n]=e[n+t];return this}set(e,t,n,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=n,r[3]=s,this}};var cm=new V,pl=new V,Hr=new V,Wr=new V,_u=new V,Cy=new V,Ry=new V,la=class{constructor(e=new V,t=new V){this.start=e,this.end=t}set(e,t){return this.start.copy(
+for(let n=0;n<4;n++)this.elements[n]=e[n+t];return this}set(e,t,n,s){let r=this.elements;return r[0]=e,r[2]=t,r[1]=n,r[3]=s,this}};var cm=new V,pl=new V,Hr=new V,Wr=new V,_u=new V,Ry=new V,Py=new V,la=class{constructor(e=new V,t=new V){this.start=e,this.end=t}set(e,t){return this.start.copy(
 e),this.end.copy(t),this}copy(e){return this.start.copy(e.start),this.end.copy(e.end),this}getCenter(e){return e.addVectors(this.start,this.end).multiplyScalar(
 .5)}delta(e){return e.subVectors(this.end,this.start)}distanceSq(){return this.start.distanceToSquared(this.end)}distance(){return this.start.distanceTo(this.end)}at(e,t){
 return this.delta(t).multiplyScalar(e).add(this.start)}closestPointToPointParameter(e,t){cm.subVectors(e,this.start),pl.subVectors(this.end,this.start);let n=pl.
 dot(pl);if(n===0)return 0;let r=pl.dot(cm)/n;return t&&(r=at(r,0,1)),r}closestPointToPoint(e,t,n){let s=this.closestPointToPointParameter(e,t);return this.delta(
-n).multiplyScalar(s).add(this.start)}distanceSqToLine3(e,t=Cy,n=Ry){let s=10000000000000001e-32,r,o,a=this.start,l=e.start,c=this.end,d=e.end;Hr.subVectors(c,a),
+n).multiplyScalar(s).add(this.start)}distanceSqToLine3(e,t=Ry,n=Py){let s=10000000000000001e-32,r,o,a=this.start,l=e.start,c=this.end,d=e.end;Hr.subVectors(c,a),
 Wr.subVectors(d,l),_u.subVectors(a,l);let u=Hr.dot(Hr),h=Wr.dot(Wr),f=Wr.dot(_u);if(u<=s&&h<=s)return t.copy(a),n.copy(l),t.distanceToSquared(n);if(u<=s)r=0,o=f/
 h,o=at(o,0,1);else{let p=Hr.dot(_u);if(h<=s)o=0,r=at(-p/u,0,1);else{let v=Hr.dot(Wr),m=u*h-v*v;m!==0?r=at((v*f-p*h)/m,0,1):r=0,o=(v*r+f)/h,o<0?(o=0,r=at(-p/u,0,
 1)):o>1&&(o=1,r=at((v-p)/u,0,1))}}return t.copy(a).addScaledVector(Hr,r),n.copy(l).addScaledVector(Wr,o),t.distanceToSquared(n)}applyMatrix4(e){return this.start.
 applyMatrix4(e),this.end.applyMatrix4(e),this}equals(e){return e.start.equals(this.start)&&e.end.equals(this.end)}clone(){return new this.constructor().copy(this)}};var ca=class extends Qr{constructor(e=10,t=10,n=4473924,s=8947848){n=new st(n),s=new st(s);let r=t/2,o=e/t,a=e/2,l=[],c=[];for(let h=0,f=0,p=-a;h<=t;h++,p+=o){l.
 push(-a,0,p,a,0,p),l.push(p,0,-a,p,0,a);let v=h===r?n:s;v.toArray(c,f),f+=3,v.toArray(c,f),f+=3,v.toArray(c,f),f+=3,v.toArray(c,f),f+=3}let d=new ln;d.setAttribute(
 "position",new yt(l,3)),d.setAttribute("color",new yt(c,3));let u=new Cs({vertexColors:!0,toneMapped:!1});super(d,u),this.type="GridHelper"}dispose(){super.dispose(),
-this.geometry.dispose(),this.material.dispose()}};function td(i,e,t,n){let s=Py(n);switch(t){case Wu:return i*e;case sc:return i*e/s.components*s.byteLength;case rc:return i*e/s.components*s.byteLength;case Us:
+this.geometry.dispose(),this.material.dispose()}};function td(i,e,t,n){let s=Iy(n);switch(t){case Wu:return i*e;case sc:return i*e/s.components*s.byteLength;case rc:return i*e/s.components*s.byteLength;case Us:
 return i*e*2/s.components*s.byteLength;case oc:return i*e*2/s.components*s.byteLength;case Xu:return i*e*3/s.components*s.byteLength;case bi:return i*e*4/s.components*
 s.byteLength;case ac:return i*e*4/s.components*s.byteLength;case da:case fa:return Math.floor((i+3)/4)*Math.floor((e+3)/4)*8;case pa:case ma:return Math.floor((i+
 3)/4)*Math.floor((e+3)/4)*16;case cc:case uc:return Math.max(i,16)*Math.max(e,8)/4;case lc:case hc:return Math.max(i,8)*Math.max(e,8)/2;case dc:case fc:case mc:case gc:
@@ -1621,11 +1623,11 @@ floor((i+7)/8)*Math.floor((e+5)/6)*16;case Tc:return Math.floor((i+7)/8)*Math.fl
 return Math.floor((i+9)/10)*Math.floor((e+5)/6)*16;case Cc:return Math.floor((i+9)/10)*Math.floor((e+7)/8)*16;case Rc:return Math.floor((i+9)/10)*Math.floor((e+
 9)/10)*16;case Pc:return Math.floor((i+11)/12)*Math.floor((e+9)/10)*16;case Ic:return Math.floor((i+11)/12)*Math.floor((e+11)/12)*16;case Lc:case Nc:case Dc:return Math.
 ceil(i/4)*Math.ceil(e/4)*16;case Uc:case Fc:return Math.ceil(i/4)*Math.ceil(e/4)*8;case _a:case Oc:return Math.ceil(i/4)*Math.ceil(e/4)*16}throw new Error("Unab\
-le to determine texture byte length for ".concat(t," format."))}function Py(i){switch(i){case Hn:case zu:return{byteLength:1,components:1};case oo:case Vu:case Si:
+le to determine texture byte length for ".concat(t," format."))}function Iy(i){switch(i){case Hn:case zu:return{byteLength:1,components:1};case oo:case Vu:case Si:
 return{byteLength:2,components:1};case nc:case ic:return{byteLength:2,components:4};case Mi:case tc:case hi:return{byteLength:4,components:1};case Gu:case Hu:return{
 byteLength:4,components:3}}throw new Error("THREE.TextureUtils: Unknown texture type ".concat(i,"."))}typeof __THREE_DEVTOOLS__<"u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("register",{detail:{revision:"187"}}));typeof window<"u"&&(window.__THREE__?$e("\
 WARNING: Multiple instances of Three.js being imported."):window.__THREE__="187");function yg(){let i=null,e=!1,t=null,n=null;function s(r,o){n=i.requestAnimationFrame(s),t(r,o)}return{start:function(){e!==!0&&t!==null&&i!==null&&(n=i.requestAnimationFrame(
-s),e=!0)},stop:function(){i!==null&&i.cancelAnimationFrame(n),e=!1},setAnimationLoop:function(r){t=r},setContext:function(r){i=r}}}function Ly(i){let e=new WeakMap;
+s),e=!0)},stop:function(){i!==null&&i.cancelAnimationFrame(n),e=!1},setAnimationLoop:function(r){t=r},setContext:function(r){i=r}}}function Ny(i){let e=new WeakMap;
 function t(a,l){let c=a.array,d=a.usage,u=c.byteLength,h=i.createBuffer();i.bindBuffer(l,h),i.bufferData(l,c,d),a.onUploadCallback();let f;if(c instanceof Float32Array)
 f=i.FLOAT;else if(typeof Float16Array<"u"&&c instanceof Float16Array)f=i.HALF_FLOAT;else if(c instanceof Uint16Array)a.isFloat16BufferAttribute?f=i.HALF_FLOAT:f=
 i.UNSIGNED_SHORT;else if(c instanceof Int16Array)f=i.SHORT;else if(c instanceof Uint32Array)f=i.UNSIGNED_INT;else if(c instanceof Int32Array)f=i.INT;else if(c instanceof
@@ -1638,7 +1640,7 @@ a)}function r(a){a.isInterleavedBufferAttribute&&(a=a.data);let l=e.get(a);l&&(i
 (a=a.data),a.isGLBufferAttribute){let d=e.get(a);(!d||d.version<a.version)&&e.set(a,{buffer:a.buffer,type:a.type,bytesPerElement:a.elementSize,version:a.version});
 return}let c=e.get(a);if(c===void 0)e.set(a,t(a,l));else if(c.version<a.version){if(c.size!==a.array.byteLength)throw new Error("THREE.WebGLAttributes: The size\
  of the buffer attribute's array buffer does not match the original size. Resizing buffer attributes is not supported.");n(c.buffer,a,l),c.version=a.version}}return{
-get:s,remove:r,update:o}}var Ny="#ifdef USE_ALPHAHASH\n if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;\n#endif",Dy="#ifdef USE_ALPHAHASH\n c\
+get:s,remove:r,update:o}}var Dy="#ifdef USE_ALPHAHASH\n if ( diffuseColor.a < getAlphaHashThreshold( vPosition ) ) discard;\n#endif",Uy="#ifdef USE_ALPHAHASH\n c\
 onst float ALPHA_HASH_SCALE = 0.05;\n float hash2D( vec2 value ) {\n  return fract( 1.0e4 * sin( 17.0 * value.x + 0.1 * value.y ) * ( 0.1 + abs( sin( 13.0 * value\
 .y + value.x ) ) ) );\n }\n float hash3D( vec3 value ) {\n  return hash2D( vec2( hash2D( value.xy ), value.z ) );\n }\n float getAlphaHashThreshold( vec3 position ) \
 {\n  float maxDeriv = max(\n   length( dFdx( position.xyz ) ),\n   length( dFdy( position.xyz ) )\n  );\n  float pixScale = 1.0 / ( ALPHA_HASH_SCALE * maxDeriv );\n  \
@@ -1646,28 +1648,28 @@ vec2 pixScales = vec2(\n   exp2( floor( log2( pixScale ) ) ),\n   exp2( ceil( lo
 ion.xyz ) ),\n   hash3D( floor( pixScales.y * position.xyz ) )\n  );\n  float lerpFactor = fract( log2( pixScale ) );\n  float x = ( 1.0 - lerpFactor ) * alpha.x + \
 lerpFactor * alpha.y;\n  float a = min( lerpFactor, 1.0 - lerpFactor );\n  vec3 cases = vec3(\n   x * x / ( 2.0 * a * ( 1.0 - a ) ),\n   ( x - 0.5 * a ) / ( 1.0 - a\
  ),\n   1.0 - ( ( 1.0 - x ) * ( 1.0 - x ) / ( 2.0 * a * ( 1.0 - a ) ) )\n  );\n  float threshold = ( x < ( 1.0 - a ) )\n   ? ( ( x < a ) ? cases.x : cases.y )\n   : \
-cases.z;\n  return clamp( threshold , 1.0e-6, 1.0 );\n }\n#endif",Uy="#ifdef USE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;\n#endif",Fy="\
-#ifdef USE_ALPHAMAP\n uniform sampler2D alphaMap;\n#endif",Oy="#ifdef USE_ALPHATEST\n #ifdef ALPHA_TO_COVERAGE\n diffuseColor.a = smoothstep( alphaTest, alphaTest\
- + fwidth( diffuseColor.a ), diffuseColor.a );\n if ( diffuseColor.a == 0.0 ) discard;\n #else\n if ( diffuseColor.a < alphaTest ) discard;\n #endif\n#endif",By="\
-#ifdef USE_ALPHATEST\n uniform float alphaTest;\n#endif",ky="#ifdef USE_AOMAP\n float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensit\
+cases.z;\n  return clamp( threshold , 1.0e-6, 1.0 );\n }\n#endif",Fy="#ifdef USE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, vAlphaMapUv ).g;\n#endif",Oy="\
+#ifdef USE_ALPHAMAP\n uniform sampler2D alphaMap;\n#endif",By="#ifdef USE_ALPHATEST\n #ifdef ALPHA_TO_COVERAGE\n diffuseColor.a = smoothstep( alphaTest, alphaTest\
+ + fwidth( diffuseColor.a ), diffuseColor.a );\n if ( diffuseColor.a == 0.0 ) discard;\n #else\n if ( diffuseColor.a < alphaTest ) discard;\n #endif\n#endif",ky="\
+#ifdef USE_ALPHATEST\n uniform float alphaTest;\n#endif",zy="#ifdef USE_AOMAP\n float ambientOcclusion = ( texture2D( aoMap, vAoMapUv ).r - 1.0 ) * aoMapIntensit\
 y + 1.0;\n reflectedLight.indirectDiffuse *= ambientOcclusion;\n #if defined( USE_CLEARCOAT ) \n  clearcoatSpecularIndirect *= ambientOcclusion;\n #endif\n #if defin\
 ed( USE_SHEEN ) \n  sheenSpecularIndirect *= ambientOcclusion;\n #endif\n #if defined( USE_ENVMAP ) && defined( STANDARD )\n  float dotNV = saturate( dot( geometryN\
-ormal, geometryViewDir ) );\n  reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );\n #endif\n#endif",zy="\
-#ifdef USE_AOMAP\n uniform sampler2D aoMap;\n uniform float aoMapIntensity;\n#endif",Vy="#ifdef USE_BATCHING\n #if ! defined( GL_ANGLE_multi_draw )\n #define gl_D\
+ormal, geometryViewDir ) );\n  reflectedLight.indirectSpecular *= computeSpecularOcclusion( dotNV, ambientOcclusion, material.roughness );\n #endif\n#endif",Vy="\
+#ifdef USE_AOMAP\n uniform sampler2D aoMap;\n uniform float aoMapIntensity;\n#endif",Gy="#ifdef USE_BATCHING\n #if ! defined( GL_ANGLE_multi_draw )\n #define gl_D\
 rawID _gl_DrawID\n uniform int _gl_DrawID;\n #endif\n uniform highp sampler2D batchingTexture;\n uniform highp usampler2D batchingIdTexture;\n mat4 getBatchingMatrix\
 ( const in float i ) {\n  int size = textureSize( batchingTexture, 0 ).x;\n  int j = int( i ) * 4;\n  int x = j % size;\n  int y = j / size;\n  vec4 v1 = texelFetch(\
  batchingTexture, ivec2( x, y ), 0 );\n  vec4 v2 = texelFetch( batchingTexture, ivec2( x + 1, y ), 0 );\n  vec4 v3 = texelFetch( batchingTexture, ivec2( x + 2, y \
 ), 0 );\n  vec4 v4 = texelFetch( batchingTexture, ivec2( x + 3, y ), 0 );\n  return mat4( v1, v2, v3, v4 );\n }\n float getIndirectIndex( const in int i ) {\n  int s\
 ize = textureSize( batchingIdTexture, 0 ).x;\n  int x = i % size;\n  int y = i / size;\n  return float( texelFetch( batchingIdTexture, ivec2( x, y ), 0 ).r );\n }\n#\
 endif\n#ifdef USE_BATCHING_COLOR\n uniform sampler2D batchingColorTexture;\n vec4 getBatchingColor( const in float i ) {\n  int size = textureSize( batchingColorTex\
-ture, 0 ).x;\n  int j = int( i );\n  int x = j % size;\n  int y = j / size;\n  return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );\n }\n#endif",Gy="#if\
-def USE_BATCHING\n mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );\n#endif",Hy="vec3 transformed = vec3( position );\n#ifdef USE_ALPHAH\
-ASH\n vPosition = vec3( position );\n#endif",Wy="vec3 objectNormal = vec3( normal );\n#ifdef USE_TANGENT\n vec3 objectTangent = vec3( tangent.xyz );\n#endif",Xy="\
+ture, 0 ).x;\n  int j = int( i );\n  int x = j % size;\n  int y = j / size;\n  return texelFetch( batchingColorTexture, ivec2( x, y ), 0 );\n }\n#endif",Hy="#if\
+def USE_BATCHING\n mat4 batchingMatrix = getBatchingMatrix( getIndirectIndex( gl_DrawID ) );\n#endif",Wy="vec3 transformed = vec3( position );\n#ifdef USE_ALPHAH\
+ASH\n vPosition = vec3( position );\n#endif",Xy="vec3 objectNormal = vec3( normal );\n#ifdef USE_TANGENT\n vec3 objectTangent = vec3( tangent.xyz );\n#endif",qy="\
 float G_BlinnPhong_Implicit( ) {\n return 0.25;\n}\nfloat D_BlinnPhong( const in float shininess, const in float dotNH ) {\n return RECIPROCAL_PI * ( shininess * 0.\
 5 + 1.0 ) * pow( dotNH, shininess );\n}\nvec3 BRDF_BlinnPhong( const in vec3 lightDir, const in vec3 viewDir, const in vec3 normal, const in vec3 specularColor, c\
 onst in float shininess ) {\n vec3 halfDir = normalize( lightDir + viewDir );\n float dotNH = saturate( dot( normal, halfDir ) );\n float dotVH = saturate( dot( vi\
 ewDir, halfDir ) );\n vec3 F = F_Schlick( specularColor, 1.0, dotVH );\n float G = G_BlinnPhong_Implicit( );\n float D = D_BlinnPhong( shininess, dotNH );\n return \
-F * ( G * D );\n} // validated",qy="#ifdef USE_IRIDESCENCE\n const mat3 XYZ_TO_REC709 = mat3(\n   3.2404542, -0.9692660,  0.0556434,\n  -1.5371385,  1.8760108, -0.\
+F * ( G * D );\n} // validated",$y="#ifdef USE_IRIDESCENCE\n const mat3 XYZ_TO_REC709 = mat3(\n   3.2404542, -0.9692660,  0.0556434,\n  -1.5371385,  1.8760108, -0.\
 2040259,\n  -0.4985314,  0.0415560,  1.0572252\n );\n vec3 Fresnel0ToIor( vec3 fresnel0 ) {\n  vec3 sqrtF0 = sqrt( fresnel0 );\n  return ( vec3( 1.0 ) + sqrtF0 ) / (\
  vec3( 1.0 ) - sqrtF0 );\n }\n vec3 IorToFresnel0( vec3 transmittedIor, float incidentIor ) {\n  return pow2( ( transmittedIor - vec3( incidentIor ) ) / ( transmit\
 tedIor + vec3( incidentIor ) ) );\n }\n float IorToFresnel0( float transmittedIor, float incidentIor ) {\n  return pow2( ( transmittedIor - incidentIor ) / ( trans\
@@ -1684,12 +1686,12 @@ seIOR = Fresnel0ToIor( clamp( baseF0, 0.0, 0.9999 ) );  vec3 R1 = IorToFresnel0(
 escenceIOR ) phi23[ 2 ] = PI;\n  float OPD = 2.0 * iridescenceIOR * thinFilmThickness * cosTheta2;\n  vec3 phi = vec3( phi21 ) + phi23;\n  vec3 R123 = clamp( R12 *\
  R23, 1e-5, 0.9999 );\n  vec3 r123 = sqrt( R123 );\n  vec3 Rs = pow2( T121 ) * R23 / ( vec3( 1.0 ) - R123 );\n  vec3 C0 = R12 + Rs;\n  I = C0;\n  vec3 Cm = Rs - T121\
 ;\n  for ( int m = 1; m <= 2; ++ m ) {\n   Cm *= r123;\n   vec3 Sm = 2.0 * evalSensitivity( float( m ) * OPD, float( m ) * phi );\n   I += Cm * Sm;\n  }\n  return max\
-( I, vec3( 0.0 ) );\n }\n#endif",$y="#ifdef USE_BUMPMAP\n uniform sampler2D bumpMap;\n uniform float bumpScale;\n vec2 dHdxy_fwd() {\n  vec2 dSTdx = dFdx( vBumpMapU\
+( I, vec3( 0.0 ) );\n }\n#endif",Yy="#ifdef USE_BUMPMAP\n uniform sampler2D bumpMap;\n uniform float bumpScale;\n vec2 dHdxy_fwd() {\n  vec2 dSTdx = dFdx( vBumpMapU\
 v );\n  vec2 dSTdy = dFdy( vBumpMapUv );\n  float Hll = bumpScale * texture2D( bumpMap, vBumpMapUv ).x;\n  float dBx = bumpScale * texture2D( bumpMap, vBumpMapUv +\
  dSTdx ).x - Hll;\n  float dBy = bumpScale * texture2D( bumpMap, vBumpMapUv + dSTdy ).x - Hll;\n  return vec2( dBx, dBy );\n }\n vec3 perturbNormalArb( vec3 surf_po\
 s, vec3 surf_norm, vec2 dHdxy, float faceDirection ) {\n  vec3 vSigmaX = normalize( dFdx( surf_pos.xyz ) );\n  vec3 vSigmaY = normalize( dFdy( surf_pos.xyz ) );\n \
  vec3 vN = surf_norm;\n  vec3 R1 = cross( vSigmaY, vN );\n  vec3 R2 = cross( vN, vSigmaX );\n  float fDet = dot( vSigmaX, R1 ) * faceDirection;\n  vec3 vGrad = sign\
-( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );\n  return normalize( abs( fDet ) * surf_norm - vGrad );\n }\n#endif",Yy="#if NUM_CLIPPING_PLANES > 0\n vec4 plane;\n #\
+( fDet ) * ( dHdxy.x * R1 + dHdxy.y * R2 );\n  return normalize( abs( fDet ) * surf_norm - vGrad );\n }\n#endif",Zy="#if NUM_CLIPPING_PLANES > 0\n vec4 plane;\n #\
 ifdef ALPHA_TO_COVERAGE\n  float distanceToPlane, distanceGradient;\n  float clipOpacity = 1.0;\n  #pragma unroll_loop_start\n  for ( int i = 0; i < UNION_CLIPPING_\
 PLANES; i ++ ) {\n   plane = clippingPlanes[ i ];\n   distanceToPlane = - dot( vClipPosition, plane.xyz ) + plane.w;\n   distanceGradient = fwidth( distanceToPlane\
  ) / 2.0;\n   clipOpacity *= smoothstep( - distanceGradient, distanceGradient, distanceToPlane );\n   if ( clipOpacity == 0.0 ) discard;\n  }\n  #pragma unroll_loop\
@@ -1700,13 +1702,13 @@ _end\n  #if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES\n   float unionClipOpaci
 or ( int i = 0; i < UNION_CLIPPING_PLANES; i ++ ) {\n   plane = clippingPlanes[ i ];\n   if ( dot( vClipPosition, plane.xyz ) > plane.w ) discard;\n  }\n  #pragma u\
 nroll_loop_end\n  #if UNION_CLIPPING_PLANES < NUM_CLIPPING_PLANES\n   bool clipped = true;\n   #pragma unroll_loop_start\n   for ( int i = UNION_CLIPPING_PLANES; i \
 < NUM_CLIPPING_PLANES; i ++ ) {\n    plane = clippingPlanes[ i ];\n    clipped = ( dot( vClipPosition, plane.xyz ) > plane.w ) && clipped;\n   }\n   #pragma unroll_\
-loop_end\n   if ( clipped ) discard;\n  #endif\n #endif\n#endif",Zy="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n uniform vec4 clippingPlanes[ NUM_\
-CLIPPING_PLANES ];\n#endif",Jy="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n#endif",Ky="#if NUM_CLIPPING_PLANES > 0\n vClipPosition = - mvPosition\
-.xyz;\n#endif",jy="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )\n diffuseColor *= vColor;\n#endif",Qy="#if defined( USE_COLOR ) || defined( USE_COLOR_\
-ALPHA )\n varying vec4 vColor;\n#endif",ev="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_C\
-OLOR )\n varying vec4 vColor;\n#endif",tv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_CO\
+loop_end\n   if ( clipped ) discard;\n  #endif\n #endif\n#endif",Jy="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n uniform vec4 clippingPlanes[ NUM_\
+CLIPPING_PLANES ];\n#endif",Ky="#if NUM_CLIPPING_PLANES > 0\n varying vec3 vClipPosition;\n#endif",jy="#if NUM_CLIPPING_PLANES > 0\n vClipPosition = - mvPosition\
+.xyz;\n#endif",Qy="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA )\n diffuseColor *= vColor;\n#endif",ev="#if defined( USE_COLOR ) || defined( USE_COLOR_\
+ALPHA )\n varying vec4 vColor;\n#endif",tv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_C\
+OLOR )\n varying vec4 vColor;\n#endif",nv="#if defined( USE_COLOR ) || defined( USE_COLOR_ALPHA ) || defined( USE_INSTANCING_COLOR ) || defined( USE_BATCHING_CO\
 LOR )\n vColor = vec4( 1.0 );\n#endif\n#ifdef USE_COLOR_ALPHA\n vColor *= color;\n#elif defined( USE_COLOR )\n vColor.rgb *= color;\n#endif\n#ifdef USE_INSTANCING_COLOR\
-\n vColor.rgb *= instanceColor.rgb;\n#endif\n#ifdef USE_BATCHING_COLOR\n vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );\n#endif",nv="#define PI 3.\
+\n vColor.rgb *= instanceColor.rgb;\n#endif\n#ifdef USE_BATCHING_COLOR\n vColor *= getBatchingColor( getIndirectIndex( gl_DrawID ) );\n#endif",iv="#define PI 3.\
 141592653589793\n#define PI2 6.283185307179586\n#define PI_HALF 1.5707963267948966\n#define RECIPROCAL_PI 0.3183098861837907\n#define RECIPROCAL_PI2 0.1591549430918\
 9535\n#define EPSILON 1e-6\n#ifndef saturate\n#define saturate( a ) clamp( a, 0.0, 1.0 )\n#endif\n#define whiteComplement( a ) ( 1.0 - saturate( a ) )\nfloat pow2( co\
 nst in float x ) { return x*x; }\nvec3 pow2( const in vec3 x ) { return x*x; }\nfloat pow3( const in float x ) { return x*x*x; }\nfloat pow4( const in float x ) { \
@@ -1722,51 +1724,51 @@ c4( dir, 0.0 ) * viewMatrix ).xyz );\n}\nbool isPerspectiveMatrix( mat4 m ) {\n 
 r.z, dir.x ) * RECIPROCAL_PI2 + 0.5;\n float v = asin( clamp( dir.y, - 1.0, 1.0 ) ) * RECIPROCAL_PI + 0.5;\n return vec2( u, v );\n}\nvec3 BRDF_Lambert( const in ve\
 c3 diffuseColor ) {\n return RECIPROCAL_PI * diffuseColor;\n}\nvec3 F_Schlick( const in vec3 f0, const in float f90, const in float dotVH ) {\n float fresnel = exp2\
 ( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );\n return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );\n}\nfloat F_Schlick( const in float f0, const in float f90, const\
- in float dotVH ) {\n float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );\n return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );\n} // validated",iv="\
+ in float dotVH ) {\n float fresnel = exp2( ( - 5.55473 * dotVH - 6.98316 ) * dotVH );\n return f0 * ( 1.0 - fresnel ) + ( f90 * fresnel );\n} // validated",sv="\
 vec3 transformedNormal = objectNormal;\n#ifdef USE_TANGENT\n vec3 transformedTangent = objectTangent;\n#endif\n#ifdef USE_BATCHING\n mat3 bm = mat3( batchingMatrix )\
 ;\n transformedNormal /= vec3( dot( bm[ 0 ], bm[ 0 ] ), dot( bm[ 1 ], bm[ 1 ] ), dot( bm[ 2 ], bm[ 2 ] ) );\n transformedNormal = bm * transformedNormal;\n #ifdef \
 USE_TANGENT\n  transformedTangent = bm * transformedTangent;\n #endif\n#endif\n#ifdef USE_INSTANCING\n mat3 im = mat3( instanceMatrix );\n transformedNormal /= vec3( \
 dot( im[ 0 ], im[ 0 ] ), dot( im[ 1 ], im[ 1 ] ), dot( im[ 2 ], im[ 2 ] ) );\n transformedNormal = im * transformedNormal;\n #ifdef USE_TANGENT\n  transformedTange\
 nt = im * transformedTangent;\n #endif\n#endif\ntransformedNormal = normalMatrix * transformedNormal;\n#ifdef FLIP_SIDED\n transformedNormal = - transformedNormal;\n#\
-endif\n#ifdef USE_TANGENT\n transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;\n#endif",sv="#ifdef USE_DISPLACEMENTMAP\n uniform sam\
-pler2D displacementMap;\n uniform float displacementScale;\n uniform float displacementBias;\n#endif",rv="#ifdef USE_DISPLACEMENTMAP\n transformed += normalize( \
-objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );\n#endif",ov="#ifdef USE_EMISSIVEMAP\n vec4 emissi\
+endif\n#ifdef USE_TANGENT\n transformedTangent = ( modelViewMatrix * vec4( transformedTangent, 0.0 ) ).xyz;\n#endif",rv="#ifdef USE_DISPLACEMENTMAP\n uniform sam\
+pler2D displacementMap;\n uniform float displacementScale;\n uniform float displacementBias;\n#endif",ov="#ifdef USE_DISPLACEMENTMAP\n transformed += normalize( \
+objectNormal ) * ( texture2D( displacementMap, vDisplacementMapUv ).x * displacementScale + displacementBias );\n#endif",av="#ifdef USE_EMISSIVEMAP\n vec4 emissi\
 veColor = texture2D( emissiveMap, vEmissiveMapUv );\n #ifdef DECODE_VIDEO_TEXTURE_EMISSIVE\n  emissiveColor = sRGBTransferEOTF( emissiveColor );\n #endif\n totalEmi\
-ssiveRadiance *= emissiveColor.rgb;\n#endif",av="#ifdef USE_EMISSIVEMAP\n uniform sampler2D emissiveMap;\n#endif",lv="gl_FragColor = linearToOutputTexel( gl_Fra\
-gColor );",cv="vec4 LinearTransferOETF( in vec4 value ) {\n return value;\n}\nvec4 sRGBTransferEOTF( in vec4 value ) {\n return vec4( mix( pow( value.rgb * 0.947867\
+ssiveRadiance *= emissiveColor.rgb;\n#endif",lv="#ifdef USE_EMISSIVEMAP\n uniform sampler2D emissiveMap;\n#endif",cv="gl_FragColor = linearToOutputTexel( gl_Fra\
+gColor );",hv="vec4 LinearTransferOETF( in vec4 value ) {\n return value;\n}\nvec4 sRGBTransferEOTF( in vec4 value ) {\n return vec4( mix( pow( value.rgb * 0.947867\
 2986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), value.rgb * 0.0773993808, vec3( lessThanEqual( value.rgb, vec3( 0.04045 ) ) ) ), value.a );\n}\nvec4 sRGBTransferOETF(\
  in vec4 value ) {\n return vec4( mix( pow( value.rgb, vec3( 0.41666 ) ) * 1.055 - vec3( 0.055 ), value.rgb * 12.92, vec3( lessThanEqual( value.rgb, vec3( 0.0031\
-308 ) ) ) ), value.a );\n}",hv="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vec3 cameraToFrag;\n  if ( isOrthographic ) {\n   cameraToFrag = normalize( vec3( - viewM\
+308 ) ) ) ), value.a );\n}",uv="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vec3 cameraToFrag;\n  if ( isOrthographic ) {\n   cameraToFrag = normalize( vec3( - viewM\
 atrix[ 0 ][ 2 ], - viewMatrix[ 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );\n  } else {\n   cameraToFrag = normalize( vWorldPosition - cameraPosition );\n  }\n  vec3 world\
 Normal = transformNormalByInverseViewMatrix( normal, viewMatrix );\n  #ifdef ENVMAP_MODE_REFLECTION\n   vec3 reflectVec = reflect( cameraToFrag, worldNormal );\n  \
 #else\n   vec3 reflectVec = refract( cameraToFrag, worldNormal, refractionRatio );\n  #endif\n #else\n  vec3 reflectVec = vReflect;\n #endif\n #ifdef ENVMAP_TYPE_CUBE\
 \n  vec4 envColor = textureCube( envMap, envMapRotation * reflectVec );\n  #ifdef ENVMAP_BLENDING_MULTIPLY\n   outgoingLight = mix( outgoingLight, outgoingLight * \
 envColor.xyz, specularStrength * reflectivity );\n  #elif defined( ENVMAP_BLENDING_MIX )\n   outgoingLight = mix( outgoingLight, envColor.xyz, specularStrength * \
-reflectivity );\n  #elif defined( ENVMAP_BLENDING_ADD )\n   outgoingLight += envColor.xyz * specularStrength * reflectivity;\n  #endif\n #endif\n#endif",uv="#if\
+reflectivity );\n  #elif defined( ENVMAP_BLENDING_ADD )\n   outgoingLight += envColor.xyz * specularStrength * reflectivity;\n  #endif\n #endif\n#endif",dv="#if\
 def USE_ENVMAP\n uniform float envMapIntensity;\n uniform mat3 envMapRotation;\n uniform samplerCube envMap;\n #ifdef ENVMAP_TYPE_PMREM\n  float roughnessToMip( cons\
-t in float roughness ) {\n   float r = clamp( roughness, 0.0, 1.0 );\n   return ENVMAP_MAX_LOD * r * ( 2.0 - r );\n  }\n #endif\n#endif",dv="#ifdef USE_ENVMAP\n \
+t in float roughness ) {\n   float r = clamp( roughness, 0.0, 1.0 );\n   return ENVMAP_MAX_LOD * r * ( 2.0 - r );\n  }\n #endif\n#endif",fv="#ifdef USE_ENVMAP\n \
 uniform float reflectivity;\n #if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )\n  #define ENV_WORLDPOS\n #endif\n #i\
-fdef ENV_WORLDPOS\n  varying vec3 vWorldPosition;\n  uniform float refractionRatio;\n #else\n  varying vec3 vReflect;\n #endif\n#endif",fv="#ifdef USE_ENVMAP\n #\
+fdef ENV_WORLDPOS\n  varying vec3 vWorldPosition;\n  uniform float refractionRatio;\n #else\n  varying vec3 vReflect;\n #endif\n#endif",pv="#ifdef USE_ENVMAP\n #\
 if defined( USE_BUMPMAP ) || defined( USE_NORMALMAP ) || defined( PHONG ) || defined( LAMBERT )\n  #define ENV_WORLDPOS\n #endif\n #ifdef ENV_WORLDPOS\n  \n  varying\
- vec3 vWorldPosition;\n #else\n  varying vec3 vReflect;\n  uniform float refractionRatio;\n #endif\n#endif",pv="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vWorldP\
+ vec3 vWorldPosition;\n #else\n  varying vec3 vReflect;\n  uniform float refractionRatio;\n #endif\n#endif",mv="#ifdef USE_ENVMAP\n #ifdef ENV_WORLDPOS\n  vWorldP\
 osition = worldPosition.xyz;\n #else\n  vec3 cameraToVertex;\n  if ( isOrthographic ) {\n   cameraToVertex = normalize( vec3( - viewMatrix[ 0 ][ 2 ], - viewMatrix[ \
 1 ][ 2 ], - viewMatrix[ 2 ][ 2 ] ) );\n  } else {\n   cameraToVertex = normalize( worldPosition.xyz - cameraPosition );\n  }\n  vec3 worldNormal = transformNormalBy\
 InverseViewMatrix( transformedNormal, viewMatrix );\n  #ifdef ENVMAP_MODE_REFLECTION\n   vReflect = reflect( cameraToVertex, worldNormal );\n  #else\n   vReflect = \
-refract( cameraToVertex, worldNormal, refractionRatio );\n  #endif\n #endif\n#endif",mv="#ifdef USE_FOG\n vFogDepth = - mvPosition.z;\n#endif",gv="#ifdef USE_FO\
-G\n varying float vFogDepth;\n#endif",_v="#ifdef USE_FOG\n #ifdef FOG_EXP2\n  float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );\n #\
-else\n  float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );\n #endif\n gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );\n#endif",xv="#if\
+refract( cameraToVertex, worldNormal, refractionRatio );\n  #endif\n #endif\n#endif",gv="#ifdef USE_FOG\n vFogDepth = - mvPosition.z;\n#endif",_v="#ifdef USE_FO\
+G\n varying float vFogDepth;\n#endif",xv="#ifdef USE_FOG\n #ifdef FOG_EXP2\n  float fogFactor = 1.0 - exp( - fogDensity * fogDensity * vFogDepth * vFogDepth );\n #\
+else\n  float fogFactor = smoothstep( fogNear, fogFar, vFogDepth );\n #endif\n gl_FragColor.rgb = mix( gl_FragColor.rgb, fogColor, fogFactor );\n#endif",yv="#if\
 def USE_FOG\n uniform vec3 fogColor;\n varying float vFogDepth;\n #ifdef FOG_EXP2\n  uniform float fogDensity;\n #else\n  uniform float fogNear;\n  uniform float fogFa\
-r;\n #endif\n#endif",yv="#ifdef USE_GRADIENTMAP\n uniform sampler2D gradientMap;\n#endif\nvec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {\n float d\
+r;\n #endif\n#endif",vv="#ifdef USE_GRADIENTMAP\n uniform sampler2D gradientMap;\n#endif\nvec3 getGradientIrradiance( vec3 normal, vec3 lightDirection ) {\n float d\
 otNL = dot( normal, lightDirection );\n vec2 coord = vec2( dotNL * 0.5 + 0.5, 0.0 );\n #ifdef USE_GRADIENTMAP\n  return vec3( texture2D( gradientMap, coord ).r );\n\
- #else\n  vec2 fw = fwidth( coord ) * 0.5;\n  return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );\n #endif\n}",vv="#ifdef USE\
-_LIGHTMAP\n uniform sampler2D lightMap;\n uniform float lightMapIntensity;\n#endif",Mv="LambertMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmate\
-rial.specularStrength = specularStrength;",Sv="varying vec3 vViewPosition;\nstruct LambertMaterial {\n vec3 diffuseColor;\n float specularStrength;\n};\nvoid RE_Dire\
+ #else\n  vec2 fw = fwidth( coord ) * 0.5;\n  return mix( vec3( 0.7 ), vec3( 1.0 ), smoothstep( 0.7 - fw.x, 0.7 + fw.x, coord.x ) );\n #endif\n}",Mv="#ifdef USE\
+_LIGHTMAP\n uniform sampler2D lightMap;\n uniform float lightMapIntensity;\n#endif",Sv="LambertMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmate\
+rial.specularStrength = specularStrength;",bv="varying vec3 vViewPosition;\nstruct LambertMaterial {\n vec3 diffuseColor;\n float specularStrength;\n};\nvoid RE_Dire\
 ct_Lambert( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geome\
 tryClearcoatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {\n float dotNL = saturate( dot( geometryNormal, directLight.directi\
 on ) );\n vec3 irradiance = dotNL * directLight.color;\n reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );\n}\nvoid RE_IndirectDif\
 fuse_Lambert( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClear\
 coatNormal, const in LambertMaterial material, inout ReflectedLight reflectedLight ) {\n reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.di\
-ffuseColor );\n}\n#define RE_Direct    RE_Direct_Lambert\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Lambert",bv="uniform bool receiveShadow;\nuniform vec3 a\
+ffuseColor );\n}\n#define RE_Direct    RE_Direct_Lambert\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Lambert",wv="uniform bool receiveShadow;\nuniform vec3 a\
 mbientLightColor;\n#if defined( USE_LIGHT_PROBES )\n uniform vec3 lightProbe[ 9 ];\n#endif\nvec3 shGetIrradianceAt( in vec3 normal, in vec3 shCoefficients[ 9 ] ) {\n\
  float x = normal.x, y = normal.y, z = normal.z;\n vec3 result = shCoefficients[ 0 ] * 0.886227;\n result += shCoefficients[ 1 ] * 2.0 * 0.511664 * y;\n result += \
 shCoefficients[ 2 ] * 2.0 * 0.511664 * z;\n result += shCoefficients[ 3 ] * 2.0 * 0.511664 * x;\n result += shCoefficients[ 4 ] * 2.0 * 0.429043 * x * y;\n result \
@@ -1796,7 +1798,7 @@ r = vec3( 0.0 );\n   light.visible = false;\n  }\n }\n#endif\n#if NUM_RECT_AREA_
 TS > 0\n struct HemisphereLight {\n  vec3 direction;\n  vec3 skyColor;\n  vec3 groundColor;\n };\n uniform HemisphereLight hemisphereLights[ NUM_HEMI_LIGHTS ];\n vec3 \
 getHemisphereLightIrradiance( const in HemisphereLight hemiLight, const in vec3 normal ) {\n  float dotNL = dot( normal, hemiLight.direction );\n  float hemiDiffu\
 seWeight = 0.5 * dotNL + 0.5;\n  vec3 irradiance = mix( hemiLight.groundColor, hemiLight.skyColor, hemiDiffuseWeight );\n  return irradiance;\n }\n#endif\n#include <\
-lightprobes_pars_fragment>",wv="#ifdef USE_ENVMAP\n vec3 getIBLIrradiance( const in vec3 normal ) {\n  #ifdef ENVMAP_TYPE_PMREM\n   vec3 worldNormal = transformNor\
+lightprobes_pars_fragment>",Tv="#ifdef USE_ENVMAP\n vec3 getIBLIrradiance( const in vec3 normal ) {\n  #ifdef ENVMAP_TYPE_PMREM\n   vec3 worldNormal = transformNor\
 malByInverseViewMatrix( normal, viewMatrix );\n   vec4 envMapColor = textureLod( envMap, envMapRotation * worldNormal, ENVMAP_MAX_LOD );\n   return PI * envMapCol\
 or.rgb * envMapIntensity;\n  #else\n   return vec3( 0.0 );\n  #endif\n }\n vec3 getIBLRadiance( const in vec3 viewDir, const in vec3 normal, const in float roughness\
  ) {\n  #ifdef ENVMAP_TYPE_PMREM\n   vec3 reflectVec = reflect( - viewDir, normal );\n   reflectVec = normalize( mix( reflectVec, normal, pow4( roughness ) ) );\n  \
@@ -1812,14 +1814,14 @@ TROPY\n  vec3 getIBLAnisotropyRadiance( const in vec3 viewDir, const in vec3 nor
 const in float roughness, const in vec3 bitangent, const in float anisotropy ) {\n    #ifdef ENVMAP_TYPE_PMREM\n     vec3 bentNormal = cross( bitangent, viewDir )\
 ;\n     bentNormal = normalize( cross( bentNormal, bitangent ) );\n     bentNormal = normalize( mix( bentNormal, normal, pow2( pow2( 1.0 - anisotropy * ( 1.0 - ro\
 ughness ) ) ) ) );\n     return getIBLRetroRadiance( viewDir, bentNormal, roughness );\n    #else\n     return vec3( 0.0 );\n    #endif\n   }\n  #endif\n #endif\n#endif",
-Tv="ToonMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;",Av="varying vec3 vViewPosition;\nstruct ToonMaterial {\n vec3 diffuseColor;\n};\nvoid RE_Dire\
+Av="ToonMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;",Ev="varying vec3 vViewPosition;\nstruct ToonMaterial {\n vec3 diffuseColor;\n};\nvoid RE_Dire\
 ct_Toon( const in IncidentLight directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometry\
 ClearcoatNormal, const in ToonMaterial material, inout ReflectedLight reflectedLight ) {\n vec3 irradiance = getGradientIrradiance( geometryNormal, directLight.d\
 irection ) * directLight.color;\n reflectedLight.directDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );\n}\nvoid RE_IndirectDiffuse_Toon( const in ve\
 c3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in Toon\
 Material material, inout ReflectedLight reflectedLight ) {\n reflectedLight.indirectDiffuse += irradiance * BRDF_Lambert( material.diffuseColor );\n}\n#define RE_D\
-irect    RE_Direct_Toon\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Toon",Ev="BlinnPhongMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmateria\
-l.specularColor = specular;\nmaterial.specularShininess = shininess;\nmaterial.specularStrength = specularStrength;",Cv="varying vec3 vViewPosition;\nstruct Blin\
+irect    RE_Direct_Toon\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Toon",Cv="BlinnPhongMaterial material;\nmaterial.diffuseColor = diffuseColor.rgb;\nmateria\
+l.specularColor = specular;\nmaterial.specularShininess = shininess;\nmaterial.specularStrength = specularStrength;",Rv="varying vec3 vViewPosition;\nstruct Blin\
 nPhongMaterial {\n vec3 diffuseColor;\n vec3 specularColor;\n float specularShininess;\n float specularStrength;\n};\nvoid RE_Direct_BlinnPhong( const in IncidentLigh\
 t directLight, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec3 geometryClearcoatNormal, const in Blin\
 nPhongMaterial material, inout ReflectedLight reflectedLight ) {\n float dotNL = saturate( dot( geometryNormal, directLight.direction ) );\n vec3 irradiance = dot\
@@ -1827,7 +1829,7 @@ NL * directLight.color;\n reflectedLight.directDiffuse += irradiance * BRDF_Lamb
 _BlinnPhong( directLight.direction, geometryViewDir, geometryNormal, material.specularColor, material.specularShininess ) * material.specularStrength;\n}\nvoid RE\
 _IndirectDiffuse_BlinnPhong( const in vec3 irradiance, const in vec3 geometryPosition, const in vec3 geometryNormal, const in vec3 geometryViewDir, const in vec\
 3 geometryClearcoatNormal, const in BlinnPhongMaterial material, inout ReflectedLight reflectedLight ) {\n reflectedLight.indirectDiffuse += irradiance * BRDF_La\
-mbert( material.diffuseColor );\n}\n#define RE_Direct    RE_Direct_BlinnPhong\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_BlinnPhong",Rv="PhysicalMaterial m\
+mbert( material.diffuseColor );\n}\n#define RE_Direct    RE_Direct_BlinnPhong\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_BlinnPhong",Pv="PhysicalMaterial m\
 aterial;\nmaterial.diffuseColor = diffuseColor.rgb;\nmaterial.diffuseContribution = diffuseColor.rgb * ( 1.0 - metalnessFactor );\nmaterial.metalness = metalnessFa\
 ctor;\nvec3 dxy = max( abs( dFdx( nonPerturbedNormal ) ), abs( dFdy( nonPerturbedNormal ) ) );\nfloat geometryRoughness = max( max( dxy.x, dxy.y ), dxy.z );\nmater\
 ial.roughness = max( roughnessFactor, 0.045 );\nmaterial.roughness += geometryRoughness;\nmaterial.roughness = min( material.roughness, 1.0 );\n#ifdef USE_DIFFUSE_\
@@ -1855,7 +1857,7 @@ exture2D( anisotropyMap, vAnisotropyMapUv ).rgb;\n  vec2 anisotropyV = anisotrop
 #else\n  vec2 anisotropyV = anisotropyVector;\n #endif\n material.anisotropy = length( anisotropyV );\n if( material.anisotropy == 0.0 ) {\n  anisotropyV = vec2( 1.0\
 , 0.0 );\n } else {\n  anisotropyV /= material.anisotropy;\n  material.anisotropy = saturate( material.anisotropy );\n }\n material.alphaT = mix( pow2( material.roug\
 hness ), 1.0, pow2( material.anisotropy ) );\n material.anisotropyT = tbn[ 0 ] * anisotropyV.x + tbn[ 1 ] * anisotropyV.y;\n material.anisotropyB = tbn[ 1 ] * ani\
-sotropyV.x - tbn[ 0 ] * anisotropyV.y;\n#endif",Pv="uniform sampler2D dfgLUT;\nstruct PhysicalMaterial {\n vec3 diffuseColor;\n vec3 diffuseContribution;\n vec3 spe\
+sotropyV.x - tbn[ 0 ] * anisotropyV.y;\n#endif",Iv="uniform sampler2D dfgLUT;\nstruct PhysicalMaterial {\n vec3 diffuseColor;\n vec3 diffuseContribution;\n vec3 spe\
 cularColor;\n vec3 specularColorBlended;\n float roughness;\n float metalness;\n float specularF90;\n float dispersion;\n vec2 dfg;\n vec3 multiScatteringCompensation;\
 \n #ifdef USE_DIFFUSE_ROUGHNESS\n  float diffuseRoughness;\n #endif\n #ifdef USE_RETROREFLECTION\n  float retroreflectivity;\n #endif\n #ifdef USE_CLEARCOAT\n  float cl\
 earcoat;\n  float clearcoatRoughness;\n  vec3 clearcoatF0;\n  float clearcoatF90;\n #endif\n #ifdef USE_IRIDESCENCE\n  float iridescence;\n  float iridescenceIOR;\n  fl\
@@ -1988,7 +1990,7 @@ nce;\n vec3 indirectDiffuse = diffuse * cosineWeightedIrradiance;\n #ifdef USE_S
 nergyComp;\n #endif\n reflectedLight.indirectSpecular += indirectSpecular;\n reflectedLight.indirectDiffuse += indirectDiffuse;\n}\n#define RE_Direct    RE_Direct_Ph\
 ysical\n#define RE_Direct_RectArea  RE_Direct_RectArea_Physical\n#define RE_IndirectDiffuse  RE_IndirectDiffuse_Physical\n#define RE_IndirectSpecular  RE_IndirectS\
 pecular_Physical\nfloat computeSpecularOcclusion( const in float dotNV, const in float ambientOcclusion, const in float roughness ) {\n return saturate( pow( dotN\
-V + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );\n}",Iv="\nvec3 geometryPosition = - vViewPosition;\nvec3 geometryNormal = nor\
+V + ambientOcclusion, exp2( - 16.0 * roughness - 1.0 ) ) - 1.0 + ambientOcclusion );\n}",Lv="\nvec3 geometryPosition = - vViewPosition;\nvec3 geometryNormal = nor\
 mal;\nvec3 geometryViewDir = ( isOrthographic ) ? vec3( 0, 0, 1 ) : normalize( vViewPosition );\nvec3 geometryClearcoatNormal = vec3( 0.0 );\n#ifdef USE_CLEARCOAT\n\
  geometryClearcoatNormal = clearcoatNormal;\n#endif\n#ifdef USE_IRIDESCENCE\n float dotNVi = saturate( dot( normal, geometryViewDir ) );\n if ( material.iridescence\
 Thickness == 0.0 ) {\n  material.iridescence = 0.0;\n } else {\n  material.iridescence = saturate( material.iridescence );\n }\n if ( material.iridescence > 0.0 ) {\n\
@@ -2038,7 +2040,7 @@ ion, 1.0 ) - viewMatrix[ 3 ] ) * viewMatrix ).xyz;\n  vec3 probeWorldNormal = tr
 Min[ i ], probesMax[ i ], probesResolution[ i ] ) ) probeGrid = UNROLLED_LOOP_INDEX;\n  }\n  #pragma unroll_loop_end\n  #pragma unroll_loop_start\n  for ( int i = 0\
 ; i < NUM_LIGHT_PROBE_GRIDS; i ++ ) {\n   if ( probeGrid == UNROLLED_LOOP_INDEX ) irradiance += getLightProbeGridIrradiance( probesSH[ i ], probesMin[ i ], probe\
 sMax[ i ], probesResolution[ i ], probeWorldPos, probeWorldNormal );\n  }\n  #pragma unroll_loop_end\n #endif\n#endif\n#if defined( RE_IndirectSpecular )\n vec3 radia\
-nce = vec3( 0.0 );\n vec3 clearcoatRadiance = vec3( 0.0 );\n#endif",Lv="#if defined( RE_IndirectDiffuse )\n #ifdef USE_LIGHTMAP\n  vec4 lightMapTexel = texture2D(\
+nce = vec3( 0.0 );\n vec3 clearcoatRadiance = vec3( 0.0 );\n#endif",Nv="#if defined( RE_IndirectDiffuse )\n #ifdef USE_LIGHTMAP\n  vec4 lightMapTexel = texture2D(\
  lightMap, vLightMapUv );\n  vec3 lightMapIrradiance = lightMapTexel.rgb * lightMapIntensity;\n  irradiance += lightMapIrradiance;\n #endif\n #if defined( USE_ENVMA\
 P ) && defined( ENVMAP_TYPE_PMREM )\n  #if defined( STANDARD ) || defined( LAMBERT ) || defined( PHONG )\n   iblIrradiance += getIBLIrradiance( geometryNormal );\n\
   #endif\n #endif\n#endif\n#if defined( USE_ENVMAP ) && defined( RE_IndirectSpecular )\n #ifdef USE_ANISOTROPY\n  vec3 iblRadiance = getIBLAnisotropyRadiance( geomet\
@@ -2047,10 +2049,10 @@ yNormal, material.roughness );\n #endif\n #ifdef USE_RETROREFLECTION\n  #ifdef U
 wDir, geometryNormal, material.roughness, material.anisotropyB, material.anisotropy );\n  #else\n   vec3 retroIBLRadiance = getIBLRetroRadiance( geometryViewDir, \
 geometryNormal, material.roughness );\n  #endif\n  iblRadiance = mix( iblRadiance, retroIBLRadiance, saturate( material.retroreflectivity ) );\n #endif\n radiance +\
 = iblRadiance;\n #ifdef USE_CLEARCOAT\n  clearcoatRadiance += getIBLRadiance( geometryViewDir, geometryClearcoatNormal, material.clearcoatRoughness );\n #endif\n#en\
-dif",Nv="#if defined( RE_IndirectDiffuse )\n #if defined( LAMBERT ) || defined( PHONG )\n  irradiance += iblIrradiance;\n #endif\n RE_IndirectDiffuse( irradiance, g\
+dif",Dv="#if defined( RE_IndirectDiffuse )\n #if defined( LAMBERT ) || defined( PHONG )\n  irradiance += iblIrradiance;\n #endif\n RE_IndirectDiffuse( irradiance, g\
 eometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );\n#endif\n#if defined( RE_IndirectSpecular )\n RE_IndirectSpe\
 cular( radiance, iblIrradiance, clearcoatRadiance, geometryPosition, geometryNormal, geometryViewDir, geometryClearcoatNormal, material, reflectedLight );\n#endi\
-f",Dv="#if NUM_LIGHT_PROBE_GRIDS > 0\nuniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 pr\
+f",Uv="#if NUM_LIGHT_PROBE_GRIDS > 0\nuniform highp sampler3D probesSH[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 probesMin[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 pr\
 obesMax[ NUM_LIGHT_PROBE_GRIDS ];\nuniform vec3 probesResolution[ NUM_LIGHT_PROBE_GRIDS ];\nbool isInsideLightProbeGrid( vec3 worldPos, vec3 worldNormal, vec3 pro\
 besMin, vec3 probesMax, vec3 probesResolution ) {\n vec3 spacing = ( probesMax - probesMin ) / probesResolution;\n vec3 samplePos = worldPos + worldNormal * spaci\
 ng * 0.5;\n vec3 margin = spacing * 0.01;\n return all( greaterThanEqual( samplePos, probesMin - margin ) ) && all( lessThanEqual( samplePos, probesMax + margin )\
@@ -2066,56 +2068,56 @@ xy );\n vec3 c2 = vec3( s1.zw, s2.x );\n vec3 c3 = s2.yzw;\n vec3 c4 = s3.xyz;\n
 vec3 c8 = s6.xyz;\n float x = worldNormal.x, y = worldNormal.y, z = worldNormal.z;\n vec3 result = c0 * 0.886227;\n result += c1 * 2.0 * 0.511664 * y;\n result += c\
 2 * 2.0 * 0.511664 * z;\n result += c3 * 2.0 * 0.511664 * x;\n result += c4 * 2.0 * 0.429043 * x * y;\n result += c5 * 2.0 * 0.429043 * y * z;\n result += c6 * ( 0.\
 743125 * z * z - 0.247708 );\n result += c7 * 2.0 * 0.429043 * x * z;\n result += c8 * 0.429043 * ( x * x - y * y );\n return max( result, vec3( 0.0 ) );\n}\n#endif",
-Uv="#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;\n#endif",Fv="\
-#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n uniform float logDepthBufFC;\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",Ov="#ifdef USE_L\
-OGARITHMIC_DEPTH_BUFFER\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",Bv="#ifdef USE_LOGARITHMIC_DEPTH_BUFFER\n vFragDepth = 1.0 + gl_Posi\
-tion.w;\n vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );\n#endif",kv="#ifdef USE_MAP\n vec4 sampledDiffuseColor = texture2D( map, vMapUv );\n \
-#ifdef DECODE_VIDEO_TEXTURE\n  sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );\n #endif\n diffuseColor *= sampledDiffuseColor;\n#endif",zv="#ifde\
-f USE_MAP\n uniform sampler2D map;\n#endif",Vv="#if defined( USE_MAP ) || defined( USE_ALPHAMAP )\n #if defined( USE_POINTS_UV )\n  vec2 uv = vUv;\n #else\n  vec2 u\
+Fv="#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n gl_FragDepth = vIsPerspective == 0.0 ? gl_FragCoord.z : log2( vFragDepth ) * logDepthBufFC * 0.5;\n#endif",Ov="\
+#if defined( USE_LOGARITHMIC_DEPTH_BUFFER )\n uniform float logDepthBufFC;\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",Bv="#ifdef USE_L\
+OGARITHMIC_DEPTH_BUFFER\n varying float vFragDepth;\n varying float vIsPerspective;\n#endif",kv="#ifdef USE_LOGARITHMIC_DEPTH_BUFFER\n vFragDepth = 1.0 + gl_Posi\
+tion.w;\n vIsPerspective = float( isPerspectiveMatrix( projectionMatrix ) );\n#endif",zv="#ifdef USE_MAP\n vec4 sampledDiffuseColor = texture2D( map, vMapUv );\n \
+#ifdef DECODE_VIDEO_TEXTURE\n  sampledDiffuseColor = sRGBTransferEOTF( sampledDiffuseColor );\n #endif\n diffuseColor *= sampledDiffuseColor;\n#endif",Vv="#ifde\
+f USE_MAP\n uniform sampler2D map;\n#endif",Gv="#if defined( USE_MAP ) || defined( USE_ALPHAMAP )\n #if defined( USE_POINTS_UV )\n  vec2 uv = vUv;\n #else\n  vec2 u\
 v = ( uvTransform * vec3( gl_PointCoord.x, 1.0 - gl_PointCoord.y, 1 ) ).xy;\n #endif\n#endif\n#ifdef USE_MAP\n diffuseColor *= texture2D( map, uv );\n#endif\n#ifdef U\
-SE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, uv ).g;\n#endif",Gv="#if defined( USE_POINTS_UV )\n varying vec2 vUv;\n#else\n #if defined( USE_MAP ) || defin\
+SE_ALPHAMAP\n diffuseColor.a *= texture2D( alphaMap, uv ).g;\n#endif",Hv="#if defined( USE_POINTS_UV )\n varying vec2 vUv;\n#else\n #if defined( USE_MAP ) || defin\
 ed( USE_ALPHAMAP )\n  uniform mat3 uvTransform;\n #endif\n#endif\n#ifdef USE_MAP\n uniform sampler2D map;\n#endif\n#ifdef USE_ALPHAMAP\n uniform sampler2D alphaMap;\n#en\
-dif",Hv="float metalnessFactor = metalness;\n#ifdef USE_METALNESSMAP\n vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );\n metalnessFactor *= texel\
-Metalness.b;\n#endif",Wv="#ifdef USE_METALNESSMAP\n uniform sampler2D metalnessMap;\n#endif",Xv="#ifdef USE_INSTANCING_MORPH\n float morphTargetInfluences[ MORPH\
+dif",Wv="float metalnessFactor = metalness;\n#ifdef USE_METALNESSMAP\n vec4 texelMetalness = texture2D( metalnessMap, vMetalnessMapUv );\n metalnessFactor *= texel\
+Metalness.b;\n#endif",Xv="#ifdef USE_METALNESSMAP\n uniform sampler2D metalnessMap;\n#endif",qv="#ifdef USE_INSTANCING_MORPH\n float morphTargetInfluences[ MORPH\
 TARGETS_COUNT ];\n float morphTargetBaseInfluence = texelFetch( morphTexture, ivec2( 0, gl_InstanceID ), 0 ).r;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) \
-{\n  morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;\n }\n#endif",qv="#if defined( USE_MORPHCOLORS )\n #if defined( U\
+{\n  morphTargetInfluences[i] =  texelFetch( morphTexture, ivec2( i + 1, gl_InstanceID ), 0 ).r;\n }\n#endif",$v="#if defined( USE_MORPHCOLORS )\n #if defined( U\
 SE_COLOR_ALPHA )\n  vColor *= morphTargetBaseInfluence;\n #elif defined( USE_COLOR )\n  vColor.rgb *= morphTargetBaseInfluence;\n #endif\n for ( int i = 0; i < MORPH\
 TARGETS_COUNT; i ++ ) {\n  #if defined( USE_COLOR_ALPHA )\n   if ( morphTargetInfluences[ i ] != 0.0 ) vColor += getMorph( gl_VertexID, i, 2 ) * morphTargetInflue\
 nces[ i ];\n  #elif defined( USE_COLOR )\n   if ( morphTargetInfluences[ i ] != 0.0 ) vColor.rgb += getMorph( gl_VertexID, i, 2 ).rgb * morphTargetInfluences[ i ]\
-;\n  #endif\n }\n#endif",$v="#ifdef USE_MORPHNORMALS\n objectNormal *= morphTargetBaseInfluence;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {\n  if ( morphT\
-argetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",Yv="#ifdef USE_MORPHTARGETS\n #ifndef \
+;\n  #endif\n }\n#endif",Yv="#ifdef USE_MORPHNORMALS\n objectNormal *= morphTargetBaseInfluence;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {\n  if ( morphT\
+argetInfluences[ i ] != 0.0 ) objectNormal += getMorph( gl_VertexID, i, 1 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",Zv="#ifdef USE_MORPHTARGETS\n #ifndef \
 USE_INSTANCING_MORPH\n  uniform float morphTargetBaseInfluence;\n  uniform float morphTargetInfluences[ MORPHTARGETS_COUNT ];\n #endif\n uniform sampler2DArray morp\
 hTargetsTexture;\n uniform ivec2 morphTargetsTextureSize;\n vec4 getMorph( const in int vertexIndex, const in int morphTargetIndex, const in int offset ) {\n  int \
 texelIndex = vertexIndex * MORPHTARGETS_TEXTURE_STRIDE + offset;\n  int y = texelIndex / morphTargetsTextureSize.x;\n  int x = texelIndex - y * morphTargetsTextur\
-eSize.x;\n  ivec3 morphUV = ivec3( x, y, morphTargetIndex );\n  return texelFetch( morphTargetsTexture, morphUV, 0 );\n }\n#endif",Zv="#ifdef USE_MORPHTARGETS\n \
+eSize.x;\n  ivec3 morphUV = ivec3( x, y, morphTargetIndex );\n  return texelFetch( morphTargetsTexture, morphUV, 0 );\n }\n#endif",Jv="#ifdef USE_MORPHTARGETS\n \
 transformed *= morphTargetBaseInfluence;\n for ( int i = 0; i < MORPHTARGETS_COUNT; i ++ ) {\n  if ( morphTargetInfluences[ i ] != 0.0 ) transformed += getMorph( \
-gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",Jv="float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;\n#ifdef FLAT_SHADED\n vec3 fdx = dFdx( \
+gl_VertexID, i, 0 ).xyz * morphTargetInfluences[ i ];\n }\n#endif",Kv="float faceDirection = gl_FrontFacing ? 1.0 : - 1.0;\n#ifdef FLAT_SHADED\n vec3 fdx = dFdx( \
 vViewPosition );\n vec3 fdy = dFdy( vViewPosition );\n vec3 normal = normalize( cross( fdx, fdy ) );\n#else\n vec3 normal = normalize( vNormal );\n #ifdef DOUBLE_SID\
 ED\n  normal *= faceDirection;\n #endif\n#endif\n#if defined( USE_NORMALMAP_TANGENTSPACE ) || defined( USE_CLEARCOAT_NORMALMAP ) || defined( USE_ANISOTROPY )\n #ifde\
 f USE_TANGENT\n  mat3 tbn = mat3( normalize( vTangent ), normalize( vBitangent ), normal );\n #else\n  mat3 tbn = getTangentFrame( - vViewPosition, normal,\n  #if d\
 efined( USE_NORMALMAP )\n   vNormalMapUv\n  #elif defined( USE_CLEARCOAT_NORMALMAP )\n   vClearcoatNormalMapUv\n  #else\n   vUv\n  #endif\n  );\n #endif\n #ifdef DOUBLE_\
 SIDED\n  tbn[0] *= faceDirection;\n  tbn[1] *= faceDirection;\n #endif\n#endif\n#ifdef USE_CLEARCOAT_NORMALMAP\n #ifdef USE_TANGENT\n  mat3 tbn2 = mat3( normalize( vTa\
 ngent ), normalize( vBitangent ), normal );\n #else\n  mat3 tbn2 = getTangentFrame( - vViewPosition, normal, vClearcoatNormalMapUv );\n #endif\n #ifdef DOUBLE_SIDED\
-\n  tbn2[0] *= faceDirection;\n  tbn2[1] *= faceDirection;\n #endif\n#endif\nvec3 nonPerturbedNormal = normal;",Kv="#ifdef USE_NORMALMAP_OBJECTSPACE\n normal = t\
+\n  tbn2[0] *= faceDirection;\n  tbn2[1] *= faceDirection;\n #endif\n#endif\nvec3 nonPerturbedNormal = normal;",jv="#ifdef USE_NORMALMAP_OBJECTSPACE\n normal = t\
 exture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0;\n #ifdef FLIP_SIDED\n  normal = - normal;\n #endif\n #ifdef DOUBLE_SIDED\n  normal = normal * faceDirection;\n #e\
 ndif\n normal = normalize( normalMatrix * normal );\n#elif defined( USE_NORMALMAP_TANGENTSPACE )\n vec3 mapN = texture2D( normalMap, vNormalMapUv ).xyz * 2.0 - 1.0\
 ;\n #if defined( USE_PACKED_NORMALMAP )\n  mapN = vec3( mapN.xy, sqrt( saturate( 1.0 - dot( mapN.xy, mapN.xy ) ) ) );\n #endif\n mapN.xy *= normalScale;\n normal = n\
-ormalize( tbn * mapN );\n#elif defined( USE_BUMPMAP )\n normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );\n#endif",jv="#ifndef F\
-LAT_SHADED\n varying vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",Qv="#ifndef FLAT_SHADED\n varying\
- vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",eM="#ifndef FLAT_SHADED\n vNormal = normalize( transf\
+ormalize( tbn * mapN );\n#elif defined( USE_BUMPMAP )\n normal = perturbNormalArb( - vViewPosition, normal, dHdxy_fwd(), faceDirection );\n#endif",Qv="#ifndef F\
+LAT_SHADED\n varying vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",eM="#ifndef FLAT_SHADED\n varying\
+ vec3 vNormal;\n #ifdef USE_TANGENT\n  varying vec3 vTangent;\n  varying vec3 vBitangent;\n #endif\n#endif",tM="#ifndef FLAT_SHADED\n vNormal = normalize( transf\
 ormedNormal );\n #ifdef USE_TANGENT\n  vTangent = normalize( transformedTangent );\n  vBitangent = normalize( cross( vNormal, vTangent ) * tangent.w );\n  #ifdef FL\
-IP_SIDED\n   vBitangent = - vBitangent;\n  #endif\n #endif\n#endif",tM="#ifdef USE_NORMALMAP\n uniform sampler2D normalMap;\n uniform vec2 normalScale;\n#endif\n#if\
+IP_SIDED\n   vBitangent = - vBitangent;\n  #endif\n #endif\n#endif",nM="#ifdef USE_NORMALMAP\n uniform sampler2D normalMap;\n uniform vec2 normalScale;\n#endif\n#if\
 def USE_NORMALMAP_OBJECTSPACE\n uniform mat3 normalMatrix;\n#endif\n#if ! defined ( USE_TANGENT ) && ( defined ( USE_NORMALMAP_TANGENTSPACE ) || defined ( USE_CLEA\
 RCOAT_NORMALMAP ) || defined( USE_ANISOTROPY ) )\n mat3 getTangentFrame( vec3 eye_pos, vec3 surf_norm, vec2 uv ) {\n  vec3 q0 = dFdx( eye_pos.xyz );\n  vec3 q1 = d\
 Fdy( eye_pos.xyz );\n  vec2 st0 = dFdx( uv.st );\n  vec2 st1 = dFdy( uv.st );\n  vec3 N = surf_norm;\n  vec3 q1perp = cross( q1, N );\n  vec3 q0perp = cross( N, q0 )\
 ;\n  vec3 T = q1perp * st0.x + q0perp * st1.x;\n  vec3 B = q1perp * st0.y + q0perp * st1.y;\n  float det = max( dot( T, T ), dot( B, B ) );\n  float scale = ( det =\
-= 0.0 ) ? 0.0 : inversesqrt( det );\n  return mat3( T * scale, B * scale, N );\n }\n#endif",nM="#ifdef USE_CLEARCOAT\n vec3 clearcoatNormal = nonPerturbedNormal;\
-\n#endif",iM="#ifdef USE_CLEARCOAT_NORMALMAP\n vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;\n clearcoatMapN.xy *= \
-clearcoatNormalScale;\n clearcoatNormal = normalize( tbn2 * clearcoatMapN );\n#endif",sM="#ifdef USE_CLEARCOATMAP\n uniform sampler2D clearcoatMap;\n#endif\n#ifdef\
+= 0.0 ) ? 0.0 : inversesqrt( det );\n  return mat3( T * scale, B * scale, N );\n }\n#endif",iM="#ifdef USE_CLEARCOAT\n vec3 clearcoatNormal = nonPerturbedNormal;\
+\n#endif",sM="#ifdef USE_CLEARCOAT_NORMALMAP\n vec3 clearcoatMapN = texture2D( clearcoatNormalMap, vClearcoatNormalMapUv ).xyz * 2.0 - 1.0;\n clearcoatMapN.xy *= \
+clearcoatNormalScale;\n clearcoatNormal = normalize( tbn2 * clearcoatMapN );\n#endif",rM="#ifdef USE_CLEARCOATMAP\n uniform sampler2D clearcoatMap;\n#endif\n#ifdef\
  USE_CLEARCOAT_NORMALMAP\n uniform sampler2D clearcoatNormalMap;\n uniform vec2 clearcoatNormalScale;\n#endif\n#ifdef USE_CLEARCOAT_ROUGHNESSMAP\n uniform sampler2D \
-clearcoatRoughnessMap;\n#endif",rM="#ifdef USE_IRIDESCENCEMAP\n uniform sampler2D iridescenceMap;\n#endif\n#ifdef USE_IRIDESCENCE_THICKNESSMAP\n uniform sampler2D i\
-ridescenceThicknessMap;\n#endif",oM="#ifdef OPAQUE\ndiffuseColor.a = 1.0;\n#endif\n#ifdef USE_TRANSMISSION\ndiffuseColor.a *= material.transmissionAlpha;\n#endif\ngl_\
-FragColor = vec4( outgoingLight, diffuseColor.a );",aM="vec3 packNormalToRGB( const in vec3 normal ) {\n return normalize( normal ) * 0.5 + 0.5;\n}\nvec3 unpackRGB\
+clearcoatRoughnessMap;\n#endif",oM="#ifdef USE_IRIDESCENCEMAP\n uniform sampler2D iridescenceMap;\n#endif\n#ifdef USE_IRIDESCENCE_THICKNESSMAP\n uniform sampler2D i\
+ridescenceThicknessMap;\n#endif",aM="#ifdef OPAQUE\ndiffuseColor.a = 1.0;\n#endif\n#ifdef USE_TRANSMISSION\ndiffuseColor.a *= material.transmissionAlpha;\n#endif\ngl_\
+FragColor = vec4( outgoingLight, diffuseColor.a );",lM="vec3 packNormalToRGB( const in vec3 normal ) {\n return normalize( normal ) * 0.5 + 0.5;\n}\nvec3 unpackRGB\
 ToNormal( const in vec3 rgb ) {\n return 2.0 * rgb.xyz - 1.0;\n}\nconst float PackUpscale = 256. / 255.;const float UnpackDownscale = 255. / 256.;const float Shift\
 Right8 = 1. / 256.;\nconst float Inv255 = 1. / 255.;\nconst vec4 PackFactors = vec4( 1.0, 256.0, 256.0 * 256.0, 256.0 * 256.0 * 256.0 );\nconst vec2 UnpackFactors2\
  = vec2( UnpackDownscale, 1.0 / PackFactors.g );\nconst vec3 UnpackFactors3 = vec3( UnpackDownscale / PackFactors.rg, 1.0 / PackFactors.b );\nconst vec4 UnpackFac\
@@ -2133,13 +2135,13 @@ ear - far );\n}\nfloat orthographicDepthToViewZ( const in float depth, const in 
 pth * ( far - near ) - far;\n #else\n  return depth * ( near - far ) - near;\n #endif\n}\nfloat viewZToPerspectiveDepth( const in float viewZ, const in float near, c\
 onst in float far ) {\n return ( ( near + viewZ ) * far ) / ( ( far - near ) * viewZ );\n}\nfloat perspectiveDepthToViewZ( const in float depth, const in float nea\
 r, const in float far ) {\n \n #ifdef USE_REVERSED_DEPTH_BUFFER\n  return ( near * far ) / ( ( near - far ) * depth - near );\n #else\n  return ( near * far ) / ( ( \
-far - near ) * depth - far );\n #endif\n}",lM="#ifdef PREMULTIPLIED_ALPHA\n gl_FragColor.rgb *= gl_FragColor.a;\n#endif",cM="vec4 mvPosition = vec4( transformed\
+far - near ) * depth - far );\n #endif\n}",cM="#ifdef PREMULTIPLIED_ALPHA\n gl_FragColor.rgb *= gl_FragColor.a;\n#endif",hM="vec4 mvPosition = vec4( transformed\
 , 1.0 );\n#ifdef USE_BATCHING\n mvPosition = batchingMatrix * mvPosition;\n#endif\n#ifdef USE_INSTANCING\n mvPosition = instanceMatrix * mvPosition;\n#endif\nmvPositio\
-n = modelViewMatrix * mvPosition;\ngl_Position = projectionMatrix * mvPosition;",hM="#ifdef DITHERING\n gl_FragColor.rgb = dithering( gl_FragColor.rgb );\n#endif",
-uM="#ifdef DITHERING\n vec3 dithering( vec3 color ) {\n  float grid_position = rand( gl_FragCoord.xy );\n  vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.\
+n = modelViewMatrix * mvPosition;\ngl_Position = projectionMatrix * mvPosition;",uM="#ifdef DITHERING\n gl_FragColor.rgb = dithering( gl_FragColor.rgb );\n#endif",
+dM="#ifdef DITHERING\n vec3 dithering( vec3 color ) {\n  float grid_position = rand( gl_FragCoord.xy );\n  vec3 dither_shift_RGB = vec3( 0.25 / 255.0, -0.25 / 255.\
 0, 0.25 / 255.0 );\n  dither_shift_RGB = mix( 2.0 * dither_shift_RGB, -2.0 * dither_shift_RGB, grid_position );\n  return color + dither_shift_RGB;\n }\n#endif",
-dM="float roughnessFactor = roughness;\n#ifdef USE_ROUGHNESSMAP\n vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );\n roughnessFactor *= texelRough\
-ness.g;\n#endif",fM="#ifdef USE_ROUGHNESSMAP\n uniform sampler2D roughnessMap;\n#endif",pM="#if NUM_SPOT_LIGHT_COORDS > 0\n varying vec4 vSpotLightCoord[ NUM_SPO\
+fM="float roughnessFactor = roughness;\n#ifdef USE_ROUGHNESSMAP\n vec4 texelRoughness = texture2D( roughnessMap, vRoughnessMapUv );\n roughnessFactor *= texelRough\
+ness.g;\n#endif",pM="#ifdef USE_ROUGHNESSMAP\n uniform sampler2D roughnessMap;\n#endif",mM="#if NUM_SPOT_LIGHT_COORDS > 0\n varying vec4 vSpotLightCoord[ NUM_SPO\
 T_LIGHT_COORDS ];\n#endif\n#if NUM_SPOT_LIGHT_MAPS > 0\n uniform sampler2D spotLightMap[ NUM_SPOT_LIGHT_MAPS ];\n#endif\n#ifdef USE_SHADOWMAP\n #if NUM_SUN_LIGHT_SHAD\
 OWS > 0\n  #define SUN_LIGHT_CASCADES 2\n  #if defined( SHADOWMAP_TYPE_PCF )\n   uniform sampler2DShadow sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];\n  #else\n   uniform \
 sampler2D sunShadowMap[ NUM_SUN_LIGHT_SHADOWS ];\n  #endif\n  uniform mat4 sunShadowMatrix[ NUM_SUN_LIGHT_SHADOWS * SUN_LIGHT_CASCADES ];\n  uniform vec4 sunShadow\
@@ -2203,7 +2205,7 @@ dowMapSize, float shadowIntensity, float shadowBias, float shadowRadius, vec4 sh
 wSpaceZ - shadowCameraFar <= 0.0 && viewSpaceZ - shadowCameraNear >= 0.0 ) {\n   float dp = ( shadowCameraFar * ( viewSpaceZ - shadowCameraNear ) ) / ( viewSpace\
 Z * ( shadowCameraFar - shadowCameraNear ) );\n   dp += shadowBias;\n   vec3 bd3D = normalize( lightToPosition );\n   float depth = textureCube( shadowMap, bd3D ).\
 r;\n   #ifdef USE_REVERSED_DEPTH_BUFFER\n    depth = 1.0 - depth;\n   #endif\n   shadow = step( dp, depth );\n  }\n  return mix( 1.0, shadow, shadowIntensity );\n }\n #\
-endif\n #endif\n#endif",mM="#if NUM_SPOT_LIGHT_COORDS > 0\n uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];\n varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_\
+endif\n #endif\n#endif",gM="#if NUM_SPOT_LIGHT_COORDS > 0\n uniform mat4 spotLightMatrix[ NUM_SPOT_LIGHT_COORDS ];\n varying vec4 vSpotLightCoord[ NUM_SPOT_LIGHT_\
 COORDS ];\n#endif\n#ifdef USE_SHADOWMAP\n #if NUM_SUN_LIGHT_SHADOWS > 0\n  varying vec4 vSunShadowWorldPosition;\n  varying vec3 vSunShadowWorldNormal;\n #endif\n #if \
 NUM_DIR_LIGHT_SHADOWS > 0\n  uniform mat4 directionalShadowMatrix[ NUM_DIR_LIGHT_SHADOWS ];\n  varying vec4 vDirectionalShadowCoord[ NUM_DIR_LIGHT_SHADOWS ];\n  st\
 ruct DirectionalLightShadow {\n   float shadowIntensity;\n   float shadowBias;\n   float shadowNormalBias;\n   float shadowRadius;\n   vec2 shadowMapSize;\n  };\n  uni\
@@ -2212,7 +2214,7 @@ Intensity;\n   float shadowBias;\n   float shadowNormalBias;\n   float shadowRad
 OT_LIGHT_SHADOWS ];\n #endif\n #if NUM_POINT_LIGHT_SHADOWS > 0\n  uniform mat4 pointShadowMatrix[ NUM_POINT_LIGHT_SHADOWS ];\n  varying vec4 vPointShadowCoord[ NUM_\
 POINT_LIGHT_SHADOWS ];\n  struct PointLightShadow {\n   float shadowIntensity;\n   float shadowBias;\n   float shadowNormalBias;\n   float shadowRadius;\n   vec2 shad\
 owMapSize;\n   float shadowCameraNear;\n   float shadowCameraFar;\n  };\n  uniform PointLightShadow pointLightShadows[ NUM_POINT_LIGHT_SHADOWS ];\n #endif\n#endif",
-gM="#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0\
+_M="#if ( defined( USE_SHADOWMAP ) && ( NUM_DIR_LIGHT_SHADOWS > 0 || NUM_SUN_LIGHT_SHADOWS > 0 || NUM_POINT_LIGHT_SHADOWS > 0 ) ) || ( NUM_SPOT_LIGHT_COORDS > 0\
  )\n #ifdef HAS_NORMAL\n  vec3 shadowWorldNormal = transformNormalByInverseViewMatrix( transformedNormal, viewMatrix );\n #else\n  vec3 shadowWorldNormal = vec3( 0.\
 0 );\n #endif\n vec4 shadowWorldPosition;\n#endif\n#if defined( USE_SHADOWMAP )\n #if NUM_SUN_LIGHT_SHADOWS > 0\n  vSunShadowWorldPosition = vec4( worldPosition.xyz, \
 - mvPosition.z );\n  vSunShadowWorldNormal = shadowWorldNormal;\n #endif\n #if NUM_DIR_LIGHT_SHADOWS > 0\n  #pragma unroll_loop_start\n  for ( int i = 0; i < NUM_DIR\
@@ -2222,7 +2224,7 @@ op_start\n  for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {\n   shadowWor
 owNormalBias, 0 );\n   vPointShadowCoord[ i ] = pointShadowMatrix[ i ] * shadowWorldPosition;\n  }\n  #pragma unroll_loop_end\n #endif\n#endif\n#if NUM_SPOT_LIGHT_COO\
 RDS > 0\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_SPOT_LIGHT_COORDS; i ++ ) {\n  shadowWorldPosition = worldPosition;\n  #if ( defined( USE_SHADOWMAP )\
  && UNROLLED_LOOP_INDEX < NUM_SPOT_LIGHT_SHADOWS )\n   shadowWorldPosition.xyz += shadowWorldNormal * spotLightShadows[ i ].shadowNormalBias;\n  #endif\n  vSpotLig\
-htCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;\n }\n #pragma unroll_loop_end\n#endif",_M="float getShadowMask() {\n float shadow = 1.0;\n #ifdef USE_S\
+htCoord[ i ] = spotLightMatrix[ i ] * shadowWorldPosition;\n }\n #pragma unroll_loop_end\n#endif",xM="float getShadowMask() {\n float shadow = 1.0;\n #ifdef USE_S\
 HADOWMAP\n #if NUM_SUN_LIGHT_SHADOWS > 0\n SunLightShadow sunLight;\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_SUN_LIGHT_SHADOWS; i ++ ) {\n  sunLight = \
 sunLightShadows[ i ];\n  shadow *= receiveShadow ? getSunShadow( sunShadowMap[ i ], sunLight, UNROLLED_LOOP_INDEX ) : 1.0;\n }\n #pragma unroll_loop_end\n #endif\n #\
 if NUM_DIR_LIGHT_SHADOWS > 0\n DirectionalLightShadow directionalLight;\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_DIR_LIGHT_SHADOWS; i ++ ) {\n  direct\
@@ -2234,19 +2236,19 @@ ius, vSpotLightCoord[ i ] ) : 1.0;\n }\n #pragma unroll_loop_end\n #endif\n #if 
 _TYPE_BASIC ) )\n PointLightShadow pointLight;\n #pragma unroll_loop_start\n for ( int i = 0; i < NUM_POINT_LIGHT_SHADOWS; i ++ ) {\n  pointLight = pointLightShadow\
 s[ i ];\n  shadow *= receiveShadow ? getPointShadow( pointShadowMap[ i ], pointLight.shadowMapSize, pointLight.shadowIntensity, pointLight.shadowBias, pointLight\
 .shadowRadius, vPointShadowCoord[ i ], pointLight.shadowCameraNear, pointLight.shadowCameraFar ) : 1.0;\n }\n #pragma unroll_loop_end\n #endif\n #endif\n return shad\
-ow;\n}",xM="#ifdef USE_SKINNING\n mat4 boneMatX = getBoneMatrix( skinIndex.x );\n mat4 boneMatY = getBoneMatrix( skinIndex.y );\n mat4 boneMatZ = getBoneMatrix( sk\
-inIndex.z );\n mat4 boneMatW = getBoneMatrix( skinIndex.w );\n#endif",yM="#ifdef USE_SKINNING\n uniform mat4 bindMatrix;\n uniform mat4 bindMatrixInverse;\n unifor\
+ow;\n}",yM="#ifdef USE_SKINNING\n mat4 boneMatX = getBoneMatrix( skinIndex.x );\n mat4 boneMatY = getBoneMatrix( skinIndex.y );\n mat4 boneMatZ = getBoneMatrix( sk\
+inIndex.z );\n mat4 boneMatW = getBoneMatrix( skinIndex.w );\n#endif",vM="#ifdef USE_SKINNING\n uniform mat4 bindMatrix;\n uniform mat4 bindMatrixInverse;\n unifor\
 m highp sampler2D boneTexture;\n mat4 getBoneMatrix( const in float i ) {\n  int size = textureSize( boneTexture, 0 ).x;\n  int j = int( i ) * 4;\n  int x = j % siz\
 e;\n  int y = j / size;\n  vec4 v1 = texelFetch( boneTexture, ivec2( x, y ), 0 );\n  vec4 v2 = texelFetch( boneTexture, ivec2( x + 1, y ), 0 );\n  vec4 v3 = texelFe\
-tch( boneTexture, ivec2( x + 2, y ), 0 );\n  vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );\n  return mat4( v1, v2, v3, v4 );\n }\n#endif",vM="#ifde\
+tch( boneTexture, ivec2( x + 2, y ), 0 );\n  vec4 v4 = texelFetch( boneTexture, ivec2( x + 3, y ), 0 );\n  return mat4( v1, v2, v3, v4 );\n }\n#endif",MM="#ifde\
 f USE_SKINNING\n vec4 skinVertex = bindMatrix * vec4( transformed, 1.0 );\n vec4 skinned = vec4( 0.0 );\n skinned += boneMatX * skinVertex * skinWeight.x;\n skinned\
  += boneMatY * skinVertex * skinWeight.y;\n skinned += boneMatZ * skinVertex * skinWeight.z;\n skinned += boneMatW * skinVertex * skinWeight.w;\n transformed = ( b\
-indMatrixInverse * skinned ).xyz;\n#endif",MM="#ifdef USE_SKINNING\n mat4 skinMatrix = mat4( 0.0 );\n skinMatrix += skinWeight.x * boneMatX;\n skinMatrix += skinWe\
+indMatrixInverse * skinned ).xyz;\n#endif",SM="#ifdef USE_SKINNING\n mat4 skinMatrix = mat4( 0.0 );\n skinMatrix += skinWeight.x * boneMatX;\n skinMatrix += skinWe\
 ight.y * boneMatY;\n skinMatrix += skinWeight.z * boneMatZ;\n skinMatrix += skinWeight.w * boneMatW;\n skinMatrix = bindMatrixInverse * skinMatrix * bindMatrix;\n o\
 bjectNormal = vec4( skinMatrix * vec4( objectNormal, 0.0 ) ).xyz;\n #ifdef USE_TANGENT\n  objectTangent = vec4( skinMatrix * vec4( objectTangent, 0.0 ) ).xyz;\n #e\
-ndif\n#endif",SM="float specularStrength;\n#ifdef USE_SPECULARMAP\n vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );\n specularStrength = texelSpecul\
-ar.r;\n#else\n specularStrength = 1.0;\n#endif",bM="#ifdef USE_SPECULARMAP\n uniform sampler2D specularMap;\n#endif",wM="#if defined( TONE_MAPPING )\n gl_FragCol\
-or.rgb = toneMapping( gl_FragColor.rgb );\n#endif",TM="#ifndef saturate\n#define saturate( a ) clamp( a, 0.0, 1.0 )\n#endif\nuniform float toneMappingExposure;\nvec\
+ndif\n#endif",bM="float specularStrength;\n#ifdef USE_SPECULARMAP\n vec4 texelSpecular = texture2D( specularMap, vSpecularMapUv );\n specularStrength = texelSpecul\
+ar.r;\n#else\n specularStrength = 1.0;\n#endif",wM="#ifdef USE_SPECULARMAP\n uniform sampler2D specularMap;\n#endif",TM="#if defined( TONE_MAPPING )\n gl_FragCol\
+or.rgb = toneMapping( gl_FragColor.rgb );\n#endif",AM="#ifndef saturate\n#define saturate( a ) clamp( a, 0.0, 1.0 )\n#endif\nuniform float toneMappingExposure;\nvec\
 3 LinearToneMapping( vec3 color ) {\n return saturate( toneMappingExposure * color );\n}\nvec3 ReinhardToneMapping( vec3 color ) {\n color *= toneMappingExposure;\n \
 return saturate( color / ( vec3( 1.0 ) + color ) );\n}\nvec3 CineonToneMapping( vec3 color ) {\n color *= toneMappingExposure;\n color = max( vec3( 0.0 ), color - 0\
 .004 );\n return pow( ( color * ( 6.2 * color + 0.5 ) ) / ( color * ( 6.2 * color + 1.7 ) + 0.06 ), vec3( 2.2 ) );\n}\nvec3 RRTAndODTFit( vec3 v ) {\n vec3 a = v * \
@@ -2268,13 +2270,13 @@ ralToneMapping( vec3 color ) {\n const float StartCompression = 0.8 - 0.04;\n co
 r.r, min( color.g, color.b ) );\n float offset = x < 0.08 ? x - 6.25 * x * x : 0.04;\n color -= offset;\n float peak = max( color.r, max( color.g, color.b ) );\n if\
  ( peak < StartCompression ) return color;\n float d = 1. - StartCompression;\n float newPeak = 1. - d * d / ( peak + d - StartCompression );\n color *= newPeak / \
 peak;\n float g = 1. - 1. / ( Desaturation * ( peak - newPeak ) + 1. );\n return mix( color, vec3( newPeak ), g );\n}\nvec3 CustomToneMapping( vec3 color ) { return\
- color; }",AM="#ifdef USE_TRANSMISSION\n material.transmission = transmission;\n material.transmissionAlpha = 1.0;\n material.thickness = thickness;\n material.atte\
+ color; }",EM="#ifdef USE_TRANSMISSION\n material.transmission = transmission;\n material.transmissionAlpha = 1.0;\n material.thickness = thickness;\n material.atte\
 nuationDistance = attenuationDistance;\n material.attenuationColor = attenuationColor;\n #ifdef USE_TRANSMISSIONMAP\n  material.transmission *= texture2D( transmis\
 sionMap, vTransmissionMapUv ).r;\n #endif\n #ifdef USE_THICKNESSMAP\n  material.thickness *= texture2D( thicknessMap, vThicknessMapUv ).g;\n #endif\n vec3 pos = vWor\
 ldPosition;\n vec3 v = normalize( cameraPosition - pos );\n vec3 n = transformNormalByInverseViewMatrix( normal, viewMatrix );\n vec4 transmitted = getIBLVolumeRef\
 raction(\n  n, v, material.roughness, material.diffuseContribution, material.specularColorBlended, material.specularF90,\n  pos, modelMatrix, viewMatrix, projecti\
 onMatrix, material.dispersion, material.ior, material.thickness,\n  material.attenuationColor, material.attenuationDistance );\n material.transmissionAlpha = mix(\
- material.transmissionAlpha, transmitted.a, material.transmission );\n totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );\n#endif",EM="\
+ material.transmissionAlpha, transmitted.a, material.transmission );\n totalDiffuse = mix( totalDiffuse, transmitted.rgb, material.transmission );\n#endif",CM="\
 #ifdef USE_TRANSMISSION\n uniform float transmission;\n uniform float thickness;\n uniform float attenuationDistance;\n uniform vec3 attenuationColor;\n #ifdef USE_T\
 RANSMISSIONMAP\n  uniform sampler2D transmissionMap;\n #endif\n #ifdef USE_THICKNESSMAP\n  uniform sampler2D thicknessMap;\n #endif\n uniform vec2 transmissionSampler\
 Size;\n uniform sampler2D transmissionSamplerMap;\n uniform mat4 modelMatrix;\n uniform mat4 projectionMatrix;\n varying vec3 vWorldPosition;\n float w0( float a ) {\
@@ -2311,7 +2313,7 @@ Ray;\n   vec4 ndcPos = projMatrix * viewMatrix * vec4( refractedRayExit, 1.0 );\
 efractionCoords /= 2.0;\n   transmittedLight = getTransmissionSample( refractionCoords, roughness, ior );\n   transmittance = diffuseColor * volumeAttenuation( le\
 ngth( transmissionRay ), attenuationColor, attenuationDistance );\n  #endif\n  vec3 attenuatedColor = transmittance * transmittedLight.rgb;\n  vec3 F = Environment\
 BRDF( n, v, specularColor, specularF90, roughness );\n  float transmittanceFactor = ( transmittance.r + transmittance.g + transmittance.b ) / 3.0;\n  return vec4(\
- ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );\n }\n#endif",CM="#if defined( USE_UV ) || defined( USE_ANISOTROPY )\n\
+ ( 1.0 - F ) * attenuatedColor, 1.0 - ( 1.0 - transmittedLight.a ) * transmittanceFactor );\n }\n#endif",RM="#if defined( USE_UV ) || defined( USE_ANISOTROPY )\n\
  varying vec2 vUv;\n#endif\n#ifdef USE_MAP\n varying vec2 vMapUv;\n#endif\n#ifdef USE_ALPHAMAP\n varying vec2 vAlphaMapUv;\n#endif\n#ifdef USE_LIGHTMAP\n varying vec2 vL\
 ightMapUv;\n#endif\n#ifdef USE_AOMAP\n varying vec2 vAoMapUv;\n#endif\n#ifdef USE_BUMPMAP\n varying vec2 vBumpMapUv;\n#endif\n#ifdef USE_NORMALMAP\n varying vec2 vNormal\
 MapUv;\n#endif\n#ifdef USE_EMISSIVEMAP\n varying vec2 vEmissiveMapUv;\n#endif\n#ifdef USE_METALNESSMAP\n varying vec2 vMetalnessMapUv;\n#endif\n#ifdef USE_ROUGHNESSMAP\n\
@@ -2321,7 +2323,7 @@ ef USE_CLEARCOAT_ROUGHNESSMAP\n varying vec2 vClearcoatRoughnessMapUv;\n#endif\n
 CENCE_THICKNESSMAP\n varying vec2 vIridescenceThicknessMapUv;\n#endif\n#ifdef USE_SHEEN_COLORMAP\n varying vec2 vSheenColorMapUv;\n#endif\n#ifdef USE_SHEEN_ROUGHNESSM\
 AP\n varying vec2 vSheenRoughnessMapUv;\n#endif\n#ifdef USE_SPECULARMAP\n varying vec2 vSpecularMapUv;\n#endif\n#ifdef USE_SPECULAR_COLORMAP\n varying vec2 vSpecularCo\
 lorMapUv;\n#endif\n#ifdef USE_SPECULAR_INTENSITYMAP\n varying vec2 vSpecularIntensityMapUv;\n#endif\n#ifdef USE_TRANSMISSIONMAP\n uniform mat3 transmissionMapTransfor\
-m;\n varying vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",RM="#if de\
+m;\n varying vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",PM="#if de\
 fined( USE_UV ) || defined( USE_ANISOTROPY )\n varying vec2 vUv;\n#endif\n#ifdef USE_MAP\n uniform mat3 mapTransform;\n varying vec2 vMapUv;\n#endif\n#ifdef USE_ALPHAM\
 AP\n uniform mat3 alphaMapTransform;\n varying vec2 vAlphaMapUv;\n#endif\n#ifdef USE_LIGHTMAP\n uniform mat3 lightMapTransform;\n varying vec2 vLightMapUv;\n#endif\n#if\
 def USE_AOMAP\n uniform mat3 aoMapTransform;\n varying vec2 vAoMapUv;\n#endif\n#ifdef USE_BUMPMAP\n uniform mat3 bumpMapTransform;\n varying vec2 vBumpMapUv;\n#endif\n#\
@@ -2337,7 +2339,7 @@ ef USE_IRIDESCENCEMAP\n uniform mat3 iridescenceMapTransform;\n varying vec2 vIr
 ceThicknessMapTransform;\n varying vec2 vIridescenceThicknessMapUv;\n#endif\n#ifdef USE_SPECULARMAP\n uniform mat3 specularMapTransform;\n varying vec2 vSpecularMapU\
 v;\n#endif\n#ifdef USE_SPECULAR_COLORMAP\n uniform mat3 specularColorMapTransform;\n varying vec2 vSpecularColorMapUv;\n#endif\n#ifdef USE_SPECULAR_INTENSITYMAP\n unif\
 orm mat3 specularIntensityMapTransform;\n varying vec2 vSpecularIntensityMapUv;\n#endif\n#ifdef USE_TRANSMISSIONMAP\n uniform mat3 transmissionMapTransform;\n varyin\
-g vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",PM="#if defined( USE_\
+g vec2 vTransmissionMapUv;\n#endif\n#ifdef USE_THICKNESSMAP\n uniform mat3 thicknessMapTransform;\n varying vec2 vThicknessMapUv;\n#endif",IM="#if defined( USE_\
 UV ) || defined( USE_ANISOTROPY )\n vUv = vec3( uv, 1 ).xy;\n#endif\n#ifdef USE_MAP\n vMapUv = ( mapTransform * vec3( MAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_ALPHAMAP\n \
 vAlphaMapUv = ( alphaMapTransform * vec3( ALPHAMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_LIGHTMAP\n vLightMapUv = ( lightMapTransform * vec3( LIGHTMAP_UV, 1 ) ).xy;\n#e\
 ndif\n#ifdef USE_AOMAP\n vAoMapUv = ( aoMapTransform * vec3( AOMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_BUMPMAP\n vBumpMapUv = ( bumpMapTransform * vec3( BUMPMAP_UV, 1 \
@@ -2355,27 +2357,27 @@ EN_ROUGHNESSMAP\n vSheenRoughnessMapUv = ( sheenRoughnessMapTransform * vec3( SH
 specularMapTransform * vec3( SPECULARMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_SPECULAR_COLORMAP\n vSpecularColorMapUv = ( specularColorMapTransform * vec3( SPECULAR_C\
 OLORMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_SPECULAR_INTENSITYMAP\n vSpecularIntensityMapUv = ( specularIntensityMapTransform * vec3( SPECULAR_INTENSITYMAP_UV, 1 ) )\
 .xy;\n#endif\n#ifdef USE_TRANSMISSIONMAP\n vTransmissionMapUv = ( transmissionMapTransform * vec3( TRANSMISSIONMAP_UV, 1 ) ).xy;\n#endif\n#ifdef USE_THICKNESSMAP\n vT\
-hicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;\n#endif",IM="#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOW\
+hicknessMapUv = ( thicknessMapTransform * vec3( THICKNESSMAP_UV, 1 ) ).xy;\n#endif",LM="#if defined( USE_ENVMAP ) || defined( DISTANCE ) || defined ( USE_SHADOW\
 MAP ) || defined ( USE_TRANSMISSION ) || NUM_SPOT_LIGHT_COORDS > 0\n vec4 worldPosition = vec4( transformed, 1.0 );\n #ifdef USE_BATCHING\n  worldPosition = batchi\
 ngMatrix * worldPosition;\n #endif\n #ifdef USE_INSTANCING\n  worldPosition = instanceMatrix * worldPosition;\n #endif\n worldPosition = modelMatrix * worldPosition;\
-\n#endif",LM="varying vec2 vUv;\nuniform mat3 uvTransform;\nvoid main() {\n vUv = ( uvTransform * vec3( uv, 1 ) ).xy;\n gl_Position = vec4( position.xy, 1.0, 1.0 );\
-\n}",NM="uniform sampler2D t2D;\nuniform float backgroundIntensity;\nvarying vec2 vUv;\nvoid main() {\n vec4 texColor = texture2D( t2D, vUv );\n #ifdef DECODE_VIDEO_\
+\n#endif",NM="varying vec2 vUv;\nuniform mat3 uvTransform;\nvoid main() {\n vUv = ( uvTransform * vec3( uv, 1 ) ).xy;\n gl_Position = vec4( position.xy, 1.0, 1.0 );\
+\n}",DM="uniform sampler2D t2D;\nuniform float backgroundIntensity;\nvarying vec2 vUv;\nvoid main() {\n vec4 texColor = texture2D( t2D, vUv );\n #ifdef DECODE_VIDEO_\
 TEXTURE\n  texColor = vec4( mix( pow( texColor.rgb * 0.9478672986 + vec3( 0.0521327014 ), vec3( 2.4 ) ), texColor.rgb * 0.0773993808, vec3( lessThanEqual( texCol\
 or.rgb, vec3( 0.04045 ) ) ) ), texColor.w );\n #endif\n texColor.rgb *= backgroundIntensity;\n gl_FragColor = texColor;\n #include <tonemapping_fragment>\n #include \
-<colorspace_fragment>\n}",DM="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #in\
-clude <begin_vertex>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",UM="uniform float backgroundBlurriness;\nuniform float backgroundIntensity;\
+<colorspace_fragment>\n}",UM="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #in\
+clude <begin_vertex>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",FM="uniform float backgroundBlurriness;\nuniform float backgroundIntensity;\
 \nuniform mat3 backgroundRotation;\nvarying vec3 vWorldDirection;\n#include <envmap_common_pars_fragment>\nvoid main() {\n #ifdef ENVMAP_TYPE_PMREM\n  vec4 texColor =\
  textureLod( envMap, backgroundRotation * vWorldDirection, roughnessToMip( backgroundBlurriness ) );\n #else\n  vec4 texColor = textureCube( envMap, backgroundRot\
 ation * vWorldDirection );\n #endif\n texColor.rgb *= backgroundIntensity;\n gl_FragColor = texColor;\n #include <tonemapping_fragment>\n #include <colorspace_fragme\
-nt>\n}",FM="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_verte\
-x>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",OM="uniform samplerCube tCube;\nuniform float tFlip;\nuniform float opacity;\nvarying vec3 vWor\
+nt>\n}",OM="varying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_verte\
+x>\n #include <project_vertex>\n gl_Position.z = gl_Position.w;\n}",BM="uniform samplerCube tCube;\nuniform float tFlip;\nuniform float opacity;\nvarying vec3 vWor\
 ldDirection;\nvoid main() {\n vec4 texColor = textureCube( tCube, vec3( tFlip * vWorldDirection.x, vWorldDirection.yz ) );\n gl_FragColor = texColor;\n gl_FragColor\
-.a *= opacity;\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",BM="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_ve\
+.a *= opacity;\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",kM="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_ve\
 rtex>\n#include <displacementmap_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <cli\
 pping_planes_pars_vertex>\nvarying vec2 vHighPrecisionZW;\nvoid main() {\n #include <uv_vertex>\n #include <batching_vertex>\n #include <skinbase_vertex>\n #include <\
 morphinstance_vertex>\n #ifdef USE_DISPLACEMENTMAP\n  #include <beginnormal_vertex>\n  #include <morphnormal_vertex>\n  #include <skinnormal_vertex>\n #endif\n #inclu\
 de <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbu\
-f_vertex>\n #include <clipping_planes_vertex>\n vHighPrecisionZW = gl_Position.zw;\n}",kM="#if DEPTH_PACKING == 3200\n uniform float opacity;\n#endif\n#include <co\
+f_vertex>\n #include <clipping_planes_vertex>\n vHighPrecisionZW = gl_Position.zw;\n}",zM="#if DEPTH_PACKING == 3200\n uniform float opacity;\n#endif\n#include <co\
 mmon>\n#include <packing>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include \
 <alphahash_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nvarying vec2 vHighPrecisionZW;\nvoid main() {\n vec4 diffu\
 seColor = vec4( 1.0 );\n #include <clipping_planes_fragment>\n #if DEPTH_PACKING == 3200\n  diffuseColor.a = opacity;\n #endif\n #include <map_fragment>\n #include <a\
@@ -2383,34 +2385,34 @@ lphamap_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragment
 oordZ = vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ];\n #else\n  float fragCoordZ = 0.5 * vHighPrecisionZW[ 0 ] / vHighPrecisionZW[ 1 ] + 0.5;\n #endif\n #if DEPTH\
 _PACKING == 3200\n  gl_FragColor = vec4( vec3( 1.0 - fragCoordZ ), opacity );\n #elif DEPTH_PACKING == 3201\n  gl_FragColor = packDepthToRGBA( fragCoordZ );\n #elif\
  DEPTH_PACKING == 3202\n  gl_FragColor = vec4( packDepthToRGB( fragCoordZ ), 1.0 );\n #elif DEPTH_PACKING == 3203\n  gl_FragColor = vec4( packDepthToRG( fragCoordZ\
- ), 0.0, 1.0 );\n #endif\n}",zM="#define DISTANCE\nvarying vec3 vWorldPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#incl\
+ ), 0.0, 1.0 );\n #endif\n}",VM="#define DISTANCE\nvarying vec3 vWorldPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#incl\
 ude <displacementmap_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #incl\
 ude <uv_vertex>\n #include <batching_vertex>\n #include <skinbase_vertex>\n #include <morphinstance_vertex>\n #ifdef USE_DISPLACEMENTMAP\n  #include <beginnormal_ver\
 tex>\n  #include <morphnormal_vertex>\n  #include <skinnormal_vertex>\n #endif\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n\
  #include <displacementmap_vertex>\n #include <project_vertex>\n #include <worldpos_vertex>\n #include <clipping_planes_vertex>\n vWorldPosition = worldPosition.xyz\
-;\n}",VM="#define DISTANCE\nuniform vec3 referencePosition;\nuniform float nearDistance;\nuniform float farDistance;\nvarying vec3 vWorldPosition;\n#include <common>\
+;\n}",GM="#define DISTANCE\nuniform vec3 referencePosition;\nuniform float nearDistance;\nuniform float farDistance;\nvarying vec3 vWorldPosition;\n#include <common>\
 \n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment\
 >\n#include <clipping_planes_pars_fragment>\nvoid main() {\n vec4 diffuseColor = vec4( 1.0 );\n #include <clipping_planes_fragment>\n #include <map_fragment>\n #inclu\
 de <alphamap_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragment>\n float dist = length( vWorldPosition - referencePosition );\n dist = ( dist \
-- nearDistance ) / ( farDistance - nearDistance );\n dist = saturate( dist );\n gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );\n}",GM="varying vec3 vWorldDirection\
-;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_vertex>\n #include <project_vertex>\n}",HM="\
+- nearDistance ) / ( farDistance - nearDistance );\n dist = saturate( dist );\n gl_FragColor = vec4( dist, 0.0, 0.0, 1.0 );\n}",HM="varying vec3 vWorldDirection\
+;\n#include <common>\nvoid main() {\n vWorldDirection = transformDirection( position, modelMatrix );\n #include <begin_vertex>\n #include <project_vertex>\n}",WM="\
 uniform sampler2D tEquirect;\nvarying vec3 vWorldDirection;\n#include <common>\nvoid main() {\n vec3 direction = normalize( vWorldDirection );\n vec2 sampleUV = equi\
-rectUv( direction );\n gl_FragColor = texture2D( tEquirect, sampleUV );\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",WM="uniform float\
+rectUv( direction );\n gl_FragColor = texture2D( tEquirect, sampleUV );\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n}",XM="uniform float\
  scale;\nattribute float lineDistance;\nvarying float vLineDistance;\n#include <common>\n#include <uv_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_v\
 ertex>\n#include <morphtarget_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n vLineDistance = scale * lineD\
 istance;\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <begin_vertex>\n #include <morph\
-target_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n}",XM="uniform vec3 diff\
+target_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n}",qM="uniform vec3 diff\
 use;\nuniform float opacity;\nuniform float dashSize;\nuniform float totalSize;\nvarying float vLineDistance;\n#include <common>\n#include <color_pars_fragment>\n#incl\
 ude <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <fog_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nv\
 oid main() {\n vec4 diffuseColor = vec4( diffuse, opacity );\n #include <clipping_planes_fragment>\n if ( mod( vLineDistance, totalSize ) > dashSize ) {\n  discard;\
 \n }\n vec3 outgoingLight = vec3( 0.0 );\n #include <logdepthbuf_fragment>\n #include <map_fragment>\n #include <color_fragment>\n outgoingLight = diffuseColor.rgb;\n \
 #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n}",
-qM="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_ve\
+$M="#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_ve\
 rtex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\
 \n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #if defined ( USE_EN\
 VMAP ) || defined ( USE_SKINNING )\n  #include <beginnormal_vertex>\n  #include <morphnormal_vertex>\n  #include <skinbase_vertex>\n  #include <skinnormal_vertex>\n \
  #include <defaultnormal_vertex>\n #endif\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <project_vertex>\n #includ\
-e <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #include <fog_vertex>\n}",$M="uniform vec3 \
+e <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #include <fog_vertex>\n}",YM="uniform vec3 \
 diffuse;\nuniform float opacity;\n#ifndef FLAT_SHADED\n varying vec3 vNormal;\n#endif\n#include <common>\n#include <dithering_pars_fragment>\n#include <color_pars_frag\
 ment>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fra\
 gment>\n#include <aomap_pars_fragment>\n#include <lightmap_pars_fragment>\n#include <envmap_common_pars_fragment>\n#include <envmap_pars_fragment>\n#include <fog_par\
@@ -2421,14 +2423,14 @@ ht( vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ), vec3( 0.0 ) );\n #ifdef USE_LIGHTMAP\
 ectDiffuse += lightMapTexel.rgb * lightMapIntensity * RECIPROCAL_PI;\n #else\n  reflectedLight.indirectDiffuse += vec3( 1.0 );\n #endif\n #include <aomap_fragment>\n\
  reflectedLight.indirectDiffuse *= diffuseColor.rgb;\n vec3 outgoingLight = reflectedLight.indirectDiffuse;\n #include <envmap_fragment>\n #include <opaque_fragmen\
 t>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragm\
-ent>\n}",YM="#define LAMBERT\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_p\
+ent>\n}",ZM="#define LAMBERT\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_p\
 ars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex>\n#include <normal_pars_vertex>\n#include <morphtarget_pars_verte\
 x>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #in\
 clude <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #include <beginnormal_ver\
 tex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <normal_vertex>\n #inclu\
 de <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbu\
 f_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #include <shadowmap_verte\
-x>\n #include <fog_vertex>\n}",ZM="#define LAMBERT\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#include <common>\n#include <dithering_par\
+x>\n #include <fog_vertex>\n}",JM="#define LAMBERT\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#include <common>\n#include <dithering_par\
 s_fragment>\n#include <color_pars_fragment>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_f\
 ragment>\n#include <alphahash_pars_fragment>\n#include <aomap_pars_fragment>\n#include <lightmap_pars_fragment>\n#include <emissivemap_pars_fragment>\n#include <envm\
 ap_common_pars_fragment>\n#include <envmap_pars_fragment>\n#include <envmap_physical_pars_fragment>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights\
@@ -2440,13 +2442,13 @@ alphamap_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragmen
 ormal_fragment_maps>\n #include <emissivemap_fragment>\n #include <lights_lambert_fragment>\n #include <lights_fragment_begin>\n #include <lights_fragment_maps>\n #i\
 nclude <lights_fragment_end>\n #include <aomap_fragment>\n vec3 outgoingLight = reflectedLight.directDiffuse + reflectedLight.indirectDiffuse + totalEmissiveRadia\
 nce;\n #include <envmap_fragment>\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include\
- <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",JM="#define MATCAP\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_ver\
+ <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",KM="#define MATCAP\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_ver\
 tex>\n#include <uv_pars_vertex>\n#include <color_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <fog_pars_vertex>\n#include <normal_pars_vertex>\n#inc\
 lude <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include\
  <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n\
  #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <normal_vertex>\n #include <b\
 egin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbuf_ver\
-tex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n vViewPosition = - mvPosition.xyz;\n}",KM="#define MATCAP\nuniform vec3 diffuse;\nuniform float \
+tex>\n #include <clipping_planes_vertex>\n #include <fog_vertex>\n vViewPosition = - mvPosition.xyz;\n}",jM="#define MATCAP\nuniform vec3 diffuse;\nuniform float \
 opacity;\nuniform sampler2D matcap;\nvarying vec3 vViewPosition;\n#include <common>\n#include <dithering_pars_fragment>\n#include <color_pars_fragment>\n#include <uv_\
 pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <fo\
 g_pars_fragment>\n#include <normal_pars_fragment>\n#include <bumpmap_pars_fragment>\n#include <normalmap_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#inclu\
@@ -2456,25 +2458,25 @@ ment>\n #include <map_fragment>\n #include <color_fragment>\n #include <alphamap
 \n vec3 y = cross( viewDir, x );\n vec2 uv = vec2( dot( x, normal ), dot( y, normal ) ) * 0.495 + 0.5;\n #ifdef USE_MATCAP\n  vec4 matcapColor = texture2D( matcap, \
 uv );\n #else\n  vec4 matcapColor = vec4( vec3( mix( 0.2, 0.8, uv.y ) ), 1.0 );\n #endif\n vec3 outgoingLight = diffuseColor.rgb * matcapColor.rgb;\n #include <opaqu\
 e_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dither\
-ing_fragment>\n}",jM="#define NORMAL\n#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n varying vec3 vViewPosition;\n\
+ing_fragment>\n}",QM="#define NORMAL\n#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n varying vec3 vViewPosition;\n\
 #endif\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <normal_pars_vertex>\n#include\
  <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv\
 _vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphinstance_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n\
  #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <normal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skin\
 ning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n#if defined( FLAT_S\
-HADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n vViewPosition = - mvPosition.xyz;\n#endif\n}",QM="#define NORMAL\nuniform float opac\
+HADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n vViewPosition = - mvPosition.xyz;\n#endif\n}",eS="#define NORMAL\nuniform float opac\
 ity;\n#if defined( FLAT_SHADED ) || defined( USE_BUMPMAP ) || defined( USE_NORMALMAP_TANGENTSPACE )\n varying vec3 vViewPosition;\n#endif\n#include <uv_pars_fragmen\
 t>\n#include <normal_pars_fragment>\n#include <bumpmap_pars_fragment>\n#include <normalmap_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_p\
 lanes_pars_fragment>\nvoid main() {\n vec4 diffuseColor = vec4( 0.0, 0.0, 0.0, opacity );\n #include <clipping_planes_fragment>\n #include <logdepthbuf_fragment>\n #\
 include <normal_fragment_begin>\n #include <normal_fragment_maps>\n gl_FragColor = vec4( normalize( normal ) * 0.5 + 0.5, diffuseColor.a );\n #ifdef OPAQUE\n  gl_Fr\
-agColor.a = 1.0;\n #endif\n}",eS="#define PHONG\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include\
+agColor.a = 1.0;\n #endif\n}",tS="#define PHONG\nvarying vec3 vViewPosition;\n#include <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include\
  <displacementmap_pars_vertex>\n#include <envmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex>\n#include <normal_pars_vertex>\n#include <mor\
 phtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\
 \nvoid main() {\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphcolor_vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include\
  <morphinstance_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <nor\
 mal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap_vertex>\n #include <project_vertex>\n #\
 include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <worldpos_vertex>\n #include <envmap_vertex>\n #inclu\
-de <shadowmap_vertex>\n #include <fog_vertex>\n}",tS="#define PHONG\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform vec3 specular;\nuniform float shininess;\
+de <shadowmap_vertex>\n #include <fog_vertex>\n}",nS="#define PHONG\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform vec3 specular;\nuniform float shininess;\
 \nuniform float opacity;\n#include <common>\n#include <dithering_pars_fragment>\n#include <color_pars_fragment>\n#include <uv_pars_fragment>\n#include <map_pars_fragm\
 ent>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <aomap_pars_fragment>\n#include <lightmap_p\
 ars_fragment>\n#include <emissivemap_pars_fragment>\n#include <envmap_common_pars_fragment>\n#include <envmap_pars_fragment>\n#include <envmap_physical_pars_fragmen\
@@ -2487,14 +2489,14 @@ larmap_fragment>\n #include <normal_fragment_begin>\n #include <normal_fragment_
  <lights_fragment_begin>\n #include <lights_fragment_maps>\n #include <lights_fragment_end>\n #include <aomap_fragment>\n vec3 outgoingLight = reflectedLight.direct\
 Diffuse + reflectedLight.indirectDiffuse + reflectedLight.directSpecular + reflectedLight.indirectSpecular + totalEmissiveRadiance;\n #include <envmap_fragment>\n\
  #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n \
-#include <dithering_fragment>\n}",nS="#define STANDARD\nvarying vec3 vViewPosition;\n#ifdef USE_TRANSMISSION\n varying vec3 vWorldPosition;\n#endif\n#include <common\
+#include <dithering_fragment>\n}",iS="#define STANDARD\nvarying vec3 vViewPosition;\n#ifdef USE_TRANSMISSION\n varying vec3 vWorldPosition;\n#endif\n#include <common\
 >\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex>\n#incl\
 ude <normal_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n\
 #include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_verte\
 x>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include\
  <defaultnormal_vertex>\n #include <normal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displacementmap\
 _vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <worldpos_ver\
-tex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n#ifdef USE_TRANSMISSION\n vWorldPosition = worldPosition.xyz;\n#endif\n}",iS="#define STANDARD\n#ifde\
+tex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n#ifdef USE_TRANSMISSION\n vWorldPosition = worldPosition.xyz;\n#endif\n}",sS="#define STANDARD\n#ifde\
 f PHYSICAL\n #define IOR\n #define USE_SPECULAR\n#endif\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float roughness;\nuniform float metalness;\nuniform floa\
 t opacity;\n#ifdef IOR\n uniform float ior;\n#endif\n#ifdef USE_SPECULAR\n uniform float specularIntensity;\n uniform vec3 specularColor;\n #ifdef USE_SPECULAR_COLORMA\
 P\n  uniform sampler2D specularColorMap;\n #endif\n #ifdef USE_SPECULAR_INTENSITYMAP\n  uniform sampler2D specularIntensityMap;\n #endif\n#endif\n#ifdef USE_CLEARCOAT\n\
@@ -2520,14 +2522,14 @@ cal_fragment>\n #include <lights_fragment_begin>\n #include <lights_fragment_map
 SpecularDirect + sheenSpecularIndirect;\n \n  #endif\n #ifdef USE_CLEARCOAT\n  float dotNVcc = saturate( dot( geometryClearcoatNormal, geometryViewDir ) );\n  vec3 F\
 cc = F_Schlick( material.clearcoatF0, material.clearcoatF90, dotNVcc );\n  outgoingLight = outgoingLight * ( 1.0 - material.clearcoat * Fcc ) + ( clearcoatSpecul\
 arDirect + clearcoatSpecularIndirect ) * material.clearcoat;\n #endif\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment\
->\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",sS="#define TOON\nvarying vec3 vViewPosition;\n#include \
+>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",rS="#define TOON\nvarying vec3 vViewPosition;\n#include \
 <common>\n#include <batching_pars_vertex>\n#include <uv_pars_vertex>\n#include <displacementmap_pars_vertex>\n#include <color_pars_vertex>\n#include <fog_pars_vertex\
 >\n#include <normal_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <shadowmap_pars_vertex>\n#include <logdepthbuf_pars_v\
 ertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv_vertex>\n #include <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolo\
 r_vertex>\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #\
 include <defaultnormal_vertex>\n #include <normal_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <skinning_vertex>\n #include <displace\
 mentmap_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n vViewPosition = - mvPosition.xyz;\n #include <world\
-pos_vertex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n}",rS="#define TOON\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#incl\
+pos_vertex>\n #include <shadowmap_vertex>\n #include <fog_vertex>\n}",oS="#define TOON\nuniform vec3 diffuse;\nuniform vec3 emissive;\nuniform float opacity;\n#incl\
 ude <common>\n#include <dithering_pars_fragment>\n#include <color_pars_fragment>\n#include <uv_pars_fragment>\n#include <map_pars_fragment>\n#include <alphamap_pars_\
 fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <aomap_pars_fragment>\n#include <lightmap_pars_fragment>\n#include <emiss\
 ivemap_pars_fragment>\n#include <gradientmap_pars_fragment>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights_pars_begin>\n#include <normal_pars_frag\
@@ -2538,54 +2540,54 @@ epthbuf_fragment>\n #include <map_fragment>\n #include <color_fragment>\n #inclu
 >\n #include <normal_fragment_begin>\n #include <normal_fragment_maps>\n #include <emissivemap_fragment>\n #include <lights_toon_fragment>\n #include <lights_fragmen\
 t_begin>\n #include <lights_fragment_maps>\n #include <lights_fragment_end>\n #include <aomap_fragment>\n vec3 outgoingLight = reflectedLight.directDiffuse + reflec\
 tedLight.indirectDiffuse + totalEmissiveRadiance;\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fr\
-agment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",oS="uniform float size;\nuniform float scale;\n#include <common>\n#include <c\
+agment>\n #include <premultiplied_alpha_fragment>\n #include <dithering_fragment>\n}",aS="uniform float size;\nuniform float scale;\n#include <common>\n#include <c\
 olor_pars_vertex>\n#include <fog_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\n#ifdef\
  USE_POINTS_UV\n varying vec2 vUv;\n uniform mat3 uvTransform;\n#endif\nvoid main() {\n #ifdef USE_POINTS_UV\n  vUv = ( uvTransform * vec3( uv, 1 ) ).xy;\n #endif\n #in\
 clude <color_vertex>\n #include <morphinstance_vertex>\n #include <morphcolor_vertex>\n #include <begin_vertex>\n #include <morphtarget_vertex>\n #include <project_v\
 ertex>\n gl_PointSize = size;\n #ifdef USE_SIZEATTENUATION\n  bool isPerspective = isPerspectiveMatrix( projectionMatrix );\n  if ( isPerspective ) gl_PointSize *= \
 ( scale / - mvPosition.z );\n #endif\n #include <logdepthbuf_vertex>\n #include <clipping_planes_vertex>\n #include <worldpos_vertex>\n #include <fog_vertex>\n}",
-aS="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <color_pars_fragment>\n#include <map_particle_pars_fragment>\n#include <alphatest_pars\
+lS="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <color_pars_fragment>\n#include <map_particle_pars_fragment>\n#include <alphatest_pars\
 _fragment>\n#include <alphahash_pars_fragment>\n#include <fog_pars_fragment>\n#include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nvoid ma\
 in() {\n vec4 diffuseColor = vec4( diffuse, opacity );\n #include <clipping_planes_fragment>\n vec3 outgoingLight = vec3( 0.0 );\n #include <logdepthbuf_fragment>\n \
 #include <map_particle_fragment>\n #include <color_fragment>\n #include <alphatest_fragment>\n #include <alphahash_fragment>\n outgoingLight = diffuseColor.rgb;\n #i\
 nclude <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragment>\n #include <premultiplied_alpha_fragment>\n}",
-lS="#include <common>\n#include <batching_pars_vertex>\n#include <fog_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <lo\
+cS="#include <common>\n#include <batching_pars_vertex>\n#include <fog_pars_vertex>\n#include <morphtarget_pars_vertex>\n#include <skinning_pars_vertex>\n#include <lo\
 gdepthbuf_pars_vertex>\n#include <shadowmap_pars_vertex>\nvoid main() {\n #include <batching_vertex>\n #include <beginnormal_vertex>\n #include <morphinstance_vertex\
 >\n #include <morphnormal_vertex>\n #include <skinbase_vertex>\n #include <skinnormal_vertex>\n #include <defaultnormal_vertex>\n #include <begin_vertex>\n #include <\
 morphtarget_vertex>\n #include <skinning_vertex>\n #include <project_vertex>\n #include <logdepthbuf_vertex>\n #include <worldpos_vertex>\n #include <shadowmap_verte\
-x>\n #include <fog_vertex>\n}",cS="uniform vec3 color;\nuniform float opacity;\n#include <common>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights_p\
+x>\n #include <fog_vertex>\n}",hS="uniform vec3 color;\nuniform float opacity;\n#include <common>\n#include <fog_pars_fragment>\n#include <bsdfs>\n#include <lights_p\
 ars_begin>\n#include <logdepthbuf_pars_fragment>\n#include <shadowmap_pars_fragment>\n#include <shadowmask_pars_fragment>\nvoid main() {\n #include <logdepthbuf_frag\
 ment>\n gl_FragColor = vec4( color, opacity * ( 1.0 - getShadowMask() ) );\n #include <tonemapping_fragment>\n #include <colorspace_fragment>\n #include <fog_fragme\
-nt>\n #include <premultiplied_alpha_fragment>\n}",hS="uniform float rotation;\nuniform vec2 center;\n#include <common>\n#include <uv_pars_vertex>\n#include <fog_par\
+nt>\n #include <premultiplied_alpha_fragment>\n}",uS="uniform float rotation;\nuniform vec2 center;\n#include <common>\n#include <uv_pars_vertex>\n#include <fog_par\
 s_vertex>\n#include <logdepthbuf_pars_vertex>\n#include <clipping_planes_pars_vertex>\nvoid main() {\n #include <uv_vertex>\n vec4 mvPosition = modelViewMatrix[ 3 ];\
 \n vec2 scale = vec2( length( modelMatrix[ 0 ].xyz ), length( modelMatrix[ 1 ].xyz ) );\n #ifndef USE_SIZEATTENUATION\n  bool isPerspective = isPerspectiveMatrix( \
 projectionMatrix );\n  if ( isPerspective ) scale *= - mvPosition.z;\n #endif\n vec2 alignedPosition = ( position.xy - ( center - vec2( 0.5 ) ) ) * scale;\n vec2 ro\
 tatedPosition;\n rotatedPosition.x = cos( rotation ) * alignedPosition.x - sin( rotation ) * alignedPosition.y;\n rotatedPosition.y = sin( rotation ) * alignedPos\
 ition.x + cos( rotation ) * alignedPosition.y;\n mvPosition.xy += rotatedPosition;\n gl_Position = projectionMatrix * mvPosition;\n #include <logdepthbuf_vertex>\n \
-#include <clipping_planes_vertex>\n #include <fog_vertex>\n}",uS="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <uv_pars_fragment>\n#in\
+#include <clipping_planes_vertex>\n #include <fog_vertex>\n}",dS="uniform vec3 diffuse;\nuniform float opacity;\n#include <common>\n#include <uv_pars_fragment>\n#in\
 clude <map_pars_fragment>\n#include <alphamap_pars_fragment>\n#include <alphatest_pars_fragment>\n#include <alphahash_pars_fragment>\n#include <fog_pars_fragment>\n#\
 include <logdepthbuf_pars_fragment>\n#include <clipping_planes_pars_fragment>\nvoid main() {\n vec4 diffuseColor = vec4( diffuse, opacity );\n #include <clipping_pl\
 anes_fragment>\n vec3 outgoingLight = vec3( 0.0 );\n #include <logdepthbuf_fragment>\n #include <map_fragment>\n #include <alphamap_fragment>\n #include <alphatest_f\
 ragment>\n #include <alphahash_fragment>\n outgoingLight = diffuseColor.rgb;\n #include <opaque_fragment>\n #include <tonemapping_fragment>\n #include <colorspace_fr\
-agment>\n #include <fog_fragment>\n}",ht={alphahash_fragment:Ny,alphahash_pars_fragment:Dy,alphamap_fragment:Uy,alphamap_pars_fragment:Fy,alphatest_fragment:Oy,
-alphatest_pars_fragment:By,aomap_fragment:ky,aomap_pars_fragment:zy,batching_pars_vertex:Vy,batching_vertex:Gy,begin_vertex:Hy,beginnormal_vertex:Wy,bsdfs:Xy,iridescence_fragment:qy,
-bumpmap_pars_fragment:$y,clipping_planes_fragment:Yy,clipping_planes_pars_fragment:Zy,clipping_planes_pars_vertex:Jy,clipping_planes_vertex:Ky,color_fragment:jy,
-color_pars_fragment:Qy,color_pars_vertex:ev,color_vertex:tv,common:nv,defaultnormal_vertex:iv,displacementmap_pars_vertex:sv,displacementmap_vertex:rv,emissivemap_fragment:ov,
-emissivemap_pars_fragment:av,colorspace_fragment:lv,colorspace_pars_fragment:cv,envmap_fragment:hv,envmap_common_pars_fragment:uv,envmap_pars_fragment:dv,envmap_pars_vertex:fv,
-envmap_physical_pars_fragment:wv,envmap_vertex:pv,fog_vertex:mv,fog_pars_vertex:gv,fog_fragment:_v,fog_pars_fragment:xv,gradientmap_pars_fragment:yv,lightmap_pars_fragment:vv,
-lights_lambert_fragment:Mv,lights_lambert_pars_fragment:Sv,lights_pars_begin:bv,lights_toon_fragment:Tv,lights_toon_pars_fragment:Av,lights_phong_fragment:Ev,lights_phong_pars_fragment:Cv,
-lights_physical_fragment:Rv,lights_physical_pars_fragment:Pv,lights_fragment_begin:Iv,lights_fragment_maps:Lv,lights_fragment_end:Nv,lightprobes_pars_fragment:Dv,
-logdepthbuf_fragment:Uv,logdepthbuf_pars_fragment:Fv,logdepthbuf_pars_vertex:Ov,logdepthbuf_vertex:Bv,map_fragment:kv,map_pars_fragment:zv,map_particle_fragment:Vv,
-map_particle_pars_fragment:Gv,metalnessmap_fragment:Hv,metalnessmap_pars_fragment:Wv,morphinstance_vertex:Xv,morphcolor_vertex:qv,morphnormal_vertex:$v,morphtarget_pars_vertex:Yv,
-morphtarget_vertex:Zv,normal_fragment_begin:Jv,normal_fragment_maps:Kv,normal_pars_fragment:jv,normal_pars_vertex:Qv,normal_vertex:eM,normalmap_pars_fragment:tM,
-clearcoat_normal_fragment_begin:nM,clearcoat_normal_fragment_maps:iM,clearcoat_pars_fragment:sM,iridescence_pars_fragment:rM,opaque_fragment:oM,packing:aM,premultiplied_alpha_fragment:lM,
-project_vertex:cM,dithering_fragment:hM,dithering_pars_fragment:uM,roughnessmap_fragment:dM,roughnessmap_pars_fragment:fM,shadowmap_pars_fragment:pM,shadowmap_pars_vertex:mM,
-shadowmap_vertex:gM,shadowmask_pars_fragment:_M,skinbase_vertex:xM,skinning_pars_vertex:yM,skinning_vertex:vM,skinnormal_vertex:MM,specularmap_fragment:SM,specularmap_pars_fragment:bM,
-tonemapping_fragment:wM,tonemapping_pars_fragment:TM,transmission_fragment:AM,transmission_pars_fragment:EM,uv_pars_fragment:CM,uv_pars_vertex:RM,uv_vertex:PM,worldpos_vertex:IM,
-background_vert:LM,background_frag:NM,backgroundCube_vert:DM,backgroundCube_frag:UM,cube_vert:FM,cube_frag:OM,depth_vert:BM,depth_frag:kM,distance_vert:zM,distance_frag:VM,
-equirect_vert:GM,equirect_frag:HM,linedashed_vert:WM,linedashed_frag:XM,meshbasic_vert:qM,meshbasic_frag:$M,meshlambert_vert:YM,meshlambert_frag:ZM,meshmatcap_vert:JM,
-meshmatcap_frag:KM,meshnormal_vert:jM,meshnormal_frag:QM,meshphong_vert:eS,meshphong_frag:tS,meshphysical_vert:nS,meshphysical_frag:iS,meshtoon_vert:sS,meshtoon_frag:rS,
-points_vert:oS,points_frag:aS,shadow_vert:lS,shadow_frag:cS,sprite_vert:hS,sprite_frag:uS},Le={common:{diffuse:{value:new st(16777215)},opacity:{value:1},map:{value:null},
+agment>\n #include <fog_fragment>\n}",ht={alphahash_fragment:Dy,alphahash_pars_fragment:Uy,alphamap_fragment:Fy,alphamap_pars_fragment:Oy,alphatest_fragment:By,
+alphatest_pars_fragment:ky,aomap_fragment:zy,aomap_pars_fragment:Vy,batching_pars_vertex:Gy,batching_vertex:Hy,begin_vertex:Wy,beginnormal_vertex:Xy,bsdfs:qy,iridescence_fragment:$y,
+bumpmap_pars_fragment:Yy,clipping_planes_fragment:Zy,clipping_planes_pars_fragment:Jy,clipping_planes_pars_vertex:Ky,clipping_planes_vertex:jy,color_fragment:Qy,
+color_pars_fragment:ev,color_pars_vertex:tv,color_vertex:nv,common:iv,defaultnormal_vertex:sv,displacementmap_pars_vertex:rv,displacementmap_vertex:ov,emissivemap_fragment:av,
+emissivemap_pars_fragment:lv,colorspace_fragment:cv,colorspace_pars_fragment:hv,envmap_fragment:uv,envmap_common_pars_fragment:dv,envmap_pars_fragment:fv,envmap_pars_vertex:pv,
+envmap_physical_pars_fragment:Tv,envmap_vertex:mv,fog_vertex:gv,fog_pars_vertex:_v,fog_fragment:xv,fog_pars_fragment:yv,gradientmap_pars_fragment:vv,lightmap_pars_fragment:Mv,
+lights_lambert_fragment:Sv,lights_lambert_pars_fragment:bv,lights_pars_begin:wv,lights_toon_fragment:Av,lights_toon_pars_fragment:Ev,lights_phong_fragment:Cv,lights_phong_pars_fragment:Rv,
+lights_physical_fragment:Pv,lights_physical_pars_fragment:Iv,lights_fragment_begin:Lv,lights_fragment_maps:Nv,lights_fragment_end:Dv,lightprobes_pars_fragment:Uv,
+logdepthbuf_fragment:Fv,logdepthbuf_pars_fragment:Ov,logdepthbuf_pars_vertex:Bv,logdepthbuf_vertex:kv,map_fragment:zv,map_pars_fragment:Vv,map_particle_fragment:Gv,
+map_particle_pars_fragment:Hv,metalnessmap_fragment:Wv,metalnessmap_pars_fragment:Xv,morphinstance_vertex:qv,morphcolor_vertex:$v,morphnormal_vertex:Yv,morphtarget_pars_vertex:Zv,
+morphtarget_vertex:Jv,normal_fragment_begin:Kv,normal_fragment_maps:jv,normal_pars_fragment:Qv,normal_pars_vertex:eM,normal_vertex:tM,normalmap_pars_fragment:nM,
+clearcoat_normal_fragment_begin:iM,clearcoat_normal_fragment_maps:sM,clearcoat_pars_fragment:rM,iridescence_pars_fragment:oM,opaque_fragment:aM,packing:lM,premultiplied_alpha_fragment:cM,
+project_vertex:hM,dithering_fragment:uM,dithering_pars_fragment:dM,roughnessmap_fragment:fM,roughnessmap_pars_fragment:pM,shadowmap_pars_fragment:mM,shadowmap_pars_vertex:gM,
+shadowmap_vertex:_M,shadowmask_pars_fragment:xM,skinbase_vertex:yM,skinning_pars_vertex:vM,skinning_vertex:MM,skinnormal_vertex:SM,specularmap_fragment:bM,specularmap_pars_fragment:wM,
+tonemapping_fragment:TM,tonemapping_pars_fragment:AM,transmission_fragment:EM,transmission_pars_fragment:CM,uv_pars_fragment:RM,uv_pars_vertex:PM,uv_vertex:IM,worldpos_vertex:LM,
+background_vert:NM,background_frag:DM,backgroundCube_vert:UM,backgroundCube_frag:FM,cube_vert:OM,cube_frag:BM,depth_vert:kM,depth_frag:zM,distance_vert:VM,distance_frag:GM,
+equirect_vert:HM,equirect_frag:WM,linedashed_vert:XM,linedashed_frag:qM,meshbasic_vert:$M,meshbasic_frag:YM,meshlambert_vert:ZM,meshlambert_frag:JM,meshmatcap_vert:KM,
+meshmatcap_frag:jM,meshnormal_vert:QM,meshnormal_frag:eS,meshphong_vert:tS,meshphong_frag:nS,meshphysical_vert:iS,meshphysical_frag:sS,meshtoon_vert:rS,meshtoon_frag:oS,
+points_vert:aS,points_frag:lS,shadow_vert:cS,shadow_frag:hS,sprite_vert:uS,sprite_frag:dS},Le={common:{diffuse:{value:new st(16777215)},opacity:{value:1},map:{value:null},
 mapTransform:{value:new Qe},alphaMap:{value:null},alphaMapTransform:{value:new Qe},alphaTest:{value:0}},specularmap:{specularMap:{value:null},specularMapTransform:{
 value:new Qe}},envmap:{envMap:{value:null},envMapRotation:{value:new Qe},reflectivity:{value:1},ior:{value:1.5},refractionRatio:{value:.98},dfgLUT:{value:null}},
 aomap:{aoMap:{value:null},aoMapIntensity:{value:1},aoMapTransform:{value:new Qe}},lightmap:{lightMap:{value:null},lightMapIntensity:{value:1},lightMapTransform:{
@@ -2632,8 +2634,8 @@ sheenRoughness:{value:1},sheenRoughnessMap:{value:null},sheenRoughnessMapTransfo
 value:new Qe},transmissionSamplerSize:{value:new ot},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new Qe},
 attenuationDistance:{value:0},attenuationColor:{value:new st(0)},specularColor:{value:new st(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new Qe},
 specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new Qe},anisotropyVector:{value:new ot},anisotropyMap:{value:null},
-anisotropyMapTransform:{value:new Qe}}]),vertexShader:ht.meshphysical_vert,fragmentShader:ht.meshphysical_frag};var kc={r:0,b:0,g:0},dS=new xt,vg=new Qe;vg.set(
--1,0,0,0,1,0,0,0,1);function fS(i,e,t,n,s,r){let o=new st(0),a=s===!0?0:1,l,c,d=null,u=0,h=null;function f(_){let w=_.isScene===!0?_.background:null;if(w&&w.isTexture){
+anisotropyMapTransform:{value:new Qe}}]),vertexShader:ht.meshphysical_vert,fragmentShader:ht.meshphysical_frag};var kc={r:0,b:0,g:0},fS=new xt,vg=new Qe;vg.set(
+-1,0,0,0,1,0,0,0,1);function pS(i,e,t,n,s,r){let o=new st(0),a=s===!0?0:1,l,c,d=null,u=0,h=null;function f(_){let w=_.isScene===!0?_.background:null;if(w&&w.isTexture){
 let M=_.backgroundBlurriness>0;w=e.get(w,M)}return w}function p(_){let w=!1,M=f(_);M===null?m(o,a):M&&M.isColor&&(m(M,1),w=!0);let C=i.xr.getEnvironmentBlendMode();
 C==="additive"?t.buffers.color.setClear(0,0,0,1,r):C==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(i.autoClear||w)&&(t.buffers.depth.setTest(!0),t.buffers.
 depth.setMask(!0),t.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function v(_,w){let M=f(w);M&&M.isCubeTexture?(c===
@@ -2641,7 +2643,7 @@ void 0&&(c=new ci(new Rs(1,1,1),new ki({name:"BackgroundCubeMaterial",uniforms:i
 backgroundCube.fragmentShader,side:kn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),
 c.onBeforeRender=function(C,b,x){this.matrixWorld.copyPosition(x.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.
 value}}),n.update(c)),c.material.uniforms.envMap.value=M,c.material.uniforms.backgroundBlurriness.value=w.backgroundBlurriness,c.material.uniforms.backgroundIntensity.
-value=w.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(dS.makeRotationFromEuler(w.backgroundRotation)).transpose(),M.isRenderTargetTexture===
+value=w.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(fS.makeRotationFromEuler(w.backgroundRotation)).transpose(),M.isRenderTargetTexture===
 !1&&c.material.uniforms.backgroundRotation.value.premultiply(vg),c.material.toneMapped=_t.getTransfer(M.colorSpace)!==At,(d!==M||u!==M.version||h!==i.toneMapping)&&
 (c.material.needsUpdate=!0,d=M,u=M.version,h=i.toneMapping),c.layers.enableAll(),_.unshift(c,c.geometry,c.material,0,0,null)):M&&M.isTexture&&(l===void 0&&(l=new ci(
 new jo(2,2),new ki({name:"BackgroundMaterial",uniforms:ir(Hi.background.uniforms),vertexShader:Hi.background.vertexShader,fragmentShader:Hi.background.fragmentShader,
@@ -2651,7 +2653,7 @@ getTransfer(M.colorSpace)!==At,M.matrixAutoUpdate===!0&&M.updateMatrix(),l.mater
 (l.material.needsUpdate=!0,d=M,u=M.version,h=i.toneMapping),l.layers.enableAll(),_.unshift(l,l.geometry,l.material,0,0,null))}function m(_,w){_.getRGB(kc,ju(i)),
 t.buffers.color.setClear(kc.r,kc.g,kc.b,w,r)}function g(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.
 dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(_,w=1){o.set(_),a=w,m(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(_){
-a=_,m(o,a)},render:p,addToRenderList:v,dispose:g}}function pS(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=h(null),r=s,o=!1;function a(I,F,z,D,W){let Y=!1,
+a=_,m(o,a)},render:p,addToRenderList:v,dispose:g}}function mS(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=h(null),r=s,o=!1;function a(I,F,z,D,W){let Y=!1,
 H=u(I,D,z,F);r!==H&&(r=H,c(r.object)),Y=f(I,D,z,W),Y&&p(I,D,z,W),W!==null&&e.update(W,i.ELEMENT_ARRAY_BUFFER),(Y||o)&&(o=!1,M(I,F,z,D),W!==null&&i.bindBuffer(i.
 ELEMENT_ARRAY_BUFFER,e.get(W).buffer))}function l(){return i.createVertexArray()}function c(I){return i.bindVertexArray(I)}function d(I){return i.deleteVertexArray(
 I)}function u(I,F,z,D){let W=D.wireframe===!0,Y=n[F.id];Y===void 0&&(Y={},n[F.id]=Y);let H=I.isInstancedMesh===!0?I.id:0,ce=Y[H];ce===void 0&&(ce={},Y[H]=ce);let K=ce[z.
@@ -2680,10 +2682,10 @@ for(let z in F){let D=F[z];for(let W in D){let Y=D[W];for(let H in Y)d(Y[H].obje
 for(let D in z){let W=z[D];if(W[I.id]===void 0)continue;let Y=W[I.id];for(let H in Y)d(Y[H].object),delete Y[H];delete W[I.id]}}}function S(I){for(let F in n){let z=n[F],
 D=I.isInstancedMesh===!0?I.id:0,W=z[D];if(W!==void 0){for(let Y in W){let H=W[Y];for(let ce in H)d(H[ce].object),delete H[ce];delete W[Y]}delete z[D],Object.keys(
 z).length===0&&delete n[F]}}}function N(){R(),o=!0,r!==s&&(r=s,c(r.object))}function R(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:N,resetDefaultState:R,
-dispose:C,releaseStatesOfGeometry:b,releaseStatesOfObject:S,releaseStatesOfProgram:x,initAttributes:v,enableAttribute:m,disableUnusedAttributes:_}}function mS(i,e,t){
+dispose:C,releaseStatesOfGeometry:b,releaseStatesOfObject:S,releaseStatesOfProgram:x,initAttributes:v,enableAttribute:m,disableUnusedAttributes:_}}function gS(i,e,t){
 let n;function s(l){n=l}function r(l,c){i.drawArrays(n,l,c),t.update(c,n,1)}function o(l,c,d){d!==0&&(i.drawArraysInstanced(n,l,c,d),t.update(c,n,d))}function a(l,c,d){
 if(d===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(n,l,0,c,0,d);let h=0;for(let f=0;f<d;f++)h+=c[f];t.update(h,n,1)}this.setMode=s,this.render=r,this.
-renderInstances=o,this.renderMultiDraw=a}function gS(i,e,t,n){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let x=e.
+renderInstances=o,this.renderMultiDraw=a}function _S(i,e,t,n){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let x=e.
 get("EXT_texture_filter_anisotropic");s=i.getParameter(x.MAX_TEXTURE_MAX_ANISOTROPY_EXT)}else s=0;return s}function o(x){return!(x!==bi&&n.convert(x)!==i.getParameter(
 i.IMPLEMENTATION_COLOR_READ_FORMAT))}function a(x){let S=x===Si&&(e.has("EXT_color_buffer_half_float")||e.has("EXT_color_buffer_float"));return!(x!==Hn&&x!==hi&&
 !S&&n.convert(x)!==i.getParameter(i.IMPLEMENTATION_COLOR_READ_TYPE))}function l(x){if(x==="highp"){if(i.getShaderPrecisionFormat(i.VERTEX_SHADER,i.HIGH_FLOAT).precision>
@@ -2696,7 +2698,7 @@ getParameter(i.MAX_TEXTURE_IMAGE_UNITS),p=i.getParameter(i.MAX_VERTEX_TEXTURE_IM
 g=i.getParameter(i.MAX_VERTEX_ATTRIBS),_=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),w=i.getParameter(i.MAX_VARYING_VECTORS),M=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),
 C=i.getParameter(i.MAX_SAMPLES),b=i.getParameter(i.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:l,textureFormatReadable:o,textureTypeReadable:a,
 precision:c,logarithmicDepthBuffer:h,reversedDepthBuffer:u,maxTextures:f,maxVertexTextures:p,maxTextureSize:v,maxCubemapSize:m,maxAttributes:g,maxVertexUniforms:_,
-maxVaryings:w,maxFragmentUniforms:M,maxSamples:C,samples:b}}function _S(i){let e=this,t=null,n=0,s=!1,r=!1,o=new ei,a=new Qe,l={value:null,needsUpdate:!1};this.
+maxVaryings:w,maxFragmentUniforms:M,maxSamples:C,samples:b}}function xS(i){let e=this,t=null,n=0,s=!1,r=!1,o=new ei,a=new Qe,l={value:null,needsUpdate:!1};this.
 uniform=l,this.numPlanes=0,this.numIntersection=0,this.init=function(u,h){let f=u.length!==0||h||n!==0||s;return s=h,n=u.length,f},this.beginShadows=function(){
 r=!0,d(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(u,h){t=d(u,h,0)},this.setState=function(u,h,f){let p=u.clippingPlanes,v=u.clipIntersection,
 m=u.clipShadows,g=i.get(u);if(!s||p===null||p.length===0||r&&!m)r?d(null):c();else{let _=r?0:n,w=_*4,M=g.clippingState||null;l.value=M,M=d(p,h,w,f);for(let C=0;C!==
@@ -2713,11 +2715,11 @@ tion;\n\n    #include <common>\n\n    void main() {\n\n     vec3 direction = nor
 gColor = texture2D( tEquirect, sampleUV );\n\n    }\n   "},s=new Rs(5,5,5),r=new ki({name:"CubemapFromEquirect",uniforms:ir(n.uniforms),vertexShader:n.vertexShader,
 fragmentShader:n.fragmentShader,side:kn,blending:Qs});r.uniforms.tEquirect.value=t;let o=new ci(s,r),a=t.minFilter;return t.minFilter===hs&&(t.minFilter=On),new no(
 1,10,this).update(e,o),t.minFilter=a,o.geometry.dispose(),o.material.dispose(),this}clear(e,t=!0,n=!0,s=!0){let r=e.getRenderTarget();for(let o=0;o<6;o++)e.setRenderTarget(
-this,o),e.clear(t,n,s);e.setRenderTarget(r)}},jm=256,xS=3,yS=20,Mg=256,Sg=16,vS=3,MS=new V,SS=new st,Vc=class i{constructor(e){this._renderer=e,this._cubeSize=0,
+this,o),e.clear(t,n,s);e.setRenderTarget(r)}},jm=256,yS=3,vS=20,Mg=256,Sg=16,MS=3,SS=new V,bS=new st,Vc=class i{constructor(e){this._renderer=e,this._cubeSize=0,
 this._sourceTarget=null,this._cubeCamera=new no(1,10,null),this._boxMesh=new ci(new Rs(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this.
-_blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,n=.1,s=100,r={}){let{size:o=256,position:a=MS}=r,l=this._renderer;this.
+_blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,n=.1,s=100,r={}){let{size:o=256,position:a=SS}=r,l=this._renderer;this.
 _setSize(o);let c=this._allocateTarget(),d=this._getSourceTarget(!0);t>0&&(d.texture.mipmapsAutoUpdate=!1);let u=l.autoClear,h=l.autoClearColor,f=l.autoClearDepth,
-p=l.autoClearStencil,v=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,v===null&&(e.background=l.getClearColor(SS));let m=new no(
+p=l.autoClearStencil,v=e.background;l.autoClear=!0,l.autoClearColor=!0,l.autoClearDepth=!0,l.autoClearStencil=!0,v===null&&(e.background=l.getClearColor(bS));let m=new no(
 n,s,d);return m.position.copy(a),m.update(l,e),l.autoClear=u,l.autoClearColor=h,l.autoClearDepth=f,l.autoClearStencil=p,e.background=v,t>0&&(d.texture.mipmapsAutoUpdate=
 !0,this._blur(c,t)),this._applyPMREM(c),c}fromEquirectangular(e,t=null){return this._fromTexture(e,t)}fromCubemap(e,t=null){return this._fromTexture(e,t)}compileCubemapShader(){
 this._cubemapMaterial===null&&(this._cubemapMaterial=tg(),this._compileMaterial(this._cubemapMaterial))}compileEquirectangularShader(){this._equirectMaterial===
@@ -2726,20 +2728,20 @@ null&&this._cubemapMaterial.dispose(),this._equirectMaterial!==null&&this._equir
 _ggxMaterial!==null&&this._ggxMaterial.dispose(),this._integrationMaterial!==null&&this._integrationMaterial.dispose(),this._boxMesh.geometry.dispose()}static lodToRoughness(e,t){
 return t>0?1-Math.sqrt(1-e/t):0}_setSize(e){this._cubeSize=Math.max(jm,$m(e))}_fromTexture(e,t){e.mapping===tr||e.mapping===ro?this._setSize(e.image.length===0?
 jm:e.image[0].width||e.image[0].image.width):this._setSize(e.image.width/4);let n=t||this._allocateTarget();return this._textureToCubemap(e),this._applyPMREM(n),
-n}_allocateTarget(){let e=this._cubeSize,t=Qm(e,!1,!1),n=Math.log2(e)-xS;for(let s=0;s<=n;s++)t.texture.mipmaps.push({width:e>>s,height:e>>s});return t.texture.
+n}_allocateTarget(){let e=this._cubeSize,t=Qm(e,!1,!1),n=Math.log2(e)-yS;for(let s=0;s<=n;s++)t.texture.mipmaps.push({width:e>>s,height:e>>s});return t.texture.
 name="PMREM",t.texture.isPMREMTexture=!0,t}_getSourceTarget(e=!1){let t=this._cubeSize,n=this._sourceTarget;return(n===null||n.width!==t||e&&n.depthBuffer===!1)&&
 (n!==null&&n.dispose(),this._sourceTarget=Qm(t,!0,e)),this._sourceTarget}_compileMaterial(e){this._boxMesh.material=e,this._renderer.compile(this._boxMesh,this.
 _cubeCamera.children[0])}_renderCube(e,t,n){let s=this._boxMesh,r=this._cubeCamera;s.material=n,r.renderTarget=e,r.activeMipmapLevel=t;let o=e.width>>t;e.viewport.
 set(0,0,o,o),r.update(this._renderer,s),e.viewport.set(0,0,e.width,e.height)}_textureToCubemap(e){let t;e.mapping===tr||e.mapping===ro?(this._cubemapMaterial===
 null&&(this._cubemapMaterial=tg()),t=this._cubemapMaterial,t.uniforms.flipEnvMap.value=e.isRenderTargetTexture===!1?-1:1):(this._equirectMaterial===null&&(this.
 _equirectMaterial=eg()),t=this._equirectMaterial),t.uniforms.envMap.value=e,this._renderCube(this._getSourceTarget(),0,t)}_applyPMREM(e){this._ggxMaterial===null&&
-(this._ggxMaterial=bS(),this._integrationMaterial=wS());let t=this._cubeSize,n=e.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.
+(this._ggxMaterial=wS(),this._integrationMaterial=TS());let t=this._cubeSize,n=e.texture.mipmaps.length-1,s=this._ggxMaterial.uniforms;s.envMap.value=this._sourceTarget.
 texture;let r=this._integrationMaterial.uniforms;r.envMap.value=this._sourceTarget.texture,r.sourceLod.value=Math.log2(t/Sg);for(let o=0;o<=n;o++){let a=i.lodToRoughness(
-o,n);if(o>n-vS)r.roughness.value=a,this._renderCube(e,o,this._integrationMaterial);else{let l=a>0?Math.log2(t)+.5*Math.log2(6/(Mg*Math.pow(a,4)))+.5:0;s.roughness.
-value=a,s.lodBias.value=l,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=TS());let n=this._blurMaterial,s=n.
+o,n);if(o>n-MS)r.roughness.value=a,this._renderCube(e,o,this._integrationMaterial);else{let l=a>0?Math.log2(t)+.5*Math.log2(6/(Mg*Math.pow(a,4)))+.5:0;s.roughness.
+value=a,s.lodBias.value=l,this._renderCube(e,o,this._ggxMaterial)}}}_blur(e,t){this._blurMaterial===null&&(this._blurMaterial=AS());let n=this._blurMaterial,s=n.
 uniforms,r=this._sourceTarget;s.sigma.value=Math.min(t,Math.PI)/Math.SQRT2,s.envMap.value=r.texture,this._renderCube(e,0,n),s.envMap.value=e.texture,this._renderCube(
 r,0,n)}};function Qm(i,e,t){return new Ma(i,{minFilter:hs,generateMipmaps:e,type:Si,colorSpace:Bo,depthBuffer:t})}function Sa(i,e,t){return new ki({name:i,uniforms:e,
-vertexShader:ht.cube_vert,fragmentShader:t,side:kn,blending:Qs,depthTest:!1,depthWrite:!1})}function bS(){return Sa("PMREMGGXConvolution",{envMap:{value:null},roughness:{
+vertexShader:ht.cube_vert,fragmentShader:t,side:kn,blending:Qs,depthTest:!1,depthWrite:!1})}function wS(){return Sa("PMREMGGXConvolution",{envMap:{value:null},roughness:{
 value:0},lodBias:{value:0}},"\n\n  #define GGX_SAMPLES ".concat(Mg,"u\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float roughness;\
 \n  uniform float lodBias;\n\n  #include <common>\n\n  // Van der Corput radical inverse\n  float radicalInverse_VdC( uint bits ) {\n\n   bits = ( bits << 16u ) | ( bit\
 s >> 16u );\n   bits = ( ( bits & 0x55555555u ) << 1u ) | ( ( bits & 0xAAAAAAAAu ) >> 1u );\n   bits = ( ( bits & 0x33333333u ) << 2u ) | ( ( bits & 0xCCCCCCCCu )\
@@ -2755,7 +2757,7 @@ at phi = 2.0 * PI * Xi.y;\n     float sinTheta = 2.0 * alpha * sqrt( Xi.x * ( 1.
  * sin( phi ) ) * sinTheta;\n\n     // Match the source mip to the sample's solid angle. The terms\n     // independent of the sample are precomputed in lodBias.\n \
     float d = alpha2 * invQ;\n     float lod = max( log2( d ) + lodBias, 0.0 );\n\n     // Weight by NdotL for the split-sum approximation\n     prefilteredColor +=\
  textureLod( envMap, L, lod ).rgb * NdotL;\n     totalWeight += NdotL;\n\n    }\n\n   }\n\n   gl_FragColor = vec4( prefilteredColor / totalWeight, 1.0 );\n\n  }\n "))}
-function wS(){return Sa("PMREMGGXIntegration",{envMap:{value:null},roughness:{value:0},sourceLod:{value:0},sourceSize:{value:Sg}},"\n\n  varying vec3 vWorldDirect\
+function TS(){return Sa("PMREMGGXIntegration",{envMap:{value:null},roughness:{value:0},sourceLod:{value:0},sourceSize:{value:Sg}},"\n\n  varying vec3 vWorldDirect\
 ion;\n\n  uniform samplerCube envMap;\n  uniform float roughness;\n  uniform float sourceLod;\n  uniform int sourceSize;\n\n  void main() {\n\n   vec3 N = normalize( vWo\
 rldDirection );\n\n   float alpha = roughness * roughness;\n   float alpha2 = alpha * alpha;\n\n   float texelSize = 2.0 / float( sourceSize );\n\n   vec3 prefilteredC\
 olor = vec3( 0.0 );\n   float totalWeight = 0.0;\n\n   // Pair opposite texels: only the one in N's hemisphere contributes.\n   for ( int face = 0; face < 3; face +\
@@ -2765,7 +2767,7 @@ olor = vec3( 0.0 );\n   float totalWeight = 0.0;\n\n   // Pair opposite texels: 
       // With V = N, NdotH squared is ( 1 + NdotL ) / 2. Common factors\n      // in the GGX distribution and texel solid angle cancel when normalized.\n      flo\
 at d = 1.0 + alpha2 + ( alpha2 - 1.0 ) * NdotL;\n      float weight = NdotL * invDistance * invDistance * invDistance / ( d * d );\n\n      prefilteredColor += tex\
 tureLod( envMap, texelDirection, sourceLod ).rgb * weight;\n      totalWeight += weight;\n\n     }\n\n    }\n\n   }\n\n   gl_FragColor = vec4( prefilteredColor / totalWe\
-ight, 1.0 );\n\n  }\n ")}function TS(){return Sa("PMREMSphericalGaussianBlur",{envMap:{value:null},sigma:{value:0}},"\n\n  #define SAMPLES ".concat(yS,"\n  #defi\
+ight, 1.0 );\n\n  }\n ")}function AS(){return Sa("PMREMSphericalGaussianBlur",{envMap:{value:null},sigma:{value:0}},"\n\n  #define SAMPLES ".concat(vS,"\n  #defi\
 ne GOLDEN_ANGLE 2.39996322973\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float sigma;\n\n  #include <common>\n\n  void main() {\n\n   v\
 ec3 outputDirection = normalize( vWorldDirection );\n\n   vec3 up = abs( outputDirection.z ) < 0.999 ? vec3( 0.0, 0.0, 1.0 ) : vec3( 1.0, 0.0, 0.0 );\n   vec3 tang\
 ent = normalize( cross( up, outputDirection ) );\n   vec3 bitangent = cross( outputDirection, tangent );\n\n   // Truncate the kernel at three standard deviations \
@@ -2782,7 +2784,7 @@ reLod( envMap, equirectUv( normalize( direction + dx - dy ) ), 0.0 ).rgb;\n   co
 rgb;\n   color += textureLod( envMap, equirectUv( normalize( direction + dx + dy ) ), 0.0 ).rgb;\n   gl_FragColor = vec4( color * 0.25, 1.0 );\n\n  }\n ")}function tg(){
 return Sa("PMREMCubemapToCubemap",{envMap:{value:null},flipEnvMap:{value:-1}},"\n\n  varying vec3 vWorldDirection;\n\n  uniform samplerCube envMap;\n  uniform float \
 flipEnvMap;\n\n  void main() {\n\n   gl_FragColor = vec4( textureCube( envMap, vec3( flipEnvMap * vWorldDirection.x, vWorldDirection.yz ) ).rgb, 1.0 );\n\n  }\n ")}
-function AS(i){let e=new WeakMap,t=new WeakMap,n=null;function s(h,f=!1){return h==null?null:f?o(h):r(h)}function r(h){if(h&&h.isTexture){let f=h.mapping;if(f===
+function ES(i){let e=new WeakMap,t=new WeakMap,n=null;function s(h,f=!1){return h==null?null:f?o(h):r(h)}function r(h){if(h&&h.isTexture){let f=h.mapping;if(f===
 jl||f===Ql)if(e.has(h)){let p=e.get(h).texture;return a(p,h.mapping)}else{let p=h.image;if(p&&p.height>0){let v=new Ma(p.height);return v.fromEquirectangularTexture(
 i,h),e.set(h,v),h.addEventListener("dispose",c),a(v.texture,h.mapping)}else return null}}return h}function o(h){if(h&&h.isTexture&&h.isPMREMTexture!==!0){let f=h.
 mapping,p=f===jl||f===Ql,v=f===tr||f===ro;if(p||v){let m=t.get(h),g=m!==void 0?m.texture.pmremVersion:0;if(h.isRenderTargetTexture&&h.pmremVersion!==g)return n===
@@ -2791,10 +2793,10 @@ null&&(n=new Vc(i)),m=p?n.fromEquirectangular(h,m):n.fromCubemap(h,m),m.texture.
 t.set(h,m),h.addEventListener("dispose",d),m.texture):null}}}return h}function a(h,f){return f===jl?h.mapping=tr:f===Ql&&(h.mapping=ro),h}function l(h){let f=0,
 p=6;for(let v=0;v<p;v++)h[v]!==void 0&&f++;return f===p}function c(h){let f=h.target;f.removeEventListener("dispose",c);let p=e.get(f);p!==void 0&&(e.delete(f),
 p.dispose())}function d(h){let f=h.target;f.removeEventListener("dispose",d);let p=t.get(f);p!==void 0&&(t.delete(f),p.dispose())}function u(){e=new WeakMap,t=new WeakMap,
-n!==null&&(n.dispose(),n=null)}return{get:s,dispose:u}}function ES(i){let e={};function t(n){if(e[n]!==void 0)return e[n];let s=i.getExtension(n);return e[n]=s,
+n!==null&&(n.dispose(),n=null)}return{get:s,dispose:u}}function CS(i){let e={};function t(n){if(e[n]!==void 0)return e[n];let s=i.getExtension(n);return e[n]=s,
 s}return{has:function(n){return t(n)!==null},init:function(){t("EXT_color_buffer_float"),t("WEBGL_clip_cull_distance"),t("OES_texture_float_linear"),t("EXT_colo\
 r_buffer_half_float"),t("WEBGL_multisampled_render_to_texture"),t("WEBGL_render_shared_exponent")},get:function(n){let s=t(n);return s===null&&Fo("WebGLRenderer\
-: "+n+" extension not supported."),s}}}function CS(i,e,t,n){let s={},r=new WeakMap,o=new FinalizationRegistry(p=>delete s[p]);function a(p){l(p.target)}function l(p){
+: "+n+" extension not supported."),s}}}function RS(i,e,t,n){let s={},r=new WeakMap,o=new FinalizationRegistry(p=>delete s[p]);function a(p){l(p.target)}function l(p){
 p.index!==null&&e.remove(p.index);for(let m in p.attributes)e.remove(p.attributes[m]);p.removeEventListener("dispose",a),delete s[p.id],o.unregister(p);let v=r.
 get(p);v&&(e.remove(v),r.delete(p)),n.releaseStatesOfGeometry(p),p.isInstancedBufferGeometry===!0&&delete p._maxInstanceCount,t.memory.geometries--}function c(p,v){
 return s[v.id]!==void 0||(v.addEventListener("dispose",a),s[v.id]=new WeakRef(v),o.register(v,v.id,v),t.memory.geometries++),v}function d(p){let v=p.attributes;
@@ -2802,13 +2804,13 @@ for(let m in v)e.update(v[m],i.ARRAY_BUFFER)}function u(p){let v=p.index,m=p.att
 length/3-1,w=m.count>=65535?Wo:Ho,M=new w(Math.ceil(_/3)*6,1),C=M.array;if(v!==null){let x=v.array;g=v.version;for(let S=0,N=0;S<_;S+=3){let R=x[S+0],I=x[S+1],F=x[S+
 2];C[N++]=R,C[N++]=I,C[N++]=I,C[N++]=F,C[N++]=F,C[N++]=R}}else{g=m.version;for(let x=0,S=0;x<_;x+=3){let N=x+0,R=x+1,I=x+2;C[S++]=N,C[S++]=R,C[S++]=R,C[S++]=I,C[S++]=
 I,C[S++]=N}}M.version=g;let b=r.get(p);b&&e.remove(b),r.set(p,M)}function h(p){let v=r.get(p);if(v){let m=p.index;m!==null&&v.version<m.version&&u(p)}else u(p);
-return r.get(p)}function f(){for(let p in s){let v=s[p].deref();v!==void 0&&l(v)}}return{get:c,update:d,getWireframeAttribute:h,dispose:f}}function RS(i,e,t){let n;
+return r.get(p)}function f(){for(let p in s){let v=s[p].deref();v!==void 0&&l(v)}}return{get:c,update:d,getWireframeAttribute:h,dispose:f}}function PS(i,e,t){let n;
 function s(u){n=u}let r,o;function a(u){r=u.type,o=u.bytesPerElement}function l(u,h){i.drawElements(n,h,r,u*o),t.update(h,n,1)}function c(u,h,f){f!==0&&(i.drawElementsInstanced(
 n,h,r,u*o,f),t.update(h,n,f))}function d(u,h,f){if(f===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(n,h,0,r,u,0,f);let v=0;for(let m=0;m<f;m++)v+=h[m];
-t.update(v,n,1)}this.setMode=s,this.setIndex=a,this.render=l,this.renderInstances=c,this.renderMultiDraw=d}function PS(i){let e={geometries:0,textures:0},t={frame:0,
+t.update(v,n,1)}this.setMode=s,this.setIndex=a,this.render=l,this.renderInstances=c,this.renderMultiDraw=d}function IS(i){let e={geometries:0,textures:0},t={frame:0,
 calls:0,triangles:0,points:0,lines:0};function n(r,o,a){switch(t.calls++,o){case i.TRIANGLES:t.triangles+=a*(r/3);break;case i.LINES:t.lines+=a*(r/2);break;case i.
 LINE_STRIP:t.lines+=a*(r-1);break;case i.LINE_LOOP:t.lines+=a*r;break;case i.POINTS:t.points+=a*r;break;default:Ke("WebGLInfo: Unknown draw mode:",o);break}}function s(){
-t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:n}}function IS(i,e,t){let n=new WeakMap,s=new Wt;
+t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:n}}function LS(i,e,t){let n=new WeakMap,s=new Wt;
 function r(o,a,l){let c=o.morphTargetInfluences,d=a.morphAttributes.position||a.morphAttributes.normal||a.morphAttributes.color,u=d!==void 0?d.length:0,h=n.get(
 a);if(h===void 0||h.count!==u){let N=function(){x.dispose(),n.delete(a),a.removeEventListener("dispose",N)};h!==void 0&&h.texture.dispose();let f=a.morphAttributes.
 position!==void 0,p=a.morphAttributes.normal!==void 0,v=a.morphAttributes.color!==void 0,m=a.morphAttributes.position||[],g=a.morphAttributes.normal||[],_=a.morphAttributes.
@@ -2819,12 +2821,12 @@ Y+6]=s.z,b[D+Y+7]=0),v===!0&&(s.fromBufferAttribute(z,W),b[D+Y+8]=s.x,b[D+Y+9]=s
 M,C)},n.set(a,h),a.addEventListener("dispose",N)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)l.getUniforms().setValue(i,"morphTexture",o.morphTexture,t);else{
 let f=0;for(let v=0;v<c.length;v++)f+=c[v];let p=a.morphTargetsRelative?1:1-f;l.getUniforms().setValue(i,"morphTargetBaseInfluence",p),l.getUniforms().setValue(
 i,"morphTargetInfluences",c)}l.getUniforms().setValue(i,"morphTargetsTexture",h.texture,t),l.getUniforms().setValue(i,"morphTargetsTextureSize",h.size)}return{update:r}}
-function LS(i,e,t,n,s){let r=new WeakMap;function o(c){let d=s.render.frame,u=c.geometry,h=e.get(c,u);if(r.get(h)!==d&&(e.update(h),r.set(h,d)),c.isInstancedMesh&&
+function NS(i,e,t,n,s){let r=new WeakMap;function o(c){let d=s.render.frame,u=c.geometry,h=e.get(c,u);if(r.get(h)!==d&&(e.update(h),r.set(h,d)),c.isInstancedMesh&&
 (c.hasEventListener("dispose",l)===!1&&c.addEventListener("dispose",l),r.get(c)!==d&&(t.update(c.instanceMatrix,i.ARRAY_BUFFER),c.instanceColor!==null&&t.update(
 c.instanceColor,i.ARRAY_BUFFER),r.set(c,d))),c.isSkinnedMesh){let f=c.skeleton;r.get(f)!==d&&(f.update(),r.set(f,d))}return h}function a(){r=new WeakMap}function l(c){
 let d=c.target;d.removeEventListener("dispose",l),n.releaseStatesOfObject(d),t.remove(d.instanceMatrix),d.instanceColor!==null&&t.remove(d.instanceColor)}return{
-update:o,dispose:a}}var NS={[Lu]:"LINEAR_TONE_MAPPING",[Nu]:"REINHARD_TONE_MAPPING",[Du]:"CINEON_TONE_MAPPING",[Uu]:"ACES_FILMIC_TONE_MAPPING",[Ou]:"AGX_TONE_MA\
-PPING",[Bu]:"NEUTRAL_TONE_MAPPING",[Fu]:"CUSTOM_TONE_MAPPING"};function DS(i,e,t,n,s,r){let o=new ti(e,t,{type:i,depthBuffer:s,stencilBuffer:r,samples:n?4:0,storeMultisampledDepthBuffer:!1,
+update:o,dispose:a}}var DS={[Lu]:"LINEAR_TONE_MAPPING",[Nu]:"REINHARD_TONE_MAPPING",[Du]:"CINEON_TONE_MAPPING",[Uu]:"ACES_FILMIC_TONE_MAPPING",[Ou]:"AGX_TONE_MA\
+PPING",[Bu]:"NEUTRAL_TONE_MAPPING",[Fu]:"CUSTOM_TONE_MAPPING"};function US(i,e,t,n,s,r){let o=new ti(e,t,{type:i,depthBuffer:s,stencilBuffer:r,samples:n?4:0,storeMultisampledDepthBuffer:!1,
 storeMultisampledStencilBuffer:!1,resolveDepthBuffer:!1,resolveStencilBuffer:!1}),a=null,l=null,c=null,d=new ln;d.setAttribute("position",new yt([-1,3,0,-1,-1,0,
 3,-1,0],3)),d.setAttribute("uv",new yt([0,2,0,0,2,0],2));let u=new Fl({uniforms:{tDiffuse:{value:null}},vertexShader:"\n   precision highp float;\n\n   uniform mat\
 4 modelViewMatrix;\n   uniform mat4 projectionMatrix;\n\n   attribute vec3 position;\n   attribute vec2 uv;\n\n   varying vec2 vUv;\n\n   void main() {\n    vUv = uv;\n  \
@@ -2844,93 +2846,93 @@ R.setSize&&R.setSize(b,x),S&&R.needsDepthTexture===!0&&R.setDepthTexture&&R.setD
 return!1;if(_=b,b!==null){let x=b.width,S=b.height;(o.width!==x||o.height!==S)&&this.setSize(x,S)}return M===!1&&C.setRenderTarget(o),g=C.toneMapping,C.toneMapping=
 Vi,!0},this.hasRenderPass=function(){return M},this.end=function(C,b){C.toneMapping=g,m=!0;let x=o,S=a;for(let N=0;N<w.length;N++){let R=w[N];R.enabled!==!1&&(R.
 render(C,S,x,b),R.needsSwap!==!1&&(x=S,S=S===a?l:a))}if(p!==C.outputColorSpace||v!==C.toneMapping){p=C.outputColorSpace,v=C.toneMapping,u.defines={},_t.getTransfer(
-p)===At&&(u.defines.SRGB_TRANSFER="");let N=NS[v];N&&(u.defines[N]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=x.texture,C.setRenderTarget(_),C.render(h,f),_=
+p)===At&&(u.defines.SRGB_TRANSFER="");let N=DS[v];N&&(u.defines[N]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=x.texture,C.setRenderTarget(_),C.render(h,f),_=
 null,m=!1},this.isCompositing=function(){return m},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),d.dispose(),u.dispose()}}var bg=new Gn,
 wg=new cs(1,1),Tg=new Yo(1),Ag=new Vo,Eg=new Pl,Cg=new $o,ng=[],ig=[],sg=new Float32Array(16),rg=new Float32Array(9),og=new Float32Array(4);function lo(i,e,t){let n=i[0];
 if(n<=0||n>0)return i;let s=e*t,r=ng[s];if(r===void 0&&(r=new Float32Array(s),ng[s]=r),e!==0){n.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,i[o].toArray(r,a)}return r}
 function pn(i,e){if(i.length!==e.length)return!1;for(let t=0,n=i.length;t<n;t++)if(i[t]!==e[t])return!1;return!0}function mn(i,e){for(let t=0,n=e.length;t<n;t++)
-i[t]=e[t]}function Hc(i,e){let t=ig[e];t===void 0&&(t=new Int32Array(e),ig[e]=t);for(let n=0;n!==e;++n)t[n]=i.allocateTextureUnit();return t}function US(i,e){let t=this.
-cache;t[0]!==e&&(i.uniform1f(this.addr,e),t[0]=e)}function FS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2f(this.addr,e.x,e.y),t[0]=
-e.x,t[1]=e.y);else{if(pn(t,e))return;i.uniform2fv(this.addr,e),mn(t,e)}}function OS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&
+i[t]=e[t]}function Hc(i,e){let t=ig[e];t===void 0&&(t=new Int32Array(e),ig[e]=t);for(let n=0;n!==e;++n)t[n]=i.allocateTextureUnit();return t}function FS(i,e){let t=this.
+cache;t[0]!==e&&(i.uniform1f(this.addr,e),t[0]=e)}function OS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2f(this.addr,e.x,e.y),t[0]=
+e.x,t[1]=e.y);else{if(pn(t,e))return;i.uniform2fv(this.addr,e),mn(t,e)}}function BS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&
 (i.uniform3f(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else if(e.r!==void 0)(t[0]!==e.r||t[1]!==e.g||t[2]!==e.b)&&(i.uniform3f(this.addr,e.r,e.g,e.b),t[0]=
-e.r,t[1]=e.g,t[2]=e.b);else{if(pn(t,e))return;i.uniform3fv(this.addr,e),mn(t,e)}}function BS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
-e.z||t[3]!==e.w)&&(i.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;i.uniform4fv(this.addr,e),mn(t,e)}}function kS(i,e){
+e.r,t[1]=e.g,t[2]=e.b);else{if(pn(t,e))return;i.uniform3fv(this.addr,e),mn(t,e)}}function kS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
+e.z||t[3]!==e.w)&&(i.uniform4f(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;i.uniform4fv(this.addr,e),mn(t,e)}}function zS(i,e){
 let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix2fv(this.addr,!1,e),mn(t,e)}else{if(pn(t,n))return;og.set(n),i.uniformMatrix2fv(this.
-addr,!1,og),mn(t,n)}}function zS(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix3fv(this.addr,!1,e),mn(t,e)}else{if(pn(t,n))
-return;rg.set(n),i.uniformMatrix3fv(this.addr,!1,rg),mn(t,n)}}function VS(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix4fv(
-this.addr,!1,e),mn(t,e)}else{if(pn(t,n))return;sg.set(n),i.uniformMatrix4fv(this.addr,!1,sg),mn(t,n)}}function GS(i,e){let t=this.cache;t[0]!==e&&(i.uniform1i(this.
-addr,e),t[0]=e)}function HS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;
-i.uniform2iv(this.addr,e),mn(t,e)}}function WS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(i.uniform3i(this.addr,e.x,e.y,e.z),t[0]=
-e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;i.uniform3iv(this.addr,e),mn(t,e)}}function XS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
-e.z||t[3]!==e.w)&&(i.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;i.uniform4iv(this.addr,e),mn(t,e)}}function qS(i,e){
-let t=this.cache;t[0]!==e&&(i.uniform1ui(this.addr,e),t[0]=e)}function $S(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2ui(this.addr,
-e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;i.uniform2uiv(this.addr,e),mn(t,e)}}function YS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||
-t[2]!==e.z)&&(i.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;i.uniform3uiv(this.addr,e),mn(t,e)}}function ZS(i,e){let t=this.
+addr,!1,og),mn(t,n)}}function VS(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix3fv(this.addr,!1,e),mn(t,e)}else{if(pn(t,n))
+return;rg.set(n),i.uniformMatrix3fv(this.addr,!1,rg),mn(t,n)}}function GS(i,e){let t=this.cache,n=e.elements;if(n===void 0){if(pn(t,e))return;i.uniformMatrix4fv(
+this.addr,!1,e),mn(t,e)}else{if(pn(t,n))return;sg.set(n),i.uniformMatrix4fv(this.addr,!1,sg),mn(t,n)}}function HS(i,e){let t=this.cache;t[0]!==e&&(i.uniform1i(this.
+addr,e),t[0]=e)}function WS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2i(this.addr,e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;
+i.uniform2iv(this.addr,e),mn(t,e)}}function XS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z)&&(i.uniform3i(this.addr,e.x,e.y,e.z),t[0]=
+e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;i.uniform3iv(this.addr,e),mn(t,e)}}function qS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==
+e.z||t[3]!==e.w)&&(i.uniform4i(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(t,e))return;i.uniform4iv(this.addr,e),mn(t,e)}}function $S(i,e){
+let t=this.cache;t[0]!==e&&(i.uniform1ui(this.addr,e),t[0]=e)}function YS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y)&&(i.uniform2ui(this.addr,
+e.x,e.y),t[0]=e.x,t[1]=e.y);else{if(pn(t,e))return;i.uniform2uiv(this.addr,e),mn(t,e)}}function ZS(i,e){let t=this.cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||
+t[2]!==e.z)&&(i.uniform3ui(this.addr,e.x,e.y,e.z),t[0]=e.x,t[1]=e.y,t[2]=e.z);else{if(pn(t,e))return;i.uniform3uiv(this.addr,e),mn(t,e)}}function JS(i,e){let t=this.
 cache;if(e.x!==void 0)(t[0]!==e.x||t[1]!==e.y||t[2]!==e.z||t[3]!==e.w)&&(i.uniform4ui(this.addr,e.x,e.y,e.z,e.w),t[0]=e.x,t[1]=e.y,t[2]=e.z,t[3]=e.w);else{if(pn(
-t,e))return;i.uniform4uiv(this.addr,e),mn(t,e)}}function Wc(i){return i.version===0&&(i.compareFunction=Yu,i.needsUpdate=!0),i}function JS(i,e,t){let n=this.cache,
-s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_2D_SHADOW?r=Wc(wg):r=bg,t.setTexture2D(e||r,s)}function KS(i,e,t){
-let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture3D(e||Eg,s)}function jS(i,e,t){let n=this.cache,s=t.allocateTextureUnit();
-n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_CUBE_SHADOW?r=Wc(Tg):r=Cg,t.setTextureCube(e||r,s)}function QS(i,e,t){let n=this.cache,s=t.
-allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture2DArray(e||Ag,s)}function eb(i){switch(i){case 5126:return US;case 35664:return FS;case 35665:
-return OS;case 35666:return BS;case 35674:return kS;case 35675:return zS;case 35676:return VS;case 5124:case 35670:return GS;case 35667:case 35671:return HS;case 35668:case 35672:
-return WS;case 35669:case 35673:return XS;case 5125:return qS;case 36294:return $S;case 36295:return YS;case 36296:return ZS;case 35678:case 36198:case 36298:case 36306:case 35682:
-return JS;case 35679:case 36299:case 36307:return KS;case 35680:case 36300:case 36308:case 36293:return jS;case 36289:case 36303:case 36311:case 36292:return QS}}
-function tb(i,e){i.uniform1fv(this.addr,e)}function nb(i,e){let t=lo(e,this.size,2);i.uniform2fv(this.addr,t)}function ib(i,e){let t=lo(e,this.size,3);i.uniform3fv(
-this.addr,t)}function sb(i,e){let t=lo(e,this.size,4);i.uniform4fv(this.addr,t)}function rb(i,e){let t=lo(e,this.size,4);i.uniformMatrix2fv(this.addr,!1,t)}function ob(i,e){
-let t=lo(e,this.size,9);i.uniformMatrix3fv(this.addr,!1,t)}function ab(i,e){let t=lo(e,this.size,16);i.uniformMatrix4fv(this.addr,!1,t)}function lb(i,e){i.uniform1iv(
-this.addr,e)}function cb(i,e){i.uniform2iv(this.addr,e)}function hb(i,e){i.uniform3iv(this.addr,e)}function ub(i,e){i.uniform4iv(this.addr,e)}function db(i,e){i.
-uniform1uiv(this.addr,e)}function fb(i,e){i.uniform2uiv(this.addr,e)}function pb(i,e){i.uniform3uiv(this.addr,e)}function mb(i,e){i.uniform4uiv(this.addr,e)}function gb(i,e,t){
+t,e))return;i.uniform4uiv(this.addr,e),mn(t,e)}}function Wc(i){return i.version===0&&(i.compareFunction=Yu,i.needsUpdate=!0),i}function KS(i,e,t){let n=this.cache,
+s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_2D_SHADOW?r=Wc(wg):r=bg,t.setTexture2D(e||r,s)}function jS(i,e,t){
+let n=this.cache,s=t.allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture3D(e||Eg,s)}function QS(i,e,t){let n=this.cache,s=t.allocateTextureUnit();
+n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s);let r;this.type===i.SAMPLER_CUBE_SHADOW?r=Wc(Tg):r=Cg,t.setTextureCube(e||r,s)}function eb(i,e,t){let n=this.cache,s=t.
+allocateTextureUnit();n[0]!==s&&(i.uniform1i(this.addr,s),n[0]=s),t.setTexture2DArray(e||Ag,s)}function tb(i){switch(i){case 5126:return FS;case 35664:return OS;case 35665:
+return BS;case 35666:return kS;case 35674:return zS;case 35675:return VS;case 35676:return GS;case 5124:case 35670:return HS;case 35667:case 35671:return WS;case 35668:case 35672:
+return XS;case 35669:case 35673:return qS;case 5125:return $S;case 36294:return YS;case 36295:return ZS;case 36296:return JS;case 35678:case 36198:case 36298:case 36306:case 35682:
+return KS;case 35679:case 36299:case 36307:return jS;case 35680:case 36300:case 36308:case 36293:return QS;case 36289:case 36303:case 36311:case 36292:return eb}}
+function nb(i,e){i.uniform1fv(this.addr,e)}function ib(i,e){let t=lo(e,this.size,2);i.uniform2fv(this.addr,t)}function sb(i,e){let t=lo(e,this.size,3);i.uniform3fv(
+this.addr,t)}function rb(i,e){let t=lo(e,this.size,4);i.uniform4fv(this.addr,t)}function ob(i,e){let t=lo(e,this.size,4);i.uniformMatrix2fv(this.addr,!1,t)}function ab(i,e){
+let t=lo(e,this.size,9);i.uniformMatrix3fv(this.addr,!1,t)}function lb(i,e){let t=lo(e,this.size,16);i.uniformMatrix4fv(this.addr,!1,t)}function cb(i,e){i.uniform1iv(
+this.addr,e)}function hb(i,e){i.uniform2iv(this.addr,e)}function ub(i,e){i.uniform3iv(this.addr,e)}function db(i,e){i.uniform4iv(this.addr,e)}function fb(i,e){i.
+uniform1uiv(this.addr,e)}function pb(i,e){i.uniform2uiv(this.addr,e)}function mb(i,e){i.uniform3uiv(this.addr,e)}function gb(i,e){i.uniform4uiv(this.addr,e)}function _b(i,e,t){
 let n=this.cache,s=e.length,r=Hc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));let o;this.type===i.SAMPLER_2D_SHADOW?o=Wc(wg):o=bg;for(let a=0;a!==s;++a)t.setTexture2D(
-e[a]||o,r[a])}function _b(i,e,t){let n=this.cache,s=e.length,r=Hc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));for(let o=0;o!==s;++o)t.setTexture3D(e[o]||Eg,
-r[o])}function xb(i,e,t){let n=this.cache,s=e.length,r=Hc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));let o;this.type===i.SAMPLER_CUBE_SHADOW?o=Wc(Tg):o=Cg;
-for(let a=0;a!==s;++a)t.setTextureCube(e[a]||o,r[a])}function yb(i,e,t){let n=this.cache,s=e.length,r=Hc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));for(let o=0;o!==
-s;++o)t.setTexture2DArray(e[o]||Ag,r[o])}function vb(i){switch(i){case 5126:return tb;case 35664:return nb;case 35665:return ib;case 35666:return sb;case 35674:
-return rb;case 35675:return ob;case 35676:return ab;case 5124:case 35670:return lb;case 35667:case 35671:return cb;case 35668:case 35672:return hb;case 35669:case 35673:
-return ub;case 5125:return db;case 36294:return fb;case 36295:return pb;case 36296:return mb;case 35678:case 36198:case 36298:case 36306:case 35682:return gb;case 35679:case 36299:case 36307:
-return _b;case 35680:case 36300:case 36308:case 36293:return xb;case 36289:case 36303:case 36311:case 36292:return yb}}var sd=class{constructor(e,t,n){this.id=e,
-this.addr=n,this.cache=[],this.type=t.type,this.setValue=eb(t.type)}},rd=class{constructor(e,t,n){this.id=e,this.addr=n,this.cache=[],this.type=t.type,this.size=
-t.size,this.setValue=vb(t.type)}},od=class{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,n){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];
-a.setValue(e,t[a.id],n)}}},nd=/(\w+)(\])?(\[|\.)?/g;function ag(i,e){i.seq.push(e),i.map[e.id]=e}function Mb(i,e,t){let n=i.name,s=n.length;for(nd.lastIndex=0;;){
+e[a]||o,r[a])}function xb(i,e,t){let n=this.cache,s=e.length,r=Hc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));for(let o=0;o!==s;++o)t.setTexture3D(e[o]||Eg,
+r[o])}function yb(i,e,t){let n=this.cache,s=e.length,r=Hc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));let o;this.type===i.SAMPLER_CUBE_SHADOW?o=Wc(Tg):o=Cg;
+for(let a=0;a!==s;++a)t.setTextureCube(e[a]||o,r[a])}function vb(i,e,t){let n=this.cache,s=e.length,r=Hc(t,s);pn(n,r)||(i.uniform1iv(this.addr,r),mn(n,r));for(let o=0;o!==
+s;++o)t.setTexture2DArray(e[o]||Ag,r[o])}function Mb(i){switch(i){case 5126:return nb;case 35664:return ib;case 35665:return sb;case 35666:return rb;case 35674:
+return ob;case 35675:return ab;case 35676:return lb;case 5124:case 35670:return cb;case 35667:case 35671:return hb;case 35668:case 35672:return ub;case 35669:case 35673:
+return db;case 5125:return fb;case 36294:return pb;case 36295:return mb;case 36296:return gb;case 35678:case 36198:case 36298:case 36306:case 35682:return _b;case 35679:case 36299:case 36307:
+return xb;case 35680:case 36300:case 36308:case 36293:return yb;case 36289:case 36303:case 36311:case 36292:return vb}}var sd=class{constructor(e,t,n){this.id=e,
+this.addr=n,this.cache=[],this.type=t.type,this.setValue=tb(t.type)}},rd=class{constructor(e,t,n){this.id=e,this.addr=n,this.cache=[],this.type=t.type,this.size=
+t.size,this.setValue=Mb(t.type)}},od=class{constructor(e){this.id=e,this.seq=[],this.map={}}setValue(e,t,n){let s=this.seq;for(let r=0,o=s.length;r!==o;++r){let a=s[r];
+a.setValue(e,t[a.id],n)}}},nd=/(\w+)(\])?(\[|\.)?/g;function ag(i,e){i.seq.push(e),i.map[e.id]=e}function Sb(i,e,t){let n=i.name,s=n.length;for(nd.lastIndex=0;;){
 let r=nd.exec(n),o=nd.lastIndex,a=r[1],l=r[2]==="]",c=r[3];if(l&&(a=a|0),c===void 0||c==="["&&o+2===s){ag(t,c===void 0?new sd(a,i,e):new rd(a,i,e));break}else{let u=t.
 map[a];u===void 0&&(u=new od(a),ag(t,u)),t=u}}}var ao=class{constructor(e,t){this.seq=[],this.map={};let n=e.getProgramParameter(t,e.ACTIVE_UNIFORMS);for(let o=0;o<
-n;++o){let a=e.getActiveUniform(t,o),l=e.getUniformLocation(t,a.name);Mb(a,l,this)}let s=[],r=[];for(let o of this.seq)o.type===e.SAMPLER_2D_SHADOW||o.type===e.
+n;++o){let a=e.getActiveUniform(t,o),l=e.getUniformLocation(t,a.name);Sb(a,l,this)}let s=[],r=[];for(let o of this.seq)o.type===e.SAMPLER_2D_SHADOW||o.type===e.
 SAMPLER_CUBE_SHADOW||o.type===e.SAMPLER_2D_ARRAY_SHADOW?s.push(o):r.push(o);s.length>0&&(this.seq=s.concat(r))}setValue(e,t,n,s){let r=this.map[t];r!==void 0&&r.
 setValue(e,n,s)}setOptional(e,t,n){let s=t[n];s!==void 0&&this.setValue(e,n,s)}static upload(e,t,n,s){for(let r=0,o=t.length;r!==o;++r){let a=t[r],l=n[a.id];l.needsUpdate!==
 !1&&a.setValue(e,l.value,s)}}static seqWithValue(e,t){let n=[];for(let s=0,r=e.length;s!==r;++s){let o=e[s];o.id in t&&n.push(o)}return n}};function lg(i,e,t){let n=i.
-createShader(e);return i.shaderSource(n,t),i.compileShader(n),n}var Sb=37297,bb=0;function wb(i,e){let t=i.split("\n"),n=[],s=Math.max(e-6,0),r=Math.min(e+6,t.length);
-for(let o=s;o<r;o++){let a=o+1;n.push("".concat(a===e?">":" "," ").concat(a,": ").concat(t[o]))}return n.join("\n")}var cg=new Qe;function Tb(i){_t._getMatrix(cg,
+createShader(e);return i.shaderSource(n,t),i.compileShader(n),n}var bb=37297,wb=0;function Tb(i,e){let t=i.split("\n"),n=[],s=Math.max(e-6,0),r=Math.min(e+6,t.length);
+for(let o=s;o<r;o++){let a=o+1;n.push("".concat(a===e?">":" "," ").concat(a,": ").concat(t[o]))}return n.join("\n")}var cg=new Qe;function Ab(i){_t._getMatrix(cg,
 _t.workingColorSpace,i);let e="mat3( ".concat(cg.elements.map(t=>t.toFixed(4))," )");switch(_t.getTransfer(i)){case ko:return[e,"LinearTransferOETF"];case At:return[
 e,"sRGBTransferOETF"];default:return $e("WebGLProgram: Unsupported color space: ",i),[e,"LinearTransferOETF"]}}function hg(i,e,t){let n=i.getShaderParameter(e,i.
 COMPILE_STATUS),r=(i.getShaderInfoLog(e)||"").trim();if(n&&r==="")return"";let o=/ERROR: 0:(\d+)/.exec(r);if(o){let a=parseInt(o[1]);return t.toUpperCase()+"\n\n"+
-r+"\n\n"+wb(i.getShaderSource(e),a)}else return r}function Ab(i,e){let t=Tb(e);return["vec4 ".concat(i,"( vec4 value ) {")," return ".concat(t[1],"( vec4( ").concat(
-t[0]," * value.rgb, value.a ) );"),"}"].join("\n")}var Eb={[Lu]:"Linear",[Nu]:"Reinhard",[Du]:"Cineon",[Uu]:"ACESFilmic",[Ou]:"AgX",[Bu]:"Neutral",[Fu]:"Custom"};
-function Cb(i,e){let t=Eb[e];return t===void 0?($e("WebGLProgram: Unsupported toneMapping:",e),"vec3 "+i+"( vec3 color ) { return LinearToneMapping( color ); }"):
-"vec3 "+i+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}var zc=new V;function Rb(){_t.getLuminanceCoefficients(zc);let i=zc.x.toFixed(4),e=zc.y.toFixed(
+r+"\n\n"+Tb(i.getShaderSource(e),a)}else return r}function Eb(i,e){let t=Ab(e);return["vec4 ".concat(i,"( vec4 value ) {")," return ".concat(t[1],"( vec4( ").concat(
+t[0]," * value.rgb, value.a ) );"),"}"].join("\n")}var Cb={[Lu]:"Linear",[Nu]:"Reinhard",[Du]:"Cineon",[Uu]:"ACESFilmic",[Ou]:"AgX",[Bu]:"Neutral",[Fu]:"Custom"};
+function Rb(i,e){let t=Cb[e];return t===void 0?($e("WebGLProgram: Unsupported toneMapping:",e),"vec3 "+i+"( vec3 color ) { return LinearToneMapping( color ); }"):
+"vec3 "+i+"( vec3 color ) { return "+t+"ToneMapping( color ); }"}var zc=new V;function Pb(){_t.getLuminanceCoefficients(zc);let i=zc.x.toFixed(4),e=zc.y.toFixed(
 4),t=zc.z.toFixed(4);return["float luminance( const in vec3 rgb ) {"," const vec3 weights = vec3( ".concat(i,", ").concat(e,", ").concat(t," );")," return dot( \
-weights, rgb );","}"].join("\n")}function Pb(i){return[i.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",i.extensionMultiDraw?"#\
-extension GL_ANGLE_multi_draw : require":""].filter(va).join("\n")}function Ib(i){let e=[];for(let t in i){let n=i[t];n!==!1&&e.push("#define "+t+" "+n)}return e.
-join("\n")}function Lb(i,e){let t={},n=i.getProgramParameter(e,i.ACTIVE_ATTRIBUTES);for(let s=0;s<n;s++){let r=i.getActiveAttrib(e,s),o=r.name,a=1;r.type===i.FLOAT_MAT2&&
+weights, rgb );","}"].join("\n")}function Ib(i){return[i.extensionClipCullDistance?"#extension GL_ANGLE_clip_cull_distance : require":"",i.extensionMultiDraw?"#\
+extension GL_ANGLE_multi_draw : require":""].filter(va).join("\n")}function Lb(i){let e=[];for(let t in i){let n=i[t];n!==!1&&e.push("#define "+t+" "+n)}return e.
+join("\n")}function Nb(i,e){let t={},n=i.getProgramParameter(e,i.ACTIVE_ATTRIBUTES);for(let s=0;s<n;s++){let r=i.getActiveAttrib(e,s),o=r.name,a=1;r.type===i.FLOAT_MAT2&&
 (a=2),r.type===i.FLOAT_MAT3&&(a=3),r.type===i.FLOAT_MAT4&&(a=4),t[o]={type:r.type,location:i.getAttribLocation(e,o),locationSize:a}}return t}function va(i){return i!==
 ""}function ug(i,e){let t=e.numSpotLightShadows+e.numSpotLightMaps-e.numSpotLightShadowsWithMaps;return i.replace(/NUM_SUN_LIGHTS/g,e.numSunLights).replace(/NUM_DIR_LIGHTS/g,
 e.numDirLights).replace(/NUM_SPOT_LIGHTS/g,e.numSpotLights).replace(/NUM_SPOT_LIGHT_MAPS/g,e.numSpotLightMaps).replace(/NUM_SPOT_LIGHT_COORDS/g,t).replace(/NUM_RECT_AREA_LIGHTS/g,
 e.numRectAreaLights).replace(/NUM_POINT_LIGHTS/g,e.numPointLights).replace(/NUM_HEMI_LIGHTS/g,e.numHemiLights).replace(/NUM_SUN_LIGHT_SHADOWS/g,e.numSunLightShadows).
 replace(/NUM_DIR_LIGHT_SHADOWS/g,e.numDirLightShadows).replace(/NUM_SPOT_LIGHT_SHADOWS_WITH_MAPS/g,e.numSpotLightShadowsWithMaps).replace(/NUM_SPOT_LIGHT_SHADOWS/g,
 e.numSpotLightShadows).replace(/NUM_POINT_LIGHT_SHADOWS/g,e.numPointLightShadows).replace(/NUM_LIGHT_PROBE_GRIDS/g,e.numLightProbeGrids)}function dg(i,e){return i.
-replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}var Nb=/^[ \t]*#include +<([\w\d./]+)>/gm;
-function ad(i){return i.replace(Nb,Db)}function Db(i,e){let t=ht[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return ad(
-t)}var Ub=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function fg(i){
-return i.replace(Ub,Fb)}function Fb(i,e,t,n){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=n.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,
+replace(/NUM_CLIPPING_PLANES/g,e.numClippingPlanes).replace(/UNION_CLIPPING_PLANES/g,e.numClippingPlanes-e.numClipIntersection)}var Db=/^[ \t]*#include +<([\w\d./]+)>/gm;
+function ad(i){return i.replace(Db,Ub)}function Ub(i,e){let t=ht[e];if(t===void 0)throw new Error("THREE.WebGLProgram: Can not resolve #include <"+e+">");return ad(
+t)}var Fb=/#pragma unroll_loop_start\s+for\s*\(\s*int\s+i\s*=\s*(\d+)\s*;\s*i\s*<\s*(\d+)\s*;\s*i\s*\+\+\s*\)\s*{([\s\S]+?)}\s+#pragma unroll_loop_end/g;function fg(i){
+return i.replace(Fb,Ob)}function Ob(i,e,t,n){let s="";for(let r=parseInt(e);r<parseInt(t);r++)s+=n.replace(/\[\s*i\s*\]/g,"[ "+r+" ]").replace(/UNROLLED_LOOP_INDEX/g,
 r);return s}function pg(i){let e="precision ".concat(i.precision," float;\n precision ").concat(i.precision," int;\n precision ").concat(i.precision," sampler2D\
 ;\n precision ").concat(i.precision," samplerCube;\n precision ").concat(i.precision," sampler3D;\n precision ").concat(i.precision," sampler2DArray;\n precision\
  ").concat(i.precision," sampler2DShadow;\n precision ").concat(i.precision," samplerCubeShadow;\n precision ").concat(i.precision," sampler2DArrayShadow;\n prec\
 ision ").concat(i.precision," isampler2D;\n precision ").concat(i.precision," isampler3D;\n precision ").concat(i.precision," isamplerCube;\n precision ").concat(
 i.precision," isampler2DArray;\n precision ").concat(i.precision," usampler2D;\n precision ").concat(i.precision," usampler3D;\n precision ").concat(i.precision,
 " usamplerCube;\n precision ").concat(i.precision," usampler2DArray;\n ");return i.precision==="highp"?e+="\n#define HIGH_PRECISION":i.precision==="mediump"?e+=
-"\n#define MEDIUM_PRECISION":i.precision==="lowp"&&(e+="\n#define LOW_PRECISION"),e}var Ob={[ha]:"SHADOWMAP_TYPE_PCF",[io]:"SHADOWMAP_TYPE_VSM"};function Bb(i){
-return Ob[i.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var kb={[ro]:"ENVMAP_MODE_REFRACTION"};function zb(i){return i.envMap===!1?"ENVMAP_MODE_REFLECTION":kb[i.envMapMode]||
-"ENVMAP_MODE_REFLECTION"}var Vb={[Kl]:"ENVMAP_BLENDING_MULTIPLY",[Im]:"ENVMAP_BLENDING_MIX",[Lm]:"ENVMAP_BLENDING_ADD"};function Gb(i){return i.envMap===!1?"ENV\
-MAP_BLENDING_NONE":Vb[i.combine]||"ENVMAP_BLENDING_NONE"}function Hb(i,e,t,n){let s=i.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,l=Bb(t),c=t.envMapPMREM===
-!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",d=zb(t),u=Gb(t),h=Pb(t),f=Ib(r),p=s.createProgram(),v,m,g=t.glslVersion?"#version "+t.glslVersion+"\n":"";t.isRawShaderMaterial?
+"\n#define MEDIUM_PRECISION":i.precision==="lowp"&&(e+="\n#define LOW_PRECISION"),e}var Bb={[ha]:"SHADOWMAP_TYPE_PCF",[io]:"SHADOWMAP_TYPE_VSM"};function kb(i){
+return Bb[i.shadowMapType]||"SHADOWMAP_TYPE_BASIC"}var zb={[ro]:"ENVMAP_MODE_REFRACTION"};function Vb(i){return i.envMap===!1?"ENVMAP_MODE_REFLECTION":zb[i.envMapMode]||
+"ENVMAP_MODE_REFLECTION"}var Gb={[Kl]:"ENVMAP_BLENDING_MULTIPLY",[Im]:"ENVMAP_BLENDING_MIX",[Lm]:"ENVMAP_BLENDING_ADD"};function Hb(i){return i.envMap===!1?"ENV\
+MAP_BLENDING_NONE":Gb[i.combine]||"ENVMAP_BLENDING_NONE"}function Wb(i,e,t,n){let s=i.getContext(),r=t.defines,o=t.vertexShader,a=t.fragmentShader,l=kb(t),c=t.envMapPMREM===
+!0?"ENVMAP_TYPE_PMREM":"ENVMAP_TYPE_CUBE",d=Vb(t),u=Hb(t),h=Ib(t),f=Lb(r),p=s.createProgram(),v,m,g=t.glslVersion?"#version "+t.glslVersion+"\n":"";t.isRawShaderMaterial?
 (v=["#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,f].filter(va).join("\n"),v.length>0&&(v+="\n"),m=["#define SHADER_TYPE "+t.shaderType,
 "#define SHADER_NAME "+t.shaderName,f].filter(va).join("\n"),m.length>0&&(m+="\n")):(v=[pg(t),"#define SHADER_TYPE "+t.shaderType,"#define SHADER_NAME "+t.shaderName,
 f,t.extensionClipCullDistance?"#define USE_CLIP_DISTANCE":"",t.batching?"#define USE_BATCHING":"",t.batchingColor?"#define USE_BATCHING_COLOR":"",t.instancing?"\
@@ -2987,8 +2989,8 @@ DED":"",t.shadowMapEnabled?"#define USE_SHADOWMAP":"",t.shadowMapEnabled?"#defin
 0?"#define USE_LIGHT_PROBES":"",t.decodeVideoTexture?"#define DECODE_VIDEO_TEXTURE":"",t.decodeVideoTextureEmissive?"#define DECODE_VIDEO_TEXTURE_EMISSIVE":"",t.
 logarithmicDepthBuffer?"#define USE_LOGARITHMIC_DEPTH_BUFFER":"",t.reversedDepthBuffer?"#define USE_REVERSED_DEPTH_BUFFER":"","uniform mat4 viewMatrix;","unifor\
 m vec3 cameraPosition;","uniform bool isOrthographic;",t.toneMapping!==Vi?"#define TONE_MAPPING":"",t.toneMapping!==Vi?ht.tonemapping_pars_fragment:"",t.toneMapping!==
-Vi?Cb("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",ht.colorspace_pars_fragment,Ab("linearToOutputTexel",t.outputColorSpace),
-Rb(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"","\n"].filter(va).join("\n")),o=ad(o),o=ug(o,t),o=dg(o,t),a=ad(a),a=ug(a,t),a=dg(a,t),o=fg(o),a=
+Vi?Rb("toneMapping",t.toneMapping):"",t.dithering?"#define DITHERING":"",t.opaque?"#define OPAQUE":"",ht.colorspace_pars_fragment,Eb("linearToOutputTexel",t.outputColorSpace),
+Pb(),t.useDepthPacking?"#define DEPTH_PACKING "+t.depthPacking:"","\n"].filter(va).join("\n")),o=ad(o),o=ug(o,t),o=dg(o,t),a=ad(a),a=ug(a,t),a=dg(a,t),o=fg(o),a=
 fg(a),t.isRawShaderMaterial!==!0&&(g="#version 300 es\n",v=[h,"#define attribute in","#define varying out","#define texture2D texture"].join("\n")+"\n"+v,m=["#d\
 efine varying in",t.glslVersion===Zu?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===Zu?"":"#define gl_FragColor pc_fragColor","#define g\
 l_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod",
@@ -3000,15 +3002,15 @@ D=I.trim(),W=F.trim(),Y=z.trim(),H=!0,ce=!0;if(s.getProgramParameter(p,s.LINK_ST
 s,p,M,C);else{let K=hg(s,M,"vertex"),Q=hg(s,C,"fragment");Ke("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(p,s.VALIDATE_STATUS)+
 "\n\nMaterial Name: "+R.name+"\nMaterial Type: "+R.type+"\n\nProgram Info Log: "+D+"\n"+K+"\n"+Q)}else D!==""?$e("WebGLProgram: Program Info Log:",D):(W===""||Y===
 "")&&(ce=!1);ce&&(R.diagnostics={runnable:H,programLog:D,vertexShader:{log:W,prefix:v},fragmentShader:{log:Y,prefix:m}})}s.deleteShader(M),s.deleteShader(C),x=new ao(
-s,p),S=Lb(s,p)}let x;this.getUniforms=function(){return x===void 0&&b(this),x};let S;this.getAttributes=function(){return S===void 0&&b(this),S};let N=t.rendererExtensionParallelShaderCompile===
-!1;return this.isReady=function(){return N===!1&&(N=s.getProgramParameter(p,Sb)),N},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(p),this.
-program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=bb++,this.cacheKey=e,this.usedTimes=1,this.program=p,this.vertexShader=M,this.fragmentShader=
-C,this}var Wb=0,ld=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,n){let s=this._getShaderCacheForMaterial(e);return s.has(t)===
+s,p),S=Nb(s,p)}let x;this.getUniforms=function(){return x===void 0&&b(this),x};let S;this.getAttributes=function(){return S===void 0&&b(this),S};let N=t.rendererExtensionParallelShaderCompile===
+!1;return this.isReady=function(){return N===!1&&(N=s.getProgramParameter(p,bb)),N},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(p),this.
+program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=wb++,this.cacheKey=e,this.usedTimes=1,this.program=p,this.vertexShader=M,this.fragmentShader=
+C,this}var Xb=0,ld=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,n){let s=this._getShaderCacheForMaterial(e);return s.has(t)===
 !1&&(s.add(t),t.usedTimes++),s.has(n)===!1&&(s.add(n),n.usedTimes++),this}remove(e){let t=this.materialCache.get(e);for(let n of t)n.usedTimes--,n.usedTimes===0&&
 this.shaderCache.delete(n.code);return this.materialCache.delete(e),this}getVertexShaderStage(e){return this._getShaderStage(e.vertexShader)}getFragmentShaderStage(e){
 return this._getShaderStage(e.fragmentShader)}dispose(){this.shaderCache.clear(),this.materialCache.clear()}_getShaderCacheForMaterial(e){let t=this.materialCache,
 n=t.get(e);return n===void 0&&(n=new Set,t.set(e,n)),n}_getShaderStage(e){let t=this.shaderCache,n=t.get(e);return n===void 0&&(n=new cd(e),t.set(e,n)),n}},cd=class{constructor(e){
-this.id=Wb++,this.code=e,this.usedTimes=0}};function Xb(i){return i===Us||i===ga||i===_a}function qb(i,e,t,n,s,r){let o=new Jr,a=new ld,l=new Set,c=[],d=new Map,
+this.id=Xb++,this.code=e,this.usedTimes=0}};function qb(i){return i===Us||i===ga||i===_a}function $b(i,e,t,n,s,r){let o=new Jr,a=new ld,l=new Set,c=[],d=new Map,
 u=n.logarithmicDepthBuffer,h={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distance",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"\
 lambert",MeshPhongMaterial:"phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"\
 basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function f(x){return l.add(x),x===0?"uv":"uv".concat(
@@ -3029,7 +3031,7 @@ isRawShaderMaterial:x.isRawShaderMaterial===!0,glslVersion:x.glslVersion,precisi
 I.instanceColor!==null,instancingMorph:He&&I.morphTexture!==null,outputColorSpace:Ee===null?i.outputColorSpace:Ee.isXRRenderTarget===!0?Ee.texture.colorSpace:_t.
 workingColorSpace,alphaToCoverage:!!x.alphaToCoverage,map:Ve,matcap:ut,envMap:lt,envMapMode:lt&&H.mapping,envMapPMREM:et,envMapMaxLod:et?Oe.length-1:null,envMapSize:et?
 Oe[0].width:null,aoMap:Gt,lightMap:Ut,bumpMap:Qt,normalMap:Pt,displacementMap:gn,emissiveMap:vt,normalMapObjectSpace:Pt&&x.normalMapType===Um,normalMapTangentSpace:Pt&&
-x.normalMapType===Bc,packedNormalMap:Pt&&x.normalMapType===Bc&&Xb(x.normalMap.format),metalnessMap:cn,roughnessMap:qt,anisotropy:en,anisotropyMap:Xe,clearcoat:B,
+x.normalMapType===Bc,packedNormalMap:Pt&&x.normalMapType===Bc&&qb(x.normalMap.format),metalnessMap:cn,roughnessMap:qt,anisotropy:en,anisotropyMap:Xe,clearcoat:B,
 clearcoatMap:P,clearcoatNormalMap:T,clearcoatRoughnessMap:q,diffuseRoughness:Re,diffuseRoughnessMap:he,dispersion:qe,retroreflection:it,iridescence:be,iridescenceMap:oe,
 iridescenceThicknessMap:_e,sheen:Lt,sheenColorMap:ye,sheenRoughnessMap:te,specularMap:ie,specularColorMap:pe,specularIntensityMap:O,transmission:ze,transmissionMap:re,
 thicknessMap:ne,gradientMap:we,opaque:x.transparent===!1&&x.blending===so&&x.alphaToCoverage===!1,alphaMap:ge,alphaTest:Me,alphaHash:Ge,combine:x.combine,mapUv:Ve&&
@@ -3074,33 +3076,33 @@ S.fog&&o.enable(0),S.useFog&&o.enable(1),S.flatShading&&o.enable(2),S.logarithmi
 o.enable(11),S.flipSided&&o.enable(12),S.useDepthPacking&&o.enable(13),S.dithering&&o.enable(14),S.transmission&&o.enable(15),S.sheen&&o.enable(16),S.opaque&&o.
 enable(17),S.pointsUvs&&o.enable(18),S.decodeVideoTexture&&o.enable(19),S.decodeVideoTextureEmissive&&o.enable(20),S.alphaToCoverage&&o.enable(21),S.numLightProbeGrids>
 0&&o.enable(22),S.hasPositionAttribute&&o.enable(23),x.push(o.mask)}function _(x){let S=h[x.type],N;if(S){let R=Hi[S];N=Zm.clone(R.uniforms)}else N=x.uniforms;return N}
-function w(x,S){let N=d.get(S);return N!==void 0?++N.usedTimes:(N=new Hb(i,S,x,s),c.push(N),d.set(S,N)),N}function M(x){if(--x.usedTimes===0){let S=c.indexOf(x);
+function w(x,S){let N=d.get(S);return N!==void 0?++N.usedTimes:(N=new Wb(i,S,x,s),c.push(N),d.set(S,N)),N}function M(x){if(--x.usedTimes===0){let S=c.indexOf(x);
 c[S]=c[c.length-1],c.pop(),d.delete(x.cacheKey),x.destroy()}}function C(x){a.remove(x)}function b(){a.dispose()}return{getParameters:p,getProgramCacheKey:v,getUniforms:_,
-acquireProgram:w,releaseProgram:M,releaseShaderCache:C,programs:c,dispose:b}}function $b(){let i=new WeakMap;function e(o){return i.has(o)}function t(o){let a=i.
+acquireProgram:w,releaseProgram:M,releaseShaderCache:C,programs:c,dispose:b}}function Yb(){let i=new WeakMap;function e(o){return i.has(o)}function t(o){let a=i.
 get(o);return a===void 0&&(a={},i.set(o,a)),a}function n(o){i.delete(o)}function s(o,a,l){i.get(o)[a]=l}function r(){i=new WeakMap}return{has:e,get:t,remove:n,update:s,
-dispose:r}}function Yb(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.material.id!==
+dispose:r}}function Zb(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.material.id!==
 e.material.id?i.material.id-e.material.id:i.materialVariant!==e.materialVariant?i.materialVariant-e.materialVariant:i.z!==e.z?i.z-e.z:i.id-e.id}function mg(i,e){
 return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.z!==e.z?e.z-i.z:i.id-e.id}function gg(){
 let i=[],e=0,t=[],n=[],s=[];function r(){e=0,t.length=0,n.length=0,s.length=0}function o(h){let f=0;return h.isInstancedMesh&&(f+=2),h.isSkinnedMesh&&(f+=1),f}function a(h,f,p,v,m,g){
 let _=i[e];return _===void 0?(_={id:h.id,object:h,geometry:f,material:p,materialVariant:o(h),groupOrder:v,renderOrder:h.renderOrder,z:m,group:g},i[e]=_):(_.id=h.
 id,_.object=h,_.geometry=f,_.material=p,_.materialVariant=o(h),_.groupOrder=v,_.renderOrder=h.renderOrder,_.z=m,_.group=g),e++,_}function l(h,f,p,v,m,g,_){_.reversedDepth===
 !0&&(m=-m);let w=a(h,f,p,v,m,g);p.transmission>0?n.push(w):p.transparent===!0?s.push(w):t.push(w)}function c(h,f,p,v,m,g){let _=a(h,f,p,v,m,g);p.transmission>0?
-n.unshift(_):p.transparent===!0?s.unshift(_):t.unshift(_)}function d(h,f){t.length>1&&t.sort(h||Yb),n.length>1&&n.sort(f||mg),s.length>1&&s.sort(f||mg)}function u(){
+n.unshift(_):p.transparent===!0?s.unshift(_):t.unshift(_)}function d(h,f){t.length>1&&t.sort(h||Zb),n.length>1&&n.sort(f||mg),s.length>1&&s.sort(f||mg)}function u(){
 for(let h=e,f=i.length;h<f;h++){let p=i[h];if(p.id===null)break;p.id=null,p.object=null,p.geometry=null,p.material=null,p.group=null}}return{opaque:t,transmissive:n,
-transparent:s,init:r,push:l,unshift:c,finish:u,sort:d}}function Zb(){let i=new WeakMap;function e(n,s){let r=i.get(n),o;return r===void 0?(o=new gg,i.set(n,[o])):
-s>=r.length?(o=new gg,r.push(o)):o=r[s],o}function t(){i=new WeakMap}return{get:e,dispose:t}}function Jb(){let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.
+transparent:s,init:r,push:l,unshift:c,finish:u,sort:d}}function Jb(){let i=new WeakMap;function e(n,s){let r=i.get(n),o;return r===void 0?(o=new gg,i.set(n,[o])):
+s>=r.length?(o=new gg,r.push(o)):o=r[s],o}function t(){i=new WeakMap}return{get:e,dispose:t}}function Kb(){let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.
 id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={direction:new V,color:new st};break;case"SpotLight":t={position:new V,direction:new V,color:new st,
 distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":t={position:new V,color:new st,distance:0,decay:0};break;case"HemisphereLight":t={direction:new V,
-skyColor:new st,groundColor:new st};break;case"RectAreaLight":t={color:new st,position:new V,halfWidth:new V,halfHeight:new V};break}return i[e.id]=t,t}}}function Kb(){
+skyColor:new st,groundColor:new st};break;case"RectAreaLight":t={color:new st,position:new V,halfWidth:new V,halfHeight:new V};break}return i[e.id]=t,t}}}function jb(){
 let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={shadowIntensity:1,shadowBias:0,
 shadowNormalBias:0,shadowRadius:1,shadowMapSize:new ot};break;case"SpotLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new ot};
 break;case"PointLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new ot,shadowCameraNear:1,shadowCameraFar:1e3};break}return i[e.
-id]=t,t}}}var jb=0;function Qb(i,e){return(e.castShadow?2:0)-(i.castShadow?2:0)+(e.map?1:0)-(i.map?1:0)}function ew(i){let e=new Jb,t=Kb(),n={version:0,hash:{sunLength:-1,
+id]=t,t}}}var Qb=0;function ew(i,e){return(e.castShadow?2:0)-(i.castShadow?2:0)+(e.map?1:0)-(i.map?1:0)}function tw(i){let e=new Kb,t=jb(),n={version:0,hash:{sunLength:-1,
 directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-1,numSunShadows:-1,numDirectionalShadows:-1,numPointShadows:-1,numSpotShadows:-1,
 numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],sun:[],sunShadow:[],sunShadowMap:[],sunShadowMatrix:[],sunShadowCascade:[],directional:[],directionalShadow:[],
 directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,
 point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let c=0;c<9;c++)n.probe.push(new V);let s=new V,
-r=new xt,o=new xt;function a(c){let d=0,u=0,h=0;for(let F=0;F<9;F++)n.probe[F].set(0,0,0);let f=0,p=0,v=0,m=0,g=0,_=0,w=0,M=0,C=0,b=0,x=0,S=0,N=0,R=0;c.sort(Qb);
+r=new xt,o=new xt;function a(c){let d=0,u=0,h=0;for(let F=0;F<9;F++)n.probe[F].set(0,0,0);let f=0,p=0,v=0,m=0,g=0,_=0,w=0,M=0,C=0,b=0,x=0,S=0,N=0,R=0;c.sort(ew);
 for(let F=0,z=c.length;F<z;F++){let D=c[F],W=D.color,Y=D.intensity,H=D.distance,ce=null;if(D.shadow&&D.shadow.map&&(D.shadow.map.texture.format===Us?ce=D.shadow.
 map.texture:ce=D.shadow.map.depthTexture||D.shadow.map.texture),D.isAmbientLight)d+=W.r*Y,u+=W.g*Y,h+=W.b*Y;else if(D.isLightProbe){for(let K=0;K<9;K++)n.probe[K].
 addScaledVector(D.sh.coefficients[K],Y);R++}else if(D.isSunLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),D.castShadow){let Q=D.shadow,
@@ -3124,7 +3126,7 @@ sun.length=f,n.directional.length=m,n.spot.length=_,n.rectArea.length=w,n.point.
 length=v,n.sunShadowCascade.length=v,n.directionalShadow.length=C,n.directionalShadowMap.length=C,n.directionalShadowMatrix.length=C,n.pointShadow.length=b,n.pointShadowMap.
 length=b,n.pointShadowMatrix.length=b,n.spotShadow.length=x,n.spotShadowMap.length=x,n.spotLightMatrix.length=x+S-N,n.spotLightMap.length=S,n.numSpotLightShadowsWithMaps=
 N,n.numLightProbes=R,I.sunLength=f,I.directionalLength=m,I.pointLength=g,I.spotLength=_,I.rectAreaLength=w,I.hemiLength=M,I.numSunShadows=p,I.numDirectionalShadows=
-C,I.numPointShadows=b,I.numSpotShadows=x,I.numSpotMaps=S,I.numLightProbes=R,n.version=jb++)}function l(c,d){let u=0,h=0,f=0,p=0,v=0,m=0,g=d.matrixWorldInverse;for(let _=0,
+C,I.numPointShadows=b,I.numSpotShadows=x,I.numSpotMaps=S,I.numLightProbes=R,n.version=Qb++)}function l(c,d){let u=0,h=0,f=0,p=0,v=0,m=0,g=d.matrixWorldInverse;for(let _=0,
 w=c.length;_<w;_++){let M=c[_];if(M.isSunLight){let C=n.sun[u];C.direction.setFromMatrixPosition(M.matrixWorld),C.direction.transformDirection(g),u++}else if(M.
 isDirectionalLight){let C=n.directional[h];C.direction.setFromMatrixPosition(M.matrixWorld),s.setFromMatrixPosition(M.target.matrixWorld),C.direction.sub(s),C.direction.
 transformDirection(g),h++}else if(M.isSpotLight){let C=n.spot[p];C.position.setFromMatrixPosition(M.matrixWorld),C.position.applyMatrix4(g),C.direction.setFromMatrixPosition(
@@ -3132,21 +3134,21 @@ M.matrixWorld),s.setFromMatrixPosition(M.target.matrixWorld),C.direction.sub(s),
 C.position.setFromMatrixPosition(M.matrixWorld),C.position.applyMatrix4(g),o.identity(),r.copy(M.matrixWorld),r.premultiply(g),o.extractRotation(r),C.halfWidth.
 set(M.width*.5,0,0),C.halfHeight.set(0,M.height*.5,0),C.halfWidth.applyMatrix4(o),C.halfHeight.applyMatrix4(o),v++}else if(M.isPointLight){let C=n.point[f];C.position.
 setFromMatrixPosition(M.matrixWorld),C.position.applyMatrix4(g),f++}else if(M.isHemisphereLight){let C=n.hemi[m];C.direction.setFromMatrixPosition(M.matrixWorld),
-C.direction.transformDirection(g),m++}}}return{setup:a,setupView:l,state:n}}function _g(i){let e=new ew(i),t=[],n=[],s=[];function r(u){d.camera=u,t.length=0,n.
+C.direction.transformDirection(g),m++}}}return{setup:a,setupView:l,state:n}}function _g(i){let e=new tw(i),t=[],n=[],s=[];function r(u){d.camera=u,t.length=0,n.
 length=0,s.length=0}function o(u){u.isLightProbeGrid?s.push(u):t.push(u)}function a(u){n.push(u)}function l(){e.setup(t),s.sort((u,h)=>u.priority-h.priority||u.
 id-h.id)}function c(u){e.setupView(t,u)}let d={lightsArray:t,shadowsArray:n,lightProbeGridArray:s,camera:null,lights:e,transmissionRenderTarget:{},textureUnits:0};
-return{init:r,state:d,setupLights:l,setupLightsView:c,pushLight:o,pushShadow:a}}function tw(i){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?
-(a=new _g(i),e.set(s,[a])):r>=o.length?(a=new _g(i),o.push(a)):a=o[r],a}function n(){e=new WeakMap}return{get:t,dispose:n}}var nw="void main() {\n gl_Position = \
-vec4( position, 1.0 );\n}",iw="uniform sampler2D shadow_pass;\nuniform vec2 resolution;\nuniform float radius;\nvoid main() {\n const float samples = float( VSM_SAM\
+return{init:r,state:d,setupLights:l,setupLightsView:c,pushLight:o,pushShadow:a}}function nw(i){let e=new WeakMap;function t(s,r=0){let o=e.get(s),a;return o===void 0?
+(a=new _g(i),e.set(s,[a])):r>=o.length?(a=new _g(i),o.push(a)):a=o[r],a}function n(){e=new WeakMap}return{get:t,dispose:n}}var iw="void main() {\n gl_Position = \
+vec4( position, 1.0 );\n}",sw="uniform sampler2D shadow_pass;\nuniform vec2 resolution;\nuniform float radius;\nvoid main() {\n const float samples = float( VSM_SAM\
 PLES );\n float mean = 0.0;\n float squared_mean = 0.0;\n float uvStride = samples <= 1.0 ? 0.0 : 2.0 / ( samples - 1.0 );\n float uvStart = samples <= 1.0 ? 0.0 : \
 - 1.0;\n for ( float i = 0.0; i < samples; i ++ ) {\n  float uvOffset = uvStart + i * uvStride;\n  #ifdef HORIZONTAL_PASS\n   vec2 distribution = texture2D( shadow_\
 pass, ( gl_FragCoord.xy + vec2( uvOffset, 0.0 ) * radius ) / resolution ).rg;\n   mean += distribution.x;\n   squared_mean += distribution.y * distribution.y + di\
 stribution.x * distribution.x;\n  #else\n   float depth = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( 0.0, uvOffset ) * radius ) / resolution ).r;\n   mean +\
 = depth;\n   squared_mean += depth * depth;\n  #endif\n }\n mean = mean / samples;\n squared_mean = squared_mean / samples;\n float std_dev = sqrt( max( 0.0, squared_\
-mean - mean * mean ) );\n gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );\n}",sw=[new V(1,0,0),new V(-1,0,0),new V(0,1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1)],
-rw=[new V(0,-1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1),new V(0,-1,0),new V(0,-1,0)],xg=new xt,ya=new V,id=new V;function ow(i,e,t){let n=new Es,s=new ot,r=new ot,
+mean - mean * mean ) );\n gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );\n}",rw=[new V(1,0,0),new V(-1,0,0),new V(0,1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1)],
+ow=[new V(0,-1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1),new V(0,-1,0),new V(0,-1,0)],xg=new xt,ya=new V,id=new V;function aw(i,e,t){let n=new Es,s=new ot,r=new ot,
 o=new Wt,a=new Ol,l=new Bl,c={},d=t.maxTextureSize,u={[Ds]:kn,[kn]:Ds,[zi]:zi},h=new ki({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{
-value:new ot},radius:{value:4}},vertexShader:nw,fragmentShader:iw}),f=h.clone();f.defines.HORIZONTAL_PASS=1;let p=new ln;p.setAttribute("position",new vi(new Float32Array(
+value:new ot},radius:{value:4}},vertexShader:iw,fragmentShader:sw}),f=h.clone();f.defines.HORIZONTAL_PASS=1;let p=new ln;p.setAttribute("position",new vi(new Float32Array(
 [-1,-1,.5,3,-1,.5,-1,3,.5]),3));let v=new ci(p,h),m=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=ha;let g=this.type;this.render=function(b,x,S){
 if(m.enabled===!1||m.autoUpdate===!1&&m.needsUpdate===!1||b.length===0)return;this.type===dm&&($e("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFS\
 hadowMap instead."),this.type=ha);let N=i.getRenderTarget(),R=i.getActiveCubeFace(),I=i.getActiveMipmapLevel(),F=i.state;F.setBlending(Qs),F.buffers.depth.getReversed()===
@@ -3164,7 +3166,7 @@ K?$u:qu,H.map.depthTexture.minFilter=On,H.map.depthTexture.magFilter=On):(H.map.
 magFilter=Sn);H.camera.updateProjectionMatrix()}H.map.isWebGLCubeRenderTarget!==!0&&(H.map.width!==s.x||H.map.height!==s.y)&&H.map.setSize(s.x,s.y);let Q=H.map.
 isWebGLCubeRenderTarget?6:H.getViewportCount();Y.isPointLight!==!0&&H.updateMatrices(Y,S);let se=(H.camera.layers.mask&4294967294)!==0?H.camera.layers:S.layers;
 for(let de=0;de<Q;de++){let ue=H.getCamera(de);if(Y.isPointLight){let ee=H.camera,me=H.matrix,xe=Y.distance||ee.far;xe!==ee.far&&(ee.far=xe,ee.updateProjectionMatrix()),
-ya.setFromMatrixPosition(Y.matrixWorld),ee.position.copy(ya),id.copy(ee.position),id.add(sw[de]),ee.up.copy(rw[de]),ee.lookAt(id),ee.updateMatrixWorld(),me.makeTranslation(
+ya.setFromMatrixPosition(Y.matrixWorld),ee.position.copy(ya),id.copy(ee.position),id.add(rw[de]),ee.up.copy(ow[de]),ee.lookAt(id),ee.updateMatrixWorld(),me.makeTranslation(
 -ya.x,-ya.y,-ya.z),xg.multiplyMatrices(ee.projectionMatrix,ee.matrixWorldInverse),H._frustum.setFromProjectionMatrix(xg,ee.coordinateSystem,ee.reversedDepth)}if(H.
 map.isWebGLCubeRenderTarget)i.setRenderTarget(H.map,de),i.clear();else{de===0&&(i.setRenderTarget(H.map),i.clear());let ee=H.getViewport(de);o.set(r.x*ee.x,r.y*
 ee.y,r.x*ee.z,r.y*ee.w),F.viewport(o)}n=H.getFrustum(de),M(x,S,ue,Y,se,this.type)}H.isPointLightShadow!==!0&&this.type===io&&_(H,S),H.needsUpdate=!1}g=this.type,
@@ -3185,7 +3187,7 @@ n))){b.modelViewMatrix.multiplyMatrices(S.matrixWorldInverse,b.matrixWorld);let 
 length;H<ce;H++){let K=Y[H],Q=W[K.materialIndex];if(Q&&Q.visible){let se=w(b,Q,N,I);b.onBeforeShadow(i,b,x,S,D,se,K),i.renderBufferDirect(S,null,D,se,b,K),b.onAfterShadow(
 i,b,x,S,D,se,K)}}}else if(W.visible){let Y=w(b,W,N,I);b.onBeforeShadow(i,b,x,S,D,Y,null),i.renderBufferDirect(S,null,D,Y,b,null),b.onAfterShadow(i,b,x,S,D,Y,null)}}
 let z=b.children;for(let D=0,W=z.length;D<W;D++)M(z[D],x,S,N,R,I)}function C(b){b.target.removeEventListener("dispose",C);for(let S in c){let N=c[S],R=b.target.
-uuid;R in N&&(N[R].dispose(),delete N[R])}}}function aw(i,e){function t(){let O=!1,re=new Wt,ne=null,we=new Wt(0,0,0,0);return{setMask:function(ge){ne!==ge&&!O&&
+uuid;R in N&&(N[R].dispose(),delete N[R])}}}function lw(i,e){function t(){let O=!1,re=new Wt,ne=null,we=new Wt(0,0,0,0);return{setMask:function(ge){ne!==ge&&!O&&
 (i.colorMask(ge,ge,ge,ge),ne=ge)},setLocked:function(ge){O=ge},setClear:function(ge,Me,Ge,Ze,le){le===!0&&(ge*=Ze,Me*=Ze,Ge*=Ze),re.set(ge,Me,Ge,Ze),we.equals(re)===
 !1&&(i.clearColor(ge,Me,Ge,Ze),we.copy(re))},reset:function(){O=!1,ne=null,we.set(-1,0,0,0)}}}function n(){let O=!1,re=!1,ne=null,we=null,ge=null;return{setReversed:function(Me){
 if(re!==Me){let Ge=e.get("EXT_clip_control");Me?Ge.clipControlEXT(Ge.LOWER_LEFT_EXT,Ge.ZERO_TO_ONE_EXT):Ge.clipControlEXT(Ge.LOWER_LEFT_EXT,Ge.NEGATIVE_ONE_TO_ONE_EXT),
@@ -3251,7 +3253,7 @@ p=[],v=null,m=!1,g=null,_=null,w=null,M=null,C=null,b=null,x=null,S=new st(0,0,0
 height),me.set(0,0,i.canvas.width,i.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:Se,disable:He,bindFramebuffer:nt,
 drawBuffers:Ve,useProgram:ut,setBlending:Gt,setMaterial:Ut,setFlipSided:Qt,setCullFace:Pt,setLineWidth:gn,setPolygonOffset:vt,setScissorTest:cn,activeTexture:qt,
 bindTexture:en,unbindTexture:B,compressedTexImage2D:Re,compressedTexImage3D:qe,texImage2D:T,texImage3D:q,pixelStorei:oe,getParameter:he,updateUBOMapping:te,uniformBlockBinding:ie,
-texStorage2D:Xe,texStorage3D:P,texSubImage2D:it,texSubImage3D:be,compressedTexSubImage2D:Lt,compressedTexSubImage3D:ze,scissor:_e,viewport:ye,reset:pe}}function lw(i,e,t,n,s,r,o){
+texStorage2D:Xe,texStorage3D:P,texSubImage2D:it,texSubImage3D:be,compressedTexSubImage2D:Lt,compressedTexSubImage3D:ze,scissor:_e,viewport:ye,reset:pe}}function cw(i,e,t,n,s,r,o){
 let a=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,l=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.
 userAgent),c=new ot,d=new WeakMap,u=new Set,h,f=new WeakMap,p=new Set,v=new FinalizationRegistry(P=>p.delete(P)),m=!1;try{m=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(
 1,1).getContext("2d")!==null}catch{}function g(P,T){return m?new OffscreenCanvas(P,T):zo("canvas")}function _(P,T,q){let he=1,oe=Xe(P);if((oe.width>q||oe.height>
@@ -3437,7 +3439,7 @@ LTextures: Unsupported texture color space:",q)),T}function Xe(P){return typeof 
 c.height=P.naturalHeight||P.height):typeof VideoFrame<"u"&&P instanceof VideoFrame?(c.width=P.displayWidth,c.height=P.displayHeight):(c.width=P.width,c.height=P.
 height),c}this.allocateTextureUnit=ue,this.resetTextureUnits=Q,this.getTextureUnits=se,this.setTextureUnits=de,this.setTexture2D=me,this.setTexture2DArray=xe,this.
 setTexture3D=Ee,this.setTextureCube=Se,this.rebindTextures=qt,this.setupRenderTarget=en,this.updateRenderTargetMipmap=B,this.updateMultisampleRenderTarget=qe,this.
-setupDepthRenderbuffer=cn,this.setupFrameBufferTexture=Pt,this.useMultisampledRTT=be,this.dispose=W}function cw(i,e){function t(n,s=ds){let r,o=_t.getTransfer(s);
+setupDepthRenderbuffer=cn,this.setupFrameBufferTexture=Pt,this.useMultisampledRTT=be,this.dispose=W}function hw(i,e){function t(n,s=ds){let r,o=_t.getTransfer(s);
 if(n===Hn)return i.UNSIGNED_BYTE;if(n===nc)return i.UNSIGNED_SHORT_4_4_4_4;if(n===ic)return i.UNSIGNED_SHORT_5_5_5_1;if(n===Gu)return i.UNSIGNED_INT_5_9_9_9_REV;
 if(n===Hu)return i.UNSIGNED_INT_10F_11F_11F_REV;if(n===zu)return i.BYTE;if(n===Vu)return i.SHORT;if(n===oo)return i.UNSIGNED_SHORT;if(n===tc)return i.INT;if(n===
 Mi)return i.UNSIGNED_INT;if(n===hi)return i.FLOAT;if(n===Si)return i.HALF_FLOAT;if(n===Wu)return i.ALPHA;if(n===Xu)return i.RGB;if(n===bi)return i.RGBA;if(n===ss)
@@ -3463,12 +3465,12 @@ Nc||n===Dc)if(r=e.get("EXT_texture_compression_bptc"),r!==null){if(n===Lc)return
 if(n===Nc)return r.COMPRESSED_RGB_BPTC_SIGNED_FLOAT_EXT;if(n===Dc)return r.COMPRESSED_RGB_BPTC_UNSIGNED_FLOAT_EXT}else return null;if(n===Uc||n===Fc||n===_a||n===
 Oc)if(r=e.get("EXT_texture_compression_rgtc"),r!==null){if(n===Uc)return r.COMPRESSED_RED_RGTC1_EXT;if(n===Fc)return r.COMPRESSED_SIGNED_RED_RGTC1_EXT;if(n===_a)
 return r.COMPRESSED_RED_GREEN_RGTC2_EXT;if(n===Oc)return r.COMPRESSED_SIGNED_RED_GREEN_RGTC2_EXT}else return null;return n===nr?i.UNSIGNED_INT_24_8:i[n]!==void 0?
-i[n]:null}return{convert:t}}var hw="\nvoid main() {\n\n gl_Position = vec4( position, 1.0 );\n\n}",uw="\nuniform sampler2DArray depthColor;\nuniform float depthWi\
+i[n]:null}return{convert:t}}var uw="\nvoid main() {\n\n gl_Position = vec4( position, 1.0 );\n\n}",dw="\nuniform sampler2DArray depthColor;\nuniform float depthWi\
 dth;\nuniform float depthHeight;\n\nvoid main() {\n\n vec2 coord = vec2( gl_FragCoord.x / depthWidth, gl_FragCoord.y / depthHeight );\n\n if ( coord.x >= 1.0 ) {\n\n  gl\
 _FragDepth = texture( depthColor, vec3( coord.x - 1.0, coord.y, 1 ) ).r;\n\n } else {\n\n  gl_FragDepth = texture( depthColor, vec3( coord.x, coord.y, 0 ) ).r;\n\n }\n\
 \n}",hd=class{constructor(){this.texture=null,this.mesh=null,this.depthNear=0,this.depthFar=0}init(e,t){if(this.texture===null){let n=new Zo(e.texture);(e.depthNear!==
 t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar=e.depthFar),this.texture=n}}getMesh(e){if(this.texture!==null&&this.mesh===null){
-let t=e.cameras[0].viewport,n=new ki({vertexShader:hw,fragmentShader:uw,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});
+let t=e.cameras[0].viewport,n=new ki({vertexShader:uw,fragmentShader:dw,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});
 this.mesh=new ci(new jo(20,20),n)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},ud=class extends Oi{constructor(e,t){
 super();let n=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,d=null,u=null,h=null,f=null,p=null,v=typeof XRWebGLBinding<"u",m=new hd,g={},_=t.getContextAttributes(),
 w=null,M=null,C=[],b=[],x=new ot,S=null,N=null,R=new Fn;R.viewport=new Wt;let I=new Fn;I.viewport=new Wt;let F=[R,I],z=new Jl,D=null,W=null;this.cameraAutoUpdate=
@@ -3518,7 +3520,7 @@ Ee===!0&&z.cameras.push(et)}let Se=s.enabledFeatures;if(Se&&Se.includes("depth-s
 xe[0]);Ve&&Ve.isValid&&Ve.texture&&m.init(Ve,s.renderState)}if(Se&&Se.includes("camera-access")&&v){e.state.unbindTexture(),u=n.getBinding();for(let Ve=0;Ve<xe.
 length;Ve++){let ut=xe[Ve].camera;if(ut){let lt=g[ut];lt||(lt=new Zo,g[ut]=lt);let et=u.getCameraImage(ut);lt.sourceTexture=et}}}}for(let xe=0;xe<C.length;xe++){
 let Ee=b[xe],Se=C[xe];Ee!==null&&Se!==void 0&&Se.update(Ee,me,c||o)}se&&se(ee,me),me.detectedPlanes&&n.dispatchEvent({type:"planesdetected",data:me}),p=null}let ue=new yg;
-ue.setAnimationLoop(de),this.setAnimationLoop=function(ee){se=ee},this.dispose=function(){}}},dw=new xt,Rg=new Qe;Rg.set(-1,0,0,0,1,0,0,0,1);function fw(i,e){function t(m,g){
+ue.setAnimationLoop(de),this.setAnimationLoop=function(ee){se=ee},this.dispose=function(){}}},fw=new xt,Rg=new Qe;Rg.set(-1,0,0,0,1,0,0,0,1);function pw(i,e){function t(m,g){
 m.matrixAutoUpdate===!0&&m.updateMatrix(),g.value.copy(m.matrix)}function n(m,g){g.color.getRGB(m.fogColor.value,ju(i)),g.isFog?(m.fogNear.value=g.near,m.fogFar.
 value=g.far):g.isFogExp2&&(m.fogDensity.value=g.density)}function s(m,g,_,w,M){g.isNodeMaterial?g.uniformsNeedUpdate=!1:g.isMeshBasicMaterial?r(m,g):g.isMeshLambertMaterial?
 (r(m,g),g.envMap&&(m.envMapIntensity.value=g.envMapIntensity)):g.isMeshToonMaterial?(r(m,g),u(m,g)):g.isMeshPhongMaterial?(r(m,g),d(m,g),g.envMap&&(m.envMapIntensity.
@@ -3531,7 +3533,7 @@ m.bumpMapTransform),m.bumpScale.value=g.bumpScale,g.side===kn&&(m.bumpScale.valu
 m.normalScale.value.copy(g.normalScale),g.side===kn&&m.normalScale.value.negate()),g.displacementMap&&(m.displacementMap.value=g.displacementMap,t(g.displacementMap,
 m.displacementMapTransform),m.displacementScale.value=g.displacementScale,m.displacementBias.value=g.displacementBias),g.emissiveMap&&(m.emissiveMap.value=g.emissiveMap,
 t(g.emissiveMap,m.emissiveMapTransform)),g.specularMap&&(m.specularMap.value=g.specularMap,t(g.specularMap,m.specularMapTransform)),g.alphaTest>0&&(m.alphaTest.
-value=g.alphaTest);let _=e.get(g),w=_.envMap,M=_.envMapRotation;w&&(m.envMap.value=w,m.envMapRotation.value.setFromMatrix4(dw.makeRotationFromEuler(M)).transpose(),
+value=g.alphaTest);let _=e.get(g),w=_.envMap,M=_.envMapRotation;w&&(m.envMap.value=w,m.envMapRotation.value.setFromMatrix4(fw.makeRotationFromEuler(M)).transpose(),
 w.isCubeTexture&&w.isRenderTargetTexture===!1&&m.envMapRotation.value.premultiply(Rg),m.reflectivity.value=g.reflectivity,m.ior.value=g.ior,m.refractionRatio.value=
 g.refractionRatio),g.lightMap&&(m.lightMap.value=g.lightMap,m.lightMapIntensity.value=g.lightMapIntensity,t(g.lightMap,m.lightMapTransform)),g.aoMap&&(m.aoMap.value=
 g.aoMap,m.aoMapIntensity.value=g.aoMapIntensity,t(g.aoMap,m.aoMapTransform))}function o(m,g){m.diffuse.value.copy(g.color),m.opacity.value=g.opacity,g.map&&(m.map.
@@ -3560,7 +3562,7 @@ g.anisotropyRotation)),g.anisotropyMap&&(m.anisotropyMap.value=g.anisotropyMap,t
 m.specularColor.value.copy(g.specularColor),g.specularColorMap&&(m.specularColorMap.value=g.specularColorMap,t(g.specularColorMap,m.specularColorMapTransform)),
 g.specularIntensityMap&&(m.specularIntensityMap.value=g.specularIntensityMap,t(g.specularIntensityMap,m.specularIntensityMapTransform))}function p(m,g){g.matcap&&
 (m.matcap.value=g.matcap)}function v(m,g){let _=e.get(g).light;m.referencePosition.value.setFromMatrixPosition(_.matrixWorld),m.nearDistance.value=_.shadow.camera.
-near,m.farDistance.value=_.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function pw(i,e,t,n){let s={},r={};function o(_,w){let M=w.program;
+near,m.farDistance.value=_.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function mw(i,e,t,n){let s={},r={};function o(_,w){let M=w.program;
 n.uniformBlockBinding(_,M,s[_.id])}function a(_,w){let M=s[_.id];M===void 0&&(p(_),M=l(_),s[_.id]=M,_.addEventListener("dispose",m));let C=w.program;n.updateUBOMapping(
 _,C);let b=e.render.frame;r[_.id]!==b&&(c(_),r[_.id]=b)}function l(_){let w=i.createBuffer(),M=_.__size,C=_.usage;return i.bindBuffer(i.UNIFORM_BUFFER,w),i.bufferData(
 i.UNIFORM_BUFFER,M,C),i.bindBuffer(i.UNIFORM_BUFFER,null),w}function c(_){let w=s[_.id],M=_.uniforms,C=_.__cache;i.bindBuffer(i.UNIFORM_BUFFER,w);for(let b=0,x=M.
@@ -3580,7 +3582,7 @@ lean"?(M.boundary=4,M.storage=4):_.isVector2?(M.boundary=8,M.storage=8):_.isVect
 16):_.isMatrix3?(M.boundary=16,M.storage=48):_.isMatrix4?(M.boundary=16,M.storage=64):_.isTexture?$e("WebGLRenderer: Texture samplers can not be part of an unif\
 orms group."):ArrayBuffer.isView(_)?(M.boundary=16,M.storage=_.byteLength):$e("WebGLRenderer: Unsupported uniform value type.",_),w===!0&&(M.boundary=16,M.storage=
 Math.ceil(M.storage/16)*16),M}function m(_){let w=_.target;w.removeEventListener("dispose",m),i.deleteBuffer(s[w.id]),delete s[w.id],delete r[w.id]}function g(){
-for(let _ in s)i.deleteBuffer(s[_]);s={},r={}}return{bind:o,update:a,dispose:g}}var mw=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,
+for(let _ in s)i.deleteBuffer(s[_]);s={},r={}}return{bind:o,update:a,dispose:g}}var gw=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,
 14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,
 14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,
 14484,14039,14487,14025,14499,13941,14524,13740,14574,13468,14654,13106,14743,12678,14818,12344,14867,11893,14889,11509,14893,11180,14881,10751,14852,10428,14812,
@@ -3598,7 +3600,7 @@ for(let _ in s)i.deleteBuffer(s[_]);s={},r={}}return{bind:o,update:a,dispose:g}}
 5287,14377,4985,14133,4586,13869,4257,15360,1563,15360,1642,15358,2076,15354,2636,15341,3350,15317,4019,15273,4429,15203,4732,15105,4911,14981,4932,14836,4818,14679,
 4621,14517,4386,14359,4156,14083,3795,13808,3437,15360,122,15360,137,15358,285,15355,636,15344,1274,15322,2177,15281,2765,15215,3223,15120,3451,14995,3569,14846,
 3567,14681,3466,14511,3305,14344,3121,14037,2800,13753,2467,15360,0,15360,1,15359,21,15355,89,15346,253,15325,479,15287,796,15225,1148,15133,1492,15008,1749,14856,
-1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),Gi=null;function gw(){return Gi===null&&(Gi=new Xo(mw,16,16,Us,Si),Gi.name="DFG_LUT",Gi.minFilter=
+1882,14685,1886,14506,1783,14324,1608,13996,1398,13702,1183]),Gi=null;function _w(){return Gi===null&&(Gi=new Xo(gw,16,16,Us,Si),Gi.name="DFG_LUT",Gi.minFilter=
 On,Gi.magFilter=On,Gi.wrapS=Fi,Gi.wrapT=Fi,Gi.generateMipmaps=!1,Gi.needsUpdate=!0),Gi}var Gc=class{constructor(e={}){let{canvas:t=Hm(),context:n=null,depth:s=!0,
 stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:d="default",failIfMajorPerformanceCaveat:u=!1,reversedDepthBuffer:h=!1,
 outputBufferType:f=Hn}=e;this.isWebGLRenderer=!0;let p;if(n!==null){if(typeof WebGLRenderingContext<"u"&&n instanceof WebGLRenderingContext)throw new Error("THR\
@@ -3614,11 +3616,11 @@ setAttribute"in t&&t.setAttribute("data-engine","three.js r".concat("187")),t.ad
 d",Je,!1),t.addEventListener("webglcontextcreationerror",Ce,!1),B===null){let k="webgl2";if(B=Re(k,E),B===null)throw Re(k)?new Error("THREE.WebGLRenderer: Error\
  creating WebGL context with your selected attributes."):new Error("THREE.WebGLRenderer: Error creating WebGL context.")}Ze()}catch(E){throw t.removeEventListener(
 "webglcontextlost",Oe,!1),t.removeEventListener("webglcontextrestored",Je,!1),t.removeEventListener("webglcontextcreationerror",Ce,!1),Ke("WebGLRenderer: "+E.message),
-E}function Ze(){qe=new ES(B),qe.init(),ge=new cw(B,qe),it=new gS(B,qe,e,ge),be=new aw(B,qe),it.reversedDepthBuffer&&h&&be.buffers.depth.setReversed(!0),z=B.createFramebuffer(),
-D=B.createFramebuffer(),W=B.createFramebuffer(),Lt=new PS(B),ze=new $b,Xe=new lw(B,qe,be,ze,it,ge,Lt),P=new AS(R),T=new Ly(B),Me=new pS(B,T),q=new CS(B,T,Lt,Me),
-he=new LS(B,q,T,Me,Lt),re=new IS(B,it,Xe),ie=new _S(ze),oe=new qb(R,P,qe,it,Me,ie),_e=new fw(R,ze),ye=new Zb,te=new tw(qe),O=new fS(R,P,be,he,p,l),pe=new ow(R,he,
-it),Ge=new pw(B,Lt,it,be),ne=new mS(B,qe,Lt),we=new RS(B,qe,Lt),Lt.programs=oe.programs,R.capabilities=it,R.extensions=qe,R.properties=ze,R.renderLists=ye,R.shadowMap=
-pe,R.state=be,R.info=Lt}v!==Hn&&(N=new DS(v,t.width,t.height,a,s,r));let le=new ud(R,B);this.xr=le,this.getContext=function(){return B},this.getContextAttributes=
+E}function Ze(){qe=new CS(B),qe.init(),ge=new hw(B,qe),it=new _S(B,qe,e,ge),be=new lw(B,qe),it.reversedDepthBuffer&&h&&be.buffers.depth.setReversed(!0),z=B.createFramebuffer(),
+D=B.createFramebuffer(),W=B.createFramebuffer(),Lt=new IS(B),ze=new Yb,Xe=new cw(B,qe,be,ze,it,ge,Lt),P=new ES(R),T=new Ny(B),Me=new mS(B,T),q=new RS(B,T,Lt,Me),
+he=new NS(B,q,T,Me,Lt),re=new LS(B,it,Xe),ie=new xS(ze),oe=new $b(R,P,qe,it,Me,ie),_e=new pw(R,ze),ye=new Jb,te=new nw(qe),O=new pS(R,P,be,he,p,l),pe=new aw(R,he,
+it),Ge=new mw(B,Lt,it,be),ne=new gS(B,qe,Lt),we=new PS(B,qe,Lt),Lt.programs=oe.programs,R.capabilities=it,R.extensions=qe,R.properties=ze,R.renderLists=ye,R.shadowMap=
+pe,R.state=be,R.info=Lt}v!==Hn&&(N=new US(v,t.width,t.height,a,s,r));let le=new ud(R,B);this.xr=le,this.getContext=function(){return B},this.getContextAttributes=
 function(){return B.getContextAttributes()},this.forceContextLoss=function(){let E=qe.get("WEBGL_lose_context");E&&E.loseContext()},this.forceContextRestore=function(){
 let E=qe.get("WEBGL_lose_context");E&&E.restoreContext()},this.getPixelRatio=function(){return Se},this.setPixelRatio=function(E){E!==void 0&&(Se=E,this.setSize(
 xe,Ee,!1))},this.getSize=function(E){return E.set(xe,Ee)},this.setSize=function(E,k,j=!0){if(le.isPresenting){$e("WebGLRenderer: Can't change size while VR devi\
@@ -3744,7 +3746,7 @@ B,Z,"bindMatrixInverse");let Rt=Z.skeleton;Rt&&(Rt.boneTexture===null&&Rt.comput
 exture",Z._indirectTexture,Xe),ct.setOptional(B,Z,"batchingColorTexture"),Z._colorsTexture!==null&&ct.setValue(B,"batchingColorTexture",Z._colorsTexture,Xe));let In=j.
 morphAttributes;if((In.position!==void 0||In.normal!==void 0||In.color!==void 0)&&re.update(Z,j,nn),(Ci||Ue.receiveShadow!==Z.receiveShadow)&&(Ue.receiveShadow=
 Z.receiveShadow,ct.setValue(B,"receiveShadow",Z.receiveShadow)),($.isMeshStandardMaterial||$.isMeshLambertMaterial||$.isMeshPhongMaterial)&&$.envMap===null&&k.environment!==
-null&&(Yt.envMapIntensity.value=k.environmentIntensity),Yt.dfgLUT!==void 0&&(Yt.dfgLUT.value=gw()),Ci){if(ct.setValue(B,"toneMappingExposure",R.toneMappingExposure),
+null&&(Yt.envMapIntensity.value=k.environmentIntensity),Yt.dfgLUT!==void 0&&(Yt.dfgLUT.value=_w()),Ci){if(ct.setValue(B,"toneMappingExposure",R.toneMappingExposure),
 Ue.needsLights&&cr(Yt,$i),Te&&$.fog===!0&&_e.refreshFogUniforms(Yt,Te),_e.refreshMaterialUniforms(Yt,$,Se,Ee,b.state.transmissionRenderTarget[E.id]),Ue.needsLights&&
 Ue.numLightProbeGrids>0){let Rt=M,sn=0;for(let Tn of b.state.lightProbeGridArray)Tn.texture!==null&&(Rt.textures[sn]=Tn.texture,Rt.min[sn]=Tn.boundingBox.min,Rt.
 max[sn]=Tn.boundingBox.max,Rt.resolution[sn]=Tn.resolution,sn++);for(let Tn in Rt)Rt[Tn].length=sn;Yt.probesSH.value=Rt.textures,Yt.probesMin.value=Rt.min,Yt.probesMax.
@@ -3813,13 +3815,13 @@ B.UNPACK_IMAGE_HEIGHT,mt),be.pixelStorei(B.UNPACK_SKIP_PIXELS,qi),be.pixelStorei
 E)},this.initTexture=function(E){E.isCubeTexture?Xe.setTextureCube(E,0):E.isData3DTexture?Xe.setTexture3D(E,0):E.isDataArrayTexture||E.isCompressedArrayTexture?
 Xe.setTexture2DArray(E,0):Xe.setTexture2D(E,0),be.unbindTexture()},this.resetState=function(){Y=0,H=0,ce=null,be.reset(),Me.reset()},typeof __THREE_DEVTOOLS__<"\
 u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return li}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(e){
-this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=_t._getDrawingBufferColorSpace(e),t.unpackColorSpace=_t._getUnpackColorSpace()}};var qc=0,_w=1,xw=new V,Pg=new la,dd=new ei,Ig=new V,Xc=new Ui,$c=class{constructor(){this.tolerance=-1,this.faces=[],this.newFaces=[],this.assigned=new Yc,this.
+this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=_t._getDrawingBufferColorSpace(e),t.unpackColorSpace=_t._getUnpackColorSpace()}};var qc=0,xw=1,yw=new V,Pg=new la,dd=new ei,Ig=new V,Xc=new Ui,$c=class{constructor(){this.tolerance=-1,this.faces=[],this.newFaces=[],this.assigned=new Yc,this.
 unassigned=new Yc,this.vertices=[]}setFromPoints(e){if(e.length>=4){this.makeEmpty();for(let t=0,n=e.length;t<n;t++)this.vertices.push(new fd(e[t]));this._compute()}
 return this}setFromObject(e){let t=[];return e.updateMatrixWorld(!0),e.traverse(function(n){let s=n.geometry;if(s!==void 0){let r=s.attributes.position;if(r!==void 0)
 for(let o=0,a=r.count;o<a;o++){let l=new V;l.fromBufferAttribute(r,o).applyMatrix4(n.matrixWorld),t.push(l)}}}),this.setFromPoints(t)}containsPoint(e){let t=this.
 faces;for(let n=0,s=t.length;n<s;n++)if(t[n].distanceToPoint(e)>this.tolerance)return!1;return!0}intersectRay(e,t){let n=this.faces,s=-1/0,r=1/0;for(let o=0,a=n.
 length;o<a;o++){let l=n[o],c=l.distanceToPoint(e.origin),d=l.normal.dot(e.direction);if(c>0&&d>=0)return null;let u=d!==0?-c/d:0;if(!(u<=0)&&(d>0?r=Math.min(u,r):
-s=Math.max(u,s),s>r))return null}return s!==-1/0?e.at(s,t):e.at(r,t),t}intersectsRay(e){return this.intersectRay(e,xw)!==null}makeEmpty(){return this.faces=[],this.
+s=Math.max(u,s),s>r))return null}return s!==-1/0?e.at(s,t):e.at(r,t),t}intersectsRay(e){return this.intersectRay(e,yw)!==null}makeEmpty(){return this.faces=[],this.
 vertices=[],this}_addVertexToFace(e,t){return e.face=t,t.outside===null?this.assigned.append(e):this.assigned.insertBefore(t.outside,e),t.outside=e,this}_removeVertexFromFace(e,t){
 return e===t.outside&&(e.next!==null&&e.next.face===t?t.outside=e.next:t.outside=null),this.assigned.remove(e),this}_removeAllVerticesFromFace(e){if(e.outside!==
 null){let t=e.outside,n=e.outside;for(;n.next!==null&&n.next.face===e;)n=n.next;return this.assigned.removeSubList(t,n),t.prev=n.next=null,e.outside=null,t}}_deleteFaceVertices(e,t){
@@ -3841,7 +3843,7 @@ faces.push(u[h]);for(let h=0,f=e.length;h<f;h++){let p=e[h];if(p!==a&&p!==l&&p!=
 distanceToPoint(p.point);g>r&&(r=g,v=this.faces[m])}v!==null&&this._addVertexToFace(p,v)}}return this}_reindexFaces(){let e=[];for(let t=0;t<this.faces.length;t++){
 let n=this.faces[t];n.mark===qc&&e.push(n)}return this.faces=e,this}_nextVertexToAdd(){if(this.assigned.isEmpty()===!1){let e,t=0,n=this.assigned.first().face,s=n.
 outside;do{let r=n.distanceToPoint(s.point);r>t&&(t=r,e=s),s=s.next}while(s!==null&&s.face===n);return e}}_computeHorizon(e,t,n,s){this._deleteFaceVertices(n),n.
-mark=_w;let r;t===null?r=t=n.getEdge(0):r=t.next;do{let o=r.twin,a=o.face;a.mark===qc&&(a.distanceToPoint(e)>this.tolerance?this._computeHorizon(e,o,a,s):s.push(
+mark=xw;let r;t===null?r=t=n.getEdge(0):r=t.next;do{let o=r.twin,a=o.face;a.mark===qc&&(a.distanceToPoint(e)>this.tolerance?this._computeHorizon(e,o,a,s):s.push(
 r)),r=r.next}while(r!==t);return this}_addAdjoiningFace(e,t){let n=wi.create(e,t.tail(),t.head());return this.faces.push(n),n.getEdge(-1).setTwin(t.twin),n.getEdge(
 0)}_addNewFaces(e,t){this.newFaces=[];let n=null,s=null;for(let r=0;r<t.length;r++){let o=t[r],a=this._addAdjoiningFace(e,o);n===null?n=a:a.next.setTwin(s),this.
 newFaces.push(a.face),s=a}return n.next.setTwin(s),this}_addVertexToHull(e){let t=[];return this.unassigned.clear(),this._removeVertexFromFace(e,e.face),this._computeHorizon(
@@ -3861,35 +3863,35 @@ e,this}appendChain(e){for(this.head===null?this.head=e:this.tail.next=e,e.prev=t
 null?this.head=e.next:e.prev.next=e.next,e.next===null?this.tail=e.prev:e.next.prev=e.prev,this}removeSubList(e,t){return e.prev===null?this.head=t.next:e.prev.
 next=t.next,t.next===null?this.tail=e.prev:t.next.prev=e.prev,this}isEmpty(){return this.head===null}};var Zc=class extends ln{constructor(e=[]){super();let t=[],n=[],r=new $c().setFromPoints(e).faces;for(let o=0;o<r.length;o++){let a=r[o],l=a.edge;do{let c=l.head().
 point;t.push(c.x,c.y,c.z),n.push(a.normal.x,a.normal.y,a.normal.z),l=l.next}while(l!==a.edge)}this.setAttribute("position",new yt(t,3)),this.setAttribute("norma\
-l",new yt(n,3))}};var Jc=24,pd=.1;function Lg(i,e){return i===0?e.rotateZ(-Math.PI/2):i===2?e.rotateX(Math.PI/2):e}var yw=i=>Array.from({length:i.length/3},(e,t)=>new V().fromArray(
-i,3*t));function vw({points:i,triangles:e}){let t=new ln;t.setAttribute("position",new yt(i,3)),t.setIndex(e);let n=t.toNonIndexed();return n.computeVertexNormals(),
+l",new yt(n,3))}};var Jc=24,pd=.1;function Lg(i,e){return i===0?e.rotateZ(-Math.PI/2):i===2?e.rotateX(Math.PI/2):e}var vw=i=>Array.from({length:i.length/3},(e,t)=>new V().fromArray(
+i,3*t));function Mw({points:i,triangles:e}){let t=new ln;t.setAttribute("position",new yt(i,3)),t.setIndex(e);let n=t.toNonIndexed();return n.computeVertexNormals(),
 n}var md={box:{geometry:()=>new Rs,has_edges:!0},sphere:{geometry:({radius:i})=>new Qo(i,Jc,Jc/2)},capsule:{geometry:i=>Lg(i.axis,new Jo(i.radius,2*i.half_length,
-8,Jc))},cylinder:{geometry:i=>Lg(i.axis,new Ps(i.radius,i.radius,2*i.half_length,Jc))},hull:{geometry:({points:i})=>new Zc(yw(i))},mesh:{geometry:vw}},gd=i=>i.shape!==
+8,Jc))},cylinder:{geometry:i=>Lg(i.axis,new Ps(i.radius,i.radius,2*i.half_length,Jc))},hull:{geometry:({points:i})=>new Zc(vw(i))},mesh:{geometry:Mw}},gd=i=>i.shape!==
 "box"&&i.shape in md,Ng=i=>gd(i)?md[i.shape]:md.box,Dg=i=>gd(i)?"".concat(i.shape," ").concat(i.index):"box",_d=i=>i.size[0]>0?i.size:[pd,pd,pd],Ug=i=>gd(i)?[1,
-1,1]:_d(i);var sr=0;var Fg=2,Kc=3,Mw=32767,Sw=new xt().makeScale(0,0,0);function bw(i){return i.defines={USE_UV:""},i.onBeforeCompile=e=>{e.fragmentShader=e.fragmentShader.replace(
+1,1]:_d(i);var sr=0;var Fg=2,Kc=3,Sw=32767,bw=new xt().makeScale(0,0,0);function ww(i){return i.defines={USE_UV:""},i.onBeforeCompile=e=>{e.fragmentShader=e.fragmentShader.replace(
 "#include <color_fragment>",["#include <color_fragment>","vec2 toEdge = min(vUv, 1.0 - vUv) / max(fwidth(vUv), vec2(1e-6));","float flatness = clamp(3.0 * max(f\
 width(vUv).x, fwidth(vUv).y), 0.0, 1.0);","diffuseColor.rgb *= mix(mix(0.5, 1.0, flatness), 1.0, smoothstep(0.4, 1.6, min(toEdge.x, toEdge.y)));"].join("\n"))},
-i}function ww(i,e){if(i==="marks")return new ls({wireframe:!0,depthTest:!1});let t=new ea;return e?bw(t):t}function Og(i,e,t){let n=new Vn,s=new Vn,r=[],o={count:0},
+i}function Tw(i,e){if(i==="marks")return new ls({wireframe:!0,depthTest:!1});let t=new ea;return e?ww(t):t}function Og(i,e,t){let n=new Vn,s=new Vn,r=[],o={count:0},
 a=null,l=h=>{for(let{mesh:f}of r)f.material.transparent=h,f.material.opacity=h?.45:1,f.material.depthWrite=!h,f.material.needsUpdate=!0,f.renderOrder=h?1:0},c=()=>{
 for(let{mesh:f}of r)n.remove(f),f.geometry.dispose(),f.material.dispose(),f.dispose();let h=new Map;for(let f=0;f<o.count;++f){let p=o.body(f),v=i==="marks"?"ma\
 rks":Dg(p);h.has(v)||h.set(v,{body:p,rows:[]}),h.get(v).rows.push(f)}r=[...h.values()].map(({body:f,rows:p})=>{let v=Ng(f),m=i==="marks"?new eo(.5):v.geometry(f),
-g=new As(m,ww(i,v.has_edges),p.length);return g.frustumCulled=!1,i==="marks"&&(g.renderOrder=2),n.add(g),{mesh:g,rows:p}}),i==="ghost"&&l(!0)},d=new st(e);n.add(
+g=new As(m,Tw(i,v.has_edges),p.length);return g.frustumCulled=!1,i==="marks"&&(g.renderOrder=2),n.add(g),{mesh:g,rows:p}}),i==="ghost"&&l(!0)},d=new st(e);n.add(
 s);let u={group:n,set_ghost:l,describe(h){o=h,c(),a&&u.show(...a)},show(h,f={}){a=[h,f];let p=new xt,v=new V,m=new Bn,g=new V,_=new st;for(let{mesh:w,rows:M}of r)
-M.forEach((C,b)=>{if(!(h&&C<h.rows&&h.mark[C]!==sr&&h.mark[C]!==Kc)||f.hidden?.(C))w.setMatrixAt(b,Sw);else{let S=o.body(C),N=h.rows;v.set(h.x[C],h.y[C],h.z[C]),
+M.forEach((C,b)=>{if(!(h&&C<h.rows&&h.mark[C]!==sr&&h.mark[C]!==Kc)||f.hidden?.(C))w.setMatrixAt(b,bw);else{let S=o.body(C),N=h.rows;v.set(h.x[C],h.y[C],h.z[C]),
 i==="marks"?(g.setScalar(Math.min(..._d(S))),m.identity()):(g.set(...Ug(S)),m.set(h.turn[N+C],h.turn[2*N+C],h.turn[3*N+C],h.turn[C]).normalize()),w.setMatrixAt(
 b,p.compose(v,m,g))}_.copy(d),f.colour?.(C,_,h),w.setColorAt(b,_)}),w.instanceMatrix.needsUpdate=!0,w.instanceColor&&(w.instanceColor.needsUpdate=!0),w.boundingSphere=
 null;u.mark_lost(f.lost??[])},mark_lost(h){for(let v of[...s.children])s.remove(v),v.geometry.dispose(),v.material.dispose();if(h.length===0)return;let f=new As(
 new eo(.7),new ls({color:t.bad,wireframe:!0,depthTest:!1}),h.length);f.frustumCulled=!1,f.renderOrder=4;let p=new xt;h.forEach(({at:v,size:m},g)=>{f.setMatrixAt(
 g,p.compose(new V(...v),new Bn,new V().setScalar(m)))}),s.add(f)},hits(h){return r.flatMap(({mesh:f,rows:p})=>{let v=[];return f.raycast(h,v),v.map(m=>({distance:m.
-distance,row:p[m.instanceId]}))})}};return u}function Bg(i,e){let t=new Int16Array(4*i);for(let n=0;n<i;++n)e(n).forEach((s,r)=>{t[r*i+n]=Math.round(Mw*s)});return t}var kg=1e3/30,Tw=[.05,.1,.25,.5,1,2,4,8,16],Aw={first:"M5 4v12M16 4l-8 6 8 6z",back:"M15 4l-9 6 9 6z",less:"M12 5l-6 5 6 5",more:"M8 5l6 5-6 5",play:"M6 4l9 6-9\
+distance,row:p[m.instanceId]}))})}};return u}function Bg(i,e){let t=new Int16Array(4*i);for(let n=0;n<i;++n)e(n).forEach((s,r)=>{t[r*i+n]=Math.round(Sw*s)});return t}var kg=1e3/30,Aw=[.05,.1,.25,.5,1,2,4,8,16],Ew={first:"M5 4v12M16 4l-8 6 8 6z",back:"M15 4l-9 6 9 6z",less:"M12 5l-6 5 6 5",more:"M8 5l6 5-6 5",play:"M6 4l9 6-9\
  6z",last:"M15 4v12M4 4l8 6-8 6z",pause:"M6 4v12M13 4v12"};function zg(i){let e=document.createElement("span");return e.className="icon",e.innerHTML='<svg viewB\
-ox="0 0 20 20" aria-hidden="true" fill="none" stroke="currentColor" stroke-width="2" '+'stroke-linejoin="round" stroke-linecap="round"><path d="'.concat(Aw[i],'\
+ox="0 0 20 20" aria-hidden="true" fill="none" stroke="currentColor" stroke-width="2" '+'stroke-linejoin="round" stroke-linecap="round"><path d="'.concat(Ew[i],'\
 "/></svg>'),e}function Fs(i,e,t){let n=X("button",{type:"button",className:i,title:e},zg(i));return n.setAttribute("aria-label",e),n.addEventListener("click",t),
 n}var rr=class{constructor(e,t,n=null){this.first=e,this.last=t,this.list=n}at_or_before(e){let t=Math.min(this.last,Math.max(this.first,Math.round(e)));return this.
 list?this.list[Math.max(0,this.rank(t))]:t}rank(e){let t=0,n=this.list.length;for(;t<n;){let s=t+n>>1;this.list[s]<=e?t=s+1:n=s}return t-1}beside(e,t){return this.
 list?this.list[Math.min(this.list.length-1,Math.max(0,this.rank(e)+t))]:this.at_or_before(e+t)}};function jc({steps:i,dt:e,show:t,label:n="step shown",full:s=!0}){
 let r=i.first,o=null,a=0,l=r,c=performance.now(),d=X("input",{type:"range",className:"scrubber",min:i.first,max:i.last,value:r});d.setAttribute("aria-label",n);
-let u=X("select",{className:"speed"},...Tw.map(S=>X("option",{value:S,textContent:"\xD7".concat(S),selected:S===1})));u.setAttribute("aria-label","speed of play\
+let u=X("select",{className:"speed"},...Aw.map(S=>X("option",{value:S,textContent:"\xD7".concat(S),selected:S===1})));u.setAttribute("aria-label","speed of play\
 ing");let h=X("input",{type:"number",className:"step",min:i.first,max:i.last,value:r});h.setAttribute("aria-label","step");let f=()=>{d.value=r,document.activeElement!==
 h&&(h.value=r),t(r)},p=()=>{clearInterval(o),o=null,a=0,C()},v=S=>{let N=i.at_or_before(S);if(N===r){d.value=r;return}r=N,f()},m=S=>{p(),v(S)},g=()=>{let S=performance.
 now();l+=a*Number(u.value)*Math.min(.25,(S-c)/1e3)/Math.max(e(),1e-9),c=S,v(l),(a>0?l>=i.last:l<=i.first)&&p()},_=S=>{if(a===S)return p();p(),a=S,S>0&&r>=i.at_or_before(
@@ -3910,61 +3912,61 @@ activeElement===i&&(l.preventDefault(),e.zoom(Math.exp(l.deltaY/800)))},{passive
 turn(0,.12),ArrowDown:()=>e.turn(0,-.12),"+":()=>e.zoom(.85),"=":()=>e.zoom(.85),"-":()=>e.zoom(1/.85)};i.addEventListener("keydown",l=>{!(l.key in a)||l.ctrlKey||
 l.metaKey||l.altKey||(l.preventDefault(),l.stopPropagation(),a[l.key]())})}function eh(i,e){let t=i.map(r=>{let o=r.filter(a=>Number.isFinite(a)).sort((a,l)=>a-
 l);return o.length===0?[0,0]:[o[Math.floor(.05*(o.length-1))],o[Math.ceil(.95*(o.length-1))]]}),n=t.map(([r,o])=>(r+o)/2),s=Math.hypot(...t.map(([r,o])=>o-r));return{
-centre:n,radius:Math.max(s/2+Math.min(Math.max(e,.1),4),.001)}}var Ew=.07,Cw=.25;function Vg(i){let e=new Vn,t=new Ps(.5,.5,1,6).translate(0,.5,0),n=new Ko(.5,1,10).translate(0,.5,0),s=new ls({color:i.contact,depthTest:!1,transparent:!0,
-opacity:.9}),r=[];return{group:e,show(o,a){for(let p of r)e.remove(p),p.dispose();if(r=[],o.length===0)return;let[l,c]=r=[t,n].map(p=>new As(p,s,o.length)),d=Ew*
-a,u=Math.max(...o.map(p=>p.impulse),1e-30),h=new V(0,1,0),f=new xt;o.forEach(({at:p,normal:v,impulse:m},g)=>{let _=d*Math.max(Cw,Math.sqrt(Math.max(0,m)/u)),w=new Bn().
+centre:n,radius:Math.max(s/2+Math.min(Math.max(e,.1),4),.001)}}var Cw=.07,Rw=.25;function Vg(i){let e=new Vn,t=new Ps(.5,.5,1,6).translate(0,.5,0),n=new Ko(.5,1,10).translate(0,.5,0),s=new ls({color:i.contact,depthTest:!1,transparent:!0,
+opacity:.9}),r=[];return{group:e,show(o,a){for(let p of r)e.remove(p),p.dispose();if(r=[],o.length===0)return;let[l,c]=r=[t,n].map(p=>new As(p,s,o.length)),d=Cw*
+a,u=Math.max(...o.map(p=>p.impulse),1e-30),h=new V(0,1,0),f=new xt;o.forEach(({at:p,normal:v,impulse:m},g)=>{let _=d*Math.max(Rw,Math.sqrt(Math.max(0,m)/u)),w=new Bn().
 setFromUnitVectors(h,new V(...v).normalize()),M=new V(...p),C=d*.05;l.setMatrixAt(g,f.compose(M,w,new V(C,_*.7,C)));let b=new V(0,_*.7,0).applyQuaternion(w).add(
-M);c.setMatrixAt(g,f.compose(b,w,new V(C*3.4,_*.3,C*3.4)))});for(let p of r)p.frustumCulled=!1,p.renderOrder=3,e.add(p)}}}var yd=40,Rw=2;function Pw(i,e){let t=new ln;t.setAttribute("position",new yt(i,3));let n=new Qr(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),
-n}function xd(i){i.traverse?.(e=>{e.geometry?.dispose(),e.material?.dispose(),e.dispose?.()}),i.removeFromParent()}function Iw(i,e){let t={around:-.9,up:.45,distance:.82*
+M);c.setMatrixAt(g,f.compose(b,w,new V(C*3.4,_*.3,C*3.4)))});for(let p of r)p.frustumCulled=!1,p.renderOrder=3,e.add(p)}}}var yd=40,Pw=2;function Iw(i,e){let t=new ln;t.setAttribute("position",new yt(i,3));let n=new Qr(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),
+n}function xd(i){i.traverse?.(e=>{e.geometry?.dispose(),e.material?.dispose(),e.dispose?.()}),i.removeFromParent()}function Lw(i,e){let t={around:-.9,up:.45,distance:.82*
 i/Math.sin(yd/2*Math.PI/180),centre:new V};if(e){let n=new V(...e.position).sub(new V(...e.target));t.around=Math.atan2(n.y,n.x),t.up=Math.min(1.5,Math.max(-.3,
 Math.asin(n.z/n.length())))}return t}function th(i,{hue:e,box:t,camera:n,ground:s=!0}){let r=new Gc({canvas:i,antialias:!0,alpha:!0});r.setPixelRatio(Math.min(devicePixelRatio,
-Rw));let{radius:o}=t,a=new Go,l=new Fn(yd,1,o/200,o*200);l.up.set(0,0,1);let c=new to("#ffffff",2.2);c.position.set(.45,-.7,1);let d=new to("#ffffff",.7);if(d.position.
+Pw));let{radius:o}=t,a=new Go,l=new Fn(yd,1,o/200,o*200);l.up.set(0,0,1);let c=new to("#ffffff",2.2);c.position.set(.45,-.7,1);let d=new to("#ffffff",.7);if(d.position.
 set(-.8,.3,.4),a.add(new sa("#ffffff","#c9d1da",1.9),c,d),s){let b=new ca(8*o,40,e.line,e.line);b.rotation.x=Math.PI/2,b.position.set(t.centre[0],t.centre[1],0),
-a.add(b)}let u=Iw(o,n);u.centre.set(...t.centre);let h=[],f=new Vn;a.add(f);let p=Vg(e);f.add(p.group);let v=!1,m=!1,g=()=>{let b=u.distance*Math.max(1,.95/l.aspect),
+a.add(b)}let u=Lw(o,n);u.centre.set(...t.centre);let h=[],f=new Vn;a.add(f);let p=Vg(e);f.add(p.group);let v=!1,m=!1,g=()=>{let b=u.distance*Math.max(1,.95/l.aspect),
 x=Math.cos(u.up)*b;l.position.set(u.centre.x+x*Math.cos(u.around),u.centre.y+x*Math.sin(u.around),u.centre.z+b*Math.sin(u.up)),l.lookAt(u.centre)},_=()=>v&&h.length===
 2?2:1,w=()=>{m=!1;let b=r.getSize(new ot),x=_();l.aspect=b.x/x/Math.max(1,b.y),l.updateProjectionMatrix(),g(),r.setScissorTest(x===2);for(let S=0;S<x;++S){let N=Math.
 round(S*b.x/x);r.setViewport(N,0,b.x/x,b.y),r.setScissor(N,0,b.x/x,b.y),h.forEach((R,I)=>{R.group.visible=x===1||I===S}),f.visible=S===0,r.render(a,l)}},M=()=>{
 m||(m=!0,requestAnimationFrame(w))},C=new Map;return{view:u,draw:M,draw_now:w,add_session(b,x){let S=Og(b,x,e);return h.push(S),a.add(S.group),{describe(N){S.describe(
 N),M()},show(N,R){S.show(N,R),M()}}},set_side_by_side(b){v=b,h[1]?.set_ghost(!b),M()},set_lines(b,x){if(C.has(b)&&xd(C.get(b)),C.delete(b),x&&x.points.length>0){
-let{points:S,colour:N,dash:R,on_top:I}=x,F={color:N,depthTest:!I,transparent:!0,opacity:x.opacity??1},z=R?new ta({...F,dashSize:R,gapSize:.7*R}):new Cs(F),D=Pw(
+let{points:S,colour:N,dash:R,on_top:I}=x,F={color:N,depthTest:!I,transparent:!0,opacity:x.opacity??1},z=R?new ta({...F,dashSize:R,gapSize:.7*R}):new Cs(F),D=Iw(
 S,z);D.renderOrder=I?2:1,f.add(D),C.set(b,D)}M()},set_arrows(b){p.show(b,u.distance),M()},pick(b,x){let S=_(),N=Math.min(S-1,Math.floor(b*S));g(),l.updateMatrixWorld();
 let R=new aa;R.setFromCamera(new ot(2*(b*S-N)-1,1-2*x),l);let I=h.flatMap((F,z)=>S===2&&z!==N?[]:F.hits(R).map(D=>({...D,session:z})));return I.sort((F,z)=>F.distance-
 z.distance),I[0]??null},turn(b,x){u.around+=b,u.up=Math.min(1.55,Math.max(-.3,u.up+x)),M()},zoom(b){u.distance=Math.min(40*o,Math.max(o/100,u.distance*b)),M()},
 pan(b,x){g(),l.updateMatrixWorld();let S=2*u.distance*Math.tan(yd/2*Math.PI/180),N=new V().setFromMatrixColumn(l.matrixWorld,0).multiplyScalar(-b*S);u.centre.add(
 N.add(new V().setFromMatrixColumn(l.matrixWorld,1).multiplyScalar(x*S))),M()},look_at(b){u.centre.set(...b),M()},resize(b,x){r.setSize(b,x,!1),w()},dispose(){for(let b of h)
-xd(b.group);xd(f),a.traverse(b=>{b.geometry?.dispose(),b.material?.dispose()}),r.dispose(),r.forceContextLoss()}}}var Md=2,Lw=.05,Nw=40,Dw=.15,Os=(i,e)=>{let t=i===null?[null]:i.slice(3*e,3*e+3);return t.includes(null)?null:t.map(n=>n/1e3)};function Uw(i){let{actual_mm:e,expected_mm:t}=i.
-frames;return e.map((n,s)=>i.bodies.id.map((r,o)=>{let a=Os(n,o),l=Os(t[s],o);return a&&l?1e3*Math.hypot(a[0]-l[0],a[1]-l[1],a[2]-l[2]):null}))}function Fw(i,e){
-let t=Math.max(0,...e.flat());return i.bodies.id.map((n,s)=>{let r=1e3*Math.min(...i.bodies.size.slice(3*s,3*s+3));return Math.max(Md,Lw*Math.min(t,r>0?r:t))})}
+xd(b.group);xd(f),a.traverse(b=>{b.geometry?.dispose(),b.material?.dispose()}),r.dispose(),r.forceContextLoss()}}}var Md=2,Nw=.05,Dw=40,Uw=.15,Os=(i,e)=>{let t=i===null?[null]:i.slice(3*e,3*e+3);return t.includes(null)?null:t.map(n=>n/1e3)};function Fw(i){let{actual_mm:e,expected_mm:t}=i.
+frames;return e.map((n,s)=>i.bodies.id.map((r,o)=>{let a=Os(n,o),l=Os(t[s],o);return a&&l?1e3*Math.hypot(a[0]-l[0],a[1]-l[1],a[2]-l[2]):null}))}function Ow(i,e){
+let t=Math.max(0,...e.flat());return i.bodies.id.map((n,s)=>{let r=1e3*Math.min(...i.bodies.size.slice(3*s,3*s+3));return Math.max(Md,Nw*Math.min(t,r>0?r:t))})}
 function Gg(i,e,t){let n=i.bodies.id.length,s={rows:n,x:new Float32Array(n),y:new Float32Array(n),z:new Float32Array(n),mark:new Uint8Array(n),turn:Bg(n,r=>{let o=t?.
 slice(4*r,4*r+4)??[];return o.length===4&&!o.includes(null)?o:[1,0,0,0]})};for(let r=0;r<n;++r){let o=Os(e,r);o&&([s.x[r],s.y[r],s.z[r]]=o,s.mark[r]=1)}return s}
-function Hg(i,e,t){let n=i.bodies.id.map((o,a)=>Math.max(...t.map(l=>l[a]??0))),s=n.map((o,a)=>a).sort((o,a)=>n[a]-n[o]).slice(0,Nw),r=[];for(let o of s)for(let a=1;a<
+function Hg(i,e,t){let n=i.bodies.id.map((o,a)=>Math.max(...t.map(l=>l[a]??0))),s=n.map((o,a)=>a).sort((o,a)=>n[a]-n[o]).slice(0,Dw),r=[];for(let o of s)for(let a=1;a<
 e.length;++a){let l=Os(e[a-1],o),c=Os(e[a],o);l&&c&&r.push(...l,...c)}return r}var vd=(i,e)=>{let t=X("span",{className:"key"});return t.innerHTML='<svg viewBox\
-="0 0 36 16" aria-hidden="true" fill="none" stroke-width="2">'.concat(i,"</svg>"),t.append(e),t};function Ow(){return X("p",{},vd('<path d="M0 8H36" stroke="var\
+="0 0 36 16" aria-hidden="true" fill="none" stroke-width="2">'.concat(i,"</svg>"),t.append(e),t};function Bw(){return X("p",{},vd('<path d="M0 8H36" stroke="var\
 (--actual)"/><rect x="12" y="2" width="12" height="12" fill="var(--actual)"/>',"this run"),vd('<path d="M0 8H36" stroke="var(--expected)" stroke-dasharray="5 4"\
 />\n      <path d="M18 1l7 7-7 7-7-7z" stroke="var(--expected)"/>',"expected, if to be seen elsewhere"),vd('<path d="M0 8H36" stroke="var(--bad)"/>',"from one t\
-o the other"))}function Bw(i,e,t){let n=e[t].map((c,d)=>({value:c,id:i.bodies.id[d]})).filter(({value:c})=>c!==null),s="step ".concat(i.frames.step[t]),r=i.bodies.
+o the other"))}function kw(i,e,t){let n=e[t].map((c,d)=>({value:c,id:i.bodies.id[d]})).filter(({value:c})=>c!==null),s="step ".concat(i.frames.step[t]),r=i.bodies.
 id.filter((c,d)=>!Os(i.frames.actual_mm[t],d)),o=r.length===0?"":"; body ".concat(r[0]).concat(r.length>1?" and ".concat(r.length-1," more"):""," without a plac\
 e (gone, or not finite)");if(n.length===0)return"".concat(s,": nothing to compare here").concat(o);let a=n.reduce((c,d)=>d.value>c.value?d:c),l=n.filter(({value:c})=>c>
 Md).length;return l===0?"".concat(s,": every body within ").concat(Md," mm of where it was expected").concat(o):"".concat(s,": ").concat(l," of ").concat(n.length,
-" bodies elsewhere, the furthest is body ").concat(a.id,", ")+"".concat(zn(a.value/1e3)," away").concat(o)}function kw(i){return{count:i.bodies.id.length,body:e=>({
-shape:"box",size:i.bodies.size.slice(3*e,3*e+3)})}}function zw(i){let e=[...i.frames.actual_mm,...i.frames.expected_mm].filter(n=>n!==null),t=[0,1,2].map(n=>e.flatMap(
+" bodies elsewhere, the furthest is body ").concat(a.id,", ")+"".concat(zn(a.value/1e3)," away").concat(o)}function zw(i){return{count:i.bodies.id.length,body:e=>({
+shape:"box",size:i.bodies.size.slice(3*e,3*e+3)})}}function Vw(i){let e=[...i.frames.actual_mm,...i.frames.expected_mm].filter(n=>n!==null),t=[0,1,2].map(n=>e.flatMap(
 s=>s.filter((r,o)=>o%3===n&&r!==null)).map(s=>s/1e3));return eh(t,Math.max(...i.bodies.size,.1))}var Sd=class{constructor(e,t,n){Object.assign(this,{place:e,data:t,
-apart:n,frame:0,stage:null,last_view:null}),this.limits=Fw(t,n),new IntersectionObserver(s=>{s.at(-1).isIntersecting?this.open():this.close()},{rootMargin:"100p\
+apart:n,frame:0,stage:null,last_view:null}),this.limits=Ow(t,n),new IntersectionObserver(s=>{s.at(-1).isIntersecting?this.open():this.close()},{rootMargin:"100p\
 x"}).observe(e)}open(){if(this.stage)return;let e=X("canvas",{tabIndex:0});e.setAttribute("role","img"),e.setAttribute("aria-label","The bodies in three dimensi\
-ons. Arrow keys turn the view, + and - zoom."),this.place.replaceChildren(e);let t=Ki(),n=zw(this.data);try{this.stage=th(e,{hue:t,box:n})}catch{this.place.textContent=
+ons. Arrow keys turn the view, + and - zoom."),this.place.replaceChildren(e);let t=Ki(),n=Vw(this.data);try{this.stage=th(e,{hue:t,box:n})}catch{this.place.textContent=
 "This browser has no WebGL, so there is no view; the words below say the same.";return}this.last_view&&Object.assign(this.stage.view,this.last_view),this.actual=
-this.stage.add_session("solid",t.actual),this.expected=this.stage.add_session("marks",t.expected);for(let s of[this.actual,this.expected])s.describe(kw(this.data));
+this.stage.add_session("solid",t.actual),this.expected=this.stage.add_session("marks",t.expected);for(let s of[this.actual,this.expected])s.describe(zw(this.data));
 this.stage.set_lines("actual",{points:Hg(this.data,this.data.frames.actual_mm,this.apart),colour:t.actual}),this.stage.set_lines("expected",{points:Hg(this.data,
 this.data.frames.expected_mm,this.apart),colour:t.expected,dash:n.radius/40}),Qc(e,this.stage),this.resize(),this.show(this.frame)}close(){this.stage&&(this.last_view=
 {...this.stage.view},this.stage.dispose(),this.stage=null,this.place.replaceChildren())}show(e){if(this.frame=e,!this.stage)return;let{frames:t,bodies:n}=this.data,
 s=o=>this.apart[e][o]!==null&&this.apart[e][o]<=this.limits[o];this.actual.show(Gg(this.data,t.actual_mm[e],t.actual_turn[e]),{colour:(o,a)=>a.offsetHSL(0,0,.035*
 (o%5-2))}),this.expected.show(Gg(this.data,t.expected_mm[e],null),{hidden:s});let r=n.id.flatMap((o,a)=>{let l=Os(t.actual_mm[e],a),c=Os(t.expected_mm[e],a);return l&&
 c&&!s(a)?[...l,...c]:[]});this.stage.set_lines("links",{points:r,colour:Ki().bad,on_top:!0}),this.stage.draw_now()}resize(){let{clientWidth:e,clientHeight:t}=this.
-place;e>0&&this.stage?.resize(e,t)}};function Wg(i,e,t){let n=e.frames.step.length-1;if(n<0||e.bodies.id.length===0)return null;let s=Uw(e),r=X("div",{className:"\
-view3d"}),o=X("output"),a=new Sd(r,e,s),l=jc({steps:new rr(0,n),dt:()=>Dw,full:!1,show:d=>{let u=Bw(e,s,d);l.slider.setAttribute("aria-valuetext",u),o.value=u,a.
-show(d),t(e.frames.step[d])}});i.append(X("h3",{textContent:"Where the bodies went"}),Ow(),r,X("div",{className:"controls"},l.bar,o),X("p",{className:"soft",textContent:"\
+place;e>0&&this.stage?.resize(e,t)}};function Wg(i,e,t){let n=e.frames.step.length-1;if(n<0||e.bodies.id.length===0)return null;let s=Fw(e),r=X("div",{className:"\
+view3d"}),o=X("output"),a=new Sd(r,e,s),l=jc({steps:new rr(0,n),dt:()=>Uw,full:!1,show:d=>{let u=kw(e,s,d);l.slider.setAttribute("aria-valuetext",u),o.value=u,a.
+show(d),t(e.frames.step[d])}});i.append(X("h3",{textContent:"Where the bodies went"}),Bw(),r,X("div",{className:"controls"},l.bar,o),X("p",{className:"soft",textContent:"\
 Drag or use the arrow keys to turn, + and - to zoom. Lines: the ways of the bodies that went furthest astray."}));let c=s.map(d=>Math.max(...d.map(u=>u??0)));return l.
-seek(c.indexOf(Math.max(...c))),l.refresh(),{resize:()=>a.resize(),redraw(){a.close(),a.open()}}}var Xg=5e-4,qg=24,Vw=50,Gw={crate:"#c99a5b",brick:"#b8573f",wood:"#b58550",concrete:"#98a2ad",white:"#dfe4e8"},$g=(i,e)=>e.setHSL(.62*(1-Math.min(1,Math.max(0,i))),
+seek(c.indexOf(Math.max(...c))),l.refresh(),{resize:()=>a.resize(),redraw(){a.close(),a.open()}}}var Xg=5e-4,qg=24,Gw=50,Hw={crate:"#c99a5b",brick:"#b8573f",wood:"#b58550",concrete:"#98a2ad",white:"#dfe4e8"},$g=(i,e)=>e.setHSL(.62*(1-Math.min(1,Math.max(0,i))),
 .75,.5),nh=class{constructor(e,t,n){Object.assign(this,{place:e,sessions:t,picked:n,frames:[null,null],selected:null,paint:"material",contacts:null,with_contacts:!1,
 with_ways:!1,side_by_side:!1,following:!1,ways:new Map,lost_places:new Map,top_speed:1,focus:null}),this.open()}open(){let e=X("canvas",{tabIndex:0});e.setAttribute(
 "role","img"),e.setAttribute("aria-label","The bodies in three dimensions. Arrow keys turn the view, + and - zoom."),this.canvas=e,this.tags=this.sessions.map((t,n)=>X(
@@ -3981,8 +3983,8 @@ alves",e),this.tags[1]&&(this.tags[1].textContent=e?"B":"B, ghost"),this.stage?.
 bodies.row(t);return!n||s===void 0||s>=n.rows||n.mark[s]===sr||n.mark[s]===Kc?null:[n.x[s],n.y[s],n.z[s]]}apart(e){let[t,n]=[this.place_of(0,e),this.place_of(1,
 e)];return t&&n?Math.hypot(t[0]-n[0],t[1]-n[1],t[2]-n[2]):null}colour_of(e,t){let{bodies:n}=e;return(s,r)=>{let o=n.id(s);if(o===this.selected)return r.set(this.
 hue.select);if(this.paint==="speed")return $g(t.speed[s]/this.top_speed,r);if(this.paint==="apart")return $g(Math.log10(Math.max(1e-9,this.apart(o)??0)/1e-9)/9,
-r);let a=t.mark[s]===Fg;return this.paint==="state"?r.set(n.is_static(s)?this.hue.soft:a?this.hue.asleep:this.hue.actual):(r.set(Gw[n.texture(s)]??this.hue.actual),
-a&&r.offsetHSL(0,-.12,-.05)),r.offsetHSL(0,0,.022*(s%5-2))}}lost_in(e,t){let n=[];for(let s=0;s<t.rows&&n.length<Vw;++s){if(t.mark[s]!==Kc)continue;let r=e.bodies.
+r);let a=t.mark[s]===Fg;return this.paint==="state"?r.set(n.is_static(s)?this.hue.soft:a?this.hue.asleep:this.hue.actual):(r.set(Hw[n.texture(s)]??this.hue.actual),
+a&&r.offsetHSL(0,-.12,-.05)),r.offsetHSL(0,0,.022*(s%5-2))}}lost_in(e,t){let n=[];for(let s=0;s<t.rows&&n.length<Gw;++s){if(t.mark[s]!==Kc)continue;let r=e.bodies.
 id(s),o="".concat(this.sessions.indexOf(e)," ").concat(r);this.lost_places.has(o)||(this.lost_places.set(o,null),e.way(r).then(l=>{let c=null;l.step.forEach((d,u)=>{
 let h=l.at.slice(3*u,3*u+3);!h.includes(null)&&(c===null||d<=t.step)&&(c=h)}),this.lost_places.set(o,c),this.show()}).catch(()=>{}));let a=this.lost_places.get(
 o);a&&n.push({at:a,size:Math.max(.2,...e.bodies.size(s))})}return n}show(){if(!this.stage)return;this.sessions.forEach((n,s)=>{let r=this.frames[s],o=r&&r.status===
@@ -3998,10 +4000,10 @@ s===0)).slice(0,qg).map(o=>e.id(o))}async show_ways(){if(!this.stage)return;let 
 sessions.map(async n=>{let s=[];for(let r of e){if(n.bodies.row(r)===void 0)continue;let o=await n.way(r);for(let a=1;a<o.step.length;++a){let l=o.at.slice(3*a-
 3,3*a+3);l.includes(null)||s.push(...l)}}return s}));this.stage&&(this.stage.set_lines("ways A",{points:t[0],colour:this.hue.way,opacity:.9}),this.stage.set_lines(
 "ways B",t[1]?{points:t[1],colour:this.hue.expected,dash:this.box.radius/40}:null))}resize(){let{clientWidth:e,clientHeight:t}=this.place;e>0&&this.stage?.resize(
-e,t)}};var or=(i,e="")=>X("span",{className:"chip ".concat(e),textContent:i});function Hw(i){let{head:e,bodies:t,rows:n}=i,s=e.last-e.first,r=[or(e.engine??"method ".concat(
+e,t)}};var or=(i,e="")=>X("span",{className:"chip ".concat(e),textContent:i});function Ww(i){let{head:e,bodies:t,rows:n}=i,s=e.last-e.first,r=[or(e.engine??"method ".concat(
 e.method)),or("".concat(s," step").concat(s===1?"":"s")),or("".concat(Number(i.time_of(e.last).toPrecision(4))," s")),or("".concat(t.count," bodies"))];return e.
 finished?(!e.sound||i.gaps().length>0)&&r.push(or("damaged","fail")):r.push(or("not finished: followed to its last chunk","warn")),n.lost.some(o=>o>0)&&r.push(or(
-"bodies lost","fail")),r}function Ww(i){let e=[],t=i.sessions.length===2;i.sessions.forEach((s,r)=>{let o=t?"".concat("AB"[r],": "):"",{head:a,thin:l}=s;!a.sound&&
+"bodies lost","fail")),r}function Xw(i){let e=[],t=i.sessions.length===2;i.sessions.forEach((s,r)=>{let o=t?"".concat("AB"[r],": "):"",{head:a,thin:l}=s;!a.sound&&
 a.finished&&e.push(["fail","".concat(o).concat(a.summary)]);for(let[f,p,v]of s.gaps())e.push(["fail","".concat(o,"steps ").concat(f," to ").concat(p,": ").concat(
 v)]);if(a.axes&&e.push(["","".concat(o,"the log's table has other axes (").concat(a.axes,"); this page shows lengths in m, z up")]),!l)return;let c=l.every>1,d=c?
 "is thinned: it has ".concat(l.steps.length," of ").concat(a.last-a.first+1," states (one in ").concat(l.every,", and those of inputs)"):"has every state",u=!a.
@@ -4011,9 +4013,9 @@ let n=i.sessions[0].rows.begun_why_not;return n&&e.push(["","Contacts begun are 
 facts"}),n=X("div",{className:"notices"}),s=X("p",{className:"trouble",hidden:!0});s.setAttribute("role","status");let r=a=>a.slice(a.lastIndexOf("/")+1),o=()=>{
 let{sessions:a}=i;e.replaceChildren(...a.flatMap(({head:l},c)=>{let d=X("span",{textContent:r(l.path),title:l.path});return a.length===1?[d]:[X("span",{className:"\
 side side-".concat("ab"[c]),textContent:"AB"[c]}),d," "]})),t.replaceChildren(...a.flatMap((l,c)=>[...c>0?[X("span",{className:"side side-b",textContent:"B"})]:
-[],...l.head.title&&c===0?[X("span",{className:"soft scene",textContent:l.head.title})]:[],...Hw(l)])),n.replaceChildren(...Ww(i).map(([l,c])=>X("p",{className:l,
+[],...l.head.title&&c===0?[X("span",{className:"soft scene",textContent:l.head.title})]:[],...Ww(l)])),n.replaceChildren(...Xw(i).map(([l,c])=>X("p",{className:l,
 textContent:c})))};return o(),{place:X("header",{},e,t,n,s),show:o,trouble(a){s.hidden=a===null,s.textContent=a===null?"":"The server does not answer as it shou\
-ld (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var Xw=12,wa=i=>String(typeof i=="number"?i:i??"\u2013"),Bs=(i,e="")=>X("td",{textContent:i,className:e}),ar=(...i)=>X("tr",{},...i);function Rn(i,e,t=""){let n=X(
+ld (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var qw=12,wa=i=>String(typeof i=="number"?i:i??"\u2013"),Bs=(i,e="")=>X("td",{textContent:i,className:e}),ar=(...i)=>X("tr",{},...i);function Rn(i,e,t=""){let n=X(
 "button",{type:"button",className:"link",textContent:i,title:t});return n.addEventListener("click",e),n}function ks(i,{open:e=!0,id:t=""}={}){let n=X("div",{className:"\
 inside"});return{place:X("details",{open:e,className:"panel",id:t},X("summary",{},X("h2",{textContent:i})),n),body:n}}function Jg(i,{id:e,name:t,size:n,answers:s,
 actions:r,asked:o=null}){let a=s.length===2?["A","B"]:["value"],l=s.find(f=>f.why_not),c=X("table",{className:"numbers"});c.append(X("thead",{},ar(X("th",{textContent:"\
@@ -4027,7 +4029,7 @@ channels.map(({field:f,value:p})=>ar(X("th",{scope:"row",textContent:f}),Bs(p,"n
 2?"".concat(s.indexOf(l)===0?"A":"B",": "):"").concat(l.why_not)})),u?.rounded&&i.append(X("p",{className:"soft",textContent:"Rounded in this page; tumble dump \
 prints every bit."}))}function Kg(i,e,t,n,s){if(!e)return i.replaceChildren(X("p",{className:"soft",textContent:"\u2026"}));if(e.why_not){i.replaceChildren(X("p",
 {className:"soft",textContent:e.why_not})),e.near!==null&&e.near!==void 0&&i.append(X("p",{},"The nearest with contacts: ",Rn("step ".concat(e.near),()=>s(e.near))));
-return}let r=e.rows.filter(([u,h])=>t===null||u===t||h===t),o=[...r].sort((u,h)=>(h[9]??0)-(u[9]??0)).slice(0,Xw),a="".concat(r.length," contact point").concat(
+return}let r=e.rows.filter(([u,h])=>t===null||u===t||h===t),o=[...r].sort((u,h)=>(h[9]??0)-(u[9]??0)).slice(0,qw),a="".concat(r.length," contact point").concat(
 r.length===1?"":"s").concat(t===null?"":" of body ".concat(t)),l=r.reduce((u,h)=>Math.max(u,h[8]??0),0);if(i.replaceChildren(X("p",{textContent:"".concat(a).concat(
 r.length>0?", deepest ".concat(zn(l)):"")})),o.length===0)return;let c=X("tbody",{},...o.map(u=>{let h=Bs("");return h.append(Rn("".concat(u[0]),()=>n(u[0]))," \
 \u2013 ",u[1]===0?"ground":Rn("".concat(u[1]),()=>n(u[1]))),ar(h,Bs("".concat(Number((u[9]??0).toPrecision(3))," N s"),"number"),Bs(zn(u[8]),"number"))})),d=X("\
@@ -4040,7 +4042,7 @@ ft",textContent:e.why_not}));let r=X("p",{},Rn("Body ".concat(e.body),()=>n(e.bo
 shares"},...a.shares.map(d=>{let u=X("li",{},"".concat(d.kind));return d.kind==="contact"&&u.append(" with ",d.with===null?"the ground":Rn("body ".concat(d.with),
 ()=>n(d.with))),u.append(": ".concat(wa(d.amount)," ").concat(a.unit)),u}))),c}));i.replaceChildren(r,o),e.ends&&i.append(X("p",{className:"soft",textContent:e.
 ends}));for(let a of e.notes??[])i.append(X("p",{className:"soft",textContent:a}));if(!e.complete){let a=X("button",{type:"button",textContent:"Further back"});
-a.addEventListener("click",()=>s(e.answers.length+5)),i.append(X("p",{},a))}}var Zg=(i,e)=>"".concat(wa(i)).concat(e?" (".concat(e,")"):"");function qw(i,e){if(i.
+a.addEventListener("click",()=>s(e.answers.length+5)),i.append(X("p",{},a))}}var Zg=(i,e)=>"".concat(wa(i)).concat(e?" (".concat(e,")"):"");function $w(i,e){if(i.
 why_not)return X("p",{className:"soft",textContent:"Phases: ".concat(i.why_not)});let t=X("tbody",{},...i.rows.map(s=>{let r=Bs("","number");s.step===null?r.textContent=
 "never":r.append(Rn(String(s.step),()=>e(s.step)));let o=ar(X("th",{scope:"row",textContent:s.phase}),r,Bs(s.step===null?"":String(s.substep),"number"),Bs(String(
 s.steps),"number"));return o.classList.toggle("differs",s.step===i.from),o})),n=["phase","from step","substep","steps"];return X("div",{className:"scroll"},X("t\
@@ -4054,9 +4056,10 @@ concat(Zg(a.actual,a.actual_hex)));let c=a.ulps>Number.MAX_SAFE_INTEGER?"about "
 art")),s.push(l);let d=X("button",{type:"button",className:"jump",textContent:"Go to the first difference"});d.addEventListener("click",()=>t(r.step)),s.push(X(
 "p",{},d));let u=e.aftermath?.marks??[];u.length>0?s.push(X("ul",{className:"marks"},...u.map(({above:h,step:f,body:p})=>X("li",{},"more than ".concat(zn(h)," a\
 part from "),Rn("step ".concat(f),()=>t(f)),", ",Rn("body ".concat(p),()=>n(p)))))):e.growth_unknown&&s.push(X("p",{className:"soft",textContent:"Its growth is \
-not known: ".concat(e.growth_unknown)})),e.partings&&s.push(qw(e.partings,t))}else{let[o,a]=e.last;s.push(X("p",{className:"good",textContent:e.identical?"Ident\
-ical: ".concat(e.steps," steps, every bit."):"The ".concat(e.steps," steps of both are the same; A ends with step ").concat(o,", B with step ").concat(a,".")}))}
-for(let o of e.notes??[])s.push(X("p",{className:"soft",textContent:o}));return i.replaceChildren(...s)}var $w=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
+not known: ".concat(e.growth_unknown)})),e.partings&&s.push($w(e.partings,t))}else{let[o,a]=e.last;s.push(X("p",{className:"good",textContent:e.identical?"Ident\
+ical: ".concat(e.steps," steps, every bit compared."):"The ".concat(e.steps," steps of both are the same; A ends with step ").concat(o,", B with step ").concat(
+a,".")})),s.push(X("p",{textContent:"Compared: ".concat((e.compared??[]).join(", "),".")}),X("p",{className:"soft",textContent:"Not compared: ".concat((e.not_compared??
+[]).join("; "),".")}))}for(let o of e.notes??[])s.push(X("p",{className:"soft",textContent:o}));return i.replaceChildren(...s)}var Yw=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
 ["[  ]","the input, difference, gap or break of a bound before, after"],["d","the first difference"],["/","search"],["n  N","next run of steps found, the one be\
 fore"],["c  w  s  f  r","contacts, ways, side by side, follow, whole scene"],["Esc","let the body go"],["arrows, + \u2212","in the view: turn, zoom. Drag turns,\
  with Shift moves; the wheel zooms once the view has the focus"]];function e0(i,e){let{inputs:t,gaps:n,first_difference:s}=i.marks(),r=[...i.sessions[0].rows.breaks(),
@@ -4066,13 +4069,13 @@ player.move(s?-10:-1),ArrowRight:s=>i.player.move(s?10:1),Home:()=>i.player.seek
 i,1),d:()=>i.go_to_first_difference(),"/":()=>i.search.focus(),n:()=>i.next_hit(1),N:()=>i.next_hit(-1),Escape:()=>i.select(null),...i.toolbar.flip};document.addEventListener(
 "keydown",s=>{if(s.ctrlKey||s.metaKey||s.altKey||s.target.closest("input:not([type=range]), select, textarea")||s.target.closest("button, summary, a")!==null&&(s.
 key===" "||s.key==="Enter"))return;let o=e[s.key]??(s.shiftKey?null:e[s.key.toLowerCase()]);o&&(s.preventDefault(),o(s.shiftKey))});let{place:t,body:n}=ks("Keys",
-{open:!1});return n.append(X("dl",{className:"keys"},...$w.flatMap(([s,r])=>[X("dt",{},X("kbd",{textContent:s})),X("dd",{textContent:r})]))),{place:t}}var bd=i=>i==null?"\u2013":String(i),n0=i=>i==null?"\u2013":"".concat(Number(i.toPrecision(4))," m/s"),Yw=(i,e)=>i.read[e]?"".concat(i.sleeping[e]," of ").concat(
-i.bodies[e]):"\u2013",i0=[{name:"sleeping",kind:"area",of:(i,e)=>i.read[e]?i.sleeping[e]:null,words:Yw,top:i=>Math.max(1,...Zw(i.bodies))},{name:"contacts",kind:"\
+{open:!1});return n.append(X("dl",{className:"keys"},...Yw.flatMap(([s,r])=>[X("dt",{},X("kbd",{textContent:s})),X("dd",{textContent:r})]))),{place:t}}var bd=i=>i==null?"\u2013":String(i),n0=i=>i==null?"\u2013":"".concat(Number(i.toPrecision(4))," m/s"),Zw=(i,e)=>i.read[e]?"".concat(i.sleeping[e]," of ").concat(
+i.bodies[e]):"\u2013",i0=[{name:"sleeping",kind:"area",of:(i,e)=>i.read[e]?i.sleeping[e]:null,words:Zw,top:i=>Math.max(1,...Jw(i.bodies))},{name:"contacts",kind:"\
 line",of:(i,e)=>i.contacts[e],words:(i,e)=>bd(i.contacts[e])},{name:"contacts begun",kind:"bars",of:(i,e)=>i.begun[e]??null,words:(i,e)=>bd(i.begun[e]),late:!0},
 {name:"energy",kind:"line",of:(i,e)=>i.energy(e),words:(i,e)=>Co(i.energy(e)),fit:!0},{name:"kinetic energy",kind:"area",of:(i,e)=>i.kinetic[e],words:(i,e)=>Co(
 i.kinetic[e])},{name:"highest speed",kind:"line",of:(i,e)=>i.speed[e],words:(i,e)=>i.speed[e]>0?"".concat(n0(i.speed[e]),", body ").concat(i.speed_body[e]):n0(i.
 speed[e])},{name:"deepest overlap",kind:"line",of:(i,e)=>i.overlap[e],words:(i,e)=>zn(i.overlap[e])},{name:"bodies lost",kind:"bars",of:(i,e)=>i.lost[e]||null,words:(i,e)=>bd(
-i.lost[e]),bad:!0,only_if_any:!0}];function Zw(i){let e=Math.ceil(i.length/5e3)||1;return i.filter((t,n)=>n%e===0&&t!==null)}var s0=i=>i.map((e,t)=>({name:e,kind:"\
+i.lost[e]),bad:!0,only_if_any:!0}];function Jw(i){let e=Math.ceil(i.length/5e3)||1;return i.filter((t,n)=>n%e===0&&t!==null)}var s0=i=>i.map((e,t)=>({name:e,kind:"\
 line",title:"up to each step, ".concat(e),broken:(n,s)=>n.bounds[t]?.broken[s]===1,of:(n,s)=>n.bounds[t]?.value[s]??null,words:(n,s)=>{let r=n.bounds[t]?.broken[s]??
 null;if(r===null)return"not judged";let o=n.bounds[t].value[s];return"".concat(o===null?"no value":Number(o.toPrecision(4)),", ").concat(r?"\u2715 broken":"\u2713 ho\
 lds")}})),r0=i=>i.channel_heads.map(({name:e,unit:t})=>{let n=(r,o)=>r.channels[e]?.[o]??null,s=(r,o)=>n(r,o)===null?"\u2013":"".concat(Number(n(r,o).toPrecision(
@@ -4100,22 +4103,22 @@ X("li",{},a," ".concat(s).concat(r===null?"":" ".concat(r)," ").concat(o))}))),e
 and ".concat(e.length-t.length," more")}))}};var co={speed:{of:(i,e)=>i.speed[e],unit:"m/s",body:(i,e)=>i.speed_body[e]},overlap:{of:(i,e)=>i.overlap[e],unit:"m"},height:{of:(i,e)=>i.height[e],unit:"m"},kinetic:{
 of:(i,e)=>i.kinetic[e],unit:"J"},potential:{of:(i,e)=>i.potential[e],unit:"J"},energy:{of:(i,e)=>i.energy(e),unit:"J"},contacts:{of:(i,e)=>i.contacts[e],unit:""},
 begun:{of:(i,e)=>i.begun[e]??null,unit:""},sleeping:{of:(i,e)=>i.sleeping[e],unit:""},bodies:{of:(i,e)=>i.bodies[e],unit:""},lost:{of:(i,e)=>i.lost[e],unit:""},
-broken:{of:(i,e)=>i.bounds.length>0?i.broken(e):null,unit:""},separation:{of:(i,e,t)=>t?.(i.step[e])??null,unit:"m"}},Jw={"<":(i,e)=>i<e,"<=":(i,e)=>i<=e,">":(i,e)=>i>
-e,">=":(i,e)=>i>=e,"=":(i,e)=>i===e},Kw={"\u2265":">=","\u2264":"<=","==":"="};function a0(i,e=[]){let t=i.trim();if(t==="")return{kind:"none"};let n=/^step\s+(\d+)$/i.
+broken:{of:(i,e)=>i.bounds.length>0?i.broken(e):null,unit:""},separation:{of:(i,e,t)=>t?.(i.step[e])??null,unit:"m"}},Kw={"<":(i,e)=>i<e,"<=":(i,e)=>i<=e,">":(i,e)=>i>
+e,">=":(i,e)=>i>=e,"=":(i,e)=>i===e},jw={"\u2265":">=","\u2264":"<=","==":"="};function a0(i,e=[]){let t=i.trim();if(t==="")return{kind:"none"};let n=/^step\s+(\d+)$/i.
 exec(t);if(n)return{kind:"step",step:Number(n[1])};let s=/^(.+?)\s*(<=|>=|==|[<>=≥≤])\s*(.*)$/.exec(t);if(!s)return{kind:"body",text:t};let r=s[1].trim(),o=r.
 toLowerCase();if(!(o in co)&&!e.includes(r)){let c=[...Object.keys(co),...e].join(", ");return{kind:"wrong",words:'"'.concat(r,'" is no quantity; there are ').concat(
 c)}}let a=s[3].replace(/\s*(m\/s|m|J)\s*$/,""),l=Number(a);return a===""||!Number.isFinite(l)?{kind:"wrong",words:'"'.concat(s[3],'" is no number')}:{kind:"step\
-s",quantity:o in co?o:r,comparison:Kw[s[2]]??s[2],bound:l}}function l0(i,e,t){let{of:n,body:s}=co[i.quantity]??{of:(l,c)=>e.channels[i.quantity]?.[c]??null},r=Jw[i.
+s",quantity:o in co?o:r,comparison:jw[s[2]]??s[2],bound:l}}function l0(i,e,t){let{of:n,body:s}=co[i.quantity]??{of:(l,c)=>e.channels[i.quantity]?.[c]??null},r=Kw[i.
 comparison],o=[],a=null;for(let l=0;l<e.count;++l){let c=n(e,l,t);if(!(c!=null&&r(c,i.bound))){a=null;continue}a||(a={first:e.step[l],last:e.step[l],peak:c,at:e.
 step[l],body:s?.(e,l)??null},o.push(a)),a.last=e.step[l],Math.abs(c-i.bound)>Math.abs(a.peak-i.bound)&&Object.assign(a,{peak:c,at:e.step[l],body:s?.(e,l)??null})}
-return o}var sh=12;function jw(i,e){return Number.isFinite(i)?e==="m"?zn(i):"".concat(Number(i.toPrecision(4))).concat(e?" ".concat(e):""):"infinite"}function c0(i){let e=X(
+return o}var sh=12;function Qw(i,e){return Number.isFinite(i)?e==="m"?zn(i):"".concat(Number(i.toPrecision(4))).concat(e?" ".concat(e):""):"infinite"}function c0(i){let e=X(
 "input",{type:"search",placeholder:"speed > 5, overlap > 1e-3, 12, wall 0",autocomplete:"off",spellcheck:!1});e.setAttribute("aria-label","search for steps by a\
  condition, or for a body by id or name");let t=X("output",{}),n=X("ul",{className:"hits"}),s={kind:"none"},r=[],o=()=>{let{bodies:d}=i.sessions[0],u=d.find(s.text);
 return t.value=u.length===0?"no such body":"".concat(u.length," bod").concat(u.length===1?"y":"ies"),n.replaceChildren(...u.slice(0,sh).map(h=>X("li",{},Rn("bod\
 y ".concat(d.id(h)),()=>i.select(d.id(h)))," ".concat(d.name(h))))),i.set_hits([]),u},a=()=>{let{rows:d}=i.sessions[0],u=l0(s,d,p=>i.separation_at(p)),h=co[s.quantity]?.
 unit??"",f=i.sessions[0].timeline_done?"":" so far";return t.value=u.length===0?"in no step".concat(f):"".concat(u.length," run").concat(u.length===1?"":"s"," o\
 f steps").concat(f,", the first at ").concat(u[0].first),r=u.slice(0,sh).map(p=>{let v=p.first===p.last?"step ".concat(p.first):"steps ".concat(p.first," to ").
-concat(p.last),m=X("li",{},Rn(v,()=>i.player.seek(p.first)),": up to ",Rn("".concat(jw(p.peak,h)),()=>i.player.seek(p.at),"at step ".concat(p.at)));return p.body&&
+concat(p.last),m=X("li",{},Rn(v,()=>i.player.seek(p.first)),": up to ",Rn("".concat(Qw(p.peak,h)),()=>i.player.seek(p.at),"at step ".concat(p.at)));return p.body&&
 m.append(", ",Rn("body ".concat(p.body),()=>i.select(p.body))),m}),n.replaceChildren(...r),u.length>sh&&n.append(X("li",{className:"soft",textContent:"and ".concat(
 u.length-sh," more")})),i.set_hits(u),u},l=()=>(r=[],s=a0(e.value,Object.keys(i.sessions[0].rows.channels)),s.kind==="body"?o():s.kind==="steps"?a():(t.value=s.
 kind==="wrong"?s.words:s.kind==="step"?"Enter goes to step ".concat(s.step):"",n.replaceChildren(),i.set_hits([]),[]));e.addEventListener("input",l),e.addEventListener(
@@ -4123,11 +4126,11 @@ kind==="wrong"?s.words:s.kind==="step"?"Enter goes to step ".concat(s.step):"",n
 -1:1);else if(s.kind==="body"){let[u]=l();u!==void 0&&i.select(i.sessions[0].bodies.id(u))}}});let c=(d,u,h)=>{let f=X("button",{type:"button",textContent:d,title:u});
 return f.setAttribute("aria-label",u),f.addEventListener("click",()=>i.next_hit(h)),f};return{place:X("div",{className:"search"},X("div",{className:"search-row"},
 e,c("\u2039","the run of steps before (N)",-1),c("\u203A","the next run of steps (n)",1)),t,n),focus:()=>e.focus(),at(d){r.forEach((u,h)=>u.classList.toggle("at",
-h===d))},again(){if(s.kind==="steps"){let d=i.hit;a(),i.hit=d}}}}var Qw=["box","grid","tower","pyramid","wall","pile","thrown"],e1=["crate","brick","wood","concrete","white"],ho=class{constructor(e){this.update(e)}update(e){this.
+h===d))},again(){if(s.kind==="steps"){let d=i.hit;a(),i.hit=d}}}}var e1=["box","grid","tower","pyramid","wall","pile","thrown"],t1=["crate","brick","wood","concrete","white"],ho=class{constructor(e){this.update(e)}update(e){this.
 json=e,this.count=e.id.length,this.rows=new Map(e.id.map((t,n)=>[t,n]))}get version(){return this.json.version}id(e){return this.json.id[e]}row(e){return this.rows.
-get(e)}size(e){return this.json.size.slice(3*e,3*e+3)}is_static(e){return this.json.static[e]===1}texture(e){return e1[this.json.texture[e]]??""}body(e){let t=this.
+get(e)}size(e){return this.json.size.slice(3*e,3*e+3)}is_static(e){return this.json.static[e]===1}texture(e){return t1[this.json.texture[e]]??""}body(e){let t=this.
 json.shape?.[e]??-1,n=t<0?{kind:"box"}:this.json.shapes[t];return{...n,shape:n.kind,index:t,size:this.size(e)}}name(e){let t=this.json.name?.[e];if(t)return t;let[
-n,s,r,o]=this.json.origin.slice(4*e,4*e+4),a=Qw[n]??"body";return n===0||n===6?a:"".concat(a," ").concat(s,", row ").concat(r,", column ").concat(o)}find(e){let t=e.
+n,s,r,o]=this.json.origin.slice(4*e,4*e+4),a=e1[n]??"body";return n===0||n===6?a:"".concat(a," ").concat(s,", row ").concat(r,", column ").concat(o)}find(e){let t=e.
 trim().toLowerCase().replace(/^(body|#)\s*/,"");if(/^\d+$/.test(t)){let s=this.row(Number(t));return s===void 0?[]:[s]}let n=[];for(let s=0;s<this.count;++s)this.
 name(s).toLowerCase().includes(t)&&n.push(s);return n}};var h0=["step","time","read","kinetic","potential","inputs","contacts","bodies","sleeping","lost","speed","speed_body","height","overlap"],uo=class{constructor(e=[]){
 this.channel_heads=e;for(let t of h0)this[t]=[];this.begun=[],this.events=[],this.begun_why_not="",this.channels={},this.bounds=[]}get count(){return this.step.
@@ -4137,15 +4140,15 @@ channels[s]??=[];for(;r.length<this.count-t.length;)r.push(null);r.push(...t)})}
 this.step[0]:1,s=Math.min(t-1,Math.max(0,Math.floor((e-this.step[0])/n)));for(;s>0&&this.step[s]>e;)--s;for(;s+1<t&&this.step[s+1]<=e;)++s;return s}unread(){let e=[];
 for(let t=0;t<this.count;++t){if(this.read[t]!==0)continue;let n=e.at(-1);n&&t>0&&this.read[t-1]===0?n[1]=this.step[t]:e.push([this.step[t],this.step[t],"the re\
 cord with it is damaged"])}return e}broken(e){return this.bounds.reduce((t,{broken:n})=>t+(n[e]??0),0)}breaks(){return this.bounds.map(({broken:e})=>e.indexOf(1)).
-filter(e=>e>=0).map(e=>this.step[e])}energy(e){return this.kinetic[e]===null||this.potential[e]===null?null:this.kinetic[e]+this.potential[e]}};var t1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function f0(i){if(!("DecompressionStream"in window))
-throw new Error("this browser is too old to unpack the page (no DecompressionStream)");let e=new Blob([t1(i)]).stream().pipeThrough(new DecompressionStream("def\
-late"));return new Response(e).arrayBuffer()}var u0=async i=>JSON.parse(new TextDecoder().decode(await f0(i))),d0=i=>i>>>1^-(i&1);function n1(i,e,t,n){let s=e*t,
+filter(e=>e>=0).map(e=>this.step[e])}energy(e){return this.kinetic[e]===null||this.potential[e]===null?null:this.kinetic[e]+this.potential[e]}};var n1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function f0(i){if(!("DecompressionStream"in window))
+throw new Error("this browser is too old to unpack the page (no DecompressionStream)");let e=new Blob([n1(i)]).stream().pipeThrough(new DecompressionStream("def\
+late"));return new Response(e).arrayBuffer()}var u0=async i=>JSON.parse(new TextDecoder().decode(await f0(i))),d0=i=>i>>>1^-(i&1);function i1(i,e,t,n){let s=e*t,
 r={place:[],turn:new Int16Array(4*s),mark:new Uint8Array(s)},o=0;for(let a=0;a<3;++a){let l=new Float32Array(s);for(let c=0,d=0;c<t;++c){let u=0,h=0;for(let f=0;f<
 e;++f,++d){let p=o+d,v=i[p]|i[p+s]<<8|i[p+2*s]<<16|i[p+3*s]<<24,m=d0(v)+2*u-h|0;h=u,u=m,l[f*t+c]=m*n}}r.place.push(l),o+=4*s}for(let a=0;a<4;++a){for(let l=0,c=0;l<
 t;++l){let d=0,u=0;for(let h=0;h<e;++h,++c){let f=i[o+c]|i[o+s+c]<<8,p=d0(f)+2*d-u<<16>>16;u=d,d=p,r.turn[(4*h+a)*t+l]=p}}o+=2*s}for(let a=0,l=0;a<t;++a)for(let c=0;c<
 e;++c,++l)r.mark[c*t+a]=i[o+l];return r}var wd=class{constructor(e,t,n){this.head=e,this.thin=e.thin,this.bodies=new ho(t.bodies),this.rows=new uo(e.channels),this.
 rows.append(t.timeline),this.rows.events=t.inputs,this.rows.begun=t.timeline.begun.length>0?[0,...t.timeline.begun]:[],this.rows.begun_why_not=t.timeline.begun_why_not,
-this.contacts=t.contacts,this.steps=e.thin.steps,this.columns=n1(new Uint8Array(n),this.steps.length,this.bodies.count,e.thin.quantum),this.index=new Map(this.steps.
+this.contacts=t.contacts,this.steps=e.thin.steps,this.columns=i1(new Uint8Array(n),this.steps.length,this.bodies.count,e.thin.quantum),this.index=new Map(this.steps.
 map((s,r)=>[s,r])),this.timeline_done=!0}gaps(){let e=this.head.gaps;return[...e,...this.rows.unread().filter(([t])=>!e.some(([n,s])=>t>=n&&t<=s))]}gap_at(e){return this.
 gaps().find(([t,n])=>e>=t&&e<=n)??null}frame(e){let t=this.index.get(e);if(t===void 0)return null;let n=this.bodies.count,s=l=>l.subarray(t*n,(t+1)*n),[r,o,a]=this.
 columns.place.map(s);return{step:e,status:0,rows:n,x:r,y:o,z:a,turn:this.columns.turn.subarray(4*t*n,4*(t+1)*n),mark:s(this.columns.mark),speed:this.speeds(t,r,
@@ -4161,16 +4164,16 @@ void 0||s.mark[n]===sr)return{why_not:"not there in this state"};if(s.mark[n]===
 "z"].map((a,l)=>({field:"orientation.".concat(a),value:Number((s.turn[l*s.rows+n]/r).toFixed(4))}));return{id:t,step:e,frozen:s.mark[n]===2,rounded:!0,fields:[...[
 "x","y","z"].map(a=>({field:"position.".concat(a),value:Number(s[a][n].toFixed(4))})),...o,{field:"speed, about",value:Number(s.speed[n].toPrecision(3))}]}}};async function p0(i){
 let e=[];for(let[n,s]of i.logs.entries()){let[r,o]=await Promise.all([u0("session-".concat(n,"-details")),f0("session-".concat(n,"-frames"))]);e.push(new wd(s,r,
-o))}let t=document.getElementById("session-0-difference")?await u0("session-0-difference"):null;return{sessions:e,difference:t,served:!1,follow(){}}}var i1=16e7,Td=24,s1=700,r1=120;async function m0(i,e={}){let t=new URLSearchParams(e).toString(),n=await fetch(t?"".concat(i,"?").concat(t):i,{cache:"no-store"});
-if(!n.ok)throw new Error("".concat(i,": ").concat((await n.text()).slice(0,200)));return n}var Ti=async(i,e)=>(await m0(i,e)).json();function o1(i){let e=new DataView(
+o))}let t=document.getElementById("session-0-difference")?await u0("session-0-difference"):null;return{sessions:e,difference:t,served:!1,follow(){}}}var s1=16e7,Td=24,r1=700,o1=120;async function m0(i,e={}){let t=new URLSearchParams(e).toString(),n=await fetch(t?"".concat(i,"?").concat(t):i,{cache:"no-store"});
+if(!n.ok)throw new Error("".concat(i,": ").concat((await n.text()).slice(0,200)));return n}var Ti=async(i,e)=>(await m0(i,e)).json();function a1(i){let e=new DataView(
 i),t=[];for(let n=0;n+16<=i.byteLength;){let[s,r,o,a]=[0,4,8,12].map(v=>e.getUint32(n+v,!0));n+=16;let l=[0,1,2,3].map(v=>new Float32Array(i,n+4*v*o,o));n+=16*o;
 let c=new Int16Array(i,n,4*o);n+=8*o;let d=new Uint8Array(i,n,o);n+=o+(4-o%4)%4;let[u,h,f,p]=l;t.push({step:s,status:r,rows:o,version:a,x:u,y:h,z:f,speed:p,turn:c,
 mark:d})}return t}var Ad=class{constructor(e,t,n){this.log=e,this.head=t,this.thin=null,this.bodies=new ho(n),this.rows=new uo(t.channels),this.steps=null,this.
 timeline_done=!1,this.cache=new Map,this.cache_bytes=0,this.asked=new Set,this.contact_cache=new Map}gaps(){let e=this.head.gaps;return[...e,...this.rows.unread().
 filter(([t])=>!e.some(([n,s])=>t>=n&&t<=s))]}gap_at(e){return this.gaps().find(([t,n])=>e>=t&&e<=n)??null}time_of(e){let t=this.rows.index(e);return t<0?(e-this.
 head.first)*this.head.dt:this.rows.time[t]+(e-this.rows.step[t])*this.head.dt}frame(e){return this.cache.get(e)??null}keep(e){let t=29*e.rows+64;this.cache.set(
-e.step,e),this.cache_bytes+=t;for(let[n,s]of this.cache){if(this.cache_bytes<=i1)break;this.cache.delete(n),this.cache_bytes-=29*s.rows+64}}async fetch(e,t,n){let s=await m0(
-"frames",{log:this.log,first:e,count:t,stride:n}),r=o1(await s.arrayBuffer());for(let a of r)this.keep(a);Math.max(...r.map(a=>a.version))>this.bodies.version&&
+e.step,e),this.cache_bytes+=t;for(let[n,s]of this.cache){if(this.cache_bytes<=s1)break;this.cache.delete(n),this.cache_bytes-=29*s.rows+64}}async fetch(e,t,n){let s=await m0(
+"frames",{log:this.log,first:e,count:t,stride:n}),r=a1(await s.arrayBuffer());for(let a of r)this.keep(a);Math.max(...r.map(a=>a.version))>this.bodies.version&&
 await this.fetch_bodies()}async fetch_bodies(){this.bodies.update(await Ti("bodies",{log:this.log})),this.on_bodies?.()}async frame_soon(e){return this.cache.has(
 e)||await this.fetch(e,1,1),this.frame(e)}prefetch(e,t){let n=Math.max(1,Math.round(Math.abs(t)))*Math.sign(t),s=e+n;for(let o=0;o<Td/2&&this.cache.has(s);++o)s+=
 n;if(this.asked.size>1)return;let r=n>0?s:Math.max(this.head.first,s+(Td-1)*n);r>this.head.last||r<this.head.first||this.asked.has(r)||(this.asked.add(r),this.fetch(
@@ -4184,20 +4187,20 @@ log,from:this.rows.begun.length});if(s.length===0)break;this.rows.begun.push(...
 e.contacts_why_not,this.timeline_done=e.timeline_done,this.busy=!e.timeline_done||!e.contacts_done,n}};async function g0(i){let e=await Promise.all(i.logs.map(async(n,s)=>new Ad(
 s,n,await Ti("bodies",{log:s}))));return{sessions:e,difference:null,served:!0,follow:(n,s)=>{let r=null,o=e.length<2,a=async()=>{let l=!1;try{for(let u of e)l=await u.
 take_news()||l;o||(r=await Ti("difference"),o=r.state!=="working",l=!0),s(null)}catch(u){s(u)}l&&n(r);let c=e.some(u=>!u.head.finished),d=!o||e.some(u=>!u.timeline_done||
-u.busy);(c||d)&&setTimeout(a,d&&!c?r1:s1)};a()}}}var a1=30,l1=22,_0=i=>{let e=X("canvas",{});return e.setAttribute("aria-hidden","true"),e.style.height="".concat(i,"px"),e};function x0(i){let e=Math.min(devicePixelRatio,
+u.busy);(c||d)&&setTimeout(a,d&&!c?o1:r1)};a()}}}var l1=30,c1=22,_0=i=>{let e=X("canvas",{});return e.setAttribute("aria-hidden","true"),e.style.height="".concat(i,"px"),e};function x0(i){let e=Math.min(devicePixelRatio,
 2),t=i.clientWidth,n=i.clientHeight;(i.width!==Math.round(t*e)||i.height!==Math.round(n*e))&&(i.width=Math.round(t*e),i.height=Math.round(n*e));let s=i.getContext(
-"2d");return s.setTransform(e,0,0,e,0,0),s.clearRect(0,0,t,n),{context:s,width:t,height:n}}function c1(i,e,t,n){let s=new Float64Array(Math.ceil(n)+1).fill(1/0),
+"2d");return s.setTransform(e,0,0,e,0,0),s.clearRect(0,0,t,n),{context:s,width:t,height:n}}function h1(i,e,t,n){let s=new Float64Array(Math.ceil(n)+1).fill(1/0),
 r=new Float64Array(Math.ceil(n)+1).fill(-1/0);for(let o=0;o<i.count;++o){let a=e(i,o);if(a==null||!Number.isFinite(a))continue;let l=Math.min(s.length-1,Math.max(
-0,Math.round(t(i.step[o]))));a<s[l]&&(s[l]=a),a>r[l]&&(r[l]=a)}return{low:s,high:r}}function h1({low:i,high:e},t,n){let s=1/0,r=-1/0;for(let o=0;o<i.length;++o)
+0,Math.round(t(i.step[o]))));a<s[l]&&(s[l]=a),a>r[l]&&(r[l]=a)}return{low:s,high:r}}function u1({low:i,high:e},t,n){let s=1/0,r=-1/0;for(let o=0;o<i.length;++o)
 i[o]<s&&(s=i[o]),e[o]>r&&(r=e[o]);return s===1/0?null:(t.top&&(r=t.top(n)),!t.fit&&!t.log&&(s=Math.min(0,s)),t.log&&(s=Math.max(s,1e-18)),r<=s&&(r=s+(s===0?1:Math.
-abs(s))),{bottom:s,top:r})}function u1(i,e,t,n,s,r){let{context:o,width:a,height:l}=x0(i),c=c1(t,e.of,n,a),d=h1(c,e,t);if(!d)return!1;let u=e.log?_=>Math.log(Math.
+abs(s))),{bottom:s,top:r})}function d1(i,e,t,n,s,r){let{context:o,width:a,height:l}=x0(i),c=h1(t,e.of,n,a),d=u1(c,e,t);if(!d)return!1;let u=e.log?_=>Math.log(Math.
 max(_,1e-18)):_=>_,[h,f]=[u(d.bottom),u(d.top)],p=_=>l-2-(l-5)*(u(_)-h)/Math.max(f-h,1e-300);if(o.fillStyle=o.strokeStyle=s,e.broken){o.fillStyle=r.bad;for(let _=0;_<
 t.count;++_)e.broken(t,_)&&o.fillRect(n(t.step[_]),l-4,2,4);o.fillStyle=s}if(e.kind==="bars"){for(let _=0;_<c.high.length;++_)c.high[_]>0&&o.fillRect(_,p(c.high[_]),
 1.2,l-1-p(c.high[_]));return!0}o.beginPath();let v=!1,m=0,g=0;for(let _=0;_<c.high.length;++_)c.high[_]!==-1/0&&(v||o.moveTo(g=_,p(c.high[_])),v=!0,o.lineTo(_,p(
 c.high[_])),c.low[_]!==c.high[_]&&o.lineTo(_,p(c.low[_])),m=_);return o.lineWidth=1.4,o.lineJoin="round",o.stroke(),e.kind==="area"&&(o.lineTo(m,l),o.lineTo(g,l),
 o.globalAlpha=.25,o.fill(),o.globalAlpha=1),!0}function y0({rows:i,range:e,seek:t,marks:n,hues:s}){let r=X("div",{className:"timeline"}),o=X("div",{className:"c\
-ursor"}),a=_0(l1),l=X("span",{className:"value"}),c=[],d=0,u=_=>w=>(w-e().first)/Math.max(1,e().last-e().first)*(_-1),h=(_,w,M,C="")=>X("div",{className:"lane",
-title:C},X("div",{className:"label"},X("span",{textContent:_}),w),M),f=_=>{c=_.map(w=>{let M=_0(a1),C=X("span",{className:"value"});return{lane:w,canvas:M,value:C,
+ursor"}),a=_0(c1),l=X("span",{className:"value"}),c=[],d=0,u=_=>w=>(w-e().first)/Math.max(1,e().last-e().first)*(_-1),h=(_,w,M,C="")=>X("div",{className:"lane",
+title:C},X("div",{className:"label"},X("span",{textContent:_}),w),M),f=_=>{c=_.map(w=>{let M=_0(l1),C=X("span",{className:"value"});return{lane:w,canvas:M,value:C,
 row:h(w.name,C,M,w.title??"")}}),r.replaceChildren(h("events",l,a),...c.map(({row:w})=>w),o)},p=()=>{let{context:_,width:w,height:M}=x0(a),C=s(),{gaps:b,inputs:x,
 hits:S,first_difference:N}=n(),R=u(w);_.fillStyle=C.line,_.fillRect(0,M/2-1,w,2);for(let[I,F]of b)_.fillStyle=C.bad,_.globalAlpha=.35,_.fillRect(R(I),2,Math.max(
 2,R(F)-R(I)),M-4),_.globalAlpha=1;_.fillStyle=C.select;for(let I of S)_.fillRect(R(I.first),M-7,Math.max(2,R(I.last)-R(I.first)),6);_.fillStyle=C.ink;for(let{step:I}of x){
@@ -4205,7 +4208,7 @@ let F=R(I);_.beginPath(),_.moveTo(F-4,1),_.lineTo(F+4,1),_.lineTo(F,9),_.fill()}
 1,0),_.lineTo(R(N)+9,4),_.lineTo(R(N)+1,8),_.fill())},v=()=>{let _=i.index(d);for(let{lane:C,value:b}of c)b.textContent=_<0||i.step[_]===void 0?"\u2013":C.words(
 i,_);let w=n().inputs.filter(C=>C.step===d);l.textContent=w.length>0?w.map(({kind:C,body:b})=>"".concat(C).concat(b?" ".concat(b):"")).join(", "):"".concat(n().
 inputs.length," input").concat(n().inputs.length===1?"":"s");let M=a.offsetLeft+u(a.clientWidth)(d);o.style.transform="translateX(".concat(M,"px)")},m=()=>{if(a.
-clientWidth===0)return;let _=s();p(),c.forEach(({lane:w,canvas:M,row:C},b)=>{let x=u1(M,w,i,u(M.clientWidth),w.bad?_.bad:_.lanes[b%_.lanes.length],_);C.hidden=!x&&
+clientWidth===0)return;let _=s();p(),c.forEach(({lane:w,canvas:M,row:C},b)=>{let x=d1(M,w,i,u(M.clientWidth),w.bad?_.bad:_.lanes[b%_.lanes.length],_);C.hidden=!x&&
 (w.only_if_any||w.late)}),v()},g=_=>{if(_.buttons===0)return;let w=a.getBoundingClientRect(),M=Math.min(1,Math.max(0,(_.clientX-w.left)/Math.max(1,w.width-1)));
 t(Math.round(e().first+M*(e().last-e().first)))};return r.addEventListener("pointerdown",_=>{_.target.tagName==="CANVAS"&&(r.setPointerCapture(_.pointerId),g(_))}),
 r.addEventListener("pointermove",g),new ResizeObserver(m).observe(r),{place:r,draw:m,set_lanes:f,show(_){d=_,v()}}}function v0(i){let{drawing:e}=i,t=i.sessions.length===2,n=(h,f,p,v)=>{let m=X("button",{type:"button",textContent:h,title:"".concat(h," (").concat(f,")")});return m.
@@ -4216,7 +4219,7 @@ e.show_ways()},a=()=>{t&&e.set_side_by_side(!e.side_by_side)},l=()=>{i.selected!
 r),n("Ways","w",()=>e.with_ways,o),...t?[n("Side by side","s",()=>e.side_by_side,a)]:[],n("Follow","f",()=>e.following,l)],d=X("button",{type:"button",textContent:"\
 Whole scene",title:"Whole scene (r)"});d.addEventListener("click",()=>e.reset_view());function u(){for(let{made:h,is_on:f}of c)h.setAttribute("aria-pressed",String(
 f()));c.at(-1).made.disabled=i.selected===null}return u(),{place:X("div",{className:"toolbar"},X("label",{},"Colour by ",s),...c.map(({made:h})=>h),d),show:u,flip:{
-c:()=>{r(),u()},w:()=>{o(),u()},s:()=>{a(),u()},f:()=>{l(),u()},r:()=>e.reset_view()}}}var d1=60,Ed=class{constructor(e,t){Object.assign(this,t,{place:e,selected:null,hits:[],hit:-1,settle:null,asked:0});let[n]=this.sessions;this.steps=new rr(Math.
+c:()=>{r(),u()},w:()=>{o(),u()},s:()=>{a(),u()},f:()=>{l(),u()},r:()=>e.reset_view()}}}var f1=60,Ed=class{constructor(e,t){Object.assign(this,t,{place:e,selected:null,hits:[],hit:-1,settle:null,asked:0});let[n]=this.sessions;this.steps=new rr(Math.
 min(...this.sessions.map(({head:s})=>s.first)),Math.max(...this.sessions.map(({head:s})=>s.last)),this.union_of_steps()),this.player=jc({steps:this.steps,dt:()=>n.
 head.dt,show:s=>this.show(s)}),this.header=Yg(this),this.view=X("div",{className:"view3d"}),this.said=X("output",{className:"said"}),this.drawing=new nh(this.view,
 this.sessions,s=>this.select(s)),this.timeline=y0({rows:n.rows,range:()=>this.steps,seek:s=>this.player.seek(s),hues:Ki,marks:()=>this.marks()}),this.search=c0(
@@ -4235,7 +4238,7 @@ head:t}=this.sessions[0],n=Math.max(...this.sessions.map(s=>s.head.last));if(e&&
 side.show_difference(),!s&&e.separation&&this.set_lanes()}n!==this.steps.last&&this.player.set_last(n)&&!t.finished&&this.player.seek(n),this.header.show(),this.
 side.show_inputs(),this.search.again(),this.timeline.draw()}show(e){this.timeline.show(e);let t=++this.asked,n=this.sessions.map(s=>s.frame(s.steps?this.own_step(
 s,e):e));if(this.player.direction!==0)for(let s of this.sessions)s.prefetch(e,this.player.direction*this.player.stride);n.every(s=>s!==null)?this.show_frames(e,
-n):this.fetch_frames(e,t),clearTimeout(this.settle),this.settle=setTimeout(()=>this.settled(e),d1)}own_step(e,t){return new rr(e.head.first,e.head.last,e.steps).
+n):this.fetch_frames(e,t),clearTimeout(this.settle),this.settle=setTimeout(()=>this.settled(e),f1)}own_step(e,t){return new rr(e.head.first,e.head.last,e.steps).
 at_or_before(t)}async fetch_frames(e,t){if(this.fetching){this.wanted=[e,t];return}this.fetching=!0;try{let s=performance.now(),r=await Promise.all(this.sessions.
 map(o=>e<o.head.first||e>o.head.last?null:o.frame_soon(o.steps?this.own_step(o,e):e)));this.seek_ms=performance.now()-s,(t===this.asked||this.player.direction!==
 0)&&this.show_frames(e,r),this.header.trouble(null)}catch(s){this.header.trouble(s)}this.fetching=!1;let{wanted:n}=this;this.wanted=null,n&&this.fetch_frames(...n)}show_frames(e,t){
@@ -4253,12 +4256,12 @@ draw_contacts(),this.settled(this.player.step)}go_to_first_difference(){let e=th
 e,this.hit=-1,this.timeline.draw()}next_hit(e){if(this.hits.length===0)return;this.hit=(this.hit+e+this.hits.length)%this.hits.length;let t=this.hits[this.hit];
 this.player.seek(e>0||this.steps.list===null?t.first:t.at),this.search.at(this.hit)}};async function M0(i){try{let e=JSON.parse(document.getElementById("session\
 -head").textContent),t=await(e.mode==="sent"?p0:g0)(e);await new Ed(i,{...t,bounds:e.bounds??[]}).start()}catch(e){throw i.append(X("p",{className:"bad",textContent:"\
-This cannot be drawn: ".concat(e.message)})),e}}function f1(i){let e=JSON.parse(i.querySelector("script").textContent);i.replaceChildren();let t=i.dataset.first===void 0?null:Number(i.dataset.first),n=(i.dataset.
+This cannot be drawn: ".concat(e.message)})),e}}function p1(i){let e=JSON.parse(i.querySelector("script").textContent);i.replaceChildren();let t=i.dataset.first===void 0?null:Number(i.dataset.first),n=(i.dataset.
 groups??"").split(" "),s=Tp(i,e,{first:t,groups:n}),r=Wg(i,e,s.show_step);Wa(()=>{s.redraw(),r?.redraw()}),new ResizeObserver(()=>{s.resize(),r?.resize()}).observe(
-i)}function p1(i,e){let t=new IntersectionObserver(n=>{n.some(s=>s.isIntersecting)&&(t.disconnect(),e(i))},{rootMargin:"200px"});t.observe(i)}function Cd(i){return e=>{
+i)}function m1(i,e){let t=new IntersectionObserver(n=>{n.some(s=>s.isIntersecting)&&(t.disconnect(),e(i))},{rootMargin:"200px"});t.observe(i)}function Cd(i){return e=>{
 try{i(e)}catch(t){let n=document.createElement("p");throw n.textContent="This cannot be drawn: ".concat(t.message),e.append(n),t}}}var b0=document.createElement(
 "style");b0.textContent=Yd+Zd+Jd;document.head.append(b0);for(let i of document.querySelectorAll("table.glance"))Cd(Ip)(i);for(let i of document.querySelectorAll(
-".drawing"))p1(i,Cd(f1));for(let i of document.querySelectorAll(".pictures"))Cd(Ap)(i);var S0=document.getElementById("session");S0&&M0(S0);})();
+".drawing"))m1(i,Cd(p1));for(let i of document.querySelectorAll(".pictures"))Cd(Ap)(i);var S0=document.getElementById("session");S0&&M0(S0);})();
 /*! Bundled license information:
 
 three/build/three.core.js:

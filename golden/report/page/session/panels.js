@@ -147,8 +147,10 @@ export function show_difference(body, found, go, select) {
   const first = found.first;
   if (!first) {
     const [a, b] = found.last;
-    parts.push(element("p", { className: "good", textContent: found.identical ? `Identical: ${found.steps} steps, every bit.`
+    parts.push(element("p", { className: "good", textContent: found.identical ? `Identical: ${found.steps} steps, every bit compared.`
       : `The ${found.steps} steps of both are the same; A ends with step ${a}, B with step ${b}.` }));
+    parts.push(element("p", { textContent: `Compared: ${(found.compared ?? []).join(", ")}.` }),
+      element("p", { className: "soft", textContent: `Not compared: ${(found.not_compared ?? []).join("; ")}.` }));
   } else {
     const where = [`step ${first.step}`, `phase ${first.phase}`];
     if (first.substep !== null) where.push(`substep ${first.substep}`);
