@@ -145,7 +145,7 @@ std::vector<Room> program() {
 
 // The module for Python: beside the program, above the logs.
 std::vector<Room> modules() {
-  return {{"python/binding", kSim + Folders{"src/threads", "src/scenes", "replay/format", "replay/log",
+  return {{"python/binding", kSim + Folders{"src/files", "src/threads", "src/scenes", "replay/format", "replay/log",
                                             "replay/session", "replay/import", "replay/view"}}};
 }
 
