@@ -17,16 +17,6 @@ bool same_choice(const MetricRule& a, const MetricRule& b) {
   return a.bodies == b.bodies && a.axis == b.axis && a.from_step == b.from_step;
 }
 
-/// The choice of a rule, whose bodies were checked when it was read.
-replay::MeasureOptions options_of(const MetricRule& rule) {
-  replay::MeasureOptions options;
-  if (const Result<replay::BodyChoice> bodies = replay::parse_bodies(rule.bodies); bodies.ok())
-    options.bodies = *bodies;
-  options.lateral = rule.axis == "y" ? replay::LateralAxis::kY : replay::LateralAxis::kX;
-  options.from_step = rule.from_step;
-  return options;
-}
-
 /// The transform of the scene that a metric compares with; none for a metric of one session.
 std::optional<sim::Transform> transform_for(const MetricRule& rule) {
   sim::Transform transform;
@@ -57,6 +47,17 @@ Status check_selection(const MetricRule& rule) {
   const Result<replay::BodyChoice> bodies = replay::parse_bodies(rule.bodies);
   return bodies.ok() ? Status() : Status(bodies.error());
 }
+
+replay::MeasureOptions options_of(const MetricRule& rule) {
+  replay::MeasureOptions options;
+  if (const Result<replay::BodyChoice> bodies = replay::parse_bodies(rule.bodies); bodies.ok())
+    options.bodies = *bodies;
+  options.lateral = rule.axis == "y" ? replay::LateralAxis::kY : replay::LateralAxis::kX;
+  options.from_step = rule.from_step;
+  return options;
+}
+
+bool needs_transformed_scene(const MetricRule& rule) { return transform_for(rule).has_value(); }
 
 MetricSet::MetricSet(const replay::LogHeader& header, const CaseRules& rules) : header_(header), rules_(rules) {
   std::vector<const MetricRule*> choices;

@@ -21,6 +21,12 @@ std::string metric_unit(const std::string& name);
 /// Errors (kBadInput): bodies that are not written as docs/metrics.md says.
 Status check_selection(const MetricRule& rule);
 
+/// The bodies, axis and steps of a rule that check_selection() found right.
+replay::MeasureOptions options_of(const MetricRule& rule);
+
+/// Whether the metric compares the session with one of a transformed scene.
+bool needs_transformed_scene(const MetricRule& rule);
+
 /// Measures all metrics of a case in one pass over its session. Metrics of a session and its transformed scene
 /// (mirror_error along the rule's axis, order_error, shift_error) run the scene twice more, at the end.
 class MetricSet {

@@ -135,7 +135,7 @@ std::vector<Room> program() {
       {"tools/engine", above},
       {"tools/compare", above + Folders{"tools/engine"}},
       {"tools/hunt", above},
-      {"tools/view", above + Folders{"golden/report/page", "tools/compare"}},
+      {"tools/view", above + Folders{"golden/report/page", "tools/compare", "tools/bench"}},
       {"tools/commands", above + Folders{"replay/export/plan", "replay/export", "tools/bisect", "tools/bench",
                                          "tools/engine", "tools/compare", "tools/hunt", "tools/view"}},
       {"tools", above + Folders{"tools/manual", "tools/commands"}},

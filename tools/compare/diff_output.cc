@@ -101,13 +101,13 @@ void print_result(const DiffQuestion& question, const replay::DiffReport& report
     return;
   }
   print_text(question, report);
-  const Sides sides = sides_of(question.a, question.b);
+  const Sides& sides = further.sides;
   if (difference) {
     print_difference(*difference, Compared::kTwoLogs, sides);
     const std::string next = next_command(question, difference);
     if (!next.empty()) std::cout << "to find the cause of that value: " << printable(next) << '\n';
   } else if (report.first) {
-    std::cout << "cause   " << printable(replay::cause_of(report, *report.first)) << '\n';
+    std::cout << "cause   " << sides.named(printable(replay::cause_of(report, *report.first))) << '\n';
     print_divergence(*report.first, sides);
     if (question.brief) std::cout << "  read        " << further.read << ", so damage in them is not seen\n";
   }

@@ -31,9 +31,9 @@ std::string distance_text(double distance, const char* unit) {
   return std::isfinite(distance) ? rounded(distance, unit) : "infinite";
 }
 
-std::string separation_text(const replay::SeparationRow& row) {
+std::string separation_text(const replay::SeparationRow& row, const Sides& sides) {
   std::string text = distance_text(row.separation, "m");
-  if (row.body) text += ", body " + std::to_string(*row.body);
+  if (row.body) text += ", " + sides.body(*row.body);
   return text;
 }
 
@@ -81,14 +81,14 @@ Json lost_json(const std::optional<replay::LostBody>& lost) {
   return {{"step", lost->step}, {"body", lost->body}, {"field", lost->field}, {"in", lost->in_a ? "A" : "B"}};
 }
 
-void print_headlines(const replay::DifferenceReport& report) {
+void print_headlines(const replay::DifferenceReport& report, const Sides& sides) {
   Listing listing;
-  if (!report.cause.empty()) listing.add("cause", printable(report.cause));
+  if (!report.cause.empty()) listing.add("cause", sides.named(printable(report.cause)));
   if (report.effect) {
     const replay::Divergence& effect = *report.effect;
     const std::string size = replay::magnitude(effect);
     listing.add("effect", "step " + std::to_string(effect.step) + ", phase " + effect.phase +
-                              (effect.body ? ", body " + std::to_string(*effect.body) : "") + ", " + effect.field +
+                              (effect.body ? ", " + sides.body(*effect.body) : "") + ", " + effect.field +
                               (size.empty() ? "" : ", " + size + " apart") +
                               (effect.note.empty() ? "" : "; " + effect.note));
   } else if (!report.first.field.empty() && report.first.field != "error") {
@@ -124,17 +124,17 @@ void print_growth(const replay::DivergenceGrowth& growth, const Sides& sides) {
   Listing listing;
   listing.section("growth of the difference");
   if (separation.lost) {
-    listing.add("  lost", "body " + std::to_string(separation.lost->body) + ", step " +
-                              std::to_string(separation.lost->step) + ": " + separation.lost->field +
-                              " is no finite number in " + (separation.lost->in_a ? sides.expected : sides.actual));
+    listing.add("  lost", sides.body(separation.lost->body) + ", step " + std::to_string(separation.lost->step) + ": " +
+                              separation.lost->field + " is no finite number in " +
+                              (separation.lost->in_a ? sides.expected : sides.actual));
   }
   for (const replay::SeparationMark& mark : separation.marks) {
     listing.add("  separation above " + rounded(mark.above, "m"),
-                "from step " + std::to_string(mark.step) + ", body " + std::to_string(mark.body));
+                "from step " + std::to_string(mark.step) + ", " + sides.body(mark.body));
   }
   listing.add("  largest separation",
-              separation_text(separation.largest) + ", step " + std::to_string(separation.largest.step));
-  listing.add("  separation at the end", separation_text(separation.rows.back()));
+              separation_text(separation.largest, sides) + ", step " + std::to_string(separation.largest.step));
+  listing.add("  separation at the end", separation_text(separation.rows.back(), sides));
   listing.add("  contacts", since(separation.contacts_from, separation.had_contacts));
   listing.add("  freezing", since(separation.freezing_from, separation.had_frozen));
   if (separation.bodies_from)
@@ -203,7 +203,7 @@ void print_location(const replay::DivergenceLocation& location, const Sides& sid
     listing.add("  after it", count_text(location.bodies.size(), "body") + " in another state");
   }
   for (std::size_t i = 0; i < std::min(kContactsShown, location.contacts.size()); ++i) {
-    listing.add(i == 0 ? "  contacts" : "", replay::describe(location.contacts[i]));
+    listing.add(i == 0 ? "  contacts" : "", sides.named(replay::describe(location.contacts[i])));
   }
   listing.print();
 }
@@ -224,7 +224,7 @@ Json location_json(const replay::DivergenceLocation& location) {
 }
 
 void print_difference(const replay::DifferenceReport& report, Compared compared, const Sides& sides) {
-  print_headlines(report);
+  print_headlines(report, sides);
   print_divergence(report.first, sides);
   if (compared == Compared::kTwoLogs) {
     print_location(report.location, sides);

@@ -68,6 +68,7 @@ Result<Json> difference_data(replay::LogReader& a, replay::LogReader& b, const r
   json["first"] = divergence_json(closer->first);
   json["magnitude"] = replay::magnitude(closer->first);
   add_difference(*closer, Compared::kTwoLogs, json);
+  json["cause"] = sides_of(a, b).named(closer->cause);
   if (closer->growth) {
     json["separation"] = separation_json(closer->growth->separation);
     json["aftermath"].erase("steps");
