@@ -78,7 +78,7 @@ class PhaseHashes : public Observer {
   /// contacts, and what friction at rest does besides impulses. 5: covers whether a contact of method layered has
   /// slipped in its substep. 6: covers what `part_overlaps` takes from the motion of every body that it lifts,
   /// and the direction of lent inertia.
-  static constexpr std::uint32_t kVersion = 6;
+  static constexpr std::uint32_t kVersion = 7;
 
   void phase_done(std::uint32_t substep, std::size_t phase, const World& world) override;
   void clear() { words_.clear(); }
