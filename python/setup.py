@@ -58,8 +58,12 @@ class WithModule(Distribution):
         return True
 
 
+# Beside the build and not in the source folder.
+WORK = pathlib.Path(os.environ.get("TUMBLE_BUILD") or TREE / "build").resolve() / "wheel"
+WORK.mkdir(parents=True, exist_ok=True)
 setup(
     version=version(),
+    options={"build": {"build_base": str(WORK)}, "egg_info": {"egg_base": str(WORK)}},
     packages=["tumble"],
     package_dir={"": "."},
     distclass=WithModule,

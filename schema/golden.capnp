@@ -4,6 +4,7 @@
 # Rules of evolution and columns as in log.capnp: fields are only added, "planes" means bytes regrouped by significance.
 
 using Cxx = import "/capnp/c++.capnp";
+using Extras = import "extras.capnp";
 $Cxx.namespace("tumble::golden::schema");
 
 struct Expected {
@@ -27,6 +28,20 @@ struct Expected {
   phaseHashVersion @17 :UInt32 = 1;  # as in the header of a log
   sceneText @18 :Text;          # scene.toml when it was blessed, for people: names the lines that change
   provenance @19 :Provenance;   # null: blessed before goldens had one
+  keepsExtras @20 :Bool;        # channels and contactHash are those of the session, and stepWord leaves them out
+  channels @21 :List(Channel);  # ascending names
+  contactHash @22 :Data;        # (N + 1) x UInt32, planes: of the engine's contacts in states 0 .. N; empty: none
+}
+
+# A channel of another engine's session.
+struct Channel {
+  name @0 :Text;
+  kind @1 :UInt8;               # as in extras.capnp
+  scope @2 :UInt8;
+  unit @3 :Text;
+  hash @4 :Data;                # (N + 1) x UInt32, planes: of the values in states 0 .. N; 0: no value
+  valueSteps @5 :Data;          # UInt64, differences, planes: ascending states whose values are kept
+  values @6 :Extras.ChannelValues;  # of these, one after the other
 }
 
 # Where a golden comes from: for people, decides nothing. Empty texts are not known.

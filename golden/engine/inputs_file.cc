@@ -1,8 +1,12 @@
 #include "golden/engine/inputs_file.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <tuple>
 #include <type_traits>
+#include <vector>
 
 #include "src/base/text.h"
 #include "src/model/command_fields.h"
@@ -45,6 +49,68 @@ std::string first_line(double dt, std::uint64_t steps) {
   return line.dump() + '\n';
 }
 
+/// Two digits a byte.
+std::string hex_of(std::string_view bytes) {
+  constexpr std::string_view kHex = "0123456789abcdef";
+  std::string text;
+  text.reserve(2 * bytes.size());
+  for (const char c : bytes) {
+    const unsigned byte = static_cast<unsigned char>(c);
+    (text += kHex[byte / 16]) += kHex[byte % 16];
+  }
+  return text;
+}
+
+/// The name that the engine gave an input, whose channel is "input.NAME", "input.NAME of a body" or one of these with
+/// "#2" behind it; empty for a channel of something else.
+std::string input_of(const replay::Channel& channel) {
+  constexpr std::string_view kBefore = "input.", kBehind = " of a body";
+  std::string_view name = channel.name;
+  const bool of_pair = channel.type.scope == replay::ChannelScope::kPair;
+  if (!name.starts_with(kBefore) || channel.type.kind != replay::ChannelKind::kBytes || of_pair) return "";
+  name.remove_prefix(kBefore.size());
+  const std::size_t mark = name.rfind('#');
+  const bool counted = mark != std::string_view::npos && mark + 1 < name.size() &&
+                       name.find_first_not_of("0123456789", mark + 1) == std::string_view::npos;
+  if (counted) name = name.substr(0, mark);
+  if (channel.type.scope == replay::ChannelScope::kBody && name.ends_with(kBehind)) {
+    name.remove_suffix(kBehind.size());
+  }
+  return std::string(name);
+}
+
+/// The inputs that the recorder got by their names, which a log keeps as channels: by name and body, several of one
+/// name and body in their order.
+std::string named_inputs(std::uint64_t step, const std::vector<replay::Channel>& channels,
+                         const replay::Extras& extras) {
+  struct Input {
+    std::string name;
+    std::uint64_t body = 0;
+    std::size_t name_length = 0;  // of its channel: "#10" comes behind "#9"
+    std::size_t channel = 0;
+    std::string bytes;
+  };
+  std::vector<Input> inputs;
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    const std::string name = input_of(channels[c]);
+    const replay::ChannelValues& values = extras.values(c);
+    for (std::size_t i = 0; i < values.size() && !name.empty(); ++i) {
+      inputs.push_back({name, values.keys[i].a, channels[c].name.size(), c, values.bytes[i]});
+    }
+  }
+  std::ranges::sort(inputs, {}, [](const Input& input) {
+    return std::tie(input.name, input.body, input.name_length, input.channel);
+  });
+  std::string text;
+  for (const Input& input : inputs) {
+    Json line = {{"step", step}, {"kind", "input"}, {"name", input.name}};
+    if (input.body != 0) line["id"] = input.body;
+    line["hex"] = hex_of(input.bytes);
+    text += line.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+  }
+  return text;
+}
+
 bool sets_dt(const replay::StepRecord& record) {
   for (const sim::Command& command : record.inputs) {
     if (std::holds_alternative<sim::SetDt>(command)) return true;
@@ -56,6 +122,7 @@ bool sets_dt(const replay::StepRecord& record) {
 
 Result<std::string> inputs_text(replay::LogReader& log) {
   std::string text;
+  const replay::Declared& declared = log.header().declared;
   double dt = log.header().scene.world.dt;
   for (std::uint64_t k = log.first_state() + 1; k <= log.last_step(); ++k) {
     if (log.lost_at(k) != nullptr) continue;
@@ -64,10 +131,11 @@ Result<std::string> inputs_text(replay::LogReader& log) {
     const replay::StepRecord& record = **read;
     if (k == log.first_state() + 1) {
       dt = record.dt;
-      text = first_line(dt, log.step_count());
+      text = first_line(dt, log.step_count()) + named_inputs(log.first_state(), declared.channels, declared.start);
     }
     if (record.dt != dt && !sets_dt(record)) text += line_of(k, sim::SetDt{record.dt});
     for (const sim::Command& command : record.inputs) text += line_of(k, command);
+    text += named_inputs(k, declared.channels, record.extras);
     dt = record.dt;
   }
   return text.empty() ? first_line(dt, 0) : text;

@@ -12,6 +12,8 @@
 #include <system_error>
 #include <utility>
 
+#include "golden/engine/table_reading.h"
+#include "golden/suite/text_files.h"
 #include "replay/import/import_csv.h"
 #include "replay/stream/import_stream.h"
 #include "replay/stream/stream_reader.h"
@@ -34,17 +36,55 @@ FileKind kind_of(const std::string& path) {
   return replay::StreamReader::is_stream(magic) ? FileKind::kStream : FileKind::kTable;
 }
 
-/// Converts a recorder's stream.
-Status convert_stream(const std::string& path, const std::string& converted, std::vector<std::string>& warnings) {
+/// Converts a recorder's stream. growing: the engine still writes to it, so that its end is none.
+Status convert_stream(const std::string& path, const std::string& converted, bool growing, SessionLog& log) {
   Result<std::unique_ptr<replay::ByteSource>> source = replay::open_file_source(path);
   if (!source.ok()) return source.error();
   const Result<replay::StreamReader> stream = replay::StreamReader::open(*std::move(source));
   if (!stream.ok()) return stream.error();
+  const replay::StreamCondition& condition = stream->condition();
+  if (condition.damage && !growing) return damaged("wrote a damaged stream: " + *condition.damage);
   const Result<replay::StreamImport> done =
       replay::import_stream(*stream, [&] { return replay::open_file_sink(converted); });
   if (!done.ok()) return done.error();
-  warnings.insert(warnings.end(), done->warnings.begin(), done->warnings.end());
+  log.warnings = done->warnings;
+  if (!condition.finished) {
+    log.unfinished = "its stream ends without the last frame, after step " +
+                     std::to_string(stream->steps().back().step) +
+                     ": the engine did not close its recorder (tumble_rec_close)";
+  }
   return {};
+}
+
+/// A table without its last step, whose rows may not all be there yet; empty where no step is left.
+std::string without_last_step(const std::string& table) {
+  const std::string_view text(table);
+  std::size_t at = 0;
+  while (text.substr(at).starts_with('#')) {
+    const std::size_t end = text.find('\n', at);
+    if (end == std::string_view::npos) return "";
+    at = end + 1;
+  }
+  const std::size_t end = text.find('\n', at);
+  if (end == std::string_view::npos) return "";
+  const std::string_view names = text.substr(at, end - at);
+  const auto cell = [](std::string_view line, std::size_t column) {
+    for (; column > 0; --column) line.remove_prefix(std::min(line.size(), line.find(',') + 1));
+    return line.substr(0, std::min(line.find_first_of(",\r\n"), line.size()));
+  };
+  std::size_t column = 0, columns = static_cast<std::size_t>(std::ranges::count(names, ',')) + 1;
+  while (column < columns && cell(names, column) != "step" && cell(names, column) != "time") ++column;
+  std::size_t stop = text.rfind('\n');
+  if (column == columns || stop == end) return "";
+  std::string_view last;  // the step of the last complete row
+  for (std::size_t row_end = stop; row_end > end;) {
+    const std::size_t begin = text.rfind('\n', row_end - 1) + 1;
+    const std::string_view step = cell(text.substr(begin, row_end - begin), column);
+    if (last.empty()) last = step;
+    if (step != last) return table.substr(0, row_end + 1);
+    row_end = begin - 1;
+  }
+  return "";
 }
 
 /// Whether a line "# key: …" stands before the names of the columns.
@@ -74,23 +114,10 @@ std::vector<std::string> settings_like(const replay::LogHeader& header, std::str
   return settings;
 }
 
-}  // namespace
-
-Result<std::string> log_of_session(const std::string& path, const std::string& converted, replay::LogReader* like,
-                                   std::vector<std::string>& warnings) {
-  std::error_code error;
-  if (!std::filesystem::exists(path, error)) return cannot_finish("wrote no log");
-  if (std::filesystem::file_size(path, error) == 0) return cannot_finish("wrote an empty log");
-  const FileKind kind = kind_of(path);
-  if (kind == FileKind::kLog) return path;
-  if (kind == FileKind::kStream) {
-    if (Status ok = convert_stream(path, converted, warnings); !ok.ok()) return ok.error();
-    return converted;
-  }
-  std::ifstream file(path, std::ios::binary);
-  const std::string table{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+/// Converts a table.
+Status convert_table(const std::string& table, const std::string& converted, replay::LogReader* like, SessionLog& log) {
   replay::ImportOptions how;
-  how.warn = [&](const std::string& warning) { warnings.push_back(warning); };
+  how.warn = [&](const std::string& warning) { log.warnings.push_back(warning); };
   if (like != nullptr) {
     how.settings = settings_like(like->header(), table);
     Result<replay::SessionLike> known = replay::session_like(*like);
@@ -98,10 +125,46 @@ Result<std::string> log_of_session(const std::string& path, const std::string& c
     how.like = *std::move(known);
   }
   const auto sink = [&] { return replay::open_file_sink(converted); };
-  if (const Result<replay::LogSummary> summary = replay::import_csv(table, "its table", sink, how); !summary.ok()) {
-    return summary.error();
+  const Result<replay::LogSummary> summary = replay::import_csv(table, "its table", sink, how);
+  return summary.ok() ? Status() : Status(summary.error());
+}
+
+std::string text_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace
+
+Result<SessionLog> log_of_session(const std::string& path, const std::string& converted, replay::LogReader* like) {
+  std::error_code error;
+  if (!std::filesystem::exists(path, error)) return cannot_finish("wrote no log");
+  if (!std::filesystem::is_regular_file(path, error)) return cannot_finish("wrote no file where the log should be");
+  if (std::filesystem::file_size(path, error) == 0) return cannot_finish("wrote an empty log");
+  const FileKind kind = kind_of(path);
+  SessionLog log = {kind == FileKind::kLog ? path : converted, {}, ""};
+  if (kind == FileKind::kLog) return log;
+  const Status done = kind == FileKind::kStream ? convert_stream(path, converted, false, log)
+                                                : convert_table(text_of(path), converted, like, log);
+  return done.ok() ? Result<SessionLog>(std::move(log)) : done.error();
+}
+
+std::optional<std::string> log_so_far(const std::string& path, const std::string& converted, replay::LogReader* like,
+                                      const EngineProject& project) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error) || std::filesystem::file_size(path, error) == 0) return {};
+  const FileKind kind = kind_of(path);
+  if (kind == FileKind::kLog) return path;
+  SessionLog log;
+  if (kind == FileKind::kStream) {
+    return convert_stream(path, converted, true, log).ok() ? std::optional<std::string>(converted) : std::nullopt;
   }
-  return converted;
+  const std::string copy = converted + ".table";  // which is read as the whole one will be
+  if (!write_file(copy, std::string_view(text_of(path))).ok()) return {};
+  if (!rewrite_table(copy, project.table, project.folder).ok()) return {};
+  const std::string table = without_last_step(text_of(copy));
+  const bool is_done = !table.empty() && convert_table(table, converted, like, log).ok();
+  return is_done ? std::optional<std::string>(converted) : std::nullopt;
 }
 
 }  // namespace tumble::golden

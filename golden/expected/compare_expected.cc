@@ -42,6 +42,13 @@ std::string different_bodies(const BodyHashes& expected, const BodyHashes& actua
          " bodies differ, the first is body " + number(first);
 }
 
+/// Whether the difference is one of channels or contacts.
+bool is_extra(const FirstDifference& difference) {
+  return difference.phase.starts_with("channel.") || difference.phase == "contacts";
+}
+
+constexpr std::size_t kExtrasNamed = 4;
+
 }  // namespace
 
 std::string describe(const Apart& apart) {
@@ -53,6 +60,8 @@ std::string describe(const FirstDifference& difference) {
   std::string text = "step " + number(difference.step);
   if (difference.substep) text += ", substep " + number(*difference.substep);
   text += ", phase " + difference.phase;
+  if (is_extra(difference)) text = "step " + number(difference.step) + ", " + difference.phase;
+  if (!difference.states_from && is_extra(difference)) return text + "; all states agree";
   if (!difference.states_from) return text + "; all states agree, but not the steps between them";
   if (*difference.states_from != difference.step)
     text += "; states differ from step " + number(*difference.states_from);
@@ -66,6 +75,13 @@ ExpectedComparer::ExpectedComparer(const Expected& expected, const replay::LogHe
   if (expected.method != header.method || expected.method_version != header.method_version) {
     notes_.push_back("blessed with method " + expected.method + " version " + number(expected.method_version) +
                      ", run with " + header.method + " version " + number(header.method_version));
+  }
+  if (expected.extras) {
+    extras_.emplace(*expected.extras, header.declared.channels);
+  } else if (!header.declared.channels.empty()) {
+    notes_.emplace_back(
+        "blessed before goldens kept channels: a channel that differs is seen, but not named, and not "
+        "in the state of step 0; bless the case to have them compared");
   }
   if (!same_phases_) notes_.emplace_back("the phases have other names than when it was blessed: only states compare");
 }
@@ -90,16 +106,34 @@ void ExpectedComparer::add(const replay::StepRecord& record) {
     note_first(record.step, record.step == 0 ? "start" : "step");
     if (!first_->states_from) first_->states_from = record.step;
   }
+  if (extras_) compare_extras(record);
   if (first_ && first_->states_from) look_closer(record);
   follow_state(record);
   follow_track(record);
+}
+
+/// A channel that differs is named with its values at this step, or at the next one whose values the golden keeps.
+void ExpectedComparer::compare_extras(const replay::StepRecord& record) {
+  if (!extra_details_.empty()) return;
+  const std::vector<std::string> fields = extras_->differing(record);
+  if (fields.empty()) return;
+  if (extra_fields_.empty()) extra_fields_ = fields;
+  note_first(record.step, extra_fields_.front());
+  for (const std::string& field : fields) {
+    if (extra_details_.size() == kExtrasNamed) break;
+    if (std::string text = extras_->detail(field, record); !text.empty()) extra_details_.push_back(std::move(text));
+  }
+}
+
+std::vector<std::string> ExpectedComparer::extras() const {
+  return extras_ ? extras_->compared() : std::vector<std::string>();
 }
 
 /// Finds the first phase word that differs. A golden keeps 16 bits of each phase hash, so that about one difference in
 /// 65,536 escapes at its phase; the 32 bits of the whole step, which also cover inputs and counters, and the full state
 /// hash show it then. A difference is never missed for the sake of size, only named less exactly.
 void ExpectedComparer::compare_words(const replay::StepRecord& record) {
-  if (first_ || step_word(record) == expected_.step_words[record.step - 1]) return;
+  if (first_ || step_word(record, !extras_) == expected_.step_words[record.step - 1]) return;
   const std::size_t phases = expected_.phases.size();
   const std::vector<std::uint16_t> actual = phase_words_of(record, phases, expected_.phase_detail);
   const std::vector<std::uint16_t>& wanted = expected_.phase_words[record.step - 1];
@@ -184,6 +218,12 @@ std::optional<FirstDifference> ExpectedComparer::finish(const Hash128& continuat
   for (const std::string& detail : {bodies_detail_, field_detail_}) {
     if (!detail.empty()) first_->details.push_back(detail);
   }
+  if (extra_fields_.size() > 1 || (!extra_fields_.empty() && !is_extra(*first_))) {
+    std::string text = "channels and contacts that differ in that step: ";
+    for (std::size_t i = 0; i < extra_fields_.size(); ++i) text += (i == 0 ? "" : ", ") + extra_fields_[i];
+    first_->details.push_back(std::move(text));
+  }
+  first_->details.insert(first_->details.end(), extra_details_.begin(), extra_details_.end());
   if (apart_.metres > 0) {
     first_->apart = apart_;
     first_->details.insert(first_->details.begin(),

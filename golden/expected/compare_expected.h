@@ -25,7 +25,9 @@ std::string describe(const Apart& apart);
 struct FirstDifference {
   std::uint64_t step = 0;
   std::optional<std::uint32_t> substep;  ///< if the golden has words for each substep
-  std::string phase;  ///< "find_contacts", …; "start", "inputs or counters", "step", "hidden state"
+  /// "find_contacts", …; "start", "inputs or counters", "step", "hidden state"; "channel.knee" or "contacts" where
+  /// these of another engine differ and its states do not.
+  std::string phase;
   std::optional<std::uint64_t> states_from;  ///< the first step whose state differs; none: no state does
   std::vector<std::string> details;  ///< sentences: bodies and fields at the nearest stored state, how far apart
   std::optional<Apart>
@@ -47,11 +49,15 @@ class ExpectedComparer {
   /// After the last step. continuation: of the last state, zero where it is not known.
   std::optional<FirstDifference> finish(const Hash128& continuation);
 
+  /// The channels and contacts that were compared, in words.
+  [[nodiscard]] std::vector<std::string> extras() const;
+
   /// Reasons why something could not be compared, such as phase words of another version.
   [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
 
  private:
   void compare_words(const replay::StepRecord& record);
+  void compare_extras(const replay::StepRecord& record);
   void look_closer(const replay::StepRecord& record);
   void follow_track(const replay::StepRecord& record);
   void follow_state(const replay::StepRecord& record);
@@ -60,12 +66,15 @@ class ExpectedComparer {
 
   const Expected& expected_;
   bool same_phases_;
-  bool same_words_;  // and their hashes cover the same fields
+  bool same_words_;                       // and their hashes cover the same fields
+  std::optional<ExtrasComparer> extras_;  // none: the golden is older than channels
   std::optional<FirstDifference> first_;
   std::uint64_t steps_ = 0;
   std::uint64_t next_step_ = 0;  // that add() expects
   std::string bodies_detail_;
   std::string field_detail_;
+  std::vector<std::string> extra_fields_;  // channels and contacts that differ in the first step in which any does
+  std::vector<std::string> extra_details_;
   std::vector<std::string> notes_;
   Apart apart_;
 };

@@ -63,8 +63,9 @@ TrackPoint track_point(std::uint64_t step, const replay::BodyStates& states) {
 
 }  // namespace
 
-std::uint32_t step_word(const replay::StepRecord& record) {
-  return static_cast<std::uint32_t>(replay::chain_next({}, record).low);
+std::uint32_t step_word(const replay::StepRecord& record, bool with_extras) {
+  const Hash128 hash = with_extras ? replay::chain_next({}, record) : replay::chain_next_of_states({}, record);
+  return static_cast<std::uint32_t>(hash.low);
 }
 
 std::vector<std::uint16_t> phase_words_of(const replay::StepRecord& record, std::size_t phase_count,
@@ -113,7 +114,7 @@ Milestones choose_milestones(std::uint64_t steps, std::size_t bodies) {
 }
 
 ExpectedBuilder::ExpectedBuilder(const replay::LogHeader& header, std::uint64_t steps, const Hash128& scene)
-    : milestones_(choose_milestones(steps, header.scene.boxes.size())) {
+    : milestones_(choose_milestones(steps, header.scene.boxes.size())), extras_(header.declared.channels) {
   expected_.provenance.version = TUMBLE_VERSION;
   expected_.method = header.method;
   expected_.method_version = header.method_version;
@@ -126,9 +127,10 @@ void ExpectedBuilder::add(const replay::StepRecord& record) {
   SIM_CHECK(record.step == expected_.state_hashes.size(), record.step, expected_.state_hashes.size());
   expected_.state_hashes.push_back(record.state_hash);
   if (record.step > 0) {
-    expected_.step_words.push_back(step_word(record));
+    expected_.step_words.push_back(step_word(record, false));
     expected_.phase_words.push_back(phase_words_of(record, expected_.phases.size(), expected_.phase_detail));
   }
+  extras_.add(record);
   const auto is_in = [&](const std::vector<std::uint64_t>& steps) {
     return std::ranges::binary_search(steps, record.step);
   };
@@ -139,6 +141,7 @@ void ExpectedBuilder::add(const replay::StepRecord& record) {
 
 Expected ExpectedBuilder::finish(const Hash128& continuation) {
   expected_.continuation = continuation;
+  expected_.extras = extras_.finish();
   return std::move(expected_);
 }
 

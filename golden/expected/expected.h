@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tumble/golden/expected_extras.h"
 #include "tumble/golden/provenance.h"
 #include "tumble/replay/step_record.h"
 #include "tumble/sim/hash.h"
@@ -46,19 +48,21 @@ struct Expected {
   PhaseDetail phase_detail = PhaseDetail::kSubstep;
   std::uint32_t phase_hash_version = 1;  ///< LogHeader::phase_hash_version: the meaning of phase and step words
   std::vector<std::vector<std::uint16_t>> phase_words;  ///< of steps 1 … N: phase_words_of()
-  Hash128 continuation;                 ///< of state N, hidden parts included; zero where it was not known
-  std::vector<BodyHashes> body_hashes;  ///< ascending step
-  std::vector<KeyState> states;         ///< ascending step
-  std::vector<TrackPoint> track;        ///< ascending step
-  std::string scene_text;               ///< scene.toml when it was blessed; empty: not kept
-  Provenance provenance;                ///< of the run that was blessed; an old golden has a version alone
+  Hash128 continuation;                  ///< of state N, hidden parts included; zero where it was not known
+  std::vector<BodyHashes> body_hashes;   ///< ascending step
+  std::vector<KeyState> states;          ///< ascending step
+  std::vector<TrackPoint> track;         ///< ascending step
+  std::optional<ExpectedExtras> extras;  ///< channels and contacts; none: blessed before goldens kept them
+  std::string scene_text;                ///< scene.toml when it was blessed; empty: not kept
+  Provenance provenance;                 ///< of the run that was blessed; an old golden has a version alone
 
   [[nodiscard]] std::uint64_t steps() const { return state_hashes.empty() ? 0 : state_hashes.size() - 1; }
   friend bool operator==(const Expected&, const Expected&) = default;
 };
 
-/// A step without its states (dt, inputs, phase words, state hash, counters) in 32 bits.
-std::uint32_t step_word(const replay::StepRecord& record);
+/// A step without its states (dt, inputs, phase words, state hash, counters) in 32 bits. with_extras: also the channels
+/// and contacts, as in goldens that do not keep them.
+std::uint32_t step_word(const replay::StepRecord& record, bool with_extras);
 
 /// The phase words of a step as a golden keeps them: 16 bits of each, at kStep the substeps folded into one row.
 /// phase_count: words in a row.
@@ -92,6 +96,7 @@ class ExpectedBuilder {
  private:
   Expected expected_;
   Milestones milestones_;
+  ExtrasKeeper extras_;
 };
 
 }  // namespace tumble::golden

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "golden/expected/extras_codec.h"
 #include "replay/codec/blob.h"
 #include "replay/codec/message.h"
 #include "schema/golden.capnp.h"
@@ -114,6 +115,7 @@ void encode_root(const Expected& expected, schema::Expected::Builder out) {
   for (unsigned i = 0; i < states.size(); ++i) encode_state(expected.states[i], states[i]);
   auto track = out.initTrack(static_cast<unsigned>(expected.track.size()));
   for (unsigned i = 0; i < track.size(); ++i) encode_track(expected.track[i], track[i]);
+  if (expected.extras) encode(*expected.extras, out);
 }
 
 Status decode_hashes(schema::Expected::Reader in, Expected& out) {
@@ -224,6 +226,7 @@ Result<Expected> decode_root(schema::Expected::Reader in) {
   Status ok = decode_list("bodyHashes", in.getBodyHashes(), steps, out.body_hashes, decode_body_hashes);
   if (ok.ok()) ok = decode_list("states", in.getStates(), steps, out.states, decode_state);
   if (ok.ok()) ok = decode_list("track", in.getTrack(), steps, out.track, decode_track);
+  if (ok.ok()) ok = decode(in, steps, out.extras);
   if (!ok.ok()) return ok.error();
   return out;
 }

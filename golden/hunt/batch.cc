@@ -9,24 +9,6 @@
 namespace tumble::hunt {
 namespace {
 
-void count(Tally& tally, const Judgement& one, std::uint64_t number) {
-  switch (one.outcome) {
-    case Outcome::kHeld:
-      ++tally.held;
-      break;
-    case Outcome::kBroken:
-      ++tally.broken;
-      return;
-    case Outcome::kNotApplicable:
-      ++tally.not_applicable;
-      return;
-  }
-  if (one.bound > 0 && one.value / one.bound > tally.nearest) {
-    tally.nearest = one.value / one.bound;
-    tally.nearest_number = number;
-  }
-}
-
 std::string first_word(const std::string& title) { return title.substr(0, title.find(',')); }
 
 // A large fault must not shrink to the least one that is just beyond the bound, which may be another fault.
@@ -37,16 +19,19 @@ double times_bound(const Judgement& one) { return std::isfinite(one.value) ? one
 
 Result<TextScene> drawn_scene(std::uint64_t seed, std::uint64_t number) { return settled(random_scene(seed, number)); }
 
-Batch judge_batch(const Question& question, std::uint64_t seed, std::uint64_t first, std::uint64_t scenes) {
+Batch judge_batch(const Question& question, std::uint64_t seed, std::uint64_t first, std::uint64_t scenes,
+                  bool with_features) {
   Batch batch;
   batch.tallies.resize(names_of(question).size());
   for (std::uint64_t number = first; number < first + scenes; ++number) {
     const Result<TextScene> scene = drawn_scene(seed, number);
-    const Judged judged = scene.ok() ? judge_scene(question, *scene) : Judged{scene.error().message, {}};
+    const Judged judged = scene.ok() ? judge_scene(question, *scene) : Judged{scene.error().message, {}, {}};
     if (!judged.problem.empty()) ++batch.no_scenes;
+    bool broke = !judged.problem.empty();
     for (std::size_t k = 0; k < judged.judgements.size(); ++k) {
       const auto& [name, one] = judged.judgements[k];
-      count(batch.tallies[k], one, number);
+      batch.tallies[k].count(one, number);
+      broke |= one.outcome == Outcome::kBroken;
       if (one.outcome != Outcome::kBroken) continue;
       Finding finding;
       finding.seed = seed;
@@ -56,6 +41,7 @@ Batch judge_batch(const Question& question, std::uint64_t seed, std::uint64_t fi
       finding.judgement = one;
       batch.findings.push_back(std::move(finding));
     }
+    if (!broke && with_features) batch.features.emplace_back(number, judged.features);
   }
   return batch;
 }
@@ -66,6 +52,7 @@ std::string to_text(const Batch& batch) {
     json["tallies"].push_back({one.held, one.broken, one.not_applicable, one.nearest, one.nearest_number});
   }
   for (const Finding& one : batch.findings) json["findings"].push_back(to_json(one));
+  json["features"] = batch.features;
   return json.dump();
 }
 
@@ -78,7 +65,32 @@ Result<Batch> batch_from(const std::string& text) {
       batch.tallies.push_back({one.at(0), one.at(1), one.at(2), one.at(3), one.at(4)});
     }
     for (const Json& one : json.at("findings")) batch.findings.push_back(finding_from(one));
+    batch.features = json.at("features").get<decltype(batch.features)>();
     return batch;
+  } catch (const Json::exception& problem) {
+    return cannot_finish(std::string("what a child process found cannot be read: ") + problem.what());
+  }
+}
+
+std::string judgements_text(const Judged& judged) {
+  Json json = {{"problem", judged.problem}, {"judgements", Json::array()}};
+  for (const auto& [name, one] : judged.judgements) {
+    json["judgements"].push_back({name, static_cast<int>(one.outcome), to_json(one)});
+  }
+  return json.dump();
+}
+
+Result<Judged> judgements_from(const std::string& text) {
+  try {
+    const Json json = Json::parse(text);
+    Judged judged;
+    judged.problem = json.at("problem");
+    for (const Json& one : json.at("judgements")) {
+      Judgement judgement = judgement_from(one.at(2));
+      judgement.outcome = static_cast<Outcome>(one.at(1).get<int>());
+      judged.judgements.emplace_back(one.at(0), std::move(judgement));
+    }
+    return judged;
   } catch (const Json::exception& problem) {
     return cannot_finish(std::string("what a child process found cannot be read: ") + problem.what());
   }

@@ -18,14 +18,22 @@ struct Batch {
   std::uint64_t no_scenes = 0;
   std::vector<Tally> tallies;  ///< by relation, in the question's order
   std::vector<Finding> findings;
+  std::vector<std::pair<std::uint64_t, std::vector<std::string>>>
+      features;  ///< by number, of scenes that broke nothing
 };
 
-Batch judge_batch(const Question& question, std::uint64_t seed, std::uint64_t first, std::uint64_t scenes);
+/// with_features: fills Batch::features.
+Batch judge_batch(const Question& question, std::uint64_t seed, std::uint64_t first, std::uint64_t scenes,
+                  bool with_features);
 
 /// As one process hands it to another.
 std::string to_text(const Batch& batch);
 /// Errors (kCannotFinish): text that to_text() did not make.
 Result<Batch> batch_from(const std::string& text);
+
+/// The judgements on one scene, likewise.
+std::string judgements_text(const Judged& judged);
+Result<Judged> judgements_from(const std::string& text);
 
 /// Shrinks the scene of a finding; not one that ends the program.
 Finding shrink_finding(const Question& question, Finding finding, std::uint64_t tries_most);

@@ -9,24 +9,6 @@
 #include "src/base/text.h"
 
 namespace tumble::hunt {
-namespace {
-
-Judgement judgement_from(const Json& json) {
-  Judgement out;
-  out.outcome = Outcome::kBroken;
-  out.step = json.at("step");
-  out.phase = json.at("phase");
-  out.body = json.at("body");
-  out.what = json.at("what");
-  // A value that is no number is null in JSON.
-  out.value = json.at("value").is_number() ? json.at("value").get<double>() : std::nan("");
-  out.bound = json.at("bound");
-  out.unit = json.at("unit");
-  return out;
-}
-
-}  // namespace
-
 std::string name_of(const Finding& finding) {
   return finding.relation + "_" + std::to_string(finding.seed) + "_" + std::to_string(finding.number);
 }
@@ -70,6 +52,20 @@ Json to_json(const Finding& finding) {
                     {"bodies", finding.bodies},     {"steps", finding.steps},
                     {"tried", finding.tried},       {"least", finding.least}};
   return json;
+}
+
+Judgement judgement_from(const Json& json) {
+  Judgement out;
+  out.outcome = Outcome::kBroken;
+  out.step = json.at("step");
+  out.phase = json.at("phase");
+  out.body = json.at("body");
+  out.what = json.at("what");
+  // A value that is no number is null in JSON.
+  out.value = json.at("value").is_number() ? json.at("value").get<double>() : std::nan("");
+  out.bound = json.at("bound");
+  out.unit = json.at("unit");
+  return out;
 }
 
 Finding finding_from(const Json& json) {

@@ -44,6 +44,8 @@ struct Group {
 std::vector<Group> grouped(const std::vector<Finding>& findings);
 
 Json to_json(const Judgement& judgement);
+/// Of a broken relation. Throws Json::exception where a key is missing.
+Judgement judgement_from(const Json& json);
 Json to_json(const Finding& finding);
 /// Throws Json::exception where a key is missing.
 Finding finding_from(const Json& json);

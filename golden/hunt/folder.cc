@@ -12,14 +12,6 @@ namespace {
 constexpr const char* kStateFile = "hunt.json";
 constexpr int kFormat = 1;
 
-Json to_json(const Tally& tally) {
-  return {{"held", tally.held},
-          {"broken", tally.broken},
-          {"not_applicable", tally.not_applicable},
-          {"nearest", tally.nearest},
-          {"nearest_number", tally.nearest_number}};
-}
-
 HuntState state_from(const Json& json) {
   HuntState state;
   state.seed = json.at("seed");
@@ -63,6 +55,25 @@ void Tally::add(const Tally& other) {
     nearest = other.nearest;
     nearest_number = other.nearest_number;
   }
+}
+
+void Tally::count(const Judgement& one, std::uint64_t number) {
+  if (one.outcome == Outcome::kBroken) ++broken;
+  if (one.outcome == Outcome::kNotApplicable) ++not_applicable;
+  if (one.outcome != Outcome::kHeld) return;
+  ++held;
+  if (one.bound > 0 && one.value / one.bound > nearest) {
+    nearest = one.value / one.bound;
+    nearest_number = number;
+  }
+}
+
+Json to_json(const Tally& tally) {
+  return {{"held", tally.held},
+          {"broken", tally.broken},
+          {"not_applicable", tally.not_applicable},
+          {"nearest", tally.nearest},
+          {"nearest_number", tally.nearest_number}};
 }
 
 Json to_json(const HuntState& state) {

@@ -17,7 +17,9 @@ struct Tally {
   double nearest = 0;                ///< of the scenes that held: the largest value over bound; 0: it has none
   std::uint64_t nearest_number = 0;  ///< that scene
   void add(const Tally& other);
+  void count(const Judgement& one, std::uint64_t number);  ///< number: of the scene
 };
+Json to_json(const Tally& tally);
 
 /// A hunt so far: scenes 0 … next − 1 of the seed are judged, all by the same relations.
 struct HuntState {

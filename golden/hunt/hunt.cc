@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "golden/hunt/batch.h"
+#include "golden/hunt/corpus.h"
 #include "golden/hunt/scene/grammar.h"
 #include "src/base/check.h"
 #include "src/base/text.h"
@@ -18,7 +19,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t kScenesABatch = 10;
-constexpr std::uint64_t kBatchesARound = 32;
+constexpr std::uint64_t kBatchesARound = 8;
 constexpr double kBatchPatience = 120;  // s: many times what ten scenes take in a slow build
 constexpr double kScenePatience = 60;
 constexpr double kShrinkPatience = 600;
@@ -26,8 +27,12 @@ constexpr double kUsualSeconds = 60;
 
 class Hunt {
  public:
-  Hunt(const HuntOptions& options, HuntState state)
-      : options_(options), state_(std::move(state)), folder_(options.folder), begin_(Clock::now()) {
+  Hunt(const HuntOptions& options, HuntState state, std::optional<Corpus> corpus)
+      : options_(options),
+        state_(std::move(state)),
+        folder_(options.folder),
+        corpus_(std::move(corpus)),
+        begin_(Clock::now()) {
     for (const Finding& one : state_.findings) {
       if (one.shrunk()) ++shrunk_[{one.relation, one.judgement.phase}];
     }
@@ -67,7 +72,8 @@ class Hunt {
     process::run_jobs(
         batches,
         [&](std::size_t k) {
-          return to_text(judge_batch(options_.question, state_.seed, first + k * kScenesABatch, size(k)));
+          return to_text(
+              judge_batch(options_.question, state_.seed, first + k * kScenesABatch, size(k), corpus_.has_value()));
         },
         [&](std::size_t k, const process::JobResult& result) { done[k] = result; }, pool(kBatchPatience, true));
     std::vector<Finding> fresh;
@@ -79,9 +85,20 @@ class Hunt {
       state_.no_scenes += batch->no_scenes;
       state_.next += size(k);
       for (Finding& one : batch->findings) fresh.push_back(std::move(one));
+      if (Status ok = grow(*batch); !ok.ok()) return ok;
     }
     if (Status ok = keep(std::move(fresh)); !ok.ok()) return ok;
     if (options_.progress) options_.progress(state_);
+    return {};
+  }
+
+  // Adds the scenes of a batch that do something new to the corpus.
+  Status grow(const Batch& batch) {
+    for (const auto& [number, features] : batch.features) {
+      const Result<TextScene> scene = drawn_scene(state_.seed, number);
+      if (!scene.ok()) return scene.error();
+      if (const Result<bool> added = corpus_->add(*scene, features); !added.ok()) return added.error();
+    }
     return {};
   }
 
@@ -91,7 +108,8 @@ class Hunt {
     Batch sum;
     std::map<std::uint64_t, process::JobResult> done;
     const bool all = process::run_jobs(
-        scenes, [&](std::size_t k) { return to_text(judge_batch(options_.question, state_.seed, first + k, 1)); },
+        scenes,
+        [&](std::size_t k) { return to_text(judge_batch(options_.question, state_.seed, first + k, 1, false)); },
         [&](std::size_t k, const process::JobResult& result) { done[k] = result; }, pool(kScenePatience, false));
     if (!all) return sum;
     sum.tallies.resize(state_.relations.size());
@@ -160,6 +178,7 @@ class Hunt {
   const HuntOptions& options_;
   HuntState state_;
   Folder folder_;
+  std::optional<Corpus> corpus_;
   Clock::time_point begin_;
   std::map<std::pair<std::string, std::string>, std::uint64_t> shrunk_;
 };
@@ -188,10 +207,16 @@ Result<HuntState> hunt_scenes(const HuntOptions& options) {
   if (program.tree == "changed") fresh.program += " (sources changed since)";
   fresh.against = options.question.against;
   for (const std::string& name : names_of(options.question)) fresh.relations.emplace_back(name, Tally{});
-  if (options.folder.empty()) return Hunt(options, std::move(fresh)).run();
+  std::optional<Corpus> corpus;
+  if (!options.corpus.empty()) {
+    Result<Corpus> opened = Corpus::open(options.corpus);
+    if (!opened.ok()) return opened.error();
+    corpus = *std::move(opened);
+  }
+  if (options.folder.empty()) return Hunt(options, std::move(fresh), std::move(corpus)).run();
   Result<HuntState> kept = Folder(options.folder).open(std::move(fresh));
   if (!kept.ok()) return kept.error();
-  return Hunt(options, *std::move(kept)).run();
+  return Hunt(options, *std::move(kept), std::move(corpus)).run();
 }
 
 }  // namespace tumble::hunt

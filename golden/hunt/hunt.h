@@ -18,6 +18,7 @@ struct HuntOptions {
   std::optional<double> seconds;       ///< of wall time; none of both: one minute
   Question question;
   std::filesystem::path folder;     ///< keeps the hunt; empty: nothing is kept
+  std::filesystem::path corpus;     ///< grows by scenes that broke nothing and do something new; empty: none
   std::uint64_t shrunk_most = 3;    ///< of each relation and phase; the others are named by their number alone
   std::uint64_t tries_most = 4000;  ///< scenes judged to shrink one
   process::PoolOptions pool;        ///< jobs at a time; `cancel` ends the hunt, what is judged stays

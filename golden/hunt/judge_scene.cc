@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "golden/hunt/judge/features.h"
 #include "golden/hunt/judge/same_bits.h"
 #include "golden/suite/temporary_folder.h"
 #include "golden/suite/text_files.h"
@@ -88,6 +89,7 @@ Judged judge_scene(const Question& question, const TextScene& scene) {
     out.problem = session.error().message;
     return out;
   }
+  out.features = features_of(*session);
   for (const std::string& name : names_of(question)) {
     out.judgements.emplace_back(name, judge(question, name, *session, scene));
   }

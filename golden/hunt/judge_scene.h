@@ -29,6 +29,7 @@ Judgement judge(const Question& question, const std::string& relation, const Tra
 struct Judged {
   std::string problem;  ///< why the scene is none; empty: it was judged
   std::vector<std::pair<std::string, Judgement>> judgements;
+  std::vector<std::string> features;  ///< features_of()
 };
 Judged judge_scene(const Question& question, const TextScene& scene);
 

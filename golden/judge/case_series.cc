@@ -10,6 +10,7 @@
 #include <utility>
 #include <variant>
 
+#include "golden/judge/channel_series.h"
 #include "replay/measure/measure.h"
 #include "replay/measure/measure_state.h"
 #include "replay/session/state_source.h"
@@ -146,6 +147,7 @@ class Collector {
     }
     json_["actual"] = std::move(actual_);
     json_["expected"] = {{"track", std::move(track_)}, {"states", std::move(states_)}};
+    add_channels(log_.header().declared.channels, expected_, json_);
     add_frames();
     return std::move(json_);
   }
@@ -159,6 +161,7 @@ class Collector {
       actual_["step"].push_back(row.step);
       add_energies(actual_, row.kinetic, row.potential);
       add_places(actual_, row.state);
+      add_channel_values(log_.header().declared.channels, row.channels, actual_);
     }
     if (std::ranges::binary_search(frames_, record.step)) seen_.emplace_back(record.step, record.states);
     if (expected_ == nullptr) return;

@@ -10,7 +10,8 @@ namespace tumble::golden {
 /// The file of these numbers in a failed case's folder of the report.
 inline constexpr const char* kSeriesFile = "series.json";
 
-/// The numbers that index.html draws for a failed case: numbers and nulls under fixed names, never a word of the scene.
+/// The numbers that index.html draws for a failed case: numbers and nulls under fixed names, never a word of the scene
+/// but the names and units of channels (channel_series.h).
 ///   actual    a column each of step, kinetic, potential, total (J), lateral_max, column_spread, height_max,
 ///   height_mean
 ///             (m), a row a state; every n-th of a long session

@@ -43,7 +43,9 @@ std::string bits_text(const CaseResult& result) {
   if (!result.difference) return "bits moved";
   const FirstDifference& difference = *result.difference;
   const std::string size = difference.apart ? describe(*difference.apart) + ", " : "";
-  return size + "bits moved from step " + std::to_string(difference.step);
+  const bool is_extra = difference.phase.starts_with("channel.") || difference.phase == "contacts";
+  const std::string subject = is_extra ? difference.phase : "bits";
+  return size + subject + " moved from step " + std::to_string(difference.step);
 }
 
 std::string metrics_text(const CaseResult& result) {

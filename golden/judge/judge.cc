@@ -100,8 +100,9 @@ class Pass {
     result.notes = comparer_->notes();
     result.difference = comparer_->finish(reference_.continuation);
     if (!result.difference) {
-      exact = {Outcome::kPass, "same bits in all " + number(expected.state_hashes.size()) + " states" +
-                                   (same_words ? "" : ", phase hashes of another version")};
+      std::string message = "same bits in all " + number(expected.state_hashes.size()) + " states";
+      for (const std::string& part : comparer_->extras()) message += ", " + part;
+      exact = {Outcome::kPass, message + (same_words ? "" : ", phase hashes of another version")};
       return;
     }
     exact = {Outcome::kFail, "first difference: " + describe(*result.difference)};

@@ -26,6 +26,13 @@ std::string blame_command(const CaseResult& result) {
          " --step " + std::to_string(apart.step) + " --back 5";
 }
 
+// The page shows sessions of this build: likewise.
+std::string view_command(const CaseResult& result, const std::string& suite) {
+  if (!result.reproduce.starts_with("tumble record ")) return "";
+  const std::string rules = (std::filesystem::path(suite) / "cases" / result.name / "metrics.toml").string();
+  return "tumble view " + shell_quoted(result.name + ".tumble") + " --bounds " + shell_quoted(rules);
+}
+
 }  // namespace
 
 std::string current_folder() {
@@ -40,6 +47,8 @@ std::vector<NextCommand> next_commands(const CaseResult& result, const std::stri
   };
   add("To reproduce", result.reproduce);
   add("Then, to go back from where a body is to the cause", blame_command(result));
+  add("Then, to see it step by step in a browser, with its bounds, and ask any number for its cause",
+      view_command(result, suite));
   add("To judge it again", "tumble check " + shell_quoted(result.name) + suite_option(suite));
   add("To accept it, if it is right", result.bless);
   add("To find the commit, REV being one that passed", bisect_command(result, suite));

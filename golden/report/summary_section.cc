@@ -23,7 +23,9 @@ double distance_of(const CaseResult& result) {
 
 std::string first_difference_of(const CaseResult& result) {
   if (!result.difference) return "–";
-  return "step " + std::to_string(result.difference->step) + ", phase " + result.difference->phase;
+  const std::string& phase = result.difference->phase;
+  const bool is_extra = phase.starts_with("channel.") || phase == "contacts";
+  return "step " + std::to_string(result.difference->step) + (is_extra ? ", " : ", phase ") + phase;
 }
 
 Html verdict_cell(const CaseResult& one) {

@@ -96,13 +96,13 @@ Result<Session> run_engine(const CaseEngine& engine, const fs::path& scratch) {
   if (Status ran = run_project(engine.project, engine.project.run, files, place); !ran.ok()) return ran.error();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const std::string who = "the engine's command \"" + engine.project.run + "\" ";
-  std::vector<std::string> warnings;  // `import` of the same table prints them
-  const Result<std::string> log =
-      log_of_session(files.log, (folder.path() / "converted.tumble").string(), nullptr, warnings);
+  // `import` of the same table prints its warnings.
+  const Result<SessionLog> log = log_of_session(files.log, (folder.path() / "converted.tumble").string(), nullptr);
   if (!log.ok()) return cannot_finish(who + log.error().message + end_of_output(place.output));
-  Result<std::vector<std::byte>> bytes = read_bytes(*log);
+  Result<std::vector<std::byte>> bytes = read_bytes(log->path);
   if (!bytes.ok()) return cannot_finish(who + "wrote no log that can be read: " + bytes.error().message);
-  return Session{std::make_shared<std::vector<std::byte>>(*std::move(bytes)), {}, {}, seconds};
+  const std::string failure = log->unfinished.empty() ? "" : who + "ended well, but " + log->unfinished;
+  return Session{std::make_shared<std::vector<std::byte>>(*std::move(bytes)), {}, failure, seconds};
 }
 
 Status build_engine_of(const std::vector<CaseFolder>& cases, const fs::path& suite, const process::Cancel& cancel) {

@@ -59,6 +59,9 @@ Status RepeatedRuns::add(replay::LogReader& again) {
 Status RepeatedRuns::compare(replay::LogReader& again) {
   const Result<replay::DiffReport> report = replay::diff_logs(first_, again);
   if (!report.ok()) return report.error();
+  if (scope_.empty()) {
+    for (const std::string& part : report->scope.compared) scope_ += (scope_.empty() ? "" : ", ") + part;
+  }
   if (report->identical()) return {};
   if (difference_.empty()) {
     difference_ = "run " + std::to_string(runs_) + " differs from run 1: " +
@@ -92,6 +95,9 @@ void RepeatedRuns::judge_metrics_of_all() {
     if (!fault.empty()) {
       metric.pass = false;
       metric.message = fault;
+    } else if (metric.pass && metric.spread == 0.0) {
+      metric.message = std::string(has_moved(metric) ? "moved" : "unmoved") + ": all " + std::to_string(runs_) +
+                       " runs gave this value, so that any change counts";
     } else if (metric.pass && metric.spread) {
       metric.message = (has_moved(metric) ? "moved by more than" : "within") +
                        (" the engine's own spread of " + rounded(*metric.spread, metric.unit));
@@ -115,15 +121,19 @@ void RepeatedRuns::finish() {
   result.runs = runs_;
   const std::string runs = std::to_string(runs_) + " runs of the engine";
   if (difference_.empty()) {
-    result.runs_message = runs + " agree in every bit that their logs hold";
+    result.runs_message = runs + " agree in every bit compared (" + scope_ +
+                          "); the engine's own spread is 0, so metrics are judged against the blessed values alone";
     return;
   }
   result.runs_message = runs + " differ among themselves";
+  if (apart_ && !apart_->body) result.runs_message += ", in no body's place";
   if (apart_ && apart_->body) {
     result.runs_message += " by up to " + rounded(apart_->separation, "m") + " (body " + std::to_string(*apart_->body) +
                            ", step " + std::to_string(apart_->step) + ")";
   }
-  result.runs_message += "; metrics are judged against that spread";
+  result.runs_message +=
+      "; each metric is judged against its own spread over the runs: it has moved where the median "
+      "is further from the blessed value";
   result.verdict(VerdictKind::kExact) = {Outcome::kFail, "the engine does not repeat itself: " + difference_};
   result.notes.push_back(difference_);
   // A session that could not be measured has its problem already.

@@ -35,6 +35,7 @@ class RepeatedRuns {
   Judged& judged_;
   std::uint64_t runs_ = 1;
   std::vector<std::vector<std::optional<double>>> values_;  // one list a run
+  std::string scope_;                                       // what was compared between two runs
   std::string difference_;                                  // of the first run that differs; empty: none does
   std::optional<replay::SeparationRow> apart_;              // the largest separation of a run from the first
 };

@@ -157,6 +157,9 @@ class CaseRunner {
     for (std::uint64_t k = 2; k <= run_.rules.engine->repeat; ++k) {
       const Result<Session> session = this_session(true);
       if (!session.ok()) return stop(session.error());
+      if (!session->failure.empty()) {
+        return stop(cannot_finish("run " + std::to_string(k) + ": " + session->failure));
+      }
       Result<replay::LogReader> again = open_session(*session, folder_.name + "'s log of run " + std::to_string(k));
       if (!again.ok()) return stop(again.error());
       if (Status ok = runs.add(*again); !ok.ok()) return stop(ok.error());

@@ -29,6 +29,8 @@ struct MetricRule {
   std::string bodies = "all";   ///< measured bodies, in the words of docs/metrics.md
   std::string axis = "x";       ///< along which nothing should move: "x" or "y"
   std::uint64_t from_step = 0;  ///< the state after this step takes the place of the start
+  std::string against;          ///< log of another session, for parting_time; a path from the case's folder
+  std::string against_path;     ///< the same as a path from here
   std::size_t line = 0;         ///< of `name`, 1-based: where bless finds its place
   std::size_t value_line = 0;   ///< of `value`; 0 if there is none
 };

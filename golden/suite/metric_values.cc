@@ -17,16 +17,6 @@ bool same_choice(const MetricRule& a, const MetricRule& b) {
   return a.bodies == b.bodies && a.axis == b.axis && a.from_step == b.from_step;
 }
 
-/// The choice of a rule, whose bodies were checked when it was read.
-replay::MeasureOptions options_of(const MetricRule& rule) {
-  replay::MeasureOptions options;
-  if (const Result<replay::BodyChoice> bodies = replay::parse_bodies(rule.bodies); bodies.ok())
-    options.bodies = *bodies;
-  options.lateral = rule.axis == "y" ? replay::LateralAxis::kY : replay::LateralAxis::kX;
-  options.from_step = rule.from_step;
-  return options;
-}
-
 /// The transform of the scene that a metric compares with; none for a metric of one session.
 std::optional<sim::Transform> transform_for(const MetricRule& rule) {
   sim::Transform transform;
@@ -58,6 +48,17 @@ Status check_selection(const MetricRule& rule) {
   return bodies.ok() ? Status() : Status(bodies.error());
 }
 
+replay::MeasureOptions options_of(const MetricRule& rule) {
+  replay::MeasureOptions options;
+  if (const Result<replay::BodyChoice> bodies = replay::parse_bodies(rule.bodies); bodies.ok())
+    options.bodies = *bodies;
+  options.lateral = rule.axis == "y" ? replay::LateralAxis::kY : replay::LateralAxis::kX;
+  options.from_step = rule.from_step;
+  return options;
+}
+
+bool needs_transformed_scene(const MetricRule& rule) { return transform_for(rule).has_value(); }
+
 MetricSet::MetricSet(const replay::LogHeader& header, const CaseRules& rules) : header_(header), rules_(rules) {
   std::vector<const MetricRule*> choices;
   for (const MetricRule& rule : rules.metrics) {
@@ -68,10 +69,38 @@ MetricSet::MetricSet(const replay::LogHeader& header, const CaseRules& rules) : 
     choices.push_back(&rule);
     measurers_.emplace_back(header, options_of(rule));
   }
+  others_read_ = open_others();
+}
+
+Status MetricSet::open_others() {
+  std::map<std::string, std::vector<double>> distances;
+  for (const MetricRule& rule : rules_.metrics) {
+    if (!rule.against.empty()) distances[rule.against_path].push_back(replay::find_metric(rule.name)->beyond);
+  }
+  for (const auto& [path, beyond] : distances) {
+    Result<replay::LogReader> log = replay::LogReader::open(path);
+    if (!log.ok()) return log.error();
+    if (!log->condition().whole()) return damaged(path + " is " + log->condition().summary(log->last_step()));
+    Other& other = others_[path];
+    other.log = std::make_unique<replay::LogReader>(*std::move(log));
+    other.meter = std::make_unique<replay::PartingMeter>(*other.log, beyond);
+  }
+  return {};
+}
+
+std::optional<double> MetricSet::value_of(const MetricRule& rule, const replay::Metrics& metrics) const {
+  const replay::MetricRow& row = *replay::find_metric(rule.name);
+  if (!row.needs_other_session()) return row.value(metrics);
+  replay::Metrics with_partings;
+  with_partings.partings = others_.at(rule.against_path).meter->partings();
+  return row.value(with_partings);
 }
 
 void MetricSet::add(const replay::StepRecord& record) {
   for (replay::Measurer& measurer : measurers_) measurer.add(record);
+  for (auto& [path, other] : others_) {
+    if (others_read_.ok()) others_read_ = other.meter->add(record);
+  }
 }
 
 Result<std::optional<double>> MetricSet::pair_value(const MetricRule& rule) const {
@@ -88,6 +117,7 @@ Result<std::optional<double>> MetricSet::pair_value(const MetricRule& rule) cons
 }
 
 Result<std::vector<std::optional<double>>> MetricSet::finish(const replay::BodyStates& last) {
+  if (!others_read_.ok()) return others_read_.error();
   std::vector<replay::Metrics> metrics;
   for (replay::Measurer& measurer : measurers_) {
     const Result<replay::Metrics> measured = measurer.finish(last);
@@ -98,8 +128,9 @@ Result<std::vector<std::optional<double>>> MetricSet::finish(const replay::BodyS
   std::vector<std::optional<double>> values;
   for (std::size_t k = 0; k < rules_.metrics.size(); ++k) {
     const MetricRule& rule = rules_.metrics[k];
-    Result<std::optional<double>> value =
-        transform_for(rule) ? pair_value(rule) : replay::find_metric(rule.name)->value(metrics[of_rule_[k]]);
+    Result<std::optional<double>> value = std::optional<double>();
+    value =
+        transform_for(rule) ? pair_value(rule) : Result<std::optional<double>>(value_of(rule, metrics[of_rule_[k]]));
     if (!value.ok()) return value.error();
     values.push_back(*value);
   }

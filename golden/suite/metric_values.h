@@ -1,11 +1,13 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "replay/measure/measure.h"
+#include "replay/measure/parting.h"
 #include "tumble/golden/case_rules.h"
 #include "tumble/replay/step_record.h"
 
@@ -18,6 +20,12 @@ std::string metric_unit(const std::string& name);
 
 /// Errors (kBadInput): bodies that are not written as docs/metrics.md says.
 Status check_selection(const MetricRule& rule);
+
+/// The bodies, axis and steps of a rule that check_selection() found right.
+replay::MeasureOptions options_of(const MetricRule& rule);
+
+/// Whether the metric compares the session with one of a transformed scene.
+bool needs_transformed_scene(const MetricRule& rule);
 
 /// Measures all metrics of a case in one pass over its session. Metrics of a session and its transformed scene
 /// (mirror_error along the rule's axis, order_error, shift_error) run the scene twice more, at the end.
@@ -36,11 +44,21 @@ class MetricSet {
 
  private:
   [[nodiscard]] Result<std::optional<double>> pair_value(const MetricRule& rule) const;
+  Status open_others();
+  [[nodiscard]] std::optional<double> value_of(const MetricRule& rule, const replay::Metrics& metrics) const;
+
+  /// Another session, and the meters of the rules that compare with it.
+  struct Other {
+    std::unique_ptr<replay::LogReader> log;
+    std::unique_ptr<replay::PartingMeter> meter;
+  };
 
   const replay::LogHeader& header_;
   const CaseRules& rules_;
   std::vector<replay::Measurer> measurers_;  // one for each choice of bodies, axis and step
   std::vector<std::size_t> of_rule_;         // index into measurers_
+  std::map<std::string, Other> others_;      // by path
+  Status others_read_;                       // the first error of theirs
 };
 
 }  // namespace tumble::golden

@@ -1,5 +1,6 @@
 #include "golden/suite/parse_rules.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <new>
@@ -9,6 +10,7 @@
 #include "replay/format/limits.h"
 #include "replay/measure/channel_metrics.h"
 #include "replay/measure/metric_bound.h"
+#include "replay/measure/parting.h"
 #include "src/base/check.h"
 #include "src/scenes/parse_toml.h"
 #include "src/scenes/table_reader.h"
@@ -55,18 +57,33 @@ std::string read_bodies(TableReader& reader, const toml::table& table) {
   return text;
 }
 
-/// "channel.NAME.max", where that is the name of a metric; see replay/measure/channel_metrics.h.
-std::string channel_metric_in(const toml::table& table) {
+/// "channel.NAME.max" or "parting_time.D", where that is the name of a metric.
+std::string made_metric_in(const toml::table& table) {
   const std::string name = table["name"].value_or(std::string());
-  return replay::parse_channel_metric(name) ? name : "";
+  return replay::parse_channel_metric(name) || replay::parse_parting_metric(name) ? name : "";
+}
+
+/// The other session of parting_time, a log in the case's folder.
+void read_against(TableReader& reader, MetricRule& rule) {
+  rule.against = reader.text("against", "", kTextLengthMax);
+  const bool is_parting = replay::parse_parting_metric(rule.name).has_value();
+  if (is_parting && rule.against.empty()) {
+    reader.fail("against", "the log of the other session, a path from the case's folder");
+  }
+  if (is_parting && (rule.bodies != "all" || rule.from_step != 0)) {
+    reader.fail(rule.from_step != 0 ? "from_step" : "bodies", "no such key: parting_time.D is of all bodies and steps");
+  }
+  if (!is_parting && !rule.against.empty()) {
+    reader.fail("against", "no such key: only parting_time.D compares with another session");
+  }
 }
 
 MetricRule read_metric(TableReader& reader, const toml::table& table) {
   MetricRule rule;
   const std::vector<const char*> names = metric_names();
-  const std::string channel = channel_metric_in(table);
-  const std::size_t chosen = channel.empty() ? reader.choice("name", names.size(), names) : names.size();
-  if (!channel.empty()) {
+  const std::string made = made_metric_in(table);
+  const std::size_t chosen = made.empty() ? reader.choice("name", names.size(), names) : names.size();
+  if (!made.empty()) {
     rule.name = reader.text("name", "", 2 * replay::kColumnNameBytesMax);
   } else if (chosen < names.size()) {
     rule.name = names[chosen];
@@ -87,6 +104,7 @@ MetricRule read_metric(TableReader& reader, const toml::table& table) {
   rule.bodies = read_bodies(reader, table);
   rule.axis = kAxes[reader.choice("axis", 0, kAxes)];
   rule.from_step = reader.integer("from_step", 0, kStepRule);
+  read_against(reader, rule);
   if (const Status selection = check_selection(rule); !selection.ok()) {
     reader.problem().report(reader.place("bodies"), reader.label() + ": " + selection.error().message);
   }
@@ -196,6 +214,11 @@ Result<CaseRules> parse(std::string_view text, std::string_view file_name) {
       rules.pictures.push_back(read_picture(reader));
     }
   }
+  for (const MetricRule& rule : rules.metrics) {
+    const bool is_new = !rule.against.empty() && rules.engine &&
+                        std::ranges::find(rules.engine->files, rule.against) == rules.engine->files.end();
+    if (is_new) rules.engine->files.push_back(rule.against);
+  }
   if (rules.metrics.empty()) top.fail("metric", "at least one [[metric]]: a case that measures nothing proves nothing");
   top.finish();
   if (problem.found()) return problem.error();
@@ -226,7 +249,12 @@ Result<CaseRules> parse_rules(std::string_view text, std::string_view file_name)
 Result<CaseRules> read_rules(const std::filesystem::path& file) {
   const Result<std::string> text = read_text(file);
   if (!text.ok()) return text.error();
-  return parse_rules(*text, file.string());
+  Result<CaseRules> rules = parse_rules(*text, file.string());
+  if (!rules.ok()) return rules;
+  for (MetricRule& rule : rules->metrics) {
+    if (!rule.against.empty()) rule.against_path = (file.parent_path() / rule.against).string();
+  }
+  return rules;
 }
 
 Result<std::string> with_values(const std::string& text, const std::string& file_name, const CaseRules& rules,

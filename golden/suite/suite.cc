@@ -98,7 +98,10 @@ std::vector<std::string> folder_problems(const CaseFolder& folder) {
   // Rules that cannot be read, which the case's run reports, may be those of an engine.
   const bool may_lack_scene =
       engine || (fs::exists(folder.file(kRulesFile), error) && !read_rules(folder.file(kRulesFile)).ok());
-  const std::vector<std::string> own_files = engine ? engine->all_files() : std::vector<std::string>();
+  std::vector<std::string> own_files = engine ? engine->all_files() : std::vector<std::string>();
+  if (const Result<CaseRules> rules = read_rules(folder.file(kRulesFile)); rules.ok()) {
+    for (const MetricRule& rule : rules->metrics) own_files.push_back(rule.against);
+  }
   for (const char* wanted : kCaseFiles) {
     if (fs::exists(folder.file(wanted), error) || (may_lack_scene && std::string_view(wanted) == kSceneFile)) {
       continue;

@@ -7,6 +7,7 @@
 #include "python/binding/arrays.h"
 #include "python/binding/values.h"
 #include "src/base/text.h"
+#include "src/files/output_guard.h"
 
 namespace tumble::python {
 namespace {
@@ -85,6 +86,8 @@ void add_body(const py::handle& row, sim::SceneDef& start, replay::Declared& dec
 }  // namespace
 
 EngineRecorder::EngineRecorder(const std::string& path, const py::dict& about) : path_(path) {
+  files::OutputGuard guard;
+  check(guard.claim("log", path));
   replay::EngineDef def;
   def.engine = {text_of(get(about, "engine"), "engine"), text_of(get(about, "version"), "version"),
                 static_cast<std::uint32_t>(whole_of(get(about, "precision_bits"), "precision"))};
@@ -104,8 +107,12 @@ EngineRecorder::EngineRecorder(const std::string& path, const py::dict& about) :
   log_ = take(released([&] { return replay::EngineLog::create(path, def, start); }));
 }
 
-replay::EngineLog& EngineRecorder::open() const {
+void EngineRecorder::refuse_if_busy() const {
   if (busy_) raise(bad_input(path_ + ": another thread is recording a step"));
+}
+
+replay::EngineLog& EngineRecorder::open() const {
+  refuse_if_busy();
   if (finished_) raise(bad_input(path_ + ": the log is finished and takes no more steps"));
   if (failed_) raise(bad_input(path_ + ": an error ended this log before; the steps up to then can be read"));
   return *log_;
@@ -118,6 +125,7 @@ void EngineRecorder::guard(const Status& status) {
 
 void EngineRecorder::input(const py::dict& fields) {
   replay::EngineLog& log = open();
+  const Busy busy(busy_);
   py::dict own = copy_of(fields, "input");
   Description description = take_description(own);
   const sim::Command command = command_of(own);
@@ -130,12 +138,16 @@ void EngineRecorder::input(const py::dict& fields) {
 }
 
 std::uint64_t EngineRecorder::coming_step() const {
-  if (busy_) raise(bad_input(path_ + ": another thread is recording a step"));
+  refuse_if_busy();
   return log_->step();
 }
 
 py::array EngineRecorder::ids() const {
-  if (busy_) raise(bad_input(path_ + ": another thread is recording a step"));
+  refuse_if_busy();
+  return ids_now();
+}
+
+py::array EngineRecorder::ids_now() const {
   std::vector<std::uint64_t> ids;
   const sim::Bodies& bodies = log_->bodies();
   for (std::size_t i = 0; i < bodies.size(); ++i) {
@@ -145,7 +157,8 @@ py::array EngineRecorder::ids() const {
 }
 
 replay::LogSummary EngineRecorder::finish() {
-  if (busy_ || finished_) raise(bad_input(path_ + (busy_ ? ": another thread is recording" : ": is finished already")));
+  refuse_if_busy();
+  if (finished_) raise(bad_input(path_ + ": the log is finished already"));
   finished_ = true;
   const Result<replay::LogSummary> summary = released([&] { return log_->finish(); });
   return take(summary);

@@ -13,6 +13,18 @@
 
 namespace tumble::python {
 
+/// A flag that is set for as long as this lives.
+class Busy {
+ public:
+  explicit Busy(bool& flag) : flag_(flag) { flag_ = true; }
+  ~Busy() { flag_ = false; }
+  Busy(const Busy&) = delete;
+  Busy& operator=(const Busy&) = delete;
+
+ private:
+  bool& flag_;
+};
+
 /// Writes the log of an engine that is written in Python. After an error of the log the steps before can be read, and
 /// no call may follow. One thread at a time: a call beside another one raises.
 class EngineRecorder {
@@ -31,6 +43,8 @@ class EngineRecorder {
 
  private:
   [[nodiscard]] replay::EngineLog& open() const;
+  void refuse_if_busy() const;
+  [[nodiscard]] py::array ids_now() const;
   void guard(const Status& status);
 
   std::string path_;

@@ -79,6 +79,7 @@ void add_values(const std::vector<replay::Channel>& channels, const py::handle& 
   const auto found = std::ranges::find(channels, text, &replay::Channel::name);
   if (found == channels.end()) {
     std::vector<std::string_view> names;
+    names.reserve(channels.size());
     for (const replay::Channel& channel : channels) names.emplace_back(channel.name);
     raise(bad_input("channels: " + found_wanted(in_quotes(text), names.empty() ? "none: the log declares no channel"
                                                                                : list_text(names))));
@@ -125,7 +126,8 @@ std::vector<replay::EngineContact> contacts_of(const py::handle& rows) {
 
 void EngineRecorder::step(const py::dict& fields) {
   replay::EngineLog& log = open();
-  const Told told = told_of(fields, ids());
+  const Busy busy(busy_);  // from here on: reading arrays may let another thread of Python run
+  const Told told = told_of(fields, ids_now());
   std::vector<Value> values;
   if (has(fields, "channels")) {
     const py::dict given = fields["channels"];
@@ -135,17 +137,21 @@ void EngineRecorder::step(const py::dict& fields) {
   if (has(fields, "contacts")) contacts = contacts_of(fields["contacts"]);
   std::vector<std::string> notes;
   if (has(fields, "notes")) {
+    if (py::isinstance<py::str>(fields["notes"])) raise(bad_input("notes: found one text, wanted a list of them"));
     for (const py::handle& note : fields["notes"]) notes.push_back(text_of(note, "notes"));
   }
   std::optional<std::string> snapshot;
-  if (has(fields, "snapshot")) snapshot = fields["snapshot"].cast<py::bytes>().cast<std::string>();
+  if (has(fields, "snapshot")) {
+    const py::object bytes = fields["snapshot"];
+    if (!py::isinstance<py::bytes>(bytes)) raise(bad_input("snapshot: wanted bytes"));
+    snapshot = bytes.cast<std::string>();
+  }
   std::vector<std::uint64_t> phases;
   if (has(fields, "phases")) {
     for (const py::handle& word : fields["phases"]) phases.push_back(whole_of(word, "phases"));
   }
   const double dt = double_of(fields["dt"], "dt");
 
-  busy_ = true;
   const Status written = released([&]() -> Status {
     for (std::size_t i = 0; i < told.ids.size(); ++i) {
       if (Status ok = log.set_state(told.ids[i], state_of(told, i, log.bodies())); !ok.ok()) return ok;
@@ -167,7 +173,6 @@ void EngineRecorder::step(const py::dict& fields) {
     }
     return log.end_step(dt);
   });
-  busy_ = false;
   guard(written);
 }
 

@@ -27,9 +27,9 @@ py::object to_object(double value) { return py::float_(value); }
 py::object to_object(bool value) { return py::bool_(value); }
 py::object to_object(const sim::Vec3& value) { return tuple_of(value); }
 py::object to_object(const sim::Quat& value) { return tuple_of(value); }
-py::object to_object(sim::Texture value) { return py::str(kTextures[static_cast<std::size_t>(value)]); }
+py::object to_object(sim::Texture value) { return py::str(kTextures.at(static_cast<std::size_t>(value))); }
 py::object to_object(const sim::Origin& value) {
-  return py::make_tuple(kOrigins[static_cast<std::size_t>(value.kind)], value.table, value.row, value.column);
+  return py::make_tuple(kOrigins.at(static_cast<std::size_t>(value.kind)), value.table, value.row, value.column);
 }
 
 void from_object(const py::handle& object, const char* name, sim::BodyId& value) { value = whole_of(object, name); }

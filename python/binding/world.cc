@@ -3,11 +3,29 @@
 #include <algorithm>
 #include <utility>
 
+#include "src/files/output_guard.h"
 #include "src/world/float_environment.h"
 #include "tumble/scenes/scene_file.h"
 #include "tumble/sim/step.h"
 
 namespace tumble::python {
+namespace {
+
+/// What a log holds of its steps.
+struct Kept {
+  replay::StatesMode states;
+  replay::HashesMode hashes;
+};
+
+Result<Kept> kept_of(const std::string& states, const std::string& hashes) {
+  const Result<replay::StatesMode> of_states = replay::parse_states_mode(states);
+  if (!of_states.ok()) return bad_input("states: " + of_states.error().message);
+  const Result<replay::HashesMode> of_hashes = replay::parse_hashes_mode(hashes);
+  if (!of_hashes.ok()) return bad_input("hashes: " + of_hashes.error().message);
+  return Kept{*of_states, *of_hashes};
+}
+
+}  // namespace
 
 Result<LiveWorld::Running> LiveWorld::begin(const WorldStart& start) {
   Result<sim::SceneDef> scene = scenes::parse_scene(start.text, start.file, start.overrides);
@@ -17,13 +35,14 @@ Result<LiveWorld::Running> LiveWorld::begin(const WorldStart& start) {
     if (!session.ok()) return session.error();
     return Running(*std::move(session));
   }
-  const Result<replay::StatesMode> states = replay::parse_states_mode(start.states);
-  if (!states.ok()) return bad_input("states: " + states.error().message);
-  const Result<replay::HashesMode> hashes = replay::parse_hashes_mode(start.hashes);
-  if (!hashes.ok()) return bad_input("hashes: " + hashes.error().message);
+  const Result<Kept> kept = kept_of(start.states, start.hashes);
+  if (!kept.ok()) return kept.error();
+  files::OutputGuard guard;
+  guard.keep(start.file, "the scene");
+  if (Status ok = guard.claim("record", start.log); !ok.ok()) return ok.error();
   replay::RecordOptions how;
-  how.states = *states;
-  how.hashes = *hashes;
+  how.states = kept->states;
+  how.hashes = kept->hashes;
   how.scene_text = start.text;
   how.overrides = start.overrides;
   Result<std::unique_ptr<replay::Recorder>> recorder = replay::Recorder::start(start.log, *scene, how);
@@ -31,8 +50,33 @@ Result<LiveWorld::Running> LiveWorld::begin(const WorldStart& start) {
   return Running(*std::move(recorder));
 }
 
+Result<LiveWorld::Running> LiveWorld::go_on(replay::LogReader& from, const WorldGoesOn& how) {
+  const Result<Kept> kept = kept_of(how.states, how.hashes);
+  if (!kept.ok()) return kept.error();
+  const replay::GoOnOptions options = {kept->states, kept->hashes, how.steps, std::nullopt, how.inputs};
+  if (!how.log.empty()) {
+    files::OutputGuard guard;
+    guard.keep(from.name(), "the log to continue");
+    if (Status ok = guard.claim("record", how.log); !ok.ok()) return ok.error();
+    Result<std::unique_ptr<replay::Recorder>> recorder = replay::Recorder::go_on(how.log, from, how.step, options);
+    if (!recorder.ok()) return recorder.error();
+    return Running(*std::move(recorder));
+  }
+  Result<replay::Continuation> next = replay::continuation_of(from, how.step, options);
+  if (!next.ok()) return next.error();
+  Result<replay::Session> session = replay::Session::resume(std::move(next->state), std::move(next->header.scene));
+  if (!session.ok()) return session.error();
+  return Running(*std::move(session));
+}
+
 LiveWorld::LiveWorld(const WorldStart& start)
-    : threads_(worker_threads(start.threads)), running_(take(released([&] { return begin(start); }))) {
+    : LiveWorld(take(released([&] { return begin(start); })), start.threads) {}
+
+LiveWorld::LiveWorld(LogFile& from, const WorldGoesOn& how)
+    : LiveWorld(take(from.read([&](replay::LogReader& reader) { return go_on(reader, how); })), how.threads) {}
+
+LiveWorld::LiveWorld(Running running, std::uint64_t threads)
+    : threads_(worker_threads(threads)), running_(std::move(running)) {
   std::visit(
       [&](auto& session) {
         if constexpr (requires { session.use(threads_.get()); }) {
@@ -103,6 +147,7 @@ Status LiveWorld::step_once() {
   if (Status ok = can_step(); !ok.ok()) return ok;
   preview_.reset();
   const std::vector<sim::Command> inputs = std::exchange(inputs_, {});
+  failed_ = cannot_finish("out of memory in a step");  // stays if an exception leaves this function
   Status status;
   if (auto* session = std::get_if<replay::Session>(&running_)) {
     const Result<replay::TakenStep> taken = session->step(inputs);
@@ -110,7 +155,7 @@ Status LiveWorld::step_once() {
   } else {
     status = std::get<std::unique_ptr<replay::Recorder>>(running_)->step(inputs);
   }
-  if (!status.ok()) failed_ = status.error();
+  failed_ = status.ok() ? std::nullopt : std::optional(status.error());
   return status;
 }
 

@@ -29,11 +29,24 @@ struct WorldStart {
   std::uint64_t threads = 1;
 };
 
+/// How a session in Python goes on from a state of a log.
+struct WorldGoesOn {
+  std::uint64_t step = 0;              ///< of the state
+  bool inputs = true;                  ///< apply the inputs that the log and its scene have after it
+  std::optional<std::uint64_t> steps;  ///< planned after it; none: up to the planned end of the log
+  std::string log;                     ///< to record to; empty: no log
+  std::string states = "all";
+  std::string hashes = "all";
+  std::uint64_t threads = 1;
+};
+
 /// A session that Python steps, with or without a log. Several threads may call; one steps at a time.
 class LiveWorld {
  public:
   /// Raises what parse_scene(), Session::start() and Recorder::start() say.
   explicit LiveWorld(const WorldStart& start);
+  /// Raises what continuation_of() and Recorder::go_on() say.
+  LiveWorld(LogFile& from, const WorldGoesOn& how);
 
   /// Applies an input before the coming step, after those of the scene. Tries it on a copy of the world first, so that
   /// a refused one harms nothing. Raises tumble.BadInput.
@@ -64,6 +77,8 @@ class LiveWorld {
  private:
   using Running = std::variant<replay::Session, std::unique_ptr<replay::Recorder>>;
   static Result<Running> begin(const WorldStart& start);
+  static Result<Running> go_on(replay::LogReader& from, const WorldGoesOn& how);
+  LiveWorld(Running running, std::uint64_t threads);
   [[nodiscard]] const sim::World& world() const;
   Status step_once();
   void note_id(const sim::Command& command);

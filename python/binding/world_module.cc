@@ -1,4 +1,6 @@
 // The class that Python steps a world with; tumble/_world.py makes more of it.
+#include <pybind11/stl.h>
+
 #include <utility>
 
 #include "python/binding/arrays.h"
@@ -88,11 +90,17 @@ void add_world(py::module_& module) {
         new LiveWorld({std::move(text), std::move(file), std::move(overrides), std::move(log), std::move(states),
                        std::move(hashes), threads}));
   };
+  const auto go_on = [](LogFile& from, std::uint64_t k, bool inputs, std::optional<std::uint64_t> steps,
+                        std::string log, std::string states, std::string hashes, std::uint64_t threads) {
+    return std::unique_ptr<LiveWorld, InOwnProcess>(
+        new LiveWorld(from, {k, inputs, steps, std::move(log), std::move(states), std::move(hashes), threads}));
+  };
   const auto step = [](LiveWorld& live, std::uint64_t count) {
     if (live.step(count) < count) raise_interruption();
   };
   py::class_<LiveWorld, std::unique_ptr<LiveWorld, InOwnProcess>>(module, "LiveWorld")
       .def(py::init(make))
+      .def_static("go_on", go_on)
       .def("add_input", [](LiveWorld& live, const py::dict& fields) { live.add_input(command_of(fields)); })
       .def("next_id", &LiveWorld::next_id)
       .def("step", step)

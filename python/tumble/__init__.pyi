@@ -201,6 +201,19 @@ class World:
         states: _Kept = ...,
         hashes: _Kept = ...,
     ) -> World: ...
+    @classmethod
+    def from_log(
+        cls,
+        log: _Path | Log,
+        step: int = ...,
+        *,
+        inputs: bool = ...,
+        steps: int | None = ...,
+        threads: int = ...,
+        record: _Path | None = ...,
+        states: _Kept = ...,
+        hashes: _Kept = ...,
+    ) -> World: ...
     def __enter__(self) -> World: ...
     def __exit__(self, *error: object) -> None: ...
     def close(self) -> str | None: ...

@@ -87,8 +87,9 @@ def _run(words, cwd=None):
 
 
 def _end(child):
-    """Asks the program to end as Ctrl-C does, and makes it after ten seconds."""
-    child.send_signal(signal.SIGINT)
+    """Asks the program to complete what it writes and end, and makes it end after ten seconds. Not by SIGINT, which a
+    program in the background of a shell ignores."""
+    child.send_signal(signal.SIGTERM)
     try:
         child.communicate(timeout=10)
     except subprocess.TimeoutExpired:

@@ -1,5 +1,6 @@
 """Logs of an engine that is written in Python."""
 
+import collections.abc
 import os
 
 from . import _tumble
@@ -31,6 +32,8 @@ class Recorder:
                  channels=None, phases=(), precision="float64", scene="python", title="", planned_steps=0):
         if precision not in _PRECISIONS:
             raise BadInput(f"precision: found {precision!r}, wanted float64 or float32")
+        if isinstance(phases, str):
+            raise BadInput(f"phases: found {phases!r}, wanted a list of names")
         place = path_bytes(path, "log")
         self._path = os.fsdecode(place)
         self._dt = dt
@@ -121,8 +124,21 @@ class Recorder:
 
     def close(self):
         """Completes the log."""
-        if not self._log.finished:
-            self._log.finish()
+        log, self._log = self._log, _Finished(self._path)  # which lets go of the file
+        if not log.finished:
+            log.finish()
+
+
+class _Finished:
+    """Stands for the log of a closed recorder."""
+
+    finished = True
+
+    def __init__(self, path):
+        self._path = path
+
+    def __getattr__(self, name):
+        raise BadInput(f"{self._path}: the log is finished and takes no more steps")
 
 
 def _numbered(bodies):
@@ -136,7 +152,11 @@ def _numbered(bodies):
 
 def _declared(channels):
     rows = []
-    for name, about in dict(channels).items():
+    if not isinstance(channels, collections.abc.Mapping):
+        raise BadInput(f"channels: found {channels!r}, wanted a dictionary of units by name")
+    for name, about in channels.items():
+        if not isinstance(about, (str, collections.abc.Mapping, type(None))):
+            raise BadInput(f"channel {name!r}: found {about!r}, wanted a unit, or a dictionary of type, scope and unit")
         fields = {"unit": about} if isinstance(about, str) or about is None else dict(about)
         unknown = set(fields) - {"type", "scope", "unit"}
         if unknown:

@@ -3,7 +3,9 @@
 import os
 
 from . import _tumble
+from ._columns import step_number
 from ._errors import BadInput
+from ._log import Log
 from ._program import scene_file
 from ._values import Contact, Scene, path_bytes, setting_text, whole
 
@@ -18,6 +20,7 @@ class World:
     def __init__(self, live, log):
         self._live = live
         self._log = log
+        self._began = live.now()["step"]
 
     @classmethod
     def from_scene(cls, scene, *, set=None, seconds=None, steps=None, threads=1, record=None, states="all",
@@ -28,6 +31,7 @@ class World:
         length. threads: they change no bit. record: the path of a log to write. states: "all", "every:N" or "hashes",
         the states that the log holds; hashes: "all", "every:N" or "states".
         """
+        log = _recording(record, states, hashes)
         if isinstance(scene, Scene):
             text, name = scene.text, scene.name
         else:
@@ -41,9 +45,24 @@ class World:
         if seconds is not None:
             settings.append(setting_text("world.seconds", seconds))
         threads = whole(threads, "threads", 1, 1024)
-        log = b"" if record is None else path_bytes(record, "record")
         live = _tumble.LiveWorld(text, name, settings, log, states, hashes, threads)
         return cls(live, os.fsdecode(log) if log else None)
+
+    @classmethod
+    def from_log(cls, log, step=-1, *, inputs=True, steps=None, threads=1, record=None, states="all", hashes="all"):
+        """Goes on from a state of a log of Tumble's own engine, to the bit as if that session had not stopped.
+
+        log: a `Log` or a path. step: the number of the state. inputs: whether to apply those that the log has after it;
+        without them another future can be tried. steps: planned after that state. The rest is as in `from_scene()`.
+        """
+        log = log if isinstance(log, Log) else Log(log)
+        number = step_number(log, step)
+        out = _recording(record, states, hashes)
+        if steps is not None:
+            steps = whole(steps, "steps", 1, 100_000_000)
+        threads = whole(threads, "threads", 1, 1024)
+        live = _tumble.LiveWorld.go_on(log._file, number, bool(inputs), steps, out, states, hashes, threads)
+        return cls(live, os.fsdecode(out) if out else None)
 
     def __enter__(self):
         return self
@@ -168,7 +187,9 @@ class World:
 
     @property
     def contacts(self):
-        """The contact points of the last step."""
+        """The contact points of the last step that this world took; none before its first."""
+        if self.step_count == self._began:
+            return ()
         return tuple(Contact(*row) for row in self._live.contacts())
 
     def _add(self, kind, **fields):
@@ -212,3 +233,11 @@ class World:
     def apply(self, input):
         """Applies an `Input`, such as one of another session, before the coming step."""
         self._live.add_input({"kind": input.kind, **input.fields})
+
+
+def _recording(record, states, hashes):
+    """The path of a log, b"" for none."""
+    for name, words in (("states", states), ("hashes", hashes)):
+        if not isinstance(words, str):
+            raise BadInput(f'{name}: found {words!r}, wanted text such as "all" or "every:10"')
+    return b"" if record is None else path_bytes(record, "record")

@@ -109,6 +109,7 @@ class Chain {
     blame_.answers.push_back(answer_of(own, own.writes[write], at.field));
     const Source source = source_of(own, write, at.field);
     const bool in_question = at.step == question_.step;
+    if (in_question) add_broken_rules(own);
     const bool changes_rest = in_question && at.field != kFrozenField && own.start.frozen() != own.end.frozen() &&
                               source.kind != Source::Kind::kValue;
     if (changes_rest) add_rest_change(own);
@@ -145,6 +146,14 @@ class Chain {
     Result<std::optional<Cursor>> before = before_step(*step, at.body, at.field);
     if (!before.ok() || (*before)->before_write == 0 || *step == at.step) return before;
     return std::optional(Cursor{*step, at.body, at.field});
+  }
+
+  /// What a phase should have done to the body in the step asked about, and did not: that is in no value it wrote.
+  void add_broken_rules(const BodyAccount& own) {
+    if (std::exchange(rules_told_, true)) return;
+    for (const BlameAnswer& answer : broken_rules_of(own)) {
+      if (wants_more()) blame_.answers.push_back(answer);
+    }
   }
 
   /// The body woke or fell asleep in the step: that flag decides what moves it.
@@ -210,7 +219,10 @@ class Chain {
     const Result<std::uint64_t> step = step_it_changed(steps_, at.step - 1, at.body, at.field);
     if (!step.ok()) return step.error();
     Result<std::optional<Cursor>> next = explain({*step, at.body, at.field, kEndOfStep, false});
-    if (next.ok() && at.step == question_.step) add_reason_of_rest(own, at.field);
+    if (next.ok() && at.step == question_.step) {
+      add_broken_rules(own);
+      add_reason_of_rest(own, at.field);
+    }
     return next;
   }
 
@@ -273,6 +285,7 @@ class Chain {
   BlameQuestion question_;
   sim::Method method_;
   Blame blame_;
+  bool rules_told_ = false;
   std::map<std::pair<std::uint64_t, sim::BodyId>, BodyAccount> accounts_;  // of all answers so far
 };
 

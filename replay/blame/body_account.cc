@@ -22,7 +22,7 @@ const ContactFacts* BodyAccount::contact_with(const std::optional<sim::BodyId>& 
   return found == contacts.end() ? nullptr : &*found;
 }
 
-AccountObserver::AccountObserver(const sim::World& world, sim::BodyId body) {
+AccountObserver::AccountObserver(const sim::World& world, sim::BodyId body) : rules_(world, body) {
   const sim::WorldState& state = world.state();
   const std::optional<sim::BodyIndex> row = state.bodies.find(body);
   SIM_CHECK(row.has_value(), body);
@@ -90,6 +90,7 @@ void AccountObserver::phase_done(std::uint32_t substep, std::size_t phase, const
   parting_ = name == "prepare_manifolds";
   if (name == "find_near_pairs" || name == "find_pairs") look_at_near_pairs(world);
   method == sim::Method::kThesis ? look_thesis(name, substep, world) : look_layered(name, substep, world);
+  rules_.phase_done(substep, name, world, parts_);
   const BodyMotion motion = now(world);
   if (!same_values(last_, motion)) account_.writes.push_back({substep, name, last_, motion, std::move(parts_)});
   last_ = account_.end = motion;

@@ -6,19 +6,13 @@
 #include <vector>
 
 #include "replay/blame/body_motion.h"
+#include "replay/blame/phase_rules.h"
 #include "src/world/scratch.h"
 #include "tumble/sim/step.h"
 #include "tumble/sim/world.h"
 
 /// Every change of one body's motion within one step, phase by phase, with the parts that its contacts had in it.
 namespace tumble::replay {
-
-/// The part of one contact in what a phase did to the body.
-struct ContactPart {
-  std::optional<sim::BodyId> other;  ///< none: the ground
-  sim::Vec3 velocity = sim::Vec3::Zero(), spin = sim::Vec3::Zero();
-  sim::Vec3 position = sim::Vec3::Zero();  ///< m, by which the contact moved the body out of the other one
-};
 
 /// A phase that changed the body's motion, or in which contacts acted on it.
 struct Write {
@@ -67,6 +61,7 @@ struct BodyAccount {
   std::size_t near_pairs = 0;          ///< pairs of the body that were near enough to be tested
   std::vector<sim::BodyId> near;       ///< their other bodies, ascending
   bool remembered = false;             ///< the step before left a contact of the body
+  std::vector<BrokenRule> broken;      ///< rules that phases did not keep for the body
 
   [[nodiscard]] const ContactFacts* contact_with(const std::optional<sim::BodyId>& other) const;
 };
@@ -80,7 +75,10 @@ class AccountObserver : public sim::Observer, public sim::LayerObserver {
   void phase_done(std::uint32_t substep, std::size_t phase, const sim::World& world) override;
   void layer_solved(const sim::Scratch& scratch, const sim::ContactBatches& all, std::size_t layer) override;
 
-  [[nodiscard]] BodyAccount take() { return std::move(account_); }
+  [[nodiscard]] BodyAccount take() {
+    account_.broken = rules_.take();
+    return std::move(account_);
+  }
 
  private:
   [[nodiscard]] BodyMotion now(const sim::World& world) const;
@@ -94,6 +92,7 @@ class AccountObserver : public sim::Observer, public sim::LayerObserver {
   void look_at_near_pairs(const sim::World& world);
 
   BodyAccount account_;
+  PhaseRules rules_;
   sim::BodyIndex row_ = 0;
   std::vector<sim::BodyId> ids_;
   std::vector<std::uint8_t> frozen_;  // at the start of the step

@@ -188,6 +188,32 @@ std::vector<BlameAnswer> absence_of(const BodyAccount& account, sim::Method meth
   return answers;
 }
 
+std::vector<BlameAnswer> broken_rules_of(const BodyAccount& account) {
+  std::vector<BlameAnswer> answers;
+  for (const BrokenRule& rule : account.broken) {
+    const auto same = [&](const BrokenRule& other) { return other.phase == rule.phase && other.value == rule.value; };
+    if (&*std::ranges::find_if(account.broken, same) != &rule) continue;
+    const auto more = static_cast<std::uint64_t>(std::ranges::count_if(account.broken, same) - 1);
+    BlameAnswer answer;
+    answer.step = rule.step_before ? account.step - 1 : account.step;
+    if (!rule.step_before) answer.substep = rule.substep;
+    answer.phase = rule.phase;
+    // From the side of the body asked about, where it is one of the two.
+    const bool other_way = rule.other == account.body;
+    answer.body = other_way ? account.body : rule.body;
+    answer.contact = true;
+    answer.other = other_way ? rule.body : rule.other;
+    answer.value = rule.value;
+    answer.unit = rule.unit;
+    answer.after = rule.found;
+    answer.text = "breaks a rule of this phase: contact of body " + std::to_string(*answer.body) + " with " +
+                  contact_name(answer.other) + ": " + rule.text +
+                  (more > 0 ? "; so do " + count_text(more, "other contact") : std::string());
+    answers.push_back(std::move(answer));
+  }
+  return answers;
+}
+
 BlameAnswer rest_of(const BodyAccount& account, sim::Method method) {
   BlameAnswer answer;
   answer.step = account.step;

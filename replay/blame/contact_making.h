@@ -23,6 +23,9 @@ std::vector<BlameAnswer> making_of(const BodyAccount& account, const ContactFact
 /// The phases that left the body without any contact in the step, with the bodies that were near.
 std::vector<BlameAnswer> absence_of(const BodyAccount& account, sim::Method method);
 
+/// The rules that phases of the step did not keep for the body: what they should have done and did not.
+std::vector<BlameAnswer> broken_rules_of(const BodyAccount& account);
+
 /// The phase that left a frozen body at rest.
 BlameAnswer rest_of(const BodyAccount& account, sim::Method method);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "replay/format/chain.h"
@@ -129,6 +130,11 @@ std::string differing_channels(const ChannelMatch& match, const StepRecord& expe
 
 }  // namespace
 
+bool are_two_engines(const LogHeader& a, const LogHeader& b) {
+  const auto engine = [](const LogHeader& header) { return header.engine.value_or(EngineName()).name; };
+  return engine(a) != engine(b);
+}
+
 ChannelMatch match_channels(const LogHeader& a, const LogHeader& b, const Tolerances& tolerances, bool two_engines) {
   ChannelMatch match;
   match.contacts = !two_engines;
@@ -195,6 +201,32 @@ std::optional<Divergence> first_extra_difference(const ChannelMatch& match, cons
   }
   if (first) first->step = expected.step;
   return first;
+}
+
+double channel_distance(const SharedChannel& channel, const StepRecord& a, const StepRecord& b) {
+  const ComparedChannel both = {channel, a.extras.values(channel.in_a), b.extras.values(channel.in_b)};
+  const ChannelKind kind = channel.type.kind;
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  double largest = 0;
+  std::size_t i = 0, j = 0;
+  while (i < both.a.size() || j < both.b.size()) {
+    const bool only_a = j == both.b.size() || (i < both.a.size() && both.a.keys[i] < both.b.keys[j]);
+    const bool only_b = !only_a && (i == both.a.size() || both.b.keys[j] < both.a.keys[i]);
+    double distance = kFar;
+    if (!only_a && !only_b) {
+      distance = same_value_at(both, i, j) ? 0 : 1;
+      if (distance > 0 && is_number(kind)) {
+        distance = std::fabs(number_of(both.a.value(i, kind)) - number_of(both.b.value(j, channel.kind_b)));
+        // Two zeros of other sign, or integers that no double tells apart, differ all the same.
+        if (distance == 0) distance = std::numeric_limits<double>::denorm_min();
+        if (std::isnan(distance)) distance = kFar;
+      }
+    }
+    largest = is_number(kind) ? std::max(largest, distance) : largest + (distance > 0 ? 1 : 0);
+    if (!only_b) ++i;
+    if (!only_a) ++j;
+  }
+  return largest;
 }
 
 std::vector<ExtraRow> extras_side_by_side(const ChannelMatch& match, const StepRecord& a, const StepRecord& b) {

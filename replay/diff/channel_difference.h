@@ -30,6 +30,9 @@ struct ChannelMatch {
   bool equal = true;  ///< both logs declare the same channels and all is compared, so chains can be compared
 };
 
+/// Whether two logs are of two engines, or one of them of this program.
+bool are_two_engines(const LogHeader& a, const LogHeader& b);
+
 /// two_engines: only channels with a tolerance are compared, because equal names of two engines need not mean equal
 /// numbers; contacts are not.
 ChannelMatch match_channels(const LogHeader& a, const LogHeader& b, const Tolerances& tolerances, bool two_engines);
@@ -49,6 +52,10 @@ bool same_step(const ChannelMatch& match, const StepRecord& expected, const Step
 /// "contacts".
 std::optional<Divergence> first_extra_difference(const ChannelMatch& match, const StepRecord& expected,
                                                  const StepRecord& actual, const Tolerances& tolerances);
+
+/// How far a channel is apart in one step: the largest distance of two numbers, infinite where a value is missing on
+/// one side or is no number; of bytes and text, the number of values that differ. 0: equal to the bit.
+double channel_distance(const SharedChannel& channel, const StepRecord& a, const StepRecord& b);
 
 /// One channel, or the contacts, of a step side by side.
 struct ExtraRow {

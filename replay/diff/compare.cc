@@ -22,8 +22,7 @@ class Diff {
  public:
   Diff(LogReader& a, LogReader& b, const Tolerances& tolerances, Reading reading, std::uint64_t until)
       : a_(a), b_(b), tolerances_(tolerances), reading_(reading), until_(until) {
-    const auto engine = [](const LogHeader& header) { return header.engine.value_or(EngineName()).name; };
-    states_only_ = engine(a.header()) != engine(b.header());
+    states_only_ = are_two_engines(a.header(), b.header());
     same_words_ = !states_only_ && same_phase_words(a.header(), b.header());
     if (same_words_ && tolerances.exact()) phases_ = a.header().phases;
     imported_ = a.header().engine || b.header().engine;

@@ -168,6 +168,45 @@ class Scope {
 
 }  // namespace
 
+std::vector<std::string> ComparisonScope::passed_over() const {
+  std::vector<std::string> parts = not_compared;
+  std::erase(parts, never_compared());
+  return parts;
+}
+
+std::string ComparisonScope::every_bit() const { return passed_over().empty() ? "every bit" : "every compared bit"; }
+
+void CommonScope::count(const std::string& text, const std::string& logs, std::vector<Part>& parts) {
+  const auto known = std::ranges::find(parts, text, &Part::text);
+  if (known == parts.end()) {
+    parts.push_back({text, 1, logs});
+  } else {
+    ++known->count;
+  }
+}
+
+void CommonScope::add(const ComparisonScope& scope, const std::string& logs) {
+  ++comparisons_;
+  for (const std::string& part : scope.compared) count(part, logs, compared_);
+  for (const std::string& part : scope.not_compared) count(part, logs, not_compared_);
+}
+
+ComparisonScope CommonScope::scope() const {
+  ComparisonScope common;
+  for (const Part& part : compared_) {
+    if (part.count == comparisons_) {
+      common.compared.push_back(part.text);
+    } else {
+      common.not_compared.push_back(part.text + ": only between some of the logs, such as " + part.logs);
+    }
+  }
+  for (const Part& part : not_compared_) {
+    const bool everywhere = part.count == comparisons_;
+    common.not_compared.push_back(part.text + (everywhere ? "" : " (between " + part.logs + ')'));
+  }
+  return common;
+}
+
 void add_phase_hashes(const LogReader& a, const LogReader& b, const StepRange& range, ComparisonScope& scope) {
   std::uint64_t in_both = 0, steps = 0;
   for (std::uint64_t k = range.from + 1; k <= range.last; ++k) {

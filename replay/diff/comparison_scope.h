@@ -13,6 +13,29 @@ namespace tumble::replay {
 struct ComparisonScope {
   std::vector<std::string> compared;      ///< "inputs", "phase hashes", "states of 40 steps"
   std::vector<std::string> not_compared;  ///< in the logs, and passed over; each with its reason
+
+  /// The parts that were not compared though steps depend on them: not_compared without never_compared().
+  [[nodiscard]] std::vector<std::string> passed_over() const;
+  /// "every bit"; "every compared bit" where something was passed over.
+  [[nodiscard]] std::string every_bit() const;
+};
+
+/// What several comparisons of logs looked at: the parts that all of them compared, and all that any passed over, with
+/// the names of the logs where not all did.
+class CommonScope {
+ public:
+  void add(const ComparisonScope& scope, const std::string& logs);
+  [[nodiscard]] ComparisonScope scope() const;
+
+ private:
+  struct Part {
+    std::string text;
+    std::size_t count = 0;
+    std::string logs;  // of the first comparison with it
+  };
+  static void count(const std::string& text, const std::string& logs, std::vector<Part>& parts);
+  std::vector<Part> compared_, not_compared_;
+  std::size_t comparisons_ = 0;
 };
 
 /// The way in which two logs were compared.

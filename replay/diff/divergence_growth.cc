@@ -62,7 +62,9 @@ void compare_metrics(const LogHeader& a, const SessionSteps& in_a, const LogHead
 Result<DivergenceGrowth> growth_between(LogReader& a, LogReader& b, std::uint64_t first_difference,
                                         const Progress& progress) {
   const std::uint64_t last = std::min(a.last_step(), b.last_step());
-  Result<Separation> separation = measure_separation(steps_of(a), steps_of(b), first_difference, last, progress);
+  const ChannelMatch channels = match_channels(a.header(), b.header(), {}, are_two_engines(a.header(), b.header()));
+  Result<Separation> separation =
+      measure_separation(steps_of(a), steps_of(b), first_difference, last, progress, &channels);
   if (!separation.ok()) return separation.error();
   DivergenceGrowth growth{*std::move(separation), {}, {}};
   if (a.first_state() != b.first_state()) {
@@ -91,6 +93,17 @@ std::vector<MovedMetric> moved_metrics(const Metrics& a, const Metrics& b) {
   for (const MetricRow& row : metric_list()) {
     const std::optional<double> in_a = row.value(a), in_b = row.value(b);
     if (!same_value(in_a, in_b)) moved.push_back({row.name, row.unit, in_a, in_b});
+  }
+  for (const ChannelMetrics& of_a : a.channels) {
+    const auto of_b = std::ranges::find(b.channels, of_a.channel.name, [](const auto& m) { return m.channel.name; });
+    if (of_b == b.channels.end()) continue;
+    for (std::uint8_t k = 0; k <= static_cast<std::uint8_t>(ChannelStatistic::kChanges); ++k) {
+      const auto statistic = static_cast<ChannelStatistic>(k);
+      const std::optional<double> in_a = of_a.value(statistic), in_b = of_b->value(statistic);
+      if (same_value(in_a, in_b)) continue;
+      const std::string name = "channel." + of_a.channel.name + '.' + name_of(statistic);
+      moved.push_back({name, statistic == ChannelStatistic::kChanges ? "" : of_a.channel.unit, in_a, in_b});
+    }
   }
   return moved;
 }

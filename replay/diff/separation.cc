@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "replay/format/not_finite.h"
 #include "src/base/check.h"
@@ -39,7 +40,15 @@ double distance_of(const sim::Vec3& apart) {
 /// bodies.
 class SeparationMeter {
  public:
-  SeparationMeter(const SessionSteps& a, const SessionSteps& b) : a_(a), b_(b) {}
+  SeparationMeter(const SessionSteps& a, const SessionSteps& b, const ChannelMatch* channels) : a_(a), b_(b) {
+    if (channels == nullptr) return;
+    for (const SharedChannel& channel : channels->compared) {
+      ChannelSeparation& apart = channels_.emplace_back(channel, ChannelSeparation()).second;
+      apart.name = channel.name;
+      apart.unit = channel.unit;
+      apart.is_number = is_number(channel.type.kind);
+    }
+  }
 
   Result<Separation> run(std::uint64_t from, std::uint64_t last, const Progress& progress) {
     SIM_CHECK(from <= last, from, last);  // a result has at least one row
@@ -50,6 +59,9 @@ class SeparationMeter {
       if (!in_b.ok()) return in_b.error();
       if (Status ok = add(k, **in_a, **in_b); !ok.ok()) return ok.error();
       if (progress && !progress(k - from, last - from)) return cannot_finish("interrupted");
+    }
+    for (auto& [channel, apart] : channels_) {
+      if (apart.largest > 0) separation_.channels.push_back(std::move(apart));
     }
     return std::move(separation_);
   }
@@ -71,6 +83,14 @@ class SeparationMeter {
     // reverse.
     if ((row_.bodies == 0) != (in_a.state_hash == in_b.state_hash)) return broken(a_.name, in_a, b_.name, in_b);
     mark();
+    for (auto& [channel, apart] : channels_) {
+      const double distance = channel_distance(channel, in_a, in_b);
+      apart.distance.push_back(distance);
+      if (distance > 0 && apart.largest == 0) apart.from = k;
+      if (!(distance > apart.largest)) continue;
+      apart.largest = distance;
+      apart.largest_step = k;
+    }
     separation_.rows.push_back(row_);
     return {};
   }
@@ -129,6 +149,7 @@ class SeparationMeter {
 
   const SessionSteps& a_;
   const SessionSteps& b_;
+  std::vector<std::pair<SharedChannel, ChannelSeparation>> channels_;
   SeparationRow row_;
   std::size_t next_mark_ = 0;
   Separation separation_;
@@ -137,8 +158,8 @@ class SeparationMeter {
 }  // namespace
 
 Result<Separation> measure_separation(const SessionSteps& a, const SessionSteps& b, std::uint64_t from,
-                                      std::uint64_t last, const Progress& progress) {
-  return SeparationMeter(a, b).run(from, last, progress);
+                                      std::uint64_t last, const Progress& progress, const ChannelMatch* channels) {
+  return SeparationMeter(a, b, channels).run(from, last, progress);
 }
 
 }  // namespace tumble::replay

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "replay/diff/channel_difference.h"
 #include "tumble/replay/log_reader.h"
 #include "tumble/replay/progress.h"
 #include "tumble/replay/step_record.h"
@@ -50,11 +51,23 @@ struct LostBody {
   bool in_a = false;  ///< the session that has the value; b otherwise
 };
 
+/// A channel that both sessions have and that differs in a step.
+struct ChannelSeparation {
+  std::string name;
+  std::string unit;
+  bool is_number = true;
+  std::uint64_t from = 0;        ///< the first step in which it differs
+  std::vector<double> distance;  ///< channel_distance() in each step of Separation::rows
+  double largest = 0;
+  std::uint64_t largest_step = 0;
+};
+
 struct Separation {
-  std::vector<SeparationRow> rows;    ///< one a step, beginning with the first difference
-  std::vector<SeparationMark> marks;  ///< those that were exceeded
-  SeparationRow largest;              ///< the row with the largest separation
-  std::optional<LostBody> lost;       ///< the first one
+  std::vector<SeparationRow> rows;          ///< one a step, beginning with the first difference
+  std::vector<SeparationMark> marks;        ///< those that were exceeded
+  SeparationRow largest;                    ///< the row with the largest separation
+  std::optional<LostBody> lost;             ///< the first one
+  std::vector<ChannelSeparation> channels;  ///< those that differ in any step
   // What there was to compare in any step of either session.
   bool had_contacts = false;  ///< pairs or contacts; another engine's log has none
   bool had_frozen = false;
@@ -65,8 +78,10 @@ struct Separation {
 };
 
 /// Compares the states of steps from … last, at least one. Errors: those of reading; kDamaged where the states of a log
-/// do not match its state hash; kCannotFinish where `progress` stops.
+/// do not match its state hash; kCannotFinish where `progress` stops. channels: of the two, which are compared; may be
+/// null.
 Result<Separation> measure_separation(const SessionSteps& a, const SessionSteps& b, std::uint64_t from,
-                                      std::uint64_t last, const Progress& progress = {});
+                                      std::uint64_t last, const Progress& progress = {},
+                                      const ChannelMatch* channels = nullptr);
 
 }  // namespace tumble::replay

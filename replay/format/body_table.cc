@@ -28,6 +28,7 @@ const Shape* BodyTable::shape(sim::BodyId id) const {
 
 std::string BodyTable::text(sim::BodyId id) const {
   const std::string named = name(id);
+  if (!named.empty() && id >= kIdsOfNames) return "body " + named;
   return "body " + std::to_string(id) + (named.empty() ? "" : " (" + named + ")");
 }
 

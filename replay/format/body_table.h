@@ -10,6 +10,9 @@
 
 namespace tumble::replay {
 
+/// Ids from here on are made of names, by an import: they say nothing to people.
+inline constexpr sim::BodyId kIdsOfNames = sim::BodyId{1} << 52U;
+
 /// The names and shapes of the bodies of a log.
 class BodyTable {
  public:
@@ -21,7 +24,7 @@ class BodyTable {
   /// The shape of a body; null: the box of its size.
   [[nodiscard]] const Shape* shape(sim::BodyId id) const;
 
-  /// For people: "body 7", or "body 7 (wheel_fl)".
+  /// For people: "body 7", or "body 7 (wheel_fl)"; of an id that is made of the name, "body wheel_fl".
   [[nodiscard]] std::string text(sim::BodyId id) const;
 
   [[nodiscard]] bool empty() const { return bodies_.empty(); }

@@ -25,18 +25,7 @@ void add(Hasher& hasher, const Hash128& hash) {
   hasher.add(hash.high);
 }
 
-}  // namespace
-
-Hash128 chain_start(const Hash128& state_hash_0, const Extras& extras_0) {
-  Hasher hasher;
-  add(hasher, state_hash_0);
-  if (extras_0.in_chain()) add(hasher, hash_of(extras_0));
-  return hasher.digest();
-}
-
-Hash128 chain_next(const Hash128& before, const StepRecord& record) {
-  Hasher hasher;
-  add(hasher, before);
+void add_step(Hasher& hasher, const StepRecord& record) {
   hasher.add(record.step);
   hasher.add(record.dt);
   hasher.add(std::uint64_t{record.inputs.size()});
@@ -55,7 +44,29 @@ Hash128 chain_next(const Hash128& before, const StepRecord& record) {
   hasher.add(counters.potential);
   hasher.add(counters.inputs);
   hasher.add(counters.removed);
+}
+
+}  // namespace
+
+Hash128 chain_start(const Hash128& state_hash_0, const Extras& extras_0) {
+  Hasher hasher;
+  add(hasher, state_hash_0);
+  if (extras_0.in_chain()) add(hasher, hash_of(extras_0));
+  return hasher.digest();
+}
+
+Hash128 chain_next(const Hash128& before, const StepRecord& record) {
+  Hasher hasher;
+  add(hasher, before);
+  add_step(hasher, record);
   if (record.extras.in_chain()) add(hasher, hash_of(record.extras));
+  return hasher.digest();
+}
+
+Hash128 chain_next_of_states(const Hash128& before, const StepRecord& record) {
+  Hasher hasher;
+  add(hasher, before);
+  add_step(hasher, record);
   return hasher.digest();
 }
 

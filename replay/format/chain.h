@@ -12,5 +12,7 @@ namespace tumble::replay {
 /// chain(k) is equal, whatever bytes the logs hold.
 Hash128 chain_start(const Hash128& state_hash_0, const Extras& extras_0);
 Hash128 chain_next(const Hash128& before, const StepRecord& record);
+/// The same over a step without its extras.
+Hash128 chain_next_of_states(const Hash128& before, const StepRecord& record);
 
 }  // namespace tumble::replay

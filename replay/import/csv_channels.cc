@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
+#include <vector>
 
+#include "replay/arrays/pair_cell.h"
 #include "src/base/text.h"
 
 namespace tumble::replay {
@@ -15,6 +18,33 @@ bool is_whole(std::string_view cell) {
   return error == std::errc() && stop == cell.data() + cell.size() && !cell.empty();
 }
 
+/// "knee (rad)" is a channel knee in rad.
+void take_unit(std::string& name, std::string& unit) {
+  const std::size_t at = name.rfind(" (");
+  if (!name.ends_with(')') || at == std::string::npos || at == 0) return;
+  unit = name.substr(at + 2, name.size() - at - 3);
+  name.resize(at);
+}
+
+template <class Number>
+std::optional<ChannelValue> number_in(std::string_view text) {
+  Number value{};
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  return error == std::errc() && stop == end ? std::optional<ChannelValue>(value) : std::nullopt;
+}
+
+/// A value of a pair; none where the text is none of that kind.
+std::optional<ChannelValue> value_in(std::string_view text, ChannelKind kind) {
+  if (kind == ChannelKind::kText) return ChannelValue(unescaped_cell(text));
+  if (kind == ChannelKind::kInt64) return number_in<std::int64_t>(text);
+  if (kind == ChannelKind::kUint64) return number_in<std::uint64_t>(text);
+  if (kind == ChannelKind::kFloat32 && !text.ends_with(')')) return number_in<float>(text);
+  const std::optional<double> number = parse_exact(text);
+  if (!number) return std::nullopt;
+  return kind == ChannelKind::kFloat32 ? ChannelValue(static_cast<float>(*number)) : ChannelValue(*number);
+}
+
 }  // namespace
 
 CsvChannels::CsvChannels(const CsvColumns& columns, const std::vector<ChannelKind>& kinds, bool single)
@@ -23,24 +53,35 @@ CsvChannels::CsvChannels(const CsvColumns& columns, const std::vector<ChannelKin
     columns_.emplace_back();
     columns_.back().column = column.column;
     columns_.back().name = column.name;
+    take_unit(columns_.back().name, columns_.back().unit);
     columns_.back().scope = column.scope;
     if (columns_.size() <= kinds.size()) columns_.back().kind = kinds[columns_.size() - 1];
   }
   std::ranges::sort(columns_, {}, &Column::name);
-  for (const Column& column : columns_) channels_.push_back({column.name, {ChannelKind::kFloat64, column.scope}, ""});
+  for (const Column& column : columns_)
+    channels_.push_back({column.name, {ChannelKind::kFloat64, column.scope}, column.unit});
 }
 
 void CsvChannels::look(const CsvReader& table) {
   for (Column& column : columns_) {
     const std::string_view cell = table.cell(column.column);
-    if (cell.empty() || column.text) continue;
-    const bool fits_signed = is_whole<std::int64_t>(cell), fits = is_whole<std::uint64_t>(cell);
-    column.negative = column.negative || (fits_signed && cell.front() == '-');
-    column.large = column.large || (fits && !fits_signed);
-    if (fits_signed || fits) continue;
-    column.real = true;
-    column.text = !parse_exact(cell).has_value();
+    if (column.scope != ChannelScope::kPair) {
+      look_at(cell, column);
+      continue;
+    }
+    // A cell that is not written as pairs is an error of the second reading.
+    for (const PairCell& pair : split_pair_cell(cell).value_or(std::vector<PairCell>())) look_at(pair.value, column);
   }
+}
+
+void CsvChannels::look_at(std::string_view cell, Column& column) {
+  if (cell.empty() || column.text) return;
+  const bool fits_signed = is_whole<std::int64_t>(cell), fits = is_whole<std::uint64_t>(cell);
+  column.negative = column.negative || (fits_signed && cell.front() == '-');
+  column.large = column.large || (fits && !fits_signed);
+  if (fits_signed || fits) return;
+  column.real = true;
+  column.text = !parse_exact(cell).has_value();
 }
 
 ChannelKind CsvChannels::kind_of_cells(const Column& column) const {
@@ -85,11 +126,37 @@ Result<ChannelValue> CsvChannels::value_of(const CsvReader& table, const Column&
   return value.ok() ? Result<ChannelValue>(ChannelValue(*value)) : value.error();
 }
 
+Status CsvChannels::take_pairs(const CsvReader& table, const Column& column, sim::BodyId body, std::size_t channel,
+                               ChannelKind kind, StepValues& values) {
+  const std::string_view cell = table.cell(column.column);
+  const std::optional<std::vector<PairCell>> pairs = split_pair_cell(cell);
+  if (!pairs) {
+    return table.at(column.column, "pair." + column.name + ": " +
+                                       found_wanted(in_quotes(cell),
+                                                    "values of pairs of bodies by the number of the "
+                                                    "other body, as in 7=0.25 9=0.5"));
+  }
+  for (const PairCell& pair : *pairs) {
+    const std::optional<ChannelValue> value = value_in(pair.value, kind);
+    if (!value) {
+      return table.at(column.column, "pair." + column.name + ": " +
+                                         found_wanted(in_quotes(pair.value), std::string("a ") + name_of(kind)));
+    }
+    const Status set = values.set(channel, *value, {body, pair.other});
+    if (!set.ok()) return table.at(column.column, set.error().message);
+  }
+  return {};
+}
+
 Status CsvChannels::take(const CsvReader& table, sim::BodyId body, StepValues& values) {
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     Column& column = columns_[i];
     const std::string_view cell = table.cell(column.column);
     if (cell.empty()) continue;
+    if (column.scope == ChannelScope::kPair) {
+      if (Status ok = take_pairs(table, column, body, i, channels_[i].type.kind, values); !ok.ok()) return ok;
+      continue;
+    }
     if (column.scope == ChannelScope::kWorld && column.has_world) {
       if (cell == column.world) continue;
       return table.at(column.column, "world." + column.name + ": " +

@@ -149,11 +149,11 @@ using Places = std::vector<std::pair<std::string, std::size_t*>>;
 Error unknown_column(const CsvReader& table, std::size_t column, const Places& places) {
   std::string known;
   for (const auto& [word, where] : places) known += (known.empty() ? "" : ", ") + word;
-  return table.at(
-      column, "found column \"" + table.columns()[column] + "\", wanted some of " + known +
-                  "; a column channel.NAME or world.NAME becomes a channel, --channels makes channels of all others, "
-                  "--map FIELD=COLUMN gives a column its name, and the name of a column that is to be "
-                  "passed over begins with _");
+  return table.at(column, "found column \"" + table.columns()[column] + "\", wanted some of " + known +
+                              "; a column channel.NAME, world.NAME or pair.NAME becomes a channel, --channels makes "
+                              "channels of all others, "
+                              "--map FIELD=COLUMN gives a column its name, and the name of a column that is to be "
+                              "passed over begins with _");
 }
 
 template <std::size_t N>
@@ -180,6 +180,7 @@ bool take_channel(const std::string& name, std::size_t column, bool others_are_c
   };
   if (name.starts_with("channel.")) return add(8, ChannelScope::kBody);
   if (name.starts_with("world.")) return add(6, ChannelScope::kWorld);
+  if (name.starts_with("pair.")) return add(5, ChannelScope::kPair);
   return others_are_channels && add(0, ChannelScope::kBody);
 }
 

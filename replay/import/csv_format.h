@@ -55,10 +55,10 @@ struct CsvColumns {
   std::vector<std::string> passed_over;  ///< names that begin with _, in their order
   struct ChannelColumn {
     std::size_t column = 0;
-    std::string name;  ///< of the channel
+    std::string name;  ///< of the channel, with its unit: "knee (rad)"
     ChannelScope scope = ChannelScope::kBody;
   };
-  std::vector<ChannelColumn> channels;  ///< "channel.NAME" of bodies, "world.NAME" of the step as a whole
+  std::vector<ChannelColumn> channels;  ///< "channel.NAME" of bodies, "world.NAME" of the step as a whole, "pair.NAME"
   [[nodiscard]] bool has_velocity() const { return velocity[0] != kNone; }
   [[nodiscard]] bool has_spin() const { return spin[0] != kNone; }
 };

@@ -9,6 +9,7 @@
 #include "src/base/text.h"
 #include "src/model/camera.h"
 #include "src/world/edit_bodies.h"
+#include "tumble/replay/body_table.h"
 #include "tumble/sim/limits.h"
 
 namespace tumble::replay {
@@ -118,7 +119,6 @@ Status CsvSteps::read_numbers(const std::array<std::size_t, N>& columns, std::ar
 /// A body whose id is 0 or a text gets an id made of that text, the same in every table, so that two sessions can be
 /// compared whatever the order of their rows.
 Result<sim::BodyId> CsvSteps::read_id() {
-  constexpr sim::BodyId kFromText = sim::BodyId{1} << 52U;  // ids of texts lie from here on
   const std::string_view cell = table_.cell(columns_.id);
   if (const auto known = ids_.find(cell); known != ids_.end()) return known->second;
   const Result<std::uint64_t> whole = table_.whole(columns_.id);
@@ -127,7 +127,7 @@ Result<sim::BodyId> CsvSteps::read_id() {
   const std::string text(cell);
   if (text.empty()) return table_.at(columns_.id, "id: found nothing, wanted a number or a name");
   const std::uint64_t hash = hash_bytes(std::as_bytes(std::span(cell))).low;
-  const sim::BodyId id = kFromText | (hash & (kFromText - 1));
+  const sim::BodyId id = kIdsOfNames | (hash & (kIdsOfNames - 1));
   const auto same = std::ranges::find(ids_, id, [](const auto& entry) { return entry.second; });
   if (same != ids_.end()) {
     return table_.at(columns_.id, "found ids " + in_quotes(cell) + " and " + in_quotes(same->first) +

@@ -51,6 +51,7 @@ ChannelMeter::ChannelMeter(const std::vector<Channel>& channels) {
     metrics_.emplace_back();
     metrics_.back().channel = channel;
   }
+  row_.resize(channels.size());
 }
 
 // std::max drops a NaN; largest() and least() keep it.
@@ -75,6 +76,8 @@ void ChannelMeter::add(const Extras& extras) {
     const ChannelValues& now = extras.values(c);
     if (!first_) compare(metrics, now, before_.values(c));
     const ChannelKind kind = metrics.channel.type.kind;
+    ChannelRow& row = row_[c];
+    row = {now.size(), metrics.changes};
     for (std::size_t i = 0; i < now.size(); ++i) {
       const bool first_value = metrics.values++ == 0;
       if (!is_number(kind)) continue;
@@ -83,6 +86,9 @@ void ChannelMeter::add(const Extras& extras) {
       metrics.max = first_value ? value : largest(metrics.max, value);
       metrics.sum += value;
       metrics.last = i == 0 ? value : largest(metrics.last, value);
+      row.min = i == 0 ? value : least(row.min, value);
+      row.max = i == 0 ? value : largest(row.max, value);
+      row.sum += value;
     }
   }
   if (metrics_.empty()) return;

@@ -36,6 +36,15 @@ struct ChannelMetrics {
   [[nodiscard]] std::optional<double> value(ChannelStatistic statistic) const;
 };
 
+/// One channel in one state.
+struct ChannelRow {
+  std::uint64_t values = 0;   ///< in this state
+  std::uint64_t changes = 0;  ///< to the bit, since the measuring began
+  /// Of a channel of numbers with a value. A value that is no number makes each of them NaN.
+  double min = 0, max = 0, sum = 0;
+  [[nodiscard]] double mean() const { return sum / static_cast<double>(values); }
+};
+
 /// The parts of "channel.NAME.max"; none where a text is no such name.
 struct ChannelMetricName {
   std::string channel;
@@ -49,11 +58,14 @@ class ChannelMeter {
   explicit ChannelMeter(const std::vector<Channel>& channels);
   void add(const Extras& extras);
   [[nodiscard]] const std::vector<ChannelMetrics>& metrics() const { return metrics_; }
+  /// Of the state added last, by channel.
+  [[nodiscard]] const std::vector<ChannelRow>& row() const { return row_; }
 
  private:
   void compare(ChannelMetrics& metrics, const ChannelValues& now, const ChannelValues& before) const;
 
   std::vector<ChannelMetrics> metrics_;
+  std::vector<ChannelRow> row_;
   Extras before_;
   bool first_ = true;
 };

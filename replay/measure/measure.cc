@@ -94,6 +94,7 @@ void Measurer::start(const StepRecord& record) {
 void Measurer::measure_state(const StepRecord& record) {
   row_.state = meter_->measure(record.states, record.step);
   channels_.add(record.extras);
+  row_.channels = channels_.row();
   row_.lost = meter_->lost();
   bodies_seen_ = std::max(bodies_seen_, row_.state.bodies);
   row_.overlap.reset();

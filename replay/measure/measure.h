@@ -8,6 +8,7 @@
 #include "replay/measure/channel_metrics.h"
 #include "replay/measure/measure_options.h"
 #include "replay/measure/measure_state.h"
+#include "replay/measure/parting.h"
 #include "tumble/replay/imported_table.h"
 #include "tumble/replay/step_record.h"
 #include "tumble/sim/hash.h"
@@ -68,6 +69,7 @@ struct Metrics {
   EnergyMetrics energy;
   StackingMetrics stacking;
   std::vector<ChannelMetrics> channels;  ///< of the log, by ascending names
+  std::vector<Parting> partings;         ///< from another session; the Measurer knows none
   Hash128 final_hash;                    ///< the state hash after the last step
   LostBodies not_finite;                 ///< bodies that were not finite in a measured state
 };
@@ -83,7 +85,8 @@ struct SeriesRow {
   double removed = 0;  ///< since the start
   double gain = 0;     ///< over the running minimum of the energy without the work of inputs
   std::uint64_t lost = 0;
-  std::optional<double> overlap;  ///< m, in the steps that MeasureOptions::overlap_every asks for
+  std::optional<double> overlap;     ///< m, in the steps that MeasureOptions::overlap_every asks for
+  std::vector<ChannelRow> channels;  ///< those of the log, by ascending names
   StateMeasures state;
 };
 

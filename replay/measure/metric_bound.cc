@@ -1,5 +1,6 @@
 #include "replay/measure/metric_bound.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -50,7 +51,12 @@ std::string MetricBound::found_text(const EngineAxes& axes, const Metrics& metri
   if (const std::optional<NotFinite>& lost = metric->spoiled_by(metrics)) return "no number: " + to_string(*lost, axes);
   const std::optional<double> value = metric->value_in(axes, metrics);
   if (!value) return std::string("no value: ") + metric->nothing;
-  const std::string unit = metric->unit_in(axes);
+  std::string unit = metric->unit_in(axes);
+  if (metric->channel != nullptr && metric->statistic != ChannelStatistic::kChanges) {
+    const std::string_view name(metric->channel);
+    const auto found = std::ranges::find(metrics.channels, name, [](const auto& m) { return m.channel.name; });
+    if (found != metrics.channels.end()) unit = found->channel.unit;
+  }
   return exact(*value) + (unit.empty() ? "" : " ") + unit;
 }
 
@@ -74,7 +80,8 @@ Result<MetricBound> parse_metric_bound(const std::string& text) {
   if (bound.metric == nullptr) {
     return bad_input("found no metric \"" + name +
                      "\"; 'tumble measure --json' and docs/metrics.md have the names, and channel.NAME.max the "
-                     "largest value of a channel");
+                     "largest value of a channel, parting_time.0.01 the time up to which no body is further than "
+                     "0.01 m from its place in another session");
   }
   if (is_always_true(bound)) {
     return bad_input("found \"" + text +

@@ -81,10 +81,30 @@ constexpr MetricRow kMetrics[] = {
      [](const Metrics& m) { return m.bodies_at_end > 0 ? m.stacking.rest_time : std::nullopt; }},
 };
 
-/// Rows of channels are made as they are asked for, and kept: callers hold on to them like to those of the table.
-const MetricRow* channel_metric(std::string_view name) {
-  const std::optional<ChannelMetricName> parts = parse_channel_metric(name);
-  if (!parts) return nullptr;
+MetricRow channel_row(const ChannelMetricName& parts) {
+  MetricRow row = {"", "", "", "channels", "no value of this channel in the session", [](const Metrics&) -> Value {
+                     return std::nullopt;
+                   }};
+  const bool counts = parts.statistic == ChannelStatistic::kChanges || parts.statistic == ChannelStatistic::kChangeMax;
+  if (counts) row.low = 0;
+  row.statistic = parts.statistic;
+  return row;
+}
+
+MetricRow parting_row(double beyond) {
+  MetricRow row = {
+      "", "", "s", "parting", "no other session to compare with", [](const Metrics&) -> Value { return std::nullopt; }};
+  row.low = 0;
+  row.beyond = beyond;
+  return row;
+}
+
+/// Rows of channels and distances are made as they are asked for, and kept: callers hold on to them like to those of
+/// the table.
+const MetricRow* made_row(std::string_view name) {
+  const std::optional<ChannelMetricName> channel = parse_channel_metric(name);
+  const std::optional<double> beyond = parse_parting_metric(name);
+  if (!channel && !beyond) return nullptr;
   struct Kept {
     std::string name, channel;
     MetricRow row = {};
@@ -95,19 +115,12 @@ const MetricRow* channel_metric(std::string_view name) {
   if (const auto known = kept.find(name); known != kept.end()) return &known->second->row;
   auto made = std::make_unique<Kept>();
   made->name = name;
-  made->channel = parts->channel;
-  MetricRow& row = made->row;
-  row = {made->name.c_str(),
-         made->name.c_str(),
-         "",
-         "channels",
-         "no value of this channel in the session",
-         [](const Metrics&) -> Value { return std::nullopt; }};
-  const bool counts =
-      parts->statistic == ChannelStatistic::kChanges || parts->statistic == ChannelStatistic::kChangeMax;
-  if (counts) row.low = 0;
-  row.channel = made->channel.c_str();
-  row.statistic = parts->statistic;
+  made->row = channel ? channel_row(*channel) : parting_row(*beyond);
+  made->row.name = made->row.label = made->name.c_str();
+  if (channel) {
+    made->channel = channel->channel;
+    made->row.channel = made->channel.c_str();
+  }
   return &kept.emplace(std::string(name), std::move(made)).first->second->row;
 }
 
@@ -115,11 +128,15 @@ const MetricRow* channel_metric(std::string_view name) {
 
 const std::optional<NotFinite>& MetricRow::spoiled_by(const Metrics& metrics) const {
   static const std::optional<NotFinite> kNone;
-  if (channel != nullptr) return kNone;
+  if (channel != nullptr || needs_other_session()) return kNone;
   return over_all ? metrics.not_finite.any : metrics.not_finite.chosen;
 }
 
 std::optional<double> MetricRow::value(const Metrics& metrics) const {
+  if (needs_other_session()) {
+    const auto parting = std::ranges::find(metrics.partings, beyond, &Parting::beyond);
+    return parting == metrics.partings.end() ? std::nullopt : std::optional<double>(parting->time);
+  }
   if (channel == nullptr) return spoiled_by(metrics) ? kNotANumber : counted(metrics);
   const std::string_view wanted(channel);
   const auto found =
@@ -144,7 +161,7 @@ std::span<const MetricRow> metric_list() { return kMetrics; }
 const MetricRow* find_metric(std::string_view name) {
   const auto* const row =
       std::ranges::find(kMetrics, name, [](const MetricRow& metric) { return std::string_view(metric.name); });
-  return row == std::end(kMetrics) ? channel_metric(name) : row;
+  return row == std::end(kMetrics) ? made_row(name) : row;
 }
 
 }  // namespace tumble::replay

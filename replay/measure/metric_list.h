@@ -26,6 +26,7 @@ struct MetricRow {
   double high = std::numeric_limits<double>::infinity();     ///< the largest
   const char* channel = nullptr;                             ///< the name of a channel, whose metric this is
   ChannelStatistic statistic = ChannelStatistic::kMax;       ///< of that channel
+  double beyond = 0;                                         ///< m, of parting_time; 0: another metric
 
   /// The value. NaN where a body that belongs to the metric is lost because it is not finite.
   [[nodiscard]] std::optional<double> value(const Metrics& metrics) const;
@@ -35,6 +36,8 @@ struct MetricRow {
   /// The lost body that takes the value from this metric; none: it has its value.
   [[nodiscard]] const std::optional<NotFinite>& spoiled_by(const Metrics& metrics) const;
 
+  /// Whether the metric compares the session with another one, which a caller has to name (parting.h).
+  [[nodiscard]] bool needs_other_session() const { return beyond > 0; }
   [[nodiscard]] bool is_length() const { return unit == std::string_view("m"); }
   /// Whether the metric is a count, written without a decimal point.
   [[nodiscard]] bool counts() const {
@@ -50,7 +53,7 @@ bool same_value(const std::optional<double>& a, const std::optional<double>& b);
 std::span<const MetricRow> metric_list();
 
 /// The metric of that name; null if there is none. "channel.NAME.max" and the like name metrics of channels, of a log
-/// that has such a channel or of none; see channel_metrics.h.
+/// that has such a channel or of none; see channel_metrics.h. "parting_time.0.01": see parting.h.
 const MetricRow* find_metric(std::string_view name);
 
 }  // namespace tumble::replay

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "replay/probe/tumble_probe.h"
+#include "src/world/free_flight.h"
 #include "src/world/scratch.h"
 #include "tumble/replay/body_states.h"
 #include "tumble/replay/player.h"
@@ -18,22 +19,48 @@ namespace tumble::replay {
 namespace {
 
 struct PhasePlace {
-  const char* phase;
+  std::string_view phase;
+  std::string_view quantity;  // "position", "solver-spin"; empty: the function of the phase
   const char* file;
   std::uint32_t line;
 };
 
-/// The functions of the phases, from their files when this was built.
+/// The functions of the phases and the statements of phase_sites.txt, from their files when this was built.
 constexpr PhasePlace kPlaces[] = {
 #include <phase_places.inc>  // written by cmake/phase_places.cmake
 };
 
-PhasePlace place_of(std::string_view phase) {
+/// The statement that writes a quantity in a phase; the function of a phase that has none.
+PhasePlace place_of(std::string_view phase, std::string_view quantity) {
+  PhasePlace found = {"", "", "src/step/step.cc", 0};
   for (const PhasePlace& place : kPlaces) {
-    if (phase == place.phase) return place;
+    if (place.phase != phase) continue;
+    if (place.quantity == quantity) return place;
+    if (place.quantity.empty()) found = place;
   }
-  return {"", "src/step/step.cc", 0};
+  return found;
 }
+
+/// "position" of "position.x".
+std::string quantity_of(std::string_view column) { return std::string(column.substr(0, column.find('.'))); }
+
+/// Phases of method layered in which the bodies in contact have their motion in Scratch::solver_bodies.
+bool moves_solver_bodies(std::string_view phase) {
+  constexpr std::array kPhases = {"part_overlaps",  "apply_forces",         "push_contacts",  "integrate_positions",
+                                  "relax_contacts", "bounce_fast_contacts", "bounce_contacts"};
+  return std::ranges::any_of(kPhases, [phase](const char* one) { return phase == one; });
+}
+
+constexpr std::array<const char*, 6> kSolverNames = {"solver's velocity.x", "solver's velocity.y",
+                                                     "solver's velocity.z", "solver's spin.x",
+                                                     "solver's spin.y",     "solver's spin.z"};
+
+/// The places of the probes after one phase.
+struct Sites {
+  TumbleProbeSite hash, depth, impulse;
+  std::array<TumbleProbeSite, kColumnCount> columns, uneven_columns;
+  std::array<TumbleProbeSite, kSolverNames.size()> solver;
+};
 
 /// Writes probes after each phase.
 class PhaseProbes : public sim::Observer {
@@ -44,11 +71,18 @@ class PhaseProbes : public sim::Observer {
 
   void phase_done(std::uint32_t substep, std::size_t phase, const sim::World& world) override {
     Sites& sites = sites_[phase];
+    write_bodies(sites, world.bodies());
+    if (moves_solver_bodies(phases_[phase].name)) write_solver_bodies(sites, world);
+    write_contacts(sites, phase, world);
+    // Last: a probe of one value names its statement, the hash of all of them the phase alone.
     hasher_.reset();
     phases_[phase].hash(world.state(), world.scratch(), hasher_);
     const Hash128 hash = hasher_.digest();
     tumble_probes_write(&probes_, &sites.hash, TUMBLE_PROBE_U64, substep, 0, hash.low);
-    write_bodies(sites, world.bodies());
+  }
+
+ private:
+  void write_contacts(Sites& sites, std::size_t phase, const sim::World& world) {
     // Before these phases the memory holds the contacts of the step before, of bodies that may be gone.
     has_contacts_ = has_contacts_ || std::string_view(phases_[phase].name) == "find_manifolds" ||
                     std::string_view(phases_[phase].name) == "find_contacts";
@@ -60,25 +94,31 @@ class PhaseProbes : public sim::Observer {
     }
   }
 
- private:
-  struct Sites {
-    TumbleProbeSite hash, depth, impulse;
-    std::array<TumbleProbeSite, kColumnCount> columns;
-  };
-
   /// The site of one quantity after a phase. Its texts last as long as this object.
-  TumbleProbeSite site(const std::string& phase, const std::string& what) {
-    const PhasePlace place = place_of(phase);
+  TumbleProbeSite site(const std::string& phase, const std::string& what, const std::string& quantity) {
+    const PhasePlace place = place_of(phase, quantity);
     names_.push_back(phase + ": " + what);
     return {names_.back().c_str(), place.file, place.line, 0, 0};
   }
 
   Sites sites_of(const std::string& phase) {
-    Sites sites{site(phase, "hash of what it wrote, by substep"),
-                site(phase, "depth of a contact"),
-                site(phase, "impulse of a contact"),
+    Sites sites{site(phase, "hash of what it wrote, by substep", ""),
+                site(phase, "depth of a contact", "depth"),
+                site(phase, "impulse of a contact", "impulse"),
+                {},
+                {},
                 {}};
-    for (std::size_t c = 0; c < kColumnCount; ++c) sites.columns[c] = site(phase, kColumnNames[c]);
+    for (std::size_t c = 0; c < kColumnCount; ++c) {
+      const std::string quantity = quantity_of(kColumnNames[c]);
+      sites.columns[c] = sites.uneven_columns[c] = site(phase, kColumnNames[c], quantity);
+      const PhasePlace uneven = place_of(phase, quantity + "-uneven");
+      if (uneven.quantity.empty()) continue;
+      sites.uneven_columns[c].file = uneven.file;
+      sites.uneven_columns[c].line = uneven.line;
+    }
+    for (std::size_t c = 0; c < kSolverNames.size(); ++c) {
+      sites.solver[c] = site(phase, kSolverNames[c], c < 3 ? "solver-velocity" : "solver-spin");
+    }
     return sites;
   }
 
@@ -86,9 +126,25 @@ class PhaseProbes : public sim::Observer {
     const ConstColumns columns = columns_of(bodies);
     for (sim::BodyIndex i = 0; i < bodies.size(); ++i) {
       if (!bodies.moves(i)) continue;
+      auto& of_body = sim::turns_evenly(bodies.inertia[i]) ? sites.columns : sites.uneven_columns;
       for (const std::size_t c : kFieldOrder) {
-        tumble_probes_write(&probes_, &sites.columns[c], TUMBLE_PROBE_F64, bodies.id[i], 0,
+        tumble_probes_write(&probes_, &of_body[c], TUMBLE_PROBE_F64, bodies.id[i], 0,
                             tumble_probe_bits((*columns[c])[i]));
+      }
+    }
+  }
+
+  void write_solver_bodies(Sites& sites, const sim::World& world) {
+    const sim::Scratch& scratch = world.scratch();
+    const sim::Bodies& bodies = world.bodies();
+    for (sim::BodyIndex i = 0; i < bodies.size(); ++i) {
+      if (i >= scratch.in_contact.size() || scratch.in_contact[i] == 0 || i >= scratch.solver_bodies.size()) continue;
+      const sim::SolverBody& body = scratch.solver_bodies[i];
+      const std::array<double, kSolverNames.size()> values = {body.velocity.x(), body.velocity.y(), body.velocity.z(),
+                                                              body.spin.x(),     body.spin.y(),     body.spin.z()};
+      for (std::size_t c = 0; c < values.size(); ++c) {
+        tumble_probes_write(&probes_, &sites.solver[c], TUMBLE_PROBE_F64, bodies.id[i], 0,
+                            tumble_probe_bits(values[c]));
       }
     }
   }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <map>
 #include <span>
+#include <utility>
 
 #include "replay/format/step_values.h"
 #include "replay/stream/stream_cursor.h"
@@ -30,9 +32,22 @@ std::string name_of_number(const std::string& name, std::uint32_t k, std::uint32
   return count == 1 ? name : name + '[' + std::to_string(k) + ']';
 }
 
-std::string input_name(const StreamNamedInput& input) {
-  return "input." + input.name + (input.body == 0 ? "" : " of a body");
-}
+/// One step has at most so many inputs of one name and body; further ones join the last.
+constexpr std::size_t kInputsMax = 64;
+
+/// The names of the channels of the inputs of one step, in their order: "input.kick of a body", of further inputs of
+/// that name and body "input.kick of a body#2".
+class InputNames {
+ public:
+  std::string name(const StreamNamedInput& input) {
+    const std::size_t count = std::min(kInputsMax, ++counts_[{input.name, input.body}]);
+    return "input." + input.name + (input.body == 0 ? "" : " of a body") +
+           (count == 1 ? "" : '#' + std::to_string(count));
+  }
+
+ private:
+  std::map<std::pair<std::string, std::uint64_t>, std::size_t> counts_;
+};
 
 ChannelValue read_number(StreamCursor& in, std::uint8_t type) {
   switch (type) {
@@ -63,11 +78,12 @@ void StreamExtras::survey(const StreamStep& step) {
     const auto found = found_.find(value.channel);
     if (found != found_.end() && value.type < kBytes) found->second.count = std::max(found->second.count, value.count);
   }
+  InputNames names;
   for (const StreamInput& input : step.inputs) {
     const auto* named = std::get_if<StreamNamedInput>(&input);
     if (named == nullptr) continue;
     const ChannelScope scope = named->body == 0 ? ChannelScope::kWorld : ChannelScope::kBody;
-    named_inputs_.try_emplace(input_name(*named), ChannelType{ChannelKind::kBytes, scope});
+    named_inputs_.try_emplace(names.name(*named), ChannelType{ChannelKind::kBytes, scope});
   }
 }
 
@@ -89,13 +105,13 @@ Status StreamExtras::add_rows(const StreamValue& value, std::vector<Row>& rows) 
   return {};
 }
 
-/// Several inputs of one name and body in a step are one value: their bytes, one after the other.
 Result<std::vector<StreamExtras::Row>> StreamExtras::rows_of(const StreamStep& step) const {
   std::vector<Row> rows;
+  InputNames names;
   std::map<std::pair<std::string, sim::BodyId>, std::string> inputs;
   for (const StreamInput& input : step.inputs) {
     const auto* named = std::get_if<StreamNamedInput>(&input);
-    if (named != nullptr) inputs[{input_name(*named), named->body}] += named->bytes;
+    if (named != nullptr) inputs[{names.name(*named), named->body}] += named->bytes;
   }
   rows.reserve(inputs.size() + step.values.size());
   for (const auto& [key, bytes] : inputs) rows.push_back({key.first, {key.second, 0}, bytes});

@@ -54,7 +54,7 @@ std::vector<std::size_t> channel_columns(const LogHeader& header) {
   return columns;
 }
 
-TimelineScan::TimelineScan(LogReader& log, std::vector<MetricBound> bounds)
+TimelineScan::TimelineScan(LogReader& log, std::vector<ViewedBound> bounds)
     : log_(&log), channels_(channel_columns(log.header())), next_(log.first_state()) {
   source_.emplace(log);
   bounds_.emplace(log.header(), std::move(bounds));

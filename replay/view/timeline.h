@@ -49,7 +49,7 @@ struct TimelineInput {
 class TimelineScan {
  public:
   /// `log` must outlive this object and is read by nobody else meanwhile.
-  explicit TimelineScan(LogReader& log, std::vector<MetricBound> bounds = {});
+  explicit TimelineScan(LogReader& log, std::vector<ViewedBound> bounds = {});
 
   /// The step that next() takes.
   [[nodiscard]] std::uint64_t at() const { return next_; }

@@ -77,8 +77,9 @@ class PhaseHashes : public Observer {
   /// fields that a phase leaves unchanged or only copies, and hashes in the order of memory. 4: covers the corners of
   /// contacts, and what friction at rest does besides impulses. 5: covers whether a contact of method layered has
   /// slipped in its substep. 6: covers what `part_overlaps` takes from the motion of every body that it lifts,
-  /// and the direction of lent inertia.
-  static constexpr std::uint32_t kVersion = 6;
+  /// and the direction of lent inertia. 7: `prepare_manifolds` of method layered covers no slip of the step before,
+  /// which a restored world does not know.
+  static constexpr std::uint32_t kVersion = 7;
 
   void phase_done(std::uint32_t substep, std::size_t phase, const World& world) override;
   void clear() { words_.clear(); }

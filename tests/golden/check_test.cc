@@ -81,7 +81,7 @@ TEST_F(OneCase, PhaseHashesOfAnotherVersionAreStaleAndNoDifference) {
   EXPECT_FALSE(result.passed());
   EXPECT_EQ(exact_of(result), Outcome::kPass) << result.verdict(VerdictKind::kExact).message;
   EXPECT_EQ(behaviour_of(result), Outcome::kPass);
-  EXPECT_TRUE(has_problem(result, "stale: blessed with phase hashes of version 5, run with version 6"));
+  EXPECT_TRUE(has_problem(result, "stale: blessed with phase hashes of version 6, run with version 7"));
 
   ASSERT_TRUE(bless_cases({suite_.root(), {"fall"}, "because", false, {}}).ok());
   EXPECT_TRUE(suite_.check_one("fall").passed());

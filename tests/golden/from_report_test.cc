@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "golden/judge/case_json.h"
 #include "tests/support/golden_suite.h"
 #include "tumble/golden/bless.h"
 #include "tumble/golden/report.h"

@@ -138,6 +138,15 @@ TEST(HuntLaws, SeeWhatIsNoNumber) {
   expect_broken("numbers", tampered(kDrop, 9, [](sim::Bodies& b) { b.orientation.w[0] = 1.001; }), 9);
 }
 
+TEST(HuntLaws, SeeAWorldThatIsNotTheScene) {
+  expect_broken("start", tampered(kDrop, 0, [](sim::Bodies& b) { b.mass[0] *= 1.001; }), 0);
+  expect_broken("start", tampered(kDrop, 0, [](sim::Bodies& b) { b.inertia.y[0] *= 1.001; }), 0);
+  expect_broken("start", tampered(kDrop, 0, [](sim::Bodies& b) { b.friction[0] = 0.7; }), 0);
+  Trace trace = traced(kDrop);
+  trace.states[0].def.gravity.z() *= 0.999;
+  expect_broken("start", trace, 0);
+}
+
 TEST(HuntLaws, SeeASessionThatEndsEarly) {
   Trace trace = traced(kDrop);
   trace.failure = "a body left the world";

@@ -4,11 +4,13 @@
 #include <set>
 #include <string>
 
+#include "golden/hunt/corpus.h"
 #include "golden/hunt/finding.h"
+#include "golden/hunt/judge/features.h"
 #include "golden/hunt/scene/grammar.h"
 #include "golden/hunt/scene/scene_text.h"
 #include "golden/hunt/shrink/shrink.h"
-#include "golden/hunt/shrink/simplify.h"
+#include "golden/suite/temporary_folder.h"
 #include "tumble/scenes/scene_file.h"
 #include "tumble/sim/hash.h"
 
@@ -83,6 +85,47 @@ TEST(HuntShrink, StopsAtItsBoundAndSaysSo) {
   const hunt::Shrunk some = hunt::shrink(*text, wide({}, *text), wide, 3);
   EXPECT_FALSE(some.least);
   EXPECT_EQ(some.tried, 3U);
+}
+
+// A folder of its own, removed at the end.
+const golden::TemporaryFolder& place() {
+  static const golden::TemporaryFolder kPlace("hunt_test");
+  return kPlace;
+}
+
+TEST(HuntCorpus, KeepsWhatDoesSomethingNew) {
+  Result<hunt::Corpus> corpus = hunt::Corpus::open(place().path() / "one");
+  ASSERT_TRUE(corpus.ok());
+  const Result<TextScene> scene = hunt::settled(hunt::random_scene(1, 5));
+  ASSERT_TRUE(scene.ok());
+  EXPECT_TRUE(*corpus->add(*scene, {"a", "b"}));
+  EXPECT_FALSE(*corpus->add(*scene, {"b"}));
+  EXPECT_EQ(corpus->files().size(), 1U);
+  EXPECT_EQ(corpus->features().size(), 2U);
+}
+
+TEST(HuntCorpus, MergesWithAnotherAndOpensAgain) {
+  const auto filled = [](const char* name, std::uint64_t first) {
+    Result<hunt::Corpus> corpus = hunt::Corpus::open(place().path() / name);
+    EXPECT_TRUE(corpus.ok());
+    for (std::uint64_t number = first; number < first + 12; ++number) {
+      const Result<TextScene> scene = hunt::settled(hunt::random_scene(1, number));
+      const Result<hunt::Trace> session = hunt::trace(scene->scene);
+      EXPECT_TRUE(corpus->add(*scene, hunt::features_of(*session)).ok());
+    }
+    return *std::move(corpus);
+  };
+  hunt::Corpus left = filled("left", 0);
+  const hunt::Corpus right = filled("right", 40);
+  const std::size_t before = left.files().size();
+  const Result<std::size_t> added = left.merge(place().path() / "right");
+  ASSERT_TRUE(added.ok());
+  EXPECT_EQ(left.files().size(), before + *added);
+  for (const std::string& one : right.features()) EXPECT_TRUE(left.features().contains(one)) << one;
+  EXPECT_EQ(*left.merge(place().path() / "right"), 0U);
+  const Result<hunt::Corpus> again = hunt::Corpus::open(place().path() / "left");
+  ASSERT_TRUE(again.ok());
+  EXPECT_EQ(again->features(), left.features());
 }
 
 hunt::Finding finding(const char* relation, std::uint64_t number, double value) {

@@ -79,7 +79,8 @@ TEST_F(ChangedScene, PageOfAFailureHasTheScriptAndItsNumbers) {
 
 TEST_F(ChangedScene, PageHasTheCommandsToGoOnWith) {
   const std::string page = this->page();
-  for (const char* begin : {"tumble record ", "tumble check falls --suite ", "tumble bless falls --suite "}) {
+  for (const char* begin : {"tumble record ", "tumble view falls.tumble --bounds ", "tumble check falls --suite ",
+                            "tumble bless falls --suite "}) {
     EXPECT_EQ(count(page, std::string("<pre tabindex=\"0\">") + begin), 1U) << begin;
   }
 }

@@ -1,5 +1,8 @@
 """Writing logs: what is refused, and that nothing is rounded."""
 
+import pickle
+import threading
+
 import numpy
 import pytest
 
@@ -63,6 +66,8 @@ def test_values_that_are_no_numbers_keep_their_bits(tmp_path):
         ({"contacts": [(1, 2)]}, "contacts: wanted rows"),
         ({"frozen": [True]}, "frozen: wanted 2 flags"),
         ({"dt": "1"}, "dt: found"),
+        ({"notes": "one"}, "notes: found one text"),
+        ({"snapshot": "text"}, "snapshot: wanted bytes"),
         ({"phases": [-1]}, "phases: found"),
         ({"orientation": numpy.zeros((2, 4))}, "orientation"),
     ],
@@ -93,6 +98,11 @@ def test_wrong_steps_are_refused_with_a_text(tmp_path, change, text):
         ({"precision": "float16"}, "precision: found 'float16'"),
         ({"gravity": (0, 0)}, "gravity: found shape"),
         ({"engine": ""}, "name"),
+        ({"engine": 7}, "engine: found 7"),
+        ({"phases": "abc"}, "phases: found 'abc'"),
+        ({"channels": ["a"]}, "channels: found"),
+        ({"channels": {"a": 7}}, "channel 'a': found 7"),
+        ({"planned_steps": -1}, "planned_steps: found -1"),
         ({"dt": -1.0}, "dt"),
     ],
 )
@@ -125,6 +135,10 @@ def test_an_error_of_the_engine_leaves_a_whole_log(tmp_path):
             log.step(**zeros())
             1 / 0
     assert tumble.Log(path).whole and tumble.Log(path).last_step == 1
+    with pytest.raises(ZeroDivisionError):
+        with recorder(path) as log:
+            log.push(1, (0, 0, 1))  # a log with an input and no step after it cannot be completed
+            1 / 0
 
 
 def test_a_closed_recorder_says_so(tmp_path):
@@ -133,3 +147,34 @@ def test_a_closed_recorder_says_so(tmp_path):
     log.close()
     with pytest.raises(tumble.BadInput, match="takes no more steps"):
         log.step(**zeros())
+
+
+def test_what_cannot_be_pickled_says_so(tmp_path):
+    with recorder(tmp_path / "x.tumble") as log, pytest.raises(TypeError, match="cannot be pickled"):
+        pickle.dumps(log)
+    world = tumble.World.from_scene(tumble.Scene("[[box]]\nposition = [0, 0, 2]\n"))
+    with pytest.raises(TypeError, match="cannot be pickled"):
+        pickle.dumps(world)
+
+
+def test_two_threads_in_one_recorder(tmp_path):
+    """Steps of one thread, or an error for the other: never a crash, never a mixture."""
+    path = tmp_path / "threads.tumble"
+    log = recorder(path)
+    refused = []
+
+    def write():
+        for _ in range(200):
+            try:
+                log.step(**zeros())
+            except tumble.BadInput as error:
+                refused.append(str(error))
+
+    threads = [threading.Thread(target=write) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    log.close()
+    assert all("another thread" in text for text in refused)
+    assert tumble.Log(path).last_step == 800 - len(refused)

@@ -66,6 +66,9 @@ test("names, shapes and channels of another engine, sent and served", async () =
     await page.locator("input[type=search]").fill("ball");
     await page.keyboard.press("Enter");
     await panel_of(page, "Body").locator("text=ball").first().waitFor();
+    assert.doesNotMatch(await page.locator("aside").textContent(), /(^|[^.\d])\d{16}/, "a name says more than an id made of it");
+    await page.locator("input[type=search]").fill("height of ball > 1.05");
+    await until(page, ".search output", "in no step");
     if (kind === "served") await panel_of(page, "Body").locator("tr", { hasText: "heat" }).locator("td", { hasText: "10" }).waitFor();
     await panel_of(page, "Contacts").locator("text=holds no contacts").waitFor();
     await page.screenshot({ path: sessions.path(`shapes_${kind}.png`) });
@@ -88,6 +91,29 @@ test("a press on a number asks for the chain behind it", async () => {
   assert.equal(await status("blame?log=0&step=30&id=900&field=velocity.z&back=9999"), 400);
   await page.screenshot({ path: sessions.path("blame.png") });
   child.kill("SIGINT");
+  await page.context().close();
+});
+
+test("a timeline judges the bounds of a case", async () => {
+  writeFileSync(sessions.path("metrics.toml"), `require = ["behaviour"]
+[[metric]]
+name = "drift_max"
+max = 0.1
+bodies = "900"
+from_step = 30
+why = "a test"
+[[metric]]
+name = "mirror_error"
+max = 0.1
+why = "of a transformed scene"
+`);
+  const made = sessions.run_any("view", "own.tumble", "-o", "case.html", "--bounds", "metrics.toml");
+  assert.equal(made.status, 0, made.err);
+  const page = await open(pathToFileURL(sessions.path("case.html")).href);
+  const lane = page.locator(".lane", { hasText: "drift_max of 900 from step 30 <= 0.1" });
+  await lane.locator(".value", { hasText: "not judged" }).waitFor();
+  await page.locator("body").press("End");
+  await lane.locator(".value", { hasText: "✕ broken" }).waitFor();
   await page.context().close();
 });
 

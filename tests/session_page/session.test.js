@@ -110,6 +110,49 @@ test("the search finds steps by a condition, and bodies by id and name", async (
   await page.context().close();
 });
 
+test("the search finds the steps of one body", async () => {
+  for (const served of [false, true]) {
+    const { address, child } = served ? await sessions.serve("a.tumble", "b.tumble") : { address: sent("both.html") };
+    const page = await open(address);
+    const search = page.locator("input[type=search]");
+    const answer = () => page.locator(".search output").textContent();
+    await search.fill("speed of 900 > 15");
+    await eventually(page, answer, (words) => /^\d+ runs? of steps, the first at 2[01]$/.test(words), "of the thrown cube");
+    await eventually(page, () => panel_of(page, "Body").textContent(), (words) => words.includes("Body 900"), "it is chosen");
+    await search.press("Enter");
+    assert.match(await said(page), /^step 2[01] /);
+    await search.fill("height of 900 < -1");
+    await eventually(page, answer, (words) => words === "in no step", "never below ground");
+    await search.fill("separation of 900 > 1e-6");
+    await eventually(page, answer, (words) => /^\d+ runs? of steps, the first at \d+$/.test(words), "between the two");
+    await search.fill("asleep of 1 = 1");
+    await eventually(page, answer, (words) => /^(\d+ runs? of steps|in no step)/.test(words), "sleeping");
+    await search.fill("wobble of 900 > 1");
+    assert.match(await answer(), /"wobble" is no quantity of a body; there are speed,/);
+    await search.fill("speed of nobody > 1");
+    assert.match(await answer(), /^no body "nobody"$/);
+    await search.fill("speed of wall > 1");
+    assert.match(await answer(), /^\d+ bodies answer to "wall"; wanted one$/);
+    child?.kill("SIGINT");
+    await page.context().close();
+  }
+});
+
+test("contacts of both logs, each by its own letter", async () => {
+  const { address, child } = await sessions.serve("a.tumble", "b.tumble");
+  const page = await open(`${address}#step=60`);
+  const contacts = panel_of(page, "Contacts");
+  await eventually(page, () => contacts.locator(".contacts").allTextContents(),
+    (both) => both.length === 2 && both.every((words) => /^\d+ contact points/.test(words)), "two lists");
+  assert.deepEqual(await contacts.locator("h3").allTextContents(), ["A", "B"]);
+  const plain = (await page.locator(".view3d canvas").screenshot()).toString("base64");
+  await page.locator("button", { hasText: "Contacts" }).click();
+  await eventually(page, async () => (await page.locator(".view3d canvas").screenshot()).toString("base64"), (one) => one !== plain, "arrows");
+  await page.screenshot({ path: sessions.path("contacts.png") });
+  child.kill("SIGINT");
+  await page.context().close();
+});
+
 test("two logs: the first difference, its growth and the phases", async () => {
   const page = await open(sent("both.html"));
   const panel = panel_of(page, "Comparison");

@@ -112,11 +112,11 @@ void Display::hold(int button, double seconds) const {
   EXPECT_TRUE(tool({"mouseup", std::to_string(button)}));
 }
 
-void Display::turn(int x, int y) const {
-  EXPECT_TRUE(tool({"mousedown", "3"}));
+void Display::drag(int button, int x, int y) const {
+  EXPECT_TRUE(tool({"mousedown", std::to_string(button)}));
   EXPECT_TRUE(tool({"mousemove_relative", "--", std::to_string(x), std::to_string(y)}));
   sleep_for(0.3);
-  EXPECT_TRUE(tool({"mouseup", "3"}));
+  EXPECT_TRUE(tool({"mouseup", std::to_string(button)}));
 }
 
 void Display::key(const std::string& key) const { EXPECT_TRUE(tool({"key", key})); }

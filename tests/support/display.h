@@ -28,7 +28,8 @@ class Display {
   [[nodiscard]] bool wait_for_window(const std::string& title) const;
   void move(int x, int y) const;                ///< the pointer, in pixels from the upper left corner
   void hold(int button, double seconds) const;  ///< presses a button and lets go
-  void turn(int x, int y) const;                ///< drags the right button from where the pointer is, by pixels
+  void turn(int x, int y) const { drag(3, x, y); }
+  void drag(int button, int x, int y) const;  ///< presses, moves from where the pointer is by pixels, lets go
   void key(const std::string& key) const;
 
   /// What the upper left width × height pixels of the screen show.

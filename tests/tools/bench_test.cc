@@ -151,8 +151,26 @@ TEST(Bench, MemoryIsToldByBodyAndByContact) {
   }
 }
 
+TEST(Bench, ViewMeasuresAServedPage) {
+  const Workshop shop;
+  const Outcome outcome = shop.run({"bench", "view", "--scene", "grid_3", "--json"});
+  if (outcome.exit == 4 && says(outcome.err, "libcpp-httplib-dev")) GTEST_SKIP() << outcome.err;
+  ASSERT_EQ(outcome.exit, 0) << outcome.err;
+  const Json row = Json::parse(outcome.out)["row"];
+  EXPECT_EQ(row["bodies"], 9);
+  EXPECT_EQ(row["steps"], 1500);
+  for (const char* figure : {"ready", "open", "timeline", "contacts_begun", "megabytes", "cpu"}) {
+    EXPECT_GT(row[figure], 0) << figure;
+  }
+  for (const char* seek : {"seek", "seek_while_reading"}) {
+    EXPECT_GE(row[seek]["most"], row[seek]["median"]);
+    EXPECT_GT(row[seek]["median"], 0);
+  }
+}
+
 TEST(Bench, BadArgumentsAreStatusTwo) {
   const Workshop shop;
+  EXPECT_EQ(shop.run({"bench", "view", "--scene", "tower_20"}).exit, 2);
   EXPECT_EQ(shop.run({"bench", "everything"}).exit, 2);
   EXPECT_EQ(shop.run({"bench", "table1", "--method", "other"}).exit, 2);
   EXPECT_EQ(shop.run({"bench", "peers", "--scene", "no_such"}).exit, 2);

@@ -98,6 +98,24 @@ TEST(Hunt, PrintsASceneThatCanBeRecorded) {
   EXPECT_EQ(shop.run({"record", "s.toml", "-o", "s.tumble"}).exit, 0);
 }
 
+TEST(Hunt, GrowsACorpusThatCanBeJudged) {
+  const Workshop shop;
+  const Outcome run =
+      shop.run({"hunt", "--seed", "5", "--count", "12", "--relation", "ids", "--corpus", "corpus", "--json"});
+  ASSERT_EQ(run.exit, 0) << run.err;
+  const Outcome judged = shop.run({"hunt", "--judge", "corpus", "--relation", "ids", "--json"});
+  ASSERT_EQ(judged.exit, 0) << judged.err;
+  EXPECT_GE(Json::parse(judged.out).at("scenes").get<int>(), 3);
+  // Into an empty corpus all that matters is copied.
+  const Outcome merged = shop.run({"hunt", "--corpus", "other", "--merge", "corpus", "--json"});
+  ASSERT_EQ(merged.exit, 0) << merged.err;
+  EXPECT_GE(Json::parse(merged.out).at("features").size(), 10U);
+  shop.write("corpus/bad.toml", "[[box]]\nsize = 3\n");
+  EXPECT_EQ(shop.run({"hunt", "--judge", "corpus"}).exit, 2);
+  EXPECT_EQ(shop.run({"hunt", "--judge", "none"}).exit, 2);
+  EXPECT_EQ(shop.run({"hunt", "--merge", "corpus"}).exit, 2);
+}
+
 TEST(Hunt, ListsItsRelations) {
   const Workshop shop;
   const Outcome list = shop.run({"hunt", "--relations", "--json"});

@@ -42,6 +42,27 @@ TEST(View, KeepsToItsSize) {
   EXPECT_LE(std::filesystem::file_size(shop.path("s.html")), 900'000U);
 }
 
+// A metric that compares with another scene has no value step by step, and says so.
+TEST(View, TakesTheBoundsOfACase) {
+  const Workshop shop;
+  shop.record_small("s");
+  const std::string rules =
+      "[[metric]]\nname = \"lost\"\nmax = 0.0\nwhy = \"none\"\n"
+      "[[metric]]\nname = \"drift_max\"\nmin = 0.5\nmax = 2.0\nbodies = [1]\nwhy = \"it moves\"\n";
+  shop.write("metrics.toml", rules + "[[metric]]\nname = \"order_error\"\nmax = 0.0\nwhy = \"none\"\n");
+  const Outcome made = shop.run({"view", "s.tumble", "-o", "s.html", "--bounds", "metrics.toml"});
+  ASSERT_EQ(made.exit, 0) << made.err;
+  EXPECT_TRUE(says(made.err, "order_error compares with a transformed scene")) << made.err;
+  const std::string page = shop.read("s.html");
+  for (const char* bound : {"lost <= 0", "drift_max of 1 >= 0.5", "drift_max of 1 <= 2"}) {
+    EXPECT_TRUE(says(page, bound)) << bound;
+  }
+  shop.write("wrong.toml", "[[metric]]\nname = \"wobble\"\nmax = 0.0\nwhy = \"none\"\n");
+  const Outcome wrong = shop.run({"view", "s.tumble", "-o", "s.html", "--bounds", "wrong.toml"});
+  EXPECT_EQ(wrong.exit, 2);
+  EXPECT_TRUE(says(wrong.err, "wrong.toml")) << wrong.err;
+}
+
 TEST(View, RefusesBadUsage) {
   const Workshop shop;
   shop.record_small("s");

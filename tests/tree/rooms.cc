@@ -69,7 +69,7 @@ std::vector<Room> logs() {
       {"replay/measure", above},
       {"replay/recover", above},
       {"replay/arrays", {"src/base"}},
-      {"replay/import", session},
+      {"replay/import", session + Folders{"replay/arrays"}},
       {"replay/recorder", {}},
       {"replay/stream", session + Folders{"replay/import"}},
       {"replay/picture", above + Folders{"src/render", "src/render/picture", "src/render/scene"}},
@@ -135,7 +135,7 @@ std::vector<Room> program() {
       {"tools/engine", above},
       {"tools/compare", above + Folders{"tools/engine"}},
       {"tools/hunt", above},
-      {"tools/view", above + Folders{"golden/report/page", "tools/compare"}},
+      {"tools/view", above + Folders{"golden/report/page", "tools/compare", "tools/bench"}},
       {"tools/commands", above + Folders{"replay/export/plan", "replay/export", "tools/bisect", "tools/bench",
                                          "tools/engine", "tools/compare", "tools/hunt", "tools/view"}},
       {"tools", above + Folders{"tools/manual", "tools/commands"}},
@@ -145,7 +145,7 @@ std::vector<Room> program() {
 
 // The module for Python: beside the program, above the logs.
 std::vector<Room> modules() {
-  return {{"python/binding", kSim + Folders{"src/threads", "src/scenes", "replay/format", "replay/log",
+  return {{"python/binding", kSim + Folders{"src/files", "src/threads", "src/scenes", "replay/format", "replay/log",
                                             "replay/session", "replay/import", "replay/view"}}};
 }
 

@@ -60,17 +60,6 @@ struct EngineAccuracy {
   }
 };
 
-/// N of "grid_N": N rows of N cubes; 20 unless a scene is named.
-Result<std::string> side_of(const BenchOptions& options) {
-  const std::string name = options.scenes.empty() ? "grid_20" : options.scenes.front();
-  const std::string side = name.starts_with("grid_") ? name.substr(5) : "";
-  const bool is_number = !side.empty() && side.size() < 4 && side.find_first_not_of("0123456789") == std::string::npos;
-  if (options.scenes.size() > 1 || !is_number || side.front() == '0') {
-    return bad_input("--scene: found " + in_quotes(name) + ", wanted one grid_N, say grid_20");
-  }
-  return side;
-}
-
 class AccuracySession {
  public:
   AccuracySession(std::string side, std::filesystem::path folder)
@@ -204,7 +193,7 @@ Json limits_json(const std::vector<EngineAccuracy>& engines) {
 }  // namespace
 
 Result<Exit> bench_accuracy(const BenchOptions& options) {
-  const Result<std::string> side = side_of(options);
+  const Result<std::string> side = grid_side(options, 20);
   if (!side.ok()) return side.error();
   const Result<PeerChoice> choice = choose_peers({"thesis", "layered", "bullet", "ode"}, options.engines);
   if (!choice.ok()) return choice.error();

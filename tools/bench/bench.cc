@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "src/base/check.h"
+#include "src/base/text.h"
 #include "src/files/output_file.h"
 #include "src/process/run_child.h"
 #include "tools/files/data_folder.h"
@@ -63,6 +64,16 @@ Result<sim::SceneDef> bench_scene(const std::string& name, const std::vector<std
   const Result<std::string> text = read_scene(path);
   if (!text.ok()) return text.error();
   return scenes::parse_scene(*text, path, overrides);
+}
+
+Result<std::string> grid_side(const BenchOptions& options, unsigned usual) {
+  const std::string name = options.scenes.empty() ? "grid_" + std::to_string(usual) : options.scenes.front();
+  const std::string side = name.starts_with("grid_") ? name.substr(5) : "";
+  const bool is_number = !side.empty() && side.size() < 4 && side.find_first_not_of("0123456789") == std::string::npos;
+  if (options.scenes.size() > 1 || !is_number || side.front() == '0') {
+    return bad_input("--scene: found " + in_quotes(name) + ", wanted one grid_N, say grid_" + std::to_string(usual));
+  }
+  return side;
 }
 
 Result<Exit> bench_program(const std::string& name, const std::vector<std::string>& arguments) {

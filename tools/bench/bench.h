@@ -17,10 +17,11 @@ struct BenchOptions {
   std::string what;
   std::optional<std::uint64_t> repeat;  ///< runs of which the median counts
   std::optional<double> budget;         ///< s of CPU, table1, accuracy: of each engine; runs beyond it are left out
-  std::vector<std::string> scenes;      ///< peers: only scenes whose name begins so; memory: these; accuracy: the grid
-  std::vector<std::string> engines;     ///< peers, accuracy: only these; table1: these besides ours
-  bool measure = false;                 ///< threads: measure two threads instead of estimating more
-  bool large = false;                   ///< peers: scenes of 1600 bodies and more too
+  std::vector<std::string>
+      scenes;  ///< peers: only scenes whose name begins so; memory: these; accuracy, view: the grid
+  std::vector<std::string> engines;  ///< peers, accuracy: only these; table1: these besides ours
+  bool measure = false;              ///< threads: measure two threads instead of estimating more
+  bool large = false;                ///< peers: scenes of 1600 bodies and more too
   std::string method;  ///< table1, scaling, memory; empty: table1 thesis, scaling layered, memory the scene's
   std::string plot;    ///< scaling: FILE.svg or FILE.png
   std::string save;    ///< also write the results, with the machine, to this file as JSON
@@ -43,6 +44,10 @@ std::string build_folder();
 /// The scene bench/scenes/<name>.toml of data_folder().
 std::string bench_scene_path(const std::string& name);
 Result<sim::SceneDef> bench_scene(const std::string& name, const std::vector<std::string>& overrides);
+
+/// N of the one "grid_N" that --scene may name: N rows of N cubes. usual: N where there is no --scene. Errors
+/// (kBadInput): any other scene.
+Result<std::string> grid_side(const BenchOptions& options, unsigned usual);
 
 /// Processor, cores, load, kernel, compiler, flags, version of the tool and the day.
 Json machine_json();

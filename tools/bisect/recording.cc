@@ -119,18 +119,18 @@ Result<Recording::Command> Recording::case_command(const std::string& session) c
 
 Status Recording::make_log(const std::string& session) const {
   const std::string converted = session + ".converted";
-  std::vector<std::string> warnings;
   std::error_code error;
-  Result<std::string> log = cannot_finish("");
+  Result<golden::SessionLog> log = cannot_finish("");
   if (settings_.log.empty()) {
-    log = golden::log_of_session(session, converted, nullptr, warnings);
+    log = golden::log_of_session(session, converted, nullptr);
   } else {
     Result<replay::LogReader> like = open_log(settings_.log);
     if (!like.ok()) return like.error();
-    log = golden::log_of_session(session, converted, &*like, warnings);
+    log = golden::log_of_session(session, converted, &*like);
   }
   if (!log.ok()) return log.error();
-  if (*log != session) fs::rename(*log, session, error);
+  if (!log->unfinished.empty()) return cannot_finish(log->unfinished);
+  if (log->path != session) fs::rename(log->path, session, error);
   return error ? Status(cannot_finish(session + ": cannot be replaced: " + error.message())) : Status();
 }
 

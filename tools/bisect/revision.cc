@@ -46,6 +46,14 @@ std::string where(const Json& first) {
   return words + ", " + text("field");
 }
 
+/// "the same in every bit", or of what was compared, with what was passed over.
+std::string same_text(const replay::ComparisonScope& scope) {
+  std::string text = "the same in " + scope.every_bit();
+  const std::vector<std::string> parts = scope.passed_over();
+  for (std::size_t i = 0; i < parts.size(); ++i) text += (i == 0 ? "; not compared: " : "; ") + parts[i];
+  return text;
+}
+
 Answer skipped(const std::string& why) { return {false, false, why, {}}; }
 Answer answered(bool yes, const std::string& words) { return {true, yes, words, {}}; }
 
@@ -165,19 +173,27 @@ Result<Answer> Asker::ask_session(const std::string& commit) {
     if (!wanted.ok()) return wanted.error();
     const Result<replay::DiffReport> report = replay::diff_logs(*wanted, *log);
     if (!report.ok()) return skipped(report.error().message);
-    if (report->identical()) return answered(true, "the same in every bit");
+    if (report->identical()) return answered(true, same_text(report->scope));
     return answered(false, report->first ? replay::describe(*report->first) : "another number of steps");
   }
   const Result<replay::Metrics> metrics = replay::measure_log(*log, settings_.measure);
   if (!metrics.ok()) return skipped(metrics.error().message);
   if (Status ok = replay::check_measured(*metrics); !ok.ok()) return skipped(ok.error().message);
   const replay::MetricBound& bound = *settings_.metric;
+  replay::Metrics measured = *metrics;
+  if (bound.metric->needs_other_session()) {
+    Result<replay::LogReader> wanted = open_log(settings_.log);
+    if (!wanted.ok()) return wanted.error();
+    Result<std::vector<replay::Parting>> partings = replay::measure_partings(*log, *wanted, {bound.metric->beyond});
+    if (!partings.ok()) return skipped(partings.error().message);
+    measured.partings = *std::move(partings);
+  }
   const replay::EngineAxes axes = log->header().axes();
   Answer answer;
   answer.asked = true;
-  answer.metric = bound.metric->value_in(axes, *metrics);
+  answer.metric = bound.metric->value_in(axes, measured);
   answer.yes = bound.holds(answer.metric);
-  answer.message = std::string(bound.metric->name) + " is " + bound.found_text(axes, *metrics);
+  answer.message = std::string(bound.metric->name) + " is " + bound.found_text(axes, measured);
   return answer;
 }
 

@@ -32,7 +32,8 @@ void print_comparison(const Comparison& comparison) {
   }
   const replay::DiffReport& report = comparison.report;
   if (report.identical()) {
-    std::cout << "\nthe sessions before and after are the same in every bit\n";
+    std::cout << "\nthe sessions before and after are the same in " << report.scope.every_bit() << '\n';
+    print_scope(report.scope);
     return;
   }
   if (!report.first) {

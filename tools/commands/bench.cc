@@ -11,6 +11,7 @@
 #include "tools/files/log_files.h"
 #include "tools/files/scene_files.h"
 #include "tools/output/gnuplot.h"
+#include "tools/view/view_bench.h"
 
 namespace tumble::tools {
 namespace {
@@ -37,6 +38,7 @@ Result<Exit> bench(const BenchOptions& options) {
   if (options.what == "scaling") return bench_scaling(options);
   if (options.what == "memory") return bench_memory(options);
   if (options.what == "live") return bench_live(options);
+  if (options.what == "view") return bench_view(options);
   if (options.what == "phases") return bench_program("step_bench", {});
   if (options.what == "threads") {
     std::vector<std::string> words = options.scenes;
@@ -46,7 +48,7 @@ Result<Exit> bench(const BenchOptions& options) {
   if (options.what == "record") return bench_program("log_bench", {});
   if (options.what == "render") return bench_program("render_bench", {"brick_wall.tumble", "60", "640", "480", "1"});
   return bad_input("found " + in_quotes(options.what) +
-                   ", wanted peers, table1, accuracy, scaling, memory, live, phases, threads, record or render");
+                   ", wanted peers, table1, accuracy, scaling, memory, live, view, phases, threads, record or render");
 }
 
 }  // namespace
@@ -55,17 +57,17 @@ Action declare_bench(Arguments& arguments) {
   auto options = std::make_shared<BenchOptions>();
   arguments
       .positional("WHAT", options->what,
-                  "peers, table1, accuracy, scaling, memory, live, phases, threads, record or render")
+                  "peers, table1, accuracy, scaling, memory, live, view, phases, threads, record or render")
       .required();
   arguments.whole("--repeat", "N", options->repeat, 1, 1000, "Runs of which the median counts (peers: 5, others: 1)");
   arguments.positive(
       "--budget", "S", options->budget, 1e6,
       "CPU seconds to spend; runs beyond it are left out. scaling: 300; table1, accuracy: of each engine (all runs); "
       "live: on the wall, of each scene (10)");
-  arguments.option(
-      "--scene", "NAME", options->scenes,
-      "peers: only scenes whose name begins so; memory: SCENE; accuracy: grid_N (grid_20); threads: 6400, 25600, "
-      "102400, pile, large_pyramid; may be repeated");
+  arguments.option("--scene", "NAME", options->scenes,
+                   "peers: only scenes whose name begins so; memory: SCENE; accuracy: grid_N (grid_20); view: grid_N "
+                   "(grid_80); threads: 6400, 25600, "
+                   "102400, pile, large_pyramid; may be repeated");
   arguments.option(
       "--engine", "NAME", options->engines,
       "peers: only thesis, bullet, ode, mujoco or none beside ours; table1: these beside ours; accuracy: only thesis, "
@@ -86,6 +88,7 @@ Action declare_bench(Arguments& arguments) {
       "scaling  the exponent of time over the number of bodies\n"
       "memory   the simulation's bytes by body and by contact\n"
       "live     frames a second of the window of 'tumble live', played without a person; needs a display, or xvfb-run\n"
+      "view     waiting times of the served page of 6400 cubes in 1500 steps, and the memory of its server\n"
       "phases, threads, record, render   the programs step_bench, thread_model, log_bench and render_bench (of "
       "brick_wall.tumble) of the build\n\n"
       "Times are CPU seconds of one thread. docs/performance.md explains the figures.\n\n"
@@ -94,6 +97,7 @@ Action declare_bench(Arguments& arguments) {
       "  tumble bench threads --measure --scene large_pyramid\n"
       "  tumble bench table1 --budget 60 --engine bullet\n"
       "  tumble bench accuracy --engine thesis --save accuracy.json\n"
+      "  tumble bench view --save view.json\n"
       "  tumble bench scaling --plot scaling.svg --save scaling.json");
   return [options] { return bench(*options); };
 }

@@ -18,7 +18,7 @@
 #include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
-#include "tools/arguments/numbers.h"
+#include "tools/arguments/shard.h"
 #include "tools/files/scene_files.h"
 #include "tools/output/check_output.h"
 #include "tools/output/progress.h"
@@ -28,7 +28,6 @@
 namespace tumble::tools {
 namespace {
 
-constexpr std::uint64_t kShardsMax = 10'000;
 constexpr double kTimeoutMax = 1e6;
 constexpr double kTimeout = 600;  // s: many times what the longest case takes in the slowest build
 
@@ -46,27 +45,15 @@ struct CheckCommand {
   bool json = false;
 };
 
-/// "2/5".
-Status read_shard(const std::string& text, golden::Selection& selection) {
-  if (text.empty()) return {};
-  const std::size_t slash = text.find('/');
-  const std::optional<std::uint64_t> k = parse_whole(text.substr(0, slash));
-  const std::optional<std::uint64_t> n =
-      slash == std::string::npos ? std::nullopt : parse_whole(text.substr(slash + 1));
-  if (!k || !n || *k < 1 || *k > *n || *n > kShardsMax) {
-    return bad_input("--shard: found " + in_quotes(text) + ", wanted K/N with K from 1 to N, as in 2/5");
-  }
-  selection.shard = *k;
-  selection.shards = *n;
-  return {};
-}
-
 Result<golden::CheckOptions> check_options(const CheckCommand& options) {
   golden::CheckOptions out;
   out.suite = options.suite.empty() ? find_suite() : options.suite;
   out.selection.names = options.cases;
   out.selection.category = options.category;
-  if (Status ok = read_shard(options.shard, out.selection); !ok.ok()) return ok.error();
+  const Result<Shard> shard = read_shard(options.shard);
+  if (!shard.ok()) return shard.error();
+  out.selection.shard = shard->k;
+  out.selection.shards = shard->n;
   if (!options.annotate.empty() && options.annotate != "github" && options.annotate != "gitlab") {
     return bad_input("--annotate: found " + in_quotes(options.annotate) + ", wanted github or gitlab");
   }
@@ -143,7 +130,8 @@ Action declare_check(Arguments& arguments) {
   arguments.option("--annotate", "SERVICE", options->annotate,
                    "Show failures beside the change: github (workflow commands are printed) or gitlab (the report gets "
                    "gl-code-quality-report.json)");
-  arguments.option("--shard", "K/N", options->shard, "Only the K-th of N parts of the suite");
+  arguments.option("--shard", "K/N", options->shard,
+                   "Only the K-th of N parts of the suite; auto: as the environment of the build system says");
   arguments.whole("--jobs", "N", options->jobs, 1, 1024, "Cases at a time; as many as processors if not given");
   arguments.positive("--timeout", "S", options->timeout, kTimeoutMax, "Seconds a case may take; 600 if not given");
   arguments.json(options->json);

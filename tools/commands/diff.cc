@@ -169,7 +169,7 @@ Result<Exit> compare(const DiffCommand& options, replay::LogReader& a, replay::L
   const std::uint64_t last = std::min(report->last_a, report->last_b);
   const Result<std::optional<Parting>> parting = parting_of(options, a, *report, difference, last);
   if (!parting.ok()) return parting.error();
-  print_result(question_of(options, tolerances->exact()), *report, difference, {read, zoom, *parting});
+  print_result(question_of(options, tolerances->exact()), *report, difference, {sides_of(a, b), read, zoom, *parting});
   if (options.apart && !options.json) print_parting(*parting, *options.apart, last);
   if (Status ok = draw(options, difference); !ok.ok()) return ok.error();
   const bool is_same = options.apart ? !*parting && report->last_a == report->last_b : report->identical();

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "replay/session/state_source.h"
 #include "tools/arguments/arguments.h"
@@ -98,6 +99,22 @@ class CsvOutput : public Output {
     }
     std::cout << line << '\n';
   }
+  void end_step(const replay::StepRecord& step, std::uint64_t body) override {
+    if (body != 0) return;  // one body was asked for
+    for (std::string& part : not_in_cells(told_.declared, step.extras, step.states.id)) {
+      if (std::ranges::find(left_out_, part) == left_out_.end()) left_out_.push_back(std::move(part));
+    }
+  }
+  void end() override {
+    if (left_out_.empty()) return;
+    std::string parts;
+    for (const std::string& part : left_out_) parts += (parts.empty() ? "" : ", ") + part;
+    std::cerr << "tumble dump: note: not in the table, which has rows of bodies alone: " << parts
+              << "; --json has them\n";
+  }
+
+ private:
+  std::vector<std::string> left_out_;
 };
 
 // One object for --step, a list of them for --steps; a line a body, so that text tools can look at it too.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "golden/hunt/batch.h"
+#include "golden/hunt/corpus.h"
 #include "golden/hunt/judge/relation.h"
 #include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
@@ -29,7 +30,8 @@ struct HuntCommand {
   std::optional<double> time;
   std::vector<std::string> relations;
   std::string against;
-  std::string folder;
+  std::string folder, corpus, judge;
+  std::vector<std::string> merge;
   bool list = false;
   bool json = false;
 };
@@ -49,9 +51,36 @@ hunt::HuntOptions hunt_options(const HuntCommand& options) {
   out.question.only = options.relations;
   out.question.against = options.against;
   out.folder = options.folder;
+  out.corpus = options.corpus;
   out.pool.jobs = options.threads.value_or(std::max(1U, std::thread::hardware_concurrency()));
   out.pool.cancel = process::InterruptGuard::interrupted;
   return out;
+}
+
+Result<Exit> judge_folder(const HuntCommand& options) {
+  const process::InterruptGuard guard;
+  const hunt::HuntOptions how = hunt_options(options);
+  const Result<hunt::CorpusResult> result = hunt::judge_corpus(options.judge, how.question, how.pool);
+  if (!result.ok()) return result.error();
+  options.json ? print_json(hunt::to_json(*result)) : print_corpus(*result);
+  return result->broken.empty() ? Exit::kSame : Exit::kDifference;
+}
+
+Result<Exit> merge_corpora(const HuntCommand& options) {
+  Result<hunt::Corpus> corpus = hunt::Corpus::open(options.corpus);
+  if (!corpus.ok()) return corpus.error();
+  for (const std::string& other : options.merge) {
+    const Result<std::size_t> added = corpus->merge(other);
+    if (!added.ok()) return added.error();
+    if (!options.json) std::cout << other << ": " << count_text(*added, "scene") << " added\n";
+  }
+  if (options.json) {
+    print_json({{"scenes", corpus->files().size()}, {"features", corpus->features()}});
+  } else {
+    std::cout << options.corpus << ": " << count_text(corpus->files().size(), "scene") << " with "
+              << count_text(corpus->features().size(), "feature") << '\n';
+  }
+  return Exit::kSame;
 }
 
 Result<Exit> hunt_for(const HuntCommand& options) {
@@ -60,6 +89,8 @@ Result<Exit> hunt_for(const HuntCommand& options) {
     return Exit::kSame;
   }
   if (options.print) return print_scene(options);
+  if (!options.judge.empty()) return judge_folder(options);
+  if (!options.merge.empty()) return merge_corpora(options);
   hunt::HuntOptions how = hunt_options(options);
   const process::InterruptGuard guard;
   ProgressBar bar("hunting", !options.json);
@@ -96,6 +127,12 @@ Action declare_hunt(Arguments& arguments) {
                    "Another build of tumble: every session must have the same bits there");
   arguments.option("--folder", "DIR", options->folder,
                    "Keep the hunt in this folder, and go on with the hunt that it holds");
+  const Argument corpus = arguments.option("--corpus", "DIR", options->corpus,
+                                           "Add scenes to this folder that do something none in it does");
+  arguments
+      .option("--merge", "DIR", options->merge, "Hunt nothing; add another corpus to that of --corpus; may be repeated")
+      .needs(corpus);
+  arguments.option("--judge", "DIR", options->judge, "Hunt nothing; judge the scenes DIR/*.toml").excludes(corpus);
   arguments.threads(options->threads);
   const Argument print =
       arguments.whole("--print", "NUMBER", options->print, 0, kNumberMax, "Print the scene of this number and end");
@@ -107,7 +144,8 @@ Action declare_hunt(Arguments& arguments) {
       "Examples:\n"
       "  tumble hunt --time 600 --folder hunt\n"
       "  tumble hunt --seed 7 --count 1000 --relation energy --relation cone\n"
-      "  tumble hunt --seed 7 --print 123 >scene.toml");
+      "  tumble hunt --seed 7 --print 123 >scene.toml\n"
+      "  tumble hunt --time 60 --corpus corpus && tumble hunt --judge corpus");
   return [options] { return hunt_for(*options); };
 }
 

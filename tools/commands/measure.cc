@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "replay/diff/separation.h"
 #include "replay/measure/measure_log.h"
 #include "replay/measure/metric_bound.h"
 #include "replay/measure/mirrored_pair.h"
@@ -34,6 +35,7 @@ struct MeasureCommand {
   MeasureArguments over;
   std::vector<std::string> require;
   std::string pair;
+  std::string against;
   bool json = false;
 };
 
@@ -81,6 +83,7 @@ Status check_outputs(const MeasureCommand& options) {
   files::OutputGuard guard;
   guard.keep(options.log, "the log that is measured");
   guard.keep(options.pair, "the log of --with");
+  guard.keep(options.against, "the log of --against");
   if (!options.plot.empty()) {
     if (Status ok = check_plot_path(options.plot); !ok.ok()) return ok;
     if (Status ok = claim_output(guard, "--plot", options.plot); !ok.ok()) return ok;
@@ -95,11 +98,11 @@ Result<replay::Metrics> measure_rows(replay::LogReader& log, const replay::Measu
   ProgressBar bar("measuring");
   std::optional<SeriesFile> series;
   if (!options.series.empty()) {
-    if (Status ok = series.emplace().open(options.series); !ok.ok()) return ok.error();
+    if (Status ok = series.emplace().open(options.series, log.header().declared.channels); !ok.ok()) return ok.error();
   }
   std::optional<Plot> plot;
   if (!options.plot.empty()) {
-    Result<Plot> begun = Plot::for_file(options.plot, log.header().axes().unit());
+    Result<Plot> begun = Plot::for_file(options.plot, log.header().axes().unit(), log.header().declared.channels);
     if (!begun.ok()) return begun.error();
     plot = *std::move(begun);
   }
@@ -133,6 +136,28 @@ Status compare_pair(replay::LogReader& log, replay::LogReader& pair, replay::Met
   return {};
 }
 
+/// Adds the times at which the session parts from that of --against: at the distances that --require asks about, else
+/// at those that `diff` marks.
+Status compare_other(const MeasureCommand& options, const std::vector<replay::MetricBound>& bounds,
+                     replay::LogReader& log, replay::Metrics& metrics) {
+  std::vector<double> beyond;
+  for (const replay::MetricBound& bound : bounds) {
+    if (bound.metric->needs_other_session()) beyond.push_back(bound.metric->beyond);
+  }
+  if (options.against.empty()) {
+    return beyond.empty() ? Status() : bad_input("--require: parting_time needs the other session: --against LOG");
+  }
+  if (beyond.empty()) beyond.assign(replay::kSeparationMarks.begin(), replay::kSeparationMarks.end());
+  Result<replay::LogReader> other = open_log(options.against);
+  if (!other.ok()) return other.error();
+  const process::InterruptGuard guard;
+  ProgressBar bar("comparing");
+  Result<std::vector<replay::Parting>> partings = replay::measure_partings(log, *other, beyond, bar.progress());
+  if (!partings.ok()) return partings.error();
+  metrics.partings = *std::move(partings);
+  return {};
+}
+
 Result<Exit> measure(const MeasureCommand& options) {
   const Result<std::vector<replay::MetricBound>> bounds = parse_bounds(options.require);
   if (!bounds.ok()) return bounds.error();
@@ -158,6 +183,7 @@ Result<Exit> measure(const MeasureCommand& options) {
   if (pair) {
     if (Status ok = compare_pair(*log, *pair, *metrics); !ok.ok()) return ok.error();
   }
+  if (Status ok = compare_other(options, *bounds, *log, *metrics); !ok.ok()) return ok.error();
   const std::vector<std::string> notes = notes_of(*log, *metrics);
   if (options.json) {
     Json json = metrics_json(options.log, axes, *metrics);
@@ -186,6 +212,9 @@ Action declare_measure(Arguments& arguments) {
   arguments.option(
       "--with", "LOG", options->pair,
       "The log of the transformed scene (record --mirror, --permute, --shift): also measure the errors of the pair");
+  arguments.option("--against", "LOG", options->against,
+                   "Another session: also measure when a body is first further than D m from its place there, the "
+                   "metric parting_time.D of --require");
   arguments.json(options->json);
   arguments.footer(
       "docs/metrics.md has the formula, unit and meaning of each metric.\n\n"

@@ -51,7 +51,8 @@ void print_text(const replay::ReplayReport& report, const replay::LogReader& log
   for (const std::string& note : report.notes) std::cout << "note: " << printable(note) << '\n';
   if (report.identical()) {
     std::cout << "identical: " << count_text(report.steps, "step") << " of " << printable(log.header().scene.name)
-              << " replayed, every bit as recorded\nfinal hash  " << to_string(report.final_hash) << '\n';
+              << " replayed, " << report.scope.every_bit() << " as recorded\nfinal hash  "
+              << to_string(report.final_hash) << '\n';
     print_scope(report.scope);
     return;
   }
@@ -86,14 +87,20 @@ Result<Exit> replay_command(const ReplayCommand& options) {
   Result<replay::LogReader> log = open_log(options.log);
   if (!log.ok()) return log.error();
   if (log->header().engine) {
+    if (options.probe_step) {
+      return bad_input("--probes: " + log->name() +
+                       " is of another engine, which writes its probes itself: see "
+                       "'tumble diff --zoom'");
+    }
     EngineReplay how = options.engine;
     how.brief = options.brief;
     how.json = options.json;
     return replay_engine(*log, how);
   }
   if (options.probe_step) return write_probes(options, *log);
-  if (!options.engine.scene.empty() || !options.engine.output.empty() || options.engine.no_build) {
-    return bad_input("--scene, -o and --no-build: are for a log of another engine; " + log->name() +
+  if (!options.engine.scene.empty() || !options.engine.output.empty() || options.engine.no_build ||
+      options.engine.stop || options.engine.timeout_s) {
+    return bad_input("--scene, -o, --no-build, --stop and --timeout: are for a log of another engine; " + log->name() +
                      " is of Tumble's own physics");
   }
   ProgressBar bar("replaying");
@@ -140,6 +147,12 @@ Action declare_replay(Arguments& arguments) {
                    "Another engine's log: keep the session that the engine computes now");
   arguments.flag("--no-build", options->engine.no_build,
                  "Another engine's log: run the engine as it is, without the build commands of tumble.toml");
+  arguments.flag("--stop", options->engine.stop,
+                 "Another engine's log: end the engine at the first difference, which is found while it runs");
+  constexpr double kTimeMax = 1e9;
+  arguments.positive("--timeout", "S", options->engine.timeout_s, kTimeMax,
+                     "Another engine's log: end an engine that runs longer than S seconds; if not given, the timeout "
+                     "of tumble.toml");
   const Argument probes = arguments.option(
       "--probes", "FILE", options->probes,
       "Instead: write the probes of step --probe-step to this file, as 'tumble diff --zoom' asks of two builds");

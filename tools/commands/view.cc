@@ -15,6 +15,7 @@
 #include "tools/arguments/command.h"
 #include "tools/files/log_files.h"
 #include "tools/output/progress.h"
+#include "tools/view/case_bounds.h"
 #include "tools/view/difference_data.h"
 #include "tools/view/http_server.h"
 #include "tools/view/packed_session.h"
@@ -33,6 +34,7 @@ struct ViewCommand {
   std::string other;
   std::string output;
   std::vector<std::string> require;
+  std::string rules;
   std::optional<double> megabytes;
   std::optional<std::uint64_t> port;
 };
@@ -43,6 +45,7 @@ Status claim_page(const ViewCommand& options) {
   files::OutputGuard guard;
   guard.keep(options.log, "a log that is shown");
   if (!options.other.empty()) guard.keep(options.other, "a log that is shown");
+  if (!options.rules.empty()) guard.keep(options.rules, "the bounds of a case");
   return claim_output(guard, "-o", options.output);
 }
 
@@ -67,15 +70,23 @@ std::string thin_text(const Json& head) {
   return text;
 }
 
-using Bounds = std::vector<replay::MetricBound>;
+using Bounds = std::vector<replay::ViewedBound>;
 
 Result<Bounds> parse_bounds(const ViewCommand& options) {
   Bounds bounds;
   for (const std::string& text : options.require) {
     Result<replay::MetricBound> bound = replay::parse_metric_bound(text);
+    if (bound.ok() && bound->metric->needs_other_session()) {
+      bound = bad_input("found " + in_quotes(text) + ", wanted a metric of this session alone");
+    }
     if (!bound.ok()) return bad_input("--require: " + bound.error().message);
-    bounds.push_back(*std::move(bound));
+    bounds.push_back({*std::move(bound)});
   }
+  if (options.rules.empty()) return bounds;
+  Result<CaseBounds> of_case = bounds_of_case(options.rules);
+  if (!of_case.ok()) return of_case.error();
+  for (const std::string& note : of_case->notes) std::cerr << "tumble view: " << note << '\n';
+  for (replay::ViewedBound& bound : of_case->bounds) bounds.push_back(std::move(bound));
   return bounds;
 }
 
@@ -84,7 +95,7 @@ Result<Exit> write_page(const ViewCommand& options, Logs& logs, const Bounds& bo
   const process::InterruptGuard guard;
   SessionPage page;
   page.head = {{"mode", "sent"}, {"bounds", Json::array()}, {"logs", Json::array()}};
-  for (const replay::MetricBound& bound : bounds) page.head["bounds"].push_back(printable(bound.text));
+  for (const replay::ViewedBound& bound : bounds) page.head["bounds"].push_back(printable(bound.bound.text));
   PackOptions pack;
   pack.bounds = bounds;
   if (logs.size() == 2) {
@@ -174,6 +185,8 @@ Action declare_view(Arguments& arguments) {
       .excludes(output);
   arguments.option("--require", "EXPR", options->require,
                    "Show in the timeline where a bound on a metric breaks, as in 'lateral_max<=0'. May be repeated");
+  arguments.option("--bounds", "FILE", options->rules,
+                   "Likewise the bounds of a case: its metrics.toml, as golden/cases/NAME/metrics.toml");
   arguments.footer(
       "Without -o the page is served to browsers of this machine, under an address with a secret, until Ctrl-C.\n"
       "It shows every state; a log that is still being recorded is followed. The page of -o is thinned and says so.\n\n"
@@ -181,6 +194,7 @@ Action declare_view(Arguments& arguments) {
       "Examples:\n"
       "  tumble view brick_wall.tumble\n"
       "  tumble view brick_wall.tumble -o session.html\n"
+      "  tumble view bounce.tumble --bounds golden/cases/bounce/metrics.toml\n"
       "  tumble view before.tumble after.tumble -o both.html --megabytes 8");
   return [options] { return view(*options); };
 }

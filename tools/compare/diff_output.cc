@@ -28,11 +28,12 @@ std::optional<replay::Divergence> first_of(const replay::DiffReport& report) {
 constexpr std::size_t kHeadersShown = 20;
 
 /// The first word of the verdict, and what was read for it.
-std::string same_text(const DiffQuestion& question, std::uint64_t zeros, const std::string& steps) {
+std::string same_text(const DiffQuestion& question, const replay::DiffReport& report, const std::string& steps) {
+  const std::uint64_t zeros = report.zeros;
   const std::string words = question.exact_bits ? "identical: " + steps : "same within tolerances: " + steps;
   if (question.brief) return words + ", by hashes; payloads not read";
   if (zeros > 0) return words + ", but for the sign of " + count_text(zeros, "zero");
-  return words + (question.exact_bits ? ", every bit" : "");
+  return words + (question.exact_bits ? ", " + report.scope.every_bit() : "");
 }
 
 void print_text(const DiffQuestion& question, const replay::DiffReport& report) {
@@ -46,7 +47,7 @@ void print_text(const DiffQuestion& question, const replay::DiffReport& report) 
   if (report.from > 0) std::cout << "compared from step " << report.from << " on, which both logs have\n";
   const std::string steps = count_text(report.steps, "step");
   if (report.identical()) {
-    std::cout << same_text(question, report.zeros, steps) << '\n';
+    std::cout << same_text(question, report, steps) << '\n';
   } else if (report.first) {
     std::cout << "different from step " << report.first->step << " on\n";
   } else {
@@ -100,13 +101,13 @@ void print_result(const DiffQuestion& question, const replay::DiffReport& report
     return;
   }
   print_text(question, report);
-  const Sides sides = sides_of(question.a, question.b);
+  const Sides& sides = further.sides;
   if (difference) {
     print_difference(*difference, Compared::kTwoLogs, sides);
     const std::string next = next_command(question, difference);
     if (!next.empty()) std::cout << "to find the cause of that value: " << printable(next) << '\n';
   } else if (report.first) {
-    std::cout << "cause   " << printable(replay::cause_of(report, *report.first)) << '\n';
+    std::cout << "cause   " << sides.named(printable(replay::cause_of(report, *report.first))) << '\n';
     print_divergence(*report.first, sides);
     if (question.brief) std::cout << "  read        " << further.read << ", so damage in them is not seen\n";
   }

@@ -6,6 +6,7 @@
 #include "replay/diff/difference_report.h"
 #include "tools/compare/session_time.h"
 #include "tools/engine/zoom.h"
+#include "tools/output/divergence_output.h"
 #include "tumble/replay/compare.h"
 
 namespace tumble::tools {
@@ -25,6 +26,7 @@ struct DiffQuestion {
 
 /// What was found besides the comparison.
 struct Further {
+  Sides sides;
   std::string read;  ///< the bytes that were read: "every byte of both logs"
   std::optional<Zoom> zoom;
   std::optional<Parting> parting;

@@ -42,6 +42,7 @@ class Grouping {
       return a.logs.size() != b.logs.size() ? a.logs.size() > b.logs.size() : a.logs.front() < b.logs.front();
     });
     if (Status ok = explain(); !ok.ok()) return ok.error();
+    result_.scope = scope_.scope();
     return std::move(result_);
   }
 
@@ -54,7 +55,7 @@ class Grouping {
       if (!report.ok()) return report.error();
       if (report->first) continue;
       matches.push_back(g);
-      result_.scope = std::move(report->scope);
+      scope_.add(report->scope, logs_[result_.groups[g].longest].name() + " and " + logs_[log].name());
     }
     if (matches.empty()) {
       LogGroup group;
@@ -88,6 +89,7 @@ class Grouping {
   std::vector<replay::LogReader>& logs_;
   const replay::Progress& progress_;
   LogGroups result_;
+  replay::CommonScope scope_;                                                // of the logs that agree
   std::vector<std::pair<std::size_t, std::vector<std::size_t>>> undecided_;  // and the groups that they agree with
 };
 
@@ -130,7 +132,9 @@ void print_groups(const std::vector<std::string>& paths, const std::vector<repla
     std::cout << '\n' << printable(b) << " against " << printable(a) << '\n';
     print_difference(*group.difference, Compared::kTwoLogs, sides_of(a, b));
   }
-  if (found.groups.size() == 1) print_scope(found.scope);
+  if (found.scope.compared.empty()) return;
+  if (found.groups.size() > 1) std::cout << "\nbetween the logs that agree\n";
+  print_scope(found.scope);
 }
 
 Json groups_json(const std::vector<std::string>& paths, const LogGroups& found) {

@@ -26,7 +26,7 @@ struct LogGroup {
 struct LogGroups {
   std::vector<LogGroup> groups;        ///< the largest first; of equal size, that of the earlier log
   std::vector<std::size_t> ambiguous;  ///< logs too short to tell groups apart; each is in the largest it agrees with
-  replay::ComparisonScope scope;       ///< of one of the comparisons
+  replay::ComparisonScope scope;       ///< of the comparisons between logs that agree
   bool same_length = false;            ///< all logs end with the same step
   [[nodiscard]] bool identical() const { return groups.size() == 1 && same_length; }
   [[nodiscard]] bool has_majority() const {

@@ -67,18 +67,36 @@ Result<EngineSession> run_engine_session(replay::LogReader& log, const golden::E
     place.environment = {{"TUMBLE_PROBE_FILE", options.probed->file},
                          {"TUMBLE_PROBE_STEP", std::to_string(options.probed->step)}};
   }
-  if (Status ok = golden::run_project(project, project.run, *files, place); !ok.ok()) return ok.error();
   EngineSession session;
   const Result<std::vector<std::string>> words = golden::engine_words(project, project.run, *files);
   if (words.ok()) session.command = golden::engine_words_text(*words);
-  Result<std::string> made =
-      golden::log_of_session(files->log, (folder / "converted.tumble").string(), &log, session.warnings);
+  golden::EngineProject run = project;
+  if (options.timeout_s > 0) run.timeout_s = options.timeout_s;
+  const std::string converted = (folder / "converted.tumble").string();
+  if (options.watch != nullptr) {
+    options.watch->begin(files->log, (folder / "so_far.tumble").string(), project);
+    place.cancel = [&] { return process::InterruptGuard::interrupted() || options.watch->look(); };
+  }
+  const Status ran = golden::run_project(run, run.run, *files, place);
+  if (!ran.ok()) {
+    const bool has_steps = options.watch != nullptr && !process::InterruptGuard::interrupted() &&
+                           ran.error().kind == ErrorKind::kCannotFinish &&
+                           (options.watch->look_once() || options.watch->wants_stop());
+    if (!has_steps) return ran.error();
+    session.log = options.watch->log_so_far();
+    session.stopped = options.watch->wants_stop();
+    session.failure = session.stopped ? "stopped at the first difference" : ran.error().message;
+    return session;
+  }
+  Result<golden::SessionLog> made = golden::log_of_session(files->log, converted, &log);
   if (!made.ok()) {
     return Error{made.error().kind, (project.file.empty() ? "" : project.file.string() + ": ") +
                                         "the engine's command \"" + project.run + "\" " + made.error().message +
                                         golden::end_of_output(place.output)};
   }
-  session.log = *std::move(made);
+  session.log = std::move(made->path);
+  session.warnings = std::move(made->warnings);
+  session.unfinished = std::move(made->unfinished);
   return session;
 }
 

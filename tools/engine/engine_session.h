@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "golden/engine/project.h"
+#include "tools/engine/session_watch.h"
 #include "tumble/replay/log_reader.h"
 #include "tumble/sim/result.h"
 
@@ -23,13 +24,19 @@ struct EngineSessionOptions {
   std::string scene;                 ///< {scene}; empty: the text in the log, else that of the project
   bool no_build = false;             ///< run the engine as it is
   std::optional<ProbedStep> probed;  ///< none: without probes
+  double timeout_s = 0;              ///< of the run; 0: that of the project
+  SessionWatch* watch = nullptr;     ///< looks at the session while the engine runs; may be null
 };
 
 /// A session that an engine computed anew.
 struct EngineSession {
   std::string log;                    ///< its path, in the folder given
   std::string command;                ///< as a person would type it
-  std::vector<std::string> warnings;  ///< of a table
+  std::vector<std::string> warnings;  ///< of a table or a stream
+  std::string unfinished;             ///< why the session may lack its end, though the engine ended well; or empty
+  /// Why the engine did not run to its end: a crash, its time, the watch. The log has the steps before. Empty: it did.
+  std::string failure;
+  bool stopped = false;  ///< by the watch
 };
 
 /// The project of the nearest tumble.toml from the current folder upwards. log: of another engine, for the message.

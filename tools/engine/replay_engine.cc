@@ -66,6 +66,8 @@ Json json_of(const replay::DiffReport& report, const std::optional<replay::Diffe
   Json json = comparison_json(report.identical(), report.steps, report.first);
   json["engine"] = to_string(*again.header().engine);
   json["command"] = session.command;
+  json["engine_ended"] = session.stopped ? "stopped" : session.failure.empty() ? "well" : "failed";
+  json["engine_failure"] = session.stopped ? "" : session.failure;
   json["last_steps"] = {report.last_a, report.last_b};
   json["notes"] = report.notes;
   json["headers"] = Json::array();
@@ -73,6 +75,54 @@ Json json_of(const replay::DiffReport& report, const std::optional<replay::Diffe
   add_scope(report.scope, json);
   if (difference) add_difference(*difference, Compared::kTwoLogs, json);
   return json;
+}
+
+/// A temporary file's name tells a user nothing.
+void name_this_run(const std::string& path, std::vector<std::string>& texts) {
+  for (std::string& text : texts) {
+    for (std::size_t at = text.find(path); at != std::string::npos; at = text.find(path, at)) {
+      text.replace(at, path.size(), "this run");
+    }
+  }
+}
+
+/// Compares the steps that both have, and answers.
+Result<Exit> compare_with(replay::LogReader& log, replay::LogReader& again, const EngineSession& session,
+                          const EngineReplay& options) {
+  const bool ended = session.failure.empty();
+  const std::uint64_t until = ended ? replay::kNoLimit : std::min(log.last_step(), again.last_step());
+  ProgressBar bar("comparing");
+  Result<replay::DiffReport> report = replay::diff_logs(log, again, {}, bar.progress(), replay::Reading::kAll, until);
+  bar.finish();
+  if (!report.ok()) return report.error();
+  // A session that was cut short has planned its own length in no other way.
+  if (!ended) std::erase_if(report->headers, [](const auto& header) { return header.key == "planned steps"; });
+  if (!ended && !report->first) {
+    return cannot_finish(session.failure + "; the " + count_text(report->steps, "step") +
+                         " that it wrote before, up to step " + std::to_string(until) + " of " +
+                         std::to_string(log.last_step()) + ", are the same as the log's");
+  }
+  for (std::vector<std::string>* texts : {&report->notes, &report->scope.compared, &report->scope.not_compared}) {
+    name_this_run(again.name(), *texts);
+  }
+  for (const std::string& end : {session.failure, session.unfinished}) {
+    if (end.empty()) continue;
+    report->notes.push_back((session.stopped ? "the engine was " : "the engine did not end well: ") + end);
+  }
+  std::optional<replay::DifferenceReport> difference;
+  if (report->first && !options.brief) {
+    Result<replay::DifferenceReport> found = replay::report_difference(log, again, *report);
+    if (!found.ok()) return found.error();
+    difference = *std::move(found);
+    report->first = difference->first;
+  }
+  if (options.json) {
+    print_json(json_of(*report, difference, session, again));
+  } else {
+    print_text(*report, difference, log, again, options.brief);
+  }
+  const Exit verdict = report->identical() ? Exit::kSame : Exit::kDifference;
+  return judge("replay", log, ended ? judge("replay", again, verdict) : verdict);
 }
 
 Status keep(const std::string& from, const std::string& to) {
@@ -95,7 +145,8 @@ Result<Exit> replay_engine(replay::LogReader& log, const EngineReplay& options) 
   const golden::TemporaryFolder folder("tumble-replay");
   if (folder.path().empty()) return cannot_finish("no temporary folder for the engine's session");
   const process::InterruptGuard interrupts;
-  const EngineSessionOptions how = {options.scene, options.no_build, {}};
+  SessionWatch watch(log, options.stop);
+  const EngineSessionOptions how = {options.scene, options.no_build, {}, options.timeout_s.value_or(0), &watch};
   Result<EngineSession> session = run_engine_session(log, *project, how, folder.path());
   if (!session.ok()) return session.error();
   for (std::size_t i = 0; i < std::min(kWarningsShown, session->warnings.size()); ++i) {
@@ -110,23 +161,7 @@ Result<Exit> replay_engine(replay::LogReader& log, const EngineReplay& options) 
     return bad_input(project->file.string() + ": run wrote a log of Tumble's own physics, wanted one of " +
                      to_string(*log.header().engine));
   }
-  ProgressBar bar("comparing");
-  Result<replay::DiffReport> report = replay::diff_logs(log, *again, {}, bar.progress());
-  bar.finish();
-  if (!report.ok()) return report.error();
-  std::optional<replay::DifferenceReport> difference;
-  if (report->first && !options.brief) {
-    Result<replay::DifferenceReport> found = replay::report_difference(log, *again, *report);
-    if (!found.ok()) return found.error();
-    difference = *std::move(found);
-    report->first = difference->first;
-  }
-  if (options.json) {
-    print_json(json_of(*report, difference, *session, *again));
-  } else {
-    print_text(*report, difference, log, *again, options.brief);
-  }
-  return judge("replay", log, judge("replay", *again, report->identical() ? Exit::kSame : Exit::kDifference));
+  return compare_with(log, *again, *session, options);
 }
 
 }  // namespace tumble::tools

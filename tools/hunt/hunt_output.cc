@@ -34,6 +34,16 @@ void print_group(const hunt::Group& group, const std::string& folder) {
   std::cout << (group.findings.size() > kNumbersShown ? " …\n" : "\n");
 }
 
+void print_tallies(const std::vector<std::pair<std::string, hunt::Tally>>& relations) {
+  Table table({"RELATION", ">HELD", ">BROKEN", ">NOT JUDGED", ">NEAREST", "SCENE"});
+  for (const auto& [name, tally] : relations) {
+    const bool near = tally.nearest > 0;
+    table.add({name, std::to_string(tally.held), std::to_string(tally.broken), std::to_string(tally.not_applicable),
+               near ? fixed(100 * tally.nearest, 0) + " %" : "", near ? std::to_string(tally.nearest_number) : ""});
+  }
+  table.print();
+}
+
 }  // namespace
 
 void print_finding(const hunt::Finding& finding) {
@@ -46,15 +56,17 @@ void print_hunt(const hunt::HuntState& state, const std::string& folder) {
   if (!state.against.empty()) std::cout << ", against " << state.against;
   if (state.no_scenes > 0) std::cout << "; no world could be made of " << state.no_scenes;
   std::cout << "\n\n";
-  Table table({"RELATION", ">HELD", ">BROKEN", ">NOT JUDGED", ">NEAREST", "SCENE"});
-  for (const auto& [name, tally] : state.relations) {
-    const bool near = tally.nearest > 0;
-    table.add({name, std::to_string(tally.held), std::to_string(tally.broken), std::to_string(tally.not_applicable),
-               near ? fixed(100 * tally.nearest, 0) + " %" : "", near ? std::to_string(tally.nearest_number) : ""});
-  }
-  table.print();
+  print_tallies(state.relations);
   for (const hunt::Group& group : hunt::grouped(state.findings)) print_group(group, folder);
   if (state.findings.empty()) std::cout << "\nno scene broke a relation that it was judged by\n";
+}
+
+void print_corpus(const hunt::CorpusResult& result) {
+  print_tallies(result.relations);
+  std::cout << '\n' << count_text(result.scenes, "scene") << ", " << result.broken.size() << " broken\n";
+  for (const hunt::CorpusResult::Broken& one : result.broken) {
+    std::cout << printable(one.file) << ": " << one.relation << ": " << printable(describe(one.judgement)) << '\n';
+  }
 }
 
 void print_relations() {

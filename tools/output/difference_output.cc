@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -30,9 +31,9 @@ std::string distance_text(double distance, const char* unit) {
   return std::isfinite(distance) ? rounded(distance, unit) : "infinite";
 }
 
-std::string separation_text(const replay::SeparationRow& row) {
+std::string separation_text(const replay::SeparationRow& row, const Sides& sides) {
   std::string text = distance_text(row.separation, "m");
-  if (row.body) text += ", body " + std::to_string(*row.body);
+  if (row.body) text += ", " + sides.body(*row.body);
   return text;
 }
 
@@ -80,20 +81,40 @@ Json lost_json(const std::optional<replay::LostBody>& lost) {
   return {{"step", lost->step}, {"body", lost->body}, {"field", lost->field}, {"in", lost->in_a ? "A" : "B"}};
 }
 
-void print_headlines(const replay::DifferenceReport& report) {
+void print_headlines(const replay::DifferenceReport& report, const Sides& sides) {
   Listing listing;
-  if (!report.cause.empty()) listing.add("cause", printable(report.cause));
+  if (!report.cause.empty()) listing.add("cause", sides.named(printable(report.cause)));
   if (report.effect) {
     const replay::Divergence& effect = *report.effect;
     const std::string size = replay::magnitude(effect);
     listing.add("effect", "step " + std::to_string(effect.step) + ", phase " + effect.phase +
-                              (effect.body ? ", body " + std::to_string(*effect.body) : "") + ", " + effect.field +
+                              (effect.body ? ", " + sides.body(*effect.body) : "") + ", " + effect.field +
                               (size.empty() ? "" : ", " + size + " apart") +
                               (effect.note.empty() ? "" : "; " + effect.note));
   } else if (!report.first.field.empty() && report.first.field != "error") {
     listing.add("effect", "in no state");
   }
   listing.print();
+}
+
+/// "differs from step 12 on, by up to 1e-07 rad (step 12)".
+std::string channel_text(const replay::ChannelSeparation& channel) {
+  std::string text = "differs from step " + std::to_string(channel.from) + " on";
+  if (!channel.is_number)
+    return text + ", in up to " + count_text(static_cast<std::uint64_t>(channel.largest), "value");
+  text += channel.largest <= std::numeric_limits<double>::denorm_min()
+              ? ", in bits alone"
+              : ", by up to " + distance_text(channel.largest, channel.unit.c_str());
+  return text + " (step " + std::to_string(channel.largest_step) + ")";
+}
+
+Json channel_separation_json(const replay::ChannelSeparation& channel) {
+  return {{"name", channel.name},
+          {"unit", channel.unit},
+          {"from", channel.from},
+          {"largest", number_json(channel.largest)},
+          {"largest_step", channel.largest_step},
+          {"last", number_json(channel.distance.back())}};
 }
 
 }  // namespace
@@ -103,21 +124,24 @@ void print_growth(const replay::DivergenceGrowth& growth, const Sides& sides) {
   Listing listing;
   listing.section("growth of the difference");
   if (separation.lost) {
-    listing.add("  lost", "body " + std::to_string(separation.lost->body) + ", step " +
-                              std::to_string(separation.lost->step) + ": " + separation.lost->field +
-                              " is no finite number in " + (separation.lost->in_a ? sides.expected : sides.actual));
+    listing.add("  lost", sides.body(separation.lost->body) + ", step " + std::to_string(separation.lost->step) + ": " +
+                              separation.lost->field + " is no finite number in " +
+                              (separation.lost->in_a ? sides.expected : sides.actual));
   }
   for (const replay::SeparationMark& mark : separation.marks) {
     listing.add("  separation above " + rounded(mark.above, "m"),
-                "from step " + std::to_string(mark.step) + ", body " + std::to_string(mark.body));
+                "from step " + std::to_string(mark.step) + ", " + sides.body(mark.body));
   }
   listing.add("  largest separation",
-              separation_text(separation.largest) + ", step " + std::to_string(separation.largest.step));
-  listing.add("  separation at the end", separation_text(separation.rows.back()));
+              separation_text(separation.largest, sides) + ", step " + std::to_string(separation.largest.step));
+  listing.add("  separation at the end", separation_text(separation.rows.back(), sides));
   listing.add("  contacts", since(separation.contacts_from, separation.had_contacts));
   listing.add("  freezing", since(separation.freezing_from, separation.had_frozen));
   if (separation.bodies_from)
     listing.add("  bodies", "not the same ones from step " + std::to_string(*separation.bodies_from) + " on");
+  for (const replay::ChannelSeparation& channel : separation.channels) {
+    listing.add("  channel " + printable(channel.name), printable(channel_text(channel)));
+  }
   listing.print();
 
   std::cout << '\n';
@@ -151,6 +175,10 @@ Json growth_json(const replay::DivergenceGrowth& growth) {
   json["contacts_from"] = step_or_null(separation.contacts_from);
   json["freezing_from"] = step_or_null(separation.freezing_from);
   json["bodies_from"] = step_or_null(separation.bodies_from);
+  json["channels"] = Json::array();
+  for (const replay::ChannelSeparation& channel : separation.channels) {
+    json["channels"].push_back(channel_separation_json(channel));
+  }
   json["largest"] = row_json(separation.largest);
   json["last"] = row_json(separation.rows.back());
   json["metrics"] = growth.not_measured.empty() ? Json::array() : Json(nullptr);
@@ -175,7 +203,7 @@ void print_location(const replay::DivergenceLocation& location, const Sides& sid
     listing.add("  after it", count_text(location.bodies.size(), "body") + " in another state");
   }
   for (std::size_t i = 0; i < std::min(kContactsShown, location.contacts.size()); ++i) {
-    listing.add(i == 0 ? "  contacts" : "", replay::describe(location.contacts[i]));
+    listing.add(i == 0 ? "  contacts" : "", sides.named(replay::describe(location.contacts[i])));
   }
   listing.print();
 }
@@ -196,7 +224,7 @@ Json location_json(const replay::DivergenceLocation& location) {
 }
 
 void print_difference(const replay::DifferenceReport& report, Compared compared, const Sides& sides) {
-  print_headlines(report);
+  print_headlines(report, sides);
   print_divergence(report.first, sides);
   if (compared == Compared::kTwoLogs) {
     print_location(report.location, sides);

@@ -1,9 +1,11 @@
 #include "tools/output/divergence_output.h"
 
 #include <bit>
+#include <charconv>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <variant>
 
 namespace tumble::tools {
@@ -67,6 +69,34 @@ Sides sides_of(const std::string& a, const std::string& b) {
   return {printable(a) + " (A)", printable(b) + " (B)"};
 }
 
+Sides sides_of(replay::LogReader& a, replay::LogReader& b) {
+  Sides sides = sides_of(a.name(), b.name());
+  for (replay::LogReader* log : {&a, &b}) {
+    for (const auto& [id, info] : log->bodies().bodies()) {
+      if (id >= replay::kIdsOfNames && !info.name.empty()) sides.names.emplace(id, printable(info.name));
+    }
+  }
+  return sides;
+}
+
+std::string Sides::body(sim::BodyId id) const {
+  const auto found = names.find(id);
+  return "body " + (found == names.end() ? std::to_string(id) : found->second);
+}
+
+std::string Sides::named(std::string text) const {
+  constexpr std::string_view kBody = "body ";
+  for (std::size_t at = text.find(kBody); at != std::string::npos; at = text.find(kBody, at + 1)) {
+    const char* const begin = text.data() + at + kBody.size();
+    sim::BodyId id = 0;
+    const auto [end, error] = std::from_chars(begin, text.data() + text.size(), id);
+    const auto found = error == std::errc() ? names.find(id) : names.end();
+    if (found == names.end()) continue;
+    text.replace(at + kBody.size(), static_cast<std::size_t>(end - begin), found->second);
+  }
+  return text;
+}
+
 std::string hex_text(double value) { return hex_text(std::bit_cast<std::uint64_t>(value)); }
 
 std::string hex_text(std::uint64_t word) {
@@ -82,9 +112,16 @@ void print_divergence(const replay::Divergence& first, const Sides& sides) {
   if (first.substep) listing.add("  substep", std::to_string(*first.substep));
   listing.add("  phase", first.phase);
   const std::string names = first.names.empty() ? "" : "  (" + printable(first.names) + ")";
-  if (first.body) listing.add("  body", std::to_string(*first.body) + (first.pair ? "" : names));
+  const bool by_name = first.body && sides.names.contains(*first.body);
+  if (first.body) {
+    const std::string own = by_name ? sides.names.at(*first.body) : std::to_string(*first.body);
+    listing.add("  body", own + (first.pair || by_name ? "" : names));
+  }
   if (first.pair) {
-    listing.add("  pair", std::to_string(first.pair->first) + " and " + std::to_string(first.pair->second) + names);
+    const auto of_names = [&](sim::BodyId id) { return sides.names.contains(id); };
+    const bool both = of_names(first.pair->first) && of_names(first.pair->second);
+    const std::string ids = std::to_string(first.pair->first) + " and " + std::to_string(first.pair->second);
+    listing.add("  pair", both ? printable(first.names) : ids + names);
   }
   listing.add("  field", first.field);
   listing.add("  " + sides.expected, value_text(first.expected));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -26,10 +27,19 @@ Json divergence_json(const replay::Divergence& first);
 struct Sides {
   std::string expected = "expected";
   std::string actual = "actual";
+  /// Of bodies whose ids are made of their names.
+  std::map<sim::BodyId, std::string> names = {};
+
+  /// "body 7"; "body wheel_fl" of a body in `names`.
+  [[nodiscard]] std::string body(sim::BodyId id) const;
+  /// A text with "body wheel_fl" wherever it has the id of a body in `names`.
+  [[nodiscard]] std::string named(std::string text) const;
 };
 
 /// The names of two files; their paths where the names are the same.
 Sides sides_of(const std::string& a, const std::string& b);
+/// Likewise of two logs, with the names of their bodies.
+Sides sides_of(replay::LogReader& a, replay::LogReader& b);
 
 /// Prints the first difference for people, in a few aligned lines.
 void print_divergence(const replay::Divergence& first, const Sides& sides);

@@ -1,10 +1,12 @@
 #include "tools/output/extras_output.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "replay/arrays/pair_cell.h"
 #include "replay/diff/channel_difference.h"
 #include "tools/output/divergence_output.h"
 
@@ -57,6 +59,21 @@ bool any_named(const replay::BodyTable& bodies) {
 std::string cell_text(std::string text) {
   std::ranges::replace(text, ',', ';');
   return printable(text);
+}
+
+constexpr std::array<const char*, 3> kPrefixes = {"world", "channel", "pair"};  // by scope
+
+/// The values of the pairs whose first body is `id`. Within a value of text, the characters that separate values are
+/// written as %20 and the like.
+std::string pair_cell(const replay::ChannelValues& values, ChannelKind kind, sim::BodyId id) {
+  std::string cell;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (values.keys[i].a != id) continue;
+    std::string text = full_text(values.value(i, kind), kind);
+    if (kind == ChannelKind::kText) text = replay::escaped_cell(text);
+    cell += (cell.empty() ? "" : " ") + std::to_string(values.keys[i].b) + '=' + text;
+  }
+  return cell;
 }
 
 }  // namespace
@@ -113,12 +130,18 @@ void add_step_extras(const replay::Declared& declared, const replay::Extras& ext
   }
 }
 
+std::string column_name(const std::string& prefix, const replay::Channel& channel, const std::string& part) {
+  std::string name = prefix + '.' + cell_text(channel.name);
+  if (!part.empty()) name += '.' + part;
+  const bool has_unit = !channel.unit.empty() && part != "changes";
+  return has_unit ? name + " (" + cell_text(channel.unit) + ')' : name;
+}
+
 std::vector<std::string> extra_columns(const replay::Declared& declared, const replay::BodyTable& bodies) {
   std::vector<std::string> names;
   if (any_named(bodies)) names.emplace_back("name");
   for (const replay::Channel& channel : declared.channels) {
-    if (channel.type.scope == ChannelScope::kPair) continue;
-    names.push_back((channel.type.scope == ChannelScope::kBody ? "channel." : "world.") + cell_text(channel.name));
+    names.push_back(column_name(kPrefixes[static_cast<std::size_t>(channel.type.scope)], channel));
   }
   return names;
 }
@@ -129,12 +152,37 @@ std::vector<std::string> extra_cells(const replay::Declared& declared, const rep
   if (any_named(bodies)) cells.push_back(cell_text(bodies.name(id)));
   for (std::size_t i = 0; i < declared.channels.size(); ++i) {
     const auto& [name, type, unit] = declared.channels[i];
-    if (type.scope == ChannelScope::kPair) continue;
     const replay::ChannelValues& values = extras.values(i);
+    if (type.scope == ChannelScope::kPair) {
+      cells.push_back(pair_cell(values, type.kind, id));
+      continue;
+    }
     const std::optional<std::size_t> row = row_of(values, type.scope == ChannelScope::kBody ? id : 0);
     cells.push_back(row ? cell_text(full_text(values.value(*row, type.kind), type.kind)) : "");
   }
   return cells;
+}
+
+std::vector<std::string> not_in_cells(const replay::Declared& declared, const replay::Extras& extras,
+                                      const std::vector<sim::BodyId>& bodies) {
+  std::vector<std::string> parts;
+  const auto add = [&](std::size_t count, const char* what) {
+    if (count > 0) parts.emplace_back(what);
+  };
+  add(extras.contacts.size(), "contacts");
+  add(extras.notes.size(), "notes");
+  add(extras.snapshots.size(), "snapshots");
+  add(extras.superseded.size(), "superseded steps");
+  for (std::size_t i = 0; i < declared.channels.size(); ++i) {
+    const ChannelScope scope = declared.channels[i].type.scope;
+    if (scope == ChannelScope::kWorld) continue;
+    const auto has_row = [&](const replay::ChannelKey& key) { return std::ranges::binary_search(bodies, key.a); };
+    if (!std::ranges::all_of(extras.values(i).keys, has_row)) {
+      parts.push_back("values of channel " + printable(declared.channels[i].name) + " whose body has no row");
+    }
+  }
+  if (bodies.empty() && extras.in_chain()) parts.emplace_back("channels of a step without bodies");
+  return parts;
 }
 
 void add_extra_rows(const replay::Declared& declared, const replay::BodyTable& bodies, std::uint64_t step,
@@ -172,10 +220,8 @@ void add_extra_rows(const replay::Declared& declared, const replay::BodyTable& b
 
 void add_extra_differences(replay::LogReader& a, replay::LogReader& b, const replay::StepRecord& in_a,
                            const replay::StepRecord& in_b, Json& rows) {
-  const auto engine = [](const replay::LogReader& log) {
-    return log.header().engine.value_or(replay::EngineName()).name;
-  };
-  const replay::ChannelMatch match = match_channels(a.header(), b.header(), {}, engine(a) != engine(b));
+  const replay::ChannelMatch match =
+      match_channels(a.header(), b.header(), {}, replay::are_two_engines(a.header(), b.header()));
   for (const replay::ExtraRow& row : extras_side_by_side(match, in_a, in_b)) {
     const auto count = [](std::size_t n) { return Json(count_text(n, "value")); };
     std::string name = row.name;
@@ -186,6 +232,18 @@ void add_extra_differences(replay::LogReader& a, replay::LogReader& b, const rep
                     {"b", row.first ? value_json(row.first->actual) : count(row.in_b)},
                     {"same", !row.first}});
   }
+}
+
+Json passed_over_json(const replay::LogHeader& a, const replay::LogHeader& b) {
+  Json parts = replay::match_channels(a, b, {}, replay::are_two_engines(a, b)).passed_over;
+  for (const replay::LogHeader* header : {&a, &b}) {
+    if (!header->table) continue;
+    for (const std::string& column : header->table->passed_over) {
+      const std::string text = "column " + column + ": the import passed over it";
+      if (std::ranges::find(parts, Json(text)) == parts.end()) parts.push_back(text);
+    }
+  }
+  return parts;
 }
 
 }  // namespace tumble::tools

@@ -24,12 +24,21 @@ void add_body_extras(const replay::Declared& declared, const replay::BodyTable& 
 /// each) to the JSON of a step, each where the step has any.
 void add_step_extras(const replay::Declared& declared, const replay::Extras& extras, Json& json);
 
+/// "channel.NAME", with a part "channel.NAME.max", with a unit "channel.NAME (rad)".
+std::string column_name(const std::string& prefix, const replay::Channel& channel, const std::string& part = "");
+
 /// The names of the columns that dump --csv has behind those of the states: "name" where the log names bodies,
-/// "channel.NAME" of bodies, "world.NAME". `import` reads them back.
+/// "channel.NAME" of bodies, "world.NAME", "pair.NAME" of pairs, each with its unit. `import` reads them back.
 std::vector<std::string> extra_columns(const replay::Declared& declared, const replay::BodyTable& bodies);
-/// The cells of these columns for a body; empty where it has no value. Bytes in hexadecimal.
+/// The cells of these columns for a body; empty where it has no value. Bytes in hexadecimal. The values of pairs stand
+/// with their first body: "7=0.25 9=0.5", the second body before each.
 std::vector<std::string> extra_cells(const replay::Declared& declared, const replay::BodyTable& bodies,
                                      const replay::Extras& extras, sim::BodyId id);
+
+/// The parts of a step that no cell has: contacts, notes and the like, and values of pairs whose first body is not
+/// among `bodies`, which are all of the step. Empty where the cells have everything.
+std::vector<std::string> not_in_cells(const replay::Declared& declared, const replay::Extras& extras,
+                                      const std::vector<sim::BodyId>& bodies);
 
 /// For people: the lines "step, channel, of, value" of one step. body: only of this one; 0: all.
 void add_extra_rows(const replay::Declared& declared, const replay::BodyTable& bodies, std::uint64_t step,
@@ -39,5 +48,8 @@ void add_extra_rows(const replay::Declared& declared, const replay::BodyTable& b
 /// or the number of values.
 void add_extra_differences(replay::LogReader& a, replay::LogReader& b, const replay::StepRecord& in_a,
                            const replay::StepRecord& in_b, Json& rows);
+
+/// Channels and columns of tables that the logs have and no comparison of a step looks at, each with its reason.
+Json passed_over_json(const replay::LogHeader& a, const replay::LogHeader& b);
 
 }  // namespace tumble::tools

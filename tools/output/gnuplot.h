@@ -11,6 +11,9 @@ namespace tumble::tools {
 /// Points of a plot: more than a picture can show apart.
 inline constexpr std::size_t kPlotPointsMax = 4000;
 
+/// Channels that get a panel of their own.
+inline constexpr std::size_t kPlotChannelsMax = 6;
+
 /// Errors (kBadInput): a name that ends with neither .svg nor .png.
 Status check_plot_path(const std::string& path);
 

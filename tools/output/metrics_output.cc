@@ -9,6 +9,7 @@
 
 #include "replay/measure/metric_list.h"
 #include "tools/output/axes_output.h"
+#include "tools/output/extras_output.h"
 
 namespace tumble::tools {
 namespace {
@@ -76,6 +77,25 @@ Json not_finite_json(const std::optional<replay::NotFinite>& found, const replay
           {"bodies", lost.bodies}};
 }
 
+/// The columns of a channel in a series: one without a name, or several.
+std::vector<std::string> parts_of(const replay::Channel& channel) {
+  if (!is_number(channel.type.kind)) return {"changes"};
+  if (channel.type.scope == replay::ChannelScope::kWorld) return {""};
+  return {"min", "max", "mean"};
+}
+
+/// Their cells in one row, each behind a comma; empty where the state has no value.
+std::string channel_cells(const replay::Channel& channel, const replay::ChannelRow& row) {
+  if (!is_number(channel.type.kind)) return ',' + std::to_string(row.changes);
+  const bool is_world = channel.type.scope == replay::ChannelScope::kWorld;
+  std::string cells;
+  for (const double value : {row.min, row.max, row.mean()}) {
+    cells += ',' + (row.values == 0 ? "" : exact(value));
+    if (is_world) break;
+  }
+  return cells;
+}
+
 }  // namespace
 
 Json metrics_json(const std::string& log, const replay::EngineAxes& axes, const replay::Metrics& metrics) {
@@ -87,6 +107,14 @@ Json metrics_json(const std::string& log, const replay::EngineAxes& axes, const 
     json[metric.group][metric.name] = value_json(metric, axes, metrics);
   }
   json["channels"] = channels_json(metrics);
+  json["partings"] = Json::array();
+  for (const replay::Parting& parting : metrics.partings) {
+    json["partings"].push_back({{"beyond", parting.beyond},
+                                {"parted", parting.parted},
+                                {"time", parting.time},
+                                {"step", parting.step},
+                                {"body", parting.body == 0 ? Json(nullptr) : Json(parting.body)}});
+  }
   json["final_hash"] = to_string(metrics.final_hash);
   json["axes"] = axes_json(axes);
   json["not_finite"] = not_finite_json(metrics.not_finite.any, axes);
@@ -110,19 +138,31 @@ void print_metrics(const std::string& log, const replay::EngineAxes& axes, const
     out.add(std::string("  ") + metric.label, padded(value_text(metric, axes, metrics), width + 2) + metric.name);
   }
   add_channels(metrics, out);
+  if (!metrics.partings.empty()) out.section("parting from the other session");
+  for (const replay::Parting& parting : metrics.partings) {
+    const std::string step = ", step " + std::to_string(parting.step);
+    out.add("  beyond " + rounded(parting.beyond, "m"),
+            parting.parted ? rounded(parting.time, "s") + step + ", body " + std::to_string(parting.body)
+                           : "never, up to " + rounded(parting.time, "s") + step);
+  }
   out.section("");
   if (metrics.not_finite.any) out.add("not finite", to_string(*metrics.not_finite.any, axes));
   out.add("final hash", to_string(metrics.final_hash));
   out.print();
 }
 
-Status SeriesFile::open(const std::string& path) {
+Status SeriesFile::open(const std::string& path, const std::vector<replay::Channel>& channels) {
   Result<files::OutputFile> file = files::OutputFile::create(path);
   if (!file.ok()) return Error{file.error().kind, "--series: " + file.error().message};
   file_ = *std::move(file);
-  return file_->write(
+  channels_ = channels;
+  std::string line =
       "step,time,kinetic,potential,inputs,removed,gain,lateral_max,lateral_rms,column_spread,drift_max,tilt_max,"
-      "top_drop_max,lost,ground_penetration_max,frozen_fraction\n");
+      "top_drop_max,lost,ground_penetration_max,frozen_fraction";
+  for (const replay::Channel& channel : channels_) {
+    for (const std::string& part : parts_of(channel)) line += ',' + column_name("channel", channel, part);
+  }
+  return file_->write(line + '\n');
 }
 
 void SeriesFile::add(const replay::SeriesRow& row) {
@@ -137,6 +177,7 @@ void SeriesFile::add(const replay::SeriesRow& row) {
   for (const double value : {state.drift_max, state.tilt_max, state.top_drop_max}) add_over(state.of_start, value);
   line += ',' + std::to_string(row.lost);
   for (const double value : {state.ground_penetration_max, state.frozen_fraction}) add_over(state.bodies, value);
+  for (std::size_t c = 0; c < channels_.size(); ++c) line += channel_cells(channels_[c], row.channels[c]);
   line += '\n';
   if (written_.ok()) written_ = file_->write(line);
 }

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "replay/measure/measure.h"
 #include "src/files/output_file.h"
@@ -20,13 +21,16 @@ void print_metrics(const std::string& log, const replay::EngineAxes& axes, const
 /// `measure --series`: a CSV file with one row a step. Until close() the file that was there before stays.
 class SeriesFile {
  public:
-  /// Begins the file with its header. Errors: OutputFile's.
-  Status open(const std::string& path);
+  /// Begins the file with its header. channels: of the log, which get columns of their own: the value of a channel of
+  /// the world, the least, the largest and the mean of one of bodies or pairs, the changes of one of bytes or text.
+  /// Errors: OutputFile's.
+  Status open(const std::string& path, const std::vector<replay::Channel>& channels);
   void add(const replay::SeriesRow& row);
   /// Errors (kCannotFinish): any write since open() that failed.
   Status close();
 
  private:
+  std::vector<replay::Channel> channels_;
   std::optional<files::OutputFile> file_;
   Status written_;  // the first error
 };

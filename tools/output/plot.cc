@@ -1,5 +1,7 @@
 #include "tools/output/plot.h"
 
+#include <algorithm>
+#include <cmath>
 #include <initializer_list>
 
 #include "tools/output/gnuplot.h"
@@ -10,7 +12,7 @@ namespace {
 
 // Colours that stay apart without colour vision.
 constexpr const char* kSeriesStyle = R"(
-set multiplot layout 3,1 title title_text noenhanced font ',14'
+set multiplot layout panels,1 title title_text noenhanced font ',14'
 set format y '%.4g'
 set key outside top center horizontal maxrows 1
 set linetype 1 linecolor rgb '#0072b2' linewidth 1.5
@@ -32,20 +34,22 @@ set yrange [0:*]
 set xlabel 'time, s'
 plot $rows using 1:8 title 'in the ground' linetype 2, \
      $overlaps using 1:2 title 'deepest overlap of two boxes' with linespoints linetype 4
-unset multiplot
 )";
+
+constexpr int kPanelHeight = 333;  // pixels
 
 }  // namespace
 
-Result<Plot> Plot::for_file(const std::string& path, const std::string& unit) {
+Result<Plot> Plot::for_file(const std::string& path, const std::string& unit,
+                            const std::vector<replay::Channel>& channels) {
   if (Status ok = check_plot_path(path); !ok.ok()) return ok.error();
-  return Plot(path, unit);
+  return Plot(path, unit, channels);
 }
 
 void Plot::add(const replay::SeriesRow& row) {
   const replay::StateMeasures& state = row.state;
   points_.push_back({row.time, row.kinetic, row.potential, row.kinetic + row.potential - row.inputs, state.height_max,
-                     state.height_mean, state.height_min, state.ground_penetration_max, row.overlap});
+                     state.height_mean, state.height_min, state.ground_penetration_max, row.overlap, row.channels});
 }
 
 std::string Plot::data() const {
@@ -63,12 +67,42 @@ std::string Plot::data() const {
   return rows + "EOD\n" + overlaps + "EOD\n";
 }
 
+/// The value of the world, or the least and the largest of bodies or pairs.
+std::string Plot::channel_panel(std::size_t channel) const {
+  const replay::Channel& about = channels_[channel];
+  std::string rows = "$channel << EOD\n";
+  const std::size_t stride = points_.size() / kPlotPointsMax + 1;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (i % stride != 0 && i + 1 != points_.size()) continue;
+    const replay::ChannelRow& row = points_[i].channels[channel];
+    const auto cell = [&](double value) { return row.values > 0 && std::isfinite(value) ? exact(value) : "?"; };
+    rows += exact(points_[i].time) + ' ' + cell(row.min) + ' ' + cell(row.max) + '\n';
+  }
+  const std::string label = "channel " + about.name + (about.unit.empty() ? "" : ", " + about.unit);
+  const bool is_world = about.type.scope == replay::ChannelScope::kWorld;
+  return rows + "EOD\nset ylabel " + gnuplot_quoted(label) + " noenhanced\nset yrange [*:*]\nplot $channel using 1:3 " +
+         (is_world ? "title 'value' linetype 1\n"
+                   : "title 'largest' linetype 1, $channel using 1:2 title 'least' linetype 2\n");
+}
+
 Status Plot::draw(const std::string& title) const {
+  std::string panels;
+  std::size_t drawn = 0;
+  for (std::size_t c = 0; c < channels_.size() && drawn < kPlotChannelsMax; ++c) {
+    const bool has_value =
+        std::ranges::any_of(points_, [c](const Point& point) { return point.channels[c].values > 0; });
+    if (!is_number(channels_[c].type.kind) || !has_value) continue;
+    panels += channel_panel(c);
+    ++drawn;
+  }
+  const std::size_t others = channels_.size() - drawn;
+  const std::string more = others == 0 ? "" : "; " + count_text(others, "channel") + " not drawn";
   const double first = points_.front().time, last = points_.back().time;
-  return run_gnuplot(path_, 900, 1000,
-                     "title_text = " + gnuplot_quoted(title) + "\nunit = " + gnuplot_quoted(unit_) +
-                         "\nfirst = " + exact(first) + "\nlast = " + exact(last > first ? last : first + 1) + '\n' +
-                         data() + kSeriesStyle);
+  return run_gnuplot(path_, 900, kPanelHeight * static_cast<int>(3 + drawn) + 1,
+                     "panels = " + std::to_string(3 + drawn) + "\ntitle_text = " + gnuplot_quoted(title + more) +
+                         "\nunit = " + gnuplot_quoted(unit_) + "\nfirst = " + exact(first) +
+                         "\nlast = " + exact(last > first ? last : first + 1) + '\n' + data() + kSeriesStyle + panels +
+                         "unset multiplot\n");
 }
 
 }  // namespace tumble::tools

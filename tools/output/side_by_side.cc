@@ -210,9 +210,7 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
   if (kind.imported) forgive_signs(in_a, in_b);
 
   SideBySide step;
-  Json& json = step.json;
-  json["step"] = k;
-  json["same"] = false;
+  Json& json = step.json = {{"step", k}, {"same", false}};
   std::string note = replay::phase_hash_note(a.header(), b.header());
   const bool held = a.header().hashes.holds(k) && b.header().hashes.holds(k);
   if (note.empty() && !held)
@@ -220,6 +218,7 @@ Result<SideBySide> step_side_by_side(replay::LogReader& a, replay::LogReader& b,
   json["note"] = note;
   json["values"] = values_json(in_a, in_b, kind);
   add_extra_differences(a, b, in_a, in_b, json["values"]);
+  json["not_compared"] = passed_over_json(a.header(), b.header());
   const bool have_words = replay::same_phase_words(a.header(), b.header(), k);
   json["phases"] = phases_json(in_a, in_b, have_words ? a.header().phases : std::vector<std::string>());
   const bool have_states = in_a.has_states && in_b.has_states;
@@ -248,6 +247,7 @@ void print_text(const SideBySide& step, const Sides& sides) {
     values.add({"  " + cell(row["name"]), cell(row["a"]), cell(row["b"]), verdict(row)});
   }
   values.print();
+  for (const Json& part : json["not_compared"]) std::cout << "  not compared: " << cell(part) << '\n';
   if (const std::string note = json["note"]; !note.empty()) std::cout << '\n' << note << '\n';
   if (!json["phases"].empty()) {
     std::cout << '\n';

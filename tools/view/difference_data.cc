@@ -56,6 +56,9 @@ Result<Json> difference_data(replay::LogReader& a, replay::LogReader& b, const r
   json["notes"] = Json::array();
   for (const std::string& note : report->notes) json["notes"].push_back(printable(note));
   for (const replay::HeaderDifference& header : report->headers) json["notes"].push_back(printable(describe(header)));
+  json["compared"] = json["not_compared"] = Json::array();
+  for (const std::string& part : report->scope.compared) json["compared"].push_back(printable(part));
+  for (const std::string& part : report->scope.not_compared) json["not_compared"].push_back(printable(part));
   if (!report->first) return json;
   Result<replay::DifferenceReport> closer = replay::report_difference(a, b, *report, progress);
   if (!closer.ok()) return closer.error();
@@ -65,6 +68,7 @@ Result<Json> difference_data(replay::LogReader& a, replay::LogReader& b, const r
   json["first"] = divergence_json(closer->first);
   json["magnitude"] = replay::magnitude(closer->first);
   add_difference(*closer, Compared::kTwoLogs, json);
+  json["cause"] = sides_of(a, b).named(closer->cause);
   if (closer->growth) {
     json["separation"] = separation_json(closer->growth->separation);
     json["aftermath"].erase("steps");

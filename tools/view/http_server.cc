@@ -151,6 +151,28 @@ class Server {
 
 bool has_http_server() { return true; }
 
+struct HttpClient::Connection {
+  explicit Connection(const std::string& host) : client(host) {}
+  httplib::Client client;
+  std::string path;
+};
+
+HttpClient::HttpClient(const std::string& address, double patience_s) {
+  const std::size_t path = address.find('/', std::string("http://").size());
+  connection_ = std::make_unique<Connection>(address.substr(0, path));
+  connection_->path = path == std::string::npos ? "/" : address.substr(path);
+  connection_->client.set_read_timeout(static_cast<time_t>(patience_s));
+  connection_->client.set_keep_alive(true);
+  connection_->client.set_tcp_nodelay(true);
+}
+HttpClient::~HttpClient() = default;
+
+Result<std::string> HttpClient::get(const std::string& question) {
+  const httplib::Result reply = connection_->client.Get(connection_->path + question);
+  if (!reply || reply->status != 200) return cannot_finish("view: the server does not answer \"" + question + '"');
+  return reply->body;
+}
+
 Status serve_http(SessionService& service, std::optional<std::uint64_t> port, const std::string& policy,
                   const std::function<void(const std::string& address)>& ready) {
   Result<std::string> token = make_token();
@@ -163,6 +185,13 @@ Status serve_http(SessionService& service, std::optional<std::uint64_t> port, co
 #else
 
 bool has_http_server() { return false; }
+
+struct HttpClient::Connection {};
+HttpClient::HttpClient(const std::string& /*address*/, double /*patience_s*/) {}
+HttpClient::~HttpClient() = default;
+Result<std::string> HttpClient::get(const std::string& /*question*/) {
+  return cannot_finish("view: this program was built without libcpp-httplib-dev");
+}
 
 Status serve_http(SessionService& /*service*/, std::optional<std::uint64_t> /*port*/, const std::string& /*policy*/,
                   const std::function<void(const std::string& address)>& /*ready*/) {

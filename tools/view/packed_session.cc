@@ -40,7 +40,7 @@ std::vector<replay::TimelineRow> thinned(const std::vector<replay::TimelineRow>&
       row.overlap = replay::largest(row.overlap, next.overlap);
       if (row.bounds.empty()) row.bounds = next.bounds;
       for (std::size_t b = 0; b < next.bounds.size(); ++b) {
-        if (!next.bounds[b].holds) row.bounds[b] = next.bounds[b];
+        if (next.bounds[b].judged && (!row.bounds[b].judged || !next.bounds[b].holds)) row.bounds[b] = next.bounds[b];
       }
     }
     out.push_back(row);

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "replay/measure/metric_bound.h"
+#include "replay/view/bound_scan.h"
 #include "tools/output/text.h"
 #include "tumble/replay/log_reader.h"
 #include "tumble/replay/progress.h"
@@ -24,7 +24,7 @@ struct PackedSession {
 
 struct PackOptions {
   std::uint64_t bytes_max = 0;              ///< of details and frames together; more is thinned until it fits
-  std::vector<replay::MetricBound> bounds;  ///< that the timeline judges
+  std::vector<replay::ViewedBound> bounds;  ///< that the timeline judges
   std::vector<std::uint64_t> keep;          ///< steps that must be among the frames
 };
 

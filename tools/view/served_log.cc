@@ -15,6 +15,8 @@ namespace {
 
 using Lock = std::lock_guard<std::mutex>;
 
+constexpr std::uint64_t kHistoryBodyStates = 400'000;  // that one question about a body's history reads
+
 constexpr auto kPause = std::chrono::milliseconds(250);  // between two looks at a log that may grow
 
 /// The same log, opened again because more of it may be there now; null where another file lies at its path, or none.
@@ -29,10 +31,13 @@ std::optional<replay::LogReader> opened_again(const replay::LogReader& log) {
 
 }  // namespace
 
-ServedLog::ServedLog(replay::LogReader reader, std::vector<replay::MetricBound> bounds)
-    : path_(reader.name()), bounds_(std::move(bounds)), log_(std::move(reader)), table_(log_.header()), thread_([this] {
-        work();
-      }) {
+ServedLog::ServedLog(replay::LogReader reader, std::vector<replay::ViewedBound> bounds)
+    : path_(reader.name()),
+      tag_(reader.header_prelude().log_tag),
+      bounds_(std::move(bounds)),
+      log_(std::move(reader)),
+      table_(log_.header()),
+      thread_([this] { work(); }) {
   const Lock lock(reading_);
   states_.emplace(log_);
   contacts_.emplace(log_);
@@ -41,6 +46,14 @@ ServedLog::ServedLog(replay::LogReader reader, std::vector<replay::MetricBound> 
 ServedLog::~ServedLog() {
   stop_ = true;
   thread_.join();
+}
+
+Result<replay::LogReader> ServedLog::open() const {
+  Result<replay::LogReader> log = replay::LogReader::open(path_);
+  if (log.ok() && log->header_prelude().log_tag != tag_) {
+    return bad_input(path_ + ": another log lies here now; start 'tumble view' again");
+  }
+  return log;
 }
 
 // Requires reading_.
@@ -148,12 +161,24 @@ Json ServedLog::body(std::uint64_t k, sim::BodyId id) {
 
 Json ServedLog::blame(std::uint64_t k, sim::BodyId id, const std::string& field, std::uint32_t answers) {
   const Lock lock(blaming_);
-  Result<replay::LogReader> log = replay::LogReader::open(path_);
+  Result<replay::LogReader> log = open();
   if (!log.ok()) return {{"why_not", printable(log.error().message)}};
   const Result<replay::Blame> account =
       replay::blame(*log, {id, field, k, answers}, [this](std::uint64_t, std::uint64_t) { return !stop_; });
   if (!account.ok()) return {{"why_not", printable(account.error().message)}};
   return blame_json(*account);
+}
+
+Json ServedLog::history(sim::BodyId id, std::uint64_t from) {
+  const Lock lock(telling_);
+  if (!history_log_ || (from > history_log_->last_step() && !history_log_->condition().finished)) {
+    history_states_.reset();
+    Result<replay::LogReader> log = open();
+    if (!log.ok()) return {{"why_not", printable(log.error().message)}};
+    history_log_.emplace(*std::move(log));
+    history_states_.emplace(*history_log_);
+  }
+  return history_json(from, replay::body_history(*history_states_, *history_log_, id, from, kHistoryBodyStates));
 }
 
 Json ServedLog::way(sim::BodyId id) {
@@ -166,7 +191,7 @@ Json ServedLog::way(sim::BodyId id) {
 
 // Reads the log by a reader of its own, so that a seek waits for one step at most.
 void ServedLog::work() {
-  Result<replay::LogReader> opened = replay::LogReader::open(path_);
+  Result<replay::LogReader> opened = open();
   if (!opened.ok()) {
     const Lock lock(found_);
     note_ = printable(opened.error().message);

@@ -25,7 +25,7 @@ namespace tumble::tools {
 class ServedLog {
  public:
   /// Starts reading. reader: of the log, which lies at its name().
-  explicit ServedLog(replay::LogReader reader, std::vector<replay::MetricBound> bounds = {});
+  explicit ServedLog(replay::LogReader reader, std::vector<replay::ViewedBound> bounds = {});
   ~ServedLog();
   ServedLog(const ServedLog&) = delete;
   ServedLog& operator=(const ServedLog&) = delete;
@@ -53,15 +53,20 @@ class ServedLog {
   /// blame_json() of a value, or {"why_not"}. Takes steps again, one question at a time; other questions go on
   /// meanwhile.
   Json blame(std::uint64_t k, sim::BodyId id, const std::string& field, std::uint32_t answers);
+  /// history_json() of the body from step `from` on, a part a call.
+  Json history(sim::BodyId id, std::uint64_t from);
   /// {"id", "step", "at": [x, y, z, …]}: where the body was, as far as the timeline has been read.
   Json way(sim::BodyId id);
 
  private:
   void work();  // the second thread
   void refresh();
+  /// A further reader of the log. Errors: LogReader::open()'s; kBadInput where another log lies at its path by now.
+  [[nodiscard]] Result<replay::LogReader> open() const;
 
   const std::string path_;
-  const std::vector<replay::MetricBound> bounds_;
+  const std::uint64_t tag_;
+  const std::vector<replay::ViewedBound> bounds_;
   std::mutex reading_;  // guards what follows
   replay::LogReader log_;
   std::optional<replay::StateSource> states_;
@@ -70,6 +75,10 @@ class ServedLog {
   std::size_t inputs_seen_ = 0;  // of inputs_, in table_
 
   std::mutex blaming_;
+
+  std::mutex telling_;  // guards what follows: a reader of its own, so that no seek waits
+  std::optional<replay::LogReader> history_log_;
+  std::optional<replay::StateSource> history_states_;
 
   std::mutex found_;  // guards what follows; locked after reading_
   std::vector<replay::TimelineRow> rows_;

@@ -107,6 +107,11 @@ const std::map<std::string, Question>& questions() {
          return json_of(n, [&] { return log.body(step, id); });
        }},
       {"blame", blame_of},
+      {"history",
+       [](ServedLog& log, Numbers& n) {
+         const std::uint64_t id = n.take("id", sim::kBodyIdMax), from = n.take("from", sim::kStepsMax);
+         return json_of(n, [&] { return log.history(id, from); });
+       }},
       {"way",
        [](ServedLog& log, Numbers& n) {
          const std::uint64_t id = n.take("id", sim::kBodyIdMax);
@@ -118,8 +123,8 @@ const std::map<std::string, Question>& questions() {
 
 }  // namespace
 
-SessionService::SessionService(std::vector<replay::LogReader> logs, const std::vector<replay::MetricBound>& bounds) {
-  for (const replay::MetricBound& bound : bounds) bounds_.push_back(printable(bound.text));
+SessionService::SessionService(std::vector<replay::LogReader> logs, const std::vector<replay::ViewedBound>& bounds) {
+  for (const replay::ViewedBound& bound : bounds) bounds_.push_back(printable(bound.bound.text));
   SIM_CHECK(!logs.empty() && logs.size() <= 2, logs.size());
   for (replay::LogReader& log : logs) {
     paths_.push_back(log.name());

@@ -34,7 +34,7 @@ class SessionService {
   using Parameters = std::multimap<std::string, std::string>;
 
   /// Starts reading the logs, one or two.
-  explicit SessionService(std::vector<replay::LogReader> logs, const std::vector<replay::MetricBound>& bounds = {});
+  explicit SessionService(std::vector<replay::LogReader> logs, const std::vector<replay::ViewedBound>& bounds = {});
   ~SessionService();
   SessionService(const SessionService&) = delete;
   SessionService& operator=(const SessionService&) = delete;

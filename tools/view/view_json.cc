@@ -55,7 +55,7 @@ Json bounds_json(std::span<const replay::TimelineRow> rows) {
   for (std::size_t b = 0; b < count; ++b) {
     Json values = Json::array(), broken = Json::array();
     for (const replay::TimelineRow& row : rows) {
-      const bool judged = b < row.bounds.size();
+      const bool judged = b < row.bounds.size() && row.bounds[b].judged;
       values.push_back(judged && row.bounds[b].value ? short_json(*row.bounds[b].value) : Json(nullptr));
       broken.push_back(judged ? Json(row.bounds[b].holds ? 0 : 1) : Json(nullptr));
     }
@@ -207,6 +207,24 @@ Json inputs_json(std::span<const replay::TimelineInput> inputs) {
                     {"text", input_text(one.input)}});
   }
   return rows;
+}
+
+Json history_json(std::uint64_t from, std::span<const replay::BodyMoment> history) {
+  Json json = {{"next", history.empty() ? from : history.back().step + 1}};
+  for (const char* name : {"step", "x", "y", "z", "speed", "spin", "asleep"}) json[name] = Json::array();
+  for (const replay::BodyMoment& moment : history) {
+    json["step"].push_back(moment.step);
+    const auto add = [&](const char* name, double value) {
+      json[name].push_back(moment.shown ? short_json(value) : Json(nullptr));
+    };
+    add("x", moment.position.x());
+    add("y", moment.position.y());
+    add("z", moment.position.z());
+    add("speed", moment.speed);
+    add("spin", moment.spin);
+    add("asleep", moment.frozen ? 1 : 0);
+  }
+  return json;
 }
 
 Json contact_rows_json(std::span<const replay::ContactPoint> points) {

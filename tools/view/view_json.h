@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "replay/view/body_history.h"
 #include "replay/view/contact_points.h"
 #include "replay/view/timeline.h"
 #include "replay/view/viewed_bodies.h"
@@ -28,6 +29,10 @@ Json timeline_json(std::span<const replay::TimelineRow> rows);
 
 /// [{"step", "kind", "body", "text"}].
 Json inputs_json(std::span<const replay::TimelineInput> inputs);
+
+/// Columns, a step each: {"step", "x", "y", "z" (m), "speed", "spin", "asleep"}, null where the body is not shown, and
+/// "next": the step to ask for next. from: the first step that was asked for.
+Json history_json(std::uint64_t from, std::span<const replay::BodyMoment> history);
 
 /// [[a, b or 0, x, y, z, normal x, y, z, depth, impulse]].
 Json contact_rows_json(std::span<const replay::ContactPoint> points);

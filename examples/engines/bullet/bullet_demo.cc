@@ -1,12 +1,35 @@
-// Ten cubes in Bullet, recorded. ../demo.h has the arguments.
+// Ten cubes in Bullet, recorded, with probes for `tumble diff --zoom`. ../demo.h has the arguments.
+#include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "../demo.h"
 #include "tumble_bullet.h"
+#include "tumble_probe.h"
+
+namespace {
+
+// The contacts of a step as the solver left them.
+void probe_contacts(btDispatcher& pairs) {
+  const auto id_of = [](const btCollisionObject* o) { return static_cast<std::uint64_t>(std::max(0, o->getUserIndex3())); };
+  for (int i = 0; i < pairs.getNumManifolds(); ++i) {
+    const btPersistentManifold& m = *pairs.getManifoldByIndexInternal(i);
+    const auto [low, high] = std::minmax({id_of(m.getBody0()), id_of(m.getBody1())});
+    for (int k = 0; k < m.getNumContacts(); ++k) {
+      const btManifoldPoint& point = m.getContactPoint(k);
+      TUMBLE_PROBE_PAIR(&tumble_probes, "contact.distance", low, high, point.getDistance());
+      TUMBLE_PROBE_PAIR(&tumble_probes, "contact.friction", low, high, point.m_combinedFriction);
+      TUMBLE_PROBE_PAIR(&tumble_probes, "contact.impulse", low, high, point.getAppliedImpulse());
+    }
+  }
+}
+
+}  // namespace
 
 int main(int count, char** words) {
   Demo demo(count, words);
+  tumble_probes_from_environment(&tumble_probes);
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher(&configuration);
   btDbvtBroadphase broad_phase;
@@ -37,7 +60,12 @@ int main(int count, char** words) {
     world.addRigidBody(bodies.back().get());
   }
   ground.setFriction(btScalar(demo.friction));  // not in the log: what diff finds is its effect
-  for (int k = 0; k < demo.steps; ++k) recorder.step(btScalar(1) / 60);
+  for (int k = 0; k < demo.steps; ++k) {
+    tumble_probes_step(&tumble_probes, static_cast<std::uint64_t>(k) + 1);
+    recorder.step(btScalar(1) / 60);
+    probe_contacts(dispatcher);
+  }
+  tumble_probes_close(&tumble_probes);
   const int status = Demo::end(recorder.rec);
   for (auto& body : bodies) world.removeRigidBody(body.get());
   world.removeRigidBody(&ground);

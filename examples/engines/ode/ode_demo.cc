@@ -1,6 +1,9 @@
-// Ten cubes in ODE, recorded. ../demo.h has the arguments.
+// Ten cubes in ODE, recorded, with probes for `tumble diff --zoom`. ../demo.h has the arguments.
+#include <algorithm>
+
 #include "../demo.h"
 #include "tumble_ode.h"
+#include "tumble_probe.h"
 
 namespace {
 
@@ -11,13 +14,21 @@ struct Scene {
   OdeRecorder* recorder = nullptr;
 };
 
+std::uint64_t id_of(dGeomID geom) {
+  const dBodyID body = dGeomGetBody(geom);
+  return body ? reinterpret_cast<std::uintptr_t>(dBodyGetData(body)) : 0;
+}
+
 void collide(void* data, dGeomID a, dGeomID b) {
   auto& scene = *static_cast<Scene*>(data);
   dContact contacts[8] = {};
   const int count = dCollide(a, b, 8, &contacts[0].geom, sizeof(dContact));
+  const auto [low, high] = std::minmax({id_of(a), id_of(b)});
   for (int k = 0; k < count; ++k) {
     contacts[k].surface.mode = dContactApprox1;
+    TUMBLE_PROBE_PAIR(&tumble_probes, "contact.depth", low, high, contacts[k].geom.depth);
     contacts[k].surface.mu = scene.friction;
+    TUMBLE_PROBE_PAIR(&tumble_probes, "contact.friction", low, high, contacts[k].surface.mu);
     dJointAttach(dJointCreateContact(scene.world, scene.joints, &contacts[k]), dGeomGetBody(a), dGeomGetBody(b));
   }
   scene.recorder->contacts(a, b, contacts, count);
@@ -27,6 +38,7 @@ void collide(void* data, dGeomID a, dGeomID b) {
 
 int main(int count, char** words) {
   Demo demo(count, words);
+  tumble_probes_from_environment(&tumble_probes);
   dInitODE();
   const dSpaceID space = dHashSpaceCreate(nullptr);
   Scene scene = {dWorldCreate(), dJointGroupCreate(0), demo.friction, nullptr};
@@ -53,12 +65,14 @@ int main(int count, char** words) {
     recorder.add_box(body, box, name, 0.5);
   }
   for (int k = 0; k < demo.steps; ++k) {
+    tumble_probes_step(&tumble_probes, static_cast<std::uint64_t>(k) + 1);
     recorder.begin_step(1.0 / 60);
     dSpaceCollide(space, &scene, collide);
     dWorldQuickStep(scene.world, 1.0 / 60);
     dJointGroupEmpty(scene.joints);
     recorder.end_step();
   }
+  tumble_probes_close(&tumble_probes);
   const int status = Demo::end(recorder.rec);
   dJointGroupDestroy(scene.joints), dSpaceDestroy(space), dWorldDestroy(scene.world), dCloseODE();
   return status;

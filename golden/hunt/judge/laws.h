@@ -7,6 +7,7 @@
 namespace tumble::hunt {
 
 Judgement judge_finishes(const Trace& trace);
+Judgement judge_start(const Trace& trace);  ///< state 0 is the scene's
 Judgement judge_numbers(const Trace& trace);
 Judgement judge_energy(const Trace& trace);
 Judgement judge_momentum(const Trace& trace);

@@ -34,6 +34,7 @@ Judgement judge_lanes(const Trace& trace) {
 
 constexpr std::array kRelations = {
     Relation{"finishes", "a session runs to its last step", true, judge_finishes},
+    Relation{"start", "state 0 has the masses, sizes, materials and places of the scene", true, judge_start},
     Relation{"numbers", "every value is a number, on its grid; orientations have unit length", true, judge_numbers},
     Relation{"energy", "energy is never gained", true, judge_energy},
     Relation{"momentum", "bodies that touch nothing fixed keep their momentum", true, judge_momentum},

@@ -47,7 +47,7 @@ Values values_of(const sim::Bodies& bodies, BodyIndex i, const Transform& t) {
 }
 
 constexpr unsigned kThreads = 3;
-constexpr std::size_t kThreadedSteps = 4;
+constexpr std::size_t kThreadedSteps = 2;
 
 bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 

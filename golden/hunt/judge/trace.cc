@@ -44,9 +44,8 @@ class Watch : public sim::Observer {
 
   void finish() {
     step_.words = hashes_.words();
-    std::ranges::sort(step_.met);
-    const auto twice = std::ranges::unique(step_.met);
-    step_.met.erase(twice.begin(), twice.end());
+    std::sort(step_.met.begin(), step_.met.end());
+    step_.met.erase(std::unique(step_.met.begin(), step_.met.end()), step_.met.end());
   }
 
  private:
@@ -67,6 +66,10 @@ class Watch : public sim::Observer {
     for (const sim::ContactPair& pair : scratch.fast.pairs) {
       step_.met.push_back(meeting_of(world, pair.first, pair.second));
     }
+    step_.fast_pairs |= !scratch.fast.none();
+    step_.hard_islands |= std::ranges::any_of(scratch.sweep_groups, &sim::SweepGroup::hard);
+    step_.lent_inertia |= std::ranges::any_of(scratch.lent_along, [](const Vec3& along) { return length(along) > 0; });
+    step_.parted |= scratch.overlaps.any;
   }
 
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);

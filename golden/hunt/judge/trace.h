@@ -37,6 +37,8 @@ struct TracedStep {
   std::vector<Meeting> met;          ///< ascending, each once: pairs for which the engine solved a contact, with or
                                      ///< without force, in any substep
   std::vector<ContactForce> forces;
+  // Method layered: what happened in the step.
+  bool fast_pairs = false, hard_islands = false, lent_inertia = false, parted = false;
   std::optional<sim::WorldState> begun = std::nullopt;  ///< the state before with the inputs applied; none: no inputs
 };
 

@@ -23,6 +23,18 @@ const kPlots = [
   ] },
 ];
 
+/// A plot for each channel of another engine: its value, or the largest and the least of its bodies or pairs.
+function channel_plots(data) {
+  return (data.channels ?? []).map(({ key, name, unit, one }) => {
+    const line = (label) => ({ label: one ? "value" : label, column: `${key} ${label}`, source: key });
+    return {
+      title: `Channel ${name}`, unit: (value) => (value === null || value === undefined ? "–" :
+        `${Number(value.toPrecision(6))}${unit === "" ? "" : ` ${unit}`}`),
+      lines: one ? [line("largest")] : [line("largest"), { ...line("least"), dash: [7, 4] }],
+    };
+  });
+}
+
 const kEmpty = (column) => column === undefined || column.every((value) => value === null);
 
 /// One table of steps for all lines of a plot, as uPlot wants it, and the lines that have anything to show.
@@ -115,7 +127,7 @@ function words_of(plot, data) {
 
 /// Draws the plots of the groups of metrics that the case judges. first: the step from which bits differ, or null.
 export function draw_plots(section, data, { first, groups }) {
-  const plots = kPlots.filter((plot) => groups.includes(plot.group));
+  const plots = [...kPlots.filter((plot) => groups.includes(plot.group)), ...channel_plots(data)];
   const note = "Lines: this run. Rings: expected, where the golden keeps it (positions to the millimetre)." +
     (first === null ? "" : ` Dashed upright line: first difference, step ${first}.`) +
     " Drag across a plot to zoom, double-click to zoom out.";

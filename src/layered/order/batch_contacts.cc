@@ -153,6 +153,7 @@ class Filling {
     put(batch.force1, m.force1);
     put(batch.force2, m.force2);
     put(batch.twist, m.twist);
+    put(batch.sliding, 0);
     put(batch.split_a, 0);
     put(batch.split_b, 0);
   }

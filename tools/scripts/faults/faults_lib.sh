@@ -85,7 +85,7 @@ key_of() { # name
 # A copy of what the build and the suite need, kept from run to run: only what changed is copied, and so rebuilt.
 make_tree() { # tree
   local tree=$1 file
-  local parts=(CMakeLists.txt CMakePresets.json cmake schema src replay golden tools tests bench)
+  local parts=(CMakeLists.txt CMakePresets.json LICENSE README.md cmake schema src replay golden tools tests bench examples python)
   mkdir -p "$tree"
   find "${parts[@]}" -type f | sort >"$tree/.files"
   { (cd "$tree" && find "${parts[@]}" -type f 2>/dev/null) || true; } | sort | comm -13 "$tree/.files" - |

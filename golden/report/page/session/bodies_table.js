@@ -1,5 +1,6 @@
 // The bodies of a session as the page knows them: a row each, in the order of the log's table.
 const kKinds = ["box", "grid", "tower", "pyramid", "wall", "pile", "thrown"];
+const kIdsOfNames = 2 ** 52;  // ids from here on were made from names
 const kTextures = ["crate", "brick", "wood", "concrete", "white"];
 
 export class BodyTable {
@@ -37,6 +38,21 @@ export class BodyTable {
     return kind === 0 || kind === 6 ? word : `${word} ${table}, row ${line}, column ${column}`;
   }
 
+  /// "body 7", "body 7 (wheel)"; the name alone of a body that its log knows by name only.
+  label(id) {
+    const row = this.rows.get(id);
+    const own = row === undefined ? "" : this.json.name?.[row] ?? "";
+    if (own === "") return `body ${id}`;
+    return id >= kIdsOfNames ? own : `body ${id} (${own})`;
+  }
+
+  /// Likewise, as short as can be: "7", "wheel".
+  short(id) {
+    const row = this.rows.get(id);
+    const own = row === undefined ? "" : this.json.name?.[row] ?? "";
+    return own !== "" && id >= kIdsOfNames ? own : String(id);
+  }
+
   /// Rows whose id or name answers to a text.
   find(text) {
     const wanted = text.trim().toLowerCase().replace(/^(body|#)\s*/, "");
@@ -44,6 +60,8 @@ export class BodyTable {
       const row = this.row(Number(wanted));
       return row === undefined ? [] : [row];
     }
+    const exact = [...this.rows.values()].filter((row) => this.json.name?.[row]?.toLowerCase() === wanted);
+    if (exact.length > 0) return exact;
     const found = [];
     for (let row = 0; row < this.count; ++row) if (this.name(row).toLowerCase().includes(wanted)) found.push(row);
     return found;

@@ -16,7 +16,7 @@ export class Drawing {
   /// picked(id): a body was pressed, or null for none.
   constructor(place, sessions, picked) {
     Object.assign(this, { place, sessions, picked, frames: [null, null], selected: null, paint: "material",
-      contacts: null, with_contacts: false, with_ways: false, side_by_side: false, following: false, ways: new Map(),
+      contacts: [null, null], with_contacts: false, with_ways: false, side_by_side: false, following: false, ways: new Map(),
       lost_places: new Map(), top_speed: 1, focus: null });
     this.open();
   }
@@ -178,9 +178,12 @@ export class Drawing {
   }
 
   /// Of the body chosen, or of all.
-  show_contacts() {
-    const fits = this.contacts && this.frames[0] && this.contacts.step === this.frames[0].step;
-    const rows = fits ? this.contacts.rows ?? [] : [];
+  show_contacts() { this.sessions.forEach((_, s) => this.show_contacts_of(s)); }
+
+  show_contacts_of(s) {
+    const found = this.contacts[s];
+    const fits = found && this.frames[s] && found.step === this.frames[s].step;
+    const rows = fits ? found.rows ?? [] : [];
     const mine = ([a, b]) => a === this.selected || b === this.selected;
     const chosen = this.selected !== null ? rows.filter(mine) : this.with_contacts ? rows : [];
     const drawn = chosen.filter((row) => row[9] > 0 && !row.includes(null));
@@ -188,7 +191,7 @@ export class Drawing {
       // The arrow shows the push on the upper of the two; of the ground it points up.
       const up = row[7] < 0 ? -1 : 1;
       return { at: row.slice(2, 5), normal: row.slice(5, 8).map((part) => up * part), impulse: row[9] };
-    }));
+    }), s);
   }
 
   /// The bodies whose ways are shown: the selected one, else those thrown in, else some of all.
@@ -219,7 +222,7 @@ export class Drawing {
     }));
     if (!this.stage) return;
     this.stage.set_lines("ways A", { points: made[0], colour: this.hue.way, opacity: 0.9 });
-    this.stage.set_lines("ways B", made[1] ? { points: made[1], colour: this.hue.expected, dash: this.box.radius / 40 } : null);
+    this.stage.set_lines("ways B", made[1] ? { points: made[1], colour: this.hue.expected, dash: this.box.radius / 40, session: 1 } : null);
   }
 
   resize() {

@@ -16,7 +16,7 @@ export const kLanes = [
   { name: "energy", kind: "line", of: (rows, i) => rows.energy(i), words: (rows, i) => joules(rows.energy(i)), fit: true },
   { name: "kinetic energy", kind: "area", of: (rows, i) => rows.kinetic[i], words: (rows, i) => joules(rows.kinetic[i]) },
   { name: "highest speed", kind: "line", of: (rows, i) => rows.speed[i],
-    words: (rows, i) => (rows.speed[i] > 0 ? `${speed(rows.speed[i])}, body ${rows.speed_body[i]}` : speed(rows.speed[i])) },
+    words: (rows, i) => (rows.speed[i] > 0 ? `${speed(rows.speed[i])}, ${rows.label(rows.speed_body[i])}` : speed(rows.speed[i])) },
   { name: "deepest overlap", kind: "line", of: (rows, i) => rows.overlap[i], words: (rows, i) => metres(rows.overlap[i]) },
   { name: "bodies lost", kind: "bars", of: (rows, i) => rows.lost[i] || null, words: (rows, i) => count(rows.lost[i]),
     bad: true, only_if_any: true },

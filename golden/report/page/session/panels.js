@@ -22,7 +22,7 @@ export function panel(title, { open = true, id = "" } = {}) {
 }
 
 /// answers: one of body_at() a session. asked(field): null, or what is called when a value is pressed.
-export function show_body(body, { id, name, size, answers, actions, asked = null }) {
+export function show_body(body, { label, name, size, answers, actions, asked = null }) {
   const heads = answers.length === 2 ? ["A", "B"] : ["value"];
   const lost = answers.find((answer) => answer.why_not);
   const table = element("table", { className: "numbers" });
@@ -45,9 +45,9 @@ export function show_body(body, { id, name, size, answers, actions, asked = null
     rows.append(made);
   }
   table.append(rows);
-  const facts = [name, size[0] > 0 ? `${size.map((edge) => Number(edge.toPrecision(4))).join(" × ")} m` : "size unknown"];
+  const facts = [...(name === label ? [] : [name]), size[0] > 0 ? `${size.map((edge) => Number(edge.toPrecision(4))).join(" × ")} m` : "size unknown"];
   if (first) facts.push(first.frozen ? "asleep" : "awake");
-  body.replaceChildren(element("p", {}, element("strong", { textContent: `Body ${id}` }), ` ${facts.join(" · ")}`), actions);
+  body.replaceChildren(element("p", {}, element("strong", { textContent: label.replace(/^body /, "Body ") }), ` ${facts.join(" · ")}`), actions);
   if (first) body.append(element("div", { className: "scroll" }, table));
   if (first?.channels?.length > 0) {
     body.append(element("div", { className: "scroll" }, element("table", { className: "numbers" },
@@ -58,8 +58,8 @@ export function show_body(body, { id, name, size, answers, actions, asked = null
   if (first?.rounded) body.append(element("p", { className: "soft", textContent: "Rounded in this page; tumble dump prints every bit." }));
 }
 
-/// answer: of contacts_at(). select(id), go(step).
-export function show_contacts(body, answer, selected, select, go) {
+/// answer: of contacts_at(); bodies: the session's table. select(id), go(step).
+export function show_contacts(body, answer, { selected, bodies, select, go }) {
   if (!answer) return body.replaceChildren(element("p", { className: "soft", textContent: "…" }));
   if (answer.why_not) {
     body.replaceChildren(element("p", { className: "soft", textContent: answer.why_not }));
@@ -70,13 +70,13 @@ export function show_contacts(body, answer, selected, select, go) {
   }
   const mine = answer.rows.filter(([a, b]) => selected === null || a === selected || b === selected);
   const sorted = [...mine].sort((one, other) => (other[9] ?? 0) - (one[9] ?? 0)).slice(0, kContactsShown);
-  const count = `${mine.length} contact point${mine.length === 1 ? "" : "s"}${selected === null ? "" : ` of body ${selected}`}`;
+  const count = `${mine.length} contact point${mine.length === 1 ? "" : "s"}${selected === null ? "" : ` of ${bodies.label(selected)}`}`;
   const deepest = mine.reduce((most, row) => Math.max(most, row[8] ?? 0), 0);
   body.replaceChildren(element("p", { textContent: `${count}${mine.length > 0 ? `, deepest ${metres(deepest)}` : ""}` }));
   if (sorted.length === 0) return undefined;
   const rows = element("tbody", {}, ...sorted.map((row) => {
     const who = cell("");
-    who.append(link(`${row[0]}`, () => select(row[0])), " – ", row[1] === 0 ? "ground" : link(`${row[1]}`, () => select(row[1])));
+    who.append(link(bodies.short(row[0]), () => select(row[0])), " – ", row[1] === 0 ? "ground" : link(bodies.short(row[1]), () => select(row[1])));
     return row_of(who, cell(`${Number((row[9] ?? 0).toPrecision(3))} N s`, "number"), cell(metres(row[8]), "number"));
   }));
   const table = element("table", { className: "numbers" }, element("thead", {}, row_of(element("th", { textContent: "bodies" }),
@@ -87,10 +87,10 @@ export function show_contacts(body, answer, selected, select, go) {
 }
 
 /// account: blame_json() of the program, or {why_not}, or null while it is computed. go(step), select(id), again(answers).
-export function show_blame(body, account, go, select, again) {
+export function show_blame(body, account, bodies, go, select, again) {
   if (!account) return body.replaceChildren(element("p", { className: "soft", textContent: "Taking the steps again …" }));
   if (account.why_not) return body.replaceChildren(element("p", { className: "soft", textContent: account.why_not }));
-  const head = element("p", {}, link(`Body ${account.body}`, () => select(account.body)),
+  const head = element("p", {}, link(bodies.label(account.body).replace(/^body /, "Body "), () => select(account.body)),
     `, ${account.field} after step ${account.step}: ${say(account.value)} ${account.unit}`);
   const list = element("ol", { className: "blame" }, ...account.answers.map((answer) => {
     const where = answer.substep === null ? answer.phase : `${answer.phase}, substep ${answer.substep}`;
@@ -99,7 +99,7 @@ export function show_blame(body, account, go, select, again) {
     if (answer.shares.length > 0) {
       item.append(element("ul", { className: "shares" }, ...answer.shares.map((share) => {
         const row = element("li", {}, `${share.kind}`);
-        if (share.kind === "contact") row.append(" with ", share.with === null ? "the ground" : link(`body ${share.with}`, () => select(share.with)));
+        if (share.kind === "contact") row.append(" with ", share.with === null ? "the ground" : link(bodies.label(share.with), () => select(share.with)));
         row.append(`: ${say(share.amount)} ${answer.unit}`);
         return row;
       })));
@@ -136,8 +136,8 @@ function phases_table(partings, go) {
     element("thead", {}, row_of(...heads.map((words, i) => element("th", { textContent: words, className: i > 0 ? "number" : "" })))), rows));
 }
 
-/// found: difference_data() of the program. go(step), select(id).
-export function show_difference(body, found, go, select) {
+/// found: difference_data() of the program. label(id), go(step), select(id).
+export function show_difference(body, found, label, go, select) {
   if (!found || found.state === "working") {
     const share = found ? ` (${Math.floor(100 * found.done)} %)` : "";
     return body.replaceChildren(element("p", { textContent: `Comparing every byte of both${share} …` }));
@@ -147,8 +147,10 @@ export function show_difference(body, found, go, select) {
   const first = found.first;
   if (!first) {
     const [a, b] = found.last;
-    parts.push(element("p", { className: "good", textContent: found.identical ? `Identical: ${found.steps} steps, every bit.`
+    parts.push(element("p", { className: "good", textContent: found.identical ? `Identical: ${found.steps} steps, every bit compared.`
       : `The ${found.steps} steps of both are the same; A ends with step ${a}, B with step ${b}.` }));
+    parts.push(element("p", { textContent: `Compared: ${(found.compared ?? []).join(", ")}.` }),
+      element("p", { className: "soft", textContent: `Not compared: ${(found.not_compared ?? []).join("; ")}.` }));
   } else {
     const where = [`step ${first.step}`, `phase ${first.phase}`];
     if (first.substep !== null) where.push(`substep ${first.substep}`);
@@ -156,7 +158,7 @@ export function show_difference(body, found, go, select) {
     if (found.cause) parts.push(element("p", { textContent: `Cause: ${found.cause}` }));
     const effect = found.effect ?? first;
     const what = element("p", {});
-    if (effect.body !== null) what.append(link(`body ${effect.body}`, () => select(effect.body)), ", ");
+    if (effect.body !== null) what.append(link(label(effect.body), () => select(effect.body)), ", ");
     what.append(`${effect.field}: ${value_text(effect.expected, effect.expected_hex)} → ${value_text(effect.actual, effect.actual_hex)}`);
     // JSON numbers here are doubles: larger counts are not exact.
     const ulps = effect.ulps > Number.MAX_SAFE_INTEGER ? `about ${effect.ulps.toPrecision(3)}` : effect.ulps;
@@ -168,7 +170,7 @@ export function show_difference(body, found, go, select) {
     const marks = found.aftermath?.marks ?? [];
     if (marks.length > 0) {
       parts.push(element("ul", { className: "marks" }, ...marks.map(({ above, step, body: id }) => element("li", {},
-        `more than ${metres(above)} apart from `, link(`step ${step}`, () => go(step)), ", ", link(`body ${id}`, () => select(id))))));
+        `more than ${metres(above)} apart from `, link(`step ${step}`, () => go(step)), ", ", link(label(id), () => select(id))))));
     } else if (found.growth_unknown) parts.push(element("p", { className: "soft", textContent: `Its growth is not known: ${found.growth_unknown}` }));
     if (found.partings) parts.push(phases_table(found.partings, go));
   }

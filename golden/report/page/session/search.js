@@ -1,4 +1,5 @@
-// Search: a body by its id or name, or steps by a condition on a number: "speed > 5", "overlap > 1e-3".
+// Search: a body by its id or name, or steps by a condition on a number: "speed > 5", "overlap > 1e-3", or on one of a
+// body: "speed of 12 > 5", "height of wheel < 0.3".
 
 // What a condition may be about: its value in row i of the timeline, and its unit.
 export const kQuantities = {
@@ -17,13 +18,35 @@ export const kQuantities = {
   separation: { of: (rows, i, separation) => separation?.(rows.step[i]) ?? null, unit: "m" },
 };
 
+/// What a condition on one body may be about: its value in row i of the body's history; other: that of the second
+/// session, where there is one.
+export const kBodyQuantities = {
+  speed: { of: (one, i) => one.speed[i], unit: "m/s" },
+  spin: { of: (one, i) => one.spin?.[i] ?? null, unit: "rad/s" },
+  height: { of: (one, i) => one.z[i], unit: "m" },
+  x: { of: (one, i) => one.x[i], unit: "m" },
+  y: { of: (one, i) => one.y[i], unit: "m" },
+  z: { of: (one, i) => one.z[i], unit: "m" },
+  asleep: { of: (one, i) => one.asleep[i], unit: "" },
+  separation: { of: (one, i, other) => apart(one, i, other), unit: "m" },
+};
+
+function apart(one, i, other) {
+  if (!other) return null;
+  other.rows ??= new Map(other.step.map((step, k) => [step, k]));
+  const k = other.rows.get(one.step[i]);
+  const parts = k === undefined ? [null] : ["x", "y", "z"].map((axis) => (one[axis][i] === null || other[axis][k] === null
+    ? null : one[axis][i] - other[axis][k]));
+  return parts.includes(null) ? null : Math.hypot(...parts);
+}
+
 const kComparisons = {
   "<": (a, b) => a < b, "<=": (a, b) => a <= b, ">": (a, b) => a > b, ">=": (a, b) => a >= b, "=": (a, b) => a === b,
 };
 const kWords = { "≥": ">=", "≤": "<=", "==": "=" };
 
-/// Reads a query: {kind: "body", text}, {kind: "steps", quantity, comparison, bound}, {kind: "step", step} or
-/// {kind: "wrong", words}. channels: names of further columns.
+/// Reads a query: {kind: "body", text}, {kind: "steps", quantity, comparison, bound}, {kind: "body steps", quantity,
+/// body, comparison, bound}, {kind: "step", step} or {kind: "wrong", words}. channels: names of further columns.
 export function parse_query(text, channels = []) {
   const trimmed = text.trim();
   if (trimmed === "") return { kind: "none" };
@@ -33,38 +56,56 @@ export function parse_query(text, channels = []) {
   if (!found) return { kind: "body", text: trimmed };
   const name = found[1].trim();
   const quantity = name.toLowerCase();
+  const number = found[3].replace(/\s*(m\/s|rad\/s|m|J)\s*$/, "");
+  const bound = Number(number);
+  const comparison = kWords[found[2]] ?? found[2];
+  const no_number = number === "" || !Number.isFinite(bound) ? { kind: "wrong", words: `"${found[3]}" is no number` } : null;
+  const of = channels.includes(name) ? null : /^(\S+)\s+of\s+(.+)$/i.exec(name);
+  if (of) {
+    const part = of[1].toLowerCase();
+    if (!(part in kBodyQuantities)) {
+      return { kind: "wrong", words: `"${of[1]}" is no quantity of a body; there are ${Object.keys(kBodyQuantities).join(", ")}` };
+    }
+    return no_number ?? { kind: "body steps", quantity: part, body: of[2], comparison, bound };
+  }
   if (!(quantity in kQuantities) && !channels.includes(name)) {
     const known = [...Object.keys(kQuantities), ...channels].join(", ");
     return { kind: "wrong", words: `"${name}" is no quantity; there are ${known}` };
   }
-  const number = found[3].replace(/\s*(m\/s|m|J)\s*$/, "");
-  const bound = Number(number);
-  if (number === "" || !Number.isFinite(bound)) return { kind: "wrong", words: `"${found[3]}" is no number` };
-  return { kind: "steps", quantity: quantity in kQuantities ? quantity : name,
-    comparison: kWords[found[2]] ?? found[2], bound };
+  return no_number ?? { kind: "steps", quantity: quantity in kQuantities ? quantity : name, comparison, bound };
 }
 
 /// Runs of steps in which a condition holds: [{first, last, peak, at, body}], peak being the value furthest from the
 /// bound and `at` its step.
 export function find_runs(query, rows, separation) {
   const { of, body } = kQuantities[query.quantity] ?? { of: (_, i) => rows.channels[query.quantity]?.[i] ?? null };
+  return runs_of(query, rows.step, (i) => of(rows, i, separation), (i) => body?.(rows, i) ?? null);
+}
+
+/// Likewise for one body. one, other: its histories in the two sessions; other may be null.
+export function find_body_runs(query, one, other) {
+  const { of } = kBodyQuantities[query.quantity];
+  return runs_of(query, one.step, (i) => of(one, i, other), () => null);
+}
+
+function runs_of(query, step, value_in, body_in) {
   const holds = kComparisons[query.comparison];
   const runs = [];
   let open = null;
-  for (let i = 0; i < rows.count; ++i) {
-    const value = of(rows, i, separation);
+  for (let i = 0; i < step.length; ++i) {
+    const value = value_in(i);
     const good = value !== null && value !== undefined && holds(value, query.bound);
     if (!good) {
       open = null;
       continue;
     }
     if (!open) {
-      open = { first: rows.step[i], last: rows.step[i], peak: value, at: rows.step[i], body: body?.(rows, i) ?? null };
+      open = { first: step[i], last: step[i], peak: value, at: step[i], body: body_in(i) };
       runs.push(open);
     }
-    open.last = rows.step[i];
+    open.last = step[i];
     if (Math.abs(value - query.bound) > Math.abs(open.peak - query.bound)) {
-      Object.assign(open, { peak: value, at: rows.step[i], body: body?.(rows, i) ?? null });
+      Object.assign(open, { peak: value, at: step[i], body: body_in(i) });
     }
   }
   return runs;

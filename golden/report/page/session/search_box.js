@@ -1,6 +1,6 @@
 // The search: reads what is typed, and lists bodies or runs of steps.
 import { element, metres } from "../theme.js";
-import { find_runs, kQuantities, parse_query } from "./search.js";
+import { find_body_runs, find_runs, kBodyQuantities, kQuantities, parse_query } from "./search.js";
 import { link } from "./panels.js";
 
 const kShown = 12;
@@ -12,7 +12,7 @@ function value_text(value, unit) {
 }
 
 export function make_search(page) {
-  const input = element("input", { type: "search", placeholder: "speed > 5, overlap > 1e-3, 12, wall 0", autocomplete: "off", spellcheck: false });
+  const input = element("input", { type: "search", placeholder: "speed > 5, speed of 12 > 5, 12, wall 0", autocomplete: "off", spellcheck: false });
   input.setAttribute("aria-label", "search for steps by a condition, or for a body by id or name");
   const said = element("output", {});
   const list = element("ul", { className: "hits" });
@@ -24,21 +24,54 @@ export function make_search(page) {
     const rows = bodies.find(query.text);
     said.value = rows.length === 0 ? "no such body" : `${rows.length} bod${rows.length === 1 ? "y" : "ies"}`;
     list.replaceChildren(...rows.slice(0, kShown).map((row) =>
-      element("li", {}, link(`body ${bodies.id(row)}`, () => page.select(bodies.id(row))), ` ${bodies.name(row)}`)));
+      element("li", {}, link(bodies.label(bodies.id(row)), () => page.select(bodies.id(row))), bodies.label(bodies.id(row)).includes(bodies.name(row)) ? "" : ` ${bodies.name(row)}`)));
     page.set_hits([]);
     return rows;
   };
   const show_runs = () => {
-    const { rows } = page.sessions[0];
-    const runs = find_runs(query, rows, (step) => page.separation_at(step));
-    const unit = kQuantities[query.quantity]?.unit ?? "";
-    const partly = page.sessions[0].timeline_done ? "" : " so far";
+    const { rows, timeline_done } = page.sessions[0];
+    return list_runs(find_runs(query, rows, (step) => page.separation_at(step)), kQuantities[query.quantity]?.unit ?? "", timeline_done);
+  };
+  /// Reads the history of a body in turn, and shows what was found so far.
+  const show_body_runs = async (is_new) => {
+    const asked = query;
+    const ids = page.sessions.map(({ bodies }) => bodies.find(asked.body).map((row) => bodies.id(row)));
+    const found = [...new Set(ids.flat())];
+    if (found.length !== 1) {
+      said.value = found.length === 0 ? `no body "${asked.body}"` : `${found.length} bodies answer to "${asked.body}"; wanted one`;
+      list.replaceChildren();
+      page.set_hits([]);
+      return [];
+    }
+    const { unit } = kBodyQuantities[asked.quantity];
+    const two = asked.quantity === "separation" && page.sessions.length === 2;
+    const histories = [null, null];
+    let runs = [];
+    const show = (done) => {
+      if (query !== asked) return false;
+      if (histories[0] && (!two || histories[1])) runs = list_runs(find_body_runs(asked, ...histories), unit, done);
+      return true;
+    };
+    try {
+      for (const s of two ? [1, 0] : [0]) {
+        const last = s === 0;
+        histories[s] = await page.sessions[s].history(found[0], (history) => { histories[s] = history; return show(false) && query === asked; });
+        if (!show(last)) return [];
+      }
+      if (is_new && page.selected !== found[0]) page.select(found[0]);
+    } catch (error) {
+      if (query === asked) said.value = error.message;
+    }
+    return runs;
+  };
+  const list_runs = (runs, unit, whole) => {
+    const partly = whole ? "" : " so far";
     said.value = runs.length === 0 ? `in no step${partly}` : `${runs.length} run${runs.length === 1 ? "" : "s"} of steps${partly}, the first at ${runs[0].first}`;
     items = runs.slice(0, kShown).map((run) => {
       const where = run.first === run.last ? `step ${run.first}` : `steps ${run.first} to ${run.last}`;
       const made = element("li", {}, link(where, () => page.player.seek(run.first)), ": up to ",
         link(`${value_text(run.peak, unit)}`, () => page.player.seek(run.at), `at step ${run.at}`));
-      if (run.body) made.append(", ", link(`body ${run.body}`, () => page.select(run.body)));
+      if (run.body) made.append(", ", link(page.sessions[0].bodies.label(run.body), () => page.select(run.body)));
       return made;
     });
     list.replaceChildren(...items);
@@ -51,6 +84,11 @@ export function make_search(page) {
     query = parse_query(input.value, Object.keys(page.sessions[0].rows.channels));
     if (query.kind === "body") return show_bodies();
     if (query.kind === "steps") return show_runs();
+    if (query.kind === "body steps") {
+      said.value = "…";
+      show_body_runs(true);
+      return [];
+    }
     said.value = query.kind === "wrong" ? query.words : query.kind === "step" ? `Enter goes to step ${query.step}` : "";
     list.replaceChildren();
     page.set_hits([]);
@@ -62,7 +100,7 @@ export function make_search(page) {
     if (event.key !== "Enter") return;
     event.preventDefault();
     if (query.kind === "step") page.player.seek(query.step);
-    else if (query.kind === "steps") page.next_hit(event.shiftKey ? -1 : 1);
+    else if (query.kind === "steps" || query.kind === "body steps") page.next_hit(event.shiftKey ? -1 : 1);
     else if (query.kind === "body") {
       const [row] = run();
       if (row !== undefined) page.select(page.sessions[0].bodies.id(row));
@@ -87,6 +125,8 @@ export function make_search(page) {
         const before = page.hit;
         show_runs();
         page.hit = before;
+      } else if (query.kind === "body steps") {
+        show_body_runs(false);
       }
     },
   };

@@ -148,6 +148,20 @@ class SentSession {
     return { id, step, at };
   }
 
+  /// As of a served page, for the states that this page has; speeds are those of speeds().
+  async history(id) {
+    const row = this.bodies.row(id);
+    const history = { id, step: [], x: [], y: [], z: [], speed: [], asleep: [] };
+    for (const step of row === undefined ? [] : this.steps) {
+      const frame = this.frame(step);
+      const there = frame.mark[row] === 1 || frame.mark[row] === 2;
+      history.step.push(step);
+      for (const axis of ["x", "y", "z", "speed"]) history[axis].push(there ? frame[axis][row] : null);
+      history.asleep.push(there ? Number(frame.mark[row] === 2) : null);
+    }
+    return history;
+  }
+
   async body_at(step, id) {
     const row = this.bodies.row(id);
     const frame = this.frame(step);

@@ -113,6 +113,26 @@ class ServedSession {
     return this.contact_cache.get(step);
   }
 
+  /// The values of a body in every step: {id, step, x, y, z, speed, spin, asleep}, null where it is not there. Read in
+  /// turn; told(history) after each part, which says whether to go on.
+  async history(id, told) {
+    this.histories ??= new Map();
+    const history = this.histories.get(id) ?? { id, next: this.head.first, step: [], x: [], y: [], z: [], speed: [], spin: [], asleep: [] };
+    if (this.histories.size > 16) this.histories.clear();
+    this.histories.set(id, history);
+    while (history.next <= this.head.last) {
+      const from = history.next;
+      const more = await ask_json("history", { log: this.log, id, from });
+      if (more.why_not) throw new Error(more.why_not);
+      if (history.next !== from) continue;  // another question has read on
+      for (const name of ["step", "x", "y", "z", "speed", "spin", "asleep"]) history[name].push(...more[name]);
+      history.next = more.next;
+      history.rows = undefined;
+      if (more.next === from || !told(history)) break;
+    }
+    return history;
+  }
+
   way(id) { return ask_json("way", { log: this.log, id }); }
   body_at(step, id) { return ask_json("body", { log: this.log, step, id }); }
 

@@ -19,6 +19,7 @@ export class SessionPage {
   constructor(place, opened) {
     Object.assign(this, opened, { place, selected: null, hits: [], hit: -1, settle: null, asked: 0 });
     const [main] = this.sessions;
+    for (const { rows, bodies } of this.sessions) rows.label = (id) => bodies.label(id);
     this.steps = new Steps(Math.min(...this.sessions.map(({ head }) => head.first)),
       Math.max(...this.sessions.map(({ head }) => head.last)), this.union_of_steps());
     this.player = make_player({ steps: this.steps, dt: () => main.head.dt, show: (step) => this.show(step) });
@@ -169,7 +170,7 @@ export class SessionPage {
       parts.push(`${count[1] + count[2] + count[3]} bodies, ${count[2]} asleep`);
       if (count[3] > 0) {
         const row = frame.mark.indexOf(3);
-        parts.push(`body ${session.bodies.id(row)}${count[3] > 1 ? ` and ${count[3] - 1} more` : ""} lost: no numbers`);
+        parts.push(`${session.bodies.label(session.bodies.id(row))}${count[3] > 1 ? ` and ${count[3] - 1} more` : ""} lost: no numbers`);
       }
       if (frame.step !== step) parts.push(`A shows step ${frame.step}`);
     } else if (session.gap_at(step)) {

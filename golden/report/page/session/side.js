@@ -21,15 +21,25 @@ export class Side {
   settled(step) { return Promise.all([this.show_contacts(step), this.show_body(step)]); }
 
   async show_contacts(step) {
-    const answer = await this.sessions[0].contacts_at(this.sessions[0].steps ? this.page.own_step(this.sessions[0], step) : step);
+    const answers = await Promise.all(this.sessions.map(async (session) => {
+      if (step < session.head.first || step > session.head.last) return { step, why_not: "the log has no such step" };
+      return session.contacts_at(session.steps ? this.page.own_step(session, step) : step);
+    }));
     if (this.page.player.step !== step) return;
-    this.page.drawing.contacts = answer;
+    this.page.drawing.contacts = answers;
     this.page.drawing.show();
     this.draw_contacts();
   }
 
   draw_contacts() {
-    show_contacts(this.contact_panel.body, this.page.drawing.contacts, this.page.selected, (id) => this.page.select(id), (step) => this.page.player.seek(step));
+    const { contacts } = this.page.drawing;
+    const two = this.sessions.length === 2;
+    this.contact_panel.body.replaceChildren(...this.sessions.flatMap(({ bodies }, s) => {
+      const place = element("div", { className: "contacts" });
+      show_contacts(place, contacts[s], { selected: this.page.selected, bodies, select: (id) => this.page.select(id),
+        go: (step) => this.page.player.seek(step) });
+      return two ? [element("h3", {}, element("span", { className: `side side-${"ab"[s]}`, textContent: "AB"[s] })), place] : [place];
+    }));
   }
 
   show_selection() {
@@ -56,7 +66,7 @@ export class Side {
       made.addEventListener("click", action);
       return made;
     }));
-    show_body(this.body_panel.body, { id, name: row === undefined ? "" : session.bodies.name(row),
+    show_body(this.body_panel.body, { id, label: session.bodies.label(id), name: row === undefined ? "" : session.bodies.name(row),
       size: row === undefined ? [0, 0, 0] : session.bodies.size(row), answers, actions,
       asked: this.sessions[0].head.blames && this.sessions[0].blame ? (field) => this.show_blame(step, id, field) : null });
   }
@@ -66,7 +76,7 @@ export class Side {
     this.blame_panel.place.hidden = false;
     this.blame_panel.place.open = true;
     const mine = this.blamed = {};
-    const fill = (account) => show_blame(this.blame_panel.body, account, (at) => this.page.player.seek(at), (other) => this.page.select(other),
+    const fill = (account) => show_blame(this.blame_panel.body, account, this.sessions[0].bodies, (at) => this.page.player.seek(at), (other) => this.page.select(other),
       (more) => this.show_blame(step, id, field, more));
     fill(null);
     try {
@@ -78,8 +88,11 @@ export class Side {
   }
 
   show_difference() {
-    show_difference(this.difference_panel.body, this.page.difference, (step) => this.page.player.seek(step), (id) => this.page.select(id));
+    show_difference(this.difference_panel.body, this.page.difference, (id) => this.label(id), (step) => this.page.player.seek(step), (id) => this.page.select(id));
   }
+
+  /// The name of a body, as the first session that knows it has it.
+  label(id) { return (this.sessions.find(({ bodies }) => bodies.row(id) !== undefined) ?? this.sessions[0]).bodies.label(id); }
 
   show_inputs() {
     const { events } = this.sessions[0].rows;
@@ -90,7 +103,7 @@ export class Side {
       : element("ol", { className: "inputs" }, ...shown.map(({ step, kind, body, text }) => {
         const go = element("button", { type: "button", className: "link", textContent: `step ${step}` });
         go.addEventListener("click", () => this.page.player.seek(step));
-        return element("li", {}, go, ` ${kind}${body === null ? "" : ` ${body}`} ${text}`);
+        return element("li", {}, go, ` ${kind}${body === null ? "" : ` ${this.sessions[0].bodies.short(body)}`} ${text}`);
       })));
     if (events.length > shown.length) this.input_panel.body.append(element("p", { className: "soft", textContent: `and ${events.length - shown.length} more` }));
   }

@@ -8,6 +8,7 @@ export class TimelineRows {
     this.channel_heads = channels;
     for (const name of kColumns) this[name] = [];
     this.begun = [];
+    this.label = (id) => `body ${id}`;
     this.events = [];  // inputs: {step, kind, body, text}
     this.begun_why_not = "";
     this.channels = {};

@@ -64,8 +64,9 @@ export function make_stage(canvas, { hue, box, camera: wanted, ground = true }) 
   const sessions = [];
   const shared = new Group();
   scene.add(shared);
-  const arrows = make_arrows(hue);
-  shared.add(arrows.group);
+  const arrows = [make_arrows(hue.contact, 1), make_arrows(hue.expected, 0.7)];
+  for (const { group } of arrows) scene.add(group);
+  const lines = new Map();
   let side_by_side = false;
   let waits = false;
 
@@ -91,7 +92,8 @@ export function make_stage(canvas, { hue, box, camera: wanted, ground = true }) 
       renderer.setViewport(left, 0, size.x / parts, size.y);
       renderer.setScissor(left, 0, size.x / parts, size.y);
       sessions.forEach((session, s) => { session.group.visible = parts === 1 || s === i; });
-      shared.visible = i === 0;
+      arrows.forEach(({ group }, s) => { group.visible = parts === 1 || s === i; });
+      for (const { session, line } of lines.values()) line.visible = parts === 1 || session === i;
       renderer.render(scene, camera);
     }
   };
@@ -101,7 +103,6 @@ export function make_stage(canvas, { hue, box, camera: wanted, ground = true }) 
     requestAnimationFrame(draw_now);
   };
 
-  const lines = new Map();
   return {
     view,
     draw,
@@ -121,9 +122,9 @@ export function make_stage(canvas, { hue, box, camera: wanted, ground = true }) 
       sessions[1]?.set_ghost(!on);
       draw();
     },
-    /// Segments by name, which replace those of before: {points: flat, colour, dash: m or 0, on_top}.
+    /// Segments by name, which replace those of before: {points: flat, colour, dash: m or 0, on_top, session: 0 or 1}.
     set_lines(name, made) {
-      if (lines.has(name)) drop(lines.get(name));
+      if (lines.has(name)) drop(lines.get(name).line);
       lines.delete(name);
       if (made && made.points.length > 0) {
         const { points, colour, dash, on_top } = made;
@@ -133,11 +134,12 @@ export function make_stage(canvas, { hue, box, camera: wanted, ground = true }) 
         const found = segments(points, material);
         found.renderOrder = on_top ? 2 : 1;
         shared.add(found);
-        lines.set(name, found);
+        lines.set(name, { line: found, session: made.session ?? 0 });
       }
       draw();
     },
-    set_arrows(list) { arrows.show(list, view.distance); draw(); },
+    /// Of session s: 0 or 1.
+    set_arrows(list, s = 0) { arrows[s].show(list, view.distance); draw(); },
     /// The body under a point of the canvas, in shares of its width and height: {session, row}, or null.
     pick(x, y) {
       const parts = halves();

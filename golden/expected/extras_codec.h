@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "schema/golden.capnp.h"
+#include "tumble/golden/expected_extras.h"
+#include "tumble/sim/result.h"
+
+/// Channels and contacts in the message of a golden. Included by codecs only.
+namespace tumble::golden {
+
+void encode(const ExpectedExtras& extras, schema::Expected::Builder out);
+
+/// steps: of the session. extras: none where the golden keeps none. Errors (kDamaged): sizes that do not fit, steps out
+/// of order, names that no log can have.
+Status decode(schema::Expected::Reader in, std::uint64_t steps, std::optional<ExpectedExtras>& extras);
+
+}  // namespace tumble::golden

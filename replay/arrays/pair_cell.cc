@@ -1,0 +1,65 @@
+#include "replay/arrays/pair_cell.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace tumble::replay {
+namespace {
+
+constexpr std::string_view kDigits = "0123456789abcdef";
+
+bool needs_escape(unsigned char c) { return c <= 0x20 || c == ',' || c == '%' || c == '"' || c == 0x7f; }
+
+}  // namespace
+
+std::optional<std::vector<PairCell>> split_pair_cell(std::string_view cell) {
+  std::vector<PairCell> entries;
+  while (!cell.empty()) {
+    const std::size_t end = std::min(cell.find(' '), cell.size());
+    const std::string_view entry = cell.substr(0, end);
+    cell.remove_prefix(std::min(end + 1, cell.size()));
+    if (entry.empty()) continue;
+    PairCell found;
+    const char* stop = entry.data() + entry.size();
+    const auto [rest, error] = std::from_chars(entry.data(), stop, found.other);
+    if (error != std::errc() || rest == stop || *rest != '=') return std::nullopt;
+    found.value = entry.substr(static_cast<std::size_t>(rest - entry.data()) + 1);
+    entries.push_back(found);
+  }
+  return entries;
+}
+
+std::string escaped_cell(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (!needs_escape(byte)) {
+      out += c;
+      continue;
+    }
+    out += '%';
+    out += kDigits[byte >> 4U];
+    out += kDigits[byte & 15U];
+  }
+  return out;
+}
+
+std::string unescaped_cell(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    unsigned byte = 0;
+    const bool is_escape = text[i] == '%' && i + 2 < text.size();
+    if (is_escape) {
+      const auto [rest, error] = std::from_chars(text.data() + i + 1, text.data() + i + 3, byte, 16);
+      if (error == std::errc() && rest == text.data() + i + 3) {
+        out += static_cast<char>(byte);
+        i += 2;
+        continue;
+      }
+    }
+    out += text[i];
+  }
+  return out;
+}
+
+}  // namespace tumble::replay

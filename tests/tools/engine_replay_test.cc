@@ -1,0 +1,130 @@
+// `replay` of another engine compares while the engine runs, and says clearly what a broken engine did.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/support/program.h"
+#include "tests/tools/engine_table.h"
+#include "tests/tools/json_output.h"
+#include "tests/tools/stream_toy.h"
+
+namespace tumble::test {
+namespace {
+
+using nlohmann::ordered_json;
+
+TEST(EngineReplay, StopsAnEngineThatHangsAtItsFirstDifference) {
+  const Workshop shop;
+  record_falling(shop, "a");
+  write_falling(shop, "--move 5:0.125 --hang 20");
+  const Outcome stopped = shop.run({"replay", "a.tumble", "--stop"});
+  EXPECT_EQ(stopped.exit, 1) << stopped.err;
+  EXPECT_TRUE(says(stopped.err, "step 5 differs already; the engine is stopped")) << stopped.err;
+  EXPECT_TRUE(says(stopped.out, "stopped at the first difference")) << stopped.out;
+  EXPECT_TRUE(says(stopped.out, "that differs is step 5")) << stopped.out;
+  EXPECT_TRUE(says(stopped.out, "position.x")) << stopped.out;
+  const ordered_json json = parsed(shop.run({"replay", "a.tumble", "--stop", "--json"}));
+  EXPECT_EQ(json["engine_ended"], "stopped");
+  EXPECT_EQ(json["first"]["step"], 5);
+  EXPECT_EQ(json["first"]["body"], 1);
+  EXPECT_EQ(json["first"]["field"], "position.x");
+}
+
+TEST(EngineReplay, FindsADifferentChannelWhileTheEngineRuns) {
+  const Workshop shop;
+  record_falling(shop, "a");
+  write_falling(shop, "--seed 6:3 --hang 20");
+  const ordered_json json = parsed(shop.run({"replay", "a.tumble", "--stop", "--json"}));
+  EXPECT_EQ(json["first"]["field"], "channel.random.seed") << json["first"];
+  EXPECT_EQ(json["first"]["step"], 6);
+  record_falling(shop, "t", "--table");
+  write_falling(shop, "--table --angle 6:3 --hang 20");
+  const ordered_json table = parsed(shop.run({"replay", "t.tumble", "--stop", "--json"}));
+  EXPECT_EQ(table["first"]["field"], "channel.hinge.angle") << "of the complete steps of a table";
+}
+
+TEST(EngineReplay, SaysHowFarABrokenEngineCame) {
+  const Workshop shop;
+  record_falling(shop, "a");
+  write_falling(shop, "--crash 20");
+  const Outcome crashed = shop.run({"replay", "a.tumble"});
+  EXPECT_EQ(crashed.exit, 4) << crashed.out;
+  EXPECT_TRUE(says(crashed.err, "SIGABRT")) << crashed.err;
+  EXPECT_TRUE(says(crashed.err, "the 19 steps that it wrote before, up to step 19 of 40, are the same as the log's"))
+      << crashed.err;
+  write_falling(shop, "--hang 20");
+  const Outcome hangs = shop.run({"replay", "a.tumble", "--timeout", "0.5"});
+  EXPECT_EQ(hangs.exit, 4) << hangs.out;
+  EXPECT_TRUE(says(hangs.err, "the 19 steps that it wrote before")) << hangs.err;
+  write_falling(shop, "--hang 20", "timeout = 0.5\n");
+  EXPECT_TRUE(says(shop.run({"replay", "a.tumble"}).err, "the 19 steps that it wrote before"));
+  write_falling(shop, "--move 5:1 --crash 20");
+  const Outcome both = shop.run({"replay", "a.tumble"});
+  EXPECT_EQ(both.exit, 1) << "a difference is an answer";
+  EXPECT_TRUE(says(both.out, "the engine did not end well")) << both.out;
+  EXPECT_TRUE(says(both.out, "that differs is step 5")) << both.out;
+}
+
+TEST(EngineReplay, SaysWhereAStreamIsNotWhole) {
+  const Workshop shop;
+  record_falling(shop, "a");
+  write_falling(shop, "--open");
+  const Outcome open = shop.run({"replay", "a.tumble"});
+  EXPECT_TRUE(says(open.out, "its stream ends without the last frame")) << open.out << open.err;
+  write_falling(shop, "--open --steps 30");
+  const Outcome shorter = shop.run({"replay", "a.tumble"});
+  EXPECT_EQ(shorter.exit, 1);
+  EXPECT_TRUE(says(shorter.out, "different in length: the log ends with step 40, this run with step 30"))
+      << shorter.out;
+  shop.write("damage.sh", "'" TUMBLE_STREAM_ENGINE
+                          "' --log \"$1\"\nprintf x | dd of=\"$1\" bs=1 seek=2000 conv=notrunc 2>/dev/null\n");
+  shop.write("tumble.toml", "[engine]\nrun = 'sh damage.sh {log}'\n");
+  const Outcome damaged = shop.run({"replay", "a.tumble"});
+  EXPECT_EQ(damaged.exit, 3) << damaged.out << damaged.err;
+  EXPECT_TRUE(says(damaged.err, "wrote a damaged stream")) << damaged.err;
+}
+
+TEST(EngineReplay, EnginesThatLieAreFound) {
+  const Workshop shop;
+  record_falling(shop, "a");
+  const auto field = [&](const std::string& options) {
+    write_falling(shop, options);
+    const Outcome outcome = shop.run({"replay", "a.tumble", "--json"});
+    EXPECT_EQ(outcome.exit, 1) << options << outcome.err;
+    const ordered_json first = outcome.exit == 1 ? parsed(outcome)["first"] : ordered_json();
+    return first.is_object() ? first["field"].get<std::string>() : "";
+  };
+  EXPECT_EQ(field("--nan 9"), "position.x");
+  EXPECT_EQ(field("--dt 0.015"), "dt");
+  EXPECT_EQ(field("--angle 9:0.5"), "channel.hinge.angle");
+  EXPECT_EQ(field("--grip 9:0.25"), "channel.grip");
+  write_falling(shop, "--extra");
+  const Outcome extra = shop.run({"replay", "a.tumble"});
+  EXPECT_EQ(extra.exit, 0) << extra.err;
+  EXPECT_TRUE(says(extra.out, "channel extra: only the second log has it")) << extra.out;
+  shop.write("tumble.toml", "[engine]\nrun = 'mkdir {log}'\n");
+  EXPECT_EQ(shop.run({"replay", "a.tumble"}).exit, 4);
+  shop.write("tumble.toml", "[engine]\nrun = 'cp tumble.toml {log}'\n");
+  EXPECT_EQ(shop.run({"replay", "a.tumble"}).exit, 2);
+}
+
+TEST(EngineReplay, NamedInputsComeBack) {
+  const Workshop shop;
+  record_falling(shop, "a", "--kick 7:2:0.5 --kick 7:2:0.25 --kick 9:1:-1");
+  write_falling(shop);
+  const Outcome same = shop.run({"replay", "a.tumble"});
+  EXPECT_EQ(same.exit, 0) << same.out << same.err;
+  EXPECT_TRUE(says(same.out, "input.kick of a body")) << same.out;
+  shop.write("tumble.toml", "[engine]\nrun = 'cp {inputs} inputs.txt; " + kFalling + "'\nshell = true\n");
+  EXPECT_EQ(shop.run({"replay", "a.tumble"}).exit, 0);
+  const std::string text = shop.read("inputs.txt");
+  const std::string half = R"({"step":7,"kind":"input","name":"kick","id":2,"hex":"000000000000e03f"})";
+  const std::string quarter = R"({"step":7,"kind":"input","name":"kick","id":2,"hex":"000000000000d03f"})";
+  EXPECT_TRUE(says(text, half + '\n' + quarter)) << text;
+  EXPECT_TRUE(says(text, R"({"step":9,"kind":"input","name":"kick","id":1,"hex":"000000000000f0bf"})")) << text;
+}
+
+}  // namespace
+}  // namespace tumble::test

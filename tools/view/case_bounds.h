@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "replay/view/bound_scan.h"
+#include "tumble/sim/result.h"
+
+namespace tumble::tools {
+
+/// The bounds that a timeline shows, and what is left out of them.
+struct CaseBounds {
+  std::vector<replay::ViewedBound> bounds;
+  std::vector<std::string> notes;  ///< for people: metrics that no timeline has
+};
+
+/// The bounds of a case's metrics.toml: one for each limit of each metric. Errors: read_rules'.
+Result<CaseBounds> bounds_of_case(const std::string& file);
+
+}  // namespace tumble::tools
