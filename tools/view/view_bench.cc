@@ -30,7 +30,7 @@ constexpr std::uint64_t kSteps = 1500;
 constexpr std::size_t kSeeks = 40;
 constexpr double kOpenMost = 1, kSeekMost = 0.1, kPatience = 600;  // s
 constexpr double kMegabytesMost = 500;
-constexpr auto kPause = std::chrono::milliseconds(20);
+constexpr auto kBetween = std::chrono::milliseconds(20);
 
 double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
@@ -151,7 +151,7 @@ Result<Json> measure(Workplace& place, const std::string& side) {
   }
   const Clock::time_point start = Clock::now();
   if (Status ok = place.start_server({"view", log}); !ok.ok()) return ok.error();
-  while (place.address().empty() && seconds_since(start) < kPatience) std::this_thread::sleep_for(kPause / 20);
+  while (place.address().empty() && seconds_since(start) < kPatience) std::this_thread::sleep_for(kBetween / 20);
   Json json = {{"bodies", std::stoull(side) * std::stoull(side)}, {"steps", kSteps}, {"ready", seconds_since(start)}};
   HttpClient client(place.address(), kPatience);
   const Clock::time_point opened = Clock::now();
@@ -163,7 +163,7 @@ Result<Json> measure(Workplace& place, const std::string& side) {
   Result<Json> busy = seek(client, place);
   if (!busy.ok()) return busy.error();
   json["seek_while_reading"] = *std::move(busy);
-  for (bool done = false; !done && seconds_since(start) < kPatience; std::this_thread::sleep_for(10 * kPause)) {
+  for (bool done = false; !done && seconds_since(start) < kPatience; std::this_thread::sleep_for(10 * kBetween)) {
     const auto reply = timed(client, "news?log=0");
     if (!reply.ok()) return reply.error();
     const Json news = Json::parse(reply->first, nullptr, false);
