@@ -69,6 +69,9 @@ void set_friction(BoxDef& box, double value) {
   box.material.friction_dynamic = value;
 }
 
+// A cell as an error shows it: an empty one is seen too.
+std::string as_found(std::string_view cell) { return cell.empty() ? "\"\"" : shortened(cell); }
+
 }  // namespace
 
 CsvBodies::CsvBodies(const CsvColumns& columns, const CsvSettings& settings)
@@ -115,9 +118,8 @@ Status CsvBodies::check_later(const CsvReader& table, const FirstRow& first) con
     if (!value.ok()) return value.error();
     if (*value == first.values[k]) continue;
     return table.at(column, table.columns()[column] + ": " +
-                                found_wanted(shortened(table.cell(column)), shortened(first.cells[k])) +
-                                " as in line " + std::to_string(first.line) +
-                                ": a body keeps the value that it first appears with");
+                                found_wanted(as_found(table.cell(column)), as_found(first.cells[k])) + " as in line " +
+                                std::to_string(first.line) + ": a body keeps the value that it first appears with");
   }
   return {};
 }

@@ -62,6 +62,8 @@ TEST(OlderLogs, OpenVerifyAndMeasure) {
                            "format_1.3_hashes_6_thesis",
                            "format_1.3_methods_6_layered",
                            "format_1.3_methods_7_layered",
+                           "format_1.3_hashes_7_thesis",
+                           "format_1.3_hashes_7_layered",
                            "format_1.3_hashes_every_4_layered"}) {
     expect_frozen_session(name);
   }
@@ -97,8 +99,17 @@ std::vector<std::string> notes_of_same_replay(const std::string& name) {
 }
 
 TEST(OlderLogs, OfTodayReplayWithNothingToSay) {
-  for (const char* name : {"format_1.3_hashes_6_thesis", "format_1.3_methods_7_layered"}) {
+  for (const char* name : {"format_1.3_hashes_7_thesis", "format_1.3_hashes_7_layered"}) {
     EXPECT_EQ(notes_of_same_replay(name), std::vector<std::string>()) << name;
+  }
+}
+
+// Version 6 of the phase hashes covered what a batch kept from the step before.
+TEST(OlderLogs, OfPhaseHashesSixAreReplayedWithoutThem) {
+  for (const char* name : {"format_1.3_hashes_6_thesis", "format_1.3_methods_7_layered"}) {
+    const std::vector<std::string> notes = notes_of_same_replay(name);
+    ASSERT_EQ(notes.size(), 1U) << name;
+    EXPECT_TRUE(notes.front().starts_with("phase hashes: version 6 and 7")) << notes.front();
   }
 }
 

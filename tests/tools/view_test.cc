@@ -54,7 +54,7 @@ TEST(View, TakesTheBoundsOfACase) {
   ASSERT_EQ(made.exit, 0) << made.err;
   EXPECT_TRUE(says(made.err, "order_error compares with a transformed scene")) << made.err;
   const std::string page = shop.read("s.html");
-  for (const char* bound : {"lost <= 0", "drift_max of 1 >= 0.5", "drift_max of 1 <= 2"}) {
+  for (const char* bound : {R"(lost \u003c= 0)", "drift_max of 1 >= 0.5", R"(drift_max of 1 \u003c= 2)"}) {
     EXPECT_TRUE(says(page, bound)) << bound;
   }
   shop.write("wrong.toml", "[[metric]]\nname = \"wobble\"\nmax = 0.0\nwhy = \"none\"\n");

@@ -77,7 +77,7 @@ std::vector<Room> logs() {
       {"replay/live", above + Folders{"src/threads", "src/render/scene", "replay/picture"}},
       {"replay/diff", above + Folders{"replay/measure", "replay/recover", "replay/picture"}},
       {"replay/view", above + Folders{"replay/measure"}},
-      {"replay/blame", above + Folders{"replay/diff"}},
+      {"replay/blame", above + Folders{"replay/diff", "src/collide"}},
       {"replay/export/plan", above},
       {"replay/export/table", above + Folders{"src/files", "replay/export/plan"}},
       {"replay/export/scene",
