@@ -115,7 +115,7 @@ changed_since() { # revision
 write_commands() {
   local build=build/lint
   { cmake -B $build -G Ninja -DCMAKE_BUILD_TYPE=Release -DTUMBLE_UNITY=OFF -DTUMBLE_PRECOMPILED=OFF &&
-    ninja -C $build generated/schema/log.capnp.h generated/schema/extras.capnp.h generated/schema/golden.capnp.h generated/phase_places.inc; } >"$work/configured" 2>&1 ||
+    ninja -C $build -t targets all | grep -oE '^generated/[^: ]*\.(h|inc)' | xargs ninja -C $build; } >"$work/configured" 2>&1 ||
     { cat "$work/configured" >&2; fail "the tree cannot be configured"; }
   awk '/^{/ { entry = ""; file = "" } { entry = entry $0 "\n" } /"file":/ { file = $0 }
     /^}/ && !(file in seen) { seen[file] = 1; sub(/,\n$/, "\n", entry); printf "%s%s", n++ ? "," : "[", entry }

@@ -71,8 +71,9 @@ void refuse_unknown(const py::dict& fields, const std::string& of, const std::ve
     const std::string name = text_of(key, "key");
     if (std::ranges::find(known, std::string_view(name)) != known.end()) continue;
     const std::string_view nearest = nearest_word(name, known);
-    const std::string hint = nearest.empty() ? "" : "; did you mean " + std::string(nearest) + "?";
-    raise(bad_input(of + ": " + found_wanted(in_quotes(name), list_text(known)) + hint));
+    std::string what = of + ": " + found_wanted(in_quotes(name), list_text(known));
+    if (!nearest.empty()) what.append("; did you mean ").append(nearest).append("?");
+    raise(bad_input(what));
   }
 }
 

@@ -63,7 +63,7 @@ TEST(Solids, RoundOnesHaveTheirVolume) {
 
 TEST(Solids, AHullLeavesOutWhatLiesInside) {
   std::vector<Vec3> points = {{0, 0, 0}, {0.5, 0.5, 0.5}, {0.1, 0.9, 0.3}};
-  for (int k = 0; k < 8; ++k) points.push_back({double(k & 1), double(k / 2 & 1), double(k / 4)});
+  for (int k = 0; k < 8; ++k) points.push_back({double(k & 1), double(k / 2 & 1), double(k >> 2)});
   points.push_back({0.5, 0.5, 1});  // on a face
   const Solid hull = render::make_hull(points);
   EXPECT_NEAR(volume(hull), 1, 1e-6);

@@ -97,7 +97,7 @@ TEST(EngineCaseChannels, ACaseWhoseOnlyDifferenceIsAChannelFailsAndNamesIt) {
     const Outcome outcome = shop.run({"check", "--json", "--report", "r"});
     EXPECT_EQ(outcome.exit, 1) << options << outcome.out;
     const ordered_json one = parsed(outcome)["cases"][0];
-    const ordered_json difference = one["difference"];
+    const ordered_json& difference = one["difference"];
     EXPECT_EQ(difference["phase"], field) << one;
     EXPECT_EQ(difference["step"], step);
     EXPECT_TRUE(says(difference["words"], field + "; all states agree")) << difference;

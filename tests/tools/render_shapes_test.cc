@@ -22,9 +22,9 @@ class RenderShapes : public testing::Test {
     for (const char* step : {"0", "1"}) {
       for (std::size_t k = 0; k < shapes.size(); ++k) {
         const std::string x = std::to_string(1.8 * static_cast<double>(k) - 3.6), id = std::to_string(k + 1);
-        rows += std::string(step) + ',' + id + ',' + x +
-                ",0,0.8,0.965925826289068,0.258819045102521,0,0,0,0,0,0,0,0,1,1," + (k == 1 || k == 2 ? "1.6" : "1") +
-                ',' + shapes[k] + '\n';
+        rows.append(step).append(",").append(id).append(",").append(x);
+        rows.append(",0,0.8,0.965925826289068,0.258819045102521,0,0,0,0,0,0,0,0,1,1,");
+        rows.append(k == 1 || k == 2 ? "1.6," : "1,").append(shapes[k]).append("\n");
       }
     }
     shop_.write("pyramid.obj", kPyramid);

@@ -77,7 +77,7 @@ Status McapFile::begin(const std::string& library, const std::map<std::string, s
   return write(bytes);
 }
 
-std::uint16_t McapFile::add_schema(const std::string& name, std::string content) {
+std::uint16_t McapFile::add_schema(const std::string& name, std::string_view content) {
   const auto number = static_cast<std::uint16_t>(schemas_.size() + 1);
   std::string bytes;
   append_little(number, 2, bytes);

@@ -22,7 +22,7 @@ class McapFile {
   Status begin(const std::string& library, const std::map<std::string, std::string>& facts);
 
   /// Returns the number of the schema. content: a serialised google.protobuf.FileDescriptorSet.
-  std::uint16_t add_schema(const std::string& name, std::string content);
+  std::uint16_t add_schema(const std::string& name, std::string_view content);
 
   /// Returns the number of the channel. At most 65,535; the caller checks.
   std::uint16_t add_channel(std::uint16_t schema, const std::string& topic,

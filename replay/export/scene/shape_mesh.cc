@@ -131,7 +131,7 @@ TriangleMesh flat_mesh(const std::vector<Vec3>& points, const std::vector<std::u
 }  // namespace
 
 TriangleMesh mesh_of(const ExportBody& body) {
-  const TriangleMesh box = box_mesh(body.box.size, body.box.material.texture == sim::Texture::kCrate);
+  TriangleMesh box = box_mesh(body.box.size, body.box.material.texture == sim::Texture::kCrate);
   if (body.shape == nullptr) return box;
   const Shape& shape = *body.shape;
   switch (shape.kind) {

@@ -71,7 +71,7 @@ class CsvWriter : public ExportWriter {
       rows_ += '\n';
     }
     empty_steps_ += rows_.empty() ? 1U : 0U;
-    const Status ok = file_.write(rows_);
+    Status ok = file_.write(rows_);
     rows_.clear();
     return ok;
   }
@@ -84,7 +84,7 @@ class CsvWriter : public ExportWriter {
  private:
   Status write_head() {
     std::string head;
-    for (const auto& [key, value] : table_settings(*plan_)) head += "# " + key + ": " + value + '\n';
+    for (const auto& [key, value] : table_settings(*plan_)) head.append("# ").append(key).append(": ").append(value).append("\n");
     const std::vector<Channel>& all = plan_->header.declared.channels;
     if (!channels_.empty()) {
       head += "# kinds:";

@@ -41,7 +41,7 @@ std::uint32_t crc_of(std::uint32_t crc, std::string_view bytes) {
 
 std::uint64_t NpzArchive::Entry::local_bytes() const { return kLocalHeader + name.size() + kZip64Extra; }
 
-std::size_t NpzArchive::add(std::string name, ItemType type, std::vector<std::uint64_t> shape) {
+std::size_t NpzArchive::add(std::string name, const ItemType& type, const std::vector<std::uint64_t>& shape) {
   Entry entry;
   entry.name = std::move(name) + ".npy";
   entry.head = array_head(type, shape);
@@ -59,7 +59,7 @@ Status NpzArchive::flush(Entry& entry) {
   entry.crc = crc_of(entry.crc, entry.buffer);
   const std::uint64_t at = entry.place + entry.local_bytes() + entry.head.size() + entry.written;
   entry.written += entry.buffer.size();
-  const Status ok = file_.write_at(at, entry.buffer);
+  Status ok = file_.write_at(at, entry.buffer);
   entry.buffer.clear();
   return ok;
 }

@@ -26,7 +26,7 @@ class NpzArchive {
   explicit NpzArchive(files::OutputFile& file) : file_(file) {}
 
   /// Plans an array in C order; returns its number. Places are given in the order of the calls.
-  std::size_t add(std::string name, ItemType type, std::vector<std::uint64_t> shape);
+  std::size_t add(std::string name, const ItemType& type, const std::vector<std::uint64_t>& shape);
 
   /// Appends to an array. Errors: the disk.
   Status append(std::size_t array, std::string_view bytes);
