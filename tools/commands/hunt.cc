@@ -62,7 +62,7 @@ Result<Exit> judge_folder(const HuntCommand& options) {
   const hunt::HuntOptions how = hunt_options(options);
   const Result<hunt::CorpusResult> result = hunt::judge_corpus(options.judge, how.question, how.pool);
   if (!result.ok()) return result.error();
-  options.json ? print_json(hunt::to_json(*result)) : print_corpus(*result);
+  options.json ? print_json("hunt", hunt::to_json(*result)) : print_corpus(*result);
   return result->broken.empty() ? Exit::kSame : Exit::kDifference;
 }
 
@@ -75,7 +75,7 @@ Result<Exit> merge_corpora(const HuntCommand& options) {
     if (!options.json) std::cout << other << ": " << count_text(*added, "scene") << " added\n";
   }
   if (options.json) {
-    print_json({{"scenes", corpus->files().size()}, {"features", corpus->features()}});
+    print_json("hunt", {{"scenes", corpus->files().size()}, {"features", corpus->features()}});
   } else {
     std::cout << options.corpus << ": " << count_text(corpus->files().size(), "scene") << " with "
               << count_text(corpus->features().size(), "feature") << '\n';
@@ -85,7 +85,7 @@ Result<Exit> merge_corpora(const HuntCommand& options) {
 
 Result<Exit> hunt_for(const HuntCommand& options) {
   if (options.list) {
-    options.json ? print_json(relations_json()) : print_relations();
+    options.json ? print_json("hunt", relations_json()) : print_relations();
     return Exit::kSame;
   }
   if (options.print) return print_scene(options);
@@ -104,7 +104,7 @@ Result<Exit> hunt_for(const HuntCommand& options) {
   bar.finish();
   if (!state.ok()) return state.error();
   if (options.json) {
-    print_json(hunt::to_json(*state));
+    print_json("hunt", hunt::to_json(*state));
   } else {
     print_hunt(*state, options.folder);
   }
