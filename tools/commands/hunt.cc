@@ -33,6 +33,7 @@ struct HuntCommand {
   std::string folder, corpus, judge;
   std::vector<std::string> merge;
   bool list = false;
+  bool unshrunk = false;
   bool json = false;
 };
 
@@ -51,6 +52,7 @@ hunt::HuntOptions hunt_options(const HuntCommand& options) {
   out.question.only = options.relations;
   out.question.against = options.against;
   out.folder = options.folder;
+  if (options.unshrunk) out.shrunk_most = 0;
   out.corpus = options.corpus;
   out.pool.jobs = options.threads.value_or(std::max(1U, std::thread::hardware_concurrency()));
   out.pool.cancel = process::InterruptGuard::interrupted;
@@ -137,6 +139,7 @@ Action declare_hunt(Arguments& arguments) {
   const Argument print =
       arguments.whole("--print", "NUMBER", options->print, 0, kNumberMax, "Print the scene of this number and end");
   arguments.flag("--relations", options->list, "List the relations and laws and end").excludes(print);
+  arguments.flag("--unshrunk", options->unshrunk, "Name findings by their numbers alone, without shrinking any");
   arguments.json(options->json);
   arguments.footer(
       "Exit status: 0 no scene broke a relation, 1 findings, 2 bad usage or a folder of another hunt, 4 could not\n"
