@@ -11,6 +11,7 @@
 #include "tools/view/view_json.h"
 
 #if defined(__linux__)
+#include <sched.h>
 #include <unistd.h>
 #endif
 
@@ -38,7 +39,10 @@ std::optional<replay::LogReader> opened_again(const replay::LogReader& log) {
 // Lets every other thread go first: whoever waits for an answer does not wait for the timeline.
 void yield_to_others() {
 #if defined(__linux__)
-  (void)::nice(kBackgroundNice);  // under Linux of the calling thread alone
+  // Both of the calling thread alone, under Linux.
+  const sched_param none = {};
+  (void)::sched_setscheduler(0, SCHED_BATCH, &none);
+  (void)::nice(kBackgroundNice);
 #endif
 }
 
