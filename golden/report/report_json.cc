@@ -4,12 +4,14 @@
 
 #include "golden/judge/across_cases.h"
 #include "golden/report/commands.h"
+#include "src/base/schema_name.h"
 #include "tumble/golden/change.h"
 
 namespace tumble::golden {
 
 Json report_json(const SuiteResult& result) {
-  Json json = {{"passed", result.passed()},
+  Json json = {{"schema", schema_name("check")},
+               {"passed", result.passed()},
                {"headline", headline(result)},
                {"across", across_cases(result.cases)},
                {"suite", result.suite},

@@ -34,7 +34,8 @@ void PhaseRules::add(BrokenRule rule) {
 
 std::vector<BrokenRule> PhaseRules::take() {
   const sim::BodyId own = ids_[row_];
-  std::stable_partition(broken_.begin(), broken_.end(), [&](const BrokenRule& rule) { return rule.body == own || rule.other == own; });
+  std::stable_partition(broken_.begin(), broken_.end(),
+                        [&](const BrokenRule& rule) { return rule.body == own || rule.other == own; });
   return std::move(broken_);
 }
 

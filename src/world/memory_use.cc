@@ -82,10 +82,10 @@ void add_layered(const Scratch& s, std::vector<MemoryPart>& parts) {
   parts.push_back(
       {"layers", GrowsWith::kContacts, held_by(s.layered, s.layer_start, s.sweep_groups, s.graph.links, s.graph.ends)});
   parts.push_back({"weights", GrowsWith::kContacts, held_by(w.supports, w.meets) + held_inside(w.points)});
-  parts.push_back({"batches", GrowsWith::kContacts, held_by(s.contact_batches, s.fast, s.overlaps.points)});
+  parts.push_back({"batches", GrowsWith::kContacts, held_by(s.contact_batches, s.fast, s.overlaps.impulses)});
   parts.push_back({"solver's bodies", GrowsWith::kBodies,
                    held_by(s.solver_bodies, s.solver_mass, s.lent_along, s.in_contact, s.held, s.visits.moved,
-                           s.overlaps.bodies, s.energies)});
+                           s.overlaps.velocity, s.overlaps.spin, s.energies)});
   parts.push_back({"levels, islands and sleep", GrowsWith::kBodies,
                    held_by(s.level, l.next, l.marked, l.in_hard, s.graph.start, s.graph.next, s.waves.bodies,
                            s.waves.start, w.start, w.waiting_for, w.meeting, w.borne, w.moment_x, w.moment_y, w.blows,

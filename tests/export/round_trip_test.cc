@@ -48,9 +48,9 @@ std::string imported() {
       const std::string angle = body[0] == '7' ? "" : (k == 3 ? "nan" : "0." + std::to_string(k + 1));
       const std::string shape = body[0] == 'h' ? "capsule-y" : (body[0] == 'k' ? "sphere" : "box");
       const std::string word = k % 3 == 0 ? "up" : "döwn";
-      for (const std::string& cell : {std::to_string(k), std::string(body), x, std::string("1.7,-0.3"), turn,
-                                      std::string("0.5,1.5,0.5,2"), shape, angle, std::to_string(k - 4),
-                                      std::string("18446744073709551615"), word, std::to_string(k * 3)}) {
+      for (const std::string& cell :
+           {std::to_string(k), std::string(body), x, std::string("1.7,-0.3"), turn, std::string("0.5,1.5,0.5,2"), shape,
+            angle, std::to_string(k - 4), std::string("18446744073709551615"), word, std::to_string(k * 3)}) {
         text.append(cell).append(",");
       }
       text.back() = '\n';

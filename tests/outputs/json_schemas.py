@@ -3,7 +3,7 @@
 Usage: tests/outputs/json_schemas.py [--samples FOLDER] [TUMBLE]
 
 TUMBLE: the program, build/release/tools/tumble unless said. --samples: keeps what the commands printed there. Every
-command whose help names --json must have a schema and a sample. Further keys are allowed by a schema, so that readers of
+command whose help names --json must have a schema and a sample, and every output name its schema. Further keys are allowed by a schema, so that readers of
 an older one go on; here they are errors, so that no schema lags behind. Status 1: something does not fit; 77: skipped,
 python3-jsonschema is missing (tools/setup.sh --with export).
 """
@@ -153,6 +153,12 @@ def strict(schema):
     return closed
 
 
+def named_by(value):
+    """The names of schemas that an output gives: its own, or those of its items."""
+    items = value if isinstance(value, list) else [value]
+    return {item.get("schema") if isinstance(item, dict) else None for item in items}
+
+
 def main(words):
     kept = None
     if words[:1] == ["--samples"]:
@@ -193,6 +199,8 @@ def main(words):
         jsonschema.Draft202012Validator.check_schema(schema)
         judge = jsonschema.Draft202012Validator(strict(schema))
         for about, value in seen.get(command, []):
+            if named_by(value) != {schema["$id"]}:
+                wrong.append(f"{about}: found the schema {named_by(value)}, wanted {schema['$id']}")
             for error in judge.iter_errors(value):
                 place = "/".join(str(part) for part in error.absolute_path)
                 wrong.append(f"{about}: at {place or 'the top'}: {error.message[:300]}")

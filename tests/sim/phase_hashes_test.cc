@@ -204,8 +204,8 @@ TEST(PhaseHashes, CoverWhatPartingOverlapsWrites) {
   Changer changer({
       {"part_overlaps", "position", [](World& w) { bodies(w).position.z[0] += 1; }},
       {"part_overlaps", "orientation", [](World& w) { bodies(w).orientation.z[1] += 1; }},
-      {"part_overlaps", "parting velocity", [](World& w) { w.mutable_scratch().overlaps.bodies[0].velocity.z() += 1; }},
-      {"part_overlaps", "parting spin", [](World& w) { w.mutable_scratch().overlaps.bodies[1].spin.x() += 1; }},
+      {"part_overlaps", "parting velocity", [](World& w) { w.mutable_scratch().overlaps.velocity[0].z() += 1; }},
+      {"part_overlaps", "parting spin", [](World& w) { w.mutable_scratch().overlaps.spin[1].x() += 1; }},
       {"part_overlaps", "velocity", [](World& w) { body(w).velocity.z() += 1; }},
       {"part_overlaps", "spin", [](World& w) { body(w).spin.y() += 1; }},
       {"part_overlaps", "separation", [](World& w) { lane(point(w).separation) += 1; }},

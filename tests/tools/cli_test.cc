@@ -41,7 +41,7 @@ TEST(Program, RecordsAndReplaysToTheBit) {
   EXPECT_NE(replayed.out.find("identical: 40 steps"), std::string::npos) << replayed.out;
   const ordered_json json = parsed(shop.run({"replay", "s.tumble", "--json"}));
   using Keys = std::vector<std::string>;
-  EXPECT_EQ(keys_of(json), (Keys{"identical", "steps", "first", "notes", "compared", "not_compared"}));
+  EXPECT_EQ(keys_of(json), (Keys{"schema", "identical", "steps", "first", "notes", "compared", "not_compared"}));
   EXPECT_EQ(json["identical"], true);
   EXPECT_EQ(json["steps"], 40);
   EXPECT_TRUE(json["first"].is_null());

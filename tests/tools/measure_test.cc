@@ -21,8 +21,8 @@ TEST(Program, MeasureKeepsItsContract) {
   shop.record_small("s");
   const ordered_json json = parsed(shop.run({"measure", "s.tumble", "--json", "--series", "s.csv"}));
   using Keys = std::vector<std::string>;
-  EXPECT_EQ(keys_of(json), (Keys{"log", "bodies", "steps", "symmetry", "energy", "stacking", "channels", "partings",
-                                 "final_hash", "axes", "not_finite", "notes"}));
+  EXPECT_EQ(keys_of(json), (Keys{"schema", "log", "bodies", "steps", "symmetry", "energy", "stacking", "channels",
+                                 "partings", "final_hash", "axes", "not_finite", "notes"}));
   std::map<std::string, Keys> wanted;
   for (const replay::MetricRow& metric : replay::metric_list()) wanted[metric.group].emplace_back(metric.name);
   for (const auto& [group, keys] : wanted) EXPECT_EQ(keys_of(json[group]), keys);

@@ -116,7 +116,7 @@ std::string machine_text(const Json& machine) {
 }
 
 Status give_results(const BenchOptions& options, const Json& results) {
-  if (options.json) print_json(results);
+  if (options.json) print_json("bench", results);
   if (options.save.empty()) return {};
   return files::write_whole_file(options.save, results.dump(1) + '\n');
 }

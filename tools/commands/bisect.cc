@@ -76,7 +76,7 @@ Result<Exit> locate_in_logs(const BisectCommand& options) {
     json["narrowed"] = report.first ? location_json(located->location) : Json(nullptr);
     json["chunks_opened"] = located->chunks_opened;
     json["chunks"] = chunks;
-    print_json(json);
+    print_json("bisect", json);
     return judge_both();
   }
   for (const std::string& note : report.notes) std::cout << "note: " << printable(note) << '\n';
@@ -212,7 +212,7 @@ Result<Exit> find_commit(const BisectCommand& options) {
   }
   const bisect::Comparison comparison = bisect::compare_sessions(*finding, *place);
   if (options.json) {
-    print_json(bisect::verdict_json(*settings, *finding, comparison));
+    print_json("bisect", bisect::verdict_json(*settings, *finding, comparison));
   } else {
     bisect::print_verdict(*settings, *finding, comparison);
   }

@@ -39,7 +39,7 @@ Result<Exit> show_contacts(const BlameCommand& options, replay::LogReader& log) 
   bar.finish();
   if (!found.ok()) return found.error();
   if (options.json) {
-    print_json(contacts_json(*found));
+    print_json("blame", contacts_json(*found));
   } else {
     print_contacts(*found);
   }
@@ -61,7 +61,7 @@ Result<Exit> blame(const BlameCommand& options) {
   bar.finish();
   if (!found.ok()) return found.error();
   if (options.json) {
-    print_json(blame_json(*found));
+    print_json("blame", blame_json(*found));
   } else {
     print_blame(*found);
   }

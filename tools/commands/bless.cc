@@ -58,7 +58,7 @@ Result<Exit> bless(const BlessCommand& options) {
   const Result<golden::BlessReport> report = run(options);
   if (!report.ok()) return report.error();
   if (options.json) {
-    print_json(blessings_json(*report, options.dry_run));
+    print_json("bless", blessings_json(*report, options.dry_run));
   } else {
     print_blessings(*report, options.dry_run);
   }

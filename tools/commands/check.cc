@@ -102,7 +102,7 @@ Result<Exit> check(const CheckCommand& options) {
   if (Status ok = golden::write_reports(*result, how->report, options.junit); !ok.ok()) return ok.error();
   if (Status ok = annotate(options, *result); !ok.ok()) return ok.error();
   if (options.json) {
-    print_json(golden::report_json(*result));
+    print_json("check", golden::report_json(*result));
   } else {
     print_sum(*result, how->suite.string(), options.report);
   }

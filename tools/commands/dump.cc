@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "replay/session/state_source.h"
+#include "src/base/schema_name.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
 #include "tools/arguments/step_range.h"
@@ -124,8 +125,8 @@ class JsonOutput : public Output {
     if (is_list_) std::cout << "[\n";
   }
   void begin_step(const replay::StepRecord& step) override {
-    std::cout << (first_step_ ? "" : ",\n") << "{\"step\":" << step.step << ",\"axes\":" << axes_json(told_.axes).dump()
-              << ",\"bodies\":[";
+    std::cout << (first_step_ ? "" : ",\n") << R"({"schema":")" << schema_name("dump") << R"(","step":)" << step.step
+              << ",\"axes\":" << axes_json(told_.axes).dump() << ",\"bodies\":[";
     first_step_ = false;
     first_body_ = true;
   }

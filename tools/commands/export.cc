@@ -88,7 +88,7 @@ void print_result(const ExportCommand& options, const replay::ExportFormat& form
     json["bodies"] = plan.bodies.size();
     json["bytes"] = bytes;
     json["left_out"] = left_out;
-    print_json(json);
+    print_json("export", json);
     return;
   }
   Listing listing;

@@ -33,6 +33,7 @@ struct HuntCommand {
   std::string folder, corpus, judge;
   std::vector<std::string> merge;
   bool list = false;
+  bool unshrunk = false;
   bool json = false;
 };
 
@@ -51,6 +52,7 @@ hunt::HuntOptions hunt_options(const HuntCommand& options) {
   out.question.only = options.relations;
   out.question.against = options.against;
   out.folder = options.folder;
+  if (options.unshrunk) out.shrunk_most = 0;
   out.corpus = options.corpus;
   out.pool.jobs = options.threads.value_or(std::max(1U, std::thread::hardware_concurrency()));
   out.pool.cancel = process::InterruptGuard::interrupted;
@@ -62,7 +64,7 @@ Result<Exit> judge_folder(const HuntCommand& options) {
   const hunt::HuntOptions how = hunt_options(options);
   const Result<hunt::CorpusResult> result = hunt::judge_corpus(options.judge, how.question, how.pool);
   if (!result.ok()) return result.error();
-  options.json ? print_json(hunt::to_json(*result)) : print_corpus(*result);
+  options.json ? print_json("hunt", hunt::to_json(*result)) : print_corpus(*result);
   return result->broken.empty() ? Exit::kSame : Exit::kDifference;
 }
 
@@ -75,7 +77,7 @@ Result<Exit> merge_corpora(const HuntCommand& options) {
     if (!options.json) std::cout << other << ": " << count_text(*added, "scene") << " added\n";
   }
   if (options.json) {
-    print_json({{"scenes", corpus->files().size()}, {"features", corpus->features()}});
+    print_json("hunt", {{"scenes", corpus->files().size()}, {"features", corpus->features()}});
   } else {
     std::cout << options.corpus << ": " << count_text(corpus->files().size(), "scene") << " with "
               << count_text(corpus->features().size(), "feature") << '\n';
@@ -85,7 +87,7 @@ Result<Exit> merge_corpora(const HuntCommand& options) {
 
 Result<Exit> hunt_for(const HuntCommand& options) {
   if (options.list) {
-    options.json ? print_json(relations_json()) : print_relations();
+    options.json ? print_json("hunt", relations_json()) : print_relations();
     return Exit::kSame;
   }
   if (options.print) return print_scene(options);
@@ -104,7 +106,7 @@ Result<Exit> hunt_for(const HuntCommand& options) {
   bar.finish();
   if (!state.ok()) return state.error();
   if (options.json) {
-    print_json(hunt::to_json(*state));
+    print_json("hunt", hunt::to_json(*state));
   } else {
     print_hunt(*state, options.folder);
   }
@@ -137,6 +139,7 @@ Action declare_hunt(Arguments& arguments) {
   const Argument print =
       arguments.whole("--print", "NUMBER", options->print, 0, kNumberMax, "Print the scene of this number and end");
   arguments.flag("--relations", options->list, "List the relations and laws and end").excludes(print);
+  arguments.flag("--unshrunk", options->unshrunk, "Name findings by their numbers alone, without shrinking any");
   arguments.json(options->json);
   arguments.footer(
       "Exit status: 0 no scene broke a relation, 1 findings, 2 bad usage or a folder of another hunt, 4 could not\n"

@@ -89,7 +89,7 @@ void print_result(const ImportCommand& options, const std::string& output, const
     if (header.declared.velocity_derived) json["derived"].push_back("velocity");
     if (header.declared.spin_derived) json["derived"].push_back("spin");
     json["warnings"] = warnings;
-    print_json(json);
+    print_json("import", json);
     return;
   }
   Listing listing;

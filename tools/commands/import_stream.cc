@@ -53,7 +53,7 @@ void print_json_result(const StreamFiles& files, const StreamReader& stream, con
   json["rollbacks"] = rollback_json(done.rollbacks);
   json["passed_over"] = Json::array();  // of a stream the log keeps all
   json["warnings"] = done.warnings;
-  print_json(json);
+  print_json("import", json);
 }
 
 void print_listing(const StreamFiles& files, const StreamReader& stream, const replay::StreamImport& done) {

@@ -168,7 +168,7 @@ void print_as_json(const LogReader& log, const LogFacts& facts, const LogConditi
         {{"record", replay::name_of(damage.kind)}, {"byte", damage.offset}, {"message", damage.message}});
   }
   json["final_hash"] = facts.final_hash ? Json(to_string(*facts.final_hash)) : Json(nullptr);
-  print_json(json);
+  print_json("info", json);
 }
 
 Result<Exit> info(const InfoCommand& options) {

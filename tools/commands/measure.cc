@@ -188,7 +188,7 @@ Result<Exit> measure(const MeasureCommand& options) {
   if (options.json) {
     Json json = metrics_json(options.log, axes, *metrics);
     json["notes"] = notes;
-    print_json(json);
+    print_json("measure", json);
   } else {
     for (const std::string& note : notes) std::cout << "note: " << printable(note) << '\n';
     print_metrics(options.log, axes, *metrics);

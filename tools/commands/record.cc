@@ -157,7 +157,7 @@ void print_as_json(const std::string& path, const sim::SceneDef& scene, const Re
   if (const auto each = bytes_each(session)) json["bytes_per_moving_body_step"] = *each;
   json["final_hash"] = to_string(session.log.final_hash);
   json["warnings"] = warnings;
-  print_json(json);
+  print_json("record", json);
 }
 
 using Started = Result<std::unique_ptr<replay::Recorder>>;

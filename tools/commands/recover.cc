@@ -97,7 +97,7 @@ void print_as_json(const RecoverCommand& options, const RecoverReport& report) {
   for (const replay::Damage& damage : report.damages) {
     json["damages"].push_back({{"byte", damage.offset}, {"message", damage.message}});
   }
-  print_json(json);
+  print_json("recover", json);
 }
 
 Result<RecoverReport> write_partial(const replay::ByteSource& source, const std::string& partial) {

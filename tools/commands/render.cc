@@ -188,7 +188,7 @@ void print_json_summary(const std::string& log, const RenderPlan& plan, const Su
   json["effects"] = render::to_string(plan.settings.effects);
   json["backend"] = summary.backend;
   json["driver"] = summary.driver;
-  print_json(json);
+  print_json("render", json);
 }
 
 Result<Exit> render_command(const RenderArguments& arguments) {

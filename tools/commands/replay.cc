@@ -126,7 +126,7 @@ Result<Exit> replay_command(const ReplayCommand& options) {
     json["notes"] = report->notes;
     add_scope(report->scope, json);
     if (difference) add_difference(*difference, Compared::kReplay, json);
-    print_json(json);
+    print_json("replay", json);
   } else {
     print_text(*report, *log, difference);
   }

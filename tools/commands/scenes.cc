@@ -57,7 +57,7 @@ Result<Exit> list_scenes(const ScenesCommand& options) {
                     {"file", file.path}});
   }
   if (options.json) {
-    print_json(json);
+    print_json("scenes", json);
   } else {
     table.print();
   }

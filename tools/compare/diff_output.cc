@@ -97,7 +97,7 @@ void print_result(const DiffQuestion& question, const replay::DiffReport& report
     json["next"] = next.empty() ? Json(nullptr) : Json(next);
     if (question.zoom) json["zoom"] = further.zoom ? zoom_json(*further.zoom) : Json(nullptr);
     if (question.apart) json["apart"] = parting_json(further.parting, *question.apart);
-    print_json(json);
+    print_json("diff", json);
     return;
   }
   print_text(question, report);

@@ -175,7 +175,7 @@ Result<Exit> diff_many(const std::vector<std::string>& paths, bool json) {
   bar.finish();
   if (!found.ok()) return found.error();
   if (json) {
-    print_json(groups_json(paths, *found));
+    print_json("diff", groups_json(paths, *found));
   } else {
     print_groups(paths, logs, *found);
   }

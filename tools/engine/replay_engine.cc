@@ -117,7 +117,7 @@ Result<Exit> compare_with(replay::LogReader& log, replay::LogReader& again, cons
     report->first = difference->first;
   }
   if (options.json) {
-    print_json(json_of(*report, difference, session, again));
+    print_json("replay", json_of(*report, difference, session, again));
   } else {
     print_text(*report, difference, log, again, options.brief);
   }

@@ -158,7 +158,7 @@ void report(const std::vector<replay::SavedLog>& logs, const Player& player, con
     json["frames"] = player.frames();
     json["driver"] = driver;
     json["measured"] = player.measured().value_or(nullptr);
-    return print_json(json);
+    return print_json("live", json);
   }
   Listing listing;
   for (const replay::SavedLog& log : logs) {

@@ -290,7 +290,7 @@ Result<bool> print_side_by_side(replay::LogReader& a, replay::LogReader& b, std:
   const Result<SideBySide> step = step_side_by_side(a, b, k);
   if (!step.ok()) return step.error();
   if (as_json) {
-    print_json(step->json);
+    print_json("diff", step->json);
   } else {
     print_text(*step, sides_of(a.name(), b.name()));
   }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "src/base/check.h"
+#include "src/base/schema_name.h"
 #include "src/base/utf8.h"
 
 namespace tumble::tools {
@@ -34,8 +35,17 @@ std::string escape_harmful(const std::string& json) {
 
 }  // namespace
 
-void print_json(const Json& json) {
-  std::cout << escape_harmful(json.dump(2, ' ', false, Json::error_handler_t::replace)) << '\n';
+void print_json(std::string_view command, const Json& json) {
+  const auto named = [&](const Json& report) {
+    Json out = {{"schema", schema_name(command)}};
+    out.update(report);
+    return out;
+  };
+  Json out = json.is_array() ? Json::array() : named(json);
+  if (json.is_array()) {
+    for (const Json& item : json) out.push_back(named(item));
+  }
+  std::cout << escape_harmful(out.dump(2, ' ', false, Json::error_handler_t::replace)) << '\n';
 }
 
 Json number_json(double value) { return std::isfinite(value) ? Json(value) : Json(exact_bits(value)); }

@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -14,9 +15,10 @@ namespace tumble::tools {
 /// Keys stay in the order in which they are set.
 using Json = nlohmann::ordered_json;
 
-/// Prints JSON and a newline to stdout. Numbers read back to the same bits; text that is not UTF-8 (a log may hold any)
-/// gets replacement characters.
-void print_json(const Json& json);
+/// Prints what a command reports as JSON, and a newline, to stdout. Its first member, or that of each item of a list,
+/// is `schema`, the name of the command's schema. Numbers read back to the same bits; text that is not UTF-8 (a log may
+/// hold any) gets replacement characters.
+void print_json(std::string_view command, const Json& json);
 
 /// A number, or, where JSON has none for it, the text of exact_bits(): "nan(0x7ff8000000000000)".
 Json number_json(double value);

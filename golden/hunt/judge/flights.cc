@@ -37,8 +37,6 @@ bool listed(const TracedStep& step, sim::BodyId id) {
 
 }  // namespace
 
-// The engine may have listed the body in a contact that never pushed. It then moves substep by substep, which turns an
-// uneven box less exactly.
 Judgement judge_unmet(const Trace& trace) {
   if (trace.scene.world.air_drag != 0) return not_applicable("air slows bodies down");
   Worst worst("m/s");

@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "golden/hunt/judge/bounds.h"
 #include "replay/measure/measure_overlap.h"
 
 namespace tumble::hunt {
@@ -91,31 +92,49 @@ std::vector<Group> groups_of(const Trace& trace, std::size_t step) {
   return out;
 }
 
-namespace {
-
-void take(Overlap& worst, double depth, BodyId a, BodyId b, double thinnest) {
-  if (!(depth * std::max(worst.thinnest, 1e-300) > worst.depth * thinnest) && worst.thinnest > 0) return;
-  worst = {depth, a, b, thinnest};
+bool is_parted(const sim::WorldState& state, const std::vector<BodyId>& ids) {
+  for (const BodyId id : ids) {
+    const auto i = state.bodies.find(id);
+    if (!i) continue;
+    const sim::BoxFrame frame = frame_of(state.bodies, *i);
+    const double thin = frame.half_extent.minCoeff();
+    if (state.def.ground && replay::ground_penetration(frame) > std::min(kPartedDepth, kPartedPart * thin)) return true;
+    for (BodyIndex j = 0; j < state.bodies.size(); ++j) {
+      if (j == *i) continue;
+      const double depth = std::min(kPartedDepth, kPartedPart * std::min(thin, state.bodies.half_extent[j].minCoeff()));
+      if (replay::overlap_depth(frame, frame_of(state.bodies, j)) > depth) return true;
+    }
+  }
+  return false;
 }
 
-}  // namespace
-
-Overlap worst_overlap(const sim::WorldState& state) {
+std::vector<Overlap> overlaps_of(const sim::WorldState& state) {
   const Bodies& bodies = state.bodies;
-  Overlap worst;
+  std::vector<Overlap> found;
+  const auto add = [&found](double depth, BodyId a, BodyId b, double thinnest) {
+    if (depth > 0) found.push_back({depth, a, b, thinnest});
+  };
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
     const double edge = 2 * bodies.half_extent[i].minCoeff();
     const sim::BoxFrame frame = frame_of(bodies, i);
     if (state.def.ground && bodies.is_static[i] == 0) {
-      take(worst, replay::ground_penetration(frame), kGroundId, bodies.id[i], edge);
+      add(replay::ground_penetration(frame), kGroundId, bodies.id[i], edge);
     }
     for (BodyIndex j = i + 1; j < bodies.size(); ++j) {
       if (bodies.is_static[i] != 0 && bodies.is_static[j] != 0) continue;
       const double reach = half_diagonal(bodies, i) + half_diagonal(bodies, j);
       if (length(bodies.position[j] - bodies.position[i]) >= reach) continue;
       const double thinnest = std::min(edge, 2 * bodies.half_extent[j].minCoeff());
-      take(worst, replay::overlap_depth(frame, frame_of(bodies, j)), bodies.id[i], bodies.id[j], thinnest);
+      add(replay::overlap_depth(frame, frame_of(bodies, j)), bodies.id[i], bodies.id[j], thinnest);
     }
+  }
+  return found;
+}
+
+Overlap worst_overlap(const sim::WorldState& state) {
+  Overlap worst;
+  for (const Overlap& one : overlaps_of(state)) {
+    if (worst.thinnest == 0 || one.depth * worst.thinnest > worst.depth * one.thinnest) worst = one;
   }
   return worst;
 }

@@ -44,8 +44,14 @@ struct Overlap {
   sim::BodyId a = kGroundId, b = kGroundId;
   double thinnest = 0;  ///< m, the least edge of the two
 };
+/// Every overlap of a state, those of two static bodies left out.
+std::vector<Overlap> overlaps_of(const sim::WorldState& state);
 /// The overlap that is deepest against the thinnest edge of its two boxes.
 Overlap worst_overlap(const sim::WorldState& state);
+
+/// Whether one of these bodies begins a step so deep in something that the step lifts it out, and lets it pay with its
+/// speed.
+bool is_parted(const sim::WorldState& state, const std::vector<sim::BodyId>& ids);
 
 /// Whether no box begins deeper than `depth` in another or in the ground, thrown ones included.
 bool begins_apart(const Trace& trace, double depth);

@@ -55,8 +55,8 @@ class Watch : public sim::Observer {
       step_.met.push_back(meeting_of(world, contacts.a[k], contacts.b[k]));
       const Vec3 impulse = contacts.impulse[k], n = contacts.normal[k];
       const double along = dot(impulse, n);
-      step_.forces.push_back(
-          {id_of(world, contacts.a[k]), id_of(world, contacts.b[k]), std::fabs(along), length(impulse - n * along)});
+      step_.forces.push_back({id_of(world, contacts.a[k]), id_of(world, contacts.b[k]), std::fabs(along),
+                              length(impulse - n * along), contacts.depth[k]});
     }
   }
 

@@ -26,6 +26,7 @@ struct ContactForce {
   sim::BodyId a = kGroundId, b = kGroundId;
   double normal = 0;   ///< N·s, >= 0 where the contact pushes
   double tangent = 0;  ///< N·s, the magnitude across the normal
+  double depth = 0;    ///< m, of the overlap that was parted
 };
 
 /// A step as this build took it.

@@ -84,7 +84,8 @@ class CsvWriter : public ExportWriter {
  private:
   Status write_head() {
     std::string head;
-    for (const auto& [key, value] : table_settings(*plan_)) head.append("# ").append(key).append(": ").append(value).append("\n");
+    for (const auto& [key, value] : table_settings(*plan_))
+      head.append("# ").append(key).append(": ").append(value).append("\n");
     const std::vector<Channel>& all = plan_->header.declared.channels;
     if (!channels_.empty()) {
       head += "# kinds:";

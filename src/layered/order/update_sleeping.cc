@@ -10,9 +10,9 @@ namespace {
 // a bound.
 double parting(const Scratch& scratch, BodyIndex i) {
   if (!scratch.overlaps.any) return 0;
-  const SolverBody& body = scratch.overlaps.bodies[i];
+  const Vec3 &velocity = scratch.overlaps.velocity[i], &spin = scratch.overlaps.spin[i];
   const Vec3& half = scratch.frames[i].half_extent;
-  return 0.5 * (dot(body.velocity, body.velocity) + dot(body.spin, body.spin) * dot(half, half));
+  return 0.5 * (dot(velocity, velocity) + dot(spin, spin) * dot(half, half));
 }
 
 // Calls visit(manifold) for all manifolds that touch, by several workers at a time.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "src/kernels/kernels_by_width.h"
 #include "src/layered/solve/contact_batches.h"
@@ -23,25 +24,36 @@ constexpr double kSweepsMost = 20;
 // them.
 int more_sweeps(double deepest) { return 1 + static_cast<int>(std::min(kSweepsMost, deepest / kSweepDepth)); }
 
-// Points without an impulse, and bodies at rest.
-void start(Scratch& scratch) {
+// Called before the overlaps are solved and again afterwards. No point has been hit in this step yet.
+void exchange(Scratch& scratch) {
   OverlapScratch& own = scratch.overlaps;
-  const std::vector<PointBatch>& points = scratch.contact_batches.points;
-  const std::vector<SolverBody>& bodies = scratch.solver_bodies;
-  own.points.resize(points.size());
-  own.bodies.resize(bodies.size());
+  std::vector<PointBatch>& points = scratch.contact_batches.points;
+  std::vector<SolverBody>& bodies = scratch.solver_bodies;
   for_ranges(scratch.workers, points.size(), kBatchesAPart, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
-      own.points[k] = points[k];
-      own.points[k].impulse = own.points[k].peak = {};
+      std::swap(points[k].impulse, own.impulses[k]);
+      points[k].peak = {};
     }
   });
   for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      own.bodies[i] = bodies[i];
-      own.bodies[i].velocity = own.bodies[i].spin = Vec3::Zero();
+      std::swap(bodies[i].velocity, own.velocity[i]);
+      std::swap(bodies[i].spin, own.spin[i]);
     }
   });
+}
+
+void solve(Scratch& scratch, ContactWork work, double deepest) {
+  scratch.overlaps.impulses.assign(scratch.contact_batches.points.size(), {});
+  scratch.overlaps.velocity.assign(scratch.solver_bodies.size(), Vec3::Zero());
+  scratch.overlaps.spin.assign(scratch.solver_bodies.size(), Vec3::Zero());
+  exchange(scratch);
+  work.push_part = kPart;
+  sweep_overlaps(scratch, work, more_sweeps(deepest));
+  for_ranges(scratch.workers, work.count, kBatchesAPart, [&](std::size_t begin, std::size_t end) {
+    kernels(scratch.lanes).contacts.move_on(part_of(work, begin, end));
+  });
+  exchange(scratch);
 }
 
 // Takes from the motion of a body that was moved along `path` what a lift adds to its energy: from the speed along
@@ -56,42 +68,34 @@ void pay(const WorldState& state, SolverBody& body, BodyIndex i, const Vec3& pat
   body.spin = VelocityGrid::round_any(Vec3(body.spin * part));
 }
 
-void move(WorldState& state, SolverBody& body, BodyIndex i, const SolverBody& parting, double dt_s) {
+void move(WorldState& state, SolverBody& body, BodyIndex i, const OverlapScratch& parting, double dt_s) {
   Bodies& bodies = state.bodies;
-  if (parting.velocity != Vec3::Zero()) {
-    const Vec3 path = PositionGrid::round_any(Vec3(parting.velocity * dt_s));
+  if (parting.velocity[i] != Vec3::Zero()) {
+    const Vec3 path = PositionGrid::round_any(Vec3(parting.velocity[i] * dt_s));
     bodies.position.set(i, plus_zero(bodies.position[i] + path));
     pay(state, body, i, path);
   }
-  if (parting.spin != Vec3::Zero()) {
-    bodies.orientation.set(i, turned(bodies.orientation[i], parting.spin * (0.5 * dt_s)));
+  if (parting.spin[i] != Vec3::Zero()) {
+    bodies.orientation.set(i, turned(bodies.orientation[i], parting.spin[i] * (0.5 * dt_s)));
   }
 }
 
 }  // namespace
 
 Status part_overlaps(WorldState& state, Scratch& scratch, double dt_s) {
-  ContactBatches& all = scratch.contact_batches;
   OverlapScratch& own = scratch.overlaps;
   const double deepest = find_overlaps(scratch, all_contacts(scratch, dt_s));
   own.any = deepest > 0;
-  own.points.reserve(all.points.capacity());  // so that the first overlap of a warm world allocates nothing
-  own.bodies.reserve(scratch.solver_bodies.capacity());
+  // So that the first overlap of a warm world allocates nothing.
+  own.impulses.reserve(scratch.contact_batches.points.capacity());
+  own.velocity.reserve(scratch.solver_bodies.capacity());
+  own.spin.reserve(scratch.solver_bodies.capacity());
   if (!own.any) return {};
-  start(scratch);
-  ContactWork work = all_contacts(scratch, dt_s);
-  work.points = own.points.data();
-  work.bodies = reinterpret_cast<double*>(own.bodies.data());
-  work.push_part = kPart;
-  sweep_overlaps(scratch, work, more_sweeps(deepest));
+  solve(scratch, all_contacts(scratch, dt_s), deepest);
   for_ranges(scratch.workers, state.bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
     for (auto i = static_cast<BodyIndex>(begin); i < end; ++i) {
-      move(state, scratch.solver_bodies[i], i, own.bodies[i], dt_s);
+      move(state, scratch.solver_bodies[i], i, own, dt_s);
     }
-  });
-  work.points = all.points.data();
-  for_ranges(scratch.workers, work.count, kBatchesAPart, [&](std::size_t begin, std::size_t end) {
-    kernels(scratch.lanes).contacts.move_on(part_of(work, begin, end));
   });
   return {};
 }
@@ -99,7 +103,7 @@ Status part_overlaps(WorldState& state, Scratch& scratch, double dt_s) {
 void hash_part_overlaps(const WorldState& state, const Scratch& scratch, Hasher& hasher) {
   if (!scratch.overlaps.any) return;
   hash_places(state.bodies, hasher);
-  hasher.add(doubles_of(scratch.overlaps.bodies));
+  hash_parting_bodies(scratch, hasher);
   hash_solver_bodies(scratch, hasher);
   hash_moved(state.bodies, scratch, hasher);
 }

@@ -1,6 +1,7 @@
 #include "src/layered/solve/solver_hashes.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstring>
 
@@ -38,6 +39,20 @@ void add_parts(const std::vector<Row>& rows, Hasher& hasher) {
 }  // namespace
 
 void hash_solver_bodies(const Scratch& scratch, Hasher& hasher) { hasher.add(doubles_of(scratch.solver_bodies)); }
+
+void hash_parting_bodies(const Scratch& scratch, Hasher& hasher) {
+  const std::vector<SolverBody>& bodies = scratch.solver_bodies;
+  std::array<SolverBody, 64> block;
+  for (std::size_t begin = 0; begin < bodies.size(); begin += block.size()) {
+    const std::size_t count = std::min(block.size(), bodies.size() - begin);
+    for (std::size_t k = 0; k < count; ++k) {
+      block[k] = bodies[begin + k];
+      block[k].velocity = scratch.overlaps.velocity[begin + k];
+      block[k].spin = scratch.overlaps.spin[begin + k];
+    }
+    hasher.add({reinterpret_cast<const double*>(block.data()), count * sizeof(SolverBody) / sizeof(double)});
+  }
+}
 
 void hash_prepared(const Scratch& scratch, Hasher& hasher) {
   hash_solver_bodies(scratch, hasher);

@@ -14,6 +14,9 @@ void hash_prepared(const Scratch& scratch, Hasher& hasher);
 /// Adds the solver's bodies: velocities, masses and inertias.
 void hash_solver_bodies(const Scratch& scratch, Hasher& hasher);
 
+/// Adds them with the motion of parting (OverlapScratch) instead of theirs.
+void hash_parting_bodies(const Scratch& scratch, Hasher& hasher);
+
 /// Adds the results of a sweep: impulses and the velocities of the solver's bodies.
 void hash_solution(const Scratch& scratch, Hasher& hasher);
 

@@ -1,0 +1,280 @@
+"""Random mutants of src: does `tumble check` or `tumble hunt` notice a change of one token?
+
+  python3 mutants.py draw --seed S --count N        draws N places and writes the list; nothing is picked by hand
+  python3 mutants.py run --tree DIR [--take K/N]    plants, builds and judges mutants that have no verdict yet
+  python3 mutants.py table                          how many were caught, by what, and which were missed
+
+`draw` takes each token of src that can change with equal chance: operators, numbers, true and false, min and max,
+axes, break and continue. Comments, texts and lines of the preprocessor are left out. A mutant that does not compile is
+none and counts nowhere; one that changes nothing that anybody could see counts as missed.
+
+`run` edits DIR, a checkout of this repository made for the purpose (git worktree add DIR), and puts each file back. It
+builds target tumble in DIR/build/mutants and asks, until one notices: some short cases of `check`, the whole `check`,
+`hunt`. `hunt` notices where a scene breaks a relation or law that it does not break without the mutant; --scenes is as
+many as two minutes of an idle machine judge. For a mutant that `check` passes, 1,000 scenes of `hunt --against` the
+program without the mutant say whether it moves a bit. --take K/N runs every N-th mutant. Ctrl-C ends it at any time.
+The list and the verdicts are tests/mutants/mutants.jsonl, by number.
+"""
+import argparse
+import json
+import os
+import pathlib
+import random
+import re
+import signal
+import subprocess
+import sys
+import time
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+LIST = ROOT / "tests/mutants/mutants.jsonl"
+CANNOT_BUILD = "does not compile"
+# Short cases of both methods that between them run every phase: most mutants fail one of them within seconds.
+SHORT = ["bounce", "freeze_and_wake", "size_ratio", "stacks", "thesis_free_spin", "thesis_inputs", "tower",
+         "layered_bounce", "layered_bullets", "layered_free_hits", "layered_inputs", "layered_leaning",
+         "layered_mass_graded", "layered_sleep", "layered_slide", "layered_table", "layered_tower_5"]
+
+SWAPS = {
+    "+": ["-"], "-": ["+"], "*": ["/"], "/": ["*"], "%": ["/"], "<": ["<=", ">"], "<=": ["<", ">"], ">": [">=", "<"],
+    ">=": [">", "<"], "==": ["!="], "!=": ["=="], "&&": ["||"], "||": ["&&"], "+=": ["-="], "-=": ["+="],
+    "*=": ["/="], "/=": ["*="], "++": ["--"], "--": ["++"], "!": [""], "|=": ["&="], "&=": ["|="], "<<": [">>"],
+    ">>": ["<<"], "true": ["false"], "false": ["true"], "min": ["max"], "max": ["min"], "x": ["y"], "y": ["z"],
+    "z": ["x"], "break": ["continue"], "continue": ["break"],
+}
+TOKEN = re.compile(r"""(?P<skip>//[^\n]*|/\*.*?\*/|^[ \t]*\#(?:[^\n]*\\\n)*[^\n]*|R"\((?:.|\n)*?\)"|"(?:\\.|[^"\\\n])*"
+    |'(?:\\.|[^'\\\n])+')|(?P<number>(?<![\w.])(?:0x[0-9a-fA-F']+|\d[\d']*(?:\.\d*)?(?:[eE][+-]?\d+)?)[uUlLfF]*)
+    |(?P<word>[A-Za-z_]\w*)|(?P<sign><=>|->|::|<<=|>>=|<<|>>|<=|>=|==|!=|&&|\|\||\+=|-=|\*=|/=|\|=|&=|\+\+|--|[-+*/%<>!])""",
+                   re.VERBOSE | re.DOTALL | re.MULTILINE)
+BINARY = {"+", "-", "*", "/", "%", "<", ">", "<=", ">=", "==", "!=", "&&", "||", "<<", ">>"}
+
+
+def numbers_near(token):
+    digits = token.rstrip("uUlLfF")
+    tail = token[len(digits):]
+    if re.fullmatch(r"\d+", digits):
+        value = int(digits)
+        return [str(value + 1) + tail] + ([str(value - 1) + tail] if value > 0 else [])
+    if re.search(r"[.eE]", digits) and not digits.startswith("0x"):
+        value = float(digits.replace("'", ""))
+        return [repr(value * 2) + tail, repr(value / 2) + tail] if value != 0 else ["1.0" + tail]
+    return []
+
+
+def places_in(file):
+    text = file.read_text()
+    for match in TOKEN.finditer(text):
+        kind, token, at = match.lastgroup, match.group(), match.start()
+        before, after = text[at - 1:at], text[match.end():match.end() + 1]
+        if kind == "number":
+            choices = numbers_near(token)
+        elif kind == "sign":
+            # The layout of clang-format tells operators from templates, pointers and references.
+            spaced = before.isspace() and after.isspace()
+            choices = SWAPS.get(token, []) if spaced or token not in BINARY else []
+            if token == "!" and after in " =":
+                choices = []
+        elif kind == "word":
+            choices = SWAPS.get(token, [])
+            if token in "xyz" and before not in ".":
+                choices = []
+            if token in ("min", "max") and text[match.end():match.end() + 1] not in "(<":
+                choices = []
+        else:
+            continue
+        if choices:
+            line = text.count("\n", 0, at) + 1
+            start = text.rfind("\n", 0, at) + 1
+            yield line, at - start + 1, token, choices, text[start:text.find("\n", at)].strip()
+
+
+def read_list():
+    """What the list is, and its mutants."""
+    head, *rows = (json.loads(line) for line in LIST.read_text().splitlines())
+    return head, rows
+
+
+def write_list(head, rows):
+    LIST.parent.mkdir(parents=True, exist_ok=True)
+    new = LIST.with_suffix(".new")
+    new.write_text("".join(json.dumps(row) + "\n" for row in [head, *rows]))
+    new.replace(LIST)
+
+
+def commit():
+    return subprocess.run(["git", "-C", str(ROOT), "rev-parse", "--short=12", "HEAD"], text=True, capture_output=True,
+                          check=True).stdout.strip()
+
+
+def draw(options):
+    files = sorted(p for p in (ROOT / "src").rglob("*") if p.suffix in (".cc", ".h"))
+    places = [(file, *place) for file in files for place in places_in(file)]
+    chance = random.Random(options.seed)
+    rows = []
+    for number, (file, line, column, was, choices, text) in enumerate(chance.sample(places, options.count)):
+        rows.append({"number": number, "file": str(file.relative_to(ROOT)), "line": line, "column": column, "was": was,
+                     "is": chance.choice(choices), "text": text, "verdict": None, "by": None, "moves_bits": None})
+    write_list({"seed": options.seed, "count": options.count, "places": len(places), "commit": commit()}, rows)
+    print(f"{len(rows)} mutants of {len(places)} places: {LIST.relative_to(ROOT)}")
+
+
+def quiet(words, log, cwd, limit):
+    """Exit status of a command; 124 where it took longer than the limit, in s."""
+    with open(log, "w") as out:
+        child = subprocess.Popen(words, stdout=out, stderr=subprocess.STDOUT, cwd=cwd, start_new_session=True)
+        try:
+            return child.wait(limit)
+        except subprocess.TimeoutExpired:
+            return 124
+        finally:
+            if child.poll() is None:
+                os.killpg(child.pid, signal.SIGKILL)
+                child.wait()
+
+
+class Judge:
+    def __init__(self, options):
+        self.tree = pathlib.Path(options.tree).resolve()
+        self.options = options
+        self.build = self.tree / "build/mutants"
+        self.program = self.build / "tools/tumble"
+        self.work = self.tree / "build/mutants-work"
+        self.work.mkdir(parents=True, exist_ok=True)
+        self.good = self.work / "tumble"
+
+    def make(self):
+        return quiet(["cmake", "--build", str(self.build), "--target", "tumble", "--parallel", str(self.options.jobs)],
+                     self.work / "build.log", self.tree, 3600) == 0
+
+    def findings(self, program, scenes, log):
+        """Scenes and relations that break; None where the hunt did not end."""
+        words = [str(program), "hunt", "--count", str(scenes), "--unshrunk", "--json", "--threads",
+                 str(self.options.jobs)]
+        status = quiet(words, log, self.tree, 3600)
+        try:
+            found = json.loads(log.read_text())["findings"]
+        except (ValueError, KeyError):
+            return None
+        return {(one["number"], one["relation"]) for one in found} if status in (0, 1) else None
+
+    def prepare(self):
+        if not (self.build / "CMakeCache.txt").exists():
+            status = quiet(["cmake", "-S", str(self.tree), "-B", str(self.build), "-G", "Ninja",
+                            "-DCMAKE_BUILD_TYPE=Release", "-DTUMBLE_TESTS=OFF"], self.work / "configure.log", self.tree, 600)
+            if status != 0:
+                sys.exit(f"mutants: {self.tree} cannot be configured: {self.work / 'configure.log'}")
+        if not self.make():
+            sys.exit(f"mutants: {self.tree} does not build without a mutant: {self.work / 'build.log'}")
+        self.good.write_bytes(self.program.read_bytes())
+        self.good.chmod(0o755)
+        if self.check(SHORT) != 0:
+            sys.exit(f"mutants: check fails without a mutant: {self.work / 'check.log'}")
+        self.known = {n: self.findings(self.good, n, self.work / f"known{n}.json") for n in self.stages()}
+
+    def stages(self):
+        return [n for n in (100, self.options.scenes) if n <= self.options.scenes]
+
+    def check(self, cases):
+        return quiet([str(self.program), "check", *cases, "--jobs", str(self.options.jobs)], self.work / "check.log",
+                     self.tree, 1800)
+
+    def moves_bits(self):
+        """Whether 1,000 scenes have other bits than without the mutant."""
+        status = quiet([str(self.program), "hunt", "--count", "1000", "--unshrunk", "--relation", "repeat", "--against",
+                        str(self.good), "--json", "--threads", str(self.options.jobs)], self.work / "against.json",
+                       self.tree, 1800)
+        return status != 0
+
+    def judge(self, row):
+        """verdict, by, bits."""
+        if not self.make():
+            return CANNOT_BUILD, None, None
+        if self.check(SHORT) != 0:
+            return "caught", "check", None
+        if self.check([]) != 0:
+            return "caught", "check", None
+        bits = self.moves_bits()
+        for scenes in self.stages():
+            found = self.findings(self.program, scenes, self.work / "hunt.json")
+            new = None if found is None else sorted(found - self.known[scenes])
+            if new is None:
+                return "caught", "hunt: does not end", bits
+            if new:
+                return "caught", f"hunt: {new[0][1]}, scene {new[0][0]}", bits
+        return "missed", None, bits
+
+    def run(self, row):
+        file = self.tree / row["file"]
+        original = file.read_text()
+        lines = original.split("\n")
+        at, column = row["line"] - 1, row["column"] - 1
+        line = lines[at] if at < len(lines) else ""
+        if line.strip() != row["text"] or not line[column:].startswith(row["was"]):
+            return "the line has changed", None, None
+        lines[at] = line[:column] + row["is"] + line[column + len(row["was"]):]
+        try:
+            file.write_text("\n".join(lines))
+            return self.judge(row)
+        finally:
+            file.write_text(original)
+
+
+def run(options):
+    judge = Judge(options)
+    judge.prepare()
+    part, parts = (int(word) for word in options.take.split("/"))
+    for row in read_list()[1]:
+        if row["verdict"] or row["number"] % parts != part % parts:
+            continue
+        begin = time.time()
+        verdict, by, bits = judge.run(row)
+        head, rows = read_list()
+        mine = next(one for one in rows if one["number"] == row["number"])
+        mine.update(verdict=verdict, by=by, moves_bits=bits)
+        write_list(head, rows)
+        print(f"{row['number']:>4} {row['file']}:{row['line']} \"{row['was']}\" is \"{row['is']}\": {verdict} {by} {bits}"
+              f" ({time.time() - begin:.0f} s)", flush=True)
+
+
+def table(_):
+    head, rows = read_list()
+    print(f"seed {head['seed']}, {head['places']} places of commit {head['commit']}")
+    judged = [row for row in rows if row["verdict"] in ("caught", "missed")]
+    by_check = sum(row["by"] == "check" for row in judged)
+    by_hunt = sum((row["by"] or "").startswith("hunt") for row in judged)
+    passed = [row for row in judged if row["by"] != "check"]
+    moved = [row for row in passed if row["moves_bits"]]
+    none = sum(row["verdict"] == CANNOT_BUILD for row in rows)
+    print(f"{len(rows)} mutants drawn, {none} do not compile, {len(judged)} judged")
+    if not judged:
+        return
+    print(f"caught by check {by_check}, by hunt alone {by_hunt}, missed {len(judged) - by_check - by_hunt}:"
+          f" {100 * (by_check + by_hunt) / len(judged):.1f} % caught, {100 * by_check / len(judged):.1f} % by check alone")
+    print(f"of {len(moved)} that check passes although they move a bit, relations and laws caught"
+          f" {sum(row['verdict'] == 'caught' for row in moved)}")
+    for row in judged:
+        if row["by"] != "check":
+            print(f"{row['number']:>4} {row['verdict']} {row['by']} {row['file']}:{row['line']}: \"{row['was']}\" is"
+                  f" \"{row['is']}\": {row['text']}; bits moved: {row['moves_bits']}")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    commands = parser.add_subparsers(required=True)
+    one = commands.add_parser("draw")
+    one.add_argument("--seed", type=int, required=True)
+    one.add_argument("--count", type=int, required=True)
+    one.set_defaults(act=draw)
+    one = commands.add_parser("run")
+    one.add_argument("--tree", required=True)
+    one.add_argument("--take", default="0/1", metavar="K/N")
+    one.add_argument("--scenes", type=int, default=5000)
+    one.add_argument("--jobs", type=int, default=2)
+    one.set_defaults(act=run)
+    one = commands.add_parser("table")
+    one.set_defaults(act=table)
+    options = parser.parse_args()
+    options.act(options)
+
+
+if __name__ == "__main__":
+    main()
