@@ -4081,10 +4081,10 @@ i0(i.speed[e])},{name:"deepest overlap",kind:"line",of:(i,e)=>i.overlap[e],words
 words:(i,e)=>Td(i.lost[e]),bad:!0,only_if_any:!0}];function Qw(i){let e=Math.ceil(i.length/5e3)||1;return i.filter((t,n)=>n%e===0&&t!==null)}var r0=i=>i.map((e,t)=>({
 name:e,kind:"line",title:"up to each step, ".concat(e),broken:(n,s)=>n.bounds[t]?.broken[s]===1,of:(n,s)=>n.bounds[t]?.value[s]??null,words:(n,s)=>{let r=n.bounds[t]?.
 broken[s]??null;if(r===null)return"not judged";let o=n.bounds[t].value[s];return"".concat(o===null?"no value":Number(o.toPrecision(4)),", ").concat(r?"\u2715 broken":
-"\u2713 holds")}})),o0=i=>i.channel_heads.map(({name:e,unit:t})=>{let n=(r,o)=>r.channels[e]?.[o]??null,s=(r,o)=>n(r,o)===null?"\u2013":"".concat(Number(n(r,o).
-toPrecision(6))).concat(t?" ".concat(t):"");return{name:e,kind:"line",fit:!0,title:"channel ".concat(e),of:n,words:s}});function a0(i){let e=new Map(i.step.map(
-(t,n)=>[t,n]));return{name:"separation",kind:"line",log:!0,of:(t,n)=>e.has(t.step[n])?i.metres[e.get(t.step[n])]:null,words:(t,n)=>{let s=e.get(t.step[n]);return s===
-void 0?"none":i.metres[s]===null?"infinite":zn(i.metres[s])}}}var sh=class{constructor(e){this.page=e,this.sessions=e.sessions,this.body_panel=ks("Body"),this.blame_panel=ks("Where it comes from"),this.blame_panel.place.hidden=
+"\u2713 holds")}})),o0=i=>i.channel_heads.map(({name:e,unit:t,of:n})=>{let s=(a,l)=>a.channels[e]?.[l]??null,r=(a,l)=>s(a,l)===null?"\u2013":"".concat(Number(s(
+a,l).toPrecision(6))).concat(t?" ".concat(t):""),o=n==="step"?"":", largest of ".concat(n);return{name:"".concat(e).concat(o),kind:"line",fit:!0,title:"channel ".
+concat(e).concat(o),of:s,words:r}});function a0(i){let e=new Map(i.step.map((t,n)=>[t,n]));return{name:"separation",kind:"line",log:!0,of:(t,n)=>e.has(t.step[n])?
+i.metres[e.get(t.step[n])]:null,words:(t,n)=>{let s=e.get(t.step[n]);return s===void 0?"none":i.metres[s]===null?"infinite":zn(i.metres[s])}}}var sh=class{constructor(e){this.page=e,this.sessions=e.sessions,this.body_panel=ks("Body"),this.blame_panel=ks("Where it comes from"),this.blame_panel.place.hidden=
 !0,this.contact_panel=ks("Contacts"),this.input_panel=ks("Inputs",{open:!1}),this.difference_panel=ks("Comparison"),this.places=[...this.sessions.length===2?[this.
 difference_panel.place]:[],this.body_panel.place,this.blame_panel.place,this.contact_panel.place,this.input_panel.place]}settled(e){return this.next_contacts=e,
 this.asking_contacts??=this.ask_contacts().finally(()=>{this.asking_contacts=null}),Promise.all([this.asking_contacts,this.show_body(e)])}async ask_contacts(){for(;this.
