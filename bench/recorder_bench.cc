@@ -1,7 +1,8 @@
 // recorder_bench BODIES STEPS FILE [states] [N]: what the recorder costs Bullet. Three equal worlds of falling cubes
 // take their steps in turn; the second is recorded to FILE with all states, and contacts unless told `states`, N steps
-// a write (1). Prints CPU time (user and system) a step, and over all steps the median and quartiles of recorded /
-// plain and, as the measure's own error, of the third world / plain. Run by hand; docs/performance.md has results.
+// a write (0: through the tail). Prints CPU time (user and system) a step, and over all steps the median and quartiles
+// of recorded / plain and, as the measure's own error, of the third world / plain. Run by hand; docs/performance.md has
+// results.
 #include <tumble_bullet.h>  // of examples/engines, which are outside the rooms
 
 #include <algorithm>
@@ -89,7 +90,7 @@ int main(int argc, char** argv) {
   World plain(count), recorded(count), control(count);
   const bool only_states = argc > 4 && std::strcmp(argv[4], "states") == 0;
   TumbleRecDef def = {};
-  def.steps_a_write = argc > 4 + only_states ? static_cast<uint32_t>(std::atoi(argv[4 + only_states])) : 1;
+  def.steps_a_write = argc > 4 + only_states ? static_cast<uint32_t>(std::atoi(argv[4 + only_states])) : 0;
   def.path = argv[3];
   def.ground = 1;
   BulletRecorder recorder(recorded.world, def);

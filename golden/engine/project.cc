@@ -59,6 +59,7 @@ TableReading read_table(TableReader& engine) {
   reading.map_file = reader.text("map_file", "", kCommandLengthMax);
   reading.model = reader.text("model", "", kCommandLengthMax);
   reading.scalar_last = reader.flag("scalar_last", false);
+  reading.channels = reader.flag("channels", false);
   reader.finish();
   return reading;
 }

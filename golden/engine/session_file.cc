@@ -17,6 +17,7 @@
 #include "replay/import/import_csv.h"
 #include "replay/stream/import_stream.h"
 #include "replay/stream/stream_reader.h"
+#include "replay/stream/stream_tail.h"
 #include "src/base/text.h"
 #include "tumble/replay/prelude.h"
 
@@ -38,7 +39,7 @@ FileKind kind_of(const std::string& path) {
 
 /// Converts a recorder's stream. growing: the engine still writes to it, so that its end is none.
 Status convert_stream(const std::string& path, const std::string& converted, bool growing, SessionLog& log) {
-  Result<std::unique_ptr<replay::ByteSource>> source = replay::open_file_source(path);
+  Result<std::unique_ptr<replay::ByteSource>> source = replay::open_stream_source(path);
   if (!source.ok()) return source.error();
   const Result<replay::StreamReader> stream = replay::StreamReader::open(*std::move(source));
   if (!stream.ok()) return stream.error();

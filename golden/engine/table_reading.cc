@@ -8,6 +8,7 @@
 #include "golden/suite/text_files.h"
 #include "replay/arrays/array_table.h"
 #include "replay/arrays/npz.h"
+#include "replay/import/csv_format.h"
 #include "replay/import/table_map.h"
 
 namespace tumble::golden {
@@ -49,6 +50,16 @@ std::string head_of(std::string_view head, const TableReading& reading) {
   return lines;
 }
 
+/// Columns that the format does not know get the names of channels. A table with another fault is left to its import.
+void name_channels(replay::CsvReader& table) {
+  const Result<replay::CsvColumns> columns = replay::find_columns(table, true);
+  if (!columns.ok()) return;
+  for (const auto& channel : columns->channels) {
+    const std::string name = table.columns()[channel.column];
+    if (name == channel.name) table.rename(name, "channel." + name);
+  }
+}
+
 Result<std::string> changed(const std::string& table, const TableReading& reading,
                             const std::filesystem::path& folder) {
   replay::TableMap map;
@@ -63,6 +74,7 @@ Result<std::string> changed(const std::string& table, const TableReading& readin
   Result<replay::CsvReader> reader = replay::CsvReader::open(table, "its table");
   if (!reader.ok()) return reader.error();
   if (Status ok = replay::rename_columns(map, *reader); !ok.ok()) return ok.error();
+  if (reading.channels) name_channels(*reader);
   std::string columns;
   for (const std::string& column : reader->columns()) columns += (columns.empty() ? "" : ",") + column;
   const std::size_t rows = std::min(table.find('\n', names), table.size());
@@ -77,7 +89,8 @@ Status rewrite_table(const std::string& path, const TableReading& reading, const
   file.read(first, sizeof first);
   const bool is_archive = file.gcount() == 2 && first[0] == 'P' && first[1] == 'K';
   const bool is_text = file.gcount() > 0 && (static_cast<unsigned char>(first[0]) < 0x80);  // logs and streams: 0x89
-  const bool has_names = !reading.map.empty() || !reading.map_file.empty() || !reading.header.empty();
+  const bool has_names =
+      reading.channels || !reading.map.empty() || !reading.map_file.empty() || !reading.header.empty();
   if (!is_archive && (!is_text || !has_names)) return {};
   file.seekg(0);
   std::string table{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};

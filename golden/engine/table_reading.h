@@ -16,6 +16,7 @@ struct TableReading {
   std::vector<std::string> header = {};  ///< "up: y": wins over the table's
   std::string model;                     ///< of MuJoCo, whose joints name qpos; empty: none
   bool scalar_last = false;
+  bool channels = false;  ///< every column that the format does not know is a channel of bodies
 };
 
 /// Replaces the file of a session by the table that it stands for: an archive of arrays by its table, columns by the

@@ -18,6 +18,7 @@ struct Reference {
   Hash128 scene;                       ///< scene_hash() of scene.toml as it is now
   Hash128 continuation;                ///< of the last state; zero where it is not known
   std::string_view scene_text = {};    ///< of scene.toml as it is now: names the lines that changed
+  bool cut_short = false;              ///< the session failed, and the caller says so: its length is no problem
 };
 
 /// A judged session.

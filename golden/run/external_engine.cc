@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <system_error>
 #include <utility>
 
@@ -34,6 +35,20 @@ std::string from_folder(const std::string& path, const fs::path& folder) {
   if (path.empty()) return path;
   const std::string relative = fs::path(path).lexically_relative(folder).string();
   return relative.empty() || relative.starts_with("../..") ? path : relative;
+}
+
+/// The steps that an engine wrote before it failed; the failure itself where there is none.
+Result<Session> session_before(const Error& failure, const RunFiles& files, const std::string& converted,
+                               const EngineProject& project, double seconds) {
+  if (failure.kind != ErrorKind::kCannotFinish) return failure;
+  const std::optional<std::string> log = log_so_far(files.log, converted, nullptr, project);
+  if (!log) return failure;
+  Result<std::vector<std::byte>> bytes = read_bytes(*log);
+  if (!bytes.ok()) return failure;
+  Session session{std::make_shared<std::vector<std::byte>>(*std::move(bytes)), {}, failure.message, seconds, true};
+  const Result<replay::LogReader> reader = open_session(session, *log);
+  if (!reader.ok() || reader->step_count() == 0) return failure;
+  return session;
 }
 
 }  // namespace
@@ -93,11 +108,13 @@ Result<Session> run_engine(const CaseEngine& engine, const fs::path& scratch) {
   place.output = folder.path() / "output.txt";
   place.own_group = false;  // a case that takes too long is ended as a group, and the engine with it
   const auto begin = std::chrono::steady_clock::now();
-  if (Status ran = run_project(engine.project, engine.project.run, files, place); !ran.ok()) return ran.error();
+  const Status ran = run_project(engine.project, engine.project.run, files, place);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const std::string converted = (folder.path() / "converted.tumble").string();
+  if (!ran.ok()) return session_before(ran.error(), files, converted, engine.project, seconds);
   const std::string who = "the engine's command \"" + engine.project.run + "\" ";
   // `import` of the same table prints its warnings.
-  const Result<SessionLog> log = log_of_session(files.log, (folder.path() / "converted.tumble").string(), nullptr);
+  const Result<SessionLog> log = log_of_session(files.log, converted, nullptr);
   if (!log.ok()) return cannot_finish(who + log.error().message + end_of_output(place.output));
   Result<std::vector<std::byte>> bytes = read_bytes(log->path);
   if (!bytes.ok()) return cannot_finish(who + "wrote no log that can be read: " + bytes.error().message);

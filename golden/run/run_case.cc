@@ -11,6 +11,7 @@
 #include "golden/suite/parse_rules.h"
 #include "golden/suite/scene_hash.h"
 #include "golden/suite/text_files.h"
+#include "src/base/text.h"
 #include "tumble/golden/judge.h"
 #include "tumble/scenes/scene_file.h"
 
@@ -132,19 +133,36 @@ class CaseRunner {
       stop(log.error());
       return;
     }
-    const Reference reference = {run_.rules, expected_ ? &*expected_ : nullptr, source_hash_, session->continuation,
-                                 scene_text_};
+    const Reference reference = {run_.rules,   expected_ ? &*expected_ : nullptr,
+                                 source_hash_, session->continuation,
+                                 scene_text_,  session->cut_short};
     Judged judged = judge(*log, reference);
-    if (run_.rules.engine && run_.rules.engine->repeat > 1 && !judge_repeated(*log, reference, judged)) return;
+    const bool repeats = run_.rules.engine && run_.rules.engine->repeat > 1 && !session->cut_short;
+    if (repeats && !judge_repeated(*log, reference, judged)) return;
     run_.incomplete = reason_to_stop(*session, *log, judged);
     take(std::move(judged));
     if (recorded_ != nullptr && run_.incomplete.empty() && recorded_->final_hash != run_.result.final_hash) {
       stop(bad_input("the report's session does not end as the report says"));
       return;
     }
-    take_pictures(*log);
     if (!session->failure.empty()) run_.result.problems.push_back(session->failure);
+    session->cut_short ? tell_how_far() : take_pictures(*log);
     if (!run_.result.passed()) leave_case_files(run_, options_.report, *session, *log, expected_);
+  }
+
+  /// Of an engine that failed: its steps say where it went wrong, and no verdict is given on them.
+  void tell_how_far() {
+    CaseResult& result = run_.result;
+    const std::string steps = count_text(result.steps, "step");
+    const bool differs = result.difference && result.difference->step <= result.steps;
+    std::string message = "it wrote " + steps + " before it failed";
+    if (expected_ && differs) message += "; " + result.verdict(VerdictKind::kExact).message;
+    if (expected_ && !differs) {
+      message += ", with the same bits as the golden, which has " + count_text(expected_->steps(), "step");
+    }
+    result.problems.push_back(message);
+    for (Verdict& verdict : result.verdicts) verdict = {Outcome::kNone, "not judged: the engine failed"};
+    result.metrics.clear();
   }
 
   /// Runs the engine as often as the case says, and judges all runs together.

@@ -16,6 +16,8 @@ struct Session {
   Hash128 continuation;  ///< of the last state; zero where it is not known (another engine's)
   std::string failure;   ///< why it ended early; empty: it did not
   double seconds = 0;    ///< of wall time that it took
+  /// Another engine's command failed, and these are the steps that it wrote before.
+  bool cut_short = false;
 };
 
 /// Runs a scene with this build. Errors: a world that cannot be made.

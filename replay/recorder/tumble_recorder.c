@@ -1,5 +1,12 @@
 /* See tumble_recorder.h for the use and docs/recorder_stream.md for the bytes. One file, so that an engine copies two.
  */
+#if (defined(__unix__) || defined(__APPLE__)) && !defined(__EMSCRIPTEN__) && !defined(TUMBLE_REC_NO_TAIL)
+#define HAS_TAIL 1
+#if !defined(_POSIX_C_SOURCE) && !defined(__APPLE__)
+#define _POSIX_C_SOURCE 200809L /* NOLINT(bugprone-reserved-identifier): what the tail needs */
+#endif
+#endif
+
 #include "tumble_recorder.h"
 
 #include <inttypes.h>
@@ -7,6 +14,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+#ifdef HAS_TAIL
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+#endif
 
 /* ---- What C99 lacks: an atomic exchange and a mark of the thread. ---- */
 
@@ -47,12 +64,17 @@ enum {
   kRecordMax = (1 << 24) - 1,
   kPendingMax = 1 << 24,
   kStateDoubles = 13,
-  kRingParts = 8
+  kRingParts = 8,
+  kTailBytes = 1 << 20,
+  kTailHeadBytes = 40 /* magic, tag, number and hash of the frame before */
 };
 #define FRAME_MAX ((size_t)1 << 28)
 #define ID_MAX (((uint64_t)1 << 53) - 1)
 static const unsigned char kMagic[kMagicBytes] = {0x89, 't', 'u', 'm', 'b', 'l',  'e',  's',
                                                   't',  'r', 'e', 'a', 'm', '\r', '\n', 0x1a};
+static const unsigned char kTailMagic[kMagicBytes] = {0x89, 't', 'u', 'm', 'b', 'l',  'e',  't',
+                                                      'a',  'i', 'l', 0,   0,   '\r', '\n', 0x1a};
+static const char kTailSuffix[] = ".tail";
 enum { kMajor = 1, kMinor = 0 };
 
 enum FrameKind { kHeader = 1, kStart = 2, kStep = 3, kHashes = 4, kRewind = 5, kSnapshot = 6, kEnd = 7 };
@@ -177,6 +199,16 @@ typedef struct Part { /* of the ring: frames that can be read by themselves */
   double seconds;
 } Part;
 
+/* Of a file, in memory: frames that the stream's file lacks yet. It outlives the process, and costs no call to the
+ * system. */
+typedef struct Tail {
+  unsigned char* at; /* NULL: none */
+  size_t size;
+  char* path;
+  uint64_t number, hash; /* of the last frame given to it or to the file */
+  int64_t written_s;     /* when the stream's file was last written */
+} Tail;
+
 typedef struct Entry { /* of the step to compare with */
   uint64_t a, b;
   uint32_t c;
@@ -186,8 +218,9 @@ typedef struct Entry { /* of the step to compare with */
 
 typedef struct Verify {
   FILE* file;
-  uint64_t tag;
-  int active, by_hash;
+  char* tail_path; /* where the stream may go on; NULL: it was opened */
+  uint64_t tag, number, next, last_hash;
+  int active, by_hash, in_tail, is_ring;
   uint64_t steps;
   Bytes frame; /* the payload of the current one */
   Bytes wide;  /* a contact of it, in doubles */
@@ -233,6 +266,7 @@ struct TumbleRec {
   Bytes head;   /* frames that are no step's */
   Bytes pending; /* complete frames that are not written yet */
   uint32_t pending_steps;
+  Tail tail;
   Part ring[kRingParts + 2];
   size_t ring_count;
   Verify verify;
@@ -321,16 +355,31 @@ static unsigned char* put_widened(unsigned char* at, const unsigned char* floats
   for (k = 0; k < count; ++k) at = put_double(at, get_float(floats + 4 * k));
   return at;
 }
-/* A number as a float; adds to *lost the bits that this loses. */
-static uint64_t narrowed(uint64_t wide, uint64_t* lost) {
-  double v;
-  float single;
-  uint32_t bits;
-  memcpy(&v, &wide, 8);
-  single = (float)v;
-  memcpy(&bits, &single, 4);
-  *lost |= bits_of((double)single) ^ wide;
-  return bits;
+/* Numbers as floats; not 0: that loses bits. Two at a time where the processor can. */
+static uint64_t put_floats(unsigned char* to, const double* v, size_t count) {
+  uint64_t lost = 0;
+  size_t k = 0;
+#if defined(__SSE2__)
+  __m128i lost_of_two = _mm_setzero_si128();
+  uint64_t lost_of[2];
+  for (; k + 2 <= count; k += 2) {
+    const __m128d wide = _mm_loadu_pd(v + k);
+    const __m128 single = _mm_cvtpd_ps(wide);
+    const __m128i back = _mm_castpd_si128(_mm_cvtps_pd(single));
+    lost_of_two = _mm_or_si128(lost_of_two, _mm_xor_si128(back, _mm_castpd_si128(wide)));
+    _mm_storel_epi64((__m128i*)(void*)(to + 4 * k), _mm_castps_si128(single));
+  }
+  _mm_storeu_si128((__m128i*)(void*)lost_of, lost_of_two);
+  lost = lost_of[0] | lost_of[1];
+#endif
+  for (; k < count; ++k) {
+    const float single = (float)v[k];
+    uint32_t bits;
+    memcpy(&bits, &single, 4);
+    lost |= bits_of((double)single) ^ bits_of(v[k]);
+    put32(to + 4 * k, bits);
+  }
+  return lost;
 }
 static unsigned char* put_text(unsigned char* at, const char* text, size_t size) {
   at = put16(at, (uint32_t)size);
@@ -408,6 +457,15 @@ static int enter(TumbleRec* rec, TumbleRecStatus* status) {
 
 /* ---- Frames. ---- */
 
+static char* tail_path_of(const char* path) {
+  const size_t length = strlen(path);
+  char* tail = (char*)malloc(length + sizeof kTailSuffix);
+  if (tail == NULL) return NULL;
+  memcpy(tail, path, length);
+  memcpy(tail + length, kTailSuffix, sizeof kTailSuffix);
+  return tail;
+}
+
 static int append(TumbleRec* rec, Bytes* to, const unsigned char* at, size_t size) {
   if (!reserve(rec, to, size)) return 0;
   if (size > 0) memcpy(to->at + to->size, at, size);
@@ -428,16 +486,119 @@ static int give_away(TumbleRec* rec, const unsigned char* at, size_t size) {
   return 1;
 }
 
+#ifdef HAS_TAIL
+static int64_t seconds_now(void) { return (int64_t)time(NULL); }
+
+/* Before `path` is overwritten: the tail that an earlier recorder left there belongs to what it wrote. */
+static int remove_tail(TumbleRec* rec, const char* path) {
+  unsigned char magic[kMagicBytes];
+  FILE* file;
+  int is_ours;
+  rec->tail.path = tail_path_of(path);
+  if (rec->tail.path == NULL) return fail(rec, TUMBLE_REC_NO_MEMORY, "found no memory for a path"), 0;
+  file = fopen(rec->tail.path, "rb");
+  if (file == NULL) return 1;
+  is_ours = fread(magic, 1, kMagicBytes, file) == kMagicBytes && memcmp(magic, kTailMagic, kMagicBytes) == 0;
+  fclose(file);
+  if (!is_ours || unlink(rec->tail.path) == 0) return 1;
+  fail(rec, TUMBLE_REC_CANNOT_WRITE, "%s: found the tail of an earlier stream, which cannot be removed",
+       rec->tail.path);
+  return 0;
+}
+
+/* All its blocks are there before it is used, so that a full disk cannot hit it later. */
+static unsigned char* map_tail(TumbleRec* rec, int file) {
+  void* at;
+  size_t k;
+  ssize_t has = 1;
+  Bytes* zeros = &rec->pending;
+  if (!reserve(rec, zeros, 1 << 16)) return NULL;
+  memset(zeros->at, 0, 1 << 16);
+  for (k = 0; k < kTailBytes && has > 0; k += (size_t)(has > 0 ? has : 0)) {
+    has = write(file, zeros->at, kTailBytes - k < 1 << 16 ? kTailBytes - k : 1 << 16);
+  }
+  if (k != kTailBytes) return NULL;
+  at = mmap(NULL, kTailBytes, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+  return at == MAP_FAILED ? NULL : (unsigned char*)at;
+}
+
+/* What is in the stream's file counts for nothing here. */
+static void empty_tail(TumbleRec* rec) {
+  Tail* tail = &rec->tail;
+  put64(put64(put64(tail->at + kMagicBytes, rec->tag), tail->number), tail->hash);
+  tail->size = kTailHeadBytes;
+  tail->written_s = seconds_now();
+}
+
+/* Without a tail (no room, another file of its name, a device), each step is written when it ends. */
+static void open_tail(TumbleRec* rec, const char* path) {
+  Tail* tail = &rec->tail;
+  struct stat found;
+  int file;
+  if (rec->def.steps_a_write > 0 || stat(path, &found) != 0 || !S_ISREG(found.st_mode)) return;
+  file = open(tail->path, O_RDWR | O_CREAT | O_EXCL, 0666);
+  if (file < 0) return;
+  tail->at = map_tail(rec, file);
+  close(file);
+  if (tail->at == NULL) {
+    unlink(tail->path);
+    return;
+  }
+  tail->hash = rec->tag; /* of the header, which is written */
+  memcpy(tail->at, kTailMagic, kMagicBytes);
+  empty_tail(rec);
+}
+
+/* After a failure it is left as it is: what the file did not take can be read from it. */
+static int flush_tail(TumbleRec* rec) {
+  const size_t size = rec->tail.size - kTailHeadBytes;
+  if (rec->status == TUMBLE_REC_CANNOT_WRITE) return 0;
+  if (size > 0 && !give_away(rec, rec->tail.at + kTailHeadBytes, size)) return 0;
+  empty_tail(rec);
+  return 1;
+}
+
+/* The file is written after the start and then at least once a second, so that who reads it as it grows is at most that
+ * far behind. */
+static int write_to_tail(TumbleRec* rec, const unsigned char* frame, size_t size) {
+  Tail* tail = &rec->tail;
+  const int is_large = kTailHeadBytes + size > kTailBytes;
+  const int is_start = tail->number == 0;
+  if (tail->size + size > kTailBytes && !flush_tail(rec)) return 0;
+  if (is_large && !give_away(rec, frame, size)) return 0;
+  tail->number = get64(frame + 8), tail->hash = get64(frame + 16);
+  if (is_large) return 1;
+  memcpy(tail->at + tail->size, frame, size);
+  tail->size += size;
+  return (!is_start && seconds_now() == tail->written_s) || flush_tail(rec);
+}
+
+static void close_tail(TumbleRec* rec) {
+  if (rec->tail.at == NULL) return;
+  if (rec->tail.size == kTailHeadBytes) unlink(rec->tail.path); /* else it holds what the disk did not take */
+  munmap(rec->tail.at, kTailBytes);
+  rec->tail.at = NULL;
+}
+#else
+static int remove_tail(TumbleRec* rec, const char* path) { return rec != NULL && path != NULL; }
+static void open_tail(TumbleRec* rec, const char* path) { (void)rec, (void)path; }
+static int flush_tail(TumbleRec* rec) { return rec != NULL; }
+static int write_to_tail(TumbleRec* rec, const unsigned char* at, size_t size) { return give_away(rec, at, size); }
+static void close_tail(TumbleRec* rec) { (void)rec; }
+#endif
+
 static int flush(TumbleRec* rec) {
   const size_t size = rec->pending.size;
   rec->pending.size = 0;
   rec->pending_steps = 0;
+  if (rec->tail.at != NULL) return flush_tail(rec);
   return size == 0 || give_away(rec, rec->pending.at, size);
 }
 
 /* Frames that wait for one another are given away together. */
 static int write_bytes(TumbleRec* rec, const unsigned char* at, size_t size, int is_step) {
   if (rec->def.ring_s > 0) return append(rec, &rec->ring[rec->ring_count - 1].bytes, at, size);
+  if (rec->tail.at != NULL) return write_to_tail(rec, at, size);
   if (rec->def.steps_a_write <= 1) return give_away(rec, at, size);
   if (rec->pending.size > 0 && rec->pending.size + size > kPendingMax && !flush(rec)) return 0;
   if (size > kPendingMax) return give_away(rec, at, size);
@@ -532,33 +693,65 @@ static void print_double(char* to, size_t room, double v, int digits) {
   if (comma != NULL) *comma = '.'; /* of a locale */
 }
 
-/* Reads the next frame that is compared. 0: there is none. */
-static int next_earlier(TumbleRec* rec) {
+/* Reads a frame of the earlier stream. 0: its file ends, or something is wrong. */
+static int read_earlier(TumbleRec* rec) {
   Verify* v = &rec->verify;
   unsigned char head[kFrameBytes];
   uint32_t size;
-  do {
-    if (fread(head, 1, kFrameBytes, v->file) != kFrameBytes) return 0;
-    v->kind = get32(head);
-    size = get32(head + 4);
-    v->frame.size = 0;
-    if (size > FRAME_MAX) {
-      fail(rec, TUMBLE_REC_BAD_STREAM, "found a frame of %lu bytes in the earlier stream", (unsigned long)size);
-      return 0;
+  if (fread(head, 1, kFrameBytes, v->file) != kFrameBytes) return 0;
+  v->kind = get32(head);
+  size = get32(head + 4);
+  v->frame.size = 0;
+  if (size > FRAME_MAX) {
+    if (v->in_tail) return 0;
+    fail(rec, TUMBLE_REC_BAD_STREAM, "found a frame of %lu bytes in the earlier stream", (unsigned long)size);
+    return 0;
+  }
+  do { /* in blocks, so that a length that is a lie costs no memory; never NULL */
+    const size_t left = size - v->frame.size, block = left < (size_t)1 << 20 ? left : (size_t)1 << 20;
+    if (!reserve(rec, &v->frame, block + 1)) return 0;
+    if (fread(v->frame.at + v->frame.size, 1, block, v->file) != block) return 0; /* torn */
+    v->frame.size += block;
+  } while (v->frame.size < size);
+  if (hash64(v->frame.at, size, hash64(head, 16, v->kind == kHeader ? 0 : v->tag)) != get64(head + 16)) {
+    if (v->in_tail) return 0; /* of an earlier use of the tail */
+    fail(rec, TUMBLE_REC_BAD_STREAM, "found a damaged frame %" PRIu64 " in the earlier stream", get64(head + 8));
+    return 0;
+  }
+  if (v->kind == kHeader) v->tag = get64(head + 16);
+  v->number = get64(head + 8), v->last_hash = get64(head + 16);
+  return 1;
+}
+
+/* Where the recorder of the earlier stream was killed, its last frames are in its tail. */
+static int turn_to_tail(TumbleRec* rec) {
+  Verify* v = &rec->verify;
+  unsigned char head[kTailHeadBytes];
+  FILE* file = v->in_tail || v->tail_path == NULL || v->is_ring ? NULL : fopen(v->tail_path, "rb");
+  if (file == NULL) return 0;
+  fclose(v->file);
+  v->file = file;
+  v->in_tail = 1;
+  return fread(head, 1, sizeof head, file) == sizeof head && memcmp(head, kTailMagic, kMagicBytes) == 0 &&
+         get64(head + 16) == v->tag && get64(head + 24) <= v->number &&
+         (get64(head + 24) != v->number || get64(head + 32) == v->last_hash);
+}
+
+/* Reads the next frame that is compared. 0: there is none. */
+static int next_earlier(TumbleRec* rec) {
+  Verify* v = &rec->verify;
+  uint64_t wanted = v->next;
+  for (;;) {
+    if (!read_earlier(rec)) {
+      if (rec->status != TUMBLE_REC_OK || !turn_to_tail(rec)) return 0;
+      wanted = v->next;
+      continue;
     }
-    do { /* in blocks, so that a length that is a lie costs no memory; never NULL */
-      const size_t left = size - v->frame.size, block = left < (size_t)1 << 20 ? left : (size_t)1 << 20;
-      if (!reserve(rec, &v->frame, block + 1)) return 0;
-      if (fread(v->frame.at + v->frame.size, 1, block, v->file) != block) return 0; /* torn */
-      v->frame.size += block;
-    } while (v->frame.size < size);
-    if (hash64(v->frame.at, size, hash64(head, 16, v->kind == kHeader ? 0 : v->tag)) != get64(head + 16)) {
-      fail(rec, TUMBLE_REC_BAD_STREAM, "found a damaged frame %" PRIu64 " in the earlier stream", get64(head + 8));
-      return 0;
-    }
-    if (v->kind == kHeader) v->tag = get64(head + 16);
-  } while (v->kind == kSnapshot);
-  return v->kind != kEnd;
+    if (v->in_tail && v->number < wanted) continue; /* in the file already */
+    if (v->in_tail && v->number > wanted) return 0;
+    wanted = v->next = v->number + 1;
+    if (v->kind != kSnapshot) return v->kind != kEnd;
+  }
 }
 
 static int add_entry(TumbleRec* rec, Verify* v, int kind, size_t at, size_t size, uint64_t a, uint64_t b, uint32_t c) {
@@ -1030,42 +1223,19 @@ static Body* new_body(TumbleRec* rec, uint64_t id) {
 
 /* The numbers of a state in the order of states64. */
 typedef char StateHasNoGaps[offsetof(TumbleRecState, asleep) == 8 * kStateDoubles ? 1 : -1];
-static uint64_t number_bits(const TumbleRecState* state, int k) {
-  uint64_t bits;
-  memcpy(&bits, (const char*)state + 8 * k, 8);
-  return bits;
-}
+static const double* numbers_of(const TumbleRecState* state) { return (const double*)(const void*)state; }
 
-/* The numbers of a state as of states32, two in a word, where that loses no bit. In words, so that they are compared
- * and stored without a way through memory. */
-enum { kWords32 = 7 };
-static int pack32(uint64_t words[kWords32], const TumbleRecState* state) {
-  uint64_t lost = 0;
-  int k;
-  words[6] = narrowed(number_bits(state, 12), &lost);
-  if (lost != 0) return 0; /* most states of doubles end here */
-  for (k = 0; k < 6; ++k) {
-    words[k] = narrowed(number_bits(state, 2 * k), &lost);
-    words[k] |= narrowed(number_bits(state, 2 * k + 1), &lost) << 32;
-  }
-  return lost == 0;
-}
-static void put_words32(unsigned char* to, const uint64_t words[kWords32]) {
-  int k;
-  for (k = 0; k < 6; ++k) put64(to + 8 * k, words[k]);
-  put32(to + 48, (uint32_t)words[6]);
-}
-static int is_words32(const unsigned char* at, const uint64_t words[kWords32]) {
-  uint64_t differs = get32(at + 48) ^ words[6];
-  int k;
-  for (k = 0; k < 6; ++k) differs |= get64(at + 8 * k) ^ words[k];
-  return differs == 0;
+/* As states32, where that loses no bit. */
+static int pack32(unsigned char* to, const TumbleRecState* state) {
+  const double* numbers = numbers_of(state);
+  const double last = (double)(float)numbers[kStateDoubles - 1];
+  if (bits_of(last) != bits_of(numbers[kStateDoubles - 1])) return 0; /* most states of doubles end here */
+  return put_floats(to, numbers, kStateDoubles) == 0;
 }
 static unsigned char* put_state64(unsigned char* to, const TumbleRecState* state) {
-  int k;
-  for (k = 0; k < kStateDoubles; ++k) to = put64(to, number_bits(state, k));
-  return to;
+  return put_doubles(to, numbers_of(state), kStateDoubles);
 }
+static size_t state_bytes(int wide) { return (wide ? 8 : 4) * (size_t)kStateDoubles; }
 
 static int moves(const Body* body) { return !body->gone && !body->is_static && !body->asleep; }
 
@@ -1180,6 +1350,7 @@ static int open_verify(TumbleRec* rec, const char* path) {
   const unsigned char* own = rec->head.at + kFrameBytes;
   v->file = fopen(path, "rb");
   if (v->file == NULL) return fail(rec, TUMBLE_REC_BAD_STREAM, "verify: %s: cannot be opened", path), 0;
+  v->tail_path = tail_path_of(path);
   if (fread(prelude, 1, kPreludeBytes, v->file) != kPreludeBytes || memcmp(prelude, kMagic, kMagicBytes) != 0) {
     return fail(rec, TUMBLE_REC_BAD_STREAM, "verify: %s: found no stream of this recorder", path), 0;
   }
@@ -1193,6 +1364,7 @@ static int open_verify(TumbleRec* rec, const char* path) {
   }
   v->active = 1;
   v->by_hash = v->frame.at[7] != 0;
+  v->is_ring = v->frame.at[8] != 0;
   if (memcmp(v->frame.at, own, 7) != 0 || memcmp(v->frame.at + 9, own + 9, 32) != 0) {
     v->frame.at[7] = own[7], v->frame.at[8] = own[8]; /* how it was recorded may differ */
     name_differing_field(rec, kHeaderFields, v->frame.at, 41, own, 41);
@@ -1211,7 +1383,8 @@ TumbleRec* tumble_rec_create(const TumbleRecDef* def) {
   if (!check_def(rec, def) || !take_phases(rec, def->phases) || !make_header(rec, def)) return rec;
   if (def->verify != NULL && !open_verify(rec, def->verify)) return rec;
   rec->full = def->hashes_only || rec->verify.by_hash;
-  if (def->path != NULL && (rec->file = open_for_writing(rec, def->path)) == NULL) return rec;
+  if (def->path != NULL && (!remove_tail(rec, def->path) || (rec->file = open_for_writing(rec, def->path)) == NULL))
+    return rec;
   memcpy(prelude, kMagic, kMagicBytes);
   put32(put32(prelude + kMagicBytes, kMajor), kMinor);
   rec->frames = 1;
@@ -1221,8 +1394,9 @@ TumbleRec* tumble_rec_create(const TumbleRecDef* def) {
     memcpy(rec->header.at, prelude, kPreludeBytes);
     memcpy(rec->header.at + kPreludeBytes, rec->head.at, rec->head.size);
     rec->header.size = kPreludeBytes + rec->head.size;
-  } else if (give_away(rec, prelude, kPreludeBytes)) {
-    give_away(rec, rec->head.at, rec->head.size);
+  } else if (give_away(rec, prelude, kPreludeBytes) && give_away(rec, rec->head.at, rec->head.size) &&
+             rec->file != NULL) {
+    open_tail(rec, def->path);
   }
   if (rec->status == TUMBLE_REC_OK) begin_step_frame(rec);
   return rec;
@@ -1340,7 +1514,6 @@ TumbleRecStatus tumble_rec_body(TumbleRec* rec, const TumbleRecBody* body) {
   unsigned char* at;
   unsigned char* begin;
   Body* kept;
-  uint64_t words[kWords32];
   size_t name, size;
   if (!enter(rec, &status)) return status;
   if (!may_input(rec, "a body")) return leave(rec, rec->status);
@@ -1364,11 +1537,8 @@ TumbleRecStatus tumble_rec_body(TumbleRec* rec, const TumbleRecBody* body) {
   kept->asleep = body->state.asleep != 0;
   kept->added = rec->started ? rec->step + 1 : 0;
   kept->last_known = 1;
-  kept->last_wide = (unsigned char)!pack32(words, &body->state);
-  if (kept->last_wide)
-    put_state64(kept->last, &body->state);
-  else
-    put_words32(kept->last, words);
+  kept->last_wide = (unsigned char)!pack32(kept->last, &body->state);
+  if (kept->last_wide) put_state64(kept->last, &body->state);
   begin = at;
   at = put64(at, body->id);
   *at++ = (unsigned char)(kept->is_static | kept->asleep << 1);
@@ -1527,7 +1697,6 @@ static void verify_told(TumbleRec* rec, const Body* body, const unsigned char* n
 /* A state is written as the last one, as floats or as doubles: the first that loses nothing. */
 TumbleRecStatus tumble_rec_state(TumbleRec* rec, uint64_t id, const TumbleRecState* state) {
   TumbleRecStatus status;
-  uint64_t words[kWords32];
   unsigned char now[8 * kStateDoubles];
   unsigned char* at;
   Body* body;
@@ -1544,11 +1713,11 @@ TumbleRecStatus tumble_rec_state(TumbleRec* rec, uint64_t id, const TumbleRecSta
     return leave(rec, fail(rec, TUMBLE_REC_BAD_CALL, "found two states of body %" PRIu64 " in a step, wanted one", id));
   before = rec->differs;
   asleep = state->asleep != 0 && !body->is_static;
-  wide = rec->full || !pack32(words, state);
+  wide = rec->full || !pack32(now, state);
   if (wide) put_state64(now, state);
   kind = wide ? kStates64 : kStates32;
   if (!rec->full && body->last_known && asleep == body->asleep && wide == body->last_wide &&
-      (wide ? memcmp(body->last, now, sizeof now) == 0 : is_words32(body->last, words))) {
+      (wide ? memcmp(body->last, now, state_bytes(1)) : memcmp(body->last, now, state_bytes(0))) == 0) {
     kind = kSame;
   }
   size = kind == kSame ? 8 : kind == kStates32 ? 9 + 4 * kStateDoubles : 9 + 8 * kStateDoubles;
@@ -1556,10 +1725,9 @@ TumbleRecStatus tumble_rec_state(TumbleRec* rec, uint64_t id, const TumbleRecSta
   if (at == NULL) return leave(rec, rec->status);
   put64(at, id);
   if (kind != kSame) at[8] = (unsigned char)asleep;
-  if (kind == kStates32) put_words32(at + 9, words);
-  if (kind == kStates64) memcpy(at + 9, now, sizeof now);
+  if (kind == kStates32) memcpy(at + 9, now, state_bytes(0));
+  if (kind == kStates64) memcpy(at + 9, now, state_bytes(1));
   if (rec->verify.active && open_earlier(rec) && !rec->verify.by_hash) {
-    if (!wide) put_words32(now, words);
     verify_told(rec, body, now, wide, asleep, kind);
   }
   if (rec->full) entry_done(rec, kind, at, size, id, 0, 0);
@@ -1569,16 +1737,10 @@ TumbleRecStatus tumble_rec_state(TumbleRec* rec, uint64_t id, const TumbleRecSta
   body->asleep = (unsigned char)asleep;
   body->last_known = 1;
   body->last_wide = (unsigned char)wide;
-  if (kind == kStates32) put_words32(body->last, words);
-  if (kind == kStates64) memcpy(body->last, now, sizeof now);
+  if (kind == kStates32) memcpy(body->last, now, state_bytes(0));
+  if (kind == kStates64) memcpy(body->last, now, state_bytes(1));
   rec->after_state = 1;
   return leave(rec, rec->differs != before ? TUMBLE_REC_DIFFERENT : TUMBLE_REC_OK);
-}
-
-static unsigned char* put_floats(unsigned char* to, const double* v, int count, uint64_t* lost) {
-  int k;
-  for (k = 0; k < count; ++k) to = put32(to, (uint32_t)narrowed(bits_of(v[k]), lost));
-  return to;
 }
 
 static void put_contact64(unsigned char* to, const TumbleRecContact* contact) {
@@ -1592,17 +1754,14 @@ static void put_contact64(unsigned char* to, const TumbleRecContact* contact) {
 }
 
 /* In half the bytes, over the room of the whole contact. 0: that would lose bits, and the room holds neither. */
+typedef char PointIsFiveDoubles[sizeof(TumbleRecPoint) == 40 ? 1 : -1];
 static int put_contact32(TumbleRec* rec, unsigned char* begin, const TumbleRecContact* contact) {
-  uint64_t lost = 0;
-  uint32_t k;
+  const size_t numbers = 5 * (size_t)contact->point_count;
   unsigned char* to = put32(put64(put64(begin, contact->a), contact->b), contact->part);
-  to = put32(put_floats(to, contact->normal, 3, &lost), contact->point_count);
-  for (k = 0; k < contact->point_count && lost == 0; ++k) {
-    const TumbleRecPoint* point = &contact->points[k];
-    to = put_floats(put_floats(put_floats(to, point->position, 3, &lost), &point->depth, 1, &lost), &point->impulse, 1,
-                    &lost);
-  }
-  if (lost != 0) return 0;
+  if (put_floats(to, contact->normal, 3) != 0) return 0;
+  to = put32(to + 12, contact->point_count);
+  if (numbers > 0 && put_floats(to, (const double*)(const void*)contact->points, numbers) != 0) return 0;
+  to += 4 * numbers;
   put32(begin - 4, kContact32 | (uint32_t)(to - begin) << 8);
   rec->frame.size = (size_t)(to - rec->frame.at);
   return 1;
@@ -1905,11 +2064,13 @@ TumbleRecStatus tumble_rec_finish(TumbleRec* rec) {
   if (rec->status == TUMBLE_REC_OK && rec->def.ring_s == 0 && begin_frame(rec, &rec->head, 9)) {
     *put64(rec->head.at + kFrameBytes, rec->step) = 0;
     rec->head.size += 9;
-    if (write_frame(rec, kEnd, &rec->head)) flush(rec);
+    write_frame(rec, kEnd, &rec->head);
   }
+  flush(rec);
   if (rec->file != NULL && fclose(rec->file) != 0)
     fail(rec, TUMBLE_REC_CANNOT_WRITE, "found that the file cannot be closed; is the disk full?");
   rec->file = NULL;
+  close_tail(rec);
   if (rec->status == TUMBLE_REC_OK) rec->finished = 1;
   return leave(rec, rec->differs ? TUMBLE_REC_DIFFERENT : TUMBLE_REC_OK);
 }
@@ -1924,7 +2085,9 @@ TumbleRecStatus tumble_rec_close(TumbleRec* rec) {
   for (k = 0; k < rec->body_count; ++k) free(rec->bodies[k].record);
   for (k = 0; k < kRingParts + 2; ++k) free(rec->ring[k].bytes.at);
   free(rec->bodies), free(rec->slots), free(rec->channels), free(rec->phase_names);
+  close_tail(rec);
   free(rec->frame.at), free(rec->head.at), free(rec->header.at), free(rec->pending.at), free(rec->meshes.at);
+  free(rec->tail.path), free(rec->verify.tail_path);
   free(rec->verify.frame.at), free(rec->verify.wide.at), free(rec->verify.entries), free((void*)rec->verify.sorted);
   free(rec);
   return status;

@@ -129,7 +129,7 @@ typedef struct TumbleRecDef {
 
   /* Where the stream goes: a file, or write(), or memory that holds the last ring_s seconds until tumble_rec_dump().
    * Nowhere is fine with `verify`. A file that is there and no stream is not overwritten. */
-  const char* path;
+  const char* path; /* and beside it, while it is written, PATH.tail: see steps_a_write */
   TumbleRecWrite write;
   void* write_user;
   double ring_s;
@@ -143,8 +143,11 @@ typedef struct TumbleRecDef {
   void (*on_difference)(void* user, const TumbleRecDifference* difference);
   void* difference_user;
 
-  /* Steps that are written together: 0 or 1: each when it ends, so that a crash costs the open step and no more; n: a
-   * crash costs up to n steps, unless its handler calls tumble_rec_flush(), and small worlds are recorded for less. */
+  /* How steps reach the file of `path`. 0: first to PATH.tail, 1 MiB of memory that the system keeps whatever happens
+   * to the process, and from there to the file, at least once a second; tumble_rec_close() removes the tail. A crash
+   * costs the open step and no more, as long as the two files stay together. Without mmap (Windows): as 1.
+   * 1: each step when it ends, in one file. n: n steps together; a crash costs up to n, unless its handler calls
+   * tumble_rec_flush(). With write() instead of a path, 0 is 1. */
   uint32_t steps_a_write;
 } TumbleRecDef;
 
@@ -195,8 +198,8 @@ TumbleRecStatus tumble_rec_rewind(TumbleRec* rec, uint64_t step);
 TumbleRecStatus tumble_rec_dump(TumbleRec* rec, const char* path);
 TumbleRecStatus tumble_rec_dump_to(TumbleRec* rec, TumbleRecWrite write, void* user);
 
-/* Writes the steps that wait for `steps_a_write`, also within a step; a crash handler of the thread that recorded may
- * call it where write(2) may be called. */
+/* Writes the steps that wait, in the tail or for `steps_a_write`, also within a step; a crash handler of the thread
+ * that recorded may call it where write(2) may be called. */
 TumbleRecStatus tumble_rec_flush(TumbleRec* rec);
 
 uint64_t tumble_rec_step(const TumbleRec* rec);           /* the last step that was ended; 0: none */

@@ -10,6 +10,7 @@
 #include "replay/format/little_endian.h"
 #include "replay/stream/stream_cursor.h"
 #include "src/base/text.h"
+#include "tumble/sim/limits.h"
 
 namespace tumble::replay {
 namespace {
@@ -168,6 +169,10 @@ Status StreamReader::take(const StreamFrame& frame, std::span<const std::byte> p
 /// A start that is not the first begins a further part of a ring, of the state that is known already.
 Status StreamReader::take_step(const StreamFrame& frame) {
   const std::string place = name() + ": byte " + std::to_string(frame.offset) + ": ";
+  if (frame.step >= sim::kStepsMax) {
+    return bad_input(place + "found step " + std::to_string(frame.step) + ", wanted one below " +
+                     std::to_string(sim::kStepsMax) + ", as many as a log holds");
+  }
   const bool first = steps_.empty();
   const bool is_start = frame.kind == StreamFrameKind::kStart || (frame.kind == StreamFrameKind::kHashes && first);
   if (first != is_start && !(is_start && header_.ring)) return bad_input(place + "found a step before the start");

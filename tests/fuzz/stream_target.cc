@@ -1,5 +1,6 @@
 // A recorder's stream: read, imported into memory, and verified against by the recorder. The first byte says whether
-// the rest is taken as it is, or its frames are sealed anew, so that changed payloads get past their hashes.
+// the rest is taken as it is, or its frames are sealed anew, so that changed payloads get past their hashes, and how
+// many of the frames are in the stream's file, and the others in its tail.
 #include <unistd.h>
 #include <xxhash.h>
 
@@ -16,6 +17,7 @@
 #include "replay/log/verify.h"
 #include "replay/recorder/tumble_recorder.h"
 #include "replay/stream/import_stream.h"
+#include "replay/stream/stream_tail.h"
 #include "tests/fuzz/target.h"
 #include "tumble/replay/log_reader.h"
 
@@ -45,11 +47,37 @@ void seal(Bytes& stream) {
   }
 }
 
+/// A stream's file, and its tail.
+struct Files {
+  Bytes stream;
+  Bytes tail;
+};
+
+/// The first `count` frames stay; the others go to a tail. 0: no tail.
+Files split(const Bytes& whole, std::size_t count) {
+  if (count == 0 || whole.size() < replay::kStreamPreludeBytes + replay::kStreamFrameHeadBytes) return {whole, {}};
+  std::size_t at = replay::kStreamPreludeBytes, last = at;
+  for (std::size_t k = 0; k < count && at + replay::kStreamFrameHeadBytes <= whole.size(); ++k) {
+    last = at;
+    const std::size_t left = whole.size() - at - replay::kStreamFrameHeadBytes;
+    at +=
+        replay::kStreamFrameHeadBytes + std::min<std::size_t>(replay::load<std::uint32_t>(whole.data() + at + 4), left);
+  }
+  Files files = {{whole.begin(), whole.begin() + static_cast<long>(at)}, Bytes(replay::kStreamTailHeadBytes)};
+  std::memcpy(files.tail.data(), replay::kStreamTailMagic.data(), replay::kStreamTailMagic.size());
+  std::memcpy(files.tail.data() + 16, whole.data() + replay::kStreamPreludeBytes + 16, 8);
+  std::memcpy(files.tail.data() + 24, whole.data() + last + 8, 16);  // number and hash
+  files.tail.insert(files.tail.end(), whole.begin() + static_cast<long>(at), whole.end());
+  return files;
+}
+
 /// What is imported is a whole log.
-void import(const Bytes& bytes) {
-  auto file = std::make_shared<Bytes>(bytes);
-  const Result<replay::StreamReader> stream =
-      replay::StreamReader::open(std::make_unique<replay::MemoryByteSource>(file, "stream"));
+void import(const Files& files) {
+  auto file = std::make_shared<Bytes>(files.stream);
+  Result<std::unique_ptr<replay::ByteSource>> source =
+      replay::with_tail(std::make_unique<replay::MemoryByteSource>(file, "stream"), files.tail);
+  if (!source.ok()) std::abort();
+  const Result<replay::StreamReader> stream = replay::StreamReader::open(*std::move(source));
   if (!stream.ok()) return;
   const auto written = std::make_shared<Bytes>();
   const Result<replay::StreamImport> done = import_stream(*stream, [&]() -> Result<std::unique_ptr<replay::ByteSink>> {
@@ -90,15 +118,21 @@ void record_against(const std::string& path) {
   tumble_rec_close(rec);
 }
 
-void verify_against(const Bytes& bytes) {
+bool write_file(const std::string& path, const Bytes& bytes) {
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  if (file == nullptr) return false;
+  std::fwrite(bytes.data(), 1, bytes.size(), file);
+  return std::fclose(file) == 0;
+}
+
+void verify_against(const Files& files) {
   static const std::string path =
       (std::filesystem::temp_directory_path() / ("tumble_fuzz_stream_" + std::to_string(::getpid()))).string();
-  std::FILE* file = std::fopen(path.c_str(), "wb");
-  if (file == nullptr) return;
-  std::fwrite(bytes.data(), 1, bytes.size(), file);
-  std::fclose(file);
+  if (!write_file(path, files.stream)) return;
+  if (!files.tail.empty() && !write_file(path + replay::kStreamTailSuffix, files.tail)) return;
   record_against(path);
   std::remove(path.c_str());
+  std::remove((path + replay::kStreamTailSuffix).c_str());
 }
 
 }  // namespace
@@ -109,7 +143,8 @@ extern "C" int test_one_input(const std::uint8_t* data, std::size_t size) {
   const auto rest = tumble::fuzz::as_bytes(data + 1, size - 1);
   tumble::fuzz::Bytes stream(rest.begin(), rest.end());
   if ((data[0] & 1U) != 0) tumble::fuzz::seal(stream);
-  tumble::fuzz::import(stream);
-  tumble::fuzz::verify_against(stream);
+  const tumble::fuzz::Files files = tumble::fuzz::split(stream, (data[0] >> 1U) % 8);
+  tumble::fuzz::import(files);
+  tumble::fuzz::verify_against(files);
   return 0;
 }

@@ -1,6 +1,7 @@
 // [engine.table] of a tumble.toml: the tables and the archives of an engine, read by replay as import read them.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -55,6 +56,50 @@ TEST(EngineReading, ReplayReadsAnArchiveOfArrays) {
   write_project(shop, "cp '" + robot + "' {log}");
   const Outcome same = shop.run({"replay", "a.tumble"});
   EXPECT_EQ(same.exit, 0) << same.out << same.err;
+}
+
+// Columns that the format does not know are channels where [engine.table] says so, for replay and for each revision
+// that bisect runs.
+TEST(EngineReading, EveryOtherColumnIsAChannelAndBisectFindsWhatMovedIt) {
+  const Workshop shop;
+  const auto write_knees = [&](const std::string& name, const std::string& angle) {
+    std::string text = table();
+    text.replace(text.find("frozen"), 6, "frozen,knee");
+    for (std::size_t k = 0; k < 5; ++k) {
+      const std::string row = "\n" + std::to_string(k) + ",2,";
+      text.insert(text.find('\n', text.find(row) + 1), k == 3 ? ',' + angle : ",0.5");
+      text.insert(text.find('\n', text.find("\n" + std::to_string(k) + ",1,") + 1), ",0.25");
+    }
+    shop.write(name, text);
+  };
+  write_knees("a.csv", "0.5");
+  ASSERT_EQ(shop.run({"import", "a.csv", "--channels"}).exit, 0);
+  const std::string channels = "[engine.table]\nchannels = true\n";
+  write_knees("new.csv", "0.75");
+  write_project(shop, "cp new.csv {log}", channels);
+  const Outcome moved = shop.run({"replay", "a.tumble", "--json"});
+  EXPECT_EQ(moved.exit, 1) << moved.err;
+  EXPECT_EQ(parsed(moved)["first"]["field"], "channel.knee") << moved.out;
+  EXPECT_EQ(parsed(moved)["first"]["step"], 3);
+  write_project(shop, "cp new.csv {log}");
+  EXPECT_TRUE(says(shop.run({"replay", "a.tumble"}).err, "knee")) << "without the key it is an unknown column";
+  write_project(shop, "cp new.csv {log}", "[engine.table]\nchannels = 1\n");
+  EXPECT_TRUE(says(shop.run({"replay", "a.tumble"}).err, "[engine.table] key \"channels\": found 1")) << "no flag";
+
+  write_knees("project/knees.csv", "0.5");
+  write_knees("moved.csv", "0.75");
+  shop.write("project/tumble.toml", "[engine]\nbuild = 'cp knees.csv new.csv'\nrun = 'cp new.csv {log}'\n" + channels);
+  const std::string commits = "{ cd '" + shop.path("project") + R"(' && git init -q -b main
+commit() { git add -A && git -c user.name=a -c user.email=a@b commit --allow-empty -qm "$1"; }
+echo new.csv >.gitignore; commit first; commit second
+mv ../moved.csv knees.csv; commit moved; commit last
+} >')" + shop.path("said") + "' 2>&1";
+  ASSERT_EQ(std::system(commits.c_str()), 0) << shop.read("said");
+  const Outcome bisect = shop.run(
+      {"bisect", "--repo", "project", "--good", "HEAD~3", "--bad", "HEAD", "a.tumble", "--work", "work", "--json"});
+  EXPECT_EQ(bisect.exit, 1) << bisect.err;
+  EXPECT_EQ(parsed(bisect)["commit"]["subject"], "moved") << bisect.out;
+  EXPECT_EQ(parsed(bisect)["sessions"]["first"]["field"], "channel.knee") << bisect.out;
 }
 
 }  // namespace

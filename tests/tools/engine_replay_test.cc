@@ -67,6 +67,45 @@ TEST(EngineReplay, SaysHowFarABrokenEngineCame) {
   EXPECT_TRUE(says(both.out, "that differs is step 5")) << both.out;
 }
 
+/// The problems of a case whose engine runs with these options.
+std::string problems_of(const Workshop& shop, const std::string& options, const std::string& more = "") {
+  write_falling(shop, options, more);
+  const Outcome checked = shop.run({"check", "--json", "--report", "r"});
+  EXPECT_EQ(checked.exit, 1) << checked.out;
+  const ordered_json one = parsed(checked)["cases"][0];
+  for (const ordered_json& verdict : one["verdicts"]) EXPECT_NE(verdict["outcome"], "pass") << one["verdicts"];
+  EXPECT_TRUE(one["metrics"].empty()) << "nothing is measured of half a session";
+  return one["problems"].dump();
+}
+
+TEST(EngineCheck, SaysHowFarAnEngineThatFailedWasTheSame) {
+  const Workshop shop;
+  write_falling(shop);
+  shop.write("golden/cases/fall/metrics.toml",
+             "[engine]\ntitle = \"falling\"\ncategory = \"toys\"\ninputs = \"inputs.txt\"\n"
+             "[[metric]]\nname = \"lateral_max\"\nmax = 5\nwhy = \"a test\"\n");
+  shop.write("golden/cases/fall/inputs.txt", "\n");
+  write_falling(shop, "--crash 20");
+  const Outcome unblessed = shop.run({"bless", "fall", "--reason", "a test"});
+  EXPECT_NE(unblessed.exit, 0) << "a session that was cut short is no golden";
+  write_falling(shop);
+  shop.write("golden/cases/fall/inputs.txt", "{}\n");
+  const Outcome blessed = shop.run({"bless", "fall", "--reason", "a test"});
+  ASSERT_EQ(blessed.exit, 0) << blessed.err;
+  ASSERT_EQ(shop.run({"check"}).exit, 0);
+  const std::string crashed = problems_of(shop, "--crash 20");
+  EXPECT_TRUE(says(crashed, "SIGABRT")) << crashed;
+  EXPECT_TRUE(says(crashed, "it wrote 19 steps before it failed, with the same bits as the golden, which has 40 steps"))
+      << crashed;
+  EXPECT_FALSE(says(crashed, "bless the case")) << crashed;
+  const std::string other = problems_of(shop, "--move 5:1 --crash 20");
+  EXPECT_TRUE(says(other, "it wrote 19 steps before it failed; first difference: step 5")) << other;
+  const std::string hangs = problems_of(shop, "--hang 30", "timeout = 0.5\n");
+  EXPECT_TRUE(says(hangs, "it wrote 29 steps before it failed, with the same bits")) << hangs;
+  const std::string none = problems_of(shop, "--crash 1");
+  EXPECT_FALSE(says(none, "it wrote")) << none;
+}
+
 TEST(EngineReplay, SaysWhereAStreamIsNotWhole) {
   const Workshop shop;
   record_falling(shop, "a");

@@ -17,6 +17,7 @@
 
 #include "replay/recorder/tumble_recorder.h"
 #include "replay/stream/stream_reader.h"
+#include "replay/stream/stream_tail.h"
 
 namespace tumble::trial {
 namespace {
@@ -51,7 +52,7 @@ constexpr std::uint64_t kNotBegun = ~std::uint64_t{0};
 /// The steps that are there, or an empty text and the reason.
 std::string lost_of(const std::string& path, std::uint64_t done) {
   if (done == kNotBegun) return "";
-  Result<std::unique_ptr<replay::ByteSource>> source = replay::open_file_source(path);
+  Result<std::unique_ptr<replay::ByteSource>> source = replay::open_stream_source(path);
   if (!source.ok()) return source.error().message;
   const Result<replay::StreamReader> stream = replay::StreamReader::open(*std::move(source));
   if (!stream.ok()) return stream.error().message;

@@ -2,12 +2,15 @@
 #include "tools/commands/import_stream.h"
 
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <system_error>
 #include <utility>
 
 #include "replay/stream/import_stream.h"
+#include "replay/stream/stream_tail.h"
 #include "src/process/interrupt.h"
 #include "tools/files/log_files.h"
 #include "tools/output/axes_output.h"
@@ -70,6 +73,16 @@ void print_listing(const StreamFiles& files, const StreamReader& stream, const r
   listing.print();
 }
 
+/// Of a recorder that was stopped: its last steps are beside its stream, unless only the stream was copied.
+void advise_about_tail(const StreamFiles& files, const StreamReader& stream, replay::StreamImport& done) {
+  const std::string tail = files.stream + replay::kStreamTailSuffix;
+  std::error_code error;
+  if (stream.condition().finished || stream.condition().damage || std::filesystem::exists(tail, error)) return;
+  done.warnings.push_back(tail +
+                          ": found no such file; if there is one beside the original stream, put it here: it has " +
+                          "the last steps");
+}
+
 }  // namespace
 
 bool is_stream_file(const std::string& path) {
@@ -80,16 +93,17 @@ bool is_stream_file(const std::string& path) {
 }
 
 Result<Exit> import_stream_file(const StreamFiles& files) {
-  Result<std::unique_ptr<replay::ByteSource>> source = replay::open_file_source(files.stream);
+  Result<std::unique_ptr<replay::ByteSource>> source = replay::open_stream_source(files.stream);
   if (!source.ok()) return source.error();
   Result<StreamReader> stream = StreamReader::open(*std::move(source));
   if (!stream.ok()) return stream.error();
   ProgressBar bar("importing", !files.quiet);
   const process::InterruptGuard guard;
-  const Result<replay::StreamImport> done = replay::import_stream(
+  Result<replay::StreamImport> done = replay::import_stream(
       *stream, [&] { return replay::open_file_sink(files.output); }, bar.progress());
   bar.finish();
   if (!done.ok()) return done.error();
+  advise_about_tail(files, *stream, *done);
   if (!files.quiet) {
     for (const std::string& warning : done->warnings)
       std::cerr << "tumble import: warning: " << printable(warning) << '\n';

@@ -10,12 +10,18 @@
 #include "tools/compare/blame_output.h"
 #include "tools/view/view_json.h"
 
+#if defined(__linux__)
+#include <unistd.h>
+#endif
+
 namespace tumble::tools {
 namespace {
 
 using Lock = std::lock_guard<std::mutex>;
 
 constexpr std::uint64_t kHistoryBodyStates = 400'000;  // that one question about a body's history reads
+
+constexpr int kBackgroundNice = 10;  // of the thread that reads the timeline
 
 constexpr auto kPause = std::chrono::milliseconds(250);  // between two looks at a log that may grow
 
@@ -29,6 +35,13 @@ std::optional<replay::LogReader> opened_again(const replay::LogReader& log) {
   return std::optional(*std::move(again));
 }
 
+// Lets every other thread go first: whoever waits for an answer does not wait for the timeline.
+void yield_to_others() {
+#if defined(__linux__)
+  (void)::nice(kBackgroundNice);  // under Linux of the calling thread alone
+#endif
+}
+
 }  // namespace
 
 ServedLog::ServedLog(replay::LogReader reader, std::vector<replay::ViewedBound> bounds)
@@ -40,7 +53,6 @@ ServedLog::ServedLog(replay::LogReader reader, std::vector<replay::ViewedBound> 
       thread_([this] { work(); }) {
   const Lock lock(reading_);
   states_.emplace(log_);
-  contacts_.emplace(log_);
 }
 
 ServedLog::~ServedLog() {
@@ -61,10 +73,8 @@ void ServedLog::refresh() {
   if (!log_.condition().finished) {
     if (std::optional<replay::LogReader> again = opened_again(log_)) {
       states_.reset();
-      contacts_.reset();
       log_ = *std::move(again);
       states_.emplace(log_);
-      contacts_.emplace(log_);
     }
   }
   const Lock lock(found_);
@@ -144,8 +154,11 @@ std::string ServedLog::frames(std::uint64_t first, std::uint64_t count, std::uin
 }
 
 Json ServedLog::contacts(std::uint64_t k) {
-  const Lock lock(reading_);
-  const Result<std::vector<replay::ContactPoint>> points = contacts_->read(k);
+  const Lock lock(touching_);
+  if (const Status ready = contacts_.prepare(k); !ready.ok()) {
+    return {{"step", k}, {"why_not", printable(ready.error().message)}};
+  }
+  const Result<std::vector<replay::ContactPoint>> points = contacts_.source().read(k);
   if (!points.ok()) return {{"step", k}, {"why_not", printable(points.error().message)}};
   return {{"step", k}, {"rows", contact_rows_json(*points)}};
 }
@@ -171,14 +184,8 @@ Json ServedLog::blame(std::uint64_t k, sim::BodyId id, const std::string& field,
 
 Json ServedLog::history(sim::BodyId id, std::uint64_t from) {
   const Lock lock(telling_);
-  if (!history_log_ || (from > history_log_->last_step() && !history_log_->condition().finished)) {
-    history_states_.reset();
-    Result<replay::LogReader> log = open();
-    if (!log.ok()) return {{"why_not", printable(log.error().message)}};
-    history_log_.emplace(*std::move(log));
-    history_states_.emplace(*history_log_);
-  }
-  return history_json(from, replay::body_history(*history_states_, *history_log_, id, from, kHistoryBodyStates));
+  if (const Status ready = history_.prepare(from); !ready.ok()) return {{"why_not", printable(ready.error().message)}};
+  return history_json(from, replay::body_history(history_.source(), history_.log(), id, from, kHistoryBodyStates));
 }
 
 Json ServedLog::way(sim::BodyId id) {
@@ -191,6 +198,7 @@ Json ServedLog::way(sim::BodyId id) {
 
 // Reads the log by a reader of its own, so that a seek waits for one step at most.
 void ServedLog::work() {
+  yield_to_others();
   Result<replay::LogReader> opened = open();
   if (!opened.ok()) {
     const Lock lock(found_);

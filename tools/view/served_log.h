@@ -16,6 +16,7 @@
 #include "replay/view/viewed_bodies.h"
 #include "tools/output/text.h"
 #include "tools/view/body_ways.h"
+#include "tools/view/own_reader.h"
 #include "tumble/replay/log_reader.h"
 
 namespace tumble::tools {
@@ -46,7 +47,8 @@ class ServedLog {
   std::string frames(std::uint64_t first, std::uint64_t count, std::uint64_t stride);
   static constexpr std::size_t kFrameBytesMax = 8 << 20;
 
-  /// {"step", "rows": contact_rows_json()}, or {"step", "why_not"}.
+  /// {"step", "rows": contact_rows_json()}, or {"step", "why_not"}. May take up to a keyframe's distance of steps
+  /// again; other questions go on meanwhile.
   Json contacts(std::uint64_t k);
   /// body_json(), or {"why_not"}.
   Json body(std::uint64_t k, sim::BodyId id);
@@ -70,15 +72,16 @@ class ServedLog {
   std::mutex reading_;  // guards what follows
   replay::LogReader log_;
   std::optional<replay::StateSource> states_;
-  std::optional<replay::ContactSource> contacts_;
   replay::ViewedBodies table_;
   std::size_t inputs_seen_ = 0;  // of inputs_, in table_
 
   std::mutex blaming_;
 
-  std::mutex telling_;  // guards what follows: a reader of its own, so that no seek waits
-  std::optional<replay::LogReader> history_log_;
-  std::optional<replay::StateSource> history_states_;
+  std::mutex touching_;  // guards contacts_
+  OwnReader<replay::ContactSource> contacts_{[this] { return open(); }};
+
+  std::mutex telling_;  // guards history_
+  OwnReader<replay::StateSource> history_{[this] { return open(); }};
 
   std::mutex found_;  // guards what follows; locked after reading_
   std::vector<replay::TimelineRow> rows_;

@@ -27,7 +27,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr unsigned kSide = 80;  // of the square of cubes
 constexpr std::uint64_t kSteps = 1500;
-constexpr std::size_t kSeeks = 40;
+constexpr std::size_t kSeeks = 40, kContacts = 8;
 constexpr double kOpenMost = 1, kSeekMost = 0.1, kPatience = 600;  // s
 constexpr double kMegabytesMost = 500;
 constexpr auto kBetween = std::chrono::milliseconds(20);
@@ -142,6 +142,19 @@ Result<Json> seek(HttpClient& client, const Workplace& place) {
               {"cpu_each", (place.cpu() - cpu) / static_cast<double>(kSeeks)}};
 }
 
+/// The contacts of single steps, which the server computes again from a keyframe; and the way of a body, read in parts.
+Result<Json> ask_slowly(HttpClient& client) {
+  std::vector<double> seconds;
+  for (std::size_t i = 0; i < kContacts; ++i) {
+    const auto contacts = timed(client, "contacts?log=0&step=" + std::to_string((i * 617 + 311) % (kSteps + 1)));
+    if (!contacts.ok()) return contacts.error();
+    seconds.push_back(contacts->second);
+    if (const auto part = timed(client, "history?log=0&id=1&from=" + std::to_string(i * 60)); !part.ok())
+      return part.error();
+  }
+  return Json{{"median", median(seconds)}, {"most", at_share(seconds, 1)}};
+}
+
 Result<Json> measure(Workplace& place, const std::string& side) {
   const std::string log = place.file("grid.tumble");
   if (Status ok = place.run({"record", "layered_grid", "--set", "grid.rows=" + side, "--set", "grid.cols=" + side,
@@ -175,6 +188,9 @@ Result<Json> measure(Workplace& place, const std::string& side) {
   Result<Json> idle = seek(client, place);
   if (!idle.ok()) return idle.error();
   json["seek"] = *std::move(idle);
+  Result<Json> contacts = ask_slowly(client);
+  if (!contacts.ok()) return contacts.error();
+  json["contacts"] = *std::move(contacts);
   json["megabytes"] = place.memory();
   json["cpu"] = place.cpu();
   return json;
@@ -195,6 +211,8 @@ void print(const Json& row) {
                    ms(seek["cpu_each"]) + " of CPU",
                "100 ms", met(seek["median"], kSeekMost)});
   }
+  table.add({"the contacts of a step, taken again",
+             ms(row["contacts"]["median"]) + ", most " + ms(row["contacts"]["most"]), "", ""});
   table.add({"timeline complete", ms(row["timeline"]), "", ""});
   table.add({"memory of the server, at most", short_number(row["megabytes"]) + " MB", "500 MB",
              met(row["megabytes"], kMegabytesMost)});

@@ -4085,27 +4085,29 @@ toPrecision(6))).concat(t?" ".concat(t):"");return{name:e,kind:"line",fit:!0,tit
 (t,n)=>[t,n]));return{name:"separation",kind:"line",log:!0,of:(t,n)=>e.has(t.step[n])?i.metres[e.get(t.step[n])]:null,words:(t,n)=>{let s=e.get(t.step[n]);return s===
 void 0?"none":i.metres[s]===null?"infinite":zn(i.metres[s])}}}var sh=class{constructor(e){this.page=e,this.sessions=e.sessions,this.body_panel=ks("Body"),this.blame_panel=ks("Where it comes from"),this.blame_panel.place.hidden=
 !0,this.contact_panel=ks("Contacts"),this.input_panel=ks("Inputs",{open:!1}),this.difference_panel=ks("Comparison"),this.places=[...this.sessions.length===2?[this.
-difference_panel.place]:[],this.body_panel.place,this.blame_panel.place,this.contact_panel.place,this.input_panel.place]}settled(e){return Promise.all([this.show_contacts(
-e),this.show_body(e)])}async show_contacts(e){let t=await Promise.all(this.sessions.map(async n=>e<n.head.first||e>n.head.last?{step:e,why_not:"the log has no s\
-uch step"}:n.contacts_at(n.steps?this.page.own_step(n,e):e)));this.page.player.step===e&&(this.page.drawing.contacts=t,this.page.drawing.show(),this.draw_contacts())}draw_contacts(){
-let{contacts:e}=this.page.drawing,t=this.sessions.length===2;this.contact_panel.body.replaceChildren(...this.sessions.flatMap(({bodies:n},s)=>{let r=X("div",{className:"\
-contacts"});return jg(r,e[s],{selected:this.page.selected,bodies:n,select:o=>this.page.select(o),go:o=>this.page.player.seek(o)}),t?[X("h3",{},X("span",{className:"\
-side side-".concat("ab"[s]),textContent:"AB"[s]})),r]:[r]}))}show_selection(){this.page.selected===null&&this.body_panel.body.replaceChildren(X("p",{className:"\
-soft",textContent:"Press a body in the view, or search for its id or name."}))}async show_body(e){let t=this.page.selected;if(t===null)return;let n=await Promise.
-all(this.sessions.map(a=>a.body_at(a.steps?this.page.own_step(a,e):e,t)));if(this.page.selected!==t||this.page.player.step!==e)return;let s=this.sessions.find(a=>a.
-bodies.row(t)!==void 0)??this.sessions[0],r=s.bodies.row(t),o=X("p",{className:"actions"},...[["Follow",()=>{this.page.drawing.following=!this.page.drawing.following,
-this.page.toolbar.show(),this.page.drawing.show()}],["Look at",()=>{let a=this.page.drawing.place_of(0,t)??this.page.drawing.place_of(1,t);a&&this.page.drawing.
-stage?.look_at(a)}],["Let go",()=>this.page.select(null)]].map(([a,l])=>{let c=X("button",{type:"button",textContent:a});return c.addEventListener("click",l),c}));
-Kg(this.body_panel.body,{id:t,label:s.bodies.label(t),name:r===void 0?"":s.bodies.name(r),size:r===void 0?[0,0,0]:s.bodies.size(r),answers:n,actions:o,asked:this.
-sessions[0].head.blames&&this.sessions[0].blame?a=>this.show_blame(e,t,a):null})}async show_blame(e,t,n,s=5){this.blame_panel.place.hidden=!1,this.blame_panel.place.
-open=!0;let r=this.blamed={},o=a=>Qg(this.blame_panel.body,a,this.sessions[0].bodies,l=>this.page.player.seek(l),l=>this.page.select(l),l=>this.show_blame(e,t,n,
-l));o(null);try{let a=await this.sessions[0].blame(e,t,n,s);this.blamed===r&&o(a)}catch(a){this.blamed===r&&o({why_not:a.message})}}show_difference(){e0(this.difference_panel.
-body,this.page.difference,e=>this.label(e),e=>this.page.player.seek(e),e=>this.page.select(e))}label(e){return(this.sessions.find(({bodies:t})=>t.row(e)!==void 0)??
-this.sessions[0]).bodies.label(e)}show_inputs(){let{events:e}=this.sessions[0].rows;if(this.inputs_shown===e.length)return;this.inputs_shown=e.length;let t=e.slice(
-0,200);this.input_panel.body.replaceChildren(e.length===0?X("p",{className:"soft",textContent:"None."}):X("ol",{className:"inputs"},...t.map(({step:n,kind:s,body:r,
-text:o})=>{let a=X("button",{type:"button",className:"link",textContent:"step ".concat(n)});return a.addEventListener("click",()=>this.page.player.seek(n)),X("l\
-i",{},a," ".concat(s).concat(r===null?"":" ".concat(this.sessions[0].bodies.short(r))," ").concat(o))}))),e.length>t.length&&this.input_panel.body.append(X("p",
-{className:"soft",textContent:"and ".concat(e.length-t.length," more")}))}};var co={speed:{of:(i,e)=>i.speed[e],unit:"m/s",body:(i,e)=>i.speed_body[e]},overlap:{of:(i,e)=>i.overlap[e],unit:"m"},height:{of:(i,e)=>i.height[e],unit:"m"},kinetic:{
+difference_panel.place]:[],this.body_panel.place,this.blame_panel.place,this.contact_panel.place,this.input_panel.place]}settled(e){return this.next_contacts=e,
+this.asking_contacts??=this.ask_contacts().finally(()=>{this.asking_contacts=null}),Promise.all([this.asking_contacts,this.show_body(e)])}async ask_contacts(){for(;this.
+next_contacts!==null;){let e=this.next_contacts;this.next_contacts=null,await this.show_contacts(e)}}async show_contacts(e){let t=await Promise.all(this.sessions.
+map(async n=>e<n.head.first||e>n.head.last?{step:e,why_not:"the log has no such step"}:n.contacts_at(n.steps?this.page.own_step(n,e):e)));this.page.player.step===
+e&&(this.page.drawing.contacts=t,this.page.drawing.show(),this.draw_contacts())}draw_contacts(){let{contacts:e}=this.page.drawing,t=this.sessions.length===2;this.
+contact_panel.body.replaceChildren(...this.sessions.flatMap(({bodies:n},s)=>{let r=X("div",{className:"contacts"});return jg(r,e[s],{selected:this.page.selected,
+bodies:n,select:o=>this.page.select(o),go:o=>this.page.player.seek(o)}),t?[X("h3",{},X("span",{className:"side side-".concat("ab"[s]),textContent:"AB"[s]})),r]:
+[r]}))}show_selection(){this.page.selected===null&&this.body_panel.body.replaceChildren(X("p",{className:"soft",textContent:"Press a body in the view, or search\
+ for its id or name."}))}async show_body(e){let t=this.page.selected;if(t===null)return;let n=await Promise.all(this.sessions.map(a=>a.body_at(a.steps?this.page.
+own_step(a,e):e,t)));if(this.page.selected!==t||this.page.player.step!==e)return;let s=this.sessions.find(a=>a.bodies.row(t)!==void 0)??this.sessions[0],r=s.bodies.
+row(t),o=X("p",{className:"actions"},...[["Follow",()=>{this.page.drawing.following=!this.page.drawing.following,this.page.toolbar.show(),this.page.drawing.show()}],
+["Look at",()=>{let a=this.page.drawing.place_of(0,t)??this.page.drawing.place_of(1,t);a&&this.page.drawing.stage?.look_at(a)}],["Let go",()=>this.page.select(null)]].
+map(([a,l])=>{let c=X("button",{type:"button",textContent:a});return c.addEventListener("click",l),c}));Kg(this.body_panel.body,{id:t,label:s.bodies.label(t),name:r===
+void 0?"":s.bodies.name(r),size:r===void 0?[0,0,0]:s.bodies.size(r),answers:n,actions:o,asked:this.sessions[0].head.blames&&this.sessions[0].blame?a=>this.show_blame(
+e,t,a):null})}async show_blame(e,t,n,s=5){this.blame_panel.place.hidden=!1,this.blame_panel.place.open=!0;let r=this.blamed={},o=a=>Qg(this.blame_panel.body,a,this.
+sessions[0].bodies,l=>this.page.player.seek(l),l=>this.page.select(l),l=>this.show_blame(e,t,n,l));o(null);try{let a=await this.sessions[0].blame(e,t,n,s);this.
+blamed===r&&o(a)}catch(a){this.blamed===r&&o({why_not:a.message})}}show_difference(){e0(this.difference_panel.body,this.page.difference,e=>this.label(e),e=>this.
+page.player.seek(e),e=>this.page.select(e))}label(e){return(this.sessions.find(({bodies:t})=>t.row(e)!==void 0)??this.sessions[0]).bodies.label(e)}show_inputs(){
+let{events:e}=this.sessions[0].rows;if(this.inputs_shown===e.length)return;this.inputs_shown=e.length;let t=e.slice(0,200);this.input_panel.body.replaceChildren(
+e.length===0?X("p",{className:"soft",textContent:"None."}):X("ol",{className:"inputs"},...t.map(({step:n,kind:s,body:r,text:o})=>{let a=X("button",{type:"button",
+className:"link",textContent:"step ".concat(n)});return a.addEventListener("click",()=>this.page.player.seek(n)),X("li",{},a," ".concat(s).concat(r===null?"":" ".
+concat(this.sessions[0].bodies.short(r))," ").concat(o))}))),e.length>t.length&&this.input_panel.body.append(X("p",{className:"soft",textContent:"and ".concat(e.
+length-t.length," more")}))}};var co={speed:{of:(i,e)=>i.speed[e],unit:"m/s",body:(i,e)=>i.speed_body[e]},overlap:{of:(i,e)=>i.overlap[e],unit:"m"},height:{of:(i,e)=>i.height[e],unit:"m"},kinetic:{
 of:(i,e)=>i.kinetic[e],unit:"J"},potential:{of:(i,e)=>i.potential[e],unit:"J"},energy:{of:(i,e)=>i.energy(e),unit:"J"},contacts:{of:(i,e)=>i.contacts[e],unit:""},
 begun:{of:(i,e)=>i.begun[e]??null,unit:""},sleeping:{of:(i,e)=>i.sleeping[e],unit:""},bodies:{of:(i,e)=>i.bodies[e],unit:""},lost:{of:(i,e)=>i.lost[e],unit:""},
 broken:{of:(i,e)=>i.bounds.length>0?i.broken(e):null,unit:""},separation:{of:(i,e,t)=>t?.(i.step[e])??null,unit:"m"}},Ta={speed:{of:(i,e)=>i.speed[e],unit:"m/s"},

@@ -5,7 +5,8 @@
 # phase hashes. A fault counts as named if, in more than half of the sessions that differ, one of the five answers is the
 # phase in which the fault lies: docs/blame.md.
 # Usage: tools/scripts/faults/blame.sh [--of N] [--jobs N] [--rest] [NAME...]
-#   --of N   N faults, spread evenly over those that lie in a phase, in the order of tests/faults; 30 unless given
+#   --of N   N faults, spread evenly over those that lie in a phase, in the order of tests/faults; 30 unless given. In place
+#            of one that moves no value of a body in these sessions stands the next of that order
 #   --rest   only those not asked since the sources of blame changed last
 # Needs build/release/tools/tumble. Exit status: 0 nine of ten were named; 1 fewer; 2 bad usage.
 set -euo pipefail
@@ -22,7 +23,7 @@ while (($#)); do
     --of) of=${2:?--of needs a number}; shift 2 ;;
     --jobs) jobs=${2:?--jobs needs a number}; shift 2 ;;
     --rest) rest=true; shift ;;
-    -*) sed -n '2,11s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2 ;;
+    -*) sed -n '2,12s/^# //p' "${BASH_SOURCE[0]}" >&2; exit 2 ;;
     *) names+=("$1"); shift ;;
   esac
 done
@@ -74,6 +75,7 @@ ask() { # name slot
 }
 
 read_faults
+all=()
 if ((${#names[@]} == 0)); then
   mapfile -t all < <(faults_in_phases)
   for ((k = 0; k < of; ++k)); do names+=("${all[k * ${#all[@]} / of]}"); done
@@ -82,22 +84,50 @@ for case in "${log_cases[@]}"; do
   [[ -s $work/good/$case.tumble ]] || build/release/tools/tumble record "$case" -o "$work/good/$case.tumble" --quiet >/dev/null
 done
 for ((slot = 0; slot < jobs; ++slot)); do make_tree "$work/tree$slot"; done
-left=()
-for name in "${names[@]}"; do
-  ! "$rest" || [[ ! $work/rows/$name -nt $work/tree0/build/release/replay/libtumble_replay.a ]] || continue
-  left+=("$name")
-done
 export -f ask names_one_of
-# shellcheck disable=SC2016  # the shell that xargs starts is to expand it
-((${#left[@]} == 0)) || printf '%s\n' "${left[@]}" |
-  xargs -P "$jobs" -n 1 --process-slot-var=SLOT bash -c 'ask "$1" "$SLOT"' ask
-named=0 seen=0
-for name in "${names[@]}"; do
+
+# Asks about those of the names that are to be asked about.
+ask_all() { # name...
+  local name left=()
+  for name; do
+    ! "$rest" || [[ ! $work/rows/$name -nt $work/tree0/build/release/replay/libtumble_replay.a ]] || continue
+    left+=("$name")
+  done
+  # shellcheck disable=SC2016  # the shell that xargs starts is to expand it
+  ((${#left[@]} == 0)) || printf '%s\n' "${left[@]}" |
+    xargs -P "$jobs" -n 1 --process-slot-var=SLOT bash -c 'ask "$1" "$SLOT"' ask
+}
+
+# The fault behind this one in the order of tests/faults that is not asked about yet.
+next_of() { # name
+  local k behind=false
+  for ((k = 0; k < 2 * ${#all[@]}; ++k)); do
+    name=${all[k % ${#all[@]}]}
+    if "$behind" && [[ " ${names[*]} " != *" $name "* ]]; then
+      printf '%s' "$name"
+      return
+    fi
+    [[ $name != "$1" ]] || behind=true
+  done
+}
+
+ask_all "${names[@]}"
+named=0 seen=0 missed=()
+for ((k = 0; k < ${#names[@]}; ++k)); do
+  name=${names[k]}
   [[ -s $work/rows/$name ]] || continue
   IFS='|' read -r differ hits <"$work/rows/$name"
-  ((differ > 0)) || { printf '%s moves no value of these sessions\n' "$name"; continue; }
+  if ((differ == 0)); then
+    instead=$(next_of "$name")
+    printf '%s moves no value of these sessions%s\n' "$name" "${instead:+: $instead instead}"
+    [[ -n $instead ]] || continue
+    names+=("$instead")
+    ask_all "$instead"
+    continue
+  fi
   seen=$((seen + 1))
-  ((2 * hits <= differ)) || named=$((named + 1))
+  if ((2 * hits > differ)); then named=$((named + 1)); else missed+=("$name"); fi
 done
+((${#missed[@]} == 0)) || printf 'not named: %s\n' "${missed[*]}"
 printf 'blame names the phase of %d of %d faults within five answers\n' "$named" "$seen"
 ((10 * named >= 9 * seen))

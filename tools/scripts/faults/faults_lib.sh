@@ -82,7 +82,8 @@ key_of() { # name
   cat "$list/$1.file" "$list/$1.was" "$list/$1.is" "$list/$1.cases" | sha256sum | cut -c 1-16
 }
 
-# A copy of what the build and the suite need, kept from run to run: only what changed is copied, and so rebuilt.
+# A copy of what the build and the suite need, kept from run to run: only what changed is copied, and so rebuilt. Each file
+# is compiled by itself, since a fault changes one.
 make_tree() { # tree
   local tree=$1 file
   local parts=(CMakeLists.txt CMakePresets.json LICENSE README.md cmake schema src replay golden tools tests bench examples python)
@@ -97,7 +98,7 @@ make_tree() { # tree
   done <"$tree/.files"
   rm -f "$tree/.planted" "$tree/.original"
   (cd "$tree" && export CCACHE_BASEDIR=$tree CCACHE_NOHASHDIR=1 &&
-    cmake --preset release && cmake --build build/release --target "${faults_target:-tumble}" --parallel "$jobs") \
+    cmake --preset release -DTUMBLE_UNITY=OFF && cmake --build build/release --target "${faults_target:-tumble}" --parallel "$jobs") \
     >"$tree/.build" 2>&1 || fail "$tree does not build without a fault: see $tree/.build"
 }
 

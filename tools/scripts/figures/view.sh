@@ -11,7 +11,7 @@ MODULES=$(tools/scripts/report/packages.sh)
 export CHROMIUM MODULES
 work=$(mktemp -d)
 server=
-trap '[[ -z $server ]] || kill -INT $server; rm -rf "$work"' EXIT
+trap '[[ -z $server ]] || kill $server; rm -rf "$work"' EXIT
 
 grid() { # rows
   "$tumble" record layered_grid --set grid.rows="$1" --set grid.cols="$1" --steps 1500 --quiet -o "$work/$1.tumble" >/dev/null
@@ -23,7 +23,8 @@ server=$!
 until address=$(grep -m1 '^http:' "$work/said"); do sleep 0.1; done
 printf 'load %s\nserved, 6400 x 1500: ' "$(cut -d ' ' -f 1-3 /proc/loadavg)"
 node tests/session_page/figures.js "$address" "${1:-5}"
-kill -INT $server
+kill $server
+wait $server || true
 server=
 "$tumble" view "$work/20.tumble" -o "$work/20.html"
 printf 'sent, 400 x 1500: '

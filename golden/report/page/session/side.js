@@ -17,8 +17,21 @@ export class Side {
       this.blame_panel.place, this.contact_panel.place, this.input_panel.place];
   }
 
-  /// Once the step stays: contacts and the numbers of the body chosen.
-  settled(step) { return Promise.all([this.show_contacts(step), this.show_body(step)]); }
+  /// Once the step stays: contacts and the numbers of the body chosen. The contacts of a step may take long: only one
+  /// question about them is under way at a time, and the last one asked meanwhile follows it.
+  settled(step) {
+    this.next_contacts = step;
+    this.asking_contacts ??= this.ask_contacts().finally(() => { this.asking_contacts = null; });
+    return Promise.all([this.asking_contacts, this.show_body(step)]);
+  }
+
+  async ask_contacts() {
+    while (this.next_contacts !== null) {
+      const step = this.next_contacts;
+      this.next_contacts = null;
+      await this.show_contacts(step);
+    }
+  }
 
   async show_contacts(step) {
     const answers = await Promise.all(this.sessions.map(async (session) => {
