@@ -1,6 +1,7 @@
 #pragma once
 
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 
 #include "tumble/replay/channel.h"
 #include "tumble/replay/log_writer.h"

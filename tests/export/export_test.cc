@@ -100,7 +100,7 @@ TEST(Export, OfADamagedLogSaysWhatCanBeExported) {
   const std::size_t at = run.err.find("and --steps 0:");
   ASSERT_NE(at, std::string::npos) << run.err;
   const std::string steps = run.err.substr(at + 12, run.err.find(' ', at + 12) - at - 12);
-  EXPECT_EQ(shop.run({"export", "damaged.tumble", "-o", "a.npz", "--steps", steps, "--json"}).exit, 3);
+  EXPECT_EQ(shop.run({"export", "damaged.tumble", "-o", "a.npz", "--steps", steps, "--json"}).exit, 0);
   EXPECT_FALSE(shop.read("a.npz").empty());
 }
 
@@ -127,7 +127,8 @@ TEST(Export, BehindLostStepsOnlyKnownBodies) {
       const Result<const replay::StepRecord*> whole = log->read_step(k), part = back->read_step(k - first);
       ASSERT_TRUE(whole.ok() && part.ok());
       const auto &a = (*whole)->states, &b = (*part)->states;
-      ASSERT_LT(b.size(), a.size());
+      ASSERT_LE(b.size(), a.size());
+      ASSERT_TRUE(k > end || b.size() < a.size());
       ASSERT_GE(b.size(), 64U);  // those of the pile
       for (std::size_t i = 0; i < b.size(); ++i) {
         const auto row = static_cast<std::size_t>(std::ranges::find(a.id, b.id[i]) - a.id.begin());
