@@ -122,6 +122,23 @@ std::vector<replay::EngineContact> contacts_of(const py::handle& rows) {
   return contacts;
 }
 
+/// Bytes, or a dictionary of bytes by name.
+std::vector<replay::EngineSnapshot> given_snapshots(const py::handle& given) {
+  const auto bytes_of = [](const py::handle& bytes) {
+    if (!py::isinstance<py::bytes>(bytes)) raise(bad_input("snapshot: wanted bytes, or a dictionary of bytes by name"));
+    return bytes.cast<std::string>();
+  };
+  std::vector<replay::EngineSnapshot> snapshots;
+  if (!py::isinstance<py::dict>(given)) {
+    snapshots.push_back({"", bytes_of(given)});
+    return snapshots;
+  }
+  for (const auto& [name, bytes] : py::reinterpret_borrow<py::dict>(given)) {
+    snapshots.push_back({text_of(name, "snapshot: name"), bytes_of(bytes)});
+  }
+  return snapshots;
+}
+
 }  // namespace
 
 void EngineRecorder::step(const py::dict& fields) {
@@ -140,12 +157,8 @@ void EngineRecorder::step(const py::dict& fields) {
     if (py::isinstance<py::str>(fields["notes"])) raise(bad_input("notes: found one text, wanted a list of them"));
     for (const py::handle& note : fields["notes"]) notes.push_back(text_of(note, "notes"));
   }
-  std::optional<std::string> snapshot;
-  if (has(fields, "snapshot")) {
-    const py::object bytes = fields["snapshot"];
-    if (!py::isinstance<py::bytes>(bytes)) raise(bad_input("snapshot: wanted bytes"));
-    snapshot = bytes.cast<std::string>();
-  }
+  std::vector<replay::EngineSnapshot> snapshots;
+  if (has(fields, "snapshot")) snapshots = given_snapshots(fields["snapshot"]);
   std::vector<std::uint64_t> phases;
   if (has(fields, "phases")) {
     for (const py::handle& word : fields["phases"]) phases.push_back(whole_of(word, "phases"));
@@ -165,8 +178,9 @@ void EngineRecorder::step(const py::dict& fields) {
     for (const std::string& note : notes) {
       if (Status ok = log.add_note(note); !ok.ok()) return ok;
     }
-    if (snapshot) {
-      if (Status ok = log.add_snapshot(std::as_bytes(std::span(*snapshot))); !ok.ok()) return ok;
+    for (const replay::EngineSnapshot& snapshot : snapshots) {
+      const auto bytes = std::as_bytes(std::span(snapshot.bytes));
+      if (Status ok = log.add_snapshot(bytes, snapshot.name); !ok.ok()) return ok;
     }
     if (!phases.empty()) {
       if (Status ok = log.set_phase_hashes(phases); !ok.ok()) return ok;
@@ -184,15 +198,7 @@ void add_engine_recorder(py::module_& module) {
       .def("ids", &EngineRecorder::ids)
       .def_property_readonly("coming_step", &EngineRecorder::coming_step)
       .def_property_readonly("finished", &EngineRecorder::is_finished)
-      .def("finish", [](EngineRecorder& recorder) {
-        const replay::LogSummary summary = recorder.finish();
-        py::dict fields;
-        fields["steps"] = summary.steps;
-        fields["bytes"] = summary.bytes;
-        fields["final_hash"] = to_string(summary.final_hash);
-        fields["chain"] = to_string(summary.chain);
-        return fields;
-      });
+      .def("finish", [](EngineRecorder& recorder) { return dict_of(recorder.finish()); });
 }
 
 }  // namespace tumble::python

@@ -111,6 +111,15 @@ py::dict dict_of(const sim::BoxDef& box) {
   return fields;
 }
 
+py::dict dict_of(const replay::LogSummary& summary) {
+  py::dict fields;
+  fields["steps"] = summary.steps;
+  fields["bytes"] = summary.bytes;
+  fields["final_hash"] = to_string(summary.final_hash);
+  fields["chain"] = to_string(summary.chain);
+  return fields;
+}
+
 sim::Command command_of(const py::dict& fields) {
   const std::string kind = fields.contains("kind") ? text_of(fields["kind"], "kind") : "";
   const auto* const found = std::ranges::find(sim::kCommandNames, std::string_view(kind));

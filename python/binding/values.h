@@ -1,8 +1,10 @@
 #pragma once
 
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 
 #include "tumble/replay/channel.h"
+#include "tumble/replay/log_writer.h"
 #include "tumble/replay/shape.h"
 #include "tumble/sim/scene.h"
 
@@ -16,6 +18,7 @@ namespace py = pybind11;
 py::dict dict_of(const sim::Command& command);
 py::dict dict_of(const sim::BoxDef& box);
 py::dict dict_of(const replay::Shape& shape);
+py::dict dict_of(const replay::LogSummary& summary);
 
 /// The other way. Keys that are missing keep their defaults. Raises tumble.BadInput: an unknown key, a value of another
 /// kind. The ranges of the values are checked where they enter a world or a log.

@@ -73,12 +73,7 @@ py::list world_contacts(LiveWorld& live) {
 
 py::object summary_of(const std::optional<replay::LogSummary>& summary) {
   if (!summary) return py::none();
-  py::dict fields;
-  fields["steps"] = summary->steps;
-  fields["bytes"] = summary->bytes;
-  fields["final_hash"] = to_string(summary->final_hash);
-  fields["chain"] = to_string(summary->chain);
-  return fields;
+  return dict_of(*summary);
 }
 
 }  // namespace

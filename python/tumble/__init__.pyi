@@ -326,7 +326,7 @@ class Recorder:
         channels: Mapping[str, Any] | None = ...,
         contacts: Iterable[Sequence[Any]] | None = ...,
         notes: Iterable[str] | None = ...,
-        snapshot: bytes | None = ...,
+        snapshot: bytes | Mapping[str, bytes] | None = ...,
         phases: Iterable[int] | None = ...,
     ) -> None: ...
     def throw(self, *, id: int, **body: Any) -> None: ...

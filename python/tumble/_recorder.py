@@ -85,7 +85,7 @@ class Recorder:
 
         channels: values by name; a dictionary by id, or by pair of ids, for a channel of bodies or pairs. contacts:
         rows of (a, b, position, normal, depth, impulse), b None for the world. notes: texts. snapshot: bytes of the
-        engine's own state. phases: a hash, 0 to 2^64 - 1, for each phase.
+        engine's own state, or a dictionary of such bytes by name. phases: a hash, 0 to 2^64 - 1, for each phase.
         """
         length = self._dt if dt is None else dt
         self._log.step({

@@ -4,13 +4,11 @@
 #include <charconv>
 #include <utility>
 
+#include "src/base/text.h"
+
 namespace tumble::replay {
-namespace {
 
-/// numpy's bool, or a number.
 bool is_true(const std::string& cell) { return !cell.empty() && cell != "0"; }
-
-}  // namespace
 
 std::string shape_text(const std::vector<std::size_t>& shape) {
   std::string text = "(";
@@ -21,6 +19,30 @@ std::string shape_text(const std::vector<std::size_t>& shape) {
 const Array* find_array(const std::vector<Array>& arrays, std::string_view name) {
   const auto found = std::ranges::find(arrays, name, &Array::name);
   return found == arrays.end() ? nullptr : &*found;
+}
+
+std::string unit_behind(const std::vector<Array>& arrays, const Array& array) {
+  const Array* unit = find_array(arrays, "unit." + array.name);
+  return unit == nullptr || !unit->shape.empty() ? "" : " (" + unit->cell({}) + ')';
+}
+
+std::vector<std::string> bodiless_ends(const Array& present) {
+  const auto has_body = [&present](std::size_t k) {
+    for (std::size_t body = 0; body < present.shape[1]; ++body) {
+      if (is_true(present.cell({k, body}))) return true;
+    }
+    return false;
+  };
+  std::size_t first = 0, end = present.shape[0];
+  while (first < end && !has_body(first)) ++first;
+  while (end > first && !has_body(end - 1)) --end;
+  std::vector<std::string> parts;
+  const auto add = [&parts](std::size_t count, const char* where) {
+    if (count > 0) parts.push_back(count_text(count, "step") + " without a body at the " + where + ", left out");
+  };
+  add(first, "start");
+  add(present.shape[0] - end, "end");
+  return parts;
 }
 
 std::string ChannelPart::cell(std::size_t step, std::size_t body) const {
@@ -43,7 +65,7 @@ const char* ChannelPart::kind() const {
 
 std::string kinds_line(const std::vector<TableColumn>& columns, const std::vector<std::string>& kinds) {
   const auto channels = std::ranges::count_if(columns, [](const TableColumn& column) {
-    return column.name.starts_with("channel.") || column.name.starts_with("world.");
+    return column.name.starts_with("channel.") || column.name.starts_with("world.") || column.name.starts_with("pair.");
   });
   if (kinds.empty() || std::cmp_not_equal(channels, kinds.size())) return {};
   std::string line = "# kinds:";

@@ -17,6 +17,15 @@ std::string shape_text(const std::vector<std::size_t>& shape);
 /// Null where no array has this name.
 const Array* find_array(const std::vector<Array>& arrays, std::string_view name);
 
+/// Whether a cell is true: of numpy's bool, or a number.
+bool is_true(const std::string& cell);
+
+/// The unit of an array behind a column's name, " (rad)": that of the scalar unit.NAME; empty where there is none.
+std::string unit_behind(const std::vector<Array>& arrays, const Array& array);
+
+/// Steps at the start and at the end in which no body is present, and which a table has no rows for: for messages.
+std::vector<std::string> bodiless_ends(const Array& present);
+
 /// A column of the table: its name, and the cell of a step and a body.
 struct TableColumn {
   std::string name;

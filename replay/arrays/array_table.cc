@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <functional>
-#include <initializer_list>
 #include <optional>
 #include <string_view>
 #include <utility>
 
+#include "replay/arrays/array_joints.h"
+#include "replay/arrays/array_pairs.h"
 #include "replay/arrays/array_rows.h"
 #include "replay/arrays/known_arrays.h"
 #include "src/base/text.h"
@@ -23,6 +24,9 @@ class ArrayTable {
     if (Status ok = find_sizes(); !ok.ok()) return ok.error();
     if (Status ok = add_clock(); !ok.ok()) return ok.error();
     if (Status ok = find_present(); !ok.ok()) return ok.error();
+    if (options_.warn && present_ != nullptr) {
+      for (const std::string& part : bodiless_ends(*present_)) options_.warn(name_ + ": " + part);
+    }
     add_ids();
     for (const KnownArray& known : kMoving) {
       if (Status ok = add_moving(known); !ok.ok()) return ok.error();
@@ -67,9 +71,7 @@ class ArrayTable {
       return {};
     }
     const Array* qpos = find({"qpos"});
-    for (std::size_t j = 0, at = 0; j < options_.joints.size(); at += options_.joints[j++].positions()) {
-      if (options_.joints[j].kind == MujocoJoint::Kind::kFree) free_.emplace_back(j, at);
-    }
+    free_ = free_joints(options_.joints);
     if (qpos == nullptr || free_.empty() || qpos->shape.size() != 2) {
       return wrong(
           "found no positions of bodies: wanted an array position or xpos of shape (steps, bodies, 3), or qpos "
@@ -177,40 +179,15 @@ class ArrayTable {
     return {};
   }
 
-  /// qpos and qvel, number by number, with the names of the model's joints.
   Status add_joints() {
     if (options_.joints.empty()) return {};
-    const std::initializer_list<std::pair<std::string_view, std::size_t (MujocoJoint::*)() const>> both = {
-        {"qpos", &MujocoJoint::positions}, {"qvel", &MujocoJoint::velocities}};
-    for (const auto& [field, count] : both) {
-      const Array* array = find({field});
-      if (array == nullptr) continue;
-      std::size_t numbers = 0;
-      for (const MujocoJoint& joint : options_.joints) numbers += (joint.*count)();
-      if (array->shape != std::vector<std::size_t>{steps_, numbers}) {
-        return wrong_shape(*array, shape_text({steps_, numbers}) +
-                                       ", as the joints of --model give; is it the model of this session?");
-      }
-      use(*array);
-      std::size_t at = 0;
-      for (const MujocoJoint& joint : options_.joints) {
-        const std::size_t n = (joint.*count)();
-        for (std::size_t c = 0; c < n; ++c, ++at) {
-          const std::string name =
-              std::string("world.") + std::string(field) + '.' + joint.name + (n > 1 ? '.' + std::to_string(c) : "");
-          columns_.push_back({name, [array, at](std::size_t k, std::size_t) { return array->cell({k, at}); }});
-        }
-      }
+    for (const char* name : {"qpos", "qvel"}) {
+      if (const Array* array = find({name}); array != nullptr) use(*array);
     }
-    if (find(kPositions) != nullptr) return {};
-    const Array* qpos = find({"qpos"});
-    const std::string_view parts[] = {"position.x",    "position.y",    "position.z",   "orientation.w",
-                                      "orientation.x", "orientation.y", "orientation.z"};
-    for (std::size_t c = 0; c < 7; ++c) {
-      columns_.push_back({std::string(parts[c]), [this, qpos, c](std::size_t k, std::size_t body) {
-                            return qpos->cell({k, free_[body].second + c});
-                          }});
-    }
+    Result<std::vector<TableColumn>> columns =
+        joint_columns(options_.joints, {find({"qpos"}), find({"qvel"})}, steps_, find(kPositions) == nullptr);
+    if (!columns.ok()) return wrong(columns.error().message);
+    columns_.insert(columns_.end(), columns->begin(), columns->end());
     return {};
   }
 
@@ -227,6 +204,7 @@ class ArrayTable {
       columns_.push_back({array.name, [](std::size_t, std::size_t) { return std::string(); }});
       return {};
     }
+    if (array.name.starts_with("pair.")) return add_pairs(array);
     if (shape.empty() || shape[0] != steps_ || shape.size() > 3) {
       return wrong_shape(array, std::to_string(steps_) +
                                     " steps first; an array that is to be passed over has a name that begins with _");
@@ -251,10 +229,27 @@ class ArrayTable {
     const std::string name = array.name.starts_with(prefix) ? array.name : prefix + array.name;
     for (std::size_t c = 0; c < (channel.many ? shape[fixed] : 1); ++c) {
       channel.part = c;
-      columns_.push_back({name + (channel.many ? '.' + std::to_string(c) : std::string()),
+      columns_.push_back({name + (channel.many ? '.' + std::to_string(c) : std::string()) + unit_behind(arrays_, array),
                           [channel](std::size_t k, std::size_t body) { return channel.cell(k, body); }});
       if (array.name.starts_with(prefix)) kinds_.emplace_back(channel.kind());
     }
+    return {};
+  }
+
+  /// Values of pairs, a row each, beside arrays of their steps and bodies.
+  Status add_pairs(const Array& array) {
+    const Array* steps = find({"step", "steps"});
+    const Array* ids = find({"id", "ids"});
+    const PairArrays pairs = {&array, find_exact("step." + array.name), find_exact("a." + array.name),
+                              find_exact("b." + array.name), find_exact("texts." + array.name)};
+    Result<PairCells> cells = pair_cells(pairs, {steps, ids, present_, steps_, bodies_});
+    if (!cells.ok()) return wrong(cells.error().message);
+    columns_.push_back(
+        {array.name + unit_behind(arrays_, array), [all = *std::move(cells)](std::size_t k, std::size_t body) {
+           const auto cell = all[k].find(body);
+           return cell == all[k].end() ? std::string() : cell->second;
+         }});
+    kinds_.emplace_back(ChannelPart{&array, nullptr, pairs.texts}.kind());
     return {};
   }
 
@@ -263,7 +258,7 @@ class ArrayTable {
   /// The bodies that a step has, and what belongs to other arrays.
   Status find_present() {
     for (const Array& array : arrays_) {
-      for (const std::string_view prefix : {"present.", "texts."}) {
+      for (const std::string_view prefix : {"present.", "texts.", "unit.", "step.", "a.", "b."}) {
         if (array.name.starts_with(prefix) && find_exact(array.name.substr(prefix.size())) != nullptr) use(array);
       }
     }

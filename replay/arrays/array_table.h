@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -10,8 +11,9 @@
 namespace tumble::replay {
 
 struct ArrayOptions {
-  bool scalar_last = false;              ///< quaternions of the arrays are x y z w; else w x y z
-  std::vector<MujocoJoint> joints = {};  ///< of the model of an array qpos; empty without a model
+  bool scalar_last = false;                                   ///< quaternions of the arrays are x y z w; else w x y z
+  std::vector<MujocoJoint> joints = {};                       ///< of the model of an array qpos; empty without a model
+  std::function<void(const std::string& warning)> warn = {};  ///< called for what the table has no place for
 };
 
 /// The table, as import_csv() reads it, that an archive of arrays stands for. Steps are the first dimension of each

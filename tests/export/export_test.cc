@@ -1,6 +1,7 @@
 // tumble export as a user meets it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -8,6 +9,7 @@
 #include <sstream>
 
 #include "tests/support/program.h"
+#include "tumble/replay/log_reader.h"
 
 namespace tumble::test {
 namespace {
@@ -71,6 +73,70 @@ TEST(Export, ATornLogIsExportedAsFarAsItGoes) {
   const Outcome run = shop.run({"export", "torn.tumble", "-o", "torn.csv"});
   EXPECT_EQ(run.exit, 3) << run.err;
   EXPECT_FALSE(shop.names_with("torn.csv").empty());
+}
+
+/// A session with a chunk in its middle that is damaged; some body is thrown in, and one removed, in every few steps.
+void record_busy(const Workshop& shop) {
+  std::string scene =
+      "title = \"throws\"\ncategory = \"session\"\n[world]\ndt = 0.01\nsteps = 400\n[[pile]]\ncount = [4, 4, 4]\n";
+  for (int k = 3; k < 390; k += 3) {
+    const std::string at = "[[input]]\nstep = " + std::to_string(k) + "\nkind = ";
+    scene += at + "\"throw\"\nid = " + std::to_string(1000 + k) + "\nposition = [" + std::to_string(20 + 2 * k) +
+             ", 0.0, 5.0]\nvelocity = [0.0, 1.0, 0.0]\n";
+    if (k > 30) scene += at + "\"remove\"\nid = " + std::to_string(1000 + k - 30) + '\n';
+  }
+  shop.write("busy.toml", scene);
+  ASSERT_EQ(shop.run({"record", "busy.toml", "-o", "busy.tumble"}).exit, 0);
+  std::string log = shop.read("busy.tumble");
+  log[log.size() / 2] = static_cast<char>(log[log.size() / 2] ^ 0x55);
+  shop.write("damaged.tumble", log);
+}
+
+TEST(Export, OfADamagedLogSaysWhatCanBeExported) {
+  const Workshop shop;
+  record_busy(shop);
+  const Outcome run = shop.run({"export", "damaged.tumble", "-o", "a.npz"});
+  EXPECT_EQ(run.exit, 3);
+  const std::size_t at = run.err.find("and --steps 0:");
+  ASSERT_NE(at, std::string::npos) << run.err;
+  const std::string steps = run.err.substr(at + 12, run.err.find(' ', at + 12) - at - 12);
+  EXPECT_EQ(shop.run({"export", "damaged.tumble", "-o", "a.npz", "--steps", steps, "--json"}).exit, 0);
+  EXPECT_FALSE(shop.read("a.npz").empty());
+}
+
+/// Bodies that came in lost steps have no sizes; those that went in lost steps have no states.
+TEST(Export, BehindLostStepsOnlyKnownBodies) {
+  const Workshop shop;
+  record_busy(shop);
+  ASSERT_EQ(shop.run({"recover", "damaged.tumble", "-o", "rest.tumble"}).exit, 3);
+  Result<replay::LogReader> log = replay::LogReader::open(shop.path("rest.tumble"));
+  ASSERT_TRUE(log.ok() && log->header().missing().size() == 1U);
+  const std::uint64_t end = log->header().missing().front().end_step();
+  for (const std::uint64_t first : {end, end + 7}) {
+    const std::string range = std::to_string(first) + ":" + std::to_string(end + 40);
+    for (const char* file : {"a.csv", "a.npz", "a.glb"}) {
+      const Outcome run = shop.run({"export", "rest.tumble", "-o", file, "--steps", range, "--json"});
+      ASSERT_EQ(run.exit, 3) << file << ": " << run.err;
+      const nlohmann::json json = nlohmann::json::parse(run.out);
+      EXPECT_NE(json["left_out"].dump().find("thrown in during lost steps"), std::string::npos) << json["left_out"];
+    }
+    ASSERT_EQ(shop.run({"import", "a.npz", "-o", "back.tumble"}).exit, 0);
+    Result<replay::LogReader> back = replay::LogReader::open(shop.path("back.tumble"));
+    ASSERT_TRUE(back.ok());
+    for (std::uint64_t k = first; k <= end + 40; ++k) {
+      const Result<const replay::StepRecord*> whole = log->read_step(k), part = back->read_step(k - first);
+      ASSERT_TRUE(whole.ok() && part.ok());
+      const auto &a = (*whole)->states, &b = (*part)->states;
+      ASSERT_LE(b.size(), a.size());
+      ASSERT_TRUE(k > end || b.size() < a.size());
+      ASSERT_GE(b.size(), 64U);  // those of the pile
+      for (std::size_t i = 0; i < b.size(); ++i) {
+        const auto row = static_cast<std::size_t>(std::ranges::find(a.id, b.id[i]) - a.id.begin());
+        ASSERT_LT(row, a.size()) << "body " << b.id[i] << " at step " << k;
+        ASSERT_EQ(a.position[row], b.position[i]);
+      }
+    }
+  }
 }
 
 TEST(Export, ALogWithoutStepsHasOneState) {

@@ -128,6 +128,18 @@ def test_inputs_of_an_engine(tmp_path):
     assert read.bodies[9].name == "thrown" and read.bodies[9].shape == tumble.sphere(0.5)
 
 
+def test_snapshots_with_names(tmp_path):
+    path = tmp_path / "snapshots.tumble"
+    with recorder(path) as log:
+        log.step(**zeros(), snapshot={"random": b"\0\1", "cache": b""})
+        log.step(**zeros(), snapshot=b"whole")
+        with pytest.raises(tumble.BadInput, match="dictionary of bytes by name"):
+            log.step(**zeros(), snapshot={"random": "text"})
+    first, second = tumble.Log(path).steps[1:]
+    assert dict(zip(first.snapshot_names, first.snapshots)) == {"random": b"\0\1", "cache": b""}
+    assert (second.snapshot_names, second.snapshots) == (("",), (b"whole",))
+
+
 def test_an_error_of_the_engine_leaves_a_whole_log(tmp_path):
     path = tmp_path / "engine_failed.tumble"
     with pytest.raises(ZeroDivisionError):

@@ -168,8 +168,25 @@ TEST(Bench, ViewMeasuresAServedPage) {
   }
 }
 
+TEST(Bench, ExportMeasuresEveryFormat) {
+  const Workshop shop;
+  const Json json = bench(shop, {"export", "--scene", "grid_3", "--repeat", "2"});
+  EXPECT_EQ(json["bodies"], 9);
+  EXPECT_DOUBLE_EQ(json["raw_megabytes"].get<double>(), 9 * 1501 * 104 / 1e6);
+  std::vector<std::string> formats;
+  for (const Json& row : json["rows"]) {
+    formats.push_back(row["format"]);
+    if (row.contains("left_out")) continue;
+    EXPECT_DOUBLE_EQ(row["megabytes_per_second"].get<double>() * row["seconds"].get<double>(),
+                     json["raw_megabytes"].get<double>());
+    for (const char* figure : {"seconds", "cpu", "megabytes", "bytes"}) EXPECT_GT(row[figure], 0) << figure;
+  }
+  EXPECT_EQ(formats, (std::vector<std::string>{"npz", "mcap", "glb"}));
+}
+
 TEST(Bench, BadArgumentsAreStatusTwo) {
   const Workshop shop;
+  EXPECT_EQ(shop.run({"bench", "export", "--scene", "tower_20"}).exit, 2);
   EXPECT_EQ(shop.run({"bench", "view", "--scene", "tower_20"}).exit, 2);
   EXPECT_EQ(shop.run({"bench", "everything"}).exit, 2);
   EXPECT_EQ(shop.run({"bench", "table1", "--method", "other"}).exit, 2);

@@ -79,7 +79,7 @@ std::vector<Room> logs() {
       {"replay/view", above + Folders{"replay/measure"}},
       {"replay/blame", above + Folders{"replay/diff", "src/collide"}},
       {"replay/export/plan", above},
-      {"replay/export/table", above + Folders{"src/files", "replay/export/plan"}},
+      {"replay/export/table", above + Folders{"src/files", "replay/arrays", "replay/export/plan"}},
       {"replay/export/scene",
        above + Folders{"src/files", "replay/export/plan", "src/render/scene", "src/render/picture"}},
       {"replay/export", {"src/base", "src/files", "replay/export/plan", "replay/export/table", "replay/export/scene"}},

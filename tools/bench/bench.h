@@ -18,7 +18,7 @@ struct BenchOptions {
   std::optional<std::uint64_t> repeat;  ///< runs of which the median counts
   std::optional<double> budget;         ///< s of CPU, table1, accuracy: of each engine; runs beyond it are left out
   std::vector<std::string>
-      scenes;  ///< peers: only scenes whose name begins so; memory: these; accuracy, view: the grid
+      scenes;  ///< peers: only scenes whose name begins so; memory: these; accuracy, view, export: the grid
   std::vector<std::string> engines;  ///< peers, accuracy: only these; table1: these besides ours
   bool measure = false;              ///< threads: measure two threads instead of estimating more
   bool large = false;                ///< peers: scenes of 1600 bodies and more too
@@ -33,6 +33,7 @@ Result<Exit> bench_table1(const BenchOptions& options);
 Result<Exit> bench_accuracy(const BenchOptions& options);
 Result<Exit> bench_scaling(const BenchOptions& options);
 Result<Exit> bench_memory(const BenchOptions& options);
+Result<Exit> bench_export(const BenchOptions& options);
 Result<Exit> bench_live(const BenchOptions& options);
 
 /// Runs one of the programs of bench/ beside this one, with its output as it is.

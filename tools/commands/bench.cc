@@ -39,6 +39,7 @@ Result<Exit> bench(const BenchOptions& options) {
   if (options.what == "memory") return bench_memory(options);
   if (options.what == "live") return bench_live(options);
   if (options.what == "view") return bench_view(options);
+  if (options.what == "export") return bench_export(options);
   if (options.what == "phases") return bench_program("step_bench", {});
   if (options.what == "threads") {
     std::vector<std::string> words = options.scenes;
@@ -47,8 +48,9 @@ Result<Exit> bench(const BenchOptions& options) {
   }
   if (options.what == "record") return bench_program("log_bench", {});
   if (options.what == "render") return bench_program("render_bench", {"brick_wall.tumble", "60", "640", "480", "1"});
-  return bad_input("found " + in_quotes(options.what) +
-                   ", wanted peers, table1, accuracy, scaling, memory, live, view, phases, threads, record or render");
+  return bad_input(
+      "found " + in_quotes(options.what) +
+      ", wanted peers, table1, accuracy, scaling, memory, live, view, export, phases, threads, record or render");
 }
 
 }  // namespace
@@ -57,7 +59,7 @@ Action declare_bench(Arguments& arguments) {
   auto options = std::make_shared<BenchOptions>();
   arguments
       .positional("WHAT", options->what,
-                  "peers, table1, accuracy, scaling, memory, live, view, phases, threads, record or render")
+                  "peers, table1, accuracy, scaling, memory, live, view, export, phases, threads, record or render")
       .required();
   arguments.whole("--repeat", "N", options->repeat, 1, 1000, "Runs of which the median counts (peers: 5, others: 1)");
   arguments.positive(
@@ -65,8 +67,8 @@ Action declare_bench(Arguments& arguments) {
       "CPU seconds to spend; runs beyond it are left out. scaling: 300; table1, accuracy: of each engine (all runs); "
       "live: on the wall, of each scene (10)");
   arguments.option("--scene", "NAME", options->scenes,
-                   "peers: only scenes whose name begins so; memory: SCENE; accuracy: grid_N (grid_20); view: grid_N "
-                   "(grid_80); threads: 6400, 25600, "
+                   "peers: only scenes whose name begins so; memory: SCENE; accuracy: grid_N (grid_20); view, "
+                   "export: grid_N (grid_80); threads: 6400, 25600, "
                    "102400, pile, large_pyramid; may be repeated");
   arguments.option(
       "--engine", "NAME", options->engines,
@@ -89,9 +91,11 @@ Action declare_bench(Arguments& arguments) {
       "memory   the simulation's bytes by body and by contact\n"
       "live     frames a second of the window of 'tumble live', played without a person; needs a display, or xvfb-run\n"
       "view     waiting times of the served page of 6400 cubes in 1500 steps, and the memory of its server\n"
+      "export   seconds, memory and MB/s of raw states that 'tumble export' takes for 6400 cubes in 1500 steps\n"
       "phases, threads, record, render   the programs step_bench, thread_model, log_bench and render_bench (of "
       "brick_wall.tumble) of the build\n\n"
-      "Times are CPU seconds of one thread. docs/performance.md explains the figures.\n\n"
+      "Times are CPU seconds of one thread, but for live, view and export. docs/performance.md explains the "
+      "figures.\n\n"
       "Examples:\n"
       "  tumble bench peers --scene grid_20 --scene tower\n"
       "  tumble bench threads --measure --scene large_pyramid\n"

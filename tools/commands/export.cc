@@ -114,7 +114,8 @@ Result<std::uint64_t> write_to(const replay::ExportFormat& format, const std::st
   }
   const std::unique_ptr<replay::ExportWriter> writer = format.make(*file);
   if (Status ok = export_log(log, plan, *writer, progress); !ok.ok()) return ok.error();
-  left_out = writer->left_out();
+  left_out = plan.left_out;
+  left_out.insert(left_out.end(), writer->left_out().begin(), writer->left_out().end());
   const bool device = file->is_device();
   if (Status ok = file->commit(); !ok.ok()) return ok.error();
   std::error_code error;

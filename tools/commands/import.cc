@@ -35,6 +35,7 @@ struct ImportCommand {
   std::string model;
   bool scalar_last = false;
   bool channels = false;
+  bool quiet = false;
   bool json = false;
 };
 
@@ -63,7 +64,7 @@ Result<std::string> read_table(const std::string& path) {
 
 Result<replay::LogSummary> import_to(const ImportCommand& options, const std::string& output, const std::string& text,
                                      const replay::ImportOptions& how) {
-  ProgressBar bar("importing");
+  ProgressBar bar("importing", !options.quiet);
   const process::InterruptGuard guard;
   Result<replay::LogSummary> summary = replay::import_csv(
       text, options.table, [&] { return replay::open_file_sink(output); }, how, bar.progress());
@@ -124,11 +125,13 @@ void print_result(const ImportCommand& options, const std::string& output, const
 }
 
 /// The table that an archive of arrays stands for.
-Result<std::string> table_of_archive(const ImportCommand& options, const std::string& bytes) {
+Result<std::string> table_of_archive(const ImportCommand& options, const std::string& bytes,
+                                     std::vector<std::string>& warnings) {
   const Result<std::vector<replay::Array>> arrays = replay::read_npz(bytes, options.table);
   if (!arrays.ok()) return arrays.error();
   replay::ArrayOptions how;
   how.scalar_last = options.scalar_last;
+  how.warn = [&warnings](const std::string& warning) { warnings.push_back(warning); };
   if (!options.model.empty()) {
     const Result<std::string> xml = read_table(options.model);
     if (!xml.ok()) return xml.error();
@@ -140,7 +143,7 @@ Result<std::string> table_of_archive(const ImportCommand& options, const std::st
 }
 
 /// The table as text, whatever the file holds.
-Result<std::string> read_any_table(const ImportCommand& options) {
+Result<std::string> read_any_table(const ImportCommand& options, std::vector<std::string>& warnings) {
   Result<std::string> bytes = read_table(options.table);
   if (!bytes.ok() || !bytes->starts_with("PK")) {
     if (bytes.ok() && (!options.model.empty() || options.scalar_last)) {
@@ -148,7 +151,7 @@ Result<std::string> read_any_table(const ImportCommand& options) {
     }
     return bytes;
   }
-  return table_of_archive(options, *bytes);
+  return table_of_archive(options, *bytes, warnings);
 }
 
 Result<replay::TableMap> map_of(const ImportCommand& options) {
@@ -172,7 +175,7 @@ Result<Exit> import_stream_command(const ImportCommand& options, const std::stri
   files::OutputGuard guard;
   guard.keep(options.table, "the stream");
   if (Status ok = guard.claim("-o", output); !ok.ok()) return ok.error();
-  return import_stream_file({options.table, output, options.json});
+  return import_stream_file({options.table, output, options.json, options.quiet});
 }
 
 Result<Exit> import_command(const ImportCommand& options) {
@@ -185,14 +188,14 @@ Result<Exit> import_command(const ImportCommand& options) {
     output = options.table.substr(name, options.table.find_last_of('.') - name) + ".tumble";
   }
   if (is_stream_file(options.table)) return import_stream_command(options, output);
-  const Result<std::string> text = read_any_table(options);
+  std::vector<std::string> warnings;
+  const Result<std::string> text = read_any_table(options, warnings);
   if (!text.ok()) return text.error();
   replay::ImportOptions how;
   how.settings = options.settings;
   Result<replay::TableMap> map = map_of(options);
   if (!map.ok()) return map.error();
   how.map = *std::move(map);
-  std::vector<std::string> warnings;
   how.warn = [&warnings](const std::string& warning) { warnings.push_back(warning); };
   if (!options.like.empty()) {
     Result<replay::LogReader> log = open_log(options.like);
@@ -211,7 +214,10 @@ Result<Exit> import_command(const ImportCommand& options) {
   if (!summary.ok()) return summary.error();
   const Result<replay::LogReader> log = replay::LogReader::open(output);
   if (!log.ok()) return log.error();
-  for (const std::string& warning : warnings) std::cerr << "tumble import: warning: " << printable(warning) << '\n';
+  if (!options.quiet) {
+    for (const std::string& warning : warnings) std::cerr << "tumble import: warning: " << printable(warning) << '\n';
+  }
+  if (options.quiet && !options.json) return Exit::kSame;
   print_result(options, output, *summary, log->header(), warnings);
   return Exit::kSame;
 }
@@ -239,6 +245,7 @@ Action declare_import(Arguments& arguments) {
   arguments.flag("--channels", options->channels, "Make a channel of every column that the format does not know");
   arguments.option("--like", "LOG", options->like,
                    "Take sizes, masses, gravity, dt and camera from this log where the table lacks them");
+  arguments.flag("--quiet", options->quiet, "Print nothing but errors");
   arguments.json(options->json);
   arguments.footer(
       "Columns: step or time, id, position.x …, orientation.w …, velocity.x …, spin.x … (angular velocity),\n"

@@ -97,17 +97,20 @@ Result<Exit> import_stream_file(const StreamFiles& files) {
   if (!source.ok()) return source.error();
   Result<StreamReader> stream = StreamReader::open(*std::move(source));
   if (!stream.ok()) return stream.error();
-  ProgressBar bar("importing");
+  ProgressBar bar("importing", !files.quiet);
   const process::InterruptGuard guard;
   Result<replay::StreamImport> done = replay::import_stream(
       *stream, [&] { return replay::open_file_sink(files.output); }, bar.progress());
   bar.finish();
   if (!done.ok()) return done.error();
   advise_about_tail(files, *stream, *done);
-  for (const std::string& warning : done->warnings)
-    std::cerr << "tumble import: warning: " << printable(warning) << '\n';
-  files.json ? print_json_result(files, *stream, *done) : print_listing(files, *stream, *done);
-  if (done->rollbacks.first) {
+  if (!files.quiet) {
+    for (const std::string& warning : done->warnings)
+      std::cerr << "tumble import: warning: " << printable(warning) << '\n';
+  }
+  if (files.json) print_json_result(files, *stream, *done);
+  if (!files.json && !files.quiet) print_listing(files, *stream, *done);
+  if (done->rollbacks.first && !files.quiet) {
     std::cerr << "tumble import: warning: rollback: " << printable(replay::describe(done->rollbacks)) << '\n';
   }
   return stream->condition().damage ? Exit::kDamaged : Exit::kSame;

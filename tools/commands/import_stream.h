@@ -12,6 +12,7 @@ struct StreamFiles {
   std::string stream;
   std::string output;
   bool json = false;
+  bool quiet = false;  ///< no warnings, no summary
 };
 
 /// Whether the file begins as a stream of replay/recorder/tumble_recorder.h does.

@@ -31,9 +31,28 @@ Status find_rows(const ExportPlan& plan, const StepRecord& record, std::size_t i
   if (plan.chosen || found == ids.size()) return {};
   for (const sim::BodyId id : ids) {
     if (std::ranges::binary_search(plan.bodies, id, {}, [](const ExportBody& body) { return body.box.id; })) continue;
+    if (std::ranges::binary_search(plan.undefined, id)) continue;
     return damaged(plan.log_name + ": body " + std::to_string(id) + " at step " + std::to_string(record.step) +
                    ": has a state, but neither the scene nor an input defines it");
   }
+  return {};
+}
+
+template <class Use>
+Status for_each_step(LogReader& log, const ExportPlan& plan, Use&& use, const Progress& progress) {
+  log.read_ahead(plan.every == 1);
+  StateSource source(log);
+  std::vector<std::uint32_t> rows;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const Result<const StepRecord*> record = source.read(plan.steps[i]);
+    if (!record.ok()) return with_advice(record.error(), log, plan.steps[i]);
+    if (Status ok = find_rows(plan, **record, i, rows); !ok.ok()) return ok;
+    if (Status ok = use(ExportStep{i, plan.times[i], **record, rows}); !ok.ok()) return ok;
+    if (progress && !progress(plan.steps.size() + i, 2 * plan.steps.size())) {
+      return cannot_finish(plan.log_name + ": stopped before its last step");
+    }
+  }
+  log.read_ahead(false);
   return {};
 }
 
@@ -41,19 +60,15 @@ Status find_rows(const ExportPlan& plan, const StepRecord& record, std::size_t i
 
 Status export_log(LogReader& log, const ExportPlan& plan, ExportWriter& writer, const Progress& progress) {
   if (Status ok = writer.begin(plan); !ok.ok()) return ok;
-  log.read_ahead(plan.every == 1);
-  StateSource source(log);
-  std::vector<std::uint32_t> rows;
-  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
-    const Result<const StepRecord*> record = source.read(plan.steps[i]);
-    if (!record.ok()) return record.error();
-    if (Status ok = find_rows(plan, **record, i, rows); !ok.ok()) return ok;
-    if (Status ok = writer.add({i, plan.times[i], **record, rows}); !ok.ok()) return ok;
-    if (progress && !progress(plan.steps.size() + i, 2 * plan.steps.size())) {
-      return cannot_finish(plan.log_name + ": stopped before its last step");
-    }
+  const auto look = [&writer](const ExportStep& step) {
+    writer.look(step);
+    return Status();
+  };
+  if (writer.looks_first()) {
+    if (Status ok = for_each_step(log, plan, look, progress); !ok.ok()) return ok;
   }
-  log.read_ahead(false);
+  const auto add = [&writer](const ExportStep& step) { return writer.add(step); };
+  if (Status ok = for_each_step(log, plan, add, progress); !ok.ok()) return ok;
   return writer.finish();
 }
 

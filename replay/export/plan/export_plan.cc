@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "replay/log/session_clock.h"
+#include "replay/session/state_source.h"
 #include "src/base/text.h"
 
 namespace tumble::replay {
@@ -26,6 +27,25 @@ class BodyTracker {
       if (const auto* gone = std::get_if<sim::Remove>(&input)) vanish(gone->id);
     }
   }
+
+  /// After lost steps: the bodies that are there by a state. Those that came in a lost step are known by nothing.
+  void settle(const std::vector<sim::BodyId>& ids) {
+    for (auto& [id, tracked] : bodies_) {
+      const bool there = std::ranges::binary_search(ids, id);
+      if (!there) {
+        close(tracked);
+      } else if (!tracked.there && tracked.body.box.id != 0) {
+        tracked.there = true;
+        tracked.since = marked_;
+      }
+    }
+    for (const sim::BodyId id : ids) {
+      if (!bodies_.contains(id)) undefined_.insert(id);
+    }
+  }
+
+  /// Bodies with states that neither the scene nor an input that is left defines.
+  [[nodiscard]] const std::set<sim::BodyId>& undefined() const { return undefined_; }
 
   /// The bodies that are there now belong to exported step `index`.
   void mark(std::size_t index) { marked_ = index + 1; }
@@ -77,6 +97,7 @@ class BodyTracker {
   const BodyTable& infos_;
   const ExportChoice& choice_;
   std::map<sim::BodyId, Tracked> bodies_;
+  std::set<sim::BodyId> undefined_;
   std::size_t marked_ = 0;  // exported steps so far
 };
 
@@ -128,7 +149,33 @@ class StepTracker {
   double since_ = 0;  // s, since the exported state before
 };
 
+void leave_out_undefined(const std::set<sim::BodyId>& ids, const ExportChoice& choice, ExportPlan& plan) {
+  plan.undefined.assign(ids.begin(), ids.end());
+  if (ids.empty() || choice.holds) return;
+  std::string list;
+  for (const sim::BodyId id : plan.undefined) {
+    if (list.size() > 60) break;
+    list += (list.empty() ? "" : ", ") + std::to_string(id);
+  }
+  plan.left_out.push_back(count_text(ids.size(), "body") +
+                          " thrown in during lost steps, whose sizes nothing tells: " + list);
+}
+
+/// Whether step k is the first that is there behind lost ones.
+bool is_behind_lost(const LogReader& log, std::uint64_t k) {
+  return std::ranges::any_of(log.header().missing(), [k](const MissingSteps& run) { return run.end_step() == k; });
+}
+
 }  // namespace
+
+Error with_advice(const Error& error, const LogReader& log, std::uint64_t k) {
+  if (error.kind != ErrorKind::kDamaged) return error;
+  const std::string first = std::to_string(log.first_state());
+  return damaged(error.message + "; 'tumble recover' saves what is whole" +
+                 (k > log.first_state()
+                      ? ", and --steps " + first + ':' + std::to_string(k - 1) + " exports what comes before"
+                      : ""));
+}
 
 bool ExportBody::at(std::size_t index) const {
   return std::ranges::any_of(runs, [index](const ExportRun& run) { return run.begin <= index && index < run.end; });
@@ -165,9 +212,14 @@ Result<ExportPlan> plan_export(LogReader& log, const ExportChoice& choice, const
   for (std::uint64_t k = log.first_state(); k <= choice.last; ++k) {
     if (k > log.first_state() && log.lost_at(k) == nullptr) {
       const Result<const StepRecord*> step = log.read_hashes(k);
-      if (!step.ok()) return step.error();
+      if (!step.ok()) return with_advice(step.error(), log, k);
       bodies.apply((*step)->inputs);
       dt = (*step)->dt;
+      if (is_behind_lost(log, k)) {
+        const Result<const StepRecord*> state = StateSource(log).read(k);
+        if (!state.ok()) return with_advice(state.error(), log, k);
+        bodies.settle((*state)->states.id);
+      }
     }
     if (k > log.first_state()) steps.add_step(dt);
     if (steps.take(k, plan)) bodies.mark(plan.steps.size() - 1);
@@ -178,6 +230,7 @@ Result<ExportPlan> plan_export(LogReader& log, const ExportChoice& choice, const
   steps.finish(log.header(), plan);
   plan.bodies = bodies.take();
   plan.chosen = choice.holds != nullptr;
+  leave_out_undefined(bodies.undefined(), choice, plan);
   if (plan.bodies.empty() && choice.holds) {
     return bad_input(log.name() + ": --bodies: found none of these bodies in steps " + std::to_string(choice.first) +
                      " to " + std::to_string(choice.last) + "; 'tumble dump' lists those there are");

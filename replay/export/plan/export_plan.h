@@ -49,6 +49,9 @@ struct ExportPlan {
   std::optional<double> dt;        ///< s, of one step of the log where all have one
   std::vector<ExportBody> bodies;  ///< ascending id
   bool chosen = false;             ///< the log has bodies that are not exported
+  /// Bodies that came in lost steps of a recovered log: their sizes are not known, and they are not exported.
+  std::vector<sim::BodyId> undefined;  ///< ascending
+  std::vector<std::string> left_out;   ///< for messages, what the log itself lacks
 
   [[nodiscard]] std::uint64_t body_steps() const;  ///< states to be written
   [[nodiscard]] bool all_present() const;          ///< every body is there in every step
@@ -57,9 +60,13 @@ struct ExportPlan {
   [[nodiscard]] std::string place(std::size_t body, std::uint64_t step) const;
 };
 
-/// Reads the inputs of all steps up to the last one, which is far cheaper than reading their states. Errors
+/// Reads the inputs of all steps up to the last one, which is far cheaper than reading their states; of a recovered log
+/// also the state behind lost steps. Errors
 /// (kBadInput): steps that a recovered log lacks, no body left by the choice; kDamaged: a step that cannot be read;
 /// kCannotFinish where `progress` stops.
 Result<ExportPlan> plan_export(LogReader& log, const ExportChoice& choice, const Progress& progress = {});
+
+/// An error of a step that cannot be read; of a damaged log with the advice of what can be exported.
+Error with_advice(const Error& error, const LogReader& log, std::uint64_t step);
 
 }  // namespace tumble::replay

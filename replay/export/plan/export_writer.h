@@ -21,8 +21,9 @@ struct ExportStep {
   std::span<const std::uint32_t> rows;  ///< for each body of the plan its row in record.states, or kAbsent
 };
 
-/// Writes one format, step by step. Each method is called in this order: begin once, add for every step of the plan,
-/// finish once. Memory does not grow with the number of steps. The plan outlives the writer.
+/// Writes one format, step by step. Each method is called in this order: begin once, look for every step where the
+/// writer asks for it, add for every step of the plan, finish once. Memory does not grow with the number of steps. The
+/// plan outlives the writer.
 class ExportWriter {
  public:
   ExportWriter() = default;
@@ -32,6 +33,9 @@ class ExportWriter {
 
   /// Errors: kBadInput: a session that the format cannot hold; kCannotFinish: the disk.
   virtual Status begin(const ExportPlan& plan) = 0;
+  /// Whether look() is to be called for every step before the first add(): for sizes that the plan does not have.
+  [[nodiscard]] virtual bool looks_first() const { return false; }
+  virtual void look(const ExportStep& /*step*/) {}
   /// Errors. kBadInput: a value that the format cannot hold, with body and step; kCannotFinish: the disk.
   virtual Status add(const ExportStep& step) = 0;
   virtual Status finish() = 0;

@@ -37,16 +37,17 @@ class CsvWriter : public ExportWriter {
   Status begin(const ExportPlan& plan) override {
     plan_ = &plan;
     frame_ = TableFrame(table_axes(plan.header));
-    channels_ = table_channels(plan.header.declared);
     left_out_ = left_out_of_tables(plan);
     named_ = plan.named();
     shaped_ = std::ranges::any_of(plan.bodies, [](const ExportBody& body) { return body.shape != nullptr; });
     gridded_ = std::ranges::any_of(
         plan.bodies, [](const ExportBody& body) { return body.box.origin.kind == sim::Origin::Kind::kGrid; });
-    for (const std::size_t i : channels_) {
-      const std::string& name = plan.header.declared.channels[i].name;
-      if (!fits_cell(name)) {
-        return bad_input("channel " + in_quotes(name) +
+    channels_.resize(plan.header.declared.channels.size());
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+      channels_[i] = i;
+      const Channel& channel = plan.header.declared.channels[i];
+      if (!fits_cell(channel.name)) {
+        return bad_input("channel " + in_quotes(channel.name) +
                          ": found a name that a table without quotes cannot hold (a comma, a blank at an end); export "
                          "to .npz or .mcap");
       }
@@ -71,12 +72,17 @@ class CsvWriter : public ExportWriter {
       rows_ += '\n';
     }
     empty_steps_ += rows_.empty() ? 1U : 0U;
+    for (const std::size_t c : channels_) {
+      if (all_channels()[c].type.scope != ChannelScope::kWorld) lost_values_ += step.record.extras.values(c).size();
+    }
+    lost_values_ -= std::exchange(written_values_, 0);
     Status ok = file_.write(rows_);
     rows_.clear();
     return ok;
   }
 
   Status finish() override {
+    if (lost_values_ > 0 && !plan_->chosen) left_out_.push_back(left_out_values(lost_values_));
     if (empty_steps_ > 0) left_out_.push_back(count_text(empty_steps_, "step") + " without a body: a table has no row");
     return {};
   }
@@ -86,7 +92,7 @@ class CsvWriter : public ExportWriter {
     std::string head;
     for (const auto& [key, value] : table_settings(*plan_))
       head.append("# ").append(key).append(": ").append(value).append("\n");
-    const std::vector<Channel>& all = plan_->header.declared.channels;
+    const std::vector<Channel>& all = all_channels();
     if (!channels_.empty()) {
       head += "# kinds:";
       for (const std::size_t i : channels_) head += std::string(" ") + name_of(table_kind(all[i].type.kind));
@@ -99,7 +105,7 @@ class CsvWriter : public ExportWriter {
     if (gridded_) head += ",row,column";
     if (shaped_) head += ",shape";
     for (const std::size_t i : channels_) {
-      head += (all[i].type.scope == ChannelScope::kWorld ? ",world." : ",channel.") + all[i].name;
+      head += ',' + channel_column(all[i]) + unit_in_column(all[i]);
     }
     return file_.write(head + '\n');
   }
@@ -170,20 +176,31 @@ class CsvWriter : public ExportWriter {
   }
 
   Status write_values(const ExportStep& step, std::size_t body, std::vector<std::size_t>& from) {
+    const sim::BodyId id = plan_->bodies[body].box.id;
     for (std::size_t c = 0; c < channels_.size(); ++c) {
       rows_ += ',';
-      if (plan_->header.declared.channels[channels_[c]].type.scope == ChannelScope::kWorld) {
+      const ChannelType& type = all_channels()[channels_[c]].type;
+      if (type.scope == ChannelScope::kWorld) {
         rows_ += world_[c];
         continue;
       }
       const ChannelValues& values = step.record.extras.values(channels_[c]);
-      const std::size_t row = value_row(values, plan_->bodies[body].box.id, from[c]);
+      const std::size_t row = value_row(values, id, from[c]);
       if (row == values.size()) continue;
+      if (type.scope == ChannelScope::kPair) {
+        rows_ += pair_cell(values, type.kind, row);
+        while (from[c] < values.size() && values.keys[from[c]].a == id) ++from[c];
+        written_values_ += from[c] - row;
+        continue;
+      }
+      ++written_values_;
       const std::string of = plan_->place(body, step.record.step);
       if (Status ok = append_value(step, channels_[c], row, of, rows_); !ok.ok()) return ok;
     }
     return {};
   }
+
+  [[nodiscard]] const std::vector<Channel>& all_channels() const { return plan_->header.declared.channels; }
 
   files::OutputFile& file_;
   const ExportPlan* plan_ = nullptr;
@@ -193,7 +210,8 @@ class CsvWriter : public ExportWriter {
   std::vector<std::string> about_, names_;  // cells of each body
   std::vector<std::string> world_;          // cells of the step
   std::string rows_;
-  std::uint64_t empty_steps_ = 0;
+  std::uint64_t written_values_ = 0;  // of bodies and pairs, in this step
+  std::uint64_t empty_steps_ = 0, lost_values_ = 0;
 };
 
 }  // namespace

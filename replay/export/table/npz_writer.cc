@@ -35,7 +35,7 @@ class NpzWriter : public ExportWriter {
     vectors_[3] = archive_.add("spin", number, {steps, bodies, 3});
     frozen_ = archive_.add("frozen", flag, {steps, bodies});
     if (!whole_) present_ = archive_.add("present", flag, {steps, bodies});
-    channels_.begin(plan, archive_);
+    if (Status ok = channels_.begin(plan, archive_); !ok.ok()) return ok;
     if (Status ok = write_clock(); !ok.ok()) return ok;
     if (Status ok = write_bodies(); !ok.ok()) return ok;
     for (const auto& [key, value] : table_settings(plan)) {
@@ -44,6 +44,9 @@ class NpzWriter : public ExportWriter {
     }
     return {};
   }
+
+  [[nodiscard]] bool looks_first() const override { return channels_.has_pairs(); }
+  void look(const ExportStep& step) override { channels_.look(step); }
 
   Status add(const ExportStep& step) override {
     const BodyStates& states = frame_.states(step.record.states);
@@ -70,6 +73,7 @@ class NpzWriter : public ExportWriter {
 
   Status finish() override {
     if (Status ok = channels_.finish(archive_); !ok.ok()) return ok;
+    if (channels_.lost_values() > 0 && !plan_->chosen) left_out_.push_back(left_out_values(channels_.lost_values()));
     return archive_.finish();
   }
 

@@ -16,7 +16,8 @@ namespace tumble::replay {
 /// (bodies, …) | | | `position`, `orientation` (w x y z), `velocity`, `spin`, `frozen` | (steps, bodies, …) | NaN where
 /// absent | | `present` | (steps, bodies) | only where a body is absent in some step | | `channel.NAME`, `world.NAME` |
 /// (steps, bodies), (steps) | of text: numbers of rows of `texts.channel.NAME` | | `present.channel.NAME`, … | likewise
-/// | false: no value | | `engine`, `up`, … | () | the lines of a table's header |
+/// | false: no value | | `pair.NAME`, `step.pair.NAME`, `a.pair.NAME`, `b.pair.NAME` | (rows) | a row a value | |
+/// `unit.channel.NAME`, … | () | | | `engine`, `up`, … | () | the lines of a table's header |
 ///
 /// Axes: TableFrame's. `file` is no device and outlives the writer.
 std::unique_ptr<ExportWriter> make_npz_writer(files::OutputFile& file);

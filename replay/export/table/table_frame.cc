@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "replay/arrays/pair_cell.h"
 #include "src/base/text.h"
 
 namespace tumble::replay {
@@ -12,6 +13,12 @@ namespace {
 constexpr std::array<const char*, 5> kTextures = {"crate", "brick", "wood", "concrete", "white"};
 
 std::string triple(const sim::Vec3& v) { return exact(v.x()) + ' ' + exact(v.y()) + ' ' + exact(v.z()); }
+
+/// Whether a unit comes back from behind the name of a column.
+bool fits_behind_name(const std::string& unit) {
+  const auto wrong = [](char c) { return c == ',' || static_cast<unsigned char>(c) < ' '; };
+  return unit.find(" (") == std::string::npos && !unit.starts_with('(') && std::ranges::none_of(unit, wrong);
+}
 
 /// A value on one line.
 std::string line_text(std::string text) {
@@ -90,12 +97,32 @@ std::string shape_word(const ExportBody& body, const EngineAxes& axes) {
   return word + std::string(1, axes.along(body.shape->axis).letter);
 }
 
-std::vector<std::size_t> table_channels(const Declared& declared) {
-  std::vector<std::size_t> channels;
-  for (std::size_t i = 0; i < declared.channels.size(); ++i) {
-    if (declared.channels[i].type.scope != ChannelScope::kPair) channels.push_back(i);
+std::string channel_column(const Channel& channel) {
+  constexpr std::array<const char*, 3> kPrefixes = {"world.", "channel.", "pair."};  // by scope
+  return kPrefixes.at(static_cast<std::size_t>(channel.type.scope)) + channel.name;
+}
+
+std::string unit_in_column(const Channel& channel) {
+  const bool brackets = channel.name.ends_with(')') && channel.name.find(" (") != std::string::npos;
+  const std::string unit = fits_behind_name(channel.unit) ? channel.unit : "";
+  return unit.empty() && !brackets ? std::string() : " (" + unit + ')';
+}
+
+std::string pair_cell(const ChannelValues& values, ChannelKind kind, std::size_t row) {
+  std::string cell;
+  const sim::BodyId body = values.keys[row].a;
+  for (; row < values.size() && values.keys[row].a == body; ++row) {
+    const ChannelValue value = values.value(row, kind);
+    const auto* text = std::get_if<std::string>(&value);
+    cell += (cell.empty() ? "" : " ") + std::to_string(values.keys[row].b) + '=';
+    if (text == nullptr) cell += to_string(value, kind);
+    if (text != nullptr) cell += kind == ChannelKind::kBytes ? hex_cell(*text) : escaped_cell(*text);
   }
-  return channels;
+  return cell;
+}
+
+std::string left_out_values(std::uint64_t count) {
+  return count_text(count, "value") + " of channels whose body is absent in the step: a table has no row";
 }
 
 std::vector<std::string> left_out_of_tables(const ExportPlan& plan) {
@@ -103,9 +130,8 @@ std::vector<std::string> left_out_of_tables(const ExportPlan& plan) {
   const EngineAxes axes = plan.header.axes();
   if (axes.metres != 1) left_out.push_back("the unit of length " + axes.unit() + ": lengths are in m");
   for (const Channel& channel : plan.header.declared.channels) {
-    if (channel.type.scope == ChannelScope::kPair) {
-      left_out.push_back("channel " + channel.name + ": its values belong to pairs of bodies");
-    } else if (channel.type.kind == ChannelKind::kBytes) {
+    if (!fits_behind_name(channel.unit)) left_out.push_back("the unit of channel " + channel.name);
+    if (channel.type.kind == ChannelKind::kBytes) {
       left_out.push_back("the kind of channel " + channel.name + ": its bytes are text in hexadecimal");
     }
   }

@@ -37,8 +37,18 @@ class TableFrame {
 /// The word of the column `shape`; "box" for shapes that need a file, which tables do not have.
 std::string shape_word(const ExportBody& body, const EngineAxes& axes);
 
-/// The channels that a table has columns for, by index in Declared::channels: those of the world and of bodies.
-std::vector<std::size_t> table_channels(const Declared& declared);
+/// "world.seed", "channel.knee", "pair.force".
+std::string channel_column(const Channel& channel);
+
+/// " (rad)" behind that name, as `import` reads it: the last brackets of a column are its unit. Empty where the unit
+/// does not fit there; left_out_of_tables() says so.
+std::string unit_in_column(const Channel& channel);
+
+/// The cell of a channel of pairs: all values of the first body of `row`, "7=0.25 9=0.5".
+std::string pair_cell(const ChannelValues& values, ChannelKind kind, std::size_t row);
+
+/// For messages: values of bodies, or of pairs by their first body, that are not in the step.
+std::string left_out_values(std::uint64_t count);
 
 /// The parts of a session that no table has a place for, each with its reason.
 std::vector<std::string> left_out_of_tables(const ExportPlan& plan);
