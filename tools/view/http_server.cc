@@ -52,8 +52,8 @@ bool same_token(const std::string& one, const std::string& other) {
   return different == 0;
 }
 
-/// Answers are made by whichever worker is free. With a heap for each of them the library would keep the memory that one
-/// state takes as often as there are workers.
+/// Answers are made by whichever worker is free. With a heap for each of them the library would keep the memory that
+/// one state takes as often as there are workers.
 void share_one_heap() {
 #if defined(__GLIBC__)
   (void)::mallopt(M_ARENA_MAX, 1);

@@ -22,7 +22,7 @@ using Lock = std::lock_guard<std::mutex>;
 
 constexpr std::uint64_t kHistoryBodyStates = 400'000;  // that one question about a body's history reads
 
-constexpr int kBackgroundNice = 10;  // of the thread that reads the timeline
+constexpr int kBackgroundNice = 5;  // of the thread that reads the timeline
 
 constexpr auto kPause = std::chrono::milliseconds(250);  // between two looks at a log that may grow
 
