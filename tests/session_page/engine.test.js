@@ -80,6 +80,27 @@ test("names, shapes and channels of another engine, sent and served", async () =
   child.kill("SIGINT");
 });
 
+test("a lane says nothing of steps that the timeline has not reached", async () => {
+  const { address, child } = await sessions.serve("own.tumble");
+  const page = await (await browser.newContext()).newPage();
+  // A server that has read up to step 40 so far.
+  await page.route(/\/timeline\?/, async (route) => {
+    const whole = await (await route.fetch()).json();
+    const rows = whole.step.length - 41;
+    const first = (values) => (Array.isArray(values) ? values.slice(0, -rows) : values);
+    await route.fulfill({ json: { ...whole, ...Object.fromEntries(["step", "time", "read", "kinetic", "potential", "inputs",
+      "contacts", "bodies", "sleeping", "lost", "speed", "speed_body", "height", "overlap"].map((name) => [name, first(whole[name])])) } });
+  });
+  await page.goto(`${address}#step=40`);
+  const value = page.locator(".lane", { hasText: "sleeping" }).locator(".value");
+  await value.locator("text=/ of /").waitFor();
+  await page.locator("body").press("End");
+  await until(page, "output.said", "step 120 ");
+  assert.equal(await value.textContent(), "–");
+  await page.context().close();
+  child.kill("SIGINT");
+});
+
 test("a press on a number asks for the chain behind it", async () => {
   const { address, child } = await sessions.serve("own.tumble");
   const page = await open(`${address}#step=30&body=900`);

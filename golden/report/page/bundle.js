@@ -91,8 +91,8 @@ let s=Ba(i,e,t,n);return i==0&&(s[0]=0),e==0&&(s[1]=0),s}var Oh=.1,ff={mode:3,pa
 t)?pf(i,e,t):(To.pad=t,To.soft=n?0:null,To.mode=n?3:0,pf(i,e,d_))}function bt(i,e){return i??e}function f_(i,e,t){for(e=bt(e,0),t=bt(t,i.length-1);e<=t;){if(i[e]!=
 null)return!0;e++}return!1}function pf(i,e,t){let n=t.min,s=t.max,r=bt(n.pad,0),o=bt(s.pad,0),a=bt(n.hard,-Nt),l=bt(s.hard,Nt),c=bt(n.soft,Nt),d=bt(s.soft,-Nt),
 u=bt(n.mode,0),h=bt(s.mode,0),f=e-i,m=Zi(f),y=Un(dn(i),dn(e)),p=Zi(y),g=dn(p-m);(f<1e-24||g>10)&&(f=0,(i==0||e==0)&&(f=1e-24,u==2&&c!=Nt&&(r=0),h==2&&d!=-Nt&&(o=
-0)));let _=f||y||1e3,S=Zi(_),b=br(10,Zn(S)),C=_*(f==0?i==0?.1:1:r),T=Dt($f(i-C,b/10),24),x=i>=c&&(u==1||u==3&&T<=c||u==2&&T>=c)?c:Nt,M=Un(a,T<x&&i>=x?x:_i(x,T)),
-L=_*(f==0?e==0?.1:1:o),R=Dt(ka(e+L,b/10),24),P=e<=d&&(h==1||h==3&&R>=d||h==2&&R<=d)?d:-Nt,F=_i(l,R>P&&e<=P?P:Un(P,R));return M==F&&M==0&&(F=100),[M,F]}var p_=new Intl.
+0)));let _=f||y||1e3,S=Zi(_),M=br(10,Zn(S)),C=_*(f==0?i==0?.1:1:r),T=Dt($f(i-C,M/10),24),x=i>=c&&(u==1||u==3&&T<=c||u==2&&T>=c)?c:Nt,b=Un(a,T<x&&i>=x?x:_i(x,T)),
+L=_*(f==0?e==0?.1:1:o),R=Dt(ka(e+L,M/10),24),P=e<=d&&(h==1||h==3&&R>=d||h==2&&R<=d)?d:-Nt,F=_i(l,R>P&&e<=P?P:Un(P,R));return b==F&&b==0&&(F=100),[b,F]}var p_=new Intl.
 NumberFormat(Ar?l_.language:"en-US"),Bh=i=>p_.format(i),Jn=Math,Na=Jn.PI,dn=Jn.abs,Zn=Jn.floor,un=Jn.round,oi=Jn.ceil,_i=Jn.min,Un=Jn.max,br=Jn.pow,mf=Jn.sign,Zi=Jn.
 log10,Hf=Jn.log2,m_=(i,e=1)=>Jn.sinh(i)*e,yh=(i,e=1)=>Jn.asinh(i/e),Nt=1/0;function gf(i){return(Zi((i^i>>31)-(i>>31))|0)+1}function Eh(i,e,t){return _i(Un(i,e),
 t)}function Wf(i){return typeof i=="function"}function gt(i){return Wf(i)?i:()=>i}var g_=()=>{},Xf=i=>i,qf=(i,e)=>e,__=i=>null,_f=i=>!0,xf=(i,e)=>i==e,x_=/\.\d*?(?=9{6,}|0{6,})/gm,
@@ -127,15 +127,15 @@ C"?t=new Date(+i+i.getTimezoneOffset()*6e4):e==F_?t=i:(t=new Date(i.toLocaleStri
 {aa}",z_="{h}:{mm}",vr=z_+sp,Mf=Vh+vr,bf=":{ss}",Tt=null;function rp(i){let e=i*1e3,t=e*60,n=t*60,s=n*24,r=s*30,o=s*365,l=(i==1?Eo(10,0,3,Fa).filter(ep):Eo(10,-3,
 0,Fa)).concat([e,e*5,e*10,e*15,e*30,t,t*5,t*10,t*15,t*30,n,n*2,n*3,n*4,n*6,n*8,n*12,s,s*2,s*3,s*4,s*5,s*6,s*7,s*8,s*9,s*10,s*15,r,r*2,r*3,r*4,r*6,o,o*2,o*5,o*10,
 o*25,o*50,o*100]),c=[[o,np,Tt,Tt,Tt,Tt,Tt,Tt,1],[s*28,"{MMM}",vf,Tt,Tt,Tt,Tt,Tt,1],[s,ip,vf,Tt,Tt,Tt,Tt,Tt,1],[n,"{h}"+sp,Ia,Tt,wo,Tt,Tt,Tt,1],[t,vr,Ia,Tt,wo,Tt,
-Tt,Tt,1],[e,bf,Ia+" "+vr,Tt,wo+" "+vr,Tt,Mf,Tt,1],[i,bf+".{fff}",Ia+" "+vr,Tt,wo+" "+vr,Tt,Mf,Tt,1]];function d(u){return(h,f,m,y,p,g)=>{let _=[],S=p>=o,b=p>=r&&
-p<o,C=u(m),T=Dt(C*i,3),x=vh(C.getFullYear(),S?0:C.getMonth(),b||S?1:C.getDate()),M=Dt(x*i,3);if(b||S){let L=b?p/r:0,R=S?p/o:0,P=T==M?T:Dt(vh(x.getFullYear()+R,x.
+Tt,Tt,1],[e,bf,Ia+" "+vr,Tt,wo+" "+vr,Tt,Mf,Tt,1],[i,bf+".{fff}",Ia+" "+vr,Tt,wo+" "+vr,Tt,Mf,Tt,1]];function d(u){return(h,f,m,y,p,g)=>{let _=[],S=p>=o,M=p>=r&&
+p<o,C=u(m),T=Dt(C*i,3),x=vh(C.getFullYear(),S?0:C.getMonth(),M||S?1:C.getDate()),b=Dt(x*i,3);if(M||S){let L=M?p/r:0,R=S?p/o:0,P=T==b?T:Dt(vh(x.getFullYear()+R,x.
 getMonth()+L,1)*i,3),F=new Date(un(P/i)),z=F.getFullYear(),D=F.getMonth();for(let G=0;P<=y;G++){let Y=vh(z+R*G,D+L*G,1),W=Y-u(Dt(Y*i,3));P=Dt((+Y+W)*i,3),P<=y&&
-_.push(P)}}else{let L=p>=s?s:p,R=Zn(m)-Zn(T),P=M+R+ka(T-M,L);_.push(P);let F=u(P),z=F.getHours()+F.getMinutes()/t+F.getSeconds()/n,D=p/n,G=h.axes[f]._space,Y=g/
+_.push(P)}}else{let L=p>=s?s:p,R=Zn(m)-Zn(T),P=b+R+ka(T-b,L);_.push(P);let F=u(P),z=F.getHours()+F.getMinutes()/t+F.getSeconds()/n,D=p/n,G=h.axes[f]._space,Y=g/
 G;for(;P=Dt(P+p,i==1?0:3),!(P>y);)if(D>1){let W=Zn(Dt(z+D,6))%24,Q=u(P).getHours()-W;Q>1&&(Q=-1),P-=Q*n,z=(z+D)%24;let se=_[_.length-1];Dt((P-se)/p,3)*Y>=.7&&_.
 push(P)}else _.push(P)}return _}}return[l,c,d]}var[V_,G_,H_]=rp(1),[W_,X_,q_]=rp(.001);Eo(2,-53,53,[1]);function Sf(i,e){return i.map(t=>t.map((n,s)=>s==0||s==8||
 n==null?n:e(s==1||t[8]==0?n:t[1]+n)))}function wf(i,e){return(t,n,s,r,o)=>{let a=e.find(m=>o>=m[0])||e[e.length-1],l,c,d,u,h,f;return n.map(m=>{let y=i(m),p=y.getFullYear(),
-g=y.getMonth(),_=y.getDate(),S=y.getHours(),b=y.getMinutes(),C=y.getSeconds(),T=p!=l&&a[2]||g!=c&&a[3]||_!=d&&a[4]||S!=u&&a[5]||b!=h&&a[6]||C!=f&&a[7]||a[1];return l=
-p,c=g,d=_,u=S,h=b,f=C,T(y)})}}function $_(i,e){let t=zh(e);return(n,s,r,o,a)=>s.map(l=>t(i(l)))}function vh(i,e,t){return new Date(i,e,t)}function Tf(i,e){return e(
+g=y.getMonth(),_=y.getDate(),S=y.getHours(),M=y.getMinutes(),C=y.getSeconds(),T=p!=l&&a[2]||g!=c&&a[3]||_!=d&&a[4]||S!=u&&a[5]||M!=h&&a[6]||C!=f&&a[7]||a[1];return l=
+p,c=g,d=_,u=S,h=M,f=C,T(y)})}}function $_(i,e){let t=zh(e);return(n,s,r,o,a)=>s.map(l=>t(i(l)))}function vh(i,e,t){return new Date(i,e,t)}function Tf(i,e){return e(
 i)}var Y_="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function Af(i,e){return(t,n,s,r)=>r==null?Dh:e(i(n))}function Z_(i,e){let t=i.series[e];return t.width?t.stroke(i,e):t.
 points.width?t.points.stroke(i,e):null}function J_(i,e){return i.series[e].fill(i,e)}var K_={show:!0,live:!0,isolate:!1,mount:g_,markers:{show:!0,width:2,stroke:Z_,
 fill:J_,dash:"solid"},idx:null,idxs:null,values:[]};function j_(i,e){let t=i.cursor.points,n=ri(),s=t.size(i,e);zt(n,bo,s),zt(n,So,s);let r=s/-2;zt(n,"marginLef\
@@ -167,8 +167,8 @@ i._data,o=i.scales,a=i.bbox,l=r[0],c=n==2?r[1]:r[e],d=n==2?o[s.facets[0].scale]:
 width,y=a.height,p=i.valToPosH,g=i.valToPosV;return d.ori==0?t(s,l,c,d,u,p,g,h,f,m,y,Ga,Er,Wa,gp,xp):t(s,l,c,d,u,g,p,f,h,y,m,Ha,Cr,qh,_p,yp)}function Wh(i,e){let t=0,
 n=0,s=bt(i.bands,kh);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?n|=1:n|=2)}return[t,n==1?-1:n==2?1:n==3?2:0]}function xx(i,e,t,n,s){
 let r=i.mode,o=i.series[e],a=r==2?o.facets[1].scale:o.scale,l=i.scales[a];return s==-1?l.min:s==1?l.max:l.distr==3?l.dir==1?l.min:l.max:0}function Ji(i,e,t,n,s,r){
-return Ys(i,e,(o,a,l,c,d,u,h,f,m,y,p)=>{let g=o.pxRound,_=c.dir*(c.ori==0?1:-1),S=c.ori==0?Er:Cr,b,C;_==1?(b=t,C=n):(b=n,C=t);let T=g(u(a[b],c,y,f)),x=g(h(l[b],
-d,p,m)),M=g(u(a[C],c,y,f)),L=g(h(r==1?d.max:d.min,d,p,m)),R=new Path2D(s);return S(R,M,L),S(R,T,L),S(R,T,x),R})}function Va(i,e,t,n,s,r){let o=null;if(i.length>
+return Ys(i,e,(o,a,l,c,d,u,h,f,m,y,p)=>{let g=o.pxRound,_=c.dir*(c.ori==0?1:-1),S=c.ori==0?Er:Cr,M,C;_==1?(M=t,C=n):(M=n,C=t);let T=g(u(a[M],c,y,f)),x=g(h(l[M],
+d,p,m)),b=g(u(a[C],c,y,f)),L=g(h(r==1?d.max:d.min,d,p,m)),R=new Path2D(s);return S(R,b,L),S(R,T,L),S(R,T,x),R})}function Va(i,e,t,n,s,r){let o=null;if(i.length>
 0){o=new Path2D;let a=e==0?Wa:qh,l=t;for(let u=0;u<i.length;u++){let h=i[u];if(h[1]>h[0]){let f=h[0]-l;f>0&&a(o,l,n,f,n+r),l=h[1]}}let c=t+s-l,d=10;c>0&&a(o,l,n-
 d/2,c,n+r+d)}return o}function yx(i,e,t){let n=i[i.length-1];n&&n[0]==e?n[1]=t:i.push([e,t])}function Xh(i,e,t,n,s,r,o){let a=[],l=i.length;for(let c=s==1?t:n;c>=
 t&&c<=n;c+=s)if(e[c]===null){let u=c,h=c;if(s==1)for(;++c<=n&&e[c]===null;)h=c;else for(;--c>=t&&e[c]===null;)h=c;let f=r(i[u]),m=h==u?f:r(i[h]),y=u-s;f=o<=0&&y>=
@@ -177,42 +177,42 @@ Ha,t=i==0?(s,r,o,a,l,c)=>{s.arcTo(r,o,a,l,c)}:(s,r,o,a,l,c)=>{s.arcTo(o,r,l,a,c)
 c==0&&d==0?n(s,r,o,a,l):(c=_i(c,a/2,l/2),d=_i(d,a/2,l/2),e(s,r+c,o),t(s,r+a,o,r+a,o+l,c),t(s,r+a,o+l,r,o+l,d),t(s,r,o+l,r,o,d),t(s,r,o,r+a,o,c),s.closePath())}}
 var Ga=(i,e,t)=>{i.moveTo(e,t)},Ha=(i,e,t)=>{i.moveTo(t,e)},Er=(i,e,t)=>{i.lineTo(e,t)},Cr=(i,e,t)=>{i.lineTo(t,e)},Wa=mp(0),qh=mp(1),gp=(i,e,t,n,s,r)=>{i.arc(e,
 t,n,s,r)},_p=(i,e,t,n,s,r)=>{i.arc(t,e,n,s,r)},xp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(e,t,n,s,r,o)},yp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(t,e,s,n,o,r)};function vp(i){
-return(e,t,n,s,r)=>Ys(e,t,(o,a,l,c,d,u,h,f,m,y,p)=>{let{pxRound:g,points:_}=o,S,b;c.ori==0?(S=Ga,b=gp):(S=Ha,b=_p);let C=Dt(_.width*wt,3),T=(_.size-_.width)/2*wt,
-x=Dt(T*2,3),M=new Path2D,L=new Path2D,{left:R,top:P,width:F,height:z}=e.bbox;Wa(L,R-x,P-x,F+x*2,z+x*2);let D=G=>{if(l[G]!=null){let Y=g(u(a[G],c,y,f)),W=g(h(l[G],
-d,p,m));S(M,Y+T,W),b(M,Y,W,T,0,Na*2)}};if(r)r.forEach(D);else for(let G=n;G<=s;G++)D(G);return{stroke:C>0?M:null,fill:M,clip:L,flags:Tr|Ph}})}function Mp(i){return(e,t,n,s,r,o)=>{
+return(e,t,n,s,r)=>Ys(e,t,(o,a,l,c,d,u,h,f,m,y,p)=>{let{pxRound:g,points:_}=o,S,M;c.ori==0?(S=Ga,M=gp):(S=Ha,M=_p);let C=Dt(_.width*wt,3),T=(_.size-_.width)/2*wt,
+x=Dt(T*2,3),b=new Path2D,L=new Path2D,{left:R,top:P,width:F,height:z}=e.bbox;Wa(L,R-x,P-x,F+x*2,z+x*2);let D=G=>{if(l[G]!=null){let Y=g(u(a[G],c,y,f)),W=g(h(l[G],
+d,p,m));S(b,Y+T,W),M(b,Y,W,T,0,Na*2)}};if(r)r.forEach(D);else for(let G=n;G<=s;G++)D(G);return{stroke:C>0?b:null,fill:b,clip:L,flags:Tr|Ph}})}function Mp(i){return(e,t,n,s,r,o)=>{
 n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var vx=Mp(Er),Mx=Mp(Cr);function bp(i){let e=bt(i?.alignGaps,0);return(t,n,s,r)=>Ys(t,n,(o,a,l,c,d,u,h,f,m,y,p)=>{
-[s,r]=Oa(l,s,r);let g=o.pxRound,_=z=>g(u(z,c,y,f)),S=z=>g(h(z,d,p,m)),b,C;c.ori==0?(b=Er,C=vx):(b=Cr,C=Mx);let T=c.dir*(c.ori==0?1:-1),x={stroke:new Path2D,fill:null,
-clip:null,band:null,gaps:null,flags:Tr},M=x.stroke,L=!1;if(r-s>=y*4){let z=ue=>t.posToVal(ue,c.key,!0),D=null,G=null,Y,W,ce,K=_(a[T==1?s:r]),Q=_(a[s]),se=_(a[r]),
-de=z(T==1?Q+1:se-1);for(let ue=T==1?s:r;ue>=s&&ue<=r;ue+=T){let ee=a[ue],xe=(T==1?ee<de:ee>de)?K:_(ee),Ee=l[ue];xe==K?Ee!=null?(W=Ee,D==null?(b(M,xe,S(W)),Y=D=G=
-W):W<D?D=W:W>G&&(G=W)):Ee===null&&(L=!0):(D!=null&&C(M,K,S(D),S(G),S(Y),S(W)),Ee!=null?(W=Ee,b(M,xe,S(W)),D=G=Y=W):(D=G=null,Ee===null&&(L=!0)),K=xe,de=z(K+T))}
-D!=null&&D!=G&&ce!=K&&C(M,K,S(D),S(G),S(Y),S(W))}else for(let z=T==1?s:r;z>=s&&z<=r;z+=T){let D=l[z];D===null?L=!0:D!=null&&b(M,_(a[z]),S(D))}let[P,F]=Wh(t,n);if(o.
-fill!=null||P!=0){let z=x.fill=new Path2D(M),D=o.fillTo(t,n,o.min,o.max,P),G=S(D),Y=_(a[s]),W=_(a[r]);T==-1&&([W,Y]=[Y,W]),b(z,W,G),b(z,Y,G)}if(!o.spanGaps){let z=[];
-L&&z.push(...Xh(a,l,s,r,T,_,e)),x.gaps=z=o.gaps(t,n,s,r,z),x.clip=Va(z,c.ori,f,m,y,p)}return F!=0&&(x.band=F==2?[Ji(t,n,s,r,M,-1),Ji(t,n,s,r,M,1)]:Ji(t,n,s,r,M,
+[s,r]=Oa(l,s,r);let g=o.pxRound,_=z=>g(u(z,c,y,f)),S=z=>g(h(z,d,p,m)),M,C;c.ori==0?(M=Er,C=vx):(M=Cr,C=Mx);let T=c.dir*(c.ori==0?1:-1),x={stroke:new Path2D,fill:null,
+clip:null,band:null,gaps:null,flags:Tr},b=x.stroke,L=!1;if(r-s>=y*4){let z=ue=>t.posToVal(ue,c.key,!0),D=null,G=null,Y,W,ce,K=_(a[T==1?s:r]),Q=_(a[s]),se=_(a[r]),
+de=z(T==1?Q+1:se-1);for(let ue=T==1?s:r;ue>=s&&ue<=r;ue+=T){let ee=a[ue],xe=(T==1?ee<de:ee>de)?K:_(ee),Ee=l[ue];xe==K?Ee!=null?(W=Ee,D==null?(M(b,xe,S(W)),Y=D=G=
+W):W<D?D=W:W>G&&(G=W)):Ee===null&&(L=!0):(D!=null&&C(b,K,S(D),S(G),S(Y),S(W)),Ee!=null?(W=Ee,M(b,xe,S(W)),D=G=Y=W):(D=G=null,Ee===null&&(L=!0)),K=xe,de=z(K+T))}
+D!=null&&D!=G&&ce!=K&&C(b,K,S(D),S(G),S(Y),S(W))}else for(let z=T==1?s:r;z>=s&&z<=r;z+=T){let D=l[z];D===null?L=!0:D!=null&&M(b,_(a[z]),S(D))}let[P,F]=Wh(t,n);if(o.
+fill!=null||P!=0){let z=x.fill=new Path2D(b),D=o.fillTo(t,n,o.min,o.max,P),G=S(D),Y=_(a[s]),W=_(a[r]);T==-1&&([W,Y]=[Y,W]),M(z,W,G),M(z,Y,G)}if(!o.spanGaps){let z=[];
+L&&z.push(...Xh(a,l,s,r,T,_,e)),x.gaps=z=o.gaps(t,n,s,r,z),x.clip=Va(z,c.ori,f,m,y,p)}return F!=0&&(x.band=F==2?[Ji(t,n,s,r,b,-1),Ji(t,n,s,r,b,1)]:Ji(t,n,s,r,b,
 F)),x})}function bx(i){let e=bt(i.align,1),t=bt(i.ascDesc,!1),n=bt(i.alignGaps,0),s=bt(i.extend,!1);return(r,o,a,l)=>Ys(r,o,(c,d,u,h,f,m,y,p,g,_,S)=>{[a,l]=Oa(u,
-a,l);let b=c.pxRound,{left:C,width:T}=r.bbox,x=Q=>b(m(Q,h,_,p)),M=Q=>b(y(Q,f,S,g)),L=h.ori==0?Er:Cr,R={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,
-flags:Tr},P=R.stroke,F=h.dir*(h.ori==0?1:-1),z=M(u[F==1?a:l]),D=x(d[F==1?a:l]),G=D,Y=D;s&&e==-1&&(Y=C,L(P,Y,z)),L(P,D,z);for(let Q=F==1?a:l;Q>=a&&Q<=l;Q+=F){let se=u[Q];
-if(se==null)continue;let de=x(d[Q]),ue=M(se);e==1?L(P,de,z):L(P,G,ue),L(P,de,ue),z=ue,G=de}let W=G;s&&e==1&&(W=C+T,L(P,W,z));let[ce,K]=Wh(r,o);if(c.fill!=null||
-ce!=0){let Q=R.fill=new Path2D(P),se=c.fillTo(r,o,c.min,c.max,ce),de=M(se);L(Q,W,de),L(Q,Y,de)}if(!c.spanGaps){let Q=[];Q.push(...Xh(d,u,a,l,F,x,n));let se=c.width*
+a,l);let M=c.pxRound,{left:C,width:T}=r.bbox,x=Q=>M(m(Q,h,_,p)),b=Q=>M(y(Q,f,S,g)),L=h.ori==0?Er:Cr,R={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,
+flags:Tr},P=R.stroke,F=h.dir*(h.ori==0?1:-1),z=b(u[F==1?a:l]),D=x(d[F==1?a:l]),G=D,Y=D;s&&e==-1&&(Y=C,L(P,Y,z)),L(P,D,z);for(let Q=F==1?a:l;Q>=a&&Q<=l;Q+=F){let se=u[Q];
+if(se==null)continue;let de=x(d[Q]),ue=b(se);e==1?L(P,de,z):L(P,G,ue),L(P,de,ue),z=ue,G=de}let W=G;s&&e==1&&(W=C+T,L(P,W,z));let[ce,K]=Wh(r,o);if(c.fill!=null||
+ce!=0){let Q=R.fill=new Path2D(P),se=c.fillTo(r,o,c.min,c.max,ce),de=b(se);L(Q,W,de),L(Q,Y,de)}if(!c.spanGaps){let Q=[];Q.push(...Xh(d,u,a,l,F,x,n));let se=c.width*
 wt/2,de=t||e==1?se:-se,ue=t||e==-1?-se:se;Q.forEach(ee=>{ee[0]+=de,ee[1]+=ue}),R.gaps=Q=c.gaps(r,o,a,l,Q),R.clip=Va(Q,h.ori,p,g,_,S)}return K!=0&&(R.band=K==2?[
 Ji(r,o,a,l,P,-1),Ji(r,o,a,l,P,1)]:Ji(r,o,a,l,P,K)),R})}function Ff(i,e,t,n,s,r,o=Nt){if(i.length>1){let a=null;for(let l=0,c=1/0;l<i.length;l++)if(e[l]!==void 0){
 if(a!=null){let d=dn(i[l]-i[a]);d<c&&(c=d,o=dn(t(i[l],n,s,r)-t(i[a],n,s,r)))}a=l}}return o}function Sx(i){i=i||Ao;let e=bt(i.size,[.6,Nt,1]),t=i.align||0,n=i.gap||
 0,s=i.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=gt(s),o=1-e[0],a=bt(e[1],Nt),l=bt(e[2],1),c=bt(i.disp,Ao),d=bt(i.each,f=>{}),{fill:u,stroke:h}=c;return(f,m,y,p)=>Ys(
-f,m,(g,_,S,b,C,T,x,M,L,R,P)=>{let F=g.pxRound,z=t,D=n*wt,G=a*wt,Y=l*wt,W,ce;b.ori==0?[W,ce]=r(f,m):[ce,W]=r(f,m);let K=b.dir*(b.ori==0?1:-1),Q=b.ori==0?Wa:qh,se=b.
+f,m,(g,_,S,M,C,T,x,b,L,R,P)=>{let F=g.pxRound,z=t,D=n*wt,G=a*wt,Y=l*wt,W,ce;M.ori==0?[W,ce]=r(f,m):[ce,W]=r(f,m);let K=M.dir*(M.ori==0?1:-1),Q=M.ori==0?Wa:qh,se=M.
 ori==0?d:(Re,qe,it,Se,Lt,ze,Xe)=>{d(Re,qe,it,Lt,Se,Xe,ze)},de=bt(f.bands,kh).find(Re=>Re.series[0]==m),ue=de!=null?de.dir:0,ee=g.fillTo(f,m,g.min,g.max,ue),me=F(
 x(ee,C,P,L)),xe,Ee,be,He=R,nt=F(g.width*wt),Ve=!1,ut=null,lt=null,et=null,Gt=null;u!=null&&(nt==0||h!=null)&&(Ve=!0,ut=u.values(f,m,y,p),lt=new Map,new Set(ut).
 forEach(Re=>{Re!=null&&lt.set(Re,new Path2D)}),nt>0&&(et=h.values(f,m,y,p),Gt=new Map,new Set(et).forEach(Re=>{Re!=null&&Gt.set(Re,new Path2D)})));let{x0:Ut,size:Qt}=c;
-if(Ut!=null&&Qt!=null){z=1,_=Ut.values(f,m,y,p),Ut.unit==2&&(_=_.map(it=>f.posToVal(M+it*R,b.key,!0)));let Re=Qt.values(f,m,y,p);Qt.unit==2?Ee=Re[0]*R:Ee=T(Re[0],
-b,R,M)-T(0,b,R,M),He=Ff(_,S,T,b,R,M,He),be=He-Ee+D}else He=Ff(_,S,T,b,R,M,He),be=He*o+D,Ee=He-be;be<1&&(be=0),nt>=Ee/2&&(nt=0),be<5&&(F=Xf);let Pt=be>0,gn=He-be-
+if(Ut!=null&&Qt!=null){z=1,_=Ut.values(f,m,y,p),Ut.unit==2&&(_=_.map(it=>f.posToVal(b+it*R,M.key,!0)));let Re=Qt.values(f,m,y,p);Qt.unit==2?Ee=Re[0]*R:Ee=T(Re[0],
+M,R,b)-T(0,M,R,b),He=Ff(_,S,T,M,R,b,He),be=He-Ee+D}else He=Ff(_,S,T,M,R,b,He),be=He*o+D,Ee=He-be;be<1&&(be=0),nt>=Ee/2&&(nt=0),be<5&&(F=Xf);let Pt=be>0,gn=He-be-
 (Pt?nt:0);Ee=F(Eh(gn,Y,G)),xe=(z==0?Ee/2:z==K?0:Ee)-z*K*((z==0?D/2:0)+(Pt?nt/2:0));let vt={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},cn=Ve?null:
 new Path2D,qt=null;if(de!=null)qt=f.data[de.series[1]];else{let{y0:Re,y1:qe}=c;Re!=null&&qe!=null&&(S=qe.values(f,m,y,p),qt=Re.values(f,m,y,p))}let en=W*Ee,B=ce*
-Ee;for(let Re=K==1?y:p;Re>=y&&Re<=p;Re+=K){let qe=S[Re];if(qe==null)continue;if(qt!=null){let q=qt[Re]??0;if(qe-q==0)continue;me=x(q,C,P,L)}let it=b.distr!=2||c!=
-null?_[Re]:Re,Se=T(it,b,R,M),Lt=x(bt(qe,ee),C,P,L),ze=F(Se-xe),Xe=F(Un(Lt,me)),I=F(_i(Lt,me)),w=Xe-I;if(qe!=null){let q=qe<0?B:en,he=qe<0?en:B;Ve?(nt>0&&et[Re]!=
+Ee;for(let Re=K==1?y:p;Re>=y&&Re<=p;Re+=K){let qe=S[Re];if(qe==null)continue;if(qt!=null){let q=qt[Re]??0;if(qe-q==0)continue;me=x(q,C,P,L)}let it=M.distr!=2||c!=
+null?_[Re]:Re,Se=T(it,M,R,b),Lt=x(bt(qe,ee),C,P,L),ze=F(Se-xe),Xe=F(Un(Lt,me)),I=F(_i(Lt,me)),w=Xe-I;if(qe!=null){let q=qe<0?B:en,he=qe<0?en:B;Ve?(nt>0&&et[Re]!=
 null&&Q(Gt.get(et[Re]),ze,I+Zn(nt/2),Ee,Un(0,w-nt),q,he),ut[Re]!=null&&Q(lt.get(ut[Re]),ze,I+Zn(nt/2),Ee,Un(0,w-nt),q,he)):Q(cn,ze,I+Zn(nt/2),Ee,Un(0,w-nt),q,he),
 se(f,m,Re,ze-nt/2,I,Ee+nt,w)}}return nt>0?vt.stroke=Ve?Gt:cn:Ve||(vt._fill=g.width==0?g._fill:g._stroke??g._fill,vt.width=0),vt.fill=Ve?lt:cn,vt})}function wx(i,e){
-let t=bt(e?.alignGaps,0);return(n,s,r,o)=>Ys(n,s,(a,l,c,d,u,h,f,m,y,p,g)=>{[r,o]=Oa(c,r,o);let _=a.pxRound,S=W=>_(h(W,d,p,m)),b=W=>_(f(W,u,g,y)),C,T,x;d.ori==0?
-(C=Ga,x=Er,T=xp):(C=Ha,x=Cr,T=yp);let M=d.dir*(d.ori==0?1:-1),L=S(l[M==1?r:o]),R=L,P=[],F=[];for(let W=M==1?r:o;W>=r&&W<=o;W+=M)if(c[W]!=null){let K=l[W],Q=S(K);
-P.push(R=Q),F.push(b(c[W]))}let z={stroke:i(P,F,C,x,T,_),fill:null,clip:null,band:null,gaps:null,flags:Tr},D=z.stroke,[G,Y]=Wh(n,s);if(a.fill!=null||G!=0){let W=z.
-fill=new Path2D(D),ce=a.fillTo(n,s,a.min,a.max,G),K=b(ce);x(W,R,K),x(W,L,K)}if(!a.spanGaps){let W=[];W.push(...Xh(l,c,r,o,M,S,t)),z.gaps=W=a.gaps(n,s,r,o,W),z.clip=
+let t=bt(e?.alignGaps,0);return(n,s,r,o)=>Ys(n,s,(a,l,c,d,u,h,f,m,y,p,g)=>{[r,o]=Oa(c,r,o);let _=a.pxRound,S=W=>_(h(W,d,p,m)),M=W=>_(f(W,u,g,y)),C,T,x;d.ori==0?
+(C=Ga,x=Er,T=xp):(C=Ha,x=Cr,T=yp);let b=d.dir*(d.ori==0?1:-1),L=S(l[b==1?r:o]),R=L,P=[],F=[];for(let W=b==1?r:o;W>=r&&W<=o;W+=b)if(c[W]!=null){let K=l[W],Q=S(K);
+P.push(R=Q),F.push(M(c[W]))}let z={stroke:i(P,F,C,x,T,_),fill:null,clip:null,band:null,gaps:null,flags:Tr},D=z.stroke,[G,Y]=Wh(n,s);if(a.fill!=null||G!=0){let W=z.
+fill=new Path2D(D),ce=a.fillTo(n,s,a.min,a.max,G),K=M(ce);x(W,R,K),x(W,L,K)}if(!a.spanGaps){let W=[];W.push(...Xh(l,c,r,o,b,S,t)),z.gaps=W=a.gaps(n,s,r,o,W),z.clip=
 Va(W,d.ori,m,y,p,g)}return Y!=0&&(z.band=Y==2?[Ji(n,s,r,o,D,-1),Ji(n,s,r,o,D,1)]:Ji(n,s,r,o,D,Y)),z})}function Tx(i){return wx(Ax,i)}function Ax(i,e,t,n,s,r){let o=i.
 length;if(o<2)return null;let a=new Path2D;if(t(a,i[0],e[0]),o==2)n(a,i[1],e[1]);else{let l=Array(o),c=Array(o-1),d=Array(o-1),u=Array(o-1);for(let h=0;h<o-1;h++)
 d[h]=e[h+1]-e[h],u[h]=i[h+1]-i[h],c[h]=d[h]/u[h];l[0]=c[0];for(let h=1;h<o-1;h++)c[h]===0||c[h-1]===0||c[h-1]>0!=c[h]>0?l[h]=0:(l[h]=3*(u[h-1]+u[h])/((2*u[h]+u[h-
@@ -228,14 +228,14 @@ let H=A.valToPct(v);return U+N*(A.dir==-1?H:1-H)}function a(v,A,N,U){return A.or
 root=ri(G0);if(i.id!=null&&(c.id=i.id),Yn(c,i.class),i.title){let v=ri(X0,c);v.textContent=i.title}let d=mi("canvas"),u=n.ctx=d.getContext("2d"),h=ri(q0,c);qs("\
 click",h,v=>{v.target===m&&(Ot!=pr||Ht!=mr)&&Sn.click(n,v)},!0);let f=n.under=ri($0,h);h.appendChild(d);let m=n.over=ri(Y0,h);i=wr(i);let y=+bt(i.pxAlign,1),p=Uf(
 y);(i.plugins||[]).forEach(v=>{v.opts&&(i=v.opts(n,i)||i)});let g=i.ms||.001,_=n.series=s==1?Bf(i.series||[],Cf,Nf,!1):Rx(i.series||[null],Lf),S=n.axes=Bf(i.axes||
-[],Ef,Pf,!0),b=n.scales={},C=n.bands=i.bands||[];C.forEach(v=>{v.fill=gt(v.fill||null),v.dir=bt(v.dir,-1)});let T=s==2?_[1].facets[0].scale:_[0].scale,x={axes:$i,
-series:ft},M=(i.drawOrder||["axes","series"]).map(v=>x[v]);function L(v){let A=v.distr==3?N=>Zi(N>0?N:v.clamp(n,N,v.min,v.max,v.key)):v.distr==4?N=>yh(N,v.asinh):
-v.distr==100?N=>v.fwd(N):N=>N;return N=>{let U=A(N),{_min:H,_max:J}=v,ae=J-H;return(U-H)/ae}}function R(v){let A=b[v];if(A==null){let N=(i.scales||Ao)[v]||Ao;if(N.
-from!=null){R(N.from);let U=on({},b[N.from],N,{key:v});U.valToPct=L(U),b[v]=U}else{A=b[v]=on({},v==T?fp:_x,N),A.key=v;let U=A.time,H=A.range,J=ys(H);if((v!=T||s==
+[],Ef,Pf,!0),M=n.scales={},C=n.bands=i.bands||[];C.forEach(v=>{v.fill=gt(v.fill||null),v.dir=bt(v.dir,-1)});let T=s==2?_[1].facets[0].scale:_[0].scale,x={axes:$i,
+series:ft},b=(i.drawOrder||["axes","series"]).map(v=>x[v]);function L(v){let A=v.distr==3?N=>Zi(N>0?N:v.clamp(n,N,v.min,v.max,v.key)):v.distr==4?N=>yh(N,v.asinh):
+v.distr==100?N=>v.fwd(N):N=>N;return N=>{let U=A(N),{_min:H,_max:J}=v,ae=J-H;return(U-H)/ae}}function R(v){let A=M[v];if(A==null){let N=(i.scales||Ao)[v]||Ao;if(N.
+from!=null){R(N.from);let U=on({},M[N.from],N,{key:v});U.valToPct=L(U),M[v]=U}else{A=M[v]=on({},v==T?fp:_x,N),A.key=v;let U=A.time,H=A.range,J=ys(H);if((v!=T||s==
 2&&!U)&&(J&&(H[0]==null||H[1]==null)&&(H={min:H[0]==null?ff:{mode:1,hard:H[0],soft:H[0]},max:H[1]==null?ff:{mode:1,hard:H[1],soft:H[1]}},J=!1),!J&&za(H))){let ae=H;
 H=(fe,ve,Ne)=>ve==null?Sr:Ua(ve,Ne,ae)}A.range=gt(H||(U?Px:v==T?A.distr==3?Lx:A.distr==4?Nx:Sp:A.distr==3?wp:A.distr==4?Tp:Ix)),A.auto=gt(J?!1:A.auto),A.clamp=gt(
-A.clamp||gx),A._min=A._max=null,A.valToPct=L(A)}}}R("x"),R("y"),s==1&&_.forEach(v=>{R(v.scale)}),S.forEach(v=>{R(v.scale)});for(let v in i.scales)R(v);let P=b[T],
-F=P.distr,z,D;P.ori==0?(Yn(c,H0),z=r,D=o):(Yn(c,W0),z=o,D=r);let G={};for(let v in b){let A=b[v];(A.min!=null||A.max!=null)&&(G[v]={min:A.min,max:A.max},A.min=A.
+A.clamp||gx),A._min=A._max=null,A.valToPct=L(A)}}}R("x"),R("y"),s==1&&_.forEach(v=>{R(v.scale)}),S.forEach(v=>{R(v.scale)});for(let v in i.scales)R(v);let P=M[T],
+F=P.distr,z,D;P.ori==0?(Yn(c,H0),z=r,D=o):(Yn(c,W0),z=o,D=r);let G={};for(let v in M){let A=M[v];(A.min!=null||A.max!=null)&&(G[v]={min:A.min,max:A.max},A.min=A.
 max=null)}let Y=i.tzDate||(v=>new Date(un(v/g))),W=i.fmtDate||zh,ce=g==1?H_(Y):q_(Y),K=wf(Y,Sf(g==1?G_:X_,W)),Q=Af(Y,Tf(Y_,W)),se=[],de=n.legend=on({},K_,i.legend),
 ue=n.cursor=on({},ix,{drag:{y:s==2}},i.cursor),ee=de.show,me=ue.show,xe=de.markers;de.idxs=se,xe.width=gt(xe.width),xe.dash=gt(xe.dash),xe.stroke=gt(xe.stroke),
 xe.fill=gt(xe.fill);let Ee,be,He,nt=[],Ve=[],ut,lt=!1,et={};if(de.live){let v=_[1]?_[1].values:null;lt=v!=null,ut=lt?v(n,1,0):{_:0};for(let A in ut)et[A]=Dh}if(ee)
@@ -261,7 +261,7 @@ Mt[We])||(Ye=We);if(pt!=null||Ye!=null)if(De){let kt=pt==null?-1/0:z(St[pt],P,Fe
 Ne&&(ve=Ye)}else ve=Ye==null?pt:pt==null?Ye:ae-pt<=Ye-ae?pt:Ye}else De&&dn(tt-z(St[ae],P,Fe,0))>Ne&&(ve=null);return ve}}let Ze=v=>{ue.event=v};ue.idxs=se,ue._lock=
 !1;let le=ue.points;le.show=gt(le.show),le.size=gt(le.size),le.stroke=gt(le.stroke),le.width=gt(le.width),le.fill=gt(le.fill);let Oe=n.focus=on({},i.focus||{alpha:.3},
 ue.focus),Je=Oe.prox>=0,Ce=Je&&le.one,ot=[],Ft=[],Pn=[];function fo(v,A){let N=le.show(n,A);if(N instanceof HTMLElement)return Yn(N,Q0),Yn(N,v.class),Ni(N,-10,-10,
-B,Re),m.insertBefore(N,ot[A]),N}function lr(v,A){if(s==1||A>0){let N=s==1&&b[v.scale].time,U=v.value;v.value=N?yf(U)?Af(Y,Tf(U,W)):U||Q:U||fx,v.label=v.label||(N?
+B,Re),m.insertBefore(N,ot[A]),N}function lr(v,A){if(s==1||A>0){let N=s==1&&M[v.scale].time,U=v.value;v.value=N?yf(U)?Af(Y,Tf(U,W)):U||Q:U||fx,v.label=v.label||(N?
 rx:sx)}if(Ce||A>0){v.width=v.width==null?1:v.width,v.paths=v.paths||Ex||__,v.fillTo=gt(v.fillTo||xx),v.pxAlign=+bt(v.pxAlign,y),v.pxRound=Uf(v.pxAlign),v.stroke=
 gt(v.stroke||null),v.fill=gt(v.fill||null),v._stroke=v._fill=v._paths=v._focus=null;let N=px(Un(1,v.width),1),U=v.points=on({},{size:N,width:Un(1,N*.2),stroke:v.
 stroke,space:N*2,paths:Cx,_stroke:null,_fill:null},v.points);U.show=gt(U.show),U.filter=gt(U.filter),U.fill=gt(U.fill),U.stroke=gt(U.stroke),U.paths=gt(U.paths),
@@ -269,7 +269,7 @@ U.pxAlign=v.pxAlign}if(ee){let N=Pt(v,A);nt.splice(A,0,N[0]),Ve.splice(A,0,N[1])
 A>0&&(N=fo(v,A)),ot.splice(A,0,N),Ft.splice(A,0,0),Pn.splice(A,0,0)}yn("addSeries",A)}function oh(v,A){A=A??_.length,v=s==1?Lh(v,A,Cf,Nf):Lh(v,A,{},Lf),_.splice(
 A,0,v),lr(_[A],A)}n.addSeries=oh;function Aa(v){if(_.splice(v,1),ee){de.values.splice(v,1),Ve.splice(v,1);let A=nt.splice(v,1)[0];cn(null,A.firstChild),A.remove()}
 me&&(se.splice(v,1),ot.splice(v,1)[0].remove(),Ft.splice(v,1),Pn.splice(v,1)),yn("delSeries",v)}n.delSeries=Aa;let Ai=[!1,!1,!1,!1];function Wi(v,A){if(v._show=
-v.show,v.show){let N=v.side%2,U=b[v.scale];U==null&&(v.scale=N?_[1].scale:T,U=b[v.scale]);let H=U.time;v.size=gt(v.size),v.space=gt(v.space),v.rotate=gt(v.rotate),
+v.show,v.show){let N=v.side%2,U=M[v.scale];U==null&&(v.scale=N?_[1].scale:T,U=M[v.scale]);let H=U.time;v.size=gt(v.size),v.space=gt(v.space),v.rotate=gt(v.rotate),
 ys(v.incrs)&&v.incrs.forEach(ae=>{!vs.has(ae)&&vs.set(ae,Yf(ae))}),v.incrs=gt(v.incrs||(U.distr==2?k_:H?g==1?V_:W_:Ws)),v.splits=gt(v.splits||(H&&U.distr==1?ce:
 U.distr==3?Ch:U.distr==4?lx:ax)),v.stroke=gt(v.stroke),v.grid.stroke=gt(v.grid.stroke),v.ticks.stroke=gt(v.ticks.stroke),v.border.stroke=gt(v.border.stroke);let J=v.
 values;v.values=ys(J)&&!ys(J[0])?gt(J):H?ys(J)?wf(Y,Sf(J,W)):yf(J)?$_(Y,J):J||K:J||ox,v.filter=gt(v.filter||(U.distr>=3&&U.log==10?ux:U.distr==3&&U.log==2?dx:qf)),
@@ -284,15 +284,15 @@ A=null)),gs(T,v,A)}let cr,ps,hr,E,k,j,$,Z,Te,Pe;function Ae(v,A,N,U,H,J){v??=tf,
 ps=H),A!=hr&&(u.lineWidth=hr=A),J!=k&&(u.lineJoin=k=J),U!=j&&(u.lineCap=j=U),N!=E&&u.setLineDash(E=N)}function Ie(v,A,N,U){A!=ps&&(u.fillStyle=ps=A),v!=$&&(u.font=
 $=v),N!=Z&&(u.textAlign=Z=N),U!=Te&&(u.textBaseline=Te=U)}function ke(v,A,N,U,H=0){if(U.length>0&&v.auto(n,fs)&&(A==null||A.min==null)){let J=bt(Kt,0),ae=bt(jt,
 U.length-1),fe=N.min==null?u_(U,J,ae,H,v.distr==3):[N.min,N.max];v.min=_i(v.min,N.min=fe[0]),v.max=Un(v.max,N.max=fe[1])}}let je={min:null,max:null};function dt(){
-for(let U in b){let H=b[U];G[U]==null&&(H.min==null||G[T]!=null&&H.auto(n,fs))&&(G[U]=je)}for(let U in b){let H=b[U];G[U]==null&&H.from!=null&&G[H.from]!=null&&
-(G[U]=je)}G[T]!=null&&ct(!0);let v={};for(let U in G){let H=G[U];if(H!=null){let J=v[U]=wr(b[U],v_);if(H.min!=null)on(J,H);else if(U!=T||s==2)if($t==0&&J.from==
+for(let U in M){let H=M[U];G[U]==null&&(H.min==null||G[T]!=null&&H.auto(n,fs))&&(G[U]=je)}for(let U in M){let H=M[U];G[U]==null&&H.from!=null&&G[H.from]!=null&&
+(G[U]=je)}G[T]!=null&&ct(!0);let v={};for(let U in G){let H=G[U];if(H!=null){let J=v[U]=wr(M[U],v_);if(H.min!=null)on(J,H);else if(U!=T||s==2)if($t==0&&J.from==
 null){let ae=J.range(n,null,null,U);J.min=ae[0],J.max=ae[1]}else J.min=Nt,J.max=-Nt}}if($t>0){_.forEach((U,H)=>{if(s==1){let J=U.scale,ae=G[J];if(ae==null)return;
 let fe=v[J];if(H==0){let ve=fe.range(n,fe.min,fe.max,J);fe.min=ve[0],fe.max=ve[1],Kt=gi(fe.min,e[0]),jt=gi(fe.max,e[0]),jt-Kt>1&&(e[0][Kt]<fe.min&&Kt++,e[0][jt]>
 fe.max&&jt--),U.min=Wn[Kt],U.max=Wn[jt]}else U.show&&U.auto&&ke(fe,ae,U,e[H],U.sorted);U.idxs[0]=Kt,U.idxs[1]=jt}else if(H>0&&U.show&&U.auto){let[J,ae]=U.facets,
 fe=J.scale,ve=ae.scale,[Ne,De]=e[H],Fe=v[fe],tt=v[ve];Fe!=null&&ke(Fe,G[fe],J,Ne,J.sorted),tt!=null&&ke(tt,G[ve],ae,De,ae.sorted),U.min=ae.min,U.max=ae.max}});for(let U in v){
 let H=v[U],J=G[U];if(H.from==null&&(J==null||J.min==null)){let ae=H.range(n,H.min==Nt?null:H.min,H.max==-Nt?null:H.max,U);H.min=ae[0],H.max=ae[1]}}}for(let U in v){
 let H=v[U];if(H.from!=null){let J=v[H.from];if(J.min==null)H.min=H.max=null;else{let ae=H.range(n,J.min,J.max,U);H.min=ae[0],H.max=ae[1]}}}let A={},N=!1;for(let U in v){
-let H=v[U],J=b[U];if(J.min!=H.min||J.max!=H.max){J.min=H.min,J.max=H.max;let ae=J.distr;J._min=ae==3?Zi(J.min):ae==4?yh(J.min,J.asinh):ae==100?J.fwd(J.min):J.min,
+let H=v[U],J=M[U];if(J.min!=H.min||J.max!=H.max){J.min=H.min,J.max=H.max;let ae=J.distr;J._min=ae==3?Zi(J.min):ae==4?yh(J.min,J.asinh):ae==100?J.fwd(J.min):J.min,
 J._max=ae==3?Zi(J.max):ae==4?yh(J.max,J.asinh):ae==100?J.fwd(J.max):J.max,A[U]=N=!0}}if(N){_.forEach((U,H)=>{s==2?H>0&&A.y&&(U._paths=null):A[U.scale]&&(U._paths=
 null)});for(let U in A)ye=!0,yn("setScale",U);me&&ue.left>=0&&(te=pe=!0)}for(let U in G)G[U]=null}function Be(v){let A=Eh(Kt-1,0,$t-1),N=Eh(jt+1,0,$t-1);for(;v[A]==
 null&&A>0;)A--;for(;v[N]==null&&N<$t-1;)N++;return[A,N]}function ft(){if($t>0){let v=_.some(A=>A._focus)&&Pe!=Oe.alpha;v&&(u.globalAlpha=Pe=Oe.alpha),_.forEach(
@@ -311,14 +311,14 @@ Fe)&&u.restore()}function tn(v,A,N){N>0&&(A instanceof Map?A.forEach((U,H)=>{u.s
 Map?A.forEach((N,U)=>{u.fillStyle=ps=U,u.fill(N)}):A!=null&&v&&u.fill(A)}function qi(v,A,N,U){let H=S[v],J;if(U<=0)J=[0,0];else{let ae=H._space=H.space(n,v,A,N,
 U),fe=H._incrs=H.incrs(n,v,A,N,U,ae);J=Dx(A,N,fe,U,ae)}return H._found=J}function nn(v,A,N,U,H,J,ae,fe,ve,Ne){let De=ae%2/2;y==1&&u.translate(De,De),Ae(fe,ae,ve,
 Ne,fe),u.beginPath();let Fe,tt,St,Mt,pt=H+(U==0||U==3?-J:J);N==0?(tt=H,Mt=pt):(Fe=H,St=pt);for(let Ye=0;Ye<v.length;Ye++)A[Ye]!=null&&(N==0?Fe=St=v[Ye]:tt=Mt=v[Ye],
-u.moveTo(Fe,tt),u.lineTo(St,Mt));u.stroke(),y==1&&u.translate(-De,-De)}function ur(v){let A=!0;return S.forEach((N,U)=>{if(!N.show)return;let H=b[N.scale];if(H.
+u.moveTo(Fe,tt),u.lineTo(St,Mt));u.stroke(),y==1&&u.translate(-De,-De)}function ur(v){let A=!0;return S.forEach((N,U)=>{if(!N.show)return;let H=M[N.scale];if(H.
 min==null){N._show&&(A=!1,N._show=!1,ct(!1));return}else N._show||(A=!1,N._show=!0,ct(!1));let J=N.side,ae=J%2,{min:fe,max:ve}=H,[Ne,De]=qi(U,fe,ve,ae==0?B:Re);
 if(De==0)return;let Fe=H.distr==2,tt=N._splits=N.splits(n,U,fe,ve,Ne,De,Fe),St=H.distr==2?tt.map(We=>Wn[We]):tt,Mt=H.distr==2?Wn[tt[1]]-Wn[tt[0]]:Ne,pt=N._values=
 N.values(n,N.filter(n,St,U,De,Mt),U,De,Mt);N._rotate=J==2?N.rotate(n,pt,U,De):0;let Ye=N._size;N._size=oi(N.size(n,pt,U,v)),Ye!=null&&N._size!=Ye&&(A=!1)}),A}function Ci(v){
 let A=!0;return po.forEach((N,U)=>{let H=N(n,U,Ai,v);H!=di[U]&&(A=!1),di[U]=H}),A}function $i(){for(let v=0;v<S.length;v++){let A=S[v];if(!A.show||!A._show)continue;
 let N=A.side,U=N%2,H,J,ae=A.stroke(n,v),fe=N==0||N==3?-1:1,[ve,Ne]=A._found;if(A.label!=null){let Nn=A.labelGap*fe,$n=un((A._lpos+Nn)*wt);Ie(A.labelFont[0],ae,"\
 center",N==2?"top":ef),u.save(),U==1?(H=J=0,u.translate($n,un(w+he/2)),u.rotate((N==3?-Na:Na)/2)):(H=un(I+q/2),J=$n);let Gs=Wf(A.label)?A.label(n,v,ve,Ne):A.label;
-u.fillText(Gs,H,J),u.restore()}if(Ne==0)continue;let De=b[A.scale],Fe=U==0?q:he,tt=U==0?I:w,St=A._splits,Mt=De.distr==2?St.map(Nn=>Wn[Nn]):St,pt=De.distr==2?Wn[St[1]]-
+u.fillText(Gs,H,J),u.restore()}if(Ne==0)continue;let De=M[A.scale],Fe=U==0?q:he,tt=U==0?I:w,St=A._splits,Mt=De.distr==2?St.map(Nn=>Wn[Nn]):St,pt=De.distr==2?Wn[St[1]]-
 Wn[St[0]]:ve,Ye=A.ticks,We=A.border,kt=Ye.show?Ye.size:0,Zt=un(kt*wt),vn=un((A.alignTo==2?A._size-kt-A.gap:A.gap)*wt),It=A._rotate*-Na/180,Jt=p(A._pos*wt),Xn=(Zt+
 vn)*fe,Ln=Jt+Xn;J=U==0?Ln:0,H=U==1?Ln:0;let ii=A.font[0],fi=A.align==1?yr:A.align==2?gh:It>0?yr:It<0?gh:U==0?"center":N==3?gh:yr,Ii=It||U==1?"middle":N==2?"top":
 ef;Ie(ii,ae,fi,Ii);let qn=A.font[1]*A.lineGap,si=St.map(Nn=>p(a(Nn,De,Fe,tt))),pi=A._values;for(let Nn=0;Nn<pi.length;Nn++){let $n=pi[Nn];if($n!=null){U==0?H=si[Nn]:
@@ -333,9 +333,9 @@ wt),S.forEach(({_el:v,_show:A,_size:N,_pos:U,side:H})=>{if(v!=null)if(A){let J=H
 zt(v,ae?"top":"left",ae?it:qe),zt(v,ae?"height":"width",ae?Re:B),Th(v,Xs)}else Yn(v,Xs)}),cr=ps=hr=k=j=$=Z=Te=E=null,Pe=1,yo(!0),qe!=Se||it!=Lt||B!=ze||Re!=Xe){
 ct(!1);let v=B/ze,A=Re/Xe;if(me&&!te&&ue.left>=0){ue.left*=v,ue.top*=A,dr&&Ni(dr,un(ue.left),0,B,Re),fr&&Ni(fr,0,un(ue.top),B,Re);for(let N=0;N<ot.length;N++){let U=ot[N];
 U!=null&&(Ft[N]*=v,Pn[N]*=A,Ni(U,oi(Ft[N]),oi(Pn[N]),B,Re))}}if(Bt.show&&!ie&&Bt.left>=0&&Bt.width>0){Bt.left*=v,Bt.width*=v,Bt.top*=A,Bt.height*=A;for(let N in dh)
-zt(gr,N,Bt[N])}Se=qe,Lt=it,ze=B,Xe=Re}yn("setSize"),_e=!1}qt>0&&en>0&&(u.clearRect(0,0,d.width,d.height),yn("drawClear"),M.forEach(v=>v()),yn("draw")),Bt.show&&
+zt(gr,N,Bt[N])}Se=qe,Lt=it,ze=B,Xe=Re}yn("setSize"),_e=!1}qt>0&&en>0&&(u.clearRect(0,0,d.width,d.height),yn("drawClear"),b.forEach(v=>v()),yn("draw")),Bt.show&&
 ie&&(Ca(Bt),ie=!1),me&&te&&(Vs(null,!0,!1),te=!1),de.show&&de.live&&pe&&(hh(),pe=!1),l||(l=!0,n.status=1,yn("ready")),fs=!1,Yt=!1}n.redraw=(v,A)=>{ye=A||!1,v!==
-!1?gs(T,P.min,P.max):Tn()};function ah(v,A){let N=b[v];if(N.from==null){if($t==0){let U=N.range(n,A.min,A.max,v);A.min=U[0],A.max=U[1]}if(A.min>A.max){let U=A.min;
+!1?gs(T,P.min,P.max):Tn()};function ah(v,A){let N=M[v];if(N.from==null){if($t==0){let U=N.range(n,A.min,A.max,v);A.min=U[0],A.max=U[1]}if(A.min>A.max){let U=A.min;
 A.min=A.max,A.max=U}if($t>1&&A.min!=null&&A.max!=null&&A.max-A.min<1e-16)return;v==T&&N.distr==2&&$t>0&&(A.min=gi(A.min,e[0]),A.max=gi(A.max,e[0]),A.min==A.max&&
 A.max++),G[v]=A,oe=!0,Tn()}}n.setScale=ah;let lh,ch,dr,fr,Ld,Nd,pr,mr,Dd,Ud,Ot,Ht,ms=!1,Sn=ue.drag,_n=Sn.x,xn=Sn.y;me&&(ue.x&&(lh=ri(K0,m)),ue.y&&(ch=ri(j0,m)),
 P.ori==0?(dr=lh,fr=ch):(dr=ch,fr=lh),Ot=ue.left,Ht=ue.top);let Bt=n.select=on({show:!0,over:!0,left:0,width:0,top:0,height:0},i.select),gr=Bt.show?ri(J0,Bt.over?
@@ -346,9 +346,9 @@ H.scale,null,null),Tn())}),N!==!1&&yn("setSeries",v,A),U&&vo("setSeries",n,v,A)}
 v.dir=bt(v.dir,-1),A=A??C.length,C.splice(A,0,v)}function P0(v){v==null?C.length=0:C.splice(v,1)}n.addBand=R0,n.setBand=C0,n.delBand=P0;function I0(v,A){_[v].alpha=
 A,me&&ot[v]!=null&&(ot[v].style.opacity=A),ee&&nt[v]&&(nt[v].style.opacity=A)}let Yi,_s,zs,_r={focus:!0};function L0(v){if(v!=zs){let A=v==null,N=Oe.alpha!=1;_.
 forEach((U,H)=>{if(s==1||H>0){let J=A||H==0||H==v;U._focus=A?null:J,N&&I0(H,J?1:Oe.alpha)}}),zs=v,N&&Tn()}}ee&&Je&&vt(rf,Ee,v=>{ue._lock||(Ze(v),zs!=null&&Ri(null,
-_r,!0,rn.setSeries))});function Pi(v,A,N){let U=b[A];N&&(v=v/wt-(U.ori==1?it:qe));let H=B;U.ori==1&&(H=Re,v=H-v),U.dir==-1&&(v=H-v);let J=U._min,ae=U._max,fe=v/
+_r,!0,rn.setSeries))});function Pi(v,A,N){let U=M[A];N&&(v=v/wt-(U.ori==1?it:qe));let H=B;U.ori==1&&(H=Re,v=H-v),U.dir==-1&&(v=H-v);let J=U._min,ae=U._max,fe=v/
 H,ve=J+(ae-J)*fe,Ne=U.distr;return Ne==3?br(10,ve):Ne==4?m_(ve,U.asinh):Ne==100?U.bwd(ve):ve}function N0(v,A){let N=Pi(v,T,A);return gi(N,e[0],Kt,jt)}n.valToIdx=
-v=>gi(v,e[0]),n.posToIdx=N0,n.posToVal=Pi,n.valToPos=(v,A,N)=>b[A].ori==0?r(v,b[A],N?q:B,N?I:0):o(v,b[A],N?he:Re,N?w:0),n.setCursor=(v,A,N)=>{Ot=v.left,Ht=v.top,
+v=>gi(v,e[0]),n.posToIdx=N0,n.posToVal=Pi,n.valToPos=(v,A,N)=>M[A].ori==0?r(v,M[A],N?q:B,N?I:0):o(v,M[A],N?he:Re,N?w:0),n.setCursor=(v,A,N)=>{Ot=v.left,Ht=v.top,
 Vs(null,A,N)};function Fd(v,A){zt(gr,yr,Bt.left=v),zt(gr,bo,Bt.width=A)}function Od(v,A){zt(gr,"top",Bt.top=v),zt(gr,So,Bt.height=A)}let _o=P.ori==0?Fd:Od,xo=P.
 ori==1?Fd:Od;function D0(){if(ee&&de.live)for(let v=s==2?1:0;v<_.length;v++){if(v==0&&lt)continue;let A=de.values[v],N=0;for(let U in A)Ve[v][N++].firstChild.nodeValue=
 A[U]}}function hh(v,A){if(v!=null&&(v.idxs?v.idxs.forEach((N,U)=>{se[U]=N}):y_(v.idx)||se.fill(v.idx),de.idx=se[0]),ee&&de.live){for(let N=0;N<_.length;N++)(N>0||
@@ -358,7 +358,7 @@ B,Re),fr&&Ni(fr,0,un(Ht),B,Re));let U,H=Kt>jt;Yi=Nt,_s=null;let J=P.ori==0?B:Re,
 let ve=ot[fe];ve!=null&&Ni(ve,-10,-10,B,Re)}Je&&Ri(null,_r,!0,v==null&&rn.setSeries),de.live&&(se.fill(U),pe=!0)}else{let fe,ve,Ne;s==1&&(fe=P.ori==0?Ot:Ht,ve=Pi(
 fe,T),U=ue.idx=gi(ve,e[0],Kt,jt),Ne=z(e[0][U],P,J,0));let De=-10,Fe=-10,tt=0,St=0,Mt=!0,pt="",Ye="";for(let We=s==2?1:0;We<_.length;We++){let kt=_[We],Zt=se[We],
 vn=Zt==null?null:s==1?e[We][Zt]:e[We][1][Zt],It=ue.dataIdx(n,We,U,ve),Jt=It==null?null:s==1?e[We][It]:e[We][1][It];if(pe=pe||Jt!=vn||It!=Zt,se[We]=It,We>0&&kt.show){
-let Xn=It==null?-10:It==U?Ne:z(s==1?e[0][It]:e[We][0][It],P,J,0),Ln=Jt==null?-10:D(Jt,s==1?b[kt.scale]:b[kt.facets[1].scale],ae,0);if(Je&&Jt!=null){let ii=P.ori==
+let Xn=It==null?-10:It==U?Ne:z(s==1?e[0][It]:e[We][0][It],P,J,0),Ln=Jt==null?-10:D(Jt,s==1?M[kt.scale]:M[kt.facets[1].scale],ae,0);if(Je&&Jt!=null){let ii=P.ori==
 1?Ot:Ht,fi=dn(Oe.dist(n,We,It,Ln,ii));if(fi<Yi){let Ii=Oe.bias;if(Ii!=0){let qn=Pi(ii,kt.scale),si=Jt>=0?1:-1,pi=qn>=0?1:-1;pi==si&&(pi==1?Ii==1?Jt>=qn:Jt<=qn:Ii==
 1?Jt<=qn:Jt>=qn)&&(Yi=fi,_s=We)}else Yi=fi,_s=We}}if(pe||Ce){let ii,fi;P.ori==0?(ii=Xn,fi=Ln):(ii=Ln,fi=Xn);let Ii,qn,si,pi,Li,Nn,$n=!0,Gs=le.bbox;if(Gs!=null){
 $n=!1;let Dn=Gs(n,We);si=Dn.left,pi=Dn.top,Ii=Dn.width,qn=Dn.height}else si=ii,pi=fi,Ii=qn=le.size(n,We);if(Nn=le.fill(n,We),Li=le.stroke(n,We),Ce)We==_s&&Yi<=Oe.
@@ -366,7 +366,7 @@ prox&&(De=si,Fe=pi,tt=Ii,St=qn,Mt=$n,pt=Nn,Ye=Li);else{let Dn=ot[We];Dn!=null&&(
 let We=Oe.prox,kt=zs==null?Yi<=We:Yi>We||_s!=zs;if(pe||kt){let Zt=ot[0];Zt!=null&&(Ft[0]=De,Pn[0]=Fe,df(Zt,tt,St,Mt),hf(Zt,pt,Ye),Ni(Zt,oi(De),oi(Fe),B,Re))}}}if(Bt.
 show&&ms)if(v!=null){let[fe,ve]=rn.scales,[Ne,De]=rn.match,[Fe,tt]=v.cursor.sync.scales,St=v.cursor.drag;if(_n=St._x,xn=St._y,_n||xn){let{left:Mt,top:pt,width:Ye,
 height:We}=v.select,kt=v.scales[Fe].ori,Zt=v.posToVal,vn,It,Jt,Xn,Ln,ii=fe!=null&&Ne(fe,Fe),fi=ve!=null&&De(ve,tt);ii&&_n?(kt==0?(vn=Mt,It=Ye):(vn=pt,It=We),Jt=
-b[fe],Xn=z(Zt(vn,Fe),Jt,J,0),Ln=z(Zt(vn+It,Fe),Jt,J,0),_o(_i(Xn,Ln),dn(Ln-Xn))):_o(0,J),fi&&xn?(kt==1?(vn=Mt,It=Ye):(vn=pt,It=We),Jt=b[ve],Xn=D(Zt(vn,tt),Jt,ae,
+M[fe],Xn=z(Zt(vn,Fe),Jt,J,0),Ln=z(Zt(vn+It,Fe),Jt,J,0),_o(_i(Xn,Ln),dn(Ln-Xn))):_o(0,J),fi&&xn?(kt==1?(vn=Mt,It=Ye):(vn=pt,It=We),Jt=M[ve],Xn=D(Zt(vn,tt),Jt,ae,
 0),Ln=D(Zt(vn+It,tt),Jt,ae,0),xo(_i(Xn,Ln),dn(Ln-Xn))):xo(0,ae)}else fh()}else{let fe=dn(Dd-Ld),ve=dn(Ud-Nd);if(P.ori==1){let tt=fe;fe=ve,ve=tt}_n=Sn.x&&fe>=Sn.
 dist,xn=Sn.y&&ve>=Sn.dist;let Ne=Sn.uni;Ne!=null?_n&&xn&&(_n=fe>=Ne,xn=ve>=Ne,!_n&&!xn&&(ve>fe?xn=!0:_n=!0)):Sn.x&&Sn.y&&(_n||xn)&&(_n=xn=!0);let De,Fe;_n&&(P.ori==
 0?(De=pr,Fe=Ot):(De=mr,Fe=Ht),_o(_i(De,Fe),dn(Fe-De)),xn||xo(0,ae)),xn&&(P.ori==1?(De=pr,Fe=Ot):(De=mr,Fe=Ht),xo(_i(De,Fe),dn(Fe-De)),_n||_o(0,J)),!_n&&!xn&&(_o(
@@ -376,12 +376,12 @@ fe)}}pe&&(de.idx=U,hh()),A!==!1&&yn("setCursor")}let xs=null;Object.defineProper
 m.getBoundingClientRect(),yn("syncRect",xs))}function Bd(v,A,N,U,H,J,ae){ue._lock||ms&&v!=null&&v.movementX==0&&v.movementY==0||(uh(v,A,N,U,H,J,ae,!1,v!=null),v!=
 null?Vs(null,!0,!0):Vs(A,!0,!1))}function uh(v,A,N,U,H,J,ae,fe,ve){if(xs==null&&yo(!1),Ze(v),v!=null)N=v.clientX-xs.left,U=v.clientY-xs.top;else{if(N<0||U<0){Ot=
 -10,Ht=-10;return}let[Ne,De]=rn.scales,Fe=A.cursor.sync,[tt,St]=Fe.values,[Mt,pt]=Fe.scales,[Ye,We]=rn.match,kt=A.axes[0].side%2==1,Zt=P.ori==0?B:Re,vn=P.ori==1?
-B:Re,It=kt?J:H,Jt=kt?H:J,Xn=kt?U:N,Ln=kt?N:U;if(Mt!=null?N=Ye(Ne,Mt)?a(tt,b[Ne],Zt,0):-10:N=Zt*(Xn/It),pt!=null?U=We(De,pt)?a(St,b[De],vn,0):-10:U=vn*(Ln/Jt),P.
+B:Re,It=kt?J:H,Jt=kt?H:J,Xn=kt?U:N,Ln=kt?N:U;if(Mt!=null?N=Ye(Ne,Mt)?a(tt,M[Ne],Zt,0):-10:N=Zt*(Xn/It),pt!=null?U=We(De,pt)?a(St,M[De],vn,0):-10:U=vn*(Ln/Jt),P.
 ori==1){let ii=N;N=U,U=ii}}ve&&(A==null||A.cursor.event.type==_h)&&((N<=1||N>=B-1)&&(N=Hs(N,B)),(U<=1||U>=Re-1)&&(U=Hs(U,Re))),fe?(Ld=N,Nd=U,[pr,mr]=ue.move(n,N,
 U)):(Ot=N,Ht=U)}let dh={width:0,height:0,left:0,top:0};function fh(){Ca(dh,!1)}let kd,zd,Vd,Gd;function Hd(v,A,N,U,H,J,ae){ms=!0,_n=xn=Sn._x=Sn._y=!1,uh(v,A,N,U,
 H,J,ae,!0,!1),v!=null&&(vt(xh,Sh,Wd,!1),vo(nf,n,pr,mr,B,Re,null));let{left:fe,top:ve,width:Ne,height:De}=Bt;kd=fe,zd=ve,Vd=Ne,Gd=De}function Wd(v,A,N,U,H,J,ae){
 ms=Sn._x=Sn._y=!1,uh(v,A,N,U,H,J,ae,!1,!0);let{left:fe,top:ve,width:Ne,height:De}=Bt,Fe=Ne>0||De>0,tt=kd!=fe||zd!=ve||Vd!=Ne||Gd!=De;if(Fe&&tt&&Ca(Bt),Sn.setScale&&
-Fe&&tt){let St=fe,Mt=Ne,pt=ve,Ye=De;if(P.ori==1&&(St=ve,Mt=De,pt=fe,Ye=Ne),_n&&gs(T,Pi(St,T),Pi(St+Mt,T)),xn)for(let We in b){let kt=b[We];We!=T&&kt.from==null&&
+Fe&&tt){let St=fe,Mt=Ne,pt=ve,Ye=De;if(P.ori==1&&(St=ve,Mt=De,pt=fe,Ye=Ne),_n&&gs(T,Pi(St,T),Pi(St+Mt,T)),xn)for(let We in M){let kt=M[We];We!=T&&kt.from==null&&
 kt.min!=Nt&&gs(We,Pi(pt+Ye,We),Pi(pt,We))}fh()}else ue.lock&&(ue._lock=!ue._lock,Vs(A,!0,v!=null));v!=null&&(cn(xh,Sh),vo(xh,n,Ot,Ht,B,Re,null))}function F0(v,A,N,U,H,J,ae){
 if(ue._lock)return;Ze(v);let fe=ms;if(ms){let ve=!0,Ne=!0,De=10,Fe,tt;P.ori==0?(Fe=_n,tt=xn):(Fe=xn,tt=_n),Fe&&tt&&(ve=Ot<=De||Ot>=B-De,Ne=Ht<=De||Ht>=Re-De),Fe&&
 ve&&(Ot=Ot<pr?0:B),tt&&Ne&&(Ht=Ht<mr?0:Re),Vs(null,!0,!0),ms=!1}Ot=-10,Ht=-10,se.fill(null),Vs(null,!0,!0),fe&&(ms=fe)}function Xd(v,A,N,U,H,J,ae){ue._lock||(Ze(
@@ -432,7 +432,7 @@ blink"}),h=X("button",{type:"button",textContent:"Difference"});s&&(s.className=
 S,"%)"),r.style.left="".concat(S,"%"),r.hidden=S<=0||S>=100||m,o.hidden=S<=0||m,a.hidden=S>=100||m,s&&(s.hidden=!m),m?d.value="difference: the brighter, the fur\
 ther apart":S>=100?d.value="expected":S<=0?d.value="actual":d.value="left of the edge expected, right of it actual"},p=()=>{clearInterval(f),f=null,u.setAttribute(
 "aria-pressed","false")},g=S=>{m=S,h.setAttribute("aria-pressed",String(S))};c.addEventListener("input",()=>{p(),g(!1),y(Number(c.value))}),u.addEventListener("\
-click",()=>{let S=f!==null;if(p(),g(!1),S)return y(Number(c.value));let b=!0;u.setAttribute("aria-pressed","true"),y(100),f=setInterval(()=>{b=!b,y(b?100:0)},Xx)}),
+click",()=>{let S=f!==null;if(p(),g(!1),S)return y(Number(c.value));let M=!0;u.setAttribute("aria-pressed","true"),y(100),f=setInterval(()=>{M=!M,y(M?100:0)},Xx)}),
 h.addEventListener("click",()=>{p(),g(!m),y(Number(c.value))}),p(),g(!1),y(50);let _=X("div",{className:"controls"},c,u,...s?[h]:[],d);i.prepend(X("div",{className:"\
 viewer"},l,_))}var Ip={failed:"failed",within_bounds:"moved within bounds",unchanged:"unchanged",out_of_bounds:"out of bounds, not required",not_judged:"not judged"},Lp=Object.
 keys(Ip),Rp={name:i=>i.dataset.name,verdict:i=>Lp.indexOf(i.dataset.verdict),magnitude:i=>-Number(i.dataset.magnitude),category:i=>i.dataset.category},qx=(i,e)=>i<
@@ -571,8 +571,8 @@ let d=this.elements;return d[0]=e,d[1]=s,d[2]=a,d[3]=t,d[4]=r,d[5]=l,d[6]=n,d[7]
 elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],this}extractBasis(e,t,n){return e.setFromMatrix3Column(
 this,0),t.setFromMatrix3Column(this,1),n.setFromMatrix3Column(this,2),this}setFromMatrix4(e){let t=e.elements;return this.set(t[0],t[4],t[8],t[1],t[5],t[9],t[2],
 t[6],t[10]),this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.
-elements,r=this.elements,o=n[0],a=n[3],l=n[6],c=n[1],d=n[4],u=n[7],h=n[2],f=n[5],m=n[8],y=s[0],p=s[3],g=s[6],_=s[1],S=s[4],b=s[7],C=s[2],T=s[5],x=s[8];return r[0]=
-o*y+a*_+l*C,r[3]=o*p+a*S+l*T,r[6]=o*g+a*b+l*x,r[1]=c*y+d*_+u*C,r[4]=c*p+d*S+u*T,r[7]=c*g+d*b+u*x,r[2]=h*y+f*_+m*C,r[5]=h*p+f*S+m*T,r[8]=h*g+f*b+m*x,this}multiplyScalar(e){
+elements,r=this.elements,o=n[0],a=n[3],l=n[6],c=n[1],d=n[4],u=n[7],h=n[2],f=n[5],m=n[8],y=s[0],p=s[3],g=s[6],_=s[1],S=s[4],M=s[7],C=s[2],T=s[5],x=s[8];return r[0]=
+o*y+a*_+l*C,r[3]=o*p+a*S+l*T,r[6]=o*g+a*M+l*x,r[1]=c*y+d*_+u*C,r[4]=c*p+d*S+u*T,r[7]=c*g+d*M+u*x,r[2]=h*y+f*_+m*C,r[5]=h*p+f*S+m*T,r[8]=h*g+f*M+m*x,this}multiplyScalar(e){
 let t=this.elements;return t[0]*=e,t[3]*=e,t[6]*=e,t[1]*=e,t[4]*=e,t[7]*=e,t[2]*=e,t[5]*=e,t[8]*=e,this}determinant(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],
 o=e[4],a=e[5],l=e[6],c=e[7],d=e[8];return t*o*d-t*a*c-n*r*d+n*a*l+s*r*c-s*o*l}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],
 d=e[8],u=d*o-a*c,h=a*l-d*r,f=c*r-o*l,m=t*u+n*h+s*f;if(m===0)return this.set(0,0,0,0,0,0,0,0,0);let y=1/m;return e[0]=u*y,e[1]=(s*c-d*n)*y,e[2]=(a*n-s*o)*y,e[3]=
@@ -653,8 +653,8 @@ o[2]*t+o[6]*n+o[10]*s+o[14]*r,this.w=o[3]*t+o[7]*n+o[11]*s+o[15]*r,this}divide(e
 multiplyScalar(1/e)}setAxisAngleFromQuaternion(e){this.w=2*Math.acos(e.w);let t=Math.sqrt(1-e.w*e.w);return t<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=e.x/t,this.
 y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,n,s,r,l=e.elements,c=l[0],d=l[4],u=l[8],h=l[1],f=l[5],m=l[9],y=l[2],p=l[6],g=l[10];if(Math.abs(
 d-h)<.01&&Math.abs(u-y)<.01&&Math.abs(m-p)<.01){if(Math.abs(d+h)<.1&&Math.abs(u+y)<.1&&Math.abs(m+p)<.1&&Math.abs(c+f+g-3)<.1)return this.set(1,0,0,0),this;t=Math.
-PI;let S=(c+1)/2,b=(f+1)/2,C=(g+1)/2,T=(d+h)/4,x=(u+y)/4,M=(m+p)/4;return S>b&&S>C?S<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(S),s=T/n,r=x/n):b>C?b<.01?
-(n=.707106781,s=0,r=.707106781):(s=Math.sqrt(b),n=T/s,r=M/s):C<.01?(n=.707106781,s=.707106781,r=0):(r=Math.sqrt(C),n=x/r,s=M/r),this.set(n,s,r,t),this}let _=Math.
+PI;let S=(c+1)/2,M=(f+1)/2,C=(g+1)/2,T=(d+h)/4,x=(u+y)/4,b=(m+p)/4;return S>M&&S>C?S<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(S),s=T/n,r=x/n):M>C?M<.01?
+(n=.707106781,s=0,r=.707106781):(s=Math.sqrt(M),n=T/s,r=b/s):C<.01?(n=.707106781,s=.707106781,r=0):(r=Math.sqrt(C),n=x/r,s=b/r),this.set(n,s,r,t),this}let _=Math.
 sqrt((p-m)*(p-m)+(u-y)*(u-y)+(h-d)*(h-d));return Math.abs(_)<.001&&(_=1),this.x=(p-m)/_,this.y=(u-y)/_,this.z=(h-d)/_,this.w=Math.acos((c+f+g-1)/2),this}setFromMatrixPosition(e){
 let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this.w=t[15],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.
 min(this.z,e.z),this.w=Math.min(this.w,e.w),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this.w=Math.max(
@@ -719,20 +719,20 @@ y*u+h}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRota
 return Kn.subVectors(e,t),Kn.lengthSq()===0&&(Kn.z=1),Kn.normalize(),Ms.crossVectors(n,Kn),Ms.lengthSq()===0&&(Math.abs(n.z)===1?Kn.x+=1e-4:Kn.z+=1e-4,Kn.normalize(),
 Ms.crossVectors(n,Kn)),Ms.normalize(),qa.crossVectors(Kn,Ms),s[0]=Ms.x,s[4]=qa.x,s[8]=Kn.x,s[1]=Ms.y,s[5]=qa.y,s[9]=Kn.y,s[2]=Ms.z,s[6]=qa.z,s[10]=Kn.z,this}multiply(e){
 return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.elements,r=this.elements,o=n[0],
-a=n[4],l=n[8],c=n[12],d=n[1],u=n[5],h=n[9],f=n[13],m=n[2],y=n[6],p=n[10],g=n[14],_=n[3],S=n[7],b=n[11],C=n[15],T=s[0],x=s[4],M=s[8],L=s[12],R=s[1],P=s[5],F=s[9],
-z=s[13],D=s[2],G=s[6],Y=s[10],W=s[14],ce=s[3],K=s[7],Q=s[11],se=s[15];return r[0]=o*T+a*R+l*D+c*ce,r[4]=o*x+a*P+l*G+c*K,r[8]=o*M+a*F+l*Y+c*Q,r[12]=o*L+a*z+l*W+c*
-se,r[1]=d*T+u*R+h*D+f*ce,r[5]=d*x+u*P+h*G+f*K,r[9]=d*M+u*F+h*Y+f*Q,r[13]=d*L+u*z+h*W+f*se,r[2]=m*T+y*R+p*D+g*ce,r[6]=m*x+y*P+p*G+g*K,r[10]=m*M+y*F+p*Y+g*Q,r[14]=
-m*L+y*z+p*W+g*se,r[3]=_*T+S*R+b*D+C*ce,r[7]=_*x+S*P+b*G+C*K,r[11]=_*M+S*F+b*Y+C*Q,r[15]=_*L+S*z+b*W+C*se,this}multiplyScalar(e){let t=this.elements;return t[0]*=
+a=n[4],l=n[8],c=n[12],d=n[1],u=n[5],h=n[9],f=n[13],m=n[2],y=n[6],p=n[10],g=n[14],_=n[3],S=n[7],M=n[11],C=n[15],T=s[0],x=s[4],b=s[8],L=s[12],R=s[1],P=s[5],F=s[9],
+z=s[13],D=s[2],G=s[6],Y=s[10],W=s[14],ce=s[3],K=s[7],Q=s[11],se=s[15];return r[0]=o*T+a*R+l*D+c*ce,r[4]=o*x+a*P+l*G+c*K,r[8]=o*b+a*F+l*Y+c*Q,r[12]=o*L+a*z+l*W+c*
+se,r[1]=d*T+u*R+h*D+f*ce,r[5]=d*x+u*P+h*G+f*K,r[9]=d*b+u*F+h*Y+f*Q,r[13]=d*L+u*z+h*W+f*se,r[2]=m*T+y*R+p*D+g*ce,r[6]=m*x+y*P+p*G+g*K,r[10]=m*b+y*F+p*Y+g*Q,r[14]=
+m*L+y*z+p*W+g*se,r[3]=_*T+S*R+M*D+C*ce,r[7]=_*x+S*P+M*G+C*K,r[11]=_*b+S*F+M*Y+C*Q,r[15]=_*L+S*z+M*W+C*se,this}multiplyScalar(e){let t=this.elements;return t[0]*=
 e,t[4]*=e,t[8]*=e,t[12]*=e,t[1]*=e,t[5]*=e,t[9]*=e,t[13]*=e,t[2]*=e,t[6]*=e,t[10]*=e,t[14]*=e,t[3]*=e,t[7]*=e,t[11]*=e,t[15]*=e,this}determinant(){let e=this.elements,
-t=e[0],n=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],d=e[2],u=e[6],h=e[10],f=e[14],m=e[3],y=e[7],p=e[11],g=e[15],_=l*f-c*h,S=a*f-c*u,b=a*h-l*u,C=o*f-c*d,T=o*
-h-l*d,x=o*u-a*d;return t*(y*_-p*S+g*b)-n*(m*_-p*C+g*T)+s*(m*S-y*C+g*x)-r*(m*b-y*T+p*x)}determinantAffine(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[1],o=e[5],
+t=e[0],n=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],d=e[2],u=e[6],h=e[10],f=e[14],m=e[3],y=e[7],p=e[11],g=e[15],_=l*f-c*h,S=a*f-c*u,M=a*h-l*u,C=o*f-c*d,T=o*
+h-l*d,x=o*u-a*d;return t*(y*_-p*S+g*M)-n*(m*_-p*C+g*T)+s*(m*S-y*C+g*x)-r*(m*M-y*T+p*x)}determinantAffine(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[1],o=e[5],
 a=e[9],l=e[2],c=e[6],d=e[10];return t*(o*d-a*c)-n*(r*d-a*l)+s*(r*c-o*l)}transpose(){let e=this.elements,t;return t=e[1],e[1]=e[4],e[4]=t,t=e[2],e[2]=e[8],e[8]=t,
 t=e[6],e[6]=e[9],e[9]=t,t=e[3],e[3]=e[12],e[12]=t,t=e[7],e[7]=e[13],e[13]=t,t=e[11],e[11]=e[14],e[14]=t,this}setPosition(e,t,n){let s=this.elements;return e.isVector3?
 (s[12]=e.x,s[13]=e.y,s[14]=e.z):(s[12]=e,s[13]=t,s[14]=n),this}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],d=e[8],u=e[9],
-h=e[10],f=e[11],m=e[12],y=e[13],p=e[14],g=e[15],_=t*a-n*o,S=t*l-s*o,b=t*c-r*o,C=n*l-s*a,T=n*c-r*a,x=s*c-r*l,M=d*y-u*m,L=d*p-h*m,R=d*g-f*m,P=u*p-h*y,F=u*g-f*y,z=h*
-g-f*p,D=_*z-S*F+b*P+C*R-T*L+x*M;if(D===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let G=1/D;return e[0]=(a*z-l*F+c*P)*G,e[1]=(s*F-n*z-r*P)*G,e[2]=(y*x-p*
-T+g*C)*G,e[3]=(h*T-u*x-f*C)*G,e[4]=(l*R-o*z-c*L)*G,e[5]=(t*z-s*R+r*L)*G,e[6]=(p*b-m*x-g*S)*G,e[7]=(d*x-h*b+f*S)*G,e[8]=(o*F-a*R+c*M)*G,e[9]=(n*R-t*F-r*M)*G,e[10]=
-(m*T-y*b+g*_)*G,e[11]=(u*b-d*T-f*_)*G,e[12]=(a*L-o*P-l*M)*G,e[13]=(t*P-n*L+s*M)*G,e[14]=(y*S-m*C-p*_)*G,e[15]=(d*C-u*S+h*_)*G,this}scale(e){let t=this.elements,
+h=e[10],f=e[11],m=e[12],y=e[13],p=e[14],g=e[15],_=t*a-n*o,S=t*l-s*o,M=t*c-r*o,C=n*l-s*a,T=n*c-r*a,x=s*c-r*l,b=d*y-u*m,L=d*p-h*m,R=d*g-f*m,P=u*p-h*y,F=u*g-f*y,z=h*
+g-f*p,D=_*z-S*F+M*P+C*R-T*L+x*b;if(D===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let G=1/D;return e[0]=(a*z-l*F+c*P)*G,e[1]=(s*F-n*z-r*P)*G,e[2]=(y*x-p*
+T+g*C)*G,e[3]=(h*T-u*x-f*C)*G,e[4]=(l*R-o*z-c*L)*G,e[5]=(t*z-s*R+r*L)*G,e[6]=(p*M-m*x-g*S)*G,e[7]=(d*x-h*M+f*S)*G,e[8]=(o*F-a*R+c*b)*G,e[9]=(n*R-t*F-r*b)*G,e[10]=
+(m*T-y*M+g*_)*G,e[11]=(u*M-d*T-f*_)*G,e[12]=(a*L-o*P-l*b)*G,e[13]=(t*P-n*L+s*b)*G,e[14]=(y*S-m*C-p*_)*G,e[15]=(d*C-u*S+h*_)*G,this}scale(e){let t=this.elements,
 n=e.x,s=e.y,r=e.z;return t[0]*=n,t[4]*=s,t[8]*=r,t[1]*=n,t[5]*=s,t[9]*=r,t[2]*=n,t[6]*=s,t[10]*=r,t[3]*=n,t[7]*=s,t[11]*=r,this}getMaxScaleOnAxis(){let e=this.elements,
 t=e[0]*e[0]+e[1]*e[1]+e[2]*e[2],n=e[4]*e[4]+e[5]*e[5]+e[6]*e[6],s=e[8]*e[8]+e[9]*e[9]+e[10]*e[10];return Math.sqrt(Math.max(t,n,s))}makeTranslation(e,t,n){return e.
 isVector3?this.set(1,0,0,e.x,0,1,0,e.y,0,0,1,e.z,0,0,0,1):this.set(1,0,0,e,0,1,0,t,0,0,1,n,0,0,0,1),this}makeRotationX(e){let t=Math.cos(e),n=Math.sin(e);return this.
@@ -740,8 +740,8 @@ set(1,0,0,0,0,t,-n,0,0,n,t,0,0,0,0,1),this}makeRotationY(e){let t=Math.cos(e),n=
 let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,0,n,t,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(e,t){let n=Math.cos(t),s=Math.sin(t),r=1-n,o=e.x,a=e.y,l=e.
 z,c=r*o,d=r*a;return this.set(c*o+n,c*a-s*l,c*l+s*a,0,c*a+s*l,d*a+n,d*l-s*o,0,c*l-s*a,d*l+s*o,r*l*l+n,0,0,0,0,1),this}makeScale(e,t,n){return this.set(e,0,0,0,0,
 t,0,0,0,0,n,0,0,0,0,1),this}makeShear(e,t,n,s,r,o){return this.set(1,n,r,0,e,1,o,0,t,s,1,0,0,0,0,1),this}compose(e,t,n){let s=this.elements,r=t._x,o=t._y,a=t._z,
-l=t._w,c=r+r,d=o+o,u=a+a,h=r*c,f=r*d,m=r*u,y=o*d,p=o*u,g=a*u,_=l*c,S=l*d,b=l*u,C=n.x,T=n.y,x=n.z;return s[0]=(1-(y+g))*C,s[1]=(f+b)*C,s[2]=(m-S)*C,s[3]=0,s[4]=(f-
-b)*T,s[5]=(1-(h+g))*T,s[6]=(p+_)*T,s[7]=0,s[8]=(m+S)*x,s[9]=(p-_)*x,s[10]=(1-(h+y))*x,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,n){let s=this.
+l=t._w,c=r+r,d=o+o,u=a+a,h=r*c,f=r*d,m=r*u,y=o*d,p=o*u,g=a*u,_=l*c,S=l*d,M=l*u,C=n.x,T=n.y,x=n.z;return s[0]=(1-(y+g))*C,s[1]=(f+M)*C,s[2]=(m-S)*C,s[3]=0,s[4]=(f-
+M)*T,s[5]=(1-(h+g))*T,s[6]=(p+_)*T,s[7]=0,s[8]=(m+S)*x,s[9]=(p-_)*x,s[10]=(1-(h+y))*x,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,n){let s=this.
 elements;e.x=s[12],e.y=s[13],e.z=s[14];let r=this.determinantAffine();if(r===0)return n.set(1,1,1),t.identity(),this;let o=Pr.set(s[0],s[1],s[2]).length(),a=Pr.
 set(s[4],s[5],s[6]).length(),l=Pr.set(s[8],s[9],s[10]).length();r<0&&(o=-o),xi.copy(this);let c=1/o,d=1/a,u=1/l;return xi.elements[0]*=c,xi.elements[1]*=c,xi.elements[2]*=
 c,xi.elements[4]*=d,xi.elements[5]*=d,xi.elements[6]*=d,xi.elements[8]*=u,xi.elements[9]*=u,xi.elements[10]*=u,t.setFromRotationMatrix(xi),n.x=o,n.y=a,n.z=l,this}makePerspective(e,t,n,s,r,o,a=li,l=!1){
@@ -1039,9 +1039,9 @@ f=new st,m=new st,y=new st,p=new V,g=new V;function _(L,R,P){c[L]=c[R]=c[P]=1,d.
 fromBufferAttribute(r,L),m.fromBufferAttribute(r,R),y.fromBufferAttribute(r,P),u.sub(d),h.sub(d),m.sub(f),y.sub(f);let F=1/(m.x*y.y-y.x*m.y);isFinite(F)&&(p.copy(
 u).multiplyScalar(y.y).addScaledVector(h,-m.y).multiplyScalar(F),g.copy(h).multiplyScalar(m.x).addScaledVector(u,-y.x).multiplyScalar(F),a[L].add(p),a[R].add(p),
 a[P].add(p),l[L].add(g),l[R].add(g),l[P].add(g))}let S=this.groups;S.length===0&&(S=[{start:0,count:e.count}]);for(let L=0,R=S.length;L<R;++L){let P=S[L],F=P.start,
-z=P.count;for(let D=F,G=F+z;D<G;D+=3)_(e.getX(D+0),e.getX(D+1),e.getX(D+2))}let b=new V,C=new V,T=new V,x=new V;function M(L){T.fromBufferAttribute(s,L),x.copy(
-T);let R=a[L];b.copy(R),b.sub(T.multiplyScalar(T.dot(R))).normalize(),C.crossVectors(x,R);let F=C.dot(l[L])<0?-1:1;o.setXYZW(L,b.x,b.y,b.z,F)}for(let L=0,R=n.count;L<
-R;++L)c[L]&&M(L);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let n=this.getAttribute("normal");if(n===
+z=P.count;for(let D=F,G=F+z;D<G;D+=3)_(e.getX(D+0),e.getX(D+1),e.getX(D+2))}let M=new V,C=new V,T=new V,x=new V;function b(L){T.fromBufferAttribute(s,L),x.copy(
+T);let R=a[L];M.copy(R),M.sub(T.multiplyScalar(T.dot(R))).normalize(),C.crossVectors(x,R);let F=C.dot(l[L])<0?-1:1;o.setXYZW(L,M.x,M.y,M.z,F)}for(let L=0,R=n.count;L<
+R;++L)c[L]&&b(L);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let n=this.getAttribute("normal");if(n===
 void 0||n.count!==t.count)n=new Mi(new Float32Array(t.count*3),3),this.setAttribute("normal",n);else for(let h=0,f=n.count;h<f;h++)n.setXYZ(h,0,0,0);let s=new V,
 r=new V,o=new V,a=new V,l=new V,c=new V,d=new V,u=new V;if(e)for(let h=0,f=e.count;h<f;h+=3){let m=e.getX(h+0),y=e.getX(h+1),p=e.getX(h+2);s.fromBufferAttribute(
 t,m),r.fromBufferAttribute(t,y),o.fromBufferAttribute(t,p),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),a.fromBufferAttribute(n,m),l.fromBufferAttribute(n,y),
@@ -1216,9 +1216,9 @@ let n,s,r,o,a,l,c=1/this.direction.x,d=1/this.direction.y,u=1/this.direction.z,h
 c,s=(e.min.x-h.x)*c),d>=0?(r=(e.min.y-h.y)*d,o=(e.max.y-h.y)*d):(r=(e.max.y-h.y)*d,o=(e.min.y-h.y)*d),n>o||r>s||((r>n||isNaN(n))&&(n=r),(o<s||isNaN(s))&&(s=o),u>=
 0?(a=(e.min.z-h.z)*u,l=(e.max.z-h.z)*u):(a=(e.max.z-h.z)*u,l=(e.min.z-h.z)*u),n>l||a>s)||((a>n||n!==n)&&(n=a),(l<s||s!==s)&&(s=l),s<0)?null:this.at(n>=0?n:s,t)}intersectsBox(e){
 return this.intersectBox(e,ns)!==null}intersectTriangle(e,t,n,s,r){let o=this.origin,a=this.direction,l=a.x,c=a.y,d=a.z,u=e.x-o.x,h=e.y-o.y,f=e.z-o.z,m=t.x-o.x,
-y=t.y-o.y,p=t.z-o.z,g=n.x-o.x,_=n.y-o.y,S=n.z-o.z,b=Math.abs(l),C=Math.abs(c),T=Math.abs(d),x,M,L,R,P,F,z,D,G,Y,W,ce;if(b>=C&&b>=T?(L=l,F=u,G=m,ce=g,l>=0?(x=c,M=
-d,R=h,P=f,z=y,D=p,Y=_,W=S):(x=d,M=c,R=f,P=h,z=p,D=y,Y=S,W=_)):C>=T?(L=c,F=h,G=y,ce=_,c>=0?(x=d,M=l,R=f,P=u,z=p,D=m,Y=S,W=g):(x=l,M=d,R=u,P=f,z=m,D=p,Y=g,W=S)):(L=
-d,F=f,G=p,ce=S,d>=0?(x=l,M=c,R=u,P=h,z=m,D=y,Y=g,W=_):(x=c,M=l,R=h,P=u,z=y,D=m,Y=_,W=g)),L===0)return null;let K=x/L,Q=M/L,se=1/L,de=R-K*F,ue=P-Q*F,ee=z-K*G,me=D-
+y=t.y-o.y,p=t.z-o.z,g=n.x-o.x,_=n.y-o.y,S=n.z-o.z,M=Math.abs(l),C=Math.abs(c),T=Math.abs(d),x,b,L,R,P,F,z,D,G,Y,W,ce;if(M>=C&&M>=T?(L=l,F=u,G=m,ce=g,l>=0?(x=c,b=
+d,R=h,P=f,z=y,D=p,Y=_,W=S):(x=d,b=c,R=f,P=h,z=p,D=y,Y=S,W=_)):C>=T?(L=c,F=h,G=y,ce=_,c>=0?(x=d,b=l,R=f,P=u,z=p,D=m,Y=S,W=g):(x=l,b=d,R=u,P=f,z=m,D=p,Y=g,W=S)):(L=
+d,F=f,G=p,ce=S,d>=0?(x=l,b=c,R=u,P=h,z=m,D=y,Y=g,W=_):(x=c,b=l,R=h,P=u,z=y,D=m,Y=_,W=g)),L===0)return null;let K=x/L,Q=b/L,se=1/L,de=R-K*F,ue=P-Q*F,ee=z-K*G,me=D-
 Q*G,xe=Y-K*ce,Ee=W-Q*ce,be=xe*me-Ee*ee,He=de*Ee-ue*xe,nt=ee*ue-me*de;if(s){if(be<0||He<0||nt<0)return null}else if((be<0||He<0||nt<0)&&(be>0||He>0||nt>0))return null;
 let Ve=be+He+nt;if(Ve===0)return null;let ut=se*(be*F+He*G+nt*ce);return(Ve>0?ut<0:ut>0)?null:this.at(ut/Ve,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),
 this.direction.transformDirection(e),this}equals(e){return e.origin.equals(this.origin)&&e.direction.equals(this.direction)}clone(){return new this.constructor().
@@ -1242,13 +1242,13 @@ null&&n.computeBoundingSphere(),tl.copy(n.boundingSphere),tl.applyMatrix4(r),Ks.
 tl,$p)===null||Ks.origin.distanceToSquared($p)>(e.far-e.near)**2))&&(qp.copy(r).invert(),Ks.copy(e.ray).applyMatrix4(qp),!(n.boundingBox!==null&&Ks.intersectsBox(
 n.boundingBox)===!1)&&this._computeIntersections(e,t,Ks)))}_computeIntersections(e,t,n){let s,r=this.geometry,o=this.material,a=r.index,l=r.attributes.position,
 c=r.attributes.uv,d=r.attributes.uv1,u=r.attributes.normal,h=r.groups,f=r.drawRange;if(a!==null)if(Array.isArray(o))for(let m=0,y=h.length;m<y;m++){let p=h[m],g=o[p.
-materialIndex],_=Math.max(p.start,f.start),S=Math.min(a.count,Math.min(p.start+p.count,f.start+f.count));for(let b=_,C=S;b<C;b+=3){let T=a.getX(b),x=a.getX(b+1),
-M=a.getX(b+2);s=al(this,g,e,n,c,d,u,T,x,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=p.materialIndex,t.push(s))}}else{let m=Math.max(0,f.start),y=Math.
-min(a.count,f.start+f.count);for(let p=m,g=y;p<g;p+=3){let _=a.getX(p),S=a.getX(p+1),b=a.getX(p+2);s=al(this,o,e,n,c,d,u,_,S,b),s&&(s.faceIndex=Math.floor(p/3),
+materialIndex],_=Math.max(p.start,f.start),S=Math.min(a.count,Math.min(p.start+p.count,f.start+f.count));for(let M=_,C=S;M<C;M+=3){let T=a.getX(M),x=a.getX(M+1),
+b=a.getX(M+2);s=al(this,g,e,n,c,d,u,T,x,b),s&&(s.faceIndex=Math.floor(M/3),s.face.materialIndex=p.materialIndex,t.push(s))}}else{let m=Math.max(0,f.start),y=Math.
+min(a.count,f.start+f.count);for(let p=m,g=y;p<g;p+=3){let _=a.getX(p),S=a.getX(p+1),M=a.getX(p+2);s=al(this,o,e,n,c,d,u,_,S,M),s&&(s.faceIndex=Math.floor(p/3),
 t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let m=0,y=h.length;m<y;m++){let p=h[m],g=o[p.materialIndex],_=Math.max(p.start,f.start),S=Math.min(l.count,
-Math.min(p.start+p.count,f.start+f.count));for(let b=_,C=S;b<C;b+=3){let T=b,x=b+1,M=b+2;s=al(this,g,e,n,c,d,u,T,x,M),s&&(s.faceIndex=Math.floor(b/3),s.face.materialIndex=
-p.materialIndex,t.push(s))}}else{let m=Math.max(0,f.start),y=Math.min(l.count,f.start+f.count);for(let p=m,g=y;p<g;p+=3){let _=p,S=p+1,b=p+2;s=al(this,o,e,n,c,d,
-u,_,S,b),s&&(s.faceIndex=Math.floor(p/3),t.push(s))}}}};function gy(i,e,t,n,s,r,o,a){let l;if(e.side===kn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(
+Math.min(p.start+p.count,f.start+f.count));for(let M=_,C=S;M<C;M+=3){let T=M,x=M+1,b=M+2;s=al(this,g,e,n,c,d,u,T,x,b),s&&(s.faceIndex=Math.floor(M/3),s.face.materialIndex=
+p.materialIndex,t.push(s))}}else{let m=Math.max(0,f.start),y=Math.min(l.count,f.start+f.count);for(let p=m,g=y;p<g;p+=3){let _=p,S=p+1,M=p+2;s=al(this,o,e,n,c,d,
+u,_,S,M),s&&(s.faceIndex=Math.floor(p/3),t.push(s))}}}};function gy(i,e,t,n,s,r,o,a){let l;if(e.side===kn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(
 s,r,o,e.side===Ds,a),l===null)return null;ol.copy(a),ol.applyMatrix4(i.matrixWorld);let c=t.ray.origin.distanceTo(ol);return c<t.near||c>t.far?null:{distance:c,
 point:ol.clone(),object:i}}function al(i,e,t,n,s,r,o,a,l,c){i.getVertexPosition(a,nl),i.getVertexPosition(l,il),i.getVertexPosition(c,sl);let d=gy(i,e,t,n,nl,il,
 sl,Yp);if(d){let u=new V;Ui.getBarycoord(Yp,nl,il,sl,u),s&&(d.uv=Ui.getInterpolatedAttribute(s,a,l,c,u,new st)),r&&(d.uv1=Ui.getInterpolatedAttribute(r,a,l,c,u,
@@ -1276,9 +1276,9 @@ super.dispose(),this.instanceMatrix.dispose(),this.instanceColor!==null&&this.in
 morphTexture=null)}},js=new os,xy=new st(.5,.5),cl=new V,Es=class{constructor(e=new ei,t=new ei,n=new ei,s=new ei,r=new ei,o=new ei){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){
 let a=this.planes;return a[0].copy(e),a[1].copy(t),a[2].copy(n),a[3].copy(s),a[4].copy(r),a[5].copy(o),this}copy(e){let t=this.planes;for(let n=0;n<6;n++)t[n].copy(
 e.planes[n]);return this}setFromProjectionMatrix(e,t=li,n=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],l=r[2],c=r[3],d=r[4],u=r[5],h=r[6],f=r[7],m=r[8],y=r[9],
-p=r[10],g=r[11],_=r[12],S=r[13],b=r[14],C=r[15];if(s[0].setComponents(c-o,f-d,g-m,C-_).normalize(),s[1].setComponents(c+o,f+d,g+m,C+_).normalize(),s[2].setComponents(
-c+a,f+u,g+y,C+S).normalize(),s[3].setComponents(c-a,f-u,g-y,C-S).normalize(),n)s[4].setComponents(l,h,p,b).normalize(),s[5].setComponents(c-l,f-h,g-p,C-b).normalize();else if(s[4].
-setComponents(c-l,f-h,g-p,C-b).normalize(),t===li)s[5].setComponents(c+l,f+h,g+p,C+b).normalize();else if(t===$r)s[5].setComponents(l,h,p,b).normalize();else throw new Error(
+p=r[10],g=r[11],_=r[12],S=r[13],M=r[14],C=r[15];if(s[0].setComponents(c-o,f-d,g-m,C-_).normalize(),s[1].setComponents(c+o,f+d,g+m,C+_).normalize(),s[2].setComponents(
+c+a,f+u,g+y,C+S).normalize(),s[3].setComponents(c-a,f-u,g-y,C-S).normalize(),n)s[4].setComponents(l,h,p,M).normalize(),s[5].setComponents(c-l,f-h,g-p,C-M).normalize();else if(s[4].
+setComponents(c-l,f-h,g-p,C-M).normalize(),t===li)s[5].setComponents(c+l,f+h,g+p,C+M).normalize();else if(t===$r)s[5].setComponents(l,h,p,M).normalize();else throw new Error(
 "THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&
 e.computeBoundingSphere(),js.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),js.copy(
 t.boundingSphere).applyMatrix4(e.matrixWorld)}return this.intersectsSphere(js)}intersectsSprite(e){js.center.set(0,0,0);let t=xy.distanceTo(e.center);return js.
@@ -1323,55 +1323,55 @@ Zo=class extends Gn{constructor(e=null){super(),this.sourceTexture=e,this.isExte
 Rs=class i extends ln{constructor(e=1,t=1,n=1,s=1,r=1,o=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:n,widthSegments:s,heightSegments:r,
 depthSegments:o};let a=this;s=Math.floor(s),r=Math.floor(r),o=Math.floor(o);let l=[],c=[],d=[],u=[],h=0,f=0;m("z","y","x",-1,-1,n,t,e,o,r,0),m("z","y","x",1,-1,
 n,t,-e,o,r,1),m("x","z","y",1,1,e,n,t,s,o,2),m("x","z","y",1,-1,e,n,-t,s,o,3),m("x","y","z",1,-1,e,t,n,s,r,4),m("x","y","z",-1,-1,e,t,-n,s,r,5),this.setIndex(l),
-this.setAttribute("position",new yt(c,3)),this.setAttribute("normal",new yt(d,3)),this.setAttribute("uv",new yt(u,2));function m(y,p,g,_,S,b,C,T,x,M,L){let R=b/
-x,P=C/M,F=b/2,z=C/2,D=T/2,G=x+1,Y=M+1,W=0,ce=0,K=new V;for(let Q=0;Q<Y;Q++){let se=Q*P-z;for(let de=0;de<G;de++){let ue=de*R-F;K[y]=ue*_,K[p]=se*S,K[g]=D,c.push(
-K.x,K.y,K.z),K[y]=0,K[p]=0,K[g]=T>0?1:-1,d.push(K.x,K.y,K.z),u.push(de/x),u.push(1-Q/M),W+=1}}for(let Q=0;Q<M;Q++)for(let se=0;se<x;se++){let de=h+se+G*Q,ue=h+se+
+this.setAttribute("position",new yt(c,3)),this.setAttribute("normal",new yt(d,3)),this.setAttribute("uv",new yt(u,2));function m(y,p,g,_,S,M,C,T,x,b,L){let R=M/
+x,P=C/b,F=M/2,z=C/2,D=T/2,G=x+1,Y=b+1,W=0,ce=0,K=new V;for(let Q=0;Q<Y;Q++){let se=Q*P-z;for(let de=0;de<G;de++){let ue=de*R-F;K[y]=ue*_,K[p]=se*S,K[g]=D,c.push(
+K.x,K.y,K.z),K[y]=0,K[p]=0,K[g]=T>0?1:-1,d.push(K.x,K.y,K.z),u.push(de/x),u.push(1-Q/b),W+=1}}for(let Q=0;Q<b;Q++)for(let se=0;se<x;se++){let de=h+se+G*Q,ue=h+se+
 G*(Q+1),ee=h+(se+1)+G*(Q+1),me=h+(se+1)+G*Q;l.push(de,ue,me),l.push(ue,ee,me),ce+=6}a.addGroup(f,ce,L),f+=ce,h+=W}}copy(e){return super.copy(e),this.parameters=
 Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.width,e.height,e.depth,e.widthSegments,e.heightSegments,e.depthSegments)}},Jo=class i extends ln{constructor(e=1,t=1,n=4,s=8,r=1){
 super(),this.type="CapsuleGeometry",this.parameters={radius:e,height:t,capSegments:n,radialSegments:s,heightSegments:r},t=Math.max(0,t),n=Math.max(1,Math.floor(
 n)),s=Math.max(3,Math.floor(s)),r=Math.max(1,Math.floor(r));let o=[],a=[],l=[],c=[],d=t/2,u=Math.PI/2*e,h=t,f=2*u+h,m=n*2+r,y=s+1,p=new V,g=new V;for(let _=0;_<=
-m;_++){let S=0,b=0,C=0,T=0;if(_<=n){let L=_/n,R=L*Math.PI/2;b=-d-e*Math.cos(R),C=e*Math.sin(R),T=-e*Math.cos(R),S=L*u}else if(_<=n+r){let L=(_-n)/r;b=-d+L*t,C=e,
-T=0,S=u+L*h}else{let L=(_-n-r)/n,R=L*Math.PI/2;b=d+e*Math.sin(R),C=e*Math.cos(R),T=e*Math.sin(R),S=u+h+L*u}let x=Math.max(0,Math.min(1,S/f)),M=0;_===0?M=.5/s:_===
-m&&(M=-.5/s);for(let L=0;L<=s;L++){let R=L/s,P=R*Math.PI*2,F=Math.sin(P),z=Math.cos(P);g.x=-C*z,g.y=b,g.z=C*F,a.push(g.x,g.y,g.z),p.set(-C*z,T,C*F),p.normalize(),
-l.push(p.x,p.y,p.z),c.push(R+M,x)}if(_>0){let L=(_-1)*y;for(let R=0;R<s;R++){let P=L+R,F=L+R+1,z=_*y+R,D=_*y+R+1;o.push(P,F,z),o.push(F,D,z)}}}this.setIndex(o),
+m;_++){let S=0,M=0,C=0,T=0;if(_<=n){let L=_/n,R=L*Math.PI/2;M=-d-e*Math.cos(R),C=e*Math.sin(R),T=-e*Math.cos(R),S=L*u}else if(_<=n+r){let L=(_-n)/r;M=-d+L*t,C=e,
+T=0,S=u+L*h}else{let L=(_-n-r)/n,R=L*Math.PI/2;M=d+e*Math.sin(R),C=e*Math.cos(R),T=e*Math.sin(R),S=u+h+L*u}let x=Math.max(0,Math.min(1,S/f)),b=0;_===0?b=.5/s:_===
+m&&(b=-.5/s);for(let L=0;L<=s;L++){let R=L/s,P=R*Math.PI*2,F=Math.sin(P),z=Math.cos(P);g.x=-C*z,g.y=M,g.z=C*F,a.push(g.x,g.y,g.z),p.set(-C*z,T,C*F),p.normalize(),
+l.push(p.x,p.y,p.z),c.push(R+b,x)}if(_>0){let L=(_-1)*y;for(let R=0;R<s;R++){let P=L+R,F=L+R+1,z=_*y+R,D=_*y+R+1;o.push(P,F,z),o.push(F,D,z)}}}this.setIndex(o),
 this.setAttribute("position",new yt(a,3)),this.setAttribute("normal",new yt(l,3)),this.setAttribute("uv",new yt(c,2))}copy(e){return super.copy(e),this.parameters=
 Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.height,e.capSegments,e.radialSegments,e.heightSegments)}};var Ps=class i extends ln{constructor(e=1,t=1,n=1,s=32,r=1,o=!1,a=0,l=Math.PI*2){super(),this.type="CylinderGeometry",this.parameters={radiusTop:e,radiusBottom:t,
 height:n,radialSegments:s,heightSegments:r,openEnded:o,thetaStart:a,thetaLength:l};let c=this;s=Math.floor(s),r=Math.floor(r);let d=[],u=[],h=[],f=[],m=0,y=[],p=n/
 2,g=0;_(),o===!1&&(e>0&&S(!0),t>0&&S(!1)),this.setIndex(d),this.setAttribute("position",new yt(u,3)),this.setAttribute("normal",new yt(h,3)),this.setAttribute("\
-uv",new yt(f,2));function _(){let b=new V,C=new V,T=0,x=(t-e)/n;for(let M=0;M<=r;M++){let L=[],R=M/r,P=R*(t-e)+e;for(let F=0;F<=s;F++){let z=F/s,D=z*l+a,G=Math.
-sin(D),Y=Math.cos(D);C.x=P*G,C.y=-R*n+p,C.z=P*Y,u.push(C.x,C.y,C.z),b.set(G,x,Y).normalize(),h.push(b.x,b.y,b.z),f.push(z,1-R),L.push(m++)}y.push(L)}for(let M=0;M<
-s;M++)for(let L=0;L<r;L++){let R=y[L][M],P=y[L+1][M],F=y[L+1][M+1],z=y[L][M+1];(e>0||L!==0)&&(d.push(R,P,z),T+=3),(t>0||L!==r-1)&&(d.push(P,F,z),T+=3)}c.addGroup(
-g,T,0),g+=T}function S(b){let C=m,T=new st,x=new V,M=0,L=b===!0?e:t,R=b===!0?1:-1;for(let F=1;F<=s;F++)u.push(0,p*R,0),h.push(0,R,0),f.push(.5,.5),m++;let P=m;for(let F=0;F<=
+uv",new yt(f,2));function _(){let M=new V,C=new V,T=0,x=(t-e)/n;for(let b=0;b<=r;b++){let L=[],R=b/r,P=R*(t-e)+e;for(let F=0;F<=s;F++){let z=F/s,D=z*l+a,G=Math.
+sin(D),Y=Math.cos(D);C.x=P*G,C.y=-R*n+p,C.z=P*Y,u.push(C.x,C.y,C.z),M.set(G,x,Y).normalize(),h.push(M.x,M.y,M.z),f.push(z,1-R),L.push(m++)}y.push(L)}for(let b=0;b<
+s;b++)for(let L=0;L<r;L++){let R=y[L][b],P=y[L+1][b],F=y[L+1][b+1],z=y[L][b+1];(e>0||L!==0)&&(d.push(R,P,z),T+=3),(t>0||L!==r-1)&&(d.push(P,F,z),T+=3)}c.addGroup(
+g,T,0),g+=T}function S(M){let C=m,T=new st,x=new V,b=0,L=M===!0?e:t,R=M===!0?1:-1;for(let F=1;F<=s;F++)u.push(0,p*R,0),h.push(0,R,0),f.push(.5,.5),m++;let P=m;for(let F=0;F<=
 s;F++){let D=F/s*l+a,G=Math.cos(D),Y=Math.sin(D);x.x=L*Y,x.y=p*R,x.z=L*G,u.push(x.x,x.y,x.z),h.push(0,R,0),T.x=G*.5+.5,T.y=Y*.5*R+.5,f.push(T.x,T.y),m++}for(let F=0;F<
-s;F++){let z=C+F,D=P+F;b===!0?d.push(D,D+1,z):d.push(D+1,D,z),M+=3}c.addGroup(g,M,b===!0?1:2),g+=M}}copy(e){return super.copy(e),this.parameters=Object.assign({},
+s;F++){let z=C+F,D=P+F;M===!0?d.push(D,D+1,z):d.push(D+1,D,z),b+=3}c.addGroup(g,b,M===!0?1:2),g+=b}}copy(e){return super.copy(e),this.parameters=Object.assign({},
 e.parameters),this}static fromJSON(e){return new i(e.radiusTop,e.radiusBottom,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,e.thetaLength)}},
 Ko=class i extends Ps{constructor(e=1,t=1,n=32,s=1,r=!1,o=0,a=Math.PI*2){super(0,e,t,n,s,r,o,a),this.type="ConeGeometry",this.parameters={radius:e,height:t,radialSegments:n,
 heightSegments:s,openEnded:r,thetaStart:o,thetaLength:a}}static fromJSON(e){return new i(e.radius,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,
 e.thetaLength)}},Fl=class i extends ln{constructor(e=[],t=[],n=1,s=0){super(),this.type="PolyhedronGeometry",this.parameters={vertices:e,indices:t,radius:n,detail:s};
 let r=[],o=[];a(s),c(n),d(),this.setAttribute("position",new yt(r,3)),this.setAttribute("normal",new yt(r.slice(),3)),this.setAttribute("uv",new yt(o,2)),s===0?
-this.computeVertexNormals():this.normalizeNormals();function a(_){let S=new V,b=new V,C=new V;for(let T=0;T<t.length;T+=3)f(t[T+0],S),f(t[T+1],b),f(t[T+2],C),l(
-S,b,C,_)}function l(_,S,b,C){let T=C+1,x=[];for(let M=0;M<=T;M++){x[M]=[];let L=_.clone().lerp(b,M/T),R=S.clone().lerp(b,M/T),P=T-M;for(let F=0;F<=P;F++)F===0&&
-M===T?x[M][F]=L:x[M][F]=L.clone().lerp(R,F/P)}for(let M=0;M<T;M++)for(let L=0;L<2*(T-M)-1;L++){let R=Math.floor(L/2);L%2===0?(h(x[M][R+1]),h(x[M+1][R]),h(x[M][R])):
-(h(x[M][R+1]),h(x[M+1][R+1]),h(x[M+1][R]))}}function c(_){let S=new V;for(let b=0;b<r.length;b+=3)S.x=r[b+0],S.y=r[b+1],S.z=r[b+2],S.normalize().multiplyScalar(
-_),r[b+0]=S.x,r[b+1]=S.y,r[b+2]=S.z}function d(){let _=new V;for(let S=0;S<r.length;S+=3){_.x=r[S+0],_.y=r[S+1],_.z=r[S+2];let b=p(_)/2/Math.PI+.5,C=g(_)/Math.PI+
-.5;o.push(b,1-C)}m(),u()}function u(){for(let _=0;_<o.length;_+=6){let S=o[_+0],b=o[_+2],C=o[_+4],T=Math.max(S,b,C),x=Math.min(S,b,C);T>.9&&x<.1&&(S<.2&&(o[_+0]+=
-1),b<.2&&(o[_+2]+=1),C<.2&&(o[_+4]+=1))}}function h(_){r.push(_.x,_.y,_.z)}function f(_,S){let b=_*3;S.x=e[b+0],S.y=e[b+1],S.z=e[b+2]}function m(){let _=new V,S=new V,
-b=new V,C=new V,T=new st,x=new st,M=new st;for(let L=0,R=0;L<r.length;L+=9,R+=6){_.set(r[L+0],r[L+1],r[L+2]),S.set(r[L+3],r[L+4],r[L+5]),b.set(r[L+6],r[L+7],r[L+
-8]),T.set(o[R+0],o[R+1]),x.set(o[R+2],o[R+3]),M.set(o[R+4],o[R+5]),C.copy(_).add(S).add(b).divideScalar(3);let P=p(C);y(T,R+0,_,P),y(x,R+2,S,P),y(M,R+4,b,P)}}function y(_,S,b,C){
-C<0&&_.x===1&&(o[S]=_.x-1),b.x===0&&b.z===0&&(o[S]=C/2/Math.PI+.5)}function p(_){return Math.atan2(_.z,-_.x)}function g(_){return Math.atan2(-_.y,Math.sqrt(_.x*
+this.computeVertexNormals():this.normalizeNormals();function a(_){let S=new V,M=new V,C=new V;for(let T=0;T<t.length;T+=3)f(t[T+0],S),f(t[T+1],M),f(t[T+2],C),l(
+S,M,C,_)}function l(_,S,M,C){let T=C+1,x=[];for(let b=0;b<=T;b++){x[b]=[];let L=_.clone().lerp(M,b/T),R=S.clone().lerp(M,b/T),P=T-b;for(let F=0;F<=P;F++)F===0&&
+b===T?x[b][F]=L:x[b][F]=L.clone().lerp(R,F/P)}for(let b=0;b<T;b++)for(let L=0;L<2*(T-b)-1;L++){let R=Math.floor(L/2);L%2===0?(h(x[b][R+1]),h(x[b+1][R]),h(x[b][R])):
+(h(x[b][R+1]),h(x[b+1][R+1]),h(x[b+1][R]))}}function c(_){let S=new V;for(let M=0;M<r.length;M+=3)S.x=r[M+0],S.y=r[M+1],S.z=r[M+2],S.normalize().multiplyScalar(
+_),r[M+0]=S.x,r[M+1]=S.y,r[M+2]=S.z}function d(){let _=new V;for(let S=0;S<r.length;S+=3){_.x=r[S+0],_.y=r[S+1],_.z=r[S+2];let M=p(_)/2/Math.PI+.5,C=g(_)/Math.PI+
+.5;o.push(M,1-C)}m(),u()}function u(){for(let _=0;_<o.length;_+=6){let S=o[_+0],M=o[_+2],C=o[_+4],T=Math.max(S,M,C),x=Math.min(S,M,C);T>.9&&x<.1&&(S<.2&&(o[_+0]+=
+1),M<.2&&(o[_+2]+=1),C<.2&&(o[_+4]+=1))}}function h(_){r.push(_.x,_.y,_.z)}function f(_,S){let M=_*3;S.x=e[M+0],S.y=e[M+1],S.z=e[M+2]}function m(){let _=new V,S=new V,
+M=new V,C=new V,T=new st,x=new st,b=new st;for(let L=0,R=0;L<r.length;L+=9,R+=6){_.set(r[L+0],r[L+1],r[L+2]),S.set(r[L+3],r[L+4],r[L+5]),M.set(r[L+6],r[L+7],r[L+
+8]),T.set(o[R+0],o[R+1]),x.set(o[R+2],o[R+3]),b.set(o[R+4],o[R+5]),C.copy(_).add(S).add(M).divideScalar(3);let P=p(C);y(T,R+0,_,P),y(x,R+2,S,P),y(b,R+4,M,P)}}function y(_,S,M,C){
+C<0&&_.x===1&&(o[S]=_.x-1),M.x===0&&M.z===0&&(o[S]=C/2/Math.PI+.5)}function p(_){return Math.atan2(_.z,-_.x)}function g(_){return Math.atan2(-_.y,Math.sqrt(_.x*
 _.x+_.z*_.z))}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.vertices,e.indices,e.radius,e.
 detail)}};var eo=class i extends Fl{constructor(e=1,t=0){let n=[1,0,0,-1,0,0,0,1,0,0,-1,0,0,0,1,0,0,-1],s=[0,2,4,0,4,3,0,3,5,0,5,2,1,2,5,1,5,3,1,3,4,1,4,2];super(n,s,e,t),
 this.type="OctahedronGeometry",this.parameters={radius:e,detail:t}}static fromJSON(e){return new i(e.radius,e.detail)}},jo=class i extends ln{constructor(e=1,t=1,n=1,s=1){
 super(),this.type="PlaneGeometry",this.parameters={width:e,height:t,widthSegments:n,heightSegments:s};let r=e/2,o=t/2,a=Math.floor(n),l=Math.floor(s),c=a+1,d=l+
-1,u=e/a,h=t/l,f=[],m=[],y=[],p=[];for(let g=0;g<d;g++){let _=g*h-o;for(let S=0;S<c;S++){let b=S*u-r;m.push(b,-_,0),y.push(0,0,1),p.push(S/a),p.push(1-g/l)}}for(let g=0;g<
-l;g++)for(let _=0;_<a;_++){let S=_+c*g,b=_+c*(g+1),C=_+1+c*(g+1),T=_+1+c*g;f.push(S,b,T),f.push(b,C,T)}this.setIndex(f),this.setAttribute("position",new yt(m,3)),
+1,u=e/a,h=t/l,f=[],m=[],y=[],p=[];for(let g=0;g<d;g++){let _=g*h-o;for(let S=0;S<c;S++){let M=S*u-r;m.push(M,-_,0),y.push(0,0,1),p.push(S/a),p.push(1-g/l)}}for(let g=0;g<
+l;g++)for(let _=0;_<a;_++){let S=_+c*g,M=_+c*(g+1),C=_+1+c*(g+1),T=_+1+c*g;f.push(S,M,T),f.push(M,C,T)}this.setIndex(f),this.setAttribute("position",new yt(m,3)),
 this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(p,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){
 return new i(e.width,e.height,e.widthSegments,e.heightSegments)}};var Qo=class i extends ln{constructor(e=1,t=32,n=16,s=0,r=Math.PI*2,o=0,a=Math.PI){super(),this.type="SphereGeometry",this.parameters={radius:e,widthSegments:t,
 heightSegments:n,phiStart:s,phiLength:r,thetaStart:o,thetaLength:a},t=Math.max(3,Math.floor(t)),n=Math.max(2,Math.floor(n));let l=Math.min(o+a,Math.PI),c=0,d=[],
-u=new V,h=new V,f=[],m=[],y=[],p=[];for(let g=0;g<=n;g++){let _=[],S=g/n,b=o+S*a,C=e*Math.cos(b),T=Math.sqrt(e*e-C*C),x=0;g===0&&o===0?x=.5/t:g===n&&l===Math.PI&&
-(x=-.5/t);for(let M=0;M<=t;M++){let L=M/t,R=s+L*r;u.x=-T*Math.cos(R),u.y=C,u.z=T*Math.sin(R),m.push(u.x,u.y,u.z),h.copy(u).normalize(),y.push(h.x,h.y,h.z),p.push(
-L+x,1-S),_.push(c++)}d.push(_)}for(let g=0;g<n;g++)for(let _=0;_<t;_++){let S=d[g][_+1],b=d[g][_],C=d[g+1][_],T=d[g+1][_+1];(g!==0||o>0)&&f.push(S,b,T),(g!==n-1||
-l<Math.PI)&&f.push(b,C,T)}this.setIndex(f),this.setAttribute("position",new yt(m,3)),this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(p,2))}copy(e){
+u=new V,h=new V,f=[],m=[],y=[],p=[];for(let g=0;g<=n;g++){let _=[],S=g/n,M=o+S*a,C=e*Math.cos(M),T=Math.sqrt(e*e-C*C),x=0;g===0&&o===0?x=.5/t:g===n&&l===Math.PI&&
+(x=-.5/t);for(let b=0;b<=t;b++){let L=b/t,R=s+L*r;u.x=-T*Math.cos(R),u.y=C,u.z=T*Math.sin(R),m.push(u.x,u.y,u.z),h.copy(u).normalize(),y.push(h.x,h.y,h.z),p.push(
+L+x,1-S),_.push(c++)}d.push(_)}for(let g=0;g<n;g++)for(let _=0;_<t;_++){let S=d[g][_+1],M=d[g][_],C=d[g+1][_],T=d[g+1][_+1];(g!==0||o>0)&&f.push(S,M,T),(g!==n-1||
+l<Math.PI)&&f.push(M,C,T)}this.setIndex(f),this.setAttribute("position",new yt(m,3)),this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(p,2))}copy(e){
 return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.widthSegments,e.heightSegments,e.phiStart,e.
 phiLength,e.thetaStart,e.thetaLength)}};function ir(i){let e={};for(let t in i){e[t]={};for(let n in i[t]){let s=i[t][n];if(nm(s))s.isRenderTargetTexture?($e("UniformsUtils: Textures of render targets\
  cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][n]=null):e[t][n]=s.clone();else if(Array.isArray(s))if(nm(s[0])){let r=[];for(let o=0,a=s.length;o<
@@ -1430,11 +1430,11 @@ let s=this.parameterPositions,r=e-2,o=e+1,a=s[r],l=s[o];if(a===void 0)switch(thi
 s[r]-s[r+1];break;default:r=e,a=n}if(l===void 0)switch(this.getSettings_().endingEnd){case Mu:o=e,l=2*n-t;break;case bu:o=1,l=n+s[1]-s[0];break;default:o=e-1,l=
 t}let c=(n-t)*.5,d=this.valueSize;this._weightPrev=c/(t-a),this._weightNext=c/(l-n),this._offsetPrev=r*d,this._offsetNext=o*d}interpolate_(e,t,n,s){let r=this.resultBuffer,
 o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this._offsetPrev,u=this._offsetNext,h=this._weightPrev,f=this._weightNext,m=(n-t)/(s-t),y=m*m,p=y*m,g=-h*p+2*
-h*y-h*m,_=(1+h)*p+(-1.5-2*h)*y+(-.5+h)*m+1,S=(-1-f)*p+(1.5+f)*y+.5*m,b=f*p-f*y;for(let C=0;C!==a;++C)r[C]=g*o[d+C]+_*o[c+C]+S*o[l+C]+b*o[u+C];return r}},Vl=class extends Is{constructor(e,t,n,s){
+h*y-h*m,_=(1+h)*p+(-1.5-2*h)*y+(-.5+h)*m+1,S=(-1-f)*p+(1.5+f)*y+.5*m,M=f*p-f*y;for(let C=0;C!==a;++C)r[C]=g*o[d+C]+_*o[c+C]+S*o[l+C]+M*o[u+C];return r}},Vl=class extends Is{constructor(e,t,n,s){
 super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=(n-t)/(s-t),u=1-d;for(let h=0;h!==a;++h)r[h]=o[c+
 h]*u+o[l+h]*d;return r}},Gl=class extends Is{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e){return this.copySampleValue_(e-1)}},Hl=class extends Is{interpolate_(e,t,n,s){
 let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this.inTangents,u=this.outTangents;if(!d||!u){let m=(n-t)/(s-t),y=1-m;for(let p=0;p!==
-a;++p)r[p]=o[c+p]*y+o[l+p]*m;return r}let h=a*2,f=e-1;for(let m=0;m!==a;++m){let y=o[c+m],p=o[l+m],g=f*h+m*2,_=u[g],S=u[g+1],b=e*h+m*2,C=d[b],T=d[b+1],x=Sy(n,t,
+a;++p)r[p]=o[c+p]*y+o[l+p]*m;return r}let h=a*2,f=e-1;for(let m=0;m!==a;++m){let y=o[c+m],p=o[l+m],g=f*h+m*2,_=u[g],S=u[g+1],M=e*h+m*2,C=d[M],T=d[M+1],x=Sy(n,t,
 _,C,s);r[m]=jm(x,y,S,T,p)}return r}};function jm(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function by(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
 e)+6*r*i*(n-t)+3*i*i*(s-n)}function Sy(i,e,t,n,s){let r=(i-e)/(s-e);for(let o=0;o<8;o++){let a=jm(r,e,t,n,s)-i;if(Math.abs(a)<1e-10)break;let l=by(r,e,t,n,s);if(Math.
 abs(l)<1e-10)break;r=Math.max(0,Math.min(1,r-a/l))}return r}var ni=class{constructor(e,t,n,s){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is \
@@ -2636,25 +2636,25 @@ attenuationDistance:{value:0},attenuationColor:{value:new rt(0)},specularColor:{
 specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new Qe},anisotropyVector:{value:new st},anisotropyMap:{value:null},
 anisotropyMapTransform:{value:new Qe}}]),vertexShader:ht.meshphysical_vert,fragmentShader:ht.meshphysical_frag};var zc={r:0,b:0,g:0},gb=new xt,bg=new Qe;bg.set(
 -1,0,0,0,1,0,0,0,1);function _b(i,e,t,n,s,r){let o=new rt(0),a=s===!0?0:1,l,c,d=null,u=0,h=null;function f(_){let S=_.isScene===!0?_.background:null;if(S&&S.isTexture){
-let b=_.backgroundBlurriness>0;S=e.get(S,b)}return S}function m(_){let S=!1,b=f(_);b===null?p(o,a):b&&b.isColor&&(p(b,1),S=!0);let C=i.xr.getEnvironmentBlendMode();
+let M=_.backgroundBlurriness>0;S=e.get(S,M)}return S}function m(_){let S=!1,M=f(_);M===null?p(o,a):M&&M.isColor&&(p(M,1),S=!0);let C=i.xr.getEnvironmentBlendMode();
 C==="additive"?t.buffers.color.setClear(0,0,0,1,r):C==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(i.autoClear||S)&&(t.buffers.depth.setTest(!0),t.buffers.
-depth.setMask(!0),t.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function y(_,S){let b=f(S);b&&b.isCubeTexture?(c===
+depth.setMask(!0),t.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function y(_,S){let M=f(S);M&&M.isCubeTexture?(c===
 void 0&&(c=new ci(new Rs(1,1,1),new ki({name:"BackgroundCubeMaterial",uniforms:ir(Hi.backgroundCube.uniforms),vertexShader:Hi.backgroundCube.vertexShader,fragmentShader:Hi.
 backgroundCube.fragmentShader,side:kn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),
 c.onBeforeRender=function(C,T,x){this.matrixWorld.copyPosition(x.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.
-value}}),n.update(c)),c.material.uniforms.envMap.value=b,c.material.uniforms.backgroundBlurriness.value=S.backgroundBlurriness,c.material.uniforms.backgroundIntensity.
-value=S.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(gb.makeRotationFromEuler(S.backgroundRotation)).transpose(),b.isRenderTargetTexture===
-!1&&c.material.uniforms.backgroundRotation.value.premultiply(bg),c.material.toneMapped=_t.getTransfer(b.colorSpace)!==At,(d!==b||u!==b.version||h!==i.toneMapping)&&
-(c.material.needsUpdate=!0,d=b,u=b.version,h=i.toneMapping),c.layers.enableAll(),_.unshift(c,c.geometry,c.material,0,0,null)):b&&b.isTexture&&(l===void 0&&(l=new ci(
+value}}),n.update(c)),c.material.uniforms.envMap.value=M,c.material.uniforms.backgroundBlurriness.value=S.backgroundBlurriness,c.material.uniforms.backgroundIntensity.
+value=S.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(gb.makeRotationFromEuler(S.backgroundRotation)).transpose(),M.isRenderTargetTexture===
+!1&&c.material.uniforms.backgroundRotation.value.premultiply(bg),c.material.toneMapped=_t.getTransfer(M.colorSpace)!==At,(d!==M||u!==M.version||h!==i.toneMapping)&&
+(c.material.needsUpdate=!0,d=M,u=M.version,h=i.toneMapping),c.layers.enableAll(),_.unshift(c,c.geometry,c.material,0,0,null)):M&&M.isTexture&&(l===void 0&&(l=new ci(
 new jo(2,2),new ki({name:"BackgroundMaterial",uniforms:ir(Hi.background.uniforms),vertexShader:Hi.background.vertexShader,fragmentShader:Hi.background.fragmentShader,
 side:Ds,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.
-uniforms.t2D.value}}),n.update(l)),l.material.uniforms.t2D.value=b,l.material.uniforms.backgroundIntensity.value=S.backgroundIntensity,l.material.toneMapped=_t.
-getTransfer(b.colorSpace)!==At,b.matrixAutoUpdate===!0&&b.updateMatrix(),l.material.uniforms.uvTransform.value.copy(b.matrix),(d!==b||u!==b.version||h!==i.toneMapping)&&
-(l.material.needsUpdate=!0,d=b,u=b.version,h=i.toneMapping),l.layers.enableAll(),_.unshift(l,l.geometry,l.material,0,0,null))}function p(_,S){_.getRGB(zc,Qu(i)),
+uniforms.t2D.value}}),n.update(l)),l.material.uniforms.t2D.value=M,l.material.uniforms.backgroundIntensity.value=S.backgroundIntensity,l.material.toneMapped=_t.
+getTransfer(M.colorSpace)!==At,M.matrixAutoUpdate===!0&&M.updateMatrix(),l.material.uniforms.uvTransform.value.copy(M.matrix),(d!==M||u!==M.version||h!==i.toneMapping)&&
+(l.material.needsUpdate=!0,d=M,u=M.version,h=i.toneMapping),l.layers.enableAll(),_.unshift(l,l.geometry,l.material,0,0,null))}function p(_,S){_.getRGB(zc,Qu(i)),
 t.buffers.color.setClear(zc.r,zc.g,zc.b,S,r)}function g(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.
 dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(_,S=1){o.set(_),a=S,p(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(_){
 a=_,p(o,a)},render:m,addToRenderList:y,dispose:g}}function xb(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=h(null),r=s,o=!1;function a(P,F,z,D,G){let Y=!1,
-W=u(P,D,z,F);r!==W&&(r=W,c(r.object)),Y=f(P,D,z,G),Y&&m(P,D,z,G),G!==null&&e.update(G,i.ELEMENT_ARRAY_BUFFER),(Y||o)&&(o=!1,b(P,F,z,D),G!==null&&i.bindBuffer(i.
+W=u(P,D,z,F);r!==W&&(r=W,c(r.object)),Y=f(P,D,z,G),Y&&m(P,D,z,G),G!==null&&e.update(G,i.ELEMENT_ARRAY_BUFFER),(Y||o)&&(o=!1,M(P,F,z,D),G!==null&&i.bindBuffer(i.
 ELEMENT_ARRAY_BUFFER,e.get(G).buffer))}function l(){return i.createVertexArray()}function c(P){return i.bindVertexArray(P)}function d(P){return i.deleteVertexArray(
 P)}function u(P,F,z,D){let G=D.wireframe===!0,Y=n[F.id];Y===void 0&&(Y={},n[F.id]=Y);let W=P.isInstancedMesh===!0?P.id:0,ce=Y[W];ce===void 0&&(ce={},Y[W]=ce);let K=ce[z.
 id];K===void 0&&(K={},ce[z.id]=K);let Q=K[G];return Q===void 0&&(Q=h(l()),K[G]=Q),Q}function h(P){let F=[],z=[],D=[];for(let G=0;G<t;G++)F[G]=0,z[G]=0,D[G]=0;return{
@@ -2666,7 +2666,7 @@ eMatrix"&&P.instanceMatrix&&(se=P.instanceMatrix),K==="instanceColor"&&P.instanc
 data),G[K]=de,W++}r.attributes=G,r.attributesNum=W,r.index=D}function y(){let P=r.newAttributes;for(let F=0,z=P.length;F<z;F++)P[F]=0}function p(P){g(P,0)}function g(P,F){
 let z=r.newAttributes,D=r.enabledAttributes,G=r.attributeDivisors;z[P]=1,D[P]===0&&(i.enableVertexAttribArray(P),D[P]=1),G[P]!==F&&(i.vertexAttribDivisor(P,F),G[P]=
 F)}function _(){let P=r.newAttributes,F=r.enabledAttributes;for(let z=0,D=F.length;z<D;z++)F[z]!==P[z]&&(i.disableVertexAttribArray(z),F[z]=0)}function S(P,F,z,D,G,Y,W){
-W===!0?i.vertexAttribIPointer(P,F,z,G,Y):i.vertexAttribPointer(P,F,z,D,G,Y)}function b(P,F,z,D){y();let G=D.attributes,Y=z.getAttributes(),W=F.defaultAttributeValues;
+W===!0?i.vertexAttribIPointer(P,F,z,G,Y):i.vertexAttribPointer(P,F,z,D,G,Y)}function M(P,F,z,D){y();let G=D.attributes,Y=z.getAttributes(),W=F.defaultAttributeValues;
 for(let ce in Y){let K=Y[ce];if(K.location>=0){let Q=G[ce];if(Q===void 0&&(ce==="instanceMatrix"&&P.instanceMatrix&&(Q=P.instanceMatrix),ce==="instanceColor"&&P.
 instanceColor&&(Q=P.instanceColor)),Q!==void 0){let se=Q.normalized,de=Q.itemSize,ue=e.get(Q);if(ue===void 0)continue;let ee=ue.buffer,me=ue.type,xe=ue.bytesPerElement,
 Ee=me===i.INT||me===i.UNSIGNED_INT||Q.gpuType===nc;if(Q.isInterleavedBufferAttribute){let be=Q.data,He=be.isInterleavedBuffer===!0?be.stride:be.itemSize,nt=Q.offset;
@@ -2679,32 +2679,32 @@ de*xe,de/K.locationSize*be*xe,Ee)}}else if(W!==void 0){let se=W[ce];if(se!==void
 K.location,se);break;case 4:i.vertexAttrib4fv(K.location,se);break;default:i.vertexAttrib1fv(K.location,se)}}}}_()}function C(){L();for(let P in n){let F=n[P];for(let z in F){
 let D=F[z];for(let G in D){let Y=D[G];for(let W in Y)d(Y[W].object),delete Y[W];delete D[G]}}delete n[P]}}function T(P){if(n[P.id]===void 0)return;let F=n[P.id];
 for(let z in F){let D=F[z];for(let G in D){let Y=D[G];for(let W in Y)d(Y[W].object),delete Y[W];delete D[G]}}delete n[P.id]}function x(P){for(let F in n){let z=n[F];
-for(let D in z){let G=z[D];if(G[P.id]===void 0)continue;let Y=G[P.id];for(let W in Y)d(Y[W].object),delete Y[W];delete G[P.id]}}}function M(P){for(let F in n){let z=n[F],
+for(let D in z){let G=z[D];if(G[P.id]===void 0)continue;let Y=G[P.id];for(let W in Y)d(Y[W].object),delete Y[W];delete G[P.id]}}}function b(P){for(let F in n){let z=n[F],
 D=P.isInstancedMesh===!0?P.id:0,G=z[D];if(G!==void 0){for(let Y in G){let W=G[Y];for(let ce in W)d(W[ce].object),delete W[ce];delete G[Y]}delete z[D],Object.keys(
 z).length===0&&delete n[F]}}}function L(){R(),o=!0,r!==s&&(r=s,c(r.object))}function R(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:L,resetDefaultState:R,
-dispose:C,releaseStatesOfGeometry:T,releaseStatesOfObject:M,releaseStatesOfProgram:x,initAttributes:y,enableAttribute:p,disableUnusedAttributes:_}}function yb(i,e,t){
+dispose:C,releaseStatesOfGeometry:T,releaseStatesOfObject:b,releaseStatesOfProgram:x,initAttributes:y,enableAttribute:p,disableUnusedAttributes:_}}function yb(i,e,t){
 let n;function s(l){n=l}function r(l,c){i.drawArrays(n,l,c),t.update(c,n,1)}function o(l,c,d){d!==0&&(i.drawArraysInstanced(n,l,c,d),t.update(c,n,d))}function a(l,c,d){
 if(d===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(n,l,0,c,0,d);let h=0;for(let f=0;f<d;f++)h+=c[f];t.update(h,n,1)}this.setMode=s,this.render=r,this.
 renderInstances=o,this.renderMultiDraw=a}function vb(i,e,t,n){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let x=e.
 get("EXT_texture_filter_anisotropic");s=i.getParameter(x.MAX_TEXTURE_MAX_ANISOTROPY_EXT)}else s=0;return s}function o(x){return!(x!==wi&&n.convert(x)!==i.getParameter(
-i.IMPLEMENTATION_COLOR_READ_FORMAT))}function a(x){let M=x===Si&&(e.has("EXT_color_buffer_half_float")||e.has("EXT_color_buffer_float"));return!(x!==Hn&&x!==hi&&
-!M&&n.convert(x)!==i.getParameter(i.IMPLEMENTATION_COLOR_READ_TYPE))}function l(x){if(x==="highp"){if(i.getShaderPrecisionFormat(i.VERTEX_SHADER,i.HIGH_FLOAT).precision>
+i.IMPLEMENTATION_COLOR_READ_FORMAT))}function a(x){let b=x===Si&&(e.has("EXT_color_buffer_half_float")||e.has("EXT_color_buffer_float"));return!(x!==Hn&&x!==hi&&
+!b&&n.convert(x)!==i.getParameter(i.IMPLEMENTATION_COLOR_READ_TYPE))}function l(x){if(x==="highp"){if(i.getShaderPrecisionFormat(i.VERTEX_SHADER,i.HIGH_FLOAT).precision>
 0&&i.getShaderPrecisionFormat(i.FRAGMENT_SHADER,i.HIGH_FLOAT).precision>0)return"highp";x="mediump"}return x==="mediump"&&i.getShaderPrecisionFormat(i.VERTEX_SHADER,
 i.MEDIUM_FLOAT).precision>0&&i.getShaderPrecisionFormat(i.FRAGMENT_SHADER,i.MEDIUM_FLOAT).precision>0?"mediump":"lowp"}let c=t.precision!==void 0?t.precision:"h\
 ighp",d=l(c);d!==c&&($e("WebGLRenderer:",c,"not supported, using",d,"instead."),c=d);let u=t.reversedDepthBuffer===!0&&e.has("EXT_clip_control"),h=t.logarithmicDepthBuffer===
 !0&&u===!1;t.reversedDepthBuffer===!0&&u===!1&&$e("WebGLRenderer: Unable to use reversed depth buffer due to missing EXT_clip_control extension. Fallback to def\
 ault depth buffer."),t.logarithmicDepthBuffer===!0&&u===!0&&$e("WebGLRenderer: Logarithmic depth buffer is ignored when reversed depth buffer is enabled.");let f=i.
 getParameter(i.MAX_TEXTURE_IMAGE_UNITS),m=i.getParameter(i.MAX_VERTEX_TEXTURE_IMAGE_UNITS),y=i.getParameter(i.MAX_TEXTURE_SIZE),p=i.getParameter(i.MAX_CUBE_MAP_TEXTURE_SIZE),
-g=i.getParameter(i.MAX_VERTEX_ATTRIBS),_=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),S=i.getParameter(i.MAX_VARYING_VECTORS),b=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),
+g=i.getParameter(i.MAX_VERTEX_ATTRIBS),_=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),S=i.getParameter(i.MAX_VARYING_VECTORS),M=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),
 C=i.getParameter(i.MAX_SAMPLES),T=i.getParameter(i.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:l,textureFormatReadable:o,textureTypeReadable:a,
 precision:c,logarithmicDepthBuffer:h,reversedDepthBuffer:u,maxTextures:f,maxVertexTextures:m,maxTextureSize:y,maxCubemapSize:p,maxAttributes:g,maxVertexUniforms:_,
-maxVaryings:S,maxFragmentUniforms:b,maxSamples:C,samples:T}}function Mb(i){let e=this,t=null,n=0,s=!1,r=!1,o=new ei,a=new Qe,l={value:null,needsUpdate:!1};this.
+maxVaryings:S,maxFragmentUniforms:M,maxSamples:C,samples:T}}function Mb(i){let e=this,t=null,n=0,s=!1,r=!1,o=new ei,a=new Qe,l={value:null,needsUpdate:!1};this.
 uniform=l,this.numPlanes=0,this.numIntersection=0,this.init=function(u,h){let f=u.length!==0||h||n!==0||s;return s=h,n=u.length,f},this.beginShadows=function(){
 r=!0,d(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(u,h){t=d(u,h,0)},this.setState=function(u,h,f){let m=u.clippingPlanes,y=u.clipIntersection,
-p=u.clipShadows,g=i.get(u);if(!s||m===null||m.length===0||r&&!p)r?d(null):c();else{let _=r?0:n,S=_*4,b=g.clippingState||null;l.value=b,b=d(m,h,S,f);for(let C=0;C!==
-S;++C)b[C]=t[C];g.clippingState=b,this.numIntersection=y?this.numPlanes:0,this.numPlanes+=_}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=n>0),e.numPlanes=
+p=u.clipShadows,g=i.get(u);if(!s||m===null||m.length===0||r&&!p)r?d(null):c();else{let _=r?0:n,S=_*4,M=g.clippingState||null;l.value=M,M=d(m,h,S,f);for(let C=0;C!==
+S;++C)M[C]=t[C];g.clippingState=M,this.numIntersection=y?this.numPlanes:0,this.numPlanes+=_}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=n>0),e.numPlanes=
 n,e.numIntersection=0}function d(u,h,f,m){let y=u!==null?u.length:0,p=null;if(y!==0){if(p=l.value,m!==!0||p===null){let g=f+y*4,_=h.matrixWorldInverse;a.getNormalMatrix(
-_),(p===null||p.length<g)&&(p=new Float32Array(g));for(let S=0,b=f;S!==y;++S,b+=4)o.copy(u[S]).applyMatrix4(_,a),o.normal.toArray(p,b),p[b+3]=o.constant}l.value=
+_),(p===null||p.length<g)&&(p=new Float32Array(g));for(let S=0,M=f;S!==y;++S,M+=4)o.copy(u[S]).applyMatrix4(_,a),o.normal.toArray(p,M),p[M+3]=o.constant}l.value=
 p,l.needsUpdate=!0}return e.numPlanes=y,e.numIntersection=0,p}}var Ma=class extends ti{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let n={
 width:e,height:e,depth:1},s=[n,n,n,n,n,n];this.texture=new $o(s),this._setTextureOptions(t),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(e,t){
 this.texture.type=t.type,this.texture.colorSpace=t.colorSpace,this.texture.generateMipmaps=t.generateMipmaps,this.texture.minFilter=t.minFilter,this.texture.magFilter=
@@ -2801,9 +2801,9 @@ m.index!==null&&e.remove(m.index);for(let p in m.attributes)e.remove(m.attribute
 get(m);y&&(e.remove(y),r.delete(m)),n.releaseStatesOfGeometry(m),m.isInstancedBufferGeometry===!0&&delete m._maxInstanceCount,t.memory.geometries--}function c(m,y){
 return s[y.id]!==void 0||(y.addEventListener("dispose",a),s[y.id]=new WeakRef(y),o.register(y,y.id,y),t.memory.geometries++),y}function d(m){let y=m.attributes;
 for(let p in y)e.update(y[p],i.ARRAY_BUFFER)}function u(m){let y=m.index,p=m.attributes.position,g=0;if(p===void 0)return;let _=y!==null?y.array.length:p.array.
-length/3-1,S=p.count>=65535?Wo:Ho,b=new S(Math.ceil(_/3)*6,1),C=b.array;if(y!==null){let x=y.array;g=y.version;for(let M=0,L=0;M<_;M+=3){let R=x[M+0],P=x[M+1],F=x[M+
-2];C[L++]=R,C[L++]=P,C[L++]=P,C[L++]=F,C[L++]=F,C[L++]=R}}else{g=p.version;for(let x=0,M=0;x<_;x+=3){let L=x+0,R=x+1,P=x+2;C[M++]=L,C[M++]=R,C[M++]=R,C[M++]=P,C[M++]=
-P,C[M++]=L}}b.version=g;let T=r.get(m);T&&e.remove(T),r.set(m,b)}function h(m){let y=r.get(m);if(y){let p=m.index;p!==null&&y.version<p.version&&u(m)}else u(m);
+length/3-1,S=p.count>=65535?Wo:Ho,M=new S(Math.ceil(_/3)*6,1),C=M.array;if(y!==null){let x=y.array;g=y.version;for(let b=0,L=0;b<_;b+=3){let R=x[b+0],P=x[b+1],F=x[b+
+2];C[L++]=R,C[L++]=P,C[L++]=P,C[L++]=F,C[L++]=F,C[L++]=R}}else{g=p.version;for(let x=0,b=0;x<_;x+=3){let L=x+0,R=x+1,P=x+2;C[b++]=L,C[b++]=R,C[b++]=R,C[b++]=P,C[b++]=
+P,C[b++]=L}}M.version=g;let T=r.get(m);T&&e.remove(T),r.set(m,M)}function h(m){let y=r.get(m);if(y){let p=m.index;p!==null&&y.version<p.version&&u(m)}else u(m);
 return r.get(m)}function f(){for(let m in s){let y=s[m].deref();y!==void 0&&l(y)}}return{get:c,update:d,getWireframeAttribute:h,dispose:f}}function Nb(i,e,t){let n;
 function s(u){n=u}let r,o;function a(u){r=u.type,o=u.bytesPerElement}function l(u,h){i.drawElements(n,h,r,u*o),t.update(h,n,1)}function c(u,h,f){f!==0&&(i.drawElementsInstanced(
 n,h,r,u*o,f),t.update(h,n,f))}function d(u,h,f){if(f===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(n,h,0,r,u,0,f);let y=0;for(let p=0;p<f;p++)y+=h[p];
@@ -2814,11 +2814,11 @@ t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:n
 function r(o,a,l){let c=o.morphTargetInfluences,d=a.morphAttributes.position||a.morphAttributes.normal||a.morphAttributes.color,u=d!==void 0?d.length:0,h=n.get(
 a);if(h===void 0||h.count!==u){let L=function(){x.dispose(),n.delete(a),a.removeEventListener("dispose",L)};h!==void 0&&h.texture.dispose();let f=a.morphAttributes.
 position!==void 0,m=a.morphAttributes.normal!==void 0,y=a.morphAttributes.color!==void 0,p=a.morphAttributes.position||[],g=a.morphAttributes.normal||[],_=a.morphAttributes.
-color||[],S=0;f===!0&&(S=1),m===!0&&(S=2),y===!0&&(S=3);let b=a.attributes.position.count*S,C=1;b>e.maxTextureSize&&(C=Math.ceil(b/e.maxTextureSize),b=e.maxTextureSize);
-let T=new Float32Array(b*C*4*u),x=new Vo(T,b,C,u);x.type=hi,x.needsUpdate=!0;let M=S*4;for(let R=0;R<u;R++){let P=p[R],F=g[R],z=_[R],D=b*C*4*R;for(let G=0;G<P.count;G++){
-let Y=G*M;f===!0&&(s.fromBufferAttribute(P,G),T[D+Y+0]=s.x,T[D+Y+1]=s.y,T[D+Y+2]=s.z,T[D+Y+3]=0),m===!0&&(s.fromBufferAttribute(F,G),T[D+Y+4]=s.x,T[D+Y+5]=s.y,T[D+
+color||[],S=0;f===!0&&(S=1),m===!0&&(S=2),y===!0&&(S=3);let M=a.attributes.position.count*S,C=1;M>e.maxTextureSize&&(C=Math.ceil(M/e.maxTextureSize),M=e.maxTextureSize);
+let T=new Float32Array(M*C*4*u),x=new Vo(T,M,C,u);x.type=hi,x.needsUpdate=!0;let b=S*4;for(let R=0;R<u;R++){let P=p[R],F=g[R],z=_[R],D=M*C*4*R;for(let G=0;G<P.count;G++){
+let Y=G*b;f===!0&&(s.fromBufferAttribute(P,G),T[D+Y+0]=s.x,T[D+Y+1]=s.y,T[D+Y+2]=s.z,T[D+Y+3]=0),m===!0&&(s.fromBufferAttribute(F,G),T[D+Y+4]=s.x,T[D+Y+5]=s.y,T[D+
 Y+6]=s.z,T[D+Y+7]=0),y===!0&&(s.fromBufferAttribute(z,G),T[D+Y+8]=s.x,T[D+Y+9]=s.y,T[D+Y+10]=s.z,T[D+Y+11]=z.itemSize===4?s.w:1)}}h={count:u,texture:x,size:new st(
-b,C)},n.set(a,h),a.addEventListener("dispose",L)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)l.getUniforms().setValue(i,"morphTexture",o.morphTexture,t);else{
+M,C)},n.set(a,h),a.addEventListener("dispose",L)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)l.getUniforms().setValue(i,"morphTexture",o.morphTexture,t);else{
 let f=0;for(let y=0;y<c.length;y++)f+=c[y];let m=a.morphTargetsRelative?1:1-f;l.getUniforms().setValue(i,"morphTargetBaseInfluence",m),l.getUniforms().setValue(
 i,"morphTargetInfluences",c)}l.getUniforms().setValue(i,"morphTargetsTexture",h.texture,t),l.getUniforms().setValue(i,"morphTargetsTextureSize",h.size)}return{update:r}}
 function Fb(i,e,t,n,s){let r=new WeakMap;function o(c){let d=s.render.frame,u=c.geometry,h=e.get(c,u);if(r.get(h)!==d&&(e.update(h),r.set(h,d)),c.isInstancedMesh&&
@@ -2837,15 +2837,15 @@ v );\n\n    #ifdef LINEAR_TONE_MAPPING\n     gl_FragColor.rgb = LinearToneMappin
 f defined( ACES_FILMIC_TONE_MAPPING )\n     gl_FragColor.rgb = ACESFilmicToneMapping( gl_FragColor.rgb );\n    #elif defined( AGX_TONE_MAPPING )\n     gl_FragColor\
 .rgb = AgXToneMapping( gl_FragColor.rgb );\n    #elif defined( NEUTRAL_TONE_MAPPING )\n     gl_FragColor.rgb = NeutralToneMapping( gl_FragColor.rgb );\n    #elif d\
 efined( CUSTOM_TONE_MAPPING )\n     gl_FragColor.rgb = CustomToneMapping( gl_FragColor.rgb );\n    #endif\n\n    #ifdef SRGB_TRANSFER\n     gl_FragColor = sRGBTransf\
-erOETF( gl_FragColor );\n    #endif\n   }",depthTest:!1,depthWrite:!1}),h=new ci(d,u),f=new oa(-1,1,1,-1,0,1),m=null,y=null,p=!1,g,_=null,S=[],b=!1;this.setSize=
-function(C,T){o.setSize(C,T),a!==null&&a.setSize(C,T),l!==null&&l.setSize(C,T);for(let x=0;x<S.length;x++){let M=S[x];M.setSize&&M.setSize(C,T)}},this.setEffects=
-function(C){S=C,b=S.length>0&&S[0].isRenderPass===!0;let T=o.width,x=o.height;S.length>0&&a===null&&(a=new ti(T,x,{type:Si,depthBuffer:!1,stencilBuffer:!1}),l=new ti(
-T,x,{type:Si,depthBuffer:!1,stencilBuffer:!1}));let M=s===!0&&S.some(L=>L.needsDepthTexture===!0);M!==(o.depthTexture!==null)&&(M===!0&&c===null&&(c=new cs(T,x),
-r===!0&&(c.format=us,c.type=nr)),o.dispose(),o.depthTexture=M?c:null,o.resolveDepthBuffer=M,o.storeMultisampledDepthBuffer=M);for(let L=0;L<S.length;L++){let R=S[L];
-R.setSize&&R.setSize(T,x),M&&R.needsDepthTexture===!0&&R.setDepthTexture&&R.setDepthTexture(c)}},this.begin=function(C,T){if(p||C.toneMapping===Vi&&S.length===0)
-return!1;if(_=T,T!==null){let x=T.width,M=T.height;(o.width!==x||o.height!==M)&&this.setSize(x,M)}return b===!1&&C.setRenderTarget(o),g=C.toneMapping,C.toneMapping=
-Vi,!0},this.hasRenderPass=function(){return b},this.end=function(C,T){C.toneMapping=g,p=!0;let x=o,M=a;for(let L=0;L<S.length;L++){let R=S[L];R.enabled!==!1&&(R.
-render(C,M,x,T),R.needsSwap!==!1&&(x=M,M=M===a?l:a))}if(m!==C.outputColorSpace||y!==C.toneMapping){m=C.outputColorSpace,y=C.toneMapping,u.defines={},_t.getTransfer(
+erOETF( gl_FragColor );\n    #endif\n   }",depthTest:!1,depthWrite:!1}),h=new ci(d,u),f=new oa(-1,1,1,-1,0,1),m=null,y=null,p=!1,g,_=null,S=[],M=!1;this.setSize=
+function(C,T){o.setSize(C,T),a!==null&&a.setSize(C,T),l!==null&&l.setSize(C,T);for(let x=0;x<S.length;x++){let b=S[x];b.setSize&&b.setSize(C,T)}},this.setEffects=
+function(C){S=C,M=S.length>0&&S[0].isRenderPass===!0;let T=o.width,x=o.height;S.length>0&&a===null&&(a=new ti(T,x,{type:Si,depthBuffer:!1,stencilBuffer:!1}),l=new ti(
+T,x,{type:Si,depthBuffer:!1,stencilBuffer:!1}));let b=s===!0&&S.some(L=>L.needsDepthTexture===!0);b!==(o.depthTexture!==null)&&(b===!0&&c===null&&(c=new cs(T,x),
+r===!0&&(c.format=us,c.type=nr)),o.dispose(),o.depthTexture=b?c:null,o.resolveDepthBuffer=b,o.storeMultisampledDepthBuffer=b);for(let L=0;L<S.length;L++){let R=S[L];
+R.setSize&&R.setSize(T,x),b&&R.needsDepthTexture===!0&&R.setDepthTexture&&R.setDepthTexture(c)}},this.begin=function(C,T){if(p||C.toneMapping===Vi&&S.length===0)
+return!1;if(_=T,T!==null){let x=T.width,b=T.height;(o.width!==x||o.height!==b)&&this.setSize(x,b)}return M===!1&&C.setRenderTarget(o),g=C.toneMapping,C.toneMapping=
+Vi,!0},this.hasRenderPass=function(){return M},this.end=function(C,T){C.toneMapping=g,p=!0;let x=o,b=a;for(let L=0;L<S.length;L++){let R=S[L];R.enabled!==!1&&(R.
+render(C,b,x,T),R.needsSwap!==!1&&(x=b,b=b===a?l:a))}if(m!==C.outputColorSpace||y!==C.toneMapping){m=C.outputColorSpace,y=C.toneMapping,u.defines={},_t.getTransfer(
 m)===At&&(u.defines.SRGB_TRANSFER="");let L=Ob[y];L&&(u.defines[L]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=x.texture,C.setRenderTarget(_),C.render(h,f),_=
 null,p=!1},this.isCompositing=function(){return p},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),d.dispose(),u.dispose()}}var Tg=new Gn,
 Ag=new cs(1,1),Eg=new Yo(1),Cg=new Vo,Rg=new Il,Pg=new $o,sg=[],rg=[],og=new Float32Array(16),ag=new Float32Array(9),lg=new Float32Array(4);function lo(i,e,t){let n=i[0];
@@ -2995,16 +2995,16 @@ mg(a),t.isRawShaderMaterial!==!0&&(g="#version 300 es\n",y=[h,"#define attribute
 efine varying in",t.glslVersion===Ju?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===Ju?"":"#define gl_FragColor pc_fragColor","#define g\
 l_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod",
 "#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEXT textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT texture\
-ProjGrad","#define textureCubeGradEXT textureGrad"].join("\n")+"\n"+p);let _=g+y+o,S=g+p+a,b=hg(s,s.VERTEX_SHADER,_),C=hg(s,s.FRAGMENT_SHADER,S);s.attachShader(
-m,b),s.attachShader(m,C),t.index0AttributeName!==void 0?s.bindAttribLocation(m,0,t.index0AttributeName):t.hasPositionAttribute===!0&&s.bindAttribLocation(m,0,"p\
-osition"),s.linkProgram(m);function T(R){if(i.debug.checkShaderErrors){let P=s.getProgramInfoLog(m)||"",F=s.getShaderInfoLog(b)||"",z=s.getShaderInfoLog(C)||"",
+ProjGrad","#define textureCubeGradEXT textureGrad"].join("\n")+"\n"+p);let _=g+y+o,S=g+p+a,M=hg(s,s.VERTEX_SHADER,_),C=hg(s,s.FRAGMENT_SHADER,S);s.attachShader(
+m,M),s.attachShader(m,C),t.index0AttributeName!==void 0?s.bindAttribLocation(m,0,t.index0AttributeName):t.hasPositionAttribute===!0&&s.bindAttribLocation(m,0,"p\
+osition"),s.linkProgram(m);function T(R){if(i.debug.checkShaderErrors){let P=s.getProgramInfoLog(m)||"",F=s.getShaderInfoLog(M)||"",z=s.getShaderInfoLog(C)||"",
 D=P.trim(),G=F.trim(),Y=z.trim(),W=!0,ce=!0;if(s.getProgramParameter(m,s.LINK_STATUS)===!1)if(W=!1,typeof i.debug.onShaderError=="function")i.debug.onShaderError(
-s,m,b,C);else{let K=dg(s,b,"vertex"),Q=dg(s,C,"fragment");Ke("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(m,s.VALIDATE_STATUS)+
+s,m,M,C);else{let K=dg(s,M,"vertex"),Q=dg(s,C,"fragment");Ke("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(m,s.VALIDATE_STATUS)+
 "\n\nMaterial Name: "+R.name+"\nMaterial Type: "+R.type+"\n\nProgram Info Log: "+D+"\n"+K+"\n"+Q)}else D!==""?$e("WebGLProgram: Program Info Log:",D):(G===""||Y===
-"")&&(ce=!1);ce&&(R.diagnostics={runnable:W,programLog:D,vertexShader:{log:G,prefix:y},fragmentShader:{log:Y,prefix:p}})}s.deleteShader(b),s.deleteShader(C),x=new ao(
-s,m),M=FS(s,m)}let x;this.getUniforms=function(){return x===void 0&&T(this),x};let M;this.getAttributes=function(){return M===void 0&&T(this),M};let L=t.rendererExtensionParallelShaderCompile===
+"")&&(ce=!1);ce&&(R.diagnostics={runnable:W,programLog:D,vertexShader:{log:G,prefix:y},fragmentShader:{log:Y,prefix:p}})}s.deleteShader(M),s.deleteShader(C),x=new ao(
+s,m),b=FS(s,m)}let x;this.getUniforms=function(){return x===void 0&&T(this),x};let b;this.getAttributes=function(){return b===void 0&&T(this),b};let L=t.rendererExtensionParallelShaderCompile===
 !1;return this.isReady=function(){return L===!1&&(L=s.getProgramParameter(m,AS)),L},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(m),this.
-program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=ES++,this.cacheKey=e,this.usedTimes=1,this.program=m,this.vertexShader=b,this.fragmentShader=
+program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=ES++,this.cacheKey=e,this.usedTimes=1,this.program=m,this.vertexShader=M,this.fragmentShader=
 C,this}var YS=0,cd=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,n){let s=this._getShaderCacheForMaterial(e);return s.has(t)===
 !1&&(s.add(t),t.usedTimes++),s.has(n)===!1&&(s.add(n),n.usedTimes++),this}remove(e){let t=this.materialCache.get(e);for(let n of t)n.usedTimes--,n.usedTimes===0&&
 this.shaderCache.delete(n.code);return this.materialCache.delete(e),this}getVertexShaderStage(e){return this._getShaderStage(e.vertexShader)}getFragmentShaderStage(e){
@@ -3014,7 +3014,7 @@ this.id=YS++,this.code=e,this.usedTimes=0}};function ZS(i){return i===Us||i===ga
 u=n.logarithmicDepthBuffer,h={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distance",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"\
 lambert",MeshPhongMaterial:"phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"\
 basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function f(x){return l.add(x),x===0?"uv":"uv".concat(
-x)}function m(x,M,L,R,P,F){let z=R.fog,D=P.geometry,G=x.isMeshStandardMaterial||x.isMeshLambertMaterial||x.isMeshPhongMaterial?R.environment:null,Y=x.isMeshStandardMaterial||
+x)}function m(x,b,L,R,P,F){let z=R.fog,D=P.geometry,G=x.isMeshStandardMaterial||x.isMeshLambertMaterial||x.isMeshPhongMaterial?R.environment:null,Y=x.isMeshStandardMaterial||
 x.isMeshLambertMaterial&&!x.envMap||x.isMeshPhongMaterial&&!x.envMap,W=e.get(x.envMap||G,Y),ce=h[x.type],K=n.precision;x.precision!==null&&(K=n.getMaxPrecision(
 x.precision),K!==x.precision&&$e("WebGLProgram.getParameters:",x.precision,"not supported, using",K,"instead."));let Q=D.morphAttributes.position||D.morphAttributes.
 normal||D.morphAttributes.color,se=Q!==void 0?Q.length:0,de=0;D.morphAttributes.position!==void 0&&(de=1),D.morphAttributes.normal!==void 0&&(de=2),D.morphAttributes.
@@ -3046,39 +3046,39 @@ attributes.normal,vertexColors:x.vertexColors,vertexAlphas:x.vertexColors===!0&&
 !!D.attributes.uv&&(Ve||ge),fog:!!z,useFog:x.fog===!0,fogExp2:!!z&&z.isFogExp2,flatShading:x.wireframe===!1&&(x.flatShading===!0||D.attributes.normal===void 0&&
 Pt===!1&&(x.isMeshLambertMaterial||x.isMeshPhongMaterial||x.isMeshStandardMaterial||x.isMeshPhysicalMaterial)),sizeAttenuation:x.sizeAttenuation===!0,logarithmicDepthBuffer:u,
 reversedDepthBuffer:be,skinning:P.isSkinnedMesh===!0,hasPositionAttribute:D.attributes.position!==void 0,morphTargets:D.morphAttributes.position!==void 0,morphNormals:D.
-morphAttributes.normal!==void 0,morphColors:D.morphAttributes.color!==void 0,morphTargetsCount:se,morphTextureStride:de,numSunLights:M.sun.length,numDirLights:M.
-directional.length,numPointLights:M.point.length,numSpotLights:M.spot.length,numSpotLightMaps:M.spotLightMap.length,numRectAreaLights:M.rectArea.length,numHemiLights:M.
-hemi.length,numSunLightShadows:M.sunShadowMap.length,numDirLightShadows:M.directionalShadowMap.length,numPointLightShadows:M.pointShadowMap.length,numSpotLightShadows:M.
-spotShadowMap.length,numSpotLightShadowsWithMaps:M.numSpotLightShadowsWithMaps,numLightProbes:M.numLightProbes,numLightProbeGrids:F.filter(Ce=>Ce.texture!==null).
+morphAttributes.normal!==void 0,morphColors:D.morphAttributes.color!==void 0,morphTargetsCount:se,morphTextureStride:de,numSunLights:b.sun.length,numDirLights:b.
+directional.length,numPointLights:b.point.length,numSpotLights:b.spot.length,numSpotLightMaps:b.spotLightMap.length,numRectAreaLights:b.rectArea.length,numHemiLights:b.
+hemi.length,numSunLightShadows:b.sunShadowMap.length,numDirLightShadows:b.directionalShadowMap.length,numPointLightShadows:b.pointShadowMap.length,numSpotLightShadows:b.
+spotShadowMap.length,numSpotLightShadowsWithMaps:b.numSpotLightShadowsWithMaps,numLightProbes:b.numLightProbes,numLightProbeGrids:F.filter(Ce=>Ce.texture!==null).
 length,numClippingPlanes:r.numPlanes,numClipIntersection:r.numIntersection,dithering:x.dithering,shadowMapEnabled:i.shadowMap.enabled&&L.length>0,shadowMapType:i.
 shadowMap.type,toneMapping:le,decodeVideoTexture:Ve&&x.map.isVideoTexture===!0&&_t.getTransfer(x.map.colorSpace)===At,decodeVideoTextureEmissive:vt&&x.emissiveMap.
 isVideoTexture===!0&&_t.getTransfer(x.emissiveMap.colorSpace)===At,premultipliedAlpha:x.premultipliedAlpha,doubleSided:x.side===zi,flipSided:x.side===kn,useDepthPacking:x.
 depthPacking>=0,depthPacking:x.depthPacking||0,index0AttributeName:x.index0AttributeName,extensionClipCullDistance:Ze&&x.extensions.clipCullDistance===!0&&t.has(
 "WEBGL_clip_cull_distance"),extensionMultiDraw:(Ze&&x.extensions.multiDraw===!0||nt)&&t.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:t.has("KH\
 R_parallel_shader_compile"),customProgramCacheKey:x.customProgramCacheKey()};return Je.vertexUv1s=l.has(1),Je.vertexUv2s=l.has(2),Je.vertexUv3s=l.has(3),l.clear(),
-Je}function y(x){let M=[];if(x.shaderID?M.push(x.shaderID):(M.push(x.customVertexShaderID),M.push(x.customFragmentShaderID)),x.defines!==void 0)for(let L in x.defines)
-M.push(L),M.push(x.defines[L]);return x.isRawShaderMaterial===!1&&(p(M,x),g(M,x),M.push(i.outputColorSpace)),M.push(x.customProgramCacheKey),M.join()}function p(x,M){
-x.push(M.precision),x.push(M.outputColorSpace),x.push(M.envMapMode),x.push(M.envMapPMREM),x.push(M.envMapMaxLod),x.push(M.envMapSize),x.push(M.mapUv),x.push(M.alphaMapUv),
-x.push(M.lightMapUv),x.push(M.aoMapUv),x.push(M.bumpMapUv),x.push(M.normalMapUv),x.push(M.displacementMapUv),x.push(M.emissiveMapUv),x.push(M.metalnessMapUv),x.
-push(M.roughnessMapUv),x.push(M.anisotropyMapUv),x.push(M.clearcoatMapUv),x.push(M.clearcoatNormalMapUv),x.push(M.clearcoatRoughnessMapUv),x.push(M.diffuseRoughnessMapUv),
-x.push(M.iridescenceMapUv),x.push(M.iridescenceThicknessMapUv),x.push(M.sheenColorMapUv),x.push(M.sheenRoughnessMapUv),x.push(M.specularMapUv),x.push(M.specularColorMapUv),
-x.push(M.specularIntensityMapUv),x.push(M.transmissionMapUv),x.push(M.thicknessMapUv),x.push(M.combine),x.push(M.fogExp2),x.push(M.sizeAttenuation),x.push(M.morphTargetsCount),
-x.push(M.numSunLights),x.push(M.numDirLights),x.push(M.numPointLights),x.push(M.numSpotLights),x.push(M.numSpotLightMaps),x.push(M.numHemiLights),x.push(M.numRectAreaLights),
-x.push(M.numSunLightShadows),x.push(M.numDirLightShadows),x.push(M.numPointLightShadows),x.push(M.numSpotLightShadows),x.push(M.numSpotLightShadowsWithMaps),x.push(
-M.numLightProbes),x.push(M.numLightProbeGrids),x.push(M.shadowMapType),x.push(M.toneMapping),x.push(M.numClippingPlanes),x.push(M.numClipIntersection),x.push(M.
-depthPacking)}function g(x,M){o.disableAll(),M.instancing&&o.enable(0),M.instancingColor&&o.enable(1),M.instancingMorph&&o.enable(2),M.matcap&&o.enable(3),M.envMap&&
-o.enable(4),M.normalMapObjectSpace&&o.enable(5),M.normalMapTangentSpace&&o.enable(6),M.clearcoat&&o.enable(7),M.iridescence&&o.enable(8),M.alphaTest&&o.enable(9),
-M.vertexColors&&o.enable(10),M.vertexAlphas&&o.enable(11),M.vertexUv1s&&o.enable(12),M.vertexUv2s&&o.enable(13),M.vertexUv3s&&o.enable(14),M.vertexTangents&&o.enable(
-15),M.anisotropy&&o.enable(16),M.alphaHash&&o.enable(17),M.batching&&o.enable(18),M.dispersion&&o.enable(19),M.retroreflection&&o.enable(24),M.diffuseRoughness&&
-o.enable(25),M.batchingColor&&o.enable(20),M.gradientMap&&o.enable(21),M.packedNormalMap&&o.enable(22),M.vertexNormals&&o.enable(23),x.push(o.mask),o.disableAll(),
-M.fog&&o.enable(0),M.useFog&&o.enable(1),M.flatShading&&o.enable(2),M.logarithmicDepthBuffer&&o.enable(3),M.reversedDepthBuffer&&o.enable(4),M.skinning&&o.enable(
-5),M.morphTargets&&o.enable(6),M.morphNormals&&o.enable(7),M.morphColors&&o.enable(8),M.premultipliedAlpha&&o.enable(9),M.shadowMapEnabled&&o.enable(10),M.doubleSided&&
-o.enable(11),M.flipSided&&o.enable(12),M.useDepthPacking&&o.enable(13),M.dithering&&o.enable(14),M.transmission&&o.enable(15),M.sheen&&o.enable(16),M.opaque&&o.
-enable(17),M.pointsUvs&&o.enable(18),M.decodeVideoTexture&&o.enable(19),M.decodeVideoTextureEmissive&&o.enable(20),M.alphaToCoverage&&o.enable(21),M.numLightProbeGrids>
-0&&o.enable(22),M.hasPositionAttribute&&o.enable(23),x.push(o.mask)}function _(x){let M=h[x.type],L;if(M){let R=Hi[M];L=Km.clone(R.uniforms)}else L=x.uniforms;return L}
-function S(x,M){let L=d.get(M);return L!==void 0?++L.usedTimes:(L=new $S(i,M,x,s),c.push(L),d.set(M,L)),L}function b(x){if(--x.usedTimes===0){let M=c.indexOf(x);
-c[M]=c[c.length-1],c.pop(),d.delete(x.cacheKey),x.destroy()}}function C(x){a.remove(x)}function T(){a.dispose()}return{getParameters:m,getProgramCacheKey:y,getUniforms:_,
-acquireProgram:S,releaseProgram:b,releaseShaderCache:C,programs:c,dispose:T}}function KS(){let i=new WeakMap;function e(o){return i.has(o)}function t(o){let a=i.
+Je}function y(x){let b=[];if(x.shaderID?b.push(x.shaderID):(b.push(x.customVertexShaderID),b.push(x.customFragmentShaderID)),x.defines!==void 0)for(let L in x.defines)
+b.push(L),b.push(x.defines[L]);return x.isRawShaderMaterial===!1&&(p(b,x),g(b,x),b.push(i.outputColorSpace)),b.push(x.customProgramCacheKey),b.join()}function p(x,b){
+x.push(b.precision),x.push(b.outputColorSpace),x.push(b.envMapMode),x.push(b.envMapPMREM),x.push(b.envMapMaxLod),x.push(b.envMapSize),x.push(b.mapUv),x.push(b.alphaMapUv),
+x.push(b.lightMapUv),x.push(b.aoMapUv),x.push(b.bumpMapUv),x.push(b.normalMapUv),x.push(b.displacementMapUv),x.push(b.emissiveMapUv),x.push(b.metalnessMapUv),x.
+push(b.roughnessMapUv),x.push(b.anisotropyMapUv),x.push(b.clearcoatMapUv),x.push(b.clearcoatNormalMapUv),x.push(b.clearcoatRoughnessMapUv),x.push(b.diffuseRoughnessMapUv),
+x.push(b.iridescenceMapUv),x.push(b.iridescenceThicknessMapUv),x.push(b.sheenColorMapUv),x.push(b.sheenRoughnessMapUv),x.push(b.specularMapUv),x.push(b.specularColorMapUv),
+x.push(b.specularIntensityMapUv),x.push(b.transmissionMapUv),x.push(b.thicknessMapUv),x.push(b.combine),x.push(b.fogExp2),x.push(b.sizeAttenuation),x.push(b.morphTargetsCount),
+x.push(b.numSunLights),x.push(b.numDirLights),x.push(b.numPointLights),x.push(b.numSpotLights),x.push(b.numSpotLightMaps),x.push(b.numHemiLights),x.push(b.numRectAreaLights),
+x.push(b.numSunLightShadows),x.push(b.numDirLightShadows),x.push(b.numPointLightShadows),x.push(b.numSpotLightShadows),x.push(b.numSpotLightShadowsWithMaps),x.push(
+b.numLightProbes),x.push(b.numLightProbeGrids),x.push(b.shadowMapType),x.push(b.toneMapping),x.push(b.numClippingPlanes),x.push(b.numClipIntersection),x.push(b.
+depthPacking)}function g(x,b){o.disableAll(),b.instancing&&o.enable(0),b.instancingColor&&o.enable(1),b.instancingMorph&&o.enable(2),b.matcap&&o.enable(3),b.envMap&&
+o.enable(4),b.normalMapObjectSpace&&o.enable(5),b.normalMapTangentSpace&&o.enable(6),b.clearcoat&&o.enable(7),b.iridescence&&o.enable(8),b.alphaTest&&o.enable(9),
+b.vertexColors&&o.enable(10),b.vertexAlphas&&o.enable(11),b.vertexUv1s&&o.enable(12),b.vertexUv2s&&o.enable(13),b.vertexUv3s&&o.enable(14),b.vertexTangents&&o.enable(
+15),b.anisotropy&&o.enable(16),b.alphaHash&&o.enable(17),b.batching&&o.enable(18),b.dispersion&&o.enable(19),b.retroreflection&&o.enable(24),b.diffuseRoughness&&
+o.enable(25),b.batchingColor&&o.enable(20),b.gradientMap&&o.enable(21),b.packedNormalMap&&o.enable(22),b.vertexNormals&&o.enable(23),x.push(o.mask),o.disableAll(),
+b.fog&&o.enable(0),b.useFog&&o.enable(1),b.flatShading&&o.enable(2),b.logarithmicDepthBuffer&&o.enable(3),b.reversedDepthBuffer&&o.enable(4),b.skinning&&o.enable(
+5),b.morphTargets&&o.enable(6),b.morphNormals&&o.enable(7),b.morphColors&&o.enable(8),b.premultipliedAlpha&&o.enable(9),b.shadowMapEnabled&&o.enable(10),b.doubleSided&&
+o.enable(11),b.flipSided&&o.enable(12),b.useDepthPacking&&o.enable(13),b.dithering&&o.enable(14),b.transmission&&o.enable(15),b.sheen&&o.enable(16),b.opaque&&o.
+enable(17),b.pointsUvs&&o.enable(18),b.decodeVideoTexture&&o.enable(19),b.decodeVideoTextureEmissive&&o.enable(20),b.alphaToCoverage&&o.enable(21),b.numLightProbeGrids>
+0&&o.enable(22),b.hasPositionAttribute&&o.enable(23),x.push(o.mask)}function _(x){let b=h[x.type],L;if(b){let R=Hi[b];L=Km.clone(R.uniforms)}else L=x.uniforms;return L}
+function S(x,b){let L=d.get(b);return L!==void 0?++L.usedTimes:(L=new $S(i,b,x,s),c.push(L),d.set(b,L)),L}function M(x){if(--x.usedTimes===0){let b=c.indexOf(x);
+c[b]=c[c.length-1],c.pop(),d.delete(x.cacheKey),x.destroy()}}function C(x){a.remove(x)}function T(){a.dispose()}return{getParameters:m,getProgramCacheKey:y,getUniforms:_,
+acquireProgram:S,releaseProgram:M,releaseShaderCache:C,programs:c,dispose:T}}function KS(){let i=new WeakMap;function e(o){return i.has(o)}function t(o){let a=i.
 get(o);return a===void 0&&(a={},i.set(o,a)),a}function n(o){i.delete(o)}function s(o,a,l){i.get(o)[a]=l}function r(){i=new WeakMap}return{has:e,get:t,remove:n,update:s,
 dispose:r}}function jS(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.material.id!==
 e.material.id?i.material.id-e.material.id:i.materialVariant!==e.materialVariant?i.materialVariant-e.materialVariant:i.z!==e.z?i.z-e.z:i.id-e.id}function _g(i,e){
@@ -3102,7 +3102,7 @@ directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-
 numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],sun:[],sunShadow:[],sunShadowMap:[],sunShadowMatrix:[],sunShadowCascade:[],directional:[],directionalShadow:[],
 directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,
 point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let c=0;c<9;c++)n.probe.push(new V);let s=new V,
-r=new xt,o=new xt;function a(c){let d=0,u=0,h=0;for(let F=0;F<9;F++)n.probe[F].set(0,0,0);let f=0,m=0,y=0,p=0,g=0,_=0,S=0,b=0,C=0,T=0,x=0,M=0,L=0,R=0;c.sort(iw);
+r=new xt,o=new xt;function a(c){let d=0,u=0,h=0;for(let F=0;F<9;F++)n.probe[F].set(0,0,0);let f=0,m=0,y=0,p=0,g=0,_=0,S=0,M=0,C=0,T=0,x=0,b=0,L=0,R=0;c.sort(iw);
 for(let F=0,z=c.length;F<z;F++){let D=c[F],G=D.color,Y=D.intensity,W=D.distance,ce=null;if(D.shadow&&D.shadow.map&&(D.shadow.map.texture.format===Us?ce=D.shadow.
 map.texture:ce=D.shadow.map.depthTexture||D.shadow.map.texture),D.isAmbientLight)d+=G.r*Y,u+=G.g*Y,h+=G.b*Y;else if(D.isLightProbe){for(let K=0;K<9;K++)n.probe[K].
 addScaledVector(D.sh.coefficients[K],Y);R++}else if(D.isSunLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),D.castShadow){let Q=D.shadow,
@@ -3112,28 +3112,28 @@ ue]=Q._cascadeData[ue];y+=de,m++}n.sun[f]=K,f++}else if(D.isDirectionalLight){le
 let Q=D.shadow,se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize=Q.mapSize,
 n.directionalShadow[p]=se,n.directionalShadowMap[p]=ce,n.directionalShadowMatrix[p]=D.shadow.matrix,C++}n.directional[p]=K,p++}else if(D.isSpotLight){let K=e.get(
 D);K.position.setFromMatrixPosition(D.matrixWorld),K.color.copy(G).multiplyScalar(Y),K.distance=W,K.coneCos=Math.cos(D.angle),K.penumbraCos=Math.cos(D.angle*(1-
-D.penumbra)),K.decay=D.decay,n.spot[_]=K;let Q=D.shadow;if(D.map&&(n.spotLightMap[M]=D.map,M++,Q.updateMatrices(D),D.castShadow&&L++),n.spotLightMatrix[_]=Q.matrix,
+D.penumbra)),K.decay=D.decay,n.spot[_]=K;let Q=D.shadow;if(D.map&&(n.spotLightMap[b]=D.map,b++,Q.updateMatrices(D),D.castShadow&&L++),n.spotLightMatrix[_]=Q.matrix,
 D.castShadow){let se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize=Q.mapSize,
 n.spotShadow[_]=se,n.spotShadowMap[_]=ce,x++}_++}else if(D.isRectAreaLight){let K=e.get(D);K.color.copy(G).multiplyScalar(Y),K.halfWidth.set(D.width*.5,0,0),K.halfHeight.
 set(0,D.height*.5,0),n.rectArea[S]=K,S++}else if(D.isPointLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),K.distance=D.distance,K.decay=
 D.decay,D.castShadow){let Q=D.shadow,se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.
 shadowMapSize=Q.mapSize,se.shadowCameraNear=Q.camera.near,se.shadowCameraFar=Q.camera.far,n.pointShadow[g]=se,n.pointShadowMap[g]=ce,n.pointShadowMatrix[g]=D.shadow.
 matrix,T++}n.point[g]=K,g++}else if(D.isHemisphereLight){let K=e.get(D);K.skyColor.copy(D.color).multiplyScalar(Y),K.groundColor.copy(D.groundColor).multiplyScalar(
-Y),n.hemi[b]=K,b++}}S>0&&(i.has("OES_texture_float_linear")===!0?(n.rectAreaLTC1=Le.LTC_FLOAT_1,n.rectAreaLTC2=Le.LTC_FLOAT_2):(n.rectAreaLTC1=Le.LTC_HALF_1,n.rectAreaLTC2=
+Y),n.hemi[M]=K,M++}}S>0&&(i.has("OES_texture_float_linear")===!0?(n.rectAreaLTC1=Le.LTC_FLOAT_1,n.rectAreaLTC2=Le.LTC_FLOAT_2):(n.rectAreaLTC1=Le.LTC_HALF_1,n.rectAreaLTC2=
 Le.LTC_HALF_2)),n.ambient[0]=d,n.ambient[1]=u,n.ambient[2]=h;let P=n.hash;(P.sunLength!==f||P.directionalLength!==p||P.pointLength!==g||P.spotLength!==_||P.rectAreaLength!==
-S||P.hemiLength!==b||P.numSunShadows!==m||P.numDirectionalShadows!==C||P.numPointShadows!==T||P.numSpotShadows!==x||P.numSpotMaps!==M||P.numLightProbes!==R)&&(n.
-sun.length=f,n.directional.length=p,n.spot.length=_,n.rectArea.length=S,n.point.length=g,n.hemi.length=b,n.sunShadow.length=m,n.sunShadowMap.length=m,n.sunShadowMatrix.
+S||P.hemiLength!==M||P.numSunShadows!==m||P.numDirectionalShadows!==C||P.numPointShadows!==T||P.numSpotShadows!==x||P.numSpotMaps!==b||P.numLightProbes!==R)&&(n.
+sun.length=f,n.directional.length=p,n.spot.length=_,n.rectArea.length=S,n.point.length=g,n.hemi.length=M,n.sunShadow.length=m,n.sunShadowMap.length=m,n.sunShadowMatrix.
 length=y,n.sunShadowCascade.length=y,n.directionalShadow.length=C,n.directionalShadowMap.length=C,n.directionalShadowMatrix.length=C,n.pointShadow.length=T,n.pointShadowMap.
-length=T,n.pointShadowMatrix.length=T,n.spotShadow.length=x,n.spotShadowMap.length=x,n.spotLightMatrix.length=x+M-L,n.spotLightMap.length=M,n.numSpotLightShadowsWithMaps=
-L,n.numLightProbes=R,P.sunLength=f,P.directionalLength=p,P.pointLength=g,P.spotLength=_,P.rectAreaLength=S,P.hemiLength=b,P.numSunShadows=m,P.numDirectionalShadows=
-C,P.numPointShadows=T,P.numSpotShadows=x,P.numSpotMaps=M,P.numLightProbes=R,n.version=nw++)}function l(c,d){let u=0,h=0,f=0,m=0,y=0,p=0,g=d.matrixWorldInverse;for(let _=0,
-S=c.length;_<S;_++){let b=c[_];if(b.isSunLight){let C=n.sun[u];C.direction.setFromMatrixPosition(b.matrixWorld),C.direction.transformDirection(g),u++}else if(b.
-isDirectionalLight){let C=n.directional[h];C.direction.setFromMatrixPosition(b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.
-transformDirection(g),h++}else if(b.isSpotLight){let C=n.spot[m];C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),C.direction.setFromMatrixPosition(
-b.matrixWorld),s.setFromMatrixPosition(b.target.matrixWorld),C.direction.sub(s),C.direction.transformDirection(g),m++}else if(b.isRectAreaLight){let C=n.rectArea[y];
-C.position.setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),o.identity(),r.copy(b.matrixWorld),r.premultiply(g),o.extractRotation(r),C.halfWidth.
-set(b.width*.5,0,0),C.halfHeight.set(0,b.height*.5,0),C.halfWidth.applyMatrix4(o),C.halfHeight.applyMatrix4(o),y++}else if(b.isPointLight){let C=n.point[f];C.position.
-setFromMatrixPosition(b.matrixWorld),C.position.applyMatrix4(g),f++}else if(b.isHemisphereLight){let C=n.hemi[p];C.direction.setFromMatrixPosition(b.matrixWorld),
+length=T,n.pointShadowMatrix.length=T,n.spotShadow.length=x,n.spotShadowMap.length=x,n.spotLightMatrix.length=x+b-L,n.spotLightMap.length=b,n.numSpotLightShadowsWithMaps=
+L,n.numLightProbes=R,P.sunLength=f,P.directionalLength=p,P.pointLength=g,P.spotLength=_,P.rectAreaLength=S,P.hemiLength=M,P.numSunShadows=m,P.numDirectionalShadows=
+C,P.numPointShadows=T,P.numSpotShadows=x,P.numSpotMaps=b,P.numLightProbes=R,n.version=nw++)}function l(c,d){let u=0,h=0,f=0,m=0,y=0,p=0,g=d.matrixWorldInverse;for(let _=0,
+S=c.length;_<S;_++){let M=c[_];if(M.isSunLight){let C=n.sun[u];C.direction.setFromMatrixPosition(M.matrixWorld),C.direction.transformDirection(g),u++}else if(M.
+isDirectionalLight){let C=n.directional[h];C.direction.setFromMatrixPosition(M.matrixWorld),s.setFromMatrixPosition(M.target.matrixWorld),C.direction.sub(s),C.direction.
+transformDirection(g),h++}else if(M.isSpotLight){let C=n.spot[m];C.position.setFromMatrixPosition(M.matrixWorld),C.position.applyMatrix4(g),C.direction.setFromMatrixPosition(
+M.matrixWorld),s.setFromMatrixPosition(M.target.matrixWorld),C.direction.sub(s),C.direction.transformDirection(g),m++}else if(M.isRectAreaLight){let C=n.rectArea[y];
+C.position.setFromMatrixPosition(M.matrixWorld),C.position.applyMatrix4(g),o.identity(),r.copy(M.matrixWorld),r.premultiply(g),o.extractRotation(r),C.halfWidth.
+set(M.width*.5,0,0),C.halfHeight.set(0,M.height*.5,0),C.halfWidth.applyMatrix4(o),C.halfHeight.applyMatrix4(o),y++}else if(M.isPointLight){let C=n.point[f];C.position.
+setFromMatrixPosition(M.matrixWorld),C.position.applyMatrix4(g),f++}else if(M.isHemisphereLight){let C=n.hemi[p];C.direction.setFromMatrixPosition(M.matrixWorld),
 C.direction.transformDirection(g),p++}}}return{setup:a,setupView:l,state:n}}function yg(i){let e=new sw(i),t=[],n=[],s=[];function r(u){d.camera=u,t.length=0,n.
 length=0,s.length=0}function o(u){u.isLightProbeGrid?s.push(u):t.push(u)}function a(u){n.push(u)}function l(){e.setup(t),s.sort((u,h)=>u.priority-h.priority||u.
 id-h.id)}function c(u){e.setupView(t,u)}let d={lightsArray:t,shadowsArray:n,lightProbeGridArray:s,camera:null,lights:e,transmissionRenderTarget:{},textureUnits:0};
@@ -3149,7 +3149,7 @@ mean - mean * mean ) );\n gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );\n}",lw
 cw=[new V(0,-1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1),new V(0,-1,0),new V(0,-1,0)],vg=new xt,ya=new V,sd=new V;function hw(i,e,t){let n=new Es,s=new st,r=new st,
 o=new Wt,a=new Bl,l=new kl,c={},d=t.maxTextureSize,u={[Ds]:kn,[kn]:Ds,[zi]:zi},h=new ki({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{
 value:new st},radius:{value:4}},vertexShader:ow,fragmentShader:aw}),f=h.clone();f.defines.HORIZONTAL_PASS=1;let m=new ln;m.setAttribute("position",new Mi(new Float32Array(
-[-1,-1,.5,3,-1,.5,-1,3,.5]),3));let y=new ci(m,h),p=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=ha;let g=this.type;this.render=function(T,x,M){
+[-1,-1,.5,3,-1,.5,-1,3,.5]),3));let y=new ci(m,h),p=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=ha;let g=this.type;this.render=function(T,x,b){
 if(p.enabled===!1||p.autoUpdate===!1&&p.needsUpdate===!1||T.length===0)return;this.type===pm&&($e("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFS\
 hadowMap instead."),this.type=ha);let L=i.getRenderTarget(),R=i.getActiveCubeFace(),P=i.getActiveMipmapLevel(),F=i.state;F.setBlending(Qs),F.buffers.depth.getReversed()===
 !0?F.buffers.color.setClear(0,0,0,0):F.buffers.color.setClear(1,1,1,1),F.buffers.depth.setTest(!0),F.setScissorTest(!1);let z=g!==this.type;z&&x.traverse(function(D){
@@ -3164,29 +3164,29 @@ null,W.map.depthTexture.minFilter=bn,W.map.depthTexture.magFilter=bn}else Y.isPo
 s.y),W.map.depthTexture=new cs(s.x,s.y,bi)),W.map.depthTexture.name=Y.name+".shadowMap",W.map.depthTexture.format=ss,this.type===ha?(W.map.depthTexture.compareFunction=
 K?Yu:$u,W.map.depthTexture.minFilter=On,W.map.depthTexture.magFilter=On):(W.map.depthTexture.compareFunction=null,W.map.depthTexture.minFilter=bn,W.map.depthTexture.
 magFilter=bn);W.camera.updateProjectionMatrix()}W.map.isWebGLCubeRenderTarget!==!0&&(W.map.width!==s.x||W.map.height!==s.y)&&W.map.setSize(s.x,s.y);let Q=W.map.
-isWebGLCubeRenderTarget?6:W.getViewportCount();Y.isPointLight!==!0&&W.updateMatrices(Y,M);let se=(W.camera.layers.mask&4294967294)!==0?W.camera.layers:M.layers;
+isWebGLCubeRenderTarget?6:W.getViewportCount();Y.isPointLight!==!0&&W.updateMatrices(Y,b);let se=(W.camera.layers.mask&4294967294)!==0?W.camera.layers:b.layers;
 for(let de=0;de<Q;de++){let ue=W.getCamera(de);if(Y.isPointLight){let ee=W.camera,me=W.matrix,xe=Y.distance||ee.far;xe!==ee.far&&(ee.far=xe,ee.updateProjectionMatrix()),
 ya.setFromMatrixPosition(Y.matrixWorld),ee.position.copy(ya),sd.copy(ee.position),sd.add(lw[de]),ee.up.copy(cw[de]),ee.lookAt(sd),ee.updateMatrixWorld(),me.makeTranslation(
 -ya.x,-ya.y,-ya.z),vg.multiplyMatrices(ee.projectionMatrix,ee.matrixWorldInverse),W._frustum.setFromProjectionMatrix(vg,ee.coordinateSystem,ee.reversedDepth)}if(W.
 map.isWebGLCubeRenderTarget)i.setRenderTarget(W.map,de),i.clear();else{de===0&&(i.setRenderTarget(W.map),i.clear());let ee=W.getViewport(de);o.set(r.x*ee.x,r.y*
-ee.y,r.x*ee.z,r.y*ee.w),F.viewport(o)}n=W.getFrustum(de),b(x,M,ue,Y,se,this.type)}W.isPointLightShadow!==!0&&this.type===io&&_(W,M),W.needsUpdate=!1}g=this.type,
-p.needsUpdate=!1,i.setRenderTarget(L,R,P)};function _(T,x){let M=e.update(y);h.defines.VSM_SAMPLES!==T.blurSamples&&(h.defines.VSM_SAMPLES=T.blurSamples,f.defines.
+ee.y,r.x*ee.z,r.y*ee.w),F.viewport(o)}n=W.getFrustum(de),M(x,b,ue,Y,se,this.type)}W.isPointLightShadow!==!0&&this.type===io&&_(W,b),W.needsUpdate=!1}g=this.type,
+p.needsUpdate=!1,i.setRenderTarget(L,R,P)};function _(T,x){let b=e.update(y);h.defines.VSM_SAMPLES!==T.blurSamples&&(h.defines.VSM_SAMPLES=T.blurSamples,f.defines.
 VSM_SAMPLES=T.blurSamples,h.needsUpdate=!0,f.needsUpdate=!0),T.mapPass===null?T.mapPass=new ti(s.x,s.y,{format:Us,type:Si}):(T.mapPass.width!==T.map.width||T.mapPass.
 height!==T.map.height)&&T.mapPass.setSize(T.map.width,T.map.height),h.uniforms.shadow_pass.value=T.map.depthTexture,h.uniforms.resolution.value.set(T.map.width,
-T.map.height),h.uniforms.radius.value=T.radius,i.setRenderTarget(T.mapPass),i.clear(),i.renderBufferDirect(x,null,M,h,y,null),f.uniforms.shadow_pass.value=T.mapPass.
+T.map.height),h.uniforms.radius.value=T.radius,i.setRenderTarget(T.mapPass),i.clear(),i.renderBufferDirect(x,null,b,h,y,null),f.uniforms.shadow_pass.value=T.mapPass.
 texture,f.uniforms.resolution.value.set(T.map.width,T.map.height),f.uniforms.radius.value=T.radius,i.setRenderTarget(T.map),i.clear(),i.renderBufferDirect(x,null,
-M,f,y,null)}function S(T,x,M,L){let R=null,P=M.isPointLight===!0?T.customDistanceMaterial:T.customDepthMaterial;if(P!==void 0)R=P;else if(R=M.isPointLight===!0?
+b,f,y,null)}function S(T,x,b,L){let R=null,P=b.isPointLight===!0?T.customDistanceMaterial:T.customDepthMaterial;if(P!==void 0)R=P;else if(R=b.isPointLight===!0?
 l:a,i.localClippingEnabled&&x.clipShadows===!0&&Array.isArray(x.clippingPlanes)&&x.clippingPlanes.length!==0||x.displacementMap&&x.displacementScale!==0||x.alphaMap&&
 x.alphaTest>0||x.map&&x.alphaTest>0||x.alphaToCoverage===!0){let F=R.uuid,z=x.uuid,D=c[F];D===void 0&&(D={},c[F]=D);let G=D[z];G===void 0&&(G=R.clone(),D[z]=G,x.
 addEventListener("dispose",C)),R=G}if(R.visible=x.visible,R.wireframe=x.wireframe,L===io?R.side=x.shadowSide!==null?x.shadowSide:x.side:R.side=x.shadowSide!==null?
 x.shadowSide:u[x.side],R.alphaMap=x.alphaMap,R.alphaTest=x.alphaToCoverage===!0?.5:x.alphaTest,R.map=x.map,R.clipShadows=x.clipShadows,R.clippingPlanes=x.clippingPlanes,
 R.clipIntersection=x.clipIntersection,R.displacementMap=x.displacementMap,R.displacementScale=x.displacementScale,R.displacementBias=x.displacementBias,R.wireframeLinewidth=
-x.wireframeLinewidth,R.linewidth=x.linewidth,M.isPointLight===!0&&R.isMeshDistanceMaterial===!0){let F=i.properties.get(R);F.light=M}return R}function b(T,x,M,L,R,P){
+x.wireframeLinewidth,R.linewidth=x.linewidth,b.isPointLight===!0&&R.isMeshDistanceMaterial===!0){let F=i.properties.get(R);F.light=b}return R}function M(T,x,b,L,R,P){
 if(T.visible===!1)return;if(T.layers.test(R)&&(T.isMesh||T.isLine||T.isPoints)&&(T.castShadow||T.receiveShadow&&P===io)&&(!T.frustumCulled||T.intersectsFrustum(
-n))){T.modelViewMatrix.multiplyMatrices(M.matrixWorldInverse,T.matrixWorld);let D=e.update(T),G=T.material;if(Array.isArray(G)){let Y=D.groups;for(let W=0,ce=Y.
-length;W<ce;W++){let K=Y[W],Q=G[K.materialIndex];if(Q&&Q.visible){let se=S(T,Q,L,P);T.onBeforeShadow(i,T,x,M,D,se,K),i.renderBufferDirect(M,null,D,se,T,K),T.onAfterShadow(
-i,T,x,M,D,se,K)}}}else if(G.visible){let Y=S(T,G,L,P);T.onBeforeShadow(i,T,x,M,D,Y,null),i.renderBufferDirect(M,null,D,Y,T,null),T.onAfterShadow(i,T,x,M,D,Y,null)}}
-let z=T.children;for(let D=0,G=z.length;D<G;D++)b(z[D],x,M,L,R,P)}function C(T){T.target.removeEventListener("dispose",C);for(let M in c){let L=c[M],R=T.target.
+n))){T.modelViewMatrix.multiplyMatrices(b.matrixWorldInverse,T.matrixWorld);let D=e.update(T),G=T.material;if(Array.isArray(G)){let Y=D.groups;for(let W=0,ce=Y.
+length;W<ce;W++){let K=Y[W],Q=G[K.materialIndex];if(Q&&Q.visible){let se=S(T,Q,L,P);T.onBeforeShadow(i,T,x,b,D,se,K),i.renderBufferDirect(b,null,D,se,T,K),T.onAfterShadow(
+i,T,x,b,D,se,K)}}}else if(G.visible){let Y=S(T,G,L,P);T.onBeforeShadow(i,T,x,b,D,Y,null),i.renderBufferDirect(b,null,D,Y,T,null),T.onAfterShadow(i,T,x,b,D,Y,null)}}
+let z=T.children;for(let D=0,G=z.length;D<G;D++)M(z[D],x,b,L,R,P)}function C(T){T.target.removeEventListener("dispose",C);for(let b in c){let L=c[b],R=T.target.
 uuid;R in L&&(L[R].dispose(),delete L[R])}}}function uw(i,e){function t(){let O=!1,re=new Wt,ne=null,we=new Wt(0,0,0,0);return{setMask:function(ge){ne!==ge&&!O&&
 (i.colorMask(ge,ge,ge,ge),ne=ge)},setLocked:function(ge){O=ge},setClear:function(ge,Me,Ge,Ze,le){le===!0&&(ge*=Ze,Me*=Ze,Ge*=Ze),re.set(ge,Me,Ge,Ze),we.equals(re)===
 !1&&(i.clearColor(ge,Me,Ge,Ze),we.copy(re))},reset:function(){O=!1,ne=null,we.set(-1,0,0,0)}}}function n(){let O=!1,re=!1,ne=null,we=null,ge=null;return{setReversed:function(Me){
@@ -3199,8 +3199,8 @@ i.clearDepth(Me))},reset:function(){O=!1,ne=null,we=null,ge=null,re=!1}}}functio
 setTest:function(Oe){O||(Oe?be(i.STENCIL_TEST):He(i.STENCIL_TEST))},setMask:function(Oe){re!==Oe&&!O&&(i.stencilMask(Oe),re=Oe)},setFunc:function(Oe,Je,Ce){(ne!==
 Oe||we!==Je||ge!==Ce)&&(i.stencilFunc(Oe,Je,Ce),ne=Oe,we=Je,ge=Ce)},setOp:function(Oe,Je,Ce){(Me!==Oe||Ge!==Je||Ze!==Ce)&&(i.stencilOp(Oe,Je,Ce),Me=Oe,Ge=Je,Ze=
 Ce)},setLocked:function(Oe){O=Oe},setClear:function(Oe){le!==Oe&&(i.clearStencil(Oe),le=Oe)},reset:function(){O=!1,re=null,ne=null,we=null,ge=null,Me=null,Ge=null,
-Ze=null,le=null}}}let r=new t,o=new n,a=new s,l={},c=new WeakMap,d={},u={},h={},f=new WeakMap,m=[],y=null,p=!1,g=null,_=null,S=null,b=null,C=null,T=null,x=null,
-M=new rt(0,0,0),L=0,R=!1,P=null,F=null,z=null,D=null,G=null,Y=i.getParameter(i.MAX_COMBINED_TEXTURE_IMAGE_UNITS),W=!1,ce=0,K=i.getParameter(i.VERSION);K.indexOf(
+Ze=null,le=null}}}let r=new t,o=new n,a=new s,l={},c=new WeakMap,d={},u={},h={},f=new WeakMap,m=[],y=null,p=!1,g=null,_=null,S=null,M=null,C=null,T=null,x=null,
+b=new rt(0,0,0),L=0,R=!1,P=null,F=null,z=null,D=null,G=null,Y=i.getParameter(i.MAX_COMBINED_TEXTURE_IMAGE_UNITS),W=!1,ce=0,K=i.getParameter(i.VERSION);K.indexOf(
 "WebGL")!==-1?(ce=parseFloat(/^WebGL (\d)/.exec(K)[1]),W=ce>=1):K.indexOf("OpenGL ES")!==-1&&(ce=parseFloat(/^OpenGL ES (\d)/.exec(K)[1]),W=ce>=2);let Q=null,se={},
 de=i.getParameter(i.SCISSOR_BOX),ue=i.getParameter(i.VIEWPORT),ee=new Wt().fromArray(de),me=new Wt().fromArray(ue);function xe(O,re,ne,we){let ge=new Uint8Array(
 4),Me=i.createTexture();i.bindTexture(O,Me),i.texParameteri(O,i.TEXTURE_MIN_FILTER,i.NEAREST),i.texParameteri(O,i.TEXTURE_MAG_FILTER,i.NEAREST);for(let Ge=0;Ge<
@@ -3219,9 +3219,9 @@ Oe)switch(O){case so:i.blendFuncSeparate(i.ONE,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE
 i.ZERO,i.ONE_MINUS_SRC_COLOR,i.ZERO,i.ONE);break;case Pu:i.blendFuncSeparate(i.DST_COLOR,i.ONE_MINUS_SRC_ALPHA,i.ZERO,i.ONE);break;default:Ke("WebGLState: Inval\
 id blending: ",O);break}else switch(O){case so:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Cu:i.blendFuncSeparate(
 i.SRC_ALPHA,i.ONE,i.ONE,i.ONE);break;case Ru:Ke("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case Pu:Ke("WebGLState: Mul\
-tiplyBlending requires material.premultipliedAlpha = true");break;default:Ke("WebGLState: Invalid blending: ",O);break}S=null,b=null,T=null,x=null,M.set(0,0,0),
-L=0,g=O,R=Oe}return}ge=ge||re,Me=Me||ne,Ge=Ge||we,(re!==_||ge!==C)&&(i.blendEquationSeparate(lt[re],lt[ge]),_=re,C=ge),(ne!==S||we!==b||Me!==T||Ge!==x)&&(i.blendFuncSeparate(
-et[ne],et[we],et[Me],et[Ge]),S=ne,b=we,T=Me,x=Ge),(Ze.equals(M)===!1||le!==L)&&(i.blendColor(Ze.r,Ze.g,Ze.b,le),M.copy(Ze),L=le),g=O,R=!1}function Ut(O,re){O.side===
+tiplyBlending requires material.premultipliedAlpha = true");break;default:Ke("WebGLState: Invalid blending: ",O);break}S=null,M=null,T=null,x=null,b.set(0,0,0),
+L=0,g=O,R=Oe}return}ge=ge||re,Me=Me||ne,Ge=Ge||we,(re!==_||ge!==C)&&(i.blendEquationSeparate(lt[re],lt[ge]),_=re,C=ge),(ne!==S||we!==M||Me!==T||Ge!==x)&&(i.blendFuncSeparate(
+et[ne],et[we],et[Me],et[Ge]),S=ne,M=we,T=Me,x=Ge),(Ze.equals(b)===!1||le!==L)&&(i.blendColor(Ze.r,Ze.g,Ze.b,le),b.copy(Ze),L=le),g=O,R=!1}function Ut(O,re){O.side===
 zi?He(i.CULL_FACE):be(i.CULL_FACE);let ne=O.side===kn;re&&(ne=!ne),Qt(ne),O.blending===so&&O.transparent===!1?Gt(Qs):Gt(O.blending,O.blendEquation,O.blendSrc,O.
 blendDst,O.blendEquationAlpha,O.blendSrcAlpha,O.blendDstAlpha,O.blendColor,O.blendAlpha,O.premultipliedAlpha),o.setFunc(O.depthFunc),o.setTest(O.depthTest),o.setMask(
 O.depthWrite),r.setMask(O.colorWrite);let we=O.stencilWrite;a.setTest(we),we&&(a.setMask(O.stencilWriteMask),a.setFunc(O.stencilFunc,O.stencilRef,O.stencilFuncMask),
@@ -3249,7 +3249,7 @@ i.TEXTURE0),i.bindFramebuffer(i.FRAMEBUFFER,null),i.bindFramebuffer(i.DRAW_FRAME
 4),i.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,!1),i.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),i.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,i.BROWSER_DEFAULT_WEBGL),
 i.pixelStorei(i.PACK_ROW_LENGTH,0),i.pixelStorei(i.PACK_SKIP_PIXELS,0),i.pixelStorei(i.PACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_ROW_LENGTH,0),i.pixelStorei(i.UNPACK_IMAGE_HEIGHT,
 0),i.pixelStorei(i.UNPACK_SKIP_PIXELS,0),i.pixelStorei(i.UNPACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_SKIP_IMAGES,0),d={},u={},Q=null,se={},h={},l={},f=new WeakMap,
-m=[],y=null,p=!1,g=null,_=null,S=null,b=null,C=null,T=null,x=null,M=new rt(0,0,0),L=0,R=!1,P=null,F=null,z=null,D=null,G=null,ee.set(0,0,i.canvas.width,i.canvas.
+m=[],y=null,p=!1,g=null,_=null,S=null,M=null,C=null,T=null,x=null,b=new rt(0,0,0),L=0,R=!1,P=null,F=null,z=null,D=null,G=null,ee.set(0,0,i.canvas.width,i.canvas.
 height),me.set(0,0,i.canvas.width,i.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:be,disable:He,bindFramebuffer:nt,
 drawBuffers:Ve,useProgram:ut,setBlending:Gt,setMaterial:Ut,setFlipSided:Qt,setCullFace:Pt,setLineWidth:gn,setPolygonOffset:vt,setScissorTest:cn,activeTexture:qt,
 bindTexture:en,unbindTexture:B,compressedTexImage2D:Re,compressedTexImage3D:qe,texImage2D:w,texImage3D:q,pixelStorei:oe,getParameter:he,updateUBOMapping:te,uniformBlockBinding:ie,
@@ -3261,7 +3261,7 @@ q)&&(he=q/Math.max(oe.width,oe.height)),he<1)if(typeof HTMLImageElement<"u"&&I i
 typeof ImageBitmap<"u"&&I instanceof ImageBitmap||typeof VideoFrame<"u"&&I instanceof VideoFrame){let _e=Math.floor(he*oe.width),ye=Math.floor(he*oe.height);h===
 void 0&&(h=g(_e,ye));let te=w?g(_e,ye):h;return te.width=_e,te.height=ye,te.getContext("2d").drawImage(I,0,0,_e,ye),$e("WebGLRenderer: Texture has been resized \
 from ("+oe.width+"x"+oe.height+") to ("+_e+"x"+ye+")."),te}else return"data"in I&&$e("WebGLRenderer: Image in DataTexture is too big ("+oe.width+"x"+oe.height+"\
-)."),I;return I}function S(I){return I.generateMipmaps}function b(I){i.generateMipmap(I)}function C(I){return I.isWebGLCubeRenderTarget?i.TEXTURE_CUBE_MAP:I.isWebGL3DRenderTarget?
+)."),I;return I}function S(I){return I.generateMipmaps}function M(I){i.generateMipmap(I)}function C(I){return I.isWebGLCubeRenderTarget?i.TEXTURE_CUBE_MAP:I.isWebGL3DRenderTarget?
 i.TEXTURE_3D:I.isWebGLArrayRenderTarget||I.isCompressedArrayTexture?i.TEXTURE_2D_ARRAY:i.TEXTURE_2D}function T(I,w,q,he,oe,_e=!1){if(I!==null){if(i[I]!==void 0)
 return i[I];$e("WebGLRenderer: Attempt to use non-existing WebGL internal format '"+I+"'")}let ye;he&&(ye=e.get("EXT_texture_norm16"),ye||$e("WebGLRenderer: Una\
 ble to use normalized textures without EXT_texture_norm16 extension"));let te=w;if(w===i.RED&&(q===i.FLOAT&&(te=i.R32F),q===i.HALF_FLOAT&&(te=i.R16F),q===i.UNSIGNED_BYTE&&
@@ -3277,7 +3277,7 @@ getTransfer(oe);q===i.FLOAT&&(te=i.RGBA32F),q===i.HALF_FLOAT&&(te=i.RGBA16F),q==
 (te=ye.RGBA16_EXT),q===i.SHORT&&ye&&(te=ye.RGBA16_SNORM_EXT),q===i.UNSIGNED_SHORT_4_4_4_4&&(te=i.RGBA4),q===i.UNSIGNED_SHORT_5_5_5_1&&(te=i.RGB5_A1)}return(te===
 i.R16F||te===i.R32F||te===i.RG16F||te===i.RG32F||te===i.RGBA16F||te===i.RGBA32F)&&e.get("EXT_color_buffer_float"),te}function x(I,w){let q;return I?w===null||w===
 bi||w===nr?q=i.DEPTH24_STENCIL8:w===hi?q=i.DEPTH32F_STENCIL8:w===oo&&(q=i.DEPTH24_STENCIL8,$e("DepthTexture: 16 bit depth attachment is not supported with stenc\
-il. Using 24-bit attachment.")):w===null||w===bi||w===nr?q=i.DEPTH_COMPONENT24:w===hi?q=i.DEPTH_COMPONENT32F:w===oo&&(q=i.DEPTH_COMPONENT16),q}function M(I,w){return S(
+il. Using 24-bit attachment.")):w===null||w===bi||w===nr?q=i.DEPTH_COMPONENT24:w===hi?q=i.DEPTH_COMPONENT32F:w===oo&&(q=i.DEPTH_COMPONENT16),q}function b(I,w){return S(
 I)===!0||I.isFramebufferTexture&&I.minFilter!==bn&&I.minFilter!==On?Math.log2(Math.max(w.width,w.height))+1:I.mipmaps.length>0?I.mipmaps.length:I.isCompressedTexture&&
 Array.isArray(I.image)?w.mipmaps.length:1}function L(I){let w=new WeakRef(I);n.get(I).__ref=w,m.add(w),y.register(I,w,w)}function R(I){let w=n.get(I).__ref;w!==
 void 0&&(m.delete(w),y.unregister(w))}function P(I){z(I.target)}function F(I){D(I.target)}function z(I){I.removeEventListener("dispose",P),R(I),Y(I),I.isVideoTexture&&
@@ -3326,7 +3326,7 @@ i.TEXTURE0+q),(typeof ImageBitmap<"u"&&w.image instanceof ImageBitmap)===!1){let
 w.colorSpace),Je=w.colorSpace===ds||le===Oe?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,w.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,
 w.premultiplyAlpha),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,Je)}t.pixelStorei(i.UNPACK_ALIGNMENT,w.unpackAlignment);let ie=_(w.image,!1,s.maxTextureSize);
 ie=ze(w,ie);let pe=r.convert(w.format,w.colorSpace),O=r.convert(w.type),re=T(w.internalFormat,pe,O,w.normalized,w.colorSpace,w.isVideoTexture);ut(he,w);let ne,we=w.
-mipmaps,ge=w.isVideoTexture!==!0,Me=ye.__version===void 0||oe===!0,Ge=_e.dataReady,Ze=M(w,ie);if(w.isDepthTexture)re=x(w.format===us,w.type),Me&&(ge?t.texStorage2D(
+mipmaps,ge=w.isVideoTexture!==!0,Me=ye.__version===void 0||oe===!0,Ge=_e.dataReady,Ze=b(w,ie);if(w.isDepthTexture)re=x(w.format===us,w.type),Me&&(ge?t.texStorage2D(
 i.TEXTURE_2D,1,re,ie.width,ie.height):t.texImage2D(i.TEXTURE_2D,0,re,ie.width,ie.height,0,pe,O,null));else if(w.isDataTexture)if(we.length>0){ge&&Me&&t.texStorage2D(
 i.TEXTURE_2D,Ze,re,we[0].width,we[0].height);for(let le=0,Oe=we.length;le<Oe;le++)ne=we[le],ge?Ge&&t.texSubImage2D(i.TEXTURE_2D,le,0,0,ne.width,ne.height,pe,O,ne.
 data):t.texImage2D(i.TEXTURE_2D,le,re,ne.width,ne.height,0,pe,O,ne.data);w.generateMipmaps=!1}else ge?(Me&&t.texStorage2D(i.TEXTURE_2D,Ze,re,ie.width,ie.height),
@@ -3353,14 +3353,14 @@ ie);else{let Je=i.RGBA,Ce=i.RGBA,ot=i.UNSIGNED_BYTE;i.texElementImage2D(i.TEXTUR
 i.texParameteri(i.TEXTURE_2D,i.TEXTURE_WRAP_S,i.CLAMP_TO_EDGE),i.texParameteri(i.TEXTURE_2D,i.TEXTURE_WRAP_T,i.CLAMP_TO_EDGE)}}else if(we.length>0){if(ge&&Me){let le=Xe(
 we[0]);t.texStorage2D(i.TEXTURE_2D,Ze,re,le.width,le.height)}for(let le=0,Oe=we.length;le<Oe;le++)ne=we[le],ge?Ge&&t.texSubImage2D(i.TEXTURE_2D,le,0,0,pe,O,ne):
 t.texImage2D(i.TEXTURE_2D,le,re,pe,O,ne);w.generateMipmaps=!1}else if(ge){if(Me){let le=Xe(ie);t.texStorage2D(i.TEXTURE_2D,Ze,re,le.width,le.height)}Ge&&t.texSubImage2D(
-i.TEXTURE_2D,0,0,0,pe,O,ie)}else t.texImage2D(i.TEXTURE_2D,0,re,pe,O,ie);S(w)&&w.mipmapsAutoUpdate===!0&&b(he),ye.__version=_e.version,w.onUpdate&&w.onUpdate(w)}
+i.TEXTURE_2D,0,0,0,pe,O,ie)}else t.texImage2D(i.TEXTURE_2D,0,re,pe,O,ie);S(w)&&w.mipmapsAutoUpdate===!0&&M(he),ye.__version=_e.version,w.onUpdate&&w.onUpdate(w)}
 I.__version=w.version}function Qt(I,w,q){if(w.image.length!==6)return;let he=lt(I,w),oe=w.source;t.bindTexture(i.TEXTURE_CUBE_MAP,I.__webglTexture,i.TEXTURE0+q);
 let _e=n.get(oe);if(oe.version!==_e.__version||he===!0){t.activeTexture(i.TEXTURE0+q);let ye=_t.getPrimaries(_t.workingColorSpace),te=w.colorSpace===ds?null:_t.
 getPrimaries(w.colorSpace),ie=w.colorSpace===ds||ye===te?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,w.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,
 w.premultiplyAlpha),t.pixelStorei(i.UNPACK_ALIGNMENT,w.unpackAlignment),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,ie);let pe=w.isCompressedTexture||w.image[0].
 isCompressedTexture,O=w.image[0]&&w.image[0].isDataTexture,re=[];for(let Ce=0;Ce<6;Ce++)!pe&&!O?re[Ce]=_(w.image[Ce],!0,s.maxCubemapSize):re[Ce]=O?w.image[Ce].image:
 w.image[Ce],re[Ce]=ze(w,re[Ce]);let ne=re[0],we=r.convert(w.format,w.colorSpace),ge=r.convert(w.type),Me=T(w.internalFormat,we,ge,w.normalized,w.colorSpace),Ge=w.
-isVideoTexture!==!0,Ze=_e.__version===void 0||he===!0,le=oe.dataReady,Oe=M(w,ne);ut(i.TEXTURE_CUBE_MAP,w);let Je;if(w.isDepthTexture){if(Me=x(w.format===us,w.type),
+isVideoTexture!==!0,Ze=_e.__version===void 0||he===!0,le=oe.dataReady,Oe=b(w,ne);ut(i.TEXTURE_CUBE_MAP,w);let Je;if(w.isDepthTexture){if(Me=x(w.format===us,w.type),
 Ze)if(Ge)t.texStorage2D(i.TEXTURE_CUBE_MAP,1,Me,ne.width,ne.height);else for(let Ce=0;Ce<6;Ce++)t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,Me,ne.width,ne.height,
 0,we,ge,null)}else if(pe){Ge&&Ze&&t.texStorage2D(i.TEXTURE_CUBE_MAP,Oe,Me,ne.width,ne.height);for(let Ce=0;Ce<6;Ce++){Je=re[Ce].mipmaps;for(let ot=0;ot<Je.length;ot++){
 let Ft=Je[ot];w.format!==wi?we!==null?Ge?le&&t.compressedTexSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot,0,0,Ft.width,Ft.height,we,Ft.data):t.compressedTexImage2D(
@@ -3372,7 +3372,7 @@ Ce,0,Me,re[Ce].width,re[Ce].height,0,we,ge,re[Ce].data);for(let ot=0;ot<Je.lengt
 Ce,ot+1,0,0,Pn.width,Pn.height,we,ge,Pn.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,Me,Pn.width,Pn.height,0,we,ge,Pn.data)}}else{Ge?le&&t.texSubImage2D(
 i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,0,0,we,ge,re[Ce]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,Me,we,ge,re[Ce]);for(let ot=0;ot<Je.length;ot++){let Ft=Je[ot];
 Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,0,0,we,ge,Ft.image[Ce]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,Me,we,ge,Ft.image[Ce])}}}
-S(w)&&w.mipmapsAutoUpdate===!0&&b(i.TEXTURE_CUBE_MAP),_e.__version=oe.version,w.onUpdate&&w.onUpdate(w)}I.__version=w.version}function Pt(I,w,q,he,oe,_e){let ye=r.
+S(w)&&w.mipmapsAutoUpdate===!0&&M(i.TEXTURE_CUBE_MAP),_e.__version=oe.version,w.onUpdate&&w.onUpdate(w)}I.__version=w.version}function Pt(I,w,q,he,oe,_e){let ye=r.
 convert(q.format,q.colorSpace),te=r.convert(q.type),ie=T(q.internalFormat,ye,te,q.normalized,q.colorSpace),pe=n.get(w),O=n.get(q);if(O.__renderTarget=w,!pe.__hasExternalTextures){
 let re=Math.max(1,w.width>>_e),ne=Math.max(1,w.height>>_e);oe===i.TEXTURE_3D||oe===i.TEXTURE_2D_ARRAY?t.texImage3D(oe,_e,ie,re,ne,w.depth,0,ye,te,null):t.texImage2D(
 oe,_e,ie,re,ne,0,ye,te,null)}t.bindFramebuffer(i.FRAMEBUFFER,I),Se(w)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,he,oe,O.__webglTexture,0,it(w)):(oe===i.
@@ -3411,14 +3411,14 @@ internalFormat,pe,O,ie.normalized,ie.colorSpace,I.isXRRenderTarget===!0),ne=it(I
 i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+te,i.RENDERBUFFER,q.__webglColorRenderbuffer[te])}i.bindRenderbuffer(i.RENDERBUFFER,null),I.depthBuffer&&(q.__webglDepthRenderbuffer=
 i.createRenderbuffer(),gn(q.__webglDepthRenderbuffer,I,!0)),t.bindFramebuffer(i.FRAMEBUFFER,null)}}if(_e){t.bindTexture(i.TEXTURE_CUBE_MAP,he.__webglTexture),ut(
 i.TEXTURE_CUBE_MAP,w);for(let te=0;te<6;te++)if(w.mipmaps.length>0)for(let ie=0;ie<w.mipmaps.length;ie++)Pt(q.__webglFramebuffer[te][ie],I,w,i.COLOR_ATTACHMENT0,
-i.TEXTURE_CUBE_MAP_POSITIVE_X+te,ie);else Pt(q.__webglFramebuffer[te],I,w,i.COLOR_ATTACHMENT0,i.TEXTURE_CUBE_MAP_POSITIVE_X+te,0);S(w)?b(i.TEXTURE_CUBE_MAP):w.mipmaps.
+i.TEXTURE_CUBE_MAP_POSITIVE_X+te,ie);else Pt(q.__webglFramebuffer[te],I,w,i.COLOR_ATTACHMENT0,i.TEXTURE_CUBE_MAP_POSITIVE_X+te,0);S(w)?M(i.TEXTURE_CUBE_MAP):w.mipmaps.
 length>0&&i.texParameteri(i.TEXTURE_CUBE_MAP,i.TEXTURE_MAX_LEVEL,w.mipmaps.length-1),t.unbindTexture()}else if(ye){for(let te=0,ie=oe.length;te<ie;te++){let pe=oe[te],
 O=n.get(pe),re=i.TEXTURE_2D;(I.isWebGL3DRenderTarget||I.isWebGLArrayRenderTarget)&&(re=I.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(re,
-O.__webglTexture),ut(re,pe),Pt(q.__webglFramebuffer,I,pe,i.COLOR_ATTACHMENT0+te,re,0),S(pe)&&b(re)}t.unbindTexture()}else{let te=i.TEXTURE_2D;if((I.isWebGL3DRenderTarget||
+O.__webglTexture),ut(re,pe),Pt(q.__webglFramebuffer,I,pe,i.COLOR_ATTACHMENT0+te,re,0),S(pe)&&M(re)}t.unbindTexture()}else{let te=i.TEXTURE_2D;if((I.isWebGL3DRenderTarget||
 I.isWebGLArrayRenderTarget)&&(te=I.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(te,he.__webglTexture),ut(te,w),w.mipmaps.length>0)for(let ie=0;ie<
-w.mipmaps.length;ie++)Pt(q.__webglFramebuffer[ie],I,w,i.COLOR_ATTACHMENT0,te,ie);else Pt(q.__webglFramebuffer,I,w,i.COLOR_ATTACHMENT0,te,0);S(w)?b(te):w.mipmaps.
+w.mipmaps.length;ie++)Pt(q.__webglFramebuffer[ie],I,w,i.COLOR_ATTACHMENT0,te,ie);else Pt(q.__webglFramebuffer,I,w,i.COLOR_ATTACHMENT0,te,0);S(w)?M(te):w.mipmaps.
 length>0&&i.texParameteri(te,i.TEXTURE_MAX_LEVEL,w.mipmaps.length-1),t.unbindTexture()}I.depthBuffer&&cn(I)}function B(I){let w=I.textures;for(let q=0,he=w.length;q<
-he;q++){let oe=w[q];if(S(oe)&&oe.mipmapsAutoUpdate===!0){let _e=C(I),ye=n.get(oe).__webglTexture;t.bindTexture(_e,ye),b(_e),t.unbindTexture()}}}let Re=[];function qe(I){
+he;q++){let oe=w[q];if(S(oe)&&oe.mipmapsAutoUpdate===!0){let _e=C(I),ye=n.get(oe).__webglTexture;t.bindTexture(_e,ye),M(_e),t.unbindTexture()}}}let Re=[];function qe(I){
 if(I.samples>0){if(Se(I)===!1){let w=I.textures,q=I.width,he=I.height,oe=i.COLOR_BUFFER_BIT,_e=I.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,ye=n.
 get(I),te=w.length>1;if(te)for(let pe=0;pe<w.length;pe++)t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglMultisampledFramebuffer),i.framebufferRenderbuffer(i.FRAMEBUFFER,
 i.COLOR_ATTACHMENT0+pe,i.RENDERBUFFER,null),t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglFramebuffer),i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0+
@@ -3473,30 +3473,30 @@ t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar
 let t=e.cameras[0].viewport,n=new ki({vertexShader:pw,fragmentShader:mw,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});
 this.mesh=new ci(new jo(20,20),n)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},dd=class extends Oi{constructor(e,t){
 super();let n=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,d=null,u=null,h=null,f=null,m=null,y=typeof XRWebGLBinding<"u",p=new ud,g={},_=t.getContextAttributes(),
-S=null,b=null,C=[],T=[],x=new st,M=null,L=null,R=new Fn;R.viewport=new Wt;let P=new Fn;P.viewport=new Wt;let F=[R,P],z=new Kl,D=null,G=null;this.cameraAutoUpdate=
+S=null,M=null,C=[],T=[],x=new st,b=null,L=null,R=new Fn;R.viewport=new Wt;let P=new Fn;P.viewport=new Wt;let F=[R,P],z=new Kl,D=null,G=null;this.cameraAutoUpdate=
 !0,this.enabled=!1,this.isPresenting=!1,this.getController=function(ee){let me=C[ee];return me===void 0&&(me=new Kr,C[ee]=me),me.getTargetRaySpace()},this.getControllerGrip=
 function(ee){let me=C[ee];return me===void 0&&(me=new Kr,C[ee]=me),me.getGripSpace()},this.getHand=function(ee){let me=C[ee];return me===void 0&&(me=new Kr,C[ee]=
 me),me.getHandSpace()};function Y(ee){let me=T.indexOf(ee.inputSource);if(me===-1)return;let xe=C[me];xe!==void 0&&(xe.update(ee.inputSource,ee.frame,c||o),xe.dispatchEvent(
 {type:ee.type,data:ee.inputSource}))}function W(){s.removeEventListener("select",Y),s.removeEventListener("selectstart",Y),s.removeEventListener("selectend",Y),
 s.removeEventListener("squeeze",Y),s.removeEventListener("squeezestart",Y),s.removeEventListener("squeezeend",Y),s.removeEventListener("end",W),s.removeEventListener(
 "inputsourceschange",ce);for(let ee=0;ee<C.length;ee++){let me=T[ee];me!==null&&(T[ee]=null,C[ee].disconnect(me))}D=null,G=null,p.reset();for(let ee in g)delete g[ee];
-if(e.setRenderTarget(S),f=null,h=null,u=null,s=null,b=null,ue.stop(),n.isPresenting=!1,e.setPixelRatio(M),e.setSize(x.width,x.height,!1),L!==null){let ee=L.camera;
+if(e.setRenderTarget(S),f=null,h=null,u=null,s=null,M=null,ue.stop(),n.isPresenting=!1,e.setPixelRatio(b),e.setSize(x.width,x.height,!1),L!==null){let ee=L.camera;
 ee.fov=L.fov,ee.zoom=L.zoom,ee.updateProjectionMatrix(),L=null}n.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(ee){r=ee,n.isPresenting===
 !0&&$e("WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(ee){a=ee,n.isPresenting===!0&&$e("WebXRManager: C\
 annot change reference space type while presenting.")},this.getReferenceSpace=function(){return c||o},this.setReferenceSpace=function(ee){c=ee},this.getBaseLayer=
 function(){return h!==null?h:f},this.getBinding=function(){return u===null&&y&&(u=new XRWebGLBinding(s,t)),u},this.getFrame=function(){return m},this.getSession=
 function(){return s},this.setSession=async function(ee){if(s=ee,s!==null){if(S=e.getRenderTarget(),s.addEventListener("select",Y),s.addEventListener("selectstar\
 t",Y),s.addEventListener("selectend",Y),s.addEventListener("squeeze",Y),s.addEventListener("squeezestart",Y),s.addEventListener("squeezeend",Y),s.addEventListener(
-"end",W),s.addEventListener("inputsourceschange",ce),_.xrCompatible!==!0&&await t.makeXRCompatible(),M=e.getPixelRatio(),e.getSize(x),y&&"createProjectionLayer"in
+"end",W),s.addEventListener("inputsourceschange",ce),_.xrCompatible!==!0&&await t.makeXRCompatible(),b=e.getPixelRatio(),e.getSize(x),y&&"createProjectionLayer"in
 XRWebGLBinding.prototype){let xe=null,Ee=null,be=null;_.depth&&(be=_.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,xe=_.stencil?us:ss,Ee=_.stencil?nr:bi);let He={
 colorFormat:t.RGBA8,depthFormat:be,scaleFactor:r};u=this.getBinding(),h=u.createProjectionLayer(He),s.updateRenderState({layers:[h]}),e.setPixelRatio(1),e.setSize(
-h.textureWidth,h.textureHeight,!1),b=new ti(h.textureWidth,h.textureHeight,{format:wi,type:Hn,depthTexture:new cs(h.textureWidth,h.textureHeight,Ee,void 0,void 0,
+h.textureWidth,h.textureHeight,!1),M=new ti(h.textureWidth,h.textureHeight,{format:wi,type:Hn,depthTexture:new cs(h.textureWidth,h.textureHeight,Ee,void 0,void 0,
 void 0,void 0,void 0,void 0,xe),stencilBuffer:_.stencil,colorSpace:e.outputColorSpace,samples:_.antialias?4:0,resolveDepthBuffer:h.ignoreDepthValues===!1,resolveStencilBuffer:h.
 ignoreDepthValues===!1,storeMultisampledDepthBuffer:h.ignoreDepthValues===!1,storeMultisampledStencilBuffer:h.ignoreDepthValues===!1})}else{let xe={antialias:_.
 antialias,alpha:!0,depth:_.depth,stencil:_.stencil,framebufferScaleFactor:r};f=new XRWebGLLayer(s,t,xe),s.updateRenderState({baseLayer:f}),e.setPixelRatio(1),e.
-setSize(f.framebufferWidth,f.framebufferHeight,!1),b=new ti(f.framebufferWidth,f.framebufferHeight,{format:wi,type:Hn,colorSpace:e.outputColorSpace,stencilBuffer:_.
+setSize(f.framebufferWidth,f.framebufferHeight,!1),M=new ti(f.framebufferWidth,f.framebufferHeight,{format:wi,type:Hn,colorSpace:e.outputColorSpace,stencilBuffer:_.
 stencil,resolveDepthBuffer:f.ignoreDepthValues===!1,resolveStencilBuffer:f.ignoreDepthValues===!1,storeMultisampledDepthBuffer:f.ignoreDepthValues===!1,storeMultisampledStencilBuffer:f.
-ignoreDepthValues===!1})}b.isXRRenderTarget=!0,this.setFoveation(l),c=null,o=await s.requestReferenceSpace(a),ue.setContext(s),ue.start(),n.isPresenting=!0,n.dispatchEvent(
+ignoreDepthValues===!1})}M.isXRRenderTarget=!0,this.setFoveation(l),c=null,o=await s.requestReferenceSpace(a),ue.setContext(s),ue.start(),n.isPresenting=!0,n.dispatchEvent(
 {type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return p.getDepthTexture()};
 function ce(ee){for(let me=0;me<ee.removed.length;me++){let xe=ee.removed[me],Ee=T.indexOf(xe);Ee>=0&&(T[Ee]=null,C[Ee].disconnect(xe))}for(let me=0;me<ee.added.
 length;me++){let xe=ee.added[me],Ee=T.indexOf(xe);if(Ee===-1){for(let He=0;He<C.length;He++)if(He>=T.length){T.push(xe),Ee=He;break}else if(T[He]===null){T[He]=
@@ -3511,9 +3511,9 @@ me.projectionMatrix),ee.projectionMatrixInverse.copy(me.projectionMatrixInverse)
 ee.zoom=1)}this.getCamera=function(){return z},this.getFoveation=function(){if(!(h===null&&f===null))return l},this.setFoveation=function(ee){l=ee,h!==null&&(h.
 fixedFoveation=ee),f!==null&&f.fixedFoveation!==void 0&&(f.fixedFoveation=ee)},this.hasDepthSensing=function(){return p.texture!==null},this.getDepthSensingMesh=
 function(){return p.getMesh(z)},this.getCameraTexture=function(ee){return g[ee]};let se=null;function de(ee,me){if(d=me.getViewerPose(c||o),m=me,d!==null){let xe=d.
-views;f!==null&&(e.setRenderTargetFramebuffer(b,f.framebuffer),e.setRenderTarget(b));let Ee=!1;xe.length!==z.cameras.length&&(z.cameras.length=0,Ee=!0);for(let Ve=0;Ve<
-xe.length;Ve++){let ut=xe[Ve],lt=null;if(f!==null)lt=f.getViewport(ut);else{let Gt=u.getViewSubImage(h,ut);lt=Gt.viewport,Ve===0&&(e.setRenderTargetTextures(b,Gt.
-colorTexture,Gt.depthStencilTexture),e.setRenderTarget(b))}let et=F[Ve];et===void 0&&(et=new Fn,et.layers.enable(Ve),et.viewport=new Wt,F[Ve]=et),et.matrix.fromArray(
+views;f!==null&&(e.setRenderTargetFramebuffer(M,f.framebuffer),e.setRenderTarget(M));let Ee=!1;xe.length!==z.cameras.length&&(z.cameras.length=0,Ee=!0);for(let Ve=0;Ve<
+xe.length;Ve++){let ut=xe[Ve],lt=null;if(f!==null)lt=f.getViewport(ut);else{let Gt=u.getViewSubImage(h,ut);lt=Gt.viewport,Ve===0&&(e.setRenderTargetTextures(M,Gt.
+colorTexture,Gt.depthStencilTexture),e.setRenderTarget(M))}let et=F[Ve];et===void 0&&(et=new Fn,et.layers.enable(Ve),et.viewport=new Wt,F[Ve]=et),et.matrix.fromArray(
 ut.transform.matrix),et.matrix.decompose(et.position,et.quaternion,et.scale),et.projectionMatrix.fromArray(ut.projectionMatrix),et.projectionMatrixInverse.copy(
 et.projectionMatrix).invert(),et.viewport.set(lt.x,lt.y,lt.width,lt.height),Ve===0&&(z.matrix.copy(et.matrix),z.matrix.decompose(z.position,z.quaternion,z.scale)),
 Ee===!0&&z.cameras.push(et)}let be=s.enabledFeatures;if(be&&be.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&y){u=n.getBinding();let Ve=u.getDepthInformation(
@@ -3522,9 +3522,9 @@ length;Ve++){let ut=xe[Ve].camera;if(ut){let lt=g[ut];lt||(lt=new Zo,g[ut]=lt);l
 let Ee=T[xe],be=C[xe];Ee!==null&&be!==void 0&&be.update(Ee,me,c||o)}se&&se(ee,me),me.detectedPlanes&&n.dispatchEvent({type:"planesdetected",data:me}),m=null}let ue=new Mg;
 ue.setAnimationLoop(de),this.setAnimationLoop=function(ee){se=ee},this.dispose=function(){}}},gw=new xt,Ig=new Qe;Ig.set(-1,0,0,0,1,0,0,0,1);function _w(i,e){function t(p,g){
 p.matrixAutoUpdate===!0&&p.updateMatrix(),g.value.copy(p.matrix)}function n(p,g){g.color.getRGB(p.fogColor.value,Qu(i)),g.isFog?(p.fogNear.value=g.near,p.fogFar.
-value=g.far):g.isFogExp2&&(p.fogDensity.value=g.density)}function s(p,g,_,S,b){g.isNodeMaterial?g.uniformsNeedUpdate=!1:g.isMeshBasicMaterial?r(p,g):g.isMeshLambertMaterial?
+value=g.far):g.isFogExp2&&(p.fogDensity.value=g.density)}function s(p,g,_,S,M){g.isNodeMaterial?g.uniformsNeedUpdate=!1:g.isMeshBasicMaterial?r(p,g):g.isMeshLambertMaterial?
 (r(p,g),g.envMap&&(p.envMapIntensity.value=g.envMapIntensity)):g.isMeshToonMaterial?(r(p,g),u(p,g)):g.isMeshPhongMaterial?(r(p,g),d(p,g),g.envMap&&(p.envMapIntensity.
-value=g.envMapIntensity)):g.isMeshStandardMaterial?(r(p,g),h(p,g),g.isMeshPhysicalMaterial&&f(p,g,b)):g.isMeshMatcapMaterial?(r(p,g),m(p,g)):g.isMeshDepthMaterial?
+value=g.envMapIntensity)):g.isMeshStandardMaterial?(r(p,g),h(p,g),g.isMeshPhysicalMaterial&&f(p,g,M)):g.isMeshMatcapMaterial?(r(p,g),m(p,g)):g.isMeshDepthMaterial?
 r(p,g):g.isMeshDistanceMaterial?(r(p,g),y(p,g)):g.isMeshNormalMaterial?r(p,g):g.isLineBasicMaterial?(o(p,g),g.isLineDashedMaterial&&a(p,g)):g.isPointsMaterial?l(
 p,g,_,S):g.isSpriteMaterial?c(p,g):g.isShadowMaterial?(p.color.value.copy(g.color),p.opacity.value=g.opacity):g.isShaderMaterial&&(g.uniformsNeedUpdate=!1)}function r(p,g){
 p.opacity.value=g.opacity,g.color&&p.diffuse.value.copy(g.color),g.emissive&&p.emissive.value.copy(g.emissive).multiplyScalar(g.emissiveIntensity),g.map&&(p.map.
@@ -3533,7 +3533,7 @@ p.bumpMapTransform),p.bumpScale.value=g.bumpScale,g.side===kn&&(p.bumpScale.valu
 p.normalScale.value.copy(g.normalScale),g.side===kn&&p.normalScale.value.negate()),g.displacementMap&&(p.displacementMap.value=g.displacementMap,t(g.displacementMap,
 p.displacementMapTransform),p.displacementScale.value=g.displacementScale,p.displacementBias.value=g.displacementBias),g.emissiveMap&&(p.emissiveMap.value=g.emissiveMap,
 t(g.emissiveMap,p.emissiveMapTransform)),g.specularMap&&(p.specularMap.value=g.specularMap,t(g.specularMap,p.specularMapTransform)),g.alphaTest>0&&(p.alphaTest.
-value=g.alphaTest);let _=e.get(g),S=_.envMap,b=_.envMapRotation;S&&(p.envMap.value=S,p.envMapRotation.value.setFromMatrix4(gw.makeRotationFromEuler(b)).transpose(),
+value=g.alphaTest);let _=e.get(g),S=_.envMap,M=_.envMapRotation;S&&(p.envMap.value=S,p.envMapRotation.value.setFromMatrix4(gw.makeRotationFromEuler(M)).transpose(),
 S.isCubeTexture&&S.isRenderTargetTexture===!1&&p.envMapRotation.value.premultiply(Ig),p.reflectivity.value=g.reflectivity,p.ior.value=g.ior,p.refractionRatio.value=
 g.refractionRatio),g.lightMap&&(p.lightMap.value=g.lightMap,p.lightMapIntensity.value=g.lightMapIntensity,t(g.lightMap,p.lightMapTransform)),g.aoMap&&(p.aoMap.value=
 g.aoMap,p.aoMapIntensity.value=g.aoMapIntensity,t(g.aoMap,p.aoMapTransform))}function o(p,g){p.diffuse.value.copy(g.color),p.opacity.value=g.opacity,g.map&&(p.map.
@@ -3562,26 +3562,26 @@ g.anisotropyRotation)),g.anisotropyMap&&(p.anisotropyMap.value=g.anisotropyMap,t
 p.specularColor.value.copy(g.specularColor),g.specularColorMap&&(p.specularColorMap.value=g.specularColorMap,t(g.specularColorMap,p.specularColorMapTransform)),
 g.specularIntensityMap&&(p.specularIntensityMap.value=g.specularIntensityMap,t(g.specularIntensityMap,p.specularIntensityMapTransform))}function m(p,g){g.matcap&&
 (p.matcap.value=g.matcap)}function y(p,g){let _=e.get(g).light;p.referencePosition.value.setFromMatrixPosition(_.matrixWorld),p.nearDistance.value=_.shadow.camera.
-near,p.farDistance.value=_.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function xw(i,e,t,n){let s={},r={};function o(_,S){let b=S.program;
-n.uniformBlockBinding(_,b,s[_.id])}function a(_,S){let b=s[_.id];b===void 0&&(m(_),b=l(_),s[_.id]=b,_.addEventListener("dispose",p));let C=S.program;n.updateUBOMapping(
-_,C);let T=e.render.frame;r[_.id]!==T&&(c(_),r[_.id]=T)}function l(_){let S=i.createBuffer(),b=_.__size,C=_.usage;return i.bindBuffer(i.UNIFORM_BUFFER,S),i.bufferData(
-i.UNIFORM_BUFFER,b,C),i.bindBuffer(i.UNIFORM_BUFFER,null),S}function c(_){let S=s[_.id],b=_.uniforms,C=_.__cache;i.bindBuffer(i.UNIFORM_BUFFER,S);for(let T=0,x=b.
-length;T<x;T++){let M=b[T];if(Array.isArray(M))for(let L=0,R=M.length;L<R;L++)d(M[L],T,L,C);else d(M,T,0,C)}i.bindBuffer(i.UNIFORM_BUFFER,null)}function d(_,S,b,C){
-if(h(_,S,b,C)===!0){let T=_.__offset,x=_.value;if(Array.isArray(x)){let M=0;for(let L=0;L<x.length;L++){let R=x[L],P=y(R,!0);u(R,_.__data,M),M+=P.storage/Float32Array.
-BYTES_PER_ELEMENT}}else u(x,_.__data,0);i.bufferSubData(i.UNIFORM_BUFFER,T,_.__data)}}function u(_,S,b){typeof _=="number"||typeof _=="boolean"?S[b]=_:_.isMatrix3?
-(S[b]=_.elements[0],S[b+1]=_.elements[1],S[b+2]=_.elements[2],S[b+3]=0,S[b+4]=_.elements[3],S[b+5]=_.elements[4],S[b+6]=_.elements[5],S[b+7]=0,S[b+8]=_.elements[6],
-S[b+9]=_.elements[7],S[b+10]=_.elements[8],S[b+11]=0):ArrayBuffer.isView(_)?S.set(_.subarray(0,S.length-b),b):_.toArray(S,b)}function h(_,S,b,C){let T=_.value,x=S+
-"_"+b;if(Array.isArray(T)){C[x]===void 0&&(C[x]=[]);let M=C[x],L=!1;for(let R=0;R<T.length;R++)f(T[R],M,R)===!0&&(L=!0);return L}return f(T,C,x)}function f(_,S,b){
-if(S[b]===void 0)return typeof _=="number"||typeof _=="boolean"?S[b]=_:ArrayBuffer.isView(_)?S[b]=_.slice():S[b]=_.clone(),!0;{let C=S[b];if(typeof _=="number"||
-typeof _=="boolean"){if(C!==_)return S[b]=_,!0}else{if(ArrayBuffer.isView(_))return!0;if(C.equals(_)===!1)return C.copy(_),!0}}return!1}function m(_){let S=_.uniforms,
-b=0,C=16;for(let x=0,M=S.length;x<M;x++){let L=Array.isArray(S[x])?S[x]:[S[x]];for(let R=0,P=L.length;R<P;R++){let F=L[R],z=Array.isArray(F.value)?F.value:[F.value],
-D=Array.isArray(S[x])||Array.isArray(F.value),G=b;for(let W=0,ce=z.length;W<ce;W++){let K=z[W],Q=y(K,D),se=b%C,de=se%Q.boundary,ue=se+de;b+=de,ue!==0&&C-ue<Q.storage&&
-(b+=C-ue),W===0&&(G=b),b+=Q.storage}let Y=F.type==="int"?Int32Array:F.type==="uint"?Uint32Array:Float32Array;F.__data=new Y((b-G)/Float32Array.BYTES_PER_ELEMENT),
-F.__offset=G}}let T=b%C;return T>0&&(b+=C-T),_.__size=b,_.__cache={},this}function y(_,S){let b={boundary:0,storage:0};return typeof _=="number"||typeof _=="boo\
-lean"?(b.boundary=4,b.storage=4):_.isVector2?(b.boundary=8,b.storage=8):_.isVector3||_.isColor?(b.boundary=16,b.storage=12):_.isVector4?(b.boundary=16,b.storage=
-16):_.isMatrix3?(b.boundary=16,b.storage=48):_.isMatrix4?(b.boundary=16,b.storage=64):_.isTexture?$e("WebGLRenderer: Texture samplers can not be part of an unif\
-orms group."):ArrayBuffer.isView(_)?(b.boundary=16,b.storage=_.byteLength):$e("WebGLRenderer: Unsupported uniform value type.",_),S===!0&&(b.boundary=16,b.storage=
-Math.ceil(b.storage/16)*16),b}function p(_){let S=_.target;S.removeEventListener("dispose",p),i.deleteBuffer(s[S.id]),delete s[S.id],delete r[S.id]}function g(){
+near,p.farDistance.value=_.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function xw(i,e,t,n){let s={},r={};function o(_,S){let M=S.program;
+n.uniformBlockBinding(_,M,s[_.id])}function a(_,S){let M=s[_.id];M===void 0&&(m(_),M=l(_),s[_.id]=M,_.addEventListener("dispose",p));let C=S.program;n.updateUBOMapping(
+_,C);let T=e.render.frame;r[_.id]!==T&&(c(_),r[_.id]=T)}function l(_){let S=i.createBuffer(),M=_.__size,C=_.usage;return i.bindBuffer(i.UNIFORM_BUFFER,S),i.bufferData(
+i.UNIFORM_BUFFER,M,C),i.bindBuffer(i.UNIFORM_BUFFER,null),S}function c(_){let S=s[_.id],M=_.uniforms,C=_.__cache;i.bindBuffer(i.UNIFORM_BUFFER,S);for(let T=0,x=M.
+length;T<x;T++){let b=M[T];if(Array.isArray(b))for(let L=0,R=b.length;L<R;L++)d(b[L],T,L,C);else d(b,T,0,C)}i.bindBuffer(i.UNIFORM_BUFFER,null)}function d(_,S,M,C){
+if(h(_,S,M,C)===!0){let T=_.__offset,x=_.value;if(Array.isArray(x)){let b=0;for(let L=0;L<x.length;L++){let R=x[L],P=y(R,!0);u(R,_.__data,b),b+=P.storage/Float32Array.
+BYTES_PER_ELEMENT}}else u(x,_.__data,0);i.bufferSubData(i.UNIFORM_BUFFER,T,_.__data)}}function u(_,S,M){typeof _=="number"||typeof _=="boolean"?S[M]=_:_.isMatrix3?
+(S[M]=_.elements[0],S[M+1]=_.elements[1],S[M+2]=_.elements[2],S[M+3]=0,S[M+4]=_.elements[3],S[M+5]=_.elements[4],S[M+6]=_.elements[5],S[M+7]=0,S[M+8]=_.elements[6],
+S[M+9]=_.elements[7],S[M+10]=_.elements[8],S[M+11]=0):ArrayBuffer.isView(_)?S.set(_.subarray(0,S.length-M),M):_.toArray(S,M)}function h(_,S,M,C){let T=_.value,x=S+
+"_"+M;if(Array.isArray(T)){C[x]===void 0&&(C[x]=[]);let b=C[x],L=!1;for(let R=0;R<T.length;R++)f(T[R],b,R)===!0&&(L=!0);return L}return f(T,C,x)}function f(_,S,M){
+if(S[M]===void 0)return typeof _=="number"||typeof _=="boolean"?S[M]=_:ArrayBuffer.isView(_)?S[M]=_.slice():S[M]=_.clone(),!0;{let C=S[M];if(typeof _=="number"||
+typeof _=="boolean"){if(C!==_)return S[M]=_,!0}else{if(ArrayBuffer.isView(_))return!0;if(C.equals(_)===!1)return C.copy(_),!0}}return!1}function m(_){let S=_.uniforms,
+M=0,C=16;for(let x=0,b=S.length;x<b;x++){let L=Array.isArray(S[x])?S[x]:[S[x]];for(let R=0,P=L.length;R<P;R++){let F=L[R],z=Array.isArray(F.value)?F.value:[F.value],
+D=Array.isArray(S[x])||Array.isArray(F.value),G=M;for(let W=0,ce=z.length;W<ce;W++){let K=z[W],Q=y(K,D),se=M%C,de=se%Q.boundary,ue=se+de;M+=de,ue!==0&&C-ue<Q.storage&&
+(M+=C-ue),W===0&&(G=M),M+=Q.storage}let Y=F.type==="int"?Int32Array:F.type==="uint"?Uint32Array:Float32Array;F.__data=new Y((M-G)/Float32Array.BYTES_PER_ELEMENT),
+F.__offset=G}}let T=M%C;return T>0&&(M+=C-T),_.__size=M,_.__cache={},this}function y(_,S){let M={boundary:0,storage:0};return typeof _=="number"||typeof _=="boo\
+lean"?(M.boundary=4,M.storage=4):_.isVector2?(M.boundary=8,M.storage=8):_.isVector3||_.isColor?(M.boundary=16,M.storage=12):_.isVector4?(M.boundary=16,M.storage=
+16):_.isMatrix3?(M.boundary=16,M.storage=48):_.isMatrix4?(M.boundary=16,M.storage=64):_.isTexture?$e("WebGLRenderer: Texture samplers can not be part of an unif\
+orms group."):ArrayBuffer.isView(_)?(M.boundary=16,M.storage=_.byteLength):$e("WebGLRenderer: Unsupported uniform value type.",_),S===!0&&(M.boundary=16,M.storage=
+Math.ceil(M.storage/16)*16),M}function p(_){let S=_.target;S.removeEventListener("dispose",p),i.deleteBuffer(s[S.id]),delete s[S.id],delete r[S.id]}function g(){
 for(let _ in s)i.deleteBuffer(s[_]);s={},r={}}return{bind:o,update:a,dispose:g}}var yw=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,
 14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,
 14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,
@@ -3605,7 +3605,7 @@ On,Gi.magFilter=On,Gi.wrapS=Fi,Gi.wrapT=Fi,Gi.generateMipmaps=!1,Gi.needsUpdate=
 stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:d="default",failIfMajorPerformanceCaveat:u=!1,reversedDepthBuffer:h=!1,
 outputBufferType:f=Hn}=e;this.isWebGLRenderer=!0;let m;if(n!==null){if(typeof WebGLRenderingContext<"u"&&n instanceof WebGLRenderingContext)throw new Error("THR\
 EE.WebGLRenderer: WebGL 1 is not supported since r163.");m=n.getContextAttributes().alpha}else m=o;let y=f,p=new Set([lc,ac,oc]),g=new Set([Hn,bi,oo,nr,ic,sc]),
-_=new Uint32Array(4),S=new Int32Array(4),b={textures:[],min:[],max:[],resolution:[]},C=null,T=null,x=[],M=[],L=null;this.domElement=t,this.debug={checkShaderErrors:!0,
+_=new Uint32Array(4),S=new Int32Array(4),M={textures:[],min:[],max:[],resolution:[]},C=null,T=null,x=[],b=[],L=null;this.domElement=t,this.debug={checkShaderErrors:!0,
 diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.
 clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=Vi,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let R=this,P=!1,F=null,z=null,D=null,
 G=null;this._outputColorSpace=Qn;let Y=0,W=0,ce=null,K=-1,Q=null,se=new Wt,de=new Wt,ue=null,ee=new rt(0),me=0,xe=t.width,Ee=t.height,be=1,He=null,nt=null,Ve=new Wt(
@@ -3657,19 +3657,19 @@ qi.setValue(B,"_gl_DrawID",nn),Ct.render(hn[nn]/mt,Ue[nn])}else if(Z.isInstanced
 _maxInstanceCount!==void 0?j._maxInstanceCount:1/0,Ue=Math.min(j.instanceCount,hn);Ct.renderInstances(Be,Xt,Ue)}else Ct.render(Be,Xt)};function fo(E,k,j,$){F!==
 null&&E.isNodeMaterial&&F.setObject($,E),Ut===!0&&ie.setState(E,j,!1),E.transparent===!0&&E.side===zi&&E.forceSinglePass===!1?(E.side=kn,E.needsUpdate=!0,Ei(E,k,
 $),E.side=Ds,E.needsUpdate=!0,Ei(E,k,$),E.side=zi):Ei(E,k,$)}this.compile=function(E,k,j=null){j===null&&(j=E),F!==null&&F.renderStart(E,k,j),T=te.get(j),T.init(
-k),M.push(T),j.traverseVisible(function(Z){Z.isLight&&Z.layers.test(k.layers)&&(T.pushLight(Z),Z.castShadow&&T.pushShadow(Z))}),E!==j&&E.traverseVisible(function(Z){
+k),b.push(T),j.traverseVisible(function(Z){Z.isLight&&Z.layers.test(k.layers)&&(T.pushLight(Z),Z.castShadow&&T.pushShadow(Z))}),E!==j&&E.traverseVisible(function(Z){
 Z.isLight&&Z.layers.test(k.layers)&&(T.pushLight(Z),Z.castShadow&&T.pushShadow(Z))}),T.setupLights(),F!==null&&F.updateLights(T.state.lightsArray),Qt=this.localClippingEnabled,
 Ut=ie.init(this.clippingPlanes,Qt),Ut===!0&&ie.setGlobalState(this.clippingPlanes,k),F!==null&&pe.render(T.state.shadowsArray,j,k);let $=new Set;return E.traverse(
 function(Z){if(!(Z.isMesh||Z.isPoints||Z.isLine||Z.isSprite))return;let Te=Z.material;if(Te)if(Array.isArray(Te))for(let Pe=0;Pe<Te.length;Pe++){let Ae=Te[Pe];fo(
-Ae,j,k,Z),$.add(Ae)}else fo(Te,j,k,Z),$.add(Te)}),T=M.pop(),F!==null&&F.renderEnd(),$},this.compileAsync=function(E,k,j=null){let $=this.compile(E,k,j);return new Promise(
+Ae,j,k,Z),$.add(Ae)}else fo(Te,j,k,Z),$.add(Te)}),T=b.pop(),F!==null&&F.renderEnd(),$},this.compileAsync=function(E,k,j=null){let $=this.compile(E,k,j);return new Promise(
 Z=>{function Te(){if($.forEach(function(Pe){let Ie=ze.get(Pe).currentProgram;(Ie===void 0||Ie.isReady())&&$.delete(Pe)}),$.size===0){Z(E);return}setTimeout(Te,10)}
 qe.get("KHR_parallel_shader_compile")!==null?Te():setTimeout(Te,10)})};let lr=null;function oh(E){lr&&lr(E)}function Aa(){Wi.stop()}function Ai(){Wi.start()}let Wi=new Mg;
 Wi.setAnimationLoop(oh),typeof self<"u"&&Wi.setContext(self),this.setAnimationLoop=function(E){lr=E,le.setAnimationLoop(E),E===null?Wi.stop():Wi.start()},le.addEventListener(
 "sessionstart",Aa),le.addEventListener("sessionend",Ai),this.render=function(E,k){if(k!==void 0&&k.isCamera!==!0){Ke("WebGLRenderer.render: camera is not an ins\
 tance of THREE.Camera.");return}if(P===!0)return;F!==null&&F.renderStart(E,k);let j=le.enabled===!0&&le.isPresenting===!0,$=L!==null&&(ce===null||j)&&L.begin(R,
 ce);if(E.matrixWorldAutoUpdate===!0&&E.updateMatrixWorld(),k.parent===null&&k.matrixWorldAutoUpdate===!0&&k.updateMatrixWorld(),le.enabled===!0&&le.isPresenting===
-!0&&(L===null||L.isCompositing()===!1)&&(le.cameraAutoUpdate===!0&&le.updateCamera(k),k=le.getCamera()),E.isScene===!0&&E.onBeforeRender(R,E,k,ce),T=te.get(E,M.
-length),T.init(k),T.state.textureUnits=Xe.getTextureUnits(),M.push(T),Pt.multiplyMatrices(k.projectionMatrix,k.matrixWorldInverse),k.isArrayCamera?Gt.setFromArrayCamera(
+!0&&(L===null||L.isCompositing()===!1)&&(le.cameraAutoUpdate===!0&&le.updateCamera(k),k=le.getCamera()),E.isScene===!0&&E.onBeforeRender(R,E,k,ce),T=te.get(E,b.
+length),T.init(k),T.state.textureUnits=Xe.getTextureUnits(),b.push(T),Pt.multiplyMatrices(k.projectionMatrix,k.matrixWorldInverse),k.isArrayCamera?Gt.setFromArrayCamera(
 k):et.setFromProjectionMatrix(Pt,li,k.reversedDepth),Qt=this.localClippingEnabled,Ut=ie.init(this.clippingPlanes,Qt),C=ye.get(E,x.length),C.init(),x.push(C),this.
 info.render.frame++,le.enabled===!0&&le.isPresenting===!0){let Pe=R.xr.getDepthSensingMesh();Pe!==null&&Xi(Pe,k,-1/0,R.sortObjects)}Xi(E,k,0,R.sortObjects),C.finish(),
 F!==null&&F.updateLights(T.state.lightsArray),R.sortObjects===!0&&C.sort(He,nt),qt=le.enabled===!1||le.isPresenting===!1||le.hasDepthSensing()===!1,qt&&O.addToRenderList(
@@ -3677,7 +3677,7 @@ C,E),this.info.autoReset===!0&&this.info.reset(),Ut===!0&&ie.beginShadows();let 
 !1){let Pe=C.opaque,Ae=C.transmissive;if(T.setupLights(),k.isArrayCamera){let Ie=k.cameras;if(Ae.length>0)for(let ke=0,je=Ie.length;ke<je;ke++){let dt=Ie[ke];di(
 Pe,Ae,E,dt)}qt&&O.render(E);for(let ke=0,je=Ie.length;ke<je;ke++){let dt=Ie[ke];po(C,E,dt,dt.viewport)}}else Ae.length>0&&di(Pe,Ae,E,k),qt&&O.render(E),po(C,E,k)}
 ce!==null&&W===0&&(Xe.updateMultisampleRenderTarget(ce),Xe.updateRenderTargetMipmap(ce)),$&&L.end(R),E.isScene===!0&&E.onAfterRender(R,E,k),Me.resetDefaultState(),
-K=-1,Q=null,M.pop(),M.length>0?(T=M[M.length-1],Xe.setTextureUnits(T.state.textureUnits),Ut===!0&&ie.setGlobalState(R.clippingPlanes,T.state.camera)):T=null,x.pop(),
+K=-1,Q=null,b.pop(),b.length>0?(T=b[b.length-1],Xe.setTextureUnits(T.state.textureUnits),Ut===!0&&ie.setGlobalState(R.clippingPlanes,T.state.camera)):T=null,x.pop(),
 x.length>0?C=x[x.length-1]:C=null,F!==null&&F.renderEnd()};function Xi(E,k,j,$){if(E.visible===!1)return;if(E.layers.test(k.layers)){if(E.isGroup)j=E.renderOrder;else if(E.
 isLOD)E.autoUpdate===!0&&E.update(k);else if(E.isLight)T.pushLight(E),E.castShadow&&T.pushShadow(E);else if(E.isSprite){let Pe=k.isArrayCamera?Gt:et;if(!E.frustumCulled||
 E.intersectsFrustum(Pe)){$&&vt.setFromMatrixPosition(E.matrixWorld).applyMatrix4(Pt);let Ae=he.update(E),Ie=E.material;Ie.visible&&C.push(E,Ae,Ie,j,vt.z,null,k)}}else if(E.
@@ -3748,7 +3748,7 @@ morphAttributes;if((In.position!==void 0||In.normal!==void 0||In.color!==void 0)
 Z.receiveShadow,ct.setValue(B,"receiveShadow",Z.receiveShadow)),($.isMeshStandardMaterial||$.isMeshLambertMaterial||$.isMeshPhongMaterial)&&$.envMap===null&&k.environment!==
 null&&(Yt.envMapIntensity.value=k.environmentIntensity),Yt.dfgLUT!==void 0&&(Yt.dfgLUT.value=vw()),Ci){if(ct.setValue(B,"toneMappingExposure",R.toneMappingExposure),
 Ue.needsLights&&cr(Yt,$i),Te&&$.fog===!0&&_e.refreshFogUniforms(Yt,Te),_e.refreshMaterialUniforms(Yt,$,be,Ee,T.state.transmissionRenderTarget[E.id]),Ue.needsLights&&
-Ue.numLightProbeGrids>0){let Rt=b,sn=0;for(let Tn of T.state.lightProbeGridArray)Tn.texture!==null&&(Rt.textures[sn]=Tn.texture,Rt.min[sn]=Tn.boundingBox.min,Rt.
+Ue.numLightProbeGrids>0){let Rt=M,sn=0;for(let Tn of T.state.lightProbeGridArray)Tn.texture!==null&&(Rt.textures[sn]=Tn.texture,Rt.min[sn]=Tn.boundingBox.min,Rt.
 max[sn]=Tn.boundingBox.max,Rt.resolution[sn]=Tn.resolution,sn++);for(let Tn in Rt)Rt[Tn].length=sn;Yt.probesSH.value=Rt.textures,Yt.probesMin.value=Rt.min,Yt.probesMax.
 value=Rt.max,Yt.probesResolution.value=Rt.resolution}ao.upload(B,fs(Ue),Yt,Xe)}if($.isShaderMaterial&&$.uniformsNeedUpdate===!0&&(ao.upload(B,fs(Ue),Yt,Xe),$.uniformsNeedUpdate=
 !1),$.isSpriteMaterial&&ct.setValue(B,"center",Z.center),ct.setValue(B,"modelViewMatrix",Z.modelViewMatrix),ct.setValue(B,"normalMatrix",Z.normalMatrix),ct.setValue(
@@ -3876,9 +3876,9 @@ a=null,l=h=>{for(let{mesh:f}of r)f.material.transparent=h,f.material.opacity=h?.
 for(let{mesh:f}of r)n.remove(f),f.geometry.dispose(),f.material.dispose(),f.dispose();let h=new Map;for(let f=0;f<o.count;++f){let m=o.body(f),y=i==="marks"?"ma\
 rks":Fg(m);h.has(y)||h.set(y,{body:m,rows:[]}),h.get(y).rows.push(f)}r=[...h.values()].map(({body:f,rows:m})=>{let y=Ug(f),p=i==="marks"?new eo(.5):y.geometry(f),
 g=new As(p,Cw(i,y.has_edges),m.length);return g.frustumCulled=!1,i==="marks"&&(g.renderOrder=2),n.add(g),{mesh:g,rows:m}}),i==="ghost"&&l(!0)},d=new rt(e);n.add(
-s);let u={group:n,set_ghost:l,describe(h){o=h,c(),a&&u.show(...a)},show(h,f={}){a=[h,f];let m=new xt,y=new V,p=new Bn,g=new V,_=new rt;for(let{mesh:S,rows:b}of r)
-b.forEach((C,T)=>{if(!(h&&C<h.rows&&h.mark[C]!==sr&&h.mark[C]!==jc)||f.hidden?.(C))S.setMatrixAt(T,Aw);else{let M=o.body(C),L=h.rows;y.set(h.x[C],h.y[C],h.z[C]),
-i==="marks"?(g.setScalar(Math.min(...xd(M))),p.identity()):(g.set(...Og(M)),p.set(h.turn[L+C],h.turn[2*L+C],h.turn[3*L+C],h.turn[C]).normalize()),S.setMatrixAt(
+s);let u={group:n,set_ghost:l,describe(h){o=h,c(),a&&u.show(...a)},show(h,f={}){a=[h,f];let m=new xt,y=new V,p=new Bn,g=new V,_=new rt;for(let{mesh:S,rows:M}of r)
+M.forEach((C,T)=>{if(!(h&&C<h.rows&&h.mark[C]!==sr&&h.mark[C]!==jc)||f.hidden?.(C))S.setMatrixAt(T,Aw);else{let b=o.body(C),L=h.rows;y.set(h.x[C],h.y[C],h.z[C]),
+i==="marks"?(g.setScalar(Math.min(...xd(b))),p.identity()):(g.set(...Og(b)),p.set(h.turn[L+C],h.turn[2*L+C],h.turn[3*L+C],h.turn[C]).normalize()),S.setMatrixAt(
 T,m.compose(y,p,g))}_.copy(d),f.colour?.(C,_,h),S.setColorAt(T,_)}),S.instanceMatrix.needsUpdate=!0,S.instanceColor&&(S.instanceColor.needsUpdate=!0),S.boundingSphere=
 null;u.mark_lost(f.lost??[])},mark_lost(h){for(let y of[...s.children])s.remove(y),y.geometry.dispose(),y.material.dispose();if(h.length===0)return;let f=new As(
 new eo(.7),new ls({color:t.bad,wireframe:!0,depthTest:!1}),h.length);f.frustumCulled=!1,f.renderOrder=4;let m=new xt;h.forEach(({at:y,size:p},g)=>{f.setMatrixAt(
@@ -3891,18 +3891,18 @@ n}var rr=class{constructor(e,t,n=null){this.first=e,this.last=t,this.list=n}at_o
 list?this.list[Math.max(0,this.rank(t))]:t}rank(e){let t=0,n=this.list.length;for(;t<n;){let s=t+n>>1;this.list[s]<=e?t=s+1:n=s}return t-1}beside(e,t){return this.
 list?this.list[Math.min(this.list.length-1,Math.max(0,this.rank(e)+t))]:this.at_or_before(e+t)}};function Qc({steps:i,dt:e,show:t,label:n="step shown",full:s=!0}){
 let r=i.first,o=null,a=0,l=r,c=performance.now(),d=X("input",{type:"range",className:"scrubber",min:i.first,max:i.last,value:r});d.setAttribute("aria-label",n);
-let u=X("select",{className:"speed"},...Rw.map(M=>X("option",{value:M,textContent:"\xD7".concat(M),selected:M===1})));u.setAttribute("aria-label","speed of play\
+let u=X("select",{className:"speed"},...Rw.map(b=>X("option",{value:b,textContent:"\xD7".concat(b),selected:b===1})));u.setAttribute("aria-label","speed of play\
 ing");let h=X("input",{type:"number",className:"step",min:i.first,max:i.last,value:r});h.setAttribute("aria-label","step");let f=()=>{d.value=r,document.activeElement!==
-h&&(h.value=r),t(r)},m=()=>{clearInterval(o),o=null,a=0,C()},y=M=>{let L=i.at_or_before(M);if(L===r){d.value=r;return}r=L,f()},p=M=>{m(),y(M)},g=()=>{let M=performance.
-now();l+=a*Number(u.value)*Math.min(.25,(M-c)/1e3)/Math.max(e(),1e-9),c=M,y(l),(a>0?l>=i.last:l<=i.first)&&m()},_=M=>{if(a===M)return m();m(),a=M,M>0&&r>=i.at_or_before(
-i.last)&&y(i.first),M<0&&r<=i.first&&y(i.last),l=r,c=performance.now(),o=setInterval(g,Vg),C()},S=Fs("play","play",()=>_(1)),b=Fs("back","play backwards",()=>_(
--1));function C(){for(let[M,L,R,P]of[[S,1,"play","play"],[b,-1,"back","play backwards"]]){let F=a===L;M.replaceChildren(Gg(F?"pause":R)),M.setAttribute("aria-la\
-bel",F?"pause":P),M.title=F?"pause":P}}let T=M=>{m(),y(i.beside(r,M))};return d.addEventListener("input",()=>p(Number(d.value))),d.addEventListener("keydown",M=>{
-let L={ArrowLeft:-1,ArrowDown:-1,ArrowRight:1,ArrowUp:1,PageUp:10,PageDown:-10}[M.key];L===void 0||M.ctrlKey||M.metaKey||M.altKey||(M.preventDefault(),M.stopPropagation(),
-T(M.shiftKey?10*L:L))}),h.addEventListener("change",()=>{p(Number(h.value)),h.value=r}),{bar:s?X("div",{className:"player"},Fs("first","first step",()=>p(i.first)),
-b,Fs("less","one step back",()=>T(-1)),Fs("more","one step on",()=>T(1)),S,Fs("last","last step",()=>p(i.last)),u,d,h):X("div",{className:"player"},b,Fs("less",
+h&&(h.value=r),t(r)},m=()=>{clearInterval(o),o=null,a=0,C()},y=b=>{let L=i.at_or_before(b);if(L===r){d.value=r;return}r=L,f()},p=b=>{m(),y(b)},g=()=>{let b=performance.
+now();l+=a*Number(u.value)*Math.min(.25,(b-c)/1e3)/Math.max(e(),1e-9),c=b,y(l),(a>0?l>=i.last:l<=i.first)&&m()},_=b=>{if(a===b)return m();m(),a=b,b>0&&r>=i.at_or_before(
+i.last)&&y(i.first),b<0&&r<=i.first&&y(i.last),l=r,c=performance.now(),o=setInterval(g,Vg),C()},S=Fs("play","play",()=>_(1)),M=Fs("back","play backwards",()=>_(
+-1));function C(){for(let[b,L,R,P]of[[S,1,"play","play"],[M,-1,"back","play backwards"]]){let F=a===L;b.replaceChildren(Gg(F?"pause":R)),b.setAttribute("aria-la\
+bel",F?"pause":P),b.title=F?"pause":P}}let T=b=>{m(),y(i.beside(r,b))};return d.addEventListener("input",()=>p(Number(d.value))),d.addEventListener("keydown",b=>{
+let L={ArrowLeft:-1,ArrowDown:-1,ArrowRight:1,ArrowUp:1,PageUp:10,PageDown:-10}[b.key];L===void 0||b.ctrlKey||b.metaKey||b.altKey||(b.preventDefault(),b.stopPropagation(),
+T(b.shiftKey?10*L:L))}),h.addEventListener("change",()=>{p(Number(h.value)),h.value=r}),{bar:s?X("div",{className:"player"},Fs("first","first step",()=>p(i.first)),
+M,Fs("less","one step back",()=>T(-1)),Fs("more","one step on",()=>T(1)),S,Fs("last","last step",()=>p(i.last)),u,d,h):X("div",{className:"player"},M,Fs("less",
 "one step back",()=>T(-1)),Fs("more","one step on",()=>T(1)),S,d),slider:d,seek:p,move:T,play:_,stop:m,get step(){return r},get direction(){return a},get stride(){
-return Math.max(1,Number(u.value)*Vg/1e3/Math.max(e(),1e-9))},set_last(M){let L=r===i.last;return i.last=M,d.max=h.max=M,L},refresh:f}}function eh(i,e,t=null){let n=0,s=new Map,r=()=>{let[l,c]=[...s.values()];return Math.hypot(l.x-c.x,l.y-c.y)};i.addEventListener("pointerdown",l=>{i.setPointerCapture(
+return Math.max(1,Number(u.value)*Vg/1e3/Math.max(e(),1e-9))},set_last(b){let L=r===i.last;return i.last=b,d.max=h.max=b,L},refresh:f}}function eh(i,e,t=null){let n=0,s=new Map,r=()=>{let[l,c]=[...s.values()];return Math.hypot(l.x-c.x,l.y-c.y)};i.addEventListener("pointerdown",l=>{i.setPointerCapture(
 l.pointerId),i.focus({preventScroll:!0}),s.set(l.pointerId,{x:l.clientX,y:l.clientY}),n=0}),i.addEventListener("pointermove",l=>{if(l.buttons!==0){if(n+=Math.abs(
 l.movementX)+Math.abs(l.movementY),s.size===2){let c=r();s.set(l.pointerId,{x:l.clientX,y:l.clientY}),e.zoom(c/Math.max(1,r()))}else l.shiftKey||l.buttons!==1?e.
 pan(l.movementX/i.clientHeight,l.movementY/i.clientHeight):e.turn(-.008*l.movementX,.008*l.movementY);s.has(l.pointerId)&&s.set(l.pointerId,{x:l.clientX,y:l.clientY})}});
@@ -3914,28 +3914,28 @@ l.metaKey||l.altKey||(l.preventDefault(),l.stopPropagation(),a[l.key]())})}funct
 l);return o.length===0?[0,0]:[o[Math.floor(.05*(o.length-1))],o[Math.ceil(.95*(o.length-1))]]}),n=t.map(([r,o])=>(r+o)/2),s=Math.hypot(...t.map(([r,o])=>o-r));return{
 centre:n,radius:Math.max(s/2+Math.min(Math.max(e,.1),4),.001)}}var Iw=.07,Lw=.25;function yd(i,e){let t=new Vn,n=new Ps(.5,.5,1,6).translate(0,.5,0),s=new Ko(.5,1,10).translate(0,.5,0),r=new ls({color:i,depthTest:!1,transparent:!0,
 opacity:.9}),o=[];return{group:t,show(a,l){for(let y of o)t.remove(y),y.dispose();if(o=[],a.length===0)return;let[c,d]=o=[n,s].map(y=>new As(y,r,a.length)),u=Iw*
-l,h=Math.max(...a.map(y=>y.impulse),1e-30),f=new V(0,1,0),m=new xt;a.forEach(({at:y,normal:p,impulse:g},_)=>{let S=u*Math.max(Lw,Math.sqrt(Math.max(0,g)/h)),b=new Bn().
-setFromUnitVectors(f,new V(...p).normalize()),C=new V(...y),T=u*.05*e;c.setMatrixAt(_,m.compose(C,b,new V(T,S*.7,T)));let x=new V(0,S*.7,0).applyQuaternion(b).add(
-C);d.setMatrixAt(_,m.compose(x,b,new V(T*3.4,S*.3,T*3.4)))});for(let y of o)y.frustumCulled=!1,y.renderOrder=3,t.add(y)}}}var Md=40,Nw=2;function Dw(i,e){let t=new ln;t.setAttribute("position",new yt(i,3));let n=new Qr(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),
+l,h=Math.max(...a.map(y=>y.impulse),1e-30),f=new V(0,1,0),m=new xt;a.forEach(({at:y,normal:p,impulse:g},_)=>{let S=u*Math.max(Lw,Math.sqrt(Math.max(0,g)/h)),M=new Bn().
+setFromUnitVectors(f,new V(...p).normalize()),C=new V(...y),T=u*.05*e;c.setMatrixAt(_,m.compose(C,M,new V(T,S*.7,T)));let x=new V(0,S*.7,0).applyQuaternion(M).add(
+C);d.setMatrixAt(_,m.compose(x,M,new V(T*3.4,S*.3,T*3.4)))});for(let y of o)y.frustumCulled=!1,y.renderOrder=3,t.add(y)}}}var Md=40,Nw=2;function Dw(i,e){let t=new ln;t.setAttribute("position",new yt(i,3));let n=new Qr(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),
 n}function vd(i){i.traverse?.(e=>{e.geometry?.dispose(),e.material?.dispose(),e.dispose?.()}),i.removeFromParent()}function Uw(i,e){let t={around:-.9,up:.45,distance:.82*
 i/Math.sin(Md/2*Math.PI/180),centre:new V};if(e){let n=new V(...e.position).sub(new V(...e.target));t.around=Math.atan2(n.y,n.x),t.up=Math.min(1.5,Math.max(-.3,
 Math.asin(n.z/n.length())))}return t}function nh(i,{hue:e,box:t,camera:n,ground:s=!0}){let r=new Hc({canvas:i,antialias:!0,alpha:!0});r.setPixelRatio(Math.min(devicePixelRatio,
 Nw));let{radius:o}=t,a=new Go,l=new Fn(Md,1,o/200,o*200);l.up.set(0,0,1);let c=new to("#ffffff",2.2);c.position.set(.45,-.7,1);let d=new to("#ffffff",.7);if(d.position.
 set(-.8,.3,.4),a.add(new sa("#ffffff","#c9d1da",1.9),c,d),s){let x=new ca(8*o,40,e.line,e.line);x.rotation.x=Math.PI/2,x.position.set(t.centre[0],t.centre[1],0),
 a.add(x)}let u=Uw(o,n);u.centre.set(...t.centre);let h=[],f=new Vn;a.add(f);let m=[yd(e.contact,1),yd(e.expected,.7)];for(let{group:x}of m)a.add(x);let y=new Map,
-p=!1,g=!1,_=0,S=()=>{let x=u.distance*Math.max(1,.95/l.aspect),M=Math.cos(u.up)*x;l.position.set(u.centre.x+M*Math.cos(u.around),u.centre.y+M*Math.sin(u.around),
-u.centre.z+x*Math.sin(u.up)),l.lookAt(u.centre)},b=()=>p&&h.length===2?2:1,C=()=>{cancelAnimationFrame(_),_=0,g=!0;let x=r.getSize(new st),M=b();l.aspect=x.x/M/
-Math.max(1,x.y),l.updateProjectionMatrix(),S(),r.setScissorTest(M===2);for(let L=0;L<M;++L){let R=Math.round(L*x.x/M);r.setViewport(R,0,x.x/M,x.y),r.setScissor(
-R,0,x.x/M,x.y),h.forEach((P,F)=>{P.group.visible=M===1||F===L}),m.forEach(({group:P},F)=>{P.visible=M===1||F===L});for(let{session:P,line:F}of y.values())F.visible=
-M===1||P===L;r.render(a,l)}},T=()=>{_||=requestAnimationFrame(C)};return{view:u,draw:T,draw_now:C,add_session(x,M){let L=kg(x,M,e);return h.push(L),a.add(L.group),
-{describe(R){L.describe(R),T()},show(R,P){L.show(R,P),T()}}},set_side_by_side(x){p=x,h[1]?.set_ghost(!x),T()},set_lines(x,M){if(y.has(x)&&vd(y.get(x).line),y.delete(
-x),M&&M.points.length>0){let{points:L,colour:R,dash:P,on_top:F}=M,z={color:R,depthTest:!F,transparent:!0,opacity:M.opacity??1},D=P?new ta({...z,dashSize:P,gapSize:.7*
-P}):new Cs(z),G=Dw(L,D);G.renderOrder=F?2:1,f.add(G),y.set(x,{line:G,session:M.session??0})}T()},set_arrows(x,M=0){m[M].show(x,u.distance),T()},pick(x,M){let L=b(),
-R=Math.min(L-1,Math.floor(x*L));S(),l.updateMatrixWorld();let P=new aa;P.setFromCamera(new st(2*(x*L-R)-1,1-2*M),l);let F=h.flatMap((z,D)=>L===2&&D!==R?[]:z.hits(
-P).map(G=>({...G,session:D})));return F.sort((z,D)=>z.distance-D.distance),F[0]??null},turn(x,M){u.around+=x,u.up=Math.min(1.55,Math.max(-.3,u.up+M)),T()},zoom(x){
-u.distance=Math.min(40*o,Math.max(o/100,u.distance*x)),T()},pan(x,M){S(),l.updateMatrixWorld();let L=2*u.distance*Math.tan(Md/2*Math.PI/180),R=new V().setFromMatrixColumn(
-l.matrixWorld,0).multiplyScalar(-x*L);u.centre.add(R.add(new V().setFromMatrixColumn(l.matrixWorld,1).multiplyScalar(M*L))),T()},look_at(x){u.centre.set(...x),T()},
-resize(x,M){let L=r.getSize(new st);L.x===x&&L.y===M||(r.setSize(x,M,!1),g?C():T())},dispose(){for(let x of h)vd(x.group);vd(f),a.traverse(x=>{x.geometry?.dispose(),
+p=!1,g=!1,_=0,S=()=>{let x=u.distance*Math.max(1,.95/l.aspect),b=Math.cos(u.up)*x;l.position.set(u.centre.x+b*Math.cos(u.around),u.centre.y+b*Math.sin(u.around),
+u.centre.z+x*Math.sin(u.up)),l.lookAt(u.centre)},M=()=>p&&h.length===2?2:1,C=()=>{cancelAnimationFrame(_),_=0,g=!0;let x=r.getSize(new st),b=M();l.aspect=x.x/b/
+Math.max(1,x.y),l.updateProjectionMatrix(),S(),r.setScissorTest(b===2);for(let L=0;L<b;++L){let R=Math.round(L*x.x/b);r.setViewport(R,0,x.x/b,x.y),r.setScissor(
+R,0,x.x/b,x.y),h.forEach((P,F)=>{P.group.visible=b===1||F===L}),m.forEach(({group:P},F)=>{P.visible=b===1||F===L});for(let{session:P,line:F}of y.values())F.visible=
+b===1||P===L;r.render(a,l)}},T=()=>{_||=requestAnimationFrame(C)};return{view:u,draw:T,draw_now:C,add_session(x,b){let L=kg(x,b,e);return h.push(L),a.add(L.group),
+{describe(R){L.describe(R),T()},show(R,P){L.show(R,P),T()}}},set_side_by_side(x){p=x,h[1]?.set_ghost(!x),T()},set_lines(x,b){if(y.has(x)&&vd(y.get(x).line),y.delete(
+x),b&&b.points.length>0){let{points:L,colour:R,dash:P,on_top:F}=b,z={color:R,depthTest:!F,transparent:!0,opacity:b.opacity??1},D=P?new ta({...z,dashSize:P,gapSize:.7*
+P}):new Cs(z),G=Dw(L,D);G.renderOrder=F?2:1,f.add(G),y.set(x,{line:G,session:b.session??0})}T()},set_arrows(x,b=0){m[b].show(x,u.distance),T()},pick(x,b){let L=M(),
+R=Math.min(L-1,Math.floor(x*L));S(),l.updateMatrixWorld();let P=new aa;P.setFromCamera(new st(2*(x*L-R)-1,1-2*b),l);let F=h.flatMap((z,D)=>L===2&&D!==R?[]:z.hits(
+P).map(G=>({...G,session:D})));return F.sort((z,D)=>z.distance-D.distance),F[0]??null},turn(x,b){u.around+=x,u.up=Math.min(1.55,Math.max(-.3,u.up+b)),T()},zoom(x){
+u.distance=Math.min(40*o,Math.max(o/100,u.distance*x)),T()},pan(x,b){S(),l.updateMatrixWorld();let L=2*u.distance*Math.tan(Md/2*Math.PI/180),R=new V().setFromMatrixColumn(
+l.matrixWorld,0).multiplyScalar(-x*L);u.centre.add(R.add(new V().setFromMatrixColumn(l.matrixWorld,1).multiplyScalar(b*L))),T()},look_at(x){u.centre.set(...x),T()},
+resize(x,b){let L=r.getSize(new st);L.x===x&&L.y===b||(r.setSize(x,b,!1),g?C():T())},dispose(){for(let x of h)vd(x.group);vd(f),a.traverse(x=>{x.geometry?.dispose(),
 x.material?.dispose()}),r.dispose(),r.forceContextLoss()}}}var Sd=2,Fw=.05,Ow=40,Bw=.15,Os=(i,e)=>{let t=i===null?[null]:i.slice(3*e,3*e+3);return t.includes(null)?null:t.map(n=>n/1e3)};function kw(i){let{actual_mm:e,expected_mm:t}=i.
 frames;return e.map((n,s)=>i.bodies.id.map((r,o)=>{let a=Os(n,o),l=Os(t[s],o);return a&&l?1e3*Math.hypot(a[0]-l[0],a[1]-l[1],a[2]-l[2]):null}))}function zw(i,e){
 let t=Math.max(0,...e.flat());return i.bodies.id.map((n,s)=>{let r=1e3*Math.min(...i.bodies.size.slice(3*s,3*s+3));return Math.max(Sd,Fw*Math.min(t,r>0?r:t))})}
@@ -4022,8 +4022,8 @@ ld (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var 
 inside"});return{place:X("details",{open:e,className:"panel",id:t},X("summary",{},X("h2",{textContent:i})),n),body:n}}function Kg(i,{label:e,name:t,size:n,answers:s,
 actions:r,asked:o=null}){let a=s.length===2?["A","B"]:["value"],l=s.find(f=>f.why_not),c=X("table",{className:"numbers"});c.append(X("thead",{},ar(X("th",{textContent:"\
 field"}),...a.map(f=>X("th",{textContent:f,className:"number"})))));let d=X("tbody"),u=s.find(f=>f.fields);for(let[f,{field:m}]of(u?.fields??[]).entries()){let y=s.
-map(S=>S.fields?.[f]),p=y.map(S=>S?.hex??String(S?.value)),g=p.length===2&&p[0]!==p[1],_=ar(X("th",{scope:"row",textContent:m}),...y.map(S=>{let b=Bs("","number");
-return S&&o?b.append(Rn(wa(S.value),()=>o(m),"".concat(S.hex??""," \u2013 where does it come from?"))):b.textContent=wa(S?.value),S?.hex&&(b.title=S.hex),b}));_.
+map(S=>S.fields?.[f]),p=y.map(S=>S?.hex??String(S?.value)),g=p.length===2&&p[0]!==p[1],_=ar(X("th",{scope:"row",textContent:m}),...y.map(S=>{let M=Bs("","number");
+return S&&o?M.append(Rn(wa(S.value),()=>o(m),"".concat(S.hex??""," \u2013 where does it come from?"))):M.textContent=wa(S?.value),S?.hex&&(M.title=S.hex),M}));_.
 classList.toggle("differs",g),d.append(_)}c.append(d);let h=[...t===e?[]:[t],n[0]>0?"".concat(n.map(f=>Number(f.toPrecision(4))).join(" \xD7 ")," m"):"size unkn\
 own"];u&&h.push(u.frozen?"asleep":"awake"),i.replaceChildren(X("p",{},X("strong",{textContent:e.replace(/^body /,"Body ")})," ".concat(h.join(" \xB7 "))),r),u&&
 i.append(X("div",{className:"scroll"},c)),u?.channels?.length>0&&i.append(X("div",{className:"scroll"},X("table",{className:"numbers"},X("caption",{textContent:"\
@@ -4131,8 +4131,8 @@ text);return t.value=f.length===0?"no such body":"".concat(f.length," bod").conc
 h.label(h.id(m)),()=>i.select(h.id(m))),h.label(h.id(m)).includes(h.name(m))?"":" ".concat(h.name(m))))),i.set_hits([]),f},a=()=>{let{rows:h,timeline_done:f}=i.
 sessions[0];return c(c0(s,h,m=>i.separation_at(m)),co[s.quantity]?.unit??"",f)},l=async h=>{let f=s,m=i.sessions.map(({bodies:C})=>C.find(f.body).map(T=>C.id(T))),
 y=[...new Set(m.flat())];if(y.length!==1)return t.value=y.length===0?'no body "'.concat(f.body,'"'):"".concat(y.length,' bodies answer to "').concat(f.body,'"; \
-wanted one'),n.replaceChildren(),i.set_hits([]),[];let{unit:p}=Ta[f.quantity],g=f.quantity==="separation"&&i.sessions.length===2,_=[null,null],S=[],b=C=>s!==f?!1:
-(_[0]&&(!g||_[1])&&(S=c(h0(f,..._),p,C)),!0);try{for(let C of g?[1,0]:[0]){let T=C===0;if(_[C]=await i.sessions[C].history(y[0],x=>(_[C]=x,b(!1)&&s===f)),!b(T))
+wanted one'),n.replaceChildren(),i.set_hits([]),[];let{unit:p}=Ta[f.quantity],g=f.quantity==="separation"&&i.sessions.length===2,_=[null,null],S=[],M=C=>s!==f?!1:
+(_[0]&&(!g||_[1])&&(S=c(h0(f,..._),p,C)),!0);try{for(let C of g?[1,0]:[0]){let T=C===0;if(_[C]=await i.sessions[C].history(y[0],x=>(_[C]=x,M(!1)&&s===f)),!M(T))
 return[]}h&&i.selected!==y[0]&&i.select(y[0])}catch(C){s===f&&(t.value=C.message)}return S},c=(h,f,m)=>{let y=m?"":" so far";return t.value=h.length===0?"in no \
 step".concat(y):"".concat(h.length," run").concat(h.length===1?"":"s"," of steps").concat(y,", the first at ").concat(h[0].first),r=h.slice(0,rh).map(p=>{let g=p.
 first===p.last?"step ".concat(p.first):"steps ".concat(p.first," to ").concat(p.last),_=X("li",{},Rn(g,()=>i.player.seek(p.first)),": up to ",Rn("".concat(i1(p.
@@ -4158,9 +4158,10 @@ this.channel_heads=e;for(let t of f0)this[t]=[];this.begun=[],this.label=t=>"bod
 this.count-t.length).fill(null),broken:new Array(this.count-t.length).fill(null)};r.value.push(...t),r.broken.push(...n)}),e.channels.forEach((t,n)=>{let{name:s}=this.
 channel_heads[n],r=this.channels[s]??=[];for(;r.length<this.count-t.length;)r.push(null);r.push(...t)})}index(e){let{count:t}=this;if(t===0||e<this.step[0])return-1;
 let n=t>1?this.step[1]-this.step[0]:1,s=Math.min(t-1,Math.max(0,Math.floor((e-this.step[0])/n)));for(;s>0&&this.step[s]>e;)--s;for(;s+1<t&&this.step[s+1]<=e;)++s;
-return s}unread(){let e=[];for(let t=0;t<this.count;++t){if(this.read[t]!==0)continue;let n=e.at(-1);n&&t>0&&this.read[t-1]===0?n[1]=this.step[t]:e.push([this.step[t],
-this.step[t],"the record with it is damaged"])}return e}broken(e){return this.bounds.reduce((t,{broken:n})=>t+(n[e]??0),0)}breaks(){return this.bounds.map(({broken:e})=>e.
-indexOf(1)).filter(e=>e>=0).map(e=>this.step[e])}energy(e){return this.kinetic[e]===null||this.potential[e]===null?null:this.kinetic[e]+this.potential[e]}};var o1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function g0(i){if(!("DecompressionStream"in window))
+return s}reaches(e){let t=this.count>1?this.step[1]-this.step[0]:1;return this.count>0&&e<this.step[this.count-1]+t}unread(){let e=[];for(let t=0;t<this.count;++t){
+if(this.read[t]!==0)continue;let n=e.at(-1);n&&t>0&&this.read[t-1]===0?n[1]=this.step[t]:e.push([this.step[t],this.step[t],"the record with it is damaged"])}return e}broken(e){
+return this.bounds.reduce((t,{broken:n})=>t+(n[e]??0),0)}breaks(){return this.bounds.map(({broken:e})=>e.indexOf(1)).filter(e=>e>=0).map(e=>this.step[e])}energy(e){
+return this.kinetic[e]===null||this.potential[e]===null?null:this.kinetic[e]+this.potential[e]}};var o1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function g0(i){if(!("DecompressionStream"in window))
 throw new Error("this browser is too old to unpack the page (no DecompressionStream)");let e=new Blob([o1(i)]).stream().pipeThrough(new DecompressionStream("def\
 late"));return new Response(e).arrayBuffer()}var p0=async i=>JSON.parse(new TextDecoder().decode(await g0(i))),m0=i=>i>>>1^-(i&1);function a1(i,e,t,n){let s=e*t,
 r={place:[],turn:new Int16Array(4*s),mark:new Uint8Array(s)},o=0;for(let a=0;a<3;++a){let l=new Float32Array(s);for(let c=0,d=0;c<t;++c){let u=0,h=0;for(let f=0;f<
@@ -4224,19 +4225,19 @@ r.bad;for(let _=0;_<t.count;++_)e.broken(t,_)&&o.fillRect(n(t.step[_]),l-4,2,4);
 fillRect(_,m(c.high[_]),1.2,l-1-m(c.high[_]));return!0}o.beginPath();let y=!1,p=0,g=0;for(let _=0;_<c.high.length;++_)c.high[_]!==-1/0&&(y||o.moveTo(g=_,m(c.high[_])),
 y=!0,o.lineTo(_,m(c.high[_])),c.low[_]!==c.high[_]&&o.lineTo(_,m(c.low[_])),p=_);return o.lineWidth=1.4,o.lineJoin="round",o.stroke(),e.kind==="area"&&(o.lineTo(
 p,l),o.lineTo(g,l),o.globalAlpha=.25,o.fill(),o.globalAlpha=1),!0}function b0({rows:i,range:e,seek:t,marks:n,hues:s}){let r=X("div",{className:"timeline"}),o=X(
-"div",{className:"cursor"}),a=v0(f1),l=X("span",{className:"value"}),c=[],d=0,u=_=>S=>(S-e().first)/Math.max(1,e().last-e().first)*(_-1),h=(_,S,b,C="")=>X("div",
-{className:"lane",title:C},X("div",{className:"label"},X("span",{textContent:_}),S),b),f=_=>{c=_.map(S=>{let b=v0(d1),C=X("span",{className:"value"});return{lane:S,
-canvas:b,value:C,row:h(S.name,C,b,S.title??"")}}),r.replaceChildren(h("events",l,a),...c.map(({row:S})=>S),o)},m=()=>{let{context:_,width:S,height:b}=M0(a),C=s(),
-{gaps:T,inputs:x,hits:M,first_difference:L}=n(),R=u(S);_.fillStyle=C.line,_.fillRect(0,b/2-1,S,2);for(let[P,F]of T)_.fillStyle=C.bad,_.globalAlpha=.35,_.fillRect(
-R(P),2,Math.max(2,R(F)-R(P)),b-4),_.globalAlpha=1;_.fillStyle=C.select;for(let P of M)_.fillRect(R(P.first),b-7,Math.max(2,R(P.last)-R(P.first)),6);_.fillStyle=
-C.ink;for(let{step:P}of x){let F=R(P);_.beginPath(),_.moveTo(F-4,1),_.lineTo(F+4,1),_.lineTo(F,9),_.fill()}L!==null&&(_.fillStyle=C.bad,_.fillRect(R(L)-1,0,2,b),
-_.beginPath(),_.moveTo(R(L)+1,0),_.lineTo(R(L)+9,4),_.lineTo(R(L)+1,8),_.fill())},y=()=>{let _=i.index(d);for(let{lane:C,value:T}of c)T.textContent=_<0||i.step[_]===
-void 0?"\u2013":C.words(i,_);let S=n().inputs.filter(C=>C.step===d);l.textContent=S.length>0?S.map(({kind:C,body:T})=>"".concat(C).concat(T?" ".concat(T):"")).join(
-", "):"".concat(n().inputs.length," input").concat(n().inputs.length===1?"":"s");let b=a.offsetLeft+u(a.clientWidth)(d);o.style.transform="translateX(".concat(b,
-"px)")},p=()=>{if(a.clientWidth===0)return;let _=s();m(),c.forEach(({lane:S,canvas:b,row:C},T)=>{let x=g1(b,S,i,u(b.clientWidth),S.bad?_.bad:_.lanes[T%_.lanes.length],
-_);C.hidden=!x&&(S.only_if_any||S.late)}),y()},g=_=>{if(_.buttons===0)return;let S=a.getBoundingClientRect(),b=Math.min(1,Math.max(0,(_.clientX-S.left)/Math.max(
-1,S.width-1)));t(Math.round(e().first+b*(e().last-e().first)))};return r.addEventListener("pointerdown",_=>{_.target.tagName==="CANVAS"&&(r.setPointerCapture(_.
-pointerId),g(_))}),r.addEventListener("pointermove",g),new ResizeObserver(p).observe(r),{place:r,draw:p,set_lanes:f,show(_){d=_,y()}}}function S0(i){let{drawing:e}=i,t=i.sessions.length===2,n=(h,f,m,y)=>{let p=X("button",{type:"button",textContent:h,title:"".concat(h," (").concat(f,")")});return p.
+"div",{className:"cursor"}),a=v0(f1),l=X("span",{className:"value"}),c=[],d=0,u=_=>S=>(S-e().first)/Math.max(1,e().last-e().first)*(_-1),h=(_,S,M,C="")=>X("div",
+{className:"lane",title:C},X("div",{className:"label"},X("span",{textContent:_}),S),M),f=_=>{c=_.map(S=>{let M=v0(d1),C=X("span",{className:"value"});return{lane:S,
+canvas:M,value:C,row:h(S.name,C,M,S.title??"")}}),r.replaceChildren(h("events",l,a),...c.map(({row:S})=>S),o)},m=()=>{let{context:_,width:S,height:M}=M0(a),C=s(),
+{gaps:T,inputs:x,hits:b,first_difference:L}=n(),R=u(S);_.fillStyle=C.line,_.fillRect(0,M/2-1,S,2);for(let[P,F]of T)_.fillStyle=C.bad,_.globalAlpha=.35,_.fillRect(
+R(P),2,Math.max(2,R(F)-R(P)),M-4),_.globalAlpha=1;_.fillStyle=C.select;for(let P of b)_.fillRect(R(P.first),M-7,Math.max(2,R(P.last)-R(P.first)),6);_.fillStyle=
+C.ink;for(let{step:P}of x){let F=R(P);_.beginPath(),_.moveTo(F-4,1),_.lineTo(F+4,1),_.lineTo(F,9),_.fill()}L!==null&&(_.fillStyle=C.bad,_.fillRect(R(L)-1,0,2,M),
+_.beginPath(),_.moveTo(R(L)+1,0),_.lineTo(R(L)+9,4),_.lineTo(R(L)+1,8),_.fill())},y=()=>{let _=i.index(d),S=i.reaches(d)?_:-1;for(let{lane:T,value:x}of c)x.textContent=
+S<0||i.step[S]===void 0?"\u2013":T.words(i,S);let M=n().inputs.filter(T=>T.step===d);l.textContent=M.length>0?M.map(({kind:T,body:x})=>"".concat(T).concat(x?" ".
+concat(x):"")).join(", "):"".concat(n().inputs.length," input").concat(n().inputs.length===1?"":"s");let C=a.offsetLeft+u(a.clientWidth)(d);o.style.transform="t\
+ranslateX(".concat(C,"px)")},p=()=>{if(a.clientWidth===0)return;let _=s();m(),c.forEach(({lane:S,canvas:M,row:C},T)=>{let x=g1(M,S,i,u(M.clientWidth),S.bad?_.bad:
+_.lanes[T%_.lanes.length],_);C.hidden=!x&&(S.only_if_any||S.late)}),y()},g=_=>{if(_.buttons===0)return;let S=a.getBoundingClientRect(),M=Math.min(1,Math.max(0,(_.
+clientX-S.left)/Math.max(1,S.width-1)));t(Math.round(e().first+M*(e().last-e().first)))};return r.addEventListener("pointerdown",_=>{_.target.tagName==="CANVAS"&&
+(r.setPointerCapture(_.pointerId),g(_))}),r.addEventListener("pointermove",g),new ResizeObserver(p).observe(r),{place:r,draw:p,set_lanes:f,show(_){d=_,y()}}}function S0(i){let{drawing:e}=i,t=i.sessions.length===2,n=(h,f,m,y)=>{let p=X("button",{type:"button",textContent:h,title:"".concat(h," (").concat(f,")")});return p.
 addEventListener("click",()=>{y(),u()}),{made:p,is_on:m}},s=X("select",{},...[["material","material"],["state","asleep or awake"],["speed","speed"],...t?[["apar\
 t","distance A to B"]]:[]].map(([h,f])=>X("option",{value:h,textContent:f})));s.addEventListener("change",()=>{e.paint=s.value;let{rows:h}=i.sessions[0];e.top_speed=
 Math.max(.1,...h.speed.map(f=>Math.min(f??0,50)).slice(0,5e4)),e.show()});let r=()=>{e.with_contacts=!e.with_contacts,e.show()},o=()=>{e.with_ways=!e.with_ways,

@@ -45,6 +45,12 @@ export class TimelineRows {
     return i;
   }
 
+  /// Whether the rows read so far go up to a step; rows of a thinned timeline stand for the steps up to the next.
+  reaches(step) {
+    const stride = this.count > 1 ? this.step[1] - this.step[0] : 1;
+    return this.count > 0 && step < this.step[this.count - 1] + stride;
+  }
+
   /// Runs of steps that could not be read: [first, last, why].
   unread() {
     const runs = [];
