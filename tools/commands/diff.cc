@@ -65,6 +65,22 @@ Result<replay::Tolerances> parse_tolerances(const std::vector<std::string>& argu
   return tolerances;
 }
 
+// A tolerance for a channel that is not compared would excuse nothing.
+Status check_both_have(const replay::Tolerances& tolerances, const replay::LogReader& a, const replay::LogReader& b) {
+  const std::string prefix = "channel.";
+  for (const auto& [field, value] : tolerances.fields) {
+    if (!field.starts_with(prefix)) continue;
+    for (const replay::LogReader* log : {&a, &b}) {
+      const std::vector<replay::Channel>& channels = log->header().declared.channels;
+      const auto at = std::ranges::find(channels, field.substr(prefix.size()), &replay::Channel::name);
+      if (at != channels.end() && replay::is_number(at->type.kind)) continue;
+      return bad_input("--tolerance " + field + ": found no such channel of numbers in " + printable(log->name()) +
+                       ", so it is not compared; wanted one that both logs have");
+    }
+  }
+  return {};
+}
+
 // Explains the first difference, if there is one. Errors: a log whose states do not match its hashes.
 Result<Difference> look_closer(replay::LogReader& a, replay::LogReader& b, const replay::DiffReport& report) {
   if (!report.first) return Difference();
@@ -136,6 +152,7 @@ Result<Exit> compare(const DiffCommand& options, replay::LogReader& a, replay::L
   }
   const Result<replay::Tolerances> tolerances = parse_tolerances(options.tolerances, channels);
   if (!tolerances.ok()) return tolerances.error();
+  if (Status ok = check_both_have(*tolerances, a, b); !ok.ok()) return ok.error();
   ProgressBar bar("comparing");
   const replay::Reading reading = options.brief ? replay::Reading::kHashes : replay::Reading::kAll;
   std::uint64_t until = replay::kNoLimit;
