@@ -63,6 +63,9 @@ test("names, shapes and channels of another engine, sent and served", async () =
     await score.locator(".value", { hasText: "100" }).waitFor();
     await page.locator("input[type=search]").fill("score >= 81");
     await until(page, ".search output", "1 run of steps, the first at 9");
+    await page.locator(".lane", { hasText: "heat, largest of bodies" }).locator(".value", { hasText: "10" }).waitFor();
+    await page.locator("input[type=search]").fill("heat > 7");
+    await until(page, ".search output", "1 run of steps, the first at 8");
     await page.locator("input[type=search]").fill("ball");
     await page.keyboard.press("Enter");
     await panel_of(page, "Body").locator("text=ball").first().waitFor();

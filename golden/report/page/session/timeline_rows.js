@@ -3,7 +3,7 @@ const kColumns = ["step", "time", "read", "kinetic", "potential", "inputs", "con
   "speed", "speed_body", "height", "overlap"];
 
 export class TimelineRows {
-  /// channels: those of the log's head, [{name, unit}].
+  /// channels: those of the log's head, [{name, unit, of}].
   constructor(channels = []) {
     this.channel_heads = channels;
     for (const name of kColumns) this[name] = [];
