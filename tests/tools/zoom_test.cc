@@ -172,6 +172,38 @@ TEST(Groups, ALogWithoutAChannelDecidesNothing) {
   EXPECT_TRUE(says(excused.err, "found no such channel of numbers in c.tumble")) << excused.err;
 }
 
+TEST(Groups, TakeNoOptionOfTwoLogs) {
+  const Workshop shop;
+  record_toy(shop, "a.tumble");
+  for (const std::vector<std::string>& option : {std::vector<std::string>{"--until", "1"},
+                                                 {"--apart", "1"},
+                                                 {"--tolerance", "position=1"},
+                                                 {"--plot", "p.svg"},
+                                                 {"--brief"}}) {
+    std::vector<std::string> words = {"diff", "a.tumble", "a.tumble", "a.tumble"};
+    words.insert(words.end(), option.begin(), option.end());
+    const Outcome outcome = shop.run(words);
+    EXPECT_EQ(outcome.exit, 2) << option[0] << outcome.out;
+    EXPECT_TRUE(says(outcome.err, "found an option that takes two logs")) << outcome.err;
+  }
+}
+
+TEST(Until, NothingToCompareIsNoAnswer) {
+  const Workshop shop;
+  record_toy(shop, "a.tumble");
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "a.tumble", "--until", "1e-6"}).exit, 2);
+  for (const char* id : {"1", "2"}) {
+    shop.write(std::string(id) + ".csv",
+               std::string("# engine: mine\n# dt: 0.1\nstep,id,position.x,position.y,position.z,"
+                           "orientation.w,orientation.x,orientation.y,orientation.z\n") +
+                   "0," + id + ",0,0,1,1,0,0,0\n1," + id + ",0,0,1,1,0,0,0\n");
+    ASSERT_EQ(shop.run({"import", std::string(id) + ".csv", "-o", std::string(id) + ".tumble"}).exit, 0);
+  }
+  const Outcome apart = shop.run({"diff", "1.tumble", "2.tumble", "--apart", "0.01"});
+  EXPECT_EQ(apart.exit, 1) << "no body is in both";
+  EXPECT_TRUE(says(apart.out, "of the bodies that both have; others exist in one only")) << apart.out;
+}
+
 TEST(Until, EndsTheComparisonAndTellsWhenTheSessionsPart) {
   const Workshop shop;
   record_toy(shop, "a.tumble");

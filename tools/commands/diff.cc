@@ -187,14 +187,26 @@ Result<Exit> compare(const DiffCommand& options, replay::LogReader& a, replay::L
   const Result<std::optional<Parting>> parting = parting_of(options, a, *report, difference, last);
   if (!parting.ok()) return parting.error();
   print_result(question_of(options, tolerances->exact()), *report, difference, {sides_of(a, b), read, zoom, *parting});
-  if (options.apart && !options.json) print_parting(*parting, *options.apart, last);
+  const bool all_measured = !difference || !difference->growth || !difference->growth->separation.bodies_from ||
+                            *difference->growth->separation.bodies_from > last;
+  if (options.apart && !options.json) print_parting(*parting, *options.apart, last, all_measured);
   if (Status ok = draw(options, difference); !ok.ok()) return ok.error();
-  const bool is_same = options.apart ? !*parting && report->last_a == report->last_b : report->identical();
+  const bool is_same =
+      options.apart ? !*parting && all_measured && report->last_a == report->last_b : report->identical();
   return is_same ? Exit::kSame : Exit::kDifference;
+}
+
+bool is_plain(const DiffCommand& options) {
+  return options.tolerances.empty() && options.plot.empty() && !options.until && !options.apart && !options.step &&
+         !options.zoom && !options.brief;
 }
 
 Result<Exit> diff(const DiffCommand& options) {
   if (!options.more.empty()) {
+    if (!is_plain(options)) {
+      return bad_input("of " + std::to_string(options.more.size() + 2) +
+                       " logs every bit is compared: found an option that takes two logs, wanted none but --json");
+    }
     std::vector<std::string> paths = {options.a, options.b};
     paths.insert(paths.end(), options.more.begin(), options.more.end());
     return diff_many(paths, options.json);
