@@ -97,7 +97,9 @@ void name_by_table(const replay::LogHeader& a, const replay::LogHeader& b, repla
   if (axes.ours()) return;
   report.notes.push_back("fields are named by the axes of the tables: " + to_string(axes));
   if (report.first) report.first = in_axes(axes, *report.first);
-  if (difference) difference = in_axes(axes, *std::move(difference));
+  if (!difference) return;
+  difference = in_axes(axes, *std::move(difference));
+  if (report.first) difference->cause = replay::cause_of(report, *report.first);  // which names the field too
 }
 
 /// Adds the names of body and pair; a body that the first log does not name may have one in the second.
