@@ -13,10 +13,10 @@
 #include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
-#include "tools/arguments/numbers.h"
 #include "tools/compare/diff_output.h"
 #include "tools/compare/log_groups.h"
 #include "tools/compare/session_time.h"
+#include "tools/compare/tolerance_arguments.h"
 #include "tools/engine/zoom.h"
 #include "tools/files/log_files.h"
 #include "tools/output/axes_output.h"
@@ -47,39 +47,6 @@ struct DiffCommand {
   bool brief = false;
   bool json = false;
 };
-
-Result<replay::Tolerances> parse_tolerances(const std::vector<std::string>& arguments,
-                                            const std::vector<replay::Channel>& channels) {
-  replay::Tolerances tolerances;
-  for (const std::string& argument : arguments) {
-    const std::size_t equals = argument.find('=');
-    const std::optional<double> value =
-        equals == std::string::npos ? std::nullopt : parse_number(argument.substr(equals + 1));
-    if (!value) {
-      return bad_input("--tolerance: found " + in_quotes(argument) +
-                       ", wanted FIELD=V with a number V, as in position=1e-9");
-    }
-    const Status set = replay::set_tolerance(tolerances, argument.substr(0, equals), *value, channels);
-    if (!set.ok()) return bad_input("--tolerance " + printable(argument) + ": " + set.error().message);
-  }
-  return tolerances;
-}
-
-// A tolerance for a channel that is not compared would excuse nothing.
-Status check_both_have(const replay::Tolerances& tolerances, const replay::LogReader& a, const replay::LogReader& b) {
-  const std::string prefix = "channel.";
-  for (const auto& [field, value] : tolerances.fields) {
-    if (!field.starts_with(prefix)) continue;
-    for (const replay::LogReader* log : {&a, &b}) {
-      const std::vector<replay::Channel>& channels = log->header().declared.channels;
-      const auto at = std::ranges::find(channels, field.substr(prefix.size()), &replay::Channel::name);
-      if (at != channels.end() && replay::is_number(at->type.kind)) continue;
-      return bad_input("--tolerance " + field + ": found no such channel of numbers in " + printable(log->name()) +
-                       ", so it is not compared; wanted one that both logs have");
-    }
-  }
-  return {};
-}
 
 // Explains the first difference, if there is one. Errors: a log whose states do not match its hashes.
 Result<Difference> look_closer(replay::LogReader& a, replay::LogReader& b, const replay::DiffReport& report) {
@@ -148,13 +115,8 @@ Result<std::optional<Parting>> parting_of(const DiffCommand& options, replay::Lo
 }
 
 Result<Exit> compare(const DiffCommand& options, replay::LogReader& a, replay::LogReader& b) {
-  std::vector<replay::Channel> channels = a.header().declared.channels;
-  for (const replay::Channel& channel : b.header().declared.channels) {
-    if (a.header().declared.find(channel.name) == a.header().declared.channels.size()) channels.push_back(channel);
-  }
-  const Result<replay::Tolerances> tolerances = parse_tolerances(options.tolerances, channels);
+  const Result<replay::Tolerances> tolerances = parse_tolerances(options.tolerances, a, b);
   if (!tolerances.ok()) return tolerances.error();
-  if (Status ok = check_both_have(*tolerances, a, b); !ok.ok()) return ok.error();
   ProgressBar bar("comparing");
   const replay::Reading reading = options.brief ? replay::Reading::kHashes : replay::Reading::kAll;
   std::uint64_t until = replay::kNoLimit;
