@@ -140,7 +140,9 @@ TEST(EngineCaseChannels, TheLineThatReproducesLeavesALogOfATableToo) {
     ASSERT_EQ(failed.exit, 1) << failed.out;
     const std::string line = parsed(failed)["cases"][0]["reproduce"];
     const std::string tumble = std::filesystem::path(TUMBLE_PROGRAM).parent_path().string();
-    shop.write("line.sh", "cd '" + shop.path("") + "' && PATH='" + tumble + "':\"$PATH\"\n" + line + "\n");
+    std::string script = "cd '" + shop.path("") + "' && PATH='";
+    script.append(tumble).append("':\"$PATH\"\n").append(line).append(1, '\n');
+    shop.write("line.sh", script);
     EXPECT_EQ(std::system(("sh '" + shop.path("line.sh") + "' >/dev/null").c_str()), 0) << line;
     EXPECT_EQ(shop.run({"diff", "fall.tumble", "r/cases/fall/actual.tumble"}).exit, 0) << line;
   }
