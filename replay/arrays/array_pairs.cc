@@ -41,6 +41,10 @@ Result<PairCells> pair_cells(const PairArrays& pairs, const PairPlaces& places) 
                        shape_text(shape) + ", as " + name + " has values");
     }
   }
+  if (places.ids == nullptr ? places.named : !places.ids->is_number()) {
+    return bad_input("array " + name + ": found bodies with names alone, wanted an array id of numbers, by which " +
+                     "values of pairs name their bodies");
+  }
   const std::map<std::string, std::size_t> steps = index_of(places.steps, places.step_count, 0);
   const std::map<std::string, std::size_t> bodies = index_of(places.ids, places.body_count, 1);
   PairCells cells(places.step_count);
