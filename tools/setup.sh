@@ -15,6 +15,7 @@
 #   faults       what tools/scripts/faults/faults.sh uses
 #   peers        other engines that bench/peers can run our scenes through
 #   python       what builds and tests the package for Python; without it that is left out
+#   slurm        what tools/scripts/slurm/slurm_trial.sh runs a cluster with on this machine
 #   recorder     further compilers of the recorder's check, and wine to run what one of them makes for Windows
 set -euo pipefail
 export LC_ALL=C # comm and sort must agree on the order
@@ -38,6 +39,7 @@ declare -A groups=(
   [peers]="libbullet-dev libode-dev libmujoco-dev"
   [python]="pybind11-dev python3-dev python3-numpy python3-pytest python3-setuptools python3-wheel python3-pip
             python3-venv python3-matplotlib"
+  [slurm]="slurm-wlm munge jq"
   [recorder]="clang gcc-mingw-w64-x86-64 wine64 wine"
 )
 for pair in node:nodejs npm:npm chromium:chromium; do
@@ -49,7 +51,7 @@ fail() {
   exit 4
 }
 usage() {
-  sed -n '3,16s/^# //p' "${BASH_SOURCE[0]}"
+  sed -n '3,19s/^# //p' "${BASH_SOURCE[0]}"
 }
 
 only=() with=()

@@ -19,11 +19,12 @@ double times_bound(const Judgement& one) { return std::isfinite(one.value) ? one
 
 Result<TextScene> drawn_scene(std::uint64_t seed, std::uint64_t number) { return settled(random_scene(seed, number)); }
 
-Batch judge_batch(const Question& question, std::uint64_t seed, std::uint64_t first, std::uint64_t scenes,
-                  bool with_features) {
+Batch judge_batch(const Question& question, std::uint64_t seed, const Share& share, std::uint64_t first,
+                  std::uint64_t scenes, bool with_features) {
   Batch batch;
   batch.tallies.resize(names_of(question).size());
-  for (std::uint64_t number = first; number < first + scenes; ++number) {
+  for (std::uint64_t at = first; at < first + scenes; ++at) {
+    const std::uint64_t number = share.number(at);
     const Result<TextScene> scene = drawn_scene(seed, number);
     const Judged judged = scene.ok() ? judge_scene(question, *scene) : Judged{scene.error().message, {}, {}};
     if (!judged.problem.empty()) ++batch.no_scenes;

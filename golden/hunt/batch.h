@@ -13,7 +13,7 @@ namespace tumble::hunt {
 /// The scene of a number as it is judged. Errors (kBadInput): the draw is no scene.
 Result<TextScene> drawn_scene(std::uint64_t seed, std::uint64_t number);
 
-/// Consecutive scenes, judged in one child process.
+/// Scenes of one shard in turn, judged in one child process.
 struct Batch {
   std::uint64_t no_scenes = 0;
   std::vector<Tally> tallies;  ///< by relation, in the question's order
@@ -22,9 +22,9 @@ struct Batch {
       features;  ///< by number, of scenes that broke nothing
 };
 
-/// with_features: fills Batch::features.
-Batch judge_batch(const Question& question, std::uint64_t seed, std::uint64_t first, std::uint64_t scenes,
-                  bool with_features);
+/// first: of the share's scenes, from 0. with_features: fills Batch::features.
+Batch judge_batch(const Question& question, std::uint64_t seed, const Share& share, std::uint64_t first,
+                  std::uint64_t scenes, bool with_features);
 
 /// As one process hands it to another.
 std::string to_text(const Batch& batch);

@@ -15,9 +15,12 @@ constexpr int kFormat = 1;
 HuntState state_from(const Json& json) {
   HuntState state;
   state.seed = json.at("seed");
+  state.share = {json.value("shard", std::uint64_t{1}), json.value("shards", std::uint64_t{1})};
   state.grammar = json.at("grammar");
   state.program = json.at("program");
   state.against = json.at("against");
+  state.ended = json.value("ended", false);
+  state.merged = json.value("merged", std::uint64_t{0});
   state.next = json.at("scenes");
   state.no_scenes = json.at("no_scenes");
   for (const auto& [name, row] : json.at("relations").items()) {
@@ -26,23 +29,6 @@ HuntState state_from(const Json& json) {
   }
   for (const Json& one : json.at("findings")) state.findings.push_back(finding_from(one));
   return state;
-}
-
-// The first way in which a kept hunt is not the one that is asked for.
-Status same_hunt(const HuntState& kept, const HuntState& wanted, const std::string& path) {
-  const auto differs = [&](const char* what, const std::string& found, const std::string& want) -> Status {
-    if (found == want) return {};
-    return bad_input(path + ": holds a hunt of another " + what + ": " + found_wanted(found, want) +
-                     "; give another --folder, or remove this one");
-  };
-  if (Status ok = differs("seed", std::to_string(kept.seed), std::to_string(wanted.seed)); !ok.ok()) return ok;
-  if (Status ok = differs("grammar", std::to_string(kept.grammar), std::to_string(wanted.grammar)); !ok.ok()) return ok;
-  if (Status ok = differs("program", kept.program, wanted.program); !ok.ok()) return ok;
-  if (Status ok = differs("--against", kept.against, wanted.against); !ok.ok()) return ok;
-  std::string found, want;
-  for (const auto& row : kept.relations) found += (found.empty() ? "" : " ") + row.first;
-  for (const auto& row : wanted.relations) want += (want.empty() ? "" : " ") + row.first;
-  return differs("set of relations", found, want);
 }
 
 }  // namespace
@@ -77,8 +63,16 @@ Json to_json(const Tally& tally) {
 }
 
 Json to_json(const HuntState& state) {
-  Json json = {{"format", kFormat},           {"seed", state.seed},       {"grammar", state.grammar},
-               {"program", state.program},    {"against", state.against}, {"scenes", state.next},
+  Json json = {{"format", kFormat},
+               {"seed", state.seed},
+               {"grammar", state.grammar},
+               {"program", state.program},
+               {"against", state.against},
+               {"shard", state.share.shard},
+               {"shards", state.share.shards},
+               {"ended", state.ended},
+               {"merged", state.merged},
+               {"scenes", state.next},
                {"no_scenes", state.no_scenes}};
   json["relations"] = Json::object();
   for (const auto& [name, tally] : state.relations) json["relations"][name] = to_json(tally);
@@ -87,22 +81,56 @@ Json to_json(const HuntState& state) {
   return json;
 }
 
+Status same_hunt(const HuntState& kept, const HuntState& wanted, const std::string& where) {
+  const auto differs = [&](const char* what, const std::string& found, const std::string& want) -> Status {
+    if (found == want) return {};
+    return bad_input(where + ": holds a hunt of another " + what + ": " + found_wanted(found, want) +
+                     "; give another --folder, or remove this one");
+  };
+  if (Status ok = differs("seed", std::to_string(kept.seed), std::to_string(wanted.seed)); !ok.ok()) return ok;
+  const auto part = [](const Share& share) { return std::to_string(share.shard) + "/" + std::to_string(share.shards); };
+  if (Status ok = differs("shard", part(kept.share), part(wanted.share)); !ok.ok()) return ok;
+  if (Status ok = differs("grammar", std::to_string(kept.grammar), std::to_string(wanted.grammar)); !ok.ok()) return ok;
+  if (Status ok = differs("program", kept.program, wanted.program); !ok.ok()) return ok;
+  if (Status ok = differs("--against", kept.against, wanted.against); !ok.ok()) return ok;
+  std::string found, want;
+  for (const auto& row : kept.relations) found += (found.empty() ? "" : " ") + row.first;
+  for (const auto& row : wanted.relations) want += (want.empty() ? "" : " ") + row.first;
+  return differs("set of relations", found, want);
+}
+
+Result<HuntState> Folder::load() const {
+  const std::filesystem::path file = path_ / kStateFile;
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(std::filesystem::symlink_status(file, error))) {
+    return bad_input(path_.string() + ": holds no " + kStateFile + ", wanted the --folder of a hunt");
+  }
+  const Result<std::string> text = golden::read_text(file);
+  if (!text.ok()) return text.error();
+  const auto damaged = [&](const std::string& how) {
+    return Error{ErrorKind::kDamaged, file.string() + ": damaged: " + how + "; remove the folder and hunt again"};
+  };
+  const Json json = Json::parse(*text, nullptr, false);
+  try {
+    if (json.is_discarded()) return damaged("it is no JSON");
+    if (json.at("format") != kFormat) return bad_input(file.string() + ": no hunt of this version");
+    return state_from(json);
+  } catch (const Json::exception& problem) {
+    return damaged(problem.what());
+  }
+}
+
 Result<HuntState> Folder::open(HuntState fresh) const {
   const std::filesystem::path file = path_ / kStateFile;
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return fresh;
-  const Result<std::string> text = golden::read_text(file);
-  if (!text.ok()) return text.error();
-  const Json json = Json::parse(*text, nullptr, false);
-  HuntState kept;
-  try {
-    if (json.is_discarded() || json.at("format") != kFormat)
-      return bad_input(file.string() + ": no hunt of this version");
-    kept = state_from(json);
-  } catch (const Json::exception& problem) {
-    return bad_input(file.string() + ": " + problem.what());
+  Result<HuntState> kept = load();
+  if (!kept.ok()) return kept.error();
+  if (kept->merged > 0) {
+    return bad_input(file.string() + ": was merged of shards and cannot go on; give another --folder");
   }
-  if (Status ok = same_hunt(kept, fresh, file.string()); !ok.ok()) return ok.error();
+  if (Status ok = same_hunt(*kept, fresh, file.string()); !ok.ok()) return ok.error();
+  kept->ended = false;
   return kept;
 }
 

@@ -21,12 +21,23 @@ struct Tally {
 };
 Json to_json(const Tally& tally);
 
-/// A hunt so far: scenes 0 … next − 1 of the seed are judged, all by the same relations.
+/// The scenes of shard K of N: those whose number mod N is K − 1. 1 of 1: all.
+struct Share {
+  std::uint64_t shard = 1, shards = 1;
+  [[nodiscard]] std::uint64_t number(std::uint64_t k) const { return shard - 1 + k * shards; }  ///< of its k-th scene
+  /// How many of the scenes 0 … count − 1 are its own.
+  [[nodiscard]] std::uint64_t of(std::uint64_t count) const { return (count + shards - shard) / shards; }
+};
+
+/// A hunt so far: the first `next` scenes of the share are judged, all by the same relations.
 struct HuntState {
   std::uint64_t seed = 0;
+  Share share;
   std::uint32_t grammar = 0;
   std::string program;  ///< version and commit
   std::string against;
+  bool ended = false;        ///< it came to its --count or --time
+  std::uint64_t merged = 0;  ///< number of shards that it was merged of; 0: it was run, and can go on
   std::uint64_t next = 0;
   std::uint64_t no_scenes = 0;                           ///< drawn scenes that no world can be made of
   std::vector<std::pair<std::string, Tally>> relations;  ///< in the order in which they are judged
@@ -34,6 +45,9 @@ struct HuntState {
 };
 
 Json to_json(const HuntState& state);
+
+/// The first way in which a kept hunt is not the one that is wanted, as an error (kBadInput). where: for its message.
+Status same_hunt(const HuntState& kept, const HuntState& wanted, const std::string& where);
 
 /// A folder that keeps a hunt:
 ///
@@ -49,6 +63,9 @@ class Folder {
   /// The kept hunt, or `fresh` where there is none. A hunt of another seed, grammar, program or question is an error
   /// that names what differs.
   [[nodiscard]] Result<HuntState> open(HuntState fresh) const;
+
+  /// The kept hunt. Errors: kBadInput: none, or of another format; kDamaged: text that save() did not write.
+  [[nodiscard]] Result<HuntState> load() const;
 
   /// Writes the files of a finding, then nothing else refers to it until save().
   [[nodiscard]] Status write(const Finding& finding, const std::string& drawn) const;

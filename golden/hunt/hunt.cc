@@ -40,8 +40,12 @@ class Hunt {
 
   Result<HuntState> run() {
     while (!over()) {
-      const std::uint64_t left = options_.count ? *options_.count - state_.next : kScenesABatch * kBatchesARound;
+      const std::uint64_t left = last() ? *last() - state_.next : kScenesABatch * kBatchesARound;
       if (Status ok = round(std::min(left, kScenesABatch * kBatchesARound)); !ok.ok()) return ok.error();
+    }
+    state_.ended = !cancelled();
+    if (!options_.folder.empty()) {
+      if (Status ok = folder_.save(state_); !ok.ok()) return ok.error();
     }
     return std::move(state_);
   }
@@ -52,8 +56,9 @@ class Hunt {
     if (options_.count && !options_.seconds) return false;
     return std::chrono::duration<double>(Clock::now() - begin_).count() >= options_.seconds.value_or(kUsualSeconds);
   }
-  [[nodiscard]] bool over() const {
-    return cancelled() || late() || (options_.count && state_.next >= *options_.count);
+  [[nodiscard]] bool over() const { return cancelled() || late() || (last() && state_.next >= *last()); }
+  [[nodiscard]] std::optional<std::uint64_t> last() const {
+    return options_.count ? std::optional(state_.share.of(*options_.count)) : std::nullopt;
   }
 
   [[nodiscard]] process::PoolOptions pool(double patience, bool timed) const {
@@ -72,8 +77,8 @@ class Hunt {
     process::run_jobs(
         batches,
         [&](std::size_t k) {
-          return to_text(
-              judge_batch(options_.question, state_.seed, first + k * kScenesABatch, size(k), corpus_.has_value()));
+          return to_text(judge_batch(options_.question, state_.seed, state_.share, first + k * kScenesABatch, size(k),
+                                     corpus_.has_value()));
         },
         [&](std::size_t k, const process::JobResult& result) { done[k] = result; }, pool(kBatchPatience, true));
     std::vector<Finding> fresh;
@@ -109,13 +114,15 @@ class Hunt {
     std::map<std::uint64_t, process::JobResult> done;
     const bool all = process::run_jobs(
         scenes,
-        [&](std::size_t k) { return to_text(judge_batch(options_.question, state_.seed, first + k, 1, false)); },
+        [&](std::size_t k) {
+          return to_text(judge_batch(options_.question, state_.seed, state_.share, first + k, 1, false));
+        },
         [&](std::size_t k, const process::JobResult& result) { done[k] = result; }, pool(kScenePatience, false));
     if (!all) return sum;
     sum.tallies.resize(state_.relations.size());
     for (const auto& [k, result] : done) {
       if (!result.failure.empty()) {
-        sum.findings.push_back(ended(first + k, result.failure));
+        sum.findings.push_back(ended(state_.share.number(first + k), result.failure));
         for (Tally& tally : sum.tallies) ++tally.not_applicable;
         ++sum.tallies.back().broken;
         --sum.tallies.back().not_applicable;
@@ -202,6 +209,7 @@ Result<HuntState> hunt_scenes(const HuntOptions& options) {
   const golden::Provenance program = golden::this_program();
   HuntState fresh;
   fresh.seed = options.seed;
+  fresh.share = options.share;
   fresh.grammar = kGrammar;
   fresh.program = program.version + " " + (program.commit.empty() ? "commit not known" : program.commit);
   if (program.tree == "changed") fresh.program += " (sources changed since)";

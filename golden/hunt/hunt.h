@@ -14,7 +14,8 @@ namespace tumble::hunt {
 
 struct HuntOptions {
   std::uint64_t seed = 1;
-  std::optional<std::uint64_t> count;  ///< scenes 0 … count − 1, those of a kept hunt included
+  Share share;
+  std::optional<std::uint64_t> count;  ///< of scenes 0 … count − 1, those of a kept hunt included, the share's own
   std::optional<double> seconds;       ///< of wall time; none of both: one minute
   Question question;
   std::filesystem::path folder;     ///< keeps the hunt; empty: nothing is kept

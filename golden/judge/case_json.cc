@@ -143,7 +143,9 @@ Outcome outcome_from(const std::string& word) {
   return static_cast<Outcome>(found == kOutcomeNames.end() ? 2 : found - kOutcomeNames.begin());
 }
 
-CaseResult result_from(const Json& json) {
+}  // namespace
+
+CaseResult case_from(const Json& json) {
   CaseResult result;
   result.name = json.at("name");
   result.title = json.at("title");
@@ -178,8 +180,6 @@ CaseResult result_from(const Json& json) {
   result.bless_refused = json.at("bless_refused");
   return result;
 }
-
-}  // namespace
 
 Json to_json(const Provenance& provenance) {
   return {{"version", provenance.version},   {"commit", provenance.commit},   {"tree", provenance.tree},
@@ -241,7 +241,7 @@ Json to_json(const CaseResult& result) {
 
 Result<CaseResult> case_from_json(const std::string& text) {
   try {
-    return result_from(Json::parse(text));
+    return case_from(Json::parse(text));
   } catch (const Json::exception& error) {
     return cannot_finish(std::string("the result of a case cannot be read: ") + error.what());
   }

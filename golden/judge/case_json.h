@@ -17,6 +17,8 @@ Json to_json(const Provenance& provenance);
 /// Throws Json::exception where a key is missing.
 Provenance provenance_from(const Json& json);
 
+/// Throws Json::exception for JSON that to_json() did not make.
+CaseResult case_from(const Json& json);
 /// Errors (kCannotFinish): text that to_json() did not make.
 Result<CaseResult> case_from_json(const std::string& text);
 

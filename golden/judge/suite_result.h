@@ -6,6 +6,7 @@
 
 #include "tumble/golden/case_result.h"
 #include "tumble/golden/change.h"
+#include "tumble/golden/run_facts.h"
 
 /// The results of one check: its cases and its canaries.
 namespace tumble::golden {
@@ -25,6 +26,7 @@ struct SuiteResult {
   std::size_t shards = 1;
   std::size_t selected = 0;           ///< cases of all shards together
   Provenance run;                     ///< of this check
+  RunFacts facts;                     ///< for its bundle
   double seconds = 0;                 ///< of wall time
   std::vector<CaseResult> cases;      ///< by name
   std::vector<std::string> problems;  ///< of the suite itself; each fails the check

@@ -6,6 +6,7 @@
 #include "golden/report/commands.h"
 #include "src/base/schema_name.h"
 #include "tumble/golden/change.h"
+#include "tumble/golden/suite.h"
 
 namespace tumble::golden {
 
@@ -19,6 +20,7 @@ Json report_json(const SuiteResult& result) {
                {"run", to_json(result.run)},
                {"shard", result.shard},
                {"shards", result.shards},
+               {"assignment", kAssignment},
                {"judged_cases", result.cases.size()},
                {"is_empty_shard", result.is_empty_shard()},
                {"seconds", result.seconds},

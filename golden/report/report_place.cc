@@ -6,6 +6,7 @@
 #include <system_error>
 #include <vector>
 
+#include "golden/bundle/manifest.h"
 #include "golden/judge/case_series.h"
 #include "golden/run/run_case.h"
 #include "src/files/output_guard.h"
@@ -17,7 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kCases = "cases";  // in a suite, and in a report
-constexpr const char* kJson = "report.json";
 constexpr const char* kPage = "index.html";
 constexpr const char* kJunit = "junit.xml";
 constexpr const char* kFindings = "gl-code-quality-report.json";
@@ -61,11 +61,24 @@ void remove_files_of_cases(const fs::path& cases) {
 
 void remove_earlier_report(const fs::path& folder, const fs::path& junit) {
   std::error_code ignored;
+  fs::remove(folder / kBundleFile, ignored);  // first: without it the rest is no bundle
   remove_files_of_cases(folder / kCases);
   for (const fs::path& file :
-       {folder / kJson, folder / kPage, folder / kJunit, folder / kFindings, junit_file(folder, junit)}) {
+       {folder / kReportFile, folder / kPage, folder / kJunit, folder / kFindings, junit_file(folder, junit)}) {
     if (fs::is_regular_file(file, ignored)) fs::remove(file, ignored);
   }
+}
+
+/// Asks for all places, then removes the earlier report.
+Status prepare(files::OutputGuard& guard, const fs::path& folder, const fs::path& junit) {
+  if (Status ok = guard.claim_folder("--report", folder / kCases); !ok.ok()) return ok;
+  for (const char* name : {kReportFile, kPage, kFindings, kBundleFile}) {
+    if (Status ok = guard.claim("--report", folder / name); !ok.ok()) return ok;
+  }
+  const char* option = junit.empty() ? "--report" : "--junit";
+  if (Status ok = guard.claim(option, junit_file(folder, junit)); !ok.ok()) return ok;
+  remove_earlier_report(folder, junit);
+  return {};
 }
 
 }  // namespace
@@ -76,14 +89,13 @@ fs::path findings_file(const fs::path& folder) { return folder / kFindings; }
 
 Status prepare_report(const fs::path& suite, const fs::path& folder, const fs::path& junit) {
   files::OutputGuard guard = guard_of(suite);
-  if (Status ok = guard.claim_folder("--report", folder / kCases); !ok.ok()) return ok;
-  for (const char* name : {kJson, kPage, kFindings}) {
-    if (Status ok = guard.claim("--report", folder / name); !ok.ok()) return ok;
-  }
-  const char* option = junit.empty() ? "--report" : "--junit";
-  if (Status ok = guard.claim(option, junit_file(folder, junit)); !ok.ok()) return ok;
-  remove_earlier_report(folder, junit);
-  return {};
+  return prepare(guard, folder, junit);
+}
+
+Status prepare_merged_report(const std::vector<fs::path>& bundles, const fs::path& folder, const fs::path& junit) {
+  files::OutputGuard guard;
+  for (const fs::path& bundle : bundles) guard.keep_folder(bundle, "a shard's report");
+  return prepare(guard, folder, junit);
 }
 
 }  // namespace tumble::golden

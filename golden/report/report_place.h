@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "tumble/sim/result.h"
 
@@ -17,5 +18,9 @@ std::filesystem::path findings_file(const std::filesystem::path& folder);
 /// Errors (kBadInput): a file of the report would replace a file of the suite or lie among the cases.
 Status prepare_report(const std::filesystem::path& suite, const std::filesystem::path& folder,
                       const std::filesystem::path& junit);
+
+/// As prepare_report(), for a report that is merged of these bundles; none of their files may be replaced.
+Status prepare_merged_report(const std::vector<std::filesystem::path>& bundles, const std::filesystem::path& folder,
+                             const std::filesystem::path& junit);
 
 }  // namespace tumble::golden

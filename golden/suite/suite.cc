@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -11,6 +12,7 @@
 #include "src/base/check.h"
 #include "src/base/text.h"
 #include "tumble/scenes/scene_file.h"
+#include "tumble/sim/hash.h"
 
 namespace tumble::golden {
 namespace {
@@ -134,10 +136,16 @@ Result<std::vector<CaseFolder>> select_cases(const Suite& suite, const Selection
   return chosen;
 }
 
+std::size_t shard_of_name(std::string_view name, std::size_t shards) {
+  return 1 + static_cast<std::size_t>(hash_bytes(std::as_bytes(std::span(name))).low % shards);
+}
+
 std::vector<CaseFolder> shard_of(const std::vector<CaseFolder>& selected, const Selection& selection) {
   SIM_CHECK(selection.shard >= 1 && selection.shard <= selection.shards, selection.shard, selection.shards);
   std::vector<CaseFolder> shard;
-  for (std::size_t i = selection.shard - 1; i < selected.size(); i += selection.shards) shard.push_back(selected[i]);
+  for (const CaseFolder& folder : selected) {
+    if (shard_of_name(folder.name, selection.shards) == selection.shard) shard.push_back(folder);
+  }
   return shard;
 }
 

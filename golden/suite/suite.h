@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tumble/golden/case_rules.h"
@@ -40,19 +41,25 @@ std::optional<EngineCase> engine_case(const CaseFolder& folder);
 /// Files in a case's folder that nothing reads, and files that are missing, a sentence each.
 std::vector<std::string> folder_problems(const CaseFolder& folder);
 
-/// Chooses cases of a suite: the named ones, or all; of these a category; of these every N-th.
+/// Chooses cases of a suite: the named ones, or all; of these a category; of these a shard.
 struct Selection {
   std::vector<std::string> names;
   std::string category;   ///< empty: all
-  std::size_t shard = 1;  ///< K of N, 1-based, by the order of names
+  std::size_t shard = 1;  ///< K of N, 1-based
   std::size_t shards = 1;
 };
+
+/// Assigns cases to shards, in the words of report.json and docs/sharding.md.
+inline constexpr const char* kAssignment = "1 + low 64 bits of XXH3-128(name) mod N";
+
+/// The shard, 1 … shards, that a case belongs to: by its name alone, so that a case that comes or goes moves no other.
+std::size_t shard_of_name(std::string_view name, std::size_t shards);
 
 /// The cases of all shards, by name. Errors (kBadInput): a name that no case has (with the nearest), a selection
 /// without a case.
 Result<std::vector<CaseFolder>> select_cases(const Suite& suite, const Selection& selection);
 
-/// Those of one shard; none where there are more shards than cases.
+/// Those of one shard, by shard_of_name(); none where no name falls to it.
 std::vector<CaseFolder> shard_of(const std::vector<CaseFolder>& selected, const Selection& selection);
 
 }  // namespace tumble::golden

@@ -7,6 +7,7 @@
 #include "replay/diff/world_difference.h"
 #include "replay/format/chain.h"
 #include "replay/log/checked_log.h"
+#include "replay/log/hashes_only.h"
 #include "src/base/text.h"
 #include "tumble/replay/body_states.h"
 
@@ -289,6 +290,10 @@ std::string DiffReport::though() const {
 
 Result<DiffReport> diff_logs(LogReader& a, LogReader& b, const Tolerances& tolerances, const Progress& progress,
                              Reading reading, std::uint64_t until) {
+  for (const LogReader* log : {&a, &b}) {
+    if (tolerances.exact() || !holds_hashes_only(log->header())) continue;
+    return bad_input(log->name() + ": holds hashes only, wanted values: tolerances cannot be judged");
+  }
   return Diff(a, b, tolerances, reading, until).run(progress);
 }
 

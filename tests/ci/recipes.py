@@ -38,6 +38,20 @@ def github_steps(recipe):
     return [(step.get("if"), step["run"]) for step in job["steps"] if "run" in step], job["env"], uploads
 
 
+def github_shard_steps(recipe):
+    """As github_steps(): the job of each shard, one after the other, then the one that merges."""
+    steps = []
+    shards = recipe["jobs"]["shards"]
+    for shard in shards["strategy"]["matrix"]["shard"]:
+        fill = lambda text: text.replace("${{ matrix.shard }}", str(shard))
+        variables = "".join(f"export {name}={fill(value)}; " for name, value in shards["env"].items())
+        steps += [(step.get("if"), variables + fill(step["run"])) for step in shards["steps"] if "run" in step]
+    merge = recipe["jobs"]["goldens"]
+    want(merge["needs"] == "shards" and merge["if"] == "always()", "github_shards.yml: a lost shard is not reported")
+    uploads = [step["with"]["path"] for step in merge["steps"] if "upload-artifact" in step.get("uses", "")]
+    return steps + [(None, step["run"]) for step in merge["steps"] if "run" in step], recipe["env"], uploads
+
+
 def gitlab_steps(recipe):
     job = recipe["physics"]
     want(job["artifacts"]["when"] == "always", "gitlab.yml: the report of a failed check is not kept")
@@ -101,6 +115,8 @@ def try_recipe(name, steps_of, shown):
 
 
 try_recipe("github.yml", github_steps, lambda printed, _: [l for l in printed.splitlines() if l.startswith("::error ")])
+try_recipe("github_shards.yml", github_shard_steps,
+           lambda printed, _: [l for l in printed.splitlines() if l.startswith("::error ")])
 try_recipe("gitlab.yml", gitlab_steps, lambda _, folder: [
     finding["description"] for finding in json.loads((folder / "report/gl-code-quality-report.json").read_text())])
-print("recipes: github.yml and gitlab.yml pass and fail as they should")
+print("recipes: github.yml, github_shards.yml and gitlab.yml pass and fail as they should")

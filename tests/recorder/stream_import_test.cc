@@ -8,6 +8,7 @@
 #include "replay/stream/import_stream.h"
 #include "tests/recorder/recorded.h"
 #include "tests/support/log_memory.h"
+#include "tumble/replay/compare.h"
 
 namespace tumble::test {
 namespace {
@@ -260,6 +261,28 @@ TEST(StreamImport, HashesAloneAreCompared) {
   ASSERT_TRUE(a.ok() && b.ok());
   EXPECT_EQ((*a)->phase_words[0], (*b)->phase_words[0]) << "no inputs in both";
   EXPECT_NE((*a)->phase_words[1], (*b)->phase_words[1]) << "other states";
+}
+
+// "Identical" of two of them says that hashes were compared, not values, and no tolerance is judged on them.
+TEST(StreamImport, HashesAloneAreSaidToBeHashes) {
+  const auto hashes = [](TumbleRecDef& def) { def.hashes_only = 1; };
+  Result<Imported> one = import_bytes(record(2, 4, {}, hashes)), again = import_bytes(record(2, 4, {}, hashes));
+  ASSERT_TRUE(one.ok() && again.ok());
+  const Result<replay::DiffReport> same = replay::diff_logs(one->log, again->log, {});
+  ASSERT_TRUE(same.ok()) << same.error().message;
+  EXPECT_TRUE(same->identical());
+  EXPECT_TRUE(
+      mentions(same->scope.compared, "hashes of inputs, states, contacts, phase hashes and channels of 4 steps"));
+  EXPECT_FALSE(mentions(same->scope.compared, "states of 4 steps")) << "there are none";
+  EXPECT_TRUE(mentions(same->scope.not_compared, "the recorders kept hashes only"));
+  EXPECT_EQ(same->scope.every_bit(), "every compared bit");
+  Result<Imported> other = import_bytes(record(3, 4, {}, hashes));
+  ASSERT_TRUE(other.ok());
+  replay::Tolerances some;
+  some.position = 0.5;
+  const Result<replay::DiffReport> tolerated = replay::diff_logs(one->log, other->log, some);
+  ASSERT_FALSE(tolerated.ok()) << "same within tolerances, of sessions that nobody knows";
+  EXPECT_NE(tolerated.error().message.find("holds hashes only"), std::string::npos) << tolerated.error().message;
 }
 
 }  // namespace

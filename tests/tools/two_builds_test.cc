@@ -1,4 +1,4 @@
-// Two builds of the glue of a real engine, compiled from the sources in examples/engines with one line changed:
+// Two builds of the program of a real engine, compiled from the sources in examples/engines with one line changed:
 // `diff --zoom` names the line, `bisect` the commit.
 #include <gtest/gtest.h>
 
@@ -61,6 +61,10 @@ void check_two_builds(const Glue& glue) {
   const Outcome diff = shop.run(
       {"diff", "before.tumble", "project.tumble", "--zoom", "--engine-a", "before", "--engine-b", "project", "--json"});
   EXPECT_EQ(diff.exit, 1) << diff.err;
+  const ordered_json first = parsed(diff)["first"];
+  EXPECT_GT(first["step"], 0) << first;
+  EXPECT_GT(first["body"], 0) << first;
+  EXPECT_TRUE(says(first["field"], ".")) << first;
   const ordered_json zoom = parsed(diff)["zoom"];
   ASSERT_TRUE(zoom["first"].is_object()) << zoom;
   EXPECT_EQ(zoom["first"]["actual"]["name"], glue.probe) << zoom["first"];
@@ -86,9 +90,16 @@ TEST(TwoBuilds, OfTheGlueOfBullet) {
 }
 #endif
 
+#ifdef TUMBLE_HAS_MUJOCO
+TEST(TwoBuilds, OfTheGlueOfMujoco) {
+  check_two_builds({"mujoco", "-lmujoco", "data->ctrl\\[0\\] = std::sin(0.05 \\* k);",
+                    "data->ctrl[0] = 1.001 * std::sin(0.05 * k);", "motor.control"});
+}
+#endif
+
 TEST(TwoBuilds, NeedAnEngine) {
-#if !defined(TUMBLE_HAS_ODE) && !defined(TUMBLE_HAS_BULLET)
-  GTEST_SKIP() << "neither Bullet nor ODE is here; tools/setup.sh --with peers installs them";
+#if !defined(TUMBLE_HAS_ODE) && !defined(TUMBLE_HAS_BULLET) && !defined(TUMBLE_HAS_MUJOCO)
+  GTEST_SKIP() << "neither Bullet nor ODE nor MuJoCo is here; tools/setup.sh --with peers installs them";
 #endif
 }
 

@@ -10,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "golden/bundle/bundle.h"
+#include "golden/bundle/merge.h"
 #include "golden/report/annotations.h"
 #include "golden/report/report_json.h"
 #include "golden/report/report_place.h"
@@ -42,6 +44,7 @@ struct CheckCommand {
   std::string category;
   std::optional<std::uint64_t> jobs;
   std::optional<double> timeout;
+  bool merge = false;
   bool json = false;
 };
 
@@ -85,9 +88,46 @@ Status annotate(const CheckCommand& options, const golden::SuiteResult& result) 
                             std::string_view(golden::gitlab_findings(failures).dump(2) + '\n'));
 }
 
+/// Writes the files of the report, the bundle last, and prints the result.
+Result<Exit> tell(const CheckCommand& options, const golden::SuiteResult& result) {
+  if (Status ok = golden::write_reports(result, options.report, options.junit); !ok.ok()) return ok.error();
+  if (Status ok = annotate(options, result); !ok.ok()) return ok.error();
+  if (Status ok = golden::write_bundle(result, options.report); !ok.ok()) return ok.error();
+  if (options.json) {
+    print_json("check", golden::report_json(result));
+  } else {
+    print_sum(result, result.suite, options.report);
+  }
+  if (!result.canaries_caught()) {
+    std::cerr << "tumble check: a comparison that must fail passed: this build of the suite sees nothing, and none of "
+                 "its verdicts counts\n";
+  }
+  return verdict_of(result);
+}
+
+Result<Exit> merge(const CheckCommand& options) {
+  golden::MergeOptions how;
+  how.bundles.assign(options.cases.begin(), options.cases.end());
+  how.report = options.report;
+  if (how.bundles.empty()) return bad_input("--merge: found no folder, wanted the --report of every shard");
+  if (Status ok = golden::prepare_merged_report(how.bundles, options.report, options.junit); !ok.ok()) {
+    return ok.error();
+  }
+  ProgressBar bar("merging");
+  how.progress = [&](std::size_t done, std::size_t total) { bar.show(done, total); };
+  const Result<golden::SuiteResult> result = golden::merge_bundles(how);
+  bar.finish();
+  if (!result.ok()) return result.error();
+  for (const golden::CaseResult& one : result->cases) {
+    if (!options.json && !one.passed()) print_case(one);
+  }
+  return tell(options, *result);
+}
+
 Result<Exit> check(const CheckCommand& options) {
   Result<golden::CheckOptions> how = check_options(options);
   if (!how.ok()) return how.error();
+  if (options.merge) return merge(options);
   const process::InterruptGuard guard;
   ProgressBar bar("checking");
   how->progress = [&](const golden::CaseResult& one, std::size_t done, std::size_t total) {
@@ -99,30 +139,26 @@ Result<Exit> check(const CheckCommand& options) {
   const Result<golden::SuiteResult> result = golden::check_suite(*how);
   bar.finish();
   if (!result.ok()) return result.error();
-  if (Status ok = golden::write_reports(*result, how->report, options.junit); !ok.ok()) return ok.error();
-  if (Status ok = annotate(options, *result); !ok.ok()) return ok.error();
-  if (options.json) {
-    print_json("check", golden::report_json(*result));
-  } else {
-    print_sum(*result, how->suite.string(), options.report);
-  }
-  if (!result->canaries_caught()) {
-    std::cerr << "tumble check: a comparison that must fail passed: this build of the suite sees nothing, and none of "
-                 "its verdicts counts\n";
-  }
-  return verdict_of(*result);
+  return tell(options, *result);
 }
 
 }  // namespace
 
 Action declare_check(Arguments& arguments) {
   auto options = std::make_shared<CheckCommand>();
-  arguments.positionals("CASE", options->cases, "Cases to run; all if none is given");
-  arguments.option("--suite", "DIR", options->suite,
-                   "The suite: a folder with cases/ in it; the nearest golden/ if not given");
-  arguments.option("--category", "NAME", options->category, "Only cases of this category");
-  arguments.option("--require", "VERDICT", options->require,
-                   "A verdict that decides, instead of each case's own: exact, behaviour or image; may be repeated");
+  arguments.positionals("CASE", options->cases,
+                        "Cases to run, all if none is given; with --merge: the report folders of all shards");
+  const Argument merge =
+      arguments.flag("--merge", options->merge, "Run nothing; merge the reports of the shards of one check");
+  arguments
+      .option("--suite", "DIR", options->suite,
+              "The suite: a folder with cases/ in it; the nearest golden/ if not given")
+      .excludes(merge);
+  arguments.option("--category", "NAME", options->category, "Only cases of this category").excludes(merge);
+  arguments
+      .option("--require", "VERDICT", options->require,
+              "A verdict that decides, instead of each case's own: exact, behaviour or image; may be repeated")
+      .excludes(merge);
   arguments.option("--report", "DIR", options->report,
                    "The folder for index.html, junit.xml, report.json and the logs of failed "
                    "cases; report if not given");
@@ -130,19 +166,25 @@ Action declare_check(Arguments& arguments) {
   arguments.option("--annotate", "SERVICE", options->annotate,
                    "Show failures beside the change: github (workflow commands are printed) or gitlab (the report gets "
                    "gl-code-quality-report.json)");
-  arguments.option("--shard", "K/N", options->shard,
-                   "Only the K-th of N parts of the suite; auto: as the environment of the build system says");
-  arguments.whole("--jobs", "N", options->jobs, 1, 1024, "Cases at a time; as many as processors if not given");
-  arguments.positive("--timeout", "S", options->timeout, kTimeoutMax, "Seconds a case may take; 600 if not given");
+  arguments
+      .option("--shard", "K/N", options->shard,
+              "Only the K-th of N parts of the suite; auto: as the environment of the build system says")
+      .excludes(merge);
+  arguments.whole("--jobs", "N", options->jobs, 1, 1024, "Cases at a time; as many as processors if not given")
+      .excludes(merge);
+  arguments.positive("--timeout", "S", options->timeout, kTimeoutMax, "Seconds a case may take; 600 if not given")
+      .excludes(merge);
   arguments.json(options->json);
   arguments.footer(
       "Exit status: 0 all passed, 1 a case failed, 2 bad usage or no such case or suite, 4 could not finish, or a\n"
-      "canary (a comparison that must fail, made in every run) passed.\n\n"
+      "canary (a comparison that must fail, made in every run) passed. With --merge also 2 for a shard that is\n"
+      "missing, there twice or of another check, 3 for one that is damaged; the message names each.\n\n"
       "Examples:\n"
       "  tumble check\n"
       "  tumble check brick_wall tower --report build/report\n"
       "  tumble check --junit junit.xml --annotate github\n"
-      "  tumble check --suite my_engine/goldens --require behaviour --shard 1/4");
+      "  tumble check --suite my_engine/goldens --require behaviour --shard 1/4 --report shard-1\n"
+      "  tumble check --merge shard-1 shard-2 shard-3 shard-4 --report report");
   return [options] { return check(*options); };
 }
 

@@ -13,9 +13,11 @@
 #include "golden/hunt/batch.h"
 #include "golden/hunt/corpus.h"
 #include "golden/hunt/judge/relation.h"
+#include "golden/hunt/merge_hunts.h"
 #include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
+#include "tools/arguments/shard.h"
 #include "tools/hunt/hunt_output.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
@@ -29,7 +31,7 @@ struct HuntCommand {
   std::optional<std::uint64_t> seed, count, threads, print;
   std::optional<double> time;
   std::vector<std::string> relations;
-  std::string against;
+  std::string against, shard;
   std::string folder, corpus, judge;
   std::vector<std::string> merge;
   bool list = false;
@@ -85,6 +87,26 @@ Result<Exit> merge_corpora(const HuntCommand& options) {
   return Exit::kSame;
 }
 
+Exit tell(const HuntCommand& options, const hunt::HuntState& state) {
+  if (options.json) {
+    print_json("hunt", hunt::to_json(state));
+  } else {
+    print_hunt(state, options.folder);
+  }
+  return state.findings.empty() ? Exit::kSame : Exit::kDifference;
+}
+
+Result<Exit> merge(const HuntCommand& options) {
+  if (!options.corpus.empty()) return merge_corpora(options);
+  if (options.folder.empty()) {
+    return bad_input(
+        "--merge: found neither --corpus nor --folder, wanted --corpus for corpora or --folder for shards");
+  }
+  const Result<hunt::HuntState> sum = hunt::merge_hunts({options.merge.begin(), options.merge.end()}, options.folder);
+  if (!sum.ok()) return sum.error();
+  return tell(options, *sum);
+}
+
 Result<Exit> hunt_for(const HuntCommand& options) {
   if (options.list) {
     options.json ? print_json("hunt", relations_json()) : print_relations();
@@ -92,11 +114,14 @@ Result<Exit> hunt_for(const HuntCommand& options) {
   }
   if (options.print) return print_scene(options);
   if (!options.judge.empty()) return judge_folder(options);
-  if (!options.merge.empty()) return merge_corpora(options);
+  if (!options.merge.empty()) return merge(options);
   hunt::HuntOptions how = hunt_options(options);
+  const Result<Shard> shard = read_shard(options.shard);
+  if (!shard.ok()) return shard.error();
+  how.share = {shard->k, shard->n};
   const process::InterruptGuard guard;
   ProgressBar bar("hunting", !options.json);
-  how.progress = [&](const hunt::HuntState& state) { bar.show(state.next, options.count.value_or(0)); };
+  how.progress = [&](const hunt::HuntState& state) { bar.show(state.next, how.share.of(options.count.value_or(0))); };
   how.found = [&](const hunt::Finding& finding) {
     bar.finish();
     if (!options.json) print_finding(finding);
@@ -105,15 +130,11 @@ Result<Exit> hunt_for(const HuntCommand& options) {
   const Result<hunt::HuntState> state = hunt::hunt_scenes(how);
   bar.finish();
   if (!state.ok()) return state.error();
-  if (options.json) {
-    print_json("hunt", hunt::to_json(*state));
-  } else {
-    print_hunt(*state, options.folder);
-  }
+  const Exit exit = tell(options, *state);
   if (process::InterruptGuard::interrupted())
     return cannot_finish("interrupted: " + std::to_string(state->next) + " scenes are judged" +
                          (options.folder.empty() ? "" : " and kept"));
-  return state->findings.empty() ? Exit::kSame : Exit::kDifference;
+  return exit;
 }
 
 }  // namespace
@@ -123,6 +144,8 @@ Action declare_hunt(Arguments& arguments) {
   arguments.whole("--seed", "S", options->seed, 0, kNumberMax, "Of the scenes; 1 if not given");
   arguments.whole("--count", "N", options->count, 1, kNumberMax, "Judge scenes 0 to N - 1 of the seed");
   arguments.positive("--time", "T", options->time, 1e7, "Seconds to hunt; 60 if neither this nor --count is given");
+  arguments.option("--shard", "K/N", options->shard,
+                   "Only the scenes whose number mod N is K - 1; auto: as the environment of the build system says");
   arguments.option("--relation", "NAME", options->relations,
                    "Judge by this relation or law alone; may be repeated; all if not given");
   arguments.option("--against", "PROGRAM", options->against,
@@ -131,9 +154,9 @@ Action declare_hunt(Arguments& arguments) {
                    "Keep the hunt in this folder, and go on with the hunt that it holds");
   const Argument corpus = arguments.option("--corpus", "DIR", options->corpus,
                                            "Add scenes to this folder that do something none in it does");
-  arguments
-      .option("--merge", "DIR", options->merge, "Hunt nothing; add another corpus to that of --corpus; may be repeated")
-      .needs(corpus);
+  arguments.option("--merge", "DIR", options->merge,
+                   "Hunt nothing; add another corpus to that of --corpus, or with --folder merge the folders of all "
+                   "shards into it; may be repeated");
   arguments.option("--judge", "DIR", options->judge, "Hunt nothing; judge the scenes DIR/*.toml").excludes(corpus);
   arguments.threads(options->threads);
   const Argument print =

@@ -53,6 +53,7 @@ void print_finding(const hunt::Finding& finding) {
 
 void print_hunt(const hunt::HuntState& state, const std::string& folder) {
   std::cout << "\nseed " << state.seed << ", " << count_text(state.next, "scene") << ", " << state.program;
+  if (state.share.shards > 1) std::cout << ", shard " << state.share.shard << " of " << state.share.shards;
   if (!state.against.empty()) std::cout << ", against " << state.against;
   if (state.no_scenes > 0) std::cout << "; no world could be made of " << state.no_scenes;
   std::cout << "\n\n";

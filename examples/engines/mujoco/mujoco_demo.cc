@@ -1,11 +1,13 @@
-// Ten cubes and an arm in MuJoCo, recorded. ../demo.h has the arguments.
+// Ten cubes and an arm in MuJoCo, recorded, with probes for `tumble diff --zoom`. ../demo.h has the arguments.
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <string>
 #include <vector>
 
 #include "../demo.h"
 #include "tumble_mujoco.h"
+#include "tumble_probe.h"
 
 namespace {
 
@@ -41,14 +43,20 @@ mjModel* load(const std::string& xml) {
 
 int main(int count, char** words) {
   Demo demo(count, words);
+  tumble_probes_from_environment(&tumble_probes);
   mjModel* model = load(model_of(demo.friction));
   if (model == nullptr) return 2;
   mjData* data = mj_makeData(model);
   MujocoRecorder recorder(model, data, demo.def);
   for (int k = 0; k < demo.steps; ++k) {
+    tumble_probes_step(&tumble_probes, static_cast<std::uint64_t>(k) + 1);
+    TUMBLE_PROBE(&tumble_probes, "hinge.angle before", 0, data->qpos[model->nq - 1]);
     data->ctrl[0] = std::sin(0.05 * k);
+    TUMBLE_PROBE(&tumble_probes, "motor.control", 0, data->ctrl[0]);
     recorder.step();
+    TUMBLE_PROBE(&tumble_probes, "hinge.angle after", 0, data->qpos[model->nq - 1]);
   }
+  tumble_probes_close(&tumble_probes);
   const int status = Demo::end(recorder.rec);
   mj_deleteData(data);
   mj_deleteModel(model);

@@ -1,0 +1,71 @@
+#include "golden/bundle/bundle.h"
+
+#include <string>
+#include <utility>
+
+#include "golden/bundle/file_hashes.h"
+#include "golden/bundle/manifest.h"
+#include "golden/suite/text_files.h"
+#include "src/base/text.h"
+
+namespace tumble::golden {
+namespace {
+
+std::vector<std::string> names_of(const std::vector<CaseFolder>& folders) {
+  std::vector<std::string> names;
+  names.reserve(folders.size());
+  for (const CaseFolder& folder : folders) names.push_back(folder.name);
+  return names;
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
+}  // namespace
+
+Result<RunFacts> facts_of_run(const Suite& suite, const std::vector<CaseFolder>& all,
+                              const std::vector<CaseFolder>& mine,
+                              const std::optional<std::vector<VerdictKind>>& require, double timeout_s) {
+  RunFacts facts;
+  Result<std::string> program = program_hash(), files = suite_hash(suite);
+  if (!program.ok()) return program.error();
+  if (!files.ok()) return files.error();
+  facts.program_hash = *std::move(program);
+  facts.suite_hash = *std::move(files);
+  facts.selected_hash = names_hash(names_of(all));
+  facts.expected = names_of(mine);
+  std::vector<std::string> verdicts;
+  if (require) {
+    for (const VerdictKind kind : *require) verdicts.emplace_back(kVerdictNames[static_cast<std::size_t>(kind)]);
+  }
+  facts.options = {{"require", joined(verdicts)}, {"timeout", exact(timeout_s)}};
+  return facts;
+}
+
+Status write_bundle(const SuiteResult& result, const std::filesystem::path& folder) {
+  Manifest manifest{.suite = result.suite,
+                    .shard = result.shard,
+                    .shards = result.shards,
+                    .assignment = kAssignment,
+                    .selected = result.selected,
+                    .run = result.run,
+                    .facts = result.facts,
+                    .judged = {},
+                    .files = {}};
+  std::vector<std::string> paths = {kReportFile};
+  for (const CaseResult& one : result.cases) {
+    manifest.judged.push_back(one.name);
+    paths.insert(paths.end(), one.artifacts.begin(), one.artifacts.end());
+  }
+  for (const std::string& path : paths) {
+    const Result<FileHash> found = hash_file(folder / path);
+    if (!found.ok()) return cannot_finish(found.error().message);
+    manifest.files.push_back({path, found->bytes, found->hash});
+  }
+  return write_file(folder / kBundleFile, std::string_view(manifest_text(manifest)));
+}
+
+}  // namespace tumble::golden

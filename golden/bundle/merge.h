@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "tumble/golden/suite_result.h"
+#include "tumble/sim/result.h"
+
+namespace tumble::golden {
+
+struct MergeOptions {
+  std::vector<std::filesystem::path> bundles;  ///< report folders of all shards of one check, in any order
+  std::filesystem::path report;                ///< gets the files of failed cases
+  /// Called as each shard was read; may be empty.
+  std::function<void(std::size_t done, std::size_t total)> progress;
+};
+
+/// The result of the check of the whole suite, from the bundles of its shards: as if it had not been split. A canary
+/// counts as caught if every shard caught it. Seconds are the slowest shard's, the date is the earliest. The report
+/// folder must be ready (prepare_merged_report). Errors: open_bundles', read_results'; kCannotFinish: the disk.
+Result<SuiteResult> merge_bundles(const MergeOptions& options);
+
+}  // namespace tumble::golden
