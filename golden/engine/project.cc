@@ -64,6 +64,19 @@ TableReading read_table(TableReader& engine) {
   return reading;
 }
 
+std::map<std::string, bool> read_claims(TableReader& engine) {
+  std::map<std::string, bool> claims;
+  const toml::table* table = engine.table("claims");
+  if (table == nullptr) return claims;
+  TableReader reader(*table, "[engine.claims]", engine.problem());
+  for (const auto& [key, value] : *table) {
+    const auto claim = claims.emplace(key.str(), false).first;  // the reader keeps a view of the key
+    claim->second = reader.flag(claim->first, false);
+  }
+  reader.finish();
+  return claims;
+}
+
 std::string read_command(TableReader& reader, const char* key, bool shell) {
   std::string command = reader.text(key, "", kCommandLengthMax);
   if (!command.empty() && !is_splittable(command, shell)) reader.fail(key, "a command line with its quotes closed");
@@ -82,6 +95,7 @@ EngineProject read_engine(TableReader& reader, const toml::table& table) {
   project.scene = reader.text("scene", "", kCommandLengthMax);
   project.timeout_s = reader.number("timeout", 0, kTimeoutRule);
   project.table = read_table(reader);
+  project.claims = read_claims(reader);
   reader.finish();
   return project;
 }

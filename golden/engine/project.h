@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,6 +26,8 @@ struct EngineProject {
   bool shell = false;    ///< commands are given to sh instead of being split into words
   double timeout_s = 0;  ///< of a run; 0: none
   TableReading table;    ///< of what the engine writes, where that is a table
+  std::map<std::string, bool>
+      claims;  ///< [engine.claims]: relations and laws of a hunt, and whether the engine keeps them
 };
 
 /// Errors (kBadInput): "<file>:<line>:<column>: [engine] key "run": found …, wanted …".

@@ -106,7 +106,8 @@ Finding shrink_finding(const Question& question, Finding finding, std::uint64_t 
     if (one.bound > 0 && times_bound(one) < wanted) one.outcome = Outcome::kHeld;
     return one;
   };
-  const Shrunk least = shrink(*scene, finding.judgement, test, tries_most);
+  const Tracer tracer = [&question](const sim::SceneDef& candidate) { return trace_of(question, candidate); };
+  const Shrunk least = shrink(*scene, finding.judgement, test, tracer, tries_most);
   TextScene named = least.scene;
   finding.shrunk_judgement = least.judgement;
   finding.bodies = named.scene.boxes.size();

@@ -19,6 +19,8 @@ HuntState state_from(const Json& json) {
   state.grammar = json.at("grammar");
   state.program = json.at("program");
   state.against = json.at("against");
+  state.engine = json.value("engine", "");
+  state.claimed = json.value("claimed", std::vector<std::string>{});
   state.ended = json.value("ended", false);
   state.merged = json.value("merged", std::uint64_t{0});
   state.next = json.at("scenes");
@@ -74,6 +76,10 @@ Json to_json(const HuntState& state) {
                {"merged", state.merged},
                {"scenes", state.next},
                {"no_scenes", state.no_scenes}};
+  if (!state.engine.empty()) {
+    json["engine"] = state.engine;
+    json["claimed"] = state.claimed;
+  }
   json["relations"] = Json::object();
   for (const auto& [name, tally] : state.relations) json["relations"][name] = to_json(tally);
   json["findings"] = Json::array();
@@ -93,6 +99,7 @@ Status same_hunt(const HuntState& kept, const HuntState& wanted, const std::stri
   if (Status ok = differs("grammar", std::to_string(kept.grammar), std::to_string(wanted.grammar)); !ok.ok()) return ok;
   if (Status ok = differs("program", kept.program, wanted.program); !ok.ok()) return ok;
   if (Status ok = differs("--against", kept.against, wanted.against); !ok.ok()) return ok;
+  if (Status ok = differs("engine", kept.engine, wanted.engine); !ok.ok()) return ok;
   std::string found, want;
   for (const auto& row : kept.relations) found += (found.empty() ? "" : " ") + row.first;
   for (const auto& row : wanted.relations) want += (want.empty() ? "" : " ") + row.first;
@@ -130,6 +137,7 @@ Result<HuntState> Folder::open(HuntState fresh) const {
     return bad_input(file.string() + ": was merged of shards and cannot go on; give another --folder");
   }
   if (Status ok = same_hunt(*kept, fresh, file.string()); !ok.ok()) return ok.error();
+  kept->claimed = std::move(fresh.claimed);
   kept->ended = false;
   return kept;
 }

@@ -36,8 +36,10 @@ struct HuntState {
   std::uint32_t grammar = 0;
   std::string program;  ///< version and commit
   std::string against;
-  bool ended = false;        ///< it came to its --count or --time
-  std::uint64_t merged = 0;  ///< number of shards that it was merged of; 0: it was run, and can go on
+  std::string engine;                ///< the command of the engine; empty: this program is judged
+  std::vector<std::string> claimed;  ///< relations that the engine claims
+  bool ended = false;                ///< it came to its --count or --time
+  std::uint64_t merged = 0;          ///< number of shards that it was merged of; 0: it was run, and can go on
   std::uint64_t next = 0;
   std::uint64_t no_scenes = 0;                           ///< drawn scenes that no world can be made of
   std::vector<std::pair<std::string, Tally>> relations;  ///< in the order in which they are judged

@@ -20,9 +20,10 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::uint64_t kScenesABatch = 10;
 constexpr std::uint64_t kBatchesARound = 8;
-constexpr double kBatchPatience = 120;  // s: many times what ten scenes take in a slow build
-constexpr double kScenePatience = 60;
-constexpr double kShrinkPatience = 600;
+// s of processor time: many times what ten scenes, one scene and the shrinking of one take in a slow build. On a busy
+// machine they may take kStretch times as long.
+constexpr unsigned kBatchPatience = 120, kScenePatience = 60, kShrinkPatience = 600;
+constexpr double kStretch = 20;
 constexpr double kUsualSeconds = 60;
 
 class Hunt {
@@ -61,9 +62,10 @@ class Hunt {
     return options_.count ? std::optional(state_.share.of(*options_.count)) : std::nullopt;
   }
 
-  [[nodiscard]] process::PoolOptions pool(double patience, bool timed) const {
+  [[nodiscard]] process::PoolOptions pool(unsigned patience, bool timed) const {
     process::PoolOptions out = options_.pool;
-    out.timeout_s = patience;
+    out.cpu_s = patience;
+    out.timeout_s = kStretch * patience;
     out.cancel = [this, timed] { return cancelled() || (timed && late()); };
     return out;
   }
@@ -193,10 +195,16 @@ class Hunt {
 Status check_relations(const Question& question) {
   std::vector<std::string_view> known;
   for (const Relation& one : relations()) known.emplace_back(one.name);
-  for (const std::string& name : question.only) {
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const std::string& name : question.only) names.emplace_back("--relation", name);
+  if (question.engine) {
+    for (const auto& [name, claimed] : question.engine->claims)
+      names.emplace_back(question.engine->file.string() + ": [engine.claims]", name);
+  }
+  for (const auto& [where, name] : names) {
     if (find_relation(name) != nullptr) continue;
     const std::string_view nearest = nearest_word(name, known);
-    return bad_input("--relation: found " + in_quotes(name) + ", wanted " + list_text(known) +
+    return bad_input(where + ": found " + in_quotes(name) + ", wanted " + list_text(known) +
                      (nearest.empty() ? "" : "; did you mean \"" + std::string(nearest) + "\"?"));
   }
   return {};
@@ -214,7 +222,11 @@ Result<HuntState> hunt_scenes(const HuntOptions& options) {
   fresh.program = program.version + " " + (program.commit.empty() ? "commit not known" : program.commit);
   if (program.tree == "changed") fresh.program += " (sources changed since)";
   fresh.against = options.question.against;
-  for (const std::string& name : names_of(options.question)) fresh.relations.emplace_back(name, Tally{});
+  if (options.question.engine) fresh.engine = options.question.engine->run;
+  for (const std::string& name : names_of(options.question)) {
+    fresh.relations.emplace_back(name, Tally{});
+    if (options.question.engine && is_claimed(options.question, name)) fresh.claimed.push_back(name);
+  }
   std::optional<Corpus> corpus;
   if (!options.corpus.empty()) {
     Result<Corpus> opened = Corpus::open(options.corpus);
@@ -225,6 +237,13 @@ Result<HuntState> hunt_scenes(const HuntOptions& options) {
   Result<HuntState> kept = Folder(options.folder).open(std::move(fresh));
   if (!kept.ok()) return kept.error();
   return Hunt(options, *std::move(kept), std::move(corpus)).run();
+}
+
+bool claims_hold(const HuntState& state) {
+  if (state.engine.empty()) return state.findings.empty();
+  return std::ranges::none_of(state.findings, [&state](const Finding& one) {
+    return std::ranges::find(state.claimed, one.relation) != state.claimed.end();
+  });
 }
 
 }  // namespace tumble::hunt

@@ -33,6 +33,9 @@ struct HuntOptions {
 /// keeps a whole number of scenes without a gap. Errors: the folder's; kBadInput: a relation that there is not.
 Result<HuntState> hunt_scenes(const HuntOptions& options);
 
+/// Whether none of the findings breaks a relation that was claimed: all are, of this program.
+bool claims_hold(const HuntState& state);
+
 /// The relation that a scene breaks which ends the program or hangs it.
 inline constexpr const char* kSurvives = "survives";
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "golden/hunt/engine/engine_relations.h"
+#include "golden/hunt/engine/trace_engine.h"
 #include "golden/hunt/judge/features.h"
 #include "golden/hunt/judge/same_bits.h"
 #include "golden/suite/temporary_folder.h"
@@ -62,6 +64,16 @@ Judgement judge_against(const std::string& program, const Trace& trace, const Te
 
 }  // namespace
 
+Result<Trace> trace_of(const Question& question, const sim::SceneDef& scene) {
+  return question.engine ? trace_engine(*question.engine, scene) : trace(scene);
+}
+
+bool is_claimed(const Question& question, const std::string& relation) {
+  if (!question.engine) return true;
+  const auto claim = question.engine->claims.find(relation);
+  return claim != question.engine->claims.end() && claim->second;
+}
+
 std::vector<std::string> names_of(const Question& question) {
   std::vector<std::string> names;
   const auto wanted = [&](const std::string& name) {
@@ -79,12 +91,12 @@ Judgement judge(const Question& question, const std::string& relation, const Tra
   if (relation == kAgainst) return judge_against(question.against, trace, scene);
   const Relation* known = find_relation(relation);
   SIM_CHECK(known != nullptr, std::string_view(relation));
-  return known->judge(trace);
+  return question.engine && !known->is_law ? judge_engine(relation, trace) : known->judge(trace);
 }
 
 Judged judge_scene(const Question& question, const TextScene& scene) {
   Judged out;
-  const Result<Trace> session = trace(scene.scene);
+  const Result<Trace> session = trace_of(question, scene.scene);
   if (!session.ok()) {
     out.problem = session.error().message;
     return out;

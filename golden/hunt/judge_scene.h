@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "golden/engine/project.h"
 #include "golden/hunt/judge/relation.h"
 #include "golden/hunt/scene/scene_text.h"
 #include "golden/hunt/shrink/shrink.h"
@@ -14,10 +16,17 @@ namespace tumble::hunt {
 struct Question {
   std::vector<std::string> only;  ///< names of relations; empty: all
   std::string against;            ///< another build of tumble, whose sessions must have the same bits; empty: none
+  std::optional<golden::EngineProject> engine;  ///< whose sessions are judged; none: those of this program
 };
 
 /// The name of the relation that `against` adds.
 inline constexpr const char* kAgainst = "against";
+
+/// The session of a scene, of the question's engine. Errors: the scene is none, or the engine refuses it.
+Result<Trace> trace_of(const Question& question, const sim::SceneDef& scene);
+
+/// Whether a scene that breaks a relation is a failure: always for this program, and for an engine where it claims it.
+bool is_claimed(const Question& question, const std::string& relation);
 
 /// The relations of a question, in order; names only.
 std::vector<std::string> names_of(const Question& question);

@@ -1,6 +1,7 @@
 #include "replay/view/timeline.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <string>
 
@@ -43,13 +44,23 @@ std::uint32_t lacking(const Pairs& a, const Pairs& b) {
   return static_cast<std::uint32_t>(only.size());
 }
 
+// The largest value of a channel in a step; NaN where there is none.
+double largest_of(const ChannelValues& values, ChannelKind kind) {
+  double largest = kNotANumber;
+  for (std::size_t row = 0; row < values.size(); ++row) {
+    const double value = number_of(values.value(row, kind));
+    if (!(largest >= value) && !std::isnan(value)) largest = value;
+  }
+  return largest;
+}
+
 }  // namespace
 
 std::vector<std::size_t> channel_columns(const LogHeader& header) {
   std::vector<std::size_t> columns;
   const std::vector<Channel>& channels = header.declared.channels;
   for (std::size_t c = 0; c < channels.size(); ++c) {
-    if (channels[c].type.scope == ChannelScope::kWorld && is_number(channels[c].type.kind)) columns.push_back(c);
+    if (is_number(channels[c].type.kind)) columns.push_back(c);
   }
   return columns;
 }
@@ -115,7 +126,7 @@ TimelineRow TimelineScan::next() {
   for (const std::size_t c : channels_) {
     const ChannelValues& values = record_->extras.values(c);
     const ChannelKind kind = log_->header().declared.channels[c].type.kind;
-    row.channels.push_back(values.empty() ? kNotANumber : number_of(values.value(0, kind)));
+    row.channels.push_back(largest_of(values, kind));
   }
   measure(*record_, row);
   if (row.step == log_->first_state() && row.not_finite == 0) {  // no step led here, so nothing counted its energy

@@ -27,16 +27,16 @@ struct TimelineRow {
   std::uint32_t contacts = 0;
   std::uint32_t bodies = 0;
   std::uint32_t frozen = 0;
-  std::uint32_t not_finite = 0;    ///< bodies with a value that is infinite or no number
-  double speed_max = 0;            ///< m/s, of the bodies that are finite
-  sim::BodyId speed_body = 0;      ///< that body; 0: none
-  double height_max = 0;           ///< m, highest centre
-  std::vector<double> channels;    ///< by index in channel_columns(); NaN: no number in this step
+  std::uint32_t not_finite = 0;  ///< bodies with a value that is infinite or no number
+  double speed_max = 0;          ///< m/s, of the bodies that are finite
+  sim::BodyId speed_body = 0;    ///< that body; 0: none
+  double height_max = 0;         ///< m, highest centre
+  std::vector<double> channels;  ///< by index in channel_columns(), the largest of all bodies or pairs; NaN: no number
   std::vector<BoundState> bounds;  ///< of BoundScan; empty: not judged
   double overlap = 0;              ///< m, deepest of two boxes, as `measure` defines overlap_max; NaN after a lost body
 };
 
-/// The channels that a timeline shows: numbers of the step as a whole. Indices in LogHeader::declared.channels.
+/// The channels that a timeline shows: those of numbers. Indices in LogHeader::declared.channels.
 std::vector<std::size_t> channel_columns(const LogHeader& header);
 
 /// An input with its step.

@@ -40,10 +40,13 @@ struct Child {
 };
 
 /// Runs in the child. Never returns, and runs no destructor or exit handler of the parent's.
-[[noreturn]] void run_in_child(std::size_t index, const std::function<std::string(std::size_t)>& job, int out) {
+[[noreturn]] void run_in_child(std::size_t index, const std::function<std::string(std::size_t)>& job, int out,
+                               unsigned cpu_s) {
   ::setpgid(0, 0);
   const rlimit no_core = {0, 0};
   ::setrlimit(RLIMIT_CORE, &no_core);
+  const rlimit time = {cpu_s, cpu_s + 1};
+  if (cpu_s > 0) ::setrlimit(RLIMIT_CPU, &time);
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGPIPE}) std::signal(number, SIG_DFL);
 #ifdef __linux__
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -91,7 +94,7 @@ class Pool {
       child.pid = ::fork();
       if (child.pid == 0) {
         ::close(ends[0]);
-        run_in_child(index, job_, ends[1]);
+        run_in_child(index, job_, ends[1], options_.cpu_s);
       }
       ::close(ends[1]);
       child.pipe = ends[0];
@@ -143,6 +146,8 @@ class Pool {
     if (whole) result.output.pop_back();
     if (late) {
       result.failure = "took longer than " + std::to_string(static_cast<long>(options_.timeout_s)) + " s";
+    } else if (end.signal == SIGXCPU) {
+      result.failure = "took longer than " + std::to_string(options_.cpu_s) + " s of processor time";
     } else if (end.signal != 0) {
       result.failure = "ended by " + signal_name(end.signal);
     } else if (!end.well() || !whole) {

@@ -15,7 +15,8 @@ struct JobResult {
 
 struct PoolOptions {
   std::size_t jobs = 1;          ///< children at a time
-  double timeout_s = 600;        ///< of each child; then it and all it started are killed
+  double timeout_s = 600;        ///< of each child, wall time; then it and all it started are killed
+  unsigned cpu_s = 0;            ///< of each child, processor time, which a busy machine does not stretch; 0: any
   std::function<bool()> cancel;  ///< asked a few times a second; true ends all children; may be empty
 };
 

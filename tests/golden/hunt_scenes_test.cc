@@ -67,7 +67,7 @@ TEST(HuntShrink, LeavesNothingThatCanGo) {
   scene.inputs = {{3, sim::SetGravity{{1, 2, -3}}}};
   const Result<TextScene> text = hunt::settled(scene);
   ASSERT_TRUE(text.ok()) << text.error().message;
-  const hunt::Shrunk least = hunt::shrink(*text, wide({}, *text), wide, 5000);
+  const hunt::Shrunk least = hunt::shrink(*text, wide({}, *text), wide, hunt::trace, 5000);
   EXPECT_TRUE(least.least);
   EXPECT_EQ(least.scene.scene.boxes.size(), 1U);
   EXPECT_EQ(least.scene.scene.boxes[0].id, 1U);
@@ -82,7 +82,7 @@ TEST(HuntShrink, StopsAtItsBoundAndSaysSo) {
   scene.boxes[0].size.x() = 2.5;
   const Result<TextScene> text = hunt::settled(scene);
   ASSERT_TRUE(text.ok()) << text.error().message;
-  const hunt::Shrunk some = hunt::shrink(*text, wide({}, *text), wide, 3);
+  const hunt::Shrunk some = hunt::shrink(*text, wide({}, *text), wide, hunt::trace, 3);
   EXPECT_FALSE(some.least);
   EXPECT_EQ(some.tried, 3U);
 }

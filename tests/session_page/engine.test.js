@@ -63,6 +63,9 @@ test("names, shapes and channels of another engine, sent and served", async () =
     await score.locator(".value", { hasText: "100" }).waitFor();
     await page.locator("input[type=search]").fill("score >= 81");
     await until(page, ".search output", "1 run of steps, the first at 9");
+    await page.locator(".lane", { hasText: "heat, largest of bodies" }).locator(".value", { hasText: "10" }).waitFor();
+    await page.locator("input[type=search]").fill("heat > 7");
+    await until(page, ".search output", "1 run of steps, the first at 8");
     await page.locator("input[type=search]").fill("ball");
     await page.keyboard.press("Enter");
     await panel_of(page, "Body").locator("text=ball").first().waitFor();
@@ -74,6 +77,27 @@ test("names, shapes and channels of another engine, sent and served", async () =
     await page.screenshot({ path: sessions.path(`shapes_${kind}.png`) });
     await page.context().close();
   }
+  child.kill("SIGINT");
+});
+
+test("a lane says nothing of steps that the timeline has not reached", async () => {
+  const { address, child } = await sessions.serve("own.tumble");
+  const page = await (await browser.newContext()).newPage();
+  // A server that has read up to step 40 so far.
+  await page.route(/\/timeline\?/, async (route) => {
+    const whole = await (await route.fetch()).json();
+    const rows = whole.step.length - 41;
+    const first = (values) => (Array.isArray(values) ? values.slice(0, -rows) : values);
+    await route.fulfill({ json: { ...whole, ...Object.fromEntries(["step", "time", "read", "kinetic", "potential", "inputs",
+      "contacts", "bodies", "sleeping", "lost", "speed", "speed_body", "height", "overlap"].map((name) => [name, first(whole[name])])) } });
+  });
+  await page.goto(`${address}#step=40`);
+  const value = page.locator(".lane", { hasText: "sleeping" }).locator(".value");
+  await value.locator("text=/ of /").waitFor();
+  await page.locator("body").press("End");
+  await until(page, "output.said", "step 120 ");
+  assert.equal(await value.textContent(), "–");
+  await page.context().close();
   child.kill("SIGINT");
 });
 

@@ -62,7 +62,7 @@ test("the page to send scrubs by keyboard and by mouse, and plays both ways", as
   await page.keyboard.press("End");
   assert.match(await said(page), /^step 120 · 2\.000 s · 13 bodies/);
   assert.match(await scrubber.getAttribute("aria-valuetext"), /^step 120/);
-  assert.notEqual(await picture(), first);
+  await eventually(page, picture, (one) => one !== first, "another picture");
   await page.keyboard.press("ArrowLeft");
   assert.match(await said(page), /^step 119/);
   await page.keyboard.press("Shift+ArrowLeft");
@@ -120,7 +120,7 @@ test("the search finds the steps of one body", async () => {
     await eventually(page, answer, (words) => /^\d+ runs? of steps, the first at 2[01]$/.test(words), "of the thrown cube");
     await eventually(page, () => panel_of(page, "Body").textContent(), (words) => words.includes("Body 900"), "it is chosen");
     await search.press("Enter");
-    assert.match(await said(page), /^step 2[01] /);
+    await eventually(page, () => said(page), (words) => /^step 2[01] /.test(words), "the first of them");
     await search.fill("height of 900 < -1");
     await eventually(page, answer, (words) => words === "in no step", "never below ground");
     await search.fill("separation of 900 > 1e-6");
@@ -133,8 +133,8 @@ test("the search finds the steps of one body", async () => {
     assert.match(await answer(), /^no body "nobody"$/);
     await search.fill("speed of wall > 1");
     assert.match(await answer(), /^\d+ bodies answer to "wall"; wanted one$/);
-    child?.kill("SIGINT");
     await page.context().close();
+    child?.kill("SIGINT");
   }
 });
 
@@ -149,8 +149,8 @@ test("contacts of both logs, each by its own letter", async () => {
   await page.locator("button", { hasText: "Contacts" }).click();
   await eventually(page, async () => (await page.locator(".view3d canvas").screenshot()).toString("base64"), (one) => one !== plain, "arrows");
   await page.screenshot({ path: sessions.path("contacts.png") });
-  child.kill("SIGINT");
   await page.context().close();
+  child.kill("SIGINT");
 });
 
 test("two logs: the first difference, its growth and the phases", async () => {
@@ -167,7 +167,7 @@ test("two logs: the first difference, its growth and the phases", async () => {
   assert.match(await values(page, "separation"), /m$/);
   const ghosts = (await page.locator(".view3d canvas").screenshot()).toString("base64");
   await page.locator("button", { hasText: "Side by side" }).click();
-  assert.notEqual((await page.locator(".view3d canvas").screenshot()).toString("base64"), ghosts);
+  await eventually(page, async () => (await page.locator(".view3d canvas").screenshot()).toString("base64"), (one) => one !== ghosts, "side by side");
   await page.locator("input[type=search]").fill("separation > 1e-6");
   assert.match(await page.locator(".search output").textContent(), /^1 run of steps/);
   await page.context().close();
@@ -201,8 +201,8 @@ test("a body that is no number is marked, and a log of another engine has no con
   assert.match(await panel_of(page, "Contacts").textContent(), /another engine/);
   await page.locator("input[type=search]").fill("lost > 0");
   await eventually(page, () => page.locator(".search output").textContent(), (words) => words === "1 run of steps, the first at 6", "from step 6");
-  child.kill("SIGINT");
   await page.context().close();
+  child.kill("SIGINT");
 });
 
 test("a damaged log is shown around its gap, and says so", async () => {
@@ -218,8 +218,8 @@ test("a damaged log is shown around its gap, and says so", async () => {
   await other.evaluate((step) => { location.hash = `#step=${step}`; location.reload(); }, gap[1]);
   await other.locator("#session[data-ready]").waitFor();
   await eventually(other, () => other.locator(".over-view").textContent(), (words) => /is not here: the record with it is damaged|cannot be read/.test(words), "the gap");
-  served.child.kill("SIGINT");
   await other.context().close();
+  served.child.kill("SIGINT");
 });
 
 test("served: every bit of a body, contacts of every step, and exact search", async () => {
@@ -236,14 +236,14 @@ test("served: every bit of a body, contacts of every step, and exact search", as
   assert.match(await row.getAttribute("class"), /differs/);
   await page.locator("body").press("Escape");
   await eventually(page, () => panel_of(page, "Contacts").textContent(), (words) => /\d+ contact points/.test(words), "contacts");
-  child.kill("SIGINT");
   await page.context().close();
+  child.kill("SIGINT");
 });
 
 test("a session that is being recorded is followed to its last chunk", async () => {
   sessions.record("scene.tumble");  // writes scene.toml
   const recorder = sessions.start("record", "scene.toml", "-o", "young.tumble", "--realtime", "--seconds", "600");
-  await new Promise((resolve) => setTimeout(resolve, 3000));
+  await sessions.until_readable("young.tumble");
   const { address, child } = await sessions.serve("young.tumble");
   const page = await open(address);
   assert.match(await page.locator(".facts").textContent(), /not finished/);
@@ -252,8 +252,8 @@ test("a session that is being recorded is followed to its last chunk", async () 
   await eventually(page, last, (step) => step > at_first + 60, "it should grow");
   recorder.kill("SIGINT");
   await eventually(page, () => page.locator(".facts").textContent(), (words) => !words.includes("not finished"), "and end");
-  child.kill("SIGINT");
   await page.context().close();
+  child.kill("SIGINT");
 });
 
 test("narrow and dark, the page keeps within its width", async () => {

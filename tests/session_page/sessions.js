@@ -86,6 +86,11 @@ export class Sessions {
     return child;
   }
 
+  /// Waits for a log that is being recorded to have steps that can be read.
+  async until_readable(name) {
+    while (!/steps +[1-9]/.test(this.run_any("info", name).out ?? "")) await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+
   /// Serves logs; resolves to {address, child}.
   serve(...words) {
     const child = this.start("view", ...words);

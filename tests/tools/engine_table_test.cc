@@ -111,6 +111,7 @@ TEST(EngineTable, DiffNamesFieldsByItsAxes) {
   EXPECT_EQ(outcome.exit, 1);
   const ordered_json first = parsed(outcome)["first"];
   EXPECT_EQ(first["field"], "position.z") << "our y points along its -z";
+  EXPECT_TRUE(says(parsed(outcome)["cause"], "body 4 position.z: 3 → 3.5")) << "the sentence names it likewise";
   EXPECT_EQ(first["expected"], 3.0);
   EXPECT_EQ(first["actual"], 3.5);
   EXPECT_TRUE(says(shop.run({"diff", "a.tumble", "b.tumble"}).out, "y up, right-handed, m"));

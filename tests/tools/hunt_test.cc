@@ -157,6 +157,78 @@ TEST(Hunt, NamesFindingsWithoutShrinkingThem) {
   for (const Json& found : report.at("findings")) EXPECT_TRUE(found.at("shrunk").is_null());
 }
 
+// A tumble.toml whose engine is this program, with more words on its command line.
+void write_project(const Workshop& shop, const std::string& words, const std::string& claims) {
+  shop.write("tumble.toml", "[engine]\nrun = \"'" TUMBLE_PROGRAM "' record {scene} -o {log} --quiet " + words +
+                                "\"\n[engine.claims]\n" + claims);
+}
+
+TEST(HuntEngine, IsJudgedByWhatItClaims) {
+  const Workshop shop;
+  const std::vector<std::string> words = {"hunt", "--engine", "--seed", "5", "--count", "12", "--json"};
+  write_project(shop, "", "ids = true\nflight = true\noverlap = false\n");
+  const Outcome right = shop.run(words);
+  ASSERT_EQ(right.exit, 0) << right.err << right.out;
+  const Json json = Json::parse(right.out);
+  EXPECT_EQ(json.at("claimed"), Json({"flight", "ids"}));
+  EXPECT_TRUE(says(json.at("engine"), "record {scene}"));
+  for (const char* name : {"ids", "mirror_x", "shift", "repeat", "inserted", "flight"}) {
+    EXPECT_GT(json.at("relations").at(name).at("held").get<int>(), 0) << name;
+    EXPECT_EQ(json.at("relations").at(name).at("broken").get<int>(), 0) << name;
+  }
+  EXPECT_EQ(json.at("relations").at("lanes").at("held").get<int>(), 0);  // Tumble's own
+  // An engine with another gravity breaks its claim; without the claim that is measured.
+  write_project(shop, "--set world.gravity=[0,0,-9.8]", "flight = true\n");
+  const Outcome wrong = shop.run(words);
+  EXPECT_EQ(wrong.exit, 1) << wrong.out;
+  EXPECT_GT(Json::parse(wrong.out).at("relations").at("flight").at("broken").get<int>(), 0);
+  write_project(shop, "--set world.gravity=[0,0,-9.8]", "ids = true\n");
+  EXPECT_EQ(shop.run(words).exit, 0);
+}
+
+TEST(HuntEngine, ShrinksWhatItDoesNotHold) {
+  const Workshop shop;
+  write_project(shop, "--set world.gravity=[0,0,-9.8]", "flight = true\n");
+  const Outcome run =
+      shop.run({"hunt", "--engine", "--seed", "5", "--count", "6", "--relation", "flight", "--folder", "kept"});
+  ASSERT_EQ(run.exit, 1) << run.err;
+  EXPECT_TRUE(says(run.out, "CLAIMED")) << run.out;
+  const Json json = Json::parse(shop.read("kept/hunt.json"));
+  ASSERT_FALSE(json.at("findings").empty());
+  EXPECT_EQ(json.at("findings").at(0).at("shrunk").at("bodies"), 1);
+  // The folder holds the hunt of that engine.
+  const Outcome own = shop.run({"hunt", "--seed", "5", "--count", "8", "--relation", "flight", "--folder", "kept"});
+  EXPECT_EQ(own.exit, 2);
+  EXPECT_TRUE(says(own.err, "another engine")) << own.err;
+}
+
+TEST(HuntEngine, MayRefuseAScene) {
+  const Workshop shop;
+  shop.write("tumble.toml", "[engine]\nshell = true\nrun = 'test -e {log} || exit 2'\n");
+  const Outcome run = shop.run({"hunt", "--engine", "--count", "3", "--json"});
+  EXPECT_EQ(run.exit, 0) << run.err;
+  EXPECT_EQ(Json::parse(run.out).at("no_scenes"), 3);
+  // Any other end is a finding.
+  shop.write("tumble.toml", "[engine]\nshell = true\nrun = 'exit 5 {log}'\n[engine.claims]\nfinishes = true\n");
+  const Outcome fails = shop.run({"hunt", "--engine", "--count", "3", "--unshrunk"});
+  EXPECT_EQ(fails.exit, 1) << fails.err;
+  EXPECT_TRUE(says(fails.out, "status 5")) << fails.out;
+}
+
+TEST(HuntEngine, RefusesWhatIsNoProjectAndNoClaim) {
+  const Workshop shop;
+  const Outcome none = shop.run({"hunt", "--engine", "--count", "1"});
+  EXPECT_EQ(none.exit, 2);
+  EXPECT_TRUE(says(none.err, "found no tumble.toml")) << none.err;
+  write_project(shop, "", "enrgy = true\n");
+  const Outcome unknown = shop.run({"hunt", "--engine", "--count", "1"});
+  EXPECT_EQ(unknown.exit, 2);
+  EXPECT_TRUE(says(unknown.err, "[engine.claims]: found \"enrgy\"")) << unknown.err;
+  EXPECT_TRUE(says(unknown.err, "did you mean \"energy\"?")) << unknown.err;
+  write_project(shop, "", "energy = 3\n");
+  EXPECT_EQ(shop.run({"hunt", "--engine", "--count", "1"}).exit, 2);
+}
+
 TEST(Hunt, ListsItsRelations) {
   const Workshop shop;
   const Outcome list = shop.run({"hunt", "--relations", "--json"});

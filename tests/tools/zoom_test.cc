@@ -140,7 +140,68 @@ TEST(Groups, NameTheOddLogOfMany) {
   record_toy(shop, "short.tumble", "--steps 5");
   const Outcome shorter = shop.run({"diff", "a.tumble", "b.tumble", "c.tumble", "short.tumble", "--json"});
   EXPECT_EQ(shorter.exit, 1);
-  EXPECT_EQ(parsed(shorter)["too_short"], ordered_json({"short.tumble"})) << shorter.out;
+  EXPECT_EQ(parsed(shorter)["undecided"], ordered_json({"short.tumble"})) << shorter.out;
+}
+
+// c has no channel, so it agrees with both a and b, which differ in theirs: it decides nothing.
+TEST(Groups, ALogWithoutAChannelDecidesNothing) {
+  const Workshop shop;
+  const auto import = [&](const std::string& name, const std::string& head, const std::string& cell) {
+    const std::string columns =
+        "step,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z";
+    shop.write(name + ".csv", "# engine: mine\n# dt: 0.1\n" + columns + head + "\n0,1,0,0,1,1,0,0,0" + cell +
+                                  "\n1,1,0,0,1,1,0,0,0" + cell + "\n");
+    const Outcome outcome = shop.run({"import", name + ".csv", "-o", name + ".tumble"});
+    ASSERT_EQ(outcome.exit, 0) << outcome.err;
+  };
+  import("a", ",channel.hinge", ",0.5");
+  import("b", ",channel.hinge", ",0.25");
+  import("c", "", "");
+  for (const std::vector<std::string>& order : {std::vector<std::string>{"c.tumble", "a.tumble", "b.tumble"},
+                                                std::vector<std::string>{"a.tumble", "c.tumble", "b.tumble"},
+                                                std::vector<std::string>{"b.tumble", "a.tumble", "c.tumble"}}) {
+    const Outcome outcome = shop.run({"diff", order[0], order[1], order[2], "--json"});
+    EXPECT_EQ(outcome.exit, 1) << outcome.out << outcome.err;
+    const ordered_json json = parsed(outcome);
+    EXPECT_EQ(json["groups"].size(), 2U) << json;
+    EXPECT_EQ(json["has_majority"], false) << json;
+    EXPECT_EQ(json["undecided"], ordered_json({"c.tumble"})) << json;
+  }
+  const Outcome excused = shop.run({"diff", "a.tumble", "c.tumble", "--tolerance", "hinge=1"});
+  EXPECT_EQ(excused.exit, 2) << excused.out;
+  EXPECT_TRUE(says(excused.err, "found no such channel of numbers in c.tumble")) << excused.err;
+}
+
+TEST(Groups, TakeNoOptionOfTwoLogs) {
+  const Workshop shop;
+  record_toy(shop, "a.tumble");
+  for (const std::vector<std::string>& option : {std::vector<std::string>{"--until", "1"},
+                                                 {"--apart", "1"},
+                                                 {"--tolerance", "position=1"},
+                                                 {"--plot", "p.svg"},
+                                                 {"--brief"}}) {
+    std::vector<std::string> words = {"diff", "a.tumble", "a.tumble", "a.tumble"};
+    words.insert(words.end(), option.begin(), option.end());
+    const Outcome outcome = shop.run(words);
+    EXPECT_EQ(outcome.exit, 2) << option[0] << outcome.out;
+    EXPECT_TRUE(says(outcome.err, "found an option that takes two logs")) << outcome.err;
+  }
+}
+
+TEST(Until, NothingToCompareIsNoAnswer) {
+  const Workshop shop;
+  record_toy(shop, "a.tumble");
+  EXPECT_EQ(shop.run({"diff", "a.tumble", "a.tumble", "--until", "1e-6"}).exit, 2);
+  for (const char* id : {"1", "2"}) {
+    shop.write(std::string(id) + ".csv",
+               std::string("# engine: mine\n# dt: 0.1\nstep,id,position.x,position.y,position.z,"
+                           "orientation.w,orientation.x,orientation.y,orientation.z\n") +
+                   "0," + id + ",0,0,1,1,0,0,0\n1," + id + ",0,0,1,1,0,0,0\n");
+    ASSERT_EQ(shop.run({"import", std::string(id) + ".csv", "-o", std::string(id) + ".tumble"}).exit, 0);
+  }
+  const Outcome apart = shop.run({"diff", "1.tumble", "2.tumble", "--apart", "0.01"});
+  EXPECT_EQ(apart.exit, 1) << "no body is in both";
+  EXPECT_TRUE(says(apart.out, "of the bodies that both have; others exist in one only")) << apart.out;
 }
 
 TEST(Until, EndsTheComparisonAndTellsWhenTheSessionsPart) {

@@ -13,10 +13,10 @@
 #include "src/process/interrupt.h"
 #include "tools/arguments/arguments.h"
 #include "tools/arguments/command.h"
-#include "tools/arguments/numbers.h"
 #include "tools/compare/diff_output.h"
 #include "tools/compare/log_groups.h"
 #include "tools/compare/session_time.h"
+#include "tools/compare/tolerance_arguments.h"
 #include "tools/engine/zoom.h"
 #include "tools/files/log_files.h"
 #include "tools/output/axes_output.h"
@@ -48,23 +48,6 @@ struct DiffCommand {
   bool json = false;
 };
 
-Result<replay::Tolerances> parse_tolerances(const std::vector<std::string>& arguments,
-                                            const std::vector<replay::Channel>& channels) {
-  replay::Tolerances tolerances;
-  for (const std::string& argument : arguments) {
-    const std::size_t equals = argument.find('=');
-    const std::optional<double> value =
-        equals == std::string::npos ? std::nullopt : parse_number(argument.substr(equals + 1));
-    if (!value) {
-      return bad_input("--tolerance: found " + in_quotes(argument) +
-                       ", wanted FIELD=V with a number V, as in position=1e-9");
-    }
-    const Status set = replay::set_tolerance(tolerances, argument.substr(0, equals), *value, channels);
-    if (!set.ok()) return bad_input("--tolerance " + printable(argument) + ": " + set.error().message);
-  }
-  return tolerances;
-}
-
 // Explains the first difference, if there is one. Errors: a log whose states do not match its hashes.
 Result<Difference> look_closer(replay::LogReader& a, replay::LogReader& b, const replay::DiffReport& report) {
   if (!report.first) return Difference();
@@ -81,7 +64,9 @@ void name_by_table(const replay::LogHeader& a, const replay::LogHeader& b, repla
   if (axes.ours()) return;
   report.notes.push_back("fields are named by the axes of the tables: " + to_string(axes));
   if (report.first) report.first = in_axes(axes, *report.first);
-  if (difference) difference = in_axes(axes, *std::move(difference));
+  if (!difference) return;
+  difference = in_axes(axes, *std::move(difference));
+  if (report.first) difference->cause = replay::cause_of(report, *report.first);  // which names the field too
 }
 
 /// Adds the names of body and pair; a body that the first log does not name may have one in the second.
@@ -130,11 +115,7 @@ Result<std::optional<Parting>> parting_of(const DiffCommand& options, replay::Lo
 }
 
 Result<Exit> compare(const DiffCommand& options, replay::LogReader& a, replay::LogReader& b) {
-  std::vector<replay::Channel> channels = a.header().declared.channels;
-  for (const replay::Channel& channel : b.header().declared.channels) {
-    if (a.header().declared.find(channel.name) == a.header().declared.channels.size()) channels.push_back(channel);
-  }
-  const Result<replay::Tolerances> tolerances = parse_tolerances(options.tolerances, channels);
+  const Result<replay::Tolerances> tolerances = parse_tolerances(options.tolerances, a, b);
   if (!tolerances.ok()) return tolerances.error();
   ProgressBar bar("comparing");
   const replay::Reading reading = options.brief ? replay::Reading::kHashes : replay::Reading::kAll;
@@ -170,14 +151,26 @@ Result<Exit> compare(const DiffCommand& options, replay::LogReader& a, replay::L
   const Result<std::optional<Parting>> parting = parting_of(options, a, *report, difference, last);
   if (!parting.ok()) return parting.error();
   print_result(question_of(options, tolerances->exact()), *report, difference, {sides_of(a, b), read, zoom, *parting});
-  if (options.apart && !options.json) print_parting(*parting, *options.apart, last);
+  const bool all_measured = !difference || !difference->growth || !difference->growth->separation.bodies_from ||
+                            *difference->growth->separation.bodies_from > last;
+  if (options.apart && !options.json) print_parting(*parting, *options.apart, last, all_measured);
   if (Status ok = draw(options, difference); !ok.ok()) return ok.error();
-  const bool is_same = options.apart ? !*parting && report->last_a == report->last_b : report->identical();
+  const bool is_same =
+      options.apart ? !*parting && all_measured && report->last_a == report->last_b : report->identical();
   return is_same ? Exit::kSame : Exit::kDifference;
+}
+
+bool is_plain(const DiffCommand& options) {
+  return options.tolerances.empty() && options.plot.empty() && !options.until && !options.apart && !options.step &&
+         !options.zoom && !options.brief;
 }
 
 Result<Exit> diff(const DiffCommand& options) {
   if (!options.more.empty()) {
+    if (!is_plain(options)) {
+      return bad_input("of " + std::to_string(options.more.size() + 2) +
+                       " logs every bit is compared: found an option that takes two logs, wanted none but --json");
+    }
     std::vector<std::string> paths = {options.a, options.b};
     paths.insert(paths.end(), options.more.begin(), options.more.end());
     return diff_many(paths, options.json);

@@ -2,6 +2,7 @@
 #include "golden/hunt/hunt.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -33,6 +34,7 @@ struct HuntCommand {
   std::vector<std::string> relations;
   std::string against, shard;
   std::string folder, corpus, judge;
+  bool engine = false;
   std::vector<std::string> merge;
   bool list = false;
   bool unshrunk = false;
@@ -46,8 +48,19 @@ Result<Exit> print_scene(const HuntCommand& options) {
   return Exit::kSame;
 }
 
-hunt::HuntOptions hunt_options(const HuntCommand& options) {
+constexpr std::uint64_t kEngineTries = 600;  // scenes that an engine runs to shrink one
+
+Result<hunt::HuntOptions> hunt_options(const HuntCommand& options) {
   hunt::HuntOptions out;
+  if (options.engine) {
+    Result<std::optional<golden::EngineProject>> project = golden::find_project(std::filesystem::current_path());
+    if (!project.ok()) return project.error();
+    if (!*project)
+      return bad_input(
+          "--engine: found no tumble.toml here or above, wanted one with [engine] (docs/other_engines.md)");
+    out.question.engine = *std::move(*project);
+    out.tries_most = kEngineTries;
+  }
   out.seed = options.seed.value_or(1);
   out.count = options.count;
   out.seconds = options.time;
@@ -63,8 +76,9 @@ hunt::HuntOptions hunt_options(const HuntCommand& options) {
 
 Result<Exit> judge_folder(const HuntCommand& options) {
   const process::InterruptGuard guard;
-  const hunt::HuntOptions how = hunt_options(options);
-  const Result<hunt::CorpusResult> result = hunt::judge_corpus(options.judge, how.question, how.pool);
+  const Result<hunt::HuntOptions> how = hunt_options(options);
+  if (!how.ok()) return how.error();
+  const Result<hunt::CorpusResult> result = hunt::judge_corpus(options.judge, how->question, how->pool);
   if (!result.ok()) return result.error();
   options.json ? print_json("hunt", hunt::to_json(*result)) : print_corpus(*result);
   return result->broken.empty() ? Exit::kSame : Exit::kDifference;
@@ -93,7 +107,7 @@ Exit tell(const HuntCommand& options, const hunt::HuntState& state) {
   } else {
     print_hunt(state, options.folder);
   }
-  return state.findings.empty() ? Exit::kSame : Exit::kDifference;
+  return claims_hold(state) ? Exit::kSame : Exit::kDifference;
 }
 
 Result<Exit> merge(const HuntCommand& options) {
@@ -115,7 +129,9 @@ Result<Exit> hunt_for(const HuntCommand& options) {
   if (options.print) return print_scene(options);
   if (!options.judge.empty()) return judge_folder(options);
   if (!options.merge.empty()) return merge(options);
-  hunt::HuntOptions how = hunt_options(options);
+  Result<hunt::HuntOptions> chosen = hunt_options(options);
+  if (!chosen.ok()) return chosen.error();
+  hunt::HuntOptions how = *std::move(chosen);
   const Result<Shard> shard = read_shard(options.shard);
   if (!shard.ok()) return shard.error();
   how.share = {shard->k, shard->n};
@@ -150,6 +166,9 @@ Action declare_hunt(Arguments& arguments) {
                    "Judge by this relation or law alone; may be repeated; all if not given");
   arguments.option("--against", "PROGRAM", options->against,
                    "Another build of tumble: every session must have the same bits there");
+  arguments.flag(
+      "--engine", options->engine,
+      "Judge the engine of the nearest tumble.toml; what its [engine.claims] lacks is measured and no failure");
   arguments.option("--folder", "DIR", options->folder,
                    "Keep the hunt in this folder, and go on with the hunt that it holds");
   const Argument corpus = arguments.option("--corpus", "DIR", options->corpus,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <iostream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <utility>
@@ -17,7 +18,7 @@
 namespace tumble::tools {
 namespace {
 
-/// Sorts logs into groups, the longest logs first: a group is known by its longest log.
+/// Sorts logs into groups, those first that tell most: the longest, and of these the ones with the most channels.
 class Grouping {
  public:
   Grouping(std::vector<replay::LogReader>& logs, const replay::Progress& progress) : logs_(logs), progress_(progress) {}
@@ -25,21 +26,17 @@ class Grouping {
   Result<LogGroups> run() {
     std::vector<std::size_t> order(logs_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return logs_[i].last_step(); });
+    std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) {
+      return std::pair(logs_[i].last_step(), logs_[i].header().declared.channels.size());
+    });
     result_.same_length = logs_[order.front()].last_step() == logs_[order.back()].last_step();
     for (const std::size_t log : order) {
       if (Status ok = place(log); !ok.ok()) return ok.error();
     }
-    for (const auto& [log, matches] : undecided_) {
-      const auto largest =
-          std::ranges::max_element(matches, {}, [&](std::size_t group) { return result_.groups[group].logs.size(); });
-      result_.groups[*largest].logs.push_back(log);
-      result_.ambiguous.push_back(log);
-    }
+    if (Status ok = find_undecided(); !ok.ok()) return ok.error();
     for (LogGroup& group : result_.groups) std::ranges::sort(group.logs);
-    std::ranges::sort(result_.ambiguous);
     std::ranges::stable_sort(result_.groups, [](const LogGroup& a, const LogGroup& b) {
-      return a.logs.size() != b.logs.size() ? a.logs.size() > b.logs.size() : a.logs.front() < b.logs.front();
+      return a.decided != b.decided ? a.decided > b.decided : a.logs.front() < b.logs.front();
     });
     if (Status ok = explain(); !ok.ok()) return ok.error();
     result_.scope = scope_.scope();
@@ -47,26 +44,54 @@ class Grouping {
   }
 
  private:
-  Status place(std::size_t log) {
-    std::vector<std::size_t> matches;
-    for (std::size_t g = 0; g < result_.groups.size(); ++g) {
-      Result<replay::DiffReport> report =
-          replay::diff_logs(logs_[result_.groups[g].longest], logs_[log], {}, progress_);
+  // Whether a log agrees with all logs of a group. Where a comparison passed something over, to agree with the log that
+  // stands for the group says nothing of the others.
+  Result<bool> agrees(std::size_t g, std::size_t log) {
+    LogGroup& group = result_.groups[g];
+    std::vector<std::size_t> members = {group.longest};
+    std::ranges::copy_if(group.logs, std::back_inserter(members), [&](std::size_t i) { return i != group.longest; });
+    for (const std::size_t member : members) {
+      if (member == log || (member != group.longest && !partial_)) continue;
+      const Result<replay::DiffReport> report = replay::diff_logs(logs_[member], logs_[log], {}, progress_);
       if (!report.ok()) return report.error();
-      if (report->first) continue;
-      matches.push_back(g);
-      scope_.add(report->scope, logs_[result_.groups[g].longest].name() + " and " + logs_[log].name());
+      if (report->first) return false;
+      partial_ |= !report->scope.passed_over().empty() || report->last_a != report->last_b;
+      scope_.add(report->scope, logs_[member].name() + " and " + logs_[log].name());
     }
-    if (matches.empty()) {
-      LogGroup group;
-      group.logs = {log};
-      group.longest = log;
-      result_.groups.push_back(std::move(group));
-    } else if (matches.size() == 1) {
-      result_.groups[matches.front()].logs.push_back(log);
-    } else {
-      undecided_.emplace_back(log, std::move(matches));
+    return true;
+  }
+
+  Status place(std::size_t log) {
+    for (std::size_t g = 0; g < result_.groups.size(); ++g) {
+      const Result<bool> same = agrees(g, log);
+      if (!same.ok()) return same.error();
+      if (!*same) continue;
+      result_.groups[g].logs.push_back(log);
+      return {};
     }
+    LogGroup group;
+    group.logs = {log};
+    group.longest = log;
+    result_.groups.push_back(std::move(group));
+    return {};
+  }
+
+  // Logs that agree with another group than their own too.
+  Status find_undecided() {
+    for (std::size_t g = 0; g < result_.groups.size(); ++g) {
+      for (const std::size_t log : result_.groups[g].logs) {
+        bool decided = true;
+        for (std::size_t other = 0; decided && other < result_.groups.size(); ++other) {
+          if (other == g || !partial_) continue;
+          const Result<bool> same = agrees(other, log);
+          if (!same.ok()) return same.error();
+          decided = !*same;
+        }
+        if (decided) ++result_.groups[g].decided;
+        if (!decided) result_.undecided.push_back(log);
+      }
+    }
+    std::ranges::sort(result_.undecided);
     return {};
   }
 
@@ -89,8 +114,8 @@ class Grouping {
   std::vector<replay::LogReader>& logs_;
   const replay::Progress& progress_;
   LogGroups result_;
-  replay::CommonScope scope_;                                                // of the logs that agree
-  std::vector<std::pair<std::size_t, std::vector<std::size_t>>> undecided_;  // and the groups that they agree with
+  replay::CommonScope scope_;  // of the logs that agree
+  bool partial_ = false;       // two logs that agree do not share everything
 };
 
 std::string names_text(const std::vector<std::string>& paths, const std::vector<std::size_t>& logs) {
@@ -121,9 +146,9 @@ void print_groups(const std::vector<std::string>& paths, const std::vector<repla
     std::cout << "  note     " << printable(paths[i]) << " ends with step " << logs[i].last_step() << ", another with "
               << longest << '\n';
   }
-  if (!found.ambiguous.empty()) {
-    std::cout << "  note     " << names_text(paths, found.ambiguous)
-              << ": too short to tell the groups apart, counted with the largest\n";
+  for (const std::size_t log : found.undecided) {
+    std::cout << "  note     " << printable(paths[log])
+              << " agrees with more than one group: it is too short, or lacks the channels in which they differ\n";
   }
   for (std::size_t g = 1; g < found.groups.size(); ++g) {
     const LogGroup& group = found.groups[g];
@@ -150,8 +175,8 @@ Json groups_json(const std::vector<std::string>& paths, const LogGroups& found) 
     if (group.difference) add_difference(*group.difference, Compared::kTwoLogs, one);
     json["groups"].push_back(std::move(one));
   }
-  json["too_short"] = Json::array();
-  for (const std::size_t log : found.ambiguous) json["too_short"].push_back(paths[log]);
+  json["undecided"] = Json::array();
+  for (const std::size_t log : found.undecided) json["undecided"].push_back(paths[log]);
   add_scope(found.scope, json);
   return json;
 }

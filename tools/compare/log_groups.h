@@ -14,24 +14,23 @@
 
 namespace tumble::tools {
 
-/// Logs of runs that should agree (the peers of a lockstep game, repeated runs), all of which agree in every step that
-/// they share.
+/// Logs of runs that should agree (the peers of a lockstep game, repeated runs). Each two of them agree in all that
+/// they share: a log that lacks a channel agrees with logs that do not agree with each other.
 struct LogGroup {
   std::vector<std::size_t> logs;  ///< indices, ascending
   std::size_t longest = 0;        ///< the log that stands for the group
+  std::size_t decided = 0;        ///< logs that agree with no other group
   replay::DiffReport against;     ///< of the first group's log and this one's; empty in the first group
   std::optional<replay::DifferenceReport> difference;  ///< likewise
 };
 
 struct LogGroups {
-  std::vector<LogGroup> groups;        ///< the largest first; of equal size, that of the earlier log
-  std::vector<std::size_t> ambiguous;  ///< logs too short to tell groups apart; each is in the largest it agrees with
+  std::vector<LogGroup> groups;        ///< by decided logs, the most first; of equal size, that of the earlier log
+  std::vector<std::size_t> undecided;  ///< logs that agree with several groups: too short, or without a channel
   replay::ComparisonScope scope;       ///< of the comparisons between logs that agree
   bool same_length = false;            ///< all logs end with the same step
   [[nodiscard]] bool identical() const { return groups.size() == 1 && same_length; }
-  [[nodiscard]] bool has_majority() const {
-    return groups.size() == 1 || groups[0].logs.size() > groups[1].logs.size();
-  }
+  [[nodiscard]] bool has_majority() const { return groups.size() == 1 || groups[0].decided > groups[1].decided; }
 };
 
 /// Groups logs by their hashes, every byte of each read. Errors: diff_logs()'.

@@ -35,6 +35,7 @@ Result<std::uint64_t> step_at(replay::LogReader& log, double seconds) {
     return true;
   });
   if (!read.ok()) return read.error();
+  if (last == log.first_state()) return bad_input(log.name() + ": no step ends within " + rounded(seconds, "s"));
   return last;
 }
 
@@ -60,10 +61,11 @@ Result<std::optional<Parting>> find_parting(replay::LogReader& log, const replay
   return std::optional<Parting>();
 }
 
-void print_parting(const std::optional<Parting>& parting, double beyond, std::uint64_t last) {
+void print_parting(const std::optional<Parting>& parting, double beyond, std::uint64_t last, bool all_measured) {
   const std::string bound = rounded(beyond, "m");
   if (!parting) {
-    std::cout << "apart by at most " << bound << " up to step " << last << '\n';
+    std::cout << "apart by at most " << bound << " up to step " << last
+              << (all_measured ? "" : ", of the bodies that both have; others exist in one only") << '\n';
     return;
   }
   std::cout << "apart by more than " << bound << " from " << rounded(parting->time, "s") << " on: step "

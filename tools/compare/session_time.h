@@ -11,8 +11,8 @@
 /// Steps of a session as times, s from its first state on.
 namespace tumble::tools {
 
-/// The last step whose end is at most `seconds` after the log's first state; first_state() where none is. Errors: a
-/// step that cannot be read.
+/// The last step whose end is at most `seconds` after the log's first state. Errors: no step ends by then (kBadInput);
+/// a step that cannot be read.
 Result<std::uint64_t> step_at(replay::LogReader& log, double seconds);
 
 /// The time at which step k ends. Errors: likewise.
@@ -30,7 +30,8 @@ struct Parting {
 Result<std::optional<Parting>> find_parting(replay::LogReader& log, const replay::Separation& separation, double beyond,
                                             std::uint64_t last);
 
-void print_parting(const std::optional<Parting>& parting, double beyond, std::uint64_t last);
+/// all_measured: no body exists in one of the two sessions only.
+void print_parting(const std::optional<Parting>& parting, double beyond, std::uint64_t last, bool all_measured);
 Json parting_json(const std::optional<Parting>& parting, double beyond);
 
 }  // namespace tumble::tools

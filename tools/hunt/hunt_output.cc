@@ -1,5 +1,6 @@
 #include "tools/hunt/hunt_output.h"
 
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -34,12 +35,23 @@ void print_group(const hunt::Group& group, const std::string& folder) {
   std::cout << (group.findings.size() > kNumbersShown ? " …\n" : "\n");
 }
 
-void print_tallies(const std::vector<std::pair<std::string, hunt::Tally>>& relations) {
-  Table table({"RELATION", ">HELD", ">BROKEN", ">NOT JUDGED", ">NEAREST", "SCENE"});
+// claimed: of an engine; null: all are.
+void print_tallies(const std::vector<std::pair<std::string, hunt::Tally>>& relations,
+                   const std::vector<std::string>* claimed = nullptr) {
+  std::vector<std::string> head = {"RELATION", ">HELD", ">BROKEN", ">NOT JUDGED", ">NEAREST", "SCENE"};
+  if (claimed != nullptr) head.insert(head.begin() + 1, "CLAIMED");
+  Table table(head);
   for (const auto& [name, tally] : relations) {
     const bool near = tally.nearest > 0;
-    table.add({name, std::to_string(tally.held), std::to_string(tally.broken), std::to_string(tally.not_applicable),
-               near ? fixed(100 * tally.nearest, 0) + " %" : "", near ? std::to_string(tally.nearest_number) : ""});
+    std::vector<std::string> row = {name,
+                                    std::to_string(tally.held),
+                                    std::to_string(tally.broken),
+                                    std::to_string(tally.not_applicable),
+                                    near ? fixed(100 * tally.nearest, 0) + " %" : "",
+                                    near ? std::to_string(tally.nearest_number) : ""};
+    if (claimed != nullptr)
+      row.insert(row.begin() + 1, std::ranges::find(*claimed, name) != claimed->end() ? "yes" : "");
+    table.add(row);
   }
   table.print();
 }
@@ -55,9 +67,12 @@ void print_hunt(const hunt::HuntState& state, const std::string& folder) {
   std::cout << "\nseed " << state.seed << ", " << count_text(state.next, "scene") << ", " << state.program;
   if (state.share.shards > 1) std::cout << ", shard " << state.share.shard << " of " << state.share.shards;
   if (!state.against.empty()) std::cout << ", against " << state.against;
-  if (state.no_scenes > 0) std::cout << "; no world could be made of " << state.no_scenes;
+  if (!state.engine.empty()) std::cout << ", of the engine `" << printable(state.engine) << '`';
+  if (state.no_scenes > 0) {
+    std::cout << (state.engine.empty() ? "; no world could be made of " : "; the engine refused ") << state.no_scenes;
+  }
   std::cout << "\n\n";
-  print_tallies(state.relations);
+  print_tallies(state.relations, state.engine.empty() ? nullptr : &state.claimed);
   for (const hunt::Group& group : hunt::grouped(state.findings)) print_group(group, folder);
   if (state.findings.empty()) std::cout << "\nno scene broke a relation that it was judged by\n";
 }

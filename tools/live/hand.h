@@ -32,6 +32,8 @@ class Hand {
   void toggle_pause();
   void go_home();  ///< the camera as the scene has it
 
+  /// The number of the oldest input that no presented frame has; 0: none.
+  [[nodiscard]] std::uint64_t awaited() const { return pending_.empty() ? 0 : pending_.front().input; }
   /// Call after a frame is presented. Counts how many frames inputs took to be seen: 1 is the first frame that was
   /// drawn after the input was read.
   void presented(const replay::LiveFrame& frame);

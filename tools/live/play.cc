@@ -89,10 +89,20 @@ class Player {
     } else {
       window_.poll();
     }
-    if (session_.take(frame_)) return;
     const double patience = std::clamp(2 * frame_.scene_dt, 0.005, 0.05);
+    if (session_.take(frame_)) return await_input(patience);
     if (!session_.pace().paused && frame_.ended.empty()) session_.wait_for_newer(frame_.serial, patience);
     session_.take(frame_);
+  }
+
+  // An input that was given before the last picture belongs into this one: a newer state may still lack it.
+  void await_input(double patience) {
+    const double end = Window::now() + patience;
+    while (!session_.pace().paused && frame_.ended.empty() && frame_.inputs_done < hand_.awaited()) {
+      const double left = end - Window::now();
+      if (left <= 0 || !session_.wait_for_newer(frame_.serial, left)) return;
+      session_.take(frame_);
+    }
   }
 
   // Only what changed since the last picture: a session that rests adds nothing to its log.

@@ -3,11 +3,15 @@
 #if TUMBLE_HTTP
 #include <httplib.h>
 #include <sys/random.h>
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 #include <array>
 #include <atomic>
 #include <chrono>
 #include <exception>
+#include <memory>
 #include <thread>
 #include <utility>
 
@@ -46,6 +50,14 @@ bool same_token(const std::string& one, const std::string& other) {
     different |= static_cast<unsigned>(static_cast<unsigned char>(one[i])) ^ static_cast<unsigned char>(other[i]);
   }
   return different == 0;
+}
+
+/// Answers are made by whichever worker is free. With a heap for each of them the library would keep the memory that
+/// one state takes as often as there are workers.
+void share_one_heap() {
+#if defined(__GLIBC__)
+  (void)::mallopt(M_ARENA_MAX, 1);
+#endif
 }
 
 class Server {
@@ -136,9 +148,13 @@ class Server {
         path.size() > end && path[0] == '/' && path[end] == '/' && same_token(path.substr(1, token_.size()), token_);
     if (!has_token) return refuse(403, "the address lacks the token that 'tumble view' printed\n");
     if (request.method != "GET" && request.method != "HEAD") return refuse(405, "only GET\n");
-    const Reply reply = service_.answer(path.substr(end + 1), request.params);
-    response.status = reply.status;
-    response.set_content(reply.body, reply.type);
+    const auto reply = std::make_shared<const Reply>(service_.answer(path.substr(end + 1), request.params));
+    response.status = reply->status;
+    // By set_content() the library would compress it, which takes a second for the page: more than any loopback needs.
+    response.set_content_provider(reply->body.size(), reply->type,
+                                  [reply](std::size_t from, std::size_t count, httplib::DataSink& sink) {
+                                    return sink.write(reply->body.data() + from, count);
+                                  });
   }
 
   SessionService& service_;
@@ -177,6 +193,7 @@ Status serve_http(SessionService& service, std::optional<std::uint64_t> port, co
                   const std::function<void(const std::string& address)>& ready) {
   Result<std::string> token = make_token();
   if (!token.ok()) return token.error();
+  share_one_heap();
   Server server(service, *std::move(token), policy);
   if (Status ok = server.bind(port); !ok.ok()) return ok;
   return server.run(ready);

@@ -11,6 +11,7 @@
 #include "tools/view/view_json.h"
 
 #if defined(__linux__)
+#include <sched.h>
 #include <unistd.h>
 #endif
 
@@ -21,7 +22,7 @@ using Lock = std::lock_guard<std::mutex>;
 
 constexpr std::uint64_t kHistoryBodyStates = 400'000;  // that one question about a body's history reads
 
-constexpr int kBackgroundNice = 10;  // of the thread that reads the timeline
+constexpr int kBackgroundNice = 5;  // of the thread that reads the timeline
 
 constexpr auto kPause = std::chrono::milliseconds(250);  // between two looks at a log that may grow
 
@@ -38,7 +39,10 @@ std::optional<replay::LogReader> opened_again(const replay::LogReader& log) {
 // Lets every other thread go first: whoever waits for an answer does not wait for the timeline.
 void yield_to_others() {
 #if defined(__linux__)
-  (void)::nice(kBackgroundNice);  // under Linux of the calling thread alone
+  // Both of the calling thread alone, under Linux.
+  const sched_param none = {};
+  (void)::sched_setscheduler(0, SCHED_BATCH, &none);
+  (void)::nice(kBackgroundNice);
 #endif
 }
 

@@ -1,6 +1,7 @@
 #include "tools/view/view_json.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -126,9 +127,12 @@ Json head_json(const replay::LogReader& log) {
   Json gaps = Json::array();
   for (const replay::StepGap& gap : replay::step_gaps(log)) gaps.push_back({gap.first, gap.last, gap.why});
   Json channels = Json::array();
+  constexpr std::array kScopes = {"step", "bodies", "pairs"};
   for (const std::size_t c : replay::channel_columns(header)) {
     const replay::Channel& channel = header.declared.channels[c];
-    channels.push_back({{"name", printable(channel.name)}, {"unit", printable(channel.unit)}});
+    channels.push_back({{"name", printable(channel.name)},
+                        {"unit", printable(channel.unit)},
+                        {"of", kScopes[static_cast<std::size_t>(channel.type.scope)]}});
   }
   return {{"channels", channels},
           {"path", printable(log.name())},

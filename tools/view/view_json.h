@@ -16,7 +16,8 @@
 namespace tumble::tools {
 
 /// {"path", "name", "title", "method", "engine", "summary", "finished", "ours", "first", "last", "dt", "ground",
-/// "camera", "gaps": [[first, last, why]], "channels": [{"name", "unit"}] of the timeline}.
+/// "camera", "gaps": [[first, last, why]], "channels": [{"name", "unit", "of":
+/// "step", "bodies" or "pairs"}] of the timeline, of bodies and pairs the largest value in each step}.
 Json head_json(const replay::LogReader& log);
 
 /// {"version", "id", "size" (3 a body), "static", "texture", "origin" (4 a body: kind, table, row, column), "name":

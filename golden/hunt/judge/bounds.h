@@ -32,6 +32,8 @@ inline constexpr double kSubstepMost = 1.0 / 240;      ///< s, of method layered
 inline constexpr double kStandMargin = 0.1;            ///< of the width of the face on which a stack stands
 inline constexpr double kStandRatio = 10;              ///< of two masses in a stack
 inline constexpr double kStandDrift = 1e-3;            ///< m
+inline constexpr double kUnitOfFloats = 1e-5;          ///< by which the square of a quaternion of floats may be off 1
+inline constexpr double kRoundingOfFloats = 4e-6;      ///< relative: some tens of roundings in a step
 inline constexpr double kTurnPart = 1e-3;              ///< of the angle turned
 
 }  // namespace tumble::hunt

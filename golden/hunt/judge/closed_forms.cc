@@ -220,7 +220,7 @@ Judgement judge_halved(const Trace& trace) {
     input.step = 2 * input.step - 1;
     if (auto* set = std::get_if<sim::SetDt>(&input.command)) set->dt *= 0.5;
   }
-  const Result<Trace> other = hunt::trace(halved);
+  const Result<Trace> other = trace.again(halved);
   if (!other.ok() || !other->failure.empty()) return not_applicable("half of dt is no session");
   if (!only_flies(*other)) return not_applicable("something touches with half of dt");
   const Bodies &one = trace.states.back().bodies, &two = other->states.back().bodies;
@@ -232,7 +232,8 @@ Judgement judge_halved(const Trace& trace) {
   }
   Worst worst("");
   for (BodyIndex i = 0; i < one.size(); ++i) {
-    worst.add(trace.steps.size(), one.id[i], length(two.position[i] - one.position[i]), 1e-8,
+    worst.add(trace.steps.size(), one.id[i], length(two.position[i] - one.position[i]),
+              1e-8 + trace.rounding * length(one.position[i]) * static_cast<double>(trace.steps.size()),
               "a flight ends elsewhere with half of dt (m)");
     const sim::Quat p = one.orientation[i], q = two.orientation[i];
     const double cosine = std::fabs(p.w * q.w + p.x * q.x + p.y * q.y + p.z * q.z);

@@ -63,7 +63,8 @@ GroundImpulses add_ground_impulses(const Trace& trace, std::size_t k, const Grou
                                : up / (1 - kFrictionLifts * std::min(coefficient, 1.0)) + started;
     // A body that bounces waits for the rest of the substep, and gravity that leans does not act there.
     const double waiting = length(Vec3(fall.x(), fall.y(), 0)) * mass;
-    worst.add(k + 1, meeting.second, across, coefficient * most + waiting + 1e-9 * mass,
+    worst.add(k + 1, meeting.second, across,
+              coefficient * most + waiting + (1e-9 + trace.rounding * length(after.velocity[*j])) * mass,
               "the ground's impulse is outside Coulomb's cone");
   }
   return found;
@@ -138,7 +139,7 @@ Judgement judge_overlap(const Trace& trace) {
   if (!begins_apart(trace, kApart)) return not_applicable("boxes begin inside one another");
   const sim::Method method = trace.scene.world.method;
   const bool thesis = method == sim::Method::kThesis;
-  if (!thesis && !(longest_substep(trace) <= kSubstepMost))
+  if (!thesis && !trace.external && !(longest_substep(trace) <= kSubstepMost))
     return not_applicable("substeps too long to promise anything");
   Worst worst("m");
   // By pair: the most that the two could move against one another in a step since they began to overlap. Contacts are

@@ -52,6 +52,8 @@ double lift_of(const Trace& trace, std::size_t k) {
 
 Judgement judge_energy(const Trace& trace) {
   if (!begins_apart(trace, kApart)) return not_applicable("boxes begin inside one another");
+  if (trace.external && trace.scene.world.method == sim::Method::kThesis)
+    return not_applicable("what the overlaps were that were parted is not known");
   Worst worst("J");
   double lowest = std::numeric_limits<double>::infinity(), put_in = 0, kinetic_most = 0, lifted = 0;
   for (std::size_t k = 0; k < trace.steps.size(); ++k) {

@@ -44,11 +44,11 @@ Judgement judge_unmet(const Trace& trace) {
     const Bodies &begun = trace.begun(k).bodies, &after = trace.after(k).bodies;
     const Vec3 fall = trace.begun(k).def.gravity * trace.steps[k].dt;
     const double off = length(after.velocity[j] - (begun.velocity[i] + fall));
-    worst.add(k + 1, begun.id[i], off, 1e-9 + 1e-12 * (length(begun.velocity[i]) + length(fall)),
+    worst.add(k + 1, begun.id[i], off, 1e-9 + (1e-12 + trace.rounding) * (length(begun.velocity[i]) + length(fall)),
               "a body that meets nothing changed its velocity");
     const double turned = length(spin_momentum(after, j) - spin_momentum(begun, i));
     const double least = moments_of(begun, i).minCoeff();
-    worst.add(k + 1, begun.id[i], turned, 1e-6 * length(spin_momentum(begun, i)) + 1e-9 * least,
+    worst.add(k + 1, begun.id[i], turned, (1e-6 + trace.rounding) * length(spin_momentum(begun, i)) + 1e-9 * least,
               "a body that meets nothing changed its angular momentum");
   });
   return any ? worst.judgement() : not_applicable("no body is surely far from all others");
@@ -64,9 +64,11 @@ Judgement judge_flight(const Trace& trace) {
     any = true;
     const double dt = trace.steps[k].dt;
     const Vec3 wanted = begun.position[i] + (begun.velocity[i] + trace.begun(k).def.gravity * (0.5 * dt)) * dt;
-    worst.add(k + 1, begun.id[i], length(after.position[j] - wanted), 1e-9, "a free body left its parabola (m)");
+    worst.add(k + 1, begun.id[i], length(after.position[j] - wanted), 1e-9 + trace.rounding * length(wanted),
+              "a free body left its parabola (m)");
     const double before = spin_energy(begun, i), now = spin_energy(after, j);
-    worst.add(k + 1, begun.id[i], std::fabs(now - before), 1e-6 * before + 1e-12 * moments_of(begun, i).maxCoeff(),
+    worst.add(k + 1, begun.id[i], std::fabs(now - before),
+              (1e-6 + trace.rounding) * before + 1e-12 * moments_of(begun, i).maxCoeff(),
               "a free body's energy of rotation changed (J)");
   });
   return any ? worst.judgement() : not_applicable("no body is surely far from all others");

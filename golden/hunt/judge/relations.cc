@@ -11,13 +11,13 @@ namespace {
 
 Judgement judge_ids(const Trace& trace) {
   sim::Transform transform;
-  transform.permute = 0xfeed;
+  transform.permute = kPermutation;
   return judge_image(trace, transform);
 }
 Judgement judge_mirror_x(const Trace& trace) { return judge_image(trace, {.mirror_x = true}); }
 Judgement judge_mirror_y(const Trace& trace) { return judge_image(trace, {.mirror_y = true}); }
 Judgement judge_swap(const Trace& trace) { return judge_image(trace, {.swap_xy = true}); }
-Judgement judge_shift(const Trace& trace) { return judge_image(trace, {.shift = {1024, -512.5, 0}}); }
+Judgement judge_shift(const Trace& trace) { return judge_image(trace, {.shift = kShift}); }
 
 Judgement judge_repeat(const Trace& trace) { return judge_again(trace, sim::LaneWidth::kWidest); }
 Judgement judge_lanes(const Trace& trace) {

@@ -51,6 +51,14 @@ constexpr std::size_t kThreadedSteps = 2;
 
 bool same_bits(double a, double b) { return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b); }
 
+// Takes the quaternion of the two that stand for the orientation found which is nearer to the one wanted.
+void turn_towards(const Values& wanted, Values& found) {
+  constexpr std::size_t kFirst = 3, kEnd = 7;  // the orientation in kFields
+  double cosine = 0;
+  for (std::size_t k = kFirst; k < kEnd; ++k) cosine += wanted[k] * found[k];
+  for (std::size_t k = kFirst; k < kEnd && cosine < 0; ++k) found[k] = -found[k];
+}
+
 Judgement failed(std::uint64_t step, const std::string& message) {
   return broken(step, 0, "the other session ends there: " + message);
 }
@@ -88,12 +96,15 @@ Judgement compare_session(const Trace& trace, replay::Session& session) {
 }  // namespace
 
 std::optional<ValueDifference> first_difference(const sim::Bodies& original, const sim::Bodies& image,
-                                                const Transform& transform, const sim::IdMap& ids) {
+                                                const Transform& transform, const sim::IdMap& ids, Signs signs) {
   for (BodyIndex i = 0; i < original.size(); ++i) {
     const auto j = image.find(image_of(original.id[i], ids));
     if (!j) return ValueDifference{original.id[i], "body", 1, 0};
-    const Values wanted = values_of(original, i, transform), found = values_of(image, *j, {});
+    const Values wanted = values_of(original, i, transform);
+    Values found = values_of(image, *j, {});
+    if (signs == Signs::kAlike) turn_towards(wanted, found);
     for (std::size_t k = 0; k < wanted.size(); ++k) {
+      if (signs == Signs::kAlike && wanted[k] == 0 && found[k] == 0) continue;
       if (!same_bits(wanted[k], found[k])) return ValueDifference{original.id[i], kFields[k], wanted[k], found[k]};
     }
   }

@@ -20,10 +20,19 @@ struct ValueDifference {
   double a = 0, b = 0;   ///< wanted, the original's under the transform; found
 };
 
+/// Whether 0.0 and −0.0 are one value, and a quaternion and its opposite one orientation: of engines that choose
+/// neither sign.
+enum class Signs : std::uint8_t { kApart, kAlike };
+
+/// The shift and the order of ids of the relations `shift` and `ids`.
+inline const sim::Vec3 kShift = {1024, -512.5, 0};
+inline constexpr std::uint64_t kPermutation = 0xfeed;
+
 /// Compares every bit of place, motion, freezing and time at low energy of each body with the original's under the
 /// transform. None: all agree.
 std::optional<ValueDifference> first_difference(const sim::Bodies& original, const sim::Bodies& image,
-                                                const sim::Transform& transform, const sim::IdMap& ids);
+                                                const sim::Transform& transform, const sim::IdMap& ids,
+                                                Signs signs = Signs::kApart);
 
 /// The phase of the first hash in which two steps of one method part; empty where all agree.
 std::string first_phase(sim::Method method, const std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>& b);

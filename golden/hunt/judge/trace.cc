@@ -90,7 +90,9 @@ std::optional<sim::WorldState> begun_with(const sim::WorldState& before, const s
 }  // namespace
 
 Result<Trace> trace(const sim::SceneDef& scene) {
-  Trace out{.scene = scene, .states = {}, .steps = {}, .failure = {}};
+  Trace out;
+  out.scene = scene;
+  out.again = trace;
   Result<replay::Session> session = replay::Session::start(scene);
   if (!session.ok()) return session.error();
   out.states.push_back(session->world().state());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -49,6 +50,11 @@ struct Trace {
   std::vector<sim::WorldState> states;  ///< states[k] is state k; at least state 0
   std::vector<TracedStep> steps;        ///< steps[k] led from states[k] to states[k + 1]
   std::string failure;                  ///< of the step after the last; empty: the session ran to its end
+  /// The session of another scene, computed by what computed this one. Errors: the scene is none.
+  std::function<Result<Trace>(const sim::SceneDef& scene)> again;
+  bool external = false;  ///< another engine's, of which states and inputs are known, and no hashes and no contacts;
+                          ///< `met` are then the pairs that may have met
+  double rounding = 0;    ///< of a number, relative, that laws allow besides their own bounds: of engines with floats
 
   [[nodiscard]] const sim::WorldState& after(std::size_t step) const { return states[step + 1]; }
   [[nodiscard]] const sim::WorldState& before(std::size_t step) const { return states[step]; }

@@ -94,34 +94,66 @@ class Flights {
 
 }  // namespace
 
-std::vector<std::uint8_t> surely_unmet(const Trace& trace, std::size_t k) {
+namespace {
+
+struct Meetings {
+  std::vector<std::uint8_t> met;  // by row: may meet something, or does not move
+  std::vector<Meeting> pairs;
+};
+
+// every: pairs of two bodies that meet others anyway, too.
+Meetings meetings_of(const Trace& trace, std::size_t k, bool every) {
   const sim::WorldState& begun = trace.begun(k);
   const Bodies& bodies = begun.bodies;
   // The last sweep of method layered already stops what would meet in the substep to come. A substep moves bodies with
   // their speed at its end, so they fall a little farther than on a parabola.
   const bool layered = begun.def.method == sim::Method::kLayered;
   const Flights flights(begun, trace.steps[k].dt * (layered ? 1 + 2.0 / begun.def.substeps : 1));
-  std::vector<std::uint8_t> unmet(bodies.size(), 0);
-  for (BodyIndex i = 0; i < bodies.size(); ++i) unmet[i] = bodies.moves(i) && flights.clear_of_ground(i) ? 1 : 0;
+  Meetings out;
+  out.met.resize(bodies.size());
+  for (BodyIndex i = 0; i < bodies.size(); ++i) {
+    out.met[i] = bodies.moves(i) ? 0 : 1;
+    if (!bodies.moves(i) || flights.clear_of_ground(i)) continue;
+    out.pairs.emplace_back(kGroundId, bodies.id[i]);
+    out.met[i] = 1;
+  }
+  const auto meet = [&](BodyIndex i, BodyIndex j) {
+    out.pairs.emplace_back(std::min(bodies.id[i], bodies.id[j]), std::max(bodies.id[i], bodies.id[j]));
+    out.met[i] = out.met[j] = 1;
+  };
   for (BodyIndex i = 0; i < bodies.size(); ++i) {
     for (BodyIndex j = i + 1; j < bodies.size(); ++j) {
-      if (unmet[i] == 0 && unmet[j] == 0) continue;
-      if (!flights.clear_of(i, j)) unmet[i] = unmet[j] = 0;
+      if (!bodies.moves(i) && !bodies.moves(j)) continue;
+      if (!every && out.met[i] != 0 && out.met[j] != 0) continue;
+      if (!flights.clear_of(i, j)) meet(i, j);
     }
   }
   // A body that may meet something may be thrown at a third one.
   for (bool changed = true; changed;) {
     changed = false;
     for (BodyIndex i = 0; i < bodies.size(); ++i) {
-      for (BodyIndex j = 0; unmet[i] != 0 && j < bodies.size(); ++j) {
-        if (i == j || unmet[j] != 0 || bodies.is_static[j] != 0 || flights.far_from(i, j, trace.after(k).bodies))
-          continue;
-        unmet[i] = 0;
+      for (BodyIndex j = 0; out.met[i] == 0 && j < bodies.size(); ++j) {
+        if (out.met[j] == 0 || bodies.is_static[j] != 0 || flights.far_from(i, j, trace.after(k).bodies)) continue;
+        meet(i, j);
         changed = true;
       }
     }
   }
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> surely_unmet(const Trace& trace, std::size_t k) {
+  std::vector<std::uint8_t> unmet = meetings_of(trace, k, false).met;
+  for (std::uint8_t& one : unmet) one = one == 0 ? 1 : 0;
   return unmet;
+}
+
+std::vector<Meeting> may_have_met(const Trace& trace, std::size_t k) {
+  std::vector<Meeting> pairs = meetings_of(trace, k, true).pairs;
+  std::ranges::sort(pairs);
+  return pairs;
 }
 
 }  // namespace tumble::hunt

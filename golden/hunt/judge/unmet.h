@@ -15,4 +15,7 @@ inline constexpr double kNear = 1e-3;
 /// a body that is marked is surely far from all others; one that is not marked may still be.
 std::vector<std::uint8_t> surely_unmet(const Trace& trace, std::size_t k);
 
+/// The pairs that may have met in a step, the ground included: all but those that surely stayed apart.
+std::vector<Meeting> may_have_met(const Trace& trace, std::size_t k);
+
 }  // namespace tumble::hunt

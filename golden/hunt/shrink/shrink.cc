@@ -9,8 +9,9 @@ namespace {
 
 class Search {
  public:
-  Search(const TextScene& scene, const Judgement& judgement, const Test& test, std::uint64_t tries_most)
-      : test_(test), tries_most_(tries_most) {
+  Search(const TextScene& scene, const Judgement& judgement, const Test& test, const Tracer& tracer,
+         std::uint64_t tries_most)
+      : test_(test), tracer_(tracer), tries_most_(tries_most) {
     best_.scene = scene;
     best_.judgement = judgement;
   }
@@ -41,7 +42,7 @@ class Search {
     Result<TextScene> text = settled(candidate);
     if (!text.ok() || text->text == best_.scene.text) return false;
     if (shorter && text->text.size() >= best_.scene.text.size()) return false;
-    const Result<Trace> session = trace(text->scene);
+    const Result<Trace> session = tracer_(text->scene);
     if (!session.ok()) return false;
     Judgement judgement = test_(*session, *text);
     if (judgement.outcome != Outcome::kBroken) return false;
@@ -67,7 +68,7 @@ class Search {
 
   bool take_later_start() {
     if (best_.judgement.step < 2) return false;
-    const Result<Trace> session = trace(best_.scene.scene);
+    const Result<Trace> session = tracer_(best_.scene.scene);
     if (!session.ok()) return false;
     for (const sim::SceneDef& candidate : later_starts(*session, best_.judgement.step)) {
       if (accept(candidate)) return true;
@@ -94,14 +95,16 @@ class Search {
   }
 
   const Test& test_;
+  const Tracer& tracer_;
   std::uint64_t tries_most_;
   Shrunk best_;
 };
 
 }  // namespace
 
-Shrunk shrink(const TextScene& scene, const Judgement& judgement, const Test& test, std::uint64_t tries_most) {
-  return Search(scene, judgement, test, tries_most).run();
+Shrunk shrink(const TextScene& scene, const Judgement& judgement, const Test& test, const Tracer& tracer,
+              std::uint64_t tries_most) {
+  return Search(scene, judgement, test, tracer, tries_most).run();
 }
 
 }  // namespace tumble::hunt

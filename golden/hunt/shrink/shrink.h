@@ -11,6 +11,9 @@ namespace tumble::hunt {
 /// Judges a candidate by the relation that its original breaks. The trace is of the candidate.
 using Test = std::function<Judgement(const Trace& trace, const TextScene& scene)>;
 
+/// Computes the session of a candidate.
+using Tracer = std::function<Result<Trace>(const sim::SceneDef& scene)>;
+
 struct Shrunk {
   TextScene scene;
   Judgement judgement;
@@ -22,6 +25,7 @@ struct Shrunk {
 /// isolating failure-inducing input): bodies, inputs, steps, the past, settings and digits go one after the other until
 /// none can. Counts candidates and no time, so the result is the same on every machine. Precondition: `scene` breaks
 /// it, as `judgement` says.
-Shrunk shrink(const TextScene& scene, const Judgement& judgement, const Test& test, std::uint64_t tries_most);
+Shrunk shrink(const TextScene& scene, const Judgement& judgement, const Test& test, const Tracer& tracer,
+              std::uint64_t tries_most);
 
 }  // namespace tumble::hunt

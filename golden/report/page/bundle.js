@@ -91,8 +91,8 @@ let s=Ba(i,e,t,n);return i==0&&(s[0]=0),e==0&&(s[1]=0),s}var Oh=.1,ff={mode:3,pa
 t)?pf(i,e,t):(To.pad=t,To.soft=n?0:null,To.mode=n?3:0,pf(i,e,d_))}function bt(i,e){return i??e}function f_(i,e,t){for(e=bt(e,0),t=bt(t,i.length-1);e<=t;){if(i[e]!=
 null)return!0;e++}return!1}function pf(i,e,t){let n=t.min,s=t.max,r=bt(n.pad,0),o=bt(s.pad,0),a=bt(n.hard,-Nt),l=bt(s.hard,Nt),c=bt(n.soft,Nt),d=bt(s.soft,-Nt),
 u=bt(n.mode,0),h=bt(s.mode,0),f=e-i,m=Zi(f),y=Un(dn(i),dn(e)),p=Zi(y),g=dn(p-m);(f<1e-24||g>10)&&(f=0,(i==0||e==0)&&(f=1e-24,u==2&&c!=Nt&&(r=0),h==2&&d!=-Nt&&(o=
-0)));let _=f||y||1e3,w=Zi(_),M=br(10,Zn(w)),C=_*(f==0?i==0?.1:1:r),S=Dt($f(i-C,M/10),24),x=i>=c&&(u==1||u==3&&S<=c||u==2&&S>=c)?c:Nt,b=Un(a,S<x&&i>=x?x:_i(x,S)),
-N=_*(f==0?e==0?.1:1:o),R=Dt(ka(e+N,M/10),24),I=e<=d&&(h==1||h==3&&R>=d||h==2&&R<=d)?d:-Nt,F=_i(l,R>I&&e<=I?I:Un(I,R));return b==F&&b==0&&(F=100),[b,F]}var p_=new Intl.
+0)));let _=f||y||1e3,S=Zi(_),M=br(10,Zn(S)),C=_*(f==0?i==0?.1:1:r),T=Dt($f(i-C,M/10),24),x=i>=c&&(u==1||u==3&&T<=c||u==2&&T>=c)?c:Nt,b=Un(a,T<x&&i>=x?x:_i(x,T)),
+L=_*(f==0?e==0?.1:1:o),R=Dt(ka(e+L,M/10),24),P=e<=d&&(h==1||h==3&&R>=d||h==2&&R<=d)?d:-Nt,F=_i(l,R>P&&e<=P?P:Un(P,R));return b==F&&b==0&&(F=100),[b,F]}var p_=new Intl.
 NumberFormat(Ar?l_.language:"en-US"),Bh=i=>p_.format(i),Jn=Math,Na=Jn.PI,dn=Jn.abs,Zn=Jn.floor,un=Jn.round,oi=Jn.ceil,_i=Jn.min,Un=Jn.max,br=Jn.pow,mf=Jn.sign,Zi=Jn.
 log10,Hf=Jn.log2,m_=(i,e=1)=>Jn.sinh(i)*e,yh=(i,e=1)=>Jn.asinh(i/e),Nt=1/0;function gf(i){return(Zi((i^i>>31)-(i>>31))|0)+1}function Eh(i,e,t){return _i(Un(i,e),
 t)}function Wf(i){return typeof i=="function"}function gt(i){return Wf(i)?i:()=>i}var g_=()=>{},Xf=i=>i,qf=(i,e)=>e,__=i=>null,_f=i=>!0,xf=(i,e)=>i==e,x_=/\.\d*?(?=9{6,}|0{6,})/gm,
@@ -127,15 +127,15 @@ C"?t=new Date(+i+i.getTimezoneOffset()*6e4):e==F_?t=i:(t=new Date(i.toLocaleStri
 {aa}",z_="{h}:{mm}",vr=z_+sp,Mf=Vh+vr,bf=":{ss}",Tt=null;function rp(i){let e=i*1e3,t=e*60,n=t*60,s=n*24,r=s*30,o=s*365,l=(i==1?Eo(10,0,3,Fa).filter(ep):Eo(10,-3,
 0,Fa)).concat([e,e*5,e*10,e*15,e*30,t,t*5,t*10,t*15,t*30,n,n*2,n*3,n*4,n*6,n*8,n*12,s,s*2,s*3,s*4,s*5,s*6,s*7,s*8,s*9,s*10,s*15,r,r*2,r*3,r*4,r*6,o,o*2,o*5,o*10,
 o*25,o*50,o*100]),c=[[o,np,Tt,Tt,Tt,Tt,Tt,Tt,1],[s*28,"{MMM}",vf,Tt,Tt,Tt,Tt,Tt,1],[s,ip,vf,Tt,Tt,Tt,Tt,Tt,1],[n,"{h}"+sp,Ia,Tt,wo,Tt,Tt,Tt,1],[t,vr,Ia,Tt,wo,Tt,
-Tt,Tt,1],[e,bf,Ia+" "+vr,Tt,wo+" "+vr,Tt,Mf,Tt,1],[i,bf+".{fff}",Ia+" "+vr,Tt,wo+" "+vr,Tt,Mf,Tt,1]];function d(u){return(h,f,m,y,p,g)=>{let _=[],w=p>=o,M=p>=r&&
-p<o,C=u(m),S=Dt(C*i,3),x=vh(C.getFullYear(),w?0:C.getMonth(),M||w?1:C.getDate()),b=Dt(x*i,3);if(M||w){let N=M?p/r:0,R=w?p/o:0,I=S==b?S:Dt(vh(x.getFullYear()+R,x.
-getMonth()+N,1)*i,3),F=new Date(un(I/i)),z=F.getFullYear(),D=F.getMonth();for(let W=0;I<=y;W++){let Y=vh(z+R*W,D+N*W,1),H=Y-u(Dt(Y*i,3));I=Dt((+Y+H)*i,3),I<=y&&
-_.push(I)}}else{let N=p>=s?s:p,R=Zn(m)-Zn(S),I=b+R+ka(S-b,N);_.push(I);let F=u(I),z=F.getHours()+F.getMinutes()/t+F.getSeconds()/n,D=p/n,W=h.axes[f]._space,Y=g/
-W;for(;I=Dt(I+p,i==1?0:3),!(I>y);)if(D>1){let H=Zn(Dt(z+D,6))%24,Q=u(I).getHours()-H;Q>1&&(Q=-1),I-=Q*n,z=(z+D)%24;let se=_[_.length-1];Dt((I-se)/p,3)*Y>=.7&&_.
-push(I)}else _.push(I)}return _}}return[l,c,d]}var[V_,G_,H_]=rp(1),[W_,X_,q_]=rp(.001);Eo(2,-53,53,[1]);function Sf(i,e){return i.map(t=>t.map((n,s)=>s==0||s==8||
+Tt,Tt,1],[e,bf,Ia+" "+vr,Tt,wo+" "+vr,Tt,Mf,Tt,1],[i,bf+".{fff}",Ia+" "+vr,Tt,wo+" "+vr,Tt,Mf,Tt,1]];function d(u){return(h,f,m,y,p,g)=>{let _=[],S=p>=o,M=p>=r&&
+p<o,C=u(m),T=Dt(C*i,3),x=vh(C.getFullYear(),S?0:C.getMonth(),M||S?1:C.getDate()),b=Dt(x*i,3);if(M||S){let L=M?p/r:0,R=S?p/o:0,P=T==b?T:Dt(vh(x.getFullYear()+R,x.
+getMonth()+L,1)*i,3),F=new Date(un(P/i)),z=F.getFullYear(),D=F.getMonth();for(let G=0;P<=y;G++){let Y=vh(z+R*G,D+L*G,1),W=Y-u(Dt(Y*i,3));P=Dt((+Y+W)*i,3),P<=y&&
+_.push(P)}}else{let L=p>=s?s:p,R=Zn(m)-Zn(T),P=b+R+ka(T-b,L);_.push(P);let F=u(P),z=F.getHours()+F.getMinutes()/t+F.getSeconds()/n,D=p/n,G=h.axes[f]._space,Y=g/
+G;for(;P=Dt(P+p,i==1?0:3),!(P>y);)if(D>1){let W=Zn(Dt(z+D,6))%24,Q=u(P).getHours()-W;Q>1&&(Q=-1),P-=Q*n,z=(z+D)%24;let se=_[_.length-1];Dt((P-se)/p,3)*Y>=.7&&_.
+push(P)}else _.push(P)}return _}}return[l,c,d]}var[V_,G_,H_]=rp(1),[W_,X_,q_]=rp(.001);Eo(2,-53,53,[1]);function Sf(i,e){return i.map(t=>t.map((n,s)=>s==0||s==8||
 n==null?n:e(s==1||t[8]==0?n:t[1]+n)))}function wf(i,e){return(t,n,s,r,o)=>{let a=e.find(m=>o>=m[0])||e[e.length-1],l,c,d,u,h,f;return n.map(m=>{let y=i(m),p=y.getFullYear(),
-g=y.getMonth(),_=y.getDate(),w=y.getHours(),M=y.getMinutes(),C=y.getSeconds(),S=p!=l&&a[2]||g!=c&&a[3]||_!=d&&a[4]||w!=u&&a[5]||M!=h&&a[6]||C!=f&&a[7]||a[1];return l=
-p,c=g,d=_,u=w,h=M,f=C,S(y)})}}function $_(i,e){let t=zh(e);return(n,s,r,o,a)=>s.map(l=>t(i(l)))}function vh(i,e,t){return new Date(i,e,t)}function Tf(i,e){return e(
+g=y.getMonth(),_=y.getDate(),S=y.getHours(),M=y.getMinutes(),C=y.getSeconds(),T=p!=l&&a[2]||g!=c&&a[3]||_!=d&&a[4]||S!=u&&a[5]||M!=h&&a[6]||C!=f&&a[7]||a[1];return l=
+p,c=g,d=_,u=S,h=M,f=C,T(y)})}}function $_(i,e){let t=zh(e);return(n,s,r,o,a)=>s.map(l=>t(i(l)))}function vh(i,e,t){return new Date(i,e,t)}function Tf(i,e){return e(
 i)}var Y_="{YYYY}-{MM}-{DD} {h}:{mm}{aa}";function Af(i,e){return(t,n,s,r)=>r==null?Dh:e(i(n))}function Z_(i,e){let t=i.series[e];return t.width?t.stroke(i,e):t.
 points.width?t.points.stroke(i,e):null}function J_(i,e){return i.series[e].fill(i,e)}var K_={show:!0,live:!0,isolate:!1,mount:g_,markers:{show:!0,width:2,stroke:Z_,
 fill:J_,dash:"solid"},idx:null,idxs:null,values:[]};function j_(i,e){let t=i.cursor.points,n=ri(),s=t.size(i,e);zt(n,bo,s),zt(n,So,s);let r=s/-2;zt(n,"marginLef\
@@ -167,8 +167,8 @@ i._data,o=i.scales,a=i.bbox,l=r[0],c=n==2?r[1]:r[e],d=n==2?o[s.facets[0].scale]:
 width,y=a.height,p=i.valToPosH,g=i.valToPosV;return d.ori==0?t(s,l,c,d,u,p,g,h,f,m,y,Ga,Er,Wa,gp,xp):t(s,l,c,d,u,g,p,f,h,y,m,Ha,Cr,qh,_p,yp)}function Wh(i,e){let t=0,
 n=0,s=bt(i.bands,kh);for(let r=0;r<s.length;r++){let o=s[r];o.series[0]==e?t=o.dir:o.series[1]==e&&(o.dir==1?n|=1:n|=2)}return[t,n==1?-1:n==2?1:n==3?2:0]}function xx(i,e,t,n,s){
 let r=i.mode,o=i.series[e],a=r==2?o.facets[1].scale:o.scale,l=i.scales[a];return s==-1?l.min:s==1?l.max:l.distr==3?l.dir==1?l.min:l.max:0}function Ji(i,e,t,n,s,r){
-return Ys(i,e,(o,a,l,c,d,u,h,f,m,y,p)=>{let g=o.pxRound,_=c.dir*(c.ori==0?1:-1),w=c.ori==0?Er:Cr,M,C;_==1?(M=t,C=n):(M=n,C=t);let S=g(u(a[M],c,y,f)),x=g(h(l[M],
-d,p,m)),b=g(u(a[C],c,y,f)),N=g(h(r==1?d.max:d.min,d,p,m)),R=new Path2D(s);return w(R,b,N),w(R,S,N),w(R,S,x),R})}function Va(i,e,t,n,s,r){let o=null;if(i.length>
+return Ys(i,e,(o,a,l,c,d,u,h,f,m,y,p)=>{let g=o.pxRound,_=c.dir*(c.ori==0?1:-1),S=c.ori==0?Er:Cr,M,C;_==1?(M=t,C=n):(M=n,C=t);let T=g(u(a[M],c,y,f)),x=g(h(l[M],
+d,p,m)),b=g(u(a[C],c,y,f)),L=g(h(r==1?d.max:d.min,d,p,m)),R=new Path2D(s);return S(R,b,L),S(R,T,L),S(R,T,x),R})}function Va(i,e,t,n,s,r){let o=null;if(i.length>
 0){o=new Path2D;let a=e==0?Wa:qh,l=t;for(let u=0;u<i.length;u++){let h=i[u];if(h[1]>h[0]){let f=h[0]-l;f>0&&a(o,l,n,f,n+r),l=h[1]}}let c=t+s-l,d=10;c>0&&a(o,l,n-
 d/2,c,n+r+d)}return o}function yx(i,e,t){let n=i[i.length-1];n&&n[0]==e?n[1]=t:i.push([e,t])}function Xh(i,e,t,n,s,r,o){let a=[],l=i.length;for(let c=s==1?t:n;c>=
 t&&c<=n;c+=s)if(e[c]===null){let u=c,h=c;if(s==1)for(;++c<=n&&e[c]===null;)h=c;else for(;--c>=t&&e[c]===null;)h=c;let f=r(i[u]),m=h==u?f:r(i[h]),y=u-s;f=o<=0&&y>=
@@ -177,43 +177,43 @@ Ha,t=i==0?(s,r,o,a,l,c)=>{s.arcTo(r,o,a,l,c)}:(s,r,o,a,l,c)=>{s.arcTo(o,r,l,a,c)
 c==0&&d==0?n(s,r,o,a,l):(c=_i(c,a/2,l/2),d=_i(d,a/2,l/2),e(s,r+c,o),t(s,r+a,o,r+a,o+l,c),t(s,r+a,o+l,r,o+l,d),t(s,r,o+l,r,o,d),t(s,r,o,r+a,o,c),s.closePath())}}
 var Ga=(i,e,t)=>{i.moveTo(e,t)},Ha=(i,e,t)=>{i.moveTo(t,e)},Er=(i,e,t)=>{i.lineTo(e,t)},Cr=(i,e,t)=>{i.lineTo(t,e)},Wa=mp(0),qh=mp(1),gp=(i,e,t,n,s,r)=>{i.arc(e,
 t,n,s,r)},_p=(i,e,t,n,s,r)=>{i.arc(t,e,n,s,r)},xp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(e,t,n,s,r,o)},yp=(i,e,t,n,s,r,o)=>{i.bezierCurveTo(t,e,s,n,o,r)};function vp(i){
-return(e,t,n,s,r)=>Ys(e,t,(o,a,l,c,d,u,h,f,m,y,p)=>{let{pxRound:g,points:_}=o,w,M;c.ori==0?(w=Ga,M=gp):(w=Ha,M=_p);let C=Dt(_.width*wt,3),S=(_.size-_.width)/2*wt,
-x=Dt(S*2,3),b=new Path2D,N=new Path2D,{left:R,top:I,width:F,height:z}=e.bbox;Wa(N,R-x,I-x,F+x*2,z+x*2);let D=W=>{if(l[W]!=null){let Y=g(u(a[W],c,y,f)),H=g(h(l[W],
-d,p,m));w(b,Y+S,H),M(b,Y,H,S,0,Na*2)}};if(r)r.forEach(D);else for(let W=n;W<=s;W++)D(W);return{stroke:C>0?b:null,fill:b,clip:N,flags:Tr|Ph}})}function Mp(i){return(e,t,n,s,r,o)=>{
+return(e,t,n,s,r)=>Ys(e,t,(o,a,l,c,d,u,h,f,m,y,p)=>{let{pxRound:g,points:_}=o,S,M;c.ori==0?(S=Ga,M=gp):(S=Ha,M=_p);let C=Dt(_.width*wt,3),T=(_.size-_.width)/2*wt,
+x=Dt(T*2,3),b=new Path2D,L=new Path2D,{left:R,top:P,width:F,height:z}=e.bbox;Wa(L,R-x,P-x,F+x*2,z+x*2);let D=G=>{if(l[G]!=null){let Y=g(u(a[G],c,y,f)),W=g(h(l[G],
+d,p,m));S(b,Y+T,W),M(b,Y,W,T,0,Na*2)}};if(r)r.forEach(D);else for(let G=n;G<=s;G++)D(G);return{stroke:C>0?b:null,fill:b,clip:L,flags:Tr|Ph}})}function Mp(i){return(e,t,n,s,r,o)=>{
 n!=s&&(r!=n&&o!=n&&i(e,t,n),r!=s&&o!=s&&i(e,t,s),i(e,t,o))}}var vx=Mp(Er),Mx=Mp(Cr);function bp(i){let e=bt(i?.alignGaps,0);return(t,n,s,r)=>Ys(t,n,(o,a,l,c,d,u,h,f,m,y,p)=>{
-[s,r]=Oa(l,s,r);let g=o.pxRound,_=z=>g(u(z,c,y,f)),w=z=>g(h(z,d,p,m)),M,C;c.ori==0?(M=Er,C=vx):(M=Cr,C=Mx);let S=c.dir*(c.ori==0?1:-1),x={stroke:new Path2D,fill:null,
-clip:null,band:null,gaps:null,flags:Tr},b=x.stroke,N=!1;if(r-s>=y*4){let z=ue=>t.posToVal(ue,c.key,!0),D=null,W=null,Y,H,ce,K=_(a[S==1?s:r]),Q=_(a[s]),se=_(a[r]),
-de=z(S==1?Q+1:se-1);for(let ue=S==1?s:r;ue>=s&&ue<=r;ue+=S){let ee=a[ue],xe=(S==1?ee<de:ee>de)?K:_(ee),Ee=l[ue];xe==K?Ee!=null?(H=Ee,D==null?(M(b,xe,w(H)),Y=D=W=
-H):H<D?D=H:H>W&&(W=H)):Ee===null&&(N=!0):(D!=null&&C(b,K,w(D),w(W),w(Y),w(H)),Ee!=null?(H=Ee,M(b,xe,w(H)),D=W=Y=H):(D=W=null,Ee===null&&(N=!0)),K=xe,de=z(K+S))}
-D!=null&&D!=W&&ce!=K&&C(b,K,w(D),w(W),w(Y),w(H))}else for(let z=S==1?s:r;z>=s&&z<=r;z+=S){let D=l[z];D===null?N=!0:D!=null&&M(b,_(a[z]),w(D))}let[I,F]=Wh(t,n);if(o.
-fill!=null||I!=0){let z=x.fill=new Path2D(b),D=o.fillTo(t,n,o.min,o.max,I),W=w(D),Y=_(a[s]),H=_(a[r]);S==-1&&([H,Y]=[Y,H]),M(z,H,W),M(z,Y,W)}if(!o.spanGaps){let z=[];
-N&&z.push(...Xh(a,l,s,r,S,_,e)),x.gaps=z=o.gaps(t,n,s,r,z),x.clip=Va(z,c.ori,f,m,y,p)}return F!=0&&(x.band=F==2?[Ji(t,n,s,r,b,-1),Ji(t,n,s,r,b,1)]:Ji(t,n,s,r,b,
-F)),x})}function bx(i){let e=bt(i.align,1),t=bt(i.ascDesc,!1),n=bt(i.alignGaps,0),s=bt(i.extend,!1);return(r,o,a,l)=>Ys(r,o,(c,d,u,h,f,m,y,p,g,_,w)=>{[a,l]=Oa(u,
-a,l);let M=c.pxRound,{left:C,width:S}=r.bbox,x=Q=>M(m(Q,h,_,p)),b=Q=>M(y(Q,f,w,g)),N=h.ori==0?Er:Cr,R={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,
-flags:Tr},I=R.stroke,F=h.dir*(h.ori==0?1:-1),z=b(u[F==1?a:l]),D=x(d[F==1?a:l]),W=D,Y=D;s&&e==-1&&(Y=C,N(I,Y,z)),N(I,D,z);for(let Q=F==1?a:l;Q>=a&&Q<=l;Q+=F){let se=u[Q];
-if(se==null)continue;let de=x(d[Q]),ue=b(se);e==1?N(I,de,z):N(I,W,ue),N(I,de,ue),z=ue,W=de}let H=W;s&&e==1&&(H=C+S,N(I,H,z));let[ce,K]=Wh(r,o);if(c.fill!=null||
-ce!=0){let Q=R.fill=new Path2D(I),se=c.fillTo(r,o,c.min,c.max,ce),de=b(se);N(Q,H,de),N(Q,Y,de)}if(!c.spanGaps){let Q=[];Q.push(...Xh(d,u,a,l,F,x,n));let se=c.width*
-wt/2,de=t||e==1?se:-se,ue=t||e==-1?-se:se;Q.forEach(ee=>{ee[0]+=de,ee[1]+=ue}),R.gaps=Q=c.gaps(r,o,a,l,Q),R.clip=Va(Q,h.ori,p,g,_,w)}return K!=0&&(R.band=K==2?[
-Ji(r,o,a,l,I,-1),Ji(r,o,a,l,I,1)]:Ji(r,o,a,l,I,K)),R})}function Ff(i,e,t,n,s,r,o=Nt){if(i.length>1){let a=null;for(let l=0,c=1/0;l<i.length;l++)if(e[l]!==void 0){
+[s,r]=Oa(l,s,r);let g=o.pxRound,_=z=>g(u(z,c,y,f)),S=z=>g(h(z,d,p,m)),M,C;c.ori==0?(M=Er,C=vx):(M=Cr,C=Mx);let T=c.dir*(c.ori==0?1:-1),x={stroke:new Path2D,fill:null,
+clip:null,band:null,gaps:null,flags:Tr},b=x.stroke,L=!1;if(r-s>=y*4){let z=ue=>t.posToVal(ue,c.key,!0),D=null,G=null,Y,W,ce,K=_(a[T==1?s:r]),Q=_(a[s]),se=_(a[r]),
+de=z(T==1?Q+1:se-1);for(let ue=T==1?s:r;ue>=s&&ue<=r;ue+=T){let ee=a[ue],xe=(T==1?ee<de:ee>de)?K:_(ee),Ee=l[ue];xe==K?Ee!=null?(W=Ee,D==null?(M(b,xe,S(W)),Y=D=G=
+W):W<D?D=W:W>G&&(G=W)):Ee===null&&(L=!0):(D!=null&&C(b,K,S(D),S(G),S(Y),S(W)),Ee!=null?(W=Ee,M(b,xe,S(W)),D=G=Y=W):(D=G=null,Ee===null&&(L=!0)),K=xe,de=z(K+T))}
+D!=null&&D!=G&&ce!=K&&C(b,K,S(D),S(G),S(Y),S(W))}else for(let z=T==1?s:r;z>=s&&z<=r;z+=T){let D=l[z];D===null?L=!0:D!=null&&M(b,_(a[z]),S(D))}let[P,F]=Wh(t,n);if(o.
+fill!=null||P!=0){let z=x.fill=new Path2D(b),D=o.fillTo(t,n,o.min,o.max,P),G=S(D),Y=_(a[s]),W=_(a[r]);T==-1&&([W,Y]=[Y,W]),M(z,W,G),M(z,Y,G)}if(!o.spanGaps){let z=[];
+L&&z.push(...Xh(a,l,s,r,T,_,e)),x.gaps=z=o.gaps(t,n,s,r,z),x.clip=Va(z,c.ori,f,m,y,p)}return F!=0&&(x.band=F==2?[Ji(t,n,s,r,b,-1),Ji(t,n,s,r,b,1)]:Ji(t,n,s,r,b,
+F)),x})}function bx(i){let e=bt(i.align,1),t=bt(i.ascDesc,!1),n=bt(i.alignGaps,0),s=bt(i.extend,!1);return(r,o,a,l)=>Ys(r,o,(c,d,u,h,f,m,y,p,g,_,S)=>{[a,l]=Oa(u,
+a,l);let M=c.pxRound,{left:C,width:T}=r.bbox,x=Q=>M(m(Q,h,_,p)),b=Q=>M(y(Q,f,S,g)),L=h.ori==0?Er:Cr,R={stroke:new Path2D,fill:null,clip:null,band:null,gaps:null,
+flags:Tr},P=R.stroke,F=h.dir*(h.ori==0?1:-1),z=b(u[F==1?a:l]),D=x(d[F==1?a:l]),G=D,Y=D;s&&e==-1&&(Y=C,L(P,Y,z)),L(P,D,z);for(let Q=F==1?a:l;Q>=a&&Q<=l;Q+=F){let se=u[Q];
+if(se==null)continue;let de=x(d[Q]),ue=b(se);e==1?L(P,de,z):L(P,G,ue),L(P,de,ue),z=ue,G=de}let W=G;s&&e==1&&(W=C+T,L(P,W,z));let[ce,K]=Wh(r,o);if(c.fill!=null||
+ce!=0){let Q=R.fill=new Path2D(P),se=c.fillTo(r,o,c.min,c.max,ce),de=b(se);L(Q,W,de),L(Q,Y,de)}if(!c.spanGaps){let Q=[];Q.push(...Xh(d,u,a,l,F,x,n));let se=c.width*
+wt/2,de=t||e==1?se:-se,ue=t||e==-1?-se:se;Q.forEach(ee=>{ee[0]+=de,ee[1]+=ue}),R.gaps=Q=c.gaps(r,o,a,l,Q),R.clip=Va(Q,h.ori,p,g,_,S)}return K!=0&&(R.band=K==2?[
+Ji(r,o,a,l,P,-1),Ji(r,o,a,l,P,1)]:Ji(r,o,a,l,P,K)),R})}function Ff(i,e,t,n,s,r,o=Nt){if(i.length>1){let a=null;for(let l=0,c=1/0;l<i.length;l++)if(e[l]!==void 0){
 if(a!=null){let d=dn(i[l]-i[a]);d<c&&(c=d,o=dn(t(i[l],n,s,r)-t(i[a],n,s,r)))}a=l}}return o}function Sx(i){i=i||Ao;let e=bt(i.size,[.6,Nt,1]),t=i.align||0,n=i.gap||
 0,s=i.radius;s=s==null?[0,0]:typeof s=="number"?[s,0]:s;let r=gt(s),o=1-e[0],a=bt(e[1],Nt),l=bt(e[2],1),c=bt(i.disp,Ao),d=bt(i.each,f=>{}),{fill:u,stroke:h}=c;return(f,m,y,p)=>Ys(
-f,m,(g,_,w,M,C,S,x,b,N,R,I)=>{let F=g.pxRound,z=t,D=n*wt,W=a*wt,Y=l*wt,H,ce;M.ori==0?[H,ce]=r(f,m):[ce,H]=r(f,m);let K=M.dir*(M.ori==0?1:-1),Q=M.ori==0?Wa:qh,se=M.
+f,m,(g,_,S,M,C,T,x,b,L,R,P)=>{let F=g.pxRound,z=t,D=n*wt,G=a*wt,Y=l*wt,W,ce;M.ori==0?[W,ce]=r(f,m):[ce,W]=r(f,m);let K=M.dir*(M.ori==0?1:-1),Q=M.ori==0?Wa:qh,se=M.
 ori==0?d:(Re,qe,it,Se,Lt,ze,Xe)=>{d(Re,qe,it,Lt,Se,Xe,ze)},de=bt(f.bands,kh).find(Re=>Re.series[0]==m),ue=de!=null?de.dir:0,ee=g.fillTo(f,m,g.min,g.max,ue),me=F(
-x(ee,C,I,N)),xe,Ee,be,He=R,nt=F(g.width*wt),Ve=!1,ut=null,lt=null,et=null,Gt=null;u!=null&&(nt==0||h!=null)&&(Ve=!0,ut=u.values(f,m,y,p),lt=new Map,new Set(ut).
+x(ee,C,P,L)),xe,Ee,be,He=R,nt=F(g.width*wt),Ve=!1,ut=null,lt=null,et=null,Gt=null;u!=null&&(nt==0||h!=null)&&(Ve=!0,ut=u.values(f,m,y,p),lt=new Map,new Set(ut).
 forEach(Re=>{Re!=null&&lt.set(Re,new Path2D)}),nt>0&&(et=h.values(f,m,y,p),Gt=new Map,new Set(et).forEach(Re=>{Re!=null&&Gt.set(Re,new Path2D)})));let{x0:Ut,size:Qt}=c;
-if(Ut!=null&&Qt!=null){z=1,_=Ut.values(f,m,y,p),Ut.unit==2&&(_=_.map(it=>f.posToVal(b+it*R,M.key,!0)));let Re=Qt.values(f,m,y,p);Qt.unit==2?Ee=Re[0]*R:Ee=S(Re[0],
-M,R,b)-S(0,M,R,b),He=Ff(_,w,S,M,R,b,He),be=He-Ee+D}else He=Ff(_,w,S,M,R,b,He),be=He*o+D,Ee=He-be;be<1&&(be=0),nt>=Ee/2&&(nt=0),be<5&&(F=Xf);let Pt=be>0,gn=He-be-
-(Pt?nt:0);Ee=F(Eh(gn,Y,W)),xe=(z==0?Ee/2:z==K?0:Ee)-z*K*((z==0?D/2:0)+(Pt?nt/2:0));let vt={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},cn=Ve?null:
-new Path2D,qt=null;if(de!=null)qt=f.data[de.series[1]];else{let{y0:Re,y1:qe}=c;Re!=null&&qe!=null&&(w=qe.values(f,m,y,p),qt=Re.values(f,m,y,p))}let en=H*Ee,B=ce*
-Ee;for(let Re=K==1?y:p;Re>=y&&Re<=p;Re+=K){let qe=w[Re];if(qe==null)continue;if(qt!=null){let q=qt[Re]??0;if(qe-q==0)continue;me=x(q,C,I,N)}let it=M.distr!=2||c!=
-null?_[Re]:Re,Se=S(it,M,R,b),Lt=x(bt(qe,ee),C,I,N),ze=F(Se-xe),Xe=F(Un(Lt,me)),P=F(_i(Lt,me)),T=Xe-P;if(qe!=null){let q=qe<0?B:en,he=qe<0?en:B;Ve?(nt>0&&et[Re]!=
-null&&Q(Gt.get(et[Re]),ze,P+Zn(nt/2),Ee,Un(0,T-nt),q,he),ut[Re]!=null&&Q(lt.get(ut[Re]),ze,P+Zn(nt/2),Ee,Un(0,T-nt),q,he)):Q(cn,ze,P+Zn(nt/2),Ee,Un(0,T-nt),q,he),
-se(f,m,Re,ze-nt/2,P,Ee+nt,T)}}return nt>0?vt.stroke=Ve?Gt:cn:Ve||(vt._fill=g.width==0?g._fill:g._stroke??g._fill,vt.width=0),vt.fill=Ve?lt:cn,vt})}function wx(i,e){
-let t=bt(e?.alignGaps,0);return(n,s,r,o)=>Ys(n,s,(a,l,c,d,u,h,f,m,y,p,g)=>{[r,o]=Oa(c,r,o);let _=a.pxRound,w=H=>_(h(H,d,p,m)),M=H=>_(f(H,u,g,y)),C,S,x;d.ori==0?
-(C=Ga,x=Er,S=xp):(C=Ha,x=Cr,S=yp);let b=d.dir*(d.ori==0?1:-1),N=w(l[b==1?r:o]),R=N,I=[],F=[];for(let H=b==1?r:o;H>=r&&H<=o;H+=b)if(c[H]!=null){let K=l[H],Q=w(K);
-I.push(R=Q),F.push(M(c[H]))}let z={stroke:i(I,F,C,x,S,_),fill:null,clip:null,band:null,gaps:null,flags:Tr},D=z.stroke,[W,Y]=Wh(n,s);if(a.fill!=null||W!=0){let H=z.
-fill=new Path2D(D),ce=a.fillTo(n,s,a.min,a.max,W),K=M(ce);x(H,R,K),x(H,N,K)}if(!a.spanGaps){let H=[];H.push(...Xh(l,c,r,o,b,w,t)),z.gaps=H=a.gaps(n,s,r,o,H),z.clip=
-Va(H,d.ori,m,y,p,g)}return Y!=0&&(z.band=Y==2?[Ji(n,s,r,o,D,-1),Ji(n,s,r,o,D,1)]:Ji(n,s,r,o,D,Y)),z})}function Tx(i){return wx(Ax,i)}function Ax(i,e,t,n,s,r){let o=i.
+if(Ut!=null&&Qt!=null){z=1,_=Ut.values(f,m,y,p),Ut.unit==2&&(_=_.map(it=>f.posToVal(b+it*R,M.key,!0)));let Re=Qt.values(f,m,y,p);Qt.unit==2?Ee=Re[0]*R:Ee=T(Re[0],
+M,R,b)-T(0,M,R,b),He=Ff(_,S,T,M,R,b,He),be=He-Ee+D}else He=Ff(_,S,T,M,R,b,He),be=He*o+D,Ee=He-be;be<1&&(be=0),nt>=Ee/2&&(nt=0),be<5&&(F=Xf);let Pt=be>0,gn=He-be-
+(Pt?nt:0);Ee=F(Eh(gn,Y,G)),xe=(z==0?Ee/2:z==K?0:Ee)-z*K*((z==0?D/2:0)+(Pt?nt/2:0));let vt={stroke:null,fill:null,clip:null,band:null,gaps:null,flags:0},cn=Ve?null:
+new Path2D,qt=null;if(de!=null)qt=f.data[de.series[1]];else{let{y0:Re,y1:qe}=c;Re!=null&&qe!=null&&(S=qe.values(f,m,y,p),qt=Re.values(f,m,y,p))}let en=W*Ee,B=ce*
+Ee;for(let Re=K==1?y:p;Re>=y&&Re<=p;Re+=K){let qe=S[Re];if(qe==null)continue;if(qt!=null){let q=qt[Re]??0;if(qe-q==0)continue;me=x(q,C,P,L)}let it=M.distr!=2||c!=
+null?_[Re]:Re,Se=T(it,M,R,b),Lt=x(bt(qe,ee),C,P,L),ze=F(Se-xe),Xe=F(Un(Lt,me)),I=F(_i(Lt,me)),w=Xe-I;if(qe!=null){let q=qe<0?B:en,he=qe<0?en:B;Ve?(nt>0&&et[Re]!=
+null&&Q(Gt.get(et[Re]),ze,I+Zn(nt/2),Ee,Un(0,w-nt),q,he),ut[Re]!=null&&Q(lt.get(ut[Re]),ze,I+Zn(nt/2),Ee,Un(0,w-nt),q,he)):Q(cn,ze,I+Zn(nt/2),Ee,Un(0,w-nt),q,he),
+se(f,m,Re,ze-nt/2,I,Ee+nt,w)}}return nt>0?vt.stroke=Ve?Gt:cn:Ve||(vt._fill=g.width==0?g._fill:g._stroke??g._fill,vt.width=0),vt.fill=Ve?lt:cn,vt})}function wx(i,e){
+let t=bt(e?.alignGaps,0);return(n,s,r,o)=>Ys(n,s,(a,l,c,d,u,h,f,m,y,p,g)=>{[r,o]=Oa(c,r,o);let _=a.pxRound,S=W=>_(h(W,d,p,m)),M=W=>_(f(W,u,g,y)),C,T,x;d.ori==0?
+(C=Ga,x=Er,T=xp):(C=Ha,x=Cr,T=yp);let b=d.dir*(d.ori==0?1:-1),L=S(l[b==1?r:o]),R=L,P=[],F=[];for(let W=b==1?r:o;W>=r&&W<=o;W+=b)if(c[W]!=null){let K=l[W],Q=S(K);
+P.push(R=Q),F.push(M(c[W]))}let z={stroke:i(P,F,C,x,T,_),fill:null,clip:null,band:null,gaps:null,flags:Tr},D=z.stroke,[G,Y]=Wh(n,s);if(a.fill!=null||G!=0){let W=z.
+fill=new Path2D(D),ce=a.fillTo(n,s,a.min,a.max,G),K=M(ce);x(W,R,K),x(W,L,K)}if(!a.spanGaps){let W=[];W.push(...Xh(l,c,r,o,b,S,t)),z.gaps=W=a.gaps(n,s,r,o,W),z.clip=
+Va(W,d.ori,m,y,p,g)}return Y!=0&&(z.band=Y==2?[Ji(n,s,r,o,D,-1),Ji(n,s,r,o,D,1)]:Ji(n,s,r,o,D,Y)),z})}function Tx(i){return wx(Ax,i)}function Ax(i,e,t,n,s,r){let o=i.
 length;if(o<2)return null;let a=new Path2D;if(t(a,i[0],e[0]),o==2)n(a,i[1],e[1]);else{let l=Array(o),c=Array(o-1),d=Array(o-1),u=Array(o-1);for(let h=0;h<o-1;h++)
 d[h]=e[h+1]-e[h],u[h]=i[h+1]-i[h],c[h]=d[h]/u[h];l[0]=c[0];for(let h=1;h<o-1;h++)c[h]===0||c[h-1]===0||c[h-1]>0!=c[h]>0?l[h]=0:(l[h]=3*(u[h-1]+u[h])/((2*u[h]+u[h-
 1])/c[h-1]+(u[h]+2*u[h-1])/c[h]),isFinite(l[h])||(l[h]=0));l[o-1]=c[o-2];for(let h=0;h<o-1;h++)s(a,i[h]+u[h]/3,e[h]+l[h]*u[h]/3,i[h+1]-u[h]/3,e[h+1]-l[h+1]*u[h]/
@@ -223,176 +223,176 @@ Cx=vp();function Bf(i,e,t,n){return(n?[i[0],i[1]].concat(i.slice(2)):[i[0]].conc
 Oh,!0)}function wp(i,e,t,n){return e==null?Sr:Ba(e,t,i.scales[n].log,!1)}var Lx=wp;function Tp(i,e,t,n){return e==null?Sr:Fh(e,t,i.scales[n].log,!1)}var Nx=Tp;function Dx(i,e,t,n,s){
 let r=Un(gf(i),gf(e)),o=e-i,a=gi(s/n*o,t);do{let l=t[a],c=n*l/o;if(c>=s&&r+(l<5?vs.get(l):0)<=17)return[l,c]}while(++a<t.length);return[0,0]}function kf(i){let e,
 t;return i=i.replace(/(\d+)px/,(n,s)=>(e=un((t=+s)*wt))+"px"),[i,e,t]}function Ux(i){i.show&&[i.font,i.labelFont].forEach(e=>{let t=Dt(e[2]*wt,1);e[0]=e[0].replace(
-/[0-9.]+px/,t+"px"),e[1]=t})}function fn(i,e,t){let n={mode:bt(i.mode,1)},s=n.mode;function r(v,A,L,U){let G=A.valToPct(v);return U+L*(A.dir==-1?1-G:G)}function o(v,A,L,U){
-let G=A.valToPct(v);return U+L*(A.dir==-1?G:1-G)}function a(v,A,L,U){return A.ori==0?r(v,A,L,U):o(v,A,L,U)}n.valToPosH=r,n.valToPosV=o;let l=!1;n.status=0;let c=n.
+/[0-9.]+px/,t+"px"),e[1]=t})}function fn(i,e,t){let n={mode:bt(i.mode,1)},s=n.mode;function r(v,A,N,U){let H=A.valToPct(v);return U+N*(A.dir==-1?1-H:H)}function o(v,A,N,U){
+let H=A.valToPct(v);return U+N*(A.dir==-1?H:1-H)}function a(v,A,N,U){return A.ori==0?r(v,A,N,U):o(v,A,N,U)}n.valToPosH=r,n.valToPosV=o;let l=!1;n.status=0;let c=n.
 root=ri(G0);if(i.id!=null&&(c.id=i.id),Yn(c,i.class),i.title){let v=ri(X0,c);v.textContent=i.title}let d=mi("canvas"),u=n.ctx=d.getContext("2d"),h=ri(q0,c);qs("\
 click",h,v=>{v.target===m&&(Ot!=pr||Ht!=mr)&&Sn.click(n,v)},!0);let f=n.under=ri($0,h);h.appendChild(d);let m=n.over=ri(Y0,h);i=wr(i);let y=+bt(i.pxAlign,1),p=Uf(
-y);(i.plugins||[]).forEach(v=>{v.opts&&(i=v.opts(n,i)||i)});let g=i.ms||.001,_=n.series=s==1?Bf(i.series||[],Cf,Nf,!1):Rx(i.series||[null],Lf),w=n.axes=Bf(i.axes||
-[],Ef,Pf,!0),M=n.scales={},C=n.bands=i.bands||[];C.forEach(v=>{v.fill=gt(v.fill||null),v.dir=bt(v.dir,-1)});let S=s==2?_[1].facets[0].scale:_[0].scale,x={axes:$i,
-series:ft},b=(i.drawOrder||["axes","series"]).map(v=>x[v]);function N(v){let A=v.distr==3?L=>Zi(L>0?L:v.clamp(n,L,v.min,v.max,v.key)):v.distr==4?L=>yh(L,v.asinh):
-v.distr==100?L=>v.fwd(L):L=>L;return L=>{let U=A(L),{_min:G,_max:J}=v,ae=J-G;return(U-G)/ae}}function R(v){let A=M[v];if(A==null){let L=(i.scales||Ao)[v]||Ao;if(L.
-from!=null){R(L.from);let U=on({},M[L.from],L,{key:v});U.valToPct=N(U),M[v]=U}else{A=M[v]=on({},v==S?fp:_x,L),A.key=v;let U=A.time,G=A.range,J=ys(G);if((v!=S||s==
-2&&!U)&&(J&&(G[0]==null||G[1]==null)&&(G={min:G[0]==null?ff:{mode:1,hard:G[0],soft:G[0]},max:G[1]==null?ff:{mode:1,hard:G[1],soft:G[1]}},J=!1),!J&&za(G))){let ae=G;
-G=(fe,ve,Ne)=>ve==null?Sr:Ua(ve,Ne,ae)}A.range=gt(G||(U?Px:v==S?A.distr==3?Lx:A.distr==4?Nx:Sp:A.distr==3?wp:A.distr==4?Tp:Ix)),A.auto=gt(J?!1:A.auto),A.clamp=gt(
-A.clamp||gx),A._min=A._max=null,A.valToPct=N(A)}}}R("x"),R("y"),s==1&&_.forEach(v=>{R(v.scale)}),w.forEach(v=>{R(v.scale)});for(let v in i.scales)R(v);let I=M[S],
-F=I.distr,z,D;I.ori==0?(Yn(c,H0),z=r,D=o):(Yn(c,W0),z=o,D=r);let W={};for(let v in M){let A=M[v];(A.min!=null||A.max!=null)&&(W[v]={min:A.min,max:A.max},A.min=A.
-max=null)}let Y=i.tzDate||(v=>new Date(un(v/g))),H=i.fmtDate||zh,ce=g==1?H_(Y):q_(Y),K=wf(Y,Sf(g==1?G_:X_,H)),Q=Af(Y,Tf(Y_,H)),se=[],de=n.legend=on({},K_,i.legend),
+y);(i.plugins||[]).forEach(v=>{v.opts&&(i=v.opts(n,i)||i)});let g=i.ms||.001,_=n.series=s==1?Bf(i.series||[],Cf,Nf,!1):Rx(i.series||[null],Lf),S=n.axes=Bf(i.axes||
+[],Ef,Pf,!0),M=n.scales={},C=n.bands=i.bands||[];C.forEach(v=>{v.fill=gt(v.fill||null),v.dir=bt(v.dir,-1)});let T=s==2?_[1].facets[0].scale:_[0].scale,x={axes:$i,
+series:ft},b=(i.drawOrder||["axes","series"]).map(v=>x[v]);function L(v){let A=v.distr==3?N=>Zi(N>0?N:v.clamp(n,N,v.min,v.max,v.key)):v.distr==4?N=>yh(N,v.asinh):
+v.distr==100?N=>v.fwd(N):N=>N;return N=>{let U=A(N),{_min:H,_max:J}=v,ae=J-H;return(U-H)/ae}}function R(v){let A=M[v];if(A==null){let N=(i.scales||Ao)[v]||Ao;if(N.
+from!=null){R(N.from);let U=on({},M[N.from],N,{key:v});U.valToPct=L(U),M[v]=U}else{A=M[v]=on({},v==T?fp:_x,N),A.key=v;let U=A.time,H=A.range,J=ys(H);if((v!=T||s==
+2&&!U)&&(J&&(H[0]==null||H[1]==null)&&(H={min:H[0]==null?ff:{mode:1,hard:H[0],soft:H[0]},max:H[1]==null?ff:{mode:1,hard:H[1],soft:H[1]}},J=!1),!J&&za(H))){let ae=H;
+H=(fe,ve,Ne)=>ve==null?Sr:Ua(ve,Ne,ae)}A.range=gt(H||(U?Px:v==T?A.distr==3?Lx:A.distr==4?Nx:Sp:A.distr==3?wp:A.distr==4?Tp:Ix)),A.auto=gt(J?!1:A.auto),A.clamp=gt(
+A.clamp||gx),A._min=A._max=null,A.valToPct=L(A)}}}R("x"),R("y"),s==1&&_.forEach(v=>{R(v.scale)}),S.forEach(v=>{R(v.scale)});for(let v in i.scales)R(v);let P=M[T],
+F=P.distr,z,D;P.ori==0?(Yn(c,H0),z=r,D=o):(Yn(c,W0),z=o,D=r);let G={};for(let v in M){let A=M[v];(A.min!=null||A.max!=null)&&(G[v]={min:A.min,max:A.max},A.min=A.
+max=null)}let Y=i.tzDate||(v=>new Date(un(v/g))),W=i.fmtDate||zh,ce=g==1?H_(Y):q_(Y),K=wf(Y,Sf(g==1?G_:X_,W)),Q=Af(Y,Tf(Y_,W)),se=[],de=n.legend=on({},K_,i.legend),
 ue=n.cursor=on({},ix,{drag:{y:s==2}},i.cursor),ee=de.show,me=ue.show,xe=de.markers;de.idxs=se,xe.width=gt(xe.width),xe.dash=gt(xe.dash),xe.stroke=gt(xe.stroke),
 xe.fill=gt(xe.fill);let Ee,be,He,nt=[],Ve=[],ut,lt=!1,et={};if(de.live){let v=_[1]?_[1].values:null;lt=v!=null,ut=lt?v(n,1,0):{_:0};for(let A in ut)et[A]=Dh}if(ee)
 if(Ee=mi("table",e_,c),He=mi("tbody",null,Ee),de.mount(n,Ee),lt){be=mi("thead",null,Ee,He);let v=mi("tr",null,be);mi("th",null,v);for(var Gt in ut)mi("th",Qd,v).
-textContent=Gt}else Yn(Ee,n_),de.live&&Yn(Ee,t_);let Ut={show:!0},Qt={show:!1};function Pt(v,A){if(A==0&&(lt||!de.live||s==2))return Sr;let L=[],U=mi("tr",i_,He,
-He.childNodes[A]);Yn(U,v.class),v.show||Yn(U,Xs);let G=mi("th",null,U);if(xe.show){let fe=ri(s_,G);if(A>0){let ve=xe.width(n,A);ve&&(fe.style.border=ve+"px "+xe.
-dash(n,A)+" "+xe.stroke(n,A)),fe.style.background=xe.fill(n,A)}}let J=ri(Qd,G);v.label instanceof HTMLElement?J.appendChild(v.label):J.textContent=v.label,A>0&&
-(xe.show||(J.style.color=v.width>0?xe.stroke(n,A):xe.fill(n,A)),vt("click",G,fe=>{if(ue._lock)return;Ze(fe);let ve=_.indexOf(v);if((fe.ctrlKey||fe.metaKey)!=de.
+textContent=Gt}else Yn(Ee,n_),de.live&&Yn(Ee,t_);let Ut={show:!0},Qt={show:!1};function Pt(v,A){if(A==0&&(lt||!de.live||s==2))return Sr;let N=[],U=mi("tr",i_,He,
+He.childNodes[A]);Yn(U,v.class),v.show||Yn(U,Xs);let H=mi("th",null,U);if(xe.show){let fe=ri(s_,H);if(A>0){let ve=xe.width(n,A);ve&&(fe.style.border=ve+"px "+xe.
+dash(n,A)+" "+xe.stroke(n,A)),fe.style.background=xe.fill(n,A)}}let J=ri(Qd,H);v.label instanceof HTMLElement?J.appendChild(v.label):J.textContent=v.label,A>0&&
+(xe.show||(J.style.color=v.width>0?xe.stroke(n,A):xe.fill(n,A)),vt("click",H,fe=>{if(ue._lock)return;Ze(fe);let ve=_.indexOf(v);if((fe.ctrlKey||fe.metaKey)!=de.
 isolate){let Ne=_.some((De,Fe)=>Fe>0&&Fe!=ve&&De.show);_.forEach((De,Fe)=>{Fe>0&&Ri(Fe,Ne?Fe==ve?Ut:Qt:Ut,!0,rn.setSeries)})}else Ri(ve,{show:!v.show},!0,rn.setSeries)},
-!1),Je&&vt(sf,G,fe=>{ue._lock||(Ze(fe),Ri(_.indexOf(v),_r,!0,rn.setSeries))},!1));for(var ae in ut){let fe=mi("td",r_,U);fe.textContent="--",L.push(fe)}return[U,
-L]}let gn=new Map;function vt(v,A,L,U=!0){let G=gn.get(A)||{},J=ue.bind[v](n,A,L,U);J&&(qs(v,A,G[v]=J),gn.set(A,G))}function cn(v,A,L){let U=gn.get(A)||{};for(let G in U)
-(v==null||G==v)&&(Ah(G,A,U[G]),delete U[G]);v==null&&gn.delete(A)}let qt=0,en=0,B=0,Re=0,qe=0,it=0,Se=qe,Lt=it,ze=B,Xe=Re,P=0,T=0,q=0,he=0;n.bbox={};let oe=!1,_e=!1,
-ye=!1,te=!1,ie=!1,pe=!1;function O(v,A,L){(L||v!=n.width||A!=n.height)&&re(v,A),ct(!1),ye=!0,_e=!0,Tn()}function re(v,A){n.width=qt=B=v,n.height=en=Re=A,qe=it=0,
-Me(),Ge();let L=n.bbox;P=L.left=Hs(qe*wt,.5),T=L.top=Hs(it*wt,.5),q=L.width=Hs(B*wt,.5),he=L.height=Hs(Re*wt,.5)}let ne=3;function we(){let v=!1,A=0;for(;!v;){A++;
-let L=ur(A),U=Ci(A);v=A==ne||L&&U,v||(re(n.width,n.height),_e=!0)}}function ge({width:v,height:A}){O(v,A)}n.setSize=ge;function Me(){let v=!1,A=!1,L=!1,U=!1;w.forEach(
-(G,J)=>{if(G.show&&G._show){let{side:ae,_size:fe}=G,ve=ae%2,Ne=G.label!=null?G.labelSize:0,De=fe+Ne;De>0&&(ve?(B-=De,ae==3?(qe+=De,U=!0):L=!0):(Re-=De,ae==0?(it+=
-De,v=!0):A=!0))}}),Ai[0]=v,Ai[1]=L,Ai[2]=A,Ai[3]=U,B-=di[1]+di[3],qe+=di[3],Re-=di[2]+di[0],it+=di[0]}function Ge(){let v=qe+B,A=it+Re,L=qe,U=it;function G(J,ae){
-switch(J){case 1:return v+=ae,v-ae;case 2:return A+=ae,A-ae;case 3:return L-=ae,L+ae;case 0:return U-=ae,U+ae}}w.forEach((J,ae)=>{if(J.show&&J._show){let fe=J.side;
-J._pos=G(fe,J._size),J.label!=null&&(J._lpos=G(fe,J.labelSize))}})}if(ue.dataIdx==null){let v=ue.hover,A=v.skip=new Set(v.skip??[]);A.add(void 0);let L=v.prox=gt(
-v.prox),U=v.bias??=0;ue.dataIdx=(G,J,ae,fe)=>{if(J==0)return ae;let ve=ae,Ne=L(G,J,ae,fe)??Nt,De=Ne>=0&&Ne<Nt,Fe=I.ori==0?B:Re,tt=ue.left,St=e[0],Mt=e[J];if(A.has(
+!1),Je&&vt(sf,H,fe=>{ue._lock||(Ze(fe),Ri(_.indexOf(v),_r,!0,rn.setSeries))},!1));for(var ae in ut){let fe=mi("td",r_,U);fe.textContent="--",N.push(fe)}return[U,
+N]}let gn=new Map;function vt(v,A,N,U=!0){let H=gn.get(A)||{},J=ue.bind[v](n,A,N,U);J&&(qs(v,A,H[v]=J),gn.set(A,H))}function cn(v,A,N){let U=gn.get(A)||{};for(let H in U)
+(v==null||H==v)&&(Ah(H,A,U[H]),delete U[H]);v==null&&gn.delete(A)}let qt=0,en=0,B=0,Re=0,qe=0,it=0,Se=qe,Lt=it,ze=B,Xe=Re,I=0,w=0,q=0,he=0;n.bbox={};let oe=!1,_e=!1,
+ye=!1,te=!1,ie=!1,pe=!1;function O(v,A,N){(N||v!=n.width||A!=n.height)&&re(v,A),ct(!1),ye=!0,_e=!0,Tn()}function re(v,A){n.width=qt=B=v,n.height=en=Re=A,qe=it=0,
+Me(),Ge();let N=n.bbox;I=N.left=Hs(qe*wt,.5),w=N.top=Hs(it*wt,.5),q=N.width=Hs(B*wt,.5),he=N.height=Hs(Re*wt,.5)}let ne=3;function we(){let v=!1,A=0;for(;!v;){A++;
+let N=ur(A),U=Ci(A);v=A==ne||N&&U,v||(re(n.width,n.height),_e=!0)}}function ge({width:v,height:A}){O(v,A)}n.setSize=ge;function Me(){let v=!1,A=!1,N=!1,U=!1;S.forEach(
+(H,J)=>{if(H.show&&H._show){let{side:ae,_size:fe}=H,ve=ae%2,Ne=H.label!=null?H.labelSize:0,De=fe+Ne;De>0&&(ve?(B-=De,ae==3?(qe+=De,U=!0):N=!0):(Re-=De,ae==0?(it+=
+De,v=!0):A=!0))}}),Ai[0]=v,Ai[1]=N,Ai[2]=A,Ai[3]=U,B-=di[1]+di[3],qe+=di[3],Re-=di[2]+di[0],it+=di[0]}function Ge(){let v=qe+B,A=it+Re,N=qe,U=it;function H(J,ae){
+switch(J){case 1:return v+=ae,v-ae;case 2:return A+=ae,A-ae;case 3:return N-=ae,N+ae;case 0:return U-=ae,U+ae}}S.forEach((J,ae)=>{if(J.show&&J._show){let fe=J.side;
+J._pos=H(fe,J._size),J.label!=null&&(J._lpos=H(fe,J.labelSize))}})}if(ue.dataIdx==null){let v=ue.hover,A=v.skip=new Set(v.skip??[]);A.add(void 0);let N=v.prox=gt(
+v.prox),U=v.bias??=0;ue.dataIdx=(H,J,ae,fe)=>{if(J==0)return ae;let ve=ae,Ne=N(H,J,ae,fe)??Nt,De=Ne>=0&&Ne<Nt,Fe=P.ori==0?B:Re,tt=ue.left,St=e[0],Mt=e[J];if(A.has(
 Mt[ae])){ve=null;let pt=null,Ye=null,We;if(U==0||U==-1)for(We=ae;pt==null&&We-- >0;)A.has(Mt[We])||(pt=We);if(U==0||U==1)for(We=ae;Ye==null&&We++<Mt.length;)A.has(
-Mt[We])||(Ye=We);if(pt!=null||Ye!=null)if(De){let kt=pt==null?-1/0:z(St[pt],I,Fe,0),Zt=Ye==null?1/0:z(St[Ye],I,Fe,0),vn=tt-kt,It=Zt-tt;vn<=It?vn<=Ne&&(ve=pt):It<=
-Ne&&(ve=Ye)}else ve=Ye==null?pt:pt==null?Ye:ae-pt<=Ye-ae?pt:Ye}else De&&dn(tt-z(St[ae],I,Fe,0))>Ne&&(ve=null);return ve}}let Ze=v=>{ue.event=v};ue.idxs=se,ue._lock=
+Mt[We])||(Ye=We);if(pt!=null||Ye!=null)if(De){let kt=pt==null?-1/0:z(St[pt],P,Fe,0),Zt=Ye==null?1/0:z(St[Ye],P,Fe,0),vn=tt-kt,It=Zt-tt;vn<=It?vn<=Ne&&(ve=pt):It<=
+Ne&&(ve=Ye)}else ve=Ye==null?pt:pt==null?Ye:ae-pt<=Ye-ae?pt:Ye}else De&&dn(tt-z(St[ae],P,Fe,0))>Ne&&(ve=null);return ve}}let Ze=v=>{ue.event=v};ue.idxs=se,ue._lock=
 !1;let le=ue.points;le.show=gt(le.show),le.size=gt(le.size),le.stroke=gt(le.stroke),le.width=gt(le.width),le.fill=gt(le.fill);let Oe=n.focus=on({},i.focus||{alpha:.3},
-ue.focus),Je=Oe.prox>=0,Ce=Je&&le.one,rt=[],Ft=[],Pn=[];function fo(v,A){let L=le.show(n,A);if(L instanceof HTMLElement)return Yn(L,Q0),Yn(L,v.class),Ni(L,-10,-10,
-B,Re),m.insertBefore(L,rt[A]),L}function lr(v,A){if(s==1||A>0){let L=s==1&&M[v.scale].time,U=v.value;v.value=L?yf(U)?Af(Y,Tf(U,H)):U||Q:U||fx,v.label=v.label||(L?
+ue.focus),Je=Oe.prox>=0,Ce=Je&&le.one,ot=[],Ft=[],Pn=[];function fo(v,A){let N=le.show(n,A);if(N instanceof HTMLElement)return Yn(N,Q0),Yn(N,v.class),Ni(N,-10,-10,
+B,Re),m.insertBefore(N,ot[A]),N}function lr(v,A){if(s==1||A>0){let N=s==1&&M[v.scale].time,U=v.value;v.value=N?yf(U)?Af(Y,Tf(U,W)):U||Q:U||fx,v.label=v.label||(N?
 rx:sx)}if(Ce||A>0){v.width=v.width==null?1:v.width,v.paths=v.paths||Ex||__,v.fillTo=gt(v.fillTo||xx),v.pxAlign=+bt(v.pxAlign,y),v.pxRound=Uf(v.pxAlign),v.stroke=
-gt(v.stroke||null),v.fill=gt(v.fill||null),v._stroke=v._fill=v._paths=v._focus=null;let L=px(Un(1,v.width),1),U=v.points=on({},{size:L,width:Un(1,L*.2),stroke:v.
-stroke,space:L*2,paths:Cx,_stroke:null,_fill:null},v.points);U.show=gt(U.show),U.filter=gt(U.filter),U.fill=gt(U.fill),U.stroke=gt(U.stroke),U.paths=gt(U.paths),
-U.pxAlign=v.pxAlign}if(ee){let L=Pt(v,A);nt.splice(A,0,L[0]),Ve.splice(A,0,L[1]),de.values.push(null)}if(me){se.splice(A,0,null);let L=null;Ce?A==0&&(L=fo(v,A)):
-A>0&&(L=fo(v,A)),rt.splice(A,0,L),Ft.splice(A,0,0),Pn.splice(A,0,0)}yn("addSeries",A)}function oh(v,A){A=A??_.length,v=s==1?Lh(v,A,Cf,Nf):Lh(v,A,{},Lf),_.splice(
+gt(v.stroke||null),v.fill=gt(v.fill||null),v._stroke=v._fill=v._paths=v._focus=null;let N=px(Un(1,v.width),1),U=v.points=on({},{size:N,width:Un(1,N*.2),stroke:v.
+stroke,space:N*2,paths:Cx,_stroke:null,_fill:null},v.points);U.show=gt(U.show),U.filter=gt(U.filter),U.fill=gt(U.fill),U.stroke=gt(U.stroke),U.paths=gt(U.paths),
+U.pxAlign=v.pxAlign}if(ee){let N=Pt(v,A);nt.splice(A,0,N[0]),Ve.splice(A,0,N[1]),de.values.push(null)}if(me){se.splice(A,0,null);let N=null;Ce?A==0&&(N=fo(v,A)):
+A>0&&(N=fo(v,A)),ot.splice(A,0,N),Ft.splice(A,0,0),Pn.splice(A,0,0)}yn("addSeries",A)}function oh(v,A){A=A??_.length,v=s==1?Lh(v,A,Cf,Nf):Lh(v,A,{},Lf),_.splice(
 A,0,v),lr(_[A],A)}n.addSeries=oh;function Aa(v){if(_.splice(v,1),ee){de.values.splice(v,1),Ve.splice(v,1);let A=nt.splice(v,1)[0];cn(null,A.firstChild),A.remove()}
-me&&(se.splice(v,1),rt.splice(v,1)[0].remove(),Ft.splice(v,1),Pn.splice(v,1)),yn("delSeries",v)}n.delSeries=Aa;let Ai=[!1,!1,!1,!1];function Wi(v,A){if(v._show=
-v.show,v.show){let L=v.side%2,U=M[v.scale];U==null&&(v.scale=L?_[1].scale:S,U=M[v.scale]);let G=U.time;v.size=gt(v.size),v.space=gt(v.space),v.rotate=gt(v.rotate),
-ys(v.incrs)&&v.incrs.forEach(ae=>{!vs.has(ae)&&vs.set(ae,Yf(ae))}),v.incrs=gt(v.incrs||(U.distr==2?k_:G?g==1?V_:W_:Ws)),v.splits=gt(v.splits||(G&&U.distr==1?ce:
+me&&(se.splice(v,1),ot.splice(v,1)[0].remove(),Ft.splice(v,1),Pn.splice(v,1)),yn("delSeries",v)}n.delSeries=Aa;let Ai=[!1,!1,!1,!1];function Wi(v,A){if(v._show=
+v.show,v.show){let N=v.side%2,U=M[v.scale];U==null&&(v.scale=N?_[1].scale:T,U=M[v.scale]);let H=U.time;v.size=gt(v.size),v.space=gt(v.space),v.rotate=gt(v.rotate),
+ys(v.incrs)&&v.incrs.forEach(ae=>{!vs.has(ae)&&vs.set(ae,Yf(ae))}),v.incrs=gt(v.incrs||(U.distr==2?k_:H?g==1?V_:W_:Ws)),v.splits=gt(v.splits||(H&&U.distr==1?ce:
 U.distr==3?Ch:U.distr==4?lx:ax)),v.stroke=gt(v.stroke),v.grid.stroke=gt(v.grid.stroke),v.ticks.stroke=gt(v.ticks.stroke),v.border.stroke=gt(v.border.stroke);let J=v.
-values;v.values=ys(J)&&!ys(J[0])?gt(J):G?ys(J)?wf(Y,Sf(J,H)):yf(J)?$_(Y,J):J||K:J||ox,v.filter=gt(v.filter||(U.distr>=3&&U.log==10?ux:U.distr==3&&U.log==2?dx:qf)),
+values;v.values=ys(J)&&!ys(J[0])?gt(J):H?ys(J)?wf(Y,Sf(J,W)):yf(J)?$_(Y,J):J||K:J||ox,v.filter=gt(v.filter||(U.distr>=3&&U.log==10?ux:U.distr==3&&U.log==2?dx:qf)),
 v.font=kf(v.font),v.labelFont=kf(v.labelFont),v._size=v.size(n,null,A,0),v._space=v._rotate=v._incrs=v._found=v._splits=v._values=null,v._size>0&&(Ai[A]=!0,v._el=
-ri(Z0,h))}}function Xi(v,A,L,U){let[G,J,ae,fe]=L,ve=A%2,Ne=0;return ve==0&&(fe||J)&&(Ne=A==0&&!G||A==2&&!ae?un(Ef.size/3):0),ve==1&&(G||ae)&&(Ne=A==1&&!J||A==3&&
+ri(Z0,h))}}function Xi(v,A,N,U){let[H,J,ae,fe]=N,ve=A%2,Ne=0;return ve==0&&(fe||J)&&(Ne=A==0&&!H||A==2&&!ae?un(Ef.size/3):0),ve==1&&(H||ae)&&(Ne=A==1&&!J||A==3&&
 !fe?un(Pf.size/2):0),Ne}let po=n.padding=(i.padding||[Xi,Xi,Xi,Xi]).map(v=>gt(bt(v,Xi))),di=n._padding=po.map((v,A)=>v(n,A,Ai,0)),$t,Kt=null,jt=null,Ei=s==1?_[0].
-idxs:null,Wn=null,fs=!1;function mo(v,A){if(e=v??[],n.data=n._data=e,s==2){$t=0;for(let L=1;L<_.length;L++)$t+=e[L][0].length}else{e.length==0&&(n.data=n._data=
-e=[[]]),Wn=e[0],$t=Wn.length;let L=e;if(F==2){L=e.slice();let U=L[0]=Array($t);for(let G=0;G<$t;G++)U[G]=G}n._data=e=L}if(ct(!0),yn("setData"),F==2&&(ye=!0),A!==
-!1){let L=I;L.auto(n,fs)?go():gs(S,L.min,L.max),te=te||ue.left>=0,pe=!0,Tn()}}n.setData=mo;function go(){fs=!0;let v,A;s==1&&($t>0?(Kt=Ei[0]=0,jt=Ei[1]=$t-1,v=e[0][Kt],
-A=e[0][jt],F==2?(v=Kt,A=jt):v==A&&(F==3?[v,A]=Ba(v,v,I.log,!1):F==4?[v,A]=Fh(v,v,I.log,!1):I.time?A=v+un(86400/g):[v,A]=Ua(v,A,Oh,!0))):(Kt=Ei[0]=v=null,jt=Ei[1]=
-A=null)),gs(S,v,A)}let cr,ps,hr,E,k,j,$,Z,Te,Pe;function Ae(v,A,L,U,G,J){v??=tf,L??=kh,U??="butt",G??=tf,J??="round",v!=cr&&(u.strokeStyle=cr=v),G!=ps&&(u.fillStyle=
-ps=G),A!=hr&&(u.lineWidth=hr=A),J!=k&&(u.lineJoin=k=J),U!=j&&(u.lineCap=j=U),L!=E&&u.setLineDash(E=L)}function Ie(v,A,L,U){A!=ps&&(u.fillStyle=ps=A),v!=$&&(u.font=
-$=v),L!=Z&&(u.textAlign=Z=L),U!=Te&&(u.textBaseline=Te=U)}function ke(v,A,L,U,G=0){if(U.length>0&&v.auto(n,fs)&&(A==null||A.min==null)){let J=bt(Kt,0),ae=bt(jt,
-U.length-1),fe=L.min==null?u_(U,J,ae,G,v.distr==3):[L.min,L.max];v.min=_i(v.min,L.min=fe[0]),v.max=Un(v.max,L.max=fe[1])}}let je={min:null,max:null};function dt(){
-for(let U in M){let G=M[U];W[U]==null&&(G.min==null||W[S]!=null&&G.auto(n,fs))&&(W[U]=je)}for(let U in M){let G=M[U];W[U]==null&&G.from!=null&&W[G.from]!=null&&
-(W[U]=je)}W[S]!=null&&ct(!0);let v={};for(let U in W){let G=W[U];if(G!=null){let J=v[U]=wr(M[U],v_);if(G.min!=null)on(J,G);else if(U!=S||s==2)if($t==0&&J.from==
-null){let ae=J.range(n,null,null,U);J.min=ae[0],J.max=ae[1]}else J.min=Nt,J.max=-Nt}}if($t>0){_.forEach((U,G)=>{if(s==1){let J=U.scale,ae=W[J];if(ae==null)return;
-let fe=v[J];if(G==0){let ve=fe.range(n,fe.min,fe.max,J);fe.min=ve[0],fe.max=ve[1],Kt=gi(fe.min,e[0]),jt=gi(fe.max,e[0]),jt-Kt>1&&(e[0][Kt]<fe.min&&Kt++,e[0][jt]>
-fe.max&&jt--),U.min=Wn[Kt],U.max=Wn[jt]}else U.show&&U.auto&&ke(fe,ae,U,e[G],U.sorted);U.idxs[0]=Kt,U.idxs[1]=jt}else if(G>0&&U.show&&U.auto){let[J,ae]=U.facets,
-fe=J.scale,ve=ae.scale,[Ne,De]=e[G],Fe=v[fe],tt=v[ve];Fe!=null&&ke(Fe,W[fe],J,Ne,J.sorted),tt!=null&&ke(tt,W[ve],ae,De,ae.sorted),U.min=ae.min,U.max=ae.max}});for(let U in v){
-let G=v[U],J=W[U];if(G.from==null&&(J==null||J.min==null)){let ae=G.range(n,G.min==Nt?null:G.min,G.max==-Nt?null:G.max,U);G.min=ae[0],G.max=ae[1]}}}for(let U in v){
-let G=v[U];if(G.from!=null){let J=v[G.from];if(J.min==null)G.min=G.max=null;else{let ae=G.range(n,J.min,J.max,U);G.min=ae[0],G.max=ae[1]}}}let A={},L=!1;for(let U in v){
-let G=v[U],J=M[U];if(J.min!=G.min||J.max!=G.max){J.min=G.min,J.max=G.max;let ae=J.distr;J._min=ae==3?Zi(J.min):ae==4?yh(J.min,J.asinh):ae==100?J.fwd(J.min):J.min,
-J._max=ae==3?Zi(J.max):ae==4?yh(J.max,J.asinh):ae==100?J.fwd(J.max):J.max,A[U]=L=!0}}if(L){_.forEach((U,G)=>{s==2?G>0&&A.y&&(U._paths=null):A[U.scale]&&(U._paths=
-null)});for(let U in A)ye=!0,yn("setScale",U);me&&ue.left>=0&&(te=pe=!0)}for(let U in W)W[U]=null}function Be(v){let A=Eh(Kt-1,0,$t-1),L=Eh(jt+1,0,$t-1);for(;v[A]==
-null&&A>0;)A--;for(;v[L]==null&&L<$t-1;)L++;return[A,L]}function ft(){if($t>0){let v=_.some(A=>A._focus)&&Pe!=Oe.alpha;v&&(u.globalAlpha=Pe=Oe.alpha),_.forEach(
-(A,L)=>{if(L>0&&A.show&&(Xt(L,!1),Xt(L,!0),A._paths==null)){let U=Pe;Pe!=A.alpha&&(u.globalAlpha=Pe=A.alpha);let G=s==2?[0,e[L][0].length-1]:Be(e[L]);A._paths=A.
-paths(n,L,G[0],G[1]),Pe!=U&&(u.globalAlpha=Pe=U)}}),_.forEach((A,L)=>{if(L>0&&A.show){let U=Pe;Pe!=A.alpha&&(u.globalAlpha=Pe=A.alpha),A._paths!=null&&Et(L,!1);
-{let G=A._paths!=null?A._paths.gaps:null,J=A.points.show(n,L,Kt,jt,G),ae=A.points.filter(n,L,J,G);(J||ae)&&(A.points._paths=A.points.paths(n,L,Kt,jt,ae),Et(L,!0))}
-Pe!=U&&(u.globalAlpha=Pe=U),yn("drawSeries",L)}}),v&&(u.globalAlpha=Pe=1)}}function Xt(v,A){let L=A?_[v].points:_[v];L._stroke=L.stroke(n,v),L._fill=L.fill(n,v)}
-function Et(v,A){let L=A?_[v].points:_[v],{stroke:U,fill:G,clip:J,flags:ae,_stroke:fe=L._stroke,_fill:ve=L._fill,_width:Ne=L.width}=L._paths;Ne=Dt(Ne*wt,3);let De=null,
-Fe=Ne%2/2;A&&ve==null&&(ve=Ne>0?"#fff":fe);let tt=L.pxAlign==1&&Fe>0;if(tt&&u.translate(Fe,Fe),!A){let St=P-Ne/2,Mt=T-Ne/2,pt=q+Ne,Ye=he+Ne;De=new Path2D,De.rect(
-St,Mt,pt,Ye)}A?Ue(fe,Ne,L.dash,L.cap,ve,U,G,ae,J):Ct(v,fe,Ne,L.dash,L.cap,ve,U,G,ae,De,J),tt&&u.translate(-Fe,-Fe)}function Ct(v,A,L,U,G,J,ae,fe,ve,Ne,De){let Fe=!1;
+idxs:null,Wn=null,fs=!1;function mo(v,A){if(e=v??[],n.data=n._data=e,s==2){$t=0;for(let N=1;N<_.length;N++)$t+=e[N][0].length}else{e.length==0&&(n.data=n._data=
+e=[[]]),Wn=e[0],$t=Wn.length;let N=e;if(F==2){N=e.slice();let U=N[0]=Array($t);for(let H=0;H<$t;H++)U[H]=H}n._data=e=N}if(ct(!0),yn("setData"),F==2&&(ye=!0),A!==
+!1){let N=P;N.auto(n,fs)?go():gs(T,N.min,N.max),te=te||ue.left>=0,pe=!0,Tn()}}n.setData=mo;function go(){fs=!0;let v,A;s==1&&($t>0?(Kt=Ei[0]=0,jt=Ei[1]=$t-1,v=e[0][Kt],
+A=e[0][jt],F==2?(v=Kt,A=jt):v==A&&(F==3?[v,A]=Ba(v,v,P.log,!1):F==4?[v,A]=Fh(v,v,P.log,!1):P.time?A=v+un(86400/g):[v,A]=Ua(v,A,Oh,!0))):(Kt=Ei[0]=v=null,jt=Ei[1]=
+A=null)),gs(T,v,A)}let cr,ps,hr,E,k,j,$,Z,Te,Pe;function Ae(v,A,N,U,H,J){v??=tf,N??=kh,U??="butt",H??=tf,J??="round",v!=cr&&(u.strokeStyle=cr=v),H!=ps&&(u.fillStyle=
+ps=H),A!=hr&&(u.lineWidth=hr=A),J!=k&&(u.lineJoin=k=J),U!=j&&(u.lineCap=j=U),N!=E&&u.setLineDash(E=N)}function Ie(v,A,N,U){A!=ps&&(u.fillStyle=ps=A),v!=$&&(u.font=
+$=v),N!=Z&&(u.textAlign=Z=N),U!=Te&&(u.textBaseline=Te=U)}function ke(v,A,N,U,H=0){if(U.length>0&&v.auto(n,fs)&&(A==null||A.min==null)){let J=bt(Kt,0),ae=bt(jt,
+U.length-1),fe=N.min==null?u_(U,J,ae,H,v.distr==3):[N.min,N.max];v.min=_i(v.min,N.min=fe[0]),v.max=Un(v.max,N.max=fe[1])}}let je={min:null,max:null};function dt(){
+for(let U in M){let H=M[U];G[U]==null&&(H.min==null||G[T]!=null&&H.auto(n,fs))&&(G[U]=je)}for(let U in M){let H=M[U];G[U]==null&&H.from!=null&&G[H.from]!=null&&
+(G[U]=je)}G[T]!=null&&ct(!0);let v={};for(let U in G){let H=G[U];if(H!=null){let J=v[U]=wr(M[U],v_);if(H.min!=null)on(J,H);else if(U!=T||s==2)if($t==0&&J.from==
+null){let ae=J.range(n,null,null,U);J.min=ae[0],J.max=ae[1]}else J.min=Nt,J.max=-Nt}}if($t>0){_.forEach((U,H)=>{if(s==1){let J=U.scale,ae=G[J];if(ae==null)return;
+let fe=v[J];if(H==0){let ve=fe.range(n,fe.min,fe.max,J);fe.min=ve[0],fe.max=ve[1],Kt=gi(fe.min,e[0]),jt=gi(fe.max,e[0]),jt-Kt>1&&(e[0][Kt]<fe.min&&Kt++,e[0][jt]>
+fe.max&&jt--),U.min=Wn[Kt],U.max=Wn[jt]}else U.show&&U.auto&&ke(fe,ae,U,e[H],U.sorted);U.idxs[0]=Kt,U.idxs[1]=jt}else if(H>0&&U.show&&U.auto){let[J,ae]=U.facets,
+fe=J.scale,ve=ae.scale,[Ne,De]=e[H],Fe=v[fe],tt=v[ve];Fe!=null&&ke(Fe,G[fe],J,Ne,J.sorted),tt!=null&&ke(tt,G[ve],ae,De,ae.sorted),U.min=ae.min,U.max=ae.max}});for(let U in v){
+let H=v[U],J=G[U];if(H.from==null&&(J==null||J.min==null)){let ae=H.range(n,H.min==Nt?null:H.min,H.max==-Nt?null:H.max,U);H.min=ae[0],H.max=ae[1]}}}for(let U in v){
+let H=v[U];if(H.from!=null){let J=v[H.from];if(J.min==null)H.min=H.max=null;else{let ae=H.range(n,J.min,J.max,U);H.min=ae[0],H.max=ae[1]}}}let A={},N=!1;for(let U in v){
+let H=v[U],J=M[U];if(J.min!=H.min||J.max!=H.max){J.min=H.min,J.max=H.max;let ae=J.distr;J._min=ae==3?Zi(J.min):ae==4?yh(J.min,J.asinh):ae==100?J.fwd(J.min):J.min,
+J._max=ae==3?Zi(J.max):ae==4?yh(J.max,J.asinh):ae==100?J.fwd(J.max):J.max,A[U]=N=!0}}if(N){_.forEach((U,H)=>{s==2?H>0&&A.y&&(U._paths=null):A[U.scale]&&(U._paths=
+null)});for(let U in A)ye=!0,yn("setScale",U);me&&ue.left>=0&&(te=pe=!0)}for(let U in G)G[U]=null}function Be(v){let A=Eh(Kt-1,0,$t-1),N=Eh(jt+1,0,$t-1);for(;v[A]==
+null&&A>0;)A--;for(;v[N]==null&&N<$t-1;)N++;return[A,N]}function ft(){if($t>0){let v=_.some(A=>A._focus)&&Pe!=Oe.alpha;v&&(u.globalAlpha=Pe=Oe.alpha),_.forEach(
+(A,N)=>{if(N>0&&A.show&&(Xt(N,!1),Xt(N,!0),A._paths==null)){let U=Pe;Pe!=A.alpha&&(u.globalAlpha=Pe=A.alpha);let H=s==2?[0,e[N][0].length-1]:Be(e[N]);A._paths=A.
+paths(n,N,H[0],H[1]),Pe!=U&&(u.globalAlpha=Pe=U)}}),_.forEach((A,N)=>{if(N>0&&A.show){let U=Pe;Pe!=A.alpha&&(u.globalAlpha=Pe=A.alpha),A._paths!=null&&Et(N,!1);
+{let H=A._paths!=null?A._paths.gaps:null,J=A.points.show(n,N,Kt,jt,H),ae=A.points.filter(n,N,J,H);(J||ae)&&(A.points._paths=A.points.paths(n,N,Kt,jt,ae),Et(N,!0))}
+Pe!=U&&(u.globalAlpha=Pe=U),yn("drawSeries",N)}}),v&&(u.globalAlpha=Pe=1)}}function Xt(v,A){let N=A?_[v].points:_[v];N._stroke=N.stroke(n,v),N._fill=N.fill(n,v)}
+function Et(v,A){let N=A?_[v].points:_[v],{stroke:U,fill:H,clip:J,flags:ae,_stroke:fe=N._stroke,_fill:ve=N._fill,_width:Ne=N.width}=N._paths;Ne=Dt(Ne*wt,3);let De=null,
+Fe=Ne%2/2;A&&ve==null&&(ve=Ne>0?"#fff":fe);let tt=N.pxAlign==1&&Fe>0;if(tt&&u.translate(Fe,Fe),!A){let St=I-Ne/2,Mt=w-Ne/2,pt=q+Ne,Ye=he+Ne;De=new Path2D,De.rect(
+St,Mt,pt,Ye)}A?Ue(fe,Ne,N.dash,N.cap,ve,U,H,ae,J):Ct(v,fe,Ne,N.dash,N.cap,ve,U,H,ae,De,J),tt&&u.translate(-Fe,-Fe)}function Ct(v,A,N,U,H,J,ae,fe,ve,Ne,De){let Fe=!1;
 ve!=0&&C.forEach((tt,St)=>{if(tt.series[0]==v){let Mt=_[tt.series[1]],pt=e[tt.series[1]],Ye=(Mt._paths||Ao).band;ys(Ye)&&(Ye=tt.dir==1?Ye[0]:Ye[1]);let We,kt=null;
-Mt.show&&Ye&&f_(pt,Kt,jt)?(kt=tt.fill(n,St)||J,We=Mt._paths.clip):Ye=null,Ue(A,L,U,G,kt,ae,fe,ve,Ne,De,We,Ye),Fe=!0}}),Fe||Ue(A,L,U,G,J,ae,fe,ve,Ne,De)}let hn=Tr|
-Ph;function Ue(v,A,L,U,G,J,ae,fe,ve,Ne,De,Fe){Ae(v,A,L,U,G),(ve||Ne||Fe)&&(u.save(),ve&&u.clip(ve),Ne&&u.clip(Ne)),Fe?(fe&hn)==hn?(u.clip(Fe),De&&u.clip(De),mt(
-G,ae),tn(v,J,A)):fe&Ph?(mt(G,ae),u.clip(Fe),tn(v,J,A)):fe&Tr&&(u.save(),u.clip(Fe),De&&u.clip(De),mt(G,ae),u.restore(),tn(v,J,A)):(mt(G,ae),tn(v,J,A)),(ve||Ne||
-Fe)&&u.restore()}function tn(v,A,L){L>0&&(A instanceof Map?A.forEach((U,G)=>{u.strokeStyle=cr=G,u.stroke(U)}):A!=null&&v&&u.stroke(A))}function mt(v,A){A instanceof
-Map?A.forEach((L,U)=>{u.fillStyle=ps=U,u.fill(L)}):A!=null&&v&&u.fill(A)}function qi(v,A,L,U){let G=w[v],J;if(U<=0)J=[0,0];else{let ae=G._space=G.space(n,v,A,L,
-U),fe=G._incrs=G.incrs(n,v,A,L,U,ae);J=Dx(A,L,fe,U,ae)}return G._found=J}function nn(v,A,L,U,G,J,ae,fe,ve,Ne){let De=ae%2/2;y==1&&u.translate(De,De),Ae(fe,ae,ve,
-Ne,fe),u.beginPath();let Fe,tt,St,Mt,pt=G+(U==0||U==3?-J:J);L==0?(tt=G,Mt=pt):(Fe=G,St=pt);for(let Ye=0;Ye<v.length;Ye++)A[Ye]!=null&&(L==0?Fe=St=v[Ye]:tt=Mt=v[Ye],
-u.moveTo(Fe,tt),u.lineTo(St,Mt));u.stroke(),y==1&&u.translate(-De,-De)}function ur(v){let A=!0;return w.forEach((L,U)=>{if(!L.show)return;let G=M[L.scale];if(G.
-min==null){L._show&&(A=!1,L._show=!1,ct(!1));return}else L._show||(A=!1,L._show=!0,ct(!1));let J=L.side,ae=J%2,{min:fe,max:ve}=G,[Ne,De]=qi(U,fe,ve,ae==0?B:Re);
-if(De==0)return;let Fe=G.distr==2,tt=L._splits=L.splits(n,U,fe,ve,Ne,De,Fe),St=G.distr==2?tt.map(We=>Wn[We]):tt,Mt=G.distr==2?Wn[tt[1]]-Wn[tt[0]]:Ne,pt=L._values=
-L.values(n,L.filter(n,St,U,De,Mt),U,De,Mt);L._rotate=J==2?L.rotate(n,pt,U,De):0;let Ye=L._size;L._size=oi(L.size(n,pt,U,v)),Ye!=null&&L._size!=Ye&&(A=!1)}),A}function Ci(v){
-let A=!0;return po.forEach((L,U)=>{let G=L(n,U,Ai,v);G!=di[U]&&(A=!1),di[U]=G}),A}function $i(){for(let v=0;v<w.length;v++){let A=w[v];if(!A.show||!A._show)continue;
-let L=A.side,U=L%2,G,J,ae=A.stroke(n,v),fe=L==0||L==3?-1:1,[ve,Ne]=A._found;if(A.label!=null){let Nn=A.labelGap*fe,$n=un((A._lpos+Nn)*wt);Ie(A.labelFont[0],ae,"\
-center",L==2?"top":ef),u.save(),U==1?(G=J=0,u.translate($n,un(T+he/2)),u.rotate((L==3?-Na:Na)/2)):(G=un(P+q/2),J=$n);let Gs=Wf(A.label)?A.label(n,v,ve,Ne):A.label;
-u.fillText(Gs,G,J),u.restore()}if(Ne==0)continue;let De=M[A.scale],Fe=U==0?q:he,tt=U==0?P:T,St=A._splits,Mt=De.distr==2?St.map(Nn=>Wn[Nn]):St,pt=De.distr==2?Wn[St[1]]-
+Mt.show&&Ye&&f_(pt,Kt,jt)?(kt=tt.fill(n,St)||J,We=Mt._paths.clip):Ye=null,Ue(A,N,U,H,kt,ae,fe,ve,Ne,De,We,Ye),Fe=!0}}),Fe||Ue(A,N,U,H,J,ae,fe,ve,Ne,De)}let hn=Tr|
+Ph;function Ue(v,A,N,U,H,J,ae,fe,ve,Ne,De,Fe){Ae(v,A,N,U,H),(ve||Ne||Fe)&&(u.save(),ve&&u.clip(ve),Ne&&u.clip(Ne)),Fe?(fe&hn)==hn?(u.clip(Fe),De&&u.clip(De),mt(
+H,ae),tn(v,J,A)):fe&Ph?(mt(H,ae),u.clip(Fe),tn(v,J,A)):fe&Tr&&(u.save(),u.clip(Fe),De&&u.clip(De),mt(H,ae),u.restore(),tn(v,J,A)):(mt(H,ae),tn(v,J,A)),(ve||Ne||
+Fe)&&u.restore()}function tn(v,A,N){N>0&&(A instanceof Map?A.forEach((U,H)=>{u.strokeStyle=cr=H,u.stroke(U)}):A!=null&&v&&u.stroke(A))}function mt(v,A){A instanceof
+Map?A.forEach((N,U)=>{u.fillStyle=ps=U,u.fill(N)}):A!=null&&v&&u.fill(A)}function qi(v,A,N,U){let H=S[v],J;if(U<=0)J=[0,0];else{let ae=H._space=H.space(n,v,A,N,
+U),fe=H._incrs=H.incrs(n,v,A,N,U,ae);J=Dx(A,N,fe,U,ae)}return H._found=J}function nn(v,A,N,U,H,J,ae,fe,ve,Ne){let De=ae%2/2;y==1&&u.translate(De,De),Ae(fe,ae,ve,
+Ne,fe),u.beginPath();let Fe,tt,St,Mt,pt=H+(U==0||U==3?-J:J);N==0?(tt=H,Mt=pt):(Fe=H,St=pt);for(let Ye=0;Ye<v.length;Ye++)A[Ye]!=null&&(N==0?Fe=St=v[Ye]:tt=Mt=v[Ye],
+u.moveTo(Fe,tt),u.lineTo(St,Mt));u.stroke(),y==1&&u.translate(-De,-De)}function ur(v){let A=!0;return S.forEach((N,U)=>{if(!N.show)return;let H=M[N.scale];if(H.
+min==null){N._show&&(A=!1,N._show=!1,ct(!1));return}else N._show||(A=!1,N._show=!0,ct(!1));let J=N.side,ae=J%2,{min:fe,max:ve}=H,[Ne,De]=qi(U,fe,ve,ae==0?B:Re);
+if(De==0)return;let Fe=H.distr==2,tt=N._splits=N.splits(n,U,fe,ve,Ne,De,Fe),St=H.distr==2?tt.map(We=>Wn[We]):tt,Mt=H.distr==2?Wn[tt[1]]-Wn[tt[0]]:Ne,pt=N._values=
+N.values(n,N.filter(n,St,U,De,Mt),U,De,Mt);N._rotate=J==2?N.rotate(n,pt,U,De):0;let Ye=N._size;N._size=oi(N.size(n,pt,U,v)),Ye!=null&&N._size!=Ye&&(A=!1)}),A}function Ci(v){
+let A=!0;return po.forEach((N,U)=>{let H=N(n,U,Ai,v);H!=di[U]&&(A=!1),di[U]=H}),A}function $i(){for(let v=0;v<S.length;v++){let A=S[v];if(!A.show||!A._show)continue;
+let N=A.side,U=N%2,H,J,ae=A.stroke(n,v),fe=N==0||N==3?-1:1,[ve,Ne]=A._found;if(A.label!=null){let Nn=A.labelGap*fe,$n=un((A._lpos+Nn)*wt);Ie(A.labelFont[0],ae,"\
+center",N==2?"top":ef),u.save(),U==1?(H=J=0,u.translate($n,un(w+he/2)),u.rotate((N==3?-Na:Na)/2)):(H=un(I+q/2),J=$n);let Gs=Wf(A.label)?A.label(n,v,ve,Ne):A.label;
+u.fillText(Gs,H,J),u.restore()}if(Ne==0)continue;let De=M[A.scale],Fe=U==0?q:he,tt=U==0?I:w,St=A._splits,Mt=De.distr==2?St.map(Nn=>Wn[Nn]):St,pt=De.distr==2?Wn[St[1]]-
 Wn[St[0]]:ve,Ye=A.ticks,We=A.border,kt=Ye.show?Ye.size:0,Zt=un(kt*wt),vn=un((A.alignTo==2?A._size-kt-A.gap:A.gap)*wt),It=A._rotate*-Na/180,Jt=p(A._pos*wt),Xn=(Zt+
-vn)*fe,Ln=Jt+Xn;J=U==0?Ln:0,G=U==1?Ln:0;let ii=A.font[0],fi=A.align==1?yr:A.align==2?gh:It>0?yr:It<0?gh:U==0?"center":L==3?gh:yr,Ii=It||U==1?"middle":L==2?"top":
-ef;Ie(ii,ae,fi,Ii);let qn=A.font[1]*A.lineGap,si=St.map(Nn=>p(a(Nn,De,Fe,tt))),pi=A._values;for(let Nn=0;Nn<pi.length;Nn++){let $n=pi[Nn];if($n!=null){U==0?G=si[Nn]:
-J=si[Nn],$n=""+$n;let Gs=$n.indexOf("\n")==-1?[$n]:$n.split(/\n/gm);for(let Dn=0;Dn<Gs.length;Dn++){let Zd=Gs[Dn];It?(u.save(),u.translate(G,J+Dn*qn),u.rotate(It),
-u.fillText(Zd,0,0),u.restore()):u.fillText(Zd,G,J+Dn*qn)}}}Ye.show&&nn(si,Ye.filter(n,Mt,v,Ne,pt),U,L,Jt,Zt,Dt(Ye.width*wt,3),Ye.stroke(n,v),Ye.dash,Ye.cap);let Li=A.
-grid;Li.show&&nn(si,Li.filter(n,Mt,v,Ne,pt),U,U==0?2:1,U==0?T:P,U==0?he:q,Dt(Li.width*wt,3),Li.stroke(n,v),Li.dash,Li.cap),We.show&&nn([Jt],[1],U==0?1:0,U==0?1:
-2,U==1?T:P,U==1?he:q,Dt(We.width*wt,3),We.stroke(n,v),We.dash,We.cap)}yn("drawAxes")}function ct(v){_.forEach((A,L)=>{L>0&&(A._paths=null,v&&(s==1?(A.min=null,A.
+vn)*fe,Ln=Jt+Xn;J=U==0?Ln:0,H=U==1?Ln:0;let ii=A.font[0],fi=A.align==1?yr:A.align==2?gh:It>0?yr:It<0?gh:U==0?"center":N==3?gh:yr,Ii=It||U==1?"middle":N==2?"top":
+ef;Ie(ii,ae,fi,Ii);let qn=A.font[1]*A.lineGap,si=St.map(Nn=>p(a(Nn,De,Fe,tt))),pi=A._values;for(let Nn=0;Nn<pi.length;Nn++){let $n=pi[Nn];if($n!=null){U==0?H=si[Nn]:
+J=si[Nn],$n=""+$n;let Gs=$n.indexOf("\n")==-1?[$n]:$n.split(/\n/gm);for(let Dn=0;Dn<Gs.length;Dn++){let Zd=Gs[Dn];It?(u.save(),u.translate(H,J+Dn*qn),u.rotate(It),
+u.fillText(Zd,0,0),u.restore()):u.fillText(Zd,H,J+Dn*qn)}}}Ye.show&&nn(si,Ye.filter(n,Mt,v,Ne,pt),U,N,Jt,Zt,Dt(Ye.width*wt,3),Ye.stroke(n,v),Ye.dash,Ye.cap);let Li=A.
+grid;Li.show&&nn(si,Li.filter(n,Mt,v,Ne,pt),U,U==0?2:1,U==0?w:I,U==0?he:q,Dt(Li.width*wt,3),Li.stroke(n,v),Li.dash,Li.cap),We.show&&nn([Jt],[1],U==0?1:0,U==0?1:
+2,U==1?w:I,U==1?he:q,Dt(We.width*wt,3),We.stroke(n,v),We.dash,We.cap)}yn("drawAxes")}function ct(v){_.forEach((A,N)=>{N>0&&(A._paths=null,v&&(s==1?(A.min=null,A.
 max=null):A.facets.forEach(U=>{U.min=null,U.max=null})))})}let Yt=!1,In=!1,Rt=[];function sn(){In=!1;for(let v=0;v<Rt.length;v++)yn(...Rt[v]);Rt.length=0}function Tn(){
 Yt||(E_(Id),Yt=!0)}function Ea(v,A=!1){Yt=!0,In=A,v(n),Id(),A&&Rt.length>0&&queueMicrotask(sn)}n.batch=Ea;function Id(){if(oe&&(dt(),oe=!1),ye&&(we(),ye=!1),_e){
 if(zt(f,yr,qe),zt(f,"top",it),zt(f,bo,B),zt(f,So,Re),zt(m,yr,qe),zt(m,"top",it),zt(m,bo,B),zt(m,So,Re),zt(h,bo,qt),zt(h,So,en),d.width=un(qt*wt),d.height=un(en*
-wt),w.forEach(({_el:v,_show:A,_size:L,_pos:U,side:G})=>{if(v!=null)if(A){let J=G===3||G===0?L:0,ae=G%2==1;zt(v,ae?"left":"top",U-J),zt(v,ae?"width":"height",L),
+wt),S.forEach(({_el:v,_show:A,_size:N,_pos:U,side:H})=>{if(v!=null)if(A){let J=H===3||H===0?N:0,ae=H%2==1;zt(v,ae?"left":"top",U-J),zt(v,ae?"width":"height",N),
 zt(v,ae?"top":"left",ae?it:qe),zt(v,ae?"height":"width",ae?Re:B),Th(v,Xs)}else Yn(v,Xs)}),cr=ps=hr=k=j=$=Z=Te=E=null,Pe=1,yo(!0),qe!=Se||it!=Lt||B!=ze||Re!=Xe){
-ct(!1);let v=B/ze,A=Re/Xe;if(me&&!te&&ue.left>=0){ue.left*=v,ue.top*=A,dr&&Ni(dr,un(ue.left),0,B,Re),fr&&Ni(fr,0,un(ue.top),B,Re);for(let L=0;L<rt.length;L++){let U=rt[L];
-U!=null&&(Ft[L]*=v,Pn[L]*=A,Ni(U,oi(Ft[L]),oi(Pn[L]),B,Re))}}if(Bt.show&&!ie&&Bt.left>=0&&Bt.width>0){Bt.left*=v,Bt.width*=v,Bt.top*=A,Bt.height*=A;for(let L in dh)
-zt(gr,L,Bt[L])}Se=qe,Lt=it,ze=B,Xe=Re}yn("setSize"),_e=!1}qt>0&&en>0&&(u.clearRect(0,0,d.width,d.height),yn("drawClear"),b.forEach(v=>v()),yn("draw")),Bt.show&&
+ct(!1);let v=B/ze,A=Re/Xe;if(me&&!te&&ue.left>=0){ue.left*=v,ue.top*=A,dr&&Ni(dr,un(ue.left),0,B,Re),fr&&Ni(fr,0,un(ue.top),B,Re);for(let N=0;N<ot.length;N++){let U=ot[N];
+U!=null&&(Ft[N]*=v,Pn[N]*=A,Ni(U,oi(Ft[N]),oi(Pn[N]),B,Re))}}if(Bt.show&&!ie&&Bt.left>=0&&Bt.width>0){Bt.left*=v,Bt.width*=v,Bt.top*=A,Bt.height*=A;for(let N in dh)
+zt(gr,N,Bt[N])}Se=qe,Lt=it,ze=B,Xe=Re}yn("setSize"),_e=!1}qt>0&&en>0&&(u.clearRect(0,0,d.width,d.height),yn("drawClear"),b.forEach(v=>v()),yn("draw")),Bt.show&&
 ie&&(Ca(Bt),ie=!1),me&&te&&(Vs(null,!0,!1),te=!1),de.show&&de.live&&pe&&(hh(),pe=!1),l||(l=!0,n.status=1,yn("ready")),fs=!1,Yt=!1}n.redraw=(v,A)=>{ye=A||!1,v!==
-!1?gs(S,I.min,I.max):Tn()};function ah(v,A){let L=M[v];if(L.from==null){if($t==0){let U=L.range(n,A.min,A.max,v);A.min=U[0],A.max=U[1]}if(A.min>A.max){let U=A.min;
-A.min=A.max,A.max=U}if($t>1&&A.min!=null&&A.max!=null&&A.max-A.min<1e-16)return;v==S&&L.distr==2&&$t>0&&(A.min=gi(A.min,e[0]),A.max=gi(A.max,e[0]),A.min==A.max&&
-A.max++),W[v]=A,oe=!0,Tn()}}n.setScale=ah;let lh,ch,dr,fr,Ld,Nd,pr,mr,Dd,Ud,Ot,Ht,ms=!1,Sn=ue.drag,_n=Sn.x,xn=Sn.y;me&&(ue.x&&(lh=ri(K0,m)),ue.y&&(ch=ri(j0,m)),
-I.ori==0?(dr=lh,fr=ch):(dr=ch,fr=lh),Ot=ue.left,Ht=ue.top);let Bt=n.select=on({show:!0,over:!0,left:0,width:0,top:0,height:0},i.select),gr=Bt.show?ri(J0,Bt.over?
-m:f):null;function Ca(v,A){if(Bt.show){for(let L in v)Bt[L]=v[L],L in dh&&zt(gr,L,v[L]);A!==!1&&yn("setSelect")}}n.setSelect=Ca;function E0(v){if(_[v].show)ee&&
-Th(nt[v],Xs);else if(ee&&Yn(nt[v],Xs),me){let L=Ce?rt[0]:rt[v];L!=null&&Ni(L,-10,-10,B,Re)}}function gs(v,A,L){ah(v,{min:A,max:L})}function Ri(v,A,L,U){A.focus!=
-null&&L0(v),A.show!=null&&_.forEach((G,J)=>{J>0&&(v==J||v==null)&&(G.show=A.show,E0(J),s==2?(gs(G.facets[0].scale,null,null),gs(G.facets[1].scale,null,null)):gs(
-G.scale,null,null),Tn())}),L!==!1&&yn("setSeries",v,A),U&&vo("setSeries",n,v,A)}n.setSeries=Ri;function C0(v,A){on(C[v],A)}function R0(v,A){v.fill=gt(v.fill||null),
+!1?gs(T,P.min,P.max):Tn()};function ah(v,A){let N=M[v];if(N.from==null){if($t==0){let U=N.range(n,A.min,A.max,v);A.min=U[0],A.max=U[1]}if(A.min>A.max){let U=A.min;
+A.min=A.max,A.max=U}if($t>1&&A.min!=null&&A.max!=null&&A.max-A.min<1e-16)return;v==T&&N.distr==2&&$t>0&&(A.min=gi(A.min,e[0]),A.max=gi(A.max,e[0]),A.min==A.max&&
+A.max++),G[v]=A,oe=!0,Tn()}}n.setScale=ah;let lh,ch,dr,fr,Ld,Nd,pr,mr,Dd,Ud,Ot,Ht,ms=!1,Sn=ue.drag,_n=Sn.x,xn=Sn.y;me&&(ue.x&&(lh=ri(K0,m)),ue.y&&(ch=ri(j0,m)),
+P.ori==0?(dr=lh,fr=ch):(dr=ch,fr=lh),Ot=ue.left,Ht=ue.top);let Bt=n.select=on({show:!0,over:!0,left:0,width:0,top:0,height:0},i.select),gr=Bt.show?ri(J0,Bt.over?
+m:f):null;function Ca(v,A){if(Bt.show){for(let N in v)Bt[N]=v[N],N in dh&&zt(gr,N,v[N]);A!==!1&&yn("setSelect")}}n.setSelect=Ca;function E0(v){if(_[v].show)ee&&
+Th(nt[v],Xs);else if(ee&&Yn(nt[v],Xs),me){let N=Ce?ot[0]:ot[v];N!=null&&Ni(N,-10,-10,B,Re)}}function gs(v,A,N){ah(v,{min:A,max:N})}function Ri(v,A,N,U){A.focus!=
+null&&L0(v),A.show!=null&&_.forEach((H,J)=>{J>0&&(v==J||v==null)&&(H.show=A.show,E0(J),s==2?(gs(H.facets[0].scale,null,null),gs(H.facets[1].scale,null,null)):gs(
+H.scale,null,null),Tn())}),N!==!1&&yn("setSeries",v,A),U&&vo("setSeries",n,v,A)}n.setSeries=Ri;function C0(v,A){on(C[v],A)}function R0(v,A){v.fill=gt(v.fill||null),
 v.dir=bt(v.dir,-1),A=A??C.length,C.splice(A,0,v)}function P0(v){v==null?C.length=0:C.splice(v,1)}n.addBand=R0,n.setBand=C0,n.delBand=P0;function I0(v,A){_[v].alpha=
-A,me&&rt[v]!=null&&(rt[v].style.opacity=A),ee&&nt[v]&&(nt[v].style.opacity=A)}let Yi,_s,zs,_r={focus:!0};function L0(v){if(v!=zs){let A=v==null,L=Oe.alpha!=1;_.
-forEach((U,G)=>{if(s==1||G>0){let J=A||G==0||G==v;U._focus=A?null:J,L&&I0(G,J?1:Oe.alpha)}}),zs=v,L&&Tn()}}ee&&Je&&vt(rf,Ee,v=>{ue._lock||(Ze(v),zs!=null&&Ri(null,
-_r,!0,rn.setSeries))});function Pi(v,A,L){let U=M[A];L&&(v=v/wt-(U.ori==1?it:qe));let G=B;U.ori==1&&(G=Re,v=G-v),U.dir==-1&&(v=G-v);let J=U._min,ae=U._max,fe=v/
-G,ve=J+(ae-J)*fe,Ne=U.distr;return Ne==3?br(10,ve):Ne==4?m_(ve,U.asinh):Ne==100?U.bwd(ve):ve}function N0(v,A){let L=Pi(v,S,A);return gi(L,e[0],Kt,jt)}n.valToIdx=
-v=>gi(v,e[0]),n.posToIdx=N0,n.posToVal=Pi,n.valToPos=(v,A,L)=>M[A].ori==0?r(v,M[A],L?q:B,L?P:0):o(v,M[A],L?he:Re,L?T:0),n.setCursor=(v,A,L)=>{Ot=v.left,Ht=v.top,
-Vs(null,A,L)};function Fd(v,A){zt(gr,yr,Bt.left=v),zt(gr,bo,Bt.width=A)}function Od(v,A){zt(gr,"top",Bt.top=v),zt(gr,So,Bt.height=A)}let _o=I.ori==0?Fd:Od,xo=I.
-ori==1?Fd:Od;function D0(){if(ee&&de.live)for(let v=s==2?1:0;v<_.length;v++){if(v==0&&lt)continue;let A=de.values[v],L=0;for(let U in A)Ve[v][L++].firstChild.nodeValue=
-A[U]}}function hh(v,A){if(v!=null&&(v.idxs?v.idxs.forEach((L,U)=>{se[U]=L}):y_(v.idx)||se.fill(v.idx),de.idx=se[0]),ee&&de.live){for(let L=0;L<_.length;L++)(L>0||
-s==1&&!lt)&&U0(L,se[L]);D0()}pe=!1,A!==!1&&yn("setLegend")}n.setLegend=hh;function U0(v,A){let L=_[v],U=v==0&&F==2?Wn:e[v],G;lt?G=L.values(n,v,A)??et:(G=L.value(
-n,A==null?null:U[A],v,A),G=G==null?et:{_:G}),de.values[v]=G}function Vs(v,A,L){Dd=Ot,Ud=Ht,[Ot,Ht]=ue.move(n,Ot,Ht),ue.left=Ot,ue.top=Ht,me&&(dr&&Ni(dr,un(Ot),0,
-B,Re),fr&&Ni(fr,0,un(Ht),B,Re));let U,G=Kt>jt;Yi=Nt,_s=null;let J=I.ori==0?B:Re,ae=I.ori==1?B:Re;if(Ot<0||$t==0||G){U=ue.idx=null;for(let fe=0;fe<_.length;fe++){
-let ve=rt[fe];ve!=null&&Ni(ve,-10,-10,B,Re)}Je&&Ri(null,_r,!0,v==null&&rn.setSeries),de.live&&(se.fill(U),pe=!0)}else{let fe,ve,Ne;s==1&&(fe=I.ori==0?Ot:Ht,ve=Pi(
-fe,S),U=ue.idx=gi(ve,e[0],Kt,jt),Ne=z(e[0][U],I,J,0));let De=-10,Fe=-10,tt=0,St=0,Mt=!0,pt="",Ye="";for(let We=s==2?1:0;We<_.length;We++){let kt=_[We],Zt=se[We],
+A,me&&ot[v]!=null&&(ot[v].style.opacity=A),ee&&nt[v]&&(nt[v].style.opacity=A)}let Yi,_s,zs,_r={focus:!0};function L0(v){if(v!=zs){let A=v==null,N=Oe.alpha!=1;_.
+forEach((U,H)=>{if(s==1||H>0){let J=A||H==0||H==v;U._focus=A?null:J,N&&I0(H,J?1:Oe.alpha)}}),zs=v,N&&Tn()}}ee&&Je&&vt(rf,Ee,v=>{ue._lock||(Ze(v),zs!=null&&Ri(null,
+_r,!0,rn.setSeries))});function Pi(v,A,N){let U=M[A];N&&(v=v/wt-(U.ori==1?it:qe));let H=B;U.ori==1&&(H=Re,v=H-v),U.dir==-1&&(v=H-v);let J=U._min,ae=U._max,fe=v/
+H,ve=J+(ae-J)*fe,Ne=U.distr;return Ne==3?br(10,ve):Ne==4?m_(ve,U.asinh):Ne==100?U.bwd(ve):ve}function N0(v,A){let N=Pi(v,T,A);return gi(N,e[0],Kt,jt)}n.valToIdx=
+v=>gi(v,e[0]),n.posToIdx=N0,n.posToVal=Pi,n.valToPos=(v,A,N)=>M[A].ori==0?r(v,M[A],N?q:B,N?I:0):o(v,M[A],N?he:Re,N?w:0),n.setCursor=(v,A,N)=>{Ot=v.left,Ht=v.top,
+Vs(null,A,N)};function Fd(v,A){zt(gr,yr,Bt.left=v),zt(gr,bo,Bt.width=A)}function Od(v,A){zt(gr,"top",Bt.top=v),zt(gr,So,Bt.height=A)}let _o=P.ori==0?Fd:Od,xo=P.
+ori==1?Fd:Od;function D0(){if(ee&&de.live)for(let v=s==2?1:0;v<_.length;v++){if(v==0&&lt)continue;let A=de.values[v],N=0;for(let U in A)Ve[v][N++].firstChild.nodeValue=
+A[U]}}function hh(v,A){if(v!=null&&(v.idxs?v.idxs.forEach((N,U)=>{se[U]=N}):y_(v.idx)||se.fill(v.idx),de.idx=se[0]),ee&&de.live){for(let N=0;N<_.length;N++)(N>0||
+s==1&&!lt)&&U0(N,se[N]);D0()}pe=!1,A!==!1&&yn("setLegend")}n.setLegend=hh;function U0(v,A){let N=_[v],U=v==0&&F==2?Wn:e[v],H;lt?H=N.values(n,v,A)??et:(H=N.value(
+n,A==null?null:U[A],v,A),H=H==null?et:{_:H}),de.values[v]=H}function Vs(v,A,N){Dd=Ot,Ud=Ht,[Ot,Ht]=ue.move(n,Ot,Ht),ue.left=Ot,ue.top=Ht,me&&(dr&&Ni(dr,un(Ot),0,
+B,Re),fr&&Ni(fr,0,un(Ht),B,Re));let U,H=Kt>jt;Yi=Nt,_s=null;let J=P.ori==0?B:Re,ae=P.ori==1?B:Re;if(Ot<0||$t==0||H){U=ue.idx=null;for(let fe=0;fe<_.length;fe++){
+let ve=ot[fe];ve!=null&&Ni(ve,-10,-10,B,Re)}Je&&Ri(null,_r,!0,v==null&&rn.setSeries),de.live&&(se.fill(U),pe=!0)}else{let fe,ve,Ne;s==1&&(fe=P.ori==0?Ot:Ht,ve=Pi(
+fe,T),U=ue.idx=gi(ve,e[0],Kt,jt),Ne=z(e[0][U],P,J,0));let De=-10,Fe=-10,tt=0,St=0,Mt=!0,pt="",Ye="";for(let We=s==2?1:0;We<_.length;We++){let kt=_[We],Zt=se[We],
 vn=Zt==null?null:s==1?e[We][Zt]:e[We][1][Zt],It=ue.dataIdx(n,We,U,ve),Jt=It==null?null:s==1?e[We][It]:e[We][1][It];if(pe=pe||Jt!=vn||It!=Zt,se[We]=It,We>0&&kt.show){
-let Xn=It==null?-10:It==U?Ne:z(s==1?e[0][It]:e[We][0][It],I,J,0),Ln=Jt==null?-10:D(Jt,s==1?M[kt.scale]:M[kt.facets[1].scale],ae,0);if(Je&&Jt!=null){let ii=I.ori==
+let Xn=It==null?-10:It==U?Ne:z(s==1?e[0][It]:e[We][0][It],P,J,0),Ln=Jt==null?-10:D(Jt,s==1?M[kt.scale]:M[kt.facets[1].scale],ae,0);if(Je&&Jt!=null){let ii=P.ori==
 1?Ot:Ht,fi=dn(Oe.dist(n,We,It,Ln,ii));if(fi<Yi){let Ii=Oe.bias;if(Ii!=0){let qn=Pi(ii,kt.scale),si=Jt>=0?1:-1,pi=qn>=0?1:-1;pi==si&&(pi==1?Ii==1?Jt>=qn:Jt<=qn:Ii==
-1?Jt<=qn:Jt>=qn)&&(Yi=fi,_s=We)}else Yi=fi,_s=We}}if(pe||Ce){let ii,fi;I.ori==0?(ii=Xn,fi=Ln):(ii=Ln,fi=Xn);let Ii,qn,si,pi,Li,Nn,$n=!0,Gs=le.bbox;if(Gs!=null){
+1?Jt<=qn:Jt>=qn)&&(Yi=fi,_s=We)}else Yi=fi,_s=We}}if(pe||Ce){let ii,fi;P.ori==0?(ii=Xn,fi=Ln):(ii=Ln,fi=Xn);let Ii,qn,si,pi,Li,Nn,$n=!0,Gs=le.bbox;if(Gs!=null){
 $n=!1;let Dn=Gs(n,We);si=Dn.left,pi=Dn.top,Ii=Dn.width,qn=Dn.height}else si=ii,pi=fi,Ii=qn=le.size(n,We);if(Nn=le.fill(n,We),Li=le.stroke(n,We),Ce)We==_s&&Yi<=Oe.
-prox&&(De=si,Fe=pi,tt=Ii,St=qn,Mt=$n,pt=Nn,Ye=Li);else{let Dn=rt[We];Dn!=null&&(Ft[We]=si,Pn[We]=pi,df(Dn,Ii,qn,$n),hf(Dn,Nn,Li),Ni(Dn,oi(si),oi(pi),B,Re))}}}}if(Ce){
-let We=Oe.prox,kt=zs==null?Yi<=We:Yi>We||_s!=zs;if(pe||kt){let Zt=rt[0];Zt!=null&&(Ft[0]=De,Pn[0]=Fe,df(Zt,tt,St,Mt),hf(Zt,pt,Ye),Ni(Zt,oi(De),oi(Fe),B,Re))}}}if(Bt.
+prox&&(De=si,Fe=pi,tt=Ii,St=qn,Mt=$n,pt=Nn,Ye=Li);else{let Dn=ot[We];Dn!=null&&(Ft[We]=si,Pn[We]=pi,df(Dn,Ii,qn,$n),hf(Dn,Nn,Li),Ni(Dn,oi(si),oi(pi),B,Re))}}}}if(Ce){
+let We=Oe.prox,kt=zs==null?Yi<=We:Yi>We||_s!=zs;if(pe||kt){let Zt=ot[0];Zt!=null&&(Ft[0]=De,Pn[0]=Fe,df(Zt,tt,St,Mt),hf(Zt,pt,Ye),Ni(Zt,oi(De),oi(Fe),B,Re))}}}if(Bt.
 show&&ms)if(v!=null){let[fe,ve]=rn.scales,[Ne,De]=rn.match,[Fe,tt]=v.cursor.sync.scales,St=v.cursor.drag;if(_n=St._x,xn=St._y,_n||xn){let{left:Mt,top:pt,width:Ye,
 height:We}=v.select,kt=v.scales[Fe].ori,Zt=v.posToVal,vn,It,Jt,Xn,Ln,ii=fe!=null&&Ne(fe,Fe),fi=ve!=null&&De(ve,tt);ii&&_n?(kt==0?(vn=Mt,It=Ye):(vn=pt,It=We),Jt=
 M[fe],Xn=z(Zt(vn,Fe),Jt,J,0),Ln=z(Zt(vn+It,Fe),Jt,J,0),_o(_i(Xn,Ln),dn(Ln-Xn))):_o(0,J),fi&&xn?(kt==1?(vn=Mt,It=Ye):(vn=pt,It=We),Jt=M[ve],Xn=D(Zt(vn,tt),Jt,ae,
-0),Ln=D(Zt(vn+It,tt),Jt,ae,0),xo(_i(Xn,Ln),dn(Ln-Xn))):xo(0,ae)}else fh()}else{let fe=dn(Dd-Ld),ve=dn(Ud-Nd);if(I.ori==1){let tt=fe;fe=ve,ve=tt}_n=Sn.x&&fe>=Sn.
-dist,xn=Sn.y&&ve>=Sn.dist;let Ne=Sn.uni;Ne!=null?_n&&xn&&(_n=fe>=Ne,xn=ve>=Ne,!_n&&!xn&&(ve>fe?xn=!0:_n=!0)):Sn.x&&Sn.y&&(_n||xn)&&(_n=xn=!0);let De,Fe;_n&&(I.ori==
-0?(De=pr,Fe=Ot):(De=mr,Fe=Ht),_o(_i(De,Fe),dn(Fe-De)),xn||xo(0,ae)),xn&&(I.ori==1?(De=pr,Fe=Ot):(De=mr,Fe=Ht),xo(_i(De,Fe),dn(Fe-De)),_n||_o(0,J)),!_n&&!xn&&(_o(
-0,0),xo(0,0))}if(Sn._x=_n,Sn._y=xn,v==null){if(L){if(Yd!=null){let[fe,ve]=rn.scales;rn.values[0]=fe!=null?Pi(I.ori==0?Ot:Ht,fe):null,rn.values[1]=ve!=null?Pi(I.
-ori==1?Ot:Ht,ve):null}vo(_h,n,Ot,Ht,B,Re,U)}if(Je){let fe=L&&rn.setSeries,ve=Oe.prox;zs==null?Yi<=ve&&Ri(_s,_r,!0,fe):Yi>ve?Ri(null,_r,!0,fe):_s!=zs&&Ri(_s,_r,!0,
+0),Ln=D(Zt(vn+It,tt),Jt,ae,0),xo(_i(Xn,Ln),dn(Ln-Xn))):xo(0,ae)}else fh()}else{let fe=dn(Dd-Ld),ve=dn(Ud-Nd);if(P.ori==1){let tt=fe;fe=ve,ve=tt}_n=Sn.x&&fe>=Sn.
+dist,xn=Sn.y&&ve>=Sn.dist;let Ne=Sn.uni;Ne!=null?_n&&xn&&(_n=fe>=Ne,xn=ve>=Ne,!_n&&!xn&&(ve>fe?xn=!0:_n=!0)):Sn.x&&Sn.y&&(_n||xn)&&(_n=xn=!0);let De,Fe;_n&&(P.ori==
+0?(De=pr,Fe=Ot):(De=mr,Fe=Ht),_o(_i(De,Fe),dn(Fe-De)),xn||xo(0,ae)),xn&&(P.ori==1?(De=pr,Fe=Ot):(De=mr,Fe=Ht),xo(_i(De,Fe),dn(Fe-De)),_n||_o(0,J)),!_n&&!xn&&(_o(
+0,0),xo(0,0))}if(Sn._x=_n,Sn._y=xn,v==null){if(N){if(Yd!=null){let[fe,ve]=rn.scales;rn.values[0]=fe!=null?Pi(P.ori==0?Ot:Ht,fe):null,rn.values[1]=ve!=null?Pi(P.
+ori==1?Ot:Ht,ve):null}vo(_h,n,Ot,Ht,B,Re,U)}if(Je){let fe=N&&rn.setSeries,ve=Oe.prox;zs==null?Yi<=ve&&Ri(_s,_r,!0,fe):Yi>ve?Ri(null,_r,!0,fe):_s!=zs&&Ri(_s,_r,!0,
 fe)}}pe&&(de.idx=U,hh()),A!==!1&&yn("setCursor")}let xs=null;Object.defineProperty(n,"rect",{get(){return xs==null&&yo(!1),xs}});function yo(v=!1){v?xs=null:(xs=
-m.getBoundingClientRect(),yn("syncRect",xs))}function Bd(v,A,L,U,G,J,ae){ue._lock||ms&&v!=null&&v.movementX==0&&v.movementY==0||(uh(v,A,L,U,G,J,ae,!1,v!=null),v!=
-null?Vs(null,!0,!0):Vs(A,!0,!1))}function uh(v,A,L,U,G,J,ae,fe,ve){if(xs==null&&yo(!1),Ze(v),v!=null)L=v.clientX-xs.left,U=v.clientY-xs.top;else{if(L<0||U<0){Ot=
--10,Ht=-10;return}let[Ne,De]=rn.scales,Fe=A.cursor.sync,[tt,St]=Fe.values,[Mt,pt]=Fe.scales,[Ye,We]=rn.match,kt=A.axes[0].side%2==1,Zt=I.ori==0?B:Re,vn=I.ori==1?
-B:Re,It=kt?J:G,Jt=kt?G:J,Xn=kt?U:L,Ln=kt?L:U;if(Mt!=null?L=Ye(Ne,Mt)?a(tt,M[Ne],Zt,0):-10:L=Zt*(Xn/It),pt!=null?U=We(De,pt)?a(St,M[De],vn,0):-10:U=vn*(Ln/Jt),I.
-ori==1){let ii=L;L=U,U=ii}}ve&&(A==null||A.cursor.event.type==_h)&&((L<=1||L>=B-1)&&(L=Hs(L,B)),(U<=1||U>=Re-1)&&(U=Hs(U,Re))),fe?(Ld=L,Nd=U,[pr,mr]=ue.move(n,L,
-U)):(Ot=L,Ht=U)}let dh={width:0,height:0,left:0,top:0};function fh(){Ca(dh,!1)}let kd,zd,Vd,Gd;function Hd(v,A,L,U,G,J,ae){ms=!0,_n=xn=Sn._x=Sn._y=!1,uh(v,A,L,U,
-G,J,ae,!0,!1),v!=null&&(vt(xh,Sh,Wd,!1),vo(nf,n,pr,mr,B,Re,null));let{left:fe,top:ve,width:Ne,height:De}=Bt;kd=fe,zd=ve,Vd=Ne,Gd=De}function Wd(v,A,L,U,G,J,ae){
-ms=Sn._x=Sn._y=!1,uh(v,A,L,U,G,J,ae,!1,!0);let{left:fe,top:ve,width:Ne,height:De}=Bt,Fe=Ne>0||De>0,tt=kd!=fe||zd!=ve||Vd!=Ne||Gd!=De;if(Fe&&tt&&Ca(Bt),Sn.setScale&&
-Fe&&tt){let St=fe,Mt=Ne,pt=ve,Ye=De;if(I.ori==1&&(St=ve,Mt=De,pt=fe,Ye=Ne),_n&&gs(S,Pi(St,S),Pi(St+Mt,S)),xn)for(let We in M){let kt=M[We];We!=S&&kt.from==null&&
-kt.min!=Nt&&gs(We,Pi(pt+Ye,We),Pi(pt,We))}fh()}else ue.lock&&(ue._lock=!ue._lock,Vs(A,!0,v!=null));v!=null&&(cn(xh,Sh),vo(xh,n,Ot,Ht,B,Re,null))}function F0(v,A,L,U,G,J,ae){
-if(ue._lock)return;Ze(v);let fe=ms;if(ms){let ve=!0,Ne=!0,De=10,Fe,tt;I.ori==0?(Fe=_n,tt=xn):(Fe=xn,tt=_n),Fe&&tt&&(ve=Ot<=De||Ot>=B-De,Ne=Ht<=De||Ht>=Re-De),Fe&&
-ve&&(Ot=Ot<pr?0:B),tt&&Ne&&(Ht=Ht<mr?0:Re),Vs(null,!0,!0),ms=!1}Ot=-10,Ht=-10,se.fill(null),Vs(null,!0,!0),fe&&(ms=fe)}function Xd(v,A,L,U,G,J,ae){ue._lock||(Ze(
-v),go(),fh(),v!=null&&vo(of,n,Ot,Ht,B,Re,null))}function qd(){w.forEach(Ux),O(n.width,n.height,!0)}qs(Da,Mr,qd);let xr={};xr.mousedown=Hd,xr.mousemove=Bd,xr.mouseup=
-Wd,xr.dblclick=Xd,xr.setSeries=(v,A,L,U)=>{let G=rn.match[2];L=G(n,A,L),L!=-1&&Ri(L,U,!0,!1)},me&&(vt(nf,m,Hd),vt(_h,m,Bd),vt(sf,m,v=>{Ze(v),yo(!1)}),vt(rf,m,F0),
-vt(of,m,Xd),Ih.add(n),n.syncRect=yo);let Ra=n.hooks=i.hooks||{};function yn(v,A,L){In?Rt.push([v,A,L]):v in Ra&&Ra[v].forEach(U=>{U.call(null,n,A,L)})}(i.plugins||
-[]).forEach(v=>{for(let A in v.hooks)Ra[A]=(Ra[A]||[]).concat(v.hooks[A])});let $d=(v,A,L)=>L,rn=on({key:null,setSeries:!1,filters:{pub:_f,sub:_f},scales:[S,_[1]?
-_[1].scale:null],match:[xf,xf,$d],values:[null,null]},ue.sync);rn.match.length==2&&rn.match.push($d),ue.sync=rn;let Yd=rn.key,ph=pp(Yd);function vo(v,A,L,U,G,J,ae){
-rn.filters.pub(v,A,L,U,G,J,ae)&&ph.pub(v,A,L,U,G,J,ae)}ph.sub(n);function O0(v,A,L,U,G,J,ae){rn.filters.sub(v,A,L,U,G,J,ae)&&xr[v](null,A,L,U,G,J,ae)}n.pub=O0;function B0(){
-ph.unsub(n),Ih.delete(n),gn.clear(),Ah(Da,Mr,qd),c.remove(),Ee?.remove(),yn("destroy")}n.destroy=B0;function mh(){yn("init",i,e),mo(e||i.data,!1),W[S]?ah(S,W[S]):
-go(),ie=Bt.show&&(Bt.width>0||Bt.height>0),te=pe=!0,O(i.width,i.height)}return _.forEach(lr),w.forEach(Wi),t?t instanceof HTMLElement?(t.appendChild(c),mh()):t(
+m.getBoundingClientRect(),yn("syncRect",xs))}function Bd(v,A,N,U,H,J,ae){ue._lock||ms&&v!=null&&v.movementX==0&&v.movementY==0||(uh(v,A,N,U,H,J,ae,!1,v!=null),v!=
+null?Vs(null,!0,!0):Vs(A,!0,!1))}function uh(v,A,N,U,H,J,ae,fe,ve){if(xs==null&&yo(!1),Ze(v),v!=null)N=v.clientX-xs.left,U=v.clientY-xs.top;else{if(N<0||U<0){Ot=
+-10,Ht=-10;return}let[Ne,De]=rn.scales,Fe=A.cursor.sync,[tt,St]=Fe.values,[Mt,pt]=Fe.scales,[Ye,We]=rn.match,kt=A.axes[0].side%2==1,Zt=P.ori==0?B:Re,vn=P.ori==1?
+B:Re,It=kt?J:H,Jt=kt?H:J,Xn=kt?U:N,Ln=kt?N:U;if(Mt!=null?N=Ye(Ne,Mt)?a(tt,M[Ne],Zt,0):-10:N=Zt*(Xn/It),pt!=null?U=We(De,pt)?a(St,M[De],vn,0):-10:U=vn*(Ln/Jt),P.
+ori==1){let ii=N;N=U,U=ii}}ve&&(A==null||A.cursor.event.type==_h)&&((N<=1||N>=B-1)&&(N=Hs(N,B)),(U<=1||U>=Re-1)&&(U=Hs(U,Re))),fe?(Ld=N,Nd=U,[pr,mr]=ue.move(n,N,
+U)):(Ot=N,Ht=U)}let dh={width:0,height:0,left:0,top:0};function fh(){Ca(dh,!1)}let kd,zd,Vd,Gd;function Hd(v,A,N,U,H,J,ae){ms=!0,_n=xn=Sn._x=Sn._y=!1,uh(v,A,N,U,
+H,J,ae,!0,!1),v!=null&&(vt(xh,Sh,Wd,!1),vo(nf,n,pr,mr,B,Re,null));let{left:fe,top:ve,width:Ne,height:De}=Bt;kd=fe,zd=ve,Vd=Ne,Gd=De}function Wd(v,A,N,U,H,J,ae){
+ms=Sn._x=Sn._y=!1,uh(v,A,N,U,H,J,ae,!1,!0);let{left:fe,top:ve,width:Ne,height:De}=Bt,Fe=Ne>0||De>0,tt=kd!=fe||zd!=ve||Vd!=Ne||Gd!=De;if(Fe&&tt&&Ca(Bt),Sn.setScale&&
+Fe&&tt){let St=fe,Mt=Ne,pt=ve,Ye=De;if(P.ori==1&&(St=ve,Mt=De,pt=fe,Ye=Ne),_n&&gs(T,Pi(St,T),Pi(St+Mt,T)),xn)for(let We in M){let kt=M[We];We!=T&&kt.from==null&&
+kt.min!=Nt&&gs(We,Pi(pt+Ye,We),Pi(pt,We))}fh()}else ue.lock&&(ue._lock=!ue._lock,Vs(A,!0,v!=null));v!=null&&(cn(xh,Sh),vo(xh,n,Ot,Ht,B,Re,null))}function F0(v,A,N,U,H,J,ae){
+if(ue._lock)return;Ze(v);let fe=ms;if(ms){let ve=!0,Ne=!0,De=10,Fe,tt;P.ori==0?(Fe=_n,tt=xn):(Fe=xn,tt=_n),Fe&&tt&&(ve=Ot<=De||Ot>=B-De,Ne=Ht<=De||Ht>=Re-De),Fe&&
+ve&&(Ot=Ot<pr?0:B),tt&&Ne&&(Ht=Ht<mr?0:Re),Vs(null,!0,!0),ms=!1}Ot=-10,Ht=-10,se.fill(null),Vs(null,!0,!0),fe&&(ms=fe)}function Xd(v,A,N,U,H,J,ae){ue._lock||(Ze(
+v),go(),fh(),v!=null&&vo(of,n,Ot,Ht,B,Re,null))}function qd(){S.forEach(Ux),O(n.width,n.height,!0)}qs(Da,Mr,qd);let xr={};xr.mousedown=Hd,xr.mousemove=Bd,xr.mouseup=
+Wd,xr.dblclick=Xd,xr.setSeries=(v,A,N,U)=>{let H=rn.match[2];N=H(n,A,N),N!=-1&&Ri(N,U,!0,!1)},me&&(vt(nf,m,Hd),vt(_h,m,Bd),vt(sf,m,v=>{Ze(v),yo(!1)}),vt(rf,m,F0),
+vt(of,m,Xd),Ih.add(n),n.syncRect=yo);let Ra=n.hooks=i.hooks||{};function yn(v,A,N){In?Rt.push([v,A,N]):v in Ra&&Ra[v].forEach(U=>{U.call(null,n,A,N)})}(i.plugins||
+[]).forEach(v=>{for(let A in v.hooks)Ra[A]=(Ra[A]||[]).concat(v.hooks[A])});let $d=(v,A,N)=>N,rn=on({key:null,setSeries:!1,filters:{pub:_f,sub:_f},scales:[T,_[1]?
+_[1].scale:null],match:[xf,xf,$d],values:[null,null]},ue.sync);rn.match.length==2&&rn.match.push($d),ue.sync=rn;let Yd=rn.key,ph=pp(Yd);function vo(v,A,N,U,H,J,ae){
+rn.filters.pub(v,A,N,U,H,J,ae)&&ph.pub(v,A,N,U,H,J,ae)}ph.sub(n);function O0(v,A,N,U,H,J,ae){rn.filters.sub(v,A,N,U,H,J,ae)&&xr[v](null,A,N,U,H,J,ae)}n.pub=O0;function B0(){
+ph.unsub(n),Ih.delete(n),gn.clear(),Ah(Da,Mr,qd),c.remove(),Ee?.remove(),yn("destroy")}n.destroy=B0;function mh(){yn("init",i,e),mo(e||i.data,!1),G[T]?ah(T,G[T]):
+go(),ie=Bt.show&&(Bt.width>0||Bt.height>0),te=pe=!0,O(i.width,i.height)}return _.forEach(lr),S.forEach(Wi),t?t instanceof HTMLElement?(t.appendChild(c),mh()):t(
 n,mh):mh(),n}fn.assign=on;fn.fmtNum=Bh;fn.rangeNum=Ua;fn.rangeLog=Ba;fn.rangeAsinh=Fh;fn.orient=Ys;fn.pxRatio=wt;fn.join=A_;fn.fmtDate=zh,fn.tzDate=O_;fn.sync=pp;
 {fn.addGap=yx,fn.clipGaps=Va;let i=fn.paths={points:vp};i.linear=bp,i.stepped=bx,i.bars=Sx,i.spline=Tx}function Ki(){let i=getComputedStyle(document.documentElement),e=t=>i.getPropertyValue(t).trim();return{paper:e("--paper"),ink:e("--ink"),soft:e("--soft"),line:e(
 "--line"),bad:e("--bad"),actual:e("--actual"),actual_more:e("--actual-more"),expected:e("--expected"),contact:e("--contact"),select:e("--select"),asleep:e("--as\
@@ -423,16 +423,16 @@ t,"."))+" Drag across a plot to zoom, double-click to zoom out.",o=X("div",{clas
 "role","img"),u.setAttribute("aria-label",Wx(d,e)),o.append(X("figure",{},X("figcaption",{textContent:d.title}),u)),u});s.length>0&&i.append(X("h3",{textContent:"\
 Over the steps"}),X("p",{className:"soft",textContent:r}),o);let l=[],c=()=>{for(let d of l)d?.destroy();l=s.map((d,u)=>Hx(d,a[u],e,t)),l.forEach((d,u)=>{a[u].parentElement.
 hidden=d===null})};return c(),{redraw:c,resize(){l.forEach((d,u)=>{let h=a[u].clientWidth;d!==null&&h>0&&h!==d.width&&d.setSize({width:h,height:Ap})})},show_step(d){
-for(let u of l)u?.setCursor({left:u.valToPos(d,"x"),top:0})}}}var Xx=700,Yh=(i,e)=>X("img",{src:i.querySelector("img").src,alt:"".concat(e," picture")});function Cp(i){let e=w=>i.querySelector('figure[data-kind="'.concat(w,
+for(let u of l)u?.setCursor({left:u.valToPos(d,"x"),top:0})}}}var Xx=700,Yh=(i,e)=>X("img",{src:i.querySelector("img").src,alt:"".concat(e," picture")});function Cp(i){let e=S=>i.querySelector('figure[data-kind="'.concat(S,
 '"]'));if(!e("expected")||!e("actual"))return;let t=Yh(e("expected"),"expected"),n=Yh(e("actual"),"actual"),s=e("difference")?Yh(e("difference"),"difference"):null;
 n.className="over";let r=X("div",{className:"edge"}),o=X("span",{className:"tag",textContent:"expected"}),a=X("span",{className:"tag right",textContent:"actual"}),
 l=X("div",{className:"stack"},t,n,r,o,a),c=X("input",{type:"range",min:0,max:100,value:50,className:"picture-slider"});c.setAttribute("aria-label","step ".concat(
 i.dataset.step,": expected to the left of the edge, actual to the right"));let d=X("output"),u=X("button",{type:"button",textContent:"Blink",className:"picture-\
-blink"}),h=X("button",{type:"button",textContent:"Difference"});s&&(s.className="over",l.append(s));let f=null,m=!1,y=w=>{n.style.clipPath="inset(0 0 0 ".concat(
-w,"%)"),r.style.left="".concat(w,"%"),r.hidden=w<=0||w>=100||m,o.hidden=w<=0||m,a.hidden=w>=100||m,s&&(s.hidden=!m),m?d.value="difference: the brighter, the fur\
-ther apart":w>=100?d.value="expected":w<=0?d.value="actual":d.value="left of the edge expected, right of it actual"},p=()=>{clearInterval(f),f=null,u.setAttribute(
-"aria-pressed","false")},g=w=>{m=w,h.setAttribute("aria-pressed",String(w))};c.addEventListener("input",()=>{p(),g(!1),y(Number(c.value))}),u.addEventListener("\
-click",()=>{let w=f!==null;if(p(),g(!1),w)return y(Number(c.value));let M=!0;u.setAttribute("aria-pressed","true"),y(100),f=setInterval(()=>{M=!M,y(M?100:0)},Xx)}),
+blink"}),h=X("button",{type:"button",textContent:"Difference"});s&&(s.className="over",l.append(s));let f=null,m=!1,y=S=>{n.style.clipPath="inset(0 0 0 ".concat(
+S,"%)"),r.style.left="".concat(S,"%"),r.hidden=S<=0||S>=100||m,o.hidden=S<=0||m,a.hidden=S>=100||m,s&&(s.hidden=!m),m?d.value="difference: the brighter, the fur\
+ther apart":S>=100?d.value="expected":S<=0?d.value="actual":d.value="left of the edge expected, right of it actual"},p=()=>{clearInterval(f),f=null,u.setAttribute(
+"aria-pressed","false")},g=S=>{m=S,h.setAttribute("aria-pressed",String(S))};c.addEventListener("input",()=>{p(),g(!1),y(Number(c.value))}),u.addEventListener("\
+click",()=>{let S=f!==null;if(p(),g(!1),S)return y(Number(c.value));let M=!0;u.setAttribute("aria-pressed","true"),y(100),f=setInterval(()=>{M=!M,y(M?100:0)},Xx)}),
 h.addEventListener("click",()=>{p(),g(!m),y(Number(c.value))}),p(),g(!1),y(50);let _=X("div",{className:"controls"},c,u,...s?[h]:[],d);i.prepend(X("div",{className:"\
 viewer"},l,_))}var Ip={failed:"failed",within_bounds:"moved within bounds",unchanged:"unchanged",out_of_bounds:"out of bounds, not required",not_judged:"not judged"},Lp=Object.
 keys(Ip),Rp={name:i=>i.dataset.name,verdict:i=>Lp.indexOf(i.dataset.verdict),magnitude:i=>-Number(i.dataset.magnitude),category:i=>i.dataset.category},qx=(i,e)=>i<
@@ -473,7 +473,7 @@ o=s.length;r<o;r++)s[r].call(this,e);e.target=null}}},An=["00","01","02","03","0
 e+e)%e}function Jh(i,e,t){return(1-t)*i+t*e}function Zm(i){return Math.pow(2,Math.floor(Math.log(i)/Math.LN2))}function ju(i){switch(i.constructor){case Uint32Array:return 4294967295;case Uint16Array:return 65535;case Uint8Array:case Uint8ClampedArray:return 255;case Int32Array:
 return 2147483647;case Int16Array:return 32767;case Int8Array:return 127;default:return}}function jx(i,e){if(e.constructor===Float32Array)return i;let t=ju(e);if(t===
 void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.max(i/t,-1)}function Qx(i,e){if(e.constructor===Float32Array)return i;let t=ju(e);
-if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.round(i*t)}var ot=class{static{this.prototype.isVector2=!0}constructor(e=0,t=0){this.x=e,this.y=t}get width(){return this.x}set width(e){this.x=e}get height(){return this.
+if(t===void 0)throw new Error("THREE.MathUtils: Invalid component type.");return Math.round(i*t)}var st=class{static{this.prototype.isVector2=!0}constructor(e=0,t=0){this.x=e,this.y=t}get width(){return this.x}set width(e){this.x=e}get height(){return this.
 y}set height(e){this.y=e}set(e,t){return this.x=e,this.y=t,this}setScalar(e){return this.x=e,this.y=e,this}setX(e){return this.x=e,this}setY(e){return this.y=e,
 this}setComponent(e,t){switch(e){case 0:this.x=t;break;case 1:this.y=t;break;default:throw new Error("THREE.Vector2: index is out of range: "+e)}return this}getComponent(e){
 switch(e){case 0:return this.x;case 1:return this.y;default:throw new Error("THREE.Vector2: index is out of range: "+e)}}clone(){return new this.constructor(this.
@@ -495,8 +495,8 @@ y-e.y)*n,this}equals(e){return e.x===this.x&&e.y===this.y}fromArray(e,t=0){retur
 y,e}fromBufferAttribute(e,t){return this.x=e.getX(t),this.y=e.getY(t),this}rotateAround(e,t){let n=Math.cos(t),s=Math.sin(t),r=this.x-e.x,o=this.y-e.y;return this.
 x=r*n-o*s+e.x,this.y=r*s+o*n+e.y,this}random(){return this.x=Math.random(),this.y=Math.random(),this}*[Symbol.iterator](){yield this.x,yield this.y}},Bn=class{constructor(e=0,t=0,n=0,s=1){
 this.isQuaternion=!0,this._x=e,this._y=t,this._z=n,this._w=s}static slerpFlat(e,t,n,s,r,o,a){let l=n[s+0],c=n[s+1],d=n[s+2],u=n[s+3],h=r[o+0],f=r[o+1],m=r[o+2],
-y=r[o+3];if(u!==y||l!==h||c!==f||d!==m){let p=l*h+c*f+d*m+u*y;p<0&&(h=-h,f=-f,m=-m,y=-y,p=-p);let g=1-a;if(p<.9995){let _=Math.acos(p),w=Math.sin(_);g=Math.sin(
-g*_)/w,a=Math.sin(a*_)/w,l=l*g+h*a,c=c*g+f*a,d=d*g+m*a,u=u*g+y*a}else{l=l*g+h*a,c=c*g+f*a,d=d*g+m*a,u=u*g+y*a;let _=1/Math.sqrt(l*l+c*c+d*d+u*u);l*=_,c*=_,d*=_,
+y=r[o+3];if(u!==y||l!==h||c!==f||d!==m){let p=l*h+c*f+d*m+u*y;p<0&&(h=-h,f=-f,m=-m,y=-y,p=-p);let g=1-a;if(p<.9995){let _=Math.acos(p),S=Math.sin(_);g=Math.sin(
+g*_)/S,a=Math.sin(a*_)/S,l=l*g+h*a,c=c*g+f*a,d=d*g+m*a,u=u*g+y*a}else{l=l*g+h*a,c=c*g+f*a,d=d*g+m*a,u=u*g+y*a;let _=1/Math.sqrt(l*l+c*c+d*d+u*u);l*=_,c*=_,d*=_,
 u*=_}}e[t]=l,e[t+1]=c,e[t+2]=d,e[t+3]=u}static multiplyQuaternionsFlat(e,t,n,s,r,o){let a=n[s],l=n[s+1],c=n[s+2],d=n[s+3],u=r[o],h=r[o+1],f=r[o+2],m=r[o+3];return e[t]=
 a*m+d*u+l*f-c*h,e[t+1]=l*m+d*h+c*u-a*f,e[t+2]=c*m+d*f+a*h-l*u,e[t+3]=d*m-a*u-l*h-c*f,e}get x(){return this._x}set x(e){this._x=e,this._onChangeCallback()}get y(){
 return this._y}set y(e){this._y=e,this._onChangeCallback()}get z(){return this._z}set z(e){this._z=e,this._onChangeCallback()}get w(){return this._w}set w(e){this.
@@ -571,8 +571,8 @@ let d=this.elements;return d[0]=e,d[1]=s,d[2]=a,d[3]=t,d[4]=r,d[5]=l,d[6]=n,d[7]
 elements,n=e.elements;return t[0]=n[0],t[1]=n[1],t[2]=n[2],t[3]=n[3],t[4]=n[4],t[5]=n[5],t[6]=n[6],t[7]=n[7],t[8]=n[8],this}extractBasis(e,t,n){return e.setFromMatrix3Column(
 this,0),t.setFromMatrix3Column(this,1),n.setFromMatrix3Column(this,2),this}setFromMatrix4(e){let t=e.elements;return this.set(t[0],t[4],t[8],t[1],t[5],t[9],t[2],
 t[6],t[10]),this}multiply(e){return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.
-elements,r=this.elements,o=n[0],a=n[3],l=n[6],c=n[1],d=n[4],u=n[7],h=n[2],f=n[5],m=n[8],y=s[0],p=s[3],g=s[6],_=s[1],w=s[4],M=s[7],C=s[2],S=s[5],x=s[8];return r[0]=
-o*y+a*_+l*C,r[3]=o*p+a*w+l*S,r[6]=o*g+a*M+l*x,r[1]=c*y+d*_+u*C,r[4]=c*p+d*w+u*S,r[7]=c*g+d*M+u*x,r[2]=h*y+f*_+m*C,r[5]=h*p+f*w+m*S,r[8]=h*g+f*M+m*x,this}multiplyScalar(e){
+elements,r=this.elements,o=n[0],a=n[3],l=n[6],c=n[1],d=n[4],u=n[7],h=n[2],f=n[5],m=n[8],y=s[0],p=s[3],g=s[6],_=s[1],S=s[4],M=s[7],C=s[2],T=s[5],x=s[8];return r[0]=
+o*y+a*_+l*C,r[3]=o*p+a*S+l*T,r[6]=o*g+a*M+l*x,r[1]=c*y+d*_+u*C,r[4]=c*p+d*S+u*T,r[7]=c*g+d*M+u*x,r[2]=h*y+f*_+m*C,r[5]=h*p+f*S+m*T,r[8]=h*g+f*M+m*x,this}multiplyScalar(e){
 let t=this.elements;return t[0]*=e,t[3]*=e,t[6]*=e,t[1]*=e,t[4]*=e,t[7]*=e,t[2]*=e,t[5]*=e,t[8]*=e,this}determinant(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],
 o=e[4],a=e[5],l=e[6],c=e[7],d=e[8];return t*o*d-t*a*c-n*r*d+n*a*l+s*r*c-s*o*l}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],
 d=e[8],u=d*o-a*c,h=a*l-d*r,f=c*r-o*l,m=t*u+n*h+s*f;if(m===0)return this.set(0,0,0,0,0,0,0,0,0);let y=1/m;return e[0]=u*y,e[1]=(s*c-d*n)*y,e[2]=(a*n-s*o)*y,e[3]=
@@ -613,8 +613,8 @@ s[o].isDataTexture?r.push(Qh(s[o].image)):r.push(Qh(s[o]))}else r=Qh(s);n.url=r}
 "u"&&i instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&i instanceof HTMLCanvasElement||typeof ImageBitmap<"u"&&i instanceof ImageBitmap?Rl.getDataURL(
 i):i.data?{data:Array.from(i.data),width:i.width,height:i.height,type:i.data.constructor.name}:($e("Texture: Unable to serialize Texture."),{})}var ny=0,eu=new V,Gn=class i extends Oi{constructor(e=i.DEFAULT_IMAGE,t=i.DEFAULT_MAPPING,n=Fi,s=Fi,r=On,o=hs,a=wi,l=Hn,c=i.DEFAULT_ANISOTROPY,d=ds){super(),this.
 isTexture=!0,Object.defineProperty(this,"id",{value:ny++}),this.uuid=xa(),this.name="",this.source=new Zr(e),this.mipmaps=[],this.mapping=t,this.channel=0,this.
-wrapS=n,this.wrapT=s,this.magFilter=r,this.minFilter=o,this.anisotropy=c,this.format=a,this.internalFormat=null,this.type=l,this.offset=new ot(0,0),this.repeat=
-new ot(1,1),this.center=new ot(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new Qe,this.generateMipmaps=!0,this.mipmapsAutoUpdate=!0,this.premultiplyAlpha=
+wrapS=n,this.wrapT=s,this.magFilter=r,this.minFilter=o,this.anisotropy=c,this.format=a,this.internalFormat=null,this.type=l,this.offset=new st(0,0),this.repeat=
+new st(1,1),this.center=new st(0,0),this.rotation=0,this.matrixAutoUpdate=!0,this.matrix=new Qe,this.generateMipmaps=!0,this.mipmapsAutoUpdate=!0,this.premultiplyAlpha=
 !1,this.flipY=!0,this.unpackAlignment=4,this.colorSpace=d,this.userData={},this.updateRanges=[],this.version=0,this.onUpdate=null,this.renderTarget=null,this.isRenderTargetTexture=
 !1,this.isArrayTexture=!!(e&&e.depth&&e.depth>1),this.pmremVersion=0,this.isPMREMTexture=!1,this.normalized=!1}get width(){return this.source.getSize(eu).x}get height(){
 return this.source.getSize(eu).y}get depth(){return this.source.getSize(eu).z}get image(){return this.source.data}set image(e){this.source.data=e}updateMatrix(){
@@ -653,8 +653,8 @@ o[2]*t+o[6]*n+o[10]*s+o[14]*r,this.w=o[3]*t+o[7]*n+o[11]*s+o[15]*r,this}divide(e
 multiplyScalar(1/e)}setAxisAngleFromQuaternion(e){this.w=2*Math.acos(e.w);let t=Math.sqrt(1-e.w*e.w);return t<1e-4?(this.x=1,this.y=0,this.z=0):(this.x=e.x/t,this.
 y=e.y/t,this.z=e.z/t),this}setAxisAngleFromRotationMatrix(e){let t,n,s,r,l=e.elements,c=l[0],d=l[4],u=l[8],h=l[1],f=l[5],m=l[9],y=l[2],p=l[6],g=l[10];if(Math.abs(
 d-h)<.01&&Math.abs(u-y)<.01&&Math.abs(m-p)<.01){if(Math.abs(d+h)<.1&&Math.abs(u+y)<.1&&Math.abs(m+p)<.1&&Math.abs(c+f+g-3)<.1)return this.set(1,0,0,0),this;t=Math.
-PI;let w=(c+1)/2,M=(f+1)/2,C=(g+1)/2,S=(d+h)/4,x=(u+y)/4,b=(m+p)/4;return w>M&&w>C?w<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(w),s=S/n,r=x/n):M>C?M<.01?
-(n=.707106781,s=0,r=.707106781):(s=Math.sqrt(M),n=S/s,r=b/s):C<.01?(n=.707106781,s=.707106781,r=0):(r=Math.sqrt(C),n=x/r,s=b/r),this.set(n,s,r,t),this}let _=Math.
+PI;let S=(c+1)/2,M=(f+1)/2,C=(g+1)/2,T=(d+h)/4,x=(u+y)/4,b=(m+p)/4;return S>M&&S>C?S<.01?(n=0,s=.707106781,r=.707106781):(n=Math.sqrt(S),s=T/n,r=x/n):M>C?M<.01?
+(n=.707106781,s=0,r=.707106781):(s=Math.sqrt(M),n=T/s,r=b/s):C<.01?(n=.707106781,s=.707106781,r=0):(r=Math.sqrt(C),n=x/r,s=b/r),this.set(n,s,r,t),this}let _=Math.
 sqrt((p-m)*(p-m)+(u-y)*(u-y)+(h-d)*(h-d));return Math.abs(_)<.001&&(_=1),this.x=(p-m)/_,this.y=(u-y)/_,this.z=(h-d)/_,this.w=Math.acos((c+f+g-1)/2),this}setFromMatrixPosition(e){
 let t=e.elements;return this.x=t[12],this.y=t[13],this.z=t[14],this.w=t[15],this}min(e){return this.x=Math.min(this.x,e.x),this.y=Math.min(this.y,e.y),this.z=Math.
 min(this.z,e.z),this.w=Math.min(this.w,e.w),this}max(e){return this.x=Math.max(this.x,e.x),this.y=Math.max(this.y,e.y),this.z=Math.max(this.z,e.z),this.w=Math.max(
@@ -719,20 +719,20 @@ y*u+h}return t[3]=0,t[7]=0,t[11]=0,t[12]=0,t[13]=0,t[14]=0,t[15]=1,this}makeRota
 return Kn.subVectors(e,t),Kn.lengthSq()===0&&(Kn.z=1),Kn.normalize(),Ms.crossVectors(n,Kn),Ms.lengthSq()===0&&(Math.abs(n.z)===1?Kn.x+=1e-4:Kn.z+=1e-4,Kn.normalize(),
 Ms.crossVectors(n,Kn)),Ms.normalize(),qa.crossVectors(Kn,Ms),s[0]=Ms.x,s[4]=qa.x,s[8]=Kn.x,s[1]=Ms.y,s[5]=qa.y,s[9]=Kn.y,s[2]=Ms.z,s[6]=qa.z,s[10]=Kn.z,this}multiply(e){
 return this.multiplyMatrices(this,e)}premultiply(e){return this.multiplyMatrices(e,this)}multiplyMatrices(e,t){let n=e.elements,s=t.elements,r=this.elements,o=n[0],
-a=n[4],l=n[8],c=n[12],d=n[1],u=n[5],h=n[9],f=n[13],m=n[2],y=n[6],p=n[10],g=n[14],_=n[3],w=n[7],M=n[11],C=n[15],S=s[0],x=s[4],b=s[8],N=s[12],R=s[1],I=s[5],F=s[9],
-z=s[13],D=s[2],W=s[6],Y=s[10],H=s[14],ce=s[3],K=s[7],Q=s[11],se=s[15];return r[0]=o*S+a*R+l*D+c*ce,r[4]=o*x+a*I+l*W+c*K,r[8]=o*b+a*F+l*Y+c*Q,r[12]=o*N+a*z+l*H+c*
-se,r[1]=d*S+u*R+h*D+f*ce,r[5]=d*x+u*I+h*W+f*K,r[9]=d*b+u*F+h*Y+f*Q,r[13]=d*N+u*z+h*H+f*se,r[2]=m*S+y*R+p*D+g*ce,r[6]=m*x+y*I+p*W+g*K,r[10]=m*b+y*F+p*Y+g*Q,r[14]=
-m*N+y*z+p*H+g*se,r[3]=_*S+w*R+M*D+C*ce,r[7]=_*x+w*I+M*W+C*K,r[11]=_*b+w*F+M*Y+C*Q,r[15]=_*N+w*z+M*H+C*se,this}multiplyScalar(e){let t=this.elements;return t[0]*=
+a=n[4],l=n[8],c=n[12],d=n[1],u=n[5],h=n[9],f=n[13],m=n[2],y=n[6],p=n[10],g=n[14],_=n[3],S=n[7],M=n[11],C=n[15],T=s[0],x=s[4],b=s[8],L=s[12],R=s[1],P=s[5],F=s[9],
+z=s[13],D=s[2],G=s[6],Y=s[10],W=s[14],ce=s[3],K=s[7],Q=s[11],se=s[15];return r[0]=o*T+a*R+l*D+c*ce,r[4]=o*x+a*P+l*G+c*K,r[8]=o*b+a*F+l*Y+c*Q,r[12]=o*L+a*z+l*W+c*
+se,r[1]=d*T+u*R+h*D+f*ce,r[5]=d*x+u*P+h*G+f*K,r[9]=d*b+u*F+h*Y+f*Q,r[13]=d*L+u*z+h*W+f*se,r[2]=m*T+y*R+p*D+g*ce,r[6]=m*x+y*P+p*G+g*K,r[10]=m*b+y*F+p*Y+g*Q,r[14]=
+m*L+y*z+p*W+g*se,r[3]=_*T+S*R+M*D+C*ce,r[7]=_*x+S*P+M*G+C*K,r[11]=_*b+S*F+M*Y+C*Q,r[15]=_*L+S*z+M*W+C*se,this}multiplyScalar(e){let t=this.elements;return t[0]*=
 e,t[4]*=e,t[8]*=e,t[12]*=e,t[1]*=e,t[5]*=e,t[9]*=e,t[13]*=e,t[2]*=e,t[6]*=e,t[10]*=e,t[14]*=e,t[3]*=e,t[7]*=e,t[11]*=e,t[15]*=e,this}determinant(){let e=this.elements,
-t=e[0],n=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],d=e[2],u=e[6],h=e[10],f=e[14],m=e[3],y=e[7],p=e[11],g=e[15],_=l*f-c*h,w=a*f-c*u,M=a*h-l*u,C=o*f-c*d,S=o*
-h-l*d,x=o*u-a*d;return t*(y*_-p*w+g*M)-n*(m*_-p*C+g*S)+s*(m*w-y*C+g*x)-r*(m*M-y*S+p*x)}determinantAffine(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[1],o=e[5],
+t=e[0],n=e[4],s=e[8],r=e[12],o=e[1],a=e[5],l=e[9],c=e[13],d=e[2],u=e[6],h=e[10],f=e[14],m=e[3],y=e[7],p=e[11],g=e[15],_=l*f-c*h,S=a*f-c*u,M=a*h-l*u,C=o*f-c*d,T=o*
+h-l*d,x=o*u-a*d;return t*(y*_-p*S+g*M)-n*(m*_-p*C+g*T)+s*(m*S-y*C+g*x)-r*(m*M-y*T+p*x)}determinantAffine(){let e=this.elements,t=e[0],n=e[4],s=e[8],r=e[1],o=e[5],
 a=e[9],l=e[2],c=e[6],d=e[10];return t*(o*d-a*c)-n*(r*d-a*l)+s*(r*c-o*l)}transpose(){let e=this.elements,t;return t=e[1],e[1]=e[4],e[4]=t,t=e[2],e[2]=e[8],e[8]=t,
 t=e[6],e[6]=e[9],e[9]=t,t=e[3],e[3]=e[12],e[12]=t,t=e[7],e[7]=e[13],e[13]=t,t=e[11],e[11]=e[14],e[14]=t,this}setPosition(e,t,n){let s=this.elements;return e.isVector3?
 (s[12]=e.x,s[13]=e.y,s[14]=e.z):(s[12]=e,s[13]=t,s[14]=n),this}invert(){let e=this.elements,t=e[0],n=e[1],s=e[2],r=e[3],o=e[4],a=e[5],l=e[6],c=e[7],d=e[8],u=e[9],
-h=e[10],f=e[11],m=e[12],y=e[13],p=e[14],g=e[15],_=t*a-n*o,w=t*l-s*o,M=t*c-r*o,C=n*l-s*a,S=n*c-r*a,x=s*c-r*l,b=d*y-u*m,N=d*p-h*m,R=d*g-f*m,I=u*p-h*y,F=u*g-f*y,z=h*
-g-f*p,D=_*z-w*F+M*I+C*R-S*N+x*b;if(D===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let W=1/D;return e[0]=(a*z-l*F+c*I)*W,e[1]=(s*F-n*z-r*I)*W,e[2]=(y*x-p*
-S+g*C)*W,e[3]=(h*S-u*x-f*C)*W,e[4]=(l*R-o*z-c*N)*W,e[5]=(t*z-s*R+r*N)*W,e[6]=(p*M-m*x-g*w)*W,e[7]=(d*x-h*M+f*w)*W,e[8]=(o*F-a*R+c*b)*W,e[9]=(n*R-t*F-r*b)*W,e[10]=
-(m*S-y*M+g*_)*W,e[11]=(u*M-d*S-f*_)*W,e[12]=(a*N-o*I-l*b)*W,e[13]=(t*I-n*N+s*b)*W,e[14]=(y*w-m*C-p*_)*W,e[15]=(d*C-u*w+h*_)*W,this}scale(e){let t=this.elements,
+h=e[10],f=e[11],m=e[12],y=e[13],p=e[14],g=e[15],_=t*a-n*o,S=t*l-s*o,M=t*c-r*o,C=n*l-s*a,T=n*c-r*a,x=s*c-r*l,b=d*y-u*m,L=d*p-h*m,R=d*g-f*m,P=u*p-h*y,F=u*g-f*y,z=h*
+g-f*p,D=_*z-S*F+M*P+C*R-T*L+x*b;if(D===0)return this.set(0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0);let G=1/D;return e[0]=(a*z-l*F+c*P)*G,e[1]=(s*F-n*z-r*P)*G,e[2]=(y*x-p*
+T+g*C)*G,e[3]=(h*T-u*x-f*C)*G,e[4]=(l*R-o*z-c*L)*G,e[5]=(t*z-s*R+r*L)*G,e[6]=(p*M-m*x-g*S)*G,e[7]=(d*x-h*M+f*S)*G,e[8]=(o*F-a*R+c*b)*G,e[9]=(n*R-t*F-r*b)*G,e[10]=
+(m*T-y*M+g*_)*G,e[11]=(u*M-d*T-f*_)*G,e[12]=(a*L-o*P-l*b)*G,e[13]=(t*P-n*L+s*b)*G,e[14]=(y*S-m*C-p*_)*G,e[15]=(d*C-u*S+h*_)*G,this}scale(e){let t=this.elements,
 n=e.x,s=e.y,r=e.z;return t[0]*=n,t[4]*=s,t[8]*=r,t[1]*=n,t[5]*=s,t[9]*=r,t[2]*=n,t[6]*=s,t[10]*=r,t[3]*=n,t[7]*=s,t[11]*=r,this}getMaxScaleOnAxis(){let e=this.elements,
 t=e[0]*e[0]+e[1]*e[1]+e[2]*e[2],n=e[4]*e[4]+e[5]*e[5]+e[6]*e[6],s=e[8]*e[8]+e[9]*e[9]+e[10]*e[10];return Math.sqrt(Math.max(t,n,s))}makeTranslation(e,t,n){return e.
 isVector3?this.set(1,0,0,e.x,0,1,0,e.y,0,0,1,e.z,0,0,0,1):this.set(1,0,0,e,0,1,0,t,0,0,1,n,0,0,0,1),this}makeRotationX(e){let t=Math.cos(e),n=Math.sin(e);return this.
@@ -740,8 +740,8 @@ set(1,0,0,0,0,t,-n,0,0,n,t,0,0,0,0,1),this}makeRotationY(e){let t=Math.cos(e),n=
 let t=Math.cos(e),n=Math.sin(e);return this.set(t,-n,0,0,n,t,0,0,0,0,1,0,0,0,0,1),this}makeRotationAxis(e,t){let n=Math.cos(t),s=Math.sin(t),r=1-n,o=e.x,a=e.y,l=e.
 z,c=r*o,d=r*a;return this.set(c*o+n,c*a-s*l,c*l+s*a,0,c*a+s*l,d*a+n,d*l-s*o,0,c*l-s*a,d*l+s*o,r*l*l+n,0,0,0,0,1),this}makeScale(e,t,n){return this.set(e,0,0,0,0,
 t,0,0,0,0,n,0,0,0,0,1),this}makeShear(e,t,n,s,r,o){return this.set(1,n,r,0,e,1,o,0,t,s,1,0,0,0,0,1),this}compose(e,t,n){let s=this.elements,r=t._x,o=t._y,a=t._z,
-l=t._w,c=r+r,d=o+o,u=a+a,h=r*c,f=r*d,m=r*u,y=o*d,p=o*u,g=a*u,_=l*c,w=l*d,M=l*u,C=n.x,S=n.y,x=n.z;return s[0]=(1-(y+g))*C,s[1]=(f+M)*C,s[2]=(m-w)*C,s[3]=0,s[4]=(f-
-M)*S,s[5]=(1-(h+g))*S,s[6]=(p+_)*S,s[7]=0,s[8]=(m+w)*x,s[9]=(p-_)*x,s[10]=(1-(h+y))*x,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,n){let s=this.
+l=t._w,c=r+r,d=o+o,u=a+a,h=r*c,f=r*d,m=r*u,y=o*d,p=o*u,g=a*u,_=l*c,S=l*d,M=l*u,C=n.x,T=n.y,x=n.z;return s[0]=(1-(y+g))*C,s[1]=(f+M)*C,s[2]=(m-S)*C,s[3]=0,s[4]=(f-
+M)*T,s[5]=(1-(h+g))*T,s[6]=(p+_)*T,s[7]=0,s[8]=(m+S)*x,s[9]=(p-_)*x,s[10]=(1-(h+y))*x,s[11]=0,s[12]=e.x,s[13]=e.y,s[14]=e.z,s[15]=1,this}decompose(e,t,n){let s=this.
 elements;e.x=s[12],e.y=s[13],e.z=s[14];let r=this.determinantAffine();if(r===0)return n.set(1,1,1),t.identity(),this;let o=Pr.set(s[0],s[1],s[2]).length(),a=Pr.
 set(s[4],s[5],s[6]).length(),l=Pr.set(s[8],s[9],s[10]).length();r<0&&(o=-o),xi.copy(this);let c=1/o,d=1/a,u=1/l;return xi.elements[0]*=c,xi.elements[1]*=c,xi.elements[2]*=
 c,xi.elements[4]*=d,xi.elements[5]*=d,xi.elements[6]*=d,xi.elements[8]*=u,xi.elements[9]*=u,xi.elements[10]*=u,t.setFromRotationMatrix(xi),n.x=o,n.y=a,n.z=l,this}makePerspective(e,t,n,s,r,o,a=li,l=!1){
@@ -878,7 +878,7 @@ papayawhip:16773077,peachpuff:16767673,peru:13468991,pink:16761035,plum:14524637
 royalblue:4286945,saddlebrown:9127187,salmon:16416882,sandybrown:16032864,seagreen:3050327,seashell:16774638,sienna:10506797,silver:12632256,skyblue:8900331,slateblue:6970061,
 slategray:7372944,slategrey:7372944,snow:16775930,springgreen:65407,steelblue:4620980,tan:13808780,teal:32896,thistle:14204888,tomato:16737095,turquoise:4251856,
 violet:15631086,wheat:16113331,white:16777215,whitesmoke:16119285,yellow:16776960,yellowgreen:10145074},bs={h:0,s:0,l:0},Ya={h:0,s:0,l:0};function nu(i,e,t){return t<
-0&&(t+=1),t>1&&(t-=1),t<1/6?i+(e-i)*6*t:t<1/2?e:t<2/3?i+(e-i)*6*(2/3-t):i}var st=class{constructor(e,t,n){return this.isColor=!0,this.r=1,this.g=1,this.b=1,this.
+0&&(t+=1),t>1&&(t-=1),t<1/6?i+(e-i)*6*t:t<1/2?e:t<2/3?i+(e-i)*6*(2/3-t):i}var rt=class{constructor(e,t,n){return this.isColor=!0,this.r=1,this.g=1,this.b=1,this.
 set(e,t,n)}set(e,t,n){if(t===void 0&&n===void 0){let s=e;s&&s.isColor?this.copy(s):typeof s=="number"?this.setHex(s):typeof s=="string"&&this.setStyle(s)}else this.
 setRGB(e,t,n);return this}setScalar(e){return this.r=e,this.g=e,this.b=e,this}setHex(e,t=Qn){return e=Math.floor(e),this.r=(e>>16&255)/255,this.g=(e>>8&255)/255,
 this.b=(e&255)/255,_t.colorSpaceToWorking(this,t),this}setRGB(e,t,n,s=_t.workingColorSpace){return this.r=e,this.g=t,this.b=n,_t.colorSpaceToWorking(this,s),this}setHSL(e,t,n,s=_t.
@@ -908,7 +908,7 @@ bs),e.getHSL(Ya);let n=Jh(bs.h,Ya.h,t),s=Jh(bs.s,Ya.s,t),r=Jh(bs.l,Ya.l,t);retur
 e.z,this}applyMatrix3(e){let t=this.r,n=this.g,s=this.b,r=e.elements;return this.r=r[0]*t+r[3]*n+r[6]*s,this.g=r[1]*t+r[4]*n+r[7]*s,this.b=r[2]*t+r[5]*n+r[8]*s,
 this}equals(e){return e.r===this.r&&e.g===this.g&&e.b===this.b}fromArray(e,t=0){return this.r=e[t],this.g=e[t+1],this.b=e[t+2],this}toArray(e=[],t=0){return e[t]=
 this.r,e[t+1]=this.g,e[t+2]=this.b,e}fromBufferAttribute(e,t){return this.r=e.getX(t),this.g=e.getY(t),this.b=e.getZ(t),this}toJSON(){return this.getHex()}*[Symbol.
-iterator](){yield this.r,yield this.g,yield this.b}},En=new st;st.NAMES=Jm;var Go=class extends wn{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=
+iterator](){yield this.r,yield this.g,yield this.b}},En=new rt;rt.NAMES=Jm;var Go=class extends wn{constructor(){super(),this.isScene=!0,this.type="Scene",this.background=null,this.environment=null,this.fog=null,this.backgroundBlurriness=
 0,this.backgroundIntensity=1,this.backgroundRotation=new rs,this.environmentIntensity=1,this.environmentRotation=new rs,this.overrideMaterial=null,typeof __THREE_DEVTOOLS__<
 "u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}copy(e,t){return super.copy(e,t),this.background=e.background!==null?e.background.
 clone():null,this.environment=e.environment!==null?e.environment.clone():null,this.fog=e.fog!==null?e.fog.clone():null,this.backgroundBlurriness=e.backgroundBlurriness,
@@ -966,7 +966,7 @@ z).applyMatrix4(e),ts[7].set(this.max.x,this.max.y,this.max.z).applyMatrix4(e),t
 this}equals(e){return e.min.equals(this.min)&&e.max.equals(this.max)}toJSON(){return{min:this.min.toArray(),max:this.max.toArray()}}fromJSON(e){return this.min.
 fromArray(e.min),this.max.fromArray(e.max),this}},ts=[new V,new V,new V,new V,new V,new V,new V,new V],vi=new V,Za=new Bi,Ur=new V,Fr=new V,Or=new V,Ss=new V,ws=new V,
 Zs=new V,Po=new V,Ja=new V,Ka=new V,Js=new V;function hu(i,e,t,n,s){for(let r=0,o=i.length-3;r<=o;r+=3){Js.fromArray(i,r);let a=s.x*Math.abs(Js.x)+s.y*Math.abs(
-Js.y)+s.z*Math.abs(Js.z),l=e.dot(Js),c=t.dot(Js),d=n.dot(Js);if(Math.max(-Math.max(l,c,d),Math.min(l,c,d))>a)return!1}return!0}var an=new V,ja=new ot,hy=0,Mi=class extends Oi{constructor(e,t,n=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a \
+Js.y)+s.z*Math.abs(Js.z),l=e.dot(Js),c=t.dot(Js),d=n.dot(Js);if(Math.max(-Math.max(l,c,d),Math.min(l,c,d))>a)return!1}return!0}var an=new V,ja=new st,hy=0,Mi=class extends Oi{constructor(e,t,n=!1){if(super(),Array.isArray(e))throw new TypeError("THREE.BufferAttribute: array should be a \
 Typed Array.");this.isBufferAttribute=!0,Object.defineProperty(this,"id",{value:hy++}),this.name="",this.array=e,this.itemSize=t,this.count=e!==void 0?e.length/
 t:0,this.normalized=n,this.usage=Wm,this.updateRanges=[],this.gpuType=hi,this.version=0,this._normalizationScale=e!==void 0?ju(e):void 0}onUploadCallback(){}set needsUpdate(e){
 e===!0&&this.version++}setUsage(e){return this.usage=e,this}addUpdateRange(e,t){this.updateRanges.push({start:e,count:t})}clearUpdateRanges(){this.updateRanges.
@@ -1034,14 +1034,14 @@ a,c),l&&(Br.fromBufferAttribute(e,c),Mn.add(Br)),s=Math.max(s,n.distanceToSquare
 Ke('BufferGeometry.computeBoundingSphere(): Computed radius is NaN. The "position" attribute is likely to have NaN values.',this)}}computeTangents(){let e=this.
 index,t=this.attributes;if(e===null||t.position===void 0||t.normal===void 0||t.uv===void 0){Ke("BufferGeometry: .computeTangents() failed. Missing required attr\
 ibutes (index, position, normal or uv)");return}let n=t.position,s=t.normal,r=t.uv,o=this.getAttribute("tangent");(o===void 0||o.count!==n.count)&&(o=new Mi(new Float32Array(
-4*n.count),4),this.setAttribute("tangent",o));let a=[],l=[],c=new Uint8Array(n.count);for(let N=0;N<n.count;N++)a[N]=new V,l[N]=new V;let d=new V,u=new V,h=new V,
-f=new ot,m=new ot,y=new ot,p=new V,g=new V;function _(N,R,I){c[N]=c[R]=c[I]=1,d.fromBufferAttribute(n,N),u.fromBufferAttribute(n,R),h.fromBufferAttribute(n,I),f.
-fromBufferAttribute(r,N),m.fromBufferAttribute(r,R),y.fromBufferAttribute(r,I),u.sub(d),h.sub(d),m.sub(f),y.sub(f);let F=1/(m.x*y.y-y.x*m.y);isFinite(F)&&(p.copy(
-u).multiplyScalar(y.y).addScaledVector(h,-m.y).multiplyScalar(F),g.copy(h).multiplyScalar(m.x).addScaledVector(u,-y.x).multiplyScalar(F),a[N].add(p),a[R].add(p),
-a[I].add(p),l[N].add(g),l[R].add(g),l[I].add(g))}let w=this.groups;w.length===0&&(w=[{start:0,count:e.count}]);for(let N=0,R=w.length;N<R;++N){let I=w[N],F=I.start,
-z=I.count;for(let D=F,W=F+z;D<W;D+=3)_(e.getX(D+0),e.getX(D+1),e.getX(D+2))}let M=new V,C=new V,S=new V,x=new V;function b(N){S.fromBufferAttribute(s,N),x.copy(
-S);let R=a[N];M.copy(R),M.sub(S.multiplyScalar(S.dot(R))).normalize(),C.crossVectors(x,R);let F=C.dot(l[N])<0?-1:1;o.setXYZW(N,M.x,M.y,M.z,F)}for(let N=0,R=n.count;N<
-R;++N)c[N]&&b(N);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let n=this.getAttribute("normal");if(n===
+4*n.count),4),this.setAttribute("tangent",o));let a=[],l=[],c=new Uint8Array(n.count);for(let L=0;L<n.count;L++)a[L]=new V,l[L]=new V;let d=new V,u=new V,h=new V,
+f=new st,m=new st,y=new st,p=new V,g=new V;function _(L,R,P){c[L]=c[R]=c[P]=1,d.fromBufferAttribute(n,L),u.fromBufferAttribute(n,R),h.fromBufferAttribute(n,P),f.
+fromBufferAttribute(r,L),m.fromBufferAttribute(r,R),y.fromBufferAttribute(r,P),u.sub(d),h.sub(d),m.sub(f),y.sub(f);let F=1/(m.x*y.y-y.x*m.y);isFinite(F)&&(p.copy(
+u).multiplyScalar(y.y).addScaledVector(h,-m.y).multiplyScalar(F),g.copy(h).multiplyScalar(m.x).addScaledVector(u,-y.x).multiplyScalar(F),a[L].add(p),a[R].add(p),
+a[P].add(p),l[L].add(g),l[R].add(g),l[P].add(g))}let S=this.groups;S.length===0&&(S=[{start:0,count:e.count}]);for(let L=0,R=S.length;L<R;++L){let P=S[L],F=P.start,
+z=P.count;for(let D=F,G=F+z;D<G;D+=3)_(e.getX(D+0),e.getX(D+1),e.getX(D+2))}let M=new V,C=new V,T=new V,x=new V;function b(L){T.fromBufferAttribute(s,L),x.copy(
+T);let R=a[L];M.copy(R),M.sub(T.multiplyScalar(T.dot(R))).normalize(),C.crossVectors(x,R);let F=C.dot(l[L])<0?-1:1;o.setXYZW(L,M.x,M.y,M.z,F)}for(let L=0,R=n.count;L<
+R;++L)c[L]&&b(L);this._transformed=!0}computeVertexNormals(){let e=this.index,t=this.getAttribute("position");if(t!==void 0){let n=this.getAttribute("normal");if(n===
 void 0||n.count!==t.count)n=new Mi(new Float32Array(t.count*3),3),this.setAttribute("normal",n);else for(let h=0,f=n.count;h<f;h++)n.setXYZ(h,0,0,0);let s=new V,
 r=new V,o=new V,a=new V,l=new V,c=new V,d=new V,u=new V;if(e)for(let h=0,f=e.count;h<f;h+=3){let m=e.getX(h+0),y=e.getX(h+1),p=e.getX(h+2);s.fromBufferAttribute(
 t,m),r.fromBufferAttribute(t,y),o.fromBufferAttribute(t,p),d.subVectors(o,r),u.subVectors(s,r),d.cross(u),a.fromBufferAttribute(n,m),l.fromBufferAttribute(n,y),
@@ -1079,7 +1079,7 @@ constant=-s.dot(r),this}translate(e){return this.constant-=e.dot(this.normal),th
 return new this.constructor().copy(this)}toJSON(){return{normal:this.normal.toArray(),constant:this.constant}}fromJSON(e){return this.normal.fromArray(e.normal),
 this.constant=e.constant,this}},my=0,as=class extends Oi{constructor(){super(),this.isMaterial=!0,Object.defineProperty(this,"id",{value:my++}),this.uuid=xa(),this.
 name="",this.type="Material",this.blending=so,this.side=Ds,this.vertexColors=!1,this.opacity=1,this.transparent=!1,this.alphaHash=!1,this.blendSrc=Iu,this.blendDst=
-Lu,this.blendEquation=er,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new st(0,0,0),this.blendAlpha=0,this.depthFunc=
+Lu,this.blendEquation=er,this.blendSrcAlpha=null,this.blendDstAlpha=null,this.blendEquationAlpha=null,this.blendColor=new rt(0,0,0),this.blendAlpha=0,this.depthFunc=
 qr,this.depthTest=!0,this.depthWrite=!0,this.stencilWriteMask=255,this.stencilFunc=Bm,this.stencilRef=0,this.stencilFuncMask=255,this.stencilFail=_l,this.stencilZFail=
 _l,this.stencilZPass=_l,this.stencilWrite=!1,this.clippingPlanes=null,this.clipIntersection=!1,this.clipShadows=!1,this.shadowSide=null,this.colorWrite=!0,this.
 precision=null,this.polygonOffset=!1,this.polygonOffsetFactor=0,this.polygonOffsetUnits=0,this.dithering=!1,this.alphaToCoverage=!1,this.premultipliedAlpha=!1,this.
@@ -1137,7 +1137,7 @@ this.wireframeLinecap!==void 0&&(n.wireframeLinecap=this.wireframeLinecap),this.
 void 0&&(n.flatShading=this.flatShading),this.fog!==void 0&&(n.fog=this.fog),Object.keys(this.userData).length>0&&(n.userData=this.userData);function s(r){let o=[];
 for(let a in r){let l=r[a];delete l.metadata,o.push(l)}return o}if(t){let r=s(e.textures),o=s(e.images);r.length>0&&(n.textures=r),o.length>0&&(n.images=o)}return n}fromJSON(e,t){
 if(e.uuid!==void 0&&(this.uuid=e.uuid),e.name!==void 0&&(this.name=e.name),e.color!==void 0&&this.color!==void 0&&this.color.setHex(e.color),e.roughness!==void 0&&
-(this.roughness=e.roughness),e.metalness!==void 0&&(this.metalness=e.metalness),e.sheen!==void 0&&(this.sheen=e.sheen),e.sheenColor!==void 0&&(this.sheenColor=new st().
+(this.roughness=e.roughness),e.metalness!==void 0&&(this.metalness=e.metalness),e.sheen!==void 0&&(this.sheen=e.sheen),e.sheenColor!==void 0&&(this.sheenColor=new rt().
 setHex(e.sheenColor)),e.sheenRoughness!==void 0&&(this.sheenRoughness=e.sheenRoughness),e.emissive!==void 0&&this.emissive!==void 0&&this.emissive.setHex(e.emissive),
 e.specular!==void 0&&this.specular!==void 0&&this.specular.setHex(e.specular),e.specularIntensity!==void 0&&(this.specularIntensity=e.specularIntensity),e.specularColor!==
 void 0&&this.specularColor!==void 0&&this.specularColor.setHex(e.specularColor),e.shininess!==void 0&&(this.shininess=e.shininess),e.clearcoat!==void 0&&(this.clearcoat=
@@ -1172,7 +1172,7 @@ void 0&&(this.visible=e.visible),e.toneMapped!==void 0&&(this.toneMapped=e.toneM
 (this.sizeAttenuation=e.sizeAttenuation),e.map!==void 0&&(this.map=t[e.map]||null),e.matcap!==void 0&&(this.matcap=t[e.matcap]||null),e.alphaMap!==void 0&&(this.
 alphaMap=t[e.alphaMap]||null),e.bumpMap!==void 0&&(this.bumpMap=t[e.bumpMap]||null),e.bumpScale!==void 0&&(this.bumpScale=e.bumpScale),e.normalMap!==void 0&&(this.
 normalMap=t[e.normalMap]||null),e.normalMapType!==void 0&&(this.normalMapType=e.normalMapType),e.normalScale!==void 0){let n=e.normalScale;Array.isArray(n)===!1&&
-(n=[n,n]),this.normalScale=new ot().fromArray(n)}return e.displacementMap!==void 0&&(this.displacementMap=t[e.displacementMap]||null),e.displacementScale!==void 0&&
+(n=[n,n]),this.normalScale=new st().fromArray(n)}return e.displacementMap!==void 0&&(this.displacementMap=t[e.displacementMap]||null),e.displacementScale!==void 0&&
 (this.displacementScale=e.displacementScale),e.displacementBias!==void 0&&(this.displacementBias=e.displacementBias),e.roughnessMap!==void 0&&(this.roughnessMap=
 t[e.roughnessMap]||null),e.metalnessMap!==void 0&&(this.metalnessMap=t[e.metalnessMap]||null),e.emissiveMap!==void 0&&(this.emissiveMap=t[e.emissiveMap]||null),
 e.emissiveIntensity!==void 0&&(this.emissiveIntensity=e.emissiveIntensity),e.specularMap!==void 0&&(this.specularMap=t[e.specularMap]||null),e.specularIntensityMap!==
@@ -1182,7 +1182,7 @@ e.envMapIntensity),e.reflectivity!==void 0&&(this.reflectivity=e.reflectivity),e
 void 0&&(this.lightMap=t[e.lightMap]||null),e.lightMapIntensity!==void 0&&(this.lightMapIntensity=e.lightMapIntensity),e.aoMap!==void 0&&(this.aoMap=t[e.aoMap]||
 null),e.aoMapIntensity!==void 0&&(this.aoMapIntensity=e.aoMapIntensity),e.gradientMap!==void 0&&(this.gradientMap=t[e.gradientMap]||null),e.clearcoatMap!==void 0&&
 (this.clearcoatMap=t[e.clearcoatMap]||null),e.clearcoatRoughnessMap!==void 0&&(this.clearcoatRoughnessMap=t[e.clearcoatRoughnessMap]||null),e.clearcoatNormalMap!==
-void 0&&(this.clearcoatNormalMap=t[e.clearcoatNormalMap]||null),e.clearcoatNormalScale!==void 0&&(this.clearcoatNormalScale=new ot().fromArray(e.clearcoatNormalScale)),
+void 0&&(this.clearcoatNormalMap=t[e.clearcoatNormalMap]||null),e.clearcoatNormalScale!==void 0&&(this.clearcoatNormalScale=new st().fromArray(e.clearcoatNormalScale)),
 e.diffuseRoughnessMap!==void 0&&(this.diffuseRoughnessMap=t[e.diffuseRoughnessMap]||null),e.iridescenceMap!==void 0&&(this.iridescenceMap=t[e.iridescenceMap]||null),
 e.iridescenceThicknessMap!==void 0&&(this.iridescenceThicknessMap=t[e.iridescenceThicknessMap]||null),e.transmissionMap!==void 0&&(this.transmissionMap=t[e.transmissionMap]||
 null),e.thicknessMap!==void 0&&(this.thicknessMap=t[e.thicknessMap]||null),e.anisotropyMap!==void 0&&(this.anisotropyMap=t[e.anisotropyMap]||null),e.sheenColorMap!==
@@ -1216,13 +1216,13 @@ let n,s,r,o,a,l,c=1/this.direction.x,d=1/this.direction.y,u=1/this.direction.z,h
 c,s=(e.min.x-h.x)*c),d>=0?(r=(e.min.y-h.y)*d,o=(e.max.y-h.y)*d):(r=(e.max.y-h.y)*d,o=(e.min.y-h.y)*d),n>o||r>s||((r>n||isNaN(n))&&(n=r),(o<s||isNaN(s))&&(s=o),u>=
 0?(a=(e.min.z-h.z)*u,l=(e.max.z-h.z)*u):(a=(e.max.z-h.z)*u,l=(e.min.z-h.z)*u),n>l||a>s)||((a>n||n!==n)&&(n=a),(l<s||s!==s)&&(s=l),s<0)?null:this.at(n>=0?n:s,t)}intersectsBox(e){
 return this.intersectBox(e,ns)!==null}intersectTriangle(e,t,n,s,r){let o=this.origin,a=this.direction,l=a.x,c=a.y,d=a.z,u=e.x-o.x,h=e.y-o.y,f=e.z-o.z,m=t.x-o.x,
-y=t.y-o.y,p=t.z-o.z,g=n.x-o.x,_=n.y-o.y,w=n.z-o.z,M=Math.abs(l),C=Math.abs(c),S=Math.abs(d),x,b,N,R,I,F,z,D,W,Y,H,ce;if(M>=C&&M>=S?(N=l,F=u,W=m,ce=g,l>=0?(x=c,b=
-d,R=h,I=f,z=y,D=p,Y=_,H=w):(x=d,b=c,R=f,I=h,z=p,D=y,Y=w,H=_)):C>=S?(N=c,F=h,W=y,ce=_,c>=0?(x=d,b=l,R=f,I=u,z=p,D=m,Y=w,H=g):(x=l,b=d,R=u,I=f,z=m,D=p,Y=g,H=w)):(N=
-d,F=f,W=p,ce=w,d>=0?(x=l,b=c,R=u,I=h,z=m,D=y,Y=g,H=_):(x=c,b=l,R=h,I=u,z=y,D=m,Y=_,H=g)),N===0)return null;let K=x/N,Q=b/N,se=1/N,de=R-K*F,ue=I-Q*F,ee=z-K*W,me=D-
-Q*W,xe=Y-K*ce,Ee=H-Q*ce,be=xe*me-Ee*ee,He=de*Ee-ue*xe,nt=ee*ue-me*de;if(s){if(be<0||He<0||nt<0)return null}else if((be<0||He<0||nt<0)&&(be>0||He>0||nt>0))return null;
-let Ve=be+He+nt;if(Ve===0)return null;let ut=se*(be*F+He*W+nt*ce);return(Ve>0?ut<0:ut>0)?null:this.at(ut/Ve,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),
+y=t.y-o.y,p=t.z-o.z,g=n.x-o.x,_=n.y-o.y,S=n.z-o.z,M=Math.abs(l),C=Math.abs(c),T=Math.abs(d),x,b,L,R,P,F,z,D,G,Y,W,ce;if(M>=C&&M>=T?(L=l,F=u,G=m,ce=g,l>=0?(x=c,b=
+d,R=h,P=f,z=y,D=p,Y=_,W=S):(x=d,b=c,R=f,P=h,z=p,D=y,Y=S,W=_)):C>=T?(L=c,F=h,G=y,ce=_,c>=0?(x=d,b=l,R=f,P=u,z=p,D=m,Y=S,W=g):(x=l,b=d,R=u,P=f,z=m,D=p,Y=g,W=S)):(L=
+d,F=f,G=p,ce=S,d>=0?(x=l,b=c,R=u,P=h,z=m,D=y,Y=g,W=_):(x=c,b=l,R=h,P=u,z=y,D=m,Y=_,W=g)),L===0)return null;let K=x/L,Q=b/L,se=1/L,de=R-K*F,ue=P-Q*F,ee=z-K*G,me=D-
+Q*G,xe=Y-K*ce,Ee=W-Q*ce,be=xe*me-Ee*ee,He=de*Ee-ue*xe,nt=ee*ue-me*de;if(s){if(be<0||He<0||nt<0)return null}else if((be<0||He<0||nt<0)&&(be>0||He>0||nt>0))return null;
+let Ve=be+He+nt;if(Ve===0)return null;let ut=se*(be*F+He*G+nt*ce);return(Ve>0?ut<0:ut>0)?null:this.at(ut/Ve,r)}applyMatrix4(e){return this.origin.applyMatrix4(e),
 this.direction.transformDirection(e),this}equals(e){return e.origin.equals(this.origin)&&e.direction.equals(this.direction)}clone(){return new this.constructor().
-copy(this)}},ls=class extends as{constructor(e){super(),this.isMeshBasicMaterial=!0,this.type="MeshBasicMaterial",this.color=new st(16777215),this.map=null,this.
+copy(this)}},ls=class extends as{constructor(e){super(),this.isMeshBasicMaterial=!0,this.type="MeshBasicMaterial",this.color=new rt(16777215),this.map=null,this.
 lightMap=null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new rs,
 this.combine=jl,this.reflectivity=1,this.refractionRatio=.98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="r\
 ound",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,
@@ -1242,17 +1242,17 @@ null&&n.computeBoundingSphere(),tl.copy(n.boundingSphere),tl.applyMatrix4(r),Ks.
 tl,$p)===null||Ks.origin.distanceToSquared($p)>(e.far-e.near)**2))&&(qp.copy(r).invert(),Ks.copy(e.ray).applyMatrix4(qp),!(n.boundingBox!==null&&Ks.intersectsBox(
 n.boundingBox)===!1)&&this._computeIntersections(e,t,Ks)))}_computeIntersections(e,t,n){let s,r=this.geometry,o=this.material,a=r.index,l=r.attributes.position,
 c=r.attributes.uv,d=r.attributes.uv1,u=r.attributes.normal,h=r.groups,f=r.drawRange;if(a!==null)if(Array.isArray(o))for(let m=0,y=h.length;m<y;m++){let p=h[m],g=o[p.
-materialIndex],_=Math.max(p.start,f.start),w=Math.min(a.count,Math.min(p.start+p.count,f.start+f.count));for(let M=_,C=w;M<C;M+=3){let S=a.getX(M),x=a.getX(M+1),
-b=a.getX(M+2);s=al(this,g,e,n,c,d,u,S,x,b),s&&(s.faceIndex=Math.floor(M/3),s.face.materialIndex=p.materialIndex,t.push(s))}}else{let m=Math.max(0,f.start),y=Math.
-min(a.count,f.start+f.count);for(let p=m,g=y;p<g;p+=3){let _=a.getX(p),w=a.getX(p+1),M=a.getX(p+2);s=al(this,o,e,n,c,d,u,_,w,M),s&&(s.faceIndex=Math.floor(p/3),
-t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let m=0,y=h.length;m<y;m++){let p=h[m],g=o[p.materialIndex],_=Math.max(p.start,f.start),w=Math.min(l.count,
-Math.min(p.start+p.count,f.start+f.count));for(let M=_,C=w;M<C;M+=3){let S=M,x=M+1,b=M+2;s=al(this,g,e,n,c,d,u,S,x,b),s&&(s.faceIndex=Math.floor(M/3),s.face.materialIndex=
-p.materialIndex,t.push(s))}}else{let m=Math.max(0,f.start),y=Math.min(l.count,f.start+f.count);for(let p=m,g=y;p<g;p+=3){let _=p,w=p+1,M=p+2;s=al(this,o,e,n,c,d,
-u,_,w,M),s&&(s.faceIndex=Math.floor(p/3),t.push(s))}}}};function gy(i,e,t,n,s,r,o,a){let l;if(e.side===kn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(
+materialIndex],_=Math.max(p.start,f.start),S=Math.min(a.count,Math.min(p.start+p.count,f.start+f.count));for(let M=_,C=S;M<C;M+=3){let T=a.getX(M),x=a.getX(M+1),
+b=a.getX(M+2);s=al(this,g,e,n,c,d,u,T,x,b),s&&(s.faceIndex=Math.floor(M/3),s.face.materialIndex=p.materialIndex,t.push(s))}}else{let m=Math.max(0,f.start),y=Math.
+min(a.count,f.start+f.count);for(let p=m,g=y;p<g;p+=3){let _=a.getX(p),S=a.getX(p+1),M=a.getX(p+2);s=al(this,o,e,n,c,d,u,_,S,M),s&&(s.faceIndex=Math.floor(p/3),
+t.push(s))}}else if(l!==void 0)if(Array.isArray(o))for(let m=0,y=h.length;m<y;m++){let p=h[m],g=o[p.materialIndex],_=Math.max(p.start,f.start),S=Math.min(l.count,
+Math.min(p.start+p.count,f.start+f.count));for(let M=_,C=S;M<C;M+=3){let T=M,x=M+1,b=M+2;s=al(this,g,e,n,c,d,u,T,x,b),s&&(s.faceIndex=Math.floor(M/3),s.face.materialIndex=
+p.materialIndex,t.push(s))}}else{let m=Math.max(0,f.start),y=Math.min(l.count,f.start+f.count);for(let p=m,g=y;p<g;p+=3){let _=p,S=p+1,M=p+2;s=al(this,o,e,n,c,d,
+u,_,S,M),s&&(s.faceIndex=Math.floor(p/3),t.push(s))}}}};function gy(i,e,t,n,s,r,o,a){let l;if(e.side===kn?l=n.intersectTriangle(o,r,s,!0,a):l=n.intersectTriangle(
 s,r,o,e.side===Ds,a),l===null)return null;ol.copy(a),ol.applyMatrix4(i.matrixWorld);let c=t.ray.origin.distanceTo(ol);return c<t.near||c>t.far?null:{distance:c,
 point:ol.clone(),object:i}}function al(i,e,t,n,s,r,o,a,l,c){i.getVertexPosition(a,nl),i.getVertexPosition(l,il),i.getVertexPosition(c,sl);let d=gy(i,e,t,n,nl,il,
-sl,Yp);if(d){let u=new V;Ui.getBarycoord(Yp,nl,il,sl,u),s&&(d.uv=Ui.getInterpolatedAttribute(s,a,l,c,u,new ot)),r&&(d.uv1=Ui.getInterpolatedAttribute(r,a,l,c,u,
-new ot)),o&&(d.normal=Ui.getInterpolatedAttribute(o,a,l,c,u,new V),d.normal.dot(n.direction)>0&&d.normal.multiplyScalar(-1));let h={a,b:l,c,normal:new V,materialIndex:0};
+sl,Yp);if(d){let u=new V;Ui.getBarycoord(Yp,nl,il,sl,u),s&&(d.uv=Ui.getInterpolatedAttribute(s,a,l,c,u,new st)),r&&(d.uv1=Ui.getInterpolatedAttribute(r,a,l,c,u,
+new st)),o&&(d.normal=Ui.getInterpolatedAttribute(o,a,l,c,u,new V),d.normal.dot(n.direction)>0&&d.normal.multiplyScalar(-1));let h={a,b:l,c,normal:new V,materialIndex:0};
 Ui.getNormal(nl,il,sl,h.normal),d.face=h,d.barycoord=u}return d}var Xo=class extends Gn{constructor(e=null,t=1,n=1,s,r,o,a,l,c=bn,d=bn,u,h){super(null,o,a,l,c,d,s,r,u,h),this.isDataTexture=!0,this.image={data:e,width:t,height:n},
 this.generateMipmaps=!1,this.flipY=!1,this.unpackAlignment=1}};var qo=class extends Mi{constructor(e,t,n,s=1){super(e,t,n),this.isInstancedBufferAttribute=!0,this.meshPerAttribute=s}copy(e){return super.copy(e),this.meshPerAttribute=
 e.meshPerAttribute,this}toJSON(){let e=super.toJSON();return e.meshPerAttribute=this.meshPerAttribute,e.isInstancedBufferAttribute=!0,e}},kr=new xt,Zp=new xt,ll=[],
@@ -1273,11 +1273,11 @@ this.instanceMatrix.count*3).fill(1),3)),t.toArray(this.instanceColor.array,e*3)
 let n=t.morphTargetInfluences,s=n.length+1;this.morphTexture===null&&(this.morphTexture=new Xo(new Float32Array(s*this.count),s,this.count,rc,hi));let r=this.morphTexture.
 source.data.data,o=0;for(let c=0;c<n.length;c++)o+=n[c];let a=this.geometry.morphTargetsRelative?1:1-o,l=s*e;return r[l]=a,r.set(n,l+1),this}updateMorphTargets(){}dispose(){
 super.dispose(),this.instanceMatrix.dispose(),this.instanceColor!==null&&this.instanceColor.dispose(),this.morphTexture!==null&&(this.morphTexture.dispose(),this.
-morphTexture=null)}},js=new os,xy=new ot(.5,.5),cl=new V,Es=class{constructor(e=new ei,t=new ei,n=new ei,s=new ei,r=new ei,o=new ei){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){
+morphTexture=null)}},js=new os,xy=new st(.5,.5),cl=new V,Es=class{constructor(e=new ei,t=new ei,n=new ei,s=new ei,r=new ei,o=new ei){this.planes=[e,t,n,s,r,o]}set(e,t,n,s,r,o){
 let a=this.planes;return a[0].copy(e),a[1].copy(t),a[2].copy(n),a[3].copy(s),a[4].copy(r),a[5].copy(o),this}copy(e){let t=this.planes;for(let n=0;n<6;n++)t[n].copy(
 e.planes[n]);return this}setFromProjectionMatrix(e,t=li,n=!1){let s=this.planes,r=e.elements,o=r[0],a=r[1],l=r[2],c=r[3],d=r[4],u=r[5],h=r[6],f=r[7],m=r[8],y=r[9],
-p=r[10],g=r[11],_=r[12],w=r[13],M=r[14],C=r[15];if(s[0].setComponents(c-o,f-d,g-m,C-_).normalize(),s[1].setComponents(c+o,f+d,g+m,C+_).normalize(),s[2].setComponents(
-c+a,f+u,g+y,C+w).normalize(),s[3].setComponents(c-a,f-u,g-y,C-w).normalize(),n)s[4].setComponents(l,h,p,M).normalize(),s[5].setComponents(c-l,f-h,g-p,C-M).normalize();else if(s[4].
+p=r[10],g=r[11],_=r[12],S=r[13],M=r[14],C=r[15];if(s[0].setComponents(c-o,f-d,g-m,C-_).normalize(),s[1].setComponents(c+o,f+d,g+m,C+_).normalize(),s[2].setComponents(
+c+a,f+u,g+y,C+S).normalize(),s[3].setComponents(c-a,f-u,g-y,C-S).normalize(),n)s[4].setComponents(l,h,p,M).normalize(),s[5].setComponents(c-l,f-h,g-p,C-M).normalize();else if(s[4].
 setComponents(c-l,f-h,g-p,C-M).normalize(),t===li)s[5].setComponents(c+l,f+h,g+p,C+M).normalize();else if(t===$r)s[5].setComponents(l,h,p,M).normalize();else throw new Error(
 "THREE.Frustum.setFromProjectionMatrix(): Invalid coordinate system: "+t);return this}intersectsObject(e){if(e.boundingSphere!==void 0)e.boundingSphere===null&&
 e.computeBoundingSphere(),js.copy(e.boundingSphere).applyMatrix4(e.matrixWorld);else{let t=e.geometry;t.boundingSphere===null&&t.computeBoundingSphere(),js.copy(
@@ -1292,7 +1292,7 @@ let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsObject(e))r
 if(t[n].intersectsSprite(e))return!0;return!1}intersectsSphere(e){let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsSphere(e))return!0;return!1}intersectsBox(e){
 let t=this._frustums;for(let n=0;n<this._count;n++)if(t[n].intersectsBox(e))return!0;return!1}containsPoint(e){let t=this._frustums;for(let n=0;n<this._count;n++)
 if(t[n].containsPoint(e))return!0;return!1}copy(e){this.coordinateSystem=e.coordinateSystem;let t=this._frustums,n=e._frustums;for(let s=0;s<e._count;s++)t[s]===
-void 0&&(t[s]=new Es),t[s].copy(n[s]);return this._count=e._count,this}clone(){return new i().copy(this)}};var Cs=class extends as{constructor(e){super(),this.isLineBasicMaterial=!0,this.type="LineBasicMaterial",this.color=new st(16777215),this.map=null,this.linewidth=
+void 0&&(t[s]=new Es),t[s].copy(n[s]);return this._count=e._count,this}clone(){return new i().copy(this)}};var Cs=class extends as{constructor(e){super(),this.isLineBasicMaterial=!0,this.type="LineBasicMaterial",this.color=new rt(16777215),this.map=null,this.linewidth=
 1,this.linecap="round",this.linejoin="round",this.fog=!0,this.setValues(e)}copy(e){return super.copy(e),this.color.copy(e.color),this.map=e.map,this.linewidth=e.
 linewidth,this.linecap=e.linecap,this.linejoin=e.linejoin,this.fog=e.fog,this}},Nl=new V,Dl=new V,jp=new xt,Uo=new jr,hl=new os,gu=new V,Qp=new V,Ul=class extends wn{constructor(e=new ln,t=new Cs){
 super(),this.isLine=!0,this.type="Line",this.geometry=e,this.material=t,this.morphTargetDictionary=void 0,this.morphTargetInfluences=void 0,this.updateMorphTargets()}copy(e,t){
@@ -1304,7 +1304,7 @@ Line.computeLineDistances(): Computation only possible with non-indexed BufferGe
 let n=this.geometry,s=this.matrixWorld,r=e.params.Line.threshold,o=n.drawRange;if(n.boundingSphere===null&&n.computeBoundingSphere(),hl.copy(n.boundingSphere),hl.
 applyMatrix4(s),hl.radius+=r,e.ray.intersectsSphere(hl)===!1)return;jp.copy(s).invert(),Uo.copy(e.ray).applyMatrix4(jp);let a=r/((this.scale.x+this.scale.y+this.
 scale.z)/3),l=a*a,c=this.isLineSegments?2:1,d=n.index,h=n.attributes.position;if(d!==null){let f=Math.max(0,o.start),m=Math.min(d.count,o.start+o.count);for(let y=f,
-p=m-1;y<p;y+=c){let g=d.getX(y),_=d.getX(y+1),w=ul(this,e,Uo,l,g,_,y);w&&t.push(w)}if(this.isLineLoop){let y=d.getX(m-1),p=d.getX(f),g=ul(this,e,Uo,l,y,p,m-1);g&&
+p=m-1;y<p;y+=c){let g=d.getX(y),_=d.getX(y+1),S=ul(this,e,Uo,l,g,_,y);S&&t.push(S)}if(this.isLineLoop){let y=d.getX(m-1),p=d.getX(f),g=ul(this,e,Uo,l,y,p,m-1);g&&
 t.push(g)}}else{let f=Math.max(0,o.start),m=Math.min(h.count,o.start+o.count);for(let y=f,p=m-1;y<p;y+=c){let g=ul(this,e,Uo,l,y,y+1,y);g&&t.push(g)}if(this.isLineLoop){
 let y=ul(this,e,Uo,l,m-1,f,m-1);y&&t.push(y)}}}updateMorphTargets(){let t=this.geometry.morphAttributes,n=Object.keys(t);if(n.length>0){let s=t[n[0]];if(s!==void 0){
 this.morphTargetInfluences=[],this.morphTargetDictionary={};for(let r=0,o=s.length;r<o;r++){let a=s[r].name||String(r);this.morphTargetInfluences.push(0),this.morphTargetDictionary[a]=
@@ -1323,55 +1323,55 @@ Zo=class extends Gn{constructor(e=null){super(),this.sourceTexture=e,this.isExte
 Rs=class i extends ln{constructor(e=1,t=1,n=1,s=1,r=1,o=1){super(),this.type="BoxGeometry",this.parameters={width:e,height:t,depth:n,widthSegments:s,heightSegments:r,
 depthSegments:o};let a=this;s=Math.floor(s),r=Math.floor(r),o=Math.floor(o);let l=[],c=[],d=[],u=[],h=0,f=0;m("z","y","x",-1,-1,n,t,e,o,r,0),m("z","y","x",1,-1,
 n,t,-e,o,r,1),m("x","z","y",1,1,e,n,t,s,o,2),m("x","z","y",1,-1,e,n,-t,s,o,3),m("x","y","z",1,-1,e,t,n,s,r,4),m("x","y","z",-1,-1,e,t,-n,s,r,5),this.setIndex(l),
-this.setAttribute("position",new yt(c,3)),this.setAttribute("normal",new yt(d,3)),this.setAttribute("uv",new yt(u,2));function m(y,p,g,_,w,M,C,S,x,b,N){let R=M/
-x,I=C/b,F=M/2,z=C/2,D=S/2,W=x+1,Y=b+1,H=0,ce=0,K=new V;for(let Q=0;Q<Y;Q++){let se=Q*I-z;for(let de=0;de<W;de++){let ue=de*R-F;K[y]=ue*_,K[p]=se*w,K[g]=D,c.push(
-K.x,K.y,K.z),K[y]=0,K[p]=0,K[g]=S>0?1:-1,d.push(K.x,K.y,K.z),u.push(de/x),u.push(1-Q/b),H+=1}}for(let Q=0;Q<b;Q++)for(let se=0;se<x;se++){let de=h+se+W*Q,ue=h+se+
-W*(Q+1),ee=h+(se+1)+W*(Q+1),me=h+(se+1)+W*Q;l.push(de,ue,me),l.push(ue,ee,me),ce+=6}a.addGroup(f,ce,N),f+=ce,h+=H}}copy(e){return super.copy(e),this.parameters=
+this.setAttribute("position",new yt(c,3)),this.setAttribute("normal",new yt(d,3)),this.setAttribute("uv",new yt(u,2));function m(y,p,g,_,S,M,C,T,x,b,L){let R=M/
+x,P=C/b,F=M/2,z=C/2,D=T/2,G=x+1,Y=b+1,W=0,ce=0,K=new V;for(let Q=0;Q<Y;Q++){let se=Q*P-z;for(let de=0;de<G;de++){let ue=de*R-F;K[y]=ue*_,K[p]=se*S,K[g]=D,c.push(
+K.x,K.y,K.z),K[y]=0,K[p]=0,K[g]=T>0?1:-1,d.push(K.x,K.y,K.z),u.push(de/x),u.push(1-Q/b),W+=1}}for(let Q=0;Q<b;Q++)for(let se=0;se<x;se++){let de=h+se+G*Q,ue=h+se+
+G*(Q+1),ee=h+(se+1)+G*(Q+1),me=h+(se+1)+G*Q;l.push(de,ue,me),l.push(ue,ee,me),ce+=6}a.addGroup(f,ce,L),f+=ce,h+=W}}copy(e){return super.copy(e),this.parameters=
 Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.width,e.height,e.depth,e.widthSegments,e.heightSegments,e.depthSegments)}},Jo=class i extends ln{constructor(e=1,t=1,n=4,s=8,r=1){
 super(),this.type="CapsuleGeometry",this.parameters={radius:e,height:t,capSegments:n,radialSegments:s,heightSegments:r},t=Math.max(0,t),n=Math.max(1,Math.floor(
 n)),s=Math.max(3,Math.floor(s)),r=Math.max(1,Math.floor(r));let o=[],a=[],l=[],c=[],d=t/2,u=Math.PI/2*e,h=t,f=2*u+h,m=n*2+r,y=s+1,p=new V,g=new V;for(let _=0;_<=
-m;_++){let w=0,M=0,C=0,S=0;if(_<=n){let N=_/n,R=N*Math.PI/2;M=-d-e*Math.cos(R),C=e*Math.sin(R),S=-e*Math.cos(R),w=N*u}else if(_<=n+r){let N=(_-n)/r;M=-d+N*t,C=e,
-S=0,w=u+N*h}else{let N=(_-n-r)/n,R=N*Math.PI/2;M=d+e*Math.sin(R),C=e*Math.cos(R),S=e*Math.sin(R),w=u+h+N*u}let x=Math.max(0,Math.min(1,w/f)),b=0;_===0?b=.5/s:_===
-m&&(b=-.5/s);for(let N=0;N<=s;N++){let R=N/s,I=R*Math.PI*2,F=Math.sin(I),z=Math.cos(I);g.x=-C*z,g.y=M,g.z=C*F,a.push(g.x,g.y,g.z),p.set(-C*z,S,C*F),p.normalize(),
-l.push(p.x,p.y,p.z),c.push(R+b,x)}if(_>0){let N=(_-1)*y;for(let R=0;R<s;R++){let I=N+R,F=N+R+1,z=_*y+R,D=_*y+R+1;o.push(I,F,z),o.push(F,D,z)}}}this.setIndex(o),
+m;_++){let S=0,M=0,C=0,T=0;if(_<=n){let L=_/n,R=L*Math.PI/2;M=-d-e*Math.cos(R),C=e*Math.sin(R),T=-e*Math.cos(R),S=L*u}else if(_<=n+r){let L=(_-n)/r;M=-d+L*t,C=e,
+T=0,S=u+L*h}else{let L=(_-n-r)/n,R=L*Math.PI/2;M=d+e*Math.sin(R),C=e*Math.cos(R),T=e*Math.sin(R),S=u+h+L*u}let x=Math.max(0,Math.min(1,S/f)),b=0;_===0?b=.5/s:_===
+m&&(b=-.5/s);for(let L=0;L<=s;L++){let R=L/s,P=R*Math.PI*2,F=Math.sin(P),z=Math.cos(P);g.x=-C*z,g.y=M,g.z=C*F,a.push(g.x,g.y,g.z),p.set(-C*z,T,C*F),p.normalize(),
+l.push(p.x,p.y,p.z),c.push(R+b,x)}if(_>0){let L=(_-1)*y;for(let R=0;R<s;R++){let P=L+R,F=L+R+1,z=_*y+R,D=_*y+R+1;o.push(P,F,z),o.push(F,D,z)}}}this.setIndex(o),
 this.setAttribute("position",new yt(a,3)),this.setAttribute("normal",new yt(l,3)),this.setAttribute("uv",new yt(c,2))}copy(e){return super.copy(e),this.parameters=
 Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.height,e.capSegments,e.radialSegments,e.heightSegments)}};var Ps=class i extends ln{constructor(e=1,t=1,n=1,s=32,r=1,o=!1,a=0,l=Math.PI*2){super(),this.type="CylinderGeometry",this.parameters={radiusTop:e,radiusBottom:t,
 height:n,radialSegments:s,heightSegments:r,openEnded:o,thetaStart:a,thetaLength:l};let c=this;s=Math.floor(s),r=Math.floor(r);let d=[],u=[],h=[],f=[],m=0,y=[],p=n/
-2,g=0;_(),o===!1&&(e>0&&w(!0),t>0&&w(!1)),this.setIndex(d),this.setAttribute("position",new yt(u,3)),this.setAttribute("normal",new yt(h,3)),this.setAttribute("\
-uv",new yt(f,2));function _(){let M=new V,C=new V,S=0,x=(t-e)/n;for(let b=0;b<=r;b++){let N=[],R=b/r,I=R*(t-e)+e;for(let F=0;F<=s;F++){let z=F/s,D=z*l+a,W=Math.
-sin(D),Y=Math.cos(D);C.x=I*W,C.y=-R*n+p,C.z=I*Y,u.push(C.x,C.y,C.z),M.set(W,x,Y).normalize(),h.push(M.x,M.y,M.z),f.push(z,1-R),N.push(m++)}y.push(N)}for(let b=0;b<
-s;b++)for(let N=0;N<r;N++){let R=y[N][b],I=y[N+1][b],F=y[N+1][b+1],z=y[N][b+1];(e>0||N!==0)&&(d.push(R,I,z),S+=3),(t>0||N!==r-1)&&(d.push(I,F,z),S+=3)}c.addGroup(
-g,S,0),g+=S}function w(M){let C=m,S=new ot,x=new V,b=0,N=M===!0?e:t,R=M===!0?1:-1;for(let F=1;F<=s;F++)u.push(0,p*R,0),h.push(0,R,0),f.push(.5,.5),m++;let I=m;for(let F=0;F<=
-s;F++){let D=F/s*l+a,W=Math.cos(D),Y=Math.sin(D);x.x=N*Y,x.y=p*R,x.z=N*W,u.push(x.x,x.y,x.z),h.push(0,R,0),S.x=W*.5+.5,S.y=Y*.5*R+.5,f.push(S.x,S.y),m++}for(let F=0;F<
-s;F++){let z=C+F,D=I+F;M===!0?d.push(D,D+1,z):d.push(D+1,D,z),b+=3}c.addGroup(g,b,M===!0?1:2),g+=b}}copy(e){return super.copy(e),this.parameters=Object.assign({},
+2,g=0;_(),o===!1&&(e>0&&S(!0),t>0&&S(!1)),this.setIndex(d),this.setAttribute("position",new yt(u,3)),this.setAttribute("normal",new yt(h,3)),this.setAttribute("\
+uv",new yt(f,2));function _(){let M=new V,C=new V,T=0,x=(t-e)/n;for(let b=0;b<=r;b++){let L=[],R=b/r,P=R*(t-e)+e;for(let F=0;F<=s;F++){let z=F/s,D=z*l+a,G=Math.
+sin(D),Y=Math.cos(D);C.x=P*G,C.y=-R*n+p,C.z=P*Y,u.push(C.x,C.y,C.z),M.set(G,x,Y).normalize(),h.push(M.x,M.y,M.z),f.push(z,1-R),L.push(m++)}y.push(L)}for(let b=0;b<
+s;b++)for(let L=0;L<r;L++){let R=y[L][b],P=y[L+1][b],F=y[L+1][b+1],z=y[L][b+1];(e>0||L!==0)&&(d.push(R,P,z),T+=3),(t>0||L!==r-1)&&(d.push(P,F,z),T+=3)}c.addGroup(
+g,T,0),g+=T}function S(M){let C=m,T=new st,x=new V,b=0,L=M===!0?e:t,R=M===!0?1:-1;for(let F=1;F<=s;F++)u.push(0,p*R,0),h.push(0,R,0),f.push(.5,.5),m++;let P=m;for(let F=0;F<=
+s;F++){let D=F/s*l+a,G=Math.cos(D),Y=Math.sin(D);x.x=L*Y,x.y=p*R,x.z=L*G,u.push(x.x,x.y,x.z),h.push(0,R,0),T.x=G*.5+.5,T.y=Y*.5*R+.5,f.push(T.x,T.y),m++}for(let F=0;F<
+s;F++){let z=C+F,D=P+F;M===!0?d.push(D,D+1,z):d.push(D+1,D,z),b+=3}c.addGroup(g,b,M===!0?1:2),g+=b}}copy(e){return super.copy(e),this.parameters=Object.assign({},
 e.parameters),this}static fromJSON(e){return new i(e.radiusTop,e.radiusBottom,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,e.thetaLength)}},
 Ko=class i extends Ps{constructor(e=1,t=1,n=32,s=1,r=!1,o=0,a=Math.PI*2){super(0,e,t,n,s,r,o,a),this.type="ConeGeometry",this.parameters={radius:e,height:t,radialSegments:n,
 heightSegments:s,openEnded:r,thetaStart:o,thetaLength:a}}static fromJSON(e){return new i(e.radius,e.height,e.radialSegments,e.heightSegments,e.openEnded,e.thetaStart,
 e.thetaLength)}},Fl=class i extends ln{constructor(e=[],t=[],n=1,s=0){super(),this.type="PolyhedronGeometry",this.parameters={vertices:e,indices:t,radius:n,detail:s};
 let r=[],o=[];a(s),c(n),d(),this.setAttribute("position",new yt(r,3)),this.setAttribute("normal",new yt(r.slice(),3)),this.setAttribute("uv",new yt(o,2)),s===0?
-this.computeVertexNormals():this.normalizeNormals();function a(_){let w=new V,M=new V,C=new V;for(let S=0;S<t.length;S+=3)f(t[S+0],w),f(t[S+1],M),f(t[S+2],C),l(
-w,M,C,_)}function l(_,w,M,C){let S=C+1,x=[];for(let b=0;b<=S;b++){x[b]=[];let N=_.clone().lerp(M,b/S),R=w.clone().lerp(M,b/S),I=S-b;for(let F=0;F<=I;F++)F===0&&
-b===S?x[b][F]=N:x[b][F]=N.clone().lerp(R,F/I)}for(let b=0;b<S;b++)for(let N=0;N<2*(S-b)-1;N++){let R=Math.floor(N/2);N%2===0?(h(x[b][R+1]),h(x[b+1][R]),h(x[b][R])):
-(h(x[b][R+1]),h(x[b+1][R+1]),h(x[b+1][R]))}}function c(_){let w=new V;for(let M=0;M<r.length;M+=3)w.x=r[M+0],w.y=r[M+1],w.z=r[M+2],w.normalize().multiplyScalar(
-_),r[M+0]=w.x,r[M+1]=w.y,r[M+2]=w.z}function d(){let _=new V;for(let w=0;w<r.length;w+=3){_.x=r[w+0],_.y=r[w+1],_.z=r[w+2];let M=p(_)/2/Math.PI+.5,C=g(_)/Math.PI+
-.5;o.push(M,1-C)}m(),u()}function u(){for(let _=0;_<o.length;_+=6){let w=o[_+0],M=o[_+2],C=o[_+4],S=Math.max(w,M,C),x=Math.min(w,M,C);S>.9&&x<.1&&(w<.2&&(o[_+0]+=
-1),M<.2&&(o[_+2]+=1),C<.2&&(o[_+4]+=1))}}function h(_){r.push(_.x,_.y,_.z)}function f(_,w){let M=_*3;w.x=e[M+0],w.y=e[M+1],w.z=e[M+2]}function m(){let _=new V,w=new V,
-M=new V,C=new V,S=new ot,x=new ot,b=new ot;for(let N=0,R=0;N<r.length;N+=9,R+=6){_.set(r[N+0],r[N+1],r[N+2]),w.set(r[N+3],r[N+4],r[N+5]),M.set(r[N+6],r[N+7],r[N+
-8]),S.set(o[R+0],o[R+1]),x.set(o[R+2],o[R+3]),b.set(o[R+4],o[R+5]),C.copy(_).add(w).add(M).divideScalar(3);let I=p(C);y(S,R+0,_,I),y(x,R+2,w,I),y(b,R+4,M,I)}}function y(_,w,M,C){
-C<0&&_.x===1&&(o[w]=_.x-1),M.x===0&&M.z===0&&(o[w]=C/2/Math.PI+.5)}function p(_){return Math.atan2(_.z,-_.x)}function g(_){return Math.atan2(-_.y,Math.sqrt(_.x*
+this.computeVertexNormals():this.normalizeNormals();function a(_){let S=new V,M=new V,C=new V;for(let T=0;T<t.length;T+=3)f(t[T+0],S),f(t[T+1],M),f(t[T+2],C),l(
+S,M,C,_)}function l(_,S,M,C){let T=C+1,x=[];for(let b=0;b<=T;b++){x[b]=[];let L=_.clone().lerp(M,b/T),R=S.clone().lerp(M,b/T),P=T-b;for(let F=0;F<=P;F++)F===0&&
+b===T?x[b][F]=L:x[b][F]=L.clone().lerp(R,F/P)}for(let b=0;b<T;b++)for(let L=0;L<2*(T-b)-1;L++){let R=Math.floor(L/2);L%2===0?(h(x[b][R+1]),h(x[b+1][R]),h(x[b][R])):
+(h(x[b][R+1]),h(x[b+1][R+1]),h(x[b+1][R]))}}function c(_){let S=new V;for(let M=0;M<r.length;M+=3)S.x=r[M+0],S.y=r[M+1],S.z=r[M+2],S.normalize().multiplyScalar(
+_),r[M+0]=S.x,r[M+1]=S.y,r[M+2]=S.z}function d(){let _=new V;for(let S=0;S<r.length;S+=3){_.x=r[S+0],_.y=r[S+1],_.z=r[S+2];let M=p(_)/2/Math.PI+.5,C=g(_)/Math.PI+
+.5;o.push(M,1-C)}m(),u()}function u(){for(let _=0;_<o.length;_+=6){let S=o[_+0],M=o[_+2],C=o[_+4],T=Math.max(S,M,C),x=Math.min(S,M,C);T>.9&&x<.1&&(S<.2&&(o[_+0]+=
+1),M<.2&&(o[_+2]+=1),C<.2&&(o[_+4]+=1))}}function h(_){r.push(_.x,_.y,_.z)}function f(_,S){let M=_*3;S.x=e[M+0],S.y=e[M+1],S.z=e[M+2]}function m(){let _=new V,S=new V,
+M=new V,C=new V,T=new st,x=new st,b=new st;for(let L=0,R=0;L<r.length;L+=9,R+=6){_.set(r[L+0],r[L+1],r[L+2]),S.set(r[L+3],r[L+4],r[L+5]),M.set(r[L+6],r[L+7],r[L+
+8]),T.set(o[R+0],o[R+1]),x.set(o[R+2],o[R+3]),b.set(o[R+4],o[R+5]),C.copy(_).add(S).add(M).divideScalar(3);let P=p(C);y(T,R+0,_,P),y(x,R+2,S,P),y(b,R+4,M,P)}}function y(_,S,M,C){
+C<0&&_.x===1&&(o[S]=_.x-1),M.x===0&&M.z===0&&(o[S]=C/2/Math.PI+.5)}function p(_){return Math.atan2(_.z,-_.x)}function g(_){return Math.atan2(-_.y,Math.sqrt(_.x*
 _.x+_.z*_.z))}}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.vertices,e.indices,e.radius,e.
 detail)}};var eo=class i extends Fl{constructor(e=1,t=0){let n=[1,0,0,-1,0,0,0,1,0,0,-1,0,0,0,1,0,0,-1],s=[0,2,4,0,4,3,0,3,5,0,5,2,1,2,5,1,5,3,1,3,4,1,4,2];super(n,s,e,t),
 this.type="OctahedronGeometry",this.parameters={radius:e,detail:t}}static fromJSON(e){return new i(e.radius,e.detail)}},jo=class i extends ln{constructor(e=1,t=1,n=1,s=1){
 super(),this.type="PlaneGeometry",this.parameters={width:e,height:t,widthSegments:n,heightSegments:s};let r=e/2,o=t/2,a=Math.floor(n),l=Math.floor(s),c=a+1,d=l+
-1,u=e/a,h=t/l,f=[],m=[],y=[],p=[];for(let g=0;g<d;g++){let _=g*h-o;for(let w=0;w<c;w++){let M=w*u-r;m.push(M,-_,0),y.push(0,0,1),p.push(w/a),p.push(1-g/l)}}for(let g=0;g<
-l;g++)for(let _=0;_<a;_++){let w=_+c*g,M=_+c*(g+1),C=_+1+c*(g+1),S=_+1+c*g;f.push(w,M,S),f.push(M,C,S)}this.setIndex(f),this.setAttribute("position",new yt(m,3)),
+1,u=e/a,h=t/l,f=[],m=[],y=[],p=[];for(let g=0;g<d;g++){let _=g*h-o;for(let S=0;S<c;S++){let M=S*u-r;m.push(M,-_,0),y.push(0,0,1),p.push(S/a),p.push(1-g/l)}}for(let g=0;g<
+l;g++)for(let _=0;_<a;_++){let S=_+c*g,M=_+c*(g+1),C=_+1+c*(g+1),T=_+1+c*g;f.push(S,M,T),f.push(M,C,T)}this.setIndex(f),this.setAttribute("position",new yt(m,3)),
 this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(p,2))}copy(e){return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){
 return new i(e.width,e.height,e.widthSegments,e.heightSegments)}};var Qo=class i extends ln{constructor(e=1,t=32,n=16,s=0,r=Math.PI*2,o=0,a=Math.PI){super(),this.type="SphereGeometry",this.parameters={radius:e,widthSegments:t,
 heightSegments:n,phiStart:s,phiLength:r,thetaStart:o,thetaLength:a},t=Math.max(3,Math.floor(t)),n=Math.max(2,Math.floor(n));let l=Math.min(o+a,Math.PI),c=0,d=[],
-u=new V,h=new V,f=[],m=[],y=[],p=[];for(let g=0;g<=n;g++){let _=[],w=g/n,M=o+w*a,C=e*Math.cos(M),S=Math.sqrt(e*e-C*C),x=0;g===0&&o===0?x=.5/t:g===n&&l===Math.PI&&
-(x=-.5/t);for(let b=0;b<=t;b++){let N=b/t,R=s+N*r;u.x=-S*Math.cos(R),u.y=C,u.z=S*Math.sin(R),m.push(u.x,u.y,u.z),h.copy(u).normalize(),y.push(h.x,h.y,h.z),p.push(
-N+x,1-w),_.push(c++)}d.push(_)}for(let g=0;g<n;g++)for(let _=0;_<t;_++){let w=d[g][_+1],M=d[g][_],C=d[g+1][_],S=d[g+1][_+1];(g!==0||o>0)&&f.push(w,M,S),(g!==n-1||
-l<Math.PI)&&f.push(M,C,S)}this.setIndex(f),this.setAttribute("position",new yt(m,3)),this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(p,2))}copy(e){
+u=new V,h=new V,f=[],m=[],y=[],p=[];for(let g=0;g<=n;g++){let _=[],S=g/n,M=o+S*a,C=e*Math.cos(M),T=Math.sqrt(e*e-C*C),x=0;g===0&&o===0?x=.5/t:g===n&&l===Math.PI&&
+(x=-.5/t);for(let b=0;b<=t;b++){let L=b/t,R=s+L*r;u.x=-T*Math.cos(R),u.y=C,u.z=T*Math.sin(R),m.push(u.x,u.y,u.z),h.copy(u).normalize(),y.push(h.x,h.y,h.z),p.push(
+L+x,1-S),_.push(c++)}d.push(_)}for(let g=0;g<n;g++)for(let _=0;_<t;_++){let S=d[g][_+1],M=d[g][_],C=d[g+1][_],T=d[g+1][_+1];(g!==0||o>0)&&f.push(S,M,T),(g!==n-1||
+l<Math.PI)&&f.push(M,C,T)}this.setIndex(f),this.setAttribute("position",new yt(m,3)),this.setAttribute("normal",new yt(y,3)),this.setAttribute("uv",new yt(p,2))}copy(e){
 return super.copy(e),this.parameters=Object.assign({},e.parameters),this}static fromJSON(e){return new i(e.radius,e.widthSegments,e.heightSegments,e.phiStart,e.
 phiLength,e.thetaStart,e.thetaLength)}};function ir(i){let e={};for(let t in i){e[t]={};for(let n in i[t]){let s=i[t][n];if(nm(s))s.isRenderTargetTexture?($e("UniformsUtils: Textures of render targets\
  cannot be cloned via cloneUniforms() or mergeUniforms()."),e[t][n]=null):e[t][n]=s.clone();else if(Array.isArray(s))if(nm(s[0])){let r=[];for(let o=0,a=s.length;o<
@@ -1393,14 +1393,14 @@ toArray()}:o&&o.isMatrix3?t.uniforms[s]={type:"m3",value:o.toArray()}:o&&o.isMat
 keys(this.defines).length>0&&(t.defines=this.defines),t.vertexShader=this.vertexShader,t.fragmentShader=this.fragmentShader,t.lights=this.lights,t.clipping=this.
 clipping;let n={};for(let s in this.extensions)this.extensions[s]===!0&&(n[s]=!0);return Object.keys(n).length>0&&(t.extensions=n),t}fromJSON(e,t){if(super.fromJSON(
 e,t),e.uniforms!==void 0)for(let n in e.uniforms){let s=e.uniforms[n];switch(this.uniforms[n]={},s.type){case"t":this.uniforms[n].value=t[s.value]||null;break;case"\
-c":this.uniforms[n].value=new st().setHex(s.value);break;case"v2":this.uniforms[n].value=new ot().fromArray(s.value);break;case"v3":this.uniforms[n].value=new V().
+c":this.uniforms[n].value=new rt().setHex(s.value);break;case"v2":this.uniforms[n].value=new st().fromArray(s.value);break;case"v3":this.uniforms[n].value=new V().
 fromArray(s.value);break;case"v4":this.uniforms[n].value=new Wt().fromArray(s.value);break;case"m3":this.uniforms[n].value=new Qe().fromArray(s.value);break;case"\
 m4":this.uniforms[n].value=new xt().fromArray(s.value);break;default:this.uniforms[n].value=s.value}}if(e.defines!==void 0&&(this.defines=e.defines),e.vertexShader!==
 void 0&&(this.vertexShader=e.vertexShader),e.fragmentShader!==void 0&&(this.fragmentShader=e.fragmentShader),e.glslVersion!==void 0&&(this.glslVersion=e.glslVersion),
 e.extensions!==void 0)for(let n in e.extensions)this.extensions[n]=e.extensions[n];return e.lights!==void 0&&(this.lights=e.lights),e.clipping!==void 0&&(this.clipping=
-e.clipping),this}},Ol=class extends ki{constructor(e){super(e),this.isRawShaderMaterial=!0,this.type="RawShaderMaterial"}};var ea=class extends as{constructor(e){super(),this.isMeshLambertMaterial=!0,this.type="MeshLambertMaterial",this.color=new st(16777215),this.map=null,this.lightMap=
-null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.emissive=new st(0),this.emissiveIntensity=1,this.emissiveMap=null,this.bumpMap=null,this.
-bumpScale=1,this.normalMap=null,this.normalMapType=kc,this.normalScale=new ot(1,1),this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.
+e.clipping),this}},Ol=class extends ki{constructor(e){super(e),this.isRawShaderMaterial=!0,this.type="RawShaderMaterial"}};var ea=class extends as{constructor(e){super(),this.isMeshLambertMaterial=!0,this.type="MeshLambertMaterial",this.color=new rt(16777215),this.map=null,this.lightMap=
+null,this.lightMapIntensity=1,this.aoMap=null,this.aoMapIntensity=1,this.emissive=new rt(0),this.emissiveIntensity=1,this.emissiveMap=null,this.bumpMap=null,this.
+bumpScale=1,this.normalMap=null,this.normalMapType=kc,this.normalScale=new st(1,1),this.displacementMap=null,this.displacementScale=1,this.displacementBias=0,this.
 specularMap=null,this.alphaMap=null,this.envMap=null,this.envMapRotation=new rs,this.combine=jl,this.reflectivity=1,this.envMapIntensity=1,this.refractionRatio=
 .98,this.wireframe=!1,this.wireframeLinewidth=1,this.wireframeLinecap="round",this.wireframeLinejoin="round",this.flatShading=!1,this.fog=!0,this.setValues(e)}copy(e){
 return super.copy(e),this.color.copy(e.color),this.map=e.map,this.lightMap=e.lightMap,this.lightMapIntensity=e.lightMapIntensity,this.aoMap=e.aoMap,this.aoMapIntensity=
@@ -1430,12 +1430,12 @@ let s=this.parameterPositions,r=e-2,o=e+1,a=s[r],l=s[o];if(a===void 0)switch(thi
 s[r]-s[r+1];break;default:r=e,a=n}if(l===void 0)switch(this.getSettings_().endingEnd){case Mu:o=e,l=2*n-t;break;case bu:o=1,l=n+s[1]-s[0];break;default:o=e-1,l=
 t}let c=(n-t)*.5,d=this.valueSize;this._weightPrev=c/(t-a),this._weightNext=c/(l-n),this._offsetPrev=r*d,this._offsetNext=o*d}interpolate_(e,t,n,s){let r=this.resultBuffer,
 o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this._offsetPrev,u=this._offsetNext,h=this._weightPrev,f=this._weightNext,m=(n-t)/(s-t),y=m*m,p=y*m,g=-h*p+2*
-h*y-h*m,_=(1+h)*p+(-1.5-2*h)*y+(-.5+h)*m+1,w=(-1-f)*p+(1.5+f)*y+.5*m,M=f*p-f*y;for(let C=0;C!==a;++C)r[C]=g*o[d+C]+_*o[c+C]+w*o[l+C]+M*o[u+C];return r}},Vl=class extends Is{constructor(e,t,n,s){
+h*y-h*m,_=(1+h)*p+(-1.5-2*h)*y+(-.5+h)*m+1,S=(-1-f)*p+(1.5+f)*y+.5*m,M=f*p-f*y;for(let C=0;C!==a;++C)r[C]=g*o[d+C]+_*o[c+C]+S*o[l+C]+M*o[u+C];return r}},Vl=class extends Is{constructor(e,t,n,s){
 super(e,t,n,s)}interpolate_(e,t,n,s){let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=(n-t)/(s-t),u=1-d;for(let h=0;h!==a;++h)r[h]=o[c+
 h]*u+o[l+h]*d;return r}},Gl=class extends Is{constructor(e,t,n,s){super(e,t,n,s)}interpolate_(e){return this.copySampleValue_(e-1)}},Hl=class extends Is{interpolate_(e,t,n,s){
 let r=this.resultBuffer,o=this.sampleValues,a=this.valueSize,l=e*a,c=l-a,d=this.inTangents,u=this.outTangents;if(!d||!u){let m=(n-t)/(s-t),y=1-m;for(let p=0;p!==
-a;++p)r[p]=o[c+p]*y+o[l+p]*m;return r}let h=a*2,f=e-1;for(let m=0;m!==a;++m){let y=o[c+m],p=o[l+m],g=f*h+m*2,_=u[g],w=u[g+1],M=e*h+m*2,C=d[M],S=d[M+1],x=Sy(n,t,
-_,C,s);r[m]=jm(x,y,w,S,p)}return r}};function jm(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function by(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
+a;++p)r[p]=o[c+p]*y+o[l+p]*m;return r}let h=a*2,f=e-1;for(let m=0;m!==a;++m){let y=o[c+m],p=o[l+m],g=f*h+m*2,_=u[g],S=u[g+1],M=e*h+m*2,C=d[M],T=d[M+1],x=Sy(n,t,
+_,C,s);r[m]=jm(x,y,S,T,p)}return r}};function jm(i,e,t,n,s){let r=1-i;return r*r*r*e+3*r*r*i*t+3*r*i*i*n+i*i*i*s}function by(i,e,t,n,s){let r=1-i;return 3*r*r*(t-
 e)+6*r*i*(n-t)+3*i*i*(s-n)}function Sy(i,e,t,n,s){let r=(i-e)/(s-e);for(let o=0;o<8;o++){let a=jm(r,e,t,n,s)-i;if(Math.abs(a)<1e-10)break;let l=by(r,e,t,n,s);if(Math.
 abs(l)<1e-10)break;r=Math.max(0,Math.min(1,r-a/l))}return r}var ni=class{constructor(e,t,n,s){if(e===void 0)throw new Error("THREE.KeyframeTrack: track name is \
 undefined");if(t===void 0||t.length===0)throw new Error("THREE.KeyframeTrack: no keyframes in track named "+e);this.name=e,this.times=zr(t,this.TimeBufferType),
@@ -1482,13 +1482,13 @@ this.path="",this.resourcePath="",this.requestHeader={},this.priority="auto",thi
 new CustomEvent("observe",{detail:this}))}load(){}loadAsync(e,t){let n=this;return new Promise(function(s,r){n.load(e,s,t,r)})}parse(){}setCrossOrigin(e){return this.
 crossOrigin=e,this}setWithCredentials(e){return this.withCredentials=e,this}setPath(e){return this.path=e,this}setResourcePath(e){return this.resourcePath=e,this}setRequestHeader(e){
 return this.requestHeader=e,this}setPriority(e){return this.priority=e,this}setCache(e){return this.cache=e,this}abort(){return this}};Zl.DEFAULT_MATERIAL_NAME=
-"__DEFAULT";var ia=class extends wn{static registerNode(e){this.prototype._lightNode=e}constructor(e,t=1){super(),this.isLight=!0,this.type="Light",this.color=new st(e),this.
+"__DEFAULT";var ia=class extends wn{static registerNode(e){this.prototype._lightNode=e}constructor(e,t=1){super(),this.isLight=!0,this.type="Light",this.color=new rt(e),this.
 intensity=t}copy(e,t){return super.copy(e,t),this.color.copy(e.color),this.intensity=e.intensity,this}toJSON(e){let t=super.toJSON(e);return t.object.color=this.
 color.getHex(),t.object.intensity=this.intensity,t}},sa=class extends ia{constructor(e,t,n){super(e,n),this.isHemisphereLight=!0,this.type="HemisphereLight",this.
-position.copy(wn.DEFAULT_UP),this.updateMatrix(),this.groundColor=new st(t)}copy(e,t){return super.copy(e,t),this.groundColor.copy(e.groundColor),this}toJSON(e){
+position.copy(wn.DEFAULT_UP),this.updateMatrix(),this.groundColor=new rt(t)}copy(e,t){return super.copy(e,t),this.groundColor.copy(e.groundColor),this}toJSON(e){
 let t=super.toJSON(e);return t.object.groundColor=this.groundColor.getHex(),t}},_u=new xt,rm=new V,om=new V,Jl=class{constructor(e){this.camera=e,this.intensity=
-1,this.bias=0,this.biasNode=null,this.normalBias=0,this.radius=1,this.blurSamples=8,this.mapSize=new ot(512,512),this.mapType=Hn,this.map=null,this.mapPass=null,
-this.matrix=new xt,this.autoUpdate=!0,this.needsUpdate=!1,this._frustum=new Es,this._frameExtents=new ot(1,1),this._viewportCount=1,this._viewports=[new Wt(0,0,
+1,this.bias=0,this.biasNode=null,this.normalBias=0,this.radius=1,this.blurSamples=8,this.mapSize=new st(512,512),this.mapType=Hn,this.map=null,this.mapPass=null,
+this.matrix=new xt,this.autoUpdate=!0,this.needsUpdate=!1,this._frustum=new Es,this._frameExtents=new st(1,1),this._viewportCount=1,this._viewports=[new Wt(0,0,
 1,1)]}getViewportCount(){return this._viewportCount}getCamera(){return this.camera}getFrustum(){return this._frustum}updateMatrices(e){let t=this.camera;rm.setFromMatrixPosition(
 e.matrixWorld),t.position.copy(rm),om.setFromMatrixPosition(e.target.matrixWorld),t.lookAt(om),t.updateMatrixWorld(),this._updateMatrix(t,this.matrix,this._frustum)}_updateMatrix(e,t,n,s){
 _u.multiplyMatrices(e.projectionMatrix,e.matrixWorldInverse),n.setFromProjectionMatrix(_u,e.coordinateSystem,e.reversedDepth);let r=this._frameExtents,o=s?s.z/r.
@@ -1504,8 +1504,8 @@ return super.copy(e,t),this.matrixWorldInverse.copy(e.matrixWorldInverse),this.p
 this.coordinateSystem=e.coordinateSystem,this}getWorldDirection(e){return super.getWorldDirection(e).negate()}updateMatrixWorld(e){super.updateMatrixWorld(e),this.
 matrixWorld.decompose(fl,pl,Di),Di.x===1&&Di.y===1&&Di.z===1?this.matrixWorldInverse.copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(fl,pl,Di.set(
 1,1,1)).invert()}updateWorldMatrix(e,t,n=!1){super.updateWorldMatrix(e,t,n),this.matrixWorld.decompose(fl,pl,Di),Di.x===1&&Di.y===1&&Di.z===1?this.matrixWorldInverse.
-copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(fl,pl,Di.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}},Ts=new V,am=new ot,
-lm=new ot,Fn=class extends ra{constructor(e=50,t=1,n=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=
+copy(this.matrixWorld).invert():this.matrixWorldInverse.compose(fl,pl,Di.set(1,1,1)).invert()}clone(){return new this.constructor().copy(this)}},Ts=new V,am=new st,
+lm=new st,Fn=class extends ra{constructor(e=50,t=1,n=.1,s=2e3){super(),this.isPerspectiveCamera=!0,this.type="PerspectiveCamera",this.fov=e,this.zoom=1,this.near=
 n,this.far=s,this.focus=10,this.aspect=t,this.view=null,this.filmGauge=35,this.filmOffset=0,this.updateProjectionMatrix()}copy(e,t){return super.copy(e,t),this.
 fov=e.fov,this.zoom=e.zoom,this.near=e.near,this.far=e.far,this.focus=e.focus,this.aspect=e.aspect,this.view=e.view===null?null:Object.assign({},e.view),this.filmGauge=
 e.filmGauge,this.filmOffset=e.filmOffset,this}setFocalLength(e){let t=.5*this.getFilmHeight()/e;this.fov=Cl*2*Math.atan(t),this.updateProjectionMatrix()}getFocalLength(){
@@ -1609,7 +1609,7 @@ n).multiplyScalar(s).add(this.start)}distanceSqToLine3(e,t=Ly,n=Ny){let s=100000
 Wr.subVectors(d,l),xu.subVectors(a,l);let u=Hr.dot(Hr),h=Wr.dot(Wr),f=Wr.dot(xu);if(u<=s&&h<=s)return t.copy(a),n.copy(l),t.distanceToSquared(n);if(u<=s)r=0,o=f/
 h,o=at(o,0,1);else{let m=Hr.dot(xu);if(h<=s)o=0,r=at(-m/u,0,1);else{let y=Hr.dot(Wr),p=u*h-y*y;p!==0?r=at((y*f-m*h)/p,0,1):r=0,o=(y*r+f)/h,o<0?(o=0,r=at(-m/u,0,
 1)):o>1&&(o=1,r=at((y-m)/u,0,1))}}return t.copy(a).addScaledVector(Hr,r),n.copy(l).addScaledVector(Wr,o),t.distanceToSquared(n)}applyMatrix4(e){return this.start.
-applyMatrix4(e),this.end.applyMatrix4(e),this}equals(e){return e.start.equals(this.start)&&e.end.equals(this.end)}clone(){return new this.constructor().copy(this)}};var ca=class extends Qr{constructor(e=10,t=10,n=4473924,s=8947848){n=new st(n),s=new st(s);let r=t/2,o=e/t,a=e/2,l=[],c=[];for(let h=0,f=0,m=-a;h<=t;h++,m+=o){l.
+applyMatrix4(e),this.end.applyMatrix4(e),this}equals(e){return e.start.equals(this.start)&&e.end.equals(this.end)}clone(){return new this.constructor().copy(this)}};var ca=class extends Qr{constructor(e=10,t=10,n=4473924,s=8947848){n=new rt(n),s=new rt(s);let r=t/2,o=e/t,a=e/2,l=[],c=[];for(let h=0,f=0,m=-a;h<=t;h++,m+=o){l.
 push(-a,0,m,a,0,m),l.push(m,0,-a,m,0,a);let y=h===r?n:s;y.toArray(c,f),f+=3,y.toArray(c,f),f+=3,y.toArray(c,f),f+=3,y.toArray(c,f),f+=3}let d=new ln;d.setAttribute(
 "position",new yt(l,3)),d.setAttribute("color",new yt(c,3));let u=new Cs({vertexColors:!0,toneMapped:!1});super(d,u),this.type="GridHelper"}dispose(){super.dispose(),
 this.geometry.dispose(),this.material.dispose()}};function nd(i,e,t,n){let s=Dy(n);switch(t){case Xu:return i*e;case rc:return i*e/s.components*s.byteLength;case oc:return i*e/s.components*s.byteLength;case Us:
@@ -2587,15 +2587,15 @@ tonemapping_fragment:CM,tonemapping_pars_fragment:RM,transmission_fragment:PM,tr
 background_vert:FM,background_frag:OM,backgroundCube_vert:BM,backgroundCube_frag:kM,cube_vert:zM,cube_frag:VM,depth_vert:GM,depth_frag:HM,distance_vert:WM,distance_frag:XM,
 equirect_vert:qM,equirect_frag:$M,linedashed_vert:YM,linedashed_frag:ZM,meshbasic_vert:JM,meshbasic_frag:KM,meshlambert_vert:jM,meshlambert_frag:QM,meshmatcap_vert:eb,
 meshmatcap_frag:tb,meshnormal_vert:nb,meshnormal_frag:ib,meshphong_vert:sb,meshphong_frag:rb,meshphysical_vert:ob,meshphysical_frag:ab,meshtoon_vert:lb,meshtoon_frag:cb,
-points_vert:hb,points_frag:ub,shadow_vert:db,shadow_frag:fb,sprite_vert:pb,sprite_frag:mb},Le={common:{diffuse:{value:new st(16777215)},opacity:{value:1},map:{value:null},
+points_vert:hb,points_frag:ub,shadow_vert:db,shadow_frag:fb,sprite_vert:pb,sprite_frag:mb},Le={common:{diffuse:{value:new rt(16777215)},opacity:{value:1},map:{value:null},
 mapTransform:{value:new Qe},alphaMap:{value:null},alphaMapTransform:{value:new Qe},alphaTest:{value:0}},specularmap:{specularMap:{value:null},specularMapTransform:{
 value:new Qe}},envmap:{envMap:{value:null},envMapRotation:{value:new Qe},reflectivity:{value:1},ior:{value:1.5},refractionRatio:{value:.98},dfgLUT:{value:null}},
 aomap:{aoMap:{value:null},aoMapIntensity:{value:1},aoMapTransform:{value:new Qe}},lightmap:{lightMap:{value:null},lightMapIntensity:{value:1},lightMapTransform:{
 value:new Qe}},bumpmap:{bumpMap:{value:null},bumpMapTransform:{value:new Qe},bumpScale:{value:1}},normalmap:{normalMap:{value:null},normalMapTransform:{value:new Qe},
-normalScale:{value:new ot(1,1)}},displacementmap:{displacementMap:{value:null},displacementMapTransform:{value:new Qe},displacementScale:{value:1},displacementBias:{
+normalScale:{value:new st(1,1)}},displacementmap:{displacementMap:{value:null},displacementMapTransform:{value:new Qe},displacementScale:{value:1},displacementBias:{
 value:0}},emissivemap:{emissiveMap:{value:null},emissiveMapTransform:{value:new Qe}},metalnessmap:{metalnessMap:{value:null},metalnessMapTransform:{value:new Qe}},
 roughnessmap:{roughnessMap:{value:null},roughnessMapTransform:{value:new Qe}},gradientmap:{gradientMap:{value:null}},fog:{fogDensity:{value:25e-5},fogNear:{value:1},
-fogFar:{value:2e3},fogColor:{value:new st(16777215)}},lights:{ambientLightColor:{value:[]},lightProbe:{value:[]},sunLights:{value:[],properties:{direction:{},color:{}}},
+fogFar:{value:2e3},fogColor:{value:new rt(16777215)}},lights:{ambientLightColor:{value:[]},lightProbe:{value:[]},sunLights:{value:[],properties:{direction:{},color:{}}},
 sunLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{}}},sunShadowMatrix:{value:[]},sunShadowCascade:{
 value:[]},directionalLights:{value:[],properties:{direction:{},color:{}}},directionalLightShadows:{value:[],properties:{shadowIntensity:1,shadowBias:{},shadowNormalBias:{},
 shadowRadius:{},shadowMapSize:{}}},directionalShadowMatrix:{value:[]},spotLights:{value:[],properties:{color:{},position:{},direction:{},distance:{},coneCos:{},
@@ -2603,17 +2603,17 @@ penumbraCos:{},decay:{}}},spotLightShadows:{value:[],properties:{shadowIntensity
 value:[]},spotLightMatrix:{value:[]},pointLights:{value:[],properties:{color:{},position:{},decay:{},distance:{}}},pointLightShadows:{value:[],properties:{shadowIntensity:1,
 shadowBias:{},shadowNormalBias:{},shadowRadius:{},shadowMapSize:{},shadowCameraNear:{},shadowCameraFar:{}}},pointShadowMatrix:{value:[]},hemisphereLights:{value:[],
 properties:{direction:{},skyColor:{},groundColor:{}}},rectAreaLights:{value:[],properties:{color:{},position:{},width:{},height:{}}},ltc_1:{value:null},ltc_2:{value:null},
-probesSH:{value:[]},probesMin:{value:[]},probesMax:{value:[]},probesResolution:{value:[]}},points:{diffuse:{value:new st(16777215)},opacity:{value:1},size:{value:1},
-scale:{value:1},map:{value:null},alphaMap:{value:null},alphaMapTransform:{value:new Qe},alphaTest:{value:0},uvTransform:{value:new Qe}},sprite:{diffuse:{value:new st(
-16777215)},opacity:{value:1},center:{value:new ot(.5,.5)},rotation:{value:0},map:{value:null},mapTransform:{value:new Qe},alphaMap:{value:null},alphaMapTransform:{
+probesSH:{value:[]},probesMin:{value:[]},probesMax:{value:[]},probesResolution:{value:[]}},points:{diffuse:{value:new rt(16777215)},opacity:{value:1},size:{value:1},
+scale:{value:1},map:{value:null},alphaMap:{value:null},alphaMapTransform:{value:new Qe},alphaTest:{value:0},uvTransform:{value:new Qe}},sprite:{diffuse:{value:new rt(
+16777215)},opacity:{value:1},center:{value:new st(.5,.5)},rotation:{value:0},map:{value:null},mapTransform:{value:new Qe},alphaMap:{value:null},alphaMapTransform:{
 value:new Qe},alphaTest:{value:0}}},Hi={basic:{uniforms:Cn([Le.common,Le.specularmap,Le.envmap,Le.aomap,Le.lightmap,Le.fog]),vertexShader:ht.meshbasic_vert,fragmentShader:ht.
 meshbasic_frag},lambert:{uniforms:Cn([Le.common,Le.specularmap,Le.envmap,Le.aomap,Le.lightmap,Le.emissivemap,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.fog,Le.
-lights,{emissive:{value:new st(0)},envMapIntensity:{value:1}}]),vertexShader:ht.meshlambert_vert,fragmentShader:ht.meshlambert_frag},phong:{uniforms:Cn([Le.common,
-Le.specularmap,Le.envmap,Le.aomap,Le.lightmap,Le.emissivemap,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.fog,Le.lights,{emissive:{value:new st(0)},specular:{value:new st(
+lights,{emissive:{value:new rt(0)},envMapIntensity:{value:1}}]),vertexShader:ht.meshlambert_vert,fragmentShader:ht.meshlambert_frag},phong:{uniforms:Cn([Le.common,
+Le.specularmap,Le.envmap,Le.aomap,Le.lightmap,Le.emissivemap,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.fog,Le.lights,{emissive:{value:new rt(0)},specular:{value:new rt(
 1118481)},shininess:{value:30},envMapIntensity:{value:1}}]),vertexShader:ht.meshphong_vert,fragmentShader:ht.meshphong_frag},standard:{uniforms:Cn([Le.common,Le.
-envmap,Le.aomap,Le.lightmap,Le.emissivemap,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.roughnessmap,Le.metalnessmap,Le.fog,Le.lights,{emissive:{value:new st(0)},
+envmap,Le.aomap,Le.lightmap,Le.emissivemap,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.roughnessmap,Le.metalnessmap,Le.fog,Le.lights,{emissive:{value:new rt(0)},
 roughness:{value:1},metalness:{value:0},envMapIntensity:{value:1}}]),vertexShader:ht.meshphysical_vert,fragmentShader:ht.meshphysical_frag},toon:{uniforms:Cn([Le.
-common,Le.aomap,Le.lightmap,Le.emissivemap,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.gradientmap,Le.fog,Le.lights,{emissive:{value:new st(0)}}]),vertexShader:ht.
+common,Le.aomap,Le.lightmap,Le.emissivemap,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.gradientmap,Le.fog,Le.lights,{emissive:{value:new rt(0)}}]),vertexShader:ht.
 meshtoon_vert,fragmentShader:ht.meshtoon_frag},matcap:{uniforms:Cn([Le.common,Le.bumpmap,Le.normalmap,Le.displacementmap,Le.fog,{matcap:{value:null}}]),vertexShader:ht.
 meshmatcap_vert,fragmentShader:ht.meshmatcap_frag},points:{uniforms:Cn([Le.points,Le.fog]),vertexShader:ht.points_vert,fragmentShader:ht.points_frag},dashed:{uniforms:Cn(
 [Le.common,Le.fog,{scale:{value:1},dashSize:{value:1},totalSize:{value:2}}]),vertexShader:ht.linedashed_vert,fragmentShader:ht.linedashed_frag},depth:{uniforms:Cn(
@@ -2624,65 +2624,65 @@ background_frag},backgroundCube:{uniforms:{envMap:{value:null},backgroundBlurrin
 backgroundCube_vert,fragmentShader:ht.backgroundCube_frag},cube:{uniforms:{tCube:{value:null},tFlip:{value:-1},opacity:{value:1}},vertexShader:ht.cube_vert,fragmentShader:ht.
 cube_frag},equirect:{uniforms:{tEquirect:{value:null}},vertexShader:ht.equirect_vert,fragmentShader:ht.equirect_frag},distance:{uniforms:Cn([Le.common,Le.displacementmap,
 {referencePosition:{value:new V},nearDistance:{value:1},farDistance:{value:1e3}}]),vertexShader:ht.distance_vert,fragmentShader:ht.distance_frag},shadow:{uniforms:Cn(
-[Le.lights,Le.fog,{color:{value:new st(0)},opacity:{value:1}}]),vertexShader:ht.shadow_vert,fragmentShader:ht.shadow_frag}};Hi.physical={uniforms:Cn([Hi.standard.
+[Le.lights,Le.fog,{color:{value:new rt(0)},opacity:{value:1}}]),vertexShader:ht.shadow_vert,fragmentShader:ht.shadow_frag}};Hi.physical={uniforms:Cn([Hi.standard.
 uniforms,{clearcoat:{value:0},clearcoatMap:{value:null},clearcoatMapTransform:{value:new Qe},clearcoatNormalMap:{value:null},clearcoatNormalMapTransform:{value:new Qe},
-clearcoatNormalScale:{value:new ot(1,1)},clearcoatRoughness:{value:0},clearcoatRoughnessMap:{value:null},clearcoatRoughnessMapTransform:{value:new Qe},diffuseRoughness:{
+clearcoatNormalScale:{value:new st(1,1)},clearcoatRoughness:{value:0},clearcoatRoughnessMap:{value:null},clearcoatRoughnessMapTransform:{value:new Qe},diffuseRoughness:{
 value:0},diffuseRoughnessMap:{value:null},diffuseRoughnessMapTransform:{value:new Qe},dispersion:{value:0},retroreflectivity:{value:0},iridescence:{value:0},iridescenceMap:{
 value:null},iridescenceMapTransform:{value:new Qe},iridescenceIOR:{value:1.3},iridescenceThicknessMinimum:{value:100},iridescenceThicknessMaximum:{value:400},iridescenceThicknessMap:{
-value:null},iridescenceThicknessMapTransform:{value:new Qe},sheen:{value:0},sheenColor:{value:new st(0)},sheenColorMap:{value:null},sheenColorMapTransform:{value:new Qe},
+value:null},iridescenceThicknessMapTransform:{value:new Qe},sheen:{value:0},sheenColor:{value:new rt(0)},sheenColorMap:{value:null},sheenColorMapTransform:{value:new Qe},
 sheenRoughness:{value:1},sheenRoughnessMap:{value:null},sheenRoughnessMapTransform:{value:new Qe},transmission:{value:0},transmissionMap:{value:null},transmissionMapTransform:{
-value:new Qe},transmissionSamplerSize:{value:new ot},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new Qe},
-attenuationDistance:{value:0},attenuationColor:{value:new st(0)},specularColor:{value:new st(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new Qe},
-specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new Qe},anisotropyVector:{value:new ot},anisotropyMap:{value:null},
+value:new Qe},transmissionSamplerSize:{value:new st},transmissionSamplerMap:{value:null},thickness:{value:0},thicknessMap:{value:null},thicknessMapTransform:{value:new Qe},
+attenuationDistance:{value:0},attenuationColor:{value:new rt(0)},specularColor:{value:new rt(1,1,1)},specularColorMap:{value:null},specularColorMapTransform:{value:new Qe},
+specularIntensity:{value:1},specularIntensityMap:{value:null},specularIntensityMapTransform:{value:new Qe},anisotropyVector:{value:new st},anisotropyMap:{value:null},
 anisotropyMapTransform:{value:new Qe}}]),vertexShader:ht.meshphysical_vert,fragmentShader:ht.meshphysical_frag};var zc={r:0,b:0,g:0},gb=new xt,bg=new Qe;bg.set(
--1,0,0,0,1,0,0,0,1);function _b(i,e,t,n,s,r){let o=new st(0),a=s===!0?0:1,l,c,d=null,u=0,h=null;function f(_){let w=_.isScene===!0?_.background:null;if(w&&w.isTexture){
-let M=_.backgroundBlurriness>0;w=e.get(w,M)}return w}function m(_){let w=!1,M=f(_);M===null?p(o,a):M&&M.isColor&&(p(M,1),w=!0);let C=i.xr.getEnvironmentBlendMode();
-C==="additive"?t.buffers.color.setClear(0,0,0,1,r):C==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(i.autoClear||w)&&(t.buffers.depth.setTest(!0),t.buffers.
-depth.setMask(!0),t.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function y(_,w){let M=f(w);M&&M.isCubeTexture?(c===
+-1,0,0,0,1,0,0,0,1);function _b(i,e,t,n,s,r){let o=new rt(0),a=s===!0?0:1,l,c,d=null,u=0,h=null;function f(_){let S=_.isScene===!0?_.background:null;if(S&&S.isTexture){
+let M=_.backgroundBlurriness>0;S=e.get(S,M)}return S}function m(_){let S=!1,M=f(_);M===null?p(o,a):M&&M.isColor&&(p(M,1),S=!0);let C=i.xr.getEnvironmentBlendMode();
+C==="additive"?t.buffers.color.setClear(0,0,0,1,r):C==="alpha-blend"&&t.buffers.color.setClear(0,0,0,0,r),(i.autoClear||S)&&(t.buffers.depth.setTest(!0),t.buffers.
+depth.setMask(!0),t.buffers.color.setMask(!0),i.clear(i.autoClearColor,i.autoClearDepth,i.autoClearStencil))}function y(_,S){let M=f(S);M&&M.isCubeTexture?(c===
 void 0&&(c=new ci(new Rs(1,1,1),new ki({name:"BackgroundCubeMaterial",uniforms:ir(Hi.backgroundCube.uniforms),vertexShader:Hi.backgroundCube.vertexShader,fragmentShader:Hi.
 backgroundCube.fragmentShader,side:kn,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),c.geometry.deleteAttribute("normal"),c.geometry.deleteAttribute("uv"),
-c.onBeforeRender=function(C,S,x){this.matrixWorld.copyPosition(x.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.
-value}}),n.update(c)),c.material.uniforms.envMap.value=M,c.material.uniforms.backgroundBlurriness.value=w.backgroundBlurriness,c.material.uniforms.backgroundIntensity.
-value=w.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(gb.makeRotationFromEuler(w.backgroundRotation)).transpose(),M.isRenderTargetTexture===
+c.onBeforeRender=function(C,T,x){this.matrixWorld.copyPosition(x.matrixWorld)},Object.defineProperty(c.material,"envMap",{get:function(){return this.uniforms.envMap.
+value}}),n.update(c)),c.material.uniforms.envMap.value=M,c.material.uniforms.backgroundBlurriness.value=S.backgroundBlurriness,c.material.uniforms.backgroundIntensity.
+value=S.backgroundIntensity,c.material.uniforms.backgroundRotation.value.setFromMatrix4(gb.makeRotationFromEuler(S.backgroundRotation)).transpose(),M.isRenderTargetTexture===
 !1&&c.material.uniforms.backgroundRotation.value.premultiply(bg),c.material.toneMapped=_t.getTransfer(M.colorSpace)!==At,(d!==M||u!==M.version||h!==i.toneMapping)&&
 (c.material.needsUpdate=!0,d=M,u=M.version,h=i.toneMapping),c.layers.enableAll(),_.unshift(c,c.geometry,c.material,0,0,null)):M&&M.isTexture&&(l===void 0&&(l=new ci(
 new jo(2,2),new ki({name:"BackgroundMaterial",uniforms:ir(Hi.background.uniforms),vertexShader:Hi.background.vertexShader,fragmentShader:Hi.background.fragmentShader,
 side:Ds,depthTest:!1,depthWrite:!1,fog:!1,allowOverride:!1})),l.geometry.deleteAttribute("normal"),Object.defineProperty(l.material,"map",{get:function(){return this.
-uniforms.t2D.value}}),n.update(l)),l.material.uniforms.t2D.value=M,l.material.uniforms.backgroundIntensity.value=w.backgroundIntensity,l.material.toneMapped=_t.
+uniforms.t2D.value}}),n.update(l)),l.material.uniforms.t2D.value=M,l.material.uniforms.backgroundIntensity.value=S.backgroundIntensity,l.material.toneMapped=_t.
 getTransfer(M.colorSpace)!==At,M.matrixAutoUpdate===!0&&M.updateMatrix(),l.material.uniforms.uvTransform.value.copy(M.matrix),(d!==M||u!==M.version||h!==i.toneMapping)&&
-(l.material.needsUpdate=!0,d=M,u=M.version,h=i.toneMapping),l.layers.enableAll(),_.unshift(l,l.geometry,l.material,0,0,null))}function p(_,w){_.getRGB(zc,Qu(i)),
-t.buffers.color.setClear(zc.r,zc.g,zc.b,w,r)}function g(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.
-dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(_,w=1){o.set(_),a=w,p(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(_){
-a=_,p(o,a)},render:m,addToRenderList:y,dispose:g}}function xb(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=h(null),r=s,o=!1;function a(I,F,z,D,W){let Y=!1,
-H=u(I,D,z,F);r!==H&&(r=H,c(r.object)),Y=f(I,D,z,W),Y&&m(I,D,z,W),W!==null&&e.update(W,i.ELEMENT_ARRAY_BUFFER),(Y||o)&&(o=!1,M(I,F,z,D),W!==null&&i.bindBuffer(i.
-ELEMENT_ARRAY_BUFFER,e.get(W).buffer))}function l(){return i.createVertexArray()}function c(I){return i.bindVertexArray(I)}function d(I){return i.deleteVertexArray(
-I)}function u(I,F,z,D){let W=D.wireframe===!0,Y=n[F.id];Y===void 0&&(Y={},n[F.id]=Y);let H=I.isInstancedMesh===!0?I.id:0,ce=Y[H];ce===void 0&&(ce={},Y[H]=ce);let K=ce[z.
-id];K===void 0&&(K={},ce[z.id]=K);let Q=K[W];return Q===void 0&&(Q=h(l()),K[W]=Q),Q}function h(I){let F=[],z=[],D=[];for(let W=0;W<t;W++)F[W]=0,z[W]=0,D[W]=0;return{
-geometry:null,program:null,wireframe:!1,newAttributes:F,enabledAttributes:z,attributeDivisors:D,object:I,attributes:{},index:null}}function f(I,F,z,D){let W=r.attributes,
-Y=F.attributes,H=0,ce=z.getAttributes();for(let K in ce)if(ce[K].location>=0){let se=W[K],de=Y[K];if(de===void 0&&(K==="instanceMatrix"&&I.instanceMatrix&&(de=I.
-instanceMatrix),K==="instanceColor"&&I.instanceColor&&(de=I.instanceColor)),se===void 0||se.attribute!==de||de&&se.data!==de.data)return!0;H++}return r.attributesNum!==
-H||r.index!==D}function m(I,F,z,D){let W={},Y=F.attributes,H=0,ce=z.getAttributes();for(let K in ce)if(ce[K].location>=0){let se=Y[K];se===void 0&&(K==="instanc\
-eMatrix"&&I.instanceMatrix&&(se=I.instanceMatrix),K==="instanceColor"&&I.instanceColor&&(se=I.instanceColor));let de={};de.attribute=se,se&&se.data&&(de.data=se.
-data),W[K]=de,H++}r.attributes=W,r.attributesNum=H,r.index=D}function y(){let I=r.newAttributes;for(let F=0,z=I.length;F<z;F++)I[F]=0}function p(I){g(I,0)}function g(I,F){
-let z=r.newAttributes,D=r.enabledAttributes,W=r.attributeDivisors;z[I]=1,D[I]===0&&(i.enableVertexAttribArray(I),D[I]=1),W[I]!==F&&(i.vertexAttribDivisor(I,F),W[I]=
-F)}function _(){let I=r.newAttributes,F=r.enabledAttributes;for(let z=0,D=F.length;z<D;z++)F[z]!==I[z]&&(i.disableVertexAttribArray(z),F[z]=0)}function w(I,F,z,D,W,Y,H){
-H===!0?i.vertexAttribIPointer(I,F,z,W,Y):i.vertexAttribPointer(I,F,z,D,W,Y)}function M(I,F,z,D){y();let W=D.attributes,Y=z.getAttributes(),H=F.defaultAttributeValues;
-for(let ce in Y){let K=Y[ce];if(K.location>=0){let Q=W[ce];if(Q===void 0&&(ce==="instanceMatrix"&&I.instanceMatrix&&(Q=I.instanceMatrix),ce==="instanceColor"&&I.
-instanceColor&&(Q=I.instanceColor)),Q!==void 0){let se=Q.normalized,de=Q.itemSize,ue=e.get(Q);if(ue===void 0)continue;let ee=ue.buffer,me=ue.type,xe=ue.bytesPerElement,
+(l.material.needsUpdate=!0,d=M,u=M.version,h=i.toneMapping),l.layers.enableAll(),_.unshift(l,l.geometry,l.material,0,0,null))}function p(_,S){_.getRGB(zc,Qu(i)),
+t.buffers.color.setClear(zc.r,zc.g,zc.b,S,r)}function g(){c!==void 0&&(c.geometry.dispose(),c.material.dispose(),c=void 0),l!==void 0&&(l.geometry.dispose(),l.material.
+dispose(),l=void 0)}return{getClearColor:function(){return o},setClearColor:function(_,S=1){o.set(_),a=S,p(o,a)},getClearAlpha:function(){return a},setClearAlpha:function(_){
+a=_,p(o,a)},render:m,addToRenderList:y,dispose:g}}function xb(i,e){let t=i.getParameter(i.MAX_VERTEX_ATTRIBS),n={},s=h(null),r=s,o=!1;function a(P,F,z,D,G){let Y=!1,
+W=u(P,D,z,F);r!==W&&(r=W,c(r.object)),Y=f(P,D,z,G),Y&&m(P,D,z,G),G!==null&&e.update(G,i.ELEMENT_ARRAY_BUFFER),(Y||o)&&(o=!1,M(P,F,z,D),G!==null&&i.bindBuffer(i.
+ELEMENT_ARRAY_BUFFER,e.get(G).buffer))}function l(){return i.createVertexArray()}function c(P){return i.bindVertexArray(P)}function d(P){return i.deleteVertexArray(
+P)}function u(P,F,z,D){let G=D.wireframe===!0,Y=n[F.id];Y===void 0&&(Y={},n[F.id]=Y);let W=P.isInstancedMesh===!0?P.id:0,ce=Y[W];ce===void 0&&(ce={},Y[W]=ce);let K=ce[z.
+id];K===void 0&&(K={},ce[z.id]=K);let Q=K[G];return Q===void 0&&(Q=h(l()),K[G]=Q),Q}function h(P){let F=[],z=[],D=[];for(let G=0;G<t;G++)F[G]=0,z[G]=0,D[G]=0;return{
+geometry:null,program:null,wireframe:!1,newAttributes:F,enabledAttributes:z,attributeDivisors:D,object:P,attributes:{},index:null}}function f(P,F,z,D){let G=r.attributes,
+Y=F.attributes,W=0,ce=z.getAttributes();for(let K in ce)if(ce[K].location>=0){let se=G[K],de=Y[K];if(de===void 0&&(K==="instanceMatrix"&&P.instanceMatrix&&(de=P.
+instanceMatrix),K==="instanceColor"&&P.instanceColor&&(de=P.instanceColor)),se===void 0||se.attribute!==de||de&&se.data!==de.data)return!0;W++}return r.attributesNum!==
+W||r.index!==D}function m(P,F,z,D){let G={},Y=F.attributes,W=0,ce=z.getAttributes();for(let K in ce)if(ce[K].location>=0){let se=Y[K];se===void 0&&(K==="instanc\
+eMatrix"&&P.instanceMatrix&&(se=P.instanceMatrix),K==="instanceColor"&&P.instanceColor&&(se=P.instanceColor));let de={};de.attribute=se,se&&se.data&&(de.data=se.
+data),G[K]=de,W++}r.attributes=G,r.attributesNum=W,r.index=D}function y(){let P=r.newAttributes;for(let F=0,z=P.length;F<z;F++)P[F]=0}function p(P){g(P,0)}function g(P,F){
+let z=r.newAttributes,D=r.enabledAttributes,G=r.attributeDivisors;z[P]=1,D[P]===0&&(i.enableVertexAttribArray(P),D[P]=1),G[P]!==F&&(i.vertexAttribDivisor(P,F),G[P]=
+F)}function _(){let P=r.newAttributes,F=r.enabledAttributes;for(let z=0,D=F.length;z<D;z++)F[z]!==P[z]&&(i.disableVertexAttribArray(z),F[z]=0)}function S(P,F,z,D,G,Y,W){
+W===!0?i.vertexAttribIPointer(P,F,z,G,Y):i.vertexAttribPointer(P,F,z,D,G,Y)}function M(P,F,z,D){y();let G=D.attributes,Y=z.getAttributes(),W=F.defaultAttributeValues;
+for(let ce in Y){let K=Y[ce];if(K.location>=0){let Q=G[ce];if(Q===void 0&&(ce==="instanceMatrix"&&P.instanceMatrix&&(Q=P.instanceMatrix),ce==="instanceColor"&&P.
+instanceColor&&(Q=P.instanceColor)),Q!==void 0){let se=Q.normalized,de=Q.itemSize,ue=e.get(Q);if(ue===void 0)continue;let ee=ue.buffer,me=ue.type,xe=ue.bytesPerElement,
 Ee=me===i.INT||me===i.UNSIGNED_INT||Q.gpuType===nc;if(Q.isInterleavedBufferAttribute){let be=Q.data,He=be.isInterleavedBuffer===!0?be.stride:be.itemSize,nt=Q.offset;
-if(be.isInstancedInterleavedBuffer||be.isInstancedBufferAttribute){for(let Ve=0;Ve<K.locationSize;Ve++)g(K.location+Ve,be.meshPerAttribute);I.isInstancedMesh!==
+if(be.isInstancedInterleavedBuffer||be.isInstancedBufferAttribute){for(let Ve=0;Ve<K.locationSize;Ve++)g(K.location+Ve,be.meshPerAttribute);P.isInstancedMesh!==
 !0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=be.meshPerAttribute*be.count)}else for(let Ve=0;Ve<K.locationSize;Ve++)p(K.location+Ve);i.bindBuffer(i.ARRAY_BUFFER,
-ee);for(let Ve=0;Ve<K.locationSize;Ve++)w(K.location+Ve,de/K.locationSize,me,se,He*xe,(nt+de/K.locationSize*Ve)*xe,Ee)}else{if(Q.isInstancedBufferAttribute){for(let be=0;be<
-K.locationSize;be++)g(K.location+be,Q.meshPerAttribute);I.isInstancedMesh!==!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Q.meshPerAttribute*Q.count)}else
-for(let be=0;be<K.locationSize;be++)p(K.location+be);i.bindBuffer(i.ARRAY_BUFFER,ee);for(let be=0;be<K.locationSize;be++)w(K.location+be,de/K.locationSize,me,se,
-de*xe,de/K.locationSize*be*xe,Ee)}}else if(H!==void 0){let se=H[ce];if(se!==void 0)switch(se.length){case 2:i.vertexAttrib2fv(K.location,se);break;case 3:i.vertexAttrib3fv(
-K.location,se);break;case 4:i.vertexAttrib4fv(K.location,se);break;default:i.vertexAttrib1fv(K.location,se)}}}}_()}function C(){N();for(let I in n){let F=n[I];for(let z in F){
-let D=F[z];for(let W in D){let Y=D[W];for(let H in Y)d(Y[H].object),delete Y[H];delete D[W]}}delete n[I]}}function S(I){if(n[I.id]===void 0)return;let F=n[I.id];
-for(let z in F){let D=F[z];for(let W in D){let Y=D[W];for(let H in Y)d(Y[H].object),delete Y[H];delete D[W]}}delete n[I.id]}function x(I){for(let F in n){let z=n[F];
-for(let D in z){let W=z[D];if(W[I.id]===void 0)continue;let Y=W[I.id];for(let H in Y)d(Y[H].object),delete Y[H];delete W[I.id]}}}function b(I){for(let F in n){let z=n[F],
-D=I.isInstancedMesh===!0?I.id:0,W=z[D];if(W!==void 0){for(let Y in W){let H=W[Y];for(let ce in H)d(H[ce].object),delete H[ce];delete W[Y]}delete z[D],Object.keys(
-z).length===0&&delete n[F]}}}function N(){R(),o=!0,r!==s&&(r=s,c(r.object))}function R(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:N,resetDefaultState:R,
-dispose:C,releaseStatesOfGeometry:S,releaseStatesOfObject:b,releaseStatesOfProgram:x,initAttributes:y,enableAttribute:p,disableUnusedAttributes:_}}function yb(i,e,t){
+ee);for(let Ve=0;Ve<K.locationSize;Ve++)S(K.location+Ve,de/K.locationSize,me,se,He*xe,(nt+de/K.locationSize*Ve)*xe,Ee)}else{if(Q.isInstancedBufferAttribute){for(let be=0;be<
+K.locationSize;be++)g(K.location+be,Q.meshPerAttribute);P.isInstancedMesh!==!0&&D._maxInstanceCount===void 0&&(D._maxInstanceCount=Q.meshPerAttribute*Q.count)}else
+for(let be=0;be<K.locationSize;be++)p(K.location+be);i.bindBuffer(i.ARRAY_BUFFER,ee);for(let be=0;be<K.locationSize;be++)S(K.location+be,de/K.locationSize,me,se,
+de*xe,de/K.locationSize*be*xe,Ee)}}else if(W!==void 0){let se=W[ce];if(se!==void 0)switch(se.length){case 2:i.vertexAttrib2fv(K.location,se);break;case 3:i.vertexAttrib3fv(
+K.location,se);break;case 4:i.vertexAttrib4fv(K.location,se);break;default:i.vertexAttrib1fv(K.location,se)}}}}_()}function C(){L();for(let P in n){let F=n[P];for(let z in F){
+let D=F[z];for(let G in D){let Y=D[G];for(let W in Y)d(Y[W].object),delete Y[W];delete D[G]}}delete n[P]}}function T(P){if(n[P.id]===void 0)return;let F=n[P.id];
+for(let z in F){let D=F[z];for(let G in D){let Y=D[G];for(let W in Y)d(Y[W].object),delete Y[W];delete D[G]}}delete n[P.id]}function x(P){for(let F in n){let z=n[F];
+for(let D in z){let G=z[D];if(G[P.id]===void 0)continue;let Y=G[P.id];for(let W in Y)d(Y[W].object),delete Y[W];delete G[P.id]}}}function b(P){for(let F in n){let z=n[F],
+D=P.isInstancedMesh===!0?P.id:0,G=z[D];if(G!==void 0){for(let Y in G){let W=G[Y];for(let ce in W)d(W[ce].object),delete W[ce];delete G[Y]}delete z[D],Object.keys(
+z).length===0&&delete n[F]}}}function L(){R(),o=!0,r!==s&&(r=s,c(r.object))}function R(){s.geometry=null,s.program=null,s.wireframe=!1}return{setup:a,reset:L,resetDefaultState:R,
+dispose:C,releaseStatesOfGeometry:T,releaseStatesOfObject:b,releaseStatesOfProgram:x,initAttributes:y,enableAttribute:p,disableUnusedAttributes:_}}function yb(i,e,t){
 let n;function s(l){n=l}function r(l,c){i.drawArrays(n,l,c),t.update(c,n,1)}function o(l,c,d){d!==0&&(i.drawArraysInstanced(n,l,c,d),t.update(c,n,d))}function a(l,c,d){
 if(d===0)return;e.get("WEBGL_multi_draw").multiDrawArraysWEBGL(n,l,0,c,0,d);let h=0;for(let f=0;f<d;f++)h+=c[f];t.update(h,n,1)}this.setMode=s,this.render=r,this.
 renderInstances=o,this.renderMultiDraw=a}function vb(i,e,t,n){let s;function r(){if(s!==void 0)return s;if(e.has("EXT_texture_filter_anisotropic")===!0){let x=e.
@@ -2695,16 +2695,16 @@ ighp",d=l(c);d!==c&&($e("WebGLRenderer:",c,"not supported, using",d,"instead."),
 !0&&u===!1;t.reversedDepthBuffer===!0&&u===!1&&$e("WebGLRenderer: Unable to use reversed depth buffer due to missing EXT_clip_control extension. Fallback to def\
 ault depth buffer."),t.logarithmicDepthBuffer===!0&&u===!0&&$e("WebGLRenderer: Logarithmic depth buffer is ignored when reversed depth buffer is enabled.");let f=i.
 getParameter(i.MAX_TEXTURE_IMAGE_UNITS),m=i.getParameter(i.MAX_VERTEX_TEXTURE_IMAGE_UNITS),y=i.getParameter(i.MAX_TEXTURE_SIZE),p=i.getParameter(i.MAX_CUBE_MAP_TEXTURE_SIZE),
-g=i.getParameter(i.MAX_VERTEX_ATTRIBS),_=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),w=i.getParameter(i.MAX_VARYING_VECTORS),M=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),
-C=i.getParameter(i.MAX_SAMPLES),S=i.getParameter(i.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:l,textureFormatReadable:o,textureTypeReadable:a,
+g=i.getParameter(i.MAX_VERTEX_ATTRIBS),_=i.getParameter(i.MAX_VERTEX_UNIFORM_VECTORS),S=i.getParameter(i.MAX_VARYING_VECTORS),M=i.getParameter(i.MAX_FRAGMENT_UNIFORM_VECTORS),
+C=i.getParameter(i.MAX_SAMPLES),T=i.getParameter(i.SAMPLES);return{isWebGL2:!0,getMaxAnisotropy:r,getMaxPrecision:l,textureFormatReadable:o,textureTypeReadable:a,
 precision:c,logarithmicDepthBuffer:h,reversedDepthBuffer:u,maxTextures:f,maxVertexTextures:m,maxTextureSize:y,maxCubemapSize:p,maxAttributes:g,maxVertexUniforms:_,
-maxVaryings:w,maxFragmentUniforms:M,maxSamples:C,samples:S}}function Mb(i){let e=this,t=null,n=0,s=!1,r=!1,o=new ei,a=new Qe,l={value:null,needsUpdate:!1};this.
+maxVaryings:S,maxFragmentUniforms:M,maxSamples:C,samples:T}}function Mb(i){let e=this,t=null,n=0,s=!1,r=!1,o=new ei,a=new Qe,l={value:null,needsUpdate:!1};this.
 uniform=l,this.numPlanes=0,this.numIntersection=0,this.init=function(u,h){let f=u.length!==0||h||n!==0||s;return s=h,n=u.length,f},this.beginShadows=function(){
 r=!0,d(null)},this.endShadows=function(){r=!1},this.setGlobalState=function(u,h){t=d(u,h,0)},this.setState=function(u,h,f){let m=u.clippingPlanes,y=u.clipIntersection,
-p=u.clipShadows,g=i.get(u);if(!s||m===null||m.length===0||r&&!p)r?d(null):c();else{let _=r?0:n,w=_*4,M=g.clippingState||null;l.value=M,M=d(m,h,w,f);for(let C=0;C!==
-w;++C)M[C]=t[C];g.clippingState=M,this.numIntersection=y?this.numPlanes:0,this.numPlanes+=_}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=n>0),e.numPlanes=
+p=u.clipShadows,g=i.get(u);if(!s||m===null||m.length===0||r&&!p)r?d(null):c();else{let _=r?0:n,S=_*4,M=g.clippingState||null;l.value=M,M=d(m,h,S,f);for(let C=0;C!==
+S;++C)M[C]=t[C];g.clippingState=M,this.numIntersection=y?this.numPlanes:0,this.numPlanes+=_}};function c(){l.value!==t&&(l.value=t,l.needsUpdate=n>0),e.numPlanes=
 n,e.numIntersection=0}function d(u,h,f,m){let y=u!==null?u.length:0,p=null;if(y!==0){if(p=l.value,m!==!0||p===null){let g=f+y*4,_=h.matrixWorldInverse;a.getNormalMatrix(
-_),(p===null||p.length<g)&&(p=new Float32Array(g));for(let w=0,M=f;w!==y;++w,M+=4)o.copy(u[w]).applyMatrix4(_,a),o.normal.toArray(p,M),p[M+3]=o.constant}l.value=
+_),(p===null||p.length<g)&&(p=new Float32Array(g));for(let S=0,M=f;S!==y;++S,M+=4)o.copy(u[S]).applyMatrix4(_,a),o.normal.toArray(p,M),p[M+3]=o.constant}l.value=
 p,l.needsUpdate=!0}return e.numPlanes=y,e.numIntersection=0,p}}var Ma=class extends ti{constructor(e=1,t={}){super(e,e,t),this.isWebGLCubeRenderTarget=!0;let n={
 width:e,height:e,depth:1},s=[n,n,n,n,n,n];this.texture=new $o(s),this._setTextureOptions(t),this.texture.isRenderTargetTexture=!0}fromEquirectangularTexture(e,t){
 this.texture.type=t.type,this.texture.colorSpace=t.colorSpace,this.texture.generateMipmaps=t.generateMipmaps,this.texture.minFilter=t.minFilter,this.texture.magFilter=
@@ -2715,7 +2715,7 @@ tion;\n\n    #include <common>\n\n    void main() {\n\n     vec3 direction = nor
 gColor = texture2D( tEquirect, sampleUV );\n\n    }\n   "},s=new Rs(5,5,5),r=new ki({name:"CubemapFromEquirect",uniforms:ir(n.uniforms),vertexShader:n.vertexShader,
 fragmentShader:n.fragmentShader,side:kn,blending:Qs});r.uniforms.tEquirect.value=t;let o=new ci(s,r),a=t.minFilter;return t.minFilter===hs&&(t.minFilter=On),new no(
 1,10,this).update(e,o),t.minFilter=a,o.geometry.dispose(),o.material.dispose(),this}clear(e,t=!0,n=!0,s=!0){let r=e.getRenderTarget();for(let o=0;o<6;o++)e.setRenderTarget(
-this,o),e.clear(t,n,s);e.setRenderTarget(r)}},eg=256,bb=3,Sb=20,Sg=256,wg=16,wb=3,Tb=new V,Ab=new st,Gc=class i{constructor(e){this._renderer=e,this._cubeSize=0,
+this,o),e.clear(t,n,s);e.setRenderTarget(r)}},eg=256,bb=3,Sb=20,Sg=256,wg=16,wb=3,Tb=new V,Ab=new rt,Gc=class i{constructor(e){this._renderer=e,this._cubeSize=0,
 this._sourceTarget=null,this._cubeCamera=new no(1,10,null),this._boxMesh=new ci(new Rs(5,5,5),null),this._cubemapMaterial=null,this._equirectMaterial=null,this.
 _blurMaterial=null,this._ggxMaterial=null,this._integrationMaterial=null}fromScene(e,t=0,n=.1,s=100,r={}){let{size:o=256,position:a=Tb}=r,l=this._renderer;this.
 _setSize(o);let c=this._allocateTarget(),d=this._getSourceTarget(!0);t>0&&(d.texture.mipmapsAutoUpdate=!1);let u=l.autoClear,h=l.autoClearColor,f=l.autoClearDepth,
@@ -2801,9 +2801,9 @@ m.index!==null&&e.remove(m.index);for(let p in m.attributes)e.remove(m.attribute
 get(m);y&&(e.remove(y),r.delete(m)),n.releaseStatesOfGeometry(m),m.isInstancedBufferGeometry===!0&&delete m._maxInstanceCount,t.memory.geometries--}function c(m,y){
 return s[y.id]!==void 0||(y.addEventListener("dispose",a),s[y.id]=new WeakRef(y),o.register(y,y.id,y),t.memory.geometries++),y}function d(m){let y=m.attributes;
 for(let p in y)e.update(y[p],i.ARRAY_BUFFER)}function u(m){let y=m.index,p=m.attributes.position,g=0;if(p===void 0)return;let _=y!==null?y.array.length:p.array.
-length/3-1,w=p.count>=65535?Wo:Ho,M=new w(Math.ceil(_/3)*6,1),C=M.array;if(y!==null){let x=y.array;g=y.version;for(let b=0,N=0;b<_;b+=3){let R=x[b+0],I=x[b+1],F=x[b+
-2];C[N++]=R,C[N++]=I,C[N++]=I,C[N++]=F,C[N++]=F,C[N++]=R}}else{g=p.version;for(let x=0,b=0;x<_;x+=3){let N=x+0,R=x+1,I=x+2;C[b++]=N,C[b++]=R,C[b++]=R,C[b++]=I,C[b++]=
-I,C[b++]=N}}M.version=g;let S=r.get(m);S&&e.remove(S),r.set(m,M)}function h(m){let y=r.get(m);if(y){let p=m.index;p!==null&&y.version<p.version&&u(m)}else u(m);
+length/3-1,S=p.count>=65535?Wo:Ho,M=new S(Math.ceil(_/3)*6,1),C=M.array;if(y!==null){let x=y.array;g=y.version;for(let b=0,L=0;b<_;b+=3){let R=x[b+0],P=x[b+1],F=x[b+
+2];C[L++]=R,C[L++]=P,C[L++]=P,C[L++]=F,C[L++]=F,C[L++]=R}}else{g=p.version;for(let x=0,b=0;x<_;x+=3){let L=x+0,R=x+1,P=x+2;C[b++]=L,C[b++]=R,C[b++]=R,C[b++]=P,C[b++]=
+P,C[b++]=L}}M.version=g;let T=r.get(m);T&&e.remove(T),r.set(m,M)}function h(m){let y=r.get(m);if(y){let p=m.index;p!==null&&y.version<p.version&&u(m)}else u(m);
 return r.get(m)}function f(){for(let m in s){let y=s[m].deref();y!==void 0&&l(y)}}return{get:c,update:d,getWireframeAttribute:h,dispose:f}}function Nb(i,e,t){let n;
 function s(u){n=u}let r,o;function a(u){r=u.type,o=u.bytesPerElement}function l(u,h){i.drawElements(n,h,r,u*o),t.update(h,n,1)}function c(u,h,f){f!==0&&(i.drawElementsInstanced(
 n,h,r,u*o,f),t.update(h,n,f))}function d(u,h,f){if(f===0)return;e.get("WEBGL_multi_draw").multiDrawElementsWEBGL(n,h,0,r,u,0,f);let y=0;for(let p=0;p<f;p++)y+=h[p];
@@ -2812,13 +2812,13 @@ calls:0,triangles:0,points:0,lines:0};function n(r,o,a){switch(t.calls++,o){case
 LINE_STRIP:t.lines+=a*(r-1);break;case i.LINE_LOOP:t.lines+=a*r;break;case i.POINTS:t.points+=a*r;break;default:Ke("WebGLInfo: Unknown draw mode:",o);break}}function s(){
 t.calls=0,t.triangles=0,t.points=0,t.lines=0}return{memory:e,render:t,programs:null,autoReset:!0,reset:s,update:n}}function Ub(i,e,t){let n=new WeakMap,s=new Wt;
 function r(o,a,l){let c=o.morphTargetInfluences,d=a.morphAttributes.position||a.morphAttributes.normal||a.morphAttributes.color,u=d!==void 0?d.length:0,h=n.get(
-a);if(h===void 0||h.count!==u){let N=function(){x.dispose(),n.delete(a),a.removeEventListener("dispose",N)};h!==void 0&&h.texture.dispose();let f=a.morphAttributes.
+a);if(h===void 0||h.count!==u){let L=function(){x.dispose(),n.delete(a),a.removeEventListener("dispose",L)};h!==void 0&&h.texture.dispose();let f=a.morphAttributes.
 position!==void 0,m=a.morphAttributes.normal!==void 0,y=a.morphAttributes.color!==void 0,p=a.morphAttributes.position||[],g=a.morphAttributes.normal||[],_=a.morphAttributes.
-color||[],w=0;f===!0&&(w=1),m===!0&&(w=2),y===!0&&(w=3);let M=a.attributes.position.count*w,C=1;M>e.maxTextureSize&&(C=Math.ceil(M/e.maxTextureSize),M=e.maxTextureSize);
-let S=new Float32Array(M*C*4*u),x=new Vo(S,M,C,u);x.type=hi,x.needsUpdate=!0;let b=w*4;for(let R=0;R<u;R++){let I=p[R],F=g[R],z=_[R],D=M*C*4*R;for(let W=0;W<I.count;W++){
-let Y=W*b;f===!0&&(s.fromBufferAttribute(I,W),S[D+Y+0]=s.x,S[D+Y+1]=s.y,S[D+Y+2]=s.z,S[D+Y+3]=0),m===!0&&(s.fromBufferAttribute(F,W),S[D+Y+4]=s.x,S[D+Y+5]=s.y,S[D+
-Y+6]=s.z,S[D+Y+7]=0),y===!0&&(s.fromBufferAttribute(z,W),S[D+Y+8]=s.x,S[D+Y+9]=s.y,S[D+Y+10]=s.z,S[D+Y+11]=z.itemSize===4?s.w:1)}}h={count:u,texture:x,size:new ot(
-M,C)},n.set(a,h),a.addEventListener("dispose",N)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)l.getUniforms().setValue(i,"morphTexture",o.morphTexture,t);else{
+color||[],S=0;f===!0&&(S=1),m===!0&&(S=2),y===!0&&(S=3);let M=a.attributes.position.count*S,C=1;M>e.maxTextureSize&&(C=Math.ceil(M/e.maxTextureSize),M=e.maxTextureSize);
+let T=new Float32Array(M*C*4*u),x=new Vo(T,M,C,u);x.type=hi,x.needsUpdate=!0;let b=S*4;for(let R=0;R<u;R++){let P=p[R],F=g[R],z=_[R],D=M*C*4*R;for(let G=0;G<P.count;G++){
+let Y=G*b;f===!0&&(s.fromBufferAttribute(P,G),T[D+Y+0]=s.x,T[D+Y+1]=s.y,T[D+Y+2]=s.z,T[D+Y+3]=0),m===!0&&(s.fromBufferAttribute(F,G),T[D+Y+4]=s.x,T[D+Y+5]=s.y,T[D+
+Y+6]=s.z,T[D+Y+7]=0),y===!0&&(s.fromBufferAttribute(z,G),T[D+Y+8]=s.x,T[D+Y+9]=s.y,T[D+Y+10]=s.z,T[D+Y+11]=z.itemSize===4?s.w:1)}}h={count:u,texture:x,size:new st(
+M,C)},n.set(a,h),a.addEventListener("dispose",L)}if(o.isInstancedMesh===!0&&o.morphTexture!==null)l.getUniforms().setValue(i,"morphTexture",o.morphTexture,t);else{
 let f=0;for(let y=0;y<c.length;y++)f+=c[y];let m=a.morphTargetsRelative?1:1-f;l.getUniforms().setValue(i,"morphTargetBaseInfluence",m),l.getUniforms().setValue(
 i,"morphTargetInfluences",c)}l.getUniforms().setValue(i,"morphTargetsTexture",h.texture,t),l.getUniforms().setValue(i,"morphTargetsTextureSize",h.size)}return{update:r}}
 function Fb(i,e,t,n,s){let r=new WeakMap;function o(c){let d=s.render.frame,u=c.geometry,h=e.get(c,u);if(r.get(h)!==d&&(e.update(h),r.set(h,d)),c.isInstancedMesh&&
@@ -2837,16 +2837,16 @@ v );\n\n    #ifdef LINEAR_TONE_MAPPING\n     gl_FragColor.rgb = LinearToneMappin
 f defined( ACES_FILMIC_TONE_MAPPING )\n     gl_FragColor.rgb = ACESFilmicToneMapping( gl_FragColor.rgb );\n    #elif defined( AGX_TONE_MAPPING )\n     gl_FragColor\
 .rgb = AgXToneMapping( gl_FragColor.rgb );\n    #elif defined( NEUTRAL_TONE_MAPPING )\n     gl_FragColor.rgb = NeutralToneMapping( gl_FragColor.rgb );\n    #elif d\
 efined( CUSTOM_TONE_MAPPING )\n     gl_FragColor.rgb = CustomToneMapping( gl_FragColor.rgb );\n    #endif\n\n    #ifdef SRGB_TRANSFER\n     gl_FragColor = sRGBTransf\
-erOETF( gl_FragColor );\n    #endif\n   }",depthTest:!1,depthWrite:!1}),h=new ci(d,u),f=new oa(-1,1,1,-1,0,1),m=null,y=null,p=!1,g,_=null,w=[],M=!1;this.setSize=
-function(C,S){o.setSize(C,S),a!==null&&a.setSize(C,S),l!==null&&l.setSize(C,S);for(let x=0;x<w.length;x++){let b=w[x];b.setSize&&b.setSize(C,S)}},this.setEffects=
-function(C){w=C,M=w.length>0&&w[0].isRenderPass===!0;let S=o.width,x=o.height;w.length>0&&a===null&&(a=new ti(S,x,{type:Si,depthBuffer:!1,stencilBuffer:!1}),l=new ti(
-S,x,{type:Si,depthBuffer:!1,stencilBuffer:!1}));let b=s===!0&&w.some(N=>N.needsDepthTexture===!0);b!==(o.depthTexture!==null)&&(b===!0&&c===null&&(c=new cs(S,x),
-r===!0&&(c.format=us,c.type=nr)),o.dispose(),o.depthTexture=b?c:null,o.resolveDepthBuffer=b,o.storeMultisampledDepthBuffer=b);for(let N=0;N<w.length;N++){let R=w[N];
-R.setSize&&R.setSize(S,x),b&&R.needsDepthTexture===!0&&R.setDepthTexture&&R.setDepthTexture(c)}},this.begin=function(C,S){if(p||C.toneMapping===Vi&&w.length===0)
-return!1;if(_=S,S!==null){let x=S.width,b=S.height;(o.width!==x||o.height!==b)&&this.setSize(x,b)}return M===!1&&C.setRenderTarget(o),g=C.toneMapping,C.toneMapping=
-Vi,!0},this.hasRenderPass=function(){return M},this.end=function(C,S){C.toneMapping=g,p=!0;let x=o,b=a;for(let N=0;N<w.length;N++){let R=w[N];R.enabled!==!1&&(R.
-render(C,b,x,S),R.needsSwap!==!1&&(x=b,b=b===a?l:a))}if(m!==C.outputColorSpace||y!==C.toneMapping){m=C.outputColorSpace,y=C.toneMapping,u.defines={},_t.getTransfer(
-m)===At&&(u.defines.SRGB_TRANSFER="");let N=Ob[y];N&&(u.defines[N]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=x.texture,C.setRenderTarget(_),C.render(h,f),_=
+erOETF( gl_FragColor );\n    #endif\n   }",depthTest:!1,depthWrite:!1}),h=new ci(d,u),f=new oa(-1,1,1,-1,0,1),m=null,y=null,p=!1,g,_=null,S=[],M=!1;this.setSize=
+function(C,T){o.setSize(C,T),a!==null&&a.setSize(C,T),l!==null&&l.setSize(C,T);for(let x=0;x<S.length;x++){let b=S[x];b.setSize&&b.setSize(C,T)}},this.setEffects=
+function(C){S=C,M=S.length>0&&S[0].isRenderPass===!0;let T=o.width,x=o.height;S.length>0&&a===null&&(a=new ti(T,x,{type:Si,depthBuffer:!1,stencilBuffer:!1}),l=new ti(
+T,x,{type:Si,depthBuffer:!1,stencilBuffer:!1}));let b=s===!0&&S.some(L=>L.needsDepthTexture===!0);b!==(o.depthTexture!==null)&&(b===!0&&c===null&&(c=new cs(T,x),
+r===!0&&(c.format=us,c.type=nr)),o.dispose(),o.depthTexture=b?c:null,o.resolveDepthBuffer=b,o.storeMultisampledDepthBuffer=b);for(let L=0;L<S.length;L++){let R=S[L];
+R.setSize&&R.setSize(T,x),b&&R.needsDepthTexture===!0&&R.setDepthTexture&&R.setDepthTexture(c)}},this.begin=function(C,T){if(p||C.toneMapping===Vi&&S.length===0)
+return!1;if(_=T,T!==null){let x=T.width,b=T.height;(o.width!==x||o.height!==b)&&this.setSize(x,b)}return M===!1&&C.setRenderTarget(o),g=C.toneMapping,C.toneMapping=
+Vi,!0},this.hasRenderPass=function(){return M},this.end=function(C,T){C.toneMapping=g,p=!0;let x=o,b=a;for(let L=0;L<S.length;L++){let R=S[L];R.enabled!==!1&&(R.
+render(C,b,x,T),R.needsSwap!==!1&&(x=b,b=b===a?l:a))}if(m!==C.outputColorSpace||y!==C.toneMapping){m=C.outputColorSpace,y=C.toneMapping,u.defines={},_t.getTransfer(
+m)===At&&(u.defines.SRGB_TRANSFER="");let L=Ob[y];L&&(u.defines[L]=""),u.needsUpdate=!0}u.uniforms.tDiffuse.value=x.texture,C.setRenderTarget(_),C.render(h,f),_=
 null,p=!1},this.isCompositing=function(){return p},this.dispose=function(){o.dispose(),a!==null&&a.dispose(),l!==null&&l.dispose(),d.dispose(),u.dispose()}}var Tg=new Gn,
 Ag=new cs(1,1),Eg=new Yo(1),Cg=new Vo,Rg=new Il,Pg=new $o,sg=[],rg=[],og=new Float32Array(16),ag=new Float32Array(9),lg=new Float32Array(4);function lo(i,e,t){let n=i[0];
 if(n<=0||n>0)return i;let s=e*t,r=sg[s];if(r===void 0&&(r=new Float32Array(s),sg[s]=r),e!==0){n.toArray(r,0);for(let o=1,a=0;o!==e;++o)a+=t,i[o].toArray(r,a)}return r}
@@ -2995,15 +2995,15 @@ mg(a),t.isRawShaderMaterial!==!0&&(g="#version 300 es\n",y=[h,"#define attribute
 efine varying in",t.glslVersion===Ju?"":"layout(location = 0) out highp vec4 pc_fragColor;",t.glslVersion===Ju?"":"#define gl_FragColor pc_fragColor","#define g\
 l_FragDepthEXT gl_FragDepth","#define texture2D texture","#define textureCube texture","#define texture2DProj textureProj","#define texture2DLodEXT textureLod",
 "#define texture2DProjLodEXT textureProjLod","#define textureCubeLodEXT textureLod","#define texture2DGradEXT textureGrad","#define texture2DProjGradEXT texture\
-ProjGrad","#define textureCubeGradEXT textureGrad"].join("\n")+"\n"+p);let _=g+y+o,w=g+p+a,M=hg(s,s.VERTEX_SHADER,_),C=hg(s,s.FRAGMENT_SHADER,w);s.attachShader(
+ProjGrad","#define textureCubeGradEXT textureGrad"].join("\n")+"\n"+p);let _=g+y+o,S=g+p+a,M=hg(s,s.VERTEX_SHADER,_),C=hg(s,s.FRAGMENT_SHADER,S);s.attachShader(
 m,M),s.attachShader(m,C),t.index0AttributeName!==void 0?s.bindAttribLocation(m,0,t.index0AttributeName):t.hasPositionAttribute===!0&&s.bindAttribLocation(m,0,"p\
-osition"),s.linkProgram(m);function S(R){if(i.debug.checkShaderErrors){let I=s.getProgramInfoLog(m)||"",F=s.getShaderInfoLog(M)||"",z=s.getShaderInfoLog(C)||"",
-D=I.trim(),W=F.trim(),Y=z.trim(),H=!0,ce=!0;if(s.getProgramParameter(m,s.LINK_STATUS)===!1)if(H=!1,typeof i.debug.onShaderError=="function")i.debug.onShaderError(
+osition"),s.linkProgram(m);function T(R){if(i.debug.checkShaderErrors){let P=s.getProgramInfoLog(m)||"",F=s.getShaderInfoLog(M)||"",z=s.getShaderInfoLog(C)||"",
+D=P.trim(),G=F.trim(),Y=z.trim(),W=!0,ce=!0;if(s.getProgramParameter(m,s.LINK_STATUS)===!1)if(W=!1,typeof i.debug.onShaderError=="function")i.debug.onShaderError(
 s,m,M,C);else{let K=dg(s,M,"vertex"),Q=dg(s,C,"fragment");Ke("WebGLProgram: Shader Error "+s.getError()+" - VALIDATE_STATUS "+s.getProgramParameter(m,s.VALIDATE_STATUS)+
-"\n\nMaterial Name: "+R.name+"\nMaterial Type: "+R.type+"\n\nProgram Info Log: "+D+"\n"+K+"\n"+Q)}else D!==""?$e("WebGLProgram: Program Info Log:",D):(W===""||Y===
-"")&&(ce=!1);ce&&(R.diagnostics={runnable:H,programLog:D,vertexShader:{log:W,prefix:y},fragmentShader:{log:Y,prefix:p}})}s.deleteShader(M),s.deleteShader(C),x=new ao(
-s,m),b=FS(s,m)}let x;this.getUniforms=function(){return x===void 0&&S(this),x};let b;this.getAttributes=function(){return b===void 0&&S(this),b};let N=t.rendererExtensionParallelShaderCompile===
-!1;return this.isReady=function(){return N===!1&&(N=s.getProgramParameter(m,AS)),N},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(m),this.
+"\n\nMaterial Name: "+R.name+"\nMaterial Type: "+R.type+"\n\nProgram Info Log: "+D+"\n"+K+"\n"+Q)}else D!==""?$e("WebGLProgram: Program Info Log:",D):(G===""||Y===
+"")&&(ce=!1);ce&&(R.diagnostics={runnable:W,programLog:D,vertexShader:{log:G,prefix:y},fragmentShader:{log:Y,prefix:p}})}s.deleteShader(M),s.deleteShader(C),x=new ao(
+s,m),b=FS(s,m)}let x;this.getUniforms=function(){return x===void 0&&T(this),x};let b;this.getAttributes=function(){return b===void 0&&T(this),b};let L=t.rendererExtensionParallelShaderCompile===
+!1;return this.isReady=function(){return L===!1&&(L=s.getProgramParameter(m,AS)),L},this.destroy=function(){n.releaseStatesOfProgram(this),s.deleteProgram(m),this.
 program=void 0},this.type=t.shaderType,this.name=t.shaderName,this.id=ES++,this.cacheKey=e,this.usedTimes=1,this.program=m,this.vertexShader=M,this.fragmentShader=
 C,this}var YS=0,cd=class{constructor(){this.shaderCache=new Map,this.materialCache=new Map}update(e,t,n){let s=this._getShaderCacheForMaterial(e);return s.has(t)===
 !1&&(s.add(t),t.usedTimes++),s.has(n)===!1&&(s.add(n),n.usedTimes++),this}remove(e){let t=this.materialCache.get(e);for(let n of t)n.usedTimes--,n.usedTimes===0&&
@@ -3014,50 +3014,50 @@ this.id=YS++,this.code=e,this.usedTimes=0}};function ZS(i){return i===Us||i===ga
 u=n.logarithmicDepthBuffer,h={MeshDepthMaterial:"depth",MeshDistanceMaterial:"distance",MeshNormalMaterial:"normal",MeshBasicMaterial:"basic",MeshLambertMaterial:"\
 lambert",MeshPhongMaterial:"phong",MeshToonMaterial:"toon",MeshStandardMaterial:"physical",MeshPhysicalMaterial:"physical",MeshMatcapMaterial:"matcap",LineBasicMaterial:"\
 basic",LineDashedMaterial:"dashed",PointsMaterial:"points",ShadowMaterial:"shadow",SpriteMaterial:"sprite"};function f(x){return l.add(x),x===0?"uv":"uv".concat(
-x)}function m(x,b,N,R,I,F){let z=R.fog,D=I.geometry,W=x.isMeshStandardMaterial||x.isMeshLambertMaterial||x.isMeshPhongMaterial?R.environment:null,Y=x.isMeshStandardMaterial||
-x.isMeshLambertMaterial&&!x.envMap||x.isMeshPhongMaterial&&!x.envMap,H=e.get(x.envMap||W,Y),ce=h[x.type],K=n.precision;x.precision!==null&&(K=n.getMaxPrecision(
+x)}function m(x,b,L,R,P,F){let z=R.fog,D=P.geometry,G=x.isMeshStandardMaterial||x.isMeshLambertMaterial||x.isMeshPhongMaterial?R.environment:null,Y=x.isMeshStandardMaterial||
+x.isMeshLambertMaterial&&!x.envMap||x.isMeshPhongMaterial&&!x.envMap,W=e.get(x.envMap||G,Y),ce=h[x.type],K=n.precision;x.precision!==null&&(K=n.getMaxPrecision(
 x.precision),K!==x.precision&&$e("WebGLProgram.getParameters:",x.precision,"not supported, using",K,"instead."));let Q=D.morphAttributes.position||D.morphAttributes.
 normal||D.morphAttributes.color,se=Q!==void 0?Q.length:0,de=0;D.morphAttributes.position!==void 0&&(de=1),D.morphAttributes.normal!==void 0&&(de=2),D.morphAttributes.
 color!==void 0&&(de=3);let ue,ee,me,xe;if(ce){let Ce=Hi[ce];ue=Ce.vertexShader,ee=Ce.fragmentShader}else{ue=x.vertexShader,ee=x.fragmentShader;let Ce=a.getVertexShaderStage(
-x),rt=a.getFragmentShaderStage(x);a.update(x,Ce,rt),me=Ce.id,xe=rt.id}let Ee=i.getRenderTarget(),be=i.state.buffers.depth.getReversed(),He=I.isInstancedMesh===!0,
-nt=I.isBatchedMesh===!0,Ve=!!x.map,ut=!!x.matcap,lt=!!H,et=lt&&H.isPMREMTexture===!0,Gt=!!x.aoMap,Ut=!!x.lightMap,Qt=!!x.bumpMap&&x.wireframe===!1,Pt=!!x.normalMap,
+x),ot=a.getFragmentShaderStage(x);a.update(x,Ce,ot),me=Ce.id,xe=ot.id}let Ee=i.getRenderTarget(),be=i.state.buffers.depth.getReversed(),He=P.isInstancedMesh===!0,
+nt=P.isBatchedMesh===!0,Ve=!!x.map,ut=!!x.matcap,lt=!!W,et=lt&&W.isPMREMTexture===!0,Gt=!!x.aoMap,Ut=!!x.lightMap,Qt=!!x.bumpMap&&x.wireframe===!1,Pt=!!x.normalMap,
 gn=!!x.displacementMap,vt=!!x.emissiveMap,cn=!!x.metalnessMap,qt=!!x.roughnessMap,en=x.anisotropy>0,B=x.clearcoat>0,Re=x.diffuseRoughness>0,qe=x.dispersion>0,it=x.
-retroreflectivity>0,Se=x.iridescence>0,Lt=x.sheen>0,ze=x.transmission>0,Xe=en&&!!x.anisotropyMap,P=B&&!!x.clearcoatMap,T=B&&!!x.clearcoatNormalMap,q=B&&!!x.clearcoatRoughnessMap,
+retroreflectivity>0,Se=x.iridescence>0,Lt=x.sheen>0,ze=x.transmission>0,Xe=en&&!!x.anisotropyMap,I=B&&!!x.clearcoatMap,w=B&&!!x.clearcoatNormalMap,q=B&&!!x.clearcoatRoughnessMap,
 he=Re&&!!x.diffuseRoughnessMap,oe=Se&&!!x.iridescenceMap,_e=Se&&!!x.iridescenceThicknessMap,ye=Lt&&!!x.sheenColorMap,te=Lt&&!!x.sheenRoughnessMap,ie=!!x.specularMap,
 pe=!!x.specularColorMap,O=!!x.specularIntensityMap,re=ze&&!!x.transmissionMap,ne=ze&&!!x.thicknessMap,we=!!x.gradientMap,ge=!!x.alphaMap,Me=x.alphaTest>0,Ge=!!x.
-alphaHash,Ze=!!x.extensions,le=Vi;x.toneMapped&&(Ee===null||Ee.isXRRenderTarget===!0)&&(le=i.toneMapping);let Oe=et?H.isCompressedCubeTexture?H.image[0].mipmaps:
-H.mipmaps:null,Je={shaderID:ce,shaderType:x.type,shaderName:x.name,vertexShader:ue,fragmentShader:ee,defines:x.defines,customVertexShaderID:me,customFragmentShaderID:xe,
-isRawShaderMaterial:x.isRawShaderMaterial===!0,glslVersion:x.glslVersion,precision:K,batching:nt,batchingColor:nt&&I._colorsTexture!==null,instancing:He,instancingColor:He&&
-I.instanceColor!==null,instancingMorph:He&&I.morphTexture!==null,outputColorSpace:Ee===null?i.outputColorSpace:Ee.isXRRenderTarget===!0?Ee.texture.colorSpace:_t.
-workingColorSpace,alphaToCoverage:!!x.alphaToCoverage,map:Ve,matcap:ut,envMap:lt,envMapMode:lt&&H.mapping,envMapPMREM:et,envMapMaxLod:et?Oe.length-1:null,envMapSize:et?
+alphaHash,Ze=!!x.extensions,le=Vi;x.toneMapped&&(Ee===null||Ee.isXRRenderTarget===!0)&&(le=i.toneMapping);let Oe=et?W.isCompressedCubeTexture?W.image[0].mipmaps:
+W.mipmaps:null,Je={shaderID:ce,shaderType:x.type,shaderName:x.name,vertexShader:ue,fragmentShader:ee,defines:x.defines,customVertexShaderID:me,customFragmentShaderID:xe,
+isRawShaderMaterial:x.isRawShaderMaterial===!0,glslVersion:x.glslVersion,precision:K,batching:nt,batchingColor:nt&&P._colorsTexture!==null,instancing:He,instancingColor:He&&
+P.instanceColor!==null,instancingMorph:He&&P.morphTexture!==null,outputColorSpace:Ee===null?i.outputColorSpace:Ee.isXRRenderTarget===!0?Ee.texture.colorSpace:_t.
+workingColorSpace,alphaToCoverage:!!x.alphaToCoverage,map:Ve,matcap:ut,envMap:lt,envMapMode:lt&&W.mapping,envMapPMREM:et,envMapMaxLod:et?Oe.length-1:null,envMapSize:et?
 Oe[0].width:null,aoMap:Gt,lightMap:Ut,bumpMap:Qt,normalMap:Pt,displacementMap:gn,emissiveMap:vt,normalMapObjectSpace:Pt&&x.normalMapType===Om,normalMapTangentSpace:Pt&&
 x.normalMapType===kc,packedNormalMap:Pt&&x.normalMapType===kc&&ZS(x.normalMap.format),metalnessMap:cn,roughnessMap:qt,anisotropy:en,anisotropyMap:Xe,clearcoat:B,
-clearcoatMap:P,clearcoatNormalMap:T,clearcoatRoughnessMap:q,diffuseRoughness:Re,diffuseRoughnessMap:he,dispersion:qe,retroreflection:it,iridescence:Se,iridescenceMap:oe,
+clearcoatMap:I,clearcoatNormalMap:w,clearcoatRoughnessMap:q,diffuseRoughness:Re,diffuseRoughnessMap:he,dispersion:qe,retroreflection:it,iridescence:Se,iridescenceMap:oe,
 iridescenceThicknessMap:_e,sheen:Lt,sheenColorMap:ye,sheenRoughnessMap:te,specularMap:ie,specularColorMap:pe,specularIntensityMap:O,transmission:ze,transmissionMap:re,
 thicknessMap:ne,gradientMap:we,opaque:x.transparent===!1&&x.blending===so&&x.alphaToCoverage===!1,alphaMap:ge,alphaTest:Me,alphaHash:Ge,combine:x.combine,mapUv:Ve&&
 f(x.map.channel),aoMapUv:Gt&&f(x.aoMap.channel),lightMapUv:Ut&&f(x.lightMap.channel),bumpMapUv:Qt&&f(x.bumpMap.channel),normalMapUv:Pt&&f(x.normalMap.channel),displacementMapUv:gn&&
 f(x.displacementMap.channel),emissiveMapUv:vt&&f(x.emissiveMap.channel),metalnessMapUv:cn&&f(x.metalnessMap.channel),roughnessMapUv:qt&&f(x.roughnessMap.channel),
-anisotropyMapUv:Xe&&f(x.anisotropyMap.channel),clearcoatMapUv:P&&f(x.clearcoatMap.channel),clearcoatNormalMapUv:T&&f(x.clearcoatNormalMap.channel),clearcoatRoughnessMapUv:q&&
+anisotropyMapUv:Xe&&f(x.anisotropyMap.channel),clearcoatMapUv:I&&f(x.clearcoatMap.channel),clearcoatNormalMapUv:w&&f(x.clearcoatNormalMap.channel),clearcoatRoughnessMapUv:q&&
 f(x.clearcoatRoughnessMap.channel),diffuseRoughnessMapUv:he&&f(x.diffuseRoughnessMap.channel),iridescenceMapUv:oe&&f(x.iridescenceMap.channel),iridescenceThicknessMapUv:_e&&
 f(x.iridescenceThicknessMap.channel),sheenColorMapUv:ye&&f(x.sheenColorMap.channel),sheenRoughnessMapUv:te&&f(x.sheenRoughnessMap.channel),specularMapUv:ie&&f(x.
 specularMap.channel),specularColorMapUv:pe&&f(x.specularColorMap.channel),specularIntensityMapUv:O&&f(x.specularIntensityMap.channel),transmissionMapUv:re&&f(x.
 transmissionMap.channel),thicknessMapUv:ne&&f(x.thicknessMap.channel),alphaMapUv:ge&&f(x.alphaMap.channel),vertexTangents:!!D.attributes.tangent&&(Pt||en),vertexNormals:!!D.
-attributes.normal,vertexColors:x.vertexColors,vertexAlphas:x.vertexColors===!0&&!!D.attributes.color&&D.attributes.color.itemSize===4,pointsUvs:I.isPoints===!0&&
+attributes.normal,vertexColors:x.vertexColors,vertexAlphas:x.vertexColors===!0&&!!D.attributes.color&&D.attributes.color.itemSize===4,pointsUvs:P.isPoints===!0&&
 !!D.attributes.uv&&(Ve||ge),fog:!!z,useFog:x.fog===!0,fogExp2:!!z&&z.isFogExp2,flatShading:x.wireframe===!1&&(x.flatShading===!0||D.attributes.normal===void 0&&
 Pt===!1&&(x.isMeshLambertMaterial||x.isMeshPhongMaterial||x.isMeshStandardMaterial||x.isMeshPhysicalMaterial)),sizeAttenuation:x.sizeAttenuation===!0,logarithmicDepthBuffer:u,
-reversedDepthBuffer:be,skinning:I.isSkinnedMesh===!0,hasPositionAttribute:D.attributes.position!==void 0,morphTargets:D.morphAttributes.position!==void 0,morphNormals:D.
+reversedDepthBuffer:be,skinning:P.isSkinnedMesh===!0,hasPositionAttribute:D.attributes.position!==void 0,morphTargets:D.morphAttributes.position!==void 0,morphNormals:D.
 morphAttributes.normal!==void 0,morphColors:D.morphAttributes.color!==void 0,morphTargetsCount:se,morphTextureStride:de,numSunLights:b.sun.length,numDirLights:b.
 directional.length,numPointLights:b.point.length,numSpotLights:b.spot.length,numSpotLightMaps:b.spotLightMap.length,numRectAreaLights:b.rectArea.length,numHemiLights:b.
 hemi.length,numSunLightShadows:b.sunShadowMap.length,numDirLightShadows:b.directionalShadowMap.length,numPointLightShadows:b.pointShadowMap.length,numSpotLightShadows:b.
 spotShadowMap.length,numSpotLightShadowsWithMaps:b.numSpotLightShadowsWithMaps,numLightProbes:b.numLightProbes,numLightProbeGrids:F.filter(Ce=>Ce.texture!==null).
-length,numClippingPlanes:r.numPlanes,numClipIntersection:r.numIntersection,dithering:x.dithering,shadowMapEnabled:i.shadowMap.enabled&&N.length>0,shadowMapType:i.
+length,numClippingPlanes:r.numPlanes,numClipIntersection:r.numIntersection,dithering:x.dithering,shadowMapEnabled:i.shadowMap.enabled&&L.length>0,shadowMapType:i.
 shadowMap.type,toneMapping:le,decodeVideoTexture:Ve&&x.map.isVideoTexture===!0&&_t.getTransfer(x.map.colorSpace)===At,decodeVideoTextureEmissive:vt&&x.emissiveMap.
 isVideoTexture===!0&&_t.getTransfer(x.emissiveMap.colorSpace)===At,premultipliedAlpha:x.premultipliedAlpha,doubleSided:x.side===zi,flipSided:x.side===kn,useDepthPacking:x.
 depthPacking>=0,depthPacking:x.depthPacking||0,index0AttributeName:x.index0AttributeName,extensionClipCullDistance:Ze&&x.extensions.clipCullDistance===!0&&t.has(
 "WEBGL_clip_cull_distance"),extensionMultiDraw:(Ze&&x.extensions.multiDraw===!0||nt)&&t.has("WEBGL_multi_draw"),rendererExtensionParallelShaderCompile:t.has("KH\
 R_parallel_shader_compile"),customProgramCacheKey:x.customProgramCacheKey()};return Je.vertexUv1s=l.has(1),Je.vertexUv2s=l.has(2),Je.vertexUv3s=l.has(3),l.clear(),
-Je}function y(x){let b=[];if(x.shaderID?b.push(x.shaderID):(b.push(x.customVertexShaderID),b.push(x.customFragmentShaderID)),x.defines!==void 0)for(let N in x.defines)
-b.push(N),b.push(x.defines[N]);return x.isRawShaderMaterial===!1&&(p(b,x),g(b,x),b.push(i.outputColorSpace)),b.push(x.customProgramCacheKey),b.join()}function p(x,b){
+Je}function y(x){let b=[];if(x.shaderID?b.push(x.shaderID):(b.push(x.customVertexShaderID),b.push(x.customFragmentShaderID)),x.defines!==void 0)for(let L in x.defines)
+b.push(L),b.push(x.defines[L]);return x.isRawShaderMaterial===!1&&(p(b,x),g(b,x),b.push(i.outputColorSpace)),b.push(x.customProgramCacheKey),b.join()}function p(x,b){
 x.push(b.precision),x.push(b.outputColorSpace),x.push(b.envMapMode),x.push(b.envMapPMREM),x.push(b.envMapMaxLod),x.push(b.envMapSize),x.push(b.mapUv),x.push(b.alphaMapUv),
 x.push(b.lightMapUv),x.push(b.aoMapUv),x.push(b.bumpMapUv),x.push(b.normalMapUv),x.push(b.displacementMapUv),x.push(b.emissiveMapUv),x.push(b.metalnessMapUv),x.
 push(b.roughnessMapUv),x.push(b.anisotropyMapUv),x.push(b.clearcoatMapUv),x.push(b.clearcoatNormalMapUv),x.push(b.clearcoatRoughnessMapUv),x.push(b.diffuseRoughnessMapUv),
@@ -3075,10 +3075,10 @@ b.fog&&o.enable(0),b.useFog&&o.enable(1),b.flatShading&&o.enable(2),b.logarithmi
 5),b.morphTargets&&o.enable(6),b.morphNormals&&o.enable(7),b.morphColors&&o.enable(8),b.premultipliedAlpha&&o.enable(9),b.shadowMapEnabled&&o.enable(10),b.doubleSided&&
 o.enable(11),b.flipSided&&o.enable(12),b.useDepthPacking&&o.enable(13),b.dithering&&o.enable(14),b.transmission&&o.enable(15),b.sheen&&o.enable(16),b.opaque&&o.
 enable(17),b.pointsUvs&&o.enable(18),b.decodeVideoTexture&&o.enable(19),b.decodeVideoTextureEmissive&&o.enable(20),b.alphaToCoverage&&o.enable(21),b.numLightProbeGrids>
-0&&o.enable(22),b.hasPositionAttribute&&o.enable(23),x.push(o.mask)}function _(x){let b=h[x.type],N;if(b){let R=Hi[b];N=Km.clone(R.uniforms)}else N=x.uniforms;return N}
-function w(x,b){let N=d.get(b);return N!==void 0?++N.usedTimes:(N=new $S(i,b,x,s),c.push(N),d.set(b,N)),N}function M(x){if(--x.usedTimes===0){let b=c.indexOf(x);
-c[b]=c[c.length-1],c.pop(),d.delete(x.cacheKey),x.destroy()}}function C(x){a.remove(x)}function S(){a.dispose()}return{getParameters:m,getProgramCacheKey:y,getUniforms:_,
-acquireProgram:w,releaseProgram:M,releaseShaderCache:C,programs:c,dispose:S}}function KS(){let i=new WeakMap;function e(o){return i.has(o)}function t(o){let a=i.
+0&&o.enable(22),b.hasPositionAttribute&&o.enable(23),x.push(o.mask)}function _(x){let b=h[x.type],L;if(b){let R=Hi[b];L=Km.clone(R.uniforms)}else L=x.uniforms;return L}
+function S(x,b){let L=d.get(b);return L!==void 0?++L.usedTimes:(L=new $S(i,b,x,s),c.push(L),d.set(b,L)),L}function M(x){if(--x.usedTimes===0){let b=c.indexOf(x);
+c[b]=c[c.length-1],c.pop(),d.delete(x.cacheKey),x.destroy()}}function C(x){a.remove(x)}function T(){a.dispose()}return{getParameters:m,getProgramCacheKey:y,getUniforms:_,
+acquireProgram:S,releaseProgram:M,releaseShaderCache:C,programs:c,dispose:T}}function KS(){let i=new WeakMap;function e(o){return i.has(o)}function t(o){let a=i.
 get(o);return a===void 0&&(a={},i.set(o,a)),a}function n(o){i.delete(o)}function s(o,a,l){i.get(o)[a]=l}function r(){i=new WeakMap}return{has:e,get:t,remove:n,update:s,
 dispose:r}}function jS(i,e){return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.renderOrder?i.renderOrder-e.renderOrder:i.material.id!==
 e.material.id?i.material.id-e.material.id:i.materialVariant!==e.materialVariant?i.materialVariant-e.materialVariant:i.z!==e.z?i.z-e.z:i.id-e.id}function _g(i,e){
@@ -3086,48 +3086,48 @@ return i.groupOrder!==e.groupOrder?i.groupOrder-e.groupOrder:i.renderOrder!==e.r
 let i=[],e=0,t=[],n=[],s=[];function r(){e=0,t.length=0,n.length=0,s.length=0}function o(h){let f=0;return h.isInstancedMesh&&(f+=2),h.isSkinnedMesh&&(f+=1),f}function a(h,f,m,y,p,g){
 let _=i[e];return _===void 0?(_={id:h.id,object:h,geometry:f,material:m,materialVariant:o(h),groupOrder:y,renderOrder:h.renderOrder,z:p,group:g},i[e]=_):(_.id=h.
 id,_.object=h,_.geometry=f,_.material=m,_.materialVariant=o(h),_.groupOrder=y,_.renderOrder=h.renderOrder,_.z=p,_.group=g),e++,_}function l(h,f,m,y,p,g,_){_.reversedDepth===
-!0&&(p=-p);let w=a(h,f,m,y,p,g);m.transmission>0?n.push(w):m.transparent===!0?s.push(w):t.push(w)}function c(h,f,m,y,p,g){let _=a(h,f,m,y,p,g);m.transmission>0?
+!0&&(p=-p);let S=a(h,f,m,y,p,g);m.transmission>0?n.push(S):m.transparent===!0?s.push(S):t.push(S)}function c(h,f,m,y,p,g){let _=a(h,f,m,y,p,g);m.transmission>0?
 n.unshift(_):m.transparent===!0?s.unshift(_):t.unshift(_)}function d(h,f){t.length>1&&t.sort(h||jS),n.length>1&&n.sort(f||_g),s.length>1&&s.sort(f||_g)}function u(){
 for(let h=e,f=i.length;h<f;h++){let m=i[h];if(m.id===null)break;m.id=null,m.object=null,m.geometry=null,m.material=null,m.group=null}}return{opaque:t,transmissive:n,
 transparent:s,init:r,push:l,unshift:c,finish:u,sort:d}}function QS(){let i=new WeakMap;function e(n,s){let r=i.get(n),o;return r===void 0?(o=new xg,i.set(n,[o])):
 s>=r.length?(o=new xg,r.push(o)):o=r[s],o}function t(){i=new WeakMap}return{get:e,dispose:t}}function ew(){let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.
-id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={direction:new V,color:new st};break;case"SpotLight":t={position:new V,direction:new V,color:new st,
-distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":t={position:new V,color:new st,distance:0,decay:0};break;case"HemisphereLight":t={direction:new V,
-skyColor:new st,groundColor:new st};break;case"RectAreaLight":t={color:new st,position:new V,halfWidth:new V,halfHeight:new V};break}return i[e.id]=t,t}}}function tw(){
+id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={direction:new V,color:new rt};break;case"SpotLight":t={position:new V,direction:new V,color:new rt,
+distance:0,coneCos:0,penumbraCos:0,decay:0};break;case"PointLight":t={position:new V,color:new rt,distance:0,decay:0};break;case"HemisphereLight":t={direction:new V,
+skyColor:new rt,groundColor:new rt};break;case"RectAreaLight":t={color:new rt,position:new V,halfWidth:new V,halfHeight:new V};break}return i[e.id]=t,t}}}function tw(){
 let i={};return{get:function(e){if(i[e.id]!==void 0)return i[e.id];let t;switch(e.type){case"SunLight":case"DirectionalLight":t={shadowIntensity:1,shadowBias:0,
-shadowNormalBias:0,shadowRadius:1,shadowMapSize:new ot};break;case"SpotLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new ot};
-break;case"PointLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new ot,shadowCameraNear:1,shadowCameraFar:1e3};break}return i[e.
+shadowNormalBias:0,shadowRadius:1,shadowMapSize:new st};break;case"SpotLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new st};
+break;case"PointLight":t={shadowIntensity:1,shadowBias:0,shadowNormalBias:0,shadowRadius:1,shadowMapSize:new st,shadowCameraNear:1,shadowCameraFar:1e3};break}return i[e.
 id]=t,t}}}var nw=0;function iw(i,e){return(e.castShadow?2:0)-(i.castShadow?2:0)+(e.map?1:0)-(i.map?1:0)}function sw(i){let e=new ew,t=tw(),n={version:0,hash:{sunLength:-1,
 directionalLength:-1,pointLength:-1,spotLength:-1,rectAreaLength:-1,hemiLength:-1,numSunShadows:-1,numDirectionalShadows:-1,numPointShadows:-1,numSpotShadows:-1,
 numSpotMaps:-1,numLightProbes:-1},ambient:[0,0,0],probe:[],sun:[],sunShadow:[],sunShadowMap:[],sunShadowMatrix:[],sunShadowCascade:[],directional:[],directionalShadow:[],
 directionalShadowMap:[],directionalShadowMatrix:[],spot:[],spotLightMap:[],spotShadow:[],spotShadowMap:[],spotLightMatrix:[],rectArea:[],rectAreaLTC1:null,rectAreaLTC2:null,
 point:[],pointShadow:[],pointShadowMap:[],pointShadowMatrix:[],hemi:[],numSpotLightShadowsWithMaps:0,numLightProbes:0};for(let c=0;c<9;c++)n.probe.push(new V);let s=new V,
-r=new xt,o=new xt;function a(c){let d=0,u=0,h=0;for(let F=0;F<9;F++)n.probe[F].set(0,0,0);let f=0,m=0,y=0,p=0,g=0,_=0,w=0,M=0,C=0,S=0,x=0,b=0,N=0,R=0;c.sort(iw);
-for(let F=0,z=c.length;F<z;F++){let D=c[F],W=D.color,Y=D.intensity,H=D.distance,ce=null;if(D.shadow&&D.shadow.map&&(D.shadow.map.texture.format===Us?ce=D.shadow.
-map.texture:ce=D.shadow.map.depthTexture||D.shadow.map.texture),D.isAmbientLight)d+=W.r*Y,u+=W.g*Y,h+=W.b*Y;else if(D.isLightProbe){for(let K=0;K<9;K++)n.probe[K].
+r=new xt,o=new xt;function a(c){let d=0,u=0,h=0;for(let F=0;F<9;F++)n.probe[F].set(0,0,0);let f=0,m=0,y=0,p=0,g=0,_=0,S=0,M=0,C=0,T=0,x=0,b=0,L=0,R=0;c.sort(iw);
+for(let F=0,z=c.length;F<z;F++){let D=c[F],G=D.color,Y=D.intensity,W=D.distance,ce=null;if(D.shadow&&D.shadow.map&&(D.shadow.map.texture.format===Us?ce=D.shadow.
+map.texture:ce=D.shadow.map.depthTexture||D.shadow.map.texture),D.isAmbientLight)d+=G.r*Y,u+=G.g*Y,h+=G.b*Y;else if(D.isLightProbe){for(let K=0;K<9;K++)n.probe[K].
 addScaledVector(D.sh.coefficients[K],Y);R++}else if(D.isSunLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),D.castShadow){let Q=D.shadow,
 se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize.copy(Q.mapSize).multiply(
 Q.getFrameExtents()),n.sunShadow[m]=se,n.sunShadowMap[m]=ce;let de=Q.getViewportCount();for(let ue=0;ue<de;ue++)n.sunShadowMatrix[y+ue]=Q.getMatrix(ue),n.sunShadowCascade[y+
 ue]=Q._cascadeData[ue];y+=de,m++}n.sun[f]=K,f++}else if(D.isDirectionalLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),D.castShadow){
 let Q=D.shadow,se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize=Q.mapSize,
 n.directionalShadow[p]=se,n.directionalShadowMap[p]=ce,n.directionalShadowMatrix[p]=D.shadow.matrix,C++}n.directional[p]=K,p++}else if(D.isSpotLight){let K=e.get(
-D);K.position.setFromMatrixPosition(D.matrixWorld),K.color.copy(W).multiplyScalar(Y),K.distance=H,K.coneCos=Math.cos(D.angle),K.penumbraCos=Math.cos(D.angle*(1-
-D.penumbra)),K.decay=D.decay,n.spot[_]=K;let Q=D.shadow;if(D.map&&(n.spotLightMap[b]=D.map,b++,Q.updateMatrices(D),D.castShadow&&N++),n.spotLightMatrix[_]=Q.matrix,
+D);K.position.setFromMatrixPosition(D.matrixWorld),K.color.copy(G).multiplyScalar(Y),K.distance=W,K.coneCos=Math.cos(D.angle),K.penumbraCos=Math.cos(D.angle*(1-
+D.penumbra)),K.decay=D.decay,n.spot[_]=K;let Q=D.shadow;if(D.map&&(n.spotLightMap[b]=D.map,b++,Q.updateMatrices(D),D.castShadow&&L++),n.spotLightMatrix[_]=Q.matrix,
 D.castShadow){let se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.shadowMapSize=Q.mapSize,
-n.spotShadow[_]=se,n.spotShadowMap[_]=ce,x++}_++}else if(D.isRectAreaLight){let K=e.get(D);K.color.copy(W).multiplyScalar(Y),K.halfWidth.set(D.width*.5,0,0),K.halfHeight.
-set(0,D.height*.5,0),n.rectArea[w]=K,w++}else if(D.isPointLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),K.distance=D.distance,K.decay=
+n.spotShadow[_]=se,n.spotShadowMap[_]=ce,x++}_++}else if(D.isRectAreaLight){let K=e.get(D);K.color.copy(G).multiplyScalar(Y),K.halfWidth.set(D.width*.5,0,0),K.halfHeight.
+set(0,D.height*.5,0),n.rectArea[S]=K,S++}else if(D.isPointLight){let K=e.get(D);if(K.color.copy(D.color).multiplyScalar(D.intensity),K.distance=D.distance,K.decay=
 D.decay,D.castShadow){let Q=D.shadow,se=t.get(D);se.shadowIntensity=Q.intensity,se.shadowBias=Q.bias,se.shadowNormalBias=Q.normalBias,se.shadowRadius=Q.radius,se.
 shadowMapSize=Q.mapSize,se.shadowCameraNear=Q.camera.near,se.shadowCameraFar=Q.camera.far,n.pointShadow[g]=se,n.pointShadowMap[g]=ce,n.pointShadowMatrix[g]=D.shadow.
-matrix,S++}n.point[g]=K,g++}else if(D.isHemisphereLight){let K=e.get(D);K.skyColor.copy(D.color).multiplyScalar(Y),K.groundColor.copy(D.groundColor).multiplyScalar(
-Y),n.hemi[M]=K,M++}}w>0&&(i.has("OES_texture_float_linear")===!0?(n.rectAreaLTC1=Le.LTC_FLOAT_1,n.rectAreaLTC2=Le.LTC_FLOAT_2):(n.rectAreaLTC1=Le.LTC_HALF_1,n.rectAreaLTC2=
-Le.LTC_HALF_2)),n.ambient[0]=d,n.ambient[1]=u,n.ambient[2]=h;let I=n.hash;(I.sunLength!==f||I.directionalLength!==p||I.pointLength!==g||I.spotLength!==_||I.rectAreaLength!==
-w||I.hemiLength!==M||I.numSunShadows!==m||I.numDirectionalShadows!==C||I.numPointShadows!==S||I.numSpotShadows!==x||I.numSpotMaps!==b||I.numLightProbes!==R)&&(n.
-sun.length=f,n.directional.length=p,n.spot.length=_,n.rectArea.length=w,n.point.length=g,n.hemi.length=M,n.sunShadow.length=m,n.sunShadowMap.length=m,n.sunShadowMatrix.
-length=y,n.sunShadowCascade.length=y,n.directionalShadow.length=C,n.directionalShadowMap.length=C,n.directionalShadowMatrix.length=C,n.pointShadow.length=S,n.pointShadowMap.
-length=S,n.pointShadowMatrix.length=S,n.spotShadow.length=x,n.spotShadowMap.length=x,n.spotLightMatrix.length=x+b-N,n.spotLightMap.length=b,n.numSpotLightShadowsWithMaps=
-N,n.numLightProbes=R,I.sunLength=f,I.directionalLength=p,I.pointLength=g,I.spotLength=_,I.rectAreaLength=w,I.hemiLength=M,I.numSunShadows=m,I.numDirectionalShadows=
-C,I.numPointShadows=S,I.numSpotShadows=x,I.numSpotMaps=b,I.numLightProbes=R,n.version=nw++)}function l(c,d){let u=0,h=0,f=0,m=0,y=0,p=0,g=d.matrixWorldInverse;for(let _=0,
-w=c.length;_<w;_++){let M=c[_];if(M.isSunLight){let C=n.sun[u];C.direction.setFromMatrixPosition(M.matrixWorld),C.direction.transformDirection(g),u++}else if(M.
+matrix,T++}n.point[g]=K,g++}else if(D.isHemisphereLight){let K=e.get(D);K.skyColor.copy(D.color).multiplyScalar(Y),K.groundColor.copy(D.groundColor).multiplyScalar(
+Y),n.hemi[M]=K,M++}}S>0&&(i.has("OES_texture_float_linear")===!0?(n.rectAreaLTC1=Le.LTC_FLOAT_1,n.rectAreaLTC2=Le.LTC_FLOAT_2):(n.rectAreaLTC1=Le.LTC_HALF_1,n.rectAreaLTC2=
+Le.LTC_HALF_2)),n.ambient[0]=d,n.ambient[1]=u,n.ambient[2]=h;let P=n.hash;(P.sunLength!==f||P.directionalLength!==p||P.pointLength!==g||P.spotLength!==_||P.rectAreaLength!==
+S||P.hemiLength!==M||P.numSunShadows!==m||P.numDirectionalShadows!==C||P.numPointShadows!==T||P.numSpotShadows!==x||P.numSpotMaps!==b||P.numLightProbes!==R)&&(n.
+sun.length=f,n.directional.length=p,n.spot.length=_,n.rectArea.length=S,n.point.length=g,n.hemi.length=M,n.sunShadow.length=m,n.sunShadowMap.length=m,n.sunShadowMatrix.
+length=y,n.sunShadowCascade.length=y,n.directionalShadow.length=C,n.directionalShadowMap.length=C,n.directionalShadowMatrix.length=C,n.pointShadow.length=T,n.pointShadowMap.
+length=T,n.pointShadowMatrix.length=T,n.spotShadow.length=x,n.spotShadowMap.length=x,n.spotLightMatrix.length=x+b-L,n.spotLightMap.length=b,n.numSpotLightShadowsWithMaps=
+L,n.numLightProbes=R,P.sunLength=f,P.directionalLength=p,P.pointLength=g,P.spotLength=_,P.rectAreaLength=S,P.hemiLength=M,P.numSunShadows=m,P.numDirectionalShadows=
+C,P.numPointShadows=T,P.numSpotShadows=x,P.numSpotMaps=b,P.numLightProbes=R,n.version=nw++)}function l(c,d){let u=0,h=0,f=0,m=0,y=0,p=0,g=d.matrixWorldInverse;for(let _=0,
+S=c.length;_<S;_++){let M=c[_];if(M.isSunLight){let C=n.sun[u];C.direction.setFromMatrixPosition(M.matrixWorld),C.direction.transformDirection(g),u++}else if(M.
 isDirectionalLight){let C=n.directional[h];C.direction.setFromMatrixPosition(M.matrixWorld),s.setFromMatrixPosition(M.target.matrixWorld),C.direction.sub(s),C.direction.
 transformDirection(g),h++}else if(M.isSpotLight){let C=n.spot[m];C.position.setFromMatrixPosition(M.matrixWorld),C.position.applyMatrix4(g),C.direction.setFromMatrixPosition(
 M.matrixWorld),s.setFromMatrixPosition(M.target.matrixWorld),C.direction.sub(s),C.direction.transformDirection(g),m++}else if(M.isRectAreaLight){let C=n.rectArea[y];
@@ -3146,48 +3146,48 @@ pass, ( gl_FragCoord.xy + vec2( uvOffset, 0.0 ) * radius ) / resolution ).rg;\n 
 stribution.x * distribution.x;\n  #else\n   float depth = texture2D( shadow_pass, ( gl_FragCoord.xy + vec2( 0.0, uvOffset ) * radius ) / resolution ).r;\n   mean +\
 = depth;\n   squared_mean += depth * depth;\n  #endif\n }\n mean = mean / samples;\n squared_mean = squared_mean / samples;\n float std_dev = sqrt( max( 0.0, squared_\
 mean - mean * mean ) );\n gl_FragColor = vec4( mean, std_dev, 0.0, 1.0 );\n}",lw=[new V(1,0,0),new V(-1,0,0),new V(0,1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1)],
-cw=[new V(0,-1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1),new V(0,-1,0),new V(0,-1,0)],vg=new xt,ya=new V,sd=new V;function hw(i,e,t){let n=new Es,s=new ot,r=new ot,
+cw=[new V(0,-1,0),new V(0,-1,0),new V(0,0,1),new V(0,0,-1),new V(0,-1,0),new V(0,-1,0)],vg=new xt,ya=new V,sd=new V;function hw(i,e,t){let n=new Es,s=new st,r=new st,
 o=new Wt,a=new Bl,l=new kl,c={},d=t.maxTextureSize,u={[Ds]:kn,[kn]:Ds,[zi]:zi},h=new ki({defines:{VSM_SAMPLES:8},uniforms:{shadow_pass:{value:null},resolution:{
-value:new ot},radius:{value:4}},vertexShader:ow,fragmentShader:aw}),f=h.clone();f.defines.HORIZONTAL_PASS=1;let m=new ln;m.setAttribute("position",new Mi(new Float32Array(
-[-1,-1,.5,3,-1,.5,-1,3,.5]),3));let y=new ci(m,h),p=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=ha;let g=this.type;this.render=function(S,x,b){
-if(p.enabled===!1||p.autoUpdate===!1&&p.needsUpdate===!1||S.length===0)return;this.type===pm&&($e("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFS\
-hadowMap instead."),this.type=ha);let N=i.getRenderTarget(),R=i.getActiveCubeFace(),I=i.getActiveMipmapLevel(),F=i.state;F.setBlending(Qs),F.buffers.depth.getReversed()===
+value:new st},radius:{value:4}},vertexShader:ow,fragmentShader:aw}),f=h.clone();f.defines.HORIZONTAL_PASS=1;let m=new ln;m.setAttribute("position",new Mi(new Float32Array(
+[-1,-1,.5,3,-1,.5,-1,3,.5]),3));let y=new ci(m,h),p=this;this.enabled=!1,this.autoUpdate=!0,this.needsUpdate=!1,this.type=ha;let g=this.type;this.render=function(T,x,b){
+if(p.enabled===!1||p.autoUpdate===!1&&p.needsUpdate===!1||T.length===0)return;this.type===pm&&($e("WebGLShadowMap: PCFSoftShadowMap has been removed. Using PCFS\
+hadowMap instead."),this.type=ha);let L=i.getRenderTarget(),R=i.getActiveCubeFace(),P=i.getActiveMipmapLevel(),F=i.state;F.setBlending(Qs),F.buffers.depth.getReversed()===
 !0?F.buffers.color.setClear(0,0,0,0):F.buffers.color.setClear(1,1,1,1),F.buffers.depth.setTest(!0),F.setScissorTest(!1);let z=g!==this.type;z&&x.traverse(function(D){
-D.material&&(Array.isArray(D.material)?D.material.forEach(W=>W.needsUpdate=!0):D.material.needsUpdate=!0)});for(let D=0,W=S.length;D<W;D++){let Y=S[D],H=Y.shadow;
-if(H===void 0){$e("WebGLShadowMap:",Y,"has no shadow.");continue}if(H.autoUpdate===!1&&H.needsUpdate===!1)continue;s.copy(H.mapSize);let ce=H.getFrameExtents();
-s.multiply(ce),r.copy(H.mapSize),(s.x>d||s.y>d)&&(s.x>d&&(r.x=Math.floor(d/ce.x),s.x=r.x*ce.x,H.mapSize.x=r.x),s.y>d&&(r.y=Math.floor(d/ce.y),s.y=r.y*ce.y,H.mapSize.
-y=r.y));let K=i.state.buffers.depth.getReversed();if(H.camera._reversedDepth=K,H.map===null||z===!0){if(H.map!==null&&(H.map.depthTexture!==null&&(H.map.depthTexture.
-dispose(),H.map.depthTexture=null),H.map.dispose()),this.type===io){if(Y.isPointLight){$e("WebGLShadowMap: VSM shadow maps are not supported for PointLights. Us\
-e PCF or BasicShadowMap instead.");continue}H.map=new ti(s.x,s.y,{format:Us,type:Si,minFilter:On,magFilter:On,generateMipmaps:!1}),H.map.texture.name=Y.name+".s\
-hadowMap",H.map.depthTexture=new cs(s.x,s.y,hi),H.map.depthTexture.name=Y.name+".shadowMapDepth",H.map.depthTexture.format=ss,H.map.depthTexture.compareFunction=
-null,H.map.depthTexture.minFilter=bn,H.map.depthTexture.magFilter=bn}else Y.isPointLight?(H.map=new Ma(s.x),H.map.depthTexture=new Yo(s.x,bi)):(H.map=new ti(s.x,
-s.y),H.map.depthTexture=new cs(s.x,s.y,bi)),H.map.depthTexture.name=Y.name+".shadowMap",H.map.depthTexture.format=ss,this.type===ha?(H.map.depthTexture.compareFunction=
-K?Yu:$u,H.map.depthTexture.minFilter=On,H.map.depthTexture.magFilter=On):(H.map.depthTexture.compareFunction=null,H.map.depthTexture.minFilter=bn,H.map.depthTexture.
-magFilter=bn);H.camera.updateProjectionMatrix()}H.map.isWebGLCubeRenderTarget!==!0&&(H.map.width!==s.x||H.map.height!==s.y)&&H.map.setSize(s.x,s.y);let Q=H.map.
-isWebGLCubeRenderTarget?6:H.getViewportCount();Y.isPointLight!==!0&&H.updateMatrices(Y,b);let se=(H.camera.layers.mask&4294967294)!==0?H.camera.layers:b.layers;
-for(let de=0;de<Q;de++){let ue=H.getCamera(de);if(Y.isPointLight){let ee=H.camera,me=H.matrix,xe=Y.distance||ee.far;xe!==ee.far&&(ee.far=xe,ee.updateProjectionMatrix()),
+D.material&&(Array.isArray(D.material)?D.material.forEach(G=>G.needsUpdate=!0):D.material.needsUpdate=!0)});for(let D=0,G=T.length;D<G;D++){let Y=T[D],W=Y.shadow;
+if(W===void 0){$e("WebGLShadowMap:",Y,"has no shadow.");continue}if(W.autoUpdate===!1&&W.needsUpdate===!1)continue;s.copy(W.mapSize);let ce=W.getFrameExtents();
+s.multiply(ce),r.copy(W.mapSize),(s.x>d||s.y>d)&&(s.x>d&&(r.x=Math.floor(d/ce.x),s.x=r.x*ce.x,W.mapSize.x=r.x),s.y>d&&(r.y=Math.floor(d/ce.y),s.y=r.y*ce.y,W.mapSize.
+y=r.y));let K=i.state.buffers.depth.getReversed();if(W.camera._reversedDepth=K,W.map===null||z===!0){if(W.map!==null&&(W.map.depthTexture!==null&&(W.map.depthTexture.
+dispose(),W.map.depthTexture=null),W.map.dispose()),this.type===io){if(Y.isPointLight){$e("WebGLShadowMap: VSM shadow maps are not supported for PointLights. Us\
+e PCF or BasicShadowMap instead.");continue}W.map=new ti(s.x,s.y,{format:Us,type:Si,minFilter:On,magFilter:On,generateMipmaps:!1}),W.map.texture.name=Y.name+".s\
+hadowMap",W.map.depthTexture=new cs(s.x,s.y,hi),W.map.depthTexture.name=Y.name+".shadowMapDepth",W.map.depthTexture.format=ss,W.map.depthTexture.compareFunction=
+null,W.map.depthTexture.minFilter=bn,W.map.depthTexture.magFilter=bn}else Y.isPointLight?(W.map=new Ma(s.x),W.map.depthTexture=new Yo(s.x,bi)):(W.map=new ti(s.x,
+s.y),W.map.depthTexture=new cs(s.x,s.y,bi)),W.map.depthTexture.name=Y.name+".shadowMap",W.map.depthTexture.format=ss,this.type===ha?(W.map.depthTexture.compareFunction=
+K?Yu:$u,W.map.depthTexture.minFilter=On,W.map.depthTexture.magFilter=On):(W.map.depthTexture.compareFunction=null,W.map.depthTexture.minFilter=bn,W.map.depthTexture.
+magFilter=bn);W.camera.updateProjectionMatrix()}W.map.isWebGLCubeRenderTarget!==!0&&(W.map.width!==s.x||W.map.height!==s.y)&&W.map.setSize(s.x,s.y);let Q=W.map.
+isWebGLCubeRenderTarget?6:W.getViewportCount();Y.isPointLight!==!0&&W.updateMatrices(Y,b);let se=(W.camera.layers.mask&4294967294)!==0?W.camera.layers:b.layers;
+for(let de=0;de<Q;de++){let ue=W.getCamera(de);if(Y.isPointLight){let ee=W.camera,me=W.matrix,xe=Y.distance||ee.far;xe!==ee.far&&(ee.far=xe,ee.updateProjectionMatrix()),
 ya.setFromMatrixPosition(Y.matrixWorld),ee.position.copy(ya),sd.copy(ee.position),sd.add(lw[de]),ee.up.copy(cw[de]),ee.lookAt(sd),ee.updateMatrixWorld(),me.makeTranslation(
--ya.x,-ya.y,-ya.z),vg.multiplyMatrices(ee.projectionMatrix,ee.matrixWorldInverse),H._frustum.setFromProjectionMatrix(vg,ee.coordinateSystem,ee.reversedDepth)}if(H.
-map.isWebGLCubeRenderTarget)i.setRenderTarget(H.map,de),i.clear();else{de===0&&(i.setRenderTarget(H.map),i.clear());let ee=H.getViewport(de);o.set(r.x*ee.x,r.y*
-ee.y,r.x*ee.z,r.y*ee.w),F.viewport(o)}n=H.getFrustum(de),M(x,b,ue,Y,se,this.type)}H.isPointLightShadow!==!0&&this.type===io&&_(H,b),H.needsUpdate=!1}g=this.type,
-p.needsUpdate=!1,i.setRenderTarget(N,R,I)};function _(S,x){let b=e.update(y);h.defines.VSM_SAMPLES!==S.blurSamples&&(h.defines.VSM_SAMPLES=S.blurSamples,f.defines.
-VSM_SAMPLES=S.blurSamples,h.needsUpdate=!0,f.needsUpdate=!0),S.mapPass===null?S.mapPass=new ti(s.x,s.y,{format:Us,type:Si}):(S.mapPass.width!==S.map.width||S.mapPass.
-height!==S.map.height)&&S.mapPass.setSize(S.map.width,S.map.height),h.uniforms.shadow_pass.value=S.map.depthTexture,h.uniforms.resolution.value.set(S.map.width,
-S.map.height),h.uniforms.radius.value=S.radius,i.setRenderTarget(S.mapPass),i.clear(),i.renderBufferDirect(x,null,b,h,y,null),f.uniforms.shadow_pass.value=S.mapPass.
-texture,f.uniforms.resolution.value.set(S.map.width,S.map.height),f.uniforms.radius.value=S.radius,i.setRenderTarget(S.map),i.clear(),i.renderBufferDirect(x,null,
-b,f,y,null)}function w(S,x,b,N){let R=null,I=b.isPointLight===!0?S.customDistanceMaterial:S.customDepthMaterial;if(I!==void 0)R=I;else if(R=b.isPointLight===!0?
+-ya.x,-ya.y,-ya.z),vg.multiplyMatrices(ee.projectionMatrix,ee.matrixWorldInverse),W._frustum.setFromProjectionMatrix(vg,ee.coordinateSystem,ee.reversedDepth)}if(W.
+map.isWebGLCubeRenderTarget)i.setRenderTarget(W.map,de),i.clear();else{de===0&&(i.setRenderTarget(W.map),i.clear());let ee=W.getViewport(de);o.set(r.x*ee.x,r.y*
+ee.y,r.x*ee.z,r.y*ee.w),F.viewport(o)}n=W.getFrustum(de),M(x,b,ue,Y,se,this.type)}W.isPointLightShadow!==!0&&this.type===io&&_(W,b),W.needsUpdate=!1}g=this.type,
+p.needsUpdate=!1,i.setRenderTarget(L,R,P)};function _(T,x){let b=e.update(y);h.defines.VSM_SAMPLES!==T.blurSamples&&(h.defines.VSM_SAMPLES=T.blurSamples,f.defines.
+VSM_SAMPLES=T.blurSamples,h.needsUpdate=!0,f.needsUpdate=!0),T.mapPass===null?T.mapPass=new ti(s.x,s.y,{format:Us,type:Si}):(T.mapPass.width!==T.map.width||T.mapPass.
+height!==T.map.height)&&T.mapPass.setSize(T.map.width,T.map.height),h.uniforms.shadow_pass.value=T.map.depthTexture,h.uniforms.resolution.value.set(T.map.width,
+T.map.height),h.uniforms.radius.value=T.radius,i.setRenderTarget(T.mapPass),i.clear(),i.renderBufferDirect(x,null,b,h,y,null),f.uniforms.shadow_pass.value=T.mapPass.
+texture,f.uniforms.resolution.value.set(T.map.width,T.map.height),f.uniforms.radius.value=T.radius,i.setRenderTarget(T.map),i.clear(),i.renderBufferDirect(x,null,
+b,f,y,null)}function S(T,x,b,L){let R=null,P=b.isPointLight===!0?T.customDistanceMaterial:T.customDepthMaterial;if(P!==void 0)R=P;else if(R=b.isPointLight===!0?
 l:a,i.localClippingEnabled&&x.clipShadows===!0&&Array.isArray(x.clippingPlanes)&&x.clippingPlanes.length!==0||x.displacementMap&&x.displacementScale!==0||x.alphaMap&&
-x.alphaTest>0||x.map&&x.alphaTest>0||x.alphaToCoverage===!0){let F=R.uuid,z=x.uuid,D=c[F];D===void 0&&(D={},c[F]=D);let W=D[z];W===void 0&&(W=R.clone(),D[z]=W,x.
-addEventListener("dispose",C)),R=W}if(R.visible=x.visible,R.wireframe=x.wireframe,N===io?R.side=x.shadowSide!==null?x.shadowSide:x.side:R.side=x.shadowSide!==null?
+x.alphaTest>0||x.map&&x.alphaTest>0||x.alphaToCoverage===!0){let F=R.uuid,z=x.uuid,D=c[F];D===void 0&&(D={},c[F]=D);let G=D[z];G===void 0&&(G=R.clone(),D[z]=G,x.
+addEventListener("dispose",C)),R=G}if(R.visible=x.visible,R.wireframe=x.wireframe,L===io?R.side=x.shadowSide!==null?x.shadowSide:x.side:R.side=x.shadowSide!==null?
 x.shadowSide:u[x.side],R.alphaMap=x.alphaMap,R.alphaTest=x.alphaToCoverage===!0?.5:x.alphaTest,R.map=x.map,R.clipShadows=x.clipShadows,R.clippingPlanes=x.clippingPlanes,
 R.clipIntersection=x.clipIntersection,R.displacementMap=x.displacementMap,R.displacementScale=x.displacementScale,R.displacementBias=x.displacementBias,R.wireframeLinewidth=
-x.wireframeLinewidth,R.linewidth=x.linewidth,b.isPointLight===!0&&R.isMeshDistanceMaterial===!0){let F=i.properties.get(R);F.light=b}return R}function M(S,x,b,N,R,I){
-if(S.visible===!1)return;if(S.layers.test(R)&&(S.isMesh||S.isLine||S.isPoints)&&(S.castShadow||S.receiveShadow&&I===io)&&(!S.frustumCulled||S.intersectsFrustum(
-n))){S.modelViewMatrix.multiplyMatrices(b.matrixWorldInverse,S.matrixWorld);let D=e.update(S),W=S.material;if(Array.isArray(W)){let Y=D.groups;for(let H=0,ce=Y.
-length;H<ce;H++){let K=Y[H],Q=W[K.materialIndex];if(Q&&Q.visible){let se=w(S,Q,N,I);S.onBeforeShadow(i,S,x,b,D,se,K),i.renderBufferDirect(b,null,D,se,S,K),S.onAfterShadow(
-i,S,x,b,D,se,K)}}}else if(W.visible){let Y=w(S,W,N,I);S.onBeforeShadow(i,S,x,b,D,Y,null),i.renderBufferDirect(b,null,D,Y,S,null),S.onAfterShadow(i,S,x,b,D,Y,null)}}
-let z=S.children;for(let D=0,W=z.length;D<W;D++)M(z[D],x,b,N,R,I)}function C(S){S.target.removeEventListener("dispose",C);for(let b in c){let N=c[b],R=S.target.
-uuid;R in N&&(N[R].dispose(),delete N[R])}}}function uw(i,e){function t(){let O=!1,re=new Wt,ne=null,we=new Wt(0,0,0,0);return{setMask:function(ge){ne!==ge&&!O&&
+x.wireframeLinewidth,R.linewidth=x.linewidth,b.isPointLight===!0&&R.isMeshDistanceMaterial===!0){let F=i.properties.get(R);F.light=b}return R}function M(T,x,b,L,R,P){
+if(T.visible===!1)return;if(T.layers.test(R)&&(T.isMesh||T.isLine||T.isPoints)&&(T.castShadow||T.receiveShadow&&P===io)&&(!T.frustumCulled||T.intersectsFrustum(
+n))){T.modelViewMatrix.multiplyMatrices(b.matrixWorldInverse,T.matrixWorld);let D=e.update(T),G=T.material;if(Array.isArray(G)){let Y=D.groups;for(let W=0,ce=Y.
+length;W<ce;W++){let K=Y[W],Q=G[K.materialIndex];if(Q&&Q.visible){let se=S(T,Q,L,P);T.onBeforeShadow(i,T,x,b,D,se,K),i.renderBufferDirect(b,null,D,se,T,K),T.onAfterShadow(
+i,T,x,b,D,se,K)}}}else if(G.visible){let Y=S(T,G,L,P);T.onBeforeShadow(i,T,x,b,D,Y,null),i.renderBufferDirect(b,null,D,Y,T,null),T.onAfterShadow(i,T,x,b,D,Y,null)}}
+let z=T.children;for(let D=0,G=z.length;D<G;D++)M(z[D],x,b,L,R,P)}function C(T){T.target.removeEventListener("dispose",C);for(let b in c){let L=c[b],R=T.target.
+uuid;R in L&&(L[R].dispose(),delete L[R])}}}function uw(i,e){function t(){let O=!1,re=new Wt,ne=null,we=new Wt(0,0,0,0);return{setMask:function(ge){ne!==ge&&!O&&
 (i.colorMask(ge,ge,ge,ge),ne=ge)},setLocked:function(ge){O=ge},setClear:function(ge,Me,Ge,Ze,le){le===!0&&(ge*=Ze,Me*=Ze,Ge*=Ze),re.set(ge,Me,Ge,Ze),we.equals(re)===
 !1&&(i.clearColor(ge,Me,Ge,Ze),we.copy(re))},reset:function(){O=!1,ne=null,we.set(-1,0,0,0)}}}function n(){let O=!1,re=!1,ne=null,we=null,ge=null;return{setReversed:function(Me){
 if(re!==Me){let Ge=e.get("EXT_clip_control");Me?Ge.clipControlEXT(Ge.LOWER_LEFT_EXT,Ge.ZERO_TO_ONE_EXT):Ge.clipControlEXT(Ge.LOWER_LEFT_EXT,Ge.NEGATIVE_ONE_TO_ONE_EXT),
@@ -3199,9 +3199,9 @@ i.clearDepth(Me))},reset:function(){O=!1,ne=null,we=null,ge=null,re=!1}}}functio
 setTest:function(Oe){O||(Oe?be(i.STENCIL_TEST):He(i.STENCIL_TEST))},setMask:function(Oe){re!==Oe&&!O&&(i.stencilMask(Oe),re=Oe)},setFunc:function(Oe,Je,Ce){(ne!==
 Oe||we!==Je||ge!==Ce)&&(i.stencilFunc(Oe,Je,Ce),ne=Oe,we=Je,ge=Ce)},setOp:function(Oe,Je,Ce){(Me!==Oe||Ge!==Je||Ze!==Ce)&&(i.stencilOp(Oe,Je,Ce),Me=Oe,Ge=Je,Ze=
 Ce)},setLocked:function(Oe){O=Oe},setClear:function(Oe){le!==Oe&&(i.clearStencil(Oe),le=Oe)},reset:function(){O=!1,re=null,ne=null,we=null,ge=null,Me=null,Ge=null,
-Ze=null,le=null}}}let r=new t,o=new n,a=new s,l={},c=new WeakMap,d={},u={},h={},f=new WeakMap,m=[],y=null,p=!1,g=null,_=null,w=null,M=null,C=null,S=null,x=null,
-b=new st(0,0,0),N=0,R=!1,I=null,F=null,z=null,D=null,W=null,Y=i.getParameter(i.MAX_COMBINED_TEXTURE_IMAGE_UNITS),H=!1,ce=0,K=i.getParameter(i.VERSION);K.indexOf(
-"WebGL")!==-1?(ce=parseFloat(/^WebGL (\d)/.exec(K)[1]),H=ce>=1):K.indexOf("OpenGL ES")!==-1&&(ce=parseFloat(/^OpenGL ES (\d)/.exec(K)[1]),H=ce>=2);let Q=null,se={},
+Ze=null,le=null}}}let r=new t,o=new n,a=new s,l={},c=new WeakMap,d={},u={},h={},f=new WeakMap,m=[],y=null,p=!1,g=null,_=null,S=null,M=null,C=null,T=null,x=null,
+b=new rt(0,0,0),L=0,R=!1,P=null,F=null,z=null,D=null,G=null,Y=i.getParameter(i.MAX_COMBINED_TEXTURE_IMAGE_UNITS),W=!1,ce=0,K=i.getParameter(i.VERSION);K.indexOf(
+"WebGL")!==-1?(ce=parseFloat(/^WebGL (\d)/.exec(K)[1]),W=ce>=1):K.indexOf("OpenGL ES")!==-1&&(ce=parseFloat(/^OpenGL ES (\d)/.exec(K)[1]),W=ce>=2);let Q=null,se={},
 de=i.getParameter(i.SCISSOR_BOX),ue=i.getParameter(i.VIEWPORT),ee=new Wt().fromArray(de),me=new Wt().fromArray(ue);function xe(O,re,ne,we){let ge=new Uint8Array(
 4),Me=i.createTexture();i.bindTexture(O,Me),i.texParameteri(O,i.TEXTURE_MIN_FILTER,i.NEAREST),i.texParameteri(O,i.TEXTURE_MAG_FILTER,i.NEAREST);for(let Ge=0;Ge<
 ne;Ge++)O===i.TEXTURE_3D||O===i.TEXTURE_2D_ARRAY?i.texImage3D(re,0,i.RGBA,1,1,we,0,i.RGBA,i.UNSIGNED_BYTE,ge):i.texImage2D(re+Ge,0,i.RGBA,1,1,0,i.RGBA,i.UNSIGNED_BYTE,
@@ -3219,23 +3219,23 @@ Oe)switch(O){case so:i.blendFuncSeparate(i.ONE,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE
 i.ZERO,i.ONE_MINUS_SRC_COLOR,i.ZERO,i.ONE);break;case Pu:i.blendFuncSeparate(i.DST_COLOR,i.ONE_MINUS_SRC_ALPHA,i.ZERO,i.ONE);break;default:Ke("WebGLState: Inval\
 id blending: ",O);break}else switch(O){case so:i.blendFuncSeparate(i.SRC_ALPHA,i.ONE_MINUS_SRC_ALPHA,i.ONE,i.ONE_MINUS_SRC_ALPHA);break;case Cu:i.blendFuncSeparate(
 i.SRC_ALPHA,i.ONE,i.ONE,i.ONE);break;case Ru:Ke("WebGLState: SubtractiveBlending requires material.premultipliedAlpha = true");break;case Pu:Ke("WebGLState: Mul\
-tiplyBlending requires material.premultipliedAlpha = true");break;default:Ke("WebGLState: Invalid blending: ",O);break}w=null,M=null,S=null,x=null,b.set(0,0,0),
-N=0,g=O,R=Oe}return}ge=ge||re,Me=Me||ne,Ge=Ge||we,(re!==_||ge!==C)&&(i.blendEquationSeparate(lt[re],lt[ge]),_=re,C=ge),(ne!==w||we!==M||Me!==S||Ge!==x)&&(i.blendFuncSeparate(
-et[ne],et[we],et[Me],et[Ge]),w=ne,M=we,S=Me,x=Ge),(Ze.equals(b)===!1||le!==N)&&(i.blendColor(Ze.r,Ze.g,Ze.b,le),b.copy(Ze),N=le),g=O,R=!1}function Ut(O,re){O.side===
+tiplyBlending requires material.premultipliedAlpha = true");break;default:Ke("WebGLState: Invalid blending: ",O);break}S=null,M=null,T=null,x=null,b.set(0,0,0),
+L=0,g=O,R=Oe}return}ge=ge||re,Me=Me||ne,Ge=Ge||we,(re!==_||ge!==C)&&(i.blendEquationSeparate(lt[re],lt[ge]),_=re,C=ge),(ne!==S||we!==M||Me!==T||Ge!==x)&&(i.blendFuncSeparate(
+et[ne],et[we],et[Me],et[Ge]),S=ne,M=we,T=Me,x=Ge),(Ze.equals(b)===!1||le!==L)&&(i.blendColor(Ze.r,Ze.g,Ze.b,le),b.copy(Ze),L=le),g=O,R=!1}function Ut(O,re){O.side===
 zi?He(i.CULL_FACE):be(i.CULL_FACE);let ne=O.side===kn;re&&(ne=!ne),Qt(ne),O.blending===so&&O.transparent===!1?Gt(Qs):Gt(O.blending,O.blendEquation,O.blendSrc,O.
 blendDst,O.blendEquationAlpha,O.blendSrcAlpha,O.blendDstAlpha,O.blendColor,O.blendAlpha,O.premultipliedAlpha),o.setFunc(O.depthFunc),o.setTest(O.depthTest),o.setMask(
 O.depthWrite),r.setMask(O.colorWrite);let we=O.stencilWrite;a.setTest(we),we&&(a.setMask(O.stencilWriteMask),a.setFunc(O.stencilFunc,O.stencilRef,O.stencilFuncMask),
 a.setOp(O.stencilFail,O.stencilZFail,O.stencilZPass)),vt(O.polygonOffset,O.polygonOffsetFactor,O.polygonOffsetUnits),O.alphaToCoverage===!0?be(i.SAMPLE_ALPHA_TO_COVERAGE):
-He(i.SAMPLE_ALPHA_TO_COVERAGE)}function Qt(O){I!==O&&(O?i.frontFace(i.CW):i.frontFace(i.CCW),I=O)}function Pt(O){O!==dm?(be(i.CULL_FACE),O!==F&&(O===Eu?i.cullFace(
-i.BACK):O===fm?i.cullFace(i.FRONT):i.cullFace(i.FRONT_AND_BACK))):He(i.CULL_FACE),F=O}function gn(O){O!==z&&(H&&i.lineWidth(O),z=O)}function vt(O,re,ne){O?(be(i.
-POLYGON_OFFSET_FILL),(D!==re||W!==ne)&&(D=re,W=ne,o.getReversed()&&(re=-re,ne=-ne),i.polygonOffset(re,ne))):He(i.POLYGON_OFFSET_FILL)}function cn(O){O?be(i.SCISSOR_TEST):
+He(i.SAMPLE_ALPHA_TO_COVERAGE)}function Qt(O){P!==O&&(O?i.frontFace(i.CW):i.frontFace(i.CCW),P=O)}function Pt(O){O!==dm?(be(i.CULL_FACE),O!==F&&(O===Eu?i.cullFace(
+i.BACK):O===fm?i.cullFace(i.FRONT):i.cullFace(i.FRONT_AND_BACK))):He(i.CULL_FACE),F=O}function gn(O){O!==z&&(W&&i.lineWidth(O),z=O)}function vt(O,re,ne){O?(be(i.
+POLYGON_OFFSET_FILL),(D!==re||G!==ne)&&(D=re,G=ne,o.getReversed()&&(re=-re,ne=-ne),i.polygonOffset(re,ne))):He(i.POLYGON_OFFSET_FILL)}function cn(O){O?be(i.SCISSOR_TEST):
 He(i.SCISSOR_TEST)}function qt(O){O===void 0&&(O=i.TEXTURE0+Y-1),Q!==O&&(i.activeTexture(O),Q=O)}function en(O,re,ne){ne===void 0&&(Q===null?ne=i.TEXTURE0+Y-1:ne=
 Q);let we=se[ne];we===void 0&&(we={type:void 0,texture:void 0},se[ne]=we),(we.type!==O||we.texture!==re)&&(Q!==ne&&(i.activeTexture(ne),Q=ne),i.bindTexture(O,re||
 Ee[O]),we.type=O,we.texture=re)}function B(){let O=se[Q];O!==void 0&&O.type!==void 0&&(i.bindTexture(O.type,null),O.type=void 0,O.texture=void 0)}function Re(){
 try{i.compressedTexImage2D(...arguments)}catch(O){Ke("WebGLState:",O)}}function qe(){try{i.compressedTexImage3D(...arguments)}catch(O){Ke("WebGLState:",O)}}function it(){
 try{i.texSubImage2D(...arguments)}catch(O){Ke("WebGLState:",O)}}function Se(){try{i.texSubImage3D(...arguments)}catch(O){Ke("WebGLState:",O)}}function Lt(){try{
 i.compressedTexSubImage2D(...arguments)}catch(O){Ke("WebGLState:",O)}}function ze(){try{i.compressedTexSubImage3D(...arguments)}catch(O){Ke("WebGLState:",O)}}function Xe(){
-try{i.texStorage2D(...arguments)}catch(O){Ke("WebGLState:",O)}}function P(){try{i.texStorage3D(...arguments)}catch(O){Ke("WebGLState:",O)}}function T(){try{i.texImage2D(
+try{i.texStorage2D(...arguments)}catch(O){Ke("WebGLState:",O)}}function I(){try{i.texStorage3D(...arguments)}catch(O){Ke("WebGLState:",O)}}function w(){try{i.texImage2D(
 ...arguments)}catch(O){Ke("WebGLState:",O)}}function q(){try{i.texImage3D(...arguments)}catch(O){Ke("WebGLState:",O)}}function he(O){return u[O]!==void 0?u[O]:i.
 getParameter(O)}function oe(O,re){u[O]!==re&&(i.pixelStorei(O,re),u[O]=re)}function _e(O){ee.equals(O)===!1&&(i.scissor(O.x,O.y,O.z,O.w),ee.copy(O))}function ye(O){
 me.equals(O)===!1&&(i.viewport(O.x,O.y,O.z,O.w),me.copy(O))}function te(O,re){let ne=c.get(re);ne===void 0&&(ne=new WeakMap,c.set(re,ne));let we=ne.get(O);we===
@@ -3249,197 +3249,197 @@ i.TEXTURE0),i.bindFramebuffer(i.FRAMEBUFFER,null),i.bindFramebuffer(i.DRAW_FRAME
 4),i.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,!1),i.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,!1),i.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,i.BROWSER_DEFAULT_WEBGL),
 i.pixelStorei(i.PACK_ROW_LENGTH,0),i.pixelStorei(i.PACK_SKIP_PIXELS,0),i.pixelStorei(i.PACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_ROW_LENGTH,0),i.pixelStorei(i.UNPACK_IMAGE_HEIGHT,
 0),i.pixelStorei(i.UNPACK_SKIP_PIXELS,0),i.pixelStorei(i.UNPACK_SKIP_ROWS,0),i.pixelStorei(i.UNPACK_SKIP_IMAGES,0),d={},u={},Q=null,se={},h={},l={},f=new WeakMap,
-m=[],y=null,p=!1,g=null,_=null,w=null,M=null,C=null,S=null,x=null,b=new st(0,0,0),N=0,R=!1,I=null,F=null,z=null,D=null,W=null,ee.set(0,0,i.canvas.width,i.canvas.
+m=[],y=null,p=!1,g=null,_=null,S=null,M=null,C=null,T=null,x=null,b=new rt(0,0,0),L=0,R=!1,P=null,F=null,z=null,D=null,G=null,ee.set(0,0,i.canvas.width,i.canvas.
 height),me.set(0,0,i.canvas.width,i.canvas.height),r.reset(),o.reset(),a.reset()}return{buffers:{color:r,depth:o,stencil:a},enable:be,disable:He,bindFramebuffer:nt,
 drawBuffers:Ve,useProgram:ut,setBlending:Gt,setMaterial:Ut,setFlipSided:Qt,setCullFace:Pt,setLineWidth:gn,setPolygonOffset:vt,setScissorTest:cn,activeTexture:qt,
-bindTexture:en,unbindTexture:B,compressedTexImage2D:Re,compressedTexImage3D:qe,texImage2D:T,texImage3D:q,pixelStorei:oe,getParameter:he,updateUBOMapping:te,uniformBlockBinding:ie,
-texStorage2D:Xe,texStorage3D:P,texSubImage2D:it,texSubImage3D:Se,compressedTexSubImage2D:Lt,compressedTexSubImage3D:ze,scissor:_e,viewport:ye,reset:pe}}function dw(i,e,t,n,s,r,o){
+bindTexture:en,unbindTexture:B,compressedTexImage2D:Re,compressedTexImage3D:qe,texImage2D:w,texImage3D:q,pixelStorei:oe,getParameter:he,updateUBOMapping:te,uniformBlockBinding:ie,
+texStorage2D:Xe,texStorage3D:I,texSubImage2D:it,texSubImage3D:Se,compressedTexSubImage2D:Lt,compressedTexSubImage3D:ze,scissor:_e,viewport:ye,reset:pe}}function dw(i,e,t,n,s,r,o){
 let a=e.has("WEBGL_multisampled_render_to_texture")?e.get("WEBGL_multisampled_render_to_texture"):null,l=typeof navigator>"u"?!1:/OculusBrowser/g.test(navigator.
-userAgent),c=new ot,d=new WeakMap,u=new Set,h,f=new WeakMap,m=new Set,y=new FinalizationRegistry(P=>m.delete(P)),p=!1;try{p=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(
-1,1).getContext("2d")!==null}catch{}function g(P,T){return p?new OffscreenCanvas(P,T):zo("canvas")}function _(P,T,q){let he=1,oe=Xe(P);if((oe.width>q||oe.height>
-q)&&(he=q/Math.max(oe.width,oe.height)),he<1)if(typeof HTMLImageElement<"u"&&P instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&P instanceof HTMLCanvasElement||
-typeof ImageBitmap<"u"&&P instanceof ImageBitmap||typeof VideoFrame<"u"&&P instanceof VideoFrame){let _e=Math.floor(he*oe.width),ye=Math.floor(he*oe.height);h===
-void 0&&(h=g(_e,ye));let te=T?g(_e,ye):h;return te.width=_e,te.height=ye,te.getContext("2d").drawImage(P,0,0,_e,ye),$e("WebGLRenderer: Texture has been resized \
-from ("+oe.width+"x"+oe.height+") to ("+_e+"x"+ye+")."),te}else return"data"in P&&$e("WebGLRenderer: Image in DataTexture is too big ("+oe.width+"x"+oe.height+"\
-)."),P;return P}function w(P){return P.generateMipmaps}function M(P){i.generateMipmap(P)}function C(P){return P.isWebGLCubeRenderTarget?i.TEXTURE_CUBE_MAP:P.isWebGL3DRenderTarget?
-i.TEXTURE_3D:P.isWebGLArrayRenderTarget||P.isCompressedArrayTexture?i.TEXTURE_2D_ARRAY:i.TEXTURE_2D}function S(P,T,q,he,oe,_e=!1){if(P!==null){if(i[P]!==void 0)
-return i[P];$e("WebGLRenderer: Attempt to use non-existing WebGL internal format '"+P+"'")}let ye;he&&(ye=e.get("EXT_texture_norm16"),ye||$e("WebGLRenderer: Una\
-ble to use normalized textures without EXT_texture_norm16 extension"));let te=T;if(T===i.RED&&(q===i.FLOAT&&(te=i.R32F),q===i.HALF_FLOAT&&(te=i.R16F),q===i.UNSIGNED_BYTE&&
-(te=i.R8),q===i.UNSIGNED_SHORT&&ye&&(te=ye.R16_EXT),q===i.SHORT&&ye&&(te=ye.R16_SNORM_EXT)),T===i.RED_INTEGER&&(q===i.UNSIGNED_BYTE&&(te=i.R8UI),q===i.UNSIGNED_SHORT&&
-(te=i.R16UI),q===i.UNSIGNED_INT&&(te=i.R32UI),q===i.BYTE&&(te=i.R8I),q===i.SHORT&&(te=i.R16I),q===i.INT&&(te=i.R32I)),T===i.RG&&(q===i.FLOAT&&(te=i.RG32F),q===i.
-HALF_FLOAT&&(te=i.RG16F),q===i.UNSIGNED_BYTE&&(te=i.RG8),q===i.UNSIGNED_SHORT&&ye&&(te=ye.RG16_EXT),q===i.SHORT&&ye&&(te=ye.RG16_SNORM_EXT)),T===i.RG_INTEGER&&(q===
+userAgent),c=new st,d=new WeakMap,u=new Set,h,f=new WeakMap,m=new Set,y=new FinalizationRegistry(I=>m.delete(I)),p=!1;try{p=typeof OffscreenCanvas<"u"&&new OffscreenCanvas(
+1,1).getContext("2d")!==null}catch{}function g(I,w){return p?new OffscreenCanvas(I,w):zo("canvas")}function _(I,w,q){let he=1,oe=Xe(I);if((oe.width>q||oe.height>
+q)&&(he=q/Math.max(oe.width,oe.height)),he<1)if(typeof HTMLImageElement<"u"&&I instanceof HTMLImageElement||typeof HTMLCanvasElement<"u"&&I instanceof HTMLCanvasElement||
+typeof ImageBitmap<"u"&&I instanceof ImageBitmap||typeof VideoFrame<"u"&&I instanceof VideoFrame){let _e=Math.floor(he*oe.width),ye=Math.floor(he*oe.height);h===
+void 0&&(h=g(_e,ye));let te=w?g(_e,ye):h;return te.width=_e,te.height=ye,te.getContext("2d").drawImage(I,0,0,_e,ye),$e("WebGLRenderer: Texture has been resized \
+from ("+oe.width+"x"+oe.height+") to ("+_e+"x"+ye+")."),te}else return"data"in I&&$e("WebGLRenderer: Image in DataTexture is too big ("+oe.width+"x"+oe.height+"\
+)."),I;return I}function S(I){return I.generateMipmaps}function M(I){i.generateMipmap(I)}function C(I){return I.isWebGLCubeRenderTarget?i.TEXTURE_CUBE_MAP:I.isWebGL3DRenderTarget?
+i.TEXTURE_3D:I.isWebGLArrayRenderTarget||I.isCompressedArrayTexture?i.TEXTURE_2D_ARRAY:i.TEXTURE_2D}function T(I,w,q,he,oe,_e=!1){if(I!==null){if(i[I]!==void 0)
+return i[I];$e("WebGLRenderer: Attempt to use non-existing WebGL internal format '"+I+"'")}let ye;he&&(ye=e.get("EXT_texture_norm16"),ye||$e("WebGLRenderer: Una\
+ble to use normalized textures without EXT_texture_norm16 extension"));let te=w;if(w===i.RED&&(q===i.FLOAT&&(te=i.R32F),q===i.HALF_FLOAT&&(te=i.R16F),q===i.UNSIGNED_BYTE&&
+(te=i.R8),q===i.UNSIGNED_SHORT&&ye&&(te=ye.R16_EXT),q===i.SHORT&&ye&&(te=ye.R16_SNORM_EXT)),w===i.RED_INTEGER&&(q===i.UNSIGNED_BYTE&&(te=i.R8UI),q===i.UNSIGNED_SHORT&&
+(te=i.R16UI),q===i.UNSIGNED_INT&&(te=i.R32UI),q===i.BYTE&&(te=i.R8I),q===i.SHORT&&(te=i.R16I),q===i.INT&&(te=i.R32I)),w===i.RG&&(q===i.FLOAT&&(te=i.RG32F),q===i.
+HALF_FLOAT&&(te=i.RG16F),q===i.UNSIGNED_BYTE&&(te=i.RG8),q===i.UNSIGNED_SHORT&&ye&&(te=ye.RG16_EXT),q===i.SHORT&&ye&&(te=ye.RG16_SNORM_EXT)),w===i.RG_INTEGER&&(q===
 i.UNSIGNED_BYTE&&(te=i.RG8UI),q===i.UNSIGNED_SHORT&&(te=i.RG16UI),q===i.UNSIGNED_INT&&(te=i.RG32UI),q===i.BYTE&&(te=i.RG8I),q===i.SHORT&&(te=i.RG16I),q===i.INT&&
-(te=i.RG32I)),T===i.RGB_INTEGER&&(q===i.UNSIGNED_BYTE&&(te=i.RGB8UI),q===i.UNSIGNED_SHORT&&(te=i.RGB16UI),q===i.UNSIGNED_INT&&(te=i.RGB32UI),q===i.BYTE&&(te=i.RGB8I),
-q===i.SHORT&&(te=i.RGB16I),q===i.INT&&(te=i.RGB32I)),T===i.RGBA_INTEGER&&(q===i.UNSIGNED_BYTE&&(te=i.RGBA8UI),q===i.UNSIGNED_SHORT&&(te=i.RGBA16UI),q===i.UNSIGNED_INT&&
-(te=i.RGBA32UI),q===i.BYTE&&(te=i.RGBA8I),q===i.SHORT&&(te=i.RGBA16I),q===i.INT&&(te=i.RGBA32I)),T===i.RGB&&(q===i.UNSIGNED_SHORT&&ye&&(te=ye.RGB16_EXT),q===i.SHORT&&
-ye&&(te=ye.RGB16_SNORM_EXT),q===i.UNSIGNED_INT_5_9_9_9_REV&&(te=i.RGB9_E5),q===i.UNSIGNED_INT_10F_11F_11F_REV&&(te=i.R11F_G11F_B10F)),T===i.RGBA){let ie=_e?ko:_t.
+(te=i.RG32I)),w===i.RGB_INTEGER&&(q===i.UNSIGNED_BYTE&&(te=i.RGB8UI),q===i.UNSIGNED_SHORT&&(te=i.RGB16UI),q===i.UNSIGNED_INT&&(te=i.RGB32UI),q===i.BYTE&&(te=i.RGB8I),
+q===i.SHORT&&(te=i.RGB16I),q===i.INT&&(te=i.RGB32I)),w===i.RGBA_INTEGER&&(q===i.UNSIGNED_BYTE&&(te=i.RGBA8UI),q===i.UNSIGNED_SHORT&&(te=i.RGBA16UI),q===i.UNSIGNED_INT&&
+(te=i.RGBA32UI),q===i.BYTE&&(te=i.RGBA8I),q===i.SHORT&&(te=i.RGBA16I),q===i.INT&&(te=i.RGBA32I)),w===i.RGB&&(q===i.UNSIGNED_SHORT&&ye&&(te=ye.RGB16_EXT),q===i.SHORT&&
+ye&&(te=ye.RGB16_SNORM_EXT),q===i.UNSIGNED_INT_5_9_9_9_REV&&(te=i.RGB9_E5),q===i.UNSIGNED_INT_10F_11F_11F_REV&&(te=i.R11F_G11F_B10F)),w===i.RGBA){let ie=_e?ko:_t.
 getTransfer(oe);q===i.FLOAT&&(te=i.RGBA32F),q===i.HALF_FLOAT&&(te=i.RGBA16F),q===i.UNSIGNED_BYTE&&(te=ie===At?i.SRGB8_ALPHA8:i.RGBA8),q===i.UNSIGNED_SHORT&&ye&&
 (te=ye.RGBA16_EXT),q===i.SHORT&&ye&&(te=ye.RGBA16_SNORM_EXT),q===i.UNSIGNED_SHORT_4_4_4_4&&(te=i.RGBA4),q===i.UNSIGNED_SHORT_5_5_5_1&&(te=i.RGB5_A1)}return(te===
-i.R16F||te===i.R32F||te===i.RG16F||te===i.RG32F||te===i.RGBA16F||te===i.RGBA32F)&&e.get("EXT_color_buffer_float"),te}function x(P,T){let q;return P?T===null||T===
-bi||T===nr?q=i.DEPTH24_STENCIL8:T===hi?q=i.DEPTH32F_STENCIL8:T===oo&&(q=i.DEPTH24_STENCIL8,$e("DepthTexture: 16 bit depth attachment is not supported with stenc\
-il. Using 24-bit attachment.")):T===null||T===bi||T===nr?q=i.DEPTH_COMPONENT24:T===hi?q=i.DEPTH_COMPONENT32F:T===oo&&(q=i.DEPTH_COMPONENT16),q}function b(P,T){return w(
-P)===!0||P.isFramebufferTexture&&P.minFilter!==bn&&P.minFilter!==On?Math.log2(Math.max(T.width,T.height))+1:P.mipmaps.length>0?P.mipmaps.length:P.isCompressedTexture&&
-Array.isArray(P.image)?T.mipmaps.length:1}function N(P){let T=new WeakRef(P);n.get(P).__ref=T,m.add(T),y.register(P,T,T)}function R(P){let T=n.get(P).__ref;T!==
-void 0&&(m.delete(T),y.unregister(T))}function I(P){z(P.target)}function F(P){D(P.target)}function z(P){P.removeEventListener("dispose",I),R(P),Y(P),P.isVideoTexture&&
-d.delete(P),P.isHTMLTexture&&u.delete(P)}function D(P){P.removeEventListener("dispose",F),R(P),ce(P)}function W(){for(let P of m){let T=P.deref();T!==void 0&&(T.
-isRenderTarget===!0?D(T):z(T))}m.clear(),u.clear()}function Y(P){let T=n.get(P);if(T.__webglInit===void 0)return;let q=P.source,he=f.get(q);if(he){let oe=he[T.__cacheKey];
-oe.usedTimes--,oe.usedTimes===0&&H(P),Object.keys(he).length===0&&f.delete(q)}n.remove(P)}function H(P){let T=n.get(P);i.deleteTexture(T.__webglTexture);let q=P.
-source,he=f.get(q);delete he[T.__cacheKey],o.memory.textures--}function ce(P){let T=n.get(P);T.__depthDisposeCallback&&T.__depthDisposeCallback();let q=P.depthTexture;
-if(q&&q.renderTarget===P&&z(q),P.isWebGLCubeRenderTarget)for(let oe=0;oe<6;oe++){if(Array.isArray(T.__webglFramebuffer[oe]))for(let _e=0;_e<T.__webglFramebuffer[oe].
-length;_e++)i.deleteFramebuffer(T.__webglFramebuffer[oe][_e]);else i.deleteFramebuffer(T.__webglFramebuffer[oe]);T.__webglDepthbuffer&&i.deleteRenderbuffer(T.__webglDepthbuffer[oe])}else{
-if(Array.isArray(T.__webglFramebuffer))for(let oe=0;oe<T.__webglFramebuffer.length;oe++)i.deleteFramebuffer(T.__webglFramebuffer[oe]);else i.deleteFramebuffer(T.
-__webglFramebuffer);if(T.__webglDepthbuffer&&i.deleteRenderbuffer(T.__webglDepthbuffer),T.__webglMultisampledFramebuffer&&i.deleteFramebuffer(T.__webglMultisampledFramebuffer),
-T.__webglColorRenderbuffer)for(let oe=0;oe<T.__webglColorRenderbuffer.length;oe++)T.__webglColorRenderbuffer[oe]&&i.deleteRenderbuffer(T.__webglColorRenderbuffer[oe]);
-T.__webglDepthRenderbuffer&&i.deleteRenderbuffer(T.__webglDepthRenderbuffer)}let he=P.textures;for(let oe=0,_e=he.length;oe<_e;oe++){let ye=n.get(he[oe]);ye.__webglTexture&&
-(i.deleteTexture(ye.__webglTexture),o.memory.textures--),n.remove(he[oe])}n.remove(P)}let K=0;function Q(){K=0}function se(){return K}function de(P){K=P}function ue(){
-let P=K;return P>=s.maxTextures&&$e("WebGLTextures: Trying to use "+(P+1)+" texture units while this GPU supports only "+s.maxTextures),K+=1,P}function ee(P){let T=[];
-return T.push(P.wrapS),T.push(P.wrapT),T.push(P.wrapR||0),T.push(P.magFilter),T.push(P.minFilter),T.push(P.anisotropy),T.push(P.internalFormat),T.push(P.format),
-T.push(P.type),T.push(P.generateMipmaps),T.push(P.mipmapsAutoUpdate),T.push(P.premultiplyAlpha),T.push(P.flipY),T.push(P.unpackAlignment),T.push(P.colorSpace),T.
-join()}function me(P,T){let q=n.get(P);if(P.isVideoTexture&&Lt(P),P.isRenderTargetTexture===!1&&P.isExternalTexture!==!0&&P.version>0&&q.__version!==P.version){
-let he=P.image;if(he===null)$e("WebGLRenderer: Texture marked for update but no image data found.");else if(he.complete===!1)$e("WebGLRenderer: Texture marked f\
-or update but image is incomplete");else{Ut(q,P,T);return}}else P.isExternalTexture&&(q.__webglTexture=P.sourceTexture?P.sourceTexture:null);t.bindTexture(i.TEXTURE_2D,
-q.__webglTexture,i.TEXTURE0+T)}function xe(P,T){let q=n.get(P);if(P.isRenderTargetTexture===!1&&P.version>0&&q.__version!==P.version){Ut(q,P,T);return}else P.isExternalTexture&&
-(q.__webglTexture=P.sourceTexture?P.sourceTexture:null);t.bindTexture(i.TEXTURE_2D_ARRAY,q.__webglTexture,i.TEXTURE0+T)}function Ee(P,T){let q=n.get(P);if(P.isRenderTargetTexture===
-!1&&P.version>0&&q.__version!==P.version){Ut(q,P,T);return}t.bindTexture(i.TEXTURE_3D,q.__webglTexture,i.TEXTURE0+T)}function be(P,T){let q=n.get(P);if(P.version>
-0&&q.__version!==P.version){Qt(q,P,T);return}t.bindTexture(i.TEXTURE_CUBE_MAP,q.__webglTexture,i.TEXTURE0+T)}let He={[Tl]:i.REPEAT,[Fi]:i.CLAMP_TO_EDGE,[Al]:i.MIRRORED_REPEAT},
+i.R16F||te===i.R32F||te===i.RG16F||te===i.RG32F||te===i.RGBA16F||te===i.RGBA32F)&&e.get("EXT_color_buffer_float"),te}function x(I,w){let q;return I?w===null||w===
+bi||w===nr?q=i.DEPTH24_STENCIL8:w===hi?q=i.DEPTH32F_STENCIL8:w===oo&&(q=i.DEPTH24_STENCIL8,$e("DepthTexture: 16 bit depth attachment is not supported with stenc\
+il. Using 24-bit attachment.")):w===null||w===bi||w===nr?q=i.DEPTH_COMPONENT24:w===hi?q=i.DEPTH_COMPONENT32F:w===oo&&(q=i.DEPTH_COMPONENT16),q}function b(I,w){return S(
+I)===!0||I.isFramebufferTexture&&I.minFilter!==bn&&I.minFilter!==On?Math.log2(Math.max(w.width,w.height))+1:I.mipmaps.length>0?I.mipmaps.length:I.isCompressedTexture&&
+Array.isArray(I.image)?w.mipmaps.length:1}function L(I){let w=new WeakRef(I);n.get(I).__ref=w,m.add(w),y.register(I,w,w)}function R(I){let w=n.get(I).__ref;w!==
+void 0&&(m.delete(w),y.unregister(w))}function P(I){z(I.target)}function F(I){D(I.target)}function z(I){I.removeEventListener("dispose",P),R(I),Y(I),I.isVideoTexture&&
+d.delete(I),I.isHTMLTexture&&u.delete(I)}function D(I){I.removeEventListener("dispose",F),R(I),ce(I)}function G(){for(let I of m){let w=I.deref();w!==void 0&&(w.
+isRenderTarget===!0?D(w):z(w))}m.clear(),u.clear()}function Y(I){let w=n.get(I);if(w.__webglInit===void 0)return;let q=I.source,he=f.get(q);if(he){let oe=he[w.__cacheKey];
+oe.usedTimes--,oe.usedTimes===0&&W(I),Object.keys(he).length===0&&f.delete(q)}n.remove(I)}function W(I){let w=n.get(I);i.deleteTexture(w.__webglTexture);let q=I.
+source,he=f.get(q);delete he[w.__cacheKey],o.memory.textures--}function ce(I){let w=n.get(I);w.__depthDisposeCallback&&w.__depthDisposeCallback();let q=I.depthTexture;
+if(q&&q.renderTarget===I&&z(q),I.isWebGLCubeRenderTarget)for(let oe=0;oe<6;oe++){if(Array.isArray(w.__webglFramebuffer[oe]))for(let _e=0;_e<w.__webglFramebuffer[oe].
+length;_e++)i.deleteFramebuffer(w.__webglFramebuffer[oe][_e]);else i.deleteFramebuffer(w.__webglFramebuffer[oe]);w.__webglDepthbuffer&&i.deleteRenderbuffer(w.__webglDepthbuffer[oe])}else{
+if(Array.isArray(w.__webglFramebuffer))for(let oe=0;oe<w.__webglFramebuffer.length;oe++)i.deleteFramebuffer(w.__webglFramebuffer[oe]);else i.deleteFramebuffer(w.
+__webglFramebuffer);if(w.__webglDepthbuffer&&i.deleteRenderbuffer(w.__webglDepthbuffer),w.__webglMultisampledFramebuffer&&i.deleteFramebuffer(w.__webglMultisampledFramebuffer),
+w.__webglColorRenderbuffer)for(let oe=0;oe<w.__webglColorRenderbuffer.length;oe++)w.__webglColorRenderbuffer[oe]&&i.deleteRenderbuffer(w.__webglColorRenderbuffer[oe]);
+w.__webglDepthRenderbuffer&&i.deleteRenderbuffer(w.__webglDepthRenderbuffer)}let he=I.textures;for(let oe=0,_e=he.length;oe<_e;oe++){let ye=n.get(he[oe]);ye.__webglTexture&&
+(i.deleteTexture(ye.__webglTexture),o.memory.textures--),n.remove(he[oe])}n.remove(I)}let K=0;function Q(){K=0}function se(){return K}function de(I){K=I}function ue(){
+let I=K;return I>=s.maxTextures&&$e("WebGLTextures: Trying to use "+(I+1)+" texture units while this GPU supports only "+s.maxTextures),K+=1,I}function ee(I){let w=[];
+return w.push(I.wrapS),w.push(I.wrapT),w.push(I.wrapR||0),w.push(I.magFilter),w.push(I.minFilter),w.push(I.anisotropy),w.push(I.internalFormat),w.push(I.format),
+w.push(I.type),w.push(I.generateMipmaps),w.push(I.mipmapsAutoUpdate),w.push(I.premultiplyAlpha),w.push(I.flipY),w.push(I.unpackAlignment),w.push(I.colorSpace),w.
+join()}function me(I,w){let q=n.get(I);if(I.isVideoTexture&&Lt(I),I.isRenderTargetTexture===!1&&I.isExternalTexture!==!0&&I.version>0&&q.__version!==I.version){
+let he=I.image;if(he===null)$e("WebGLRenderer: Texture marked for update but no image data found.");else if(he.complete===!1)$e("WebGLRenderer: Texture marked f\
+or update but image is incomplete");else{Ut(q,I,w);return}}else I.isExternalTexture&&(q.__webglTexture=I.sourceTexture?I.sourceTexture:null);t.bindTexture(i.TEXTURE_2D,
+q.__webglTexture,i.TEXTURE0+w)}function xe(I,w){let q=n.get(I);if(I.isRenderTargetTexture===!1&&I.version>0&&q.__version!==I.version){Ut(q,I,w);return}else I.isExternalTexture&&
+(q.__webglTexture=I.sourceTexture?I.sourceTexture:null);t.bindTexture(i.TEXTURE_2D_ARRAY,q.__webglTexture,i.TEXTURE0+w)}function Ee(I,w){let q=n.get(I);if(I.isRenderTargetTexture===
+!1&&I.version>0&&q.__version!==I.version){Ut(q,I,w);return}t.bindTexture(i.TEXTURE_3D,q.__webglTexture,i.TEXTURE0+w)}function be(I,w){let q=n.get(I);if(I.version>
+0&&q.__version!==I.version){Qt(q,I,w);return}t.bindTexture(i.TEXTURE_CUBE_MAP,q.__webglTexture,i.TEXTURE0+w)}let He={[Tl]:i.REPEAT,[Fi]:i.CLAMP_TO_EDGE,[Al]:i.MIRRORED_REPEAT},
 nt={[bn]:i.NEAREST,[Um]:i.NEAREST_MIPMAP_NEAREST,[ua]:i.NEAREST_MIPMAP_LINEAR,[On]:i.LINEAR,[tc]:i.LINEAR_MIPMAP_NEAREST,[hs]:i.LINEAR_MIPMAP_LINEAR},Ve={[km]:i.
-NEVER,[Zu]:i.ALWAYS,[zm]:i.LESS,[$u]:i.LEQUAL,[Vm]:i.EQUAL,[Yu]:i.GEQUAL,[Gm]:i.GREATER,[Hm]:i.NOTEQUAL};function ut(P,T){if(T.type===hi&&e.has("OES_texture_flo\
-at_linear")===!1&&(T.magFilter===On||T.magFilter===tc||T.magFilter===ua||T.magFilter===hs||T.minFilter===On||T.minFilter===tc||T.minFilter===ua||T.minFilter===hs)&&
-$e("WebGLRenderer: Unable to use linear filtering with floating point textures. OES_texture_float_linear not supported on this device."),i.texParameteri(P,i.TEXTURE_WRAP_S,
-He[T.wrapS]),i.texParameteri(P,i.TEXTURE_WRAP_T,He[T.wrapT]),(P===i.TEXTURE_3D||P===i.TEXTURE_2D_ARRAY)&&i.texParameteri(P,i.TEXTURE_WRAP_R,He[T.wrapR]),i.texParameteri(
-P,i.TEXTURE_MAG_FILTER,nt[T.magFilter]),i.texParameteri(P,i.TEXTURE_MIN_FILTER,nt[T.minFilter]),T.compareFunction&&(i.texParameteri(P,i.TEXTURE_COMPARE_MODE,i.COMPARE_REF_TO_TEXTURE),
-i.texParameteri(P,i.TEXTURE_COMPARE_FUNC,Ve[T.compareFunction])),e.has("EXT_texture_filter_anisotropic")===!0){if(T.magFilter===bn||T.minFilter!==ua&&T.minFilter!==
-hs||T.type===hi&&e.has("OES_texture_float_linear")===!1)return;if(T.anisotropy>1||n.get(T).__currentAnisotropy){let q=e.get("EXT_texture_filter_anisotropic");i.
-texParameterf(P,q.TEXTURE_MAX_ANISOTROPY_EXT,Math.min(T.anisotropy,s.getMaxAnisotropy())),n.get(T).__currentAnisotropy=T.anisotropy}}}function lt(P,T){let q=!1;
-P.__webglInit===void 0&&(P.__webglInit=!0,T.addEventListener("dispose",I),N(T));let he=T.source,oe=f.get(he);oe===void 0&&(oe={},f.set(he,oe));let _e=ee(T);if(_e!==
-P.__cacheKey){oe[_e]===void 0&&(oe[_e]={texture:i.createTexture(),usedTimes:0},o.memory.textures++,q=!0),oe[_e].usedTimes++;let ye=oe[P.__cacheKey];ye!==void 0&&
-(oe[P.__cacheKey].usedTimes--,ye.usedTimes===0&&H(T)),P.__cacheKey=_e,P.__webglTexture=oe[_e].texture}return q}function et(P,T,q){return Math.floor(Math.floor(P/
-q)/T)}function Gt(P,T,q,he){let _e=P.updateRanges;if(_e.length===0)t.texSubImage2D(i.TEXTURE_2D,0,0,0,T.width,T.height,q,he,T.data);else{_e.sort((O,re)=>O.start-
-re.start);let ye=0;for(let O=1;O<_e.length;O++){let re=_e[ye],ne=_e[O],we=re.start+re.count,ge=et(ne.start,T.width,4),Me=et(re.start,T.width,4);ne.start<=we+1&&
-ge===Me&&et(ne.start+ne.count-1,T.width,4)===ge?re.count=Math.max(re.count,ne.start+ne.count-re.start):(++ye,_e[ye]=ne)}_e.length=ye+1;let te=t.getParameter(i.UNPACK_ROW_LENGTH),
-ie=t.getParameter(i.UNPACK_SKIP_PIXELS),pe=t.getParameter(i.UNPACK_SKIP_ROWS);t.pixelStorei(i.UNPACK_ROW_LENGTH,T.width);for(let O=0,re=_e.length;O<re;O++){let ne=_e[O],
-we=Math.floor(ne.start/4),ge=Math.ceil(ne.count/4),Me=we%T.width,Ge=Math.floor(we/T.width),Ze=ge,le=1;t.pixelStorei(i.UNPACK_SKIP_PIXELS,Me),t.pixelStorei(i.UNPACK_SKIP_ROWS,
-Ge),t.texSubImage2D(i.TEXTURE_2D,0,Me,Ge,Ze,le,q,he,T.data)}P.clearUpdateRanges(),t.pixelStorei(i.UNPACK_ROW_LENGTH,te),t.pixelStorei(i.UNPACK_SKIP_PIXELS,ie),t.
-pixelStorei(i.UNPACK_SKIP_ROWS,pe)}}function Ut(P,T,q){let he=i.TEXTURE_2D;(T.isDataArrayTexture||T.isCompressedArrayTexture)&&(he=i.TEXTURE_2D_ARRAY),T.isData3DTexture&&
-(he=i.TEXTURE_3D);let oe=lt(P,T),_e=T.source;t.bindTexture(he,P.__webglTexture,i.TEXTURE0+q);let ye=n.get(_e);if(_e.version!==ye.__version||oe===!0){if(t.activeTexture(
-i.TEXTURE0+q),(typeof ImageBitmap<"u"&&T.image instanceof ImageBitmap)===!1){let le=_t.getPrimaries(_t.workingColorSpace),Oe=T.colorSpace===ds?null:_t.getPrimaries(
-T.colorSpace),Je=T.colorSpace===ds||le===Oe?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,T.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,
-T.premultiplyAlpha),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,Je)}t.pixelStorei(i.UNPACK_ALIGNMENT,T.unpackAlignment);let ie=_(T.image,!1,s.maxTextureSize);
-ie=ze(T,ie);let pe=r.convert(T.format,T.colorSpace),O=r.convert(T.type),re=S(T.internalFormat,pe,O,T.normalized,T.colorSpace,T.isVideoTexture);ut(he,T);let ne,we=T.
-mipmaps,ge=T.isVideoTexture!==!0,Me=ye.__version===void 0||oe===!0,Ge=_e.dataReady,Ze=b(T,ie);if(T.isDepthTexture)re=x(T.format===us,T.type),Me&&(ge?t.texStorage2D(
-i.TEXTURE_2D,1,re,ie.width,ie.height):t.texImage2D(i.TEXTURE_2D,0,re,ie.width,ie.height,0,pe,O,null));else if(T.isDataTexture)if(we.length>0){ge&&Me&&t.texStorage2D(
+NEVER,[Zu]:i.ALWAYS,[zm]:i.LESS,[$u]:i.LEQUAL,[Vm]:i.EQUAL,[Yu]:i.GEQUAL,[Gm]:i.GREATER,[Hm]:i.NOTEQUAL};function ut(I,w){if(w.type===hi&&e.has("OES_texture_flo\
+at_linear")===!1&&(w.magFilter===On||w.magFilter===tc||w.magFilter===ua||w.magFilter===hs||w.minFilter===On||w.minFilter===tc||w.minFilter===ua||w.minFilter===hs)&&
+$e("WebGLRenderer: Unable to use linear filtering with floating point textures. OES_texture_float_linear not supported on this device."),i.texParameteri(I,i.TEXTURE_WRAP_S,
+He[w.wrapS]),i.texParameteri(I,i.TEXTURE_WRAP_T,He[w.wrapT]),(I===i.TEXTURE_3D||I===i.TEXTURE_2D_ARRAY)&&i.texParameteri(I,i.TEXTURE_WRAP_R,He[w.wrapR]),i.texParameteri(
+I,i.TEXTURE_MAG_FILTER,nt[w.magFilter]),i.texParameteri(I,i.TEXTURE_MIN_FILTER,nt[w.minFilter]),w.compareFunction&&(i.texParameteri(I,i.TEXTURE_COMPARE_MODE,i.COMPARE_REF_TO_TEXTURE),
+i.texParameteri(I,i.TEXTURE_COMPARE_FUNC,Ve[w.compareFunction])),e.has("EXT_texture_filter_anisotropic")===!0){if(w.magFilter===bn||w.minFilter!==ua&&w.minFilter!==
+hs||w.type===hi&&e.has("OES_texture_float_linear")===!1)return;if(w.anisotropy>1||n.get(w).__currentAnisotropy){let q=e.get("EXT_texture_filter_anisotropic");i.
+texParameterf(I,q.TEXTURE_MAX_ANISOTROPY_EXT,Math.min(w.anisotropy,s.getMaxAnisotropy())),n.get(w).__currentAnisotropy=w.anisotropy}}}function lt(I,w){let q=!1;
+I.__webglInit===void 0&&(I.__webglInit=!0,w.addEventListener("dispose",P),L(w));let he=w.source,oe=f.get(he);oe===void 0&&(oe={},f.set(he,oe));let _e=ee(w);if(_e!==
+I.__cacheKey){oe[_e]===void 0&&(oe[_e]={texture:i.createTexture(),usedTimes:0},o.memory.textures++,q=!0),oe[_e].usedTimes++;let ye=oe[I.__cacheKey];ye!==void 0&&
+(oe[I.__cacheKey].usedTimes--,ye.usedTimes===0&&W(w)),I.__cacheKey=_e,I.__webglTexture=oe[_e].texture}return q}function et(I,w,q){return Math.floor(Math.floor(I/
+q)/w)}function Gt(I,w,q,he){let _e=I.updateRanges;if(_e.length===0)t.texSubImage2D(i.TEXTURE_2D,0,0,0,w.width,w.height,q,he,w.data);else{_e.sort((O,re)=>O.start-
+re.start);let ye=0;for(let O=1;O<_e.length;O++){let re=_e[ye],ne=_e[O],we=re.start+re.count,ge=et(ne.start,w.width,4),Me=et(re.start,w.width,4);ne.start<=we+1&&
+ge===Me&&et(ne.start+ne.count-1,w.width,4)===ge?re.count=Math.max(re.count,ne.start+ne.count-re.start):(++ye,_e[ye]=ne)}_e.length=ye+1;let te=t.getParameter(i.UNPACK_ROW_LENGTH),
+ie=t.getParameter(i.UNPACK_SKIP_PIXELS),pe=t.getParameter(i.UNPACK_SKIP_ROWS);t.pixelStorei(i.UNPACK_ROW_LENGTH,w.width);for(let O=0,re=_e.length;O<re;O++){let ne=_e[O],
+we=Math.floor(ne.start/4),ge=Math.ceil(ne.count/4),Me=we%w.width,Ge=Math.floor(we/w.width),Ze=ge,le=1;t.pixelStorei(i.UNPACK_SKIP_PIXELS,Me),t.pixelStorei(i.UNPACK_SKIP_ROWS,
+Ge),t.texSubImage2D(i.TEXTURE_2D,0,Me,Ge,Ze,le,q,he,w.data)}I.clearUpdateRanges(),t.pixelStorei(i.UNPACK_ROW_LENGTH,te),t.pixelStorei(i.UNPACK_SKIP_PIXELS,ie),t.
+pixelStorei(i.UNPACK_SKIP_ROWS,pe)}}function Ut(I,w,q){let he=i.TEXTURE_2D;(w.isDataArrayTexture||w.isCompressedArrayTexture)&&(he=i.TEXTURE_2D_ARRAY),w.isData3DTexture&&
+(he=i.TEXTURE_3D);let oe=lt(I,w),_e=w.source;t.bindTexture(he,I.__webglTexture,i.TEXTURE0+q);let ye=n.get(_e);if(_e.version!==ye.__version||oe===!0){if(t.activeTexture(
+i.TEXTURE0+q),(typeof ImageBitmap<"u"&&w.image instanceof ImageBitmap)===!1){let le=_t.getPrimaries(_t.workingColorSpace),Oe=w.colorSpace===ds?null:_t.getPrimaries(
+w.colorSpace),Je=w.colorSpace===ds||le===Oe?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,w.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,
+w.premultiplyAlpha),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,Je)}t.pixelStorei(i.UNPACK_ALIGNMENT,w.unpackAlignment);let ie=_(w.image,!1,s.maxTextureSize);
+ie=ze(w,ie);let pe=r.convert(w.format,w.colorSpace),O=r.convert(w.type),re=T(w.internalFormat,pe,O,w.normalized,w.colorSpace,w.isVideoTexture);ut(he,w);let ne,we=w.
+mipmaps,ge=w.isVideoTexture!==!0,Me=ye.__version===void 0||oe===!0,Ge=_e.dataReady,Ze=b(w,ie);if(w.isDepthTexture)re=x(w.format===us,w.type),Me&&(ge?t.texStorage2D(
+i.TEXTURE_2D,1,re,ie.width,ie.height):t.texImage2D(i.TEXTURE_2D,0,re,ie.width,ie.height,0,pe,O,null));else if(w.isDataTexture)if(we.length>0){ge&&Me&&t.texStorage2D(
 i.TEXTURE_2D,Ze,re,we[0].width,we[0].height);for(let le=0,Oe=we.length;le<Oe;le++)ne=we[le],ge?Ge&&t.texSubImage2D(i.TEXTURE_2D,le,0,0,ne.width,ne.height,pe,O,ne.
-data):t.texImage2D(i.TEXTURE_2D,le,re,ne.width,ne.height,0,pe,O,ne.data);T.generateMipmaps=!1}else ge?(Me&&t.texStorage2D(i.TEXTURE_2D,Ze,re,ie.width,ie.height),
-Ge&&Gt(T,ie,pe,O)):t.texImage2D(i.TEXTURE_2D,0,re,ie.width,ie.height,0,pe,O,ie.data);else if(T.isCompressedTexture)if(T.isCompressedArrayTexture){ge&&Me&&t.texStorage3D(
-i.TEXTURE_2D_ARRAY,Ze,re,we[0].width,we[0].height,ie.depth);for(let le=0,Oe=we.length;le<Oe;le++)if(ne=we[le],T.format!==wi)if(pe!==null)if(ge){if(Ge)if(T.layerUpdates.
-size>0){let Je=nd(ne.width,ne.height,T.format,T.type);for(let Ce of T.layerUpdates){let rt=ne.data.subarray(Ce*Je/ne.data.BYTES_PER_ELEMENT,(Ce+1)*Je/ne.data.BYTES_PER_ELEMENT);
-t.compressedTexSubImage3D(i.TEXTURE_2D_ARRAY,le,0,0,Ce,ne.width,ne.height,1,pe,rt)}}else t.compressedTexSubImage3D(i.TEXTURE_2D_ARRAY,le,0,0,0,ne.width,ne.height,
+data):t.texImage2D(i.TEXTURE_2D,le,re,ne.width,ne.height,0,pe,O,ne.data);w.generateMipmaps=!1}else ge?(Me&&t.texStorage2D(i.TEXTURE_2D,Ze,re,ie.width,ie.height),
+Ge&&Gt(w,ie,pe,O)):t.texImage2D(i.TEXTURE_2D,0,re,ie.width,ie.height,0,pe,O,ie.data);else if(w.isCompressedTexture)if(w.isCompressedArrayTexture){ge&&Me&&t.texStorage3D(
+i.TEXTURE_2D_ARRAY,Ze,re,we[0].width,we[0].height,ie.depth);for(let le=0,Oe=we.length;le<Oe;le++)if(ne=we[le],w.format!==wi)if(pe!==null)if(ge){if(Ge)if(w.layerUpdates.
+size>0){let Je=nd(ne.width,ne.height,w.format,w.type);for(let Ce of w.layerUpdates){let ot=ne.data.subarray(Ce*Je/ne.data.BYTES_PER_ELEMENT,(Ce+1)*Je/ne.data.BYTES_PER_ELEMENT);
+t.compressedTexSubImage3D(i.TEXTURE_2D_ARRAY,le,0,0,Ce,ne.width,ne.height,1,pe,ot)}}else t.compressedTexSubImage3D(i.TEXTURE_2D_ARRAY,le,0,0,0,ne.width,ne.height,
 ie.depth,pe,ne.data)}else t.compressedTexImage3D(i.TEXTURE_2D_ARRAY,le,re,ne.width,ne.height,ie.depth,0,ne.data,0,0);else $e("WebGLRenderer: Attempt to load uns\
 upported compressed texture format in .uploadTexture()");else ge?Ge&&t.texSubImage3D(i.TEXTURE_2D_ARRAY,le,0,0,0,ne.width,ne.height,ie.depth,pe,O,ne.data):t.texImage3D(
-i.TEXTURE_2D_ARRAY,le,re,ne.width,ne.height,ie.depth,0,pe,O,ne.data);T.layerUpdates.size>0&&T.clearLayerUpdates()}else{ge&&Me&&t.texStorage2D(i.TEXTURE_2D,Ze,re,
-we[0].width,we[0].height);for(let le=0,Oe=we.length;le<Oe;le++)ne=we[le],T.format!==wi?pe!==null?ge?Ge&&t.compressedTexSubImage2D(i.TEXTURE_2D,le,0,0,ne.width,ne.
+i.TEXTURE_2D_ARRAY,le,re,ne.width,ne.height,ie.depth,0,pe,O,ne.data);w.layerUpdates.size>0&&w.clearLayerUpdates()}else{ge&&Me&&t.texStorage2D(i.TEXTURE_2D,Ze,re,
+we[0].width,we[0].height);for(let le=0,Oe=we.length;le<Oe;le++)ne=we[le],w.format!==wi?pe!==null?ge?Ge&&t.compressedTexSubImage2D(i.TEXTURE_2D,le,0,0,ne.width,ne.
 height,pe,ne.data):t.compressedTexImage2D(i.TEXTURE_2D,le,re,ne.width,ne.height,0,ne.data):$e("WebGLRenderer: Attempt to load unsupported compressed texture for\
 mat in .uploadTexture()"):ge?Ge&&t.texSubImage2D(i.TEXTURE_2D,le,0,0,ne.width,ne.height,pe,O,ne.data):t.texImage2D(i.TEXTURE_2D,le,re,ne.width,ne.height,0,pe,O,
-ne.data)}else if(T.isDataArrayTexture)if(ge){if(Me&&t.texStorage3D(i.TEXTURE_2D_ARRAY,Ze,re,ie.width,ie.height,ie.depth),Ge)if(T.layerUpdates.size>0){let le=nd(
-ie.width,ie.height,T.format,T.type);for(let Oe of T.layerUpdates){let Je=ie.data.subarray(Oe*le/ie.data.BYTES_PER_ELEMENT,(Oe+1)*le/ie.data.BYTES_PER_ELEMENT);t.
-texSubImage3D(i.TEXTURE_2D_ARRAY,0,0,0,Oe,ie.width,ie.height,1,pe,O,Je)}T.clearLayerUpdates()}else t.texSubImage3D(i.TEXTURE_2D_ARRAY,0,0,0,0,ie.width,ie.height,
-ie.depth,pe,O,ie.data)}else t.texImage3D(i.TEXTURE_2D_ARRAY,0,re,ie.width,ie.height,ie.depth,0,pe,O,ie.data);else if(T.isData3DTexture)ge?(Me&&t.texStorage3D(i.
+ne.data)}else if(w.isDataArrayTexture)if(ge){if(Me&&t.texStorage3D(i.TEXTURE_2D_ARRAY,Ze,re,ie.width,ie.height,ie.depth),Ge)if(w.layerUpdates.size>0){let le=nd(
+ie.width,ie.height,w.format,w.type);for(let Oe of w.layerUpdates){let Je=ie.data.subarray(Oe*le/ie.data.BYTES_PER_ELEMENT,(Oe+1)*le/ie.data.BYTES_PER_ELEMENT);t.
+texSubImage3D(i.TEXTURE_2D_ARRAY,0,0,0,Oe,ie.width,ie.height,1,pe,O,Je)}w.clearLayerUpdates()}else t.texSubImage3D(i.TEXTURE_2D_ARRAY,0,0,0,0,ie.width,ie.height,
+ie.depth,pe,O,ie.data)}else t.texImage3D(i.TEXTURE_2D_ARRAY,0,re,ie.width,ie.height,ie.depth,0,pe,O,ie.data);else if(w.isData3DTexture)ge?(Me&&t.texStorage3D(i.
 TEXTURE_3D,Ze,re,ie.width,ie.height,ie.depth),Ge&&t.texSubImage3D(i.TEXTURE_3D,0,0,0,0,ie.width,ie.height,ie.depth,pe,O,ie.data)):t.texImage3D(i.TEXTURE_3D,0,re,
-ie.width,ie.height,ie.depth,0,pe,O,ie.data);else if(T.isFramebufferTexture){if(Me)if(ge)t.texStorage2D(i.TEXTURE_2D,Ze,re,ie.width,ie.height);else{let le=ie.width,
-Oe=ie.height;for(let Je=0;Je<Ze;Je++)t.texImage2D(i.TEXTURE_2D,Je,re,le,Oe,0,pe,O,null),le>>=1,Oe>>=1}}else if(T.isHTMLTexture){if("texElementImage2D"in i){let le=i.
-canvas;if(le.hasAttribute("layoutsubtree")||le.setAttribute("layoutsubtree","true"),ie.parentNode!==le){le.appendChild(ie),u.add(T),le.onpaint=Oe=>{let Je=Oe.changedElements;
+ie.width,ie.height,ie.depth,0,pe,O,ie.data);else if(w.isFramebufferTexture){if(Me)if(ge)t.texStorage2D(i.TEXTURE_2D,Ze,re,ie.width,ie.height);else{let le=ie.width,
+Oe=ie.height;for(let Je=0;Je<Ze;Je++)t.texImage2D(i.TEXTURE_2D,Je,re,le,Oe,0,pe,O,null),le>>=1,Oe>>=1}}else if(w.isHTMLTexture){if("texElementImage2D"in i){let le=i.
+canvas;if(le.hasAttribute("layoutsubtree")||le.setAttribute("layoutsubtree","true"),ie.parentNode!==le){le.appendChild(ie),u.add(w),le.onpaint=Oe=>{let Je=Oe.changedElements;
 for(let Ce of u)Je.includes(Ce.image)&&(Ce.needsUpdate=!0)},le.requestPaint();return}if(i.texElementImage2D.length===3)i.texElementImage2D(i.TEXTURE_2D,i.RGBA8,
-ie);else{let Je=i.RGBA,Ce=i.RGBA,rt=i.UNSIGNED_BYTE;i.texElementImage2D(i.TEXTURE_2D,0,Je,Ce,rt,ie)}i.texParameteri(i.TEXTURE_2D,i.TEXTURE_MIN_FILTER,i.LINEAR),
+ie);else{let Je=i.RGBA,Ce=i.RGBA,ot=i.UNSIGNED_BYTE;i.texElementImage2D(i.TEXTURE_2D,0,Je,Ce,ot,ie)}i.texParameteri(i.TEXTURE_2D,i.TEXTURE_MIN_FILTER,i.LINEAR),
 i.texParameteri(i.TEXTURE_2D,i.TEXTURE_WRAP_S,i.CLAMP_TO_EDGE),i.texParameteri(i.TEXTURE_2D,i.TEXTURE_WRAP_T,i.CLAMP_TO_EDGE)}}else if(we.length>0){if(ge&&Me){let le=Xe(
 we[0]);t.texStorage2D(i.TEXTURE_2D,Ze,re,le.width,le.height)}for(let le=0,Oe=we.length;le<Oe;le++)ne=we[le],ge?Ge&&t.texSubImage2D(i.TEXTURE_2D,le,0,0,pe,O,ne):
-t.texImage2D(i.TEXTURE_2D,le,re,pe,O,ne);T.generateMipmaps=!1}else if(ge){if(Me){let le=Xe(ie);t.texStorage2D(i.TEXTURE_2D,Ze,re,le.width,le.height)}Ge&&t.texSubImage2D(
-i.TEXTURE_2D,0,0,0,pe,O,ie)}else t.texImage2D(i.TEXTURE_2D,0,re,pe,O,ie);w(T)&&T.mipmapsAutoUpdate===!0&&M(he),ye.__version=_e.version,T.onUpdate&&T.onUpdate(T)}
-P.__version=T.version}function Qt(P,T,q){if(T.image.length!==6)return;let he=lt(P,T),oe=T.source;t.bindTexture(i.TEXTURE_CUBE_MAP,P.__webglTexture,i.TEXTURE0+q);
-let _e=n.get(oe);if(oe.version!==_e.__version||he===!0){t.activeTexture(i.TEXTURE0+q);let ye=_t.getPrimaries(_t.workingColorSpace),te=T.colorSpace===ds?null:_t.
-getPrimaries(T.colorSpace),ie=T.colorSpace===ds||ye===te?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,T.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,
-T.premultiplyAlpha),t.pixelStorei(i.UNPACK_ALIGNMENT,T.unpackAlignment),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,ie);let pe=T.isCompressedTexture||T.image[0].
-isCompressedTexture,O=T.image[0]&&T.image[0].isDataTexture,re=[];for(let Ce=0;Ce<6;Ce++)!pe&&!O?re[Ce]=_(T.image[Ce],!0,s.maxCubemapSize):re[Ce]=O?T.image[Ce].image:
-T.image[Ce],re[Ce]=ze(T,re[Ce]);let ne=re[0],we=r.convert(T.format,T.colorSpace),ge=r.convert(T.type),Me=S(T.internalFormat,we,ge,T.normalized,T.colorSpace),Ge=T.
-isVideoTexture!==!0,Ze=_e.__version===void 0||he===!0,le=oe.dataReady,Oe=b(T,ne);ut(i.TEXTURE_CUBE_MAP,T);let Je;if(T.isDepthTexture){if(Me=x(T.format===us,T.type),
+t.texImage2D(i.TEXTURE_2D,le,re,pe,O,ne);w.generateMipmaps=!1}else if(ge){if(Me){let le=Xe(ie);t.texStorage2D(i.TEXTURE_2D,Ze,re,le.width,le.height)}Ge&&t.texSubImage2D(
+i.TEXTURE_2D,0,0,0,pe,O,ie)}else t.texImage2D(i.TEXTURE_2D,0,re,pe,O,ie);S(w)&&w.mipmapsAutoUpdate===!0&&M(he),ye.__version=_e.version,w.onUpdate&&w.onUpdate(w)}
+I.__version=w.version}function Qt(I,w,q){if(w.image.length!==6)return;let he=lt(I,w),oe=w.source;t.bindTexture(i.TEXTURE_CUBE_MAP,I.__webglTexture,i.TEXTURE0+q);
+let _e=n.get(oe);if(oe.version!==_e.__version||he===!0){t.activeTexture(i.TEXTURE0+q);let ye=_t.getPrimaries(_t.workingColorSpace),te=w.colorSpace===ds?null:_t.
+getPrimaries(w.colorSpace),ie=w.colorSpace===ds||ye===te?i.NONE:i.BROWSER_DEFAULT_WEBGL;t.pixelStorei(i.UNPACK_FLIP_Y_WEBGL,w.flipY),t.pixelStorei(i.UNPACK_PREMULTIPLY_ALPHA_WEBGL,
+w.premultiplyAlpha),t.pixelStorei(i.UNPACK_ALIGNMENT,w.unpackAlignment),t.pixelStorei(i.UNPACK_COLORSPACE_CONVERSION_WEBGL,ie);let pe=w.isCompressedTexture||w.image[0].
+isCompressedTexture,O=w.image[0]&&w.image[0].isDataTexture,re=[];for(let Ce=0;Ce<6;Ce++)!pe&&!O?re[Ce]=_(w.image[Ce],!0,s.maxCubemapSize):re[Ce]=O?w.image[Ce].image:
+w.image[Ce],re[Ce]=ze(w,re[Ce]);let ne=re[0],we=r.convert(w.format,w.colorSpace),ge=r.convert(w.type),Me=T(w.internalFormat,we,ge,w.normalized,w.colorSpace),Ge=w.
+isVideoTexture!==!0,Ze=_e.__version===void 0||he===!0,le=oe.dataReady,Oe=b(w,ne);ut(i.TEXTURE_CUBE_MAP,w);let Je;if(w.isDepthTexture){if(Me=x(w.format===us,w.type),
 Ze)if(Ge)t.texStorage2D(i.TEXTURE_CUBE_MAP,1,Me,ne.width,ne.height);else for(let Ce=0;Ce<6;Ce++)t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,Me,ne.width,ne.height,
-0,we,ge,null)}else if(pe){Ge&&Ze&&t.texStorage2D(i.TEXTURE_CUBE_MAP,Oe,Me,ne.width,ne.height);for(let Ce=0;Ce<6;Ce++){Je=re[Ce].mipmaps;for(let rt=0;rt<Je.length;rt++){
-let Ft=Je[rt];T.format!==wi?we!==null?Ge?le&&t.compressedTexSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,rt,0,0,Ft.width,Ft.height,we,Ft.data):t.compressedTexImage2D(
-i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,rt,Me,Ft.width,Ft.height,0,Ft.data):$e("WebGLRenderer: Attempt to load unsupported compressed texture format in .setTextureCube\
-()"):Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,rt,0,0,Ft.width,Ft.height,we,ge,Ft.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,rt,Me,Ft.width,
-Ft.height,0,we,ge,Ft.data)}}}else{if(Je=T.mipmaps,Ge&&Ze){Je.length>0&&Oe++;let Ce=Xe(re[0]);t.texStorage2D(i.TEXTURE_CUBE_MAP,Oe,Me,Ce.width,Ce.height)}for(let Ce=0;Ce<
+0,we,ge,null)}else if(pe){Ge&&Ze&&t.texStorage2D(i.TEXTURE_CUBE_MAP,Oe,Me,ne.width,ne.height);for(let Ce=0;Ce<6;Ce++){Je=re[Ce].mipmaps;for(let ot=0;ot<Je.length;ot++){
+let Ft=Je[ot];w.format!==wi?we!==null?Ge?le&&t.compressedTexSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot,0,0,Ft.width,Ft.height,we,Ft.data):t.compressedTexImage2D(
+i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot,Me,Ft.width,Ft.height,0,Ft.data):$e("WebGLRenderer: Attempt to load unsupported compressed texture format in .setTextureCube\
+()"):Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot,0,0,Ft.width,Ft.height,we,ge,Ft.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot,Me,Ft.width,
+Ft.height,0,we,ge,Ft.data)}}}else{if(Je=w.mipmaps,Ge&&Ze){Je.length>0&&Oe++;let Ce=Xe(re[0]);t.texStorage2D(i.TEXTURE_CUBE_MAP,Oe,Me,Ce.width,Ce.height)}for(let Ce=0;Ce<
 6;Ce++)if(O){Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,0,0,re[Ce].width,re[Ce].height,we,ge,re[Ce].data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+
-Ce,0,Me,re[Ce].width,re[Ce].height,0,we,ge,re[Ce].data);for(let rt=0;rt<Je.length;rt++){let Pn=Je[rt].image[Ce].image;Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+
-Ce,rt+1,0,0,Pn.width,Pn.height,we,ge,Pn.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,rt+1,Me,Pn.width,Pn.height,0,we,ge,Pn.data)}}else{Ge?le&&t.texSubImage2D(
-i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,0,0,we,ge,re[Ce]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,Me,we,ge,re[Ce]);for(let rt=0;rt<Je.length;rt++){let Ft=Je[rt];
-Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,rt+1,0,0,we,ge,Ft.image[Ce]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,rt+1,Me,we,ge,Ft.image[Ce])}}}
-w(T)&&T.mipmapsAutoUpdate===!0&&M(i.TEXTURE_CUBE_MAP),_e.__version=oe.version,T.onUpdate&&T.onUpdate(T)}P.__version=T.version}function Pt(P,T,q,he,oe,_e){let ye=r.
-convert(q.format,q.colorSpace),te=r.convert(q.type),ie=S(q.internalFormat,ye,te,q.normalized,q.colorSpace),pe=n.get(T),O=n.get(q);if(O.__renderTarget=T,!pe.__hasExternalTextures){
-let re=Math.max(1,T.width>>_e),ne=Math.max(1,T.height>>_e);oe===i.TEXTURE_3D||oe===i.TEXTURE_2D_ARRAY?t.texImage3D(oe,_e,ie,re,ne,T.depth,0,ye,te,null):t.texImage2D(
-oe,_e,ie,re,ne,0,ye,te,null)}t.bindFramebuffer(i.FRAMEBUFFER,P),Se(T)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,he,oe,O.__webglTexture,0,it(T)):(oe===i.
+Ce,0,Me,re[Ce].width,re[Ce].height,0,we,ge,re[Ce].data);for(let ot=0;ot<Je.length;ot++){let Pn=Je[ot].image[Ce].image;Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+
+Ce,ot+1,0,0,Pn.width,Pn.height,we,ge,Pn.data):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,Me,Pn.width,Pn.height,0,we,ge,Pn.data)}}else{Ge?le&&t.texSubImage2D(
+i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,0,0,we,ge,re[Ce]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,0,Me,we,ge,re[Ce]);for(let ot=0;ot<Je.length;ot++){let Ft=Je[ot];
+Ge?le&&t.texSubImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,0,0,we,ge,Ft.image[Ce]):t.texImage2D(i.TEXTURE_CUBE_MAP_POSITIVE_X+Ce,ot+1,Me,we,ge,Ft.image[Ce])}}}
+S(w)&&w.mipmapsAutoUpdate===!0&&M(i.TEXTURE_CUBE_MAP),_e.__version=oe.version,w.onUpdate&&w.onUpdate(w)}I.__version=w.version}function Pt(I,w,q,he,oe,_e){let ye=r.
+convert(q.format,q.colorSpace),te=r.convert(q.type),ie=T(q.internalFormat,ye,te,q.normalized,q.colorSpace),pe=n.get(w),O=n.get(q);if(O.__renderTarget=w,!pe.__hasExternalTextures){
+let re=Math.max(1,w.width>>_e),ne=Math.max(1,w.height>>_e);oe===i.TEXTURE_3D||oe===i.TEXTURE_2D_ARRAY?t.texImage3D(oe,_e,ie,re,ne,w.depth,0,ye,te,null):t.texImage2D(
+oe,_e,ie,re,ne,0,ye,te,null)}t.bindFramebuffer(i.FRAMEBUFFER,I),Se(w)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,he,oe,O.__webglTexture,0,it(w)):(oe===i.
 TEXTURE_2D||oe>=i.TEXTURE_CUBE_MAP_POSITIVE_X&&oe<=i.TEXTURE_CUBE_MAP_NEGATIVE_Z)&&i.framebufferTexture2D(i.FRAMEBUFFER,he,oe,O.__webglTexture,_e),t.bindFramebuffer(
-i.FRAMEBUFFER,null)}function gn(P,T,q){if(i.bindRenderbuffer(i.RENDERBUFFER,P),T.depthBuffer){let he=T.depthTexture,oe=he&&he.isDepthTexture?he.type:null,_e=x(T.
-stencilBuffer,oe),ye=T.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT;Se(T)?a.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,it(T),_e,T.width,T.height):
-q?i.renderbufferStorageMultisample(i.RENDERBUFFER,it(T),_e,T.width,T.height):i.renderbufferStorage(i.RENDERBUFFER,_e,T.width,T.height),i.framebufferRenderbuffer(
-i.FRAMEBUFFER,ye,i.RENDERBUFFER,P)}else{let he=T.textures;for(let oe=0;oe<he.length;oe++){let _e=he[oe],ye=r.convert(_e.format,_e.colorSpace),te=r.convert(_e.type),
-ie=S(_e.internalFormat,ye,te,_e.normalized,_e.colorSpace);Se(T)?a.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,it(T),ie,T.width,T.height):q?i.renderbufferStorageMultisample(
-i.RENDERBUFFER,it(T),ie,T.width,T.height):i.renderbufferStorage(i.RENDERBUFFER,ie,T.width,T.height)}}i.bindRenderbuffer(i.RENDERBUFFER,null)}function vt(P,T,q){
-let he=T.isWebGLCubeRenderTarget===!0;if(t.bindFramebuffer(i.FRAMEBUFFER,P),!(T.depthTexture&&T.depthTexture.isDepthTexture))throw new Error("THREE.WebGLTexture\
-s: renderTarget.depthTexture must be an instance of THREE.DepthTexture.");let oe=n.get(T.depthTexture);oe.__renderTarget=T;let _e=he?T.depthTexture.image[0]:T.depthTexture.
-image;(!oe.__webglTexture||_e.width!==T.width||_e.height!==T.height)&&(_e.width=T.width,_e.height=T.height,T.depthTexture.needsUpdate=!0),he?be(T.depthTexture,0):
-me(T.depthTexture,0);let ye=oe.__webglTexture,te=it(T),ie=he?i.TEXTURE_CUBE_MAP_POSITIVE_X+q:i.TEXTURE_2D,pe=T.depthTexture.format===us?i.DEPTH_STENCIL_ATTACHMENT:
-i.DEPTH_ATTACHMENT;if(T.depthTexture.format===ss)Se(T)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,pe,ie,ye,0,te):i.framebufferTexture2D(i.FRAMEBUFFER,pe,
-ie,ye,0);else if(T.depthTexture.format===us)Se(T)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,pe,ie,ye,0,te):i.framebufferTexture2D(i.FRAMEBUFFER,pe,ie,ye,
-0);else throw new Error("THREE.WebGLTextures: Unknown depthTexture format.")}function cn(P){let T=n.get(P),q=P.isWebGLCubeRenderTarget===!0;if(T.__boundDepthTexture!==
-P.depthTexture){let he=P.depthTexture;if(T.__depthDisposeCallback&&T.__depthDisposeCallback(),he){let oe=()=>{delete T.__boundDepthTexture,delete T.__depthDisposeCallback,
-he.removeEventListener("dispose",oe)};he.addEventListener("dispose",oe),T.__depthDisposeCallback=oe}T.__boundDepthTexture=he}if(P.depthTexture&&!T.__autoAllocateDepthBuffer)
-if(q)for(let he=0;he<6;he++)vt(T.__webglFramebuffer[he],P,he);else P.texture.mipmaps.length>0?vt(T.__webglFramebuffer[0],P,0):vt(T.__webglFramebuffer,P,0);else if(q){
-T.__webglDepthbuffer=[];for(let he=0;he<6;he++)if(t.bindFramebuffer(i.FRAMEBUFFER,T.__webglFramebuffer[he]),T.__webglDepthbuffer[he]===void 0)T.__webglDepthbuffer[he]=
-i.createRenderbuffer(),gn(T.__webglDepthbuffer[he],P,!1);else{let oe=P.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,_e=T.__webglDepthbuffer[he];i.
-bindRenderbuffer(i.RENDERBUFFER,_e),i.framebufferRenderbuffer(i.FRAMEBUFFER,oe,i.RENDERBUFFER,_e)}}else if(P.texture.mipmaps.length>0?t.bindFramebuffer(i.FRAMEBUFFER,
-T.__webglFramebuffer[0]):t.bindFramebuffer(i.FRAMEBUFFER,T.__webglFramebuffer),T.__webglDepthbuffer===void 0)T.__webglDepthbuffer=i.createRenderbuffer(),gn(T.__webglDepthbuffer,
-P,!1);else{let oe=P.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,_e=T.__webglDepthbuffer;i.bindRenderbuffer(i.RENDERBUFFER,_e),i.framebufferRenderbuffer(
-i.FRAMEBUFFER,oe,i.RENDERBUFFER,_e)}t.bindFramebuffer(i.FRAMEBUFFER,null)}function qt(P,T,q){let he=n.get(P);T!==void 0&&Pt(he.__webglFramebuffer,P,P.texture,i.
-COLOR_ATTACHMENT0,i.TEXTURE_2D,0),q!==void 0&&cn(P)}function en(P){let T=P.texture,q=n.get(P),he=n.get(T);P.addEventListener("dispose",F),N(P);let oe=P.textures,
-_e=P.isWebGLCubeRenderTarget===!0,ye=oe.length>1;if(ye||(he.__webglTexture===void 0&&(he.__webglTexture=i.createTexture()),he.__version=T.version,o.memory.textures++),
-_e){q.__webglFramebuffer=[];for(let te=0;te<6;te++)if(T.mipmaps.length>0){q.__webglFramebuffer[te]=[];for(let ie=0;ie<T.mipmaps.length;ie++)q.__webglFramebuffer[te][ie]=
-i.createFramebuffer()}else q.__webglFramebuffer[te]=i.createFramebuffer()}else{if(T.mipmaps.length>0){q.__webglFramebuffer=[];for(let te=0;te<T.mipmaps.length;te++)
+i.FRAMEBUFFER,null)}function gn(I,w,q){if(i.bindRenderbuffer(i.RENDERBUFFER,I),w.depthBuffer){let he=w.depthTexture,oe=he&&he.isDepthTexture?he.type:null,_e=x(w.
+stencilBuffer,oe),ye=w.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT;Se(w)?a.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,it(w),_e,w.width,w.height):
+q?i.renderbufferStorageMultisample(i.RENDERBUFFER,it(w),_e,w.width,w.height):i.renderbufferStorage(i.RENDERBUFFER,_e,w.width,w.height),i.framebufferRenderbuffer(
+i.FRAMEBUFFER,ye,i.RENDERBUFFER,I)}else{let he=w.textures;for(let oe=0;oe<he.length;oe++){let _e=he[oe],ye=r.convert(_e.format,_e.colorSpace),te=r.convert(_e.type),
+ie=T(_e.internalFormat,ye,te,_e.normalized,_e.colorSpace);Se(w)?a.renderbufferStorageMultisampleEXT(i.RENDERBUFFER,it(w),ie,w.width,w.height):q?i.renderbufferStorageMultisample(
+i.RENDERBUFFER,it(w),ie,w.width,w.height):i.renderbufferStorage(i.RENDERBUFFER,ie,w.width,w.height)}}i.bindRenderbuffer(i.RENDERBUFFER,null)}function vt(I,w,q){
+let he=w.isWebGLCubeRenderTarget===!0;if(t.bindFramebuffer(i.FRAMEBUFFER,I),!(w.depthTexture&&w.depthTexture.isDepthTexture))throw new Error("THREE.WebGLTexture\
+s: renderTarget.depthTexture must be an instance of THREE.DepthTexture.");let oe=n.get(w.depthTexture);oe.__renderTarget=w;let _e=he?w.depthTexture.image[0]:w.depthTexture.
+image;(!oe.__webglTexture||_e.width!==w.width||_e.height!==w.height)&&(_e.width=w.width,_e.height=w.height,w.depthTexture.needsUpdate=!0),he?be(w.depthTexture,0):
+me(w.depthTexture,0);let ye=oe.__webglTexture,te=it(w),ie=he?i.TEXTURE_CUBE_MAP_POSITIVE_X+q:i.TEXTURE_2D,pe=w.depthTexture.format===us?i.DEPTH_STENCIL_ATTACHMENT:
+i.DEPTH_ATTACHMENT;if(w.depthTexture.format===ss)Se(w)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,pe,ie,ye,0,te):i.framebufferTexture2D(i.FRAMEBUFFER,pe,
+ie,ye,0);else if(w.depthTexture.format===us)Se(w)?a.framebufferTexture2DMultisampleEXT(i.FRAMEBUFFER,pe,ie,ye,0,te):i.framebufferTexture2D(i.FRAMEBUFFER,pe,ie,ye,
+0);else throw new Error("THREE.WebGLTextures: Unknown depthTexture format.")}function cn(I){let w=n.get(I),q=I.isWebGLCubeRenderTarget===!0;if(w.__boundDepthTexture!==
+I.depthTexture){let he=I.depthTexture;if(w.__depthDisposeCallback&&w.__depthDisposeCallback(),he){let oe=()=>{delete w.__boundDepthTexture,delete w.__depthDisposeCallback,
+he.removeEventListener("dispose",oe)};he.addEventListener("dispose",oe),w.__depthDisposeCallback=oe}w.__boundDepthTexture=he}if(I.depthTexture&&!w.__autoAllocateDepthBuffer)
+if(q)for(let he=0;he<6;he++)vt(w.__webglFramebuffer[he],I,he);else I.texture.mipmaps.length>0?vt(w.__webglFramebuffer[0],I,0):vt(w.__webglFramebuffer,I,0);else if(q){
+w.__webglDepthbuffer=[];for(let he=0;he<6;he++)if(t.bindFramebuffer(i.FRAMEBUFFER,w.__webglFramebuffer[he]),w.__webglDepthbuffer[he]===void 0)w.__webglDepthbuffer[he]=
+i.createRenderbuffer(),gn(w.__webglDepthbuffer[he],I,!1);else{let oe=I.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,_e=w.__webglDepthbuffer[he];i.
+bindRenderbuffer(i.RENDERBUFFER,_e),i.framebufferRenderbuffer(i.FRAMEBUFFER,oe,i.RENDERBUFFER,_e)}}else if(I.texture.mipmaps.length>0?t.bindFramebuffer(i.FRAMEBUFFER,
+w.__webglFramebuffer[0]):t.bindFramebuffer(i.FRAMEBUFFER,w.__webglFramebuffer),w.__webglDepthbuffer===void 0)w.__webglDepthbuffer=i.createRenderbuffer(),gn(w.__webglDepthbuffer,
+I,!1);else{let oe=I.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,_e=w.__webglDepthbuffer;i.bindRenderbuffer(i.RENDERBUFFER,_e),i.framebufferRenderbuffer(
+i.FRAMEBUFFER,oe,i.RENDERBUFFER,_e)}t.bindFramebuffer(i.FRAMEBUFFER,null)}function qt(I,w,q){let he=n.get(I);w!==void 0&&Pt(he.__webglFramebuffer,I,I.texture,i.
+COLOR_ATTACHMENT0,i.TEXTURE_2D,0),q!==void 0&&cn(I)}function en(I){let w=I.texture,q=n.get(I),he=n.get(w);I.addEventListener("dispose",F),L(I);let oe=I.textures,
+_e=I.isWebGLCubeRenderTarget===!0,ye=oe.length>1;if(ye||(he.__webglTexture===void 0&&(he.__webglTexture=i.createTexture()),he.__version=w.version,o.memory.textures++),
+_e){q.__webglFramebuffer=[];for(let te=0;te<6;te++)if(w.mipmaps.length>0){q.__webglFramebuffer[te]=[];for(let ie=0;ie<w.mipmaps.length;ie++)q.__webglFramebuffer[te][ie]=
+i.createFramebuffer()}else q.__webglFramebuffer[te]=i.createFramebuffer()}else{if(w.mipmaps.length>0){q.__webglFramebuffer=[];for(let te=0;te<w.mipmaps.length;te++)
 q.__webglFramebuffer[te]=i.createFramebuffer()}else q.__webglFramebuffer=i.createFramebuffer();if(ye)for(let te=0,ie=oe.length;te<ie;te++){let pe=n.get(oe[te]);
-pe.__webglTexture===void 0&&(pe.__webglTexture=i.createTexture(),o.memory.textures++)}if(P.samples>0&&Se(P)===!1){q.__webglMultisampledFramebuffer=i.createFramebuffer(),
+pe.__webglTexture===void 0&&(pe.__webglTexture=i.createTexture(),o.memory.textures++)}if(I.samples>0&&Se(I)===!1){q.__webglMultisampledFramebuffer=i.createFramebuffer(),
 q.__webglColorRenderbuffer=[],t.bindFramebuffer(i.FRAMEBUFFER,q.__webglMultisampledFramebuffer);for(let te=0;te<oe.length;te++){let ie=oe[te];q.__webglColorRenderbuffer[te]=
-i.createRenderbuffer(),i.bindRenderbuffer(i.RENDERBUFFER,q.__webglColorRenderbuffer[te]);let pe=r.convert(ie.format,ie.colorSpace),O=r.convert(ie.type),re=S(ie.
-internalFormat,pe,O,ie.normalized,ie.colorSpace,P.isXRRenderTarget===!0),ne=it(P);i.renderbufferStorageMultisample(i.RENDERBUFFER,ne,re,P.width,P.height),i.framebufferRenderbuffer(
-i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+te,i.RENDERBUFFER,q.__webglColorRenderbuffer[te])}i.bindRenderbuffer(i.RENDERBUFFER,null),P.depthBuffer&&(q.__webglDepthRenderbuffer=
-i.createRenderbuffer(),gn(q.__webglDepthRenderbuffer,P,!0)),t.bindFramebuffer(i.FRAMEBUFFER,null)}}if(_e){t.bindTexture(i.TEXTURE_CUBE_MAP,he.__webglTexture),ut(
-i.TEXTURE_CUBE_MAP,T);for(let te=0;te<6;te++)if(T.mipmaps.length>0)for(let ie=0;ie<T.mipmaps.length;ie++)Pt(q.__webglFramebuffer[te][ie],P,T,i.COLOR_ATTACHMENT0,
-i.TEXTURE_CUBE_MAP_POSITIVE_X+te,ie);else Pt(q.__webglFramebuffer[te],P,T,i.COLOR_ATTACHMENT0,i.TEXTURE_CUBE_MAP_POSITIVE_X+te,0);w(T)?M(i.TEXTURE_CUBE_MAP):T.mipmaps.
-length>0&&i.texParameteri(i.TEXTURE_CUBE_MAP,i.TEXTURE_MAX_LEVEL,T.mipmaps.length-1),t.unbindTexture()}else if(ye){for(let te=0,ie=oe.length;te<ie;te++){let pe=oe[te],
-O=n.get(pe),re=i.TEXTURE_2D;(P.isWebGL3DRenderTarget||P.isWebGLArrayRenderTarget)&&(re=P.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(re,
-O.__webglTexture),ut(re,pe),Pt(q.__webglFramebuffer,P,pe,i.COLOR_ATTACHMENT0+te,re,0),w(pe)&&M(re)}t.unbindTexture()}else{let te=i.TEXTURE_2D;if((P.isWebGL3DRenderTarget||
-P.isWebGLArrayRenderTarget)&&(te=P.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(te,he.__webglTexture),ut(te,T),T.mipmaps.length>0)for(let ie=0;ie<
-T.mipmaps.length;ie++)Pt(q.__webglFramebuffer[ie],P,T,i.COLOR_ATTACHMENT0,te,ie);else Pt(q.__webglFramebuffer,P,T,i.COLOR_ATTACHMENT0,te,0);w(T)?M(te):T.mipmaps.
-length>0&&i.texParameteri(te,i.TEXTURE_MAX_LEVEL,T.mipmaps.length-1),t.unbindTexture()}P.depthBuffer&&cn(P)}function B(P){let T=P.textures;for(let q=0,he=T.length;q<
-he;q++){let oe=T[q];if(w(oe)&&oe.mipmapsAutoUpdate===!0){let _e=C(P),ye=n.get(oe).__webglTexture;t.bindTexture(_e,ye),M(_e),t.unbindTexture()}}}let Re=[];function qe(P){
-if(P.samples>0){if(Se(P)===!1){let T=P.textures,q=P.width,he=P.height,oe=i.COLOR_BUFFER_BIT,_e=P.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,ye=n.
-get(P),te=T.length>1;if(te)for(let pe=0;pe<T.length;pe++)t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglMultisampledFramebuffer),i.framebufferRenderbuffer(i.FRAMEBUFFER,
+i.createRenderbuffer(),i.bindRenderbuffer(i.RENDERBUFFER,q.__webglColorRenderbuffer[te]);let pe=r.convert(ie.format,ie.colorSpace),O=r.convert(ie.type),re=T(ie.
+internalFormat,pe,O,ie.normalized,ie.colorSpace,I.isXRRenderTarget===!0),ne=it(I);i.renderbufferStorageMultisample(i.RENDERBUFFER,ne,re,I.width,I.height),i.framebufferRenderbuffer(
+i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+te,i.RENDERBUFFER,q.__webglColorRenderbuffer[te])}i.bindRenderbuffer(i.RENDERBUFFER,null),I.depthBuffer&&(q.__webglDepthRenderbuffer=
+i.createRenderbuffer(),gn(q.__webglDepthRenderbuffer,I,!0)),t.bindFramebuffer(i.FRAMEBUFFER,null)}}if(_e){t.bindTexture(i.TEXTURE_CUBE_MAP,he.__webglTexture),ut(
+i.TEXTURE_CUBE_MAP,w);for(let te=0;te<6;te++)if(w.mipmaps.length>0)for(let ie=0;ie<w.mipmaps.length;ie++)Pt(q.__webglFramebuffer[te][ie],I,w,i.COLOR_ATTACHMENT0,
+i.TEXTURE_CUBE_MAP_POSITIVE_X+te,ie);else Pt(q.__webglFramebuffer[te],I,w,i.COLOR_ATTACHMENT0,i.TEXTURE_CUBE_MAP_POSITIVE_X+te,0);S(w)?M(i.TEXTURE_CUBE_MAP):w.mipmaps.
+length>0&&i.texParameteri(i.TEXTURE_CUBE_MAP,i.TEXTURE_MAX_LEVEL,w.mipmaps.length-1),t.unbindTexture()}else if(ye){for(let te=0,ie=oe.length;te<ie;te++){let pe=oe[te],
+O=n.get(pe),re=i.TEXTURE_2D;(I.isWebGL3DRenderTarget||I.isWebGLArrayRenderTarget)&&(re=I.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(re,
+O.__webglTexture),ut(re,pe),Pt(q.__webglFramebuffer,I,pe,i.COLOR_ATTACHMENT0+te,re,0),S(pe)&&M(re)}t.unbindTexture()}else{let te=i.TEXTURE_2D;if((I.isWebGL3DRenderTarget||
+I.isWebGLArrayRenderTarget)&&(te=I.isWebGL3DRenderTarget?i.TEXTURE_3D:i.TEXTURE_2D_ARRAY),t.bindTexture(te,he.__webglTexture),ut(te,w),w.mipmaps.length>0)for(let ie=0;ie<
+w.mipmaps.length;ie++)Pt(q.__webglFramebuffer[ie],I,w,i.COLOR_ATTACHMENT0,te,ie);else Pt(q.__webglFramebuffer,I,w,i.COLOR_ATTACHMENT0,te,0);S(w)?M(te):w.mipmaps.
+length>0&&i.texParameteri(te,i.TEXTURE_MAX_LEVEL,w.mipmaps.length-1),t.unbindTexture()}I.depthBuffer&&cn(I)}function B(I){let w=I.textures;for(let q=0,he=w.length;q<
+he;q++){let oe=w[q];if(S(oe)&&oe.mipmapsAutoUpdate===!0){let _e=C(I),ye=n.get(oe).__webglTexture;t.bindTexture(_e,ye),M(_e),t.unbindTexture()}}}let Re=[];function qe(I){
+if(I.samples>0){if(Se(I)===!1){let w=I.textures,q=I.width,he=I.height,oe=i.COLOR_BUFFER_BIT,_e=I.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT,ye=n.
+get(I),te=w.length>1;if(te)for(let pe=0;pe<w.length;pe++)t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglMultisampledFramebuffer),i.framebufferRenderbuffer(i.FRAMEBUFFER,
 i.COLOR_ATTACHMENT0+pe,i.RENDERBUFFER,null),t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglFramebuffer),i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0+
-pe,i.TEXTURE_2D,null,0);t.bindFramebuffer(i.READ_FRAMEBUFFER,ye.__webglMultisampledFramebuffer),P.texture.mipmaps.length>0?t.bindFramebuffer(i.DRAW_FRAMEBUFFER,
-ye.__webglFramebuffer[0]):t.bindFramebuffer(i.DRAW_FRAMEBUFFER,ye.__webglFramebuffer);for(let pe=0;pe<T.length;pe++){if(P.resolveDepthBuffer&&(P.depthBuffer&&(oe|=
-i.DEPTH_BUFFER_BIT),P.stencilBuffer&&P.resolveStencilBuffer&&(oe|=i.STENCIL_BUFFER_BIT)),te){i.framebufferRenderbuffer(i.READ_FRAMEBUFFER,i.COLOR_ATTACHMENT0,i.
-RENDERBUFFER,ye.__webglColorRenderbuffer[pe]);let O=n.get(T[pe]).__webglTexture;i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0,i.TEXTURE_2D,O,0)}
-i.blitFramebuffer(0,0,q,he,0,0,q,he,oe,i.NEAREST),l===!0&&(Re.length=0,Re.push(i.COLOR_ATTACHMENT0+pe),P.depthBuffer&&P.storeMultisampledDepthBuffer===!1&&Re.push(
+pe,i.TEXTURE_2D,null,0);t.bindFramebuffer(i.READ_FRAMEBUFFER,ye.__webglMultisampledFramebuffer),I.texture.mipmaps.length>0?t.bindFramebuffer(i.DRAW_FRAMEBUFFER,
+ye.__webglFramebuffer[0]):t.bindFramebuffer(i.DRAW_FRAMEBUFFER,ye.__webglFramebuffer);for(let pe=0;pe<w.length;pe++){if(I.resolveDepthBuffer&&(I.depthBuffer&&(oe|=
+i.DEPTH_BUFFER_BIT),I.stencilBuffer&&I.resolveStencilBuffer&&(oe|=i.STENCIL_BUFFER_BIT)),te){i.framebufferRenderbuffer(i.READ_FRAMEBUFFER,i.COLOR_ATTACHMENT0,i.
+RENDERBUFFER,ye.__webglColorRenderbuffer[pe]);let O=n.get(w[pe]).__webglTexture;i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,i.COLOR_ATTACHMENT0,i.TEXTURE_2D,O,0)}
+i.blitFramebuffer(0,0,q,he,0,0,q,he,oe,i.NEAREST),l===!0&&(Re.length=0,Re.push(i.COLOR_ATTACHMENT0+pe),I.depthBuffer&&I.storeMultisampledDepthBuffer===!1&&Re.push(
 _e),i.invalidateFramebuffer(i.READ_FRAMEBUFFER,Re))}if(t.bindFramebuffer(i.READ_FRAMEBUFFER,null),t.bindFramebuffer(i.DRAW_FRAMEBUFFER,null),te)for(let pe=0;pe<
-T.length;pe++){t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglMultisampledFramebuffer),i.framebufferRenderbuffer(i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+pe,i.RENDERBUFFER,
-ye.__webglColorRenderbuffer[pe]);let O=n.get(T[pe]).__webglTexture;t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglFramebuffer),i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,
-i.COLOR_ATTACHMENT0+pe,i.TEXTURE_2D,O,0)}t.bindFramebuffer(i.DRAW_FRAMEBUFFER,ye.__webglMultisampledFramebuffer)}else if(P.depthBuffer&&P.storeMultisampledDepthBuffer===
-!1&&l){let T=P.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT;i.invalidateFramebuffer(i.DRAW_FRAMEBUFFER,[T])}}}function it(P){return Math.min(s.maxSamples,
-P.samples)}function Se(P){let T=n.get(P);return P.samples>0&&e.has("WEBGL_multisampled_render_to_texture")===!0&&T.__useRenderToTexture!==!1}function Lt(P){let T=o.
-render.frame;d.get(P)!==T&&(d.set(P,T),P.update())}function ze(P,T){let q=P.colorSpace,he=P.format,oe=P.type;return P.isCompressedTexture===!0||P.isVideoTexture===
+w.length;pe++){t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglMultisampledFramebuffer),i.framebufferRenderbuffer(i.FRAMEBUFFER,i.COLOR_ATTACHMENT0+pe,i.RENDERBUFFER,
+ye.__webglColorRenderbuffer[pe]);let O=n.get(w[pe]).__webglTexture;t.bindFramebuffer(i.FRAMEBUFFER,ye.__webglFramebuffer),i.framebufferTexture2D(i.DRAW_FRAMEBUFFER,
+i.COLOR_ATTACHMENT0+pe,i.TEXTURE_2D,O,0)}t.bindFramebuffer(i.DRAW_FRAMEBUFFER,ye.__webglMultisampledFramebuffer)}else if(I.depthBuffer&&I.storeMultisampledDepthBuffer===
+!1&&l){let w=I.stencilBuffer?i.DEPTH_STENCIL_ATTACHMENT:i.DEPTH_ATTACHMENT;i.invalidateFramebuffer(i.DRAW_FRAMEBUFFER,[w])}}}function it(I){return Math.min(s.maxSamples,
+I.samples)}function Se(I){let w=n.get(I);return I.samples>0&&e.has("WEBGL_multisampled_render_to_texture")===!0&&w.__useRenderToTexture!==!1}function Lt(I){let w=o.
+render.frame;d.get(I)!==w&&(d.set(I,w),I.update())}function ze(I,w){let q=I.colorSpace,he=I.format,oe=I.type;return I.isCompressedTexture===!0||I.isVideoTexture===
 !0||q!==Bo&&q!==ds&&(_t.getTransfer(q)===At?(he!==wi||oe!==Hn)&&$e("WebGLTextures: sRGB encoded textures have to use RGBAFormat and UnsignedByteType."):Ke("WebG\
-LTextures: Unsupported texture color space:",q)),T}function Xe(P){return typeof HTMLImageElement<"u"&&P instanceof HTMLImageElement?(c.width=P.naturalWidth||P.width,
-c.height=P.naturalHeight||P.height):typeof VideoFrame<"u"&&P instanceof VideoFrame?(c.width=P.displayWidth,c.height=P.displayHeight):(c.width=P.width,c.height=P.
+LTextures: Unsupported texture color space:",q)),w}function Xe(I){return typeof HTMLImageElement<"u"&&I instanceof HTMLImageElement?(c.width=I.naturalWidth||I.width,
+c.height=I.naturalHeight||I.height):typeof VideoFrame<"u"&&I instanceof VideoFrame?(c.width=I.displayWidth,c.height=I.displayHeight):(c.width=I.width,c.height=I.
 height),c}this.allocateTextureUnit=ue,this.resetTextureUnits=Q,this.getTextureUnits=se,this.setTextureUnits=de,this.setTexture2D=me,this.setTexture2DArray=xe,this.
 setTexture3D=Ee,this.setTextureCube=be,this.rebindTextures=qt,this.setupRenderTarget=en,this.updateRenderTargetMipmap=B,this.updateMultisampleRenderTarget=qe,this.
-setupDepthRenderbuffer=cn,this.setupFrameBufferTexture=Pt,this.useMultisampledRTT=Se,this.dispose=W}function fw(i,e){function t(n,s=ds){let r,o=_t.getTransfer(s);
+setupDepthRenderbuffer=cn,this.setupFrameBufferTexture=Pt,this.useMultisampledRTT=Se,this.dispose=G}function fw(i,e){function t(n,s=ds){let r,o=_t.getTransfer(s);
 if(n===Hn)return i.UNSIGNED_BYTE;if(n===ic)return i.UNSIGNED_SHORT_4_4_4_4;if(n===sc)return i.UNSIGNED_SHORT_5_5_5_1;if(n===Hu)return i.UNSIGNED_INT_5_9_9_9_REV;
 if(n===Wu)return i.UNSIGNED_INT_10F_11F_11F_REV;if(n===Vu)return i.BYTE;if(n===Gu)return i.SHORT;if(n===oo)return i.UNSIGNED_SHORT;if(n===nc)return i.INT;if(n===
 bi)return i.UNSIGNED_INT;if(n===hi)return i.FLOAT;if(n===Si)return i.HALF_FLOAT;if(n===Xu)return i.ALPHA;if(n===qu)return i.RGB;if(n===wi)return i.RGBA;if(n===ss)
@@ -3473,21 +3473,21 @@ t.depthNear||e.depthFar!==t.depthFar)&&(this.depthNear=e.depthNear,this.depthFar
 let t=e.cameras[0].viewport,n=new ki({vertexShader:pw,fragmentShader:mw,uniforms:{depthColor:{value:this.texture},depthWidth:{value:t.z},depthHeight:{value:t.w}}});
 this.mesh=new ci(new jo(20,20),n)}return this.mesh}reset(){this.texture=null,this.mesh=null}getDepthTexture(){return this.texture}},dd=class extends Oi{constructor(e,t){
 super();let n=this,s=null,r=1,o=null,a="local-floor",l=1,c=null,d=null,u=null,h=null,f=null,m=null,y=typeof XRWebGLBinding<"u",p=new ud,g={},_=t.getContextAttributes(),
-w=null,M=null,C=[],S=[],x=new ot,b=null,N=null,R=new Fn;R.viewport=new Wt;let I=new Fn;I.viewport=new Wt;let F=[R,I],z=new Kl,D=null,W=null;this.cameraAutoUpdate=
+S=null,M=null,C=[],T=[],x=new st,b=null,L=null,R=new Fn;R.viewport=new Wt;let P=new Fn;P.viewport=new Wt;let F=[R,P],z=new Kl,D=null,G=null;this.cameraAutoUpdate=
 !0,this.enabled=!1,this.isPresenting=!1,this.getController=function(ee){let me=C[ee];return me===void 0&&(me=new Kr,C[ee]=me),me.getTargetRaySpace()},this.getControllerGrip=
 function(ee){let me=C[ee];return me===void 0&&(me=new Kr,C[ee]=me),me.getGripSpace()},this.getHand=function(ee){let me=C[ee];return me===void 0&&(me=new Kr,C[ee]=
-me),me.getHandSpace()};function Y(ee){let me=S.indexOf(ee.inputSource);if(me===-1)return;let xe=C[me];xe!==void 0&&(xe.update(ee.inputSource,ee.frame,c||o),xe.dispatchEvent(
-{type:ee.type,data:ee.inputSource}))}function H(){s.removeEventListener("select",Y),s.removeEventListener("selectstart",Y),s.removeEventListener("selectend",Y),
-s.removeEventListener("squeeze",Y),s.removeEventListener("squeezestart",Y),s.removeEventListener("squeezeend",Y),s.removeEventListener("end",H),s.removeEventListener(
-"inputsourceschange",ce);for(let ee=0;ee<C.length;ee++){let me=S[ee];me!==null&&(S[ee]=null,C[ee].disconnect(me))}D=null,W=null,p.reset();for(let ee in g)delete g[ee];
-if(e.setRenderTarget(w),f=null,h=null,u=null,s=null,M=null,ue.stop(),n.isPresenting=!1,e.setPixelRatio(b),e.setSize(x.width,x.height,!1),N!==null){let ee=N.camera;
-ee.fov=N.fov,ee.zoom=N.zoom,ee.updateProjectionMatrix(),N=null}n.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(ee){r=ee,n.isPresenting===
+me),me.getHandSpace()};function Y(ee){let me=T.indexOf(ee.inputSource);if(me===-1)return;let xe=C[me];xe!==void 0&&(xe.update(ee.inputSource,ee.frame,c||o),xe.dispatchEvent(
+{type:ee.type,data:ee.inputSource}))}function W(){s.removeEventListener("select",Y),s.removeEventListener("selectstart",Y),s.removeEventListener("selectend",Y),
+s.removeEventListener("squeeze",Y),s.removeEventListener("squeezestart",Y),s.removeEventListener("squeezeend",Y),s.removeEventListener("end",W),s.removeEventListener(
+"inputsourceschange",ce);for(let ee=0;ee<C.length;ee++){let me=T[ee];me!==null&&(T[ee]=null,C[ee].disconnect(me))}D=null,G=null,p.reset();for(let ee in g)delete g[ee];
+if(e.setRenderTarget(S),f=null,h=null,u=null,s=null,M=null,ue.stop(),n.isPresenting=!1,e.setPixelRatio(b),e.setSize(x.width,x.height,!1),L!==null){let ee=L.camera;
+ee.fov=L.fov,ee.zoom=L.zoom,ee.updateProjectionMatrix(),L=null}n.dispatchEvent({type:"sessionend"})}this.setFramebufferScaleFactor=function(ee){r=ee,n.isPresenting===
 !0&&$e("WebXRManager: Cannot change framebuffer scale while presenting.")},this.setReferenceSpaceType=function(ee){a=ee,n.isPresenting===!0&&$e("WebXRManager: C\
 annot change reference space type while presenting.")},this.getReferenceSpace=function(){return c||o},this.setReferenceSpace=function(ee){c=ee},this.getBaseLayer=
 function(){return h!==null?h:f},this.getBinding=function(){return u===null&&y&&(u=new XRWebGLBinding(s,t)),u},this.getFrame=function(){return m},this.getSession=
-function(){return s},this.setSession=async function(ee){if(s=ee,s!==null){if(w=e.getRenderTarget(),s.addEventListener("select",Y),s.addEventListener("selectstar\
+function(){return s},this.setSession=async function(ee){if(s=ee,s!==null){if(S=e.getRenderTarget(),s.addEventListener("select",Y),s.addEventListener("selectstar\
 t",Y),s.addEventListener("selectend",Y),s.addEventListener("squeeze",Y),s.addEventListener("squeezestart",Y),s.addEventListener("squeezeend",Y),s.addEventListener(
-"end",H),s.addEventListener("inputsourceschange",ce),_.xrCompatible!==!0&&await t.makeXRCompatible(),b=e.getPixelRatio(),e.getSize(x),y&&"createProjectionLayer"in
+"end",W),s.addEventListener("inputsourceschange",ce),_.xrCompatible!==!0&&await t.makeXRCompatible(),b=e.getPixelRatio(),e.getSize(x),y&&"createProjectionLayer"in
 XRWebGLBinding.prototype){let xe=null,Ee=null,be=null;_.depth&&(be=_.stencil?t.DEPTH24_STENCIL8:t.DEPTH_COMPONENT24,xe=_.stencil?us:ss,Ee=_.stencil?nr:bi);let He={
 colorFormat:t.RGBA8,depthFormat:be,scaleFactor:r};u=this.getBinding(),h=u.createProjectionLayer(He),s.updateRenderState({layers:[h]}),e.setPixelRatio(1),e.setSize(
 h.textureWidth,h.textureHeight,!1),M=new ti(h.textureWidth,h.textureHeight,{format:wi,type:Hn,depthTexture:new cs(h.textureWidth,h.textureHeight,Ee,void 0,void 0,
@@ -3498,14 +3498,14 @@ setSize(f.framebufferWidth,f.framebufferHeight,!1),M=new ti(f.framebufferWidth,f
 stencil,resolveDepthBuffer:f.ignoreDepthValues===!1,resolveStencilBuffer:f.ignoreDepthValues===!1,storeMultisampledDepthBuffer:f.ignoreDepthValues===!1,storeMultisampledStencilBuffer:f.
 ignoreDepthValues===!1})}M.isXRRenderTarget=!0,this.setFoveation(l),c=null,o=await s.requestReferenceSpace(a),ue.setContext(s),ue.start(),n.isPresenting=!0,n.dispatchEvent(
 {type:"sessionstart"})}},this.getEnvironmentBlendMode=function(){if(s!==null)return s.environmentBlendMode},this.getDepthTexture=function(){return p.getDepthTexture()};
-function ce(ee){for(let me=0;me<ee.removed.length;me++){let xe=ee.removed[me],Ee=S.indexOf(xe);Ee>=0&&(S[Ee]=null,C[Ee].disconnect(xe))}for(let me=0;me<ee.added.
-length;me++){let xe=ee.added[me],Ee=S.indexOf(xe);if(Ee===-1){for(let He=0;He<C.length;He++)if(He>=S.length){S.push(xe),Ee=He;break}else if(S[He]===null){S[He]=
+function ce(ee){for(let me=0;me<ee.removed.length;me++){let xe=ee.removed[me],Ee=T.indexOf(xe);Ee>=0&&(T[Ee]=null,C[Ee].disconnect(xe))}for(let me=0;me<ee.added.
+length;me++){let xe=ee.added[me],Ee=T.indexOf(xe);if(Ee===-1){for(let He=0;He<C.length;He++)if(He>=T.length){T.push(xe),Ee=He;break}else if(T[He]===null){T[He]=
 xe,Ee=He;break}if(Ee===-1)break}let be=C[Ee];be&&be.connect(xe)}}function K(ee,me){me===null?ee.matrixWorld.copy(ee.matrix):ee.matrixWorld.multiplyMatrices(me.matrixWorld,
 ee.matrix),ee.matrixWorldInverse.copy(ee.matrixWorld).invert()}this.updateCamera=function(ee){if(s===null)return;let me=ee.near,xe=ee.far;p.texture!==null&&(p.depthNear>
-0&&(me=p.depthNear),p.depthFar>0&&(xe=p.depthFar)),z.near=I.near=R.near=me,z.far=I.far=R.far=xe,(D!==z.near||W!==z.far)&&(s.updateRenderState({depthNear:z.near,
-depthFar:z.far}),D=z.near,W=z.far),z.layers.mask=ee.layers.mask|6,R.layers.mask=z.layers.mask&-5,I.layers.mask=z.layers.mask&-3;let Ee=ee.parent,be=z.cameras;K(
-z,Ee);for(let He=0;He<be.length;He++)K(be[He],Ee);z.projectionMatrix.copy(R.projectionMatrix),z.projectionMatrixInverse.copy(R.projectionMatrixInverse),N===null&&
-ee.isPerspectiveCamera&&(N={camera:ee,fov:ee.fov,zoom:ee.zoom}),Q(ee,z,Ee)};function Q(ee,me,xe){xe===null?ee.matrix.copy(me.matrixWorld):(ee.matrix.copy(xe.matrixWorld),
+0&&(me=p.depthNear),p.depthFar>0&&(xe=p.depthFar)),z.near=P.near=R.near=me,z.far=P.far=R.far=xe,(D!==z.near||G!==z.far)&&(s.updateRenderState({depthNear:z.near,
+depthFar:z.far}),D=z.near,G=z.far),z.layers.mask=ee.layers.mask|6,R.layers.mask=z.layers.mask&-5,P.layers.mask=z.layers.mask&-3;let Ee=ee.parent,be=z.cameras;K(
+z,Ee);for(let He=0;He<be.length;He++)K(be[He],Ee);z.projectionMatrix.copy(R.projectionMatrix),z.projectionMatrixInverse.copy(R.projectionMatrixInverse),L===null&&
+ee.isPerspectiveCamera&&(L={camera:ee,fov:ee.fov,zoom:ee.zoom}),Q(ee,z,Ee)};function Q(ee,me,xe){xe===null?ee.matrix.copy(me.matrixWorld):(ee.matrix.copy(xe.matrixWorld),
 ee.matrix.invert(),ee.matrix.multiply(me.matrixWorld)),ee.matrix.decompose(ee.position,ee.quaternion,ee.scale),ee.updateMatrixWorld(!0),ee.projectionMatrix.copy(
 me.projectionMatrix),ee.projectionMatrixInverse.copy(me.projectionMatrixInverse),ee.isPerspectiveCamera&&(ee.fov=Cl*2*Math.atan(1/ee.projectionMatrix.elements[5]),
 ee.zoom=1)}this.getCamera=function(){return z},this.getFoveation=function(){if(!(h===null&&f===null))return l},this.setFoveation=function(ee){l=ee,h!==null&&(h.
@@ -3519,26 +3519,26 @@ et.projectionMatrix).invert(),et.viewport.set(lt.x,lt.y,lt.width,lt.height),Ve==
 Ee===!0&&z.cameras.push(et)}let be=s.enabledFeatures;if(be&&be.includes("depth-sensing")&&s.depthUsage=="gpu-optimized"&&y){u=n.getBinding();let Ve=u.getDepthInformation(
 xe[0]);Ve&&Ve.isValid&&Ve.texture&&p.init(Ve,s.renderState)}if(be&&be.includes("camera-access")&&y){e.state.unbindTexture(),u=n.getBinding();for(let Ve=0;Ve<xe.
 length;Ve++){let ut=xe[Ve].camera;if(ut){let lt=g[ut];lt||(lt=new Zo,g[ut]=lt);let et=u.getCameraImage(ut);lt.sourceTexture=et}}}}for(let xe=0;xe<C.length;xe++){
-let Ee=S[xe],be=C[xe];Ee!==null&&be!==void 0&&be.update(Ee,me,c||o)}se&&se(ee,me),me.detectedPlanes&&n.dispatchEvent({type:"planesdetected",data:me}),m=null}let ue=new Mg;
+let Ee=T[xe],be=C[xe];Ee!==null&&be!==void 0&&be.update(Ee,me,c||o)}se&&se(ee,me),me.detectedPlanes&&n.dispatchEvent({type:"planesdetected",data:me}),m=null}let ue=new Mg;
 ue.setAnimationLoop(de),this.setAnimationLoop=function(ee){se=ee},this.dispose=function(){}}},gw=new xt,Ig=new Qe;Ig.set(-1,0,0,0,1,0,0,0,1);function _w(i,e){function t(p,g){
 p.matrixAutoUpdate===!0&&p.updateMatrix(),g.value.copy(p.matrix)}function n(p,g){g.color.getRGB(p.fogColor.value,Qu(i)),g.isFog?(p.fogNear.value=g.near,p.fogFar.
-value=g.far):g.isFogExp2&&(p.fogDensity.value=g.density)}function s(p,g,_,w,M){g.isNodeMaterial?g.uniformsNeedUpdate=!1:g.isMeshBasicMaterial?r(p,g):g.isMeshLambertMaterial?
+value=g.far):g.isFogExp2&&(p.fogDensity.value=g.density)}function s(p,g,_,S,M){g.isNodeMaterial?g.uniformsNeedUpdate=!1:g.isMeshBasicMaterial?r(p,g):g.isMeshLambertMaterial?
 (r(p,g),g.envMap&&(p.envMapIntensity.value=g.envMapIntensity)):g.isMeshToonMaterial?(r(p,g),u(p,g)):g.isMeshPhongMaterial?(r(p,g),d(p,g),g.envMap&&(p.envMapIntensity.
 value=g.envMapIntensity)):g.isMeshStandardMaterial?(r(p,g),h(p,g),g.isMeshPhysicalMaterial&&f(p,g,M)):g.isMeshMatcapMaterial?(r(p,g),m(p,g)):g.isMeshDepthMaterial?
 r(p,g):g.isMeshDistanceMaterial?(r(p,g),y(p,g)):g.isMeshNormalMaterial?r(p,g):g.isLineBasicMaterial?(o(p,g),g.isLineDashedMaterial&&a(p,g)):g.isPointsMaterial?l(
-p,g,_,w):g.isSpriteMaterial?c(p,g):g.isShadowMaterial?(p.color.value.copy(g.color),p.opacity.value=g.opacity):g.isShaderMaterial&&(g.uniformsNeedUpdate=!1)}function r(p,g){
+p,g,_,S):g.isSpriteMaterial?c(p,g):g.isShadowMaterial?(p.color.value.copy(g.color),p.opacity.value=g.opacity):g.isShaderMaterial&&(g.uniformsNeedUpdate=!1)}function r(p,g){
 p.opacity.value=g.opacity,g.color&&p.diffuse.value.copy(g.color),g.emissive&&p.emissive.value.copy(g.emissive).multiplyScalar(g.emissiveIntensity),g.map&&(p.map.
 value=g.map,t(g.map,p.mapTransform)),g.alphaMap&&(p.alphaMap.value=g.alphaMap,t(g.alphaMap,p.alphaMapTransform)),g.bumpMap&&(p.bumpMap.value=g.bumpMap,t(g.bumpMap,
 p.bumpMapTransform),p.bumpScale.value=g.bumpScale,g.side===kn&&(p.bumpScale.value*=-1)),g.normalMap&&(p.normalMap.value=g.normalMap,t(g.normalMap,p.normalMapTransform),
 p.normalScale.value.copy(g.normalScale),g.side===kn&&p.normalScale.value.negate()),g.displacementMap&&(p.displacementMap.value=g.displacementMap,t(g.displacementMap,
 p.displacementMapTransform),p.displacementScale.value=g.displacementScale,p.displacementBias.value=g.displacementBias),g.emissiveMap&&(p.emissiveMap.value=g.emissiveMap,
 t(g.emissiveMap,p.emissiveMapTransform)),g.specularMap&&(p.specularMap.value=g.specularMap,t(g.specularMap,p.specularMapTransform)),g.alphaTest>0&&(p.alphaTest.
-value=g.alphaTest);let _=e.get(g),w=_.envMap,M=_.envMapRotation;w&&(p.envMap.value=w,p.envMapRotation.value.setFromMatrix4(gw.makeRotationFromEuler(M)).transpose(),
-w.isCubeTexture&&w.isRenderTargetTexture===!1&&p.envMapRotation.value.premultiply(Ig),p.reflectivity.value=g.reflectivity,p.ior.value=g.ior,p.refractionRatio.value=
+value=g.alphaTest);let _=e.get(g),S=_.envMap,M=_.envMapRotation;S&&(p.envMap.value=S,p.envMapRotation.value.setFromMatrix4(gw.makeRotationFromEuler(M)).transpose(),
+S.isCubeTexture&&S.isRenderTargetTexture===!1&&p.envMapRotation.value.premultiply(Ig),p.reflectivity.value=g.reflectivity,p.ior.value=g.ior,p.refractionRatio.value=
 g.refractionRatio),g.lightMap&&(p.lightMap.value=g.lightMap,p.lightMapIntensity.value=g.lightMapIntensity,t(g.lightMap,p.lightMapTransform)),g.aoMap&&(p.aoMap.value=
 g.aoMap,p.aoMapIntensity.value=g.aoMapIntensity,t(g.aoMap,p.aoMapTransform))}function o(p,g){p.diffuse.value.copy(g.color),p.opacity.value=g.opacity,g.map&&(p.map.
-value=g.map,t(g.map,p.mapTransform))}function a(p,g){p.dashSize.value=g.dashSize,p.totalSize.value=g.dashSize+g.gapSize,p.scale.value=g.scale}function l(p,g,_,w){
-p.diffuse.value.copy(g.color),p.opacity.value=g.opacity,p.size.value=g.size*_,p.scale.value=w*.5,g.map&&(p.map.value=g.map,t(g.map,p.uvTransform)),g.alphaMap&&(p.
+value=g.map,t(g.map,p.mapTransform))}function a(p,g){p.dashSize.value=g.dashSize,p.totalSize.value=g.dashSize+g.gapSize,p.scale.value=g.scale}function l(p,g,_,S){
+p.diffuse.value.copy(g.color),p.opacity.value=g.opacity,p.size.value=g.size*_,p.scale.value=S*.5,g.map&&(p.map.value=g.map,t(g.map,p.uvTransform)),g.alphaMap&&(p.
 alphaMap.value=g.alphaMap,t(g.alphaMap,p.alphaMapTransform)),g.alphaTest>0&&(p.alphaTest.value=g.alphaTest)}function c(p,g){p.diffuse.value.copy(g.color),p.opacity.
 value=g.opacity,p.rotation.value=g.rotation,g.map&&(p.map.value=g.map,t(g.map,p.mapTransform)),g.alphaMap&&(p.alphaMap.value=g.alphaMap,t(g.alphaMap,p.alphaMapTransform)),
 g.alphaTest>0&&(p.alphaTest.value=g.alphaTest)}function d(p,g){p.specular.value.copy(g.specular),p.shininess.value=Math.max(g.shininess,1e-4)}function u(p,g){g.
@@ -3562,26 +3562,26 @@ g.anisotropyRotation)),g.anisotropyMap&&(p.anisotropyMap.value=g.anisotropyMap,t
 p.specularColor.value.copy(g.specularColor),g.specularColorMap&&(p.specularColorMap.value=g.specularColorMap,t(g.specularColorMap,p.specularColorMapTransform)),
 g.specularIntensityMap&&(p.specularIntensityMap.value=g.specularIntensityMap,t(g.specularIntensityMap,p.specularIntensityMapTransform))}function m(p,g){g.matcap&&
 (p.matcap.value=g.matcap)}function y(p,g){let _=e.get(g).light;p.referencePosition.value.setFromMatrixPosition(_.matrixWorld),p.nearDistance.value=_.shadow.camera.
-near,p.farDistance.value=_.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function xw(i,e,t,n){let s={},r={};function o(_,w){let M=w.program;
-n.uniformBlockBinding(_,M,s[_.id])}function a(_,w){let M=s[_.id];M===void 0&&(m(_),M=l(_),s[_.id]=M,_.addEventListener("dispose",p));let C=w.program;n.updateUBOMapping(
-_,C);let S=e.render.frame;r[_.id]!==S&&(c(_),r[_.id]=S)}function l(_){let w=i.createBuffer(),M=_.__size,C=_.usage;return i.bindBuffer(i.UNIFORM_BUFFER,w),i.bufferData(
-i.UNIFORM_BUFFER,M,C),i.bindBuffer(i.UNIFORM_BUFFER,null),w}function c(_){let w=s[_.id],M=_.uniforms,C=_.__cache;i.bindBuffer(i.UNIFORM_BUFFER,w);for(let S=0,x=M.
-length;S<x;S++){let b=M[S];if(Array.isArray(b))for(let N=0,R=b.length;N<R;N++)d(b[N],S,N,C);else d(b,S,0,C)}i.bindBuffer(i.UNIFORM_BUFFER,null)}function d(_,w,M,C){
-if(h(_,w,M,C)===!0){let S=_.__offset,x=_.value;if(Array.isArray(x)){let b=0;for(let N=0;N<x.length;N++){let R=x[N],I=y(R,!0);u(R,_.__data,b),b+=I.storage/Float32Array.
-BYTES_PER_ELEMENT}}else u(x,_.__data,0);i.bufferSubData(i.UNIFORM_BUFFER,S,_.__data)}}function u(_,w,M){typeof _=="number"||typeof _=="boolean"?w[M]=_:_.isMatrix3?
-(w[M]=_.elements[0],w[M+1]=_.elements[1],w[M+2]=_.elements[2],w[M+3]=0,w[M+4]=_.elements[3],w[M+5]=_.elements[4],w[M+6]=_.elements[5],w[M+7]=0,w[M+8]=_.elements[6],
-w[M+9]=_.elements[7],w[M+10]=_.elements[8],w[M+11]=0):ArrayBuffer.isView(_)?w.set(_.subarray(0,w.length-M),M):_.toArray(w,M)}function h(_,w,M,C){let S=_.value,x=w+
-"_"+M;if(Array.isArray(S)){C[x]===void 0&&(C[x]=[]);let b=C[x],N=!1;for(let R=0;R<S.length;R++)f(S[R],b,R)===!0&&(N=!0);return N}return f(S,C,x)}function f(_,w,M){
-if(w[M]===void 0)return typeof _=="number"||typeof _=="boolean"?w[M]=_:ArrayBuffer.isView(_)?w[M]=_.slice():w[M]=_.clone(),!0;{let C=w[M];if(typeof _=="number"||
-typeof _=="boolean"){if(C!==_)return w[M]=_,!0}else{if(ArrayBuffer.isView(_))return!0;if(C.equals(_)===!1)return C.copy(_),!0}}return!1}function m(_){let w=_.uniforms,
-M=0,C=16;for(let x=0,b=w.length;x<b;x++){let N=Array.isArray(w[x])?w[x]:[w[x]];for(let R=0,I=N.length;R<I;R++){let F=N[R],z=Array.isArray(F.value)?F.value:[F.value],
-D=Array.isArray(w[x])||Array.isArray(F.value),W=M;for(let H=0,ce=z.length;H<ce;H++){let K=z[H],Q=y(K,D),se=M%C,de=se%Q.boundary,ue=se+de;M+=de,ue!==0&&C-ue<Q.storage&&
-(M+=C-ue),H===0&&(W=M),M+=Q.storage}let Y=F.type==="int"?Int32Array:F.type==="uint"?Uint32Array:Float32Array;F.__data=new Y((M-W)/Float32Array.BYTES_PER_ELEMENT),
-F.__offset=W}}let S=M%C;return S>0&&(M+=C-S),_.__size=M,_.__cache={},this}function y(_,w){let M={boundary:0,storage:0};return typeof _=="number"||typeof _=="boo\
+near,p.farDistance.value=_.shadow.camera.far}return{refreshFogUniforms:n,refreshMaterialUniforms:s}}function xw(i,e,t,n){let s={},r={};function o(_,S){let M=S.program;
+n.uniformBlockBinding(_,M,s[_.id])}function a(_,S){let M=s[_.id];M===void 0&&(m(_),M=l(_),s[_.id]=M,_.addEventListener("dispose",p));let C=S.program;n.updateUBOMapping(
+_,C);let T=e.render.frame;r[_.id]!==T&&(c(_),r[_.id]=T)}function l(_){let S=i.createBuffer(),M=_.__size,C=_.usage;return i.bindBuffer(i.UNIFORM_BUFFER,S),i.bufferData(
+i.UNIFORM_BUFFER,M,C),i.bindBuffer(i.UNIFORM_BUFFER,null),S}function c(_){let S=s[_.id],M=_.uniforms,C=_.__cache;i.bindBuffer(i.UNIFORM_BUFFER,S);for(let T=0,x=M.
+length;T<x;T++){let b=M[T];if(Array.isArray(b))for(let L=0,R=b.length;L<R;L++)d(b[L],T,L,C);else d(b,T,0,C)}i.bindBuffer(i.UNIFORM_BUFFER,null)}function d(_,S,M,C){
+if(h(_,S,M,C)===!0){let T=_.__offset,x=_.value;if(Array.isArray(x)){let b=0;for(let L=0;L<x.length;L++){let R=x[L],P=y(R,!0);u(R,_.__data,b),b+=P.storage/Float32Array.
+BYTES_PER_ELEMENT}}else u(x,_.__data,0);i.bufferSubData(i.UNIFORM_BUFFER,T,_.__data)}}function u(_,S,M){typeof _=="number"||typeof _=="boolean"?S[M]=_:_.isMatrix3?
+(S[M]=_.elements[0],S[M+1]=_.elements[1],S[M+2]=_.elements[2],S[M+3]=0,S[M+4]=_.elements[3],S[M+5]=_.elements[4],S[M+6]=_.elements[5],S[M+7]=0,S[M+8]=_.elements[6],
+S[M+9]=_.elements[7],S[M+10]=_.elements[8],S[M+11]=0):ArrayBuffer.isView(_)?S.set(_.subarray(0,S.length-M),M):_.toArray(S,M)}function h(_,S,M,C){let T=_.value,x=S+
+"_"+M;if(Array.isArray(T)){C[x]===void 0&&(C[x]=[]);let b=C[x],L=!1;for(let R=0;R<T.length;R++)f(T[R],b,R)===!0&&(L=!0);return L}return f(T,C,x)}function f(_,S,M){
+if(S[M]===void 0)return typeof _=="number"||typeof _=="boolean"?S[M]=_:ArrayBuffer.isView(_)?S[M]=_.slice():S[M]=_.clone(),!0;{let C=S[M];if(typeof _=="number"||
+typeof _=="boolean"){if(C!==_)return S[M]=_,!0}else{if(ArrayBuffer.isView(_))return!0;if(C.equals(_)===!1)return C.copy(_),!0}}return!1}function m(_){let S=_.uniforms,
+M=0,C=16;for(let x=0,b=S.length;x<b;x++){let L=Array.isArray(S[x])?S[x]:[S[x]];for(let R=0,P=L.length;R<P;R++){let F=L[R],z=Array.isArray(F.value)?F.value:[F.value],
+D=Array.isArray(S[x])||Array.isArray(F.value),G=M;for(let W=0,ce=z.length;W<ce;W++){let K=z[W],Q=y(K,D),se=M%C,de=se%Q.boundary,ue=se+de;M+=de,ue!==0&&C-ue<Q.storage&&
+(M+=C-ue),W===0&&(G=M),M+=Q.storage}let Y=F.type==="int"?Int32Array:F.type==="uint"?Uint32Array:Float32Array;F.__data=new Y((M-G)/Float32Array.BYTES_PER_ELEMENT),
+F.__offset=G}}let T=M%C;return T>0&&(M+=C-T),_.__size=M,_.__cache={},this}function y(_,S){let M={boundary:0,storage:0};return typeof _=="number"||typeof _=="boo\
 lean"?(M.boundary=4,M.storage=4):_.isVector2?(M.boundary=8,M.storage=8):_.isVector3||_.isColor?(M.boundary=16,M.storage=12):_.isVector4?(M.boundary=16,M.storage=
 16):_.isMatrix3?(M.boundary=16,M.storage=48):_.isMatrix4?(M.boundary=16,M.storage=64):_.isTexture?$e("WebGLRenderer: Texture samplers can not be part of an unif\
-orms group."):ArrayBuffer.isView(_)?(M.boundary=16,M.storage=_.byteLength):$e("WebGLRenderer: Unsupported uniform value type.",_),w===!0&&(M.boundary=16,M.storage=
-Math.ceil(M.storage/16)*16),M}function p(_){let w=_.target;w.removeEventListener("dispose",p),i.deleteBuffer(s[w.id]),delete s[w.id],delete r[w.id]}function g(){
+orms group."):ArrayBuffer.isView(_)?(M.boundary=16,M.storage=_.byteLength):$e("WebGLRenderer: Unsupported uniform value type.",_),S===!0&&(M.boundary=16,M.storage=
+Math.ceil(M.storage/16)*16),M}function p(_){let S=_.target;S.removeEventListener("dispose",p),i.deleteBuffer(s[S.id]),delete s[S.id],delete r[S.id]}function g(){
 for(let _ in s)i.deleteBuffer(s[_]);s={},r={}}return{bind:o,update:a,dispose:g}}var yw=new Uint16Array([12469,15057,12620,14925,13266,14620,13807,14376,14323,13990,
 14545,13625,14713,13328,14840,12882,14931,12528,14996,12233,15039,11829,15066,11525,15080,11295,15085,10976,15082,10705,15073,10495,13880,14564,13898,14542,13977,
 14430,14158,14124,14393,13732,14556,13410,14702,12996,14814,12596,14891,12291,14937,11834,14957,11489,14958,11194,14943,10803,14921,10506,14893,10278,14858,9960,
@@ -3605,94 +3605,94 @@ On,Gi.magFilter=On,Gi.wrapS=Fi,Gi.wrapT=Fi,Gi.generateMipmaps=!1,Gi.needsUpdate=
 stencil:r=!1,alpha:o=!1,antialias:a=!1,premultipliedAlpha:l=!0,preserveDrawingBuffer:c=!1,powerPreference:d="default",failIfMajorPerformanceCaveat:u=!1,reversedDepthBuffer:h=!1,
 outputBufferType:f=Hn}=e;this.isWebGLRenderer=!0;let m;if(n!==null){if(typeof WebGLRenderingContext<"u"&&n instanceof WebGLRenderingContext)throw new Error("THR\
 EE.WebGLRenderer: WebGL 1 is not supported since r163.");m=n.getContextAttributes().alpha}else m=o;let y=f,p=new Set([lc,ac,oc]),g=new Set([Hn,bi,oo,nr,ic,sc]),
-_=new Uint32Array(4),w=new Int32Array(4),M={textures:[],min:[],max:[],resolution:[]},C=null,S=null,x=[],b=[],N=null;this.domElement=t,this.debug={checkShaderErrors:!0,
+_=new Uint32Array(4),S=new Int32Array(4),M={textures:[],min:[],max:[],resolution:[]},C=null,T=null,x=[],b=[],L=null;this.domElement=t,this.debug={checkShaderErrors:!0,
 diagnostics:{keywords:!1},onShaderError:null},this.autoClear=!0,this.autoClearColor=!0,this.autoClearDepth=!0,this.autoClearStencil=!0,this.sortObjects=!0,this.
-clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=Vi,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let R=this,I=!1,F=null,z=null,D=null,
-W=null;this._outputColorSpace=Qn;let Y=0,H=0,ce=null,K=-1,Q=null,se=new Wt,de=new Wt,ue=null,ee=new st(0),me=0,xe=t.width,Ee=t.height,be=1,He=null,nt=null,Ve=new Wt(
+clippingPlanes=[],this.localClippingEnabled=!1,this.toneMapping=Vi,this.toneMappingExposure=1,this.transmissionResolutionScale=1;let R=this,P=!1,F=null,z=null,D=null,
+G=null;this._outputColorSpace=Qn;let Y=0,W=0,ce=null,K=-1,Q=null,se=new Wt,de=new Wt,ue=null,ee=new rt(0),me=0,xe=t.width,Ee=t.height,be=1,He=null,nt=null,Ve=new Wt(
 0,0,xe,Ee),ut=new Wt(0,0,xe,Ee),lt=!1,et=new Es,Gt=new Ll,Ut=!1,Qt=!1,Pt=new xt,gn=new V,vt=new Wt,cn={background:null,fog:null,environment:null,overrideMaterial:null,
-isScene:!0},qt=!1;function en(){return ce===null?be:1}let B=n;function Re(E,k){return t.getContext(E,k)}let qe,it,Se,Lt,ze,Xe,P,T,q,he,oe,_e,ye,te,ie,pe,O,re,ne,
+isScene:!0},qt=!1;function en(){return ce===null?be:1}let B=n;function Re(E,k){return t.getContext(E,k)}let qe,it,Se,Lt,ze,Xe,I,w,q,he,oe,_e,ye,te,ie,pe,O,re,ne,
 we,ge,Me,Ge;try{let E={alpha:!0,depth:s,stencil:r,antialias:a,premultipliedAlpha:l,preserveDrawingBuffer:c,powerPreference:d,failIfMajorPerformanceCaveat:u};if("\
 setAttribute"in t&&t.setAttribute("data-engine","three.js r".concat("187")),t.addEventListener("webglcontextlost",Oe,!1),t.addEventListener("webglcontextrestore\
 d",Je,!1),t.addEventListener("webglcontextcreationerror",Ce,!1),B===null){let k="webgl2";if(B=Re(k,E),B===null)throw Re(k)?new Error("THREE.WebGLRenderer: Error\
  creating WebGL context with your selected attributes."):new Error("THREE.WebGLRenderer: Error creating WebGL context.")}Ze()}catch(E){throw t.removeEventListener(
 "webglcontextlost",Oe,!1),t.removeEventListener("webglcontextrestored",Je,!1),t.removeEventListener("webglcontextcreationerror",Ce,!1),Ke("WebGLRenderer: "+E.message),
 E}function Ze(){qe=new Ib(B),qe.init(),ge=new fw(B,qe),it=new vb(B,qe,e,ge),Se=new uw(B,qe),it.reversedDepthBuffer&&h&&Se.buffers.depth.setReversed(!0),z=B.createFramebuffer(),
-D=B.createFramebuffer(),W=B.createFramebuffer(),Lt=new Db(B),ze=new KS,Xe=new dw(B,qe,Se,ze,it,ge,Lt),P=new Pb(R),T=new Fy(B),Me=new xb(B,T),q=new Lb(B,T,Lt,Me),
-he=new Fb(B,q,T,Me,Lt),re=new Ub(B,it,Xe),ie=new Mb(ze),oe=new JS(R,P,qe,it,Me,ie),_e=new _w(R,ze),ye=new QS,te=new rw(qe),O=new _b(R,P,Se,he,m,l),pe=new hw(R,he,
+D=B.createFramebuffer(),G=B.createFramebuffer(),Lt=new Db(B),ze=new KS,Xe=new dw(B,qe,Se,ze,it,ge,Lt),I=new Pb(R),w=new Fy(B),Me=new xb(B,w),q=new Lb(B,w,Lt,Me),
+he=new Fb(B,q,w,Me,Lt),re=new Ub(B,it,Xe),ie=new Mb(ze),oe=new JS(R,I,qe,it,Me,ie),_e=new _w(R,ze),ye=new QS,te=new rw(qe),O=new _b(R,I,Se,he,m,l),pe=new hw(R,he,
 it),Ge=new xw(B,Lt,it,Se),ne=new yb(B,qe,Lt),we=new Nb(B,qe,Lt),Lt.programs=oe.programs,R.capabilities=it,R.extensions=qe,R.properties=ze,R.renderLists=ye,R.shadowMap=
-pe,R.state=Se,R.info=Lt}y!==Hn&&(N=new Bb(y,t.width,t.height,a,s,r));let le=new dd(R,B);this.xr=le,this.getContext=function(){return B},this.getContextAttributes=
+pe,R.state=Se,R.info=Lt}y!==Hn&&(L=new Bb(y,t.width,t.height,a,s,r));let le=new dd(R,B);this.xr=le,this.getContext=function(){return B},this.getContextAttributes=
 function(){return B.getContextAttributes()},this.forceContextLoss=function(){let E=qe.get("WEBGL_lose_context");E&&E.loseContext()},this.forceContextRestore=function(){
 let E=qe.get("WEBGL_lose_context");E&&E.restoreContext()},this.getPixelRatio=function(){return be},this.setPixelRatio=function(E){E!==void 0&&(be=E,this.setSize(
 xe,Ee,!1))},this.getSize=function(E){return E.set(xe,Ee)},this.setSize=function(E,k,j=!0){if(le.isPresenting){$e("WebGLRenderer: Can't change size while VR devi\
-ce is presenting.");return}xe=E,Ee=k,t.width=Math.floor(E*be),t.height=Math.floor(k*be),j===!0&&(t.style.width=E+"px",t.style.height=k+"px"),N!==null&&N.setSize(
+ce is presenting.");return}xe=E,Ee=k,t.width=Math.floor(E*be),t.height=Math.floor(k*be),j===!0&&(t.style.width=E+"px",t.style.height=k+"px"),L!==null&&L.setSize(
 t.width,t.height),this.setViewport(0,0,E,k)},this.getDrawingBufferSize=function(E){return E.set(xe*be,Ee*be).floor()},this.setDrawingBufferSize=function(E,k,j){
 xe=E,Ee=k,be=j,t.width=Math.floor(E*j),t.height=Math.floor(k*j),this.setViewport(0,0,E,k)},this.setEffects=function(E){if(y===Hn){Ke("WebGLRenderer: setEffects(\
 ) requires outputBufferType set to HalfFloatType or FloatType.");return}if(E){for(let k=0;k<E.length;k++)if(E[k].isOutputPass===!0){$e("WebGLRenderer: OutputPas\
-s is not needed in setEffects(). Tone mapping and color space conversion are applied automatically.");break}}N.setEffects(E||[])},this.getCurrentViewport=function(E){
+s is not needed in setEffects(). Tone mapping and color space conversion are applied automatically.");break}}L.setEffects(E||[])},this.getCurrentViewport=function(E){
 return E.copy(se)},this.getViewport=function(E){return E.copy(Ve)},this.setViewport=function(E,k,j,$){E.isVector4?Ve.set(E.x,E.y,E.z,E.w):Ve.set(E,k,j,$),Se.viewport(
 se.copy(Ve).multiplyScalar(en()).round())},this.getScissor=function(E){return E.copy(ut)},this.setScissor=function(E,k,j,$){E.isVector4?ut.set(E.x,E.y,E.z,E.w):
 ut.set(E,k,j,$),Se.scissor(de.copy(ut).multiplyScalar(en()).round())},this.getScissorTest=function(){return lt},this.setScissorTest=function(E){Se.setScissorTest(
 lt=E)},this.setOpaqueSort=function(E){He=E},this.setTransparentSort=function(E){nt=E},this.getClearColor=function(E){return E.copy(O.getClearColor())},this.setClearColor=
 function(){O.setClearColor(...arguments)},this.getClearAlpha=function(){return O.getClearAlpha()},this.setClearAlpha=function(){O.setClearAlpha(...arguments)},this.
 clear=function(E=!0,k=!0,j=!0){let $=0;if(E){let Z=!1;if(ce!==null){let Te=ce.texture.format;Z=p.has(Te)}if(Z){let Te=ce.texture.type,Pe=g.has(Te),Ae=O.getClearColor(),
-Ie=O.getClearAlpha(),ke=Ae.r,je=Ae.g,dt=Ae.b;Pe?(_[0]=ke,_[1]=je,_[2]=dt,_[3]=Ie,B.clearBufferuiv(B.COLOR,0,_)):(w[0]=ke,w[1]=je,w[2]=dt,w[3]=Ie,B.clearBufferiv(
-B.COLOR,0,w))}else $|=B.COLOR_BUFFER_BIT}k&&($|=B.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),j&&($|=B.STENCIL_BUFFER_BIT,this.state.buffers.stencil.
+Ie=O.getClearAlpha(),ke=Ae.r,je=Ae.g,dt=Ae.b;Pe?(_[0]=ke,_[1]=je,_[2]=dt,_[3]=Ie,B.clearBufferuiv(B.COLOR,0,_)):(S[0]=ke,S[1]=je,S[2]=dt,S[3]=Ie,B.clearBufferiv(
+B.COLOR,0,S))}else $|=B.COLOR_BUFFER_BIT}k&&($|=B.DEPTH_BUFFER_BIT,this.state.buffers.depth.setMask(!0)),j&&($|=B.STENCIL_BUFFER_BIT,this.state.buffers.stencil.
 setMask(4294967295)),$!==0&&B.clear($)},this.clearColor=function(){this.clear(!0,!1,!1)},this.clearDepth=function(){this.clear(!1,!0,!1)},this.clearStencil=function(){
 this.clear(!1,!1,!0)},this.setNodesHandler=function(E){E.setRenderer(this),F=E},this.dispose=function(){t.removeEventListener("webglcontextlost",Oe,!1),t.removeEventListener(
-"webglcontextrestored",Je,!1),t.removeEventListener("webglcontextcreationerror",Ce,!1),O.dispose(),ye.dispose(),te.dispose(),Xe.dispose(),ze.dispose(),P.dispose(),
+"webglcontextrestored",Je,!1),t.removeEventListener("webglcontextcreationerror",Ce,!1),O.dispose(),ye.dispose(),te.dispose(),Xe.dispose(),ze.dispose(),I.dispose(),
 he.dispose(),q.dispose(),Me.dispose(),Ge.dispose(),oe.dispose(),le.dispose(),le.removeEventListener("sessionstart",Aa),le.removeEventListener("sessionend",Ai),Wi.
-stop()};function Oe(E){E.preventDefault(),Ku("WebGLRenderer: Context Lost."),I=!0}function Je(){Ku("WebGLRenderer: Context Restored."),I=!1;let E=Lt.autoReset,k=pe.
+stop()};function Oe(E){E.preventDefault(),Ku("WebGLRenderer: Context Lost."),P=!0}function Je(){Ku("WebGLRenderer: Context Restored."),P=!1;let E=Lt.autoReset,k=pe.
 enabled,j=pe.autoUpdate,$=pe.needsUpdate,Z=pe.type;Ze(),Lt.autoReset=E,pe.enabled=k,pe.autoUpdate=j,pe.needsUpdate=$,pe.type=Z}function Ce(E){Ke("WebGLRenderer:\
- A WebGL context could not be created. Reason: ",E.statusMessage)}function rt(E){let k=E.target;k.removeEventListener("dispose",rt),Ft(k)}function Ft(E){Pn(E),ze.
+ A WebGL context could not be created. Reason: ",E.statusMessage)}function ot(E){let k=E.target;k.removeEventListener("dispose",ot),Ft(k)}function Ft(E){Pn(E),ze.
 remove(E)}function Pn(E){let k=ze.get(E).programs;k!==void 0&&(k.forEach(function(j){oe.releaseProgram(j)}),E.isShaderMaterial&&oe.releaseShaderCache(E))}this.renderBufferDirect=
 function(E,k,j,$,Z,Te){k===null&&(k=cn);let Pe=Z.isMesh&&Z.matrixWorld.determinantAffine()<0,Ae=go(E,k,j,$,Z);Se.setMaterial($,Pe);let Ie=j.index,ke=1;if($.wireframe===
 !0){if(Ie=q.getWireframeAttribute(j),Ie===void 0)return;ke=2}let je=j.drawRange,dt=j.attributes.position,Be=je.start*ke,ft=(je.start+je.count)*ke;Te!==null&&(Be=
 Math.max(Be,Te.start*ke),ft=Math.min(ft,(Te.start+Te.count)*ke)),Ie!==null?(Be=Math.max(Be,0),ft=Math.min(ft,Ie.count)):dt!=null&&(Be=Math.max(Be,0),ft=Math.min(
-ft,dt.count));let Xt=ft-Be;if(Xt<0||Xt===1/0)return;Me.setup(Z,$,Ae,j,Ie);let Et,Ct=ne;if(Ie!==null&&(Et=T.get(Ie),Ct=we,Ct.setIndex(Et)),Z.isMesh)$.wireframe===
+ft,dt.count));let Xt=ft-Be;if(Xt<0||Xt===1/0)return;Me.setup(Z,$,Ae,j,Ie);let Et,Ct=ne;if(Ie!==null&&(Et=w.get(Ie),Ct=we,Ct.setIndex(Et)),Z.isMesh)$.wireframe===
 !0?(Se.setLineWidth($.wireframeLinewidth*en()),Ct.setMode(B.LINES)):Ct.setMode(B.TRIANGLES);else if(Z.isLine){let hn=$.linewidth;hn===void 0&&(hn=1),Se.setLineWidth(
 hn*en()),Z.isLineSegments?Ct.setMode(B.LINES):Z.isLineLoop?Ct.setMode(B.LINE_LOOP):Ct.setMode(B.LINE_STRIP)}else Z.isPoints?Ct.setMode(B.POINTS):Z.isSprite&&Ct.
 setMode(B.TRIANGLES);if(Z.isBatchedMesh)if(qe.get("WEBGL_multi_draw"))Ct.renderMultiDraw(Z._multiDrawStarts,Z._multiDrawCounts,Z._multiDrawCount);else{let hn=Z.
-_multiDrawStarts,Ue=Z._multiDrawCounts,tn=Z._multiDrawCount,mt=Ie?T.get(Ie).bytesPerElement:1,qi=ze.get($).currentProgram.getUniforms();for(let nn=0;nn<tn;nn++)
+_multiDrawStarts,Ue=Z._multiDrawCounts,tn=Z._multiDrawCount,mt=Ie?w.get(Ie).bytesPerElement:1,qi=ze.get($).currentProgram.getUniforms();for(let nn=0;nn<tn;nn++)
 qi.setValue(B,"_gl_DrawID",nn),Ct.render(hn[nn]/mt,Ue[nn])}else if(Z.isInstancedMesh)Ct.renderInstances(Be,Xt,Z.count);else if(j.isInstancedBufferGeometry){let hn=j.
 _maxInstanceCount!==void 0?j._maxInstanceCount:1/0,Ue=Math.min(j.instanceCount,hn);Ct.renderInstances(Be,Xt,Ue)}else Ct.render(Be,Xt)};function fo(E,k,j,$){F!==
 null&&E.isNodeMaterial&&F.setObject($,E),Ut===!0&&ie.setState(E,j,!1),E.transparent===!0&&E.side===zi&&E.forceSinglePass===!1?(E.side=kn,E.needsUpdate=!0,Ei(E,k,
-$),E.side=Ds,E.needsUpdate=!0,Ei(E,k,$),E.side=zi):Ei(E,k,$)}this.compile=function(E,k,j=null){j===null&&(j=E),F!==null&&F.renderStart(E,k,j),S=te.get(j),S.init(
-k),b.push(S),j.traverseVisible(function(Z){Z.isLight&&Z.layers.test(k.layers)&&(S.pushLight(Z),Z.castShadow&&S.pushShadow(Z))}),E!==j&&E.traverseVisible(function(Z){
-Z.isLight&&Z.layers.test(k.layers)&&(S.pushLight(Z),Z.castShadow&&S.pushShadow(Z))}),S.setupLights(),F!==null&&F.updateLights(S.state.lightsArray),Qt=this.localClippingEnabled,
-Ut=ie.init(this.clippingPlanes,Qt),Ut===!0&&ie.setGlobalState(this.clippingPlanes,k),F!==null&&pe.render(S.state.shadowsArray,j,k);let $=new Set;return E.traverse(
+$),E.side=Ds,E.needsUpdate=!0,Ei(E,k,$),E.side=zi):Ei(E,k,$)}this.compile=function(E,k,j=null){j===null&&(j=E),F!==null&&F.renderStart(E,k,j),T=te.get(j),T.init(
+k),b.push(T),j.traverseVisible(function(Z){Z.isLight&&Z.layers.test(k.layers)&&(T.pushLight(Z),Z.castShadow&&T.pushShadow(Z))}),E!==j&&E.traverseVisible(function(Z){
+Z.isLight&&Z.layers.test(k.layers)&&(T.pushLight(Z),Z.castShadow&&T.pushShadow(Z))}),T.setupLights(),F!==null&&F.updateLights(T.state.lightsArray),Qt=this.localClippingEnabled,
+Ut=ie.init(this.clippingPlanes,Qt),Ut===!0&&ie.setGlobalState(this.clippingPlanes,k),F!==null&&pe.render(T.state.shadowsArray,j,k);let $=new Set;return E.traverse(
 function(Z){if(!(Z.isMesh||Z.isPoints||Z.isLine||Z.isSprite))return;let Te=Z.material;if(Te)if(Array.isArray(Te))for(let Pe=0;Pe<Te.length;Pe++){let Ae=Te[Pe];fo(
-Ae,j,k,Z),$.add(Ae)}else fo(Te,j,k,Z),$.add(Te)}),S=b.pop(),F!==null&&F.renderEnd(),$},this.compileAsync=function(E,k,j=null){let $=this.compile(E,k,j);return new Promise(
+Ae,j,k,Z),$.add(Ae)}else fo(Te,j,k,Z),$.add(Te)}),T=b.pop(),F!==null&&F.renderEnd(),$},this.compileAsync=function(E,k,j=null){let $=this.compile(E,k,j);return new Promise(
 Z=>{function Te(){if($.forEach(function(Pe){let Ie=ze.get(Pe).currentProgram;(Ie===void 0||Ie.isReady())&&$.delete(Pe)}),$.size===0){Z(E);return}setTimeout(Te,10)}
 qe.get("KHR_parallel_shader_compile")!==null?Te():setTimeout(Te,10)})};let lr=null;function oh(E){lr&&lr(E)}function Aa(){Wi.stop()}function Ai(){Wi.start()}let Wi=new Mg;
 Wi.setAnimationLoop(oh),typeof self<"u"&&Wi.setContext(self),this.setAnimationLoop=function(E){lr=E,le.setAnimationLoop(E),E===null?Wi.stop():Wi.start()},le.addEventListener(
 "sessionstart",Aa),le.addEventListener("sessionend",Ai),this.render=function(E,k){if(k!==void 0&&k.isCamera!==!0){Ke("WebGLRenderer.render: camera is not an ins\
-tance of THREE.Camera.");return}if(I===!0)return;F!==null&&F.renderStart(E,k);let j=le.enabled===!0&&le.isPresenting===!0,$=N!==null&&(ce===null||j)&&N.begin(R,
+tance of THREE.Camera.");return}if(P===!0)return;F!==null&&F.renderStart(E,k);let j=le.enabled===!0&&le.isPresenting===!0,$=L!==null&&(ce===null||j)&&L.begin(R,
 ce);if(E.matrixWorldAutoUpdate===!0&&E.updateMatrixWorld(),k.parent===null&&k.matrixWorldAutoUpdate===!0&&k.updateMatrixWorld(),le.enabled===!0&&le.isPresenting===
-!0&&(N===null||N.isCompositing()===!1)&&(le.cameraAutoUpdate===!0&&le.updateCamera(k),k=le.getCamera()),E.isScene===!0&&E.onBeforeRender(R,E,k,ce),S=te.get(E,b.
-length),S.init(k),S.state.textureUnits=Xe.getTextureUnits(),b.push(S),Pt.multiplyMatrices(k.projectionMatrix,k.matrixWorldInverse),k.isArrayCamera?Gt.setFromArrayCamera(
+!0&&(L===null||L.isCompositing()===!1)&&(le.cameraAutoUpdate===!0&&le.updateCamera(k),k=le.getCamera()),E.isScene===!0&&E.onBeforeRender(R,E,k,ce),T=te.get(E,b.
+length),T.init(k),T.state.textureUnits=Xe.getTextureUnits(),b.push(T),Pt.multiplyMatrices(k.projectionMatrix,k.matrixWorldInverse),k.isArrayCamera?Gt.setFromArrayCamera(
 k):et.setFromProjectionMatrix(Pt,li,k.reversedDepth),Qt=this.localClippingEnabled,Ut=ie.init(this.clippingPlanes,Qt),C=ye.get(E,x.length),C.init(),x.push(C),this.
 info.render.frame++,le.enabled===!0&&le.isPresenting===!0){let Pe=R.xr.getDepthSensingMesh();Pe!==null&&Xi(Pe,k,-1/0,R.sortObjects)}Xi(E,k,0,R.sortObjects),C.finish(),
-F!==null&&F.updateLights(S.state.lightsArray),R.sortObjects===!0&&C.sort(He,nt),qt=le.enabled===!1||le.isPresenting===!1||le.hasDepthSensing()===!1,qt&&O.addToRenderList(
-C,E),this.info.autoReset===!0&&this.info.reset(),Ut===!0&&ie.beginShadows();let Z=S.state.shadowsArray;if(pe.render(Z,E,k),Ut===!0&&ie.endShadows(),($&&N.hasRenderPass())===
-!1){let Pe=C.opaque,Ae=C.transmissive;if(S.setupLights(),k.isArrayCamera){let Ie=k.cameras;if(Ae.length>0)for(let ke=0,je=Ie.length;ke<je;ke++){let dt=Ie[ke];di(
+F!==null&&F.updateLights(T.state.lightsArray),R.sortObjects===!0&&C.sort(He,nt),qt=le.enabled===!1||le.isPresenting===!1||le.hasDepthSensing()===!1,qt&&O.addToRenderList(
+C,E),this.info.autoReset===!0&&this.info.reset(),Ut===!0&&ie.beginShadows();let Z=T.state.shadowsArray;if(pe.render(Z,E,k),Ut===!0&&ie.endShadows(),($&&L.hasRenderPass())===
+!1){let Pe=C.opaque,Ae=C.transmissive;if(T.setupLights(),k.isArrayCamera){let Ie=k.cameras;if(Ae.length>0)for(let ke=0,je=Ie.length;ke<je;ke++){let dt=Ie[ke];di(
 Pe,Ae,E,dt)}qt&&O.render(E);for(let ke=0,je=Ie.length;ke<je;ke++){let dt=Ie[ke];po(C,E,dt,dt.viewport)}}else Ae.length>0&&di(Pe,Ae,E,k),qt&&O.render(E),po(C,E,k)}
-ce!==null&&H===0&&(Xe.updateMultisampleRenderTarget(ce),Xe.updateRenderTargetMipmap(ce)),$&&N.end(R),E.isScene===!0&&E.onAfterRender(R,E,k),Me.resetDefaultState(),
-K=-1,Q=null,b.pop(),b.length>0?(S=b[b.length-1],Xe.setTextureUnits(S.state.textureUnits),Ut===!0&&ie.setGlobalState(R.clippingPlanes,S.state.camera)):S=null,x.pop(),
+ce!==null&&W===0&&(Xe.updateMultisampleRenderTarget(ce),Xe.updateRenderTargetMipmap(ce)),$&&L.end(R),E.isScene===!0&&E.onAfterRender(R,E,k),Me.resetDefaultState(),
+K=-1,Q=null,b.pop(),b.length>0?(T=b[b.length-1],Xe.setTextureUnits(T.state.textureUnits),Ut===!0&&ie.setGlobalState(R.clippingPlanes,T.state.camera)):T=null,x.pop(),
 x.length>0?C=x[x.length-1]:C=null,F!==null&&F.renderEnd()};function Xi(E,k,j,$){if(E.visible===!1)return;if(E.layers.test(k.layers)){if(E.isGroup)j=E.renderOrder;else if(E.
-isLOD)E.autoUpdate===!0&&E.update(k);else if(E.isLight)S.pushLight(E),E.castShadow&&S.pushShadow(E);else if(E.isSprite){let Pe=k.isArrayCamera?Gt:et;if(!E.frustumCulled||
+isLOD)E.autoUpdate===!0&&E.update(k);else if(E.isLight)T.pushLight(E),E.castShadow&&T.pushShadow(E);else if(E.isSprite){let Pe=k.isArrayCamera?Gt:et;if(!E.frustumCulled||
 E.intersectsFrustum(Pe)){$&&vt.setFromMatrixPosition(E.matrixWorld).applyMatrix4(Pt);let Ae=he.update(E),Ie=E.material;Ie.visible&&C.push(E,Ae,Ie,j,vt.z,null,k)}}else if(E.
 isMesh||E.isLine||E.isPoints){let Pe=k.isArrayCamera?Gt:et;if(!E.frustumCulled||E.intersectsFrustum(Pe)){let Ae=he.update(E),Ie=E.material;if($&&(E.boundingSphere!==
 void 0?(E.boundingSphere===null&&E.computeBoundingSphere(),vt.copy(E.boundingSphere.center)):(Ae.boundingSphere===null&&Ae.computeBoundingSphere(),vt.copy(Ae.boundingSphere.
 center)),vt.applyMatrix4(E.matrixWorld).applyMatrix4(Pt)),Array.isArray(Ie)){let ke=Ae.groups;for(let je=0,dt=ke.length;je<dt;je++){let Be=ke[je],ft=Ie[Be.materialIndex];
 ft&&ft.visible&&C.push(E,Ae,ft,j,vt.z,Be,k)}}else Ie.visible&&C.push(E,Ae,Ie,j,vt.z,null,k)}}}let Te=E.children;for(let Pe=0,Ae=Te.length;Pe<Ae;Pe++)Xi(Te[Pe],k,
-j,$)}function po(E,k,j,$){let{opaque:Z,transmissive:Te,transparent:Pe}=E;S.setupLightsView(j),Ut===!0&&ie.setGlobalState(R.clippingPlanes,j),$&&Se.viewport(se.copy(
+j,$)}function po(E,k,j,$){let{opaque:Z,transmissive:Te,transparent:Pe}=E;T.setupLightsView(j),Ut===!0&&ie.setGlobalState(R.clippingPlanes,j),$&&Se.viewport(se.copy(
 $)),Z.length>0&&$t(Z,k,j),Te.length>0&&$t(Te,k,j),Pe.length>0&&$t(Pe,k,j),Se.buffers.depth.setTest(!0),Se.buffers.depth.setMask(!0),Se.buffers.color.setMask(!0),
-Se.setPolygonOffset(!1)}function di(E,k,j,$){if((j.isScene===!0?j.overrideMaterial:null)!==null)return;if(S.state.transmissionRenderTarget[$.id]===void 0){let Be=qe.
-has("EXT_color_buffer_half_float")||qe.has("EXT_color_buffer_float");S.state.transmissionRenderTarget[$.id]=new ti(1,1,{generateMipmaps:!0,type:Be?Si:Hn,minFilter:hs,
+Se.setPolygonOffset(!1)}function di(E,k,j,$){if((j.isScene===!0?j.overrideMaterial:null)!==null)return;if(T.state.transmissionRenderTarget[$.id]===void 0){let Be=qe.
+has("EXT_color_buffer_half_float")||qe.has("EXT_color_buffer_float");T.state.transmissionRenderTarget[$.id]=new ti(1,1,{generateMipmaps:!0,type:Be?Si:Hn,minFilter:hs,
 samples:Math.max(4,it.samples),stencilBuffer:r,resolveDepthBuffer:!1,resolveStencilBuffer:!1,storeMultisampledDepthBuffer:!1,storeMultisampledStencilBuffer:!1,colorSpace:_t.
-workingColorSpace})}let Te=S.state.transmissionRenderTarget[$.id],Pe=$.viewport||se;Te.setSize(Pe.z*R.transmissionResolutionScale,Pe.w*R.transmissionResolutionScale);
+workingColorSpace})}let Te=T.state.transmissionRenderTarget[$.id],Pe=$.viewport||se;Te.setSize(Pe.z*R.transmissionResolutionScale,Pe.w*R.transmissionResolutionScale);
 let Ae=R.getRenderTarget(),Ie=R.getActiveCubeFace(),ke=R.getActiveMipmapLevel();R.setRenderTarget(Te),R.getClearColor(ee),me=R.getClearAlpha(),me<1&&R.setClearColor(
-16777215,.5),R.clear(),qt&&O.render(j);let je=R.toneMapping;R.toneMapping=Vi;let dt=$.viewport;if($.viewport!==void 0&&($.viewport=void 0),S.setupLightsView($),
+16777215,.5),R.clear(),qt&&O.render(j);let je=R.toneMapping;R.toneMapping=Vi;let dt=$.viewport;if($.viewport!==void 0&&($.viewport=void 0),T.setupLightsView($),
 Ut===!0&&ie.setGlobalState(R.clippingPlanes,$),$t(E,j,$),Xe.updateMultisampleRenderTarget(Te),Xe.updateRenderTargetMipmap(Te),qe.has("WEBGL_multisampled_render_\
 to_texture")===!1){let Be=!1;for(let ft=0,Xt=k.length;ft<Xt;ft++){let Et=k[ft],{object:Ct,geometry:hn,material:Ue,group:tn}=Et;if(Ue.side===zi&&Ct.layers.test($.
 layers)){let mt=Ue.side;Ue.side=kn,Ue.needsUpdate=!0,Kt(Ct,j,$,hn,Ue,tn),Ue.side=mt,Ue.needsUpdate=!0,Be=!0}}Be===!0&&(Xe.updateMultisampleRenderTarget(Te),Xe.updateRenderTargetMipmap(
@@ -3702,10 +3702,10 @@ Kt(Ae,k,j,Ie,je,ke)}}function Kt(E,k,j,$,Z,Te){F!==null&&Z.isNodeMaterial&&F.set
 matrixWorldInverse,E.matrixWorld),E.normalMatrix.getNormalMatrix(E.modelViewMatrix),Z.onBeforeRender(R,k,j,$,E,Te),Z.transparent===!0&&Z.side===zi&&Z.forceSinglePass===
 !1?(Z.side=kn,Z.needsUpdate=!0,R.renderBufferDirect(j,k,$,Z,E,Te),Z.side=Ds,Z.needsUpdate=!0,R.renderBufferDirect(j,k,$,Z,E,Te),Z.side=zi):R.renderBufferDirect(
 j,k,$,Z,E,Te),E.onAfterRender(R,k,j,$,Z,Te)}function jt(E){let k=0;for(let j of E)j.texture!==null&&k++;return k}function Ei(E,k,j){k.isScene!==!0&&(k=cn);let $=ze.
-get(E),Z=S.state.lights,Te=S.state.shadowsArray,Pe=Z.state.version,Ae=oe.getParameters(E,Z.state,Te,k,j,S.state.lightProbeGridArray),Ie=oe.getProgramCacheKey(Ae),
+get(E),Z=T.state.lights,Te=T.state.shadowsArray,Pe=Z.state.version,Ae=oe.getParameters(E,Z.state,Te,k,j,T.state.lightProbeGridArray),Ie=oe.getProgramCacheKey(Ae),
 ke=$.programs;$.environment=E.isMeshStandardMaterial||E.isMeshLambertMaterial||E.isMeshPhongMaterial?k.environment:null,$.fog=k.fog;let je=E.isMeshStandardMaterial||
-E.isMeshLambertMaterial&&!E.envMap||E.isMeshPhongMaterial&&!E.envMap;$.envMap=P.get(E.envMap||$.environment,je),$.envMapRotation=$.environment!==null&&E.envMap===
-null?k.environmentRotation:E.envMapRotation,ke===void 0&&(E.addEventListener("dispose",rt),ke=new Map,$.programs=ke,$.programVariants=new Map);let dt=ke.get(Ie);
+E.isMeshLambertMaterial&&!E.envMap||E.isMeshPhongMaterial&&!E.envMap;$.envMap=I.get(E.envMap||$.environment,je),$.envMapRotation=$.environment!==null&&E.envMap===
+null?k.environmentRotation:E.envMapRotation,ke===void 0&&(E.addEventListener("dispose",ot),ke=new Map,$.programs=ke,$.programVariants=new Map);let dt=ke.get(Ie);
 if(dt!==void 0){if($.currentProgram===dt&&$.lightsStateVersion===Pe)return mo(E,Ae),dt}else Ae.uniforms=oe.getUniforms(E),F!==null&&E.isNodeMaterial&&F.build(E,
 j,Ae),E.onBeforeCompile(Ae,R),dt=oe.acquireProgram(Ae,Ie),ke.set(Ie,dt),$.uniforms=Ae.uniforms;let Be=$.uniforms;return(!E.isShaderMaterial&&!E.isRawShaderMaterial||
 E.clipping===!0)&&(Be.clippingPlanes=ie.uniform),mo(E,Ae),$.needsLights=ps(E),$.lightsStateVersion=Pe,$.needsLights&&(Be.ambientLightColor.value=Z.state.ambient,
@@ -3714,7 +3714,7 @@ value=Z.state.directionalShadow,Be.spotLights.value=Z.state.spot,Be.spotLightSha
 value=Z.state.rectAreaLTC1,Be.ltc_2.value=Z.state.rectAreaLTC2,Be.pointLights.value=Z.state.point,Be.pointLightShadows.value=Z.state.pointShadow,Be.hemisphereLights.
 value=Z.state.hemi,Be.sunShadowMatrix.value=Z.state.sunShadowMatrix,Be.sunShadowCascade.value=Z.state.sunShadowCascade,Be.directionalShadowMatrix.value=Z.state.
 directionalShadowMatrix,Be.spotLightMatrix.value=Z.state.spotLightMatrix,Be.spotLightMap.value=Z.state.spotLightMap,Be.pointShadowMatrix.value=Z.state.pointShadowMatrix),
-$.numLightProbeGrids=jt(S.state.lightProbeGridArray),$.currentProgram=dt,$.uniformsList=null,dt}function Wn(E,k,j,$,Z){let Te=ze.get(E),Pe=Te.currentProgram.id+
+$.numLightProbeGrids=jt(T.state.lightProbeGridArray),$.currentProgram=dt,$.uniformsList=null,dt}function Wn(E,k,j,$,Z){let Te=ze.get(E),Pe=Te.currentProgram.id+
 ","+$+","+Z,Ae=Te.programVariants.get(Pe);return Ae===void 0?(Ae=Ei(E,k,j),Te.programVariants.set(Pe,Ae)):(Te.currentProgram=Ae,Te.uniformsList=null,Te.outputColorSpace=
 $,Te.toneMapping=Z),Ae}function fs(E){if(E.uniformsList===null){let k=E.currentProgram.getUniforms();E.uniformsList=ao.seqWithValue(k.seq,E.uniforms)}return E.uniformsList}
 function mo(E,k){let j=ze.get(E);j.outputColorSpace=k.outputColorSpace,j.batching=k.batching,j.batchingColor=k.batchingColor,j.instancing=k.instancing,j.instancingColor=
@@ -3722,17 +3722,17 @@ k.instancingColor,j.instancingMorph=k.instancingMorph,j.skinning=k.skinning,j.mo
 j.morphTargetsCount=k.morphTargetsCount,j.numClippingPlanes=k.numClippingPlanes,j.numIntersection=k.numClipIntersection,j.vertexAlphas=k.vertexAlphas,j.vertexTangents=
 k.vertexTangents,j.toneMapping=k.toneMapping}function go(E,k,j,$,Z){k.isScene!==!0&&(k=cn),Xe.resetTextureUnits();let Te=k.fog,Pe=$.isMeshStandardMaterial||$.isMeshLambertMaterial||
 $.isMeshPhongMaterial?k.environment:null,Ae=ce===null?R.outputColorSpace:ce.isXRRenderTarget===!0?ce.texture.colorSpace:_t.workingColorSpace,Ie=$.isMeshStandardMaterial||
-$.isMeshLambertMaterial&&!$.envMap||$.isMeshPhongMaterial&&!$.envMap,ke=P.get($.envMap||Pe,Ie),je=$.vertexColors===!0&&!!j.attributes.color&&j.attributes.color.
+$.isMeshLambertMaterial&&!$.envMap||$.isMeshPhongMaterial&&!$.envMap,ke=I.get($.envMap||Pe,Ie),je=$.vertexColors===!0&&!!j.attributes.color&&j.attributes.color.
 itemSize===4,dt=!!j.attributes.tangent&&(!!$.normalMap||$.anisotropy>0),Be=!!j.morphAttributes.position,ft=!!j.morphAttributes.normal,Xt=!!j.morphAttributes.color,
 Et=Vi;$.toneMapped&&(ce===null||ce.isXRRenderTarget===!0)&&(Et=R.toneMapping);let Ct=j.morphAttributes.position||j.morphAttributes.normal||j.morphAttributes.color,
-hn=Ct!==void 0?Ct.length:0,Ue=ze.get($),tn=S.state.lights;if(Ut===!0&&(Qt===!0||E!==Q)){let Rt=E===Q&&$.id===K;ie.setState($,E,Rt)}let mt=!1,qi=!1;$.version===Ue.
+hn=Ct!==void 0?Ct.length:0,Ue=ze.get($),tn=T.state.lights;if(Ut===!0&&(Qt===!0||E!==Q)){let Rt=E===Q&&$.id===K;ie.setState($,E,Rt)}let mt=!1,qi=!1;$.version===Ue.
 __version?Ue.needsLights&&Ue.lightsStateVersion!==tn.state.version||Z.isBatchedMesh&&Ue.batching===!1||!Z.isBatchedMesh&&Ue.batching===!0||Z.isBatchedMesh&&Ue.batchingColor===
 !0&&Z._colorsTexture===null||Z.isBatchedMesh&&Ue.batchingColor===!1&&Z._colorsTexture!==null||Z.isInstancedMesh&&Ue.instancing===!1||!Z.isInstancedMesh&&Ue.instancing===
 !0||Z.isSkinnedMesh&&Ue.skinning===!1||!Z.isSkinnedMesh&&Ue.skinning===!0||Z.isInstancedMesh&&Ue.instancingColor===!0&&Z.instanceColor===null||Z.isInstancedMesh&&
 Ue.instancingColor===!1&&Z.instanceColor!==null||Z.isInstancedMesh&&Ue.instancingMorph===!0&&Z.morphTexture===null||Z.isInstancedMesh&&Ue.instancingMorph===!1&&
 Z.morphTexture!==null||Ue.envMap!==ke||$.fog===!0&&Ue.fog!==Te||Ue.numClippingPlanes!==void 0&&(Ue.numClippingPlanes!==ie.numPlanes||Ue.numIntersection!==ie.numIntersection)||
 Ue.vertexAlphas!==je||Ue.vertexTangents!==dt||Ue.morphTargets!==Be||Ue.morphNormals!==ft||Ue.morphColors!==Xt||Ue.morphTargetsCount!==hn||Ue.numLightProbeGrids!==
-jt(S.state.lightProbeGridArray)?mt=!0:(Ue.outputColorSpace!==Ae||Ue.toneMapping!==Et)&&(qi=!0):(mt=!0,Ue.__version=$.version);let nn=Ue.currentProgram;(mt===!0||
+jt(T.state.lightProbeGridArray)?mt=!0:(Ue.outputColorSpace!==Ae||Ue.toneMapping!==Et)&&(qi=!0):(mt=!0,Ue.__version=$.version);let nn=Ue.currentProgram;(mt===!0||
 qi===!0)&&(nn=qi===!0?Wn($,k,Z,Ae,Et):Ei($,k,Z),F&&$.isNodeMaterial&&F.onUpdateProgram($,nn,Ue));let ur=!1,Ci=!1,$i=!1,ct=nn.getUniforms(),Yt=Ue.uniforms;if(Se.
 useProgram(nn.program)&&(ur=!0,Ci=!0,$i=!0),$.id!==K&&(K=$.id,Ci=!0),ur||Q!==E){Se.buffers.depth.getReversed()&&E.reversedDepth!==!0&&(E._reversedDepth=!0,E.updateProjectionMatrix()),
 ct.setValue(B,"projectionMatrix",E.projectionMatrix),ct.setValue(B,"viewMatrix",E.matrixWorldInverse);let sn=ct.map.cameraPosition;sn!==void 0&&sn.setValue(B,gn.
@@ -3747,8 +3747,8 @@ exture",Z._indirectTexture,Xe),ct.setOptional(B,Z,"batchingColorTexture"),Z._col
 morphAttributes;if((In.position!==void 0||In.normal!==void 0||In.color!==void 0)&&re.update(Z,j,nn),(Ci||Ue.receiveShadow!==Z.receiveShadow)&&(Ue.receiveShadow=
 Z.receiveShadow,ct.setValue(B,"receiveShadow",Z.receiveShadow)),($.isMeshStandardMaterial||$.isMeshLambertMaterial||$.isMeshPhongMaterial)&&$.envMap===null&&k.environment!==
 null&&(Yt.envMapIntensity.value=k.environmentIntensity),Yt.dfgLUT!==void 0&&(Yt.dfgLUT.value=vw()),Ci){if(ct.setValue(B,"toneMappingExposure",R.toneMappingExposure),
-Ue.needsLights&&cr(Yt,$i),Te&&$.fog===!0&&_e.refreshFogUniforms(Yt,Te),_e.refreshMaterialUniforms(Yt,$,be,Ee,S.state.transmissionRenderTarget[E.id]),Ue.needsLights&&
-Ue.numLightProbeGrids>0){let Rt=M,sn=0;for(let Tn of S.state.lightProbeGridArray)Tn.texture!==null&&(Rt.textures[sn]=Tn.texture,Rt.min[sn]=Tn.boundingBox.min,Rt.
+Ue.needsLights&&cr(Yt,$i),Te&&$.fog===!0&&_e.refreshFogUniforms(Yt,Te),_e.refreshMaterialUniforms(Yt,$,be,Ee,T.state.transmissionRenderTarget[E.id]),Ue.needsLights&&
+Ue.numLightProbeGrids>0){let Rt=M,sn=0;for(let Tn of T.state.lightProbeGridArray)Tn.texture!==null&&(Rt.textures[sn]=Tn.texture,Rt.min[sn]=Tn.boundingBox.min,Rt.
 max[sn]=Tn.boundingBox.max,Rt.resolution[sn]=Tn.resolution,sn++);for(let Tn in Rt)Rt[Tn].length=sn;Yt.probesSH.value=Rt.textures,Yt.probesMin.value=Rt.min,Yt.probesMax.
 value=Rt.max,Yt.probesResolution.value=Rt.resolution}ao.upload(B,fs(Ue),Yt,Xe)}if($.isShaderMaterial&&$.uniformsNeedUpdate===!0&&(ao.upload(B,fs(Ue),Yt,Xe),$.uniformsNeedUpdate=
 !1),$.isSpriteMaterial&&ct.setValue(B,"center",Z.center),ct.setValue(B,"modelViewMatrix",Z.modelViewMatrix),ct.setValue(B,"normalMatrix",Z.normalMatrix),ct.setValue(
@@ -3757,10 +3757,10 @@ nn)}}return nn}function cr(E,k){E.ambientLightColor.needsUpdate=k,E.lightProbe.n
 needsUpdate=k,E.directionalLightShadows.needsUpdate=k,E.pointLights.needsUpdate=k,E.pointLightShadows.needsUpdate=k,E.spotLights.needsUpdate=k,E.spotLightShadows.
 needsUpdate=k,E.rectAreaLights.needsUpdate=k,E.hemisphereLights.needsUpdate=k}function ps(E){return E.isMeshLambertMaterial||E.isMeshToonMaterial||E.isMeshPhongMaterial||
 E.isMeshStandardMaterial||E.isShadowMaterial||E.isShaderMaterial&&E.lights===!0}this.getActiveCubeFace=function(){return Y},this.getActiveMipmapLevel=function(){
-return H},this.getRenderTarget=function(){return ce},this.setRenderTargetTextures=function(E,k,j){let $=ze.get(E);$.__autoAllocateDepthBuffer=E.resolveDepthBuffer===
+return W},this.getRenderTarget=function(){return ce},this.setRenderTargetTextures=function(E,k,j){let $=ze.get(E);$.__autoAllocateDepthBuffer=E.resolveDepthBuffer===
 !1,$.__autoAllocateDepthBuffer===!1&&($.__useRenderToTexture=!1),ze.get(E.texture).__webglTexture=k,ze.get(E.depthTexture).__webglTexture=$.__autoAllocateDepthBuffer?
 void 0:j,$.__hasExternalTextures=!0},this.setRenderTargetFramebuffer=function(E,k){let j=ze.get(E);j.__webglFramebuffer=k,j.__useDefaultFramebuffer=k===void 0},
-this.setRenderTarget=function(E,k=0,j=0){ce=E,Y=k,H=j;let $=null,Z=!1,Te=!1;if(E){let Ae=ze.get(E);if(Ae.__useDefaultFramebuffer!==void 0){Se.bindFramebuffer(B.
+this.setRenderTarget=function(E,k=0,j=0){ce=E,Y=k,W=j;let $=null,Z=!1,Te=!1;if(E){let Ae=ze.get(E);if(Ae.__useDefaultFramebuffer!==void 0){Se.bindFramebuffer(B.
 FRAMEBUFFER,Ae.__webglFramebuffer),se.copy(E.viewport),de.copy(E.scissor),ue=E.scissorTest,Se.viewport(se),Se.scissor(de),Se.setScissorTest(ue),K=-1;return}else if(Ae.
 __webglFramebuffer===void 0)Xe.setupRenderTarget(E);else if(Ae.__hasExternalTextures)Xe.rebindTextures(E,ze.get(E.texture).__webglTexture,ze.get(E.depthTexture).
 __webglTexture);else if(E.depthBuffer){let je=E.depthTexture;if(Ae.__boundDepthTexture!==je){if(je!==null&&ze.has(je)&&(E.width!==je.image.width||E.height!==je.
@@ -3802,7 +3802,7 @@ if(E.isDepthTexture){let ct=ze.get(E),Yt=ze.get(k),In=ze.get(ct.__renderTarget),
 Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,Rt.__webglFramebuffer);for(let sn=0;sn<Ie;sn++)Ci&&(B.framebufferTextureLayer(B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,ze.get(
 E).__webglTexture,Z,dt+sn),B.framebufferTextureLayer(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,ze.get(k).__webglTexture,Te,Xt+sn)),B.blitFramebuffer(ke,je,ke+Pe,je+
 Ae,Be,ft,Be+Pe,ft+Ae,B.DEPTH_BUFFER_BIT,B.NEAREST);Se.bindFramebuffer(B.READ_FRAMEBUFFER,null),Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,null)}else if(Z!==0||E.isRenderTargetTexture||
-ze.has(E)){let ct=ze.get(E),Yt=ze.get(k);Se.bindFramebuffer(B.READ_FRAMEBUFFER,D),Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,W);for(let In=0;In<Ie;In++)Ci?B.framebufferTextureLayer(
+ze.has(E)){let ct=ze.get(E),Yt=ze.get(k);Se.bindFramebuffer(B.READ_FRAMEBUFFER,D),Se.bindFramebuffer(B.DRAW_FRAMEBUFFER,G);for(let In=0;In<Ie;In++)Ci?B.framebufferTextureLayer(
 B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,ct.__webglTexture,Z,dt+In):B.framebufferTexture2D(B.READ_FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.TEXTURE_2D,ct.__webglTexture,Z),
 $i?B.framebufferTextureLayer(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,Yt.__webglTexture,Te,Xt+In):B.framebufferTexture2D(B.DRAW_FRAMEBUFFER,B.COLOR_ATTACHMENT0,B.
 TEXTURE_2D,Yt.__webglTexture,Te),Z!==0?B.blitFramebuffer(ke,je,ke+Pe,je+Ae,Be,ft,Be+Pe,ft+Ae,B.COLOR_BUFFER_BIT,B.NEAREST):$i?B.copyTexSubImage3D(Ue,Te,Be,ft,Xt+
@@ -3813,7 +3813,7 @@ B.TEXTURE_2D,Te,Be,ft,Et.width,Et.height,Ct,Et.data):B.texSubImage2D(B.TEXTURE_2
 B.UNPACK_IMAGE_HEIGHT,mt),Se.pixelStorei(B.UNPACK_SKIP_PIXELS,qi),Se.pixelStorei(B.UNPACK_SKIP_ROWS,nn),Se.pixelStorei(B.UNPACK_SKIP_IMAGES,ur),Te===0&&k.generateMipmaps===
 !0&&k.mipmapsAutoUpdate===!0&&B.generateMipmap(Ue),Se.unbindTexture()},this.initRenderTarget=function(E){ze.get(E).__webglFramebuffer===void 0&&Xe.setupRenderTarget(
 E)},this.initTexture=function(E){E.isCubeTexture?Xe.setTextureCube(E,0):E.isData3DTexture?Xe.setTexture3D(E,0):E.isDataArrayTexture||E.isCompressedArrayTexture?
-Xe.setTexture2DArray(E,0):Xe.setTexture2D(E,0),Se.unbindTexture()},this.resetState=function(){Y=0,H=0,ce=null,Se.reset(),Me.reset()},typeof __THREE_DEVTOOLS__<"\
+Xe.setTexture2DArray(E,0):Xe.setTexture2D(E,0),Se.unbindTexture()},this.resetState=function(){Y=0,W=0,ce=null,Se.reset(),Me.reset()},typeof __THREE_DEVTOOLS__<"\
 u"&&__THREE_DEVTOOLS__.dispatchEvent(new CustomEvent("observe",{detail:this}))}get coordinateSystem(){return li}get outputColorSpace(){return this._outputColorSpace}set outputColorSpace(e){
 this._outputColorSpace=e;let t=this.getContext();t.drawingBufferColorSpace=_t._getDrawingBufferColorSpace(e),t.unpackColorSpace=_t._getUnpackColorSpace()}};var $c=0,Mw=1,bw=new V,Lg=new la,fd=new ei,Ng=new V,qc=new Ui,Yc=class{constructor(){this.tolerance=-1,this.faces=[],this.newFaces=[],this.assigned=new Zc,this.
 unassigned=new Zc,this.vertices=[]}setFromPoints(e){if(e.length>=4){this.makeEmpty();for(let t=0,n=e.length;t<n;t++)this.vertices.push(new pd(e[t]));this._compute()}
@@ -3875,11 +3875,11 @@ i}function Cw(i,e){if(i==="marks")return new ls({wireframe:!0,depthTest:!1});let
 a=null,l=h=>{for(let{mesh:f}of r)f.material.transparent=h,f.material.opacity=h?.45:1,f.material.depthWrite=!h,f.material.needsUpdate=!0,f.renderOrder=h?1:0},c=()=>{
 for(let{mesh:f}of r)n.remove(f),f.geometry.dispose(),f.material.dispose(),f.dispose();let h=new Map;for(let f=0;f<o.count;++f){let m=o.body(f),y=i==="marks"?"ma\
 rks":Fg(m);h.has(y)||h.set(y,{body:m,rows:[]}),h.get(y).rows.push(f)}r=[...h.values()].map(({body:f,rows:m})=>{let y=Ug(f),p=i==="marks"?new eo(.5):y.geometry(f),
-g=new As(p,Cw(i,y.has_edges),m.length);return g.frustumCulled=!1,i==="marks"&&(g.renderOrder=2),n.add(g),{mesh:g,rows:m}}),i==="ghost"&&l(!0)},d=new st(e);n.add(
-s);let u={group:n,set_ghost:l,describe(h){o=h,c(),a&&u.show(...a)},show(h,f={}){a=[h,f];let m=new xt,y=new V,p=new Bn,g=new V,_=new st;for(let{mesh:w,rows:M}of r)
-M.forEach((C,S)=>{if(!(h&&C<h.rows&&h.mark[C]!==sr&&h.mark[C]!==jc)||f.hidden?.(C))w.setMatrixAt(S,Aw);else{let b=o.body(C),N=h.rows;y.set(h.x[C],h.y[C],h.z[C]),
-i==="marks"?(g.setScalar(Math.min(...xd(b))),p.identity()):(g.set(...Og(b)),p.set(h.turn[N+C],h.turn[2*N+C],h.turn[3*N+C],h.turn[C]).normalize()),w.setMatrixAt(
-S,m.compose(y,p,g))}_.copy(d),f.colour?.(C,_,h),w.setColorAt(S,_)}),w.instanceMatrix.needsUpdate=!0,w.instanceColor&&(w.instanceColor.needsUpdate=!0),w.boundingSphere=
+g=new As(p,Cw(i,y.has_edges),m.length);return g.frustumCulled=!1,i==="marks"&&(g.renderOrder=2),n.add(g),{mesh:g,rows:m}}),i==="ghost"&&l(!0)},d=new rt(e);n.add(
+s);let u={group:n,set_ghost:l,describe(h){o=h,c(),a&&u.show(...a)},show(h,f={}){a=[h,f];let m=new xt,y=new V,p=new Bn,g=new V,_=new rt;for(let{mesh:S,rows:M}of r)
+M.forEach((C,T)=>{if(!(h&&C<h.rows&&h.mark[C]!==sr&&h.mark[C]!==jc)||f.hidden?.(C))S.setMatrixAt(T,Aw);else{let b=o.body(C),L=h.rows;y.set(h.x[C],h.y[C],h.z[C]),
+i==="marks"?(g.setScalar(Math.min(...xd(b))),p.identity()):(g.set(...Og(b)),p.set(h.turn[L+C],h.turn[2*L+C],h.turn[3*L+C],h.turn[C]).normalize()),S.setMatrixAt(
+T,m.compose(y,p,g))}_.copy(d),f.colour?.(C,_,h),S.setColorAt(T,_)}),S.instanceMatrix.needsUpdate=!0,S.instanceColor&&(S.instanceColor.needsUpdate=!0),S.boundingSphere=
 null;u.mark_lost(f.lost??[])},mark_lost(h){for(let y of[...s.children])s.remove(y),y.geometry.dispose(),y.material.dispose();if(h.length===0)return;let f=new As(
 new eo(.7),new ls({color:t.bad,wireframe:!0,depthTest:!1}),h.length);f.frustumCulled=!1,f.renderOrder=4;let m=new xt;h.forEach(({at:y,size:p},g)=>{f.setMatrixAt(
 g,m.compose(new V(...y),new Bn,new V().setScalar(p)))}),s.add(f)},hits(h){return r.flatMap(({mesh:f,rows:m})=>{let y=[];return f.raycast(h,y),y.map(p=>({distance:p.
@@ -3893,16 +3893,16 @@ list?this.list[Math.min(this.list.length-1,Math.max(0,this.rank(e)+t))]:this.at_
 let r=i.first,o=null,a=0,l=r,c=performance.now(),d=X("input",{type:"range",className:"scrubber",min:i.first,max:i.last,value:r});d.setAttribute("aria-label",n);
 let u=X("select",{className:"speed"},...Rw.map(b=>X("option",{value:b,textContent:"\xD7".concat(b),selected:b===1})));u.setAttribute("aria-label","speed of play\
 ing");let h=X("input",{type:"number",className:"step",min:i.first,max:i.last,value:r});h.setAttribute("aria-label","step");let f=()=>{d.value=r,document.activeElement!==
-h&&(h.value=r),t(r)},m=()=>{clearInterval(o),o=null,a=0,C()},y=b=>{let N=i.at_or_before(b);if(N===r){d.value=r;return}r=N,f()},p=b=>{m(),y(b)},g=()=>{let b=performance.
+h&&(h.value=r),t(r)},m=()=>{clearInterval(o),o=null,a=0,C()},y=b=>{let L=i.at_or_before(b);if(L===r){d.value=r;return}r=L,f()},p=b=>{m(),y(b)},g=()=>{let b=performance.
 now();l+=a*Number(u.value)*Math.min(.25,(b-c)/1e3)/Math.max(e(),1e-9),c=b,y(l),(a>0?l>=i.last:l<=i.first)&&m()},_=b=>{if(a===b)return m();m(),a=b,b>0&&r>=i.at_or_before(
-i.last)&&y(i.first),b<0&&r<=i.first&&y(i.last),l=r,c=performance.now(),o=setInterval(g,Vg),C()},w=Fs("play","play",()=>_(1)),M=Fs("back","play backwards",()=>_(
--1));function C(){for(let[b,N,R,I]of[[w,1,"play","play"],[M,-1,"back","play backwards"]]){let F=a===N;b.replaceChildren(Gg(F?"pause":R)),b.setAttribute("aria-la\
-bel",F?"pause":I),b.title=F?"pause":I}}let S=b=>{m(),y(i.beside(r,b))};return d.addEventListener("input",()=>p(Number(d.value))),d.addEventListener("keydown",b=>{
-let N={ArrowLeft:-1,ArrowDown:-1,ArrowRight:1,ArrowUp:1,PageUp:10,PageDown:-10}[b.key];N===void 0||b.ctrlKey||b.metaKey||b.altKey||(b.preventDefault(),b.stopPropagation(),
-S(b.shiftKey?10*N:N))}),h.addEventListener("change",()=>{p(Number(h.value)),h.value=r}),{bar:s?X("div",{className:"player"},Fs("first","first step",()=>p(i.first)),
-M,Fs("less","one step back",()=>S(-1)),Fs("more","one step on",()=>S(1)),w,Fs("last","last step",()=>p(i.last)),u,d,h):X("div",{className:"player"},M,Fs("less",
-"one step back",()=>S(-1)),Fs("more","one step on",()=>S(1)),w,d),slider:d,seek:p,move:S,play:_,stop:m,get step(){return r},get direction(){return a},get stride(){
-return Math.max(1,Number(u.value)*Vg/1e3/Math.max(e(),1e-9))},set_last(b){let N=r===i.last;return i.last=b,d.max=h.max=b,N},refresh:f}}function eh(i,e,t=null){let n=0,s=new Map,r=()=>{let[l,c]=[...s.values()];return Math.hypot(l.x-c.x,l.y-c.y)};i.addEventListener("pointerdown",l=>{i.setPointerCapture(
+i.last)&&y(i.first),b<0&&r<=i.first&&y(i.last),l=r,c=performance.now(),o=setInterval(g,Vg),C()},S=Fs("play","play",()=>_(1)),M=Fs("back","play backwards",()=>_(
+-1));function C(){for(let[b,L,R,P]of[[S,1,"play","play"],[M,-1,"back","play backwards"]]){let F=a===L;b.replaceChildren(Gg(F?"pause":R)),b.setAttribute("aria-la\
+bel",F?"pause":P),b.title=F?"pause":P}}let T=b=>{m(),y(i.beside(r,b))};return d.addEventListener("input",()=>p(Number(d.value))),d.addEventListener("keydown",b=>{
+let L={ArrowLeft:-1,ArrowDown:-1,ArrowRight:1,ArrowUp:1,PageUp:10,PageDown:-10}[b.key];L===void 0||b.ctrlKey||b.metaKey||b.altKey||(b.preventDefault(),b.stopPropagation(),
+T(b.shiftKey?10*L:L))}),h.addEventListener("change",()=>{p(Number(h.value)),h.value=r}),{bar:s?X("div",{className:"player"},Fs("first","first step",()=>p(i.first)),
+M,Fs("less","one step back",()=>T(-1)),Fs("more","one step on",()=>T(1)),S,Fs("last","last step",()=>p(i.last)),u,d,h):X("div",{className:"player"},M,Fs("less",
+"one step back",()=>T(-1)),Fs("more","one step on",()=>T(1)),S,d),slider:d,seek:p,move:T,play:_,stop:m,get step(){return r},get direction(){return a},get stride(){
+return Math.max(1,Number(u.value)*Vg/1e3/Math.max(e(),1e-9))},set_last(b){let L=r===i.last;return i.last=b,d.max=h.max=b,L},refresh:f}}function eh(i,e,t=null){let n=0,s=new Map,r=()=>{let[l,c]=[...s.values()];return Math.hypot(l.x-c.x,l.y-c.y)};i.addEventListener("pointerdown",l=>{i.setPointerCapture(
 l.pointerId),i.focus({preventScroll:!0}),s.set(l.pointerId,{x:l.clientX,y:l.clientY}),n=0}),i.addEventListener("pointermove",l=>{if(l.buttons!==0){if(n+=Math.abs(
 l.movementX)+Math.abs(l.movementY),s.size===2){let c=r();s.set(l.pointerId,{x:l.clientX,y:l.clientY}),e.zoom(c/Math.max(1,r()))}else l.shiftKey||l.buttons!==1?e.
 pan(l.movementX/i.clientHeight,l.movementY/i.clientHeight):e.turn(-.008*l.movementX,.008*l.movementY);s.has(l.pointerId)&&s.set(l.pointerId,{x:l.clientX,y:l.clientY})}});
@@ -3914,28 +3914,29 @@ l.metaKey||l.altKey||(l.preventDefault(),l.stopPropagation(),a[l.key]())})}funct
 l);return o.length===0?[0,0]:[o[Math.floor(.05*(o.length-1))],o[Math.ceil(.95*(o.length-1))]]}),n=t.map(([r,o])=>(r+o)/2),s=Math.hypot(...t.map(([r,o])=>o-r));return{
 centre:n,radius:Math.max(s/2+Math.min(Math.max(e,.1),4),.001)}}var Iw=.07,Lw=.25;function yd(i,e){let t=new Vn,n=new Ps(.5,.5,1,6).translate(0,.5,0),s=new Ko(.5,1,10).translate(0,.5,0),r=new ls({color:i,depthTest:!1,transparent:!0,
 opacity:.9}),o=[];return{group:t,show(a,l){for(let y of o)t.remove(y),y.dispose();if(o=[],a.length===0)return;let[c,d]=o=[n,s].map(y=>new As(y,r,a.length)),u=Iw*
-l,h=Math.max(...a.map(y=>y.impulse),1e-30),f=new V(0,1,0),m=new xt;a.forEach(({at:y,normal:p,impulse:g},_)=>{let w=u*Math.max(Lw,Math.sqrt(Math.max(0,g)/h)),M=new Bn().
-setFromUnitVectors(f,new V(...p).normalize()),C=new V(...y),S=u*.05*e;c.setMatrixAt(_,m.compose(C,M,new V(S,w*.7,S)));let x=new V(0,w*.7,0).applyQuaternion(M).add(
-C);d.setMatrixAt(_,m.compose(x,M,new V(S*3.4,w*.3,S*3.4)))});for(let y of o)y.frustumCulled=!1,y.renderOrder=3,t.add(y)}}}var Md=40,Nw=2;function Dw(i,e){let t=new ln;t.setAttribute("position",new yt(i,3));let n=new Qr(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),
+l,h=Math.max(...a.map(y=>y.impulse),1e-30),f=new V(0,1,0),m=new xt;a.forEach(({at:y,normal:p,impulse:g},_)=>{let S=u*Math.max(Lw,Math.sqrt(Math.max(0,g)/h)),M=new Bn().
+setFromUnitVectors(f,new V(...p).normalize()),C=new V(...y),T=u*.05*e;c.setMatrixAt(_,m.compose(C,M,new V(T,S*.7,T)));let x=new V(0,S*.7,0).applyQuaternion(M).add(
+C);d.setMatrixAt(_,m.compose(x,M,new V(T*3.4,S*.3,T*3.4)))});for(let y of o)y.frustumCulled=!1,y.renderOrder=3,t.add(y)}}}var Md=40,Nw=2;function Dw(i,e){let t=new ln;t.setAttribute("position",new yt(i,3));let n=new Qr(t,e);return n.frustumCulled=!1,e.isLineDashedMaterial&&n.computeLineDistances(),
 n}function vd(i){i.traverse?.(e=>{e.geometry?.dispose(),e.material?.dispose(),e.dispose?.()}),i.removeFromParent()}function Uw(i,e){let t={around:-.9,up:.45,distance:.82*
 i/Math.sin(Md/2*Math.PI/180),centre:new V};if(e){let n=new V(...e.position).sub(new V(...e.target));t.around=Math.atan2(n.y,n.x),t.up=Math.min(1.5,Math.max(-.3,
 Math.asin(n.z/n.length())))}return t}function nh(i,{hue:e,box:t,camera:n,ground:s=!0}){let r=new Hc({canvas:i,antialias:!0,alpha:!0});r.setPixelRatio(Math.min(devicePixelRatio,
 Nw));let{radius:o}=t,a=new Go,l=new Fn(Md,1,o/200,o*200);l.up.set(0,0,1);let c=new to("#ffffff",2.2);c.position.set(.45,-.7,1);let d=new to("#ffffff",.7);if(d.position.
-set(-.8,.3,.4),a.add(new sa("#ffffff","#c9d1da",1.9),c,d),s){let S=new ca(8*o,40,e.line,e.line);S.rotation.x=Math.PI/2,S.position.set(t.centre[0],t.centre[1],0),
-a.add(S)}let u=Uw(o,n);u.centre.set(...t.centre);let h=[],f=new Vn;a.add(f);let m=[yd(e.contact,1),yd(e.expected,.7)];for(let{group:S}of m)a.add(S);let y=new Map,
-p=!1,g=!1,_=()=>{let S=u.distance*Math.max(1,.95/l.aspect),x=Math.cos(u.up)*S;l.position.set(u.centre.x+x*Math.cos(u.around),u.centre.y+x*Math.sin(u.around),u.centre.
-z+S*Math.sin(u.up)),l.lookAt(u.centre)},w=()=>p&&h.length===2?2:1,M=()=>{g=!1;let S=r.getSize(new ot),x=w();l.aspect=S.x/x/Math.max(1,S.y),l.updateProjectionMatrix(),
-_(),r.setScissorTest(x===2);for(let b=0;b<x;++b){let N=Math.round(b*S.x/x);r.setViewport(N,0,S.x/x,S.y),r.setScissor(N,0,S.x/x,S.y),h.forEach((R,I)=>{R.group.visible=
-x===1||I===b}),m.forEach(({group:R},I)=>{R.visible=x===1||I===b});for(let{session:R,line:I}of y.values())I.visible=x===1||R===b;r.render(a,l)}},C=()=>{g||(g=!0,
-requestAnimationFrame(M))};return{view:u,draw:C,draw_now:M,add_session(S,x){let b=kg(S,x,e);return h.push(b),a.add(b.group),{describe(N){b.describe(N),C()},show(N,R){
-b.show(N,R),C()}}},set_side_by_side(S){p=S,h[1]?.set_ghost(!S),C()},set_lines(S,x){if(y.has(S)&&vd(y.get(S).line),y.delete(S),x&&x.points.length>0){let{points:b,
-colour:N,dash:R,on_top:I}=x,F={color:N,depthTest:!I,transparent:!0,opacity:x.opacity??1},z=R?new ta({...F,dashSize:R,gapSize:.7*R}):new Cs(F),D=Dw(b,z);D.renderOrder=
-I?2:1,f.add(D),y.set(S,{line:D,session:x.session??0})}C()},set_arrows(S,x=0){m[x].show(S,u.distance),C()},pick(S,x){let b=w(),N=Math.min(b-1,Math.floor(S*b));_(),
-l.updateMatrixWorld();let R=new aa;R.setFromCamera(new ot(2*(S*b-N)-1,1-2*x),l);let I=h.flatMap((F,z)=>b===2&&z!==N?[]:F.hits(R).map(D=>({...D,session:z})));return I.
-sort((F,z)=>F.distance-z.distance),I[0]??null},turn(S,x){u.around+=S,u.up=Math.min(1.55,Math.max(-.3,u.up+x)),C()},zoom(S){u.distance=Math.min(40*o,Math.max(o/100,
-u.distance*S)),C()},pan(S,x){_(),l.updateMatrixWorld();let b=2*u.distance*Math.tan(Md/2*Math.PI/180),N=new V().setFromMatrixColumn(l.matrixWorld,0).multiplyScalar(
--S*b);u.centre.add(N.add(new V().setFromMatrixColumn(l.matrixWorld,1).multiplyScalar(x*b))),C()},look_at(S){u.centre.set(...S),C()},resize(S,x){r.setSize(S,x,!1),
-M()},dispose(){for(let S of h)vd(S.group);vd(f),a.traverse(S=>{S.geometry?.dispose(),S.material?.dispose()}),r.dispose(),r.forceContextLoss()}}}var Sd=2,Fw=.05,Ow=40,Bw=.15,Os=(i,e)=>{let t=i===null?[null]:i.slice(3*e,3*e+3);return t.includes(null)?null:t.map(n=>n/1e3)};function kw(i){let{actual_mm:e,expected_mm:t}=i.
+set(-.8,.3,.4),a.add(new sa("#ffffff","#c9d1da",1.9),c,d),s){let x=new ca(8*o,40,e.line,e.line);x.rotation.x=Math.PI/2,x.position.set(t.centre[0],t.centre[1],0),
+a.add(x)}let u=Uw(o,n);u.centre.set(...t.centre);let h=[],f=new Vn;a.add(f);let m=[yd(e.contact,1),yd(e.expected,.7)];for(let{group:x}of m)a.add(x);let y=new Map,
+p=!1,g=!1,_=0,S=()=>{let x=u.distance*Math.max(1,.95/l.aspect),b=Math.cos(u.up)*x;l.position.set(u.centre.x+b*Math.cos(u.around),u.centre.y+b*Math.sin(u.around),
+u.centre.z+x*Math.sin(u.up)),l.lookAt(u.centre)},M=()=>p&&h.length===2?2:1,C=()=>{cancelAnimationFrame(_),_=0,g=!0;let x=r.getSize(new st),b=M();l.aspect=x.x/b/
+Math.max(1,x.y),l.updateProjectionMatrix(),S(),r.setScissorTest(b===2);for(let L=0;L<b;++L){let R=Math.round(L*x.x/b);r.setViewport(R,0,x.x/b,x.y),r.setScissor(
+R,0,x.x/b,x.y),h.forEach((P,F)=>{P.group.visible=b===1||F===L}),m.forEach(({group:P},F)=>{P.visible=b===1||F===L});for(let{session:P,line:F}of y.values())F.visible=
+b===1||P===L;r.render(a,l)}},T=()=>{_||=requestAnimationFrame(C)};return{view:u,draw:T,draw_now:C,add_session(x,b){let L=kg(x,b,e);return h.push(L),a.add(L.group),
+{describe(R){L.describe(R),T()},show(R,P){L.show(R,P),T()}}},set_side_by_side(x){p=x,h[1]?.set_ghost(!x),T()},set_lines(x,b){if(y.has(x)&&vd(y.get(x).line),y.delete(
+x),b&&b.points.length>0){let{points:L,colour:R,dash:P,on_top:F}=b,z={color:R,depthTest:!F,transparent:!0,opacity:b.opacity??1},D=P?new ta({...z,dashSize:P,gapSize:.7*
+P}):new Cs(z),G=Dw(L,D);G.renderOrder=F?2:1,f.add(G),y.set(x,{line:G,session:b.session??0})}T()},set_arrows(x,b=0){m[b].show(x,u.distance),T()},pick(x,b){let L=M(),
+R=Math.min(L-1,Math.floor(x*L));S(),l.updateMatrixWorld();let P=new aa;P.setFromCamera(new st(2*(x*L-R)-1,1-2*b),l);let F=h.flatMap((z,D)=>L===2&&D!==R?[]:z.hits(
+P).map(G=>({...G,session:D})));return F.sort((z,D)=>z.distance-D.distance),F[0]??null},turn(x,b){u.around+=x,u.up=Math.min(1.55,Math.max(-.3,u.up+b)),T()},zoom(x){
+u.distance=Math.min(40*o,Math.max(o/100,u.distance*x)),T()},pan(x,b){S(),l.updateMatrixWorld();let L=2*u.distance*Math.tan(Md/2*Math.PI/180),R=new V().setFromMatrixColumn(
+l.matrixWorld,0).multiplyScalar(-x*L);u.centre.add(R.add(new V().setFromMatrixColumn(l.matrixWorld,1).multiplyScalar(b*L))),T()},look_at(x){u.centre.set(...x),T()},
+resize(x,b){let L=r.getSize(new st);L.x===x&&L.y===b||(r.setSize(x,b,!1),g?C():T())},dispose(){for(let x of h)vd(x.group);vd(f),a.traverse(x=>{x.geometry?.dispose(),
+x.material?.dispose()}),r.dispose(),r.forceContextLoss()}}}var Sd=2,Fw=.05,Ow=40,Bw=.15,Os=(i,e)=>{let t=i===null?[null]:i.slice(3*e,3*e+3);return t.includes(null)?null:t.map(n=>n/1e3)};function kw(i){let{actual_mm:e,expected_mm:t}=i.
 frames;return e.map((n,s)=>i.bodies.id.map((r,o)=>{let a=Os(n,o),l=Os(t[s],o);return a&&l?1e3*Math.hypot(a[0]-l[0],a[1]-l[1],a[2]-l[2]):null}))}function zw(i,e){
 let t=Math.max(0,...e.flat());return i.bodies.id.map((n,s)=>{let r=1e3*Math.min(...i.bodies.size.slice(3*s,3*s+3));return Math.max(Sd,Fw*Math.min(t,r>0?r:t))})}
 function Hg(i,e,t){let n=i.bodies.id.length,s={rows:n,x:new Float32Array(n),y:new Float32Array(n),z:new Float32Array(n),mark:new Uint8Array(n),turn:zg(n,r=>{let o=t?.
@@ -4021,8 +4022,8 @@ ld (".concat(a.message,"). ")+"If tumble view was ended, start it again."}}}var 
 inside"});return{place:X("details",{open:e,className:"panel",id:t},X("summary",{},X("h2",{textContent:i})),n),body:n}}function Kg(i,{label:e,name:t,size:n,answers:s,
 actions:r,asked:o=null}){let a=s.length===2?["A","B"]:["value"],l=s.find(f=>f.why_not),c=X("table",{className:"numbers"});c.append(X("thead",{},ar(X("th",{textContent:"\
 field"}),...a.map(f=>X("th",{textContent:f,className:"number"})))));let d=X("tbody"),u=s.find(f=>f.fields);for(let[f,{field:m}]of(u?.fields??[]).entries()){let y=s.
-map(w=>w.fields?.[f]),p=y.map(w=>w?.hex??String(w?.value)),g=p.length===2&&p[0]!==p[1],_=ar(X("th",{scope:"row",textContent:m}),...y.map(w=>{let M=Bs("","number");
-return w&&o?M.append(Rn(wa(w.value),()=>o(m),"".concat(w.hex??""," \u2013 where does it come from?"))):M.textContent=wa(w?.value),w?.hex&&(M.title=w.hex),M}));_.
+map(S=>S.fields?.[f]),p=y.map(S=>S?.hex??String(S?.value)),g=p.length===2&&p[0]!==p[1],_=ar(X("th",{scope:"row",textContent:m}),...y.map(S=>{let M=Bs("","number");
+return S&&o?M.append(Rn(wa(S.value),()=>o(m),"".concat(S.hex??""," \u2013 where does it come from?"))):M.textContent=wa(S?.value),S?.hex&&(M.title=S.hex),M}));_.
 classList.toggle("differs",g),d.append(_)}c.append(d);let h=[...t===e?[]:[t],n[0]>0?"".concat(n.map(f=>Number(f.toPrecision(4))).join(" \xD7 ")," m"):"size unkn\
 own"];u&&h.push(u.frozen?"asleep":"awake"),i.replaceChildren(X("p",{},X("strong",{textContent:e.replace(/^body /,"Body ")})," ".concat(h.join(" \xB7 "))),r),u&&
 i.append(X("div",{className:"scroll"},c)),u?.channels?.length>0&&i.append(X("div",{className:"scroll"},X("table",{className:"numbers"},X("caption",{textContent:"\
@@ -4080,10 +4081,10 @@ i0(i.speed[e])},{name:"deepest overlap",kind:"line",of:(i,e)=>i.overlap[e],words
 words:(i,e)=>Td(i.lost[e]),bad:!0,only_if_any:!0}];function Qw(i){let e=Math.ceil(i.length/5e3)||1;return i.filter((t,n)=>n%e===0&&t!==null)}var r0=i=>i.map((e,t)=>({
 name:e,kind:"line",title:"up to each step, ".concat(e),broken:(n,s)=>n.bounds[t]?.broken[s]===1,of:(n,s)=>n.bounds[t]?.value[s]??null,words:(n,s)=>{let r=n.bounds[t]?.
 broken[s]??null;if(r===null)return"not judged";let o=n.bounds[t].value[s];return"".concat(o===null?"no value":Number(o.toPrecision(4)),", ").concat(r?"\u2715 broken":
-"\u2713 holds")}})),o0=i=>i.channel_heads.map(({name:e,unit:t})=>{let n=(r,o)=>r.channels[e]?.[o]??null,s=(r,o)=>n(r,o)===null?"\u2013":"".concat(Number(n(r,o).
-toPrecision(6))).concat(t?" ".concat(t):"");return{name:e,kind:"line",fit:!0,title:"channel ".concat(e),of:n,words:s}});function a0(i){let e=new Map(i.step.map(
-(t,n)=>[t,n]));return{name:"separation",kind:"line",log:!0,of:(t,n)=>e.has(t.step[n])?i.metres[e.get(t.step[n])]:null,words:(t,n)=>{let s=e.get(t.step[n]);return s===
-void 0?"none":i.metres[s]===null?"infinite":zn(i.metres[s])}}}var sh=class{constructor(e){this.page=e,this.sessions=e.sessions,this.body_panel=ks("Body"),this.blame_panel=ks("Where it comes from"),this.blame_panel.place.hidden=
+"\u2713 holds")}})),o0=i=>i.channel_heads.map(({name:e,unit:t,of:n})=>{let s=(a,l)=>a.channels[e]?.[l]??null,r=(a,l)=>s(a,l)===null?"\u2013":"".concat(Number(s(
+a,l).toPrecision(6))).concat(t?" ".concat(t):""),o=n==="step"?"":", largest of ".concat(n);return{name:"".concat(e).concat(o),kind:"line",fit:!0,title:"channel ".
+concat(e).concat(o),of:s,words:r}});function a0(i){let e=new Map(i.step.map((t,n)=>[t,n]));return{name:"separation",kind:"line",log:!0,of:(t,n)=>e.has(t.step[n])?
+i.metres[e.get(t.step[n])]:null,words:(t,n)=>{let s=e.get(t.step[n]);return s===void 0?"none":i.metres[s]===null?"infinite":zn(i.metres[s])}}}var sh=class{constructor(e){this.page=e,this.sessions=e.sessions,this.body_panel=ks("Body"),this.blame_panel=ks("Where it comes from"),this.blame_panel.place.hidden=
 !0,this.contact_panel=ks("Contacts"),this.input_panel=ks("Inputs",{open:!1}),this.difference_panel=ks("Comparison"),this.places=[...this.sessions.length===2?[this.
 difference_panel.place]:[],this.body_panel.place,this.blame_panel.place,this.contact_panel.place,this.input_panel.place]}settled(e){return this.next_contacts=e,
 this.asking_contacts??=this.ask_contacts().finally(()=>{this.asking_contacts=null}),Promise.all([this.asking_contacts,this.show_body(e)])}async ask_contacts(){for(;this.
@@ -4128,11 +4129,11 @@ body:n(a)},r.push(o)),o.last=e[a],Math.abs(l-i.bound)>Math.abs(o.peak-i.bound)&&
 a condition, or for a body by id or name");let t=X("output",{}),n=X("ul",{className:"hits"}),s={kind:"none"},r=[],o=()=>{let{bodies:h}=i.sessions[0],f=h.find(s.
 text);return t.value=f.length===0?"no such body":"".concat(f.length," bod").concat(f.length===1?"y":"ies"),n.replaceChildren(...f.slice(0,rh).map(m=>X("li",{},Rn(
 h.label(h.id(m)),()=>i.select(h.id(m))),h.label(h.id(m)).includes(h.name(m))?"":" ".concat(h.name(m))))),i.set_hits([]),f},a=()=>{let{rows:h,timeline_done:f}=i.
-sessions[0];return c(c0(s,h,m=>i.separation_at(m)),co[s.quantity]?.unit??"",f)},l=async h=>{let f=s,m=i.sessions.map(({bodies:C})=>C.find(f.body).map(S=>C.id(S))),
+sessions[0];return c(c0(s,h,m=>i.separation_at(m)),co[s.quantity]?.unit??"",f)},l=async h=>{let f=s,m=i.sessions.map(({bodies:C})=>C.find(f.body).map(T=>C.id(T))),
 y=[...new Set(m.flat())];if(y.length!==1)return t.value=y.length===0?'no body "'.concat(f.body,'"'):"".concat(y.length,' bodies answer to "').concat(f.body,'"; \
-wanted one'),n.replaceChildren(),i.set_hits([]),[];let{unit:p}=Ta[f.quantity],g=f.quantity==="separation"&&i.sessions.length===2,_=[null,null],w=[],M=C=>s!==f?!1:
-(_[0]&&(!g||_[1])&&(w=c(h0(f,..._),p,C)),!0);try{for(let C of g?[1,0]:[0]){let S=C===0;if(_[C]=await i.sessions[C].history(y[0],x=>(_[C]=x,M(!1)&&s===f)),!M(S))
-return[]}h&&i.selected!==y[0]&&i.select(y[0])}catch(C){s===f&&(t.value=C.message)}return w},c=(h,f,m)=>{let y=m?"":" so far";return t.value=h.length===0?"in no \
+wanted one'),n.replaceChildren(),i.set_hits([]),[];let{unit:p}=Ta[f.quantity],g=f.quantity==="separation"&&i.sessions.length===2,_=[null,null],S=[],M=C=>s!==f?!1:
+(_[0]&&(!g||_[1])&&(S=c(h0(f,..._),p,C)),!0);try{for(let C of g?[1,0]:[0]){let T=C===0;if(_[C]=await i.sessions[C].history(y[0],x=>(_[C]=x,M(!1)&&s===f)),!M(T))
+return[]}h&&i.selected!==y[0]&&i.select(y[0])}catch(C){s===f&&(t.value=C.message)}return S},c=(h,f,m)=>{let y=m?"":" so far";return t.value=h.length===0?"in no \
 step".concat(y):"".concat(h.length," run").concat(h.length===1?"":"s"," of steps").concat(y,", the first at ").concat(h[0].first),r=h.slice(0,rh).map(p=>{let g=p.
 first===p.last?"step ".concat(p.first):"steps ".concat(p.first," to ").concat(p.last),_=X("li",{},Rn(g,()=>i.player.seek(p.first)),": up to ",Rn("".concat(i1(p.
 peak,f)),()=>i.player.seek(p.at),"at step ".concat(p.at)));return p.body&&_.append(", ",Rn(i.sessions[0].bodies.label(p.body),()=>i.select(p.body))),_}),n.replaceChildren(
@@ -4157,9 +4158,10 @@ this.channel_heads=e;for(let t of f0)this[t]=[];this.begun=[],this.label=t=>"bod
 this.count-t.length).fill(null),broken:new Array(this.count-t.length).fill(null)};r.value.push(...t),r.broken.push(...n)}),e.channels.forEach((t,n)=>{let{name:s}=this.
 channel_heads[n],r=this.channels[s]??=[];for(;r.length<this.count-t.length;)r.push(null);r.push(...t)})}index(e){let{count:t}=this;if(t===0||e<this.step[0])return-1;
 let n=t>1?this.step[1]-this.step[0]:1,s=Math.min(t-1,Math.max(0,Math.floor((e-this.step[0])/n)));for(;s>0&&this.step[s]>e;)--s;for(;s+1<t&&this.step[s+1]<=e;)++s;
-return s}unread(){let e=[];for(let t=0;t<this.count;++t){if(this.read[t]!==0)continue;let n=e.at(-1);n&&t>0&&this.read[t-1]===0?n[1]=this.step[t]:e.push([this.step[t],
-this.step[t],"the record with it is damaged"])}return e}broken(e){return this.bounds.reduce((t,{broken:n})=>t+(n[e]??0),0)}breaks(){return this.bounds.map(({broken:e})=>e.
-indexOf(1)).filter(e=>e>=0).map(e=>this.step[e])}energy(e){return this.kinetic[e]===null||this.potential[e]===null?null:this.kinetic[e]+this.potential[e]}};var o1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function g0(i){if(!("DecompressionStream"in window))
+return s}reaches(e){let t=this.count>1?this.step[1]-this.step[0]:1;return this.count>0&&e<this.step[this.count-1]+t}unread(){let e=[];for(let t=0;t<this.count;++t){
+if(this.read[t]!==0)continue;let n=e.at(-1);n&&t>0&&this.read[t-1]===0?n[1]=this.step[t]:e.push([this.step[t],this.step[t],"the record with it is damaged"])}return e}broken(e){
+return this.bounds.reduce((t,{broken:n})=>t+(n[e]??0),0)}breaks(){return this.bounds.map(({broken:e})=>e.indexOf(1)).filter(e=>e>=0).map(e=>this.step[e])}energy(e){
+return this.kinetic[e]===null||this.potential[e]===null?null:this.kinetic[e]+this.potential[e]}};var o1=i=>{let e=document.getElementById(i).textContent;return Uint8Array.from(atob(e),t=>t.charCodeAt(0))};async function g0(i){if(!("DecompressionStream"in window))
 throw new Error("this browser is too old to unpack the page (no DecompressionStream)");let e=new Blob([o1(i)]).stream().pipeThrough(new DecompressionStream("def\
 late"));return new Response(e).arrayBuffer()}var p0=async i=>JSON.parse(new TextDecoder().decode(await g0(i))),m0=i=>i>>>1^-(i&1);function a1(i,e,t,n){let s=e*t,
 r={place:[],turn:new Int16Array(4*s),mark:new Uint8Array(s)},o=0;for(let a=0;a<3;++a){let l=new Float32Array(s);for(let c=0,d=0;c<t;++c){let u=0,h=0;for(let f=0;f<
@@ -4213,29 +4215,29 @@ s,n,await ui("bodies",{log:s}))));return{sessions:e,difference:null,served:!0,fo
 take_news()||l;o||(r=await ui("difference"),o=r.state!=="working",l=!0),s(null)}catch(u){s(u)}l&&n(r);let c=e.some(u=>!u.head.finished),d=!o||e.some(u=>!u.timeline_done||
 u.busy);(c||d)&&setTimeout(a,d&&!c?h1:c1)};a()}}}var d1=30,f1=22,v0=i=>{let e=X("canvas",{});return e.setAttribute("aria-hidden","true"),e.style.height="".concat(i,"px"),e};function M0(i){let e=Math.min(devicePixelRatio,
 2),t=i.clientWidth,n=i.clientHeight;(i.width!==Math.round(t*e)||i.height!==Math.round(n*e))&&(i.width=Math.round(t*e),i.height=Math.round(n*e));let s=i.getContext(
-"2d");return s.setTransform(e,0,0,e,0,0),s.clearRect(0,0,t,n),{context:s,width:t,height:n}}function p1(i,e,t,n){let s=new Float64Array(Math.ceil(n)+1).fill(1/0),
-r=new Float64Array(Math.ceil(n)+1).fill(-1/0);for(let o=0;o<i.count;++o){let a=e(i,o);if(a==null||!Number.isFinite(a))continue;let l=Math.min(s.length-1,Math.max(
-0,Math.round(t(i.step[o]))));a<s[l]&&(s[l]=a),a>r[l]&&(r[l]=a)}return{low:s,high:r}}function m1({low:i,high:e},t,n){let s=1/0,r=-1/0;for(let o=0;o<i.length;++o)
-i[o]<s&&(s=i[o]),e[o]>r&&(r=e[o]);return s===1/0?null:(t.top&&(r=t.top(n)),!t.fit&&!t.log&&(s=Math.min(0,s)),t.log&&(s=Math.max(s,1e-18)),r<=s&&(r=s+(s===0?1:Math.
-abs(s))),{bottom:s,top:r})}function g1(i,e,t,n,s,r){let{context:o,width:a,height:l}=M0(i),c=p1(t,e.of,n,a),d=m1(c,e,t);if(!d)return!1;let u=e.log?_=>Math.log(Math.
-max(_,1e-18)):_=>_,[h,f]=[u(d.bottom),u(d.top)],m=_=>l-2-(l-5)*(u(_)-h)/Math.max(f-h,1e-300);if(o.fillStyle=o.strokeStyle=s,e.broken){o.fillStyle=r.bad;for(let _=0;_<
-t.count;++_)e.broken(t,_)&&o.fillRect(n(t.step[_]),l-4,2,4);o.fillStyle=s}if(e.kind==="bars"){for(let _=0;_<c.high.length;++_)c.high[_]>0&&o.fillRect(_,m(c.high[_]),
-1.2,l-1-m(c.high[_]));return!0}o.beginPath();let y=!1,p=0,g=0;for(let _=0;_<c.high.length;++_)c.high[_]!==-1/0&&(y||o.moveTo(g=_,m(c.high[_])),y=!0,o.lineTo(_,m(
-c.high[_])),c.low[_]!==c.high[_]&&o.lineTo(_,m(c.low[_])),p=_);return o.lineWidth=1.4,o.lineJoin="round",o.stroke(),e.kind==="area"&&(o.lineTo(p,l),o.lineTo(g,l),
-o.globalAlpha=.25,o.fill(),o.globalAlpha=1),!0}function b0({rows:i,range:e,seek:t,marks:n,hues:s}){let r=X("div",{className:"timeline"}),o=X("div",{className:"c\
-ursor"}),a=v0(f1),l=X("span",{className:"value"}),c=[],d=0,u=_=>w=>(w-e().first)/Math.max(1,e().last-e().first)*(_-1),h=(_,w,M,C="")=>X("div",{className:"lane",
-title:C},X("div",{className:"label"},X("span",{textContent:_}),w),M),f=_=>{c=_.map(w=>{let M=v0(d1),C=X("span",{className:"value"});return{lane:w,canvas:M,value:C,
-row:h(w.name,C,M,w.title??"")}}),r.replaceChildren(h("events",l,a),...c.map(({row:w})=>w),o)},m=()=>{let{context:_,width:w,height:M}=M0(a),C=s(),{gaps:S,inputs:x,
-hits:b,first_difference:N}=n(),R=u(w);_.fillStyle=C.line,_.fillRect(0,M/2-1,w,2);for(let[I,F]of S)_.fillStyle=C.bad,_.globalAlpha=.35,_.fillRect(R(I),2,Math.max(
-2,R(F)-R(I)),M-4),_.globalAlpha=1;_.fillStyle=C.select;for(let I of b)_.fillRect(R(I.first),M-7,Math.max(2,R(I.last)-R(I.first)),6);_.fillStyle=C.ink;for(let{step:I}of x){
-let F=R(I);_.beginPath(),_.moveTo(F-4,1),_.lineTo(F+4,1),_.lineTo(F,9),_.fill()}N!==null&&(_.fillStyle=C.bad,_.fillRect(R(N)-1,0,2,M),_.beginPath(),_.moveTo(R(N)+
-1,0),_.lineTo(R(N)+9,4),_.lineTo(R(N)+1,8),_.fill())},y=()=>{let _=i.index(d);for(let{lane:C,value:S}of c)S.textContent=_<0||i.step[_]===void 0?"\u2013":C.words(
-i,_);let w=n().inputs.filter(C=>C.step===d);l.textContent=w.length>0?w.map(({kind:C,body:S})=>"".concat(C).concat(S?" ".concat(S):"")).join(", "):"".concat(n().
-inputs.length," input").concat(n().inputs.length===1?"":"s");let M=a.offsetLeft+u(a.clientWidth)(d);o.style.transform="translateX(".concat(M,"px)")},p=()=>{if(a.
-clientWidth===0)return;let _=s();m(),c.forEach(({lane:w,canvas:M,row:C},S)=>{let x=g1(M,w,i,u(M.clientWidth),w.bad?_.bad:_.lanes[S%_.lanes.length],_);C.hidden=!x&&
-(w.only_if_any||w.late)}),y()},g=_=>{if(_.buttons===0)return;let w=a.getBoundingClientRect(),M=Math.min(1,Math.max(0,(_.clientX-w.left)/Math.max(1,w.width-1)));
-t(Math.round(e().first+M*(e().last-e().first)))};return r.addEventListener("pointerdown",_=>{_.target.tagName==="CANVAS"&&(r.setPointerCapture(_.pointerId),g(_))}),
-r.addEventListener("pointermove",g),new ResizeObserver(p).observe(r),{place:r,draw:p,set_lanes:f,show(_){d=_,y()}}}function S0(i){let{drawing:e}=i,t=i.sessions.length===2,n=(h,f,m,y)=>{let p=X("button",{type:"button",textContent:h,title:"".concat(h," (").concat(f,")")});return p.
+"2d",{willReadFrequently:!0});return s.setTransform(e,0,0,e,0,0),s.clearRect(0,0,t,n),{context:s,width:t,height:n}}function p1(i,e,t,n){let s=new Float64Array(Math.
+ceil(n)+1).fill(1/0),r=new Float64Array(Math.ceil(n)+1).fill(-1/0);for(let o=0;o<i.count;++o){let a=e(i,o);if(a==null||!Number.isFinite(a))continue;let l=Math.min(
+s.length-1,Math.max(0,Math.round(t(i.step[o]))));a<s[l]&&(s[l]=a),a>r[l]&&(r[l]=a)}return{low:s,high:r}}function m1({low:i,high:e},t,n){let s=1/0,r=-1/0;for(let o=0;o<
+i.length;++o)i[o]<s&&(s=i[o]),e[o]>r&&(r=e[o]);return s===1/0?null:(t.top&&(r=t.top(n)),!t.fit&&!t.log&&(s=Math.min(0,s)),t.log&&(s=Math.max(s,1e-18)),r<=s&&(r=
+s+(s===0?1:Math.abs(s))),{bottom:s,top:r})}function g1(i,e,t,n,s,r){let{context:o,width:a,height:l}=M0(i),c=p1(t,e.of,n,a),d=m1(c,e,t);if(!d)return!1;let u=e.log?
+_=>Math.log(Math.max(_,1e-18)):_=>_,[h,f]=[u(d.bottom),u(d.top)],m=_=>l-2-(l-5)*(u(_)-h)/Math.max(f-h,1e-300);if(o.fillStyle=o.strokeStyle=s,e.broken){o.fillStyle=
+r.bad;for(let _=0;_<t.count;++_)e.broken(t,_)&&o.fillRect(n(t.step[_]),l-4,2,4);o.fillStyle=s}if(e.kind==="bars"){for(let _=0;_<c.high.length;++_)c.high[_]>0&&o.
+fillRect(_,m(c.high[_]),1.2,l-1-m(c.high[_]));return!0}o.beginPath();let y=!1,p=0,g=0;for(let _=0;_<c.high.length;++_)c.high[_]!==-1/0&&(y||o.moveTo(g=_,m(c.high[_])),
+y=!0,o.lineTo(_,m(c.high[_])),c.low[_]!==c.high[_]&&o.lineTo(_,m(c.low[_])),p=_);return o.lineWidth=1.4,o.lineJoin="round",o.stroke(),e.kind==="area"&&(o.lineTo(
+p,l),o.lineTo(g,l),o.globalAlpha=.25,o.fill(),o.globalAlpha=1),!0}function b0({rows:i,range:e,seek:t,marks:n,hues:s}){let r=X("div",{className:"timeline"}),o=X(
+"div",{className:"cursor"}),a=v0(f1),l=X("span",{className:"value"}),c=[],d=0,u=_=>S=>(S-e().first)/Math.max(1,e().last-e().first)*(_-1),h=(_,S,M,C="")=>X("div",
+{className:"lane",title:C},X("div",{className:"label"},X("span",{textContent:_}),S),M),f=_=>{c=_.map(S=>{let M=v0(d1),C=X("span",{className:"value"});return{lane:S,
+canvas:M,value:C,row:h(S.name,C,M,S.title??"")}}),r.replaceChildren(h("events",l,a),...c.map(({row:S})=>S),o)},m=()=>{let{context:_,width:S,height:M}=M0(a),C=s(),
+{gaps:T,inputs:x,hits:b,first_difference:L}=n(),R=u(S);_.fillStyle=C.line,_.fillRect(0,M/2-1,S,2);for(let[P,F]of T)_.fillStyle=C.bad,_.globalAlpha=.35,_.fillRect(
+R(P),2,Math.max(2,R(F)-R(P)),M-4),_.globalAlpha=1;_.fillStyle=C.select;for(let P of b)_.fillRect(R(P.first),M-7,Math.max(2,R(P.last)-R(P.first)),6);_.fillStyle=
+C.ink;for(let{step:P}of x){let F=R(P);_.beginPath(),_.moveTo(F-4,1),_.lineTo(F+4,1),_.lineTo(F,9),_.fill()}L!==null&&(_.fillStyle=C.bad,_.fillRect(R(L)-1,0,2,M),
+_.beginPath(),_.moveTo(R(L)+1,0),_.lineTo(R(L)+9,4),_.lineTo(R(L)+1,8),_.fill())},y=()=>{let _=i.index(d),S=i.reaches(d)?_:-1;for(let{lane:T,value:x}of c)x.textContent=
+S<0||i.step[S]===void 0?"\u2013":T.words(i,S);let M=n().inputs.filter(T=>T.step===d);l.textContent=M.length>0?M.map(({kind:T,body:x})=>"".concat(T).concat(x?" ".
+concat(x):"")).join(", "):"".concat(n().inputs.length," input").concat(n().inputs.length===1?"":"s");let C=a.offsetLeft+u(a.clientWidth)(d);o.style.transform="t\
+ranslateX(".concat(C,"px)")},p=()=>{if(a.clientWidth===0)return;let _=s();m(),c.forEach(({lane:S,canvas:M,row:C},T)=>{let x=g1(M,S,i,u(M.clientWidth),S.bad?_.bad:
+_.lanes[T%_.lanes.length],_);C.hidden=!x&&(S.only_if_any||S.late)}),y()},g=_=>{if(_.buttons===0)return;let S=a.getBoundingClientRect(),M=Math.min(1,Math.max(0,(_.
+clientX-S.left)/Math.max(1,S.width-1)));t(Math.round(e().first+M*(e().last-e().first)))};return r.addEventListener("pointerdown",_=>{_.target.tagName==="CANVAS"&&
+(r.setPointerCapture(_.pointerId),g(_))}),r.addEventListener("pointermove",g),new ResizeObserver(p).observe(r),{place:r,draw:p,set_lanes:f,show(_){d=_,y()}}}function S0(i){let{drawing:e}=i,t=i.sessions.length===2,n=(h,f,m,y)=>{let p=X("button",{type:"button",textContent:h,title:"".concat(h," (").concat(f,")")});return p.
 addEventListener("click",()=>{y(),u()}),{made:p,is_on:m}},s=X("select",{},...[["material","material"],["state","asleep or awake"],["speed","speed"],...t?[["apar\
 t","distance A to B"]]:[]].map(([h,f])=>X("option",{value:h,textContent:f})));s.addEventListener("change",()=>{e.paint=s.value;let{rows:h}=i.sessions[0];e.top_speed=
 Math.max(.1,...h.speed.map(f=>Math.min(f??0,50)).slice(0,5e4)),e.show()});let r=()=>{e.with_contacts=!e.with_contacts,e.show()},o=()=>{e.with_ways=!e.with_ways,

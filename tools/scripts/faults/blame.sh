@@ -53,6 +53,7 @@ names_one_of() { # phases line
 
 # Leaves a row: sessions that differ|sessions whose answers name the phase; then the lines of the trial.
 ask() { # name slot
+  rm -f "$work/rows/$1"
   local name=$1 tree=$work/tree$2 line phases differ=0 named=0
   phases=$(<"$list/$name.phase")
   put_back "$tree"
@@ -63,8 +64,11 @@ ask() { # name slot
     return
   fi
   mkdir -p "$work/own$2"
-  timeout 600 "$tree/build/release/tests/blame_trial" "$work/own$2" "$work"/good/*.tumble \
-    >"$work/log/$name" 2>"$work/log/$name.errors" || printf 'failed: %s\n' "$(<"$work/log/$name.errors")" >>"$work/log/$name"
+  if ! timeout 600 "$tree/build/release/tests/blame_trial" "$work/own$2" "$work"/good/*.tumble \
+    >"$work/log/$name" 2>"$work/log/$name.errors"; then
+    printf '%-36s cannot be asked: %s\n' "$name" "$(<"$work/log/$name.errors")"
+    return
+  fi
   while read -r line; do
     [[ $line == *" body "* ]] || continue
     differ=$((differ + 1))

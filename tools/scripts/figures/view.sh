@@ -23,6 +23,7 @@ server=$!
 until address=$(grep -m1 '^http:' "$work/said"); do sleep 0.1; done
 printf 'load %s\nserved, 6400 x 1500: ' "$(cut -d ' ' -f 1-3 /proc/loadavg)"
 node tests/session_page/figures.js "$address" "${1:-5}"
+grep VmHWM /proc/$server/status
 kill $server
 wait $server || true
 server=

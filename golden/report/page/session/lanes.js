@@ -39,11 +39,12 @@ export const bound_lanes = (texts) => texts.map((text, b) => ({
   },
 }));
 
-/// Lanes for the channels that a log carries besides.
-export const channel_lanes = (rows) => rows.channel_heads.map(({ name, unit }) => {
+/// Lanes for the channels that a log carries besides; of those of bodies and pairs, the largest value in each step.
+export const channel_lanes = (rows) => rows.channel_heads.map(({ name, unit, of: whose }) => {
   const of = (all, i) => all.channels[name]?.[i] ?? null;
   const words = (all, i) => (of(all, i) === null ? "–" : `${Number(of(all, i).toPrecision(6))}${unit ? ` ${unit}` : ""}`);
-  return { name, kind: "line", fit: true, title: `channel ${name}`, of, words };
+  const most = whose === "step" ? "" : `, largest of ${whose}`;
+  return { name: `${name}${most}`, kind: "line", fit: true, title: `channel ${name}${most}`, of, words };
 });
 
 /// The lane of the distance between two sessions; logarithmic, since it grows by powers.

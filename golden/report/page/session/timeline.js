@@ -20,7 +20,7 @@ function prepared(canvas) {
     canvas.width = Math.round(width * scale);
     canvas.height = Math.round(height * scale);
   }
-  const context = canvas.getContext("2d");
+  const context = canvas.getContext("2d", { willReadFrequently: true });  // not by the GPU: small pictures, seldom drawn
   context.setTransform(scale, 0, 0, scale, 0, 0);
   context.clearRect(0, 0, width, height);
   return { context, width, height };
@@ -157,7 +157,8 @@ export function make_timeline({ rows, range, seek, marks, hues }) {
     }
   };
   const say = () => {
-    const i = rows.index(step);
+    const found = rows.index(step);
+    const i = rows.reaches(step) ? found : -1;  // the timeline may not be read that far yet
     for (const { lane, value } of lanes) value.textContent = i < 0 || rows.step[i] === undefined ? "–" : lane.words(rows, i);
     const inputs = marks().inputs.filter((one) => one.step === step);
     marks_words.textContent = inputs.length > 0 ? inputs.map(({ kind, body }) => `${kind}${body ? ` ${body}` : ""}`).join(", ")

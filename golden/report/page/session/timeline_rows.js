@@ -3,7 +3,7 @@ const kColumns = ["step", "time", "read", "kinetic", "potential", "inputs", "con
   "speed", "speed_body", "height", "overlap"];
 
 export class TimelineRows {
-  /// channels: those of the log's head, [{name, unit}].
+  /// channels: those of the log's head, [{name, unit, of}].
   constructor(channels = []) {
     this.channel_heads = channels;
     for (const name of kColumns) this[name] = [];
@@ -43,6 +43,12 @@ export class TimelineRows {
     while (i > 0 && this.step[i] > step) --i;
     while (i + 1 < count && this.step[i + 1] <= step) ++i;
     return i;
+  }
+
+  /// Whether the rows read so far go up to a step; rows of a thinned timeline stand for the steps up to the next.
+  reaches(step) {
+    const stride = this.count > 1 ? this.step[1] - this.step[0] : 1;
+    return this.count > 0 && step < this.step[this.count - 1] + stride;
   }
 
   /// Runs of steps that could not be read: [first, last, why].

@@ -68,7 +68,8 @@ export function make_stage(canvas, { hue, box, camera: wanted, ground = true }) 
   for (const { group } of arrows) scene.add(group);
   const lines = new Map();
   let side_by_side = false;
-  let waits = false;
+  let drawn = false;
+  let waits = 0;  // the browser's number of the frame that will draw; 0: none
 
   // A picture that is higher than wide shows as much from side to side as another one does from top to bottom.
   const place_camera = () => {
@@ -80,7 +81,9 @@ export function make_stage(canvas, { hue, box, camera: wanted, ground = true }) 
   };
   const halves = () => (side_by_side && sessions.length === 2 ? 2 : 1);
   const draw_now = () => {
-    waits = false;
+    cancelAnimationFrame(waits);
+    waits = 0;
+    drawn = true;
     const size = renderer.getSize(new Vector2());
     const parts = halves();
     camera.aspect = size.x / parts / Math.max(1, size.y);
@@ -97,11 +100,7 @@ export function make_stage(canvas, { hue, box, camera: wanted, ground = true }) 
       renderer.render(scene, camera);
     }
   };
-  const draw = () => {
-    if (waits) return;
-    waits = true;
-    requestAnimationFrame(draw_now);
-  };
+  const draw = () => { waits ||= requestAnimationFrame(draw_now); };
 
   return {
     view,
@@ -176,8 +175,11 @@ export function make_stage(canvas, { hue, box, camera: wanted, ground = true }) 
       draw();
     },
     resize(width, height) {
-      renderer.setSize(width, height, false);
-      draw_now();
+      const size = renderer.getSize(new Vector2());
+      if (size.x === width && size.y === height) return;
+      renderer.setSize(width, height, false);  // clears the picture
+      if (drawn) draw_now();
+      else draw();
     },
     dispose() {
       for (const session of sessions) drop(session.group);
