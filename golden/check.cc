@@ -54,9 +54,7 @@ Result<SuiteResult> check_suite(const CheckOptions& options) {
   result.problems = suite->problems;
   if (selected.empty() && result.shards == 1) result.problems.emplace_back("no case was run");
   result.canaries = run_canaries(options.canary_judge);
-  Result<RunFacts> facts = facts_of_run(*suite, *all, selected, options.require, options.pool.timeout_s);
-  if (!facts.ok()) return facts.error();
-  result.facts = *std::move(facts);
+  result.facts = facts_of_run(*suite, *all, selected, options.require, options.pool.timeout_s);
 
   const std::vector<CaseFolder> folders = longest_first(std::move(selected));
   if (!options.report.empty()) {

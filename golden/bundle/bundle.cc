@@ -26,15 +26,11 @@ std::string joined(const std::vector<std::string>& words) {
 
 }  // namespace
 
-Result<RunFacts> facts_of_run(const Suite& suite, const std::vector<CaseFolder>& all,
-                              const std::vector<CaseFolder>& mine,
-                              const std::optional<std::vector<VerdictKind>>& require, double timeout_s) {
+RunFacts facts_of_run(const Suite& suite, const std::vector<CaseFolder>& all, const std::vector<CaseFolder>& mine,
+                      const std::optional<std::vector<VerdictKind>>& require, double timeout_s) {
   RunFacts facts;
-  Result<std::string> program = program_hash(), files = suite_hash(suite);
-  if (!program.ok()) return program.error();
-  if (!files.ok()) return files.error();
-  facts.program_hash = *std::move(program);
-  facts.suite_hash = *std::move(files);
+  facts.program_hash = program_hash();
+  facts.suite_hash = suite_hash(suite);
   facts.selected_hash = names_hash(names_of(all));
   facts.expected = names_of(mine);
   std::vector<std::string> verdicts;

@@ -42,17 +42,28 @@ Status add_content(Hasher& hasher, const fs::path& path, std::uint64_t& bytes) {
   return file.bad() ? Status(cannot_finish(path.string() + ": cannot be read: " + std::strerror(errno))) : Status();
 }
 
-/// All files below, in order; links to folders are not followed.
-Result<std::vector<fs::path>> files_below(const fs::path& folder) {
+/// All files below, in order; links to folders are not followed. error: why the folder could not be listed, or empty.
+std::vector<fs::path> files_below(const fs::path& folder, std::string& error) {
   std::vector<fs::path> files;
-  std::error_code error;
-  for (fs::recursive_directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+  std::error_code code;
+  for (fs::recursive_directory_iterator at(folder, code), end; !code && at != end; at.increment(code)) {
     std::error_code ignored;
     if (!at->is_directory(ignored)) files.push_back(at->path());
   }
-  if (error) return bad_input(folder.string() + ": cannot be listed: " + error.message());
+  if (code) error = code.message();
   std::ranges::sort(files);
   return files;
+}
+
+void add_file(Hasher& hasher, const fs::path& file) {
+  std::uint64_t bytes = 0;
+  std::error_code error;
+  if (!fs::is_regular_file(file, error)) {
+    add_text(hasher, "no file");  // a pipe would be waited for
+  } else if (Status ok = add_content(hasher, file, bytes); !ok.ok()) {
+    add_text(hasher, ok.error().message);
+  }
+  hasher.add(bytes);
 }
 
 }  // namespace
@@ -65,30 +76,24 @@ Result<FileHash> hash_file(const fs::path& path) {
   return found;
 }
 
-Result<std::string> program_hash() {
+std::string program_hash() {
   const Result<FileHash> found = hash_file("/proc/self/exe");
-  if (!found.ok()) return found.error();
-  return found->hash;
+  return found.ok() ? found->hash : "not known";
 }
 
-Result<std::string> suite_hash(const Suite& suite) {
+std::string suite_hash(const Suite& suite) {
   Hasher hasher;
   for (const CaseFolder& one : suite.cases) {
-    const Result<std::vector<fs::path>> files = files_below(one.path);
-    if (!files.ok()) return files.error();
-    for (const fs::path& file : *files) {
+    std::string error;
+    for (const fs::path& file : files_below(one.path, error)) {
       add_text(hasher, file.lexically_relative(suite.root).string());
-      std::uint64_t bytes = 0;
-      if (Status ok = add_content(hasher, file, bytes); !ok.ok()) continue;  // the case's run reports it
-      hasher.add(bytes);
+      add_file(hasher, file);
     }
+    add_text(hasher, error);
   }
   // A project that cannot be read is an error of the check.
   const Result<std::optional<EngineProject>> project = find_project(suite.root);
-  if (project.ok() && *project) {
-    std::uint64_t bytes = 0;
-    if (Status ok = add_content(hasher, (*project)->file, bytes); !ok.ok()) return ok.error();
-  }
+  if (project.ok() && *project) add_file(hasher, (*project)->file);
   return to_string(hasher.digest());
 }
 

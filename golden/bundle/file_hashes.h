@@ -19,12 +19,13 @@ struct FileHash {
 /// Of a file's content, read in pieces. Errors (kBadInput): missing, a folder, no permission.
 Result<FileHash> hash_file(const std::filesystem::path& path);
 
-/// Of this program's file.
-Result<std::string> program_hash();
+/// Of this program's file; "not known" where the system has no /proc.
+std::string program_hash();
 
-/// Of the paths and contents of all files below the suite's cases, and of the tumble.toml that builds its engine.
-/// HISTORY.md decides no verdict and is not part of it.
-Result<std::string> suite_hash(const Suite& suite);
+/// Of the paths and contents of all files below the suite's cases, and of the tumble.toml that builds its engine; of
+/// the error in place of what cannot be read, which the case's own run reports. HISTORY.md decides no verdict and is
+/// not part of it.
+std::string suite_hash(const Suite& suite);
 
 /// Of names in their order.
 std::string names_hash(const std::vector<std::string>& names);

@@ -125,6 +125,10 @@ void ExpectedComparer::compare_extras(const replay::StepRecord& record) {
   }
 }
 
+std::vector<std::string> ExpectedComparer::lost_channels() const {
+  return extras_ ? extras_->lost() : std::vector<std::string>();
+}
+
 std::vector<std::string> ExpectedComparer::extras() const {
   return extras_ ? extras_->compared() : std::vector<std::string>();
 }

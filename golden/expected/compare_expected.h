@@ -49,6 +49,9 @@ class ExpectedComparer {
   /// After the last step. continuation: of the last state, zero where it is not known.
   std::optional<FirstDifference> finish(const Hash128& continuation);
 
+  /// Channels of the golden that the session lacks or has in another type, a sentence each.
+  [[nodiscard]] std::vector<std::string> lost_channels() const;
+
   /// The channels and contacts that were compared, in words.
   [[nodiscard]] std::vector<std::string> extras() const;
 

@@ -180,6 +180,21 @@ std::string ExtrasComparer::detail(const std::string& field, const replay::StepR
   return text;
 }
 
+std::vector<std::string> ExtrasComparer::lost() const {
+  std::vector<std::string> sentences;
+  for (const Pair& pair : pairs_) {
+    if (pair.expected == nullptr) continue;
+    const std::string field = kChannelPrefix + pair.channel.name;
+    if (!pair.actual) {
+      sentences.push_back(field + ": the session has no such channel");
+    } else if (const replay::ChannelType& before = pair.expected->channel.type;
+               !comparable(before, pair.channel.type)) {
+      sentences.push_back(field + ": expected " + kind_text(before) + ", actual " + kind_text(pair.channel.type));
+    }
+  }
+  return sentences;
+}
+
 std::vector<std::string> ExtrasComparer::compared() const {
   std::vector<std::string> parts;
   if (!pairs_.empty()) {

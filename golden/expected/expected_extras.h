@@ -64,6 +64,10 @@ class ExtrasComparer {
   /// expected 0.22, actual 0.2200001 (3602879702 ULPs apart)". Else empty.
   [[nodiscard]] std::string detail(const std::string& field, const replay::StepRecord& record) const;
 
+  /// The golden's channels that the session lacks or has in another type, a sentence each: "channel.knee: the session
+  /// has no such channel". What a bound judges may be gone with them.
+  [[nodiscard]] std::vector<std::string> lost() const;
+
   /// What is compared: "2 channels (knee, seed)", "contacts of the engine".
   [[nodiscard]] std::vector<std::string> compared() const;
 

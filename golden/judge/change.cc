@@ -65,7 +65,8 @@ std::string metrics_text(const CaseResult& result) {
 
 std::string pictures_text(const CaseResult& result) {
   const Outcome image = result.verdict(VerdictKind::kImage).outcome;
-  if (image == Outcome::kNone) return "";
+  const bool is_required = std::ranges::find(result.require, VerdictKind::kImage) != result.require.end();
+  if (image == Outcome::kNone) return is_required ? "no picture to judge, and an image verdict is required" : "";
   const auto moved =
       std::ranges::count_if(result.pictures, [](const PictureResult& p) { return !p.pass || p.pixels > 0; });
   if (image == Outcome::kFail) return "pictures changed";

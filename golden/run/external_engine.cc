@@ -51,6 +51,20 @@ Result<Session> session_before(const Error& failure, const RunFiles& files, cons
   return session;
 }
 
+constexpr const char* kRecordedEnding = ".recorded";
+
+/// The command that makes NAME.tumble of what the engine wrote.
+std::string import_line(const CaseEngine& engine, const std::string& name) {
+  const TableReading& table = engine.project.table;
+  const auto file = [&](const std::string& path) { return shell_quoted((engine.project.folder / path).string()); };
+  std::string line = "tumble import " + shell_quoted(name + kRecordedEnding) + " -o " + shell_quoted(name + ".tumble");
+  for (const std::string& one : table.header) line += " --header " + shell_quoted(one);
+  for (const std::string& one : table.map) line += " --map " + shell_quoted(one);
+  if (!table.map_file.empty()) line += " --map-file " + file(table.map_file);
+  if (!table.model.empty()) line += " --model " + file(table.model);
+  return line + (table.scalar_last ? " --scalar-last" : "") + (table.channels ? " --channels" : "");
+}
+
 }  // namespace
 
 std::string suite_option(const fs::path& suite) {
@@ -82,7 +96,7 @@ Result<CaseEngine> engine_of_case(const CaseFolder& folder, const CaseRules& rul
   return engine;
 }
 
-std::string engine_line(const CaseEngine& engine, const std::string& name) {
+std::string engine_line(const CaseEngine& engine, const std::string& name, bool converts) {
   const fs::path& folder = engine.project.folder;
   RunFiles files = engine.files;
   files.scene = from_folder(files.scene, folder);
@@ -92,11 +106,13 @@ std::string engine_line(const CaseEngine& engine, const std::string& name) {
   if (!words.ok()) return "";
   const std::string line = engine.project.shell ? words->back() : engine_words_text(*words);
   // The mark stands in single quotes: they end before the variable and begin again behind it.
-  const std::string log = replaced(line, kLogMark, "'\"$OLDPWD\"/" + shell_quoted(name + ".tumble") + "'");
+  const std::string log =
+      replaced(line, kLogMark, "'\"$OLDPWD\"/" + shell_quoted(name + (converts ? kRecordedEnding : ".tumble")) + "'");
   std::error_code error;
   const fs::path here = fs::current_path(error);
   const std::string place = from_folder(folder.string(), here);
-  return "(cd " + shell_quoted(place) + " && " + replaced(log, "''", "") + ")";
+  const std::string runs = "(cd " + shell_quoted(place) + " && " + replaced(log, "''", "") + ")";
+  return converts ? runs + " && " + import_line(engine, name) : runs;
 }
 
 Result<Session> run_engine(const CaseEngine& engine, const fs::path& scratch) {
@@ -119,7 +135,9 @@ Result<Session> run_engine(const CaseEngine& engine, const fs::path& scratch) {
   Result<std::vector<std::byte>> bytes = read_bytes(log->path);
   if (!bytes.ok()) return cannot_finish(who + "wrote no log that can be read: " + bytes.error().message);
   const std::string failure = log->unfinished.empty() ? "" : who + "ended well, but " + log->unfinished;
-  return Session{std::make_shared<std::vector<std::byte>>(*std::move(bytes)), {}, failure, seconds};
+  Session session{std::make_shared<std::vector<std::byte>>(*std::move(bytes)), {}, failure, seconds};
+  session.was_converted = log->path == converted;
+  return session;
 }
 
 Status build_engine_of(const std::vector<CaseFolder>& cases, const fs::path& suite, const process::Cancel& cancel) {

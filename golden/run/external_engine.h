@@ -28,8 +28,9 @@ struct CaseEngine {
 Result<CaseEngine> engine_of_case(const CaseFolder& folder, const CaseRules& rules, const std::filesystem::path& suite);
 
 /// A line for the folder that the check ran in: the engine's command for a case, in the folder where it runs. The line
-/// leaves NAME.tumble, or the table that the engine writes, in the folder that the check ran in.
-std::string engine_line(const CaseEngine& engine, const std::string& name);
+/// leaves NAME.tumble in the folder that the check ran in. converts: the engine writes a table or a stream,
+/// NAME.recorded, of which `tumble import` makes the log.
+std::string engine_line(const CaseEngine& engine, const std::string& name, bool converts = false);
 
 /// Runs the engine once and reads the session that it writes. Errors (kCannotFinish): a status other than 0, no
 /// session; the message has the end of its output. The session lies in a new folder in `scratch`, or where temporary

@@ -128,6 +128,9 @@ class CaseRunner {
       stop(session.error());
       return;
     }
+    if (session->was_converted) {
+      run_.result.reproduce = reproduce_command(folder_, options_.suite, run_.rules, true);
+    }
     Result<replay::LogReader> log = open_session(*session, folder_.name + "'s log");
     if (!log.ok()) {
       stop(log.error());
@@ -273,10 +276,10 @@ class CaseRunner {
 
 }  // namespace
 
-std::string reproduce_command(const CaseFolder& folder, const fs::path& suite, const CaseRules& rules) {
+std::string reproduce_command(const CaseFolder& folder, const fs::path& suite, const CaseRules& rules, bool converts) {
   if (rules.is_external()) {
     const Result<CaseEngine> engine = engine_of_case(folder, rules, suite);
-    return engine.ok() ? engine_line(*engine, folder.name) : "";
+    return engine.ok() ? engine_line(*engine, folder.name, converts) : "";
   }
   return "tumble record " + shell_quoted(folder.file(kSceneFile).string()) + " -o " +
          shell_quoted(folder.name + ".tumble");

@@ -26,6 +26,7 @@ struct RunOptions {
 CaseRun run_case(const CaseFolder& folder, const RunOptions& options);
 
 /// The command line that records a case's session, with its own engine.
-std::string reproduce_command(const CaseFolder& folder, const std::filesystem::path& suite, const CaseRules& rules);
+std::string reproduce_command(const CaseFolder& folder, const std::filesystem::path& suite, const CaseRules& rules,
+                              bool converts = false);
 
 }  // namespace tumble::golden

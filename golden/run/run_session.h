@@ -18,6 +18,7 @@ struct Session {
   double seconds = 0;    ///< of wall time that it took
   /// Another engine's command failed, and these are the steps that it wrote before.
   bool cut_short = false;
+  bool was_converted = false;  ///< another engine wrote it as a table or a stream
 };
 
 /// Runs a scene with this build. Errors: a world that cannot be made.

@@ -111,6 +111,8 @@ std::vector<std::string> folder_problems(const CaseFolder& folder) {
     const bool by_bless = std::string_view(wanted) == kExpectedFile;
     problems.push_back(std::string("no ") + wanted + (by_bless ? ": bless the case" : ": a case needs one"));
   }
+  // They may name any file of the folder.
+  if (fs::exists(folder.file(kRulesFile), error) && !read_rules(folder.file(kRulesFile)).ok()) return problems;
   for (const fs::path& entry : entries_of(folder.path, problems)) {
     const std::string name = entry.filename().string();
     if (std::ranges::find(kCaseFiles, name) != kCaseFiles.end() || is_picture_name(name)) continue;  // judged with them

@@ -9,6 +9,9 @@
 namespace tumble::replay {
 namespace {
 
+/// No value of a session is as large, whatever its unit: limits.h bounds masses, sizes and speeds.
+constexpr double kBeyondAll = 1e40;
+
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(' ');
   if (first == std::string::npos) return "";
@@ -93,7 +96,7 @@ Result<MetricBound> parse_metric_bound(const std::string& text) {
 bool judges_nothing(std::string_view name, const std::optional<double>& min, const std::optional<double>& max) {
   const MetricRow* const metric = find_metric(name);
   if (metric == nullptr || (!min && !max)) return false;
-  return (!min || *min <= metric->low) && (!max || *max >= metric->high);
+  return (!min || *min <= std::max(metric->low, -kBeyondAll)) && (!max || *max >= std::min(metric->high, kBeyondAll));
 }
 
 Status check_measured(const Metrics& metrics) {

@@ -22,12 +22,14 @@ SuiteResult check_shard(const TemporarySuite& suite, std::size_t shard, std::siz
 
 /// The bundles of 200 cases in 20 shards whose results are made up: no case is run. case_7 failed and left a file.
 class MadeShards : public testing::Test {
+ public:
+  ~MadeShards() override;
+
  protected:
   static constexpr std::size_t kCases = 200;
   static constexpr std::size_t kShards = 20;
 
   MadeShards();
-  ~MadeShards() override;
 
   [[nodiscard]] std::filesystem::path shard(std::size_t k) const { return root_ / ("shard-" + std::to_string(k)); }
   [[nodiscard]] std::filesystem::path out() const { return root_ / "merged"; }

@@ -35,20 +35,23 @@ step = 20
 why = "where it lies"
 )";
 
-constexpr const char* kBuild = R"(set -e
-[ ! -e broken ] || { echo "engine.c:7: not C" >&2; exit 1; }
-mkdir -p bin
-cp engine.sh bin/tumble
-cp fault bin/fault
-)";
+/// builds: a file that gets a line for each build. bin/whole needs no file beside it.
+std::string build(const std::string& builds) {
+  return "set -e\n[ ! -e broken ] || { echo \"engine.c:7: not C\" >&2; exit 1; }\necho built >>'" + builds +
+         "'\nmkdir -p bin\ncp engine.sh bin/tumble\ncp fault bin/fault\n"
+         "sed \"s|^fault=.*|fault='$(cat fault)'|\" engine.sh >bin/whole\nchmod +x bin/whole\n";
+}
 
 /// The program: this build's, with the fault given to every session.
-std::string engine(const std::string& interrupt) {
+std::string engine(const std::string& interrupt, const std::string& unsteady) {
   const std::string tumble = TUMBLE_PROGRAM;
   return "#!/bin/sh\nhere=$(dirname \"$0\")\nfault=$(cat \"$here/fault\")\n"
          "if [ -e '" +
          interrupt + "' ]; then rm '" + interrupt +
          "'; kill -INT $PPID; sleep 20; fi\n"
+         "if [ -e '" +
+         unsteady + "' ]; then echo run >>'" + unsteady + "'; [ $(wc -l <'" + unsteady +
+         "') != 6 ] || fault='--set box.1.velocity=[0.01,0.0,0.0]'; fi\n"
          "command=$1; shift\n"
          "case $command in\n"
          "  check) exec " +
@@ -74,9 +77,9 @@ std::string file(const std::string& mode, const std::string& path, const std::st
 void must(const std::string& command) { ASSERT_EQ(std::system(command.c_str()), 0) << command; }
 
 std::string first_commit(const Workshop& shop, const HistoryPlan& plan) {
-  std::string text = file("100644", "scene.toml", kScene) + file("100644", "build.sh", kBuild) +
-                     file("100755", "engine.sh", engine(shop.path("interrupt"))) + file("100644", "fault", "") +
-                     file("100644", ".gitignore", "bin/\n");
+  std::string text = file("100644", "scene.toml", kScene) + file("100644", "build.sh", build(shop.path("builds"))) +
+                     file("100755", "engine.sh", engine(shop.path("interrupt"), shop.path("unsteady"))) +
+                     file("100644", "fault", "") + file("100644", ".gitignore", "bin/\n");
   if (!plan.with_case) return text;
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(shop.path("suite"))) {
     if (!entry.is_regular_file()) continue;
@@ -142,9 +145,13 @@ std::string History::git(const std::string& arguments) const {
 std::string History::commit(std::size_t n) const { return commits_.at(commits_.size() - n); }
 
 Outcome History::bisect(const std::vector<std::string>& more) const {
-  std::vector<std::string> arguments = {"bisect",     "--good",  commit(1), "--bad",       "main",
-                                        "--repo",     "project", "--build", "sh build.sh", "--program",
-                                        "bin/tumble", "--work",  "work"};
+  std::vector<std::string> arguments = {"--good", commit(1), "--bad", "main", "--program", "bin/tumble"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return bisect_by(arguments);
+}
+
+Outcome History::bisect_by(const std::vector<std::string>& more) const {
+  std::vector<std::string> arguments = {"bisect", "--repo", "project", "--build", "sh build.sh", "--work", "work"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return shop_.run(arguments);
 }
@@ -158,6 +165,8 @@ std::string History::footprint() const {
   for (const std::string& name : names) text.append(name).append(1, '\n').append(shop_.read(name)).append(1, '\n');
   return text;
 }
+
+void History::answer_otherwise_once() const { shop_.write("unsteady", ""); }
 
 void History::interrupt_next() const { shop_.write("interrupt", ""); }
 

@@ -30,8 +30,14 @@ class History {
   /// `tumble bisect` from the first commit to the last, with the stand-in's own build and program.
   [[nodiscard]] Outcome bisect(const std::vector<std::string>& more) const;
 
+  /// Likewise, without revisions and program. bin/whole is the program in one file; each build adds a line to "builds".
+  [[nodiscard]] Outcome bisect_by(const std::vector<std::string>& more) const;
+
   /// Everything in the clone that a bisection must leave alone: the index, HEAD, branches, worktrees, all files.
   [[nodiscard]] std::string footprint() const;
+
+  /// Makes the program show the fault in its sixth run, whatever the commit.
+  void answer_otherwise_once() const;
 
   /// Makes the program send its parent, the bisection, an interrupt when it is run the next time.
   void interrupt_next() const;

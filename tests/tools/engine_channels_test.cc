@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -113,6 +114,36 @@ TEST(EngineCaseChannels, ACaseWhoseOnlyDifferenceIsAChannelFailsAndNamesIt) {
   const Outcome bound = shop.run({"check", "--report", "r"});
   EXPECT_EQ(bound.exit, 1);
   EXPECT_TRUE(says(bound.out, "channel.hinge.angle.max")) << "the bound is broken too\n" << bound.out;
+}
+
+TEST(EngineCaseChannels, AChannelThatIsGoneFailsWhateverIsRequired) {
+  const Workshop shop;
+  write_case(shop);
+  write_falling(shop, "--extra");
+  ASSERT_EQ(shop.run({"bless", "fall", "--reason", "a test"}).exit, 0);
+  EXPECT_EQ(shop.run({"check", "--require", "behaviour"}).exit, 0);
+  write_falling(shop);
+  const Outcome gone = shop.run({"check", "--require", "behaviour", "--report", "r"});
+  EXPECT_EQ(gone.exit, 1) << gone.out;
+  EXPECT_TRUE(says(gone.out, "channel.extra: the session has no such channel; bless the case if that is meant"))
+      << gone.out;
+}
+
+TEST(EngineCaseChannels, TheLineThatReproducesLeavesALogOfATableToo) {
+  for (const std::string options : {"--angle 12:0.25", "--table --angle 12:0.25"}) {
+    const Workshop shop;
+    write_case(shop);
+    write_falling(shop, options.starts_with("--table") ? "--table" : "");
+    ASSERT_EQ(shop.run({"bless", "fall", "--reason", "a test"}).exit, 0);
+    write_falling(shop, options);
+    const Outcome failed = shop.run({"check", "--json", "--report", "r"});
+    ASSERT_EQ(failed.exit, 1) << failed.out;
+    const std::string line = parsed(failed)["cases"][0]["reproduce"];
+    const std::string tumble = std::filesystem::path(TUMBLE_PROGRAM).parent_path().string();
+    shop.write("line.sh", "cd '" + shop.path("") + "' && PATH='" + tumble + "':\"$PATH\"\n" + line + "\n");
+    EXPECT_EQ(std::system(("sh '" + shop.path("line.sh") + "' >/dev/null").c_str()), 0) << line;
+    EXPECT_EQ(shop.run({"diff", "fall.tumble", "r/cases/fall/actual.tumble"}).exit, 0) << line;
+  }
 }
 
 TEST(EngineCaseChannels, TheTimeUntilTwoSessionsPartIsAMetric) {

@@ -1,81 +1,13 @@
 #include "tools/bisect/bisection.h"
 
 #include <algorithm>
-#include <chrono>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
 
-#include "golden/suite/text_files.h"
-#include "tools/output/text.h"
+#include "tools/bisect/known_answers.h"
 
 namespace tumble::tools::bisect {
 namespace {
-
-Json answer_json(const std::string& commit, const Answer& answer, double seconds) {
-  return {{"commit", commit},
-          {"asked", answer.asked},
-          {"yes", answer.yes},
-          {"words", answer.message},
-          {"metric", answer.metric ? number_json(*answer.metric) : Json(nullptr)},
-          {"seconds", seconds}};
-}
-
-struct Known {
-  Answer answer;
-  double seconds = 0;
-};
-
-/// The answers so far, in a file that is never half written.
-class State {
- public:
-  State(std::string path, std::string fingerprint) : path_(std::move(path)) {
-    json_["question"] = std::move(fingerprint);
-  }
-
-  Status load() {
-    const Result<std::string> text = golden::read_text(path_);
-    if (!text.ok()) return save();
-    const Json json = Json::parse(*text, nullptr, false);
-    if (!json.is_object() || json.value("question", "") != json_["question"] || !json.contains("answers")) {
-      return bad_input(path_ + ": is the state of another bisection; leave --resume out, or give the arguments it had");
-    }
-    json_ = json;
-    for (const Json& row : json_["answers"]) {
-      Known known;
-      known.answer.asked = row.value("asked", false);
-      known.answer.yes = row.value("yes", false);
-      known.answer.message = row.value("words", "");
-      known.answer.metric = number_of(row.value("metric", Json()));
-      known.seconds = row.value("seconds", 0.0);
-      known_[row.value("commit", "")] = known;
-    }
-    return {};
-  }
-
-  [[nodiscard]] const Known* find(const std::string& commit) const {
-    const auto found = known_.find(commit);
-    return found == known_.end() ? nullptr : &found->second;
-  }
-
-  Status add(const std::string& commit, const Answer& answer, double seconds) {
-    known_[commit] = {answer, seconds};
-    json_["answers"].push_back(answer_json(commit, answer, seconds));
-    return save();
-  }
-
- private:
-  Status save() {
-    if (!json_.contains("answers")) json_["answers"] = Json::array();
-    const std::string text = json_.dump(1, ' ', false, Json::error_handler_t::replace) + '\n';
-    return golden::write_file(path_, std::string_view(text));
-  }
-
-  std::string path_;
-  Json json_;
-  std::map<std::string, Known> known_;
-};
 
 class Bisection {
  public:
@@ -83,7 +15,7 @@ class Bisection {
             const EachBegun& begun, const EachTested& each)
       : settings_(settings),
         git_(git),
-        asker_(settings, place, git, cancel),
+        askers_(settings, place, cancel),
         begun_(begun),
         each_(each),
         state_(place.state(), settings.fingerprint()) {}
@@ -91,23 +23,27 @@ class Bisection {
   Result<Finding> run() {
     if (Status ok = resolve_ends(); !ok.ok()) return ok.error();
     if (Status ok = state_.load(); !ok.ok()) return ok.error();
-    if (Status ok = asker_.prepare(); !ok.ok()) return ok.error();
-    if (Status ok = ask_ends(); !ok.ok()) return ok.error();
+    if (Status ok = askers_.prepare(); !ok.ok()) return ok.error();
+    if (Status ok = settings_.good.empty() ? go_back() : ask_ends(); !ok.ok()) return ok.error();
     while (true) {
       const Result<Plan> plan = next();
       if (!plan.ok()) return plan.error();
       if (plan->test.empty()) return finish(*plan);
-      if (Status ok = ask(plan->test); !ok.ok()) return ok.error();
+      const Result<std::vector<std::string>> batch = batch_for(plan->test);
+      if (!batch.ok()) return batch.error();
+      if (Status ok = ask(plan->test, *batch); !ok.ok()) return ok.error();
     }
   }
 
  private:
   Status resolve_ends() {
-    const Result<std::string> good = git_.resolve(settings_.good), bad = git_.resolve(settings_.bad);
-    if (!good.ok()) return Error{good.error().kind, "--good: " + good.error().message};
+    const Result<std::string> bad = git_.resolve(settings_.bad);
     if (!bad.ok()) return Error{bad.error().kind, "--bad: " + bad.error().message};
-    good_ = {*good};
     bad_ = *bad;
+    if (settings_.good.empty()) return {};
+    const Result<std::string> good = git_.resolve(settings_.good);
+    if (!good.ok()) return Error{good.error().kind, "--good: " + good.error().message};
+    good_ = {*good};
     if (*good == *bad) return bad_input("--good and --bad are the same commit, " + good->substr(0, 10));
     const Result<bool> in_line = git_.is_ancestor(*good, *bad);
     if (!in_line.ok()) return in_line.error();
@@ -116,43 +52,110 @@ class Bisection {
                      "; take their merge base as the good one ('git merge-base'), or exchange them");
   }
 
+  [[nodiscard]] static Status could_ask(const Tested& tested, const char* end) {
+    if (tested.answer.asked) return {};
+    return cannot_finish("the " + std::string(end) + " revision " + tested.commit.shortly() +
+                         " cannot be asked: " + tested.answer.message);
+  }
+
   /// Asks both ends first: the good end's answer is the reference for all others.
   Status ask_ends() {
-    for (const std::string& end : {good_.front(), bad_}) {
-      if (Status ok = ask(end); !ok.ok()) return ok;
-      const Tested& tested = finding_.tested.back();
-      if (tested.answer.asked) continue;
-      return cannot_finish("the " + std::string(end == bad_ ? "bad" : "good") + " revision " + tested.commit.shortly() +
-                           " cannot be asked: " + tested.answer.message);
+    const std::vector<std::string> ends = {good_.front(), bad_};
+    for (std::size_t k = 0; k < ends.size(); ++k) {
+      if (Status ok = ask(ends[k], ends); !ok.ok()) return ok;
+      if (Status ok = could_ask(finding_.tested.back(), k == 0 ? "good" : "bad"); !ok.ok()) return ok;
     }
     if (finding_.tested[0].answer.yes != finding_.tested[1].answer.yes) return {};
     return bad_input("the question (" + settings_.question() + ") has the same answer for both ends: good: " +
                      finding_.tested[0].answer.message + "; bad: " + finding_.tested[1].answer.message);
   }
 
-  Result<Plan> next() {
-    const Result<std::vector<Candidate>> candidates = git_.candidates(good_, bad_, settings_.first_parent);
-    if (!candidates.ok()) return candidates.error();
-    return next_step(*candidates, bad_, skipped_);
+  /// Looks for the good end: 1, 2, 4 … first parents back, at last the root.
+  Status go_back() {
+    const std::string from = bad_;
+    const Result<std::uint64_t> depth = git_.depth(from);
+    if (!depth.ok()) return depth.error();
+    std::vector<std::string> line = {from};
+    for (std::uint64_t back = 1;; back = std::min(2 * back, *depth)) {
+      if (back > *depth) break;
+      const Result<std::string> commit = git_.resolve(from + '~' + std::to_string(back));
+      if (!commit.ok()) return commit.error();
+      line.push_back(*commit);
+      if (back == *depth) break;
+    }
+    for (std::size_t k = 0; k < line.size(); ++k) {
+      if (Status ok = ask(line[k], {line.begin() + static_cast<std::ptrdiff_t>(k), line.end()}); !ok.ok()) return ok;
+      if (k > 0 && finding_.tested.back().verdict == Tested::Verdict::kGood) return {};
+      if (k > 0) continue;
+      if (Status ok = could_ask(finding_.tested.back(), "bad"); !ok.ok()) return ok;
+    }
+    return bad_input("--auto: found no revision with another answer (" + settings_.question() + ") from " +
+                     from.substr(0, 10) + " back to the first one, " + line.back().substr(0, 10) + "; " +
+                     std::to_string(line.size()) + " were asked: " + finding_.tested.front().answer.message);
   }
 
-  Status ask(const std::string& commit) {
+  Result<Plan> next() { return plan_of(good_, bad_); }
+
+  Result<Plan> plan_of(const std::vector<std::string>& good, const std::string& bad) {
+    const Result<std::vector<Candidate>> candidates = git_.candidates(good, bad, settings_.first_parent);
+    if (!candidates.ok()) return candidates.error();
+    return next_step(*candidates, bad, skipped_);
+  }
+
+  /// The commit, and those that would be next after each answer to it, as many as are asked at once.
+  Result<std::vector<std::string>> batch_for(const std::string& commit) {
+    struct Guess {
+      std::vector<std::string> good;
+      std::string bad;
+    };
+    std::vector<std::string> batch;
+    if (settings_.jobs == 1) return std::vector<std::string>{commit};
+    std::vector<Guess> guesses = {{good_, bad_}};
+    for (std::size_t k = 0; k < guesses.size() && batch.size() < settings_.jobs; ++k) {
+      const Guess guess = guesses[k];
+      const Result<Plan> plan = plan_of(guess.good, guess.bad);
+      if (!plan.ok()) return plan.error();
+      if (plan->test.empty()) continue;
+      if (std::ranges::find(batch, plan->test) == batch.end()) batch.push_back(plan->test);
+      guesses.push_back({guess.good, plan->test});
+      guesses.push_back(guess);
+      guesses.back().good.push_back(plan->test);
+    }
+    return batch;
+  }
+
+  /// Asks those of the commits, in order, that are not known, as many as are asked at once.
+  Status fetch(const std::vector<std::string>& commits) {
+    std::vector<std::string> unknown;
+    for (const std::string& commit : commits) {
+      if (unknown.size() == settings_.jobs) break;
+      if (state_.find(commit) == nullptr) unknown.push_back(commit);
+    }
+    for (const std::string& commit : unknown) {
+      const Result<CommitFacts> facts = git_.facts(commit);
+      if (!facts.ok()) return facts.error();
+      begun_(*facts);
+    }
+    const Result<std::vector<Asked>> answers = askers_.ask(unknown);
+    if (!answers.ok()) return answers.error();
+    for (std::size_t k = 0; k < unknown.size(); ++k) {
+      if (Status ok = state_.add(unknown[k], (*answers)[k]); !ok.ok()) return ok;
+    }
+    return {};
+  }
+
+  /// ahead: the commit and those that may be asked beside it.
+  Status ask(const std::string& commit, const std::vector<std::string>& ahead) {
     Result<CommitFacts> facts = git_.facts(commit);
     if (!facts.ok()) return facts.error();
-    Tested tested;
-    tested.commit = *facts;
-    if (const Known* known = state_.find(commit)) {
-      tested.answer = known->answer;
-      tested.seconds = known->seconds;
-    } else {
-      begun_(*facts);
-      const auto begin = std::chrono::steady_clock::now();
-      Result<Answer> answer = asker_.ask(commit);
-      if (!answer.ok()) return answer.error();
-      tested.answer = *std::move(answer);
-      tested.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-      if (Status ok = state_.add(commit, tested.answer, tested.seconds); !ok.ok()) return ok;
+    if (state_.find(commit) == nullptr) {
+      if (Status ok = fetch(ahead); !ok.ok()) return ok;
     }
+    const Asked& known = *state_.find(commit);
+    Tested tested;
+    tested.commit = *std::move(facts);
+    tested.answer = known.answer;
+    tested.seconds = known.seconds;
     tested.verdict = judge(tested);
     finding_.tested.push_back(tested);
     return tell();
@@ -164,16 +167,21 @@ class Bisection {
       skipped_.insert(tested.commit.commit);
       return Tested::Verdict::kSkip;
     }
-    const bool is_first = finding_.tested.empty();
-    if (is_first || tested.answer.yes == finding_.tested.front().answer.yes) {
-      if (!is_first) good_.push_back(tested.commit.commit);
+    if (finding_.tested.empty()) good_is_ = settings_.good.empty() ? !tested.answer.yes : tested.answer.yes;
+    if (tested.answer.yes == good_is_) {
+      if (std::ranges::find(good_, tested.commit.commit) == good_.end()) good_.push_back(tested.commit.commit);
       return Tested::Verdict::kGood;
     }
     bad_ = tested.commit.commit;
     return Tested::Verdict::kBad;
   }
 
+  /// As long as there is no good end, nobody knows how many commits are left.
   Status tell() {
+    if (good_.empty()) {
+      each_(finding_.tested.back(), 0, 0);
+      return {};
+    }
     const Result<Plan> plan = next();
     if (!plan.ok()) return plan.error();
     each_(finding_.tested.back(), plan->left, plan->steps);
@@ -200,12 +208,13 @@ class Bisection {
 
   const Settings& settings_;
   const Git& git_;
-  Asker asker_;
+  AskAll askers_;
   const EachBegun& begun_;
   const EachTested& each_;
-  State state_;
+  KnownAnswers state_;
   std::vector<std::string> good_;
   std::string bad_;
+  bool good_is_ = false;  // the answer of the good end
   std::set<std::string> skipped_;
   Finding finding_;
 };

@@ -84,6 +84,14 @@ Result<std::vector<Candidate>> Git::candidates(const std::vector<std::string>& g
   return all;
 }
 
+Result<std::uint64_t> Git::depth(const std::string& commit) const {
+  const Result<std::string> text = run(repository_, {"rev-list", "--count", "--first-parent", commit});
+  if (!text.ok()) return text.error();
+  std::uint64_t count = 0;
+  std::from_chars(text->data(), text->data() + text->size(), count);
+  return count == 0 ? 0 : count - 1;
+}
+
 Result<CommitFacts> Git::facts(const std::string& commit) const {
   const Result<std::string> text = run(repository_, {"show", "--no-patch", "--format=%H%n%s%n%an%n%aI", commit});
   if (!text.ok()) return text.error();

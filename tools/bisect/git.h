@@ -37,6 +37,9 @@ class Git {
   [[nodiscard]] Result<std::vector<Candidate>> candidates(const std::vector<std::string>& good, const std::string& bad,
                                                           bool first_parent) const;
 
+  /// How many first parents a commit has one behind another.
+  [[nodiscard]] Result<std::uint64_t> depth(const std::string& commit) const;
+
   [[nodiscard]] Result<CommitFacts> facts(const std::string& commit) const;
 
   /// Makes `folder` a clone that shares this repository's objects, with no files in it yet.

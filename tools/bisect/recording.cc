@@ -71,7 +71,9 @@ Status Recording::prepare() {
   return golden::write_file(files_.scene, std::string_view(header.scene_text));
 }
 
-std::string Recording::program() const { return (fs::path(place_.source()) / settings_.program).string(); }
+std::string Recording::program() const {
+  return kept_.empty() ? (fs::path(place_.source()) / settings_.program).string() : kept_;
+}
 
 golden::EngineProject Recording::engine() const {
   const fs::path folder = (fs::path(place_.source()) / settings_.engine_folder).lexically_normal();

@@ -31,7 +31,10 @@ class Recording {
   /// Makes a log of what the command wrote to `session`: an engine may write a table. Errors: session_file.h's.
   [[nodiscard]] Status make_log(const std::string& session) const;
 
-  [[nodiscard]] std::string program() const;  ///< of the revision
+  [[nodiscard]] std::string program() const;  ///< of the revision: the one that its build made, or a kept one
+  /// A program that was kept, in place of the one that a build makes; empty: none.
+  void use_kept(const std::string& program) { kept_ = program; }
+  [[nodiscard]] const std::string& kept() const { return kept_; }
   [[nodiscard]] std::string suite() const { return place_.source() + "/golden"; }
 
   /// The engine of the settings in the clone.
@@ -43,7 +46,8 @@ class Recording {
   const Settings& settings_;
   const Workplace& place_;
   std::vector<std::string> record_words_;  // without the program and the log to write; empty: it cannot be recorded
-  golden::RunFiles files_;                 // of an engine; without a log
+  std::string kept_;
+  golden::RunFiles files_;  // of an engine; without a log
 };
 
 }  // namespace tumble::tools::bisect

@@ -1,5 +1,6 @@
 #include "tools/bisect/revision.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -7,6 +8,7 @@
 
 #include "golden/suite/text_files.h"
 #include "replay/measure/measure_log.h"
+#include "src/base/check.h"
 #include "src/process/run_child.h"
 #include "src/scenes/problem.h"
 #include "tools/files/log_files.h"
@@ -54,10 +56,35 @@ std::string same_text(const replay::ComparisonScope& scope) {
   return text;
 }
 
-Answer skipped(const std::string& why) { return {false, false, why, {}}; }
-Answer answered(bool yes, const std::string& words) { return {true, yes, words, {}}; }
+Answer skipped(const std::string& why) { return {false, false, why, {}, {}}; }
+Answer answered(bool yes, const std::string& words) { return {true, yes, words, {}, {}}; }
+
+constexpr std::size_t kAsksIfDifferent = 5;
+
+bool alike(const Answer& a, const Answer& b) { return a.asked == b.asked && a.yes == b.yes; }
 
 }  // namespace
+
+Answer answer_of(const std::vector<Answer>& answers) {
+  SIM_CHECK(!answers.empty(), answers.size());
+  const auto count = [&](bool asked, bool yes) {
+    return std::ranges::count_if(answers, [&](const Answer& one) { return one.asked == asked && one.yes == yes; });
+  };
+  const auto yes = count(true, true), no = count(true, false), none = count(false, false);
+  const auto most = std::max({yes, no, none});
+  const bool tie = (yes == most) + (no == most) + (none == most) > 1;
+  const auto wanted = [&](const Answer& one) {
+    if (tie || none == most) return !one.asked;
+    return one.asked && one.yes == (yes == most);
+  };
+  const auto found = std::ranges::find_if(answers, wanted);
+  Answer answer = found == answers.end() ? skipped("its answer is not repeatable") : *found;
+  if (most == std::ssize(answers)) return answer;
+  answer.not_repeatable =
+      std::to_string(yes) + " of " + std::to_string(answers.size()) + " times yes, " + std::to_string(no) + " times no";
+  if (none > 0) answer.not_repeatable += ", " + std::to_string(none) + " times it could not be asked";
+  return answer;
+}
 
 Status Asker::prepare() {
   if (!settings_.log.empty()) {
@@ -93,7 +120,7 @@ Result<bool> Asker::run(const Recording::Command& command, const std::string& na
 
 Result<bool> Asker::build_once(const std::string& log, BuildProgress& progress, std::string& why) {
   const auto show_and_ask = [&] {
-    progress.show();
+    if (!quiet_) progress.show();
     return cancel_ && cancel_();
   };
   const golden::EngineProject project = recording_.engine();
@@ -121,14 +148,25 @@ Result<bool> Asker::build_once(const std::string& log, BuildProgress& progress, 
 Result<bool> Asker::build(const std::string& commit, std::string& why) {
   const std::string log = place_.file("build_" + commit.substr(0, 10) + ".txt");
   if (Status ok = git_.put(place_.source(), commit, false); !ok.ok()) return ok.error();
+  recording_.use_kept("");
+  if (cache_ != nullptr) {
+    const std::string kept = place_.file("kept/" + fs::path(settings_.program).filename().string());
+    if (cache_->take(commit, kept)) {
+      recording_.use_kept(kept);
+      return true;
+    }
+  }
   BuildProgress progress(log);
   Result<bool> built = build_once(log, progress, why);
-  if (!built.ok() || *built || !built_before_) {
-    built_before_ = true;
-    return built;
+  if (built.ok() && !*built && built_before_) {
+    if (Status ok = git_.put(place_.source(), commit, true); !ok.ok()) return ok.error();
+    built = build_once(log, progress, why);
   }
-  if (Status ok = git_.put(place_.source(), commit, true); !ok.ok()) return ok.error();
-  return build_once(log, progress, why);
+  built_before_ = true;
+  if (built.ok() && *built && cache_ != nullptr) {
+    if (Status ok = cache_->keep(commit, recording_.program()); !ok.ok()) return ok.error();
+  }
+  return built;
 }
 
 Result<bool> Asker::record(const std::string& commit, std::string& why) {
@@ -216,17 +254,31 @@ Result<Answer> Asker::ask_case() {
   return answered(outcome == "pass", verdict.value("words", outcome));
 }
 
-Result<Answer> Asker::ask(const std::string& commit) {
+Result<Answer> Asker::ask_once(const std::string& commit) {
   std::string why;
-  const Result<bool> built = build(commit, why);
-  if (!built.ok()) return built.error();
-  if (!*built) return skipped(why);
   const Result<bool> recorded = record(commit, why);
   if (!recorded.ok()) return recorded.error();
   if (!settings_.case_name.empty()) return ask_case();
   if (!settings_.metric && settings_.run.empty()) return ask_replay();
   if (!*recorded) return skipped(why);
   return ask_session(commit);
+}
+
+/// Asks until two answers agree; then as often as an answer needs that changes from time to time.
+Result<Answer> Asker::ask(const std::string& commit) {
+  std::string why;
+  const Result<bool> built = build(commit, why);
+  if (!built.ok()) return built.error();
+  if (!*built) return skipped(why);
+  std::vector<Answer> answers;
+  std::size_t wanted = settings_.asks;
+  while (answers.size() < wanted) {
+    Result<Answer> answer = ask_once(commit);
+    if (!answer.ok()) return answer.error();
+    answers.push_back(*std::move(answer));
+    if (!alike(answers.front(), answers.back())) wanted = std::max<std::size_t>(settings_.asks, kAsksIfDifferent);
+  }
+  return answer_of(answers);
 }
 
 }  // namespace tumble::tools::bisect

@@ -3,7 +3,9 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "tools/bisect/build_cache.h"
 #include "tools/bisect/build_progress.h"
 #include "tools/bisect/git.h"
 #include "tools/bisect/recording.h"
@@ -19,7 +21,12 @@ struct Answer {
   bool yes = false;              ///< same bits, within the bound, passed
   std::string message;           ///< the reason, a line
   std::optional<double> metric;  ///< the value of the metric asked about
+  std::string not_repeatable;    ///< "3 of 5 yes, 2 no": what it answered when asked again; empty: always the same
 };
+
+/// One answer of several to the same question: the most frequent one, and where they are not all alike not_repeatable.
+/// Of equally many, that it cannot be asked. Precondition (SIM_CHECK): at least one.
+Answer answer_of(const std::vector<Answer>& answers);
 
 /// Builds programs of revisions and asks them.
 class Asker {
@@ -27,8 +34,16 @@ class Asker {
   using Cancel = std::function<bool()>;
 
   /// All must outlive the asker.
-  Asker(const Settings& settings, const Workplace& place, const Git& git, Cancel cancel)
-      : settings_(settings), place_(place), git_(git), cancel_(std::move(cancel)), recording_(settings, place) {}
+  /// cache: may be null. quiet: does not show how far a build is.
+  Asker(const Settings& settings, const Workplace& place, const Git& git, const BuildCache* cache, bool quiet,
+        Cancel cancel)
+      : settings_(settings),
+        place_(place),
+        git_(git),
+        cache_(cache),
+        quiet_(quiet),
+        cancel_(std::move(cancel)),
+        recording_(settings, place) {}
 
   /// Makes the clone and the scene. Errors: git's; the log's; kBadInput where the session cannot be recorded anew and
   /// the question needs that.
@@ -47,10 +62,13 @@ class Asker {
   [[nodiscard]] Result<Answer> ask_replay();
   [[nodiscard]] Result<Answer> ask_session(const std::string& commit);
   [[nodiscard]] Result<Answer> ask_case();
+  [[nodiscard]] Result<Answer> ask_once(const std::string& commit);
 
   const Settings& settings_;
   const Workplace& place_;
   const Git& git_;
+  const BuildCache* cache_;
+  bool quiet_;
   Cancel cancel_;
   Recording recording_;
   bool built_before_ = false;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@ namespace tumble::tools::bisect {
 /// The question to every revision, and the way in which a revision becomes a program. Paths are absolute.
 struct Settings {
   std::string repository;
-  std::string good;  ///< revisions, as git names them
+  std::string good;  ///< revisions, as git names them; empty: one is looked for, back from the bad one
   std::string bad;
   bool first_parent = false;
 
@@ -33,6 +34,12 @@ struct Settings {
   bool shell = false;                 ///< build and run are given to sh
   bool has_project = false;           ///< build and run come from a tumble.toml
   double timeout_s = 0;               ///< of a run of the program, not of a build
+
+  // How it is gone about; no answer depends on it.
+  std::uint64_t asks = 2;  ///< times that each revision is asked, before it counts as repeatable
+  std::uint64_t jobs = 1;  ///< revisions built and asked at once
+  std::string cache;       ///< folder that keeps programs by commit; empty: none
+  std::uint64_t cache_bytes = 5'000'000'000;
 
   /// One line for people: "replay of wall.tumble in every bit".
   [[nodiscard]] std::string question() const;

@@ -47,6 +47,20 @@ void print_comparison(const Comparison& comparison) {
   if (difference && difference->growth) print_growth(*difference->growth, sides);
 }
 
+std::string doubt_text(const Tested& tested) {
+  const std::string& text = tested.answer.not_repeatable;
+  return text.empty() ? "" : "; NOT REPEATABLE: " + text;
+}
+
+/// Revisions that answered now so, now otherwise: the commit found may be the wrong one.
+void print_doubts(const Finding& finding) {
+  for (const Tested& tested : finding.tested) {
+    if (tested.answer.not_repeatable.empty()) continue;
+    std::cout << "\nthe answer of " << tested.commit.shortly() << " is not repeatable (" << tested.answer.not_repeatable
+              << "); the result relies on the most frequent one\n";
+  }
+}
+
 }  // namespace
 
 Comparison compare_sessions(const Finding& finding, const Workplace& place) {
@@ -78,7 +92,7 @@ Comparison compare_sessions(const Finding& finding, const Workplace& place) {
 
 std::string tested_text(const Tested& tested) {
   return padded(name_of(tested.verdict), 5) + ' ' + tested.commit.shortly() + ' ' + tested.commit.date.substr(0, 10) +
-         ' ' + printable(tested.commit.subject) + ": " + printable(tested.answer.message) + " (" +
+         ' ' + printable(tested.commit.subject) + ": " + printable(tested.answer.message) + doubt_text(tested) + " (" +
          seconds_text(tested.seconds) + ')';
 }
 
@@ -100,6 +114,7 @@ void print_verdict(const Settings& settings, const Finding& finding, const Compa
   listing.add("  before", printable(good.answer.message) + " (" + good.commit.shortly() + ')');
   listing.add("  after", printable(bad.answer.message) + " (" + bad.commit.shortly() + ')');
   listing.print();
+  print_doubts(finding);
   print_comparison(comparison);
 }
 
@@ -127,6 +142,7 @@ Json verdict_json(const Settings& settings, const Finding& finding, const Compar
                               {"verdict", name_of(tested.verdict)},
                               {"words", tested.answer.message},
                               {"metric", number(tested.answer.metric)},
+                              {"not_repeatable", tested.answer.not_repeatable},
                               {"seconds", tested.seconds}});
   }
   return json;

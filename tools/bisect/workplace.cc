@@ -20,8 +20,17 @@ namespace fs = std::filesystem;
 
 constexpr const char* kLockFile = "bisect.lock";
 
-/// True for a folder that this user owns and nobody else can write to: programs are built and run in it.
-Status make_private(const std::string& folder) {
+Result<std::string> default_folder(const std::string& fingerprint) {
+  std::error_code error;
+  const std::string ours = (fs::temp_directory_path(error) / ("tumble-bisect-" + std::to_string(geteuid()))).string();
+  if (Status ok = make_private(ours, "--work"); !ok.ok()) return ok.error();
+  const Hash128 hash = hash_bytes(std::as_bytes(std::span(fingerprint)));
+  return ours + '/' + to_string(hash).substr(0, 16);
+}
+
+}  // namespace
+
+Status make_private(const std::string& folder, const std::string& option) {
   std::error_code error;
   fs::create_directories(fs::path(folder).parent_path(), error);
   if (mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST) {
@@ -30,26 +39,19 @@ Status make_private(const std::string& folder) {
   struct stat facts = {};
   if (lstat(folder.c_str(), &facts) != 0 || !S_ISDIR(facts.st_mode) || facts.st_uid != geteuid() ||
       (facts.st_mode & (S_IWGRP | S_IWOTH)) != 0) {
-    return bad_input(folder + ": must be a folder of yours that nobody else can write to; name another with --work");
+    return bad_input(folder + ": must be a folder of yours that nobody else can write to; name another with " + option);
   }
   return {};
 }
 
-Result<std::string> default_folder(const std::string& fingerprint) {
-  std::error_code error;
-  const std::string ours = (fs::temp_directory_path(error) / ("tumble-bisect-" + std::to_string(geteuid()))).string();
-  if (Status ok = make_private(ours); !ok.ok()) return ok.error();
-  const Hash128 hash = hash_bytes(std::as_bytes(std::span(fingerprint)));
-  return ours + '/' + to_string(hash).substr(0, 16);
-}
-
-}  // namespace
-
 Workplace::Workplace(Workplace&& other) noexcept
-    : root_(std::exchange(other.root_, "")), lock_(std::exchange(other.lock_, -1)) {}
+    : root_(std::exchange(other.root_, "")),
+      part_(std::exchange(other.part_, "")),
+      lock_(std::exchange(other.lock_, -1)) {}
 
 Workplace& Workplace::operator=(Workplace&& other) noexcept {
   std::swap(root_, other.root_);
+  std::swap(part_, other.part_);
   std::swap(lock_, other.lock_);
   return *this;
 }
@@ -62,7 +64,7 @@ Result<Workplace> Workplace::open(const std::string& folder, const std::string& 
                                   files::OutputGuard& guard) {
   Result<std::string> root = folder.empty() ? default_folder(fingerprint) : Result<std::string>(folder);
   if (!root.ok()) return root.error();
-  if (Status ok = make_private(*root); !ok.ok()) return ok.error();
+  if (Status ok = make_private(*root, "--work"); !ok.ok()) return ok.error();
   if (Status ok = guard.claim_folder("--work", *root); !ok.ok()) return ok.error();
   Workplace place;
   place.root_ = *root;
@@ -87,6 +89,16 @@ Result<Workplace> Workplace::open(const std::string& folder, const std::string& 
     }
   }
   fs::create_directories(place.file("sessions"), error);
+  return place;
+}
+
+Workplace Workplace::part(std::uint64_t k) const {
+  Workplace place;
+  place.root_ = root_;
+  if (k == 0) return place;
+  place.part_ = std::to_string(k) + '/';
+  std::error_code ignored;
+  fs::create_directories(place.file(""), ignored);
   return place;
 }
 

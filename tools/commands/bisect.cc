@@ -1,4 +1,5 @@
 // tumble bisect: the first difference of two logs, or the commit that changed a session.
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -6,10 +7,9 @@
 #include <optional>
 #include <string>
 #include <system_error>
+#include <thread>
 #include <vector>
 
-#include "replay/diff/difference_report.h"
-#include "replay/diff/locate_divergence.h"
 #include "src/files/output_guard.h"
 #include "src/process/interrupt.h"
 #include "src/process/split_words.h"
@@ -18,10 +18,9 @@
 #include "tools/arguments/measure_arguments.h"
 #include "tools/bisect/bisection.h"
 #include "tools/bisect/engine_settings.h"
+#include "tools/bisect/two_logs.h"
 #include "tools/bisect/verdict.h"
 #include "tools/files/log_files.h"
-#include "tools/output/difference_output.h"
-#include "tools/output/divergence_output.h"
 #include "tools/output/text.h"
 
 namespace tumble::tools {
@@ -30,6 +29,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kProgram = "build/release/tools/tumble";
+constexpr unsigned kProcessorsAJob = 8;
+constexpr double kCacheGb = 5;
 
 struct BisectCommand {
   std::vector<std::string> logs;
@@ -47,56 +48,12 @@ struct BisectCommand {
   std::string work;
   bool resume = false;
   bool keep = false;
+  bool automatic = false;
+  std::optional<std::uint64_t> asks, jobs;
+  std::string cache;
+  std::optional<double> cache_gb;
   bool json = false;
 };
-
-// --- two logs ---
-
-Result<Exit> locate_in_logs(const BisectCommand& options) {
-  Result<replay::LogReader> a = open_log(options.logs[0]);
-  if (!a.ok()) return a.error();
-  Result<replay::LogReader> b = open_log(options.logs[1]);
-  if (!b.ok()) return b.error();
-  const process::InterruptGuard guard;
-  const Result<replay::LocatedDivergence> located = replay::diff_and_locate(
-      *a, *b, [](std::uint64_t, std::uint64_t) { return !process::InterruptGuard::interrupted(); });
-  if (!located.ok()) return located.error();
-  if (process::InterruptGuard::interrupted()) return cannot_finish("interrupted");
-  const replay::DiffReport& report = located->report;
-  const std::size_t chunks = a->chunks().size() + b->chunks().size();
-  const auto judge_both = [&] {
-    return judge("bisect", *b, judge("bisect", *a, report.identical() ? Exit::kSame : Exit::kDifference));
-  };
-  if (options.json) {
-    Json json = comparison_json(report.identical(), report.steps, report.first);
-    json["read"] = read_of(*a, *b);
-    add_scope(report.scope, json);
-    json["notes"] = report.notes;
-    json["cause"] = report.first ? Json(replay::cause_of(report, *report.first)) : Json(nullptr);
-    json["narrowed"] = report.first ? location_json(located->location) : Json(nullptr);
-    json["chunks_opened"] = located->chunks_opened;
-    json["chunks"] = chunks;
-    print_json("bisect", json);
-    return judge_both();
-  }
-  for (const std::string& note : report.notes) std::cout << "note: " << printable(note) << '\n';
-  if (report.first) {
-    std::cout << "different from step " << report.first->step << " on\n";
-    std::cout << "cause   " << printable(replay::cause_of(report, *report.first)) << '\n';
-    const Sides sides = sides_of(options.logs[0], options.logs[1]);
-    print_divergence(*report.first, sides);
-    print_location(located->location, sides);
-    std::cout << "  opened      " << located->chunks_opened << " chunks of " << chunks << '\n';
-  } else {
-    std::cout << (report.identical() ? "identical: " : "different in length; identical: ")
-              << count_text(report.steps, "step") << '\n';
-    if (const std::string though = report.though(); !though.empty()) std::cout << "  " << though << '\n';
-    print_scope(report.scope);
-  }
-  return judge_both();
-}
-
-// --- commits ---
 
 std::string absolute(const std::string& path) {
   std::error_code error;
@@ -104,14 +61,16 @@ std::string absolute(const std::string& path) {
 }
 
 Status check_arguments(const BisectCommand& options) {
-  if (options.good.empty() && options.logs.size() > 2) {
+  const bool of_commits = !options.good.empty() || options.automatic;
+  if (!of_commits && options.logs.size() > 2) {
     return bad_input("wanted two logs to compare, found " + std::to_string(options.logs.size()));
   }
-  if (options.good.empty() || options.bad.empty()) {
-    return bad_input("wanted two logs, or --good REV and --bad REV\n'tumble bisect --help' explains the arguments.");
+  if (!of_commits) {
+    return bad_input(
+        "wanted two logs, or --good REV and --bad REV, or --auto\n'tumble bisect --help' explains the arguments.");
   }
   if (options.logs.size() > 1) {
-    return bad_input("wanted one log with --good and --bad, found " + std::to_string(options.logs.size()));
+    return bad_input("wanted one log with --good and --bad or --auto, found " + std::to_string(options.logs.size()));
   }
   if (options.logs.empty() == options.case_name.empty()) {
     return bad_input("wanted LOG, the session to ask about, or --case NAME in its place");
@@ -127,12 +86,19 @@ Status check_arguments(const BisectCommand& options) {
   return {};
 }
 
+/// A build uses some processors by itself.
+std::uint64_t usual_jobs() { return std::clamp(std::thread::hardware_concurrency() / kProcessorsAJob, 1U, 4U); }
+
 Result<bisect::Settings> settings_of(const BisectCommand& options) {
   if (Status ok = check_arguments(options); !ok.ok()) return ok.error();
   bisect::Settings settings;
   settings.repository = absolute(options.repository);
   settings.good = options.good;
-  settings.bad = options.bad;
+  settings.bad = options.bad.empty() ? "HEAD" : options.bad;
+  settings.asks = options.asks.value_or(settings.asks);
+  settings.jobs = options.jobs.value_or(usual_jobs());
+  settings.cache = absolute(options.cache);
+  settings.cache_bytes = static_cast<std::uint64_t>(options.cache_gb.value_or(kCacheGb) * 1e9);
   settings.first_parent = options.first_parent;
   if (!options.logs.empty()) settings.log = absolute(options.logs[0]);
   if (!options.metric.empty()) {
@@ -169,6 +135,11 @@ Result<bisect::Settings> settings_of(const BisectCommand& options) {
   if (settings.build.empty() && settings.run.empty() && !settings.has_project) {
     settings.build = {"cmake --preset release", "cmake --build --preset release --target tumble"};
   }
+  if (!settings.cache.empty() && !settings.run.empty()) {
+    return bad_input(
+        "--cache: keeps the program that a build makes, and the files of another engine's build are not "
+        "known; leave it out");
+  }
   for (const std::string& command : settings.build) {
     if (const auto words = process::split_words(command); !settings.shell && !words.ok())
       return bad_input("--build: " + words.error().message);
@@ -190,8 +161,11 @@ Result<bisect::Finding> search(const bisect::Settings& settings, const bisect::W
         out << "asking " << facts.shortly() << ' ' << printable(facts.subject) << std::endl;
       },
       [&](const bisect::Tested& tested, std::uint64_t left, unsigned steps) {
-        out << tested_text(tested) << "\n      " << count_text(left, "commit") << " left, about "
-            << count_text(steps, "step") << std::endl;
+        out << tested_text(tested);
+        if (left > 0) {
+          out << "\n      " << count_text(left, "commit") << " left, about " << count_text(steps, "step");
+        }
+        out << std::endl;
       });
 }
 
@@ -248,6 +222,12 @@ void declare_building(Arguments& arguments, BisectCommand& options) {
   arguments.positive("--timeout", "S", options.timeout, kTimeoutMax, "Skip a revision whose program takes longer");
   arguments.option("--work", "DIR", options.work,
                    "Work in this folder; one under the folder for temporary files if not given");
+  arguments.whole("--jobs", "N", options.jobs, 1, 64,
+                  "Revisions built and asked at once; one for every eight processors if not given, at most four");
+  arguments.whole("--asks", "N", options.asks, 1, 100,
+                  "Ask each revision N times, and more often if its answers differ; 2 if not given");
+  const Argument cache = arguments.option("--cache", "DIR", options.cache, "Keep the built programs in this folder");
+  arguments.positive("--cache-size", "GB", options.cache_gb, 1e6, "Its bound; 5 if not given").needs(cache);
   arguments.flag("--resume", options.resume, "Continue an interrupted bisection: its arguments and --resume");
   arguments.flag("--keep", options.keep, "Keep the folder with the clone, the last build and the sessions");
 }
@@ -260,7 +240,10 @@ Action declare_bisect(Arguments& arguments) {
   const Argument good = arguments.option("--good", "REV", options->good, "A good revision");
   const Argument bad = arguments.option("--bad", "REV", options->bad, "A later, bad revision");
   good.needs(bad);
-  bad.needs(good);
+  arguments
+      .flag("--auto", options->automatic,
+            "Find the good revision too: back from the bad one, or from HEAD, by 1, 2, 4 … first parents")
+      .excludes(good);
   declare_question(arguments, *options);
   declare_building(arguments, *options);
   arguments.json(options->json);
@@ -272,11 +255,14 @@ Action declare_bisect(Arguments& arguments) {
       "Examples:\n"
       "  tumble bisect before.tumble after.tumble\n"
       "  tumble bisect --good v0.1 --bad main wall.tumble\n"
+      "  tumble bisect --auto wall.tumble --cache ~/.cache/tumble-builds --jobs 2\n"
       "  tumble bisect --good HEAD~40 --bad HEAD grid.tumble --metric 'lateral_max<=0'\n"
       "  tumble bisect --good HEAD~40 --bad HEAD --case brick_wall --image");
   return [options] {
-    const bool logs_alone = options->good.empty() && options->logs.size() == 2;
-    return logs_alone ? locate_in_logs(*options) : find_commit(*options);
+    const bool logs_alone =
+        options->good.empty() && options->bad.empty() && !options->automatic && options->logs.size() == 2;
+    return logs_alone ? bisect::locate_in_logs(options->logs[0], options->logs[1], options->json)
+                      : find_commit(*options);
   };
 }
 

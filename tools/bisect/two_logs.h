@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "tools/arguments/command.h"
+#include "tumble/sim/result.h"
+
+namespace tumble::tools::bisect {
+
+/// Prints the first difference of two logs, found by halving, and the facts that a repeated step adds. Errors:
+/// open_log's, diff_and_locate's; kCannotFinish if interrupted.
+Result<Exit> locate_in_logs(const std::string& path_a, const std::string& path_b, bool json_wanted);
+
+}  // namespace tumble::tools::bisect
