@@ -1,5 +1,6 @@
 #include "golden/hunt/folder.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
@@ -121,7 +122,13 @@ Result<HuntState> Folder::load() const {
   try {
     if (json.is_discarded()) return damaged("it is no JSON");
     if (json.at("format") != kFormat) return bad_input(file.string() + ": no hunt of this version");
-    return state_from(json);
+    HuntState state = state_from(json);
+    for (const auto& [name, tally] : state.relations) {
+      if (tally.broken == 0 || std::ranges::find(state.findings, name, &Finding::relation) != state.findings.end())
+        continue;
+      return damaged("it counts scenes that broke " + name + " and lists none");
+    }
+    return state;
   } catch (const Json::exception& problem) {
     return damaged(problem.what());
   }

@@ -6,6 +6,7 @@
 #include "python/binding/arrays.h"
 #include "python/binding/engine_recorder.h"
 #include "python/binding/values.h"
+#include "replay/format/limits.h"
 #include "src/base/text.h"
 
 namespace tumble::python {
@@ -134,7 +135,12 @@ std::vector<replay::EngineSnapshot> given_snapshots(const py::handle& given) {
     return snapshots;
   }
   for (const auto& [name, bytes] : py::reinterpret_borrow<py::dict>(given)) {
-    snapshots.push_back({text_of(name, "snapshot: name"), bytes_of(bytes)});
+    std::string text = text_of(name, "snapshot: name");
+    if (text.size() > replay::kColumnNameBytesMax) {
+      raise(bad_input("snapshot: found a name of " + std::to_string(text.size()) + " bytes, wanted at most " +
+                      std::to_string(replay::kColumnNameBytesMax)));
+    }
+    snapshots.push_back({std::move(text), bytes_of(bytes)});
   }
   return snapshots;
 }

@@ -5,6 +5,7 @@
 
 #include "replay/arrays/array_rows.h"
 #include "replay/arrays/pair_cell.h"
+#include "src/base/text.h"
 
 namespace tumble::replay {
 namespace {
@@ -36,10 +37,14 @@ Result<PairCells> pair_cells(const PairArrays& pairs, const PairPlaces& places) 
   const std::pair<const char*, const Array*> others[] = {{"step.", pairs.steps}, {"a.", pairs.a}, {"b.", pairs.b}};
   for (const auto& [prefix, array] : others) {
     if (array == nullptr || array->shape != shape || !array->is_number()) {
-      return bad_input("array " + (prefix + name) + ": found " +
-                       (array == nullptr ? "none" : "the shape " + shape_text(array->shape)) + ", wanted numbers of " +
-                       shape_text(shape) + ", as " + name + " has values");
+      const std::string found = array == nullptr ? "none" : "the shape " + shape_text(array->shape);
+      const std::string wanted = "numbers of " + shape_text(shape) + ", as the values have";
+      return bad_input("array " + (prefix + name) + ": " + found_wanted(found, wanted));
     }
+  }
+  if (places.ids == nullptr ? places.named : !places.ids->is_number()) {
+    return bad_input("array " + name + ": found bodies with names alone, wanted an array id of numbers, by which " +
+                     "values of pairs name their bodies");
   }
   const std::map<std::string, std::size_t> steps = index_of(places.steps, places.step_count, 0);
   const std::map<std::string, std::size_t> bodies = index_of(places.ids, places.body_count, 1);
@@ -52,7 +57,7 @@ Result<PairCells> pair_cells(const PairArrays& pairs, const PairPlaces& places) 
     if (k == steps.end()) return bad_input(at() + "found step " + step + ", which the archive lacks");
     if (body == bodies.end()) return bad_input(at() + "found body " + a + ", which the archive lacks");
     if (places.present != nullptr && !is_true(places.present->cell({k->second, body->second}))) {
-      return bad_input(at() + "found body " + a + " at step " + step + ", where it is absent");
+      return bad_input(at().append("found body ").append(a).append(" at step ").append(step) + ", where it is absent");
     }
     std::string& cell = cells[k->second][body->second];
     cell += (cell.empty() ? "" : " ") + b + '=' + value_cell(pairs, row);

@@ -25,6 +25,7 @@ struct PairPlaces {
   const Array* ids = nullptr;      ///< numbers of the bodies; null: 1, 2, …
   const Array* present = nullptr;  ///< null: all bodies in all steps
   std::size_t step_count = 0, body_count = 0;
+  bool named = false;  ///< without ids, bodies have names
 };
 
 /// Cells as import_csv() reads them, "7=0.25 9=0.5", by index of the step, then of the first body.

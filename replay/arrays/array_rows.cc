@@ -21,9 +21,13 @@ const Array* find_array(const std::vector<Array>& arrays, std::string_view name)
   return found == arrays.end() ? nullptr : &*found;
 }
 
+bool is_unit(const Array& array) {
+  return array.shape.empty() && !array.is_number() && array.cell({}).find_first_of(",\r\n") == std::string::npos;
+}
+
 std::string unit_behind(const std::vector<Array>& arrays, const Array& array) {
   const Array* unit = find_array(arrays, "unit." + array.name);
-  return unit == nullptr || !unit->shape.empty() ? "" : " (" + unit->cell({}) + ')';
+  return unit == nullptr ? "" : " (" + unit->cell({}) + ')';
 }
 
 std::vector<std::string> bodiless_ends(const Array& present) {

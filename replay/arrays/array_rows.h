@@ -20,7 +20,11 @@ const Array* find_array(const std::vector<Array>& arrays, std::string_view name)
 /// Whether a cell is true: of numpy's bool, or a number.
 bool is_true(const std::string& cell);
 
+/// Whether an array can be a unit: one text that the name of a column may have.
+bool is_unit(const Array& array);
+
 /// The unit of an array behind a column's name, " (rad)": that of the scalar unit.NAME; empty where there is none.
+/// Precondition: is_unit().
 std::string unit_behind(const std::vector<Array>& arrays, const Array& array);
 
 /// Steps at the start and at the end in which no body is present, and which a table has no rows for: for messages.

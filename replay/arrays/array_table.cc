@@ -242,7 +242,8 @@ class ArrayTable {
     const Array* ids = find({"id", "ids"});
     const PairArrays pairs = {&array, find_exact("step." + array.name), find_exact("a." + array.name),
                               find_exact("b." + array.name), find_exact("texts." + array.name)};
-    Result<PairCells> cells = pair_cells(pairs, {steps, ids, present_, steps_, bodies_});
+    Result<PairCells> cells = pair_cells(pairs, {steps, ids, present_, steps_, bodies_,
+                                                 find({"name", "names", "body_names"}) != nullptr || !free_.empty()});
     if (!cells.ok()) return wrong(cells.error().message);
     columns_.push_back(
         {array.name + unit_behind(arrays_, array), [all = *std::move(cells)](std::size_t k, std::size_t body) {
@@ -259,7 +260,10 @@ class ArrayTable {
   Status find_present() {
     for (const Array& array : arrays_) {
       for (const std::string_view prefix : {"present.", "texts.", "unit.", "step.", "a.", "b."}) {
-        if (array.name.starts_with(prefix) && find_exact(array.name.substr(prefix.size())) != nullptr) use(array);
+        if (!array.name.starts_with(prefix) || find_exact(array.name.substr(prefix.size())) == nullptr) continue;
+        if (prefix == "unit." && !is_unit(array))
+          return wrong("array " + array.name + ": wanted one text without a comma");
+        use(array);
       }
     }
     const Array* present = find_exact("present");

@@ -149,8 +149,12 @@ ChannelMatch match_channels(const LogHeader& a, const LogHeader& b, const Tolera
       const auto type_text = [](const ChannelType& type) {
         return std::string(name_of(type.kind)) + " of scope " + name_of(type.scope);
       };
-      match.passed_over.push_back(named + type_text(channel.type) + " in the first log, " +
-                                  type_text(in_b.channels[j].type) + " in the second");
+      const std::string type_a = type_text(channel.type), type_b = type_text(in_b.channels[j].type);
+      match.passed_over.push_back(named + type_a + " in the first log, " + type_b + " in the second");
+      if (!two_engines && !match.other_kind) {
+        match.other_kind = make_divergence(0, "start", "channel." + channel.name, type_a, type_b);
+        match.other_kind->note = "values of other kinds are not compared";
+      }
     } else if (two_engines && !compares_across_engines(channel.name, tolerances)) {
       match.passed_over.push_back(named + "the logs are of two engines; a tolerance compares it");
     } else {

@@ -50,6 +50,10 @@ class Diff {
     report_.headers = header_differences(a_.header(), b_.header(), tolerances_);
     if (Status ok = compare_worlds(from, last); !ok.ok()) return ok.error();
     if (Status ok = compare_start(from); !ok.ok()) return ok.error();
+    if (!report_.first && channels_.other_kind) {
+      report_.first = channels_.other_kind;
+      report_.first->step = from;
+    }
     if (report_.first) return finished();
     Result<std::uint64_t> same = last_known_same(from, last);
     if (!same.ok()) return same.error();

@@ -92,6 +92,15 @@ void record_busy(const Workshop& shop) {
   shop.write("damaged.tumble", log);
 }
 
+/// The example of docs/exporting.md.
+TEST(Export, TheThrownCubeOfTheDocuments) {
+  const Workshop shop;
+  ASSERT_EQ(shop.run({"record", "brick_wall", "--steps", "20", "-o", "brick_wall.tumble"}).exit, 0);
+  const Outcome run =
+      shop.run({"export", "brick_wall.tumble", "-o", "ball.csv", "--bodies", "9000", "--steps", "0:20"});
+  EXPECT_EQ(run.exit, 0) << run.err;
+}
+
 TEST(Export, OfADamagedLogSaysWhatCanBeExported) {
   const Workshop shop;
   record_busy(shop);

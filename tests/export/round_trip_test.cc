@@ -95,9 +95,10 @@ TEST(RoundTrip, ANameWithBracketsIsNoUnit) {
   shop.write(
       "mine.csv",
       "# dt: 0.1\nstep,id,position.x,position.y,position.z,orientation.w,orientation.x,orientation.y,orientation.z,"
-      "channel.load (left) (),world.t (s)\n0,1,0,0,1,1,0,0,0,3,4\n1,1,0,0,1,1,0,0,0,5,6\n");
+      "channel.load (left) (),world.t (s)\n0,1,0,0,1,1,0,0,0,3,4\n1,1,0,0,1,1,0,0,0,inf,-inf\n");
   ASSERT_EQ(shop.run({"import", "mine.csv", "-o", "mine.tumble"}).exit, 0);
   for (const char* ending : {".csv", ".npz"}) expect_round_trip(shop, "mine.tumble", ending);
+  EXPECT_NE(shop.read("mine.tumble.csv").find(",inf,-inf\n"), std::string::npos);  // as every reader of tables knows it
 }
 
 TEST(RoundTrip, ImportSaysWhichStepsHaveNoBody) {

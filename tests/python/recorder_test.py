@@ -135,6 +135,8 @@ def test_snapshots_with_names(tmp_path):
         log.step(**zeros(), snapshot=b"whole")
         with pytest.raises(tumble.BadInput, match="dictionary of bytes by name"):
             log.step(**zeros(), snapshot={"random": "text"})
+        with pytest.raises(tumble.BadInput, match="found a name of 300 bytes"):
+            log.step(**zeros(), snapshot={"x" * 300: b""})
     first, second = tumble.Log(path).steps[1:]
     assert dict(zip(first.snapshot_names, first.snapshots)) == {"random": b"\0\1", "cache": b""}
     assert (second.snapshot_names, second.snapshots) == (("",), (b"whole",))

@@ -136,6 +136,76 @@ TEST(ImportArrays, ErrorsNameTheArray) {
   EXPECT_FALSE(read_mujoco_joints("no xml", "m.xml").ok());
 }
 
+template <class Number>
+Array array_of(const std::string& name, Array::Kind kind, const std::vector<Number>& numbers) {
+  Array array;
+  array.name = name;
+  array.kind = kind;
+  array.item_bytes = sizeof(Number);
+  array.shape = {numbers.size()};
+  array.data.assign(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number));
+  return array;
+}
+
+/// The robot with numbers for its bodies, and a force between them in steps 3 and 4.
+std::vector<Array> robot_with_pairs() {
+  using Wholes = std::vector<std::uint64_t>;
+  std::vector<Array> arrays = robot();
+  std::erase_if(arrays, [](const Array& a) { return a.name == "id" || a.name == "name" || a.name == "body_names"; });
+  arrays.push_back(array_of("id", Array::Kind::kUnsigned, Wholes{7, 9}));
+  arrays.push_back(array_of("pair.force", Array::Kind::kFloat, std::vector<double>{1.5, 2.5, 3.5}));
+  arrays.push_back(array_of("step.pair.force", Array::Kind::kUnsigned, Wholes{4, 3, 3}));
+  arrays.push_back(array_of("a.pair.force", Array::Kind::kUnsigned, Wholes{7, 9, 7}));
+  arrays.push_back(array_of("b.pair.force", Array::Kind::kUnsigned, Wholes{9, 12, 9}));
+  Array unit;
+  unit.name = "unit.pair.force";
+  unit.kind = Array::Kind::kBytes;
+  unit.item_bytes = 1;
+  unit.data = "N";
+  arrays.push_back(unit);
+  return arrays;
+}
+
+TEST(ImportArrays, ValuesOfPairsAreRowsInAnyOrder) {
+  Result<LogReader> log = import(robot_with_pairs());
+  ASSERT_TRUE(log.ok()) << log.error().message;
+  const Declared& declared = log->header().declared;
+  const std::size_t force = declared.find("force");
+  ASSERT_LT(force, declared.channels.size());
+  EXPECT_EQ(declared.channels[force].unit, "N");
+  const ChannelValues third = (*log->read_step(3))->extras.values(force);
+  ASSERT_EQ(third.size(), 2U);
+  EXPECT_EQ(third.keys[0], (ChannelKey{7, 9}));
+  EXPECT_EQ(std::get<double>(third.value(0, ChannelKind::kFloat64)), 3.5);
+  EXPECT_EQ(third.keys[1], (ChannelKey{9, 12}));
+  EXPECT_EQ((*log->read_step(4))->extras.values(force).size(), 1U);
+  EXPECT_EQ((*log->read_step(5))->extras.values(force).size(), 0U);
+}
+
+TEST(ImportArrays, WrongPairsAndUnitsAreRefused) {
+  const auto expect_error = [](const std::string& name, const std::string& part, const auto& damage) {
+    std::vector<Array> arrays = robot_with_pairs();
+    damage(of_name(arrays, name));
+    const Result<LogReader> log = import(arrays);
+    ASSERT_FALSE(log.ok()) << part;
+    EXPECT_NE(log.error().message.find(part), std::string::npos) << log.error().message;
+  };
+  expect_error("a.pair.force", "array a.pair.force: found none", [](Array& a) { a.name = "_a"; });
+  expect_error("step.pair.force", "row 0: found step 99", [](Array& a) { a.data[0] = 99; });
+  expect_error("a.pair.force", "row 0: found body 99", [](Array& a) { a.data[0] = 99; });
+  expect_error("b.pair.force", "found the shape (2), wanted numbers of (3)", [](Array& a) {
+    a.shape = {2};
+    a.data.resize(16);
+  });
+  expect_error("id", "wanted an array id of numbers", [](Array& a) {
+    a.kind = Array::Kind::kBytes;
+    a.item_bytes = 1;
+    a.data = "ab";
+  });
+  expect_error("unit.pair.force", "array unit.pair.force: wanted one text", [](Array& a) { a.data = ","; });
+  expect_error("unit.pair.force", "array unit.pair.force: wanted one text", [](Array& a) { a.shape = {1}; });
+}
+
 TEST(ImportArrays, DamagedArchivesAreRefusedAndNothingWorse) {
   for (const char* name : {"robot.npz", "robot_packed.npz"}) {
     const std::string whole = file_text(name);

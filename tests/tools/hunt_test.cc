@@ -95,7 +95,7 @@ TEST(Hunt, GoesOnWithTheHuntInItsFolder) {
   EXPECT_EQ(others.exit, 2);
   EXPECT_TRUE(says(others.err, "relations")) << others.err;
   shop.write("kept/hunt.json", "{\"format\": 1}");
-  EXPECT_EQ(run("40").exit, 2);
+  EXPECT_EQ(run("40").exit, 3) << "damaged";
 }
 
 TEST(Hunt, PrintsASceneThatCanBeRecorded) {
@@ -145,6 +145,27 @@ TEST(Hunt, KnownFailuresAreFoundAndListed) {
     ++scenes;
   }
   EXPECT_EQ(broken.size(), scenes);
+}
+
+TEST(Hunt, AnotherBuildThatDoesNotStartJudgesNothing) {
+  const Workshop shop;
+  const Outcome run = shop.run({"hunt", "--count", "3", "--against", "/nosuch"});
+  EXPECT_EQ(run.exit, 2) << run.out;
+  EXPECT_TRUE(says(run.err, "which does not answer --version")) << run.err;
+}
+
+TEST(Hunt, CountsAndFindingsOfAFolderAgree) {
+  const Workshop shop;
+  ASSERT_EQ(shop.run({"hunt", "--count", "2", "--relation", "ids", "--folder", "kept"}).exit, 0);
+  std::string text = shop.read("kept/hunt.json");
+  const std::size_t at =
+      text.find("\"broken\":0") != std::string::npos ? text.find("\"broken\":0") : text.find("\"broken\": 0");
+  ASSERT_NE(at, std::string::npos) << text;
+  text[text.find('0', at)] = '3';
+  shop.write("kept/hunt.json", text);
+  const Outcome run = shop.run({"hunt", "--count", "2", "--relation", "ids", "--folder", "kept"});
+  EXPECT_EQ(run.exit, 3) << run.out;
+  EXPECT_TRUE(says(run.err, "counts scenes that broke ids and lists none")) << run.err;
 }
 
 TEST(Hunt, NamesFindingsWithoutShrinkingThem) {

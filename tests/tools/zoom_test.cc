@@ -172,6 +172,22 @@ TEST(Groups, ALogWithoutAChannelDecidesNothing) {
   EXPECT_TRUE(says(excused.err, "found no such channel of numbers in c.tumble")) << excused.err;
 }
 
+// One odd cell makes a table's channel text; values of other kinds are never equal.
+TEST(Kinds, OneOddCellIsADifference) {
+  const Workshop shop;
+  for (const char* cell : {"0.5", "N/A"}) {
+    const std::string name = cell[0] == 'N' ? "odd" : "plain";
+    shop.write(name + ".csv", std::string("# engine: mine\n# dt: 0.1\nstep,id,position.x,position.y,position.z,"
+                                          "orientation.w,orientation.x,orientation.y,orientation.z,channel.hinge\n") +
+                                  "0,1,0,0,1,1,0,0,0,0.5\n1,1,0,0,1,1,0,0,0," + cell + "\n");
+    ASSERT_EQ(shop.run({"import", name + ".csv", "-o", name + ".tumble"}).exit, 0);
+  }
+  const Outcome outcome = shop.run({"diff", "plain.tumble", "odd.tumble"});
+  EXPECT_EQ(outcome.exit, 1) << outcome.out << outcome.err;
+  EXPECT_TRUE(says(outcome.out, "channel.hinge")) << outcome.out;
+  EXPECT_TRUE(says(outcome.out, "text of scope body")) << outcome.out;
+}
+
 TEST(Groups, TakeNoOptionOfTwoLogs) {
   const Workshop shop;
   record_toy(shop, "a.tumble");

@@ -166,7 +166,7 @@ Action declare_export(Arguments& arguments) {
       "listed.\n\n"
       "Examples:\n"
       "  tumble export brick_wall.tumble -o brick_wall.npz\n"
-      "  tumble export brick_wall.tumble -o ball.csv --bodies 222 --steps 0:300 --every 10");
+      "  tumble export brick_wall.tumble -o ball.csv --bodies 9000 --steps 0:300 --every 10");
   return [options] { return export_command(*options); };
 }
 

@@ -56,6 +56,7 @@ Result<Json> difference_data(replay::LogReader& a, replay::LogReader& b, const r
   json["notes"] = Json::array();
   for (const std::string& note : report->notes) json["notes"].push_back(printable(note));
   for (const replay::HeaderDifference& header : report->headers) json["notes"].push_back(printable(describe(header)));
+  json["every_bit"] = report->scope.every_bit();
   json["compared"] = json["not_compared"] = Json::array();
   for (const std::string& part : report->scope.compared) json["compared"].push_back(printable(part));
   for (const std::string& part : report->scope.not_compared) json["not_compared"].push_back(printable(part));

@@ -4059,10 +4059,10 @@ l.ulps.toPrecision(3)):l.ulps;d!==null&&c.append(", ".concat(d," ULPs apart")),r
  first difference"});u.addEventListener("click",()=>n(o.step)),r.push(X("p",{},u));let h=e.aftermath?.marks??[];h.length>0?r.push(X("ul",{className:"marks"},...h.
 map(({above:f,step:m,body:y})=>X("li",{},"more than ".concat(zn(f)," apart from "),Rn("step ".concat(m),()=>n(m)),", ",Rn(t(y),()=>s(y)))))):e.growth_unknown&&r.
 push(X("p",{className:"soft",textContent:"Its growth is not known: ".concat(e.growth_unknown)})),e.partings&&r.push(Jw(e.partings,n))}else{let[a,l]=e.last;r.push(
-X("p",{className:"good",textContent:e.identical?"Identical: ".concat(e.steps," steps, every bit compared."):"The ".concat(e.steps," steps of both are the same; \
-A ends with step ").concat(a,", B with step ").concat(l,".")})),r.push(X("p",{textContent:"Compared: ".concat((e.compared??[]).join(", "),".")}),X("p",{className:"\
-soft",textContent:"Not compared: ".concat((e.not_compared??[]).join("; "),".")}))}for(let a of e.notes??[])r.push(X("p",{className:"soft",textContent:a}));return i.
-replaceChildren(...r)}var Kw=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
+X("p",{className:"good",textContent:e.identical?"Identical: ".concat(e.steps," steps, the same in ").concat(e.every_bit,"."):"The ".concat(e.steps," steps of bo\
+th are the same; A ends with step ").concat(a,", B with step ").concat(l,".")})),r.push(X("p",{textContent:"Compared: ".concat((e.compared??[]).join(", "),".")}),
+X("p",{className:"soft",textContent:"Not compared: ".concat((e.not_compared??[]).join("; "),".")}))}for(let a of e.notes??[])r.push(X("p",{className:"soft",textContent:a}));
+return i.replaceChildren(...r)}var Kw=[["Space","play, or stop"],["J  K  L","play backwards, stop, play"],["\u2190 \u2192","one step back, on; with Shift ten"],["Home End","first, last step"],
 ["[  ]","the input, difference, gap or break of a bound before, after"],["d","the first difference"],["/","search"],["n  N","next run of steps found, the one be\
 fore"],["c  w  s  f  r","contacts, ways, side by side, follow, whole scene"],["Esc","let the body go"],["arrows, + \u2212","in the view: turn, zoom. Drag turns,\
  with Shift moves; the wheel zooms once the view has the focus"]];function t0(i,e){let{inputs:t,gaps:n,first_difference:s}=i.marks(),r=[...i.sessions[0].rows.breaks(),

@@ -168,12 +168,12 @@ bool is_behind_lost(const LogReader& log, std::uint64_t k) {
 
 }  // namespace
 
-Error with_advice(const Error& error, const LogReader& log, std::uint64_t k) {
+Error with_advice(const Error& error, const LogReader& log, std::uint64_t step) {
   if (error.kind != ErrorKind::kDamaged) return error;
   const std::string first = std::to_string(log.first_state());
   return damaged(error.message + "; 'tumble recover' saves what is whole" +
-                 (k > log.first_state()
-                      ? ", and --steps " + first + ':' + std::to_string(k - 1) + " exports what comes before"
+                 (step > log.first_state()
+                      ? ", and --steps " + first + ':' + std::to_string(step - 1) + " exports what comes before"
                       : ""));
 }
 

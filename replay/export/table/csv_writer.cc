@@ -1,28 +1,18 @@
 #include "replay/export/table/csv_writer.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "replay/export/table/table_frame.h"
-#include "replay/format/not_finite.h"
 #include "src/base/text.h"
 
 namespace tumble::replay {
 namespace {
 
-/// Reads back to the same bits. Readers of tables know "inf" and the usual "nan".
-void append(double number, std::string& row) {
-  const bool plain =
-      !std::isnan(number) || std::bit_cast<std::uint64_t>(number) == std::bit_cast<std::uint64_t>(kNotANumber);
-  row += plain ? exact(number) : exact_bits(number);
-}
-
 void append_comma(double number, std::string& row) {
   row += ',';
-  append(number, row);
+  row += number_cell(number);
 }
 
 bool fits_cell(const std::string& text) {
@@ -150,7 +140,7 @@ class CsvWriter : public ExportWriter {
     const auto* text = std::get_if<std::string>(&value);
     std::string cell;
     if (text == nullptr) {
-      cell = to_string(value, about.type.kind);
+      cell = value_cell(value, about.type.kind);
     } else {
       cell = about.type.kind == ChannelKind::kBytes ? hex_cell(*text) : *text;
     }

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "replay/arrays/pair_cell.h"
+#include "replay/format/not_finite.h"
 #include "src/base/text.h"
 
 namespace tumble::replay {
@@ -108,6 +110,20 @@ std::string unit_in_column(const Channel& channel) {
   return unit.empty() && !brackets ? std::string() : " (" + unit + ')';
 }
 
+std::string number_cell(double number) {
+  const bool plain =
+      !std::isnan(number) || std::bit_cast<std::uint64_t>(number) == std::bit_cast<std::uint64_t>(kNotANumber);
+  return plain ? exact(number) : exact_bits(number);
+}
+
+std::string value_cell(const ChannelValue& value, ChannelKind kind) {
+  if (const auto* wide = std::get_if<double>(&value)) return number_cell(*wide);
+  if (const auto* narrow = std::get_if<float>(&value); narrow != nullptr && std::isinf(*narrow)) {
+    return number_cell(*narrow);
+  }
+  return to_string(value, kind);
+}
+
 std::string pair_cell(const ChannelValues& values, ChannelKind kind, std::size_t row) {
   std::string cell;
   const sim::BodyId body = values.keys[row].a;
@@ -115,7 +131,7 @@ std::string pair_cell(const ChannelValues& values, ChannelKind kind, std::size_t
     const ChannelValue value = values.value(row, kind);
     const auto* text = std::get_if<std::string>(&value);
     cell += (cell.empty() ? "" : " ") + std::to_string(values.keys[row].b) + '=';
-    if (text == nullptr) cell += to_string(value, kind);
+    if (text == nullptr) cell += value_cell(value, kind);
     if (text != nullptr) cell += kind == ChannelKind::kBytes ? hex_cell(*text) : escaped_cell(*text);
   }
   return cell;

@@ -147,7 +147,7 @@ export function show_difference(body, found, label, go, select) {
   const first = found.first;
   if (!first) {
     const [a, b] = found.last;
-    parts.push(element("p", { className: "good", textContent: found.identical ? `Identical: ${found.steps} steps, every bit compared.`
+    parts.push(element("p", { className: "good", textContent: found.identical ? `Identical: ${found.steps} steps, the same in ${found.every_bit}.`
       : `The ${found.steps} steps of both are the same; A ends with step ${a}, B with step ${b}.` }));
     parts.push(element("p", { textContent: `Compared: ${(found.compared ?? []).join(", ")}.` }),
       element("p", { className: "soft", textContent: `Not compared: ${(found.not_compared ?? []).join("; ")}.` }));
