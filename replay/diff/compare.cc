@@ -14,11 +14,9 @@
 namespace tumble::replay {
 namespace {
 
-/// One comparison of two logs, A and B.
-///
-/// Three kinds of comparison share the loop. Exact: hashes decide, states only name body and field. With tolerances:
-/// states decide, as soon as hashes differ. Logs of two engines: dt and states decide, because engines differ in
-/// phases, counters and the inputs they know.
+/// One comparison of two logs, A and B, of one of three kinds. Exact: hashes decide, states name body and field. With
+/// tolerances: states decide, as soon as hashes differ. Of two engines: dt and states decide, because engines differ in
+/// phases, counters and inputs.
 class Diff {
  public:
   Diff(LogReader& a, LogReader& b, const Tolerances& tolerances, Reading reading, std::uint64_t until)
@@ -50,10 +48,6 @@ class Diff {
     report_.headers = header_differences(a_.header(), b_.header(), tolerances_);
     if (Status ok = compare_worlds(from, last); !ok.ok()) return ok.error();
     if (Status ok = compare_start(from); !ok.ok()) return ok.error();
-    if (!report_.first && channels_.other_kind) {
-      report_.first = channels_.other_kind;
-      report_.first->step = from;
-    }
     if (report_.first) return finished();
     Result<std::uint64_t> same = last_known_same(from, last);
     if (!same.ok()) return same.error();
@@ -183,7 +177,10 @@ class Diff {
     if (Status ok = read_start(b_, from, start_b); !ok.ok()) return ok;
     if (Status ok = can_tolerate(start_a, start_b); !ok.ok()) return ok;
     judge(start_a, start_b);
-    if (report_.first) report_.first->phase = "start";
+    if (!report_.first) report_.first = channels_.other_kind;
+    if (!report_.first) return {};
+    report_.first->step = from;
+    report_.first->phase = "start";
     return {};
   }
 
@@ -198,8 +195,7 @@ class Diff {
     return {};
   }
 
-  /// Compares step k by hashes. chain_next() covers every field of a record but its states, which the state hash stands
-  /// for, so one comparison of 128 bits replaces one a field.
+  /// Compares step k by one hash: chain_next() covers every field of a record but its states, which a hash stands for.
   Status compare_step(std::uint64_t k) {
     Result<const StepRecord*> a = a_.read_hashes(k);
     if (!a.ok()) return a.error();
