@@ -1,7 +1,9 @@
 #include "replay/import/csv_channels.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -32,6 +34,17 @@ std::optional<ChannelValue> number_in(std::string_view text) {
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, value);
   return error == std::errc() && stop == end ? std::optional<ChannelValue>(value) : std::nullopt;
+}
+
+/// Whether a cell that is written as a whole number has lost no digit as a float64.
+bool keeps_digits(std::string_view cell, double value) {
+  if (cell.starts_with('-')) cell.remove_prefix(1);
+  if (cell.find_first_not_of("0123456789") != std::string_view::npos) return true;
+  while (cell.size() > 1 && cell.front() == '0') cell.remove_prefix(1);
+  std::array<char, 400> digits = {};
+  const auto end =
+      std::to_chars(digits.data(), digits.data() + digits.size(), std::fabs(value), std::chars_format::fixed, 0);
+  return std::string_view(digits.data(), end.ptr) == cell;
 }
 
 /// A value of a pair; none where the text is none of that kind.
@@ -123,7 +136,13 @@ Result<ChannelValue> CsvChannels::value_of(const CsvReader& table, const Column&
     return value.ok() ? Result<ChannelValue>(ChannelValue(static_cast<float>(*value))) : value.error();
   }
   const Result<double> value = table.number(column.column);
-  return value.ok() ? Result<ChannelValue>(ChannelValue(*value)) : value.error();
+  if (!value.ok()) return value.error();
+  const std::string_view cell = table.cell(column.column);
+  if (keeps_digits(cell, *value)) return ChannelValue(*value);
+  return table.at(column.column, column.name + ": " +
+                                     found_wanted(in_quotes(cell),
+                                                  "a whole number that a float64 holds, as the column is one of "
+                                                  "floats; '# kinds: text' keeps every digit"));
 }
 
 Status CsvChannels::take_pairs(const CsvReader& table, const Column& column, sim::BodyId body, std::size_t channel,

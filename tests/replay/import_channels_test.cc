@@ -117,6 +117,17 @@ TEST(ImportChannels, NumbersOfOtherKindsAreComparedByTheirValues) {
   EXPECT_EQ(found.step, 30U) << "7 and 7.0 are one number";
 }
 
+// A float64 would change the digits, and two numbers that differ would be the same.
+TEST(ImportChannels, WholeNumbersThatNoFloatHoldsAreRefused) {
+  Robot robot;
+  robot.seed = "18446744073709551617";
+  EXPECT_NE(error_of(robot.table()).find("seed: found \"18446744073709551617\", wanted a whole number that a float64"),
+            std::string::npos)
+      << error_of(robot.table());
+  robot.seed = "36893488147419103232";  // 2^65
+  EXPECT_EQ(error_of(robot.table()), "no error");
+}
+
 TEST(ImportChannels, MetricsBoundThem) {
   LogReader log = must_import(Robot{.knee = 1}.table());
   const Result<Metrics> metrics = measure_log(log);

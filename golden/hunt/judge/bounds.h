@@ -13,7 +13,7 @@ struct ByMethod {
 
 inline constexpr double kEnergyPart = 1e-3;     ///< of the largest kinetic energy so far
 inline constexpr double kPlaceError = 2e-3;     ///< m, by which errors of place may lift every body
-inline constexpr double kApart = 1e-3;          ///< m; boxes that begin deeper in one another are parted first
+inline constexpr double kBeginApart = 1e-3;     ///< m; boxes that begin deeper in one another are parted first
 inline constexpr double kPartSlack = 5e-4;      ///< m of an overlap that method layered leaves, or
 inline constexpr double kPartSlackPart = 1e-2;  ///< of the thinnest edge, where that is less
 inline constexpr double kPartSpeed = 1;         ///< m/s, at which method layered parts at most

@@ -136,7 +136,7 @@ double longest_substep(const Trace& trace) {
 }  // namespace
 
 Judgement judge_overlap(const Trace& trace) {
-  if (!begins_apart(trace, kApart)) return not_applicable("boxes begin inside one another");
+  if (!begins_apart(trace, kBeginApart)) return not_applicable("boxes begin inside one another");
   const sim::Method method = trace.scene.world.method;
   const bool thesis = method == sim::Method::kThesis;
   if (!thesis && !trace.external && !(longest_substep(trace) <= kSubstepMost))

@@ -51,7 +51,7 @@ double lift_of(const Trace& trace, std::size_t k) {
 }  // namespace
 
 Judgement judge_energy(const Trace& trace) {
-  if (!begins_apart(trace, kApart)) return not_applicable("boxes begin inside one another");
+  if (!begins_apart(trace, kBeginApart)) return not_applicable("boxes begin inside one another");
   if (trace.external && trace.scene.world.method == sim::Method::kThesis)
     return not_applicable("what the overlaps were that were parted is not known");
   Worst worst("J");
