@@ -150,7 +150,9 @@ ChannelMatch match_channels(const LogHeader& a, const LogHeader& b, const Tolera
         return std::string(name_of(type.kind)) + " of scope " + name_of(type.scope);
       };
       const std::string type_a = type_text(channel.type), type_b = type_text(in_b.channels[j].type);
-      match.passed_over.push_back(named + type_a + " in the first log, " + type_b + " in the second");
+      std::string types = named + type_a;
+      types.append(" in the first log, ").append(type_b).append(" in the second");
+      match.passed_over.push_back(std::move(types));
       if (!two_engines && !match.other_kind) {
         match.other_kind = make_divergence(0, "start", "channel." + channel.name, type_a, type_b);
         match.other_kind->note = "values of other kinds are not compared";
