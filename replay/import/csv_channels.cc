@@ -13,6 +13,9 @@
 namespace tumble::replay {
 namespace {
 
+constexpr const char* kWholeOfFloat =
+    "a whole number that a float64 holds, as the column is one of floats; '# kinds: text' keeps every digit";
+
 template <class Number>
 bool is_whole(std::string_view cell) {
   Number value{};
@@ -36,15 +39,29 @@ std::optional<ChannelValue> number_in(std::string_view text) {
   return error == std::errc() && stop == end ? std::optional<ChannelValue>(value) : std::nullopt;
 }
 
-/// Whether a cell that is written as a whole number has lost no digit as a float64.
+/// A number without an exponent, from its digits and its exponent of ten as in "1.25e+19".
+std::string padded(std::string_view shortest) {
+  const std::size_t exponent = shortest.find('e');
+  std::string digits(shortest.substr(0, exponent));
+  std::erase(digits, '.');
+  const std::size_t places =
+      exponent == std::string_view::npos ? 0 : std::stoul(std::string(shortest.substr(exponent + 1)));
+  if (digits.size() <= places) digits.append(places + 1 - digits.size(), '0');
+  return digits;
+}
+
+/// Whether a cell that is written as a whole number has lost no digit as a float64: it has all digits of the float64,
+/// or the shortest that name it, padded with zeros, as many languages write it.
 bool keeps_digits(std::string_view cell, double value) {
   if (cell.starts_with('-')) cell.remove_prefix(1);
   if (cell.find_first_not_of("0123456789") != std::string_view::npos) return true;
   while (cell.size() > 1 && cell.front() == '0') cell.remove_prefix(1);
   std::array<char, 400> digits = {};
-  const auto end =
-      std::to_chars(digits.data(), digits.data() + digits.size(), std::fabs(value), std::chars_format::fixed, 0);
-  return std::string_view(digits.data(), end.ptr) == cell;
+  char* const last = digits.data() + digits.size();
+  const char* end = std::to_chars(digits.data(), last, std::fabs(value), std::chars_format::fixed, 0).ptr;
+  if (std::string_view(digits.data(), end) == cell) return true;
+  end = std::to_chars(digits.data(), last, std::fabs(value), std::chars_format::scientific).ptr;
+  return padded({digits.data(), end}) == cell;
 }
 
 /// A value of a pair; none where the text is none of that kind.
@@ -54,7 +71,7 @@ std::optional<ChannelValue> value_in(std::string_view text, ChannelKind kind) {
   if (kind == ChannelKind::kUint64) return number_in<std::uint64_t>(text);
   if (kind == ChannelKind::kFloat32 && !text.ends_with(')')) return number_in<float>(text);
   const std::optional<double> number = parse_exact(text);
-  if (!number) return std::nullopt;
+  if (!number || !keeps_digits(text, *number)) return std::nullopt;
   return kind == ChannelKind::kFloat32 ? ChannelValue(static_cast<float>(*number)) : ChannelValue(*number);
 }
 
@@ -139,10 +156,7 @@ Result<ChannelValue> CsvChannels::value_of(const CsvReader& table, const Column&
   if (!value.ok()) return value.error();
   const std::string_view cell = table.cell(column.column);
   if (keeps_digits(cell, *value)) return ChannelValue(*value);
-  return table.at(column.column, column.name + ": " +
-                                     found_wanted(in_quotes(cell),
-                                                  "a whole number that a float64 holds, as the column is one of "
-                                                  "floats; '# kinds: text' keeps every digit"));
+  return table.at(column.column, column.name + ": " + found_wanted(in_quotes(cell), kWholeOfFloat));
 }
 
 Status CsvChannels::take_pairs(const CsvReader& table, const Column& column, sim::BodyId body, std::size_t channel,
@@ -158,8 +172,9 @@ Status CsvChannels::take_pairs(const CsvReader& table, const Column& column, sim
   for (const PairCell& pair : *pairs) {
     const std::optional<ChannelValue> value = value_in(pair.value, kind);
     if (!value) {
-      return table.at(column.column, "pair." + column.name + ": " +
-                                         found_wanted(in_quotes(pair.value), std::string("a ") + name_of(kind)));
+      const bool whole = kind == ChannelKind::kFloat64 && parse_exact(pair.value).has_value();
+      const std::string wanted = whole ? std::string(kWholeOfFloat) : std::string("a ") + name_of(kind);
+      return table.at(column.column, "pair." + column.name + ": " + found_wanted(in_quotes(pair.value), wanted));
     }
     const Status set = values.set(channel, *value, {body, pair.other});
     if (!set.ok()) return table.at(column.column, set.error().message);

@@ -126,6 +126,16 @@ TEST(ImportChannels, WholeNumbersThatNoFloatHoldsAreRefused) {
       << error_of(robot.table());
   robot.seed = "36893488147419103232";  // 2^65
   EXPECT_EQ(error_of(robot.table()), "no error");
+  robot.seed = "18446744073709552000";  // 2^64 in JavaScript and Rust: the shortest digits, then zeros
+  EXPECT_EQ(error_of(robot.table()), "no error");
+}
+
+TEST(ImportChannels, WholeNumbersOfPairsThatNoFloatHoldsAreRefused) {
+  const std::string head = std::string("# dt: 0.01\nstep,id,") + kPose + kMotion + ",pair.force\n";
+  const std::string rows = "0,1,5,6,1,1,0,0,0,0,0,0,0,0,0,2=0.5\n1,1,5,6,1,1,0,0,0,0,0,0,0,0,0,2=";
+  EXPECT_EQ(error_of(head + rows + "18446744073709552000\n"), "no error");
+  const std::string error = error_of(head + rows + "18446744073709551617\n");
+  EXPECT_NE(error.find("pair.force: found \"18446744073709551617\", wanted a whole"), std::string::npos) << error;
 }
 
 TEST(ImportChannels, MetricsBoundThem) {

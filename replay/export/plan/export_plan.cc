@@ -152,11 +152,12 @@ class StepTracker {
 void leave_out_undefined(const std::set<sim::BodyId>& ids, const ExportChoice& choice, ExportPlan& plan) {
   plan.undefined.assign(ids.begin(), ids.end());
   if (ids.empty() || choice.holds) return;
+  constexpr std::size_t kShown = 8;
   std::string list;
-  for (const sim::BodyId id : plan.undefined) {
-    if (list.size() > 60) break;
-    list += (list.empty() ? "" : ", ") + std::to_string(id);
+  for (std::size_t i = 0; i < std::min(plan.undefined.size(), kShown); ++i) {
+    list += (i == 0 ? "" : ", ") + std::to_string(plan.undefined[i]);
   }
+  if (plan.undefined.size() > kShown) list += ", …";
   plan.left_out.push_back(count_text(ids.size(), "body") +
                           " thrown in during lost steps, whose sizes nothing tells: " + list);
 }

@@ -32,10 +32,7 @@ class CsvWriter : public ExportWriter {
     shaped_ = std::ranges::any_of(plan.bodies, [](const ExportBody& body) { return body.shape != nullptr; });
     gridded_ = std::ranges::any_of(
         plan.bodies, [](const ExportBody& body) { return body.box.origin.kind == sim::Origin::Kind::kGrid; });
-    channels_.resize(plan.header.declared.channels.size());
-    for (std::size_t i = 0; i < channels_.size(); ++i) {
-      channels_[i] = i;
-      const Channel& channel = plan.header.declared.channels[i];
+    for (const Channel& channel : channels()) {
       if (!fits_cell(channel.name)) {
         return bad_input("channel " + in_quotes(channel.name) +
                          ": found a name that a table without quotes cannot hold (a comma, a blank at an end); export "
@@ -52,7 +49,7 @@ class CsvWriter : public ExportWriter {
     std::string front = std::to_string(step.record.step);
     append_comma(step.time, front);
     if (!plan_->dt) append_comma(plan_->dts[step.index], front);
-    std::vector<std::size_t> from(channels_.size(), 0);
+    std::vector<std::size_t> from(channels().size(), 0);
     for (std::size_t i = 0; i < plan_->bodies.size(); ++i) {
       if (step.rows[i] == ExportStep::kAbsent) continue;
       rows_ += front;
@@ -62,8 +59,8 @@ class CsvWriter : public ExportWriter {
       rows_ += '\n';
     }
     empty_steps_ += rows_.empty() ? 1U : 0U;
-    for (const std::size_t c : channels_) {
-      if (all_channels()[c].type.scope != ChannelScope::kWorld) lost_values_ += step.record.extras.values(c).size();
+    for (std::size_t c = 0; c < channels().size(); ++c) {
+      if (channels()[c].type.scope != ChannelScope::kWorld) lost_values_ += step.record.extras.values(c).size();
     }
     lost_values_ -= std::exchange(written_values_, 0);
     Status ok = file_.write(rows_);
@@ -82,10 +79,9 @@ class CsvWriter : public ExportWriter {
     std::string head;
     for (const auto& [key, value] : table_settings(*plan_))
       head.append("# ").append(key).append(": ").append(value).append("\n");
-    const std::vector<Channel>& all = all_channels();
-    if (!channels_.empty()) {
+    if (!channels().empty()) {
       head += "# kinds:";
-      for (const std::size_t i : channels_) head += std::string(" ") + name_of(table_kind(all[i].type.kind));
+      for (const Channel& channel : channels()) head += std::string(" ") + name_of(table_kind(channel.type.kind));
       head += '\n';
     }
     head += plan_->dt ? "step,time,id" : "step,time,dt,id";
@@ -94,9 +90,7 @@ class CsvWriter : public ExportWriter {
     head += ",frozen,size.x,size.y,size.z,mass,static,friction,friction_dynamic,restitution,texture";
     if (gridded_) head += ",row,column";
     if (shaped_) head += ",shape";
-    for (const std::size_t i : channels_) {
-      head += ',' + channel_column(all[i]) + unit_in_column(all[i]);
-    }
+    for (const Channel& channel : channels()) head += ',' + channel_column(channel) + unit_in_column(channel);
     return file_.write(head + '\n');
   }
 
@@ -135,7 +129,7 @@ class CsvWriter : public ExportWriter {
 
   Status append_value(const ExportStep& step, std::size_t channel, std::size_t row, const std::string& of,
                       std::string& out) {
-    const Channel& about = plan_->header.declared.channels[channel];
+    const Channel& about = channels()[channel];
     const ChannelValue value = step.record.extras.values(channel).value(row, about.type.kind);
     const auto* text = std::get_if<std::string>(&value);
     std::string cell;
@@ -155,26 +149,25 @@ class CsvWriter : public ExportWriter {
 
   /// The values of the step as a whole, which every row repeats.
   Status write_world(const ExportStep& step) {
-    world_.assign(channels_.size(), "");
-    for (std::size_t c = 0; c < channels_.size(); ++c) {
-      const Channel& channel = plan_->header.declared.channels[channels_[c]];
-      if (channel.type.scope != ChannelScope::kWorld || step.record.extras.values(channels_[c]).empty()) continue;
+    world_.assign(channels().size(), "");
+    for (std::size_t c = 0; c < channels().size(); ++c) {
+      if (channels()[c].type.scope != ChannelScope::kWorld || step.record.extras.values(c).empty()) continue;
       const std::string of = "step " + std::to_string(step.record.step);
-      if (Status ok = append_value(step, channels_[c], 0, of, world_[c]); !ok.ok()) return ok;
+      if (Status ok = append_value(step, c, 0, of, world_[c]); !ok.ok()) return ok;
     }
     return {};
   }
 
   Status write_values(const ExportStep& step, std::size_t body, std::vector<std::size_t>& from) {
     const sim::BodyId id = plan_->bodies[body].box.id;
-    for (std::size_t c = 0; c < channels_.size(); ++c) {
+    for (std::size_t c = 0; c < channels().size(); ++c) {
       rows_ += ',';
-      const ChannelType& type = all_channels()[channels_[c]].type;
+      const ChannelType& type = channels()[c].type;
       if (type.scope == ChannelScope::kWorld) {
         rows_ += world_[c];
         continue;
       }
-      const ChannelValues& values = step.record.extras.values(channels_[c]);
+      const ChannelValues& values = step.record.extras.values(c);
       const std::size_t row = value_row(values, id, from[c]);
       if (row == values.size()) continue;
       if (type.scope == ChannelScope::kPair) {
@@ -185,17 +178,16 @@ class CsvWriter : public ExportWriter {
       }
       ++written_values_;
       const std::string of = plan_->place(body, step.record.step);
-      if (Status ok = append_value(step, channels_[c], row, of, rows_); !ok.ok()) return ok;
+      if (Status ok = append_value(step, c, row, of, rows_); !ok.ok()) return ok;
     }
     return {};
   }
 
-  [[nodiscard]] const std::vector<Channel>& all_channels() const { return plan_->header.declared.channels; }
+  [[nodiscard]] const std::vector<Channel>& channels() const { return plan_->header.declared.channels; }
 
   files::OutputFile& file_;
   const ExportPlan* plan_ = nullptr;
   TableFrame frame_;
-  std::vector<std::size_t> channels_;
   bool named_ = false, shaped_ = false, gridded_ = false;
   std::vector<std::string> about_, names_;  // cells of each body
   std::vector<std::string> world_;          // cells of the step

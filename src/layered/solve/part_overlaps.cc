@@ -24,19 +24,26 @@ constexpr double kSweepsMost = 20;
 // them.
 int more_sweeps(double deepest) { return 1 + static_cast<int>(std::min(kSweepsMost, deepest / kSweepDepth)); }
 
-// Called before the overlaps are solved and again afterwards. No point has been hit in this step yet.
-void exchange(Scratch& scratch) {
+// The overlaps are solved in the columns of the step's own impulses and motions, which wait in OverlapScratch
+// meanwhile.
+enum class Exchange { kBefore, kAfter };
+
+// No point has been hit in this step yet. Before, what waits is rubbish of an earlier step, so zeros come in its place.
+void exchange(Scratch& scratch, Exchange when) {
   OverlapScratch& own = scratch.overlaps;
   std::vector<PointBatch>& points = scratch.contact_batches.points;
   std::vector<SolverBody>& bodies = scratch.solver_bodies;
+  const bool before = when == Exchange::kBefore;
   for_ranges(scratch.workers, points.size(), kBatchesAPart, [&](std::size_t begin, std::size_t end) {
     for (std::size_t k = begin; k < end; ++k) {
+      if (before) own.impulses[k] = {};
       std::swap(points[k].impulse, own.impulses[k]);
       points[k].peak = {};
     }
   });
   for_ranges(scratch.workers, bodies.size(), kBodiesAPart, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
+      if (before) own.velocity[i] = own.spin[i] = Vec3::Zero();
       std::swap(bodies[i].velocity, own.velocity[i]);
       std::swap(bodies[i].spin, own.spin[i]);
     }
@@ -44,16 +51,16 @@ void exchange(Scratch& scratch) {
 }
 
 void solve(Scratch& scratch, ContactWork work, double deepest) {
-  scratch.overlaps.impulses.assign(scratch.contact_batches.points.size(), {});
-  scratch.overlaps.velocity.assign(scratch.solver_bodies.size(), Vec3::Zero());
-  scratch.overlaps.spin.assign(scratch.solver_bodies.size(), Vec3::Zero());
-  exchange(scratch);
+  scratch.overlaps.impulses.resize(scratch.contact_batches.points.size());
+  scratch.overlaps.velocity.resize(scratch.solver_bodies.size());
+  scratch.overlaps.spin.resize(scratch.solver_bodies.size());
+  exchange(scratch, Exchange::kBefore);
   work.push_part = kPart;
   sweep_overlaps(scratch, work, more_sweeps(deepest));
   for_ranges(scratch.workers, work.count, kBatchesAPart, [&](std::size_t begin, std::size_t end) {
     kernels(scratch.lanes).contacts.move_on(part_of(work, begin, end));
   });
-  exchange(scratch);
+  exchange(scratch, Exchange::kAfter);
 }
 
 // Takes from the motion of a body that was moved along `path` what a lift adds to its energy: from the speed along
