@@ -54,13 +54,13 @@ Result<SuiteResult> check_suite(const CheckOptions& options) {
   result.problems = suite->problems;
   if (selected.empty() && result.shards == 1) result.problems.emplace_back("no case was run");
   result.canaries = run_canaries(options.canary_judge);
-  result.facts = facts_of_run(*suite, *all, selected, options.require, options.pool.timeout_s);
-
+  const std::vector<CaseFolder> mine = selected;
   const std::vector<CaseFolder> folders = longest_first(std::move(selected));
   if (!options.report.empty()) {
     if (Status ok = prepare_report(options.suite, options.report, options.junit); !ok.ok()) return ok.error();
   }
   if (Status ok = build_engine_of(folders, options.suite, options.pool.cancel); !ok.ok()) return ok.error();
+  result.facts = facts_of_run(*suite, *all, mine, options.require, options.pool.timeout_s);
   const TemporaryFolder scratch("tumble-check");  // a case that takes too long cannot remove its own files
   const RunOptions run = {options.suite, options.require, options.report, scratch.path(), {}};
   const bool finished = process::run_jobs(

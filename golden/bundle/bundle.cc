@@ -1,5 +1,7 @@
 #include "golden/bundle/bundle.h"
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -24,6 +26,14 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+/// Of the engine of the suite's tumble.toml, where one of these cases runs it.
+std::string hash_of_engine(const Suite& suite, const std::vector<CaseFolder>& cases) {
+  const bool runs = std::ranges::any_of(cases, [](const CaseFolder& one) { return engine_case(one).has_value(); });
+  if (!runs) return "";
+  const Result<std::optional<EngineProject>> project = find_project(suite.root);
+  return project.ok() && *project ? engine_hash(**project) : "not known";
+}
+
 }  // namespace
 
 RunFacts facts_of_run(const Suite& suite, const std::vector<CaseFolder>& all, const std::vector<CaseFolder>& mine,
@@ -31,6 +41,7 @@ RunFacts facts_of_run(const Suite& suite, const std::vector<CaseFolder>& all, co
   RunFacts facts;
   facts.program_hash = program_hash();
   facts.suite_hash = suite_hash(suite);
+  facts.engine_hash = hash_of_engine(suite, mine);
   facts.selected_hash = names_hash(names_of(all));
   facts.expected = names_of(mine);
   std::vector<std::string> verdicts;

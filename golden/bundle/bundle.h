@@ -11,8 +11,8 @@
 
 namespace tumble::golden {
 
-/// The facts on a check before its first case runs. all: the cases of all shards; mine: those of this one.
-/// require: in place of each case's own. timeout_s: of a case.
+/// The facts on a check before its first case runs and after its engine was built. all: the cases of all shards; mine:
+/// those of this one. require: in place of each case's own. timeout_s: of a case.
 RunFacts facts_of_run(const Suite& suite, const std::vector<CaseFolder>& all, const std::vector<CaseFolder>& mine,
                       const std::optional<std::vector<VerdictKind>>& require, double timeout_s);
 

@@ -66,17 +66,22 @@ const Fact kFacts[] = {
     {"commit", [](const Manifest& m) { return m.run.commit + (m.run.tree == "changed" ? " with changes" : ""); }},
     {"program (its file's hash)", [](const Manifest& m) { return m.facts.program_hash; }},
     {"suite (its files' hash)", [](const Manifest& m) { return m.facts.suite_hash; }},
+    {"engine (its files' hash)", [](const Manifest& m) { return m.facts.engine_hash; }},
     {"selection of cases",
      [](const Manifest& m) { return std::to_string(m.selected) + " cases, hash " + m.facts.selected_hash; }},
     {"set of options", options_text},
     {"rule that assigns cases", [](const Manifest& m) { return m.assignment; }},
 };
 
-/// The text that most bundles have; of equally many, the first bundle's.
+/// The text that most bundles have; of equally many, the first bundle's. A bundle without one has nothing to compare.
 std::string usual(const std::vector<Bundle>& bundles, const Fact& fact) {
   std::map<std::string, std::size_t> counts;
-  for (const Bundle& one : bundles) ++counts[fact.of(one.manifest)];
-  std::string best = fact.of(bundles.front().manifest);
+  std::string best;
+  for (const Bundle& one : bundles) {
+    const std::string text = fact.of(one.manifest);
+    if (!text.empty()) ++counts[text];
+    if (best.empty()) best = text;
+  }
   for (const auto& [text, count] : counts) {
     if (count > counts[best]) best = text;
   }
@@ -90,7 +95,7 @@ std::vector<Bundle> of_one_check(std::vector<Bundle> bundles, Problems& problems
     const std::string wanted = usual(bundles, fact);
     std::erase_if(bundles, [&](const Bundle& one) {
       const std::string found = fact.of(one.manifest);
-      if (found == wanted) return false;
+      if (found == wanted || found.empty()) return false;
       problems.add(bad_input(label(one) + ": of another " + fact.name + ": " + found_wanted(found, wanted) +
                              "; run that shard again as the others were run"));
       return true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <optional>
@@ -10,7 +11,7 @@
 #include <string_view>
 #include <system_error>
 
-#include "golden/engine/project.h"
+#include "src/process/split_words.h"
 #include "tumble/sim/hash.h"
 
 namespace tumble::golden {
@@ -66,6 +67,23 @@ void add_file(Hasher& hasher, const fs::path& file) {
   hasher.add(bytes);
 }
 
+/// The file that a word of a command names: a path from the folder, and for the program itself also a name in PATH.
+/// Empty: none.
+fs::path file_of_word(const std::string& word, const fs::path& folder, bool is_program) {
+  std::error_code error;
+  if (fs::is_regular_file(folder / word, error)) return folder / word;
+  const char* path = std::getenv("PATH");
+  if (!is_program || path == nullptr || word.find('/') != std::string::npos) return {};
+  std::string_view left = path;
+  while (!left.empty()) {
+    const std::size_t end = std::min(left.find(':'), left.size());
+    fs::path file = fs::path(left.substr(0, end)) / word;
+    if (fs::is_regular_file(file, error)) return file;
+    left.remove_prefix(std::min(end + 1, left.size()));
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<FileHash> hash_file(const fs::path& path) {
@@ -79,6 +97,25 @@ Result<FileHash> hash_file(const fs::path& path) {
 std::string program_hash() {
   const Result<FileHash> found = hash_file("/proc/self/exe");
   return found.ok() ? found->hash : "not known";
+}
+
+std::string program_hash(const std::string& program) {
+  const Result<FileHash> found = hash_file(file_of_word(program, fs::current_path(), true));
+  return found.ok() ? found->hash : "not known";
+}
+
+std::string engine_hash(const EngineProject& project) {
+  const Result<std::vector<std::string>> words = process::split_words(project.run);
+  Hasher hasher;
+  bool any = false;
+  for (std::size_t k = 0; words.ok() && k < words->size(); ++k) {
+    const fs::path file = file_of_word((*words)[k], project.folder, k == 0);
+    if (file.empty()) continue;
+    any = true;
+    add_text(hasher, (*words)[k]);
+    add_file(hasher, file);
+  }
+  return any ? to_string(hasher.digest()) : "not known";
 }
 
 std::string suite_hash(const Suite& suite) {

@@ -26,6 +26,7 @@ Json facts_json(const RunFacts& facts) {
   for (const auto& [name, value] : facts.options) options[name] = value;
   return {{"program_hash", facts.program_hash},
           {"suite_hash", facts.suite_hash},
+          {"engine_hash", facts.engine_hash},
           {"selected_hash", facts.selected_hash},
           {"options", options}};
 }
@@ -46,6 +47,7 @@ RunFacts facts_from(const Json& json) {
   const Json& one = json.at("facts");
   RunFacts facts{.program_hash = one.at("program_hash"),
                  .suite_hash = one.at("suite_hash"),
+                 .engine_hash = one.value("engine_hash", ""),
                  .selected_hash = one.at("selected_hash"),
                  .options = {},
                  .expected = json.at("expected"),

@@ -10,7 +10,6 @@
 namespace tumble::hunt {
 namespace {
 
-constexpr const char* kStateFile = "hunt.json";
 constexpr int kFormat = 1;
 
 HuntState state_from(const Json& json) {
@@ -21,6 +20,7 @@ HuntState state_from(const Json& json) {
   state.program = json.at("program");
   state.against = json.at("against");
   state.engine = json.value("engine", "");
+  state.engine_hash = json.value("engine_hash", "");
   state.claimed = json.value("claimed", std::vector<std::string>{});
   state.ended = json.value("ended", false);
   state.merged = json.value("merged", std::uint64_t{0});
@@ -81,6 +81,7 @@ Json to_json(const HuntState& state) {
     json["engine"] = state.engine;
     json["claimed"] = state.claimed;
   }
+  if (!state.engine_hash.empty()) json["engine_hash"] = state.engine_hash;
   json["relations"] = Json::object();
   for (const auto& [name, tally] : state.relations) json["relations"][name] = to_json(tally);
   json["findings"] = Json::array();
@@ -101,6 +102,9 @@ Status same_hunt(const HuntState& kept, const HuntState& wanted, const std::stri
   if (Status ok = differs("program", kept.program, wanted.program); !ok.ok()) return ok;
   if (Status ok = differs("--against", kept.against, wanted.against); !ok.ok()) return ok;
   if (Status ok = differs("engine", kept.engine, wanted.engine); !ok.ok()) return ok;
+  if (Status ok = differs("build of the other program (its files' hash)", kept.engine_hash, wanted.engine_hash);
+      !ok.ok())
+    return ok;
   std::string found, want;
   for (const auto& row : kept.relations) found += (found.empty() ? "" : " ") + row.first;
   for (const auto& row : wanted.relations) want += (want.empty() ? "" : " ") + row.first;

@@ -37,6 +37,7 @@ struct HuntState {
   std::string program;  ///< version and commit
   std::string against;
   std::string engine;                ///< the command of the engine; empty: this program is judged
+  std::string engine_hash;           ///< of the engine's files, or of those of `against`; empty: neither is asked
   std::vector<std::string> claimed;  ///< relations that the engine claims
   bool ended = false;                ///< it came to its --count or --time
   std::uint64_t merged = 0;          ///< number of shards that it was merged of; 0: it was run, and can go on
@@ -50,6 +51,9 @@ Json to_json(const HuntState& state);
 
 /// The first way in which a kept hunt is not the one that is wanted, as an error (kBadInput). where: for its message.
 Status same_hunt(const HuntState& kept, const HuntState& wanted, const std::string& where);
+
+/// The file of a folder that holds the state.
+inline constexpr const char* kStateFile = "hunt.json";
 
 /// A folder that keeps a hunt:
 ///

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "golden/bundle/file_hashes.h"
 #include "golden/hunt/batch.h"
 #include "golden/hunt/corpus.h"
 #include "golden/hunt/scene/grammar.h"
@@ -125,9 +126,7 @@ class Hunt {
     for (const auto& [k, result] : done) {
       if (!result.failure.empty()) {
         sum.findings.push_back(ended(state_.share.number(first + k), result.failure));
-        for (Tally& tally : sum.tallies) ++tally.not_applicable;
-        ++sum.tallies.back().broken;
-        --sum.tallies.back().not_applicable;
+        for (Tally& tally : sum.tallies) ++tally.not_applicable;  // no relation was judged to its end
         continue;
       }
       Result<Batch> one = batch_from(result.output);
@@ -222,7 +221,12 @@ Result<HuntState> hunt_scenes(const HuntOptions& options) {
   fresh.program = program.version + " " + (program.commit.empty() ? "commit not known" : program.commit);
   if (program.tree == "changed") fresh.program += " (sources changed since)";
   fresh.against = options.question.against;
-  if (options.question.engine) fresh.engine = options.question.engine->run;
+  if (options.question.engine) {
+    fresh.engine = options.question.engine->run;
+    fresh.engine_hash = golden::engine_hash(*options.question.engine);
+  } else if (!fresh.against.empty()) {
+    fresh.engine_hash = golden::program_hash(fresh.against);
+  }
   for (const std::string& name : names_of(options.question)) {
     fresh.relations.emplace_back(name, Tally{});
     if (options.question.engine && is_claimed(options.question, name)) fresh.claimed.push_back(name);
@@ -242,7 +246,7 @@ Result<HuntState> hunt_scenes(const HuntOptions& options) {
 bool claims_hold(const HuntState& state) {
   if (state.engine.empty()) return state.findings.empty();
   return std::ranges::none_of(state.findings, [&state](const Finding& one) {
-    return std::ranges::find(state.claimed, one.relation) != state.claimed.end();
+    return one.relation == kSurvives || std::ranges::find(state.claimed, one.relation) != state.claimed.end();
   });
 }
 

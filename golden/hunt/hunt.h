@@ -33,10 +33,12 @@ struct HuntOptions {
 /// keeps a whole number of scenes without a gap. Errors: the folder's; kBadInput: a relation that there is not.
 Result<HuntState> hunt_scenes(const HuntOptions& options);
 
-/// Whether none of the findings breaks a relation that was claimed: all are, of this program.
+/// Whether none of the findings breaks a relation that was claimed: all are, of this program. That a scene ends this
+/// program is no engine's to claim or to leave out.
 bool claims_hold(const HuntState& state);
 
-/// The relation that a scene breaks which ends the program or hangs it.
+/// The relation that a scene breaks which ends the program or hangs it. It has findings and no tally: the scene counts
+/// as not judged by every relation.
 inline constexpr const char* kSurvives = "survives";
 
 }  // namespace tumble::hunt

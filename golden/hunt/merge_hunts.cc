@@ -91,7 +91,8 @@ Status copy_files(const fs::path& from, const fs::path& to) {
 Result<HuntState> merge_hunts(const std::vector<fs::path>& folders, const fs::path& out) {
   std::map<std::uint64_t, Part> parts;
   if (Status ok = all_there(folders, parts); !ok.ok()) return ok.error();
-  if (Folder(out).load().ok())
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(out / kStateFile, error)))
     return bad_input(out.string() + ": holds a hunt; give another --folder, or remove this one");
   HuntState sum = parts.begin()->second.state;
   sum.share = {};

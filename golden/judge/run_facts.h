@@ -21,6 +21,7 @@ struct MergedShard {
 struct RunFacts {
   std::string program_hash;   ///< of the program's file
   std::string suite_hash;     ///< of every file of the suite's cases, their names, and the engine's tumble.toml
+  std::string engine_hash;    ///< of the engine's files, after its build; empty: no case of this shard runs it
   std::string selected_hash;  ///< of the names of the cases of all shards
   /// Options that can change a verdict, and their values: "require", "exact behaviour".
   std::vector<std::pair<std::string, std::string>> options;

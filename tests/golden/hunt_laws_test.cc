@@ -3,13 +3,10 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <string>
 
-#include "golden/hunt/judge/relation.h"
-#include "golden/hunt/judge/trace.h"
 #include "src/math/grid.h"
-#include "tumble/scenes/scene_file.h"
+#include "tests/golden/hunt_session.h"
 
 namespace tumble::test {
 namespace {
@@ -68,16 +65,6 @@ position = [0.0, 0.0, 50.0]
 velocity = [2.0, 0.0, 1.0]
 spin = [3.0, 1.0, 2.0]
 )";
-
-Trace traced(const char* text) {
-  const Result<sim::SceneDef> scene = scenes::parse_scene(text, "test.toml");
-  if (!scene.ok()) throw std::runtime_error(scene.error().message);
-  Result<Trace> session = hunt::trace(*scene);
-  if (!session.ok()) throw std::runtime_error(session.error().message);
-  return *std::move(session);
-}
-
-Judgement judge(const char* relation, const Trace& trace) { return hunt::find_relation(relation)->judge(trace); }
 
 // Changes the state after a step, and all later ones alike where `stays`.
 template <class Change>

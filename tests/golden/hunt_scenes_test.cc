@@ -6,6 +6,7 @@
 
 #include "golden/hunt/corpus.h"
 #include "golden/hunt/finding.h"
+#include "golden/hunt/hunt.h"
 #include "golden/hunt/judge/features.h"
 #include "golden/hunt/scene/grammar.h"
 #include "golden/hunt/scene/scene_text.h"
@@ -134,6 +135,24 @@ hunt::Finding finding(const char* relation, std::uint64_t number, double value) 
   out.number = number;
   out.judgement = hunt::broken(5, 1, "found", value, 1, "m");
   return out;
+}
+
+// No claim of an engine covers it, and no relation counts it as broken: a kept hunt reads back.
+TEST(HuntScenes, ASceneThatEndsTheProgramStaysAFinding) {
+  hunt::HuntState state;
+  state.relations = {{"ids", {}}};
+  state.relations[0].second.not_applicable = 1;
+  state.findings.push_back(finding(hunt::kSurvives, 4, 0));
+  EXPECT_FALSE(hunt::claims_hold(state));
+  state.engine = "my_engine {log}";
+  EXPECT_FALSE(hunt::claims_hold(state));
+  const hunt::Folder folder(place().path() / "survives");
+  ASSERT_TRUE(folder.save(state).ok());
+  const Result<hunt::HuntState> kept = folder.load();
+  ASSERT_TRUE(kept.ok()) << kept.error().message;
+  EXPECT_EQ(kept->findings.at(0).relation, hunt::kSurvives);
+  state.findings[0].relation = "ids";
+  EXPECT_TRUE(hunt::claims_hold(state)) << "what an engine does not claim is measured";
 }
 
 TEST(HuntFindings, AreGroupedByRelationPhaseAndSize) {

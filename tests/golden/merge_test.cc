@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "golden/bundle/bundle.h"
+#include "golden/bundle/file_hashes.h"
 #include "golden/bundle/manifest.h"
 #include "golden/report/junit.h"
 #include "golden/report/report_json.h"
@@ -99,6 +100,9 @@ TEST_F(Merge, NamesEveryShardThatIsLostDoubledOrForeign) {
   edit(12, [](Manifest& m) { m.facts.selected_hash = std::string(32, '3'); });
   edit(13, [](Manifest& m) { m.assignment = "every N-th"; });
   write(shard(14) / kBundleFile, R"({"format": 2})");
+  edit(15, [](Manifest& m) { m.facts.engine_hash = std::string(32, '4'); });
+  edit(16, [](Manifest& m) { m.facts.engine_hash = std::string(32, '5'); });
+  edit(17, [](Manifest& m) { m.facts.engine_hash = std::string(32, '5'); });
   expect_error(ErrorKind::kDamaged,
                {shard(2).string() + ": no such folder", "shard 3 of 20: is missing",
                 shard(4).string() + ": holds no bundle.json",
@@ -109,8 +113,35 @@ TEST_F(Merge, NamesEveryShardThatIsLostDoubledOrForeign) {
                 "shard 9 of 20: of another suite (its files' hash): found " + std::string(32, '2'),
                 "shard 10 of 21: of another number of shards: found 21",
                 "shard 11 of 20: of another set of options: found --require exact --timeout 600",
+                "shard 15 of 20: of another engine (its files' hash): found " + std::string(32, '4'),
                 "shard 12 of 20: of another selection of cases", "shard 13 of 20: of another rule",
                 shard(14).string() + "/bundle.json: damaged", "shard 14 of 20: is missing"});
+}
+
+TEST_F(Merge, AShardThatRanNoEngineMergesWithOthers) {
+  edit(3, [](Manifest& m) { m.facts.engine_hash = std::string(32, '4'); });
+  const Result<SuiteResult> merged = merge();
+  EXPECT_TRUE(merged.ok()) << merged.error().message;
+}
+
+// Of the words of its command, those that are files; the program also where PATH has it.
+TEST_F(Merge, AnEngineIsKnownByItsFiles) {
+  fs::create_directories(root_ / "bin");
+  write(root_ / "bin/engine", "one");
+  write(root_ / "rules.txt", "two");
+  const auto hash = [&](const std::string& run) { return engine_hash(project_of_command(run, root_, false)); };
+  const std::string first = hash("bin/engine --rules rules.txt {log}");
+  EXPECT_EQ(first.size(), 32U);
+  EXPECT_EQ(hash("bin/engine --rules rules.txt {log}"), first);
+  EXPECT_NE(hash("bin/engine {log}"), first);
+  write(root_ / "rules.txt", "three");
+  const std::string second = hash("bin/engine --rules rules.txt {log}");
+  EXPECT_NE(second, first);
+  write(root_ / "bin/engine", "four");
+  EXPECT_NE(hash("bin/engine --rules rules.txt {log}"), second);
+  EXPECT_EQ(hash("bin/nothing {log}"), "not known");
+  EXPECT_EQ(hash("sh {log}"), engine_hash(project_of_command("sh", "/", true)));
+  EXPECT_EQ(hash("sh {log}").size(), 32U);
 }
 
 TEST_F(Merge, NamesEveryShardThatIsDamaged) {

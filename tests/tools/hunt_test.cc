@@ -236,6 +236,23 @@ TEST(HuntEngine, MayRefuseAScene) {
   EXPECT_TRUE(says(fails.out, "status 5")) << fails.out;
 }
 
+// The engine's shell ends the process that judges the scene.
+TEST(HuntEngine, ASceneThatEndsTheProgramStaysAFinding) {
+  const Workshop shop;
+  const std::vector<std::string> words = {"hunt", "--engine", "--count", "2", "--relation", "ids", "--folder", "kept"};
+  shop.write("tumble.toml", "[engine]\nshell = true\nrun = 'kill -9 $PPID; : {log}'\n");
+  const Outcome run = shop.run(words);
+  ASSERT_EQ(run.exit, 1) << run.err << run.out;
+  const Json json = Json::parse(shop.read("kept/hunt.json"));
+  ASSERT_EQ(json.at("findings").size(), 2U);
+  EXPECT_EQ(json.at("findings").at(0).at("relation"), "survives");
+  EXPECT_TRUE(says(json.at("findings").at(0).at("found").at("what").get<std::string>(), "SIGKILL"));
+  EXPECT_EQ(json.at("relations").at("ids").at("broken"), 0);
+  EXPECT_EQ(json.at("relations").at("ids").at("not_applicable"), 2);
+  const Outcome on = shop.run(words);  // the folder that was written is whole
+  EXPECT_EQ(on.exit, 1) << on.err;
+}
+
 TEST(HuntEngine, RefusesWhatIsNoProjectAndNoClaim) {
   const Workshop shop;
   const Outcome none = shop.run({"hunt", "--engine", "--count", "1"});

@@ -109,8 +109,8 @@ std::vector<Room> suite() {
       {"golden/hunt/judge", logs + Folders{"golden/hunt/scene"}},
       {"golden/hunt/engine", parts + Folders{"golden/engine", "src/process", "golden/hunt/scene", "golden/hunt/judge"}},
       {"golden/hunt/shrink", logs + Folders{"golden/hunt/scene", "golden/hunt/judge"}},
-      {"golden/hunt", parts + Folders{"src/process", "golden/engine", "golden/hunt/scene", "golden/hunt/judge",
-                                      "golden/hunt/engine", "golden/hunt/shrink"}},
+      {"golden/hunt", parts + Folders{"src/process", "golden/engine", "golden/bundle", "golden/hunt/scene",
+                                      "golden/hunt/judge", "golden/hunt/engine", "golden/hunt/shrink"}},
       {"golden", above + Folders{"golden/canaries", "golden/bundle", "golden/report", "golden/bless"}},
   };
 }

@@ -17,10 +17,17 @@ inline constexpr double kBeginApart = 1e-3;     ///< m; boxes that begin deeper 
 inline constexpr double kPartSlack = 5e-4;      ///< m of an overlap that method layered leaves, or
 inline constexpr double kPartSlackPart = 1e-2;  ///< of the thinnest edge, where that is less
 inline constexpr double kPartSpeed = 1;         ///< m/s, at which method layered parts at most
-inline constexpr double kAngularPart = 0.05;    ///< of the angular momenta of the bodies, each by itself
-inline constexpr double kPartedDepth = 4e-4;    ///< m; boxes that begin a step deeper in one another are parted
-inline constexpr double kPartedPart = 0.015;    ///< of the least half extent, where that is less
-inline constexpr double kConePart = 0.25;       ///< of the impulse along the normal, of a steady contact
+inline constexpr double kPartedSpeed = 1e-6;    ///< m/s, of boxes that begin at rest inside one another
+inline constexpr double kPartedCentre = 1e-9;   ///< m a step, of their common centre
+/// Of what a step is to take off an overlap: half where two ways out are equal, less what boxes turn.
+inline constexpr double kPartedLeast = 0.4;
+inline constexpr double kPartedSurely = 5e-3;  ///< m; shallower overlaps get few sweeps (docs/step.md)
+inline constexpr double kPartedError = 1e-6;   ///< m
+inline constexpr double kAngularPart = 0.05;   ///< of the angular momenta of the bodies, each by itself
+inline constexpr double kTurnMost = 1;         ///< rad that a body that is hit may turn in a step
+inline constexpr double kPartedDepth = 4e-4;   ///< m; boxes that begin a step deeper in one another are parted
+inline constexpr double kPartedPart = 0.015;   ///< of the least half extent, where that is less
+inline constexpr double kConePart = 0.25;      ///< of the impulse along the normal, of a steady contact
 /// Of a friction impulse, what it takes off the normal impulse of its corner at most: a body turns about an axis like
 /// m r²/3 or more, r from the axis to a corner, and 3 s c / (1 + 3 c²) has its maximum 3/4 over all directions.
 inline constexpr double kFrictionLifts = 0.75;

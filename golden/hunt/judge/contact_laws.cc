@@ -52,7 +52,7 @@ GroundImpulses add_ground_impulses(const Trace& trace, std::size_t k, const Grou
     // kFrictionLifts of it, and, where the body leaves the ground, by what its contact started from: its weight, or
     // what it remembers of the step before.
     const auto last = before.find(meeting.second);
-    const bool steady = last != before.end() && std::fabs(last->second - up) <= kConePart * up;
+    const bool steady = up > 0 && last != before.end() && std::fabs(last->second - up) <= kConePart * up;
     double started = mass * length(fall);
     if (last != before.end())
       started += std::min(last->second, kRemembered * mass);
@@ -96,17 +96,19 @@ Judgement judge_cone(const Trace& trace) {
 
 namespace {
 
-// m that two bodies can move against one another in a step by their motion in a state.
-double travel_of(const Bodies& bodies, const Meeting& pair, double dt) {
+// m that two bodies can move against one another in a step by their motion in a state: by the speed between them, and
+// where a third thing may stop one of them meanwhile, by the speed of each.
+double travel_of(const Bodies& bodies, const Meeting& pair, double dt, bool are_alone) {
   Vec3 velocity(0, 0, 0);
-  double turning = 0;
+  double turning = 0, each = 0;
   for (const auto& [id, sign] : {std::pair(pair.first, 1.0), {pair.second, -1.0}}) {
     const auto i = bodies.find(id);
     if (!i || !bodies.moves(*i)) continue;
     velocity += bodies.velocity[*i] * sign;
+    each += length(bodies.velocity[*i]);
     turning += length(bodies.spin[*i]) * half_diagonal(bodies, *i);
   }
-  return (length(velocity) + turning) * dt;
+  return ((are_alone ? length(velocity) : each) + turning) * dt;
 }
 
 // Whether nothing but the other of the two met either of them in a step.
@@ -155,10 +157,11 @@ Judgement judge_overlap(const Trace& trace) {
     for (const Overlap& overlap : overlaps_of(trace.after(k))) {
       const Meeting pair = std::minmax(overlap.a, overlap.b);
       const double dt = trace.steps[k].dt;
-      const double travel =
-          std::max(travel_of(trace.begun(k).bodies, pair, dt), travel_of(trace.after(k).bodies, pair, dt));
+      const bool are_alone = alone(trace.steps[k], pair);
+      const double travel = std::max(travel_of(trace.begun(k).bodies, pair, dt, are_alone),
+                                     travel_of(trace.after(k).bodies, pair, dt, are_alone));
       now[pair] = std::max(travel, left.contains(pair) ? left[pair] : 0);
-      if (uneven.contains(overlap.a) || uneven.contains(overlap.b) || (thesis && !alone(trace.steps[k], pair))) {
+      if (uneven.contains(overlap.a) || uneven.contains(overlap.b) || (thesis && !are_alone)) {
         now[pair] = std::max(now[pair], overlap.depth);  // nothing is claimed, nor of what it leaves
         continue;
       }

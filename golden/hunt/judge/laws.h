@@ -14,9 +14,10 @@ Judgement judge_momentum(const Trace& trace);
 Judgement judge_angular_momentum(const Trace& trace);
 Judgement judge_cone(const Trace& trace);
 Judgement judge_overlap(const Trace& trace);
-Judgement judge_unmet(const Trace& trace);   ///< no impulse between shapes that do not meet
-Judgement judge_flight(const Trace& trace);  ///< ballistic; angular momentum and energy of spin stay
-Judgement judge_halved(const Trace& trace);  ///< flights with half of dt end in one place
+Judgement judge_parting(const Trace& trace);  ///< boxes that begin inside one another
+Judgement judge_unmet(const Trace& trace);    ///< no impulse between shapes that do not meet
+Judgement judge_flight(const Trace& trace);   ///< ballistic; angular momentum and energy of spin stay
+Judgement judge_halved(const Trace& trace);   ///< flights with half of dt end in one place
 Judgement judge_slope(const Trace& trace);
 Judgement judge_bounce(const Trace& trace);
 Judgement judge_standing(const Trace& trace);

@@ -69,9 +69,10 @@ std::vector<Group> groups_of(const Trace& trace, std::size_t step) {
   for (const Meeting& meeting : trace.steps[step].met) {
     const auto a = begun.find(meeting.first), b = begun.find(meeting.second);
     if (!b) continue;
-    if (!a || fixed[*a] != 0) {
+    // A body on the ground passes on what it gets, so all that it touches is one group with it.
+    if (!a || begun.is_static[*a] != 0) {
       fixed[leader(*b)] = 1;
-    } else if (fixed[*b] != 0 && !begun.moves(*b)) {
+    } else if (begun.is_static[*b] != 0) {
       fixed[leader(*a)] = 1;
     } else {
       const BodyIndex one = leader(*a), other = leader(*b);

@@ -35,7 +35,7 @@ struct Group {
   bool fixed = false;
 };
 
-/// The moving bodies of a step in groups, those that met nobody alone.
+/// The bodies of a step that are not static in groups, those that met nobody alone.
 std::vector<Group> groups_of(const Trace& trace, std::size_t step);
 
 /// The deepest overlap in a state, m, and the two bodies; the ground counts.

@@ -42,6 +42,7 @@ constexpr std::array kRelations = {
              judge_angular_momentum},
     Relation{"cone", "friction stays within Coulomb's cone", true, judge_cone},
     Relation{"overlap", "boxes do not overlap", true, judge_overlap},
+    Relation{"parting", "boxes that begin inside one another part without speed", true, judge_parting},
     Relation{"unmet", "what does not meet pushes nothing", true, judge_unmet},
     Relation{"flight", "a free body flies its parabola and keeps its energy", true, judge_flight},
     Relation{"halved", "flights with half of dt end in one place", true, judge_halved},
