@@ -9,6 +9,7 @@
 #include "golden/bundle/manifest.h"
 #include "golden/judge/case_series.h"
 #include "golden/run/run_case.h"
+#include "src/files/file_kind.h"
 #include "src/files/output_guard.h"
 #include "tumble/golden/suite.h"
 
@@ -69,14 +70,20 @@ void remove_earlier_report(const fs::path& folder, const fs::path& junit) {
   }
 }
 
+/// A page of somebody's own is not removed as an earlier report.
+Status claim(files::OutputGuard& guard, const char* option, const fs::path& path) {
+  if (Status ok = guard.claim(option, path); !ok.ok()) return ok;
+  return files::replaces_its_kind(option, path);
+}
+
 /// Asks for all places, then removes the earlier report.
 Status prepare(files::OutputGuard& guard, const fs::path& folder, const fs::path& junit) {
   if (Status ok = guard.claim_folder("--report", folder / kCases); !ok.ok()) return ok;
   for (const char* name : {kReportFile, kPage, kFindings, kBundleFile}) {
-    if (Status ok = guard.claim("--report", folder / name); !ok.ok()) return ok;
+    if (Status ok = claim(guard, "--report", folder / name); !ok.ok()) return ok;
   }
   const char* option = junit.empty() ? "--report" : "--junit";
-  if (Status ok = guard.claim(option, junit_file(folder, junit)); !ok.ok()) return ok;
+  if (Status ok = claim(guard, option, junit_file(folder, junit)); !ok.ok()) return ok;
   remove_earlier_report(folder, junit);
   return {};
 }

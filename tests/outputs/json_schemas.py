@@ -7,12 +7,16 @@ command whose help names --json must have a schema and a sample, and every outpu
 an older one go on; here they are errors, so that no schema lags behind. Status 1: something does not fit; 77: skipped,
 python3-jsonschema is missing (tools/setup.sh --with export).
 """
+import contextlib
 import json
 import os
 import pathlib
+import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 
 try:
     import jsonschema
@@ -24,7 +28,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 SCHEMAS = ROOT / "schema" / "json"
 # Commands whose samples need what not every machine has: a display, other engines, minutes. Their schemas are judged
 # where they can run; the reason is printed.
-MAY_FAIL = {"live": "a display", "render": "OpenGL", "bench": "a program of bench/peers"}
+MAY_FAIL = {"render": "OpenGL", "bench": "a program of bench/peers"}
 
 SMALL = """title = "three boxes"
 category = "session"
@@ -131,6 +135,9 @@ SAMPLES = {
               ["export", "--scene", "grid_3"]],
     "scenes": [[]],
     "hunt": [["--count", "2", "--relation", "energy", "--folder", "hunt"], ["--relations"]],
+    # The second is closed by Ctrl-C, as a person does; the first closes itself.
+    "live": [["small.toml", "-o", "live.tumble", "--size", "160x120", "--measure", "2"],
+             ["small.toml", "-o", "by_hand.tumble", "--size", "160x120"], ["--from", "a.tumble:20", "--size", "160x120"]],
     "export": [["a.tumble", "-o", "a.npz"], ["robot.tumble", "-o", "robot.csv.csv", "--every", "3"], ["a.tumble", "-o", "a.glb"]],
 }
 
@@ -140,6 +147,36 @@ def commands_with_json(tumble):
     names = [line.split()[0] for line in overview.split("Commands:")[1].split("\n\n")[0].strip().splitlines()]
     return [name for name in names if "--json" in subprocess.run([tumble, name, "--help"], capture_output=True, text=True,
                                                                   check=True).stdout]
+
+
+@contextlib.contextmanager
+def display(tumble):
+    """Gives windows a display of their own. Yields why there can be none; empty: there is one."""
+    if not os.access(tumble + "-live", os.X_OK):
+        yield "this build has no window (tools/setup.sh --only live)"
+    elif shutil.which("Xvfb") is None:
+        yield "Xvfb is missing (tools/setup.sh --only live)"
+    else:
+        server = subprocess.Popen(["Xvfb", "-displayfd", "1", "-screen", "0", "320x240x24", "-nolisten", "tcp"],
+                                  stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        try:
+            number = server.stdout.readline().strip()
+            os.environ["DISPLAY"] = ":" + number
+            yield "" if number else f"Xvfb gives no display: {server.stderr.read().strip()}"
+        finally:
+            server.kill()
+            server.communicate()
+
+
+def play(words, folder, log):
+    """Plays until the log has steps, then closes the window as Ctrl-C does."""
+    with subprocess.Popen(words, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as window:
+        while window.poll() is None and not (log.exists() and log.stat().st_size > 0):
+            time.sleep(0.05)
+        time.sleep(0.5)
+        window.send_signal(signal.SIGINT)
+        out, err = window.communicate()
+        return subprocess.CompletedProcess(words, window.returncode, out, err)
 
 
 def strict(schema):
@@ -167,19 +204,30 @@ def main(words):
         kept.mkdir(parents=True, exist_ok=True)
     tumble = os.path.realpath(words[0] if words else ROOT / "build" / "release" / "tools" / "tumble")
     wrong = []
-    with tempfile.TemporaryDirectory() as name:
-        folder = pathlib.Path(name)
+    with contextlib.ExitStack() as stack:
+        folder = pathlib.Path(stack.enter_context(tempfile.TemporaryDirectory()))
 
         def run(*arguments):
             return subprocess.run([tumble, *arguments], cwd=folder, capture_output=True, text=True, check=False)
 
         prepare(run, folder)
+        def run_live(arguments):
+            if "--measure" in arguments:
+                return run("live", *arguments, "--json")
+            log = folder / (arguments[arguments.index("-o") + 1] if "-o" in arguments else "a_from_20.tumble")
+            return play([tumble, "live", *arguments, "--json"], folder, log)
+
+        why_no_window = stack.enter_context(display(tumble))
+        if why_no_window:
+            print(f"json_schemas: SKIPPED the samples of live: {why_no_window}", file=sys.stderr)
         # The archive that import reads is what export writes first.
         order = ["export"] + [command for command in SAMPLES if command != "export"]
         seen = {}
         for command in order:
+            if command == "live" and why_no_window:
+                continue
             for number, arguments in enumerate(SAMPLES[command]):
-                done = run(command, *arguments, "--json")
+                done = run_live(arguments) if command == "live" else run(command, *arguments, "--json")
                 about = f"tumble {command} {' '.join(arguments)} --json"
                 if done.returncode not in (0, 1, 3) or not done.stdout.strip():
                     if command in MAY_FAIL:
@@ -205,7 +253,7 @@ def main(words):
             for error in judge.iter_errors(value):
                 place = "/".join(str(part) for part in error.absolute_path)
                 wrong.append(f"{about}: at {place or 'the top'}: {error.message[:300]}")
-        if command not in seen and command not in MAY_FAIL:
+        if command not in seen and command not in MAY_FAIL and not (command == "live" and why_no_window):
             wrong.append(f"tumble {command}: no sample")
     for path in SCHEMAS.glob("*.schema.json"):
         if path.name.removesuffix(".schema.json") not in with_json:

@@ -142,6 +142,59 @@ TEST_F(KeptFiles, AReportKeepsOffTheSuite) {
   expect_refused(shop_, {{"check", "--suite", "s", "--report", "q", "--junit", "s/HISTORY.md"}}, "history");
 }
 
+// A slip of the command line does not cost a file that no command of this kind wrote.
+TEST_F(KeptFiles, OutputsReplaceNothingButTheirOwnKind) {
+  add_case();
+  const std::string kText = "a person's words", kBinary("a person's\0data", 15);
+  shop_.write("x.csv", kBinary);
+  for (const char* ending : {"npz", "glb", "mcap", "png", "mp4", "webm", "html", "svg", "json", "tumble"}) {
+    shop_.write(std::string("x.") + ending, kText);
+  }
+  expect_refused(shop_,
+                 {{"export", "a.tumble", "-o", "x.csv"},
+                  {"export", "a.tumble", "-o", "x.npz"},
+                  {"export", "a.tumble", "-o", "x.glb"},
+                  {"export", "a.tumble", "-o", "x.mcap"},
+                  {"render", "a.tumble", "-o", "x.png"},
+                  {"render", "a.tumble", "-o", "x.mp4"},
+                  {"render", "a.tumble", "-o", "x.webm"},
+                  {"view", "a.tumble", "-o", "x.html"},
+                  {"measure", "a.tumble", "--series", "x.csv"},
+                  {"measure", "a.tumble", "--plot", "x.svg"},
+                  {"diff", "a.tumble", "b.tumble", "--plot", "x.png"},
+                  {"bench", "memory", "--scene", "a.toml", "--save", "x.json"},
+                  {"record", "a.toml", "-o", "x.tumble"},
+                  {"record", "--from", "a.tumble:10", "-o", "x.tumble"},
+                  {"import", "t.csv", "-o", "x.tumble"},
+                  {"recover", "a.tumble", "-o", "x.tumble"}},
+                 "x.");
+  for (const std::string name : {"index.html", "report.json", "junit.xml"}) {
+    shop_.write("site/" + name, kText);
+    expect_refused(shop_, {{"check", "--suite", "s", "--report", "site"}}, "site/" + name + ": exists and is no");
+    fs::remove(shop_.path("site/" + name));
+  }
+}
+
+TEST_F(KeptFiles, AnOutputTakesThePlaceOfAnEarlierOne) {
+  add_case();
+  fs::remove(shop_.path("s/cases/one/frame_0010.png"));
+  for (const Words& words : std::vector<Words>{{"export", "a.tumble", "-o", "y.csv"},
+                                               {"export", "a.tumble", "-o", "y.npz"},
+                                               {"export", "a.tumble", "-o", "y.glb"},
+                                               {"view", "a.tumble", "-o", "y.html"},
+                                               {"measure", "a.tumble", "--series", "y.csv", "--plot", "y.svg"},
+                                               {"bench", "memory", "--scene", "a.toml", "--save", "y.json"},
+                                               {"record", "a.toml", "-o", "y.tumble"},
+                                               {"import", "t.csv", "-o", "y.tumble"},
+                                               {"recover", "a.tumble", "-o", "y.tumble"},
+                                               {"check", "--suite", "s", "--report", "r"}}) {
+    for (int time = 0; time < 2; ++time) {
+      const Outcome outcome = shop_.run(words);
+      EXPECT_EQ(outcome.exit, 0) << words[0] << ' ' << words.back() << ": " << outcome.err;
+    }
+  }
+}
+
 TEST_F(KeptFiles, TwoOutputsAreTwoFiles) {
   expect_refused(shop_,
                  {{"measure", "a.tumble", "--series", "x.svg", "--plot", "./x.svg"},

@@ -45,6 +45,22 @@ TEST(EngineReplay, FindsADifferentChannelWhileTheEngineRuns) {
   EXPECT_EQ(table["first"]["field"], "channel.hinge.angle") << "of the complete steps of a table";
 }
 
+TEST(EngineReplay, KeepsItsSessionInPlaceOfALogAlone) {
+  const Workshop shop;
+  record_falling(shop, "a");
+  write_falling(shop);
+  shop.write("notes.tumble", "a person's words");
+  const Outcome refused = shop.run({"replay", "a.tumble", "-o", "notes.tumble"});
+  EXPECT_EQ(refused.exit, 2) << refused.out;
+  EXPECT_TRUE(says(refused.err, "notes.tumble: exists and is not a log")) << refused.err;
+  EXPECT_EQ(shop.read("notes.tumble"), "a person's words");
+  for (int time = 0; time < 2; ++time) {
+    const Outcome kept = shop.run({"replay", "a.tumble", "-o", "b.tumble"});
+    EXPECT_EQ(kept.exit, 0) << kept.err;
+    EXPECT_EQ(shop.run({"diff", "a.tumble", "b.tumble"}).exit, 0);
+  }
+}
+
 TEST(EngineReplay, SaysHowFarABrokenEngineCame) {
   const Workshop shop;
   record_falling(shop, "a");

@@ -11,6 +11,7 @@
 
 #include "golden/suite/temporary_folder.h"
 #include "replay/diff/difference_report.h"
+#include "src/files/output_file.h"
 #include "src/files/output_guard.h"
 #include "src/process/interrupt.h"
 #include "tools/engine/engine_session.h"
@@ -19,6 +20,7 @@
 #include "tools/output/divergence_output.h"
 #include "tools/output/progress.h"
 #include "tools/output/text.h"
+#include "tumble/replay/byte_io.h"
 #include "tumble/replay/compare.h"
 
 namespace tumble::tools {
@@ -126,9 +128,12 @@ Result<Exit> compare_with(replay::LogReader& log, replay::LogReader& again, cons
 }
 
 Status keep(const std::string& from, const std::string& to) {
+  Result<files::OutputFile> file = files::OutputFile::create(to);
+  if (!file.ok()) return file.error();
+  if (file->is_device()) return bad_input("-o: " + to + ": found a device or a pipe, wanted a file");
   std::error_code error;
-  fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
-  return error ? Status(cannot_finish(to + ": cannot be written: " + error.message())) : Status();
+  fs::copy_file(from, file->part(), fs::copy_options::overwrite_existing, error);
+  return error ? Status(cannot_finish(to + ": cannot be written: " + error.message())) : file->commit();
 }
 
 }  // namespace
@@ -141,6 +146,7 @@ Result<Exit> replay_engine(replay::LogReader& log, const EngineReplay& options) 
   guard.keep(options.scene, "the scene");
   if (!options.output.empty()) {
     if (Status ok = guard.claim("-o", options.output); !ok.ok()) return ok.error();
+    if (Status ok = replay::may_replace(options.output); !ok.ok()) return ok.error();
   }
   const golden::TemporaryFolder folder("tumble-replay");
   if (folder.path().empty()) return cannot_finish("no temporary folder for the engine's session");

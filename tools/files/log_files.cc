@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "src/base/text.h"
+#include "src/files/file_kind.h"
 #include "tumble/replay/prelude.h"
 
 namespace tumble::tools {
@@ -28,7 +29,7 @@ Status claim_output(files::OutputGuard& guard, const std::string& option, const 
   std::ifstream file(path, std::ios::binary);
   file.read(start.data(), start.size());
   const auto found = std::as_bytes(std::span(start)).first(static_cast<std::size_t>(file.gcount()));
-  if (found.empty() || !replay::starts_like_log(found)) return {};
+  if (found.empty() || !replay::starts_like_log(found)) return files::replaces_its_kind(option, path);
   return bad_input(option + ": " + printable(path) + " is a log or a golden; name another file, or remove it first");
 }
 
