@@ -160,6 +160,7 @@ replay::LogSummary EngineRecorder::finish() {
   refuse_if_busy();
   if (finished_) raise(bad_input(path_ + ": the log is finished already"));
   finished_ = true;
+  if (failed_) log_->drop_step();
   const Result<replay::LogSummary> summary = released([&] { return log_->finish(); });
   return take(summary);
 }

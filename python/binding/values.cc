@@ -69,7 +69,7 @@ void fill_dict(const Struct& part, py::dict& fields) {
 void refuse_unknown(const py::dict& fields, const std::string& of, const std::vector<std::string_view>& known) {
   for (const auto& [key, value] : fields) {
     const std::string name = text_of(key, "key");
-    if (std::ranges::find(known, std::string_view(name)) != known.end()) continue;
+    if (name == "origin" || std::ranges::find(known, std::string_view(name)) != known.end()) continue;  // ours
     const std::string_view nearest = nearest_word(name, known);
     std::string what = of + ": " + found_wanted(in_quotes(name), list_text(known));
     if (!nearest.empty()) what.append("; did you mean ").append(nearest).append("?");
@@ -80,7 +80,7 @@ void refuse_unknown(const py::dict& fields, const std::string& of, const std::ve
 template <class Struct>
 void fill_struct(const py::dict& fields, const std::string& of, Struct& part, std::vector<std::string_view> known) {
   for_each_leaf(part, [&](const char* name, auto& value) {
-    known.emplace_back(name);
+    if (std::string_view(name) != "origin") known.emplace_back(name);
     if (fields.contains(name)) from_object(fields[name], name, value);
   });
   refuse_unknown(fields, of, known);
@@ -134,7 +134,7 @@ sim::Command command_of(const py::dict& fields) {
 
 sim::BoxDef box_of(const py::dict& fields) {
   sim::BoxDef box;
-  fill_struct(fields, "body", box, {});
+  fill_struct(fields, "body", box, {"name", "shape"});
   return box;
 }
 

@@ -8,7 +8,7 @@ import numpy
 from . import _tumble
 from ._columns import Channel, Column, Steps, step_number
 from ._errors import BadInput
-from ._values import Body, input_of, path_bytes
+from ._values import Body, Named, input_of, path_bytes
 
 
 class Log:
@@ -115,7 +115,8 @@ class Log:
     def bodies(self):
         """All bodies by id, those thrown in later among them."""
         if self._bodies is None:
-            self._bodies = {number: Body(**fields) for number, fields in self._file.bodies().items()}
+            bodies = ((number, Body(**fields)) for number, fields in self._file.bodies().items())
+            self._bodies = Named(f"body of {self.path}", bodies)
         return MappingProxyType(self._bodies)
 
     @property
@@ -187,4 +188,5 @@ class Log:
     def channels(self):
         """The channels that the engine declared, by name."""
         rows = self._header["channels"]
-        return {row[0]: Channel(self, index, *row) for index, row in enumerate(rows)}
+        named = ((row[0], Channel(self, index, *row)) for index, row in enumerate(rows))
+        return Named(f"channel of {self.path}", named)

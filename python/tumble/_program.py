@@ -62,6 +62,10 @@ class Answer:
         self.out = out
         self.err = err
 
+    def __repr__(self):
+        first = next(iter((self.out or self.err).splitlines()), "")
+        return f"<tumble.Answer, exit status {self.code}: {first!r}>"
+
 
 def run(*words, cwd=None):
     """Runs the program with these arguments and returns its `Answer`. Raises an `Error` with the program's text for

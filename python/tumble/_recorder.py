@@ -5,7 +5,7 @@ import os
 
 from . import _tumble
 from ._errors import BadInput, Error
-from ._values import path_bytes
+from ._values import path_bytes, utf8
 
 _PRECISIONS = {"float32": 24, "float64": 53}
 
@@ -123,7 +123,7 @@ class Recorder:
         self._input("set_gravity", gravity=gravity)
 
     def close(self):
-        """Completes the log."""
+        """Completes the log. A step that was refused ends it: the log then has the steps before."""
         log, self._log = self._log, _Finished(self._path)  # which lets go of the file
         if not log.finished:
             log.finish()
@@ -164,5 +164,6 @@ def _declared(channels):
         row = (name, fields.get("type", "float64"), fields.get("scope", "world"), fields.get("unit") or "")
         if not all(isinstance(text, str) for text in row):
             raise BadInput(f"channel {name!r}: name, type, scope and unit are text")
+        utf8("".join(row), f"channel {name!r}")
         rows.append(row)
     return rows

@@ -8,7 +8,7 @@ import struct
 from ._errors import BadInput
 from ._log import Log
 from ._program import ask, path_text, scene_file
-from ._values import Scene, setting_text
+from ._values import Scene, named_values, setting_texts, utf8
 
 _NO_NUMBER = re.compile(r"-?(?:nan|inf)\(0x([0-9a-f]{16})\)")
 
@@ -123,11 +123,14 @@ def record(scene, out=None, *, seconds=None, steps=None, set=None, threads=None,
     if shift is not None:
         words += ["--shift", ",".join(repr(float(metres)) for metres in shift)]
     _option(words, "--permute", permute)
-    for key, value in (set or {}).items():
-        words += ["--set", setting_text(key, value)]
+    for text in setting_texts(set):
+        words += ["--set", text]
     if isinstance(scene, Scene):
         return _record_text(scene, out, words)
-    return RecordReport(ask(*words, scene_file(scene))[0])
+    path = scene_file(scene)
+    if out is None and path != path_text(scene, "scene"):
+        words += ["-o", f"{scene}.tumble"]  # a case is named by its folder, and its log by the case
+    return RecordReport(ask(*words, path)[0])
 
 
 def _record_text(scene, out, words):
@@ -139,7 +142,7 @@ def _record_text(scene, out, words):
         name = "".join(c if c.isalnum() or c in "-_." else "_" for c in scene.name) or "scene"
         path = os.path.join(folder, name + ".toml")
         with open(path, "w", encoding="utf-8", newline="") as file:
-            file.write(scene.text)
+            file.write(utf8(scene.text, "scene"))
         return RecordReport(ask(*words, path)[0])
 
 
@@ -161,7 +164,7 @@ def diff(a, b, *, tolerance=None, until=None, apart=None, brief=False):
     that damage in states is not seen. Returns a `DiffReport`.
     """
     words = ["diff", _log_path(a, "a"), _log_path(b, "b")]
-    for field, value in (tolerance or {}).items():
+    for field, value in named_values(tolerance, "tolerance").items():
         words += ["--tolerance", f"{field}={_number(value, 'tolerance')}"]
     _option(words, "--until", until)
     _option(words, "--apart", apart)

@@ -1,5 +1,6 @@
 """Plain values: inputs, bodies, contacts, shapes, scenes."""
 
+import collections.abc
 import dataclasses
 import operator
 import os
@@ -153,11 +154,47 @@ def whole(value, name, least, most):
     return number
 
 
+def setting_texts(settings):
+    """ "key=value" for each, as `--set` takes it."""
+    return [setting_text(key, value) for key, value in named_values(settings, "set").items()]
+
+
 def setting_text(key, value):
     """ "key=value", as `--set` takes it."""
     if not isinstance(key, str) or not key:
         raise BadInput(f"set: found the key {key!r}, wanted text such as 'world.dt'")
-    return f"{key}={_toml(value)}"
+    return utf8(f"{key}={_toml(value)}", "set")
+
+
+def utf8(text, what):
+    """The text, if every character can be written."""
+    try:
+        text.encode()
+    except UnicodeEncodeError:
+        raise BadInput(f"{what}: found {text!r}, wanted text of whole characters") from None
+    return text
+
+
+def named_values(given, what):
+    """A dictionary, empty for None."""
+    if given is None:
+        return {}
+    if not isinstance(given, collections.abc.Mapping):
+        raise BadInput(f"{what}: found {given!r}, wanted a dictionary of values by name")
+    return given
+
+
+class Named(dict):
+    """A dictionary whose missing keys are told from those there are. of: "channel of wall.tumble"."""
+
+    def __init__(self, of, *items):
+        super().__init__(*items)
+        self._of = of
+
+    def __missing__(self, key):
+        names = [repr(name) for name in self]
+        known = ", ".join(names[:8]) + (", …" if len(names) > 8 else "") if names else "none, for there is none"
+        raise KeyError(f"no {self._of}: found {key!r}, wanted {known}")
 
 
 def _toml(value):

@@ -7,7 +7,7 @@ from ._columns import step_number
 from ._errors import BadInput
 from ._log import Log
 from ._program import scene_file
-from ._values import Contact, Scene, path_bytes, setting_text, whole
+from ._values import Contact, Scene, path_bytes, setting_text, setting_texts, utf8, whole
 
 
 class World:
@@ -37,7 +37,9 @@ class World:
         else:
             name = scene_file(scene)
             text = Scene.read(name).text
-        settings = [setting_text(key, value) for key, value in (set or {}).items()]
+        utf8(text, "scene")
+        utf8(name, "name of the scene")
+        settings = setting_texts(set)
         if seconds is not None and steps is not None:
             raise BadInput("found both seconds and steps, wanted one of them")
         if steps is not None:

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <utility>
 
+#include "replay/arrays/pair_cell.h"
 #include "src/base/text.h"
 
 namespace tumble::replay {
@@ -55,10 +56,14 @@ std::string ChannelPart::cell(std::size_t step, std::size_t body) const {
   if (present != nullptr && !is_true(present->cell(at))) return {};
   if (many) at.push_back(part);
   std::string cell = values->cell(at);
-  if (texts == nullptr) return cell;
-  std::size_t row = 0;
-  std::from_chars(cell.data(), cell.data() + cell.size(), row);
-  return row < texts->size() ? texts->cell({row}) : std::string();
+  if (texts != nullptr) {
+    std::size_t row = 0;
+    std::from_chars(cell.data(), cell.data() + cell.size(), row);
+    if (row >= texts->size()) return {};
+    cell = texts->cell({row});
+  }
+  // Without an array that says so, an empty text is no value.
+  return cell.empty() && present != nullptr ? kEmptyText : cell;
 }
 
 const char* ChannelPart::kind() const {
@@ -79,23 +84,25 @@ std::string kinds_line(const std::vector<TableColumn>& columns, const std::vecto
 
 std::string print_rows(const std::string& header, const std::vector<TableColumn>& columns, std::size_t steps,
                        std::size_t bodies, const Array* present) {
-  std::string text = header;
-  for (std::size_t i = 0; i < columns.size(); ++i) text += (i == 0 ? "" : ",") + columns[i].name;
+  std::string text;
+  bool escaped = false;
+  const auto append = [&](std::size_t column, const std::string& cell) {
+    if (column > 0) text += ',';
+    if (cell.empty()) return;
+    const std::string written = text_cell(cell == kEmptyText ? "" : cell);
+    escaped = escaped || written != cell;
+    text += written;
+  };
+  for (std::size_t i = 0; i < columns.size(); ++i) append(i, columns[i].name);
   text += '\n';
   for (std::size_t k = 0; k < steps; ++k) {
     for (std::size_t body = 0; body < bodies; ++body) {
       if (present != nullptr && !is_true(present->cell({k, body}))) continue;
-      for (std::size_t i = 0; i < columns.size(); ++i) {
-        if (i > 0) text += ',';
-        std::string cell = columns[i].cell(k, body);
-        std::ranges::replace(cell, ',', ';');  // cells have no quotes
-        std::ranges::replace(cell, '\n', ' ');
-        text += cell;
-      }
+      for (std::size_t i = 0; i < columns.size(); ++i) append(i, columns[i].cell(k, body));
       text += '\n';
     }
   }
-  return text;
+  return header + (escaped ? std::string(kEscapesLine) : "") + text;
 }
 
 }  // namespace tumble::replay

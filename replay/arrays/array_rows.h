@@ -30,6 +30,9 @@ std::string unit_behind(const std::vector<Array>& arrays, const Array& array);
 /// Steps at the start and at the end in which no body is present, and which a table has no rows for: for messages.
 std::vector<std::string> bodiless_ends(const Array& present);
 
+/// Stands in for a text that has no character and is there: no text of numpy's ends with a zero.
+inline const std::string kEmptyText(1, '\0');
+
 /// A column of the table: its name, and the cell of a step and a body.
 struct TableColumn {
   std::string name;
@@ -45,6 +48,7 @@ struct ChannelPart {
   bool many = false;
   std::size_t part = 0;
 
+  /// Empty: no value; kEmptyText: a text without a character.
   [[nodiscard]] std::string cell(std::size_t step, std::size_t body) const;
   /// The word for `import`: "float64", "float32", "int64", "uint64", "text".
   [[nodiscard]] const char* kind() const;
@@ -53,7 +57,8 @@ struct ChannelPart {
 /// "# kinds: float64 text" and a line end; empty where some channel among the columns has no kind.
 std::string kinds_line(const std::vector<TableColumn>& columns, const std::vector<std::string>& kinds);
 
-/// The lines of the table: `header`, the names, a row a step and body. present: (steps, bodies), false where the table
+/// The lines of the table: `header`, the names, a row a step and body. Names and cells are as text_cell() writes them,
+/// and the header says so where that changes any. present: (steps, bodies), false where the table
 /// has no row; null: rows everywhere.
 std::string print_rows(const std::string& header, const std::vector<TableColumn>& columns, std::size_t steps,
                        std::size_t bodies, const Array* present);

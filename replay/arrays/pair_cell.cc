@@ -9,6 +9,13 @@ namespace {
 constexpr std::string_view kDigits = "0123456789abcdef";
 
 bool needs_escape(unsigned char c) { return c <= 0x20 || c == ',' || c == '%' || c == '"' || c == 0x7f; }
+bool parts_cells(unsigned char c) { return c < 0x20 || c == ',' || c == '%' || c == 0x7f; }
+
+void append_escape(unsigned char byte, std::string& out) {
+  out += '%';
+  out += kDigits[byte >> 4U];
+  out += kDigits[byte & 15U];
+}
 
 }  // namespace
 
@@ -37,12 +44,27 @@ std::string escaped_cell(std::string_view text) {
       out += c;
       continue;
     }
-    out += '%';
-    out += kDigits[byte >> 4U];
-    out += kDigits[byte & 15U];
+    append_escape(byte, out);
   }
   return out;
 }
+
+std::string text_cell(std::string_view text) {
+  if (text.empty()) return "%";
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const bool at_end = text[i] == ' ' && (i == 0 || i + 1 == text.size());
+    if (parts_cells(byte) || at_end) {
+      append_escape(byte, out);
+    } else {
+      out += text[i];
+    }
+  }
+  return out;
+}
+
+std::string text_in_cell(std::string_view cell) { return cell == "%" ? std::string() : unescaped_cell(cell); }
 
 std::string unescaped_cell(std::string_view text) {
   std::string out;

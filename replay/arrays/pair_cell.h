@@ -21,4 +21,12 @@ std::optional<std::vector<PairCell>> split_pair_cell(std::string_view cell);
 std::string escaped_cell(std::string_view text);
 std::string unescaped_cell(std::string_view text);
 
+/// Any text as a whole cell of a table with the line kEscapesLine: commas, '%', control characters and blanks at the
+/// ends as %2c and the like, and "%" for a text without a character; and back.
+std::string text_cell(std::string_view text);
+std::string text_in_cell(std::string_view cell);
+
+inline constexpr std::string_view kEscapesKey = "escapes", kEscapesValue = "percent";
+inline constexpr std::string_view kEscapesLine = "# escapes: percent\n";
+
 }  // namespace tumble::replay

@@ -96,6 +96,7 @@ void CsvChannels::look(const CsvReader& table) {
   for (Column& column : columns_) {
     const std::string_view cell = table.cell(column.column);
     if (column.scope != ChannelScope::kPair) {
+      column.text = column.text || (cell.empty() && !table.is_blank(column.column));
       look_at(cell, column);
       continue;
     }
@@ -186,7 +187,7 @@ Status CsvChannels::take(const CsvReader& table, sim::BodyId body, StepValues& v
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     Column& column = columns_[i];
     const std::string_view cell = table.cell(column.column);
-    if (cell.empty()) continue;
+    if (table.is_blank(column.column)) continue;
     if (column.scope == ChannelScope::kPair) {
       if (Status ok = take_pairs(table, column, body, i, channels_[i].type.kind, values); !ok.ok()) return ok;
       continue;

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <utility>
 
+#include "replay/arrays/pair_cell.h"
 #include "replay/format/limits.h"
 #include "src/base/text.h"
 
@@ -32,12 +33,29 @@ bool CsvReader::next_line() {
 }
 
 void CsvReader::split() {
-  cells_.clear();
+  written_.clear();
   for (std::size_t begin = 0; begin <= current_.size();) {
     const std::size_t end = std::min(current_.find(',', begin), current_.size());
-    cells_.push_back(trimmed(current_.substr(begin, end - begin)));
+    written_.push_back(trimmed(current_.substr(begin, end - begin)));
     begin = end + 1;
   }
+  cells_ = written_;
+  if (!escaped_) return;
+  for (std::string_view& cell : cells_) {
+    if (cell.find('%') != std::string_view::npos) cell = *decoded_.insert(text_in_cell(cell)).first;
+  }
+}
+
+/// The setting tells how to read the names of the columns already.
+Status CsvReader::take_escapes() {
+  const auto found = std::ranges::find(settings_, kEscapesKey, &CsvSetting::key);
+  if (found == settings_.end()) return {};
+  if (found->value != kEscapesValue) {
+    return at_line(found->line, "escapes: " + found_wanted(in_quotes(found->value), kEscapesValue));
+  }
+  escaped_ = true;
+  settings_.erase(found);
+  return {};
 }
 
 /// Adds the setting of a line that begins with #. A line without a colon is a remark.
@@ -59,6 +77,7 @@ Result<CsvReader> CsvReader::open(std::string_view text, std::string name) {
       reader.add_setting(line, reader.settings_);
       continue;
     }
+    if (Status ok = reader.take_escapes(); !ok.ok()) return ok.error();
     reader.split();
     if (reader.cells_.size() > kTableColumnsMax) {
       return reader.at_line(reader.line_, "found " + std::to_string(reader.cells_.size()) +
@@ -89,6 +108,9 @@ Result<bool> CsvReader::next() {
     if (line.empty()) continue;
     if (line.front() == '#') {
       add_setting(line, passed_over_);
+      if (!passed_over_.empty() && passed_over_.back().key == kEscapesKey) {
+        return at_line(line_, "found the key escapes below the names of the columns, wanted it before them");
+      }
       continue;
     }
     split();
@@ -144,7 +166,7 @@ Result<std::uint64_t> CsvReader::whole(std::size_t column) const {
 }
 
 Error CsvReader::at(std::size_t column, const std::string& message) const {
-  const std::size_t byte = static_cast<std::size_t>(cells_[column].data() - current_.data()) + 1;
+  const std::size_t byte = static_cast<std::size_t>(written_[column].data() - current_.data()) + 1;
   return bad_input(name_ + ":" + std::to_string(line_) + ":" + std::to_string(byte) + ": " + message);
 }
 

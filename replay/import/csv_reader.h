@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,7 +20,8 @@ struct CsvSetting {
 };
 
 /// Reads a table of numbers: lines "# key: value", a line with the names of the columns, then one row per line. Commas
-/// separate the cells; quotes are not used. The reader ignores blanks around cells, empty lines, and lines below the
+/// separate the cells; quotes are not used. Behind a line "# escapes: percent" all names and cells are as text_cell()
+/// writes them. The reader ignores blanks around cells, empty lines, and lines below the
 /// names that begin with #. Lines may end in CR LF; the last row ends so too. Errors (kBadInput) begin with
 /// "<name>:<line>:<column>: "; line and column count from 1, the column in bytes.
 class CsvReader {
@@ -46,8 +49,10 @@ class CsvReader {
   [[nodiscard]] Result<double> single(std::size_t column) const;
   [[nodiscard]] Result<std::uint64_t> whole(std::size_t column) const;
   [[nodiscard]] Result<bool> flag(std::size_t column) const;  ///< 0 or 1
-  /// The text, without the blanks around it. Lives as long as the text of the table.
+  /// The text, without the blanks around it. Lives as long as the reader and the text of the table.
   [[nodiscard]] std::string_view cell(std::size_t column) const { return cells_[column]; }
+  /// Nothing stands there; an escaped text may be empty and stand there.
+  [[nodiscard]] bool is_blank(std::size_t column) const { return written_[column].empty(); }
 
   /// "<name>:<line>:<column>: <message>" for a cell of the row, or of the line with the names before the first row.
   [[nodiscard]] Error at(std::size_t column, const std::string& message) const;
@@ -59,6 +64,7 @@ class CsvReader {
   bool next_line();
   void add_setting(std::string_view line, std::vector<CsvSetting>& settings) const;
   void split();
+  Status take_escapes();
   template <class Number>
   [[nodiscard]] Result<Number> parse(std::size_t column, const char* wanted) const;
 
@@ -71,7 +77,10 @@ class CsvReader {
   std::vector<CsvSetting> settings_;
   std::vector<CsvSetting> passed_over_;
   std::vector<std::string> columns_;
-  std::vector<std::string_view> cells_;
+  std::vector<std::string_view> written_;  // the cells of the line
+  std::vector<std::string_view> cells_;    // what they say
+  std::set<std::string, std::less<>> decoded_;
+  bool escaped_ = false;
 };
 
 }  // namespace tumble::replay

@@ -255,8 +255,8 @@ Status EngineLog::check_all_told() const {
 
 Status EngineLog::end_step(double dt_s) {
   if (!(dt_s >= sim::kDtMin && dt_s <= sim::kDtMax)) {
-    return at_step("found a dt of " + std::to_string(dt_s) + " s, wanted " + std::to_string(sim::kDtMin) + " … " +
-                   std::to_string(sim::kDtMax) + " s");
+    return at_step("found a dt of " + exact(dt_s) + " s, wanted " + exact(sim::kDtMin) + " … " + exact(sim::kDtMax) +
+                   " s");
   }
   if (Status ok = check_all_told(); !ok.ok()) return ok;
   if (phase_count_ > 0 && phase_words_.empty()) return at_step("found no phase hashes, wanted one of each phase");
@@ -281,6 +281,14 @@ Status EngineLog::end_step(double dt_s) {
   phase_words_.clear();
   told_.clear();
   return written;
+}
+
+void EngineLog::drop_step() {
+  close_extras();  // which empties the values
+  extras_.clear();
+  inputs_.clear();
+  phase_words_.clear();
+  told_.clear();
 }
 
 Result<LogSummary> EngineLog::finish() {

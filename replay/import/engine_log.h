@@ -104,6 +104,10 @@ class EngineLog {
   /// hashes missing. kCannotFinish: writing fails.
   Status end_step(double dt_s);
 
+  /// Drops what was told of the open step, where an error ends the session. Only finish() may follow: the world keeps
+  /// the step's inputs and states.
+  void drop_step();
+
   /// Completes the log. Errors. kBadInput: inputs or states without end_step(). kCannotFinish: writing fails.
   Result<LogSummary> finish();
 

@@ -1,6 +1,7 @@
 #include <cmath>
 #include <string>
 
+#include "src/base/text.h"
 #include "src/math/grid.h"
 #include "src/step/first_contacts.h"
 #include "src/world/edit_bodies.h"
@@ -85,8 +86,8 @@ class Applier {
 
   Status operator()(const SetDt& input) {
     if (!(input.dt >= kDtMin && input.dt <= kDtMax)) {
-      return bad_input("set_dt: found " + std::to_string(input.dt) + " s, wanted " + std::to_string(kDtMin) + " … " +
-                       std::to_string(kDtMax) + " s");
+      return bad_input("set_dt: found " + exact(input.dt) + " s, wanted " + exact(kDtMin) + " … " + exact(kDtMax) +
+                       " s");
     }
     state_.def.dt = input.dt;
     return {};

@@ -192,3 +192,72 @@ def test_two_threads_in_one_recorder(tmp_path):
     log.close()
     assert all("another thread" in text for text in refused)
     assert tumble.Log(path).last_step == 800 - len(refused)
+
+
+ODD = ["a,b", " lead", "trail ", "new\nline", 'q"uote', "100%", "%", "%2c", "ünï", ""]
+
+
+@pytest.mark.parametrize("ending", ["csv", "npz"])
+def test_odd_names_and_texts_survive_a_table(tmp_path, ending):
+    path, again = tmp_path / "odd.tumble", tmp_path / "again.tumble"
+    names = [name for name in ODD if "\n" not in name]
+    channels = {name: {"type": "text"} for name in names if name}
+    channels |= {"of bodies": {"type": "text", "scope": "body"}, "of pairs": {"type": "text", "scope": "pair"}}
+    with tumble.Recorder(path, engine="test", bodies=[{"name": name} for name in names], channels=channels) as log:
+        still = {"position": numpy.zeros((len(names), 3)), "velocity": numpy.zeros((len(names), 3))}
+        for text in ODD:
+            values = {name: text for name in names if name}
+            values |= {"of bodies": {1: text}, "of pairs": {(1, 2): text}}
+            log.step(**still, channels=values)
+        log.step(**still)
+    table = tmp_path / f"odd.{ending}"
+    tumble.run("export", path, "-o", table)
+    tumble.run("import", table, "-o", again)
+    assert tumble.diff(path, again).identical
+    old, new = tumble.Log(path), tumble.Log(again)
+    assert [body.name for body in new.bodies.values()] == names
+    for step in range(len(ODD) + 2):
+        assert new.steps[step].channels == old.steps[step].channels, step
+    tumble.run("export", path, "-o", tmp_path / "one.csv", "--bodies", "a,b")
+    assert len((tmp_path / "one.csv").read_text().split("\nstep,")[1].splitlines()) == 1 + len(ODD) + 2
+
+
+def test_velocities_that_are_no_numbers_have_no_place_in_a_scene(tmp_path):
+    path = tmp_path / "fast.tumble"
+    with recorder(path) as log:
+        log.step(position=numpy.zeros((2, 3)), velocity=numpy.full((2, 3), numpy.inf))
+        log.step(position=numpy.full((2, 3), numpy.nan), velocity=numpy.zeros((2, 3)))
+    tumble.run("export", path, "-o", tmp_path / "fast.glb", "--steps", "0:1")
+    with pytest.raises(tumble.BadInput, match="body 1 at step 2: position.x is nan, which glTF cannot hold"):
+        tumble.run("export", path, "-o", tmp_path / "fast.glb")
+
+
+def test_messages_name_what_was_found(tmp_path):
+    with recorder(tmp_path / "x.tumble") as log:
+        with pytest.raises(tumble.BadInput, match="found a dt of 0 s, wanted 1e-07 … 1 s"):
+            log.step(**zeros(), dt=0)
+    with pytest.raises(tumble.BadInput, match='found "idd", wanted name, shape, id, size(?!.*origin)'):
+        tumble.Recorder(tmp_path / "y.tumble", engine="test", bodies=[{"idd": 1}])
+    with pytest.raises(tumble.BadInput, match="wanted text of whole characters"):
+        recorder(tmp_path / "y.tumble", channels={"\ud800": "m"})
+    log = tumble.Log(tmp_path / "x.tumble")
+    with pytest.raises(KeyError, match="body of .*x.tumble: found 7, wanted 1, 2, 3"):
+        log.bodies[7]
+    with pytest.raises(KeyError, match="channel of .*x.tumble: found 'a', wanted none"):
+        log.channels["a"]
+
+
+@pytest.mark.parametrize("bad", [{"dt": 0}, {"notes": ["x" * 10**6]}, {"orientation": numpy.zeros((2, 4))},
+                                 {"contacts": [(0, None, (0, 0, 0), (0, 0, 1), 0, 0)]}, {"phases": [1]}])
+def test_a_refused_step_ends_a_whole_log(tmp_path, bad):
+    path = tmp_path / "refused.tumble"
+    with pytest.raises(tumble.BadInput, match="step 101: "):
+        with recorder(path, channels={"w": {"scope": "body"}}) as log:
+            for _ in range(100):
+                log.step(**zeros(), channels={"w": {1: 1.0}})
+            log.throw(id=9)
+            log.step(position=numpy.zeros((3, 3)), velocity=numpy.zeros((3, 3)), channels={"w": {1: 1.0}}, **{
+                key: numpy.zeros((3, 4)) if key == "orientation" else value for key, value in bad.items()})
+    read = tumble.Log(path)
+    assert read.whole and read.last_step == 100 and len(read.bodies) == 3
+    assert tumble.run("info", path).code == 0

@@ -108,3 +108,22 @@ def test_the_program_must_be_of_the_same_version(monkeypatch, tmp_path):
     monkeypatch.setenv("TUMBLE_PROGRAM", str(tmp_path / "none"))
     with pytest.raises(tumble.CannotFinish, match="cannot be run"):
         tumble.measure("x.tumble")
+
+
+def test_a_log_without_a_path_is_named_after_the_case(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert tumble.record("tower", steps=2).log == "tower.tumble"
+    (tmp_path / "mine.toml").write_text("[[box]]\nposition = [0, 0, 2]\n")
+    assert tumble.record("mine.toml", steps=2).log == "mine.tumble"
+    assert repr(tumble.run("info", "mine.tumble")).startswith("<tumble.Answer, exit status 0: 'log ")
+
+
+def test_what_is_no_dictionary_is_named(wall):
+    with pytest.raises(tumble.BadInput, match="tolerance: found 'x', wanted a dictionary"):
+        tumble.diff(wall, wall, tolerance="x")
+    with pytest.raises(tumble.BadInput, match="set: found 7, wanted a dictionary"):
+        tumble.record("tower", "t.tumble", set=7)
+    for world in (lambda: tumble.World.from_scene("tower", set={"\ud800": 1}),
+                  lambda: tumble.World.from_scene(tumble.Scene("\ud800"))):
+        with pytest.raises(tumble.BadInput, match="wanted text of whole characters"):
+            world()

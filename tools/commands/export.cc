@@ -38,13 +38,18 @@ Result<std::function<bool(const sim::BoxDef&, const std::string&)>> parse_choice
                                                                                  const replay::BodyTable& table) {
   if (text == "all") return std::function<bool(const sim::BoxDef&, const std::string&)>();
   std::set<std::string> named, names;
-  for (const auto& [id, info] : table.bodies()) named.insert(info.name);
+  for (const auto& [id, info] : table.bodies()) {
+    if (!info.name.empty()) named.insert(info.name);
+  }
+  if (named.contains(text)) {  // a name may have commas
+    return std::function([text](const sim::BoxDef& /*box*/, const std::string& name) { return name == text; });
+  }
   std::string others;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
     const std::string word = text.substr(begin, end - begin);
     begin = end + 1;
-    if (!word.empty() && named.contains(word)) {
+    if (named.contains(word)) {
       names.insert(word);
     } else {
       others += (others.empty() ? "" : ",") + word;

@@ -60,6 +60,8 @@ class Block {
   std::vector<float> floats_;
 };
 
+bool is_of_pose(std::string_view field) { return field.starts_with("position") || field.starts_with("orientation"); }
+
 class GltfWriter : public ExportWriter {
  public:
   explicit GltfWriter(files::OutputFile& file) : file_(file) {}
@@ -101,7 +103,8 @@ class GltfWriter : public ExportWriter {
  private:
   /// Errors: a number that is no float, an orientation that no rotation comes of.
   [[nodiscard]] Status check(const BodyStates& states, std::size_t row, std::size_t body, std::uint64_t step) const {
-    if (std::optional<NotFinite> lost = not_finite(states, row, step); lost) {
+    // Poses come first, and velocities have no place in the file.
+    if (std::optional<NotFinite> lost = not_finite(states, row, step); lost && is_of_pose(lost->field)) {
       const NotFinite shown = in_axes(plan_->header.axes(), *lost);
       return bad_input(plan_->place(body, step) + ": " + shown.field + " is " + exact(shown.value) +
                        ", which glTF cannot hold; export the steps before (--steps), other bodies (--bodies), or to "

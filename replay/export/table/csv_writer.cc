@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "replay/arrays/pair_cell.h"
 #include "replay/export/table/table_frame.h"
 #include "src/base/text.h"
 
@@ -15,10 +16,7 @@ void append_comma(double number, std::string& row) {
   row += number_cell(number);
 }
 
-bool fits_cell(const std::string& text) {
-  const auto wrong = [](char c) { return c == ',' || static_cast<unsigned char>(c) < ' '; };
-  return !text.empty() && text.front() != ' ' && text.back() != ' ' && std::ranges::none_of(text, wrong);
-}
+bool fits_cell(const std::string& text) { return text_cell(text) == text; }
 
 class CsvWriter : public ExportWriter {
  public:
@@ -33,18 +31,19 @@ class CsvWriter : public ExportWriter {
     gridded_ = std::ranges::any_of(
         plan.bodies, [](const ExportBody& body) { return body.box.origin.kind == sim::Origin::Kind::kGrid; });
     for (const Channel& channel : channels()) {
-      if (!fits_cell(channel.name)) {
-        return bad_input("channel " + in_quotes(channel.name) +
-                         ": found a name that a table without quotes cannot hold (a comma, a blank at an end); export "
-                         "to .npz or .mcap");
-      }
+      // Texts of steps to come may need it.
+      escaped_ =
+          escaped_ || !is_number(channel.type.kind) || !fits_cell(channel_column(channel) + unit_in_column(channel));
     }
+    escaped_ = escaped_ || std::ranges::any_of(plan.bodies, [](const ExportBody& body) {
+                 return !body.name.empty() && !fits_cell(body.name);
+               });
     for (const ExportBody& body : plan.bodies) describe(body);
     return write_head();
   }
 
   Status add(const ExportStep& step) override {
-    if (Status ok = write_world(step); !ok.ok()) return ok;
+    write_world(step);
     const BodyStates& states = frame_.states(step.record.states);
     std::string front = std::to_string(step.record.step);
     append_comma(step.time, front);
@@ -55,7 +54,7 @@ class CsvWriter : public ExportWriter {
       rows_ += front;
       write_state(states, step.rows[i], plan_->bodies[i]);
       rows_ += about_[i];
-      if (Status ok = write_values(step, i, from); !ok.ok()) return ok;
+      write_values(step, i, from);
       rows_ += '\n';
     }
     empty_steps_ += rows_.empty() ? 1U : 0U;
@@ -79,6 +78,7 @@ class CsvWriter : public ExportWriter {
     std::string head;
     for (const auto& [key, value] : table_settings(*plan_))
       head.append("# ").append(key).append(": ").append(value).append("\n");
+    if (escaped_) head += kEscapesLine;
     if (!channels().empty()) {
       head += "# kinds:";
       for (const Channel& channel : channels()) head += std::string(" ") + name_of(table_kind(channel.type.kind));
@@ -90,7 +90,7 @@ class CsvWriter : public ExportWriter {
     head += ",frozen,size.x,size.y,size.z,mass,static,friction,friction_dynamic,restitution,texture";
     if (gridded_) head += ",row,column";
     if (shaped_) head += ",shape";
-    for (const Channel& channel : channels()) head += ',' + channel_column(channel) + unit_in_column(channel);
+    for (const Channel& channel : channels()) head += ',' + as_cell(channel_column(channel) + unit_in_column(channel));
     return file_.write(head + '\n');
   }
 
@@ -114,9 +114,7 @@ class CsvWriter : public ExportWriter {
     }
     if (shaped_) cells += ',' + shape_word(body, frame_.axes());
     about_.push_back(std::move(cells));
-    std::string name = printable(body.name);
-    std::ranges::replace(name, ',', ';');
-    if (name != body.name) left_out_.push_back("the commas of a name: " + name);
+    const std::string name = body.name.empty() ? "" : as_cell(body.name);
     names_.push_back(',' + std::to_string(box.id) + (named_ ? ',' + name : ""));
   }
 
@@ -127,38 +125,29 @@ class CsvWriter : public ExportWriter {
     rows_ += states.frozen[row] != 0 ? ",1" : ",0";
   }
 
-  Status append_value(const ExportStep& step, std::size_t channel, std::size_t row, const std::string& of,
-                      std::string& out) {
+  [[nodiscard]] std::string as_cell(const std::string& text) const { return escaped_ ? text_cell(text) : text; }
+
+  void append_value(const ExportStep& step, std::size_t channel, std::size_t row, std::string& out) const {
     const Channel& about = channels()[channel];
     const ChannelValue value = step.record.extras.values(channel).value(row, about.type.kind);
     const auto* text = std::get_if<std::string>(&value);
-    std::string cell;
     if (text == nullptr) {
-      cell = value_cell(value, about.type.kind);
+      out += value_cell(value, about.type.kind);
     } else {
-      cell = about.type.kind == ChannelKind::kBytes ? hex_cell(*text) : *text;
+      out += as_cell(about.type.kind == ChannelKind::kBytes ? hex_cell(*text) : *text);
     }
-    if (text != nullptr && !fits_cell(cell)) {
-      return bad_input("channel " + in_quotes(about.name) + " of " + of + ": found the text " + in_quotes(cell) +
-                       ", which a table without quotes cannot hold (nothing, a comma, a line end, a blank at an end); "
-                       "export to .npz or .mcap");
-    }
-    out += cell;
-    return {};
   }
 
   /// The values of the step as a whole, which every row repeats.
-  Status write_world(const ExportStep& step) {
+  void write_world(const ExportStep& step) {
     world_.assign(channels().size(), "");
     for (std::size_t c = 0; c < channels().size(); ++c) {
       if (channels()[c].type.scope != ChannelScope::kWorld || step.record.extras.values(c).empty()) continue;
-      const std::string of = "step " + std::to_string(step.record.step);
-      if (Status ok = append_value(step, c, 0, of, world_[c]); !ok.ok()) return ok;
+      append_value(step, c, 0, world_[c]);
     }
-    return {};
   }
 
-  Status write_values(const ExportStep& step, std::size_t body, std::vector<std::size_t>& from) {
+  void write_values(const ExportStep& step, std::size_t body, std::vector<std::size_t>& from) {
     const sim::BodyId id = plan_->bodies[body].box.id;
     for (std::size_t c = 0; c < channels().size(); ++c) {
       rows_ += ',';
@@ -171,16 +160,14 @@ class CsvWriter : public ExportWriter {
       const std::size_t row = value_row(values, id, from[c]);
       if (row == values.size()) continue;
       if (type.scope == ChannelScope::kPair) {
-        rows_ += pair_cell(values, type.kind, row);
+        rows_ += as_cell(pair_cell(values, type.kind, row));
         while (from[c] < values.size() && values.keys[from[c]].a == id) ++from[c];
         written_values_ += from[c] - row;
         continue;
       }
       ++written_values_;
-      const std::string of = plan_->place(body, step.record.step);
-      if (Status ok = append_value(step, c, row, of, rows_); !ok.ok()) return ok;
+      append_value(step, c, row, rows_);
     }
-    return {};
   }
 
   [[nodiscard]] const std::vector<Channel>& channels() const { return plan_->header.declared.channels; }
@@ -189,6 +176,7 @@ class CsvWriter : public ExportWriter {
   const ExportPlan* plan_ = nullptr;
   TableFrame frame_;
   bool named_ = false, shaped_ = false, gridded_ = false;
+  bool escaped_ = false;                    // texts and names are as text_cell() writes them
   std::vector<std::string> about_, names_;  // cells of each body
   std::vector<std::string> world_;          // cells of the step
   std::string rows_;
