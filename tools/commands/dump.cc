@@ -288,7 +288,7 @@ Action declare_dump(Arguments& arguments) {
       "channels; --csv leaves out channels of pairs and contacts.\n\n"
       "Examples:\n"
       "  tumble dump brick_wall.tumble --step 0\n"
-      "  tumble dump brick_wall.tumble --steps 0:300 --body 222 --csv");
+      "  tumble dump brick_wall.tumble --steps 0:300 --body 9000 --csv");
   return [options] { return dump(*options); };
 }
 
