@@ -24,6 +24,8 @@ endif()
 function(tumble_install_data)
   install(DIRECTORY golden/cases DESTINATION ${install_data}/golden ${ARGN})
   install(DIRECTORY bench/scenes DESTINATION ${install_data}/bench ${ARGN})
+  install(DIRECTORY schema/json schema/export DESTINATION ${install_data}/schema ${ARGN} FILES_MATCHING PATTERN *.schema.json
+          PATTERN *.proto)
   install(FILES LICENSE CHANGES.md DESTINATION ${CMAKE_INSTALL_DOCDIR} ${ARGN})
   install(DIRECTORY docs DESTINATION ${CMAKE_INSTALL_DOCDIR} ${ARGN} PATTERN images EXCLUDE)
   install(CODE "

@@ -34,6 +34,14 @@ while read -r archive; do
   [[ -z $open ]] || fail "${archive##*/}: a program can replace $(wc -l <<<"$open") functions, such as ${open%%$'\n'*}"
 done < <(find "$prefix" -name 'libtumble_*.a')
 
+# Schemas of what --json prints, known by the names that the outputs give, and of the messages in MCAP files.
+for command in $("$tumble" help | sed -nE 's/^  ([a-z]+) +.*$/\1/p' | grep -v '^tumble$'); do
+  "$tumble" "$command" --help | grep -q -e --json || continue
+  grep -q "\"urn:tumble:json:[0-9]*:$command\"" "$prefix/share/tumble/schema/json/$command.schema.json" ||
+    fail "share/tumble/schema/json: no schema of tumble $command --json"
+done
+[[ -s $prefix/share/tumble/schema/export/foxglove.proto ]] || fail 'share/tumble/schema/export: no messages of MCAP files'
+
 # Manual pages and completions: one page a command, without a word that troff does not know.
 for command in $("$tumble" help | sed -nE 's/^  ([a-z]+) +.*$/\1/p' | grep -v '^tumble$'); do
   [[ -s $prefix/share/man/man1/tumble-$command.1 ]] || fail "no manual page of tumble $command"

@@ -39,6 +39,7 @@ require=() # of the archive, which brings no OpenGL; another Mesa may draw other
 [[ $1 == deb ]] || require=(--require exact --require behaviour)
 timed 'check' "$tumble" check --suite "$data/golden" --report report ${require[@]+"${require[@]}"}
 so_far 'to a checked suite'
+[[ -s $data/schema/json/check.schema.json ]] || fail "no JSON schemas in $data/schema"
 [[ -s report/index.html && -s report/junit.xml ]] || fail 'check wrote no report'
 if [[ $1 == archive ]]; then
   apt-get -q install -y --no-install-recommends libosmesa6 >/dev/null 2>&1 ||
