@@ -17,7 +17,7 @@ umask 022
 commit_date=$(git log -1 --format=%ct 2>/dev/null || stat -c %Y CHANGES.md) # a source archive has no commits
 export LC_ALL=C TZ=UTC SOURCE_DATE_EPOCH=${SOURCE_DATE_EPOCH:-$commit_date}
 
-tools/setup.sh --only program --only live --only python --only packages
+tools/setup.sh --only program --only export --only live --only python --only packages
 cmake --preset package
 cmake --build --preset package --parallel "${TUMBLE_JOBS:-$(nproc)}" --target all tumble-portable
 work=$(mktemp -d)

@@ -49,6 +49,9 @@ fi
 timed 'render' "$tumble" render wall.tumble --step 60 -o wall.png --size 640x480
 timed 'view' "$tumble" view wall.tumble -o wall.html
 [[ -s wall.png && -s wall.html ]] || fail 'render or view wrote no file'
+for ending in csv npz glb mcap; do
+  timed "export to .$ending" "$tumble" export wall.tumble -o "wall.$ending"
+done
 [[ $1 == deb ]] || exit 0
 
 [[ -x /usr/bin/tumble-live ]] || fail 'no window: package tumble-live'
