@@ -94,15 +94,14 @@ std::string Array::cell(const std::vector<std::size_t>& index) const {
     std::reverse(item.begin() + static_cast<std::ptrdiff_t>(begin),
                  item.begin() + static_cast<std::ptrdiff_t>(begin + unit));
   }
-  std::string text;
-  if (kind == Kind::kUnicode) {
-    for (std::size_t i = 0; i < item.size(); i += 4) {
-      const auto code = static_cast<std::uint32_t>(number_at(item, i, 4));
-      if (code != 0) append_utf8(code, text);
-    }
+  if (kind == Kind::kUnicode || kind == Kind::kBytes) {
+    item.resize((item.find_last_not_of('\0') + unit) / unit * unit);  // zeros at the end fill the item, as in numpy
+    if (kind == Kind::kBytes) return item;
+    std::string text;
+    for (std::size_t i = 0; i < item.size(); i += 4)
+      append_utf8(static_cast<std::uint32_t>(number_at(item, i, 4)), text);
     return text;
   }
-  if (kind == Kind::kBytes) return item.substr(0, item.find('\0'));
   const std::uint64_t bits = number_at(item, 0, item.size());
   if (kind == Kind::kFloat && item.size() == 8) return exact_bits(std::bit_cast<double>(bits));
   if (kind == Kind::kFloat) {  // the double of the same value, so that its digits give the float's bits

@@ -222,6 +222,24 @@ def test_odd_names_and_texts_survive_a_table(tmp_path, ending):
     assert len((tmp_path / "one.csv").read_text().split("\nstep,")[1].splitlines()) == 1 + len(ODD) + 2
 
 
+def test_zero_bytes_in_texts(tmp_path):
+    path, again = tmp_path / "zero.tumble", tmp_path / "again.tumble"
+
+    def record(text):
+        with recorder(path, channels={"w": {"type": "text"}}) as log:
+            log.step(**zeros(), channels={"w": text})
+
+    record("a\0b")
+    for ending in ("csv", "npz"):
+        tumble.run("export", path, "-o", tmp_path / f"zero.{ending}")
+        tumble.run("import", tmp_path / f"zero.{ending}", "-o", again)
+        assert tumble.diff(path, again).identical
+    record("a\0")
+    tumble.run("export", path, "-o", tmp_path / "end.csv")
+    with pytest.raises(tumble.BadInput, match="world.w of step 1: found a text that ends with a zero byte"):
+        tumble.run("export", path, "-o", tmp_path / "end.npz")
+
+
 def test_velocities_that_are_no_numbers_have_no_place_in_a_scene(tmp_path):
     path = tmp_path / "fast.tumble"
     with recorder(path) as log:

@@ -117,6 +117,10 @@ Status NpzChannels::put_value(Column& column, const ChannelValues& values, std::
   if (is_text(column.type.kind)) {
     const bool bytes = column.type.kind == ChannelKind::kBytes;
     const std::string text = bytes ? hex_cell(values.bytes[row]) : values.bytes[row];
+    if (text.ends_with('\0')) {
+      return bad_input(column.name + " of " + of + ": found a text that ends with a zero byte, which numpy cuts off; " +
+                       "export to .csv or .mcap");
+    }
     const auto [place, is_new] = column.numbers.try_emplace(text, static_cast<std::uint32_t>(column.numbers.size()));
     column.longest = std::max(column.longest, text.size());
     if (is_new && 4 * column.longest * column.numbers.size() > kTextBytesMax) {
