@@ -155,6 +155,26 @@ TEST(HuntLaws, SeeFrictionOutsideTheCone) {
   expect_broken("cone", tampered(kCrate, 30, [](sim::Bodies& b) { b.velocity.y[0] += 0.4; }), 30);
 }
 
+// Scene 8614 of seed 1: the corner that lands carries little in two steps, and by chance as much in both.
+TEST(HuntLaws, TakeNoLandingForAContactThatRests) {
+  const Judgement found = judge("cone", traced(R"(
+[world]
+steps = 2
+freezing = false
+[material]
+friction = 0.9399321056401836
+friction_dynamic = 0.9399321056401836
+restitution = 0
+[[box]]
+size = [1.071, 0.671, 0.92]
+position = [3, 0, 0.6687]
+orientation = [-0.635237818437792, 0.6382178636741126, 0.379463019665522, 0.21250573926360253]
+velocity = [2.6, -0.5, -0.93]
+spin = [1.2, 2.8, 2]
+)"));
+  EXPECT_EQ(found.outcome, Outcome::kHeld) << found.what << ' ' << found.value << ' ' << found.bound;
+}
+
 TEST(HuntLaws, SeeOverlaps) {
   expect_broken("overlap", tampered(kTower, 10, [](sim::Bodies& b) { b.position.z[1] -= 0.4; }), 10);
   expect_broken("overlap", tampered(kTower, 10, [](sim::Bodies& b) { b.position.z[0] = -3; }), 10);

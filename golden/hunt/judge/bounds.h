@@ -28,6 +28,7 @@ inline constexpr double kTurnMost = 1;         ///< rad that a body that is hit 
 inline constexpr double kPartedDepth = 4e-4;   ///< m; boxes that begin a step deeper in one another are parted
 inline constexpr double kPartedPart = 0.015;   ///< of the least half extent, where that is less
 inline constexpr double kConePart = 0.25;      ///< of the impulse along the normal, of a steady contact
+inline constexpr double kConeLoad = 0.5;       ///< of a body's weight, that a steady contact carries at least
 /// Of a friction impulse, what it takes off the normal impulse of its corner at most: a body turns about an axis like
 /// m r²/3 or more, r from the axis to a corner, and 3 s c / (1 + 3 c²) has its maximum 3/4 over all directions.
 inline constexpr double kFrictionLifts = 0.75;

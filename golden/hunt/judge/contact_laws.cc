@@ -52,7 +52,8 @@ GroundImpulses add_ground_impulses(const Trace& trace, std::size_t k, const Grou
     // kFrictionLifts of it, and, where the body leaves the ground, by what its contact started from: its weight, or
     // what it remembers of the step before.
     const auto last = before.find(meeting.second);
-    const bool steady = up > 0 && last != before.end() && std::fabs(last->second - up) <= kConePart * up;
+    const bool steady =
+        up > kConeLoad * mass * length(fall) && last != before.end() && std::fabs(last->second - up) <= kConePart * up;
     double started = mass * length(fall);
     if (last != before.end())
       started += std::min(last->second, kRemembered * mass);
