@@ -33,6 +33,12 @@ std::string builds_text(const LogHeader& header) {
          ", this build version " + std::to_string(own.method_version);
 }
 
+std::optional<BodyMotion> motion_in(const BodyStates& states, sim::BodyId body) {
+  const auto at = std::ranges::lower_bound(states.id, body);
+  if (at == states.id.end() || *at != body) return std::nullopt;
+  return motion_of(states, static_cast<std::size_t>(at - states.id.begin()));
+}
+
 Error other_step(const LogReader& log, std::uint64_t k, const Divergence& first) {
   const std::string step = std::to_string(k), before = std::to_string(k - 1);
   const bool any_before = k - 1 > log.first_state();
@@ -150,19 +156,18 @@ Result<std::optional<BodyMotion>> StepsAgain::after(std::uint64_t k, sim::BodyId
     if (!keyframe.ok()) return keyframe.error();
     block_body_ = body;
     block_from_ = (*keyframe)->state.step;
-    block_.clear();
+    // From the keyframe itself: the record of the step that ended there may be lost.
+    BodyStates first;
+    copy_visible((*keyframe)->state.bodies, first);
+    block_ = {motion_in(first, body)};
     if (progress_ && !progress_(0, 1)) return cannot_finish("interrupted");
-    for (std::uint64_t j = block_from_; j <= k; ++j) {
+    for (std::uint64_t j = block_from_ + 1; j <= k; ++j) {
       const Result<const StepRecord*> record = states_.read(j);
       if (!record.ok()) {
         block_.clear();
         return record.error();
       }
-      const BodyStates& states = (*record)->states;
-      const auto at = std::ranges::lower_bound(states.id, body);
-      const bool found = at != states.id.end() && *at == body;
-      block_.push_back(found ? std::optional(motion_of(states, static_cast<std::size_t>(at - states.id.begin())))
-                             : std::nullopt);
+      block_.push_back(motion_in((*record)->states, body));
     }
   }
   return block_[k - block_from_];

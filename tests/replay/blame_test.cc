@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "replay/format/prelude.h"
 #include "tests/support/log_memory.h"
+#include "tests/support/sample_log.h"
 #include "tests/support/sim_scenes.h"
 #include "tumble/replay/log_writer.h"
 #include "tumble/replay/session.h"
@@ -189,6 +191,42 @@ TEST(Blame, RefusesWhatDoesNotExist) {
   EXPECT_NE(message({9, "velocity.x", 8, 1}).find("found no body 9"), std::string::npos);
   EXPECT_NE(message({2, "velocity.x", 9, 1}).find("found no step 9, wanted 0 to 8"), std::string::npos);
   EXPECT_NE(message({2, "velocity.xx", 8, 1}).find("did you mean \"velocity.x\""), std::string::npos);
+}
+
+// The keyframe behind a gap holds the state that the lost steps led to. So every step that is there can be explained.
+TEST(Blame, GoesBackToTheStepsThatARecoveredLogLacks) {
+  for (const Method method : kMethods) {
+    sim::SceneDef scene = floating(method, {{3, sim::Push{1, {3, 0, 0}, true, {0, 0, 0}}}}, 24);
+    scene.world.gravity = {0, 0, -9.81};
+    Bytes bytes = record_to_memory(scene, {}, 6);
+    const std::vector<ChunkPlace> chunks = open_memory(bytes)->chunks();
+    ASSERT_EQ(chunks.size(), 4U);
+    bytes[chunks[1].offset + kPreludeBytes + 8] ^= std::byte{1};
+    const Result<RecoveredLog> recovered = recover_memory(bytes);
+    ASSERT_TRUE(recovered.ok()) << recovered.error().message;
+    for (const Bytes& hurt : {recovered->bytes, bytes}) {
+      Result<LogReader> log = open_memory(hurt);
+      ASSERT_TRUE(log.ok());
+      const Result<Blame> found = blame(*log, {1, "velocity.z", 20, 9});
+      ASSERT_TRUE(found.ok()) << found.error().message;
+      ASSERT_FALSE(found->answers.empty());
+      EXPECT_EQ(found->answers[0].step, 20U) << story(*found);
+      EXPECT_FALSE(found->complete) << story(*found);
+      const Result<Blame> first = blame(*log, {1, "position.z", 13, 1});
+      ASSERT_TRUE(first.ok()) << first.error().message;
+      EXPECT_EQ(first->answers.at(0).step, 13U) << story(*first);
+      // Set before the gap.
+      const Result<Blame> lost = blame(*log, {1, "velocity.x", 20, 9});
+      EXPECT_FALSE(lost.ok());
+      ASSERT_FALSE(blame(*log, {1, "velocity.z", 9, 1}).ok());
+    }
+    Result<LogReader> log = open_memory(recovered->bytes);
+    const Result<Blame> found = blame(*log, {1, "velocity.z", 20, 9});
+    EXPECT_EQ(found->ends, "memory.tumble: found no step 12: steps 7 to 12 were lost before the log was recovered");
+    ASSERT_EQ(found->notes.size(), 1U);
+    EXPECT_NE(found->notes[0].find("steps 7 to 12 were lost"), std::string::npos) << found->notes[0];
+    EXPECT_EQ(blame(*log, {1, "velocity.x", 20, 9}).error().message, found->ends);
+  }
 }
 
 // A log whose step 6 no build takes: a velocity was moved by hand, and the hashes follow.

@@ -7,7 +7,7 @@
 # Usage: tools/scripts/faults/blame.sh [--of N] [--jobs N] [--rest] [NAME...]
 #   --of N   N faults, spread evenly over those that lie in a phase, in the order of tests/faults; 30 unless given. In place
 #            of one that moves no value of a body in these sessions stands the next of that order
-#   --rest   only those not asked since the sources of blame changed last
+#   --rest   only those not asked yet, or asked of another fault or by other sources of blame; an interrupted run goes on so
 # Needs build/release/tools/tumble. Exit status: 0 nine of ten were named; 1 fewer; 2 bad usage.
 set -euo pipefail
 export LC_ALL=C
@@ -33,13 +33,14 @@ trap 'rm -rf "$list"' EXIT
 export work list faults_target
 mkdir -p "$work/good" "$work/rows" "$work/log"
 
-# Those that lie in a phase of src.
-faults_in_phases() {
-  local name
-  for name in "${fault_names[@]}"; do
-    [[ -s $list/$name.phase && $(<"$list/$name.phase") != start && $(<"$list/$name.file") == src/* ]] || continue
-    printf '%s\n' "$name"
-  done
+# What a row depends on, besides the sessions: the fault and the blame of a tree that is asked about it.
+blame_key() { # name tree
+  printf '%s.%s' "$(key_of "$1")" "$(cat "$2"/replay/blame/* "$2/tests/trial/blame.cc" | sha256sum | cut -c 1-16)"
+}
+
+# Whether a row is of the fault and of the blame of today.
+is_asked() { # name
+  [[ -s $work/rows/$1 && $(head -n 1 "$work/rows/$1") == *"|$(blame_key "$1" .)" ]]
 }
 
 # Whether the answers of a line hold one of the phases of a fault.
@@ -51,7 +52,7 @@ names_one_of() { # phases line
   return 1
 }
 
-# Leaves a row: sessions that differ|sessions whose answers name the phase; then the lines of the trial.
+# Leaves a row: sessions that differ|sessions whose answers name the phase|key; then the lines of the trial.
 ask() { # name slot
   rm -f "$work/rows/$1"
   local name=$1 tree=$work/tree$2 line phases differ=0 named=0
@@ -74,7 +75,7 @@ ask() { # name slot
     differ=$((differ + 1))
     ! names_one_of "$phases" "$line" || named=$((named + 1))
   done <"$work/log/$name"
-  { printf '%s|%s\n' "$differ" "$named"; cat "$work/log/$name"; } >"$work/rows/$name"
+  { printf '%s|%s|%s\n' "$differ" "$named" "$(blame_key "$name" "$tree")"; cat "$work/log/$name"; } >"$work/rows/$name"
   printf '%-36s %-44s %s of %s sessions\n' "$name" "$phases" "$named" "$differ"
 }
 
@@ -88,13 +89,13 @@ for case in "${log_cases[@]}"; do
   [[ -s $work/good/$case.tumble ]] || build/release/tools/tumble record "$case" -o "$work/good/$case.tumble" --quiet >/dev/null
 done
 for ((slot = 0; slot < jobs; ++slot)); do make_tree "$work/tree$slot"; done
-export -f ask names_one_of
+export -f ask names_one_of blame_key
 
 # Asks about those of the names that are to be asked about.
 ask_all() { # name...
   local name left=()
   for name; do
-    ! "$rest" || [[ ! $work/rows/$name -nt $work/tree0/build/release/replay/libtumble_replay.a ]] || continue
+    ! "$rest" || ! is_asked "$name" || continue
     left+=("$name")
   done
   # shellcheck disable=SC2016  # the shell that xargs starts is to expand it
@@ -120,7 +121,7 @@ named=0 seen=0 missed=()
 for ((k = 0; k < ${#names[@]}; ++k)); do
   name=${names[k]}
   [[ -s $work/rows/$name ]] || continue
-  IFS='|' read -r differ hits <"$work/rows/$name"
+  IFS='|' read -r differ hits _ <"$work/rows/$name"
   if ((differ == 0)); then
     instead=$(next_of "$name")
     printf '%s moves no value of these sessions%s\n' "$name" "${instead:+: $instead instead}"

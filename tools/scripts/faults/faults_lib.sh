@@ -48,6 +48,15 @@ read_faults() {
   done
 }
 
+# Those that lie in a phase of src, in the order of tests/faults.
+faults_in_phases() {
+  local name
+  for name in "${fault_names[@]}"; do
+    [[ -s $list/$name.phase && $(<"$list/$name.phase") != start && $(<"$list/$name.file") == src/* ]] || continue
+    printf '%s\n' "$name"
+  done
+}
+
 # How often a text occurs in a file.
 occurrences() { # file text
   local rest count=0

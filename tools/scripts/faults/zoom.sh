@@ -32,14 +32,6 @@ good=$work/tumble
 tree=$work/tree
 bad=$tree/build/release/tools/tumble
 
-faults_in_phases() {
-  local name
-  for name in "${fault_names[@]}"; do
-    [[ -s $list/$name.phase && $(<"$list/$name.phase") != start && $(<"$list/$name.file") == src/* ]] || continue
-    printf '%s\n' "$name"
-  done
-}
-
 # The line in which the text of a fault begins.
 line_of() { # name
   local before
